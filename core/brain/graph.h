@@ -1,0 +1,78 @@
+// A brain as a person edits it: sensors, neurons and motors, and the wires between them.
+//
+// Every brain is such a graph, cycles included. The four-neuron brain of the sliders is the special case of two sensors,
+// two motors and four wires (core/brain/four_neurons.h): the same type, not a second one.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace braitenlab {
+
+using NodeId = std::int32_t;  // stable through edits; unique within a graph
+
+enum class NodeKind { sensor, neuron, motor };
+
+// How a node or a wire answers to its input x.
+enum class Response {
+    linear,     // x
+    rectified,  // max(0, x)
+    step,       // 1 from the threshold `peak` on, else 0
+    sigmoid,    // 1 / (1 + exp(-(x - peak) / width))
+    hump,       // exp(-((x - peak) / width)^2): vehicle 4, a strong enough signal slows the wheel down again
+    inverted,   // 1 - x
+};
+
+struct Curve {
+    Response response = Response::linear;
+    float peak = 0.5f;   // where the step, the sigmoid's middle or the hump stands; -2..2
+    float width = 0.2f;  // > 0
+    friend bool operator==(const Curve&, const Curve&) = default;
+};
+
+struct Node {
+    NodeId id = 0;
+    NodeKind kind = NodeKind::neuron;
+    std::string name;        // a sensor or motor is found by its name: "SL", "SR", "ML", "MR"
+    Curve curve{};           // of the sum; a sensor has none
+    float bias = 0;          // added to the sum, -1..1; a sensor has none
+    float time_constant = 0; // seconds of leaky memory; 0 answers at once
+    friend bool operator==(const Node&, const Node&) = default;
+};
+
+struct Wire {
+    NodeId from = 0, to = 0;
+    float weight = 1;     // -2..2: amplifies, attenuates, inverts
+    float threshold = 0;  // 0..1: an input whose size is below it counts as 0
+    Curve curve{};        // of the input, before the weight
+    friend bool operator==(const Wire&, const Wire&) = default;
+};
+
+struct BrainGraph {
+    std::vector<Node> nodes;
+    std::vector<Wire> wires;  // at most one from any node to any other
+    friend bool operator==(const BrainGraph&, const BrainGraph&) = default;
+};
+
+namespace limits {
+inline constexpr float weight = 2, bias = 1, threshold = 1;  // largest sizes
+inline constexpr int sensors = 64, neurons = 1024, wires = 8192;  // of one brain
+}
+
+// What the curve makes of x.
+float respond(const Curve&, float x);
+
+// What the wire delivers to its end when its start stands at `input`: mask, curve, weight.
+float signal(const Wire&, float input);
+
+// The node with this id or name, or null.
+const Node* find_node(const BrainGraph&, NodeId);
+const Node* find_node(const BrainGraph&, const std::string& name);
+Node* find_node(BrainGraph&, const std::string& name);
+
+// The wire between two nodes, or null.
+const Wire* find_wire(const BrainGraph&, NodeId from, NodeId to);
+Wire* find_wire(BrainGraph&, NodeId from, NodeId to);
+
+}  // namespace braitenlab

@@ -1,0 +1,25 @@
+// Angles, in radians unless a name says degrees.
+#pragma once
+
+#include <cmath>
+
+#include "core/maths/portable.h"
+#include "core/maths/vec.h"
+
+namespace braitenlab::maths {
+
+constexpr float radians(float degrees) { return degrees * (pi / 180); }
+constexpr float degrees(float radians) { return radians * (180 / pi); }
+
+// The same direction in [-pi, pi).
+inline float wrap_angle(float angle) {
+    return angle - 2 * pi * std::floor((angle + pi) / (2 * pi));
+}
+
+// The unit vector that points along an angle, counter-clockwise from +x.
+inline vec2 direction(float angle) { return {cosine(angle), sine(angle)}; }
+
+// v turned counter-clockwise by the angle whose direction is given.
+constexpr vec2 rotate(vec2 v, vec2 by) { return {v.x * by.x - v.y * by.y, v.x * by.y + v.y * by.x}; }
+
+}  // namespace braitenlab::maths

@@ -1,0 +1,94 @@
+// Vectors of two, three and four floats: plain values with the usual arithmetic.
+//
+// Every operation works component by component unless its comment says otherwise. Sizes are those of plain floats.
+#pragma once
+
+#include <cmath>
+#include <ostream>
+
+namespace braitenlab::maths {
+
+struct vec2 {
+    float x = 0, y = 0;
+    constexpr float& operator[](int i) { return i == 0 ? x : y; }
+    constexpr float operator[](int i) const { return i == 0 ? x : y; }
+    friend constexpr bool operator==(const vec2&, const vec2&) = default;
+};
+
+struct vec3 {
+    float x = 0, y = 0, z = 0;
+    constexpr float& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
+    constexpr float operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+    friend constexpr bool operator==(const vec3&, const vec3&) = default;
+};
+
+struct vec4 {
+    float x = 0, y = 0, z = 0, w = 0;
+    constexpr float& operator[](int i) { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+    constexpr float operator[](int i) const { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+    friend constexpr bool operator==(const vec4&, const vec4&) = default;
+};
+
+constexpr vec2 operator+(vec2 a, vec2 b) { return {a.x + b.x, a.y + b.y}; }
+constexpr vec2 operator-(vec2 a, vec2 b) { return {a.x - b.x, a.y - b.y}; }
+constexpr vec2 operator-(vec2 a) { return {-a.x, -a.y}; }
+constexpr vec2 operator*(vec2 a, float s) { return {a.x * s, a.y * s}; }
+constexpr vec2 operator*(float s, vec2 a) { return a * s; }
+constexpr vec2 operator/(vec2 a, float s) { return {a.x / s, a.y / s}; }
+constexpr vec2& operator+=(vec2& a, vec2 b) { return a = a + b; }
+constexpr vec2& operator-=(vec2& a, vec2 b) { return a = a - b; }
+constexpr vec2& operator*=(vec2& a, float s) { return a = a * s; }
+constexpr vec2& operator/=(vec2& a, float s) { return a = a / s; }
+
+constexpr vec3 operator+(vec3 a, vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+constexpr vec3 operator-(vec3 a, vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+constexpr vec3 operator-(vec3 a) { return {-a.x, -a.y, -a.z}; }
+constexpr vec3 operator*(vec3 a, float s) { return {a.x * s, a.y * s, a.z * s}; }
+constexpr vec3 operator*(float s, vec3 a) { return a * s; }
+constexpr vec3 operator/(vec3 a, float s) { return {a.x / s, a.y / s, a.z / s}; }
+constexpr vec3& operator+=(vec3& a, vec3 b) { return a = a + b; }
+constexpr vec3& operator-=(vec3& a, vec3 b) { return a = a - b; }
+constexpr vec3& operator*=(vec3& a, float s) { return a = a * s; }
+constexpr vec3& operator/=(vec3& a, float s) { return a = a / s; }
+
+constexpr vec4 operator+(vec4 a, vec4 b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
+constexpr vec4 operator-(vec4 a, vec4 b) { return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}; }
+constexpr vec4 operator-(vec4 a) { return {-a.x, -a.y, -a.z, -a.w}; }
+constexpr vec4 operator*(vec4 a, float s) { return {a.x * s, a.y * s, a.z * s, a.w * s}; }
+constexpr vec4 operator*(float s, vec4 a) { return a * s; }
+constexpr vec4 operator/(vec4 a, float s) { return {a.x / s, a.y / s, a.z / s, a.w / s}; }
+constexpr vec4& operator+=(vec4& a, vec4 b) { return a = a + b; }
+constexpr vec4& operator-=(vec4& a, vec4 b) { return a = a - b; }
+constexpr vec4& operator*=(vec4& a, float s) { return a = a * s; }
+constexpr vec4& operator/=(vec4& a, float s) { return a = a / s; }
+
+constexpr float dot(vec2 a, vec2 b) { return a.x * b.x + a.y * b.y; }
+constexpr float dot(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr float dot(vec4 a, vec4 b) { return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w; }
+
+// The z component of the 3D cross product: positive when b lies counter-clockwise of a.
+constexpr float cross(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
+constexpr vec3 cross(vec3 a, vec3 b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+inline float length(vec2 a) { return std::sqrt(dot(a, a)); }
+inline float length(vec3 a) { return std::sqrt(dot(a, a)); }
+inline float length(vec4 a) { return std::sqrt(dot(a, a)); }
+
+inline float distance(vec2 a, vec2 b) { return length(b - a); }
+inline float distance(vec3 a, vec3 b) { return length(b - a); }
+
+// The unit vector along a; the zero vector stays the zero vector.
+inline vec2 normalise(vec2 a) { return length(a) > 0 ? a / length(a) : a; }
+inline vec3 normalise(vec3 a) { return length(a) > 0 ? a / length(a) : a; }
+
+inline std::ostream& operator<<(std::ostream& out, vec2 a) { return out << '(' << a.x << ", " << a.y << ')'; }
+inline std::ostream& operator<<(std::ostream& out, vec3 a) {
+    return out << '(' << a.x << ", " << a.y << ", " << a.z << ')';
+}
+inline std::ostream& operator<<(std::ostream& out, vec4 a) {
+    return out << '(' << a.x << ", " << a.y << ", " << a.z << ", " << a.w << ')';
+}
+
+}  // namespace braitenlab::maths

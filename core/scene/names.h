@@ -1,0 +1,65 @@
+// The words that files and programs use for the values of the scene's enumerations.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "core/brain/graph.h"
+#include "core/scene/scene.h"
+
+namespace braitenlab {
+
+template <class Enum>
+struct Named {
+    Enum value;
+    std::string_view word;
+};
+
+inline constexpr std::array<Named<Channel>, channel_count> channel_words{{
+    {Channel::light, "light"},
+    {Channel::heat, "heat"},
+    {Channel::smell, "smell"},
+    {Channel::oxygen, "oxygen"},
+    {Channel::obstacle, "obstacle"},
+    {Channel::predator, "predator"},
+    {Channel::prey, "prey"},
+    {Channel::vehicle, "vehicle"},
+}};
+inline constexpr std::array<Named<Role>, 3> role_words{
+    {{Role::none, "none"}, {Role::predator, "predator"}, {Role::prey, "prey"}}};
+inline constexpr std::array<Named<Driver>, 2> driver_words{{{Driver::brain, "brain"}, {Driver::parked, "parked"}}};
+inline constexpr std::array<Named<Edge>, 2> edge_words{{{Edge::wall, "wall"}, {Edge::open, "open"}}};
+inline constexpr std::array<Named<Motor>, 3> motor_words{
+    {{Motor::none, "none"}, {Motor::left, "left"}, {Motor::right, "right"}}};
+inline constexpr std::array<Named<SensorShape>, 3> shape_words{
+    {{SensorShape::sector, "sector"}, {SensorShape::triangle, "triangle"}, {SensorShape::omni, "omni"}}};
+inline constexpr std::array<Named<SensorResponse>, 2> sensor_response_words{
+    {{SensorResponse::graded, "graded"}, {SensorResponse::boolean, "boolean"}}};
+inline constexpr std::array<Named<NodeKind>, 3> node_kind_words{
+    {{NodeKind::sensor, "sensor"}, {NodeKind::neuron, "neuron"}, {NodeKind::motor, "motor"}}};
+inline constexpr std::array<Named<Response>, 6> response_words{{{Response::linear, "linear"},
+                                                                {Response::rectified, "rectified"},
+                                                                {Response::step, "step"},
+                                                                {Response::sigmoid, "sigmoid"},
+                                                                {Response::hump, "hump"},
+                                                                {Response::inverted, "inverted"}}};
+
+constexpr const auto& words(Channel) { return channel_words; }
+constexpr const auto& words(Role) { return role_words; }
+constexpr const auto& words(Driver) { return driver_words; }
+constexpr const auto& words(Edge) { return edge_words; }
+constexpr const auto& words(Motor) { return motor_words; }
+constexpr const auto& words(SensorShape) { return shape_words; }
+constexpr const auto& words(SensorResponse) { return sensor_response_words; }
+constexpr const auto& words(NodeKind) { return node_kind_words; }
+constexpr const auto& words(Response) { return response_words; }
+
+// The word for a value, e.g. word(Role::prey) == "prey".
+template <class Enum>
+constexpr std::string_view word(Enum value) {
+    for (const auto& named : words(value))
+        if (named.value == value) return named.word;
+    return {};
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,145 @@
+// A scene as a person edits it and a file holds it: plain values, nothing derived, nothing that a tick changes.
+//
+// SI units; plane coordinates x, y in metres with the origin in the middle of the arena; angles in radians
+// counter-clockwise from +x (files hold degrees). Ranges and defaults of every value: core/scene/fields.h.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/brain/graph.h"
+#include "core/maths/vec.h"
+
+namespace braitenlab {
+
+// What can be sensed. A new channel is one line here and one in its table of names (core/scene/names.h).
+enum class Channel { light, heat, smell, oxygen, obstacle, predator, prey, vehicle };
+inline constexpr int channel_count = 8;
+
+enum class Role { none, predator, prey };
+enum class SensorShape { sector, triangle, omni };
+enum class SensorResponse { graded, boolean };
+enum class Driver { brain, parked };
+enum class Edge { wall, open };
+
+// An eye (or nose, or feeler) on a vehicle. Its frame is the vehicle's: x ahead, y left, origin amid the driven axle.
+struct Sensor {
+    std::string name;                 // "SL", "SR", …: the brain's sensor node of this name reads it
+    Channel channel = Channel::light;
+    SensorShape shape = SensorShape::sector;
+    SensorResponse response = SensorResponse::graded;
+    float x = 0.30f, y = 0;           // m
+    float angle = 0;                  // the axis of view, against the vehicle's heading
+    float field = 1.7453293f;         // the whole opening angle, (0, 2 pi]
+    float range = 12;                 // m; 0 beyond it
+    float half_distance = 3;          // m; the d0 of 1/(1 + (d/d0)^2)
+    friend bool operator==(const Sensor&, const Sensor&) = default;
+};
+
+// The four wheels' motor: none for a castor, which rolls in every direction.
+enum class Motor { none, left, right };
+
+struct Wheel {
+    float x = 0, y = 0;       // m, contact point
+    float radius = 0.16f;     // m
+    float width = 0.09f;      // m
+    Motor motor = Motor::none;
+    float grip = 0;           // friction coefficient mu, along and across; 0 for a castor
+    float load = 0.25f;       // share of the vehicle's weight that rests on it; all wheels add up to 1
+    float area = 0.01f;       // m^2 of contact, for rolling drag
+    friend bool operator==(const Wheel&, const Wheel&) = default;
+};
+
+// The body of a vehicle. The default is the standard vehicle: a differential drive with a castor ahead and one behind.
+struct Body {
+    float length = 1.0f, width = 0.7f;  // m, of the chassis; its middle is the vehicle's origin
+    float mass = 10;                    // kg
+    float top_speed = 3;                // m/s, of a wheel commanded to 1
+    float motor_force = 24;             // N, the most one motor can push
+    std::vector<Wheel> wheels{
+        {0, 0.30f, 0.16f, 0.10f, Motor::left, 0.9f, 0.4f, 0.010f},
+        {0, -0.30f, 0.16f, 0.10f, Motor::right, 0.9f, 0.4f, 0.010f},
+        {0.38f, 0, 0.07f, 0.05f, Motor::none, 0, 0.1f, 0.004f},
+        {-0.38f, 0, 0.07f, 0.05f, Motor::none, 0, 0.1f, 0.004f},
+    };
+    friend bool operator==(const Body&, const Body&) = default;
+};
+
+// A design that many vehicles share.
+struct Kind {
+    std::string name;
+    Role role = Role::none;
+    Driver driver = Driver::brain;
+    float share = 0;     // of the population placed at random, against the other kinds' shares
+    Body body{};
+    std::vector<Sensor> sensors;
+    BrainGraph brain;
+    friend bool operator==(const Kind&, const Kind&) = default;
+};
+
+// A vehicle placed by hand. Where it starts may vary with the seed.
+struct Start {
+    std::string name;
+    std::string kind;
+    float x = 0, y = 0, heading = 0;
+    std::string facing;          // a source's name: heading then counts from the direction towards it
+    float place_spread = 0;      // m; x and y vary by up to this much either way
+    float heading_spread = 0;    // the heading varies by up to this much either way
+    friend bool operator==(const Start&, const Start&) = default;
+};
+
+// Something that stands in the world and can be sensed.
+struct Source {
+    std::string name;
+    Channel channel = Channel::light;
+    float x = 0, y = 0;
+    float strength = 1;      // 0..1, what an eye right before it gets
+    friend bool operator==(const Source&, const Source&) = default;
+};
+
+// A box that stands in the way.
+struct Obstacle {
+    std::string name;
+    float x = 0, y = 0, heading = 0;
+    float length = 1, width = 1;  // m, along and across its heading
+    friend bool operator==(const Obstacle&, const Obstacle&) = default;
+};
+
+struct Arena {
+    float width = 20, height = 20;  // m, along x and y
+    Edge edge = Edge::wall;
+    float friction = 40;            // the floor's constant: rolling drag in N·s/m per m^2 of contact
+    float grip = 1;                 // multiplies every wheel's grip; ice is 0.1
+    friend bool operator==(const Arena&, const Arena&) = default;
+};
+
+struct Ecology {
+    int population = 0;       // vehicles placed at random beyond those placed by hand, 0..20000
+    float drain = 0;          // energy lost a second
+    float bite = 0.25f;       // energy a predator takes from prey it touches, once a second at most
+    float inactivity = 20;    // s without movement until a new generation begins; 0: never
+    friend bool operator==(const Ecology&, const Ecology&) = default;
+};
+
+struct Scene {
+    std::string name;   // "predator-prey"; the file's stem
+    std::string title;  // for people
+    std::string story;  // one line
+    Arena arena;
+    Ecology ecology;
+    std::vector<Kind> kinds;
+    std::vector<Start> starts;
+    std::vector<Source> sources;
+    std::vector<Obstacle> obstacles;
+    friend bool operator==(const Scene&, const Scene&) = default;
+};
+
+// Index of the kind, start or source of this name, or −1.
+int find_kind(const Scene&, const std::string& name);
+int find_source(const Scene&, const std::string& name);
+
+// The names of a kind's sensors, in its own order: what compile() asks for.
+std::vector<std::string> sensor_names(const Kind&);
+
+}  // namespace braitenlab

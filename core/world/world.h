@@ -1,0 +1,45 @@
+// A running simulation. The same scene, seed and commands give the same run, bit for bit.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "core/result.h"
+#include "core/scene/scene.h"
+#include "core/world/command.h"
+#include "core/world/snapshot.h"
+
+namespace braitenlab {
+
+class World {
+public:
+    // Fails when the scene is inconsistent (see check_scene).
+    static Result<World> create(const Scene&, std::uint64_t seed);
+
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+    ~World();
+
+    // Carries a command out before the next tick. Refuses, leaving everything as it was, what cannot be done: a vehicle
+    // that is gone, a brain that does not compile, a full arena.
+    std::optional<Error> apply(const Command&);
+
+    // One tick of 1/60 s: sense, think, drive, physics, touch, live.
+    void step();
+
+    std::uint64_t tick() const;
+
+    // Fills a snapshot, reusing its memory.
+    void capture(Snapshot&) const;
+
+    // A digest of everything that decides the future of the run.
+    std::uint64_t hash() const;
+
+private:
+    struct State;
+    explicit World(std::unique_ptr<State>);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace braitenlab

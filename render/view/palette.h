@@ -1,0 +1,64 @@
+// Every colour of the lab, in one place: the window's and the scene's, for the desk (dark) and the projector (light).
+//
+// The colours of meaning are from M. Okabe and K. Ito, "Color Universal Design" (2008), and stay apart for colour-blind
+// eyes. One colour has one meaning, and a shape, a sign or a word says it too.
+#pragma once
+
+#include <cstdint>
+
+namespace braitenlab {
+
+// sRGB, each 0..1.
+struct Colour {
+    float r = 0, g = 0, b = 0, a = 1;
+    constexpr Colour with_alpha(float alpha) const { return {r, g, b, alpha}; }
+    friend constexpr bool operator==(const Colour&, const Colour&) = default;
+};
+
+// 0xRRGGBB, as colours are written everywhere.
+constexpr Colour rgb(std::uint32_t hex) {
+    const auto channel = [hex](int shift) { return static_cast<float>((hex >> shift) & 255U) / 255.0f; };
+    return {channel(16), channel(8), channel(0), 1};
+}
+
+constexpr Colour mix(Colour a, Colour b, float t) {
+    return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t, a.a + (b.a - a.a) * t};
+}
+
+enum class Theme { dark, light };
+
+struct Palette {
+    // the window
+    Colour ground, panel, raised, line, text, second_text, accent, on_accent, warning;
+    // the scene
+    Colour sky, floor, grid, wall, shadow, chassis, wheel, lamp;
+    // meaning
+    Colour excites, inhibits, predator, prey, neutral, selected, memory;
+};
+
+constexpr Palette palette(Theme theme) {
+    Palette p{};
+    p.excites = rgb(0xE69F00);
+    p.inhibits = rgb(0x56B4E9);
+    p.predator = rgb(0xD55E00);
+    p.prey = rgb(0x009E73);
+    p.selected = rgb(0xF0E442);
+    p.memory = rgb(0xCC79A7);
+    p.lamp = rgb(0xFFE9A8);
+    if (theme == Theme::dark) {
+        p.ground = rgb(0x14171C), p.panel = rgb(0x1C2128), p.raised = rgb(0x262D36), p.line = rgb(0x343D48);
+        p.text = rgb(0xE6EAF0), p.second_text = rgb(0xA9B4C0);
+        p.accent = rgb(0x4C8DFF), p.on_accent = rgb(0x0B1220), p.warning = rgb(0xFF8A70);
+        p.sky = rgb(0x14171C), p.floor = rgb(0x20262E), p.grid = rgb(0x2C343E), p.wall = rgb(0x3A4552);
+        p.shadow = Colour{0, 0, 0, 0.55f}, p.chassis = rgb(0x8C98A6), p.wheel = rgb(0x0E1115), p.neutral = rgb(0x8EA2B8);
+    } else {
+        p.ground = rgb(0xFFFFFF), p.panel = rgb(0xF6F7F9), p.raised = rgb(0xFFFFFF), p.line = rgb(0xCBD2DB);
+        p.text = rgb(0x14171C), p.second_text = rgb(0x4A5562);
+        p.accent = rgb(0x1F5FD0), p.on_accent = rgb(0xFFFFFF), p.warning = rgb(0xB3261E);
+        p.sky = rgb(0xFFFFFF), p.floor = rgb(0xF2F4F7), p.grid = rgb(0xD5DBE3), p.wall = rgb(0xB4BEC9);
+        p.shadow = Colour{0, 0, 0, 0.22f}, p.chassis = rgb(0x6C7885), p.wheel = rgb(0x2A3038), p.neutral = rgb(0x5D7186);
+    }
+    return p;
+}
+
+}  // namespace braitenlab

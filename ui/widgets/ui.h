@@ -1,0 +1,36 @@
+// What every panel gets: how it should look, where to record its widgets and where to put what the person wants.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "render/view/palette.h"
+#include "ui/request.h"
+#include "ui/widgets/anchors.h"
+
+struct ImFont;
+
+namespace braitenlab {
+
+class Strings;  // ui/strings.h: words by key
+
+struct Fonts {
+    ImFont* text = nullptr;   // 16 px times scale
+    ImFont* title = nullptr;  // 1.35 times that
+};
+
+struct Ui {
+    const Strings& strings;
+    Palette palette;
+    Fonts fonts;
+    float scale = 1;             // layout pixels to window pixels: every size in code is times this
+    Anchors& anchors;
+    Outbox& outbox;
+    std::string_view highlight;  // the anchor that pulses; empty for none
+    float pulse = 0;             // 0..1, how strong the highlight stands now; steady 1 where motion is reduced
+
+    // px of the layout's 8 px grid in window pixels.
+    float px(float layout_pixels) const { return layout_pixels * scale; }
+};
+
+}  // namespace braitenlab
