@@ -31,7 +31,7 @@ struct Brain {
     std::vector<std::int32_t> sensors;  // the vehicle's sensor that each sensor node reads; −1: none, reads 0
     std::vector<Unit> units;            // hidden neurons by ascending id, then the left motor, then the right one
     std::vector<Tap> taps;
-    std::vector<NodeId> unit_ids;       // the graph's node behind each unit; −1 for a motor the graph does not have
+    std::vector<NodeId> unit_ids;  // the graph's node behind each unit; −1 for a motor the graph does not have
 
     int neuron_count() const { return static_cast<int>(units.size()); }
 };

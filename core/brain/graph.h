@@ -1,7 +1,7 @@
 // A brain as a person edits it: sensors, neurons and motors, and the wires between them.
 //
-// Every brain is such a graph, cycles included. The four-neuron brain of the sliders is the special case of two sensors,
-// two motors and four wires (core/brain/four_neurons.h): the same type, not a second one.
+// Every brain is such a graph, cycles included. The four-neuron brain of the sliders is the special case of two
+// sensors, two motors and four wires (core/brain/four_neurons.h): the same type, not a second one.
 #pragma once
 
 #include <cstdint>
@@ -34,10 +34,10 @@ struct Curve {
 struct Node {
     NodeId id = 0;
     NodeKind kind = NodeKind::neuron;
-    std::string name;        // a sensor or motor is found by its name: "SL", "SR", "ML", "MR"
-    Curve curve{};           // of the sum; a sensor has none
-    float bias = 0;          // added to the sum, -1..1; a sensor has none
-    float time_constant = 0; // seconds of leaky memory; 0 answers at once
+    std::string name;         // a sensor or motor is found by its name: "SL", "SR", "ML", "MR"
+    Curve curve{};            // of the sum; a sensor has none
+    float bias = 0;           // added to the sum, -1..1; a sensor has none
+    float time_constant = 0;  // seconds of leaky memory; 0 answers at once
     friend bool operator==(const Node&, const Node&) = default;
 };
 
@@ -56,9 +56,9 @@ struct BrainGraph {
 };
 
 namespace limits {
-inline constexpr float weight = 2, bias = 1, threshold = 1;  // largest sizes
+inline constexpr float weight = 2, bias = 1, threshold = 1;       // largest sizes
 inline constexpr int sensors = 64, neurons = 1024, wires = 8192;  // of one brain
-}
+}  // namespace limits
 
 // What the curve makes of x.
 float respond(const Curve&, float x);

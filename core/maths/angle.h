@@ -12,9 +12,7 @@ constexpr float radians(float degrees) { return degrees * (pi / 180); }
 constexpr float degrees(float radians) { return radians * (180 / pi); }
 
 // The same direction in [-pi, pi).
-inline float wrap_angle(float angle) {
-    return angle - 2 * pi * std::floor((angle + pi) / (2 * pi));
-}
+inline float wrap_angle(float angle) { return angle - 2 * pi * std::floor((angle + pi) / (2 * pi)); }
 
 // The unit vector that points along an angle, counter-clockwise from +x.
 inline vec2 direction(float angle) { return {cosine(angle), sine(angle)}; }

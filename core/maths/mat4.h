@@ -24,7 +24,8 @@ constexpr mat4 operator*(const mat4& a, const mat4& b) {
     return product;
 }
 
-// A point at the eye's place looking at the target; up need not be perpendicular to the line of sight, only not along it.
+// A point at the eye's place looking at the target; up need not be perpendicular to the line of sight, only not along
+// it.
 inline mat4 look_at(vec3 eye, vec3 target, vec3 up) {
     const vec3 back = normalise(eye - target);
     const vec3 right = normalise(cross(up, back));
@@ -71,13 +72,17 @@ inline mat4 inverse(const mat4& m) {
     const float k = 1 / (s0 * c5 - s1 * c4 + s2 * c3 + s3 * c2 - s4 * c1 + s5 * c0);
     mat4 n;
     n[0] = vec4{at(1, 1) * c5 - at(1, 2) * c4 + at(1, 3) * c3, -at(1, 0) * c5 + at(1, 2) * c2 - at(1, 3) * c1,
-                at(1, 0) * c4 - at(1, 1) * c2 + at(1, 3) * c0, -at(1, 0) * c3 + at(1, 1) * c1 - at(1, 2) * c0} * k;
+                at(1, 0) * c4 - at(1, 1) * c2 + at(1, 3) * c0, -at(1, 0) * c3 + at(1, 1) * c1 - at(1, 2) * c0} *
+           k;
     n[1] = vec4{-at(0, 1) * c5 + at(0, 2) * c4 - at(0, 3) * c3, at(0, 0) * c5 - at(0, 2) * c2 + at(0, 3) * c1,
-                -at(0, 0) * c4 + at(0, 1) * c2 - at(0, 3) * c0, at(0, 0) * c3 - at(0, 1) * c1 + at(0, 2) * c0} * k;
+                -at(0, 0) * c4 + at(0, 1) * c2 - at(0, 3) * c0, at(0, 0) * c3 - at(0, 1) * c1 + at(0, 2) * c0} *
+           k;
     n[2] = vec4{at(3, 1) * s5 - at(3, 2) * s4 + at(3, 3) * s3, -at(3, 0) * s5 + at(3, 2) * s2 - at(3, 3) * s1,
-                at(3, 0) * s4 - at(3, 1) * s2 + at(3, 3) * s0, -at(3, 0) * s3 + at(3, 1) * s1 - at(3, 2) * s0} * k;
+                at(3, 0) * s4 - at(3, 1) * s2 + at(3, 3) * s0, -at(3, 0) * s3 + at(3, 1) * s1 - at(3, 2) * s0} *
+           k;
     n[3] = vec4{-at(2, 1) * s5 + at(2, 2) * s4 - at(2, 3) * s3, at(2, 0) * s5 - at(2, 2) * s2 + at(2, 3) * s1,
-                -at(2, 0) * s4 + at(2, 1) * s2 - at(2, 3) * s0, at(2, 0) * s3 - at(2, 1) * s1 + at(2, 2) * s0} * k;
+                -at(2, 0) * s4 + at(2, 1) * s2 - at(2, 3) * s0, at(2, 0) * s3 - at(2, 1) * s1 + at(2, 2) * s0} *
+           k;
     return n;
 }
 

@@ -1,8 +1,8 @@
 // sine, cosine, arc tangent and exponential that give the same bits on every platform.
 //
-// The C library's own differ in the last bit from one platform to the next, and a simulation amplifies that bit until two
-// runs no longer look alike. These use only +, -, *, / and floor on doubles, which IEEE 754 fixes; the result is rounded
-// to float once. Errors stay below one unit in the last place of a float for |angle| up to 10^5.
+// The C library's own differ in the last bit from one platform to the next, and a simulation amplifies that bit until
+// two runs no longer look alike. These use only +, -, *, / and floor on doubles, which IEEE 754 fixes; the result is
+// rounded to float once. Errors stay below one unit in the last place of a float for |angle| up to 10^5.
 #pragma once
 
 #include <cmath>
@@ -21,17 +21,22 @@ constexpr double sine_core(double x) {
 }
 constexpr double cosine_core(double x) {
     const double s = x * x;
-    return 1 + s * (-1.0 / 2 + s * (1.0 / 24 + s * (-1.0 / 720 + s * (1.0 / 40320 + s * (-1.0 / 3628800 + s / 479001600)))));
+    return 1 + s * (-1.0 / 2 +
+                    s * (1.0 / 24 + s * (-1.0 / 720 + s * (1.0 / 40320 + s * (-1.0 / 3628800 + s / 479001600)))));
 }
 
 inline double sine_of_quarters(double angle, int shift) {
     const double quarters = std::floor(angle * (2 / pi_d) + 0.5);
     const double rest = angle - quarters * (pi_d / 2);
     switch ((static_cast<long long>(quarters) + shift) & 3) {
-        case 0: return sine_core(rest);
-        case 1: return cosine_core(rest);
-        case 2: return -sine_core(rest);
-        default: return -cosine_core(rest);
+        case 0:
+            return sine_core(rest);
+        case 1:
+            return cosine_core(rest);
+        case 2:
+            return -sine_core(rest);
+        default:
+            return -cosine_core(rest);
     }
 }
 
@@ -50,7 +55,8 @@ inline float arctangent2(float y, float x) {
     t = t / (1 + std::sqrt(1 + t * t));
     t = t / (1 + std::sqrt(1 + t * t));
     const double s = t * t;
-    double a = t * (1 + s * (-1.0 / 3 + s * (1.0 / 5 + s * (-1.0 / 7 + s * (1.0 / 9 + s * (-1.0 / 11 + s * (1.0 / 13)))))));
+    double a =
+        t * (1 + s * (-1.0 / 3 + s * (1.0 / 5 + s * (-1.0 / 7 + s * (1.0 / 9 + s * (-1.0 / 11 + s * (1.0 / 13)))))));
     a *= 4;
     if (ay >= ax) a = pi_d / 2 - a;
     if (x < 0) a = pi_d - a;

@@ -68,9 +68,7 @@ constexpr float dot(vec4 a, vec4 b) { return a.x * b.x + a.y * b.y + a.z * b.z +
 
 // The z component of the 3D cross product: positive when b lies counter-clockwise of a.
 constexpr float cross(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
-constexpr vec3 cross(vec3 a, vec3 b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+constexpr vec3 cross(vec3 a, vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 
 inline float length(vec2 a) { return std::sqrt(dot(a, a)); }
 inline float length(vec3 a) { return std::sqrt(dot(a, a)); }

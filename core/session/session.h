@@ -44,6 +44,7 @@ private:
 
     Session(Scene, std::uint64_t seed, World);
     std::vector<Command> undoing(const Command&) const;
+    void carry_out(const std::vector<Command>&);
 
     Scene scene_;
     std::uint64_t seed_;

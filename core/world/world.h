@@ -12,6 +12,8 @@
 
 namespace braitenlab {
 
+struct WorldState;  // core/world/state.h: inside core/world only
+
 class World {
 public:
     // Fails when the scene is inconsistent (see check_scene).
@@ -37,9 +39,8 @@ public:
     std::uint64_t hash() const;
 
 private:
-    struct State;
-    explicit World(std::unique_ptr<State>);
-    std::unique_ptr<State> state_;
+    explicit World(std::unique_ptr<WorldState>);
+    std::unique_ptr<WorldState> state_;
 };
 
 }  // namespace braitenlab

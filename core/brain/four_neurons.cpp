@@ -1,0 +1,118 @@
+#include "core/brain/four_neurons.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string>
+
+namespace braitenlab {
+
+namespace {
+
+// Everything there is to know about a dial: its word, where its number lives, and which wire or motor it belongs to.
+struct DialEntry {
+    std::string_view word;
+    float FourNeurons::*value;
+    const char* sensor;  // null for a bias
+    const char* motor;
+};
+
+constexpr std::array<DialEntry, all_dials.size()> entries{{
+    {"LL", &FourNeurons::LL, "SL", "ML"},
+    {"LR", &FourNeurons::LR, "SR", "ML"},
+    {"RL", &FourNeurons::RL, "SL", "MR"},
+    {"RR", &FourNeurons::RR, "SR", "MR"},
+    {"threshold_LL", &FourNeurons::threshold_LL, "SL", "ML"},
+    {"threshold_LR", &FourNeurons::threshold_LR, "SR", "ML"},
+    {"threshold_RL", &FourNeurons::threshold_RL, "SL", "MR"},
+    {"threshold_RR", &FourNeurons::threshold_RR, "SR", "MR"},
+    {"LM", &FourNeurons::LM, nullptr, "ML"},
+    {"RM", &FourNeurons::RM, nullptr, "MR"},
+}};
+
+const DialEntry& entry(Dial dial) { return entries[static_cast<std::size_t>(dial)]; }
+
+bool is_bias(Dial dial) { return entry(dial).sensor == nullptr; }
+bool is_weight(Dial dial) { return dial <= Dial::RR; }
+
+}  // namespace
+
+std::string_view name(Dial dial) { return entry(dial).word; }
+
+std::optional<Dial> dial_named(std::string_view word) {
+    for (const Dial dial : all_dials)
+        if (name(dial) == word) return dial;
+    return std::nullopt;
+}
+
+DialRange range(Dial dial) {
+    if (is_weight(dial)) return {-limits::weight, limits::weight};
+    if (is_bias(dial)) return {-limits::bias, limits::bias};
+    return {0, limits::threshold};
+}
+
+Dial threshold_of(Dial weight) {
+    assert(is_weight(weight));
+    return static_cast<Dial>(static_cast<int>(weight) + 4);
+}
+
+float& at(FourNeurons& four, Dial dial) { return four.*entry(dial).value; }
+float at(const FourNeurons& four, Dial dial) { return four.*entry(dial).value; }
+
+BrainGraph make_graph(const FourNeurons& four) {
+    BrainGraph graph;
+    graph.nodes = {{.id = 0, .kind = NodeKind::sensor, .name = "SL"},
+                   {.id = 1, .kind = NodeKind::sensor, .name = "SR"},
+                   {.id = 2, .kind = NodeKind::motor, .name = "ML", .bias = four.LM},
+                   {.id = 3, .kind = NodeKind::motor, .name = "MR", .bias = four.RM}};
+    for (const Dial dial : weight_dials)
+        graph.wires.push_back({.from = find_node(graph, entry(dial).sensor)->id,
+                               .to = find_node(graph, entry(dial).motor)->id,
+                               .weight = at(four, dial),
+                               .threshold = at(four, threshold_of(dial))});
+    return graph;
+}
+
+bool is_four_neurons(const BrainGraph& graph) {
+    BrainGraph given = graph, made = make_graph(read_dials(graph));
+    const auto by_id = [](const Node& a, const Node& b) { return a.id < b.id; };
+    const auto by_ends = [](const Wire& a, const Wire& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; };
+    for (BrainGraph* g : {&given, &made}) {
+        std::sort(g->nodes.begin(), g->nodes.end(), by_id);
+        std::sort(g->wires.begin(), g->wires.end(), by_ends);
+    }
+    return given == made;
+}
+
+FourNeurons read_dials(const BrainGraph& graph) {
+    FourNeurons four;
+    for (const Dial dial : weight_dials) {
+        const Node* sensor = find_node(graph, entry(dial).sensor);
+        const Node* motor = find_node(graph, entry(dial).motor);
+        const Wire* wire = sensor && motor ? find_wire(graph, sensor->id, motor->id) : nullptr;
+        if (!wire) continue;
+        at(four, dial) = wire->weight;
+        at(four, threshold_of(dial)) = wire->threshold;
+    }
+    for (const Dial dial : {Dial::LM, Dial::RM})
+        if (const Node* motor = find_node(graph, entry(dial).motor)) at(four, dial) = motor->bias;
+    return four;
+}
+
+void turn(BrainGraph& graph, Dial dial, float value) {
+    if (!std::isfinite(value)) return;
+    value = std::clamp(value, range(dial).low, range(dial).high);
+    Node* motor = find_node(graph, entry(dial).motor);
+    if (!motor) return;
+    if (is_bias(dial)) {
+        motor->bias = value;
+        return;
+    }
+    const Node* sensor = find_node(graph, entry(dial).sensor);
+    if (!sensor) return;
+    Wire* wire = find_wire(graph, sensor->id, motor->id);
+    if (!wire) wire = &graph.wires.emplace_back(Wire{.from = sensor->id, .to = motor->id, .weight = 0});
+    (is_weight(dial) ? wire->weight : wire->threshold) = value;
+}
+
+}  // namespace braitenlab

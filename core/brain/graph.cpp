@@ -1,0 +1,59 @@
+#include "core/brain/graph.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/maths/portable.h"
+
+namespace braitenlab {
+
+float respond(const Curve& curve, float x) {
+    switch (curve.response) {
+        case Response::linear:
+            return x;
+        case Response::rectified:
+            return std::max(0.0f, x);
+        case Response::step:
+            return x >= curve.peak ? 1.0f : 0.0f;
+        case Response::sigmoid:
+            return 1.0f / (1.0f + maths::exponential(-(x - curve.peak) / curve.width));
+        case Response::hump: {
+            const float t = (x - curve.peak) / curve.width;
+            return maths::exponential(-t * t);
+        }
+        case Response::inverted:
+            return 1.0f - x;
+    }
+    return x;
+}
+
+float signal(const Wire& wire, float input) {
+    return wire.weight * respond(wire.curve, std::fabs(input) < wire.threshold ? 0.0f : input);
+}
+
+const Node* find_node(const BrainGraph& graph, NodeId id) {
+    const auto found = std::find_if(graph.nodes.begin(), graph.nodes.end(), [&](const Node& n) { return n.id == id; });
+    return found == graph.nodes.end() ? nullptr : &*found;
+}
+
+const Node* find_node(const BrainGraph& graph, const std::string& name) {
+    const auto found =
+        std::find_if(graph.nodes.begin(), graph.nodes.end(), [&](const Node& n) { return n.name == name; });
+    return found == graph.nodes.end() ? nullptr : &*found;
+}
+
+Node* find_node(BrainGraph& graph, const std::string& name) {
+    return const_cast<Node*>(find_node(static_cast<const BrainGraph&>(graph), name));
+}
+
+const Wire* find_wire(const BrainGraph& graph, NodeId from, NodeId to) {
+    const auto found = std::find_if(graph.wires.begin(), graph.wires.end(),
+                                    [&](const Wire& w) { return w.from == from && w.to == to; });
+    return found == graph.wires.end() ? nullptr : &*found;
+}
+
+Wire* find_wire(BrainGraph& graph, NodeId from, NodeId to) {
+    return const_cast<Wire*>(find_wire(static_cast<const BrainGraph&>(graph), from, to));
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,69 @@
+// What others see of a world.
+#include <algorithm>
+
+#include "core/maths/angle.h"
+#include "core/world/state.h"
+
+namespace braitenlab {
+
+namespace {
+
+// Brains in use, each once. Rows that share one mostly follow each other or the first few, so a linear look is short.
+int index_of(const SharedDesign& design, std::vector<std::shared_ptr<const BrainGraph>>& brains) {
+    for (std::size_t i = 0; i < brains.size() && i < 64; ++i)
+        if (brains[i].get() == &design->graph) return static_cast<int>(i);
+    brains.push_back(std::shared_ptr<const BrainGraph>(design, &design->graph));
+    return static_cast<int>(brains.size()) - 1;
+}
+
+VehicleView view_of(const WorldState& s, std::size_t row, int brain) {
+    const Vehicles& v = s.vehicles;
+    const Motion& m = v.motion[row];
+    VehicleView view;
+    view.id = v.id[row];
+    view.kind = v.kind[row];
+    view.role = s.role(row);
+    view.x = m.place.x;
+    view.y = m.place.y;
+    view.heading = maths::wrap_angle(s.physics.heading(row));
+    view.speed = maths::dot(m.velocity, m.ahead);
+    view.energy = v.energy[row];
+    view.motor = v.motor[row];
+    view.wheel_angle = v.wheel_angle[row];
+    view.brain = brain;
+    view.first_sensed = static_cast<int>(v.first_sensed[row]);
+    view.first_neuron = static_cast<int>(v.first_neuron[row]);
+    view.neuron_count = v.design[row]->brain.neuron_count();
+    return view;
+}
+
+}  // namespace
+
+void capture(const WorldState& s, Snapshot& out) {
+    out.tick = s.tick;
+    out.seconds = static_cast<double>(s.tick) / 60;
+    out.seed = s.seed;
+    out.generation = s.generation;
+    const float limit = s.scene->ecology.inactivity;
+    out.inactivity_left = limit > 0 ? std::max(0.0f, limit - static_cast<float>(s.still_ticks) * tick_seconds) : 0;
+    out.events = s.events;
+    out.predators = out.prey = 0;
+    out.vehicles.clear();
+    out.brains.clear();
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
+        out.vehicles.push_back(view_of(s, row, index_of(s.vehicles.design[row], out.brains)));
+        out.predators += s.role(row) == Role::predator;
+        out.prey += s.role(row) == Role::prey;
+    }
+    out.sensed = s.vehicles.sensed;
+    out.neurons = s.vehicles.neurons;
+    out.kind_brains.clear();
+    for (const CompiledKind& kind : s.kinds) out.kind_brains.emplace_back(kind.design, &kind.design->graph);
+    out.sources.clear();
+    for (std::size_t i = 0; i < s.sources.size(); ++i)
+        out.sources.push_back({static_cast<int>(i), s.scene->sources[i].channel, s.sources[i].x, s.sources[i].y,
+                               s.scene->sources[i].strength});
+    out.scene = s.scene;
+}
+
+}  // namespace braitenlab

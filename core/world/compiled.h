@@ -1,0 +1,48 @@
+// A scene's designs with everything worked out that no tick changes.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/brain/brain.h"
+#include "core/world/eye.h"
+
+namespace braitenlab {
+
+// A brain as it was edited, and as it thinks. Never changed once made: an edit makes a new one.
+struct Design {
+    BrainGraph graph;
+    Brain brain;
+};
+using SharedDesign = std::shared_ptr<const Design>;
+
+// A wheel with its laws' constants worked out.
+struct CompiledWheel {
+    maths::vec2 at;  // contact point in the vehicle's frame
+    Motor motor = Motor::none;
+    float drive_mass = 0;      // kg, what the motor has to move
+    float lateral_mass = 0;    // kg, what its grip has to stop
+    float friction_limit = 0;  // N
+    float drag = 0;            // N·s/m
+};
+
+struct CompiledKind {
+    std::vector<Eye> eyes;
+    std::vector<CompiledWheel> wheels;
+    std::array<float, 2> driven_radius{1, 1};  // m, of the left and the right wheel: how fast they spin
+    float top_speed = 0, motor_force = 0;
+    std::vector<std::string> sensor_names;
+    SharedDesign design;  // what newcomers of this kind get
+};
+
+Result<SharedDesign> make_design(const BrainGraph&, const std::vector<std::string>& sensor_names);
+
+// Everything but the brain.
+CompiledKind compile_kind(const Kind&, const Arena&);
+
+// What eyes for obstacles can see: the four walls and every obstacle.
+std::vector<Outline> outlines_of(const Scene&);
+
+}  // namespace braitenlab

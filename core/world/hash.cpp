@@ -1,0 +1,60 @@
+// A digest of everything that decides the future of a run.
+#include <cstring>
+
+#include "core/world/state.h"
+
+namespace braitenlab {
+
+namespace {
+
+// FNV-1a over 64 bits (G. Fowler, L. C. Noll, K.-P. Vo), a word at a time.
+struct Digest {
+    std::uint64_t value = 14695981039346656037ULL;
+    void add(std::uint64_t word) { value = (value ^ word) * 1099511628211ULL; }
+    void add(float number) {
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, &number, sizeof bits);
+        add(static_cast<std::uint64_t>(bits));
+    }
+    void add(maths::vec2 v) { add(v.x), add(v.y); }
+    void add(std::int64_t number) { add(static_cast<std::uint64_t>(number)); }
+    void add(std::int32_t number) { add(static_cast<std::uint64_t>(static_cast<std::uint32_t>(number))); }
+};
+
+void add(Digest& digest, const BrainGraph& graph) {
+    for (const Node& n : graph.nodes) digest.add(n.id), digest.add(n.bias), digest.add(n.time_constant);
+    for (const Wire& w : graph.wires)
+        digest.add(w.from), digest.add(w.to), digest.add(w.weight), digest.add(w.threshold);
+}
+
+}  // namespace
+
+std::uint64_t hash(const WorldState& s) {
+    Digest digest;
+    digest.add(s.seed);
+    digest.add(s.tick);
+    digest.add(s.generation);
+    digest.add(static_cast<std::int64_t>(s.still_ticks));
+    digest.add(s.next_id);
+    for (const std::int64_t count : {s.events.captures, s.events.deaths, s.events.births, s.events.contacts})
+        digest.add(count);
+    for (const Bite& bite : s.bites) digest.add(bite.pair.one), digest.add(bite.pair.other), digest.add(bite.tick);
+    for (const maths::vec2 source : s.sources) digest.add(source);
+    const Vehicles& v = s.vehicles;
+    for (std::size_t row = 0; row < v.size(); ++row) {
+        digest.add(v.id[row]);
+        digest.add(v.kind[row]);
+        digest.add(v.motion[row].place);
+        digest.add(v.motion[row].ahead);
+        digest.add(v.motion[row].velocity);
+        digest.add(v.motion[row].turning);
+        digest.add(v.energy[row]);
+        digest.add(v.motor[row][0]);
+        digest.add(v.motor[row][1]);
+        add(digest, v.design[row]->graph);
+    }
+    for (const float neuron : v.neurons) digest.add(neuron);
+    return digest.value;
+}
+
+}  // namespace braitenlab

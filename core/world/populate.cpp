@@ -1,0 +1,178 @@
+// Who enters the world, and where.
+#include <algorithm>
+#include <cmath>
+
+#include "core/maths/angle.h"
+#include "core/maths/random.h"
+#include "core/world/state.h"
+
+namespace braitenlab {
+
+using maths::vec2;
+
+namespace {
+
+constexpr float clearance = 1.3f;    // m between origins: a little more than a standard vehicle's diagonal
+constexpr float wall_margin = 1.0f;  // m from origin to wall
+constexpr int tries = 64;            // then a crowded place will do; the bodies push each other apart
+
+// Chance for one vehicle's place in one generation: what another vehicle draws does not change it.
+maths::Random chance_for(const WorldState& s, VehicleId id) {
+    const auto stream = (static_cast<std::uint64_t>(s.generation) << 32U) | static_cast<std::uint32_t>(id);
+    return {s.seed, stream};
+}
+
+bool is_free(const WorldState& s, vec2 place) {
+    for (const Motion& other : s.vehicles.motion)
+        if (maths::distance(other.place, place) < clearance) return false;
+    for (const Obstacle& o : s.scene->obstacles)
+        if (maths::distance({o.x, o.y}, place) < clearance / 2 + std::max(o.length, o.width) / 2) return false;
+    for (const vec2 source : s.sources)
+        if (maths::distance(source, place) < clearance) return false;
+    return true;
+}
+
+Pose start_pose(const WorldState& s, const Start& start, VehicleId id) {
+    maths::Random chance = chance_for(s, id);
+    Pose pose{start.x, start.y, start.heading};
+    pose.x += chance.uniform(-start.place_spread, start.place_spread);
+    pose.y += chance.uniform(-start.place_spread, start.place_spread);
+    if (const int source = find_source(*s.scene, start.facing); source >= 0) {
+        const vec2 to = s.sources[static_cast<std::size_t>(source)] - vec2{pose.x, pose.y};
+        pose.heading += maths::arctangent2(to.y, to.x);
+    }
+    pose.heading = maths::wrap_angle(pose.heading + chance.uniform(-start.heading_spread, start.heading_spread));
+    return pose;
+}
+
+// The kind whose count lags farthest behind its share; ties go to the kind written first.
+int most_wanted(const Scene& scene, const std::vector<int>& counts) {
+    int total = 1, wanted = 0;
+    float all_shares = 0, largest_lack = -INFINITY;
+    for (std::size_t k = 0; k < counts.size(); ++k) total += counts[k], all_shares += scene.kinds[k].share;
+    if (all_shares <= 0) return 0;
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+        if (scene.kinds[k].share <= 0) continue;
+        const float lack =
+            scene.kinds[k].share / all_shares * static_cast<float>(total) - static_cast<float>(counts[k]);
+        if (lack > largest_lack) largest_lack = lack, wanted = static_cast<int>(k);
+    }
+    return wanted;
+}
+
+std::vector<int> random_counts(const WorldState& s) {
+    std::vector<int> counts(s.kinds.size(), 0);
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row)
+        if (s.vehicles.start[row] < 0) ++counts[static_cast<std::size_t>(s.vehicles.kind[row])];
+    return counts;
+}
+
+template <class Values>
+void erase_row(Values& values, std::size_t row) {
+    values.erase(values.begin() + static_cast<std::ptrdiff_t>(row));
+}
+
+// Takes a vehicle's stretch out of a flat array and closes the gap.
+void erase_stretch(std::vector<float>& flat, std::vector<std::uint32_t>& first, std::size_t row) {
+    const std::uint32_t begin = first[row];
+    const auto end = row + 1 < first.size() ? first[row + 1] : static_cast<std::uint32_t>(flat.size());
+    flat.erase(flat.begin() + begin, flat.begin() + end);
+    for (std::size_t later = row + 1; later < first.size(); ++later) first[later] -= end - begin;
+    erase_row(first, row);
+}
+
+}  // namespace
+
+int kind_due(const WorldState& s) { return most_wanted(*s.scene, random_counts(s)); }
+
+Pose free_place(const WorldState& s, VehicleId id) {
+    maths::Random chance = chance_for(s, id);
+    const float half_width = std::max(0.0f, s.scene->arena.width / 2 - wall_margin);
+    const float half_height = std::max(0.0f, s.scene->arena.height / 2 - wall_margin);
+    Pose pose;
+    for (int i = 0; i < tries; ++i) {
+        pose.x = chance.uniform(-half_width, half_width);
+        pose.y = chance.uniform(-half_height, half_height);
+        if (is_free(s, {pose.x, pose.y})) break;
+    }
+    pose.heading = chance.uniform(-maths::pi, maths::pi);
+    return pose;
+}
+
+void read_motion(WorldState& s, std::size_t row) { s.vehicles.motion[row] = s.physics.motion(row); }
+
+void add_vehicle(WorldState& s, int kind, int start, VehicleId id, SharedDesign design, const Pose& pose) {
+    const CompiledKind& compiled = s.kinds[static_cast<std::size_t>(kind)];
+    Vehicles& v = s.vehicles;
+    v.id.push_back(id);
+    v.kind.push_back(kind);
+    v.start.push_back(start);
+    v.energy.push_back(1);
+    v.motor.push_back({});
+    v.wheel_angle.push_back({});
+    v.first_sensed.push_back(static_cast<std::uint32_t>(v.sensed.size()));
+    v.sensed.resize(v.sensed.size() + compiled.eyes.size(), 0.0f);
+    v.first_neuron.push_back(static_cast<std::uint32_t>(v.neurons.size()));
+    v.neurons.resize(v.neurons.size() + design->brain.units.size(), 0.0f);
+    v.design.push_back(std::move(design));
+    s.physics.add(id, s.scene->kinds[static_cast<std::size_t>(kind)].body, pose);
+    v.motion.push_back(s.physics.motion(v.id.size() - 1));
+}
+
+void remove_vehicle(WorldState& s, std::size_t row) {
+    Vehicles& v = s.vehicles;
+    erase_stretch(v.sensed, v.first_sensed, row);
+    erase_stretch(v.neurons, v.first_neuron, row);
+    erase_row(v.id, row);
+    erase_row(v.kind, row);
+    erase_row(v.start, row);
+    erase_row(v.motion, row);
+    erase_row(v.energy, row);
+    erase_row(v.motor, row);
+    erase_row(v.wheel_angle, row);
+    erase_row(v.design, row);
+    s.physics.remove(row);
+}
+
+void populate(WorldState& s) {
+    const Scene& scene = *s.scene;
+    for (std::size_t i = 0; i < scene.starts.size(); ++i) {
+        const int kind = find_kind(scene, scene.starts[i].kind);
+        const VehicleId id = s.next_id++;
+        add_vehicle(s, kind, static_cast<int>(i), id, s.kinds[static_cast<std::size_t>(kind)].design,
+                    start_pose(s, scene.starts[i], id));
+    }
+    std::vector<int> counts(s.kinds.size(), 0);
+    for (int i = 0; i < scene.ecology.population; ++i) {
+        const int kind = most_wanted(scene, counts);
+        ++counts[static_cast<std::size_t>(kind)];
+        const VehicleId id = s.next_id++;
+        add_vehicle(s, kind, -1, id, s.kinds[static_cast<std::size_t>(kind)].design, free_place(s, id));
+    }
+}
+
+// Everyone leaves and as many enter again under the same ids, so that what is selected stays selected. Those placed by
+// hand return to their starts; the others' kinds are dealt anew by the shares, so that a population which bit itself
+// out of balance begins in balance again. A vehicle whose kind is the same keeps its brain.
+void repopulate(WorldState& s) {
+    const Vehicles before = std::move(s.vehicles);
+    s.vehicles = {};
+    for (std::size_t row = before.size(); row-- > 0;) s.physics.remove(row);
+    ++s.generation;
+    s.still_ticks = 0;
+    s.bites.clear();
+    std::vector<int> counts(s.kinds.size(), 0);
+    for (std::size_t row = 0; row < before.size(); ++row) {
+        const int start = before.start[row];
+        const int kind = start >= 0 ? before.kind[row] : most_wanted(*s.scene, counts);
+        if (start < 0) ++counts[static_cast<std::size_t>(kind)];
+        const VehicleId id = before.id[row];
+        const SharedDesign& design =
+            kind == before.kind[row] ? before.design[row] : s.kinds[static_cast<std::size_t>(kind)].design;
+        const Pose pose =
+            start >= 0 ? start_pose(s, s.scene->starts[static_cast<std::size_t>(start)], id) : free_place(s, id);
+        add_vehicle(s, kind, start, id, design, pose);
+    }
+}
+
+}  // namespace braitenlab
