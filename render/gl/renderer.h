@@ -3,24 +3,12 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include "core/result.h"
 #include "core/world/snapshot.h"
-#include "render/view/camera.h"
-#include "render/view/palette.h"
+#include "render/view/picture.h"
 
 namespace braitenlab {
-
-// What the picture shows beyond the world itself.
-struct Picture {
-    Sight sight;
-    Theme theme = Theme::dark;
-    VehicleId selected = no_vehicle, hovered = no_vehicle;
-    bool sensors = true;    // fill the sensor fields
-    bool outlines = false;  // draw their edges
-    float pixel_scale = 1;  // display pixels per layout pixel, for line widths
-};
 
 class Renderer {
 public:

@@ -13,6 +13,9 @@ namespace braitenlab {
 
 enum class CameraMode { overview, follow };
 
+// A point of the world, metres, in GL's coordinates.
+constexpr maths::vec3 to_gl(maths::vec2 place, float height = 0) { return {place.x, height, -place.y}; }
+
 // A rectangle in window pixels, y down from the top.
 struct Rect {
     float x = 0, y = 0, w = 0, h = 0;
@@ -36,8 +39,8 @@ struct Sight {
     Rect window;                   // the whole framebuffer, px
 };
 
-// The camera's sight of this moment. `free_area` is the part of the window that no card covers: the arena is centred and
-// fitted there. `follow` is the vehicle to ride behind (ignored in overview).
+// The camera's sight of this moment. `free_area` is the part of the window that no card covers: the arena is centred
+// and fitted there. `follow` is the vehicle to ride behind (ignored in overview).
 Sight look(const Camera&, const Arena&, const VehicleView* follow, Rect window, Rect free_area);
 
 // Moves `from` towards `to` as time passes, so that a change of camera is a short glide; seconds of wall time.

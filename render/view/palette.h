@@ -6,6 +6,8 @@
 
 #include <cstdint>
 
+#include "core/scene/scene.h"
+
 namespace braitenlab {
 
 // sRGB, each 0..1.
@@ -34,6 +36,8 @@ struct Palette {
     Colour sky, floor, grid, wall, shadow, chassis, wheel, lamp;
     // meaning
     Colour excites, inhibits, predator, prey, neutral, selected, memory;
+    // what can be sensed; light has the lamp's colour
+    Colour heat, smell, oxygen, obstacle;
 };
 
 constexpr Palette palette(Theme theme) {
@@ -44,21 +48,53 @@ constexpr Palette palette(Theme theme) {
     p.prey = rgb(0x009E73);
     p.selected = rgb(0xF0E442);
     p.memory = rgb(0xCC79A7);
-    p.lamp = rgb(0xFFE9A8);
+    p.heat = rgb(0xEF6461);
+    p.smell = rgb(0xA98BE8);
     if (theme == Theme::dark) {
         p.ground = rgb(0x14171C), p.panel = rgb(0x1C2128), p.raised = rgb(0x262D36), p.line = rgb(0x343D48);
         p.text = rgb(0xE6EAF0), p.second_text = rgb(0xA9B4C0);
         p.accent = rgb(0x4C8DFF), p.on_accent = rgb(0x0B1220), p.warning = rgb(0xFF8A70);
         p.sky = rgb(0x14171C), p.floor = rgb(0x20262E), p.grid = rgb(0x2C343E), p.wall = rgb(0x3A4552);
-        p.shadow = Colour{0, 0, 0, 0.55f}, p.chassis = rgb(0x8C98A6), p.wheel = rgb(0x0E1115), p.neutral = rgb(0x8EA2B8);
+        p.shadow = Colour{0, 0, 0, 0.55f}, p.chassis = rgb(0x8C98A6), p.wheel = rgb(0x0E1115),
+        p.neutral = rgb(0x8EA2B8);
+        p.lamp = rgb(0xFFE3A0), p.oxygen = rgb(0x8FE3DC), p.obstacle = rgb(0x7F8FA3);
     } else {
         p.ground = rgb(0xFFFFFF), p.panel = rgb(0xF6F7F9), p.raised = rgb(0xFFFFFF), p.line = rgb(0xCBD2DB);
         p.text = rgb(0x14171C), p.second_text = rgb(0x4A5562);
         p.accent = rgb(0x1F5FD0), p.on_accent = rgb(0xFFFFFF), p.warning = rgb(0xB3261E);
         p.sky = rgb(0xFFFFFF), p.floor = rgb(0xF2F4F7), p.grid = rgb(0xD5DBE3), p.wall = rgb(0xB4BEC9);
-        p.shadow = Colour{0, 0, 0, 0.22f}, p.chassis = rgb(0x6C7885), p.wheel = rgb(0x2A3038), p.neutral = rgb(0x5D7186);
+        p.shadow = Colour{0, 0, 0, 0.22f}, p.chassis = rgb(0x6C7885), p.wheel = rgb(0x2A3038),
+        p.neutral = rgb(0x5D7186);
+        // Pale yellow drowns in a projector's white: the lamp is amber there.
+        p.lamp = rgb(0xF2B21C), p.oxygen = rgb(0x1FA79B), p.obstacle = rgb(0x6B7A8C);
     }
     return p;
+}
+
+// The colour that stands for a role, and for what a channel carries.
+constexpr Colour colour_of(const Palette& p, Role role) {
+    return role == Role::predator ? p.predator : role == Role::prey ? p.prey : p.neutral;
+}
+constexpr Colour colour_of(const Palette& p, Channel channel) {
+    switch (channel) {
+        case Channel::light:
+            return p.lamp;
+        case Channel::heat:
+            return p.heat;
+        case Channel::smell:
+            return p.smell;
+        case Channel::oxygen:
+            return p.oxygen;
+        case Channel::obstacle:
+            return p.obstacle;
+        case Channel::predator:
+            return p.predator;
+        case Channel::prey:
+            return p.prey;
+        case Channel::vehicle:
+            return p.neutral;
+    }
+    return p.neutral;
 }
 
 }  // namespace braitenlab

@@ -1,0 +1,38 @@
+#include "render/gl/frame.h"
+
+#include <cmath>
+
+namespace braitenlab {
+
+namespace {
+
+maths::vec4 four(Colour c) { return {c.r, c.g, c.b, c.a}; }
+
+}  // namespace
+
+FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawList& list) {
+    const Palette colours = palette(picture.theme);
+    const bool light = picture.theme == Theme::light;
+    const Sight& sight = picture.sight;
+    const auto row = [&](int i) { return maths::vec4{sight.view[0][i], sight.view[1][i], sight.view[2][i], 0}; };
+    FrameBlock block;
+    block.view_projection = sight.projection * sight.view;
+    block.eye = {sight.eye.x, sight.eye.y, sight.eye.z, sight.projection[1].y * sight.window.h / 2};
+    block.right = row(0), block.up = row(1);
+    const maths::vec3 sun = maths::normalise({-0.45f, 0.82f, 0.38f});  // from behind the left shoulder
+    block.sun = {sun.x, sun.y, sun.z, 0};
+    block.sun_light = light ? maths::vec4{0.74f, 0.73f, 0.70f, 0} : maths::vec4{0.72f, 0.74f, 0.78f, 0};
+    block.sky_light = light ? maths::vec4{0.42f, 0.43f, 0.45f, 0} : maths::vec4{0.30f, 0.33f, 0.38f, 0};
+    block.ground_light = light ? maths::vec4{0.30f, 0.30f, 0.30f, 0} : maths::vec4{0.13f, 0.13f, 0.14f, 0};
+    block.sky = four(colours.sky), block.floor_colour = four(colours.floor), block.grid_colour = four(colours.grid);
+    block.ink = four(colours.wheel), block.paper = light ? four(colours.raised) : four(colours.text);
+    const Arena arena = now.scene ? now.scene->arena : Arena{};
+    // Seconds wrap where every pulse does, so that a long run loses no precision.
+    block.arena = {arena.width / 2, arena.height / 2, static_cast<float>(std::fmod(now.seconds, 60.0)),
+                   picture.pixel_scale};
+    block.counts = {static_cast<float>(list.lamps.size()), light ? 1.0f : 0.0f, 0, 0};
+    for (std::size_t i = 0; i < list.lamps.size(); ++i) block.lamps[i] = list.lamps[i];
+    return block;
+}
+
+}  // namespace braitenlab

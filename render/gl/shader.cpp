@@ -1,0 +1,130 @@
+#include "render/gl/shader.h"
+
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <regex>
+#include <sstream>
+#include <vector>
+
+#include <GL/glew.h>
+
+namespace braitenlab {
+
+namespace {
+
+// Source strings are numbered by #line, so that a log tells the shared header from the file.
+constexpr int own_source = 0, common_source = 1;
+
+#ifdef __EMSCRIPTEN__
+const char* const dialect = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
+#else
+const char* const dialect = "#version 330 core\n";
+#endif
+
+std::optional<std::string> read(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) return std::nullopt;
+    return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+Error unreadable(const std::filesystem::path& file) {
+    return {"cannot read the shader; install the shaders folder beside the program", file.string()};
+}
+
+std::string log_of_shader(GLuint shader) {
+    GLint length = 0;
+    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    std::vector<char> text(static_cast<std::size_t>(length) + 1, '\0');
+    glGetShaderInfoLog(shader, length, nullptr, text.data());
+    return text.data();
+}
+
+std::string log_of_program(GLuint program) {
+    GLint length = 0;
+    glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+    std::vector<char> text(static_cast<std::size_t>(length) + 1, '\0');
+    glGetProgramInfoLog(program, length, nullptr, text.data());
+    return text.data();
+}
+
+Result<GLuint> compile_stage(GLenum stage, const std::filesystem::path& folder, const std::string& name) {
+    const auto file = folder / name, common_file = folder / "common.glsl";
+    const auto own = read(file), common = read(common_file);
+    if (!own) return unreadable(file);
+    if (!common) return unreadable(common_file);
+
+    const std::string stage_name = stage == GL_VERTEX_SHADER ? "#define VERTEX_STAGE\n" : "#define FRAGMENT_STAGE\n";
+    const std::string source = dialect + stage_name + "#line 1 1\n" + *common + "\n#line 1 0\n" + *own;
+    const GLuint shader = glCreateShader(stage);
+    const char* text = source.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    GLint good = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
+    if (good) return shader;
+
+    const Complaint complaint = first_complaint(log_of_shader(shader));
+    glDeleteShader(shader);
+    return Error{"the shader does not compile: " + complaint.what,
+                 (complaint.source == common_source ? common_file : file).string(), complaint.line};
+}
+
+}  // namespace
+
+Complaint first_complaint(const std::string& log) {
+    // Mesa "0:12(5): error: …", NVIDIA "0(12) : error C1008: …", AMD, Apple and ANGLE "ERROR: 0:12: …".
+    static const std::regex shapes(R"((?:ERROR:\s*)?(\d+)(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:\s*(.*))",
+                                   std::regex::icase);
+    std::istringstream lines(log);
+    std::string line, first;
+    std::optional<Complaint> any;
+    while (std::getline(lines, line)) {
+        if (first.empty()) first = line;
+        std::smatch m;
+        if (!std::regex_search(line, m, shapes)) continue;
+        const Complaint found{std::stoi(m[1]), std::stoi(m[2].matched ? m[2] : m[3]), m[4]};
+        const bool is_error = std::regex_search(line, std::regex("error", std::regex::icase));
+        if (is_error) return found;
+        if (!any) any = found;
+    }
+    return any ? *any : Complaint{own_source, 0, first.empty() ? "the driver gives no reason" : first};
+}
+
+Result<Program> Program::load(const std::filesystem::path& folder, const std::string& vertex_file,
+                              const std::string& fragment_file) {
+    const auto vertex = compile_stage(GL_VERTEX_SHADER, folder, vertex_file);
+    if (!vertex) return vertex.error();
+    const auto fragment = compile_stage(GL_FRAGMENT_SHADER, folder, fragment_file);
+    if (!fragment) {
+        glDeleteShader(*vertex);
+        return fragment.error();
+    }
+    Program program(glCreateProgram());
+    glAttachShader(program.id_, *vertex);
+    glAttachShader(program.id_, *fragment);
+    glLinkProgram(program.id_);
+    glDeleteShader(*vertex);
+    glDeleteShader(*fragment);
+    GLint good = GL_FALSE;
+    glGetProgramiv(program.id_, GL_LINK_STATUS, &good);
+    if (!good)
+        return Error{"does not link with " + fragment_file + ": " + first_complaint(log_of_program(program.id_)).what,
+                     (folder / vertex_file).string()};
+    const GLuint frame = glGetUniformBlockIndex(program.id_, "Frame");
+    if (frame != GL_INVALID_INDEX) glUniformBlockBinding(program.id_, frame, 0);
+    return program;
+}
+
+Program& Program::operator=(Program&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+}
+
+Program::~Program() {
+    if (id_) glDeleteProgram(id_);
+}
+
+void Program::use() const { glUseProgram(id_); }
+
+}  // namespace braitenlab

@@ -1,0 +1,174 @@
+#include "render/view/camera.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/maths/angle.h"
+
+namespace braitenlab {
+
+using maths::vec2;
+using maths::vec3;
+using maths::vec4;
+
+namespace {
+
+constexpr float overview_field =
+    0.56f;  // rad, vertical, of the whole window: little perspective keeps distances honest
+constexpr float follow_field = 0.87f;
+constexpr float wall_height = 0.35f;  // m; the walls belong into the picture
+
+// Where the eye is, how it is turned and through which lens it looks.
+struct Stand {
+    vec3 eye, target;
+    float focal;     // px
+    vec2 principal;  // px, where the line of sight meets the window
+    float near, far;
+};
+
+Sight through(const Stand& stand, Rect window) {
+    Sight sight;
+    sight.window = window;
+    sight.eye = stand.eye;
+    sight.view = maths::look_at(stand.eye, stand.target, {0, 1, 0});
+    auto& p = sight.projection;
+    const float n = stand.near, f = stand.far;
+    p[0] = {2 * stand.focal / window.w, 0, 0, 0};
+    p[1] = {0, 2 * stand.focal / window.h, 0, 0};
+    // The eye looks along −z, so the shift of the principal point enters with its sign turned.
+    p[2] = {1 - 2 * (stand.principal.x - window.x) / window.w, 2 * (stand.principal.y - window.y) / window.h - 1,
+            (f + n) / (n - f), -1};
+    p[3] = {0, 0, 2 * f * n / (n - f), 0};
+    return sight;
+}
+
+Rect usable(Rect window, Rect free_area) {
+    const float x0 = std::max(window.x, free_area.x), y0 = std::max(window.y, free_area.y);
+    const float x1 = std::min(window.x + window.w, free_area.x + free_area.w);
+    const float y1 = std::min(window.y + window.h, free_area.y + free_area.h);
+    return x1 - x0 < 64 || y1 - y0 < 64 ? window : Rect{x0, y0, x1 - x0, y1 - y0};
+}
+
+// The picture of the arena's corners, in units of the focal length, from a distance along the line of sight.
+struct Extent {
+    float left = 1e9f, right = -1e9f, bottom = 1e9f, top = -1e9f;
+    bool in_front = true;
+};
+
+Extent extent_from(float distance, const std::array<vec3, 8>& corners) {
+    Extent e;
+    for (const vec3& corner : corners) {
+        const float depth = distance - corner.z;
+        if (depth < 0.1f) e.in_front = false;
+        const float x = corner.x / depth, y = corner.y / depth;
+        e.left = std::min(e.left, x), e.right = std::max(e.right, x);
+        e.bottom = std::min(e.bottom, y), e.top = std::max(e.top, y);
+    }
+    return e;
+}
+
+Stand overview(const Camera& camera, const Arena& arena, Rect window, Rect area) {
+    const float elevation = std::clamp(camera.elevation, 0.15f, 1.5f), zoom = std::clamp(camera.zoom, 0.25f, 8.0f);
+    const vec2 flat = maths::direction(camera.azimuth) * maths::cosine(elevation);
+    const vec3 back{flat.x, maths::sine(elevation), -flat.y};
+    const vec3 right = maths::normalise(maths::cross(vec3{0, 1, 0}, back)), up = maths::cross(back, right);
+
+    std::array<vec3, 8> corners;
+    for (unsigned i = 0; i < 8; ++i) {
+        const vec2 place{(i & 1U ? 0.5f : -0.5f) * arena.width, (i & 2U ? 0.5f : -0.5f) * arena.height};
+        const vec3 p = to_gl(place, i & 4U ? wall_height : 0);
+        corners[i] = {maths::dot(right, p), maths::dot(up, p), maths::dot(back, p)};
+    }
+
+    const float focal = window.h / (2 * std::tan(overview_field / 2));
+    const float margin = 0.025f * std::min(area.w, area.h) + 4;
+    const float room_x = (area.w - 2 * margin) / focal, room_y = (area.h - 2 * margin) / focal;
+    const auto fits = [&](float distance) {
+        const Extent e = extent_from(distance, corners);
+        return e.in_front && e.right - e.left <= room_x && e.top - e.bottom <= room_y;
+    };
+    // The picture shrinks as the eye moves away: halve the interval between too near and far enough.
+    float near = 0.1f, far = 10;
+    while (!fits(far) && far < 1e6f) far *= 2;
+    for (int i = 0; i < 40; ++i) (fits((near + far) / 2) ? far : near) = (near + far) / 2;
+    const float distance = far;
+
+    // The lens shifts so that the arena's picture, not the point looked at, stands in the middle of the free area.
+    const Extent e = extent_from(distance, corners);
+    const vec2 middle{area.x + area.w / 2, area.y + area.h / 2};
+    const vec2 shift{(e.left + e.right) / 2, (e.bottom + e.top) / 2};
+    const vec3 target = to_gl(camera.pan);
+    const float size = std::hypot(arena.width, arena.height);
+    return {target + back * distance,
+            target,
+            focal * zoom,
+            {middle.x - shift.x * focal * zoom, middle.y + shift.y * focal * zoom},
+            0.08f * distance,
+            distance + 12 * size + 60};
+}
+
+Stand riding(const Camera& camera, const VehicleView& vehicle, Rect window, Rect area) {
+    const vec2 ahead = maths::direction(vehicle.heading), place{vehicle.x, vehicle.y};
+    const float zoom = std::clamp(camera.zoom, 0.25f, 8.0f);
+    const vec3 eye = to_gl(place - ahead * (4.0f / zoom), 2.6f / zoom);
+    return {eye,
+            to_gl(place + ahead * 1.4f, 0.2f),
+            window.h / (2 * std::tan(follow_field / 2)),
+            {area.x + area.w / 2, area.y + area.h / 2},
+            0.08f,
+            300};
+}
+
+vec3 row(const maths::mat4& m, int i) { return {m[0][i], m[1][i], m[2][i]}; }
+
+}  // namespace
+
+Sight look(const Camera& camera, const Arena& arena, const VehicleView* follow, Rect window, Rect free_area) {
+    window.w = std::max(window.w, 1.0f), window.h = std::max(window.h, 1.0f);
+    const Rect area = usable(window, free_area);
+    if (camera.mode == CameraMode::follow && follow) return through(riding(camera, *follow, window, area), window);
+    return through(overview(camera, arena, window, area), window);
+}
+
+Sight glide(const Sight& from, const Sight& to, float seconds) {
+    constexpr float time_constant = 0.06f;  // s; 96 % of the way after 0.2 s
+    const float t = 1 - std::exp(-std::max(seconds, 0.0f) / time_constant);
+    const vec3 back = row(from.view, 2) * (1 - t) + row(to.view, 2) * t;
+    const vec3 up = row(from.view, 1) * (1 - t) + row(to.view, 1) * t;
+    const float turned = maths::dot(row(from.view, 2), row(to.view, 2));
+    const bool arrived = maths::distance(from.eye, to.eye) < 1e-3f && turned > 1 - 1e-6f &&
+                         maths::length(from.projection[2] - to.projection[2]) < 1e-4f &&
+                         maths::length(from.projection[0] - to.projection[0]) < 1e-4f;
+    // Between opposite directions there is no shortest way, and a window that changed its size shows a new picture
+    // anyway.
+    if (arrived || turned < -0.9f || !(from.window == to.window)) return to;
+
+    Sight sight = to;
+    sight.eye = from.eye * (1 - t) + to.eye * t;
+    sight.view = maths::look_at(sight.eye, sight.eye - back, up);
+    for (int i = 0; i < 4; ++i) sight.projection[i] = from.projection[i] * (1 - t) + to.projection[i] * t;
+    return sight;
+}
+
+std::optional<vec2> project(const Sight& sight, vec2 place, float height) {
+    const vec3 p = to_gl(place, height);
+    const vec4 clip = sight.projection * (sight.view * vec4{p.x, p.y, p.z, 1});
+    if (clip.w < 1e-4f) return std::nullopt;
+    return vec2{sight.window.x + (clip.x / clip.w + 1) / 2 * sight.window.w,
+                sight.window.y + (1 - clip.y / clip.w) / 2 * sight.window.h};
+}
+
+std::optional<vec2> unproject(const Sight& sight, vec2 pixel) {
+    const float x = 2 * (pixel.x - sight.window.x) / sight.window.w - 1;
+    const float y = 1 - 2 * (pixel.y - sight.window.y) / sight.window.h;
+    const auto& p = sight.projection;
+    // The ray at depth 1, taken back through the lens and turned into the world.
+    const vec3 ray = row(sight.view, 0) * ((x + p[2].x) / p[0].x) + row(sight.view, 1) * ((y + p[2].y) / p[1].y) -
+                     row(sight.view, 2);
+    if (ray.y > -1e-5f) return std::nullopt;
+    const float reach = -sight.eye.y / ray.y;
+    return vec2{sight.eye.x + reach * ray.x, -(sight.eye.z + reach * ray.z)};
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,102 @@
+// A snapshot turned into flat arrays, one a kind of thing: what a graphics library needs and nothing of one.
+//
+// Every instance is a few vectors of four floats, as the shaders read them. Places are metres of the world's plane;
+// `place` holds x, y and the direction (cos, sin) that a thing faces.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/maths/vec.h"
+#include "render/view/picture.h"
+#include "render/view/trails.h"
+
+namespace braitenlab {
+
+inline constexpr int role_count = 3;
+inline constexpr int source_shape_count = 4;  // light (and whatever has no shape of its own), heat, smell, oxygen
+
+struct HullInstance {
+    maths::vec4 place;
+    maths::vec4 size;    // length, width, height's scale, energy 0..1
+    maths::vec4 colour;  // w: 0 parked .. 1 awake
+};
+struct WheelInstance {
+    maths::vec4 place;
+    maths::vec4 size;  // radius m, width m, angle turned rad
+};
+struct EyeInstance {
+    maths::vec4 place;
+    maths::vec4 size;    // radius m, height m, what it sees 0..1
+    maths::vec4 colour;  // of what it looks for
+};
+struct WireInstance {
+    maths::vec4 ends;    // x, y where it begins and where it ends
+    maths::vec4 shape;   // x, y of the point that bends it, height m, width m
+    maths::vec4 colour;  // w: 1 excites, −1 inhibits
+    maths::vec4 signal;  // x: its size now 0..1
+};
+struct FieldInstance {
+    maths::vec4 place;
+    maths::vec4 shape;   // range m, half the field rad, d0 m (0: boolean), reach of the fill m
+    maths::vec4 colour;  // w: how strong the fill is, 0..1
+    maths::vec4 line;    // x: how strong the edge is 0..1; y: the arc's radius m, or the chord's distance, negative
+};
+struct BlockInstance {
+    maths::vec4 place;
+    maths::vec4 size;  // half the length, half the width, height, chamfer; m
+    maths::vec4 colour;
+};
+// What lies flat on the floor. The shaders know the same numbers.
+enum class MarkKind { shadow, pool, ring, thin_ring };
+struct MarkInstance {
+    maths::vec4 place;
+    maths::vec4 shape;  // half the length, half the width, corner radius or softness (m), MarkKind
+    maths::vec4 colour;
+};
+struct SourceInstance {
+    maths::vec4 place;  // x, y, size, strength
+    maths::vec4 colour;
+};
+struct HaloInstance {
+    maths::vec4 place;  // x, y, height, radius; m
+    maths::vec4 colour;
+};
+struct TrailInstance {
+    maths::vec4 ends;     // from, to
+    maths::vec4 sides;    // unit normals at both ends
+    maths::vec4 colour;   // rgb, w: width m
+    maths::vec4 opacity;  // x: at the first end, y: at the second
+};
+
+// A lamp lights what is near it.
+struct Lamp {
+    maths::vec4 place;   // GL coordinates, strength
+    maths::vec4 colour;  // rgb, reach m
+};
+inline constexpr std::size_t most_lamps = 8;
+
+struct DrawList {
+    std::array<std::vector<HullInstance>, role_count> hulls;
+    std::vector<WheelInstance> wheels;
+    std::vector<EyeInstance> eyes;
+    std::vector<WireInstance> wires;
+    std::vector<FieldInstance> fields;
+    std::vector<BlockInstance> blocks;
+    std::vector<MarkInstance> marks;  // shadows and pools, below the fields
+    std::vector<MarkInstance> rings;  // above them
+    std::array<std::vector<SourceInstance>, source_shape_count> sources;
+    std::vector<HaloInstance> halos;
+    std::vector<TrailInstance> trails;
+    std::vector<Lamp> lamps;  // at most most_lamps
+
+    void clear();
+};
+
+// Fills the list anew, keeping its memory.
+void fill(DrawList&, const Snapshot&, const Picture&, const Trails&);
+
+// Which of DrawList::sources shows a channel.
+int source_shape_of(Channel);
+
+}  // namespace braitenlab

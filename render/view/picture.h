@@ -1,0 +1,20 @@
+// What a picture shows beyond the world itself.
+#pragma once
+
+#include "core/world/snapshot.h"
+#include "render/view/camera.h"
+#include "render/view/palette.h"
+
+namespace braitenlab {
+
+struct Picture {
+    Sight sight;
+    Theme theme = Theme::dark;
+    VehicleId selected = no_vehicle, hovered = no_vehicle;
+    bool sensors = true;    // fill the sensor fields
+    bool outlines = false;  // draw their edges
+    bool trails = true;     // draw where vehicles came from
+    float pixel_scale = 1;  // display pixels per layout pixel, for line widths
+};
+
+}  // namespace braitenlab

@@ -1,0 +1,223 @@
+#include "render/view/shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "core/maths/angle.h"
+
+namespace braitenlab {
+
+using maths::vec2;
+using maths::vec3;
+
+namespace {
+
+void add_triangle(Shape& shape, vec3 a, vec3 b, vec3 c, Paint paint) {
+    const vec3 normal = maths::cross(b - a, c - a);
+    if (maths::length(normal) < 1e-9f) return;  // where two outline points stand above each other
+    const auto first = static_cast<std::uint16_t>(shape.corners.size());
+    for (const vec3& p : {a, b, c}) shape.corners.push_back({p, maths::normalise(normal), static_cast<float>(paint)});
+    for (int i = 0; i < 3; ++i) shape.indices.push_back(static_cast<std::uint16_t>(first + i));
+}
+
+void add_quad(Shape& shape, vec3 a, vec3 b, vec3 c, vec3 d, Paint paint) {
+    const vec3 normal = maths::normalise(maths::cross(c - a, d - b));
+    if (maths::length(normal) < 0.5f) return;
+    const auto first = static_cast<std::uint16_t>(shape.corners.size());
+    for (const vec3& p : {a, b, c, d}) shape.corners.push_back({p, normal, static_cast<float>(paint)});
+    for (const int i : {0, 1, 2, 0, 2, 3}) shape.indices.push_back(static_cast<std::uint16_t>(first + i));
+}
+
+vec3 at(vec2 p, float z) { return {p.x, p.y, z}; }
+
+// The anticlockwise outline of which `left` is the left half, from the tail to the nose.
+std::vector<vec2> mirrored(std::span<const vec2> left) {
+    std::vector<vec2> outline;
+    for (const vec2& p : left) outline.push_back({p.x, -p.y});
+    outline.insert(outline.end(), left.rbegin(), left.rend());
+    return outline;
+}
+
+// The outline moved inwards by `by`, corners mitred.
+std::vector<vec2> inset(const std::vector<vec2>& outline, float by) {
+    const std::size_t count = outline.size();
+    std::vector<vec2> inner(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const vec2 before = maths::normalise(outline[i] - outline[(i + count - 1) % count]);
+        const vec2 after = maths::normalise(outline[(i + 1) % count] - outline[i]);
+        const vec2 n1{-before.y, before.x}, n2{-after.y, after.x};
+        inner[i] = outline[i] + (n1 + n2) * (by / std::max(0.5f, 1 + maths::dot(n1, n2)));
+    }
+    return inner;
+}
+
+// A plate with this left half from z0 to z1, its upper edge chamfered.
+void add_plate(Shape& shape, std::span<const vec2> left, float z0, float z1, float chamfer, Paint paint) {
+    const auto outer = mirrored(left), inner = inset(outer, chamfer);
+    const std::size_t count = outer.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t j = (i + 1) % count;
+        add_quad(shape, at(outer[i], z0), at(outer[j], z0), at(outer[j], z1 - chamfer), at(outer[i], z1 - chamfer),
+                 paint);
+        add_quad(shape, at(outer[i], z1 - chamfer), at(outer[j], z1 - chamfer), at(inner[j], z1), at(inner[i], z1),
+                 paint);
+    }
+    // The halves mirror each other, so the top is a strip between right point i and left point count−1−i.
+    for (std::size_t i = 0; i + 1 < count / 2; ++i)
+        add_quad(shape, at(inner[i], z1), at(inner[i + 1], z1), at(inner[count - 2 - i], z1),
+                 at(inner[count - 1 - i], z1), paint);
+}
+
+// A ball about `middle`, squashed by `radius`, its poles on the z axis; `paint` by height over −1..1.
+template <class PaintAt>
+void add_ball(Shape& shape, vec3 middle, vec3 radius, int slices, int stacks, PaintAt paint_at) {
+    const auto first = shape.corners.size();
+    for (int s = 0; s <= stacks; ++s) {
+        const float latitude = maths::pi * (static_cast<float>(s) / static_cast<float>(stacks) - 0.5f);
+        for (int i = 0; i <= slices; ++i) {
+            const vec2 round = maths::direction(2 * maths::pi * static_cast<float>(i) / static_cast<float>(slices)) *
+                               maths::cosine(latitude);
+            const vec3 unit{round.x, round.y, maths::sine(latitude)};
+            const vec3 normal = maths::normalise({unit.x / radius.x, unit.y / radius.y, unit.z / radius.z});
+            shape.corners.push_back({middle + vec3{unit.x * radius.x, unit.y * radius.y, unit.z * radius.z}, normal,
+                                     static_cast<float>(paint_at(unit.z))});
+        }
+    }
+    const auto index = [&](int s, int i) {
+        return static_cast<std::uint16_t>(first + static_cast<std::size_t>(s * (slices + 1) + i));
+    };
+    for (int s = 0; s < stacks; ++s)
+        for (int i = 0; i < slices; ++i) {
+            if (s > 0)
+                for (const auto k : {index(s, i), index(s, i + 1), index(s + 1, i + 1)}) shape.indices.push_back(k);
+            if (s + 1 < stacks || s == 0)
+                for (const auto k : {index(s, i), index(s + 1, i + 1), index(s + 1, i)}) shape.indices.push_back(k);
+        }
+}
+
+void add_ball(Shape& shape, vec3 middle, float radius, int slices, int stacks, Paint paint) {
+    add_ball(shape, middle, {radius, radius, radius}, slices, stacks, [paint](float) { return paint; });
+}
+
+// A round post from z0 to z1 about the z axis, closed above.
+void add_post(Shape& shape, float r0, float r1, float z0, float z1, int sides, Paint paint) {
+    for (int i = 0; i < sides; ++i) {
+        const vec2 a = maths::direction(2 * maths::pi * static_cast<float>(i) / static_cast<float>(sides));
+        const vec2 b = maths::direction(2 * maths::pi * static_cast<float>(i + 1) / static_cast<float>(sides));
+        add_quad(shape, at(a * r0, z0), at(b * r0, z0), at(b * r1, z1), at(a * r1, z1), paint);
+        add_triangle(shape, {0, 0, z1}, at(a * r1, z1), at(b * r1, z1), paint);
+    }
+}
+
+}  // namespace
+
+Shape hull_shape(Role role) {
+    std::vector<vec2> hull{{-0.5f, 0.36f}, {-0.45f, 0.47f}, {-0.215f, 0.47f}, {-0.195f, 0.325f}, {0.175f, 0.325f}};
+    std::vector<vec2> deck{{-0.245f, 0.40f}, {-0.225f, 0.40f}, {-0.20f, 0.265f}, {0.17f, 0.265f}};
+    if (role == Role::predator) {
+        hull.insert(hull.end(), {{0.20f, 0.50f}, {0.25f, 0.48f}, {0.50f, 0.03f}});
+        deck.insert(deck.end(), {{0.20f, 0.41f}, {0.235f, 0.39f}, {0.33f, 0.22f}});
+    } else if (role == Role::prey) {
+        hull.insert(hull.end(), {{0.20f, 0.47f}, {0.31f, 0.455f}, {0.40f, 0.38f}, {0.465f, 0.25f}, {0.50f, 0.08f}});
+        deck.insert(deck.end(), {{0.20f, 0.40f}, {0.28f, 0.39f}, {0.32f, 0.34f}});
+    } else {
+        hull.insert(hull.end(), {{0.195f, 0.47f}, {0.455f, 0.47f}, {0.50f, 0.40f}});
+        deck.insert(deck.end(), {{0.20f, 0.40f}, {0.32f, 0.40f}});
+    }
+    Shape shape;
+    add_plate(shape, hull, 0.07f, 0.25f, 0.028f, Paint::body);
+    add_plate(shape, deck, 0.24f, 0.268f, 0.008f, Paint::deck);
+    const std::array<vec2, 2> gauge{{{-0.42f, 0.32f}, {-0.33f, 0.32f}}};
+    add_plate(shape, gauge, 0.24f, 0.262f, 0.006f, Paint::gauge);
+    // An arrowhead on the nose: which end is the front must be seen from the back row.
+    add_triangle(shape, {0.365f, -0.13f, 0.254f}, {0.455f, 0, 0.254f}, {0.365f, 0.13f, 0.254f}, Paint::mark);
+    return shape;
+}
+
+Shape wheel_shape() {
+    constexpr int facets = 12;
+    Shape shape;
+    for (int i = 0; i < facets; ++i) {
+        // Round in the x-z plane, turning ahead from the top (about the +y axis).
+        const vec2 a = maths::direction(2 * maths::pi * static_cast<float>(i) / facets);
+        const vec2 b = maths::direction(2 * maths::pi * static_cast<float>(i + 1) / facets);
+        const auto rim = [](vec2 p, float y) { return vec3{p.y, y, p.x}; };
+        const Paint tread = i % 3 == 0 ? Paint::mark : Paint::dark;
+        add_quad(shape, rim(a, -0.5f), rim(b, -0.5f), rim(b, 0.5f), rim(a, 0.5f), tread);
+        const Paint spoke = i % 3 == 0 ? Paint::mark : Paint::deck;
+        for (const float y : {-0.5f, 0.5f}) {
+            const vec3 hub{0, y, 0}, inner_a = rim(a * 0.72f, y), inner_b = rim(b * 0.72f, y);
+            if (y > 0) {
+                add_triangle(shape, hub, inner_a, inner_b, spoke);
+                add_quad(shape, inner_a, rim(a, y), rim(b, y), inner_b, Paint::dark);
+            } else {
+                add_triangle(shape, hub, inner_b, inner_a, spoke);
+                add_quad(shape, inner_b, rim(b, y), rim(a, y), inner_a, Paint::dark);
+            }
+        }
+    }
+    return shape;
+}
+
+Shape eye_shape() {
+    Shape shape;
+    add_ball(shape, {0, 0, 0}, {1, 1, 1}, 10, 7, [](float z) { return z > 0.6f ? Paint::lens : Paint::light; });
+    for (Corner& c : shape.corners) {  // the pole looks along +x
+        c.place = {c.place.z, c.place.x, c.place.y};
+        c.normal = {c.normal.z, c.normal.x, c.normal.y};
+    }
+    return shape;
+}
+
+Shape block_shape() {
+    Shape shape;
+    const std::array<vec2, 4> round{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const vec2 a = round[i], b = round[(i + 1) % 4];
+        add_quad(shape, at(a, 0), at(b, 0), at(b, 1), at(a, 1), Paint::body);
+        const std::size_t chamfer = shape.corners.size();
+        add_quad(shape, at(a, 1), at(b, 1), at(b * 0.5f, 2), at(a * 0.5f, 2), Paint::light);
+        // The chamfer rises at 45 degrees whatever the block's size; its upper corners are marked by z alone.
+        const vec2 outwards = maths::normalise(a + b);
+        for (std::size_t k = chamfer; k < chamfer + 4; ++k) {
+            shape.corners[k].normal = maths::normalise({outwards.x, outwards.y, 1});
+            if (k >= chamfer + 2) shape.corners[k].place = at(k == chamfer + 2 ? b : a, 2);
+        }
+    }
+    add_quad(shape, at(round[0], 2), at(round[1], 2), at(round[2], 2), at(round[3], 2), Paint::mark);
+    return shape;
+}
+
+Shape source_shape(Channel channel) {
+    Shape shape;
+    switch (channel) {
+        case Channel::heat:
+            add_post(shape, 0.14f, 0.26f, 0, 0.22f, 8, Paint::dark);
+            add_post(shape, 0.20f, 0.02f, 0.2f, 0.62f, 6, Paint::light);
+            break;
+        case Channel::smell:
+            add_post(shape, 0.03f, 0.03f, 0, 0.3f, 6, Paint::dark);
+            for (int i = 0; i < 5; ++i) {
+                const vec2 petal = maths::direction(2 * maths::pi * static_cast<float>(i) / 5) * 0.17f;
+                add_ball(shape, {petal.x, petal.y, 0.34f}, {0.12f, 0.12f, 0.06f}, 6, 4,
+                         [](float) { return Paint::light; });
+            }
+            add_ball(shape, {0, 0, 0.38f}, 0.08f, 6, 4, Paint::mark);
+            break;
+        case Channel::oxygen:
+            add_ball(shape, {0.10f, 0.02f, 0.16f}, 0.16f, 8, 6, Paint::light);
+            add_ball(shape, {-0.12f, 0.10f, 0.34f}, 0.12f, 8, 6, Paint::light);
+            add_ball(shape, {-0.02f, -0.10f, 0.52f}, 0.09f, 8, 6, Paint::light);
+            break;
+        default:
+            add_post(shape, 0.20f, 0.17f, 0, 0.05f, 10, Paint::dark);
+            add_post(shape, 0.035f, 0.035f, 0.05f, 0.36f, 6, Paint::dark);
+            add_post(shape, 0.07f, 0.09f, 0.34f, 0.40f, 8, Paint::dark);
+            add_ball(shape, {0, 0, 0.52f}, 0.16f, 10, 8, Paint::light);
+    }
+    return shape;
+}
+
+}  // namespace braitenlab

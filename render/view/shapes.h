@@ -1,0 +1,46 @@
+// The few solid things of the scene as small meshes: corners, directions, and which of its colours each part wears.
+//
+// World axes: x ahead, y left, z up; anticlockwise seen from outside. A hull is 1 long and 1 wide and in metres high,
+// so that a body of any size scales it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/maths/vec.h"
+#include "core/scene/scene.h"
+
+namespace braitenlab {
+
+// What a part of a shape is painted as; the shaders know the same numbers.
+enum class Paint { body, deck, dark, gauge, mark, lens, light };
+
+struct Corner {
+    maths::vec3 place, normal;
+    float paint = 0;
+};
+
+struct Shape {
+    std::vector<Corner> corners;
+    std::vector<std::uint16_t> indices;  // three a triangle
+};
+
+// Wedge-shaped nose for a predator, round for prey, square for others; wheel arches, a deck and an energy gauge.
+Shape hull_shape(Role);
+
+// Radius 1, axis along y, from y = −0.5 to 0.5; some lugs of the tread and the spokes are lighter, so that turning
+// shows.
+Shape wheel_shape();
+
+// A ball of radius 1 whose lens looks along +x.
+Shape eye_shape();
+
+// A box of unit footprint with a chamfered top. Corners hold signs (−1, 0, 1) and the shader gives them size: x and y
+// are the sides; z is 0 below, 1 at the chamfer's foot and 2 on top.
+Shape block_shape();
+
+// What stands for a source of a channel, in metres, on the floor's origin: a lamp for light, a brazier for heat, a
+// blossom for smell, bubbles for oxygen.
+Shape source_shape(Channel);
+
+}  // namespace braitenlab

@@ -1,0 +1,22 @@
+// Walls and obstacles: boxes with a chamfered top. Corners hold signs; the instance gives the size.
+layout(location = 0) in vec3 corner;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in float paint;
+layout(location = 4) in vec4 place;   // x, y, direction
+layout(location = 5) in vec4 size;    // half length, half width, height, chamfer
+layout(location = 6) in vec4 base;
+
+out vec3 v_colour;
+
+void main() {
+    float level = corner.z;
+    vec2 half_size = size.xy - (level > 1.5 ? size.w : 0.0);
+    float height = level < 0.5 ? 0.0 : level < 1.5 ? size.z - size.w : size.z;
+    vec3 at = to_gl(vec3(place.xy + turn(corner.xy * half_size, place.zw), height));
+    vec3 up = to_gl(vec3(turn(normal.xy, place.zw), normal.z));
+    int kind = int(paint + 0.5);
+    // The top a little lighter, the foot a little darker: the eye finds the edge at once.
+    vec3 tone = base.rgb * (kind == paint_body ? (level < 0.5 ? 0.78 : 0.95) : kind == paint_light ? 1.16 : 1.05);
+    v_colour = lit(tone, up, at);
+    gl_Position = view_projection * vec4(at, 1.0);
+}

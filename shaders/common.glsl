@@ -1,0 +1,46 @@
+// What every shader knows. The loader puts it before each file, after a #version line, with VERTEX_STAGE or
+// FRAGMENT_STAGE defined. Written so that GLSL 330 and ESSL 300 both take it.
+
+struct Lamp {
+    vec4 place;   // GL coordinates, strength
+    vec4 colour;  // rgb, reach in metres
+};
+
+layout(std140) uniform Frame {
+    mat4 view_projection;
+    vec4 eye;  // GL coordinates; w: pixels a metre at distance 1
+    vec4 picture_right, picture_up;
+    vec4 sun;  // towards it
+    vec4 sun_light, sky_light, ground_light;
+    vec4 sky, floor_colour, grid_colour;
+    vec4 ink, paper;
+    vec4 arena;   // half the width, half the height, m; simulated seconds; display pixels a layout pixel
+    vec4 counts;  // x: lamps; y: 1 in the light theme
+    Lamp lamps[8];
+};
+
+// What parts are painted as (render/view/shapes.h).
+const int paint_body = 0, paint_deck = 1, paint_dark = 2, paint_gauge = 3, paint_mark = 4, paint_lens = 5,
+          paint_light = 6;
+
+// The world's plane is GL's (x, 0, -y); turning keeps lengths and angles, so it serves normals too.
+vec3 to_gl(vec3 world) { return vec3(world.x, world.z, -world.y); }
+
+vec2 turn(vec2 v, vec2 direction) {
+    return vec2(v.x * direction.x - v.y * direction.y, v.x * direction.y + v.y * direction.x);
+}
+
+// A surface under the sun, the sky above, the floor below and the lamps nearby. Light adds up in linear colour, for
+// which a square stands in; what comes back is for the screen again.
+vec3 lit(vec3 colour, vec3 normal, vec3 place) {
+    vec3 light = mix(ground_light.rgb, sky_light.rgb, normal.y * 0.5 + 0.5);
+    light += max(dot(normal, sun.xyz), 0.0) * sun_light.rgb;
+    for (int i = 0; i < int(counts.x); ++i) {
+        vec3 towards = lamps[i].place.xyz - place;
+        float squared = dot(towards, towards), reach = lamps[i].colour.w;
+        // Lamps are round and low: half of what turns away from them is still in their glow.
+        float facing = max(dot(normal, towards) * inversesqrt(squared + 1e-4) * 0.7 + 0.3, 0.0);
+        light += lamps[i].colour.rgb * (1.5 * lamps[i].place.w * facing / (1.0 + squared / (reach * reach) * 2.0));
+    }
+    return sqrt(colour * colour * light);
+}

@@ -1,0 +1,17 @@
+// The glow round a source: a disc that always faces the eye.
+layout(location = 0) in vec3 corner;
+layout(location = 4) in vec4 place;  // x, y, height, radius
+layout(location = 5) in vec4 base;
+
+out vec2 v_own;
+out vec4 v_base;
+
+void main() {
+    v_own = corner.xy;
+    v_base = base;
+    vec3 middle = to_gl(vec3(place.xy, place.z));
+    // Drawn nearer by its own depth, so that the floor behind does not cut it.
+    vec3 towards = normalize(eye.xyz - middle);
+    vec3 at = middle + (picture_right.xyz * corner.x + picture_up.xyz * corner.y) * place.w + towards * place.w * 0.8;
+    gl_Position = view_projection * vec4(at, 1.0);
+}

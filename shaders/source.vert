@@ -1,0 +1,24 @@
+// Lamps, braziers, blossoms, bubbles.
+layout(location = 0) in vec3 corner;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in float paint;
+layout(location = 4) in vec4 place;  // x, y, size, strength
+layout(location = 5) in vec4 base;
+
+out vec3 v_core, v_rim;
+out vec3 v_normal, v_towards;
+
+void main() {
+    vec3 at = to_gl(vec3(place.xy, 0.0) + corner * place.z);
+    vec3 up = to_gl(normal);
+    int kind = int(paint + 0.5);
+    vec3 solid = lit(mix(ink.rgb, vec3(0.55), 0.35), up, at);
+    // A bulb is white-hot amid and coloured towards its rim; the rim is darker on a light floor, where glow alone drowns.
+    vec3 core = mix(base.rgb, vec3(1.0), 0.75 * place.w);
+    vec3 rim = mix(base.rgb, base.rgb * 0.62, counts.y);
+    v_core = kind == paint_light ? core : kind == paint_mark ? vec3(0.98, 0.93, 0.75) : solid;
+    v_rim = kind == paint_light ? rim : kind == paint_mark ? base.rgb : solid;
+    v_normal = up;
+    v_towards = eye.xyz - at;
+    gl_Position = view_projection * vec4(at, 1.0);
+}
