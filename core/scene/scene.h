@@ -25,15 +25,15 @@ enum class Edge { wall, open };
 
 // An eye (or nose, or feeler) on a vehicle. Its frame is the vehicle's: x ahead, y left, origin amid the driven axle.
 struct Sensor {
-    std::string name;                 // "SL", "SR", …: the brain's sensor node of this name reads it
+    std::string name;  // "SL", "SR", …: the brain's sensor node of this name reads it
     Channel channel = Channel::light;
     SensorShape shape = SensorShape::sector;
     SensorResponse response = SensorResponse::graded;
-    float x = 0.30f, y = 0;           // m
-    float angle = 0;                  // the axis of view, against the vehicle's heading
-    float field = 1.7453293f;         // the whole opening angle, (0, 2 pi]
-    float range = 12;                 // m; 0 beyond it
-    float half_distance = 3;          // m; the d0 of 1/(1 + (d/d0)^2)
+    float x = 0.30f, y = 0;    // m
+    float angle = 0;           // the axis of view, against the vehicle's heading
+    float field = 1.7453293f;  // the whole opening angle, (0, 2 pi]
+    float range = 12;          // m; 0 beyond it
+    float half_distance = 3;   // m; the d0 of 1/(1 + (d/d0)^2)
     friend bool operator==(const Sensor&, const Sensor&) = default;
 };
 
@@ -41,13 +41,13 @@ struct Sensor {
 enum class Motor { none, left, right };
 
 struct Wheel {
-    float x = 0, y = 0;       // m, contact point
-    float radius = 0.16f;     // m
-    float width = 0.09f;      // m
+    float x = 0, y = 0;    // m, contact point
+    float radius = 0.16f;  // m
+    float width = 0.09f;   // m
     Motor motor = Motor::none;
-    float grip = 0;           // friction coefficient mu, along and across; 0 for a castor
-    float load = 0.25f;       // share of the vehicle's weight that rests on it; all wheels add up to 1
-    float area = 0.01f;       // m^2 of contact, for rolling drag
+    float grip = 0;      // friction coefficient mu, along and across; 0 for a castor
+    float load = 0.25f;  // share of the vehicle's weight that rests on it; all wheels add up to 1
+    float area = 0.01f;  // m^2 of contact, for rolling drag
     friend bool operator==(const Wheel&, const Wheel&) = default;
 };
 
@@ -71,7 +71,7 @@ struct Kind {
     std::string name;
     Role role = Role::none;
     Driver driver = Driver::brain;
-    float share = 0;     // of the population placed at random, against the other kinds' shares
+    float share = 0;  // of the population placed at random, against the other kinds' shares
     Body body{};
     std::vector<Sensor> sensors;
     BrainGraph brain;
@@ -83,9 +83,9 @@ struct Start {
     std::string name;
     std::string kind;
     float x = 0, y = 0, heading = 0;
-    std::string facing;          // a source's name: heading then counts from the direction towards it
-    float place_spread = 0;      // m; x and y vary by up to this much either way
-    float heading_spread = 0;    // the heading varies by up to this much either way
+    std::string facing;        // a source's name: heading then counts from the direction towards it
+    float place_spread = 0;    // m; x and y vary by up to this much either way
+    float heading_spread = 0;  // the heading varies by up to this much either way
     friend bool operator==(const Start&, const Start&) = default;
 };
 
@@ -94,7 +94,7 @@ struct Source {
     std::string name;
     Channel channel = Channel::light;
     float x = 0, y = 0;
-    float strength = 1;      // 0..1, what an eye right before it gets
+    float strength = 1;  // 0..1, what an eye right before it gets
     friend bool operator==(const Source&, const Source&) = default;
 };
 
@@ -109,16 +109,16 @@ struct Obstacle {
 struct Arena {
     float width = 20, height = 20;  // m, along x and y
     Edge edge = Edge::wall;
-    float friction = 40;            // the floor's constant: rolling drag in N·s/m per m^2 of contact
-    float grip = 1;                 // multiplies every wheel's grip; ice is 0.1
+    float friction = 40;  // the floor's constant: rolling drag in N·s/m per m^2 of contact
+    float grip = 1;       // multiplies every wheel's grip; ice is 0.1
     friend bool operator==(const Arena&, const Arena&) = default;
 };
 
 struct Ecology {
-    int population = 0;       // vehicles placed at random beyond those placed by hand, 0..20000
-    float drain = 0;          // energy lost a second
-    float bite = 0.25f;       // energy a predator takes from prey it touches, once a second at most
-    float inactivity = 20;    // s without movement until a new generation begins; 0: never
+    int population = 0;     // vehicles placed at random beyond those placed by hand, 0..20000
+    float drain = 0;        // energy lost a second
+    float bite = 0.25f;     // energy a predator takes from prey it touches, once a second at most
+    float inactivity = 20;  // s without movement until a new generation begins; 0: never
     friend bool operator==(const Ecology&, const Ecology&) = default;
 };
 

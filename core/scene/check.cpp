@@ -1,0 +1,180 @@
+#include "core/scene/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/brain/brain.h"
+#include "core/maths/angle.h"
+#include "core/scene/nearest.h"
+#include "core/scene/scene_file.h"
+
+namespace braitenlab {
+
+namespace {
+
+// The visitor that holds every value against its range; see core/scene/fields.h.
+template <class T>
+class RangeCheck {
+public:
+    RangeCheck(const T& object, std::string path, std::optional<Fault>& fault)
+        : object_(object), path_(std::move(path)), fault_(fault) {}
+
+    template <class Number>
+    void number(const char* key, Number T::*member, const char*, Range range, const char*) {
+        check(key, static_cast<double>(object_.*member), range);
+    }
+    void angle(const char* key, float T::*member, Range degrees, const char*) {
+        constexpr double rounding = 1e-3;  // 360 degrees in radians may come back as 360.00001
+        const double value = static_cast<double>(object_.*member) * (180 / maths::pi_d);
+        if (Range{degrees.low - rounding, degrees.high + rounding}.holds(value)) return;
+        check(key, value, degrees);
+    }
+    template <class Enum>
+    void word(const char*, Enum T::*, const char*) {}
+    void text(const char* key, std::string T::*member, std::size_t longest, const char*) {
+        if ((object_.*member).size() > longest) fail(key, fmt::format("'{}' is longer than {} bytes", key, longest));
+    }
+    template <class Part>
+    void part(Part T::*member) {
+        RangeCheck<Part> inner(object_.*member, path_, fault_);
+        describe(inner, Of<Part>{});
+    }
+    template <class Inner>
+    void table(const char* key, Inner T::*member, const char*) {
+        RangeCheck<Inner> inner(object_.*member, path_ + key + ".", fault_);
+        describe(inner, Of<Inner>{});
+    }
+    template <class Element>
+    void named(const char* key, std::vector<Element> T::*member, std::size_t most, const char*) {
+        if (!count(key, (object_.*member).size(), most)) return;
+        std::set<std::string_view> names;
+        for (const Element& element : object_.*member) {
+            const std::string at = fmt::format("{}.{}", key, element.name);
+            if (const auto fault = name_fault(element.name)) return fail(at, *fault);
+            if (!names.insert(element.name).second)
+                return fail(at, fmt::format("two of [{}{}.…] are called {}; give each its own name", path_, key,
+                                            in_quotes(element.name)));
+            RangeCheck<Element> inner(element, path_ + at + ".", fault_);
+            describe(inner, Of<Element>{});
+        }
+    }
+    template <class Element>
+    void list(const char* key, std::vector<Element> T::*member, std::size_t most, const char*) {
+        if (!count(key, (object_.*member).size(), most)) return;
+        for (std::size_t i = 0; i < (object_.*member).size(); ++i) {
+            RangeCheck<Element> inner((object_.*member)[i], fmt::format("{}{}.{}.", path_, key, i + 1), fault_);
+            describe(inner, Of<Element>{});
+        }
+    }
+    void brain(const char*, BrainGraph T::*, const char*) {}  // checked with its sensors, in check_kind
+
+private:
+    void check(const char* key, double value, Range range) {
+        if (!range.holds(value)) fail(key, outside(key, value, range));
+    }
+    bool count(const char* key, std::size_t number, std::size_t most) {
+        if (number > most) fail(key, fmt::format("{} times [{}{}.…]; the most is {}", number, path_, key, most));
+        return number <= most;
+    }
+    void fail(const std::string& key, std::string what) {
+        if (!fault_) fault_ = Fault{path_ + key, std::move(what)};
+    }
+
+    const T& object_;
+    std::string path_;
+    std::optional<Fault>& fault_;
+};
+
+template <class T>
+std::optional<Fault> range_fault(const T& object) {
+    std::optional<Fault> fault;
+    RangeCheck<T> check(object, "", fault);
+    describe(check, Of<T>{});
+    return fault;
+}
+
+template <class Named>
+std::vector<std::string_view> names_of(const std::vector<Named>& all) {
+    std::vector<std::string_view> names;
+    for (const Named& one : all) names.emplace_back(one.name);
+    return names;
+}
+
+std::optional<Fault> wheels_fault(const Kind& kind) {
+    float load = 0;
+    for (const Wheel& wheel : kind.body.wheels) load += wheel.load;
+    if (std::fabs(load - 1) <= 1e-3f) return std::nullopt;
+    return Fault{"kind." + kind.name + ".body.wheel",
+                 fmt::format("the wheels' loads add up to {:.3g}; make it 1, the whole weight", load)};
+}
+
+std::optional<Fault> start_fault(const Scene& scene, const Start& start) {
+    const std::string path = "vehicle." + start.name;
+    if (start.kind.empty()) return Fault{path, "a vehicle needs a kind: kind = \"NAME\" of a [kind.NAME]"};
+    if (find_kind(scene, start.kind) < 0)
+        return Fault{path + ".kind",
+                     "no kind is called " + in_quotes(start.kind) + name_nearest(start.kind, names_of(scene.kinds))};
+    if (!start.facing.empty() && find_source(scene, start.facing) < 0)
+        return Fault{path + ".facing", "no source is called " + in_quotes(start.facing) +
+                                           name_nearest(start.facing, names_of(scene.sources))};
+    if (std::fabs(start.x) > scene.arena.width / 2) return Fault{path + ".x", "it starts outside the arena"};
+    if (std::fabs(start.y) > scene.arena.height / 2) return Fault{path + ".y", "it starts outside the arena"};
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Fault> find_fault(const BrainGraph& graph, const std::vector<std::string>& sensors) {
+    for (const Node& node : graph.nodes) {
+        if (const auto fault = name_fault(node.name)) return Fault{"", *fault};
+        if (const auto fault = range_fault(node)) return Fault{"", "node " + in_quotes(node.name) + ": " + fault->what};
+    }
+    const auto brain = compile(graph, sensors);
+    if (!brain) return Fault{"", brain.error().what};
+    for (const Wire& wire : graph.wires) {
+        const auto fault = range_fault(wire);
+        if (!fault) continue;
+        return Fault{"", fmt::format("the wire from {} to {}: {}", in_quotes(find_node(graph, wire.from)->name),
+                                     in_quotes(find_node(graph, wire.to)->name), fault->what)};
+    }
+    return std::nullopt;
+}
+
+std::optional<Fault> find_fault(const Scene& scene) {
+    if (auto fault = range_fault(scene)) return fault;
+    for (const Kind& kind : scene.kinds) {
+        if (auto fault = wheels_fault(kind)) return fault;
+        if (auto fault = find_fault(kind.brain, sensor_names(kind)))
+            return Fault{"kind." + kind.name + ".brain", std::move(fault->what)};
+    }
+    for (const Start& start : scene.starts)
+        if (auto fault = start_fault(scene, start)) return fault;
+    if (scene.ecology.population > 0 && scene.kinds.empty())
+        return Fault{"ecology.population", "there is no [kind.NAME] to populate the arena with"};
+    return std::nullopt;
+}
+
+std::optional<Error> check_scene(const Scene& scene) {
+    const auto fault = find_fault(scene);
+    if (!fault) return std::nullopt;
+    return Error{(fault->path.empty() ? "" : fault->path + ": ") + fault->what};
+}
+
+std::string outside(std::string_view key, double value, Range range) {
+    return fmt::format("'{}' is {:.6g}, outside {} .. {}", key, value, range.low, range.high);
+}
+
+std::optional<std::string> name_fault(std::string_view name) {
+    const auto allowed = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    };
+    if (!name.empty() && name.size() <= limits::name_length && std::all_of(name.begin(), name.end(), allowed))
+        return std::nullopt;
+    return fmt::format("{} cannot be a name; use up to {} of the letters a-z A-Z 0-9 _ -", in_quotes(name),
+                       limits::name_length);
+}
+
+}  // namespace braitenlab

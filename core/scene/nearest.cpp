@@ -1,0 +1,70 @@
+#include "core/scene/nearest.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace braitenlab {
+
+namespace {
+
+constexpr std::size_t longest_shown = 60;
+constexpr std::size_t most_listed = 12;
+
+}  // namespace
+
+int edit_distance(std::string_view a, std::string_view b) {
+    std::vector<int> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), 0);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        int diagonal = row[0];  // the distance of a[0, i) and b[0, j)
+        row[0] = static_cast<int>(i) + 1;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const int replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+        }
+    }
+    return row[b.size()];
+}
+
+std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
+    word = word.substr(0, 2 * longest_shown);  // a hostile key must not cost a second
+    std::string_view nearest;
+    int smallest = std::numeric_limits<int>::max();
+    for (const std::string_view candidate : candidates) {
+        const int distance = edit_distance(word, candidate);
+        if (distance >= smallest) continue;
+        smallest = distance;
+        nearest = candidate;
+    }
+    return nearest;
+}
+
+std::string name_nearest(std::string_view word, std::span<const std::string_view> candidates) {
+    const std::string_view nearest = nearest_word(word, candidates);
+    if (candidates.empty()) return {};
+    const auto letters = static_cast<int>(std::max(word.size(), nearest.size()));
+    if (candidates.size() == 1 || edit_distance(word.substr(0, 2 * longest_shown), nearest) * 2 <= letters)
+        return "; the nearest is " + in_quotes(nearest);
+    std::string listed = "; known are ";
+    for (std::size_t i = 0; i < std::min(candidates.size(), most_listed); ++i)
+        listed += (i > 0 ? ", " : "") + in_quotes(candidates[i]);
+    return listed + (candidates.size() > most_listed ? " …" : "");
+}
+
+std::string in_quotes(std::string_view text) {
+    std::string shown = "'";
+    for (const char c : text.substr(0, longest_shown))
+        shown += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+    // Do not cut a character of several bytes in two.
+    if (text.size() > longest_shown) {
+        while ((static_cast<unsigned char>(text[shown.size() - 1]) & 0xC0u) == 0x80u && shown.size() > 1)
+            shown.pop_back();
+        shown += "…";
+    }
+    return shown + "'";
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,175 @@
+// Writes scenes and brains as TOML, in the order of their description.
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "core/maths/angle.h"
+#include "core/scene/brain_text.h"
+#include "core/scene/fields.h"
+#include "core/scene/names.h"
+#include "core/scene/scene_file.h"
+
+namespace braitenlab {
+
+namespace {
+
+// The decimal with the fewest places that `reads_back` accepts, starting from the value itself.
+template <class ReadsBack>
+std::string shortest(double value, ReadsBack reads_back) {
+    double scale = 1;
+    for (int places = 0; places <= 12; ++places, scale *= 10) {
+        const double rounded = std::round(value * scale) / scale;
+        if (reads_back(rounded)) return fmt::format("{}", rounded == 0 ? 0.0 : rounded);
+    }
+    return fmt::format("{}", value);
+}
+
+std::string number_text(float value) {
+    return shortest(static_cast<double>(value), [value](double read) { return static_cast<float>(read) == value; });
+}
+
+std::string degrees_text(float radians) {
+    return shortest(static_cast<double>(radians) * (180 / maths::pi_d),
+                    [radians](double read) { return static_cast<float>(read * (maths::pi_d / 180)) == radians; });
+}
+
+std::string quote(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            out += '\\';
+            out += c;
+        } else if (c == '\n') {
+            out += "\\n";
+        } else if (byte < 0x20 || byte == 0x7f) {
+            out += fmt::format("\\u{:04X}", byte);
+        } else {
+            out += c;
+        }
+    }
+    return out + "\"";
+}
+
+// The visitor that writes what differs from the defaults; see core/scene/fields.h. Values of a table come before the
+// tables in it, so the header is written with the first value.
+template <class T>
+class TomlWriter {
+public:
+    // `header`: "[kind.prey]", or empty at the top; `path`: "kind.prey.", before the keys of inner tables.
+    TomlWriter(const T& object, std::string header, std::string path, std::string& out)
+        : object_(object), header_(std::move(header)), path_(std::move(path)), out_(out) {}
+
+    void number(const char* key, float T::*member, const char*, Range, const char*) {
+        if (differs(member)) line(key, number_text(object_.*member));
+    }
+    template <class Whole>
+    void number(const char* key, Whole T::*member, const char*, Range, const char*) {
+        if (differs(member)) line(key, fmt::format("{}", object_.*member));
+    }
+    void angle(const char* key, float T::*member, Range, const char*) {
+        if (differs(member)) line(key, degrees_text(object_.*member));
+    }
+    template <class Enum>
+    void word(const char* key, Enum T::*member, const char*) {
+        if (differs(member)) line(key, fmt::format("\"{}\"", braitenlab::word(object_.*member)));
+    }
+    void text(const char* key, std::string T::*member, std::size_t, const char*) {
+        if (differs(member)) line(key, quote(object_.*member));
+    }
+    template <class Part>
+    void part(Part T::*member) {
+        TomlWriter<Part> inner(object_.*member, defaults_.*member, header_, path_, out_);
+        describe(inner, Of<Part>{});
+        if (inner.begun()) header_.clear();
+    }
+    template <class Inner>
+    void table(const char* key, Inner T::*member, const char*) {
+        write(object_.*member, key, false);
+    }
+    template <class Element>
+    void named(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
+        for (const Element& element : object_.*member) write(element, fmt::format("{}.{}", key, element.name), true);
+    }
+    template <class Element>
+    void list(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
+        if constexpr (requires(const Element& e) { e == e; }) {
+            if (!differs(member)) return;
+        }
+        for (const Element& element : object_.*member) {
+            begin();
+            TomlWriter<Element> inner(element, fmt::format("[[{}{}]]", path_, key), "", out_);
+            describe(inner, Of<Element>{});
+            inner.begin();
+        }
+    }
+    void brain(const char* key, BrainGraph T::*member, const char*) {
+        if (differs(member)) write(to_text(object_.*member), key, true);
+    }
+
+    TomlWriter(const T& object, const T& defaults, std::string header, std::string path, std::string& out)
+        : object_(object), defaults_(defaults), header_(std::move(header)), path_(std::move(path)), out_(out) {}
+
+    // Writes the header if it is still to be written.
+    void begin() {
+        if (!header_.empty()) out_ += fmt::format("{}{}\n", out_.empty() ? "" : "\n", header_);
+        header_.clear();
+    }
+    bool begun() const { return header_.empty(); }
+
+private:
+    template <class Value>
+    bool differs(Value T::*member) const {
+        return !(object_.*member == defaults_.*member);
+    }
+
+    void line(std::string_view key, const std::string& value) {
+        begin();
+        out_ += fmt::format("{} = {}\n", key, value);
+    }
+
+    template <class Inner>
+    void write(const Inner& object, const std::string& key, bool even_if_default) {
+        TomlWriter<Inner> inner(object, fmt::format("[{}{}]", path_, key), path_ + key + ".", out_);
+        if (even_if_default) inner.begin();
+        describe(inner, Of<Inner>{});
+    }
+    // A dial of 0 may have to stand there: it says that there are dials at all.
+    void write(const BrainText& text, const std::string& key, bool) {
+        TomlWriter<BrainText> inner(text, fmt::format("[{}{}]", path_, key), path_ + key + ".", out_);
+        inner.begin();
+        for (const Dial dial : text.given)
+            if (at(text.dials, dial) == 0) inner.line(name(dial), "0");
+        describe(inner, Of<BrainText>{});
+    }
+
+    template <class Other>
+    friend class TomlWriter;
+
+    const T& object_;
+    const T defaults_{};
+    std::string header_, path_;
+    std::string& out_;
+};
+
+}  // namespace
+
+std::string write_scene(const Scene& scene) {
+    std::string out = "format = 1\n";
+    TomlWriter<Scene> writer(scene, "", "", out);
+    describe(writer, Of<Scene>{});
+    return out;
+}
+
+std::string write_brain(const BrainGraph& graph) {
+    struct BrainFile {
+        BrainGraph brain;
+    };
+    std::string out = "format = 1\n";
+    TomlWriter<BrainFile> writer({graph}, "", "", out);
+    writer.brain("brain", &BrainFile::brain, "");
+    return out;
+}
+
+}  // namespace braitenlab
