@@ -69,7 +69,7 @@ inline float exponential(float x) {
     double y = x > 87.0f ? 87.0 : static_cast<double>(x);
     // e^y = (e^(y/1024))^1024: the series needs few terms on the small argument.
     y /= 1024;
-    double e = 1 + y * (1 + y / 2 * (1 + y / 3 * (1 + y / 4 * (1 + y / 5))));
+    double e = 1 + y * (1 + y / 2 * (1 + y / 3 * (1 + y / 4 * (1 + y / 5 * (1 + y / 6 * (1 + y / 7))))));
     for (int i = 0; i < 10; ++i) e *= e;
     return static_cast<float>(e);
 }

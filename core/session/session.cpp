@@ -2,18 +2,13 @@
 
 #include <utility>
 
+#include "core/match.h"
+
 namespace braitenlab {
 
 namespace {
 
 constexpr std::size_t most_edits = 500;  // undo reaches this far back
-
-template <class... Cases>
-struct Match : Cases... {
-    using Cases::operator()...;
-};
-template <class... Cases>
-Match(Cases...) -> Match<Cases...>;
 
 bool operator==(const Target& a, const Target& b) {
     return a.vehicle == b.vehicle && (a.vehicle != no_vehicle || a.kind == b.kind);

@@ -1,0 +1,272 @@
+#include "app/lab.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include "app/data.h"
+#include "core/match.h"
+#include "core/scene/scene_file.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr std::array<float, 8> speeds{0.125f, 0.25f, 0.5f, 1, 2, 4, 8, 16};
+constexpr double hint_patience = 30;       // s until the next hint opens without a run
+constexpr double notice_seconds = 6;       // how long a refusal stays readable
+constexpr double stepping_budget = 0.012;  // s of a frame
+
+void notify(Lab& lab, std::string text) {
+    lab.notice = std::move(text);
+    lab.notice_until = lab.wall_seconds + notice_seconds;
+}
+
+void set_mode(Lab& lab, Mode mode) {
+    const bool was_playing = lab.mode == Mode::playing, plays = mode == Mode::playing;
+    if (was_playing != plays) ++lab.toggles;
+    if (plays) lab.debt = 0;
+    lab.mode = mode;
+}
+
+const VehicleView* selected_vehicle(const Lab& lab) { return find_vehicle(lab.session.snapshot(), lab.selected); }
+
+// Something stays selected as long as there is a vehicle.
+void keep_selection(Lab& lab) {
+    const auto& vehicles = lab.session.snapshot().vehicles;
+    if (!selected_vehicle(lab)) lab.selected = vehicles.empty() ? no_vehicle : vehicles.front().id;
+}
+
+void select_neighbour(Lab& lab, int step) {
+    const auto& vehicles = lab.session.snapshot().vehicles;
+    if (vehicles.empty()) return;
+    const auto here =
+        std::find_if(vehicles.begin(), vehicles.end(), [&](const auto& v) { return v.id == lab.selected; });
+    const auto count = static_cast<int>(vehicles.size());
+    const int index = here == vehicles.end() ? 0 : static_cast<int>(here - vehicles.begin()) + step + count;
+    lab.selected = vehicles[static_cast<std::size_t>(index % count)].id;
+}
+
+void change_speed(Lab& lab, int step) {
+    const auto here = std::lower_bound(speeds.begin(), speeds.end(), lab.time_scale - 1e-6f);
+    const auto index =
+        std::clamp(static_cast<int>(here - speeds.begin()) + step, 0, static_cast<int>(speeds.size()) - 1);
+    lab.time_scale = speeds[static_cast<std::size_t>(index)];
+}
+
+void apply(Lab& lab, const Command& command, std::uint64_t gesture = 0) {
+    if (const auto error = lab.session.apply(command, gesture)) notify(lab, error->text());
+    keep_selection(lab);
+}
+
+void watch(Lab& lab) {
+    if (!lab.lesson) return;
+    Lesson& lesson = *lab.lesson;
+    lesson.referee.watch(lab.session.snapshot());
+    lesson.view.verdicts = lesson.referee.verdicts();
+    if (!lesson.referee.passed() || lesson.view.grade) return;
+    // Every step is done in this run: now it must hold from the other starts as well.
+    const Snapshot& now = lab.session.snapshot();
+    if (now.vehicles.empty()) return;
+    lesson.view.grade = grade(*lesson.exercise, *now.brains[static_cast<std::size_t>(now.vehicles.front().brain)]);
+}
+
+void reset(Lab& lab) {
+    lab.session.reset();
+    lab.debt = 0;
+    if (lab.lesson && !(lab.lesson->view.grade && lab.lesson->view.grade->good)) lab.lesson->view.grade.reset();
+    watch(lab);
+    keep_selection(lab);
+}
+
+// The exercise as it was on opening; the brain comes back by an edit, so that it can be undone.
+void restart_exercise(Lab& lab) {
+    if (!lab.lesson) return reset(lab);
+    Lesson& lesson = *lab.lesson;
+    set_mode(lab, Mode::paused);
+    for (std::size_t k = 0; k < lesson.exercise->scene.kinds.size(); ++k)
+        if (*lab.session.snapshot().kind_brains[k] != lesson.exercise->scene.kinds[k].brain)
+            apply(lab, SetBrain{{.kind = static_cast<int>(k)}, lesson.exercise->scene.kinds[k].brain});
+    lesson.view = {.exercise = lesson.exercise.get()};
+    lesson.last_hint_at = lab.wall_seconds;
+    lesson.referee = Referee(*lesson.exercise);
+    reset(lab);
+}
+
+void show_hint(Lab& lab) {
+    if (!lab.lesson) return;
+    LessonView& view = lab.lesson->view;
+    if (!view.hint_ready || view.hints_shown >= static_cast<int>(view.exercise->hints.size())) return;
+    ++view.hints_shown;
+    view.hint_ready = false;
+    lab.lesson->last_hint_at = lab.wall_seconds;
+}
+
+void act(Lab& lab, Action action) {
+    switch (action) {
+        case Action::play_pause:
+            set_mode(lab, lab.mode == Mode::playing ? Mode::paused : Mode::playing);
+            break;
+        case Action::step:
+            if (lab.mode == Mode::playing) set_mode(lab, Mode::paused);
+            tick(lab);
+            break;
+        case Action::reset:
+            reset(lab);
+            break;
+        case Action::add:
+            apply(lab, AddVehicle{});
+            break;
+        case Action::remove:
+            apply(lab, RemoveVehicle{});
+            break;
+        case Action::new_population:
+            apply(lab, NewPopulation{});
+            break;
+        case Action::follow:
+            lab.camera.mode = lab.camera.mode == CameraMode::follow ? CameraMode::overview : CameraMode::follow;
+            break;
+        case Action::home: {
+            const Camera fresh;
+            lab.camera = fresh;
+            break;
+        }
+        case Action::sensors:
+            lab.sensors = !lab.sensors;
+            break;
+        case Action::outlines:
+            lab.outlines = !lab.outlines;
+            break;
+        case Action::wiring:
+            set_mode(lab, lab.mode == Mode::wiring ? Mode::paused : Mode::wiring);
+            break;
+        case Action::cancel:
+            if (lab.mode == Mode::wiring) set_mode(lab, Mode::paused);
+            break;
+        case Action::undo:
+            lab.session.undo(), keep_selection(lab);
+            break;
+        case Action::redo:
+            lab.session.redo(), keep_selection(lab);
+            break;
+        case Action::slower:
+            change_speed(lab, -1);
+            break;
+        case Action::faster:
+            change_speed(lab, +1);
+            break;
+        case Action::next_vehicle:
+            select_neighbour(lab, +1);
+            break;
+        case Action::previous_vehicle:
+            select_neighbour(lab, -1);
+            break;
+        case Action::hint:
+            show_hint(lab);
+            break;
+        case Action::exercise_reset:
+            restart_exercise(lab);
+            break;
+        case Action::exit:
+            lab.exit = true;
+            break;
+        case Action::screenshot:
+            lab.screenshot = true;
+            break;
+        case Action::full_screen:
+            lab.full_screen = true;
+            break;
+        case Action::theme:
+            lab.theme = lab.theme == Theme::dark ? Theme::light : Theme::dark;
+            lab.theme_changed = true;
+            break;
+        default:
+            break;  // the panels' own
+    }
+}
+
+}  // namespace
+
+Result<Lab> open_lab(const std::filesystem::path& path, std::optional<std::uint64_t> seed,
+                     const std::vector<Setting>& settings) {
+    std::optional<Exercise> exercise;
+    std::optional<Scene> scene;
+    if (is_exercise(path)) {
+        auto loaded = load_exercise(path, settings);
+        if (!loaded) return loaded.error();
+        exercise = std::move(*loaded);
+        scene = exercise->scene;
+    } else {
+        auto loaded = load_scene(path, settings);
+        if (!loaded) return loaded.error();
+        scene = std::move(*loaded);
+    }
+    auto session = Session::open(*scene, seed.value_or(exercise ? exercise->seed : 1));
+    if (!session) return session.error();
+    Lab lab{.session = std::move(*session)};
+    if (exercise) {
+        auto shared = std::make_shared<const Exercise>(std::move(*exercise));
+        lab.lesson = Lesson{shared, Referee(*shared), {.exercise = shared.get()}};
+        watch(lab);
+    }
+    keep_selection(lab);
+    return lab;
+}
+
+void tick(Lab& lab) {
+    lab.session.step();
+    keep_selection(lab);
+    if (lab.lesson && !lab.lesson->view.has_run) lab.lesson->view.has_run = lab.lesson->view.hint_ready = true;
+    watch(lab);
+}
+
+void handle(Lab& lab, const Request& request) {
+    std::visit(
+        Match{[&](Action action) { act(lab, action); }, [&](const EditRequest& r) { apply(lab, r.command, r.gesture); },
+              [&](const SelectRequest& r) { lab.selected = r.vehicle, keep_selection(lab); },
+              [&](const ScopeRequest& r) { lab.whole_kind = r.whole_kind; },
+              [&](const PredictRequest& r) {
+                  if (lab.lesson && !lab.lesson->view.has_run) lab.lesson->view.prediction = r.option;
+              },
+              [&](const SpeedRequest& r) { lab.time_scale = std::clamp(r.time_scale, speeds.front(), speeds.back()); }},
+        request);
+}
+
+void advance(Lab& lab, double wall_seconds) {
+    lab.wall_seconds += wall_seconds;
+    if (lab.wall_seconds >= lab.notice_until) lab.notice.clear();
+    if (lab.lesson && lab.wall_seconds - lab.lesson->last_hint_at >= hint_patience) lab.lesson->view.hint_ready = true;
+    if (lab.mode != Mode::playing) return;
+
+    using Clock = std::chrono::steady_clock;
+    const auto began = Clock::now();
+    const auto spent = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
+    constexpr double tick_length = 1.0 / 60;
+    lab.debt += wall_seconds * static_cast<double>(lab.time_scale);
+    while (lab.debt >= tick_length && spent() < stepping_budget) {
+        tick(lab);
+        lab.debt -= tick_length;
+    }
+    if (lab.debt >= tick_length) lab.debt = 0;
+}
+
+LabView view_of(const Lab& lab) {
+    LabView view;
+    view.now = &lab.session.snapshot();
+    view.mode = lab.mode;
+    view.time_scale = lab.time_scale;
+    view.selected = lab.selected;
+    view.whole_kind = lab.whole_kind;
+    view.sensors = lab.sensors;
+    view.outlines = lab.outlines;
+    view.camera = lab.camera.mode;
+    view.undo_depth = lab.session.undo_depth();
+    view.redo_depth = lab.session.redo_depth();
+    view.lesson = lab.lesson ? &lab.lesson->view : nullptr;
+    view.notice = lab.notice;
+    view.theme = lab.theme;
+    view.wall_seconds = lab.wall_seconds;
+    return view;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,67 @@
+// The lab without its window: a session with its clock, its exercise and what is selected. Panels and keys ask by
+// Request; this carries the requests out. No graphics, no clock of its own: a test can drive it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/lesson/exercise.h"
+#include "core/lesson/referee.h"
+#include "core/scene/scene_file.h"
+#include "core/session/session.h"
+#include "render/view/camera.h"
+#include "ui/lab_view.h"
+#include "ui/request.h"
+
+namespace braitenlab {
+
+// An open exercise: its text, its judge and how far the student has got.
+struct Lesson {
+    std::shared_ptr<const Exercise> exercise;  // never null
+    Referee referee;
+    LessonView view;
+    double last_hint_at = 0;  // wall seconds
+};
+
+struct Lab {
+    Session session;
+    std::optional<Lesson> lesson;
+
+    Mode mode = Mode::paused;
+    float time_scale = 1;
+    double debt = 0;           // simulated seconds that are due but not yet stepped
+    std::int64_t toggles = 0;  // changes between playing and not playing
+    VehicleId selected = no_vehicle;
+    bool whole_kind = true;
+    bool sensors = true, outlines = false;
+    Camera camera;
+    Theme theme = Theme::dark;
+    std::string notice;       // what was refused last, and why
+    double notice_until = 0;  // wall seconds
+    double wall_seconds = 0;
+
+    // Asked of the window, which answers and clears them.
+    bool exit = false, screenshot = false, full_screen = false, theme_changed = false;
+};
+
+// Opens a scene or an exercise file. Scenes take the settings; exercises bring their own and take them on top.
+Result<Lab> open_lab(const std::filesystem::path&, std::optional<std::uint64_t> seed,
+                     const std::vector<Setting>& settings);
+
+void handle(Lab&, const Request&);
+
+// Lets wall time pass: steps as often as time and speed ask, for at most 12 ms, and forgets what it could not keep up
+// with, so that a slow machine shows slow motion and never falls behind for good.
+void advance(Lab&, double wall_seconds);
+
+// One tick, whatever the mode.
+void tick(Lab&);
+
+// What panels see. Points into the lab: valid until it changes.
+LabView view_of(const Lab&);
+
+}  // namespace braitenlab

@@ -1,0 +1,75 @@
+#include "app/options.h"
+
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/data.h"
+
+namespace braitenlab {
+
+namespace {
+
+std::string read_size(const std::string& text, Options& options) {
+    int used = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%n", &options.width, &options.height, &used) != 2 ||
+        used != static_cast<int>(text.size()) || options.width < 320 || options.height < 240 || options.width > 16384 ||
+        options.height > 16384)
+        return fmt::format("'{}' is not a size; write it as 1280x800, at least 320x240", text);
+    options.size_given = true;
+    return {};
+}
+
+}  // namespace
+
+CommandLine read_command_line(int argc, char** argv) {
+    CommandLine line;
+    Options& o = line.options;
+    CLI::App app{"Braitenlab: a lab for Braitenberg vehicles.\nDrag a weight and see character change."};
+    app.set_version_flag("--version", fmt::format("braitenlab {}", version_text()));
+    app.add_option("FILE", o.file, "a scene or an exercise: a path, or the bare name of a shipped one");
+    app.add_option_function<std::string>(
+           "--size",
+           [&](const std::string& text) {
+               if (const std::string wrong = read_size(text, o); !wrong.empty())
+                   throw CLI::ValidationError("--size", wrong);
+           },
+           "window size in pixels")
+        ->type_name("WxH");
+    app.add_option("--scale", o.scale, "size of everything in the window; 1 on an ordinary display")
+        ->check(CLI::Range(0.5f, 4.0f));
+    app.add_option("--seed", o.seed, "where chance begins; the same seed gives the same run");
+    app.add_option_function<std::vector<std::string>>(
+           "--set",
+           [&](const std::vector<std::string>& texts) {
+               for (const std::string& text : texts) {
+                   auto setting = parse_setting(text);
+                   if (!setting) throw CLI::ValidationError("--set", setting.error().text());
+                   o.settings.push_back(*setting);
+               }
+           },
+           "one value of the scene, e.g. kind.prey.brain.LL=0.5")
+        ->type_name("PATH=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_flag("--play", o.play, "start playing");
+    app.add_flag("--fullscreen", o.full_screen, "fill the screen");
+    app.add_flag_callback(
+        "--projector", [&] { o.theme = Theme::light; }, "light colours for a projector");
+    app.add_option("--screenshot", o.screenshot, "write a picture (PNG) and end")->type_name("FILE");
+    app.add_option("--after", o.after,
+                   "when to take it: simulated seconds with --play (one tick a frame), else seconds since the start")
+        ->check(CLI::Range(0.0, 3600.0));
+    app.add_option("--anchors", o.anchors, "keep the widgets' rectangles in this file (JSON)")->type_name("FILE");
+    app.add_option("--state", o.state, "keep the lab's state in this file (JSON)")->type_name("FILE");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        // Help and version answer 0; everything else is bad input.
+        line.exit_code = app.exit(error) == 0 ? 0 : 2;
+    }
+    return line;
+}
+
+}  // namespace braitenlab

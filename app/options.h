@@ -1,0 +1,38 @@
+// The command line of the window.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "core/scene/scene_file.h"
+#include "render/view/palette.h"
+
+namespace braitenlab {
+
+struct Options {
+    std::string file;                // empty: what fits the start
+    int width = 1280, height = 800;  // window pixels
+    bool size_given = false;
+    std::optional<float> scale;  // window pixels per layout pixel; unset: the display's
+    std::optional<std::uint64_t> seed;
+    std::vector<Setting> settings;
+    bool play = false, full_screen = false;
+    Theme theme = Theme::dark;
+    std::filesystem::path screenshot;      // written after `after`, then the program ends
+    double after = 1;                      // s: simulated with play, wall time without
+    std::filesystem::path anchors, state;  // kept up to date while running
+};
+
+// What the command line asks for: options; or an exit code, when --help or --version has been answered or the line was
+// wrong and a message has been printed.
+struct CommandLine {
+    Options options;
+    std::optional<int> exit_code;
+};
+CommandLine read_command_line(int argc, char** argv);
+
+}  // namespace braitenlab

@@ -1,0 +1,41 @@
+// What scripts and tests read of a running window: the widgets' rectangles and the lab's state, as JSON files.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "app/lab.h"
+#include "ui/widgets/anchors.h"
+
+namespace braitenlab {
+
+// {"slider.LL": [x, y, w, h], …} in window pixels.
+std::string anchors_json(const Anchors&);
+
+struct FrameFacts {
+    int draw_calls = 0;
+    double frame_ms = 0;  // work of a frame, without waiting for the display
+};
+
+// {mode, tick, seconds, hash, time_scale, selected, character, weights {LL …}, thresholds {LL …}, nodes, wires,
+// toggles, undo_depth, redo_depth, population, predators, prey, generation, camera, language, draw_calls, frame_ms,
+// exercise}
+std::string state_json(const Lab&, const FrameFacts&);
+
+// Keeps one file up to date: writes beside it and renames, so that a reader never sees half a file; leaves it alone
+// while the text stays the same. The first failure is returned, once.
+class KeptFile {
+public:
+    explicit KeptFile(std::filesystem::path path) : path_(std::move(path)) {}
+    bool wanted() const { return !path_.empty(); }
+    std::optional<Error> write(std::string text);
+
+private:
+    std::filesystem::path path_;
+    std::string last_;
+    bool failed_ = false;
+};
+
+}  // namespace braitenlab

@@ -1,0 +1,232 @@
+#include "app/window.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <GL/glew.h>
+#include <fmt/format.h>
+// GLFW after GLEW: both declare OpenGL, and GLEW insists on being first.
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+namespace braitenlab {
+
+namespace {
+
+constexpr int samples = 4;  // multisampling: smooth edges
+
+// GLFW reports errors by callback only; the last one is what explains a failed call.
+std::string last_error;
+
+Error no_window() {
+    return {
+        fmt::format("no window could be opened ({}). A display is needed (on a server: install xvfb and run "
+                    "'xvfb-run braitenlab'), with OpenGL 3.3 (install libgl1-mesa-dri for a software renderer)",
+                    last_error.empty() ? "no reason given" : last_error)};
+}
+
+// The character a key types on this keyboard layout without Shift, in upper case; other keys by GLFW's number.
+int key_of(int glfw_key, int scancode) {
+    if (glfw_key == GLFW_KEY_SPACE) return ' ';
+    if (glfw_key == GLFW_KEY_KP_ENTER) return GLFW_KEY_ENTER;
+    if (const char* name = glfwGetKeyName(glfw_key, scancode); name && name[0] != 0 && name[1] == 0)
+        return name[0] >= 'a' && name[0] <= 'z' ? name[0] - 'a' + 'A' : name[0];
+    return glfw_key;
+}
+
+}  // namespace
+
+struct Window::Native {
+    GLFWwindow* window = nullptr;
+    std::vector<KeyPress> keys;
+    std::vector<std::string> dropped;
+    int windowed[4] = {0, 0, 0, 0};  // place and size before full screen
+    bool imgui = false;
+
+    Native() = default;
+    Native(const Native&) = delete;
+    Native& operator=(const Native&) = delete;
+    ~Native() {
+        if (imgui) {
+            ImGui_ImplOpenGL3_Shutdown();
+            ImGui_ImplGlfw_Shutdown();
+            ImGui::DestroyContext();
+        }
+        if (window) glfwDestroyWindow(window);
+        glfwTerminate();
+    }
+
+    static Native& of(GLFWwindow* w) { return *static_cast<Native*>(glfwGetWindowUserPointer(w)); }
+};
+
+namespace {
+
+void hint_context(const WindowOptions& options) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SAMPLES, samples);
+    glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
+}
+
+GLFWwindow* make_window(const WindowOptions& options) {
+    GLFWmonitor* monitor = options.full_screen ? glfwGetPrimaryMonitor() : nullptr;
+    int width = options.width, height = options.height;
+    if (monitor)
+        if (const GLFWvidmode* mode = glfwGetVideoMode(monitor)) width = mode->width, height = mode->height;
+    return glfwCreateWindow(width, height, options.title.c_str(), monitor, nullptr);
+}
+
+std::optional<Error> load_opengl() {
+    glewExperimental = GL_TRUE;
+    const GLenum code = glewInit();
+    // Under Wayland GLEW finds no GLX display and says so, though it has loaded everything.
+    if (code != GLEW_OK && code != GLEW_ERROR_NO_GLX_DISPLAY)
+        return Error{fmt::format("OpenGL's functions could not be loaded ({})",
+                                 reinterpret_cast<const char*>(glewGetErrorString(code)))};
+    while (glGetError() != GL_NO_ERROR) {
+    }  // GLEW may leave one behind
+    if (!GLEW_VERSION_3_3)
+        return Error{
+            fmt::format("OpenGL 3.3 is needed, this machine offers {}; update the graphics driver or install "
+                        "libgl1-mesa-dri for a software renderer",
+                        reinterpret_cast<const char*>(glGetString(GL_VERSION)))};
+    return std::nullopt;
+}
+
+}  // namespace
+
+Window::Window(std::unique_ptr<Native> native) : native_(std::move(native)) {}
+Window::Window(Window&&) noexcept = default;
+Window& Window::operator=(Window&&) noexcept = default;
+Window::~Window() = default;
+
+Result<Window> Window::open(const WindowOptions& options) {
+    glfwSetErrorCallback([](int, const char* text) { last_error = text; });
+    if (!glfwInit()) return no_window();
+    auto native = std::make_unique<Native>();
+    hint_context(options);
+    native->window = make_window(options);
+    if (!native->window) return no_window();
+    GLFWwindow* window = native->window;
+    glfwSetWindowUserPointer(window, native.get());
+    glfwMakeContextCurrent(window);
+    if (const auto error = load_opengl()) return *error;
+    glfwSwapInterval(1);
+    glEnable(GL_MULTISAMPLE);
+
+    // Before Dear ImGui's own: it keeps no queue (1.86), and a key pressed and released within a frame would be lost.
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+        if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
+        const KeyPress press{key_of(key, scancode), (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0};
+        // A held key repeats; play and pause and the like must not flicker with it.
+        const bool repeats = key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT || key == GLFW_KEY_UP ||
+                             key == GLFW_KEY_DOWN || key == GLFW_KEY_TAB || press.key == '.' || press.key == ',';
+        if (action == GLFW_PRESS || repeats) Native::of(w).keys.push_back(press);
+    });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+        Native::of(w).dropped.assign(paths, paths + count);
+    });
+
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;  // the layout is ours
+    ImGui_ImplGlfw_InitForOpenGL(window, true);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+    native->imgui = true;
+    return Window(std::move(native));
+}
+
+bool Window::close_requested() const { return glfwWindowShouldClose(native_->window); }
+
+Rect Window::area() const {
+    int width = 0, height = 0;
+    glfwGetWindowSize(native_->window, &width, &height);
+    return {0, 0, static_cast<float>(width), static_cast<float>(height)};
+}
+
+int Window::framebuffer_width() const {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(native_->window, &width, &height);
+    return width;
+}
+
+int Window::framebuffer_height() const {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(native_->window, &width, &height);
+    return height;
+}
+
+float Window::content_scale() const {
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(native_->window, &x, &y);
+    return std::max({1.0f, x, y});
+}
+
+void Window::poll(double patience) {
+    if (patience > 0)
+        glfwWaitEventsTimeout(patience);
+    else
+        glfwPollEvents();
+}
+
+std::vector<KeyPress> Window::take_keys() { return std::exchange(native_->keys, {}); }
+std::vector<std::string> Window::take_dropped_files() { return std::exchange(native_->dropped, {}); }
+
+bool Window::holds(int glfw_key) const { return glfwGetKey(native_->window, glfw_key) == GLFW_PRESS; }
+
+void Window::begin_frame() {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void Window::end_frame() {
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Window::show() { glfwSwapBuffers(native_->window); }
+
+void Window::forget_fonts() {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+void Window::toggle_full_screen() {
+    GLFWwindow* window = native_->window;
+    int* w = native_->windowed;
+    if (glfwGetWindowMonitor(window)) {
+        glfwSetWindowMonitor(window, nullptr, w[0], w[1], std::max(w[2], 640), std::max(w[3], 480), 0);
+        return;
+    }
+    glfwGetWindowPos(window, &w[0], &w[1]);
+    glfwGetWindowSize(window, &w[2], &w[3]);
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (mode) glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void Window::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, framebuffer_width(), framebuffer_height());
+}
+
+std::vector<unsigned char> Window::pixels() const {
+    const int width = framebuffer_width(), height = framebuffer_height();
+    const auto row = static_cast<std::size_t>(width) * 3;
+    std::vector<unsigned char> bottom_up(row * static_cast<std::size_t>(height)), top_down(bottom_up.size());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadBuffer(GL_BACK);
+    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, bottom_up.data());
+    for (int y = 0; y < height; ++y) {
+        const auto from = bottom_up.begin() + static_cast<std::ptrdiff_t>(row) * (height - 1 - y);
+        std::copy(from, from + static_cast<std::ptrdiff_t>(row),
+                  top_down.begin() + static_cast<std::ptrdiff_t>(row) * y);
+    }
+    return top_down;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,71 @@
+// One native window with an OpenGL 3.3 context and Dear ImGui in it. With render/, the only place that knows OpenGL.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "render/view/camera.h"
+#include "ui/shortcuts.h"
+
+struct GLFWwindow;
+
+namespace braitenlab {
+
+struct WindowOptions {
+    std::string title;
+    int width = 1280, height = 800;
+    bool full_screen = false;
+    bool visible = true;
+};
+
+class Window {
+public:
+    // Fails with a sentence that says what is missing: a display, OpenGL 3.3, a driver.
+    static Result<Window> open(const WindowOptions&);
+
+    Window(Window&&) noexcept;
+    Window& operator=(Window&&) noexcept;
+    ~Window();
+
+    bool close_requested() const;
+
+    // Window pixels; a display of high density may have more framebuffer pixels behind each.
+    Rect area() const;
+    int framebuffer_width() const;
+    int framebuffer_height() const;
+    // What the display asks for, at least 1.
+    float content_scale() const;
+
+    // Takes what happened since the last call: keys in the order they were pressed, dropped files. Waits for something
+    // to happen, but not longer than `patience` seconds; 0 does not wait.
+    void poll(double patience);
+    std::vector<KeyPress> take_keys();
+    std::vector<std::string> take_dropped_files();
+
+    // Whether a key is held now.
+    bool holds(int glfw_key) const;
+
+    // Dear ImGui's frame; the font atlas must be filled before the first and may be refilled between frames.
+    void begin_frame();
+    void end_frame();     // draws Dear ImGui's lists over what has been drawn
+    void show();          // swaps the buffers
+    void forget_fonts();  // after the atlas was refilled
+
+    void toggle_full_screen();
+
+    // Binds the window's framebuffer, sized to it.
+    void bind() const;
+
+    // The framebuffer as RGB bytes, rows from the top.
+    std::vector<unsigned char> pixels() const;
+
+private:
+    struct Native;
+    explicit Window(std::unique_ptr<Native>);
+    std::unique_ptr<Native> native_;
+};
+
+}  // namespace braitenlab

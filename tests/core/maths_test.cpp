@@ -1,0 +1,74 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/maths/angle.h"
+#include "core/maths/geometry.h"
+#include "core/maths/mat4.h"
+#include "core/maths/portable.h"
+#include "core/maths/random.h"
+
+namespace braitenlab::maths {
+namespace {
+
+TEST(PortableSine, AgreesWithTheLibraryToAFloatsPrecision) {
+    for (float a = -50; a < 50; a += 0.0137f) {
+        EXPECT_NEAR(sine(a), std::sin(static_cast<double>(a)), 6e-8) << a;
+        EXPECT_NEAR(cosine(a), std::cos(static_cast<double>(a)), 6e-8) << a;
+    }
+}
+
+TEST(PortableArcTangent, AgreesWithTheLibraryInAllQuadrants) {
+    for (float a = -3.14f; a < 3.14f; a += 0.0113f)
+        for (const float r : {1e-3f, 1.0f, 250.0f}) {
+            const float x = r * std::cos(a), y = r * std::sin(a);
+            EXPECT_NEAR(arctangent2(y, x), std::atan2(static_cast<double>(y), static_cast<double>(x)), 3e-7) << a;
+        }
+    EXPECT_EQ(arctangent2(0, 0), 0);
+}
+
+TEST(PortableExponential, AgreesWithTheLibraryAndNeverOverflows) {
+    for (float x = -80; x < 80; x += 0.37f)
+        EXPECT_NEAR(exponential(x) / std::exp(static_cast<double>(x)), 1, 2e-7) << x;
+    EXPECT_TRUE(std::isfinite(exponential(1e9f)));
+    EXPECT_EQ(exponential(-1e9f), 0);
+}
+
+TEST(WrapAngle, KeepsTheDirection) {
+    for (float a = -20; a < 20; a += 0.31f) {
+        const float wrapped = wrap_angle(a);
+        EXPECT_GE(wrapped, -pi);
+        EXPECT_LT(wrapped, pi + 1e-6f);
+        EXPECT_NEAR(std::cos(wrapped), std::cos(a), 1e-5f);
+    }
+}
+
+TEST(Sector, IsRightBeyondAHalfCircle) {
+    const vec2 right = direction(radians(-135)), left = direction(radians(135));
+    EXPECT_TRUE(in_sector({1, 0}, {}, right, left, 2, true));
+    EXPECT_TRUE(in_sector({-0.5f, 1}, {}, right, left, 2, true));
+    EXPECT_FALSE(in_sector({-1, 0}, {}, right, left, 2, true));
+    EXPECT_FALSE(in_sector({3, 0}, {}, right, left, 2, true));
+}
+
+TEST(Inverse, UndoesAProjection) {
+    const mat4 m = perspective(0.9f, 1.6f, 0.1f, 100) * look_at({3, 4, 5}, {0, 0, 0}, {0, 1, 0});
+    const mat4 identity = m * inverse(m);
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r) EXPECT_NEAR(identity[c][r], c == r ? 1 : 0, 2e-3f);
+}
+
+TEST(Random, RepeatsWithItsSeedAndDiffersBetweenStreams) {
+    Random a(7, 1), b(7, 1), c(7, 2);
+    const auto first = a.next();
+    EXPECT_EQ(first, b.next());
+    EXPECT_NE(first, c.next());
+    for (int i = 0; i < 10000; ++i) {
+        const float x = a.uniform(-2, 3);
+        EXPECT_GE(x, -2);
+        EXPECT_LT(x, 3);
+    }
+}
+
+}  // namespace
+}  // namespace braitenlab::maths

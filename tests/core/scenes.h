@@ -1,0 +1,51 @@
+// Small scenes that tests build by hand.
+#pragma once
+
+#include "core/brain/four_neurons.h"
+#include "core/maths/angle.h"
+#include "core/scene/scene.h"
+
+namespace braitenlab::tests {
+
+// A kind with two eyes for a channel, as the standard vehicle carries them.
+inline Kind two_eyed(std::string name, const FourNeurons& brain, Channel channel = Channel::light) {
+    Kind kind;
+    kind.name = std::move(name);
+    for (const float side : {1.0f, -1.0f}) {
+        Sensor eye;
+        eye.name = side > 0 ? "SL" : "SR";
+        eye.channel = channel;
+        eye.x = 0.30f;
+        eye.y = side * 0.24f;
+        eye.angle = side * maths::radians(35);
+        kind.sensors.push_back(eye);
+    }
+    kind.brain = make_graph(brain);
+    return kind;
+}
+
+// One vehicle at a pose in an arena large enough not to matter.
+inline Scene alone(const FourNeurons& brain, float x = 0, float y = 0, float heading = 0) {
+    Scene scene;
+    scene.name = "alone";
+    scene.arena.width = scene.arena.height = 200;
+    scene.kinds.push_back(two_eyed("tester", brain));
+    scene.starts.push_back({.name = "it", .kind = "tester", .x = x, .y = y, .heading = heading});
+    return scene;
+}
+
+// Predators and prey placed at random.
+inline Scene crowd(int population) {
+    Scene scene;
+    scene.name = "crowd";
+    Kind hunter = two_eyed("hunter", {.LR = 1.5f, .RL = 1.5f, .LM = 0.3f, .RM = 0.25f}, Channel::prey);
+    Kind hunted = two_eyed("hunted", {.LL = 1.0f, .RR = 1.0f, .LM = 0.2f, .RM = 0.25f}, Channel::predator);
+    hunter.role = Role::predator;
+    hunted.role = Role::prey;
+    hunter.share = hunted.share = 1;
+    scene.kinds = {hunter, hunted};
+    scene.ecology.population = population;
+    return scene;
+}
+
+}  // namespace braitenlab::tests
