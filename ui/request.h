@@ -11,9 +11,30 @@ namespace braitenlab {
 
 // Requests without a value: what buttons and shortcuts do.
 enum class Action {
-    play_pause, step, reset, add, remove, follow, new_population, exit, sensors, outlines, wiring,
-    undo, redo, slower, faster, next_vehicle, previous_vehicle, home, cancel, screenshot, full_screen, theme,
-    hint, exercise_reset,
+    play_pause,
+    step,
+    reset,
+    add,
+    remove,
+    follow,
+    new_population,
+    exit,
+    sensors,
+    outlines,
+    wiring,
+    undo,
+    redo,
+    slower,
+    faster,
+    next_vehicle,
+    previous_vehicle,
+    home,
+    cancel,
+    screenshot,
+    full_screen,
+    theme,
+    hint,
+    exercise_reset,
 };
 
 struct EditRequest {
@@ -32,6 +53,14 @@ struct PredictRequest {
 struct SpeedRequest {
     float time_scale = 1;
 };
+
+// Gestures are numbered by the part of the window that sees them, each from its own base upwards, so that the drags of
+// two parts never become one step of undo.
+namespace gestures {
+inline constexpr std::uint64_t panels = std::uint64_t{1} << 32;
+inline constexpr std::uint64_t canvas = std::uint64_t{1} << 40;
+inline constexpr std::uint64_t viewport = std::uint64_t{1} << 48;
+}  // namespace gestures
 
 using Request = std::variant<Action, EditRequest, SelectRequest, ScopeRequest, PredictRequest, SpeedRequest>;
 using Outbox = std::vector<Request>;

@@ -15,7 +15,9 @@ class Anchors {
 public:
     // Forgets last frame's rectangles; those recorded until the next begin() are this frame's.
     void begin() { rectangles_.clear(); }
-    void record(std::string_view id, Rect window_pixels) { rectangles_.insert_or_assign(std::string(id), window_pixels); }
+    void record(std::string_view id, Rect window_pixels) {
+        rectangles_.insert_or_assign(std::string(id), window_pixels);
+    }
 
     const Rect* find(std::string_view id) const {
         const auto found = rectangles_.find(id);

@@ -12,22 +12,28 @@ struct ImFont;
 
 namespace braitenlab {
 
-class Strings;  // ui/strings.h: words by key
+class Strings;    // ui/strings.h: words by key
+struct Keyboard;  // ui/widgets/keyboard.h: who has the focus
 
+// Null stands for Dear ImGui's current font.
 struct Fonts {
-    ImFont* text = nullptr;   // 16 px times scale
-    ImFont* title = nullptr;  // 1.35 times that
+    ImFont* text = nullptr;    // 16 px times scale
+    ImFont* title = nullptr;   // 1.35 times that, bold
+    ImFont* strong = nullptr;  // the size of text, bold
+    ImFont* small = nullptr;   // captions and figures, 0.85 times text
 };
 
 struct Ui {
     const Strings& strings;
     Palette palette;
     Fonts fonts;
-    float scale = 1;             // layout pixels to window pixels: every size in code is times this
+    float scale = 1;  // layout pixels to window pixels: every size in code is times this
     Anchors& anchors;
     Outbox& outbox;
-    std::string_view highlight;  // the anchor that pulses; empty for none
-    float pulse = 0;             // 0..1, how strong the highlight stands now; steady 1 where motion is reduced
+    std::string_view highlight;    // the anchor that pulses; empty for none
+    float pulse = 0;               // 0..1, how strong the highlight stands now; steady 1 where motion is reduced
+    Keyboard* keyboard = nullptr;  // draw_window sets it; null: widgets answer to the mouse alone
+    bool still = false;            // draw_window sets it: no easing, everything is at once where it is going
 
     // px of the layout's 8 px grid in window pixels.
     float px(float layout_pixels) const { return layout_pixels * scale; }

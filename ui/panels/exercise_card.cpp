@@ -1,0 +1,218 @@
+// The open exercise: goal, why, a prediction, steps that tick while the run lasts, hints in stages, and how it went.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <imgui.h>
+
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+std::string numbered(const char* stem, std::size_t index) { return stem + std::to_string(index + 1); }
+
+bool all_done(const LessonView& lesson) {
+    return !lesson.verdicts.empty() &&
+           std::all_of(lesson.verdicts.begin(), lesson.verdicts.end(), [](const Verdict& v) { return v.done; });
+}
+
+// A tick in a filled circle when done, an empty circle before: the shape says it, not the colour alone.
+void check_mark(const Ui& ui, ImVec2 c, float radius, bool done, float arrived) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    if (!done) {
+        draw.AddCircle(c, radius, paint(ui.palette.second_text), 0, ui.px(1.5f));
+        return;
+    }
+    draw.AddCircleFilled(c, radius * (0.6f + 0.4f * arrived), paint(ui.palette.accent));
+    const float r = radius * 0.5f;
+    const ImVec2 tick[]{{c.x - r, c.y}, {c.x - r * 0.25f, c.y + r * 0.75f}, {c.x + r, c.y - r * 0.7f}};
+    draw.PathLineTo(tick[0]), draw.PathLineTo(tick[1]), draw.PathLineTo(tick[2]);
+    draw.PathStroke(paint(ui.palette.on_accent), 0, ui.px(1.8f));
+}
+
+int decimals(std::string_view unit) { return unit == "m" || unit == "×" ? 2 : unit == "s" ? 1 : 0; }
+
+std::string with_unit(float value, std::string_view unit) {
+    return fixed(value, decimals(unit)) + (unit == "°" ? "" : " ") + std::string(unit);
+}
+
+// "0.83 m, need < 0.60 m"
+std::string measured(const Ui& ui, Goal goal, const Verdict& verdict) {
+    const bool less_is_better = goal == Goal::turns_to || goal == Goal::touches;
+    return fill(ui.strings(less_is_better ? "exercise.need_less" : "exercise.need_more"),
+                {with_unit(verdict.measured, verdict.unit), with_unit(verdict.needed, verdict.unit)});
+}
+
+void prediction(const LessonView& lesson, const PanelState& state, Ui& ui) {
+    const Prediction& asked = lesson.exercise->prediction;
+    if (asked.options.empty()) return;
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    subheading(ui, ui.strings("exercise.predict"));
+    paragraph(ui, asked.question, ui.palette.text);
+    if (lesson.has_run && lesson.prediction >= 0) {
+        // After the run the choice stands beside the outcome; neither right nor wrong is said.
+        const auto chosen = static_cast<std::size_t>(lesson.prediction);
+        if (chosen < asked.options.size())
+            paragraph(ui, fill(ui.strings("exercise.you_predicted"), {asked.options[chosen]}), ui.palette.second_text);
+    } else {
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(4)});
+        for (std::size_t i = 0; i < asked.options.size(); ++i) {
+            const bool is_chosen = static_cast<int>(i) == lesson.prediction;
+            if (radio_row(ui, numbered("exercise.predict.", i), asked.options[i], is_chosen, true) && !is_chosen)
+                ui.outbox.push_back(PredictRequest{static_cast<int>(i)});
+        }
+        ImGui::PopStyleVar();
+    }
+    if (state.outcome_told && !asked.outcome.empty())
+        paragraph(ui, fill(ui.strings("exercise.outcome"), {asked.outcome}), ui.palette.text);
+    const ImVec2 end = ImGui::GetCursorScreenPos();
+    mark(ui, "exercise.predict", {start.x, start.y, card_width(ui), end.y - start.y - ui.px(8)});
+    gap(ui, 12);
+}
+
+void step(const LessonView& lesson, std::size_t index, Ui& ui) {
+    const Step& asked = lesson.exercise->steps[index];
+    const bool known = index < lesson.verdicts.size();
+    const bool done = known && lesson.verdicts[index].done;
+    const std::string id = numbered("exercise.step.", index);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float left = ui.px(26);
+    ImGui::BeginGroup();
+    ImGui::Indent(left);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(2)});
+    paragraph(ui, asked.text, ui.palette.text, done ? Face::strong : Face::text);
+    if (known && lesson.has_run)
+        paragraph(ui, measured(ui, asked.check.goal, lesson.verdicts[index]), ui.palette.second_text, Face::small);
+    ImGui::PopStyleVar();
+    ImGui::Unindent(left);
+    ImGui::EndGroup();
+    const float height = ImGui::GetItemRectSize().y;
+    check_mark(ui, {start.x + ui.px(9), start.y + line_height(ui, Face::text) / 2}, ui.px(8), done,
+               eased(ui, id, done ? 1.0f : 0.0f, 0.2f));
+    mark(ui, id, {start.x, start.y, card_width(ui), height});
+}
+
+// One dot a start: a tick for a pass, a cross in a ring for a fail.
+void grade_dots(const Grade& grade, Ui& ui) {
+    const float radius = ui.px(8), stride = ui.px(22);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const int per_row = std::max(1, static_cast<int>(card_width(ui) / stride));
+    const int count = static_cast<int>(grade.passed.size());
+    for (int i = 0; i < count; ++i) {
+        const ImVec2 c{start.x + radius + stride * static_cast<float>(i % per_row),
+                       start.y + radius + stride * static_cast<float>(i / per_row)};
+        if (grade.passed[static_cast<std::size_t>(i)]) {
+            check_mark(ui, c, radius, true, 1);
+        } else {
+            ImDrawList& draw = *ImGui::GetWindowDrawList();
+            const ImU32 colour = paint(ui.palette.second_text);
+            draw.AddCircle(c, radius, colour, 0, ui.px(1.5f));
+            const float r = radius * 0.38f;
+            draw.AddLine({c.x - r, c.y - r}, {c.x + r, c.y + r}, colour, ui.px(1.5f));
+            draw.AddLine({c.x - r, c.y + r}, {c.x + r, c.y - r}, colour, ui.px(1.5f));
+        }
+    }
+    const int rows = (count + per_row - 1) / per_row;
+    ImGui::Dummy({card_width(ui), stride * static_cast<float>(rows)});
+}
+
+void result(const LessonView& lesson, Ui& ui) {
+    if (!lesson.grade) return;
+    const Grade& grade = *lesson.grade;
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const std::string passed = std::to_string(grade.count), of = std::to_string(grade.passed.size());
+    if (grade.good) {
+        paragraph(ui, fill(ui.strings("exercise.passed"), {passed, of}),
+                  legible(ui.palette.accent, ui.palette.panel, ui.palette.text), Face::title);
+    } else {
+        const std::string needed = std::to_string(lesson.exercise->needed);
+        paragraph(ui, fill(ui.strings("exercise.not_yet"), {passed, of, needed}), ui.palette.text, Face::strong);
+    }
+    grade_dots(grade, ui);
+    paragraph(ui, ui.strings(grade.good ? "exercise.passed_next" : "exercise.not_yet_next"), ui.palette.second_text,
+              Face::small);
+    const ImVec2 end = ImGui::GetCursorScreenPos();
+    mark(ui, "exercise.grade", {start.x, start.y, card_width(ui), end.y - start.y - ui.px(8)});
+    gap(ui, 12);
+}
+
+void hints(const LessonView& lesson, Ui& ui) {
+    const auto& all = lesson.exercise->hints;
+    const auto shown = std::min(static_cast<std::size_t>(std::max(0, lesson.hints_shown)), all.size());
+    for (std::size_t i = 0; i < shown; ++i) {
+        const ImVec2 start = ImGui::GetCursorScreenPos();
+        ImGui::Indent(ui.px(12));
+        paragraph(ui, fill(ui.strings("exercise.hint_number"), {std::to_string(i + 1)}), ui.palette.second_text,
+                  Face::small);
+        paragraph(ui, all[i].text, ui.palette.text);
+        ImGui::Unindent(ui.px(12));
+        const float height = ImGui::GetCursorScreenPos().y - start.y - ui.px(8);
+        ImGui::GetWindowDrawList()->AddRectFilled({start.x, start.y}, {start.x + ui.px(3), start.y + height},
+                                                  paint(ui.palette.accent), ui.px(1.5f));
+    }
+}
+
+void buttons(const LessonView& lesson, Ui& ui) {
+    const std::size_t count = lesson.exercise->hints.size();
+    const bool left = static_cast<std::size_t>(lesson.hints_shown) < count;
+    if (count > 0) {
+        ButtonLook look{icon::hint, ui.strings("exercise.hint")};
+        look.enabled = left && lesson.hint_ready;
+        const Item at = button(ui, "exercise.hint", look);
+        if (at.pressed) ui.outbox.push_back(Action::hint);
+        tooltip(ui, at,
+                ui.strings(!left               ? "exercise.hint_none"
+                           : lesson.hint_ready ? "exercise.hint_how"
+                                               : "exercise.hint_wait"));
+        ImGui::SameLine();
+    }
+    const Item at = button(ui, "exercise.reset", {icon::reset, ui.strings("exercise.reset")});
+    if (at.pressed) ui.outbox.push_back(Action::exercise_reset);
+    tooltip(ui, at, ui.strings("exercise.reset_how"));
+}
+
+// The outcome is told once the run has shown it, and then stays through resets.
+void tell_outcome(const LabView& view, PanelState& state) {
+    const LessonView& lesson = *view.lesson;
+    if (state.exercise_id != lesson.exercise->id) {
+        state.exercise_id = lesson.exercise->id;
+        state.outcome_told = false;
+    }
+    const bool shown = all_done(lesson) || view.now->seconds >= 0.5 * static_cast<double>(lesson.exercise->seconds);
+    state.outcome_told = lesson.has_run && (state.outcome_told || shown);
+}
+
+}  // namespace
+
+void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+    const LessonView& lesson = *view.lesson;
+    tell_outcome(view, state);
+    place.h = std::min(place.h, wanted_height(ui, state.exercise));
+    const std::string heading = fill(ui.strings("exercise.heading"), {std::to_string(lesson.exercise->number)});
+    const bool open = begin_card(ui, state.exercise, "card.exercise", heading, place);
+    if (open) {
+        paragraph(ui, lesson.exercise->title, ui.palette.text, Face::title);
+        result(lesson, ui);
+        paragraph(ui, lesson.exercise->goal, ui.palette.text);
+        if (!lesson.exercise->why.empty() && fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.why_open))
+            paragraph(ui, lesson.exercise->why, ui.palette.second_text);
+        gap(ui, 12);
+        prediction(lesson, state, ui);
+        subheading(ui, ui.strings("exercise.steps"));
+        for (std::size_t i = 0; i < lesson.exercise->steps.size(); ++i) step(lesson, i, ui);
+        gap(ui, 12);
+        hints(lesson, ui);
+        buttons(lesson, ui);
+    }
+    end_card(ui, state.exercise, open);
+}
+
+}  // namespace braitenlab

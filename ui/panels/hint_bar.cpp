@@ -1,0 +1,74 @@
+// One line at the bottom: what can be done here and now, or what was refused and why.
+#include <string>
+
+#include <imgui.h>
+
+#include "ui/panels/panels.h"
+#include "ui/shortcuts.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+// A key as it looks on the keyboard. Returns its width.
+float key_cap(const Ui& ui, ImVec2 at, float height, std::string_view words) {
+    const float w = std::max(text_width(ui, Face::small, words) + ui.px(10), ui.px(18)), h = ui.px(18);
+    const Rect cap{at.x, at.y + (height - h) / 2, w, h};
+    fill_box(ui, cap, ui.palette.raised, 4);
+    line_box(ui, cap, ui.palette.line, 4);
+    put_centred(ui, {cap.x + w / 2, cap.y + (h - line_height(ui, Face::small)) / 2}, words, ui.palette.text,
+                Face::small);
+    return w;
+}
+
+// "[play_pause] plays": the key of the action in brackets is drawn as a cap; "[F1]" stands as written.
+std::string cap_words(const Ui& ui, std::string_view inside) {
+    const auto action = action_named(inside);
+    return action ? key_name(*action, ui.strings) : std::string(inside);
+}
+
+void hint_line(const Ui& ui, std::string_view hint, float x, Rect bar) {
+    while (!hint.empty()) {
+        const std::size_t open = hint.find('['), close = open == hint.npos ? hint.npos : hint.find(']', open);
+        const std::string_view words = close == hint.npos ? hint : hint.substr(0, open);
+        x += put(ui, {x, bar.y + (bar.h - line_height(ui, Face::small)) / 2}, words, ui.palette.second_text,
+                 Face::small);
+        if (close == hint.npos) return;
+        x += key_cap(ui, {x, bar.y}, bar.h, cap_words(ui, hint.substr(open + 1, close - open - 1)));
+        hint.remove_prefix(close + 1);
+    }
+}
+
+std::string_view hint_key(const LabView& view) {
+    if (view.mode == Mode::wiring) return "hint.wiring";
+    if (view.lesson && !view.lesson->has_run && view.lesson->prediction < 0 &&
+        !view.lesson->exercise->prediction.options.empty())
+        return "hint.predict";
+    if (view.mode == Mode::playing) return view.camera == CameraMode::follow ? "hint.following" : "hint.playing";
+    return view.selected == no_vehicle ? "hint.nobody" : "hint.paused";
+}
+
+}  // namespace
+
+void hint_bar(const LabView& view, Ui& ui, Rect bar) {
+    begin_bar(ui, "hint bar", bar);
+    float x = bar.x + ui.px(16);
+    const float middle = bar.y + bar.h / 2;
+    if (view.notice.empty()) {
+        hint_line(ui, ui.strings(hint_key(view)), x, bar);
+    } else {
+        const Colour colour = legible(ui.palette.warning, ui.palette.panel, ui.palette.text);
+        put_icon(ui, {x + ui.px(6), middle}, icon::warning, colour, Face::small);
+        if (has_icons(ui)) x += ui.px(20);
+        put(ui, {x, middle - line_height(ui, Face::small) / 2}, view.notice, colour, Face::small);
+    }
+    mark(ui, "hint.bar", bar);
+    end_bar();
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,141 @@
+// The population as pictures: who is there, how much energy each has, and what has happened since the run began.
+#include <algorithm>
+#include <string>
+
+#include <imgui.h>
+
+#include "ui/imgui_compat.h"
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr std::size_t most_bars = 240;  // more would be a texture, not bars
+
+// A caption over its figure.
+void figure(const Ui& ui, ImVec2 at, std::string_view caption, std::string_view value) {
+    put(ui, at, caption, ui.palette.second_text, Face::small);
+    put(ui, {at.x, at.y + line_height(ui, Face::small)}, value, ui.palette.text, Face::strong);
+}
+
+void figures(const Snapshot& now, Ui& ui) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float third = card_width(ui) / 3;
+    figure(ui, at, ui.strings("info.generation"), std::to_string(now.generation));
+    figure(ui, {at.x + third, at.y}, ui.strings("info.population"), std::to_string(now.vehicles.size()));
+    figure(ui, {at.x + 2 * third, at.y}, ui.strings("info.captures"), std::to_string(now.events.captures));
+    const float height = line_height(ui, Face::small) + line_height(ui, Face::strong);
+    ImGui::Dummy({card_width(ui), height});
+    mark(ui, "info.figures", {at.x, at.y, card_width(ui), height});
+}
+
+// Both sides in numbers, as a ratio, and as one bar divided between them.
+void ratio(const Snapshot& now, Ui& ui) {
+    const int all = now.predators + now.prey;
+    if (all == 0) return;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = card_width(ui), h = line_height(ui, Face::text), sign = ui.px(11);
+    put_role(ui, {at.x + sign / 2, at.y + h / 2}, sign, Role::predator);
+    const std::string predators = std::to_string(now.predators) + " " + std::string(ui.strings("info.predators"));
+    const std::string prey = std::to_string(now.prey) + " " + std::string(ui.strings("info.prey"));
+    put(ui, {at.x + sign + ui.px(6), at.y}, predators, ui.palette.text);
+    put_right(ui, {at.x + width, at.y}, prey, ui.palette.text);
+    put_role(ui, {at.x + width - text_width(ui, Face::text, prey) - ui.px(6) - sign / 2, at.y + h / 2}, sign,
+             Role::prey);
+    if (now.prey > 0 && now.predators > 0) {
+        const std::string words = "1 : " + fixed(static_cast<float>(now.prey) / static_cast<float>(now.predators), 1);
+        put_centred(ui, {at.x + width / 2, at.y + (h - line_height(ui, Face::small)) / 2}, words,
+                    ui.palette.second_text, Face::small);
+    }
+    const float y = at.y + h + ui.px(4), bar = ui.px(6);
+    const float cut = width * static_cast<float>(now.predators) / static_cast<float>(all);
+    if (now.predators > 0) fill_box(ui, {at.x, y, std::max(bar, cut - ui.px(1)), bar}, ui.palette.predator, 3);
+    if (now.prey > 0)
+        fill_box(ui, {at.x + cut + ui.px(1), y, std::max(bar, width - cut - ui.px(1)), bar}, ui.palette.prey, 3);
+    ImGui::Dummy({width, h + ui.px(4) + bar});
+    mark(ui, "info.ratio", {at.x, at.y, width, h + ui.px(4) + bar});
+}
+
+void inactivity(const Snapshot& now, Ui& ui) {
+    const float whole = now.scene->ecology.inactivity;
+    if (whole <= 0 || now.inactivity_left <= 0 || now.vehicles.empty()) return;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = card_width(ui), h = line_height(ui, Face::small);
+    put(ui, at, ui.strings("info.inactivity"), ui.palette.second_text, Face::small);
+    put_right(ui, {at.x + width, at.y}, fill(ui.strings("time.seconds"), {fixed(now.inactivity_left, 1)}),
+              ui.palette.text, Face::small);
+    const float y = at.y + h + ui.px(2), bar = ui.px(3);
+    fill_box(ui, {at.x, y, width, bar}, ui.palette.line, 1.5f);
+    fill_box(ui, {at.x, y, width * std::clamp(now.inactivity_left / whole, 0.0f, 1.0f), bar}, ui.palette.second_text,
+             1.5f);
+    ImGui::Dummy({width, h + ui.px(2) + bar});
+    mark(ui, "info.inactivity", {at.x, at.y, width, h + ui.px(5)});
+}
+
+// One bar a vehicle, in the order of entering; a click selects it.
+void energies(const LabView& view, Ui& ui) {
+    const Snapshot& now = *view.now;
+    const std::size_t shown = std::min(most_bars, now.vehicles.size());
+    if (shown == 0) return;
+    subheading(ui, ui.strings("info.energy"));
+    const float width = card_width(ui), bar_h = ui.px(22), space = ui.px(3);
+    // Few vehicles get broad bars, many slim ones.
+    const float bar_w = ui.px(shown <= 24 ? 9.0f : 5.0f);
+    const int per_row = std::max(1, static_cast<int>((width + space) / (bar_w + space)));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const int rows = (static_cast<int>(shown) + per_row - 1) / per_row;
+    const float row_h = bar_h + ui.px(12);
+    const Item area = item(ui, "info.energy", {width, row_h * static_cast<float>(rows) - ui.px(2)}, false);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const VehicleView* under = nullptr;
+    for (std::size_t i = 0; i < shown; ++i) {
+        const VehicleView& vehicle = now.vehicles[i];
+        const float x = at.x + static_cast<float>(static_cast<int>(i) % per_row) * (bar_w + space);
+        const float y = at.y + static_cast<float>(static_cast<int>(i) / per_row) * row_h;
+        const Rect bar{x, y, bar_w, bar_h};
+        const float filled = bar_h * std::clamp(vehicle.energy, 0.0f, 1.0f);
+        fill_box(ui, bar, ui.palette.line.with_alpha(0.7f), 2);
+        fill_box(ui, {x, y + bar_h - filled, bar_w, filled}, colour_of(ui.palette, vehicle.role), 2);
+        put_role(ui, {x + bar_w / 2, y + bar_h + ui.px(5)}, std::min(bar_w, ui.px(6)), vehicle.role);
+        const Rect around{x - space / 2, y, bar_w + space, row_h};
+        const bool over = area.hovered && around.contains(mouse.x, mouse.y);
+        if (over) under = &vehicle;
+        if (vehicle.id == view.selected || over)
+            line_box(ui, {x - ui.px(1.5f), y - ui.px(1.5f), bar_w + ui.px(3), bar_h + ui.px(3)},
+                     vehicle.id == view.selected ? ui.palette.text : ui.palette.second_text, 3, 1.5f);
+    }
+    if (under) {
+        const Kind& kind = now.scene->kinds[static_cast<std::size_t>(under->kind)];
+        tooltip(ui, area,
+                fill(ui.strings("info.one"),
+                     {kind_name(ui, kind), std::to_string(under->id + 1), fixed(under->energy, 2)}));
+        if (ImGui::IsMouseClicked(0)) ui.outbox.push_back(SelectRequest{under->id});
+    }
+    if (now.vehicles.size() > shown)
+        paragraph(ui, fill(ui.strings("info.more"), {std::to_string(now.vehicles.size() - shown)}),
+                  ui.palette.second_text, Face::small);
+}
+
+}  // namespace
+
+void information_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+    const bool was_folded = state.information.folded;
+    const bool open = begin_card(ui, state.information, "card.information", ui.strings("info.heading"), place);
+    if (state.information.folded != was_folded) state.information_opened = was_folded;
+    if (open) {
+        figures(*view.now, ui);
+        ratio(*view.now, ui);
+        energies(view, ui);
+        inactivity(*view.now, ui);
+    }
+    end_card(ui, state.information, open);
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,36 @@
+// What the panels remember between frames: folds, drags, the focus. Nothing of it is the lab's.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/brain/graph.h"
+#include "core/brain/recogniser.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/keyboard.h"
+#include "ui/widgets/slider.h"
+#include "ui/wiring/canvas.h"
+
+namespace braitenlab {
+
+// The recogniser's word for a brain, worked out once a brain and not once a frame.
+struct Recognised {
+    std::shared_ptr<const BrainGraph> brain;
+    Character character = Character::still;
+};
+
+struct PanelState {
+    CardState exercise, scene, brain, information;
+    SliderState sliders;
+    Keyboard keyboard;
+    CanvasState canvas;
+    Recognised recognised;
+    bool why_open = false;
+    bool keys_open = false;  // the list of keys, F1
+    bool presets_open = false, close_presets = false;
+    bool outcome_told = false;  // of the exercise below: told once, it stays
+    std::string exercise_id;
+    bool information_opened = false;  // by hand: it then stays open in a low window
+};
+
+}  // namespace braitenlab

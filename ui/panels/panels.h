@@ -1,0 +1,27 @@
+// The panels, each a free function: it reads the view, keeps its own folds and drags in PanelState, and puts what the
+// person wants into ui.outbox. ui/window.cpp calls them.
+#pragma once
+
+#include "ui/lab_view.h"
+#include "ui/panels/panel_state.h"
+#include "ui/widgets/ui.h"
+#include "ui/window_layout.h"
+
+namespace braitenlab {
+
+void toolbar(const LabView&, Ui&, Rect);
+void exercise_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.lesson
+void scene_card(const LabView&, PanelState&, Ui&, Rect);
+void brain_card(const LabView&, PanelState&, Ui&, Rect);
+void information_card(const LabView&, PanelState&, Ui&, Rect);
+void hint_bar(const LabView&, Ui&, Rect);
+void keys_card(const LabView&, PanelState&, Ui&, Rect window);  // all shortcuts, over everything; closes itself
+
+// The parts of the brain card that show the moment. Precondition of both: the vehicle is in the snapshot.
+void equations(const LabView&, Ui&, const VehicleView&);
+void brain_picture(const LabView&, Ui&, const VehicleView&);
+
+// "Predator", "Lamp seeker": the kind's name in the language of the strings, or as its author wrote it.
+std::string kind_name(const Ui&, const Kind&);
+
+}  // namespace braitenlab

@@ -1,0 +1,22 @@
+// What the open scene is about.
+#include <imgui.h>
+
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+void scene_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+    place.h = std::min(place.h, wanted_height(ui, state.scene));
+    const bool open = begin_card(ui, state.scene, "card.scene", ui.strings("scene.heading"), place);
+    if (open) {
+        const Scene& scene = *view.now->scene;
+        paragraph(ui, scene.title.empty() ? scene.name : scene.title, ui.palette.text, Face::title);
+        if (!scene.story.empty()) paragraph(ui, scene.story, ui.palette.second_text);
+    }
+    end_card(ui, state.scene, open);
+}
+
+}  // namespace braitenlab

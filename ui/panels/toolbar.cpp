@@ -1,0 +1,166 @@
+// The slim bar on top. Where the window is narrow, words go group by group, the least needed first; tooltips stay.
+#include <array>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float margin = 12, between = 4, group_gap = 17;  // layout pixels
+constexpr float speed_width = 52, status_width = 196;
+
+struct Tool {
+    std::string_view anchor, words, icon;  // words: key of the string
+    Action action;
+    int keeps_words;  // the lowest step of narrowness at which the words go; 9: never
+    bool on = false;
+    bool first_of_group = false;
+};
+
+std::vector<Tool> tools(const LabView& view) {
+    const bool playing = view.mode == Mode::playing;
+    return {
+        {"button.play", playing ? "button.pause" : "button.play", playing ? icon::pause : icon::play,
+         Action::play_pause, 9},
+        {"button.step", "button.step", icon::step, Action::step, 4},
+        {"button.reset", "button.reset", icon::reset, Action::reset, 4},
+        {"button.new", "button.new", icon::new_population, Action::new_population, 3},
+        {"button.add", "button.add", icon::add, Action::add, 2, false, true},
+        {"button.remove", "button.remove", icon::remove, Action::remove, 2},
+        {"button.follow", "button.follow", icon::follow, Action::follow, 2, view.camera == CameraMode::follow, true},
+        {"button.sensors", "button.sensors", icon::sensors, Action::sensors, 1, view.sensors},
+        {"button.outlines", "button.outlines", icon::outlines, Action::outlines, 1, view.outlines},
+        {"button.wiring", "button.wiring", icon::wiring, Action::wiring, 5, view.mode == Mode::wiring},
+    };
+}
+
+const Tool exit_tool{"button.exit", "button.exit", icon::exit, Action::exit, 1};
+
+ButtonLook look_of(const Ui& ui, const Tool& tool, int narrowness) {
+    ButtonLook look;
+    look.icon = tool.icon;
+    if (narrowness < tool.keeps_words || !has_icons(ui)) look.words = ui.strings(tool.words);
+    look.emphasis = tool.action == Action::play_pause ? Emphasis::primary : Emphasis::quiet;
+    if (tool.action == Action::play_pause) look.min_width = 92;  // Play and Pause: nothing beside it moves
+    look.on = tool.on;
+    return look;
+}
+
+float width_of(const Ui& ui, const std::vector<Tool>& all, int narrowness) {
+    float width = 2 * ui.px(margin) + button_width(ui, look_of(ui, exit_tool, narrowness)) + ui.px(group_gap);
+    for (const Tool& tool : all)
+        width += button_width(ui, look_of(ui, tool, narrowness)) + ui.px(tool.first_of_group ? group_gap : between);
+    return width + ui.px(group_gap + 2 * 34 + speed_width + 2 * between + group_gap + status_width);
+}
+
+void press(Ui& ui, const Tool& tool, int narrowness) {
+    const Item at = button(ui, tool.anchor, look_of(ui, tool, narrowness));
+    if (at.pressed) ui.outbox.push_back(tool.action);
+    // tooltip.play_pause and so on, word for word what the action does
+    const std::string key = "tooltip." + std::string(name(tool.action));
+    tooltip(ui, at, ui.strings.find(key, ui.strings(tool.words)), key_name(tool.action, ui.strings));
+}
+
+void rule(Ui& ui, float x, Rect bar) {
+    ImGui::GetWindowDrawList()->AddLine({x, bar.y + ui.px(14)}, {x, bar.y + bar.h - ui.px(14)}, paint(ui.palette.line),
+                                        ui.px(1));
+}
+
+std::string speed_words(float time_scale) {
+    struct Fraction {
+        float value;
+        const char* words;
+    };
+    for (const Fraction f : {Fraction{0.125f, "⅛×"}, Fraction{0.25f, "¼×"}, Fraction{0.5f, "½×"}})
+        if (time_scale < f.value * 1.01f && time_scale > f.value * 0.99f) return f.words;
+    return fixed(time_scale, time_scale < 1 ? 2 : 0) + "×";
+}
+
+// Slower, the speed, faster; returns where it ends.
+float speed(const LabView& view, Ui& ui, float x, Rect bar) {
+    const float y = bar.y + (bar.h - ui.px(button_height)) / 2;
+    const auto end = [&](std::string_view id, std::string_view sign, std::string_view fallback, Action action,
+                         bool enabled) {
+        ImGui::SetCursorScreenPos({x, y});
+        ButtonLook look{sign, has_icons(ui) ? std::string_view{} : fallback, Emphasis::quiet};
+        look.enabled = enabled;
+        look.min_width = 34;
+        const Item at = button(ui, id, look);
+        if (at.pressed) ui.outbox.push_back(action);
+        tooltip(ui, at, ui.strings("action." + std::string(name(action))), key_name(action, ui.strings));
+        x = at.right();
+    };
+    end("button.slower", icon::slower, "−", Action::slower, view.time_scale > 0.126f);
+    const Rect value{x, y, ui.px(speed_width), ui.px(button_height)};
+    put_centred(ui, {x + value.w / 2, bar.y + bar.h / 2 - line_height(ui, Face::text) / 2},
+                speed_words(view.time_scale), ui.palette.text);
+    mark(ui, "speed", value);
+    x += value.w;
+    end("button.faster", icon::faster, "+", Action::faster, view.time_scale < 15.9f);
+    return x;
+}
+
+// The state as a coloured word with its sign, and the simulated time.
+void status(const LabView& view, Ui& ui, float x, Rect bar) {
+    const Palette& p = ui.palette;
+    const bool playing = view.mode == Mode::playing, wiring = view.mode == Mode::wiring;
+    const Colour colour = legible(playing ? p.accent : wiring ? p.memory : p.text, p.panel, p.text);
+    const std::string_view words = ui.strings(playing ? "mode.playing" : wiring ? "mode.wiring" : "mode.paused");
+    const float middle = bar.y + bar.h / 2;
+    const Rect pill{x, middle - ui.px(13), ui.px(104), ui.px(26)};
+    fill_box(ui, pill, colour.with_alpha(0.14f), 13);
+    put_icon(ui, {pill.x + ui.px(17), middle},
+             playing  ? icon::play
+             : wiring ? icon::wiring
+                      : icon::pause,
+             colour, Face::small);
+    put(ui, {pill.x + ui.px(30), middle - line_height(ui, Face::small) / 2}, words, colour, Face::small);
+    mark(ui, "mode", pill);
+    const std::string time = fill(ui.strings("time.seconds"), {fixed(static_cast<float>(view.now->seconds), 1)});
+    const Rect clock{pill.x + pill.w + ui.px(8), pill.y, ui.px(status_width - 112), pill.h};
+    put_right(ui, {clock.x + clock.w, middle - line_height(ui, Face::text) / 2}, time, p.text);
+    mark(ui, "time", clock);
+}
+
+}  // namespace
+
+void toolbar(const LabView& view, Ui& ui, Rect bar) {
+    begin_bar(ui, "toolbar", bar);
+    const std::vector<Tool> all = tools(view);
+    int narrowness = 0;
+    while (narrowness < 5 && width_of(ui, all, narrowness) > bar.w) ++narrowness;
+
+    const float y = bar.y + (bar.h - ui.px(button_height)) / 2;
+    float x = bar.x + ui.px(margin);
+    for (const Tool& tool : all) {
+        if (tool.first_of_group) {
+            x += ui.px(group_gap - between);
+            rule(ui, x - ui.px((group_gap - between) / 2 + between / 2), bar);
+        }
+        ImGui::SetCursorScreenPos({x, y});
+        press(ui, tool, narrowness);
+        x += button_width(ui, look_of(ui, tool, narrowness)) + ui.px(between);
+    }
+    x += ui.px(group_gap - between);
+    rule(ui, x - ui.px((group_gap - between) / 2 + between / 2), bar);
+    x = speed(view, ui, x, bar);
+
+    const float exit_x = bar.x + bar.w - ui.px(margin) - button_width(ui, look_of(ui, exit_tool, narrowness));
+    status(view, ui, exit_x - ui.px(group_gap + status_width), bar);
+    rule(ui, exit_x - ui.px(group_gap / 2), bar);
+    ImGui::SetCursorScreenPos({exit_x, y});
+    press(ui, exit_tool, narrowness);
+    end_bar();
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,142 @@
+#include "ui/shortcuts.h"
+
+#include <array>
+
+#include "ui/strings.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr Shortcut table[]{
+    {{' '}, Action::play_pause},
+    {{'.'}, Action::step},
+    {{'R'}, Action::reset},
+    {{'N'}, Action::new_population},
+    {{'A'}, Action::add},
+    {{'A', false, true}, Action::remove},
+    {{'F'}, Action::follow},
+    {{key::home}, Action::home},
+    {{'S'}, Action::sensors},
+    {{'O'}, Action::outlines},
+    {{'W'}, Action::wiring},
+    {{'-'}, Action::slower},
+    {{'='}, Action::faster},
+    {{'+'}, Action::faster},  // where the layout has it without Shift
+    {{'+', false, true}, Action::faster},
+    {{'=', false, true}, Action::faster},
+    {{key::tab}, Action::next_vehicle},
+    {{key::tab, false, true}, Action::previous_vehicle},
+    {{'Z', true, false}, Action::undo},
+    {{'Z', true, true}, Action::redo},
+    {{'Y', true, false}, Action::redo},
+    {{'T'}, Action::theme},
+    {{key::f11}, Action::full_screen},
+    {{key::f12}, Action::screenshot},
+    {{key::escape}, Action::cancel},
+    {{'Q', true, false}, Action::exit},
+};
+
+struct NamedAction {
+    Action action;
+    std::string_view name;
+};
+
+constexpr NamedAction names[]{
+    {Action::play_pause, "play_pause"},
+    {Action::step, "step"},
+    {Action::reset, "reset"},
+    {Action::add, "add"},
+    {Action::remove, "remove"},
+    {Action::follow, "follow"},
+    {Action::new_population, "new_population"},
+    {Action::exit, "exit"},
+    {Action::sensors, "sensors"},
+    {Action::outlines, "outlines"},
+    {Action::wiring, "wiring"},
+    {Action::undo, "undo"},
+    {Action::redo, "redo"},
+    {Action::slower, "slower"},
+    {Action::faster, "faster"},
+    {Action::next_vehicle, "next_vehicle"},
+    {Action::previous_vehicle, "previous_vehicle"},
+    {Action::home, "home"},
+    {Action::cancel, "cancel"},
+    {Action::screenshot, "screenshot"},
+    {Action::full_screen, "full_screen"},
+    {Action::theme, "theme"},
+    {Action::hint, "hint"},
+    {Action::exercise_reset, "exercise_reset"},
+};
+
+struct NamedKey {
+    int key;
+    std::string_view words;  // in the string files
+};
+
+constexpr NamedKey named_keys[]{
+    {' ', "key.space"},
+    {key::escape, "key.escape"},
+    {key::enter, "key.enter"},
+    {key::tab, "key.tab"},
+    {key::backspace, "key.backspace"},
+    {key::del, "key.delete"},
+    {key::home, "key.home"},
+    {'-', "key.minus"},
+};
+
+std::string bare_name(int pressed, const Strings& strings) {
+    for (const NamedKey& named : named_keys)
+        if (named.key == pressed) return std::string(strings(named.words));
+    switch (pressed) {
+        case key::left:
+            return "←";
+        case key::right:
+            return "→";
+        case key::up:
+            return "↑";
+        case key::down:
+            return "↓";
+        default:
+            break;
+    }
+    if (pressed >= key::f1 && pressed < key::f1 + 25) return "F" + std::to_string(pressed - key::f1 + 1);
+    return std::string(1, static_cast<char>(pressed));
+}
+
+}  // namespace
+
+std::span<const Shortcut> shortcuts() { return table; }
+
+std::optional<Action> action_for(KeyPress press) {
+    for (const Shortcut& shortcut : table)
+        if (shortcut.press == press) return shortcut.action;
+    return std::nullopt;
+}
+
+std::string_view name(Action action) {
+    for (const NamedAction& named : names)
+        if (named.action == action) return named.name;
+    return {};
+}
+
+std::optional<Action> action_named(std::string_view wanted) {
+    for (const NamedAction& named : names)
+        if (named.name == wanted) return named.action;
+    return std::nullopt;
+}
+
+std::string key_name(KeyPress press, const Strings& strings) {
+    std::string text;
+    if (press.ctrl) text += std::string(strings("key.ctrl")) + "+";
+    if (press.shift) text += std::string(strings("key.shift")) + "+";
+    return text + bare_name(press.key, strings);
+}
+
+std::string key_name(Action action, const Strings& strings) {
+    for (const Shortcut& shortcut : table)
+        if (shortcut.action == action) return key_name(shortcut.press, strings);
+    return {};
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,49 @@
+// Which key does what: one table for dispatch, tooltips and the list of keys (F1).
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "ui/request.h"
+
+namespace braitenlab {
+
+class Strings;
+
+// Printable keys are the character they type without Shift, in upper case, as the layout in use has it: 'Z' is where Z
+// is printed. The others are numbered as GLFW numbers them, so that the window needs no table.
+namespace key {
+inline constexpr int escape = 256, enter = 257, tab = 258, backspace = 259, del = 261;
+inline constexpr int right = 262, left = 263, down = 264, up = 265, home = 268;
+inline constexpr int f1 = 290, f9 = 298, f11 = 300, f12 = 301;
+}  // namespace key
+
+struct KeyPress {
+    int key = 0;
+    bool ctrl = false, shift = false;
+    friend bool operator==(const KeyPress&, const KeyPress&) = default;
+};
+
+struct Shortcut {
+    KeyPress press;
+    Action action;
+};
+
+// No key twice; an action may have several keys, the one to show first.
+std::span<const Shortcut> shortcuts();
+
+std::optional<Action> action_for(KeyPress);
+
+// "play_pause": the string files have its words as action.play_pause.
+std::string_view name(Action);
+std::optional<Action> action_named(std::string_view);
+
+// "Space", "Ctrl+Q", "−", in the language of the strings.
+std::string key_name(KeyPress, const Strings&);
+
+// The key to show for an action; empty where it has none.
+std::string key_name(Action, const Strings&);
+
+}  // namespace braitenlab

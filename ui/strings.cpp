@@ -1,0 +1,72 @@
+#include "ui/strings.h"
+
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include <toml++/toml.h>
+
+namespace braitenlab {
+
+namespace {
+
+using Words = std::map<std::string, std::string, std::less<>>;
+
+std::optional<Error> flatten(const toml::table& table, const std::string& prefix, const std::string& file,
+                             Words& words) {
+    for (const auto& [key, node] : table) {
+        const std::string path = prefix.empty() ? std::string(key.str()) : prefix + "." + std::string(key.str());
+        if (const toml::table* inner = node.as_table()) {
+            if (auto error = flatten(*inner, path, file, words)) return error;
+        } else if (const auto text = node.value_exact<std::string>()) {
+            words[path] = *text;
+        } else if (path != "format") {
+            return Error{"'" + path + "' must be text in quotes", file, static_cast<int>(node.source().begin.line)};
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Result<Strings> Strings::load(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) return Error{"cannot be read; check that the file exists and may be opened", path.string()};
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    return parse(text, path.string());
+}
+
+Result<Strings> Strings::parse(std::string_view text, std::string file_name) {
+    try {
+        const toml::table table = toml::parse(text, file_name);
+        if (table["format"].value_or(0) != 1) return Error{"must begin with format = 1", file_name, 1};
+        Strings strings;
+        if (auto error = flatten(table, "", file_name, strings.words_)) return *error;
+        return strings;
+    } catch (const toml::parse_error& error) {
+        return Error{std::string(error.description()), file_name, static_cast<int>(error.source().begin.line)};
+    }
+}
+
+std::string_view Strings::operator()(std::string_view key) const { return find(key, key); }
+
+std::string_view Strings::find(std::string_view key, std::string_view otherwise) const {
+    const auto found = words_.find(key);
+    return found == words_.end() ? otherwise : std::string_view(found->second);
+}
+
+std::string fill(std::string_view pattern, std::initializer_list<std::string_view> values) {
+    std::string filled;
+    auto value = values.begin();
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+        if (pattern.substr(i, 2) == "{}" && value != values.end()) {
+            filled += *value++;
+            ++i;
+        } else {
+            filled += pattern[i];
+        }
+    }
+    return filled;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,36 @@
+// Every visible word, by key, from one file a language: ui/strings/*.toml.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace braitenlab {
+
+class Strings {
+public:
+    // Reads a file whose tables nest: play under [button] is "button.play". Fails with file and line on bad TOML, a
+    // missing `format = 1`, or a value that is no text.
+    static Result<Strings> load(const std::filesystem::path&);
+    static Result<Strings> parse(std::string_view toml, std::string file_name);
+
+    // The words for a key; the key itself where the file has none, so that a gap is seen and not a crash. The view
+    // lives as long as this object or the key, and its characters are followed by a null.
+    std::string_view operator()(std::string_view key) const;
+
+    // The words for a key, or `otherwise`.
+    std::string_view find(std::string_view key, std::string_view otherwise) const;
+
+    const std::map<std::string, std::string, std::less<>>& all() const { return words_; }
+
+private:
+    std::map<std::string, std::string, std::less<>> words_;
+};
+
+// Puts the values into the pattern's {}s in order: fill("Passed {} of {}", {"8", "10"}). Spare {}s stay as they are.
+std::string fill(std::string_view pattern, std::initializer_list<std::string_view> values);
+
+}  // namespace braitenlab

@@ -1,0 +1,150 @@
+#include "ui/theme.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include "ui/imgui_compat.h"
+
+namespace braitenlab {
+
+namespace {
+
+// A face's ascent plus descent, which is what Dear ImGui calls its size, in units of the em (Noto Sans).
+constexpr float line_height = 1.362f;
+constexpr float text_em = 14, title_em = 18, small_em = 12;  // layout pixels
+
+constexpr ImWchar latin[]{0x0020, 0x017F,  // Latin, Latin-1, Latin Extended-A
+                          0x0370, 0x03FF,  // Greek: θ, Σ, π
+                          0x2010, 0x2027,  // dashes, quotation marks, …
+                          0x215B, 0x215E,  // ⅛ and its kind
+                          0};
+constexpr ImWchar signs[]{0x2070, 0x209F,  // superscripts, subscripts
+                          0x2190, 0x21FF,  // arrows
+                          0x2200, 0x22FF,  // − ≥ ≤ ≈ √
+                          0x25A0, 0x25FF,  // ▶ ● ■
+                          0x2713, 0x2718,  // ✓ ✗
+                          0};
+constexpr ImWchar icon_range[]{0xF000, 0xF2FF, 0};
+
+float channel_luminance(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
+
+float luminance(Colour c) {
+    return 0.2126f * channel_luminance(c.r) + 0.7152f * channel_luminance(c.g) + 0.0722f * channel_luminance(c.b);
+}
+
+ImVec4 vec(Colour c) { return {c.r, c.g, c.b, c.a}; }
+
+bool readable(const std::string& file) {
+    std::error_code error;
+    return !file.empty() && std::filesystem::is_regular_file(file, error);
+}
+
+class Loader {
+public:
+    Loader(ImFontAtlas& atlas, float scale, const FontPaths& paths) : atlas_(atlas), scale_(scale), paths_(paths) {}
+
+    ImFont* load(const std::string& file, float em, bool with_icons) {
+        const float pixels = std::round(em * line_height * scale_);
+        ImFont* font = nullptr;
+        if (readable(file)) font = atlas_.AddFontFromFileTTF(file.c_str(), pixels, nullptr, latin);
+        if (!font) {
+            miss(file, "Dear ImGui's own font stands in");
+            ImFontConfig config;
+            config.SizePixels = std::round(0.8f * pixels);
+            font = atlas_.AddFontDefault(&config);
+        }
+        for (const std::string& symbols : paths_.symbols) merge(symbols, pixels, signs, {}, "some signs show as '?'");
+        // Fork Awesome's glyphs fill the em and more; a little smaller and lower they stand level with the words.
+        if (with_icons)
+            merge(paths_.icons, std::round(em * 1.16f * scale_), icon_range, {0, em * 0.08f * scale_},
+                  "buttons show words only");
+        return font;
+    }
+
+    std::string warning;
+
+private:
+    void merge(const std::string& file, float pixels, const ImWchar* range, ImVec2 shift, const char* instead) {
+        if (!readable(file)) return miss(file, instead);
+        ImFontConfig config;
+        config.MergeMode = true;
+        config.GlyphOffset = shift;
+        atlas_.AddFontFromFileTTF(file.c_str(), pixels, &config, range);
+    }
+
+    void miss(const std::string& file, const char* instead) {
+        if (warning.empty())
+            warning = "font " + (file.empty() ? "file not given" : file + " not found") + ": " + instead;
+    }
+
+    ImFontAtlas& atlas_;
+    float scale_;
+    const FontPaths& paths_;
+};
+
+}  // namespace
+
+ImU32 paint(Colour c) { return ImGui::ColorConvertFloat4ToU32(vec(c)); }
+
+float contrast(Colour a, Colour b) {
+    const float la = luminance(a), lb = luminance(b);
+    return (std::max(la, lb) + 0.05f) / (std::min(la, lb) + 0.05f);
+}
+
+Colour legible(Colour wanted, Colour ground, Colour text) {
+    constexpr int steps = 20;
+    for (int i = 0; i <= steps; ++i) {
+        const Colour tried = mix(wanted, text, static_cast<float>(i) / steps);
+        if (contrast(tried, ground) >= 4.5f) return tried;
+    }
+    return text;
+}
+
+void apply_theme(Theme theme, float scale) {
+    const Palette p = palette(theme);
+    ImGuiStyle style;
+    style.WindowPadding = {16, 16};
+    style.FramePadding = {8, 6};
+    style.ItemSpacing = {8, 8};
+    style.ItemInnerSpacing = {8, 4};
+    style.ScrollbarSize = 8;
+    style.GrabMinSize = 24;
+    style.WindowRounding = style.ChildRounding = style.FrameRounding = style.PopupRounding = 6;
+    style.ScrollbarRounding = style.GrabRounding = 4;
+    style.WindowBorderSize = 0;
+    style.PopupBorderSize = 1;
+    style.ScaleAllSizes(scale);
+
+    auto& c = style.Colors;
+    const Colour clear{0, 0, 0, 0};
+    for (ImVec4& colour : c) colour = vec(p.raised);
+    c[ImGuiCol_Text] = vec(p.text);
+    c[ImGuiCol_TextDisabled] = vec(p.second_text);
+    c[ImGuiCol_WindowBg] = c[ImGuiCol_ChildBg] = c[ImGuiCol_ScrollbarBg] = vec(clear);
+    c[ImGuiCol_PopupBg] = vec(p.raised);
+    c[ImGuiCol_Border] = c[ImGuiCol_Separator] = vec(p.line);
+    c[ImGuiCol_BorderShadow] = vec(clear);
+    c[ImGuiCol_FrameBg] = c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_FrameBgActive] = vec(p.raised);
+    c[ImGuiCol_ScrollbarGrab] = vec(p.line);
+    c[ImGuiCol_ScrollbarGrabHovered] = c[ImGuiCol_ScrollbarGrabActive] = vec(p.second_text);
+    c[ImGuiCol_Button] = vec(p.raised);
+    c[ImGuiCol_ButtonHovered] = c[ImGuiCol_ButtonActive] = vec(p.line);
+    c[ImGuiCol_Header] = c[ImGuiCol_HeaderHovered] = c[ImGuiCol_HeaderActive] = vec(p.line);
+    c[ImGuiCol_TextSelectedBg] = vec(p.accent.with_alpha(0.45f));
+    c[ImGuiCol_NavHighlight] = vec(clear);  // the widgets draw their own ring
+    ImGui::GetStyle() = style;
+}
+
+LoadedFonts load_fonts(ImFontAtlas& atlas, float scale, const FontPaths& paths) {
+    compat::use_freetype(atlas);
+    Loader loader(atlas, scale, paths);
+    LoadedFonts loaded;
+    loaded.fonts.text = loader.load(paths.text, text_em, true);
+    loaded.fonts.strong = loader.load(paths.title, text_em, true);
+    loaded.fonts.title = loader.load(paths.title, title_em, true);
+    loaded.fonts.small = loader.load(paths.text, small_em, true);
+    loaded.warning = loader.warning;
+    return loaded;
+}
+
+}  // namespace braitenlab

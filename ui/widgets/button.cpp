@@ -1,0 +1,129 @@
+#include "ui/widgets/button.h"
+
+#include <algorithm>
+#include <string>
+
+#include "ui/imgui_compat.h"
+#include "ui/theme.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float side = 10, icon_room = 16, icon_gap = 6;  // layout pixels
+
+bool shows_icon(const Ui& ui, const ButtonLook& look) { return !look.icon.empty() && has_icons(ui); }
+
+struct ButtonColours {
+    Colour fill, line, words;
+};
+
+ButtonColours colours(const Ui& ui, const ButtonLook& look, const Item& at) {
+    const Palette& p = ui.palette;
+    const float pressed = at.held ? 1.0f : 0.0f;
+    if (!look.enabled)
+        return {p.raised.with_alpha(0), p.line.with_alpha(look.emphasis == Emphasis::quiet ? 0.0f : 0.6f),
+                p.second_text.with_alpha(0.75f)};
+    if (look.emphasis == Emphasis::primary) {
+        const Colour fill = mix(mix(p.accent, p.text, 0.14f * at.warmth), p.ground, 0.15f * pressed);
+        return {fill, fill, p.on_accent};
+    }
+    const Colour warm = mix(p.raised, p.line, at.warmth * 0.6f + pressed * 0.4f);
+    if (look.on) return {mix(p.panel, p.accent, 0.16f + 0.08f * at.warmth), p.accent.with_alpha(0.8f), p.text};
+    if (look.emphasis == Emphasis::quiet)
+        return {warm.with_alpha(std::max(at.warmth, pressed)), p.line.with_alpha(at.warmth), p.text};
+    return {warm, p.line, p.text};
+}
+
+}  // namespace
+
+float button_width(const Ui& ui, const ButtonLook& look) {
+    float width = 2 * ui.px(side);
+    if (shows_icon(ui, look)) width += ui.px(icon_room) + (look.words.empty() ? 0 : ui.px(icon_gap));
+    width += text_width(ui, look.emphasis == Emphasis::primary ? Face::strong : Face::text, look.words);
+    return std::max(width, ui.px(look.min_width));
+}
+
+Item button(Ui& ui, std::string_view id, const ButtonLook& look) {
+    const Item at = item(ui, id, {button_width(ui, look), ui.px(button_height)}, look.enabled);
+    const ButtonColours c = colours(ui, look, at);
+    fill_box(ui, at.rect, c.fill);
+    line_box(ui, at.rect, c.line);
+    const Face face = look.emphasis == Emphasis::primary ? Face::strong : Face::text;
+    const bool with_icon = shows_icon(ui, look);
+    float content = text_width(ui, face, look.words);
+    if (with_icon) content += ui.px(icon_room) + (look.words.empty() ? 0 : ui.px(icon_gap));
+    float x = at.middle_x() - content / 2;
+    if (with_icon) {
+        put_icon(ui, {x + ui.px(icon_room) / 2, at.middle_y()}, look.icon, c.words, Face::text);
+        x += ui.px(icon_room + icon_gap);
+    }
+    put(ui, {x, at.middle_y() - line_height(ui, face) / 2}, look.words, c.words, face);
+    return at;
+}
+
+int segments(Ui& ui, std::string_view id, std::span<const std::string_view> words, int chosen, float width) {
+    const float each = width / static_cast<float>(words.size());
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const Rect all{start.x, start.y, width, ui.px(30)};
+    fill_box(ui, all, ui.palette.ground.with_alpha(0.6f));
+    line_box(ui, all, ui.palette.line);
+    int clicked = -1;
+    for (int i = 0; i < static_cast<int>(words.size()); ++i) {
+        ImGui::SetCursorScreenPos({start.x + each * static_cast<float>(i), start.y});
+        const Item at = item(ui, std::string(id) + "." + std::to_string(i + 1), {each, all.h});
+        const float inset = ui.px(3);
+        const Rect inner{at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset};
+        const bool on = i == chosen;
+        if (on) {
+            fill_box(ui, inner, mix(ui.palette.panel, ui.palette.accent, 0.20f), 4);
+            line_box(ui, inner, ui.palette.accent.with_alpha(0.8f), 4);
+        }
+        const Colour colour = on ? ui.palette.text : mix(ui.palette.second_text, ui.palette.text, at.warmth);
+        const auto word = words[static_cast<std::size_t>(i)];
+        const Face face = text_width(ui, Face::text, word) < each - ui.px(12) ? Face::text : Face::small;
+        put_centred(ui, {at.middle_x(), at.middle_y() - line_height(ui, face) / 2}, word, colour, face);
+        if (at.pressed && !on) clicked = i;
+    }
+    return clicked;
+}
+
+bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen, bool enabled) {
+    const float width = card_width(ui), left = ui.px(34), top = ui.px(7);
+    ImFont* f = font(ui, Face::text);
+    const float wrap = width - left - ui.px(10);
+    const ImVec2 text = f->CalcTextSizeA(compat::size_of(f), 1e9f, wrap, words.data(), words.data() + words.size());
+    const Item at = item(ui, id, {width, text.y + 2 * top}, enabled);
+    const Palette& p = ui.palette;
+    fill_box(ui, at.rect, chosen ? mix(p.panel, p.accent, 0.16f) : mix(p.raised, p.line, at.warmth * 0.6f));
+    line_box(ui, at.rect, chosen ? p.accent.with_alpha(0.8f) : p.line);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 dot{at.rect.x + ui.px(18), at.rect.y + top + line_height(ui, Face::text) / 2};
+    draw.AddCircle(dot, ui.px(7), paint(chosen ? p.accent : p.second_text), 0, ui.px(1.5f));
+    if (chosen) draw.AddCircleFilled(dot, ui.px(3.5f), paint(p.accent));
+    draw.AddText(f, compat::size_of(f), {std::floor(at.rect.x + left), std::floor(at.rect.y + top)},
+                 paint(enabled || chosen ? p.text : p.second_text), words.data(), words.data() + words.size(), wrap);
+    return at.pressed;
+}
+
+bool fold_row(Ui& ui, std::string_view id, std::string_view words, bool& open) {
+    const Item at = item(ui, id, {card_width(ui), ui.px(24)});
+    const Colour colour = mix(ui.palette.second_text, ui.palette.text, at.warmth);
+    put_icon(ui, {at.rect.x + ui.px(5), at.middle_y()}, open ? icon::unfolded : icon::folded, colour);
+    put(ui, {at.rect.x + ui.px(18), at.middle_y() - line_height(ui, Face::text) / 2}, words, colour);
+    if (at.pressed) open = !open;
+    return open;
+}
+
+float chip(const Ui& ui, float right, float middle_y, std::string_view words) {
+    const float w = text_width(ui, Face::small, words) + ui.px(16), h = ui.px(22);
+    const Rect r{right - w, middle_y - h / 2, w, h};
+    fill_box(ui, r, ui.palette.raised, 11);
+    line_box(ui, r, ui.palette.line, 11);
+    put_centred(ui, {r.x + w / 2, middle_y - line_height(ui, Face::small) / 2}, words, ui.palette.text, Face::small);
+    return w;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,39 @@
+// Buttons, toggles, choices and chips.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "ui/widgets/item.h"
+#include "ui/widgets/ui.h"
+
+namespace braitenlab {
+
+enum class Emphasis { primary, plain, quiet };  // filled with the accent; raised with a line; bare until hovered
+
+struct ButtonLook {
+    std::string_view icon, words;  // words may be left out when the icon font is there
+    Emphasis emphasis = Emphasis::plain;
+    bool on = false;  // a toggle that is on
+    bool enabled = true;
+    float min_width = 0;  // layout pixels
+};
+
+inline constexpr float button_height = 32;  // layout pixels
+
+float button_width(const Ui&, const ButtonLook&);
+Item button(Ui&, std::string_view id, const ButtonLook&);
+
+// One of a few, side by side, filling `width`: the index clicked, or −1. Anchors: `id`.1, `id`.2 …
+int segments(Ui&, std::string_view id, std::span<const std::string_view> words, int chosen, float width);
+
+// One of a list, each a row of wrapped words. True when clicked.
+bool radio_row(Ui&, std::string_view id, std::string_view words, bool chosen, bool enabled);
+
+// A line with an angle that opens what follows; returns whether it is open.
+bool fold_row(Ui&, std::string_view id, std::string_view words, bool& open);
+
+// A word in a rounded box, with its right end at `right` and its middle at `middle_y`. Returns its width.
+float chip(const Ui&, float right, float middle_y, std::string_view words);
+
+}  // namespace braitenlab

@@ -1,0 +1,40 @@
+// A quiet card over the scene: a heading that folds it, and what it holds, which scrolls where the window is too low.
+#pragma once
+
+#include <string_view>
+
+#include "ui/widgets/ui.h"
+
+namespace braitenlab {
+
+struct CardState {
+    bool folded = false;
+    float content = 0;  // how high everything in it is, measured last frame, window pixels; 0 before the first
+};
+
+// The height that the card wants, heading and borders included.
+float wanted_height(const Ui&, const CardState&);
+
+// The height of a folded card.
+float folded_height(const Ui&);
+
+// Opens the card in this rectangle; anchors: `id` for all of it, `id`.fold for its heading. When false, nothing may be
+// drawn in it (it is folded); end_card is called either way.
+bool begin_card(Ui&, CardState&, std::string_view id, std::string_view heading, Rect);
+void end_card(Ui&, CardState&, bool open);
+
+// The card's ground alone: panel colour at 92 %, a line around, a soft shadow.
+void card_ground(const Ui&, Rect, float layout_rounding = 6);
+
+// A plain window without a card's heading, for bars: its cursor starts at the rectangle's corner, without padding.
+void begin_bar(Ui&, const char* name, Rect);
+void end_bar();
+
+// The width between the card's paddings, where the scrollbar is not.
+float card_width(const Ui&);
+
+// A little space, and a quiet heading within a card.
+void gap(const Ui&, float layout_pixels);
+void subheading(Ui&, std::string_view);
+
+}  // namespace braitenlab

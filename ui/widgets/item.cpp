@@ -1,0 +1,90 @@
+#include "ui/widgets/item.h"
+
+#include <algorithm>
+#include <string>
+
+#include "ui/imgui_compat.h"
+#include "ui/theme.h"
+#include "ui/widgets/keyboard.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+Rect inside_clip(Rect r) {
+    const ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
+    const float x0 = std::max(r.x, low.x), y0 = std::max(r.y, low.y);
+    const float x1 = std::min(r.x + r.w, high.x), y1 = std::min(r.y + r.h, high.y);
+    return {x0, y0, std::max(0.0f, x1 - x0), std::max(0.0f, y1 - y0)};
+}
+
+// A ring around a widget, reaching a little over its card's clip.
+void ring(const Ui& ui, Rect r, Colour colour, float gap, float thickness) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
+    const float reach = ui.px(gap + thickness);
+    draw.PushClipRect({low.x - reach, low.y - reach}, {high.x + reach, high.y + reach}, false);
+    line_box(ui, {r.x - ui.px(gap), r.y - ui.px(gap), r.w + 2 * ui.px(gap), r.h + 2 * ui.px(gap)}, colour, 6 + gap / 2,
+             thickness);
+    draw.PopClipRect();
+}
+
+bool is_visible(Rect r) { return r.w >= 1 && r.h >= 1; }
+
+}  // namespace
+
+Item item(Ui& ui, std::string_view id, ImVec2 size, bool enabled) {
+    Item result;
+    const std::string key(id);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    result.rect = {at.x, at.y, size.x, size.y};
+    result.enabled = enabled;
+    const bool clicked = ImGui::InvisibleButton(key.c_str(), {std::max(1.0f, size.x), std::max(1.0f, size.y)});
+    result.hovered = ImGui::IsItemHovered();
+    result.held = enabled && ImGui::IsItemActive();
+    result.pressed = enabled && clicked;
+    if (enabled && stop_here(ui.keyboard, id)) {
+        result.focused = true;
+        if (take(*ui.keyboard, key::enter)) result.pressed = result.entered = true;
+        if (ui.keyboard->revealed && !is_visible(inside_clip(result.rect))) ImGui::SetScrollHereY();
+        ring(ui, result.rect, ui.palette.accent, 2, 2);
+    }
+    result.warmth = eased(ui, id, enabled && (result.hovered || result.held) ? 1.0f : 0.0f);
+    mark(ui, id, result.rect);
+    return result;
+}
+
+void mark(Ui& ui, std::string_view id, Rect rect) {
+    const Rect visible = inside_clip(rect);
+    if (!is_visible(visible)) return;
+    ui.anchors.record(id, visible);
+    if (id == ui.highlight && !id.empty()) {
+        ring(ui, rect, ui.palette.accent.with_alpha(0.35f + 0.65f * ui.pulse), 2, 2);
+        ring(ui, rect, ui.palette.accent.with_alpha(0.30f * ui.pulse), 4, 4);
+    }
+}
+
+void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view shortcut) {
+    if (!item.hovered || item.held || words.empty()) return;
+    // A moment of rest first: tooltips that jump up under a passing pointer hide what it is heading for.
+    if (compat::hovered_seconds() < 0.35f) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(6)});
+    ImGui::BeginTooltip();
+    const float width = std::min(ui.px(280), text_width(ui, Face::small, words));
+    paragraph(ui, words, ui.palette.text, Face::small, width + 1);
+    if (!shortcut.empty()) paragraph(ui, shortcut, ui.palette.second_text, Face::small);
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+float eased(const Ui& ui, std::string_view id, float target, float seconds) {
+    float& value = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(id.data(), id.data() + id.size()), target);
+    if (ui.still) return value = target;
+    const float most = ImGui::GetIO().DeltaTime / seconds;
+    value += std::clamp(target - value, -most, most);
+    return value;
+}
+
+}  // namespace braitenlab

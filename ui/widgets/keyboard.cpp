@@ -1,0 +1,68 @@
+#include "ui/widgets/keyboard.h"
+
+#include <algorithm>
+
+namespace braitenlab {
+
+namespace {
+
+using Stops = std::vector<Keyboard::Stop>;
+
+int index_of(const Stops& stops, std::string_view id) {
+    const auto found = std::find_if(stops.begin(), stops.end(), [id](const auto& stop) { return stop.id == id; });
+    return found == stops.end() ? -1 : static_cast<int>(found - stops.begin());
+}
+
+int next_card(const Stops& stops, int from) {
+    const int count = static_cast<int>(stops.size());
+    if (from < 0) return 0;
+    const int card = stops[static_cast<std::size_t>(from)].card;
+    for (int i = from; i < count; ++i)
+        if (stops[static_cast<std::size_t>(i)].card != card) return i;
+    return 0;
+}
+
+}  // namespace
+
+void begin_keyboard(Keyboard& keyboard) {
+    const Stops& stops = keyboard.last_stops;
+    const int count = static_cast<int>(stops.size());
+    int at = index_of(stops, keyboard.focus);
+    if (at < 0 && !stops.empty()) keyboard.focus.clear();
+    while (const auto press = take(keyboard, key::tab)) {
+        if (count == 0) continue;
+        at = press->ctrl ? next_card(stops, at) : press->shift ? (at <= 0 ? count : at) - 1 : (at + 1) % count;
+        keyboard.focus = stops[static_cast<std::size_t>(at)].id;
+        keyboard.revealed = true;
+    }
+    keyboard.stops.clear();
+    keyboard.card = 0;
+}
+
+void end_keyboard(Keyboard& keyboard) {
+    keyboard.presses.clear();
+    keyboard.revealed = false;
+    keyboard.last_stops.swap(keyboard.stops);
+}
+
+void begin_stops(Keyboard* keyboard) {
+    if (keyboard) ++keyboard->card;
+}
+
+bool stop_here(Keyboard* keyboard, std::string_view id) {
+    if (!keyboard) return false;
+    keyboard->stops.push_back({std::string(id), keyboard->card});
+    return keyboard->focus == id;
+}
+
+std::optional<KeyPress> take(Keyboard& keyboard, int wanted) {
+    auto& presses = keyboard.presses;
+    const auto found =
+        std::find_if(presses.begin(), presses.end(), [wanted](const KeyPress& p) { return p.key == wanted; });
+    if (found == presses.end()) return std::nullopt;
+    const KeyPress press = *found;
+    presses.erase(found);
+    return press;
+}
+
+}  // namespace braitenlab

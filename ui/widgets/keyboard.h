@@ -1,0 +1,44 @@
+// Who has the keyboard: one widget, by its anchor, or the viewport. Dear ImGui's own keyboard navigation stays off:
+// Space would press buttons there, and 1.86 loses keys that go down and up within a frame.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ui/shortcuts.h"
+
+namespace braitenlab {
+
+struct Keyboard {
+    std::string focus;              // the anchor that has the focus; empty: the viewport has it
+    std::vector<KeyPress> presses;  // for the focused widget, since the last frame
+    bool revealed = false;          // the focus moved by a key: its card scrolls to it
+
+    // A widget that can have the focus, in the order of drawing, and the card that it is on.
+    struct Stop {
+        std::string id;
+        int card = 0;
+    };
+    std::vector<Stop> stops, last_stops;
+    int card = 0;
+};
+
+// Moves the focus for the Tabs among the presses: to the next widget, with Shift to the previous one, with Ctrl to the
+// next card. Forgets a focus whose widget is gone. Call once before the widgets.
+void begin_keyboard(Keyboard&);
+
+// Forgets the keys that no widget wanted. Call once after the widgets.
+void end_keyboard(Keyboard&);
+
+// Widgets drawn from here on belong to another card.
+void begin_stops(Keyboard*);
+
+// The widget can have the focus; true when it has it. `keyboard` may be null.
+bool stop_here(Keyboard*, std::string_view id);
+
+// Takes the first press of this key away, with or without Shift and Ctrl. Nothing when it was not pressed.
+std::optional<KeyPress> take(Keyboard&, int key);
+
+}  // namespace braitenlab

@@ -1,0 +1,48 @@
+#include "ui/widgets/number.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float largest = 1e6f;
+
+// True when it would be written with a minus: −0.001 at two decimals is 0.00.
+bool is_negative(float value, int decimals) {
+    return std::round(value * std::pow(10.0f, static_cast<float>(decimals))) < 0;
+}
+
+}  // namespace
+
+std::string fixed(float value, int decimals) {
+    if (!std::isfinite(value) || std::fabs(value) > largest) return "—";
+    return (is_negative(value, decimals) ? "−" : "") + fmt::format("{:.{}f}", std::fabs(value), decimals);
+}
+
+std::string with_sign(float value, int decimals) {
+    const std::string bare = fixed(value, decimals);
+    return std::isfinite(value) && !is_negative(value, decimals) ? "+" + bare : bare;
+}
+
+std::optional<float> typed_number(std::string_view typed) {
+    std::string plain;
+    for (std::size_t i = 0; i < typed.size(); ++i) {
+        if (typed.substr(i, 3) == "−") {
+            plain += '-';
+            i += 2;
+        } else if (typed[i] != ' ') {
+            plain += typed[i] == ',' ? '.' : typed[i];
+        }
+    }
+    // strtof, not from_chars: libc++ lacks that for floating point. The program never leaves the C locale.
+    char* end = nullptr;
+    const float value = std::strtof(plain.c_str(), &end);
+    if (plain.empty() || end != plain.c_str() + plain.size() || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+}  // namespace braitenlab

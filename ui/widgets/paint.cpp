@@ -1,0 +1,101 @@
+#include "ui/widgets/paint.h"
+
+#include <cmath>
+
+#include "ui/imgui_compat.h"
+#include "ui/theme.h"
+#include "ui/widgets/card.h"
+
+namespace braitenlab {
+
+namespace {
+
+ImVec2 snapped(ImVec2 at) { return {std::floor(at.x + 0.5f), std::floor(at.y + 0.5f)}; }
+
+const char* end_of(std::string_view words) { return words.data() + words.size(); }
+
+}  // namespace
+
+ImFont* font(const Ui& ui, Face face) {
+    const Fonts& fonts = ui.fonts;
+    ImFont* chosen = face == Face::text     ? fonts.text
+                     : face == Face::strong ? fonts.strong
+                     : face == Face::title  ? fonts.title
+                                            : fonts.small;
+    if (!chosen) chosen = fonts.text;
+    return chosen ? chosen : ImGui::GetFont();
+}
+
+float line_height(const Ui& ui, Face face) { return compat::size_of(font(ui, face)); }
+
+float text_width(const Ui& ui, Face face, std::string_view words) {
+    if (words.empty()) return 0;
+    ImFont* f = font(ui, face);
+    return f->CalcTextSizeA(compat::size_of(f), 1e9f, 0, words.data(), end_of(words)).x;
+}
+
+float put(const Ui& ui, ImVec2 at, std::string_view words, Colour colour, Face face) {
+    if (words.empty()) return 0;
+    ImFont* f = font(ui, face);
+    ImGui::GetWindowDrawList()->AddText(f, compat::size_of(f), snapped(at), paint(colour), words.data(), end_of(words));
+    return text_width(ui, face, words);
+}
+
+void put_right(const Ui& ui, ImVec2 at, std::string_view words, Colour colour, Face face) {
+    put(ui, {at.x - text_width(ui, face, words), at.y}, words, colour, face);
+}
+
+void put_centred(const Ui& ui, ImVec2 at, std::string_view words, Colour colour, Face face) {
+    put(ui, {at.x - text_width(ui, face, words) / 2, at.y}, words, colour, face);
+}
+
+void paragraph(Ui& ui, std::string_view words, Colour colour, Face face, float width) {
+    compat::push_font(font(ui, face));
+    ImGui::PushStyleColor(ImGuiCol_Text, paint(colour));
+    ImGui::PushTextWrapPos(width > 0 ? ImGui::GetCursorPosX() + width : card_width(ui));
+    ImGui::TextUnformatted(words.data(), end_of(words));
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+bool has_icons(const Ui& ui) { return compat::has_glyph(font(ui, Face::text), 0xF04B); }
+
+void put_icon(const Ui& ui, ImVec2 middle, std::string_view name, Colour colour, Face face) {
+    if (has_icons(ui)) put_centred(ui, {middle.x, middle.y - line_height(ui, face) / 2}, name, colour, face);
+}
+
+void fill_box(const Ui& ui, Rect r, Colour colour, float rounding) {
+    ImGui::GetWindowDrawList()->AddRectFilled({r.x, r.y}, {r.x + r.w, r.y + r.h}, paint(colour), ui.px(rounding));
+}
+
+void line_box(const Ui& ui, Rect r, Colour colour, float rounding, float thickness) {
+    compat::outline(*ImGui::GetWindowDrawList(), {r.x, r.y}, {r.x + r.w, r.y + r.h}, paint(colour), ui.px(rounding),
+                    ui.px(thickness));
+}
+
+void put_role(const Ui& ui, ImVec2 c, float size, Role role, float alpha) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float h = size / 2;
+    const ImU32 colour = paint(colour_of(ui.palette, role).with_alpha(alpha));
+    switch (role) {
+        case Role::predator:
+            draw.AddTriangleFilled({c.x, c.y - h * 1.05f}, {c.x + h, c.y + h * 0.9f}, {c.x - h, c.y + h * 0.9f},
+                                   colour);
+            break;
+        case Role::prey:
+            draw.AddCircleFilled(c, h * 0.95f, colour);
+            break;
+        case Role::none:
+            draw.AddRectFilled({c.x - h * 0.85f, c.y - h * 0.85f}, {c.x + h * 0.85f, c.y + h * 0.85f}, colour,
+                               size / 8);
+            break;
+    }
+}
+
+Colour colour_of_weight(const Palette& p, float weight) {
+    constexpr float nothing = 0.005f;  // would be written as 0.00
+    return weight >= nothing ? p.excites : weight <= -nothing ? p.inhibits : p.second_text;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,58 @@
+// What widgets are drawn with: words, shapes and icons on Dear ImGui's draw list, in the palette's colours.
+#pragma once
+
+#include <string_view>
+
+#include <imgui.h>
+
+#include "core/scene/scene.h"
+#include "ui/widgets/ui.h"
+
+namespace braitenlab {
+
+// Icons of Fork Awesome, by what they mean here.
+namespace icon {
+inline constexpr std::string_view play = "\uf04b", pause = "\uf04c", step = "\uf051", reset = "\uf049",
+                                  new_population = "\uf074", add = "\uf067", remove = "\uf068", follow = "\uf05b",
+                                  sensors = "\uf09e", outlines = "\uf247", wiring = "\uf0e8", exit = "\uf08b",
+                                  slower = "\uf04a", faster = "\uf04e", hint = "\uf0eb", unfolded = "\uf107",
+                                  folded = "\uf105", warning = "\uf071", check = "\uf00c", cross = "\uf00d",
+                                  presets = "\uf02d", clock = "\uf017";
+}  // namespace icon
+
+enum class Face { text, strong, title, small };
+
+// The font behind a face; Dear ImGui's current one where none was loaded.
+ImFont* font(const Ui&, Face);
+
+// Window pixels.
+float line_height(const Ui&, Face);
+float text_width(const Ui&, Face, std::string_view);
+
+// Words with their upper left corner at `at`. Returns their width.
+float put(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::text);
+
+// The same with the right end or the middle at at.x.
+void put_right(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::text);
+void put_centred(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::text);
+
+// Words as an item at the cursor, wrapped at `width` (0: at the card's edge).
+void paragraph(Ui&, std::string_view, Colour, Face = Face::text, float width = 0);
+
+// True when the icon font is there; widgets write words where it is not.
+bool has_icons(const Ui&);
+
+// An icon with its middle at `middle`; nothing without the icon font.
+void put_icon(const Ui&, ImVec2 middle, std::string_view, Colour, Face = Face::text);
+
+// A filled and a drawn rectangle with the lab's rounded corners.
+void fill_box(const Ui&, Rect, Colour, float layout_rounding = 6);
+void line_box(const Ui&, Rect, Colour, float layout_rounding = 6, float layout_thickness = 1);
+
+// A vehicle's sign, nose up: predators are wedges, prey are round, the others are squares. `size` in window pixels.
+void put_role(const Ui&, ImVec2 middle, float size, Role, float alpha = 1);
+
+// Orange for what excites, blue for what inhibits, grey for neither.
+Colour colour_of_weight(const Palette&, float weight);
+
+}  // namespace braitenlab

@@ -1,0 +1,186 @@
+#include "ui/widgets/slider.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "ui/imgui_compat.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/keyboard.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float knob_radius = 7;               // layout pixels
+constexpr float coarse = 0.05f, fine = 0.01f;  // steps of the value under the mouse
+constexpr double pause_between_gestures = 1;   // seconds without a key
+
+struct Track {
+    float x0, x1, y, low, high;
+    float at(float value) const { return x0 + (x1 - x0) * (std::clamp(value, low, high) - low) / (high - low); }
+    float value_at(float x) const { return low + (x - x0) / (x1 - x0) * (high - low); }
+};
+
+float rounded(float value, float step) { return std::round(value / step) * step; }
+
+// Clamped and rounded to hundredths, with −0 made 0.
+float tidy(float value, const SliderLook& look) {
+    return std::round(std::clamp(value, look.low, look.high) * 100) / 100 + 0.0f;
+}
+
+std::optional<float> drag(SliderState& state, const Item& at, const Track& track, std::string_view id, float value) {
+    if (!at.held) {
+        if (state.dragged == id) state.dragged.clear();
+        return std::nullopt;
+    }
+    const ImGuiIO& io = ImGui::GetIO();
+    const float reach = at.rect.h / 2;
+    if (state.dragged != id) {
+        const bool on_track = io.MousePos.x > track.x0 - reach && io.MousePos.x < track.x1 + reach;
+        if (!ImGui::IsMouseClicked(0) || !on_track) return std::nullopt;
+        state.dragged = id;
+        ++state.gesture;
+        state.asked = value;
+        const bool on_knob = std::fabs(io.MousePos.x - track.at(value)) <= reach;
+        state.grip = on_knob ? value - track.value_at(io.MousePos.x) : 0;
+        if (on_knob) return std::nullopt;
+    } else if (io.MouseDelta.x == 0) {
+        return std::nullopt;
+    }
+    if (io.KeyShift) {  // ten times finer: the knob lags behind the pointer
+        state.grip -= 0.9f * (track.value_at(io.MousePos.x) - track.value_at(io.MousePos.x - io.MouseDelta.x));
+        return rounded(track.value_at(io.MousePos.x) + state.grip, fine);
+    }
+    return rounded(track.value_at(io.MousePos.x) + state.grip, coarse);
+}
+
+std::optional<float> nudge(Ui& ui, SliderState& state, const Item& at, std::string_view id, float value, double now) {
+    if (!at.focused) return std::nullopt;
+    float change = 0;
+    for (const int direction : {-1, 1})
+        while (const auto press = take(*ui.keyboard, direction < 0 ? key::left : key::right))
+            change += static_cast<float>(direction) * (press->shift ? 0.01f : 0.1f);
+    if (change == 0) return std::nullopt;
+    if (state.nudged != id || now - state.nudged_at > pause_between_gestures) ++state.gesture;
+    state.nudged = id;
+    state.nudged_at = now;
+    return value + change;
+}
+
+void open_text(SliderState& state, std::string_view id, const std::string& number) {
+    state.typed = id;
+    state.text_opened = state.commit = state.give_up = false;
+    std::string plain = number;  // a sign that every keyboard has
+    if (const auto minus = plain.find("−"); minus != std::string::npos) plain.replace(minus, 3, "-");
+    std::snprintf(state.text, sizeof state.text, "%s", plain[0] == '+' ? plain.c_str() + 1 : plain.c_str());
+}
+
+int only_number(ImGuiInputTextCallbackData* data) {
+    const ImWchar c = data->EventChar;
+    if (c == ',') data->EventChar = '.';
+    return (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '-' || c == '+' ? 0 : 1;
+}
+
+// The open number. Leaving it in any way but Esc takes what stands there, if it is a number.
+std::optional<float> type(Ui& ui, SliderState& state, Rect box) {
+    ImGui::SetCursorScreenPos({box.x, box.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(4), (box.h - line_height(ui, Face::text)) / 2});
+    compat::push_font(font(ui, Face::text));
+    ImGui::SetNextItemWidth(box.w);
+    if (!state.text_opened) ImGui::SetKeyboardFocusHere();
+    const bool entered = ImGui::InputText("##number", state.text, sizeof state.text,
+                                          ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue |
+                                              ImGuiInputTextFlags_CallbackCharFilter,
+                                          only_number);
+    const bool active = ImGui::IsItemActive();
+    ImGui::PopFont();
+    ImGui::PopStyleVar();
+    line_box(ui, box, ui.palette.accent, 6, 1.5f);
+    const bool left = state.text_opened && !active;  // after Esc, Dear ImGui has put the old number back
+    if (active) state.text_opened = true;
+    if (!entered && !state.commit && !state.give_up && !left) return std::nullopt;
+    state.typed.clear();
+    ImGui::ClearActiveID();
+    return state.give_up ? std::nullopt : typed_number(state.text);
+}
+
+void draw(const Ui& ui, const Item& at, const Track& t, float value, const SliderLook& look) {
+    const Palette& p = ui.palette;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float half = ui.px(2), origin = t.at(std::max(0.0f, t.low)), knob = t.at(value);
+    list.AddRectFilled({t.x0, t.y - half}, {t.x1, t.y + half}, paint(p.line), half);
+    const Colour fill = look.meaning ? colour_of_weight(p, value) : p.second_text;
+    if (std::fabs(knob - origin) > 1)
+        list.AddRectFilled({std::min(origin, knob), t.y - half}, {std::max(origin, knob), t.y + half}, paint(fill),
+                           half);
+    if (t.low < 0)
+        list.AddRectFilled({origin - ui.px(0.75f), t.y - ui.px(6)}, {origin + ui.px(0.75f), t.y + ui.px(6)},
+                           paint(p.second_text));
+    const float radius = ui.px(knob_radius - (look.meaning ? 0.0f : 1.0f)) + ui.px(1) * at.warmth;
+    const ImVec2 middle{knob, t.y};
+    list.AddCircleFilled(middle, radius + ui.px(1.5f), paint(p.panel));
+    list.AddCircleFilled(middle, radius, paint(fill));
+    list.AddCircleFilled(middle, radius - ui.px(2), paint(mix(p.raised, fill, at.held ? 1.0f : 0.25f * at.warmth)));
+}
+
+}  // namespace
+
+std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id, float value, float width,
+                                 double wall_seconds, const SliderLook& look) {
+    const bool typing = state.typed == id;
+    const float text_width_open = ui.px(look.number_width + 12);
+    Item at = item(ui, id, {typing ? width - text_width_open : width, ui.px(slider_height)});
+    at.rect.w = width;
+    mark(ui, id, at.rect);
+    const float inset = ui.px(knob_radius + 1);
+    const Track track{at.rect.x + ui.px(look.words_width) + inset, at.right() - ui.px(look.number_width) - inset,
+                      at.middle_y(), look.low, look.high};
+    const std::string number = look.signed_number ? with_sign(value, 2) : fixed(value, 2);
+    const ImGuiIO& io = ImGui::GetIO();
+
+    std::optional<float> wanted;
+    const bool on_number = io.MousePos.x > track.x1 + inset;
+    const bool clicked = at.hovered && ImGui::IsMouseClicked(0);
+    const bool to_typing =
+        at.entered || (clicked && (io.KeyCtrl || on_number)) || (at.hovered && ImGui::IsMouseDoubleClicked(0));
+    if (clicked && ui.keyboard) ui.keyboard->focus = id;
+    if (typing) {
+        ImGui::SameLine(0, 0);
+        if (const auto typed = type(ui, state, {at.right() - text_width_open, at.rect.y, text_width_open, at.rect.h})) {
+            ++state.gesture;
+            wanted = *typed;
+        }
+    } else if (to_typing) {
+        open_text(state, id, number);
+        state.dragged.clear();
+    } else if (at.hovered && ImGui::IsMouseClicked(1)) {
+        ++state.gesture;
+        wanted = 0.0f;
+    } else {
+        wanted = drag(state, at, track, id, value);
+        if (!wanted) wanted = nudge(ui, state, at, id, value, wall_seconds);
+    }
+
+    const Palette& p = ui.palette;
+    put(ui, {at.rect.x, at.middle_y() - line_height(ui, Face::strong) / 2}, look.words, p.text,
+        look.meaning ? Face::strong : Face::text);
+    draw(ui, at, track, value, look);
+    if (!typing)
+        put_right(ui, {at.right(), at.middle_y() - line_height(ui, Face::text) / 2}, number,
+                  std::fabs(value) < 0.005f ? p.second_text : p.text);
+    if (!typing) tooltip(ui, at, look.tooltip, ui.strings("slider.how"));
+
+    if (!wanted) return std::nullopt;
+    const float tidied = tidy(*wanted, look);
+    const bool news = std::fabs(tidied - (state.dragged == id ? state.asked : value)) > 0.0005f;
+    if (!news) return std::nullopt;
+    state.asked = tidied;
+    return SliderEdit{tidied, gestures::panels + state.gesture};
+}
+
+}  // namespace braitenlab

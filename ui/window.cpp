@@ -1,0 +1,153 @@
+#include "ui/window.h"
+
+#include <algorithm>
+#include <array>
+
+#include <imgui.h>
+
+#include "ui/panels/panels.h"
+#include "ui/theme.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float between_cards = 12, least_open_card = 132;  // layout pixels
+
+// The wiring canvas on its own ground, which leaves only the inset with the scene open.
+void draw_canvas(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const Rect& w = layout.window;
+    const Rect& s = layout.scene;
+    const ImU32 ground = paint(ui.palette.ground);
+    draw.AddRectFilled({w.x, w.y}, {w.x + w.w, s.y}, ground);
+    draw.AddRectFilled({w.x, s.y + s.h}, {w.x + w.w, w.y + w.h}, ground);
+    draw.AddRectFilled({w.x, s.y}, {s.x, s.y + s.h}, ground);
+    draw.AddRectFilled({s.x + s.w, s.y}, {w.x + w.w, s.y + s.h}, ground);
+    draw.AddRect({s.x, s.y}, {s.x + s.w, s.y + s.h}, paint(ui.palette.line));
+    state.canvas.keys_from_imgui = false;
+    wiring_canvas(view, state.canvas, ui, layout.canvas);
+}
+
+// The brain card on top, the information card in what is left; in a low window the latter is folded, unless a person
+// has opened it: then the brain card scrolls.
+void right_column(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
+    Rect brain = layout.right;
+    const float wanted = wanted_height(ui, state.brain);
+    if (view.mode == Mode::wiring) {
+        brain.h = std::min(wanted, layout.right.h);
+        brain_card(view, state, ui, brain);
+        return;
+    }
+    CardState& information = state.information;
+    const float space = ui.px(between_cards);
+    const float least =
+        information.folded ? folded_height(ui) : std::min(wanted_height(ui, information), ui.px(least_open_card));
+    const bool measured = state.brain.content > 0;
+    const bool cramped = measured && wanted + space + least > layout.right.h;
+    const bool was_folded = information.folded;
+    if (cramped && !state.information_opened) information.folded = true;
+    const float reserved = (information.folded ? folded_height(ui) : least) + space;
+    brain.h = std::min(wanted, layout.right.h - reserved);
+    brain_card(view, state, ui, brain);
+    Rect below = layout.right;
+    below.y = brain.y + brain.h + space;
+    below.h = std::min(wanted_height(ui, information), layout.right.y + layout.right.h - below.y);
+    const bool folded_for_room = information.folded && !was_folded;
+    const bool before = information.folded;
+    information_card(view, state, ui, below);
+    if (folded_for_room && information.folded == before) information.folded = was_folded;
+}
+
+std::optional<std::string_view> slider_of(int pressed) {
+    constexpr std::array<std::string_view, 4> sliders{"slider.LL", "slider.LR", "slider.RL", "slider.RR"};
+    if (pressed < '1' || pressed > '4') return std::nullopt;
+    return sliders[static_cast<std::size_t>(pressed - '1')];
+}
+
+bool for_typing(SliderState& sliders, KeyPress press) {
+    if (sliders.typed.empty()) return false;
+    if (press.key == key::enter) sliders.commit = true;
+    if (press.key == key::escape) sliders.give_up = true;
+    return true;
+}
+
+bool for_focus(Keyboard& keyboard, KeyPress press) {
+    const bool enters = press.key == key::tab && press.ctrl;
+    if (keyboard.focus.empty() && !enters) return false;
+    if (press.key == key::escape) {
+        keyboard.focus.clear();
+        return true;
+    }
+    const bool wanted =
+        press.key == key::tab || press.key == key::enter || press.key == key::left || press.key == key::right;
+    if (wanted) keyboard.presses.push_back(press);
+    return wanted;
+}
+
+bool for_canvas(CanvasState& canvas, KeyPress press) {
+    switch (press.key) {
+        case key::escape:
+            return press_key(canvas, CanvasKey::cancel);
+        case key::del:
+            return press_key(canvas, CanvasKey::erase);
+        case key::home:
+        case 'F':
+            return !press.ctrl && press_key(canvas, CanvasKey::fit);
+        default:
+            return false;
+    }
+}
+
+}  // namespace
+
+void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
+    ui.keyboard = &state.keyboard;
+    ui.still = view.reduce_motion;
+    begin_keyboard(state.keyboard);
+    // A click into the scene takes the keyboard away from the cards.
+    if (ImGui::IsMouseClicked(0) && !ImGui::GetIO().WantCaptureMouse) state.keyboard.focus.clear();
+
+    ui.anchors.record("viewport", layout.scene);
+    if (view.mode == Mode::wiring) draw_canvas(view, state, ui, layout);
+    if (layout.left.w > 0) {
+        if (view.lesson)
+            exercise_card(view, state, ui, layout.left);
+        else
+            scene_card(view, state, ui, layout.left);
+    }
+    right_column(view, state, ui, layout);
+    hint_bar(view, ui, layout.hint_bar);
+    toolbar(view, ui, layout.toolbar);
+    keys_card(view, state, ui, layout.window);
+    end_keyboard(state.keyboard);
+}
+
+bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
+    if (for_typing(state.sliders, press)) return true;
+    if (press.key == key::f1 || (state.keys_open && press.key == key::escape)) {
+        state.keys_open = !state.keys_open;
+        return true;
+    }
+    if (state.presets_open && press.key == key::escape) {
+        state.close_presets = true;
+        return true;
+    }
+    if (for_focus(state.keyboard, press)) return true;
+    if (view.mode == Mode::wiring && for_canvas(state.canvas, press)) return true;
+    if (const auto slider = slider_of(press.key); slider && !press.ctrl && !press.shift) {
+        state.brain.folded = false;
+        state.keyboard.focus = *slider;
+        state.keyboard.revealed = true;
+        return true;
+    }
+    if (const auto action = action_for(press)) {
+        outbox.push_back(*action);
+        return true;
+    }
+    return false;
+}
+
+}  // namespace braitenlab

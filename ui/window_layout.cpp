@@ -1,0 +1,56 @@
+#include "ui/window_layout.h"
+
+#include <algorithm>
+
+namespace braitenlab {
+
+namespace {
+
+// WindowLayout pixels.
+constexpr float toolbar_height = 48, hint_height = 32;
+constexpr float narrow_window = 1200;  // below it, cards and margins are slimmer
+constexpr float inset_height = 184;
+
+struct Columns {
+    float margin, left, right;
+};
+
+Columns columns(float layout_width) {
+    if (layout_width < narrow_window) return {12, 264, 316};
+    return {16, 304, 336};
+}
+
+}  // namespace
+
+WindowLayout lay_out(float width, float height, float scale, const LabView& view) {
+    WindowLayout l;
+    l.scale = scale;
+    l.window = {0, 0, width, height};
+    l.toolbar = {0, 0, width, toolbar_height * scale};
+    l.hint_bar = {0, height - hint_height * scale, width, hint_height * scale};
+
+    const Columns c = columns(width / scale);
+    const float margin = c.margin * scale;
+    const float top = l.toolbar.h + margin, bottom = l.hint_bar.y - margin;
+    const float column = std::max(0.0f, bottom - top);
+    // Never more than three eighths of the window each, so that a quarter stays free.
+    const float left = std::min(c.left * scale, width * 0.375f - 2 * margin);
+    const float right = std::min(c.right * scale, width * 0.375f - margin);
+    l.left = {margin, top, left, column};
+    l.right = {width - margin - right, top, right, column};
+    l.scene = {2 * margin + left, top, width - 4 * margin - left - right, column};
+
+    if (view.mode == Mode::wiring) {
+        // The canvas needs room more than words do: a card without an exercise goes, and so does a card in a narrow
+        // window.
+        if (!view.lesson || width / scale < narrow_window) l.left = {};
+        const float from = l.left.w > 0 ? l.scene.x : margin;
+        l.canvas = {from, top, l.right.x - margin - from, column};
+        const float inset = std::min(inset_height * scale, column / 3);
+        l.scene = {l.right.x, bottom - inset, l.right.w, inset};
+        l.right.h = column - inset - margin;
+    }
+    return l;
+}
+
+}  // namespace braitenlab
