@@ -1,6 +1,7 @@
 // An exercise as its author writes it: one TOML file of text, checks and a scene. The format: docs/exercise-format.md.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,18 +13,19 @@
 
 namespace braitenlab {
 
-// What a step asks of the run. `who` is the scene's first vehicle, `what` a source.
+// What a step asks of the scene's first vehicle.
 enum class Goal {
-    runs,        // the run has lasted `seconds`
-    turns_to,    // the source came to lie within `degrees` of the heading, having begun or been outside
-    touches,     // came within `metres` of the source
-    speeds_up,   // at the first touch (within `metres`) moved at least `factor` times as fast as after its first second
+    runs,       // the run has lasted `seconds`
+    turns_to,   // the source came to lie within `degrees` of the heading, having been outside
+    touches,    // its origin came within `metres` of the source
+    speeds_up,  // when it first came within `metres`, it moved at least `factor` times as fast as after its first
+                // second
 };
 
 // A check is data; core/lesson/referee.h judges it.
 struct Check {
     Goal goal = Goal::runs;
-    std::string source;   // for all but `runs`
+    std::string source;  // for all but `runs`
     float metres = 0;
     float seconds = 0;
     float degrees = 0;
@@ -37,11 +39,11 @@ struct Step {
     friend bool operator==(const Step&, const Step&) = default;
 };
 
-// Asked before the first run, never graded.
+// Asked before the first run, never graded. Without a question there is none.
 struct Prediction {
     std::string question;
     std::vector<std::string> options;
-    int answer = 0;       // 0-based: what the run will show
+    int answer = 0;       // 0-based: what the run will show; in the file, one of the options
     std::string outcome;  // said after the run, next to the student's own choice
     friend bool operator==(const Prediction&, const Prediction&) = default;
 };
@@ -53,10 +55,10 @@ struct Hint {
 };
 
 struct Exercise {
-    std::string id;     // the file's stem: "05-aggressor"
+    std::string id;  // the file's stem: "05-aggressor"
     int number = 0;
     std::string title, goal, why;
-    Scene scene;        // with the exercise's own settings applied
+    Scene scene;  // with the exercise's own settings applied
     std::uint64_t seed = 1;
     Prediction prediction;
     std::vector<Step> steps;
@@ -67,7 +69,16 @@ struct Exercise {
     FourNeurons solution;
 };
 
-// Mistakes come with file and line. The scene's path is relative to the exercise's file.
+// Mistakes come with file and line, those in the scene with the scene's. The scene's path is relative to the exercise's
+// file.
 Result<Exercise> load_exercise(const std::filesystem::path&);
+Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::path& file);
+
+// The tables of docs/exercise-format.md, in Markdown.
+std::string describe_exercise_format();
+
+// Where a scene's first vehicle's brain is: the kind that the exercise is about.
+// Precondition: the scene has a start (load_exercise sees to it) and is sound.
+int pupil_kind(const Scene&);
 
 }  // namespace braitenlab

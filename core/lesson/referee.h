@@ -15,28 +15,33 @@ struct Verdict {
     bool done = false;
     float measured = 0, needed = 0;  // the live value beside the one asked for; best so far where it is an extreme
     std::string_view unit;           // "s", "m", "°", "×"
+    bool at_most = false;            // done when measured <= needed; else when measured >= needed
 };
 
 class Referee {
 public:
     explicit Referee(const Exercise&);
 
-    // Call once a tick, and for the start. A snapshot whose tick is not later than the last one begins a new run.
+    // Call for the start and after every tick. A snapshot from before the last one, or of tick 0, begins a new run; the
+    // same moment again changes nothing.
     void watch(const Snapshot&);
 
     const std::vector<Verdict>& verdicts() const { return verdicts_; }
     bool passed() const;
 
 private:
-    struct Memory;
+    void begin(const Snapshot&);
     void judge(std::size_t step, const Snapshot&, const VehicleView&);
 
-    std::vector<Step> steps_;
+    std::vector<Check> checks_;
+    std::vector<int> sources_;  // in Scene::sources, one a check; −1 where it needs none
     std::vector<Verdict> verdicts_;
+    std::vector<bool> was_outside_;  // for turns_to, one a check
+    std::vector<bool> over_;         // for speeds_up: the touch has come and decided
+    VehicleId pupil_ = no_vehicle;
     std::uint64_t last_tick_ = 0;
-    bool started_ = false;
-    bool was_outside_ = false;   // for turns_to
-    float first_speed_ = 0;      // m/s after the first second; 0 before
+    bool begun_ = false;
+    float first_speed_ = 0;  // m/s after the first second
 };
 
 struct Grade {
@@ -45,7 +50,8 @@ struct Grade {
     bool good = false;         // count >= Exercise::needed
 };
 
-// Runs the exercise's starts with this brain in its first vehicle's kind. Deterministic; a fraction of a second.
+// Runs the exercise's starts with this brain in its first vehicle's kind. Deterministic; a fraction of a second. A
+// brain that does not compile passes nothing.
 Grade grade(const Exercise&, const BrainGraph&);
 
 }  // namespace braitenlab

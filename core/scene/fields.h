@@ -64,8 +64,8 @@ template <class Visitor>
 void describe(Visitor& v, Of<Wheel>) {
     v.number("x", &Wheel::x, "m", mount_range, "ahead of the origin");
     v.number("y", &Wheel::y, "m", mount_range, "left of the origin");
-    v.number("radius", &Wheel::radius, "m", {0.005, 5}, "");
-    v.number("width", &Wheel::width, "m", {0.002, 5}, "");
+    v.number("radius", &Wheel::radius, "m", {0.005, 5}, "from axle to floor");
+    v.number("width", &Wheel::width, "m", {0.002, 5}, "along its axle");
     v.word("motor", &Wheel::motor, "which one drives it; none makes it a castor");
     v.number("grip", &Wheel::grip, "", {0, 2}, "friction coefficient; 0 for a castor");
     v.number("load", &Wheel::load, "", {0, 1}, "share of the weight that rests on it; all wheels' add up to 1");
@@ -76,7 +76,7 @@ template <class Visitor>
 void describe(Visitor& v, Of<Body>) {
     v.number("length", &Body::length, "m", {0.05, 20}, "of the chassis");
     v.number("width", &Body::width, "m", {0.05, 20}, "of the chassis");
-    v.number("mass", &Body::mass, "kg", {0.05, 1000}, "");
+    v.number("mass", &Body::mass, "kg", {0.05, 1000}, "of the whole vehicle");
     v.number("top_speed", &Body::top_speed, "m/s", {0.05, 10}, "of a wheel whose motor is told 1");
     v.number("motor_force", &Body::motor_force, "N", {0.01, 10000}, "the most one motor can push");
     v.list("wheel", &Body::wheels, limits::wheels, "if there is any, these stand instead of the standard four");
@@ -97,7 +97,7 @@ void describe(Visitor& v, Of<Sensor>) {
 
 template <class Visitor>
 void describe(Visitor& v, Of<Kind>) {
-    v.word("role", &Kind::role, "");
+    v.word("role", &Kind::role, "what others sense in it; predators bite prey");
     v.word("driver", &Kind::driver, "who drives");
     v.number("share", &Kind::share, "", {0, 1000}, "of the random population, against the other kinds' shares");
     v.table("body", &Kind::body, "chassis and wheels");
@@ -171,9 +171,9 @@ void describe(Visitor& v, Of<FourNeurons>) {
     v.number("RL", &FourNeurons::RL, "", weight_range, "the wire from the left eye to the right motor");
     v.number("RR", &FourNeurons::RR, "", weight_range, "the wire from the right eye to the right motor");
     v.number("threshold_LL", &FourNeurons::threshold_LL, "", threshold_range, "LL counts an input below it as 0");
-    v.number("threshold_LR", &FourNeurons::threshold_LR, "", threshold_range, "");
-    v.number("threshold_RL", &FourNeurons::threshold_RL, "", threshold_range, "");
-    v.number("threshold_RR", &FourNeurons::threshold_RR, "", threshold_range, "");
+    v.number("threshold_LR", &FourNeurons::threshold_LR, "", threshold_range, "so does LR");
+    v.number("threshold_RL", &FourNeurons::threshold_RL, "", threshold_range, "so does RL");
+    v.number("threshold_RR", &FourNeurons::threshold_RR, "", threshold_range, "so does RR");
     v.number("LM", &FourNeurons::LM, "", bias_range, "added to the left motor");
     v.number("RM", &FourNeurons::RM, "", bias_range, "added to the right motor");
 }
@@ -189,7 +189,7 @@ template <class Visitor>
 void describe(Visitor& v, Of<Node>) {
     v.text("name", &Node::name, limits::name_length, "must be given; a sensor has its vehicle's name for it");
     v.number("id", &Node::id, "", {0, 1e9}, "one more than the largest before it unless given");
-    v.word("kind", &Node::kind, "");
+    v.word("kind", &Node::kind, "the motors are ML and MR");
     v.part(&Node::curve);
     v.number("bias", &Node::bias, "", bias_range, "added to its sum");
     v.number("time_constant", &Node::time_constant, "s", {0, 600}, "of its leaky memory; 0 answers at once");

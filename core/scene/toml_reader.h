@@ -126,6 +126,10 @@ public:
             (object_.*member).push_back(*text);
         }
     }
+    void choice(const char* key, int T::*member, std::vector<std::string> T::*options, const char*) {
+        const std::vector<std::string_view> known((object_.*options).begin(), (object_.*options).end());
+        if (const auto which = table_.one_of(key, known)) object_.*member = static_cast<int>(*which);
+    }
 
 private:
     template <class Inner>

@@ -1,0 +1,106 @@
+// Turns the descriptions of fields into the tables of docs/scene-format.md and docs/exercise-format.md.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/maths/angle.h"
+#include "core/scene/fields.h"
+#include "core/scene/names.h"
+
+namespace braitenlab {
+
+// The tables for all that a scene file may hold, in Markdown.
+std::string describe_scene_format();
+
+// The visitor that makes a table of each struct: its own keys first, then the tables within it. See
+// core/scene/fields.h.
+template <class T>
+class FormatTable {
+public:
+    // `path` is the struct's table as a file shows it, e.g. "kind.NAME", or empty at the top; `title` its heading.
+    FormatTable(std::string path, const std::string& title, const std::string& meaning) : path_(std::move(path)) {
+        heading_ = "\n## " + title + "\n\n";
+        if (!meaning.empty()) heading_ += capital(meaning) + ".\n\n";
+    }
+    // Another struct's keys in the same table, with the defaults that the owner gives them.
+    FormatTable(std::string path, const T& defaults) : defaults_(defaults), path_(std::move(path)) {}
+
+    template <class Number>
+    void number(const char* key, Number T::*member, const char* unit, Range range, const char* meaning) {
+        // A default that the file could not hold means that there is none.
+        const bool has_default = range.holds(static_cast<double>(defaults_.*member));
+        row(key, unit, limits_text(range), has_default ? fmt::format("{}", defaults_.*member) : "", meaning);
+    }
+    void angle(const char* key, float T::*member, Range range, const char* meaning) {
+        row(key, "°", limits_text(range), fmt::format("{:g}", maths::degrees(defaults_.*member)), meaning);
+    }
+    template <class Enum>
+    void word(const char* key, Enum T::*member, const char* meaning) {
+        std::string all;
+        for (const auto& named : words(Enum{})) all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", named.word);
+        row(key, "", all, fmt::format("\"{}\"", braitenlab::word(defaults_.*member)), meaning);
+    }
+    void text(const char* key, std::string T::*, std::size_t longest, const char* meaning) {
+        row(key, "", fmt::format("text, up to {}", longest), "", meaning);
+    }
+    void texts(const char* key, std::vector<std::string> T::*, std::size_t most, std::size_t, const char* meaning) {
+        row(key, "", fmt::format("up to {} texts", most), "", meaning);
+    }
+    void choice(const char* key, int T::*, std::vector<std::string> T::*, const char* meaning) {
+        row(key, "", "text", "", meaning);
+    }
+    template <class Part>
+    void part(Part T::*member) {
+        FormatTable<Part> inner(path_, defaults_.*member);
+        describe(inner, Of<Part>{});
+        rows_ += inner.rows();
+        tables_ += inner.tables();
+    }
+    template <class Inner>
+    void table(const char* key, Inner T::*, const char* meaning) {
+        add<Inner>("[", path_ + key, "]", meaning);
+    }
+    template <class Element>
+    void named(const char* key, std::vector<Element> T::*, std::size_t most, const char* meaning) {
+        add<Element>("[", path_ + key + ".NAME", "]", fmt::format("{}; up to {}", meaning, most));
+    }
+    template <class Element>
+    void list(const char* key, std::vector<Element> T::*, std::size_t most, const char* meaning) {
+        add<Element>("[[", path_ + key, "]]", fmt::format("{}; up to {}", meaning, most));
+    }
+    void brain(const char* key, BrainGraph T::*, const char* meaning) {
+        add<BrainText>("[", path_ + key, "]", meaning);
+    }
+
+    std::string text() const {
+        const std::string head = "| Key | Unit | Range | Default | Meaning |\n|---|---|---|---|---|\n";
+        return heading_ + (rows_.empty() ? "" : head + rows_) + tables_;
+    }
+    const std::string& rows() const { return rows_; }
+    const std::string& tables() const { return tables_; }
+
+private:
+    static std::string limits_text(Range range) { return fmt::format("{} .. {}", range.low, range.high); }
+    static std::string capital(std::string text) {
+        if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+        return text;
+    }
+    void row(const char* key, const char* unit, const std::string& range, const std::string& standard,
+             const char* meaning) {
+        rows_ += fmt::format("| `{}` | {} | {} | {} | {} |\n", key, unit, range, standard, meaning);
+    }
+    template <class Inner>
+    void add(const char* open, const std::string& path, const char* close, const std::string& meaning) {
+        FormatTable<Inner> inner(path + ".", fmt::format("`{}{}{}`", open, path, close), meaning);
+        describe(inner, Of<Inner>{});
+        tables_ += inner.text();
+    }
+
+    const T defaults_{};
+    std::string path_, heading_, rows_, tables_;
+};
+
+}  // namespace braitenlab
