@@ -15,13 +15,12 @@ layout(std140) uniform Frame {
     vec4 sky, floor_colour, grid_colour;
     vec4 ink, paper;
     vec4 arena;   // half the width, half the height, m; simulated seconds; display pixels a layout pixel
-    vec4 counts;  // x: lamps; y: 1 in the light theme
+    vec4 counts;  // x: lamps; y: 1 in the light theme; z: how far one sees beyond the arena, m
     Lamp lamps[8];
 };
 
 // What parts are painted as (render/view/shapes.h).
-const int paint_body = 0, paint_deck = 1, paint_dark = 2, paint_gauge = 3, paint_mark = 4, paint_lens = 5,
-          paint_light = 6;
+const int paint_body = 0, paint_deck = 1, paint_dark = 2, paint_gauge = 3, paint_mark = 4, paint_light = 5;
 
 // The world's plane is GL's (x, 0, -y); turning keeps lengths and angles, so it serves normals too.
 vec3 to_gl(vec3 world) { return vec3(world.x, world.z, -world.y); }

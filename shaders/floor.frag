@@ -1,5 +1,6 @@
 // The floor: a grid of metres that fades before it flickers, and ground that melts into the sky outside the arena.
 in vec2 v_place;
+flat in float v_beyond;
 
 out vec4 colour;
 
@@ -17,19 +18,16 @@ void main() {
     vec2 pixel = fwidth(v_place) + 1e-5;
     vec2 beyond = max(abs(v_place) - arena.xy, 0.0);
     float outside = length(beyond);
-    float size = max(arena.x, arena.y);
 
-    // A stage: a touch brighter amid the arena, the ground outside a step darker, gone after half an arena.
-    float middle = 1.0 - smoothstep(0.0, 1.3, length(v_place / arena.xy) * 0.8);
-    vec3 inside_colour = mix(floor_colour.rgb, grid_colour.rgb, (1.0 - counts.y) * 0.22 * middle);
-    float minor = lines(v_place, pixel, 1.0, 0.022), major = lines(v_place, pixel, 5.0, 0.05);
-    vec3 line_colour = mix(grid_colour.rgb, ink.rgb, counts.y * 0.06);
+    // A stage: a touch brighter amid the arena, the ground outside a step darker and soon gone.
+    vec2 from_middle = v_place / arena.xy;
+    float middle = max(0.0, 1.0 - 0.5 * dot(from_middle, from_middle));
+    vec3 ground = mix(floor_colour.rgb, grid_colour.rgb, (1.0 - counts.y) * 0.35 * middle);
     vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), 0.10);
-    vec3 ground = mix(inside_colour, line_colour, minor * 0.85);
-    ground = mix(ground, bright_line, major);
+    ground = mix(ground, grid_colour.rgb, lines(v_place, pixel, 1.0, 0.022) * 0.9);
+    ground = mix(ground, bright_line, lines(v_place, pixel, 5.0, 0.05));
 
-    float fade = smoothstep(0.0, 0.55 * size, outside);
-    float step_down = smoothstep(0.0, 0.05, outside) * 0.35;
-    float distance_fade = smoothstep(25.0, 160.0, distance(eye.xyz, to_gl(vec3(v_place, 0.0))) - length(arena.xy) * 2.0);
-    colour = vec4(mix(ground, sky.rgb, max(max(fade, step_down), distance_fade)), 1.0);
+    float fade = smoothstep(0.0, v_beyond, outside);
+    float step_down = clamp(outside * 20.0, 0.0, 1.0) * 0.35;
+    colour = vec4(mix(ground, sky.rgb, max(fade, step_down)), 1.0);
 }

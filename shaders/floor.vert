@@ -3,8 +3,10 @@ layout(location = 0) in vec3 corner;
 layout(location = 4) in vec4 half_size;
 
 out vec2 v_place;
+flat out float v_beyond;  // metres of ground round the arena
 
 void main() {
     v_place = corner.xy * half_size.xy;
+    v_beyond = half_size.z;
     gl_Position = view_projection * vec4(to_gl(vec3(v_place, 0.0)), 1.0);
 }

@@ -1,5 +1,6 @@
 #include "render/gl/renderer.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -46,8 +47,9 @@ Shape fan() {
 }
 
 struct FloorInstance {
-    maths::vec4 half_size;
+    maths::vec4 half_size;  // z: how far beyond the arena the ground reaches, m
 };
+constexpr float floor_fade = 0.55f;  // of the arena's half size
 
 }  // namespace
 
@@ -103,15 +105,15 @@ struct Renderer::Parts {
         draw(wire, wires, list.wires);
     }
 
-    // Last of the solid things, so that what stands before it need not be painted twice; pushed back a little, so that
-    // what lies flat on it never flickers.
-    void draw_floor(const Sight& sight) {
-        glEnable(GL_POLYGON_OFFSET_FILL);
-        glPolygonOffset(1, 4);
-        const float far = 20 * maths::length(sight.eye) + 200;
-        floor_size[0].half_size = {far, far, 0, 0};
+    // Last of the solid things, so that what stands before it need not be painted twice. It leaves no depth behind:
+    // nothing is below it, so what lies flat on it cannot flicker and a halo that dips into it is not cut.
+    void draw_floor(const FrameBlock& frame) {
+        glDepthMask(GL_FALSE);
+        // Farther out the ground has melted into the sky, which is there already.
+        const float beyond = floor_fade * std::max(frame.arena.x, frame.arena.y);
+        floor_size[0].half_size = {frame.arena.x + beyond, frame.arena.y + beyond, beyond, 0};
         draw(floor, floors, floor_size);
-        glDisable(GL_POLYGON_OFFSET_FILL);
+        glDepthMask(GL_TRUE);
     }
 
     void draw_flat_things() {
@@ -171,13 +173,13 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     // Colours come premultiplied: alpha 0 adds light, alpha 1 covers.
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
-    const FrameBlock block = frame_block(now, picture, p.list);
+    const FrameBlock frame = frame_block(now, picture, p.list);
     glBindBuffer(GL_UNIFORM_BUFFER, p.frame_buffer);
-    glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(block), &block);
+    glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(frame), &frame);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, p.frame_buffer);
 
     p.draw_solids();
-    p.draw_floor(picture.sight);
+    p.draw_floor(frame);
     p.draw_flat_things();
 
     // Whoever draws next starts from a clean table.

@@ -13,8 +13,9 @@ namespace braitenlab {
 
 namespace {
 
-// Source strings are numbered by #line, so that a log tells the shared header from the file.
-constexpr int own_source = 0, common_source = 1;
+// #line counts the shared header's lines from here, so that a log tells them from the file's own. (A second number of
+// #line is meant for that, but Mesa 22 forgets it when a name is undeclared.)
+constexpr int common_lines = 10000;
 
 #ifdef __EMSCRIPTEN__
 const char* const dialect = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
@@ -55,7 +56,8 @@ Result<GLuint> compile_stage(GLenum stage, const std::filesystem::path& folder, 
     if (!common) return unreadable(common_file);
 
     const std::string stage_name = stage == GL_VERTEX_SHADER ? "#define VERTEX_STAGE\n" : "#define FRAGMENT_STAGE\n";
-    const std::string source = dialect + stage_name + "#line 1 1\n" + *common + "\n#line 1 0\n" + *own;
+    const std::string source =
+        dialect + stage_name + "#line " + std::to_string(common_lines + 1) + "\n" + *common + "\n#line 1\n" + *own;
     const GLuint shader = glCreateShader(stage);
     const char* text = source.c_str();
     glShaderSource(shader, 1, &text, nullptr);
@@ -66,8 +68,9 @@ Result<GLuint> compile_stage(GLenum stage, const std::filesystem::path& folder, 
 
     const Complaint complaint = first_complaint(log_of_shader(shader));
     glDeleteShader(shader);
-    return Error{"the shader does not compile: " + complaint.what,
-                 (complaint.source == common_source ? common_file : file).string(), complaint.line};
+    const bool in_common = complaint.line > common_lines;
+    return Error{"the shader does not compile: " + complaint.what, (in_common ? common_file : file).string(),
+                 in_common ? complaint.line - common_lines : complaint.line};
 }
 
 }  // namespace
@@ -83,12 +86,12 @@ Complaint first_complaint(const std::string& log) {
         if (first.empty()) first = line;
         std::smatch m;
         if (!std::regex_search(line, m, shapes)) continue;
-        const Complaint found{std::stoi(m[1]), std::stoi(m[2].matched ? m[2] : m[3]), m[4]};
+        const Complaint found{std::stoi(m[2].matched ? m[2] : m[3]), m[4]};
         const bool is_error = std::regex_search(line, std::regex("error", std::regex::icase));
         if (is_error) return found;
         if (!any) any = found;
     }
-    return any ? *any : Complaint{own_source, 0, first.empty() ? "the driver gives no reason" : first};
+    return any ? *any : Complaint{0, first.empty() ? "the driver gives no reason" : first};
 }
 
 Result<Program> Program::load(const std::filesystem::path& folder, const std::string& vertex_file,

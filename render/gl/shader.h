@@ -29,9 +29,9 @@ private:
     unsigned id_ = 0;
 };
 
-// The first complaint of a compiler's log: which source string and which line of it, 0 where the log does not say.
+// The first error of a compiler's log and its line, 0 where the log does not say.
 struct Complaint {
-    int source = 0, line = 0;
+    int line = 0;
     std::string what;
 };
 Complaint first_complaint(const std::string& log);

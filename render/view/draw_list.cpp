@@ -78,7 +78,18 @@ void add_eyes(Sheet& sheet, const Subject& s) {
 // readable and the picture's cost bounded.
 float fill_reach(const Sheet& sheet, const Subject& s, const Sensor& sensor) {
     if (s.selected || s.hovered) return sensor.range;
-    return std::min(sensor.range, std::max(1.2f, 0.75f * sensor.range * sheet.crowd));
+    return std::min(sensor.range, std::max(1.2f, sensor.range * sheet.crowd));
+}
+
+// Where a fill of this strength has faded below what a screen can show: nothing is painted farther out.
+float visible_radius(float fill, float reach, const Sensor& sensor) {
+    constexpr float least = 0.008f;  // two of 255 levels
+    if (sensor.response == SensorResponse::boolean) return reach;
+    for (float d = reach; d > 0; d -= reach / 16) {
+        const float rest = 1 - d * d / (reach * reach), half = d / sensor.half_distance;
+        if (fill * rest * rest / (1 + half * half) >= least) return std::min(reach, d + reach / 16);
+    }
+    return 0;
 }
 
 void add_fields(Sheet& sheet, const Subject& s) {
@@ -87,20 +98,21 @@ void add_fields(Sheet& sheet, const Subject& s) {
         const Sensor& sensor = s.kind.sensors[i];
         const float seen = std::sqrt(sensed(sheet, s, i));
         const bool light = sheet.picture.theme == Theme::light;
-        const float idle = (s.selected ? 0.22f : 0.11f) + (light ? 0.06f : 0), strong = s.selected ? 0.62f : 0.45f;
+        const float idle = s.selected ? 0.20f : 0.10f, strong = (s.selected ? 0.60f : 0.42f) - (light ? 0.10f : 0.0f);
         const float awake = s.kind.driver == Driver::parked ? 0.4f : 1.0f;
         const float fill = sheet.picture.sensors ? (idle + (strong - idle) * seen) * awake : 0.0f;
         const float line = sheet.picture.outlines ? (s.selected ? 0.85f : 0.4f) + 0.15f * seen : 0.0f;
+        const float reach = fill_reach(sheet, s, sensor), radius = visible_radius(fill, reach, sensor);
+        if (radius == 0 && line == 0) continue;
         const vec2 at = s.to_world({sensor.x, sensor.y});
         const vec2 towards = maths::rotate(maths::direction(sensor.angle), s.ahead);
         const float half = sensor.shape == SensorShape::omni ? maths::pi : sensor.field / 2;
         const bool chord = sensor.shape == SensorShape::triangle && half < maths::pi / 2;
-        sheet.list.fields.push_back(
-            {{at.x, at.y, towards.x, towards.y},
-             {sensor.range, half, sensor.response == SensorResponse::boolean ? 0 : sensor.half_distance,
-              fill_reach(sheet, s, sensor)},
-             rgb_with(colour_of(sheet.colours, sensor.channel), fill),
-             {line, chord ? -sensor.range * maths::cosine(half) : sensor.range, 0, 0}});
+        sheet.list.fields.push_back({{at.x, at.y, towards.x, towards.y},
+                                     {line > 0 ? sensor.range * 1.01f : radius, half,
+                                      sensor.response == SensorResponse::boolean ? 0 : sensor.half_distance, reach},
+                                     rgb_with(colour_of(sheet.colours, sensor.channel), fill),
+                                     {line, chord ? -sensor.range * maths::cosine(half) : sensor.range, 0, 0}});
     }
 }
 
@@ -163,16 +175,21 @@ void add_marks(Sheet& sheet, const Subject& s) {
 }
 
 void add_trail(Sheet& sheet, const Subject& s, const Trail& trail) {
-    const std::size_t count = trail.count + 1;  // the place right now is the newest point
+    // The more vehicles, the shorter their trails: a crowd's would be a carpet.
+    constexpr std::size_t most_points = 64 * Trail::capacity;
+    const std::size_t longest =
+        s.selected ? Trail::capacity
+                   : std::clamp<std::size_t>(most_points / sheet.now.vehicles.size(), 6, Trail::capacity);
+    const std::size_t count = std::min(trail.count, longest) + 1;  // the place right now is the newest point
     const auto point = [&](std::size_t i) { return i == 0 ? s.place : trail.at(i - 1); };
     const auto side = [&](std::size_t i) {
         const vec2 along = maths::normalise(point(i == 0 ? 0 : i - 1) - point(std::min(i + 1, count - 1)));
-        return vec2{-along.y, along.x};
+        return vec2{along.y, -along.x};  // left of the way back, which is the way it is drawn
     };
     const Colour colour = colour_of(sheet.colours, s.view.role);
     const float most = s.selected ? 0.75f : 0.4f;
     const auto opacity = [&](std::size_t i) {
-        const float age = static_cast<float>(i) / static_cast<float>(Trail::capacity);
+        const float age = static_cast<float>(i) / static_cast<float>(longest);
         return most * std::max(0.0f, 1 - age) * std::max(0.0f, 1 - age);
     };
     for (std::size_t i = 0; i + 1 < count; ++i) {
@@ -219,7 +236,7 @@ void add_sources(Sheet& sheet) {
         const float pool = 1.6f + 2.4f * source.strength;
         sheet.list.marks.push_back({place,
                                     {pool, pool, 0, static_cast<float>(MarkKind::pool)},
-                                    rgb_with(colour, (dark ? 0.42f : 0.38f) * (0.35f + 0.65f * source.strength))});
+                                    rgb_with(colour, (dark ? 0.42f : 0.26f) * (0.35f + 0.65f * source.strength))});
         sheet.list.marks.push_back({place,
                                     {0.22f * size, 0.22f * size, 0.12f, static_cast<float>(MarkKind::shadow)},
                                     rgb_with(sheet.colours.shadow, sheet.colours.shadow.a * 0.7f)});

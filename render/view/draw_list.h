@@ -38,7 +38,7 @@ struct WireInstance {
 };
 struct FieldInstance {
     maths::vec4 place;
-    maths::vec4 shape;   // range m, half the field rad, d0 m (0: boolean), reach of the fill m
+    maths::vec4 shape;   // radius drawn m, half the field rad, d0 m (0: boolean), radius where the fill ends m
     maths::vec4 colour;  // w: how strong the fill is, 0..1
     maths::vec4 line;    // x: how strong the edge is 0..1; y: the arc's radius m, or the chord's distance, negative
 };

@@ -163,7 +163,7 @@ Shape wheel_shape() {
 
 Shape eye_shape() {
     Shape shape;
-    add_ball(shape, {0, 0, 0}, {1, 1, 1}, 10, 7, [](float z) { return z > 0.6f ? Paint::lens : Paint::light; });
+    add_ball(shape, {0, 0, 0}, {1, 1, 1}, 12, 8, [](float) { return Paint::light; });
     for (Corner& c : shape.corners) {  // the pole looks along +x
         c.place = {c.place.z, c.place.x, c.place.y};
         c.normal = {c.normal.z, c.normal.x, c.normal.y};

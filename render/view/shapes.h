@@ -13,7 +13,7 @@
 namespace braitenlab {
 
 // What a part of a shape is painted as; the shaders know the same numbers.
-enum class Paint { body, deck, dark, gauge, mark, lens, light };
+enum class Paint { body, deck, dark, gauge, mark, light };
 
 struct Corner {
     maths::vec3 place, normal;

@@ -6,7 +6,6 @@ namespace {
 
 constexpr std::uint64_t ticks_between = 6;   // a tenth of a second
 constexpr float still = 0.04f, jump = 2.5f;  // m between two places
-constexpr std::size_t most_vehicles = 64;    // beyond that trails would be a carpet
 
 void extend(Trail& trail, maths::vec2 place) {
     if (trail.count > 0) {
@@ -25,10 +24,6 @@ void Trails::record(const Snapshot& now) {
     if (now.tick < tick_ || now.seed != seed_ || now.generation != generation_ || now.scene.get() != scene_)
         trails_.clear();
     tick_ = now.tick, seed_ = now.seed, generation_ = now.generation, scene_ = now.scene.get();
-    if (now.vehicles.size() > most_vehicles) {
-        trails_.clear();
-        return;
-    }
     for (const VehicleView& vehicle : now.vehicles) {
         const auto [found, is_new] = trails_.try_emplace(vehicle.id);
         Trail& trail = found->second;

@@ -1,0 +1,165 @@
+#include "render/gl/renderer.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/render/stage.h"
+#include "tests/view/hand_made.h"
+
+#ifndef BRAITENLAB_SHADERS
+#define BRAITENLAB_SHADERS "shaders"
+#endif
+
+namespace braitenlab {
+namespace {
+
+constexpr int width = 640, height = 480;
+const Rect window{0, 0, width, height};
+
+class RendererTest : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(stage.ready()) << stage.problem();
+        auto created = Renderer::create(BRAITENLAB_SHADERS);
+        ASSERT_TRUE(created) << created.error().text();
+        renderer.emplace(std::move(*created));
+        picture.sight = look(Camera{}, Arena{}, nullptr, window, window);
+    }
+    void TearDown() override { renderer.reset(); }
+
+    // The vehicles' deck is dark and carries wires; behind the deck the hull shows its colour.
+    Colour hull_colour(const VehicleView& v) const {
+        const auto place = maths::vec2{v.x, v.y} + maths::rotate({-0.275f, 0}, maths::direction(v.heading));
+        return stage.pixel(*project(picture.sight, place, 0.25f));
+    }
+
+    Stage stage{width, height};
+    std::optional<Renderer> renderer;
+    Picture picture;
+};
+
+float brightness(Colour c) { return (c.r + c.g + c.b) / 3; }
+
+TEST_F(RendererTest, ShowsAVehicleInItsColourWhereItIs) {
+    Camera camera;
+    camera.zoom = 4;
+    picture.sight = look(camera, Arena{}, nullptr, window, window);
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 1, -1.5f, 0.5f, 0.3f);
+    hand_made::add(now, 2, 1.5f, -0.5f, -2);
+    picture.sensors = false;
+    renderer->draw(now, picture);
+    const Colour predator = hull_colour(now.vehicles[0]), prey = hull_colour(now.vehicles[1]);
+    EXPECT_GT(predator.r, 1.5f * predator.g);
+    EXPECT_GT(predator.g, predator.b);
+    EXPECT_GT(prey.g, 1.3f * prey.b);
+    EXPECT_GT(prey.g, 2 * prey.r);
+}
+
+TEST_F(RendererTest, HidesTheFartherBehindTheNearer) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    Camera camera;
+    camera.elevation = 0.15f, camera.zoom = 6;
+    picture.sight = look(camera, Arena{}, nullptr, window, window);
+    picture.sensors = false;
+    // Seen flat from −y, the prey's tail end stands right behind the predator's flank; either order of drawing.
+    for (const bool near_first : {true, false}) {
+        now.vehicles.clear();
+        now.sensed.clear();
+        hand_made::add(now, near_first ? 1 : 2, 0, near_first ? -0.6f : 0.6f, 0);
+        hand_made::add(now, near_first ? 2 : 1, 0, near_first ? 0.6f : -0.6f, 0);
+        renderer->draw(now, picture);
+        const Colour seen = stage.pixel(*project(picture.sight, {-0.35f, -0.6f - 0.33f}, 0.15f));
+        EXPECT_GT(seen.r, seen.g) << near_first;
+    }
+}
+
+TEST_F(RendererTest, NeedsNoMoreDrawCallsForTwoHundredVehiclesThanForThree) {
+    picture.outlines = true;
+    const auto calls_for = [&](int count) {
+        Snapshot now = hand_made::empty(hand_made::scene());
+        for (int i = 0; i < count; ++i)
+            hand_made::add(now, i % 3, static_cast<float>(i % 18) - 9, static_cast<float>(i / 18) - 6, 0);
+        hand_made::add_source(now, Channel::light, 0, 0);
+        renderer->draw(now, picture);
+        return renderer->draw_calls();
+    };
+    const int few = calls_for(3), many = calls_for(200);
+    EXPECT_EQ(few, many);
+    EXPECT_GT(few, 5);
+    EXPECT_LE(few, 20);
+}
+
+TEST_F(RendererTest, LeavesNoErrorBehind) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    for (int i = 0; i < 30; ++i)
+        hand_made::add(now, i % 3, static_cast<float>(i % 6), static_cast<float>(i / 6), 1, 0.5f);
+    for (const Channel c : {Channel::light, Channel::heat, Channel::smell, Channel::oxygen})
+        hand_made::add_source(now, c, -3, -3);
+    picture.outlines = true, picture.selected = 3, picture.hovered = 4;
+    for (int frame = 0; frame < 20; ++frame) {
+        now.tick += 6;
+        for (VehicleView& v : now.vehicles) v.x += 0.1f;
+        renderer->draw(now, picture);
+        ASSERT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    }
+}
+
+TEST_F(RendererTest, DrawsAnEmptyWorld) {
+    renderer->draw(Snapshot{}, picture);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    EXPECT_EQ(renderer->draw_calls(), 1);  // the floor
+}
+
+TEST_F(RendererTest, IsBrighterInTheLightTheme) {
+    const Snapshot now = hand_made::empty(hand_made::scene());
+    const auto mean = [&](Theme theme) {
+        picture.theme = theme;
+        renderer->draw(now, picture);
+        double sum = 0;
+        const auto pixels = stage.pixels();
+        for (const unsigned char value : pixels) sum += value;
+        return sum / static_cast<double>(pixels.size());
+    };
+    EXPECT_LT(mean(Theme::dark), 70);
+    EXPECT_GT(mean(Theme::light), 200);
+}
+
+TEST_F(RendererTest, LightsTheFloorUnderALamp) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    const auto beside = *project(picture.sight, {4.5f, 3.4f});
+    renderer->draw(now, picture);
+    const float before = brightness(stage.pixel(beside));
+    hand_made::add_source(now, Channel::light, 4.5f, 4.5f);
+    renderer->draw(now, picture);
+    EXPECT_GT(brightness(stage.pixel(beside)), before + 0.05f);
+}
+
+TEST_F(RendererTest, ShowsAStimulatedFieldBrighterAndNoFieldBehindAWall) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 8.4f, 0.5f, 0);
+    const auto ahead = *project(picture.sight, {9.4f, 1.5f}), outside = *project(picture.sight, {10.6f, 1.5f});
+    picture.trails = false;
+    renderer->draw(now, picture);
+    const float idle = brightness(stage.pixel(ahead)), beyond = brightness(stage.pixel(outside));
+    now.sensed = {0.8f, 0.8f};
+    renderer->draw(now, picture);
+    EXPECT_GT(brightness(stage.pixel(ahead)), idle + 0.04f);
+    EXPECT_NEAR(brightness(stage.pixel(outside)), beyond, 0.004f);
+}
+
+TEST_F(RendererTest, RingsTheSelectedVehicleInYellow) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    picture.selected = hand_made::add(now, 0, 0, 0, 0);
+    picture.sensors = false;
+    renderer->draw(now, picture);
+    const float radius = 0.5f * std::hypot(1.0f, 0.7f) + 0.16f;
+    const Colour ring = stage.pixel(*project(picture.sight, {radius, 0}));
+    EXPECT_GT(ring.r, 0.7f);
+    EXPECT_GT(ring.g, 0.7f);
+    EXPECT_LT(ring.b, 0.5f);
+}
+
+}  // namespace
+}  // namespace braitenlab

@@ -1,0 +1,89 @@
+#include "render/gl/shader.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "render/gl/renderer.h"
+#include "tests/render/stage.h"
+
+#ifndef BRAITENLAB_SHADERS
+#define BRAITENLAB_SHADERS "shaders"
+#endif
+
+namespace braitenlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ShaderTest : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(stage.ready()) << stage.problem();
+        folder = fs::temp_directory_path() / "braitenlab_shader_test";
+        fs::remove_all(folder);
+        fs::copy(BRAITENLAB_SHADERS, folder);
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    void write(const std::string& name, const std::string& text) { std::ofstream(folder / name) << text; }
+
+    Stage stage{64, 64};
+    fs::path folder;
+};
+
+TEST_F(ShaderTest, TellsFileAndLineOfAMistake) {
+    write("floor.frag", "out vec4 colour;\n\nvoid main() {\n    colour = vec4(nonsense);\n}\n");
+    const auto renderer = Renderer::create(folder);
+    ASSERT_FALSE(renderer);
+    EXPECT_EQ(fs::path(renderer.error().file).filename().string(), "floor.frag");
+    EXPECT_EQ(renderer.error().line, 4);
+    EXPECT_NE(renderer.error().what.find("nonsense"), std::string::npos) << renderer.error().text();
+}
+
+TEST_F(ShaderTest, BlamesTheSharedHeaderForItsOwnMistakes) {
+    std::ifstream in(folder / "common.glsl");
+    const std::string common(std::istreambuf_iterator<char>(in), {});
+    write("common.glsl", "// one line more\nfloat broken() { return nothing; }\n" + common);
+    const auto program = Program::load(folder, "floor.vert", "floor.frag");
+    ASSERT_FALSE(program);
+    EXPECT_EQ(fs::path(program.error().file).filename().string(), "common.glsl") << program.error().text();
+    EXPECT_EQ(program.error().line, 2);
+}
+
+TEST_F(ShaderTest, SaysWhichFileIsMissing) {
+    fs::remove(folder / "wire.vert");
+    const auto renderer = Renderer::create(folder);
+    ASSERT_FALSE(renderer);
+    EXPECT_EQ(fs::path(renderer.error().file).filename().string(), "wire.vert");
+}
+
+TEST_F(ShaderTest, SaysWhichPairDoesNotLink) {
+    write("floor.frag", "in vec3 v_place;\nout vec4 colour;\nvoid main() { colour = vec4(v_place, 1.0); }\n");
+    const auto program = Program::load(folder, "floor.vert", "floor.frag");
+    ASSERT_FALSE(program);
+    EXPECT_NE(program.error().text().find("floor.frag"), std::string::npos);
+}
+
+TEST(FirstComplaint, ReadsTheLogsOfSeveralDrivers) {
+    const auto mesa = first_complaint("0:12(5): error: `x' undeclared\n");
+    EXPECT_EQ(mesa.line, 12);
+    EXPECT_EQ(mesa.what, "error: `x' undeclared");
+    const auto nvidia = first_complaint("1(7) : error C1008: undefined variable \"x\"\n");
+    EXPECT_EQ(nvidia.line, 7);
+    const auto amd = first_complaint("ERROR: 0:31: 'x' : undeclared identifier\n");
+    EXPECT_EQ(amd.line, 31);
+}
+
+TEST(FirstComplaint, PassesWarningsOver) {
+    EXPECT_EQ(first_complaint("0:2(1): warning: unused\n0:9(3): error: bad\n").line, 9);
+}
+
+TEST(FirstComplaint, KeepsALogItDoesNotUnderstand) {
+    EXPECT_EQ(first_complaint("it broke").what, "it broke");
+    EXPECT_EQ(first_complaint("it broke").line, 0);
+}
+
+}  // namespace
+}  // namespace braitenlab

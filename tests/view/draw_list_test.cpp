@@ -1,0 +1,139 @@
+#include "render/view/draw_list.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/view/hand_made.h"
+
+namespace braitenlab {
+namespace {
+
+DrawList drawn(const Snapshot& now, const Picture& picture = {}) {
+    DrawList list;
+    fill(list, now, picture, Trails{});
+    return list;
+}
+
+TEST(DrawList, SortsHullsByRole) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    for (const int kind : {0, 1, 1, 2, 2, 2}) hand_made::add(now, kind, 0, 0, 0);
+    const DrawList list = drawn(now);
+    EXPECT_EQ(list.hulls[0].size(), 1U);
+    EXPECT_EQ(list.hulls[1].size(), 2U);
+    EXPECT_EQ(list.hulls[2].size(), 3U);
+    EXPECT_EQ(list.wheels.size(), 24U);
+    EXPECT_EQ(list.eyes.size(), 12U);
+}
+
+TEST(DrawList, PutsTheLeftEyeOnTheLeft) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 2, 3, maths::pi / 2);  // looks along +y, so its left is −x
+    const DrawList list = drawn(now);
+    EXPECT_NEAR(list.eyes[0].place.x, 2 - 0.24f, 1e-5);
+    EXPECT_NEAR(list.eyes[0].place.y, 3 + 0.30f, 1e-5);
+    EXPECT_LT(list.eyes[0].place.z, 0);  // and looks outwards
+}
+
+TEST(DrawList, DrawsNoWireOfWeightZero) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 0, 0, 0);  // two crossed wires, two of weight 0
+    EXPECT_EQ(drawn(now).wires.size(), 2U);
+}
+
+TEST(DrawList, LetsCrossedWiresCrossAndStraightOnesStayOnTheirSide) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 0, 0, 0);
+    for (const WireInstance& wire : drawn(now).wires) EXPECT_LT(wire.ends.y * wire.ends.w, 0);
+    now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 2, 0, 0, 0);
+    for (const WireInstance& wire : drawn(now).wires) EXPECT_GT(wire.ends.y * wire.ends.w, 0);
+}
+
+TEST(DrawList, TellsExcitingWiresFromInhibitingOnesAndShowsWhatTheyCarry) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 1, 0, 0, 0, 0.5f, 0);
+    const DrawList list = drawn(now);
+    ASSERT_EQ(list.wires.size(), 4U);
+    int exciting = 0;
+    for (const WireInstance& wire : list.wires) exciting += wire.colour.w > 0;
+    EXPECT_EQ(exciting, 2);
+    EXPECT_NEAR(list.wires[0].signal.x, 0.2f, 1e-5);   // 0.5 seen left, weight −0.4
+    EXPECT_NEAR(list.wires[2].signal.x, 0.75f, 1e-5);  // weight 1.5
+    EXPECT_EQ(list.wires[1].signal.x, 0);
+    EXPECT_GT(list.wires[2].shape.w, list.wires[0].shape.w);
+}
+
+TEST(DrawList, ShowsAStimulatedFieldStronger) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 0, 0, 0, 0.6f, 0);
+    const DrawList list = drawn(now);
+    ASSERT_EQ(list.fields.size(), 2U);
+    EXPECT_GT(list.fields[0].colour.w, 2 * list.fields[1].colour.w);
+}
+
+TEST(DrawList, DrawsFieldsAndOutlinesOnlyWhenAsked) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 0, 0, 0);
+    Picture picture;
+    picture.sensors = false;
+    EXPECT_TRUE(drawn(now, picture).fields.empty());
+    picture.outlines = true;
+    const DrawList outlined = drawn(now, picture);
+    ASSERT_EQ(outlined.fields.size(), 2U);
+    EXPECT_EQ(outlined.fields[0].colour.w, 0);
+    EXPECT_GT(outlined.fields[0].line.x, 0);
+    EXPECT_GE(outlined.fields[0].shape.x, 12);  // the whole range
+}
+
+TEST(DrawList, ShortensFieldsInACrowd) {
+    Snapshot few = hand_made::empty(hand_made::scene()), many = few;
+    hand_made::add(few, 0, 0, 0, 0);
+    for (int i = 0; i < 300; ++i) hand_made::add(many, 0, 0, 0, 0);
+    EXPECT_LT(drawn(many).fields[0].shape.x, drawn(few).fields[0].shape.x / 2);
+}
+
+TEST(DrawList, RingsTheSelectedVehicleAlone) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 0, 0, 0);
+    const VehicleId chosen = hand_made::add(now, 0, 4, 5, 0);
+    EXPECT_TRUE(drawn(now).rings.empty());
+    Picture picture;
+    picture.selected = chosen;
+    const DrawList list = drawn(now, picture);
+    ASSERT_EQ(list.rings.size(), 1U);
+    EXPECT_EQ(list.rings[0].place.x, 4);
+}
+
+TEST(DrawList, BuildsWallsOnlyWhereTheArenaHasThem) {
+    auto open = hand_made::scene();
+    open->arena.edge = Edge::open;
+    EXPECT_EQ(drawn(hand_made::empty(hand_made::scene())).blocks.size(), 4U);
+    EXPECT_TRUE(drawn(hand_made::empty(open)).blocks.empty());
+}
+
+TEST(DrawList, LightsTheSceneWithAtMostEightLamps) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    for (int i = 0; i < 12; ++i) hand_made::add_source(now, Channel::light, static_cast<float>(i), 0);
+    const DrawList list = drawn(now);
+    EXPECT_EQ(list.lamps.size(), most_lamps);
+    EXPECT_EQ(list.sources[0].size(), 12U);
+}
+
+TEST(DrawList, GivesEveryChannelWithAShapeItsOwn) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    for (const Channel c : {Channel::light, Channel::heat, Channel::smell, Channel::oxygen})
+        hand_made::add_source(now, c, 0, 0);
+    for (const auto& sources : drawn(now).sources) EXPECT_EQ(sources.size(), 1U);
+}
+
+TEST(DrawList, StartsAnewWithEveryFill) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 1, 0, 0, 0);
+    DrawList list;
+    fill(list, now, {}, Trails{});
+    fill(list, now, {}, Trails{});
+    EXPECT_EQ(list.hulls[1].size(), 1U);
+    EXPECT_EQ(list.fields.size(), 2U);
+}
+
+}  // namespace
+}  // namespace braitenlab

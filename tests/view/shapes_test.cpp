@@ -1,0 +1,59 @@
+#include "render/view/shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace braitenlab {
+namespace {
+
+using maths::vec3;
+
+std::vector<Shape> all_shapes() {
+    std::vector<Shape> shapes{wheel_shape(), eye_shape(), block_shape()};
+    for (const Role role : {Role::none, Role::predator, Role::prey}) shapes.push_back(hull_shape(role));
+    for (const Channel c : {Channel::light, Channel::heat, Channel::smell, Channel::oxygen})
+        shapes.push_back(source_shape(c));
+    return shapes;
+}
+
+TEST(Shapes, WindAnticlockwiseSeenFromWhereTheirNormalsPoint) {
+    for (const Shape& shape : all_shapes())
+        for (std::size_t i = 0; i < shape.indices.size(); i += 3) {
+            const Corner &a = shape.corners[shape.indices[i]], &b = shape.corners[shape.indices[i + 1]],
+                         &c = shape.corners[shape.indices[i + 2]];
+            const vec3 winding = maths::normalise(maths::cross(b.place - a.place, c.place - a.place));
+            EXPECT_GT(maths::dot(winding, a.normal + b.normal + c.normal), 0) << a.place << b.place << c.place;
+        }
+}
+
+TEST(Shapes, HaveNormalsOfLengthOne) {
+    for (const Shape& shape : all_shapes())
+        for (const Corner& corner : shape.corners) EXPECT_NEAR(maths::length(corner.normal), 1, 1e-4);
+}
+
+TEST(Shapes, AreCheapEnoughForASoftwareRenderer) {
+    for (const Shape& shape : all_shapes()) EXPECT_LT(shape.indices.size() / 3, 320U);
+}
+
+float width_at_the_nose(Role role) {
+    float widest = 0;
+    for (const Corner& c : hull_shape(role).corners)
+        if (c.place.x > 0.46f) widest = std::max(widest, c.place.y);
+    return widest;
+}
+
+TEST(Shapes, GivePredatorsAWedgePreyARoundAndOthersASquareNose) {
+    EXPECT_LT(width_at_the_nose(Role::predator), 0.12f);
+    EXPECT_GT(width_at_the_nose(Role::prey), width_at_the_nose(Role::predator));
+    EXPECT_GT(width_at_the_nose(Role::none), width_at_the_nose(Role::prey));
+}
+
+TEST(Shapes, KeepHullsInsideTheirBody) {
+    for (const Role role : {Role::none, Role::predator, Role::prey})
+        for (const Corner& c : hull_shape(role).corners) {
+            EXPECT_LE(std::fabs(c.place.x), 0.5001f);
+            EXPECT_LE(std::fabs(c.place.y), 0.5001f);
+        }
+}
+
+}  // namespace
+}  // namespace braitenlab
