@@ -96,11 +96,13 @@ void check_exercise(TomlTable& top, const Exercise& exercise) {
         check_step(file, *steps->get(i)->as_table(), fmt::format("step.{}", i + 1), exercise.steps[i], exercise.scene);
 }
 
-// The scene that the exercise names, with the exercise's settings.
-void load_its_scene(TomlTable& top, const std::filesystem::path& path, Exercise& exercise) {
+// The scene that the exercise names, with the exercise's settings and then those that came from outside.
+void load_its_scene(TomlTable& top, const std::filesystem::path& path, const std::vector<Setting>& more,
+                    Exercise& exercise) {
     const auto scene_path = top.text("scene", limits::text_length);
     std::vector<Setting> settings;
     if (const toml::table* set = top.table("set")) gather_settings(top.file(), *set, "", settings);
+    settings.insert(settings.end(), more.begin(), more.end());
     TomlFile& file = top.file();
     if (!scene_path && !file.error)
         file.error = Error{"'scene' is missing; add scene = \"../scenes/NAME.toml\"", file.name, 1};
@@ -118,7 +120,8 @@ void load_its_scene(TomlTable& top, const std::filesystem::path& path, Exercise&
 
 }  // namespace
 
-Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::path& path) {
+Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::path& path,
+                                const std::vector<Setting>& more) {
     auto file = parse_toml(toml, path.string());
     if (!file) return file.error();
     check_format(*file);
@@ -126,7 +129,7 @@ Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::pa
     exercise.id = path.stem().string();
     TomlTable top(*file, file->root, "");
     top.find("format");
-    load_its_scene(top, path, exercise);
+    load_its_scene(top, path, more, exercise);
     TomlReader<Exercise> reader(top, exercise);
     describe(reader, Of<Exercise>{});
     top.done();
@@ -135,10 +138,10 @@ Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::pa
     return exercise;
 }
 
-Result<Exercise> load_exercise(const std::filesystem::path& path) {
+Result<Exercise> load_exercise(const std::filesystem::path& path, const std::vector<Setting>& more) {
     const auto text = read_text(path.string());
     if (!text) return text.error();
-    return parse_exercise(*text, path);
+    return parse_exercise(*text, path, more);
 }
 
 int pupil_kind(const Scene& scene) { return find_kind(scene, scene.starts.front().kind); }

@@ -10,6 +10,7 @@
 #include "core/brain/four_neurons.h"
 #include "core/result.h"
 #include "core/scene/scene.h"
+#include "core/scene/scene_file.h"
 
 namespace braitenlab {
 
@@ -71,8 +72,9 @@ struct Exercise {
 
 // Mistakes come with file and line, those in the scene with the scene's. The scene's path is relative to the exercise's
 // file.
-Result<Exercise> load_exercise(const std::filesystem::path&);
-Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::path& file);
+Result<Exercise> load_exercise(const std::filesystem::path&, const std::vector<Setting>& more = {});
+Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::path& file,
+                                const std::vector<Setting>& more = {});
 
 // The tables of docs/exercise-format.md, in Markdown.
 std::string describe_exercise_format();

@@ -221,4 +221,14 @@ void describe(Visitor& v, Of<BrainText>) {
     v.list("wire", &BrainText::wires, limits::wires, "from any node to any other");
 }
 
+// All that a brain file holds.
+struct BrainFile {
+    BrainGraph brain;
+};
+
+template <class Visitor>
+void describe(Visitor& v, Of<BrainFile>) {
+    v.brain("brain", &BrainFile::brain, "as in a kind");
+}
+
 }  // namespace braitenlab

@@ -38,16 +38,6 @@ std::optional<Error> apply(const Setting& setting, TomlFile& file, const std::ve
                  setting.file, setting.line};
 }
 
-// A brain file's only content.
-struct BrainFile {
-    BrainGraph brain;
-};
-
-template <class Visitor>
-void describe(Visitor& v, Of<BrainFile>) {
-    v.brain("brain", &BrainFile::brain, "");
-}
-
 }  // namespace
 
 Result<Setting> parse_setting(std::string_view text) {

@@ -163,12 +163,10 @@ std::string write_scene(const Scene& scene) {
 }
 
 std::string write_brain(const BrainGraph& graph) {
-    struct BrainFile {
-        BrainGraph brain;
-    };
     std::string out = "format = 1\n";
-    TomlWriter<BrainFile> writer({graph}, "", "", out);
-    writer.brain("brain", &BrainFile::brain, "");
+    const BrainFile file{graph};
+    TomlWriter<BrainFile> writer(file, "", "", out);
+    describe(writer, Of<BrainFile>{});
     return out;
 }
 

@@ -1,0 +1,195 @@
+#include "core/lesson/exercise.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "core/lesson/referee.h"
+#include "core/maths/random.h"
+
+namespace braitenlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source = BRAITENLAB_SOURCE;
+const fs::path guided = source / "exercises" / "guided";
+
+std::string content(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+std::vector<fs::path> shipped_exercises() {
+    std::vector<fs::path> paths;
+    for (const auto& entry : fs::directory_iterator(guided)) paths.push_back(entry.path());
+    return paths;
+}
+
+const std::string& aggressor() {
+    static const std::string text = content(guided / "05-aggressor.toml");
+    return text;
+}
+
+// The text with the first `from` in it changed to `to`.
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+int line_of(const std::string& text, const std::string& part) {
+    return 1 + static_cast<int>(
+                   std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find(part)), '\n'));
+}
+
+TEST(Exercise, ShippedFilesRead) {
+    ASSERT_FALSE(shipped_exercises().empty());
+    for (const fs::path& path : shipped_exercises()) {
+        const auto exercise = load_exercise(path);
+        ASSERT_TRUE(exercise) << exercise.error().text();
+        EXPECT_EQ(exercise->id, path.stem().string());
+        EXPECT_FALSE(exercise->why.empty());
+        EXPECT_FALSE(exercise->prediction.question.empty());
+        EXPECT_GE(exercise->hints.size(), 3u);
+    }
+}
+
+TEST(Exercise, ShippedOnesFailAsShippedAndPassWithTheirSolutionOnEverySeed) {
+    for (const fs::path& path : shipped_exercises()) {
+        const auto exercise = load_exercise(path);
+        ASSERT_TRUE(exercise) << exercise.error().text();
+        ASSERT_GE(exercise->starts, 10);
+        const auto kind = static_cast<std::size_t>(pupil_kind(exercise->scene));
+        EXPECT_EQ(grade(*exercise, exercise->scene.kinds[kind].brain).count, 0) << path;
+        EXPECT_EQ(grade(*exercise, make_graph(exercise->solution)).count, exercise->starts) << path;
+    }
+}
+
+TEST(Exercise, TheAggressorIsNotPassedByAnyOtherOfTheClassicVehicles) {
+    const auto exercise = load_exercise(guided / "05-aggressor.toml");
+    ASSERT_TRUE(exercise) << exercise.error().text();
+    const std::vector<FourNeurons> others{
+        {.LL = 1.5f, .RR = 1.5f, .LM = 0.1f, .RM = 0.1f},                              // coward
+        {.LL = -1, .RR = -1, .LM = 0.5f, .RM = 0.5f},                                  // love
+        {.LR = -1, .RL = -1, .LM = 0.6f, .RM = 0.6f},                                  // explorer
+        {.LL = 0.75f, .LR = 0.75f, .RL = 0.75f, .RR = 0.75f, .LM = 0.1f, .RM = 0.1f},  // all four alike
+        {.LM = 1, .RM = 1},                                                            // blind
+    };
+    for (const FourNeurons& other : others) EXPECT_FALSE(grade(*exercise, make_graph(other)).good);
+}
+
+TEST(Exercise, AppliesItsOwnSettingsAndThenThoseGivenFromOutside) {
+    const auto own = load_exercise(guided / "05-aggressor.toml");
+    ASSERT_TRUE(own) << own.error().text();
+    EXPECT_EQ(read_dials(own->scene.kinds[0].brain).LL, 1.5f);
+    EXPECT_EQ(read_dials(own->scene.kinds[0].brain).LR, 0);
+    const auto more = load_exercise(guided / "05-aggressor.toml", {{"kind.aggressor.brain.LR", "0.7"}});
+    ASSERT_TRUE(more);
+    EXPECT_EQ(read_dials(more->scene.kinds[0].brain).LR, 0.7f);
+    EXPECT_EQ(own->prediction.answer, 0);
+    EXPECT_EQ(own->steps[0].check.goal, Goal::turns_to);
+}
+
+TEST(Exercise, TakesSettingsWithOrWithoutQuotes) {
+    const auto text = changed(aggressor(), "\"kind.aggressor.brain.LR\" = 0", "kind.aggressor.brain.LR = 0.25");
+    const auto exercise = parse_exercise(text, guided / "x.toml");
+    ASSERT_TRUE(exercise) << exercise.error().text();
+    EXPECT_EQ(read_dials(exercise->scene.kinds[0].brain).LR, 0.25f);
+}
+
+struct Mistake {
+    std::string from, to;
+    std::string at;  // a part of the line that is to blame, after the change; empty: any
+    std::vector<std::string> told;
+};
+
+TEST(Exercise, NamesTheLineAndTheNearestWordForEveryKindOfMistake) {
+    const std::vector<Mistake> mistakes{
+        {"format = 1", "", "", {"format = 1"}},
+        {"title = \"Aggressor\"", "", "", {"'title' is missing"}},
+        {"title =", "titel =", "titel", {"nearest is 'title'"}},
+        {"2b-aggressor.toml", "2b-aggresor.toml", "scene =", {"there is no scene"}},
+        {"scene = \"../scenes/2b-aggressor.toml\"", "", "", {"'scene' is missing"}},
+        {"brain.LL\" = 1.5", "brain.LX\" = 1.5", "brain.LX", {"nearest is 'kind.aggressor.brain.LL'"}},
+        {"brain.LL\" = 1.5", "brain.LL\" = 9", "brain.LL\" = 9", {"'LL' is 9, outside -2 .. 2"}},
+        {"brain.LL\" = 1.5", "brain.LL\" = [1]", "brain.LL\" = [1]", {"number or text"}},
+        {"answer = \"It turns away from the lamp\"",
+         "answer = \"It turns away from the lump\"",
+         "answer =",
+         {"nearest is 'It turns away from the lamp'"}},
+        {"answer = \"It turns away from the lamp\"", "", "[predict]", {"one of them as its answer"}},
+        {"goal = \"touches\"", "goal = \"touch\"", "goal = \"touch\"", {"nearest is 'touches'"}},
+        {"source = \"lamp\"\nmetres = 0.6\n",
+         "source = \"lump\"\nmetres = 0.6\n",
+         "source = \"lump\"",
+         {"nearest is 'lamp'"}},
+        {"metres = 0.6\n", "", "[[step]]\ntext = \"It touches", {"'touches' needs 'metres'"}},
+        {"metres = 0.6\n", "metres = 0.6\ndegrees = 3\n", "degrees = 3", {"'touches' has no 'degrees'"}},
+        {"degrees = 10", "degrees = 200", "degrees = 200", {"outside 0.5 .. 180"}},
+        {"needed = 8", "needed = 11", "needed = 11", {"more than the 10 starts"}},
+        {"anchor = \"slider.LR\"", "anker = \"slider.LR\"", "anker", {"nearest is 'anchor'"}},
+        {"[solution]\nLR = 1.5", "[solution]\nLR = 3", "LR = 3", {"outside -2 .. 2"}},
+    };
+    for (const Mistake& mistake : mistakes) {
+        const std::string text = changed(aggressor(), mistake.from, mistake.to);
+        const auto exercise = parse_exercise(text, guided / "x.toml");
+        ASSERT_FALSE(exercise) << mistake.to;
+        const std::string told = exercise.error().text();
+        EXPECT_NE(told.find("x.toml"), std::string::npos) << told;
+        if (!mistake.at.empty()) {
+            EXPECT_EQ(exercise.error().line, line_of(text, mistake.at)) << told;
+        }
+        for (const std::string& part : mistake.told)
+            EXPECT_NE(told.find(part), std::string::npos) << told << "\nwanted: " << part;
+    }
+}
+
+TEST(Exercise, NeedsASceneWithAVehicleStepsAndASolution) {
+    const std::string head = "format = 1\ntitle = \"t\"\ngoal = \"g\"\nscene = \"../scenes/";
+    const auto told = [](const std::string& text) {
+        const auto exercise = parse_exercise(text, guided / "x.toml");
+        return exercise ? std::string("accepted") : exercise.error().text();
+    };
+    EXPECT_NE(told(head + "2b-aggressor.toml\"\n[solution]\n").find("no [[step]]"), std::string::npos);
+    EXPECT_NE(told(head + "2b-aggressor.toml\"\n[[step]]\n").find("no [solution]"), std::string::npos);
+    EXPECT_NE(told(head + "predator-prey.toml\"\n[[step]]\ntext = \"t\"\ngoal = \"runs\"\nseconds = 1\n[solution]\n")
+                  .find("x.toml:4: this scene places no vehicle"),
+              std::string::npos);
+}
+
+void survive(const std::string& text) {
+    const auto exercise = parse_exercise(text, guided / "x.toml");
+    EXPECT_TRUE(exercise || !exercise.error().what.empty());
+}
+
+TEST(Exercise, CutOrChangedAnywhereDoesNoHarm) {
+    maths::Random chance(3, 3);
+    const std::string bits = "\"'[]{}=.,#\\\n-+09eLR\xff";
+    for (std::size_t i = 0; i < 300; ++i) {
+        const std::string cut = aggressor().substr(0, aggressor().size() * i / 300);
+        survive(cut);
+        std::string text = aggressor();
+        text[chance.next() % text.size()] = bits[chance.next() % bits.size()];
+        survive(text);
+    }
+}
+
+// Set BRAITENLAB_WRITE_DOCS=1 to write the tables anew after a change of the fields.
+TEST(ExerciseFormatPage, HoldsTheTablesOfTheFieldsAsTheyAre) {
+    const fs::path page = source / "docs" / "exercise-format.md";
+    std::string text = content(page);
+    if (std::getenv("BRAITENLAB_WRITE_DOCS")) {
+        text = text.substr(0, text.find("\n## The top of the file")) + describe_exercise_format();
+        std::ofstream(page, std::ios::binary) << text;
+    }
+    EXPECT_NE(text.find(describe_exercise_format()), std::string::npos);
+}
+
+}  // namespace
+}  // namespace braitenlab

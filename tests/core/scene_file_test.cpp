@@ -1,0 +1,417 @@
+#include "core/scene/scene_file.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "core/maths/angle.h"
+#include "core/maths/random.h"
+#include "core/scene/format_table.h"
+#include "core/scene/nearest.h"
+
+namespace braitenlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path source = BRAITENLAB_SOURCE;
+
+std::string content(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+std::vector<fs::path> shipped_scenes() {
+    std::vector<fs::path> paths;
+    for (const auto& entry : fs::directory_iterator(source / "exercises" / "scenes")) paths.push_back(entry.path());
+    return paths;
+}
+
+Scene read(const std::string& text, const std::vector<Setting>& settings = {}) {
+    auto scene = parse_scene(text, "test.toml", settings);
+    EXPECT_TRUE(scene) << scene.error().text();
+    return scene ? *scene : Scene{};
+}
+
+std::string complaint(const std::string& text, const std::vector<Setting>& settings = {}) {
+    const auto scene = parse_scene(text, "test.toml", settings);
+    EXPECT_FALSE(scene) << "this was accepted:\n" << text;
+    return scene ? "" : scene.error().text();
+}
+
+void expect_in(const std::string& part, const std::string& whole) {
+    EXPECT_NE(whole.find(part), std::string::npos) << "expected \"" << part << "\" in \"" << whole << '"';
+}
+
+// One of everything, no value at its default.
+Scene everything() {
+    Scene scene;
+    scene.name = "all-of_it";
+    scene.title = "Quotes \" and \\ and umlauts äöü";
+    scene.story = "Two lines\nand a tab\t and a bell\a";
+    scene.arena = {33.3f, 44.4f, Edge::open, 12.5f, 0.1f};
+    scene.ecology = {12, 0.0125f, 0.3f, 7};
+    Kind kind;
+    kind.name = "z-first";
+    kind.role = Role::predator;
+    kind.driver = Driver::parked;
+    kind.share = 0.7f;
+    kind.body = {1.1f,
+                 0.6f,
+                 7.7f,
+                 2.2f,
+                 19.5f,
+                 {{0.1f, 0.2f, 0.3f, 0.4f, Motor::left, 0.5f, 0.6f, 0.07f},
+                  {0.9f, 0.8f, 0.2f, 0.1f, Motor::right, 0.3f, 0.4f, 0.05f}}};
+    kind.sensors.push_back(
+        {"SR", Channel::smell, SensorShape::triangle, SensorResponse::boolean, 0.1f, -0.2f, -1.1f, 2.2f, 9, 1.5f});
+    kind.sensors.push_back(
+        {"A", Channel::prey, SensorShape::omni, SensorResponse::graded, 0.4f, 0.2f, 0.7f, maths::radians(360), 5, 2});
+    kind.brain.nodes = {{.id = 7, .kind = NodeKind::sensor, .name = "SR"},
+                        {.id = 3,
+                         .kind = NodeKind::neuron,
+                         .name = "N",
+                         .curve = {Response::hump, 0.3f, 0.15f},
+                         .bias = -0.25f,
+                         .time_constant = 1.5f},
+                        {.id = 8, .kind = NodeKind::motor, .name = "ML", .curve = {Response::sigmoid, 0.1f, 0.9f}}};
+    kind.brain.wires = {
+        {.from = 7, .to = 3, .weight = -1.75f, .threshold = 0.125f, .curve = {Response::step, 0.4f, 0.3f}},
+        {.from = 3, .to = 8},
+        {.from = 3, .to = 3, .weight = 0.5f, .threshold = 0, .curve = {Response::inverted}}};
+    scene.kinds.push_back(kind);
+    Kind plain;
+    plain.name = "a-second";
+    plain.brain = make_graph({.LL = 0.1f, .LR = -0.2f, .threshold_RL = 0.3f, .LM = 0.4f});
+    scene.kinds.push_back(plain);
+    Kind zeros;
+    zeros.name = "m-third";
+    zeros.brain = make_graph({});
+    scene.kinds.push_back(zeros);
+    Kind more = plain;  // four neurons and something beyond them
+    more.name = "fourth";
+    more.brain.nodes.push_back({.id = 20, .kind = NodeKind::neuron, .name = "N"});
+    more.brain.nodes.push_back({.id = 21, .kind = NodeKind::neuron, .name = "M"});
+    more.brain.wires.push_back({.from = 0, .to = 20, .weight = 0.3f});
+    scene.kinds.push_back(more);
+    scene.sources = {{"lamp", Channel::heat, 1.5f, -2.5f, 0.75f}, {"another", Channel::light, 0, 0, 1}};
+    scene.starts = {{"two", "a-second", 1, 2, -3.1f, "lamp", 0.5f, 0.25f}, {"one", "z-first", 0, 0, 0, "", 0, 0}};
+    scene.obstacles = {{"wall", 3, 4, 0.7853982f, 5, 0.25f}};
+    return scene;
+}
+
+TEST(SceneFile, ReadsWhatItWroteForEveryShippedScene) {
+    ASSERT_FALSE(shipped_scenes().empty());
+    for (const fs::path& path : shipped_scenes()) {
+        const auto scene = load_scene(path);
+        ASSERT_TRUE(scene) << scene.error().text();
+        EXPECT_EQ(scene->name, path.stem().string());
+        EXPECT_FALSE(scene->title.empty()) << path;
+        EXPECT_FALSE(scene->story.empty()) << path;
+        const auto again = parse_scene(write_scene(*scene), "again.toml");
+        ASSERT_TRUE(again) << again.error().text();
+        EXPECT_EQ(*again, *scene) << path;
+    }
+}
+
+TEST(SceneFile, ReadsWhatItWroteWithEveryValueSet) {
+    const Scene scene = everything();
+    const auto fault = check_scene(scene);
+    ASSERT_FALSE(fault) << fault->text();
+    EXPECT_EQ(read(write_scene(scene)), scene) << write_scene(scene);
+}
+
+TEST(SceneFile, ReadsWhatItWroteForAnyFloatAndAnyAngle) {
+    maths::Random chance(1, 1);
+    Scene scene;
+    scene.name = "numbers";
+    scene.sources.push_back({"lamp", Channel::light, 0, 0, 1});
+    scene.obstacles.push_back({"wall", 0, 0, 0, 1, 1});
+    for (int i = 0; i < 2000; ++i) {
+        scene.sources[0].x = chance.uniform(-1000, 1000);
+        scene.sources[0].strength = chance.uniform(0, 1) * chance.uniform(0, 1e-6f);
+        scene.obstacles[0].heading = chance.uniform(-6.2f, 6.2f);
+        ASSERT_EQ(read(write_scene(scene)), scene) << write_scene(scene);
+    }
+}
+
+TEST(SceneFile, WritesDegreesAsAPersonWouldAndLeavesDefaultsOut) {
+    Scene scene;
+    scene.name = "s";
+    scene.obstacles.push_back({"wall", 1.1f, 0, maths::radians(35), 1, 1});
+    EXPECT_EQ(write_scene(scene), "format = 1\nname = \"s\"\n\n[obstacle.wall]\nx = 1.1\nheading = 35\n");
+}
+
+TEST(SceneFile, WritesAFourNeuronBrainInItsShortFormWhateverItsOrder) {
+    Scene scene;
+    scene.kinds.emplace_back().name = "k";
+    scene.kinds[0].brain = make_graph({.LR = 1.5f, .RM = 0.1f});
+    std::swap(scene.kinds[0].brain.wires[0], scene.kinds[0].brain.wires[3]);
+    expect_in("[kind.k.brain]\nLR = 1.5\nRM = 0.1\n", write_scene(scene));
+    EXPECT_EQ(read(write_scene(scene)).kinds[0].brain, make_graph({.LR = 1.5f, .RM = 0.1f}));
+}
+
+TEST(SceneFile, KeepsTheOrderOfTheFileNotOfTheAlphabet) {
+    const Scene scene =
+        read("format = 1\n[source.z]\n[source.a]\n[kind.y]\n[kind.b.body]\nmass = 5\n[kind.a]\n[kind.b]\n");
+    ASSERT_EQ(scene.sources.size(), 2u);
+    EXPECT_EQ(scene.sources[0].name, "z");
+    ASSERT_EQ(scene.kinds.size(), 3u);
+    EXPECT_EQ(scene.kinds[0].name, "y");
+    EXPECT_EQ(scene.kinds[1].name, "b");
+}
+
+TEST(SceneFile, TakesItsNameFromTheFileUnlessItSaysOtherwise) {
+    EXPECT_EQ(parse_scene("format = 1", "some/where/garden.toml")->name, "garden");
+    EXPECT_EQ(parse_scene("format = 1\nname = \"other\"", "garden.toml")->name, "other");
+}
+
+TEST(SceneFile, ReadsAnglesAsDegrees) {
+    const Scene scene = read("format = 1\n[obstacle.o]\nheading = 90\n");
+    EXPECT_FLOAT_EQ(scene.obstacles[0].heading, maths::pi / 2);
+    EXPECT_EQ(Sensor{}.field, read("format=1\n[kind.k.sensor.S]\nfield = 100\n").kinds[0].sensors[0].field);
+}
+
+struct Mistake {
+    const char* text;
+    std::vector<std::string> told;  // parts that the message must have
+};
+
+TEST(SceneFile, NamesTheLineAndTheNearestWordForEveryKindOfMistake) {
+    const std::vector<Mistake> mistakes{
+        {"title = \"x\"\n", {"test.toml:1: ", "format = 1"}},
+        {"\nformat = 2\n", {"test.toml:2: ", "format = 1 only"}},
+        {"format = 1\n[arena\n", {"test.toml:2: ", "not TOML"}},
+        {"format = 1\ntitel = \"x\"\n", {"test.toml:2: ", "'titel'", "nearest is 'title'"}},
+        {"format = 1\n[ecology]\npopulaton = 3\n",
+         {"test.toml:3: ", "'populaton'", "[ecology]", "nearest is 'population'"}},
+        {"format = 1\n[sauce.x]\n", {"test.toml:2: ", "'sauce'", "nearest is 'source'"}},
+        {"format = 1\n[kind.k]\nrole = \"pray\"\n", {"test.toml:3: ", "'pray'", "nearest is 'prey'"}},
+        {"format = 1\n[kind.k]\nrole = \"xxxxxxxx\"\n", {"test.toml:3: ", "known are 'none', 'predator', 'prey'"}},
+        {"format = 1\n[arena]\nwidth = \"20\"\n", {"test.toml:3: ", "'width' should be a number, not text"}},
+        {"format = 1\n[ecology]\npopulation = 1.5\n", {"test.toml:3: ", "a whole number"}},
+        {"format = 1\n[arena]\nwidth = 1\n", {"test.toml:3: ", "'width' is 1, outside 2 .. 2000"}},
+        {"format = 1\n[arena]\nwidth = nan\n", {"test.toml:3: ", "'width' is nan, outside"}},
+        {"format = 1\n[arena]\nwidth = 1e300\n", {"test.toml:3: ", "outside"}},
+        {"format = 1\n[kind.k.brain]\n\nLL = -2.5\n", {"test.toml:4: ", "'LL' is -2.5, outside -2 .. 2"}},
+        {"format = 1\n[kind.k.brain]\nthreshold_LL = 1.5\n", {"test.toml:3: ", "outside 0 .. 1"}},
+        {"format = 1\n[kind.k.brain]\nLX = 1\n", {"test.toml:3: ", "'LX'", "[kind.k.brain]", "nearest is 'LL'"}},
+        {"format = 1\n[arena]\narena = { width = 3 }\n", {"test.toml:3: ", "'arena'"}},
+        {"format = 1\narena = 3\n", {"test.toml:2: ", "should be a table", "[arena]"}},
+        {"format = 1\n[source]\nx = 3\n", {"test.toml:3: ", "[source.one]"}},
+        {"format = 1\n[source.\"a b\"]\n", {"test.toml:2: ", "'a b' cannot be a name"}},
+        {"format = 1\n[kind.k]\n[vehicle.v]\nx = 1\n", {"test.toml:3: ", "needs a kind"}},
+        {"format = 1\n[kind.fox]\n[vehicle.v]\nkind = \"fax\"\n", {"test.toml:4: ", "'fax'", "nearest is 'fox'"}},
+        {"format = 1\n[kind.k]\n[source.lamp]\n[vehicle.v]\nkind = \"k\"\nfacing = \"lump\"\n",
+         {"test.toml:6: ", "nearest is 'lamp'"}},
+        {"format = 1\n[kind.k]\n[vehicle.v]\nkind = \"k\"\nx = 11\n", {"test.toml:5: ", "outside the arena"}},
+        {"format = 1\n[kind.k.body]\nwheel = [{ load = 0.5 }]\n", {"test.toml:3: ", "loads add up to 0.5"}},
+        {"format = 1\n[kind.k.body]\nwheel = [1]\n", {"test.toml:3: ", "[[kind.k.body.wheel]]"}},
+        {"format = 1\n[kind.k.brain]\n[[kind.k.brain.node]]\n", {"test.toml:3: ", "needs a name"}},
+        {"format = 1\n[[kind.k.brain.node]]\nname = \"N\"\n[[kind.k.brain.wire]]\nfrom = \"N\"\nto = \"M\"\n",
+         {"test.toml:6: ", "no node is called 'M'", "'N'"}},
+        {"format = 1\n[[kind.k.brain.node]]\nname = \"N\"\n[[kind.k.brain.node]]\nname = \"N\"\n",
+         {"test.toml:2: ", "two nodes are called 'N'"}},
+        {"format = 1\n[ecology]\npopulation = 3\n", {"test.toml:3: ", "no [kind.NAME]"}},
+        {"format = 1\n[arena]\nwidth = 2\nwidth = 3\n", {"test.toml:4: ", "not TOML"}},
+    };
+    for (const Mistake& mistake : mistakes) {
+        SCOPED_TRACE(mistake.text);
+        const std::string told = complaint(mistake.text);
+        for (const std::string& part : mistake.told) expect_in(part, told);
+        EXPECT_EQ(told.find('\n'), std::string::npos);
+    }
+}
+
+TEST(SceneFile, SaysThatAFileIsAbsentOrAFolder) {
+    expect_in("no such file", load_scene("/nowhere/at/all.toml").error().text());
+    expect_in("not a file", load_scene(source).error().text());
+}
+
+TEST(Settings, SplitAtTheFirstEqualsSign) {
+    const auto setting = parse_setting(" source.lamp.x = 3=4");
+    ASSERT_TRUE(setting);
+    EXPECT_EQ(setting->path, "source.lamp.x");
+    EXPECT_EQ(setting->value, "3=4");
+    expect_in("PATH=VALUE", parse_setting("source.lamp.x").error().text());
+    EXPECT_FALSE(parse_setting("=3"));
+}
+
+const char* const small_scene =
+    "format = 1\n[kind.prey.sensor.SL]\n[kind.prey.brain]\nLL = 1\n[source.lamp]\n[vehicle.one]\nkind = \"prey\"\n";
+
+TEST(Settings, ChangeNumbersWordsAndTextsByTheirPath) {
+    const Scene scene = read(small_scene, {{"kind.prey.brain.LL", "0.5"},
+                                           {"kind.prey.role", "prey"},
+                                           {"kind.prey.body.mass", "3"},
+                                           {"kind.prey.sensor.SL.angle", "90"},
+                                           {"source.lamp.x", "-2"},
+                                           {"vehicle.one.facing", "lamp"},
+                                           {"ecology.population", "500"},
+                                           {"title", "\"in quotes\""}});
+    EXPECT_EQ(read_dials(scene.kinds[0].brain).LL, 0.5f);
+    EXPECT_EQ(scene.kinds[0].role, Role::prey);
+    EXPECT_EQ(scene.kinds[0].body.mass, 3);
+    EXPECT_FLOAT_EQ(scene.kinds[0].sensors[0].angle, maths::pi / 2);
+    EXPECT_EQ(scene.sources[0].x, -2);
+    EXPECT_EQ(scene.starts[0].facing, "lamp");
+    EXPECT_EQ(scene.ecology.population, 500);
+    EXPECT_EQ(scene.title, "in quotes");
+}
+
+TEST(Settings, LeaveTheOrderOfTablesAlone) {
+    const Scene scene = read("format = 1\n[source.b]\n[source.a]\n", {{"source.a.x", "1"}});
+    EXPECT_EQ(scene.sources[0].name, "b");
+}
+
+TEST(Settings, TurnTheDialsOfALongBrainToo) {
+    const Scene before = everything();
+    const auto scene = parse_scene(write_scene(before), "t", {{"kind.fourth.brain.LR", "0.9"}});
+    ASSERT_TRUE(scene) << scene.error().text();
+    EXPECT_EQ(read_dials(scene->kinds[3].brain).LR, 0.9f);
+    EXPECT_EQ(read_dials(scene->kinds[3].brain).LL, 0.1f);
+    EXPECT_EQ(scene->kinds[3].brain.nodes.size(), 6u);
+    expect_in("lacks the node", parse_scene(write_scene(before), "t", {{"kind.z-first.brain.RR", "1"}}).error().text());
+}
+
+TEST(Settings, NameTheNearestFullPathWhenTheyMiss) {
+    expect_in("--set: no such value 'kind.prey.brain.LX'; the nearest is 'kind.prey.brain.LL'",
+              complaint(small_scene, {{"kind.prey.brain.LX", "1"}}));
+    expect_in("the nearest is 'source.lamp.x'", complaint(small_scene, {{"source.lump.x", "1"}}));
+    complaint(small_scene, {{"kind.prey.brain", "1"}});
+    complaint(small_scene, {{"", "1"}});
+    complaint(small_scene, {{"...", "1"}});
+}
+
+TEST(Settings, AnswerForTheirOwnValues) {
+    expect_in("--set: 'LL' is 3, outside", complaint(small_scene, {{"kind.prey.brain.LL", "3"}}));
+    expect_in("--set: 'LL' should be a number", complaint(small_scene, {{"kind.prey.brain.LL", "much"}}));
+    expect_in("--set: 'LL' should be a number, not a list", complaint(small_scene, {{"kind.prey.brain.LL", "[1]"}}));
+    expect_in("--set: no source is called 'lump'", complaint(small_scene, {{"vehicle.one.facing", "lump"}}));
+    expect_in("--set: ", complaint(small_scene, {{"kind.prey.brain.LL", "1\ntitle = \"smuggled\""}}));
+    expect_in("other.toml:7: ", complaint(small_scene, {{"kind.prey.brain.LL", "3", "other.toml", 7}}));
+}
+
+TEST(BrainFile, ReadsWhatItWroteAndRefusesWhatIsNone) {
+    for (const Kind& kind : everything().kinds) {
+        const auto brain = parse_brain(write_brain(kind.brain), "brain.toml");
+        ASSERT_TRUE(brain) << brain.error().text();
+        EXPECT_EQ(*brain, kind.brain);
+    }
+    expect_in("brain.toml:3: 'LL' is 3", parse_brain("format = 1\n[brain]\nLL = 3", "brain.toml").error().text());
+    expect_in("no [brain]", parse_brain("format = 1\n", "brain.toml").error().text());
+    expect_in("'brian'", parse_brain("format = 1\n[brian]\n", "brain.toml").error().text());
+}
+
+TEST(CheckScene, FindsInAnEditedSceneWhatAFileCouldNotHold) {
+    EXPECT_FALSE(check_scene(everything()));
+    Scene scene = everything();
+    scene.kinds[1].name = scene.kinds[0].name;
+    expect_in("called 'z-first'", check_scene(scene)->text());
+    scene = everything();
+    scene.sources[0].strength = 2;
+    expect_in("source.lamp.strength", check_scene(scene)->text());
+    scene = everything();
+    scene.obstacles[0].heading = NAN;
+    expect_in("obstacle.wall.heading", check_scene(scene)->text());
+    scene = everything();
+    scene.kinds[0].brain.wires[0].weight = 5;
+    expect_in("'weight' is 5", check_scene(scene)->text());
+    scene = everything();
+    scene.kinds[0].brain.wires.push_back({.from = 7, .to = 99});
+    EXPECT_TRUE(check_scene(scene));
+}
+
+TEST(NearestWord, CountsLettersAddedDroppedAndReplaced) {
+    EXPECT_EQ(edit_distance("prey", "pray"), 1);
+    EXPECT_EQ(edit_distance("", "abc"), 3);
+    EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
+}
+
+// A test of robustness only: whatever the bytes, there is an answer, and what is accepted can be written and read
+// again.
+void survive(const std::string& text) {
+    const auto scene = parse_scene(text, "hostile.toml");
+    if (!scene) {
+        EXPECT_FALSE(scene.error().what.empty());
+        return;
+    }
+    const auto again = parse_scene(write_scene(*scene), "hostile.toml");
+    ASSERT_TRUE(again) << again.error().text() << '\n' << text;
+    EXPECT_EQ(*again, *scene);
+}
+
+TEST(HostileFiles, CutAnywhereDoNoHarm) {
+    for (const fs::path& path : shipped_scenes()) {
+        const std::string text = content(path);
+        for (std::size_t end = 0; end < text.size(); end += 13) survive(text.substr(0, end));
+    }
+}
+
+TEST(HostileFiles, ChangedAnywhereDoNoHarm) {
+    const std::string bits = "\"'[]{}=.,#\\\n-+0919eE_xyzLR\x01\xff\xc3 \t";
+    maths::Random chance(7, 7);
+    for (const fs::path& path : shipped_scenes()) {
+        const std::string text = content(path);
+        for (int i = 0; i < 400; ++i) {
+            std::string changed = text;
+            for (std::uint32_t n = chance.next() % 3 + 1; n > 0; --n) {
+                const std::size_t at = chance.next() % changed.size();
+                const char with = bits[chance.next() % bits.size()];
+                if (chance.next() % 3 == 0)
+                    changed.insert(at, 1, with);
+                else if (chance.next() % 3 == 0)
+                    changed.erase(at, chance.next() % 40);
+                else
+                    changed[at] = with;
+            }
+            survive(changed);
+        }
+    }
+}
+
+TEST(HostileFiles, AreRefusedWhenTooDeepTooLargeOrTooMany) {
+    std::string dots = "format = 1\na";
+    for (int i = 0; i < 500000; ++i) dots += ".a";
+    expect_in("test.toml:2: a key has too many dots", complaint(dots + " = 1\n"));
+    complaint("format = 1\n[" + dots.substr(11) + "]\n");
+    complaint("format = 1\na = " + std::string(500000, '['));
+    std::string tables = "a = ";
+    for (int i = 0; i < 100000; ++i) tables += "{a = ";
+    complaint("format = 1\n" + tables);
+    expect_in("larger than", complaint(std::string(limits::file_bytes + 1, '\n')));
+    std::string kinds = "format = 1\n";
+    for (int i = 0; i < 65; ++i) kinds += "[kind.k" + std::to_string(i) + "]\n";
+    expect_in("the most is 64", complaint(kinds));
+    complaint("format = 1\n" + std::string(1000000, 'k') + " = 1\n");
+    read("format = 1\nstory = \"" + std::string(100, '.') + "\"  # " + std::string(100, '.') + "\n");
+    read("format = 1\nstory = '''\n" + std::string(100, '.') + "\"'''\n");
+}
+
+// Set BRAITENLAB_WRITE_DOCS=1 to write the tables anew after a change of the fields.
+TEST(SceneFormatPage, HoldsTheTablesOfTheFieldsAsTheyAre) {
+    const fs::path page = source / "docs" / "scene-format.md";
+    std::string text = content(page);
+    if (std::getenv("BRAITENLAB_WRITE_DOCS")) {
+        text = text.substr(0, text.find("\n## The top of the file")) + describe_scene_format();
+        std::ofstream(page, std::ios::binary) << text;
+    }
+    expect_in(describe_scene_format(), text);
+}
+
+TEST(SceneFormatPage, ShowsASceneThatCanBeRead) {
+    std::istringstream lines(content(source / "docs" / "scene-format.md"));
+    std::string example;
+    for (std::string line; std::getline(lines, line);)
+        if (line.rfind("    ", 0) == 0 || (line.empty() && !example.empty())) example += line + '\n';
+    const Scene scene = read(example);
+    EXPECT_EQ(scene.starts.size(), 1u);
+}
+
+}  // namespace
+}  // namespace braitenlab
