@@ -99,12 +99,16 @@ void print_grade(const Exercise& exercise, const Grade& grade) {
         if (!grade.passed[i]) std::cout << fmt::format("  start {} fails\n", i + 1);
 }
 
+const BrainGraph& pupil_brain(const Exercise& exercise) {
+    return exercise.scene.kinds[static_cast<std::size_t>(pupil_kind(exercise.scene))].brain;
+}
+
 int check_one(const std::string& name, const std::string& brain_file) {
     const auto path = find_shipped(name);
     if (!path) return complain(path.error());
     const auto exercise = load_exercise(*path);
     if (!exercise) return complain(exercise.error());
-    BrainGraph brain = exercise->scene.kinds.front().brain;
+    BrainGraph brain = pupil_brain(*exercise);
     if (!brain_file.empty()) {
         auto own = load_brain(brain_file);
         if (!own) return complain(own.error());
@@ -121,7 +125,7 @@ int check_all() {
     for (const auto& path : shipped_exercises()) {
         const auto exercise = load_exercise(path);
         if (!exercise) return complain(exercise.error());
-        const Grade shipped = grade(*exercise, exercise->scene.kinds.front().brain);
+        const Grade shipped = grade(*exercise, pupil_brain(*exercise));
         const Grade solved = grade(*exercise, make_graph(exercise->solution));
         const bool good = shipped.count == 0 && solved.count == exercise->starts;
         std::cout << fmt::format(

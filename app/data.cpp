@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool exists(const fs::path& path) {
+bool is_there(const fs::path& path) {
     std::error_code none;
     return fs::exists(path, none);
 }
@@ -48,7 +48,7 @@ const char* version_text() { return version; }
 Result<fs::path> data_folder() {
     std::string looked;
     for (const fs::path& folder : candidate_folders()) {
-        if (exists(folder / "exercises" / "scenes")) return folder;
+        if (is_there(folder / "exercises" / "scenes")) return folder;
         looked += (looked.empty() ? "" : ", ") + folder.string();
     }
     return Error{
@@ -58,7 +58,7 @@ Result<fs::path> data_folder() {
 }
 
 Result<fs::path> find_shipped(const std::string& path_or_name) {
-    if (exists(path_or_name)) return fs::path(path_or_name);
+    if (is_there(path_or_name)) return fs::path(path_or_name);
     const auto data = data_folder();
     if (!data) return data.error();
     std::vector<std::string> names;
@@ -85,7 +85,7 @@ bool is_exercise(const fs::path& path) {
 }
 
 fs::path first_existing(const std::vector<fs::path>& candidates) {
-    const auto found = std::find_if(candidates.begin(), candidates.end(), exists);
+    const auto found = std::find_if(candidates.begin(), candidates.end(), is_there);
     return found == candidates.end() ? fs::path{} : *found;
 }
 

@@ -77,6 +77,7 @@ std::string state_json(const Lab& lab, const FrameFacts& frame) {
     state["prey"] = now.prey;
     state["generation"] = now.generation;
     state["camera"] = lab.camera.mode == CameraMode::follow ? "follow" : "overview";
+    state["view"] = {{"azimuth", lab.camera.azimuth}, {"elevation", lab.camera.elevation}, {"zoom", lab.camera.zoom}};
     state["language"] = "en";
     state["draw_calls"] = frame.draw_calls;
     state["frame_ms"] = frame.frame_ms;

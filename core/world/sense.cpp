@@ -34,6 +34,7 @@ float read(const WorldState& s, const Eye& eye, const Gaze& gaze, std::int32_t s
 }  // namespace
 
 void sense(WorldState& s) {
+    s.eyes_are_stale = false;
     for (int c = 0; c < channel_count; ++c) {
         const auto channel = static_cast<std::size_t>(c);
         if (!s.sensed_channel[channel]) continue;

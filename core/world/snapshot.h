@@ -52,7 +52,7 @@ struct Snapshot {
     std::vector<VehicleView> vehicles;  // by ascending id
     std::vector<float> sensed;          // 0..1
     std::vector<float> neurons;
-    std::vector<std::shared_ptr<const BrainGraph>> brains;  // every brain in use, as edited
+    std::vector<std::shared_ptr<const BrainGraph>> brains;       // every brain in use, as edited
     std::vector<std::shared_ptr<const BrainGraph>> kind_brains;  // what newcomers get, as Scene::kinds
     std::vector<SourceView> sources;
     std::shared_ptr<const Scene> scene;  // what the run began from: arena, kinds, obstacles

@@ -49,6 +49,7 @@ struct WorldState {
     std::array<bool, channel_count> sensed_channel{};
     std::array<Field, channel_count> fields;
     std::vector<Stimulus> stimuli;  // scratch
+    bool eyes_are_stale = true;     // something moved since they looked
 
     std::uint64_t tick = 0;
     std::int32_t generation = 1;

@@ -42,7 +42,6 @@ Result<World> World::create(const Scene& scene, std::uint64_t seed) {
         state->kinds[k].design = *design;
     }
     populate(*state);
-    sense(*state);  // so that the first picture shows what the eyes see
     return World(std::move(state));
 }
 
@@ -75,11 +74,14 @@ std::uint64_t World::tick() const { return state_->tick; }
 
 std::optional<Error> World::apply(const Command& command) {
     auto error = carry_out(*state_, command);
-    if (!error) sense(*state_);  // a paused picture shows at once what the eyes see now
+    if (!error) state_->eyes_are_stale = true;
     return error;
 }
 
-void World::capture(Snapshot& out) const { braitenlab::capture(*state_, out); }
+void World::capture(Snapshot& out) const {
+    if (state_->eyes_are_stale) sense(*state_);  // a paused picture shows at once what the eyes see after a command
+    braitenlab::capture(*state_, out);
+}
 
 std::uint64_t World::hash() const { return braitenlab::hash(*state_); }
 

@@ -1,0 +1,97 @@
+// The command-line tool as scripts see it.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using Json = nlohmann::json;
+
+struct Ran {
+    int code = -1;
+    std::string out;
+};
+Ran ctl(const std::string& arguments) {
+    Ran ran;
+    FILE* pipe = popen((BRAITENLAB_BINARY "/braitenctl " + arguments + " 2>&1").c_str(), "r");
+    char buffer[4096];
+    for (std::size_t n = 0; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) ran.out.append(buffer, n);
+    ran.code = WEXITSTATUS(pclose(pipe));
+    return ran;
+}
+
+std::set<std::string> keys(const Json& object) {
+    std::set<std::string> all;
+    for (const auto& item : object.items()) all.insert(item.key());
+    return all;
+}
+
+TEST(RunJson, HasExactlyTheShapeThatScriptsRelyOn) {
+    const Json run = Json::parse(ctl("run 2b-aggressor --seconds 2 --seed 4 --json").out);
+    EXPECT_EQ(keys(run), (std::set<std::string>{"scene", "seed", "ticks", "seconds", "hash", "generation", "population",
+                                                "predators", "prey", "events", "sources", "vehicles"}));
+    EXPECT_EQ(keys(run["events"]), (std::set<std::string>{"captures", "deaths", "births", "contacts"}));
+    EXPECT_EQ(keys(run["sources"][0]), (std::set<std::string>{"id", "channel", "x", "y"}));
+    EXPECT_EQ(keys(run["vehicles"][0]), (std::set<std::string>{"id", "kind", "role", "x", "y", "heading", "speed",
+                                                               "energy", "left", "right", "sensors"}));
+    EXPECT_EQ(run["scene"], "2b-aggressor");
+    EXPECT_EQ(run["ticks"], 120);
+    EXPECT_EQ(run["seconds"], 2);
+    EXPECT_EQ(run["vehicles"][0]["role"], "none");
+    EXPECT_EQ(run["vehicles"][0]["sensors"].size(), 2u);
+    EXPECT_EQ(run["hash"].get<std::string>().size(), 16u);
+}
+
+TEST(RunSet, ChangesTheRunAndNamesTheNearestPathOfAnUnknownOne) {
+    const Json few = Json::parse(ctl("run predator-prey --seconds 0 --set ecology.population=3 --json").out);
+    EXPECT_EQ(few["population"], 3);
+    const Ran wrong = ctl("run predator-prey --seconds 0 --set kind.prey.brain.LX=1");
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_NE(wrong.out.find("kind.prey.brain.L"), std::string::npos) << wrong.out;
+}
+
+TEST(RunHash, RepeatsAndDependsOnTheSeed) {
+    const std::string a = ctl("run predator-prey --seconds 5 --seed 1 --hash").out;
+    EXPECT_EQ(ctl("run predator-prey --seconds 5 --seed 1 --hash").out, a);
+    EXPECT_NE(ctl("run predator-prey --seconds 5 --seed 2 --hash").out, a);
+}
+
+TEST(RunCsv, HasARowPerVehiclePerTenthOfASecond) {
+    const auto file = std::filesystem::temp_directory_path() / "braitenlab-run.csv";
+    ASSERT_EQ(ctl("run predator-prey --seconds 2 --csv " + file.string()).code, 0);
+    std::ifstream csv(file);
+    std::string line;
+    std::getline(csv, line);
+    EXPECT_EQ(line, "seconds,id,kind,role,x,y,heading,speed,energy,left,right");
+    int rows = 0;
+    while (std::getline(csv, line)) ++rows;
+    EXPECT_EQ(rows, 21 * 10);
+    std::filesystem::remove(file);
+}
+
+TEST(RunCsv, SaysWhenItCannotBeWritten) {
+    const Ran ran = ctl("run 2a-coward --seconds 1 --csv /nowhere/at/all.csv");
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.out.find("/nowhere/at/all.csv"), std::string::npos);
+    if (std::filesystem::exists("/dev/full")) EXPECT_EQ(ctl("run 2a-coward --seconds 1 --csv /dev/full").code, 2);
+}
+
+TEST(BadInput, EndsWithTwoAndSaysWhatToDo) {
+    EXPECT_EQ(ctl("run no-such-scene").code, 2);
+    EXPECT_EQ(ctl("run 2a-coward --seconds minus").code, 2);
+    EXPECT_EQ(ctl("").code, 2);
+    EXPECT_NE(ctl("run 2a-cowrad").out.find("2a-coward"), std::string::npos);
+}
+
+TEST(Check, FailsTheShippedExerciseAndPassesItsSolution) {
+    EXPECT_EQ(ctl("check 05-aggressor").code, 1);
+    const Ran all = ctl("check --all");
+    EXPECT_EQ(all.code, 0) << all.out;
+}
+
+}  // namespace

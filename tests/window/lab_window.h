@@ -1,0 +1,148 @@
+// The real window, driven by a real mouse and keyboard (xdotool) and judged by what it reports about itself.
+#pragma once
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace braitenlab::tests {
+
+using Json = nlohmann::json;
+
+struct Point {
+    int x = 0, y = 0;
+};
+
+// A shell command's output and exit code.
+struct Ran {
+    int code = -1;
+    std::string out;
+};
+inline Ran shell(const std::string& command) {
+    Ran ran;
+    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+    if (!pipe) return ran;
+    char buffer[4096];
+    for (std::size_t n = 0; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) ran.out.append(buffer, n);
+    const int status = pclose(pipe);
+    ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return ran;
+}
+
+inline std::string program(const char* name) { return std::string(BRAITENLAB_BINARY) + "/" + name; }
+
+class LabWindow {
+public:
+    explicit LabWindow(std::vector<std::string> arguments) {
+        folder_ = std::filesystem::temp_directory_path() / fmt::format("braitenlab-test-{}", getpid());
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+        arguments.insert(arguments.begin(), program("braitenlab"));
+        for (const char* file : {"anchors", "state"}) {
+            arguments.push_back(std::string("--") + file);
+            arguments.push_back((folder_ / (std::string(file) + ".json")).string());
+        }
+        pid_ = fork();
+        if (pid_ == 0) {
+            setenv("XDG_CONFIG_HOME", folder_.c_str(), 1);
+            std::vector<char*> argv;
+            for (std::string& a : arguments) argv.push_back(a.data());
+            argv.push_back(nullptr);
+            execv(argv[0], argv.data());
+            _exit(127);
+        }
+        EXPECT_TRUE(eventually([this] { return !state().is_null() && !anchors().is_null(); }, 30))
+            << "no window came up";
+        window_ = shell(fmt::format("xdotool search --sync --onlyvisible --pid {} | tail -n 1", pid_)).out;
+        while (!window_.empty() && window_.back() == '\n') window_.pop_back();
+        xdotool("windowfocus --sync " + window_);
+        xdotool(fmt::format("windowmove --sync {} 0 0", window_));
+    }
+
+    ~LabWindow() {
+        if (pid_ > 0 && waitpid(pid_, nullptr, WNOHANG) == 0) {
+            kill(pid_, SIGKILL);
+            waitpid(pid_, nullptr, 0);
+        }
+        std::filesystem::remove_all(folder_);
+    }
+    LabWindow(const LabWindow&) = delete;
+    LabWindow& operator=(const LabWindow&) = delete;
+
+    Json state() const { return read("state.json"); }
+    Json anchors() const { return read("anchors.json"); }
+
+    void xdotool(const std::string& what) const {
+        const Ran ran = shell("xdotool " + what);
+        EXPECT_EQ(ran.code, 0) << "xdotool " << what << ": " << ran.out;
+    }
+
+    // The middle of a widget.
+    Point at(const std::string& anchor) const {
+        const Json all = anchors();
+        if (!all.contains(anchor)) {
+            ADD_FAILURE() << "the window has no anchor " << anchor;
+            return {};
+        }
+        const auto r = all[anchor].get<std::vector<double>>();
+        return {static_cast<int>(r[0] + r[2] / 2), static_cast<int>(r[1] + r[3] / 2)};
+    }
+
+    void key(const std::string& name) const { xdotool("key --delay 30 " + name); }
+    void move(Point p) const { xdotool(fmt::format("mousemove --window {} {} {}", window_, p.x, p.y)), wait(0.06); }
+    void press() const { xdotool("mousedown 1"), wait(0.06); }
+    void release() const { xdotool("mouseup 1"), wait(0.06); }
+    void click(Point p) const { move(p), press(), release(); }
+    void click(const std::string& anchor) const { click(at(anchor)); }
+    void drag(Point from, Point to) const {
+        move(from);
+        press();
+        for (int i = 1; i <= 8; ++i) move({from.x + (to.x - from.x) * i / 8, from.y + (to.y - from.y) * i / 8});
+        release();
+    }
+
+    static void wait(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+    // Asks again and again until it holds; false when it never did.
+    static bool eventually(const std::function<bool()>& holds, double patience = 5) {
+        const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
+        while (std::chrono::steady_clock::now() < until) {
+            if (holds()) return true;
+            wait(0.03);
+        }
+        return holds();
+    }
+
+    // The exit code once the window has gone of its own accord; −1 when it has not.
+    int exit_code(double patience = 5) {
+        int status = 0;
+        if (!eventually([&] { return waitpid(pid_, &status, WNOHANG) == pid_; }, patience)) return -1;
+        pid_ = -1;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+
+private:
+    Json read(const char* name) const {
+        std::ifstream file(folder_ / name);
+        return file ? Json::parse(file, nullptr, false) : Json();
+    }
+
+    pid_t pid_ = -1;
+    std::filesystem::path folder_;
+    std::string window_;
+};
+
+}  // namespace braitenlab::tests

@@ -1,0 +1,124 @@
+#include <cmath>
+
+#include "tests/window/lab_window.h"
+
+namespace braitenlab::tests {
+namespace {
+
+constexpr auto wait_for = LabWindow::eventually;
+
+TEST(Window, OpensTheFirstExercisePausedWithItsVehicleSelected) {
+    LabWindow lab({"--size", "1280x800"});
+    const Json state = lab.state();
+    EXPECT_EQ(state["mode"], "paused");
+    EXPECT_EQ(state["tick"], 0);
+    EXPECT_EQ(state["selected"], 0);
+    EXPECT_EQ(state["exercise"]["id"], "05-aggressor");
+    EXPECT_EQ(state["exercise"]["passed"], false);
+    EXPECT_EQ(state["toggles"], 0);
+}
+
+TEST(Window, TogglesPlayOncePerPressOfSpaceHoweverQuick) {
+    LabWindow lab({"predator-prey", "--size", "1280x800"});
+    lab.xdotool("key --delay 12 " + []() {
+        std::string keys;
+        for (int i = 0; i < 20; ++i) keys += "space ";
+        return keys;
+    }());
+    EXPECT_TRUE(wait_for([&] { return lab.state()["toggles"] == 20; }, 5)) << lab.state()["toggles"];
+    EXPECT_EQ(lab.state()["mode"], "paused");
+}
+
+TEST(Window, ChangesAWeightWhileItIsDraggedAndPlaying) {
+    LabWindow lab({"predator-prey", "--size", "1280x800", "--play"});
+    const double before = lab.state()["weights"]["LL"];
+    const Point knob = lab.at("slider.LL");
+    lab.move(knob);
+    lab.press();
+    lab.move({knob.x + 20, knob.y});
+    lab.move({knob.x + 30, knob.y});
+    EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LL"] != before; })) << "while the button is down";
+    const auto tick = lab.state()["tick"].get<int>();
+    lab.release();
+    EXPECT_TRUE(wait_for([&] { return lab.state()["undo_depth"] == 1; })) << "a drag is one step of undo";
+    EXPECT_TRUE(wait_for([&] { return lab.state()["tick"].get<int>() > tick; })) << "the run goes on";
+    lab.key("ctrl+z");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LL"] == before; }));
+}
+
+TEST(Window, TurnsTheOverviewWithTheArrowKeys) {
+    LabWindow lab({"predator-prey", "--size", "1280x800"});
+    lab.click("viewport");
+    const Json before = lab.state()["view"];
+    lab.xdotool("keydown Right");
+    LabWindow::wait(0.4);
+    lab.xdotool("keyup Right");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["view"]["azimuth"] != before["azimuth"]; }));
+    lab.key("Home");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["view"] == before; }));
+}
+
+TEST(Window, PassesTheExerciseWithTheMouseAlone) {
+    LabWindow lab({"05-aggressor", "--size", "1280x800"});
+    lab.click("exercise.predict.1");
+    // Crosses the wires: the straight ones to nothing, the crossed ones up to where most of the track lies behind.
+    const auto set = [&](const std::string& slider, double share) {
+        const auto r = lab.anchors()[slider].get<std::vector<double>>();
+        const Point middle = lab.at(slider);
+        lab.drag(middle, {static_cast<int>(r[0] + r[2] * share), middle.y});
+    };
+    set("slider.LR", 0.9);
+    set("slider.RL", 0.9);
+    set("slider.LL", 0.5);
+    set("slider.RR", 0.5);
+    lab.click("button.play");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["exercise"]["passed"] == true; }, 40)) << lab.state().dump(1);
+}
+
+TEST(Window, SavesAPictureThatCanBeRepeated) {
+    const auto folder = std::filesystem::temp_directory_path();
+    const auto shoot = [&](const char* name) {
+        const auto file = folder / name;
+        const Ran ran = shell(fmt::format("{} predator-prey --size 640x480 --seed 5 --play --after 1.5 --screenshot {}",
+                                          program("braitenlab"), file.string()));
+        EXPECT_EQ(ran.code, 0) << ran.out;
+        return file.string();
+    };
+    const std::string a = shoot("braitenlab-a.png"), b = shoot("braitenlab-b.png");
+    EXPECT_EQ(shell(fmt::format("compare -metric AE {} {} null:", a, b)).out, "0") << "pixels that differ";
+    EXPECT_GT(std::stoi(shell(fmt::format("identify -format '%k' {}", a)).out), 200) << "colours in the picture";
+    std::filesystem::remove(a);
+    std::filesystem::remove(b);
+}
+
+TEST(Window, EndsWithTwoAndASentenceWithoutADisplay) {
+    const Ran ran = shell("env -u DISPLAY -u WAYLAND_DISPLAY " + program("braitenlab"));
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.out.find("A display is needed"), std::string::npos) << ran.out;
+}
+
+TEST(Window, AnswersVersionAndHelpWithoutADisplay) {
+    EXPECT_EQ(shell("env -u DISPLAY " + program("braitenlab") + " --version").code, 0);
+    const Ran help = shell("env -u DISPLAY " + program("braitenlab") + " --help");
+    EXPECT_EQ(help.code, 0);
+    EXPECT_NE(help.out.find("--screenshot"), std::string::npos);
+}
+
+TEST(Window, NamesFileAndLineOfABrokenScene) {
+    const auto file = std::filesystem::temp_directory_path() / "braitenlab-broken.toml";
+    std::ofstream(file) << "format = 1\n\n[ecology]\npopulatoin = 3\n";
+    const Ran ran = shell(program("braitenlab") + " " + file.string());
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.out.find("braitenlab-broken.toml:4:"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("population"), std::string::npos) << ran.out;
+    std::filesystem::remove(file);
+}
+
+TEST(Window, LeavesByItsExitButton) {
+    LabWindow lab({"2a-coward", "--size", "1280x800"});
+    lab.click("button.exit");
+    EXPECT_EQ(lab.exit_code(), 0);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests
