@@ -14,7 +14,7 @@ namespace braitenlab {
 
 namespace {
 
-constexpr float between_cards = 12, least_open_card = 132;  // layout pixels
+constexpr float between_cards = 12, least_open_card = 124;  // layout pixels
 
 // The wiring canvas on its own ground, which leaves only the inset with the scene open.
 void draw_canvas(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
@@ -38,7 +38,7 @@ void right_column(const LabView& view, PanelState& state, Ui& ui, const WindowLa
     const float wanted = wanted_height(ui, state.brain);
     if (view.mode == Mode::wiring) {
         brain.h = std::min(wanted, layout.right.h);
-        brain_card(view, state, ui, brain);
+        brain_card(view, state, ui, brain, layout.right);
         return;
     }
     CardState& information = state.information;
@@ -51,7 +51,7 @@ void right_column(const LabView& view, PanelState& state, Ui& ui, const WindowLa
     if (cramped && !state.information_opened) information.folded = true;
     const float reserved = (information.folded ? folded_height(ui) : least) + space;
     brain.h = std::min(wanted, layout.right.h - reserved);
-    brain_card(view, state, ui, brain);
+    brain_card(view, state, ui, brain, layout.right);
     Rect below = layout.right;
     below.y = brain.y + brain.h + space;
     below.h = std::min(wanted_height(ui, information), layout.right.y + layout.right.h - below.y);
@@ -110,6 +110,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     // A click into the scene takes the keyboard away from the cards.
     if (ImGui::IsMouseClicked(0) && !ImGui::GetIO().WantCaptureMouse) state.keyboard.focus.clear();
 
+    remember(state.history, view);
     ui.anchors.record("viewport", layout.scene);
     if (view.mode == Mode::wiring) draw_canvas(view, state, ui, layout);
     if (layout.left.w > 0) {

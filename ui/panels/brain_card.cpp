@@ -18,6 +18,8 @@ namespace braitenlab {
 
 namespace {
 
+constexpr float low_column = 680;  // layout pixels: below it the picture is smaller
+
 const std::shared_ptr<const BrainGraph>& brain_of(const Snapshot& now, const VehicleView& vehicle) {
     return now.brains[static_cast<std::size_t>(vehicle.brain)];
 }
@@ -43,12 +45,13 @@ void title(const LabView& view, PanelState& state, Ui& ui, const VehicleView& ve
     const std::string name = kind_name(ui, kind_of(*view.now, vehicle)) + " " + std::to_string(vehicle.id + 1);
     const std::string_view character = braitenlab::name(recognised(state, brain_of(*view.now, vehicle)));
     const std::string_view word = ui.strings.find("character." + std::string(character), character);
-    const float chip_width = chip(ui, at.x + width, at.y + height / 2, word);
-    const Rect chip_rect{at.x + width - chip_width, at.y, chip_width, height};
-    const float left = size + ui.px(8);
-    ImGui::PushClipRect(at, {chip_rect.x - ui.px(8), at.y + height}, true);
-    put(ui, {at.x + left, at.y}, name, ui.palette.text, Face::title);
+    const float left = at.x + size + ui.px(8), name_width = text_width(ui, Face::title, name);
+    const float word_width = chip_width(ui, word),
+                word_left = std::min(left + name_width + ui.px(10), at.x + width - word_width);
+    ImGui::PushClipRect(at, {word_left - ui.px(4), at.y + height}, true);
+    put(ui, {left, at.y}, name, ui.palette.text, Face::title);
     ImGui::PopClipRect();
+    chip(ui, {word_left, at.y + height / 2}, word);
     const Item row = item(ui, "brain.character", {width, height}, false);
     tooltip(ui, row, ui.strings("character_story." + std::string(character)));
 }
@@ -143,10 +146,10 @@ private:
 };
 
 // The canonical vehicles, one click away.
-void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
-    const Item at = button(ui, "button.presets", {icon::presets, ui.strings("button.presets")});
-    tooltip(ui, at, ui.strings("tooltip.presets"));
-    if (at.pressed) ImGui::OpenPopup("presets");
+void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, bool wanted,
+                  ImVec2 corner) {
+    if (wanted) ImGui::OpenPopup("presets");
+    ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(8)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(4), ui.px(2)});
     state.presets_open = ImGui::BeginPopup("presets");
@@ -178,21 +181,23 @@ std::string kind_name(const Ui& ui, const Kind& kind) {
     return std::string(ui.strings.find("kind." + kind.name, kind.name));
 }
 
-void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
-    const bool open = begin_card(ui, state.brain, "card.brain", ui.strings("brain.heading"), place);
+void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect room) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    HeadingButton choose{"button.presets", ui.strings("button.presets"), ui.strings("tooltip.presets")};
+    const bool open =
+        begin_card(ui, state.brain, "card.brain", ui.strings("brain.heading"), place, vehicle ? &choose : nullptr);
     if (open && !vehicle) paragraph(ui, ui.strings("brain.nobody"), ui.palette.second_text);
     if (open && vehicle) {
         title(view, state, ui, *vehicle);
         scope(view, ui, *vehicle);
         Dials(view, state, ui, *vehicle).draw();
-        gap(ui, 12);
+        gap(ui, 8);
         equations(view, ui, *vehicle);
-        gap(ui, 12);
-        brain_picture(view, ui, *vehicle);
-        presets_menu(view, state, ui, *vehicle);
+        // The wiring canvas shows the same, larger.
+        if (view.mode != Mode::wiring) brain_picture(view, ui, *vehicle, room.h < ui.px(low_column) ? 96 : 116);
+        presets_menu(view, state, ui, *vehicle, choose.pressed, {place.x + place.w - ui.px(16), place.y + ui.px(36)});
     }
-    end_card(ui, state.brain, open);
+    end_card(state.brain);
 }
 
 }  // namespace braitenlab

@@ -20,21 +20,19 @@ namespace braitenlab {
 
 namespace {
 
-constexpr float picture_height = 128;  // layout pixels
-
 struct Place {
     ImVec2 eye[2], wheel[2];  // left, right
     Rect chassis;
 };
 
-Place place(const Ui& ui, ImVec2 at, float width) {
+Place place(const Ui& ui, ImVec2 at, float width, float picture_height) {
     Place p;
     const float middle = at.x + width / 2, half = ui.px(50);
     p.chassis = {middle - half, at.y + ui.px(12), 2 * half, ui.px(picture_height - 24)};
     for (int side = 0; side < 2; ++side) {
         const float s = side == 0 ? -1.0f : 1.0f;
-        p.eye[side] = {middle + s * ui.px(30), at.y + ui.px(18)};
-        p.wheel[side] = {middle + s * ui.px(54), at.y + ui.px(picture_height - 34)};
+        p.eye[side] = {middle + s * ui.px(30), at.y + ui.px(16)};
+        p.wheel[side] = {middle + s * ui.px(54), at.y + ui.px(picture_height - 32)};
     }
     return p;
 }
@@ -47,7 +45,7 @@ ImVec2 bezier(const std::array<ImVec2, 4>& p, float t) {
 // A wire: as wide as its weight, dashed where it has none, glowing with what it carries; ▶ excites, ● inhibits.
 void wire(const Ui& ui, ImVec2 from, ImVec2 to, float weight, float carried) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float bend = ui.px(26);
+    const float bend = (to.y - from.y) * 0.45f;
     const std::array<ImVec2, 4> p{{from, {from.x, from.y + bend}, {to.x, to.y - bend}, to}};
     constexpr int pieces = 24;
     if (std::fabs(weight) < 0.005f) {
@@ -77,7 +75,8 @@ void eye(const Ui& ui, ImVec2 c, float reading) {
     const float r = ui.px(9);
     if (reading > 0.01f)
         draw.AddCircleFilled(c, r + ui.px(6) * reading, paint(ui.palette.lamp.with_alpha(0.30f * reading)));
-    draw.AddCircleFilled(c, r, paint(mix(ui.palette.wheel, ui.palette.lamp, std::clamp(reading, 0.0f, 1.0f))));
+    draw.AddCircleFilled(c, r,
+                         paint(mix(ui.palette.wheel, ui.palette.lamp, std::sqrt(std::clamp(reading, 0.0f, 1.0f)))));
     draw.AddCircle(c, r, paint(ui.palette.second_text), 0, ui.px(1.5f));
 }
 
@@ -123,12 +122,12 @@ float reading(const LabView& view, const VehicleView& vehicle, const BrainGraph&
 
 }  // namespace
 
-void brain_picture(const LabView& view, Ui& ui, const VehicleView& vehicle) {
+void brain_picture(const LabView& view, Ui& ui, const VehicleView& vehicle, float picture_height) {
     const BrainGraph& brain = *view.now->brains[static_cast<std::size_t>(vehicle.brain)];
     const FourNeurons dials = read_dials(brain);
     const float width = card_width(ui);
     const Item area = item(ui, "brain.picture", {width, ui.px(picture_height)}, false);
-    const Place p = place(ui, {area.rect.x, area.rect.y}, width);
+    const Place p = place(ui, {area.rect.x, area.rect.y}, width, picture_height);
     fill_box(ui, area.rect, ui.palette.ground.with_alpha(0.45f));
     fill_box(ui, p.chassis, mix(ui.palette.panel, ui.palette.chassis, 0.22f), 12);
     line_box(ui, p.chassis, colour_of(ui.palette, vehicle.role), 12, 1.5f);

@@ -106,28 +106,28 @@ void one_product(const Ui& ui, float right, float y, const Product& p, bool stro
     const float w = text_width(ui, Face::small, numbers), h = line_height(ui, Face::small);
     if (strongest) {
         const Colour meaning = colour_of_weight(c, p.value);
-        const Rect mark{right - w - ui.px(4), y + h - ui.px(2), w + ui.px(8), h + ui.px(4)};
+        const Rect mark{right - w - ui.px(4), y + h + ui.px(1), w + ui.px(8), h + ui.px(3)};
         fill_box(ui, mark, meaning.with_alpha(0.22f), 4);
         line_box(ui, mark, meaning, 4);
     }
     put_right(ui, {right - (w - text_width(ui, Face::small, p.letters)) / 2, y}, p.letters, c.second_text, Face::small);
-    put_right(ui, {right, y + h}, numbers, p.masked ? c.second_text : c.text, Face::small);
+    put_right(ui, {right, y + h + ui.px(2)}, numbers, p.masked ? c.second_text : c.text, Face::small);
 }
 
 void equation(const Ui& ui, const Sum& sum, const Columns& x, ImVec2 at, const Product* strongest) {
     const Palette& c = ui.palette;
-    const float h = line_height(ui, Face::small), numbers = at.y + h;
+    const float h = line_height(ui, Face::small), numbers = at.y + h + ui.px(2);
     const auto sign = [&](float right, std::string_view words) {
         put_centred(ui, {at.x + ui.px(right), numbers}, words, c.second_text, Face::small);
     };
     put(ui, {at.x, numbers - (line_height(ui, Face::text) - h) / 2}, sum.motor, c.text, Face::strong);
     sign(28, "=");
     one_product(ui, at.x + ui.px(x.first), at.y, sum.products[0], &sum.products[0] == strongest);
-    sign((x.first + x.second - 66) / 2, "+");
+    sign((x.first + x.second - 60) / 2, "+");
     one_product(ui, at.x + ui.px(x.second), at.y, sum.products[1], &sum.products[1] == strongest);
     put_right(ui, {at.x + ui.px(x.bias), at.y}, sum.bias_letters, c.second_text, Face::small);
     put_right(ui, {at.x + ui.px(x.bias), numbers}, with_sign(sum.bias, 2), c.text, Face::small);
-    sign((x.bias + x.total - 32) / 2, "=");
+    sign((x.bias + x.total - 43) / 2, "=");
     put_right(ui, {at.x + ui.px(x.total), numbers - (line_height(ui, Face::text) - h) / 2}, with_sign(sum.total, 2),
               c.text, Face::strong);
 }
@@ -150,7 +150,7 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const std::array<Sum, 2> both = sums(view, vehicle);
     const Cause why = cause(both);
     const float width = card_width(ui) / ui.scale;
-    const Columns x{106, 196, width - 54, width};
+    const Columns x{width < 300 ? 98.0f : 102.0f, width < 300 ? 174.0f : 186.0f, width - 62, width};
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float row = 2 * line_height(ui, Face::small) + ui.px(8);
     const Product* strongest = std::fabs(why.difference) < 0.02f ? nullptr : why.product;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <imgui.h>
 
@@ -56,13 +57,13 @@ void prediction(const LessonView& lesson, const PanelState& state, Ui& ui) {
     if (asked.options.empty()) return;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     subheading(ui, ui.strings("exercise.predict"));
-    paragraph(ui, asked.question, ui.palette.text);
     if (lesson.has_run && lesson.prediction >= 0) {
         // After the run the choice stands beside the outcome; neither right nor wrong is said.
         const auto chosen = static_cast<std::size_t>(lesson.prediction);
         if (chosen < asked.options.size())
             paragraph(ui, fill(ui.strings("exercise.you_predicted"), {asked.options[chosen]}), ui.palette.second_text);
     } else {
+        paragraph(ui, asked.question, ui.palette.text);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(4)});
         for (std::size_t i = 0; i < asked.options.size(); ++i) {
             const bool is_chosen = static_cast<int>(i) == lesson.prediction;
@@ -74,7 +75,7 @@ void prediction(const LessonView& lesson, const PanelState& state, Ui& ui) {
     if (state.outcome_told && !asked.outcome.empty())
         paragraph(ui, fill(ui.strings("exercise.outcome"), {asked.outcome}), ui.palette.text);
     const ImVec2 end = ImGui::GetCursorScreenPos();
-    mark(ui, "exercise.predict", {start.x, start.y, card_width(ui), end.y - start.y - ui.px(8)});
+    mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});
     gap(ui, 12);
 }
 
@@ -144,7 +145,7 @@ void result(const LessonView& lesson, Ui& ui) {
     gap(ui, 12);
 }
 
-void hints(const LessonView& lesson, Ui& ui) {
+void hints(const LessonView& lesson, PanelState& state, Ui& ui) {
     const auto& all = lesson.exercise->hints;
     const auto shown = std::min(static_cast<std::size_t>(std::max(0, lesson.hints_shown)), all.size());
     for (std::size_t i = 0; i < shown; ++i) {
@@ -158,6 +159,7 @@ void hints(const LessonView& lesson, Ui& ui) {
         ImGui::GetWindowDrawList()->AddRectFilled({start.x, start.y}, {start.x + ui.px(3), start.y + height},
                                                   paint(ui.palette.accent), ui.px(1.5f));
     }
+    if (std::exchange(state.hints_seen, shown) < shown) ImGui::SetScrollHereY(1);  // a new hint comes into sight
 }
 
 void buttons(const LessonView& lesson, Ui& ui) {
@@ -184,7 +186,8 @@ void tell_outcome(const LabView& view, PanelState& state) {
     const LessonView& lesson = *view.lesson;
     if (state.exercise_id != lesson.exercise->id) {
         state.exercise_id = lesson.exercise->id;
-        state.outcome_told = false;
+        state.outcome_told = state.grade_seen = false;
+        state.hints_seen = 0;
     }
     const bool shown = all_done(lesson) || view.now->seconds >= 0.5 * static_cast<double>(lesson.exercise->seconds);
     state.outcome_told = lesson.has_run && (state.outcome_told || shown);
@@ -195,6 +198,7 @@ void tell_outcome(const LabView& view, PanelState& state) {
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const LessonView& lesson = *view.lesson;
     tell_outcome(view, state);
+    state.exercise.footer = ui.px(button_height + 8);
     place.h = std::min(place.h, wanted_height(ui, state.exercise));
     const std::string heading = fill(ui.strings("exercise.heading"), {std::to_string(lesson.exercise->number)});
     const bool open = begin_card(ui, state.exercise, "card.exercise", heading, place);
@@ -209,10 +213,13 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         subheading(ui, ui.strings("exercise.steps"));
         for (std::size_t i = 0; i < lesson.exercise->steps.size(); ++i) step(lesson, i, ui);
         gap(ui, 12);
-        hints(lesson, ui);
+        hints(lesson, state, ui);
+        if (lesson.grade && !state.grade_seen) ImGui::SetScrollY(0);
+        state.grade_seen = lesson.grade.has_value();
+        begin_footer(ui, state.exercise, place);
         buttons(lesson, ui);
     }
-    end_card(ui, state.exercise, open);
+    end_card(state.exercise);
 }
 
 }  // namespace braitenlab

@@ -25,12 +25,19 @@ void figure(const Ui& ui, ImVec2 at, std::string_view caption, std::string_view 
     put(ui, {at.x, at.y + line_height(ui, Face::small)}, value, ui.palette.text, Face::strong);
 }
 
-void figures(const Snapshot& now, Ui& ui) {
+void figures(const LabView& view, Ui& ui) {
+    const Snapshot& now = *view.now;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float third = card_width(ui) / 3;
-    figure(ui, at, ui.strings("info.generation"), std::to_string(now.generation));
-    figure(ui, {at.x + third, at.y}, ui.strings("info.population"), std::to_string(now.vehicles.size()));
-    figure(ui, {at.x + 2 * third, at.y}, ui.strings("info.captures"), std::to_string(now.events.captures));
+    const bool hunted = now.predators + now.prey > 0;
+    figure(ui, at, ui.strings("info.population"), std::to_string(now.vehicles.size()));
+    figure(ui, {at.x + third, at.y}, ui.strings("info.generation"), std::to_string(now.generation));
+    const VehicleView* selected = find_vehicle(now, view.selected);
+    if (hunted)
+        figure(ui, {at.x + 2 * third, at.y}, ui.strings("info.captures"), std::to_string(now.events.captures));
+    else if (selected)
+        figure(ui, {at.x + 2 * third, at.y}, ui.strings("info.speed"),
+               fill(ui.strings("info.metres_a_second"), {fixed(selected->speed, 2)}));
     const float height = line_height(ui, Face::small) + line_height(ui, Face::strong);
     ImGui::Dummy({card_width(ui), height});
     mark(ui, "info.figures", {at.x, at.y, card_width(ui), height});
@@ -79,20 +86,25 @@ void inactivity(const Snapshot& now, Ui& ui) {
     mark(ui, "info.inactivity", {at.x, at.y, width, h + ui.px(5)});
 }
 
+// Where nothing takes energy away, its bars would only ever be full.
+bool energy_matters(const Snapshot& now) { return now.predators + now.prey > 0 || now.scene->ecology.drain > 0; }
+
 // One bar a vehicle, in the order of entering; a click selects it.
 void energies(const LabView& view, Ui& ui) {
     const Snapshot& now = *view.now;
     const std::size_t shown = std::min(most_bars, now.vehicles.size());
     if (shown == 0) return;
-    subheading(ui, ui.strings("info.energy"));
-    const float width = card_width(ui), bar_h = ui.px(22), space = ui.px(3);
+    const std::string_view caption = ui.strings("info.energy");
+    const float aside = text_width(ui, Face::small, caption) + ui.px(12);
+    const float width = card_width(ui) - aside, bar_h = ui.px(18), space = ui.px(3);
     // Few vehicles get broad bars, many slim ones.
     const float bar_w = ui.px(shown <= 24 ? 9.0f : 5.0f);
-    const int per_row = std::max(1, static_cast<int>((width + space) / (bar_w + space)));
-    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const int per_row = std::max(1, static_cast<int>((width + space - ui.px(2)) / (bar_w + space)));
+    const ImVec2 cursor = ImGui::GetCursorScreenPos(), at{cursor.x + aside, cursor.y + ui.px(2)};
+    put(ui, {cursor.x, at.y + ui.px(1)}, caption, ui.palette.second_text, Face::small);
     const int rows = (static_cast<int>(shown) + per_row - 1) / per_row;
     const float row_h = bar_h + ui.px(12);
-    const Item area = item(ui, "info.energy", {width, row_h * static_cast<float>(rows) - ui.px(2)}, false);
+    const Item area = item(ui, "info.energy", {width + aside, row_h * static_cast<float>(rows) - ui.px(2)}, false);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const VehicleView* under = nullptr;
     for (std::size_t i = 0; i < shown; ++i) {
@@ -130,12 +142,13 @@ void information_card(const LabView& view, PanelState& state, Ui& ui, Rect place
     const bool open = begin_card(ui, state.information, "card.information", ui.strings("info.heading"), place);
     if (state.information.folded != was_folded) state.information_opened = was_folded;
     if (open) {
-        figures(*view.now, ui);
+        figures(view, ui);
         ratio(*view.now, ui);
-        energies(view, ui);
+        if (energy_matters(*view.now)) energies(view, ui);
+        strips(view, state.history, ui);
         inactivity(*view.now, ui);
     }
-    end_card(ui, state.information, open);
+    end_card(state.information);
 }
 
 }  // namespace braitenlab

@@ -46,12 +46,11 @@ void keys_card(const LabView&, PanelState& state, Ui& ui, Rect window) {
         line_height(ui, Face::title) + static_cast<float>(rows) * line + ui.px(button_height + 32) + 2 * pad;
     const Rect card{window.x + (window.w - w) / 2, window.y + (window.h - h) / 2, w, h};
 
-    begin_bar(ui, "keys", window);
+    begin_bar(ui, "keys", window, true);
     fill_box(ui, window, ui.palette.ground.with_alpha(0.55f), 0);
     card_ground(ui, card);
-    fill_box(ui, card, ui.palette.panel);
+    fill_box(ui, card, ui.palette.panel);  // opaque: the cards below it are full of words
     line_box(ui, card, ui.palette.line);
-    ImGui::SetWindowFocus();
     put(ui, {card.x + pad, card.y + pad}, ui.strings("keys.heading"), ui.palette.text, Face::title);
     const float top = card.y + pad + line_height(ui, Face::title) + ui.px(16);
     int at = 0;

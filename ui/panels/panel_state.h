@@ -6,6 +6,7 @@
 
 #include "core/brain/graph.h"
 #include "core/brain/recogniser.h"
+#include "ui/panels/history.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/slider.h"
@@ -25,10 +26,13 @@ struct PanelState {
     Keyboard keyboard;
     CanvasState canvas;
     Recognised recognised;
+    History history;
     bool why_open = false;
     bool keys_open = false;  // the list of keys, F1
     bool presets_open = false, close_presets = false;
-    bool outcome_told = false;  // of the exercise below: told once, it stays
+    bool outcome_told = false;   // of the exercise below: told once, it stays
+    std::size_t hints_seen = 0;  // of the same, already scrolled to
+    bool grade_seen = false;
     std::string exercise_id;
     bool information_opened = false;  // by hand: it then stays open in a low window
 };

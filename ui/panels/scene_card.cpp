@@ -16,7 +16,7 @@ void scene_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         paragraph(ui, scene.title.empty() ? scene.name : scene.title, ui.palette.text, Face::title);
         if (!scene.story.empty()) paragraph(ui, scene.story, ui.palette.second_text);
     }
-    end_card(ui, state.scene, open);
+    end_card(state.scene);
 }
 
 }  // namespace braitenlab

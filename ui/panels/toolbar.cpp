@@ -16,13 +16,14 @@ namespace braitenlab {
 
 namespace {
 
+constexpr int never = 99, narrowest = 7;                   // steps of narrowness
 constexpr float margin = 12, between = 4, group_gap = 17;  // layout pixels
 constexpr float speed_width = 52, status_width = 196;
 
 struct Tool {
     std::string_view anchor, words, icon;  // words: key of the string
     Action action;
-    int keeps_words;  // the lowest step of narrowness at which the words go; 9: never
+    int loses_words;  // the step of narrowness at which its words go
     bool on = false;
     bool first_of_group = false;
 };
@@ -31,16 +32,16 @@ std::vector<Tool> tools(const LabView& view) {
     const bool playing = view.mode == Mode::playing;
     return {
         {"button.play", playing ? "button.pause" : "button.play", playing ? icon::pause : icon::play,
-         Action::play_pause, 9},
-        {"button.step", "button.step", icon::step, Action::step, 4},
-        {"button.reset", "button.reset", icon::reset, Action::reset, 4},
-        {"button.new", "button.new", icon::new_population, Action::new_population, 3},
-        {"button.add", "button.add", icon::add, Action::add, 2, false, true},
-        {"button.remove", "button.remove", icon::remove, Action::remove, 2},
-        {"button.follow", "button.follow", icon::follow, Action::follow, 2, view.camera == CameraMode::follow, true},
-        {"button.sensors", "button.sensors", icon::sensors, Action::sensors, 1, view.sensors},
-        {"button.outlines", "button.outlines", icon::outlines, Action::outlines, 1, view.outlines},
-        {"button.wiring", "button.wiring", icon::wiring, Action::wiring, 5, view.mode == Mode::wiring},
+         Action::play_pause, never},
+        {"button.step", "button.step", icon::step, Action::step, 6},
+        {"button.reset", "button.reset", icon::reset, Action::reset, 6},
+        {"button.new", "button.new", icon::new_population, Action::new_population, 5},
+        {"button.add", "button.add", icon::add, Action::add, 4, false, true},
+        {"button.remove", "button.remove", icon::remove, Action::remove, 4},
+        {"button.follow", "button.follow", icon::follow, Action::follow, 3, view.camera == CameraMode::follow, true},
+        {"button.sensors", "button.sensors", icon::sensors, Action::sensors, 2, view.sensors},
+        {"button.outlines", "button.outlines", icon::outlines, Action::outlines, 2, view.outlines},
+        {"button.wiring", "button.wiring", icon::wiring, Action::wiring, 7, view.mode == Mode::wiring},
     };
 }
 
@@ -49,7 +50,7 @@ const Tool exit_tool{"button.exit", "button.exit", icon::exit, Action::exit, 1};
 ButtonLook look_of(const Ui& ui, const Tool& tool, int narrowness) {
     ButtonLook look;
     look.icon = tool.icon;
-    if (narrowness < tool.keeps_words || !has_icons(ui)) look.words = ui.strings(tool.words);
+    if (narrowness < tool.loses_words || !has_icons(ui)) look.words = ui.strings(tool.words);
     look.emphasis = tool.action == Action::play_pause ? Emphasis::primary : Emphasis::quiet;
     if (tool.action == Action::play_pause) look.min_width = 92;  // Play and Pause: nothing beside it moves
     look.on = tool.on;
@@ -119,12 +120,14 @@ void status(const LabView& view, Ui& ui, float x, Rect bar) {
     const float middle = bar.y + bar.h / 2;
     const Rect pill{x, middle - ui.px(13), ui.px(104), ui.px(26)};
     fill_box(ui, pill, colour.with_alpha(0.14f), 13);
-    put_icon(ui, {pill.x + ui.px(17), middle},
+    const float icon_room = has_icons(ui) ? ui.px(18) : 0;
+    const float left = pill.x + (pill.w - icon_room - text_width(ui, Face::small, words)) / 2;
+    put_icon(ui, {left + ui.px(5), middle},
              playing  ? icon::play
              : wiring ? icon::wiring
                       : icon::pause,
              colour, Face::small);
-    put(ui, {pill.x + ui.px(30), middle - line_height(ui, Face::small) / 2}, words, colour, Face::small);
+    put(ui, {left + icon_room, middle - line_height(ui, Face::small) / 2}, words, colour, Face::small);
     mark(ui, "mode", pill);
     const std::string time = fill(ui.strings("time.seconds"), {fixed(static_cast<float>(view.now->seconds), 1)});
     const Rect clock{pill.x + pill.w + ui.px(8), pill.y, ui.px(status_width - 112), pill.h};
@@ -138,7 +141,7 @@ void toolbar(const LabView& view, Ui& ui, Rect bar) {
     begin_bar(ui, "toolbar", bar);
     const std::vector<Tool> all = tools(view);
     int narrowness = 0;
-    while (narrowness < 5 && width_of(ui, all, narrowness) > bar.w) ++narrowness;
+    while (narrowness < narrowest && width_of(ui, all, narrowness) > bar.w) ++narrowness;
 
     const float y = bar.y + (bar.h - ui.px(button_height)) / 2;
     float x = bar.x + ui.px(margin);

@@ -117,13 +117,14 @@ bool fold_row(Ui& ui, std::string_view id, std::string_view words, bool& open) {
     return open;
 }
 
-float chip(const Ui& ui, float right, float middle_y, std::string_view words) {
-    const float w = text_width(ui, Face::small, words) + ui.px(16), h = ui.px(22);
-    const Rect r{right - w, middle_y - h / 2, w, h};
+float chip_width(const Ui& ui, std::string_view words) { return text_width(ui, Face::small, words) + ui.px(16); }
+
+void chip(const Ui& ui, ImVec2 at, std::string_view words) {
+    const float h = ui.px(22);
+    const Rect r{at.x, at.y - h / 2, chip_width(ui, words), h};
     fill_box(ui, r, ui.palette.raised, 11);
     line_box(ui, r, ui.palette.line, 11);
-    put_centred(ui, {r.x + w / 2, middle_y - line_height(ui, Face::small) / 2}, words, ui.palette.text, Face::small);
-    return w;
+    put_centred(ui, {r.x + r.w / 2, at.y - line_height(ui, Face::small) / 2}, words, ui.palette.text, Face::small);
 }
 
 }  // namespace braitenlab

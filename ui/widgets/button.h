@@ -33,7 +33,8 @@ bool radio_row(Ui&, std::string_view id, std::string_view words, bool chosen, bo
 // A line with an angle that opens what follows; returns whether it is open.
 bool fold_row(Ui&, std::string_view id, std::string_view words, bool& open);
 
-// A word in a rounded box, with its right end at `right` and its middle at `middle_y`. Returns its width.
-float chip(const Ui&, float right, float middle_y, std::string_view words);
+// A word in a rounded box, with the middle of its left side at `at`.
+void chip(const Ui&, ImVec2 at, std::string_view words);
+float chip_width(const Ui&, std::string_view words);
 
 }  // namespace braitenlab

@@ -21,16 +21,31 @@ constexpr ImGuiWindowFlags quiet = ImGuiWindowFlags_NoDecoration | ImGuiWindowFl
                                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoScrollWithMouse;
 
-void begin_window(const char* name, Rect r) {
+void begin_window(const char* name, Rect r, ImGuiWindowFlags flags = quiet) {
     ImGui::SetNextWindowPos({r.x, r.y});
     ImGui::SetNextWindowSize({r.w, r.h});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-    ImGui::Begin(name, nullptr, quiet);
+    ImGui::Begin(name, nullptr, flags);
     ImGui::PopStyleVar(2);
 }
 
-void heading_row(Ui& ui, CardState& state, std::string_view id, std::string_view words, Rect r) {
+void heading_button(Ui& ui, HeadingButton& extra, Rect r) {
+    const float w = text_width(ui, Face::small, extra.words) + ui.px(16), right = r.x + r.w - ui.px(side_padding + 16);
+    ImGui::SetCursorScreenPos({right - w, r.y + ui.px(6)});
+    const Item at = item(ui, extra.id, {w, ui.px(24)});
+    fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.line, at.warmth), 5);
+    line_box(ui, at.rect, ui.palette.line, 5);
+    put_centred(ui, {at.middle_x(), at.middle_y() - line_height(ui, Face::small) / 2}, extra.words, ui.palette.text,
+                Face::small);
+    tooltip(ui, at, extra.tooltip);
+    extra.pressed = at.pressed;
+}
+
+void heading_row(Ui& ui, CardState& state, std::string_view id, std::string_view words, Rect r, HeadingButton* extra) {
+    // The button comes first: of two widgets under the pointer, Dear ImGui gives it to the earlier one.
+    if (extra && !state.folded) heading_button(ui, *extra, r);
+    ImGui::SetCursorScreenPos({r.x, r.y});
     const Item row = item(ui, std::string(id) + ".fold", {r.w, std::min(r.h, ui.px(heading_height))});
     const Colour colour = mix(ui.palette.second_text, ui.palette.text, row.warmth);
     const float y = row.rect.y + ui.px(heading_height) / 2;
@@ -45,7 +60,7 @@ void heading_row(Ui& ui, CardState& state, std::string_view id, std::string_view
 float folded_height(const Ui& ui) { return ui.px(heading_height); }
 
 float wanted_height(const Ui& ui, const CardState& state) {
-    return state.folded ? folded_height(ui) : ui.px(heading_height + bottom_padding) + state.content;
+    return state.folded ? folded_height(ui) : ui.px(heading_height + bottom_padding) + state.content + state.footer;
 }
 
 void card_ground(const Ui& ui, Rect r, float rounding) {
@@ -61,39 +76,53 @@ void card_ground(const Ui& ui, Rect r, float rounding) {
     draw.PopClipRect();
 }
 
-bool begin_card(Ui& ui, CardState& state, std::string_view id, std::string_view heading, Rect r) {
+bool begin_card(Ui& ui, CardState& state, std::string_view id, std::string_view heading, Rect r, HeadingButton* extra) {
     begin_stops(ui.keyboard);
     begin_window(std::string(id).c_str(), r);
     card_ground(ui, r);
     mark(ui, id, r);
-    heading_row(ui, state, id, heading, r);
+    heading_row(ui, state, id, heading, r, extra);
     if (state.folded) return false;
     const float top = ui.px(heading_height), bottom = ui.px(bottom_padding);
     ImGui::SetCursorPos({ui.px(side_padding), top});
     // The scrollbar stands in the right padding, so that it never pushes the content.
-    compat::begin_child("body",
-                        {r.w - ui.px(side_padding) - ui.px(scrollbar_inset), std::max(1.0f, r.h - top - bottom)},
-                        ImGuiWindowFlags_NoNav);
+    compat::begin_child(
+        "body", {r.w - ui.px(side_padding) - ui.px(scrollbar_inset), std::max(1.0f, r.h - top - bottom - state.footer)},
+        ImGuiWindowFlags_NoNav);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(8)});
     ImGui::BeginGroup();
+    state.in_body = true;
     return true;
 }
 
-void end_card(Ui& ui, CardState& state, bool open) {
-    if (open) {
-        ImGui::EndGroup();
-        state.content = ImGui::GetItemRectSize().y;
-        ImGui::PopStyleVar();
-        ImGui::EndChild();
-    }
-    ImGui::End();
-    (void)ui;
+namespace {
+
+void end_body(CardState& state) {
+    if (!state.in_body) return;
+    ImGui::EndGroup();
+    state.content = ImGui::GetItemRectSize().y;
+    state.in_body = false;
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
 }
 
-void begin_bar(Ui& ui, const char* name, Rect r) {
+}  // namespace
+
+void begin_footer(Ui& ui, CardState& state, Rect r) {
+    end_body(state);
+    ImGui::SetCursorScreenPos({r.x + ui.px(side_padding), r.y + r.h - ui.px(bottom_padding) - state.footer + ui.px(8)});
+}
+
+void end_card(CardState& state) {
+    end_body(state);
+    ImGui::End();
+}
+
+void begin_bar(Ui& ui, const char* name, Rect r, bool covers_cards) {
     begin_stops(ui.keyboard);
-    begin_window(name, r);
-    card_ground(ui, r, 0);
+    if (covers_cards) ImGui::SetNextWindowFocus();
+    begin_window(name, r, covers_cards ? quiet & ~ImGuiWindowFlags_NoBringToFrontOnFocus : quiet);
+    if (!covers_cards) card_ground(ui, r, 0);
 }
 
 void end_bar() { ImGui::End(); }

@@ -9,6 +9,8 @@ namespace braitenlab {
 
 struct CardState {
     bool folded = false;
+    float footer = 0;  // window pixels kept at the bottom for what must stay in sight
+    bool in_body = false;
     float content = 0;  // how high everything in it is, measured last frame, window pixels; 0 before the first
 };
 
@@ -18,16 +20,26 @@ float wanted_height(const Ui&, const CardState&);
 // The height of a folded card.
 float folded_height(const Ui&);
 
+// A quiet button in a card's heading.
+struct HeadingButton {
+    std::string_view id, words, tooltip;
+    bool pressed = false;
+};
+
 // Opens the card in this rectangle; anchors: `id` for all of it, `id`.fold for its heading. When false, nothing may be
 // drawn in it (it is folded); end_card is called either way.
-bool begin_card(Ui&, CardState&, std::string_view id, std::string_view heading, Rect);
-void end_card(Ui&, CardState&, bool open);
+bool begin_card(Ui&, CardState&, std::string_view id, std::string_view heading, Rect, HeadingButton* = nullptr);
+void end_card(CardState&);
+
+// What is drawn from here on stands in the footer, below the part that scrolls. Set CardState::footer beforehand.
+void begin_footer(Ui&, CardState&, Rect card);
 
 // The card's ground alone: panel colour at 92 %, a line around, a soft shadow.
 void card_ground(const Ui&, Rect, float layout_rounding = 6);
 
 // A plain window without a card's heading, for bars: its cursor starts at the rectangle's corner, without padding.
-void begin_bar(Ui&, const char* name, Rect);
+// One that covers the cards comes to the front each frame.
+void begin_bar(Ui&, const char* name, Rect, bool covers_cards = false);
 void end_bar();
 
 // The width between the card's paddings, where the scrollbar is not.

@@ -49,7 +49,7 @@ Item item(Ui& ui, std::string_view id, ImVec2 size, bool enabled) {
         result.focused = true;
         if (take(*ui.keyboard, key::enter)) result.pressed = result.entered = true;
         if (ui.keyboard->revealed && !is_visible(inside_clip(result.rect))) ImGui::SetScrollHereY();
-        ring(ui, result.rect, ui.palette.accent, 2, 2);
+        ring(ui, result.rect, ui.palette.accent, 3, 1.5f);
     }
     result.warmth = eased(ui, id, enabled && (result.hovered || result.held) ? 1.0f : 0.0f);
     mark(ui, id, result.rect);
@@ -61,8 +61,8 @@ void mark(Ui& ui, std::string_view id, Rect rect) {
     if (!is_visible(visible)) return;
     ui.anchors.record(id, visible);
     if (id == ui.highlight && !id.empty()) {
-        ring(ui, rect, ui.palette.accent.with_alpha(0.35f + 0.65f * ui.pulse), 2, 2);
-        ring(ui, rect, ui.palette.accent.with_alpha(0.30f * ui.pulse), 4, 4);
+        ring(ui, rect, ui.palette.accent.with_alpha(0.35f + 0.65f * ui.pulse), 3, 2);
+        ring(ui, rect, ui.palette.accent.with_alpha(0.25f * ui.pulse), 5, 4);
     }
 }
 
