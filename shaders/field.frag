@@ -17,8 +17,8 @@ void main() {
 
     if (v_line.y < 0.0 || v_line.x > 0.0) {
         float far = v_line.y < 0.0 ? -v_line.y - v_own.x : v_line.y - d;
-        float pixel = fwidth(d) * arena.w;
-        float edge = 1.0 - smoothstep(pixel * 0.6, pixel * 1.6, abs(min(far, beside) - pixel));
+        float within = min(far, beside), pixel = fwidth(within) * arena.w;
+        float edge = 1.0 - smoothstep(pixel * 0.4, pixel * 1.2, abs(within - pixel));
         alpha = max(alpha * step(0.0, far), v_line.x * edge);
     }
     // Walls end what can be seen; without walls the field goes on.

@@ -17,7 +17,7 @@ void main() {
     vec3 up = to_gl(vec3(turn(stretched.xy, place.zw), stretched.z));
     int kind = int(paint + 0.5);
     vec3 tone = base.rgb;
-    if (kind == paint_deck) tone = mix(base.rgb * 0.30, ink.rgb, 0.55);
+    if (kind == paint_deck) tone = mix(base.rgb * 0.46, ink.rgb, 0.35);
     if (kind == paint_gauge) tone = mix(paper.rgb, base.rgb, 0.15);
     if (kind == paint_mark) tone = mix(base.rgb, vec3(1.0), 0.25 + 0.55 * base.w);
     v_colour = lit(tone, up, at);

@@ -28,7 +28,7 @@ void main() {
         return;
     }
     float d = length(v_own), pixel = fwidth(d);
-    float half_width = max(v_shape.z, (kind == kind_ring ? 1.4 : 0.8) * pixel * arena.w);
+    float half_width = max(v_shape.z, (kind == kind_ring ? 1.7 : 0.9) * pixel * arena.w);
     float away = abs(d - v_shape.x);
     float line = 1.0 - smoothstep(half_width - pixel * 0.5, half_width + pixel * 0.5, away);
     // The dark edge keeps yellow visible on a white floor.

@@ -20,7 +20,7 @@ void main() {
     vec3 up = to_gl(vec3(turn(facing.xy, place.zw), facing.z));
     int kind = int(paint + 0.5);
     vec3 rubber = mix(ink.rgb, vec3(0.5), 0.14);
-    vec3 tone = kind == paint_mark ? vec3(0.66, 0.69, 0.73) : kind == paint_deck ? rubber * 1.5 : rubber;
+    vec3 tone = kind == paint_mark ? vec3(0.50, 0.53, 0.57) : kind == paint_deck ? rubber * 1.5 : rubber;
     v_colour = lit(tone, up, at);
     gl_Position = view_projection * vec4(at, 1.0);
 }

@@ -56,9 +56,14 @@ void add_hull(Sheet& sheet, const Subject& s) {
 
 void add_wheels(Sheet& sheet, const Subject& s) {
     for (const Wheel& wheel : s.kind.body.wheels) {
+        const bool castor = wheel.motor == Motor::none;
+        if (castor && sheet.crowd < 0.5f) continue;  // hidden below the hull, and a crowd has many
         const vec2 at = s.to_world({wheel.x, wheel.y});
-        const float turned = wheel.motor == Motor::none ? 0 : s.view.wheel_angle[wheel.motor == Motor::right];
-        sheet.list.wheels.push_back({{at.x, at.y, s.ahead.x, s.ahead.y}, {wheel.radius, wheel.width, turned, 0}});
+        const float turned = castor ? 0 : s.view.wheel_angle[wheel.motor == Motor::right];
+        // The mesh shows its left side: a wheel on the right is turned about, and then rolls the other way.
+        const float side = wheel.y < 0 ? -1.0f : 1.0f;
+        sheet.list.wheels.push_back(
+            {{at.x, at.y, side * s.ahead.x, side * s.ahead.y}, {wheel.radius, wheel.width, side * turned, 0}});
     }
 }
 
@@ -101,7 +106,7 @@ void add_fields(Sheet& sheet, const Subject& s) {
         const float idle = s.selected ? 0.20f : 0.10f, strong = (s.selected ? 0.60f : 0.42f) - (light ? 0.10f : 0.0f);
         const float awake = s.kind.driver == Driver::parked ? 0.4f : 1.0f;
         const float fill = sheet.picture.sensors ? (idle + (strong - idle) * seen) * awake : 0.0f;
-        const float line = sheet.picture.outlines ? (s.selected ? 0.85f : 0.4f) + 0.15f * seen : 0.0f;
+        const float line = sheet.picture.outlines ? (s.selected ? 0.8f : 0.28f) + 0.2f * seen : 0.0f;
         const float reach = fill_reach(sheet, s, sensor), radius = visible_radius(fill, reach, sensor);
         if (radius == 0 && line == 0) continue;
         const vec2 at = s.to_world({sensor.x, sensor.y});
@@ -167,10 +172,10 @@ void add_marks(Sheet& sheet, const Subject& s) {
     const float radius = 0.5f * std::hypot(body.length, body.width) + 0.16f;
     if (s.selected)
         sheet.list.rings.push_back(
-            {place, {radius, radius, 0.05f, static_cast<float>(MarkKind::ring)}, rgb_with(sheet.colours.selected, 1)});
+            {place, {radius, radius, 0.035f, static_cast<float>(MarkKind::ring)}, rgb_with(sheet.colours.selected, 1)});
     else if (s.hovered)
         sheet.list.rings.push_back({place,
-                                    {radius, radius, 0.018f, static_cast<float>(MarkKind::thin_ring)},
+                                    {radius, radius, 0.014f, static_cast<float>(MarkKind::thin_ring)},
                                     rgb_with(sheet.colours.second_text, 0.9f)});
 }
 
@@ -287,7 +292,7 @@ int source_shape_of(Channel channel) {
 void fill(DrawList& list, const Snapshot& now, const Picture& picture, const Trails& trails) {
     list.clear();
     const float count = static_cast<float>(now.vehicles.size());
-    Sheet sheet{list, now, picture, palette(picture.theme), std::min(1.0f, std::sqrt(12 / std::max(count, 1.0f)))};
+    Sheet sheet{list, now, picture, palette(picture.theme), std::min(1.0f, std::sqrt(8 / std::max(count, 1.0f)))};
     add_sources(sheet);
     add_blocks(sheet);
     add_vehicles(sheet, trails);

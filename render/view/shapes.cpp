@@ -138,32 +138,27 @@ Shape hull_shape(Role role) {
 
 Shape wheel_shape() {
     constexpr int facets = 12;
+    // Round in the x-z plane, turning ahead from the top (about the +y axis).
+    const auto rim = [](int i, float radius, float y) {
+        const vec2 p = maths::direction(2 * maths::pi * static_cast<float>(i) / facets) * radius;
+        return vec3{p.y, y, p.x};
+    };
     Shape shape;
     for (int i = 0; i < facets; ++i) {
-        // Round in the x-z plane, turning ahead from the top (about the +y axis).
-        const vec2 a = maths::direction(2 * maths::pi * static_cast<float>(i) / facets);
-        const vec2 b = maths::direction(2 * maths::pi * static_cast<float>(i + 1) / facets);
-        const auto rim = [](vec2 p, float y) { return vec3{p.y, y, p.x}; };
-        const Paint tread = i % 3 == 0 ? Paint::mark : Paint::dark;
-        add_quad(shape, rim(a, -0.5f), rim(b, -0.5f), rim(b, 0.5f), rim(a, 0.5f), tread);
-        const Paint spoke = i % 3 == 0 ? Paint::mark : Paint::deck;
-        for (const float y : {-0.5f, 0.5f}) {
-            const vec3 hub{0, y, 0}, inner_a = rim(a * 0.72f, y), inner_b = rim(b * 0.72f, y);
-            if (y > 0) {
-                add_triangle(shape, hub, inner_a, inner_b, spoke);
-                add_quad(shape, inner_a, rim(a, y), rim(b, y), inner_b, Paint::dark);
-            } else {
-                add_triangle(shape, hub, inner_b, inner_a, spoke);
-                add_quad(shape, inner_b, rim(b, y), rim(a, y), inner_a, Paint::dark);
-            }
-        }
+        const bool lug = i % 3 == 0;
+        add_quad(shape, rim(i, 1, -0.5f), rim(i + 1, 1, -0.5f), rim(i + 1, 1, 0.5f), rim(i, 1, 0.5f),
+                 lug ? Paint::mark : Paint::dark);
+        add_quad(shape, rim(i, 0.72f, 0.5f), rim(i, 1, 0.5f), rim(i + 1, 1, 0.5f), rim(i + 1, 0.72f, 0.5f),
+                 Paint::dark);
+        add_triangle(shape, {0, 0.5f, 0}, rim(i, 0.72f, 0.5f), rim(i + 1, 0.72f, 0.5f),
+                     lug ? Paint::mark : Paint::deck);
     }
     return shape;
 }
 
 Shape eye_shape() {
     Shape shape;
-    add_ball(shape, {0, 0, 0}, {1, 1, 1}, 12, 8, [](float) { return Paint::light; });
+    add_ball(shape, {0, 0, 0}, {1, 1, 1}, 12, 6, [](float) { return Paint::light; });
     for (Corner& c : shape.corners) {  // the pole looks along +x
         c.place = {c.place.z, c.place.x, c.place.y};
         c.normal = {c.normal.z, c.normal.x, c.normal.y};

@@ -28,8 +28,8 @@ struct Shape {
 // Wedge-shaped nose for a predator, round for prey, square for others; wheel arches, a deck and an energy gauge.
 Shape hull_shape(Role);
 
-// Radius 1, axis along y, from y = −0.5 to 0.5; some lugs of the tread and the spokes are lighter, so that turning
-// shows.
+// Radius 1, axis along y, from y = −0.5 to 0.5, open on its right, where the hull hides it. Some lugs of the tread and
+// the spokes are lighter, so that turning shows.
 Shape wheel_shape();
 
 // A ball of radius 1 whose lens looks along +x.

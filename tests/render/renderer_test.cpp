@@ -7,10 +7,6 @@
 #include "tests/render/stage.h"
 #include "tests/view/hand_made.h"
 
-#ifndef BRAITENLAB_SHADERS
-#define BRAITENLAB_SHADERS "shaders"
-#endif
-
 namespace braitenlab {
 namespace {
 
@@ -21,7 +17,7 @@ class RendererTest : public testing::Test {
 protected:
     void SetUp() override {
         ASSERT_TRUE(stage.ready()) << stage.problem();
-        auto created = Renderer::create(BRAITENLAB_SHADERS);
+        auto created = Renderer::create(BRAITENLAB_SOURCE "/shaders");
         ASSERT_TRUE(created) << created.error().text();
         renderer.emplace(std::move(*created));
         picture.sight = look(Camera{}, Arena{}, nullptr, window, window);

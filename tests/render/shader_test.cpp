@@ -8,10 +8,6 @@
 #include "render/gl/renderer.h"
 #include "tests/render/stage.h"
 
-#ifndef BRAITENLAB_SHADERS
-#define BRAITENLAB_SHADERS "shaders"
-#endif
-
 namespace braitenlab {
 namespace {
 
@@ -23,7 +19,7 @@ protected:
         ASSERT_TRUE(stage.ready()) << stage.problem();
         folder = fs::temp_directory_path() / "braitenlab_shader_test";
         fs::remove_all(folder);
-        fs::copy(BRAITENLAB_SHADERS, folder);
+        fs::copy(BRAITENLAB_SOURCE "/shaders", folder);
     }
     void TearDown() override { fs::remove_all(folder); }
 
