@@ -33,7 +33,8 @@ float tidy(float value, const SliderLook& look) {
     return std::round(std::clamp(value, look.low, look.high) * 100) / 100 + 0.0f;
 }
 
-std::optional<float> drag(SliderState& state, const Item& at, const Track& track, std::string_view id, float value) {
+std::optional<float> drag(const Ui& ui, SliderState& state, const Item& at, const Track& track, std::string_view id,
+                          float value) {
     if (!at.held) {
         if (state.dragged == id) state.dragged.clear();
         return std::nullopt;
@@ -46,7 +47,7 @@ std::optional<float> drag(SliderState& state, const Item& at, const Track& track
         state.dragged = id;
         ++state.gesture;
         state.asked = value;
-        const bool on_knob = std::fabs(io.MousePos.x - track.at(value)) <= reach;
+        const bool on_knob = std::fabs(io.MousePos.x - track.at(value)) <= ui.px(knob_radius + 3);
         state.grip = on_knob ? value - track.value_at(io.MousePos.x) : 0;
         if (on_knob) return std::nullopt;
     } else if (io.MouseDelta.x == 0) {
@@ -162,7 +163,7 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
         ++state.gesture;
         wanted = 0.0f;
     } else {
-        wanted = drag(state, at, track, id, value);
+        wanted = drag(ui, state, at, track, id, value);
         if (!wanted) wanted = nudge(ui, state, at, id, value, wall_seconds);
     }
 

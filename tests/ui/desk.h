@@ -1,0 +1,203 @@
+// A window without a window: Dear ImGui with its input fed by hand, over a snapshot made by hand.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "core/brain/four_neurons.h"
+#include "ui/prompts.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/window.h"
+
+namespace braitenlab::tests {
+
+inline Strings english() {
+    auto strings = Strings::load(std::string(BRAITENLAB_SOURCE) + "/ui/strings/en.toml");
+    if (!strings) throw std::runtime_error(strings.error().text());
+    return *strings;
+}
+
+inline Kind kind(const char* name, Role role, const FourNeurons& dials) {
+    Kind made;
+    made.name = name;
+    made.role = role;
+    made.sensors.resize(2);
+    made.sensors[0].name = "SL";
+    made.sensors[1].name = "SR";
+    made.brain = make_graph(dials);
+    return made;
+}
+
+// `predators` and twice as many prey; or, with none, one vehicle without a role.
+inline Snapshot snapshot(int predators) {
+    Snapshot now;
+    auto scene = std::make_shared<Scene>();
+    scene->title = "A scene";
+    scene->story = "What it is about.";
+    const FourNeurons aggressor{.LR = 1.5f, .RL = 1.5f, .LM = 0.1f, .RM = 0.1f};
+    const FourNeurons coward{.LL = 1.5f, .RR = 1.5f, .LM = 0.1f, .RM = 0.1f};
+    if (predators > 0) {
+        scene->kinds = {kind("predator", Role::predator, aggressor), kind("prey", Role::prey, coward)};
+    } else {
+        scene->kinds = {kind("vehicle", Role::none, coward)};
+    }
+    for (const Kind& each : scene->kinds) now.brains.push_back(std::make_shared<BrainGraph>(each.brain));
+    const int count = predators > 0 ? 3 * predators : 1;
+    for (int i = 0; i < count; ++i) {
+        VehicleView vehicle;
+        vehicle.id = i;
+        vehicle.kind = predators > 0 && i % 3 != 0 ? 1 : 0;
+        vehicle.role = scene->kinds[static_cast<std::size_t>(vehicle.kind)].role;
+        vehicle.brain = vehicle.kind;
+        vehicle.first_sensed = vehicle.first_neuron = 2 * i;
+        vehicle.neuron_count = 2;
+        vehicle.motor = {0.3f, 0.5f};
+        now.sensed.insert(now.sensed.end(), {0.4f, 0.2f});
+        now.neurons.insert(now.neurons.end(), {0.3f, 0.5f});
+        now.vehicles.push_back(vehicle);
+        now.predators += vehicle.role == Role::predator;
+        now.prey += vehicle.role == Role::prey;
+    }
+    now.inactivity_left = 12;
+    now.scene = scene;
+    return now;
+}
+
+inline Exercise exercise() {
+    Exercise made;
+    made.id = "05-aggressor";
+    made.number = 5;
+    made.title = "Aggressor";
+    made.goal = "Wire this vehicle so that it turns to the lamp and strikes it, faster and faster.";
+    made.why = "It differs from the coward in nothing but two crossed wires.";
+    made.prediction = {"What will the vehicle do when you press Play?",
+                       {"Turn to the lamp", "Turn away from the lamp and speed off", "Drive straight past the lamp"},
+                       1,
+                       "It turned away."};
+    Step turns{"Turn to the lamp", {}}, touches{"Touch the lamp", {}}, speeds{"Arrive faster", {}};
+    turns.check.goal = Goal::turns_to;
+    touches.check.goal = Goal::touches;
+    speeds.check.goal = Goal::speeds_up;
+    made.steps = {turns, touches, speeds};
+    made.hints = {{"A nudge.", ""}, {"The principle.", ""}, {"Raise LR.", "slider.LR"}};
+    return made;
+}
+
+class Desk {
+public:
+    explicit Desk(float width = 1280, float height = 800, float scale = 1, bool fonts = false) : scale_(scale) {
+        ImGui::CreateContext();
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = {width, height};
+        io.DeltaTime = 1.0f / 60;
+        if (fonts) load();
+        unsigned char* pixels = nullptr;
+        int w = 0, h = 0;
+        io.Fonts->GetTexDataAsAlpha8(&pixels, &w, &h);
+        apply_theme(Theme::dark, scale);
+        view.now = &now;
+        view.selected = 0;
+        view.reduce_motion = true;
+    }
+    ~Desk() { ImGui::DestroyContext(); }
+    Desk(const Desk&) = delete;
+    Desk& operator=(const Desk&) = delete;
+
+    void open_exercise() {
+        now = snapshot(0);
+        lesson.exercise = &opened;
+        lesson.verdicts.assign(opened.steps.size(), Verdict{false, 0.83f, 0.6f, "m"});
+        view.lesson = &lesson;
+    }
+
+    // Draws so many frames; `asked` then holds what the last one put into the outbox, `all` everything so far.
+    void frame(int count = 1) {
+        for (; count > 0; --count) {
+            view.wall_seconds += 1.0 / 60;
+            asked.clear();
+            anchors.begin();
+            Ui ui{strings, palette(view.theme), loaded_.fonts, scale_, anchors, asked, highlight, 1};
+            ImGui::NewFrame();
+            layout = lay_out(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y, scale_, view);
+            draw_window(view, panels, ui, layout);
+            ImGui::Render();
+            all.insert(all.end(), asked.begin(), asked.end());
+        }
+    }
+
+    Rect where(std::string_view anchor) const {
+        const Rect* found = anchors.find(anchor);
+        if (!found) throw std::runtime_error("no anchor " + std::string(anchor));
+        return *found;
+    }
+
+    void point(float x, float y) { ImGui::GetIO().MousePos = {x, y}; }
+    void point(std::string_view anchor, float share = 0.5f) {
+        const Rect r = where(anchor);
+        point(r.x + r.w * share, r.y + r.h / 2);
+    }
+    void button(int which, bool down) { ImGui::GetIO().MouseDown[which] = down; }
+
+    void click(std::string_view anchor, int which = 0, float share = 0.5f) {
+        point(anchor, share);
+        frame(2);
+        button(which, true);
+        frame(2);
+        button(which, false);
+        frame(2);
+    }
+    void rest() { frame(30); }  // long enough that two clicks are no double click
+
+    void key(KeyPress press) { press_key(view, panels, press, all); }
+    void type(const char* text) { ImGui::GetIO().AddInputCharactersUTF8(text); }
+
+    std::vector<EditRequest> edits() const {
+        std::vector<EditRequest> found;
+        for (const Request& request : all)
+            if (const auto* edit = std::get_if<EditRequest>(&request)) found.push_back(*edit);
+        return found;
+    }
+    std::vector<Action> actions() const {
+        std::vector<Action> found;
+        for (const Request& request : all)
+            if (const auto* action = std::get_if<Action>(&request)) found.push_back(*action);
+        return found;
+    }
+
+    Strings strings = english();
+    Snapshot now = snapshot(4);
+    Exercise opened = exercise();
+    LessonView lesson;
+    LabView view;
+    PanelState panels;
+    Anchors anchors;
+    Outbox asked, all;
+    WindowLayout layout;
+    std::string highlight;
+
+private:
+    void load() {
+        const std::string noto = "/usr/share/fonts/truetype/noto/";
+        loaded_ = load_fonts(*ImGui::GetIO().Fonts, scale_,
+                             {noto + "NotoSans-Regular.ttf",
+                              noto + "NotoSans-Bold.ttf",
+                              "/usr/share/fonts/truetype/fork-awesome/forkawesome-webfont.ttf",
+                              {noto + "NotoSansMath-Regular.ttf"}});
+    }
+
+    float scale_;
+    LoadedFonts loaded_;
+};
+
+// The one dial that an edit turns.
+inline TurnDial turned(const EditRequest& edit) { return std::get<TurnDial>(edit.command); }
+
+}  // namespace braitenlab::tests

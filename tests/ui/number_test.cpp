@@ -1,0 +1,36 @@
+#include "ui/widgets/number.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace braitenlab {
+
+TEST(Numbers, KeepTheirDigits) {
+    EXPECT_EQ(fixed(0.8f, 2), "0.80");
+    EXPECT_EQ(fixed(12.4f, 1), "12.4");
+    EXPECT_EQ(with_sign(0.8f, 2), "+0.80");
+    EXPECT_EQ(with_sign(-0.8f, 2), "−0.80");
+}
+
+TEST(Numbers, KnowNoMinusZero) {
+    EXPECT_EQ(with_sign(-0.0f, 2), "+0.00");
+    EXPECT_EQ(with_sign(-0.001f, 2), "+0.00");
+    EXPECT_EQ(fixed(-0.001f, 2), "0.00");
+}
+
+TEST(Numbers, ShowADashForWhatIsNone) {
+    EXPECT_EQ(fixed(INFINITY, 2), "—");
+    EXPECT_EQ(fixed(NAN, 2), "—");
+    EXPECT_EQ(with_sign(INFINITY, 2), "—");
+}
+
+TEST(Numbers, AreReadAsPeopleTypeThem) {
+    EXPECT_FLOAT_EQ(typed_number("0,5").value(), 0.5f);
+    EXPECT_FLOAT_EQ(typed_number(" −1.25 ").value(), -1.25f);
+    EXPECT_FLOAT_EQ(typed_number("+.5").value(), 0.5f);
+    for (const char* nonsense : {"", "-", "1.2.3", "abc", "1e99", "nan", "inf"})
+        EXPECT_FALSE(typed_number(nonsense)) << nonsense;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,143 @@
+#include "ui/widgets/slider.h"
+
+#include <set>
+
+#include "desk.h"
+
+namespace braitenlab::tests {
+
+TEST(Slider, DraggingAsksForTheValueInEveryChangedFrameUnderOneGesture) {
+    Desk desk;
+    desk.frame(3);
+    const Rect r = desk.where("slider.LL");
+    // LL is 0: its knob stands in the middle of the track, which lies between the letters and the number.
+    const float zero = r.x + 26 + 8 + (r.w - 26 - 46 - 16) / 2;
+    desk.point(zero, r.y + r.h / 2);
+    desk.frame(2);
+    desk.button(0, true);
+    desk.frame(2);
+    EXPECT_TRUE(desk.edits().empty()) << "pressing the knob must not move it";
+    for (int i = 1; i <= 10; ++i) {
+        desk.point(zero + 3.0f * static_cast<float>(i), r.y + r.h / 2);
+        desk.frame();
+    }
+    desk.button(0, false);
+    desk.frame(2);
+
+    const auto edits = desk.edits();
+    ASSERT_GE(edits.size(), 8u);
+    std::set<std::uint64_t> gestures;
+    float last = 0;
+    for (const EditRequest& edit : edits) {
+        gestures.insert(edit.gesture);
+        EXPECT_EQ(turned(edit).dial, Dial::LL);
+        EXPECT_GT(turned(edit).value, last);
+        last = turned(edit).value;
+    }
+    EXPECT_EQ(gestures.size(), 1u);
+    EXPECT_NE(*gestures.begin(), 0u);
+    EXPECT_NEAR(last, 30 / ((r.w - 26 - 46 - 16) / 4), 0.06f);
+}
+
+TEST(Slider, TwoDragsAreTwoGestures) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("slider.LL", 0, 0.3f);
+    desk.rest();
+    desk.click("slider.LL", 0, 0.6f);
+    const auto edits = desk.edits();
+    ASSERT_EQ(edits.size(), 2u);
+    EXPECT_NE(edits[0].gesture, edits[1].gesture);
+}
+
+TEST(Slider, TurnsTheWholeKindOrTheOneVehicleAsTheScopeSays) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("slider.RR", 0, 0.3f);
+    desk.view.whole_kind = false;
+    desk.rest();
+    desk.click("slider.RR", 0, 0.6f);
+    const auto edits = desk.edits();
+    ASSERT_EQ(edits.size(), 2u);
+    EXPECT_EQ(turned(edits[0]).target.vehicle, no_vehicle);
+    EXPECT_EQ(turned(edits[0]).target.kind, 0);
+    EXPECT_EQ(turned(edits[1]).target.vehicle, 0);
+}
+
+TEST(Slider, RightClickSetsZero) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("slider.LR", 1);
+    ASSERT_EQ(desk.edits().size(), 1u);
+    EXPECT_EQ(turned(desk.edits()[0]).dial, Dial::LR);
+    EXPECT_EQ(turned(desk.edits()[0]).value, 0);
+}
+
+class Typing : public ::testing::TestWithParam<std::pair<const char*, float>> {};
+
+TEST_P(Typing, ClampsToTheRange) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("slider.LL", 0, 0.95f);  // on the number
+    ASSERT_EQ(desk.panels.sliders.typed, "slider.LL");
+    desk.type(GetParam().first);
+    desk.frame(2);
+    desk.key({key::enter});
+    desk.frame(2);
+    ASSERT_EQ(desk.edits().size(), 1u);
+    EXPECT_FLOAT_EQ(turned(desk.edits()[0]).value, GetParam().second);
+    EXPECT_TRUE(desk.panels.sliders.typed.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Numbers, Typing,
+                         ::testing::Values(std::pair{"0.75", 0.75f}, std::pair{"9", 2.0f}, std::pair{"-7.5", -2.0f},
+                                           std::pair{"0,5", 0.5f}));
+
+TEST(Slider, EscapeLeavesTheNumberAsItWas) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("threshold.RL", 0, 0.95f);
+    ASSERT_EQ(desk.panels.sliders.typed, "threshold.RL");
+    desk.type("0.9");
+    desk.frame(2);
+    desk.key({key::escape});
+    desk.frame(2);
+    EXPECT_TRUE(desk.edits().empty());
+    EXPECT_TRUE(desk.actions().empty()) << "Esc must not reach the lab while a number is typed";
+}
+
+TEST(Slider, KeysMoveTheFocusedOneByATenthAndWithShiftByAHundredth) {
+    Desk desk;
+    desk.frame(3);
+    desk.key({'3'});
+    desk.key({key::right});
+    desk.frame();
+    desk.key({key::left, false, true});
+    desk.frame();
+    const auto edits = desk.edits();
+    ASSERT_EQ(edits.size(), 2u);
+    EXPECT_EQ(turned(edits[0]).dial, Dial::RL);
+    EXPECT_FLOAT_EQ(turned(edits[0]).value, 1.6f);
+    EXPECT_FLOAT_EQ(turned(edits[1]).value, 1.49f);
+    EXPECT_EQ(edits[0].gesture, edits[1].gesture) << "quick presses are one step of undo";
+}
+
+TEST(Slider, EveryDialHasOne) {
+    Desk desk;
+    desk.frame(3);
+    for (const char* id : {"slider.LL", "slider.LR", "slider.RL", "slider.RR", "threshold.LL", "threshold.LR",
+                           "threshold.RL", "threshold.RR", "bias.LM", "bias.RM"}) {
+        desk.all.clear();
+        desk.rest();
+        desk.click(id, 1);
+        const bool is_zero = std::string(id).starts_with("threshold") || std::string(id) == "slider.LL" ||
+                             std::string(id) == "slider.RR";
+        EXPECT_EQ(desk.edits().size(), is_zero ? 0u : 1u) << id;
+        desk.all.clear();
+        desk.rest();
+        desk.click(id, 0, 0.3f);
+        EXPECT_EQ(desk.edits().size(), 1u) << id;
+    }
+}
+
+}  // namespace braitenlab::tests

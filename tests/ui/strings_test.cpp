@@ -1,0 +1,111 @@
+#include "ui/strings.h"
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+
+#include "core/brain/presets.h"
+#include "core/brain/recogniser.h"
+#include "desk.h"
+#include "ui/shortcuts.h"
+
+namespace braitenlab::tests {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Every text in quotes that looks like a key, in all sources that may name one.
+std::set<std::string> quoted_in_sources() {
+    const fs::path root(BRAITENLAB_SOURCE);
+    const std::regex quoted("\"([a-z_]+(\\.[A-Za-z0-9_-]+)+)\"");
+    std::set<std::string> found;
+    for (const char* folder : {"ui", "app"})
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+            if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
+            std::ifstream in(entry.path());
+            const std::string text{std::istreambuf_iterator<char>(in), {}};
+            for (std::sregex_iterator at(text.begin(), text.end(), quoted), end; at != end; ++at)
+                found.insert((*at)[1]);
+        }
+    return found;
+}
+
+// Keys given to ui.strings(…) as they stand.
+std::set<std::string> asked_in_sources() {
+    const fs::path root(BRAITENLAB_SOURCE);
+    const std::regex call("strings_?\\(\\s*(?:[^()\"]*\\?\\s*)?\"([^\"]+)\"(?:\\s*:\\s*\"([^\"]+)\")?\\s*\\)");
+    std::set<std::string> found;
+    for (const char* folder : {"ui", "app"})
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+            if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
+            std::ifstream in(entry.path());
+            const std::string text{std::istreambuf_iterator<char>(in), {}};
+            for (std::sregex_iterator at(text.begin(), text.end(), call), end; at != end; ++at)
+                for (std::size_t group : {std::size_t{1}, std::size_t{2}})
+                    if ((*at)[group].matched) found.insert((*at)[group]);
+        }
+    return found;
+}
+
+// Keys put together from a stem and a name that the program knows.
+std::set<std::string> composed() {
+    std::set<std::string> keys;
+    for (int i = 0; i <= static_cast<int>(Action::exercise_reset); ++i)
+        keys.insert("action." + std::string(name(static_cast<Action>(i))));
+    for (int i = 0; i <= static_cast<int>(Character::mixed); ++i)
+        for (const char* stem : {"character.", "character_story."})
+            keys.insert(stem + std::string(name(static_cast<Character>(i))));
+    for (const Preset& preset : presets())
+        for (const char* stem : {"preset.", "preset_story."}) keys.insert(stem + std::string(preset.name));
+    return keys;
+}
+
+// Sections whose keys need not exist: a kind may have any name, a button's tooltip may be its words.
+bool is_optional(const std::string& key) {
+    return key.starts_with("kind.") || key.starts_with("kind_all.") || key.starts_with("tooltip.");
+}
+
+}  // namespace
+
+TEST(Strings, HaveWordsForEveryKeyThatTheSourcesAskFor) {
+    const Strings strings = english();
+    const auto asked = asked_in_sources();
+    EXPECT_GT(asked.size(), 40u) << "the search itself must work";
+    for (const std::string& key : asked) EXPECT_TRUE(strings.all().count(key)) << key;
+    for (const std::string& key : composed()) EXPECT_TRUE(strings.all().count(key)) << key;
+}
+
+TEST(Strings, HaveNoWordsThatNothingAsksFor) {
+    const auto quoted = quoted_in_sources();
+    const auto built = composed();
+    const Strings strings = english();
+    for (const auto& [key, words] : strings.all())
+        EXPECT_TRUE(quoted.count(key) || built.count(key) || is_optional(key)) << key << " = " << words;
+}
+
+TEST(Strings, ShowTheKeyWhereWordsAreMissing) {
+    const auto strings = Strings::parse("format = 1\n[a]\nb = \"words\"", "test.toml");
+    ASSERT_TRUE(strings);
+    EXPECT_EQ((*strings)("a.b"), "words");
+    EXPECT_EQ((*strings)("a.c"), "a.c");
+    EXPECT_EQ(strings->find("a.c", "else"), "else");
+}
+
+TEST(Strings, SayWhereAFileIsWrong) {
+    const auto number = Strings::parse("format = 1\n[a]\nb = 3", "test.toml");
+    ASSERT_FALSE(number);
+    EXPECT_EQ(number.error().line, 3);
+    EXPECT_EQ(number.error().file, "test.toml");
+    EXPECT_FALSE(Strings::parse("[a]\nb = \"c\"", "test.toml")) << "without format = 1";
+    EXPECT_FALSE(Strings::parse("format = 1\n[a", "test.toml"));
+}
+
+TEST(Strings, FillTheirGapsInOrder) {
+    EXPECT_EQ(fill("Passed {} of {} starts", {"8", "10"}), "Passed 8 of 10 starts");
+    EXPECT_EQ(fill("{}{}", {"a"}), "a{}");
+    EXPECT_EQ(fill("{}", {"{}"}), "{}");
+}
+
+}  // namespace braitenlab::tests

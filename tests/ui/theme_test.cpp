@@ -1,0 +1,42 @@
+#include "ui/theme.h"
+
+#include <gtest/gtest.h>
+
+namespace braitenlab {
+
+TEST(Theme, MeasuresContrastAsTheGuidelinesDo) {
+    EXPECT_NEAR(contrast(rgb(0xFFFFFF), rgb(0x000000)), 21, 0.01f);
+    EXPECT_NEAR(contrast(rgb(0x777777), rgb(0xFFFFFF)), 4.48f, 0.01f);
+}
+
+TEST(Theme, IsReadableEverywhereItWrites) {
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        const Palette p = palette(theme);
+        for (const Colour ground : {p.ground, p.panel, p.raised}) {
+            EXPECT_GE(contrast(p.text, ground), 4.5f);
+            EXPECT_GE(contrast(p.second_text, ground), 4.5f);
+            EXPECT_GE(contrast(legible(p.warning, ground, p.text), ground), 4.5f);
+        }
+        EXPECT_GE(contrast(p.on_accent, p.accent), 4.5f);
+        EXPECT_GE(contrast(p.warning, p.panel), 4.5f);
+        EXPECT_GE(contrast(p.accent, p.panel), 4.5f);
+    }
+}
+
+TEST(Theme, MovesAColourTowardsTheTextOnlyAsFarAsItMust) {
+    const Palette p = palette(Theme::light);
+    EXPECT_EQ(legible(p.text, p.panel, p.text), p.text);
+    const Colour moved = legible(p.memory, p.panel, p.text);
+    EXPECT_GE(contrast(moved, p.panel), 4.5f);
+    EXPECT_LT(contrast(moved, p.panel), 6);
+}
+
+TEST(Theme, StandsInForFontsThatAreMissing) {
+    ImFontAtlas atlas;
+    const LoadedFonts loaded = load_fonts(atlas, 1, {"/nowhere/a.ttf", "", "", {}});
+    EXPECT_NE(loaded.warning.find("/nowhere/a.ttf"), std::string::npos);
+    EXPECT_TRUE(loaded.fonts.text && loaded.fonts.title && loaded.fonts.strong && loaded.fonts.small);
+    EXPECT_TRUE(atlas.Build());
+}
+
+}  // namespace braitenlab

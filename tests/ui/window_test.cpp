@@ -1,0 +1,308 @@
+#include "ui/window.h"
+
+#include <set>
+
+#include "desk.h"
+
+namespace braitenlab::tests {
+
+namespace {
+
+struct Size {
+    float width, height, scale;
+};
+
+bool inside(Rect inner, Rect outer) {
+    return inner.x >= outer.x && inner.y >= outer.y && inner.x + inner.w <= outer.x + outer.w + 0.5f &&
+           inner.y + inner.h <= outer.y + outer.h + 0.5f;
+}
+
+bool overlap(Rect a, Rect b) { return a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h; }
+
+}  // namespace
+
+TEST(Toolbar, EveryButtonAsksForItsAction) {
+    const std::pair<const char*, Action> buttons[]{
+        {"button.play", Action::play_pause},   {"button.step", Action::step},
+        {"button.reset", Action::reset},       {"button.new", Action::new_population},
+        {"button.add", Action::add},           {"button.remove", Action::remove},
+        {"button.follow", Action::follow},     {"button.sensors", Action::sensors},
+        {"button.outlines", Action::outlines}, {"button.wiring", Action::wiring},
+        {"button.slower", Action::slower},     {"button.faster", Action::faster},
+        {"button.exit", Action::exit}};
+    Desk desk(1024, 768);
+    desk.frame(3);
+    for (const auto& [anchor, action] : buttons) {
+        desk.all.clear();
+        desk.click(anchor);
+        EXPECT_EQ(desk.actions(), std::vector{action}) << anchor;
+    }
+}
+
+class EverySize : public ::testing::TestWithParam<Size> {};
+
+TEST_P(EverySize, HoldsEveryWidgetOfAnExerciseInsideTheWindow) {
+    Desk desk(GetParam().width, GetParam().height, GetParam().scale, true);
+    desk.open_exercise();
+    desk.frame(5);
+    for (const char* id : {"button.play",
+                           "button.step",
+                           "button.reset",
+                           "button.add",
+                           "button.remove",
+                           "button.follow",
+                           "button.new",
+                           "button.exit",
+                           "button.sensors",
+                           "button.outlines",
+                           "button.wiring",
+                           "slider.LL",
+                           "slider.LR",
+                           "slider.RL",
+                           "slider.RR",
+                           "threshold.LL",
+                           "threshold.LR",
+                           "threshold.RL",
+                           "threshold.RR",
+                           "bias.LM",
+                           "bias.RM",
+                           "viewport",
+                           "exercise.predict",
+                           "exercise.predict.1",
+                           "exercise.predict.2",
+                           "exercise.predict.3",
+                           "exercise.step.1",
+                           "exercise.step.2",
+                           "exercise.step.3",
+                           "exercise.hint",
+                           "exercise.reset",
+                           "button.presets",
+                           "mode",
+                           "time",
+                           "speed"})
+        EXPECT_TRUE(desk.anchors.find(id)) << id;
+    for (const auto& [id, rect] : desk.anchors.all()) EXPECT_TRUE(inside(rect, desk.layout.window)) << id;
+}
+
+TEST_P(EverySize, KeepsCardsBarsAndTheFreeMiddleApart) {
+    Desk desk(GetParam().width, GetParam().height, GetParam().scale, true);
+    for (const bool with_exercise : {false, true}) {
+        if (with_exercise) desk.open_exercise();
+        desk.frame(5);
+        std::vector<std::pair<std::string, Rect>> parts{{"toolbar", desk.layout.toolbar},
+                                                        {"hint bar", desk.layout.hint_bar}};
+        for (const char* id :
+             {"card.brain", "card.information", with_exercise ? "card.exercise" : "card.scene", "viewport"})
+            parts.emplace_back(id, desk.where(id));
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                EXPECT_FALSE(overlap(parts[i].second, parts[j].second)) << parts[i].first << " and " << parts[j].first;
+        EXPECT_GE(desk.layout.scene.w, 0.25f * GetParam().width);
+    }
+}
+
+TEST_P(EverySize, KeepsTheButtonsOfTheToolbarApart) {
+    Desk desk(GetParam().width, GetParam().height, GetParam().scale, true);
+    desk.frame(3);
+    std::vector<std::pair<std::string, Rect>> row;
+    for (const auto& [id, rect] : desk.anchors.all())
+        if ((id.starts_with("button.") && id != "button.presets") || id == "mode" || id == "time" || id == "speed")
+            row.emplace_back(id, rect);
+    for (std::size_t i = 0; i < row.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_FALSE(overlap(row[i].second, row[j].second)) << row[i].first << " and " << row[j].first;
+}
+
+INSTANTIATE_TEST_SUITE_P(Windows, EverySize,
+                         ::testing::Values(Size{1024, 768, 1}, Size{1280, 800, 1}, Size{2048, 1536, 2},
+                                           Size{1920, 1080, 1}));
+
+TEST(Window, FramesTheSceneInAnInsetWhileWiring) {
+    Desk desk;
+    desk.view.mode = Mode::wiring;
+    desk.frame(3);
+    EXPECT_GT(desk.layout.canvas.w, 0.5f * desk.layout.window.w);
+    EXPECT_FALSE(overlap(desk.layout.canvas, desk.layout.scene));
+    EXPECT_FALSE(overlap(desk.where("card.brain"), desk.layout.scene));
+    EXPECT_FALSE(desk.anchors.find("card.information"));
+}
+
+TEST(Window, GivesSpaceToPlayAndPauseWhateverHasTheFocus) {
+    Desk desk;
+    desk.frame(3);
+    desk.key({'1'});
+    desk.frame();
+    EXPECT_EQ(desk.panels.keyboard.focus, "slider.LL");
+    desk.key({' '});
+    desk.frame();
+    EXPECT_EQ(desk.actions(), std::vector{Action::play_pause});
+}
+
+TEST(Window, PressesTheFocusedButtonWithEnter) {
+    Desk desk;
+    desk.frame(3);
+    desk.panels.keyboard.focus = "button.step";
+    desk.key({key::enter});
+    desk.frame();
+    EXPECT_EQ(desk.actions(), std::vector{Action::step});
+}
+
+TEST(Window, WalksThroughTheWidgetsWithTab) {
+    Desk desk;
+    desk.frame(3);
+    desk.panels.keyboard.focus = "slider.LL";
+    desk.key({key::tab});
+    desk.frame();
+    EXPECT_EQ(desk.panels.keyboard.focus, "threshold.LL");
+    desk.key({key::tab, false, true});
+    desk.frame();
+    EXPECT_EQ(desk.panels.keyboard.focus, "slider.LL");
+    desk.key({key::escape});
+    EXPECT_TRUE(desk.panels.keyboard.focus.empty());
+    desk.key({key::tab});
+    EXPECT_EQ(desk.actions(), std::vector{Action::next_vehicle}) << "in the viewport Tab goes to the next vehicle";
+}
+
+TEST(Window, GoesFromCardToCardWithControlTab) {
+    Desk desk;
+    desk.frame(3);
+    std::set<std::string> cards;
+    for (int i = 0; i < 6; ++i) {
+        desk.key({key::tab, true});
+        desk.frame();
+        cards.insert(desk.panels.keyboard.focus);
+    }
+    EXPECT_TRUE(cards.count("card.scene.fold"));
+    EXPECT_TRUE(cards.count("button.play"));
+    EXPECT_TRUE(cards.count("button.presets"));
+}
+
+TEST(Window, FoldsACardToItsHeading) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("card.brain.fold", 0, 0.2f);
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("slider.LL"));
+    EXPECT_LT(desk.where("card.brain").h, 40);
+    desk.key({'2'});  // asking for a slider opens its card
+    desk.frame(3);
+    EXPECT_TRUE(desk.anchors.find("slider.LR"));
+}
+
+TEST(Window, ListsTheKeysOnF1AndClosesThemOnEscape) {
+    Desk desk;
+    desk.frame(2);
+    desk.key({key::f1});
+    desk.frame(2);
+    EXPECT_TRUE(inside(desk.where("card.keys"), desk.layout.window));
+    desk.key({key::escape});
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("card.keys"));
+    EXPECT_TRUE(desk.actions().empty());
+}
+
+TEST(BrainCard, SwitchesBetweenOneVehicleAndItsKind) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("scope.1");
+    ASSERT_EQ(desk.all.size(), 1u);
+    EXPECT_FALSE(std::get<ScopeRequest>(desk.all[0]).whole_kind);
+}
+
+TEST(BrainCard, AsksForNoScopeWhereTheKindHasOneVehicle) {
+    Desk desk;
+    desk.now = snapshot(0);
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("scope.1"));
+}
+
+TEST(BrainCard, NamesTheWiringOnceABrain) {
+    Desk desk;
+    desk.frame(3);
+    EXPECT_EQ(desk.panels.recognised.brain, desk.now.brains[0]);
+    EXPECT_EQ(desk.panels.recognised.character, Character::aggressor);
+    desk.view.selected = 1;
+    desk.frame();
+    EXPECT_EQ(desk.panels.recognised.character, Character::coward);
+}
+
+TEST(BrainCard, GivesAClassicBrainFromItsPresets) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("button.presets");
+    desk.click("preset.3a-love");
+    ASSERT_EQ(desk.edits().size(), 1u);
+    const auto set = std::get<SetBrain>(desk.edits()[0].command);
+    EXPECT_FLOAT_EQ(read_dials(set.brain).LL, -1);
+    EXPECT_NE(desk.edits()[0].gesture, 0u);
+}
+
+TEST(BrainCard, StandsWithNobodySelected) {
+    Desk desk;
+    desk.view.selected = no_vehicle;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("slider.LL"));
+    EXPECT_TRUE(desk.anchors.find("card.brain"));
+}
+
+TEST(InformationCard, SelectsTheVehicleWhoseEnergyIsClicked) {
+    Desk desk(1280, 1000);
+    desk.frame(3);
+    const Rect r = desk.where("info.energy");
+    desk.point(r.x + r.w * 0.4f, r.y + 8);
+    desk.frame(2);
+    desk.button(0, true);
+    desk.frame();
+    desk.button(0, false);
+    desk.frame();
+    ASSERT_EQ(desk.all.size(), 1u);
+    EXPECT_GE(std::get<SelectRequest>(desk.all[0]).vehicle, 0);
+}
+
+TEST(InformationCard, HoldsAsManyVehiclesAsThereAre) {
+    Desk desk(1280, 1000);
+    desk.now = snapshot(700);
+    desk.frame(5);
+    EXPECT_TRUE(inside(desk.where("card.information"), desk.layout.window));
+}
+
+TEST(ExerciseCard, TakesThePredictionBeforeTheRun) {
+    Desk desk;
+    desk.open_exercise();
+    desk.frame(3);
+    desk.click("exercise.predict.2");
+    ASSERT_EQ(desk.all.size(), 1u);
+    EXPECT_EQ(std::get<PredictRequest>(desk.all[0]).option, 1);
+    desk.lesson.prediction = 1;
+    desk.lesson.has_run = true;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "what was predicted stands";
+}
+
+TEST(ExerciseCard, OpensHintsAndStartsOver) {
+    Desk desk;
+    desk.open_exercise();
+    desk.frame(3);
+    desk.click("exercise.hint");
+    desk.click("exercise.reset");
+    EXPECT_EQ(desk.actions(), (std::vector{Action::hint, Action::exercise_reset}));
+    desk.all.clear();
+    desk.lesson.hint_ready = false;
+    desk.click("exercise.hint");
+    EXPECT_TRUE(desk.all.empty());
+}
+
+TEST(ExerciseCard, KeepsItsButtonsInSightHoweverLongItGets) {
+    Desk desk(1024, 768, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    desk.lesson.hints_shown = 3;
+    desk.panels.why_open = true;
+    desk.lesson.grade = Grade{{true, false, true}, 2, false};
+    desk.frame(5);
+    EXPECT_TRUE(inside(desk.where("exercise.hint"), desk.where("card.exercise")));
+    EXPECT_TRUE(inside(desk.where("exercise.reset"), desk.where("card.exercise")));
+    EXPECT_TRUE(desk.anchors.find("exercise.grade"));
+}
+
+}  // namespace braitenlab::tests
