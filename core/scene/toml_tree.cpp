@@ -75,10 +75,7 @@ toml::table value_of(const std::string& text) {
             holder.clear();
         }
     }
-    if (holder.size() != 1) {
-        holder.clear();
-        holder.insert("value", text);
-    }
+    if (holder.empty()) holder.insert("value", text);
     return holder;
 }
 

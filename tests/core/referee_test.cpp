@@ -114,7 +114,8 @@ TEST(Referee, BeginsAnewWhenTheRunDoesAndNotWhenAMomentIsShownTwice) {
     Referee referee(with({touch}));
     referee.watch(moment(0, 3));
     referee.watch(moment(1, 0.1f));
-    referee.watch(moment(1, 0.1f));
+    referee.watch(moment(2, 3));
+    referee.watch(moment(2, 3));
     EXPECT_TRUE(referee.passed());
     referee.watch(moment(0, 3));
     EXPECT_FALSE(referee.passed());
