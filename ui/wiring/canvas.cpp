@@ -1,0 +1,212 @@
+#include "ui/wiring/canvas.h"
+
+#include <algorithm>
+#include <array>
+
+#include <imgui.h>
+
+#include "ui/imgui_compat.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/wiring/draw.h"
+#include "ui/wiring/interaction.h"
+
+namespace braitenlab {
+namespace {
+
+using maths::vec2;
+
+Pointer read_pointer(bool over) {
+    const ImGuiIO& io = ImGui::GetIO();
+    Pointer pointer;
+    pointer.valid = ImGui::IsMousePosValid();
+    pointer.at = {io.MousePos.x, io.MousePos.y};
+    pointer.over = over;
+    pointer.left_pressed = over && ImGui::IsMouseClicked(0);
+    pointer.pan_pressed = over && (ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2));
+    pointer.left_down = io.MouseDown[0];
+    pointer.pan_down = io.MouseDown[1] || io.MouseDown[2];
+    pointer.wheel = over ? io.MouseWheel : 0;
+    pointer.shift = io.KeyShift;
+    return pointer;
+}
+
+void read_keys(CanvasState& state) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!state.keys_from_imgui || io.WantTextInput) return;
+    const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
+    if (pressed(ImGuiKey_Escape)) press_key(state, CanvasKey::cancel);
+    if (pressed(ImGuiKey_Delete)) press_key(state, CanvasKey::erase);
+    // The letter as typed, wherever the keyboard's layout has it.
+    const bool f = std::any_of(io.InputQueueCharacters.begin(), io.InputQueueCharacters.end(),
+                               [](ImWchar c) { return c == 'f' || c == 'F'; });
+    if (f || pressed(ImGuiKey_Home)) press_key(state, CanvasKey::fit);
+}
+
+// Another brain or another room: the view follows, unless a person has chosen one.
+void follow(CanvasState& state, const VehicleView& vehicle, const BrainGraph& graph, const Layout& layout, Rect area,
+            float ui_scale) {
+    const bool other = state.kind != vehicle.kind;
+    const bool grown = state.nodes != graph.nodes.size() || state.fitted_area != area;
+    if (other || (grown && !state.own_view && state.drag.phase == CanvasPhase::idle)) {
+        fit(state, layout, area, ui_scale);
+        state.fitted_area = area;
+        state.nodes = graph.nodes.size();
+    }
+    if (other) state.selection = {}, state.drag = {};
+    state.kind = vehicle.kind;
+}
+
+// What an undo has taken away cannot stay selected.
+void drop_stale_selection(CanvasState& state, const Layout& layout) {
+    std::erase_if(state.selection.nodes, [&](NodeId id) { return find_shape(layout, id) == nullptr; });
+    std::erase_if(state.selection.wires, [&](WireEnds ends) { return find_shape(layout, ends) == nullptr; });
+}
+
+// Arrange and Fit, in the canvas's upper right corner. They take the press before the canvas sees it.
+struct CornerButton {
+    std::string_view anchor, words;
+    Rect rect;
+    bool hovered = false, pressed = false;
+};
+
+std::array<CornerButton, 2> corner_buttons(const Ui& ui, Rect area, Pointer& pointer) {
+    std::array<CornerButton, 2> buttons{
+        {{"canvas.fit", ui.strings("wiring.fit"), {}}, {"canvas.arrange", ui.strings("wiring.arrange"), {}}}};
+    float right = area.x + area.w - ui.px(12);
+    for (CornerButton& button : buttons) {
+        const float width = text_width(ui, Face::text, button.words) + ui.px(24);
+        button.rect = {right - width, area.y + ui.px(12), width, ui.px(32)};
+        right -= width + ui.px(8);
+        button.hovered = pointer.over && button.rect.contains(pointer.at.x, pointer.at.y);
+        button.pressed = button.hovered && pointer.left_pressed;
+    }
+    for (const CornerButton& button : buttons)
+        if (button.hovered) pointer.left_pressed = pointer.pan_pressed = false;
+    return buttons;
+}
+
+void draw_button(const Ui& ui, const CornerButton& button) {
+    const Palette& p = ui.palette;
+    fill_box(ui, button.rect, button.hovered ? p.raised : p.panel);
+    line_box(ui, button.rect, button.hovered ? p.second_text : p.line);
+    put_centred(ui,
+                {button.rect.x + button.rect.w / 2, button.rect.y + (button.rect.h - line_height(ui, Face::text)) / 2},
+                button.words, p.text);
+    ui.anchors.record(button.anchor, button.rect);
+}
+
+// Records what can be found again, as far as it lies in sight, and lets the highlighted one pulse.
+void record(Ui& ui, Rect area, const std::string& id, Rect rect) {
+    if (!area.contains(rect.x + rect.w / 2, rect.y + rect.h / 2)) return;
+    ui.anchors.record(id, rect);
+    if (ui.highlight != id) return;
+    const float grow = ui.px(3 + 4 * ui.pulse);
+    line_box(ui, {rect.x - grow, rect.y - grow, rect.w + 2 * grow, rect.h + 2 * grow},
+             ui.palette.accent.with_alpha(0.4f + 0.6f * ui.pulse), 10, 2.5f);
+}
+
+void record_anchors(Ui& ui, Rect area, const BrainGraph& graph, const Layout& layout, const View& view) {
+    for (const NodeShape& node : layout.nodes) {
+        const Node* named = find_node(graph, node.id);
+        record(ui, area, "node." + named->name, node_rect(view, node));
+        if (node.has_in) record(ui, area, "pin." + named->name + ".in", pin_rect(view, node.in_pin()));
+        if (node.has_out) record(ui, area, "pin." + named->name + ".out", pin_rect(view, node.out_pin()));
+    }
+    for (const WireShape& wire : layout.wires)
+        record(ui, area, "wire." + wire_name(graph, wire.ends), label_rect(view, wire));
+}
+
+void set_cursor(const CanvasState& state) {
+    const bool weight = state.drag.phase == CanvasPhase::drag_weight;
+    if (weight || (state.drag.phase == CanvasPhase::idle && state.hovered.part == Part::label))
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    else if (state.hovered.part == Part::in_pin || state.hovered.part == Part::out_pin)
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    else if (state.drag.phase == CanvasPhase::pan || state.drag.phase == CanvasPhase::move_nodes)
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+}
+
+void nobody(const Ui& ui, Rect area) {
+    put_centred(ui, {area.x + area.w / 2, area.y + area.h / 2}, ui.strings("wiring.nobody"), ui.palette.second_text);
+}
+
+void canvas_of(const LabView& view, const VehicleView& vehicle, CanvasState& state, Ui& ui, Rect area, bool over) {
+    const BrainGraph& graph = *view.now->brains[static_cast<std::size_t>(vehicle.brain)];
+    const Layout before = lay_out(graph, state.places[vehicle.kind]);
+    follow(state, vehicle, graph, before, area, ui.scale);
+    drop_stale_selection(state, before);
+
+    Target target;
+    if (view.whole_kind)
+        target.kind = vehicle.kind;
+    else
+        target.vehicle = vehicle.id;
+    CanvasFrame frame{graph, before, area, target, ui.scale, view.wall_seconds, read_pointer(over)};
+    const auto buttons = corner_buttons(ui, area, frame.pointer);
+    interact(state, frame, ui.outbox);
+    if (buttons[1].pressed) state.places[vehicle.kind].clear();
+    const Layout layout = lay_out(graph, state.places[vehicle.kind]);
+    if (buttons[0].pressed || buttons[1].pressed) fit(state, layout, area, ui.scale);
+
+    const Pen pen{*ImGui::GetWindowDrawList(), ui, view_of(state, area, ui.scale)};
+    const Picture picture{view, vehicle, graph, layout, state};
+    const CanvasFrame after{graph, layout, area, target, ui.scale, view.wall_seconds, frame.pointer};
+    draw_ground(pen, area);
+    draw_wires(pen, picture);
+    draw_nodes(pen, picture);
+    record_anchors(ui, area, graph, layout, pen.view);
+    for (const CornerButton& button : buttons) draw_button(ui, button);
+    draw_cursor(pen, picture, after);
+    set_cursor(state);
+}
+
+}  // namespace
+
+void wiring_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
+    if (area.w <= 0 || area.h <= 0) return;
+    const int frame = ImGui::GetFrameCount();
+    if (state.last_frame != frame - 1) state.drag = {};  // the canvas was away in between
+    state.last_frame = frame;
+    ui.anchors.record("canvas", area);
+
+    ImGui::SetNextWindowPos({area.x, area.y});
+    ImGui::SetNextWindowSize({area.w, area.h});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::Begin("wiring canvas", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar(3);
+    ImGui::InvisibleButton(
+        "###canvas", {area.w, area.h},
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+    const bool over = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+
+    read_keys(state);
+    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    const auto brains = static_cast<int>(view.now->brains.size());
+    const bool has_brain = vehicle != nullptr && vehicle->brain >= 0 && vehicle->brain < brains;
+    if (has_brain) {
+        canvas_of(view, *vehicle, state, ui, area, over);
+    } else {
+        const Pen pen{*ImGui::GetWindowDrawList(), ui, view_of(state, area, ui.scale)};
+        draw_ground(pen, area);
+        nobody(ui, area);
+        state.drag = {};
+        state.keys.clear();
+    }
+    ImGui::End();
+}
+
+bool press_key(CanvasState& state, CanvasKey key) {
+    const bool dragging = state.drag.phase != CanvasPhase::idle;
+    const bool anything = !state.selection.nodes.empty() || !state.selection.wires.empty();
+    const bool wanted = key == CanvasKey::fit || dragging || anything;
+    if (wanted) state.keys.push_back(key);
+    return wanted;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ui/imgui_compat.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/wiring/draw.h"
+#include "ui/wiring/sum.h"
+
+namespace braitenlab {
+namespace {
+
+using maths::vec2;
+
+// A small card with words, its upper left corner at `at` (window pixels), moved so that it stays inside the area.
+void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Colour edge) {
+    const Ui& ui = pen.ui;
+    ImFont* face = font(ui, Face::text);
+    const float height = compat::size_of(face), pad = ui.px(10);
+    const char* end = words.data() + words.size();
+    const ImVec2 extent = face->CalcTextSizeA(height, 1e9f, 0, words.data(), end);
+    const float w = extent.x + 2 * pad, h = extent.y + 1.4f * pad;
+    at.x = std::floor(std::clamp(at.x, area.x + ui.px(4), std::max(area.x + ui.px(4), area.x + area.w - w - ui.px(4))));
+    at.y = std::floor(std::clamp(at.y, area.y + ui.px(4), std::max(area.y + ui.px(4), area.y + area.h - h - ui.px(4))));
+    const ImVec2 far{at.x + w, at.y + h};
+    const Palette& p = ui.palette;
+    for (int i = 6; i > 0; --i) {
+        const float grow = ui.px(1.5f) * static_cast<float>(i);
+        pen.list.AddRectFilled({at.x - grow, at.y - grow + ui.px(2)}, {far.x + grow, far.y + grow + ui.px(2)},
+                               paint(p.shadow.with_alpha(p.shadow.a * 0.09f)), ui.px(8) + grow);
+    }
+    pen.list.AddRectFilled(at, far, paint(p.raised), ui.px(8));
+    compat::outline(pen.list, at, far, paint(edge), ui.px(8), ui.px(1.5f));
+    pen.list.AddText(face, height, {at.x + pad, at.y + 0.7f * pad}, paint(p.text), words.data(), end);
+}
+
+// Under the one node that is selected.
+void draw_sum(const Pen& pen, const Picture& picture, Rect area) {
+    const Caught& selection = picture.state.selection;
+    if (selection.nodes.size() != 1 || !selection.wires.empty()) return;
+    const NodeShape* shape = find_shape(picture.layout, *selection.nodes.begin());
+    if (shape == nullptr) return;
+    const std::string sum = sum_text(picture.graph, shape->id, [&](NodeId id) { return picture.value(id); });
+    if (sum.empty()) return;
+    const ImVec2 at = pen.at(shape->centre + vec2{-shape->size.x / 2, shape->size.y / 2 + 14});
+    draw_note(pen, at, sum, area, pen.palette().second_text);
+}
+
+void draw_box(const Pen& pen, vec2 a, vec2 b) {
+    const ImVec2 low{std::min(a.x, b.x), std::min(a.y, b.y)}, high{std::max(a.x, b.x), std::max(a.y, b.y)};
+    pen.list.AddRectFilled(low, high, paint(pen.palette().accent.with_alpha(0.14f)), pen.ui.px(4));
+    compat::outline(pen.list, low, high, paint(pen.palette().accent), pen.ui.px(4), pen.ui.px(1.5f));
+}
+
+// From the pin to the cursor, or to the pin that would take it.
+void draw_pending_wire(const Pen& pen, const Picture& picture, const CanvasFrame& frame) {
+    const CanvasDrag& drag = picture.state.drag;
+    const NodeShape* start = find_shape(picture.layout, drag.pressed.node);
+    if (start == nullptr) return;
+    const Palette& p = pen.palette();
+    const WireDrop drop = drop_of(picture.state, frame);
+    const bool outwards = drag.pressed.part == Part::out_pin;
+    vec2 loose = pen.view.to_canvas(frame.pointer.at);
+    if (drop.what == WireDrop::What::connect) {
+        const NodeShape* goal = find_shape(picture.layout, outwards ? drop.ends.to : drop.ends.from);
+        loose = outwards ? goal->in_pin() : goal->out_pin();
+    }
+    const auto b = outwards ? wire_curve(start->out_pin(), loose) : wire_curve(loose, start->in_pin());
+    const bool refused = drop.what == WireDrop::What::refused;
+    const Colour colour = refused ? p.warning : drop.what == WireDrop::What::connect ? p.excites : p.accent;
+    pen.list.AddBezierCubic(pen.at(b[0]), pen.at(b[1]), pen.at(b[2]), pen.at(b[3]), paint(colour), pen.stroke(4),
+                            wire_segments * 2);
+    draw_end_sign(pen, b[3] - vec2{8, 0}, 15, true, colour);
+    const ImVec2 beside{frame.pointer.at.x + pen.ui.px(18), frame.pointer.at.y + pen.ui.px(14)};
+    if (refused) draw_note(pen, beside, pen.ui.strings(drop.reason), frame.area, p.warning);
+    if (drop.what == WireDrop::What::new_neuron)
+        draw_note(pen, beside, pen.ui.strings("wiring.new_neuron"), frame.area, p.accent);
+}
+
+}  // namespace
+
+void draw_ground(const Pen& pen, Rect area) {
+    const Palette& p = pen.palette();
+    pen.list.AddRectFilled({area.x, area.y}, {area.x + area.w, area.y + area.h}, paint(p.ground), pen.ui.px(8));
+    float gap = 32 * pen.view.scale;
+    while (gap < pen.ui.px(18)) gap *= 2;
+    const float radius = pen.ui.px(1.1f);
+    const auto first = [gap](float origin, float low) {
+        return low + std::fmod(std::fmod(origin - low, gap) + gap, gap);
+    };
+    for (float y = first(pen.view.origin.y, area.y); y < area.y + area.h; y += gap)
+        for (float x = first(pen.view.origin.x, area.x); x < area.x + area.w; x += gap)
+            pen.list.AddRectFilled({x - radius, y - radius}, {x + radius, y + radius}, paint(p.grid));
+    compat::outline(pen.list, {area.x, area.y}, {area.x + area.w, area.y + area.h}, paint(p.line), pen.ui.px(8),
+                    pen.ui.px(1));
+}
+
+void draw_cursor(const Pen& pen, const Picture& picture, const CanvasFrame& frame) {
+    const CanvasState& state = picture.state;
+    draw_sum(pen, picture, frame.area);
+    if (state.drag.phase == CanvasPhase::drag_wire) draw_pending_wire(pen, picture, frame);
+    if (state.drag.phase == CanvasPhase::box) draw_box(pen, state.drag.press, frame.pointer.at);
+    if (!state.refusal.key.empty() && frame.wall_seconds < state.refusal.until)
+        draw_note(pen, {state.refusal.at.x + pen.ui.px(18), state.refusal.at.y + pen.ui.px(14)},
+                  pen.ui.strings(state.refusal.key), frame.area, pen.palette().warning);
+}
+
+}  // namespace braitenlab

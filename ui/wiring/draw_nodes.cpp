@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/maths/portable.h"
+#include "ui/imgui_compat.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/widgets/number.h"
+#include "ui/wiring/draw.h"
+
+namespace braitenlab {
+namespace {
+
+using maths::vec2;
+
+constexpr float card_rounding = 16;
+
+// An almond with an iris that opens and lights up with what it sees.
+void draw_eye(const Pen& pen, vec2 c, float value) {
+    const Palette& p = pen.palette();
+    const auto almond = [&] {
+        pen.list.PathLineTo(pen.at(c - vec2{21, 0}));
+        pen.list.PathBezierQuadraticCurveTo(pen.at(c - vec2{0, 25}), pen.at(c + vec2{21, 0}), 20);
+        pen.list.PathBezierQuadraticCurveTo(pen.at(c + vec2{0, 25}), pen.at(c - vec2{21, 0}), 20);
+    };
+    almond();
+    pen.list.PathFillConvex(paint(mix(p.wheel, p.raised, 0.15f)));
+    const float seen = std::clamp(value, 0.0f, 1.0f);
+    pen.list.AddCircleFilled(pen.at(c), pen.size(11), paint(p.chassis.with_alpha(0.35f)));
+    if (seen > 0.005f) pen.list.AddCircleFilled(pen.at(c), pen.size(3 + 8 * seen), paint(mix(p.excites, p.lamp, seen)));
+    pen.list.AddCircleFilled(pen.at(c), pen.size(2.5f), paint(p.wheel));
+    almond();
+    pen.list.PathStroke(paint(p.second_text), 0, pen.stroke(1.8f));
+}
+
+// A wheel seen from its side; its spokes stand as the vehicle's own wheel does.
+void draw_wheel(const Pen& pen, vec2 c, float angle, float value) {
+    const Palette& p = pen.palette();
+    constexpr float radius = 20;
+    pen.list.AddCircleFilled(pen.at(c), pen.size(radius), paint(p.wheel), 40);
+    pen.list.AddCircleFilled(pen.at(c), pen.size(radius - 5), paint(mix(p.panel, p.chassis, 0.35f)), 40);
+    for (int spoke = 0; spoke < 3; ++spoke) {
+        const float turn = -angle + static_cast<float>(spoke) * maths::pi / 3;
+        const vec2 out{maths::cosine(turn) * (radius - 5), maths::sine(turn) * (radius - 5)};
+        pen.list.AddLine(pen.at(c - out), pen.at(c + out), paint(p.wheel), pen.stroke(2.2f));
+    }
+    pen.list.AddCircleFilled(pen.at(c), pen.size(5), paint(value == 0 ? p.second_text : colour_of_weight(p, value)));
+    pen.list.AddCircle(pen.at(c), pen.size(radius), paint(p.second_text), 40, pen.stroke(1.5f));
+}
+
+// The response curve over −1..1, with a dot where the neuron stands now.
+void draw_response(const Pen& pen, vec2 c, const Node& node, float value) {
+    const Palette& p = pen.palette();
+    constexpr float half = 17;
+    pen.box(c, {2 * half + 6, 2 * half + 6}, 8, mix(p.panel, p.ground, 0.6f));
+    pen.list.AddLine(pen.at(c - vec2{half, 0}), pen.at(c + vec2{half, 0}), paint(p.line), pen.stroke(1));
+    pen.list.AddLine(pen.at(c - vec2{0, half}), pen.at(c + vec2{0, half}), paint(p.line), pen.stroke(1));
+    constexpr int pieces = 24;
+    ImVec2 points[pieces + 1];
+    for (int i = 0; i <= pieces; ++i) {
+        const float x = 2 * static_cast<float>(i) / pieces - 1;
+        points[i] = pen.at(c + vec2{x, -std::clamp(respond(node.curve, x), -1.0f, 1.0f)} * half);
+    }
+    compat::polyline(pen.list, points, pieces + 1, paint(p.text), false, pen.stroke(2));
+    const float height = std::clamp(value, -1.0f, 1.0f);
+    pen.list.AddCircleFilled(pen.at(c + vec2{half, -height * half}), pen.size(3.5f), paint(colour_of_weight(p, value)));
+}
+
+// From 0 to the value: rightwards what drives, leftwards what holds back. A sensor has no negative side.
+void draw_bar(const Pen& pen, vec2 left, float width, float value, bool both_sides) {
+    const Palette& p = pen.palette();
+    const vec2 middle = left + vec2{width / 2, 0};
+    pen.box(middle, {width, 7}, 3.5f, mix(p.ground, p.line, 0.7f));
+    const float room = both_sides ? width / 2 : width;
+    const float length = std::clamp(value, both_sides ? -1.0f : 0.0f, 1.0f) * room;
+    const vec2 zero = both_sides ? middle : left;
+    if (std::abs(length) > 0.5f)
+        pen.box(zero + vec2{length / 2, 0}, {std::abs(length), 7}, 3.5f, colour_of_weight(p, value));
+    if (both_sides)
+        pen.list.AddLine(pen.at(middle - vec2{0, 6}), pen.at(middle + vec2{0, 6}), paint(p.second_text),
+                         pen.stroke(1.5f));
+}
+
+void draw_pin(const Pen& pen, vec2 at, float spread, bool hovered, bool inviting, bool out) {
+    const Palette& p = pen.palette();
+    const float radius = hovered ? 9.5f : 7.5f;
+    const vec2 extent{2 * radius, 2 * radius + spread};
+    if (hovered || inviting)
+        pen.halo(at, extent, radius, hovered ? 8 : 5, p.accent.with_alpha(hovered ? 0.45f : 0.28f));
+    pen.box(at, extent, radius, out ? p.text : p.panel);
+    pen.frame(at, extent, radius, 2.2f, hovered || inviting ? p.accent : p.text);
+    if (out) pen.box(at, {5, 5}, 2.5f, p.panel);
+}
+
+std::string_view subtitle_key(const Node& node) {
+    if (node.name == "SL") return "wiring.node.SL";
+    if (node.name == "SR") return "wiring.node.SR";
+    if (node.name == "ML") return "wiring.node.ML";
+    if (node.name == "MR") return "wiring.node.MR";
+    if (node.kind == NodeKind::sensor) return "wiring.node.sensor";
+    return node.kind == NodeKind::motor ? "wiring.node.motor" : "wiring.node.neuron";
+}
+
+float wheel_angle(const Picture& picture, const Node& node) {
+    const auto& angle = picture.vehicle.wheel_angle;
+    return node.name == "ML" ? angle[0] : node.name == "MR" ? angle[1] : 0;
+}
+
+void draw_contents(const Pen& pen, const Picture& picture, const NodeShape& shape, const Node& node, float value) {
+    const Palette& p = pen.palette();
+    const bool neuron = node.kind == NodeKind::neuron;
+    const vec2 half = shape.size / 2;
+    const vec2 icon = shape.centre + vec2{-half.x + (neuron ? 36.0f : 42.0f), neuron ? 0 : -8.0f};
+    if (node.kind == NodeKind::sensor) draw_eye(pen, icon, value);
+    if (node.kind == NodeKind::motor) draw_wheel(pen, icon, wheel_angle(picture, node), value);
+    if (neuron) draw_response(pen, icon, node, value);
+
+    const float left = icon.x + (neuron ? 29.0f : 30.0f), right = shape.centre.x + half.x - 18;
+    const float top = shape.centre.y - half.y;
+    pen.text({left, top + 25}, 20, 0, node.name, p.text, Face::strong);
+    pen.text({left, top + 46}, 13, 0, pen.ui.strings(subtitle_key(node)), p.second_text, Face::small);
+    const std::string number = node.kind == NodeKind::sensor ? fixed(value, 2) : with_sign(value, 2);
+    pen.text({right, top + 25}, 17, 1, number, p.text);
+    const float bar_left = neuron ? left : shape.centre.x - half.x + 20;
+    const float bar_right = neuron ? right : right - 2;
+    draw_bar(pen, {bar_left, shape.centre.y + half.y - (neuron ? 14.0f : 18.0f)}, bar_right - bar_left, value,
+             node.kind != NodeKind::sensor);
+}
+
+void draw_card(const Pen& pen, const Picture& picture, const NodeShape& shape) {
+    const Palette& p = pen.palette();
+    const Node* node = find_node(picture.graph, shape.id);
+    if (node == nullptr) return;
+    const float value = picture.value(shape.id), strength = std::min(std::abs(value), 1.0f);
+    const bool selected = picture.state.selection.nodes.count(shape.id) > 0;
+    const bool hovered = picture.state.hovered.part == Part::node && picture.state.hovered.node == shape.id;
+    pen.halo(shape.centre + vec2{0, 4}, shape.size, card_rounding, 14, p.shadow.with_alpha(p.shadow.a * 0.28f));
+    if (strength > 0.01f)
+        pen.halo(shape.centre, shape.size, card_rounding, 8 + 10 * strength,
+                 colour_of_weight(p, value).with_alpha(0.34f * strength));
+    pen.box(shape.centre, shape.size, card_rounding, mix(p.panel, p.raised, hovered ? 1.0f : 0.45f));
+    const Colour edge = strength > 0.01f ? mix(p.line, colour_of_weight(p, value), 0.25f + 0.6f * strength) : p.line;
+    if (selected) {
+        pen.frame(shape.centre, shape.size + vec2{7, 7}, card_rounding + 4, 5, p.text.with_alpha(0.45f));
+        pen.frame(shape.centre, shape.size + vec2{7, 7}, card_rounding + 4, 3, p.selected);
+    }
+    pen.frame(shape.centre, shape.size, card_rounding, 1.6f, hovered ? p.second_text : edge);
+    draw_contents(pen, picture, shape, *node, value);
+}
+
+// While a wire is dragged, the pins that could take it light up.
+bool invites(const Picture& picture, const NodeShape& shape, bool out) {
+    const CanvasDrag& drag = picture.state.drag;
+    if (drag.phase != CanvasPhase::drag_wire) return false;
+    const bool outwards = drag.pressed.part == Part::out_pin;
+    if (outwards == out) return false;
+    const WireEnds ends = outwards ? WireEnds{drag.pressed.node, shape.id} : WireEnds{shape.id, drag.pressed.node};
+    return weight_of(picture.graph, ends) == 0;
+}
+
+}  // namespace
+
+void draw_nodes(const Pen& pen, const Picture& picture) {
+    const Hit& over = picture.state.hovered;
+    for (const NodeShape& shape : picture.layout.nodes) {
+        draw_card(pen, picture, shape);
+        const bool in = over.part == Part::in_pin && over.node == shape.id;
+        const bool out = over.part == Part::out_pin && over.node == shape.id;
+        if (shape.has_in) draw_pin(pen, shape.in_pin(), shape.in_spread, in, invites(picture, shape, false), false);
+        if (shape.has_out) draw_pin(pen, shape.out_pin(), 0, out, invites(picture, shape, true), true);
+    }
+}
+
+}  // namespace braitenlab

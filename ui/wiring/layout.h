@@ -1,0 +1,65 @@
+// Where a brain's nodes, pins and wires stand on the canvas.
+//
+// All in canvas units: one unit is one layout pixel at zoom 1; x to the right, y down. Signals run from left to right:
+// sensors, hidden neurons in columns, motors. What belongs to the vehicle's left side stands above what belongs to its
+// right, as on a vehicle that drives to the right.
+#pragma once
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "core/maths/vec.h"
+#include "ui/wiring/edit.h"
+
+namespace braitenlab {
+
+using Places = std::map<NodeId, maths::vec2>;  // centres of nodes that a person has put somewhere
+
+struct NodeShape {
+    NodeId id = 0;
+    NodeKind kind = NodeKind::neuron;
+    maths::vec2 centre, size;
+    bool has_in = false, has_out = false;
+    float in_spread = 0;  // wires arrive up to half of this above and below the in-pin
+    maths::vec2 in_pin() const { return {centre.x - size.x / 2, centre.y}; }
+    maths::vec2 out_pin() const { return {centre.x + size.x / 2, centre.y}; }
+};
+
+struct WireShape {
+    WireEnds ends;
+    std::array<maths::vec2, 4> bezier{};  // start, two controls, end
+    bool ghost = false;                   // weight 0: a place that waits for a wire
+    bool direct = false;                  // one of LL, LR, RL, RR
+    maths::vec2 label, label_size;        // centre and size of the weight's label
+};
+
+struct Layout {
+    std::vector<NodeShape> nodes;  // in drawing order: the last is on top
+    std::vector<WireShape> wires;  // the four direct places first
+    maths::vec2 low, high;         // corners of what holds all nodes; both 0 for no nodes
+};
+
+// The same graph and places give the same layout. Nodes without a place of their own are arranged in columns.
+Layout lay_out(const BrainGraph&, const Places&);
+
+const NodeShape* find_shape(const Layout&, NodeId);
+const WireShape* find_shape(const Layout&, WireEnds);
+
+// The curve from an out-pin to an in-pin; a wire that runs backwards or to its own node arches over the top.
+std::array<maths::vec2, 4> wire_curve(maths::vec2 from, maths::vec2 to);
+
+// The point of a cubic bezier at t in 0..1.
+maths::vec2 bezier_point(const std::array<maths::vec2, 4>&, float t);
+
+inline constexpr int wire_segments = 24;  // straight pieces that a wire is drawn and hit as
+
+// How the canvas lies in the window: pixel = origin + scale · unit.
+struct View {
+    maths::vec2 origin;
+    float scale = 1;  // window pixels per canvas unit
+    maths::vec2 to_window(maths::vec2 unit) const { return origin + unit * scale; }
+    maths::vec2 to_canvas(maths::vec2 pixel) const { return (pixel - origin) / scale; }
+};
+
+}  // namespace braitenlab

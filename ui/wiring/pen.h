@@ -1,0 +1,39 @@
+// Drawing in canvas units on Dear ImGui's draw list.
+#pragma once
+
+#include <string_view>
+
+#include <imgui.h>
+
+#include "ui/widgets/paint.h"
+#include "ui/wiring/layout.h"
+
+namespace braitenlab {
+
+struct Pen {
+    ImDrawList& list;
+    const Ui& ui;
+    View view;
+
+    const Palette& palette() const { return ui.palette; }
+    float size(float units) const { return units * view.scale; }
+    ImVec2 at(maths::vec2 unit) const {
+        const maths::vec2 pixel = view.to_window(unit);
+        return {pixel.x, pixel.y};
+    }
+    // A line's thickness: `units`, but never so thin that it vanishes.
+    float stroke(float units) const;
+
+    // Words `height` units tall whose point `anchor` (0..1 of their width, middle of their height) lies at `unit`.
+    // Left out when too small to be read.
+    void text(maths::vec2 unit, float height, float anchor, std::string_view, Colour, Face = Face::text) const;
+    float text_width(float height, std::string_view, Face = Face::text) const;  // units
+
+    void box(maths::vec2 centre, maths::vec2 size, float rounding, Colour) const;
+    void frame(maths::vec2 centre, maths::vec2 size, float rounding, float thickness, Colour) const;
+
+    // Light or shadow around a box that fades over `reach` units.
+    void halo(maths::vec2 centre, maths::vec2 size, float rounding, float reach, Colour) const;
+};
+
+}  // namespace braitenlab
