@@ -9,7 +9,7 @@ namespace {
 // WindowLayout pixels.
 constexpr float toolbar_height = 48, hint_height = 32;
 constexpr float narrow_window = 1200;  // below it, cards and margins are slimmer
-constexpr float inset_height = 184;
+constexpr float inset_height = 232;
 
 struct Columns {
     float margin, left, right;
@@ -46,7 +46,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         if (!view.lesson || width / scale < narrow_window) l.left = {};
         const float from = l.left.w > 0 ? l.scene.x : margin;
         l.canvas = {from, top, l.right.x - margin - from, column};
-        const float inset = std::min(inset_height * scale, column / 3);
+        const float inset = std::min(inset_height * scale, column * 0.36f);
         l.scene = {l.right.x, bottom - inset, l.right.w, inset};
         l.right.h = column - inset - margin;
     }

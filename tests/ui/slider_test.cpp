@@ -106,6 +106,15 @@ TEST(Slider, EscapeLeavesTheNumberAsItWas) {
     EXPECT_TRUE(desk.actions().empty()) << "Esc must not reach the lab while a number is typed";
 }
 
+TEST(Slider, KeepsShortcutsQuietWhileANumberIsTyped) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("slider.LL", 0, 0.95f);
+    for (const int pressed : {int{' '}, int{'.'}, int{'-'}, int{'N'}, key::tab}) desk.key({pressed});
+    desk.frame(2);
+    EXPECT_TRUE(desk.actions().empty());
+}
+
 TEST(Slider, KeysMoveTheFocusedOneByATenthAndWithShiftByAHundredth) {
     Desk desk;
     desk.frame(3);
