@@ -109,7 +109,7 @@ private:
         const ImVec2 at = ImGui::GetCursorScreenPos();
         put(ui_, at, ui_.strings("brain.weight"), ui_.palette.second_text, Face::small);
         put(ui_, {at.x + threshold_x, at.y}, ui_.strings("brain.threshold"), ui_.palette.second_text, Face::small);
-        ImGui::Dummy({1, line_height(ui_, Face::small) - ui_.px(4)});
+        ImGui::Dummy({1, line_height(ui_, Face::small) - ui_.px(1)});
     }
 
     SliderLook weight_look(const DialSlider& which) const {
@@ -194,7 +194,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         gap(ui, 8);
         equations(view, ui, *vehicle);
         // The wiring canvas shows the same, larger.
-        if (view.mode != Mode::wiring) brain_picture(view, ui, *vehicle, room.h < ui.px(low_column) ? 96 : 116);
+        if (view.mode != Mode::wiring) brain_picture(view, ui, *vehicle, room.h < ui.px(low_column) ? 90 : 116);
         presets_menu(view, state, ui, *vehicle, choose.pressed, {place.x + place.w - ui.px(16), place.y + ui.px(36)});
     }
     end_card(state.brain);

@@ -17,7 +17,7 @@ namespace braitenlab {
 
 namespace {
 
-constexpr std::size_t most_bars = 240;  // more would be a texture, not bars
+constexpr std::size_t most_bars = 120;  // more would be a texture, not bars
 
 // A caption over its figure.
 void figure(const Ui& ui, ImVec2 at, std::string_view caption, std::string_view value) {

@@ -24,11 +24,27 @@ Rect inside_clip(Rect r) {
 void ring(const Ui& ui, Rect r, Colour colour, float gap, float thickness) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
-    const float reach = ui.px(gap + thickness);
+    const float reach = ui.px(12);
     draw.PushClipRect({low.x - reach, low.y - reach}, {high.x + reach, high.y + reach}, false);
     line_box(ui, {r.x - ui.px(gap), r.y - ui.px(gap), r.w + 2 * ui.px(gap), r.h + 2 * ui.px(gap)}, colour, 6 + gap / 2,
              thickness);
     draw.PopClipRect();
+}
+
+// Beside the card, level with the widget, so that it never covers the next one; for the toolbar's below it.
+void place_tooltip(const Ui& ui, const Item& item) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize, card = ImGui::GetWindowPos();
+    const float card_width = ImGui::GetWindowWidth(), away = ui.px(24), half = ui.px(150);
+    if (card_width > window.x / 2) {
+        const float x = std::clamp(item.middle_x(), half, std::max(half, window.x - half));
+        const bool above = item.rect.y > window.y / 2;
+        ImGui::SetNextWindowPos({x, above ? item.rect.y - ui.px(10) : item.bottom() + ui.px(10)}, ImGuiCond_Always,
+                                {0.5f, above ? 1.0f : 0.0f});
+    } else if (card.x + card_width / 2 > window.x / 2) {
+        ImGui::SetNextWindowPos({card.x - away, item.middle_y()}, ImGuiCond_Always, {1, 0.5f});
+    } else {
+        ImGui::SetNextWindowPos({card.x + card_width + away / 2, item.middle_y()}, ImGuiCond_Always, {0, 0.5f});
+    }
 }
 
 bool is_visible(Rect r) { return r.w >= 1 && r.h >= 1; }
@@ -70,13 +86,16 @@ void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view 
     if (!item.hovered || item.held || words.empty()) return;
     // A moment of rest first: tooltips that jump up under a passing pointer hide what it is heading for.
     if (compat::hovered_seconds() < 0.35f) return;
+    place_tooltip(ui, item);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(6)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(2)});
     ImGui::BeginTooltip();
-    const float width = std::min(ui.px(280), text_width(ui, Face::small, words));
-    paragraph(ui, words, ui.palette.text, Face::small, width + 1);
-    if (!shortcut.empty()) paragraph(ui, shortcut, ui.palette.second_text, Face::small);
+    const float widest = std::max(text_width(ui, Face::small, words), text_width(ui, Face::small, shortcut));
+    const float width = std::min(ui.px(280), widest) + 1;
+    paragraph(ui, words, ui.palette.text, Face::small, width);
+    if (!shortcut.empty()) paragraph(ui, shortcut, ui.palette.second_text, Face::small, width);
     ImGui::EndTooltip();
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
 }
 
 float eased(const Ui& ui, std::string_view id, float target, float seconds) {
