@@ -12,14 +12,21 @@ namespace {
 
 using maths::vec2;
 
-// A small card with words, its upper left corner at `at` (window pixels), moved so that it stays inside the area.
+// The size of a small card with words, in window pixels.
+ImVec2 note_size(const Ui& ui, std::string_view words) {
+    ImFont* face = font(ui, Face::text);
+    const char* end = words.data() + words.size();
+    const ImVec2 extent = face->CalcTextSizeA(compat::size_of(face), 1e9f, 0, words.data(), end);
+    return {extent.x + ui.px(20), extent.y + ui.px(14)};
+}
+
+// That card, its upper left corner at `at` (window pixels), moved so that it stays inside the area.
 void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Colour edge) {
     const Ui& ui = pen.ui;
     ImFont* face = font(ui, Face::text);
     const float height = compat::size_of(face), pad = ui.px(10);
     const char* end = words.data() + words.size();
-    const ImVec2 extent = face->CalcTextSizeA(height, 1e9f, 0, words.data(), end);
-    const float w = extent.x + 2 * pad, h = extent.y + 1.4f * pad;
+    const auto [w, h] = note_size(ui, words);
     at.x = std::floor(std::clamp(at.x, area.x + ui.px(4), std::max(area.x + ui.px(4), area.x + area.w - w - ui.px(4))));
     at.y = std::floor(std::clamp(at.y, area.y + ui.px(4), std::max(area.y + ui.px(4), area.y + area.h - h - ui.px(4))));
     const ImVec2 far{at.x + w, at.y + h};
@@ -34,7 +41,22 @@ void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Col
     pen.list.AddText(face, height, {at.x + pad, at.y + 0.7f * pad}, paint(p.text), words.data(), end);
 }
 
-// Under the one node that is selected.
+// Below the card or above it: where it hides less of the others.
+ImVec2 beside_card(const Pen& pen, const Layout& layout, const NodeShape& shape, ImVec2 note) {
+    const auto hidden = [&](ImVec2 at) {
+        return std::count_if(layout.nodes.begin(), layout.nodes.end(), [&](const NodeShape& other) {
+            const ImVec2 low = pen.at(other.centre - other.size / 2), high = pen.at(other.centre + other.size / 2);
+            return other.id != shape.id && low.x < at.x + note.x && high.x > at.x && low.y < at.y + note.y &&
+                   high.y > at.y;
+        });
+    };
+    const ImVec2 below = pen.at(shape.centre + vec2{-shape.size.x / 2, shape.size.y / 2 + 14});
+    ImVec2 above = pen.at(shape.centre - vec2{shape.size.x / 2, shape.size.y / 2 + 14});
+    above.y -= note.y;
+    return hidden(above) < hidden(below) ? above : below;
+}
+
+// At the one node that is selected.
 void draw_sum(const Pen& pen, const Picture& picture, Rect area) {
     const Caught& selection = picture.state.selection;
     if (selection.nodes.size() != 1 || !selection.wires.empty()) return;
@@ -42,7 +64,7 @@ void draw_sum(const Pen& pen, const Picture& picture, Rect area) {
     if (shape == nullptr) return;
     const std::string sum = sum_text(picture.graph, shape->id, [&](NodeId id) { return picture.value(id); });
     if (sum.empty()) return;
-    const ImVec2 at = pen.at(shape->centre + vec2{-shape->size.x / 2, shape->size.y / 2 + 14});
+    const ImVec2 at = beside_card(pen, picture.layout, *shape, note_size(pen.ui, sum));
     draw_note(pen, at, sum, area, pen.palette().second_text);
 }
 

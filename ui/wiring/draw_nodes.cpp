@@ -106,25 +106,39 @@ float wheel_angle(const Picture& picture, const Node& node) {
     return node.name == "ML" ? angle[0] : node.name == "MR" ? angle[1] : 0;
 }
 
-void draw_contents(const Pen& pen, const Picture& picture, const NodeShape& shape, const Node& node, float value) {
+// From far away only what can still be read: icon, name and number, as large as the card allows.
+constexpr float far_away = 0.62f;  // layout pixels per unit
+
+void draw_words(const Pen& pen, const Node& node, float value, vec2 low, vec2 high) {
     const Palette& p = pen.palette();
+    const bool neuron = node.kind == NodeKind::neuron, far = pen.view.scale < far_away * pen.ui.scale;
+    const std::string number = node.kind == NodeKind::sensor ? fixed(value, 2) : with_sign(value, 2);
+    const float room = high.x - low.x;
+    if (far || neuron) {
+        const float height = far ? 29 : 21, above = far ? 25 : 22;
+        pen.text({low.x, low.y + above}, height, 0, node.name, p.text, Face::strong, room);
+        pen.text({low.x, low.y + above + height + 2}, height, 0, number, p.text, Face::text, room);
+    } else {
+        pen.text({low.x, low.y + 27}, 24, 0, node.name, p.text, Face::strong, room - 62);
+        pen.text({high.x, low.y + 27}, 20, 1, number, p.text);
+        pen.text({low.x, low.y + 52}, 16, 0, pen.ui.strings(subtitle_key(node)), p.second_text, Face::small, room);
+    }
+    const float bar = neuron ? low.x : low.x - 58;
+    if (!far)
+        draw_bar(pen, {bar, high.y - (neuron ? 14.0f : 18.0f)}, high.x - 2 - bar, value, node.kind != NodeKind::sensor);
+}
+
+void draw_contents(const Pen& pen, const Picture& picture, const NodeShape& shape, const Node& node, float value) {
     const bool neuron = node.kind == NodeKind::neuron;
+    const bool far = pen.view.scale < far_away * pen.ui.scale;
     const vec2 half = shape.size / 2;
-    const vec2 icon = shape.centre + vec2{-half.x + (neuron ? 36.0f : 42.0f), neuron ? 0 : -8.0f};
+    const vec2 icon = shape.centre + vec2{-half.x + (neuron ? 38.0f : 44.0f), neuron || far ? 0.0f : -9.0f};
     if (node.kind == NodeKind::sensor) draw_eye(pen, icon, value);
     if (node.kind == NodeKind::motor) draw_wheel(pen, icon, wheel_angle(picture, node), value);
     if (neuron) draw_response(pen, icon, node, value);
-
-    const float left = icon.x + (neuron ? 29.0f : 30.0f), right = shape.centre.x + half.x - 18;
-    const float top = shape.centre.y - half.y;
-    pen.text({left, top + 25}, 20, 0, node.name, p.text, Face::strong);
-    pen.text({left, top + 46}, 13, 0, pen.ui.strings(subtitle_key(node)), p.second_text, Face::small);
-    const std::string number = node.kind == NodeKind::sensor ? fixed(value, 2) : with_sign(value, 2);
-    pen.text({right, top + 25}, 17, 1, number, p.text);
-    const float bar_left = neuron ? left : shape.centre.x - half.x + 20;
-    const float bar_right = neuron ? right : right - 2;
-    draw_bar(pen, {bar_left, shape.centre.y + half.y - (neuron ? 14.0f : 18.0f)}, bar_right - bar_left, value,
-             node.kind != NodeKind::sensor);
+    const float left = icon.x + (neuron ? 28.0f : 34.0f);
+    draw_words(pen, node, value, {left, shape.centre.y - half.y},
+               shape.centre + half - vec2{neuron ? 14.0f : 18.0f, 0});
 }
 
 void draw_card(const Pen& pen, const Picture& picture, const NodeShape& shape) {

@@ -126,9 +126,9 @@ void draw_label(const Pen& pen, const Picture& picture, const WireShape& shape) 
     pen.frame(at, extent, extent.y / 2, look.hovered || !shape.ghost ? 2 : 1.2f, edge);
     const std::string weight = shape.ghost ? fixed(0, 2) : with_sign(look.wire.weight, 2);
     const Colour ink = shape.ghost ? p.second_text : p.text;
-    if (!shape.direct) return pen.text(at, 14.5f, 0.5f, weight, ink);
-    pen.text(at - vec2{extent.x / 2 - 12, 0}, 14, 0, wire_name(picture.graph, shape.ends), p.second_text, Face::strong);
-    pen.text(at + vec2{extent.x / 2 - 12, 0}, 15.5f, 1, weight, ink);
+    if (!shape.direct) return pen.text(at, pen.view.scale < 0.62f * pen.ui.scale ? 23 : 18, 0.5f, weight, ink);
+    pen.text(at - vec2{extent.x / 2 - 13, 0}, 17, 0, wire_name(picture.graph, shape.ends), p.second_text, Face::strong);
+    pen.text(at + vec2{extent.x / 2 - 12, 0}, 19, 1, weight, ink);
 }
 
 }  // namespace

@@ -185,7 +185,7 @@ void drop_new_neuron(CanvasState& state, const CanvasFrame& frame, Outbox& outbo
     keep_places(state, frame.layout);
     // The end of the wire stays under the cursor: the new neuron's pin comes to lie there.
     const vec2 pin = view_of(state, frame.area, frame.ui_scale).to_canvas(frame.pointer.at);
-    state.places[state.kind][fresh] = pin + vec2{outwards ? 78.0f : -78.0f, 0};
+    state.places[state.kind][fresh] = pin + vec2{outwards ? 75.0f : -75.0f, 0};
     state.nodes = joined.graph->nodes.size();
     state.selection = {{fresh}, {}};
     ask(outbox, SetBrain{frame.target, *joined.graph}, drag.gesture);
@@ -226,7 +226,7 @@ void zoom_at(CanvasState& state, Rect area, float ui_scale, vec2 pixel, float fa
 }
 
 void fit(CanvasState& state, const Layout& layout, Rect area, float ui_scale) {
-    const vec2 margin{56, 72};
+    const vec2 margin{36, 64};
     const vec2 size = layout.high - layout.low + margin * 2;
     const float zoom = std::min(area.w / (size.x * ui_scale), area.h / (size.y * ui_scale));
     state.zoom = std::clamp(zoom, 0.3f, 1.4f);

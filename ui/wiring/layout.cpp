@@ -8,13 +8,14 @@ namespace {
 
 using maths::vec2;
 
-constexpr float column_gap = 300, row_gap = 124;  // between centres
-constexpr float direct_gap = 540;                 // from sensors to motors when nothing stands between them
-constexpr float direct_spread = 260;              // from the left eye to the right one, at least
+constexpr float column_gap = 256, row_gap = 132;  // between centres
+constexpr float outer_room = 36;                  // more beside the sensors and the motors, whose cards are wider
+constexpr float direct_gap = 520;                 // from sensors to motors when nothing stands between them
+constexpr float direct_spread = 300;              // from the left eye to the right one, at least
 constexpr std::size_t rows_at_most = 6;           // a longer column is broken into several
 constexpr float arrival_gap = 18;                 // between wires that arrive at one pin
 
-vec2 size_of(NodeKind kind) { return kind == NodeKind::neuron ? vec2{156, 76} : vec2{184, 92}; }
+vec2 size_of(NodeKind kind) { return kind == NodeKind::neuron ? vec2{150, 80} : vec2{204, 100}; }
 
 // Left above, right below, what has no side between.
 int side(const Node& node) {
@@ -100,11 +101,11 @@ Places arrange(const BrainGraph& graph) {
     place_column(places, sensors, 0, outer);
     float x = 0;
     for (auto& column : columns) {
-        x += column_gap;
+        x += x == 0 ? column_gap + outer_room : column_gap;
         order_by_sources(graph, places, column);
         place_column(places, column, x, height_of(column.size()));
     }
-    place_column(places, motors, std::max(x + column_gap, direct_gap), outer);
+    place_column(places, motors, std::max(x + column_gap + outer_room, direct_gap), outer);
     return places;
 }
 
@@ -143,7 +144,7 @@ void list_wires(Layout& layout, const BrainGraph& graph) {
         shape.ends = all[i];
         shape.direct = i < direct;
         shape.ghost = weight_of(graph, all[i]) == 0;
-        shape.label_size = shape.direct ? vec2{96, 30} : vec2{66, 26};
+        shape.label_size = shape.direct ? vec2{108, 34} : vec2{72, 28};
         if (find_shape(layout, all[i].from) != nullptr && find_shape(layout, all[i].to) != nullptr)
             layout.wires.push_back(shape);
     }
@@ -171,26 +172,27 @@ bool overlap(vec2 a, vec2 a_size, vec2 b, vec2 b_size) {
     return std::abs(a.x - b.x) * 2 < a_size.x + b_size.x && std::abs(a.y - b.y) * 2 < a_size.y + b_size.y;
 }
 
-// In the middle where it is free; a wire that climbs or falls begins at a third, since crossing wires meet at the
-// middle.
+bool covered(const Layout& layout, std::size_t index, vec2 at, vec2 size) {
+    for (std::size_t i = 0; i < index; ++i)
+        if (overlap(at, size, layout.wires[i].label, layout.wires[i].label_size)) return true;
+    return std::any_of(layout.nodes.begin(), layout.nodes.end(),
+                       [&](const NodeShape& node) { return overlap(at, size, node.centre, node.size); });
+}
+
+// In the middle, or at a third of a wire that climbs or falls, since crossing wires meet at the middle; from there the
+// nearest place along the wire that covers no card and none of the labels before it.
 void place_label(const Layout& layout, std::size_t index, WireShape& wire) {
-    constexpr float level[] = {0.5f, 0.4f, 0.6f, 0.3f, 0.7f, 0.22f, 0.78f};
-    constexpr float steep[] = {0.3f, 0.36f, 0.7f, 0.24f, 0.64f, 0.76f, 0.5f};
     const bool climbs = std::abs(wire.bezier[3].y - wire.bezier[0].y) > 80;
-    const vec2 margin{8, 6};
-    for (const float t : climbs ? steep : level) {
+    const float wanted = climbs ? 0.3f : 0.5f;
+    wire.label = bezier_point(wire.bezier, wanted);
+    for (int i = 0; i < 32; ++i) {
+        const float t = wanted + (i % 2 == 0 ? 0.03f : -0.03f) * static_cast<float>((i + 1) / 2);
+        if (t < 0.12f || t > 0.88f) continue;
         const vec2 at = bezier_point(wire.bezier, t);
-        bool free = true;
-        for (std::size_t i = 0; i < index && free; ++i)
-            free = !overlap(at, wire.label_size + margin, layout.wires[i].label, layout.wires[i].label_size);
-        for (const NodeShape& node : layout.nodes)
-            free = free && !overlap(at, wire.label_size + margin, node.centre, node.size);
-        if (free) {
-            wire.label = at;
-            return;
-        }
+        if (covered(layout, index, at, wire.label_size + vec2{8, 6})) continue;
+        wire.label = at;
+        return;
     }
-    wire.label = bezier_point(wire.bezier, climbs ? steep[0] : level[0]);
 }
 
 }  // namespace

@@ -11,21 +11,43 @@ using maths::vec2;
 
 float Pen::stroke(float units) const { return std::max(size(units), ui.px(0.75f)); }
 
-void Pen::text(vec2 unit, float height, float anchor, std::string_view words, Colour colour, Face face) const {
-    const float pixels = size(height);
-    if (pixels < ui.px(5) || words.empty()) return;
-    // The face loaded nearest above the wanted size stays sharp.
-    ImFont* chosen = font(ui, face == Face::text && pixels > ui.px(18) ? Face::title : face);
-    const char* end = words.data() + words.size();
-    const float width = chosen->CalcTextSizeA(pixels, 1e9f, 0, words.data(), end).x;
-    const ImVec2 p = at(unit);
-    list.AddText(chosen, pixels, {std::round(p.x - width * anchor), std::round(p.y - pixels / 2)}, paint(colour),
-                 words.data(), end);
+namespace {
+
+struct Type {
+    ImFont* font;
+    float pixels;
+};
+
+// The loaded font nearest to the wanted size; at its own size where that is near enough, since letters that are scaled
+// by a little look worn. A bold face stays bold.
+Type type_for(const Ui& ui, Face face, float pixels) {
+    const bool bold = face == Face::strong || face == Face::title;
+    const Face choices[2] = {bold ? Face::strong : Face::small, bold ? Face::title : Face::text};
+    for (const Face choice : choices) {
+        ImFont* loaded = font(ui, choice);
+        const float own = compat::size_of(loaded);
+        if (pixels < own * 0.9f) return {loaded, pixels};
+        if (pixels < own * 1.13f) return {loaded, own};
+    }
+    return {font(ui, Face::title), pixels};
 }
 
-float Pen::text_width(float height, std::string_view words, Face face) const {
-    return font(ui, face)->CalcTextSizeA(size(height), 1e9f, 0, words.data(), words.data() + words.size()).x /
-           view.scale;
+}  // namespace
+
+void Pen::text(vec2 unit, float height, float anchor, std::string_view words, Colour colour, Face face,
+               float room) const {
+    if (words.empty()) return;
+    Type type = type_for(ui, face, size(height));
+    const char* end = words.data() + words.size();
+    float width = type.font->CalcTextSizeA(type.pixels, 1e9f, 0, words.data(), end).x;
+    if (room > 0 && width > size(room)) {
+        type.pixels *= size(room) / width;
+        width = size(room);
+    }
+    if (type.pixels < ui.px(5)) return;
+    const ImVec2 p = at(unit);
+    list.AddText(type.font, type.pixels, {std::round(p.x - width * anchor), std::round(p.y - type.pixels / 2)},
+                 paint(colour), words.data(), end);
 }
 
 void Pen::box(vec2 centre, vec2 extent, float rounding, Colour colour) const {

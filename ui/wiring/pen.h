@@ -24,10 +24,10 @@ struct Pen {
     // A line's thickness: `units`, but never so thin that it vanishes.
     float stroke(float units) const;
 
-    // Words `height` units tall whose point `anchor` (0..1 of their width, middle of their height) lies at `unit`.
-    // Left out when too small to be read.
-    void text(maths::vec2 unit, float height, float anchor, std::string_view, Colour, Face = Face::text) const;
-    float text_width(float height, std::string_view, Face = Face::text) const;  // units
+    // Words about `height` units tall whose point `anchor` (0..1 of their width, middle of their height) lies at
+    // `unit`; smaller where they would be wider than `room` units (0: any width), left out when too small to be read.
+    void text(maths::vec2 unit, float height, float anchor, std::string_view, Colour, Face = Face::text,
+              float room = 0) const;
 
     void box(maths::vec2 centre, maths::vec2 size, float rounding, Colour) const;
     void frame(maths::vec2 centre, maths::vec2 size, float rounding, float thickness, Colour) const;

@@ -1,0 +1,356 @@
+// The canvas with a mouse: Dear ImGui without a window, pointer and keys put in by hand.
+#include <cmath>
+#include <optional>
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "ui/strings.h"
+#include "ui/wiring/canvas.h"
+#include "ui/wiring/interaction.h"
+
+namespace {
+
+using namespace braitenlab;
+using maths::vec2;
+
+constexpr NodeId SL = 0, SR = 1, ML = 2, MR = 3;
+
+// A lab with one vehicle that carries out edits of its brain as the app would, and the hand on the mouse.
+struct WiringCanvas : testing::Test {
+    WiringCanvas() {
+        ImGui::CreateContext();
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = {1000, 700};
+        for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
+        unsigned char* pixels = nullptr;
+        int width = 0, height = 0;
+        io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+
+        FourNeurons four;
+        four.LR = four.RL = 1.5f;
+        scene.kinds.resize(1);
+        now.scene = std::make_shared<Scene>(scene);
+        now.sensed = {0.4f, 0.2f};
+        now.neurons = {0.3f, 0.6f};
+        VehicleView vehicle;
+        vehicle.id = 7;
+        vehicle.neuron_count = 2;
+        now.vehicles = {vehicle};
+        now.brains = {std::make_shared<BrainGraph>(make_graph(four))};
+        view.now = &now;
+        view.mode = Mode::wiring;
+        view.selected = 7;
+        frames(3);
+    }
+    ~WiringCanvas() override { ImGui::DestroyContext(); }
+
+    void frames(int count = 1) {
+        for (int i = 0; i < count; ++i) {
+            ImGuiIO& io = ImGui::GetIO();
+            io.DeltaTime = 1.0f / 60;
+            view.wall_seconds += io.DeltaTime;
+            ImGui::NewFrame();
+            anchors.begin();
+            outbox.clear();
+            Ui ui{strings, palette(Theme::dark), {}, 1, anchors, outbox, {}};
+            wiring_canvas(view, state, ui, area);
+            ImGui::Render();
+            io.MouseWheel = 0;
+            for (const Request& request : outbox) carry_out(std::get<EditRequest>(request));
+        }
+    }
+    void carry_out(const EditRequest& request) {
+        edits.push_back(request);
+        auto edited = std::make_shared<BrainGraph>(*now.brains[0]);
+        if (const auto* dial = std::get_if<TurnDial>(&request.command)) turn(*edited, dial->dial, dial->value);
+        if (const auto* brain = std::get_if<SetBrain>(&request.command)) *edited = brain->brain;
+        now.brains[0] = edited;
+        now.neurons.resize(edited->nodes.size());
+    }
+
+    vec2 middle(const std::string& anchor) const {
+        const Rect* r = anchors.find(anchor);
+        EXPECT_NE(r, nullptr) << anchor;
+        return r ? vec2{r->x + r->w / 2, r->y + r->h / 2} : vec2{};
+    }
+    void move(vec2 to) {
+        ImGui::GetIO().MousePos = {to.x, to.y};
+        frames();
+    }
+    void button(bool down, int which = 0) {
+        ImGui::GetIO().MouseDown[which] = down;
+        frames();
+    }
+    void drag(vec2 from, vec2 to) {
+        move(from);
+        button(true);
+        move(from + (to - from) * 0.5f);
+        move(to);
+        button(false);
+        frames();
+    }
+    void click(vec2 at) {
+        move(at);
+        button(true);
+        button(false);
+    }
+    void key(ImGuiKey which) {
+        ImGui::GetIO().KeysDown[which] = true;
+        frames();
+        ImGui::GetIO().KeysDown[which] = false;
+        frames();
+    }
+    void wheel(float notches) {
+        ImGui::GetIO().MouseWheel = notches;
+        frames();
+    }
+    const BrainGraph& brain() const { return *now.brains[0]; }
+    FourNeurons dials() const { return read_dials(brain()); }
+
+    const Rect area{20, 30, 900, 640};
+    Strings strings;
+    Anchors anchors;
+    Outbox outbox;
+    Scene scene;
+    Snapshot now;
+    LabView view;
+    CanvasState state;
+    std::vector<EditRequest> edits;
+};
+
+TEST_F(WiringCanvas, RecordsPinsAndLabelsInsideItsArea) {
+    for (const char* id : {"pin.SL.out", "pin.SR.out", "pin.ML.in", "pin.MR.in", "wire.LL", "wire.LR", "wire.RL",
+                           "wire.RR", "node.SL", "canvas.fit", "canvas.arrange"}) {
+        const Rect* r = anchors.find(id);
+        ASSERT_NE(r, nullptr) << id;
+        EXPECT_TRUE(area.contains(r->x, r->y) && area.contains(r->x + r->w, r->y + r->h)) << id;
+    }
+    EXPECT_EQ(*anchors.find("canvas"), area);
+    EXPECT_EQ(anchors.find("pin.SL.in"), nullptr);
+}
+
+TEST_F(WiringCanvas, DragFromPinToPinTurnsAGhostIntoWeightOne) {
+    now.brains[0] = std::make_shared<BrainGraph>(make_graph({}));
+    drag(middle("pin.SL.out"), middle("pin.MR.in"));
+    ASSERT_EQ(edits.size(), 1u);
+    const auto* dial = std::get_if<TurnDial>(&edits[0].command);
+    ASSERT_NE(dial, nullptr);
+    EXPECT_EQ(dial->dial, Dial::RL);
+    EXPECT_EQ(dial->value, 1);
+    EXPECT_EQ(dial->target.vehicle, no_vehicle);
+    EXPECT_EQ(dial->target.kind, 0);
+    EXPECT_GE(edits[0].gesture, 1ULL << 40);
+}
+
+TEST_F(WiringCanvas, DragBackwardsFromInPinToOutPinMakesTheSameWire) {
+    drag(middle("pin.ML.in"), middle("pin.SL.out"));
+    EXPECT_EQ(dials().LL, 1);
+}
+
+TEST_F(WiringCanvas, DropOnACardMeansItsPin) {
+    drag(middle("pin.SR.out"), middle("node.MR"));
+    EXPECT_EQ(dials().RR, 1);
+}
+
+TEST_F(WiringCanvas, EditsTheSelectedVehicleAloneWhenAskedTo) {
+    view.whole_kind = false;
+    drag(middle("pin.SL.out"), middle("pin.ML.in"));
+    ASSERT_EQ(edits.size(), 1u);
+    EXPECT_EQ(std::get<TurnDial>(edits[0].command).target.vehicle, 7);
+}
+
+TEST_F(WiringCanvas, RefusesADuplicateAndSaysWhy) {
+    drag(middle("pin.SL.out"), middle("pin.MR.in"));
+    EXPECT_TRUE(edits.empty());
+    EXPECT_EQ(state.refusal.key, "wiring.refused.duplicate");
+}
+
+TEST_F(WiringCanvas, RefusesAWireIntoASensorAndBetweenEqualPins) {
+    drag(middle("pin.SL.out"), middle("node.SR"));
+    EXPECT_EQ(state.refusal.key, "wiring.refused.into_sensor");
+    drag(middle("pin.ML.in"), middle("pin.MR.in"));
+    EXPECT_EQ(state.refusal.key, "wiring.refused.two_inputs");
+    EXPECT_TRUE(edits.empty());
+}
+
+TEST_F(WiringCanvas, DropOnEmptySpaceAddsANeuronThereAndMovesNothingElse) {
+    const vec2 eye = middle("node.SL"), motor = middle("node.MR"), place{470, 350};
+    drag(middle("pin.SL.out"), place);
+    ASSERT_EQ(edits.size(), 1u);
+    EXPECT_EQ(weight_of(brain(), {SL, 4}), 1);
+    EXPECT_LT(maths::distance(middle("pin.N1.in"), place), 1.5f);
+    EXPECT_EQ(middle("node.SL"), eye);
+    EXPECT_EQ(middle("node.MR"), motor);
+    drag(middle("pin.N1.out"), middle("pin.ML.in"));
+    EXPECT_EQ(weight_of(brain(), {4, ML}), 1);
+    EXPECT_NE(anchors.find("wire.N1-ML"), nullptr);
+}
+
+TEST_F(WiringCanvas, EscInMidDragChangesNothing) {
+    move(middle("pin.SL.out"));
+    button(true);
+    move(middle("pin.ML.in"));
+    ASSERT_EQ(state.drag.phase, CanvasPhase::drag_wire);
+    key(ImGuiKey_Escape);
+    button(false);
+    EXPECT_TRUE(edits.empty());
+    EXPECT_EQ(state.drag.phase, CanvasPhase::idle);
+}
+
+TEST_F(WiringCanvas, EscBringsAMovedNodeBack) {
+    const vec2 before = middle("node.ML");
+    move(before);
+    button(true);
+    move(before + vec2{60, 90});
+    EXPECT_GT(maths::distance(middle("node.ML"), before), 50);
+    key(ImGuiKey_Escape);
+    EXPECT_EQ(middle("node.ML"), before);
+    EXPECT_TRUE(edits.empty());
+}
+
+TEST_F(WiringCanvas, AMovedNodeStaysWhereItWasPut) {
+    const vec2 before = middle("node.ML");
+    drag(before, before + vec2{40, 50});
+    EXPECT_LT(maths::distance(middle("node.ML"), before + vec2{40, 50}), 1);
+    EXPECT_TRUE(edits.empty());
+    click(middle("canvas.arrange"));
+    frames();
+    EXPECT_LT(maths::distance(middle("node.ML"), before), 1);
+}
+
+TEST_F(WiringCanvas, DragOnALabelTurnsItsWeightInTenthsAsOneGesture) {
+    const vec2 label = middle("wire.RL");
+    drag(label, label + vec2{-24, 0});
+    EXPECT_NEAR(dials().RL, 1.2f, 1e-5f);
+    ASSERT_GE(edits.size(), 2u);
+    for (const EditRequest& edit : edits) EXPECT_EQ(edit.gesture, edits[0].gesture);
+}
+
+TEST_F(WiringCanvas, EscRestoresADraggedWeight) {
+    const vec2 label = middle("wire.RL");
+    move(label);
+    button(true);
+    move(label + vec2{0, 40});
+    EXPECT_NEAR(dials().RL, 1.0f, 1e-5f);
+    key(ImGuiKey_Escape);
+    button(false);
+    EXPECT_EQ(dials().RL, 1.5f);
+    EXPECT_EQ(edits.front().gesture, edits.back().gesture);
+}
+
+TEST_F(WiringCanvas, AWeightStopsAtItsRangeAndComesBackAtOnce) {
+    const vec2 label = middle("wire.RL");
+    move(label);
+    button(true);
+    move(label + vec2{0, -300});
+    EXPECT_EQ(dials().RL, 2);
+    move(label + vec2{0, -292});
+    EXPECT_NEAR(dials().RL, 1.9f, 1e-5f);
+}
+
+TEST_F(WiringCanvas, WheelOverALabelTurnsItsWeightAndElsewhereZooms) {
+    move(middle("wire.LL"));
+    wheel(1);
+    EXPECT_NEAR(dials().LL, 0.1f, 1e-6f);
+    ImGui::GetIO().KeyShift = true;
+    wheel(-1);
+    EXPECT_NEAR(dials().LL, 0.09f, 1e-6f);
+    EXPECT_EQ(edits[0].gesture, edits[1].gesture);
+    const float zoom = state.zoom;
+    move({60, 600});
+    wheel(1);
+    EXPECT_GT(state.zoom, zoom);
+    EXPECT_EQ(edits.size(), 2u);
+}
+
+TEST_F(WiringCanvas, ZoomKeepsThePointUnderTheCursor) {
+    const vec2 pin = middle("pin.MR.in");
+    const vec2 cursor = pin + vec2{-60, 90};
+    move(cursor);
+    const vec2 unit = view_of(state, area, 1).to_canvas(cursor);
+    for (const float notches : {3.0f, -7.0f, 30.0f, -60.0f}) {
+        zoom_at(state, area, 1, cursor, std::pow(1.15f, notches));
+        EXPECT_LT(maths::distance(view_of(state, area, 1).to_window(unit), cursor), 0.01f);
+        EXPECT_GE(state.zoom, 0.3f);
+        EXPECT_LE(state.zoom, 3.0f);
+    }
+}
+
+TEST_F(WiringCanvas, RightDragPansAndHomeFitsAgain) {
+    const vec2 before = middle("node.SL");
+    move({60, 600});
+    button(true, 1);
+    move({100, 560});
+    button(false, 1);
+    EXPECT_LT(maths::distance(middle("node.SL"), before + vec2{40, -40}), 0.1f);
+    key(ImGuiKey_Home);
+    EXPECT_LT(maths::distance(middle("node.SL"), before), 0.1f);
+}
+
+TEST_F(WiringCanvas, ClickSelectsAndShiftAdds) {
+    click(middle("node.SL"));
+    EXPECT_EQ(state.selection.nodes, (std::set<NodeId>{SL}));
+    ImGui::GetIO().KeyShift = true;
+    click(middle("wire.LR"));
+    EXPECT_EQ(state.selection.nodes, (std::set<NodeId>{SL}));
+    EXPECT_EQ(state.selection.wires, (std::set<WireEnds>{{SR, ML}}));
+    ImGui::GetIO().KeyShift = false;
+    click({60, 600});
+    EXPECT_TRUE(state.selection.nodes.empty() && state.selection.wires.empty());
+}
+
+TEST_F(WiringCanvas, DeletedWireReadsZero) {
+    click(middle("wire.LR"));
+    key(ImGuiKey_Delete);
+    EXPECT_EQ(dials().LR, 0);
+    EXPECT_EQ(dials().RL, 1.5f);
+    ASSERT_EQ(edits.size(), 1u);
+    EXPECT_TRUE(is_four_neurons(brain()));
+}
+
+TEST_F(WiringCanvas, DeleteLeavesSensorsAndMotors) {
+    click(middle("node.SL"));
+    key(ImGuiKey_Delete);
+    EXPECT_TRUE(edits.empty());
+    EXPECT_EQ(state.refusal.key, "wiring.refused.fixed");
+}
+
+TEST_F(WiringCanvas, BoxSelectTakesInTheLeftColumn) {
+    const Rect* top = anchors.find("node.SL");
+    const Rect* bottom = anchors.find("node.SR");
+    drag({top->x - 12, top->y - 12}, {top->x + top->w / 2, bottom->y + bottom->h + 12});
+    EXPECT_EQ(state.selection.nodes, (std::set<NodeId>{SL, SR}));
+    EXPECT_TRUE(edits.empty());
+}
+
+TEST_F(WiringCanvas, DropsADragWhenTheCanvasWasAway) {
+    move(middle("pin.SL.out"));
+    button(true);
+    move(middle("pin.ML.in"));
+    ImGui::NewFrame();
+    ImGui::Render();
+    button(false);
+    EXPECT_TRUE(edits.empty());
+}
+
+TEST_F(WiringCanvas, EscIsFreeForOthersWhenThereIsNothingToCancel) {
+    EXPECT_FALSE(press_key(state, CanvasKey::cancel));
+    click(middle("node.SL"));
+    EXPECT_TRUE(press_key(state, CanvasKey::cancel));
+    frames();
+    EXPECT_TRUE(state.selection.nodes.empty());
+}
+
+TEST_F(WiringCanvas, SurvivesNobodySelectedAndABrainWithoutNodes) {
+    view.selected = no_vehicle;
+    frames(2);
+    view.selected = 7;
+    now.brains[0] = std::make_shared<BrainGraph>();
+    frames(2);
+    click({400, 300});
+    EXPECT_TRUE(edits.empty());
+}
+
+}  // namespace

@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ui/wiring/layout.h"
+
+namespace {
+
+using namespace braitenlab;
+using maths::vec2;
+
+constexpr NodeId SL = 0, SR = 1, ML = 2, MR = 3;
+
+BrainGraph crossed() {
+    FourNeurons four;
+    four.LR = four.RL = 1.5f;
+    return make_graph(four);
+}
+
+// Two sensors and two motors with `count` hidden neurons in a chain.
+BrainGraph chain(int count) {
+    BrainGraph graph = crossed();
+    NodeId before = SL;
+    for (int i = 0; i < count; ++i) {
+        const NodeId neuron = fresh_id(graph);
+        graph = *add_neuron(graph).graph;
+        graph = *connect(graph, {before, neuron}).graph;
+        before = neuron;
+    }
+    return *connect(graph, {before, ML}).graph;
+}
+
+bool overlap(vec2 a, vec2 a_size, vec2 b, vec2 b_size) {
+    return std::abs(a.x - b.x) * 2 < a_size.x + b_size.x && std::abs(a.y - b.y) * 2 < a_size.y + b_size.y;
+}
+
+TEST(Layout, StandsEyesLeftMotorsRightAndLeftAboveRight) {
+    const Layout layout = lay_out(crossed(), {});
+    EXPECT_LT(find_shape(layout, SL)->centre.x, find_shape(layout, ML)->centre.x);
+    EXPECT_LT(find_shape(layout, SL)->centre.y, find_shape(layout, SR)->centre.y);
+    EXPECT_LT(find_shape(layout, ML)->centre.y, find_shape(layout, MR)->centre.y);
+}
+
+TEST(Layout, PutsHiddenNeuronsBetweenInTheOrderOfTheSignal) {
+    const Layout layout = lay_out(chain(3), {});
+    float before = find_shape(layout, SL)->centre.x;
+    for (const NodeId id : {4, 5, 6, ML}) {
+        EXPECT_GT(find_shape(layout, id)->centre.x, before) << id;
+        before = find_shape(layout, id)->centre.x;
+    }
+}
+
+TEST(Layout, LetsNoCardsOverlap) {
+    BrainGraph graph = chain(4);
+    for (int i = 0; i < 8; ++i) graph = *add_neuron(graph).graph;
+    const Layout layout = lay_out(graph, {});
+    for (const NodeShape& a : layout.nodes)
+        for (const NodeShape& b : layout.nodes)
+            EXPECT_FALSE(a.id < b.id && overlap(a.centre, a.size, b.centre, b.size)) << a.id << " " << b.id;
+}
+
+TEST(Layout, IsTheSameInWhateverOrderTheGraphWasMade) {
+    BrainGraph graph = chain(3), turned = graph;
+    std::reverse(turned.nodes.begin(), turned.nodes.end());
+    std::reverse(turned.wires.begin(), turned.wires.end());
+    const Layout a = lay_out(graph, {}), b = lay_out(turned, {});
+    for (const NodeShape& node : a.nodes) EXPECT_EQ(node.centre, find_shape(b, node.id)->centre);
+    for (const WireShape& wire : a.wires) EXPECT_EQ(wire.label, find_shape(b, wire.ends)->label);
+}
+
+TEST(Layout, KeepsAMovedNodeWhereItWasPut) {
+    const Layout layout = lay_out(chain(1), {{4, {17, -230}}});
+    EXPECT_EQ(find_shape(layout, 4)->centre, (vec2{17, -230}));
+}
+
+TEST(Layout, HasAPlaceForAllFourDirectWiresEvenWhereNoneIs) {
+    BrainGraph bare = crossed();
+    bare.wires.clear();
+    const Layout layout = lay_out(bare, {});
+    ASSERT_EQ(layout.wires.size(), 4u);
+    for (const WireShape& wire : layout.wires) EXPECT_TRUE(wire.ghost && wire.direct);
+    EXPECT_FALSE(find_shape(lay_out(crossed(), {}), WireEnds{SL, MR})->ghost);
+}
+
+TEST(Layout, LetsNoLabelsOfTheFourCoverEachOther) {
+    const Layout layout = lay_out(crossed(), {});
+    for (const WireShape& a : layout.wires)
+        for (const WireShape& b : layout.wires)
+            EXPECT_FALSE(a.ends < b.ends && overlap(a.label, a.label_size, b.label, b.label_size));
+}
+
+TEST(Layout, LetsWiresArriveOneBelowTheOther) {
+    const Layout layout = lay_out(crossed(), {});
+    EXPECT_LT(find_shape(layout, WireEnds{SL, ML})->bezier[3].y, find_shape(layout, WireEnds{SR, ML})->bezier[3].y);
+}
+
+TEST(WireCurve, RunsFromPinToPin) {
+    for (const vec2 to : {vec2{300, 80}, vec2{-200, 40}, vec2{0, 0}}) {
+        const auto curve = wire_curve({10, 20}, to);
+        EXPECT_EQ(bezier_point(curve, 0), (vec2{10, 20}));
+        EXPECT_EQ(bezier_point(curve, 1), to);
+    }
+}
+
+TEST(View, GoesThereAndBack) {
+    const View view{{120, 40}, 1.5f};
+    EXPECT_EQ(view.to_canvas(view.to_window({8, -6})), (vec2{8, -6}));
+}
+
+}  // namespace
