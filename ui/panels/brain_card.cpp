@@ -178,7 +178,9 @@ void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleV
 }  // namespace
 
 std::string kind_name(const Ui& ui, const Kind& kind) {
-    return std::string(ui.strings.find("kind." + kind.name, kind.name));
+    std::string name(ui.strings.find("kind." + kind.name, kind.name));
+    if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
+    return name;
 }
 
 void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect room) {

@@ -132,6 +132,7 @@ void brain_picture(const LabView& view, Ui& ui, const VehicleView& vehicle, floa
     fill_box(ui, p.chassis, mix(ui.palette.panel, ui.palette.chassis, 0.22f), 12);
     line_box(ui, p.chassis, colour_of(ui.palette, vehicle.role), 12, 1.5f);
 
+    const std::array<float, 2> motors = motor_sums(view, vehicle);
     const float seen[2]{reading(view, vehicle, brain, "SL"), reading(view, vehicle, brain, "SR")};
     const auto carried = [&](const char* eye_name, const char* motor, float value) {
         const Node* from = find_node(brain, std::string(eye_name));
@@ -152,12 +153,12 @@ void brain_picture(const LabView& view, Ui& ui, const VehicleView& vehicle, floa
     for (int side = 0; side < 2; ++side) {
         const auto s = static_cast<std::size_t>(side);
         eye(ui, p.eye[side], seen[side]);
-        wheel(ui, p.wheel[side], vehicle.motor[s], vehicle.wheel_angle[s]);
+        wheel(ui, p.wheel[side], motors[s], vehicle.wheel_angle[s]);
         const float out = side == 0 ? -1.0f : 1.0f;
         number(ui, {p.eye[side].x + out * ui.px(44), p.eye[side].y + ui.px(6)}, side == 0, side == 0 ? "SL" : "SR",
                fixed(seen[side], 2));
         number(ui, {p.wheel[side].x + out * ui.px(32), p.wheel[side].y + ui.px(4)}, side == 0, side == 0 ? "ML" : "MR",
-               with_sign(vehicle.motor[s], 2));
+               with_sign(motors[s], 2));
     }
     tooltip(ui, area, ui.strings("brain.picture"));
 }
