@@ -263,8 +263,11 @@ int open_and_run(const Options& options) {
     if (!lab) return complain(lab.error());
     auto strings = Strings::load(*data / "ui" / "strings" / "en.toml");
     if (!strings) return complain(strings.error());
-    auto window = Window::open(
-        {.title = "Braitenlab", .width = options.width, .height = options.height, .full_screen = options.full_screen});
+    auto window = Window::open({.title = "Braitenlab",
+                                .width = options.width,
+                                .height = options.height,
+                                .full_screen = options.full_screen,
+                                .smooth_in_software = !options.screenshot.empty()});
     if (!window) return complain(window.error());
     auto renderer = Renderer::create(*data / "shaders");
     if (!renderer) return complain(renderer.error());

@@ -216,7 +216,10 @@ Result<Lab> open_lab(const std::filesystem::path& path, std::optional<std::uint6
 void tick(Lab& lab) {
     lab.session.step();
     keep_selection(lab);
-    if (lab.lesson && !lab.lesson->view.has_run) lab.lesson->view.has_run = lab.lesson->view.hint_ready = true;
+    if (lab.lesson) {
+        lab.lesson->view.has_run = true;
+        if (lab.session.snapshot().tick == 1) lab.lesson->view.hint_ready = true;  // each run opens a hint
+    }
     watch(lab);
 }
 

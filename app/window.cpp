@@ -15,7 +15,7 @@ namespace braitenlab {
 
 namespace {
 
-constexpr int samples = 4;  // multisampling: smooth edges
+constexpr int smooth_samples = 4;  // multisampling: smooth edges
 
 // GLFW reports errors by callback only; the last one is what explains a failed call.
 std::string last_error;
@@ -63,7 +63,7 @@ struct Window::Native {
 
 namespace {
 
-void hint_context(const WindowOptions& options) {
+void hint_context(const WindowOptions& options, int samples) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -72,12 +72,29 @@ void hint_context(const WindowOptions& options) {
     glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
 }
 
-GLFWwindow* make_window(const WindowOptions& options) {
+GLFWwindow* make_window(const WindowOptions& options, int samples) {
+    hint_context(options, samples);
     GLFWmonitor* monitor = options.full_screen ? glfwGetPrimaryMonitor() : nullptr;
     int width = options.width, height = options.height;
     if (monitor)
         if (const GLFWvidmode* mode = glfwGetVideoMode(monitor)) width = mode->width, height = mode->height;
-    return glfwCreateWindow(width, height, options.title.c_str(), monitor, nullptr);
+    GLFWwindow* window = glfwCreateWindow(width, height, options.title.c_str(), monitor, nullptr);
+    if (window) glfwMakeContextCurrent(window);
+    return window;
+}
+
+bool renders_in_software() {
+    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    const std::string_view renderer = name ? name : "";
+    return renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos;
+}
+
+// Smooth where the machine can; plain where it cannot, or where smoothness would cost the motion.
+GLFWwindow* make_fitting_window(const WindowOptions& options) {
+    GLFWwindow* window = make_window(options, smooth_samples);
+    if (window && (options.smooth_in_software || !renders_in_software())) return window;
+    if (window) glfwDestroyWindow(window);
+    return make_window(options, 0);
 }
 
 std::optional<Error> load_opengl() {
@@ -108,12 +125,10 @@ Result<Window> Window::open(const WindowOptions& options) {
     glfwSetErrorCallback([](int, const char* text) { last_error = text; });
     if (!glfwInit()) return no_window();
     auto native = std::make_unique<Native>();
-    hint_context(options);
-    native->window = make_window(options);
+    native->window = make_fitting_window(options);
     if (!native->window) return no_window();
     GLFWwindow* window = native->window;
     glfwSetWindowUserPointer(window, native.get());
-    glfwMakeContextCurrent(window);
     if (const auto error = load_opengl()) return *error;
     glfwSwapInterval(1);
     glEnable(GL_MULTISAMPLE);

@@ -19,6 +19,7 @@ struct WindowOptions {
     int width = 1280, height = 800;
     bool full_screen = false;
     bool visible = true;
+    bool smooth_in_software = false;  // multisampling on a software renderer too, where it triples the cost of a frame
 };
 
 class Window {

@@ -118,7 +118,7 @@ struct Ecology {
     int population = 0;     // vehicles placed at random beyond those placed by hand, 0..20000
     float drain = 0;        // energy lost a second
     float bite = 0.25f;     // energy a predator takes from prey it touches, once a second at most
-    float inactivity = 20;  // s without movement until a new generation begins; 0: never
+    float inactivity = 0;  // s without movement until a new generation begins; 0: never
     friend bool operator==(const Ecology&, const Ecology&) = default;
 };
 

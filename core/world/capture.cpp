@@ -56,7 +56,7 @@ void capture(const WorldState& s, Snapshot& out) {
         out.prey += s.role(row) == Role::prey;
     }
     out.sensed = s.vehicles.sensed;
-    out.neurons = s.vehicles.neurons;
+    out.neurons = s.foreseen_neurons.empty() ? s.vehicles.neurons : s.foreseen_neurons;
     out.kind_brains.clear();
     for (const CompiledKind& kind : s.kinds) out.kind_brains.emplace_back(kind.design, &kind.design->graph);
     out.sources.clear();

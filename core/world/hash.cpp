@@ -1,4 +1,5 @@
-// A digest of everything that decides the future of a run.
+// A digest of everything that decides the future of a run. Readings and wheel commands are not part of it: every tick
+// makes them anew.
 #include <cstring>
 
 #include "core/world/state.h"
@@ -49,8 +50,6 @@ std::uint64_t hash(const WorldState& s) {
         digest.add(v.motion[row].velocity);
         digest.add(v.motion[row].turning);
         digest.add(v.energy[row]);
-        digest.add(v.motor[row][0]);
-        digest.add(v.motor[row][1]);
         add(digest, v.design[row]->graph);
     }
     for (const float neuron : v.neurons) digest.add(neuron);

@@ -117,6 +117,7 @@ void add_vehicle(WorldState& s, int kind, int start, VehicleId id, SharedDesign 
     v.design.push_back(std::move(design));
     s.physics.add(id, s.scene->kinds[static_cast<std::size_t>(kind)].body, pose);
     v.motion.push_back(s.physics.motion(v.id.size() - 1));
+    s.eyes_are_stale = true;
 }
 
 void remove_vehicle(WorldState& s, std::size_t row) {

@@ -48,8 +48,9 @@ struct WorldState {
     std::vector<Outline> outlines;  // walls and obstacles, for eyes
     std::array<bool, channel_count> sensed_channel{};
     std::array<Field, channel_count> fields;
-    std::vector<Stimulus> stimuli;  // scratch
-    bool eyes_are_stale = true;     // something moved since they looked
+    std::vector<Stimulus> stimuli;        // scratch
+    bool eyes_are_stale = true;           // something moved since they looked
+    std::vector<float> foreseen_neurons;  // what the next tick would make of them; empty: as they are
 
     std::uint64_t tick = 0;
     std::int32_t generation = 1;

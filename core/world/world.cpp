@@ -45,7 +45,10 @@ Result<World> World::create(const Scene& scene, std::uint64_t seed) {
     return World(std::move(state));
 }
 
-void think(WorldState& s) {
+namespace {
+
+// Every vehicle's brain turns its readings into wheel commands; `neurons` holds all vehicles' units.
+void think_with(WorldState& s, std::vector<float>& neurons) {
     Vehicles& v = s.vehicles;
     for (std::size_t row = 0; row < v.size(); ++row) {
         const auto kind = static_cast<std::size_t>(v.kind[row]);
@@ -55,8 +58,23 @@ void think(WorldState& s) {
         }
         const Brain& brain = v.design[row]->brain;
         think(brain, {v.sensed.data() + v.first_sensed[row], s.kinds[kind].eyes.size()},
-              {v.neurons.data() + v.first_neuron[row], brain.units.size()}, v.motor[row]);
+              {neurons.data() + v.first_neuron[row], brain.units.size()}, v.motor[row]);
     }
+}
+
+// After a command and before the next tick, a picture shows what the eyes see now and what the brains make of it; the
+// brains' own state waits for the tick.
+void foresee(WorldState& s) {
+    sense(s);
+    s.foreseen_neurons = s.vehicles.neurons;
+    think_with(s, s.foreseen_neurons);
+}
+
+}  // namespace
+
+void think(WorldState& s) {
+    think_with(s, s.vehicles.neurons);
+    s.foreseen_neurons.clear();
 }
 
 void World::step() {
@@ -79,7 +97,7 @@ std::optional<Error> World::apply(const Command& command) {
 }
 
 void World::capture(Snapshot& out) const {
-    if (state_->eyes_are_stale) sense(*state_);  // a paused picture shows at once what the eyes see after a command
+    if (state_->eyes_are_stale) foresee(*state_);
     braitenlab::capture(*state_, out);
 }
 

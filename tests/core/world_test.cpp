@@ -262,6 +262,23 @@ TEST(Commands, ThatCannotBeDoneAreRefusedAndChangeNothing) {
     EXPECT_EQ(world.hash(), before);
 }
 
+TEST(Snapshot, OfAPausedWorldShowsWhatTheBrainMakesOfACommandAtOnceWithoutThinkingAhead) {
+    Scene scene = alone({});
+    find_node(scene.kinds[0].brain, "MR")->time_constant = 0.5f;  // a leaky motor: thinking twice would show
+    World world = make(scene);
+    const auto before = world.hash();
+    Snapshot now;
+    for (int look = 0; look < 3; ++look) world.capture(now);
+    EXPECT_EQ(world.hash(), before);
+    ASSERT_FALSE(world.apply(TurnDial{{.kind = 0}, Dial::LM, 0.5f}));
+    ASSERT_FALSE(world.apply(TurnDial{{.kind = 0}, Dial::RM, 0.5f}));
+    world.capture(now);
+    EXPECT_EQ(now.vehicles[0].motor[0], 0.5f);
+    const float foreseen = now.vehicles[0].motor[1];
+    EXPECT_GT(foreseen, 0);
+    EXPECT_EQ(after(world, 1.0 / 60).vehicles[0].motor[1], foreseen);
+}
+
 TEST(Snapshot, TellsTheValueOfEveryNode) {
     Scene scene = alone({.LL = 0.5f, .LM = 0.25f});
     scene.sources.push_back({.name = "lamp", .x = 2, .y = 0});

@@ -78,7 +78,9 @@ TEST(RunCsv, SaysWhenItCannotBeWritten) {
     const Ran ran = ctl("run 2a-coward --seconds 1 --csv /nowhere/at/all.csv");
     EXPECT_EQ(ran.code, 2);
     EXPECT_NE(ran.out.find("/nowhere/at/all.csv"), std::string::npos);
-    if (std::filesystem::exists("/dev/full")) EXPECT_EQ(ctl("run 2a-coward --seconds 1 --csv /dev/full").code, 2);
+    if (std::filesystem::exists("/dev/full")) {
+        EXPECT_EQ(ctl("run 2a-coward --seconds 1 --csv /dev/full").code, 2);
+    }
 }
 
 TEST(BadInput, EndsWithTwoAndSaysWhatToDo) {

@@ -15,7 +15,7 @@ using maths::vec2;
 const Rect window{0, 0, 1280, 800};
 const Rect free_area{300, 44, 640, 640};
 
-Sight overview(float azimuth = -maths::pi / 2, float elevation = 0.95f) {
+Sight overview(float azimuth = -maths::pi / 2, float elevation = Camera{}.elevation) {
     Camera camera;
     camera.azimuth = azimuth, camera.elevation = elevation;
     return look(camera, Arena{}, nullptr, window, free_area);

@@ -5,7 +5,7 @@
 namespace braitenlab::tests {
 namespace {
 
-constexpr auto wait_for = LabWindow::eventually;
+bool wait_for(const std::function<bool()>& holds, double patience = 5) { return LabWindow::eventually(holds, patience); }
 
 TEST(Window, OpensTheFirstExercisePausedWithItsVehicleSelected) {
     LabWindow lab({"--size", "1280x800"});

@@ -1,0 +1,128 @@
+// The lab without its window: what requests do to time, selection and exercise.
+#include "app/lab.h"
+
+#include <gtest/gtest.h>
+
+#include "app/data.h"
+
+namespace braitenlab {
+namespace {
+
+Lab open(const std::string& name) {
+    const auto path = find_shipped(name);
+    EXPECT_TRUE(path);
+    auto lab = open_lab(*path, std::nullopt, {});
+    EXPECT_TRUE(lab) << lab.error().text();
+    return std::move(*lab);
+}
+
+TEST(Time, PassesOnlyWhilePlayingAndAtTheSpeedAskedFor) {
+    Lab lab = open("2a-coward");
+    for (int i = 0; i < 10; ++i) advance(lab, 0.1);
+    EXPECT_EQ(lab.session.snapshot().tick, 0u);
+    handle(lab, Action::play_pause);
+    for (int i = 0; i < 10; ++i) advance(lab, 0.1);
+    EXPECT_NEAR(static_cast<double>(lab.session.snapshot().tick), 60, 1);
+    handle(lab, SpeedRequest{0.125f});
+    for (int i = 0; i < 80; ++i) advance(lab, 0.1);
+    EXPECT_NEAR(static_cast<double>(lab.session.snapshot().tick), 120, 2);
+}
+
+TEST(Time, DropsWhatItCannotKeepUpWith) {
+    Lab lab = open("predator-prey");
+    handle(lab, Action::play_pause);
+    handle(lab, SpeedRequest{16});
+    advance(lab, 3600);
+    EXPECT_EQ(lab.debt, 0);
+    EXPECT_LT(lab.session.snapshot().seconds, 3600);
+}
+
+TEST(Mode, CountsChangesBetweenPlayingAndNot) {
+    Lab lab = open("2a-coward");
+    handle(lab, Action::play_pause);
+    handle(lab, Action::wiring);
+    EXPECT_EQ(lab.mode, Mode::wiring);
+    handle(lab, Action::cancel);
+    EXPECT_EQ(lab.mode, Mode::paused);
+    EXPECT_EQ(lab.toggles, 2);
+}
+
+TEST(Selection, MovesOnWhenItsVehicleLeaves) {
+    Lab lab = open("predator-prey");
+    EXPECT_EQ(lab.selected, 0);
+    handle(lab, EditRequest{RemoveVehicle{0}});
+    EXPECT_EQ(lab.selected, 1);
+    handle(lab, Action::previous_vehicle);
+    EXPECT_EQ(lab.selected, 9);
+    handle(lab, Action::next_vehicle);
+    EXPECT_EQ(lab.selected, 1);
+}
+
+TEST(Refusal, IsSaidAndGoesAwayAgain) {
+    Lab lab = open("2a-coward");
+    handle(lab, Action::remove);
+    handle(lab, Action::remove);
+    EXPECT_NE(lab.notice, "");
+    advance(lab, 60);
+    EXPECT_EQ(lab.notice, "");
+}
+
+TEST(Lesson, TicksItsStepsLiveAndGradesFromAllStarts) {
+    Lab lab = open("05-aggressor");
+    handle(lab, PredictRequest{1});
+    EXPECT_EQ(lab.lesson->view.prediction, 1);
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph(lab.lesson->exercise->solution)}});
+    handle(lab, Action::play_pause);
+    for (int i = 0; i < 60 * 20 && !lab.lesson->view.grade; ++i) tick(lab);
+    ASSERT_TRUE(lab.lesson->view.grade);
+    EXPECT_TRUE(lab.lesson->view.grade->good);
+    EXPECT_EQ(lab.lesson->view.grade->passed.size(), static_cast<std::size_t>(lab.lesson->exercise->starts));
+}
+
+TEST(Lesson, AsksForThePredictionBeforeTheFirstRunOnly) {
+    Lab lab = open("05-aggressor");
+    handle(lab, Action::step);
+    handle(lab, PredictRequest{0});
+    EXPECT_EQ(lab.lesson->view.prediction, -1);
+}
+
+TEST(Lesson, OpensEachHintAfterARunOrHalfAMinute) {
+    Lab lab = open("05-aggressor");
+    handle(lab, Action::hint);
+    EXPECT_EQ(lab.lesson->view.hints_shown, 1);
+    handle(lab, Action::hint);
+    EXPECT_EQ(lab.lesson->view.hints_shown, 1);
+    advance(lab, 31);
+    handle(lab, Action::hint);
+    EXPECT_EQ(lab.lesson->view.hints_shown, 2);
+    handle(lab, Action::reset);
+    handle(lab, Action::play_pause);
+    tick(lab);
+    handle(lab, Action::hint);
+    EXPECT_EQ(lab.lesson->view.hints_shown, 3);
+}
+
+TEST(Lesson, ResetBringsBackTheVeryStartAndTheShippedBrainWhichUndoTakesBack) {
+    Lab lab = open("05-aggressor");
+    const auto start = lab.session.hash();
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
+    handle(lab, Action::play_pause);
+    for (int i = 0; i < 100; ++i) tick(lab);
+    handle(lab, Action::exercise_reset);
+    EXPECT_EQ(lab.session.hash(), start);
+    EXPECT_EQ(lab.mode, Mode::paused);
+    handle(lab, Action::undo);
+    EXPECT_EQ(read_dials(*lab.session.snapshot().kind_brains[0]).LR, 2);
+}
+
+TEST(Reset, KeepsTheStudentsBrain) {
+    Lab lab = open("05-aggressor");
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
+    for (int i = 0; i < 100; ++i) tick(lab);
+    handle(lab, Action::reset);
+    EXPECT_EQ(lab.session.snapshot().tick, 0u);
+    EXPECT_EQ(read_dials(*lab.session.snapshot().kind_brains[0]).LR, 2);
+}
+
+}  // namespace
+}  // namespace braitenlab
