@@ -331,6 +331,7 @@ TEST_F(WiringCanvas, DropsADragWhenTheCanvasWasAway) {
     move(middle("pin.ML.in"));
     ImGui::NewFrame();
     ImGui::Render();
+    frames(2);
     button(false);
     EXPECT_TRUE(edits.empty());
 }

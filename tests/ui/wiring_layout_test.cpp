@@ -66,7 +66,11 @@ TEST(Layout, IsTheSameInWhateverOrderTheGraphWasMade) {
     std::reverse(turned.wires.begin(), turned.wires.end());
     const Layout a = lay_out(graph, {}), b = lay_out(turned, {});
     for (const NodeShape& node : a.nodes) EXPECT_EQ(node.centre, find_shape(b, node.id)->centre);
-    for (const WireShape& wire : a.wires) EXPECT_EQ(wire.label, find_shape(b, wire.ends)->label);
+    ASSERT_EQ(a.wires.size(), b.wires.size());
+    for (std::size_t i = 0; i < a.wires.size(); ++i) {
+        EXPECT_EQ(a.wires[i].ends, b.wires[i].ends);  // labels give way to those before them: the order counts
+        EXPECT_EQ(a.wires[i].label, b.wires[i].label);
+    }
 }
 
 TEST(Layout, KeepsAMovedNodeWhereItWasPut) {
@@ -88,6 +92,21 @@ TEST(Layout, LetsNoLabelsOfTheFourCoverEachOther) {
     for (const WireShape& a : layout.wires)
         for (const WireShape& b : layout.wires)
             EXPECT_FALSE(a.ends < b.ends && overlap(a.label, a.label_size, b.label, b.label_size));
+}
+
+TEST(Layout, StandsTheLabelsOfCrossingWiresSideBySideAsMirrorImages) {
+    const Layout layout = lay_out(crossed(), {});
+    const vec2 down = find_shape(layout, WireEnds{SL, MR})->label, up = find_shape(layout, WireEnds{SR, ML})->label;
+    EXPECT_NEAR(down.x, up.x, 0.5f);
+    EXPECT_NEAR(down.y, -up.y, 0.5f);
+}
+
+TEST(Layout, KeepsLabelsClearOfCards) {
+    const vec2 in_the_way = find_shape(lay_out(chain(1), {}), WireEnds{SL, ML})->label;
+    const Layout layout = lay_out(chain(1), {{4, in_the_way + vec2{70, 0}}});
+    const NodeShape& card = *find_shape(layout, 4);
+    const WireShape& wire = *find_shape(layout, WireEnds{SL, ML});
+    EXPECT_FALSE(overlap(wire.label, wire.label_size, card.centre, card.size));
 }
 
 TEST(Layout, LetsWiresArriveOneBelowTheOther) {
