@@ -17,29 +17,29 @@ enum class Mode { playing, paused, wiring };  // wiring is a paused mode with a 
 
 // The exercise that is open and how far the student has got.
 struct LessonView {
-    const Exercise* exercise = nullptr;     // never null
-    std::vector<Verdict> verdicts;          // one per step of the exercise
-    int prediction = -1;                    // the option chosen, 0-based; −1: none yet
-    bool has_run = false;                   // played at least once since it was opened
-    int hints_shown = 0;                    // of exercise->hints
-    bool hint_ready = true;                 // the next hint may be opened now
-    std::optional<Grade> grade;             // of the starts, once every step has been done in a run
+    const Exercise* exercise = nullptr;  // never null
+    std::vector<Verdict> verdicts;       // one per step of the exercise
+    int prediction = -1;                 // the option chosen, 0-based; −1: none yet
+    bool has_run = false;                // played at least once since it was opened
+    int hints_shown = 0;                 // of exercise->hints
+    bool hint_ready = true;              // the next hint may be opened now
+    std::optional<Grade> grade;          // of the starts, once every step has been done in a run
 };
 
 struct LabView {
-    const Snapshot* now = nullptr;          // never null
+    const Snapshot* now = nullptr;  // never null
     Mode mode = Mode::paused;
-    float time_scale = 1;                   // simulated seconds per second, 1/8 … 16
+    float time_scale = 1;  // simulated seconds per second, 1/8 … 16
     VehicleId selected = no_vehicle;
-    bool whole_kind = true;                 // edits go to every vehicle of the selected one's kind
+    bool whole_kind = true;  // edits go to every vehicle of the selected one's kind
     bool sensors = true, outlines = false;
     CameraMode camera = CameraMode::overview;
     int undo_depth = 0, redo_depth = 0;
-    const LessonView* lesson = nullptr;     // null outside exercises
-    std::string notice;                     // the last thing refused and why; empty when there is nothing to say
+    const LessonView* lesson = nullptr;  // null outside exercises
+    std::string notice;                  // the last thing refused and why; empty when there is nothing to say
     Theme theme = Theme::dark;
     bool reduce_motion = false;
-    double wall_seconds = 0;                // for easing and pulsing alone
+    double wall_seconds = 0;  // for easing and pulsing alone
 };
 
 }  // namespace braitenlab
