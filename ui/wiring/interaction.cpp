@@ -260,7 +260,8 @@ void interact(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     CanvasDrag& drag = state.drag;
     if (!frame.pointer.valid) cancel(state, frame, outbox);
     state.hovered = {};
-    if (frame.pointer.over && frame.pointer.valid)
+    const bool sweeps = drag.phase == CanvasPhase::box || drag.phase == CanvasPhase::pan;  // over things, not at them
+    if (frame.pointer.over && frame.pointer.valid && !sweeps)
         state.hovered = hit(frame.layout, view_of(state, frame.area, frame.ui_scale), frame.pointer.at, frame.ui_scale);
     if (drag.phase == CanvasPhase::idle) {
         turn_wheel(state, frame, outbox);
