@@ -17,11 +17,11 @@ namespace {
 
 const std::map<std::string, std::string> golden{
     {"predator-prey", "e8430d272da39e79"},
-    {"1-alive", "de4972365235f3d4"},
-    {"2a-coward", "a04ea80e829d85c0"},
-    {"2b-aggressor", "9a79d86f3fc26fdb"},
+    {"1-alive", "de28dc3307594cfa"},
+    {"2a-coward", "ff92dd4032f66035"},
+    {"2b-aggressor", "a95f8cf51e4bc296"},
     {"3a-love", "9ef100999c69685a"},
-    {"3b-explorer", "02f87429ed60dfc8"},
+    {"3b-explorer", "2f65c34b902d4120"},
 };
 
 const std::filesystem::path scenes = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "scenes";
