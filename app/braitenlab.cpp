@@ -55,6 +55,18 @@ FontPaths find_fonts() {
     return paths;
 }
 
+// What ships and can be read; a broken file is left out here and says why when it is opened by name.
+std::vector<CatalogueEntry> read_catalogue() {
+    std::vector<CatalogueEntry> catalogue;
+    for (const auto& path : shipped_exercises())
+        if (const auto exercise = load_exercise(path))
+            catalogue.push_back({path.stem().string(), path.string(), exercise->title, "", exercise->number});
+    for (const auto& path : shipped_scenes())
+        if (const auto scene = load_scene(path))
+            catalogue.push_back({path.stem().string(), path.string(), scene->title, scene->story});
+    return catalogue;
+}
+
 // Everything that lives as long as the window is open.
 class App {
 public:
@@ -64,6 +76,7 @@ public:
           window_(std::move(window)),
           renderer_(std::move(renderer)),
           strings_(std::move(strings)),
+          catalogue_(read_catalogue()),
           anchors_file_(options_.anchors),
           state_file_(options_.state) {
         lab_.theme = options_.theme;
@@ -84,7 +97,7 @@ public:
             last = frame_began;
             if (repeatable()) passed = frame_seconds;
             window_.poll(0);
-            open_dropped();
+            open_wanted();
             let_time_pass(passed);
             frame(static_cast<float>(passed));
             if (picture_is_due(seconds_since(began))) return take_picture(options_.screenshot);
@@ -118,14 +131,15 @@ private:
         sight_age_ += static_cast<float>(passed);
     }
 
-    void open_dropped() {
-        for (const std::string& path : window_.take_dropped_files()) {
-            auto opened = open_lab(path, std::nullopt, {});
-            if (opened)
-                replace_lab(std::move(*opened));
-            else
-                refuse(opened.error());
-        }
+    // What was dropped onto the window or chosen from the menu; the last one counts.
+    void open_wanted() {
+        for (const std::string& path : window_.take_dropped_files()) lab_.open = path;
+        if (lab_.open.empty()) return;
+        auto opened = open_lab(std::exchange(lab_.open, {}), std::nullopt, {});
+        if (opened)
+            replace_lab(std::move(*opened));
+        else
+            refuse(opened.error());
     }
 
     void refuse(const Error& error) {
@@ -145,6 +159,7 @@ private:
         if (lab_.theme_changed) lab_.theme_changed = false, apply_theme(lab_.theme, scale_);
         window_.begin_frame();
         LabView view = view_of(lab_);
+        view.catalogue = &catalogue_;
         const Rect area = window_.area();
         const WindowLayout layout = lay_out(area.w, area.h, scale_, view);
         outbox_.clear();
@@ -238,6 +253,7 @@ private:
     Window window_;
     Renderer renderer_;
     Strings strings_;
+    std::vector<CatalogueEntry> catalogue_;
     Fonts fonts_;
     float scale_ = 1;
     PanelState panels_;

@@ -77,6 +77,11 @@ std::vector<fs::path> shipped_exercises() {
     return data ? toml_files(*data / "exercises" / "guided") : std::vector<fs::path>{};
 }
 
+std::vector<fs::path> shipped_scenes() {
+    const auto data = data_folder();
+    return data ? toml_files(*data / "exercises" / "scenes") : std::vector<fs::path>{};
+}
+
 bool is_exercise(const fs::path& path) {
     std::ifstream file(path);
     for (std::string line; std::getline(file, line);)

@@ -20,8 +20,9 @@ Result<std::filesystem::path> data_folder();
 // An error names the nearest shipped one.
 Result<std::filesystem::path> find_shipped(const std::string& path_or_name);
 
-// The shipped exercises in their order.
+// The shipped exercises and scenes, each in their order.
 std::vector<std::filesystem::path> shipped_exercises();
+std::vector<std::filesystem::path> shipped_scenes();
 
 // True for a file that lies in an exercise folder or says it has steps: an exercise rather than a scene.
 bool is_exercise(const std::filesystem::path&);

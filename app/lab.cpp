@@ -203,7 +203,7 @@ Result<Lab> open_lab(const std::filesystem::path& path, std::optional<std::uint6
     }
     auto session = Session::open(*scene, seed.value_or(exercise ? exercise->seed : 1));
     if (!session) return session.error();
-    Lab lab{.session = std::move(*session)};
+    Lab lab{.session = std::move(*session), .name = path.stem().string()};
     if (exercise) {
         auto shared = std::make_shared<const Exercise>(std::move(*exercise));
         lab.lesson = Lesson{shared, Referee(*shared), {.exercise = shared.get()}};
@@ -228,6 +228,7 @@ void handle(Lab& lab, const Request& request) {
         Match{[&](Action action) { act(lab, action); }, [&](const EditRequest& r) { apply(lab, r.command, r.gesture); },
               [&](const SelectRequest& r) { lab.selected = r.vehicle, keep_selection(lab); },
               [&](const ScopeRequest& r) { lab.whole_kind = r.whole_kind; },
+              [&](const OpenRequest& r) { lab.open = r.path; },
               [&](const PredictRequest& r) {
                   if (lab.lesson && !lab.lesson->view.has_run) lab.lesson->view.prediction = r.option;
               },
@@ -266,6 +267,7 @@ LabView view_of(const Lab& lab) {
     view.undo_depth = lab.session.undo_depth();
     view.redo_depth = lab.session.redo_depth();
     view.lesson = lab.lesson ? &lab.lesson->view : nullptr;
+    view.opened = lab.name;
     view.notice = lab.notice;
     view.theme = lab.theme;
     view.wall_seconds = lab.wall_seconds;

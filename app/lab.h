@@ -29,6 +29,7 @@ struct Lesson {
 
 struct Lab {
     Session session;
+    std::string name;  // of the file, without folder and ending
     std::optional<Lesson> lesson;
 
     Mode mode = Mode::paused;
@@ -46,6 +47,7 @@ struct Lab {
 
     // Asked of the window, which answers and clears them.
     bool exit = false, screenshot = false, full_screen = false, theme_changed = false;
+    std::string open;  // a file to open instead of this one; empty: none
 };
 
 // Opens a scene or an exercise file. Scenes take the settings; exercises bring their own and take them on top.

@@ -26,6 +26,13 @@ struct LessonView {
     std::optional<Grade> grade;          // of the starts, once every step has been done in a run
 };
 
+// A shipped scene or exercise, as the menu of what can be opened lists it.
+struct CatalogueEntry {
+    std::string name, path;  // "2a-coward", and where its file is
+    std::string title, story;
+    int number = 0;  // of an exercise; 0: a scene
+};
+
 struct LabView {
     const Snapshot* now = nullptr;  // never null
     Mode mode = Mode::paused;
@@ -35,8 +42,10 @@ struct LabView {
     bool sensors = true, outlines = false;
     CameraMode camera = CameraMode::overview;
     int undo_depth = 0, redo_depth = 0;
-    const LessonView* lesson = nullptr;  // null outside exercises
-    std::string notice;                  // the last thing refused and why; empty when there is nothing to say
+    const LessonView* lesson = nullptr;                      // null outside exercises
+    const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
+    std::string opened;                                      // the name of what is open, as in the catalogue
+    std::string notice;  // the last thing refused and why; empty when there is nothing to say
     Theme theme = Theme::dark;
     bool reduce_motion = false;
     double wall_seconds = 0;  // for easing and pulsing alone

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/brain/four_neurons.h"
+
 namespace braitenlab {
 
 namespace {
@@ -31,8 +33,11 @@ std::string_view next_prompt(const LabView& view) {
     }
     if (view.mode == Mode::wiring || view.undo_depth > 0 || view.redo_depth > 0) return {};
     if (view.now->tick == 0 && view.mode == Mode::paused) return "button.play";
-    constexpr double long_enough_to_watch = 3;  // seconds: first the behaviour, then the hand on it
-    return view.selected != no_vehicle && view.now->seconds > long_enough_to_watch ? "slider.LL" : "";
+    constexpr double watched = 3, enough = 12;  // seconds: first the behaviour, then the hand on it
+    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    if (!vehicle || view.now->seconds < watched || view.now->seconds > enough) return {};
+    const FourNeurons dials = read_dials(*view.now->brains[static_cast<std::size_t>(vehicle->brain)]);
+    return dials.LL == 0 && dials.LR != 0 ? "slider.LR" : "slider.LL";  // one that does something now
 }
 
 float pulse(const LabView& view) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -35,6 +36,7 @@ enum class Action {
     theme,
     hint,
     exercise_reset,
+    open,
 };
 
 struct EditRequest {
@@ -53,6 +55,9 @@ struct PredictRequest {
 struct SpeedRequest {
     float time_scale = 1;
 };
+struct OpenRequest {
+    std::string path;  // of a scene or an exercise
+};
 
 // Gestures are numbered by the part of the window that sees them, each from its own base upwards, so that the drags of
 // two parts never become one step of undo.
@@ -62,7 +67,8 @@ inline constexpr std::uint64_t canvas = std::uint64_t{1} << 40;
 inline constexpr std::uint64_t viewport = std::uint64_t{1} << 48;
 }  // namespace gestures
 
-using Request = std::variant<Action, EditRequest, SelectRequest, ScopeRequest, PredictRequest, SpeedRequest>;
+using Request =
+    std::variant<Action, EditRequest, SelectRequest, ScopeRequest, PredictRequest, SpeedRequest, OpenRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -34,6 +34,7 @@ constexpr Shortcut table[]{
     {{key::f11}, Action::full_screen},
     {{key::f12}, Action::screenshot},
     {{key::escape}, Action::cancel},
+    {{'O', true, false}, Action::open},
     {{'Q', true, false}, Action::exit},
 };
 
@@ -67,6 +68,7 @@ constexpr NamedAction names[]{
     {Action::theme, "theme"},
     {Action::hint, "hint"},
     {Action::exercise_reset, "exercise_reset"},
+    {Action::open, "open"},
 };
 
 struct NamedKey {

@@ -121,7 +121,8 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     }
     right_column(view, state, ui, layout);
     hint_bar(view, ui, layout.hint_bar);
-    toolbar(view, ui, layout.toolbar);
+    toolbar(view, state, ui, layout.toolbar);
+    open_menu(view, state, ui, layout);
     keys_card(view, state, ui, layout.window);
     end_keyboard(state.keyboard);
 }
@@ -130,6 +131,10 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     if (for_typing(state.sliders, press)) return true;
     if (press.key == key::f1 || (state.keys_open && press.key == key::escape)) {
         state.keys_open = !state.keys_open;
+        return true;
+    }
+    if (state.open_menu && press.key == key::escape) {
+        state.open_menu = false;
         return true;
     }
     if (state.presets_open && press.key == key::escape) {
@@ -145,7 +150,10 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         return true;
     }
     if (const auto action = action_for(press)) {
-        outbox.push_back(*action);
+        if (*action == Action::open)
+            state.open_menu = state.focus_open_menu = !state.open_menu;
+        else
+            outbox.push_back(*action);
         return true;
     }
     return false;

@@ -13,9 +13,9 @@ TEST(Numbers, KeepTheirDigits) {
     EXPECT_EQ(with_sign(-0.8f, 2), "−0.80");
 }
 
-TEST(Numbers, KnowNoMinusZero) {
-    EXPECT_EQ(with_sign(-0.0f, 2), "+0.00");
-    EXPECT_EQ(with_sign(-0.001f, 2), "+0.00");
+TEST(Numbers, GiveZeroNoSign) {
+    EXPECT_EQ(with_sign(-0.0f, 2), "0.00");
+    EXPECT_EQ(with_sign(-0.001f, 2), "0.00");
     EXPECT_EQ(fixed(-0.001f, 2), "0.00");
 }
 

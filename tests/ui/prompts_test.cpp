@@ -10,7 +10,10 @@ TEST(Prompts, LeadFromPlayToASliderAndGoAway) {
     desk.view.mode = Mode::playing;
     desk.now.tick = 600;
     desk.now.seconds = 10;
-    EXPECT_EQ(next_prompt(desk.view), "slider.LL");
+    EXPECT_EQ(next_prompt(desk.view), "slider.LR") << "the selected predator's LL does nothing";
+    desk.now.seconds = 20;
+    EXPECT_EQ(next_prompt(desk.view), "") << "not for ever";
+    desk.now.seconds = 10;
     desk.view.undo_depth = 1;
     EXPECT_EQ(next_prompt(desk.view), "");
 }

@@ -174,7 +174,7 @@ TEST(Window, GoesFromCardToCardWithControlTab) {
         cards.insert(desk.panels.keyboard.focus);
     }
     EXPECT_TRUE(cards.count("card.scene.fold"));
-    EXPECT_TRUE(cards.count("button.play"));
+    EXPECT_TRUE(cards.count("button.open"));
     EXPECT_TRUE(cards.count("button.presets"));
 }
 

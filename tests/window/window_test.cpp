@@ -5,7 +5,9 @@
 namespace braitenlab::tests {
 namespace {
 
-bool wait_for(const std::function<bool()>& holds, double patience = 5) { return LabWindow::eventually(holds, patience); }
+bool wait_for(const std::function<bool()>& holds, double patience = 5) {
+    return LabWindow::eventually(holds, patience);
+}
 
 TEST(Window, OpensTheFirstExercisePausedWithItsVehicleSelected) {
     LabWindow lab({"--size", "1280x800"});
@@ -73,6 +75,16 @@ TEST(Window, PassesTheExerciseWithTheMouseAlone) {
     set("slider.RR", 0.5);
     lab.click("button.play");
     EXPECT_TRUE(wait_for([&] { return lab.state()["exercise"]["passed"] == true; }, 40)) << lab.state().dump(1);
+}
+
+TEST(Window, OpensAnotherSceneFromItsMenu) {
+    LabWindow lab({"--size", "1280x800"});
+    lab.click("button.open");
+    ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("open.predator-prey"); }));
+    lab.click("open.predator-prey");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["population"] == 10; }));
+    EXPECT_TRUE(lab.state()["exercise"].is_null());
+    EXPECT_EQ(lab.state()["mode"], "paused");
 }
 
 TEST(Window, SavesAPictureThatCanBeRepeated) {

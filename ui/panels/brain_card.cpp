@@ -42,7 +42,11 @@ void title(const LabView& view, PanelState& state, Ui& ui, const VehicleView& ve
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = line_height(ui, Face::title), size = ui.px(16), width = card_width(ui);
     put_role(ui, {at.x + size / 2, at.y + height / 2}, size, vehicle.role);
-    const std::string name = kind_name(ui, kind_of(*view.now, vehicle)) + " " + std::to_string(vehicle.id + 1);
+    // Where all are alike the kind's name says nothing, or gives an exercise's answer away.
+    const bool lone_kind = view.now->scene->kinds.size() == 1 && vehicle.role == Role::none;
+    const std::string kind =
+        lone_kind ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind_of(*view.now, vehicle));
+    const std::string name = kind + " " + std::to_string(vehicle.id + 1);
     const std::string_view character = braitenlab::name(recognised(state, brain_of(*view.now, vehicle)));
     const std::string_view word = ui.strings.find("character." + std::string(character), character);
     const float left = at.x + size + ui.px(8), name_width = text_width(ui, Face::title, name);

@@ -34,6 +34,8 @@ struct Sum {
     std::string_view bias_letters;
     std::array<Product, 2> products;
     float bias = 0;
+    float others = 0;  // what the brain's further wires bring, beyond the four of the equations
+    bool more_wires = false;
     float total = 0;  // what the motor really gets, clamped
 };
 
@@ -59,16 +61,28 @@ std::array<Sum, 2> sums(const LabView& view, const VehicleView& vehicle) {
     const auto make = [&](const char* eye, const char* motor, Dial dial, std::string_view letters) {
         return product(view, vehicle, brain, eye, motor, dial, letters);
     };
-    return {{{"ML",
-              "LM",
-              {{make("SL", "ML", Dial::LL, "SL·LL"), make("SR", "ML", Dial::LR, "SR·LR")}},
-              dials.LM,
-              motors[0]},
-             {"MR",
-              "RM",
-              {{make("SR", "MR", Dial::RR, "SR·RR"), make("SL", "MR", Dial::RL, "SL·RL")}},
-              dials.RM,
-              motors[1]}}};
+    std::array<Sum, 2> both{{{"ML",
+                              "LM",
+                              {{make("SL", "ML", Dial::LL, "SL·LL"), make("SR", "ML", Dial::LR, "SR·LR")}},
+                              dials.LM,
+                              0,
+                              false,
+                              motors[0]},
+                             {"MR",
+                              "RM",
+                              {{make("SR", "MR", Dial::RR, "SR·RR"), make("SL", "MR", Dial::RL, "SL·RL")}},
+                              dials.RM,
+                              0,
+                              false,
+                              motors[1]}}};
+    if (is_four_neurons(brain)) return both;
+    for (Sum& sum : both) {
+        sum.more_wires = true;
+        if (const Node* motor = find_node(brain, std::string(sum.motor)))
+            sum.others =
+                node_value(*view.now, vehicle, motor->id) - sum.products[0].value - sum.products[1].value - sum.bias;
+    }
+    return both;
 }
 
 // What decides which wheel is faster: the largest push towards that difference, from either wheel.
@@ -76,6 +90,7 @@ struct Cause {
     float difference = 0;  // MR − ML
     const Product* product = nullptr;
     bool bias = false;        // neither product but the biases
+    bool others = false;      // or rather the further wires
     bool holds_back = false;  // it slows the other wheel instead of driving the faster one
 };
 
@@ -83,15 +98,18 @@ Cause cause(const std::array<Sum, 2>& both) {
     Cause c;
     c.difference = both[1].total - both[0].total;
     const float towards = c.difference > 0 ? 1.0f : -1.0f;
-    float largest = std::fabs(both[1].bias - both[0].bias) > 0.005f ? (both[1].bias - both[0].bias) * towards : 0;
-    c.bias = largest > 0;
+    const float by_bias = (both[1].bias - both[0].bias) * towards,
+                by_others = (both[1].others - both[0].others) * towards;
+    float largest = std::max({0.005f, by_bias, by_others});
+    c.others = by_others >= largest;
+    c.bias = !c.others && by_bias >= largest;
     for (int side = 0; side < 2; ++side)
         for (const Product& p : both[static_cast<std::size_t>(side)].products) {
             const float push = p.value * (side == 1 ? towards : -towards);
             if (push <= largest) continue;
             largest = push;
             c.product = &p;
-            c.bias = false;
+            c.bias = c.others = false;
             c.holds_back = p.value < 0;
         }
     return c;
@@ -104,7 +122,7 @@ struct Columns {
 
 void one_product(const Ui& ui, float right, float y, const Product& p, bool strongest) {
     const Palette& c = ui.palette;
-    const std::string numbers = fixed(p.masked ? 0 : p.input, 2) + "·" + with_sign(p.weight, 2);
+    const std::string numbers = fixed(p.masked ? 0 : p.input, 2) + "·" + fixed(p.weight, 2);
     const float w = text_width(ui, Face::small, numbers), h = line_height(ui, Face::small);
     if (strongest) {
         const Colour meaning = colour_of_weight(c, p.value);
@@ -127,8 +145,11 @@ void equation(const Ui& ui, const Sum& sum, const Columns& x, ImVec2 at, const P
     one_product(ui, at.x + ui.px(x.first), at.y, sum.products[0], &sum.products[0] == strongest);
     sign((x.first + x.second - 60) / 2, "+");
     one_product(ui, at.x + ui.px(x.second), at.y, sum.products[1], &sum.products[1] == strongest);
-    put_right(ui, {at.x + ui.px(x.bias), at.y}, sum.bias_letters, c.second_text, Face::small);
-    put_right(ui, {at.x + ui.px(x.bias), numbers}, with_sign(sum.bias, 2), c.text, Face::small);
+    // A longer brain's further wires stand with the bias, so that the sum is right.
+    const std::string letters =
+        std::string(sum.bias_letters) + (sum.more_wires ? "+" + std::string(ui.strings("sums.others")) : "");
+    put_right(ui, {at.x + ui.px(x.bias), at.y}, letters, c.second_text, Face::small);
+    put_right(ui, {at.x + ui.px(x.bias), numbers}, with_sign(sum.bias + sum.others, 2), c.text, Face::small);
     sign((x.bias + x.total - 43) / 2, "=");
     put_right(ui, {at.x + ui.px(x.total), numbers - (line_height(ui, Face::text) - h) / 2}, with_sign(sum.total, 2),
               c.text, Face::strong);
@@ -143,7 +164,7 @@ std::string verdict(const Ui& ui, const std::array<Sum, 2>& both, const Cause& w
     if (why.product)
         return fill(ui.strings(why.holds_back ? "sums.because_held" : "sums.because"),
                     {wheel, why.product->letters, with_sign(why.product->value, 2)});
-    return fill(ui.strings("sums.because_bias"), {wheel});
+    return fill(ui.strings(why.others ? "sums.because_others" : "sums.because_bias"), {wheel});
 }
 
 }  // namespace

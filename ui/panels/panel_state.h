@@ -28,7 +28,9 @@ struct PanelState {
     Recognised recognised;
     History history;
     bool why_open = false;
-    bool keys_open = false;  // the list of keys, F1
+    bool keys_open = false;        // the list of keys, F1
+    bool open_menu = false;        // what can be opened, Ctrl+O
+    bool focus_open_menu = false;  // opened by key: the focus is to go there
     bool presets_open = false, close_presets = false;
     bool outcome_told = false;   // of the exercise below: told once, it stays
     std::size_t hints_seen = 0;  // of the same, already scrolled to

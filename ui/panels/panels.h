@@ -12,14 +12,15 @@
 
 namespace braitenlab {
 
-void toolbar(const LabView&, Ui&, Rect);
+void toolbar(const LabView&, PanelState&, Ui&, Rect);
 void exercise_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.lesson
 void scene_card(const LabView&, PanelState&, Ui&, Rect);
 void brain_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // `column`: all that it shares with others
 void information_card(const LabView&, PanelState&, Ui&, Rect);
 void strips(const LabView&, const History&, Ui&);  // the selected vehicle's last seconds, and the population's
 void hint_bar(const LabView&, Ui&, Rect);
-void keys_card(const LabView&, PanelState&, Ui&, Rect window);  // all shortcuts, over everything; closes itself
+void open_menu(const LabView&, PanelState&, Ui&, const WindowLayout&);  // over everything; closes itself
+void keys_card(const LabView&, PanelState&, Ui&, Rect window);          // all shortcuts, over everything; closes itself
 
 // The parts of the brain card that show the moment. Precondition of both: the vehicle is in the snapshot.
 void equations(const LabView&, Ui&, const VehicleView&);

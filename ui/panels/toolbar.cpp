@@ -31,8 +31,9 @@ struct Tool {
 std::vector<Tool> tools(const LabView& view) {
     const bool playing = view.mode == Mode::playing;
     return {
+        {"button.open", "button.open", icon::open, Action::open, 6},
         {"button.play", playing ? "button.pause" : "button.play", playing ? icon::pause : icon::play,
-         Action::play_pause, never},
+         Action::play_pause, never, false, true},
         {"button.step", "button.step", icon::step, Action::step, 6},
         {"button.reset", "button.reset", icon::reset, Action::reset, 6},
         {"button.new", "button.new", icon::new_population, Action::new_population, 5},
@@ -64,9 +65,12 @@ float width_of(const Ui& ui, const std::vector<Tool>& all, int narrowness) {
     return width + ui.px(group_gap + 2 * 34 + speed_width + 2 * between + group_gap + status_width);
 }
 
-void press(Ui& ui, const Tool& tool, int narrowness) {
+void press(PanelState& state, Ui& ui, const Tool& tool, int narrowness) {
     const Item at = button(ui, tool.anchor, look_of(ui, tool, narrowness));
-    if (at.pressed) ui.outbox.push_back(tool.action);
+    if (at.pressed && tool.action == Action::open)
+        state.open_menu = !state.open_menu;  // the panels' own
+    else if (at.pressed)
+        ui.outbox.push_back(tool.action);
     // tooltip.play_pause and so on, word for word what the action does
     const std::string key = "tooltip." + std::string(name(tool.action));
     tooltip(ui, at, ui.strings.find(key, ui.strings(tool.words)), key_name(tool.action, ui.strings));
@@ -137,7 +141,7 @@ void status(const LabView& view, Ui& ui, float x, Rect bar) {
 
 }  // namespace
 
-void toolbar(const LabView& view, Ui& ui, Rect bar) {
+void toolbar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     begin_bar(ui, "toolbar", bar);
     const std::vector<Tool> all = tools(view);
     int narrowness = 0;
@@ -151,7 +155,7 @@ void toolbar(const LabView& view, Ui& ui, Rect bar) {
             rule(ui, x - ui.px((group_gap - between) / 2 + between / 2), bar);
         }
         ImGui::SetCursorScreenPos({x, y});
-        press(ui, tool, narrowness);
+        press(state, ui, tool, narrowness);
         x += button_width(ui, look_of(ui, tool, narrowness)) + ui.px(between);
     }
     x += ui.px(group_gap - between);
@@ -162,7 +166,7 @@ void toolbar(const LabView& view, Ui& ui, Rect bar) {
     status(view, ui, exit_x - ui.px(group_gap + status_width), bar);
     rule(ui, exit_x - ui.px(group_gap / 2), bar);
     ImGui::SetCursorScreenPos({exit_x, y});
-    press(ui, exit_tool, narrowness);
+    press(state, ui, exit_tool, narrowness);
     end_bar();
 }
 

@@ -25,7 +25,8 @@ std::string fixed(float value, int decimals) {
 
 std::string with_sign(float value, int decimals) {
     const std::string bare = fixed(value, decimals);
-    return std::isfinite(value) && !is_negative(value, decimals) ? "+" + bare : bare;
+    const bool is_zero = bare == fixed(0, decimals);
+    return std::isfinite(value) && !is_zero && !is_negative(value, decimals) ? "+" + bare : bare;
 }
 
 std::optional<float> typed_number(std::string_view typed) {

@@ -10,7 +10,7 @@ namespace braitenlab {
 // "0.42"; a minus is the sign U+2212, as wide as a plus. "—" for what is not finite or beyond a million.
 std::string fixed(float value, int decimals);
 
-// "+0.42", "−0.42"; zero has the width of the others: "±0.00" is never written, but "+0.00".
+// "+0.42", "−0.42", and "0.00" for what is zero at these decimals.
 std::string with_sign(float value, int decimals);
 
 // What a person typed, with a comma or a point and any minus; nothing when it is no number.
