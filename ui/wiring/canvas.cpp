@@ -150,7 +150,7 @@ void canvas_of(const LabView& view, const VehicleView& vehicle, CanvasState& sta
     if (buttons[0].pressed || buttons[1].pressed) fit(state, layout, area, ui.scale);
 
     const Pen pen{*ImGui::GetWindowDrawList(), ui, view_of(state, area, ui.scale)};
-    const Picture picture{view, vehicle, graph, layout, state};
+    const CanvasPicture picture{view, vehicle, graph, layout, state};
     const CanvasFrame after{graph, layout, area, target, ui.scale, view.wall_seconds, frame.pointer};
     draw_ground(pen, area);
     draw_wires(pen, picture);

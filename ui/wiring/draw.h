@@ -6,7 +6,7 @@
 
 namespace braitenlab {
 
-struct Picture {
+struct CanvasPicture {
     const LabView& view;
     const VehicleView& vehicle;
     const BrainGraph& graph;
@@ -16,11 +16,11 @@ struct Picture {
 };
 
 void draw_ground(const Pen&, Rect area);
-void draw_wires(const Pen&, const Picture&);
-void draw_nodes(const Pen&, const Picture&);
+void draw_wires(const Pen&, const CanvasPicture&);
+void draw_nodes(const Pen&, const CanvasPicture&);
 
 // The selected neuron's sum, the wire or box being drawn, and the reason of a refusal.
-void draw_cursor(const Pen&, const Picture&, const CanvasFrame&);
+void draw_cursor(const Pen&, const CanvasPicture&, const CanvasFrame&);
 
 // The sign at a wire's end, pointing right at `tip`: ▶ excites, ● inhibits.
 void draw_end_sign(const Pen&, maths::vec2 tip, float size, bool excites, Colour);

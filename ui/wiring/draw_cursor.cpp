@@ -57,7 +57,7 @@ ImVec2 beside_card(const Pen& pen, const Layout& layout, const NodeShape& shape,
 }
 
 // At the one node that is selected.
-void draw_sum(const Pen& pen, const Picture& picture, Rect area) {
+void draw_sum(const Pen& pen, const CanvasPicture& picture, Rect area) {
     const Caught& selection = picture.state.selection;
     if (selection.nodes.size() != 1 || !selection.wires.empty()) return;
     const NodeShape* shape = find_shape(picture.layout, *selection.nodes.begin());
@@ -75,7 +75,7 @@ void draw_box(const Pen& pen, vec2 a, vec2 b) {
 }
 
 // From the pin to the cursor, or to the pin that would take it.
-void draw_pending_wire(const Pen& pen, const Picture& picture, const CanvasFrame& frame) {
+void draw_pending_wire(const Pen& pen, const CanvasPicture& picture, const CanvasFrame& frame) {
     const CanvasDrag& drag = picture.state.drag;
     const NodeShape* start = find_shape(picture.layout, drag.pressed.node);
     if (start == nullptr) return;
@@ -117,7 +117,7 @@ void draw_ground(const Pen& pen, Rect area) {
                     pen.ui.px(1));
 }
 
-void draw_cursor(const Pen& pen, const Picture& picture, const CanvasFrame& frame) {
+void draw_cursor(const Pen& pen, const CanvasPicture& picture, const CanvasFrame& frame) {
     const CanvasState& state = picture.state;
     draw_sum(pen, picture, frame.area);
     if (state.drag.phase == CanvasPhase::drag_wire) draw_pending_wire(pen, picture, frame);

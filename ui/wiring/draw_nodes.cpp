@@ -101,7 +101,7 @@ std::string_view subtitle_key(const Node& node) {
     return node.kind == NodeKind::motor ? "wiring.node.motor" : "wiring.node.neuron";
 }
 
-float wheel_angle(const Picture& picture, const Node& node) {
+float wheel_angle(const CanvasPicture& picture, const Node& node) {
     const auto& angle = picture.vehicle.wheel_angle;
     return node.name == "ML" ? angle[0] : node.name == "MR" ? angle[1] : 0;
 }
@@ -128,7 +128,8 @@ void draw_words(const Pen& pen, const Node& node, float value, vec2 low, vec2 hi
         draw_bar(pen, {bar, high.y - (neuron ? 14.0f : 18.0f)}, high.x - 2 - bar, value, node.kind != NodeKind::sensor);
 }
 
-void draw_contents(const Pen& pen, const Picture& picture, const NodeShape& shape, const Node& node, float value) {
+void draw_contents(const Pen& pen, const CanvasPicture& picture, const NodeShape& shape, const Node& node,
+                   float value) {
     const bool neuron = node.kind == NodeKind::neuron;
     const bool far = pen.view.scale < far_away * pen.ui.scale;
     const vec2 half = shape.size / 2;
@@ -141,7 +142,7 @@ void draw_contents(const Pen& pen, const Picture& picture, const NodeShape& shap
                shape.centre + half - vec2{neuron ? 14.0f : 18.0f, 0});
 }
 
-void draw_card(const Pen& pen, const Picture& picture, const NodeShape& shape) {
+void draw_card(const Pen& pen, const CanvasPicture& picture, const NodeShape& shape) {
     const Palette& p = pen.palette();
     const Node* node = find_node(picture.graph, shape.id);
     if (node == nullptr) return;
@@ -163,7 +164,7 @@ void draw_card(const Pen& pen, const Picture& picture, const NodeShape& shape) {
 }
 
 // While a wire is dragged, the pins that could take it light up.
-bool invites(const Picture& picture, const NodeShape& shape, bool out) {
+bool invites(const CanvasPicture& picture, const NodeShape& shape, bool out) {
     const CanvasDrag& drag = picture.state.drag;
     if (drag.phase != CanvasPhase::drag_wire) return false;
     const bool outwards = drag.pressed.part == Part::out_pin;
@@ -174,7 +175,7 @@ bool invites(const Picture& picture, const NodeShape& shape, bool out) {
 
 }  // namespace
 
-void draw_nodes(const Pen& pen, const Picture& picture) {
+void draw_nodes(const Pen& pen, const CanvasPicture& picture) {
     const Hit& over = picture.state.hovered;
     for (const NodeShape& shape : picture.layout.nodes) {
         draw_card(pen, picture, shape);

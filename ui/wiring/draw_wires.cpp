@@ -21,7 +21,7 @@ struct Look {
     bool selected = false, hovered = false;
 };
 
-Look look_of(const Picture& picture, const WireShape& shape) {
+Look look_of(const CanvasPicture& picture, const WireShape& shape) {
     Look look;
     if (const Wire* wire = find_wire(picture.graph, shape.ends.from, shape.ends.to))
         look.wire = *wire;
@@ -66,7 +66,7 @@ std::vector<vec2> along(const std::array<vec2, 4>& b, float gap, float first) {
     return points;
 }
 
-void draw_ghost(const Pen& pen, const Picture& picture, const WireShape& shape, const Look& look) {
+void draw_ghost(const Pen& pen, const CanvasPicture& picture, const WireShape& shape, const Look& look) {
     const Palette& p = pen.palette();
     const bool quiet = std::any_of(picture.graph.nodes.begin(), picture.graph.nodes.end(),
                                    [](const Node& node) { return node.kind == NodeKind::neuron; });
@@ -77,7 +77,7 @@ void draw_ghost(const Pen& pen, const Picture& picture, const WireShape& shape, 
 }
 
 // Dots stand where the signal stands; a tick moves them on.
-void draw_dots(const Pen& pen, const Picture& picture, const WireShape& shape, const Look& look, Colour colour) {
+void draw_dots(const Pen& pen, const CanvasPicture& picture, const WireShape& shape, const Look& look, Colour colour) {
     const float strength = std::min(std::abs(look.carried), 1.0f);
     if (strength < 0.01f) return;
     const float moved = std::fmod(static_cast<float>(picture.view.now->tick % 44) * dot_step, dot_gap);
@@ -93,7 +93,7 @@ void draw_dots(const Pen& pen, const Picture& picture, const WireShape& shape, c
     }
 }
 
-void draw_wire(const Pen& pen, const Picture& picture, const WireShape& shape) {
+void draw_wire(const Pen& pen, const CanvasPicture& picture, const WireShape& shape) {
     const Palette& p = pen.palette();
     const Look look = look_of(picture, shape);
     if (shape.ghost) return draw_ghost(pen, picture, shape, look);
@@ -113,7 +113,7 @@ void draw_wire(const Pen& pen, const Picture& picture, const WireShape& shape) {
     draw_end_sign(pen, shape.bezier[3] - vec2{end_gap, 0}, sign_size + width * 0.6f, look.wire.weight > 0, colour);
 }
 
-void draw_label(const Pen& pen, const Picture& picture, const WireShape& shape) {
+void draw_label(const Pen& pen, const CanvasPicture& picture, const WireShape& shape) {
     const Palette& p = pen.palette();
     const Look look = look_of(picture, shape);
     const vec2 extent = shape.label_size, at = shape.label;
@@ -142,7 +142,7 @@ void draw_end_sign(const Pen& pen, vec2 tip, float size, bool excites, Colour co
         pen.list.AddCircleFilled(pen.at(tip - vec2{half * 0.9f, 0}), pen.stroke(half * 0.9f), paint(colour));
 }
 
-void draw_wires(const Pen& pen, const Picture& picture) {
+void draw_wires(const Pen& pen, const CanvasPicture& picture) {
     for (const WireShape& wire : picture.layout.wires)
         if (wire.ghost) draw_wire(pen, picture, wire);
     for (const WireShape& wire : picture.layout.wires)
