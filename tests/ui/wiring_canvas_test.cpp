@@ -289,6 +289,23 @@ TEST_F(WiringCanvas, RightDragPansAndHomeFitsAgain) {
     EXPECT_LT(maths::distance(middle("node.SL"), before), 0.1f);
 }
 
+TEST_F(WiringCanvas, FitKeepsEveryCardClearOfTheButtonsAtAnySize) {
+    const Layout layout = lay_out(brain(), {});
+    for (const Rect room : {Rect{0, 0, 900, 640}, Rect{40, 90, 1200, 300}, Rect{10, 10, 300, 900}})
+        for (const float ui_scale : {1.0f, 2.0f}) {
+            fit(state, layout, room, ui_scale);
+            const View drawn = view_of(state, room, ui_scale);
+            for (const NodeShape& node : layout.nodes) {
+                const Rect card = node_rect(drawn, node);
+                EXPECT_GE(card.y, room.y + 44 * ui_scale) << room.w << " x " << room.h << " at " << ui_scale;
+                if (state.zoom <= 0.3f) continue;  // as small as it gets
+                EXPECT_LE(card.y + card.h, room.y + room.h);
+                EXPECT_GE(card.x, room.x);
+                EXPECT_LE(card.x + card.w, room.x + room.w);
+            }
+        }
+}
+
 TEST_F(WiringCanvas, ClickSelectsAndShiftAdds) {
     click(middle("node.SL"));
     EXPECT_EQ(state.selection.nodes, (std::set<NodeId>{SL}));

@@ -114,6 +114,18 @@ TEST(Layout, LetsWiresArriveOneBelowTheOther) {
     EXPECT_LT(find_shape(layout, WireEnds{SL, ML})->bezier[3].y, find_shape(layout, WireEnds{SR, ML})->bezier[3].y);
 }
 
+TEST(Layout, StandsManySensorsFarFromTheMotorsSoThatWiresDoNotRunSteeply) {
+    BrainGraph graph = crossed();
+    for (const char* name : {"OL", "OR", "KL", "KR"}) {
+        Node sensor;
+        sensor.id = fresh_id(graph), sensor.name = name, sensor.kind = NodeKind::sensor;
+        graph.nodes.push_back(sensor);
+    }
+    const Layout layout = lay_out(graph, {});
+    const vec2 across = find_shape(layout, MR)->centre - find_shape(layout, SL)->centre;
+    EXPECT_GE(across.x, across.y);
+}
+
 TEST(WireCurve, RunsFromPinToPin) {
     for (const vec2 to : {vec2{300, 80}, vec2{-200, 40}, vec2{0, 0}}) {
         const auto curve = wire_curve({10, 20}, to);

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/maths/portable.h"
+#include "core/scene/scene.h"
 #include "ui/imgui_compat.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
@@ -92,13 +94,23 @@ void draw_pin(const Pen& pen, vec2 at, float spread, bool hovered, bool inviting
     if (out) pen.box(at, {5, 5}, 2.5f, p.panel);
 }
 
-std::string_view subtitle_key(const Node& node) {
+// In the order of Channel.
+constexpr std::array<std::string_view, channel_count> senses_keys{
+    "wiring.senses.light",    "wiring.senses.heat",     "wiring.senses.smell", "wiring.senses.oxygen",
+    "wiring.senses.obstacle", "wiring.senses.predator", "wiring.senses.prey",  "wiring.senses.vehicle"};
+
+// The first two eyes are known by their side, every further sensor by what it senses.
+std::string_view subtitle_key(const CanvasPicture& picture, const Node& node) {
     if (node.name == "SL") return "wiring.node.SL";
     if (node.name == "SR") return "wiring.node.SR";
     if (node.name == "ML") return "wiring.node.ML";
     if (node.name == "MR") return "wiring.node.MR";
-    if (node.kind == NodeKind::sensor) return "wiring.node.sensor";
-    return node.kind == NodeKind::motor ? "wiring.node.motor" : "wiring.node.neuron";
+    if (node.kind == NodeKind::motor) return "wiring.node.motor";
+    if (node.kind == NodeKind::neuron) return "wiring.node.neuron";
+    const Kind& kind = picture.view.now->scene->kinds.at(static_cast<std::size_t>(picture.vehicle.kind));
+    for (const Sensor& sensor : kind.sensors)
+        if (sensor.name == node.name) return senses_keys.at(static_cast<std::size_t>(sensor.channel));
+    return "wiring.node.sensor";
 }
 
 float wheel_angle(const CanvasPicture& picture, const Node& node) {
@@ -109,7 +121,7 @@ float wheel_angle(const CanvasPicture& picture, const Node& node) {
 // From far away only what can still be read: icon, name and number, as large as the card allows.
 constexpr float far_away = 0.62f;  // layout pixels per unit
 
-void draw_words(const Pen& pen, const Node& node, float value, vec2 low, vec2 high) {
+void draw_words(const Pen& pen, const CanvasPicture& picture, const Node& node, float value, vec2 low, vec2 high) {
     const Palette& p = pen.palette();
     const bool neuron = node.kind == NodeKind::neuron, far = pen.view.scale < far_away * pen.ui.scale;
     const std::string number = node.kind == NodeKind::sensor ? fixed(value, 2) : with_sign(value, 2);
@@ -121,7 +133,8 @@ void draw_words(const Pen& pen, const Node& node, float value, vec2 low, vec2 hi
     } else {
         pen.text({low.x, low.y + 27}, 24, 0, node.name, p.text, Face::strong, room - 62);
         pen.text({high.x, low.y + 27}, 20, 1, number, p.text);
-        pen.text({low.x, low.y + 52}, 16, 0, pen.ui.strings(subtitle_key(node)), p.second_text, Face::small, room);
+        pen.text({low.x, low.y + 52}, 16, 0, pen.ui.strings(subtitle_key(picture, node)), p.second_text, Face::small,
+                 room);
     }
     const float bar = neuron ? low.x : low.x - 58;
     if (!far)
@@ -138,7 +151,7 @@ void draw_contents(const Pen& pen, const CanvasPicture& picture, const NodeShape
     if (node.kind == NodeKind::motor) draw_wheel(pen, icon, wheel_angle(picture, node), value);
     if (neuron) draw_response(pen, icon, node, value);
     const float left = icon.x + (neuron ? 28.0f : 34.0f);
-    draw_words(pen, node, value, {left, shape.centre.y - half.y},
+    draw_words(pen, picture, node, value, {left, shape.centre.y - half.y},
                shape.centre + half - vec2{neuron ? 14.0f : 18.0f, 0});
 }
 

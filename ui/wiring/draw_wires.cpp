@@ -108,7 +108,8 @@ void draw_wire(const Pen& pen, const CanvasPicture& picture, const WireShape& sh
     }
     stroke_curve(pen, curve, width + 1.5f, p.ground);  // keeps crossing wires apart
     if (strength > 0.01f) stroke_curve(pen, curve, width + 7 * strength, colour.with_alpha(0.18f * strength));
-    stroke_curve(pen, curve, width, mix(p.ground, colour, 0.55f + 0.45f * strength));
+    const float resting = picture.view.theme == Theme::dark ? 0.55f : 0.85f;  // a pale line drowns in white
+    stroke_curve(pen, curve, width, mix(p.ground, colour, resting + (1 - resting) * strength));
     draw_dots(pen, picture, shape, look, colour);
     draw_end_sign(pen, shape.bezier[3] - vec2{end_gap, 0}, sign_size + width * 0.6f, look.wire.weight > 0, colour);
 }
@@ -126,9 +127,12 @@ void draw_label(const Pen& pen, const CanvasPicture& picture, const WireShape& s
     pen.frame(at, extent, extent.y / 2, look.hovered || !shape.ghost ? 2 : 1.2f, edge);
     const std::string weight = shape.ghost ? fixed(0, 2) : with_sign(look.wire.weight, 2);
     const Colour ink = shape.ghost ? p.second_text : p.text;
-    if (!shape.direct) return pen.text(at, pen.view.scale < 0.62f * pen.ui.scale ? 23 : 18, 0.5f, weight, ink);
-    pen.text(at - vec2{extent.x / 2 - 13, 0}, 17, 0, wire_name(picture.graph, shape.ends), p.second_text, Face::strong);
-    pen.text(at + vec2{extent.x / 2 - 12, 0}, 19, 1, weight, ink);
+    const bool far = pen.view.scale < 0.62f * pen.ui.scale;  // larger there, or it cannot be read
+    if (!shape.direct) return pen.text(at, far ? 23 : 18, 0.5f, weight, ink);
+    const float pad = far ? 9 : 13;
+    pen.text(at - vec2{extent.x / 2 - pad, 0}, far ? 20 : 17, 0, wire_name(picture.graph, shape.ends), p.second_text,
+             Face::strong);
+    pen.text(at + vec2{extent.x / 2 - pad, 0}, far ? 22 : 19, 1, weight, ink);
 }
 
 }  // namespace

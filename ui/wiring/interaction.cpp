@@ -226,11 +226,13 @@ void zoom_at(CanvasState& state, Rect area, float ui_scale, vec2 pixel, float fa
 }
 
 void fit(CanvasState& state, const Layout& layout, Rect area, float ui_scale) {
-    const vec2 margin{36, 64};
-    const vec2 size = layout.high - layout.low + margin * 2;
-    const float zoom = std::min(area.w / (size.x * ui_scale), area.h / (size.y * ui_scale));
-    state.zoom = std::clamp(zoom, 0.3f, 1.4f);
+    const float side = 28 * ui_scale, top = 56 * ui_scale, bottom = 24 * ui_scale;  // above stand the buttons
+    const vec2 size = layout.high - layout.low;
+    const vec2 room{std::max(area.w - 2 * side, 1.0f), std::max(area.h - top - bottom, 1.0f)};
+    state.zoom = std::clamp(std::min(room.x / size.x, room.y / size.y) / ui_scale, 0.3f, 1.4f);
     state.middle = (layout.low + layout.high) / 2;
+    const float scale = view_of(state, area, ui_scale).scale, above = (area.h - size.y * scale) / 2;
+    if (above < top) state.middle.y -= (top - above) / scale;
     state.own_view = false;
 }
 

@@ -33,7 +33,7 @@ View view_of(const CanvasState&, Rect area, float ui_scale);
 // Multiplies the zoom (kept in 0.3..3) so that the canvas point under the pixel stays there.
 void zoom_at(CanvasState&, Rect area, float ui_scale, maths::vec2 pixel, float factor);
 
-// Brings all nodes into the area, never larger than 1.4 times.
+// Brings all nodes into the area, below its buttons, never larger than 1.4 times.
 void fit(CanvasState&, const Layout&, Rect area, float ui_scale);
 
 // One frame: mouse and keys become view state and requests.

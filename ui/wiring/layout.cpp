@@ -105,7 +105,8 @@ Places arrange(const BrainGraph& graph) {
         order_by_sources(graph, places, column);
         place_column(places, column, x, height_of(column.size()));
     }
-    place_column(places, motors, std::max(x + column_gap + outer_room, direct_gap), outer);
+    // A tall column stands far from the motors, or its wires are so steep that they and their labels crowd.
+    place_column(places, motors, std::max({x + column_gap + outer_room, direct_gap, outer}), outer);
     return places;
 }
 
