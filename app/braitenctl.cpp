@@ -145,7 +145,8 @@ int command_line(int argc, char** argv) {
     CLI::App* run_command = app.add_subcommand("run", "run a scene and report");
     run_command->add_option("SCENE", options.scene, "a path, or the bare name of a shipped scene")->required();
     run_command->add_option("--seconds", options.seconds, "simulated")->check(CLI::Range(0.0, 1e6));
-    run_command->add_option("--seed", options.seed, "where chance begins; the same seed gives the same run");
+    run_command->add_option("--seed", options.seed, "where chance begins; the same seed gives the same run")
+        ->check(CLI::NonNegativeNumber);
     run_command->add_option("--set", options.settings, "one value of the scene, e.g. kind.prey.brain.LL=0.5")
         ->type_name("PATH=VALUE")
         ->expected(1)

@@ -15,6 +15,7 @@
 #include "app/viewport.h"
 #include "app/window.h"
 #include "render/gl/renderer.h"
+#include "render/view/between.h"
 #include "ui/prompts.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
@@ -220,7 +221,9 @@ private:
         picture.sensors = lab_.sensors;
         picture.outlines = lab_.outlines;
         picture.pixel_scale = density * scale_;
-        renderer_.draw(lab_.session.snapshot(), picture);
+        shown_ = lab_.session.snapshot();
+        if (!repeatable()) stand_between(shown_, lab_.before, between_ticks(lab_));
+        renderer_.draw(shown_, picture);
         facts_.draw_calls = renderer_.draw_calls();
     }
 
@@ -260,6 +263,7 @@ private:
     ViewportState viewport_;
     Anchors anchors_;
     Outbox outbox_;
+    Snapshot shown_;  // what is drawn: the moment between the last two ticks
     Sight sight_;
     bool has_sight_ = false;
     float sight_age_ = 1e9f;

@@ -15,6 +15,7 @@ namespace {
 constexpr std::array<float, 8> speeds{0.125f, 0.25f, 0.5f, 1, 2, 4, 8, 16};
 constexpr double hint_patience = 30;       // s until the next hint opens without a run
 constexpr double notice_seconds = 6;       // how long a refusal stays readable
+constexpr double tick_length = 1.0 / 60;   // s, as core/brain/brain.h has it
 constexpr double stepping_budget = 0.012;  // s of a frame
 
 void notify(Lab& lab, std::string text) {
@@ -73,6 +74,7 @@ void watch(Lab& lab) {
 
 void reset(Lab& lab) {
     lab.session.reset();
+    lab.before.clear();
     lab.debt = 0;
     if (lab.lesson && !(lab.lesson->view.grade && lab.lesson->view.grade->good)) lab.lesson->view.grade.reset();
     watch(lab);
@@ -214,6 +216,7 @@ Result<Lab> open_lab(const std::filesystem::path& path, std::optional<std::uint6
 }
 
 void tick(Lab& lab) {
+    lab.before = lab.session.snapshot().vehicles;
     lab.session.step();
     keep_selection(lab);
     if (lab.lesson) {
@@ -245,13 +248,17 @@ void advance(Lab& lab, double wall_seconds) {
     using Clock = std::chrono::steady_clock;
     const auto began = Clock::now();
     const auto spent = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
-    constexpr double tick_length = 1.0 / 60;
     lab.debt += wall_seconds * static_cast<double>(lab.time_scale);
     while (lab.debt >= tick_length && spent() < stepping_budget) {
         tick(lab);
         lab.debt -= tick_length;
     }
     if (lab.debt >= tick_length) lab.debt = 0;
+}
+
+float between_ticks(const Lab& lab) {
+    if (lab.mode != Mode::playing) return 1;
+    return std::clamp(static_cast<float>(lab.debt / tick_length), 0.0f, 1.0f);
 }
 
 LabView view_of(const Lab& lab) {

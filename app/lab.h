@@ -34,8 +34,9 @@ struct Lab {
 
     Mode mode = Mode::paused;
     float time_scale = 1;
-    double debt = 0;           // simulated seconds that are due but not yet stepped
-    std::int64_t toggles = 0;  // changes between playing and not playing
+    std::vector<VehicleView> before;  // the vehicles a tick ago, so that a picture can stand between two ticks
+    double debt = 0;                  // simulated seconds that are due but not yet stepped
+    std::int64_t toggles = 0;         // changes between playing and not playing
     VehicleId selected = no_vehicle;
     bool whole_kind = true;
     bool sensors = true, outlines = false;
@@ -62,6 +63,9 @@ void advance(Lab&, double wall_seconds);
 
 // One tick, whatever the mode.
 void tick(Lab&);
+
+// How far wall time has gone from the last tick but one to the last, 0..1; 1 while time stands still.
+float between_ticks(const Lab&);
 
 // What panels see. Points into the lab: valid until it changes.
 LabView view_of(const Lab&);

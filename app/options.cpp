@@ -39,7 +39,8 @@ CommandLine read_command_line(int argc, char** argv) {
         ->type_name("WxH");
     app.add_option("--scale", o.scale, "size of everything in the window; 1 on an ordinary display")
         ->check(CLI::Range(0.5f, 4.0f));
-    app.add_option("--seed", o.seed, "where chance begins; the same seed gives the same run");
+    app.add_option("--seed", o.seed, "where chance begins; the same seed gives the same run")
+        ->check(CLI::NonNegativeNumber);
     app.add_option_function<std::vector<std::string>>(
            "--set",
            [&](const std::vector<std::string>& texts) {

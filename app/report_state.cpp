@@ -1,5 +1,7 @@
 #include "app/report_state.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -14,6 +16,9 @@ namespace braitenlab {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// A float as people write it: 0.8, not 0.800000011920929.
+double plain(float value) { return std::round(static_cast<double>(value) * 1e6) / 1e6; }
 
 const char* mode_word(Mode mode) {
     switch (mode) {
@@ -44,10 +49,10 @@ void add_brain(Json& state, const Snapshot& now, const VehicleView* vehicle) {
     const FourNeurons four = read_dials(brain);
     Json weights, thresholds;
     for (const Dial dial : weight_dials) {
-        weights[std::string(name(dial))] = at(four, dial);
-        thresholds[std::string(name(dial))] = at(four, threshold_of(dial));
+        weights[std::string(name(dial))] = plain(at(four, dial));
+        thresholds[std::string(name(dial))] = plain(at(four, threshold_of(dial)));
     }
-    for (const Dial dial : {Dial::LM, Dial::RM}) weights[std::string(name(dial))] = at(four, dial);
+    for (const Dial dial : {Dial::LM, Dial::RM}) weights[std::string(name(dial))] = plain(at(four, dial));
     state["character"] = vehicle ? name(recognise(brain)) : "";
     state["weights"] = std::move(weights);
     state["thresholds"] = std::move(thresholds);

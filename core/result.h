@@ -3,7 +3,6 @@
 // Anything that comes from outside (files, arguments, a graphics driver) returns Result<T>; a bug in our own code asserts.
 #pragma once
 
-#include <cassert>
 #include <string>
 #include <utility>
 #include <variant>
@@ -33,12 +32,12 @@ public:
 
     explicit operator bool() const { return std::holds_alternative<T>(content_); }
 
-    // Precondition of the first three: *this holds a value; of error(): it does not.
-    T& operator*() { return assert(*this), *std::get_if<T>(&content_); }
-    const T& operator*() const { return assert(*this), *std::get_if<T>(&content_); }
+    // Precondition of the first four: *this holds a value; of error(): it does not. Otherwise std::bad_variant_access.
+    T& operator*() { return std::get<T>(content_); }
+    const T& operator*() const { return std::get<T>(content_); }
     T* operator->() { return &**this; }
     const T* operator->() const { return &**this; }
-    const Error& error() const { return assert(!*this), *std::get_if<Error>(&content_); }
+    const Error& error() const { return std::get<Error>(content_); }
 
 private:
     std::variant<T, Error> content_;

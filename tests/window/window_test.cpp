@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "render/view/camera.h"
 #include "tests/window/lab_window.h"
 
 namespace braitenlab::tests {
@@ -75,6 +76,39 @@ TEST(Window, PassesTheExerciseWithTheMouseAlone) {
     set("slider.RR", 0.5);
     lab.click("button.play");
     EXPECT_TRUE(wait_for([&] { return lab.state()["exercise"]["passed"] == true; }, 40)) << lab.state().dump(1);
+}
+
+// Where a vehicle of the shipped hunt stands in the window at its start: by the camera, and by the tool that runs
+// scenes.
+Point start_in_window(const LabWindow& lab, std::size_t vehicle) {
+    const auto free = lab.anchors()["viewport"].get<std::vector<float>>();
+    const Json v =
+        Json::parse(shell(program("braitenctl") + " run predator-prey --seconds 0 --json").out)["vehicles"][vehicle];
+    Arena arena;
+    arena.width = arena.height = 18;
+    const Sight sight = look(Camera{}, arena, nullptr, {0, 0, 1280, 800}, {free[0], free[1], free[2], free[3]});
+    const auto at = project(sight, {v["x"], v["y"]}, 0.1f);
+    return {static_cast<int>(at->x), static_cast<int>(at->y)};
+}
+
+TEST(Window, SelectsTheVehicleThatIsClicked) {
+    LabWindow lab({"predator-prey", "--size", "1280x800"});
+    for (const std::size_t vehicle : {std::size_t{6}, std::size_t{3}}) {
+        lab.click(start_in_window(lab, vehicle));
+        EXPECT_TRUE(wait_for([&] { return lab.state()["selected"] == vehicle; })) << lab.state()["selected"];
+    }
+    EXPECT_EQ(lab.state()["undo_depth"], 0) << "a click moves nothing";
+}
+
+TEST(Window, DragsAVehicleToAnotherPlaceWhichUndoTakesBack) {
+    LabWindow lab({"predator-prey", "--size", "1280x800"});
+    const auto before = lab.state()["hash"];
+    const Point from = start_in_window(lab, 0);
+    lab.drag(from, {from.x + 60, from.y - 40});
+    EXPECT_TRUE(wait_for([&] { return lab.state()["undo_depth"] == 1; }));
+    EXPECT_NE(lab.state()["hash"], before);
+    lab.key("ctrl+z");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["hash"] == before; }));
 }
 
 TEST(Window, OpensAnotherSceneFromItsMenu) {
