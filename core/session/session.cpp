@@ -10,10 +10,6 @@ namespace {
 
 constexpr std::size_t most_edits = 500;  // undo reaches this far back
 
-bool operator==(const Target& a, const Target& b) {
-    return a.vehicle == b.vehicle && (a.vehicle != no_vehicle || a.kind == b.kind);
-}
-
 // Whether the later command makes the earlier one pointless: the same number, brain or pose, set again.
 bool supersedes(const Command& later, const Command& earlier) {
     if (later.index() != earlier.index()) return false;
@@ -94,7 +90,9 @@ std::optional<Error> Session::apply(const Command& command, std::uint64_t gestur
         return std::nullopt;
     }
     Edit& edit = done_.back();
-    if (supersedes(command, edit.again.back())) {
+    if (undoing(command) == edit.back) {  // the drag is back where it began: there is nothing to undo
+        done_.pop_back();
+    } else if (supersedes(command, edit.again.back())) {
         edit.again.back() = command;  // what it took back before stays what undo brings back
     } else {
         edit.again.push_back(command);

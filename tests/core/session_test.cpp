@@ -29,6 +29,16 @@ TEST(Undo, TakesAWholeDragBackInOneStep) {
     EXPECT_FALSE(session.redo());
 }
 
+TEST(Undo, KnowsNoStepForADragThatEndedWhereItBegan) {
+    Session session = open(tests::crowd(4));
+    for (const float value : {0.5f, 1.0f, 0.0f}) ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, value}, 5));
+    EXPECT_EQ(session.undo_depth(), 0);
+    ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 0.25f}, 5)) << "and it may go on";
+    EXPECT_EQ(session.undo_depth(), 1);
+    session.undo();
+    EXPECT_EQ(dial(session, Dial::LL), 0);
+}
+
 TEST(Undo, RestoresEachVehiclesOwnBrain) {
     Session session = open(tests::crowd(4));
     const VehicleId own = session.snapshot().vehicles[0].id;
