@@ -20,7 +20,8 @@ layout(std140) uniform Frame {
 };
 
 // What parts are painted as (render/view/shapes.h).
-const int paint_body = 0, paint_deck = 1, paint_dark = 2, paint_gauge = 3, paint_mark = 4, paint_light = 5;
+const int paint_body = 0, paint_deck = 1, paint_dark = 2, paint_gauge = 3, paint_mark = 4, paint_light = 5,
+          paint_inlay = 6;
 
 // The world's plane is GL's (x, 0, -y); turning keeps lengths and angles, so it serves normals too.
 vec3 to_gl(vec3 world) { return vec3(world.x, world.z, -world.y); }
@@ -29,9 +30,9 @@ vec2 turn(vec2 v, vec2 direction) {
     return vec2(v.x * direction.x - v.y * direction.y, v.x * direction.y + v.y * direction.x);
 }
 
-// A surface under the sun, the sky above, the floor below and the lamps nearby. Light adds up in linear colour, for
-// which a square stands in; what comes back is for the screen again.
-vec3 lit(vec3 colour, vec3 normal, vec3 place) {
+// What a surface's colour is multiplied by under the sun, the sky above, the floor below and the lamps nearby. Light
+// adds up in linear colour, for which a square stands in; what comes back is for the screen again.
+vec3 light_at(vec3 normal, vec3 place) {
     vec3 light = mix(ground_light.rgb, sky_light.rgb, normal.y * 0.5 + 0.5);
     light += max(dot(normal, sun.xyz), 0.0) * sun_light.rgb;
     for (int i = 0; i < int(counts.x); ++i) {
@@ -41,5 +42,5 @@ vec3 lit(vec3 colour, vec3 normal, vec3 place) {
         float facing = max(dot(normal, towards) * inversesqrt(squared + 1e-4) * 0.7 + 0.3, 0.0);
         light += lamps[i].colour.rgb * (1.5 * lamps[i].place.w * facing / (1.0 + squared / (reach * reach) * 2.0));
     }
-    return sqrt(colour * colour * light);
+    return sqrt(light);
 }

@@ -2,11 +2,12 @@
 layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 normal;
 layout(location = 4) in vec4 place;  // x, y, direction
-layout(location = 5) in vec4 size;   // radius, height, what it sees
+layout(location = 5) in vec4 size;   // radius, height, what it sees, detail
 layout(location = 6) in vec4 base;   // colour of what it looks for
 
 out vec3 v_shell, v_glass;
-out vec2 v_lens;
+out vec3 v_lens;
+out float v_facing;  // 1 where the ball faces the eye that looks at the picture
 flat out vec3 v_glow;
 
 // The lens looks half upwards, so that it can be seen from above.
@@ -18,9 +19,11 @@ void main() {
     vec3 up = to_gl(vec3(turn(facing.xy, place.zw), facing.z));
     // The shell shines through a little, so that a bright eye shows from behind too.
     vec3 white = mix(vec3(0.80, 0.82, 0.85), base.rgb, 0.45 * size.z);
-    v_shell = mix(lit(white, up, at), base.rgb, 0.25 * size.z);
-    v_glass = lit(mix(ink.rgb, base.rgb, 0.10), up, at);
+    vec3 light = light_at(up, at);
+    v_shell = mix(white * light, base.rgb, 0.25 * size.z);
+    v_glass = mix(ink.rgb, base.rgb, 0.10) * light;
     v_glow = mix(base.rgb, vec3(1.0), 0.30);
-    v_lens = vec2(corner.x, size.z);
+    v_lens = vec3(corner.x, size.z, size.w);
+    v_facing = dot(up, normalize(eye.xyz - at));
     gl_Position = view_projection * vec4(at, 1.0);
 }

@@ -24,5 +24,6 @@ void main() {
     // Walls end what can be seen; without walls the field goes on.
     vec2 inside = step(abs(v_place), arena.xy + counts.z);
     alpha *= inside.x * inside.y;
-    colour = vec4(v_base.rgb * alpha, alpha);
+    // On a dark floor fields add to each other as light does: covering each other, two colours make mud.
+    colour = vec4(v_base.rgb * alpha, alpha * mix(0.45, 1.0, counts.y));
 }

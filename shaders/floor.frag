@@ -4,6 +4,8 @@ flat in float v_beyond;
 
 out vec4 colour;
 
+const float wall_width = 0.22;  // m, as render/view/draw_list.cpp builds them
+
 // How much of this pixel a line every `spacing` metres covers, `width` metres wide but never thinner than a pixel, whose
 // strength then falls instead.
 float lines(vec2 place, vec2 pixel, float spacing, float width) {
@@ -26,6 +28,11 @@ void main() {
     vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), 0.10);
     ground = mix(ground, grid_colour.rgb, lines(v_place, pixel, 1.0, 0.022) * 0.9);
     ground = mix(ground, bright_line, lines(v_place, pixel, 5.0, 0.05));
+
+    // Walls stand on the floor: it is darker at their feet, on both sides.
+    float to_wall = max(abs(v_place.x) - arena.x, abs(v_place.y) - arena.y);
+    float foot = clamp(1.0 - max(-to_wall, to_wall - wall_width) / 0.4, 0.0, 1.0);
+    if (counts.z == 0.0) ground *= 1.0 - foot * foot * mix(0.5, 0.18, counts.y);
 
     float fade = smoothstep(0.0, v_beyond, outside);
     float step_down = clamp(outside * 20.0, 0.0, 1.0) * 0.35;

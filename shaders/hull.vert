@@ -1,27 +1,42 @@
-// A vehicle's body: hull, deck, energy gauge and the arrowhead on the nose.
+// A vehicle's body: hull, deck with the wires' inlay, energy gauge and an arrowhead.
 layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float paint;
 layout(location = 4) in vec4 place;   // x, y, direction
 layout(location = 5) in vec4 size;    // length, width, height's scale, energy
 layout(location = 6) in vec4 base;    // w: 1 awake, 0 parked
+layout(location = 7) in vec4 look;    // x: detail
 
 out vec3 v_colour;
 out vec3 v_empty;             // the gauge where there is no energy
 out vec2 v_gauge;             // where across the gauge, -1..1; energy
 
+// Small on the screen, the arrowhead is the whole deck's sign; near by it moves to the nose, out of the wires' way.
+vec3 arrowhead(vec3 own, float detail) {
+    vec3 on_deck = vec3(mix(-0.24, 0.15, own.x), own.y * 0.23, own.z + 0.03);
+    vec3 on_nose = vec3(mix(0.375, 0.455, own.x), own.y * 0.12, own.z);
+    return mix(on_deck, on_nose, detail);
+}
+
 void main() {
-    vec3 at = to_gl(vec3(place.xy + turn(corner.xy * size.xy, place.zw), corner.z * size.z));
+    int kind = int(paint + 0.5);
+    float detail = look.x;
+    vec3 own = kind == paint_mark ? arrowhead(corner, detail) : corner;
+    vec3 at = to_gl(vec3(place.xy + turn(own.xy * size.xy, place.zw), own.z * size.z));
     // A body is stretched, so its normals shrink where it grew.
     vec3 stretched = normalize(normal / size.xyz);
     vec3 up = to_gl(vec3(turn(stretched.xy, place.zw), stretched.z));
-    int kind = int(paint + 0.5);
+    vec3 deck = base.rgb * mix(0.88, 0.72, detail);
     vec3 tone = base.rgb;
-    if (kind == paint_deck) tone = mix(base.rgb * 0.46, ink.rgb, 0.35);
-    if (kind == paint_gauge) tone = mix(paper.rgb, base.rgb, 0.15);
-    if (kind == paint_mark) tone = mix(base.rgb, vec3(1.0), 0.25 + 0.55 * base.w);
-    v_colour = lit(tone, up, at);
-    v_empty = kind == paint_gauge ? lit(ink.rgb, up, at) : v_colour;
+    if (kind == paint_deck) tone = deck;
+    if (kind == paint_inlay) tone = mix(deck, mix(ink.rgb, base.rgb, 0.12), detail);
+    if (kind == paint_gauge) tone = mix(deck, mix(paper.rgb, base.rgb, 0.15), detail);
+    // The arrowhead is pale on strong colours and dark on pale ones.
+    float brightness = dot(base.rgb, vec3(0.30, 0.59, 0.11));
+    if (kind == paint_mark) tone = mix(base.rgb, brightness > 0.55 ? ink.rgb : vec3(1.0), 0.25 + 0.65 * base.w);
+    vec3 light = light_at(up, at);
+    v_colour = tone * light;
+    v_empty = (kind == paint_gauge ? mix(tone, ink.rgb, detail) : tone) * light;
     v_gauge = vec2(-corner.y / 0.32, size.w * 2.0 - 1.0);
     gl_Position = view_projection * vec4(at, 1.0);
 }

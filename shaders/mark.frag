@@ -28,12 +28,12 @@ void main() {
         return;
     }
     float d = length(v_own), pixel = fwidth(d);
-    float half_width = max(v_shape.z, (kind == kind_ring ? 1.7 : 0.9) * pixel * arena.w);
+    float half_width = max(v_shape.z, (kind == kind_ring ? 1.1 : 0.7) * pixel * arena.w);
     float away = abs(d - v_shape.x);
     float line = 1.0 - smoothstep(half_width - pixel * 0.5, half_width + pixel * 0.5, away);
     // The dark edge keeps yellow visible on a white floor.
-    float rim_width = half_width + max(0.025, pixel * arena.w);
+    float rim_width = half_width + max(0.012, 0.8 * pixel * arena.w);
     float rim = kind == kind_ring ? 1.0 - smoothstep(rim_width - pixel * 0.5, rim_width + pixel * 0.5, away) : 0.0;
-    float alpha = max(line, rim * 0.7) * v_base.a;
+    float alpha = max(line, rim * 0.6) * v_base.a;
     colour = vec4(mix(ink.rgb, v_base.rgb, line) * alpha, alpha);
 }

@@ -12,7 +12,7 @@ void main() {
     vec3 at = to_gl(vec3(place.xy, 0.0) + corner * place.z);
     vec3 up = to_gl(normal);
     int kind = int(paint + 0.5);
-    vec3 solid = lit(mix(ink.rgb, vec3(0.55), 0.35), up, at);
+    vec3 solid = mix(ink.rgb, vec3(0.55), 0.35) * light_at(up, at);
     // A bulb is white-hot amid and coloured towards its rim; the rim is darker on a light floor, where glow alone drowns.
     vec3 core = mix(base.rgb, vec3(1.0), 0.75 * place.w);
     vec3 rim = mix(base.rgb, base.rgb * 0.62, counts.y);

@@ -3,7 +3,7 @@ layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float paint;
 layout(location = 4) in vec4 place;  // x, y, direction
-layout(location = 5) in vec4 size;   // radius, width, angle
+layout(location = 5) in vec4 size;   // radius, width, angle, detail
 
 out vec3 v_colour;
 
@@ -20,7 +20,7 @@ void main() {
     vec3 up = to_gl(vec3(turn(facing.xy, place.zw), facing.z));
     int kind = int(paint + 0.5);
     vec3 rubber = mix(ink.rgb, vec3(0.5), 0.14);
-    vec3 tone = kind == paint_mark ? vec3(0.50, 0.53, 0.57) : kind == paint_deck ? rubber * 1.5 : rubber;
-    v_colour = lit(tone, up, at);
+    vec3 tone = kind == paint_mark ? mix(rubber, vec3(0.50, 0.53, 0.57), size.w) : kind == paint_deck ? rubber * 1.5 : rubber;
+    v_colour = tone * light_at(up, at);
     gl_Position = view_projection * vec4(at, 1.0);
 }

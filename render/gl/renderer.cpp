@@ -54,13 +54,16 @@ constexpr float floor_fade = 0.55f;  // of the arena's half size
 }  // namespace
 
 struct Renderer::Parts {
-    Program floor, block, hull, wheel, eye, wire, field, mark, source, halo, trail;
+    Program floor, block, hull, rim, wheel, eye, wire, field, mark, source, halo, trail;
 
     Batch floors{quad(), 1};
     Batch blocks{block_shape(), vectors<BlockInstance>};
     std::array<Batch, role_count> hulls{Batch{hull_shape(Role::none), vectors<HullInstance>},
                                         Batch{hull_shape(Role::predator), vectors<HullInstance>},
                                         Batch{hull_shape(Role::prey), vectors<HullInstance>}};
+    std::array<Batch, role_count> rims{Batch{rim_shape(Role::none), vectors<HullInstance>},
+                                       Batch{rim_shape(Role::predator), vectors<HullInstance>},
+                                       Batch{rim_shape(Role::prey), vectors<HullInstance>}};
     Batch wheels{wheel_shape(), vectors<WheelInstance>};
     Batch eyes{eye_shape(), vectors<EyeInstance>};
     Batch wires{strip(12), vectors<WireInstance>};
@@ -118,10 +121,12 @@ struct Renderer::Parts {
 
     void draw_flat_things() {
         glDepthMask(GL_FALSE);
+        glDisable(GL_CULL_FACE);
         glEnable(GL_BLEND);
         draw(mark, marks, list.marks);
         draw(trail, trail_strips, list.trails);
         draw(field, fields, list.fields);
+        for (std::size_t role = 0; role < rims.size(); ++role) draw(rim, rims[role], list.hulls[role]);
         draw(mark, rings, list.rings);
         draw(halo, halos, list.halos);
         glDepthMask(GL_TRUE);
@@ -133,7 +138,7 @@ Result<Renderer> Renderer::create(const std::filesystem::path& shader_folder) {
     const std::pair<Program*, const char*> programs[] = {
         {&parts->floor, "floor"},   {&parts->block, "block"}, {&parts->hull, "hull"},   {&parts->wheel, "wheel"},
         {&parts->eye, "eye"},       {&parts->wire, "wire"},   {&parts->field, "field"}, {&parts->mark, "mark"},
-        {&parts->source, "source"}, {&parts->halo, "halo"},   {&parts->trail, "trail"},
+        {&parts->source, "source"}, {&parts->halo, "halo"},   {&parts->trail, "trail"}, {&parts->rim, "rim"},
     };
     for (const auto& [program, name] : programs) {
         auto loaded = Program::load(shader_folder, std::string(name) + ".vert", std::string(name) + ".frag");

@@ -27,7 +27,7 @@ struct Rect {
 struct Camera {
     CameraMode mode = CameraMode::overview;
     float azimuth = -1.5707963f;  // rad, where on the ring the eye stands; −pi/2: behind −y, so +x is to the right
-    float elevation = 1.1f;      // rad above the floor, 0.15..1.5
+    float elevation = 1.1f;       // rad above the floor, 0.15..1.5
     float zoom = 1;               // 0.25..8; 1 fits the arena into the free part of the window
     maths::vec2 pan{};            // m, shifts what the overview looks at
 };

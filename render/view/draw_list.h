@@ -1,7 +1,8 @@
 // A snapshot turned into flat arrays, one a kind of thing: what a graphics library needs and nothing of one.
 //
 // Every instance is a few vectors of four floats, as the shaders read them. Places are metres of the world's plane;
-// `place` holds x, y and the direction (cos, sin) that a thing faces.
+// `place` holds x, y and the direction (cos, sin) that a thing faces. `detail` is 0 for a vehicle that is small on the
+// screen, shown as a plain sign, and 1 for one that is large enough for all its parts; between them parts fade.
 #pragma once
 
 #include <array>
@@ -20,14 +21,15 @@ struct HullInstance {
     maths::vec4 place;
     maths::vec4 size;    // length, width, height's scale, energy 0..1
     maths::vec4 colour;  // w: 0 parked .. 1 awake
+    maths::vec4 look;    // x: detail
 };
 struct WheelInstance {
     maths::vec4 place;
-    maths::vec4 size;  // radius m, width m, angle turned rad
+    maths::vec4 size;  // radius m, width m, angle turned rad, detail
 };
 struct EyeInstance {
     maths::vec4 place;
-    maths::vec4 size;    // radius m, height m, what it sees 0..1
+    maths::vec4 size;    // radius m, height m, what it sees 0..1, detail
     maths::vec4 colour;  // of what it looks for
 };
 struct WireInstance {
@@ -44,8 +46,8 @@ struct FieldInstance {
 };
 struct BlockInstance {
     maths::vec4 place;
-    maths::vec4 size;  // half the length, half the width, height, chamfer; m
-    maths::vec4 colour;
+    maths::vec4 size;    // half the length, half the width, height, chamfer; m
+    maths::vec4 colour;  // w: 1 an arena's wall, 0 a thing inside it
 };
 // What lies flat on the floor. The shaders know the same numbers.
 enum class MarkKind { shadow, pool, ring, thin_ring };

@@ -53,6 +53,14 @@ std::vector<vec2> inset(const std::vector<vec2>& outline, float by) {
     return inner;
 }
 
+// What a mirrored outline encloses, at one height: a strip between right point i and left point count−1−i.
+void add_top(Shape& shape, const std::vector<vec2>& outline, float z, Paint paint) {
+    const std::size_t count = outline.size();
+    for (std::size_t i = 0; i + 1 < count / 2; ++i)
+        add_quad(shape, at(outline[i], z), at(outline[i + 1], z), at(outline[count - 2 - i], z),
+                 at(outline[count - 1 - i], z), paint);
+}
+
 // A plate with this left half from z0 to z1, its upper edge chamfered.
 void add_plate(Shape& shape, std::span<const vec2> left, float z0, float z1, float chamfer, Paint paint) {
     const auto outer = mirrored(left), inner = inset(outer, chamfer);
@@ -64,10 +72,7 @@ void add_plate(Shape& shape, std::span<const vec2> left, float z0, float z1, flo
         add_quad(shape, at(outer[i], z1 - chamfer), at(outer[j], z1 - chamfer), at(inner[j], z1), at(inner[i], z1),
                  paint);
     }
-    // The halves mirror each other, so the top is a strip between right point i and left point count−1−i.
-    for (std::size_t i = 0; i + 1 < count / 2; ++i)
-        add_quad(shape, at(inner[i], z1), at(inner[i + 1], z1), at(inner[count - 2 - i], z1),
-                 at(inner[count - 1 - i], z1), paint);
+    add_top(shape, inner, z1, paint);
 }
 
 // A ball about `middle`, squashed by `radius`, its poles on the z axis; `paint` by height over −1..1.
@@ -111,28 +116,72 @@ void add_post(Shape& shape, float r0, float r1, float z0, float z1, int sides, P
     }
 }
 
+// The left half of a hull behind the wheel and before it.
+std::vector<vec2> tail_of(Role role) {
+    if (role == Role::prey) return {{-0.5f, 0.14f}, {-0.475f, 0.30f}, {-0.41f, 0.42f}, {-0.32f, 0.47f}};
+    return {{-0.5f, 0.40f}, {-0.46f, 0.47f}};
+}
+std::vector<vec2> nose_of(Role role) {
+    if (role == Role::predator) return {{0.195f, 0.50f}, {0.50f, 0.015f}};
+    if (role == Role::prey)
+        return {{0.20f, 0.48f}, {0.29f, 0.465f}, {0.37f, 0.41f}, {0.44f, 0.31f}, {0.485f, 0.18f}, {0.50f, 0.05f}};
+    return {{0.195f, 0.48f}, {0.47f, 0.48f}, {0.50f, 0.44f}};
+}
+
 }  // namespace
 
 Shape hull_shape(Role role) {
-    std::vector<vec2> hull{{-0.5f, 0.36f}, {-0.45f, 0.47f}, {-0.215f, 0.47f}, {-0.195f, 0.325f}, {0.175f, 0.325f}};
-    std::vector<vec2> deck{{-0.245f, 0.40f}, {-0.225f, 0.40f}, {-0.20f, 0.265f}, {0.17f, 0.265f}};
-    if (role == Role::predator) {
-        hull.insert(hull.end(), {{0.20f, 0.50f}, {0.25f, 0.48f}, {0.50f, 0.03f}});
-        deck.insert(deck.end(), {{0.20f, 0.41f}, {0.235f, 0.39f}, {0.33f, 0.22f}});
-    } else if (role == Role::prey) {
-        hull.insert(hull.end(), {{0.20f, 0.47f}, {0.31f, 0.455f}, {0.40f, 0.38f}, {0.465f, 0.25f}, {0.50f, 0.08f}});
-        deck.insert(deck.end(), {{0.20f, 0.40f}, {0.28f, 0.39f}, {0.32f, 0.34f}});
-    } else {
-        hull.insert(hull.end(), {{0.195f, 0.47f}, {0.455f, 0.47f}, {0.50f, 0.40f}});
-        deck.insert(deck.end(), {{0.20f, 0.40f}, {0.32f, 0.40f}});
-    }
+    const std::vector<vec2> arch{{-0.215f, 0.47f}, {-0.195f, 0.325f}, {0.175f, 0.325f}};
+    std::vector<vec2> hull = tail_of(role), deck{{-0.24f, 0.40f}, {-0.20f, 0.265f}, {0.17f, 0.265f}};
+    const auto nose = nose_of(role);
+    hull.insert(hull.end(), arch.begin(), arch.end());
+    hull.insert(hull.end(), nose.begin(), nose.end());
+    if (role == Role::predator)
+        deck.insert(deck.end(), {{0.205f, 0.43f}, {0.355f, 0.16f}});
+    else if (role == Role::prey)
+        deck.insert(deck.end(), {{0.20f, 0.41f}, {0.28f, 0.39f}, {0.33f, 0.34f}});
+    else
+        deck.insert(deck.end(), {{0.20f, 0.40f}, {0.33f, 0.40f}});
     Shape shape;
     add_plate(shape, hull, 0.07f, 0.25f, 0.028f, Paint::body);
-    add_plate(shape, deck, 0.24f, 0.268f, 0.008f, Paint::deck);
+    add_plate(shape, deck, 0.25f, 0.268f, 0.018f, Paint::deck);
+    add_top(shape, inset(mirrored(deck), 0.035f), 0.271f, Paint::inlay);
     const std::array<vec2, 2> gauge{{{-0.42f, 0.32f}, {-0.33f, 0.32f}}};
-    add_plate(shape, gauge, 0.24f, 0.262f, 0.006f, Paint::gauge);
-    // An arrowhead on the nose: which end is the front must be seen from the back row.
-    add_triangle(shape, {0.365f, -0.13f, 0.254f}, {0.455f, 0, 0.254f}, {0.365f, 0.13f, 0.254f}, Paint::mark);
+    add_plate(shape, gauge, 0.25f, 0.262f, 0.012f, Paint::gauge);
+    // An arrowhead: which end is the front must be seen from the back row.
+    add_triangle(shape, {0, -1, 0.254f}, {1, 0, 0.254f}, {0, 1, 0.254f}, Paint::mark);
+    return shape;
+}
+
+Shape rim_shape(Role role) {
+    std::vector<vec2> left = tail_of(role);
+    const auto nose = nose_of(role);
+    left.insert(left.end(), {{-0.18f, 0.5f}, {0.18f, 0.5f}});
+    left.insert(left.end(), nose.begin(), nose.end());
+    const auto outline = mirrored(left);
+    const std::size_t count = outline.size();
+    Shape shape;
+    for (std::size_t i = 0; i < count; ++i) {
+        const vec2 before = maths::normalise(outline[i] - outline[(i + count - 1) % count]);
+        const vec2 after = maths::normalise(outline[(i + 1) % count] - outline[i]);
+        const vec2 out = maths::normalise(vec2{before.y + after.y, -before.x - after.x});
+        const float mitre = 1 / std::max(0.6f, out.x * after.y - out.y * after.x);
+        for (const float edge : {0.0f, 1.0f, 2.0f})
+            shape.corners.push_back({at(outline[i], mitre), {out.x, out.y, 0}, edge});
+        const auto here = static_cast<int>(3 * i), next = static_cast<int>(3 * ((i + 1) % count));
+        for (const int edge : {0, 1})
+            for (const int corner : {here, here + 1, next + 1, here, next + 1, next})
+                shape.indices.push_back(static_cast<std::uint16_t>(corner + edge));
+    }
+    const auto first = shape.corners.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        Corner inside = shape.corners[3 * i];
+        inside.paint = 3;
+        shape.corners.push_back(inside);
+    }
+    for (std::size_t i = 0; i + 1 < count / 2; ++i)
+        for (const std::size_t k : {i, i + 1, count - 2 - i, i, count - 2 - i, count - 1 - i})
+            shape.indices.push_back(static_cast<std::uint16_t>(first + k));
     return shape;
 }
 
@@ -158,7 +207,7 @@ Shape wheel_shape() {
 
 Shape eye_shape() {
     Shape shape;
-    add_ball(shape, {0, 0, 0}, {1, 1, 1}, 12, 6, [](float) { return Paint::light; });
+    add_ball(shape, {0, 0, 0}, {1, 1, 1}, 10, 5, [](float) { return Paint::light; });
     for (Corner& c : shape.corners) {  // the pole looks along +x
         c.place = {c.place.z, c.place.x, c.place.y};
         c.normal = {c.normal.z, c.normal.x, c.normal.y};

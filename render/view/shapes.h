@@ -13,7 +13,7 @@
 namespace braitenlab {
 
 // What a part of a shape is painted as; the shaders know the same numbers.
-enum class Paint { body, deck, dark, gauge, mark, light };
+enum class Paint { body, deck, dark, gauge, mark, light, inlay };
 
 struct Corner {
     maths::vec3 place, normal;
@@ -25,8 +25,14 @@ struct Shape {
     std::vector<std::uint16_t> indices;  // three a triangle
 };
 
-// Wedge-shaped nose for a predator, round for prey, square for others; wheel arches, a deck and an energy gauge.
+// Wedge-shaped nose for a predator, round at both ends for prey, square for others; wheel arches, a deck with an inlay
+// for wires and an energy gauge. The arrowhead's corners are 0..1 along it and −1..1 across: the shader gives it size.
 Shape hull_shape(Role);
+
+// A line round the silhouette of a hull with its wheels, and what it encloses. Normals point outwards, z says how far a
+// corner of the outline stands out (1 on a straight side) and paint what a corner belongs to: 0 the line's foot, 1 its
+// edge, 2 where it has faded, 3 the ground below the vehicle.
+Shape rim_shape(Role);
 
 // Radius 1, axis along y, from y = −0.5 to 0.5, open on its right, where the hull hides it. Some lugs of the tread and
 // the spokes are lighter, so that turning shows.

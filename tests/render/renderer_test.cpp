@@ -53,6 +53,39 @@ TEST_F(RendererTest, ShowsAVehicleInItsColourWhereItIs) {
     EXPECT_GT(prey.g, 2 * prey.r);
 }
 
+TEST_F(RendererTest, ShowsASmallVehiclesDeckInItsColour) {
+    Camera camera;
+    camera.zoom = 0.9f;
+    picture.sight = look(camera, Arena{}, nullptr, window, window);
+    picture.sensors = false;
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 1, 0, 0, 0);
+    renderer->draw(now, picture);
+    const Colour deck = stage.pixel(*project(picture.sight, {0, 0.12f}, 0.27f));
+    EXPECT_GT(deck.r, 0.55f);
+    EXPECT_GT(deck.r, 1.5f * deck.g);
+}
+
+TEST_F(RendererTest, RimsASmallVehicleInLightOnADarkFloorAndInDarkOnALightOne) {
+    picture.sensors = false;
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 2, 0, 0, 0);
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        picture.theme = theme;
+        renderer->draw(now, picture);
+        const maths::vec2 tail = *project(picture.sight, {-0.5f, 0}, 0.16f);
+        float brightest = 0, darkest = 1;
+        for (float x = -4; x <= 1; ++x) {
+            const float b = brightness(stage.pixel({tail.x + x, tail.y}));
+            brightest = std::max(brightest, b), darkest = std::min(darkest, b);
+        }
+        if (theme == Theme::dark)
+            EXPECT_GT(brightest, 0.5f);
+        else
+            EXPECT_LT(darkest, 0.35f);
+    }
+}
+
 TEST_F(RendererTest, HidesTheFartherBehindTheNearer) {
     Snapshot now = hand_made::empty(hand_made::scene());
     Camera camera;

@@ -62,6 +62,62 @@ TEST(DrawList, TellsExcitingWiresFromInhibitingOnesAndShowsWhatTheyCarry) {
     EXPECT_GT(list.wires[2].shape.w, list.wires[0].shape.w);
 }
 
+Picture seen_at_zoom(float zoom) {
+    Camera camera;
+    camera.zoom = zoom;
+    const Rect window{0, 0, 1280, 800};
+    Picture picture;
+    picture.sight = look(camera, Arena{}, nullptr, window, window);
+    return picture;
+}
+
+TEST(DrawList, ShowsASmallVehicleAsItsHullAndADotASide) {
+    auto scene = hand_made::scene();
+    auto& sensors = scene->kinds[0].sensors;
+    sensors.push_back(sensors[0]);
+    sensors[2].channel = Channel::heat;
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, 0, 0, 0, 0.1f, 0.2f);
+    now.sensed.push_back(0.64f);
+    const DrawList far = drawn(now, seen_at_zoom(0.8f)), near = drawn(now, seen_at_zoom(4));
+    EXPECT_EQ(far.hulls[0][0].look.x, 0);
+    EXPECT_EQ(far.wheels.size(), 2U);
+    EXPECT_TRUE(far.wires.empty());
+    ASSERT_EQ(far.eyes.size(), 2U);
+    EXPECT_NEAR(far.eyes[0].size.z, 0.8f, 1e-5);  // of the eye that sees most there
+    EXPECT_EQ(far.eyes[0].colour.x, palette(Theme::dark).heat.r);
+    EXPECT_EQ(near.hulls[0][0].look.x, 1);
+    EXPECT_EQ(near.wheels.size(), 4U);
+    EXPECT_EQ(near.wires.size(), 2U);
+    EXPECT_EQ(near.eyes.size(), 3U);
+}
+
+TEST(DrawList, LetsSmallPartsGrowAsAVehicleComesNearer) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 0, 0, 0);
+    float detail = 0, width = 0, largest_step = 0;
+    for (float zoom = 0.8f; zoom < 4; zoom *= 1.01f) {
+        const DrawList list = drawn(now, seen_at_zoom(zoom));
+        const float next = list.hulls[0][0].look.x, wide = list.wires.empty() ? 0 : list.wires[0].shape.w;
+        EXPECT_GE(next, detail);
+        EXPECT_GE(wide, width);
+        largest_step = std::max(largest_step, next - detail);
+        detail = next, width = wide;
+    }
+    EXPECT_EQ(detail, 1);
+    EXPECT_LT(largest_step, 0.08f);
+}
+
+TEST(DrawList, JudgesSizeInLayoutPixels) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 0, 0, 0);
+    Picture picture = seen_at_zoom(1.3f);
+    const float before = drawn(now, picture).hulls[0][0].look.x;
+    picture.pixel_scale = 2;
+    EXPECT_GT(before, 0);
+    EXPECT_EQ(drawn(now, picture).hulls[0][0].look.x, 0);
+}
+
 TEST(DrawList, ShowsAStimulatedFieldStronger) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0, 0.6f, 0);
@@ -89,6 +145,18 @@ TEST(DrawList, ShortensFieldsInACrowd) {
     hand_made::add(few, 0, 0, 0, 0);
     for (int i = 0; i < 300; ++i) hand_made::add(many, 0, 0, 0, 0);
     EXPECT_LT(drawn(many).fields[0].shape.x, drawn(few).fields[0].shape.x / 2);
+}
+
+TEST(DrawList, LetsIdleFieldsStepBackInACrowdButNotTheChosenOne) {
+    Snapshot few = hand_made::empty(hand_made::scene()), many = few;
+    hand_made::add(few, 0, 0, 0, 0);
+    for (int i = 0; i < 30; ++i) hand_made::add(many, 0, 0, 0, 0);
+    EXPECT_LT(drawn(many).fields[0].colour.w, drawn(few).fields[0].colour.w / 2);
+    Picture picture;
+    picture.selected = picture.hovered = 0;
+    EXPECT_EQ(drawn(many, picture).fields[0].colour.w, drawn(few, picture).fields[0].colour.w);
+    picture.selected = no_vehicle;
+    EXPECT_EQ(drawn(many, picture).fields[0].colour.w, drawn(few, picture).fields[0].colour.w);
 }
 
 TEST(DrawList, RingsTheSelectedVehicleAlone) {

@@ -37,7 +37,7 @@ TEST(Shapes, AreCheapEnoughForASoftwareRenderer) {
 float width_at_the_nose(Role role) {
     float widest = 0;
     for (const Corner& c : hull_shape(role).corners)
-        if (c.place.x > 0.46f) widest = std::max(widest, c.place.y);
+        if (c.place.x > 0.46f && c.paint != static_cast<float>(Paint::mark)) widest = std::max(widest, c.place.y);
     return widest;
 }
 
@@ -47,9 +47,25 @@ TEST(Shapes, GivePredatorsAWedgePreyARoundAndOthersASquareNose) {
     EXPECT_GT(width_at_the_nose(Role::none), width_at_the_nose(Role::prey));
 }
 
+TEST(Shapes, DrawRimsOutwardsRoundTheWholeBody) {
+    for (const Role role : {Role::none, Role::predator, Role::prey}) {
+        float widest = 0, longest = 0;
+        for (const Corner& c : rim_shape(role).corners) {
+            EXPECT_NEAR(maths::length(c.normal), 1, 1e-4);
+            EXPECT_GT(maths::dot(c.normal, vec3{c.place.x, c.place.y, 0}), 0);
+            EXPECT_GE(c.place.z, 1);
+            widest = std::max(widest, std::fabs(c.place.y)), longest = std::max(longest, std::fabs(c.place.x));
+        }
+        EXPECT_EQ(widest, 0.5f);  // the wheels are inside
+        EXPECT_EQ(longest, 0.5f);
+        EXPECT_LT(rim_shape(role).indices.size() / 3, 130U);
+    }
+}
+
 TEST(Shapes, KeepHullsInsideTheirBody) {
     for (const Role role : {Role::none, Role::predator, Role::prey})
         for (const Corner& c : hull_shape(role).corners) {
+            if (c.paint == static_cast<float>(Paint::mark)) continue;  // the arrowhead, which the shader sizes
             EXPECT_LE(std::fabs(c.place.x), 0.5001f);
             EXPECT_LE(std::fabs(c.place.y), 0.5001f);
         }
