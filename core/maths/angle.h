@@ -17,6 +17,13 @@ inline float wrap_angle(float angle) { return angle - 2 * pi * std::floor((angle
 // The unit vector that points along an angle, counter-clockwise from +x.
 inline vec2 direction(float angle) { return {cosine(angle), sine(angle)}; }
 
+// The point at this distance (m) in this direction (rad): polar to Cartesian, and back.
+inline vec2 from_polar(float distance, float angle) { return direction(angle) * distance; }
+struct Polar {
+    float distance = 0, angle = 0;
+};
+inline Polar to_polar(vec2 v) { return {length(v), arctangent2(v.y, v.x)}; }
+
 // v turned counter-clockwise by the angle whose direction is given.
 constexpr vec2 rotate(vec2 v, vec2 by) { return {v.x * by.x - v.y * by.y, v.x * by.y + v.y * by.x}; }
 

@@ -21,6 +21,11 @@ inline bool in_triangle(vec2 p, vec2 a, vec2 b, vec2 c) {
     return w.x >= 0 && w.y >= 0 && w.z >= 0;
 }
 
+// A convex quad with its corners in order, either winding; edges belong to it.
+inline bool in_quad(vec2 p, vec2 a, vec2 b, vec2 c, vec2 d) {
+    return in_triangle(p, a, b, c) || in_triangle(p, a, c, d);
+}
+
 // Within the radius of the apex, clockwise of the left arm and counter-clockwise of the right one. The arms are
 // directions of any length; `reflex` says that the sector is the large side (more than 180 degrees).
 inline bool in_sector(vec2 p, vec2 apex, vec2 right_arm, vec2 left_arm, float radius, bool reflex) {

@@ -24,6 +24,34 @@ constexpr mat4 operator*(const mat4& a, const mat4& b) {
     return product;
 }
 
+// Model matrices: move, grow along the axes, turn by an angle (radians) about a unit axis, counter-clockwise when the
+// axis points at the viewer (Rodrigues' formula).
+constexpr mat4 translation(vec3 by) {
+    mat4 m;
+    m[3] = {by.x, by.y, by.z, 1};
+    return m;
+}
+constexpr mat4 scaling(vec3 by) {
+    mat4 m;
+    m[0].x = by.x, m[1].y = by.y, m[2].z = by.z;
+    return m;
+}
+inline mat4 rotation(float angle, vec3 axis) {
+    const float c = std::cos(angle), s = std::sin(angle), k = 1 - c;
+    mat4 m;
+    m[0] = {c + k * axis.x * axis.x, k * axis.x * axis.y + s * axis.z, k * axis.x * axis.z - s * axis.y, 0};
+    m[1] = {k * axis.x * axis.y - s * axis.z, c + k * axis.y * axis.y, k * axis.y * axis.z + s * axis.x, 0};
+    m[2] = {k * axis.x * axis.z + s * axis.y, k * axis.y * axis.z - s * axis.x, c + k * axis.z * axis.z, 0};
+    return m;
+}
+
+constexpr mat4 transpose(const mat4& m) {
+    mat4 t;
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r) t[c][r] = m[r][c];
+    return t;
+}
+
 // A point at the eye's place looking at the target; up need not be perpendicular to the line of sight, only not along
 // it.
 inline mat4 look_at(vec3 eye, vec3 target, vec3 up) {
@@ -59,29 +87,46 @@ constexpr mat4 orthographic(float left, float right, float bottom, float top, fl
     return m;
 }
 
+namespace detail {
+
+// The 2x2 minors of the upper two rows (s) and of the lower two (c): Laplace expansion along pairs of rows.
+struct Minors {
+    explicit constexpr Minors(const mat4& m) {
+        const int left[6] = {0, 0, 0, 1, 1, 2}, right[6] = {1, 2, 3, 2, 3, 3};
+        for (int i = 0; i < 6; ++i) {
+            const vec4 &a = m[left[i]], &b = m[right[i]];
+            s[i] = a.x * b.y - a.y * b.x;
+            c[i] = a.z * b.w - a.w * b.z;
+        }
+    }
+    constexpr float determinant() const {
+        return s[0] * c[5] - s[1] * c[4] + s[2] * c[3] + s[3] * c[2] - s[4] * c[1] + s[5] * c[0];
+    }
+    float s[6]{}, c[6]{};
+};
+
+}  // namespace detail
+
+constexpr float determinant(const mat4& m) { return detail::Minors(m).determinant(); }
+
 // The inverse of any invertible matrix (by cofactors); of a singular one, a matrix of infinities or NaNs.
 inline mat4 inverse(const mat4& m) {
-    // 2x2 minors of the upper and lower halves, after the Laplace expansion along two rows.
-    const auto at = [&m](int row, int column) { return m[column][row]; };
-    const float s0 = at(0, 0) * at(1, 1) - at(1, 0) * at(0, 1), s1 = at(0, 0) * at(1, 2) - at(1, 0) * at(0, 2);
-    const float s2 = at(0, 0) * at(1, 3) - at(1, 0) * at(0, 3), s3 = at(0, 1) * at(1, 2) - at(1, 1) * at(0, 2);
-    const float s4 = at(0, 1) * at(1, 3) - at(1, 1) * at(0, 3), s5 = at(0, 2) * at(1, 3) - at(1, 2) * at(0, 3);
-    const float c0 = at(2, 0) * at(3, 1) - at(3, 0) * at(2, 1), c1 = at(2, 0) * at(3, 2) - at(3, 0) * at(2, 2);
-    const float c2 = at(2, 0) * at(3, 3) - at(3, 0) * at(2, 3), c3 = at(2, 1) * at(3, 2) - at(3, 1) * at(2, 2);
-    const float c4 = at(2, 1) * at(3, 3) - at(3, 1) * at(2, 3), c5 = at(2, 2) * at(3, 3) - at(3, 2) * at(2, 3);
-    const float k = 1 / (s0 * c5 - s1 * c4 + s2 * c3 + s3 * c2 - s4 * c1 + s5 * c0);
+    const detail::Minors minors(m);
+    const auto &s = minors.s, &c = minors.c;
+    const float k = 1 / minors.determinant();
+    const vec4 &p = m[0], &q = m[1], &r = m[2], &t = m[3];
     mat4 n;
-    n[0] = vec4{at(1, 1) * c5 - at(1, 2) * c4 + at(1, 3) * c3, -at(1, 0) * c5 + at(1, 2) * c2 - at(1, 3) * c1,
-                at(1, 0) * c4 - at(1, 1) * c2 + at(1, 3) * c0, -at(1, 0) * c3 + at(1, 1) * c1 - at(1, 2) * c0} *
+    n[0] = vec4{q.y * c[5] - r.y * c[4] + t.y * c[3], -p.y * c[5] + r.y * c[2] - t.y * c[1],
+                p.y * c[4] - q.y * c[2] + t.y * c[0], -p.y * c[3] + q.y * c[1] - r.y * c[0]} *
            k;
-    n[1] = vec4{-at(0, 1) * c5 + at(0, 2) * c4 - at(0, 3) * c3, at(0, 0) * c5 - at(0, 2) * c2 + at(0, 3) * c1,
-                -at(0, 0) * c4 + at(0, 1) * c2 - at(0, 3) * c0, at(0, 0) * c3 - at(0, 1) * c1 + at(0, 2) * c0} *
+    n[1] = vec4{-q.x * c[5] + r.x * c[4] - t.x * c[3], p.x * c[5] - r.x * c[2] + t.x * c[1],
+                -p.x * c[4] + q.x * c[2] - t.x * c[0], p.x * c[3] - q.x * c[1] + r.x * c[0]} *
            k;
-    n[2] = vec4{at(3, 1) * s5 - at(3, 2) * s4 + at(3, 3) * s3, -at(3, 0) * s5 + at(3, 2) * s2 - at(3, 3) * s1,
-                at(3, 0) * s4 - at(3, 1) * s2 + at(3, 3) * s0, -at(3, 0) * s3 + at(3, 1) * s1 - at(3, 2) * s0} *
+    n[2] = vec4{q.w * s[5] - r.w * s[4] + t.w * s[3], -p.w * s[5] + r.w * s[2] - t.w * s[1],
+                p.w * s[4] - q.w * s[2] + t.w * s[0], -p.w * s[3] + q.w * s[1] - r.w * s[0]} *
            k;
-    n[3] = vec4{-at(2, 1) * s5 + at(2, 2) * s4 - at(2, 3) * s3, at(2, 0) * s5 - at(2, 2) * s2 + at(2, 3) * s1,
-                -at(2, 0) * s4 + at(2, 1) * s2 - at(2, 3) * s0, at(2, 0) * s3 - at(2, 1) * s1 + at(2, 2) * s0} *
+    n[3] = vec4{-q.z * s[5] + r.z * s[4] - t.z * s[3], p.z * s[5] - r.z * s[2] + t.z * s[1],
+                -p.z * s[4] + q.z * s[2] - t.z * s[0], p.z * s[3] - q.z * s[1] + r.z * s[0]} *
            k;
     return n;
 }

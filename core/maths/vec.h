@@ -76,10 +76,24 @@ inline float length(vec4 a) { return std::sqrt(dot(a, a)); }
 
 inline float distance(vec2 a, vec2 b) { return length(b - a); }
 inline float distance(vec3 a, vec3 b) { return length(b - a); }
+inline float distance(vec4 a, vec4 b) { return length(b - a); }
 
 // The unit vector along a; the zero vector stays the zero vector.
 inline vec2 normalise(vec2 a) { return length(a) > 0 ? a / length(a) : a; }
 inline vec3 normalise(vec3 a) { return length(a) > 0 ? a / length(a) : a; }
+inline vec4 normalise(vec4 a) { return length(a) > 0 ? a / length(a) : a; }
+
+// Whether two numbers, or all components, differ by at most `tolerance`. False for NaN.
+inline bool almost_equal(float a, float b, float tolerance) { return std::fabs(a - b) <= tolerance; }
+inline bool almost_equal(vec2 a, vec2 b, float tolerance) {
+    return almost_equal(a.x, b.x, tolerance) && almost_equal(a.y, b.y, tolerance);
+}
+inline bool almost_equal(vec3 a, vec3 b, float tolerance) {
+    return almost_equal(a.x, b.x, tolerance) && almost_equal(a.y, b.y, tolerance) && almost_equal(a.z, b.z, tolerance);
+}
+inline bool almost_equal(vec4 a, vec4 b, float tolerance) {
+    return almost_equal(vec2{a.x, a.y}, {b.x, b.y}, tolerance) && almost_equal(vec2{a.z, a.w}, {b.z, b.w}, tolerance);
+}
 
 inline std::ostream& operator<<(std::ostream& out, vec2 a) { return out << '(' << a.x << ", " << a.y << ')'; }
 inline std::ostream& operator<<(std::ostream& out, vec3 a) {

@@ -85,7 +85,7 @@ void add_ball(Shape& shape, vec3 middle, vec3 radius, int slices, int stacks, Pa
             const vec2 round = maths::direction(2 * maths::pi * static_cast<float>(i) / static_cast<float>(slices)) *
                                maths::cosine(latitude);
             const vec3 unit{round.x, round.y, maths::sine(latitude)};
-            const vec3 normal = maths::normalise({unit.x / radius.x, unit.y / radius.y, unit.z / radius.z});
+            const vec3 normal = maths::normalise(vec3{unit.x / radius.x, unit.y / radius.y, unit.z / radius.z});
             shape.corners.push_back({middle + vec3{unit.x * radius.x, unit.y * radius.y, unit.z * radius.z}, normal,
                                      static_cast<float>(paint_at(unit.z))});
         }
@@ -226,7 +226,7 @@ Shape block_shape() {
         // The chamfer rises at 45 degrees whatever the block's size; its upper corners are marked by z alone.
         const vec2 outwards = maths::normalise(a + b);
         for (std::size_t k = chamfer; k < chamfer + 4; ++k) {
-            shape.corners[k].normal = maths::normalise({outwards.x, outwards.y, 1});
+            shape.corners[k].normal = maths::normalise(vec3{outwards.x, outwards.y, 1});
             if (k >= chamfer + 2) shape.corners[k].place = at(k == chamfer + 2 ? b : a, 2);
         }
     }
