@@ -19,7 +19,7 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     block.view_projection = sight.projection * sight.view;
     block.eye = {sight.eye.x, sight.eye.y, sight.eye.z, sight.projection[1].y * sight.window.h / 2};
     block.right = row(0), block.up = row(1);
-    const maths::vec3 sun = maths::normalise({-0.45f, 0.82f, 0.38f});  // from behind the left shoulder
+    const maths::vec3 sun = maths::normalise(maths::vec3{-0.45f, 0.82f, 0.38f});  // from behind the left shoulder
     block.sun = {sun.x, sun.y, sun.z, 0};
     block.sun_light = light ? maths::vec4{0.74f, 0.73f, 0.70f, 0} : maths::vec4{0.72f, 0.74f, 0.78f, 0};
     block.sky_light = light ? maths::vec4{0.42f, 0.43f, 0.45f, 0} : maths::vec4{0.30f, 0.33f, 0.38f, 0};
