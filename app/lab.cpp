@@ -19,6 +19,7 @@ constexpr double tick_length = 1.0 / 60;   // s, as core/brain/brain.h has it
 constexpr double stepping_budget = 0.012;  // s of a frame
 
 void notify(Lab& lab, std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
     lab.notice = std::move(text);
     lab.notice_until = lab.wall_seconds + notice_seconds;
 }

@@ -14,9 +14,9 @@ namespace {
 std::string read_size(const std::string& text, Options& options) {
     int used = 0;
     if (std::sscanf(text.c_str(), "%dx%d%n", &options.width, &options.height, &used) != 2 ||
-        used != static_cast<int>(text.size()) || options.width < 320 || options.height < 240 || options.width > 16384 ||
+        used != static_cast<int>(text.size()) || options.width < 640 || options.height < 480 || options.width > 16384 ||
         options.height > 16384)
-        return fmt::format("'{}' is not a size; write it as 1280x800, at least 320x240", text);
+        return fmt::format("'{}' is not a size; write it as 1280x800, at least 640x480", text);
     options.size_given = true;
     return {};
 }

@@ -15,6 +15,7 @@ namespace braitenlab {
 
 namespace {
 
+constexpr int least_width = 640, least_height = 480;  // window pixels; below, the toolbar has no room
 constexpr int smooth_samples = 4;  // multisampling: smooth edges
 
 // GLFW reports errors by callback only; the last one is what explains a failed call.
@@ -131,6 +132,7 @@ Result<Window> Window::open(const WindowOptions& options) {
     glfwSetWindowUserPointer(window, native.get());
     if (const auto error = load_opengl()) return *error;
     glfwSwapInterval(1);
+    glfwSetWindowSizeLimits(window, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glEnable(GL_MULTISAMPLE);
 
     // Before Dear ImGui's own: it keeps no queue (1.86), and a key pressed and released within a frame would be lost.
