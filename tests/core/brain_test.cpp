@@ -45,10 +45,17 @@ TEST(Threshold, MasksInputsBelowItAndPassesThoseAtIt) {
 
 TEST(Brain, GivesTheSameBitsWhateverTheOrderOfEditing) {
     BrainGraph graph = make_graph({.LL = 0.3f, .LR = 0.1f, .RL = 0.7f, .RR = -0.9f, .LM = 0.05f});
-    const auto before = drive_once(graph, 0.123f, 0.789f);
-    std::reverse(graph.wires.begin(), graph.wires.end());
-    std::reverse(graph.nodes.begin(), graph.nodes.end());
-    EXPECT_EQ(drive_once(graph, 0.123f, 0.789f), before);
+    for (int extra = 0; extra < 6; ++extra) {  // sums of many terms, whose last bit depends on their order
+        graph.nodes.push_back(
+            {.id = 10 + extra, .kind = NodeKind::neuron, .name = std::string(1, static_cast<char>('a' + extra))});
+        graph.wires.push_back({.from = 0, .to = 10 + extra, .weight = 0.1f + 0.17f * static_cast<float>(extra)});
+        graph.wires.push_back({.from = 10 + extra, .to = 2, .weight = 0.07f * static_cast<float>(extra) - 0.11f});
+    }
+    BrainGraph turned = graph;
+    std::reverse(turned.wires.begin(), turned.wires.end());
+    std::reverse(turned.nodes.begin(), turned.nodes.end());
+    for (float input = 0.01f; input < 1; input += 0.037f)
+        EXPECT_EQ(drive_once(graph, input, 0.789f), drive_once(turned, input, 0.789f)) << input;
 }
 
 TEST(HiddenNeuron, ReachesTheMotorInTheSameTick) {

@@ -173,6 +173,7 @@ TEST(Predator, BitesPreyOnceASecondWhileTheyTouch) {
 
 TEST(Energy, ReachingZeroMakesRoomForTheOppositeRole) {
     Scene scene = crowd(4);
+    scene.kinds[1].share = 0;  // predators only at first
     scene.ecology.drain = 0.5f;
     scene.ecology.bite = 0;
     World world = make(scene);
@@ -180,6 +181,8 @@ TEST(Energy, ReachingZeroMakesRoomForTheOppositeRole) {
     EXPECT_EQ(before.events.deaths, 0);
     EXPECT_EQ(now.events.deaths, 4);
     EXPECT_EQ(now.events.births, 4);
+    EXPECT_EQ(before.predators, 4);
+    EXPECT_EQ(now.prey, 4);
     EXPECT_EQ(now.vehicles.size(), 4u);
     EXPECT_GT(now.vehicles.front().id, before.vehicles.back().id);  // ids are never used again
 }
