@@ -238,18 +238,6 @@ TEST(BrainCard, GivesAClassicBrainFromItsPresets) {
     EXPECT_NE(desk.edits()[0].gesture, 0u);
 }
 
-TEST(BrainCard, AddsUpTheMomentEvenBeforeTheFirstTick) {
-    Desk desk;
-    desk.now.vehicles[0].motor = {0, 0};  // nothing has been commanded yet
-    const auto sums = motor_sums(desk.view, desk.now.vehicles[0]);
-    EXPECT_FLOAT_EQ(sums[0], 0.2f * 1.5f + 0.1f);  // SR·LR + LM
-    EXPECT_FLOAT_EQ(sums[1], 0.4f * 1.5f + 0.1f);  // SL·RL + RM
-    auto parked = std::make_shared<Scene>(*desk.now.scene);
-    parked->kinds[0].driver = Driver::parked;
-    desk.now.scene = parked;
-    EXPECT_EQ(motor_sums(desk.view, desk.now.vehicles[0]), (std::array<float, 2>{0, 0}));
-}
-
 TEST(BrainCard, StandsWithNobodySelected) {
     Desk desk;
     desk.view.selected = no_vehicle;

@@ -132,7 +132,7 @@ void brain_picture(const LabView& view, Ui& ui, const VehicleView& vehicle, floa
     fill_box(ui, p.chassis, mix(ui.palette.panel, ui.palette.chassis, 0.22f), 12);
     line_box(ui, p.chassis, colour_of(ui.palette, vehicle.role), 12, 1.5f);
 
-    const std::array<float, 2> motors = motor_sums(view, vehicle);
+    const std::array<float, 2>& motors = vehicle.motor;
     const float seen[2]{reading(view, vehicle, brain, "SL"), reading(view, vehicle, brain, "SR")};
     const auto carried = [&](const char* eye_name, const char* motor, float value) {
         const Node* from = find_node(brain, std::string(eye_name));

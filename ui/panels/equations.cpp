@@ -57,7 +57,7 @@ Product product(const LabView& view, const VehicleView& vehicle, const BrainGrap
 std::array<Sum, 2> sums(const LabView& view, const VehicleView& vehicle) {
     const BrainGraph& brain = *view.now->brains[static_cast<std::size_t>(vehicle.brain)];
     const FourNeurons dials = read_dials(brain);
-    const std::array<float, 2> motors = motor_sums(view, vehicle);
+    const std::array<float, 2>& motors = vehicle.motor;  // of this moment, while time stands still too
     const auto make = [&](const char* eye, const char* motor, Dial dial, std::string_view letters) {
         return product(view, vehicle, brain, eye, motor, dial, letters);
     };
@@ -168,19 +168,6 @@ std::string verdict(const Ui& ui, const std::array<Sum, 2>& both, const Cause& w
 }
 
 }  // namespace
-
-std::array<float, 2> motor_sums(const LabView& view, const VehicleView& vehicle) {
-    const BrainGraph& brain = *view.now->brains[static_cast<std::size_t>(vehicle.brain)];
-    const Kind& kind = view.now->scene->kinds[static_cast<std::size_t>(vehicle.kind)];
-    if (!is_four_neurons(brain) || kind.driver != Driver::brain) return vehicle.motor;
-    const FourNeurons dials = read_dials(brain);
-    std::array<float, 2> sum{dials.LM, dials.RM};
-    for (const Wire& wire : brain.wires) {
-        const bool left = find_node(brain, wire.to)->name == "ML";
-        sum[left ? 0 : 1] += signal(wire, node_value(*view.now, vehicle, wire.from));
-    }
-    return {std::clamp(sum[0], -1.0f, 1.0f), std::clamp(sum[1], -1.0f, 1.0f)};
-}
 
 void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const std::array<Sum, 2> both = sums(view, vehicle);

@@ -2,7 +2,6 @@
 // person wants into ui.outbox. ui/window.cpp calls them.
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "ui/lab_view.h"
@@ -25,10 +24,6 @@ void keys_card(const LabView&, PanelState&, Ui&, Rect window);          // all s
 // The parts of the brain card that show the moment. Precondition of both: the vehicle is in the snapshot.
 void equations(const LabView&, Ui&, const VehicleView&);
 void brain_picture(const LabView&, Ui&, const VehicleView&, float layout_height);
-
-// What the left and the right motor are told, −1..1. Worked out from this moment's signals for a four-neuron brain, so
-// that it follows the sliders before the first tick and while time stands still; else as the last tick left it.
-std::array<float, 2> motor_sums(const LabView&, const VehicleView&);
 
 // "Predator", "Lamp seeker": the kind's name in the language of the strings, or as its author wrote it.
 std::string kind_name(const Ui&, const Kind&);
