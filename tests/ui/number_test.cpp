@@ -13,6 +13,12 @@ TEST(Numbers, KeepTheirDigits) {
     EXPECT_EQ(with_sign(-0.8f, 2), "−0.80");
 }
 
+TEST(Numbers, StandInBracketsAsANegativeFactor) {
+    EXPECT_EQ(as_factor(0.4f, 2), "0.40");
+    EXPECT_EQ(as_factor(-1, 2), "(−1.00)");
+    EXPECT_EQ(as_factor(-0.001f, 2), "0.00");
+}
+
 TEST(Numbers, GiveZeroNoSign) {
     EXPECT_EQ(with_sign(-0.0f, 2), "0.00");
     EXPECT_EQ(with_sign(-0.001f, 2), "0.00");

@@ -29,6 +29,11 @@ std::string with_sign(float value, int decimals) {
     return std::isfinite(value) && !is_zero && !is_negative(value, decimals) ? "+" + bare : bare;
 }
 
+std::string as_factor(float value, int decimals) {
+    const std::string bare = fixed(value, decimals);
+    return is_negative(value, decimals) ? "(" + bare + ")" : bare;
+}
+
 std::optional<float> typed_number(std::string_view typed) {
     std::string plain;
     for (std::size_t i = 0; i < typed.size(); ++i) {

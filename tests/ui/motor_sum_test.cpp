@@ -1,0 +1,78 @@
+#include "ui/panels/motor_sum.h"
+
+#include "desk.h"
+
+namespace braitenlab::tests {
+
+namespace {
+
+float added_up(const MotorSum& sum) { return sum.products[0].value + sum.products[1].value + sum.bias + sum.others; }
+
+// One vehicle whose left motor has a third wire, from a neuron that stands at `neuron`.
+Snapshot with_a_third_wire(float neuron, float weight) {
+    Snapshot now = snapshot(0);
+    auto brain = std::make_shared<BrainGraph>(*now.brains[0]);
+    brain->nodes.push_back({.id = 10, .kind = NodeKind::neuron, .name = "N"});
+    brain->wires.push_back({.from = 10, .to = find_node(*brain, "ML")->id, .weight = weight});
+    now.brains[0] = brain;
+    const float left = 0.4f * 1.5f + 0.1f + neuron * weight, right = 0.2f * 1.5f + 0.1f;
+    now.neurons = {neuron, left, right};
+    now.vehicles[0].neuron_count = 3;
+    now.vehicles[0].motor = {std::min(left, 1.0f), right};
+    return now;
+}
+
+}  // namespace
+
+TEST(MotorSums, AreProductsAndBiasWhereABrainHasFourWires) {
+    const Snapshot now = snapshot(0);  // a coward: SL 0.4 and SR 0.2 times 1.5, and 0.1
+    const auto sums = motor_sums(now, now.vehicles[0]);
+    EXPECT_FLOAT_EQ(added_up(sums[0]), 0.7f);
+    EXPECT_FLOAT_EQ(added_up(sums[1]), 0.4f);
+    EXPECT_FALSE(sums[0].more_wires);
+}
+
+TEST(MotorSums, CountWhatFurtherWiresBring) {
+    const Snapshot now = with_a_third_wire(0.5f, -0.8f);
+    const auto sums = motor_sums(now, now.vehicles[0]);
+    ASSERT_TRUE(sums[0].more_wires);
+    EXPECT_NEAR(sums[0].others, -0.4f, 1e-6f);
+    EXPECT_NEAR(added_up(sums[0]), sums[0].total, 1e-6f);
+    EXPECT_NEAR(sums[1].others, 0, 1e-6f);
+}
+
+TEST(MotorSums, DoNotCallTheWheelsLimitAFurtherWire) {
+    const Snapshot now = with_a_third_wire(1, 1);  // 1.7, of which the wheel takes 1
+    const auto sums = motor_sums(now, now.vehicles[0]);
+    EXPECT_NEAR(sums[0].others, 1, 1e-6f);
+    EXPECT_FLOAT_EQ(sums[0].total, 1);
+}
+
+TEST(MotorSums, NameTheLargestPushAsTheCause) {
+    Snapshot now = snapshot(0);
+    now.vehicles[0].motor = {0.7f, 0.4f};
+    const auto coward = motor_sums(now, now.vehicles[0]);
+    EXPECT_EQ(cause(coward).by, Cause::By::product);
+    EXPECT_EQ(cause(coward).product->letters, "SL·LL");
+    EXPECT_FALSE(cause(coward).holds_back);
+
+    now = with_a_third_wire(1, -0.9f);  // braked so much that the right wheel is faster
+    const auto braked = motor_sums(now, now.vehicles[0]);
+    EXPECT_EQ(cause(braked).by, Cause::By::others) << "0.9 towards the right, more than SR·RR's 0.3";
+    now = with_a_third_wire(1, 0.9f);
+    const auto pushed = motor_sums(now, now.vehicles[0]);
+    EXPECT_EQ(cause(pushed).by, Cause::By::others);
+    EXPECT_EQ(cause(pushed).product, nullptr);
+}
+
+TEST(MotorSums, NameTheBiasesWhereNothingElsePushes) {
+    Snapshot now = snapshot(0);
+    FourNeurons biased;
+    biased.RM = 0.3f;
+    now.brains[0] = std::make_shared<BrainGraph>(make_graph(biased));
+    now.vehicles[0].motor = {0, 0.3f};
+    const auto sums = motor_sums(now, now.vehicles[0]);
+    EXPECT_EQ(cause(sums).by, Cause::By::biases);
+}
+
+}  // namespace braitenlab::tests

@@ -1,0 +1,75 @@
+#include "ui/panels/motor_sum.h"
+
+#include <cmath>
+#include <string>
+
+#include "core/brain/four_neurons.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float least_push = 0.005f;  // below it, the two decimals on the screen show nothing
+
+Product product(const Snapshot& now, const VehicleView& vehicle, const char* eye, const char* motor, Dial dial,
+                std::string_view letters) {
+    const BrainGraph& brain = *now.brains[static_cast<std::size_t>(vehicle.brain)];
+    Product p{letters};
+    const Node* from = find_node(brain, std::string(eye));
+    const Node* to = find_node(brain, std::string(motor));
+    if (!from || !to) return p;
+    p.input = node_value(now, vehicle, from->id);
+    p.weight = at(read_dials(brain), dial);
+    if (const Wire* wire = find_wire(brain, from->id, to->id)) {
+        p.value = signal(*wire, p.input);
+        p.masked = std::fabs(p.input) < wire->threshold;
+    }
+    return p;
+}
+
+}  // namespace
+
+std::array<MotorSum, 2> motor_sums(const Snapshot& now, const VehicleView& vehicle) {
+    const BrainGraph& brain = *now.brains[static_cast<std::size_t>(vehicle.brain)];
+    const FourNeurons dials = read_dials(brain);
+    const auto make = [&](const char* eye, const char* motor, Dial dial, std::string_view letters) {
+        return product(now, vehicle, eye, motor, dial, letters);
+    };
+    MotorSum left{"ML", "LM", {make("SL", "ML", Dial::LL, "SL·LL"), make("SR", "ML", Dial::LR, "SR·LR")}, dials.LM};
+    MotorSum right{"MR", "RM", {make("SR", "MR", Dial::RR, "SR·RR"), make("SL", "MR", Dial::RL, "SL·RL")}, dials.RM};
+    left.total = vehicle.motor[0];
+    right.total = vehicle.motor[1];
+    std::array<MotorSum, 2> both{left, right};
+    if (is_four_neurons(brain)) return both;
+    for (MotorSum& sum : both) {
+        sum.more_wires = true;
+        // From the motor's own state, which is not yet bounded to what a wheel can do.
+        if (const Node* motor = find_node(brain, std::string(sum.motor)))
+            sum.others = node_value(now, vehicle, motor->id) - sum.products[0].value - sum.products[1].value - sum.bias;
+    }
+    return both;
+}
+
+Cause cause(const std::array<MotorSum, 2>& both) {
+    Cause c;
+    c.difference = both[1].total - both[0].total;
+    const float towards = c.difference > 0 ? 1.0f : -1.0f;
+    float largest = least_push;
+    const auto claim = [&](Cause::By by, float push) {
+        if (push <= largest) return false;
+        largest = push;
+        c.by = by;
+        return true;
+    };
+    claim(Cause::By::biases, (both[1].bias - both[0].bias) * towards);
+    claim(Cause::By::others, (both[1].others - both[0].others) * towards);
+    for (const float side : {-1.0f, 1.0f})
+        for (const Product& p : both[side > 0 ? 1 : 0].products)
+            if (claim(Cause::By::product, p.value * side * towards)) {
+                c.product = &p;
+                c.holds_back = p.value < 0;
+            }
+    return c;
+}
+
+}  // namespace braitenlab
