@@ -24,6 +24,24 @@ std::string_view lesson_prompt(const LabView& view) {
                        : std::string_view{};
 }
 
+// Simulated seconds: first the behaviour, then the hand on it, and not for ever.
+constexpr double watched = 3, enough = 8;
+
+bool has_been_edited(const LabView& view) { return view.undo_depth > 0 || view.redo_depth > 0; }
+
+// Of the selected vehicle's weights the first that does something now; else the first.
+std::string_view telling_slider(const LabView& view) {
+    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    if (!vehicle) return {};
+    const FourNeurons dials = read_dials(*view.now->brains[static_cast<std::size_t>(vehicle->brain)]);
+    if (dials.LL != 0) return "slider.LL";
+    if (dials.LR != 0) return "slider.LR";
+    if (dials.RL != 0) return "slider.RL";
+    return dials.RR != 0 ? "slider.RR" : "slider.LL";
+}
+
+bool follows_a_hint(const LabView& view) { return view.lesson && view.lesson->hints_shown > 0; }
+
 }  // namespace
 
 std::string_view next_prompt(const LabView& view) {
@@ -31,13 +49,17 @@ std::string_view next_prompt(const LabView& view) {
         if (const auto prompt = lesson_prompt(view); !prompt.empty()) return prompt;
         if (!view.lesson->has_run || all_done(*view.lesson) || view.lesson->hints_shown > 0) return {};
     }
-    if (view.mode == Mode::wiring || view.undo_depth > 0 || view.redo_depth > 0) return {};
+    if (view.mode == Mode::wiring || has_been_edited(view)) return {};
     if (view.now->tick == 0 && view.mode == Mode::paused) return "button.play";
-    constexpr double watched = 3, enough = 12;  // seconds: first the behaviour, then the hand on it
-    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
-    if (!vehicle || view.now->seconds < watched || view.now->seconds > enough) return {};
-    const FourNeurons dials = read_dials(*view.now->brains[static_cast<std::size_t>(vehicle->brain)]);
-    return dials.LL == 0 && dials.LR != 0 ? "slider.LR" : "slider.LL";  // one that does something now
+    const double seconds = view.now->seconds;
+    return seconds < watched || seconds > enough ? std::string_view{} : telling_slider(view);
+}
+
+std::string_view still_wanted(PromptMemory& memory, const LabView& view, std::string_view prompt) {
+    if (memory.opened != view.opened) memory = {view.opened};
+    memory.slider_known |= has_been_edited(view) || view.now->seconds > enough;
+    const bool is_slider = prompt.substr(0, 7) == "slider.";
+    return memory.slider_known && is_slider && !follows_a_hint(view) ? std::string_view{} : prompt;
 }
 
 float pulse(const LabView& view) {

@@ -106,6 +106,7 @@ bool for_canvas(CanvasState& canvas, KeyPress press) {
 void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
     ui.keyboard = &state.keyboard;
     ui.still = view.reduce_motion;
+    ui.highlight = still_wanted(state.prompts, view, ui.highlight);
     begin_keyboard(state.keyboard);
     // A click into the scene takes the keyboard away from the cards.
     if (ImGui::IsMouseClicked(0) && !ImGui::GetIO().WantCaptureMouse) state.keyboard.focus.clear();
@@ -141,6 +142,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         state.close_presets = true;
         return true;
     }
+    if (state.open_menu && for_open_menu(view, state, press)) return true;
     if (for_focus(state.keyboard, press)) return true;
     if (view.mode == Mode::wiring && for_canvas(state.canvas, press)) return true;
     if (const auto slider = slider_of(press.key); slider && !press.ctrl && !press.shift) {

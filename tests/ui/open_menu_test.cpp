@@ -40,6 +40,23 @@ TEST_F(OpenMenu, CanBeUsedByKeysAlone) {
     EXPECT_EQ(opened(), std::vector<std::string>{"/x/2a-coward.toml"});
 }
 
+TEST_F(OpenMenu, IsWalkedWithArrowsAndKeepsTheFocusInside) {
+    desk.click("button.open");
+    desk.frame(2);
+    const auto after = [&](KeyPress press) {
+        desk.key(press);
+        desk.frame(2);
+        return desk.panels.keyboard.focus;
+    };
+    EXPECT_EQ(after({key::down}), "open.05-aggressor");
+    EXPECT_EQ(after({key::down}), "open.2a-coward");
+    EXPECT_EQ(after({key::down}), "open.05-aggressor") << "round and round";
+    EXPECT_EQ(after({key::up}), "open.2a-coward");
+    EXPECT_EQ(after({key::tab, false, true}), "open.05-aggressor");
+    EXPECT_EQ(after({key::escape}), "");
+    EXPECT_TRUE(opened().empty());
+}
+
 TEST_F(OpenMenu, ClosesOnEscAndOnAClickElsewhereAndOpensNothing) {
     desk.key({'O', true});
     desk.frame(2);

@@ -9,13 +9,38 @@ TEST(Prompts, LeadFromPlayToASliderAndGoAway) {
     EXPECT_EQ(next_prompt(desk.view), "button.play");
     desk.view.mode = Mode::playing;
     desk.now.tick = 600;
-    desk.now.seconds = 10;
+    desk.now.seconds = 5;
     EXPECT_EQ(next_prompt(desk.view), "slider.LR") << "the selected predator's LL does nothing";
-    desk.now.seconds = 20;
+    desk.now.seconds = 9;
     EXPECT_EQ(next_prompt(desk.view), "") << "not for ever";
-    desk.now.seconds = 10;
+    desk.now.seconds = 5;
     desk.view.undo_depth = 1;
     EXPECT_EQ(next_prompt(desk.view), "");
+}
+
+TEST(Prompts, ForgetTheSliderForGoodOnceItWasWatchedOrTurned) {
+    Desk desk;
+    PromptMemory memory;
+    desk.now.seconds = 5;
+    EXPECT_EQ(still_wanted(memory, desk.view, "slider.LR"), "slider.LR");
+    desk.now.seconds = 9;
+    still_wanted(memory, desk.view, "");
+    desk.now.seconds = 5;  // after a reset
+    EXPECT_EQ(still_wanted(memory, desk.view, "slider.LR"), "");
+    EXPECT_EQ(still_wanted(memory, desk.view, "button.play"), "button.play");
+    desk.view.opened = "another scene";
+    EXPECT_EQ(still_wanted(memory, desk.view, "slider.LR"), "slider.LR");
+    desk.view.undo_depth = 1;
+    EXPECT_EQ(still_wanted(memory, desk.view, "slider.LR"), "");
+}
+
+TEST(Prompts, KeepWhatAHintPointsTo) {
+    Desk desk;
+    desk.open_exercise();
+    desk.lesson.hints_shown = 3;
+    desk.view.undo_depth = 1;
+    PromptMemory memory;
+    EXPECT_EQ(still_wanted(memory, desk.view, "slider.LR"), "slider.LR");
 }
 
 TEST(Prompts, AskForAPredictionBeforeTheFirstPlay) {

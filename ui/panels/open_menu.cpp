@@ -1,6 +1,7 @@
 // What can be opened: the exercises by number, then the scenes with their stories. Drops from the toolbar.
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include <imgui.h>
 
@@ -62,6 +63,25 @@ float group(const LabView& view, PanelState& state, Ui& ui, ImVec2 at, bool exer
 }
 
 }  // namespace
+
+bool for_open_menu(const LabView& view, PanelState& state, KeyPress press) {
+    if (!view.catalogue || view.catalogue->empty() || press.ctrl) return false;
+    const bool back = press.key == key::up || (press.key == key::tab && press.shift);
+    if (!back && press.key != key::down && press.key != key::tab) return false;
+    std::vector<std::string> rows;  // from top to bottom
+    for (const bool exercises : {true, false})
+        for (const CatalogueEntry& entry : *view.catalogue)
+            if (is_exercise(entry) == exercises) rows.push_back("open." + entry.name);
+    std::string& focus = state.keyboard.focus;
+    const auto at = std::find(rows.begin(), rows.end(), focus);
+    if (at == rows.end())
+        focus = back ? rows.back() : rows.front();
+    else if (back)
+        focus = at == rows.begin() ? rows.back() : *(at - 1);
+    else
+        focus = at + 1 == rows.end() ? rows.front() : *(at + 1);
+    return true;
+}
 
 void open_menu(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
     if (!state.open_menu || !view.catalogue) return;

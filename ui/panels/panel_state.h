@@ -7,6 +7,7 @@
 #include "core/brain/graph.h"
 #include "core/brain/recogniser.h"
 #include "ui/panels/history.h"
+#include "ui/prompts.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/slider.h"
@@ -27,6 +28,7 @@ struct PanelState {
     CanvasState canvas;
     Recognised recognised;
     History history;
+    PromptMemory prompts;
     bool why_open = false;
     bool keys_open = false;        // the list of keys, F1
     bool open_menu = false;        // what can be opened, Ctrl+O
