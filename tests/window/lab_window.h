@@ -92,6 +92,8 @@ public:
 
     // The middle of a widget.
     Point at(const std::string& anchor) const {
+        // Cards measure themselves in their first frame and hold their widgets from the next one on.
+        eventually([&] { return anchors().contains(anchor); }, 3);
         const Json all = anchors();
         if (!all.contains(anchor)) {
             ADD_FAILURE() << "the window has no anchor " << anchor;
