@@ -289,7 +289,7 @@ int open_and_run(const Options& options) {
                                 .full_screen = options.full_screen,
                                 .smooth_in_software = !options.screenshot.empty()});
     if (!window) return complain(window.error());
-    auto renderer = Renderer::create(*data / "shaders");
+    auto renderer = Renderer::create(*data / "shaders", options.sectors);
     if (!renderer) return complain(renderer.error());
     return App(options, std::move(*lab), std::move(*window), std::move(*renderer), std::move(*strings)).run();
 }

@@ -58,6 +58,16 @@ CommandLine read_command_line(int argc, char** argv) {
     app.add_flag("--fullscreen", o.full_screen, "fill the screen");
     app.add_flag_callback(
         "--projector", [&] { o.theme = Theme::light; }, "light colours for a projector");
+    app.add_option_function<std::string>(
+           "--sectors",
+           [&](const std::string& way) {
+               o.sectors = way == "geometry"    ? SectorPath::geometry
+                           : way == "instanced" ? SectorPath::instanced
+                                                : SectorPath::automatic;
+           },
+           "how sensor fields are drawn: by geometry shaders or by instances")
+        ->type_name("WAY")
+        ->check(CLI::IsMember({"automatic", "geometry", "instanced"}));
     app.add_option("--screenshot", o.screenshot, "write a picture (PNG) and end")->type_name("FILE");
     app.add_option("--after", o.after,
                    "when to take it: simulated seconds with --play (one tick a frame), else seconds since the start")

@@ -9,6 +9,7 @@
 
 #include "core/result.h"
 #include "core/scene/scene_file.h"
+#include "render/gl/renderer.h"
 #include "render/view/palette.h"
 
 namespace braitenlab {
@@ -22,6 +23,7 @@ struct Options {
     std::vector<Setting> settings;
     bool play = false, full_screen = false;
     Theme theme = Theme::dark;
+    SectorPath sectors = SectorPath::automatic;
     std::filesystem::path screenshot;      // written after `after`, then the program ends
     double after = 1;                      // s: simulated with play, wall time without
     std::filesystem::path anchors, state;  // kept up to date while running

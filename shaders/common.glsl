@@ -44,3 +44,27 @@ vec3 light_at(vec3 normal, vec3 place) {
     }
     return sqrt(light);
 }
+
+// A sensor's field as few corners: a triangle below 120 degrees, a kite up to 180, a square beyond; numbered from the
+// apex anticlockwise. `shape` is the instance's: radius that is drawn, half the field, d0, radius where the fill ends.
+const float sector_height = 0.008;  // m above the floor
+
+int sector_corner_count(float half_field) { return half_field < 1.0471976 ? 3 : 4; }
+
+vec2 sector_corner(int i, vec4 shape) {
+    float c = cos(shape.y), s = sin(shape.y);
+    if (shape.y < 1.0471976) return i == 0 ? vec2(0.0) : shape.x * vec2(1.0, (i == 1 ? -s : s) / c);
+    if (shape.y <= 1.5707964) {
+        float arm = shape.x / cos(shape.y * 0.5);
+        return i == 0 ? vec2(0.0) : i == 2 ? vec2(arm, 0.0) : arm * vec2(c, i == 1 ? -s : s);
+    }
+    return shape.x * vec2(i == 0 || i == 3 ? -1.0 : 1.0, i < 2 ? -1.0 : 1.0);
+}
+
+// Sine and cosine of half the field; 1/d0^2, negative for a boolean eye; 1/reach^2. A full circle has no arms that
+// could cut it.
+vec4 sector_edges(vec4 shape) {
+    bool whole = shape.y >= 3.1415;
+    return vec4(whole ? 0.0 : sin(shape.y), whole ? -1.0 : cos(shape.y),
+                shape.z > 0.0 ? 1.0 / (shape.z * shape.z) : -1.0, 1.0 / (shape.w * shape.w));
+}

@@ -1,7 +1,7 @@
 #include "render/gl/batch.h"
 
-#include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include <GL/glew.h>
 
@@ -15,9 +15,31 @@ constexpr GLuint first_instance_location = 4;
 
 }  // namespace
 
-Batch::Batch(const Shape& shape, int vectors)
-    : index_count_(static_cast<int>(shape.indices.size())),
-      stride_(static_cast<std::size_t>(vectors) * sizeof(maths::vec4)) {
+Instances::Instances(int vectors) : vectors_(vectors) { glGenBuffers(1, &buffer_); }
+
+Instances::Instances(Instances&& other) noexcept
+    : buffer_(std::exchange(other.buffer_, 0)),
+      vectors_(other.vectors_),
+      count_(other.count_),
+      capacity_(other.capacity_) {}
+
+Instances::~Instances() {
+    if (buffer_) glDeleteBuffers(1, &buffer_);
+}
+
+void Instances::upload(const void* data, std::size_t count, std::size_t size) {
+    assert(size == static_cast<std::size_t>(vectors_) * sizeof(maths::vec4));
+    count_ = static_cast<int>(count);
+    if (count == 0) return;
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+    // Room for half as many again, so that a growing population does not ask for new memory every time. Giving the old
+    // storage up first lets the driver hand out fresh memory instead of waiting for the frame before.
+    if (count * size > capacity_) capacity_ = count * size * 3 / 2;
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(capacity_), nullptr, GL_STREAM_DRAW);
+    glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(count * size), data);
+}
+
+Batch::Batch(const Shape& shape, const Instances& instances) : index_count_(static_cast<int>(shape.indices.size())) {
     glGenVertexArrays(1, &array_);
     glBindVertexArray(array_);
 
@@ -37,47 +59,50 @@ Batch::Batch(const Shape& shape, int vectors)
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(shape.indices.size() * sizeof(shape.indices[0])),
                  shape.indices.data(), GL_STATIC_DRAW);
+    read(instances, 1);
+}
 
-    glGenBuffers(1, &instances_);
-    glBindBuffer(GL_ARRAY_BUFFER, instances_);
-    for (int i = 0; i < vectors; ++i) {
+Batch Batch::points(const Instances& instances) {
+    Batch batch;
+    glGenVertexArrays(1, &batch.array_);
+    glBindVertexArray(batch.array_);
+    batch.read(instances, 0);
+    return batch;
+}
+
+void Batch::read(const Instances& instances, unsigned divisor) {
+    const std::size_t stride = static_cast<std::size_t>(instances.vectors_) * sizeof(maths::vec4);
+    glBindBuffer(GL_ARRAY_BUFFER, instances.buffer_);
+    for (int i = 0; i < instances.vectors_; ++i) {
         const GLuint location = first_instance_location + static_cast<GLuint>(i);
         glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, 4, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride_),
+        glVertexAttribPointer(location, 4, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
                               offset(static_cast<std::size_t>(i) * sizeof(maths::vec4)));
-        glVertexAttribDivisor(location, 1);
+        glVertexAttribDivisor(location, divisor);
     }
     glBindVertexArray(0);
 }
 
 Batch::Batch(Batch&& other) noexcept
-    : array_(other.array_),
-      corners_(other.corners_),
-      indices_(other.indices_),
-      instances_(other.instances_),
-      index_count_(other.index_count_),
-      stride_(other.stride_),
-      capacity_(other.capacity_) {
-    other.array_ = other.corners_ = other.indices_ = other.instances_ = 0;
-}
+    : array_(std::exchange(other.array_, 0)),
+      corners_(std::exchange(other.corners_, 0)),
+      indices_(std::exchange(other.indices_, 0)),
+      index_count_(other.index_count_) {}
 
 Batch::~Batch() {
     if (!array_) return;
-    for (const GLuint buffer : {corners_, indices_, instances_}) glDeleteBuffers(1, &buffer);
+    for (const GLuint buffer : {corners_, indices_})
+        if (buffer) glDeleteBuffers(1, &buffer);
     glDeleteVertexArrays(1, &array_);
 }
 
-int Batch::draw(const void* data, std::size_t count, std::size_t size) {
-    assert(size == stride_);
-    if (count == 0) return 0;
+int Batch::draw(const Instances& instances) const {
+    if (instances.count() == 0) return 0;
     glBindVertexArray(array_);
-    glBindBuffer(GL_ARRAY_BUFFER, instances_);
-    // Room for half as many again, so that a growing population does not ask for new memory every time. Giving the old
-    // storage up first lets the driver hand out fresh memory instead of waiting for the frame before.
-    if (count * size > capacity_) capacity_ = count * size * 3 / 2;
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(capacity_), nullptr, GL_STREAM_DRAW);
-    glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(count * size), data);
-    glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr, static_cast<GLsizei>(count));
+    if (index_count_ == 0)
+        glDrawArrays(GL_POINTS, 0, instances.count());
+    else
+        glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr, instances.count());
     return 1;
 }
 

@@ -1,6 +1,7 @@
 #include "render/gl/renderer.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -51,31 +52,55 @@ struct FloorInstance {
 };
 constexpr float floor_fade = 0.55f;  // of the arena's half size
 
+// The instances of one kind of thing with the mesh that shows them.
+struct Kit {
+    Kit(const Shape& shape, int count) : instances(count), batch(shape, instances) {}
+    Instances instances;
+    Batch batch;
+};
+
+template <class Instance>
+Kit kit(const Shape& shape) {
+    return Kit(shape, vectors<Instance>);
+}
+
+// Whether this context draws the sectors from points.
+bool has_geometry_shaders() {
+#ifdef __EMSCRIPTEN__
+    return false;
+#else
+    GLint most = 0;
+    if (GLEW_VERSION_3_2) glGetIntegerv(GL_MAX_GEOMETRY_OUTPUT_VERTICES, &most);
+    return most >= 4;
+#endif
+}
+
 }  // namespace
 
 struct Renderer::Parts {
     Program floor, block, hull, rim, wheel, eye, wire, field, mark, source, halo, trail;
+    bool sectors_from_points = false;
 
-    Batch floors{quad(), 1};
-    Batch blocks{block_shape(), vectors<BlockInstance>};
-    std::array<Batch, role_count> hulls{Batch{hull_shape(Role::none), vectors<HullInstance>},
-                                        Batch{hull_shape(Role::predator), vectors<HullInstance>},
-                                        Batch{hull_shape(Role::prey), vectors<HullInstance>}};
-    std::array<Batch, role_count> rims{Batch{rim_shape(Role::none), vectors<HullInstance>},
-                                       Batch{rim_shape(Role::predator), vectors<HullInstance>},
-                                       Batch{rim_shape(Role::prey), vectors<HullInstance>}};
-    Batch wheels{wheel_shape(), vectors<WheelInstance>};
-    Batch eyes{eye_shape(), vectors<EyeInstance>};
-    Batch wires{strip(12), vectors<WireInstance>};
-    Batch fields{fan(), vectors<FieldInstance>};
-    Batch marks{quad(), vectors<MarkInstance>};
-    Batch rings{quad(), vectors<MarkInstance>};
-    std::array<Batch, source_shape_count> sources{Batch{source_shape(Channel::light), vectors<SourceInstance>},
-                                                  Batch{source_shape(Channel::heat), vectors<SourceInstance>},
-                                                  Batch{source_shape(Channel::smell), vectors<SourceInstance>},
-                                                  Batch{source_shape(Channel::oxygen), vectors<SourceInstance>}};
-    Batch halos{quad(), vectors<HaloInstance>};
-    Batch trail_strips{strip(1), vectors<TrailInstance>};
+    Kit floors = kit<FloorInstance>(quad());
+    Kit blocks = kit<BlockInstance>(block_shape());
+    std::array<Kit, role_count> hulls{kit<HullInstance>(hull_shape(Role::none)),
+                                      kit<HullInstance>(hull_shape(Role::predator)),
+                                      kit<HullInstance>(hull_shape(Role::prey))};
+    std::array<Batch, role_count> rims{Batch{rim_shape(Role::none), hulls[0].instances},
+                                       Batch{rim_shape(Role::predator), hulls[1].instances},
+                                       Batch{rim_shape(Role::prey), hulls[2].instances}};
+    Kit wheels = kit<WheelInstance>(wheel_shape());
+    Kit eyes = kit<EyeInstance>(eye_shape());
+    Kit wires = kit<WireInstance>(strip(12));
+    Kit fields = kit<FieldInstance>(fan());
+    Batch field_points = Batch::points(fields.instances);
+    Kit marks = kit<MarkInstance>(quad());
+    Kit rings = kit<MarkInstance>(quad());
+    std::array<Kit, source_shape_count> sources{
+        kit<SourceInstance>(source_shape(Channel::light)), kit<SourceInstance>(source_shape(Channel::heat)),
+        kit<SourceInstance>(source_shape(Channel::smell)), kit<SourceInstance>(source_shape(Channel::oxygen))};
+    Kit halos = kit<HaloInstance>(quad());
+    Kit trail_strips = kit<TrailInstance>(strip(1));
 
     unsigned frame_buffer = 0;
     DrawList list;
@@ -92,30 +117,49 @@ struct Renderer::Parts {
     Parts(const Parts&) = delete;
     Parts& operator=(const Parts&) = delete;
 
-    template <class Instance>
-    void draw(const Program& program, Batch& batch, const std::vector<Instance>& instances) {
-        if (instances.empty()) return;
+    // Everything goes up once, whoever draws it how often.
+    void upload(const FrameBlock& frame) {
+        glBindBuffer(GL_UNIFORM_BUFFER, frame_buffer);
+        glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(frame), &frame);
+        glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_buffer);
+        // Farther out the ground has melted into the sky, which is there already.
+        const float beyond = floor_fade * std::max(frame.arena.x, frame.arena.y);
+        floor_size[0].half_size = {frame.arena.x + beyond, frame.arena.y + beyond, beyond, 0};
+        floors.instances.upload(floor_size);
+        blocks.instances.upload(list.blocks);
+        for (std::size_t role = 0; role < hulls.size(); ++role) hulls[role].instances.upload(list.hulls[role]);
+        wheels.instances.upload(list.wheels);
+        eyes.instances.upload(list.eyes);
+        wires.instances.upload(list.wires);
+        fields.instances.upload(list.fields);
+        marks.instances.upload(list.marks);
+        rings.instances.upload(list.rings);
+        for (std::size_t i = 0; i < sources.size(); ++i) sources[i].instances.upload(list.sources[i]);
+        halos.instances.upload(list.halos);
+        trail_strips.instances.upload(list.trails);
+    }
+
+    void draw(const Program& program, const Batch& batch, const Instances& instances) {
+        if (instances.count() == 0) return;
         program.use();
         calls += batch.draw(instances);
     }
+    void draw(const Program& program, const Kit& kit) { draw(program, kit.batch, kit.instances); }
 
     void draw_solids() {
-        draw(block, blocks, list.blocks);
-        for (std::size_t role = 0; role < hulls.size(); ++role) draw(hull, hulls[role], list.hulls[role]);
-        draw(wheel, wheels, list.wheels);
-        draw(eye, eyes, list.eyes);
-        for (std::size_t shape = 0; shape < sources.size(); ++shape) draw(source, sources[shape], list.sources[shape]);
-        draw(wire, wires, list.wires);
+        draw(block, blocks);
+        for (const Kit& of_role : hulls) draw(hull, of_role);
+        draw(wheel, wheels);
+        draw(eye, eyes);
+        for (const Kit& of_shape : sources) draw(source, of_shape);
+        draw(wire, wires);
     }
 
     // Last of the solid things, so that what stands before it need not be painted twice. It leaves no depth behind:
     // nothing is below it, so what lies flat on it cannot flicker and a halo that dips into it is not cut.
-    void draw_floor(const FrameBlock& frame) {
+    void draw_floor() {
         glDepthMask(GL_FALSE);
-        // Farther out the ground has melted into the sky, which is there already.
-        const float beyond = floor_fade * std::max(frame.arena.x, frame.arena.y);
-        floor_size[0].half_size = {frame.arena.x + beyond, frame.arena.y + beyond, beyond, 0};
-        draw(floor, floors, floor_size);
+        draw(floor, floors);
         glDepthMask(GL_TRUE);
     }
 
@@ -123,28 +167,44 @@ struct Renderer::Parts {
         glDepthMask(GL_FALSE);
         glDisable(GL_CULL_FACE);
         glEnable(GL_BLEND);
-        draw(mark, marks, list.marks);
-        draw(trail, trail_strips, list.trails);
-        draw(field, fields, list.fields);
-        for (std::size_t role = 0; role < rims.size(); ++role) draw(rim, rims[role], list.hulls[role]);
-        draw(mark, rings, list.rings);
-        draw(halo, halos, list.halos);
+        draw(mark, marks);
+        draw(trail, trail_strips);
+        draw(field, sectors_from_points ? field_points : fields.batch, fields.instances);
+        for (std::size_t role = 0; role < rims.size(); ++role) draw(rim, rims[role], hulls[role].instances);
+        draw(mark, rings);
+        draw(halo, halos);
         glDepthMask(GL_TRUE);
+    }
+
+    std::optional<Error> load(const std::filesystem::path& folder, SectorPath path) {
+        const std::pair<Program*, const char*> programs[] = {
+            {&floor, "floor"}, {&block, "block"},   {&hull, "hull"}, {&wheel, "wheel"}, {&eye, "eye"}, {&wire, "wire"},
+            {&mark, "mark"},   {&source, "source"}, {&halo, "halo"}, {&trail, "trail"}, {&rim, "rim"},
+        };
+        for (const auto& [program, name] : programs) {
+            auto loaded = Program::load(folder, std::string(name) + ".vert", std::string(name) + ".frag");
+            if (!loaded) return loaded.error();
+            *program = std::move(*loaded);
+        }
+        return load_sectors(folder, path);
+    }
+
+    std::optional<Error> load_sectors(const std::filesystem::path& folder, SectorPath path) {
+        const bool can = has_geometry_shaders();
+        if (path == SectorPath::geometry && !can)
+            return Error{"this graphics driver has no geometry shaders; leave out --sectors=geometry"};
+        sectors_from_points = path == SectorPath::geometry || (path == SectorPath::automatic && can);
+        auto loaded = sectors_from_points ? Program::load(folder, "sector.vert", "field.frag", "sector.geom")
+                                          : Program::load(folder, "field.vert", "field.frag");
+        if (!loaded) return loaded.error();
+        field = std::move(*loaded);
+        return std::nullopt;
     }
 };
 
-Result<Renderer> Renderer::create(const std::filesystem::path& shader_folder) {
+Result<Renderer> Renderer::create(const std::filesystem::path& shader_folder, SectorPath sectors) {
     auto parts = std::make_unique<Parts>();
-    const std::pair<Program*, const char*> programs[] = {
-        {&parts->floor, "floor"},   {&parts->block, "block"}, {&parts->hull, "hull"},   {&parts->wheel, "wheel"},
-        {&parts->eye, "eye"},       {&parts->wire, "wire"},   {&parts->field, "field"}, {&parts->mark, "mark"},
-        {&parts->source, "source"}, {&parts->halo, "halo"},   {&parts->trail, "trail"}, {&parts->rim, "rim"},
-    };
-    for (const auto& [program, name] : programs) {
-        auto loaded = Program::load(shader_folder, std::string(name) + ".vert", std::string(name) + ".frag");
-        if (!loaded) return loaded.error();
-        *program = std::move(*loaded);
-    }
+    if (auto error = parts->load(shader_folder, sectors)) return *error;
     return Renderer(std::move(parts));
 }
 
@@ -178,13 +238,9 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     // Colours come premultiplied: alpha 0 adds light, alpha 1 covers.
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
-    const FrameBlock frame = frame_block(now, picture, p.list);
-    glBindBuffer(GL_UNIFORM_BUFFER, p.frame_buffer);
-    glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(frame), &frame);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, p.frame_buffer);
-
+    p.upload(frame_block(now, picture, p.list));
     p.draw_solids();
-    p.draw_floor(frame);
+    p.draw_floor();
     p.draw_flat_things();
 
     // Whoever draws next starts from a clean table.
@@ -195,5 +251,7 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
 }
 
 int Renderer::draw_calls() const { return parts_->calls; }
+
+bool Renderer::sectors_from_points() const { return parts_->sectors_from_points; }
 
 }  // namespace braitenlab

@@ -10,11 +10,16 @@
 
 namespace braitenlab {
 
+// How sensor fields get their corners: from one point each by a geometry shader, or as instances of a mesh where there
+// are no geometry shaders (WebGL). Both give the same picture. Automatic takes geometry shaders where it can.
+enum class SectorPath { automatic, geometry, instanced };
+
 class Renderer {
 public:
     // Needs a current context of OpenGL 3.3 with its functions loaded. Reads the shaders from a folder; an error names
-    // the shader's file and line.
-    static Result<Renderer> create(const std::filesystem::path& shader_folder);
+    // the shader's file and line. Asking for SectorPath::geometry fails where the driver has no geometry shaders.
+    static Result<Renderer> create(const std::filesystem::path& shader_folder,
+                                   SectorPath sectors = SectorPath::automatic);
 
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
@@ -25,6 +30,9 @@ public:
 
     // Of the last draw().
     int draw_calls() const;
+
+    // Whether geometry shaders make the sensor fields.
+    bool sectors_from_points() const;
 
 private:
     struct Parts;

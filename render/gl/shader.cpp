@@ -5,6 +5,7 @@
 #include <optional>
 #include <regex>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include <GL/glew.h>
@@ -55,7 +56,9 @@ Result<GLuint> compile_stage(GLenum stage, const std::filesystem::path& folder, 
     if (!own) return unreadable(file);
     if (!common) return unreadable(common_file);
 
-    const std::string stage_name = stage == GL_VERTEX_SHADER ? "#define VERTEX_STAGE\n" : "#define FRAGMENT_STAGE\n";
+    const std::string stage_name = stage == GL_VERTEX_SHADER     ? "#define VERTEX_STAGE\n"
+                                   : stage == GL_GEOMETRY_SHADER ? "#define GEOMETRY_STAGE\n"
+                                                                 : "#define FRAGMENT_STAGE\n";
     const std::string source =
         dialect + stage_name + "#line " + std::to_string(common_lines + 1) + "\n" + *common + "\n#line 1\n" + *own;
     const GLuint shader = glCreateShader(stage);
@@ -95,20 +98,18 @@ Complaint first_complaint(const std::string& log) {
 }
 
 Result<Program> Program::load(const std::filesystem::path& folder, const std::string& vertex_file,
-                              const std::string& fragment_file) {
-    const auto vertex = compile_stage(GL_VERTEX_SHADER, folder, vertex_file);
-    if (!vertex) return vertex.error();
-    const auto fragment = compile_stage(GL_FRAGMENT_SHADER, folder, fragment_file);
-    if (!fragment) {
-        glDeleteShader(*vertex);
-        return fragment.error();
-    }
+                              const std::string& fragment_file, const std::string& geometry_file) {
+    const std::pair<GLenum, const std::string&> stages[] = {
+        {GL_VERTEX_SHADER, vertex_file}, {GL_GEOMETRY_SHADER, geometry_file}, {GL_FRAGMENT_SHADER, fragment_file}};
     Program program(glCreateProgram());
-    glAttachShader(program.id_, *vertex);
-    glAttachShader(program.id_, *fragment);
+    for (const auto& [stage, name] : stages) {
+        if (name.empty()) continue;
+        const auto shader = compile_stage(stage, folder, name);
+        if (!shader) return shader.error();
+        glAttachShader(program.id_, *shader);
+        glDeleteShader(*shader);  // when the program lets go of it
+    }
     glLinkProgram(program.id_);
-    glDeleteShader(*vertex);
-    glDeleteShader(*fragment);
     GLint good = GL_FALSE;
     glGetProgramiv(program.id_, GL_LINK_STATUS, &good);
     if (!good)

@@ -11,11 +11,12 @@ namespace braitenlab {
 // A linked program; deleted with its owner. Needs a current context for its whole life.
 class Program {
 public:
-    // Compiles and links two files of the folder, each after common.glsl of the same folder, and ties the uniform block
-    // `Frame` to binding 0. The sources have no #version line: the loader puts one before them, so that the same files
-    // serve GLSL 330 and ESSL 300. An error names the file and line that the driver's log blames.
+    // Compiles and links files of the folder (no geometry shader where its name is empty), each after common.glsl of
+    // the same folder, and ties the uniform block `Frame` to binding 0. The sources have no #version line: the loader
+    // puts one before them, so that the same files serve GLSL 330 and ESSL 300. An error names the file and line that
+    // the driver's log blames.
     static Result<Program> load(const std::filesystem::path& folder, const std::string& vertex_file,
-                                const std::string& fragment_file);
+                                const std::string& fragment_file, const std::string& geometry_file = {});
 
     Program() = default;
     Program(Program&& other) noexcept : id_(other.id_) { other.id_ = 0; }

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <GL/glew.h>
 #include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
 
 #include "core/maths/vec.h"
 #include "render/view/palette.h"
@@ -26,6 +28,7 @@ public:
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
         glfwWindowHint(GLFW_SAMPLES, samples);
+        glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
         window_ = glfwCreateWindow(width, height, "stage", nullptr, nullptr);
         if (!window_) {
             problem_ = "no OpenGL 3.3 context: install Mesa's software renderer (libgl1-mesa-dri)";
@@ -36,16 +39,21 @@ public:
         glewExperimental = GL_TRUE;
         if (glewInit() != GLEW_OK) problem_ = "GLEW finds no functions";
         glGetError();  // GLEW asks an old question of a core context, which complains
+        listen();
     }
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
     ~Stage() {
+        if (!complaints_.empty()) ADD_FAILURE() << "OpenGL complains: " << complaints_;
         if (window_) glfwDestroyWindow(window_);
     }
 
     bool ready() const { return problem_.empty(); }
     const std::string& problem() const { return problem_; }
     GLFWwindow* window() const { return window_; }
+
+    // What the driver has called an error since the last call, a line each; empty when all is well.
+    std::string complaints() { return std::exchange(complaints_, {}); }
 
     // Rows from the top, three bytes a pixel.
     std::vector<unsigned char> pixels() const {
@@ -67,9 +75,22 @@ public:
     }
 
 private:
+    void listen() {
+        if (!GLEW_KHR_debug) return;
+        glEnable(GL_DEBUG_OUTPUT);
+        glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+        glDebugMessageCallback(
+            [](GLenum source, GLenum type, GLuint, GLenum, GLsizei, const GLchar* text, const void* self) {
+                if (source != GL_DEBUG_SOURCE_API) return;  // a shader's mistakes come back as an Error
+                if (type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR)
+                    const_cast<Stage*>(static_cast<const Stage*>(self))->complaints_ += std::string(text) + "\n";
+            },
+            this);
+    }
+
     GLFWwindow* window_ = nullptr;
     int width_, height_;
-    std::string problem_;
+    std::string problem_, complaints_;
 };
 
 }  // namespace braitenlab
