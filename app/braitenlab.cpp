@@ -1,4 +1,5 @@
 // The window: opens the lab, then once a frame lets time pass, draws, and carries out what the person asked for.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -10,6 +11,7 @@
 #include "app/data.h"
 #include "app/lab.h"
 #include "app/options.h"
+#include "app/platform.h"
 #include "app/report_state.h"
 #include "app/screenshot.h"
 #include "app/viewport.h"
@@ -68,19 +70,41 @@ std::vector<CatalogueEntry> read_catalogue() {
     return catalogue;
 }
 
+// The language that is spoken, and where the others lie.
+struct Words {
+    std::filesystem::path folder;
+    std::string language;
+    Strings strings;
+};
+
+// The language asked for; else the system's, if the lab speaks it; else English.
+Result<Words> choose_words(const std::filesystem::path& folder, const std::string& asked) {
+    std::string code = asked;
+    if (code.empty()) {
+        const std::string local = system_language();
+        const auto spoken = languages(folder);
+        const auto same = [&](const Language& l) { return l.code == local; };
+        code = std::any_of(spoken.begin(), spoken.end(), same) ? local : "en";
+    }
+    auto strings = load_language(folder, code);
+    if (!strings) return strings.error();
+    return Words{folder, code, std::move(*strings)};
+}
+
 // Everything that lives as long as the window is open.
 class App {
 public:
-    App(Options options, Lab lab, Window window, Renderer renderer, Strings strings)
+    App(Options options, Lab lab, Window window, Renderer renderer, Words words)
         : options_(std::move(options)),
           lab_(std::move(lab)),
           window_(std::move(window)),
           renderer_(std::move(renderer)),
-          strings_(std::move(strings)),
+          words_(std::move(words)),
           catalogue_(read_catalogue()),
           anchors_file_(options_.anchors),
           state_file_(options_.state) {
         lab_.theme = options_.theme;
+        lab_.language = words_.language;
         scale_ = options_.scale.value_or(window_.content_scale());
         apply_theme(lab_.theme, scale_);
         LoadedFonts loaded = load_fonts(*ImGui::GetIO().Fonts, scale_, find_fonts());
@@ -148,8 +172,19 @@ private:
         lab_.notice_until = lab_.wall_seconds + 10;
     }
 
+    // The words of the language that was asked for last; one that cannot be read leaves the words as they are.
+    void speak_wanted() {
+        if (lab_.language == words_.language) return;
+        auto strings = load_language(words_.folder, lab_.language);
+        if (strings)
+            words_.strings = std::move(*strings), words_.language = lab_.language;
+        else
+            lab_.language = words_.language, refuse(strings.error());
+    }
+
     void replace_lab(Lab next) {
         next.theme = lab_.theme;
+        next.language = lab_.language;
         next.sensors = lab_.sensors;
         next.outlines = lab_.outlines;
         next.wall_seconds = lab_.wall_seconds;
@@ -158,6 +193,7 @@ private:
 
     void frame(float passed) {
         if (lab_.theme_changed) lab_.theme_changed = false, apply_theme(lab_.theme, scale_);
+        speak_wanted();
         window_.begin_frame();
         LabView view = view_of(lab_);
         view.catalogue = &catalogue_;
@@ -168,7 +204,7 @@ private:
         for (const KeyPress press : window_.take_keys()) arrows_are_free &= !press_key(view, panels_, press, outbox_);
 
         anchors_.begin();
-        Ui ui{.strings = strings_,
+        Ui ui{.strings = words_.strings,
               .palette = palette(lab_.theme),
               .fonts = fonts_,
               .scale = scale_,
@@ -255,7 +291,7 @@ private:
     Lab lab_;
     Window window_;
     Renderer renderer_;
-    Strings strings_;
+    Words words_;
     std::vector<CatalogueEntry> catalogue_;
     Fonts fonts_;
     float scale_ = 1;
@@ -281,8 +317,8 @@ int open_and_run(const Options& options) {
     if (!path) return complain(path.error());
     auto lab = open_lab(*path, options.seed, options.settings);
     if (!lab) return complain(lab.error());
-    auto strings = Strings::load(*data / "ui" / "strings" / "en.toml");
-    if (!strings) return complain(strings.error());
+    auto words = choose_words(*data / "ui" / "strings", options.language);
+    if (!words) return complain(words.error());
     auto window = Window::open({.title = "Braitenlab",
                                 .width = options.width,
                                 .height = options.height,
@@ -291,7 +327,7 @@ int open_and_run(const Options& options) {
     if (!window) return complain(window.error());
     auto renderer = Renderer::create(*data / "shaders", options.sectors);
     if (!renderer) return complain(renderer.error());
-    return App(options, std::move(*lab), std::move(*window), std::move(*renderer), std::move(*strings)).run();
+    return App(options, std::move(*lab), std::move(*window), std::move(*renderer), std::move(*words)).run();
 }
 
 }  // namespace

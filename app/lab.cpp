@@ -233,6 +233,7 @@ void handle(Lab& lab, const Request& request) {
               [&](const SelectRequest& r) { lab.selected = r.vehicle, keep_selection(lab); },
               [&](const ScopeRequest& r) { lab.whole_kind = r.whole_kind; },
               [&](const OpenRequest& r) { lab.open = r.path; },
+              [&](const LanguageRequest& r) { lab.language = r.code; },
               [&](const PredictRequest& r) {
                   if (lab.lesson && !lab.lesson->view.has_run) lab.lesson->view.prediction = r.option;
               },
@@ -278,6 +279,7 @@ LabView view_of(const Lab& lab) {
     view.opened = lab.name;
     view.notice = lab.notice;
     view.theme = lab.theme;
+    view.language = lab.language;
     view.wall_seconds = lab.wall_seconds;
     return view;
 }

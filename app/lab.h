@@ -42,6 +42,7 @@ struct Lab {
     bool sensors = true, outlines = false;
     Camera camera;
     Theme theme = Theme::dark;
+    std::string language = "en";
     std::string notice;       // what was refused last, and why
     double notice_until = 0;  // wall seconds
     double wall_seconds = 0;

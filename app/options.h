@@ -24,6 +24,7 @@ struct Options {
     bool play = false, full_screen = false;
     Theme theme = Theme::dark;
     SectorPath sectors = SectorPath::automatic;
+    std::string language;                  // a code as in "de"; empty: the system's
     std::filesystem::path screenshot;      // written after `after`, then the program ends
     double after = 1;                      // s: simulated with play, wall time without
     std::filesystem::path anchors, state;  // kept up to date while running

@@ -19,4 +19,15 @@ std::filesystem::path config_folder() {
     return {};
 }
 
+std::string system_language() {
+    for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+        const char* value = std::getenv(name);
+        if (!value || !*value) continue;
+        const std::string_view locale = value;
+        const std::string_view code = locale.substr(0, locale.find_first_of("_.@"));
+        return code.size() == 2 ? std::string(code) : std::string{};  // "C" and "POSIX" name none
+    }
+    return {};
+}
+
 }  // namespace braitenlab

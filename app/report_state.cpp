@@ -83,7 +83,7 @@ std::string state_json(const Lab& lab, const FrameFacts& frame) {
     state["generation"] = now.generation;
     state["camera"] = lab.camera.mode == CameraMode::follow ? "follow" : "overview";
     state["view"] = {{"azimuth", lab.camera.azimuth}, {"elevation", lab.camera.elevation}, {"zoom", lab.camera.zoom}};
-    state["language"] = "en";
+    state["language"] = lab.language;
     state["draw_calls"] = frame.draw_calls;
     state["frame_ms"] = frame.frame_ms;
     state["exercise"] = exercise_json(lab);

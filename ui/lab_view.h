@@ -47,6 +47,7 @@ struct LabView {
     std::string opened;                                      // the name of what is open, as in the catalogue
     std::string notice;  // the last thing refused and why; empty when there is nothing to say
     Theme theme = Theme::dark;
+    std::string language = "en";  // by its code
     bool reduce_motion = false;
     double wall_seconds = 0;  // for easing and pulsing alone
 };

@@ -58,6 +58,9 @@ struct SpeedRequest {
 struct OpenRequest {
     std::string path;  // of a scene or an exercise
 };
+struct LanguageRequest {
+    std::string code;  // "de"
+};
 
 // Gestures are numbered by the part of the window that sees them, each from its own base upwards, so that the drags of
 // two parts never become one step of undo.
@@ -67,8 +70,8 @@ inline constexpr std::uint64_t canvas = std::uint64_t{1} << 40;
 inline constexpr std::uint64_t viewport = std::uint64_t{1} << 48;
 }  // namespace gestures
 
-using Request =
-    std::variant<Action, EditRequest, SelectRequest, ScopeRequest, PredictRequest, SpeedRequest, OpenRequest>;
+using Request = std::variant<Action, EditRequest, SelectRequest, ScopeRequest, PredictRequest, SpeedRequest,
+                             OpenRequest, LanguageRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -1,5 +1,6 @@
 #include "ui/strings.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -53,6 +54,40 @@ std::string_view Strings::operator()(std::string_view key) const { return find(k
 std::string_view Strings::find(std::string_view key, std::string_view otherwise) const {
     const auto found = words_.find(key);
     return found == words_.end() ? otherwise : std::string_view(found->second);
+}
+
+std::vector<Language> languages(const std::filesystem::path& folder) {
+    std::vector<Language> found;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+        if (entry.path().extension() != ".toml") continue;
+        const std::string code = entry.path().stem().string();
+        if (const auto strings = Strings::load(entry.path()))
+            found.push_back({code, std::string(strings->find("language.name", code))});
+    }
+    std::sort(found.begin(), found.end(), [](const Language& a, const Language& b) { return a.code < b.code; });
+    return found;
+}
+
+Result<Strings> load_language(const std::filesystem::path& folder, std::string_view code) {
+    std::string known;
+    bool there = false;
+    for (const Language& language : languages(folder)) {
+        known += (known.empty() ? "" : ", ") + language.code;
+        there |= language.code == code;
+    }
+    const auto file = folder / (std::string(code) + ".toml");
+    std::error_code none;
+    // A name with folders in it is no language; a file that is there and broken says so itself, by line.
+    const bool plain = file.parent_path() == folder && !code.empty();
+    if (!there && !(plain && std::filesystem::exists(file, none)))
+        return Error{"the lab does not speak '" + std::string(code) + "'; it speaks " + known};
+    auto strings = Strings::load(file);
+    if (!strings || code == "en") return strings;
+    auto english = Strings::load(folder / "en.toml");
+    if (!english) return english;
+    strings->fall_back_on(*english);
+    return strings;
 }
 
 std::string fill(std::string_view pattern, std::initializer_list<std::string_view> values) {

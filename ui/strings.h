@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/result.h"
 
@@ -26,9 +27,24 @@ public:
 
     const std::map<std::string, std::string, std::less<>>& all() const { return words_; }
 
+    // Takes over what these words lack and the others have: half a language is better than bare keys.
+    void fall_back_on(const Strings& others) { words_.insert(others.words_.begin(), others.words_.end()); }
+
 private:
     std::map<std::string, std::string, std::less<>> words_;
 };
+
+// A language that the lab speaks, by its file: de.toml is "de", and calls itself by the key language.name.
+struct Language {
+    std::string code, name;
+};
+
+// Those with a readable file in the folder, in the order of their codes.
+std::vector<Language> languages(const std::filesystem::path& folder);
+
+// The words of a language, with English ones where it has none. An error names the languages there are, or the line
+// that is wrong.
+Result<Strings> load_language(const std::filesystem::path& folder, std::string_view code);
 
 // Puts the values into the pattern's {}s in order: fill("Passed {} of {}", {"8", "10"}). Spare {}s stay as they are.
 std::string fill(std::string_view pattern, std::initializer_list<std::string_view> values);

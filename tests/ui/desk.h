@@ -24,6 +24,12 @@ inline Strings english() {
     return *strings;
 }
 
+inline Strings speaking(const std::string& code) {
+    auto strings = load_language(std::string(BRAITENLAB_SOURCE) + "/ui/strings", code);
+    if (!strings) throw std::runtime_error(strings.error().text());
+    return *strings;
+}
+
 inline Kind kind(const char* name, Role role, const FourNeurons& dials) {
     Kind made;
     made.name = name;
@@ -125,6 +131,8 @@ public:
             asked.clear();
             anchors.begin();
             Ui ui{strings, palette(view.theme), loaded_.fonts, scale_, anchors, asked, highlight, 1};
+            written.clear();
+            ui.written = &written;
             ImGui::NewFrame();
             layout = lay_out(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y, scale_, view);
             draw_window(view, panels, ui, layout);
@@ -179,6 +187,7 @@ public:
     LabView view;
     PanelState panels;
     Anchors anchors;
+    std::vector<Written> written;  // what the last frame put on the screen
     Outbox asked, all;
     WindowLayout layout;
     std::string highlight;

@@ -1,5 +1,6 @@
 #include "ui/strings.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -15,6 +16,16 @@ namespace braitenlab::tests {
 namespace {
 
 namespace fs = std::filesystem;
+
+fs::path folder() { return fs::path(BRAITENLAB_SOURCE) / "ui" / "strings"; }
+
+// The gaps and the keys in brackets, sorted: a translation may order them anew.
+std::multiset<std::string> marks(const std::string& words) {
+    std::multiset<std::string> found;
+    const std::regex mark("\\{\\}|\\[[A-Za-z0-9_]+\\]");
+    for (std::sregex_iterator at(words.begin(), words.end(), mark), end; at != end; ++at) found.insert(at->str());
+    return found;
+}
 
 // Every text in quotes that looks like a key, in all sources that may name one.
 std::set<std::string> quoted_in_sources() {
@@ -83,6 +94,64 @@ TEST(Strings, HaveNoWordsThatNothingAsksFor) {
     const Strings strings = english();
     for (const auto& [key, words] : strings.all())
         EXPECT_TRUE(quoted.count(key) || built.count(key) || is_optional(key)) << key << " = " << words;
+}
+
+TEST(Languages, AreEnglishGermanAndSpanishUnderTheirOwnNames) {
+    std::vector<std::string> codes, names;
+    for (const Language& language : languages(folder())) codes.push_back(language.code), names.push_back(language.name);
+    EXPECT_EQ(codes, (std::vector<std::string>{"de", "en", "es"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"Deutsch", "English", "Español"}));
+}
+
+TEST(Languages, HaveTheSameKeysWithTheSameGapsAndTheSameShortcuts) {
+    const Strings strings = english();
+    for (const Language& language : languages(folder())) {
+        const auto other = Strings::load(folder() / (language.code + ".toml"));
+        ASSERT_TRUE(other) << other.error().text();
+        for (const auto& [key, words] : strings.all()) {
+            ASSERT_TRUE(other->all().count(key)) << language.code << " lacks " << key;
+            EXPECT_EQ(marks(other->all().at(key)), marks(words)) << language.code << ": " << key;
+        }
+        for (const auto& [key, words] : other->all())
+            EXPECT_TRUE(strings.all().count(key)) << language.code << " alone has " << key;
+    }
+}
+
+TEST(Languages, AreTranslated) {
+    const Strings strings = english();
+    for (const char* code : {"de", "es"}) {
+        const Strings other = speaking(code);
+        int sentences = 0;
+        for (const auto& [key, words] : strings.all()) {
+            if (std::count(words.begin(), words.end(), ' ') < 3 || marks(words).size() > 2) continue;
+            ++sentences;
+            EXPECT_NE(other(key), words) << code << ": " << key;
+        }
+        EXPECT_GT(sentences, 50);
+    }
+}
+
+TEST(Languages, SayWhichThereAreWhenAskedForAnother) {
+    const auto klingon = load_language(folder(), "tlh");
+    ASSERT_FALSE(klingon);
+    EXPECT_NE(klingon.error().text().find("de, en, es"), std::string::npos) << klingon.error().text();
+    EXPECT_FALSE(load_language(folder(), "../strings/en")) << "a language is a name, no path";
+}
+
+TEST(Languages, FallBackOnEnglishWhereWordsAreMissing) {
+    const auto place = fs::temp_directory_path() / "braitenlab-half-a-language";
+    fs::create_directories(place);
+    std::ofstream(place / "en.toml") << "format = 1\n[a]\nb = \"words\"\nc = \"more\"\n";
+    std::ofstream(place / "xx.toml") << "format = 1\n[a]\nb = \"wxrds\"\n";
+    std::ofstream(place / "yy.toml") << "format = 1\n[a]\nb = 3\n";
+    const auto half = load_language(place, "xx");
+    ASSERT_TRUE(half) << half.error().text();
+    EXPECT_EQ((*half)("a.b"), "wxrds");
+    EXPECT_EQ((*half)("a.c"), "more");
+    const auto broken = load_language(place, "yy");
+    ASSERT_FALSE(broken);
+    EXPECT_EQ(broken.error().line, 3);
+    fs::remove_all(place);
 }
 
 TEST(Strings, ShowTheKeyWhereWordsAreMissing) {

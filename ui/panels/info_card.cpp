@@ -54,11 +54,12 @@ void ratio(const Snapshot& now, Ui& ui) {
     const std::string prey = std::to_string(now.prey) + " " + std::string(ui.strings("info.prey"));
     put(ui, {at.x + sign + ui.px(6), at.y}, predators, ui.palette.text);
     put_right(ui, {at.x + width, at.y}, prey, ui.palette.text);
-    put_role(ui, {at.x + width - text_width(ui, Face::text, prey) - ui.px(6) - sign / 2, at.y + h / 2}, sign,
-             Role::prey);
+    const float free_from = at.x + sign + ui.px(6) + text_width(ui, Face::text, predators);
+    const float free_to = at.x + width - text_width(ui, Face::text, prey) - ui.px(6) - sign;
+    put_role(ui, {free_to + sign / 2, at.y + h / 2}, sign, Role::prey);
     if (now.prey > 0 && now.predators > 0) {
         const std::string words = "1 : " + fixed(static_cast<float>(now.prey) / static_cast<float>(now.predators), 1);
-        put_centred(ui, {at.x + width / 2, at.y + (h - line_height(ui, Face::small)) / 2}, words,
+        put_centred(ui, {(free_from + free_to) / 2, at.y + (h - line_height(ui, Face::small)) / 2}, words,
                     ui.palette.second_text, Face::small);
     }
     const float y = at.y + h + ui.px(4), bar = ui.px(6);

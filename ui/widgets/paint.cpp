@@ -14,6 +14,12 @@ ImVec2 snapped(ImVec2 at) { return {std::floor(at.x + 0.5f), std::floor(at.y + 0
 
 const char* end_of(std::string_view words) { return words.data() + words.size(); }
 
+void note(const Ui& ui, Rect rect, std::string_view words) {
+    const ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
+    ui.written->push_back({std::string(words), rect, {low.x, low.y, high.x - low.x, high.y - low.y}, &draw});
+}
+
 }  // namespace
 
 ImFont* font(const Ui& ui, Face face) {
@@ -38,7 +44,9 @@ float put(const Ui& ui, ImVec2 at, std::string_view words, Colour colour, Face f
     if (words.empty()) return 0;
     ImFont* f = font(ui, face);
     ImGui::GetWindowDrawList()->AddText(f, compat::size_of(f), snapped(at), paint(colour), words.data(), end_of(words));
-    return text_width(ui, face, words);
+    const float width = text_width(ui, face, words);
+    if (ui.written) note(ui, {at.x, at.y, width, line_height(ui, face)}, words);
+    return width;
 }
 
 void put_right(const Ui& ui, ImVec2 at, std::string_view words, Colour colour, Face face) {
@@ -54,6 +62,8 @@ void paragraph(Ui& ui, std::string_view words, Colour colour, Face face, float w
     ImGui::PushStyleColor(ImGuiCol_Text, paint(colour));
     ImGui::PushTextWrapPos(width > 0 ? ImGui::GetCursorPosX() + width : card_width(ui));
     ImGui::TextUnformatted(words.data(), end_of(words));
+    const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+    if (ui.written) note(ui, {low.x, low.y, size.x, size.y}, words);
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::PopFont();

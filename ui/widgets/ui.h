@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "render/view/palette.h"
 #include "ui/request.h"
@@ -23,6 +25,13 @@ struct Fonts {
     ImFont* small = nullptr;   // captions and figures, 0.85 times text
 };
 
+// Words as they were put on the screen, for tests that look for clipped and colliding ones.
+struct Written {
+    std::string words;
+    Rect rect, clip;         // window pixels
+    const void* sheet = {};  // the same for words that lie on one sheet
+};
+
 struct Ui {
     const Strings& strings;
     Palette palette;
@@ -34,6 +43,7 @@ struct Ui {
     float pulse = 0;               // 0..1, how strong the highlight stands now; steady 1 where motion is reduced
     Keyboard* keyboard = nullptr;  // draw_window sets it; null: widgets answer to the mouse alone
     bool still = false;            // draw_window sets it: no easing, everything is at once where it is going
+    std::vector<Written>* written = nullptr;  // null: nobody wants to know
 
     // px of the layout's 8 px grid in window pixels.
     float px(float layout_pixels) const { return layout_pixels * scale; }

@@ -1,0 +1,126 @@
+// No word of any language is clipped, runs out of the window or into another word, at the smallest window we promise.
+#include <functional>
+
+#include "desk.h"
+
+namespace braitenlab::tests {
+
+namespace {
+
+struct Screen {
+    const char* name;
+    std::function<void(Desk&)> set;
+};
+
+void with_lesson(Desk& desk) { desk.open_exercise(); }
+
+void late_in_lesson(Desk& desk) {
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    desk.lesson.prediction = 1;
+    desk.lesson.hints_shown = 3;
+    desk.panels.why_open = true;
+    desk.lesson.grade = Grade{{true, false, true, true, true, true, true, true, true, true}, 9, true};
+    for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
+}
+
+const CatalogueEntry catalogue_entries[]{
+    {"05-aggressor", "5.toml", "Aggressor", "", 5},
+    {"predator-prey", "p.toml", "Predators and prey", "Drag a weight and the hunt changes."}};
+
+std::vector<Screen> screens() {
+    return {
+        {"hunt", [](Desk&) {}},
+        {"hunt, playing", [](Desk& d) { d.view.mode = Mode::playing; }},
+        {"hunt, following", [](Desk& d) { d.view.mode = Mode::playing, d.view.camera = CameraMode::follow; }},
+        {"nobody selected", [](Desk& d) { d.view.selected = no_vehicle; }},
+        {"hunt, wiring", [](Desk& d) { d.view.mode = Mode::wiring; }},
+        {"keys", [](Desk& d) { d.key({key::f1}); }},
+        {"exercise, fresh", with_lesson},
+        {"exercise, late", late_in_lesson},
+        {"exercise, wiring", [](Desk& d) { with_lesson(d), d.view.mode = Mode::wiring; }},
+        {"what can be opened",
+         [](Desk& d) {
+             static const std::vector<CatalogueEntry> catalogue(std::begin(catalogue_entries),
+                                                                std::end(catalogue_entries));
+             d.view.catalogue = &catalogue, d.panels.open_menu = true;
+         }},
+        {"presets", [](Desk& d) { d.click("button.presets"); }},
+    };
+}
+
+bool is_icon(const std::string& words) { return !words.empty() && static_cast<unsigned char>(words[0]) == 0xEF; }
+
+float overlap_along(float a, float a_size, float b, float b_size) {
+    return std::min(a + a_size, b + b_size) - std::max(a, b);
+}
+
+// Letters stand within the middle of their line: lines may touch, letters may not.
+bool collide(const Written& a, const Written& b) {
+    if (a.sheet != b.sheet) return false;
+    const float across = overlap_along(a.rect.x, a.rect.w, b.rect.x, b.rect.w);
+    const float down = overlap_along(a.rect.y, a.rect.h, b.rect.y, b.rect.h);
+    return across > -2.5f && down > 0.4f * std::min(a.rect.h, b.rect.h);
+}
+
+bool cut_across(const Written& w) {
+    return w.rect.x < w.clip.x - 0.75f || w.rect.x + w.rect.w > w.clip.x + w.clip.w + 0.75f;
+}
+
+void expect_words_to_fit(const Desk& desk, const std::string& where) {
+    for (std::size_t i = 0; i < desk.written.size(); ++i) {
+        const Written& w = desk.written[i];
+        if (is_icon(w.words)) continue;
+        EXPECT_FALSE(cut_across(w)) << where << ": '" << w.words << "' is cut";
+        EXPECT_TRUE(w.rect.x >= 0 && w.rect.x + w.rect.w <= desk.layout.window.w + 0.75f)
+            << where << ": '" << w.words << "' leaves the window";
+        for (std::size_t j = 0; j < i; ++j) {
+            if (is_icon(desk.written[j].words)) continue;
+            EXPECT_FALSE(collide(w, desk.written[j]))
+                << where << ": '" << w.words << "' runs into '" << desk.written[j].words << "'";
+        }
+    }
+}
+
+}  // namespace
+
+class EveryLanguage : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(EveryLanguage, FitsTheSmallestWindow) {
+    for (const Screen& screen : screens()) {
+        Desk desk(1024, 768, 1, true);
+        desk.strings = speaking(GetParam());
+        desk.frame(3);
+        screen.set(desk);
+        desk.frame(5);
+        EXPECT_GT(desk.written.size(), 15u) << "words are looked at at all";
+        expect_words_to_fit(desk, screen.name);
+    }
+}
+
+TEST_P(EveryLanguage, FitsAtTwiceTheSize) {
+    for (const Screen& screen : screens()) {
+        Desk desk(2048, 1536, 2, true);
+        desk.strings = speaking(GetParam());
+        desk.frame(3);
+        screen.set(desk);
+        desk.frame(5);
+        expect_words_to_fit(desk, screen.name);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, EveryLanguage, ::testing::Values("en", "de", "es"),
+                         [](const auto& given) { return std::string(given.param); });
+
+TEST(WordsFit, IsAQuestionThatCanBeAnsweredWithNo) {
+    Desk desk(1024, 768, 1, true);
+    auto endless = Strings::parse("format = 1\n[hint]\npaused = \"" + std::string(300, 'W') + "\"\n", "test.toml");
+    ASSERT_TRUE(endless);
+    endless->fall_back_on(english());
+    desk.strings = *endless;
+    desk.frame(3);
+    const auto cut = std::count_if(desk.written.begin(), desk.written.end(), cut_across);
+    EXPECT_EQ(cut, 1);
+}
+
+}  // namespace braitenlab::tests
