@@ -105,6 +105,7 @@ public:
           state_file_(options_.state) {
         lab_.theme = options_.theme;
         lab_.language = words_.language;
+        lab_.camera.mode = options_.camera;
         scale_ = options_.scale.value_or(window_.content_scale());
         apply_theme(lab_.theme, scale_);
         LoadedFonts loaded = load_fonts(*ImGui::GetIO().Fonts, scale_, find_fonts());
@@ -215,7 +216,7 @@ private:
         draw_window(view, panels_, ui, layout);
 
         const VehicleView* followed =
-            lab_.camera.mode == CameraMode::follow ? find_vehicle(lab_.session.snapshot(), lab_.selected) : nullptr;
+            rides(lab_.camera.mode) ? find_vehicle(lab_.session.snapshot(), lab_.selected) : nullptr;
         aim(followed, area, layout.scene, passed);
         drive_viewport(lab_, viewport_, sight_, arrows_are_free && panels_.keyboard.focus.empty() ? arrows() : Arrows{},
                        passed);
@@ -254,6 +255,7 @@ private:
         picture.theme = lab_.theme;
         picture.selected = lab_.selected;
         picture.hovered = viewport_.hovered.vehicle;
+        picture.driver = lab_.camera.mode == CameraMode::driver ? lab_.selected : no_vehicle;
         picture.sensors = lab_.sensors;
         picture.outlines = lab_.outlines;
         picture.pixel_scale = density * scale_;

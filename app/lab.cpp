@@ -105,6 +105,13 @@ void show_hint(Lab& lab) {
     lab.lesson->last_hint_at = lab.wall_seconds;
 }
 
+// Into a way of looking, or back to the overview when it is on already.
+void look_through(Lab& lab, CameraMode mode) {
+    lab.camera.mode = lab.camera.mode == mode ? CameraMode::overview : mode;
+    if (!rides(lab.camera.mode)) return;
+    lab.camera.zoom = 1;  // how near the overview was says nothing about how near to ride
+}
+
 void act(Lab& lab, Action action) {
     switch (action) {
         case Action::play_pause:
@@ -127,13 +134,17 @@ void act(Lab& lab, Action action) {
             apply(lab, NewPopulation{});
             break;
         case Action::follow:
-            lab.camera.mode = lab.camera.mode == CameraMode::follow ? CameraMode::overview : CameraMode::follow;
+            look_through(lab, CameraMode::follow);
             break;
-        case Action::home: {
-            const Camera fresh;
-            lab.camera = fresh;
+        case Action::birds_eye:
+            look_through(lab, CameraMode::birds_eye);
             break;
-        }
+        case Action::drivers_eye:
+            look_through(lab, CameraMode::driver);
+            break;
+        case Action::home:
+            lab.camera = Camera{};
+            break;
         case Action::sensors:
             lab.sensors = !lab.sensors;
             break;

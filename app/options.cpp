@@ -60,6 +60,17 @@ CommandLine read_command_line(int argc, char** argv) {
     app.add_flag_callback(
         "--projector", [&] { o.theme = Theme::light; }, "light colours for a projector");
     app.add_option_function<std::string>(
+           "--camera",
+           [&](const std::string& mode) {
+               o.camera = mode == "follow"      ? CameraMode::follow
+                          : mode == "birds-eye" ? CameraMode::birds_eye
+                          : mode == "driver"    ? CameraMode::driver
+                                                : CameraMode::overview;
+           },
+           "how to look at the scene at first")
+        ->type_name("MODE")
+        ->check(CLI::IsMember({"overview", "follow", "birds-eye", "driver"}));
+    app.add_option_function<std::string>(
            "--sectors",
            [&](const std::string& way) {
                o.sectors = way == "geometry"    ? SectorPath::geometry

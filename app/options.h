@@ -10,6 +10,7 @@
 #include "core/result.h"
 #include "core/scene/scene_file.h"
 #include "render/gl/renderer.h"
+#include "render/view/camera.h"
 #include "render/view/palette.h"
 
 namespace braitenlab {
@@ -23,6 +24,7 @@ struct Options {
     std::vector<Setting> settings;
     bool play = false, full_screen = false;
     Theme theme = Theme::dark;
+    CameraMode camera = CameraMode::overview;
     SectorPath sectors = SectorPath::automatic;
     std::string language;                  // a code as in "de"; empty: the system's
     std::filesystem::path screenshot;      // written after `after`, then the program ends

@@ -32,6 +32,20 @@ const char* mode_word(Mode mode) {
     return "";
 }
 
+const char* camera_word(CameraMode mode) {
+    switch (mode) {
+        case CameraMode::overview:
+            return "overview";
+        case CameraMode::follow:
+            return "follow";
+        case CameraMode::birds_eye:
+            return "birds_eye";
+        case CameraMode::driver:
+            return "driver";
+    }
+    return "";
+}
+
 Json exercise_json(const Lab& lab) {
     if (!lab.lesson) return nullptr;
     Json steps = Json::array();
@@ -81,7 +95,7 @@ std::string state_json(const Lab& lab, const FrameFacts& frame) {
     state["predators"] = now.predators;
     state["prey"] = now.prey;
     state["generation"] = now.generation;
-    state["camera"] = lab.camera.mode == CameraMode::follow ? "follow" : "overview";
+    state["camera"] = camera_word(lab.camera.mode);
     state["view"] = {{"azimuth", lab.camera.azimuth}, {"elevation", lab.camera.elevation}, {"zoom", lab.camera.zoom}};
     state["language"] = lab.language;
     state["draw_calls"] = frame.draw_calls;

@@ -8,7 +8,7 @@ struct Lamp {
 
 layout(std140) uniform Frame {
     mat4 view_projection;
-    vec4 eye;  // GL coordinates; w: pixels a metre at distance 1
+    vec4 eye;  // GL coordinates; w: pixels a metre where clip w is 1
     vec4 picture_right, picture_up;
     vec4 sun;  // towards it
     vec4 sun_light, sky_light, ground_light;

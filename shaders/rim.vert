@@ -15,7 +15,7 @@ void main() {
     // The silhouette follows the body's upper edge on its far side and the lower one on its near side.
     float height = mix(0.06, 0.26, smoothstep(-0.2, 0.2, on_screen.y)) * size.z;
     vec3 at = to_gl(vec3(place.xy + turn(corner.xy * size.xy, place.zw), height));
-    float pixel = distance(at, eye.xyz) / eye.w;
+    float pixel = (view_projection * vec4(at, 1.0)).w / eye.w;
     int edge = int(paint + 0.5);
     float width = mix(1.2, 0.8, counts.y) * arena.w;
     float step_out = edge == 0 || edge == 3 ? 0.0 : edge == 1 ? width : width + 0.9;

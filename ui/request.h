@@ -30,6 +30,8 @@ enum class Action {
     next_vehicle,
     previous_vehicle,
     home,
+    birds_eye,
+    drivers_eye,
     cancel,
     screenshot,
     full_screen,

@@ -9,7 +9,7 @@ namespace braitenlab {
 
 struct FrameBlock {
     maths::mat4 view_projection;
-    maths::vec4 eye;        // GL coordinates; w: pixels a metre at distance 1
+    maths::vec4 eye;        // GL coordinates; w: pixels a metre where clip w is 1
     maths::vec4 right, up;  // of the picture, GL coordinates, for billboards
     maths::vec4 sun;        // towards it, GL coordinates
     maths::vec4 sun_light, sky_light, ground_light;

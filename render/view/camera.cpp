@@ -17,7 +17,11 @@ namespace {
 constexpr float overview_field =
     0.56f;  // rad, vertical, of the whole window: little perspective keeps distances honest
 constexpr float follow_field = 0.87f;
+constexpr float driver_field = 1.1f;
 constexpr float wall_height = 0.35f;  // m; the walls belong into the picture
+
+float clamped_elevation(float elevation) { return std::clamp(elevation, 0.15f, 1.5f); }
+float clamped_zoom(const Camera& camera) { return std::clamp(camera.zoom, 0.25f, 8.0f); }
 
 // Where the eye is, how it is turned and through which lens it looks.
 struct Stand {
@@ -69,7 +73,7 @@ Extent extent_from(float distance, const std::array<vec3, 8>& corners) {
 }
 
 Stand overview(const Camera& camera, const Arena& arena, Rect window, Rect area) {
-    const float elevation = std::clamp(camera.elevation, 0.15f, 1.5f), zoom = std::clamp(camera.zoom, 0.25f, 8.0f);
+    const float elevation = clamped_elevation(camera.elevation), zoom = clamped_zoom(camera);
     const vec2 flat = maths::direction(camera.azimuth) * maths::cosine(elevation);
     const vec3 back{flat.x, maths::sine(elevation), -flat.y};
     const vec3 right = maths::normalise(maths::cross(vec3{0, 1, 0}, back)), up = maths::cross(back, right);
@@ -108,9 +112,32 @@ Stand overview(const Camera& camera, const Arena& arena, Rect window, Rect area)
             distance + 12 * size + 60};
 }
 
+// Straight down and without perspective: distances on the screen are distances on the floor.
+Sight birds_eye(const Camera& camera, const Arena& arena, Rect window, Rect area) {
+    constexpr float high = 100, near = 1, far = 110;  // m
+    const float border = 0.5f;                        // m round the arena
+    const vec2 back = maths::direction(camera.azimuth), right{-back.y, back.x};
+    const auto extent = [&](vec2 along) {
+        return std::fabs(along.x) * arena.width + std::fabs(along.y) * arena.height + 2 * border;
+    };
+    float scale = std::min(area.w / extent(right), area.h / extent(back)) * clamped_zoom(camera);  // px a metre
+    vec2 middle{area.x + area.w / 2, area.y + area.h / 2};
+    if (camera.whole_pixels) {
+        scale = std::max(1.0f, std::floor(scale));
+        middle = {std::floor(middle.x), std::floor(middle.y)};
+    }
+    Sight sight;
+    sight.window = window;
+    sight.eye = to_gl(camera.pan, high);
+    sight.view = maths::look_at(sight.eye, to_gl(camera.pan), to_gl(-back));
+    const float left = (window.x - middle.x) / scale, top = (middle.y - window.y) / scale;
+    sight.projection = maths::orthographic(left, left + window.w / scale, top - window.h / scale, top, near, far);
+    return sight;
+}
+
 Stand riding(const Camera& camera, const VehicleView& vehicle, Rect window, Rect area) {
     const vec2 ahead = maths::direction(vehicle.heading), place{vehicle.x, vehicle.y};
-    const float zoom = std::clamp(camera.zoom, 0.25f, 8.0f);
+    const float zoom = clamped_zoom(camera);
     const vec3 eye = to_gl(place - ahead * (4.0f / zoom), 2.6f / zoom);
     return {eye,
             to_gl(place + ahead * 1.4f, 0.2f),
@@ -120,7 +147,16 @@ Stand riding(const Camera& camera, const VehicleView& vehicle, Rect window, Rect
             300};
 }
 
-vec3 row(const maths::mat4& m, int i) { return {m[0][i], m[1][i], m[2][i]}; }
+// From behind the eyes of the vehicle itself, its nose at the lower edge of the picture.
+Stand driving(const Camera& camera, const VehicleView& vehicle, Rect window, Rect area) {
+    const vec2 ahead = maths::direction(vehicle.heading), place{vehicle.x, vehicle.y};
+    return {to_gl(place - ahead * 0.12f, 0.62f),
+            to_gl(place + ahead * 2.4f, 0.12f),
+            window.h / (2 * std::tan(driver_field / 2)) * clamped_zoom(camera),
+            {area.x + area.w / 2, area.y + area.h / 2},
+            0.05f,
+            300};
+}
 
 }  // namespace
 
@@ -128,47 +164,30 @@ Sight look(const Camera& camera, const Arena& arena, const VehicleView* follow, 
     window.w = std::max(window.w, 1.0f), window.h = std::max(window.h, 1.0f);
     const Rect area = usable(window, free_area);
     if (camera.mode == CameraMode::follow && follow) return through(riding(camera, *follow, window, area), window);
+    if (camera.mode == CameraMode::driver && follow) return through(driving(camera, *follow, window, area), window);
+    if (camera.mode == CameraMode::birds_eye) return birds_eye(camera, arena, window, area);
     return through(overview(camera, arena, window, area), window);
 }
 
-Sight glide(const Sight& from, const Sight& to, float seconds) {
-    constexpr float time_constant = 0.06f;  // s; 96 % of the way after 0.2 s
-    const float t = 1 - std::exp(-std::max(seconds, 0.0f) / time_constant);
-    const vec3 back = row(from.view, 2) * (1 - t) + row(to.view, 2) * t;
-    const vec3 up = row(from.view, 1) * (1 - t) + row(to.view, 1) * t;
-    const float turned = maths::dot(row(from.view, 2), row(to.view, 2));
-    const bool arrived = maths::distance(from.eye, to.eye) < 1e-3f && turned > 1 - 1e-6f &&
-                         maths::length(from.projection[2] - to.projection[2]) < 1e-4f &&
-                         maths::length(from.projection[0] - to.projection[0]) < 1e-4f;
-    // Between opposite directions there is no shortest way, and a window that changed its size shows a new picture
-    // anyway.
-    if (arrived || turned < -0.9f || !(from.window == to.window)) return to;
-
-    Sight sight = to;
-    sight.eye = from.eye * (1 - t) + to.eye * t;
-    sight.view = maths::look_at(sight.eye, sight.eye - back, up);
-    for (int i = 0; i < 4; ++i) sight.projection[i] = from.projection[i] * (1 - t) + to.projection[i] * t;
-    return sight;
+void orbit(Camera& camera, float azimuth, float elevation) {
+    camera.azimuth = maths::wrap_angle(camera.azimuth + azimuth);
+    camera.elevation = clamped_elevation(camera.elevation + elevation);
 }
 
-std::optional<vec2> project(const Sight& sight, vec2 place, float height) {
-    const vec3 p = to_gl(place, height);
-    const vec4 clip = sight.projection * (sight.view * vec4{p.x, p.y, p.z, 1});
-    if (clip.w < 1e-4f) return std::nullopt;
-    return vec2{sight.window.x + (clip.x / clip.w + 1) / 2 * sight.window.w,
-                sight.window.y + (1 - clip.y / clip.w) / 2 * sight.window.h};
+void pan(Camera& camera, const Sight& sight, vec2 from, vec2 to) {
+    const auto held = unproject(sight, from), there = unproject(sight, to);
+    if (!held || !there) return;
+    constexpr float farthest = 500;  // m: whoever loses the arena finds it again by going home
+    camera.pan += *held - *there;
+    camera.pan = {std::clamp(camera.pan.x, -farthest, farthest), std::clamp(camera.pan.y, -farthest, farthest)};
 }
 
-std::optional<vec2> unproject(const Sight& sight, vec2 pixel) {
-    const float x = 2 * (pixel.x - sight.window.x) / sight.window.w - 1;
-    const float y = 1 - 2 * (pixel.y - sight.window.y) / sight.window.h;
-    const auto& p = sight.projection;
-    // The ray at depth 1, taken back through the lens and turned into the world.
-    const vec3 ray = row(sight.view, 0) * ((x + p[2].x) / p[0].x) + row(sight.view, 1) * ((y + p[2].y) / p[1].y) -
-                     row(sight.view, 2);
-    if (ray.y > -1e-5f) return std::nullopt;
-    const float reach = -sight.eye.y / ray.y;
-    return vec2{sight.eye.x + reach * ray.x, -(sight.eye.z + reach * ray.z)};
+void zoom_about(Camera& camera, const Arena& arena, Rect window, Rect free_area, vec2 pixel, float factor) {
+    const auto before = unproject(look(camera, arena, nullptr, window, free_area), pixel);
+    camera.zoom *= factor;
+    camera.zoom = clamped_zoom(camera);
+    const auto after = unproject(look(camera, arena, nullptr, window, free_area), pixel);
+    if (before && after && !rides(camera.mode)) camera.pan += *before - *after;
 }
 
 }  // namespace braitenlab

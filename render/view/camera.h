@@ -11,7 +11,12 @@
 
 namespace braitenlab {
 
-enum class CameraMode { overview, follow };
+// overview: on a ring round the arena, turned, raised, panned and zoomed freely; follow: behind and above a vehicle;
+// birds_eye: straight down without perspective; driver: through the eyes of a vehicle.
+enum class CameraMode { overview, follow, birds_eye, driver };
+
+// Whether the camera rides with a vehicle.
+constexpr bool rides(CameraMode mode) { return mode == CameraMode::follow || mode == CameraMode::driver; }
 
 // A point of the world, metres, in GL's coordinates.
 constexpr maths::vec3 to_gl(maths::vec2 place, float height = 0) { return {place.x, height, -place.y}; }
@@ -23,13 +28,15 @@ struct Rect {
     friend bool operator==(const Rect&, const Rect&) = default;
 };
 
-// What a person moves: the overview rides on a ring round the arena.
+// What a person moves. A fresh one is the way home: everything in sight.
 struct Camera {
     CameraMode mode = CameraMode::overview;
     float azimuth = -1.5707963f;  // rad, where on the ring the eye stands; −pi/2: behind −y, so +x is to the right
     float elevation = 1.1f;       // rad above the floor, 0.15..1.5
     float zoom = 1;               // 0.25..8; 1 fits the arena into the free part of the window
-    maths::vec2 pan{};            // m, shifts what the overview looks at
+    maths::vec2 pan{};            // m, shifts what overview and bird's eye look at
+    bool whole_pixels = false;    // bird's eye: a metre is a whole number of pixels, for measuring on the screen
+    friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 // What the renderer and the mouse need: both matrices and the eye.
@@ -40,14 +47,26 @@ struct Sight {
 };
 
 // The camera's sight of this moment. `free_area` is the part of the window that no card covers: the arena is centred
-// and fitted there. `follow` is the vehicle to ride behind (ignored in overview).
+// and fitted there. `follow` is the vehicle to ride with; without one, the modes that ride show the overview.
 Sight look(const Camera&, const Arena&, const VehicleView* follow, Rect window, Rect free_area);
+
+// Turns and raises the camera on its ring, rad.
+void orbit(Camera&, float azimuth, float elevation);
+
+// Moves the camera so that the floor under pixel `from` comes to lie under pixel `to`.
+void pan(Camera&, const Sight&, maths::vec2 from, maths::vec2 to);
+
+// Zooms by a factor; what is on the floor under the pixel stays there (but not while riding). Arguments as look()'s.
+void zoom_about(Camera&, const Arena&, Rect window, Rect free_area, maths::vec2 pixel, float factor);
 
 // Moves `from` towards `to` as time passes, so that a change of camera is a short glide; seconds of wall time.
 Sight glide(const Sight& from, const Sight& to, float seconds);
 
 // Where a point of the world (metres; height above the floor) falls in the window, or nothing when behind the eye.
 std::optional<maths::vec2> project(const Sight&, maths::vec2 place, float height = 0);
+
+// How many pixels a metre across the line of sight is long there; 0 behind the eye.
+float pixels_per_metre(const Sight&, maths::vec2 place, float height = 0);
 
 // The point of the floor under a pixel, or nothing above the horizon.
 std::optional<maths::vec2> unproject(const Sight&, maths::vec2 pixel);

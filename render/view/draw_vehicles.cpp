@@ -22,7 +22,7 @@ struct Subject {
     vec2 place, ahead;
     float height_scale;
     float detail;  // 0 small on the screen .. 1 large enough for small parts
-    bool selected, hovered;
+    bool selected, hovered, driven;
 
     vec2 to_world(vec2 own) const { return place + maths::rotate(own, ahead); }
 };
@@ -30,11 +30,9 @@ struct Subject {
 // How large a body appears decides what is shown of it: small parts of a small body are noise, so they fade out.
 float detail_of(const Picture& picture, vec2 place, float length) {
     constexpr float none_below = 38, all_above = 54;  // layout pixels
-    const Sight& sight = picture.sight;
-    const maths::vec3 p = to_gl(place);
-    const float depth = -(sight.view * vec4{p.x, p.y, p.z, 1}).z;
-    if (depth <= 0 || sight.window.h <= 0) return 1;
-    const float pixels = length * sight.projection[1].y * sight.window.h / (2 * depth * picture.pixel_scale);
+    const float scale = pixels_per_metre(picture.sight, place);
+    if (scale <= 0) return 1;
+    const float pixels = length * scale / picture.pixel_scale;
     const float t = std::clamp((pixels - none_below) / (all_above - none_below), 0.0f, 1.0f);
     return t * t * (3 - 2 * t);
 }
@@ -85,7 +83,18 @@ std::optional<std::size_t> keenest_beside(const Sheet& sheet, const Subject& s, 
     return keenest;
 }
 
+// Eyes that crowd each other shrink, so that each can be told from the next; metres of the standard vehicle.
+float eye_radius(const Kind& kind, std::size_t i) {
+    float radius = 0.095f;
+    for (std::size_t k = 0; k < kind.sensors.size(); ++k) {
+        const Sensor &a = kind.sensors[i], &b = kind.sensors[k];
+        if (k != i) radius = std::min(radius, 0.55f * std::hypot(a.x - b.x, a.y - b.y));
+    }
+    return std::max(radius, 0.05f);
+}
+
 void add_eyes(Sheet& sheet, const Subject& s) {
+    if (s.driven) return;  // right before one's own, they would fill the picture
     for (std::size_t i = 0; i < s.kind.sensors.size(); ++i) {
         const Sensor& sensor = s.kind.sensors[i];
         const auto dot = s.detail < 1 ? keenest_beside(sheet, s, i) : std::nullopt;
@@ -99,7 +108,9 @@ void add_eyes(Sheet& sheet, const Subject& s) {
         const float seen = std::sqrt(sensed(sheet, s, glowing));
         sheet.list.eyes.push_back(
             {{at.x, at.y, towards.x, towards.y},
-             {0.095f * s.height_scale * size, (deck_height + 0.035f) * s.height_scale, seen, s.detail},
+             {(dot ? 0.095f + (eye_radius(s.kind, i) - 0.095f) * s.detail : eye_radius(s.kind, i)) * s.height_scale *
+                  size,
+              (deck_height + 0.035f) * s.height_scale, seen, s.detail},
              rgb_with(colour_of(sheet.colours, s.kind.sensors[glowing].channel), 1)});
     }
 }
@@ -122,8 +133,16 @@ float visible_radius(float fill, float reach, const Sensor& sensor) {
     return 0;
 }
 
+// The first eye on a side (1 left, −1 right): of the pair that a driver looks through. The number of eyes when none.
+std::size_t leading_eye(const Kind& kind, int side) {
+    std::size_t i = 0;
+    while (i < kind.sensors.size() && side_of(kind.sensors[i]) != side) ++i;
+    return i;
+}
+
 void add_fields(Sheet& sheet, const Subject& s) {
-    if (!sheet.picture.sensors && !sheet.picture.outlines) return;
+    const bool fills = sheet.picture.sensors || s.driven;
+    if (!fills && !sheet.picture.outlines) return;
     for (std::size_t i = 0; i < s.kind.sensors.size(); ++i) {
         const Sensor& sensor = s.kind.sensors[i];
         const float seen = std::sqrt(sensed(sheet, s, i));
@@ -133,8 +152,9 @@ void add_fields(Sheet& sheet, const Subject& s) {
         const float idle = chosen ? 0.20f : 0.09f * std::max(0.3f, sheet.crowd * sheet.crowd);
         const float strong = (chosen ? 0.60f : 0.42f) - (light ? 0.10f : 0.0f);
         const float awake = s.kind.driver == Driver::parked ? 0.4f : 1.0f;
-        const float fill = sheet.picture.sensors ? (idle + (strong - idle) * seen) * awake : 0.0f;
-        const float line = sheet.picture.outlines ? (s.selected ? 0.8f : 0.28f) + 0.2f * seen : 0.0f;
+        const float fill = fills ? (idle + (strong - idle) * seen) * awake : 0.0f;
+        const bool leads = s.driven && (i == leading_eye(s.kind, 1) || i == leading_eye(s.kind, -1));
+        const float line = sheet.picture.outlines || leads ? (s.selected ? 0.8f : 0.28f) + 0.2f * seen : 0.0f;
         const float reach = fill_reach(sheet, s, sensor), radius = visible_radius(fill, reach, sensor);
         if (radius == 0 && line == 0) continue;
         const vec2 at = s.to_world({sensor.x, sensor.y});
@@ -197,6 +217,7 @@ void add_marks(Sheet& sheet, const Subject& s) {
     sheet.list.marks.push_back({place,
                                 {body.length / 2, body.width / 2, 0.16f, shadow},
                                 rgb_with(sheet.colours.shadow, sheet.colours.shadow.a)});
+    if (s.driven) return;
     const float radius = 0.5f * std::hypot(body.length, body.width) + 0.16f;
     if (s.selected)
         sheet.list.rings.push_back(
@@ -250,7 +271,8 @@ void add_vehicles(Sheet& sheet, const Trails& trails) {
                         std::min(its_kind.body.length, its_kind.body.width / 0.7f),
                         detail_of(sheet.picture, {view.x, view.y}, its_kind.body.length),
                         view.id == sheet.picture.selected,
-                        view.id == sheet.picture.hovered};
+                        view.id == sheet.picture.hovered,
+                        view.id == sheet.picture.driver};
         add_hull(sheet, s);
         add_wheels(sheet, s);
         add_eyes(sheet, s);

@@ -14,13 +14,11 @@ VehicleId pick(const Snapshot& now, const Sight& sight, maths::vec2 pixel) {
     for (const VehicleView& vehicle : now.vehicles) {
         const auto centre = project(sight, {vehicle.x, vehicle.y}, middle);
         if (!centre) continue;
-        const maths::vec3 p = to_gl({vehicle.x, vehicle.y}, middle);
-        const float depth = -(sight.view * maths::vec4{p.x, p.y, p.z, 1}).z;
         const auto kind = static_cast<std::size_t>(vehicle.kind);
         const bool known = now.scene && kind < now.scene->kinds.size();
         const float radius =
             known ? std::max(now.scene->kinds[kind].body.length, now.scene->kinds[kind].body.width) / 2 : 0.5f;
-        const float reach = radius * sight.projection[1].y * sight.window.h / 2 / depth + generous;
+        const float reach = radius * pixels_per_metre(sight, {vehicle.x, vehicle.y}, middle) + generous;
         const float away = maths::distance(*centre, pixel);
         if (away <= reach && away < best) best = away, found = vehicle.id;
     }

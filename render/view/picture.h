@@ -11,10 +11,11 @@ struct Picture {
     Sight sight;
     Theme theme = Theme::dark;
     VehicleId selected = no_vehicle, hovered = no_vehicle;
-    bool sensors = true;    // fill the sensor fields
-    bool outlines = false;  // draw their edges
-    bool trails = true;     // draw where vehicles came from
-    float pixel_scale = 1;  // display pixels per layout pixel, for line widths
+    VehicleId driver = no_vehicle;  // through whose eyes one looks: its fields show whatever else is off
+    bool sensors = true;            // fill the sensor fields
+    bool outlines = false;          // draw their edges
+    bool trails = true;             // draw where vehicles came from
+    float pixel_scale = 1;          // display pixels per layout pixel, for line widths
 };
 
 }  // namespace braitenlab

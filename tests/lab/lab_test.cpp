@@ -47,6 +47,26 @@ TEST(Mode, CountsChangesBetweenPlayingAndNot) {
     EXPECT_EQ(lab.toggles, 2);
 }
 
+TEST(Camera, ComesHomeFromEverywhereWithOneKey) {
+    Lab lab = open("predator-prey");
+    for (const Action way : {Action::follow, Action::birds_eye, Action::drivers_eye}) {
+        lab.camera.pan = {5, 5}, lab.camera.zoom = 3, lab.camera.azimuth = 1;
+        handle(lab, way);
+        EXPECT_NE(lab.camera.mode, CameraMode::overview);
+        handle(lab, Action::home);
+        EXPECT_EQ(lab.camera, Camera{});
+    }
+}
+
+TEST(Camera, LeavesAWayOfLookingByTheSameKey) {
+    Lab lab = open("predator-prey");
+    handle(lab, Action::drivers_eye);
+    handle(lab, Action::birds_eye);
+    EXPECT_EQ(lab.camera.mode, CameraMode::birds_eye);
+    handle(lab, Action::birds_eye);
+    EXPECT_EQ(lab.camera.mode, CameraMode::overview);
+}
+
 TEST(Selection, MovesOnWhenItsVehicleLeaves) {
     Lab lab = open("predator-prey");
     EXPECT_EQ(lab.selected, 0);

@@ -130,6 +130,120 @@ TEST(Camera, FitsIntoTheWholeWindowWhenCardsLeaveNoRoom) {
     EXPECT_NEAR(project(sight, {0, 0})->x, 640, 2);
 }
 
+Sight in_mode(CameraMode mode, const VehicleView* vehicle = nullptr) {
+    Camera camera;
+    camera.mode = mode;
+    return look(camera, Arena{}, vehicle, window, free_area);
+}
+
+TEST(Camera, ShowsTheArenaFromStraightAboveWithoutPerspective) {
+    const Sight sight = in_mode(CameraMode::birds_eye);
+    const vec2 a = *project(sight, {-9, -9}), b = *project(sight, {-8, -9}), c = *project(sight, {8, 9}),
+               d = *project(sight, {8, 8});
+    EXPECT_NEAR(b.x - a.x, d.y - c.y, 1e-2);  // a metre is a metre everywhere, x to the right, y up
+    EXPECT_NEAR(a.y, b.y, 1e-3);
+    EXPECT_NEAR(maths::distance(*project(sight, {3, 4}, 0), *project(sight, {3, 4}, 1)), 0, 1e-2);
+    for (const vec2 corner : {vec2{-10, -10}, {10, -10}, {10, 10}, {-10, 10}})
+        EXPECT_TRUE(free_area.contains(project(sight, corner)->x, project(sight, corner)->y));
+    EXPECT_NEAR(project(sight, {0, 0})->x, free_area.x + free_area.w / 2, 0.1f);
+}
+
+TEST(Camera, MeasuresInWholePixelsFromAboveOnRequest) {
+    Camera camera;
+    camera.mode = CameraMode::birds_eye, camera.whole_pixels = true;
+    const Sight sight = look(camera, Arena{}, nullptr, window, free_area);
+    const vec2 origin = *project(sight, {0, 0}), right = *project(sight, {1, 0});
+    EXPECT_NEAR(origin.x, std::round(origin.x), 1e-3);
+    EXPECT_NEAR(origin.y, std::round(origin.y), 1e-3);
+    EXPECT_NEAR(right.x - origin.x, std::round(right.x - origin.x), 1e-3);
+    EXPECT_GT(right.x - origin.x, 20);
+}
+
+TEST(Camera, LooksAheadThroughTheDriversEyes) {
+    VehicleView vehicle;
+    vehicle.x = 1, vehicle.y = 2, vehicle.heading = maths::pi / 2;
+    const Sight sight = in_mode(CameraMode::driver, &vehicle);
+    EXPECT_LT(maths::distance(maths::vec2{sight.eye.x, -sight.eye.z}, {1, 2}), 0.3f);
+    EXPECT_NEAR(project(sight, {1, 8})->x, free_area.x + free_area.w / 2, 0.5f);
+    EXPECT_LT(project(sight, {0, 6})->x, project(sight, {2, 6})->x);  // its left is on the left
+    EXPECT_FALSE(project(sight, {1, -3}));
+}
+
+TEST(Camera, FindsTheFloorUnderAPixelInEveryMode) {
+    VehicleView vehicle;
+    for (const CameraMode mode :
+         {CameraMode::overview, CameraMode::follow, CameraMode::birds_eye, CameraMode::driver}) {
+        const Sight sight = in_mode(mode, &vehicle);
+        const auto back = unproject(sight, *project(sight, {4, 0.5f}));
+        ASSERT_TRUE(back);
+        EXPECT_LT(maths::distance(*back, {4, 0.5f}), 0.01f) << static_cast<int>(mode);
+    }
+}
+
+TEST(Camera, FindsTheFloorUnderAPixelAmidAGlide) {
+    const Sight half = glide(in_mode(CameraMode::overview), in_mode(CameraMode::birds_eye), 0.03f);
+    for (const vec2 place : {vec2{0, 0}, {6, -3}, {-7, 8}}) {
+        const auto back = unproject(half, *project(half, place));
+        ASSERT_TRUE(back);
+        EXPECT_LT(maths::distance(*back, place), 0.02f);
+    }
+}
+
+TEST(Camera, SaysHowLargeAMetreAppears) {
+    for (const CameraMode mode : {CameraMode::overview, CameraMode::birds_eye}) {
+        const Sight sight = in_mode(mode);
+        // Across the line of sight: along x, as the camera stands behind −y.
+        const float apart = project(sight, {2.5f, 1})->x - project(sight, {1.5f, 1})->x;
+        EXPECT_NEAR(pixels_per_metre(sight, {2, 1}), apart, 0.01f * apart);
+    }
+    VehicleView vehicle;
+    EXPECT_EQ(pixels_per_metre(in_mode(CameraMode::follow, &vehicle), {-8, 0}), 0);
+}
+
+TEST(Camera, KeepsWhatIsUnderThePointerWhileZooming) {
+    for (const CameraMode mode : {CameraMode::overview, CameraMode::birds_eye}) {
+        Camera camera;
+        camera.mode = mode, camera.azimuth = 0.4f, camera.elevation = 0.7f;
+        const vec2 pixel{420, 300};
+        const vec2 before = *unproject(look(camera, Arena{}, nullptr, window, free_area), pixel);
+        zoom_about(camera, Arena{}, window, free_area, pixel, 2.5f);
+        EXPECT_FLOAT_EQ(camera.zoom, 2.5f);
+        EXPECT_LT(maths::distance(*unproject(look(camera, Arena{}, nullptr, window, free_area), pixel), before), 0.02f);
+        zoom_about(camera, Arena{}, window, free_area, pixel, 1e9f);
+        EXPECT_EQ(camera.zoom, 8);
+    }
+}
+
+TEST(Camera, PansWithTheHandOnTheFloor) {
+    Camera camera;
+    camera.azimuth = 2;
+    const Sight sight = look(camera, Arena{}, nullptr, window, free_area);
+    const vec2 held = *unproject(sight, {500, 400});
+    pan(camera, sight, {500, 400}, {620, 300});
+    EXPECT_LT(maths::distance(*unproject(look(camera, Arena{}, nullptr, window, free_area), {620, 300}), held), 0.05f);
+}
+
+TEST(Camera, OrbitsWithoutEverLookingFromBelow) {
+    Camera camera;
+    orbit(camera, 100, -9);
+    EXPECT_GT(camera.elevation, 0);
+    EXPECT_LT(std::fabs(camera.azimuth), 3.2f);
+    orbit(camera, 0, 9);
+    EXPECT_LT(camera.elevation, maths::pi / 2);
+}
+
+TEST(Glide, GoesFromPerspectiveToNoneAndArrives) {
+    const Sight to = in_mode(CameraMode::birds_eye);
+    Sight now = in_mode(CameraMode::overview);
+    for (int frame = 0; frame < 120; ++frame) {
+        now = glide(now, to, 1.0f / 60);
+        ASSERT_TRUE(project(now, {0, 0}));
+        EXPECT_TRUE(window.contains(project(now, {0, 0})->x, project(now, {0, 0})->y)) << frame;
+    }
+    EXPECT_EQ(now.view, to.view);
+    EXPECT_EQ(now.projection, to.projection);
+}
+
 TEST(Glide, ComesMostOfTheWayInAFifthOfASecondAndArrives) {
     const Sight from = overview(-1.57f), to = overview(-0.6f, 0.7f);
     Sight now = from;

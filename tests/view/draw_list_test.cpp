@@ -140,6 +140,29 @@ TEST(DrawList, DrawsFieldsAndOutlinesOnlyWhenAsked) {
     EXPECT_GE(outlined.fields[0].shape.x, 12);  // the whole range
 }
 
+TEST(DrawList, ShowsADriverBothItsFieldsWhateverElseIsOff) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    const VehicleId driver = hand_made::add(now, 0, 0, 0, 0);
+    hand_made::add(now, 0, 5, 0, 0);
+    Picture picture;
+    picture.sensors = picture.outlines = false, picture.driver = driver;
+    const DrawList list = drawn(now, picture);
+    ASSERT_EQ(list.fields.size(), 2U);
+    for (const FieldInstance& field : list.fields) EXPECT_GT(field.line.x, 0);
+    EXPECT_EQ(list.eyes.size(), 2U);  // the other's: one's own would fill the picture
+}
+
+TEST(DrawList, ShrinksEyesThatCrowdEachOther) {
+    auto scene = hand_made::scene();
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, 0, 0, 0);
+    const float alone = drawn(now).eyes[0].size.x;
+    scene->kinds[0].sensors.push_back(scene->kinds[0].sensors[0]);
+    scene->kinds[0].sensors[2].y += 0.1f;
+    EXPECT_LT(drawn(now).eyes[0].size.x, alone);
+    EXPECT_EQ(drawn(now).eyes[1].size.x, alone);
+}
+
 TEST(DrawList, ShortensFieldsInACrowd) {
     Snapshot few = hand_made::empty(hand_made::scene()), many = few;
     hand_made::add(few, 0, 0, 0, 0);
