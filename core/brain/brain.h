@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/brain/graph.h"
@@ -19,6 +20,8 @@ struct Brain {
         std::int32_t source;  // < sensors.size(): a sensor, else neuron source - sensors.size()
         float weight, threshold;
         Curve curve;
+        std::int32_t learned = -1;  // where its learned part stands after the units in a vehicle's state; −1: none
+        float learning_rate = 0, decay = 0;
     };
     // One neuron or motor: its sum runs over taps[first_tap, end_tap), in ascending order of source.
     struct Unit {
@@ -28,12 +31,17 @@ struct Brain {
         Curve curve;
     };
 
-    std::vector<std::int32_t> sensors;  // the vehicle's sensor that each sensor node reads; −1: none, reads 0
-    std::vector<Unit> units;            // hidden neurons by ascending id, then the left motor, then the right one
+    std::vector<std::int32_t>
+        sensors;              // the vehicle's sensor that each sensor node reads; −1: none or covered, reads 0
+    std::vector<Unit> units;  // hidden neurons by ascending id, then the left motor, then the right one
     std::vector<Tap> taps;
     std::vector<NodeId> unit_ids;  // the graph's node behind each unit; −1 for a motor the graph does not have
+    std::vector<std::pair<NodeId, NodeId>>
+        learning_wires;  // ends of the Hebbian wires, ascending: the order of their learned parts
 
     int neuron_count() const { return static_cast<int>(units.size()); }
+    // Numbers that a vehicle with this brain carries from tick to tick: its units, then its wires' learned parts.
+    int state_size() const { return static_cast<int>(units.size() + learning_wires.size()); }
 };
 
 // Flattens a graph for a vehicle with these sensors (names in the vehicle's own order). The order of editing does not
@@ -42,10 +50,10 @@ struct Brain {
 // that is not finite, more nodes or wires than `limits` allows.
 Result<Brain> compile(const BrainGraph&, std::span<const std::string> sensor_names);
 
-// One tick. `sensed` holds the vehicle's sensors, each 0..1. `neurons` has neuron_count() values: what each unit held a
-// tick ago comes in, what it holds now goes out. Hidden neurons read sensors as they are now and neurons as the
-// previous tick left them; motors read this tick's neurons; so cycles need no special case.
+// One tick. `sensed` holds the vehicle's sensors, each 0..1. `state` has state_size() values: what each unit held and
+// each Hebbian wire had learned a tick ago comes in, what they hold now goes out. Hidden neurons read sensors as they
+// are now and neurons as the previous tick left them; motors read this tick's neurons; so cycles need no special case.
 // `motors` gets the left and the right sum, clamped to −1..1.
-void think(const Brain&, std::span<const float> sensed, std::span<float> neurons, std::span<float, 2> motors);
+void think(const Brain&, std::span<const float> sensed, std::span<float> state, std::span<float, 2> motors);
 
 }  // namespace braitenlab

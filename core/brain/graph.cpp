@@ -27,8 +27,9 @@ float respond(const Curve& curve, float x) {
     return x;
 }
 
-float signal(const Wire& wire, float input) {
-    return wire.weight * respond(wire.curve, std::fabs(input) < wire.threshold ? 0.0f : input);
+float signal(const Wire& wire, float input, float learned) {
+    if (wire.cut) return 0;
+    return (wire.weight + learned) * respond(wire.curve, std::fabs(input) < wire.threshold ? 0.0f : input);
 }
 
 const Node* find_node(const BrainGraph& graph, NodeId id) {

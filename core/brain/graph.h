@@ -38,6 +38,7 @@ struct Node {
     Curve curve{};            // of the sum; a sensor has none
     float bias = 0;           // added to the sum, -1..1; a sensor has none
     float time_constant = 0;  // seconds of leaky memory; 0 answers at once
+    bool silenced = false;    // a lesion: a covered eye, a stopped motor, a dead neuron; gives 0 and keeps its numbers
     friend bool operator==(const Node&, const Node&) = default;
 };
 
@@ -46,6 +47,11 @@ struct Wire {
     float weight = 1;     // -2..2: amplifies, attenuates, inverts
     float threshold = 0;  // 0..1: an input whose size is below it counts as 0
     Curve curve{};        // of the input, before the weight
+    bool cut = false;     // a lesion: delivers 0 and keeps its numbers
+    // Hebbian wires (vehicle 7): what stands at both ends together strengthens the wire, and that fades. The learned
+    // part h adds to the weight:  dh/dt = learning_rate · from · to − decay · h,  weight + h within −2..2.
+    float learning_rate = 0;  // 1/s, 0..10; 0: does not learn
+    float decay = 0;          // 1/s, 0..10
     friend bool operator==(const Wire&, const Wire&) = default;
 };
 
@@ -57,14 +63,19 @@ struct BrainGraph {
 
 namespace limits {
 inline constexpr float weight = 2, bias = 1, threshold = 1;       // largest sizes
+inline constexpr float learning_rate = 10, decay = 10;            // 1/s
 inline constexpr int sensors = 64, neurons = 1024, wires = 8192;  // of one brain
 }  // namespace limits
+
+// Whether what happens at its ends changes the wire.
+inline bool learns(const Wire& wire) { return wire.learning_rate > 0; }
 
 // What the curve makes of x.
 float respond(const Curve&, float x);
 
-// What the wire delivers to its end when its start stands at `input`: mask, curve, weight.
-float signal(const Wire&, float input);
+// What the wire delivers to its end when its start stands at `input`: mask, curve, weight (with what a Hebbian wire
+// has learned). A cut wire delivers 0.
+float signal(const Wire&, float input, float learned = 0);
 
 // The node with this id or name, or null.
 const Node* find_node(const BrainGraph&, NodeId);

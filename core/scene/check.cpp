@@ -32,6 +32,7 @@ public:
         if (Range{degrees.low - rounding, degrees.high + rounding}.holds(value)) return;
         check(key, value, degrees);
     }
+    void flag(const char*, bool T::*, const char*) {}
     template <class Enum>
     void word(const char*, Enum T::*, const char*) {}
     void text(const char* key, std::string T::*member, std::size_t longest, const char*) {

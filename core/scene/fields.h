@@ -4,6 +4,7 @@
 // ranges, list paths, make the tables of docs/scene-format.md. A visitor for a struct T offers:
 //
 //     number(key, float|int|uint64 T::*, unit, range, meaning)     angle(key, float T::*, range in degrees, meaning)
+//     flag(key, bool T::*, meaning)
 //     word(key, enum T::*, meaning)                                text(key, string T::*, longest, meaning)
 //     part(member, …)    another struct's keys in this same table  table(key, member, meaning)      [key]
 //     named(key, vector T::*, most, meaning)   [key.NAME] …        list(key, vector T::*, most, meaning)   [[key]] …
@@ -33,6 +34,8 @@ struct Range {
 namespace limits {
 inline constexpr std::size_t file_bytes = 4u << 20u;
 inline constexpr std::size_t kinds = 64, starts = 4096, sources = 1024, obstacles = 4096, wheels = 16;
+inline constexpr std::size_t lamps = 16, waypoints = 256, corners = 8, zones = 1024;
+inline constexpr int marks = 64;
 inline constexpr std::size_t name_length = 40, title_length = 120, text_length = 2000;
 }  // namespace limits
 
@@ -50,6 +53,8 @@ void describe(Visitor& v, Of<Arena>) {
     v.number("friction", &Arena::friction, "N·s/m per m²", {0, 1000},
              "rolling drag of the floor, by the wheel's contact");
     v.number("grip", &Arena::grip, "", {0, 2}, "multiplies every wheel's grip; ice is 0.1");
+    v.number("reflectance", &Arena::reflectance, "", {0, 1}, "what a floor sensor reads");
+    v.number("ambient", &Arena::ambient, "", {0, 1}, "added to what every eye for light or a colour sees");
 }
 
 template <class Visitor>
@@ -79,6 +84,8 @@ void describe(Visitor& v, Of<Body>) {
     v.number("mass", &Body::mass, "kg", {0.05, 1000}, "of the whole vehicle");
     v.number("top_speed", &Body::top_speed, "m/s", {0.05, 10}, "of a wheel whose motor is told 1");
     v.number("motor_force", &Body::motor_force, "N", {0.01, 10000}, "the most one motor can push");
+    v.number("mismatch", &Body::mismatch, "", {0, 0.5}, "each motor's top speed differs by up to this share");
+    v.number("dead_band", &Body::dead_band, "", {0, 0.9}, "a command whose size is below it leaves the motor still");
     v.list("wheel", &Body::wheels, limits::wheels, "if there is any, these stand instead of the standard four");
 }
 
@@ -93,6 +100,29 @@ void describe(Visitor& v, Of<Sensor>) {
     v.angle("field", &Sensor::field, {1, 360}, "the whole opening angle");
     v.number("range", &Sensor::range, "m", {0.05, 100}, "it sees nothing beyond");
     v.number("half_distance", &Sensor::half_distance, "m", {0.01, 100}, "d₀ in 1/(1+(d/d₀)²)");
+    v.number("noise", &Sensor::noise, "", {0, 1}, "standard deviation added to every reading");
+    v.number("latency", &Sensor::latency, "s", {0, 1}, "until the brain gets a reading");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<CarriedLamp>) {
+    v.word("channel", &CarriedLamp::channel, "what it gives off");
+    v.number("x", &CarriedLamp::x, "m", mount_range, "ahead of the origin");
+    v.number("y", &CarriedLamp::y, "m", mount_range, "left of the origin");
+    v.number("strength", &CarriedLamp::strength, "", {0, 1}, "what an eye right before it gets");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Waypoint>) {
+    v.number("x", &Waypoint::x, "m", place_range, "where it leads");
+    v.number("y", &Waypoint::y, "m", place_range, "where it leads");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<PlaceMemory>) {
+    v.number("marks", &PlaceMemory::marks, "", {0, limits::marks}, "places remembered, the oldest goes first; 0: none");
+    v.number("fade", &PlaceMemory::fade, "s", {0.1, 3600}, "in which a mark's strength falls to a half");
+    v.number("strength", &PlaceMemory::strength, "", {0, 1}, "of a fresh mark");
 }
 
 template <class Visitor>
@@ -101,7 +131,10 @@ void describe(Visitor& v, Of<Kind>) {
     v.word("driver", &Kind::driver, "who drives");
     v.number("share", &Kind::share, "", {0, 1000}, "of the random population, against the other kinds' shares");
     v.table("body", &Kind::body, "chassis and wheels");
+    v.table("memory", &Kind::memory, "where it met obstacles; sensed on the channel `memory`");
     v.named("sensor", &Kind::sensors, limits::sensors, "its eyes; the brain's sensor of this name reads it");
+    v.named("lamp", &Kind::lamps, limits::lamps, "a source that it carries");
+    v.list("waypoint", &Kind::waypoints, limits::waypoints, "the way of a vehicle whose driver is `path`");
     v.brain("brain", &Kind::brain, "what drives its motors");
 }
 
@@ -122,6 +155,13 @@ void describe(Visitor& v, Of<Source>) {
     v.number("x", &Source::x, "m", place_range, "where it stands");
     v.number("y", &Source::y, "m", place_range, "where it stands");
     v.number("strength", &Source::strength, "", {0, 1}, "what an eye right before it gets");
+    v.flag("solid", &Source::solid, "a post of 0.15 m radius that nothing drives through");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<PolygonCorner>) {
+    v.number("x", &PolygonCorner::x, "m", place_range, "against the obstacle's middle, along its heading");
+    v.number("y", &PolygonCorner::y, "m", place_range, "against the obstacle's middle, to the left of its heading");
 }
 
 template <class Visitor>
@@ -131,6 +171,24 @@ void describe(Visitor& v, Of<Obstacle>) {
     v.angle("heading", &Obstacle::heading, {-360, 360}, "of its length, counter-clockwise from +x");
     v.number("length", &Obstacle::length, "m", {0.02, 2000}, "along its heading");
     v.number("width", &Obstacle::width, "m", {0.02, 2000}, "across its heading");
+    v.number("mass", &Obstacle::mass, "kg", {0, 10000}, "0: fixed, else vehicles push it about");
+    v.list("corner", &Obstacle::corners, limits::corners, "of a convex polygon instead of a box, counter-clockwise");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Zone>) {
+    v.number("x", &Zone::x, "m", place_range, "its middle");
+    v.number("y", &Zone::y, "m", place_range, "its middle");
+    v.angle("heading", &Zone::heading, {-360, 360}, "of its length, counter-clockwise from +x");
+    v.number("length", &Zone::length, "m", {0.02, 2000}, "along its heading");
+    v.number("width", &Zone::width, "m", {0.02, 2000}, "across its heading");
+    v.flag("round", &Zone::round, "an ellipse of that length and width");
+    v.word("surface", &Zone::surface, "what covers it; of zones that overlap the last counts");
+    v.number("recharge", &Zone::recharge, "1/s", {0, 10}, "energy that every vehicle on it gets");
+    v.number("wind_x", &Zone::wind_x, "N", {-200, 200}, "on every vehicle, along x");
+    v.number("wind_y", &Zone::wind_y, "N", {-200, 200}, "on every vehicle, along y");
+    v.angle("slope", &Zone::slope, {0, 45}, "downhill is along its heading");
+    v.number("pull", &Zone::pull, "N", {-200, 200}, "towards its middle; negative pushes away");
 }
 
 template <class Visitor>
@@ -143,7 +201,8 @@ void describe(Visitor& v, Of<Scene>) {
     v.named("kind", &Scene::kinds, limits::kinds, "a design that many vehicles share");
     v.named("vehicle", &Scene::starts, limits::starts, "a vehicle placed by hand");
     v.named("source", &Scene::sources, limits::sources, "something that can be sensed");
-    v.named("obstacle", &Scene::obstacles, limits::obstacles, "a box that stands in the way");
+    v.named("obstacle", &Scene::obstacles, limits::obstacles, "a box or polygon that stands in the way");
+    v.named("zone", &Scene::zones, limits::zones, "a patch of floor on which something is different");
 }
 
 // A brain as a file shows it: the four neurons, then whatever nodes and wires there are beyond them.
@@ -193,6 +252,7 @@ void describe(Visitor& v, Of<Node>) {
     v.part(&Node::curve);
     v.number("bias", &Node::bias, "", bias_range, "added to its sum");
     v.number("time_constant", &Node::time_constant, "s", {0, 600}, "of its leaky memory; 0 answers at once");
+    v.flag("silenced", &Node::silenced, "a lesion: a covered eye, a stopped motor, a neuron that gives 0");
 }
 
 template <class Visitor>
@@ -200,6 +260,10 @@ void describe(Visitor& v, Of<Wire>) {
     v.number("weight", &Wire::weight, "", weight_range, "amplifies, attenuates, inverts");
     v.number("threshold", &Wire::threshold, "", threshold_range, "an input whose size is below it counts as 0");
     v.part(&Wire::curve);
+    v.flag("cut", &Wire::cut, "a lesion: it delivers 0");
+    v.number("learning_rate", &Wire::learning_rate, "1/s", {0, limits::learning_rate},
+             "of a Hebbian wire; 0: does not learn");
+    v.number("decay", &Wire::decay, "1/s", {0, limits::decay}, "how fast what it learned fades");
 }
 
 template <class Visitor>

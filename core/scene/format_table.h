@@ -37,6 +37,9 @@ public:
     void angle(const char* key, float T::*member, Range range, const char* meaning) {
         row(key, "°", limits_text(range), fmt::format("{:g}", maths::degrees(defaults_.*member)), meaning);
     }
+    void flag(const char* key, bool T::*member, const char* meaning) {
+        row(key, "", "true, false", defaults_.*member ? "true" : "false", meaning);
+    }
     template <class Enum>
     void word(const char* key, Enum T::*member, const char* meaning) {
         std::string all;

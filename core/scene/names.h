@@ -17,6 +17,9 @@ struct Named {
 
 inline constexpr std::array<Named<Channel>, channel_count> channel_words{{
     {Channel::light, "light"},
+    {Channel::red, "red"},
+    {Channel::green, "green"},
+    {Channel::blue, "blue"},
     {Channel::heat, "heat"},
     {Channel::smell, "smell"},
     {Channel::oxygen, "oxygen"},
@@ -24,11 +27,25 @@ inline constexpr std::array<Named<Channel>, channel_count> channel_words{{
     {Channel::predator, "predator"},
     {Channel::prey, "prey"},
     {Channel::vehicle, "vehicle"},
+    {Channel::memory, "memory"},
+    {Channel::touch, "touch"},
+    {Channel::floor, "floor"},
+    {Channel::energy, "energy"},
 }};
-inline constexpr std::array<Named<Role>, 3> role_words{
-    {{Role::none, "none"}, {Role::predator, "predator"}, {Role::prey, "prey"}}};
-inline constexpr std::array<Named<Driver>, 2> driver_words{{{Driver::brain, "brain"}, {Driver::parked, "parked"}}};
-inline constexpr std::array<Named<Edge>, 2> edge_words{{{Edge::wall, "wall"}, {Edge::open, "open"}}};
+inline constexpr std::array<Named<Role>, 4> role_words{
+    {{Role::none, "none"}, {Role::predator, "predator"}, {Role::prey, "prey"}, {Role::wiring, "wiring"}}};
+inline constexpr std::array<Named<Driver>, 5> driver_words{{{Driver::brain, "brain"},
+                                                            {Driver::manual, "manual"},
+                                                            {Driver::path, "path"},
+                                                            {Driver::wander, "wander"},
+                                                            {Driver::parked, "parked"}}};
+inline constexpr std::array<Named<Edge>, 3> edge_words{
+    {{Edge::wall, "wall"}, {Edge::open, "open"}, {Edge::torus, "torus"}}};
+inline constexpr std::array<Named<Surface>, 5> surface_words{{{Surface::none, "none"},
+                                                              {Surface::ice, "ice"},
+                                                              {Surface::carpet, "carpet"},
+                                                              {Surface::sand, "sand"},
+                                                              {Surface::tape, "tape"}}};
 inline constexpr std::array<Named<Motor>, 3> motor_words{
     {{Motor::none, "none"}, {Motor::left, "left"}, {Motor::right, "right"}}};
 inline constexpr std::array<Named<SensorShape>, 3> shape_words{
@@ -48,6 +65,7 @@ constexpr const auto& words(Channel) { return channel_words; }
 constexpr const auto& words(Role) { return role_words; }
 constexpr const auto& words(Driver) { return driver_words; }
 constexpr const auto& words(Edge) { return edge_words; }
+constexpr const auto& words(Surface) { return surface_words; }
 constexpr const auto& words(Motor) { return motor_words; }
 constexpr const auto& words(SensorShape) { return shape_words; }
 constexpr const auto& words(SensorResponse) { return sensor_response_words; }

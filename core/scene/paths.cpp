@@ -18,6 +18,7 @@ public:
         paths_.push_back(prefix_ + key);
     }
     void angle(const char* key, float T::*, Range, const char*) { paths_.push_back(prefix_ + key); }
+    void flag(const char* key, bool T::*, const char*) { paths_.push_back(prefix_ + key); }
     template <class Enum>
     void word(const char* key, Enum T::*, const char*) {
         paths_.push_back(prefix_ + key);

@@ -35,6 +35,13 @@ std::optional<std::int64_t> TomlTable::whole(std::string_view key, Range range) 
     return value;
 }
 
+std::optional<bool> TomlTable::flag(std::string_view key) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    if (!node->is_boolean()) return wrong_type(key, *node, "true or false"), std::nullopt;
+    return node->ref<bool>();
+}
+
 std::optional<std::string> TomlTable::text(std::string_view key, std::size_t longest) {
     const toml::node* node = find(key);
     if (!node) return std::nullopt;

@@ -28,6 +28,7 @@ public:
 
     std::optional<double> number(std::string_view key, Range);
     std::optional<std::int64_t> whole(std::string_view key, Range);
+    std::optional<bool> flag(std::string_view key);
     std::optional<std::string> text(std::string_view key, std::size_t longest);
     std::optional<std::size_t> one_of(std::string_view key, const std::vector<std::string_view>& words);  // which
     const toml::table* table(std::string_view key);
@@ -75,6 +76,9 @@ public:
     void angle(const char* key, float T::*member, Range degrees, const char*) {
         if (const auto value = table_.number(key, degrees))
             object_.*member = static_cast<float>(*value * (maths::pi_d / 180));
+    }
+    void flag(const char* key, bool T::*member, const char*) {
+        if (const auto value = table_.flag(key)) object_.*member = *value;
     }
     template <class Enum>
     void word(const char* key, Enum T::*member, const char*) {

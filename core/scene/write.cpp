@@ -71,6 +71,9 @@ public:
     void angle(const char* key, float T::*member, Range, const char*) {
         if (differs(member)) line(key, degrees_text(object_.*member));
     }
+    void flag(const char* key, bool T::*member, const char*) {
+        if (differs(member)) line(key, object_.*member ? "true" : "false");
+    }
     template <class Enum>
     void word(const char* key, Enum T::*member, const char*) {
         if (differs(member)) line(key, fmt::format("\"{}\"", braitenlab::word(object_.*member)));

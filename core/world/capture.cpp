@@ -23,9 +23,10 @@ VehicleView view_of(const WorldState& s, std::size_t row, int brain) {
     view.id = v.id[row];
     view.kind = v.kind[row];
     view.role = s.role(row);
+    view.driver = v.driver[row];
     view.x = m.place.x;
     view.y = m.place.y;
-    view.heading = maths::wrap_angle(s.physics.heading(row));
+    view.heading = maths::wrap_angle(m.heading);
     view.speed = maths::dot(m.velocity, m.ahead);
     view.energy = v.energy[row];
     view.motor = v.motor[row];
@@ -58,11 +59,15 @@ void capture(const WorldState& s, Snapshot& out) {
     out.sensed = s.vehicles.sensed;
     out.neurons = s.foreseen_neurons.empty() ? s.vehicles.neurons : s.foreseen_neurons;
     out.kind_brains.clear();
-    for (const CompiledKind& kind : s.kinds) out.kind_brains.emplace_back(kind.design, &kind.design->graph);
+    for (const SharedDesign& design : s.newcomers) out.kind_brains.emplace_back(design, &design->graph);
     out.sources.clear();
-    for (std::size_t i = 0; i < s.sources.size(); ++i)
-        out.sources.push_back({static_cast<int>(i), s.scene->sources[i].channel, s.sources[i].x, s.sources[i].y,
-                               s.scene->sources[i].strength});
+    for (const Source& source : s.scene->sources)
+        out.sources.push_back(
+            {static_cast<int>(out.sources.size()), source.channel, source.x, source.y, source.strength});
+    out.obstacles.clear();
+    for (const Motion& m : s.obstacles) out.obstacles.push_back({m.place.x, m.place.y, maths::wrap_angle(m.heading)});
+    out.marks.clear();
+    for (const Mark& mark : s.marks) out.marks.push_back({mark.owner, mark.place.x, mark.place.y, strength(s, mark)});
     out.scene = s.scene;
 }
 

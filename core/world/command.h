@@ -1,8 +1,9 @@
 // Everything that can be done to a running world from outside: the only way in.
 #pragma once
 
-#include <string>
+#include <optional>
 #include <variant>
+#include <vector>
 
 #include "core/brain/four_neurons.h"
 #include "core/brain/graph.h"
@@ -29,27 +30,83 @@ struct SetBrain {
     friend bool operator==(const SetBrain&, const SetBrain&) = default;
 };
 struct AddVehicle {
-    int kind = -1;  // −1: the kind that the shares ask for next
+    int kind = -1;                      // −1: the kind that the shares ask for next
+    std::optional<Pose> at{};           // else somewhere free, at random
+    std::optional<BrainGraph> brain{};  // else what newcomers of the kind get
+    float energy = 1;                   // 0..1
     friend bool operator==(const AddVehicle&, const AddVehicle&) = default;
 };
 struct RemoveVehicle {
     VehicleId vehicle = no_vehicle;  // no_vehicle: the one added last
     friend bool operator==(const RemoveVehicle&, const RemoveVehicle&) = default;
 };
-struct MoveVehicle {
+struct MoveVehicle {  // it stands still there
     VehicleId vehicle = no_vehicle;
     float x = 0, y = 0, heading = 0;
     friend bool operator==(const MoveVehicle&, const MoveVehicle&) = default;
 };
+struct ChooseDriver {
+    VehicleId vehicle = no_vehicle;
+    Driver driver = Driver::brain;
+    friend bool operator==(const ChooseDriver&, const ChooseDriver&) = default;
+};
+struct Steer {  // a vehicle driven by hand: its wheels' commands, −1..1, until the next
+    VehicleId vehicle = no_vehicle;
+    float left = 0, right = 0;
+    friend bool operator==(const Steer&, const Steer&) = default;
+};
+struct SetSensors {  // of a kind; readings begin anew
+    int kind = 0;
+    std::vector<Sensor> sensors;
+    friend bool operator==(const SetSensors&, const SetSensors&) = default;
+};
+
+// Sources and obstacles are known by their place in Scene::sources and Scene::obstacles as they are at the moment: one
+// removed closes the gap, one added goes to the end or before the one at `before`.
+struct AddSource {
+    Source source;
+    int before = -1;
+    friend bool operator==(const AddSource&, const AddSource&) = default;
+};
+struct RemoveSource {
+    int source = 0;
+    friend bool operator==(const RemoveSource&, const RemoveSource&) = default;
+};
+struct EditSource {
+    int source = 0;
+    Source to;
+    friend bool operator==(const EditSource&, const EditSource&) = default;
+};
 struct MoveSource {
-    int source = 0;  // in Scene::sources
+    int source = 0;
     float x = 0, y = 0;
     friend bool operator==(const MoveSource&, const MoveSource&) = default;
+};
+struct AddObstacle {
+    Obstacle obstacle;
+    int before = -1;
+    friend bool operator==(const AddObstacle&, const AddObstacle&) = default;
+};
+struct RemoveObstacle {
+    int obstacle = 0;
+    friend bool operator==(const RemoveObstacle&, const RemoveObstacle&) = default;
+};
+struct EditObstacle {
+    int obstacle = 0;
+    Obstacle to;
+    friend bool operator==(const EditObstacle&, const EditObstacle&) = default;
+};
+struct MoveObstacle {
+    int obstacle = 0;
+    float x = 0, y = 0, heading = 0;
+    friend bool operator==(const MoveObstacle&, const MoveObstacle&) = default;
 };
 struct NewPopulation {  // the next generation: the same numbers at new random places
     friend bool operator==(const NewPopulation&, const NewPopulation&) = default;
 };
 
-using Command = std::variant<TurnDial, SetBrain, AddVehicle, RemoveVehicle, MoveVehicle, MoveSource, NewPopulation>;
+using Command = std::variant<TurnDial, SetBrain, AddVehicle, RemoveVehicle, MoveVehicle, ChooseDriver, Steer,
+                             SetSensors, AddSource, RemoveSource, EditSource, MoveSource, AddObstacle, RemoveObstacle,
+                             EditObstacle, MoveObstacle, NewPopulation>;
 
 }  // namespace braitenlab

@@ -1,14 +1,26 @@
 #include "core/world/compiled.h"
 
+#include "core/brain/recogniser.h"
 #include "core/maths/angle.h"
 #include "core/mechanics/wheel.h"
 
 namespace braitenlab {
 
-Result<SharedDesign> make_design(const BrainGraph& graph, const std::vector<std::string>& sensors) {
-    auto brain = compile(graph, sensors);
+namespace {
+
+// Whoever is drawn to others hunts them, whoever is driven away by them is hunted.
+Role role_by_wiring(const BrainGraph& graph) {
+    const int drawn = attraction(recognise(graph));
+    return drawn > 0 ? Role::predator : drawn < 0 ? Role::prey : Role::none;
+}
+
+}  // namespace
+
+Result<SharedDesign> make_design(const BrainGraph& graph, const Kind& kind) {
+    auto brain = compile(graph, sensor_names(kind));
     if (!brain) return brain.error();
-    return std::make_shared<const Design>(Design{graph, std::move(*brain)});
+    const Role role = kind.role == Role::wiring ? role_by_wiring(graph) : kind.role;
+    return std::make_shared<const Design>(Design{graph, std::move(*brain), role});
 }
 
 CompiledKind compile_kind(const Kind& kind, const Arena& arena) {
@@ -45,10 +57,9 @@ std::vector<Outline> outlines_of(const Scene& scene) {
     }
     for (const Obstacle& o : scene.obstacles) {
         const maths::vec2 ahead = maths::direction(o.heading), middle{o.x, o.y};
-        Outline box;
-        for (const maths::vec2 sign : {maths::vec2{1, 1}, {-1, 1}, {-1, -1}, {1, -1}})
-            box.corners.push_back(middle + maths::rotate({sign.x * o.length / 2, sign.y * o.width / 2}, ahead));
-        outlines.push_back(std::move(box));
+        Outline outline;
+        for (const maths::vec2 corner : corners_of(o)) outline.corners.push_back(middle + maths::rotate(corner, ahead));
+        outlines.push_back(std::move(outline));
     }
     return outlines;
 }

@@ -15,6 +15,7 @@ namespace braitenlab {
 struct Design {
     BrainGraph graph;
     Brain brain;
+    Role role = Role::none;  // the kind's; where that is `wiring`, what the graph makes of it
 };
 using SharedDesign = std::shared_ptr<const Design>;
 
@@ -34,10 +35,10 @@ struct CompiledKind {
     std::array<float, 2> driven_radius{1, 1};  // m, of the left and the right wheel: how fast they spin
     float top_speed = 0, motor_force = 0;
     std::vector<std::string> sensor_names;
-    SharedDesign design;  // what newcomers of this kind get
 };
 
-Result<SharedDesign> make_design(const BrainGraph&, const std::vector<std::string>& sensor_names);
+// Fails as compile() does.
+Result<SharedDesign> make_design(const BrainGraph&, const Kind&);
 
 // Everything but the brain.
 CompiledKind compile_kind(const Kind&, const Arena&);

@@ -28,27 +28,39 @@ void add(Digest& digest, const BrainGraph& graph) {
         digest.add(w.from), digest.add(w.to), digest.add(w.weight), digest.add(w.threshold);
 }
 
+void add(Digest& digest, const Motion& motion) {
+    digest.add(motion.place);
+    digest.add(motion.ahead);
+    digest.add(motion.velocity);
+    digest.add(motion.turning);
+    digest.add(motion.heading);
+}
+
 }  // namespace
 
-std::uint64_t hash(const WorldState& s) {
+std::uint64_t hash(const Moment& s) {
     Digest digest;
     digest.add(s.seed);
     digest.add(s.tick);
     digest.add(s.generation);
     digest.add(static_cast<std::int64_t>(s.still_ticks));
     digest.add(s.next_id);
-    for (const std::int64_t count : {s.events.captures, s.events.deaths, s.events.births, s.events.contacts})
+    for (const std::int64_t count :
+         {s.events.captures, s.events.deaths, s.events.births, s.events.contacts, s.events.falls})
         digest.add(count);
     for (const Bite& bite : s.bites) digest.add(bite.pair.one), digest.add(bite.pair.other), digest.add(bite.tick);
-    for (const maths::vec2 source : s.sources) digest.add(source);
+    for (const Source& source : s.scene->sources) digest.add(source.x), digest.add(source.y);
+    for (const Motion& obstacle : s.obstacles) add(digest, obstacle);
+    for (const Touch& touch : s.touching) digest.add(touch.one), digest.add(touch.other);
+    for (const Mark& mark : s.marks) digest.add(mark.owner), digest.add(mark.place), digest.add(mark.tick);
     const Vehicles& v = s.vehicles;
     for (std::size_t row = 0; row < v.size(); ++row) {
         digest.add(v.id[row]);
         digest.add(v.kind[row]);
-        digest.add(v.motion[row].place);
-        digest.add(v.motion[row].ahead);
-        digest.add(v.motion[row].velocity);
-        digest.add(v.motion[row].turning);
+        add(digest, v.motion[row]);
+        digest.add(static_cast<std::int32_t>(v.driver[row]));
+        digest.add(v.hand[row][0]), digest.add(v.hand[row][1]);
+        digest.add(v.waypoint[row]);
         digest.add(v.energy[row]);
         add(digest, v.design[row]->graph);
     }

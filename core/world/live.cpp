@@ -21,7 +21,8 @@ void bite(WorldState& s, std::size_t predator, std::size_t prey) {
 
 void bite_prey(WorldState& s) {
     std::erase_if(s.bites, [&](const Bite& b) { return s.tick - b.tick >= bite_ticks; });
-    for (const Touch& pair : s.physics.touching()) {
+    for (const Touch& pair : s.touching) {
+        if (pair.other == no_vehicle) continue;
         const auto one = s.row_of(pair.one), other = s.row_of(pair.other);
         if (!one || !other) continue;
         const bool first_hunts = s.role(*one) == Role::predator && s.role(*other) == Role::prey;
@@ -61,7 +62,7 @@ void bury_and_bear(WorldState& s) {
         remove_vehicle(s, row);
         ++s.events.deaths;
         const VehicleId id = s.next_id++;
-        add_vehicle(s, kind, -1, id, s.kinds[static_cast<std::size_t>(kind)].design, free_place(s, id));
+        add_vehicle(s, kind, -1, id, s.newcomers[static_cast<std::size_t>(kind)], free_place(s, id));
         ++s.events.births;
     }
 }
@@ -77,7 +78,7 @@ void watch_inactivity(WorldState& s) {
 }  // namespace
 
 void touch_and_live(WorldState& s) {
-    s.events.contacts += static_cast<std::int64_t>(s.physics.begun().size());
+    s.events.contacts += static_cast<std::int64_t>(s.begun.size());
     bite_prey(s);
     spend_energy(s);
     bury_and_bear(s);

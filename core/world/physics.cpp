@@ -39,13 +39,18 @@ void fill(b2FixtureDef& definition, const b2Shape& shape, Category category, std
 struct Physics::Box : b2ContactListener {
     b2World world{b2Vec2(0, 0)};
     std::vector<b2Body*> bodies;
-    std::vector<Touch> begun, ended;
+    std::vector<b2Body*> obstacles;
+    // How many pairs of fixtures touch now, by who touches whom, sorted; and what the last step changed about it.
+    struct Contacts {
+        Touch touch;
+        int count = 0;
+    };
+    std::vector<Contacts> contacts, changes;
 
-    void BeginContact(b2Contact* contact) override {
-        if (const Touch touch = touch_of(contact); touch.one != no_vehicle) begun.push_back(touch);
-    }
-    void EndContact(b2Contact* contact) override {
-        if (const Touch touch = touch_of(contact); touch.other != no_vehicle) ended.push_back(touch);
+    void BeginContact(b2Contact* contact) override { note(contact, 1); }
+    void EndContact(b2Contact* contact) override { note(contact, -1); }
+    void note(b2Contact* contact, int change) {
+        if (const Touch touch = touch_of(contact); touch.one != no_vehicle) changes.push_back({touch, change});
     }
 
     static Touch touch_of(b2Contact* contact) {
@@ -54,54 +59,87 @@ struct Physics::Box : b2ContactListener {
         return {std::min(a, b), std::max(a, b)};
     }
 
-    void add_block(const Pose& pose, float length, float width) {
+    b2Body* add_block(const Motion& motion, const std::vector<maths::vec2>& corners, float mass) {
         b2BodyDef body;
-        body.position.Set(pose.x, pose.y);
-        body.angle = pose.heading;
+        body.type = mass > 0 ? b2_dynamicBody : b2_staticBody;
+        body.position = to_box(motion.place);
+        body.angle = motion.heading;
+        body.linearVelocity = to_box(motion.velocity);
+        body.angularVelocity = motion.turning;
+        // Nothing drives it: the floor brakes what was pushed.
+        body.linearDamping = body.angularDamping = 3;
+        std::array<b2Vec2, b2_maxPolygonVertices> points;
+        for (std::size_t i = 0; i < corners.size(); ++i) points[i] = to_box(corners[i]);
         b2PolygonShape shape;
-        shape.SetAsBox(length / 2, width / 2);
+        shape.Set(points.data(), static_cast<int>(corners.size()));
         b2FixtureDef fixture;
-        fill(fixture, shape, environment, chassis | wheel);
+        fill(fixture, shape, environment, chassis | wheel | environment);
+        b2Body* made = world.CreateBody(&body);
+        b2MassData mass_data;
+        shape.ComputeMass(&mass_data, 1);
+        if (mass > 0) fixture.density = mass / mass_data.mass;
+        made->CreateFixture(&fixture);
+        return made;
+    }
+    void add_box(maths::vec2 middle, float length, float width) {
+        const float l = length / 2, w = width / 2;
+        add_block(at_rest({middle.x, middle.y, 0}), {{-l, -w}, {l, -w}, {l, w}, {-l, w}}, 0);
+    }
+    void add_post(maths::vec2 middle) {
+        b2BodyDef body;
+        body.position = to_box(middle);
+        b2CircleShape shape;
+        shape.m_radius = solid_source_radius;
+        b2FixtureDef fixture;
+        fill(fixture, shape, environment, chassis | wheel | environment);
         world.CreateBody(&body)->CreateFixture(&fixture);
     }
 
-    // What ended leaves the touching pairs, what began joins them; a pair's wheels touch nothing but the environment,
-    // so a pair of vehicles has one contact at most.
-    void settle(std::vector<Touch>& touching, std::vector<Touch>& begun_sorted) {
-        std::sort(begun.begin(), begun.end());
-        begun.erase(std::unique(begun.begin(), begun.end()), begun.end());
-        begun_sorted = begun;
-        std::erase_if(touching,
-                      [this](const Touch& t) { return std::find(ended.begin(), ended.end(), t) != ended.end(); });
-        for (const Touch& touch : begun)
-            if (touch.other != no_vehicle) touching.push_back(touch);
-        std::sort(touching.begin(), touching.end());
-        touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
-        begun.clear();
-        ended.clear();
+    // Takes the noted changes over into the counts of contacts.
+    void settle() {
+        std::sort(changes.begin(), changes.end(),
+                  [](const Contacts& a, const Contacts& b) { return a.touch < b.touch; });
+        for (const Contacts& change : changes) {
+            const auto at = std::lower_bound(contacts.begin(), contacts.end(), change.touch,
+                                             [](const Contacts& c, const Touch& t) { return c.touch < t; });
+            if (at == contacts.end() || at->touch != change.touch)
+                contacts.insert(at, change);
+            else
+                at->count += change.count;
+        }
+        std::erase_if(contacts, [](const Contacts& c) { return c.count <= 0; });
+        changes.clear();
     }
 };
 
-Physics::Physics(const Scene& scene) : box_(std::make_unique<Box>()) {
+Physics::Physics(const Scene& scene, const std::vector<Motion>& obstacles) : box_(std::make_unique<Box>()) {
     box_->world.SetContactListener(box_.get());
     box_->world.SetAllowSleeping(false);  // sleeping islands depend on Box2D's own lists
     if (scene.arena.edge == Edge::wall) {
         const float w = scene.arena.width, h = scene.arena.height, t = wall_thickness;
-        box_->add_block({0, (h + t) / 2, 0}, w + 2 * t, t);
-        box_->add_block({0, -(h + t) / 2, 0}, w + 2 * t, t);
-        box_->add_block({(w + t) / 2, 0, 0}, t, h);
-        box_->add_block({-(w + t) / 2, 0, 0}, t, h);
+        box_->add_box({0, (h + t) / 2}, w + 2 * t, t);
+        box_->add_box({0, -(h + t) / 2}, w + 2 * t, t);
+        box_->add_box({(w + t) / 2, 0}, t, h);
+        box_->add_box({-(w + t) / 2, 0}, t, h);
     }
-    for (const Obstacle& o : scene.obstacles) box_->add_block({o.x, o.y, o.heading}, o.length, o.width);
+    for (std::size_t i = 0; i < scene.obstacles.size(); ++i)
+        box_->obstacles.push_back(
+            box_->add_block(obstacles[i], corners_of(scene.obstacles[i]), scene.obstacles[i].mass));
+    for (const Source& source : scene.sources)
+        if (source.solid) box_->add_post({source.x, source.y});
 }
 
 Physics::~Physics() = default;
+Physics::Physics(Physics&&) noexcept = default;
+Physics& Physics::operator=(Physics&&) noexcept = default;
 
-void Physics::add(VehicleId id, const Body& body, const Pose& pose) {
+void Physics::add(VehicleId id, const Body& body, const Motion& motion) {
     b2BodyDef definition;
     definition.type = b2_dynamicBody;
-    definition.position.Set(pose.x, pose.y);
-    definition.angle = pose.heading;
+    definition.position = to_box(motion.place);
+    definition.angle = motion.heading;
+    definition.linearVelocity = to_box(motion.velocity);
+    definition.angularVelocity = motion.turning;
     definition.userData.pointer = static_cast<std::uintptr_t>(id) + 1;  // 0 is the environment
     b2Body* made = box_->world.CreateBody(&definition);
 
@@ -126,10 +164,7 @@ void Physics::add(VehicleId id, const Body& body, const Pose& pose) {
 void Physics::remove(std::size_t row) {
     box_->world.DestroyBody(box_->bodies[row]);  // reports the contacts it ends
     box_->bodies.erase(box_->bodies.begin() + static_cast<std::ptrdiff_t>(row));
-    std::erase_if(touching_, [this](const Touch& t) {
-        return std::find(box_->ended.begin(), box_->ended.end(), t) != box_->ended.end();
-    });
-    box_->ended.clear();
+    box_->settle();
 }
 
 void Physics::place(std::size_t row, const Pose& pose) {
@@ -139,26 +174,39 @@ void Physics::place(std::size_t row, const Pose& pose) {
     body->SetAngularVelocity(0);
 }
 
-Motion Physics::motion(std::size_t row) const {
-    const b2Body* body = box_->bodies[row];
-    const b2Rot& turn = body->GetTransform().q;
-    return {from_box(body->GetPosition()),
+namespace {
+
+Motion motion_of(const b2Body& body) {
+    const b2Rot& turn = body.GetTransform().q;
+    return {from_box(body.GetPosition()),
             {turn.c, turn.s},
-            from_box(body->GetLinearVelocity()),
-            body->GetAngularVelocity()};
+            from_box(body.GetLinearVelocity()),
+            body.GetAngularVelocity(),
+            body.GetAngle()};
 }
 
-float Physics::heading(std::size_t row) const { return box_->bodies[row]->GetAngle(); }
+}  // namespace
+
+Motion Physics::motion(std::size_t row) const { return motion_of(*box_->bodies[row]); }
+Motion Physics::obstacle(std::size_t index) const { return motion_of(*box_->obstacles[index]); }
 
 void Physics::push(std::size_t row, maths::vec2 force, float torque) {
     box_->bodies[row]->ApplyForceToCenter(to_box(force), true);
     box_->bodies[row]->ApplyTorque(torque, true);
 }
 
-void Physics::step() {
+void Physics::step(std::vector<Touch>& touching, std::vector<Touch>& begun) {
     constexpr int velocity_iterations = 6, position_iterations = 2;
     box_->world.Step(tick_seconds, velocity_iterations, position_iterations);
-    box_->settle(touching_, begun_);
+    box_->settle();
+    begun.clear();
+    auto before = touching.begin();
+    for (const Box::Contacts& now : box_->contacts) {
+        while (before != touching.end() && *before < now.touch) ++before;
+        if (before == touching.end() || *before != now.touch) begun.push_back(now.touch);
+    }
+    touching.clear();
+    for (const Box::Contacts& now : box_->contacts) touching.push_back(now.touch);
 }
 
 }  // namespace braitenlab

@@ -22,13 +22,20 @@ maths::Random chance_for(const WorldState& s, VehicleId id) {
     return {s.seed, stream};
 }
 
+// How far an obstacle stretches from its middle.
+float reach(const Obstacle& obstacle) {
+    float farthest = 0;
+    for (const vec2 corner : corners_of(obstacle)) farthest = std::max(farthest, maths::length(corner));
+    return farthest;
+}
+
 bool is_free(const WorldState& s, vec2 place) {
     for (const Motion& other : s.vehicles.motion)
         if (maths::distance(other.place, place) < clearance) return false;
-    for (const Obstacle& o : s.scene->obstacles)
-        if (maths::distance({o.x, o.y}, place) < clearance / 2 + std::max(o.length, o.width) / 2) return false;
-    for (const vec2 source : s.sources)
-        if (maths::distance(source, place) < clearance) return false;
+    for (std::size_t i = 0; i < s.obstacles.size(); ++i)
+        if (maths::distance(s.obstacles[i].place, place) < clearance / 2 + reach(s.scene->obstacles[i])) return false;
+    for (const Source& source : s.scene->sources)
+        if (maths::distance({source.x, source.y}, place) < clearance) return false;
     return true;
 }
 
@@ -38,7 +45,8 @@ Pose start_pose(const WorldState& s, const Start& start, VehicleId id) {
     pose.x += chance.uniform(-start.place_spread, start.place_spread);
     pose.y += chance.uniform(-start.place_spread, start.place_spread);
     if (const int source = find_source(*s.scene, start.facing); source >= 0) {
-        const vec2 to = s.sources[static_cast<std::size_t>(source)] - vec2{pose.x, pose.y};
+        const Source& faced = s.scene->sources[static_cast<std::size_t>(source)];
+        const vec2 to = vec2{faced.x, faced.y} - vec2{pose.x, pose.y};
         pose.heading += maths::arctangent2(to.y, to.x);
     }
     pose.heading = maths::wrap_angle(pose.heading + chance.uniform(-start.heading_spread, start.heading_spread));
@@ -81,6 +89,15 @@ void erase_stretch(std::vector<float>& flat, std::vector<std::uint32_t>& first, 
     erase_row(first, row);
 }
 
+// A vehicle's two motors, each a little stronger or weaker than it should be. Chance that belongs to the vehicle alone:
+// it keeps its motors from generation to generation.
+std::array<float, 2> motor_gains(const WorldState& s, int kind, VehicleId id) {
+    const float mismatch = s.scene->kinds[static_cast<std::size_t>(kind)].body.mismatch;
+    maths::Random chance{s.seed, (std::uint64_t{0x6d6f746f} << 32U) | static_cast<std::uint32_t>(id)};
+    const float left = chance.uniform(-1, 1), right = chance.uniform(-1, 1);
+    return {1 + mismatch * left, 1 + mismatch * right};
+}
+
 }  // namespace
 
 int kind_due(const WorldState& s) { return most_wanted(*s.scene, random_counts(s)); }
@@ -107,28 +124,37 @@ void add_vehicle(WorldState& s, int kind, int start, VehicleId id, SharedDesign 
     v.id.push_back(id);
     v.kind.push_back(kind);
     v.start.push_back(start);
+    v.driver.push_back(s.scene->kinds[static_cast<std::size_t>(kind)].driver);
     v.energy.push_back(1);
+    v.hand.push_back({});
+    v.waypoint.push_back(0);
+    v.gain.push_back(motor_gains(s, kind, id));
     v.motor.push_back({});
     v.wheel_angle.push_back({});
     v.first_sensed.push_back(static_cast<std::uint32_t>(v.sensed.size()));
     v.sensed.resize(v.sensed.size() + compiled.eyes.size(), 0.0f);
     v.first_neuron.push_back(static_cast<std::uint32_t>(v.neurons.size()));
-    v.neurons.resize(v.neurons.size() + design->brain.units.size(), 0.0f);
+    v.neurons.resize(v.neurons.size() + static_cast<std::size_t>(design->brain.state_size()), 0.0f);
     v.design.push_back(std::move(design));
-    s.physics.add(id, s.scene->kinds[static_cast<std::size_t>(kind)].body, pose);
+    s.physics.add(id, s.scene->kinds[static_cast<std::size_t>(kind)].body, at_rest(pose));
     v.motion.push_back(s.physics.motion(v.id.size() - 1));
     s.eyes_are_stale = true;
 }
 
 void remove_vehicle(WorldState& s, std::size_t row) {
     Vehicles& v = s.vehicles;
+    std::erase_if(s.marks, [id = v.id[row]](const Mark& mark) { return mark.owner == id; });
     erase_stretch(v.sensed, v.first_sensed, row);
     erase_stretch(v.neurons, v.first_neuron, row);
     erase_row(v.id, row);
     erase_row(v.kind, row);
     erase_row(v.start, row);
+    erase_row(v.driver, row);
     erase_row(v.motion, row);
     erase_row(v.energy, row);
+    erase_row(v.hand, row);
+    erase_row(v.waypoint, row);
+    erase_row(v.gain, row);
     erase_row(v.motor, row);
     erase_row(v.wheel_angle, row);
     erase_row(v.design, row);
@@ -140,7 +166,7 @@ void populate(WorldState& s) {
     for (std::size_t i = 0; i < scene.starts.size(); ++i) {
         const int kind = find_kind(scene, scene.starts[i].kind);
         const VehicleId id = s.next_id++;
-        add_vehicle(s, kind, static_cast<int>(i), id, s.kinds[static_cast<std::size_t>(kind)].design,
+        add_vehicle(s, kind, static_cast<int>(i), id, s.newcomers[static_cast<std::size_t>(kind)],
                     start_pose(s, scene.starts[i], id));
     }
     std::vector<int> counts(s.kinds.size(), 0);
@@ -148,7 +174,7 @@ void populate(WorldState& s) {
         const int kind = most_wanted(scene, counts);
         ++counts[static_cast<std::size_t>(kind)];
         const VehicleId id = s.next_id++;
-        add_vehicle(s, kind, -1, id, s.kinds[static_cast<std::size_t>(kind)].design, free_place(s, id));
+        add_vehicle(s, kind, -1, id, s.newcomers[static_cast<std::size_t>(kind)], free_place(s, id));
     }
 }
 
@@ -162,6 +188,7 @@ void repopulate(WorldState& s) {
     ++s.generation;
     s.still_ticks = 0;
     s.bites.clear();
+    s.marks.clear();
     std::vector<int> counts(s.kinds.size(), 0);
     for (std::size_t row = 0; row < before.size(); ++row) {
         const int start = before.start[row];
@@ -169,7 +196,7 @@ void repopulate(WorldState& s) {
         if (start < 0) ++counts[static_cast<std::size_t>(kind)];
         const VehicleId id = before.id[row];
         const SharedDesign& design =
-            kind == before.kind[row] ? before.design[row] : s.kinds[static_cast<std::size_t>(kind)].design;
+            kind == before.kind[row] ? before.design[row] : s.newcomers[static_cast<std::size_t>(kind)];
         const Pose pose =
             start >= 0 ? start_pose(s, s.scene->starts[static_cast<std::size_t>(start)], id) : free_place(s, id);
         add_vehicle(s, kind, start, id, design, pose);

@@ -1,6 +1,7 @@
 // Eyes read what stands in the fields of their channels.
 #include <algorithm>
 
+#include "core/maths/portable.h"
 #include "core/world/state.h"
 
 namespace braitenlab {
@@ -10,8 +11,8 @@ namespace {
 // Everything that can be sensed on a channel now, in a fixed order: sources, then vehicles by row.
 void gather(WorldState& s, Channel channel, std::vector<Stimulus>& out) {
     out.clear();
-    for (std::size_t i = 0; i < s.sources.size(); ++i)
-        if (s.scene->sources[i].channel == channel) out.push_back({s.sources[i], s.scene->sources[i].strength, -1});
+    for (const Source& source : s.scene->sources)
+        if (is_seen_as(source.channel, channel)) out.push_back({{source.x, source.y}, source.strength, -1});
     const Role wanted = channel == Channel::predator ? Role::predator : Role::prey;
     if (channel != Channel::predator && channel != Channel::prey && channel != Channel::vehicle) return;
     for (std::size_t row = 0; row < s.vehicles.size(); ++row)
@@ -32,6 +33,15 @@ float read(const WorldState& s, const Eye& eye, const Gaze& gaze, std::int32_t s
 }
 
 }  // namespace
+
+float strength(const Moment& s, const Mark& mark) {
+    const auto row = std::lower_bound(s.vehicles.id.begin(), s.vehicles.id.end(), mark.owner) - s.vehicles.id.begin();
+    const auto kind = static_cast<std::size_t>(s.vehicles.kind[static_cast<std::size_t>(row)]);
+    const PlaceMemory& memory = s.scene->kinds[kind].memory;
+    constexpr float ln2 = 0.69314718f;
+    const float age = static_cast<float>(s.tick - mark.tick) * tick_seconds;
+    return memory.strength * maths::exponential(-ln2 * age / memory.fade);
+}
 
 void sense(WorldState& s) {
     s.eyes_are_stale = false;

@@ -36,4 +36,14 @@ float node_value(const Snapshot& now, const VehicleView& vehicle, NodeId id) {
     return now.neurons[unit];
 }
 
+float learned(const Snapshot& now, const VehicleView& vehicle, NodeId from, NodeId to) {
+    const BrainGraph& brain = *now.brains[static_cast<std::size_t>(vehicle.brain)];
+    const Wire* wire = find_wire(brain, from, to);
+    if (!wire || !learns(*wire)) return 0;
+    auto place = static_cast<std::size_t>(vehicle.first_neuron + vehicle.neuron_count);
+    for (const Wire& other : brain.wires)
+        if (learns(other) && std::pair(other.from, other.to) < std::pair(from, to)) ++place;
+    return now.neurons[place];
+}
+
 }  // namespace braitenlab

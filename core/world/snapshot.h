@@ -14,10 +14,16 @@ namespace braitenlab {
 using VehicleId = std::int32_t;  // unique in a run, never used again; ascending in the order of entering
 inline constexpr VehicleId no_vehicle = -1;
 
+struct Pose {
+    float x = 0, y = 0, heading = 0;  // m, m, rad
+    friend bool operator==(const Pose&, const Pose&) = default;
+};
+
 struct VehicleView {
     VehicleId id = no_vehicle;
-    int kind = 0;  // in Scene::kinds
-    Role role = Role::none;
+    int kind = 0;            // in Scene::kinds
+    Role role = Role::none;  // predator, prey or none: never `wiring`
+    Driver driver = Driver::brain;
     float x = 0, y = 0, heading = 0;     // m, m, rad in [-pi, pi)
     float speed = 0;                     // m/s along the heading, negative backwards
     float energy = 1;                    // 0..1
@@ -25,8 +31,8 @@ struct VehicleView {
     std::array<float, 2> wheel_angle{};  // rad the driven wheels have turned
     int brain = 0;                       // in Snapshot::brains
     int first_sensed = 0;                // its sensors' values: sensed[first_sensed + i], i as in Kind::sensors
-    int first_neuron = 0;  // its units' values: neurons[first_neuron + i], hidden by ascending id, left, right motor
-    int neuron_count = 0;
+    int first_neuron = 0;  // its units' values: neurons[first_neuron + i], hidden by ascending id, left, right motor,
+    int neuron_count = 0;  // then what its Hebbian wires have learned: neurons[first_neuron + neuron_count + i]
 };
 
 struct SourceView {
@@ -35,9 +41,15 @@ struct SourceView {
     float x = 0, y = 0, strength = 1;
 };
 
-// Counted since the run began.
+// A place that a vehicle remembers.
+struct MarkView {
+    VehicleId owner = no_vehicle;
+    float x = 0, y = 0, strength = 0;  // m, m, 0..1
+};
+
+// Counted since the run began. Falls (over an open edge) are among the deaths.
 struct EventCounts {
-    std::int64_t captures = 0, deaths = 0, births = 0, contacts = 0;
+    std::int64_t captures = 0, deaths = 0, births = 0, contacts = 0, falls = 0;
     friend bool operator==(const EventCounts&, const EventCounts&) = default;
 };
 
@@ -54,8 +66,10 @@ struct Snapshot {
     std::vector<float> neurons;
     std::vector<std::shared_ptr<const BrainGraph>> brains;       // every brain in use, as edited
     std::vector<std::shared_ptr<const BrainGraph>> kind_brains;  // what newcomers get, as Scene::kinds
-    std::vector<SourceView> sources;
-    std::shared_ptr<const Scene> scene;  // what the run began from: arena, kinds, obstacles
+    std::vector<SourceView> sources;     // as Scene::sources; lamps that vehicles carry are in their kinds
+    std::vector<Pose> obstacles;         // where they are now, as Scene::obstacles
+    std::vector<MarkView> marks;         // by owner, the oldest first
+    std::shared_ptr<const Scene> scene;  // the designs as edited up to now; its kinds' brains are in kind_brains
 };
 
 // The vehicle with this id, or null.
@@ -64,5 +78,8 @@ const VehicleView* find_vehicle(const Snapshot&, VehicleId);
 // The value the snapshot holds for a node of a vehicle's brain: a sensor's reading, a neuron's or motor's state. 0 for
 // a node that the brain does not have.
 float node_value(const Snapshot&, const VehicleView&, NodeId);
+
+// What a Hebbian wire of a vehicle's brain has learned, to be added to its weight; 0 for any other wire.
+float learned(const Snapshot&, const VehicleView&, NodeId from, NodeId to);
 
 }  // namespace braitenlab

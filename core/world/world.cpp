@@ -7,19 +7,20 @@
 
 namespace braitenlab {
 
-WorldState::WorldState(const Scene& given, std::uint64_t the_seed)
-    : scene(std::make_shared<const Scene>(given)), seed(the_seed), outlines(outlines_of(given)), physics(given) {
-    for (const Kind& kind : given.kinds) kinds.push_back(compile_kind(kind, given.arena));
+WorldState::WorldState(Moment moment)
+    : Moment(std::move(moment)), outlines(outlines_of(*scene)), physics(*scene, obstacles) {
+    for (const Kind& design : scene->kinds) kinds.push_back(compile_kind(design, scene->arena));
     for (int c = 0; c < channel_count; ++c) {
         float farthest = 0;
-        for (const CompiledKind& kind : kinds)
-            for (const Eye& eye : kind.eyes)
+        for (const CompiledKind& compiled : kinds)
+            for (const Eye& eye : compiled.eyes)
                 if (static_cast<int>(eye.channel) == c) farthest = std::max(farthest, eye.range);
         const auto channel = static_cast<std::size_t>(c);
         sensed_channel[channel] = farthest > 0;
-        if (farthest > 0) fields[channel].lay_out(given.arena, farthest);
+        if (farthest > 0) fields[channel].lay_out(scene->arena, farthest);
     }
-    for (const Source& source : given.sources) sources.push_back({source.x, source.y});
+    for (std::size_t row = 0; row < vehicles.size(); ++row)
+        physics.add(vehicles.id[row], scene->kinds[kind(row)].body, vehicles.motion[row]);
 }
 
 std::optional<std::size_t> WorldState::row_of(VehicleId id) const {
@@ -35,46 +36,45 @@ World::~World() = default;
 
 Result<World> World::create(const Scene& scene, std::uint64_t seed) {
     if (auto error = check_scene(scene)) return *error;
-    auto state = std::make_unique<WorldState>(scene, seed);
-    for (std::size_t k = 0; k < state->kinds.size(); ++k) {
-        auto design = make_design(scene.kinds[k].brain, state->kinds[k].sensor_names);
+    Moment begin;
+    begin.scene = std::make_shared<const Scene>(scene);
+    begin.seed = seed;
+    for (const Kind& kind : scene.kinds) {
+        auto design = make_design(kind.brain, kind);
         if (!design) return design.error();
-        state->kinds[k].design = *design;
+        begin.newcomers.push_back(*design);
     }
+    for (const Obstacle& o : scene.obstacles) begin.obstacles.push_back(at_rest({o.x, o.y, o.heading}));
+    auto state = std::make_unique<WorldState>(std::move(begin));
     populate(*state);
-    return World(std::move(state));
+    World world(std::move(state));
+    world.begin_keyframe();
+    return world;
 }
 
-namespace {
-
-// Every vehicle's brain turns its readings into wheel commands; `neurons` holds all vehicles' units.
-void think_with(WorldState& s, std::vector<float>& neurons) {
-    Vehicles& v = s.vehicles;
-    for (std::size_t row = 0; row < v.size(); ++row) {
-        const auto kind = static_cast<std::size_t>(v.kind[row]);
-        if (s.scene->kinds[kind].driver == Driver::parked) {
-            v.motor[row] = {};
-            continue;
-        }
-        const Brain& brain = v.design[row]->brain;
-        think(brain, {v.sensed.data() + v.first_sensed[row], s.kinds[kind].eyes.size()},
-              {neurons.data() + v.first_neuron[row], brain.units.size()}, v.motor[row]);
-    }
+// Goes on from a copy of its own moment, as a world restored from it will.
+void World::begin_keyframe() {
+    const bool stale = state_->eyes_are_stale;
+    since_ = {std::make_shared<const Moment>(*state_), state_->tick, {}, state_->tick};
+    *state_ = WorldState(Moment(*since_.keyframe));
+    state_->eyes_are_stale = stale;
 }
 
-// After a command and before the next tick, a picture shows what the eyes see now and what the brains make of it; the
-// brains' own state waits for the tick.
-void foresee(WorldState& s) {
-    sense(s);
-    s.foreseen_neurons = s.vehicles.neurons;
-    think_with(s, s.foreseen_neurons);
+Save World::save() const {
+    Save save = since_;
+    save.tick = state_->tick;
+    return save;
 }
 
-}  // namespace
-
-void think(WorldState& s) {
-    think_with(s, s.vehicles.neurons);
-    s.foreseen_neurons.clear();
+World World::restore(const Save& save) {
+    World world(std::make_unique<WorldState>(Moment(*save.keyframe)));
+    world.since_ = {save.keyframe, save.keyframe_tick, {}, save.keyframe_tick};
+    auto next = save.commands.begin();
+    const auto carry_out_due = [&] {
+        for (; next != save.commands.end() && next->tick <= world.tick(); ++next) (void)world.apply(next->command);
+    };
+    for (carry_out_due(); world.tick() < save.tick; carry_out_due()) world.step();
+    return world;
 }
 
 void World::step() {
@@ -82,18 +82,20 @@ void World::step() {
     sense(s);
     think(s);
     drive(s);
-    s.physics.step();
+    s.physics.step(s.touching, s.begun);
     for (std::size_t row = 0; row < s.vehicles.size(); ++row) read_motion(s, row);
+    for (std::size_t i = 0; i < s.obstacles.size(); ++i) s.obstacles[i] = s.physics.obstacle(i);
     touch_and_live(s);
-    ++s.tick;
+    if (++s.tick % keyframe_ticks == 0) begin_keyframe();
 }
 
 std::uint64_t World::tick() const { return state_->tick; }
 
 std::optional<Error> World::apply(const Command& command) {
-    auto error = carry_out(*state_, command);
-    if (!error) state_->eyes_are_stale = true;
-    return error;
+    if (auto error = carry_out(*state_, command)) return error;
+    state_->eyes_are_stale = true;
+    since_.commands.push_back({state_->tick, command});
+    return std::nullopt;
 }
 
 void World::capture(Snapshot& out) const {

@@ -8,6 +8,7 @@
 #include "core/result.h"
 #include "core/scene/scene.h"
 #include "core/world/command.h"
+#include "core/world/save.h"
 #include "core/world/snapshot.h"
 
 namespace braitenlab {
@@ -35,12 +36,19 @@ public:
     // Fills a snapshot, reusing its memory.
     void capture(Snapshot&) const;
 
+    // The run as it is now, and a world that goes on from there exactly as this one does. Costs nothing to make; to
+    // restore, at most keyframe_ticks steps.
+    Save save() const;
+    static World restore(const Save&);
+
     // A digest of everything that decides the future of the run.
     std::uint64_t hash() const;
 
 private:
     explicit World(std::unique_ptr<WorldState>);
+    void begin_keyframe();
     std::unique_ptr<WorldState> state_;
+    Save since_;  // the last keyframe and what was done since
 };
 
 }  // namespace braitenlab

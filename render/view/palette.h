@@ -79,8 +79,18 @@ constexpr Colour colour_of(const Palette& p, Channel channel) {
     switch (channel) {
         case Channel::light:
             return p.lamp;
+        case Channel::red:
         case Channel::heat:
             return p.heat;
+        case Channel::green:
+            return p.prey;
+        case Channel::blue:
+            return p.oxygen;
+        case Channel::memory:
+        case Channel::touch:
+        case Channel::floor:
+        case Channel::energy:
+            return p.neutral;
         case Channel::smell:
             return p.smell;
         case Channel::oxygen:

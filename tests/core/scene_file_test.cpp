@@ -11,6 +11,7 @@
 #include "core/maths/random.h"
 #include "core/scene/format_table.h"
 #include "core/scene/nearest.h"
+#include "tests/core/scenes.h"
 
 namespace braitenlab {
 namespace {
@@ -24,12 +25,6 @@ std::string content(const fs::path& path) {
     std::ostringstream text;
     text << in.rdbuf();
     return text.str();
-}
-
-std::vector<fs::path> shipped_scenes() {
-    std::vector<fs::path> paths;
-    for (const auto& entry : fs::directory_iterator(source / "exercises" / "scenes")) paths.push_back(entry.path());
-    return paths;
 }
 
 Scene read(const std::string& text, const std::vector<Setting>& settings = {}) {
@@ -54,7 +49,7 @@ Scene everything() {
     scene.name = "all-of_it";
     scene.title = "Quotes \" and \\ and umlauts äöü";
     scene.story = "Two lines\nand a tab\t and a bell\a";
-    scene.arena = {33.3f, 44.4f, Edge::open, 12.5f, 0.1f};
+    scene.arena = {33.3f, 44.4f, Edge::torus, 12.5f, 0.1f, 0.4f, 0.05f};
     scene.ecology = {12, 0.0125f, 0.3f, 7};
     Kind kind;
     kind.name = "z-first";
@@ -66,23 +61,29 @@ Scene everything() {
                  7.7f,
                  2.2f,
                  19.5f,
+                 0.15f,
+                 0.05f,
                  {{0.1f, 0.2f, 0.3f, 0.4f, Motor::left, 0.5f, 0.6f, 0.07f},
                   {0.9f, 0.8f, 0.2f, 0.1f, Motor::right, 0.3f, 0.4f, 0.05f}}};
-    kind.sensors.push_back(
-        {"SR", Channel::smell, SensorShape::triangle, SensorResponse::boolean, 0.1f, -0.2f, -1.1f, 2.2f, 9, 1.5f});
+    kind.sensors.push_back({"SR", Channel::smell, SensorShape::triangle, SensorResponse::boolean, 0.1f, -0.2f, -1.1f,
+                            2.2f, 9, 1.5f, 0.02f, 0.3f});
     kind.sensors.push_back(
         {"A", Channel::prey, SensorShape::omni, SensorResponse::graded, 0.4f, 0.2f, 0.7f, maths::radians(360), 5, 2});
+    kind.memory = {7, 33, 0.4f};
+    kind.lamps = {{"tail", Channel::red, -0.4f, 0.1f, 0.6f}};
+    kind.waypoints = {{1, 2}, {-3.5f, 0}};
     kind.brain.nodes = {{.id = 7, .kind = NodeKind::sensor, .name = "SR"},
                         {.id = 3,
                          .kind = NodeKind::neuron,
                          .name = "N",
                          .curve = {Response::hump, 0.3f, 0.15f},
                          .bias = -0.25f,
-                         .time_constant = 1.5f},
+                         .time_constant = 1.5f,
+                         .silenced = true},
                         {.id = 8, .kind = NodeKind::motor, .name = "ML", .curve = {Response::sigmoid, 0.1f, 0.9f}}};
     kind.brain.wires = {
         {.from = 7, .to = 3, .weight = -1.75f, .threshold = 0.125f, .curve = {Response::step, 0.4f, 0.3f}},
-        {.from = 3, .to = 8},
+        {.from = 3, .to = 8, .cut = true, .learning_rate = 1.5f, .decay = 0.01f},
         {.from = 3, .to = 3, .weight = 0.5f, .threshold = 0, .curve = {Response::inverted}}};
     scene.kinds.push_back(kind);
     Kind plain;
@@ -99,15 +100,17 @@ Scene everything() {
     more.brain.nodes.push_back({.id = 21, .kind = NodeKind::neuron, .name = "M"});
     more.brain.wires.push_back({.from = 0, .to = 20, .weight = 0.3f});
     scene.kinds.push_back(more);
-    scene.sources = {{"lamp", Channel::heat, 1.5f, -2.5f, 0.75f}, {"another", Channel::light, 0, 0, 1}};
+    scene.sources = {{"lamp", Channel::heat, 1.5f, -2.5f, 0.75f}, {"another", Channel::light, 0, 0, 1, true}};
     scene.starts = {{"two", "a-second", 1, 2, -3.1f, "lamp", 0.5f, 0.25f}, {"one", "z-first", 0, 0, 0, "", 0, 0}};
-    scene.obstacles = {{"wall", 3, 4, 0.7853982f, 5, 0.25f}};
+    scene.obstacles = {{"wall", 3, 4, 0.7853982f, 5, 0.25f},
+                       {"wedge", -3, 4, 0.1f, 1, 1, {{-0.5f, -0.5f}, {0.75f, 0}, {0, 0.6f}}, 2.5f}};
+    scene.zones = {{"pond", 1, -2, 0.5f, 3, 2, true, Surface::ice, 0.1f, 2, -3, 0.1f, 4}};
     return scene;
 }
 
 TEST(SceneFile, ReadsWhatItWroteForEveryShippedScene) {
-    ASSERT_FALSE(shipped_scenes().empty());
-    for (const fs::path& path : shipped_scenes()) {
+    ASSERT_FALSE(tests::shipped_scenes().empty());
+    for (const fs::path& path : tests::shipped_scenes()) {
         const auto scene = load_scene(path);
         ASSERT_TRUE(scene) << scene.error().text();
         EXPECT_EQ(scene->name, path.stem().string());
@@ -347,7 +350,7 @@ void survive(const std::string& text) {
 }
 
 TEST(HostileFiles, CutAnywhereDoNoHarm) {
-    for (const fs::path& path : shipped_scenes()) {
+    for (const fs::path& path : tests::shipped_scenes()) {
         const std::string text = content(path);
         for (std::size_t end = 0; end < text.size(); end += 13) survive(text.substr(0, end));
     }
@@ -356,7 +359,7 @@ TEST(HostileFiles, CutAnywhereDoNoHarm) {
 TEST(HostileFiles, ChangedAnywhereDoNoHarm) {
     const std::string bits = "\"'[]{}=.,#\\\n-+0919eE_xyzLR\x01\xff\xc3 \t";
     maths::Random chance(7, 7);
-    for (const fs::path& path : shipped_scenes()) {
+    for (const fs::path& path : tests::shipped_scenes()) {
         const std::string text = content(path);
         for (int i = 0; i < 400; ++i) {
             std::string changed = text;

@@ -1,11 +1,25 @@
 // Small scenes that tests build by hand.
 #pragma once
 
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "core/brain/four_neurons.h"
 #include "core/maths/angle.h"
 #include "core/scene/scene.h"
 
 namespace braitenlab::tests {
+
+// The files of every scene that ships, in a fixed order.
+inline std::vector<std::filesystem::path> shipped_scenes() {
+    std::vector<std::filesystem::path> paths;
+    const std::filesystem::path folder = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "scenes";
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) paths.push_back(entry.path());
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
 
 // A kind with two eyes for a channel, as the standard vehicle carries them.
 inline Kind two_eyed(std::string name, const FourNeurons& brain, Channel channel = Channel::light) {

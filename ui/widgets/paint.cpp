@@ -97,6 +97,7 @@ void put_role(const Ui& ui, ImVec2 c, float size, Role role, float alpha) {
             draw.AddCircleFilled(c, h * 0.95f, colour);
             break;
         case Role::none:
+        case Role::wiring:
             draw.AddRectFilled({c.x - h * 0.85f, c.y - h * 0.85f}, {c.x + h * 0.85f, c.y + h * 0.85f}, colour,
                                size / 8);
             break;

@@ -96,8 +96,10 @@ void draw_pin(const Pen& pen, vec2 at, float spread, bool hovered, bool inviting
 
 // In the order of Channel.
 constexpr std::array<std::string_view, channel_count> senses_keys{
-    "wiring.senses.light",    "wiring.senses.heat",     "wiring.senses.smell", "wiring.senses.oxygen",
-    "wiring.senses.obstacle", "wiring.senses.predator", "wiring.senses.prey",  "wiring.senses.vehicle"};
+    "wiring.senses.light",    "wiring.senses.red",   "wiring.senses.green",   "wiring.senses.blue",
+    "wiring.senses.heat",     "wiring.senses.smell", "wiring.senses.oxygen",  "wiring.senses.obstacle",
+    "wiring.senses.predator", "wiring.senses.prey",  "wiring.senses.vehicle", "wiring.senses.memory",
+    "wiring.senses.touch",    "wiring.senses.floor", "wiring.senses.energy"};
 
 // The first two eyes are known by their side, every further sensor by what it senses.
 std::string_view subtitle_key(const CanvasPicture& picture, const Node& node) {

@@ -1,0 +1,186 @@
+#include "core/world/edits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/maths/angle.h"
+#include "core/scene/names.h"
+#include "core/scene/scene_file.h"
+
+namespace braitenlab {
+
+namespace {
+
+// Puts an edited scene in the place of the old one and makes the world again from it.
+void take_over(WorldState& s, Scene scene) {
+    Moment moment = std::move(static_cast<Moment&>(s));
+    moment.scene = std::make_shared<const Scene>(std::move(scene));
+    s = WorldState(std::move(moment));
+}
+
+std::optional<Error> take_over_if_sound(WorldState& s, Scene scene) {
+    if (auto error = check_scene(scene)) return error;
+    take_over(s, std::move(scene));
+    return std::nullopt;
+}
+
+template <class Thing>
+std::optional<Error> missing(const std::vector<Thing>& things, int index, const char* what) {
+    if (index >= 0 && static_cast<std::size_t>(index) < things.size()) return std::nullopt;
+    return Error{fmt::format("the scene has no {} number {}", what, index)};
+}
+
+template <class Thing>
+auto place_in(std::vector<Thing>& things, int index) {
+    return things.begin() + static_cast<std::ptrdiff_t>(index);
+}
+
+// Where something new goes: before the one that is named, else at the end.
+template <class Thing>
+int place_for(const std::vector<Thing>& things, int before) {
+    const auto count = static_cast<int>(things.size());
+    return before < 0 ? count : std::min(before, count);
+}
+
+// The name itself where it is given and free, else the word with the lowest number that makes it so.
+template <class Thing>
+std::string free_name(const std::vector<Thing>& things, const std::string& wished, std::string_view word) {
+    const auto taken = [&](const std::string& name) {
+        return std::any_of(things.begin(), things.end(), [&](const Thing& t) { return t.name == name; });
+    };
+    if (!wished.empty() && !taken(wished)) return wished;
+    std::string name(word);
+    for (int number = 2; taken(name); ++number) name = fmt::format("{}-{}", word, number);
+    return name;
+}
+
+bool is_finite(float x, float y) { return std::isfinite(x) && std::isfinite(y); }
+Error not_finite() { return {"a place takes finite numbers only"}; }
+
+}  // namespace
+
+std::optional<Error> carry_out(WorldState& s, const SetSensors& c) {
+    if (auto error = missing(s.scene->kinds, c.kind, "kind")) return error;
+    Scene scene = *s.scene;
+    Kind& kind = scene.kinds[static_cast<std::size_t>(c.kind)];
+    kind.sensors = c.sensors;
+    kind.brain = s.newcomers[static_cast<std::size_t>(c.kind)]->graph;
+    if (auto error = check_scene(scene)) return error;
+
+    // Brains find their sensors by name; every design of the kind is made again with the new ones.
+    std::vector<std::pair<SharedDesign, SharedDesign>> made;
+    const auto again = [&](SharedDesign& design) {
+        for (const auto& [before, after] : made)
+            if (before == design) return void(design = after);
+        made.emplace_back(design, *make_design(design->graph, kind));
+        design = made.back().second;
+    };
+    again(s.newcomers[static_cast<std::size_t>(c.kind)]);
+    Vehicles& v = s.vehicles;
+    for (std::size_t row = 0; row < v.size(); ++row)
+        if (v.kind[row] == c.kind) again(v.design[row]);
+    v.sensed.clear();
+    for (std::size_t row = 0; row < v.size(); ++row) {
+        v.first_sensed[row] = static_cast<std::uint32_t>(v.sensed.size());
+        v.sensed.resize(v.sensed.size() + scene.kinds[s.kind(row)].sensors.size(), 0.0f);
+    }
+    take_over(s, std::move(scene));
+    return std::nullopt;
+}
+
+std::optional<Error> carry_out(WorldState& s, const AddSource& c) {
+    Scene scene = *s.scene;
+    Source source = c.source;
+    source.name = free_name(scene.sources, source.name, word(source.channel));
+    scene.sources.insert(place_in(scene.sources, place_for(scene.sources, c.before)), std::move(source));
+    return take_over_if_sound(s, std::move(scene));
+}
+
+std::optional<Error> carry_out(WorldState& s, const RemoveSource& c) {
+    if (auto error = missing(s.scene->sources, c.source, "source")) return error;
+    Scene scene = *s.scene;
+    // Starts that face it keep the direction in which it stood.
+    for (Start& start : scene.starts) {
+        const Source& gone = scene.sources[static_cast<std::size_t>(c.source)];
+        if (start.facing != gone.name) continue;
+        start.heading = maths::wrap_angle(start.heading + maths::arctangent2(gone.y - start.y, gone.x - start.x));
+        start.facing.clear();
+    }
+    scene.sources.erase(place_in(scene.sources, c.source));
+    take_over(s, std::move(scene));
+    return std::nullopt;
+}
+
+std::optional<Error> carry_out(WorldState& s, const EditSource& c) {
+    if (auto error = missing(s.scene->sources, c.source, "source")) return error;
+    Scene scene = *s.scene;
+    Source& source = *place_in(scene.sources, c.source);
+    const std::string name = source.name;  // starts and checks know it by this
+    source = c.to;
+    source.name = name;
+    return take_over_if_sound(s, std::move(scene));
+}
+
+std::optional<Error> carry_out(WorldState& s, const MoveSource& c) {
+    if (auto error = missing(s.scene->sources, c.source, "source")) return error;
+    if (!is_finite(c.x, c.y)) return not_finite();
+    Scene scene = *s.scene;
+    Source& source = *place_in(scene.sources, c.source);
+    source.x = std::clamp(c.x, -1000.0f, 1000.0f);
+    source.y = std::clamp(c.y, -1000.0f, 1000.0f);
+    if (source.solid)
+        take_over(s, std::move(scene));
+    else
+        s.scene = std::make_shared<const Scene>(std::move(scene));
+    return std::nullopt;
+}
+
+std::optional<Error> carry_out(WorldState& s, const AddObstacle& c) {
+    Scene scene = *s.scene;
+    Obstacle obstacle = c.obstacle;
+    obstacle.name = free_name(scene.obstacles, obstacle.name, "obstacle");
+    const int index = place_for(scene.obstacles, c.before);
+    const Motion motion = at_rest({obstacle.x, obstacle.y, obstacle.heading});
+    scene.obstacles.insert(place_in(scene.obstacles, index), std::move(obstacle));
+    if (auto error = check_scene(scene)) return error;
+    s.obstacles.insert(place_in(s.obstacles, index), motion);
+    take_over(s, std::move(scene));
+    return std::nullopt;
+}
+
+std::optional<Error> carry_out(WorldState& s, const RemoveObstacle& c) {
+    if (auto error = missing(s.scene->obstacles, c.obstacle, "obstacle")) return error;
+    Scene scene = *s.scene;
+    scene.obstacles.erase(place_in(scene.obstacles, c.obstacle));
+    s.obstacles.erase(place_in(s.obstacles, c.obstacle));
+    take_over(s, std::move(scene));
+    return std::nullopt;
+}
+
+std::optional<Error> carry_out(WorldState& s, const EditObstacle& c) {
+    if (auto error = missing(s.scene->obstacles, c.obstacle, "obstacle")) return error;
+    Scene scene = *s.scene;
+    Obstacle& obstacle = *place_in(scene.obstacles, c.obstacle);
+    const std::string name = obstacle.name;
+    obstacle = c.to;
+    obstacle.name = name;
+    const Motion motion = at_rest({obstacle.x, obstacle.y, obstacle.heading});
+    if (auto error = check_scene(scene)) return error;
+    *place_in(s.obstacles, c.obstacle) = motion;
+    take_over(s, std::move(scene));
+    return std::nullopt;
+}
+
+std::optional<Error> carry_out(WorldState& s, const MoveObstacle& c) {
+    if (auto error = missing(s.scene->obstacles, c.obstacle, "obstacle")) return error;
+    if (!is_finite(c.x, c.y) || !std::isfinite(c.heading)) return not_finite();
+    Obstacle moved = s.scene->obstacles[static_cast<std::size_t>(c.obstacle)];
+    moved.x = std::clamp(c.x, -1000.0f, 1000.0f);
+    moved.y = std::clamp(c.y, -1000.0f, 1000.0f);
+    moved.heading = maths::wrap_angle(c.heading);
+    return carry_out(s, EditObstacle{c.obstacle, std::move(moved)});
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,30 @@
+// Where bodies are, how they move, and who touches whom.
+#pragma once
+
+#include <compare>
+
+#include "core/maths/angle.h"
+#include "core/maths/vec.h"
+#include "core/world/snapshot.h"
+
+namespace braitenlab {
+
+// m, unit vector of the heading, m/s, rad/s, and the heading itself in rad, not wrapped.
+struct Motion {
+    maths::vec2 place, ahead{1, 0}, velocity;
+    float turning = 0;
+    float heading = 0;
+};
+
+// Standing still.
+inline Motion at_rest(const Pose& pose) {
+    return {{pose.x, pose.y}, maths::direction(pose.heading), {}, 0, pose.heading};
+}
+
+// Two vehicles that touch, the lower id first; or one vehicle and the environment (other == no_vehicle).
+struct Touch {
+    VehicleId one = no_vehicle, other = no_vehicle;
+    friend auto operator<=>(const Touch&, const Touch&) = default;
+};
+
+}  // namespace braitenlab

@@ -1,0 +1,32 @@
+// A run at one moment, complete: a world restored from it goes on as the saved one does, bit for bit.
+//
+// Box2D keeps caches that cannot be restored. So a running world makes itself anew from its own moment every
+// keyframe_ticks; a save is the last such keyframe and what was done since, and restoring does it again.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/world/command.h"
+
+namespace braitenlab {
+
+struct Moment;  // core/world/moment.h: inside core/world only
+
+inline constexpr std::uint64_t keyframe_ticks = 300;
+
+// A command, and the tick before which it was carried out.
+struct LoggedCommand {
+    std::uint64_t tick = 0;
+    Command command;
+};
+
+struct Save {
+    std::shared_ptr<const Moment> keyframe;
+    std::uint64_t keyframe_tick = 0;
+    std::vector<LoggedCommand> commands;  // since the keyframe, in order
+    std::uint64_t tick = 0;               // the saved moment; at most keyframe_ticks after the keyframe
+};
+
+}  // namespace braitenlab

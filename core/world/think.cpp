@@ -1,0 +1,108 @@
+// Drivers turn what a vehicle knows into wheel commands: a brain, a person, a path, chance, or nobody.
+#include <algorithm>
+#include <cmath>
+
+#include "core/maths/angle.h"
+#include "core/maths/random.h"
+#include "core/world/state.h"
+
+namespace braitenlab {
+
+using maths::vec2;
+
+namespace {
+
+using Wheels = std::array<float, 2>;
+
+// Wheel commands that drive on while turning, left for positive `turn`; the faster wheel never runs above 1.
+Wheels steer(float forward, float turn) {
+    Wheels wheels{forward - turn, forward + turn};
+    const float fastest = std::max({1.0f, std::fabs(wheels[0]), std::fabs(wheels[1])});
+    return {wheels[0] / fastest, wheels[1] / fastest};
+}
+
+// Towards a point: ahead as far as it lies ahead, turning as far as it lies aside.
+Wheels steer_to(const Motion& motion, vec2 goal, float speed) {
+    const vec2 way = goal - motion.place;
+    const float aside = maths::wrap_angle(maths::arctangent2(way.y, way.x) - motion.heading);
+    const float forward = std::max(0.0f, maths::cosine(aside)) * speed;
+    return steer(forward, std::clamp(aside, -0.6f, 0.6f));
+}
+
+Wheels follow_path(WorldState& s, std::size_t row) {
+    constexpr float arrived = 0.6f;  // m
+    const auto& path = s.scene->kinds[s.kind(row)].waypoints;
+    if (path.empty()) return {};
+    std::int32_t& next = s.vehicles.waypoint[row];
+    if (static_cast<std::size_t>(next) >= path.size()) next = 0;
+    const Waypoint& goal = path[static_cast<std::size_t>(next)];
+    if (maths::distance({goal.x, goal.y}, s.vehicles.motion[row].place) < arrived)
+        next = static_cast<std::int32_t>((static_cast<std::size_t>(next) + 1) % path.size());
+    return steer_to(s.vehicles.motion[row], {goal.x, goal.y}, 0.6f);
+}
+
+// A new direction every so often, back inwards near the rim, and a turn on the spot where something is in the way.
+Wheels wander(const WorldState& s, std::size_t row) {
+    constexpr std::uint64_t ticks_a_whim = 45;
+    constexpr float rim = 1.5f;  // m
+    const VehicleId id = s.vehicles.id[row];
+    const Motion& motion = s.vehicles.motion[row];
+    const std::uint64_t stream = (s.tick / ticks_a_whim << 32U) | static_cast<std::uint32_t>(id);
+    maths::Random chance{s.seed ^ 0x77616e646572ULL, stream};
+    const float whim = chance.uniform(-0.3f, 0.3f);
+    const Touch wall{id, no_vehicle};
+    if (std::binary_search(s.touching.begin(), s.touching.end(), wall)) return steer(-0.4f, whim > 0 ? 0.5f : -0.5f);
+    const vec2 soon = motion.place + motion.ahead * rim;
+    const Arena& arena = s.scene->arena;
+    const bool leaving = std::fabs(soon.x) > arena.width / 2 - 0.5f || std::fabs(soon.y) > arena.height / 2 - 0.5f;
+    if (leaving && arena.edge != Edge::torus) return steer_to(motion, {0, 0}, 0.4f);
+    return steer(0.5f, whim);
+}
+
+void think_with_brain(const WorldState& s, std::size_t row, std::vector<float>& neurons, Wheels& motor) {
+    const Vehicles& v = s.vehicles;
+    const Brain& brain = v.design[row]->brain;
+    think(brain, {v.sensed.data() + v.first_sensed[row], s.kinds[s.kind(row)].eyes.size()},
+          {neurons.data() + v.first_neuron[row], static_cast<std::size_t>(brain.state_size())}, motor);
+}
+
+// `neurons` holds all vehicles' units.
+void think_with(WorldState& s, std::vector<float>& neurons) {
+    Vehicles& v = s.vehicles;
+    for (std::size_t row = 0; row < v.size(); ++row) {
+        switch (v.driver[row]) {
+            case Driver::brain:
+                think_with_brain(s, row, neurons, v.motor[row]);
+                break;
+            case Driver::manual:
+                v.motor[row] = v.hand[row];
+                break;
+            case Driver::path:
+                v.motor[row] = follow_path(s, row);
+                break;
+            case Driver::wander:
+                v.motor[row] = wander(s, row);
+                break;
+            case Driver::parked:
+                v.motor[row] = {};
+                break;
+        }
+    }
+}
+
+}  // namespace
+
+void think(WorldState& s) {
+    think_with(s, s.vehicles.neurons);
+    s.foreseen_neurons.clear();
+}
+
+void foresee(WorldState& s) {
+    sense(s);
+    s.foreseen_neurons = s.vehicles.neurons;
+    const std::vector<std::int32_t> waypoint = s.vehicles.waypoint;
+    think_with(s, s.foreseen_neurons);
+    s.vehicles.waypoint = waypoint;
+}
+
+}  // namespace braitenlab
