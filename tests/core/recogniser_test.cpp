@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/brain/four_neurons.h"
 #include "core/brain/presets.h"
 
 namespace braitenlab {
@@ -11,9 +12,8 @@ Character of(const FourNeurons& four) { return recognise(make_graph(four)); }
 
 TEST(Recogniser, NamesTheClassicVehicles) {
     const auto preset = [](std::string_view name) {
-        for (const Preset& p : presets())
-            if (p.name == name) return of(p.brain);
-        return Character::mixed;
+        const Preset* found = find_preset(name);
+        return found ? recognise(found->brain) : Character::mixed;
     };
     EXPECT_EQ(preset("1-alive"), Character::alive);
     EXPECT_EQ(preset("2a-coward"), Character::coward);

@@ -169,7 +169,7 @@ void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleV
             put(ui, {x, row.rect.y + ui.px(6) + line_height(ui, Face::text)},
                 ui.strings.find("preset_story." + key, ""), ui.palette.second_text, Face::small);
             if (!row.pressed) continue;
-            ui.outbox.push_back(EditRequest{SetBrain{target_of(view, vehicle), make_graph(preset.brain)},
+            ui.outbox.push_back(EditRequest{SetBrain{target_of(view, vehicle), preset.brain},
                                             gestures::panels + ++state.sliders.gesture});
             ImGui::CloseCurrentPopup();
         }
