@@ -78,7 +78,7 @@ bool has_geometry_shaders() {
 }  // namespace
 
 struct Renderer::Parts {
-    Program floor, block, hull, rim, wheel, eye, wire, field, mark, source, halo, trail;
+    Program floor, block, hull, sign, rim, wheel, eye, wire, field, mark, source, halo, trail;
     bool sectors_from_points = false;
 
     Kit floors = kit<FloorInstance>(quad());
@@ -86,6 +86,9 @@ struct Renderer::Parts {
     std::array<Kit, role_count> hulls{kit<HullInstance>(hull_shape(Role::none)),
                                       kit<HullInstance>(hull_shape(Role::predator)),
                                       kit<HullInstance>(hull_shape(Role::prey))};
+    std::array<Kit, role_count> signs{kit<SignInstance>(sign_shape(Role::none)),
+                                      kit<SignInstance>(sign_shape(Role::predator)),
+                                      kit<SignInstance>(sign_shape(Role::prey))};
     std::array<Batch, role_count> rims{Batch{rim_shape(Role::none), hulls[0].instances},
                                        Batch{rim_shape(Role::predator), hulls[1].instances},
                                        Batch{rim_shape(Role::prey), hulls[2].instances}};
@@ -128,6 +131,7 @@ struct Renderer::Parts {
         floors.instances.upload(floor_size);
         blocks.instances.upload(list.blocks);
         for (std::size_t role = 0; role < hulls.size(); ++role) hulls[role].instances.upload(list.hulls[role]);
+        for (std::size_t role = 0; role < signs.size(); ++role) signs[role].instances.upload(list.signs[role]);
         wheels.instances.upload(list.wheels);
         eyes.instances.upload(list.eyes);
         wires.instances.upload(list.wires);
@@ -149,6 +153,7 @@ struct Renderer::Parts {
     void draw_solids() {
         draw(block, blocks);
         for (const Kit& of_role : hulls) draw(hull, of_role);
+        for (const Kit& of_role : signs) draw(sign, of_role);
         draw(wheel, wheels);
         draw(eye, eyes);
         for (const Kit& of_shape : sources) draw(source, of_shape);
@@ -179,7 +184,7 @@ struct Renderer::Parts {
     std::optional<Error> load(const std::filesystem::path& folder, SectorPath path) {
         const std::pair<Program*, const char*> programs[] = {
             {&floor, "floor"}, {&block, "block"},   {&hull, "hull"}, {&wheel, "wheel"}, {&eye, "eye"}, {&wire, "wire"},
-            {&mark, "mark"},   {&source, "source"}, {&halo, "halo"}, {&trail, "trail"}, {&rim, "rim"},
+            {&mark, "mark"},   {&source, "source"}, {&halo, "halo"}, {&trail, "trail"}, {&rim, "rim"}, {&sign, "sign"},
         };
         for (const auto& [program, name] : programs) {
             auto loaded = Program::load(folder, std::string(name) + ".vert", std::string(name) + ".frag");

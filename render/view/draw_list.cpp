@@ -63,6 +63,7 @@ void add_blocks(Sheet& sheet) {
 
 void DrawList::clear() {
     for (auto& of_role : hulls) of_role.clear();
+    for (auto& of_role : signs) of_role.clear();
     for (auto& of_shape : sources) of_shape.clear();
     wheels.clear(), eyes.clear(), wires.clear(), fields.clear(), blocks.clear();
     marks.clear(), rings.clear(), halos.clear(), trails.clear(), lamps.clear();
@@ -75,7 +76,12 @@ int source_shape_of(Channel channel) {
 void fill(DrawList& list, const Snapshot& now, const Picture& picture, const Trails& trails) {
     list.clear();
     const float count = static_cast<float>(now.vehicles.size());
-    Sheet sheet{list, now, picture, palette(picture.theme), std::min(1.0f, std::sqrt(8 / std::max(count, 1.0f)))};
+    Sheet sheet{list,
+                now,
+                picture,
+                palette(picture.theme),
+                picture.sight.projection * picture.sight.view,
+                std::min(1.0f, std::sqrt(8 / std::max(count, 1.0f)))};
     add_sources(sheet);
     add_blocks(sheet);
     add_vehicles(sheet, trails);

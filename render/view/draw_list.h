@@ -23,6 +23,12 @@ struct HullInstance {
     maths::vec4 colour;  // w: 0 parked .. 1 awake
     maths::vec4 look;    // x: detail
 };
+struct SignInstance {
+    maths::vec4 place;
+    maths::vec4 size;    // length, width, height's scale, length on the screen in layout pixels
+    maths::vec4 colour;  // w: 0 parked .. 1 awake
+    maths::vec4 seen;    // x: by the left eyes 0..1, y: by the right ones
+};
 struct WheelInstance {
     maths::vec4 place;
     maths::vec4 size;  // radius m, width m, angle turned rad, detail
@@ -80,6 +86,7 @@ inline constexpr std::size_t most_lamps = 8;
 
 struct DrawList {
     std::array<std::vector<HullInstance>, role_count> hulls;
+    std::array<std::vector<SignInstance>, role_count> signs;  // vehicles too small for a hull
     std::vector<WheelInstance> wheels;
     std::vector<EyeInstance> eyes;
     std::vector<WireInstance> wires;

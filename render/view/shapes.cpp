@@ -153,6 +153,24 @@ Shape hull_shape(Role role) {
     return shape;
 }
 
+Shape sign_shape(Role role) {
+    const std::vector<vec2> left =
+        role == Role::predator ? std::vector<vec2>{{-0.5f, 0.44f}, {0.2f, 0.5f}, {0.5f, 0.02f}}
+        : role == Role::prey   ? std::vector<vec2>{{-0.5f, 0.2f}, {-0.33f, 0.5f}, {0.25f, 0.5f}, {0.5f, 0.15f}}
+                               : std::vector<vec2>{{-0.5f, 0.48f}, {0.5f, 0.48f}};
+    const auto outline = mirrored(left);
+    const auto rectangle = [](float x0, float x1, float y) {
+        return std::vector<vec2>{{x0, y - 0.06f}, {x1, y - 0.06f}, {x1, y + 0.06f}, {x0, y + 0.06f}};
+    };
+    Shape shape;
+    add_top(shape, inset(outline, -0.07f), 0.16f, Paint::inlay);
+    for (const float side : {-0.46f, 0.46f}) add_top(shape, rectangle(-0.18f, 0.18f, side), 0.24f, Paint::dark);
+    add_top(shape, inset(outline, role == Role::predator ? 0.05f : 0.07f), 0.2f, Paint::body);
+    for (const float side : {-0.24f, 0.24f}) add_top(shape, rectangle(0.16f, 0.30f, side), 0.28f, Paint::light);
+    add_triangle(shape, {-0.3f, -0.2f, 0.28f}, {0.08f, 0, 0.28f}, {-0.3f, 0.2f, 0.28f}, Paint::mark);
+    return shape;
+}
+
 Shape rim_shape(Role role) {
     std::vector<vec2> left = tail_of(role);
     const auto nose = nose_of(role);

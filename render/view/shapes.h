@@ -29,6 +29,11 @@ struct Shape {
 // for wires and an energy gauge. The arrowhead's corners are 0..1 along it and −1..1 across: the shader gives it size.
 Shape hull_shape(Role);
 
+// A whole vehicle as a few flat parts, for one that is small on the screen: rim, body, wheels, arrowhead, eyes.
+// 1 long and 1 wide; parts lie centimetres above each other, so that they keep apart from afar too. The rim is painted
+// inlay, eyes light.
+Shape sign_shape(Role);
+
 // A line round the silhouette of a hull with its wheels, and what it encloses. Normals point outwards, z says how far a
 // corner of the outline stands out (1 on a straight side) and paint what a corner belongs to: 0 the line's foot, 1 its
 // edge, 2 where it has faded, 3 the ground below the vehicle.

@@ -1,4 +1,4 @@
-// What the parts of the draw list share while one picture is made. Only draw_list.cpp and draw_vehicles.cpp need it.
+// What the parts of the draw list share while one picture is made. Only draw_list.cpp and the other draw_….cpp need it.
 #pragma once
 
 #include "render/view/draw_list.h"
@@ -12,12 +12,41 @@ struct Sheet {
     const Snapshot& now;
     const Picture& picture;
     Palette colours;
-    float crowd;  // 1 for a few vehicles, less the more there are
+    maths::mat4 to_clip;  // projection · view
+    float crowd;          // 1 for a few vehicles, less the more there are
+};
+
+constexpr float deck_height = 0.27f;  // m, of the standard vehicle
+
+// One vehicle with what it is made of.
+struct Subject {
+    const VehicleView& view;
+    const Kind& kind;
+    const BrainGraph* brain;
+    maths::vec2 place, ahead;
+    float height_scale;
+    float pixels;  // its length on the screen, layout pixels
+    float detail;  // 0 small on the screen .. 1 large enough for small parts
+    bool selected, hovered, driven;
+
+    maths::vec2 to_world(maths::vec2 own) const { return place + maths::rotate(own, ahead); }
 };
 
 inline maths::vec4 rgb_with(Colour c, float w) { return {c.r, c.g, c.b, w}; }
 
+// What a sensor of the vehicle reads now, 0..1.
+float sensed(const Sheet&, const Subject&, std::size_t sensor);
+
+// 1 left, −1 right, 0 amid.
+int side_of(const Sensor&);
+
+// Whether anything within `radius` metres of a place may be in the picture; never wrong when it says no.
+bool in_sight(const Sheet&, maths::vec2 place, float radius);
+
 // Adds every vehicle with all its parts.
 void add_vehicles(Sheet&, const Trails&);
+void add_fields(Sheet&, const Subject&);
+void add_wires(Sheet&, const Subject&);
+void add_trail(Sheet&, const Subject&, const Trail&);
 
 }  // namespace braitenlab

@@ -92,6 +92,30 @@ TEST(DrawList, ShowsASmallVehicleAsItsHullAndADotASide) {
     EXPECT_EQ(near.eyes.size(), 3U);
 }
 
+TEST(DrawList, ShowsASpeckAsASignWithTheRolesShapeAndWhatBothSidesSee) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 2, 1, 2, maths::pi / 2, 0.25f, 0.81f);
+    const DrawList list = drawn(now, seen_at_zoom(0.3f));
+    EXPECT_TRUE(list.hulls[2].empty() && list.wheels.empty() && list.eyes.empty() && list.wires.empty());
+    ASSERT_EQ(list.signs[2].size(), 1U);
+    const SignInstance& sign = list.signs[2][0];
+    EXPECT_EQ(sign.place.x, 1);
+    EXPECT_EQ(sign.place.y, 2);
+    EXPECT_NEAR(sign.place.w, 1, 1e-5);  // ahead is +y
+    EXPECT_NEAR(sign.seen.x, 0.5f, 1e-5);
+    EXPECT_NEAR(sign.seen.y, 0.9f, 1e-5);
+    EXPECT_LT(sign.size.w, 18);
+    EXPECT_TRUE(drawn(now, seen_at_zoom(2)).signs[2].empty());
+}
+
+TEST(DrawList, LeavesOutWhatIsOutOfThePicture) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    for (const float x : {0.0f, 9.5f}) hand_made::add(now, 0, x, 0, 0);
+    EXPECT_EQ(drawn(now, seen_at_zoom(1)).hulls[0].size(), 2U);
+    EXPECT_EQ(drawn(now, seen_at_zoom(6)).hulls[0].size(), 1U);
+    EXPECT_EQ(drawn(now, seen_at_zoom(6)).wheels.size(), 4U);
+}
+
 TEST(DrawList, LetsSmallPartsGrowAsAVehicleComesNearer) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);

@@ -9,7 +9,10 @@ using maths::vec3;
 
 std::vector<Shape> all_shapes() {
     std::vector<Shape> shapes{wheel_shape(), eye_shape(), block_shape()};
-    for (const Role role : {Role::none, Role::predator, Role::prey}) shapes.push_back(hull_shape(role));
+    for (const Role role : {Role::none, Role::predator, Role::prey}) {
+        shapes.push_back(hull_shape(role));
+        shapes.push_back(sign_shape(role));
+    }
     for (const Channel c : {Channel::light, Channel::heat, Channel::smell, Channel::oxygen})
         shapes.push_back(source_shape(c));
     return shapes;
@@ -32,6 +35,13 @@ TEST(Shapes, HaveNormalsOfLengthOne) {
 
 TEST(Shapes, AreCheapEnoughForASoftwareRenderer) {
     for (const Shape& shape : all_shapes()) EXPECT_LT(shape.indices.size() / 3, 320U);
+}
+
+TEST(Shapes, KeepSignsToFewTriangles) {
+    for (const Role role : {Role::none, Role::predator, Role::prey}) {
+        EXPECT_LT(sign_shape(role).indices.size() / 3, 32U);
+        EXPECT_LT(sign_shape(role).indices.size() / 3, hull_shape(role).indices.size() / 9);
+    }
 }
 
 float width_at_the_nose(Role role) {
