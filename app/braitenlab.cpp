@@ -1,5 +1,4 @@
 // The window: opens the lab, then once a frame lets time pass, draws, and carries out what the person asked for.
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -8,19 +7,20 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "app/catalogue.h"
 #include "app/data.h"
 #include "app/lab.h"
+#include "app/look.h"
+#include "app/memory.h"
 #include "app/options.h"
-#include "app/platform.h"
 #include "app/report_state.h"
 #include "app/screenshot.h"
 #include "app/viewport.h"
 #include "app/window.h"
+#include "app/words.h"
 #include "render/gl/renderer.h"
 #include "render/view/between.h"
 #include "ui/prompts.h"
-#include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/window.h"
 
 namespace braitenlab {
@@ -38,79 +38,24 @@ int complain(const Error& error) {
     return 2;
 }
 
-FontPaths find_fonts() {
-    const auto face = [](const std::vector<std::filesystem::path>& candidates) {
-        return first_existing(candidates).string();
-    };
-    FontPaths paths;
-    paths.text =
-        face({"/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf", "/usr/share/fonts/noto/NotoSans-Regular.ttf",
-              "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/dejavu/DejaVuSans.ttf"});
-    paths.title =
-        face({"/usr/share/fonts/truetype/noto/NotoSans-Bold.ttf", "/usr/share/fonts/noto/NotoSans-Bold.ttf",
-              "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf", "/usr/share/fonts/dejavu/DejaVuSans-Bold.ttf"});
-    paths.icons = face({"/usr/share/fonts/truetype/fork-awesome/forkawesome-webfont.ttf",
-                        "/usr/share/fonts-fork-awesome/fonts/forkawesome-webfont.ttf"});
-    paths.symbols = {face({"/usr/share/fonts/truetype/noto/NotoSansMono-Regular.ttf",
-                           "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"}),
-                     face({"/usr/share/fonts/truetype/noto/NotoSansMath-Regular.ttf"}),
-                     face({"/usr/share/fonts/truetype/noto/NotoSansSymbols2-Regular.ttf"})};
-    return paths;
-}
-
-// What ships and can be read; a broken file is left out here and says why when it is opened by name.
-std::vector<CatalogueEntry> read_catalogue() {
-    std::vector<CatalogueEntry> catalogue;
-    for (const auto& path : shipped_exercises())
-        if (const auto exercise = load_exercise(path))
-            catalogue.push_back({path.stem().string(), path.string(), exercise->title, "", exercise->number});
-    for (const auto& path : shipped_scenes())
-        if (const auto scene = load_scene(path))
-            catalogue.push_back({path.stem().string(), path.string(), scene->title, scene->story});
-    return catalogue;
-}
-
-// The language that is spoken, and where the others lie.
-struct Words {
-    std::filesystem::path folder;
-    std::string language;
-    Strings strings;
-};
-
-// The language asked for; else the system's, if the lab speaks it; else English.
-Result<Words> choose_words(const std::filesystem::path& folder, const std::string& asked) {
-    std::string code = asked;
-    if (code.empty()) {
-        const std::string local = system_language();
-        const auto spoken = languages(folder);
-        const auto same = [&](const Language& l) { return l.code == local; };
-        code = std::any_of(spoken.begin(), spoken.end(), same) ? local : "en";
-    }
-    auto strings = load_language(folder, code);
-    if (!strings) return strings.error();
-    return Words{folder, code, std::move(*strings)};
-}
-
 // Everything that lives as long as the window is open.
 class App {
 public:
-    App(Options options, Lab lab, Window window, Renderer renderer, Words words)
+    App(Options options, Lab lab, Window window, Renderer renderer, Words words, Memory memory)
         : options_(std::move(options)),
           lab_(std::move(lab)),
           window_(std::move(window)),
           renderer_(std::move(renderer)),
           words_(std::move(words)),
+          memory_(std::move(memory)),
           catalogue_(read_catalogue()),
           anchors_file_(options_.anchors),
           state_file_(options_.state) {
-        lab_.theme = options_.theme;
-        lab_.language = words_.language;
+        lab_.preferences = memory_.preferences;
         lab_.camera.mode = options_.camera;
-        scale_ = options_.scale.value_or(window_.content_scale());
-        apply_theme(lab_.theme, scale_);
-        LoadedFonts loaded = load_fonts(*ImGui::GetIO().Fonts, scale_, find_fonts());
-        fonts_ = loaded.fonts;
-        if (!loaded.warning.empty()) std::cerr << "braitenlab: " << loaded.warning << "\n";
+        look_.wear(lab_.preferences.theme, wanted_scale());
+        if (!look_.warning().empty()) std::cerr << "braitenlab: " << look_.warning() << "\n";
+        for (const Error& complaint : memory_.complaints) refuse(complaint);
         if (options_.play) handle(lab_, Action::play_pause);
     }
 
@@ -131,10 +76,12 @@ public:
             facts_.frame_ms = seconds_since(frame_began) * 1000;
             window_.show();
             write_reports();
+            keep_memory(false);
             if (lab_.full_screen) lab_.full_screen = false, window_.toggle_full_screen();
             while (!repeatable() && seconds_since(frame_began) < frame_seconds)
                 window_.poll(frame_seconds - seconds_since(frame_began));
         }
+        keep_memory(true);
         return 0;
     }
 
@@ -161,11 +108,11 @@ private:
     void open_wanted() {
         for (const std::string& path : window_.take_dropped_files()) lab_.open = path;
         if (lab_.open.empty()) return;
-        auto opened = open_lab(std::exchange(lab_.open, {}), std::nullopt, {});
-        if (opened)
-            replace_lab(std::move(*opened));
-        else
-            refuse(opened.error());
+        const std::string wanted = std::exchange(lab_.open, {});
+        auto opened = open_lab(wanted, std::nullopt, {});
+        if (!opened) return refuse(opened.error());
+        replace_lab(std::move(*opened));
+        remember_opened(memory_.remembered, wanted);
     }
 
     void refuse(const Error& error) {
@@ -173,19 +120,30 @@ private:
         lab_.notice_until = lab_.wall_seconds + 10;
     }
 
-    // The words of the language that was asked for last; one that cannot be read leaves the words as they are.
-    void speak_wanted() {
-        if (lab_.language == words_.language) return;
-        auto strings = load_language(words_.folder, lab_.language);
-        if (strings)
-            words_.strings = std::move(*strings), words_.language = lab_.language;
-        else
-            lab_.language = words_.language, refuse(strings.error());
+    // Window pixels per layout pixel. --scale says it for the type size that the session begins with.
+    float wanted_scale() const {
+        if (!options_.scale) return window_.content_scale() * lab_.preferences.type_size;
+        return *options_.scale * lab_.preferences.type_size / memory_.preferences.type_size;
+    }
+
+    // Between two frames: language, theme and scale as they are wanted now.
+    void follow_preferences() {
+        if (const auto error = speak(words_, lab_.preferences.language)) {
+            lab_.preferences.language = words_.language;
+            refuse(*error);
+        }
+        if (look_.wear(lab_.preferences.theme, wanted_scale())) window_.forget_fonts();
+    }
+
+    // Once a second, and at the end, what has changed is written; where nothing has, nothing is.
+    void keep_memory(bool now) {
+        if (!options_.screenshot.empty() || (!now && seconds_since(memory_kept_) < 1)) return;
+        memory_kept_ = Clock::now();
+        if (const auto error = keep(memory_, lab_.preferences, window_.windowed_size())) refuse(*error);
     }
 
     void replace_lab(Lab next) {
-        next.theme = lab_.theme;
-        next.language = lab_.language;
+        next.preferences = lab_.preferences;
         next.sensors = lab_.sensors;
         next.outlines = lab_.outlines;
         next.wall_seconds = lab_.wall_seconds;
@@ -193,22 +151,23 @@ private:
     }
 
     void frame(float passed) {
-        if (lab_.theme_changed) lab_.theme_changed = false, apply_theme(lab_.theme, scale_);
-        speak_wanted();
+        follow_preferences();
         window_.begin_frame();
         LabView view = view_of(lab_);
         view.catalogue = &catalogue_;
+        view.languages = &words_.languages;
+        view.recent = &memory_.remembered.recent;
         const Rect area = window_.area();
-        const WindowLayout layout = lay_out(area.w, area.h, scale_, view);
+        const WindowLayout layout = lay_out(area.w, area.h, look_.scale(), view);
         outbox_.clear();
         bool arrows_are_free = true;
         for (const KeyPress press : window_.take_keys()) arrows_are_free &= !press_key(view, panels_, press, outbox_);
 
         anchors_.begin();
         Ui ui{.strings = words_.strings,
-              .palette = palette(lab_.theme),
-              .fonts = fonts_,
-              .scale = scale_,
+              .palette = palette(view.theme),
+              .fonts = look_.fonts(),
+              .scale = look_.scale(),
               .anchors = anchors_,
               .outbox = outbox_,
               .highlight = next_prompt(view),
@@ -252,13 +211,13 @@ private:
         picture.sight = sight_;
         picture.sight.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
                                 static_cast<float>(window_.framebuffer_height())};
-        picture.theme = lab_.theme;
+        picture.theme = lab_.preferences.theme;
         picture.selected = lab_.selected;
         picture.hovered = viewport_.hovered.vehicle;
         picture.driver = lab_.camera.mode == CameraMode::driver ? lab_.selected : no_vehicle;
         picture.sensors = lab_.sensors;
         picture.outlines = lab_.outlines;
-        picture.pixel_scale = density * scale_;
+        picture.pixel_scale = density * look_.scale();
         shown_ = lab_.session.snapshot();
         if (!repeatable()) stand_between(shown_, lab_.before, between_ticks(lab_));
         renderer_.draw(shown_, picture);
@@ -294,9 +253,10 @@ private:
     Window window_;
     Renderer renderer_;
     Words words_;
+    Memory memory_;
+    Clock::time_point memory_kept_ = Clock::now();
     std::vector<CatalogueEntry> catalogue_;
-    Fonts fonts_;
-    float scale_ = 1;
+    Look look_;
     PanelState panels_;
     ViewportState viewport_;
     Anchors anchors_;
@@ -312,24 +272,37 @@ private:
     Clock::time_point state_written_{};
 };
 
+// What is open at the start: the file asked for; else what was open last; else the first exercise.
+Result<std::filesystem::path> file_to_open(const Options& options, Memory& memory) {
+    if (!options.file.empty()) return find_shipped(options.file);
+    if (const std::string& last = memory.remembered.last_opened; !last.empty()) {
+        if (const auto found = find_shipped(last); found && open_lab(*found, std::nullopt, {})) return found;
+        memory.complaints.push_back({"was open last, but cannot be opened now", last});
+    }
+    return find_shipped(first_exercise);
+}
+
 int open_and_run(const Options& options) {
     const auto data = data_folder();
     if (!data) return complain(data.error());
-    const auto path = find_shipped(options.file.empty() ? first_exercise : options.file);
+    Memory memory = recall(options, native_language(*data / "ui" / "strings"));
+    const auto path = file_to_open(options, memory);
     if (!path) return complain(path.error());
     auto lab = open_lab(*path, options.seed, options.settings);
     if (!lab) return complain(lab.error());
-    auto words = choose_words(*data / "ui" / "strings", options.language);
+    remember_opened(memory.remembered, *path);
+    auto words = words_in(*data / "ui" / "strings", memory.preferences.language);
     if (!words) return complain(words.error());
     auto window = Window::open({.title = "Braitenlab",
-                                .width = options.width,
-                                .height = options.height,
+                                .width = size_of(options, memory.remembered).first,
+                                .height = size_of(options, memory.remembered).second,
                                 .full_screen = options.full_screen,
                                 .smooth_in_software = !options.screenshot.empty()});
     if (!window) return complain(window.error());
     auto renderer = Renderer::create(*data / "shaders", options.sectors);
     if (!renderer) return complain(renderer.error());
-    return App(options, std::move(*lab), std::move(*window), std::move(*renderer), std::move(*words)).run();
+    return App(options, std::move(*lab), std::move(*window), std::move(*renderer), std::move(*words), std::move(memory))
+        .run();
 }
 
 }  // namespace

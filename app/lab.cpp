@@ -13,8 +13,9 @@ namespace braitenlab {
 namespace {
 
 constexpr std::array<float, 8> speeds{0.125f, 0.25f, 0.5f, 1, 2, 4, 8, 16};
-constexpr double hint_patience = 30;       // s until the next hint opens without a run
-constexpr double notice_seconds = 6;       // how long a refusal stays readable
+constexpr double hint_patience = 30;  // s until the next hint opens without a run
+constexpr double notice_seconds = 6;  // how long a refusal stays readable
+constexpr float type_step = 0.125f;
 constexpr double tick_length = 1.0 / 60;   // s, as core/brain/brain.h has it
 constexpr double stepping_budget = 0.012;  // s of a frame
 
@@ -54,6 +55,11 @@ void change_speed(Lab& lab, int step) {
     const auto index =
         std::clamp(static_cast<int>(here - speeds.begin()) + step, 0, static_cast<int>(speeds.size()) - 1);
     lab.time_scale = speeds[static_cast<std::size_t>(index)];
+}
+
+void change_type_size(Lab& lab, float by) {
+    float& size = lab.preferences.type_size;
+    size = std::clamp(size + by, least_type_size, largest_type_size);
 }
 
 void apply(Lab& lab, const Command& command, std::uint64_t gesture = 0) {
@@ -191,8 +197,13 @@ void act(Lab& lab, Action action) {
             lab.full_screen = true;
             break;
         case Action::theme:
-            lab.theme = lab.theme == Theme::dark ? Theme::light : Theme::dark;
-            lab.theme_changed = true;
+            lab.preferences.theme = lab.preferences.theme == Theme::dark ? Theme::light : Theme::dark;
+            break;
+        case Action::larger:
+            change_type_size(lab, +type_step);
+            break;
+        case Action::smaller:
+            change_type_size(lab, -type_step);
             break;
         default:
             break;  // the panels' own
@@ -244,7 +255,7 @@ void handle(Lab& lab, const Request& request) {
               [&](const SelectRequest& r) { lab.selected = r.vehicle, keep_selection(lab); },
               [&](const ScopeRequest& r) { lab.whole_kind = r.whole_kind; },
               [&](const OpenRequest& r) { lab.open = r.path; },
-              [&](const LanguageRequest& r) { lab.language = r.code; },
+              [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },
               [&](const PredictRequest& r) {
                   if (lab.lesson && !lab.lesson->view.has_run) lab.lesson->view.prediction = r.option;
               },
@@ -289,8 +300,9 @@ LabView view_of(const Lab& lab) {
     view.lesson = lab.lesson ? &lab.lesson->view : nullptr;
     view.opened = lab.name;
     view.notice = lab.notice;
-    view.theme = lab.theme;
-    view.language = lab.language;
+    view.preferences = lab.preferences;
+    view.theme = lab.preferences.theme;
+    view.reduce_motion = lab.preferences.reduce_motion;
     view.wall_seconds = lab.wall_seconds;
     return view;
 }

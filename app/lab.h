@@ -15,6 +15,7 @@
 #include "core/session/session.h"
 #include "render/view/camera.h"
 #include "ui/lab_view.h"
+#include "ui/preferences.h"
 #include "ui/request.h"
 
 namespace braitenlab {
@@ -41,14 +42,13 @@ struct Lab {
     bool whole_kind = true;
     bool sensors = true, outlines = false;
     Camera camera;
-    Theme theme = Theme::dark;
-    std::string language = "en";
+    Preferences preferences;
     std::string notice;       // what was refused last, and why
     double notice_until = 0;  // wall seconds
     double wall_seconds = 0;
 
     // Asked of the window, which answers and clears them.
-    bool exit = false, screenshot = false, full_screen = false, theme_changed = false;
+    bool exit = false, screenshot = false, full_screen = false;
     std::string open;  // a file to open instead of this one; empty: none
 };
 

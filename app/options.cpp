@@ -54,7 +54,8 @@ CommandLine read_command_line(int argc, char** argv) {
         ->type_name("PATH=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("--lang", o.language, "the language: de, en, es; else the system's")->type_name("CODE");
+    app.add_option("--lang", o.language, "the language: de, en, es; else the one in the settings or the system's")
+        ->type_name("CODE");
     app.add_flag("--play", o.play, "start playing");
     app.add_flag("--fullscreen", o.full_screen, "fill the screen");
     app.add_flag_callback(

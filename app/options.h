@@ -23,10 +23,10 @@ struct Options {
     std::optional<std::uint64_t> seed;
     std::vector<Setting> settings;
     bool play = false, full_screen = false;
-    Theme theme = Theme::dark;
+    std::optional<Theme> theme;  // unset: as in the settings
     CameraMode camera = CameraMode::overview;
     SectorPath sectors = SectorPath::automatic;
-    std::string language;                  // a code as in "de"; empty: the system's
+    std::string language;                  // a code as in "de"; empty: as in the settings
     std::filesystem::path screenshot;      // written after `after`, then the program ends
     double after = 1;                      // s: simulated with play, wall time without
     std::filesystem::path anchors, state;  // kept up to date while running

@@ -2,6 +2,9 @@
 
 #include <cstdlib>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace braitenlab {
 
 std::filesystem::path program_file() {
@@ -9,15 +12,35 @@ std::filesystem::path program_file() {
     return std::filesystem::read_symlink("/proc/self/exe", none);
 }
 
-std::filesystem::path config_folder() {
-    const auto variable = [](const char* name) {
-        const char* value = std::getenv(name);
-        return std::filesystem::path(value ? value : "");
-    };
-    if (const auto xdg = variable("XDG_CONFIG_HOME"); xdg.is_absolute()) return xdg / "braitenlab";
-    if (const auto home = variable("HOME"); !home.empty()) return home / ".config" / "braitenlab";
+namespace {
+
+std::filesystem::path folder_of(const char* variable, const char* below_home) {
+    const char* value = std::getenv(variable);
+    if (const std::filesystem::path xdg(value ? value : ""); xdg.is_absolute()) return xdg / "braitenlab";
+    if (const auto home = home_folder(); !home.empty()) return home / below_home / "braitenlab";
     return {};
 }
+
+}  // namespace
+
+std::filesystem::path home_folder() {
+    const char* home = std::getenv("HOME");
+    return home ? home : "";
+}
+
+std::filesystem::path config_folder() { return folder_of("XDG_CONFIG_HOME", ".config"); }
+std::filesystem::path state_folder() { return folder_of("XDG_STATE_HOME", ".local/state"); }
+
+bool flush_to_disk(std::FILE* file) { return fsync(fileno(file)) == 0; }
+
+void flush_folder_to_disk(const std::filesystem::path& folder) {
+    const int opened = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
+    if (opened < 0) return;
+    fsync(opened);
+    close(opened);
+}
+
+long process_number() { return getpid(); }
 
 std::string system_language() {
     for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {

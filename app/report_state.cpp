@@ -97,7 +97,11 @@ std::string state_json(const Lab& lab, const FrameFacts& frame) {
     state["generation"] = now.generation;
     state["camera"] = camera_word(lab.camera.mode);
     state["view"] = {{"azimuth", lab.camera.azimuth}, {"elevation", lab.camera.elevation}, {"zoom", lab.camera.zoom}};
-    state["language"] = lab.language;
+    state["opened"] = lab.name;
+    state["notice"] = lab.notice;
+    state["language"] = lab.preferences.language;
+    state["theme"] = lab.preferences.theme == Theme::light ? "light" : "dark";
+    state["type_size"] = plain(lab.preferences.type_size);
     state["draw_calls"] = frame.draw_calls;
     state["frame_ms"] = frame.frame_ms;
     state["exercise"] = exercise_json(lab);

@@ -16,7 +16,7 @@ namespace braitenlab {
 namespace {
 
 constexpr int least_width = 640, least_height = 480;  // window pixels; below, the toolbar has no room
-constexpr int smooth_samples = 4;  // multisampling: smooth edges
+constexpr int smooth_samples = 4;                     // multisampling: smooth edges
 
 // GLFW reports errors by callback only; the last one is what explains a failed call.
 std::string last_error;
@@ -162,6 +162,13 @@ Rect Window::area() const {
     int width = 0, height = 0;
     glfwGetWindowSize(native_->window, &width, &height);
     return {0, 0, static_cast<float>(width), static_cast<float>(height)};
+}
+
+std::pair<int, int> Window::windowed_size() const {
+    int width = 0, height = 0;
+    glfwGetWindowSize(native_->window, &width, &height);
+    if (glfwGetWindowMonitor(native_->window)) return {native_->windowed[2], native_->windowed[3]};
+    return {width, height};
 }
 
 int Window::framebuffer_width() const {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/result.h"
@@ -35,6 +36,8 @@ public:
 
     // Window pixels; a display of high density may have more framebuffer pixels behind each.
     Rect area() const;
+    // The size to come back to: that of the window, or what it had before full screen.
+    std::pair<int, int> windowed_size() const;
     int framebuffer_width() const;
     int framebuffer_height() const;
     // What the display asks for, at least 1.

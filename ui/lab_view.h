@@ -10,6 +10,8 @@
 #include "core/world/snapshot.h"
 #include "render/view/camera.h"
 #include "render/view/palette.h"
+#include "ui/preferences.h"
+#include "ui/strings.h"
 
 namespace braitenlab {
 
@@ -44,10 +46,12 @@ struct LabView {
     int undo_depth = 0, redo_depth = 0;
     const LessonView* lesson = nullptr;                      // null outside exercises
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
+    const std::vector<std::string>* recent = nullptr;        // paths opened before, the newest first; null: none
     std::string opened;                                      // the name of what is open, as in the catalogue
     std::string notice;  // the last thing refused and why; empty when there is nothing to say
     Theme theme = Theme::dark;
-    std::string language = "en";  // by its code
+    Preferences preferences;                           // as chosen; theme and reduce_motion are as shown now
+    const std::vector<Language>* languages = nullptr;  // null: no choice
     bool reduce_motion = false;
     double wall_seconds = 0;  // for easing and pulsing alone
 };

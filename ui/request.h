@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/world/command.h"
+#include "ui/preferences.h"
 
 namespace braitenlab {
 
@@ -36,6 +37,9 @@ enum class Action {
     screenshot,
     full_screen,
     theme,
+    larger,
+    smaller,
+    settings,
     hint,
     exercise_reset,
     open,
@@ -60,8 +64,8 @@ struct SpeedRequest {
 struct OpenRequest {
     std::string path;  // of a scene or an exercise
 };
-struct LanguageRequest {
-    std::string code;  // "de"
+struct PreferencesRequest {
+    Preferences preferences;
 };
 
 // Gestures are numbered by the part of the window that sees them, each from its own base upwards, so that the drags of
@@ -73,7 +77,7 @@ inline constexpr std::uint64_t viewport = std::uint64_t{1} << 48;
 }  // namespace gestures
 
 using Request = std::variant<Action, EditRequest, SelectRequest, ScopeRequest, PredictRequest, SpeedRequest,
-                             OpenRequest, LanguageRequest>;
+                             OpenRequest, PreferencesRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

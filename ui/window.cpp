@@ -101,6 +101,34 @@ bool for_canvas(CanvasState& canvas, KeyPress press) {
     }
 }
 
+// Under a sheet the lab still plays, and the window still grows: nothing that its widgets could want.
+bool works_under_a_sheet(KeyPress press) {
+    const auto action = action_for(press);
+    return action && (*action == Action::play_pause || *action == Action::full_screen ||
+                      *action == Action::screenshot || *action == Action::larger || *action == Action::smaller);
+}
+
+// Down and Up are Tab and Shift+Tab there; every other key rests.
+bool for_sheet(PanelState& state, KeyPress press) {
+    if (press.key == key::escape) state.sheet = Sheet::none;
+    if (press.key == key::down) press = {key::tab};
+    if (press.key == key::up) press = {key::tab, false, true};
+    if (press.key == key::tab || press.key == key::enter || press.key == key::left || press.key == key::right)
+        state.keyboard.presses.push_back(press);
+    return true;
+}
+
+// What opens a panel concerns nobody else.
+bool panels_own(PanelState& state, Action action) {
+    if (action == Action::open)
+        state.open_menu = state.focus_open_menu = !state.open_menu;
+    else if (action == Action::settings)
+        state.sheet = Sheet::settings, state.open_menu = false;
+    else
+        return false;
+    return true;
+}
+
 }  // namespace
 
 void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
@@ -125,15 +153,17 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     toolbar(view, state, ui, layout.toolbar);
     open_menu(view, state, ui, layout);
     keys_card(view, state, ui, layout.window);
+    settings_card(view, state, ui, layout.window);
     end_keyboard(state.keyboard);
 }
 
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     if (for_typing(state.sliders, press)) return true;
-    if (press.key == key::f1 || (state.keys_open && press.key == key::escape)) {
-        state.keys_open = !state.keys_open;
+    if (press.key == key::f1) {
+        state.sheet = state.sheet == Sheet::keys ? Sheet::none : Sheet::keys;
         return true;
     }
+    if (state.sheet != Sheet::none && !works_under_a_sheet(press)) return for_sheet(state, press);
     if (state.open_menu && press.key == key::escape) {
         state.open_menu = false;
         return true;
@@ -152,10 +182,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         return true;
     }
     if (const auto action = action_for(press)) {
-        if (*action == Action::open)
-            state.open_menu = state.focus_open_menu = !state.open_menu;
-        else
-            outbox.push_back(*action);
+        if (!panels_own(state, *action)) outbox.push_back(*action);
         return true;
     }
     return false;

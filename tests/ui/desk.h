@@ -112,6 +112,7 @@ public:
         view.now = &now;
         view.selected = 0;
         view.reduce_motion = true;
+        view.languages = &spoken;
     }
     ~Desk() { ImGui::DestroyContext(); }
     Desk(const Desk&) = delete;
@@ -181,6 +182,7 @@ public:
     }
 
     Strings strings = english();
+    std::vector<Language> spoken = languages(std::string(BRAITENLAB_SOURCE) + "/ui/strings");
     Snapshot now = snapshot(4);
     Exercise opened = exercise();
     LessonView lesson;

@@ -36,6 +36,10 @@ std::vector<Screen> screens() {
         {"nobody selected", [](Desk& d) { d.view.selected = no_vehicle; }},
         {"hunt, wiring", [](Desk& d) { d.view.mode = Mode::wiring; }},
         {"keys", [](Desk& d) { d.key({key::f1}); }},
+        {"settings",
+         [](Desk& d) {
+             d.key({',', true});
+         }},
         {"exercise, fresh", with_lesson},
         {"exercise, late", late_in_lesson},
         {"exercise, wiring", [](Desk& d) { with_lesson(d), d.view.mode = Mode::wiring; }},

@@ -44,12 +44,24 @@ inline Ran shell(const std::string& command) {
 
 inline std::string program(const char* name) { return std::string(BRAITENLAB_BINARY) + "/" + name; }
 
+// The home of a person who opens the lab more than once: settings, memory, files.
+class Home {
+public:
+    Home() { std::filesystem::remove_all(path), std::filesystem::create_directories(path); }
+    ~Home() { std::filesystem::remove_all(path); }
+    Home(const Home&) = delete;
+    Home& operator=(const Home&) = delete;
+
+    std::filesystem::path path = std::filesystem::temp_directory_path() / fmt::format("braitenlab-home-{}", getpid());
+};
+
 class LabWindow {
 public:
-    explicit LabWindow(std::vector<std::string> arguments) {
+    explicit LabWindow(std::vector<std::string> arguments, std::filesystem::path home = {}) {
         folder_ = std::filesystem::temp_directory_path() / fmt::format("braitenlab-test-{}", getpid());
         std::filesystem::remove_all(folder_);
         std::filesystem::create_directories(folder_);
+        if (home.empty()) home = folder_;
         arguments.insert(arguments.begin(), program("braitenlab"));
         for (const char* file : {"anchors", "state"}) {
             arguments.push_back(std::string("--") + file);
@@ -57,7 +69,9 @@ public:
         }
         pid_ = fork();
         if (pid_ == 0) {
-            setenv("XDG_CONFIG_HOME", folder_.c_str(), 1);
+            setenv("HOME", home.c_str(), 1);
+            setenv("XDG_CONFIG_HOME", (home / "config").c_str(), 1);
+            setenv("XDG_STATE_HOME", (home / "state").c_str(), 1);
             std::vector<char*> argv;
             for (std::string& a : arguments) argv.push_back(a.data());
             argv.push_back(nullptr);
@@ -126,6 +140,13 @@ public:
             wait(0.03);
         }
         return holds();
+    }
+
+    // As a crash would: no chance to say good-bye.
+    void kill_at_once() {
+        kill(pid_, SIGKILL);
+        waitpid(pid_, nullptr, 0);
+        pid_ = -1;
     }
 
     // The exit code once the window has gone of its own accord; −1 when it has not.

@@ -121,6 +121,35 @@ TEST(Window, OpensAnotherSceneFromItsMenu) {
     EXPECT_EQ(lab.state()["mode"], "paused");
 }
 
+TEST(Window, OpensWhatWasOpenLastInTheThemeAndLanguageChosenThen) {
+    const Home home;
+    {
+        LabWindow lab({"3a-love", "--size", "1100x780"}, home.path);
+        lab.key("t");
+        lab.key("ctrl+comma");
+        lab.click("settings.language.1");
+        EXPECT_TRUE(wait_for([&] { return lab.state()["language"] == "de"; }));
+        lab.key("Escape");
+        lab.key("ctrl+q");
+        EXPECT_EQ(lab.exit_code(), 0);
+    }
+    LabWindow lab({}, home.path);
+    EXPECT_EQ(lab.state()["opened"], "3a-love");
+    EXPECT_EQ(lab.state()["theme"], "light");
+    EXPECT_EQ(lab.state()["language"], "de");
+    const Json bar = lab.anchors()["hint.bar"];
+    EXPECT_EQ(bar[2], 1100) << "the window is as wide as it was";
+}
+
+TEST(Window, StartsAndSaysSoWhereItsSettingsAreBroken) {
+    const Home home;
+    std::filesystem::create_directories(home.path / "config" / "braitenlab");
+    std::ofstream(home.path / "config" / "braitenlab" / "settings.toml") << "theme = [[\n";
+    LabWindow lab({"2a-coward", "--size", "1280x800"}, home.path);
+    EXPECT_NE(lab.state()["notice"].get<std::string>().find("settings.toml"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(home.path / "config" / "braitenlab" / "settings.toml.broken"));
+}
+
 TEST(Window, SavesAPictureThatCanBeRepeated) {
     const auto folder = std::filesystem::temp_directory_path();
     const auto shoot = [&](const char* name) {

@@ -2,14 +2,17 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/brain/graph.h"
 #include "core/brain/recogniser.h"
 #include "ui/panels/history.h"
+#include "ui/preferences.h"
 #include "ui/prompts.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/keyboard.h"
+#include "ui/widgets/sheet.h"
 #include "ui/widgets/slider.h"
 #include "ui/wiring/canvas.h"
 
@@ -21,6 +24,9 @@ struct Recognised {
     Character character = Character::still;
 };
 
+// What lies over the whole window: at most one.
+enum class Sheet { none, keys, settings };
+
 struct PanelState {
     CardState exercise, scene, brain, information;
     SliderState sliders;
@@ -30,9 +36,11 @@ struct PanelState {
     History history;
     PromptMemory prompts;
     bool why_open = false;
-    bool keys_open = false;        // the list of keys, F1
-    bool open_menu = false;        // what can be opened, Ctrl+O
-    bool focus_open_menu = false;  // opened by key: the focus is to go there
+    Sheet sheet = Sheet::none;
+    SheetState keys, settings;
+    std::optional<Preferences> before_reset;  // what Reset All took away, until something is chosen anew
+    bool open_menu = false;                   // what can be opened, Ctrl+O
+    bool focus_open_menu = false;             // opened by key: the focus is to go there
     bool presets_open = false, close_presets = false;
     bool outcome_told = false;   // of the exercise below: told once, it stays
     std::size_t hints_seen = 0;  // of the same, already scrolled to

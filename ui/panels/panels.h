@@ -19,8 +19,11 @@ void information_card(const LabView&, PanelState&, Ui&, Rect);
 void strips(const LabView&, const History&, Ui&);  // the selected vehicle's last seconds, and the population's
 void hint_bar(const LabView&, Ui&, Rect);
 void open_menu(const LabView&, PanelState&, Ui&, const WindowLayout&);  // over everything; closes itself
-bool for_open_menu(const LabView&, PanelState&, KeyPress);      // while it is open: Tab and arrows walk its rows
-void keys_card(const LabView&, PanelState&, Ui&, Rect window);  // all shortcuts, over everything; closes itself
+bool for_open_menu(const LabView&, PanelState&, KeyPress);  // while it is open: Tab and arrows walk its rows
+
+// Sheets over everything; each draws itself while PanelState::sheet says so, and closes itself.
+void keys_card(const LabView&, PanelState&, Ui&, Rect window);      // all shortcuts
+void settings_card(const LabView&, PanelState&, Ui&, Rect window);  // language, theme, size of type, motion
 
 // The parts of the brain card that show the moment. Precondition of both: the vehicle is in the snapshot.
 void equations(const LabView&, Ui&, const VehicleView&);

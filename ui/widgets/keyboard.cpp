@@ -1,6 +1,7 @@
 #include "ui/widgets/keyboard.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace braitenlab {
 
@@ -39,7 +40,18 @@ void begin_keyboard(Keyboard& keyboard) {
     keyboard.card = 0;
 }
 
+void hold_keyboard(Keyboard* keyboard) {
+    if (!keyboard) return;
+    if (!keyboard->was_held && !keyboard->held) keyboard->focus_before = std::exchange(keyboard->focus, {});
+    keyboard->held = true;
+    keyboard->stops.clear();
+}
+
 void end_keyboard(Keyboard& keyboard) {
+    if (keyboard.held && index_of(keyboard.stops, keyboard.focus) < 0)
+        keyboard.focus = keyboard.stops.empty() ? "" : keyboard.stops.front().id;
+    if (keyboard.was_held && !keyboard.held) keyboard.focus = std::exchange(keyboard.focus_before, {});
+    keyboard.was_held = std::exchange(keyboard.held, false);
     keyboard.presses.clear();
     keyboard.revealed = false;
     keyboard.last_stops.swap(keyboard.stops);

@@ -23,6 +23,8 @@ struct Keyboard {
     };
     std::vector<Stop> stops, last_stops;
     int card = 0;
+    bool held = false, was_held = false;  // by a sheet, in this frame and in the last one
+    std::string focus_before;             // who had it when the sheet came
 };
 
 // Moves the focus for the Tabs among the presses: to the next widget, with Shift to the previous one, with Ctrl to the
@@ -31,6 +33,10 @@ void begin_keyboard(Keyboard&);
 
 // Forgets the keys that no widget wanted. Call once after the widgets.
 void end_keyboard(Keyboard&);
+
+// Only widgets drawn from here on can have the focus in this frame: a sheet lies over the others. Its first widget gets
+// it, and whoever had it before gets it back when no sheet is drawn any more. `keyboard` may be null.
+void hold_keyboard(Keyboard*);
 
 // Widgets drawn from here on belong to another card.
 void begin_stops(Keyboard*);

@@ -1,0 +1,81 @@
+#include "app/safe_file.h"
+
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "tests/lab/folder.h"
+
+namespace braitenlab::tests {
+namespace {
+
+std::set<std::string> names_in(const fs::path& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
+    return names;
+}
+
+TEST(SafeFile, WritesWhatItIsGivenAndMakesTheFoldersOnTheWay) {
+    const Folder folder;
+    const auto file = folder / "a" / "b" / "scene.toml";
+    EXPECT_FALSE(write_whole(file, "one"));
+    EXPECT_FALSE(write_whole(file, "two"));
+    EXPECT_EQ(text_of(file), "two");
+    EXPECT_EQ(names_in(file.parent_path()), std::set<std::string>{"scene.toml"}) << "nothing is left beside it";
+}
+
+TEST(SafeFile, ReplacesTheFileAtOnceSoThatWhoeverReadsItKeepsTheOldText) {
+    const Folder folder;
+    const auto file = folder / "scene.toml";
+    ASSERT_FALSE(write_whole(file, "old"));
+    std::ifstream reader(file);
+    ASSERT_FALSE(write_whole(file, "new"));
+    EXPECT_EQ((std::string{std::istreambuf_iterator<char>(reader), {}}), "old");
+}
+
+// A limit on the size of files stands in for a full disk: both refuse in the middle of writing.
+TEST(SafeFile, LeavesTheOldFileAndSaysSoWhereThereIsNoRoom) {
+    const Folder folder;
+    const auto file = folder / "scene.toml";
+    ASSERT_FALSE(write_whole(file, "old"));
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{1000, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    const auto error = write_whole(file, std::string(100000, 'x'));
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, old_handler);
+    ASSERT_TRUE(error);
+    EXPECT_NE(error->what.find("make room"), std::string::npos) << error->text();
+    EXPECT_EQ(error->file, file.string());
+    EXPECT_EQ(text_of(file), "old");
+    EXPECT_EQ(names_in(folder.path), std::set<std::string>{"scene.toml"});
+}
+
+TEST(SafeFile, FollowsALinkAndKeepsPermissions) {
+    const Folder folder;
+    const auto file = folder / "real.toml", link = folder / "link.toml";
+    ASSERT_FALSE(write_whole(file, "old"));
+    fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+    fs::create_symlink(file, link);
+    EXPECT_FALSE(write_whole(link, "new"));
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_EQ(text_of(file), "new");
+    EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST(SafeFile, RefusesAFolderAndAPlaceBelowAFile) {
+    const Folder folder;
+    ASSERT_FALSE(write_whole(folder / "file", "text"));
+    EXPECT_TRUE(write_whole(folder.path, "text"));
+    EXPECT_TRUE(write_whole(folder / "file" / "below", "text"));
+    EXPECT_EQ(text_of(folder / "file"), "text");
+}
+
+}  // namespace
+}  // namespace braitenlab::tests

@@ -1,0 +1,92 @@
+#include "app/settings.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/lab/folder.h"
+
+namespace braitenlab::tests {
+namespace {
+
+const Preferences chosen{Theme::light, "es", 1.5f, true};
+
+TEST(Settings, ComeBackAsTheyWereWritten) {
+    EXPECT_EQ(*parse_preferences(write_preferences(chosen), "s"), chosen);
+    Remembered remembered{1280, 800, "/a \"b\"/c.toml", {"/x.toml", "/ünï.toml"}, "/a"};
+    EXPECT_EQ(*parse_remembered(write_remembered(remembered), "s"), remembered);
+}
+
+TEST(Settings, AreTakenToTheNearestValueInTheirRange) {
+    EXPECT_EQ(parse_preferences("type_size = 99.0", "s")->type_size, largest_type_size);
+    EXPECT_EQ(parse_preferences("type_size = -1.0", "s")->type_size, least_type_size);
+    EXPECT_EQ(parse_preferences("type_size = nan", "s")->type_size, least_type_size);
+    EXPECT_EQ(parse_remembered("width = 3\nheight = 1000000", "s")->width, 0);
+}
+
+TEST(Settings, NameFileAndLineOfAMistake) {
+    const auto parsed = parse_preferences("format = 1\nlanguage = 7\n", "settings.toml");
+    ASSERT_FALSE(parsed);
+    EXPECT_EQ(parsed.error().file, "settings.toml");
+    EXPECT_EQ(parsed.error().line, 2);
+    EXPECT_FALSE(parse_preferences("theme = \"da", "settings.toml"));
+}
+
+TEST(Settings, PassOverWhatALaterVersionWrote) {
+    EXPECT_TRUE(parse_preferences("format = 2\nholograms = true\n[more]\nx = 1\n", "s"));
+}
+
+struct OnDisk : testing::Test {
+    Folder folder;
+    fs::path settings = folder / "config" / "settings.toml", state = folder / "state" / "state.toml";
+    SettingsFiles files{folder / "config", folder / "state"};
+    Preferences preferences;
+    Remembered remembered;
+};
+
+TEST_F(OnDisk, AreReadByTheNextStart) {
+    EXPECT_TRUE(files.read(preferences, remembered).empty());
+    remember_opened(remembered, folder / "scene.toml");
+    ASSERT_FALSE(files.write(chosen, remembered));
+    SettingsFiles next{folder / "config", folder / "state"};
+    EXPECT_TRUE(next.read(preferences, remembered).empty());
+    EXPECT_EQ(preferences, chosen);
+    EXPECT_EQ(remembered.last_opened, (folder / "scene.toml").string());
+    EXPECT_EQ(remembered.folder, folder.path.string());
+}
+
+TEST_F(OnDisk, StayUnwrittenWhileNobodyChooses) {
+    files.read(preferences, remembered);
+    ASSERT_FALSE(files.write(preferences, remembered));
+    EXPECT_FALSE(fs::exists(settings)) << "the system's language may change under them";
+}
+
+TEST_F(OnDisk, AreReportedOnceAndSetAsideWhereTheyAreBroken) {
+    const std::string broken = "language = \"d\xff\x00 [[[";
+    put_text(settings, broken);
+    const auto complaints = files.read(preferences, remembered);
+    ASSERT_EQ(complaints.size(), 1u);
+    EXPECT_EQ(complaints[0].file, settings.string());
+    EXPECT_EQ(preferences, Preferences{});
+    EXPECT_EQ(text_of(folder / "config" / "settings.toml.broken"), broken) << "nothing that a person wrote is lost";
+    SettingsFiles next{folder / "config", folder / "state"};
+    EXPECT_TRUE(next.read(preferences, remembered).empty()) << "once is enough";
+}
+
+TEST_F(OnDisk, SayOnceWhatKeepsThemFromBeingWritten) {
+    put_text(folder / "config", "a file where the folder should be");
+    files.read(preferences, remembered);
+    EXPECT_TRUE(files.write(chosen, remembered));
+    EXPECT_FALSE(files.write(chosen, remembered));
+}
+
+TEST(Recent, HoldsEachFileOnceTheNewestFirstAndNotTooMany) {
+    Remembered r;
+    for (int i = 0; i < 12; ++i) remember_opened(r, "/s/" + std::to_string(i) + ".toml");
+    remember_opened(r, "/s/../s/9.toml");
+    EXPECT_EQ(r.recent.size(), most_recent);
+    EXPECT_EQ(r.recent[0], "/s/9.toml");
+    EXPECT_EQ(r.recent[1], "/s/11.toml");
+    EXPECT_EQ(std::count(r.recent.begin(), r.recent.end(), "/s/9.toml"), 1);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests

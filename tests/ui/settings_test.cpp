@@ -1,0 +1,96 @@
+// The card of settings, and what a sheet does to keyboard and mouse.
+#include "desk.h"
+
+namespace braitenlab::tests {
+
+struct SettingsCard : testing::Test {
+    Desk desk;
+    SettingsCard() {
+        desk.frame(2);
+        desk.key({',', true});
+        desk.frame(3);
+    }
+    // The lab does what was asked for before the next frame.
+    void click_and_obey(std::string_view anchor) {
+        desk.point(anchor);
+        desk.frame(2);
+        for (const bool down : {true, false}) {
+            desk.button(0, down);
+            desk.frame(1);
+            wanted();
+        }
+    }
+    const Preferences& wanted() {
+        for (const Request& request : desk.all)
+            if (const auto* asked = std::get_if<PreferencesRequest>(&request))
+                desk.view.preferences = asked->preferences;
+        desk.all.clear();
+        return desk.view.preferences;
+    }
+};
+
+TEST_F(SettingsCard, ChangesOneThingAtAClick) {
+    desk.click("settings.theme.2");
+    EXPECT_EQ(wanted(), (Preferences{.theme = Theme::light}));
+    desk.click("settings.type.3");
+    EXPECT_EQ(wanted(), (Preferences{.theme = Theme::light, .type_size = 1.5f}));
+    desk.click("settings.motion.2");
+    EXPECT_TRUE(wanted().reduce_motion);
+    desk.click("settings.language.3");
+    EXPECT_EQ(wanted().language, desk.spoken[2].code);
+    desk.click("settings.language.3");
+    EXPECT_TRUE(desk.all.empty()) << "what is chosen already is no request";
+}
+
+TEST_F(SettingsCard, ResetsEverythingButTheLanguageAndTakesThatBack) {
+    const Preferences mine{Theme::light, "es", 1.5f, true};
+    desk.view.preferences = mine;
+    desk.panels.brain.folded = true;
+    desk.frame(2);
+    click_and_obey("settings.reset");
+    EXPECT_EQ(desk.view.preferences, (Preferences{.language = "es"}));
+    EXPECT_FALSE(desk.panels.brain.folded);
+    desk.frame(2);
+    click_and_obey("settings.restore");
+    EXPECT_EQ(desk.view.preferences, mine);
+}
+
+TEST_F(SettingsCard, KeepsTheKeyboardAndTheMouseFromWhatLiesBelow) {
+    desk.all.clear();
+    for (int i = 0; i < 30; ++i) {
+        desk.key({key::tab});
+        desk.frame(1);
+        EXPECT_TRUE(desk.panels.keyboard.focus.starts_with("settings.")) << desk.panels.keyboard.focus;
+    }
+    desk.key({'A'});
+    desk.key({'R'});
+    desk.frame(2);
+    EXPECT_TRUE(desk.actions().empty());
+    desk.key({' '});
+    EXPECT_EQ(desk.actions(), std::vector{Action::play_pause}) << "Space plays, always";
+}
+
+TEST_F(SettingsCard, GivesTheFocusBackWhenItCloses) {
+    desk.key({key::escape});
+    desk.frame(2);
+    desk.panels.keyboard.focus = "button.step";
+    desk.frame(2);
+    desk.key({',', true});
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.keyboard.focus, "settings.language.1");
+    desk.key({key::escape});
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.keyboard.focus, "button.step");
+}
+
+TEST_F(SettingsCard, ClosesOnAClickBesideIt) {
+    desk.point(5, 400);
+    desk.frame(2);
+    desk.button(0, true);
+    desk.frame(1);
+    desk.button(0, false);
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("card.settings"));
+}
+
+}  // namespace braitenlab::tests

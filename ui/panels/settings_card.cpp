@@ -1,0 +1,106 @@
+// What a person chooses once for every scene: language, theme, size of type, motion.
+#include <array>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/sheet.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr std::array<float, 4> type_sizes{1, 1.25f, 1.5f, 2};
+
+// A choice under its heading; the index chosen now, or -1.
+int choose(Ui& ui, std::string_view id, std::string_view heading, std::span<const std::string_view> words, int chosen) {
+    subheading(ui, heading);
+    const int clicked = segments(ui, id, words, chosen, card_width(ui));
+    gap(ui, 12);
+    return clicked;
+}
+
+void language(const LabView& view, Ui& ui, Preferences& wanted) {
+    if (!view.languages || view.languages->empty()) return;
+    std::vector<std::string_view> names;
+    int chosen = -1;
+    for (const Language& each : *view.languages) {
+        if (each.code == wanted.language) chosen = static_cast<int>(names.size());
+        names.push_back(each.name);
+    }
+    const int clicked = choose(ui, "settings.language", ui.strings("settings.language"), names, chosen);
+    if (clicked >= 0) wanted.language = (*view.languages)[static_cast<std::size_t>(clicked)].code;
+}
+
+void theme(Ui& ui, Preferences& wanted) {
+    const std::array<std::string_view, 2> words{ui.strings("settings.dark"), ui.strings("settings.light")};
+    const int clicked =
+        choose(ui, "settings.theme", ui.strings("settings.theme"), words, wanted.theme == Theme::light ? 1 : 0);
+    if (clicked >= 0) wanted.theme = clicked == 1 ? Theme::light : Theme::dark;
+}
+
+void type_size(Ui& ui, Preferences& wanted) {
+    constexpr std::array<std::string_view, 4> words{"100 %", "125 %", "150 %", "200 %"};
+    int chosen = -1;
+    for (std::size_t i = 0; i < type_sizes.size(); ++i)
+        if (wanted.type_size == type_sizes[i]) chosen = static_cast<int>(i);
+    const int clicked = choose(ui, "settings.type", ui.strings("settings.type"), words, chosen);
+    if (clicked >= 0) wanted.type_size = type_sizes[static_cast<std::size_t>(clicked)];
+}
+
+void motion(Ui& ui, Preferences& wanted) {
+    const std::array<std::string_view, 2> words{ui.strings("settings.full_motion"), ui.strings("settings.less_motion")};
+    const int clicked =
+        choose(ui, "settings.motion", ui.strings("settings.motion"), words, wanted.reduce_motion ? 1 : 0);
+    if (clicked >= 0) wanted.reduce_motion = clicked == 1;
+}
+
+// Everything as it was at the very first start, but in words that can be read; and back again.
+void reset_all(PanelState& state, Ui& ui, Preferences& wanted) {
+    Preferences fresh;
+    fresh.language = wanted.language;
+    if (wanted != fresh) state.before_reset.reset();  // changed since: there is something to reset again
+    ImGui::SameLine(0, ui.px(8));
+    if (state.before_reset) {
+        if (button(ui, "settings.restore", {{}, ui.strings("settings.restore")}).pressed) {
+            wanted = *state.before_reset;
+            state.before_reset.reset();
+        }
+        return;
+    }
+    ButtonLook look{{}, ui.strings("settings.reset")};
+    look.enabled = wanted != fresh;
+    const Item at = button(ui, "settings.reset", look);
+    tooltip(ui, at, ui.strings("settings.reset_how"));
+    if (!at.pressed) return;
+    state.before_reset = wanted;
+    wanted = fresh;
+    state.exercise = state.scene = state.brain = state.information = {};
+    state.information_opened = false;
+}
+
+}  // namespace
+
+void settings_card(const LabView& view, PanelState& state, Ui& ui, Rect window) {
+    if (state.sheet != Sheet::settings) return;
+    Preferences wanted = view.preferences;
+    begin_sheet(ui, state.settings, "card.settings", ui.strings("settings.heading"), 460, window);
+    language(view, ui, wanted);
+    theme(ui, wanted);
+    type_size(ui, wanted);
+    motion(ui, wanted);
+    sheet_buttons(ui, state.settings);
+    const bool closed = button(ui, "settings.close", {{}, ui.strings("keys.close"), Emphasis::primary}).pressed;
+    reset_all(state, ui, wanted);
+    if (wanted != view.preferences) ui.outbox.push_back(PreferencesRequest{wanted});
+    if (end_sheet(state.settings) || closed) state.sheet = Sheet::none;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,65 @@
+#include "ui/widgets/sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <imgui.h>
+
+#include "ui/imgui_compat.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/keyboard.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float pad = 16, scrollbar_inset = 3, least_margin = 12;  // layout pixels
+
+float heading_height(const Ui& ui) { return line_height(ui, Face::title) + ui.px(pad); }
+float row_height(const Ui& ui) { return ui.px(button_height + pad); }
+
+}  // namespace
+
+void begin_sheet(Ui& ui, SheetState& state, std::string_view id, std::string_view heading, float layout_width,
+                 Rect window) {
+    const float margin = ui.px(least_margin), around = heading_height(ui) + row_height(ui) + 2 * ui.px(pad);
+    const float w = std::min(ui.px(layout_width), window.w - 2 * margin);
+    const float h = std::min(state.content + around, window.h - 2 * margin);
+    const Rect r{window.x + std::floor((window.w - w) / 2), window.y + std::floor((window.h - h) / 2), w, h};
+
+    begin_bar(ui, std::string(id).c_str(), window, true);
+    hold_keyboard(ui.keyboard);
+    fill_box(ui, window, ui.palette.ground.with_alpha(0.55f), 0);
+    card_ground(ui, r);
+    fill_box(ui, r, ui.palette.panel);  // opaque: what lies below is full of words
+    line_box(ui, r, ui.palette.line);
+    put(ui, {r.x + ui.px(pad), r.y + ui.px(pad)}, heading, ui.palette.text, Face::title);
+    mark(ui, id, r);
+    state.rect = r;
+    ImGui::SetCursorScreenPos({r.x + ui.px(pad), r.y + ui.px(pad) + heading_height(ui)});
+    compat::begin_child("body", {w - ui.px(pad + scrollbar_inset), std::max(1.0f, h - around)}, ImGuiWindowFlags_NoNav);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(8)});
+    ImGui::BeginGroup();
+}
+
+void sheet_buttons(Ui& ui, SheetState& state) {
+    ImGui::EndGroup();
+    state.content = ImGui::GetItemRectSize().y;
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    const Rect& r = state.rect;
+    ImGui::SetCursorScreenPos({r.x + ui.px(pad), r.y + r.h - ui.px(pad + button_height)});
+}
+
+bool end_sheet(const SheetState& state) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const bool beside = ImGui::IsMouseClicked(0) && !state.rect.contains(mouse.x, mouse.y);
+    end_bar();
+    return beside;
+}
+
+}  // namespace braitenlab
