@@ -187,8 +187,12 @@ private:
 
     Arrows arrows() const {
         if (ImGui::GetIO().WantTextInput) return {};
-        const auto held = [this](int glfw_key) { return window_.holds(glfw_key) ? 1.0f : 0.0f; };
-        return {held(key::right) - held(key::left), held(key::up) - held(key::down)};
+        const auto held = [this](Action action) {
+            for (const Shortcut& shortcut : shortcuts())
+                if (shortcut.action == action && window_.holds(shortcut.press.key)) return 1.0f;
+            return 0.0f;
+        };
+        return {held(Action::turn_right) - held(Action::turn_left), held(Action::raise) - held(Action::lower)};
     }
 
     // Where the camera looks from; a change of camera is a short glide, everything else follows at once.

@@ -40,10 +40,30 @@ enum class Action {
     larger,
     smaller,
     settings,
+    keys,
     hint,
     exercise_reset,
     open,
+
+    // Of widgets and canvas, never of the lab.
+    slider_LL,
+    slider_LR,
+    slider_RL,
+    slider_RR,
+    next_card,
+    next_widget,
+    previous_widget,
+    press,
+    less,
+    more,
+    turn_left,
+    turn_right,
+    raise,
+    lower,
+    erase,
+    fit,
 };
+inline constexpr Action last_action = Action::fit;
 
 struct EditRequest {
     Command command;

@@ -44,6 +44,31 @@ constexpr Shortcut table[]{
     {{key::escape}, Action::cancel},
     {{'O', true, false}, Action::open},
     {{'Q', true, false}, Action::exit},
+    {{key::f1}, Action::keys},
+
+    {{key::left}, Action::turn_left, KeyPlace::view},
+    {{key::right}, Action::turn_right, KeyPlace::view},
+    {{key::up}, Action::raise, KeyPlace::view},
+    {{key::down}, Action::lower, KeyPlace::view},
+
+    {{'1'}, Action::slider_LL},
+    {{'2'}, Action::slider_LR},
+    {{'3'}, Action::slider_RL},
+    {{'4'}, Action::slider_RR},
+    {{key::tab, true, false}, Action::next_card},
+    {{key::tab}, Action::next_widget, KeyPlace::widget},
+    {{key::tab, false, true}, Action::previous_widget, KeyPlace::widget},
+    {{key::enter}, Action::press, KeyPlace::widget},
+    {{key::left}, Action::less, KeyPlace::widget},
+    {{key::left, false, true}, Action::less, KeyPlace::widget},
+    {{key::right}, Action::more, KeyPlace::widget},
+    {{key::right, false, true}, Action::more, KeyPlace::widget},
+    {{key::escape}, Action::cancel, KeyPlace::widget},
+
+    {{key::del}, Action::erase, KeyPlace::canvas},
+    {{key::home}, Action::fit, KeyPlace::canvas},
+    {{'F'}, Action::fit, KeyPlace::canvas},
+    {{key::escape}, Action::cancel, KeyPlace::canvas},
 };
 
 struct NamedAction {
@@ -81,7 +106,24 @@ constexpr NamedAction names[]{
     {Action::settings, "settings"},
     {Action::hint, "hint"},
     {Action::exercise_reset, "exercise_reset"},
+    {Action::keys, "keys"},
     {Action::open, "open"},
+    {Action::slider_LL, "slider_LL"},
+    {Action::slider_LR, "slider_LR"},
+    {Action::slider_RL, "slider_RL"},
+    {Action::slider_RR, "slider_RR"},
+    {Action::next_card, "next_card"},
+    {Action::next_widget, "next_widget"},
+    {Action::previous_widget, "previous_widget"},
+    {Action::press, "press"},
+    {Action::less, "less"},
+    {Action::more, "more"},
+    {Action::turn_left, "turn_left"},
+    {Action::turn_right, "turn_right"},
+    {Action::raise, "raise"},
+    {Action::lower, "lower"},
+    {Action::erase, "erase"},
+    {Action::fit, "fit"},
 };
 
 struct NamedKey {
@@ -123,9 +165,9 @@ std::string bare_name(int pressed, const Strings& strings) {
 
 std::span<const Shortcut> shortcuts() { return table; }
 
-std::optional<Action> action_for(KeyPress press) {
+std::optional<Action> action_for(KeyPress press, KeyPlace place) {
     for (const Shortcut& shortcut : table)
-        if (shortcut.press == press) return shortcut.action;
+        if (shortcut.press == press && shortcut.place == place) return shortcut.action;
     return std::nullopt;
 }
 

@@ -26,15 +26,26 @@ struct KeyPress {
     friend bool operator==(const KeyPress&, const KeyPress&) = default;
 };
 
+// Where a key means what it means. Of two places that know a key, the narrower one has it: the focused widget, then the
+// wiring canvas, then everywhere.
+enum class KeyPlace {
+    everywhere,
+    view,    // while it is held and no widget has the focus: moves the camera
+    widget,  // while a widget has the focus
+    canvas,  // while wiring
+};
+inline constexpr KeyPlace last_place = KeyPlace::canvas;
+
 struct Shortcut {
     KeyPress press;
     Action action;
+    KeyPlace place = KeyPlace::everywhere;
 };
 
-// No key twice; an action may have several keys, the one to show first.
+// No key twice in a place; an action may have several keys, the one to show first.
 std::span<const Shortcut> shortcuts();
 
-std::optional<Action> action_for(KeyPress);
+std::optional<Action> action_for(KeyPress, KeyPlace = KeyPlace::everywhere);
 
 // "play_pause": the string files have its words as action.play_pause.
 std::string_view name(Action);

@@ -61,10 +61,10 @@ void right_column(const LabView& view, PanelState& state, Ui& ui, const WindowLa
     if (folded_for_room && information.folded == before) information.folded = was_folded;
 }
 
-std::optional<std::string_view> slider_of(int pressed) {
+std::optional<std::string_view> slider_of(Action action) {
     constexpr std::array<std::string_view, 4> sliders{"slider.LL", "slider.LR", "slider.RL", "slider.RR"};
-    if (pressed < '1' || pressed > '4') return std::nullopt;
-    return sliders[static_cast<std::size_t>(pressed - '1')];
+    if (action < Action::slider_LL || action > Action::slider_RR) return std::nullopt;
+    return sliders[static_cast<std::size_t>(action) - static_cast<std::size_t>(Action::slider_LL)];
 }
 
 bool for_typing(SliderState& sliders, KeyPress press) {
@@ -75,27 +75,26 @@ bool for_typing(SliderState& sliders, KeyPress press) {
 }
 
 bool for_focus(Keyboard& keyboard, KeyPress press) {
-    const bool enters = press.key == key::tab && press.ctrl;
-    if (keyboard.focus.empty() && !enters) return false;
-    if (press.key == key::escape) {
+    if (keyboard.focus.empty()) return false;
+    const auto action = action_for(press, KeyPlace::widget);
+    if (!action) return false;
+    if (*action == Action::cancel)
         keyboard.focus.clear();
-        return true;
-    }
-    const bool wanted =
-        press.key == key::tab || press.key == key::enter || press.key == key::left || press.key == key::right;
-    if (wanted) keyboard.presses.push_back(press);
-    return wanted;
+    else
+        keyboard.presses.push_back(press);
+    return true;
 }
 
 bool for_canvas(CanvasState& canvas, KeyPress press) {
-    switch (press.key) {
-        case key::escape:
+    const auto action = action_for(press, KeyPlace::canvas);
+    if (!action) return false;
+    switch (*action) {
+        case Action::cancel:
             return press_key(canvas, CanvasKey::cancel);
-        case key::del:
+        case Action::erase:
             return press_key(canvas, CanvasKey::erase);
-        case key::home:
-        case 'F':
-            return !press.ctrl && press_key(canvas, CanvasKey::fit);
+        case Action::fit:
+            return press_key(canvas, CanvasKey::fit);
         default:
             return false;
     }
@@ -104,8 +103,9 @@ bool for_canvas(CanvasState& canvas, KeyPress press) {
 // Under a sheet the lab still plays, and the window still grows: nothing that its widgets could want.
 bool works_under_a_sheet(KeyPress press) {
     const auto action = action_for(press);
-    return action && (*action == Action::play_pause || *action == Action::full_screen ||
-                      *action == Action::screenshot || *action == Action::larger || *action == Action::smaller);
+    return action &&
+           (*action == Action::play_pause || *action == Action::full_screen || *action == Action::screenshot ||
+            *action == Action::larger || *action == Action::smaller || *action == Action::keys);
 }
 
 // Down and Up are Tab and Shift+Tab there; every other key rests.
@@ -118,9 +118,17 @@ bool for_sheet(PanelState& state, KeyPress press) {
     return true;
 }
 
-// What opens a panel concerns nobody else.
-bool panels_own(PanelState& state, Action action) {
-    if (action == Action::open)
+// What opens a panel or moves the focus concerns nobody else.
+bool panels_own(PanelState& state, Action action, KeyPress press) {
+    if (const auto slider = slider_of(action)) {
+        state.brain.folded = false;
+        state.keyboard.focus = *slider;
+        state.keyboard.revealed = true;
+    } else if (action == Action::next_card)
+        state.keyboard.presses.push_back(press);
+    else if (action == Action::keys)
+        state.sheet = state.sheet == Sheet::keys ? Sheet::none : Sheet::keys;
+    else if (action == Action::open)
         state.open_menu = state.focus_open_menu = !state.open_menu;
     else if (action == Action::settings)
         state.sheet = Sheet::settings, state.open_menu = false;
@@ -159,10 +167,6 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
 
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     if (for_typing(state.sliders, press)) return true;
-    if (press.key == key::f1) {
-        state.sheet = state.sheet == Sheet::keys ? Sheet::none : Sheet::keys;
-        return true;
-    }
     if (state.sheet != Sheet::none && !works_under_a_sheet(press)) return for_sheet(state, press);
     if (state.open_menu && press.key == key::escape) {
         state.open_menu = false;
@@ -175,14 +179,8 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     if (state.open_menu && for_open_menu(view, state, press)) return true;
     if (for_focus(state.keyboard, press)) return true;
     if (view.mode == Mode::wiring && for_canvas(state.canvas, press)) return true;
-    if (const auto slider = slider_of(press.key); slider && !press.ctrl && !press.shift) {
-        state.brain.folded = false;
-        state.keyboard.focus = *slider;
-        state.keyboard.revealed = true;
-        return true;
-    }
     if (const auto action = action_for(press)) {
-        if (!panels_own(state, *action)) outbox.push_back(*action);
+        if (!panels_own(state, *action, press)) outbox.push_back(*action);
         return true;
     }
     return false;

@@ -8,7 +8,7 @@ TEST(Shortcuts, HaveNoKeyTwice) {
     const auto all = shortcuts();
     for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            EXPECT_FALSE(all[i].press == all[j].press) << key_name(all[i].press, english());
+            EXPECT_FALSE(all[i].press == all[j].press && all[i].place == all[j].place) << key_name(all[i].press, english());
 }
 
 TEST(Shortcuts, FindTheActionOfAKey) {
@@ -20,7 +20,7 @@ TEST(Shortcuts, FindTheActionOfAKey) {
 }
 
 TEST(Shortcuts, NameEveryActionBothWays) {
-    for (int i = 0; i <= static_cast<int>(Action::open); ++i) {
+    for (int i = 0; i <= static_cast<int>(last_action); ++i) {
         const auto action = static_cast<Action>(i);
         ASSERT_FALSE(name(action).empty()) << i;
         EXPECT_EQ(action_named(name(action)), action);

@@ -63,7 +63,7 @@ std::set<std::string> asked_in_sources() {
 // Keys put together from a stem and a name that the program knows.
 std::set<std::string> composed() {
     std::set<std::string> keys;
-    for (int i = 0; i <= static_cast<int>(Action::open); ++i)
+    for (int i = 0; i <= static_cast<int>(last_action); ++i)
         keys.insert("action." + std::string(name(static_cast<Action>(i))));
     for (int i = 0; i <= static_cast<int>(Character::mixed); ++i)
         for (const char* stem : {"character.", "character_story."})

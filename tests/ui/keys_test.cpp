@@ -1,0 +1,68 @@
+// The one table of keys: what it does not list does nothing, and F1 shows all that it lists.
+#include <algorithm>
+#include <set>
+
+#include "desk.h"
+
+namespace braitenlab::tests {
+
+namespace {
+
+std::vector<KeyPress> all_presses() {
+    std::vector<KeyPress> all;
+    const auto add = [&](int key) {
+        for (const bool ctrl : {false, true})
+            for (const bool shift : {false, true}) all.push_back({key, ctrl, shift});
+    };
+    for (int printable = ' '; printable <= 'Z'; ++printable) add(printable);
+    for (int named = key::escape; named < key::f1 + 25; ++named) add(named);
+    return all;
+}
+
+struct Where {
+    const char* name;
+    KeyPlace place;
+    void (*go)(Desk&);
+};
+constexpr Where everywhere[]{
+    {"everywhere", KeyPlace::everywhere, [](Desk&) {}},
+    {"in a widget", KeyPlace::widget, [](Desk& desk) { desk.panels.keyboard.focus = "slider.LL"; }},
+    {"in the canvas", KeyPlace::canvas, [](Desk& desk) { desk.view.mode = Mode::wiring; }}};
+
+}  // namespace
+
+TEST(Keys, DoNothingUnlessTheTableListsThem) {
+    for (const Where& where : everywhere) {
+        int used = 0;
+        Desk desk;
+        for (const KeyPress press : all_presses()) {
+            desk.panels = PanelState{};
+            where.go(desk);
+            const bool listed = action_for(press, where.place) || action_for(press);
+            Outbox asked;
+            const bool taken = press_key(desk.view, desk.panels, press, asked);
+            used += taken;
+            if (press.key == key::del && where.place == KeyPlace::canvas) continue;  // nothing is selected there
+            EXPECT_EQ(taken, listed) << key_name(press, desk.strings) << " " << where.name;
+        }
+        EXPECT_GT(used, 30);
+    }
+}
+
+TEST(Keys, AreAllShownByF1) {
+    Desk desk(1280, 1400);
+    desk.frame(2);
+    desk.key({key::f1});
+    desk.frame(3);
+    std::set<std::string> words;
+    for (const Written& w : desk.written) words.insert(w.words);
+    std::set<std::pair<KeyPlace, Action>> seen;
+    for (const Shortcut& shortcut : shortcuts()) {
+        if (!seen.insert({shortcut.place, shortcut.action}).second) continue;  // further keys of the same
+        EXPECT_TRUE(words.count(key_name(shortcut.press, desk.strings))) << key_name(shortcut.press, desk.strings);
+        EXPECT_TRUE(words.count(std::string(desk.strings("action." + std::string(name(shortcut.action))))))
+            << name(shortcut.action);
+    }
+}
+
+}  // namespace braitenlab::tests
