@@ -45,7 +45,7 @@ enum class SensorResponse { graded, boolean };
 enum class Driver { brain, manual, path, wander, parked };
 // `open`: vehicles fall over it. `torus`: whoever leaves on one side comes back on the other.
 enum class Edge { wall, open, torus };
-// What covers a zone of the floor; `none` is the arena's own. Constants: surface_constants().
+// What covers a zone of the floor; `none` is the arena's own. Constants: floor_constants().
 enum class Surface { none, ice, carpet, sand, tape };
 
 // An eye (or nose, or feeler) on a vehicle. Its frame is the vehicle's: x ahead, y left, origin amid the driven axle.
@@ -225,6 +225,12 @@ struct FloorConstants {
 };
 // Of a surface, or of the arena's own floor for Surface::none and, but for its darkness, Surface::tape.
 FloorConstants floor_constants(const Arena&, Surface);
+
+// Whether a place (m, in the arena) lies on the zone; its rim belongs to it.
+bool covers(const Zone&, maths::vec2 place);
+
+// What covers the floor there: of zones that overlap and have a surface the last counts.
+Surface surface_at(const Scene&, maths::vec2 place);
 
 // The corners of an obstacle in its own frame, counter-clockwise: a box's four or those it is given.
 std::vector<maths::vec2> corners_of(const Obstacle&);
