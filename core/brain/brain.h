@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -44,10 +45,15 @@ struct Brain {
     int state_size() const { return static_cast<int>(units.size() + learning_wires.size()); }
 };
 
+// Why this graph cannot think, or nothing: two nodes of one id or name, a motor other than ML and MR, a wire to nowhere
+// or into a sensor, two wires between the same nodes, a number that is not finite or outside its range, more nodes or
+// wires than `limits` allows.
+std::optional<Error> check_graph(const BrainGraph&);
+
 // Flattens a graph for a vehicle with these sensors (names in the vehicle's own order). The order of editing does not
-// matter: the same graph gives the same sums, bit for bit.
-// Fails on: two nodes of one id or name, a wire to nowhere or into a sensor, two wires between the same nodes, a number
-// that is not finite, more nodes or wires than `limits` allows.
+// matter: the same graph gives the same sums, bit for bit. A cut wire and one into a silenced node are left out; what
+// they learned keeps its place and rests until they are healed.
+// Fails as check_graph() does.
 Result<Brain> compile(const BrainGraph&, std::span<const std::string> sensor_names);
 
 // One tick. `sensed` holds the vehicle's sensors, each 0..1. `state` has state_size() values: what each unit held and

@@ -62,9 +62,11 @@ struct BrainGraph {
 };
 
 namespace limits {
-inline constexpr float weight = 2, bias = 1, threshold = 1;       // largest sizes
-inline constexpr float learning_rate = 10, decay = 10;            // 1/s
-inline constexpr int sensors = 64, neurons = 1024, wires = 8192;  // of one brain
+inline constexpr float weight = 2, bias = 1, threshold = 1;         // largest sizes
+inline constexpr float peak = 2, least_width = 0.001f, width = 10;  // of a curve
+inline constexpr float time_constant = 600;                         // s
+inline constexpr float learning_rate = 10, decay = 10;              // 1/s
+inline constexpr int sensors = 64, neurons = 1024, wires = 8192;    // of one brain; the two motors come on top
 }  // namespace limits
 
 // Whether what happens at its ends changes the wire.

@@ -22,7 +22,7 @@ struct Motors {
 Motors settle(const Brain& brain, float left_eye, float right_eye) {
     constexpr int settling_ticks = 180, watched_ticks = 60;
     const std::array<float, 2> eyes{left_eye, right_eye};
-    std::vector<float> neurons(static_cast<std::size_t>(brain.neuron_count()), 0.0f);
+    std::vector<float> neurons(static_cast<std::size_t>(brain.state_size()), 0.0f);
     std::array<float, 2> motors{};
     Motors mean;
     for (int t = 0; t < settling_ticks + watched_ticks; ++t) {

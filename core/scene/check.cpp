@@ -70,7 +70,7 @@ public:
             describe(inner, Of<Element>{});
         }
     }
-    void brain(const char*, BrainGraph T::*, const char*) {}  // checked with its sensors, in check_kind
+    void brain(const char*, BrainGraph T::*, const char*) {}  // checked as a whole, below
 
 private:
     void check(const char* key, double value, Range range) {
@@ -128,19 +128,10 @@ std::optional<Fault> start_fault(const Scene& scene, const Start& start) {
 
 }  // namespace
 
-std::optional<Fault> find_fault(const BrainGraph& graph, const std::vector<std::string>& sensors) {
-    for (const Node& node : graph.nodes) {
+std::optional<Fault> find_fault(const BrainGraph& graph) {
+    for (const Node& node : graph.nodes)
         if (const auto fault = name_fault(node.name)) return Fault{"", *fault};
-        if (const auto fault = range_fault(node)) return Fault{"", "node " + in_quotes(node.name) + ": " + fault->what};
-    }
-    const auto brain = compile(graph, sensors);
-    if (!brain) return Fault{"", brain.error().what};
-    for (const Wire& wire : graph.wires) {
-        const auto fault = range_fault(wire);
-        if (!fault) continue;
-        return Fault{"", fmt::format("the wire from {} to {}: {}", in_quotes(find_node(graph, wire.from)->name),
-                                     in_quotes(find_node(graph, wire.to)->name), fault->what)};
-    }
+    if (const auto error = check_graph(graph)) return Fault{"", error->what};
     return std::nullopt;
 }
 
@@ -148,8 +139,7 @@ std::optional<Fault> find_fault(const Scene& scene) {
     if (auto fault = range_fault(scene)) return fault;
     for (const Kind& kind : scene.kinds) {
         if (auto fault = wheels_fault(kind)) return fault;
-        if (auto fault = find_fault(kind.brain, sensor_names(kind)))
-            return Fault{"kind." + kind.name + ".brain", std::move(fault->what)};
+        if (auto fault = find_fault(kind.brain)) return Fault{"kind." + kind.name + ".brain", std::move(fault->what)};
     }
     for (const Start& start : scene.starts)
         if (auto fault = start_fault(scene, start)) return fault;

@@ -14,7 +14,7 @@ namespace braitenlab {
 
 // The first fault in the order of the description, with its path ("vehicle.one.facing"), or nothing.
 std::optional<Fault> find_fault(const Scene&);
-std::optional<Fault> find_fault(const BrainGraph&, const std::vector<std::string>& sensor_names);
+std::optional<Fault> find_fault(const BrainGraph&);
 
 // "'LL' is 3, outside -2 .. 2".
 std::string outside(std::string_view key, double value, Range);

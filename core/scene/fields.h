@@ -240,8 +240,8 @@ void describe(Visitor& v, Of<FourNeurons>) {
 template <class Visitor>
 void describe(Visitor& v, Of<Curve>) {
     v.word("curve", &Curve::response, "how it answers to its input x");
-    v.number("peak", &Curve::peak, "", {-2, 2}, "where the step, the sigmoid's middle or the hump stands");
-    v.number("width", &Curve::width, "", {0.001, 10}, "of the sigmoid or the hump");
+    v.number("peak", &Curve::peak, "", {-limits::peak, limits::peak}, "where the step, the sigmoid's middle or the hump stands");
+    v.number("width", &Curve::width, "", {0.001, limits::width}, "of the sigmoid or the hump");
 }
 
 template <class Visitor>
@@ -251,7 +251,7 @@ void describe(Visitor& v, Of<Node>) {
     v.word("kind", &Node::kind, "the motors are ML and MR");
     v.part(&Node::curve);
     v.number("bias", &Node::bias, "", bias_range, "added to its sum");
-    v.number("time_constant", &Node::time_constant, "s", {0, 600}, "of its leaky memory; 0 answers at once");
+    v.number("time_constant", &Node::time_constant, "s", {0, limits::time_constant}, "of its leaky memory; 0 answers at once");
     v.flag("silenced", &Node::silenced, "a lesion: a covered eye, a stopped motor, a neuron that gives 0");
 }
 

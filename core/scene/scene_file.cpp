@@ -85,7 +85,7 @@ Result<BrainGraph> parse_brain(std::string_view toml, std::string file_name) {
     if (!top.has("brain") && !file->error)
         file->error = Error{"there is no [brain] table; see the brain of any kind in a scene", file->name};
     if (file->error) return *file->error;
-    if (const auto fault = find_fault(content.brain, {})) return file->fault_at("brain", fault->what);
+    if (const auto fault = find_fault(content.brain)) return file->fault_at("brain", fault->what);
     return content.brain;
 }
 

@@ -22,10 +22,21 @@ struct Digest {
     void add(std::int32_t number) { add(static_cast<std::uint64_t>(static_cast<std::uint32_t>(number))); }
 };
 
+void add(Digest& digest, const Curve& curve) {
+    digest.add(static_cast<std::int32_t>(curve.response)), digest.add(curve.peak), digest.add(curve.width);
+}
+
 void add(Digest& digest, const BrainGraph& graph) {
-    for (const Node& n : graph.nodes) digest.add(n.id), digest.add(n.bias), digest.add(n.time_constant);
-    for (const Wire& w : graph.wires)
+    for (const Node& n : graph.nodes) {
+        digest.add(n.id), digest.add(n.bias), digest.add(n.time_constant);
+        digest.add(static_cast<std::int32_t>(n.silenced));
+        add(digest, n.curve);
+    }
+    for (const Wire& w : graph.wires) {
         digest.add(w.from), digest.add(w.to), digest.add(w.weight), digest.add(w.threshold);
+        digest.add(static_cast<std::int32_t>(w.cut)), digest.add(w.learning_rate), digest.add(w.decay);
+        add(digest, w.curve);
+    }
 }
 
 void add(Digest& digest, const Motion& motion) {

@@ -24,7 +24,7 @@ float sensor_value(const Snapshot& now, const VehicleView& vehicle, const std::s
 float node_value(const Snapshot& now, const VehicleView& vehicle, NodeId id) {
     const BrainGraph& brain = *now.brains[static_cast<std::size_t>(vehicle.brain)];
     const Node* node = find_node(brain, id);
-    if (!node) return 0;
+    if (!node || node->silenced) return 0;
     if (node->kind == NodeKind::sensor) return sensor_value(now, vehicle, node->name);
     // Units stand in the order of a compiled brain: hidden neurons by ascending id, the left motor, the right motor.
     auto unit = static_cast<std::size_t>(vehicle.first_neuron);

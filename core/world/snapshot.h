@@ -76,7 +76,7 @@ struct Snapshot {
 const VehicleView* find_vehicle(const Snapshot&, VehicleId);
 
 // The value the snapshot holds for a node of a vehicle's brain: a sensor's reading, a neuron's or motor's state. 0 for
-// a node that the brain does not have.
+// a node that is silenced or that the brain does not have.
 float node_value(const Snapshot&, const VehicleView&, NodeId);
 
 // What a Hebbian wire of a vehicle's brain has learned, to be added to its weight; 0 for any other wire.

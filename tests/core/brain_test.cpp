@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/brain/four_neurons.h"
+#include "core/maths/random.h"
 
 namespace braitenlab {
 namespace {
@@ -17,7 +19,7 @@ const std::array<std::string, 2> eyes{"SL", "SR"};
 std::array<float, 2> drive_once(const BrainGraph& graph, float left_eye, float right_eye) {
     const auto brain = compile(graph, eyes);
     EXPECT_TRUE(brain);
-    std::vector<float> neurons(static_cast<std::size_t>(brain->neuron_count()));
+    std::vector<float> neurons(static_cast<std::size_t>(brain->state_size()));
     std::array<float, 2> motors{};
     const std::array<float, 2> sensed{left_eye, right_eye};
     think(*brain, sensed, neurons, motors);
@@ -113,6 +115,215 @@ TEST(Compile, RefusesWhatCannotThinkAndSaysWhy) {
     BrainGraph not_a_number = make_graph({});
     not_a_number.wires.front().weight = std::numeric_limits<float>::quiet_NaN();
     EXPECT_FALSE(compile(not_a_number, eyes));
+}
+
+TEST(Compile, RefusesEveryNumberThatIsNotFiniteOrOutsideItsRange) {
+    const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+    const auto refused = [](auto set, float value) {
+        BrainGraph graph = make_graph({.LL = 1});
+        graph.nodes.push_back({.id = 9, .kind = NodeKind::neuron, .name = "N"});
+        graph.wires.push_back({.from = 0, .to = 9});
+        set(graph.nodes.back(), graph.wires.back(), value);
+        return !compile(graph, eyes);
+    };
+    const auto refuses = [&](auto set, float low, float high) {
+        for (const float bad : {nan, inf, -inf, low - 0.01f, high + 0.01f}) EXPECT_TRUE(refused(set, bad)) << bad;
+        for (const float good : {low, high}) EXPECT_FALSE(refused(set, good)) << good;
+    };
+    refuses([](Node& n, Wire&, float x) { n.bias = x; }, -1, 1);
+    refuses([](Node& n, Wire&, float x) { n.time_constant = x; }, 0, 600);
+    refuses([](Node& n, Wire&, float x) { n.curve.peak = x; }, -2, 2);
+    refuses([](Node& n, Wire&, float x) { n.curve.width = x; }, 0.001f, 10);
+    refuses([](Node&, Wire& w, float x) { w.weight = x; }, -2, 2);
+    refuses([](Node&, Wire& w, float x) { w.threshold = x; }, 0, 1);
+    refuses([](Node&, Wire& w, float x) { w.curve.peak = x; }, -2, 2);
+    refuses([](Node&, Wire& w, float x) { w.curve.width = x; }, 0.001f, 10);
+    refuses([](Node&, Wire& w, float x) { w.learning_rate = x; }, 0, 10);
+    refuses([](Node&, Wire& w, float x) { w.decay = x; }, 0, 10);
+}
+
+TEST(Compile, NamesTheNumberTheRangeAndThePlace) {
+    BrainGraph graph = make_graph({});
+    graph.wires[1].decay = 11;
+    EXPECT_EQ(compile(graph, eyes).error().what, "the wire from 'SR' to 'ML': 'decay' is 11, outside 0 .. 10");
+    find_node(graph, "MR")->bias = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(compile(graph, eyes).error().what, "node 'MR': 'bias' is nan, outside -1 .. 1");
+}
+
+// So many nodes of a kind, each fed by the left eye where it can be.
+BrainGraph crowded(NodeKind kind, int count) {
+    BrainGraph graph = make_graph({});
+    for (int i = 0; i < count; ++i) graph.nodes.push_back({.id = 10 + i, .kind = kind, .name = fmt::format("n{}", i)});
+    return graph;
+}
+
+TEST(Compile, HoldsTheLargestBrainAndRefusesALargerOneWithItsSize) {
+    EXPECT_TRUE(compile(crowded(NodeKind::sensor, 62), eyes));  // SL and SR make 64
+    EXPECT_NE(compile(crowded(NodeKind::sensor, 63), eyes).error().what.find("64 sensors, this one has 65"),
+              std::string::npos);
+    EXPECT_NE(compile(crowded(NodeKind::neuron, 1025), eyes).error().what.find("1024 neurons, this one has 1025"),
+              std::string::npos);
+
+    BrainGraph graph = crowded(NodeKind::neuron, 1024);
+    for (int i = 0; graph.wires.size() < 8192; ++i)
+        graph.wires.push_back({.from = 10 + i % 1024, .to = 10 + (i * 7 + i / 1024) % 1024, .weight = 2});
+    const auto largest = compile(graph, eyes);
+    ASSERT_TRUE(largest) << largest.error().what;
+    std::vector<float> state(static_cast<std::size_t>(largest->state_size()), 1.0f);
+    std::array<float, 2> motors{};
+    for (int tick = 0; tick < 100; ++tick) think(*largest, std::array{1.0f, 1.0f}, state, motors);
+    EXPECT_TRUE(std::all_of(state.begin(), state.end(), [](float x) { return std::isfinite(x); }));
+
+    graph.wires.push_back({.from = 0, .to = 10});
+    EXPECT_NE(compile(graph, eyes).error().what.find("8192 wires, this one has 8193"), std::string::npos);
+}
+
+TEST(Brain, StaysFiniteWhateverIsWiredWithinItsRanges) {
+    maths::Random chance{1, 1};
+    const auto pick = [&](float low, float high) {  // the ends of the range as often as its middle
+        const float where = chance.uniform(-1, 2);
+        return low + (high - low) * std::clamp(where, 0.0f, 1.0f);
+    };
+    const auto curve = [&] {
+        return Curve{static_cast<Response>(chance.uniform(0, 5.99f)), pick(-2, 2), pick(0.001f, 10)};
+    };
+    for (int trial = 0; trial < 200; ++trial) {
+        BrainGraph graph = make_graph({.LL = 2, .RR = -2});
+        for (NodeId id = 4; id < 12; ++id)
+            graph.nodes.push_back({.id = id,
+                                   .kind = NodeKind::neuron,
+                                   .name = fmt::format("n{}", id),
+                                   .curve = curve(),
+                                   .bias = pick(-1, 1),
+                                   .time_constant = pick(0, 600)});
+        for (NodeId from = 0; from < 12; ++from)
+            for (NodeId to = 4; to < 12; ++to)
+                graph.wires.push_back({.from = from,
+                                       .to = to,
+                                       .weight = pick(-2, 2),
+                                       .threshold = pick(0, 1),
+                                       .curve = curve(),
+                                       .learning_rate = pick(0, 10),
+                                       .decay = pick(0, 10)});
+        const auto brain = compile(graph, eyes);
+        ASSERT_TRUE(brain) << brain.error().what;
+        std::vector<float> state(static_cast<std::size_t>(brain->state_size()));
+        std::array<float, 2> motors{};
+        for (int tick = 0; tick < 120; ++tick) {
+            think(*brain, std::array{pick(0, 1), pick(0, 1)}, state, motors);
+            for (const float x : state) ASSERT_TRUE(std::isfinite(x)) << trial;
+            for (const float x : motors) ASSERT_LE(std::fabs(x), 1) << trial;
+        }
+    }
+}
+
+// SL and a neuron N of bias 0.25 both feed the left motor, the neuron through an inverted wire.
+BrainGraph to_be_hurt() {
+    BrainGraph graph = make_graph({.LL = 0.5f, .RR = 0.5f, .LM = 0.125f});
+    graph.nodes.push_back({.id = 7, .kind = NodeKind::neuron, .name = "N", .bias = 0.25f});
+    graph.wires.push_back({.from = 7, .to = 2, .weight = 0.5f, .curve = {.response = Response::inverted}});
+    return graph;
+}
+
+TEST(Lesion, OfAnEyeMakesItReadDarkness) {
+    BrainGraph graph = to_be_hurt();
+    const auto whole = drive_once(graph, 0, 0.5f);
+    find_node(graph, "SL")->silenced = true;
+    EXPECT_EQ(drive_once(graph, 1, 0.5f), whole);
+}
+
+TEST(Lesion, OfANeuronOrMotorMakesItGiveNothingWhateverFeedsIt) {
+    BrainGraph graph = to_be_hurt();
+    EXPECT_FLOAT_EQ(drive_once(graph, 0.5f, 0.5f)[0], 0.5f * 0.5f + 0.5f * (1 - 0.25f) + 0.125f);
+    find_node(graph, "N")->silenced = true;  // what reads it finds 0, and an inverted wire makes 1 of that
+    EXPECT_FLOAT_EQ(drive_once(graph, 0.5f, 0.5f)[0], 0.5f * 0.5f + 0.5f * 1 + 0.125f);
+    find_node(graph, "ML")->silenced = true;
+    EXPECT_EQ(drive_once(graph, 0.5f, 0.5f), (std::array{0.0f, 0.25f}));
+}
+
+TEST(Lesion, OfAWireDeliversNothingEvenWhereItsCurveWould) {
+    BrainGraph graph = to_be_hurt();
+    graph.wires.back().cut = true;
+    EXPECT_FLOAT_EQ(drive_once(graph, 0.5f, 0.5f)[0], 0.5f * 0.5f + 0.125f);
+}
+
+TEST(Lesion, HealsWithoutATrace) {
+    BrainGraph graph = to_be_hurt();
+    const auto whole = drive_once(graph, 0.3f, 0.7f);
+    graph.nodes[0].silenced = graph.nodes[4].silenced = graph.wires[0].cut = true;
+    EXPECT_NE(drive_once(graph, 0.3f, 0.7f), whole);
+    graph.nodes[0].silenced = graph.nodes[4].silenced = graph.wires[0].cut = false;
+    EXPECT_EQ(drive_once(graph, 0.3f, 0.7f), whole);
+}
+
+// A motor driven by birth from SR, and by what it learns from SL.
+BrainGraph pupil(float learning_rate, float decay) {
+    BrainGraph graph = make_graph({.LR = 1});
+    Wire& wire = *find_wire(graph, 0, 2);
+    wire.learning_rate = learning_rate;
+    wire.decay = decay;
+    return graph;
+}
+
+struct Pupil {
+    explicit Pupil(const BrainGraph& graph) : brain(*compile(graph, eyes)) {
+        state.resize(static_cast<std::size_t>(brain.state_size()));
+    }
+    void live(int ticks, float left_eye, float right_eye) {
+        for (int t = 0; t < ticks; ++t) think(brain, std::array{left_eye, right_eye}, state, motors);
+    }
+    float learned() const { return state.back(); }
+    Brain brain;
+    std::vector<float> state;
+    std::array<float, 2> motors{};
+};
+
+TEST(HebbianWire, GrowsByWhatStandsAtBothEndsTogether) {
+    Pupil pupil(braitenlab::pupil(0.6f, 0));
+    EXPECT_EQ(pupil.brain.learning_wires, (std::vector<std::pair<NodeId, NodeId>>{{0, 2}}));
+    pupil.live(60, 0, 1);  // nothing at its start
+    EXPECT_EQ(pupil.learned(), 0);
+    pupil.live(60, 1, 0);  // nothing at its end
+    EXPECT_EQ(pupil.learned(), 0);
+    pupil.live(1, 0.5f, 0.8f);
+    EXPECT_FLOAT_EQ(pupil.learned(), 0.6f * 0.5f * 0.8f / 60);
+    pupil.live(20, 0.5f, 0.8f);
+    const float h = pupil.learned();
+    pupil.live(1, 0.5f, 0);  // what it learned drives the motor by itself now
+    EXPECT_NEAR(pupil.motors[0], 0.5f * h, 1e-6f);
+}
+
+TEST(HebbianWire, FadesToAThirdInTheTimeThatItsDecaySays) {
+    Pupil pupil(braitenlab::pupil(2, 0.5f));
+    pupil.live(60, 1, 1);
+    const float before = pupil.learned();
+    EXPECT_GT(before, 0.5f);
+    pupil.live(120, 0, 1);  // 2 s at 0.5/s
+    EXPECT_NEAR(pupil.learned() / before, std::exp(-1.0f), 0.01f);
+}
+
+TEST(HebbianWire, StopsWhereItsWeightWouldLeaveTheRange) {
+    Pupil eager(pupil(10, 0));
+    eager.live(600, 1, 1);
+    EXPECT_EQ(eager.learned(), 2);
+    BrainGraph against = pupil(10, 0);
+    find_wire(against, 1, 2)->weight = -1;  // the motor runs backwards: the wire is weakened
+    find_wire(against, 0, 2)->weight = 0.5f;
+    Pupil contrary(against);
+    contrary.live(600, 0.5f, 1);
+    EXPECT_EQ(contrary.learned(), -2.5f);
+}
+
+TEST(HebbianWire, KeepsWhatItLearnedWhileItIsCut) {
+    BrainGraph graph = pupil(2, 0.5f);
+    Pupil whole(graph);
+    whole.live(60, 1, 1);
+    find_wire(graph, 0, 2)->cut = true;
+    Pupil hurt(graph);
+    hurt.state = whole.state;
+    hurt.live(60, 1, 0);
+    EXPECT_EQ(hurt.motors[0], 0);
+    EXPECT_EQ(hurt.learned(), whole.learned());
 }
 
 TEST(Dials, ReadBackWhatTheyWereSetToAndClamp) {

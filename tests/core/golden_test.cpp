@@ -16,8 +16,8 @@ namespace braitenlab {
 namespace {
 
 const std::map<std::string, std::string> golden{
-    {"predator-prey", "c335a9e9598f97d5"}, {"1-alive", "de060bc947d5efd4"}, {"2a-coward", "4c206769928274d3"},
-    {"2b-aggressor", "35aa3335190fdff7"},  {"3a-love", "3c32d76f8a13fe91"}, {"3b-explorer", "51c079f9e57f2105"},
+    {"predator-prey", "63bf88fe4f7c37dd"}, {"1-alive", "0c648bdb694db4a8"}, {"2a-coward", "f2a280d46ec8380f"},
+    {"2b-aggressor", "0573ffb446303bb3"},  {"3a-love", "1416d6d4c557a25d"}, {"3b-explorer", "872c386da29d882f"},
 };
 
 const std::filesystem::path scenes = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "scenes";

@@ -1,0 +1,99 @@
+// One tick of a brain, over flat arrays.
+#include <algorithm>
+#include <cmath>
+
+#include "core/brain/brain.h"
+
+namespace braitenlab {
+
+namespace {
+
+// What stood everywhere a tick ago, what stands there now, and which of the two a unit reads.
+struct Thought {
+    const Brain& brain;
+    std::span<const float> sensed;
+    const float* held;     // units as the previous tick left them
+    const float* learned;  // of each Hebbian wire
+    float* settled;        // units as they are now
+
+    float sensor(std::size_t source) const {
+        const std::int32_t index = brain.sensors[source];
+        return index < 0 ? 0.0f : sensed[static_cast<std::size_t>(index)];
+    }
+    // For a hidden neuron: others as they were.
+    float before(std::size_t source) const {
+        const std::size_t sensors = brain.sensors.size();
+        return source < sensors ? sensor(source) : held[source - sensors];
+    }
+    // For a motor: hidden neurons as they are now, another motor as it was.
+    float now(std::size_t source) const {
+        const std::size_t sensors = brain.sensors.size();
+        if (source < sensors) return sensor(source);
+        const std::size_t unit = source - sensors;
+        return unit + 2 < brain.units.size() ? settled[unit] : held[unit];
+    }
+};
+
+// One unit's new value from what its taps find now.
+template <bool learning, class Read>
+float settle(const Thought& t, std::size_t u, Read read) {
+    const Brain::Unit& unit = t.brain.units[u];
+    float sum = unit.bias;
+    for (std::int32_t i = unit.first_tap; i < unit.end_tap; ++i) {
+        const Brain::Tap& tap = t.brain.taps[static_cast<std::size_t>(i)];
+        const float input = read(static_cast<std::size_t>(tap.source));
+        const float passed = std::fabs(input) < tap.threshold ? 0.0f : input;
+        float weight = tap.weight;
+        if constexpr (learning) weight += tap.learned < 0 ? 0.0f : t.learned[tap.learned];
+        sum += weight * (tap.curve.response == Response::linear ? passed : respond(tap.curve, passed));
+    }
+    const float target = unit.curve.response == Response::linear ? sum : respond(unit.curve, sum);
+    // Bounded, so that a growing loop of wires saturates instead of running off to infinity.
+    return std::clamp(t.held[u] + unit.follow * (target - t.held[u]), -1e3f, 1e3f);
+}
+
+template <bool learning>
+void settle_all(const Thought& t) {
+    const std::size_t count = t.brain.units.size(), hidden = count - 2;
+    for (std::size_t u = 0; u < hidden; ++u)
+        t.settled[u] = settle<learning>(t, u, [&](std::size_t source) { return t.before(source); });
+    for (std::size_t u = hidden; u < count; ++u)
+        t.settled[u] = settle<learning>(t, u, [&](std::size_t source) { return t.now(source); });
+}
+
+// What stands at both ends together strengthens a Hebbian wire; what it learned fades.
+template <class Read>
+void learn(const Thought& t, std::size_t u, float* learned, Read read) {
+    const Brain::Unit& unit = t.brain.units[u];
+    for (std::int32_t i = unit.first_tap; i < unit.end_tap; ++i) {
+        const Brain::Tap& tap = t.brain.taps[static_cast<std::size_t>(i)];
+        if (tap.learned < 0) continue;
+        float& h = learned[tap.learned];
+        const float together = read(static_cast<std::size_t>(tap.source)) * t.settled[u];
+        h += tick_seconds * (tap.learning_rate * together - tap.decay * h);
+        h = std::clamp(h, -limits::weight - tap.weight, limits::weight - tap.weight);
+    }
+}
+
+}  // namespace
+
+void think(const Brain& brain, std::span<const float> sensed, std::span<float> state, std::span<float, 2> motors) {
+    // All units read what the previous tick latched, so they settle into a second array and go over together.
+    constexpr std::size_t most = static_cast<std::size_t>(limits::neurons) + 2;
+    float settled[most];
+    const std::size_t count = brain.units.size(), hidden = count - 2;
+    float* learned = state.data() + count;
+    const Thought t{brain, sensed, state.data(), learned, settled};
+    if (brain.learning_wires.empty()) {
+        settle_all<false>(t);
+    } else {
+        settle_all<true>(t);
+        for (std::size_t u = 0; u < hidden; ++u) learn(t, u, learned, [&](std::size_t s) { return t.before(s); });
+        for (std::size_t u = hidden; u < count; ++u) learn(t, u, learned, [&](std::size_t s) { return t.now(s); });
+    }
+    std::copy(settled, settled + count, state.begin());
+    motors[0] = std::clamp(settled[hidden], -1.0f, 1.0f);
+    motors[1] = std::clamp(settled[hidden + 1], -1.0f, 1.0f);
+}
+
+}  // namespace braitenlab
