@@ -80,7 +80,7 @@ void watch(Lab& lab) {
 }
 
 void reset(Lab& lab) {
-    lab.session.reset();
+    lab.session.reset(lab.lesson ? Keep::brains : Keep::edits);
     lab.before.clear();
     lab.debt = 0;
     if (lab.lesson && !(lab.lesson->view.grade && lab.lesson->view.grade->good)) lab.lesson->view.grade.reset();

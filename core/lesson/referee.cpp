@@ -44,7 +44,6 @@ Verdict undecided(const Check& check) {
 Referee::Referee(const Exercise& exercise) {
     for (const Step& step : exercise.steps) {
         checks_.push_back(step.check);
-        sources_.push_back(find_source(exercise.scene, step.check.source));
         verdicts_.push_back(undecided(step.check));
     }
 }
@@ -79,8 +78,8 @@ void Referee::judge(std::size_t i, const Snapshot& snapshot, const VehicleView& 
         verdict.done = verdict.measured >= check.seconds;
         return;
     }
-    const int source = sources_[i];
-    if (source < 0 || static_cast<std::size_t>(source) >= snapshot.sources.size()) return;
+    const int source = find_source(*snapshot.scene, check.source);  // others may have been added or removed
+    if (source < 0) return;
     const maths::vec2 way = way_to(snapshot, source, pupil);
     const float distance = maths::length(way);
     switch (check.goal) {

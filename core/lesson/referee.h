@@ -34,7 +34,6 @@ private:
     void judge(std::size_t step, const Snapshot&, const VehicleView&);
 
     std::vector<Check> checks_;
-    std::vector<int> sources_;  // in Scene::sources, one a check; −1 where it needs none
     std::vector<Verdict> verdicts_;
     std::vector<bool> was_outside_;  // for turns_to, one a check
     std::vector<bool> over_;         // for speeds_up: the touch has come and decided

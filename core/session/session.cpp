@@ -1,8 +1,7 @@
 #include "core/session/session.h"
 
-#include <utility>
-
-#include "core/match.h"
+#include <algorithm>
+#include <map>
 
 namespace braitenlab {
 
@@ -10,134 +9,204 @@ namespace {
 
 constexpr std::size_t most_edits = 500;  // undo reaches this far back
 
-// Whether the later command makes the earlier one pointless: the same number, brain or pose, set again.
-bool supersedes(const Command& later, const Command& earlier) {
-    if (later.index() != earlier.index()) return false;
-    return std::visit(Match{[&](const TurnDial& c) {
-                                const auto& e = std::get<TurnDial>(earlier);
-                                return c.target == e.target && c.dial == e.dial;
-                            },
-                            [&](const SetBrain& c) { return c.target == std::get<SetBrain>(earlier).target; },
-                            [&](const MoveVehicle& c) { return c.vehicle == std::get<MoveVehicle>(earlier).vehicle; },
-                            [&](const MoveSource& c) { return c.source == std::get<MoveSource>(earlier).source; },
-                            [](const auto&) { return false; }},
-                      later);
-}
+using Steps = std::vector<std::shared_ptr<const UndoStep>>;
 
-void set_own_brains(const Snapshot& now, int kind, std::vector<Command>& commands) {
-    for (const VehicleView& v : now.vehicles) {
-        const auto& brain = now.brains[static_cast<std::size_t>(v.brain)];
-        const auto of_kind = static_cast<std::size_t>(v.kind);
-        if ((kind < 0 || v.kind == kind) && *brain != *now.kind_brains[of_kind])
-            commands.push_back(SetBrain{{.vehicle = v.id}, *brain});
-    }
-}
-
-// The commands that bring back the brains that a target has now.
-std::vector<Command> restore_brains(const Snapshot& now, const Target& target) {
-    std::vector<Command> commands;
-    if (const VehicleView* v = find_vehicle(now, target.vehicle)) {
-        commands.push_back(SetBrain{target, *now.brains[static_cast<std::size_t>(v->brain)]});
-    } else if (target.kind >= 0 && target.kind < static_cast<int>(now.kind_brains.size())) {
-        commands.push_back(SetBrain{target, *now.kind_brains[static_cast<std::size_t>(target.kind)]});
-        set_own_brains(now, target.kind, commands);
-    }
-    return commands;
-}
+void push(Steps& steps, UndoStep step) { steps.push_back(std::make_shared<const UndoStep>(std::move(step))); }
 
 }  // namespace
 
-Session::Session(Scene scene, std::uint64_t seed, World world)
-    : scene_(std::move(scene)), seed_(seed), world_(std::move(world)) {
+Session::Session(Scene opened, World world)
+    : opened_(std::move(opened)), world_(std::move(world)), recording_(world_.save()) {
     world_.capture(snapshot_);
 }
 
 Result<Session> Session::open(const Scene& scene, std::uint64_t seed) {
     auto world = World::create(scene, seed);
     if (!world) return world.error();
-    return Session(scene, seed, std::move(*world));
+    return Session(scene, std::move(*world));
 }
 
-// What undoes a command, judged before it is carried out; empty for those that only time or another command takes back.
-std::vector<Command> Session::undoing(const Command& command) const {
-    return std::visit(Match{[&](const TurnDial& c) { return restore_brains(snapshot_, c.target); },
-                            [&](const SetBrain& c) { return restore_brains(snapshot_, c.target); },
-                            [&](const MoveVehicle& c) -> std::vector<Command> {
-                                const VehicleView* v = find_vehicle(snapshot_, c.vehicle);
-                                if (!v) return {};
-                                return {MoveVehicle{v->id, v->x, v->y, v->heading}};
-                            },
-                            [&](const MoveSource& c) -> std::vector<Command> {
-                                for (const SourceView& s : snapshot_.sources)
-                                    if (s.source == c.source) return {MoveSource{s.source, s.x, s.y}};
-                                return {};
-                            },
-                            [](const auto&) -> std::vector<Command> { return {}; }},
-                      command);
+Session Session::resume(SavedRun run) { return Session(std::move(run.opened), World::restore(run.save)); }
+
+bool Session::carry_out(const Command& command) {
+    if (world_.apply(command)) return false;
+    recording_.forget_after(world_.tick());
+    recording_.add_command(world_.tick(), command);
+    world_.capture(snapshot_);
+    return true;
+}
+
+// Called whenever what can be undone has changed, so that going back in time can bring back what could be undone then.
+void Session::remember_edits() {
+    const std::uint64_t now = world_.tick();
+    std::erase_if(edits_since_, [now](const auto& known) { return known.first >= now; });
+    edits_since_.emplace_back(now, edits_);
+    const auto second = edits_since_.begin() + 1;  // the first that counts is the last one not after the earliest
+    while (second < edits_since_.end() && second->first <= earliest()) edits_since_.erase(edits_since_.begin());
+}
+
+void Session::take_edits_of(std::uint64_t tick) {
+    const auto later = std::find_if(edits_since_.begin(), edits_since_.end(),
+                                    [tick](const auto& known) { return known.first > tick; });
+    edits_ = later == edits_since_.begin() ? Edits{} : (later - 1)->second;
 }
 
 std::optional<Error> Session::apply(const Command& command, std::uint64_t gesture) {
-    std::vector<Command> back = undoing(command);
+    std::vector<Command> back = undoing(snapshot_, command);
     if (auto error = world_.apply(command)) return error;
+    recording_.forget_after(world_.tick());
+    recording_.add_command(world_.tick(), command);
     world_.capture(snapshot_);
     if (back.empty()) return std::nullopt;
 
-    undone_.clear();
-    const bool same_gesture = gesture != 0 && !done_.empty() && done_.back().gesture == gesture;
-    if (!same_gesture) {
-        done_.push_back({std::move(back), {command}, gesture});
-        if (done_.size() > most_edits) done_.erase(done_.begin());
-        return std::nullopt;
-    }
-    Edit& edit = done_.back();
-    if (undoing(command) == edit.back) {  // the drag is back where it began: there is nothing to undo
-        done_.pop_back();
-    } else if (supersedes(command, edit.again.back())) {
-        edit.again.back() = command;  // what it took back before stays what undo brings back
+    const Command again = repeating(snapshot_, command);
+    if (const auto* added = std::get_if<AddVehicle>(&again)) back = {RemoveVehicle{added->id}};
+    edits_.undone.clear();
+    const bool same_gesture = gesture != 0 && !edits_.done.empty() && edits_.done.back()->gesture == gesture;
+    UndoStep step = same_gesture ? *edits_.done.back() : UndoStep{{}, {}, gesture};
+    if (same_gesture) edits_.done.pop_back();
+    if (same_gesture && supersedes(again, step.again.back())) {
+        step.again.back() = again;  // what the first one took back stays what undo brings back
     } else {
-        edit.again.push_back(command);
-        edit.back.insert(edit.back.begin(), back.begin(), back.end());  // the latest is taken back first
+        step.again.push_back(again);
+        step.back.insert(step.back.begin(), back.begin(), back.end());  // the latest is taken back first
     }
+    const bool is_back_where_it_began = same_gesture && undoing(snapshot_, again) == step.back;
+    if (!is_back_where_it_began) push(edits_.done, std::move(step));
+    if (edits_.done.size() > most_edits) edits_.done.erase(edits_.done.begin());
+    remember_edits();
     return std::nullopt;
 }
 
-void Session::carry_out(const std::vector<Command>& commands) {
-    // Something may have left the world since the edit; then there is nothing to bring back, and the rest still counts.
-    for (const Command& command : commands) (void)world_.apply(command);
-    world_.capture(snapshot_);
-}
-
+// Something may have left the world since the edit; then there is nothing to bring back, and the rest still counts.
 bool Session::undo() {
-    if (done_.empty()) return false;
-    carry_out(done_.back().back);
-    undone_.push_back(std::move(done_.back()));
-    done_.pop_back();
+    if (edits_.done.empty()) return false;
+    UndoStep step = *edits_.done.back();
+    for (Command& command : step.again) command = repeating(snapshot_, command);
+    edits_.done.pop_back();
+    for (const Command& command : step.back) carry_out(command);
+    push(edits_.undone, std::move(step));
+    remember_edits();
     return true;
 }
 
 bool Session::redo() {
-    if (undone_.empty()) return false;
-    carry_out(undone_.back().again);
-    done_.push_back(std::move(undone_.back()));
-    done_.back().gesture = 0;  // a drag that goes on is a new step
-    undone_.pop_back();
+    if (edits_.undone.empty()) return false;
+    UndoStep step = *edits_.undone.back();
+    step.gesture = 0;  // a drag that goes on is a new step
+    edits_.undone.pop_back();
+    for (const Command& command : step.again) carry_out(command);
+    push(edits_.done, std::move(step));
+    remember_edits();
     return true;
 }
 
 void Session::step() {
     world_.step();
+    const std::uint64_t now = world_.tick();
+    if (now > recording_.latest()) {
+        recording_.add_step(world_);
+    } else {
+        for (const Command& command : recording_.commands_at(now)) (void)world_.apply(command);
+        take_edits_of(now);
+    }
     world_.capture(snapshot_);
 }
 
-void Session::reset() {
-    Scene scene = scene_;
+void Session::seek(std::uint64_t tick) {
+    tick = std::clamp(tick, earliest(), latest());
+    if (tick < world_.tick() || recording_.keyframe_before(tick) > world_.tick())
+        world_ = World::restore(recording_.at(recording_.keyframe_before(tick)));
+    while (world_.tick() < tick) {
+        world_.step();
+        for (const Command& command : recording_.commands_at(world_.tick())) (void)world_.apply(command);
+    }
+    take_edits_of(tick);
+    world_.capture(snapshot_);
+}
+
+void Session::seek_roughly(std::uint64_t tick) {
+    seek(recording_.keyframe_before(std::clamp(tick, earliest(), latest())));
+}
+
+void Session::go_to(const Bookmark& bookmark) {
+    const std::uint64_t tick = bookmark.tick();
+    if (tick >= earliest() && tick <= latest()) {  // on the recorded way, what lies ahead of it stays
+        const Save recorded = recording_.at(tick);
+        const auto same = [](const LoggedCommand& a, const LoggedCommand& b) {
+            return a.tick == b.tick && a.command == b.command;
+        };
+        if (recorded.keyframe == bookmark.save.keyframe &&
+            std::equal(recorded.commands.begin(), recorded.commands.end(), bookmark.save.commands.begin(),
+                       bookmark.save.commands.end(), same))
+            return seek(tick);
+    }
+    world_ = World::restore(bookmark.save);
+    recording_ = Recording(bookmark.save);
+    edits_ = bookmark.edits;
+    edits_since_.clear();
+    edits_since_.emplace_back(earliest(), edits_);
+    world_.capture(snapshot_);
+}
+
+Scene Session::edited_scene() const {
+    Scene scene = *snapshot_.scene;
     for (std::size_t k = 0; k < scene.kinds.size(); ++k) scene.kinds[k].brain = *snapshot_.kind_brains[k];
-    std::vector<Command> own_brains;
-    set_own_brains(snapshot_, -1, own_brains);
-    auto world = World::create(scene, seed_);
-    if (!world) return;  // cannot be: every brain in it has compiled before
+    return scene;
+}
+
+// A run numbers its vehicles anew: those with a start by it, the population behind them. What can be undone goes on
+// speaking of the same vehicles.
+void Session::renumber_after_reset(const Snapshot& before, Keep keep) {
+    std::map<VehicleId, VehicleId> numbers;
+    const auto starts = static_cast<VehicleId>(snapshot_.scene->starts.size());
+    auto next = starts;
+    for (const VehicleView& v : before.vehicles) numbers[v.id] = v.start >= 0 && v.start < starts ? v.start : next++;
+    const auto number = [&](VehicleId id) {
+        const auto [known, is_new] = numbers.try_emplace(id, next);  // one that has left may come back
+        if (is_new) ++next;
+        return known->second;
+    };
+    for (const VehicleView& v : before.vehicles) {
+        const BrainGraph& brain = *before.brains[static_cast<std::size_t>(v.brain)];
+        const VehicleView* now = find_vehicle(snapshot_, number(v.id));
+        if (now && now->kind == v.kind && brain != *snapshot_.kind_brains[static_cast<std::size_t>(v.kind)])
+            carry_out(SetBrain{{.vehicle = now->id}, brain});
+    }
+    const auto renumber = [&](Steps& steps) {
+        Steps kept;
+        for (const auto& old : steps) {
+            UndoStep step{{}, {}, 0};
+            for (const Command& c : old->back) step.back.push_back(renumbered(c, number));
+            for (const Command& c : old->again) step.again.push_back(renumbered(c, number));
+            const bool means_something =
+                keep == Keep::edits || std::all_of(step.again.begin(), step.again.end(), is_about_brains);
+            if (means_something) push(kept, std::move(step));
+        }
+        steps = std::move(kept);
+    };
+    renumber(edits_.done);
+    renumber(edits_.undone);
+    edits_since_.clear();
+    remember_edits();
+}
+
+void Session::reset(Keep keep) {
+    Scene scene = edited_scene();
+    if (keep == Keep::brains) {
+        Scene opened = opened_;
+        for (std::size_t k = 0; k < opened.kinds.size() && k < scene.kinds.size(); ++k)
+            opened.kinds[k].brain = scene.kinds[k].brain;
+        scene = std::move(opened);
+    }
+    auto world = World::create(scene, seed());
+    if (!world) world = World::create(opened_, seed());  // brains that need sensors which the opened scene lacks
+    const Snapshot before = std::move(snapshot_);
     world_ = std::move(*world);
-    carry_out(own_brains);
+    recording_ = Recording(world_.save());
+    snapshot_ = {};
+    world_.capture(snapshot_);
+    renumber_after_reset(before, keep);
 }
 
 }  // namespace braitenlab

@@ -1,56 +1,95 @@
-// One sitting with a scene: the world, the edits made to it, and the way back from them.
+// One sitting with a scene: the world, the edits made to it, the way back from them, and the way back in time.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "core/session/recording.h"
+#include "core/session/undo.h"
 #include "core/world/world.h"
 
 namespace braitenlab {
+
+// What of the edits a reset keeps: all of them, or those of brains alone (an exercise gives the same start to
+// everyone).
+enum class Keep { edits, brains };
+
+// A run that can be put away and gone on with: how it began, and where it stands.
+struct SavedRun {
+    Scene opened;
+    Save save;
+};
+
+// A moment to come back to.
+struct Bookmark {
+    Save save;
+    Edits edits;
+    std::uint64_t tick() const { return save.tick; }
+};
 
 class Session {
 public:
     // Fails as World::create does.
     static Result<Session> open(const Scene&, std::uint64_t seed);
 
-    // Does what a person asked for. Edits of brains and poses can be undone; those with the same gesture (any number
-    // but 0, one per drag) are one step of undo.
+    // Goes on with a saved run, exactly as the saved one would have gone on.
+    static Session resume(SavedRun);
+
+    // Does what a person asked for. Every edit can be undone; those with the same gesture (any number but 0, one per
+    // drag) are one step of undo. Given in the past, it makes another future: the recorded one is forgotten.
     std::optional<Error> apply(const Command&, std::uint64_t gesture = 0);
 
-    // One tick.
+    // One tick. In the recorded past, the commands given there are given again: the run is the same.
     void step();
 
-    // Back to the very start of the run with the brains as they are now: edits stay, time and places start over.
-    void reset();
+    // Back to the very start of the run: edits stay (see Keep), time and places start over.
+    void reset(Keep = Keep::edits);
 
     // Values, never time: an undone weight is the old weight now. False when there is nothing to undo or redo.
     bool undo();
     bool redo();
-    int undo_depth() const { return static_cast<int>(done_.size()); }
-    int redo_depth() const { return static_cast<int>(undone_.size()); }
+    int undo_depth() const { return static_cast<int>(edits_.done.size()); }
+    int redo_depth() const { return static_cast<int>(edits_.undone.size()); }
+
+    // ── Time ──
+    // The ticks that can be gone to: the last minute, and what lies ahead of a moment in the past.
+    std::uint64_t earliest() const { return recording_.earliest(); }
+    std::uint64_t latest() const { return recording_.latest(); }
+
+    // Stands at this tick as the run did then, the nearest recorded one; what can be undone is what could be then.
+    // Costs at most keyframe_ticks steps; `roughly`, none: it goes to the keyframe before.
+    void seek(std::uint64_t tick);
+    void seek_roughly(std::uint64_t tick);
+
+    Bookmark bookmark() const { return {world_.save(), edits_}; }
+    void go_to(const Bookmark&);
+    SavedRun save() const { return {opened_, world_.save()}; }
 
     // The moment as it is now; stays valid and changes with the session.
     const Snapshot& snapshot() const { return snapshot_; }
-    const Scene& scene() const { return scene_; }
-    std::uint64_t seed() const { return seed_; }
+    // The scene as it was opened. As it is edited, but for brains: snapshot().scene.
+    const Scene& scene() const { return opened_; }
+    // As edited up to now, brains too: what a file of it would hold.
+    Scene edited_scene() const;
+    std::uint64_t seed() const { return snapshot_.seed; }
     std::uint64_t hash() const { return world_.hash(); }
 
 private:
-    struct Edit {
-        std::vector<Command> back, again;
-        std::uint64_t gesture = 0;
-    };
+    Session(Scene opened, World);
+    bool carry_out(const Command&);
+    void remember_edits();
+    void take_edits_of(std::uint64_t tick);
+    void renumber_after_reset(const Snapshot& before, Keep);
 
-    Session(Scene, std::uint64_t seed, World);
-    std::vector<Command> undoing(const Command&) const;
-    void carry_out(const std::vector<Command>&);
-
-    Scene scene_;
-    std::uint64_t seed_;
+    Scene opened_;
     World world_;
     Snapshot snapshot_;
-    std::vector<Edit> done_, undone_;
+    Recording recording_;
+    Edits edits_;
+    std::vector<std::pair<std::uint64_t, Edits>>
+        edits_since_;  // as they became at each recorded tick that changed them
 };
 
 }  // namespace braitenlab

@@ -22,6 +22,7 @@ VehicleView view_of(const WorldState& s, std::size_t row, int brain) {
     VehicleView view;
     view.id = v.id[row];
     view.kind = v.kind[row];
+    view.start = v.start[row];
     view.role = s.role(row);
     view.driver = v.driver[row];
     view.x = m.place.x;

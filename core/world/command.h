@@ -29,11 +29,18 @@ struct SetBrain {
     BrainGraph brain;
     friend bool operator==(const SetBrain&, const SetBrain&) = default;
 };
+// Vehicles that people add and remove are added to and removed from the scene as well: one with a place of its own is a
+// start (Scene::starts), any other is one more of the population (Ecology::population).
 struct AddVehicle {
     int kind = -1;                      // −1: the kind that the shares ask for next
     std::optional<Pose> at{};           // else somewhere free, at random
     std::optional<BrainGraph> brain{};  // else what newcomers of the kind get
     float energy = 1;                   // 0..1
+    std::optional<Driver> driver{};     // else its kind's
+    // For one that comes back: who it was, and its start if it had one, with its index.
+    VehicleId id = no_vehicle;
+    std::optional<Start> start{};
+    int before = -1;
     friend bool operator==(const AddVehicle&, const AddVehicle&) = default;
 };
 struct RemoveVehicle {
@@ -54,6 +61,11 @@ struct Steer {  // a vehicle driven by hand: its wheels' commands, −1..1, unti
     VehicleId vehicle = no_vehicle;
     float left = 0, right = 0;
     friend bool operator==(const Steer&, const Steer&) = default;
+};
+struct EditStart {  // for the next run; nobody moves now
+    int start = 0;
+    Start to;
+    friend bool operator==(const EditStart&, const EditStart&) = default;
 };
 struct SetSensors {  // of a kind; readings begin anew
     int kind = 0;
@@ -105,7 +117,7 @@ struct NewPopulation {  // the next generation: the same numbers at new random p
     friend bool operator==(const NewPopulation&, const NewPopulation&) = default;
 };
 
-using Command = std::variant<TurnDial, SetBrain, AddVehicle, RemoveVehicle, MoveVehicle, ChooseDriver, Steer,
+using Command = std::variant<TurnDial, SetBrain, AddVehicle, RemoveVehicle, MoveVehicle, ChooseDriver, Steer, EditStart,
                              SetSensors, AddSource, RemoveSource, EditSource, MoveSource, AddObstacle, RemoveObstacle,
                              EditObstacle, MoveObstacle, NewPopulation>;
 

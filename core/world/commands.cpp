@@ -12,8 +12,6 @@ namespace braitenlab {
 
 namespace {
 
-constexpr std::size_t most_vehicles = 20000;
-
 // Gives a vehicle another brain; its neurons begin anew unless the brains have the same units and learning wires.
 void give_brain(WorldState& s, std::size_t row, SharedDesign design) {
     Vehicles& v = s.vehicles;
@@ -28,8 +26,6 @@ void give_brain(WorldState& s, std::size_t row, SharedDesign design) {
     }
     v.design[row] = std::move(design);
 }
-
-bool is_finite(const Pose& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.heading); }
 
 Error gone(VehicleId id) { return {fmt::format("vehicle {} is no longer in the world; select another one", id)}; }
 
@@ -80,35 +76,6 @@ std::optional<Error> carry_out(WorldState& s, const TurnDial& c) {
 
 std::optional<Error> carry_out(WorldState& s, const SetBrain& c) {
     return edit_brains(s, c.target, [&](BrainGraph& graph) { graph = c.brain; });
-}
-
-std::optional<Error> carry_out(WorldState& s, const AddVehicle& c) {
-    if (s.kinds.empty()) return Error{"the scene has no kind of vehicle to add; write one into its file"};
-    if (c.kind >= static_cast<int>(s.kinds.size()))
-        return Error{fmt::format("the scene has no kind number {}", c.kind)};
-    if (s.vehicles.size() >= most_vehicles)
-        return Error{fmt::format("{} vehicles are the most a world holds; remove some first", most_vehicles)};
-    if (c.at && !is_finite(*c.at)) return Error{"a place takes finite numbers only"};
-    if (!(c.energy >= 0 && c.energy <= 1)) return Error{"energy is a number from 0 to 1"};
-    const int kind = c.kind >= 0 ? c.kind : kind_due(s);
-    SharedDesign design = s.newcomers[static_cast<std::size_t>(kind)];
-    if (c.brain) {
-        auto own = make_design(*c.brain, s.scene->kinds[static_cast<std::size_t>(kind)]);
-        if (!own) return own.error();
-        design = *own;
-    }
-    const VehicleId id = s.next_id++;
-    add_vehicle(s, kind, -1, id, std::move(design), c.at ? *c.at : free_place(s, id));
-    s.vehicles.energy.back() = c.energy;
-    return std::nullopt;
-}
-
-std::optional<Error> carry_out(WorldState& s, const RemoveVehicle& c) {
-    if (s.vehicles.size() == 0) return Error{"there is no vehicle left to remove"};
-    const auto row = c.vehicle == no_vehicle ? std::optional(s.vehicles.size() - 1) : s.row_of(c.vehicle);
-    if (!row) return gone(c.vehicle);
-    remove_vehicle(s, *row);
-    return std::nullopt;
 }
 
 std::optional<Error> carry_out(WorldState& s, const MoveVehicle& c) {

@@ -1,62 +1,13 @@
 #include "core/world/edits.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include "core/maths/angle.h"
 #include "core/scene/names.h"
-#include "core/scene/scene_file.h"
+#include "core/world/scene_edit.h"
 
 namespace braitenlab {
 
 namespace {
 
-// Puts an edited scene in the place of the old one and makes the world again from it.
-void take_over(WorldState& s, Scene scene) {
-    Moment moment = std::move(static_cast<Moment&>(s));
-    moment.scene = std::make_shared<const Scene>(std::move(scene));
-    s = WorldState(std::move(moment));
-}
-
-std::optional<Error> take_over_if_sound(WorldState& s, Scene scene) {
-    if (auto error = check_scene(scene)) return error;
-    take_over(s, std::move(scene));
-    return std::nullopt;
-}
-
-template <class Thing>
-std::optional<Error> missing(const std::vector<Thing>& things, int index, const char* what) {
-    if (index >= 0 && static_cast<std::size_t>(index) < things.size()) return std::nullopt;
-    return Error{fmt::format("the scene has no {} number {}", what, index)};
-}
-
-template <class Thing>
-auto place_in(std::vector<Thing>& things, int index) {
-    return things.begin() + static_cast<std::ptrdiff_t>(index);
-}
-
-// Where something new goes: before the one that is named, else at the end.
-template <class Thing>
-int place_for(const std::vector<Thing>& things, int before) {
-    const auto count = static_cast<int>(things.size());
-    return before < 0 ? count : std::min(before, count);
-}
-
-// The name itself where it is given and free, else the word with the lowest number that makes it so.
-template <class Thing>
-std::string free_name(const std::vector<Thing>& things, const std::string& wished, std::string_view word) {
-    const auto taken = [&](const std::string& name) {
-        return std::any_of(things.begin(), things.end(), [&](const Thing& t) { return t.name == name; });
-    };
-    if (!wished.empty() && !taken(wished)) return wished;
-    std::string name(word);
-    for (int number = 2; taken(name); ++number) name = fmt::format("{}-{}", word, number);
-    return name;
-}
-
-bool is_finite(float x, float y) { return std::isfinite(x) && std::isfinite(y); }
 Error not_finite() { return {"a place takes finite numbers only"}; }
 
 }  // namespace
@@ -125,7 +76,7 @@ std::optional<Error> carry_out(WorldState& s, const EditSource& c) {
 
 std::optional<Error> carry_out(WorldState& s, const MoveSource& c) {
     if (auto error = missing(s.scene->sources, c.source, "source")) return error;
-    if (!is_finite(c.x, c.y)) return not_finite();
+    if (!is_finite({c.x, c.y})) return not_finite();
     Scene scene = *s.scene;
     Source& source = *place_in(scene.sources, c.source);
     source.x = std::clamp(c.x, -1000.0f, 1000.0f);
@@ -175,7 +126,7 @@ std::optional<Error> carry_out(WorldState& s, const EditObstacle& c) {
 
 std::optional<Error> carry_out(WorldState& s, const MoveObstacle& c) {
     if (auto error = missing(s.scene->obstacles, c.obstacle, "obstacle")) return error;
-    if (!is_finite(c.x, c.y) || !std::isfinite(c.heading)) return not_finite();
+    if (!is_finite({c.x, c.y, c.heading})) return not_finite();
     Obstacle moved = s.scene->obstacles[static_cast<std::size_t>(c.obstacle)];
     moved.x = std::clamp(c.x, -1000.0f, 1000.0f);
     moved.y = std::clamp(c.y, -1000.0f, 1000.0f);

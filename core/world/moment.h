@@ -48,6 +48,13 @@ struct Vehicles {
     std::vector<float> sensed, neurons;
 
     std::size_t size() const { return id.size(); }
+
+    // Calls f with every array that has one element a vehicle.
+    template <class F>
+    void each_column(F f) {
+        f(id), f(kind), f(start), f(driver), f(motion), f(energy), f(hand), f(waypoint), f(gain), f(motor);
+        f(wheel_angle), f(design), f(first_sensed), f(first_neuron);
+    }
 };
 
 struct Moment {

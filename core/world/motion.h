@@ -1,6 +1,7 @@
 // Where bodies are, how they move, and who touches whom.
 #pragma once
 
+#include <cmath>
 #include <compare>
 
 #include "core/maths/angle.h"
@@ -15,6 +16,8 @@ struct Motion {
     float turning = 0;
     float heading = 0;
 };
+
+inline bool is_finite(const Pose& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.heading); }
 
 // Standing still.
 inline Motion at_rest(const Pose& pose) {

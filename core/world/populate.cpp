@@ -75,18 +75,12 @@ std::vector<int> random_counts(const WorldState& s) {
     return counts;
 }
 
-template <class Values>
-void erase_row(Values& values, std::size_t row) {
-    values.erase(values.begin() + static_cast<std::ptrdiff_t>(row));
-}
-
 // Takes a vehicle's stretch out of a flat array and closes the gap.
 void erase_stretch(std::vector<float>& flat, std::vector<std::uint32_t>& first, std::size_t row) {
     const std::uint32_t begin = first[row];
     const auto end = row + 1 < first.size() ? first[row + 1] : static_cast<std::uint32_t>(flat.size());
     flat.erase(flat.begin() + begin, flat.begin() + end);
     for (std::size_t later = row + 1; later < first.size(); ++later) first[later] -= end - begin;
-    erase_row(first, row);
 }
 
 // A vehicle's two motors, each a little stronger or weaker than it should be. Chance that belongs to the vehicle alone:
@@ -146,18 +140,7 @@ void remove_vehicle(WorldState& s, std::size_t row) {
     std::erase_if(s.marks, [id = v.id[row]](const Mark& mark) { return mark.owner == id; });
     erase_stretch(v.sensed, v.first_sensed, row);
     erase_stretch(v.neurons, v.first_neuron, row);
-    erase_row(v.id, row);
-    erase_row(v.kind, row);
-    erase_row(v.start, row);
-    erase_row(v.driver, row);
-    erase_row(v.motion, row);
-    erase_row(v.energy, row);
-    erase_row(v.hand, row);
-    erase_row(v.waypoint, row);
-    erase_row(v.gain, row);
-    erase_row(v.motor, row);
-    erase_row(v.wheel_angle, row);
-    erase_row(v.design, row);
+    v.each_column([row](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(row)); });
     s.physics.remove(row);
 }
 

@@ -22,6 +22,7 @@ struct Pose {
 struct VehicleView {
     VehicleId id = no_vehicle;
     int kind = 0;            // in Scene::kinds
+    int start = -1;          // in Scene::starts; −1: one of the population
     Role role = Role::none;  // predator, prey or none: never `wiring`
     Driver driver = Driver::brain;
     float x = 0, y = 0, heading = 0;     // m, m, rad in [-pi, pi)

@@ -34,6 +34,7 @@ Snapshot moment(std::uint64_t tick, float x, float degrees = 180, float speed = 
     vehicle.speed = speed;
     snapshot.vehicles.push_back(vehicle);
     snapshot.sources = {{0, Channel::light, 50, 50, 1}, {1, Channel::light, 0, 0, 1}};
+    snapshot.scene = std::make_shared<const Scene>(with({}).scene);
     return snapshot;
 }
 
@@ -49,6 +50,22 @@ TEST(Referee, TicksATouchOnceAndForAll) {
     referee.watch(moment(2, 3));
     EXPECT_TRUE(referee.passed());
     EXPECT_FLOAT_EQ(referee.verdicts()[0].measured, 0.4f);
+}
+
+TEST(Referee, KnowsASourceByItsNameWhateverElseIsRemoved) {
+    Referee referee(with({touch}));
+    referee.watch(moment(0, 3));
+    Snapshot later = moment(1, 3);
+    Scene scene = *later.scene;
+    scene.sources.erase(scene.sources.begin());
+    later.scene = std::make_shared<const Scene>(scene);
+    later.sources = {{0, Channel::light, 2.8f, 0, 1}};
+    referee.watch(later);
+    EXPECT_TRUE(referee.passed());
+    later.scene = std::make_shared<const Scene>();
+    later.sources.clear();
+    later.tick = 2;
+    referee.watch(later);  // the lamp itself is gone: nothing to judge by, nothing to crash on
 }
 
 TEST(Referee, ShowsTheNearestDistanceSoFar) {

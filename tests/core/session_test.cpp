@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/maths/random.h"
 #include "tests/core/scenes.h"
 
 namespace braitenlab {
@@ -72,6 +73,198 @@ TEST(Undo, ForgetsTheFutureOnANewEdit) {
     session.undo();
     session.apply(TurnDial{{.kind = 0}, Dial::LL, 2});
     EXPECT_EQ(session.redo_depth(), 0);
+}
+
+// What a person has made of the scene and where everyone stands, without what only time changes.
+void expect_same(const Session& session, const Scene& scene, const Snapshot& then) {
+    EXPECT_EQ(session.edited_scene(), scene);
+    const Snapshot& now = session.snapshot();
+    ASSERT_EQ(now.vehicles.size(), then.vehicles.size());
+    for (std::size_t i = 0; i < then.vehicles.size(); ++i) {
+        const VehicleView &a = now.vehicles[i], &b = then.vehicles[i];
+        EXPECT_EQ(a.id, b.id);
+        EXPECT_EQ(a.kind, b.kind);
+        EXPECT_EQ(a.start, b.start);
+        EXPECT_EQ(a.driver, b.driver);
+        EXPECT_EQ(a.energy, b.energy);
+        EXPECT_NEAR(a.x, b.x, 1e-5);
+        EXPECT_NEAR(a.y, b.y, 1e-5);
+        EXPECT_NEAR(a.heading, b.heading, 1e-5);
+        EXPECT_EQ(*now.brains[static_cast<std::size_t>(a.brain)], *then.brains[static_cast<std::size_t>(b.brain)]);
+    }
+    for (std::size_t i = 0; i < then.obstacles.size(); ++i) EXPECT_EQ(now.obstacles[i], then.obstacles[i]);
+}
+
+// Any one of the edits that a hand can make, with numbers by chance.
+Command any_edit(const Session& session, maths::Random& chance) {
+    const Snapshot& now = session.snapshot();
+    const auto below = [&](std::size_t n) { return n == 0 ? 0 : static_cast<int>(chance.next() % n); };
+    const auto metres = [&] { return chance.uniform(-4, 4); };
+    const VehicleId vehicle =
+        now.vehicles.empty() ? 0 : now.vehicles[static_cast<std::size_t>(below(now.vehicles.size()))].id;
+    const int source = below(now.sources.size()), obstacle = below(now.obstacles.size());
+    const int kind = below(now.scene->kinds.size());
+    switch (below(15)) {
+        case 0:
+            return TurnDial{{.vehicle = vehicle}, Dial::LR, chance.uniform(-2, 2)};
+        case 1:
+            return TurnDial{{.kind = kind}, Dial::RL, chance.uniform(-2, 2)};
+        case 2:
+            return AddVehicle{};
+        case 3:
+            return AddVehicle{kind, Pose{metres(), metres(), 1}};
+        case 4:
+            return RemoveVehicle{vehicle};
+        case 5:
+            return MoveVehicle{vehicle, metres(), metres(), 2};
+        case 6:
+            return ChooseDriver{vehicle, Driver::parked};
+        case 7: {
+            auto sensors = now.scene->kinds[static_cast<std::size_t>(kind)].sensors;
+            if (!sensors.empty()) sensors[0].range = chance.uniform(1, 9);
+            return SetSensors{kind, sensors};
+        }
+        case 8:
+            return AddSource{{"", Channel::heat, metres(), metres(), 0.5f, below(2) == 0}, below(3) - 1};
+        case 9:
+            return RemoveSource{source};
+        case 10:
+            return MoveSource{source, metres(), metres()};
+        case 11:
+            return AddObstacle{{"", metres(), metres(), 0.3f, 2, 1}, below(3) - 1};
+        case 12:
+            return RemoveObstacle{obstacle};
+        case 13:
+            return MoveObstacle{obstacle, metres(), metres(), 1};
+        default: {
+            if (now.sources.empty()) return AddVehicle{};
+            Source to = now.scene->sources[static_cast<std::size_t>(source)];
+            to.strength = chance.uniform(0.1f, 1);
+            return EditSource{source, to};
+        }
+    }
+}
+
+Scene furnished() {
+    Scene scene = tests::crowd(5);
+    scene.sources = {{"lamp", Channel::light, 1, 1, 1, false}, {"stove", Channel::heat, -3, 2, 1, true}};
+    scene.obstacles = {{"box", 4, -4, 0.5f, 1, 2}};
+    scene.starts = {{"first", scene.kinds[0].name, -5, -5, 0, "lamp"}, {"second", scene.kinds[1].name, 5, 5, 1, ""}};
+    return scene;
+}
+
+TEST(Undo, TakesBackWhateverAHandCanDoAndDoesItAgain) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Session session = open(furnished());
+        maths::Random chance{seed, 4};
+        for (int i = 0; i < 40; ++i) session.step();
+        const Scene scene = session.edited_scene();
+        const Snapshot before = session.snapshot();
+        for (int i = 0; i < 25; ++i) (void)session.apply(any_edit(session, chance));
+        ASSERT_GT(session.undo_depth(), 10);
+        const Scene edited = session.edited_scene();
+        const Snapshot after = session.snapshot();
+        while (session.undo()) {
+        }
+        expect_same(session, scene, before);
+        while (session.redo()) {
+        }
+        expect_same(session, edited, after);
+    }
+}
+
+TEST(Time, GoesBackToAnyMomentOfTheLastMinuteAndOnAgainInTheSameWay) {
+    Session session = open(furnished());
+    maths::Random chance{3, 4};
+    std::vector<std::uint64_t> hashes;
+    std::vector<int> depths;
+    for (int tick = 0; tick < 4200; ++tick) {
+        if (tick % 37 == 5) (void)session.apply(any_edit(session, chance));
+        if (tick % 400 == 80) session.undo();
+        hashes.push_back(session.hash());
+        depths.push_back(session.undo_depth());
+        session.step();
+    }
+    EXPECT_LE(session.earliest(), session.latest() - recorded_ticks);
+    EXPECT_GT(session.earliest(), 0u);
+    const std::uint64_t end = session.latest();
+    for (int i = 0; i < 40; ++i) {
+        const auto tick = static_cast<std::uint64_t>(session.earliest() + chance.next() % (end - session.earliest()));
+        session.seek(tick);
+        ASSERT_EQ(session.snapshot().tick, tick);
+        ASSERT_EQ(session.hash(), hashes[tick]);
+        ASSERT_EQ(session.undo_depth(), depths[tick]);
+        for (int more = 1; more < 90 && tick + more < hashes.size(); ++more) {
+            session.step();
+            ASSERT_EQ(session.hash(), hashes[tick + static_cast<std::uint64_t>(more)]);
+        }
+        EXPECT_EQ(session.latest(), end);
+    }
+}
+
+TEST(Time, TakesAnotherWayFromAnEditInThePast) {
+    Session session = open(furnished());
+    for (int i = 0; i < 700; ++i) session.step();
+    const auto hash = session.hash();
+    session.seek(350);
+    ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 2}));
+    EXPECT_EQ(session.latest(), 350u);
+    while (session.snapshot().tick < 700) session.step();
+    EXPECT_NE(session.hash(), hash);
+}
+
+TEST(Bookmark, BringsItsMomentBackFromAnyOtherRun) {
+    Session session = open(furnished());
+    session.apply(TurnDial{{.kind = 0}, Dial::LL, 1});
+    for (int i = 0; i < 450; ++i) session.step();
+    const Bookmark here = session.bookmark();
+    const auto hash = session.hash();
+    for (int i = 0; i < 100; ++i) session.step();
+    session.go_to(here);
+    EXPECT_EQ(session.hash(), hash);
+    EXPECT_EQ(session.latest(), 550u) << "what lay ahead is still there";
+    session.apply(TurnDial{{.kind = 0}, Dial::LL, -1});
+    session.reset();
+    for (int i = 0; i < 30; ++i) session.step();
+    session.go_to(here);
+    EXPECT_EQ(session.hash(), hash);
+    EXPECT_EQ(session.undo_depth(), 1);
+    EXPECT_EQ(dial(session, Dial::LL), 1);
+}
+
+TEST(Reset, KeepsWhatWasAddedMovedAndTakenAway) {
+    Session session = open(furnished());
+    for (int i = 0; i < 20; ++i) session.step();
+    ASSERT_FALSE(session.apply(RemoveVehicle{0}));
+    ASSERT_FALSE(session.apply(AddVehicle{0, Pose{3, -2, 1}}));
+    const VehicleId added = session.snapshot().vehicles.back().id;
+    ASSERT_FALSE(session.apply(TurnDial{{.vehicle = added}, Dial::LL, 1.25f}));
+    ASSERT_FALSE(session.apply(RemoveSource{0}));
+    for (int i = 0; i < 200; ++i) session.step();
+    session.reset();
+    const Snapshot& now = session.snapshot();
+    EXPECT_EQ(now.tick, 0u);
+    EXPECT_EQ(now.vehicles.size(), 7u);
+    EXPECT_EQ(now.sources.size(), 1u);
+    EXPECT_FLOAT_EQ(now.vehicles[1].x, 3);
+    EXPECT_FLOAT_EQ(now.vehicles[1].y, -2);
+    EXPECT_EQ(dial(session, Dial::LL, 1), 1.25f) << "the brain follows its vehicle to its new number";
+    while (session.undo()) {
+    }
+    EXPECT_EQ(session.edited_scene(), furnished());
+}
+
+TEST(Reset, OfAnExerciseKeepsTheBrainsAlone) {
+    Session session = open(furnished());
+    ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 1.25f}));
+    ASSERT_FALSE(session.apply(MoveSource{0, 4, 4}));
+    ASSERT_FALSE(session.apply(AddObstacle{{"", -2, -2, 0.3f, 2, 1}}));
+    session.reset(Keep::brains);
+    Scene expected = furnished();
+    expected.kinds[0].brain = *session.snapshot().kind_brains[0];
+    EXPECT_EQ(session.edited_scene(), expected);
+    EXPECT_EQ(dial(session, Dial::LL), 1.25f);
+    EXPECT_EQ(session.undo_depth(), 1) << "only the brain's edit still means something";
 }
 
 TEST(Reset, GivesTheVerySameStartAndKeepsTheEditedBrains) {

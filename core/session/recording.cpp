@@ -1,0 +1,57 @@
+#include "core/session/recording.h"
+
+#include <algorithm>
+
+namespace braitenlab {
+
+namespace {
+
+const auto by_tick = [](const LoggedCommand& command, std::uint64_t tick) { return command.tick < tick; };
+
+}  // namespace
+
+Recording::Recording(const Save& begin)
+    : keyframes_{{begin.keyframe_tick, begin.keyframe}}, commands_(begin.commands), latest_(begin.tick) {}
+
+void Recording::add_step(const World& world) {
+    latest_ = world.tick();
+    if (latest_ < keyframes_.back().tick + keyframe_ticks) return;
+    const Save save = world.save();
+    if (save.keyframe_tick == keyframes_.back().tick) return;
+    keyframes_.push_back({save.keyframe_tick, save.keyframe});
+    while (keyframes_.size() > 1 && keyframes_[1].tick + recorded_ticks <= latest_) keyframes_.pop_front();
+    commands_.erase(commands_.begin(), std::lower_bound(commands_.begin(), commands_.end(), earliest(), by_tick));
+}
+
+void Recording::add_command(std::uint64_t tick, const Command& command) { commands_.push_back({tick, command}); }
+
+void Recording::forget_after(std::uint64_t tick) {
+    while (keyframes_.back().tick > tick) keyframes_.pop_back();
+    commands_.erase(std::lower_bound(commands_.begin(), commands_.end(), tick + 1, by_tick), commands_.end());
+    latest_ = std::min(latest_, tick);
+}
+
+const Recording::Keyframe& Recording::last_keyframe(std::uint64_t tick) const {
+    const auto after = std::find_if(keyframes_.begin() + 1, keyframes_.end(),
+                                    [tick](const Keyframe& keyframe) { return keyframe.tick > tick; });
+    return *(after - 1);
+}
+
+Save Recording::at(std::uint64_t tick) const {
+    const Keyframe& keyframe = last_keyframe(tick);
+    const auto begin = std::lower_bound(commands_.begin(), commands_.end(), keyframe.tick, by_tick);
+    const auto end = std::lower_bound(commands_.begin(), commands_.end(), tick + 1, by_tick);
+    return {keyframe.moment, keyframe.tick, {begin, end}, tick};
+}
+
+std::vector<Command> Recording::commands_at(std::uint64_t tick) const {
+    std::vector<Command> commands;
+    for (auto c = std::lower_bound(commands_.begin(), commands_.end(), tick, by_tick);
+         c != commands_.end() && c->tick == tick; ++c)
+        commands.push_back(c->command);
+    return commands;
+}
+
+std::uint64_t Recording::keyframe_before(std::uint64_t tick) const { return last_keyframe(tick).tick; }
+
+}  // namespace braitenlab

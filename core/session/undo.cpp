@@ -1,0 +1,179 @@
+#include "core/session/undo.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "core/match.h"
+
+namespace braitenlab {
+
+namespace {
+
+using Commands = std::vector<Command>;
+
+template <class Thing>
+const Thing* at(const std::vector<Thing>& things, int index) {
+    return index >= 0 && static_cast<std::size_t>(index) < things.size() ? &things[static_cast<std::size_t>(index)]
+                                                                         : nullptr;
+}
+
+template <class Thing>
+int place_of_new(const std::vector<Thing>& things, int before) {
+    const auto count = static_cast<int>(things.size());
+    return before < 0 ? count : std::min(before, count);
+}
+
+// The commands that bring back the brains that a target has now.
+Commands same_brains(const Snapshot& now, const Target& target) {
+    if (const VehicleView* v = find_vehicle(now, target.vehicle))
+        return {SetBrain{target, *now.brains[static_cast<std::size_t>(v->brain)]}};
+    const auto* of_kind = at(now.kind_brains, target.kind);
+    if (!of_kind) return {};
+    Commands commands{SetBrain{target, **of_kind}};
+    for (const VehicleView& v : now.vehicles) {  // those of the kind that have one of their own
+        const BrainGraph& brain = *now.brains[static_cast<std::size_t>(v.brain)];
+        if (v.kind == target.kind && brain != **of_kind) commands.push_back(SetBrain{{.vehicle = v.id}, brain});
+    }
+    return commands;
+}
+
+AddVehicle bringing_back(const Snapshot& now, const VehicleView& v) {
+    AddVehicle add;
+    add.kind = v.kind;
+    add.at = Pose{v.x, v.y, v.heading};
+    add.brain = *now.brains[static_cast<std::size_t>(v.brain)];
+    add.energy = v.energy;
+    add.driver = v.driver;
+    add.id = v.id;
+    if (const Start* start = at(now.scene->starts, v.start)) add.start = *start;
+    add.before = v.start;
+    return add;
+}
+
+Commands bringing_back(const Snapshot& now, const RemoveVehicle& c) {
+    const VehicleView* v =
+        c.vehicle == no_vehicle && !now.vehicles.empty() ? &now.vehicles.back() : find_vehicle(now, c.vehicle);
+    if (!v) return {};
+    return {bringing_back(now, *v)};
+}
+
+Commands bringing_back(const Snapshot& now, const RemoveSource& c) {
+    const Source* source = at(now.scene->sources, c.source);
+    if (!source) return {};
+    Commands commands{AddSource{*source, c.source}};
+    for (std::size_t i = 0; i < now.scene->starts.size(); ++i)  // those that faced it
+        if (now.scene->starts[i].facing == source->name)
+            commands.push_back(EditStart{static_cast<int>(i), now.scene->starts[i]});
+    return commands;
+}
+
+}  // namespace
+
+std::vector<Command> undoing(const Snapshot& now, const Command& command) {
+    const Scene& scene = *now.scene;
+    return std::visit(
+        Match{
+            [&](const TurnDial& c) { return same_brains(now, c.target); },
+            [&](const SetBrain& c) { return same_brains(now, c.target); },
+            [&](const AddVehicle&) -> Commands { return {RemoveVehicle{}}; },
+            [&](const RemoveVehicle& c) { return bringing_back(now, c); },
+            [&](const MoveVehicle& c) -> Commands {
+                const VehicleView* v = find_vehicle(now, c.vehicle);
+                if (!v) return {};
+                return {MoveVehicle{v->id, v->x, v->y, v->heading}};
+            },
+            [&](const ChooseDriver& c) -> Commands {
+                const VehicleView* v = find_vehicle(now, c.vehicle);
+                if (!v) return {};
+                return {ChooseDriver{v->id, v->driver}};
+            },
+            [&](const EditStart& c) -> Commands {
+                const Start* start = at(scene.starts, c.start);
+                if (!start) return {};
+                return {EditStart{c.start, *start}};
+            },
+            [&](const SetSensors& c) -> Commands {
+                const Kind* kind = at(scene.kinds, c.kind);
+                if (!kind) return {};
+                return {SetSensors{c.kind, kind->sensors}};
+            },
+            [&](const AddSource& c) -> Commands { return {RemoveSource{place_of_new(scene.sources, c.before)}}; },
+            [&](const RemoveSource& c) { return bringing_back(now, c); },
+            [&](const EditSource& c) -> Commands {
+                const Source* source = at(scene.sources, c.source);
+                if (!source) return {};
+                return {EditSource{c.source, *source}};
+            },
+            [&](const MoveSource& c) -> Commands {
+                const Source* source = at(scene.sources, c.source);
+                if (!source) return {};
+                return {MoveSource{c.source, source->x, source->y}};
+            },
+            [&](const AddObstacle& c) -> Commands { return {RemoveObstacle{place_of_new(scene.obstacles, c.before)}}; },
+            [&](const RemoveObstacle& c) -> Commands {
+                const Obstacle* obstacle = at(scene.obstacles, c.obstacle);
+                if (!obstacle) return {};
+                return {AddObstacle{*obstacle, c.obstacle}};
+            },
+            [&](const EditObstacle& c) -> Commands {
+                const Obstacle* obstacle = at(scene.obstacles, c.obstacle);
+                if (!obstacle) return {};
+                return {EditObstacle{c.obstacle, *obstacle}};
+            },
+            [&](const MoveObstacle& c) -> Commands {
+                const Pose* pose = at(now.obstacles, c.obstacle);
+                if (!pose) return {};
+                return {MoveObstacle{c.obstacle, pose->x, pose->y, pose->heading}};
+            },
+            [](const Steer&) -> Commands { return {}; },
+            [](const NewPopulation&) -> Commands { return {}; },
+        },
+        command);
+}
+
+Command repeating(const Snapshot& after, const Command& command) {
+    const auto* add = std::get_if<AddVehicle>(&command);
+    if (!add || after.vehicles.empty()) return command;
+    const VehicleView* v = add->id == no_vehicle ? &after.vehicles.back() : find_vehicle(after, add->id);
+    return v ? Command(bringing_back(after, *v)) : command;
+}
+
+bool supersedes(const Command& later, const Command& earlier) {
+    if (later.index() != earlier.index()) return false;
+    return std::visit(
+        Match{[&](const TurnDial& c) {
+                  const auto& e = std::get<TurnDial>(earlier);
+                  return c.target == e.target && c.dial == e.dial;
+              },
+              [&](const SetBrain& c) { return c.target == std::get<SetBrain>(earlier).target; },
+              [&](const MoveVehicle& c) { return c.vehicle == std::get<MoveVehicle>(earlier).vehicle; },
+              [&](const ChooseDriver& c) { return c.vehicle == std::get<ChooseDriver>(earlier).vehicle; },
+              [&](const EditStart& c) { return c.start == std::get<EditStart>(earlier).start; },
+              [&](const SetSensors& c) { return c.kind == std::get<SetSensors>(earlier).kind; },
+              [&](const EditSource& c) { return c.source == std::get<EditSource>(earlier).source; },
+              [&](const MoveSource& c) { return c.source == std::get<MoveSource>(earlier).source; },
+              [&](const EditObstacle& c) { return c.obstacle == std::get<EditObstacle>(earlier).obstacle; },
+              [&](const MoveObstacle& c) { return c.obstacle == std::get<MoveObstacle>(earlier).obstacle; },
+              [](const auto&) { return false; }},
+        later);
+}
+
+bool is_about_brains(const Command& command) {
+    return std::holds_alternative<TurnDial>(command) || std::holds_alternative<SetBrain>(command);
+}
+
+Command renumbered(Command command, const std::function<VehicleId(VehicleId)>& number) {
+    const auto change = [&](VehicleId& id) {
+        if (id != no_vehicle) id = number(id);
+    };
+    std::visit(
+        [&](auto& c) {
+            if constexpr (requires { c.target.vehicle; }) change(c.target.vehicle);
+            if constexpr (requires { c.vehicle; }) change(c.vehicle);
+            if constexpr (requires { c.id; }) change(c.id);
+        },
+        command);
+    return command;
+}
+
+}  // namespace braitenlab

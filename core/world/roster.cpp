@@ -1,0 +1,122 @@
+// Who is added and removed by hand: in the living world, and in the scene from which the next run begins.
+#include <cmath>
+
+#include "core/world/edits.h"
+#include "core/world/scene_edit.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr std::size_t most_vehicles = 20000;
+constexpr VehicleId largest_id = 1'000'000'000;
+
+std::optional<Error> refusal(const WorldState& s, const AddVehicle& c) {
+    if (s.kinds.empty()) return Error{"the scene has no kind of vehicle to add; write one into its file"};
+    if (c.kind >= static_cast<int>(s.kinds.size()))
+        return Error{fmt::format("the scene has no kind number {}", c.kind)};
+    if (s.vehicles.size() >= most_vehicles)
+        return Error{fmt::format("{} vehicles are the most a world holds; remove some first", most_vehicles)};
+    if (c.at && !is_finite(*c.at)) return Error{"a place takes finite numbers only"};
+    if (!(c.energy >= 0 && c.energy <= 1)) return Error{"energy is a number from 0 to 1"};
+    if (c.id != no_vehicle && s.row_of(c.id)) return Error{fmt::format("vehicle {} is in the world already", c.id)};
+    if (c.id < no_vehicle || c.id > largest_id) return Error{fmt::format("no vehicle can be number {}", c.id)};
+    return std::nullopt;
+}
+
+// Writes the newcomer into the scene; gives the index of its start, −1 when it is one more of the population.
+Result<int> enrol(WorldState& s, const AddVehicle& c, int kind) {
+    Scene scene = *s.scene;
+    const bool returns_to_population = c.id != no_vehicle && !c.start;
+    if (!c.at || returns_to_population) {
+        ++scene.ecology.population;
+        s.scene = std::make_shared<const Scene>(std::move(scene));
+        return -1;
+    }
+    const std::string& of_kind = scene.kinds[static_cast<std::size_t>(kind)].name;
+    Start start = c.start ? *c.start : Start{"", of_kind, c.at->x, c.at->y, maths::wrap_angle(c.at->heading)};
+    start.name = free_name(scene.starts, start.name, of_kind);
+    const int index = place_for(scene.starts, c.before);
+    scene.starts.insert(place_in(scene.starts, index), std::move(start));
+    if (auto error = check_scene(scene)) return *error;
+    for (std::int32_t& other : s.vehicles.start) other += other >= index;
+    s.scene = std::make_shared<const Scene>(std::move(scene));
+    return index;
+}
+
+void strike_off(WorldState& s, std::int32_t start) {
+    Scene scene = *s.scene;
+    if (start >= 0) {
+        scene.starts.erase(place_in(scene.starts, start));
+        for (std::int32_t& other : s.vehicles.start) other -= other > start;
+    } else {
+        scene.ecology.population = std::max(0, scene.ecology.population - 1);
+    }
+    s.scene = std::make_shared<const Scene>(std::move(scene));
+}
+
+// Rows stand by ascending id: one that comes back goes from the last row to where it was.
+void sort_in_last_row(WorldState& s) {
+    Moment m = std::move(static_cast<Moment&>(s));
+    Vehicles& v = m.vehicles;
+    const auto last = static_cast<std::ptrdiff_t>(v.size()) - 1;
+    const auto row = std::lower_bound(v.id.begin(), v.id.end() - 1, v.id.back()) - v.id.begin();
+    const auto rotate_stretch = [&](std::vector<float>& flat, std::vector<std::uint32_t>& first) {
+        const auto begin = first[static_cast<std::size_t>(row)], end = first.back();
+        const auto size = static_cast<std::uint32_t>(flat.size()) - end;
+        std::rotate(flat.begin() + begin, flat.begin() + end, flat.end());
+        for (auto later = row; later < last; ++later) first[static_cast<std::size_t>(later)] += size;
+        first.back() = begin;
+    };
+    rotate_stretch(v.sensed, v.first_sensed);
+    rotate_stretch(v.neurons, v.first_neuron);
+    v.each_column([&](auto& column) { std::rotate(column.begin() + row, column.begin() + last, column.end()); });
+    s = WorldState(std::move(m));
+}
+
+}  // namespace
+
+std::optional<Error> carry_out(WorldState& s, const AddVehicle& c) {
+    if (auto error = refusal(s, c)) return error;
+    const int kind = c.kind >= 0 ? c.kind : kind_due(s);
+    SharedDesign design = s.newcomers[static_cast<std::size_t>(kind)];
+    if (c.brain && *c.brain != design->graph) {
+        auto own = make_design(*c.brain, s.scene->kinds[static_cast<std::size_t>(kind)]);
+        if (!own) return own.error();
+        design = *own;
+    }
+    const auto start = enrol(s, c, kind);
+    if (!start) return start.error();
+    const VehicleId id = c.id != no_vehicle ? c.id : s.next_id;
+    s.next_id = std::max(s.next_id, id + 1);
+    const bool comes_last = s.vehicles.size() == 0 || s.vehicles.id.back() < id;
+    add_vehicle(s, kind, *start, id, std::move(design), c.at ? *c.at : free_place(s, id));
+    s.vehicles.energy.back() = c.energy;
+    if (c.driver) s.vehicles.driver.back() = *c.driver;
+    if (!comes_last) sort_in_last_row(s);
+    return std::nullopt;
+}
+
+std::optional<Error> carry_out(WorldState& s, const RemoveVehicle& c) {
+    if (s.vehicles.size() == 0) return Error{"there is no vehicle left to remove"};
+    const auto row = c.vehicle == no_vehicle ? std::optional(s.vehicles.size() - 1) : s.row_of(c.vehicle);
+    if (!row) return Error{fmt::format("vehicle {} is no longer in the world; select another one", c.vehicle)};
+    const std::int32_t start = s.vehicles.start[*row];
+    remove_vehicle(s, *row);
+    strike_off(s, start);
+    return std::nullopt;
+}
+
+std::optional<Error> carry_out(WorldState& s, const EditStart& c) {
+    if (auto error = missing(s.scene->starts, c.start, "start")) return error;
+    Scene scene = *s.scene;
+    Start& start = *place_in(scene.starts, c.start);
+    const std::string name = start.name;
+    start = c.to;
+    start.name = name;
+    if (auto error = check_scene(scene)) return error;
+    s.scene = std::make_shared<const Scene>(std::move(scene));
+    return std::nullopt;
+}
+
+}  // namespace braitenlab
