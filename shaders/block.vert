@@ -1,26 +1,58 @@
-// Walls and obstacles: boxes with a chamfered top. Corners hold signs; the instance gives the size.
+// Walls and obstacles: upright prisms of up to eight corners with a chamfered top, and the shadow round their feet. The
+// mesh only numbers its corners: edge of the prism, its first (0) or second (1) end, and the level.
 layout(location = 0) in vec3 corner;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in float paint;
 layout(location = 4) in vec4 place;   // x, y, direction
-layout(location = 5) in vec4 size;    // half length, half width, height, chamfer
-layout(location = 6) in vec4 base;    // w: 1 an arena's wall
+layout(location = 5) in vec4 corners_01;  // of the prism, anticlockwise
+layout(location = 6) in vec4 corners_23;
+layout(location = 7) in vec4 corners_45;
+layout(location = 8) in vec4 corners_67;
+layout(location = 9) in vec4 size;   // height, chamfer, number of corners, 1 an arena's wall
+layout(location = 10) in vec4 base;  // w: 1 can be pushed
 
 out vec3 v_colour;
+out float v_far;  // of the shadow: 0 at the foot, 1 where it has gone
+
+const int level_shadow_end = -2, level_shadow = -1, level_foot = 0, level_shoulder = 1, level_chamfer = 2,
+          level_inner = 3, level_top = 4;
+const float shadow_reach = 0.24;  // m
+
+vec2 prism_corner(int i) {
+    vec4 two = i < 2 ? corners_01 : i < 4 ? corners_23 : i < 6 ? corners_45 : corners_67;
+    return (i & 1) == 0 ? two.xy : two.zw;
+}
+
+vec2 right_of(vec2 along) { return vec2(along.y, -along.x); }
 
 void main() {
-    float level = corner.z;
-    vec2 half_size = size.xy - (level > 1.5 ? size.w : 0.0);
-    float height = level < 0.5 ? 0.0 : level < 1.5 ? size.z - size.w : size.z;
-    vec3 at = to_gl(vec3(place.xy + turn(corner.xy * half_size, place.zw), height));
-    vec3 up = to_gl(vec3(turn(normal.xy, place.zw), normal.z));
-    int kind = int(paint + 0.5);
+    int count = int(size.z + 0.5), edge = int(corner.x + 0.5), level = int(floor(corner.z + 0.5));
+    // A prism of fewer corners leaves the other edges empty.
+    bool empty = edge >= count;
+    int own = empty ? 0 : corner.y < 0.5 ? edge : (edge + 1) % count;
+    vec2 here = prism_corner(own), before = prism_corner((own + count - 1) % count), after = prism_corner((own + 1) % count);
+    vec2 out_before = right_of(normalize(here - before)), out_after = right_of(normalize(after - here));
+    vec2 outwards = normalize(out_before + out_after);
+    outwards /= max(dot(outwards, out_after), 0.4);
+    vec2 face = corner.y < 0.5 ? out_after : out_before;
+
+    bool on_top = level >= level_inner;
+    bool shadow = level < level_foot;
+    vec2 at = here + outwards * (on_top ? -size.y : level == level_shadow_end ? shadow_reach : 0.0);
+    float height = shadow ? 0.004 : level == level_foot ? 0.0 : on_top ? size.x : size.x - size.y;
+    vec3 normal = level == level_top ? vec3(0.0, 0.0, 1.0) : vec3(face, level >= level_chamfer ? 1.0 : 0.0);
+
+    vec3 world = to_gl(vec3(place.xy + turn(at, place.zw), height));
+    vec3 up = to_gl(normalize(vec3(turn(normal.xy, place.zw), normal.z)));
     // The top lighter, the foot darker: the eye finds the edge at once.
-    float foot = mix(0.62, 0.88, counts.y), side = mix(0.85, 0.97, counts.y), top = mix(1.42, 0.98, counts.y);
-    vec3 tone = base.rgb * (kind == paint_body ? (level < 0.5 ? foot : side) : kind == paint_light ? top * 1.12 : top);
+    float foot = mix(0.62, 0.88, counts.y), side = mix(0.85, 0.97, counts.y);
+    float top = mix(size.w > 0.5 ? 1.42 : 0.86, 0.98, counts.y);
+    if (size.w < 0.5) foot *= 0.8, side *= mix(0.72, 0.92, counts.y);
+    bool on_side = level <= level_shoulder;
+    vec3 tone = base.rgb * (level == level_foot ? foot : on_side ? side : level == level_top ? top : top * 1.12);
     // A wall's outside belongs to the ground out there.
-    bool outside = base.w > 0.5 && kind == paint_body && dot(turn(normal.xy, place.zw), place.xy) > 0.0;
+    bool outside = size.w > 0.5 && on_side && dot(turn(face, place.zw), place.xy) > 0.0;
     if (outside) tone = mix(tone, sky.rgb, 0.45);
-    v_colour = tone * light_at(up, at);
-    gl_Position = view_projection * vec4(at, 1.0);
+    v_colour = tone * light_at(up, world);
+    v_far = level == level_shadow_end ? 1.0 : 0.0;
+    gl_Position = view_projection * vec4(world, 1.0);
+    if (empty || (shadow && size.w > 0.5)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -14,10 +14,14 @@ layout(std140) uniform Frame {
     vec4 sun_light, sky_light, ground_light;
     vec4 sky, floor_colour, grid_colour;
     vec4 ink, paper;
+    vec4 shadow_colour;
     vec4 arena;   // half the width, half the height, m; simulated seconds; display pixels a layout pixel
-    vec4 counts;  // x: lamps; y: 1 in the light theme; z: how far one sees beyond the arena, m
+    vec4 counts;  // x: lamps; y: 1 in the light theme; z: how far one sees beyond the arena, m; w: its edge
     Lamp lamps[8];
 };
+
+// What the arena ends with, as counts.w.
+const float edge_wall = 0.0, edge_open = 1.0, edge_torus = 2.0;
 
 // What parts are painted as (render/view/shapes.h).
 const int paint_body = 0, paint_deck = 1, paint_dark = 2, paint_gauge = 3, paint_mark = 4, paint_light = 5,

@@ -32,9 +32,23 @@ void main() {
     // Walls stand on the floor: it is darker at their feet, on both sides.
     float to_wall = max(abs(v_place.x) - arena.x, abs(v_place.y) - arena.y);
     float foot = clamp(1.0 - max(-to_wall, to_wall - wall_width) / 0.4, 0.0, 1.0);
-    if (counts.z == 0.0) ground *= 1.0 - foot * foot * mix(0.5, 0.18, counts.y);
+    if (counts.w == edge_wall) ground *= 1.0 - foot * foot * mix(0.5, 0.18, counts.y);
 
     float fade = smoothstep(0.0, v_beyond, outside);
     float step_down = clamp(outside * 20.0, 0.0, 1.0) * 0.35;
+    if (counts.w == edge_open) {
+        // A table's edge: its side falls away, and below there is nothing.
+        float side = 1.0 - smoothstep(0.12, 0.5, outside);
+        ground = mix(ground, mix(sky.rgb * 0.55, ground * 0.8, side * side), clamp(outside / max(pixel.x, pixel.y), 0.0, 1.0));
+        fade = smoothstep(0.1, 0.9, outside);
+    }
+    if (counts.w != edge_wall) {
+        // A line for what is no wall: whole where one falls, dashed where one comes back on the other side.
+        float away = max(to_wall, -to_wall), width = max(0.07, 1.5 * max(pixel.x, pixel.y));
+        float along = abs(v_place.x) - arena.x > abs(v_place.y) - arena.y ? v_place.y : v_place.x;
+        float dash = counts.w == edge_torus ? smoothstep(0.45, 0.55, abs(fract(along / 0.8) - 0.5) * 2.0) : 1.0;
+        float line = clamp((width * 0.5 - away) / max(pixel.x, pixel.y) + 0.5, 0.0, 1.0) * dash;
+        ground = mix(ground, mix(paper.rgb, ink.rgb, counts.y), line * 0.55);
+    }
     colour = vec4(mix(ground, sky.rgb, max(fade, step_down)), 1.0);
 }

@@ -3,7 +3,7 @@ in vec4 v_shape, v_base;
 
 out vec4 colour;
 
-const int kind_shadow = 0, kind_pool = 1, kind_ring = 2, kind_thin_ring = 3;
+const int kind_shadow = 0, kind_pool = 1, kind_ring = 2, kind_thin_ring = 3, kind_memory = 4, kind_arrow = 5;
 
 float shadow() {
     float soft = v_shape.z;
@@ -18,6 +18,30 @@ float pool() {
     return t * t * t;
 }
 
+// A remembered place: a soft disc with a cross in a ring, as one marks a map.
+vec4 memory(float pixel) {
+    float d = length(v_own), line = max(v_shape.z, 1.2 * pixel);
+    float ring = 1.0 - smoothstep(0.5 - 0.5 * pixel / line, 0.5 + 0.5 * pixel / line, abs(d - v_shape.x) / line);
+    vec2 slanted = abs(vec2(v_own.x + v_own.y, v_own.x - v_own.y)) * 0.70711;
+    float away = min(slanted.x, slanted.y);
+    float arms = (1.0 - smoothstep(line * 0.5 - pixel * 0.5, line * 0.5 + pixel * 0.5, away)) * step(d, v_shape.x * 0.55);
+    float fill = 0.22 * (1.0 - smoothstep(v_shape.x - pixel, v_shape.x, d));
+    float alpha = v_base.a * max(max(ring, arms), fill);
+    return vec4(v_base.rgb * alpha, alpha);
+}
+
+// An arrow along +x from the middle of its left side; it is as long as the mark.
+vec4 arrow(float pixel) {
+    float head = min(v_shape.x * 1.4, 0.24);
+    float along = v_own.x + v_shape.x, across = abs(v_own.y);
+    float shaft = min(v_shape.y * 0.34 - across, min(along, 2.0 * v_shape.x - head * 0.9 - along));
+    float tip = min((2.0 * v_shape.x - along) * v_shape.y / head - across, along - (2.0 * v_shape.x - head));
+    float within = max(shaft, tip), rim = max(v_shape.z, pixel);
+    float body = clamp(within / pixel + 0.5, 0.0, 1.0), all = clamp((within + rim) / pixel + 0.5, 0.0, 1.0);
+    float alpha = v_base.a * max(body, all * 0.8);
+    return vec4(mix(ink.rgb, v_base.rgb, body) * alpha, alpha);
+}
+
 void main() {
     int kind = int(v_shape.w + 0.5);
     if (kind == kind_shadow || kind == kind_pool) {
@@ -25,6 +49,11 @@ void main() {
         // Light on a dark floor adds; on a light floor it can only tint.
         float covers = kind == kind_pool ? mix(0.35, 1.0, counts.y) : 1.0;
         colour = vec4(v_base.rgb * alpha, alpha * covers);
+        return;
+    }
+    if (kind == kind_memory || kind == kind_arrow) {
+        float pixel = length(fwidth(v_own)) * 0.7;
+        colour = kind == kind_memory ? memory(pixel) : arrow(pixel);
         return;
     }
     float d = length(v_own), pixel = fwidth(d);

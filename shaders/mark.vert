@@ -1,4 +1,4 @@
-// What lies flat on the floor: contact shadows, pools of light, rings.
+// What lies flat on the floor: contact shadows, pools of light, rings, remembered places, arrows.
 layout(location = 0) in vec3 corner;
 layout(location = 4) in vec4 place;  // x, y, direction
 layout(location = 5) in vec4 shape;  // half length, half width, softness or line width, kind

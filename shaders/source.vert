@@ -3,13 +3,13 @@ layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float paint;
 layout(location = 4) in vec4 place;  // x, y, size, strength
-layout(location = 5) in vec4 base;
+layout(location = 5) in vec4 base;   // w: height of what it stands on
 
 out vec3 v_core, v_rim;
 out vec3 v_normal, v_towards;
 
 void main() {
-    vec3 at = to_gl(vec3(place.xy, 0.0) + corner * place.z);
+    vec3 at = to_gl(vec3(place.xy, base.w) + corner * place.z);
     vec3 up = to_gl(normal);
     int kind = int(paint + 0.5);
     vec3 solid = mix(ink.rgb, vec3(0.55), 0.35) * light_at(up, at);

@@ -26,12 +26,13 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     block.ground_light = light ? maths::vec4{0.30f, 0.30f, 0.30f, 0} : maths::vec4{0.13f, 0.13f, 0.14f, 0};
     block.sky = four(colours.sky), block.floor_colour = four(colours.floor), block.grid_colour = four(colours.grid);
     block.ink = four(colours.wheel), block.paper = light ? four(colours.raised) : four(colours.text);
+    block.shadow = four(colours.shadow);
     const Arena arena = now.scene ? now.scene->arena : Arena{};
     // Seconds wrap where every pulse does, so that a long run loses no precision.
     block.arena = {arena.width / 2, arena.height / 2, static_cast<float>(std::fmod(now.seconds, 60.0)),
                    picture.pixel_scale};
-    block.counts = {static_cast<float>(list.lamps.size()), light ? 1.0f : 0.0f, arena.edge == Edge::wall ? 0.0f : 1e6f,
-                    0};
+    block.counts = {static_cast<float>(list.lamps.size()), light ? 1.0f : 0.0f, arena.edge == Edge::open ? 1e6f : 0.0f,
+                    static_cast<float>(arena.edge)};
     for (std::size_t i = 0; i < list.lamps.size(); ++i) block.lamps[i] = list.lamps[i];
     return block;
 }

@@ -47,6 +47,40 @@ Shape fan() {
     return shape;
 }
 
+// The edges of a prism of up to eight corners, numbered for block.vert: side, chamfer and top of each.
+Shape prism() {
+    Shape shape;
+    const auto corner = [&](int edge, int end, int level) {
+        shape.corners.push_back(
+            {{static_cast<float>(edge), static_cast<float>(end), static_cast<float>(level)}, {}, 0});
+    };
+    for (int edge = 0; edge < 8; ++edge) {
+        const auto first = static_cast<int>(shape.corners.size());
+        for (const auto& [low, high] : {std::pair{0, 1}, {2, 3}})
+            for (const auto& [end, level] : {std::pair{0, low}, {1, low}, {1, high}, {0, high}})
+                corner(edge, end, level);
+        for (const int k : {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7})
+            shape.indices.push_back(static_cast<std::uint16_t>(first + k));
+    }
+    const auto top = static_cast<int>(shape.corners.size());
+    for (int edge = 0; edge < 8; ++edge) corner(edge, 0, 4);
+    for (int edge = 1; edge < 7; ++edge)
+        for (const int k : {0, edge, edge + 1}) shape.indices.push_back(static_cast<std::uint16_t>(top + k));
+    return shape;
+}
+
+// The same for the shadow round its feet.
+Shape skirt_shape() {
+    Shape shape;
+    for (int edge = 0; edge < 8; ++edge) {
+        for (const auto& [end, level] : {std::pair{0, -2}, {1, -2}, {1, -1}, {0, -1}})
+            shape.corners.push_back(
+                {{static_cast<float>(edge), static_cast<float>(end), static_cast<float>(level)}, {}, 0});
+        for (const int k : {0, 1, 2, 0, 2, 3}) shape.indices.push_back(static_cast<std::uint16_t>(4 * edge + k));
+    }
+    return shape;
+}
+
 struct FloorInstance {
     maths::vec4 half_size;  // z: how far beyond the arena the ground reaches, m
 };
@@ -78,11 +112,13 @@ bool has_geometry_shaders() {
 }  // namespace
 
 struct Renderer::Parts {
-    Program floor, block, hull, sign, rim, wheel, eye, wire, field, mark, source, halo, trail;
+    Program floor, block, skirt, zone, hull, sign, rim, wheel, eye, wire, field, mark, source, halo, trail;
     bool sectors_from_points = false;
 
     Kit floors = kit<FloorInstance>(quad());
-    Kit blocks = kit<BlockInstance>(block_shape());
+    Kit blocks = kit<BlockInstance>(prism());
+    Batch skirts{skirt_shape(), blocks.instances};
+    Kit zones = kit<ZoneInstance>(quad());
     std::array<Kit, role_count> hulls{kit<HullInstance>(hull_shape(Role::none)),
                                       kit<HullInstance>(hull_shape(Role::predator)),
                                       kit<HullInstance>(hull_shape(Role::prey))};
@@ -130,6 +166,7 @@ struct Renderer::Parts {
         floor_size[0].half_size = {frame.arena.x + beyond, frame.arena.y + beyond, beyond, 0};
         floors.instances.upload(floor_size);
         blocks.instances.upload(list.blocks);
+        zones.instances.upload(list.zones);
         for (std::size_t role = 0; role < hulls.size(); ++role) hulls[role].instances.upload(list.hulls[role]);
         for (std::size_t role = 0; role < signs.size(); ++role) signs[role].instances.upload(list.signs[role]);
         wheels.instances.upload(list.wheels);
@@ -172,6 +209,8 @@ struct Renderer::Parts {
         glDepthMask(GL_FALSE);
         glDisable(GL_CULL_FACE);
         glEnable(GL_BLEND);
+        draw(zone, zones);
+        draw(skirt, skirts, blocks.instances);
         draw(mark, marks);
         draw(trail, trail_strips);
         draw(field, sectors_from_points ? field_points : fields.batch, fields.instances);
@@ -182,12 +221,18 @@ struct Renderer::Parts {
     }
 
     std::optional<Error> load(const std::filesystem::path& folder, SectorPath path) {
-        const std::pair<Program*, const char*> programs[] = {
-            {&floor, "floor"}, {&block, "block"},   {&hull, "hull"}, {&wheel, "wheel"}, {&eye, "eye"}, {&wire, "wire"},
-            {&mark, "mark"},   {&source, "source"}, {&halo, "halo"}, {&trail, "trail"}, {&rim, "rim"}, {&sign, "sign"},
+        struct Stages {
+            Program* program;
+            const char* vertex;
+            const char* fragment;
         };
-        for (const auto& [program, name] : programs) {
-            auto loaded = Program::load(folder, std::string(name) + ".vert", std::string(name) + ".frag");
+        const Stages all[] = {{&floor, "floor", "floor"}, {&zone, "zone", "zone"},       {&block, "block", "block"},
+                              {&skirt, "block", "skirt"}, {&hull, "hull", "hull"},       {&rim, "rim", "rim"},
+                              {&sign, "sign", "sign"},    {&wheel, "wheel", "wheel"},    {&eye, "eye", "eye"},
+                              {&wire, "wire", "wire"},    {&source, "source", "source"}, {&mark, "mark", "mark"},
+                              {&trail, "trail", "trail"}, {&halo, "halo", "halo"}};
+        for (const auto& [program, vertex, fragment] : all) {
+            auto loaded = Program::load(folder, std::string(vertex) + ".vert", std::string(fragment) + ".frag");
             if (!loaded) return loaded.error();
             *program = std::move(*loaded);
         }

@@ -50,21 +50,31 @@ struct FieldInstance {
     maths::vec4 colour;  // w: how strong the fill is, 0..1
     maths::vec4 line;    // x: how strong the edge is 0..1; y: the arc's radius m, or the chord's distance, negative
 };
+// An upright prism with a chamfered top.
 struct BlockInstance {
     maths::vec4 place;
-    maths::vec4 size;    // half the length, half the width, height, chamfer; m
-    maths::vec4 colour;  // w: 1 an arena's wall, 0 a thing inside it
+    std::array<maths::vec4, 4> corners;  // two of up to eight corners each, anticlockwise, in its own frame; m
+    maths::vec4 size;                    // height m, chamfer m, number of corners, 1 an arena's wall
+    maths::vec4 colour;                  // w: 1 can be pushed
+};
+// What is different about a piece of floor. The shaders know the same numbers.
+enum class Pattern { ice, carpet, sand, tape, recharge, wind, slope, pull, push };
+struct ZoneInstance {
+    maths::vec4 place;
+    maths::vec4 shape;   // half the length, half the width, 1 round, Pattern
+    maths::vec4 colour;  // w: opacity
+    maths::vec4 flow;    // x, y: which way it pushes, in the zone's frame; z: how strongly 0..1
 };
 // What lies flat on the floor. The shaders know the same numbers.
-enum class MarkKind { shadow, pool, ring, thin_ring };
+enum class MarkKind { shadow, pool, ring, thin_ring, memory, arrow };
 struct MarkInstance {
     maths::vec4 place;
-    maths::vec4 shape;  // half the length, half the width, corner radius or softness (m), MarkKind
+    maths::vec4 shape;  // half the length, half the width, softness or width of its line (m), MarkKind
     maths::vec4 colour;
 };
 struct SourceInstance {
-    maths::vec4 place;  // x, y, size, strength
-    maths::vec4 colour;
+    maths::vec4 place;   // x, y, size, strength
+    maths::vec4 colour;  // w: height of what it stands on, m
 };
 struct HaloInstance {
     maths::vec4 place;  // x, y, height, radius; m
@@ -92,6 +102,7 @@ struct DrawList {
     std::vector<WireInstance> wires;
     std::vector<FieldInstance> fields;
     std::vector<BlockInstance> blocks;
+    std::vector<ZoneInstance> zones;
     std::vector<MarkInstance> marks;  // shadows and pools, below the fields
     std::vector<MarkInstance> rings;  // above them
     std::array<std::vector<SourceInstance>, source_shape_count> sources;

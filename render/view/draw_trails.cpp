@@ -31,6 +31,7 @@ void add_trail(Sheet& sheet, const Subject& s, const Trail& trail) {
     };
     for (std::size_t i = 0; i + 1 < count; ++i) {
         const vec2 a = point(i), b = point(i + 1), na = side(i), nb = side(i + 1);
+        if (maths::distance(a, b) > Trail::jump) continue;
         sheet.list.trails.push_back({{a.x, a.y, b.x, b.y},
                                      {na.x, na.y, nb.x, nb.y},
                                      rgb_with(colour, s.selected ? 0.075f : 0.06f),

@@ -134,6 +134,12 @@ void add_shadow(Sheet& sheet, const Subject& s) {
                                 rgb_with(sheet.colours.shadow, sheet.colours.shadow.a)});
 }
 
+void add_lamps(Sheet& sheet, const Subject& s) {
+    for (const CarriedLamp& lamp : s.kind.lamps)
+        add_source(sheet, lamp.channel, s.to_world({lamp.x, lamp.y}), deck_height * s.height_scale, lamp.strength,
+                   0.5f);
+}
+
 void add_ring(Sheet& sheet, const Subject& s) {
     if (s.driven || (!s.selected && !s.hovered)) return;
     const float radius = 0.5f * std::hypot(s.kind.body.length, s.kind.body.width) + 0.16f;
@@ -174,15 +180,45 @@ void add_body(Sheet& sheet, const Subject& s) {
     add_shadow(sheet, s);
 }
 
+void add_here(Sheet& sheet, const Subject& s) {
+    if (in_sight(sheet, s.place, s.kind.body.length + 0.5f)) add_body(sheet, s);
+    add_lamps(sheet, s);
+    add_ring(sheet, s);
+}
+
+float farthest_eye(const Kind& kind) {
+    float range = 0;
+    for (const Sensor& sensor : kind.sensors) range = std::max(range, sensor.range);
+    return range;
+}
+
+// What reaches over one edge of a torus shows at the other.
+void add_beyond_edges(Sheet& sheet, Subject s, const Arena& arena) {
+    const float body = s.kind.body.length, eye = farthest_eye(s.kind);
+    const vec2 home = s.place;
+    const auto reaches_in = [&](float reach) {
+        return std::fabs(s.place.x) < arena.width / 2 + reach && std::fabs(s.place.y) < arena.height / 2 + reach;
+    };
+    for (const float x : {-arena.width, 0.0f, arena.width})
+        for (const float y : {-arena.height, 0.0f, arena.height}) {
+            if (x == 0 && y == 0) continue;
+            s.place = home + vec2{x, y};
+            if (reaches_in(body)) add_here(sheet, s);
+            if (reaches_in(eye)) add_fields(sheet, s);
+        }
+}
+
 }  // namespace
 
 void add_vehicles(Sheet& sheet, const Trails& trails) {
     for (const VehicleView& view : sheet.now.vehicles) {
         const Subject s = subject_of(sheet, view);
-        if (in_sight(sheet, s.place, s.kind.body.length + 0.5f)) add_body(sheet, s);
+        add_here(sheet, s);
         add_fields(sheet, s);
-        add_ring(sheet, s);
-        if (const Trail* trail = sheet.picture.trails ? trails.of(view.id) : nullptr) add_trail(sheet, s, *trail);
+        if (const Trail* trail = sheet.picture.overlays.trails ? trails.of(view.id) : nullptr)
+            add_trail(sheet, s, *trail);
+        if (sheet.now.scene && sheet.now.scene->arena.edge == Edge::torus)
+            add_beyond_edges(sheet, s, sheet.now.scene->arena);
     }
 }
 

@@ -38,6 +38,8 @@ struct Palette {
     Colour excites, inhibits, predator, prey, neutral, selected, memory;
     // what can be sensed; light has the lamp's colour
     Colour heat, smell, oxygen, obstacle;
+    // what can be pushed, and pieces of floor
+    Colour crate, ice, carpet, sand, tape, recharge;
 };
 
 constexpr Palette palette(Theme theme) {
@@ -58,6 +60,8 @@ constexpr Palette palette(Theme theme) {
         p.shadow = Colour{0, 0, 0, 0.55f}, p.chassis = rgb(0x8C98A6), p.wheel = rgb(0x0E1115),
         p.neutral = rgb(0x8EA2B8);
         p.lamp = rgb(0xFFE3A0), p.oxygen = rgb(0x8FE3DC), p.obstacle = rgb(0x7F8FA3);
+        p.crate = rgb(0xB49A78), p.ice = rgb(0x4E6C84), p.carpet = rgb(0x463D49), p.sand = rgb(0x5C5341);
+        p.tape = rgb(0x06080A), p.recharge = rgb(0xB6E36B);
     } else {
         p.ground = rgb(0xFFFFFF), p.panel = rgb(0xF6F7F9), p.raised = rgb(0xFFFFFF), p.line = rgb(0xCBD2DB);
         p.text = rgb(0x14171C), p.second_text = rgb(0x4A5562);
@@ -67,6 +71,8 @@ constexpr Palette palette(Theme theme) {
         p.neutral = rgb(0x5D7186);
         // Pale yellow drowns in a projector's white: the lamp is amber there.
         p.lamp = rgb(0xF2B21C), p.oxygen = rgb(0x1FA79B), p.obstacle = rgb(0x6B7A8C);
+        p.crate = rgb(0xA88A60), p.ice = rgb(0xC3DCEE), p.carpet = rgb(0xC9BCCB), p.sand = rgb(0xE3D6B8);
+        p.tape = rgb(0x20252C), p.recharge = rgb(0x5E8C14);
     }
     return p;
 }

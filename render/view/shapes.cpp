@@ -233,25 +233,6 @@ Shape eye_shape() {
     return shape;
 }
 
-Shape block_shape() {
-    Shape shape;
-    const std::array<vec2, 4> round{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
-    for (std::size_t i = 0; i < 4; ++i) {
-        const vec2 a = round[i], b = round[(i + 1) % 4];
-        add_quad(shape, at(a, 0), at(b, 0), at(b, 1), at(a, 1), Paint::body);
-        const std::size_t chamfer = shape.corners.size();
-        add_quad(shape, at(a, 1), at(b, 1), at(b * 0.5f, 2), at(a * 0.5f, 2), Paint::light);
-        // The chamfer rises at 45 degrees whatever the block's size; its upper corners are marked by z alone.
-        const vec2 outwards = maths::normalise(a + b);
-        for (std::size_t k = chamfer; k < chamfer + 4; ++k) {
-            shape.corners[k].normal = maths::normalise(vec3{outwards.x, outwards.y, 1});
-            if (k >= chamfer + 2) shape.corners[k].place = at(k == chamfer + 2 ? b : a, 2);
-        }
-    }
-    add_quad(shape, at(round[0], 2), at(round[1], 2), at(round[2], 2), at(round[3], 2), Paint::mark);
-    return shape;
-}
-
 Shape source_shape(Channel channel) {
     Shape shape;
     switch (channel) {

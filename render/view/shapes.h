@@ -46,10 +46,6 @@ Shape wheel_shape();
 // A ball of radius 1 whose lens looks along +x.
 Shape eye_shape();
 
-// A box of unit footprint with a chamfered top. Corners hold signs (−1, 0, 1) and the shader gives them size: x and y
-// are the sides; z is 0 below, 1 at the chamfer's foot and 2 on top.
-Shape block_shape();
-
 // What stands for a source of a channel, in metres, on the floor's origin: a lamp for light, a brazier for heat, a
 // blossom for smell, bubbles for oxygen.
 Shape source_shape(Channel);

@@ -1,6 +1,7 @@
 // What the parts of the draw list share while one picture is made. Only draw_list.cpp and the other draw_….cpp need it.
 #pragma once
 
+#include "core/maths/angle.h"
 #include "render/view/draw_list.h"
 #include "render/view/palette.h"
 
@@ -42,6 +43,11 @@ int side_of(const Sensor&);
 
 // Whether anything within `radius` metres of a place may be in the picture; never wrong when it says no.
 bool in_sight(const Sheet&, maths::vec2 place, float radius);
+
+// Adds what stands and lies in the arena, and what vehicles remember of it.
+void add_world(Sheet&);
+// Adds a source's light and shape; `foot` is the height it stands at, m.
+void add_source(Sheet&, Channel, maths::vec2 place, float foot, float strength, float size);
 
 // Adds every vehicle with all its parts.
 void add_vehicles(Sheet&, const Trails&);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 
 #include "core/maths/vec.h"
@@ -13,6 +14,7 @@ namespace braitenlab {
 // The newest places of one vehicle, a ring that overwrites its oldest.
 struct Trail {
     static constexpr std::size_t capacity = 48;
+    static constexpr float jump = 2.5f;  // m: what lies farther apart was not driven, or went round a torus
     std::array<maths::vec2, capacity> places{};
     std::size_t count = 0, newest = 0;
     std::uint64_t seen = 0;  // the tick it was last extended at
@@ -34,7 +36,7 @@ private:
     std::unordered_map<VehicleId, Trail> trails_;
     std::uint64_t tick_ = 0, seed_ = 0;
     int generation_ = 0;
-    const Scene* scene_ = nullptr;
+    std::string scene_;  // its name
 };
 
 }  // namespace braitenlab

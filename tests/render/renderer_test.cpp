@@ -182,13 +182,42 @@ TEST_F(RendererTest, ShowsAStimulatedFieldBrighterAndNoFieldBehindAWall) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 8.4f, 0.5f, 0);
     const auto ahead = *project(picture.sight, {9.4f, 1.5f}), outside = *project(picture.sight, {10.6f, 1.5f});
-    picture.trails = false;
+    picture.overlays.trails = false;
     renderer->draw(now, picture);
     const float idle = brightness(stage.pixel(ahead)), beyond = brightness(stage.pixel(outside));
     now.sensed = {0.8f, 0.8f};
     renderer->draw(now, picture);
     EXPECT_GT(brightness(stage.pixel(ahead)), idle + 0.04f);
     EXPECT_NEAR(brightness(stage.pixel(outside)), beyond, 0.004f);
+}
+
+TEST_F(RendererTest, ShowsAnObstaclesOwnOutline) {
+    auto scene = hand_made::scene();
+    scene->obstacles.push_back({.name = "wedge", .corners = {{-3, -3}, {3, -3}, {-3, 3}}});
+    Snapshot now = hand_made::empty(hand_made::scene());
+    const auto at = [&](float x, float y) {
+        renderer->draw(now, picture);
+        return brightness(stage.pixel(*project(picture.sight, {x, y}, 0.42f)));
+    };
+    const float floor_inside = at(-1, -1), floor_outside = at(2, 2);
+    now = hand_made::empty(scene);
+    EXPECT_GT(at(-1, -1), floor_inside + 0.1f);
+    EXPECT_NEAR(at(2, 2), floor_outside, 0.02f);  // a box of its length and width would cover this
+}
+
+TEST_F(RendererTest, CoversZonesAndLeavesTheRestOfTheFloorAlone) {
+    Snapshot plain = hand_made::empty(hand_made::scene());
+    auto scene = hand_made::scene();
+    scene->zones.push_back({.name = "ice", .length = 4, .width = 4, .round = true, .surface = Surface::ice});
+    scene->zones.push_back({.name = "line", .x = 5, .length = 0.5f, .width = 6, .surface = Surface::tape});
+    const Snapshot now = hand_made::empty(scene);
+    const auto at = [&](const Snapshot& moment, float x, float y) {
+        renderer->draw(moment, picture);
+        return stage.pixel(*project(picture.sight, {x, y}));
+    };
+    EXPECT_GT(at(now, 0.3f, 0.6f).b, at(plain, 0.3f, 0.6f).b + 0.1f);
+    EXPECT_NEAR(at(now, 1.8f, 1.8f).b, at(plain, 1.8f, 1.8f).b, 0.01f);  // round: not the corner of its box
+    EXPECT_LT(brightness(at(now, 5.05f, 1.3f)), 0.06f);
 }
 
 TEST_F(RendererTest, RingsTheSelectedVehicleInYellow) {

@@ -8,7 +8,7 @@ namespace {
 using maths::vec3;
 
 std::vector<Shape> all_shapes() {
-    std::vector<Shape> shapes{wheel_shape(), eye_shape(), block_shape()};
+    std::vector<Shape> shapes{wheel_shape(), eye_shape()};
     for (const Role role : {Role::none, Role::predator, Role::prey}) {
         shapes.push_back(hull_shape(role));
         shapes.push_back(sign_shape(role));

@@ -1,7 +1,10 @@
 #include "render/view/trails.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
+#include "render/view/draw_list.h"
 #include "tests/view/hand_made.h"
 
 namespace braitenlab {
@@ -59,6 +62,33 @@ TEST(Trails, BreakWhereAVehicleWasPutElsewhere) {
     now.vehicles[0].x += 8;
     drive(now, trails, 7);
     EXPECT_LE(trails.of(0)->count, 2U);
+}
+
+TEST(Trails, GoOnOverTheEdgeOfATorus) {
+    auto scene = hand_made::scene();
+    scene->arena.edge = Edge::torus;
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, 9.5f, 0, 0);
+    Trails trails;
+    drive(now, trails, 30);
+    const std::size_t before = trails.of(0)->count;
+    now.vehicles[0].x -= 20;
+    drive(now, trails, 30);
+    EXPECT_GT(trails.of(0)->count, before);
+    DrawList list;
+    fill(list, now, {}, trails);
+    EXPECT_GT(list.trails.size(), 4U);
+    for (const TrailInstance& piece : list.trails) EXPECT_LT(std::fabs(piece.ends.x - piece.ends.z), 1);
+}
+
+TEST(Trails, SurviveAnEditOfTheScene) {
+    Snapshot now = one_vehicle();
+    Trails trails;
+    drive(now, trails, 60);
+    const std::size_t before = trails.of(0)->count;
+    now.scene = std::make_shared<Scene>(*now.scene);
+    drive(now, trails, 1);
+    EXPECT_GE(trails.of(0)->count, before);
 }
 
 TEST(Trails, OfVehiclesThatLeftAreForgotten) {

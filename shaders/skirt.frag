@@ -1,0 +1,9 @@
+// The shadow round the feet of what block.vert places.
+in float v_far;
+
+out vec4 colour;
+
+void main() {
+    float t = clamp(1.0 - v_far, 0.0, 1.0);
+    colour = vec4(shadow_colour.rgb, 1.0) * shadow_colour.a * t * t;
+}

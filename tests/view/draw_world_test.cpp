@@ -1,0 +1,153 @@
+// What stands and lies in the arena, in the draw list.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "render/view/draw_list.h"
+#include "tests/view/hand_made.h"
+
+namespace braitenlab {
+namespace {
+
+DrawList drawn(const Snapshot& now, const Picture& picture = {}) {
+    DrawList list;
+    fill(list, now, picture, Trails{});
+    return list;
+}
+
+std::shared_ptr<Scene> bare() {
+    auto scene = hand_made::scene();
+    scene->arena.edge = Edge::open;
+    return scene;
+}
+
+int count(const DrawList& list, Pattern pattern) {
+    return static_cast<int>(std::count_if(list.zones.begin(), list.zones.end(), [&](const ZoneInstance& zone) {
+        return zone.shape.w == static_cast<float>(pattern);
+    }));
+}
+
+TEST(DrawWorld, StandsAnObstacleWhereItWasPushedTo) {
+    auto scene = bare();
+    scene->obstacles.push_back({.name = "crate", .x = 1, .y = 2, .mass = 5});
+    Snapshot now = hand_made::empty(scene);
+    now.obstacles = {{3, 4, maths::pi / 2}};
+    const BlockInstance block = drawn(now).blocks.at(0);
+    EXPECT_EQ(block.place.x, 3);
+    EXPECT_EQ(block.place.y, 4);
+    EXPECT_NEAR(block.place.w, 1, 1e-5);
+    EXPECT_EQ(block.colour.w, 1);  // can be pushed
+}
+
+TEST(DrawWorld, GivesAnObstacleItsOwnCorners) {
+    auto scene = bare();
+    scene->obstacles.push_back({.name = "box", .length = 4, .width = 2});
+    scene->obstacles.push_back({.name = "wedge", .corners = {{-1, -1}, {1.5f, 0}, {-1, 1}}});
+    const DrawList list = drawn(hand_made::empty(scene));
+    ASSERT_EQ(list.blocks.size(), 2U);
+    EXPECT_EQ(list.blocks[0].size.z, 4);
+    EXPECT_EQ(list.blocks[0].corners[0].z, 2);   // the second corner: ahead
+    EXPECT_EQ(list.blocks[0].corners[0].w, -1);  // on the right
+    EXPECT_EQ(list.blocks[1].size.z, 3);
+    EXPECT_EQ(list.blocks[1].corners[0].z, 1.5f);
+    EXPECT_EQ(list.blocks[1].corners[1].y, 1);
+    EXPECT_EQ(list.blocks[0].colour.w, 0);
+}
+
+TEST(DrawWorld, StandsASolidSourceOnAPost) {
+    auto scene = bare();
+    scene->sources.push_back({.name = "ghost", .x = 0});
+    scene->sources.push_back({.name = "post", .x = 5, .solid = true});
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add_source(now, Channel::light, 0, 0);
+    hand_made::add_source(now, Channel::light, 6, 0);  // dragged
+    const DrawList list = drawn(now);
+    ASSERT_EQ(list.blocks.size(), 1U);
+    EXPECT_EQ(list.blocks[0].place.x, 6);
+    const maths::vec4 first = list.blocks[0].corners[0];
+    EXPECT_NEAR(std::hypot(first.x, first.y), solid_source_radius, 1e-5);
+    EXPECT_EQ(list.sources[0].size(), 2U);
+}
+
+TEST(DrawWorld, PutsCarriedLampsOnTheirVehicle) {
+    auto scene = bare();
+    scene->kinds[0].lamps.push_back(
+        {.name = "torch", .channel = Channel::heat, .x = -0.2f, .y = 0.1f, .strength = 0.5f});
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, 1, 2, maths::pi / 2);
+    const DrawList list = drawn(now);
+    ASSERT_EQ(list.sources[1].size(), 1U);
+    EXPECT_NEAR(list.sources[1][0].place.x, 0.9f, 1e-5);
+    EXPECT_NEAR(list.sources[1][0].place.y, 1.8f, 1e-5);
+    EXPECT_GT(list.sources[1][0].colour.w, 0.2f);  // on the deck
+    EXPECT_EQ(list.halos.size(), 1U);
+    EXPECT_EQ(list.lamps.size(), 1U);
+}
+
+TEST(DrawWorld, ShowsEachOfAZonesEffects) {
+    auto scene = bare();
+    scene->zones.push_back({.name = "a", .surface = Surface::ice, .recharge = 0.1f});
+    scene->zones.push_back({.name = "b", .surface = Surface::sand, .wind_x = 2, .slope = 0.1f, .pull = -3});
+    scene->zones.push_back({.name = "c"});  // nothing is different
+    const DrawList list = drawn(hand_made::empty(scene));
+    EXPECT_EQ(list.zones.size(), 6U);
+    for (const Pattern p :
+         {Pattern::ice, Pattern::recharge, Pattern::sand, Pattern::wind, Pattern::slope, Pattern::push})
+        EXPECT_EQ(count(list, p), 1) << static_cast<int>(p);
+    Picture picture;
+    picture.overlays.surfaces = false;
+    EXPECT_TRUE(drawn(hand_made::empty(scene), picture).zones.empty());
+}
+
+TEST(DrawWorld, BlowsTheWindInTheWorldsDirectionHoweverTheZoneIsTurned) {
+    auto scene = bare();
+    scene->zones.push_back({.name = "a", .heading = maths::pi / 2, .wind_x = 2});
+    const ZoneInstance zone = drawn(hand_made::empty(scene)).zones.at(0);
+    EXPECT_NEAR(zone.flow.x, 0, 1e-5);  // in its own frame
+    EXPECT_NEAR(zone.flow.y, -1, 1e-5);
+}
+
+TEST(DrawWorld, ShowsTheSelectedVehiclesMemoryStrongerAndHidesItWhenAsked) {
+    Snapshot now = hand_made::empty(bare());
+    now.marks = {{0, 1, 1, 0.6f}, {1, 2, 2, 0.6f}};
+    Picture picture;
+    picture.selected = 1;
+    const DrawList list = drawn(now, picture);
+    ASSERT_EQ(list.marks.size(), 2U);
+    EXPECT_GT(list.marks[1].colour.w, 2 * list.marks[0].colour.w);
+    EXPECT_EQ(list.marks[0].shape.w, static_cast<float>(MarkKind::memory));
+    picture.overlays.memory = false;
+    EXPECT_TRUE(drawn(now, picture).marks.empty());
+}
+
+TEST(DrawWorld, FadesMemoryWithItsStrength) {
+    Snapshot now = hand_made::empty(bare());
+    now.marks = {{0, 1, 1, 0.7f}, {0, 2, 2, 0.1f}};
+    const DrawList list = drawn(now);
+    EXPECT_GT(list.marks[0].colour.w, list.marks[1].colour.w);
+}
+
+TEST(DrawWorld, ShowsAtTheOtherEdgeOfATorusWhatReachesOverOne) {
+    auto scene = bare();
+    scene->arena.edge = Edge::torus;
+    for (Sensor& eye : scene->kinds[0].sensors) eye.range = 3;
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, 9.8f, 0, 0);
+    DrawList list = drawn(now);
+    ASSERT_EQ(list.hulls[0].size(), 2U);
+    EXPECT_NEAR(list.hulls[0][1].place.x, -10.2f, 1e-4);
+    EXPECT_EQ(list.fields.size(), 4U);
+    now.vehicles[0].x = 8;  // the body is inside, its fields reach over
+    list = drawn(now);
+    EXPECT_EQ(list.hulls[0].size(), 1U);
+    EXPECT_EQ(list.fields.size(), 4U);
+    now.vehicles[0].x = 0;
+    EXPECT_EQ(drawn(now).fields.size(), 2U);
+    scene->arena.edge = Edge::wall;
+    now.vehicles[0].x = 9.8f;
+    EXPECT_EQ(drawn(now).hulls[0].size(), 1U);
+}
+
+}  // namespace
+}  // namespace braitenlab
