@@ -16,12 +16,6 @@ namespace braitenlab {
 // everyone).
 enum class Keep { edits, brains };
 
-// A run that can be put away and gone on with: how it began, and where it stands.
-struct SavedRun {
-    Scene opened;
-    Save save;
-};
-
 // A moment to come back to.
 struct Bookmark {
     Save save;

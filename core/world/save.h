@@ -29,4 +29,10 @@ struct Save {
     std::uint64_t tick = 0;               // the saved moment; at most keyframe_ticks after the keyframe
 };
 
+// A run that can be put away and gone on with: how it began, and where it stands.
+struct SavedRun {
+    Scene opened;
+    Save save;
+};
+
 }  // namespace braitenlab

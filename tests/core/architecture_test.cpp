@@ -34,6 +34,7 @@ const std::map<std::string, std::vector<std::string>> libraries{
     {"<GL/", {"render/gl/", "app/window.cpp"}},
     {"<GLFW/", {"app/window.cpp"}},
     {"<imgui", {"ui/", "app/"}},
+    {"<nlohmann/", {"core/world/json.h", "app/"}},
 };
 
 std::string folder_of(const std::string& file) {

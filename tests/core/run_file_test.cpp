@@ -1,0 +1,124 @@
+#include "core/world/run_file.h"
+
+#include <gtest/gtest.h>
+
+#include "core/maths/random.h"
+#include "core/scene/scene_file.h"
+#include "core/session/session.h"
+#include "core/world/world.h"
+#include "tests/core/scenes.h"
+
+namespace braitenlab {
+namespace {
+
+void steps(World& world, int count) {
+    for (int i = 0; i < count; ++i) world.step();
+}
+
+// A run in which something of everything has been done.
+Session busy_session(const Scene& scene, int ticks) {
+    Session session = std::move(*Session::open(scene, 3));
+    for (int i = 0; i < ticks; ++i) session.step();
+    Source stove{"", Channel::heat, 2, 2, 1, true};
+    (void)session.apply(TurnDial{{.kind = 0}, Dial::LL, 1.5f});
+    (void)session.apply(AddVehicle{});
+    (void)session.apply(AddVehicle{0, Pose{1, 2, 3}});
+    (void)session.apply(RemoveVehicle{0});
+    session.undo();
+    (void)session.apply(MoveVehicle{1, 1, 2, 0.5f});
+    (void)session.apply(ChooseDriver{1, Driver::manual});
+    (void)session.apply(Steer{1, 0.5f, 1});
+    (void)session.apply(AddSource{stove});
+    stove.strength = 0.5f;
+    (void)session.apply(EditSource{0, stove});
+    (void)session.apply(MoveSource{0, 1, 3});
+    (void)session.apply(AddObstacle{{"", -2, -2, 0.3f, 2, 1}});
+    (void)session.apply(MoveObstacle{0, -3, -2, 0.3f});
+    (void)session.apply(EditObstacle{0, {"", -3, -2, 0, 1, 1, {{-1, -1}, {1, -1}, {0, 1}}, 5}});
+    (void)session.apply(SetSensors{0, session.snapshot().scene->kinds[0].sensors});
+    (void)session.apply(SetBrain{{.kind = 0}, *session.snapshot().kind_brains[0]});
+    for (int i = 0; i < 40; ++i) session.step();
+    (void)session.apply(RemoveSource{0});
+    (void)session.apply(RemoveObstacle{0});
+    (void)session.apply(NewPopulation{});
+    for (int i = 0; i < 30; ++i) session.step();
+    return session;
+}
+
+TEST(RunFile, GoesOnExactlyAsTheSavedRunDoesInEveryShippedScene) {
+    for (const auto& path : tests::shipped_scenes()) {
+        for (const int ticks : {10, 290, 777}) {
+            Session session = busy_session(*load_scene(path), ticks);
+            auto run = read_run(write_run(session.save()), "a.run");
+            ASSERT_TRUE(run) << path << ": " << run.error().text();
+            Session resumed = Session::resume(std::move(*run));
+            EXPECT_EQ(resumed.hash(), session.hash()) << path;
+            for (int i = 0; i < 700; ++i) session.step(), resumed.step();
+            EXPECT_EQ(resumed.hash(), session.hash()) << path;
+            session.reset();
+            resumed.reset();
+            EXPECT_EQ(resumed.hash(), session.hash()) << path;
+        }
+    }
+}
+
+TEST(RunFile, WritesTheSameTextAgain) {
+    const std::string text = write_run(busy_session(tests::crowd(6), 400).save());
+    EXPECT_EQ(write_run(*read_run(text, "a.run")), text);
+}
+
+TEST(RunFile, SaysOfAnotherFileThatItIsNone) {
+    for (const char* text :
+         {"", "format = 1", "{}", "[]", "{\"braitenlab_run\": 2}", "{\"braitenlab_run\": 1}", "\xff"}) {
+        const auto run = read_run(text, "a.run");
+        ASSERT_FALSE(run) << text;
+        EXPECT_EQ(run.error().text().rfind("a.run: is no saved run", 0), 0u) << run.error().text();
+    }
+    EXPECT_FALSE(load_run("/nowhere/a.run"));
+}
+
+TEST(RunFile, RefusesDeepNestingAndGiantNumbers) {
+    EXPECT_FALSE(read_run(std::string(1000000, '['), "a.run"));
+    EXPECT_FALSE(read_run("{\"braitenlab_run\": 1, \"tick\": 1e300}", "a.run"));
+}
+
+// Swaps, drops and repeats stretches and digits of a good file: whatever comes of it is refused or runs.
+TEST(RunFile, FromAStrangerCannotCrash) {
+    const std::string good = write_run(busy_session(tests::crowd(4), 20).save());
+    maths::Random chance{5, 1};
+    const auto below = [&](std::size_t n) { return static_cast<std::size_t>(chance.next()) % n; };
+    int accepted = 0;
+    for (int round = 0; round < 1000; ++round) {
+        std::string text = good;
+        const std::size_t at = below(text.size());
+        switch (below(5)) {
+            case 0:
+                text[at] = static_cast<char>(below(256));
+                break;
+            case 1:
+                text.erase(at, below(40));
+                break;
+            case 2:
+                text.insert(at, text.substr(below(text.size()), below(40)));
+                break;
+            case 3: {
+                const std::size_t digit = text.find_first_of("0123456789", at);
+                if (digit != std::string::npos) text[digit] = static_cast<char>('0' + below(10));
+                break;
+            }
+            default: {
+                const std::size_t digit = text.find_first_of("0123456789", at);
+                if (digit != std::string::npos) text.insert(digit, "-");
+            }
+        }
+        auto run = read_run(text, "a.run");
+        if (!run) continue;
+        ++accepted;
+        World world = World::restore(run->save);
+        steps(world, 5);
+    }
+    EXPECT_GT(accepted, 20);
+}
+
+}  // namespace
+}  // namespace braitenlab
