@@ -177,8 +177,9 @@ private:
         const VehicleView* followed =
             rides(lab_.camera.mode) ? find_vehicle(lab_.session.snapshot(), lab_.selected) : nullptr;
         aim(followed, area, layout.scene, passed);
-        drive_viewport(lab_, viewport_, sight_, arrows_are_free && panels_.keyboard.focus.empty() ? arrows() : Arrows{},
-                       passed);
+        const Arrows held = arrows_are_free && panels_.keyboard.focus.empty() ? arrows() : Arrows{};
+        const bool steers = steer_by_keys(lab_, held.turn, held.raise);
+        drive_viewport(lab_, viewport_, sight_, steers ? Arrows{} : held, passed);
         draw_scene();
         window_.bind();
         window_.end_frame();

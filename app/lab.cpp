@@ -7,6 +7,7 @@
 #include "app/data.h"
 #include "core/match.h"
 #include "core/scene/scene_file.h"
+#include "ui/steering.h"
 
 namespace braitenlab {
 
@@ -118,6 +119,15 @@ void look_through(Lab& lab, CameraMode mode) {
     lab.camera.zoom = 1;  // how near the overview was says nothing about how near to ride
 }
 
+// A person takes the wheel, or gives it back to who had it.
+void drive(Lab& lab) {
+    const VehicleView* vehicle = selected_vehicle(lab);
+    if (!vehicle) return;
+    const Driver kinds = lab.session.snapshot().scene->kinds[static_cast<std::size_t>(vehicle->kind)].driver;
+    const Driver others = kinds == Driver::manual ? Driver::brain : kinds;
+    apply(lab, ChooseDriver{vehicle->id, vehicle->driver == Driver::manual ? others : Driver::manual});
+}
+
 void act(Lab& lab, Action action) {
     switch (action) {
         case Action::play_pause:
@@ -168,6 +178,9 @@ void act(Lab& lab, Action action) {
             break;
         case Action::redo:
             lab.session.redo(), keep_selection(lab);
+            break;
+        case Action::drive:
+            drive(lab);
             break;
         case Action::slower:
             change_speed(lab, -1);
@@ -228,7 +241,9 @@ Result<Lab> open_lab(const std::filesystem::path& path, std::optional<std::uint6
     }
     auto session = Session::open(*scene, seed.value_or(exercise ? exercise->seed : 1));
     if (!session) return session.error();
-    Lab lab{.session = std::move(*session), .name = path.stem().string()};
+    Lab lab{.session = std::move(*session),
+            .name = path.stem().string(),
+            .file = std::make_shared<const Scene>(std::move(*scene))};
     if (exercise) {
         auto shared = std::make_shared<const Exercise>(std::move(*exercise));
         lab.lesson = Lesson{shared, Referee(*shared), {.exercise = shared.get()}};
@@ -263,6 +278,23 @@ void handle(Lab& lab, const Request& request) {
         request);
 }
 
+bool steer_by_keys(Lab& lab, float right, float ahead) {
+    const VehicleView* vehicle = selected_vehicle(lab);
+    const bool drives = vehicle && vehicle->driver == Driver::manual;
+    // Whoever was steered and is left to itself lets go of the wheel.
+    if (lab.steered.vehicle != no_vehicle && (!drives || vehicle->id != lab.steered.vehicle)) {
+        (void)lab.session.apply(steer(lab.steered.vehicle, 0, 0));
+        lab.steered = {};
+    }
+    if (!drives) return false;
+    const Steer wanted = steer(vehicle->id, right, ahead);
+    const bool idle = right == 0 && ahead == 0;
+    if (idle && lab.steered.vehicle == no_vehicle) return true;  // the stick may hold it
+    if (wanted != lab.steered) (void)lab.session.apply(wanted);
+    lab.steered = idle ? Steer{} : wanted;
+    return true;
+}
+
 void advance(Lab& lab, double wall_seconds) {
     lab.wall_seconds += wall_seconds;
     if (lab.wall_seconds >= lab.notice_until) lab.notice.clear();
@@ -288,6 +320,7 @@ float between_ticks(const Lab& lab) {
 LabView view_of(const Lab& lab) {
     LabView view;
     view.now = &lab.session.snapshot();
+    view.file = lab.file.get();
     view.mode = lab.mode;
     view.time_scale = lab.time_scale;
     view.selected = lab.selected;

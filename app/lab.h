@@ -30,7 +30,8 @@ struct Lesson {
 
 struct Lab {
     Session session;
-    std::string name;  // of the file, without folder and ending
+    std::string name;                   // of the file, without folder and ending
+    std::shared_ptr<const Scene> file;  // the scene as it was read
     std::optional<Lesson> lesson;
 
     Mode mode = Mode::paused;
@@ -40,6 +41,7 @@ struct Lab {
     std::int64_t toggles = 0;         // changes between playing and not playing
     VehicleId selected = no_vehicle;
     bool whole_kind = true;
+    Steer steered;  // by the arrow keys, last
     bool sensors = true, outlines = false;
     Camera camera;
     Preferences preferences;
@@ -64,6 +66,10 @@ void advance(Lab&, double wall_seconds);
 
 // One tick, whatever the mode.
 void tick(Lab&);
+
+// Arrow keys while the selected vehicle is driven by hand: `right` and `ahead` are −1, 0 or 1. False where nobody
+// drives, and the keys are the camera's.
+bool steer_by_keys(Lab&, float right, float ahead);
 
 // How far wall time has gone from the last tick but one to the last, 0..1; 1 while time stands still.
 float between_ticks(const Lab&);

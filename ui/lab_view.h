@@ -37,6 +37,7 @@ struct CatalogueEntry {
 
 struct LabView {
     const Snapshot* now = nullptr;  // never null
+    const Scene* file = nullptr;    // the scene as its file has it, before all edits; null: unknown
     Mode mode = Mode::paused;
     float time_scale = 1;  // simulated seconds per second, 1/8 … 16
     VehicleId selected = no_vehicle;

@@ -28,6 +28,8 @@ enum class Action {
     redo,
     slower,
     faster,
+    drive,   // by hand, or no longer
+    lesion,  // of what is under the pointer: covers, cuts, stops or heals it
     next_vehicle,
     previous_vehicle,
     home,
@@ -56,6 +58,7 @@ enum class Action {
     press,
     less,
     more,
+    restore,  // what the file says
     turn_left,
     turn_right,
     raise,

@@ -22,6 +22,8 @@ constexpr Shortcut table[]{
     {{'S'}, Action::sensors},
     {{'O'}, Action::outlines},
     {{'W'}, Action::wiring},
+    {{'G'}, Action::drive},
+    {{'L'}, Action::lesion},
     {{'-'}, Action::slower},
     {{'='}, Action::faster},
     {{'+'}, Action::faster},  // where the layout has it without Shift
@@ -63,6 +65,7 @@ constexpr Shortcut table[]{
     {{key::left, false, true}, Action::less, KeyPlace::widget},
     {{key::right}, Action::more, KeyPlace::widget},
     {{key::right, false, true}, Action::more, KeyPlace::widget},
+    {{key::del}, Action::restore, KeyPlace::widget},
     {{key::escape}, Action::cancel, KeyPlace::widget},
 
     {{key::del}, Action::erase, KeyPlace::canvas},
@@ -92,6 +95,9 @@ constexpr NamedAction names[]{
     {Action::redo, "redo"},
     {Action::slower, "slower"},
     {Action::faster, "faster"},
+    {Action::drive, "drive"},
+    {Action::lesion, "lesion"},
+    {Action::restore, "restore"},
     {Action::next_vehicle, "next_vehicle"},
     {Action::previous_vehicle, "previous_vehicle"},
     {Action::home, "home"},

@@ -132,6 +132,8 @@ bool panels_own(PanelState& state, Action action, KeyPress press) {
         state.open_menu = state.focus_open_menu = !state.open_menu;
     else if (action == Action::settings)
         state.sheet = Sheet::settings, state.open_menu = false;
+    else if (action == Action::lesion && !state.lesion_under_pointer.empty())
+        state.lesion_wanted = state.lesion_under_pointer;
     else
         return false;
     return true;

@@ -67,6 +67,37 @@ TEST(Camera, LeavesAWayOfLookingByTheSameKey) {
     EXPECT_EQ(lab.camera.mode, CameraMode::overview);
 }
 
+TEST(Driving, TakesTheArrowKeysToTheWheelsUntilTheyAreLetGo) {
+    Lab lab = open("2a-coward");
+    EXPECT_FALSE(steer_by_keys(lab, 0, 1)) << "while its brain drives, the keys are the camera's";
+    handle(lab, Action::drive);
+    const auto moved_in_a_second = [&] {
+        for (int i = 0; i < 60; ++i) tick(lab);
+        return lab.session.snapshot().vehicles[0].motor;
+    };
+    EXPECT_TRUE(steer_by_keys(lab, 0, 1));
+    EXPECT_EQ(moved_in_a_second(), (std::array{1.0f, 1.0f}));
+    steer_by_keys(lab, 1, 0);
+    const auto turning = moved_in_a_second();
+    EXPECT_GT(turning[0], 0) << "to the right";
+    EXPECT_FLOAT_EQ(turning[1], -turning[0]);
+    steer_by_keys(lab, 0, 0);
+    EXPECT_EQ(moved_in_a_second(), (std::array{0.0f, 0.0f}));
+    handle(lab, Action::drive);
+    EXPECT_EQ(lab.session.snapshot().vehicles[0].driver, Driver::brain);
+    EXPECT_NE(moved_in_a_second(), (std::array{0.0f, 0.0f})) << "and the brain goes on";
+}
+
+TEST(Driving, LetsGoOfAVehicleThatIsNoLongerSelected) {
+    Lab lab = open("predator-prey");
+    handle(lab, Action::drive);
+    steer_by_keys(lab, 0, 1);
+    handle(lab, Action::next_vehicle);
+    EXPECT_FALSE(steer_by_keys(lab, 0, 1));
+    tick(lab);
+    EXPECT_EQ(lab.session.snapshot().vehicles[0].motor, (std::array{0.0f, 0.0f}));
+}
+
 TEST(Selection, MovesOnWhenItsVehicleLeaves) {
     Lab lab = open("predator-prey");
     EXPECT_EQ(lab.selected, 0);

@@ -32,6 +32,26 @@ TEST(MotorSums, AreProductsAndBiasWhereABrainHasFourWires) {
     EXPECT_FALSE(sums[0].more_wires);
 }
 
+TEST(MotorSums, SayWhatALesionTakesAway) {
+    Snapshot now = snapshot(0);
+    BrainGraph hurt = *now.brains[0];
+    find_node(hurt, "SR")->silenced = true;
+    find_wire(hurt, 0, 2)->cut = true;  // LL
+    now.brains[0] = std::make_shared<BrainGraph>(hurt);
+    const auto sums = motor_sums(now, now.vehicles[0]);
+    EXPECT_TRUE(sums[0].products[0].cut);
+    EXPECT_EQ(sums[0].products[0].value, 0);
+    EXPECT_EQ(sums[1].products[0].input, 0) << "a covered eye reads nothing";
+    EXPECT_FALSE(sums[0].more_wires) << "a lesion is no further wire";
+
+    find_node(hurt, "MR")->silenced = true;
+    now.brains[0] = std::make_shared<BrainGraph>(hurt);
+    now.vehicles[0].motor[1] = 0;
+    const auto stopped = motor_sums(now, now.vehicles[0]);
+    EXPECT_TRUE(stopped[1].stopped);
+    EXPECT_EQ(stopped[1].others, 0) << "a stopped motor is not braked by further wires";
+}
+
 TEST(MotorSums, CountWhatFurtherWiresBring) {
     const Snapshot now = with_a_third_wire(0.5f, -0.8f);
     const auto sums = motor_sums(now, now.vehicles[0]);

@@ -64,7 +64,26 @@ TEST(Slider, TurnsTheWholeKindOrTheOneVehicleAsTheScopeSays) {
     EXPECT_EQ(turned(edits[1]).target.vehicle, 0);
 }
 
-TEST(Slider, RightClickSetsZero) {
+TEST(Slider, RightClickBringsBackTheFilesValue) {
+    Desk desk;
+    const auto file = desk.now.scene;  // where LR is 1.5
+    desk.view.file = file.get();
+    BrainGraph edited = *desk.now.brains[0];
+    turn(edited, Dial::LR, -0.6f);
+    desk.now.brains[0] = std::make_shared<BrainGraph>(edited);
+    desk.frame(3);
+    desk.click("slider.LR", 1);
+    ASSERT_EQ(desk.edits().size(), 1u);
+    EXPECT_FLOAT_EQ(turned(desk.edits()[0]).value, 1.5f);
+    desk.all.clear();
+    desk.key({'2'});
+    desk.key({key::del});  // the same without a mouse
+    desk.frame();
+    ASSERT_EQ(desk.edits().size(), 1u);
+    EXPECT_FLOAT_EQ(turned(desk.edits()[0]).value, 1.5f);
+}
+
+TEST(Slider, RightClickSetsZeroWhereThereIsNoFile) {
     Desk desk;
     desk.frame(3);
     desk.click("slider.LR", 1);
@@ -92,6 +111,49 @@ TEST_P(Typing, ClampsToTheRange) {
 INSTANTIATE_TEST_SUITE_P(Numbers, Typing,
                          ::testing::Values(std::pair{"0.75", 0.75f}, std::pair{"9", 2.0f}, std::pair{"-7.5", -2.0f},
                                            std::pair{"0,5", 0.5f}));
+
+class Nonsense : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Nonsense, IsRefused) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("slider.LR", 0, 0.95f);
+    desk.type(GetParam());
+    desk.frame(2);
+    desk.key({key::enter});
+    desk.frame(2);
+    EXPECT_TRUE(desk.edits().empty());
+    EXPECT_TRUE(desk.panels.sliders.typed.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Words, Nonsense, ::testing::Values("-", "1.2.3", "+-", "nan", "inf"));
+
+TEST(Slider, DoubleClickOnTheTrackOpensTheNumberAndLeavesTheValueAlone) {
+    Desk desk;
+    desk.frame(3);
+    const auto press = [&] {
+        desk.button(0, true);
+        desk.frame();
+        // What the app would do between two frames.
+        for (const EditRequest& edit : desk.edits()) {
+            BrainGraph brain = *desk.now.brains[0];
+            turn(brain, turned(edit).dial, turned(edit).value);
+            desk.now.brains[0] = std::make_shared<BrainGraph>(brain);
+        }
+        desk.button(0, false);
+        desk.frame();
+    };
+    desk.point("slider.LL", 0.6f);
+    desk.frame(2);
+    press();
+    EXPECT_NE(read_dials(*desk.now.brains[0]).LL, 0) << "one click takes the knob there";
+    press();
+    EXPECT_EQ(desk.panels.sliders.typed, "slider.LL");
+    EXPECT_STREQ(desk.panels.sliders.text, "0.00");
+    const auto edits = desk.edits();
+    EXPECT_EQ(turned(edits.back()).value, 0);
+    EXPECT_EQ(edits.back().gesture, edits.front().gesture) << "one step, which ends where it began";
+}
 
 TEST(Slider, EscapeLeavesTheNumberAsItWas) {
     Desk desk;

@@ -8,6 +8,7 @@
 
 #include "core/brain/presets.h"
 #include "core/brain/recogniser.h"
+#include "core/scene/names.h"
 #include "desk.h"
 #include "ui/shortcuts.h"
 
@@ -68,6 +69,11 @@ std::set<std::string> composed() {
     for (int i = 0; i <= static_cast<int>(Character::mixed); ++i)
         for (const char* stem : {"character.", "character_story."})
             keys.insert(stem + std::string(name(static_cast<Character>(i))));
+    for (const auto& driver : driver_words) {
+        if (driver.value == Driver::brain) continue;
+        keys.insert("driver." + std::string(driver.word));
+        keys.insert("drive." + std::string(driver.word));
+    }
     for (const Preset& preset : presets())
         for (const char* stem : {"preset.", "preset_story."}) keys.insert(stem + std::string(preset.name));
     return keys;

@@ -8,6 +8,8 @@
 #include "core/brain/presets.h"
 #include "core/scene/names.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/selected.h"
+#include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/widgets/button.h"
@@ -19,18 +21,6 @@ namespace braitenlab {
 namespace {
 
 constexpr float low_column = 680;  // layout pixels: below it the picture is smaller
-
-const std::shared_ptr<const BrainGraph>& brain_of(const Snapshot& now, const VehicleView& vehicle) {
-    return now.brains[static_cast<std::size_t>(vehicle.brain)];
-}
-
-const Kind& kind_of(const Snapshot& now, const VehicleView& vehicle) {
-    return now.scene->kinds[static_cast<std::size_t>(vehicle.kind)];
-}
-
-Target target_of(const LabView& view, const VehicleView& vehicle) {
-    return view.whole_kind ? Target{no_vehicle, vehicle.kind} : Target{vehicle.id, -1};
-}
 
 Character recognised(PanelState& state, const std::shared_ptr<const BrainGraph>& brain) {
     if (state.recognised.brain != brain) state.recognised = {brain, recognise(*brain)};
@@ -47,17 +37,21 @@ void title(const LabView& view, PanelState& state, Ui& ui, const VehicleView& ve
     const std::string kind =
         lone_kind ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind_of(*view.now, vehicle));
     const std::string name = kind + " " + std::to_string(vehicle.id + 1);
-    const std::string_view character = braitenlab::name(recognised(state, brain_of(*view.now, vehicle)));
-    const std::string_view word = ui.strings.find("character." + std::string(character), character);
+    // Where its brain has no say, the chip says who drives.
+    const bool thinks = vehicle.driver == Driver::brain;
+    const std::string_view character =
+        thinks ? braitenlab::name(recognised(state, brain_of(*view.now, vehicle))) : word(vehicle.driver);
+    const std::string_view label =
+        ui.strings.find((thinks ? "character." : "driver.") + std::string(character), character);
     const float left = at.x + size + ui.px(8), name_width = text_width(ui, Face::title, name);
-    const float word_width = chip_width(ui, word),
+    const float word_width = chip_width(ui, label),
                 word_left = std::min(left + name_width + ui.px(10), at.x + width - word_width);
     ImGui::PushClipRect(at, {word_left - ui.px(4), at.y + height}, true);
     put(ui, {left, at.y}, name, ui.palette.text, Face::title);
     ImGui::PopClipRect();
-    chip(ui, {word_left, at.y + height / 2}, word);
+    chip(ui, {word_left, at.y + height / 2}, label);
     const Item row = item(ui, "brain.character", {width, height}, false);
-    tooltip(ui, row, ui.strings("character_story." + std::string(character)));
+    if (row.hovered) tooltip(ui, row, ui.strings((thinks ? "character_story." : "drive.") + std::string(character)));
 }
 
 void scope(const LabView& view, Ui& ui, const VehicleView& vehicle) {
@@ -68,86 +62,6 @@ void scope(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const int chosen = segments(ui, "scope", words, view.whole_kind ? 1 : 0, card_width(ui));
     if (chosen >= 0) ui.outbox.push_back(ScopeRequest{chosen == 1});
 }
-
-struct DialSlider {
-    Dial dial;
-    std::string_view anchor, tooltip;
-};
-
-constexpr DialSlider weights[]{{Dial::LL, "slider.LL", "dial.LL"},
-                               {Dial::LR, "slider.LR", "dial.LR"},
-                               {Dial::RL, "slider.RL", "dial.RL"},
-                               {Dial::RR, "slider.RR", "dial.RR"}};
-constexpr std::string_view threshold_anchors[]{"threshold.LL", "threshold.LR", "threshold.RL", "threshold.RR"};
-constexpr DialSlider biases[]{{Dial::LM, "bias.LM", "dial.LM"}, {Dial::RM, "bias.RM", "dial.RM"}};
-
-class Dials {
-public:
-    Dials(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle)
-        : view_(view),
-          state_(state),
-          ui_(ui),
-          target_(target_of(view, vehicle)),
-          values_(read_dials(*brain_of(*view.now, vehicle))) {}
-
-    void draw() {
-        const float width = card_width(ui_), space = ui_.px(14);
-        const float threshold_width = ui_.px(104), weight_width = width - threshold_width - space;
-        captions(weight_width + space);
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {space, 0});
-        for (std::size_t i = 0; i < std::size(weights); ++i) {
-            turn(weights[i].dial, weights[i].anchor, weight_width, weight_look(weights[i]));
-            ImGui::SameLine();
-            turn(threshold_of(weights[i].dial), threshold_anchors[i], threshold_width, threshold_look());
-        }
-        const float half = (width - space) / 2;
-        for (const DialSlider& bias : biases) {
-            turn(bias.dial, bias.anchor, half, bias_look(bias));
-            if (bias.dial == Dial::LM) ImGui::SameLine();
-        }
-        ImGui::PopStyleVar();
-    }
-
-private:
-    void captions(float threshold_x) {
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        put(ui_, at, ui_.strings("brain.weight"), ui_.palette.second_text, Face::small);
-        put(ui_, {at.x + threshold_x, at.y}, ui_.strings("brain.threshold"), ui_.palette.second_text, Face::small);
-        ImGui::Dummy({1, line_height(ui_, Face::small) - ui_.px(1)});
-    }
-
-    SliderLook weight_look(const DialSlider& which) const {
-        SliderLook look;
-        look.words = name(which.dial);
-        look.tooltip = ui_.strings(which.tooltip);
-        return look;
-    }
-    SliderLook threshold_look() const {
-        SliderLook look;
-        look.tooltip = ui_.strings("dial.threshold");
-        look.low = 0, look.high = 1;
-        look.signed_number = look.meaning = false;
-        look.words_width = 0, look.number_width = 38;
-        return look;
-    }
-    SliderLook bias_look(const DialSlider& which) const {
-        SliderLook look = weight_look(which);
-        look.low = -1, look.high = 1;
-        look.words_width = 28;
-        return look;
-    }
-
-    void turn(Dial dial, std::string_view anchor, float width, const SliderLook& look) {
-        const auto edit = slider(ui_, state_.sliders, anchor, at(values_, dial), width, view_.wall_seconds, look);
-        if (edit) ui_.outbox.push_back(EditRequest{TurnDial{target_, dial, edit->value}, edit->gesture});
-    }
-
-    const LabView& view_;
-    PanelState& state_;
-    Ui& ui_;
-    Target target_;
-    FourNeurons values_;
-};
 
 // The canonical vehicles, one click away.
 void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, bool wanted,
@@ -189,20 +103,34 @@ std::string kind_name(const Ui& ui, const Kind& kind) {
 
 void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect room) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
-    HeadingButton choose{"button.presets", ui.strings("button.presets"), ui.strings("tooltip.presets")};
-    const bool open =
-        begin_card(ui, state.brain, "card.brain", ui.strings("brain.heading"), place, vehicle ? &choose : nullptr);
+    state.lesion_under_pointer.clear();
+    const std::string keys = key_name(Action::drive, ui.strings);
+    const bool by_hand = vehicle && vehicle->driver == Driver::manual;
+    std::array buttons{
+        HeadingButton{"button.presets", ui.strings("button.presets"), ui.strings("tooltip.presets")},
+        HeadingButton{"button.drive", ui.strings("button.drive"), ui.strings("tooltip.drive"), keys, by_hand}};
+    const bool open = begin_card(ui, state.brain, "card.brain", ui.strings("brain.heading"), place,
+                                 vehicle ? std::span(buttons) : std::span<HeadingButton>{});
     if (open && !vehicle) paragraph(ui, ui.strings("brain.nobody"), ui.palette.second_text);
     if (open && vehicle) {
+        if (buttons[1].pressed) {
+            ui.outbox.push_back(Action::drive);
+            state.keyboard.focus.clear();  // the arrow keys are to steer, not to walk the card
+        }
         title(view, state, ui, *vehicle);
         scope(view, ui, *vehicle);
-        Dials(view, state, ui, *vehicle).draw();
+        dial_sliders(view, state, ui, *vehicle);
         gap(ui, 8);
-        equations(view, ui, *vehicle);
+        if (vehicle->driver == Driver::brain)
+            equations(view, ui, *vehicle);
+        else
+            driver_panel(state, ui, *vehicle);
         // The wiring canvas shows the same, larger.
-        if (view.mode != Mode::wiring) brain_picture(view, ui, *vehicle, room.h < ui.px(low_column) ? 90 : 116);
-        presets_menu(view, state, ui, *vehicle, choose.pressed, {place.x + place.w - ui.px(16), place.y + ui.px(36)});
+        if (view.mode != Mode::wiring) brain_picture(view, state, ui, *vehicle, room.h < ui.px(low_column) ? 90 : 116);
+        presets_menu(view, state, ui, *vehicle, buttons[0].pressed,
+                     {place.x + place.w - ui.px(16), place.y + ui.px(36)});
     }
+    state.lesion_wanted.clear();
     end_card(state.brain);
 }
 

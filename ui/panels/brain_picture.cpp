@@ -1,16 +1,18 @@
-// The two-eyed brain seen from above, nose up, with this moment's signals on its wires.
+// The two-eyed brain seen from above, nose up, with this moment's signals on its wires. A click on an eye covers it, on
+// a wire cuts it, on a wheel stops its motor; another heals.
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <optional>
 #include <string>
 
 #include <imgui.h>
 
 #include "core/brain/four_neurons.h"
-#include "ui/imgui_compat.h"
+#include "ui/panels/brain_sketch.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/selected.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
+#include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
@@ -19,6 +21,8 @@
 namespace braitenlab {
 
 namespace {
+
+constexpr float reach_of_wire = 7;  // layout pixels
 
 struct Place {
     ImVec2 eye[2], wheel[2];  // left, right
@@ -37,130 +41,204 @@ Place place(const Ui& ui, ImVec2 at, float width, float picture_height) {
     return p;
 }
 
-ImVec2 bezier(const std::array<ImVec2, 4>& p, float t) {
-    const float u = 1 - t, a = u * u * u, b = 3 * u * u * t, c = 3 * u * t * t, d = t * t * t;
-    return {a * p[0].x + b * p[1].x + c * p[2].x + d * p[3].x, a * p[0].y + b * p[1].y + c * p[2].y + d * p[3].y};
-}
+// An eye or a motor as a node of the brain; the one it lacks is null.
+struct End {
+    const char* name;
+    const char* anchor;
+    const Node* node = nullptr;
+    bool hurt() const { return node && node->silenced; }
+};
 
-// A wire: as wide as its weight, dashed where it has none, glowing with what it carries; ▶ excites, ● inhibits.
-void wire(const Ui& ui, ImVec2 from, ImVec2 to, float weight, float carried) {
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float bend = (to.y - from.y) * 0.45f;
-    const std::array<ImVec2, 4> p{{from, {from.x, from.y + bend}, {to.x, to.y - bend}, to}};
-    constexpr int pieces = 24;
-    if (std::fabs(weight) < 0.005f) {
-        for (int i = 0; i < pieces; i += 2)
-            draw.AddLine(bezier(p, static_cast<float>(i) / pieces), bezier(p, static_cast<float>(i + 1) / pieces),
-                         paint(ui.palette.second_text.with_alpha(0.55f)), ui.px(1));
-        return;
+struct Connection {
+    std::string_view letters, anchor;
+    int eye = 0, motor = 0;  // 0 left, 1 right
+    const Wire* wire = nullptr;
+    sketch::WirePath path{};
+    bool is_there() const { return wire && (wire->weight != 0 || wire->cut); }
+};
+
+class Picture {
+public:
+    Picture(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, float layout_height)
+        : view_(view),
+          state_(state),
+          ui_(ui),
+          vehicle_(vehicle),
+          brain_(*brain_of(*view.now, vehicle)),
+          height_(layout_height),
+          at_(ImGui::GetCursorScreenPos()),
+          place_(place(ui, at_, card_width(ui), layout_height)) {
+        for (End* end : {&eyes_[0], &eyes_[1], &motors_[0], &motors_[1]})
+            end->node = find_node(brain_, std::string(end->name));
+        for (Connection& c : wires_) {
+            const Node *from = eyes_[c.eye].node, *to = motors_[c.motor].node;
+            c.wire = from && to ? find_wire(brain_, from->id, to->id) : nullptr;
+            // Wires end above the wheels, the straight ones further out, so that their end signs stand side by side.
+            const float inward = c.motor == 0 ? 1.0f : -1.0f;
+            const ImVec2 wheel = place_.wheel[c.motor], eye = place_.eye[c.eye];
+            c.path = sketch::path({eye.x, eye.y + ui.px(9)},
+                                  {wheel.x + inward * ui.px(c.eye == c.motor ? 17 : 31), wheel.y - ui.px(2)});
+        }
     }
-    const Colour colour = colour_of_weight(ui.palette, weight);
-    const float strength = std::min(1.0f, std::fabs(carried)),
-                width = ui.px(1.5f + 1.6f * std::min(2.0f, std::fabs(weight)));
-    if (strength > 0.01f)
-        draw.AddBezierCubic(p[0], p[1], p[2], p[3], paint(colour.with_alpha(0.28f * strength)),
-                            width + ui.px(7) * strength, pieces);
-    draw.AddBezierCubic(p[0], p[1], p[2], p[3], paint(colour.with_alpha(0.40f + 0.60f * strength)), width, pieces);
-    const ImU32 solid = paint(colour);
-    if (weight > 0) {
-        const float r = ui.px(5) + width / 3;
-        draw.AddTriangleFilled({to.x - r, to.y - r}, {to.x + r, to.y - r}, {to.x, to.y + r * 0.7f}, solid);
-    } else {
-        draw.AddCircleFilled({to.x, to.y - ui.px(1)}, ui.px(4) + width / 3, solid);
+
+    void draw() {
+        const Rect all{at_.x, at_.y, card_width(ui_), ui_.px(height_)};
+        fill_box(ui_, all, ui_.palette.ground.with_alpha(0.45f));
+        fill_box(ui_, place_.chassis, mix(ui_.palette.panel, ui_.palette.chassis, 0.22f), 12);
+        line_box(ui_, place_.chassis, colour_of(ui_.palette, vehicle_.role), 12, 1.5f);
+        ends();
+        connections(all);
+        strokes();
+        ImGui::SetCursorScreenPos(at_);
+        const Item area = item(ui_, "brain.picture", {all.w, all.h}, false);
+        if (state_.lesion_under_pointer.empty()) tooltip(ui_, area, ui_.strings("brain.picture"));
+        heal();
     }
-}
 
-void eye(const Ui& ui, ImVec2 c, float reading) {
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float r = ui.px(9);
-    if (reading > 0.01f)
-        draw.AddCircleFilled(c, r + ui.px(6) * reading, paint(ui.palette.lamp.with_alpha(0.30f * reading)));
-    draw.AddCircleFilled(c, r,
-                         paint(mix(ui.palette.wheel, ui.palette.lamp, std::sqrt(std::clamp(reading, 0.0f, 1.0f)))));
-    draw.AddCircle(c, r, paint(ui.palette.second_text), 0, ui.px(1.5f));
-}
+private:
+    float reading(int side) const {
+        const Node* node = eyes_[side].node;
+        return node && !node->silenced ? node_value(*view_.now, vehicle_, node->id) : 0;
+    }
 
-// The tread runs as the wheel turns; an arrow beside it says how hard and which way.
-void wheel(const Ui& ui, ImVec2 c, float motor, float angle) {
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float w = ui.px(8), h = ui.px(22);
-    const ImVec2 low{c.x - w, c.y - h}, high{c.x + w, c.y + h};
-    draw.AddRectFilled(low, high, paint(ui.palette.wheel), ui.px(4));
-    draw.PushClipRect(low, high, true);
-    const float spacing = ui.px(9), phase = std::fmod(std::fmod(angle * 0.16f * ui.px(60), spacing) + spacing, spacing);
-    for (float y = low.y - phase + spacing; y < high.y + spacing; y += spacing)
-        draw.AddLine({low.x + ui.px(3), y}, {high.x - ui.px(3), y}, paint(ui.palette.second_text.with_alpha(0.7f)),
-                     ui.px(1.5f));
-    draw.PopClipRect();
-    compat::outline(draw, low, high, paint(ui.palette.second_text), ui.px(4), ui.px(1));
-    const float reach = h * std::clamp(motor, -1.0f, 1.0f);
-    const float x = c.x + (c.x < ImGui::GetWindowPos().x + ImGui::GetWindowWidth() / 2 ? -1.0f : 1.0f) * ui.px(18);
-    if (std::fabs(reach) < 1) return;
-    const ImU32 colour = paint(ui.palette.text);
-    const float tip = c.y - reach, back = reach > 0 ? 1.0f : -1.0f;
-    draw.AddLine({x, c.y}, {x, tip + back * ui.px(4)}, colour, ui.px(2.5f));
-    draw.AddTriangleFilled({x, tip - back * ui.px(2)}, {x - ui.px(5), tip + back * ui.px(5)},
-                           {x + ui.px(5), tip + back * ui.px(5)}, colour);
-}
+    // What the person wants of one eye, motor or wire: by click, by Enter, or by L over it.
+    bool wanted(const Item& at, bool over) {
+        if (over) state_.lesion_under_pointer = at_anchor_;
+        const bool by_key = state_.lesion_wanted == at_anchor_;
+        if (by_key) state_.lesion_wanted.clear();
+        return at.pressed || by_key;
+    }
 
-void number(const Ui& ui, ImVec2 at, bool left, std::string_view letters, const std::string& value) {
-    const float h = line_height(ui, Face::small);
-    const auto line = [&](float y, std::string_view words, Colour colour) {
-        if (left)
-            put_right(ui, {at.x, y}, words, colour, Face::small);
-        else
-            put(ui, {at.x, y}, words, colour, Face::small);
-    };
-    line(at.y - h, letters, ui.palette.second_text);
-    line(at.y, value, ui.palette.text);
-}
+    // Eyes and motors, as widgets over what strokes() draws.
+    void ends() {
+        for (int side = 0; side < 2; ++side) {
+            end(eyes_[side], place_.eye[side], {ui_.px(24), ui_.px(24)},
+                eyes_[side].hurt() ? "lesion.eye_hurt" : "lesion.eye", warmth_eye_[side]);
+            end(motors_[side], place_.wheel[side], {ui_.px(20), ui_.px(46)},
+                motors_[side].hurt() ? "lesion.motor_hurt" : "lesion.motor", warmth_motor_[side]);
+        }
+    }
 
-float reading(const LabView& view, const VehicleView& vehicle, const BrainGraph& brain, const char* node) {
-    const Node* found = find_node(brain, std::string(node));
-    return found ? node_value(*view.now, vehicle, found->id) : 0;
-}
+    void end(const End& which, ImVec2 middle, ImVec2 size, std::string_view words, float& warmth) {
+        if (!which.node) return;
+        ImGui::SetCursorScreenPos({middle.x - size.x / 2, middle.y - size.y / 2});
+        const Item at = item(ui_, which.anchor, size);
+        warmth = at.warmth;
+        at_anchor_ = which.anchor;
+        if (at.hovered) tooltip(ui_, at, fill(ui_.strings(words), {which.name}), ui_.strings("lesion.key"));
+        if (!wanted(at, at.hovered)) return;
+        BrainGraph edited = brain_;
+        find_node(edited, std::string(which.name))->silenced = !which.hurt();
+        set(std::move(edited));
+    }
+
+    // Wires: the widget, for the keyboard and for tests, is the sign at the end; the mouse may take them anywhere.
+    void connections(const Rect& all) {
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        const bool free = state_.lesion_under_pointer.empty() && all.contains(mouse.x, mouse.y) &&
+                          ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+        float nearest = ui_.px(reach_of_wire);
+        for (const Connection& c : wires_) {
+            if (!free || !c.is_there()) continue;
+            if (const float d = sketch::distance(c.path, mouse); d < nearest) nearest = d, warm_ = &c;
+        }
+        for (const Connection& c : wires_) {
+            if (!c.is_there()) continue;
+            const float size = ui_.px(16);
+            ImGui::SetCursorScreenPos({c.path[3].x - size / 2, c.path[3].y - size / 2});
+            Item at = item(ui_, c.anchor, {size, size});
+            at_anchor_ = c.anchor;
+            if (warm_ == &c) {
+                at.hovered = true;
+                at.pressed |= ImGui::IsMouseClicked(0) && !at.held;
+                show_tooltip(at, c);
+            } else if (at.pressed && !at.entered) {
+                at.pressed = false;  // another wire runs nearer to the pointer
+            }
+            if (wanted(at, warm_ == &c)) cut_or_heal(*c.wire);
+        }
+    }
+
+    void show_tooltip(const Item& at, const Connection& c) {
+        tooltip(ui_, at, fill(ui_.strings(c.wire->cut ? "lesion.wire_hurt" : "lesion.wire"), {c.letters}),
+                ui_.strings("lesion.key"));
+    }
+
+    void cut_or_heal(const Wire& wire) {
+        BrainGraph edited = brain_;
+        find_wire(edited, wire.from, wire.to)->cut = !wire.cut;
+        set(std::move(edited));
+    }
+
+    void strokes() {
+        for (const Connection& c : wires_) {
+            sketch::WireLook look;
+            look.warm = warm_ == &c;
+            if (c.wire) {
+                look.weight = c.wire->weight;
+                look.cut = c.wire->cut;
+                look.carried = signal(*c.wire, reading(c.eye), learned(*view_.now, vehicle_, c.wire->from, c.wire->to));
+            }
+            sketch::wire(ui_, c.path, look);
+        }
+        for (int side = 0; side < 2; ++side) {
+            const auto s = static_cast<std::size_t>(side);
+            const float out = side == 0 ? -1.0f : 1.0f;
+            sketch::eye(ui_, place_.eye[side], reading(side), eyes_[side].hurt(), warmth_eye_[side]);
+            sketch::wheel(ui_, place_.wheel[side], out, vehicle_.motor[s], vehicle_.wheel_angle[s],
+                          motors_[side].hurt(), warmth_motor_[side]);
+            sketch::number(ui_, {place_.eye[side].x + out * ui_.px(44), place_.eye[side].y + ui_.px(6)}, side == 0,
+                           eyes_[side].name, eyes_[side].hurt() ? "—" : fixed(reading(side), 2));
+            sketch::number(ui_, {place_.wheel[side].x + out * ui_.px(32), place_.wheel[side].y + ui_.px(4)}, side == 0,
+                           motors_[side].name, with_sign(vehicle_.motor[s], 2));
+        }
+    }
+
+    // A line that counts what is hurt anywhere in the brain, and a button that heals it all.
+    void heal() {
+        const auto nodes =
+            std::count_if(brain_.nodes.begin(), brain_.nodes.end(), [](const Node& n) { return n.silenced; });
+        const auto wires = std::count_if(brain_.wires.begin(), brain_.wires.end(), [](const Wire& w) { return w.cut; });
+        if (nodes + wires == 0) return;
+        const SmallButton look{"lesion.heal", icon::heal, ui_.strings("lesion.heal")};
+        const Item at = small_button(ui_, look);
+        tooltip(ui_, at, ui_.strings("tooltip.heal"));
+        put_right(ui_, {at_.x + card_width(ui_), at.middle_y() - line_height(ui_, Face::small) / 2},
+                  fill(ui_.strings("lesion.count"), {std::to_string(nodes + wires)}), ui_.palette.second_text,
+                  Face::small);
+        if (!at.pressed) return;
+        BrainGraph healed = brain_;
+        for (Node& node : healed.nodes) node.silenced = false;
+        for (Wire& wire : healed.wires) wire.cut = false;
+        set(std::move(healed));
+    }
+
+    void set(BrainGraph brain) {
+        ui_.outbox.push_back(EditRequest{SetBrain{target_of(view_, vehicle_), std::move(brain)},
+                                         gestures::panels + ++state_.sliders.gesture});
+    }
+
+    const LabView& view_;
+    PanelState& state_;
+    Ui& ui_;
+    const VehicleView& vehicle_;
+    const BrainGraph& brain_;
+    float height_;  // layout pixels
+    ImVec2 at_;
+    Place place_;
+    End eyes_[2]{{"SL", "lesion.SL"}, {"SR", "lesion.SR"}};
+    End motors_[2]{{"ML", "lesion.ML"}, {"MR", "lesion.MR"}};
+    std::array<Connection, 4> wires_{
+        {{"LR", "lesion.LR", 1, 0}, {"RL", "lesion.RL", 0, 1}, {"LL", "lesion.LL", 0, 0}, {"RR", "lesion.RR", 1, 1}}};
+    const Connection* warm_ = nullptr;  // under the pointer
+    std::string_view at_anchor_;
+    float warmth_eye_[2]{}, warmth_motor_[2]{};
+};
 
 }  // namespace
 
-void brain_picture(const LabView& view, Ui& ui, const VehicleView& vehicle, float picture_height) {
-    const BrainGraph& brain = *view.now->brains[static_cast<std::size_t>(vehicle.brain)];
-    const FourNeurons dials = read_dials(brain);
-    const float width = card_width(ui);
-    const Item area = item(ui, "brain.picture", {width, ui.px(picture_height)}, false);
-    const Place p = place(ui, {area.rect.x, area.rect.y}, width, picture_height);
-    fill_box(ui, area.rect, ui.palette.ground.with_alpha(0.45f));
-    fill_box(ui, p.chassis, mix(ui.palette.panel, ui.palette.chassis, 0.22f), 12);
-    line_box(ui, p.chassis, colour_of(ui.palette, vehicle.role), 12, 1.5f);
-
-    const std::array<float, 2>& motors = vehicle.motor;
-    const float seen[2]{reading(view, vehicle, brain, "SL"), reading(view, vehicle, brain, "SR")};
-    const auto carried = [&](const char* eye_name, const char* motor, float value) {
-        const Node* from = find_node(brain, std::string(eye_name));
-        const Node* to = find_node(brain, std::string(motor));
-        const Wire* found = from && to ? find_wire(brain, from->id, to->id) : nullptr;
-        return found ? signal(*found, value) : 0.0f;
-    };
-    // Wires end above the wheels, the straight ones further out, so that their end signs stand side by side.
-    const auto end = [&](int side, bool straight) {
-        const float inward = side == 0 ? 1.0f : -1.0f;
-        return ImVec2{p.wheel[side].x + inward * ui.px(straight ? 17 : 31), p.wheel[side].y - ui.px(2)};
-    };
-    const auto begin = [&](int side) { return ImVec2{p.eye[side].x, p.eye[side].y + ui.px(9)}; };
-    wire(ui, begin(1), end(0, false), dials.LR, carried("SR", "ML", seen[1]));
-    wire(ui, begin(0), end(1, false), dials.RL, carried("SL", "MR", seen[0]));
-    wire(ui, begin(0), end(0, true), dials.LL, carried("SL", "ML", seen[0]));
-    wire(ui, begin(1), end(1, true), dials.RR, carried("SR", "MR", seen[1]));
-    for (int side = 0; side < 2; ++side) {
-        const auto s = static_cast<std::size_t>(side);
-        eye(ui, p.eye[side], seen[side]);
-        wheel(ui, p.wheel[side], motors[s], vehicle.wheel_angle[s]);
-        const float out = side == 0 ? -1.0f : 1.0f;
-        number(ui, {p.eye[side].x + out * ui.px(44), p.eye[side].y + ui.px(6)}, side == 0, side == 0 ? "SL" : "SR",
-               fixed(seen[side], 2));
-        number(ui, {p.wheel[side].x + out * ui.px(32), p.wheel[side].y + ui.px(4)}, side == 0, side == 0 ? "ML" : "MR",
-               with_sign(motors[s], 2));
-    }
-    tooltip(ui, area, ui.strings("brain.picture"));
+void brain_picture(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, float layout_height) {
+    Picture(view, state, ui, vehicle, layout_height).draw();
 }
 
 }  // namespace braitenlab

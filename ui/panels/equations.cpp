@@ -21,7 +21,10 @@ namespace {
 
 constexpr float alike = 0.02f;  // wheel commands this close make no turn that one sees
 
-std::string numbers_of(const Product& p) { return fixed(p.masked ? 0 : p.input, 2) + "·" + as_factor(p.weight, 2); }
+std::string numbers_of(const Ui& ui, const Product& p) {
+    const std::string input = fixed(p.masked ? 0 : p.input, 2) + "·";
+    return input + (p.cut ? std::string(ui.strings("sums.cut")) : as_factor(p.weight, 2));
+}
 
 // Where the parts of both equations stand, from left to right; window pixels. Each has the room of its widest number,
 // so that only turning a weight moves them.
@@ -31,8 +34,8 @@ struct Columns {
 
 Columns columns(const Ui& ui, const std::array<MotorSum, 2>& both, float left, float width) {
     const auto product = [&](std::size_t i) {
-        return std::max(text_width(ui, Face::small, numbers_of(both[0].products[i])),
-                        text_width(ui, Face::small, numbers_of(both[1].products[i])));
+        return std::max(text_width(ui, Face::small, numbers_of(ui, both[0].products[i])),
+                        text_width(ui, Face::small, numbers_of(ui, both[1].products[i])));
     };
     const float sign = text_width(ui, Face::small, "="), number = text_width(ui, Face::small, with_sign(1, 2));
     const bool more = both[0].more_wires;
@@ -56,7 +59,7 @@ Columns columns(const Ui& ui, const std::array<MotorSum, 2>& both, float left, f
 
 void one_product(const Ui& ui, float right, float y, const Product& p, bool strongest) {
     const Palette& c = ui.palette;
-    const std::string numbers = numbers_of(p);
+    const std::string numbers = numbers_of(ui, p);
     const float w = text_width(ui, Face::small, numbers), h = line_height(ui, Face::small);
     if (strongest) {
         const Colour meaning = colour_of_weight(c, p.value);
@@ -65,7 +68,7 @@ void one_product(const Ui& ui, float right, float y, const Product& p, bool stro
         line_box(ui, mark, meaning, 4);
     }
     put_centred(ui, {right - w / 2, y}, p.letters, c.second_text, Face::small);
-    put_right(ui, {right, y + h + ui.px(2)}, numbers, p.masked ? c.second_text : c.text, Face::small);
+    put_right(ui, {right, y + h + ui.px(2)}, numbers, p.masked || p.cut ? c.second_text : c.text, Face::small);
 }
 
 // A signed term under its name.
@@ -90,10 +93,13 @@ void equation(const Ui& ui, const MotorSum& sum, const Columns& x, ImVec2 at, co
     term(ui, x.bias, at.y, sum.bias_letters, sum.bias);
     if (sum.more_wires) term(ui, x.others, at.y, ui.strings("sums.others"), sum.others);
     sign(x.result, "=");
-    put_right(ui, {x.total, large}, with_sign(sum.total, 2), c.text, Face::strong);
+    put_right(ui, {x.total, large}, with_sign(sum.total, 2), sum.stopped ? c.second_text : c.text, Face::strong);
 }
 
 std::string verdict(const Ui& ui, const std::array<MotorSum, 2>& both, const Cause& why) {
+    if (both[0].stopped && both[1].stopped) return std::string(ui.strings("sums.both_stopped"));
+    if (both[0].stopped || both[1].stopped)
+        return std::string(ui.strings(both[0].stopped ? "sums.left_stopped" : "sums.right_stopped"));
     if (std::fabs(both[0].total) < alike && std::fabs(both[1].total) < alike)
         return std::string(ui.strings("sums.still"));
     if (std::fabs(why.difference) < alike) return std::string(ui.strings("sums.straight"));
@@ -112,7 +118,8 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Columns x = columns(ui, both, at.x, card_width(ui));
     const float row = 2 * line_height(ui, Face::small) + ui.px(8);
-    const Product* strongest = std::fabs(why.difference) < alike ? nullptr : why.product;
+    const bool stopped = both[0].stopped || both[1].stopped;
+    const Product* strongest = stopped || std::fabs(why.difference) < alike ? nullptr : why.product;
     equation(ui, both[0], x, at, strongest);
     equation(ui, both[1], x, {at.x, at.y + row}, strongest);
     const Item area = item(ui, "equations", {card_width(ui), 2 * row}, false);

@@ -1,5 +1,6 @@
 #include "ui/panels/motor_sum.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -18,13 +19,28 @@ Product product(const Snapshot& now, const VehicleView& vehicle, const char* eye
     const Node* from = find_node(brain, std::string(eye));
     const Node* to = find_node(brain, std::string(motor));
     if (!from || !to) return p;
-    p.input = node_value(now, vehicle, from->id);
+    p.input = from->silenced ? 0.0f : node_value(now, vehicle, from->id);
     p.weight = at(read_dials(brain), dial);
     if (const Wire* wire = find_wire(brain, from->id, to->id)) {
-        p.value = signal(*wire, p.input);
+        p.value = signal(*wire, p.input, learned(now, vehicle, from->id, to->id));
+        p.cut = wire->cut;
         p.masked = std::fabs(p.input) < wire->threshold;
     }
     return p;
+}
+
+// Whether the sliders show all there is: two eyes, two motors and plain wires between them, lesions or not.
+bool is_plain(const BrainGraph& brain) {
+    const auto plain_node = [](const Node& n) {
+        const bool known = n.kind == NodeKind::sensor ? n.name == "SL" || n.name == "SR" : n.kind == NodeKind::motor;
+        return known && n.curve == Curve{} && n.time_constant == 0;
+    };
+    const auto plain_wire = [&](const Wire& w) {
+        const Node* from = find_node(brain, w.from);
+        return w.curve == Curve{} && !learns(w) && from && from->kind == NodeKind::sensor;
+    };
+    return std::all_of(brain.nodes.begin(), brain.nodes.end(), plain_node) &&
+           std::all_of(brain.wires.begin(), brain.wires.end(), plain_wire);
 }
 
 }  // namespace
@@ -40,9 +56,12 @@ std::array<MotorSum, 2> motor_sums(const Snapshot& now, const VehicleView& vehic
     left.total = vehicle.motor[0];
     right.total = vehicle.motor[1];
     std::array<MotorSum, 2> both{left, right};
-    if (is_four_neurons(brain)) return both;
+    const bool plain = is_plain(brain);
     for (MotorSum& sum : both) {
-        sum.more_wires = true;
+        const Node* stopped = find_node(brain, std::string(sum.motor));
+        sum.stopped = stopped && stopped->silenced;
+        if (plain || sum.stopped) continue;
+        both[0].more_wires = both[1].more_wires = true;
         // From the motor's own state, which is not yet bounded to what a wheel can do.
         if (const Node* motor = find_node(brain, std::string(sum.motor)))
             sum.others = node_value(now, vehicle, motor->id) - sum.products[0].value - sum.products[1].value - sum.bias;

@@ -11,10 +11,11 @@ namespace braitenlab {
 // One eye's wire to the motor: what the eye delivers, and what the wire makes of it.
 struct Product {
     std::string_view letters;  // "SL·LL"
-    float input = 0;           // as the eye reads it
+    float input = 0;           // as the eye reads it; 0 where it is covered
     float weight = 0;
     float value = 0;      // what arrives: mask, curve and weight applied
     bool masked = false;  // below the threshold: counts as 0
+    bool cut = false;     // a lesion: delivers nothing
 };
 
 struct MotorSum {
@@ -23,6 +24,7 @@ struct MotorSum {
     float bias = 0;
     bool more_wires = false;  // the brain is longer than the sliders'
     float others = 0;         // what is then left: further wires, memory, the motor's curve; 0 otherwise
+    bool stopped = false;     // a lesion of the motor: whatever the sum, the total is 0
     float total = 0;          // what the motor really gets, −1..1
 };
 

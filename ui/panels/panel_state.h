@@ -7,6 +7,7 @@
 
 #include "core/brain/graph.h"
 #include "core/brain/recogniser.h"
+#include "core/world/command.h"
 #include "ui/panels/history.h"
 #include "ui/preferences.h"
 #include "ui/prompts.h"
@@ -35,6 +36,10 @@ struct PanelState {
     Recognised recognised;
     History history;
     PromptMemory prompts;
+    std::string lesion_under_pointer;  // the anchor of what a click or L would hurt or heal; empty: none
+    std::string lesion_wanted;         // by key: the same, until the picture has seen it
+    Steer steered;                     // by the stick, last
+    bool stick_held = false;
     bool why_open = false;
     Sheet sheet = Sheet::none;
     SheetState keys, settings;

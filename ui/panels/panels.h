@@ -25,9 +25,11 @@ bool for_open_menu(const LabView&, PanelState&, KeyPress);  // while it is open:
 void keys_card(const LabView&, PanelState&, Ui&, Rect window);      // all shortcuts
 void settings_card(const LabView&, PanelState&, Ui&, Rect window);  // language, theme, size of type, motion
 
-// The parts of the brain card that show the moment. Precondition of both: the vehicle is in the snapshot.
+// The parts of the brain card. Precondition of all: the vehicle is in the snapshot.
+void dial_sliders(const LabView&, PanelState&, Ui&, const VehicleView&);
 void equations(const LabView&, Ui&, const VehicleView&);
-void brain_picture(const LabView&, Ui&, const VehicleView&, float layout_height);
+void driver_panel(PanelState&, Ui&, const VehicleView&);  // instead of the equations: who drives it
+void brain_picture(const LabView&, PanelState&, Ui&, const VehicleView&, float layout_height);
 
 // "Predator", "Lamp seeker": the kind's name in the language of the strings, or as its author wrote it.
 std::string kind_name(const Ui&, const Kind&);

@@ -64,6 +64,31 @@ Item button(Ui& ui, std::string_view id, const ButtonLook& look) {
     return at;
 }
 
+float small_button_width(const Ui& ui, const SmallButton& look, bool words) {
+    if (!words && has_icons(ui)) return ui.px(28);
+    const float sign = has_icons(ui) && !look.icon.empty() ? ui.px(16) : 0;
+    return ui.px(14) + sign + text_width(ui, Face::small, look.words);
+}
+
+Item small_button(Ui& ui, const SmallButton& look, bool words) {
+    const Item at = item(ui, look.id, {small_button_width(ui, look, words), ui.px(small_button_height)});
+    const Palette& p = ui.palette;
+    fill_box(ui, at.rect,
+             look.on ? mix(p.panel, p.accent, 0.16f + 0.08f * at.warmth) : mix(p.raised, p.line, at.warmth), 5);
+    line_box(ui, at.rect, look.on ? p.accent.with_alpha(0.8f) : p.line, 5);
+    if (!words && has_icons(ui)) {
+        put_icon(ui, {at.middle_x(), at.middle_y()}, look.icon, p.text, Face::small);
+        return at;
+    }
+    float x = at.rect.x + ui.px(7);
+    if (has_icons(ui) && !look.icon.empty()) {
+        put_icon(ui, {x + ui.px(6), at.middle_y()}, look.icon, p.second_text, Face::small);
+        x += ui.px(16);
+    }
+    put(ui, {x, at.middle_y() - line_height(ui, Face::small) / 2}, look.words, p.text, Face::small);
+    return at;
+}
+
 int segments(Ui& ui, std::string_view id, std::span<const std::string_view> words, int chosen, float width) {
     const float each = width / static_cast<float>(words.size());
     const ImVec2 start = ImGui::GetCursorScreenPos();

@@ -24,6 +24,15 @@ inline constexpr float button_height = 32;  // layout pixels
 float button_width(const Ui&, const ButtonLook&);
 Item button(Ui&, std::string_view id, const ButtonLook&);
 
+// A slim quiet button of one line of small words, for the captions of a card.
+struct SmallButton {
+    std::string_view id, icon, words;
+    bool on = false;
+};
+inline constexpr float small_button_height = 22;                      // layout pixels
+float small_button_width(const Ui&, const SmallButton&, bool words);  // without words: the icon alone
+Item small_button(Ui&, const SmallButton&, bool words = true);
+
 // One of a few, side by side, filling `width`: the index clicked, or −1. Anchors: `id`.1, `id`.2 …
 int segments(Ui&, std::string_view id, std::span<const std::string_view> words, int chosen, float width);
 

@@ -30,21 +30,28 @@ void begin_window(const char* name, Rect r, ImGuiWindowFlags flags = quiet) {
     ImGui::PopStyleVar(2);
 }
 
-void heading_button(Ui& ui, HeadingButton& extra, Rect r) {
-    const float w = text_width(ui, Face::small, extra.words) + ui.px(16), right = r.x + r.w - ui.px(side_padding + 16);
-    ImGui::SetCursorScreenPos({right - w, r.y + ui.px(6)});
+// With its right end at `right`; returns its left one.
+float heading_button(Ui& ui, HeadingButton& extra, float right, float y) {
+    const float w = text_width(ui, Face::small, extra.words) + ui.px(16);
+    ImGui::SetCursorScreenPos({right - w, y + ui.px(6)});
     const Item at = item(ui, extra.id, {w, ui.px(24)});
-    fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.line, at.warmth), 5);
-    line_box(ui, at.rect, ui.palette.line, 5);
+    const Palette& p = ui.palette;
+    fill_box(ui, at.rect,
+             extra.on ? mix(p.panel, p.accent, 0.16f + 0.08f * at.warmth) : mix(p.raised, p.line, at.warmth), 5);
+    line_box(ui, at.rect, extra.on ? p.accent.with_alpha(0.8f) : p.line, 5);
     put_centred(ui, {at.middle_x(), at.middle_y() - line_height(ui, Face::small) / 2}, extra.words, ui.palette.text,
                 Face::small);
-    tooltip(ui, at, extra.tooltip);
+    tooltip(ui, at, extra.tooltip, extra.shortcut);
     extra.pressed = at.pressed;
+    return at.rect.x;
 }
 
-void heading_row(Ui& ui, CardState& state, std::string_view id, std::string_view words, Rect r, HeadingButton* extra) {
-    // The button comes first: of two widgets under the pointer, Dear ImGui gives it to the earlier one.
-    if (extra && !state.folded) heading_button(ui, *extra, r);
+void heading_row(Ui& ui, CardState& state, std::string_view id, std::string_view words, Rect r,
+                 std::span<HeadingButton> extras) {
+    // The buttons come first: of two widgets under the pointer, Dear ImGui gives it to the earlier one.
+    float right = r.x + r.w - ui.px(side_padding + 16);
+    if (!state.folded)
+        for (HeadingButton& extra : extras) right = heading_button(ui, extra, right, r.y) - ui.px(6);
     ImGui::SetCursorScreenPos({r.x, r.y});
     const Item row = item(ui, std::string(id) + ".fold", {r.w, std::min(r.h, ui.px(heading_height))});
     const Colour colour = mix(ui.palette.second_text, ui.palette.text, row.warmth);
@@ -76,12 +83,13 @@ void card_ground(const Ui& ui, Rect r, float rounding) {
     draw.PopClipRect();
 }
 
-bool begin_card(Ui& ui, CardState& state, std::string_view id, std::string_view heading, Rect r, HeadingButton* extra) {
+bool begin_card(Ui& ui, CardState& state, std::string_view id, std::string_view heading, Rect r,
+                std::span<HeadingButton> extras) {
     begin_stops(ui.keyboard);
     begin_window(std::string(id).c_str(), r);
     card_ground(ui, r);
     mark(ui, id, r);
-    heading_row(ui, state, id, heading, r, extra);
+    heading_row(ui, state, id, heading, r, extras);
     if (state.folded) return false;
     const float top = ui.px(heading_height), bottom = ui.px(bottom_padding);
     ImGui::SetCursorPos({ui.px(side_padding), top});

@@ -1,6 +1,7 @@
 // A quiet card over the scene: a heading that folds it, and what it holds, which scrolls where the window is too low.
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include "ui/widgets/ui.h"
@@ -22,13 +23,15 @@ float folded_height(const Ui&);
 
 // A quiet button in a card's heading.
 struct HeadingButton {
-    std::string_view id, words, tooltip;
+    std::string_view id, words, tooltip, shortcut{};
+    bool on = false;  // a toggle that is on
     bool pressed = false;
 };
 
 // Opens the card in this rectangle; anchors: `id` for all of it, `id`.fold for its heading. When false, nothing may be
 // drawn in it (it is folded); end_card is called either way.
-bool begin_card(Ui&, CardState&, std::string_view id, std::string_view heading, Rect, HeadingButton* = nullptr);
+bool begin_card(Ui&, CardState&, std::string_view id, std::string_view heading, Rect,
+                std::span<HeadingButton> = {});  // from right to left
 void end_card(CardState&);
 
 // What is drawn from here on stands in the footer, below the part that scrolls. Set CardState::footer beforehand.

@@ -16,9 +16,9 @@ namespace braitenlab {
 
 namespace {
 
-constexpr float knob_radius = 7;               // layout pixels
-constexpr float coarse = 0.05f, fine = 0.01f;  // steps of the value under the mouse
-constexpr double pause_between_gestures = 1;   // seconds without a key
+constexpr float knob_radius = 7;              // layout pixels
+constexpr float coarse = 5, nudged = 10;      // steps under the mouse, and at a press of an arrow key
+constexpr double pause_between_gestures = 1;  // seconds without a key
 
 struct Track {
     float x0, x1, y, low, high;
@@ -28,13 +28,18 @@ struct Track {
 
 float rounded(float value, float step) { return std::round(value / step) * step; }
 
-// Clamped and rounded to hundredths, with −0 made 0.
+std::string written(float value, const SliderLook& look) {
+    return look.signed_number ? with_sign(value, look.decimals) : fixed(value, look.decimals);
+}
+
+// Clamped and rounded to the step, with −0 made 0. Precondition: finite.
 float tidy(float value, const SliderLook& look) {
-    return std::round(std::clamp(value, look.low, look.high) * 100) / 100 + 0.0f;
+    const float per_unit = std::round(1 / look.step);
+    return std::clamp(std::round(value * per_unit) / per_unit, look.low, look.high) + 0.0f;
 }
 
 std::optional<float> drag(const Ui& ui, SliderState& state, const Item& at, const Track& track, std::string_view id,
-                          float value) {
+                          float value, float step) {
     if (!at.held) {
         if (state.dragged == id) state.dragged.clear();
         return std::nullopt;
@@ -46,7 +51,8 @@ std::optional<float> drag(const Ui& ui, SliderState& state, const Item& at, cons
         if (!ImGui::IsMouseClicked(0) || !on_track) return std::nullopt;
         state.dragged = id;
         ++state.gesture;
-        state.asked = value;
+        state.asked = state.pressed_at = value;
+        state.pressed = id;
         const bool on_knob = std::fabs(io.MousePos.x - track.at(value)) <= ui.px(knob_radius + 3);
         state.grip = on_knob ? value - track.value_at(io.MousePos.x) : 0;
         if (on_knob) return std::nullopt;
@@ -55,17 +61,18 @@ std::optional<float> drag(const Ui& ui, SliderState& state, const Item& at, cons
     }
     if (io.KeyShift) {  // ten times finer: the knob lags behind the pointer
         state.grip -= 0.9f * (track.value_at(io.MousePos.x) - track.value_at(io.MousePos.x - io.MouseDelta.x));
-        return rounded(track.value_at(io.MousePos.x) + state.grip, fine);
+        return rounded(track.value_at(io.MousePos.x) + state.grip, step);
     }
-    return rounded(track.value_at(io.MousePos.x) + state.grip, coarse);
+    return rounded(track.value_at(io.MousePos.x) + state.grip, coarse * step);
 }
 
-std::optional<float> nudge(Ui& ui, SliderState& state, const Item& at, std::string_view id, float value, double now) {
+std::optional<float> nudge(Ui& ui, SliderState& state, const Item& at, std::string_view id, float value, double now,
+                           float step) {
     if (!at.focused) return std::nullopt;
     float change = 0;
     for (const int direction : {-1, 1})
         while (const auto press = take(*ui.keyboard, direction < 0 ? key::left : key::right))
-            change += static_cast<float>(direction) * (press->shift ? 0.01f : 0.1f);
+            change += static_cast<float>(direction) * step * (press->shift ? 1 : nudged);
     if (change == 0) return std::nullopt;
     if (state.nudged != id || now - state.nudged_at > pause_between_gestures) ++state.gesture;
     state.nudged = id;
@@ -141,14 +148,13 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
     const float inset = ui.px(knob_radius + 1);
     const Track track{at.rect.x + ui.px(look.words_width) + inset, at.right() - ui.px(look.number_width) - inset,
                       at.middle_y(), look.low, look.high};
-    const std::string number = look.signed_number ? with_sign(value, 2) : fixed(value, 2);
+    const std::string number = written(value, look) + std::string(look.unit);
     const ImGuiIO& io = ImGui::GetIO();
 
     std::optional<float> wanted;
     const bool on_number = io.MousePos.x > track.x1 + inset;
-    const bool clicked = at.hovered && ImGui::IsMouseClicked(0);
-    const bool to_typing =
-        at.entered || (clicked && (io.KeyCtrl || on_number)) || (at.hovered && ImGui::IsMouseDoubleClicked(0));
+    const bool clicked = at.hovered && ImGui::IsMouseClicked(0), twice = at.hovered && ImGui::IsMouseDoubleClicked(0);
+    const bool to_typing = at.entered || twice || (clicked && (io.KeyCtrl || on_number));
     if (clicked && ui.keyboard) ui.keyboard->focus = id;
     if (typing) {
         ImGui::SameLine(0, 0);
@@ -157,14 +163,17 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
             wanted = *typed;
         }
     } else if (to_typing) {
-        open_text(state, id, number);
+        // The first click of two may have moved the knob: that is taken back, under the same gesture.
+        const bool moved = twice && state.pressed == id && state.pressed_at != value;
+        if (moved) wanted = state.pressed_at;
+        open_text(state, id, written(wanted.value_or(value), look));
         state.dragged.clear();
-    } else if (at.hovered && ImGui::IsMouseClicked(1)) {
+    } else if ((at.hovered && ImGui::IsMouseClicked(1)) || (at.focused && take(*ui.keyboard, key::del))) {
         ++state.gesture;
-        wanted = 0.0f;
+        wanted = look.home;
     } else {
-        wanted = drag(ui, state, at, track, id, value);
-        if (!wanted) wanted = nudge(ui, state, at, id, value, wall_seconds);
+        wanted = drag(ui, state, at, track, id, value, look.step);
+        if (!wanted) wanted = nudge(ui, state, at, id, value, wall_seconds, look.step);
     }
 
     const Palette& p = ui.palette;
@@ -173,12 +182,14 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
     draw(ui, at, track, value, look);
     if (!typing)
         put_right(ui, {at.right(), at.middle_y() - line_height(ui, Face::text) / 2}, number,
-                  std::fabs(value) < 0.005f ? p.second_text : p.text);
-    if (!typing) tooltip(ui, at, look.tooltip, ui.strings("slider.how"));
+                  std::fabs(value) < look.step / 2 ? p.second_text : p.text);
+    if (!typing && at.hovered)
+        tooltip(ui, at, look.tooltip,
+                fill(ui.strings("slider.how"), {written(tidy(look.home, look), look) + std::string(look.unit)}));
 
-    if (!wanted) return std::nullopt;
+    if (!wanted || !std::isfinite(*wanted)) return std::nullopt;
     const float tidied = tidy(*wanted, look);
-    const bool news = std::fabs(tidied - (state.dragged == id ? state.asked : value)) > 0.0005f;
+    const bool news = std::fabs(tidied - (state.dragged == id ? state.asked : value)) > look.step / 20;
     if (!news) return std::nullopt;
     state.asked = tidied;
     return SliderEdit{tidied, gestures::panels + state.gesture};

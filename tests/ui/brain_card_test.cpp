@@ -1,0 +1,177 @@
+// What the brain card does beyond its sliders: both sides at once, lesions, and driving by hand.
+#include <cmath>
+
+#include "core/brain/symmetry.h"
+#include "desk.h"
+#include "ui/panels/brain_sketch.h"
+
+namespace braitenlab::tests {
+
+namespace {
+
+BrainGraph brain_asked_for(const Desk& desk) {
+    const auto edits = desk.edits();
+    if (edits.size() != 1) throw std::runtime_error("not one edit but " + std::to_string(edits.size()));
+    EXPECT_NE(edits[0].gesture, 0u) << "a step of undo of its own";
+    return std::get<SetBrain>(edits[0].command).brain;
+}
+
+// As if the app had carried out what was asked for.
+void give(Desk& desk, const BrainGraph& brain) {
+    desk.now.brains[0] = std::make_shared<BrainGraph>(brain);
+    desk.all.clear();
+    desk.rest();
+}
+
+bool is_cut(const BrainGraph& brain, const char* from, const char* to) {
+    return find_wire(brain, find_node(brain, std::string(from))->id, find_node(brain, std::string(to))->id)->cut;
+}
+
+}  // namespace
+
+TEST(BrainCard, CrossesTheWiresAndMakesBothSidesAlike) {
+    Desk desk;
+    desk.now = snapshot(0);
+    give(desk, make_graph({.LL = 1.5f, .RR = 0.5f, .LM = 0.1f}));
+    const BrainGraph before = *desk.now.brains[0];
+    desk.click("button.cross");
+    EXPECT_EQ(brain_asked_for(desk), crossed(before));
+    desk.all.clear();
+    desk.click("button.mirror");
+    EXPECT_EQ(brain_asked_for(desk), mirrored(before));
+    give(desk, mirrored(before));
+    desk.click("button.mirror");
+    EXPECT_TRUE(desk.edits().empty()) << "what is alike already is no step of undo";
+}
+
+TEST(Lesions, CoverAnEyeAndUncoverIt) {
+    Desk desk(1280, 1000);
+    desk.frame(3);
+    const BrainGraph before = *desk.now.brains[0];
+    desk.click("lesion.SL");
+    const BrainGraph covered = brain_asked_for(desk);
+    EXPECT_TRUE(find_node(covered, "SL")->silenced);
+    EXPECT_FALSE(find_node(covered, "SR")->silenced);
+    EXPECT_EQ(read_dials(covered), read_dials(before)) << "it keeps its numbers";
+    give(desk, covered);
+    desk.click("lesion.SL");
+    EXPECT_EQ(brain_asked_for(desk), before);
+}
+
+TEST(Lesions, StopAMotor) {
+    Desk desk(1280, 1000);
+    desk.frame(3);
+    desk.click("lesion.MR");
+    EXPECT_TRUE(find_node(brain_asked_for(desk), "MR")->silenced);
+}
+
+TEST(Lesions, CutAWireByAClickOnItAndJoinItAgain) {
+    Desk desk(1280, 1000);
+    desk.frame(3);
+    const BrainGraph before = *desk.now.brains[0];  // LR and RL
+    ASSERT_FALSE(desk.anchors.find("lesion.LL")) << "where there is no wire there is nothing to cut";
+    desk.click("lesion.LR");
+    const BrainGraph cut = brain_asked_for(desk);
+    EXPECT_TRUE(is_cut(cut, "SR", "ML"));
+    EXPECT_FALSE(is_cut(cut, "SL", "MR"));
+    give(desk, cut);
+    desk.click("lesion.LR");
+    EXPECT_EQ(brain_asked_for(desk), before);
+}
+
+TEST(Lesions, TakeAWireAnywhereAlongIt) {
+    Desk desk(1280, 1000);
+    desk.frame(3);
+    // A little below the right eye, far from the sign at the end of LR.
+    const Rect eye = desk.where("lesion.SR"), end = desk.where("lesion.LR");
+    const sketch::WirePath path =
+        sketch::path({eye.x + eye.w / 2, eye.y + eye.h / 2 + 9}, {end.x + end.w / 2, end.y + end.h / 2});
+    const ImVec2 on{path[0].x - 2, path[0].y + 12};
+    ASSERT_LT(sketch::distance(path, on), 6);
+    desk.point(on.x, on.y);
+    desk.frame(2);
+    desk.button(0, true);
+    desk.frame(2);
+    desk.button(0, false);
+    desk.frame(2);
+    EXPECT_TRUE(is_cut(brain_asked_for(desk), "SR", "ML"));
+}
+
+TEST(Lesions, FollowTheKeyLOverThePictureAndEnterOnTheFocus) {
+    Desk desk(1280, 1000);
+    desk.frame(3);
+    desk.point("lesion.SR");
+    desk.frame(2);
+    desk.key({'L'});
+    desk.frame();
+    EXPECT_TRUE(find_node(brain_asked_for(desk), "SR")->silenced);
+    desk.all.clear();
+    desk.point(10, 10);
+    desk.frame(2);
+    desk.key({'L'});
+    desk.frame(2);
+    EXPECT_TRUE(desk.edits().empty()) << "nothing is under the pointer";
+    desk.panels.keyboard.focus = "lesion.RL";
+    desk.key({key::enter});
+    desk.frame();
+    EXPECT_TRUE(is_cut(brain_asked_for(desk), "SL", "MR"));
+}
+
+TEST(Lesions, HealAllAtOnce) {
+    Desk desk(1280, 1000);
+    desk.frame(3);
+    const BrainGraph before = *desk.now.brains[0];
+    EXPECT_FALSE(desk.anchors.find("lesion.heal"));
+    BrainGraph hurt = before;
+    find_node(hurt, "ML")->silenced = true;
+    for (Wire& wire : hurt.wires) wire.cut = true;
+    give(desk, hurt);
+    desk.click("lesion.heal");
+    EXPECT_EQ(brain_asked_for(desk), before);
+}
+
+TEST(Driving, IsAskedForByButtonAndKey) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("button.drive");
+    desk.key({'G'});
+    EXPECT_EQ(desk.actions(), (std::vector{Action::drive, Action::drive}));
+}
+
+TEST(Driving, SteersWhileTheStickIsHeldAndStopsWhenItIsLetGo) {
+    Desk desk(1280, 1000);
+    desk.now.vehicles[0].driver = Driver::manual;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("equations")) << "its brain has no say";
+    const Rect r = desk.where("drive.stick");
+    desk.point("drive.stick");
+    desk.frame(2);
+    desk.button(0, true);
+    desk.frame(2);
+    desk.point(r.x + r.w / 2, r.y);
+    desk.frame(2);
+    desk.point(r.x + r.w, r.y + r.h / 2);
+    desk.frame(2);
+    desk.button(0, false);
+    desk.frame(3);
+    std::vector<Steer> steered;
+    for (const EditRequest& edit : desk.edits()) steered.push_back(std::get<Steer>(edit.command));
+    ASSERT_GE(steered.size(), 3u);
+    EXPECT_EQ(steered.back(), (Steer{0, 0, 0}));
+    EXPECT_EQ(steered[steered.size() - 3], (Steer{0, 1, 1})) << "up is straight ahead";
+    const Steer right = steered[steered.size() - 2];
+    EXPECT_GT(right.left, 0) << "to the right the left wheel pushes";
+    EXPECT_FLOAT_EQ(right.right, -right.left);
+}
+
+TEST(Driving, GivesTheWheelBackToTheBrain) {
+    Desk desk(1280, 1000);
+    desk.now.vehicles[0].driver = Driver::wander;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("drive.stick"));
+    desk.click("drive.back");
+    ASSERT_EQ(desk.edits().size(), 1u);
+    EXPECT_EQ(std::get<ChooseDriver>(desk.edits()[0].command), (ChooseDriver{0, Driver::brain}));
+}
+
+}  // namespace braitenlab::tests

@@ -1,0 +1,140 @@
+// The sliders of the four neurons: weights with their thresholds, and the biases; above them what makes both sides
+// alike and what crosses the wires.
+#include <string>
+
+#include <imgui.h>
+
+#include "core/brain/four_neurons.h"
+#include "core/brain/symmetry.h"
+#include "ui/panels/panels.h"
+#include "ui/panels/selected.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+struct DialSlider {
+    Dial dial;
+    std::string_view anchor, tooltip;
+};
+
+constexpr DialSlider weights[]{{Dial::LL, "slider.LL", "dial.LL"},
+                               {Dial::LR, "slider.LR", "dial.LR"},
+                               {Dial::RL, "slider.RL", "dial.RL"},
+                               {Dial::RR, "slider.RR", "dial.RR"}};
+constexpr std::string_view threshold_anchors[]{"threshold.LL", "threshold.LR", "threshold.RL", "threshold.RR"};
+constexpr DialSlider biases[]{{Dial::LM, "bias.LM", "dial.LM"}, {Dial::RM, "bias.RM", "dial.RM"}};
+
+constexpr float threshold_width = 104, space = 14;  // layout pixels
+
+class Dials {
+public:
+    Dials(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle)
+        : view_(view),
+          state_(state),
+          ui_(ui),
+          target_(target_of(view, vehicle)),
+          brain_(*brain_of(*view.now, vehicle)),
+          values_(read_dials(brain_)) {
+        if (const Kind* filed = filed_kind(view, vehicle)) homes_ = read_dials(filed->brain);
+    }
+
+    void draw() {
+        const float width = card_width(ui_), gap = ui_.px(space), weight_width = width - ui_.px(threshold_width) - gap;
+        captions(weight_width);
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0});
+        for (std::size_t i = 0; i < std::size(weights); ++i) {
+            turn(weights[i].dial, weights[i].anchor, weight_width, weight_look(weights[i]));
+            ImGui::SameLine();
+            turn(threshold_of(weights[i].dial), threshold_anchors[i], ui_.px(threshold_width), threshold_look());
+        }
+        const float half = (width - gap) / 2;
+        for (const DialSlider& bias : biases) {
+            turn(bias.dial, bias.anchor, half, bias_look(bias));
+            if (bias.dial == Dial::LM) ImGui::SameLine();
+        }
+        ImGui::PopStyleVar();
+    }
+
+private:
+    // The words over the columns, and at the right end of the first what edits both sides at once.
+    void captions(float weight_width) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float height = ui_.px(22), y = at.y + (height - line_height(ui_, Face::small)) / 2;
+        const std::string_view weight = ui_.strings("brain.weight");
+        put(ui_, {at.x, y}, weight, ui_.palette.second_text, Face::small);
+        put(ui_, {at.x + weight_width + ui_.px(space), y}, ui_.strings("brain.threshold"), ui_.palette.second_text,
+            Face::small);
+        const SmallButton mirror{"button.mirror", icon::mirror, ui_.strings("button.mirror")};
+        const SmallButton cross{"button.cross", icon::cross_over, ui_.strings("button.cross")};
+        const float room = weight_width - text_width(ui_, Face::small, weight) - ui_.px(8);
+        const bool words =
+            small_button_width(ui_, mirror, true) + small_button_width(ui_, cross, true) + ui_.px(4) <= room;
+        const float cross_x = at.x + weight_width - small_button_width(ui_, cross, words);
+        const float mirror_x = cross_x - ui_.px(4) - small_button_width(ui_, mirror, words);
+        if (small(mirror, mirror_x, at.y, words, "tooltip.mirror")) set(mirrored(brain_));
+        if (small(cross, cross_x, at.y, words, "tooltip.cross")) set(crossed(brain_));
+        ImGui::SetCursorScreenPos(at);
+        ImGui::Dummy({1, height - ui_.px(6)});
+    }
+
+    bool small(const SmallButton& which, float x, float y, bool words, std::string_view tip) {
+        ImGui::SetCursorScreenPos({x, y});
+        const Item at = small_button(ui_, which, words);
+        tooltip(ui_, at, ui_.strings(tip));
+        return at.pressed;
+    }
+
+    void set(BrainGraph brain) {
+        if (brain != brain_)
+            ui_.outbox.push_back(
+                EditRequest{SetBrain{target_, std::move(brain)}, gestures::panels + ++state_.sliders.gesture});
+    }
+
+    SliderLook weight_look(const DialSlider& which) const {
+        SliderLook look;
+        look.words = name(which.dial);
+        look.tooltip = ui_.strings(which.tooltip);
+        return look;
+    }
+    SliderLook threshold_look() const {
+        SliderLook look;
+        look.tooltip = ui_.strings("dial.threshold");
+        look.low = 0, look.high = 1;
+        look.signed_number = look.meaning = false;
+        look.words_width = 0, look.number_width = 38;
+        return look;
+    }
+    SliderLook bias_look(const DialSlider& which) const {
+        SliderLook look = weight_look(which);
+        look.low = -1, look.high = 1;
+        look.words_width = 28;
+        return look;
+    }
+
+    void turn(Dial dial, std::string_view anchor, float width, SliderLook look) {
+        look.home = at(homes_, dial);
+        const auto edit = slider(ui_, state_.sliders, anchor, at(values_, dial), width, view_.wall_seconds, look);
+        if (edit) ui_.outbox.push_back(EditRequest{TurnDial{target_, dial, edit->value}, edit->gesture});
+    }
+
+    const LabView& view_;
+    PanelState& state_;
+    Ui& ui_;
+    Target target_;
+    const BrainGraph& brain_;
+    FourNeurons values_, homes_;  // as they are, and as they came
+};
+
+}  // namespace
+
+void dial_sliders(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
+    Dials(view, state, ui, vehicle).draw();
+}
+
+}  // namespace braitenlab
