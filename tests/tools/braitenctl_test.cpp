@@ -96,4 +96,54 @@ TEST(Check, FailsTheShippedExerciseAndPassesItsSolution) {
     EXPECT_EQ(all.code, 0) << all.out;
 }
 
+std::string scratch(const std::string& name) {
+    return (std::filesystem::temp_directory_path() / ("braitenctl-test-" + name)).string();
+}
+
+TEST(RunSave, LetsARunGoOnAsIfItHadNeverStopped) {
+    const std::string file = scratch("hunt.run");
+    ASSERT_EQ(ctl("run predator-prey --seconds 7 --seed 3 --save " + file).code, 0);
+    const Ran on = ctl("run " + file + " --seconds 8 --hash");
+    EXPECT_EQ(on.code, 0) << on.out;
+    EXPECT_EQ(on.out, ctl("run predator-prey --seconds 15 --seed 3 --hash").out);
+    EXPECT_NE(ctl("show " + file).out.find("7.0 s"), std::string::npos);
+    EXPECT_EQ(ctl("run " + file + " --seed 4").code, 2);
+    EXPECT_EQ(ctl("run 2a-coward --seconds 1 --save /dev/null/a.run").code, 2);
+    std::filesystem::remove(file);
+}
+
+TEST(Show, SaysWhatASceneAndABrainContain) {
+    const Ran scene = ctl("show 2b-aggressor");
+    EXPECT_EQ(scene.code, 0);
+    for (const char* part : {"aggressor", "sensor SL: light", "SL → MR"})
+        EXPECT_NE(scene.out.find(part), std::string::npos) << part << " in\n" << scene.out;
+    const std::string file = scratch("love.toml");
+    std::ofstream(file) << "format = 1\n[brain]\nLL = -0.5\nRR = -0.5\nLM = 0.6\nRM = 0.6\n";
+    EXPECT_NE(ctl("show " + file).out.find("love"), std::string::npos);
+    std::ofstream(file) << "format = 1\n[brain]\nLX = 1\n";
+    EXPECT_NE(ctl("show " + file).out.find(file + ":3"), std::string::npos);
+    std::filesystem::remove(file);
+    EXPECT_EQ(ctl("show no-such-file").code, 2);
+}
+
+TEST(Grade, GivesEveryBrainOfAClassARow) {
+    const std::string good = scratch("good.toml"), poor = scratch("poor.toml"), none = scratch("none.toml"),
+                      csv = scratch("class.csv");
+    std::ofstream(good) << "format = 1\n[brain]\nLR = 1.5\nRL = 1.5\nLM = 0.1\nRM = 0.1\n";
+    std::ofstream(poor) << "format = 1\n[brain]\nLM = 0.2\n";
+    std::ofstream(none) << "nonsense";
+    EXPECT_EQ(ctl("grade 05-aggressor " + good + " " + poor + " --csv " + csv).code, 0);
+    std::ifstream rows(csv);
+    std::string header, first, second, third;
+    std::getline(rows, header), std::getline(rows, first), std::getline(rows, second);
+    EXPECT_EQ(header.rfind("brain,passed,starts_passed,starts,needed,character,error,start_1,", 0), 0u);
+    EXPECT_EQ(first.rfind(good + ",yes,", 0), 0u) << first;
+    EXPECT_EQ(second.rfind(poor + ",no,0,", 0), 0u) << second;
+    EXPECT_FALSE(std::getline(rows, third));
+    const Ran with_a_bad_one = ctl("grade 05-aggressor " + none + " " + good);
+    EXPECT_EQ(with_a_bad_one.code, 2);
+    EXPECT_NE(with_a_bad_one.out.find(good + ",yes,"), std::string::npos) << "the others are graded all the same";
+    for (const auto& file : {good, poor, none, csv}) std::filesystem::remove(file);
+}
+
 }  // namespace
