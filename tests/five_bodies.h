@@ -58,6 +58,7 @@ public:
                 .drive_mass = driven > 0 ? design.mass * w.load / driven : 0,
                 .lateral_mass = gripping > 0 ? design.mass * w.load / gripping : 0,
                 .friction_limit = w.grip * floor_.grip * w.load * design.mass * mechanics::gravity,
+                .carried_mass = design.mass * w.load,
                 .area = w.area};
             b2PolygonShape box;
             box.SetAsBox(w.radius, w.width / 2);
@@ -103,7 +104,7 @@ private:
     struct WheelBody {
         b2Body* body = nullptr;
         Motor motor = Motor::none;
-        float drive_mass = 0, lateral_mass = 0, friction_limit = 0, area = 0;
+        float drive_mass = 0, lateral_mass = 0, friction_limit = 0, carried_mass = 0, area = 0;
     };
     struct Vehicle {
         b2Body* chassis = nullptr;
@@ -179,8 +180,9 @@ private:
             const float told = vehicle.command[wheel.motor == Motor::left ? 0 : 1] * vehicle.top_speed;
             tyre.x = mechanics::motor_force(told, velocity.x, wheel.drive_mass, vehicle.motor_force, tick_seconds);
         }
-        const maths::vec2 force = mechanics::limit_to_friction(tyre, wheel.friction_limit) +
-                                  mechanics::rolling_drag(velocity, floor_.friction, wheel.area);
+        const maths::vec2 force =
+            mechanics::limit_to_friction(tyre, wheel.friction_limit) +
+            mechanics::rolling_drag(velocity, floor_.friction, wheel.area, wheel.carried_mass, tick_seconds);
         wheel.body->ApplyForceToCenter(wheel.body->GetWorldVector({force.x, force.y}), true);
     }
 

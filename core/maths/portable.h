@@ -42,7 +42,7 @@ inline double sine_of_quarters(double angle, int shift) {
 
 }  // namespace detail
 
-// Angle in radians.
+// Angle in radians, up to 10^9 either way.
 inline float sine(float angle) { return static_cast<float>(detail::sine_of_quarters(angle, 0)); }
 inline float cosine(float angle) { return static_cast<float>(detail::sine_of_quarters(angle, 1)); }
 

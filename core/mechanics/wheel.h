@@ -27,8 +27,16 @@ inline maths::vec2 limit_to_friction(maths::vec2 force, float limit) {
 }
 
 // Rolling resistance: grows with the floor's friction constant (N·s/m per m^2), the contact area (m^2) and the speed.
-constexpr maths::vec2 rolling_drag(maths::vec2 velocity, float friction, float area) {
-    return velocity * (-friction * area);
+// Stepped implicitly, by what the speed will be after dt seconds: no floor is so sticky that it throws a wheel back,
+// and what nothing else brakes comes to rest after v·m/(friction·area) metres, to the formula's letter.
+constexpr maths::vec2 rolling_drag(maths::vec2 velocity, float friction, float area, float carried_mass, float dt) {
+    const float drag = friction * area;  // N·s/m
+    return carried_mass > 0 ? velocity * (-drag / (1 + drag * dt / carried_mass)) : maths::vec2{};
+}
+
+// What a motor makes of its command, −1..1: nothing below its dead band, else what it is told times its own gain.
+inline float motor_command(float command, float dead_band, float gain) {
+    return std::fabs(command) < dead_band ? 0 : command * gain;
 }
 
 // Differential drive, both ways: forward speed and turning rate (rad/s, counter-clockwise) of a pair of wheels whose

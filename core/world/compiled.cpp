@@ -1,7 +1,10 @@
 #include "core/world/compiled.h"
 
+#include <cmath>
+
 #include "core/brain/recogniser.h"
 #include "core/maths/angle.h"
+#include "core/mechanics/body.h"
 #include "core/mechanics/wheel.h"
 
 namespace braitenlab {
@@ -23,27 +26,72 @@ Result<SharedDesign> make_design(const BrainGraph& graph, const Kind& kind) {
     return std::make_shared<const Design>(Design{graph, std::move(*brain), role});
 }
 
-CompiledKind compile_kind(const Kind& kind, const Arena& arena) {
+namespace {
+
+// How far wheels that each stop the mass they carry would stop the whole body within one tick: 1 to a standstill, above
+// 1 too far, above 2 throwing it back faster than it came. The largest eigenvalue of what the wheels' impulses do to
+// the body's three speeds (ahead, aside, turning), found by iteration; `along` and `across` are the masses a wheel
+// stops.
+float overshoot(const Body& body, const std::vector<CompiledWheel>& wheels, float CompiledWheel::*along,
+                float CompiledWheel::*across) {
+    const float inertia = mechanics::plate_inertia(body.mass, body.length, body.width);
+    const maths::vec3 share{1 / std::sqrt(body.mass), 1 / std::sqrt(body.mass), 1 / std::sqrt(inertia)};
+    maths::vec3 speeds{0.6f, 0.64f, 0.48f};  // of length 1, along no axis
+    float largest = 0;
+    for (int i = 0; i < 64; ++i) {
+        const maths::vec3 own{speeds.x * share.x, speeds.y * share.y, speeds.z * share.z};
+        maths::vec3 stopped;
+        for (const CompiledWheel& w : wheels) {
+            const float x = w.*along * (own.x - own.z * w.at.y), y = w.*across * (own.y + own.z * w.at.x);
+            stopped += {x, y, y * w.at.x - x * w.at.y};
+        }
+        speeds = {stopped.x * share.x, stopped.y * share.y, stopped.z * share.z};
+        largest = maths::length(speeds);
+        speeds = maths::normalise(speeds);
+    }
+    return largest;
+}
+
+// Wheels far from the middle of a small body would shake it to pieces: they stop no more than leaves it steady.
+void steady(const Body& body, std::vector<CompiledWheel>& wheels, float CompiledWheel::*along,
+            float CompiledWheel::*across) {
+    const float too_far = overshoot(body, wheels, along, across);
+    if (too_far <= 1.001f) return;
+    for (CompiledWheel& w : wheels) {
+        w.*along /= too_far;
+        if (along != across) w.*across /= too_far;
+    }
+}
+
+}  // namespace
+
+CompiledKind compile_kind(const Kind& kind) {
+    const Body& body = kind.body;
     CompiledKind compiled;
     for (const Sensor& sensor : kind.sensors) compiled.eyes.emplace_back(sensor);
     float driven = 0, gripping = 0;  // shares of the load on wheels with a motor, with grip
-    for (const Wheel& w : kind.body.wheels) {
+    for (const Wheel& w : body.wheels) {
         if (w.motor != Motor::none) driven += w.load;
         if (w.grip > 0) gripping += w.load;
     }
-    for (const Wheel& w : kind.body.wheels) {
+    for (const Wheel& w : body.wheels) {
         CompiledWheel c;
         c.at = {w.x, w.y};
         c.motor = w.motor;
-        c.drive_mass = driven > 0 ? kind.body.mass * w.load / driven : 0;
-        c.lateral_mass = gripping > 0 ? kind.body.mass * w.load / gripping : 0;
-        c.friction_limit = w.grip * arena.grip * w.load * kind.body.mass * mechanics::gravity;
-        c.drag = arena.friction * w.area;
+        c.drive_mass = w.motor != Motor::none && driven > 0 ? body.mass * w.load / driven : 0;
+        c.lateral_mass = w.grip > 0 && gripping > 0 ? body.mass * w.load / gripping : 0;
+        c.carried_mass = body.mass * w.load;
+        c.friction_limit = w.grip * w.load * body.mass * mechanics::gravity;
+        c.area = w.area;
         compiled.wheels.push_back(c);
         if (w.motor != Motor::none) compiled.driven_radius[w.motor == Motor::left ? 0 : 1] = w.radius;
     }
-    compiled.top_speed = kind.body.top_speed;
-    compiled.motor_force = kind.body.motor_force;
+    steady(body, compiled.wheels, &CompiledWheel::drive_mass, &CompiledWheel::lateral_mass);
+    steady(body, compiled.wheels, &CompiledWheel::carried_mass, &CompiledWheel::carried_mass);
+    compiled.top_speed = body.top_speed;
+    compiled.motor_force = body.motor_force;
+    compiled.dead_band = body.dead_band;
+    compiled.mass = body.mass;
     compiled.sensor_names = sensor_names(kind);
     return compiled;
 }

@@ -25,15 +25,17 @@ struct CompiledWheel {
     Motor motor = Motor::none;
     float drive_mass = 0;      // kg, what the motor has to move
     float lateral_mass = 0;    // kg, what its grip has to stop
-    float friction_limit = 0;  // N
-    float drag = 0;            // N·s/m
+    float carried_mass = 0;    // kg, what its drag has to slow down
+    float friction_limit = 0;  // N, on a floor of grip 1
+    float area = 0;            // m^2
 };
 
 struct CompiledKind {
     std::vector<Eye> eyes;
     std::vector<CompiledWheel> wheels;
     std::array<float, 2> driven_radius{1, 1};  // m, of the left and the right wheel: how fast they spin
-    float top_speed = 0, motor_force = 0;
+    float top_speed = 0, motor_force = 0, dead_band = 0;
+    float mass = 0;
     std::vector<std::string> sensor_names;
 };
 
@@ -41,7 +43,7 @@ struct CompiledKind {
 Result<SharedDesign> make_design(const BrainGraph&, const Kind&);
 
 // Everything but the brain.
-CompiledKind compile_kind(const Kind&, const Arena&);
+CompiledKind compile_kind(const Kind&);
 
 // What eyes for obstacles can see: the four walls and every obstacle.
 std::vector<Outline> outlines_of(const Scene&);

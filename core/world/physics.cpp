@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <box2d/box2d.h>
 
 #include "core/brain/brain.h"
 #include "core/maths/angle.h"
+#include "core/mechanics/body.h"
 
 namespace braitenlab {
 
@@ -156,7 +158,7 @@ void Physics::add(VehicleId id, const Body& body, const Motion& motion) {
     b2MassData mass;
     mass.mass = body.mass;
     mass.center.SetZero();
-    mass.I = body.mass * (body.length * body.length + body.width * body.width) / 12;  // of a uniform plate
+    mass.I = mechanics::plate_inertia(body.mass, body.length, body.width);
     made->SetMassData(&mass);
     box_->bodies.push_back(made);
 }
@@ -210,3 +212,34 @@ void Physics::step(std::vector<Touch>& touching, std::vector<Touch>& begun) {
 }
 
 }  // namespace braitenlab
+
+// Box2D turns its bodies by the C library's sine and cosine, and glibc picks theirs by processor: with fused
+// multiply-add and without they differ in the last bit of a few angles in a hundred million, which is enough to part
+// two runs. Where programs are linked as ELF is, a function of the program's own stands before the library's of the
+// same name; so Box2D gets ours, and so do all others, who may: they are as exact. Elsewhere a run is the same on one
+// system only.
+#if defined(__ELF__)
+
+namespace {
+
+// Far out, and for what is no number, the library's own of double precision will do: no body turns that far.
+bool is_near(float angle) { return std::fabs(angle) < 1e5f; }
+
+}  // namespace
+
+extern "C" {
+
+float sinf(float angle) noexcept {
+    return is_near(angle) ? braitenlab::maths::sine(angle) : static_cast<float>(std::sin(static_cast<double>(angle)));
+}
+float cosf(float angle) noexcept {
+    return is_near(angle) ? braitenlab::maths::cosine(angle) : static_cast<float>(std::cos(static_cast<double>(angle)));
+}
+void sincosf(float angle, float* sine, float* cosine) noexcept {
+    *sine = sinf(angle);
+    *cosine = cosf(angle);
+}
+
+}  // extern "C"
+
+#endif

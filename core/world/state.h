@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/world/field.h"
+#include "core/world/ground.h"
 #include "core/world/moment.h"
 #include "core/world/physics.h"
 #include "core/world/world.h"
@@ -18,6 +19,7 @@ struct WorldState : Moment {
     explicit WorldState(Moment);
 
     std::vector<CompiledKind> kinds;
+    Ground ground;
     std::vector<Outline> outlines;  // walls and obstacles, for eyes
     std::array<bool, channel_count> sensed_channel{};
     std::array<Field, channel_count> fields;

@@ -8,8 +8,8 @@
 namespace braitenlab {
 
 WorldState::WorldState(Moment moment)
-    : Moment(std::move(moment)), outlines(outlines_of(*scene)), physics(*scene, obstacles) {
-    for (const Kind& design : scene->kinds) kinds.push_back(compile_kind(design, scene->arena));
+    : Moment(std::move(moment)), ground(*scene), outlines(outlines_of(*scene)), physics(*scene, obstacles) {
+    for (const Kind& design : scene->kinds) kinds.push_back(compile_kind(design));
     for (int c = 0; c < channel_count; ++c) {
         float farthest = 0;
         for (const CompiledKind& compiled : kinds)

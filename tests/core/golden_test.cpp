@@ -16,8 +16,8 @@ namespace braitenlab {
 namespace {
 
 const std::map<std::string, std::string> golden{
-    {"predator-prey", "63bf88fe4f7c37dd"}, {"1-alive", "0c648bdb694db4a8"}, {"2a-coward", "f2a280d46ec8380f"},
-    {"2b-aggressor", "0573ffb446303bb3"},  {"3a-love", "1416d6d4c557a25d"}, {"3b-explorer", "872c386da29d882f"},
+    {"predator-prey", "f89b695a1b6f2e8b"}, {"1-alive", "38c3c9891cc656b6"}, {"2a-coward", "0b3c336d659b0b48"},
+    {"2b-aggressor", "d877c7f92a36387d"},  {"3a-love", "d7b74f597a6d1489"}, {"3b-explorer", "508e031d48be7bea"},
 };
 
 const std::filesystem::path scenes = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "scenes";

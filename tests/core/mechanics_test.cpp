@@ -36,7 +36,7 @@ TEST(RollingDrag, OnlyEverTakesEnergyAway) {
     maths::Random chance{1, 1};
     for (int i = 0; i < 1000; ++i) {
         const maths::vec2 v{chance.uniform(-5, 5), chance.uniform(-5, 5)};
-        EXPECT_LE(maths::dot(rolling_drag(v, chance.uniform(0, 100), chance.uniform(0, 0.1f)), v), 0);
+        EXPECT_LE(maths::dot(rolling_drag(v, chance.uniform(0, 100), chance.uniform(0, 0.1f), 5, dt), v), 0);
     }
 }
 

@@ -1,0 +1,61 @@
+#include "core/world/ground.h"
+
+#include <gtest/gtest.h>
+
+#include "core/maths/angle.h"
+#include "core/maths/random.h"
+
+namespace braitenlab {
+namespace {
+
+using maths::vec2;
+
+TEST(Ground, IsThePlainFloorWhereThereIsNoZone) {
+    Scene scene;
+    scene.arena.friction = 17;
+    const Ground ground(scene);
+    EXPECT_EQ(ground.floor_at({1, 2}).friction, 17);
+    EXPECT_EQ(ground.push_at({1, 2}, 10), vec2{});
+    EXPECT_EQ(ground.recharge_at({1, 2}), 0);
+    EXPECT_FALSE(ground.has_surfaces || ground.pushes || ground.recharges);
+}
+
+TEST(Ground, OfOverlappingZonesTakesTheLastSurfaceAndAddsUpTheRest) {
+    Scene scene;
+    scene.zones = {{.name = "a", .length = 4, .width = 4, .surface = Surface::ice, .recharge = 0.5f, .wind_x = 1},
+                   {.name = "b", .length = 2, .width = 2, .surface = Surface::sand, .wind_x = 2, .wind_y = 3},
+                   {.name = "c", .length = 1, .width = 1, .recharge = 0.25f}};
+    const Ground ground(scene);
+    EXPECT_EQ(ground.floor_at({0, 0}).friction, floor_constants(scene.arena, Surface::sand).friction);
+    EXPECT_EQ(ground.floor_at({1.5f, 0}).friction, floor_constants(scene.arena, Surface::ice).friction);
+    EXPECT_EQ(ground.floor_at({3, 0}).friction, scene.arena.friction);
+    EXPECT_EQ(ground.push_at({0, 0}, 10), (vec2{3, 3}));
+    EXPECT_EQ(ground.recharge_at({0, 0}), 0.75f);
+}
+
+TEST(Ground, FindsTheZonesOfEveryPlaceAsLookingAtAllOfThemWould) {
+    maths::Random chance{3, 1};
+    Scene scene;
+    scene.arena.width = 37, scene.arena.height = 9;
+    for (int i = 0; i < 60; ++i) {
+        Zone zone{.x = chance.uniform(-25, 25), .y = chance.uniform(-8, 8), .heading = chance.uniform(-3, 3)};
+        zone.length = chance.uniform(0.02f, 12);
+        zone.width = chance.uniform(0.02f, 6);
+        zone.round = chance.next() % 2 == 0;
+        zone.recharge = 1;
+        scene.zones.push_back(zone);
+    }
+    const Ground ground(scene);
+    float most = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const vec2 place{chance.uniform(-30, 30), chance.uniform(-10, 10)};
+        float wanted = 0;
+        for (const Zone& zone : scene.zones) wanted += covers(zone, place) ? 1.0f : 0.0f;
+        ASSERT_EQ(ground.recharge_at(place), wanted) << place;
+        most = std::max(most, wanted);
+    }
+    EXPECT_GT(most, 5);
+}
+
+}  // namespace
+}  // namespace braitenlab

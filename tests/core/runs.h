@@ -1,0 +1,43 @@
+// Worlds that tests start in the middle of things, and let run.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "core/world/moment.h"
+#include "core/world/world.h"
+
+namespace braitenlab::tests {
+
+inline World make(const Scene& scene, std::uint64_t seed = 1) {
+    auto world = World::create(scene, seed);
+    EXPECT_TRUE(world) << world.error().text();
+    return std::move(*world);
+}
+
+inline Snapshot look(const World& world) {
+    Snapshot now;
+    world.capture(now);
+    return now;
+}
+
+inline Snapshot after(World& world, double seconds) {
+    const auto until = world.tick() + static_cast<std::uint64_t>(std::llround(seconds * 60));
+    while (world.tick() < until) world.step();
+    return look(world);
+}
+
+// A world that begins with its moment edited: set in motion, starved, anything that commands cannot do.
+template <class Edit>
+World begin_with(const Scene& scene, Edit edit) {
+    Save save = make(scene).save();
+    auto moment = std::make_shared<Moment>(*save.keyframe);
+    edit(*moment);
+    save.keyframe = std::move(moment);
+    return World::restore(save);
+}
+
+}  // namespace braitenlab::tests
