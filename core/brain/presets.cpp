@@ -92,24 +92,20 @@ BrainGraph logic() {
     return graph;
 }
 
-// Vehicle 7: fear answers to heat by birth. What is seen together with heat becomes linked to it, and then frightens by
-// itself; the link fades.
+// Vehicle 7: FEAR answers to heat by birth, and turns the vehicle away. What it SEES together with heat becomes linked
+// to FEAR, and then frightens by itself; the link fades.
 BrainGraph mnemotrix() {
     BrainGraph graph = make_graph({.LM = 0.4f, .RM = 0.4f});
     for (const char* name : {"HL", "HR"}) add_sensor(graph, name);
-    for (const bool left : {true, false}) {
-        const char* sees = left ? "SEES_L" : "SEES_R";
-        const char* fear = left ? "FEAR_L" : "FEAR_R";
-        add_threshold_unit(graph, sees, 0.1f);
-        add_threshold_unit(graph, fear, 0.5f);
-        connect(graph, left ? "SL" : "SR", sees, 1);
-        connect(graph, left ? "HL" : "HR", fear, 2);
-        Wire& link = connect(graph, sees, fear, 0);
-        link.learning_rate = 1;
-        link.decay = 0.01f;
-        connect(graph, fear, left ? "ML" : "MR", 0.5f);
-        connect(graph, fear, left ? "MR" : "ML", -0.6f);
-    }
+    add_threshold_unit(graph, "SEES", 0.4f);
+    add_threshold_unit(graph, "FEAR", 0.5f);
+    for (const char* eye : {"SL", "SR"}) connect(graph, eye, "SEES", 1);
+    for (const char* skin : {"HL", "HR"}) connect(graph, skin, "FEAR", 2);
+    Wire& link = connect(graph, "SEES", "FEAR", 0);
+    link.learning_rate = 4;
+    link.decay = 0.02f;
+    connect(graph, "FEAR", "ML", 0.3f);
+    connect(graph, "FEAR", "MR", -0.7f);
     return graph;
 }
 
@@ -125,16 +121,17 @@ BrainGraph tortoise() {
     connect(graph, "HUNGRY", "HUNGRY", 0.5f);
     for (const bool left : {true, false}) {
         const char* dazzled = left ? "DAZZLED_L" : "DAZZLED_R";
-        add_threshold_unit(graph, dazzled, 0.4f);
+        Node& unit = add_neuron(graph, dazzled);
+        unit.bias = -0.4f;
+        unit.curve.response = Response::rectified;
         connect(graph, left ? "SL" : "SR", dazzled, 1);
         connect(graph, "HUNGRY", dazzled, -1);
-        connect(graph, dazzled, left ? "ML" : "MR", 0.6f);
-        connect(graph, dazzled, left ? "MR" : "ML", -0.9f);
+        connect(graph, dazzled, left ? "MR" : "ML", -2);
     }
-    add_threshold_unit(graph, "HOME", 2.3f);
-    connect(graph, "SL", "HOME", 1);
-    connect(graph, "SR", "HOME", 1);
-    connect(graph, "HUNGRY", "HOME", 1);
+    add_threshold_unit(graph, "HOME", 1.3f);
+    connect(graph, "SL", "HOME", 0.5f);
+    connect(graph, "SR", "HOME", 0.5f);
+    connect(graph, "HUNGRY", "HOME", 0.5f);
     connect(graph, "HOME", "ML", -2);
     connect(graph, "HOME", "MR", -2);
     add_threshold_unit(graph, "BUMPED", 0.5f);

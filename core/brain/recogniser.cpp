@@ -1,8 +1,8 @@
 #include "core/brain/recogniser.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "core/brain/brain.h"
@@ -17,24 +17,63 @@ struct Motors {
     float drive() const { return (left + right) / 2; }
 };
 
-// What the motors settle to when the eyes rest at these values: the mean over the last second of four, so that a brain
-// that oscillates counts by its average.
-Motors settle(const Brain& brain, float left_eye, float right_eye) {
-    constexpr int settling_ticks = 180, watched_ticks = 60;
-    const std::array<float, 2> eyes{left_eye, right_eye};
-    std::vector<float> neurons(static_cast<std::size_t>(brain.state_size()), 0.0f);
-    std::array<float, 2> motors{};
-    Motors mean;
-    for (int t = 0; t < settling_ticks + watched_ticks; ++t) {
-        think(brain, eyes, neurons, motors);
-        if (t < settling_ticks) continue;
-        mean.left += motors[0] / watched_ticks;
-        mean.right += motors[1] / watched_ticks;
+constexpr float dead = 0.02f;  // less than 1/50 of full speed is no answer
+
+int sign(float x) { return x > dead ? 1 : x < -dead ? -1 : 0; }
+
+// A brain and what its sensors read; the eyes come first.
+struct Subject {
+    Brain brain;
+    std::vector<float> sensed;
+
+    // What the motors settle to when the eyes rest at these values: as soon as nothing changes any more, else the mean
+    // over the last second of four, so that a brain that oscillates counts by its average.
+    Motors settle(float left_eye, float right_eye) {
+        constexpr int settling_ticks = 180, watched_ticks = 60;
+        sensed[0] = left_eye, sensed[1] = right_eye;
+        std::vector<float> state(static_cast<std::size_t>(brain.state_size()), 0.0f), before;
+        std::array<float, 2> motors{};
+        Motors mean;
+        for (int t = 0; t < settling_ticks + watched_ticks; ++t) {
+            before = state;
+            think(brain, sensed, state, motors);
+            if (state == before) return {motors[0], motors[1]};
+            if (t < settling_ticks) continue;
+            mean.left += motors[0] / watched_ticks;
+            mean.right += motors[1] / watched_ticks;
+        }
+        return mean;
     }
-    return mean;
+};
+
+// How it answers to a source on one side, strong in that eye and half as strong in the other.
+struct Answer {
+    float turn;   // positive: towards the source, whichever side it is on
+    float veer;   // to the left, whichever side the source is on; 0 for one that stands still
+    float speed;  // positive: faster than in the dark
+    bool moves;
+};
+
+Answer answer_to(Subject& subject, const Motors& dark, float strength) {
+    const Motors left = subject.settle(strength, strength / 2), right = subject.settle(strength / 2, strength);
+    const auto moves = [](const Motors& m) { return std::fabs(m.left) > dead || std::fabs(m.right) > dead; };
+    const bool moving = moves(left) || moves(right);
+    return {.turn = (left.turn() - right.turn()) / 2,
+            .veer = moving ? (left.turn() + right.turn()) / 2 - dark.turn() : 0,
+            .speed = (left.drive() + right.drive()) / 2 - dark.drive(),
+            .moves = moving};
 }
 
-int sign(float x, float dead) { return x > dead ? 1 : x < -dead ? -1 : 0; }
+// The one sign that all answers agree on, or 0 where none has any; `turned` counts how often it changes.
+struct Tendency {
+    int first = 0, last = 0, turned = 0;
+    void add(int sign) {
+        if (sign == 0) return;
+        if (first == 0) first = sign;
+        turned += last != 0 && sign != last;
+        last = sign;
+    }
+};
 
 }  // namespace
 
@@ -46,6 +85,8 @@ const char* name(Character character) {
             return "indifferent";
         case Character::alive:
             return "alive";
+        case Character::drowsy:
+            return "drowsy";
         case Character::coward:
             return "coward";
         case Character::aggressor:
@@ -54,42 +95,49 @@ const char* name(Character character) {
             return "love";
         case Character::explorer:
             return "explorer";
+        case Character::orbiting:
+            return "orbiting";
         case Character::mixed:
             return "mixed";
     }
     return "";
 }
 
-Character recognise(const BrainGraph& graph) {
-    const std::array<std::string, 2> eyes{"SL", "SR"};
-    const auto brain = compile(graph, eyes);
-    if (!brain) return Character::still;
-
-    // A source on one side is strong in that eye and faint in the other, at three distances.
-    constexpr float dead = 0.02f;  // less than 1/50 of full speed is no answer
-    constexpr std::array<float, 3> strengths{0.25f, 0.5f, 0.8f};
-    constexpr float other_eye = 0.5f;
-    const Motors dark = settle(*brain, 0, 0);
-    int turns = 0, speeds = 0;  // towards and faster positive
-    bool turned_both_ways = false, sped_both_ways = false, answered = false, moved = false;
-    for (const float s : strengths) {
-        const Motors left = settle(*brain, s, s * other_eye), right = settle(*brain, s * other_eye, s);
-        const int turn = sign((left.turn() - right.turn()) / 2, dead);  // to the side that the source is on
-        const int speed = sign((left.drive() + right.drive()) / 2 - dark.drive(), dead);
-        turned_both_ways |= turn * turns < 0;
-        sped_both_ways |= speed * speeds < 0;
-        if (turn != 0) turns = turn;
-        if (speed != 0) speeds = speed;
-        answered |= turn != 0 || speed != 0;
-        moved |= std::fabs(left.drive()) > dead || std::fabs(right.drive()) > dead;
+Character recognise(const BrainGraph& graph, const EyePair& eyes, std::span<const Reading> meanwhile) {
+    std::vector<std::string> sensors{eyes.left, eyes.right};
+    std::vector<float> sensed{0, 0};
+    for (const Reading& reading : meanwhile) {
+        if (std::find(sensors.begin(), sensors.end(), reading.sensor) != sensors.end()) continue;
+        sensors.push_back(reading.sensor);
+        sensed.push_back(reading.value);
     }
-    const bool moves_in_the_dark = std::fabs(dark.left) > dead || std::fabs(dark.right) > dead;
-    if (!answered) return moved || moves_in_the_dark ? Character::indifferent : Character::still;
-    if (turned_both_ways || sped_both_ways) return Character::mixed;
-    if (turns == 0) return speeds > 0 ? Character::alive : Character::mixed;
-    if (speeds == 0) return Character::mixed;
-    if (turns > 0) return speeds > 0 ? Character::aggressor : Character::love;
-    return speeds > 0 ? Character::coward : Character::explorer;
+    auto brain = compile(graph, sensors);
+    if (!brain) return Character::still;
+    Subject subject{std::move(*brain), std::move(sensed)};
+
+    constexpr std::array<float, 8> strengths{0.05f, 0.1f, 0.2f, 0.35f, 0.5f, 0.65f, 0.8f, 0.95f};
+    const Motors dark = subject.settle(0, 0);
+    Tendency turn, speed;
+    float turned = 0, veered = 0;
+    bool moves = std::fabs(dark.left) > dead || std::fabs(dark.right) > dead;
+    for (const float strength : strengths) {
+        const Answer answer = answer_to(subject, dark, strength);
+        turn.add(sign(answer.turn));
+        speed.add(sign(answer.speed));
+        turned += std::fabs(answer.turn);
+        veered += std::fabs(answer.veer);
+        moves |= answer.moves;
+    }
+    if (veered > turned && sign(veered / static_cast<float>(strengths.size())) != 0) return Character::mixed;
+    if (turn.first > 0 && turn.last < 0 && turn.turned == 1) return Character::orbiting;
+    if (turn.turned > 0) return Character::mixed;
+    if (turn.first > 0 && speed.last < 0 && speed.turned <= 1) return Character::love;
+    if (speed.turned > 0) return Character::mixed;
+    if (turn.first == 0 && speed.first == 0) return moves ? Character::indifferent : Character::still;
+    if (turn.first == 0) return speed.first > 0 ? Character::alive : Character::drowsy;
+    if (speed.first == 0) return Character::mixed;
+    if (turn.first > 0) return Character::aggressor;
+    return speed.first > 0 ? Character::coward : Character::explorer;
 }
 
 int attraction(Character character) {

@@ -1,9 +1,16 @@
 #include "core/brain/recogniser.h"
 
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "core/brain/brain.h"
 #include "core/brain/four_neurons.h"
 #include "core/brain/presets.h"
+#include "core/maths/random.h"
 
 namespace braitenlab {
 namespace {
@@ -39,6 +46,132 @@ TEST(Recogniser, JudgesTheResponseNotTheWires) {
                    {.from = 1, .to = 11, .weight = 0.5f},
                    {.from = 11, .to = 3, .weight = 2}};
     EXPECT_EQ(recognise(graph), Character::coward);
+}
+
+TEST(Recogniser, NamesThoseThatNeitherTurnNorStay) {
+    EXPECT_EQ(of({.LL = -0.3f, .LR = -0.3f, .RL = -0.3f, .RR = -0.3f, .LM = 0.6f, .RM = 0.6f}), Character::drowsy);
+    EXPECT_EQ(recognise(find_preset("4a-orbit")->brain), Character::orbiting);
+    EXPECT_EQ(recognise(find_preset("4b-decision")->brain), Character::aggressor);
+    EXPECT_EQ(recognise(find_preset("5-logic")->brain), Character::indifferent);
+    EXPECT_EQ(of({.LL = 1.5f, .RR = 1.5f, .threshold_LL = 0.7f, .threshold_RR = 0.7f}), Character::coward);
+}
+
+TEST(Recogniser, AdmitsWhatItCannotName) {
+    EXPECT_EQ(of({.LL = 1, .LM = 0.2f, .RM = 0.2f}), Character::mixed);  // one-eyed: veers right at all it sees
+    EXPECT_EQ(of({.LL = 0.7f, .LR = 0.7f, .LM = 0.2f, .RM = 0.2f}), Character::mixed);
+    EXPECT_EQ(of({.LL = 0.5f, .LR = -0.5f, .RL = -0.5f, .RR = 0.5f}), Character::mixed);  // turns on the spot
+    BrainGraph fickle = make_graph({.LR = 1, .RL = 1, .LM = 0.4f, .RM = 0.4f});  // faint repels, strong attracts
+    for (Wire& wire : fickle.wires)
+        if (wire.weight != 0) wire.curve = {Response::hump, 0, 0.3f};
+    find_wire(fickle, 0, 2)->weight = find_wire(fickle, 1, 3)->weight = -0.3f;
+    EXPECT_EQ(recognise(fickle), Character::mixed);
+}
+
+TEST(Recogniser, IsNotFooledByUnequalWheels) {
+    EXPECT_EQ(of({.LL = 1, .RR = 1, .LM = 0.3f, .RM = 0.1f}), Character::coward);
+    EXPECT_EQ(of({.LR = 1, .RL = 1, .LM = 0.1f, .RM = 0.3f}), Character::aggressor);
+}
+
+TEST(Recogniser, NamesEachOfSeveralSensesByItself) {
+    const BrainGraph& values = find_preset("3c-values")->brain;
+    EXPECT_EQ(recognise(values), Character::aggressor);
+    EXPECT_EQ(recognise(values, {"HL", "HR"}), Character::coward);
+    EXPECT_EQ(recognise(values, {"NL", "NR"}), Character::love);
+    EXPECT_EQ(recognise(values, {"AL", "AR"}), Character::explorer);
+    EXPECT_EQ(recognise(values, {"XL", "XR"}), Character::indifferent);
+}
+
+// ── The same brain, drawn differently ───────────────────────────────────────────────────────────────────────────────
+
+// Carries each wire from a sensor to a motor through two neurons, half of it each.
+void split_direct_wires(BrainGraph& graph) {
+    const std::vector<Wire> wires = std::move(graph.wires);
+    graph.wires.clear();
+    for (const Wire& wire : wires) {
+        const bool direct = find_node(graph, wire.from)->kind == NodeKind::sensor &&
+                            find_node(graph, wire.to)->kind == NodeKind::motor && !learns(wire);
+        if (!direct) {
+            graph.wires.push_back(wire);
+            continue;
+        }
+        for (int half = 0; half < 2; ++half) {
+            const NodeId id = static_cast<NodeId>(graph.nodes.size());
+            graph.nodes.push_back({.id = id, .kind = NodeKind::neuron, .name = fmt::format("half{}", id)});
+            graph.wires.push_back({.from = wire.from, .to = id, .weight = 1});
+            graph.wires.push_back(wire);
+            graph.wires.back().from = id;
+            graph.wires.back().weight /= 2;
+        }
+    }
+}
+
+// Replaces a neuron by two that get all it gets and deliver half of it each, to each other too.
+void split_neuron(BrainGraph& graph, NodeId original) {
+    const NodeId twin = static_cast<NodeId>(graph.nodes.size());
+    graph.nodes.push_back(*find_node(graph, original));
+    graph.nodes.back().id = twin;
+    graph.nodes.back().name += "_twin";
+    const auto add = [&](Wire wire, NodeId from, NodeId to, float share) {
+        wire.from = from, wire.to = to, wire.weight *= share;
+        graph.wires.push_back(wire);
+    };
+    const std::vector<Wire> wires = std::move(graph.wires);
+    graph.wires.clear();
+    for (const Wire& wire : wires) {
+        const bool out = wire.from == original, in = wire.to == original;
+        for (const NodeId from : {wire.from, twin}) {
+            if (from == twin && !out) continue;
+            add(wire, from, wire.to, out ? 0.5f : 1);
+            if (in) add(wire, from, twin, out ? 0.5f : 1);
+        }
+    }
+}
+
+// Other names, other numbers, another order, some neurons in two: the same response.
+BrainGraph redrawn(BrainGraph graph, maths::Random& chance) {
+    const auto coin = [&] { return chance.uniform(0, 1) < 0.5f; };
+    if (coin()) split_direct_wires(graph);
+    std::vector<NodeId> hidden;
+    for (const Node& node : graph.nodes) {
+        const bool teaches = std::any_of(graph.wires.begin(), graph.wires.end(), [&](const Wire& w) {
+            return learns(w) && (w.from == node.id || w.to == node.id);
+        });
+        if (node.kind == NodeKind::neuron && !teaches && coin()) hidden.push_back(node.id);
+    }
+    for (const NodeId id : hidden) split_neuron(graph, id);
+
+    const auto shuffle = [&](auto& things) {
+        for (std::size_t i = things.size(); i > 1; --i)
+            std::swap(things[i - 1], things[static_cast<std::size_t>(chance.uniform(0, static_cast<float>(i)))]);
+    };
+    std::vector<NodeId> ids(graph.nodes.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<NodeId>(3 * i + 5);
+    shuffle(ids);
+    std::map<NodeId, NodeId> renumbered;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        Node& node = graph.nodes[i];
+        renumbered[node.id] = ids[i];
+        node.id = ids[i];
+        if (node.kind == NodeKind::neuron) node.name = fmt::format("n{}", ids[i]);
+    }
+    for (Wire& wire : graph.wires) wire.from = renumbered[wire.from], wire.to = renumbered[wire.to];
+    shuffle(graph.nodes);
+    shuffle(graph.wires);
+    return graph;
+}
+
+TEST(Recogniser, GivesEveryPresetTheSameNameHoweverItIsDrawn) {
+    maths::Random chance{7, 7};
+    for (const Preset& preset : presets())
+        for (const EyePair& eyes : {EyePair{}, EyePair{"HL", "HR"}, EyePair{"NL", "NR"}, EyePair{"AL", "AR"}}) {
+            if (!find_node(preset.brain, eyes.left)) continue;
+            const Character original = recognise(preset.brain, eyes);
+            for (int trial = 0; trial < 20; ++trial) {
+                const BrainGraph other = redrawn(preset.brain, chance);
+                ASSERT_FALSE(check_graph(other)) << check_graph(other)->what;
+                ASSERT_EQ(recognise(other, eyes), original) << preset.name << ' ' << eyes.left << ' ' << trial;
+            }
+        }
 }
 
 TEST(Recogniser, MakesPredatorsOfThoseDrawnAndPreyOfThoseDriven) {
