@@ -158,7 +158,7 @@ private:
         view.languages = &words_.languages;
         view.recent = &memory_.remembered.recent;
         const Rect area = window_.area();
-        const WindowLayout layout = lay_out(area.w, area.h, look_.scale(), view);
+        const WindowLayout layout = lay_out(area.w, area.h, look_.scale(), view, panels_.charts_open);
         outbox_.clear();
         bool arrows_are_free = true;
         for (const KeyPress press : window_.take_keys()) arrows_are_free &= !press_key(view, panels_, press, outbox_);

@@ -4,7 +4,10 @@
 #include <array>
 #include <chrono>
 
+#include <fmt/format.h>
+
 #include "app/data.h"
+#include "app/safe_file.h"
 #include "core/match.h"
 #include "core/scene/scene_file.h"
 #include "ui/steering.h"
@@ -126,6 +129,16 @@ void drive(Lab& lab) {
     const Driver kinds = lab.session.snapshot().scene->kinds[static_cast<std::size_t>(vehicle->kind)].driver;
     const Driver others = kinds == Driver::manual ? Driver::brain : kinds;
     apply(lab, ChooseDriver{vehicle->id, vehicle->driver == Driver::manual ? others : Driver::manual});
+}
+
+// To the next free name in the current folder, where screenshots go too.
+void write_numbers(Lab& lab, const ExportRequest& wanted) {
+    std::error_code none;
+    std::filesystem::path path;
+    for (int i = 1; path.empty() || std::filesystem::exists(path, none); ++i)
+        path = std::filesystem::current_path(none) / fmt::format("braitenlab-{}-{:03}.csv", wanted.name, i);
+    const auto error = write_whole(path, wanted.text);
+    notify(lab, error ? error->text() : path.string());
 }
 
 void act(Lab& lab, Action action) {
@@ -274,6 +287,7 @@ void handle(Lab& lab, const Request& request) {
               [&](const PredictRequest& r) {
                   if (lab.lesson && !lab.lesson->view.has_run) lab.lesson->view.prediction = r.option;
               },
+              [&](const ExportRequest& r) { write_numbers(lab, r); },
               [&](const SpeedRequest& r) { lab.time_scale = std::clamp(r.time_scale, speeds.front(), speeds.back()); }},
         request);
 }

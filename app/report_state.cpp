@@ -10,6 +10,7 @@
 #include "app/report.h"
 #include "core/brain/four_neurons.h"
 #include "core/brain/recogniser.h"
+#include "core/scene/names.h"
 
 namespace braitenlab {
 
@@ -70,6 +71,15 @@ void add_brain(Json& state, const Snapshot& now, const VehicleView* vehicle) {
     state["character"] = vehicle ? name(recognise(brain)) : "";
     state["weights"] = std::move(weights);
     state["thresholds"] = std::move(thresholds);
+    state["lesions"] = std::count_if(brain.nodes.begin(), brain.nodes.end(), [](const Node& n) { return n.silenced; }) +
+                       std::count_if(brain.wires.begin(), brain.wires.end(), [](const Wire& w) { return w.cut; });
+    state["driver"] = vehicle ? word(vehicle->driver) : "";
+    state["motor"] = vehicle ? Json{plain(vehicle->motor[0]), plain(vehicle->motor[1])} : Json(nullptr);
+    Json ranges = Json::array();
+    if (vehicle)
+        for (const Sensor& sensor : now.scene->kinds[static_cast<std::size_t>(vehicle->kind)].sensors)
+            ranges.push_back(plain(sensor.range));
+    state["sensor_ranges"] = std::move(ranges);
     state["nodes"] = brain.nodes.size();
     state["wires"] = std::count_if(brain.wires.begin(), brain.wires.end(), [](const Wire& w) { return w.weight != 0; });
 }

@@ -19,9 +19,9 @@ struct FrameFacts {
     double frame_ms = 0;  // work of a frame, without waiting for the display
 };
 
-// {mode, tick, seconds, hash, time_scale, selected, character, weights {LL …}, thresholds {LL …}, nodes, wires,
-// toggles, undo_depth, redo_depth, population, predators, prey, generation, camera, language, draw_calls, frame_ms,
-// exercise}
+// {mode, tick, seconds, hash, time_scale, selected, character, weights {LL …}, thresholds {LL …}, lesions, driver,
+// motor [left, right], sensor_ranges [..], nodes, wires, toggles, undo_depth, redo_depth, population, predators, prey,
+// generation, camera, language, draw_calls, frame_ms, exercise}
 std::string state_json(const Lab&, const FrameFacts&);
 
 // Keeps one file up to date: writes beside it and renames, so that a reader never sees half a file; leaves it alone

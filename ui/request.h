@@ -42,6 +42,7 @@ enum class Action {
     larger,
     smaller,
     settings,
+    charts,
     keys,
     hint,
     exercise_reset,
@@ -81,6 +82,9 @@ struct ScopeRequest {
 struct PredictRequest {
     int option = 0;  // 0-based
 };
+struct ExportRequest {  // numbers for a spreadsheet, to a new file in the current folder
+    std::string name, text;
+};
 struct SpeedRequest {
     float time_scale = 1;
 };
@@ -99,8 +103,8 @@ inline constexpr std::uint64_t canvas = std::uint64_t{1} << 40;
 inline constexpr std::uint64_t viewport = std::uint64_t{1} << 48;
 }  // namespace gestures
 
-using Request = std::variant<Action, EditRequest, SelectRequest, ScopeRequest, PredictRequest, SpeedRequest,
-                             OpenRequest, PreferencesRequest>;
+using Request = std::variant<Action, EditRequest, SelectRequest, ScopeRequest, PredictRequest, ExportRequest,
+                             SpeedRequest, OpenRequest, PreferencesRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -61,6 +61,26 @@ void right_column(const LabView& view, PanelState& state, Ui& ui, const WindowLa
     if (folded_for_room && information.folded == before) information.folded = was_folded;
 }
 
+// The exercise or the scene on top, the sensors below. Open, they take what the upper card leaves, and at least half of
+// the column where it leaves less: then that card scrolls.
+void left_column(const LabView& view, PanelState& state, Ui& ui, Rect column) {
+    if (column.w <= 0) return;
+    const CardState& upper = view.lesson ? state.exercise : state.scene;
+    const float space = ui.px(between_cards), wanted = wanted_height(ui, state.sensors);
+    const float left_over = column.h - space - wanted_height(ui, upper);
+    const float reserved = std::min(wanted, std::max({folded_height(ui), left_over, column.h / 2}));
+    Rect top = column;
+    top.h = std::min(column.h - space - reserved, wanted_height(ui, upper));
+    if (view.lesson)
+        exercise_card(view, state, ui, top);
+    else
+        scene_card(view, state, ui, top);
+    Rect below = column;
+    below.y = top.y + top.h + space;
+    below.h = std::min(wanted, column.y + column.h - below.y);
+    sensor_card(view, state, ui, below);
+}
+
 std::optional<std::string_view> slider_of(Action action) {
     constexpr std::array<std::string_view, 4> sliders{"slider.LL", "slider.LR", "slider.RL", "slider.RR"};
     if (action < Action::slider_LL || action > Action::slider_RR) return std::nullopt;
@@ -132,6 +152,8 @@ bool panels_own(PanelState& state, Action action, KeyPress press) {
         state.open_menu = state.focus_open_menu = !state.open_menu;
     else if (action == Action::settings)
         state.sheet = Sheet::settings, state.open_menu = false;
+    else if (action == Action::charts)
+        state.charts_open = !state.charts_open;
     else if (action == Action::lesion && !state.lesion_under_pointer.empty())
         state.lesion_wanted = state.lesion_under_pointer;
     else
@@ -152,13 +174,9 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     remember(state.history, view);
     ui.anchors.record("viewport", layout.scene);
     if (view.mode == Mode::wiring) draw_canvas(view, state, ui, layout);
-    if (layout.left.w > 0) {
-        if (view.lesson)
-            exercise_card(view, state, ui, layout.left);
-        else
-            scene_card(view, state, ui, layout.left);
-    }
+    left_column(view, state, ui, layout.left);
     right_column(view, state, ui, layout);
+    if (layout.charts.w > 0) chart_card(view, state, ui, layout.charts);
     hint_bar(view, ui, layout.hint_bar);
     toolbar(view, state, ui, layout.toolbar);
     open_menu(view, state, ui, layout);

@@ -10,6 +10,7 @@ namespace {
 constexpr float toolbar_height = 48, hint_height = 32;
 constexpr float narrow_window = 1200;  // below it, cards and margins are slimmer
 constexpr float inset_height = 232;
+constexpr float charts_height = 248;
 
 struct Columns {
     float margin, left, right;
@@ -22,7 +23,7 @@ Columns columns(float layout_width) {
 
 }  // namespace
 
-WindowLayout lay_out(float width, float height, float scale, const LabView& view) {
+WindowLayout lay_out(float width, float height, float scale, const LabView& view, bool charts) {
     WindowLayout l;
     l.scale = scale;
     l.window = {0, 0, width, height};
@@ -40,6 +41,11 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     l.right = {width - margin - right, top, right, column};
     l.scene = {2 * margin + left, top, width - 4 * margin - left - right, column};
 
+    if (charts && view.mode != Mode::wiring) {
+        const float height = std::min(charts_height * scale, column * 0.45f);
+        l.charts = {l.scene.x, bottom - height, l.scene.w, height};
+        l.scene.h -= height + margin;
+    }
     if (view.mode == Mode::wiring) {
         // The canvas needs room more than words do: a card without an exercise goes, and so does a card in a narrow
         // window.

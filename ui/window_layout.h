@@ -12,6 +12,7 @@ struct WindowLayout {
     Rect window, toolbar, hint_bar;
     Rect left;    // the exercise or the scene card may fill it
     Rect right;   // the brain card, and below it the information card
+    Rect charts;  // the large pictures, below the free middle; where they are open
     Rect canvas;  // the wiring canvas; in Mode::wiring alone
     Rect scene;   // what no card covers: the camera frames the arena here, and the anchor `viewport` is here. In
                   // Mode::wiring a small inset, so that the scene stays in sight
@@ -20,6 +21,6 @@ struct WindowLayout {
 
 // `scale` is window pixels per layout pixel, at least 1. Holds from 1024 × 768 layout pixels on; below that the free
 // middle shrinks, never below a quarter of the width.
-WindowLayout lay_out(float window_width, float window_height, float scale, const LabView&);
+WindowLayout lay_out(float window_width, float window_height, float scale, const LabView&, bool charts = false);
 
 }  // namespace braitenlab

@@ -135,7 +135,7 @@ public:
             written.clear();
             ui.written = &written;
             ImGui::NewFrame();
-            layout = lay_out(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y, scale_, view);
+            layout = lay_out(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y, scale_, view, panels.charts_open);
             draw_window(view, panels, ui, layout);
             ImGui::Render();
             all.insert(all.end(), asked.begin(), asked.end());

@@ -1,39 +1,96 @@
 #include "ui/panels/history.h"
 
+#include <cmath>
+
 #include "desk.h"
+#include "ui/panels/csv.h"
 
 namespace braitenlab::tests {
+
+namespace {
+
+void pass(Desk& desk, History& history, std::uint64_t tick) {
+    desk.now.tick = tick;
+    remember(history, desk.view);
+}
+
+}  // namespace
 
 TEST(History, TakesOneSampleAPeriodAndForgetsTheOldest) {
     Desk desk;
     History history;
-    for (int i = 0; i < 3000; ++i) {
-        desk.now.tick = static_cast<std::uint64_t>(i);
+    for (std::uint64_t tick = 0; tick < 6000; ++tick) {
+        pass(desk, history, tick);
         remember(history, desk.view);
-        remember(history, desk.view);
-        if (i == 8) {
-            EXPECT_EQ(history.signals[0].size(), 3u);
+        if (tick == 8) {
+            EXPECT_EQ(history.signals.size(), 3u);
         }
     }
-    EXPECT_EQ(history.signals[3].size(), History::signal_samples);
-    EXPECT_FLOAT_EQ(history.signals[0].back(), 0.4f);
-    EXPECT_FLOAT_EQ(history.signals[3].back(), 0.5f);
-    EXPECT_EQ(history.population.size(), 50u);
+    EXPECT_EQ(history.signals.size(), History::signal_samples);
+    EXPECT_FLOAT_EQ(history.signals.back().values[0], 0.4f);
+    EXPECT_FLOAT_EQ(history.signals.back().values[3], 0.5f);
+    EXPECT_NEAR(history.signals.back().seconds, 99.95, 1e-6);
+    EXPECT_EQ(history.population.size(), 100u);
 }
 
 TEST(History, BeginsAgainWithTheRunAndWithAnotherVehicle) {
     Desk desk;
     History history;
-    desk.now.tick = 600;
-    remember(history, desk.view);
+    pass(desk, history, 600);
     desk.view.selected = 1;
-    desk.now.tick = 700;
-    remember(history, desk.view);
-    EXPECT_EQ(history.signals[0].size(), 1u);
+    pass(desk, history, 700);
+    EXPECT_EQ(history.signals.size(), 1u);
     EXPECT_EQ(history.population.size(), 2u);
-    desk.now.tick = 0;
-    remember(history, desk.view);
+    pass(desk, history, 0);
     EXPECT_EQ(history.population.size(), 1u);
+}
+
+TEST(History, ForgetsOnlyWhatHasBeenTakenBack) {
+    Desk desk;
+    History history;
+    for (std::uint64_t tick = 0; tick <= 600; ++tick) pass(desk, history, tick);
+    const auto whole = history.signals.size();
+    pass(desk, history, 300);
+    EXPECT_EQ(history.population.back().seconds, 5);
+    EXPECT_EQ(history.signals.size(), (whole - 1) / 2 + 1);
+    EXPECT_EQ(history.signals.front().seconds, 0);
+    for (std::uint64_t tick = 300; tick <= 600; ++tick) pass(desk, history, tick);
+    EXPECT_EQ(history.signals.size(), whole) << "and goes on from there";
+}
+
+TEST(History, KeepsNumbersAndMeanEnergiesOfEachSide) {
+    Desk desk;  // 4 predators, 8 prey
+    for (VehicleView& v : desk.now.vehicles) v.energy = v.role == Role::predator ? 0.5f : 0.25f;
+    desk.now.vehicles[0].energy = 0.1f;
+    History history;
+    pass(desk, history, 0);
+    const History::Population& p = history.population.back();
+    EXPECT_EQ(p.count, (std::array{4, 8, 0}));
+    EXPECT_FLOAT_EQ(p.energy[0], 0.4f);
+    EXPECT_FLOAT_EQ(p.energy[1], 0.25f);
+    EXPECT_TRUE(std::isnan(p.energy[2]));
+}
+
+TEST(Csv, HoldsARowASampleUnderItsHeader) {
+    Desk desk;
+    History history;
+    pass(desk, history, 0);
+    pass(desk, history, 60);
+    EXPECT_EQ(signals_csv(history),
+              "seconds,SL,SR,ML,MR\n0.000,0.4000,0.2000,0.3000,0.5000\n1.000,0.4000,0.2000,0.3000,0.5000\n");
+    EXPECT_EQ(population_csv(history),
+              "seconds,predators,prey,others,energy_predators,energy_prey,energy_others\n"
+              "0.000,4,8,0,1.0000,1.0000,\n1.000,4,8,0,1.0000,1.0000,\n");
+}
+
+TEST(Csv, NamesEverybodyAndQuotesWhatNeedsIt) {
+    Desk desk;
+    desk.now = snapshot(0);
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->kinds[0].name = "a \"shy\", slow one";
+    desk.now.scene = scene;
+    desk.now.vehicles[0].energy = 0.5f;
+    EXPECT_EQ(energies_csv(desk.now), "id,kind,role,energy\n0,\"a \"\"shy\"\", slow one\",none,0.5000\n");
 }
 
 }  // namespace braitenlab::tests

@@ -5,7 +5,6 @@
 
 #include <imgui.h>
 
-#include "core/brain/presets.h"
 #include "core/scene/names.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/selected.h"
@@ -61,36 +60,6 @@ void scope(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const std::array words{ui.strings("scope.one"), ui.strings.find("kind_all." + kind, ui.strings("scope.all"))};
     const int chosen = segments(ui, "scope", words, view.whole_kind ? 1 : 0, card_width(ui));
     if (chosen >= 0) ui.outbox.push_back(ScopeRequest{chosen == 1});
-}
-
-// The canonical vehicles, one click away.
-void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, bool wanted,
-                  ImVec2 corner) {
-    if (wanted) ImGui::OpenPopup("presets");
-    ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(8)});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(4), ui.px(2)});
-    state.presets_open = ImGui::BeginPopup("presets");
-    if (state.presets_open) {
-        if (state.close_presets) ImGui::CloseCurrentPopup();
-        for (const Preset& preset : presets()) {
-            const std::string key(preset.name);
-            const Item row = item(ui, "preset." + key,
-                                  {ui.px(340), line_height(ui, Face::text) + line_height(ui, Face::small) + ui.px(12)});
-            fill_box(ui, row.rect, ui.palette.line.with_alpha(0.6f * row.warmth));
-            const float x = row.rect.x + ui.px(10);
-            put(ui, {x, row.rect.y + ui.px(5)}, ui.strings.find("preset." + key, key), ui.palette.text, Face::strong);
-            put(ui, {x, row.rect.y + ui.px(6) + line_height(ui, Face::text)},
-                ui.strings.find("preset_story." + key, ""), ui.palette.second_text, Face::small);
-            if (!row.pressed) continue;
-            ui.outbox.push_back(EditRequest{SetBrain{target_of(view, vehicle), preset.brain},
-                                            gestures::panels + ++state.sliders.gesture});
-            ImGui::CloseCurrentPopup();
-        }
-        ImGui::EndPopup();
-    }
-    state.close_presets = false;
-    ImGui::PopStyleVar(2);
 }
 
 }  // namespace

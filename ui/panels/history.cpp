@@ -1,48 +1,71 @@
 #include "ui/panels/history.h"
 
+#include <cmath>
+#include <limits>
 #include <string>
 
 namespace braitenlab {
 
 namespace {
 
-template <class T>
-void keep(std::deque<T>& samples, T sample, std::size_t most) {
+template <class Samples>
+void forget_after(Samples& samples, double seconds) {
+    while (!samples.empty() && samples.back().seconds > seconds) samples.pop_back();
+}
+
+// Half a tick of slack: seconds are ticks divided by 60.
+template <class Samples>
+bool is_due(const Samples& samples, double seconds, std::uint64_t period) {
+    return samples.empty() || seconds - samples.back().seconds > (static_cast<double>(period) - 0.5) / 60;
+}
+
+template <class Samples, class Sample>
+void keep(Samples& samples, const Sample& sample, std::size_t most) {
     samples.push_back(sample);
     if (samples.size() > most) samples.pop_front();
 }
 
+// What the brain gets of an eye: nothing of a covered one.
 float sensed(const Snapshot& now, const VehicleView& vehicle, const char* name) {
     const Node* node = find_node(*now.brains[static_cast<std::size_t>(vehicle.brain)], std::string(name));
-    return node ? node_value(now, vehicle, node->id) : 0;
+    return node && !node->silenced ? node_value(now, vehicle, node->id) : 0;
 }
 
-void remember_signals(History& history, const Snapshot& now, const VehicleView& vehicle) {
-    if (!history.signals[0].empty() && now.tick < history.signal_tick + History::signal_period) return;
-    history.signal_tick = now.tick;
-    const std::array<float, 4> sample{sensed(now, vehicle, "SL"), sensed(now, vehicle, "SR"), vehicle.motor[0],
-                                      vehicle.motor[1]};
-    for (std::size_t i = 0; i < sample.size(); ++i) keep(history.signals[i], sample[i], History::signal_samples);
-}
+std::size_t group_of(Role role) { return role == Role::predator ? 0 : role == Role::prey ? 1 : 2; }
 
-void remember_population(History& history, const Snapshot& now) {
-    if (!history.population.empty() && now.tick < history.population_tick + History::population_period) return;
-    history.population_tick = now.tick;
-    const std::array<float, 2> sample{static_cast<float>(now.predators), static_cast<float>(now.prey)};
-    keep(history.population, sample, History::population_samples);
+History::Population counted(const Snapshot& now, double seconds) {
+    History::Population sample{.seconds = seconds};
+    for (const VehicleView& v : now.vehicles) {
+        ++sample.count[group_of(v.role)];
+        sample.energy[group_of(v.role)] += v.energy;
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+        sample.energy[i] = sample.count[i] > 0 ? sample.energy[i] / static_cast<float>(sample.count[i])
+                                               : std::numeric_limits<float>::quiet_NaN();
+    return sample;
 }
 
 }  // namespace
 
 void remember(History& history, const LabView& view) {
     const Snapshot& now = *view.now;
-    if (now.tick < history.tick) history = {};
+    const double seconds = static_cast<double>(now.tick) / 60;
+    if (now.tick < history.tick) {
+        forget_after(history.signals, seconds);
+        forget_after(history.population, seconds);
+    }
     history.tick = now.tick;
-    if (history.vehicle != view.selected)
-        for (auto& signal : history.signals) signal.clear();
+    if (history.vehicle != view.selected) history.signals.clear();
     history.vehicle = view.selected;
-    if (const VehicleView* vehicle = find_vehicle(now, view.selected)) remember_signals(history, now, *vehicle);
-    remember_population(history, now);
+    const VehicleView* vehicle = find_vehicle(now, view.selected);
+    if (vehicle && is_due(history.signals, seconds, History::signal_period))
+        keep(history.signals,
+             History::Signals{
+                 seconds,
+                 {sensed(now, *vehicle, "SL"), sensed(now, *vehicle, "SR"), vehicle->motor[0], vehicle->motor[1]}},
+             History::signal_samples);
+    if (is_due(history.population, seconds, History::population_period))
+        keep(history.population, counted(now, seconds), History::population_samples);
 }
 
 }  // namespace braitenlab

@@ -1,11 +1,13 @@
 // The population as pictures: who is there, how much energy each has, and what has happened since the run began.
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include <imgui.h>
 
 #include "ui/imgui_compat.h"
 #include "ui/panels/panels.h"
+#include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/widgets/card.h"
@@ -90,9 +92,25 @@ void inactivity(const Snapshot& now, Ui& ui) {
 // Where nothing takes energy away, its bars would only ever be full.
 bool energy_matters(const Snapshot& now) { return now.predators + now.prey > 0 || now.scene->ecology.drain > 0; }
 
-// One bar a vehicle, in the order of entering; a click selects it.
-void energies(const LabView& view, Ui& ui) {
+// The caption of the bars, which sorts them: by number, the fullest first, the emptiest first, by kind.
+void energy_caption(PanelState& state, Ui& ui, ImVec2 at, std::string_view words) {
+    using Order = EnergyOrder;
+    constexpr std::array turns{Order{}, Order{Order::By::energy, true}, Order{Order::By::energy, false},
+                               Order{Order::By::kind, false}};
+    ImGui::SetCursorScreenPos(at);
+    const Item caption = item(ui, "info.energy.sort", {text_width(ui, Face::small, words), ui.px(24)});
+    put(ui, {at.x, at.y + ui.px(3)}, words, mix(ui.palette.second_text, ui.palette.text, caption.warmth), Face::small);
+    tooltip(ui, caption, ui.strings("info.sort"));
+    if (!caption.pressed) return;
+    const auto here = std::find(turns.begin(), turns.end(), state.energy_order);
+    const auto next = here == turns.end() ? 0 : static_cast<std::size_t>(here - turns.begin() + 1) % turns.size();
+    state.energy_order = turns[next];
+}
+
+// One bar a vehicle, in the order chosen; a click selects it.
+void energies(const LabView& view, PanelState& state, Ui& ui) {
     const Snapshot& now = *view.now;
+    sort(now, state.energy_order, state.energy_rows);
     const std::size_t shown = std::min(most_bars, now.vehicles.size());
     if (shown == 0) return;
     const std::string_view caption = ui.strings("info.energy");
@@ -102,14 +120,15 @@ void energies(const LabView& view, Ui& ui) {
     const float bar_w = ui.px(shown <= 24 ? 9.0f : 5.0f);
     const int per_row = std::max(1, static_cast<int>((width + space - ui.px(2)) / (bar_w + space)));
     const ImVec2 cursor = ImGui::GetCursorScreenPos(), at{cursor.x + aside, cursor.y + ui.px(2)};
-    put(ui, {cursor.x, at.y + ui.px(1)}, caption, ui.palette.second_text, Face::small);
+    energy_caption(state, ui, cursor, caption);
+    ImGui::SetCursorScreenPos(cursor);
     const int rows = (static_cast<int>(shown) + per_row - 1) / per_row;
     const float row_h = bar_h + ui.px(12);
     const Item area = item(ui, "info.energy", {width + aside, row_h * static_cast<float>(rows) - ui.px(2)}, false);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const VehicleView* under = nullptr;
     for (std::size_t i = 0; i < shown; ++i) {
-        const VehicleView& vehicle = now.vehicles[i];
+        const VehicleView& vehicle = now.vehicles[state.energy_rows[i]];
         const float x = at.x + static_cast<float>(static_cast<int>(i) % per_row) * (bar_w + space);
         const float y = at.y + static_cast<float>(static_cast<int>(i) / per_row) * row_h;
         const Rect bar{x, y, bar_w, bar_h};
@@ -140,12 +159,16 @@ void energies(const LabView& view, Ui& ui) {
 
 void information_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const bool was_folded = state.information.folded;
-    const bool open = begin_card(ui, state.information, "card.information", ui.strings("info.heading"), place);
+    const std::string key = key_name(Action::charts, ui.strings);
+    std::array buttons{HeadingButton{"button.charts", ui.strings("button.charts"), ui.strings("tooltip.charts"), key,
+                                     state.charts_open}};
+    const bool open = begin_card(ui, state.information, "card.information", ui.strings("info.heading"), place, buttons);
+    if (buttons[0].pressed) state.charts_open = !state.charts_open;
     if (state.information.folded != was_folded) state.information_opened = was_folded;
     if (open) {
         figures(view, ui);
         ratio(*view.now, ui);
-        if (energy_matters(*view.now)) energies(view, ui);
+        if (energy_matters(*view.now)) energies(view, state, ui);
         strips(view, state.history, ui);
         inactivity(*view.now, ui);
     }

@@ -4,10 +4,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/brain/graph.h"
 #include "core/brain/recogniser.h"
 #include "core/world/command.h"
+#include "ui/panels/energy_order.h"
 #include "ui/panels/history.h"
 #include "ui/preferences.h"
 #include "ui/prompts.h"
@@ -25,11 +27,15 @@ struct Recognised {
     Character character = Character::still;
 };
 
+// The large pictures: one at a time.
+enum class Chart { signals, population, energy, bars };
+
 // What lies over the whole window: at most one.
 enum class Sheet { none, keys, settings };
 
 struct PanelState {
-    CardState exercise, scene, brain, information;
+    CardState exercise, scene, brain, information, charts;
+    CardState sensors{.folded = true};
     SliderState sliders;
     Keyboard keyboard;
     CanvasState canvas;
@@ -40,6 +46,13 @@ struct PanelState {
     std::string lesion_wanted;         // by key: the same, until the picture has seen it
     Steer steered;                     // by the stick, last
     bool stick_held = false;
+    std::string sensor;                // by name: the one whose numbers the card shows
+    bool sensor_alone = false;         // edited without the one on the other side
+    bool sensor_quality_open = false;  // noise and delay
+    bool charts_open = false;
+    Chart chart = Chart::signals;
+    EnergyOrder energy_order;
+    std::vector<std::size_t> energy_rows;  // in that order, of the snapshot's vehicles
     bool why_open = false;
     Sheet sheet = Sheet::none;
     SheetState keys, settings;

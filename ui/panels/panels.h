@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include <imgui.h>
+
 #include "ui/lab_view.h"
 #include "ui/panels/panel_state.h"
 #include "ui/widgets/ui.h"
@@ -17,6 +19,8 @@ void scene_card(const LabView&, PanelState&, Ui&, Rect);
 void brain_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // `column`: all that it shares with others
 void information_card(const LabView&, PanelState&, Ui&, Rect);
 void strips(const LabView&, const History&, Ui&);  // the selected vehicle's last seconds, and the population's
+void sensor_card(const LabView&, PanelState&, Ui&, Rect);
+void chart_card(const LabView&, PanelState&, Ui&, Rect);  // while PanelState::charts_open; its fold closes it
 void hint_bar(const LabView&, Ui&, Rect);
 void open_menu(const LabView&, PanelState&, Ui&, const WindowLayout&);  // over everything; closes itself
 bool for_open_menu(const LabView&, PanelState&, KeyPress);  // while it is open: Tab and arrows walk its rows
@@ -29,6 +33,7 @@ void settings_card(const LabView&, PanelState&, Ui&, Rect window);  // language,
 void dial_sliders(const LabView&, PanelState&, Ui&, const VehicleView&);
 void equations(const LabView&, Ui&, const VehicleView&);
 void driver_panel(PanelState&, Ui&, const VehicleView&);  // instead of the equations: who drives it
+void presets_menu(const LabView&, PanelState&, Ui&, const VehicleView&, bool wanted, ImVec2 corner);
 void brain_picture(const LabView&, PanelState&, Ui&, const VehicleView&, float layout_height);
 
 // "Predator", "Lamp seeker": the kind's name in the language of the strings, or as its author wrote it.

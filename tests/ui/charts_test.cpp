@@ -1,0 +1,133 @@
+// The large pictures: opened when wanted, sorted by a click, exported as text.
+#include <algorithm>
+
+#include "desk.h"
+#include "ui/panels/energy_order.h"
+
+namespace braitenlab::tests {
+
+namespace {
+
+Snapshot unequal() {
+    Snapshot now = snapshot(2);  // six vehicles: kinds 0 1 1 0 1 1
+    const float energies[]{0.5f, 0.9f, 0.1f, 0.7f, 0.1f, 0.3f};
+    for (std::size_t i = 0; i < 6; ++i) now.vehicles[i].energy = energies[i];
+    return now;
+}
+
+std::vector<std::size_t> sorted(EnergyOrder order) {
+    std::vector<std::size_t> rows;
+    sort(unequal(), order, rows);
+    return rows;
+}
+
+// With the charts open and ten seconds of run behind it.
+class ChartDesk : public Desk {
+public:
+    explicit ChartDesk(float width = 1280, float height = 800, bool fonts = false) : Desk(width, height, 1, fonts) {
+        now = unequal();
+        for (std::uint64_t tick = 0; tick <= 600; tick += 3)
+            now.tick = tick, now.seconds = static_cast<double>(tick) / 60, frame();
+        key({'C'});
+        frame(4);
+    }
+};
+
+ExportRequest exported(const Desk& desk) {
+    for (const Request& request : desk.all)
+        if (const auto* found = std::get_if<ExportRequest>(&request)) return *found;
+    throw std::runtime_error("nothing was exported");
+}
+
+}  // namespace
+
+TEST(EnergyOrder, SortsByNumberEnergyAndKindEitherWay) {
+    using By = EnergyOrder::By;
+    using Rows = std::vector<std::size_t>;
+    EXPECT_EQ(sorted({By::number, false}), (Rows{0, 1, 2, 3, 4, 5}));
+    EXPECT_EQ(sorted({By::number, true}), (Rows{5, 4, 3, 2, 1, 0}));
+    EXPECT_EQ(sorted({By::energy, true}), (Rows{1, 3, 0, 5, 2, 4}));
+    EXPECT_EQ(sorted({By::energy, false}), (Rows{2, 4, 5, 0, 3, 1}));
+    EXPECT_EQ(sorted({By::kind, false}), (Rows{0, 3, 1, 2, 4, 5}));
+}
+
+TEST(Charts, OpenByKeyOrButtonAndCloseByTheirHeading) {
+    ChartDesk desk;
+    EXPECT_TRUE(desk.anchors.find("card.charts"));
+    desk.click("card.charts.fold", 0, 0.2f);
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("card.charts"));
+    desk.click("button.charts");
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("card.charts"));
+}
+
+TEST(Charts, StandInTheMiddleBelowTheScene) {
+    ChartDesk desk(1024, 768);
+    const Rect card = desk.where("card.charts"), scene = desk.where("viewport");
+    EXPECT_GE(card.y, scene.y + scene.h);
+    EXPECT_GE(scene.h, 200);
+    EXPECT_FLOAT_EQ(card.x, scene.x);
+    EXPECT_FLOAT_EQ(card.w, scene.w);
+}
+
+TEST(Charts, ExportWhatTheyShow) {
+    ChartDesk desk;
+    const char* names[]{"signals", "population", "population", "energies"};
+    const char* starts[]{"seconds,SL,", "seconds,predators,", "seconds,predators,", "id,kind,"};
+    for (int i = 0; i < 4; ++i) {
+        if (i > 0) desk.click("charts.tab." + std::to_string(i + 1));
+        desk.all.clear();
+        desk.click("charts.csv");
+        const ExportRequest file = exported(desk);
+        EXPECT_EQ(file.name, names[i]);
+        EXPECT_TRUE(file.text.starts_with(starts[i])) << i;
+        EXPECT_GT(std::count(file.text.begin(), file.text.end(), '\n'), 5) << i;
+    }
+}
+
+TEST(Charts, SelectTheVehicleWhoseBarIsClickedInTheOrderChosen) {
+    ChartDesk desk;
+    desk.click("charts.tab.4");
+    desk.frame(2);
+    const auto first_bar = [&] {
+        desk.all.clear();
+        desk.rest();
+        const Rect r = desk.where("charts.bars");
+        desk.point(r.x + 4, r.y + r.h / 2);
+        desk.frame(2);
+        desk.button(0, true);
+        desk.frame();
+        desk.button(0, false);
+        desk.frame();
+        for (const Request& request : desk.all)
+            if (const auto* select = std::get_if<SelectRequest>(&request)) return select->vehicle;
+        return no_vehicle;
+    };
+    EXPECT_EQ(first_bar(), 0);
+    desk.click("charts.sort.energy");
+    EXPECT_EQ(first_bar(), 1) << "the fullest first";
+    desk.rest();
+    desk.click("charts.sort.energy");
+    EXPECT_EQ(first_bar(), 2) << "and the emptiest";
+}
+
+TEST(Charts, ReadOutTheValueUnderThePointer) {
+    ChartDesk desk(1280, 800, true);
+    desk.click("charts.tab.3");
+    desk.frame(2);
+    const Rect r = desk.where("charts.picture");
+    const auto shapes = [&] {
+        desk.frame(2);
+        int vertices = 0;
+        const ImDrawData* data = ImGui::GetDrawData();
+        for (int i = 0; i < data->CmdListsCount; ++i) vertices += data->CmdLists[i]->VtxBuffer.Size;
+        return vertices;
+    };
+    desk.point(5, 5);
+    const int without = shapes();
+    desk.point(r.x + r.w / 2, r.y + r.h / 2);
+    EXPECT_GT(shapes(), without + 40) << "a line and its words";
+}
+
+}  // namespace braitenlab::tests

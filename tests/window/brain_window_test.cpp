@@ -1,0 +1,103 @@
+// The brain card, the sensors and the charts, by a real hand.
+#include "tests/window/lab_window.h"
+
+namespace braitenlab::tests {
+namespace {
+
+bool wait_for(const std::function<bool()>& holds) { return LabWindow::eventually(holds, 6); }
+
+void type_into(const LabWindow& lab, const std::string& slider, const std::string& number) {
+    lab.move(lab.at(slider));
+    lab.xdotool("keydown ctrl");
+    lab.press();
+    lab.release();
+    lab.xdotool("keyup ctrl");
+    LabWindow::wait(0.2);
+    if (!number.empty()) lab.xdotool("type --delay 60 -- " + number);
+    lab.key("Return");
+}
+
+TEST(BrainWindow, ClampsWhatIsTypedAfterACtrlClickAndRefusesWhatIsNoNumber) {
+    LabWindow lab({"2a-coward", "--size", "1280x800"});
+    type_into(lab, "slider.LR", "7.5");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 2; })) << lab.state()["weights"];
+    EXPECT_EQ(lab.state()["undo_depth"], 1);
+    type_into(lab, "threshold.LR", "-3");
+    type_into(lab, "slider.LR", "nan");  // the letters do not even get in: what was there stays
+    type_into(lab, "slider.LR", "-");
+    LabWindow::wait(0.3);
+    EXPECT_EQ(lab.state()["weights"]["LR"], 2);
+    EXPECT_EQ(lab.state()["thresholds"]["LR"], 0);
+    EXPECT_EQ(lab.state()["undo_depth"], 1);
+    lab.key("ctrl+z");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 0; }));
+}
+
+TEST(BrainWindow, NamesWhatTheWiringDoesAsItIsCrossedAndBringsBackTheFilesValue) {
+    LabWindow lab({"2a-coward", "--size", "1280x800"});
+    EXPECT_EQ(lab.state()["character"], "coward");
+    const double filed = lab.state()["weights"]["LL"];
+    lab.click("button.cross");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["character"] == "aggressor"; }));
+    lab.move(lab.at("slider.LL"));
+    lab.xdotool("click 3");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LL"] == filed; }));
+    lab.click("button.mirror");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["RR"] == filed; }));
+    for (int i = 0; i < 3; ++i) lab.key("ctrl+z");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["character"] == "coward" && lab.state()["undo_depth"] == 0; }));
+}
+
+TEST(BrainWindow, CoversAnEyeByAClickAndHealsItByUndo) {
+    LabWindow lab({"2a-coward", "--size", "1280x800", "--play"});
+    ASSERT_EQ(lab.state()["lesions"], 0);
+    lab.click("lesion.SL");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["lesions"] == 1; }));
+    lab.click("lesion.RR");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["lesions"] == 2; }));
+    EXPECT_EQ(lab.state()["weights"]["RR"], lab.state()["weights"]["LL"]) << "no number is lost";
+    lab.key("ctrl+z");
+    lab.key("ctrl+z");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["lesions"] == 0; }));
+}
+
+TEST(BrainWindow, IsDrivenByHandWithTheArrowKeys) {
+    LabWindow lab({"2a-coward", "--size", "1280x800", "--play"});
+    lab.click("viewport");
+    lab.key("g");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["driver"] == "manual"; }));
+    const Json view = lab.state()["view"];
+    lab.xdotool("keydown Up");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["motor"] == Json({1.0, 1.0}); })) << lab.state()["motor"];
+    lab.xdotool("keyup Up");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["motor"] == Json({0.0, 0.0}); }));
+    EXPECT_EQ(lab.state()["view"], view) << "the keys are no longer the camera's";
+    lab.key("g");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["driver"] == "brain"; }));
+}
+
+TEST(BrainWindow, DragsASensorsRangeAsOneStepOfUndo) {
+    LabWindow lab({"2a-coward", "--size", "1280x800", "--play"});
+    lab.click("card.sensors.fold");
+    const Point middle = lab.at("sensor.range");
+    const auto ranges = [&] { return lab.state()["sensor_ranges"]; };
+    const Json before = ranges();
+    lab.drag(middle, {middle.x - 30, middle.y});
+    EXPECT_TRUE(wait_for([&] { return ranges() != before; }));
+    EXPECT_EQ(lab.state()["undo_depth"], 1);
+    lab.key("ctrl+z");
+    EXPECT_TRUE(wait_for([&] { return ranges() == before; }));
+}
+
+TEST(BrainWindow, ShowsTheLargePicturesAndTakesThemAway) {
+    LabWindow lab({"predator-prey", "--size", "1024x768", "--play"});
+    lab.key("c");
+    ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("card.charts"); }));
+    lab.click("charts.tab.4");
+    EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("charts.bars"); }));
+    lab.key("c");
+    EXPECT_TRUE(wait_for([&] { return !lab.anchors().contains("card.charts"); }));
+}
+
+}  // namespace
+}  // namespace braitenlab::tests

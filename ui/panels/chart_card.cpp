@@ -1,0 +1,270 @@
+// The large pictures: signals of the selected vehicle, population and energy over time, and everybody's energy as bars.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "ui/panels/csv.h"
+#include "ui/panels/energy_order.h"
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/plot.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> signal_names{"SL", "SR", "ML", "MR"};
+constexpr std::array roles{Role::predator, Role::prey, Role::none};
+
+// The time that a picture spans: at least `least` seconds, ending with the newest sample.
+Axis time_axis(double first, double last, float least) {
+    const float low = static_cast<float>(first), high = std::max(static_cast<float>(last), low + least);
+    return {low, high, " s", 0};
+}
+
+// The sample nearest to a moment.
+template <class Samples>
+const auto& nearest(const Samples& samples, float seconds) {
+    const auto later = std::lower_bound(samples.begin(), samples.end(), static_cast<double>(seconds),
+                                        [](const auto& s, double at) { return s.seconds < at; });
+    if (later == samples.end()) return samples.back();
+    if (later == samples.begin()) return *later;
+    const auto& before = *(later - 1);
+    return static_cast<double>(seconds) - before.seconds < later->seconds - static_cast<double>(seconds) ? before
+                                                                                                         : *later;
+}
+
+// What stands beside the pointer, a line a value in the value's colour.
+class ReadOut {
+public:
+    void add(std::string words, Colour colour) {
+        if (count_ == words_.size()) return;
+        words_[count_] = std::move(words);
+        colours_[count_++] = colour;
+    }
+    void show(const Ui& ui, Rect inner, float pixel_x) const {
+        std::array<std::string_view, most> lines;
+        for (std::size_t i = 0; i < count_; ++i) lines[i] = words_[i];
+        plot_words(ui, inner, pixel_x, lines.data(), colours_.data(), static_cast<int>(count_));
+    }
+
+private:
+    static constexpr std::size_t most = 6;
+    std::array<std::string, most> words_;
+    std::array<Colour, most> colours_{};
+    std::size_t count_ = 0;
+};
+
+Rect rest_of(Ui& ui, Rect card) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    return {at.x, at.y, card_width(ui), std::max(ui.px(40), card.y + card.h - ui.px(12) - at.y)};
+}
+
+void nothing_yet(Ui& ui, Rect r) {
+    put_centred(ui, {r.x + r.w / 2, r.y + r.h / 2 - line_height(ui, Face::small)}, ui.strings("charts.nothing"),
+                ui.palette.second_text, Face::small);
+}
+
+// Eyes above, motors below, each pair on an axis of its own; left is drawn broad, right slim, so that both are seen
+// where they lie on each other.
+void signal_pair(const History& history, Ui& ui, Rect r, const Axis& time, std::size_t first) {
+    const bool motors = first == 2;
+    const Axis value{motors ? -1.0f : 0.0f, 1, "", 1};
+    const Rect inner = plot_ground(ui, r, time, value);
+    const Colour left = ui.palette.accent, right = ui.palette.text;
+    for (const std::size_t i : {first, first + 1})
+        plot_line(ui, inner, time, value, history.signals.size(), i == first ? left : right, i == first ? 2.6f : 1.3f,
+                  [&](std::size_t k) {
+                      return ImVec2{static_cast<float>(history.signals[k].seconds), history.signals[k].values[i]};
+                  });
+    put(ui, {inner.x + ui.px(6), inner.y + ui.px(2)}, signal_names[first], left, Face::small);
+    put(ui, {inner.x + ui.px(26), inner.y + ui.px(2)}, signal_names[first + 1], right, Face::small);
+    const auto at = plot_cursor(ui, inner, time);
+    if (!at) return;
+    const History::Signals& s = nearest(history.signals, *at);
+    ReadOut words;
+    words.add(fill(ui.strings("time.seconds"), {fixed(static_cast<float>(s.seconds), 2)}), ui.palette.second_text);
+    for (const std::size_t i : {first, first + 1})
+        words.add(std::string(signal_names[i]) + " " + (motors ? with_sign(s.values[i], 2) : fixed(s.values[i], 2)),
+                  i == first ? left : right);
+    words.show(ui, inner, ImGui::GetIO().MousePos.x);
+}
+
+void signals(const History& history, Ui& ui, Rect r) {
+    if (history.signals.size() < 2) return nothing_yet(ui, r);
+    const Axis time = time_axis(history.signals.front().seconds, history.signals.back().seconds, 5);
+    // The upper picture shares the lower one's numbers along the time.
+    const float half = (r.h - line_height(ui, Face::small)) / 2;
+    Axis bare = time;
+    bare.numbers = false;
+    signal_pair(history, ui, {r.x, r.y, r.w, half + line_height(ui, Face::small)}, bare, 0);
+    signal_pair(history, ui, {r.x, r.y + half, r.w, half + line_height(ui, Face::small)}, time, 2);
+}
+
+std::string_view group_name(const Ui& ui, std::size_t group) {
+    constexpr std::array<std::string_view, 3> keys{"info.predators", "info.prey", "info.others"};
+    return ui.strings(keys[group]);
+}
+
+// Whose lines they are, above the picture; returns how high that is.
+float groups(const Ui& ui, ImVec2 at, const std::array<bool, 3>& there) {
+    const float line = line_height(ui, Face::small), sign = ui.px(9);
+    float x = at.x + ui.px(24);
+    for (std::size_t g = 0; g < 3; ++g) {
+        if (!there[g]) continue;
+        put_role(ui, {x + sign / 2, at.y + line / 2}, sign, roles[g]);
+        x += sign + ui.px(5);
+        x += put(ui, {x, at.y}, group_name(ui, g), ui.palette.text, Face::small) + ui.px(14);
+    }
+    return line;
+}
+
+// One line a group that anybody belongs to: how many, or how full of energy on average.
+void over_time(const History& history, Ui& ui, Rect r, bool energy) {
+    const auto& samples = history.population;
+    if (samples.size() < 2) return nothing_yet(ui, r);
+    const Axis time = time_axis(samples.front().seconds, samples.back().seconds, 10);
+    int most = 4;
+    std::array<bool, 3> there{};
+    for (const History::Population& p : samples)
+        for (std::size_t g = 0; g < 3; ++g) {
+            most = std::max(most, p.count[g]);
+            there[g] |= p.count[g] > 0;
+        }
+    const Axis value{0, energy ? 1.0f : static_cast<float>(most) * 1.08f, "", energy ? 1 : 0};
+    const float legend = groups(ui, {r.x, r.y}, there);
+    const Rect inner = plot_ground(ui, {r.x, r.y + legend, r.w, r.h - legend}, time, value);
+    for (std::size_t g = 0; g < 3; ++g) {
+        if (!there[g]) continue;
+        const Colour colour = colour_of(ui.palette, roles[g]);
+        const auto shown = [&](std::size_t k) {
+            return energy ? samples[k].energy[g] : static_cast<float>(samples[k].count[g]);
+        };
+        plot_line(ui, inner, time, value, samples.size(), colour, 2, [&](std::size_t k) {
+            return ImVec2{static_cast<float>(samples[k].seconds), shown(k)};
+        });
+    }
+    const auto at = plot_cursor(ui, inner, time);
+    if (!at) return;
+    const History::Population& p = nearest(samples, *at);
+    ReadOut words;
+    words.add(fill(ui.strings("time.seconds"), {fixed(static_cast<float>(p.seconds), 0)}), ui.palette.second_text);
+    for (std::size_t g = 0; g < 3; ++g)
+        if (there[g])
+            words.add(
+                (energy ? fixed(p.energy[g], 2) : std::to_string(p.count[g])) + " " + std::string(group_name(ui, g)),
+                ui.palette.text);
+    words.show(ui, inner, ImGui::GetIO().MousePos.x);
+}
+
+// The headers that sort: a click sorts by it, another the other way round.
+void sort_headers(PanelState& state, Ui& ui) {
+    const std::array<std::string_view, 3> words{ui.strings("charts.by_number"), ui.strings("charts.by_energy"),
+                                                ui.strings("charts.by_kind")};
+    constexpr std::array<std::string_view, 3> anchors{"charts.sort.number", "charts.sort.energy", "charts.sort.kind"};
+    EnergyOrder& order = state.energy_order;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const auto by = static_cast<EnergyOrder::By>(i);
+        const bool on = order.by == by;
+        const std::string text = std::string(words[i]) + (on ? order.falling ? " ↓" : " ↑" : "");
+        if (i > 0) ImGui::SameLine(0, ui.px(6));
+        const Item at = small_button(ui, {anchors[i], {}, text, on});
+        tooltip(ui, at, ui.strings("charts.sort_how"));
+        if (!at.pressed) continue;
+        order.falling = on ? !order.falling : by == EnergyOrder::By::energy;
+        order.by = by;
+    }
+}
+
+// One bar a vehicle, in the chosen order; those that find no room are counted.
+void bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
+    sort_headers(state, ui);
+    const Rect r = rest_of(ui, card);
+    sort(*view.now, state.energy_order, state.energy_rows);
+    const auto& rows = state.energy_rows;
+    if (rows.empty()) return nothing_yet(ui, r);
+    const float room = r.w - ui.px(40);
+    const auto count = static_cast<float>(rows.size());
+    const float stride = std::clamp(room / count, ui.px(3), ui.px(28));
+    const std::size_t shown = std::min(rows.size(), static_cast<std::size_t>(room / stride));
+    // No numbers along the bars: everybody has one of its own, which the read-out tells.
+    const Axis place{0, static_cast<float>(shown), "", 0, false}, energy{0, 1, "", 1};
+    const Rect inner = plot_ground(ui, r, place, energy);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const bool over = inner.contains(mouse.x, mouse.y) && ImGui::IsWindowHovered();
+    const float width = std::min(inner.w / static_cast<float>(shown), ui.px(28));
+    for (std::size_t i = 0; i < shown; ++i) {
+        const VehicleView& v = view.now->vehicles[rows[i]];
+        const float x = inner.x + width * static_cast<float>(i), gap = width > ui.px(5) ? ui.px(1.5f) : ui.px(0.5f);
+        const ImVec2 top = plot_point(inner, place, energy, 0, v.energy);
+        const Rect bar{x + gap, top.y, width - 2 * gap, inner.y + inner.h - top.y};
+        fill_box(ui, bar, colour_of(ui.palette, v.role), 2);
+        if (v.id == view.selected) line_box(ui, {x, inner.y, width, inner.h}, ui.palette.text, 2, 1.5f);
+        if (!over || mouse.x < x || mouse.x >= x + width) continue;
+        line_box(ui, {x, inner.y, width, inner.h}, ui.palette.second_text, 2, 1);
+        ReadOut words;
+        const Kind& kind = view.now->scene->kinds[static_cast<std::size_t>(v.kind)];
+        words.add(fill(ui.strings("info.one"), {kind_name(ui, kind), std::to_string(v.id + 1), fixed(v.energy, 2)}),
+                  ui.palette.text);
+        words.show(ui, inner, x + width);
+        if (ImGui::IsMouseClicked(0)) ui.outbox.push_back(SelectRequest{v.id});
+    }
+    mark(ui, "charts.bars", {inner.x, inner.y, width * static_cast<float>(shown), inner.h});
+    if (shown < rows.size())
+        put_right(ui, {inner.x + inner.w - ui.px(4), inner.y + ui.px(2)},
+                  fill(ui.strings("info.more"), {std::to_string(rows.size() - shown)}), ui.palette.second_text,
+                  Face::small);
+}
+
+void save_csv(const LabView& view, const PanelState& state, Ui& ui) {
+    switch (state.chart) {
+        case Chart::signals:
+            ui.outbox.push_back(ExportRequest{"signals", signals_csv(state.history)});
+            break;
+        case Chart::population:
+        case Chart::energy:
+            ui.outbox.push_back(ExportRequest{"population", population_csv(state.history)});
+            break;
+        case Chart::bars:
+            ui.outbox.push_back(ExportRequest{"energies", energies_csv(*view.now)});
+            break;
+    }
+}
+
+}  // namespace
+
+void chart_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+    std::array buttons{HeadingButton{"charts.csv", ui.strings("charts.csv"), ui.strings("tooltip.csv")}};
+    const bool open = begin_card(ui, state.charts, "card.charts", ui.strings("charts.heading"), place, buttons);
+    if (open) {
+        if (buttons[0].pressed) save_csv(view, state, ui);
+        const std::array words{ui.strings("charts.signals"), ui.strings("charts.population"),
+                               ui.strings("charts.energy"), ui.strings("charts.bars")};
+        const int chosen = segments(ui, "charts.tab", words, static_cast<int>(state.chart), card_width(ui));
+        if (chosen >= 0) state.chart = static_cast<Chart>(chosen);
+        const Rect picture = rest_of(ui, place);
+        if (state.chart == Chart::bars) {
+            bars(view, state, ui, place);
+        } else {
+            const Item area = item(ui, "charts.picture", {picture.w, picture.h}, false);
+            if (state.chart == Chart::signals)
+                signals(state.history, ui, area.rect);
+            else
+                over_time(state.history, ui, area.rect, state.chart == Chart::energy);
+        }
+    }
+    end_card(state.charts);
+    if (state.charts.folded) state.charts.folded = state.charts_open = false;  // its fold closes it
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,81 @@
+// The classic brains, each with its story, one click away; and brains of one's own, from and to files.
+#include <algorithm>
+#include <string>
+
+#include <imgui.h>
+
+#include "core/brain/presets.h"
+#include "ui/panels/panels.h"
+#include "ui/panels/selected.h"
+#include "ui/strings.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/keyboard.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float row_width = 344, row_padding = 12;  // layout pixels
+
+// True when it was chosen. A bar marks the brain that the vehicle has already.
+bool preset_row(Ui& ui, const Preset& preset, bool current, ImVec2 at) {
+    const std::string key(preset.name);
+    ImGui::SetCursorScreenPos(at);
+    const Item row =
+        item(ui, "preset." + key,
+             {ui.px(row_width), line_height(ui, Face::text) + line_height(ui, Face::small) + ui.px(row_padding)});
+    fill_box(ui, row.rect, ui.palette.line.with_alpha(0.6f * row.warmth));
+    if (current)
+        fill_box(ui, {row.rect.x, row.rect.y + ui.px(6), ui.px(3), row.rect.h - ui.px(12)}, ui.palette.accent, 2);
+    const float x = row.rect.x + ui.px(10);
+    put(ui, {x, row.rect.y + ui.px(5)}, ui.strings.find("preset." + key, key), ui.palette.text, Face::strong);
+    put(ui, {x, row.rect.y + ui.px(6) + line_height(ui, Face::text)}, ui.strings.find("preset_story." + key, ""),
+        ui.palette.second_text, Face::small);
+    return row.pressed;
+}
+
+// In two columns, so that all are in sight at once.
+void rows(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
+    const BrainGraph& brain = *brain_of(*view.now, vehicle);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float height = line_height(ui, Face::text) + line_height(ui, Face::small) + ui.px(row_padding + 2);
+    const std::size_t count = presets().size(), half = (count + 1) / 2;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Preset& preset = presets()[i];
+        const ImVec2 at{start.x + (i < half ? 0.0f : ui.px(row_width + 8)),
+                        start.y + height * static_cast<float>(i < half ? i : i - half)};
+        if (!preset_row(ui, preset, preset.brain == brain, at)) continue;
+        ui.outbox.push_back(
+            EditRequest{SetBrain{target_of(view, vehicle), preset.brain}, gestures::panels + ++state.sliders.gesture});
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::SetCursorScreenPos({start.x, start.y + height * static_cast<float>(half)});
+}
+
+}  // namespace
+
+void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, bool wanted,
+                  ImVec2 corner) {
+    if (wanted) ImGui::OpenPopup("presets");
+    // Opened by key, the focus goes in; closed, it comes back.
+    if (wanted && ui.keyboard && ui.keyboard->focus == "button.presets")
+        ui.keyboard->focus = "preset." + std::string(presets().front().name);
+    ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(8)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(4), ui.px(2)});
+    const bool was_open = state.presets_open;
+    state.presets_open = ImGui::BeginPopup("presets");
+    if (state.presets_open) {
+        if (state.close_presets) ImGui::CloseCurrentPopup();
+        rows(view, state, ui, vehicle);
+        ImGui::EndPopup();
+    } else if (was_open && ui.keyboard && ui.keyboard->focus.substr(0, 7) == "preset.") {
+        ui.keyboard->focus = "button.presets";
+    }
+    state.close_presets = false;
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace braitenlab

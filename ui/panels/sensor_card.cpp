@@ -1,0 +1,190 @@
+// How the selected vehicle's kind senses: where each eye sits, where it looks, how wide and how far, and how well.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <imgui.h>
+
+#include "core/scene/fields.h"
+#include "core/scene/names.h"
+#include "ui/panels/panels.h"
+#include "ui/panels/selected.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float degrees = 57.295779513f;  // of a radian
+
+// The name of the sensor on the other side: SR for SL. Empty where the name tells no side.
+std::string other_side(const std::string& name) {
+    std::string other = name;
+    if (name.empty() || (name.back() != 'L' && name.back() != 'R')) return {};
+    other.back() = name.back() == 'L' ? 'R' : 'L';
+    return other;
+}
+
+template <class Sensors>
+auto find_sensor(Sensors& sensors, const std::string& name) -> decltype(&sensors[0]) {
+    const auto found = std::find_if(sensors.begin(), sensors.end(), [&](const Sensor& s) { return s.name == name; });
+    return found == sensors.end() ? nullptr : &*found;
+}
+
+// One number of a sensor as a slider shows it.
+struct Field {
+    std::string_view anchor, words, tooltip;  // the latter two are keys of strings
+    float Sensor::*value;
+    float low, high;
+    float factor = 1;  // shown per stored
+    float step = 0.01f;
+    int decimals = 2;
+    std::string_view unit;
+    bool sided = false;      // of the other sign on the other side
+    bool stretches = false;  // the slider grows with what is there already
+};
+
+constexpr Field geometry[]{
+    {"sensor.angle", "sensors.angle", "sensors.angle_how", &Sensor::angle, -180, 180, degrees, 1, 0, "°", true},
+    {"sensor.field", "sensors.field", "sensors.field_how", &Sensor::field, 1, 360, degrees, 1, 0, "°"},
+    {"sensor.range", "sensors.range", "sensors.range_how", &Sensor::range, 0.1f, 20, 1, 0.1f, 1, " m", false, true},
+    {"sensor.x", "sensors.x", "sensors.x_how", &Sensor::x, -1, 1, 1, 0.01f, 2, " m", false, true},
+    {"sensor.y", "sensors.y", "sensors.y_how", &Sensor::y, -1, 1, 1, 0.01f, 2, " m", true, true},
+};
+constexpr Field quality[]{
+    {"sensor.half_distance", "sensors.half_distance", "sensors.half_distance_how", &Sensor::half_distance, 0.1f, 20, 1,
+     0.1f, 1, " m", false, true},
+    {"sensor.noise", "sensors.noise", "sensors.noise_how", &Sensor::noise, 0, 1},
+    {"sensor.latency", "sensors.latency", "sensors.latency_how", &Sensor::latency, 0, 1, 1, 0.01f, 2, " s"},
+};
+
+class Card {
+public:
+    Card(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle)
+        : view_(view), state_(state), ui_(ui), vehicle_(vehicle), kind_(kind_of(*view.now, vehicle)) {
+        if (!find_sensor(kind_.sensors, state.sensor)) state.sensor = kind_.sensors.front().name;
+        sensor_ = find_sensor(kind_.sensors, state.sensor);
+        if (const Kind* filed = filed_kind(view, vehicle)) filed_ = find_sensor(filed->sensors, state.sensor);
+    }
+
+    void draw() {
+        names();
+        sides();
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+        for (const Field& field : geometry) turn(field);
+        ImGui::PopStyleVar();
+        gap(ui_, 8);
+        shape();
+        response();
+        if (!fold_row(ui_, "sensor.more", ui_.strings("sensors.more"), state_.sensor_quality_open)) return;
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+        for (const Field& field : quality) turn(field);
+        ImGui::PopStyleVar();
+    }
+
+private:
+    // A button a sensor, as many in a row as fit, and below what the chosen one is for.
+    void names() {
+        const float right = ImGui::GetCursorScreenPos().x + card_width(ui_);
+        bool first = true;
+        for (const Sensor& sensor : kind_.sensors) {
+            const std::string anchor = "sensor." + sensor.name;
+            const SmallButton look{anchor, {}, sensor.name, &sensor == sensor_};
+            if (!first && ImGui::GetItemRectMax().x + ui_.px(6) + small_button_width(ui_, look, true) <= right)
+                ImGui::SameLine(0, ui_.px(6));
+            first = false;
+            const Item at = small_button(ui_, look);
+            tooltip(ui_, at, senses(sensor));
+            if (at.pressed) state_.sensor = sensor.name;
+        }
+        paragraph(ui_, fill(ui_.strings("sensors.of"), {sensor_->name, senses(*sensor_), kind_name(ui_, kind_)}),
+                  ui_.palette.second_text, Face::small);
+    }
+
+    std::string_view senses(const Sensor& sensor) const {
+        return ui_.strings.find("wiring.senses." + std::string(word(sensor.channel)), word(sensor.channel));
+    }
+
+    // Whether the other side follows, mirrored.
+    void sides() {
+        if (!find_sensor(kind_.sensors, other_side(sensor_->name))) return;
+        const std::array words{ui_.strings("sensors.both"), ui_.strings("sensors.one")};
+        const int chosen = segments(ui_, "sensor.sides", words, state_.sensor_alone ? 1 : 0, card_width(ui_));
+        if (chosen >= 0) state_.sensor_alone = chosen == 1;
+    }
+
+    void shape() {
+        const std::array words{ui_.strings("sensors.sector"), ui_.strings("sensors.triangle"),
+                               ui_.strings("sensors.omni")};
+        const int chosen = segments(ui_, "sensor.shape", words, static_cast<int>(sensor_->shape), card_width(ui_));
+        if (chosen < 0) return;
+        edit(++state_.sliders.gesture, [&](Sensor& s, bool) { s.shape = static_cast<SensorShape>(chosen); });
+    }
+
+    void response() {
+        const std::array words{ui_.strings("sensors.graded"), ui_.strings("sensors.boolean")};
+        const int chosen =
+            segments(ui_, "sensor.response", words, static_cast<int>(sensor_->response), card_width(ui_));
+        if (chosen < 0) return;
+        edit(++state_.sliders.gesture, [&](Sensor& s, bool) { s.response = static_cast<SensorResponse>(chosen); });
+    }
+
+    void turn(const Field& field) {
+        const float value = sensor_->*field.value * field.factor;
+        SliderLook look;
+        look.words = ui_.strings(field.words);
+        look.tooltip = ui_.strings(field.tooltip);
+        look.low = field.low, look.high = field.high;
+        if (field.stretches) {
+            const float most = std::max(field.high, std::ceil(std::fabs(value)));
+            look.high = most;
+            if (field.low < 0) look.low = -most;
+        }
+        look.home = filed_ ? filed_->*field.value * field.factor : value;
+        look.step = field.step, look.decimals = field.decimals, look.unit = field.unit;
+        look.meaning = false;
+        look.signed_number = field.low < 0;
+        look.words_width = 84, look.number_width = 56;
+        const auto wanted = slider(ui_, state_.sliders, field.anchor, value, card_width(ui_), view_.wall_seconds, look);
+        if (!wanted) return;
+        edit(wanted->gesture - gestures::panels, [&](Sensor& s, bool mirrored) {
+            s.*field.value = wanted->value / field.factor * (mirrored && field.sided ? -1.0f : 1.0f);
+        });
+    }
+
+    // Asks for the change of the chosen sensor and, unless it is edited alone, of the one on the other side.
+    template <class Change>
+    void edit(std::uint64_t gesture, Change change) {
+        std::vector<Sensor> sensors = kind_.sensors;
+        change(*find_sensor(sensors, sensor_->name), false);
+        if (!state_.sensor_alone)
+            if (Sensor* other = find_sensor(sensors, other_side(sensor_->name))) change(*other, true);
+        ui_.outbox.push_back(EditRequest{SetSensors{vehicle_.kind, std::move(sensors)}, gestures::panels + gesture});
+    }
+
+    const LabView& view_;
+    PanelState& state_;
+    Ui& ui_;
+    const VehicleView& vehicle_;
+    const Kind& kind_;
+    const Sensor* sensor_ = nullptr;
+    const Sensor* filed_ = nullptr;  // as the file has it
+};
+
+}  // namespace
+
+void sensor_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+    const bool open = begin_card(ui, state.sensors, "card.sensors", ui.strings("sensors.heading"), place);
+    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    const bool blind = !vehicle || kind_of(*view.now, *vehicle).sensors.empty();
+    if (open && blind) paragraph(ui, ui.strings("sensors.none"), ui.palette.second_text);
+    if (open && !blind) Card(view, state, ui, *vehicle).draw();
+    end_card(state.sensors);
+}
+
+}  // namespace braitenlab

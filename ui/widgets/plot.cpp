@@ -1,0 +1,106 @@
+#include "ui/widgets/plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ui/theme.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+std::string number(float value, const Axis& axis) { return fixed(value, axis.decimals) + std::string(axis.unit); }
+
+// The first multiple of the step that is not below the axis.
+float first_on(const Axis& axis, float step) { return std::ceil(axis.low / step - 1e-4f) * step; }
+
+Colour grid(const Ui& ui, bool is_zero) { return is_zero ? ui.palette.second_text : ui.palette.line.with_alpha(0.6f); }
+
+}  // namespace
+
+float round_step(float span, int most) {
+    const float rough = span / static_cast<float>(std::max(1, most));
+    const float power = std::pow(10.0f, std::floor(std::log10(rough)));
+    for (const float times : {1.0f, 2.0f, 5.0f})
+        if (power * times >= rough * 0.9999f) return power * times;
+    return power * 10;
+}
+
+ImVec2 plot_point(Rect r, const Axis& x, const Axis& y, float at_x, float at_y) {
+    const float across = (at_x - x.low) / (x.high - x.low);
+    const float up = std::clamp((at_y - y.low) / (y.high - y.low), 0.0f, 1.0f);
+    return {r.x + r.w * across, r.y + r.h * (1 - up)};
+}
+
+Rect plot_ground(const Ui& ui, Rect outer, const Axis& x, const Axis& y) {
+    const float line = line_height(ui, Face::small);
+    const float aside =
+        std::max(text_width(ui, Face::small, number(y.high, y)), text_width(ui, Face::small, number(y.low, y))) +
+        ui.px(6);
+    const Rect inner{outer.x + aside, outer.y + line / 2, outer.w - aside - ui.px(6), outer.h - 1.5f * line - ui.px(3)};
+    fill_box(ui, inner, ui.palette.ground.with_alpha(0.45f), 3);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float y_step = round_step(y.high - y.low, std::max(2, static_cast<int>(inner.h / (1.6f * line))));
+    for (float v = first_on(y, y_step); v <= y.high + y_step * 1e-3f; v += y_step) {
+        const float at = plot_point(inner, x, y, x.low, v).y;
+        draw.AddLine({inner.x, at}, {inner.x + inner.w, at}, paint(grid(ui, std::fabs(v) < y_step * 1e-3f)), ui.px(1));
+        put_right(ui, {inner.x - ui.px(6), at - line / 2}, number(v, y), ui.palette.second_text, Face::small);
+    }
+    if (!x.numbers) return inner;
+    const float widest = text_width(ui, Face::small, number(x.high, x)) + ui.px(44);
+    const float x_step = round_step(x.high - x.low, std::max(1, static_cast<int>(inner.w / widest)));
+    for (float v = first_on(x, x_step); v <= x.high + x_step * 1e-3f; v += x_step) {
+        const float at = plot_point(inner, x, y, v, y.low).x;
+        draw.AddLine({at, inner.y}, {at, inner.y + inner.h}, paint(grid(ui, false)), ui.px(1));
+        const std::string words = number(v, x);
+        const float half = text_width(ui, Face::small, words) / 2;
+        const float middle = std::clamp(at, outer.x + half, outer.x + outer.w - half);
+        put_centred(ui, {middle, inner.y + inner.h + ui.px(3)}, words, ui.palette.second_text, Face::small);
+    }
+    return inner;
+}
+
+std::optional<float> plot_cursor(const Ui& ui, Rect inner, const Axis& x) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (!inner.contains(mouse.x, mouse.y) || !ImGui::IsWindowHovered()) return std::nullopt;
+    ImGui::GetWindowDrawList()->AddLine({mouse.x, inner.y}, {mouse.x, inner.y + inner.h}, paint(ui.palette.text),
+                                        ui.px(1));
+    return x.low + (mouse.x - inner.x) / inner.w * (x.high - x.low);
+}
+
+void plot_words(const Ui& ui, Rect inner, float pixel_x, const std::string_view* lines, const Colour* colours,
+                int count) {
+    float widest = 0;
+    for (int i = 0; i < count; ++i) widest = std::max(widest, text_width(ui, Face::small, lines[i]));
+    const float line = line_height(ui, Face::small), pad = ui.px(6), away = ui.px(10);
+    const float w = widest + 2 * pad, h = static_cast<float>(count) * line + 2 * ui.px(3);
+    // On the side where there is room.
+    const float x = pixel_x + away + w <= inner.x + inner.w ? pixel_x + away : std::max(inner.x, pixel_x - away - w);
+    const Rect box{x, inner.y + ui.px(3), w, h};
+    fill_box(ui, box, ui.palette.raised.with_alpha(0.94f), 4);
+    line_box(ui, box, ui.palette.line, 4);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    for (int i = 0; i < count; ++i)
+        draw.AddText(font(ui, Face::small), line,
+                     {std::floor(box.x + pad), std::floor(box.y + ui.px(3) + static_cast<float>(i) * line)},
+                     paint(colours[i]), lines[i].data(), lines[i].data() + lines[i].size());
+}
+
+namespace detail {
+
+void path_to(ImVec2 point) { ImGui::GetWindowDrawList()->PathLineTo(point); }
+
+void stroke(const Ui& ui, Colour colour, float layout_thickness) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    if (draw._Path.Size > 1)
+        draw.PathStroke(paint(colour), 0, ui.px(layout_thickness));
+    else
+        draw.PathClear();
+}
+
+}  // namespace detail
+
+}  // namespace braitenlab
