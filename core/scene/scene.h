@@ -43,7 +43,7 @@ enum class SensorShape { sector, triangle, omni };
 enum class SensorResponse { graded, boolean };
 // Who drives: its brain, a person (the Steer command), the way along its waypoints, chance, or nobody.
 enum class Driver { brain, manual, path, wander, parked };
-// `open`: vehicles fall over it. `torus`: whoever leaves on one side comes back on the other.
+// `open`: vehicles fall over it and enter again at their start or elsewhere. `torus`: whoever leaves on one side comes back on the other.
 enum class Edge { wall, open, torus };
 // What covers a zone of the floor; `none` is the arena's own. Constants: floor_constants().
 enum class Surface { none, ice, carpet, sand, tape };
@@ -110,7 +110,9 @@ struct Waypoint {
     friend bool operator==(const Waypoint&, const Waypoint&) = default;
 };
 
-// How a vehicle remembers the places where it met obstacles: eyes for `memory` sense the marks like lamps.
+// How a vehicle remembers the places where it met obstacles: eyes for `memory` sense the marks like lamps. It lays one
+// where it touches something, at least half a metre from its others; nearer, the old one is fresh again. A mark is
+// forgotten after seven halvings.
 struct PlaceMemory {
     int marks = 0;          // the most it remembers; the oldest goes first; 0: none
     float fade = 20;        // s in which a mark's strength falls to a half

@@ -1,4 +1,4 @@
-// What happens between bodies and over time: bites, energy, deaths and births, and the timer of an idle world.
+// What happens between bodies and over time: bites, energy, falls, deaths and births, and the timer of an idle world.
 #include <algorithm>
 #include <cmath>
 
@@ -21,6 +21,8 @@ void bite(WorldState& s, std::size_t predator, std::size_t prey) {
 
 void bite_prey(WorldState& s) {
     std::erase_if(s.bites, [&](const Bite& b) { return s.tick - b.tick >= bite_ticks; });
+    const auto before = static_cast<std::ptrdiff_t>(s.bites.size());
+    const auto by_pair = [](const Bite& a, const Bite& b) { return a.pair < b.pair; };
     for (const Touch& pair : s.touching) {
         if (pair.other == no_vehicle) continue;
         const auto one = s.row_of(pair.one), other = s.row_of(pair.other);
@@ -28,27 +30,41 @@ void bite_prey(WorldState& s) {
         const bool first_hunts = s.role(*one) == Role::predator && s.role(*other) == Role::prey;
         const bool second_hunts = s.role(*other) == Role::predator && s.role(*one) == Role::prey;
         if (!first_hunts && !second_hunts) continue;
-        const bool bitten_lately =
-            std::any_of(s.bites.begin(), s.bites.end(), [&](const Bite& b) { return b.pair == pair; });
-        if (bitten_lately) continue;
+        if (std::binary_search(s.bites.begin(), s.bites.begin() + before, Bite{pair}, by_pair)) continue;
         s.bites.push_back({pair, s.tick});
         first_hunts ? bite(s, *one, *other) : bite(s, *other, *one);
     }
+    std::inplace_merge(s.bites.begin(), s.bites.begin() + before, s.bites.end(), by_pair);
 }
 
-// The first kind of the opposite role, else the kind itself.
-int successor_kind(const Scene& scene, int kind) {
-    const Role role = scene.kinds[static_cast<std::size_t>(kind)].role;
+// The first kind of the opposite role, else the kind itself. What a role follows from, the kind or its wiring, does not
+// matter.
+int successor_kind(const WorldState& s, std::size_t row) {
+    const Role role = s.role(row);
     const Role opposite = role == Role::predator ? Role::prey : role == Role::prey ? Role::predator : Role::none;
-    if (opposite == Role::none) return kind;
-    for (std::size_t k = 0; k < scene.kinds.size(); ++k)
-        if (scene.kinds[k].role == opposite) return static_cast<int>(k);
-    return kind;
+    if (opposite == Role::none) return s.vehicles.kind[row];
+    for (std::size_t k = 0; k < s.newcomers.size(); ++k)
+        if (s.newcomers[k]->role == opposite) return static_cast<int>(k);
+    return s.vehicles.kind[row];
 }
 
 void spend_energy(WorldState& s) {
     const float spent = s.scene->ecology.drain * tick_seconds;
-    for (float& energy : s.vehicles.energy) energy = std::max(0.0f, energy - spent);
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
+        float& energy = s.vehicles.energy[row];
+        const float gained = s.ground.recharges ? s.ground.recharge_at(s.vehicles.motion[row].place) * tick_seconds : 0;
+        energy = std::clamp(energy - spent + gained, 0.0f, 1.0f);
+    }
+}
+
+// Whoever fell over an open edge enters again, under its own number, so that what is selected stays selected.
+void fall(WorldState& s) {
+    if (s.scene->arena.edge != Edge::open) return;
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
+        if (!is_outside(s.scene->arena, s.vehicles.motion[row].place)) continue;
+        ++s.events.falls, ++s.events.deaths, ++s.events.births;
+        enter_again(s, row);
+    }
 }
 
 // Whoever has no energy left leaves, and one of the opposite role enters elsewhere.
@@ -58,7 +74,7 @@ void bury_and_bear(WorldState& s) {
             ++row;
             continue;
         }
-        const int kind = successor_kind(*s.scene, s.vehicles.kind[row]);
+        const int kind = successor_kind(s, row);
         remove_vehicle(s, row);
         ++s.events.deaths;
         const VehicleId id = s.next_id++;
@@ -81,6 +97,7 @@ void touch_and_live(WorldState& s) {
     s.events.contacts += static_cast<std::int64_t>(s.begun.size());
     bite_prey(s);
     spend_energy(s);
+    fall(s);
     bury_and_bear(s);
     watch_inactivity(s);
 }

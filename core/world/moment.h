@@ -24,7 +24,7 @@ struct Bite {
     std::uint64_t tick = 0;
 };
 
-// A place that a vehicle remembers, and since when.
+// A place that a vehicle remembers, and when it was last there.
 struct Mark {
     VehicleId owner = no_vehicle;
     maths::vec2 place;

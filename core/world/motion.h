@@ -30,4 +30,10 @@ struct Touch {
     friend auto operator<=>(const Touch&, const Touch&) = default;
 };
 
+// A vehicle that touches the environment, and where (m).
+struct Bump {
+    VehicleId vehicle = no_vehicle;
+    maths::vec2 at;
+};
+
 }  // namespace braitenlab

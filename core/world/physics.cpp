@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include <box2d/box2d.h>
 
@@ -176,6 +177,14 @@ void Physics::place(std::size_t row, const Pose& pose) {
     body->SetAngularVelocity(0);
 }
 
+void Physics::shift(std::size_t row, maths::vec2 to) {
+    box_->bodies[row]->SetTransform(to_box(to), box_->bodies[row]->GetAngle());
+}
+
+void Physics::shift_obstacle(std::size_t index, maths::vec2 to) {
+    box_->obstacles[index]->SetTransform(to_box(to), box_->obstacles[index]->GetAngle());
+}
+
 namespace {
 
 Motion motion_of(const b2Body& body) {
@@ -195,6 +204,29 @@ Motion Physics::obstacle(std::size_t index) const { return motion_of(*box_->obst
 void Physics::push(std::size_t row, maths::vec2 force, float torque) {
     box_->bodies[row]->ApplyForceToCenter(to_box(force), true);
     box_->bodies[row]->ApplyTorque(torque, true);
+}
+
+void Physics::find_bumps(std::vector<Bump>& bumps) const {
+    bumps.clear();
+    for (b2Contact* contact = box_->world.GetContactList(); contact; contact = contact->GetNext()) {
+        const Touch touch = Box::touch_of(contact);
+        if (!contact->IsTouching() || touch.one == no_vehicle || touch.other != no_vehicle) continue;
+        b2WorldManifold points;
+        contact->GetWorldManifold(&points);
+        for (int i = 0; i < contact->GetManifold()->pointCount; ++i)
+            bumps.push_back({touch.one, from_box(points.points[i])});
+    }
+    // Box2D's list has an order of its own; sums must not depend on it.
+    const auto key = [](const Bump& b) { return std::tuple(b.vehicle, b.at.x, b.at.y); };
+    std::sort(bumps.begin(), bumps.end(), [&](const Bump& a, const Bump& b) { return key(a) < key(b); });
+    std::size_t merged = 0;
+    for (std::size_t i = 0; i < bumps.size();) {
+        Bump all{bumps[i].vehicle, {}};
+        float points = 0;
+        for (; i < bumps.size() && bumps[i].vehicle == all.vehicle; ++i) all.at += bumps[i].at, ++points;
+        bumps[merged++] = {all.vehicle, all.at / points};
+    }
+    bumps.resize(merged);
 }
 
 void Physics::step(std::vector<Touch>& touching, std::vector<Touch>& begun) {

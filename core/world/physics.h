@@ -26,6 +26,9 @@ public:
     void add(VehicleId, const Body&, const Motion&);
     void remove(std::size_t row);
     void place(std::size_t row, const Pose&);  // at rest
+    // To another place, going on as fast: what leaves a torus on one side.
+    void shift(std::size_t row, maths::vec2 to);
+    void shift_obstacle(std::size_t index, maths::vec2 to);
 
     Motion motion(std::size_t row) const;
     Motion obstacle(std::size_t index) const;
@@ -33,6 +36,10 @@ public:
 
     // One step of tick_seconds. `touching`, sorted, is brought up to date; `begun` gets what began in this step.
     void step(std::vector<Touch>& touching, std::vector<Touch>& begun);
+
+    // Who touches walls, posts and obstacles after the last step: each vehicle once, by ascending id, at the middle of
+    // all its points of contact.
+    void find_bumps(std::vector<Bump>&) const;
 
 private:
     struct Box;  // Box2D's world and the listener

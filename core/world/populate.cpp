@@ -16,10 +16,11 @@ constexpr float clearance = 1.3f;    // m between origins: a little more than a 
 constexpr float wall_margin = 1.0f;  // m from origin to wall
 constexpr int tries = 64;            // then a crowded place will do; the bodies push each other apart
 
-// Chance for one vehicle's place in one generation: what another vehicle draws does not change it.
+// Chance for one vehicle's place in one generation: what another vehicle draws does not change it. Who falls over the
+// edge does not enter where it would fall in the same way for ever.
 maths::Random chance_for(const WorldState& s, VehicleId id) {
     const auto stream = (static_cast<std::uint64_t>(s.generation) << 32U) | static_cast<std::uint32_t>(id);
-    return {s.seed, stream};
+    return {s.seed ^ (static_cast<std::uint64_t>(s.events.falls) * 0x9e3779b97f4a7c15ULL), stream};
 }
 
 // How far an obstacle stretches from its middle.
@@ -132,6 +133,23 @@ void add_vehicle(WorldState& s, int kind, int start, VehicleId id, SharedDesign 
     v.design.push_back(std::move(design));
     s.physics.add(id, s.scene->kinds[static_cast<std::size_t>(kind)].body, at_rest(pose));
     v.motion.push_back(s.physics.motion(v.id.size() - 1));
+    s.eyes_are_stale = true;
+}
+
+void enter_again(WorldState& s, std::size_t row) {
+    Vehicles& v = s.vehicles;
+    const VehicleId id = v.id[row];
+    std::erase_if(s.marks, [id](const Mark& mark) { return mark.owner == id; });
+    const int start = v.start[row];
+    const Pose pose =
+        start >= 0 ? start_pose(s, s.scene->starts[static_cast<std::size_t>(start)], id) : free_place(s, id);
+    s.physics.place(row, pose);
+    read_motion(s, row);
+    v.energy[row] = 1;
+    v.waypoint[row] = 0;
+    v.motor[row] = v.wheel_angle[row] = {};
+    const std::size_t first = v.first_neuron[row];
+    std::fill_n(v.neurons.begin() + static_cast<std::ptrdiff_t>(first), v.design[row]->brain.state_size(), 0.0f);
     s.eyes_are_stale = true;
 }
 

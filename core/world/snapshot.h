@@ -48,7 +48,8 @@ struct MarkView {
     float x = 0, y = 0, strength = 0;  // m, m, 0..1
 };
 
-// Counted since the run began. Falls (over an open edge) are among the deaths.
+// Counted since the run began. Falls (over an open edge) are among the deaths, and who fell and enters again among the
+// births.
 struct EventCounts {
     std::int64_t captures = 0, deaths = 0, births = 0, contacts = 0, falls = 0;
     friend bool operator==(const EventCounts&, const EventCounts&) = default;

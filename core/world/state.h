@@ -23,6 +23,8 @@ struct WorldState : Moment {
     std::vector<Outline> outlines;  // walls and obstacles, for eyes
     std::array<bool, channel_count> sensed_channel{};
     std::array<Field, channel_count> fields;
+    bool anyone_remembers = false;        // any kind has a place memory
+    std::vector<Bump> bumps;              // of this tick, where anyone remembers
     std::vector<Touch> begun;             // what began to touch in the last step, sorted
     std::vector<Stimulus> stimuli;        // scratch
     bool eyes_are_stale = true;           // something moved since they looked
@@ -38,6 +40,8 @@ struct WorldState : Moment {
 void sense(WorldState&);           // sense.cpp   eyes read the fields of their channels
 void think(WorldState&);           // think.cpp   brains and other drivers turn readings into wheel commands
 void drive(WorldState&);           // drive.cpp   wheels push bodies
+void keep_inside(WorldState&);     // edge.cpp    a torus closes, walls hold
+void remember(WorldState&);        // memory.cpp  where they met obstacles
 void touch_and_live(WorldState&);  // live.cpp    bites, energy, deaths and births, the inactivity timer
 
 // After a command and before the next tick, a picture shows what the eyes see now and what the drivers make of it; the
@@ -49,8 +53,10 @@ void populate(WorldState&);    // populate.cpp  the first generation
 void repopulate(WorldState&);  // the next one: as many again, elsewhere
 void add_vehicle(WorldState&, int kind, int start, VehicleId, SharedDesign, const Pose&);
 void remove_vehicle(WorldState&, std::size_t row);
+void enter_again(WorldState&, std::size_t row);  // at its start or elsewhere, as good as new
 Pose free_place(const WorldState&, VehicleId);   // at random, clear of others where there is room
 int kind_due(const WorldState&);                 // the kind that the shares ask for next
+bool is_outside(const Arena&, maths::vec2);      // edge.cpp
 void read_motion(WorldState&, std::size_t row);  // takes over where the body is now
 
 // ── From outside and to the outside ────────────────────────────────────────────────────────────────────────────────

@@ -9,7 +9,10 @@ namespace braitenlab {
 
 WorldState::WorldState(Moment moment)
     : Moment(std::move(moment)), ground(*scene), outlines(outlines_of(*scene)), physics(*scene, obstacles) {
-    for (const Kind& design : scene->kinds) kinds.push_back(compile_kind(design));
+    for (const Kind& design : scene->kinds) {
+        kinds.push_back(compile_kind(design));
+        anyone_remembers |= design.memory.marks > 0;
+    }
     for (int c = 0; c < channel_count; ++c) {
         float farthest = 0;
         for (const CompiledKind& compiled : kinds)
@@ -85,6 +88,8 @@ void World::step() {
     s.physics.step(s.touching, s.begun);
     for (std::size_t row = 0; row < s.vehicles.size(); ++row) read_motion(s, row);
     for (std::size_t i = 0; i < s.obstacles.size(); ++i) s.obstacles[i] = s.physics.obstacle(i);
+    keep_inside(s);
+    remember(s);
     touch_and_live(s);
     if (++s.tick % keyframe_ticks == 0) begin_keyframe();
 }

@@ -28,7 +28,7 @@ public:
     // that is gone, a brain that does not compile, a full arena.
     std::optional<Error> apply(const Command&);
 
-    // One tick of 1/60 s: sense, think, drive, physics, touch, live.
+    // One tick of 1/60 s: sense, think, drive, physics, remember, live.
     void step();
 
     std::uint64_t tick() const;

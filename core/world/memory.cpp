@@ -1,0 +1,63 @@
+// Place memory: vehicles lay marks where they touch walls, posts and obstacles.
+#include <algorithm>
+
+#include "core/world/state.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float apart = 0.5f;                // m between one vehicle's marks
+constexpr float halvings = 7;                // after which a mark is forgotten
+constexpr std::uint64_t ticks_a_sweep = 60;  // how often it is looked for what is forgotten
+
+using MarkAt = std::vector<Mark>::iterator;
+
+// Makes a vehicle's mark its newest: the others keep their order.
+void renew(MarkAt mark, MarkAt end, std::uint64_t tick) {
+    mark->tick = tick;
+    std::rotate(mark, mark + 1, end);
+}
+
+void forget(WorldState& s) {
+    if (s.tick % ticks_a_sweep != 0) return;
+    std::erase_if(s.marks, [&](const Mark& mark) {
+        const std::size_t row = *s.row_of(mark.owner);
+        const float fade = s.scene->kinds[s.kind(row)].memory.fade;
+        return static_cast<float>(s.tick - mark.tick) * tick_seconds > halvings * fade;
+    });
+}
+
+}  // namespace
+
+void remember(WorldState& s) {
+    if (!s.anyone_remembers) return;
+    forget(s);
+    s.physics.find_bumps(s.bumps);
+    const std::size_t before = s.marks.size();
+    for (const Bump& bump : s.bumps) {
+        const auto row = s.row_of(bump.vehicle);
+        if (!row) continue;
+        const auto most = s.scene->kinds[s.kind(*row)].memory.marks;
+        if (most == 0) continue;
+        const auto old = s.marks.begin() + static_cast<std::ptrdiff_t>(before);
+        const auto by_owner = [](const Mark& mark, VehicleId id) { return mark.owner < id; };
+        const auto first = std::lower_bound(s.marks.begin(), old, bump.vehicle, by_owner);
+        const auto last = std::lower_bound(first, old, bump.vehicle + 1, by_owner);
+        const auto near =
+            std::find_if(first, last, [&](const Mark& mark) { return maths::distance(mark.place, bump.at) < apart; });
+        if (near != last) {
+            renew(near, last, s.tick);
+        } else if (last - first >= most) {  // the oldest makes room
+            first->place = bump.at;
+            renew(first, last, s.tick);
+        } else {
+            s.marks.push_back({bump.vehicle, bump.at, s.tick});
+        }
+    }
+    // The new ones stand at the end, by owner; each comes after its owner's older ones.
+    std::inplace_merge(s.marks.begin(), s.marks.begin() + static_cast<std::ptrdiff_t>(before), s.marks.end(),
+                       [](const Mark& a, const Mark& b) { return a.owner < b.owner; });
+}
+
+}  // namespace braitenlab
