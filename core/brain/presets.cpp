@@ -109,39 +109,60 @@ BrainGraph mnemotrix() {
     return graph;
 }
 
-// Grey Walter's Machina Speculatrix. It explores in arcs, comes nearer to a moderate light and shies from a bright one
-// (DAZZLED), backs away from what it bumps into (BUMPED, for about a second, as LAPSE catches up with it), and when its
-// energy runs low (HUNGRY, until it is full again) the brightest light leads it home, where it rests (HOME).
-BrainGraph tortoise() {
-    BrainGraph graph = make_graph({.LR = 1.2f, .RL = 1.2f, .LM = 0.4f, .RM = 0.3f});
-    add_sensor(graph, "TC");
+// Light for the tortoise: a middling signal counts for most, so it CIRCLEs every lamp as vehicle 4a does. HUNGRY below
+// 0.4 of its energy and until it is full again to 0.9, it does not (2 is far beyond the hump) but SEEKs the light, and
+// rests HOME right below a bright one.
+void add_homing(BrainGraph& graph) {
     add_sensor(graph, "EN");
     add_threshold_unit(graph, "HUNGRY", -0.4f);
     connect(graph, "EN", "HUNGRY", -1);
     connect(graph, "HUNGRY", "HUNGRY", 0.5f);
+    add_sensor(graph, "UP");
+    add_threshold_unit(graph, "HOME", 1.6f);
+    connect(graph, "UP", "HOME", 1);
+    connect(graph, "HUNGRY", "HOME", 1);
+    connect(graph, "HOME", "ML", -0.4f);
+    connect(graph, "HOME", "MR", -0.36f);
     for (const bool left : {true, false}) {
-        const char* dazzled = left ? "DAZZLED_L" : "DAZZLED_R";
-        Node& unit = add_neuron(graph, dazzled);
-        unit.bias = -0.4f;
+        const char *eye = left ? "SL" : "SR", *far_motor = left ? "MR" : "ML";
+        const char *circle = left ? "CIRCLE_L" : "CIRCLE_R", *seek = left ? "SEEK_L" : "SEEK_R";
+        add_neuron(graph, circle).curve = {Response::hump, 0.15f, 0.12f};
+        connect(graph, eye, circle, 1);
+        connect(graph, "HUNGRY", circle, 2);
+        connect(graph, circle, far_motor, 0.5f);
+        Node& unit = add_neuron(graph, seek);
+        unit.bias = -1;
         unit.curve.response = Response::rectified;
-        connect(graph, left ? "SL" : "SR", dazzled, 1);
-        connect(graph, "HUNGRY", dazzled, -1);
-        connect(graph, dazzled, left ? "MR" : "ML", -2);
+        connect(graph, eye, seek, 1);
+        connect(graph, "HUNGRY", seek, 1);
+        connect(graph, "HOME", seek, -2);
+        connect(graph, seek, far_motor, 1.2f);
     }
-    add_threshold_unit(graph, "HOME", 1.3f);
-    connect(graph, "SL", "HOME", 0.5f);
-    connect(graph, "SR", "HOME", 0.5f);
-    connect(graph, "HUNGRY", "HOME", 0.5f);
-    connect(graph, "HOME", "ML", -2);
-    connect(graph, "HOME", "MR", -2);
+}
+
+// BUMPED holds itself on until LAPSE, which follows slowly, takes it away again: for about half a second it backs off,
+// turning. What it remembers to have bumped into turns it away in time.
+void add_bumper(BrainGraph& graph) {
+    add_sensor(graph, "TC");
     add_threshold_unit(graph, "BUMPED", 0.5f);
     add_neuron(graph, "LAPSE").time_constant = 0.8f;
     connect(graph, "TC", "BUMPED", 1);
     connect(graph, "BUMPED", "BUMPED", 1);
     connect(graph, "BUMPED", "LAPSE", 1);
     connect(graph, "LAPSE", "BUMPED", -1);
-    connect(graph, "BUMPED", "ML", -1.6f);
-    connect(graph, "BUMPED", "MR", -1.0f);
+    connect(graph, "BUMPED", "ML", -1.2f);
+    connect(graph, "BUMPED", "MR", -0.7f);
+    add_pair(graph, "QL", "QR", 0.8f, false);
+    connect(graph, "QL", "MR", -0.8f);
+    connect(graph, "QR", "ML", -0.8f);
+}
+
+// Grey Walter's Machina Speculatrix: explores in wide arcs, circles lights, backs off what it bumps into, and goes home
+// when it is hungry.
+BrainGraph tortoise() {
+    BrainGraph graph = make_graph({.LM = 0.4f, .RM = 0.36f});
+    add_homing(graph);
+    add_bumper(graph);
     return graph;
 }
 

@@ -2,8 +2,9 @@
 // W. Grey Walter's tortoise ("An Imitation of Life", Scientific American 182, 1950), as brains to look at and to take.
 //
 // Every preset begins with the four neurons SL, SR, ML, MR, so that the sliders reach it. Eyes come in pairs whose
-// names end in L and R: S what the vehicle mainly looks at, H heat, N smell (a nose), A oxygen (air). TC is a bumper,
-// EN the vehicle's own energy. A vehicle that lacks a sensor reads 0 there.
+// names end in L and R: S what the vehicle mainly looks at, H heat, N smell (a nose), A oxygen (air), Q obstacles
+// that it remembers. TC is a bumper, EN the vehicle's own energy, UP a photocell that looks all round. A vehicle that
+// lacks a sensor reads 0 there.
 #pragma once
 
 #include <span>

@@ -256,15 +256,7 @@ TEST(Lesion, HealsWithoutATrace) {
     EXPECT_EQ(drive_once(graph, 0.3f, 0.7f), whole);
 }
 
-// A motor driven by birth from SR, and by what it learns from SL.
-BrainGraph pupil(float learning_rate, float decay) {
-    BrainGraph graph = make_graph({.LR = 1});
-    Wire& wire = *find_wire(graph, 0, 2);
-    wire.learning_rate = learning_rate;
-    wire.decay = decay;
-    return graph;
-}
-
+// A brain and what it carries from tick to tick.
 struct Pupil {
     explicit Pupil(const BrainGraph& graph) : brain(*compile(graph, eyes)) {
         state.resize(static_cast<std::size_t>(brain.state_size()));
@@ -277,6 +269,80 @@ struct Pupil {
     std::vector<float> state;
     std::array<float, 2> motors{};
 };
+
+// ── Vehicle 5: threshold units ──────────────────────────────────────────────────────────────────────────────────────
+
+// 1 where what its wires deliver adds up to the threshold, else 0.
+void add_unit(BrainGraph& graph, const char* name, float threshold) {
+    graph.nodes.push_back({.id = static_cast<NodeId>(graph.nodes.size()),
+                           .kind = NodeKind::neuron,
+                           .name = name,
+                           .curve = {.response = Response::step, .peak = threshold}});
+}
+
+void feed(BrainGraph& graph, const char* from, const char* to, float weight) {
+    graph.wires.push_back({.from = find_node(graph, from)->id, .to = find_node(graph, to)->id, .weight = weight});
+}
+
+// What stands at the unit OUT after a few ticks with these inputs.
+float out(const BrainGraph& graph, bool a, bool b) {
+    Pupil thinker(graph);
+    thinker.live(4, a ? 1.0f : 0.0f, b ? 1.0f : 0.0f);
+    const auto& ids = thinker.brain.unit_ids;
+    const auto at = std::find(ids.begin(), ids.end(), find_node(graph, std::string("OUT"))->id) - ids.begin();
+    return thinker.state[static_cast<std::size_t>(at)];
+}
+
+std::array<float, 4> truth_table(const BrainGraph& graph) {
+    return {out(graph, false, false), out(graph, false, true), out(graph, true, false), out(graph, true, true)};
+}
+
+BrainGraph gate(float weight, float threshold) {
+    BrainGraph graph = make_graph({});
+    add_unit(graph, "OUT", threshold);
+    feed(graph, "SL", "OUT", weight);
+    feed(graph, "SR", "OUT", weight);
+    return graph;
+}
+
+TEST(ThresholdUnit, ComputesAndOrNotAndTogetherTheirExclusiveOr) {
+    EXPECT_EQ(truth_table(gate(1, 1.5f)), (std::array{0.0f, 0.0f, 0.0f, 1.0f}));    // AND
+    EXPECT_EQ(truth_table(gate(1, 0.5f)), (std::array{0.0f, 1.0f, 1.0f, 1.0f}));    // OR
+    EXPECT_EQ(truth_table(gate(-1, -0.5f)), (std::array{1.0f, 0.0f, 0.0f, 0.0f}));  // NOT, of either
+    BrainGraph exclusive = make_graph({});
+    add_unit(exclusive, "OR", 0.5f);
+    add_unit(exclusive, "NAND", -1.5f);
+    add_unit(exclusive, "OUT", 1.5f);
+    for (const char* eye : {"SL", "SR"}) feed(exclusive, eye, "OR", 1), feed(exclusive, eye, "NAND", -1);
+    for (const char* part : {"OR", "NAND"}) feed(exclusive, part, "OUT", 1);
+    EXPECT_EQ(truth_table(exclusive), (std::array{0.0f, 1.0f, 1.0f, 0.0f}));
+}
+
+TEST(ThresholdUnit, FeedingItselfRemembersUntilItIsReset) {
+    BrainGraph latch = make_graph({});
+    add_unit(latch, "OUT", 0.5f);
+    feed(latch, "OUT", "OUT", 1);
+    feed(latch, "SL", "OUT", 1);
+    feed(latch, "SR", "OUT", -1);
+    Pupil thinker(latch);
+    thinker.live(5, 0, 0);
+    EXPECT_EQ(thinker.state[0], 0);
+    thinker.live(1, 1, 0);
+    thinker.live(1000, 0, 0);
+    EXPECT_EQ(thinker.state[0], 1);
+    thinker.live(1, 0, 1);
+    thinker.live(5, 0, 0);
+    EXPECT_EQ(thinker.state[0], 0);
+}
+
+// A motor driven by birth from SR, and by what it learns from SL.
+BrainGraph pupil(float learning_rate, float decay) {
+    BrainGraph graph = make_graph({.LR = 1});
+    Wire& wire = *find_wire(graph, 0, 2);
+    wire.learning_rate = learning_rate;
+    wire.decay = decay;
+    return graph;
+}
 
 TEST(HebbianWire, GrowsByWhatStandsAtBothEndsTogether) {
     Pupil pupil(braitenlab::pupil(0.6f, 0));

@@ -81,6 +81,15 @@ TEST(Recogniser, NamesEachOfSeveralSensesByItself) {
     EXPECT_EQ(recognise(values, {"XL", "XR"}), Character::indifferent);
 }
 
+TEST(Recogniser, SeesThatHungerChangesATortoise) {
+    const BrainGraph& tortoise = find_preset("tortoise")->brain;
+    const std::array fed{Reading{"EN", 1}}, hungry{Reading{"EN", 0.2f}};
+    const std::array at_home{Reading{"EN", 0.2f}, Reading{"UP", 1}};
+    EXPECT_EQ(recognise(tortoise, {}, fed), Character::orbiting);
+    EXPECT_EQ(recognise(tortoise, {}, hungry), Character::aggressor);
+    EXPECT_NE(recognise(tortoise, {}, at_home), Character::aggressor);
+}
+
 // ── The same brain, drawn differently ───────────────────────────────────────────────────────────────────────────────
 
 // Carries each wire from a sensor to a motor through two neurons, half of it each.
