@@ -32,6 +32,13 @@ struct Random {
     // Uniform in [low, high), from 24 bits.
     float uniform(float low, float high) { return low + (high - low) * (static_cast<float>(next() >> 8U) * 0x1p-24f); }
 
+    // Normally distributed about 0 with a standard deviation of 1: the sum of twelve uniform numbers, so within ±6.
+    float normal() {
+        float sum = -6;
+        for (int i = 0; i < 12; ++i) sum += uniform(0, 1);
+        return sum;
+    }
+
     friend bool operator==(const Random&, const Random&) = default;
 };
 

@@ -112,6 +112,15 @@ std::optional<Fault> wheels_fault(const Kind& kind) {
                  fmt::format("the wheels' loads add up to {:.3g}; make it 1, the whole weight", load)};
 }
 
+std::optional<Fault> triangle_fault(const Kind& kind) {
+    constexpr float widest = maths::radians(179);
+    for (const Sensor& s : kind.sensors)
+        if (s.shape == SensorShape::triangle && s.field > widest + 1e-3f)
+            return Fault{"kind." + kind.name + ".sensor." + s.name + ".field",
+                         "a triangle opens by 179 degrees at most; make it narrower or its shape a sector"};
+    return std::nullopt;
+}
+
 std::optional<Fault> start_fault(const Scene& scene, const Start& start) {
     const std::string path = "vehicle." + start.name;
     if (start.kind.empty()) return Fault{path, "a vehicle needs a kind: kind = \"NAME\" of a [kind.NAME]"};
@@ -139,6 +148,7 @@ std::optional<Fault> find_fault(const Scene& scene) {
     if (auto fault = range_fault(scene)) return fault;
     for (const Kind& kind : scene.kinds) {
         if (auto fault = wheels_fault(kind)) return fault;
+        if (auto fault = triangle_fault(kind)) return fault;
         if (auto fault = find_fault(kind.brain)) return Fault{"kind." + kind.name + ".brain", std::move(fault->what)};
     }
     for (const Start& start : scene.starts)

@@ -1,9 +1,6 @@
 #include "core/scene/scene.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "core/maths/angle.h"
 
 namespace braitenlab {
 
@@ -33,20 +30,6 @@ FloorConstants floor_constants(const Arena& arena, Surface surface) {
             return {arena.friction, arena.grip, 0.05f};
     }
     return {arena.friction, arena.grip, arena.reflectance};
-}
-
-bool covers(const Zone& zone, maths::vec2 place) {
-    const maths::vec2 ahead = maths::direction(zone.heading);
-    const maths::vec2 p = maths::rotate(place - maths::vec2{zone.x, zone.y}, {ahead.x, -ahead.y});
-    const float along = p.x / (zone.length / 2), across = p.y / (zone.width / 2);
-    if (zone.round) return along * along + across * across <= 1;
-    return std::fabs(along) <= 1 && std::fabs(across) <= 1;
-}
-
-Surface surface_at(const Scene& scene, maths::vec2 place) {
-    for (auto zone = scene.zones.rbegin(); zone != scene.zones.rend(); ++zone)
-        if (zone->surface != Surface::none && covers(*zone, place)) return zone->surface;
-    return Surface::none;
 }
 
 std::vector<maths::vec2> corners_of(const Obstacle& obstacle) {

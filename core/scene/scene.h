@@ -16,7 +16,9 @@ namespace braitenlab {
 // What can be sensed. A new channel is one line here and one in its table of names (core/scene/names.h).
 //
 // White light is seen by eyes for red, green and blue too, and an eye for light sees all four. `memory` are the
-// vehicle's own marks, `touch` its bumper, `floor` the reflectance below the sensor, `energy` the vehicle's own.
+// vehicle's own marks. `touch` is a bumper: 1 while the vehicle touches something in the sensor's field, whatever its
+// range. `floor` is the reflectance below the sensor, `energy` the vehicle's own; boolean sensors for these two tell
+// whether it is at least half. The vehicle's own lamps and role are for others' eyes.
 enum class Channel {
     light,
     red,
@@ -56,8 +58,8 @@ struct Sensor {
     SensorResponse response = SensorResponse::graded;
     float x = 0.30f, y = 0;    // m
     float angle = 0;           // the axis of view, against the vehicle's heading
-    float field = 1.7453293f;  // the whole opening angle, (0, 2 pi]
-    float range = 12;          // m; 0 beyond it
+    float field = 1.7453293f;  // the whole opening angle, (0, 2 pi]; of a triangle below pi
+    float range = 12;          // m; it senses nothing beyond. Of a triangle the length of its arms
     float half_distance = 3;   // m; the d0 of 1/(1 + (d/d0)^2)
     float noise = 0;           // standard deviation added to every reading, which stays in 0..1
     float latency = 0;         // s until the brain gets a reading, 0..1
@@ -227,12 +229,6 @@ struct FloorConstants {
 };
 // Of a surface, or of the arena's own floor for Surface::none and, but for its darkness, Surface::tape.
 FloorConstants floor_constants(const Arena&, Surface);
-
-// Whether a place (m, in the arena) lies on the zone; its rim belongs to it.
-bool covers(const Zone&, maths::vec2 place);
-
-// What covers the floor there: of zones that overlap and have a surface the last counts.
-Surface surface_at(const Scene&, maths::vec2 place);
 
 // The corners of an obstacle in its own frame, counter-clockwise: a box's four or those it is given.
 std::vector<maths::vec2> corners_of(const Obstacle&);

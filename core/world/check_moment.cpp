@@ -63,6 +63,7 @@ std::optional<Error> vehicles_fault(Moment& m) {
         pairs_within(v.hand, -1, 1) && pairs_within(v.motor, -1, 1) && pairs_within(v.gain, 0.5f, 1.5f) &&
         all_of(v.wheel_angle, [](const auto& pair) { return std::isfinite(pair[0]) && std::isfinite(pair[1]); }) &&
         all_of(v.sensed, [](float s) { return within(s, 0, 1); }) &&
+        all_of(v.late, [](float s) { return within(s, 0, 1); }) &&
         all_of(v.neurons, [](float n) { return is_bounded(n); });
     if (!values_are_sound) return Error{"a value of a vehicle is outside its range"};
     return std::nullopt;
@@ -82,7 +83,9 @@ std::optional<Error> check_moment(Moment& m) {
     if (!all_of(m.touching, touch_is_sound) || !ascend(m.touching)) return Error{"who touches whom does not add up"};
     if (m.bites.size() > most_vehicles || !all_of(m.bites, [&](const Bite& b) { return b.tick <= m.tick; }))
         return Error{"its bites do not add up"};
-    if (m.marks.size() > most_vehicles * static_cast<std::size_t>(limits::marks) ||
+    const auto by_owner = [](const Mark& a, const Mark& b) { return a.owner < b.owner; };
+    if (!std::is_sorted(m.marks.begin(), m.marks.end(), by_owner) ||
+        m.marks.size() > most_vehicles * static_cast<std::size_t>(limits::marks) ||
         !all_of(m.marks, [&](const Mark& k) { return lives(k.owner) && is_bounded(k.place) && k.tick <= m.tick; }))
         return Error{"what its vehicles remember does not add up"};
     if (m.obstacles.size() != m.scene->obstacles.size() || !all_of(m.obstacles, is_sound))

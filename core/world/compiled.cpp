@@ -65,10 +65,20 @@ void steady(const Body& body, std::vector<CompiledWheel>& wheels, float Compiled
 
 }  // namespace
 
+std::uint32_t late_readings(const Kind& kind) {
+    std::uint32_t count = 0;
+    for (const Sensor& sensor : kind.sensors) count += ticks_late(sensor);
+    return count;
+}
+
 CompiledKind compile_kind(const Kind& kind) {
     const Body& body = kind.body;
     CompiledKind compiled;
-    for (const Sensor& sensor : kind.sensors) compiled.eyes.emplace_back(sensor);
+    for (const Sensor& sensor : kind.sensors) {
+        const Eye& eye = compiled.eyes.emplace_back(sensor);
+        compiled.has_noise = compiled.has_noise || eye.noise > 0;
+    }
+    compiled.late_readings = late_readings(kind);
     float driven = 0, gripping = 0;  // shares of the load on wheels with a motor, with grip
     for (const Wheel& w : body.wheels) {
         if (w.motor != Motor::none) driven += w.load;
@@ -94,22 +104,6 @@ CompiledKind compile_kind(const Kind& kind) {
     compiled.mass = body.mass;
     compiled.sensor_names = sensor_names(kind);
     return compiled;
-}
-
-std::vector<Outline> outlines_of(const Scene& scene) {
-    std::vector<Outline> outlines;
-    if (scene.arena.edge == Edge::wall) {
-        const float w = scene.arena.width / 2, h = scene.arena.height / 2;
-        const std::array<maths::vec2, 4> corner{{{-w, -h}, {w, -h}, {w, h}, {-w, h}}};
-        for (std::size_t i = 0; i < 4; ++i) outlines.push_back({{corner[i], corner[(i + 1) % 4]}});
-    }
-    for (const Obstacle& o : scene.obstacles) {
-        const maths::vec2 ahead = maths::direction(o.heading), middle{o.x, o.y};
-        Outline outline;
-        for (const maths::vec2 corner : corners_of(o)) outline.corners.push_back(middle + maths::rotate(corner, ahead));
-        outlines.push_back(std::move(outline));
-    }
-    return outlines;
 }
 
 }  // namespace braitenlab

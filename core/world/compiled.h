@@ -36,16 +36,18 @@ struct CompiledKind {
     std::array<float, 2> driven_radius{1, 1};  // m, of the left and the right wheel: how fast they spin
     float top_speed = 0, motor_force = 0, dead_band = 0;
     float mass = 0;
+    bool has_noise = false;
+    std::uint32_t late_readings = 0;
     std::vector<std::string> sensor_names;
 };
 
 // Fails as compile() does.
 Result<SharedDesign> make_design(const BrainGraph&, const Kind&);
 
+// How many readings the sensors of one vehicle of the kind hold back.
+std::uint32_t late_readings(const Kind&);
+
 // Everything but the brain.
 CompiledKind compile_kind(const Kind&);
-
-// What eyes for obstacles can see: the four walls and every obstacle.
-std::vector<Outline> outlines_of(const Scene&);
 
 }  // namespace braitenlab

@@ -33,9 +33,13 @@ std::optional<Error> carry_out(WorldState& s, const SetSensors& c) {
     for (std::size_t row = 0; row < v.size(); ++row)
         if (v.kind[row] == c.kind) again(v.design[row]);
     v.sensed.clear();
+    v.late.clear();
     for (std::size_t row = 0; row < v.size(); ++row) {
+        const Kind& of_row = scene.kinds[s.kind(row)];
         v.first_sensed[row] = static_cast<std::uint32_t>(v.sensed.size());
-        v.sensed.resize(v.sensed.size() + scene.kinds[s.kind(row)].sensors.size(), 0.0f);
+        v.sensed.resize(v.sensed.size() + of_row.sensors.size(), 0.0f);
+        v.first_late[row] = static_cast<std::uint32_t>(v.late.size());
+        v.late.resize(v.late.size() + late_readings(of_row), 0.0f);
     }
     take_over(s, std::move(scene));
     return std::nullopt;

@@ -1,7 +1,9 @@
 // What one sensor makes of one stimulus.
 #pragma once
 
-#include <span>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "core/maths/vec.h"
@@ -10,6 +12,11 @@
 namespace braitenlab {
 
 // A sensor with everything worked out that does not change from tick to tick.
+//
+// One test serves all shapes, without a branch: of a way d from the eye, with `along` its part along the axis,
+//     |d| <= range,  along >= cos_half_field · |d|,  along <= reach.
+// The cosine falls from the axis to 180 degrees, so this is right for a sector of any field. A triangle is the part of
+// its sector before the chord; an omni eye asks nothing of the direction.
 struct Eye {
     explicit Eye(const Sensor&);
 
@@ -18,9 +25,17 @@ struct Eye {
     SensorResponse response;
     maths::vec2 mount, axis;  // in the vehicle's frame
     maths::vec2 left_arm, right_arm;
-    float cos_half_field;
-    float range, range_squared, half_distance_squared;
+    float cos_half_field;  // below −1 for omni
+    float reach;           // m along the axis; of a triangle to its chord, else without limit
+    float least_cosine;    // what off-axis counts at least: 0, or 1 for omni, which has no axis
+    float range, range_squared;
+    float inverse_range_squared, inverse_half_distance_squared;
+    float noise;         // standard deviation
+    std::uint32_t late;  // ticks until the brain gets a reading
 };
+
+// How many ticks late a sensor's readings are.
+std::uint32_t ticks_late(const Sensor&);
 
 // An eye where its vehicle has carried it: world coordinates.
 struct Gaze {
@@ -29,6 +44,7 @@ struct Gaze {
 Gaze carry(const Eye&, maths::vec2 place, maths::vec2 ahead);
 
 // Whether the point lies in the eye's field: a sector (right beyond 180 degrees too), a triangle or the whole circle.
+// What lies on the rim belongs to it.
 bool in_field(const Eye&, const Gaze&, maths::vec2 point);
 
 // 0..strength. Boolean eyes give the strength of whatever is in the field; graded ones
@@ -36,12 +52,19 @@ bool in_field(const Eye&, const Gaze&, maths::vec2 point);
 // where an omni eye, having no axis, leaves the cosine out.
 float answer(const Eye&, const Gaze&, maths::vec2 point, float strength);
 
-// A closed outline that can be sensed by its nearest visible point: a wall is one segment, a box four.
-struct Outline {
-    std::vector<maths::vec2> corners;  // two: a segment; more: a loop
-};
+// The same for a point known to be in the field: `distance` away, squared, and so far along the axis.
+inline float graded(const Eye& eye, float squared, float distance, float along, float strength) {
+    const float fade = 1 - squared * eye.inverse_range_squared;
+    const float off_axis = std::max(along, eye.least_cosine * distance);  // the cosine, times the distance
+    const float near = strength * off_axis * fade * fade;
+    const float far = distance * (1 + squared * eye.inverse_half_distance_squared);
+    return distance > 0 ? near / far : strength;
+}
 
-// The answer to the outline's nearest point inside the field; 0 when no part of it lies there.
-float answer_to_outline(const Eye&, const Gaze&, const Outline&);
+// A rectangle along the axes of the world that holds the eye's whole field.
+struct Bounds {
+    maths::vec2 low, high;
+};
+Bounds bounds_of(const Eye&, const Gaze&);
 
 }  // namespace braitenlab

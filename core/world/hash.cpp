@@ -76,6 +76,7 @@ std::uint64_t hash(const Moment& s) {
         add(digest, v.design[row]->graph);
     }
     for (const float neuron : v.neurons) digest.add(neuron);
+    for (const float reading : v.late) digest.add(reading);
     return digest.value;
 }
 

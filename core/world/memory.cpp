@@ -1,6 +1,7 @@
-// Place memory: vehicles lay marks where they touch walls, posts and obstacles.
+// Place memory: vehicles lay marks where they touch walls, posts and obstacles, and sense their own like lamps.
 #include <algorithm>
 
+#include "core/maths/portable.h"
 #include "core/world/state.h"
 
 namespace braitenlab {
@@ -58,6 +59,24 @@ void remember(WorldState& s) {
     // The new ones stand at the end, by owner; each comes after its owner's older ones.
     std::inplace_merge(s.marks.begin(), s.marks.begin() + static_cast<std::ptrdiff_t>(before), s.marks.end(),
                        [](const Mark& a, const Mark& b) { return a.owner < b.owner; });
+}
+
+float strength(const Moment& s, const Mark& mark) {
+    const auto row = std::lower_bound(s.vehicles.id.begin(), s.vehicles.id.end(), mark.owner) - s.vehicles.id.begin();
+    const auto kind = static_cast<std::size_t>(s.vehicles.kind[static_cast<std::size_t>(row)]);
+    const PlaceMemory& memory = s.scene->kinds[kind].memory;
+    constexpr float ln2 = 0.69314718f;
+    const float age = static_cast<float>(s.tick - mark.tick) * tick_seconds;
+    return memory.strength * maths::exponential(-ln2 * age / memory.fade);
+}
+
+float read_memory(const WorldState& s, const Eye& eye, const Gaze& gaze, std::size_t row) {
+    const auto before = [](const Mark& a, const Mark& b) { return a.owner < b.owner; };
+    const auto [first, end] = std::equal_range(s.marks.begin(), s.marks.end(), Mark{s.vehicles.id[row], {}, 0}, before);
+    float sum = 0;
+    for (auto mark = first; mark != end; ++mark)
+        sum += answer(eye, gaze, gaze.from + s.seam.shortest(mark->place - gaze.from), strength(s, *mark));
+    return sum;
 }
 
 }  // namespace braitenlab

@@ -44,8 +44,9 @@ struct Vehicles {
     std::vector<std::array<float, 2>> motor;        // −1..1
     std::vector<std::array<float, 2>> wheel_angle;  // rad, for the eye only
     std::vector<SharedDesign> design;
-    std::vector<std::uint32_t> first_sensed, first_neuron;  // into the two below
+    std::vector<std::uint32_t> first_sensed, first_neuron, first_late;  // into the three below
     std::vector<float> sensed, neurons;
+    std::vector<float> late;  // what slow sensors read and have not passed on: a ring for each
 
     std::size_t size() const { return id.size(); }
 
@@ -53,7 +54,7 @@ struct Vehicles {
     template <class F>
     void each_column(F f) {
         f(id), f(kind), f(start), f(driver), f(motion), f(energy), f(hand), f(waypoint), f(gain), f(motor);
-        f(wheel_angle), f(design), f(first_sensed), f(first_neuron);
+        f(wheel_angle), f(design), f(first_sensed), f(first_neuron), f(first_late);
     }
 };
 

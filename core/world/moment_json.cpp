@@ -68,7 +68,8 @@ Json vehicles_json(const Vehicles& v, DesignTable& designs) {
             {"wheel_angle", v.wheel_angle},
             {"design", design},
             {"sensed", v.sensed},
-            {"neurons", v.neurons}};
+            {"neurons", v.neurons},
+            {"late", v.late}};
 }
 
 std::optional<Error> read_vehicles(const Json& json, const Scene& scene, Designs& designs, Vehicles& v) {
@@ -85,20 +86,24 @@ std::optional<Error> read_vehicles(const Json& json, const Scene& scene, Designs
     json.at("wheel_angle").get_to(v.wheel_angle);
     json.at("sensed").get_to(v.sensed);
     json.at("neurons").get_to(v.neurons);
+    json.at("late").get_to(v.late);
     const auto design = json.at("design").get<std::vector<std::size_t>>();
     if (design.size() != v.size() || v.kind.size() != v.size())
         return Error{"not every vehicle has a kind and a brain"};
-    std::uint32_t sensed = 0, neurons = 0;
+    std::uint32_t sensed = 0, neurons = 0, late = 0;
     for (std::size_t row = 0; row < v.size(); ++row) {
-        auto made = designs.make(design[row], static_cast<std::size_t>(v.kind[row]));
+        const auto kind = static_cast<std::size_t>(v.kind[row]);
+        auto made = designs.make(design[row], kind);
         if (!made) return made.error();
         v.first_sensed.push_back(sensed);
         v.first_neuron.push_back(neurons);
-        sensed += static_cast<std::uint32_t>(scene.kinds[static_cast<std::size_t>(v.kind[row])].sensors.size());
+        v.first_late.push_back(late);
+        sensed += static_cast<std::uint32_t>(scene.kinds[kind].sensors.size());
+        late += late_readings(scene.kinds[kind]);
         neurons += static_cast<std::uint32_t>((*made)->brain.state_size());
         v.design.push_back(*made);
     }
-    if (v.sensed.size() != sensed || v.neurons.size() != neurons)
+    if (v.sensed.size() != sensed || v.neurons.size() != neurons || v.late.size() != late)
         return Error{"the vehicles' readings and neurons do not fit their sensors and brains"};
     return std::nullopt;
 }

@@ -130,6 +130,8 @@ void add_vehicle(WorldState& s, int kind, int start, VehicleId id, SharedDesign 
     v.sensed.resize(v.sensed.size() + compiled.eyes.size(), 0.0f);
     v.first_neuron.push_back(static_cast<std::uint32_t>(v.neurons.size()));
     v.neurons.resize(v.neurons.size() + static_cast<std::size_t>(design->brain.state_size()), 0.0f);
+    v.first_late.push_back(static_cast<std::uint32_t>(v.late.size()));
+    v.late.resize(v.late.size() + compiled.late_readings, 0.0f);
     v.design.push_back(std::move(design));
     s.physics.add(id, s.scene->kinds[static_cast<std::size_t>(kind)].body, at_rest(pose));
     v.motion.push_back(s.physics.motion(v.id.size() - 1));
@@ -158,6 +160,7 @@ void remove_vehicle(WorldState& s, std::size_t row) {
     std::erase_if(s.marks, [id = v.id[row]](const Mark& mark) { return mark.owner == id; });
     erase_stretch(v.sensed, v.first_sensed, row);
     erase_stretch(v.neurons, v.first_neuron, row);
+    erase_stretch(v.late, v.first_late, row);
     v.each_column([row](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(row)); });
     s.physics.remove(row);
 }

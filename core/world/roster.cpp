@@ -70,6 +70,7 @@ void sort_in_last_row(WorldState& s) {
     };
     rotate_stretch(v.sensed, v.first_sensed);
     rotate_stretch(v.neurons, v.first_neuron);
+    rotate_stretch(v.late, v.first_late);
     v.each_column([&](auto& column) { std::rotate(column.begin() + row, column.begin() + last, column.end()); });
     s = WorldState(std::move(m));
 }

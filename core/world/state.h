@@ -8,6 +8,7 @@
 #include "core/world/field.h"
 #include "core/world/ground.h"
 #include "core/world/moment.h"
+#include "core/world/outline.h"
 #include "core/world/physics.h"
 #include "core/world/world.h"
 
@@ -20,15 +21,18 @@ struct WorldState : Moment {
 
     std::vector<CompiledKind> kinds;
     Ground ground;
-    std::vector<Outline> outlines;  // walls and obstacles, for eyes
+    Outlines outlines;  // walls, obstacles and posts, for eyes
+    Seam seam;
     std::array<bool, channel_count> sensed_channel{};
     std::array<Field, channel_count> fields;
-    bool anyone_remembers = false;        // any kind has a place memory
-    std::vector<Bump> bumps;              // of this tick, where anyone remembers
-    std::vector<Touch> begun;             // what began to touch in the last step, sorted
-    std::vector<Stimulus> stimuli;        // scratch
-    bool eyes_are_stale = true;           // something moved since they looked
-    std::vector<float> foreseen_neurons;  // what the next tick would make of them; empty: as they are
+    bool anyone_remembers = false;          // any kind has a place memory
+    std::vector<Bump> bumps;                // of this tick, where anyone remembers
+    std::vector<Touch> begun;               // what began to touch in the last step, sorted
+    std::vector<Touch> touched;             // all touches, both ways round, sorted; kept where there are bumpers
+    std::vector<Stimulus> stimuli;          // scratch
+    std::vector<Outline> touched_outlines;  // scratch
+    bool eyes_are_stale = true;             // something moved since they looked
+    std::vector<float> foreseen_neurons;    // what the next tick would make of them; empty: as they are
     Physics physics;
 
     Role role(std::size_t row) const { return vehicles.design[row]->role; }
@@ -37,7 +41,8 @@ struct WorldState : Moment {
 };
 
 // ── The tick, in order ──────────────────────────────────────────────────────────────────────────────────────────────
-void sense(WorldState&);           // sense.cpp   eyes read the fields of their channels
+void sense(WorldState&);           // sense.cpp   sensors read their channels
+void glance(WorldState&);          //             the same, but slow sensors keep nothing of it
 void think(WorldState&);           // think.cpp   brains and other drivers turn readings into wheel commands
 void drive(WorldState&);           // drive.cpp   wheels push bodies
 void keep_inside(WorldState&);     // edge.cpp    a torus closes, walls hold
@@ -60,9 +65,10 @@ bool is_outside(const Arena&, maths::vec2);      // edge.cpp
 void read_motion(WorldState&, std::size_t row);  // takes over where the body is now
 
 // ── From outside and to the outside ────────────────────────────────────────────────────────────────────────────────
-std::optional<Error> carry_out(WorldState&, const Command&);  // commands.cpp, edits.cpp
-float strength(const Moment&, const Mark&);                   // sense.cpp: what is left of it, 0..1
-void capture(const WorldState&, Snapshot&);                   // capture.cpp
-std::uint64_t hash(const Moment&);                            // hash.cpp
+std::optional<Error> carry_out(WorldState&, const Command&);                     // commands.cpp, edits.cpp
+float strength(const Moment&, const Mark&);                                      // memory.cpp: what is left of it, 0..1
+float read_memory(const WorldState&, const Eye&, const Gaze&, std::size_t row);  // its own marks, added up
+void capture(const WorldState&, Snapshot&);                                      // capture.cpp
+std::uint64_t hash(const Moment&);                                               // hash.cpp
 
 }  // namespace braitenlab

@@ -98,7 +98,7 @@ void think(WorldState& s) {
 }
 
 void foresee(WorldState& s) {
-    sense(s);
+    glance(s);
     s.foreseen_neurons = s.vehicles.neurons;
     const std::vector<std::int32_t> waypoint = s.vehicles.waypoint;
     think_with(s, s.foreseen_neurons);

@@ -8,7 +8,11 @@
 namespace braitenlab {
 
 WorldState::WorldState(Moment moment)
-    : Moment(std::move(moment)), ground(*scene), outlines(outlines_of(*scene)), physics(*scene, obstacles) {
+    : Moment(std::move(moment)),
+      ground(*scene),
+      outlines(*scene, obstacles),
+      seam(scene->arena),
+      physics(*scene, obstacles) {
     for (const Kind& design : scene->kinds) {
         kinds.push_back(compile_kind(design));
         anyone_remembers |= design.memory.marks > 0;
@@ -89,6 +93,7 @@ void World::step() {
     for (std::size_t row = 0; row < s.vehicles.size(); ++row) read_motion(s, row);
     for (std::size_t i = 0; i < s.obstacles.size(); ++i) s.obstacles[i] = s.physics.obstacle(i);
     keep_inside(s);
+    s.outlines.move(*s.scene, s.obstacles);
     remember(s);
     touch_and_live(s);
     if (++s.tick % keyframe_ticks == 0) begin_keyframe();

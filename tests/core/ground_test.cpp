@@ -1,5 +1,7 @@
 #include "core/world/ground.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/maths/angle.h"
@@ -7,6 +9,15 @@
 
 namespace braitenlab {
 namespace {
+
+// Worked out from the zone itself, without cells.
+bool covers(const Zone& zone, maths::vec2 place) {
+    const maths::vec2 ahead = maths::direction(zone.heading);
+    const maths::vec2 p = maths::rotate(place - maths::vec2{zone.x, zone.y}, {ahead.x, -ahead.y});
+    const float along = p.x / (zone.length / 2), across = p.y / (zone.width / 2);
+    if (zone.round) return along * along + across * across <= 1;
+    return std::fabs(along) <= 1 && std::fabs(across) <= 1;
+}
 
 using maths::vec2;
 

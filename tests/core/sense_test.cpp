@@ -1,0 +1,365 @@
+// What sensors of every channel read in a running world.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/world/world.h"
+#include "tests/core/scenes.h"
+
+namespace braitenlab {
+namespace {
+
+// Somebody in the middle who stands still and looks ahead with one sensor.
+Scene watcher(const Sensor& sensor) {
+    Scene scene = tests::alone({});
+    scene.arena.width = scene.arena.height = 40;
+    Kind& kind = scene.kinds[0];
+    kind.sensors = {sensor};
+    kind.sensors[0].name = "S";
+    kind.brain = make_graph({});
+    return scene;
+}
+Scene watcher(Channel channel) { return watcher(Sensor{.channel = channel}); }
+
+World make(const Scene& scene, std::uint64_t seed = 1) {
+    auto world = World::create(scene, seed);
+    EXPECT_TRUE(world) << world.error().text();
+    return std::move(*world);
+}
+
+float reading(const World& world, std::size_t sensor = 0) {
+    Snapshot now;
+    world.capture(now);
+    return now.sensed[sensor];
+}
+float reading(const Scene& scene) { return reading(make(scene)); }
+
+void steps(World& world, int count) {
+    for (int i = 0; i < count; ++i) world.step();
+}
+
+Scene with(Scene scene, const Source& source) {
+    scene.sources.push_back(source);
+    scene.sources.back().name = "s" + std::to_string(scene.sources.size());
+    return scene;
+}
+
+TEST(Colours, AreSeenByTheirOwnEyesAndByThoseForWhite) {
+    const std::array<Channel, 4> lights{Channel::light, Channel::red, Channel::green, Channel::blue};
+    for (const Channel eye : lights)
+        for (const Channel lamp : lights) {
+            const bool seen = eye == lamp || eye == Channel::light || lamp == Channel::light;
+            EXPECT_EQ(reading(with(watcher(eye), {.channel = lamp, .x = 3})) > 0, seen);
+        }
+}
+
+TEST(Sources, OfHeatSmellAndOxygenAreSensedOnTheirOwnChannelOnly) {
+    const std::array<Channel, 4> all{Channel::heat, Channel::smell, Channel::oxygen, Channel::light};
+    for (const Channel nose : all)
+        for (const Channel source : all)
+            EXPECT_EQ(reading(with(watcher(nose), {.channel = source, .x = 3})) > 0, nose == source);
+}
+
+TEST(Obstacles, HideLightAndVehiclesButNeitherHeatNorSmell) {
+    for (const Channel channel : {Channel::light, Channel::blue, Channel::heat, Channel::smell, Channel::oxygen}) {
+        Scene scene = with(watcher(channel), {.channel = channel, .x = 5});
+        const float open = reading(scene);
+        EXPECT_GT(open, 0);
+        scene.obstacles.push_back({.name = "box", .x = 3});
+        EXPECT_EQ(reading(scene), is_blocked_by_obstacles(channel) ? 0 : open);
+        scene.obstacles[0].y = 3;
+        EXPECT_EQ(reading(scene), open);
+    }
+    Scene scene = watcher(Channel::vehicle);
+    scene.starts.push_back({.name = "other", .kind = "tester", .x = 5});
+    EXPECT_GT(reading(scene), 0);
+    scene.obstacles.push_back({.name = "box", .x = 3});
+    EXPECT_EQ(reading(scene), 0);
+}
+
+TEST(Obstacles, ThatArePushedAwayHideNoLonger) {
+    Scene scene = with(watcher(Channel::light), {.x = 8});
+    scene.obstacles.push_back({.name = "crate", .x = 4, .length = 0.8f, .width = 0.8f, .mass = 3});
+    Kind pusher = tests::two_eyed("pusher", {.LM = 1, .RM = 1});
+    scene.kinds.push_back(pusher);
+    scene.starts.push_back({.name = "p", .kind = "pusher", .x = 4, .y = -2, .heading = maths::radians(90)});
+    World world = make(scene);
+    EXPECT_EQ(reading(world), 0);
+    steps(world, 120);
+    EXPECT_GT(reading(world), 0);
+}
+
+TEST(Vehicles, SenseAllOthersButNotThemselves) {
+    Scene scene = watcher({.channel = Channel::vehicle, .shape = SensorShape::omni});
+    EXPECT_EQ(reading(scene), 0);
+    scene.starts.push_back({.name = "other", .kind = "tester", .x = -4});
+    EXPECT_GT(reading(scene), 0);
+}
+
+TEST(CarriedLamps, ShineForOthersWhereverTheyAreCarried) {
+    Scene scene = watcher({.channel = Channel::red, .shape = SensorShape::omni});
+    scene.kinds[0].lamps.push_back({.name = "lamp", .channel = Channel::red, .x = 0.2f, .strength = 0.8f});
+    EXPECT_EQ(reading(scene), 0);  // not for the one who carries it
+    Kind bearer = tests::two_eyed("bearer", {.LM = 0.5f, .RM = 0.5f});
+    bearer.lamps = {{.name = "lamp", .channel = Channel::light, .x = 0.5f, .y = 0.25f, .strength = 0.5f}};
+    scene.kinds.push_back(bearer);
+    scene.starts.push_back({.name = "b", .kind = "bearer", .x = 3, .y = -2, .heading = maths::radians(90)});
+    World world = make(scene);
+    const float before = reading(world);
+    Scene lamp_alone = with(watcher(scene.kinds[0].sensors[0]), {.x = 3 - 0.25f, .y = -2 + 0.5f, .strength = 0.5f});
+    EXPECT_NEAR(before, reading(lamp_alone), 1e-5f);
+    steps(world, 45);
+    EXPECT_GT(reading(world), before * 1.05f);  // it came nearer
+}
+
+TEST(Bumper, TellsWhichSideTouches) {
+    Scene scene = watcher({.channel = Channel::touch});
+    Kind& kind = scene.kinds[0];
+    kind.sensors.push_back({.name = "rear", .channel = Channel::touch, .x = -0.3f, .angle = maths::pi});
+    kind.brain = make_graph({.LM = 0.5f, .RM = 0.5f});
+    scene.arena.width = 6;
+    World world = make(scene);
+    steps(world, 30);
+    EXPECT_EQ(reading(world, 0), 0);
+    steps(world, 150);
+    EXPECT_EQ(reading(world, 0), 1);
+    EXPECT_EQ(reading(world, 1), 0);
+}
+
+TEST(Bumper, FeelsOtherVehicles) {
+    Scene scene = watcher({.channel = Channel::touch});
+    scene.kinds.push_back(tests::two_eyed("rammer", {.LM = 0.6f, .RM = 0.6f}));
+    scene.starts.push_back({.name = "r", .kind = "rammer", .x = 4, .heading = maths::pi});
+    World world = make(scene);
+    EXPECT_EQ(reading(world), 0);
+    bool felt = false;
+    for (int i = 0; i < 300 && !felt; ++i) world.step(), felt = reading(world) == 1;
+    EXPECT_TRUE(felt);
+}
+
+TEST(FloorSensor, ReadsHowLightTheFloorBelowItIs) {
+    Scene scene = watcher(Sensor{.channel = Channel::floor, .x = 0.5f});
+    EXPECT_FLOAT_EQ(reading(scene), scene.arena.reflectance);
+    scene.zones.push_back({.name = "line", .x = 0.5f, .length = 0.1f, .width = 4, .surface = Surface::tape});
+    EXPECT_FLOAT_EQ(reading(scene), floor_constants(scene.arena, Surface::tape).reflectance);
+    scene.kinds[0].sensors[0].x = 0.3f;
+    EXPECT_FLOAT_EQ(reading(scene), scene.arena.reflectance);
+    scene.kinds[0].sensors[0].response = SensorResponse::boolean;
+    EXPECT_EQ(reading(scene), 1);
+    scene.kinds[0].sensors[0].x = 0.5f;
+    EXPECT_EQ(reading(scene), 0);
+}
+
+TEST(EnergySensor, ReadsTheVehiclesOwn) {
+    Scene scene = watcher(Channel::energy);
+    scene.ecology.drain = 0.1f;
+    World world = make(scene);
+    EXPECT_EQ(reading(world), 1);
+    steps(world, 180);
+    Snapshot now;
+    world.capture(now);
+    world.step();
+    EXPECT_NEAR(reading(world), now.vehicles[0].energy, 1e-6f);
+    EXPECT_NEAR(reading(world), 0.7f, 0.01f);
+}
+
+TEST(PlaceMemory, MarksWhereAVehicleMetAnObstacleAndLetsItFade) {
+    Scene scene = watcher({.channel = Channel::memory, .shape = SensorShape::omni});
+    scene.kinds[0].memory = {.marks = 3, .fade = 2, .strength = 0.8f};
+    scene.kinds[0].brain = make_graph({.LM = 0.6f, .RM = 0.6f});
+    scene.arena.width = 6;
+    scene.starts.push_back({.name = "other", .kind = "tester", .x = 2, .y = 8});
+    scene.starts[0].x = -1;
+    World world = make(scene);
+    Snapshot now;
+    world.capture(now);
+    EXPECT_TRUE(now.marks.empty());
+    EXPECT_EQ(now.sensed[0], 0);
+    steps(world, 300);
+    world.capture(now);
+    ASSERT_EQ(now.marks.size(), 2u);  // one each, though they push on
+    EXPECT_NEAR(now.marks[0].x, 3, 0.05f);
+    EXPECT_EQ(now.marks[0].owner, now.vehicles[0].id);
+    EXPECT_NEAR(now.marks[0].strength, 0.8f, 0.02f);
+    const float fresh = now.sensed[0];
+    EXPECT_GT(fresh, 0.3f);
+    // Pulled away from the wall, and standing still, it forgets by halves.
+    ASSERT_FALSE(world.apply(ChooseDriver{now.vehicles[0].id, Driver::parked}));
+    ASSERT_FALSE(world.apply(MoveVehicle{now.vehicles[0].id, 1, 0, 0}));
+    const float away = reading(world);
+    steps(world, 120);
+    EXPECT_NEAR(reading(world), away / 2, 0.02f);
+    steps(world, 60 * 25);
+    world.capture(now);
+    EXPECT_EQ(now.marks.size(), 1u);
+    EXPECT_EQ(now.sensed[0], 0);  // it never senses the other one's
+}
+
+TEST(PlaceMemory, HoldsNoMoreMarksThanItHasAndDropsTheOldest) {
+    Scene scene = watcher({.channel = Channel::memory, .shape = SensorShape::omni});
+    scene.kinds[0].memory = {.marks = 2, .fade = 1000};
+    scene.arena.width = 6;
+    World world = make(scene);
+    for (const float y : {-4.0f, 0.0f, 4.0f, 8.0f}) {
+        ASSERT_FALSE(world.apply(MoveVehicle{0, 2.495f, y, 0}));
+        steps(world, 5);
+    }
+    Snapshot now;
+    world.capture(now);
+    ASSERT_EQ(now.marks.size(), 2u);
+    EXPECT_NEAR(now.marks[0].y, 4, 0.1f);
+    EXPECT_NEAR(now.marks[1].y, 8, 0.1f);
+}
+
+TEST(Ambient, BrightensEveryEyeForLightAndNoOtherSense) {
+    for (const auto& [channel, lit] : {std::pair{Channel::light, true},
+                                       {Channel::green, true},
+                                       {Channel::heat, false},
+                                       {Channel::prey, false},
+                                       {Channel::energy, false}}) {
+        Scene scene = watcher(channel);
+        const float before = reading(scene);
+        scene.arena.ambient = 0.25f;
+        EXPECT_FLOAT_EQ(reading(scene), before + (lit ? 0.25f : 0));
+    }
+    Scene scene = with(with(watcher(Channel::light), {.x = 0.6f}), {.x = 0.7f});
+    scene.arena.ambient = 0.5f;
+    EXPECT_EQ(reading(scene), 1);  // saturated
+}
+
+TEST(Noise, HasTheSpreadThatItSaysAndNoMemory) {
+    Scene scene = watcher({.channel = Channel::light, .noise = 0.1f});
+    scene.kinds[0].sensors.push_back(scene.kinds[0].sensors[0]);
+    scene.kinds[0].sensors[1].name = "second";
+    scene.arena.ambient = 0.5f;
+    World world = make(scene);
+    double sum = 0, squares = 0, with_last = 0, with_other = 0, last = 0;
+    const int count = 4000;
+    for (int i = 0; i < count; ++i) {
+        world.step();
+        Snapshot now;
+        world.capture(now);
+        const double off = now.sensed[0] - 0.5, other = now.sensed[1] - 0.5;
+        sum += off, squares += off * off, with_last += off * last, with_other += off * other;
+        last = off;
+    }
+    EXPECT_NEAR(sum / count, 0, 0.006);
+    EXPECT_NEAR(std::sqrt(squares / count), 0.1, 0.005);
+    EXPECT_NEAR(with_last / squares, 0, 0.05);
+    EXPECT_NEAR(with_other / squares, 0, 0.05);
+}
+
+TEST(Noise, ComesFromTheSeedAndLeavesReadingsBetween0And1) {
+    Scene scene = watcher({.channel = Channel::light, .noise = 1});
+    World a = make(scene, 5), b = make(scene, 5), c = make(scene, 6);
+    int different = 0;
+    for (int i = 0; i < 100; ++i) {
+        a.step(), b.step(), c.step();
+        EXPECT_EQ(reading(a), reading(b));
+        different += reading(a) != reading(c);
+        EXPECT_GE(reading(a), 0);
+        EXPECT_LE(reading(a), 1);
+    }
+    EXPECT_GT(different, 30);
+}
+
+TEST(Latency, HoldsEveryReadingBackByAsManyTicks) {
+    Scene scene = with(watcher({.channel = Channel::light, .latency = 0.25f}), {.x = 4});
+    World world = make(scene);
+    const float prompt = reading(with(watcher(Channel::light), {.x = 4}));
+    for (int i = 0; i < 15; ++i) {
+        EXPECT_EQ(reading(world), 0) << i;
+        EXPECT_EQ(reading(world), 0) << i;  // looking changes nothing
+        world.step();
+    }
+    world.step();
+    EXPECT_EQ(reading(world), prompt);
+    ASSERT_FALSE(world.apply(MoveSource{0, -4, 0}));
+    for (int i = 0; i < 15; ++i) {
+        EXPECT_EQ(reading(world), prompt) << i;
+        world.step();
+    }
+    world.step();
+    EXPECT_EQ(reading(world), 0);
+}
+
+TEST(Triangle, OfHalfATurnOrMoreIsRefused) {
+    Scene scene = watcher({.shape = SensorShape::triangle, .field = maths::radians(200)});
+    EXPECT_FALSE(World::create(scene, 1));
+    scene.kinds[0].sensors[0].field = maths::radians(120);
+    EXPECT_TRUE(World::create(scene, 1));
+}
+
+TEST(Torus, IsSensedAcrossItsSeam) {
+    for (const Channel channel : {Channel::light, Channel::vehicle, Channel::obstacle}) {
+        Scene scene = watcher(Sensor{.channel = channel});
+        scene.arena.width = 20;
+        scene.arena.edge = Edge::torus;
+        scene.starts[0].x = 8;
+        if (channel == Channel::light) scene = with(scene, {.x = -8});
+        if (channel == Channel::vehicle) scene.starts.push_back({.name = "o", .kind = "tester", .x = -8});
+        if (channel == Channel::obstacle) scene.obstacles.push_back({.name = "box", .x = -8});
+        EXPECT_GT(reading(scene), 0.1f);
+        scene.arena.edge = Edge::open;
+        EXPECT_EQ(reading(scene), 0);
+    }
+}
+
+// Everything that sensing keeps from tick to tick, in one crowd.
+Scene crowd_with_every_sense() {
+    Scene scene = tests::crowd(20);
+    scene.arena.ambient = 0.05f;
+    scene.zones.push_back({.name = "line", .length = 8, .width = 0.5f, .surface = Surface::tape});
+    scene.obstacles.push_back({.name = "crate", .x = 3, .mass = 2});
+    scene.sources.push_back({.name = "lamp", .x = -4, .y = 2});
+    for (Kind& kind : scene.kinds) {
+        kind.memory.marks = 5;
+        kind.lamps = {{.name = "l", .channel = Channel::red}};
+        std::vector<std::pair<std::string, Channel>> senses{
+            {"a", Channel::touch}, {"b", Channel::floor}, {"c", Channel::memory}, {"d", Channel::red}};
+        for (const auto& [name, channel] : senses) {
+            kind.sensors.push_back({.name = name, .channel = channel, .noise = 0.02f, .latency = 0.1f});
+            const auto id = static_cast<NodeId>(100 + kind.brain.nodes.size());
+            kind.brain.nodes.push_back({.id = id, .kind = NodeKind::sensor, .name = name});
+            kind.brain.wires.push_back({.from = id, .to = find_node(kind.brain, "ML")->id, .weight = -0.4f});
+        }
+    }
+    return scene;
+}
+
+TEST(Save, HoldsWhatSlowAndNoisySensorsAndMemoriesKeep) {
+    World world = make(crowd_with_every_sense(), 3);
+    for (const int more : {137, 290, 41, 333}) {
+        steps(world, more);
+        World restored = World::restore(world.save());
+        EXPECT_EQ(restored.hash(), world.hash());
+        steps(restored, 310);
+        World on = World::restore(world.save());
+        steps(on, 310);
+        steps(world, 310);
+        EXPECT_EQ(restored.hash(), world.hash());
+        EXPECT_EQ(on.hash(), world.hash());
+        Snapshot a, b;
+        restored.capture(a), world.capture(b);
+        EXPECT_EQ(a.sensed, b.sensed);
+        EXPECT_FALSE(b.marks.empty());
+    }
+}
+
+TEST(SetSensors, GivesSlowSensorsANewRing) {
+    World world = make(crowd_with_every_sense(), 3);
+    steps(world, 50);
+    Snapshot now;
+    world.capture(now);
+    std::vector<Sensor> sensors = now.scene->kinds[0].sensors;
+    for (Sensor& s : sensors) s.latency = s.latency > 0 ? 0 : 0.5f;
+    ASSERT_FALSE(world.apply(SetSensors{0, sensors}));
+    steps(world, 50);
+    ASSERT_FALSE(world.apply(RemoveVehicle{}));
+    steps(world, 50);
+    World restored = World::restore(world.save());
+    EXPECT_EQ(restored.hash(), world.hash());
+}
+
+}  // namespace
+}  // namespace braitenlab
