@@ -152,9 +152,9 @@ void add_bumper(BrainGraph& graph) {
     connect(graph, "LAPSE", "BUMPED", -1);
     connect(graph, "BUMPED", "ML", -1.2f);
     connect(graph, "BUMPED", "MR", -0.7f);
-    add_pair(graph, "QL", "QR", 0.8f, false);
-    connect(graph, "QL", "MR", -0.8f);
-    connect(graph, "QR", "ML", -0.8f);
+    add_pair(graph, "QL", "QR", 0.4f, false);
+    connect(graph, "QL", "MR", -0.4f);
+    connect(graph, "QR", "ML", -0.4f);
 }
 
 // Grey Walter's Machina Speculatrix: explores in wide arcs, circles lights, backs off what it bumps into, and goes home

@@ -234,6 +234,32 @@ TEST(ShippedScenes, APupilLearnsToFearRedAndForgets) {
     }
 }
 
+TEST(ShippedScenes, TheTortoiseGoesHomeWhenItIsHungryAndLeavesWhenItIsFull) {
+    const Scene scene = shipped("tortoise");
+    const Zone& hutch = scene.zones.front();
+    int starved = 0, remembered = 0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        auto world = World::create(scene, seed);
+        ASSERT_TRUE(world) << world.error().text();
+        Snapshot now;
+        int meals = 0;
+        bool feeding = false, bumped = false;
+        for (int tick = 0; tick < 150 * 60; ++tick, world->step()) {
+            world->capture(now);
+            const VehicleView& it = now.vehicles.front();
+            const bool home = std::hypot(it.x - hutch.x, it.y - hutch.y) < hutch.length / 2;
+            bumped |= !now.marks.empty();
+            if (home && it.energy < 0.4f) feeding = true;
+            if (feeding && it.energy > 0.88f) feeding = false, ++meals;
+        }
+        EXPECT_GE(meals, 2) << seed;
+        starved += now.events.deaths > 0;
+        remembered += bumped;
+    }
+    EXPECT_EQ(starved, 0);
+    EXPECT_EQ(remembered, 20);
+}
+
 // ── Presets and scenes are the same vehicles ────────────────────────────────────────────────────────────────────────
 
 // A brain by what it does: names for numbers, no feelers, no wires that deliver nothing, in one order.
@@ -266,7 +292,6 @@ Drawing drawing(const BrainGraph& graph) {
 
 TEST(Presets, AreTheBrainsOfTheScenesThatShowThem) {
     for (const Preset& preset : presets()) {
-        if (preset.name == "tortoise") continue;
         const Scene scene = shipped(std::string(preset.scene));
         const int named = find_kind(scene, std::string(preset.name));
         ASSERT_FALSE(scene.kinds.empty()) << preset.name;
