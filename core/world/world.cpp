@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/scene/scene_file.h"
-#include "core/world/state.h"
+#include "core/world/tick.h"
 
 namespace braitenlab {
 
@@ -59,13 +59,7 @@ Result<World> World::create(const Scene& scene, std::uint64_t seed) {
     return world;
 }
 
-// Goes on from a copy of its own moment, as a world restored from it will.
-void World::begin_keyframe() {
-    const bool stale = state_->eyes_are_stale;
-    since_ = {std::make_shared<const Moment>(*state_), state_->tick, {}, state_->tick};
-    *state_ = WorldState(Moment(*since_.keyframe));
-    state_->eyes_are_stale = stale;
-}
+void World::begin_keyframe() { since_ = {braitenlab::begin_keyframe(*state_), state_->tick, {}, state_->tick}; }
 
 Save World::save() const {
     Save save = since_;
@@ -85,18 +79,8 @@ World World::restore(const Save& save) {
 }
 
 void World::step() {
-    WorldState& s = *state_;
-    sense(s);
-    think(s);
-    drive(s);
-    s.physics.step(s.touching, s.begun);
-    for (std::size_t row = 0; row < s.vehicles.size(); ++row) read_motion(s, row);
-    for (std::size_t i = 0; i < s.obstacles.size(); ++i) s.obstacles[i] = s.physics.obstacle(i);
-    keep_inside(s);
-    s.outlines.move(*s.scene, s.obstacles);
-    remember(s);
-    touch_and_live(s);
-    if (++s.tick % keyframe_ticks == 0) begin_keyframe();
+    braitenlab::tick(*state_, [](TickPart) {});
+    if (state_->tick % keyframe_ticks == 0) begin_keyframe();
 }
 
 std::uint64_t World::tick() const { return state_->tick; }

@@ -1,65 +1,168 @@
 // What a tick costs. Compare figures of one run only: machines differ, and so does one machine from minute to minute.
+#include <array>
+#include <ctime>
+#include <map>
+
 #include <benchmark/benchmark.h>
 
-#include <array>
-#include <cmath>
-
 #include "core/brain/brain.h"
-#include "core/session/session.h"
-#include "core/world/world.h"
-#include "tests/core/scenes.h"
+#include "core/maths/random.h"
+#include "core/world/tick.h"
+#include "tests/bench/crowd.h"
+#include "tests/bench/limit.h"
+#include "tests/bench/own_memory.h"
+#include "tests/five_bodies.h"
 
-namespace braitenlab {
+namespace braitenlab::bench {
 namespace {
 
-// N vehicles at constant density: half attracted, half repelled, so that contacts are many.
-Scene dense(int n) {
-    Scene scene = tests::crowd(n);
-    scene.arena.width = scene.arena.height = 2 * std::sqrt(static_cast<float>(n));
-    scene.ecology.inactivity = 0;
-    scene.ecology.bite = 0;  // nobody dies: the same load from first tick to last
-    for (Kind& kind : scene.kinds)
-        for (Sensor& eye : kind.sensors) eye.range = 6, eye.field = maths::radians(60);
-    return scene;
+constexpr int warm_ticks = 120;  // past the start, into the crowd
+
+// A crowd past its start, made once. It begins on a grid: looking for free places takes longer than all the ticks.
+const Save& crowd_of(int n) {
+    static std::map<int, Save> made;
+    Save& save = made[n];
+    if (save.keyframe) return save;
+    Scene scene = dense(n);
+    scene.ecology.population = 0;
+    WorldState s{Moment(*World::create(scene, 1)->save().keyframe)};
+    maths::Random chance{1, 1};
+    const int side = static_cast<int>(std::ceil(std::sqrt(static_cast<float>(n))));
+    const float spacing = scene.arena.width / static_cast<float>(side);
+    for (int i = 0; i < n; ++i) {
+        const auto column = static_cast<float>(i % side), row = static_cast<float>(i / side);
+        const Pose pose{(column + 0.5f) * spacing - scene.arena.width / 2,
+                        (row + 0.5f) * spacing - scene.arena.height / 2, chance.uniform(-3, 3)};
+        const int kind = static_cast<int>(chance.next() % 2);
+        add_vehicle(s, kind, -1, s.next_id++, s.newcomers[static_cast<std::size_t>(kind)], pose);
+    }
+    for (int i = 0; i < warm_ticks; ++i) tick(s, [](TickPart) {});
+    save = {std::make_shared<const Moment>(s), s.tick, {}, s.tick};
+    return save;
 }
+
+// Processor time, which other programs on the machine do not stretch.
+double nanoseconds() { return static_cast<double>(std::clock()) * (1e9 / CLOCKS_PER_SEC); }
+
+void sizes(benchmark::internal::Benchmark* b) {
+    b->Arg(50)->Arg(1000)->Arg(5000)->Arg(20000)->Unit(benchmark::kMicrosecond);
+}
+
+// The same figure for every size: the time of one tick of one vehicle.
+void count(benchmark::State& state) { state.SetItemsProcessed(state.iterations() * state.range(0)); }
 
 void BM_WorldStep(benchmark::State& state) {
-    auto world = World::create(dense(static_cast<int>(state.range(0))), 1);
-    for (int i = 0; i < 120; ++i) world->step();  // past the start, into the crowd
-    for (auto _ : state) world->step();
-    state.SetItemsProcessed(state.iterations() * state.range(0));
+    const Save& save = crowd_of(static_cast<int>(state.range(0)));
+    const std::int64_t before = bytes_in_use();
+    WorldState world{Moment(*save.keyframe)};
+    auto keyframe = begin_keyframe(world);
+    tick(world, [](TickPart) {});
+    const std::int64_t bytes = bytes_in_use() - before;
+    std::array<double, 5> spent{};
+    for (auto _ : state) {
+        double last = nanoseconds();
+        const auto done = [&](TickPart part) {
+            const double now = nanoseconds();
+            spent[static_cast<std::size_t>(part)] += now - last;
+            last = now;
+        };
+        tick(world, done);
+        if (world.tick % keyframe_ticks == 0) keyframe = begin_keyframe(world);
+        done(TickPart::other);
+    }
+    constexpr std::array<const char*, 5> names{"sense_ns", "think_ns", "drive_ns", "physics_ns", "other_ns"};
+    const double steps = static_cast<double>(state.iterations()) * static_cast<double>(state.range(0));
+    for (std::size_t i = 0; i < names.size(); ++i) state.counters[names[i]] = spent[i] / steps;
+    state.counters["bytes_per_vehicle"] = static_cast<double>(bytes) / static_cast<double>(state.range(0));
+    count(state);
 }
-BENCHMARK(BM_WorldStep)->Arg(50)->Arg(1000)->Arg(5000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_WorldStep)->Apply(sizes);
+
+void BM_Limit(benchmark::State& state) {
+    const int n = static_cast<int>(state.range(0));
+    const auto limit = std::make_unique<Limit>(dense(n), places_in(World::restore(crowd_of(n))));
+    for (int i = 0; i < 5; ++i) limit->step();
+    for (auto _ : state) limit->step();
+    count(state);
+}
+BENCHMARK(BM_Limit)->Apply(sizes);
+
+void look(benchmark::State& state, float farthest) {
+    const Scene scene = dense(static_cast<int>(state.range(0)));
+    const Places places = places_in(World::restore(crowd_of(static_cast<int>(state.range(0)))));
+    std::vector<Motion> motion;
+    for (const Pose& pose : places.pose) motion.push_back(at_rest(pose));
+    std::vector<std::array<float, 2>> sensed;
+    CrowdEyes eyes(scene, farthest);
+    for (auto _ : state) {
+        eyes.look(motion, places.hunts, sensed);
+        benchmark::DoNotOptimize(sensed.data());
+    }
+    count(state);
+}
+
+void BM_GridSense(benchmark::State& state) { look(state, eye_range); }
+BENCHMARK(BM_GridSense)->Apply(sizes);
+
+// The same eyes and the same sums, but one cell as large as the arena: everybody looks at everybody.
+void BM_AllPairsSense(benchmark::State& state) { look(state, 1e6f); }
+BENCHMARK(BM_AllPairsSense)->Arg(50)->Arg(1000)->Arg(5000)->Unit(benchmark::kMicrosecond);
+
+// The same crowd with five bodies a vehicle, joined by locked joints.
+void BM_FiveBodies(benchmark::State& state) {
+    const int n = static_cast<int>(state.range(0));
+    const Scene scene = dense(n);
+    const Places places = places_in(World::restore(crowd_of(n)));
+    tests::FiveBodies bodies(scene.arena);
+    for (const Pose& pose : places.pose) bodies.add(scene.kinds[0].body, pose);
+    CrowdEyes eyes(scene, eye_range);
+    std::vector<Motion> motion(places.pose.size());
+    std::vector<std::array<float, 2>> sensed;
+    for (auto _ : state) {
+        for (std::size_t row = 0; row < motion.size(); ++row) motion[row] = bodies.motion(row);
+        eyes.look(motion, places.hunts, sensed);
+        for (std::size_t row = 0; row < motion.size(); ++row) {
+            const auto told = motors(places.hunts[row] ? hunter : hunted, sensed[row]);
+            bodies.command(row, told[0], told[1]);
+        }
+        bodies.step();
+    }
+    count(state);
+}
+BENCHMARK(BM_FiveBodies)->Arg(50)->Arg(1000)->Arg(5000)->Unit(benchmark::kMicrosecond);
 
 void BM_Capture(benchmark::State& state) {
-    auto world = World::create(dense(static_cast<int>(state.range(0))), 1);
+    const World world = World::restore(crowd_of(static_cast<int>(state.range(0))));
     Snapshot now;
-    for (auto _ : state) world->capture(now);
-    state.SetItemsProcessed(state.iterations() * state.range(0));
+    for (auto _ : state) world.capture(now);
+    count(state);
 }
 BENCHMARK(BM_Capture)->Arg(50)->Arg(1000)->Unit(benchmark::kMicrosecond);
 
 void BM_Think(benchmark::State& state) {
     const std::array<std::string, 2> eyes{"SL", "SR"};
-    const auto brain = compile(make_graph({.LR = 1.5f, .RL = 1.5f, .LM = 0.1f, .RM = 0.1f}), eyes);
-    std::array<float, 2> neurons{}, motors{}, sensed{0.3f, 0.7f};
+    const auto brain = compile(make_graph(hunter), eyes);
+    std::array<float, 2> neurons{}, told{}, sensed{0.3f, 0.7f};
     for (auto _ : state) {
-        think(*brain, sensed, neurons, motors);
-        benchmark::DoNotOptimize(motors);
+        think(*brain, sensed, neurons, told);
+        benchmark::DoNotOptimize(told);
     }
 }
 BENCHMARK(BM_Think);
 
-// One vehicle, 300 ticks, from its start: what looking five seconds ahead costs.
+// One vehicle, 300 ticks, from a moment that was kept: what looking five seconds ahead costs.
 void BM_Rollout(benchmark::State& state) {
-    const Scene scene = tests::alone({.LR = 1.5f, .RL = 1.5f, .LM = 0.1f, .RM = 0.1f});
+    Scene scene = tests::alone(hunter);
+    scene.sources.push_back({.name = "lamp", .x = 8, .y = 2});
+    World now = std::move(*World::create(scene, 1));
+    const Save save = now.save();
     for (auto _ : state) {
-        auto world = World::create(scene, 1);
-        for (int i = 0; i < 300; ++i) world->step();
-        benchmark::DoNotOptimize(world->hash());
+        World ahead = World::restore(save);
+        for (int i = 0; i < 300; ++i) ahead.step();
+        benchmark::DoNotOptimize(ahead.hash());
     }
 }
 BENCHMARK(BM_Rollout)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::bench

@@ -1,0 +1,85 @@
+// The crowd that the benchmarks of the world, of its parts and of its limit share: N vehicles at constant density, half
+// attracted, half repelled, so that contacts are many.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/world/field.h"
+#include "core/world/motion.h"
+#include "core/world/world.h"
+#include "tests/core/scenes.h"
+
+namespace braitenlab::bench {
+
+inline constexpr float eye_range = 6;
+inline constexpr FourNeurons hunter{.LR = 1.5f, .RL = 1.5f, .LM = 0.3f, .RM = 0.25f};
+inline constexpr FourNeurons hunted{.LL = 1.0f, .RR = 1.0f, .LM = 0.2f, .RM = 0.25f};
+
+inline Scene dense(int n) {
+    Scene scene = tests::crowd(n);
+    scene.arena.width = scene.arena.height = 2 * std::sqrt(static_cast<float>(n));
+    scene.ecology.inactivity = 0;
+    scene.ecology.bite = 0;  // nobody dies: the same load from first tick to last
+    scene.kinds[0].brain = make_graph(hunter);
+    scene.kinds[1].brain = make_graph(hunted);
+    for (Kind& kind : scene.kinds)
+        for (Sensor& eye : kind.sensors) eye.range = eye_range, eye.field = maths::radians(60);
+    return scene;
+}
+
+// Where everybody stands in a world, and who hunts.
+struct Places {
+    std::vector<Pose> pose;
+    std::vector<char> hunts;
+};
+inline Places places_in(const World& world) {
+    Snapshot now;
+    world.capture(now);
+    Places places;
+    for (const VehicleView& v : now.vehicles) {
+        places.pose.push_back({v.x, v.y, v.heading});
+        places.hunts.push_back(v.role == Role::predator);
+    }
+    return places;
+}
+
+// What the crowd's eyes read, by two fields. `farthest` sets how large their cells are.
+class CrowdEyes {
+public:
+    CrowdEyes(const Scene& scene, float farthest) {
+        for (const Sensor& sensor : scene.kinds[0].sensors) eyes_.emplace_back(sensor);
+        for (Field& field : fields_) field.lay_out(scene.arena, farthest);
+    }
+
+    void look(const std::vector<Motion>& motion, const std::vector<char>& hunts,
+              std::vector<std::array<float, 2>>& sensed) {
+        for (int side = 0; side < 2; ++side) {
+            stimuli_.clear();
+            for (std::size_t row = 0; row < motion.size(); ++row)
+                if (hunts[row] == side) stimuli_.push_back({motion[row].place, 1, static_cast<std::int32_t>(row)});
+            fields_[static_cast<std::size_t>(side)].fill(stimuli_);
+        }
+        sensed.resize(motion.size());
+        for (std::size_t row = 0; row < motion.size(); ++row)
+            for (std::size_t k = 0; k < 2; ++k) {
+                const Field& others = fields_[hunts[row] ? 0 : 1];
+                const Gaze gaze = carry(eyes_[k], motion[row].place, motion[row].ahead);
+                sensed[row][k] = std::min(1.0f, others.total(eyes_[k], gaze, static_cast<std::int32_t>(row)));
+            }
+    }
+
+private:
+    std::vector<Eye> eyes_;
+    std::array<Field, 2> fields_;
+    std::vector<Stimulus> stimuli_;
+};
+
+// What a four-neuron brain makes of two eyes.
+inline std::array<float, 2> motors(const FourNeurons& b, const std::array<float, 2>& sensed) {
+    return {std::clamp(b.LM + b.LL * sensed[0] + b.LR * sensed[1], -1.0f, 1.0f),
+            std::clamp(b.RM + b.RL * sensed[0] + b.RR * sensed[1], -1.0f, 1.0f)};
+}
+
+}  // namespace braitenlab::bench

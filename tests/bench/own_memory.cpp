@@ -1,0 +1,38 @@
+#include "tests/bench/own_memory.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+// Every block carries its size before it.
+constexpr std::size_t header = alignof(std::max_align_t);
+std::atomic<std::int64_t> in_use{0};
+
+void* take(std::size_t size) {
+    void* block = std::malloc(size + header);
+    if (!block) throw std::bad_alloc();
+    *static_cast<std::size_t*>(block) = size;
+    in_use += static_cast<std::int64_t>(size);
+    return static_cast<char*>(block) + header;
+}
+
+void give_back(void* memory) noexcept {
+    if (!memory) return;
+    void* block = static_cast<char*>(memory) - header;
+    in_use -= static_cast<std::int64_t>(*static_cast<std::size_t*>(block));
+    std::free(block);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return take(size); }
+void* operator new[](std::size_t size) { return take(size); }
+void operator delete(void* memory) noexcept { give_back(memory); }
+void operator delete[](void* memory) noexcept { give_back(memory); }
+void operator delete(void* memory, std::size_t) noexcept { give_back(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { give_back(memory); }
+
+std::int64_t braitenlab::bench::bytes_in_use() { return in_use; }
