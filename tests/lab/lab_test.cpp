@@ -98,6 +98,22 @@ TEST(Driving, LetsGoOfAVehicleThatIsNoLongerSelected) {
     EXPECT_EQ(lab.session.snapshot().vehicles[0].motor, (std::array{0.0f, 0.0f}));
 }
 
+TEST(Numbers, GoToANewFileEachTimeAndSayWhere) {
+    const auto before = std::filesystem::current_path();
+    const auto folder = std::filesystem::temp_directory_path() / "braitenlab-numbers-test";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    Lab lab = open("2a-coward");
+    std::filesystem::current_path(folder);
+    handle(lab, ExportRequest{"signals", "seconds,SL\n"});
+    handle(lab, ExportRequest{"signals", "seconds,SL\n0,1\n"});
+    std::filesystem::current_path(before);
+    EXPECT_EQ(std::filesystem::file_size(folder / "braitenlab-signals-001.csv"), 11u);
+    EXPECT_EQ(std::filesystem::file_size(folder / "braitenlab-signals-002.csv"), 15u);
+    EXPECT_NE(lab.notice.find("braitenlab-signals-002.csv"), std::string::npos);
+    std::filesystem::remove_all(folder);
+}
+
 TEST(Selection, MovesOnWhenItsVehicleLeaves) {
     Lab lab = open("predator-prey");
     EXPECT_EQ(lab.selected, 0);

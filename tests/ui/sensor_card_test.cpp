@@ -128,6 +128,18 @@ TEST(SensorCard, RightClickBringsBackTheFilesAngle) {
     EXPECT_NEAR(desk.asked_for()[0].angle, 35 * degree, 1e-4f);
 }
 
+TEST(SensorCard, GivesNoAnswerAwayByTheNameOfALoneKind) {
+    Desk desk(1280, 1000);
+    desk.now = snapshot(0);
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->kinds[0].name = "aggressor";
+    desk.now.scene = scene;
+    desk.panels.sensors.folded = false;
+    desk.frame(4);
+    ASSERT_TRUE(desk.anchors.find("sensor.angle"));
+    for (const Written& w : desk.written) EXPECT_EQ(w.words.find("ggressor"), std::string::npos) << w.words;
+}
+
 TEST(SensorCard, SaysWhenThereIsNothingToSenseWith) {
     Desk desk;
     desk.panels.sensors.folded = false;

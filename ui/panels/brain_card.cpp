@@ -31,11 +31,7 @@ void title(const LabView& view, PanelState& state, Ui& ui, const VehicleView& ve
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = line_height(ui, Face::title), size = ui.px(16), width = card_width(ui);
     put_role(ui, {at.x + size / 2, at.y + height / 2}, size, vehicle.role);
-    // Where all are alike the kind's name says nothing, or gives an exercise's answer away.
-    const bool lone_kind = view.now->scene->kinds.size() == 1 && vehicle.role == Role::none;
-    const std::string kind =
-        lone_kind ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind_of(*view.now, vehicle));
-    const std::string name = kind + " " + std::to_string(vehicle.id + 1);
+    const std::string name = kind_name(view, ui, vehicle) + " " + std::to_string(vehicle.id + 1);
     // Where its brain has no say, the chip says who drives.
     const bool thinks = vehicle.driver == Driver::brain;
     const std::string_view character =
@@ -68,6 +64,11 @@ std::string kind_name(const Ui& ui, const Kind& kind) {
     std::string name(ui.strings.find("kind." + kind.name, kind.name));
     if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
     return name;
+}
+
+std::string kind_name(const LabView& view, const Ui& ui, const VehicleView& vehicle) {
+    const bool lone_kind = view.now->scene->kinds.size() == 1 && vehicle.role == Role::none;
+    return lone_kind ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind_of(*view.now, vehicle));
 }
 
 void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect room) {

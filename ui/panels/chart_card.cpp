@@ -209,12 +209,13 @@ void bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
         const ImVec2 top = plot_point(inner, place, energy, 0, v.energy);
         const Rect bar{x + gap, top.y, width - 2 * gap, inner.y + inner.h - top.y};
         fill_box(ui, bar, colour_of(ui.palette, v.role), 2);
+        if (width >= ui.px(6))
+            put_role(ui, {x + width / 2, inner.y + inner.h + ui.px(8)}, std::min(width, ui.px(9)), v.role);
         if (v.id == view.selected) line_box(ui, {x, inner.y, width, inner.h}, ui.palette.text, 2, 1.5f);
         if (!over || mouse.x < x || mouse.x >= x + width) continue;
         line_box(ui, {x, inner.y, width, inner.h}, ui.palette.second_text, 2, 1);
         ReadOut words;
-        const Kind& kind = view.now->scene->kinds[static_cast<std::size_t>(v.kind)];
-        words.add(fill(ui.strings("info.one"), {kind_name(ui, kind), std::to_string(v.id + 1), fixed(v.energy, 2)}),
+        words.add(fill(ui.strings("info.one"), {kind_name(view, ui, v), std::to_string(v.id + 1), fixed(v.energy, 2)}),
                   ui.palette.text);
         words.show(ui, inner, x + width);
         if (ImGui::IsMouseClicked(0)) ui.outbox.push_back(SelectRequest{v.id});

@@ -144,10 +144,9 @@ void energies(const LabView& view, PanelState& state, Ui& ui) {
                      vehicle.id == view.selected ? ui.palette.text : ui.palette.second_text, 3, 1.5f);
     }
     if (under) {
-        const Kind& kind = now.scene->kinds[static_cast<std::size_t>(under->kind)];
         tooltip(ui, area,
                 fill(ui.strings("info.one"),
-                     {kind_name(ui, kind), std::to_string(under->id + 1), fixed(under->energy, 2)}));
+                     {kind_name(view, ui, *under), std::to_string(under->id + 1), fixed(under->energy, 2)}));
         if (ImGui::IsMouseClicked(0)) ui.outbox.push_back(SelectRequest{under->id});
     }
     if (now.vehicles.size() > shown)

@@ -39,4 +39,8 @@ void brain_picture(const LabView&, PanelState&, Ui&, const VehicleView&, float l
 // "Predator", "Lamp seeker": the kind's name in the language of the strings, or as its author wrote it.
 std::string kind_name(const Ui&, const Kind&);
 
+// The same of a vehicle, but a plain "Vehicle" where there is one kind alone: its name then says nothing, or gives an
+// exercise's answer away.
+std::string kind_name(const LabView&, const Ui&, const VehicleView&);
+
 }  // namespace braitenlab

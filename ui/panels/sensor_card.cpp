@@ -102,7 +102,8 @@ private:
             tooltip(ui_, at, senses(sensor));
             if (at.pressed) state_.sensor = sensor.name;
         }
-        paragraph(ui_, fill(ui_.strings("sensors.of"), {sensor_->name, senses(*sensor_), kind_name(ui_, kind_)}),
+        paragraph(ui_,
+                  fill(ui_.strings("sensors.of"), {sensor_->name, senses(*sensor_), kind_name(view_, ui_, vehicle_)}),
                   ui_.palette.second_text, Face::small);
     }
 
