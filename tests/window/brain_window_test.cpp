@@ -1,4 +1,6 @@
 // The brain card, the sensors and the charts, by a real hand.
+#include <utility>
+
 #include "tests/window/lab_window.h"
 
 namespace braitenlab::tests {
@@ -78,6 +80,12 @@ TEST(BrainWindow, IsDrivenByHandWithTheArrowKeys) {
 
 TEST(BrainWindow, DragsASensorsRangeAsOneStepOfUndo) {
     LabWindow lab({"2a-coward", "--size", "1280x800", "--play"});
+    // Cards find their places in their first frames, by what is in them.
+    Json before_that;
+    wait_for([&] {
+        const Json now = lab.anchors()["card.sensors.fold"];
+        return now == std::exchange(before_that, now) && !now.is_null();
+    });
     lab.click("card.sensors.fold");
     const Point middle = lab.at("sensor.range");
     const auto ranges = [&] { return lab.state()["sensor_ranges"]; };
