@@ -29,21 +29,11 @@ inline Scene dense(int n) {
     return scene;
 }
 
-// Where everybody stands in a world, and who hunts.
+// Where everybody stands and how they move, and who hunts.
 struct Places {
-    std::vector<Pose> pose;
+    std::vector<Motion> motion;
     std::vector<char> hunts;
 };
-inline Places places_in(const World& world) {
-    Snapshot now;
-    world.capture(now);
-    Places places;
-    for (const VehicleView& v : now.vehicles) {
-        places.pose.push_back({v.x, v.y, v.heading});
-        places.hunts.push_back(v.role == Role::predator);
-    }
-    return places;
-}
 
 // What the crowd's eyes read, by two fields. `farthest` sets how large their cells are.
 class CrowdEyes {

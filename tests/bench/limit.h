@@ -21,7 +21,7 @@ public:
         const float w = scene.arena.width, h = scene.arena.height, t = 0.5f;
         add_wall({0, (h + t) / 2}, w + 2 * t, t), add_wall({0, -(h + t) / 2}, w + 2 * t, t);
         add_wall({(w + t) / 2, 0}, t, h), add_wall({-(w + t) / 2, 0}, t, h);
-        for (const Pose& pose : places.pose) add(scene.kinds[0].body, pose);
+        for (const Motion& motion : places.motion) add(scene.kinds[0].body, motion);
         for (const Wheel& wheel : scene.kinds[0].body.wheels) drag_ += wheel.area * scene.arena.friction;
     }
 
@@ -79,11 +79,13 @@ private:
         attach(*world_.CreateBody(&definition), box, environment, chassis | wheels | environment);
     }
 
-    void add(const Body& design, const Pose& pose) {
+    void add(const Body& design, const Motion& motion) {
         b2BodyDef definition;
         definition.type = b2_dynamicBody;
-        definition.position = {pose.x, pose.y};
-        definition.angle = pose.heading;
+        definition.position = {motion.place.x, motion.place.y};
+        definition.angle = motion.heading;
+        definition.linearVelocity = {motion.velocity.x, motion.velocity.y};
+        definition.angularVelocity = motion.turning;
         b2Body* body = world_.CreateBody(&definition);
         b2PolygonShape box;
         box.SetAsBox(design.length / 2, design.width / 2);
