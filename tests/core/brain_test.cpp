@@ -372,6 +372,11 @@ TEST(HebbianWire, StopsWhereItsWeightWouldLeaveTheRange) {
     Pupil eager(pupil(10, 0));
     eager.live(600, 1, 1);
     EXPECT_EQ(eager.learned(), 2);
+    BrainGraph strong = pupil(10, 0);
+    find_wire(strong, 0, 2)->weight = 0.5f;
+    Pupil born_strong(strong);
+    born_strong.live(600, 1, 1);
+    EXPECT_EQ(born_strong.learned(), 1.5f);
     BrainGraph against = pupil(10, 0);
     find_wire(against, 1, 2)->weight = -1;  // the motor runs backwards: the wire is weakened
     find_wire(against, 0, 2)->weight = 0.5f;

@@ -68,7 +68,7 @@ TEST(Recogniser, AdmitsWhatItCannotName) {
 }
 
 TEST(Recogniser, IsNotFooledByUnequalWheels) {
-    EXPECT_EQ(of({.LL = 1, .RR = 1, .LM = 0.3f, .RM = 0.1f}), Character::coward);
+    EXPECT_EQ(of({.LL = 0.5f, .RR = 0.5f, .LM = 0.5f, .RM = 0.1f}), Character::coward);
     EXPECT_EQ(of({.LR = 1, .RL = 1, .LM = 0.1f, .RM = 0.3f}), Character::aggressor);
 }
 
