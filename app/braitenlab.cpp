@@ -101,7 +101,6 @@ private:
         } else {
             advance(lab_, std::min(passed, 0.25));
         }
-        sight_age_ += static_cast<float>(passed);
     }
 
     // What was dropped onto the window or chosen from the menu; the last one counts.
@@ -159,6 +158,8 @@ private:
         view.recent = &memory_.remembered.recent;
         const Rect area = window_.area();
         const WindowLayout layout = lay_out(area.w, area.h, look_.scale(), view, panels_.charts_open);
+        aim(viewport_, lab_, area, layout.scene, passed);
+        view.sight = &viewport_.sight;
         outbox_.clear();
         bool arrows_are_free = true;
         for (const KeyPress press : window_.take_keys()) arrows_are_free &= !press_key(view, panels_, press, outbox_);
@@ -174,12 +175,11 @@ private:
               .pulse = pulse(view)};
         draw_window(view, panels_, ui, layout);
 
-        const VehicleView* followed =
-            rides(lab_.camera.mode) ? find_vehicle(lab_.session.snapshot(), lab_.selected) : nullptr;
-        aim(followed, area, layout.scene, passed);
-        const Arrows held = arrows_are_free && panels_.keyboard.focus.empty() ? arrows() : Arrows{};
+        const bool arrows_move_camera =
+            arrows_are_free && panels_.keyboard.focus.empty() && !takes_arrows(view, ImGui::GetIO().KeyCtrl);
+        const Arrows held = arrows_move_camera ? arrows() : Arrows{};
         const bool steers = steer_by_keys(lab_, held.turn, held.raise);
-        drive_viewport(lab_, viewport_, sight_, steers ? Arrows{} : held, passed);
+        drive_camera(lab_, viewport_, panels_.stage, steers ? Arrows{} : held, area, layout.scene, passed);
         draw_scene();
         window_.bind();
         window_.end_frame();
@@ -196,29 +196,17 @@ private:
         return {held(Action::turn_right) - held(Action::turn_left), held(Action::raise) - held(Action::lower)};
     }
 
-    // Where the camera looks from; a change of camera is a short glide, everything else follows at once.
-    void aim(const VehicleView* followed, const Rect& area, const Rect& free_area, float passed) {
-        const Sight wanted = look(lab_.camera, lab_.session.scene().arena, followed, area, free_area);
-        if (lab_.camera.mode != last_camera_mode_ || lab_.selected != last_followed_) sight_age_ = 0;
-        last_camera_mode_ = lab_.camera.mode;
-        last_followed_ = lab_.selected;
-        constexpr float glide_seconds = 0.6f;
-        sight_ = has_sight_ && sight_age_ < glide_seconds && sight_.window == wanted.window
-                     ? glide(sight_, wanted, passed)
-                     : wanted;
-        has_sight_ = true;
-    }
-
     void draw_scene() {
         // Framebuffer pixels, of which a display of high density has more than one per window pixel.
         const float density = static_cast<float>(window_.framebuffer_width()) / std::max(1.0f, window_.area().w);
         Picture picture;
-        picture.sight = sight_;
+        picture.sight = viewport_.sight;
         picture.sight.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
                                 static_cast<float>(window_.framebuffer_height())};
         picture.theme = lab_.preferences.theme;
         picture.selected = lab_.selected;
-        picture.hovered = viewport_.hovered.vehicle;
+        const Thing& hovered = panels_.stage.hovered.thing;
+        picture.hovered = hovered.kind == ThingKind::vehicle ? hovered.index : no_vehicle;
         picture.driver = lab_.camera.mode == CameraMode::driver ? lab_.selected : no_vehicle;
         picture.sensors = lab_.sensors;
         picture.outlines = lab_.outlines;
@@ -227,6 +215,8 @@ private:
         if (!repeatable()) stand_between(shown_, lab_.before, between_ticks(lab_));
         renderer_.draw(shown_, picture);
         facts_.draw_calls = renderer_.draw_calls();
+        facts_.sight = viewport_.sight;
+        facts_.hand = ImGui::GetMouseCursor() == ImGuiMouseCursor_Hand;
     }
 
     int take_picture(const std::filesystem::path& path) {
@@ -250,7 +240,7 @@ private:
         constexpr double state_period = 0.05;
         if (!state_file_.wanted() || seconds_since(state_written_) < state_period) return;
         state_written_ = Clock::now();
-        if (auto error = state_file_.write(state_json(lab_, facts_))) complain(*error);
+        if (auto error = state_file_.write(state_json(lab_, panels_.stage, facts_))) complain(*error);
     }
 
     Options options_;
@@ -267,11 +257,6 @@ private:
     Anchors anchors_;
     Outbox outbox_;
     Snapshot shown_;  // what is drawn: the moment between the last two ticks
-    Sight sight_;
-    bool has_sight_ = false;
-    float sight_age_ = 1e9f;
-    CameraMode last_camera_mode_ = CameraMode::overview;
-    VehicleId last_followed_ = no_vehicle;
     FrameFacts facts_;
     KeptFile anchors_file_, state_file_;
     Clock::time_point state_written_{};

@@ -40,6 +40,8 @@ struct Lab {
     double debt = 0;                  // simulated seconds that are due but not yet stepped
     std::int64_t toggles = 0;         // changes between playing and not playing
     VehicleId selected = no_vehicle;
+    Thing thing;             // a lamp or an obstacle, selected beside the vehicle
+    std::string thing_name;  // by which it is known when others come or go
     bool whole_kind = true;
     Steer steered;  // by the arrow keys, last
     bool sensors = true, outlines = false;

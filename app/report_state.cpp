@@ -47,6 +47,104 @@ const char* camera_word(CameraMode mode) {
     return "";
 }
 
+const char* thing_word(ThingKind kind) {
+    switch (kind) {
+        case ThingKind::none:
+            return "none";
+        case ThingKind::vehicle:
+            return "vehicle";
+        case ThingKind::source:
+            return "source";
+        case ThingKind::obstacle:
+            return "obstacle";
+    }
+    return "";
+}
+
+const char* tool_word(StageTool tool) {
+    switch (tool) {
+        case StageTool::hand:
+            return "hand";
+        case StageTool::lamp:
+            return "lamp";
+        case StageTool::box:
+            return "box";
+        case StageTool::polygon:
+            return "polygon";
+    }
+    return "";
+}
+
+Json pixel(const Sight& sight, float x, float y, float height = 0) {
+    const auto at = project(sight, {x, y}, height);
+    return at ? Json{std::round(at->x), std::round(at->y)} : Json();
+}
+
+constexpr std::size_t most_things = 64;
+
+Json vehicles_json(const Snapshot& now, const Sight& sight) {
+    Json all = Json::array();
+    for (std::size_t i = 0; i < std::min(most_things, now.vehicles.size()); ++i) {
+        const VehicleView& v = now.vehicles[i];
+        all.push_back({{"id", v.id},
+                       {"kind", v.kind},
+                       {"driver", word(v.driver)},
+                       {"x", plain(v.x)},
+                       {"y", plain(v.y)},
+                       {"heading", plain(v.heading)},
+                       {"at", pixel(sight, v.x, v.y, 0.15f)}});
+    }
+    return all;
+}
+
+Json sources_json(const Snapshot& now, const Sight& sight) {
+    Json all = Json::array();
+    for (std::size_t i = 0; i < std::min(most_things, now.scene->sources.size()); ++i) {
+        const Source& s = now.scene->sources[i];
+        all.push_back({{"name", s.name},
+                       {"channel", word(s.channel)},
+                       {"x", plain(s.x)},
+                       {"y", plain(s.y)},
+                       {"strength", plain(s.strength)},
+                       {"solid", s.solid},
+                       {"at", pixel(sight, s.x, s.y)}});
+    }
+    return all;
+}
+
+Json obstacles_json(const Snapshot& now, const Sight& sight) {
+    Json all = Json::array();
+    for (std::size_t i = 0; i < std::min(most_things, now.scene->obstacles.size()); ++i) {
+        const Obstacle& o = now.scene->obstacles[i];
+        const Pose place = *place_of(now, {ThingKind::obstacle, static_cast<int>(i)});
+        all.push_back({{"name", o.name},
+                       {"x", plain(place.x)},
+                       {"y", plain(place.y)},
+                       {"heading", plain(place.heading)},
+                       {"length", plain(o.length)},
+                       {"width", plain(o.width)},
+                       {"mass", plain(o.mass)},
+                       {"corners", o.corners.size()},
+                       {"at", pixel(sight, place.x, place.y, obstacle_height)}});
+    }
+    return all;
+}
+
+void add_stage(Json& state, const Lab& lab, const StageState& stage, const FrameFacts& frame) {
+    const Sight& sight = frame.sight;
+    const Snapshot& now = lab.session.snapshot();
+    state["thing"] = {{"kind", thing_word(lab.thing.kind)}, {"index", lab.thing.index}};
+    state["hovered"] = {{"kind", thing_word(stage.hovered.thing.kind)},
+                        {"index", stage.hovered.thing.index},
+                        {"handle", stage.hovered.handle}};
+    state["cursor"] = frame.hand ? "hand" : "arrow";
+    state["tool"] = tool_word(stage.tool);
+    state["corners"] = stage.corners.size();
+    state["vehicles"] = vehicles_json(now, sight);
+    state["sources"] = sources_json(now, sight);
+    state["obstacles"] = obstacles_json(now, sight);
+}
+
 Json exercise_json(const Lab& lab) {
     if (!lab.lesson) return nullptr;
     Json steps = Json::array();
@@ -92,7 +190,7 @@ std::string anchors_json(const Anchors& anchors) {
     return all.dump(1) + "\n";
 }
 
-std::string state_json(const Lab& lab, const FrameFacts& frame) {
+std::string state_json(const Lab& lab, const StageState& stage, const FrameFacts& frame) {
     const Snapshot& now = lab.session.snapshot();
     Json state{{"mode", mode_word(lab.mode)},  {"tick", now.tick},
                {"seconds", now.seconds},       {"hash", hash_text(lab.session.hash())},
@@ -106,7 +204,10 @@ std::string state_json(const Lab& lab, const FrameFacts& frame) {
     state["prey"] = now.prey;
     state["generation"] = now.generation;
     state["camera"] = camera_word(lab.camera.mode);
-    state["view"] = {{"azimuth", lab.camera.azimuth}, {"elevation", lab.camera.elevation}, {"zoom", lab.camera.zoom}};
+    state["view"] = {{"azimuth", lab.camera.azimuth},
+                     {"elevation", lab.camera.elevation},
+                     {"zoom", lab.camera.zoom},
+                     {"pan", {lab.camera.pan.x, lab.camera.pan.y}}};
     state["opened"] = lab.name;
     state["notice"] = lab.notice;
     state["language"] = lab.preferences.language;
@@ -115,6 +216,7 @@ std::string state_json(const Lab& lab, const FrameFacts& frame) {
     state["draw_calls"] = frame.draw_calls;
     state["frame_ms"] = frame.frame_ms;
     state["exercise"] = exercise_json(lab);
+    add_stage(state, lab, stage, frame);
     return state.dump(1) + "\n";
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/lab.h"
+#include "ui/stage/stage.h"
 #include "ui/widgets/anchors.h"
 
 namespace braitenlab {
@@ -16,13 +17,17 @@ std::string anchors_json(const Anchors&);
 
 struct FrameFacts {
     int draw_calls = 0;
+    Sight sight;          // by which the scene was drawn
+    bool hand = false;    // the mouse cursor says that something can be taken
     double frame_ms = 0;  // work of a frame, without waiting for the display
 };
 
 // {mode, tick, seconds, hash, time_scale, selected, character, weights {LL …}, thresholds {LL …}, lesions, driver,
 // motor [left, right], sensor_ranges [..], nodes, wires, toggles, undo_depth, redo_depth, population, predators, prey,
-// generation, camera, language, draw_calls, frame_ms, exercise}
-std::string state_json(const Lab&, const FrameFacts&);
+// generation, camera, language, draw_calls, frame_ms, exercise, thing {kind, index}, hovered {kind, index, handle},
+// cursor, tool, corners, vehicles, sources, obstacles}; the last three hold values and, as `at`, where each stands in
+// the window, px, or null behind the eye. The first 64 alone.
+std::string state_json(const Lab&, const StageState&, const FrameFacts&);
 
 // Keeps one file up to date: writes beside it and renames, so that a reader never sees half a file; leaves it alone
 // while the text stays the same. The first failure is returned, once.

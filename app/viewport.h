@@ -1,29 +1,19 @@
-// The mouse and the arrow keys over the 3D view: orbit, zoom, select, and drag vehicles and lamps.
+// The camera: where it stands in this frame, and what mouse and arrow keys do to it. What they do to things in the
+// scene is ui/stage's.
 #pragma once
-
-#include <cstdint>
-#include <optional>
 
 #include "app/lab.h"
 #include "render/view/camera.h"
+#include "ui/stage/stage.h"
 
 namespace braitenlab {
 
-// What is under the pointer or in the hand. At most one of the two is set.
-struct Grip {
-    VehicleId vehicle = no_vehicle;
-    int source = -1;
-    bool any() const { return vehicle != no_vehicle || source >= 0; }
-};
-
 struct ViewportState {
-    Grip hovered;
-    std::optional<maths::vec2> pressed_at;  // window pixels; while the left button is down over the view
-    Grip held;                              // what lay under the press
-    maths::vec2 offset;                     // m, from the pointer's place on the floor to what is held
-    bool dragging = false;                  // moved more than a few pixels since
-    bool orbiting = false;                  // with the right button
-    std::uint64_t gesture = 0;
+    Sight sight;  // of this frame
+    bool has_sight = false;
+    float age = 1e9f;  // s since the camera changed by a jump, which becomes a short glide
+    Camera last;       // last frame's camera and whom it rode with
+    VehicleId last_followed = no_vehicle;
 };
 
 // Which arrows are held: −1, 0 or 1 each way.
@@ -31,7 +21,12 @@ struct Arrows {
     float turn = 0, raise = 0;
 };
 
-// One frame of it. Reads the mouse from Dear ImGui, which says whether a card is under it.
-void drive_viewport(Lab&, ViewportState&, const Sight&, Arrows, float seconds);
+// Stands the camera up for this frame. Changes of mode or vehicle and the way home are short glides, everything else
+// follows at once; so does all where motion is reduced.
+void aim(ViewportState&, const Lab&, Rect window, Rect free_area, float seconds);
+
+// The mouse over the free floor: left drag orbits (pans the bird's eye), right or middle drag pans, the wheel zooms
+// about the pointer; arrows turn and raise the overview. Reads the mouse from Dear ImGui.
+void drive_camera(Lab&, const ViewportState&, const StageState&, Arrows, Rect window, Rect free_area, float seconds);
 
 }  // namespace braitenlab

@@ -10,6 +10,7 @@
 #include "core/world/snapshot.h"
 #include "render/view/camera.h"
 #include "render/view/palette.h"
+#include "render/view/pick.h"
 #include "ui/preferences.h"
 #include "ui/strings.h"
 
@@ -41,6 +42,8 @@ struct LabView {
     Mode mode = Mode::paused;
     float time_scale = 1;  // simulated seconds per second, 1/8 … 16
     VehicleId selected = no_vehicle;
+    Thing thing;                   // the lamp or obstacle that is selected beside the vehicle
+    const Sight* sight = nullptr;  // where the scene is seen from; null: it cannot be pointed at
     bool whole_kind = true;  // edits go to every vehicle of the selected one's kind
     bool sensors = true, outlines = false;
     CameraMode camera = CameraMode::overview;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/world/command.h"
+#include "render/view/pick.h"
 #include "ui/preferences.h"
 
 namespace braitenlab {
@@ -36,6 +37,8 @@ enum class Action {
     birds_eye,
     drivers_eye,
     cancel,
+    erase,      // the lamp or obstacle that is selected, else the vehicle; in the canvas what is selected there
+    duplicate,  // the lamp, obstacle or vehicle
     screenshot,
     full_screen,
     theme,
@@ -48,7 +51,7 @@ enum class Action {
     exercise_reset,
     open,
 
-    // Of widgets and canvas, never of the lab.
+    // Of widgets, canvas and stage, never of the lab.
     slider_LL,
     slider_LR,
     slider_RL,
@@ -64,10 +67,13 @@ enum class Action {
     turn_right,
     raise,
     lower,
-    erase,
     fit,
+    nudge,  // what is selected in the scene
+    close_outline,
+    take_back,
+    scene_menu,
 };
-inline constexpr Action last_action = Action::fit;
+inline constexpr Action last_action = Action::scene_menu;
 
 struct EditRequest {
     Command command;
@@ -75,6 +81,10 @@ struct EditRequest {
 };
 struct SelectRequest {
     VehicleId vehicle = no_vehicle;
+};
+// A lamp or an obstacle is selected beside the vehicle, which keeps its brain in sight; Thing{}: none of them.
+struct TakeRequest {
+    Thing thing;
 };
 struct ScopeRequest {
     bool whole_kind = true;
@@ -103,8 +113,8 @@ inline constexpr std::uint64_t canvas = std::uint64_t{1} << 40;
 inline constexpr std::uint64_t viewport = std::uint64_t{1} << 48;
 }  // namespace gestures
 
-using Request = std::variant<Action, EditRequest, SelectRequest, ScopeRequest, PredictRequest, ExportRequest,
-                             SpeedRequest, OpenRequest, PreferencesRequest>;
+using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, ScopeRequest, PredictRequest,
+                             ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -31,6 +31,8 @@ constexpr Shortcut table[]{
     {{'=', false, true}, Action::faster},
     {{key::tab}, Action::next_vehicle},
     {{key::tab, false, true}, Action::previous_vehicle},
+    {{key::del}, Action::erase},
+    {{'D', true, false}, Action::duplicate},
     {{'Z', true, false}, Action::undo},
     {{'Z', true, true}, Action::redo},
     {{'Y', true, false}, Action::redo},
@@ -73,6 +75,17 @@ constexpr Shortcut table[]{
     {{key::home}, Action::fit, KeyPlace::canvas},
     {{'F'}, Action::fit, KeyPlace::canvas},
     {{key::escape}, Action::cancel, KeyPlace::canvas},
+
+    {{key::left}, Action::nudge, KeyPlace::stage},
+    {{key::right}, Action::nudge, KeyPlace::stage},
+    {{key::up}, Action::nudge, KeyPlace::stage},
+    {{key::down}, Action::nudge, KeyPlace::stage},
+    {{key::menu}, Action::scene_menu, KeyPlace::stage},
+    {{key::f10, false, true}, Action::scene_menu, KeyPlace::stage},
+    {{key::enter}, Action::close_outline, KeyPlace::stage},
+    {{key::enter, false, true}, Action::close_outline, KeyPlace::stage},
+    {{key::backspace}, Action::take_back, KeyPlace::stage},
+    {{key::escape}, Action::cancel, KeyPlace::stage},
 };
 
 struct NamedAction {
@@ -106,6 +119,8 @@ constexpr NamedAction names[]{
     {Action::birds_eye, "birds_eye"},
     {Action::drivers_eye, "drivers_eye"},
     {Action::cancel, "cancel"},
+    {Action::erase, "erase"},
+    {Action::duplicate, "duplicate"},
     {Action::screenshot, "screenshot"},
     {Action::full_screen, "full_screen"},
     {Action::theme, "theme"},
@@ -130,8 +145,11 @@ constexpr NamedAction names[]{
     {Action::turn_right, "turn_right"},
     {Action::raise, "raise"},
     {Action::lower, "lower"},
-    {Action::erase, "erase"},
     {Action::fit, "fit"},
+    {Action::nudge, "nudge"},
+    {Action::close_outline, "close_outline"},
+    {Action::take_back, "take_back"},
+    {Action::scene_menu, "scene_menu"},
 };
 
 struct NamedKey {
@@ -140,14 +158,9 @@ struct NamedKey {
 };
 
 constexpr NamedKey named_keys[]{
-    {' ', "key.space"},
-    {key::escape, "key.escape"},
-    {key::enter, "key.enter"},
-    {key::tab, "key.tab"},
-    {key::backspace, "key.backspace"},
-    {key::del, "key.delete"},
-    {key::home, "key.home"},
-    {'-', "key.minus"},
+    {' ', "key.space"},      {key::escape, "key.escape"},       {key::enter, "key.enter"},
+    {key::tab, "key.tab"},   {key::backspace, "key.backspace"}, {key::del, "key.delete"},
+    {key::home, "key.home"}, {key::menu, "key.menu"},           {'-', "key.minus"},
 };
 
 std::string bare_name(int pressed, const Strings& strings) {

@@ -17,7 +17,7 @@ class Strings;
 namespace key {
 inline constexpr int escape = 256, enter = 257, tab = 258, backspace = 259, del = 261;
 inline constexpr int right = 262, left = 263, down = 264, up = 265, home = 268;
-inline constexpr int f1 = 290, f9 = 298, f11 = 300, f12 = 301;
+inline constexpr int f1 = 290, f9 = 298, f10 = 299, f11 = 300, f12 = 301, menu = 348;
 }  // namespace key
 
 struct KeyPress {
@@ -33,8 +33,9 @@ enum class KeyPlace {
     view,    // while it is held and no widget has the focus: moves the camera
     widget,  // while a widget has the focus
     canvas,  // while wiring
+    stage,   // over the scene: while drawing, or while a lamp or an obstacle is selected (with Ctrl, vehicles too)
 };
-inline constexpr KeyPlace last_place = KeyPlace::canvas;
+inline constexpr KeyPlace last_place = KeyPlace::stage;
 
 struct Shortcut {
     KeyPress press;

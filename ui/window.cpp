@@ -31,9 +31,16 @@ void draw_canvas(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     wiring_canvas(view, state.canvas, ui, layout.canvas);
 }
 
-// The brain card on top, the information card in what is left; in a low window the latter is folded, unless a person
-// has opened it: then the brain card scrolls.
-void right_column(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
+// The card of the lamp or obstacle that is selected above all. The brain card on top, the information card in what is
+// left; in a low window the latter is folded, unless a person has opened it: then the brain card scrolls.
+void right_column(const LabView& view, PanelState& state, Ui& ui, WindowLayout layout) {
+    if (view.thing && view.mode != Mode::wiring) {
+        Rect thing = layout.right;
+        thing.h = std::min(wanted_height(ui, state.thing), 0.6f * layout.right.h);
+        thing_card(view, state, ui, thing);
+        layout.right.y += thing.h + ui.px(between_cards);
+        layout.right.h -= thing.h + ui.px(between_cards);
+    }
     Rect brain = layout.right;
     const float wanted = wanted_height(ui, state.brain);
     if (view.mode == Mode::wiring) {
@@ -173,12 +180,15 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
 
     remember(state.history, view);
     ui.anchors.record("viewport", layout.scene);
+    stage(view, state.stage, ui, layout.scene);
     if (view.mode == Mode::wiring) draw_canvas(view, state, ui, layout);
     left_column(view, state, ui, layout.left);
     right_column(view, state, ui, layout);
     if (layout.charts.w > 0) chart_card(view, state, ui, layout.charts);
+    tool_palette(view, state, ui, layout.scene);
     hint_bar(view, ui, layout.hint_bar);
     toolbar(view, state, ui, layout.toolbar);
+    stage_menu(view, state, ui, layout.window);
     open_menu(view, state, ui, layout);
     keys_card(view, state, ui, layout.window);
     settings_card(view, state, ui, layout.window);
@@ -197,6 +207,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         return true;
     }
     if (state.open_menu && for_open_menu(view, state, press)) return true;
+    if (press_key(view, state.stage, state.keyboard, press, outbox)) return true;
     if (for_focus(state.keyboard, press)) return true;
     if (view.mode == Mode::wiring && for_canvas(state.canvas, press)) return true;
     if (const auto action = action_for(press)) {

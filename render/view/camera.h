@@ -68,10 +68,7 @@ std::optional<maths::vec2> project(const Sight&, maths::vec2 place, float height
 // How many pixels a metre across the line of sight is long there; 0 behind the eye.
 float pixels_per_metre(const Sight&, maths::vec2 place, float height = 0);
 
-// The point of the floor under a pixel, or nothing above the horizon.
-std::optional<maths::vec2> unproject(const Sight&, maths::vec2 pixel);
-
-// The vehicle under a pixel, or no_vehicle; generous by a few pixels, the nearest to the pixel wins.
-VehicleId pick(const Snapshot&, const Sight&, maths::vec2 pixel);
+// The point of the floor, or of the plane at this height above it, under a pixel; nothing above the horizon.
+std::optional<maths::vec2> unproject(const Sight&, maths::vec2 pixel, float height = 0);
 
 }  // namespace braitenlab

@@ -53,7 +53,7 @@ float pixels_per_metre(const Sight& sight, vec2 place, float height) {
     return depth < 1e-4f ? 0 : sight.projection[1].y * sight.window.h / (2 * depth);
 }
 
-std::optional<vec2> unproject(const Sight& sight, vec2 pixel) {
+std::optional<vec2> unproject(const Sight& sight, vec2 pixel, float height) {
     const float x = 2 * (pixel.x - sight.window.x) / sight.window.w - 1;
     const float y = 1 - 2 * (pixel.y - sight.window.y) / sight.window.h;
     // At depth d before the eye, w is spread·d + level (1·d with perspective, 1 without, both amid a glide), so what
@@ -64,7 +64,7 @@ std::optional<vec2> unproject(const Sight& sight, vec2 pixel) {
     const vec3 start = sight.eye + right * ((x * level - p[3].x) / p[0].x) + up * ((y * level - p[3].y) / p[1].y);
     const vec3 ray = right * ((x * spread + p[2].x) / p[0].x) + up * ((y * spread + p[2].y) / p[1].y) - back;
     if (ray.y > -1e-5f) return std::nullopt;
-    const float reach = -start.y / ray.y;
+    const float reach = (height - start.y) / ray.y;
     return vec2{start.x + reach * ray.x, -(start.z + reach * ray.z)};
 }
 

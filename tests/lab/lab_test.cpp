@@ -125,6 +125,58 @@ TEST(Selection, MovesOnWhenItsVehicleLeaves) {
     EXPECT_EQ(lab.selected, 1);
 }
 
+TEST(Selection, TakesWhatWasAddedByHandAndLeavesWhatCameByItself) {
+    Lab lab = open("2a-coward");
+    handle(lab, EditRequest{AddVehicle{0, Pose{1, 1, 0}}});
+    EXPECT_EQ(lab.selected, 1);
+    handle(lab, Action::add);
+    EXPECT_EQ(lab.selected, 1);
+    const auto sources = static_cast<int>(lab.session.snapshot().sources.size());
+    handle(lab, EditRequest{AddSource{Source{.x = 2}}});
+    EXPECT_EQ(lab.thing, (Thing{ThingKind::source, sources}));
+    EXPECT_EQ(lab.selected, 1) << "its brain stays in sight";
+}
+
+TEST(Selection, KnowsALampByItsNameWhenOthersGo) {
+    Lab lab = open("2a-coward");
+    handle(lab, EditRequest{AddSource{Source{.name = "mine", .x = 2}}});
+    const int index = lab.thing.index;
+    ASSERT_GT(index, 0);
+    handle(lab, EditRequest{RemoveSource{0}});
+    EXPECT_EQ(lab.thing.index, index - 1);
+    handle(lab, Action::erase);
+    EXPECT_FALSE(lab.thing);
+    EXPECT_EQ(find_source(*lab.session.snapshot().scene, "mine"), -1);
+}
+
+TEST(Selection, IsWhatIsErasedAndDuplicated) {
+    Lab lab = open("2a-coward");
+    handle(lab, EditRequest{AddObstacle{Obstacle{.x = 2, .length = 3}}});
+    handle(lab, Action::duplicate);
+    ASSERT_EQ(lab.session.snapshot().scene->obstacles.size(), 2u);
+    const Obstacle& copy = lab.session.snapshot().scene->obstacles[1];
+    EXPECT_EQ(copy.length, 3);
+    EXPECT_NE(copy.x, 2) << "beside it, not in it";
+    EXPECT_EQ(lab.thing, (Thing{ThingKind::obstacle, 1}));
+    handle(lab, Action::erase);
+    EXPECT_EQ(lab.session.snapshot().scene->obstacles.size(), 1u);
+    EXPECT_EQ(lab.session.snapshot().vehicles.size(), 1u) << "the vehicle was not meant";
+    handle(lab, Action::duplicate);
+    EXPECT_EQ(lab.session.snapshot().vehicles.size(), 2u);
+    handle(lab, Action::wiring);
+    handle(lab, Action::erase);
+    EXPECT_EQ(lab.session.snapshot().vehicles.size(), 2u) << "Del is the canvas's there";
+}
+
+TEST(Selection, GivesACopyTheBrainOfTheOriginal) {
+    Lab lab = open("2a-coward");
+    handle(lab, EditRequest{TurnDial{{.vehicle = 0}, Dial::LR, 1.25f}});
+    handle(lab, Action::duplicate);
+    const Snapshot& now = lab.session.snapshot();
+    ASSERT_EQ(now.vehicles.size(), 2u);
+    EXPECT_EQ(read_dials(*now.brains[static_cast<std::size_t>(now.vehicles[1].brain)]).LR, 1.25f);
+}
+
 TEST(Refusal, IsSaidAndGoesAwayAgain) {
     Lab lab = open("2a-coward");
     handle(lab, Action::remove);

@@ -11,6 +11,7 @@
 #include "core/scene/names.h"
 #include "desk.h"
 #include "ui/shortcuts.h"
+#include "ui/stage/edits.h"
 
 namespace braitenlab::tests {
 
@@ -76,6 +77,7 @@ std::set<std::string> composed() {
     }
     for (const Preset& preset : presets())
         for (const char* stem : {"preset.", "preset_story."}) keys.insert(stem + std::string(preset.name));
+    for (const Channel channel : source_channels) keys.insert("source." + std::string(word(channel)));
     return keys;
 }
 

@@ -24,6 +24,29 @@ void late_in_lesson(Desk& desk) {
     for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
 }
 
+// A lamp, a box and a triangle, in a scene that can be pointed at.
+void with_things(Desk& desk) {
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    Obstacle triangle;
+    triangle.corners = {{-1, -1}, {1, -1}, {0, 1}};
+    scene->sources.resize(1), scene->obstacles = {Obstacle{}, triangle};
+    desk.now.scene = scene;
+    desk.now.sources.resize(1);
+    for (const Kind& kind : scene->kinds) desk.now.kind_brains.push_back(std::make_shared<BrainGraph>(kind.brain));
+    static Sight sight;
+    sight = look(Camera{}, scene->arena, nullptr, desk.layout.window, desk.layout.scene);
+    desk.view.sight = &sight;
+}
+
+void with_menu(Desk& desk, Thing thing, MenuPage page) {
+    with_things(desk);
+    StageMenu& menu = desk.panels.stage.menu;
+    menu.open = true;
+    menu.thing = thing;
+    menu.page = page;
+    menu.at = {9999, 9999};  // in the corner, where there is least room
+}
+
 const CatalogueEntry catalogue_entries[]{
     {"05-aggressor", "5.toml", "Aggressor", "", 5},
     {"predator-prey", "p.toml", "Predators and prey", "Drag a weight and the hunt changes."}};
@@ -50,6 +73,21 @@ std::vector<Screen> screens() {
              d.view.catalogue = &catalogue, d.panels.open_menu = true;
          }},
         {"presets", [](Desk& d) { d.click("button.presets"); }},
+        {"a lamp",
+         [](Desk& d) {
+             with_things(d), d.view.thing = {ThingKind::source, 0};
+         }},
+        {"a box",
+         [](Desk& d) {
+             with_things(d), d.view.thing = {ThingKind::obstacle, 0};
+         }},
+        {"a triangle",
+         [](Desk& d) {
+             with_things(d), d.view.thing = {ThingKind::obstacle, 1};
+         }},
+        {"menu of the floor", [](Desk& d) { with_menu(d, {}, MenuPage::top); }},
+        {"menu of a vehicle", [](Desk& d) { with_menu(d, vehicle_thing(0), MenuPage::top); }},
+        {"menu of brains", [](Desk& d) { with_menu(d, vehicle_thing(0), MenuPage::brains); }},
     };
 }
 

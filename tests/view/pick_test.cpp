@@ -1,6 +1,7 @@
+#include "render/view/pick.h"
+
 #include <gtest/gtest.h>
 
-#include "render/view/camera.h"
 #include "tests/view/hand_made.h"
 
 namespace braitenlab {
@@ -42,6 +43,88 @@ TEST(Pick, FindsNothingBehindTheEye) {
     camera.mode = CameraMode::follow;
     const Sight sight = look(camera, now.scene->arena, &rider, window, window);
     EXPECT_EQ(pick(now, sight, {640, 400}), no_vehicle);
+}
+
+Thing source(int index) { return {ThingKind::source, index}; }
+Thing obstacle(int index) { return {ThingKind::obstacle, index}; }
+
+// An arena with these obstacles, seen from the overview.
+struct Yard {
+    explicit Yard(std::vector<Obstacle> obstacles) {
+        auto scene = hand_made::scene();
+        scene->obstacles = std::move(obstacles);
+        for (const Obstacle& o : scene->obstacles) now.obstacles.push_back({o.x, o.y, o.heading});
+        now.scene = scene;
+        sight = look(Camera{}, scene->arena, nullptr, window, window);
+    }
+    Thing at(maths::vec2 place, float height = 0) const {
+        return pick_thing(now, sight, *project(sight, place, height));
+    }
+    Snapshot now;
+    Sight sight;
+};
+
+Obstacle box(float x, float y, float heading, float length, float width) {
+    Obstacle made;
+    made.x = x, made.y = y, made.heading = heading, made.length = length, made.width = width;
+    return made;
+}
+
+TEST(PickThing, FindsASourceByItsFootAndByItsBulb) {
+    Yard yard({});
+    hand_made::add_source(yard.now, Channel::light, 3, 4);
+    hand_made::add_source(yard.now, Channel::smell, -3, 4);
+    EXPECT_EQ(yard.at({3, 4}), source(0));
+    EXPECT_EQ(yard.at({-3, 4}, bulb_height), source(1));
+    EXPECT_FALSE(yard.at({0, 4}));
+}
+
+TEST(PickThing, FindsATurnedBoxWithinItsOutlineAndByItsTop) {
+    const Yard yard({box(2, 1, maths::radians(45), 4, 1)});
+    EXPECT_EQ(yard.at({3.2f, 2.2f}), obstacle(0)) << "along its heading";
+    EXPECT_FALSE(yard.at({3.2f, -0.2f})) << "across it, as far away";
+    EXPECT_EQ(yard.at({3.2f, 2.2f}, obstacle_height), obstacle(0));
+}
+
+TEST(PickThing, FindsAPolygonByItsCornersAndNotByItsBox) {
+    Obstacle triangle = box(0, 0, 0, 4, 4);
+    triangle.corners = {{-2, -2}, {2, -2}, {-2, 2}};
+    const Yard yard({triangle});
+    EXPECT_EQ(yard.at({-1, -1}), obstacle(0));
+    EXPECT_FALSE(yard.at({1.5f, 1.5f}, obstacle_height));
+}
+
+TEST(PickThing, FindsWhatWasPushedWhereItIsNow) {
+    Yard yard({box(0, 0, 0, 1, 1)});
+    yard.now.obstacles[0] = {5, 5, 0};
+    EXPECT_EQ(yard.at({5, 5}), obstacle(0));
+    EXPECT_FALSE(yard.at({0, 0}));
+    EXPECT_EQ(place_of(yard.now, obstacle(0))->x, 5);
+}
+
+TEST(PickThing, PrefersVehiclesToSourcesAndSourcesToObstacles) {
+    Yard yard({box(0, 0, 0, 3, 3)});
+    hand_made::add_source(yard.now, Channel::light, 0, 0);
+    EXPECT_EQ(yard.at({0, 0}), source(0));
+    const VehicleId vehicle = hand_made::add(yard.now, 0, 0, 0, 0);
+    EXPECT_EQ(yard.at({0, 0}), vehicle_thing(vehicle));
+    EXPECT_EQ(yard.at({1.2f, 1.2f}), obstacle(0));
+}
+
+TEST(PickThing, SaysNothingOfWhatIsGone) {
+    const Yard yard({});
+    for (const Thing& gone : {vehicle_thing(7), source(0), obstacle(3), Thing{}}) {
+        EXPECT_FALSE(place_of(yard.now, gone));
+        EXPECT_EQ(reach_of(yard.now, gone), 0);
+    }
+}
+
+TEST(PickThing, ReachesAsFarAsTheFarthestCorner) {
+    Obstacle triangle = box(0, 0, 0, 1, 1);
+    triangle.corners = {{-3, 0}, {1, -1}, {1, 1}};
+    const Yard yard({box(0, 0, 0, 3, 4), triangle});
+    EXPECT_FLOAT_EQ(reach_of(yard.now, obstacle(0)), 2.5f);
+    EXPECT_FLOAT_EQ(reach_of(yard.now, obstacle(1)), 3);
 }
 
 }  // namespace

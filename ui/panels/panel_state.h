@@ -13,6 +13,7 @@
 #include "ui/panels/history.h"
 #include "ui/preferences.h"
 #include "ui/prompts.h"
+#include "ui/stage/stage.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/sheet.h"
@@ -34,11 +35,12 @@ enum class Chart { signals, population, energy, bars };
 enum class Sheet { none, keys, settings };
 
 struct PanelState {
-    CardState exercise, scene, brain, information, charts;
+    CardState exercise, scene, brain, information, charts, thing;
     CardState sensors{.folded = true};
     SliderState sliders;
     Keyboard keyboard;
     CanvasState canvas;
+    StageState stage;
     Recognised recognised;
     History history;
     PromptMemory prompts;

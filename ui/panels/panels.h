@@ -20,7 +20,10 @@ void brain_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // `colum
 void information_card(const LabView&, PanelState&, Ui&, Rect);
 void strips(const LabView&, const History&, Ui&);  // the selected vehicle's last seconds, and the population's
 void sensor_card(const LabView&, PanelState&, Ui&, Rect);
-void chart_card(const LabView&, PanelState&, Ui&, Rect);  // while PanelState::charts_open; its fold closes it
+void chart_card(const LabView&, PanelState&, Ui&, Rect);          // while PanelState::charts_open; its fold closes it
+void thing_card(const LabView&, PanelState&, Ui&, Rect);          // precondition: view.thing
+void tool_palette(const LabView&, PanelState&, Ui&, Rect scene);  // the hand, and what draws into the scene
+void stage_menu(const LabView&, PanelState&, Ui&, Rect window);   // of a thing or of the floor; closes itself
 void hint_bar(const LabView&, Ui&, Rect);
 void open_menu(const LabView&, PanelState&, Ui&, const WindowLayout&);  // over everything; closes itself
 bool for_open_menu(const LabView&, PanelState&, KeyPress);  // while it is open: Tab and arrows walk its rows

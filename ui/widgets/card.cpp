@@ -126,11 +126,11 @@ void end_card(CardState& state) {
     ImGui::End();
 }
 
-void begin_bar(Ui& ui, const char* name, Rect r, bool covers_cards) {
+void begin_bar(Ui& ui, const char* name, Rect r, bool covers_cards, float rounding) {
     begin_stops(ui.keyboard);
     if (covers_cards) ImGui::SetNextWindowFocus();
     begin_window(name, r, covers_cards ? quiet & ~ImGuiWindowFlags_NoBringToFrontOnFocus : quiet);
-    if (!covers_cards) card_ground(ui, r, 0);
+    if (!covers_cards) card_ground(ui, r, rounding);
 }
 
 void end_bar() { ImGui::End(); }

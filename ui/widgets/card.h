@@ -42,7 +42,7 @@ void card_ground(const Ui&, Rect, float layout_rounding = 6);
 
 // A plain window without a card's heading, for bars: its cursor starts at the rectangle's corner, without padding.
 // One that covers the cards comes to the front each frame.
-void begin_bar(Ui&, const char* name, Rect, bool covers_cards = false);
+void begin_bar(Ui&, const char* name, Rect, bool covers_cards = false, float layout_rounding = 0);
 void end_bar();
 
 // The width between the card's paddings, where the scrollbar is not.

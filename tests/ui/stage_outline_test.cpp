@@ -1,0 +1,81 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ui/stage/outline.h"
+
+namespace braitenlab {
+namespace {
+
+using maths::vec2;
+using Corners = std::vector<vec2>;
+
+TEST(Outline, TakesCornersInEitherDirection) {
+    for (const Corners& drawn : {Corners{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, Corners{{0, 2}, {2, 2}, {2, 0}, {0, 0}}}) {
+        Corners corners;
+        for (const vec2 next : drawn) {
+            EXPECT_EQ(fault_of_next(corners, next), OutlineFault::none);
+            corners.push_back(next);
+        }
+        EXPECT_EQ(fault_of(corners), OutlineFault::none);
+    }
+}
+
+TEST(Outline, RefusesTheCornerThatCrossesDentsOrCrowds) {
+    const Corners square{{0, 0}, {2, 0}, {2, 2}};
+    EXPECT_EQ(fault_of_next(square, {1, -1}), OutlineFault::crosses);
+    EXPECT_EQ(fault_of_next(square, {1.5f, 0.7f}), OutlineFault::dents);
+    EXPECT_EQ(fault_of_next(square, {2, 1.95f}), OutlineFault::too_near);
+    EXPECT_EQ(fault_of_next(square, {0, 2}), OutlineFault::none);
+}
+
+TEST(Outline, RefusesAStarThatTurnsTheSameWayAllAround) {
+    Corners star;
+    for (int i = 0; i < 5; ++i) {
+        const float angle = 2.5132741f * static_cast<float>(i);  // 144 degrees
+        star.push_back({std::cos(angle), std::sin(angle)});
+    }
+    EXPECT_EQ(fault_of(star), OutlineFault::crosses);
+}
+
+TEST(Outline, HasThreeToEightCorners) {
+    Corners round;
+    EXPECT_EQ(fault_of({{0, 0}, {1, 0}}), OutlineFault::too_few);
+    for (int i = 0; i < 8; ++i)
+        round.push_back(
+            {3 * std::cos(0.7853982f * static_cast<float>(i)), 3 * std::sin(0.7853982f * static_cast<float>(i))});
+    EXPECT_EQ(fault_of(round), OutlineFault::none);
+    EXPECT_EQ(fault_of_next(round, {3, -0.5f}), OutlineFault::too_many);
+}
+
+TEST(Outline, RefusesASliver) {
+    EXPECT_EQ(fault_of({{0, 0}, {3, 0}, {1.5f, 0.05f}}), OutlineFault::too_narrow);
+    EXPECT_EQ(fault_of({{0, 0}, {1, 1}, {2, 2}}), OutlineFault::too_narrow) << "all in a line";
+    EXPECT_EQ(fault_of({{0, 0}, {3, 0}, {1.5f, 0.2f}}), OutlineFault::none);
+}
+
+TEST(Outline, BecomesAnObstacleAboutItsCentroidCounterClockwise) {
+    const Obstacle made = obstacle_from({{1, 4}, {4, 1}, {1, 1}});  // clockwise
+    EXPECT_NEAR(made.x, 2, 1e-5f);
+    EXPECT_NEAR(made.y, 2, 1e-5f);
+    EXPECT_NEAR(made.length, 3, 1e-5f);
+    ASSERT_EQ(made.corners.size(), 3u);
+    float twice_the_area = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const PolygonCorner &a = made.corners[i], &b = made.corners[(i + 1) % 3];
+        twice_the_area += a.x * b.y - a.y * b.x;
+    }
+    EXPECT_NEAR(twice_the_area, 9, 1e-4f);
+}
+
+TEST(Outline, MakesABoxFromAnyTwoOppositeCorners) {
+    const Obstacle a = box_between({1, 2}, {4, -2}), b = box_between({4, -2}, {1, 2});
+    EXPECT_EQ(a, b);
+    EXPECT_FLOAT_EQ(a.x, 2.5f);
+    EXPECT_FLOAT_EQ(a.length, 3);
+    EXPECT_FLOAT_EQ(a.width, 4);
+    EXPECT_FLOAT_EQ(box_between({0, 0}, {0, 0}).length, 0.2f) << "never thinner than what can be grasped";
+}
+
+}  // namespace
+}  // namespace braitenlab

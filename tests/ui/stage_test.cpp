@@ -1,0 +1,392 @@
+// The scene under the hand, without a window: Dear ImGui's mouse fed by hand over a snapshot made by hand.
+#include "ui/stage/stage.h"
+
+#include <cmath>
+
+#include "core/maths/angle.h"
+#include "desk.h"
+
+namespace braitenlab::tests {
+namespace {
+
+using maths::vec2;
+
+constexpr float a_pixel = 0.05f;  // m: Dear ImGui knows the mouse by whole pixels
+
+// A desk whose scene can be pointed at: four predators amid, a lamp and a box to the north.
+struct Stage : testing::Test {
+    Stage() {
+        auto scene = std::make_shared<Scene>(*desk.now.scene);
+        scene->sources.push_back({.name = "lamp", .x = -3, .y = 6});
+        scene->obstacles.push_back({.name = "box", .x = 3, .y = 6, .length = 2, .width = 1});
+        desk.now.scene = scene;
+        desk.now.sources.push_back({0, Channel::light, -3, 6, 1});
+        desk.now.obstacles.push_back({3, 6, 0});
+        for (const Kind& kind : scene->kinds) desk.now.kind_brains.push_back(std::make_shared<BrainGraph>(kind.brain));
+        for (std::size_t i = 0; i < desk.now.vehicles.size(); ++i) {
+            desk.now.vehicles[i].x = -6 + 1.5f * static_cast<float>(i % 8);
+            desk.now.vehicles[i].y = i < 8 ? 0.0f : -4.0f;
+        }
+        desk.view.sight = &sight;
+        desk.frame(2);  // cards measure themselves
+        sight = look(Camera{}, scene->arena, nullptr, {0, 0, 1280, 800}, desk.layout.scene);
+        rest_pointer();
+    }
+
+    vec2 pixel(vec2 place) const { return *project(sight, place); }
+    void point(vec2 place) {
+        desk.point(pixel(place).x, pixel(place).y);
+        desk.frame();
+    }
+    void rest_pointer() { point({0, 3}); }
+    void press(int button = 0) { desk.button(button, true), desk.frame(); }
+    void release(int button = 0) { desk.button(button, false), desk.frame(); }
+    void click(vec2 place, int button = 0) {
+        point(place), press(button), release(button);
+        desk.rest();
+    }
+    // Down at one place, in steps to another.
+    void hold(vec2 from, vec2 to) {
+        point(from), press();
+        for (int i = 1; i <= 4; ++i) point(from + (to - from) * (static_cast<float>(i) / 4));
+    }
+
+    template <class C>
+    std::vector<C> commands() const {
+        std::vector<C> found;
+        for (const EditRequest& edit : desk.edits())
+            if (const auto* command = std::get_if<C>(&edit.command)) found.push_back(*command);
+        return found;
+    }
+    template <class R>
+    std::vector<R> requests() const {
+        std::vector<R> found;
+        for (const Request& request : desk.all)
+            if (const auto* one = std::get_if<R>(&request)) found.push_back(*one);
+        return found;
+    }
+    StageState& stage() { return desk.panels.stage; }
+    // What the lab would do about it.
+    void take(Thing thing) { desk.view.thing = thing, desk.frame(); }
+
+    Desk desk;
+    Sight sight = look(Camera{}, Arena{}, nullptr, {0, 0, 1280, 800}, {336, 64, 576, 680});
+    const Thing lamp{ThingKind::source, 0}, box{ThingKind::obstacle, 0};
+};
+
+TEST_F(Stage, KnowsWhatLiesUnderThePointerAndShowsItByTheCursor) {
+    EXPECT_FALSE(stage().hovered);
+    EXPECT_EQ(ImGui::GetMouseCursor(), ImGuiMouseCursor_Arrow);
+    point({-3, 6});
+    EXPECT_EQ(stage().hovered.thing, lamp);
+    EXPECT_EQ(ImGui::GetMouseCursor(), ImGuiMouseCursor_Hand);
+    point({3, 6});
+    EXPECT_EQ(stage().hovered.thing, box);
+    point({-6, 0});
+    EXPECT_EQ(stage().hovered.thing, vehicle_thing(0));
+}
+
+TEST_F(Stage, SelectsByAClickAndMovesNothing) {
+    click({-4.5f, 0});
+    ASSERT_EQ(requests<SelectRequest>().size(), 1u);
+    EXPECT_EQ(requests<SelectRequest>()[0].vehicle, 1);
+    click({3, 6});
+    ASSERT_EQ(requests<TakeRequest>().size(), 1u);
+    EXPECT_EQ(requests<TakeRequest>()[0].thing, box);
+    EXPECT_TRUE(desk.edits().empty());
+}
+
+TEST_F(Stage, LetsGoOfALampByAClickOnTheFloor) {
+    take(lamp);
+    click({0, 3});
+    ASSERT_EQ(requests<TakeRequest>().size(), 1u);
+    EXPECT_FALSE(requests<TakeRequest>()[0].thing);
+}
+
+TEST_F(Stage, DragsAVehicleByWhereItWasTakenWithOneGesture) {
+    hold({-6.1f, 0}, {-6.1f, 3});
+    const auto moves = commands<MoveVehicle>();
+    ASSERT_GE(moves.size(), 2u);
+    EXPECT_NEAR(moves.back().x, -6, a_pixel) << "it does not jump to the pointer";
+    EXPECT_NEAR(moves.back().y, 3, a_pixel);
+    EXPECT_EQ(desk.edits().front().gesture, desk.edits().back().gesture);
+    EXPECT_GE(desk.edits().front().gesture, gestures::viewport);
+    release();
+    const auto first = desk.edits().back().gesture;
+    hold({-3, 6}, {-3, 8});
+    EXPECT_NE(desk.edits().back().gesture, first) << "another drag is another step";
+    EXPECT_NEAR(commands<MoveSource>().back().y, 8, a_pixel);
+}
+
+TEST_F(Stage, KeepsAVehicleInTheHandWhileItsBrainPullsAway) {
+    hold({-6, 0}, {-6, 3});
+    const auto before = commands<MoveVehicle>().size();
+    desk.now.vehicles[0].x = -5.5f;  // a few ticks later
+    desk.frame();
+    ASSERT_GT(commands<MoveVehicle>().size(), before);
+    EXPECT_NEAR(commands<MoveVehicle>().back().x, -6, a_pixel);
+}
+
+TEST_F(Stage, LeavesNothingOutsideTheArena) {
+    hold({3, 6}, {40, 6});
+    EXPECT_FLOAT_EQ(commands<MoveObstacle>().back().x, 10);
+    release();
+    hold({-6, 0}, {-30, 0});
+    EXPECT_LT(commands<MoveVehicle>().back().x, -9);
+    EXPECT_GT(commands<MoveVehicle>().back().x, -10) << "half its width off the wall";
+}
+
+TEST_F(Stage, PutsBackOnEscapeInMidDragAndForgetsTheRest) {
+    hold({3, 6}, {5, 8});
+    desk.now.obstacles[0] = {5, 8, 0};
+    desk.key({key::escape});
+    const MoveObstacle back = commands<MoveObstacle>().back();
+    EXPECT_EQ(back, (MoveObstacle{0, 3, 6, 0}));
+    EXPECT_EQ(desk.edits().back().gesture, desk.edits().front().gesture) << "the same step, which is then none";
+    const auto count = desk.edits().size();
+    point({7, 8});
+    release();
+    EXPECT_EQ(desk.edits().size(), count);
+    EXPECT_TRUE(desk.actions().empty()) << "Esc was spent";
+}
+
+TEST_F(Stage, TurnsWhatIsSelectedByItsRing) {
+    take(box);
+    point({3.2f, 6.2f});
+    desk.frame();
+    ASSERT_TRUE(desk.anchors.find("stage.knob"));
+    desk.point("stage.knob");
+    desk.frame();
+    EXPECT_TRUE(stage().hovered.handle);
+    press();
+    point({3, 9});  // from the east to the north of it
+    EXPECT_NEAR(commands<MoveObstacle>().back().heading, maths::pi / 2, 0.02f);
+    EXPECT_FLOAT_EQ(commands<MoveObstacle>().back().x, 3);
+    ImGui::GetIO().KeyShift = true;
+    point({2.8f, 9});
+    EXPECT_NEAR(std::remainder(commands<MoveObstacle>().back().heading, maths::pi / 12), 0, 1e-4f) << "in steps of 15°";
+    ImGui::GetIO().KeyShift = false;
+}
+
+TEST_F(Stage, TakesANeighbourRatherThanTheRingsKnobOverIt) {
+    point({-5.9f, 0.1f});  // the knob of vehicle 0 stands at the edge of vehicle 1
+    ASSERT_TRUE(desk.anchors.find("stage.knob"));
+    point({-4.5f, 0});
+    EXPECT_EQ(stage().hovered, (StageHit{vehicle_thing(1), false}));
+    desk.point("stage.knob");
+    desk.frame();
+    EXPECT_TRUE(stage().hovered.handle);
+}
+
+TEST_F(Stage, HasNoRingRoundALamp) {
+    take(lamp);
+    point({-2.6f, 6});
+    desk.frame();
+    EXPECT_FALSE(desk.anchors.find("stage.knob"));
+}
+
+TEST_F(Stage, TurnsTheCameraWhereNothingLies) {
+    hold({0, 3}, {1, 3});
+    EXPECT_EQ(stage().drag.phase, StagePhase::orbit);
+    release();
+    desk.view.camera = CameraMode::birds_eye;
+    hold({0, 3}, {1, 3});
+    EXPECT_EQ(stage().drag.phase, StagePhase::pan);
+    EXPECT_TRUE(desk.edits().empty());
+}
+
+TEST_F(Stage, DoesNotDragTheVehicleThatTheCameraRidesWith) {
+    desk.view.camera = CameraMode::follow;
+    desk.view.selected = 0;
+    hold({-6, 0}, {-6, 3});
+    EXPECT_TRUE(desk.edits().empty());
+}
+
+TEST_F(Stage, NudgesALampAlongTheGridAndQuickPressesAreOneStep) {
+    take(lamp);
+    desk.key({key::right});
+    EXPECT_EQ(commands<MoveSource>().back(), (MoveSource{0, -2.9f, 6}));
+    desk.key({key::up, false, true});
+    EXPECT_EQ(commands<MoveSource>().back(), (MoveSource{0, -3, 6.01f}));
+    EXPECT_EQ(desk.edits()[0].gesture, desk.edits()[1].gesture);
+    desk.frame(90);
+    desk.key({key::left});
+    EXPECT_NE(desk.edits()[2].gesture, desk.edits()[0].gesture);
+}
+
+TEST_F(Stage, LeavesTheArrowsToTheCameraUnlessALampIsSelectedOrCtrlIsHeld) {
+    desk.key({key::right});
+    EXPECT_TRUE(desk.edits().empty());
+    EXPECT_FALSE(takes_arrows(desk.view, false));
+    desk.key({key::right, true});
+    EXPECT_NEAR(commands<MoveVehicle>().back().x, -5.9f, 1e-4f);
+    take(lamp);
+    EXPECT_TRUE(takes_arrows(desk.view, false));
+}
+
+TEST_F(Stage, SetsUpALampWhereItIsClicked) {
+    desk.click("tool.lamp");
+    EXPECT_EQ(stage().tool, StageTool::lamp);
+    click({1, 3});
+    ASSERT_EQ(commands<AddSource>().size(), 1u);
+    EXPECT_NEAR(commands<AddSource>()[0].source.x, 1, a_pixel);
+    EXPECT_EQ(stage().tool, StageTool::hand) << "one, then the hand again";
+}
+
+TEST_F(Stage, DrawsABoxFromCornerToCorner) {
+    desk.click("tool.box");
+    hold({-1, 2}, {2, 4});
+    release();
+    ASSERT_EQ(commands<AddObstacle>().size(), 1u);
+    EXPECT_NEAR(commands<AddObstacle>()[0].obstacle.length, 3, 2 * a_pixel);
+    EXPECT_NEAR(commands<AddObstacle>()[0].obstacle.width, 2, 2 * a_pixel);
+}
+
+TEST_F(Stage, DrawsAPolygonByItsCornersAndClosesItWithEnter) {
+    desk.click("tool.polygon");
+    for (const vec2 corner : {vec2{-1, 2}, vec2{2, 2}, vec2{2, 4}}) click(corner);
+    EXPECT_TRUE(desk.edits().empty()) << "not before it is closed";
+    desk.key({key::enter});
+    ASSERT_EQ(commands<AddObstacle>().size(), 1u);
+    EXPECT_EQ(commands<AddObstacle>()[0].obstacle.corners.size(), 3u);
+    EXPECT_TRUE(stage().corners.empty());
+}
+
+TEST_F(Stage, ClosesAPolygonByItsFirstCornerOrADoubleClick) {
+    desk.click("tool.polygon");
+    for (const vec2 corner : {vec2{-1, 2}, vec2{2, 2}, vec2{2, 4}, vec2{-1, 2}}) click(corner);
+    EXPECT_EQ(commands<AddObstacle>().size(), 1u);
+    desk.click("tool.polygon");
+    desk.rest();
+    for (const vec2 corner : {vec2{-1, 2}, vec2{2, 2}}) click(corner);
+    point({2, 4}), press(), release(), press(), release();
+    ASSERT_EQ(commands<AddObstacle>().size(), 2u);
+    EXPECT_EQ(commands<AddObstacle>()[1].obstacle.corners.size(), 3u) << "the second click adds none";
+}
+
+TEST_F(Stage, RefusesACornerWithAReasonAndTakesBackTheLastOne) {
+    desk.click("tool.polygon");
+    for (const vec2 corner : {vec2{0, 2}, vec2{2, 2}, vec2{2, 4}}) click(corner);
+    point({1, 1}), press();
+    EXPECT_EQ(stage().refusal.key, "stage.refused.crosses");
+    release();
+    EXPECT_EQ(stage().corners.size(), 3u);
+    desk.key({key::backspace});
+    EXPECT_EQ(stage().corners.size(), 2u);
+    desk.key({key::enter});
+    EXPECT_EQ(stage().refusal.key, "stage.refused.too_few");
+    EXPECT_TRUE(desk.edits().empty());
+}
+
+TEST_F(Stage, LeavesDrawingByEscapeStepByStep) {
+    desk.click("tool.polygon");
+    click({0, 2});
+    desk.key({key::escape});
+    EXPECT_TRUE(stage().corners.empty());
+    EXPECT_EQ(stage().tool, StageTool::polygon);
+    desk.key({key::escape});
+    EXPECT_EQ(stage().tool, StageTool::hand);
+    EXPECT_TRUE(desk.actions().empty());
+    desk.key({key::escape});
+    EXPECT_EQ(desk.actions().size(), 1u) << "then it is the window's";
+}
+
+TEST_F(Stage, AddsWhatTheMenuOffersWhereItWasOpened) {
+    click({1, 3}, 1);
+    desk.click("menu.add.vehicle.1");
+    const auto added = commands<AddVehicle>();
+    ASSERT_EQ(added.size(), 1u);
+    EXPECT_EQ(added[0].kind, 1);
+    EXPECT_NEAR(added[0].at->x, 1, a_pixel);
+    EXPECT_FALSE(stage().menu.open);
+    click({1, 3}, 1);
+    desk.click("menu.add.smell");
+    EXPECT_EQ(commands<AddSource>().back().source.channel, Channel::smell);
+    click({1, 3}, 1);
+    desk.click("menu.add.polygon");
+    EXPECT_EQ(stage().tool, StageTool::polygon);
+    EXPECT_EQ(stage().corners.size(), 1u);
+}
+
+TEST_F(Stage, DoesWithAVehicleWhatItsMenuSays) {
+    click({-4.5f, 0}, 1);
+    EXPECT_EQ(stage().menu.thing, vehicle_thing(1));
+    desk.click("menu.drive");
+    EXPECT_EQ(requests<SelectRequest>().back().vehicle, 1);
+    EXPECT_EQ(desk.actions().back(), Action::drive);
+    click({-4.5f, 0}, 1);
+    desk.click("menu.duplicate");
+    EXPECT_EQ(commands<AddVehicle>().back().kind, desk.now.vehicles[1].kind);
+    click({-4.5f, 0}, 1);
+    desk.click("menu.erase");
+    EXPECT_EQ(commands<RemoveVehicle>().back().vehicle, 1);
+    click({-4.5f, 0}, 1);
+    desk.click("menu.brains");
+    desk.click("menu.brain.2a-coward");
+    EXPECT_EQ(commands<SetBrain>().back().target, (Target{1, -1}));
+}
+
+TEST_F(Stage, MenuCanBeWalkedByKeysAlone) {
+    desk.key({key::menu});
+    desk.frame(3);
+    ASSERT_TRUE(stage().menu.open);
+    EXPECT_EQ(desk.panels.keyboard.focus, "menu.brains");
+    desk.key({key::up});
+    EXPECT_EQ(desk.panels.keyboard.focus, "menu.erase");
+    desk.key({key::enter});
+    desk.frame(2);
+    EXPECT_EQ(commands<RemoveVehicle>().size(), 1u);
+    EXPECT_FALSE(stage().menu.open);
+    desk.key({key::menu});
+    desk.frame(3);
+    desk.key({key::escape});
+    desk.frame(2);
+    EXPECT_FALSE(stage().menu.open);
+}
+
+TEST_F(Stage, RestsWhileTheWiringIsOpen) {
+    desk.view.mode = Mode::wiring;
+    point({-6, 0});
+    EXPECT_FALSE(stage().hovered);
+    desk.key({key::right, true});
+    EXPECT_TRUE(desk.edits().empty());
+}
+
+TEST_F(Stage, CardChangesALampsValuesWithOneGestureADrag) {
+    take(lamp);
+    desk.frame(2);
+    desk.point("thing.strength", 0.5f);
+    desk.frame(2);
+    press();
+    desk.point("thing.strength", 0.45f);
+    desk.frame();
+    desk.point("thing.strength", 0.4f);
+    desk.frame();
+    release();
+    const auto edits = commands<EditSource>();
+    ASSERT_GE(edits.size(), 2u);
+    EXPECT_LT(edits.back().to.strength, edits.front().to.strength);
+    EXPECT_EQ(desk.edits().front().gesture, desk.edits().back().gesture);
+    EXPECT_EQ(edits.back().to.x, -3) << "all else stays";
+    desk.click("thing.channel.heat");
+    EXPECT_EQ(commands<EditSource>().back().to.channel, Channel::heat);
+    desk.click("thing.solid.2");
+    EXPECT_TRUE(commands<EditSource>().back().to.solid);
+}
+
+TEST_F(Stage, CardEditsAnObstacleWhereItStandsNow) {
+    desk.now.obstacles[0] = {4, 5, 0};  // pushed
+    take(box);
+    desk.frame(2);
+    desk.click("thing.length", 0, 0.6f);
+    const auto edits = commands<EditObstacle>();
+    ASSERT_GE(edits.size(), 1u);
+    EXPECT_NE(edits.back().to.length, 2);
+    EXPECT_EQ(edits.back().to.x, 4);
+    desk.click("thing.erase");
+    ASSERT_EQ(desk.actions().size(), 1u);
+    EXPECT_EQ(desk.actions()[0], Action::erase);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests

@@ -1,0 +1,175 @@
+// The scene under a real mouse: dragging, drawing, the menu of a right click, all of it undone again.
+#include <cmath>
+
+#include "tests/window/lab_window.h"
+
+namespace braitenlab::tests {
+namespace {
+
+bool wait_for(const std::function<bool()>& holds, double patience = 5) {
+    return LabWindow::eventually(holds, patience);
+}
+
+Point place(const Json& thing) {
+    return {static_cast<int>(thing["at"][0].get<double>()), static_cast<int>(thing["at"][1].get<double>())};
+}
+Point vehicle(const LabWindow& lab, std::size_t i) { return place(lab.state()["vehicles"][i]); }
+Point source(const LabWindow& lab, std::size_t i) { return place(lab.state()["sources"][i]); }
+
+void right_click(const LabWindow& lab, Point at) {
+    lab.move(at);
+    lab.xdotool("mousedown 3"), LabWindow::wait(0.08);
+    lab.xdotool("mouseup 3"), LabWindow::wait(0.08);
+}
+
+TEST(StageWindow, DragsAVehicleWhilePlayingAndUndoBringsItBack) {
+    LabWindow lab({"2a-coward", "--size", "1280x800", "--set", "kind.coward.brain.LM=0", "--set",
+                   "kind.coward.brain.RM=0", "--set", "kind.coward.brain.LL=0", "--set", "kind.coward.brain.RR=0",
+                   "--play"});
+    const Json before = lab.state()["vehicles"][0];
+    const Point from = place(before);
+    lab.drag(from, {from.x + 70, from.y - 50});
+    EXPECT_TRUE(wait_for([&] { return lab.state()["undo_depth"] == 1; }));
+    const Json after = lab.state()["vehicles"][0];
+    EXPECT_GT(after["x"].get<double>(), before["x"].get<double>() + 0.5);
+    EXPECT_GT(after["y"].get<double>(), before["y"].get<double>() + 0.5);
+    EXPECT_EQ(lab.state()["mode"], "playing");
+    lab.key("ctrl+z");
+    EXPECT_TRUE(wait_for(
+        [&] { return std::abs(lab.state()["vehicles"][0]["x"].get<double>() - before["x"].get<double>()) < 0.05; }));
+}
+
+TEST(StageWindow, HoldsADrivingVehicleInTheHand) {
+    LabWindow lab({"2a-coward", "--size", "1280x800", "--play"});
+    const Point from = vehicle(lab, 0), to{from.x + 40, from.y + 60};
+    lab.move(from);
+    lab.press();
+    lab.move({from.x + 20, from.y + 30});
+    lab.move(to);
+    const auto tick = lab.state()["tick"].get<int>();
+    EXPECT_TRUE(wait_for([&] { return lab.state()["tick"].get<int>() > tick + 30; })) << "time goes on";
+    EXPECT_LT(std::hypot(vehicle(lab, 0).x - to.x, vehicle(lab, 0).y - to.y), 25) << "and it stays where the hand is";
+    lab.release();
+}
+
+TEST(StageWindow, DragsALampAndEscapeInMidDragPutsItBack) {
+    LabWindow lab({"2a-coward", "--size", "1280x800"});
+    const Json before = lab.state()["sources"];
+    const Point from = source(lab, 0);
+    lab.drag(from, {from.x - 60, from.y + 40});
+    EXPECT_TRUE(wait_for([&] { return lab.state()["undo_depth"] == 1; }));
+    EXPECT_EQ(lab.state()["thing"]["kind"], "source");
+    EXPECT_NE(lab.state()["sources"], before);
+    lab.key("ctrl+z");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["sources"] == before; }));
+
+    lab.move(from);
+    lab.press();
+    lab.move({from.x + 30, from.y});
+    lab.move({from.x + 60, from.y});
+    EXPECT_TRUE(wait_for([&] { return lab.state()["sources"] != before; }));
+    lab.key("Escape");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["sources"] == before; }));
+    lab.move({from.x + 90, from.y});
+    lab.release();
+    EXPECT_EQ(lab.state()["sources"], before);
+    EXPECT_EQ(lab.state()["undo_depth"], 0) << "nothing has happened";
+}
+
+TEST(StageWindow, ShowsByTheHoverWhatAClickWouldTake) {
+    LabWindow lab({"2a-coward", "--size", "1280x800"});
+    lab.move(source(lab, 0));
+    EXPECT_TRUE(wait_for([&] { return lab.state()["hovered"]["kind"] == "source"; }));
+    EXPECT_EQ(lab.state()["cursor"], "hand");
+    lab.move(vehicle(lab, 0));
+    EXPECT_TRUE(wait_for([&] { return lab.state()["hovered"]["kind"] == "vehicle"; }));
+    lab.move(lab.at("card.brain"));
+    EXPECT_TRUE(wait_for([&] { return lab.state()["hovered"]["kind"] == "none"; })) << "a card lies over the scene";
+    EXPECT_EQ(lab.state()["cursor"], "arrow");
+}
+
+TEST(StageWindow, AddsFromTheMenuOfARightClickAndUndoTakesItAway) {
+    LabWindow lab({"predator-prey", "--size", "1280x800"});
+    const Point free = lab.at("viewport");
+    lab.click(Point{free.x, free.y - 120});  // the floor
+    right_click(lab, {free.x - 150, free.y - 150});
+    lab.click("menu.add.light");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["sources"].size() == 1; }));
+    const Point lamp = source(lab, 0);
+    EXPECT_NEAR(lamp.x, free.x - 150, 3);
+    EXPECT_NEAR(lamp.y, free.y - 150, 3);
+    right_click(lab, {free.x - 190, free.y + 60});
+    lab.click("menu.add.vehicle.1");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["population"] == 11; }));
+    EXPECT_EQ(lab.state()["selected"], 10) << "what was added is under the hand";
+    lab.key("Delete");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["population"] == 10; }));
+    for (int i = 0; i < 3; ++i) lab.key("ctrl+z");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["sources"].empty(); }));
+    EXPECT_EQ(lab.state()["population"], 10);
+}
+
+TEST(StageWindow, DrawsATriangleByItsCornersWhichUndoTakesAway) {
+    LabWindow lab({"2a-coward", "--size", "1280x800"});
+    const Point middle = lab.at("viewport");
+    lab.click("tool.polygon");
+    lab.click(Point{middle.x - 120, middle.y - 60});
+    LabWindow::wait(0.4);  // two clicks, no double click
+    lab.click(Point{middle.x - 30, middle.y - 60});
+    LabWindow::wait(0.4);
+    lab.click(Point{middle.x - 70, middle.y - 130});
+    EXPECT_TRUE(wait_for([&] { return lab.state()["corners"] == 3; })) << lab.state()["corners"];
+    lab.key("Return");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["obstacles"].size() == 1; }));
+    EXPECT_EQ(lab.state()["obstacles"][0]["corners"], 3);
+    EXPECT_EQ(lab.state()["tool"], "hand");
+    EXPECT_EQ(lab.state()["thing"]["kind"], "obstacle");
+    lab.key("ctrl+z");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["obstacles"].empty(); }));
+    lab.key("ctrl+shift+z");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["obstacles"].size() == 1; }));
+}
+
+TEST(StageWindow, TurnsABoxByItsRingAndChangesItOnItsCard) {
+    LabWindow lab({"2a-coward", "--size", "1280x800"});
+    const Point middle = lab.at("viewport");
+    lab.click("tool.box");
+    lab.drag({middle.x - 130, middle.y - 120}, {middle.x - 60, middle.y - 80});
+    ASSERT_TRUE(wait_for([&] { return lab.state()["obstacles"].size() == 1; }));
+    lab.move(place(lab.state()["obstacles"][0]));
+    const Point knob = lab.at("stage.knob");
+    const Point box = place(lab.state()["obstacles"][0]);
+    lab.drag(knob, {box.x, box.y - 60});
+    EXPECT_TRUE(wait_for([&] { return std::abs(lab.state()["obstacles"][0]["heading"].get<double>() - 1.57) < 0.2; }))
+        << lab.state()["obstacles"];
+    const auto depth = lab.state()["undo_depth"].get<int>();
+    const Point slider = lab.at("thing.mass");
+    lab.drag({slider.x, slider.y}, {slider.x + 40, slider.y});
+    EXPECT_TRUE(wait_for([&] { return lab.state()["obstacles"][0]["mass"].get<double>() > 1; }));
+    EXPECT_EQ(lab.state()["undo_depth"], depth + 1) << "one drag, one step";
+    lab.key("ctrl+z");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["obstacles"][0]["mass"] == 0; }));
+}
+
+TEST(StageWindow, PansWithTheRightButtonZoomsAboutThePointerAndComesHomeByOneKey) {
+    LabWindow lab({"2a-coward", "--size", "1280x800"});
+    const Json home = lab.state()["view"];
+    const Point free = lab.at("viewport");
+    const Point start = source(lab, 0);
+    lab.move({free.x - 100, free.y + 100});
+    lab.xdotool("mousedown 3"), LabWindow::wait(0.06);
+    for (int i = 1; i <= 6; ++i) lab.move({free.x - 100 + 10 * i, free.y + 100});
+    lab.xdotool("mouseup 3");
+    EXPECT_TRUE(wait_for([&] { return std::abs(source(lab, 0).x - start.x - 60) < 12; })) << "the floor follows";
+    const Point lamp = source(lab, 0);
+    lab.move(lamp);
+    lab.xdotool("click 4"), lab.xdotool("click 4");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["view"]["zoom"].get<double>() > 1.2; }));
+    EXPECT_NEAR(source(lab, 0).x, lamp.x, 3) << "what is under the pointer stays there";
+    lab.key("Home");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["view"] == home; }));
+    EXPECT_TRUE(wait_for([&] { return std::abs(source(lab, 0).x - start.x) < 2; })) << "after a short glide";
+}
+
+}  // namespace
+}  // namespace braitenlab::tests

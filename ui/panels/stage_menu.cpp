@@ -1,0 +1,258 @@
+// The menu of a right click into the scene: what can be done with the thing there, or set down on the floor.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "core/brain/presets.h"
+#include "core/maths/angle.h"
+#include "core/scene/names.h"
+#include "ui/panels/panels.h"
+#include "ui/shortcuts.h"
+#include "ui/stage/edits.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float menu_width = 268, pad = 6, row_height = 28, rule_height = 9;  // layout pixels
+
+// A row of the menu: what it says, what it asks for, and where it leads.
+struct Row {
+    std::string anchor, words, keys;
+    std::vector<Request> asks;
+    std::optional<MenuPage> leads_to;
+    std::optional<StageTool> takes;  // the tool that goes on from the menu's place
+    std::optional<Role> role;        // shows the sign of a vehicle
+    std::optional<Channel> channel;
+    bool heading = false, rule_above = false;
+};
+
+class Rows {
+public:
+    Rows(const LabView& view, const StageMenu& menu, const Ui& ui)
+        : view_(view), now_(*view.now), menu_(menu), ui_(ui) {}
+
+    std::vector<Row> of_page() {
+        const bool vehicle = menu_.thing.kind == ThingKind::vehicle;
+        if (vehicle && menu_.page == MenuPage::brains)
+            brains();
+        else if (vehicle)
+            of_vehicle();
+        else if (menu_.thing)
+            of_thing();
+        else
+            of_floor();
+        return std::move(rows_);
+    }
+
+private:
+    std::string words(std::string_view key) const { return std::string(ui_.strings(key)); }
+    std::string keys(Action action) const { return key_name(action, ui_.strings); }
+
+    Row& add(std::string anchor, std::string text, std::vector<Request> asks = {}, std::string shortcut = {}) {
+        Row row;
+        row.anchor = "menu." + std::move(anchor);
+        row.words = std::move(text);
+        row.keys = std::move(shortcut);
+        row.asks = std::move(asks);
+        rows_.push_back(std::move(row));
+        return rows_.back();
+    }
+    void heading(std::string text) { add("heading", std::move(text)).heading = true; }
+    void edit(std::string anchor, std::string_view key, const std::optional<Command>& command, Action shown) {
+        if (command) add(std::move(anchor), words(key), {EditRequest{*command}}, keys(shown));
+    }
+    void copy_and_erase() {
+        edit("duplicate", "action.duplicate", copy_of(now_, menu_.thing), Action::duplicate);
+        edit("erase", "menu.erase", removal_of(now_, menu_.thing), Action::erase);
+        rows_.back().rule_above = true;
+    }
+
+    std::string name_of(const Kind& kind) const {
+        const bool lone = now_.scene->kinds.size() == 1 && kind.role == Role::none;
+        return lone ? words("kind.vehicle") : kind_name(ui_, kind);
+    }
+
+    void of_vehicle() {
+        const VehicleView* v = find_vehicle(now_, menu_.thing.index);
+        if (!v) return;
+        const Kind& kind = now_.scene->kinds[static_cast<std::size_t>(v->kind)];
+        heading(name_of(kind) + " " + std::to_string(v->id + 1));
+        add("brains", words("menu.brains")).leads_to = MenuPage::brains;
+        const bool by_hand = v->driver == Driver::manual;
+        add("drive", words(by_hand ? "menu.let_drive" : "menu.drive"), {SelectRequest{v->id}, Action::drive},
+            keys(Action::drive));
+        look("follow", "menu.follow", Action::follow, CameraMode::follow, v->id);
+        look("eyes", "menu.eyes", Action::drivers_eye, CameraMode::driver, v->id);
+        copy_and_erase();
+    }
+
+    void look(std::string anchor, std::string_view key, Action action, CameraMode mode, VehicleId id) {
+        std::vector<Request> asks{SelectRequest{id}};
+        if (view_.camera != mode) asks.push_back(action);
+        add(std::move(anchor), words(key), std::move(asks), keys(action));
+    }
+
+    void brains() {
+        heading(words("menu.brains"));
+        const VehicleView* v = find_vehicle(now_, menu_.thing.index);
+        if (!v) return;
+        const auto give = [&](const BrainGraph& brain) {
+            return std::vector<Request>{SelectRequest{v->id}, EditRequest{SetBrain{{v->id, -1}, brain}}};
+        };
+        for (std::size_t k = 0; k < now_.kind_brains.size(); ++k)
+            if (now_.scene->kinds.size() > 1)
+                add("brain.kind." + std::to_string(k), name_of(now_.scene->kinds[k]), give(*now_.kind_brains[k])).role =
+                    now_.scene->kinds[k].role;
+        for (const Preset& preset : presets()) {
+            const std::string key(preset.name);
+            add("brain." + key, std::string(ui_.strings.find("preset." + key, key)), give(preset.brain));
+        }
+    }
+
+    void of_thing() {
+        const bool source = menu_.thing.kind == ThingKind::source;
+        const auto index = static_cast<std::size_t>(menu_.thing.index);
+        if (!place_of(now_, menu_.thing)) return;
+        heading(source ? words("source." + std::string(word(now_.scene->sources[index].channel)))
+                       : words("thing.obstacle"));
+        copy_and_erase();
+    }
+
+    void of_floor() {
+        heading(words("menu.add"));
+        const float towards_middle = maths::arctangent2(-menu_.place.y, -menu_.place.x);
+        const Pose pose{menu_.place.x, menu_.place.y, towards_middle};
+        for (std::size_t k = 0; k < now_.scene->kinds.size(); ++k)
+            add("add.vehicle." + std::to_string(k), name_of(now_.scene->kinds[k]),
+                {EditRequest{AddVehicle{static_cast<int>(k), pose}}})
+                .role = now_.scene->kinds[k].role;
+        for (const Channel channel : source_channels) {
+            Source source;
+            source.channel = channel, source.x = menu_.place.x, source.y = menu_.place.y;
+            const std::string name(word(channel));
+            Row& row = add("add." + name, words("source." + name), {EditRequest{AddSource{source}}});
+            row.channel = channel;
+            row.rule_above = channel == source_channels.front();
+        }
+        Obstacle box;
+        box.x = menu_.place.x, box.y = menu_.place.y;
+        add("add.box", words("menu.box"), {EditRequest{AddObstacle{box}}}).rule_above = true;
+        add("add.polygon", words("menu.polygon")).takes = StageTool::polygon;
+        add("home", words("action.home"), {Action::home}, keys(Action::home)).rule_above = true;
+    }
+
+    const LabView& view_;
+    const Snapshot& now_;
+    const StageMenu& menu_;
+    const Ui& ui_;
+    std::vector<Row> rows_;
+};
+
+float height_of(const Ui& ui, const std::vector<Row>& rows) {
+    float height = 2 * ui.px(pad);
+    for (const Row& row : rows) height += ui.px(row_height) + (row.rule_above ? ui.px(rule_height) : 0);
+    return height;
+}
+
+// `indented`: others have a sign before their words.
+void draw_row(const Ui& ui, const Row& row, const Item& at, bool indented) {
+    const Palette& p = ui.palette;
+    fill_box(ui, at.rect, p.line.with_alpha(std::max(0.6f * at.warmth, at.focused ? 0.6f : 0.0f)), 4);
+    float x = at.rect.x + ui.px(10);
+    const ImVec2 sign{x + ui.px(6), at.middle_y()};
+    if (row.role) put_role(ui, sign, ui.px(12), *row.role);
+    if (row.channel) ImGui::GetWindowDrawList()->AddCircleFilled(sign, ui.px(6), paint(colour_of(p, *row.channel)), 20);
+    if (indented) x += ui.px(22);
+    const float y = at.middle_y() - line_height(ui, Face::text) / 2;
+    put(ui, {x, y}, row.words, p.text);
+    const float right = at.right() - ui.px(10);
+    if (row.leads_to) put_icon(ui, {right - ui.px(3), at.middle_y()}, icon::folded, p.second_text);
+    put_right(ui, {right, at.middle_y() - line_height(ui, Face::small) / 2}, row.keys, p.second_text, Face::small);
+}
+
+// True when it was pressed.
+bool show(Ui& ui, const Row& row, bool indented) {
+    const float width = ui.px(menu_width - 2 * pad);
+    if (row.rule_above) {
+        const ImVec2 from = ImGui::GetCursorScreenPos();
+        ImGui::GetWindowDrawList()->AddLine({from.x, from.y + ui.px(4)}, {from.x + width, from.y + ui.px(4)},
+                                            paint(ui.palette.line), ui.px(1));
+        ImGui::Dummy({width, ui.px(rule_height)});
+    }
+    if (row.heading) {
+        const ImVec2 from = ImGui::GetCursorScreenPos();
+        put(ui, {from.x + ui.px(10), from.y + (ui.px(row_height) - line_height(ui, Face::small)) / 2}, row.words,
+            ui.palette.second_text, Face::small);
+        ImGui::Dummy({width, ui.px(row_height)});
+        return false;
+    }
+    const Item at = item(ui, row.anchor, {width, ui.px(row_height)});
+    draw_row(ui, row, at, indented);
+    return at.pressed;
+}
+
+void obey(PanelState& state, Ui& ui, const Row& row) {
+    StageState& stage = state.stage;
+    if (row.leads_to) {
+        stage.menu.page = *row.leads_to;
+        stage.menu.rows.clear();
+        if (ui.keyboard) ui.keyboard->focus.clear();
+        return;
+    }
+    for (const Request& request : row.asks) ui.outbox.push_back(request);
+    if (row.takes) {
+        stage.tool = *row.takes;
+        stage.corners = {stage.menu.place};
+    }
+    stage.menu.open = false;
+    if (ui.keyboard) ui.keyboard->focus.clear();
+}
+
+}  // namespace
+
+void stage_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
+    StageMenu& menu = state.stage.menu;
+    if (view.mode == Mode::wiring) menu.open = false;
+    if (!menu.open) return;
+    const bool just_opened = !std::exchange(menu.placed, true);
+    if (just_opened) ImGui::OpenPopup("stage menu");
+    const std::vector<Row> rows = Rows(view, menu, ui).of_page();
+    const float w = ui.px(menu_width), most = window.h - ui.px(16), h = std::min(height_of(ui, rows), most);
+    const auto within = [](float at, float low, float size, float room) {
+        return std::clamp(at, low, std::max(low, low + room - size));
+    };
+    const ImVec2 at{within(menu.at.x, window.x + ui.px(8), w, window.w - ui.px(16)),
+                    within(menu.at.y, window.y + ui.px(8), h, most)};
+    ImGui::SetNextWindowPos(at);
+    ImGui::SetNextWindowSize({w, h});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(pad), ui.px(pad)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    if (ImGui::BeginPopup("stage menu", ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav)) {
+        begin_stops(ui.keyboard);
+        menu.rows.clear();
+        const bool signs = std::any_of(rows.begin(), rows.end(), [](const Row& r) { return r.role || r.channel; });
+        for (const Row& row : rows) {
+            if (!row.heading) menu.rows.push_back(row.anchor);
+            if (show(ui, row, signs)) obey(state, ui, row);
+        }
+        mark(ui, "menu", {at.x, at.y, w, h});
+        if (menu.by_key && ui.keyboard && !menu.rows.empty() && ui.keyboard->focus.empty())
+            ui.keyboard->focus = menu.rows.front();
+        menu.by_key = false;
+        if (!menu.open) ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+    } else {
+        menu.open = false;  // a click elsewhere
+    }
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace braitenlab

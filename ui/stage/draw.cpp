@@ -1,0 +1,200 @@
+#include "ui/stage/draw.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "core/maths/angle.h"
+#include "ui/imgui_compat.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+using maths::vec2;
+
+namespace {
+
+constexpr float source_ring = 0.42f;  // m
+constexpr int ring_segments = 64;
+
+class Overlay {
+public:
+    Overlay(const StageState& state, const StageFrame& frame, const Ui& ui)
+        : state_(state), frame_(frame), ui_(ui), list_(*ImGui::GetBackgroundDrawList()) {}
+
+    void draw() {
+        if (frame_.view.mode == Mode::wiring) return;
+        mark_thing(frame_.view.thing, ui_.palette.selected, 2.5f);
+        const Thing& hovered = state_.hovered.thing;
+        const bool idle = state_.drag.phase == StagePhase::idle;
+        if (idle && !state_.hovered.handle && hovered != frame_.view.thing)
+            mark_thing(hovered, ui_.palette.second_text, 1.5f);
+        if (const auto handle = handle_of(state_, frame_)) draw_handle(*handle);
+        if (state_.drag.phase == StagePhase::move || state_.drag.phase == StagePhase::turn) tell_pose();
+        if (state_.drag.phase == StagePhase::box) draw_box();
+        if (state_.tool == StageTool::polygon) draw_outline();
+        if (frame_.pointer.over && state_.tool == StageTool::lamp) draw_ghost_lamp();
+        if (frame_.pointer.over && state_.tool != StageTool::hand) draw_cross();
+        if (!state_.refusal.key.empty() && frame_.view.wall_seconds < state_.refusal.until)
+            note(ui_.strings(state_.refusal.key), ui_.palette.warning);
+    }
+
+private:
+    // A line over the scene: on a darker or lighter one, so that it shows on any floor.
+    void line(const std::vector<ImVec2>& points, Colour colour, float layout_width, bool closed = true) const {
+        if (points.size() < 2) return;
+        const int count = static_cast<int>(points.size());
+        const Colour under = ui_.palette.ground.with_alpha(0.55f * colour.a);
+        compat::polyline(list_, points.data(), count, paint(under), closed, ui_.px(layout_width + 2));
+        compat::polyline(list_, points.data(), count, paint(colour), closed, ui_.px(layout_width));
+    }
+
+    // Empty as soon as one of them is behind the eye.
+    std::vector<ImVec2> on_screen(const std::vector<vec2>& places, float height = 0) const {
+        std::vector<ImVec2> points;
+        for (const vec2 place : places) {
+            const auto at = project(frame_.sight, place, height);
+            if (!at) return {};
+            points.push_back({at->x, at->y});
+        }
+        return points;
+    }
+
+    std::vector<ImVec2> circle(vec2 middle, float radius) const {
+        std::vector<vec2> places;
+        for (int i = 0; i < ring_segments; ++i)
+            places.push_back(middle + maths::from_polar(radius, 2 * maths::pi * static_cast<float>(i) / ring_segments));
+        return on_screen(places);
+    }
+
+    // Vehicles have their ring from the renderer.
+    void mark_thing(const Thing& thing, Colour colour, float width) const {
+        const auto place = place_of(*frame_.view.now, thing);
+        if (!place) return;
+        if (thing.kind == ThingKind::source) line(circle({place->x, place->y}, source_ring), colour, width);
+        if (thing.kind != ThingKind::obstacle) return;
+        const auto corners = outline_of(*frame_.view.now, thing.index);
+        line(on_screen(corners), colour.with_alpha(0.6f * colour.a), width);
+        line(on_screen(corners, obstacle_height), colour, width);
+    }
+
+    void draw_handle(const Handle& handle) const {
+        const bool warm = state_.hovered.handle || state_.drag.phase == StagePhase::turn;
+        const Colour colour = warm ? ui_.palette.accent : ui_.palette.second_text;
+        line(circle(handle.middle, handle.radius), colour.with_alpha(warm ? 1.0f : 0.55f), warm ? 2.0f : 1.25f);
+        const auto knob = project(frame_.sight, handle.knob);
+        if (!knob) return;
+        dot({knob->x, knob->y}, warm ? 8.0f : 6.0f, colour);
+        const float size = ui_.px(16);
+        ui_.anchors.record("stage.knob", {knob->x - size / 2, knob->y - size / 2, size, size});
+    }
+
+    void dot(ImVec2 at, float layout_radius, Colour colour) const {
+        list_.AddCircleFilled(at, ui_.px(layout_radius + 1.5f), paint(ui_.palette.ground.with_alpha(0.8f)), 24);
+        list_.AddCircleFilled(at, ui_.px(layout_radius), paint(colour), 24);
+    }
+
+    void tell_pose() const {
+        const auto place = place_of(*frame_.view.now, state_.drag.on.thing);
+        if (!place) return;
+        const Strings& words = ui_.strings;
+        note(state_.drag.phase == StagePhase::turn
+                 ? fill(words("stage.heading"), {with_sign(maths::degrees(place->heading), 0)})
+                 : fill(words("stage.place"), {with_sign(place->x, 1), with_sign(place->y, 1)}),
+             ui_.palette.line);
+    }
+
+    void area(const std::vector<vec2>& corners, Colour colour) const {
+        const auto points = on_screen(corners);
+        if (points.size() >= 3)
+            list_.AddConvexPolyFilled(points.data(), static_cast<int>(points.size()), paint(colour.with_alpha(0.22f)));
+    }
+
+    void draw_box() const {
+        const auto floor = unproject(frame_.sight, frame_.pointer.at);
+        if (!floor) return;
+        const Obstacle box = box_between(state_.drag.corner, *floor);
+        std::vector<vec2> corners = corners_of(box);
+        for (vec2& corner : corners) corner += vec2{box.x, box.y};
+        area(corners, ui_.palette.accent);
+        line(on_screen(corners), ui_.palette.accent, 2);
+        note(fill(ui_.strings("stage.size"), {fixed(box.length, 1), fixed(box.width, 1)}), ui_.palette.line);
+    }
+
+    // The corners so far, the next one at the pointer, and why it would be refused.
+    void draw_outline() const {
+        const Palette& p = ui_.palette;
+        std::vector<vec2> corners = state_.corners;
+        const auto floor = unproject(frame_.sight, frame_.pointer.at);
+        const bool closes = floor && on_first_corner();
+        const OutlineFault fault = floor && !closes ? fault_of_next(corners, *floor) : OutlineFault::none;
+        const bool sound = fault == OutlineFault::none || fault == OutlineFault::too_near;
+        if (floor && frame_.pointer.over && !closes && sound) corners.push_back(*floor);
+        area(corners, p.accent);
+        line(on_screen(corners), p.accent, 2, corners.size() >= 3);
+        if (floor && !sound && !state_.corners.empty())
+            line(on_screen({state_.corners.back(), *floor, state_.corners.front()}), p.warning, 2, false);
+        for (const vec2 corner : state_.corners)
+            if (const auto at = project(frame_.sight, corner)) dot({at->x, at->y}, 4, p.accent);
+        if (state_.corners.size() >= 3)
+            if (const auto first = project(frame_.sight, state_.corners[0]))
+                list_.AddCircle({first->x, first->y}, ui_.px(closes ? 11.0f : 8.0f), paint(p.accent), 24, ui_.px(2));
+        if (frame_.pointer.over && !sound && state_.refusal.key.empty()) note(ui_.strings(reason(fault)), p.warning);
+        if (frame_.pointer.over && closes) note(ui_.strings("stage.close"), p.accent);
+    }
+
+    bool on_first_corner() const {
+        if (state_.corners.size() < 3) return false;
+        const auto first = project(frame_.sight, state_.corners[0]);
+        return first && maths::distance(*first, frame_.pointer.at) <= ui_.px(11);
+    }
+
+    void draw_ghost_lamp() const {
+        const auto floor = unproject(frame_.sight, frame_.pointer.at);
+        if (!floor) return;
+        line(circle(*floor, source_ring), ui_.palette.lamp, 2);
+        if (const auto bulb = project(frame_.sight, *floor, bulb_height)) dot({bulb->x, bulb->y}, 6, ui_.palette.lamp);
+    }
+
+    void draw_cross() const {
+        const vec2 at = frame_.pointer.at;
+        const float from = ui_.px(4), to = ui_.px(12);
+        for (const vec2 way : {vec2{1, 0}, vec2{-1, 0}, vec2{0, 1}, vec2{0, -1}}) {
+            const vec2 a = at + way * from, b = at + way * to;
+            line({{a.x, a.y}, {b.x, b.y}}, ui_.palette.text, 1.5f, false);
+        }
+    }
+
+    // Words in a small box beside the pointer, on the side where no card hides them.
+    void note(std::string_view words, Colour edge) const {
+        ImFont* face = font(ui_, Face::small);
+        const float w = text_width(ui_, Face::small, words) + ui_.px(16), h = line_height(ui_, Face::small) + ui_.px(8);
+        const Rect& room = frame_.area;
+        const float gap = ui_.px(18);
+        const maths::vec2 pointer = frame_.pointer.at;
+        const bool left = pointer.x + gap + w > room.x + room.w, above = pointer.y + gap + h > room.y + room.h;
+        const ImVec2 at{std::floor(std::max(room.x, left ? pointer.x - gap - w : pointer.x + gap)),
+                        std::floor(std::max(room.y, above ? pointer.y - gap - h : pointer.y + gap))};
+        list_.AddRectFilled(at, {at.x + w, at.y + h}, paint(ui_.palette.panel.with_alpha(0.95f)), ui_.px(6));
+        compat::outline(list_, at, {at.x + w, at.y + h}, paint(edge), ui_.px(6), ui_.px(1.25f));
+        list_.AddText(face, compat::size_of(face), {at.x + ui_.px(8), at.y + ui_.px(4)}, paint(ui_.palette.text),
+                      words.data(), words.data() + words.size());
+    }
+
+    const StageState& state_;
+    const StageFrame& frame_;
+    const Ui& ui_;
+    ImDrawList& list_;
+};
+
+}  // namespace
+
+void draw_stage(const StageState& state, const StageFrame& frame, const Ui& ui) { Overlay(state, frame, ui).draw(); }
+
+}  // namespace braitenlab

@@ -1,0 +1,29 @@
+// The commands behind what a hand does to a thing of the scene, whatever kind of thing it is.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/world/command.h"
+#include "render/view/pick.h"
+
+namespace braitenlab {
+
+// What a source can be, in the order of menus: what exists in the world by itself.
+inline constexpr std::array<Channel, 7> source_channels{Channel::light, Channel::red,   Channel::green, Channel::blue,
+                                                        Channel::heat,  Channel::smell, Channel::oxygen};
+
+// Nothing where the thing is gone.
+std::optional<Command> removal_of(const Snapshot&, const Thing&);
+
+// One like it, 0.8 m beside it and within the arena; a vehicle's copy has its very brain.
+std::optional<Command> copy_of(const Snapshot&, const Thing&);
+
+// The thing stands there instead, within the arena; a source takes no heading.
+std::optional<Command> move_of(const Snapshot&, const Thing&, Pose to);
+
+// What is added by a command, once it has been carried out and captured: the newest of its sort. Thing{} for other
+// commands, and for vehicles that come in anywhere.
+Thing added_by(const Snapshot&, const Command&);
+
+}  // namespace braitenlab

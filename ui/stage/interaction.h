@@ -1,0 +1,60 @@
+// What the mouse does to the scene; knows nothing of Dear ImGui.
+//
+// Idle → Pending (pressed, moved less than 4 px) → Move | Turn | Orbit | Pan | Box → Idle.
+#pragma once
+
+#include <optional>
+
+#include "ui/stage/outline.h"
+#include "ui/stage/stage.h"
+
+namespace braitenlab {
+
+// The mouse of one frame, in window pixels.
+struct StagePointer {
+    maths::vec2 at;
+    bool over = true;                                                          // nothing covers the scene here
+    bool left_pressed = false, right_pressed = false, middle_pressed = false;  // in this frame
+    bool left_double = false;                                                  // the second press of two quick ones
+    bool left_down = false, right_down = false, middle_down = false;
+    bool shift = false;
+};
+
+struct StageFrame {
+    const LabView& view;
+    const Sight& sight;
+    float scale = 1;  // window pixels per layout pixel
+    Rect area;        // what no card covers
+    StagePointer pointer;
+};
+
+// One frame: the mouse becomes view state and requests.
+void interact(StageState&, const StageFrame&, Outbox&);
+
+// Esc in the middle of something puts it back; the drag in progress, or else the outline, or else the tool. False when
+// there was nothing to cancel.
+bool cancel(StageState&, const LabView&, Outbox&);
+
+// The menu of a thing where it stands, as by a right click on it.
+void open_menu_of(StageState&, const LabView&, const Thing&);
+
+// Takes back the corner drawn last; without any, back to the hand.
+void take_back_corner(StageState&);
+
+// Makes the outline an obstacle, or says why not. `keep_tool`: another one follows.
+void close_outline(StageState&, double wall_seconds, bool keep_tool, Outbox&);
+
+// The string key that says why an outline is refused; empty for none.
+std::string_view reason(OutlineFault);
+
+// The ring round a thing by which it is turned.
+struct Handle {
+    maths::vec2 middle;  // m
+    float radius = 0;    // m
+    maths::vec2 knob;    // m, on the ring, where the thing faces
+};
+
+// Of the chosen thing, where it can be turned; only near the pointer or while it turns, so that a run stays calm.
+std::optional<Handle> handle_of(const StageState&, const StageFrame&);
+
+}  // namespace braitenlab

@@ -1,0 +1,132 @@
+#include "ui/stage/stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui.h>
+
+#include "core/maths/angle.h"
+#include "ui/stage/draw.h"
+#include "ui/stage/edits.h"
+#include "ui/stage/interaction.h"
+
+namespace braitenlab {
+
+using maths::vec2;
+
+namespace {
+
+constexpr float nudge_step = 0.1f, fine_nudge = 0.01f;  // m
+constexpr double pause_between_gestures = 1;            // s without a key
+
+StagePointer pointer_now(const StageState& state) {
+    const ImGuiIO& io = ImGui::GetIO();
+    StagePointer pointer;
+    pointer.at = {io.MousePos.x, io.MousePos.y};
+    pointer.over = (!io.WantCaptureMouse || state.drag.phase != StagePhase::idle) && ImGui::IsMousePosValid();
+    pointer.left_pressed = !io.WantCaptureMouse && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    pointer.left_double = !io.WantCaptureMouse && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    pointer.right_pressed = !io.WantCaptureMouse && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    pointer.middle_pressed = !io.WantCaptureMouse && ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
+    pointer.left_down = io.MouseDown[0], pointer.right_down = io.MouseDown[1], pointer.middle_down = io.MouseDown[2];
+    pointer.shift = io.KeyShift;
+    return pointer;
+}
+
+// Whether a press would take something, or has. (Of the cursors for moving, GLFW 3.3 has none.)
+void show_cursor(const StageState& state) {
+    const StagePhase phase = state.drag.phase;
+    const bool busy = phase == StagePhase::move || phase == StagePhase::turn || phase == StagePhase::pan;
+    if (busy || state.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+}
+
+// The way along an axis of the floor that comes nearest to an arrow on the screen: things stay on the grid's lines.
+vec2 way_of(const Sight& sight, int key) {
+    const vec2 right{sight.view[0][0], -sight.view[2][0]}, up{-right.y, right.x};
+    const vec2 way = key == key::right ? right : key == key::left ? -right : key == key::up ? up : -up;
+    if (std::fabs(way.x) > std::fabs(way.y)) return {way.x > 0 ? 1.0f : -1.0f, 0};
+    return {0, way.y > 0 ? 1.0f : -1.0f};
+}
+
+bool is_arrow(int key) { return key == key::left || key == key::right || key == key::up || key == key::down; }
+
+bool nudge(const LabView& view, StageState& state, KeyPress press, Outbox& outbox) {
+    const Thing thing = chosen(view);
+    const auto place = place_of(*view.now, thing);
+    if (!place || state.drag.phase != StagePhase::idle) return false;
+    const vec2 way = way_of(*view.sight, press.key) * (press.shift ? fine_nudge : nudge_step);
+    const auto command = move_of(*view.now, thing, {place->x + way.x, place->y + way.y, place->heading});
+    if (!command) return false;
+    if (thing != state.nudged || view.wall_seconds - state.nudged_at > pause_between_gestures) ++state.gesture;
+    state.nudged = thing;
+    state.nudged_at = view.wall_seconds;
+    outbox.push_back(EditRequest{*command, gestures::viewport + state.gesture});
+    return true;
+}
+
+// Up and Down walk the rows of the open menu; Enter reaches them through the focus; Esc and the arrow back close.
+bool for_menu(StageMenu& menu, Keyboard& keyboard, KeyPress press) {
+    if (press.key == key::escape || (press.key == key::left && menu.page != MenuPage::top)) {
+        if (menu.page == MenuPage::top)
+            menu.open = false;
+        else
+            menu.page = MenuPage::top;
+        keyboard.focus.clear();
+        return true;
+    }
+    const bool back = press.key == key::up || (press.key == key::tab && press.shift);
+    if ((!back && press.key != key::down && press.key != key::tab) || menu.rows.empty()) return false;
+    const auto& rows = menu.rows;
+    const auto at = std::find(rows.begin(), rows.end(), keyboard.focus);
+    const auto count = static_cast<std::ptrdiff_t>(rows.size());
+    const std::ptrdiff_t index = at == rows.end() ? (back ? 0 : -1) : at - rows.begin();
+    keyboard.focus = rows[static_cast<std::size_t>((index + (back ? -1 : 1) + count) % count)];
+    return true;
+}
+
+bool draw_by_key(const LabView& view, StageState& state, Action action, KeyPress press, Outbox& outbox) {
+    if (state.tool != StageTool::polygon) return false;
+    if (action == Action::close_outline)
+        close_outline(state, view.wall_seconds, press.shift, outbox);
+    else
+        take_back_corner(state);
+    return true;
+}
+
+}  // namespace
+
+bool takes_arrows(const LabView& view, bool ctrl) {
+    if (!view.sight || view.mode == Mode::wiring) return false;
+    return view.thing || (ctrl && view.selected != no_vehicle);
+}
+
+void stage(const LabView& view, StageState& state, Ui& ui, Rect area) {
+    if (!view.sight) return;
+    const StageFrame frame{view, *view.sight, ui.scale, area, pointer_now(state)};
+    interact(state, frame, ui.outbox);
+    show_cursor(state);
+    draw_stage(state, frame, ui);
+}
+
+bool press_key(const LabView& view, StageState& state, Keyboard& keyboard, KeyPress press, Outbox& outbox) {
+    if (!view.sight || view.mode == Mode::wiring) return false;
+    if (state.menu.open && for_menu(state.menu, keyboard, press)) return true;
+    if (!keyboard.focus.empty()) return false;                               // a widget has the keyboard
+    if (press.key == key::del) return state.drag.phase != StagePhase::idle;  // not out of the hand
+    // Shift is finer and Ctrl takes vehicles too, whatever the arrow.
+    const auto action = action_for(is_arrow(press.key) ? KeyPress{press.key} : press, KeyPlace::stage);
+    if (!action) return false;
+    switch (*action) {
+        case Action::cancel:
+            return cancel(state, view, outbox);
+        case Action::scene_menu:
+            open_menu_of(state, view, chosen(view));
+            return true;
+        case Action::nudge:
+            return takes_arrows(view, press.ctrl) && nudge(view, state, press, outbox);
+        default:
+            return draw_by_key(view, state, *action, press, outbox);
+    }
+}
+
+}  // namespace braitenlab
