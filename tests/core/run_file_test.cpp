@@ -62,6 +62,18 @@ TEST(RunFile, GoesOnExactlyAsTheSavedRunDoesInEveryShippedScene) {
     }
 }
 
+TEST(RunFile, KeepsWhatSlowSensorsHoldBack) {
+    Scene scene = tests::crowd(12);
+    for (Kind& kind : scene.kinds) kind.sensors[0].latency = 0.5f, kind.sensors[1].noise = 0.1f;
+    Session session = std::move(*Session::open(scene, 3));
+    for (int i = 0; i < 400; ++i) session.step();
+    auto run = read_run(write_run(session.save()), "a.run");
+    ASSERT_TRUE(run) << run.error().text();
+    Session resumed = Session::resume(std::move(*run));
+    for (int i = 0; i < 100; ++i) session.step(), resumed.step();
+    EXPECT_EQ(resumed.hash(), session.hash());
+}
+
 TEST(RunFile, WritesTheSameTextAgain) {
     const std::string text = write_run(busy_session(tests::crowd(6), 400).save());
     EXPECT_EQ(write_run(*read_run(text, "a.run")), text);
