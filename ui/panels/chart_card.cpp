@@ -80,6 +80,11 @@ void nothing_yet(Ui& ui, Rect r) {
 void signal_pair(const History& history, Ui& ui, Rect r, const Axis& time, std::size_t first) {
     const bool motors = first == 2;
     const Axis value{motors ? -1.0f : 0.0f, 1, "", 1};
+    // One above the other they share the time: the numbers of the eyes, which have no minus, stand in as far.
+    if (!motors) {
+        const float minus = text_width(ui, Face::small, fixed(-1, 1)) - text_width(ui, Face::small, fixed(1, 1));
+        r.x += minus, r.w -= minus;
+    }
     const Rect inner = plot_ground(ui, r, time, value);
     const Colour left = ui.palette.accent, right = ui.palette.text;
     for (const std::size_t i : {first, first + 1})
