@@ -2,10 +2,12 @@ in float v_side;
 in float v_along;
 in vec4 v_base;
 in float v_signal;
+in float v_gap;
 
 out vec4 colour;
 
 void main() {
+    if (v_gap < 0.0) discard;
     // What is carried runs along the wire in soft beads; time is the simulation's, so a pause stills them.
     float bead = 0.5 + 0.5 * cos(6.2831853 * (v_along / 0.16 - arena.z * 2.0));
     float glow = v_signal * (0.55 + 0.45 * bead);

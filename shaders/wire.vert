@@ -3,12 +3,13 @@ layout(location = 0) in vec3 corner;  // along 0..1, side -1..1
 layout(location = 4) in vec4 ends;    // from, to
 layout(location = 5) in vec4 shape;   // the bend, height, width
 layout(location = 6) in vec4 base;    // w: 1 excites, -1 inhibits
-layout(location = 7) in vec4 signal;  // x: 0..1
+layout(location = 7) in vec4 signal;  // x: 0..1; y: 1 cut
 
 out float v_side;
 out float v_along;   // metres
 out vec4 v_base;
 out float v_signal;
+out float v_gap;     // 0 in a cut wire's gap, 1 elsewhere
 
 void main() {
     float t = corner.x;
@@ -26,5 +27,6 @@ void main() {
     v_along = t * distance(a, b);
     v_base = base;
     v_signal = signal.x;
+    v_gap = signal.y > 0.5 ? abs(t - 0.45) * 12.0 - 0.6 : 1.0;
     gl_Position = view_projection * vec4(to_gl(vec3(at, shape.z)), 1.0);
 }

@@ -9,8 +9,12 @@
 
 #include "render/gl/batch.h"
 #include "render/gl/frame.h"
-#include "render/gl/shader.h"
+#include "render/gl/meshes.h"
+#include "render/gl/programs.h"
+#include "render/gl/texture.h"
+#include "render/text/set_type.h"
 #include "render/view/draw_list.h"
+#include "render/view/intensity.h"
 #include "render/view/shapes.h"
 
 namespace braitenlab {
@@ -19,67 +23,6 @@ namespace {
 
 template <class Instance>
 constexpr int vectors = static_cast<int>(sizeof(Instance) / sizeof(maths::vec4));
-
-Shape quad() {
-    Shape shape;
-    for (const auto& [x, y] : {std::pair{-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}})
-        shape.corners.push_back({{x, y, 0}, {0, 0, 1}, 0});
-    shape.indices = {0, 1, 2, 0, 2, 3};
-    return shape;
-}
-
-// A strip of squares along x from 0 to 1, y from −1 to 1.
-Shape strip(int squares) {
-    Shape shape;
-    for (int i = 0; i <= squares; ++i)
-        for (const float y : {-1.0f, 1.0f})
-            shape.corners.push_back({{static_cast<float>(i) / static_cast<float>(squares), y, 0}, {0, 0, 1}, 0});
-    for (int i = 0; i < squares; ++i)
-        for (const int k : {0, 2, 3, 0, 3, 1}) shape.indices.push_back(static_cast<std::uint16_t>(2 * i + k));
-    return shape;
-}
-
-// Four numbered corners that the field's shader puts where the sector needs them.
-Shape fan() {
-    Shape shape;
-    for (const float i : {0.0f, 1.0f, 2.0f, 3.0f}) shape.corners.push_back({{i, 0, 0}, {0, 0, 1}, 0});
-    shape.indices = {0, 1, 2, 0, 2, 3};
-    return shape;
-}
-
-// The edges of a prism of up to eight corners, numbered for block.vert: side, chamfer and top of each.
-Shape prism() {
-    Shape shape;
-    const auto corner = [&](int edge, int end, int level) {
-        shape.corners.push_back(
-            {{static_cast<float>(edge), static_cast<float>(end), static_cast<float>(level)}, {}, 0});
-    };
-    for (int edge = 0; edge < 8; ++edge) {
-        const auto first = static_cast<int>(shape.corners.size());
-        for (const auto& [low, high] : {std::pair{0, 1}, {2, 3}})
-            for (const auto& [end, level] : {std::pair{0, low}, {1, low}, {1, high}, {0, high}})
-                corner(edge, end, level);
-        for (const int k : {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7})
-            shape.indices.push_back(static_cast<std::uint16_t>(first + k));
-    }
-    const auto top = static_cast<int>(shape.corners.size());
-    for (int edge = 0; edge < 8; ++edge) corner(edge, 0, 4);
-    for (int edge = 1; edge < 7; ++edge)
-        for (const int k : {0, edge, edge + 1}) shape.indices.push_back(static_cast<std::uint16_t>(top + k));
-    return shape;
-}
-
-// The same for the shadow round its feet.
-Shape skirt_shape() {
-    Shape shape;
-    for (int edge = 0; edge < 8; ++edge) {
-        for (const auto& [end, level] : {std::pair{0, -2}, {1, -2}, {1, -1}, {0, -1}})
-            shape.corners.push_back(
-                {{static_cast<float>(edge), static_cast<float>(end), static_cast<float>(level)}, {}, 0});
-        for (const int k : {0, 1, 2, 0, 2, 3}) shape.indices.push_back(static_cast<std::uint16_t>(4 * edge + k));
-    }
-    return shape;
-}
 
 struct FloorInstance {
     maths::vec4 half_size;  // z: how far beyond the arena the ground reaches, m
@@ -98,26 +41,22 @@ Kit kit(const Shape& shape) {
     return Kit(shape, vectors<Instance>);
 }
 
-// Whether this context draws the sectors from points.
-bool has_geometry_shaders() {
-#ifdef __EMSCRIPTEN__
-    return false;
-#else
-    GLint most = 0;
-    if (GLEW_VERSION_3_2) glGetIntegerv(GL_MAX_GEOMETRY_OUTPUT_VERTICES, &most);
-    return most >= 4;
-#endif
-}
+struct ContourInstance {
+    maths::vec4 place;   // half the arena's size, samples across both ways
+    maths::vec4 colour;  // w: samples of the texture each way
+};
 
 }  // namespace
 
 struct Renderer::Parts {
-    Program floor, block, skirt, zone, hull, sign, rim, wheel, eye, wire, field, mark, source, halo, trail;
-    bool sectors_from_points = false;
+    Programs with;
+    std::filesystem::path folder;
+    SectorPath path = SectorPath::automatic;
+    std::filesystem::file_time_type shaders_changed;
 
     Kit floors = kit<FloorInstance>(quad());
     Kit blocks = kit<BlockInstance>(prism());
-    Batch skirts{skirt_shape(), blocks.instances};
+    Batch skirts{skirt(), blocks.instances};
     Kit zones = kit<ZoneInstance>(quad());
     std::array<Kit, role_count> hulls{kit<HullInstance>(hull_shape(Role::none)),
                                       kit<HullInstance>(hull_shape(Role::predator)),
@@ -131,6 +70,11 @@ struct Renderer::Parts {
     Kit wheels = kit<WheelInstance>(wheel_shape());
     Kit eyes = kit<EyeInstance>(eye_shape());
     Kit wires = kit<WireInstance>(strip(12));
+    Kit neurons = kit<NeuronInstance>(quad());
+    Kit contours = kit<ContourInstance>(quad());
+    Kit letters = kit<LetterInstance>(quad());
+    Texture felt{Texture::Kind::numbers, Intensity::most_columns, Intensity::most_rows};
+    Texture characters{Texture::Kind::bytes, Lettering::side, Lettering::side};
     Kit fields = kit<FieldInstance>(fan());
     Batch field_points = Batch::points(fields.instances);
     Kit marks = kit<MarkInstance>(quad());
@@ -144,6 +88,10 @@ struct Renderer::Parts {
     unsigned frame_buffer = 0;
     DrawList list;
     Trails trails;
+    IntensityMap intensity;
+    std::vector<ContourInstance> contour;
+    std::optional<Lettering> lettering;
+    std::vector<LetterInstance> type;
     std::vector<FloorInstance> floor_size{1};
     int calls = 0;
 
@@ -172,6 +120,9 @@ struct Renderer::Parts {
         wheels.instances.upload(list.wheels);
         eyes.instances.upload(list.eyes);
         wires.instances.upload(list.wires);
+        neurons.instances.upload(list.neurons);
+        contours.instances.upload(contour);
+        letters.instances.upload(type);
         fields.instances.upload(list.fields);
         marks.instances.upload(list.marks);
         rings.instances.upload(list.rings);
@@ -188,75 +139,89 @@ struct Renderer::Parts {
     void draw(const Program& program, const Kit& kit) { draw(program, kit.batch, kit.instances); }
 
     void draw_solids() {
-        draw(block, blocks);
-        for (const Kit& of_role : hulls) draw(hull, of_role);
-        for (const Kit& of_role : signs) draw(sign, of_role);
-        draw(wheel, wheels);
-        draw(eye, eyes);
-        for (const Kit& of_shape : sources) draw(source, of_shape);
-        draw(wire, wires);
+        draw(with.block, blocks);
+        for (const Kit& of_role : hulls) draw(with.hull, of_role);
+        for (const Kit& of_role : signs) draw(with.sign, of_role);
+        draw(with.wheel, wheels);
+        draw(with.eye, eyes);
+        for (const Kit& of_shape : sources) draw(with.source, of_shape);
+        draw(with.wire, wires);
+        draw(with.neuron, neurons);
     }
 
     // Last of the solid things, so that what stands before it need not be painted twice. It leaves no depth behind:
     // nothing is below it, so what lies flat on it cannot flicker and a halo that dips into it is not cut.
     void draw_floor() {
         glDepthMask(GL_FALSE);
-        draw(floor, floors);
+        draw(with.floor, floors);
         glDepthMask(GL_TRUE);
+    }
+
+    // The contours of what is felt, and their numbers; nothing where none are asked for.
+    void feel(const Snapshot& now, const Picture& picture) {
+        contour.clear();
+        if (!picture.overlays.field || !now.scene) return;
+        const Channel channel = *picture.overlays.field;
+        const Intensity& grid = intensity.grid();
+        if (intensity.update(now, channel, picture.selected)) felt.fill(0, grid.columns, grid.rows, grid.values.data());
+        const Palette colours = palette(picture.theme);
+        const Colour c = colour_of(colours, channel);
+        const Arena& arena = now.scene->arena;
+        contour.push_back(
+            {{arena.width / 2, arena.height / 2, static_cast<float>(grid.columns), static_cast<float>(grid.rows)},
+             {c.r, c.g, c.b, static_cast<float>(Intensity::most_columns)}});
+        if (picture.overlays.labels) add_level_labels(list, grid, arena, colours.text);
+    }
+
+    void letter(const Picture& picture) {
+        type.clear();
+        if (!lettering) return;
+        set_type(type, list.labels, *lettering, picture);
+        const auto [first, end] = lettering->take_changes();
+        if (first < end)
+            characters.fill(first, Lettering::side, end - first,
+                            lettering->sheet().data() + static_cast<std::size_t>(first) * Lettering::side);
     }
 
     void draw_flat_things() {
         glDepthMask(GL_FALSE);
         glDisable(GL_CULL_FACE);
         glEnable(GL_BLEND);
-        draw(zone, zones);
-        draw(skirt, skirts, blocks.instances);
-        draw(mark, marks);
-        draw(trail, trail_strips);
-        draw(field, sectors_from_points ? field_points : fields.batch, fields.instances);
-        for (std::size_t role = 0; role < rims.size(); ++role) draw(rim, rims[role], hulls[role].instances);
-        draw(mark, rings);
-        draw(halo, halos);
+        draw(with.zone, zones);
+        felt.bind();
+        draw(with.contour, contours);
+        draw(with.skirt, skirts, blocks.instances);
+        draw(with.mark, marks);
+        draw(with.trail, trail_strips);
+        draw(with.field, with.sectors_from_points ? field_points : fields.batch, fields.instances);
+        for (std::size_t role = 0; role < rims.size(); ++role) draw(with.rim, rims[role], hulls[role].instances);
+        draw(with.mark, rings);
+        draw(with.halo, halos);
+        glDisable(GL_DEPTH_TEST);
+        characters.bind();
+        draw(with.letter, letters);
         glDepthMask(GL_TRUE);
-    }
-
-    std::optional<Error> load(const std::filesystem::path& folder, SectorPath path) {
-        struct Stages {
-            Program* program;
-            const char* vertex;
-            const char* fragment;
-        };
-        const Stages all[] = {{&floor, "floor", "floor"}, {&zone, "zone", "zone"},       {&block, "block", "block"},
-                              {&skirt, "block", "skirt"}, {&hull, "hull", "hull"},       {&rim, "rim", "rim"},
-                              {&sign, "sign", "sign"},    {&wheel, "wheel", "wheel"},    {&eye, "eye", "eye"},
-                              {&wire, "wire", "wire"},    {&source, "source", "source"}, {&mark, "mark", "mark"},
-                              {&trail, "trail", "trail"}, {&halo, "halo", "halo"}};
-        for (const auto& [program, vertex, fragment] : all) {
-            auto loaded = Program::load(folder, std::string(vertex) + ".vert", std::string(fragment) + ".frag");
-            if (!loaded) return loaded.error();
-            *program = std::move(*loaded);
-        }
-        return load_sectors(folder, path);
-    }
-
-    std::optional<Error> load_sectors(const std::filesystem::path& folder, SectorPath path) {
-        const bool can = has_geometry_shaders();
-        if (path == SectorPath::geometry && !can)
-            return Error{"this graphics driver has no geometry shaders; leave out --sectors=geometry"};
-        sectors_from_points = path == SectorPath::geometry || (path == SectorPath::automatic && can);
-        auto loaded = sectors_from_points ? Program::load(folder, "sector.vert", "field.frag", "sector.geom")
-                                          : Program::load(folder, "field.vert", "field.frag");
-        if (!loaded) return loaded.error();
-        field = std::move(*loaded);
-        return std::nullopt;
     }
 };
 
 Result<Renderer> Renderer::create(const std::filesystem::path& shader_folder, SectorPath sectors) {
     auto parts = std::make_unique<Parts>();
-    if (auto error = parts->load(shader_folder, sectors)) return *error;
+    if (auto error = parts->with.load(shader_folder, sectors)) return *error;
+    parts->folder = shader_folder, parts->path = sectors, parts->shaders_changed = newest_change(shader_folder);
     return Renderer(std::move(parts));
 }
+
+std::optional<Error> Renderer::follow_shaders() {
+    const auto changed = newest_change(parts_->folder);
+    if (changed == parts_->shaders_changed) return std::nullopt;
+    parts_->shaders_changed = changed;
+    Programs fresh;
+    if (auto error = fresh.load(parts_->folder, parts_->path)) return error;
+    parts_->with = std::move(fresh);
+    return std::nullopt;
+}
+
+void Renderer::use_lettering(Lettering lettering) { parts_->lettering = std::move(lettering); }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -268,6 +233,8 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     p.calls = 0;
     p.trails.record(now);
     fill(p.list, now, picture, p.trails);
+    p.feel(now, picture);
+    p.letter(picture);
 
     const Rect& window = picture.sight.window;
     glViewport(static_cast<GLint>(window.x), static_cast<GLint>(window.y), static_cast<GLsizei>(window.w),
@@ -302,6 +269,6 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
 
 int Renderer::draw_calls() const { return parts_->calls; }
 
-bool Renderer::sectors_from_points() const { return parts_->sectors_from_points; }
+bool Renderer::sectors_from_points() const { return parts_->with.sectors_from_points; }
 
 }  // namespace braitenlab

@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "core/result.h"
 #include "core/world/snapshot.h"
+#include "render/text/lettering.h"
 #include "render/view/picture.h"
 
 namespace braitenlab {
@@ -24,6 +26,13 @@ public:
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
+
+    // Reads the shaders again if a file of theirs has changed since the last time. Where one is broken all stay as they
+    // were, and the error names its file and line.
+    std::optional<Error> follow_shaders();
+
+    // Draws labels with these characters from the next frame on; until then, none.
+    void use_lettering(Lettering);
 
     // Clears and draws everything. One draw call per kind of thing, however many there are.
     void draw(const Snapshot&, const Picture&);

@@ -1,8 +1,9 @@
-// The brain on the deck.
+// The brain on the deck, and what it makes of the wheels.
 #include <algorithm>
 #include <cmath>
 
 #include "core/maths/angle.h"
+#include "render/view/deck.h"
 #include "render/view/sheet.h"
 
 namespace braitenlab {
@@ -12,46 +13,82 @@ using maths::vec4;
 
 namespace {
 
-const Sensor* sensor_named(const Kind& kind, const std::string& name) {
-    const auto found = std::find_if(kind.sensors.begin(), kind.sensors.end(), [&](auto& s) { return s.name == name; });
-    return found == kind.sensors.end() ? nullptr : &*found;
+const DeckPlan& plan_of(Sheet& sheet, const Subject& s) {
+    const auto brain = static_cast<std::size_t>(s.view.brain), kind = static_cast<std::size_t>(s.view.kind);
+    return sheet.list.decks.of(sheet.now.brains[brain], kind, s.kind);
 }
 
-// Where a motor's wires end on the deck: just inside its first wheel, or nothing when no wheel has that motor.
-std::optional<vec2> terminal(const Body& body, const std::string& motor_name) {
-    const Motor motor = motor_name == "ML" ? Motor::left : motor_name == "MR" ? Motor::right : Motor::none;
-    if (motor == Motor::none) return std::nullopt;
-    for (const Wheel& wheel : body.wheels)
-        if (wheel.motor == motor) return vec2{wheel.x - 0.10f * body.length, wheel.y * 0.52f};
-    return std::nullopt;
+void add_wire(Sheet& sheet, const Subject& s, const DeckWire& run, int layer, float thin) {
+    const Wire& wire = s.brain->wires[run.wire];
+    const float more = learns(wire) ? learned(sheet.now, s.view, wire.from, wire.to) : 0;
+    const float weight = std::clamp(wire.weight + more, -limits::weight, limits::weight);
+    const float now = std::min(1.0f, std::fabs(signal(wire, node_value(sheet.now, s.view, wire.from), more)));
+    const vec2 a = s.to_world(run.from), b = s.to_world(run.to), c = s.to_world(run.bend);
+    // Each wire lies a little above the one before it, so that crossings are crossings and nothing flickers.
+    const float height = (deck_height + 0.010f) * s.height_scale + 0.003f * static_cast<float>(layer % 8);
+    const bool excites = weight > 0;
+    const Colour colour = excites ? sheet.colours.excites : sheet.colours.inhibits;
+    sheet.list.wires.push_back(
+        {{a.x, a.y, b.x, b.y},
+         {c.x, c.y, height, (0.028f + 0.05f * std::fabs(weight) / limits::weight) * thin * s.height_scale * s.detail},
+         rgb_with(wire.cut ? mix(colour, sheet.colours.wheel, 0.6f) : colour, excites ? 1.0f : -1.0f),
+         {now, wire.cut ? 1.0f : 0.0f, 0, 0}});
+}
+
+void add_neuron(Sheet& sheet, const Subject& s, const DeckNeuron& neuron, float radius) {
+    const float value = std::clamp(node_value(sheet.now, s.view, neuron.id), -1.0f, 1.0f);
+    const vec2 at = s.to_world(neuron.place);
+    const Colour colour = neuron.silenced ? sheet.colours.wall
+                          : value < 0     ? sheet.colours.inhibits
+                                          : sheet.colours.excites;
+    sheet.list.neurons.push_back(
+        {{at.x, at.y, (deck_height + 0.036f) * s.height_scale, radius * s.height_scale * s.detail},
+         rgb_with(colour, std::fabs(value))});
 }
 
 }  // namespace
 
+const DeckPlan& DeckPlans::of(const std::shared_ptr<const BrainGraph>& brain, std::size_t kind, const Kind& design) {
+    for (Entry& entry : entries_)
+        if (entry.brain == brain && entry.kind == kind && entry.sensors == design.sensors &&
+            entry.body == design.body) {
+            entry.used = true;
+            return *entry.plan;
+        }
+    entries_.push_back(
+        {brain, kind, design.sensors, design.body, std::make_unique<DeckPlan>(plan_deck(*brain, design)), true});
+    return *entries_.back().plan;
+}
+
+void DeckPlans::forget_unused() {
+    std::erase_if(entries_, [](const Entry& entry) { return !entry.used; });
+    for (Entry& entry : entries_) entry.used = false;
+}
+
 void add_wires(Sheet& sheet, const Subject& s) {
-    if (!s.brain || s.kind.driver != Driver::brain || s.detail == 0) return;
+    if (!s.brain || s.view.driver != Driver::brain || s.detail == 0) return;
+    const DeckPlan& plan = plan_of(sheet, s);
+    // Many wires share the deck, so each is thinner.
+    const float thin =
+        std::clamp(std::sqrt(8.0f / static_cast<float>(std::max<std::size_t>(plan.wires.size(), 1))), 0.3f, 1.0f);
     int layer = 0;
-    for (const Wire& wire : s.brain->wires) {
-        const Node *from = find_node(*s.brain, wire.from), *to = find_node(*s.brain, wire.to);
-        if (wire.weight == 0 || !from || !to || from->kind != NodeKind::sensor || to->kind != NodeKind::motor) continue;
-        const Sensor* sensor = sensor_named(s.kind, from->name);
-        const auto end = terminal(s.kind.body, to->name);
-        if (!sensor || !end) continue;
-        const bool crossed = sensor->y * end->y < 0;
-        const vec2 start{sensor->x - 0.07f, sensor->y * 0.86f};
-        // A straight wire hugs its side, a crossed one goes diagonally: the two never look alike.
-        const vec2 bend = crossed ? (start + *end) / 2 + vec2{0.03f, 0} : vec2{(start.x + end->x) / 2, end->y * 1.12f};
-        const vec2 a = s.to_world(start), b = s.to_world(*end), c = s.to_world(bend);
-        const float weight = std::min(std::fabs(wire.weight), limits::weight) / limits::weight;
-        const float now = std::min(1.0f, std::fabs(signal(wire, node_value(sheet.now, s.view, wire.from))));
-        // Each wire lies a little above the one before it, so that crossings are crossings and nothing flickers.
-        const float height = (deck_height + 0.010f) * s.height_scale + 0.003f * static_cast<float>(layer++ % 8);
-        const bool excites = wire.weight > 0;
-        sheet.list.wires.push_back(
-            {{a.x, a.y, b.x, b.y},
-             {c.x, c.y, height, (0.028f + 0.05f * weight) * s.height_scale * s.detail},
-             rgb_with(excites ? sheet.colours.excites : sheet.colours.inhibits, excites ? 1.0f : -1.0f),
-             {now, 0, 0, 0}});
+    for (const DeckWire& run : plan.wires) add_wire(sheet, s, run, layer++, thin);
+    for (const DeckNeuron& neuron : plan.neurons) add_neuron(sheet, s, neuron, plan.neuron_radius);
+}
+
+void add_wheel_arrows(Sheet& sheet, const Subject& s) {
+    if (!s.selected || s.driven) return;
+    constexpr float longest = 0.9f, least = 0.03f;  // m at full speed; below it the wheel rests
+    for (const Wheel& wheel : s.kind.body.wheels) {
+        if (wheel.motor == Motor::none) continue;
+        const float speed = std::clamp(s.view.motor[wheel.motor == Motor::right], -1.0f, 1.0f);
+        if (std::fabs(speed) < least) continue;
+        const float half = 0.5f * longest * std::fabs(speed) * s.kind.body.length, way = speed < 0 ? -1.0f : 1.0f;
+        const float beside = wheel.y + (wheel.y < 0 ? -0.19f : 0.19f);
+        const vec2 middle = s.to_world({wheel.x + way * half, beside});
+        sheet.list.rings.push_back({{middle.x, middle.y, way * s.ahead.x, way * s.ahead.y},
+                                    {half, 0.085f, 0.012f, static_cast<float>(MarkKind::arrow)},
+                                    rgb_with(sheet.colours.text, 1)});
     }
 }
 

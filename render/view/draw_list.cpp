@@ -11,7 +11,8 @@ void DrawList::clear() {
     for (auto& of_role : hulls) of_role.clear();
     for (auto& of_role : signs) of_role.clear();
     for (auto& of_shape : sources) of_shape.clear();
-    wheels.clear(), eyes.clear(), wires.clear(), fields.clear(), blocks.clear(), zones.clear();
+    wheels.clear(), eyes.clear(), wires.clear(), neurons.clear(), labels.clear(), fields.clear(), blocks.clear(),
+        zones.clear();
     marks.clear(), rings.clear(), halos.clear(), trails.clear(), lamps.clear();
 }
 
@@ -30,6 +31,8 @@ void fill(DrawList& list, const Snapshot& now, const Picture& picture, const Tra
                 std::min(1.0f, std::sqrt(8 / std::max(count, 1.0f)))};
     add_world(sheet);
     add_vehicles(sheet, trails);
+    add_labels(sheet);
+    list.decks.forget_unused();
 }
 
 }  // namespace braitenlab

@@ -6,9 +6,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "core/maths/vec.h"
+#include "render/view/deck.h"
+#include "render/view/palette.h"
 #include "render/view/picture.h"
 #include "render/view/trails.h"
 
@@ -42,7 +46,11 @@ struct WireInstance {
     maths::vec4 ends;    // x, y where it begins and where it ends
     maths::vec4 shape;   // x, y of the point that bends it, height m, width m
     maths::vec4 colour;  // w: 1 excites, −1 inhibits
-    maths::vec4 signal;  // x: its size now 0..1
+    maths::vec4 signal;  // x: its size now 0..1; y: 1 cut
+};
+struct NeuronInstance {
+    maths::vec4 place;   // x, y, height, radius; m
+    maths::vec4 colour;  // w: the size of its value, 0..1
 };
 struct FieldInstance {
     maths::vec4 place;
@@ -94,12 +102,41 @@ struct Lamp {
 };
 inline constexpr std::size_t most_lamps = 8;
 
+// The decks' plans, worked out once a brain and not once a picture.
+class DeckPlans {
+public:
+    const DeckPlan& of(const std::shared_ptr<const BrainGraph>&, std::size_t kind, const Kind&);
+    void forget_unused();  // since the last call
+
+private:
+    struct Entry {
+        std::shared_ptr<const BrainGraph> brain;
+        std::size_t kind;
+        std::vector<Sensor> sensors;
+        Body body;
+        std::unique_ptr<DeckPlan> plan;  // stays where it is
+        bool used;
+    };
+    std::vector<Entry> entries_;
+};
+
+// A word in the picture, upright and always of the same size on the screen.
+struct Label {
+    maths::vec2 place;
+    float height = 0;      // m above the floor
+    maths::vec2 offset{};  // layout pixels on the screen, y down
+    std::string text;      // UTF-8
+    Colour colour;
+    int rank = 0;  // where two overlap, the lower rank stays
+};
+
 struct DrawList {
     std::array<std::vector<HullInstance>, role_count> hulls;
     std::array<std::vector<SignInstance>, role_count> signs;  // vehicles too small for a hull
     std::vector<WheelInstance> wheels;
     std::vector<EyeInstance> eyes;
     std::vector<WireInstance> wires;
+    std::vector<NeuronInstance> neurons;
     std::vector<FieldInstance> fields;
     std::vector<BlockInstance> blocks;
     std::vector<ZoneInstance> zones;
@@ -109,12 +146,18 @@ struct DrawList {
     std::vector<HaloInstance> halos;
     std::vector<TrailInstance> trails;
     std::vector<Lamp> lamps;  // at most most_lamps
+    std::vector<Label> labels;
+    DeckPlans decks;
 
     void clear();
 };
 
 // Fills the list anew, keeping its memory.
 void fill(DrawList&, const Snapshot&, const Picture&, const Trails&);
+
+// Adds the numbers of some contours of an intensity field.
+struct Intensity;
+void add_level_labels(DrawList&, const Intensity&, const Arena&, Colour);
 
 // Which of DrawList::sources shows a channel.
 int source_shape_of(Channel);

@@ -41,7 +41,7 @@ float detail_of(float pixels) {
 
 Colour body_colour(const Sheet& sheet, const Subject& s) {
     Colour colour = colour_of(sheet.colours, s.view.role);
-    if (s.kind.driver == Driver::parked) colour = mix(colour, sheet.colours.wall, 0.6f);
+    if (s.view.driver == Driver::parked) colour = mix(colour, sheet.colours.wall, 0.6f);
     // Tired vehicles pale a little; the gauge on the tail says how much is left.
     return mix(mix(colour, sheet.colours.wall, 0.45f), colour, 0.3f + 0.7f * std::min(1.0f, s.view.energy * 2));
 }
@@ -56,12 +56,12 @@ void add_sign(Sheet& sheet, const Subject& s) {
     sheet.list.signs[static_cast<std::size_t>(s.view.role)].push_back(
         {{s.place.x, s.place.y, s.ahead.x, s.ahead.y},
          {s.kind.body.length, s.kind.body.width, s.height_scale, s.pixels},
-         rgb_with(body_colour(sheet, s), s.kind.driver == Driver::parked ? 0.0f : 1.0f),
+         rgb_with(body_colour(sheet, s), s.view.driver == Driver::parked ? 0.0f : 1.0f),
          seen});
 }
 
 void add_hull(Sheet& sheet, const Subject& s) {
-    const bool parked = s.kind.driver == Driver::parked;
+    const bool parked = s.view.driver == Driver::parked;
     sheet.list.hulls[static_cast<std::size_t>(s.view.role)].push_back(
         {{s.place.x, s.place.y, s.ahead.x, s.ahead.y},
          {s.kind.body.length, s.kind.body.width, s.height_scale, std::clamp(s.view.energy, 0.0f, 1.0f)},
@@ -184,6 +184,7 @@ void add_here(Sheet& sheet, const Subject& s) {
     if (in_sight(sheet, s.place, s.kind.body.length + 0.5f)) add_body(sheet, s);
     add_lamps(sheet, s);
     add_ring(sheet, s);
+    add_wheel_arrows(sheet, s);
 }
 
 float farthest_eye(const Kind& kind) {

@@ -53,6 +53,10 @@ void add_source(Sheet&, Channel, maths::vec2 place, float foot, float strength, 
 void add_vehicles(Sheet&, const Trails&);
 void add_fields(Sheet&, const Subject&);
 void add_wires(Sheet&, const Subject&);
+void add_wheel_arrows(Sheet&, const Subject&);
 void add_trail(Sheet&, const Subject&, const Trail&);
+
+// Adds the words: sources, zones, vehicles and the metres along the arena's edge.
+void add_labels(Sheet&);
 
 }  // namespace braitenlab

@@ -23,7 +23,8 @@ const std::map<std::string, std::vector<std::string>> may_include{
     {"core/lesson", {"core/maths", "core/brain", "core/scene", "core/world", "core"}},
     {"core", {}},
     {"render/view", {"core"}},
-    {"render/gl", {"core", "render/view"}},
+    {"render/text", {"core", "render/view"}},
+    {"render/gl", {"core", "render/view", "render/text"}},
     {"ui", {"core", "render/view", "ui"}},
     {"app", {"core", "render", "ui"}},
 };

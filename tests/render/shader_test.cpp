@@ -1,12 +1,16 @@
 #include "render/gl/shader.h"
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "render/gl/renderer.h"
 #include "tests/render/stage.h"
+#include "tests/view/hand_made.h"
 
 namespace braitenlab {
 namespace {
@@ -60,6 +64,58 @@ TEST_F(ShaderTest, SaysWhichPairDoesNotLink) {
     const auto program = Program::load(folder, "floor.vert", "floor.frag");
     ASSERT_FALSE(program);
     EXPECT_NE(program.error().text().find("floor.frag"), std::string::npos);
+}
+
+// Writes a shader a little later than all others, whatever the file system's clock can tell apart.
+class FollowShaders : public ShaderTest {
+protected:
+    void SetUp() override {
+        ShaderTest::SetUp();
+        renderer.emplace(std::move(*Renderer::create(folder)));
+    }
+    void TearDown() override {
+        renderer.reset();
+        ShaderTest::TearDown();
+    }
+    void save(const std::string& name, const std::string& text) {
+        write(name, text);
+        later += std::chrono::seconds(2);
+        fs::last_write_time(folder / name, fs::file_time_type::clock::now() + later);
+    }
+    Colour middle() {
+        Picture picture;
+        const Rect window{0, 0, 64, 64};
+        picture.sight = look(Camera{}, Arena{}, nullptr, window, window);
+        renderer->draw(hand_made::empty(hand_made::scene()), picture);
+        return stage.pixel({32, 32});
+    }
+
+    std::optional<Renderer> renderer;
+    std::chrono::seconds later{0};
+};
+
+constexpr const char* red_floor =
+    "in vec2 v_place;\nflat in float v_beyond;\nout vec4 colour;\nvoid main() { colour = vec4(1.0, 0.0, 0.0, 1.0); }\n";
+
+TEST_F(FollowShaders, TakesAShaderIntoUseWhenItIsSaved) {
+    EXPECT_LT(middle().r, 0.5f);
+    EXPECT_FALSE(renderer->follow_shaders());
+    save("floor.frag", red_floor);
+    EXPECT_FALSE(renderer->follow_shaders());
+    EXPECT_GT(middle().r, 0.9f);
+}
+
+TEST_F(FollowShaders, KeepsTheLastGoodOneAndTellsFileAndLineOfABrokenOneOnce) {
+    save("floor.frag", red_floor);
+    EXPECT_FALSE(renderer->follow_shaders());
+    save("floor.frag", "out vec4 colour;\nvoid main() {\n    colour = rubbish;\n}\n");
+    const auto error = renderer->follow_shaders();
+    ASSERT_TRUE(error);
+    EXPECT_EQ(fs::path(error->file).filename().string(), "floor.frag");
+    EXPECT_EQ(error->line, 3);
+    EXPECT_GT(middle().r, 0.9f);
+    EXPECT_FALSE(renderer->follow_shaders()) << "told once";
+    EXPECT_EQ(stage.complaints(), "");
 }
 
 TEST(FirstComplaint, ReadsTheLogsOfSeveralDrivers) {

@@ -1,0 +1,151 @@
+#include "render/text/lettering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+
+namespace braitenlab {
+
+// FreeType's library and the faces opened so far, the usual one first.
+struct Lettering::Faces {
+    FT_Library library = nullptr;
+    FindFont find;
+    std::vector<std::pair<std::string, FT_Face>> open;
+
+    Faces() = default;
+    Faces(const Faces&) = delete;
+    Faces& operator=(const Faces&) = delete;
+    ~Faces() {
+        for (const auto& [file, face] : open) FT_Done_Face(face);
+        if (library) FT_Done_FreeType(library);
+    }
+
+    FT_Face face_from(const std::string& file, int pixels) {
+        for (const auto& [name, face] : open)
+            if (name == file) return face;
+        FT_Face face = nullptr;
+        if (file.empty() || FT_New_Face(library, file.c_str(), 0, &face) != 0) return nullptr;
+        if (FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(pixels)) != 0) {
+            FT_Done_Face(face);
+            return nullptr;
+        }
+        open.push_back({file, face});
+        return face;
+    }
+
+    // The first open face that has the character, else one that the system finds for it, else the usual one.
+    FT_Face face_for(char32_t c, int pixels) {
+        for (const auto& [name, face] : open)
+            if (FT_Get_Char_Index(face, c) != 0) return face;
+        const FT_Face found = face_from(find(c), pixels);
+        return found && FT_Get_Char_Index(found, c) != 0 ? found : open.front().second;
+    }
+};
+
+std::u32string decode_utf8(std::string_view text) {
+    constexpr char32_t broken = 0xFFFD;
+    std::u32string decoded;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto lead = static_cast<unsigned char>(text[i++]);
+        const int more = lead < 0x80 ? 0 : lead < 0xC2 ? -1 : lead < 0xE0 ? 1 : lead < 0xF0 ? 2 : lead < 0xF5 ? 3 : -1;
+        if (more < 0) {
+            decoded += broken;
+            continue;
+        }
+        char32_t c = more == 0 ? lead : lead & (0x3FU >> more);
+        int read = 0;
+        while (read < more && i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U)
+            c = (c << 6U) | (static_cast<unsigned char>(text[i++]) & 0x3FU), ++read;
+        const bool overlong = (more == 2 && c < 0x800) || (more == 3 && c < 0x10000);
+        const bool outside = c > 0x10FFFF || (c >= 0xD800 && c < 0xE000);
+        decoded += read < more || overlong || outside ? broken : c;
+    }
+    return decoded;
+}
+
+Result<Lettering> Lettering::from_fonts(const FindFont& find, int pixels) {
+    Lettering made(pixels);
+    made.faces_ = std::make_unique<Faces>();
+    made.faces_->find = find;
+    if (FT_Init_FreeType(&made.faces_->library) != 0) return Error{"FreeType does not start"};
+    const std::string usual = find(0);
+    if (usual.empty()) return Error{"no font for labels was found; install fonts-noto-core or fonts-dejavu-core"};
+    if (!made.faces_->face_from(usual, pixels)) return Error{"the font cannot be read", usual};
+    return made;
+}
+
+Lettering::Lettering(int pixels) : pixels_(pixels), sheet_(static_cast<std::size_t>(side) * side, 0) {}
+Lettering::Lettering(Lettering&&) noexcept = default;
+Lettering& Lettering::operator=(Lettering&&) noexcept = default;
+Lettering::~Lettering() = default;
+
+bool Lettering::add(char32_t c, int width, int height, const std::uint8_t* grey, int pitch, int left, int top,
+                    float advance) {
+    if (pen_x_ + width + 2 * room > side) pen_x_ = 0, pen_y_ += std::exchange(row_height_, 0);
+    if (width + 2 * room > side || pen_y_ + height + 2 * room > side) return false;
+    const Glyph glyph{pen_x_ + room, pen_y_ + room, width, height, left, top, advance};
+    for (int row = 0; row < height; ++row)
+        std::copy_n(grey + row * pitch, width,
+                    sheet_.begin() + static_cast<std::ptrdiff_t>(glyph.y + row) * side + glyph.x);
+    glyphs_[c] = glyph;
+    pen_x_ += width + 2 * room;
+    row_height_ = std::max(row_height_, height + 2 * room);
+    const bool clean = changed_.first == changed_.end;
+    changed_ = {clean ? pen_y_ : std::min(changed_.first, pen_y_),
+                std::max(clean ? 0 : changed_.end, pen_y_ + height + 2 * room)};
+    return true;
+}
+
+bool Lettering::rasterise(char32_t c) {
+    const FT_Face face = faces_->face_for(c, pixels_);
+    if (FT_Load_Char(face, c, FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT) != 0) return false;
+    const FT_GlyphSlot slot = face->glyph;
+    const FT_Bitmap& bitmap = slot->bitmap;
+    if (bitmap.pixel_mode != FT_PIXEL_MODE_GRAY && bitmap.rows > 0) return false;
+    return add(c, static_cast<int>(bitmap.width), static_cast<int>(bitmap.rows), bitmap.buffer, bitmap.pitch,
+               slot->bitmap_left, -slot->bitmap_top, static_cast<float>(slot->advance.x) / 64);
+}
+
+const Glyph& Lettering::glyph(char32_t c) {
+    static const Glyph nothing;
+    if (const auto found = glyphs_.find(c); found != glyphs_.end()) return found->second;
+    if (!faces_ || !rasterise(c)) return glyphs_[c] = nothing;
+    return glyphs_[c];
+}
+
+float Lettering::kerning(char32_t left, char32_t right) {
+    if (!faces_) return 0;
+    const FT_Face face = faces_->face_for(left, pixels_);
+    if (!FT_HAS_KERNING(face) || face != faces_->face_for(right, pixels_)) return 0;
+    FT_Vector moved{};
+    if (FT_Get_Kerning(face, FT_Get_Char_Index(face, left), FT_Get_Char_Index(face, right), FT_KERNING_UNFITTED,
+                       &moved) != 0)
+        return 0;
+    return static_cast<float>(moved.x) / 64;
+}
+
+int Lettering::cap_height() { return -glyph(U'H').top; }
+
+Lettering::Rows Lettering::take_changes() { return std::exchange(changed_, {}); }
+
+SetLine set_line(Lettering& lettering, std::string_view utf8) {
+    SetLine line;
+    float pen = 0;
+    std::optional<char32_t> before;
+    for (const char32_t c : decode_utf8(utf8)) {
+        if (before) pen += lettering.kerning(*before, c);
+        const Glyph& glyph = lettering.glyph(c);
+        // Whole pixels: a character is drawn as it was rasterised, never smeared over two.
+        line.characters.push_back({glyph, static_cast<int>(std::lround(pen))});
+        pen += glyph.advance;
+        before = c;
+    }
+    line.width = static_cast<int>(std::lround(pen));
+    return line;
+}
+
+}  // namespace braitenlab

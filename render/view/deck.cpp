@@ -1,0 +1,176 @@
+#include "render/view/deck.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace braitenlab {
+
+using maths::vec2;
+
+namespace {
+
+// A node on the deck. Rows are counted from the eyes (0) backwards; motors stand behind all of them.
+struct Placed {
+    vec2 place;
+    int row = 0;
+    bool is_set = false;
+};
+using Places = std::map<NodeId, Placed>;
+
+const Sensor* sensor_named(const Kind& kind, const std::string& name) {
+    const auto found = std::find_if(kind.sensors.begin(), kind.sensors.end(), [&](auto& s) { return s.name == name; });
+    return found == kind.sensors.end() ? nullptr : &*found;
+}
+
+// Where a motor's wires end: just inside its first wheel, or nothing when no wheel has that motor.
+std::optional<vec2> terminal(const Body& body, const std::string& motor_name) {
+    const Motor motor = motor_name == "ML" ? Motor::left : motor_name == "MR" ? Motor::right : Motor::none;
+    if (motor == Motor::none) return std::nullopt;
+    for (const Wheel& wheel : body.wheels)
+        if (wheel.motor == motor) return vec2{wheel.x - 0.10f * body.length, wheel.y * 0.52f};
+    return std::nullopt;
+}
+
+bool is_shown(const Wire& wire) { return wire.weight != 0 || learns(wire); }
+
+// Sensors and motors, whose places are given.
+Places fixed_places(const BrainGraph& brain, const Kind& kind) {
+    Places places;
+    for (const Node& node : brain.nodes) {
+        if (node.kind == NodeKind::sensor) {
+            if (const Sensor* s = sensor_named(kind, node.name))
+                places[node.id] = {{s->x - 0.07f * kind.body.length, s->y * 0.86f}, 0, true};
+        } else if (node.kind == NodeKind::motor) {
+            if (const auto end = terminal(kind.body, node.name)) places[node.id] = {*end, 0, true};
+        }
+    }
+    return places;
+}
+
+// The neurons' rows: one behind the nearest node that they hear from.
+int set_rows(const BrainGraph& brain, Places& places) {
+    std::size_t kept = 0;
+    for (const Node& node : brain.nodes)
+        if (node.kind == NodeKind::neuron && kept++ < most_deck_neurons) places[node.id] = {};
+    int rows = 0;
+    for (bool found = true; found;) {
+        found = false;
+        for (const Wire& wire : brain.wires) {
+            const auto from = places.find(wire.from), to = places.find(wire.to);
+            if (!is_shown(wire) || from == places.end() || to == places.end()) continue;
+            if (!from->second.is_set || to->second.is_set || from->second.row != rows) continue;
+            to->second.row = rows + 1, to->second.is_set = true;
+            found = true;
+        }
+        rows += found;
+    }
+    for (auto& [id, placed] : places)  // what hears from nobody stands right behind the eyes
+        if (!placed.is_set) placed.row = 1, placed.is_set = true, rows = std::max(rows, 1);
+    return rows;
+}
+
+// A neuron stands amid those that it hears from in the rows before, left ones on the left.
+float side_heard_from(const BrainGraph& brain, const Places& places, NodeId id, int row) {
+    float sum = 0;
+    int count = 0;
+    for (const Wire& wire : brain.wires) {
+        const auto from = places.find(wire.from);
+        if (wire.to != id || !is_shown(wire) || from == places.end() || from->second.row >= row) continue;
+        sum += from->second.place.y, ++count;
+    }
+    return count > 0 ? sum / static_cast<float>(count) : 0;
+}
+
+// Stands the neurons of one row side by side across the deck; returns how far apart.
+float stand_row(const BrainGraph& brain, Places& places, int row, float x, float half_width) {
+    std::vector<std::pair<float, NodeId>> across;
+    for (const Node& node : brain.nodes) {
+        const auto found = places.find(node.id);
+        if (node.kind == NodeKind::neuron && found != places.end() && found->second.row == row)
+            across.push_back({side_heard_from(brain, places, node.id, row), node.id});
+    }
+    std::stable_sort(across.begin(), across.end(), [](auto& a, auto& b) { return a.first < b.first; });
+    const float apart = std::min(0.14f, 2 * half_width / static_cast<float>(std::max<std::size_t>(across.size(), 1)));
+    for (std::size_t i = 1; i < across.size(); ++i)
+        across[i].first = std::max(across[i].first, across[i - 1].first + apart);
+    const float over = across.empty() ? 0 : std::max(0.0f, across.back().first - half_width);
+    for (std::size_t i = across.size(); i-- > 0;) {
+        float& y = across[i].first;
+        if (i + 1 == across.size())
+            y -= over;
+        else
+            y = std::min(y, across[i + 1].first - apart);
+        places[across[i].second].place = {x, y};
+    }
+    return apart;
+}
+
+vec2 bend_of(vec2 from, vec2 to, bool direct, float width) {
+    const vec2 middle = (from + to) / 2;
+    if (direct) {
+        // A straight wire hugs its side, a crossed one goes diagonally: the two never look alike.
+        const bool crossed = from.y * to.y < 0;
+        return crossed ? middle + vec2{0.03f, 0} : vec2{middle.x, to.y * 1.12f};
+    }
+    const vec2 along = to - from;
+    // Backwards wires swing wide, so that they are not taken for the forward ones.
+    const float swing = along.x > 0 ? 0.45f : 0.10f;
+    const float outwards = middle.y < 0 ? -1.0f : 1.0f;
+    return {middle.x, std::clamp(middle.y + outwards * swing * std::fabs(along.x), -width, width)};
+}
+
+DeckWire run(const BrainGraph& brain, const Places& places, std::size_t i, const DeckPlan& plan, float width) {
+    const Wire& wire = brain.wires[i];
+    const vec2 from = places.at(wire.from).place, to = places.at(wire.to).place;
+    const float r = plan.neuron_radius;
+    if (wire.from == wire.to) {
+        // Round a loop beside its neuron, on the outer side.
+        const float out = from.y < 0 ? -1.0f : 1.0f;
+        return {i, from + vec2{r, out * r * 0.4f}, from + vec2{-r, out * r * 0.4f}, from + vec2{0, out * r * 5}};
+    }
+    const bool direct =
+        find_node(brain, wire.from)->kind == NodeKind::sensor && find_node(brain, wire.to)->kind == NodeKind::motor;
+    const vec2 bend = bend_of(from, to, direct, width);
+    // The tip stands at a neuron's rim, not below it.
+    const bool ends_at_neuron = find_node(brain, wire.to)->kind == NodeKind::neuron;
+    const vec2 tip = ends_at_neuron ? to + maths::normalise(bend - to) * r : to;
+    return {i, from, tip, bend};
+}
+
+}  // namespace
+
+DeckPlan plan_deck(const BrainGraph& brain, const Kind& kind) {
+    DeckPlan plan;
+    const float front = 0.16f * kind.body.length, back = -0.04f * kind.body.length,
+                half_width = 0.30f * kind.body.width;
+    Places places = fixed_places(brain, kind);
+    const int rows = set_rows(brain, places);
+    float closest = 0.14f;
+    for (int row = 1; row <= rows; ++row) {
+        const float t = rows > 1 ? static_cast<float>(row - 1) / static_cast<float>(rows - 1) : 0.4f;
+        closest = std::min(closest, stand_row(brain, places, row, front + (back - front) * t, half_width));
+    }
+    if (rows > 1) closest = std::min(closest, (front - back) / static_cast<float>(rows - 1));
+    plan.neuron_radius = std::clamp(0.36f * closest, 0.008f, 0.042f);
+    for (const Node& node : brain.nodes)
+        if (node.kind == NodeKind::neuron && places.contains(node.id))
+            plan.neurons.push_back({node.id, places[node.id].place, node.silenced});
+
+    std::vector<std::size_t> shown;
+    for (std::size_t i = 0; i < brain.wires.size(); ++i)
+        if (is_shown(brain.wires[i]) && places.contains(brain.wires[i].from) && places.contains(brain.wires[i].to))
+            shown.push_back(i);
+    if (shown.size() > most_deck_wires) {
+        std::stable_sort(shown.begin(), shown.end(), [&](std::size_t a, std::size_t b) {
+            return std::fabs(brain.wires[a].weight) > std::fabs(brain.wires[b].weight);
+        });
+        shown.resize(most_deck_wires);
+        std::sort(shown.begin(), shown.end());
+    }
+    for (const std::size_t i : shown) plan.wires.push_back(run(brain, places, i, plan, half_width * 1.25f));
+    return plan;
+}
+
+}  // namespace braitenlab

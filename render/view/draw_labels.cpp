@@ -1,0 +1,112 @@
+// The words of the scene.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "render/view/intensity.h"
+#include "render/view/sheet.h"
+
+namespace braitenlab {
+
+using maths::vec2;
+
+namespace {
+
+enum Rank { rank_chosen, rank_vehicle, rank_source, rank_zone, rank_level, rank_metres };
+
+constexpr float metres_between = 5;  // the grid's bright lines
+
+std::string in_words(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
+std::string metres(int n, bool with_unit) {
+    return (n < 0 ? "−" : "") + std::to_string(std::abs(n)) + (with_unit ? " m" : "");
+}
+
+// Seen from low down, words along the arena's edge would float before and behind its walls.
+bool looks_down(const Sight& sight) { return sight.view[1][2] > 0.5f; }
+
+void add_metres(Sheet& sheet, const Arena& arena) {
+    if (!looks_down(sheet.picture.sight)) return;
+    constexpr float outside = 0.6f;  // m from the edge
+    const Colour quiet = sheet.colours.second_text.with_alpha(0.75f);
+    const auto along = [&](float length, auto place_of) {
+        const int most = static_cast<int>(length / 2 / metres_between);
+        for (int i = -most; i <= most; ++i) {
+            const int n = i * static_cast<int>(metres_between);
+            sheet.list.labels.push_back(
+                {place_of(static_cast<float>(n)), 0, {}, metres(n, i == most), quiet, rank_metres});
+        }
+    };
+    along(arena.width, [&](float n) { return vec2{n, -arena.height / 2 - outside}; });
+    along(arena.height, [&](float n) { return vec2{-arena.width / 2 - outside, n}; });
+}
+
+void add_source_names(Sheet& sheet, const Scene& scene) {
+    if (sheet.now.sources.size() < 2) return;  // a single one needs no name
+    for (const SourceView& source : sheet.now.sources) {
+        const auto i = static_cast<std::size_t>(source.source);
+        if (i < scene.sources.size())
+            sheet.list.labels.push_back(
+                {{source.x, source.y}, 0, {0, 16}, in_words(scene.sources[i].name), sheet.colours.text, rank_source});
+    }
+}
+
+void add_zone_names(Sheet& sheet, const Scene& scene) {
+    if (!sheet.picture.overlays.surfaces) return;
+    for (const Zone& zone : scene.zones)
+        sheet.list.labels.push_back(
+            {{zone.x, zone.y}, 0, {}, in_words(zone.name), sheet.colours.text.with_alpha(0.9f), rank_zone});
+}
+
+// Few vehicles all carry their number, of many the chosen ones alone.
+void add_numbers(Sheet& sheet) {
+    constexpr std::size_t few = 12;
+    if (sheet.now.vehicles.size() == 1) return;
+    constexpr float least_pixels = 16;  // layout pixels; a smaller vehicle's number would hide it
+    for (const VehicleView& v : sheet.now.vehicles) {
+        const bool chosen = v.id == sheet.picture.selected || v.id == sheet.picture.hovered;
+        if (v.id == sheet.picture.driver || (!chosen && sheet.now.vehicles.size() > few)) continue;
+        const float pixels = pixels_per_metre(sheet.picture.sight, {v.x, v.y}) / sheet.picture.pixel_scale;
+        if (!chosen && pixels < least_pixels) continue;
+        sheet.list.labels.push_back({{v.x, v.y},
+                                     0.45f,
+                                     {0, -std::min(0.45f * pixels, 24.0f) - 10},
+                                     std::to_string(v.id + 1),
+                                     chosen ? sheet.colours.text : sheet.colours.second_text,
+                                     chosen ? rank_chosen : rank_vehicle});
+    }
+}
+
+}  // namespace
+
+void add_labels(Sheet& sheet) {
+    if (!sheet.picture.overlays.labels || !sheet.now.scene) return;
+    add_numbers(sheet);
+    add_source_names(sheet, *sheet.now.scene);
+    add_zone_names(sheet, *sheet.now.scene);
+    add_metres(sheet, sheet.now.scene->arena);
+}
+
+void add_level_labels(DrawList& list, const Intensity& grid, const Arena& arena, Colour colour) {
+    if (grid.columns < 2) return;
+    const auto peak = std::max_element(grid.values.begin(), grid.values.end()) - grid.values.begin();
+    const int row = static_cast<int>(peak) / grid.columns, first = static_cast<int>(peak) % grid.columns;
+    const auto value = [&](int column) { return grid.values[static_cast<std::size_t>(row * grid.columns + column)]; };
+    // Along the longer way from the peak.
+    const int way = first > grid.columns / 2 ? -1 : 1;
+    for (int column = first; column + way >= 0 && column + way < grid.columns; column += way) {
+        const float here = value(column), next = value(column + way);
+        const float level = 0.2f * std::ceil(next / 0.2f);  // the highest of 0.2, 0.4 … between the two
+        if (!(here >= level && level > next) || level < 0.19f) continue;
+        const float t = static_cast<float>(column) + static_cast<float>(way) * (here - level) / (here - next);
+        const vec2 place{(t / static_cast<float>(grid.columns - 1) - 0.5f) * arena.width,
+                         (static_cast<float>(row) / static_cast<float>(grid.rows - 1) - 0.5f) * arena.height};
+        const std::string tenths = std::to_string(static_cast<int>(std::lround(level * 10)));
+        list.labels.push_back({place, 0, {}, tenths == "10" ? "1.0" : "0." + tenths, colour, rank_level});
+    }
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,14 @@
+in vec2 v_own;
+in vec4 v_base;
+
+out vec4 colour;
+
+void main() {
+    float d = length(v_own), pixel = fwidth(d);
+    if (d > 1.0 + pixel * 0.5) discard;
+    // Dark at rest, its colour when it speaks, brightest amid.
+    vec3 rest = mix(ink.rgb, v_base.rgb, 0.30), awake = mix(v_base.rgb, vec3(1.0), 0.45 * (1.0 - d * d));
+    vec3 fill = mix(rest, awake, v_base.a);
+    float rim = smoothstep(0.72 - pixel, 0.72 + pixel, d);
+    colour = vec4(mix(fill, mix(v_base.rgb, vec3(1.0), 0.25), rim), 1.0);
+}

@@ -1,0 +1,13 @@
+// Neurons on the deck: discs a little above the wires.
+layout(location = 0) in vec3 corner;
+layout(location = 4) in vec4 place;  // x, y, height, radius
+layout(location = 5) in vec4 base;   // w: size of its value 0..1
+
+out vec2 v_own;
+out vec4 v_base;
+
+void main() {
+    v_own = corner.xy * 1.15;
+    v_base = base;
+    gl_Position = view_projection * vec4(to_gl(vec3(place.xy + v_own * place.w, place.z)), 1.0);
+}

@@ -1,0 +1,151 @@
+// What lies on the floor and over the scene: contours, labels, sectors over each other.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "render/gl/renderer.h"
+#include "render/view/intensity.h"
+#include "tests/render/stage.h"
+#include "tests/view/hand_made.h"
+
+namespace braitenlab {
+namespace {
+
+constexpr int width = 640, height = 480;
+const Rect window{0, 0, width, height};
+
+float brightness(Colour c) { return (c.r + c.g + c.b) / 3; }
+
+class PictureTest : public testing::Test {
+protected:
+    void SetUp() override {
+        ASSERT_TRUE(stage.ready()) << stage.problem();
+        auto created = Renderer::create(BRAITENLAB_SOURCE "/shaders");
+        ASSERT_TRUE(created) << created.error().text();
+        renderer.emplace(std::move(*created));
+        Camera above;
+        above.mode = CameraMode::birds_eye;
+        picture.sight = look(above, Arena{}, nullptr, window, window);
+        picture.overlays.labels = false;
+    }
+    void TearDown() override { renderer.reset(); }
+
+    Colour seen(const Snapshot& now, float x, float y, float up = 0) {
+        renderer->draw(now, picture);
+        return stage.pixel(*project(picture.sight, {x, y}, up));
+    }
+
+    Stage stage{width, height};
+    std::optional<Renderer> renderer;
+    Picture picture;
+};
+
+TEST_F(PictureTest, PaintsTheFieldOfAChannelWhereItIsFeltAndNowhereElse) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add_source(now, Channel::heat, -6, 0);
+    const float near = brightness(seen(now, -4.7f, 1.3f)), far = brightness(seen(now, 8.3f, 8.4f));
+    picture.overlays.field = Channel::heat;
+    EXPECT_GT(brightness(seen(now, -4.7f, 1.3f)), near + 0.05f);
+    EXPECT_NEAR(brightness(seen(now, 8.3f, 8.4f)), far, 0.01f);  // beyond the range
+    picture.overlays.field = Channel::smell;
+    EXPECT_NEAR(brightness(seen(now, -4.7f, 1.3f)), near, 0.01f);
+}
+
+TEST_F(PictureTest, DrawsContoursWhereTheFieldCrossesTenths) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add_source(now, Channel::smell, 0, 0);
+    picture.overlays.field = Channel::smell;
+    renderer->draw(now, picture);
+    // Along a ray from the source: the line at one half is brighter than the bands beside it.
+    const auto felt = [](float d) { return std::pow(1 - d * d / 144, 2.0f) / (1 + d * d / 9); };
+    float half = 0;
+    while (felt(half) > 0.5f) half += 0.01f;
+    float peak = 0;
+    for (float d = half - 0.06f; d <= half + 0.06f; d += 0.01f)
+        peak = std::max(peak, brightness(stage.pixel(*project(picture.sight, {0.33f * d, 0.944f * d}))));
+    const float beside =
+        brightness(stage.pixel(*project(picture.sight, {0.33f * (half + 0.18f), 0.944f * (half + 0.18f)})));
+    EXPECT_GT(peak, beside + 0.08f);
+}
+
+TEST_F(PictureTest, WritesLabelsInTheColourOfTheThemeOverEverything) {
+    auto scene = hand_made::scene();
+    scene->zones.push_back({.name = "HHHH", .length = 4, .width = 4});
+    scene->obstacles.push_back({.name = "box", .length = 6, .width = 6});
+    const Snapshot now = hand_made::empty(scene);
+    picture.overlays.labels = true;
+    const auto extremes = [&](Theme theme) {
+        picture.theme = theme;
+        renderer->draw(now, picture);
+        const maths::vec2 middle = *project(picture.sight, {0, 0});
+        float darkest = 1, brightest = 0;
+        for (float y = -8; y <= 8; ++y)
+            for (float x = -20; x <= 20; ++x) {
+                const float b = brightness(stage.pixel({middle.x + x, middle.y + y}));
+                darkest = std::min(darkest, b), brightest = std::max(brightest, b);
+            }
+        return std::pair{darkest, brightest};
+    };
+    const auto without = extremes(Theme::dark);
+    renderer->use_lettering(std::move(*Lettering::from_fonts(find_font, 16)));
+    EXPECT_GT(extremes(Theme::dark).second, without.second + 0.15f);
+    EXPECT_LT(extremes(Theme::light).first, 0.25f);
+    EXPECT_EQ(stage.complaints(), "");
+}
+
+// A boolean eye that looks along +x from a vehicle at x.
+void look_east(Scene& scene, int kind, Channel channel) {
+    Sensor eye = scene.kinds[static_cast<std::size_t>(kind)].sensors[0];
+    eye.x = eye.y = eye.angle = 0, eye.range = 6, eye.channel = channel, eye.response = SensorResponse::boolean;
+    scene.kinds[static_cast<std::size_t>(kind)].sensors = {eye};
+}
+
+TEST_F(PictureTest, AddsSectorsUpOnADarkFloorAndLaysThemOverEachOtherInOrderOnALightOne) {
+    auto scene = hand_made::scene();
+    look_east(*scene, 0, Channel::heat), look_east(*scene, 1, Channel::smell);
+    const auto crossing = [&](bool first, bool second, bool swapped) {
+        Snapshot now = hand_made::empty(scene);
+        for (const int kind : {swapped ? 1 : 0, swapped ? 0 : 1})
+            if (kind == 0 ? first : second) hand_made::add(now, kind, kind == 0 ? -3.0f : -2.5f, 0, 0, 0.8f);
+        for (float& value : now.sensed) value = 0.8f;
+        return seen(now, 0.4f, 0.3f);
+    };
+    const Colour ground = crossing(false, false, false), one = crossing(true, false, false),
+                 other = crossing(false, true, false), both = crossing(true, true, false);
+    EXPECT_GT(brightness(one), brightness(ground) + 0.02f);
+    EXPECT_GT(both.r, std::max(one.r, other.r) - 0.02f);
+    EXPECT_GT(brightness(both), std::max(brightness(one), brightness(other)));
+    picture.theme = Theme::light;
+    const Colour heat_below = crossing(true, true, false), heat_above = crossing(true, true, true);
+    EXPECT_GT(heat_above.r - heat_above.b, heat_below.r - heat_below.b + 0.004f);
+}
+
+TEST_F(PictureTest, LaysFieldsUnderVehiclesAndObstacles) {
+    auto scene = hand_made::scene();
+    look_east(*scene, 0, Channel::heat);
+    scene->obstacles.push_back({.name = "box", .x = 0, .length = 2, .width = 2});
+    Snapshot now = hand_made::empty(scene);
+    const Colour bare = seen(now, 0.2f, 0.3f, 0.42f);
+    hand_made::add(now, 0, -3, 0, 0, 0.9f);
+    const Colour lit = seen(now, 0.2f, 0.3f, 0.42f);
+    EXPECT_NEAR(lit.r, bare.r, 0.01f);
+    EXPECT_NEAR(lit.b, bare.b, 0.01f);
+}
+
+TEST_F(PictureTest, WearsThePalettesColoursInBothThemes) {
+    const Snapshot now = hand_made::empty(hand_made::scene());
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        picture.theme = theme;
+        const Palette p = palette(theme);
+        const Colour floor = seen(now, 7.52f, 8.47f);  // amid a square of the grid, far from the walls
+        EXPECT_NEAR(floor.r, p.floor.r, 0.03f);
+        EXPECT_NEAR(floor.b, p.floor.b, 0.03f);
+        const Colour sky = stage.pixel({2, 2});
+        EXPECT_NEAR(sky.g, p.sky.g, 0.02f);  // the ground has all but melted into it
+    }
+}
+
+}  // namespace
+}  // namespace braitenlab

@@ -1,0 +1,94 @@
+#include "render/text/lettering.h"
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+namespace braitenlab {
+namespace {
+
+constexpr const char* dejavu = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+
+Lettering from(const FindFont& find, int pixels) {
+    auto made = Lettering::from_fonts(find, pixels);
+    EXPECT_TRUE(made) << made.error().text();
+    return std::move(*made);
+}
+
+TEST(DecodeUtf8, ReadsOneToFourBytes) {
+    EXPECT_EQ(decode_utf8("Aé→😀"), U"Aé→😀");
+    EXPECT_EQ(decode_utf8(""), U"");
+}
+
+TEST(DecodeUtf8, PutsASignWhereBytesAreBroken) {
+    EXPECT_EQ(decode_utf8("a\xFF"
+                          "b"),
+              U"a\xFFFD"
+              U"b");
+    EXPECT_EQ(decode_utf8("a\xC3"), U"a\xFFFD");
+    EXPECT_EQ(decode_utf8("\xC0\xAF"), U"\xFFFD\xFFFD");  // overlong
+    EXPECT_EQ(decode_utf8("\xED\xA0\x80"), U"\xFFFD");    // half a surrogate pair
+    EXPECT_EQ(decode_utf8("\xE2\x86z"), U"\xFFFDz");      // cut short
+}
+
+TEST(Lettering, DrawsACharacterOnceAndLeavesRoomRoundIt) {
+    Lettering lettering = from(find_font, 24);
+    const Glyph h = lettering.glyph(U'H');
+    EXPECT_GT(h.height, 12);
+    EXPECT_LT(h.height, 24);
+    EXPECT_EQ(h.top, -h.height);  // it stands on the line
+    EXPECT_GE(h.x, Lettering::room);
+    const auto drawn = lettering.take_changes();
+    EXPECT_LT(drawn.first, drawn.end);
+    lettering.glyph(U'H');
+    const auto again = lettering.take_changes();
+    EXPECT_EQ(again.first, again.end);
+    for (int x = h.x - Lettering::room; x < h.x + h.width + Lettering::room; ++x)
+        EXPECT_EQ(lettering.sheet()[static_cast<std::size_t>((h.y - 1) * Lettering::side + x)], 0);
+}
+
+TEST(Lettering, FindsCharactersThatTheUsualFontLacks) {
+    if (find_font(U'字') == find_font(0) || find_font(U'ก') == find_font(0)) GTEST_SKIP() << "one font only";
+    Lettering lettering = from(find_font, 24);
+    EXPECT_GT(lettering.glyph(U'ก').width, 4);
+    EXPECT_GT(lettering.glyph(U'θ').width, 4);
+    EXPECT_GT(lettering.glyph(U'→').width, 4);
+}
+
+TEST(Lettering, KernsWhereTheFontHasAKernTable) {
+    if (!std::filesystem::exists(dejavu)) GTEST_SKIP() << "no DejaVu Sans here";
+    Lettering lettering = from([](char32_t) { return std::string(dejavu); }, 48);
+    EXPECT_LT(lettering.kerning(U'A', U'V'), -1);
+    EXPECT_EQ(lettering.kerning(U'H', U'H'), 0);
+    const int apart = set_line(lettering, "A").width + set_line(lettering, "V").width;
+    EXPECT_LT(set_line(lettering, "AV").width, apart);
+}
+
+TEST(Lettering, StandsOnWholePixels) {
+    Lettering lettering = from(find_font, 17);
+    const SetLine line = set_line(lettering, "vehicle");
+    ASSERT_EQ(line.characters.size(), 7U);
+    for (std::size_t i = 1; i < line.characters.size(); ++i) EXPECT_GT(line.characters[i].x, line.characters[i - 1].x);
+}
+
+TEST(Lettering, SaysWhatIsMissingWhereThereIsNoFont) {
+    const auto none = Lettering::from_fonts([](char32_t) { return std::string{}; }, 16);
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().text().find("install"), std::string::npos);
+    const auto broken = Lettering::from_fonts([](char32_t) { return std::string(__FILE__); }, 16);
+    ASSERT_FALSE(broken);
+    EXPECT_EQ(broken.error().file, __FILE__);
+}
+
+TEST(Lettering, EndsQuietlyWhenTheSheetIsFull) {
+    Lettering lettering(16);
+    const std::vector<std::uint8_t> grey(200 * 200, 255);
+    char32_t next = 1;
+    while (lettering.add(next, 200, 200, grey.data(), 200, 0, -200, 200)) ++next;
+    EXPECT_EQ(next, 26U);  // five by five
+    EXPECT_EQ(lettering.glyph(next).width, 0);
+    EXPECT_EQ(lettering.glyph(1).width, 200);
+}
+
+}  // namespace
+}  // namespace braitenlab

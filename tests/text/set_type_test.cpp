@@ -1,0 +1,82 @@
+#include "render/text/set_type.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace braitenlab {
+namespace {
+
+class SetType : public testing::Test {
+protected:
+    SetType() : lettering(std::move(*Lettering::from_fonts(find_font, 20))) {
+        const Rect window{0, 0, 1280, 800};
+        picture.sight = look(Camera{}, Arena{}, nullptr, window, window);
+    }
+
+    std::vector<LetterInstance> set(const std::vector<Label>& labels) {
+        std::vector<LetterInstance> letters;
+        set_type(letters, labels, lettering, picture);
+        return letters;
+    }
+    static Rect around(const std::vector<LetterInstance>& letters) {
+        Rect r{1e9f, 1e9f, 0, 0};
+        float right = 0, bottom = 0;
+        for (const auto& l : letters) {
+            r.x = std::min(r.x, l.box.x), r.y = std::min(r.y, l.box.y);
+            right = std::max(right, l.box.x + l.box.z), bottom = std::max(bottom, l.box.y + l.box.w);
+        }
+        r.w = right - r.x, r.h = bottom - r.y;
+        return r;
+    }
+
+    Lettering lettering;
+    Picture picture;
+};
+
+TEST_F(SetType, CentresALabelOnItsPlace) {
+    for (const char* text : {"H", "HOXOH", "MMMMMMMMMM"}) {
+        const Rect box = around(set({{{2, 3}, 0, {}, text, {}, 0}}));
+        const maths::vec2 at = *project(picture.sight, {2, 3});
+        EXPECT_NEAR(box.x + box.w / 2, at.x, 2) << text;
+        EXPECT_NEAR(box.y + box.h / 2, at.y, 2) << text;
+    }
+}
+
+TEST_F(SetType, PutsCharactersOnWholePixelsAtAnyZoom) {
+    for (const float zoom : {0.5f, 1.0f, 1.37f, 4.0f}) {
+        Camera camera;
+        camera.zoom = zoom;
+        picture.sight = look(camera, Arena{}, nullptr, picture.sight.window, picture.sight.window);
+        const auto letters = set({{{0.13f, 0.37f}, 0, {}, "lamp", {}, 0}});
+        ASSERT_EQ(letters.size(), 4U);
+        for (const auto& letter : letters) {
+            EXPECT_EQ(letter.box.x, std::floor(letter.box.x));
+            EXPECT_EQ(letter.box.y, std::floor(letter.box.y));
+        }
+    }
+}
+
+TEST_F(SetType, LeavesOutTheLessImportantOfTwoThatOverlap) {
+    const std::vector<Label> labels{{{0, 0}, 0, {}, "metres", {}, 5}, {{0.1f, 0}, 0, {}, "x", {}, 0}};
+    EXPECT_EQ(set(labels).size(), 1U);
+    EXPECT_EQ(set({{{0, 0}, 0, {}, "far", {}, 5}, {{5, 0}, 0, {}, "x", {}, 0}}).size(), 4U);
+}
+
+TEST_F(SetType, LeavesOutWhatIsOutsideTheWindow) {
+    EXPECT_TRUE(set({{{500, 0}, 0, {}, "far", {}, 0}}).empty());
+    EXPECT_TRUE(set({{{0, -500}, 0, {}, "behind", {}, 0}}).empty());
+}
+
+TEST_F(SetType, MovesByTheOffsetInLayoutPixels) {
+    picture.pixel_scale = 2;
+    const Rect plain = around(set({{{0, 0}, 0, {}, "x", {}, 0}})),
+               moved = around(set({{{0, 0}, 0, {3, -10}, "x", {}, 0}}));
+    EXPECT_NEAR(moved.x - plain.x, 6, 1);
+    EXPECT_NEAR(moved.y - plain.y, -20, 1);
+}
+
+}  // namespace
+}  // namespace braitenlab

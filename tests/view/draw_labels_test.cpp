@@ -1,0 +1,90 @@
+// Which words stand in the scene, in the draw list.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "render/view/draw_list.h"
+#include "render/view/intensity.h"
+#include "tests/view/hand_made.h"
+
+namespace braitenlab {
+namespace {
+
+Picture from_above() {
+    Picture picture;
+    const Rect window{0, 0, 1280, 800};
+    picture.sight = look(Camera{}, Arena{}, nullptr, window, window);
+    return picture;
+}
+
+std::vector<std::string> words(const Snapshot& now, const Picture& picture = from_above()) {
+    DrawList list;
+    fill(list, now, picture, Trails{});
+    std::vector<std::string> texts;
+    for (const Label& label : list.labels) texts.push_back(label.text);
+    return texts;
+}
+
+bool has(const std::vector<std::string>& texts, const std::string& text) {
+    return std::find(texts.begin(), texts.end(), text) != texts.end();
+}
+
+TEST(DrawLabels, CountTheMetresAlongTheArena) {
+    const auto texts = words(hand_made::empty(hand_made::scene()));
+    for (const char* text : {"−10", "−5", "0", "5", "10 m"}) EXPECT_TRUE(has(texts, text)) << text;
+}
+
+TEST(DrawLabels, LeaveTheMetresOutWhenOneLooksAlongTheFloor) {
+    Picture picture = from_above();
+    Camera camera;
+    camera.elevation = 0.2f;
+    picture.sight = look(camera, Arena{}, nullptr, picture.sight.window, picture.sight.window);
+    EXPECT_TRUE(words(hand_made::empty(hand_made::scene()), picture).empty());
+}
+
+TEST(DrawLabels, NameSeveralSourcesAndEveryZone) {
+    auto scene = hand_made::scene();
+    scene->sources = {{.name = "north_lamp"}, {.name = "fire"}};
+    scene->zones = {{.name = "ice_rink", .surface = Surface::ice}};
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add_source(now, Channel::light, 0, 0);
+    EXPECT_FALSE(has(words(now), "north lamp"));  // alone it needs no name
+    hand_made::add_source(now, Channel::heat, 5, 0);
+    EXPECT_TRUE(has(words(now), "north lamp") && has(words(now), "fire") && has(words(now), "ice rink"));
+    Picture picture = from_above();
+    picture.overlays.surfaces = false;
+    EXPECT_FALSE(has(words(now, picture), "ice rink"));
+    picture.overlays.labels = false;
+    EXPECT_TRUE(words(now, picture).empty());
+}
+
+TEST(DrawLabels, NumberFewVehiclesButOfManyTheChosenOneAlone) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    for (int i = 0; i < 3; ++i) hand_made::add(now, 0, static_cast<float>(i), 2, 0);
+    EXPECT_TRUE(has(words(now), "1") && has(words(now), "3"));
+    for (int i = 3; i < 40; ++i) hand_made::add(now, 0, static_cast<float>(i % 10), 3, 0);
+    EXPECT_FALSE(has(words(now), "3"));
+    Picture picture = from_above();
+    picture.selected = 32;
+    EXPECT_TRUE(has(words(now, picture), "33"));
+}
+
+TEST(DrawLabels, SayWhatTheContoursStandFor) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add_source(now, Channel::light, -5, 0);
+    IntensityMap map;
+    map.update(now, Channel::light, no_vehicle);
+    DrawList list;
+    add_level_labels(list, map.grid(), now.scene->arena, {});
+    ASSERT_EQ(list.labels.size(), 4U);  // from the lamp outwards
+    const char* expected[] = {"0.8", "0.6", "0.4", "0.2"};
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(list.labels[i].text, expected[i]);
+        EXPECT_GT(list.labels[i].place.x, i > 0 ? list.labels[i - 1].place.x : -5);
+        const float d = list.labels[i].place.x + 5, rest = 1 - d * d / 144;
+        EXPECT_NEAR(rest * rest / (1 + d * d / 9), std::stof(expected[i]), 0.02f);
+    }
+}
+
+}  // namespace
+}  // namespace braitenlab
