@@ -10,6 +10,7 @@
 #include "app/catalogue.h"
 #include "app/data.h"
 #include "app/lab.h"
+#include "app/lettering.h"
 #include "app/look.h"
 #include "app/memory.h"
 #include "app/options.h"
@@ -53,7 +54,9 @@ public:
           state_file_(options_.state) {
         lab_.preferences = memory_.preferences;
         lab_.camera.mode = options_.camera;
+        lab_.overlays.field = options_.field;
         look_.wear(lab_.preferences.theme, wanted_scale());
+        letter_labels();
         if (!look_.warning().empty()) std::cerr << "braitenlab: " << look_.warning() << "\n";
         for (const Error& complaint : memory_.complaints) refuse(complaint);
         if (options_.play) handle(lab_, Action::play_pause);
@@ -131,7 +134,27 @@ private:
             lab_.preferences.language = words_.language;
             refuse(*error);
         }
-        if (look_.wear(lab_.preferences.theme, wanted_scale())) window_.forget_fonts();
+        if (look_.wear(lab_.preferences.theme, wanted_scale())) window_.forget_fonts(), letter_labels();
+    }
+
+    // Framebuffer pixels, of which a display of high density has more than one per window pixel.
+    float density() const { return static_cast<float>(window_.framebuffer_width()) / std::max(1.0f, window_.area().w); }
+
+    // The scene's labels at the size of the window's small type.
+    void letter_labels() {
+        constexpr float label_em = 14;  // layout pixels
+        const auto pixels = static_cast<int>(std::lround(label_em * look_.scale() * density()));
+        auto [lettering, warning] = label_font(find_font, pixels, *look_.fonts().small);
+        renderer_.use_lettering(std::move(lettering));
+        if (!warning.empty() && !told_of_labels_) std::cerr << "braitenlab: " << warning << "\n";
+        told_of_labels_ = true;
+    }
+
+    // A shader that was saved while the lab runs is in use within half a second; a broken one is told and left.
+    void follow_shaders() {
+        if (seconds_since(shaders_checked_) < 0.5) return;
+        shaders_checked_ = Clock::now();
+        if (const auto error = renderer_.follow_shaders()) complain(*error), refuse(*error);
     }
 
     // Once a second, and at the end, what has changed is written; where nothing has, nothing is.
@@ -145,12 +168,15 @@ private:
         next.preferences = lab_.preferences;
         next.sensors = lab_.sensors;
         next.outlines = lab_.outlines;
+        next.overlays = lab_.overlays;
+        next.overlays.field.reset();  // the next scene may have nothing on that channel
         next.wall_seconds = lab_.wall_seconds;
         lab_ = std::move(next);
     }
 
     void frame(float passed) {
         follow_preferences();
+        follow_shaders();
         window_.begin_frame();
         LabView view = view_of(lab_);
         view.catalogue = &catalogue_;
@@ -197,8 +223,6 @@ private:
     }
 
     void draw_scene() {
-        // Framebuffer pixels, of which a display of high density has more than one per window pixel.
-        const float density = static_cast<float>(window_.framebuffer_width()) / std::max(1.0f, window_.area().w);
         Picture picture;
         picture.sight = viewport_.sight;
         picture.sight.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
@@ -210,13 +234,15 @@ private:
         picture.driver = lab_.camera.mode == CameraMode::driver ? lab_.selected : no_vehicle;
         picture.sensors = lab_.sensors;
         picture.outlines = lab_.outlines;
-        picture.pixel_scale = density * look_.scale();
+        picture.overlays = lab_.overlays;
+        picture.pixel_scale = density() * look_.scale();
         shown_ = lab_.session.snapshot();
         if (!repeatable()) stand_between(shown_, lab_.before, between_ticks(lab_));
         renderer_.draw(shown_, picture);
         facts_.draw_calls = renderer_.draw_calls();
         facts_.sight = viewport_.sight;
         facts_.hand = ImGui::GetMouseCursor() == ImGuiMouseCursor_Hand;
+        facts_.graphics_errors = window_.graphics_errors();
     }
 
     int take_picture(const std::filesystem::path& path) {
@@ -259,6 +285,8 @@ private:
     Snapshot shown_;  // what is drawn: the moment between the last two ticks
     FrameFacts facts_;
     KeptFile anchors_file_, state_file_;
+    Clock::time_point shaders_checked_ = Clock::now();
+    bool told_of_labels_ = false;
     Clock::time_point state_written_{};
 };
 
@@ -287,6 +315,7 @@ int open_and_run(const Options& options) {
                                 .width = size_of(options, memory.remembered).first,
                                 .height = size_of(options, memory.remembered).second,
                                 .full_screen = options.full_screen,
+                                .watch_graphics = options.watch_graphics,
                                 .smooth_in_software = !options.screenshot.empty()});
     if (!window) return complain(window.error());
     auto renderer = Renderer::create(*data / "shaders", options.sectors);

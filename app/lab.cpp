@@ -11,6 +11,7 @@
 #include "core/match.h"
 #include "core/scene/scene_file.h"
 #include "ui/stage/edits.h"
+#include "render/view/intensity.h"
 #include "ui/steering.h"
 
 namespace braitenlab {
@@ -187,6 +188,17 @@ void write_numbers(Lab& lab, const ExportRequest& wanted) {
     notify(lab, error ? error->text() : path.string());
 }
 
+// From none through the channels of which there is something to feel, and back to none.
+void show_next_field(Lab& lab) {
+    const auto channels = channels_with_field(lab.session.snapshot());
+    auto next = channels.begin();
+    if (lab.overlays.field) {
+        next = std::find(channels.begin(), channels.end(), *lab.overlays.field);
+        if (next != channels.end()) ++next;
+    }
+    lab.overlays.field = next == channels.end() ? std::nullopt : std::optional(*next);
+}
+
 void act(Lab& lab, Action action) {
     switch (action) {
         case Action::play_pause:
@@ -225,6 +237,21 @@ void act(Lab& lab, Action action) {
             break;
         case Action::outlines:
             lab.outlines = !lab.outlines;
+            break;
+        case Action::trails:
+            lab.overlays.trails = !lab.overlays.trails;
+            break;
+        case Action::surfaces:
+            lab.overlays.surfaces = !lab.overlays.surfaces;
+            break;
+        case Action::memory:
+            lab.overlays.memory = !lab.overlays.memory;
+            break;
+        case Action::labels:
+            lab.overlays.labels = !lab.overlays.labels;
+            break;
+        case Action::next_field:
+            show_next_field(lab);
             break;
         case Action::wiring:
             set_mode(lab, lab.mode == Mode::wiring ? Mode::paused : Mode::wiring);
@@ -337,6 +364,7 @@ void handle(Lab& lab, const Request& request) {
               [&](const ScopeRequest& r) { lab.whole_kind = r.whole_kind; },
               [&](const OpenRequest& r) { lab.open = r.path; },
               [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },
+              [&](const OverlaysRequest& r) { lab.overlays = r.overlays; },
               [&](const PredictRequest& r) {
                   if (lab.lesson && !lab.lesson->view.has_run) lab.lesson->view.prediction = r.option;
               },
@@ -395,6 +423,7 @@ LabView view_of(const Lab& lab) {
     view.whole_kind = lab.whole_kind;
     view.sensors = lab.sensors;
     view.outlines = lab.outlines;
+    view.overlays = lab.overlays;
     view.camera = lab.camera.mode;
     view.undo_depth = lab.session.undo_depth();
     view.redo_depth = lab.session.redo_depth();

@@ -45,6 +45,7 @@ struct Lab {
     bool whole_kind = true;
     Steer steered;  // by the arrow keys, last
     bool sensors = true, outlines = false;
+    Overlays overlays;
     Camera camera;
     Preferences preferences;
     std::string notice;       // what was refused last, and why

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "app/data.h"
+#include "core/scene/names.h"
+#include "render/view/intensity.h"
 
 namespace braitenlab {
 
@@ -81,6 +83,18 @@ CommandLine read_command_line(int argc, char** argv) {
            "how sensor fields are drawn: by geometry shaders or by instances")
         ->type_name("WAY")
         ->check(CLI::IsMember({"automatic", "geometry", "instanced"}));
+    app.add_option_function<std::string>(
+           "--field",
+           [&](const std::string& word) {
+               for (const auto& channel : channel_words)
+                   if (channel.word == word && has_field(channel.value)) o.field = channel.value;
+               if (!o.field)
+                   throw CLI::ValidationError("--field", "'" + word + "' is no channel with a field; try light");
+           },
+           "show on the floor how strongly this channel is felt")
+        ->type_name("CHANNEL");
+    app.add_flag("--watch-graphics", o.watch_graphics,
+                 "have the driver check every call; its complaints go to the terminal and into --state");
     app.add_option("--screenshot", o.screenshot, "write a picture (PNG) and end")->type_name("FILE");
     app.add_option("--after", o.after,
                    "when to take it: simulated seconds with --play (one tick a frame), else seconds since the start")

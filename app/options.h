@@ -26,6 +26,8 @@ struct Options {
     std::optional<Theme> theme;  // unset: as in the settings
     CameraMode camera = CameraMode::overview;
     SectorPath sectors = SectorPath::automatic;
+    bool watch_graphics = false;
+    std::optional<Channel> field;  // shown on the floor at first
     std::string language;                  // a code as in "de"; empty: as in the settings
     std::filesystem::path screenshot;      // written after `after`, then the program ends
     double after = 1;                      // s: simulated with play, wall time without

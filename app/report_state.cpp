@@ -203,6 +203,12 @@ std::string state_json(const Lab& lab, const StageState& stage, const FrameFacts
     state["predators"] = now.predators;
     state["prey"] = now.prey;
     state["generation"] = now.generation;
+    state["overlays"] = {
+        {"trails", lab.overlays.trails},
+        {"surfaces", lab.overlays.surfaces},
+        {"memory", lab.overlays.memory},
+        {"labels", lab.overlays.labels},
+        {"field", lab.overlays.field ? channel_words[static_cast<std::size_t>(*lab.overlays.field)].word : ""}};
     state["camera"] = camera_word(lab.camera.mode);
     state["view"] = {{"azimuth", lab.camera.azimuth},
                      {"elevation", lab.camera.elevation},
@@ -214,6 +220,7 @@ std::string state_json(const Lab& lab, const StageState& stage, const FrameFacts
     state["theme"] = lab.preferences.theme == Theme::light ? "light" : "dark";
     state["type_size"] = plain(lab.preferences.type_size);
     state["draw_calls"] = frame.draw_calls;
+    state["graphics_errors"] = frame.graphics_errors;
     state["frame_ms"] = frame.frame_ms;
     state["exercise"] = exercise_json(lab);
     add_stage(state, lab, stage, frame);

@@ -1,6 +1,7 @@
 #include "app/window.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 #include <GL/glew.h>
@@ -45,6 +46,7 @@ struct Window::Native {
     std::vector<std::string> dropped;
     int windowed[4] = {0, 0, 0, 0};  // place and size before full screen
     bool imgui = false;
+    int graphics_errors = 0;
 
     Native() = default;
     Native(const Native&) = delete;
@@ -70,6 +72,7 @@ void hint_context(const WindowOptions& options, int samples) {
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SAMPLES, samples);
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, options.watch_graphics ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
 }
 
@@ -96,6 +99,20 @@ GLFWwindow* make_fitting_window(const WindowOptions& options) {
     if (window && (options.smooth_in_software || !renders_in_software())) return window;
     if (window) glfwDestroyWindow(window);
     return make_window(options, 0);
+}
+
+// Shaders' mistakes come back as an Error by themselves, so only the API's count.
+void listen_for_errors(int& count) {
+    if (!GLEW_KHR_debug) return;
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glDebugMessageCallback(
+        [](GLenum source, GLenum type, GLuint, GLenum, GLsizei, const GLchar* text, const void* counter) {
+            if (source != GL_DEBUG_SOURCE_API || type != GL_DEBUG_TYPE_ERROR) return;
+            ++*static_cast<int*>(const_cast<void*>(counter));
+            std::fprintf(stderr, "braitenlab: the graphics driver says: %s\n", text);
+        },
+        &count);
 }
 
 std::optional<Error> load_opengl() {
@@ -131,6 +148,7 @@ Result<Window> Window::open(const WindowOptions& options) {
     GLFWwindow* window = native->window;
     glfwSetWindowUserPointer(window, native.get());
     if (const auto error = load_opengl()) return *error;
+    if (options.watch_graphics) listen_for_errors(native->graphics_errors);
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(window, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glEnable(GL_MULTISAMPLE);
@@ -232,6 +250,8 @@ void Window::toggle_full_screen() {
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
     if (mode) glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
+
+int Window::graphics_errors() const { return native_->graphics_errors; }
 
 void Window::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -20,6 +20,7 @@ struct WindowOptions {
     int width = 1280, height = 800;
     bool full_screen = false;
     bool visible = true;
+    bool watch_graphics = false;      // a context that checks every call, see graphics_errors()
     bool smooth_in_software = false;  // multisampling on a software renderer too, where it triples the cost of a frame
 };
 
@@ -59,6 +60,9 @@ public:
     void forget_fonts();  // after the atlas was refilled
 
     void toggle_full_screen();
+
+    // What the driver has called an error so far; always 0 unless it was asked to watch. Each has gone to stderr.
+    int graphics_errors() const;
 
     // Binds the window's framebuffer, sized to it.
     void bind() const;

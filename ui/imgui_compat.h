@@ -69,4 +69,33 @@ inline void use_freetype(ImFontAtlas& atlas) {
 #endif
 }
 
+// A character as a font has drawn it: rows of `pitch` bytes, and how it lies about the pen on the baseline, y down.
+struct GlyphPicture {
+    unsigned character = 0;
+    int width = 0, height = 0;
+    const unsigned char* grey = nullptr;
+    int pitch = 0, left = 0, top = 0;
+    float advance = 0;
+};
+
+// Visits every character that is in the font's atlas. From 1.92 on characters are drawn when they are first shown, so
+// there are none to visit.
+template <class Visit>
+void each_glyph(ImFont& font, Visit visit) {
+#if IMGUI_VERSION_NUM >= 19200
+    (void)font, (void)visit;
+#else
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    font.ContainerAtlas->GetTexDataAsAlpha8(&pixels, &width, &height);
+    const auto whole = [](float v) { return static_cast<int>(v + (v < 0 ? -0.5f : 0.5f)); };
+    for (const ImFontGlyph& g : font.Glyphs) {
+        const int x0 = whole(g.U0 * static_cast<float>(width)), y0 = whole(g.V0 * static_cast<float>(height));
+        const int x1 = whole(g.U1 * static_cast<float>(width)), y1 = whole(g.V1 * static_cast<float>(height));
+        visit(GlyphPicture{g.Codepoint, x1 - x0, y1 - y0, pixels + y0 * width + x0, width, whole(g.X0),
+                           whole(g.Y0 - font.Ascent), g.AdvanceX});
+    }
+#endif
+}
+
 }  // namespace braitenlab::compat

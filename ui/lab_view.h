@@ -9,6 +9,7 @@
 #include "core/lesson/referee.h"
 #include "core/world/snapshot.h"
 #include "render/view/camera.h"
+#include "render/view/overlays.h"
 #include "render/view/palette.h"
 #include "render/view/pick.h"
 #include "ui/preferences.h"
@@ -46,6 +47,7 @@ struct LabView {
     const Sight* sight = nullptr;  // where the scene is seen from; null: it cannot be pointed at
     bool whole_kind = true;  // edits go to every vehicle of the selected one's kind
     bool sensors = true, outlines = false;
+    Overlays overlays;
     CameraMode camera = CameraMode::overview;
     int undo_depth = 0, redo_depth = 0;
     const LessonView* lesson = nullptr;                      // null outside exercises

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/world/command.h"
+#include "render/view/overlays.h"
 #include "render/view/pick.h"
 #include "ui/preferences.h"
 
@@ -24,6 +25,12 @@ enum class Action {
     exit,
     sensors,
     outlines,
+    trails,
+    surfaces,
+    memory,  // the places that vehicles remember
+    labels,
+    next_field,  // of those that can be shown as contours, and none
+    view,        // the menu of all these
     wiring,
     undo,
     redo,
@@ -104,6 +111,9 @@ struct OpenRequest {
 struct PreferencesRequest {
     Preferences preferences;
 };
+struct OverlaysRequest {
+    Overlays overlays;
+};
 
 // Gestures are numbered by the part of the window that sees them, each from its own base upwards, so that the drags of
 // two parts never become one step of undo.
@@ -114,7 +124,7 @@ inline constexpr std::uint64_t viewport = std::uint64_t{1} << 48;
 }  // namespace gestures
 
 using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, ScopeRequest, PredictRequest,
-                             ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest>;
+                             ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -157,6 +157,8 @@ bool panels_own(PanelState& state, Action action, KeyPress press) {
         state.sheet = state.sheet == Sheet::keys ? Sheet::none : Sheet::keys;
     else if (action == Action::open)
         state.open_menu = state.focus_open_menu = !state.open_menu;
+    else if (action == Action::view)
+        state.view_menu = state.focus_view_menu = !state.view_menu;
     else if (action == Action::settings)
         state.sheet = Sheet::settings, state.open_menu = false;
     else if (action == Action::charts)
@@ -190,6 +192,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     toolbar(view, state, ui, layout.toolbar);
     stage_menu(view, state, ui, layout.window);
     open_menu(view, state, ui, layout);
+    view_menu(view, state, ui, layout);
     keys_card(view, state, ui, layout.window);
     settings_card(view, state, ui, layout.window);
     end_keyboard(state.keyboard);
@@ -206,8 +209,13 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         state.close_presets = true;
         return true;
     }
+    if (state.view_menu && press.key == key::escape) {
+        state.view_menu = false;
+        return true;
+    }
     if (state.open_menu && for_open_menu(view, state, press)) return true;
     if (press_key(view, state.stage, state.keyboard, press, outbox)) return true;
+    if (state.view_menu && for_view_menu(view, state, press)) return true;
     if (for_focus(state.keyboard, press)) return true;
     if (view.mode == Mode::wiring && for_canvas(state.canvas, press)) return true;
     if (const auto action = action_for(press)) {

@@ -243,5 +243,28 @@ TEST(Reset, KeepsTheStudentsBrain) {
     EXPECT_EQ(read_dials(*lab.session.snapshot().kind_brains[0]).LR, 2);
 }
 
+TEST(View, WalksThroughTheFieldsOfTheSceneAndBackToNone) {
+    Lab lab = open("2b-aggressor");
+    EXPECT_FALSE(lab.overlays.field);
+    handle(lab, Action::next_field);
+    EXPECT_EQ(lab.overlays.field, Channel::light);
+    handle(lab, Action::next_field);
+    EXPECT_FALSE(lab.overlays.field);
+    handle(lab, OverlaysRequest{{.labels = false, .field = Channel::light}});
+    EXPECT_FALSE(view_of(lab).overlays.labels);
+    EXPECT_EQ(view_of(lab).overlays.field, Channel::light);
+}
+
+TEST(View, SwitchesEachPictureOffAndOn) {
+    Lab lab = open("2b-aggressor");
+    const Overlays before = lab.overlays;
+    for (const Action action : {Action::trails, Action::surfaces, Action::memory, Action::labels}) {
+        handle(lab, action);
+        EXPECT_NE(lab.overlays, before);
+        handle(lab, action);
+        EXPECT_EQ(lab.overlays, before);
+    }
+}
+
 }  // namespace
 }  // namespace braitenlab

@@ -88,6 +88,7 @@ std::vector<Screen> screens() {
         {"menu of the floor", [](Desk& d) { with_menu(d, {}, MenuPage::top); }},
         {"menu of a vehicle", [](Desk& d) { with_menu(d, vehicle_thing(0), MenuPage::top); }},
         {"menu of brains", [](Desk& d) { with_menu(d, vehicle_thing(0), MenuPage::brains); }},
+        {"view menu", [](Desk& d) { d.key({'E'}); }},
     };
 }
 

@@ -63,6 +63,7 @@ public:
         std::filesystem::create_directories(folder_);
         if (home.empty()) home = folder_;
         arguments.insert(arguments.begin(), program("braitenlab"));
+        arguments.push_back("--watch-graphics");
         for (const char* file : {"anchors", "state"}) {
             arguments.push_back(std::string("--") + file);
             arguments.push_back((folder_ / (std::string(file) + ".json")).string());
@@ -87,6 +88,9 @@ public:
     }
 
     ~LabWindow() {
+        const Json last = state();
+        if (last.contains("graphics_errors"))
+            EXPECT_EQ(last["graphics_errors"], 0) << "the driver complained, see above";
         if (pid_ > 0 && waitpid(pid_, nullptr, WNOHANG) == 0) {
             kill(pid_, SIGKILL);
             waitpid(pid_, nullptr, 0);

@@ -60,6 +60,7 @@ struct PanelState {
     SheetState keys, settings;
     std::optional<Preferences> before_reset;  // what Reset All took away, until something is chosen anew
     bool open_menu = false;                   // what can be opened, Ctrl+O
+    bool view_menu = false, focus_view_menu = false;  // what the scene shows, E
     bool focus_open_menu = false;             // opened by key: the focus is to go there
     bool presets_open = false, close_presets = false;
     bool outcome_told = false;   // of the exercise below: told once, it stays

@@ -28,6 +28,9 @@ void hint_bar(const LabView&, Ui&, Rect);
 void open_menu(const LabView&, PanelState&, Ui&, const WindowLayout&);  // over everything; closes itself
 bool for_open_menu(const LabView&, PanelState&, KeyPress);  // while it is open: Tab and arrows walk its rows
 
+void view_menu(const LabView&, PanelState&, Ui&, const WindowLayout&);  // the same for what the scene shows
+bool for_view_menu(const LabView&, PanelState&, KeyPress);
+
 // Sheets over everything; each draws itself while PanelState::sheet says so, and closes itself.
 void keys_card(const LabView&, PanelState&, Ui&, Rect window);      // all shortcuts
 void settings_card(const LabView&, PanelState&, Ui&, Rect window);  // language, theme, size of type, motion

@@ -42,6 +42,7 @@ std::vector<Tool> tools(const LabView& view) {
         {"button.follow", "button.follow", icon::follow, Action::follow, 3, view.camera == CameraMode::follow, true},
         {"button.sensors", "button.sensors", icon::sensors, Action::sensors, 2, view.sensors},
         {"button.outlines", "button.outlines", icon::outlines, Action::outlines, 2, view.outlines},
+        {"button.view", "button.view", icon::view, Action::view, 2},
         {"button.wiring", "button.wiring", icon::wiring, Action::wiring, 7, view.mode == Mode::wiring},
     };
 }
@@ -69,6 +70,8 @@ void press(PanelState& state, Ui& ui, const Tool& tool, int narrowness) {
     const Item at = button(ui, tool.anchor, look_of(ui, tool, narrowness));
     if (at.pressed && tool.action == Action::open)
         state.open_menu = !state.open_menu;  // the panels' own
+    else if (at.pressed && tool.action == Action::view)
+        state.view_menu = !state.view_menu;
     else if (at.pressed)
         ui.outbox.push_back(tool.action);
     // tooltip.play_pause and so on, word for word what the action does

@@ -14,12 +14,12 @@ namespace braitenlab {
 namespace icon {
 inline constexpr std::string_view play = "\uf04b", pause = "\uf04c", step = "\uf051", reset = "\uf049",
                                   new_population = "\uf074", add = "\uf067", remove = "\uf068", follow = "\uf05b",
-                                  sensors = "\uf06e", outlines = "\uf247", wiring = "\uf0e8", exit = "\uf08b",
-                                  slower = "\uf04a", faster = "\uf04e", hint = "\uf0eb", unfolded = "\uf107",
-                                  folded = "\uf105", warning = "\uf071", check = "\uf00c", cross = "\uf00d",
-                                  presets = "\uf02d", open = "\uf07c", clock = "\uf017", mirror = "\uf042",
-                                  cross_over = "\uf0ec", drive = "\uf11b", save = "\uf0c7", load = "\uf115",
-                                  chart = "\uf201", heal = "\uf0fa", enlarge = "\uf065";
+                                  sensors = "\uf06e", view = "\uf278", outlines = "\uf247", wiring = "\uf0e8",
+                                  exit = "\uf08b", slower = "\uf04a", faster = "\uf04e", hint = "\uf0eb",
+                                  unfolded = "\uf107", folded = "\uf105", warning = "\uf071", check = "\uf00c",
+                                  cross = "\uf00d", presets = "\uf02d", open = "\uf07c", clock = "\uf017",
+                                  mirror = "\uf042", cross_over = "\uf0ec", drive = "\uf11b", save = "\uf0c7",
+                                  load = "\uf115", chart = "\uf201", heal = "\uf0fa", enlarge = "\uf065";
 }  // namespace icon
 
 enum class Face { text, strong, title, small };

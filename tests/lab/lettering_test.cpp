@@ -1,0 +1,43 @@
+#include "app/lettering.h"
+
+#include <gtest/gtest.h>
+
+namespace braitenlab {
+namespace {
+
+// Dear ImGui's built-in font, which needs no file.
+struct BuiltIn {
+    BuiltIn() {
+        font = atlas.AddFontDefault();
+        atlas.Build();
+    }
+    ImFontAtlas atlas;
+    ImFont* font = nullptr;
+};
+
+TEST(LabelFont, FallsBackToTheWindowsOwnAndSaysSo) {
+    BuiltIn own;
+    LabelFont made = label_font([](char32_t) { return std::string{}; }, 13, *own.font);
+    EXPECT_NE(made.warning.find("no font"), std::string::npos) << made.warning;
+    const Glyph& letter = made.lettering.glyph(U'H');
+    ASSERT_GT(letter.height, 4);
+    EXPECT_GT(letter.advance, 3);
+    EXPECT_LT(letter.top, 0);
+    int ink = 0;
+    for (int y = 0; y < letter.height; ++y)
+        for (int x = 0; x < letter.width; ++x)
+            ink +=
+                made.lettering.sheet()[static_cast<std::size_t>((letter.y + y) * Lettering::side + letter.x + x)] > 128;
+    EXPECT_GT(ink, 8);
+    EXPECT_EQ(set_line(made.lettering, "HH").width, 2 * set_line(made.lettering, "H").width);
+}
+
+TEST(LabelFont, PrefersTheSystemsFonts) {
+    BuiltIn own;
+    const LabelFont made = label_font(find_font, 20, *own.font);
+    EXPECT_EQ(made.warning, "");
+    EXPECT_EQ(made.lettering.pixels(), 20);
+}
+
+}  // namespace
+}  // namespace braitenlab

@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "desk.h"
+
+namespace braitenlab::tests {
+
+struct ViewMenu : testing::Test {
+    Desk desk;
+    ViewMenu() {
+        desk.now.sources.push_back({0, Channel::smell, 0, 0, 1});
+        desk.frame(2);
+    }
+    std::optional<Overlays> wanted() const {
+        std::optional<Overlays> last;
+        for (const Request& request : desk.all)
+            if (const auto* r = std::get_if<OverlaysRequest>(&request)) last = r->overlays;
+        return last;
+    }
+};
+
+TEST_F(ViewMenu, SwitchesWhatTheSceneShowsAndStaysOpen) {
+    desk.click("button.view");
+    desk.frame(2);
+    for (const auto& [row, action] : {std::pair{"view.trails", Action::trails},
+                                      {"view.surfaces", Action::surfaces},
+                                      {"view.memory", Action::memory},
+                                      {"view.labels", Action::labels},
+                                      {"view.sensors", Action::sensors},
+                                      {"view.outlines", Action::outlines}}) {
+        desk.all.clear();
+        desk.click(row);
+        EXPECT_EQ(desk.actions(), std::vector{action}) << row;
+        desk.frame(1);
+    }
+    EXPECT_TRUE(desk.anchors.find("card.view"));
+}
+
+TEST_F(ViewMenu, OffersTheFieldsOfWhatThereIsToFeel) {
+    desk.click("button.view");
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("view.smell"));
+    EXPECT_FALSE(desk.anchors.find("view.heat"));
+    desk.click("view.smell");
+    ASSERT_TRUE(wanted());
+    EXPECT_EQ(wanted()->field, Channel::smell);
+    desk.view.overlays.field = Channel::smell;
+    desk.frame(1);
+    desk.click("view.none");
+    EXPECT_EQ(wanted()->field, std::nullopt);
+}
+
+TEST_F(ViewMenu, CanBeUsedByKeysAlone) {
+    desk.key({'E'});
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.keyboard.focus, "view.sensors");
+    desk.key({key::down});
+    desk.frame(1);
+    desk.key({key::down});
+    desk.frame(1);
+    EXPECT_EQ(desk.panels.keyboard.focus, "view.trails");
+    desk.key({key::enter});
+    desk.frame(2);
+    EXPECT_EQ(desk.actions(), std::vector{Action::trails});
+    desk.key({key::escape});
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("card.view"));
+}
+
+}  // namespace braitenlab::tests

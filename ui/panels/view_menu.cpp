@@ -1,0 +1,139 @@
+// What the scene shows beyond the things in it: fields, trails, floor pictures, names. Drops from the toolbar, and
+// stays open while one tries.
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "core/scene/names.h"
+#include "render/view/intensity.h"
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float menu_width = 300, pad = 12, row_height = 32;  // layout pixels
+
+struct ViewRow {
+    std::string id;
+    bool on = false;
+    std::optional<Action> action;    // of a switch
+    std::optional<Channel> field{};  // of a choice; none: no field
+};
+
+std::string_view word(Channel channel) { return channel_words[static_cast<std::size_t>(channel)].word; }
+
+ViewRow switch_row(Action action, bool on) { return {"view." + std::string(name(action)), on, action}; }
+
+std::vector<ViewRow> switches(const LabView& view) {
+    const Overlays& shown = view.overlays;
+    return {switch_row(Action::sensors, view.sensors), switch_row(Action::outlines, view.outlines),
+            switch_row(Action::trails, shown.trails),  switch_row(Action::surfaces, shown.surfaces),
+            switch_row(Action::memory, shown.memory),  switch_row(Action::labels, shown.labels)};
+}
+
+std::vector<ViewRow> fields(const LabView& view) {
+    std::vector<ViewRow> rows{{"view.none", !view.overlays.field, std::nullopt}};
+    for (const Channel c : channels_with_field(*view.now))
+        rows.push_back({"view." + std::string(word(c)), view.overlays.field == c, std::nullopt, c});
+    return rows;
+}
+
+std::string_view words_of(const Ui& ui, const ViewRow& row) {
+    if (row.action) return ui.strings("action." + std::string(name(*row.action)));
+    return row.field ? ui.strings("view.channel." + std::string(word(*row.field))) : ui.strings("view.no_field");
+}
+
+bool draw_row(Ui& ui, const ViewRow& row, ImVec2 at) {
+    ImGui::SetCursorScreenPos(at);
+    const Item here = item(ui, row.id, {ui.px(menu_width - 2 * pad), ui.px(row_height)});
+    fill_box(ui, here.rect, ui.palette.line.with_alpha(std::max(0.6f * here.warmth, here.focused ? 0.6f : 0.0f)));
+    const float y = here.middle_y() - line_height(ui, Face::text) / 2;
+    if (row.on) {
+        if (has_icons(ui))
+            put_icon(ui, {here.rect.x + ui.px(16), here.middle_y()}, icon::check, ui.palette.accent);
+        else
+            fill_box(ui, {here.rect.x + ui.px(10), here.middle_y() - ui.px(5), ui.px(10), ui.px(10)},
+                     ui.palette.accent);
+    }
+    put(ui, {here.rect.x + ui.px(34), y}, words_of(ui, row), row.on ? ui.palette.text : ui.palette.second_text);
+    if (row.action)
+        put_right(ui, {here.right() - ui.px(10), y}, key_name(*row.action, ui.strings), ui.palette.second_text,
+                  Face::small);
+    return here.pressed;
+}
+
+float heading(const Ui& ui, ImVec2 at, std::string_view words, std::string_view key) {
+    put(ui, {at.x + ui.px(10), at.y + ui.px(4)}, words, ui.palette.second_text, Face::small);
+    put_right(ui, {at.x + ui.px(menu_width - 2 * pad - 10), at.y + ui.px(4)}, key, ui.palette.second_text, Face::small);
+    return at.y + line_height(ui, Face::small) + ui.px(8);
+}
+
+}  // namespace
+
+bool for_view_menu(const LabView& view, PanelState& state, KeyPress press) {
+    if (press.ctrl) return false;
+    const bool back = press.key == key::up || (press.key == key::tab && press.shift);
+    if (!back && press.key != key::down && press.key != key::tab) return false;
+    std::vector<std::string> rows;
+    for (const auto& group : {switches(view), fields(view)})
+        for (const ViewRow& row : group) rows.push_back(row.id);
+    std::string& focus = state.keyboard.focus;
+    const auto at = std::find(rows.begin(), rows.end(), focus);
+    if (at == rows.end())
+        focus = back ? rows.back() : rows.front();
+    else if (back)
+        focus = at == rows.begin() ? rows.back() : *(at - 1);
+    else
+        focus = at + 1 == rows.end() ? rows.front() : *(at + 1);
+    return true;
+}
+
+void view_menu(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
+    const Rect* button = ui.anchors.find("button.view");
+    if (!state.view_menu || !button) return;
+    const Rect opener = *button;  // what follows records anchors
+    const auto all_switches = switches(view), all_fields = fields(view);
+    const float heads = 2 * (line_height(ui, Face::small) + ui.px(8)) + ui.px(8);
+    const float height =
+        2 * ui.px(pad) + heads + ui.px(row_height) * static_cast<float>(all_switches.size() + all_fields.size());
+    const Rect menu{std::min(opener.x, layout.window.w - ui.px(menu_width + 12)),
+                    layout.toolbar.y + layout.toolbar.h + ui.px(8), ui.px(menu_width), height};
+    // No veil over the scene: one looks at it while choosing.
+    begin_bar(ui, "view", menu, true);
+    card_ground(ui, menu);
+    fill_box(ui, menu, ui.palette.panel);
+    line_box(ui, menu, ui.palette.line);
+    ImVec2 at{menu.x + ui.px(pad), menu.y + ui.px(pad)};
+    at.y = heading(ui, at, ui.strings("view.shown"), {});
+    for (const ViewRow& row : all_switches) {
+        if (draw_row(ui, row, at)) ui.outbox.push_back(*row.action);
+        at.y += ui.px(row_height);
+    }
+    at.y += ui.px(8);
+    at.y = heading(ui, at, ui.strings("view.field"), key_name(Action::next_field, ui.strings));
+    for (const ViewRow& row : all_fields) {
+        if (draw_row(ui, row, at)) {
+            Overlays wanted = view.overlays;
+            wanted.field = row.field;
+            ui.outbox.push_back(OverlaysRequest{wanted});
+        }
+        at.y += ui.px(row_height);
+    }
+    mark(ui, "card.view", menu);
+    if (state.focus_view_menu && ui.keyboard) ui.keyboard->focus = all_switches.front().id;
+    state.focus_view_menu = false;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const bool elsewhere = !menu.contains(mouse.x, mouse.y) && !opener.contains(mouse.x, mouse.y);
+    if (ImGui::IsMouseClicked(0) && elsewhere) state.view_menu = false;
+    end_bar();
+}
+
+}  // namespace braitenlab
