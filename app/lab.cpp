@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include "app/data.h"
+#include "app/lab_parts.h"
 #include "app/safe_file.h"
 #include "core/match.h"
 #include "core/scene/scene_file.h"
+#include "core/world/run_file.h"
 #include "ui/stage/edits.h"
 #include "render/view/intensity.h"
 #include "ui/steering.h"
@@ -22,8 +24,9 @@ constexpr std::array<float, 8> speeds{0.125f, 0.25f, 0.5f, 1, 2, 4, 8, 16};
 constexpr double hint_patience = 30;  // s until the next hint opens without a run
 constexpr double notice_seconds = 6;  // how long a refusal stays readable
 constexpr float type_step = 0.125f;
-constexpr double tick_length = 1.0 / 60;   // s, as core/brain/brain.h has it
-constexpr double stepping_budget = 0.012;  // s of a frame
+constexpr std::int64_t rewind_ticks = 300;  // five seconds
+constexpr double tick_length = 1.0 / 60;    // s, as core/brain/brain.h has it
+constexpr double stepping_budget = 0.012;   // s of a frame
 
 void notify(Lab& lab, std::string text) {
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
@@ -72,13 +75,6 @@ void select(Lab& lab, const Thing& thing) {
 
 Thing chosen(const Lab& lab) { return lab.thing ? lab.thing : vehicle_thing(lab.selected); }
 
-// Something stays selected as long as there is a vehicle.
-void keep_selection(Lab& lab) {
-    keep_thing(lab);
-    const auto& vehicles = lab.session.snapshot().vehicles;
-    if (!selected_vehicle(lab)) lab.selected = vehicles.empty() ? no_vehicle : vehicles.front().id;
-}
-
 void select_neighbour(Lab& lab, int step) {
     const auto& vehicles = lab.session.snapshot().vehicles;
     if (vehicles.empty()) return;
@@ -118,20 +114,9 @@ void edit_if(Lab& lab, const std::optional<Command>& command) {
     if (command && lab.mode != Mode::wiring) edit(lab, *command);
 }
 
-void watch(Lab& lab) {
-    if (!lab.lesson) return;
-    Lesson& lesson = *lab.lesson;
-    lesson.referee.watch(lab.session.snapshot());
-    lesson.view.verdicts = lesson.referee.verdicts();
-    if (!lesson.referee.passed() || lesson.view.grade) return;
-    // Every step is done in this run: now it must hold from the other starts as well.
-    const Snapshot& now = lab.session.snapshot();
-    if (now.vehicles.empty()) return;
-    lesson.view.grade = grade(*lesson.exercise, *now.brains[static_cast<std::size_t>(now.vehicles.front().brain)]);
-}
-
 void reset(Lab& lab) {
     lab.session.reset(lab.lesson ? Keep::brains : Keep::edits);
+    lab.past.judged.clear();
     lab.before.clear();
     lab.debt = 0;
     if (lab.lesson && !(lab.lesson->view.grade && lab.lesson->view.grade->good)) lab.lesson->view.grade.reset();
@@ -207,6 +192,22 @@ void act(Lab& lab, Action action) {
         case Action::step:
             if (lab.mode == Mode::playing) set_mode(lab, Mode::paused);
             tick(lab);
+            break;
+        case Action::step_back:
+            if (lab.mode == Mode::playing) set_mode(lab, Mode::paused);
+            seek_by(lab, -1);
+            break;
+        case Action::rewind:
+            seek_by(lab, -rewind_ticks);
+            break;
+        case Action::fast_forward:
+            seek_by(lab, rewind_ticks);
+            break;
+        case Action::set_bookmark:
+            set_bookmark(lab);
+            break;
+        case Action::last_bookmark:
+            go_to_last_bookmark(lab);
             break;
         case Action::reset:
             reset(lab);
@@ -317,8 +318,40 @@ void act(Lab& lab, Action action) {
 
 }  // namespace
 
+void keep_selection(Lab& lab) {
+    keep_thing(lab);
+    const auto& vehicles = lab.session.snapshot().vehicles;
+    if (!selected_vehicle(lab)) lab.selected = vehicles.empty() ? no_vehicle : vehicles.front().id;
+}
+
+void watch(Lab& lab) {
+    if (!lab.lesson) return;
+    Lesson& lesson = *lab.lesson;
+    lesson.referee.watch(lab.session.snapshot());
+    lesson.view.verdicts = lesson.referee.verdicts();
+    if (!lesson.referee.passed() || lesson.view.grade) return;
+    // Every step is done in this run: now it must hold from the other starts as well.
+    const Snapshot& now = lab.session.snapshot();
+    if (now.vehicles.empty()) return;
+    lesson.view.grade = grade(*lesson.exercise, *now.brains[static_cast<std::size_t>(now.vehicles.front().brain)]);
+}
+
+namespace {
+
+Result<Lab> open_run(const std::filesystem::path& path) {
+    auto run = load_run(path);
+    if (!run) return run.error();
+    auto opened = std::make_shared<const Scene>(run->opened);
+    Lab lab{.session = Session::resume(std::move(*run)), .name = path.stem().string(), .file = opened};
+    keep_selection(lab);
+    return lab;
+}
+
+}  // namespace
+
 Result<Lab> open_lab(const std::filesystem::path& path, std::optional<std::uint64_t> seed,
                      const std::vector<Setting>& settings) {
+    if (path.extension() == run_ending) return open_run(path);
     std::optional<Exercise> exercise;
     std::optional<Scene> scene;
     if (is_exercise(path)) {
@@ -354,6 +387,7 @@ void tick(Lab& lab) {
         if (lab.session.snapshot().tick == 1) lab.lesson->view.hint_ready = true;  // each run opens a hint
     }
     watch(lab);
+    remember_judge(lab);
 }
 
 void handle(Lab& lab, const Request& request) {
@@ -362,6 +396,7 @@ void handle(Lab& lab, const Request& request) {
               [&](const SelectRequest& r) { select(lab, vehicle_thing(r.vehicle)), keep_selection(lab); },
               [&](const TakeRequest& r) { take(lab, r.thing); },
               [&](const ScopeRequest& r) { lab.whole_kind = r.whole_kind; },
+              [&](const SeekRequest& r) { seek(lab, r); }, [&](const BookmarkRequest& r) { handle_bookmark(lab, r); },
               [&](const OpenRequest& r) { lab.open = r.path; },
               [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },
               [&](const OverlaysRequest& r) { lab.overlays = r.overlays; },
@@ -394,7 +429,7 @@ void advance(Lab& lab, double wall_seconds) {
     lab.wall_seconds += wall_seconds;
     if (lab.wall_seconds >= lab.notice_until) lab.notice.clear();
     if (lab.lesson && lab.wall_seconds - lab.lesson->last_hint_at >= hint_patience) lab.lesson->view.hint_ready = true;
-    if (lab.mode != Mode::playing) return;
+    if (lab.mode != Mode::playing || lab.past.held) return;
 
     using Clock = std::chrono::steady_clock;
     const auto began = Clock::now();
@@ -408,7 +443,7 @@ void advance(Lab& lab, double wall_seconds) {
 }
 
 float between_ticks(const Lab& lab) {
-    if (lab.mode != Mode::playing) return 1;
+    if (lab.mode != Mode::playing || lab.past.held) return 1;
     return std::clamp(static_cast<float>(lab.debt / tick_length), 0.0f, 1.0f);
 }
 
@@ -417,6 +452,8 @@ LabView view_of(const Lab& lab) {
     view.now = &lab.session.snapshot();
     view.file = lab.file.get();
     view.mode = lab.mode;
+    view.timeline = {lab.session.earliest(), lab.session.latest(), {}};
+    for (const Past::Mark& mark : lab.past.bookmarks) view.timeline.bookmarks.push_back(mark.moment.tick());
     view.time_scale = lab.time_scale;
     view.selected = lab.selected;
     view.thing = lab.thing;

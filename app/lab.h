@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/past.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/referee.h"
 #include "core/scene/scene_file.h"
@@ -34,6 +35,8 @@ struct Lab {
     std::shared_ptr<const Scene> file;  // the scene as it was read
     std::optional<Lesson> lesson;
 
+    Past past;
+
     Mode mode = Mode::paused;
     float time_scale = 1;
     std::vector<VehicleView> before;  // the vehicles a tick ago, so that a picture can stand between two ticks
@@ -57,7 +60,8 @@ struct Lab {
     std::string open;  // a file to open instead of this one; empty: none
 };
 
-// Opens a scene or an exercise file. Scenes take the settings; exercises bring their own and take them on top.
+// Opens a scene, an exercise or a saved run, which goes on as it is. Scenes take the settings; exercises bring their
+// own and take them on top.
 Result<Lab> open_lab(const std::filesystem::path&, std::optional<std::uint64_t> seed,
                      const std::vector<Setting>& settings);
 

@@ -199,6 +199,9 @@ std::string state_json(const Lab& lab, const StageState& stage, const FrameFacts
     state["toggles"] = lab.toggles;
     state["undo_depth"] = lab.session.undo_depth();
     state["redo_depth"] = lab.session.redo_depth();
+    state["earliest"] = lab.session.earliest();
+    state["latest"] = lab.session.latest();
+    state["bookmarks"] = lab.past.bookmarks.size();
     state["population"] = now.vehicles.size();
     state["predators"] = now.predators;
     state["prey"] = now.prey;

@@ -37,10 +37,17 @@ struct CatalogueEntry {
     int number = 0;  // of an exercise; 0: a scene
 };
 
+// The part of the run that can be gone to, in ticks. The moment shown is somewhere in it.
+struct TimelineView {
+    std::uint64_t earliest = 0, latest = 0;
+    std::vector<std::uint64_t> bookmarks;  // in the order of setting them; some may lie outside
+};
+
 struct LabView {
     const Snapshot* now = nullptr;  // never null
     const Scene* file = nullptr;    // the scene as its file has it, before all edits; null: unknown
     Mode mode = Mode::paused;
+    TimelineView timeline;
     float time_scale = 1;  // simulated seconds per second, 1/8 … 16
     VehicleId selected = no_vehicle;
     Thing thing;                   // the lamp or obstacle that is selected beside the vehicle

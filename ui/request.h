@@ -17,6 +17,11 @@ namespace braitenlab {
 enum class Action {
     play_pause,
     step,
+    step_back,
+    rewind,  // by a stretch, and forward again as far as the run is recorded
+    fast_forward,
+    set_bookmark,
+    last_bookmark,
     reset,
     add,
     remove,
@@ -105,6 +110,14 @@ struct ExportRequest {  // numbers for a spreadsheet, to a new file in the curre
 struct SpeedRequest {
     float time_scale = 1;
 };
+struct SeekRequest {
+    std::uint64_t tick = 0;
+    bool held = false;  // the playhead is still in a hand: time waits, and a rough answer will do
+};
+struct BookmarkRequest {  // one of TimelineView::bookmarks
+    int index = 0;
+    bool remove = false;  // else go there
+};
 struct OpenRequest {
     std::string path;  // of a scene or an exercise
 };
@@ -123,8 +136,9 @@ inline constexpr std::uint64_t canvas = std::uint64_t{1} << 40;
 inline constexpr std::uint64_t viewport = std::uint64_t{1} << 48;
 }  // namespace gestures
 
-using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, ScopeRequest, PredictRequest,
-                             ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest>;
+using Request =
+    std::variant<Action, EditRequest, SelectRequest, TakeRequest, ScopeRequest, PredictRequest, ExportRequest,
+                 SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, BookmarkRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -11,6 +11,11 @@ namespace {
 constexpr Shortcut table[]{
     {{' '}, Action::play_pause},
     {{'.'}, Action::step},
+    {{','}, Action::step_back},
+    {{key::left, true, false}, Action::rewind},
+    {{key::right, true, false}, Action::fast_forward},
+    {{'M'}, Action::set_bookmark},
+    {{'M', false, true}, Action::last_bookmark},
     {{'R'}, Action::reset},
     {{'N'}, Action::new_population},
     {{'A'}, Action::add},
@@ -102,6 +107,11 @@ struct NamedAction {
 constexpr NamedAction names[]{
     {Action::play_pause, "play_pause"},
     {Action::step, "step"},
+    {Action::step_back, "step_back"},
+    {Action::rewind, "rewind"},
+    {Action::fast_forward, "fast_forward"},
+    {Action::set_bookmark, "set_bookmark"},
+    {Action::last_bookmark, "last_bookmark"},
     {Action::reset, "reset"},
     {Action::add, "add"},
     {Action::remove, "remove"},

@@ -188,6 +188,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     right_column(view, state, ui, layout);
     if (layout.charts.w > 0) chart_card(view, state, ui, layout.charts);
     tool_palette(view, state, ui, layout.scene);
+    timeline(view, state, ui, layout.timeline);
     hint_bar(view, ui, layout.hint_bar);
     toolbar(view, state, ui, layout.toolbar);
     stage_menu(view, state, ui, layout.window);

@@ -7,7 +7,7 @@ namespace braitenlab {
 namespace {
 
 // WindowLayout pixels.
-constexpr float toolbar_height = 48, hint_height = 32;
+constexpr float toolbar_height = 48, hint_height = 32, timeline_height = 44, above_timeline = 8;
 constexpr float narrow_window = 1200;  // below it, cards and margins are slimmer
 constexpr float inset_height = 232;
 constexpr float charts_height = 248;
@@ -19,6 +19,13 @@ struct Columns {
 Columns columns(float layout_width) {
     if (layout_width < narrow_window) return {12, 264, 316};
     return {16, 304, 336};
+}
+
+// Takes the strip for the timeline from the foot of the middle column.
+Rect below(Rect& middle, float scale) {
+    const float strip = timeline_height * scale;
+    middle.h = std::max(0.0f, middle.h - strip - above_timeline * scale);
+    return {middle.x, middle.y + middle.h + above_timeline * scale, middle.w, strip};
 }
 
 }  // namespace
@@ -52,9 +59,12 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         if (!view.lesson || width / scale < narrow_window) l.left = {};
         const float from = l.left.w > 0 ? l.scene.x : margin;
         l.canvas = {from, top, l.right.x - margin - from, column};
+        l.timeline = below(l.canvas, scale);
         const float inset = std::min(inset_height * scale, column * 0.36f);
         l.scene = {l.right.x, bottom - inset, l.right.w, inset};
         l.right.h = column - inset - margin;
+    } else {
+        l.timeline = below(l.scene, scale);
     }
     return l;
 }

@@ -10,12 +10,13 @@ namespace braitenlab {
 // All in window pixels. A rectangle of width 0 is not shown.
 struct WindowLayout {
     Rect window, toolbar, hint_bar;
-    Rect left;    // the exercise or the scene card may fill it
-    Rect right;   // the brain card, and below it the information card
-    Rect charts;  // the large pictures, below the free middle; where they are open
-    Rect canvas;  // the wiring canvas; in Mode::wiring alone
-    Rect scene;   // what no card covers: the camera frames the arena here, and the anchor `viewport` is here. In
-                  // Mode::wiring a small inset, so that the scene stays in sight
+    Rect left;      // the exercise or the scene card may fill it
+    Rect right;     // the brain card, and below it the information card
+    Rect charts;    // the large pictures, below the free middle; where they are open
+    Rect timeline;  // below canvas or scene
+    Rect canvas;    // the wiring canvas; in Mode::wiring alone
+    Rect scene;     // what no card covers: the camera frames the arena here, and the anchor `viewport` is here. In
+                    // Mode::wiring a small inset, so that the scene stays in sight
     float scale = 1;
 };
 

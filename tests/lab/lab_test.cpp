@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "app/data.h"
+#include "app/safe_file.h"
+#include "core/world/run_file.h"
 
 namespace braitenlab {
 namespace {
@@ -35,6 +37,78 @@ TEST(Time, DropsWhatItCannotKeepUpWith) {
     advance(lab, 3600);
     EXPECT_EQ(lab.debt, 0);
     EXPECT_LT(lab.session.snapshot().seconds, 3600);
+}
+
+TEST(Time, GoesBackAndOnAgainExactly) {
+    Lab lab = open("predator-prey");
+    for (int i = 0; i < 700; ++i) tick(lab);
+    const auto hash = lab.session.hash();
+    handle(lab, SeekRequest{400, true});
+    EXPECT_EQ(lab.session.snapshot().tick, 400u);
+    handle(lab, Action::play_pause);
+    advance(lab, 0.5);
+    EXPECT_EQ(lab.session.snapshot().tick, 400u) << "the playhead is still held";
+    handle(lab, SeekRequest{400, false});
+    for (int i = 0; i < 300; ++i) tick(lab);
+    EXPECT_EQ(lab.session.hash(), hash);
+    handle(lab, Action::rewind);
+    EXPECT_EQ(lab.session.snapshot().tick, 400u);
+    handle(lab, Action::step_back);
+    EXPECT_EQ(lab.session.snapshot().tick, 399u);
+    EXPECT_EQ(lab.mode, Mode::paused);
+    handle(lab, Action::fast_forward), handle(lab, Action::fast_forward);
+    EXPECT_EQ(lab.session.snapshot().tick, 700u) << "no farther than recorded";
+    EXPECT_EQ(lab.session.hash(), hash);
+}
+
+TEST(Time, TakesTheJudgeBackWithIt) {
+    Lab lab = open("05-aggressor");
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph(lab.lesson->exercise->solution)}});
+    std::vector<std::vector<bool>> done;
+    const auto ticks_now = [&] {
+        std::vector<bool> all;
+        for (const Verdict& verdict : lab.lesson->view.verdicts) all.push_back(verdict.done);
+        return all;
+    };
+    for (int i = 0; i < 600; ++i) done.push_back(ticks_now()), tick(lab);
+    ASSERT_NE(done.front(), done.back());
+    for (const std::uint64_t at : {std::uint64_t{3}, std::uint64_t{599}, std::uint64_t{200}, std::uint64_t{61}}) {
+        handle(lab, SeekRequest{at});
+        EXPECT_EQ(ticks_now(), done[at]) << "at tick " << at;
+        for (std::uint64_t more = at + 1; more < std::min<std::uint64_t>(at + 50, 600); ++more) {
+            tick(lab);
+            ASSERT_EQ(ticks_now(), done[more]) << "at tick " << more;
+        }
+    }
+}
+
+TEST(Bookmarks, BringTheirMomentBackAndCanBeRemoved) {
+    Lab lab = open("predator-prey");
+    for (int i = 0; i < 130; ++i) tick(lab);
+    const auto hash = lab.session.hash();
+    handle(lab, Action::set_bookmark);
+    handle(lab, Action::set_bookmark);
+    EXPECT_EQ(lab.past.bookmarks.size(), 1u) << "one a moment";
+    handle(lab, Action::reset);
+    for (int i = 0; i < 10; ++i) tick(lab);
+    handle(lab, Action::last_bookmark);
+    EXPECT_EQ(lab.session.hash(), hash);
+    handle(lab, BookmarkRequest{0, true});
+    EXPECT_TRUE(lab.past.bookmarks.empty());
+    handle(lab, Action::last_bookmark);  // there is none: nothing happens
+    EXPECT_EQ(lab.session.hash(), hash);
+}
+
+TEST(SavedRun, OpensWhereItStood) {
+    Lab lab = open("predator-prey");
+    for (int i = 0; i < 400; ++i) tick(lab);
+    const auto file = std::filesystem::temp_directory_path() / "braitenlab-lab-test.run";
+    ASSERT_FALSE(write_whole(file, write_run(lab.session.save())));
+    auto again = open_lab(file, std::nullopt, {});
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_EQ(again->session.hash(), lab.session.hash());
+    EXPECT_NE(again->selected, no_vehicle);
+    std::filesystem::remove(file);
 }
 
 TEST(Mode, CountsChangesBetweenPlayingAndNot) {

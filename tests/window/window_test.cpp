@@ -49,6 +49,58 @@ TEST(Window, ChangesAWeightWhileItIsDraggedAndPlaying) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LL"] == before; }));
 }
 
+TEST(Window, GoesBackFiveSecondsAndOnAgainToTheSameMoment) {
+    LabWindow lab({"predator-prey", "--size", "1280x800", "--play"});
+    ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] > 420; }, 40));
+    lab.key("space");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["mode"] == "paused"; }));
+    const Json there = lab.state();
+    lab.key("ctrl+Left");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] == there["tick"].get<int>() - 300; })) << lab.state()["tick"];
+    EXPECT_EQ(lab.state()["latest"], there["tick"]);
+    lab.key("space");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] > there["tick"]; }, 40)) << "and beyond";
+    lab.key("space");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["mode"] == "paused"; }));
+    while (lab.state()["tick"] > there["tick"]) {
+        const Json now = lab.state()["tick"];
+        lab.key("comma");
+        ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] < now; }));
+    }
+    EXPECT_EQ(lab.state()["hash"], there["hash"]);
+}
+
+TEST(Window, ScrubsWithTheMouseAndComesBackToAMark) {
+    LabWindow lab({"predator-prey", "--size", "1280x800", "--play"});
+    ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] > 300; }, 40));
+    lab.key("space");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["mode"] == "paused"; }));
+    const Json there = lab.state();
+    lab.click("timeline.bookmark");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["bookmarks"] == 1; }));
+    const auto track = lab.anchors()["timeline.track"].get<std::vector<double>>();
+    const int y = static_cast<int>(track[1] + track[3] / 2), left = static_cast<int>(track[0]);
+    lab.drag({left + 20, y}, {left + 8, y});
+    ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] < 100; })) << lab.state()["tick"];
+    EXPECT_EQ(lab.state()["latest"], there["tick"]);
+    lab.click("bookmark.1");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] == there["tick"]; }));
+    EXPECT_EQ(lab.state()["hash"], there["hash"]);
+}
+
+TEST(Window, RunsAtAnEighthOfTheSpeed) {
+    LabWindow lab({"2a-coward", "--size", "1280x800"});
+    for (int i = 0; i < 3; ++i) lab.key("minus");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["time_scale"] == 0.125; }));
+    lab.key("space");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] > 0; }));
+    const auto begin = std::chrono::steady_clock::now();
+    const double from = lab.state()["seconds"];
+    LabWindow::wait(6);
+    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    EXPECT_NEAR((lab.state()["seconds"].get<double>() - from) / wall, 0.125, 0.02);
+}
+
 TEST(Window, TurnsTheOverviewWithTheArrowKeys) {
     LabWindow lab({"predator-prey", "--size", "1280x800"});
     lab.click("viewport");

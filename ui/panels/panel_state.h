@@ -55,6 +55,7 @@ struct PanelState {
     Chart chart = Chart::signals;
     EnergyOrder energy_order;
     std::vector<std::size_t> energy_rows;  // in that order, of the snapshot's vehicles
+    bool playhead_held = false;
     bool why_open = false;
     Sheet sheet = Sheet::none;
     SheetState keys, settings;

@@ -24,6 +24,7 @@ void chart_card(const LabView&, PanelState&, Ui&, Rect);          // while Panel
 void thing_card(const LabView&, PanelState&, Ui&, Rect);          // precondition: view.thing
 void tool_palette(const LabView&, PanelState&, Ui&, Rect scene);  // the hand, and what draws into the scene
 void stage_menu(const LabView&, PanelState&, Ui&, Rect window);   // of a thing or of the floor; closes itself
+void timeline(const LabView&, PanelState&, Ui&, Rect);
 void hint_bar(const LabView&, Ui&, Rect);
 void open_menu(const LabView&, PanelState&, Ui&, const WindowLayout&);  // over everything; closes itself
 bool for_open_menu(const LabView&, PanelState&, KeyPress);  // while it is open: Tab and arrows walk its rows

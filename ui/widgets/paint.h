@@ -19,7 +19,8 @@ inline constexpr std::string_view play = "\uf04b", pause = "\uf04c", step = "\uf
                                   unfolded = "\uf107", folded = "\uf105", warning = "\uf071", check = "\uf00c",
                                   cross = "\uf00d", presets = "\uf02d", open = "\uf07c", clock = "\uf017",
                                   mirror = "\uf042", cross_over = "\uf0ec", drive = "\uf11b", save = "\uf0c7",
-                                  load = "\uf115", chart = "\uf201", heal = "\uf0fa", enlarge = "\uf065";
+                                  load = "\uf115", chart = "\uf201", heal = "\uf0fa", enlarge = "\uf065",
+                                  bookmark = "\uf02e", rewind = "\uf049";
 }  // namespace icon
 
 enum class Face { text, strong, title, small };
