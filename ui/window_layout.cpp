@@ -49,9 +49,9 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     l.scene = {2 * margin + left, top, width - 4 * margin - left - right, column};
 
     if (charts && view.mode != Mode::wiring) {
-        const float height = std::min(charts_height * scale, column * 0.45f);
-        l.charts = {l.scene.x, bottom - height, l.scene.w, height};
-        l.scene.h -= height + margin;
+        const float strip = std::min(charts_height * scale, column * 0.45f);
+        l.charts = {l.scene.x, bottom - strip, l.scene.w, strip};
+        l.scene.h -= strip + margin;
     }
     if (view.mode == Mode::wiring) {
         // The canvas needs room more than words do: a card without an exercise goes, and so does a card in a narrow
