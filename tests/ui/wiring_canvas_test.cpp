@@ -1,124 +1,11 @@
-// The canvas with a mouse: Dear ImGui without a window, pointer and keys put in by hand.
+// What the mouse and the keys do to the canvas.
 #include <cmath>
 #include <optional>
 
-#include <gtest/gtest.h>
-#include <imgui.h>
+#include "tests/ui/wiring_hand.h"
 
-#include "ui/strings.h"
-#include "ui/wiring/canvas.h"
-#include "ui/wiring/interaction.h"
-
+namespace braitenlab::tests {
 namespace {
-
-using namespace braitenlab;
-using maths::vec2;
-
-constexpr NodeId SL = 0, SR = 1, ML = 2, MR = 3;
-
-// A lab with one vehicle that carries out edits of its brain as the app would, and the hand on the mouse.
-struct WiringCanvas : testing::Test {
-    WiringCanvas() {
-        ImGui::CreateContext();
-        ImGuiIO& io = ImGui::GetIO();
-        io.IniFilename = nullptr;
-        io.DisplaySize = {1000, 700};
-        for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
-        unsigned char* pixels = nullptr;
-        int width = 0, height = 0;
-        io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
-
-        FourNeurons four;
-        four.LR = four.RL = 1.5f;
-        scene.kinds.resize(1);
-        now.scene = std::make_shared<Scene>(scene);
-        now.sensed = {0.4f, 0.2f};
-        now.neurons = {0.3f, 0.6f};
-        VehicleView vehicle;
-        vehicle.id = 7;
-        vehicle.neuron_count = 2;
-        now.vehicles = {vehicle};
-        now.brains = {std::make_shared<BrainGraph>(make_graph(four))};
-        view.now = &now;
-        view.mode = Mode::wiring;
-        view.selected = 7;
-        frames(3);
-    }
-    ~WiringCanvas() override { ImGui::DestroyContext(); }
-
-    void frames(int count = 1) {
-        for (int i = 0; i < count; ++i) {
-            ImGuiIO& io = ImGui::GetIO();
-            io.DeltaTime = 1.0f / 60;
-            view.wall_seconds += io.DeltaTime;
-            ImGui::NewFrame();
-            anchors.begin();
-            outbox.clear();
-            Ui ui{strings, palette(Theme::dark), {}, 1, anchors, outbox, {}};
-            wiring_canvas(view, state, ui, area);
-            ImGui::Render();
-            io.MouseWheel = 0;
-            for (const Request& request : outbox) carry_out(std::get<EditRequest>(request));
-        }
-    }
-    void carry_out(const EditRequest& request) {
-        edits.push_back(request);
-        auto edited = std::make_shared<BrainGraph>(*now.brains[0]);
-        if (const auto* dial = std::get_if<TurnDial>(&request.command)) turn(*edited, dial->dial, dial->value);
-        if (const auto* brain = std::get_if<SetBrain>(&request.command)) *edited = brain->brain;
-        now.brains[0] = edited;
-        now.neurons.resize(edited->nodes.size());
-    }
-
-    vec2 middle(const std::string& anchor) const {
-        const Rect* r = anchors.find(anchor);
-        EXPECT_NE(r, nullptr) << anchor;
-        return r ? vec2{r->x + r->w / 2, r->y + r->h / 2} : vec2{};
-    }
-    void move(vec2 to) {
-        ImGui::GetIO().MousePos = {to.x, to.y};
-        frames();
-    }
-    void button(bool down, int which = 0) {
-        ImGui::GetIO().MouseDown[which] = down;
-        frames();
-    }
-    void drag(vec2 from, vec2 to) {
-        move(from);
-        button(true);
-        move(from + (to - from) * 0.5f);
-        move(to);
-        button(false);
-        frames();
-    }
-    void click(vec2 at) {
-        move(at);
-        button(true);
-        button(false);
-    }
-    void key(ImGuiKey which) {
-        ImGui::GetIO().KeysDown[which] = true;
-        frames();
-        ImGui::GetIO().KeysDown[which] = false;
-        frames();
-    }
-    void wheel(float notches) {
-        ImGui::GetIO().MouseWheel = notches;
-        frames();
-    }
-    const BrainGraph& brain() const { return *now.brains[0]; }
-    FourNeurons dials() const { return read_dials(brain()); }
-
-    const Rect area{20, 30, 900, 640};
-    Strings strings;
-    Anchors anchors;
-    Outbox outbox;
-    Scene scene;
-    Snapshot now;
-    LabView view;
-    CanvasState state;
-    std::vector<EditRequest> edits;
-};
 
 TEST_F(WiringCanvas, RecordsPinsAndLabelsInsideItsArea) {
     for (const char* id : {"pin.SL.out", "pin.SR.out", "pin.ML.in", "pin.MR.in", "wire.LL", "wire.LR", "wire.RL",
@@ -273,8 +160,8 @@ TEST_F(WiringCanvas, ZoomKeepsThePointUnderTheCursor) {
     for (const float notches : {3.0f, -7.0f, 30.0f, -60.0f}) {
         zoom_at(state, area, 1, cursor, std::pow(1.15f, notches));
         EXPECT_LT(maths::distance(view_of(state, area, 1).to_window(unit), cursor), 0.01f);
-        EXPECT_GE(state.zoom, 0.3f);
-        EXPECT_LE(state.zoom, 3.0f);
+        EXPECT_GE(state.zoom, least_zoom);
+        EXPECT_LE(state.zoom, most_zoom);
     }
 }
 
@@ -298,7 +185,7 @@ TEST_F(WiringCanvas, FitKeepsEveryCardClearOfTheButtonsAtAnySize) {
             for (const NodeShape& node : layout.nodes) {
                 const Rect card = node_rect(drawn, node);
                 EXPECT_GE(card.y, room.y + 44 * ui_scale) << room.w << " x " << room.h << " at " << ui_scale;
-                if (state.zoom <= 0.3f) continue;  // as small as it gets
+                if (state.zoom <= least_zoom) continue;  // as small as it gets
                 EXPECT_LE(card.y + card.h, room.y + room.h);
                 EXPECT_GE(card.x, room.x);
                 EXPECT_LE(card.x + card.w, room.x + room.w);
@@ -372,3 +259,4 @@ TEST_F(WiringCanvas, SurvivesNobodySelectedAndABrainWithoutNodes) {
 }
 
 }  // namespace
+}  // namespace braitenlab::tests

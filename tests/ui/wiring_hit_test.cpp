@@ -29,13 +29,18 @@ TEST_F(WiringHit, FindsPinsBeforeTheCardsTheyStandOn) {
 }
 
 TEST_F(WiringHit, ReachesPinsFourteenPixelsFarAtAnyZoom) {
-    for (const float scale : {0.3f, 1.0f, 3.0f}) {
-        view.scale = scale;
-        const vec2 pin = view.to_window(out(SL));
-        EXPECT_EQ(hit(layout, view, pin + vec2{0, 13.5f}, 1).part, Part::out_pin);
-        EXPECT_NE(hit(layout, view, pin + vec2{0, 14.5f}, 1).part, Part::out_pin);
-        EXPECT_EQ(hit(layout, view, pin + vec2{0, 27}, 2).part, Part::out_pin);
-    }
+    for (const float zoom : {0.3f, 1.0f, 3.0f})
+        for (const float ui_scale : {1.0f, 2.0f}) {
+            view.scale = zoom * ui_scale;
+            const vec2 pin = view.to_window(out(SL));
+            EXPECT_EQ(hit(layout, view, pin + vec2{0, 13.5f * ui_scale}, ui_scale).part, Part::out_pin);
+            EXPECT_NE(hit(layout, view, pin + vec2{0, 14.5f * ui_scale}, ui_scale).part, Part::out_pin);
+        }
+}
+
+TEST_F(WiringHit, LeavesACardSeenFromFarAwayMoreThanItsPins) {
+    view.scale = 0.15f;
+    EXPECT_EQ(at(find_shape(layout, SL)->centre).part, Part::node);
 }
 
 TEST_F(WiringHit, FindsCardsAndTheTopOneFirst) {

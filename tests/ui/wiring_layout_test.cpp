@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ui/wiring/layout.h"
+#include "ui/wiring/occupied.h"
 
 namespace {
 
@@ -126,11 +127,36 @@ TEST(Layout, StandsManySensorsFarFromTheMotorsSoThatWiresDoNotRunSteeply) {
     EXPECT_GE(across.x, across.y);
 }
 
+TEST(KeptLayout, IsMadeAnewOnlyForAnotherGraphOrOtherPlaces) {
+    KeptLayout kept;
+    const auto graph = std::make_shared<BrainGraph>(chain(2)), longer = std::make_shared<BrainGraph>(chain(3));
+    const NodeShape* first = kept.of(graph, {}).nodes.data();
+    EXPECT_EQ(kept.of(graph, {}).nodes.data(), first);
+    EXPECT_EQ(find_shape(kept.of(graph, {{4, {9, 9}}}), 4)->centre, (vec2{9, 9}));
+    EXPECT_EQ(kept.of(longer, {}).nodes.size(), longer->nodes.size());
+}
+
 TEST(WireCurve, RunsFromPinToPin) {
     for (const vec2 to : {vec2{300, 80}, vec2{-200, 40}, vec2{0, 0}}) {
         const auto curve = wire_curve({10, 20}, to);
         EXPECT_EQ(bezier_point(curve, 0), (vec2{10, 20}));
         EXPECT_EQ(bezier_point(curve, 1), to);
+    }
+}
+
+TEST(Occupied, AgreesWithLookingAtEveryBox) {
+    std::vector<std::pair<vec2, vec2>> boxes;
+    Occupied taken;
+    for (int i = 0; i < 40; ++i) {
+        const vec2 at{static_cast<float>(i * 197 % 900) - 450, static_cast<float>(i * 331 % 700) - 350};
+        boxes.emplace_back(at, vec2{static_cast<float>(20 + i * 13 % 180), 30});
+        taken.add(boxes.back().first, boxes.back().second);
+    }
+    for (int i = 0; i < 400; ++i) {
+        const vec2 at{static_cast<float>(i * 83 % 1000) - 500, static_cast<float>(i * 59 % 800) - 400}, size{72, 28};
+        const bool any = std::any_of(boxes.begin(), boxes.end(),
+                                     [&](const auto& box) { return overlap(at, size, box.first, box.second); });
+        EXPECT_EQ(taken.touches(at, size), any) << at.x << " " << at.y;
     }
 }
 

@@ -96,6 +96,10 @@ void draw_button(const Ui& ui, const CornerButton& button) {
     ui.anchors.record(button.anchor, button.rect);
 }
 
+bool in_sight(Rect area, Rect r) {
+    return r.x < area.x + area.w && r.x + r.w > area.x && r.y < area.y + area.h && r.y + r.h > area.y;
+}
+
 // Records what can be found again, as far as it lies in sight, and lets the highlighted one pulse.
 void record(Ui& ui, Rect area, const std::string& id, Rect rect) {
     if (!area.contains(rect.x + rect.w / 2, rect.y + rect.h / 2)) return;
@@ -108,13 +112,17 @@ void record(Ui& ui, Rect area, const std::string& id, Rect rect) {
 
 void record_anchors(Ui& ui, Rect area, const BrainGraph& graph, const Layout& layout, const View& view) {
     for (const NodeShape& node : layout.nodes) {
-        const Node* named = find_node(graph, node.id);
-        record(ui, area, "node." + named->name, node_rect(view, node));
-        if (node.has_in) record(ui, area, "pin." + named->name + ".in", pin_rect(view, node.in_pin()));
-        if (node.has_out) record(ui, area, "pin." + named->name + ".out", pin_rect(view, node.out_pin()));
+        const std::string& name = graph.nodes[node.node].name;
+        if (!in_sight(area, node_rect(view, node))) continue;
+        record(ui, area, "node." + name, node_rect(view, node));
+        if (node.has_in) record(ui, area, "pin." + name + ".in", pin_rect(view, node.in_pin()));
+        if (node.has_out) record(ui, area, "pin." + name + ".out", pin_rect(view, node.out_pin()));
     }
-    for (const WireShape& wire : layout.wires)
-        record(ui, area, "wire." + wire_name(graph, wire.ends), label_rect(view, wire));
+    if (view.scale < map_zoom * ui.scale) return;
+    for (const WireShape& wire : layout.wires) {
+        const Rect label = label_rect(view, wire);
+        if (in_sight(area, label)) record(ui, area, "wire." + name_of(graph, layout, wire), label);
+    }
 }
 
 void set_cursor(const CanvasState& state) {
@@ -132,8 +140,9 @@ void nobody(const Ui& ui, Rect area) {
 }
 
 void canvas_of(const LabView& view, const VehicleView& vehicle, CanvasState& state, Ui& ui, Rect area, bool over) {
-    const BrainGraph& graph = *view.now->brains[static_cast<std::size_t>(vehicle.brain)];
-    const Layout before = lay_out(graph, state.places[vehicle.kind]);
+    const auto& brain = view.now->brains[static_cast<std::size_t>(vehicle.brain)];
+    const BrainGraph& graph = *brain;
+    const Layout& before = state.layout.of(brain, state.places[vehicle.kind]);
     follow(state, vehicle, graph, before, area, ui.scale);
     drop_stale_selection(state, before);
 
@@ -146,14 +155,23 @@ void canvas_of(const LabView& view, const VehicleView& vehicle, CanvasState& sta
     const auto buttons = corner_buttons(ui, area, frame.pointer);
     interact(state, frame, ui.outbox);
     if (buttons[1].pressed) state.places[vehicle.kind].clear();
-    const Layout layout = lay_out(graph, state.places[vehicle.kind]);
+    const Layout& layout = state.layout.of(brain, state.places[vehicle.kind]);
     if (buttons[0].pressed || buttons[1].pressed) fit(state, layout, area, ui.scale);
 
     const Pen pen{*ImGui::GetWindowDrawList(), ui, view_of(state, area, ui.scale)};
-    const CanvasPicture picture{view, vehicle, graph, layout, state};
+    read(state.moment, *view.now, vehicle, graph, layout);
+    const CanvasPicture picture{view,
+                                vehicle,
+                                graph,
+                                layout,
+                                state.moment,
+                                state,
+                                pen.view.to_canvas({area.x, area.y}),
+                                pen.view.to_canvas({area.x + area.w, area.y + area.h})};
     const CanvasFrame after{graph, layout, area, target, ui.scale, view.wall_seconds, frame.pointer};
     draw_ground(pen, area);
     draw_wires(pen, picture);
+    draw_labels(pen, picture);
     draw_nodes(pen, picture);
     record_anchors(ui, area, graph, layout, pen.view);
     for (const CornerButton& button : buttons) draw_button(ui, button);

@@ -13,6 +13,7 @@
 #include "ui/lab_view.h"
 #include "ui/widgets/ui.h"
 #include "ui/wiring/hit.h"
+#include "ui/wiring/moment.h"
 
 namespace braitenlab {
 
@@ -44,15 +45,19 @@ struct CanvasRefusal {
     double until = 0;  // LabView::wall_seconds
 };
 
+inline constexpr float least_zoom = 0.1f, most_zoom = 3;
+
 struct CanvasState {
     std::map<int, Places> places;  // nodes that were moved, by the vehicle's kind
     maths::vec2 middle;            // the canvas point in the middle of the area
-    float zoom = 1;                // 0.3..3
+    float zoom = 1;                // least_zoom..most_zoom
     bool own_view = false;         // panned or zoomed by hand: no automatic fit
     Caught selection;
     CanvasDrag drag;
     CanvasRefusal refusal;
     Hit hovered;
+    KeptLayout layout;
+    Moment moment;
 
     int kind = -1;  // what was shown last, and how: a change fits the view again
     std::size_t nodes = 0;

@@ -62,7 +62,8 @@ void draw_sum(const Pen& pen, const CanvasPicture& picture, Rect area) {
     if (selection.nodes.size() != 1 || !selection.wires.empty()) return;
     const NodeShape* shape = find_shape(picture.layout, *selection.nodes.begin());
     if (shape == nullptr) return;
-    const std::string sum = sum_text(picture.graph, shape->id, [&](NodeId id) { return picture.value(id); });
+    const std::string sum = sum_text(picture.graph, shape->id,
+                                     [&](NodeId id) { return node_value(*picture.view.now, picture.vehicle, id); });
     if (sum.empty()) return;
     const ImVec2 at = beside_card(pen, picture.layout, *shape, note_size(pen.ui, sum));
     draw_note(pen, at, sum, area, pen.palette().second_text);

@@ -2,9 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/maths/portable.h"
 #include "core/scene/scene.h"
-#include "ui/imgui_compat.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/widgets/number.h"
@@ -16,83 +14,6 @@ namespace {
 using maths::vec2;
 
 constexpr float card_rounding = 16;
-
-// An almond with an iris that opens and lights up with what it sees.
-void draw_eye(const Pen& pen, vec2 c, float value) {
-    const Palette& p = pen.palette();
-    const auto almond = [&] {
-        pen.list.PathLineTo(pen.at(c - vec2{21, 0}));
-        pen.list.PathBezierQuadraticCurveTo(pen.at(c - vec2{0, 25}), pen.at(c + vec2{21, 0}), 20);
-        pen.list.PathBezierQuadraticCurveTo(pen.at(c + vec2{0, 25}), pen.at(c - vec2{21, 0}), 20);
-    };
-    almond();
-    pen.list.PathFillConvex(paint(mix(p.wheel, p.raised, 0.15f)));
-    const float seen = std::clamp(value, 0.0f, 1.0f);
-    pen.list.AddCircleFilled(pen.at(c), pen.size(11), paint(p.chassis.with_alpha(0.35f)));
-    if (seen > 0.005f) pen.list.AddCircleFilled(pen.at(c), pen.size(3 + 8 * seen), paint(mix(p.excites, p.lamp, seen)));
-    pen.list.AddCircleFilled(pen.at(c), pen.size(2.5f), paint(p.wheel));
-    almond();
-    pen.list.PathStroke(paint(p.second_text), 0, pen.stroke(1.8f));
-}
-
-// A wheel seen from its side; its spokes stand as the vehicle's own wheel does.
-void draw_wheel(const Pen& pen, vec2 c, float angle, float value) {
-    const Palette& p = pen.palette();
-    constexpr float radius = 20;
-    pen.list.AddCircleFilled(pen.at(c), pen.size(radius), paint(p.wheel), 40);
-    pen.list.AddCircleFilled(pen.at(c), pen.size(radius - 5), paint(mix(p.panel, p.chassis, 0.35f)), 40);
-    for (int spoke = 0; spoke < 3; ++spoke) {
-        const float turn = -angle + static_cast<float>(spoke) * maths::pi / 3;
-        const vec2 out{maths::cosine(turn) * (radius - 5), maths::sine(turn) * (radius - 5)};
-        pen.list.AddLine(pen.at(c - out), pen.at(c + out), paint(p.wheel), pen.stroke(2.2f));
-    }
-    pen.list.AddCircleFilled(pen.at(c), pen.size(5), paint(value == 0 ? p.second_text : colour_of_weight(p, value)));
-    pen.list.AddCircle(pen.at(c), pen.size(radius), paint(p.second_text), 40, pen.stroke(1.5f));
-}
-
-// The response curve over −1..1, with a dot where the neuron stands now.
-void draw_response(const Pen& pen, vec2 c, const Node& node, float value) {
-    const Palette& p = pen.palette();
-    constexpr float half = 17;
-    pen.box(c, {2 * half + 6, 2 * half + 6}, 8, mix(p.panel, p.ground, 0.6f));
-    pen.list.AddLine(pen.at(c - vec2{half, 0}), pen.at(c + vec2{half, 0}), paint(p.line), pen.stroke(1));
-    pen.list.AddLine(pen.at(c - vec2{0, half}), pen.at(c + vec2{0, half}), paint(p.line), pen.stroke(1));
-    constexpr int pieces = 24;
-    ImVec2 points[pieces + 1];
-    for (int i = 0; i <= pieces; ++i) {
-        const float x = 2 * static_cast<float>(i) / pieces - 1;
-        points[i] = pen.at(c + vec2{x, -std::clamp(respond(node.curve, x), -1.0f, 1.0f)} * half);
-    }
-    compat::polyline(pen.list, points, pieces + 1, paint(p.text), false, pen.stroke(2));
-    const float height = std::clamp(value, -1.0f, 1.0f);
-    pen.list.AddCircleFilled(pen.at(c + vec2{half, -height * half}), pen.size(3.5f), paint(colour_of_weight(p, value)));
-}
-
-// From 0 to the value: rightwards what drives, leftwards what holds back. A sensor has no negative side.
-void draw_bar(const Pen& pen, vec2 left, float width, float value, bool both_sides) {
-    const Palette& p = pen.palette();
-    const vec2 middle = left + vec2{width / 2, 0};
-    pen.box(middle, {width, 7}, 3.5f, mix(p.ground, p.line, 0.7f));
-    const float room = both_sides ? width / 2 : width;
-    const float length = std::clamp(value, both_sides ? -1.0f : 0.0f, 1.0f) * room;
-    const vec2 zero = both_sides ? middle : left;
-    if (std::abs(length) > 0.5f)
-        pen.box(zero + vec2{length / 2, 0}, {std::abs(length), 7}, 3.5f, colour_of_weight(p, value));
-    if (both_sides)
-        pen.list.AddLine(pen.at(middle - vec2{0, 6}), pen.at(middle + vec2{0, 6}), paint(p.second_text),
-                         pen.stroke(1.5f));
-}
-
-void draw_pin(const Pen& pen, vec2 at, float spread, bool hovered, bool inviting, bool out) {
-    const Palette& p = pen.palette();
-    const float radius = hovered ? 9.5f : 7.5f;
-    const vec2 extent{2 * radius, 2 * radius + spread};
-    if (hovered || inviting)
-        pen.halo(at, extent, radius, hovered ? 8 : 5, p.accent.with_alpha(hovered ? 0.45f : 0.28f));
-    pen.box(at, extent, radius, out ? p.text : p.panel);
-    pen.frame(at, extent, radius, 2.2f, hovered || inviting ? p.accent : p.text);
-    if (out) pen.box(at, {5, 5}, 2.5f, p.panel);
-}
 
 // In the order of Channel.
 constexpr std::array<std::string_view, channel_count> senses_keys{
@@ -121,11 +42,9 @@ float wheel_angle(const CanvasPicture& picture, const Node& node) {
 }
 
 // From far away only what can still be read: icon, name and number, as large as the card allows.
-constexpr float far_away = 0.62f;  // layout pixels per unit
-
 void draw_words(const Pen& pen, const CanvasPicture& picture, const Node& node, float value, vec2 low, vec2 high) {
     const Palette& p = pen.palette();
-    const bool neuron = node.kind == NodeKind::neuron, far = pen.view.scale < far_away * pen.ui.scale;
+    const bool neuron = node.kind == NodeKind::neuron, far = detail_of(pen) != Detail::full;
     const std::string number = node.kind == NodeKind::sensor ? fixed(value, 2) : with_sign(value, 2);
     const float room = high.x - low.x;
     if (far || neuron) {
@@ -146,26 +65,41 @@ void draw_words(const Pen& pen, const CanvasPicture& picture, const Node& node, 
 void draw_contents(const Pen& pen, const CanvasPicture& picture, const NodeShape& shape, const Node& node,
                    float value) {
     const bool neuron = node.kind == NodeKind::neuron;
-    const bool far = pen.view.scale < far_away * pen.ui.scale;
+    const bool far = detail_of(pen) != Detail::full;
     const vec2 half = shape.size / 2;
     const vec2 icon = shape.centre + vec2{-half.x + (neuron ? 38.0f : 44.0f), neuron || far ? 0.0f : -9.0f};
-    if (node.kind == NodeKind::sensor) draw_eye(pen, icon, value);
-    if (node.kind == NodeKind::motor) draw_wheel(pen, icon, wheel_angle(picture, node), value);
-    if (neuron) draw_response(pen, icon, node, value);
+    if (node.kind == NodeKind::sensor) draw_eye(pen, icon, value, node.silenced);
+    if (node.kind == NodeKind::motor) draw_wheel(pen, icon, wheel_angle(picture, node), value, node.silenced);
+    if (neuron) draw_response(pen, icon, node.curve, value);
     const float left = icon.x + (neuron ? 28.0f : 34.0f);
     draw_words(pen, picture, node, value, {left, shape.centre.y - half.y},
                shape.centre + half - vec2{neuron ? 14.0f : 18.0f, 0});
 }
 
-void draw_card(const Pen& pen, const CanvasPicture& picture, const NodeShape& shape) {
+// A lesion: stripes across the card, which its name and number stay readable on.
+void draw_silence(const Pen& pen, const NodeShape& shape) {
     const Palette& p = pen.palette();
-    const Node* node = find_node(picture.graph, shape.id);
-    if (node == nullptr) return;
-    const float value = picture.value(shape.id), strength = std::min(std::abs(value), 1.0f);
+    const vec2 half = shape.size / 2;
+    const ImVec2 low = pen.at(shape.centre - half), high = pen.at(shape.centre + half);
+    pen.list.PushClipRect(low, high, true);
+    const float gap = pen.size(15), height = high.y - low.y;
+    for (float x = low.x - height; x < high.x; x += gap)
+        pen.list.AddLine({x, high.y}, {x + height, low.y}, paint(p.warning.with_alpha(0.20f)), pen.stroke(3));
+    pen.list.PopClipRect();
+    pen.frame(shape.centre, shape.size, card_rounding, 2.2f, p.warning);
+}
+
+void draw_card(const Pen& pen, const CanvasPicture& picture, std::size_t index) {
+    const Palette& p = pen.palette();
+    const NodeShape& shape = picture.layout.nodes[index];
+    const Node& node = picture.graph.nodes[shape.node];
+    const float value = picture.moment.nodes[index], strength = std::min(std::abs(value), 1.0f);
     const bool selected = picture.state.selection.nodes.count(shape.id) > 0;
     const bool hovered = picture.state.hovered.part == Part::node && picture.state.hovered.node == shape.id;
-    pen.halo(shape.centre + vec2{0, 4}, shape.size, card_rounding, 14, p.shadow.with_alpha(p.shadow.a * 0.28f));
-    if (strength > 0.01f)
+    const bool plain = detail_of(pen) == Detail::map;
+    if (!plain)
+        pen.halo(shape.centre + vec2{0, 4}, shape.size, card_rounding, 14, p.shadow.with_alpha(p.shadow.a * 0.28f));
+    if (strength > 0.01f && !plain)
         pen.halo(shape.centre, shape.size, card_rounding, 8 + 10 * strength,
                  colour_of_weight(p, value).with_alpha(0.34f * strength));
     pen.box(shape.centre, shape.size, card_rounding, mix(p.panel, p.raised, hovered ? 1.0f : 0.45f));
@@ -174,8 +108,13 @@ void draw_card(const Pen& pen, const CanvasPicture& picture, const NodeShape& sh
         pen.frame(shape.centre, shape.size + vec2{7, 7}, card_rounding + 4, 5, p.text.with_alpha(0.45f));
         pen.frame(shape.centre, shape.size + vec2{7, 7}, card_rounding + 4, 3, p.selected);
     }
-    pen.frame(shape.centre, shape.size, card_rounding, 1.6f, hovered ? p.second_text : edge);
-    draw_contents(pen, picture, shape, *node, value);
+    if (node.silenced)
+        draw_silence(pen, shape);
+    else
+        pen.frame(shape.centre, shape.size, card_rounding, 1.6f, hovered ? p.second_text : edge);
+    if (!plain) return draw_contents(pen, picture, shape, node, value);
+    pen.box(shape.centre, shape.size - vec2{24, 24}, 6, colour_of_weight(p, value).with_alpha(0.15f + 0.6f * strength));
+    pen.text(shape.centre, 34, 0.5f, node.name, p.text, Face::strong, shape.size.x);
 }
 
 // While a wire is dragged, the pins that could take it light up.
@@ -192,8 +131,10 @@ bool invites(const CanvasPicture& picture, const NodeShape& shape, bool out) {
 
 void draw_nodes(const Pen& pen, const CanvasPicture& picture) {
     const Hit& over = picture.state.hovered;
-    for (const NodeShape& shape : picture.layout.nodes) {
-        draw_card(pen, picture, shape);
+    for (std::size_t i = 0; i < picture.layout.nodes.size(); ++i) {
+        const NodeShape& shape = picture.layout.nodes[i];
+        if (!picture.sees(shape.centre - shape.size / 2, shape.centre + shape.size / 2)) continue;
+        draw_card(pen, picture, i);
         const bool in = over.part == Part::in_pin && over.node == shape.id;
         const bool out = over.part == Part::out_pin && over.node == shape.id;
         if (shape.has_in) draw_pin(pen, shape.in_pin(), shape.in_spread, in, invites(picture, shape, false), false);

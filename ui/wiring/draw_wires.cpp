@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/imgui_compat.h"
 #include "ui/theme.h"
-#include "ui/widgets/number.h"
 #include "ui/wiring/draw.h"
 
 namespace braitenlab {
@@ -10,29 +10,75 @@ namespace {
 
 using maths::vec2;
 
-constexpr float dot_gap = 44;    // units between signal dots
-constexpr float dot_step = 5;    // units they move in a tick
+constexpr float dot_step = 5;    // units the dots move in a tick
 constexpr float sign_size = 13;  // of the end sign
 constexpr float end_gap = 2;     // between the end sign's tip and the pin
 
-struct Look {
-    Wire wire;          // weight 0 for a place without a wire
-    float carried = 0;  // what arrives at its end
-    bool selected = false, hovered = false;
-};
+vec2 lower(vec2 a, vec2 b) { return {std::min(a.x, b.x), std::min(a.y, b.y)}; }
+vec2 upper(vec2 a, vec2 b) { return {std::max(a.x, b.x), std::max(a.y, b.y)}; }
 
-Look look_of(const CanvasPicture& picture, const WireShape& shape) {
-    Look look;
-    if (const Wire* wire = find_wire(picture.graph, shape.ends.from, shape.ends.to))
-        look.wire = *wire;
-    else
-        look.wire.weight = 0;
-    if (!shape.ghost) look.carried = signal(look.wire, picture.value(shape.ends.from));
-    look.selected = picture.state.selection.wires.count(shape.ends) > 0;
-    const Hit& over = picture.state.hovered;
-    look.hovered = (over.part == Part::wire || over.part == Part::label) && over.wire == shape.ends;
-    return look;
-}
+// How one wire is drawn: as straight pieces, of which those that nobody sees are left out.
+class Stroke {
+public:
+    Stroke(const Pen& with, const CanvasPicture& picture, const std::array<vec2, 4>& curve)
+        : pen(with), picture_(picture), bezier_(curve) {
+        length_ = maths::distance(curve[0], curve[1]) + maths::distance(curve[1], curve[2]) +
+                  maths::distance(curve[2], curve[3]);
+        // A straight run needs few pieces, and a bend seen from afar not many more.
+        const float across = std::abs(curve[3].y - curve[0].y);
+        const float bend = curve[3].x > curve[0].x ? across : length_;
+        pieces_ = std::clamp(static_cast<int>(2 + std::sqrt(pen.size(bend)) * 1.3f), 2, 2 * wire_segments);
+        for (int i = 0; i <= pieces_; ++i) points_[static_cast<std::size_t>(i)] = point(i, pieces_);
+    }
+
+    void line(float width, Colour colour) const {
+        const bool plain = detail_of(pen) == Detail::map;
+        // Whole pixels on a map: Dear ImGui draws those with half the corners.
+        const float thickness = plain ? std::max(1.0f, std::round(pen.stroke(width))) : pen.stroke(width);
+        std::array<ImVec2, 2 * wire_segments + 1> run;
+        int count = 0;
+        const auto finish = [&] {
+            if (count > 1) compat::polyline(pen.list, run.data(), count, paint(colour), false, thickness);
+            count = 0;
+        };
+        for (std::size_t i = 0; i < static_cast<std::size_t>(pieces_); ++i) {
+            if (!picture_.sees(lower(points_[i], points_[i + 1]), upper(points_[i], points_[i + 1]))) {
+                finish();
+                continue;
+            }
+            if (count == 0) run[static_cast<std::size_t>(count++)] = pen.at(points_[i]);
+            run[static_cast<std::size_t>(count++)] = pen.at(points_[i + 1]);
+        }
+        finish();
+    }
+
+    // Calls back with points `gap` units apart along the curve, which must not bunch where the parameter runs slowly.
+    template <class Visitor>
+    void along(float gap, float first, Visitor visitor) const {
+        const int fine = std::clamp(static_cast<int>(length_ / (gap / 4)), 12, 160);
+        float run = 0, next = first;
+        vec2 before = bezier_[0];
+        for (int i = 1; i <= fine; ++i) {
+            const vec2 now = point(i, fine);
+            const float piece = maths::distance(before, now);
+            for (; piece > 0 && next <= run + piece; next += gap)
+                visitor(before + (now - before) * ((next - run) / piece));
+            run += piece;
+            before = now;
+        }
+    }
+
+    const Pen& pen;
+
+private:
+    vec2 point(int i, int of) const { return bezier_point(bezier_, static_cast<float>(i) / static_cast<float>(of)); }
+
+    const CanvasPicture& picture_;
+    std::array<vec2, 4> bezier_;
+    float length_;  // units, of the line from control to control: the curve is no longer
+    int pieces_;
+    std::array<vec2, 2 * wire_segments + 1> points_;
+};
 
 float width_of(float weight) { return 1.5f + 2.6f * std::min(std::abs(weight), 2.0f); }
 
@@ -42,100 +88,104 @@ std::array<vec2, 4> shortened(std::array<vec2, 4> curve) {
     return curve;
 }
 
-void stroke_curve(const Pen& pen, const std::array<vec2, 4>& b, float width, Colour colour) {
-    pen.list.AddBezierCubic(pen.at(b[0]), pen.at(b[1]), pen.at(b[2]), pen.at(b[3]), paint(colour), pen.stroke(width),
-                            wire_segments * 2);
+void dash(const Stroke& stroke, float width, Colour colour) {
+    bool draws = true;
+    vec2 before;
+    stroke.along(7, 4, [&](vec2 point) {
+        if (!draws)
+            stroke.pen.list.AddLine(stroke.pen.at(before), stroke.pen.at(point), paint(colour),
+                                    stroke.pen.stroke(width));
+        before = point;
+        draws = !draws;
+    });
 }
 
-// The curve as points a few units apart: for dashes and dots, which must not bunch where the parameter runs slowly.
-std::vector<vec2> along(const std::array<vec2, 4>& b, float gap, float first) {
-    constexpr int fine = 160;
-    std::vector<vec2> points;
-    float run = 0, next = first;
-    vec2 before = b[0];
-    for (int i = 1; i <= fine; ++i) {
-        const vec2 now = bezier_point(b, static_cast<float>(i) / fine);
-        const float piece = maths::distance(before, now);
-        while (piece > 0 && next <= run + piece) {
-            points.push_back(before + (now - before) * ((next - run) / piece));
-            next += gap;
-        }
-        run += piece;
-        before = now;
-    }
-    return points;
+struct WireLook {
+    bool selected = false, hovered = false, cut = false;
+    float weight = 0;   // what was learned included
+    float carried = 0;  // what arrives at its end
+};
+
+WireLook look_of(const CanvasPicture& picture, std::size_t index) {
+    const WireShape& shape = picture.layout.wires[index];
+    WireLook look;
+    look.selected = picture.state.selection.wires.count(shape.ends) > 0;
+    const Hit& over = picture.state.hovered;
+    look.hovered = (over.part == Part::wire || over.part == Part::label) && over.wire == shape.ends;
+    if (shape.wire < 0) return look;
+    const Wire& wire = picture.graph.wires[static_cast<std::size_t>(shape.wire)];
+    look.cut = wire.cut;
+    look.weight = wire.weight + picture.moment.learned[index];
+    look.carried = picture.moment.carried[index];
+    return look;
 }
 
-void draw_ghost(const Pen& pen, const CanvasPicture& picture, const WireShape& shape, const Look& look) {
+void draw_ghost(const Pen& pen, const CanvasPicture& picture, const WireShape& shape, const WireLook& look) {
     const Palette& p = pen.palette();
-    const bool quiet = std::any_of(picture.graph.nodes.begin(), picture.graph.nodes.end(),
-                                   [](const Node& node) { return node.kind == NodeKind::neuron; });
-    const Colour colour = look.hovered || look.selected ? p.text : p.second_text.with_alpha(quiet ? 0.30f : 0.55f);
-    const auto points = along(shape.bezier, 7, 4);
-    for (std::size_t i = 0; i + 1 < points.size(); i += 2)
-        pen.list.AddLine(pen.at(points[i]), pen.at(points[i + 1]), paint(colour), pen.stroke(1.5f));
+    const float quiet = picture.layout.has_neurons ? 0.30f : 0.55f;
+    if (look.selected) Stroke(pen, picture, shape.bezier).line(7, p.selected.with_alpha(0.55f));
+    dash(Stroke(pen, picture, shape.bezier), 1.5f,
+         look.hovered || look.selected ? p.text : p.second_text.with_alpha(quiet));
 }
 
-// Dots stand where the signal stands; a tick moves them on.
-void draw_dots(const Pen& pen, const CanvasPicture& picture, const WireShape& shape, const Look& look, Colour colour) {
-    const float strength = std::min(std::abs(look.carried), 1.0f);
+// Dots stand where the signal stands, brighter and larger where it is stronger. Among many wires they are plain: rims
+// and glows would be most of what a frame costs.
+void draw_dots(const Stroke& stroke, const CanvasPicture& picture, float carried, Colour colour) {
+    constexpr std::size_t many_wires = 60;
+    const float strength = std::min(std::abs(carried), 1.0f);
     if (strength < 0.01f) return;
-    const float moved = std::fmod(static_cast<float>(picture.view.now->tick % 44) * dot_step, dot_gap);
+    const Pen& pen = stroke.pen;
+    const bool dark = picture.view.theme == Theme::dark, map = detail_of(pen) == Detail::map;
+    const bool plain = picture.layout.wires.size() > many_wires;
     const float radius = pen.stroke(2.2f + 3.4f * std::sqrt(strength));
-    const Colour core =
-        mix(colour, Colour{1, 1, 1, 1}, picture.view.theme == Theme::dark ? 0.25f + 0.6f * strength : 0);
-    for (const vec2 point : along(shortened(shape.bezier), dot_gap, 12 + moved)) {
+    const ImU32 core =
+        paint(mix(colour, Colour{1, 1, 1, 1}, dark ? 0.25f + 0.6f * strength : 0).with_alpha(0.55f + 0.45f * strength));
+    const ImU32 glow = paint(colour.with_alpha(0.28f * strength)), rim = paint(pen.palette().text.with_alpha(0.5f));
+    stroke.along(map ? 2 * dot_gap : dot_gap, first_dot(picture.view.now->tick), [&](vec2 point) {
+        if (!picture.sees(point, point)) return;
         const ImVec2 at = pen.at(point);
-        pen.list.AddCircleFilled(at, radius * 2.1f, paint(colour.with_alpha(0.28f * strength)));
-        pen.list.AddCircleFilled(at, radius, paint(core.with_alpha(0.55f + 0.45f * strength)));
-        if (picture.view.theme == Theme::light)  // a lit dot has a rim on white ground
-            pen.list.AddCircle(at, radius, paint(pen.palette().text.with_alpha(0.5f)), 0, pen.stroke(1));
-    }
+        if (map) return pen.list.AddRectFilled({at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}, core);
+        if (!plain) pen.list.AddCircleFilled(at, radius * 2.1f, glow);
+        pen.list.AddCircleFilled(at, radius, core, plain ? 8 : 0);
+        if (!plain && !dark) pen.list.AddCircle(at, radius, rim, 0, pen.stroke(1));  // lit, on white ground
+    });
 }
 
-void draw_wire(const Pen& pen, const CanvasPicture& picture, const WireShape& shape) {
-    const Palette& p = pen.palette();
-    const Look look = look_of(picture, shape);
+void draw_wire(const Pen& pen, const CanvasPicture& picture, std::size_t index) {
+    const WireShape& shape = picture.layout.wires[index];
+    const WireLook look = look_of(picture, index);
     if (shape.ghost) return draw_ghost(pen, picture, shape, look);
-    const Colour colour = colour_of_weight(p, look.wire.weight);
-    const float strength = std::min(std::abs(look.carried), 1.0f), width = width_of(look.wire.weight);
-    const auto curve = shortened(shape.bezier);
-    if (look.selected) {
-        stroke_curve(pen, curve, width + 8, p.text.with_alpha(0.35f));
-        stroke_curve(pen, curve, width + 5, p.selected);
-    } else if (look.hovered) {
-        stroke_curve(pen, curve, width + 6, p.text.with_alpha(0.22f));
-    }
-    stroke_curve(pen, curve, width + 1.5f, p.ground);  // keeps crossing wires apart
-    if (strength > 0.01f) stroke_curve(pen, curve, width + 7 * strength, colour.with_alpha(0.18f * strength));
-    const float resting = picture.view.theme == Theme::dark ? 0.55f : 0.85f;  // a pale line drowns in white
-    stroke_curve(pen, curve, width, mix(p.ground, colour, resting + (1 - resting) * strength));
-    draw_dots(pen, picture, shape, look, colour);
-    draw_end_sign(pen, shape.bezier[3] - vec2{end_gap, 0}, sign_size + width * 0.6f, look.wire.weight > 0, colour);
-}
-
-void draw_label(const Pen& pen, const CanvasPicture& picture, const WireShape& shape) {
     const Palette& p = pen.palette();
-    const Look look = look_of(picture, shape);
-    const vec2 extent = shape.label_size, at = shape.label;
-    const Colour rim = shape.ghost ? p.line : colour_of_weight(p, look.wire.weight);
-    const Colour fill = shape.ghost ? p.panel : p.raised;
-    if (!shape.ghost) pen.halo(at + vec2{0, 1}, extent, extent.y / 2, 4, p.shadow.with_alpha(p.shadow.a * 0.3f));
-    pen.box(at, extent, extent.y / 2, fill);
-    if (look.selected) pen.frame(at, extent + vec2{6, 6}, extent.y / 2 + 3, 3, p.selected);
-    const Colour edge = look.hovered ? p.text : rim;
-    pen.frame(at, extent, extent.y / 2, look.hovered || !shape.ghost ? 2 : 1.2f, edge);
-    const std::string weight = shape.ghost ? fixed(0, 2) : with_sign(look.wire.weight, 2);
-    const Colour ink = shape.ghost ? p.second_text : p.text;
-    const bool far = pen.view.scale < 0.62f * pen.ui.scale;  // larger there, or it cannot be read
-    if (!shape.direct) return pen.text(at, far ? 23 : 18, 0.5f, weight, ink);
-    const float pad = far ? 9 : 13;
-    pen.text(at - vec2{extent.x / 2 - pad, 0}, far ? 20 : 17, 0, wire_name(picture.graph, shape.ends), p.second_text,
-             Face::strong);
-    pen.text(at + vec2{extent.x / 2 - pad, 0}, far ? 22 : 19, 1, weight, ink);
+    const Colour colour = colour_of_weight(p, look.weight);
+    const float strength = std::min(std::abs(look.carried), 1.0f), width = width_of(look.weight);
+    const Stroke stroke(pen, picture, shortened(shape.bezier));
+    if (look.selected) {
+        stroke.line(width + 8, p.text.with_alpha(0.35f));
+        stroke.line(width + 5, p.selected);
+    } else if (look.hovered) {
+        stroke.line(width + 6, p.text.with_alpha(0.22f));
+    }
+    if (look.cut) return dash(stroke, std::min(width, 2.5f), mix(p.ground, colour, 0.6f));
+    const bool plain = detail_of(pen) == Detail::map;
+    if (!plain) stroke.line(width + 1.5f, p.ground);  // keeps crossing wires apart
+    if (!plain && strength > 0.01f) stroke.line(width + 7 * strength, colour.with_alpha(0.18f * strength));
+    const float resting = picture.view.theme == Theme::dark ? 0.55f : 0.85f;  // a pale line drowns in white
+    stroke.line(width, mix(p.ground, colour, resting + (1 - resting) * strength));
+    draw_dots(stroke, picture, look.carried, colour);
+    draw_end_sign(pen, shape.bezier[3] - vec2{end_gap, 0}, sign_size + width * 0.6f, look.weight > 0, colour);
 }
 
 }  // namespace
+
+float first_dot(std::uint64_t tick) {
+    constexpr std::uint64_t period = 44;  // ticks after which every dot stands where another one stood
+    return 12 + std::fmod(static_cast<float>(tick % period) * dot_step, dot_gap);
+}
+
+Detail detail_of(const Pen& pen) {
+    const float zoom = pen.view.scale / pen.ui.scale;
+    return zoom < map_zoom ? Detail::map : zoom < 0.62f ? Detail::sketch : Detail::full;
+}
 
 void draw_end_sign(const Pen& pen, vec2 tip, float size, bool excites, Colour colour) {
     const float half = size / 2;
@@ -147,11 +197,10 @@ void draw_end_sign(const Pen& pen, vec2 tip, float size, bool excites, Colour co
 }
 
 void draw_wires(const Pen& pen, const CanvasPicture& picture) {
-    for (const WireShape& wire : picture.layout.wires)
-        if (wire.ghost) draw_wire(pen, picture, wire);
-    for (const WireShape& wire : picture.layout.wires)
-        if (!wire.ghost) draw_wire(pen, picture, wire);
-    for (const WireShape& wire : picture.layout.wires) draw_label(pen, picture, wire);
+    const auto& wires = picture.layout.wires;
+    for (const bool ghosts : {true, false})
+        for (std::size_t i = 0; i < wires.size(); ++i)
+            if (wires[i].ghost == ghosts && picture.sees(wires[i].low, wires[i].high)) draw_wire(pen, picture, i);
 }
 
 }  // namespace braitenlab

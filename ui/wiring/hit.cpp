@@ -50,14 +50,20 @@ Hit nearest_pin(const Layout& layout, const View& view, vec2 pixel, float reach)
 }  // namespace
 
 Hit hit(const Layout& layout, const View& view, vec2 pixel, float ui_scale) {
-    if (const Hit pin = nearest_pin(layout, view, pixel, pin_reach * ui_scale); pin.part != Part::nothing) return pin;
+    const bool map = view.scale < map_zoom * ui_scale;
+    const float reach_of_pins = std::min(pin_reach * ui_scale, 48 * view.scale);
+    if (const Hit pin = nearest_pin(layout, view, pixel, reach_of_pins); pin.part != Part::nothing) return pin;
     for (auto node = layout.nodes.rbegin(); node != layout.nodes.rend(); ++node)
         if (node_rect(view, *node).contains(pixel.x, pixel.y)) return {Part::node, node->id, {}};
-    for (auto wire = layout.wires.rbegin(); wire != layout.wires.rend(); ++wire)
+    for (auto wire = layout.wires.rbegin(); !map && wire != layout.wires.rend(); ++wire)
         if (label_rect(view, *wire).contains(pixel.x, pixel.y)) return {Part::label, 0, wire->ends};
     Hit best;
     float reach = wire_reach * ui_scale;
+    const vec2 at = view.to_canvas(pixel), room = vec2{reach, reach} / view.scale;
     for (const WireShape& wire : layout.wires) {
+        const bool near = at.x > wire.low.x - room.x && at.x < wire.high.x + room.x && at.y > wire.low.y - room.y &&
+                          at.y < wire.high.y + room.y;
+        if (!near) continue;
         const float distance = distance_to_wire(view, wire, pixel);
         if (distance > reach) continue;
         reach = distance;

@@ -17,10 +17,12 @@ struct Hit {
     friend bool operator==(const Hit&, const Hit&) = default;
 };
 
-inline constexpr float pin_reach = 14, wire_reach = 8;  // layout pixels on the screen, whatever the zoom
+// Layout pixels on the screen, whatever the zoom; but a pin never takes more than its card.
+inline constexpr float pin_reach = 14, wire_reach = 8;
+inline constexpr float map_zoom = 0.4f;  // layout pixels per unit; below, labels are neither seen nor hit
 
-// Pins first (the nearest within reach), then nodes (the topmost), labels, wires (the nearest within reach).
-// `ui_scale`: window pixels per layout pixel.
+// Pins first (the nearest within reach), then nodes (the topmost), labels, wires (the
+// nearest within reach). `ui_scale`: window pixels per layout pixel.
 Hit hit(const Layout&, const View&, maths::vec2 pixel, float ui_scale);
 
 // What a box from corner to corner (window pixels) takes in: nodes that it touches, wires whose label's middle it

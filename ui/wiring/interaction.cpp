@@ -220,7 +220,7 @@ View view_of(const CanvasState& state, Rect area, float ui_scale) {
 
 void zoom_at(CanvasState& state, Rect area, float ui_scale, vec2 pixel, float factor) {
     const vec2 fixed = view_of(state, area, ui_scale).to_canvas(pixel);
-    state.zoom = std::clamp(state.zoom * factor, 0.3f, 3.0f);
+    state.zoom = std::clamp(state.zoom * factor, least_zoom, most_zoom);
     state.middle += fixed - view_of(state, area, ui_scale).to_canvas(pixel);
     state.own_view = true;
 }
@@ -229,7 +229,7 @@ void fit(CanvasState& state, const Layout& layout, Rect area, float ui_scale) {
     const float side = 28 * ui_scale, top = 56 * ui_scale, bottom = 24 * ui_scale;  // above stand the buttons
     const vec2 size = layout.high - layout.low;
     const vec2 room{std::max(area.w - 2 * side, 1.0f), std::max(area.h - top - bottom, 1.0f)};
-    state.zoom = std::clamp(std::min(room.x / size.x, room.y / size.y) / ui_scale, 0.3f, 1.4f);
+    state.zoom = std::clamp(std::min(room.x / size.x, room.y / size.y) / ui_scale, least_zoom, 1.4f);
     state.middle = (layout.low + layout.high) / 2;
     const float scale = view_of(state, area, ui_scale).scale, above = (area.h - size.y * scale) / 2;
     if (above < top) state.middle.y -= (top - above) / scale;

@@ -1,27 +1,28 @@
 // Where a brain's nodes, pins and wires stand on the canvas.
 //
-// All in canvas units: one unit is one layout pixel at zoom 1; x to the right, y down. Signals run from left to right:
-// sensors, hidden neurons in columns, motors. What belongs to the vehicle's left side stands above what belongs to its
-// right, as on a vehicle that drives to the right.
+// All in canvas units: one unit is one layout pixel at zoom 1; x to the right, y down.
 #pragma once
 
 #include <array>
-#include <map>
+#include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/maths/vec.h"
 #include "ui/wiring/edit.h"
+#include "ui/wiring/tidy.h"
 
 namespace braitenlab {
-
-using Places = std::map<NodeId, maths::vec2>;  // centres of nodes that a person has put somewhere
 
 struct NodeShape {
     NodeId id = 0;
     NodeKind kind = NodeKind::neuron;
     maths::vec2 centre, size;
     bool has_in = false, has_out = false;
-    float in_spread = 0;  // wires arrive up to half of this above and below the in-pin
+    float in_spread = 0;   // wires arrive up to half of this above and below the in-pin
+    std::size_t node = 0;  // in BrainGraph::nodes
+    int unit = 0;          // of a neuron: its place among the neurons by ascending id
     maths::vec2 in_pin() const { return {centre.x - size.x / 2, centre.y}; }
     maths::vec2 out_pin() const { return {centre.x + size.x / 2, centre.y}; }
 };
@@ -32,19 +33,39 @@ struct WireShape {
     bool ghost = false;                   // weight 0: a place that waits for a wire
     bool direct = false;                  // one of LL, LR, RL, RR
     maths::vec2 label, label_size;        // centre and size of the weight's label
+    maths::vec2 low, high;                // corners of what holds curve and label
+    int wire = -1;                        // in BrainGraph::wires; −1: a direct place that the graph has no wire for
+    std::size_t from = 0, to = 0;         // in Layout::nodes
+    int learner = -1;                     // its place among the learning wires by (from, to); −1: learns nothing
 };
 
 struct Layout {
-    std::vector<NodeShape> nodes;  // in drawing order: the last is on top
-    std::vector<WireShape> wires;  // the four direct places first
-    maths::vec2 low, high;         // corners of what holds all nodes; both 0 for no nodes
+    std::vector<NodeShape> nodes;                       // in drawing order: the last is on top
+    std::vector<WireShape> wires;                       // the four direct places first
+    maths::vec2 low, high;                              // corners of what holds all nodes; both 0 for no nodes
+    std::vector<std::pair<NodeId, std::size_t>> by_id;  // of nodes, ascending
+    bool has_neurons = false;
 };
 
-// The same graph and places give the same layout. Nodes without a place of their own are arranged in columns.
+// The same graph and places give the same layout. Nodes without a place of their own stand where tidy() puts them.
 Layout lay_out(const BrainGraph&, const Places&);
+
+// A layout that is made anew only when the graph or the places have changed.
+class KeptLayout {
+public:
+    const Layout& of(const std::shared_ptr<const BrainGraph>&, const Places&);
+
+private:
+    std::shared_ptr<const BrainGraph> graph_;  // held, so that no other graph can take its address
+    Places places_;
+    Layout layout_;
+};
 
 const NodeShape* find_shape(const Layout&, NodeId);
 const WireShape* find_shape(const Layout&, WireEnds);
+
+// wire_name() for a wire of the layout, without looking its ends up.
+std::string name_of(const BrainGraph&, const Layout&, const WireShape&);
 
 // The curve from an out-pin to an in-pin; a wire that runs backwards or to its own node arches over the top.
 std::array<maths::vec2, 4> wire_curve(maths::vec2 from, maths::vec2 to);
@@ -52,7 +73,7 @@ std::array<maths::vec2, 4> wire_curve(maths::vec2 from, maths::vec2 to);
 // The point of a cubic bezier at t in 0..1.
 maths::vec2 bezier_point(const std::array<maths::vec2, 4>&, float t);
 
-inline constexpr int wire_segments = 24;  // straight pieces that a wire is drawn and hit as
+inline constexpr int wire_segments = 24;  // straight pieces that a wire is hit as, and drawn as at most
 
 // How the canvas lies in the window: pixel = origin + scale · unit.
 struct View {

@@ -36,7 +36,8 @@ Type type_for(const Ui& ui, Face face, float pixels) {
 
 void Pen::text(vec2 unit, float height, float anchor, std::string_view words, Colour colour, Face face,
                float room) const {
-    if (words.empty()) return;
+    constexpr float least = 6;  // layout pixels
+    if (words.empty() || size(height) < ui.px(least)) return;
     Type type = type_for(ui, face, size(height));
     const char* end = words.data() + words.size();
     float width = type.font->CalcTextSizeA(type.pixels, 1e9f, 0, words.data(), end).x;
@@ -44,7 +45,7 @@ void Pen::text(vec2 unit, float height, float anchor, std::string_view words, Co
         type.pixels *= size(room) / width;
         width = size(room);
     }
-    if (type.pixels < ui.px(5)) return;
+    if (type.pixels < ui.px(least)) return;
     const ImVec2 p = at(unit);
     list.AddText(type.font, type.pixels, {std::round(p.x - width * anchor), std::round(p.y - type.pixels / 2)},
                  paint(colour), words.data(), end);
@@ -60,10 +61,12 @@ void Pen::frame(vec2 centre, vec2 extent, float rounding, float thickness, Colou
 }
 
 void Pen::halo(vec2 centre, vec2 extent, float rounding, float reach, Colour colour) const {
-    constexpr int layers = 8;
+    // A layer every other pixel or so: more cannot be told apart.
+    const int layers = std::clamp(static_cast<int>(size(reach) / ui.px(1.5f)), 2, 8);
+    const auto count = static_cast<float>(layers);
     for (int i = layers; i > 0; --i) {
-        const float grow = reach * static_cast<float>(i) / layers;
-        box(centre, extent + vec2{2 * grow, 2 * grow}, rounding + grow, colour.with_alpha(colour.a * 1.6f / layers));
+        const float grow = reach * static_cast<float>(i) / count;
+        box(centre, extent + vec2{2 * grow, 2 * grow}, rounding + grow, colour.with_alpha(colour.a * 1.6f / count));
     }
 }
 

@@ -1,0 +1,53 @@
+// Brains of any size, made by hand: two eyes, two motors and as many neurons and wires as asked for.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/maths/random.h"
+#include "core/world/snapshot.h"
+#include "ui/wiring/edit.h"
+
+namespace braitenlab::tests {
+
+// Precondition: `wires` fit between so many nodes with room to spare.
+inline BrainGraph large_brain(int nodes, int wires) {
+    BrainGraph graph = make_graph({.LR = 1.5f, .RL = 1.5f});
+    maths::Random chance{7, 1};
+    for (NodeId id = 4; id < nodes; ++id) {
+        Node node;
+        node.id = id, node.name = "N" + std::to_string(id - 3);
+        node.curve.response = static_cast<Response>(id % 6);
+        graph.nodes.push_back(node);
+    }
+    while (static_cast<int>(graph.wires.size()) < wires) {
+        Wire wire;
+        wire.from = static_cast<NodeId>(chance.uniform(0, static_cast<float>(nodes)));
+        wire.to = static_cast<NodeId>(chance.uniform(2, static_cast<float>(nodes)));
+        wire.weight = chance.uniform(-2, 2);
+        const bool fits = wire.from < nodes && wire.to < nodes && find_wire(graph, wire.from, wire.to) == nullptr;
+        if (fits) graph.wires.push_back(wire);
+    }
+    return graph;
+}
+
+// A snapshot of one vehicle with this brain; every neuron holds something.
+inline Snapshot moment_with(const BrainGraph& graph) {
+    Snapshot now;
+    Scene scene;
+    scene.kinds.resize(1);
+    scene.kinds[0].sensors.resize(2);
+    scene.kinds[0].sensors[0].name = "SL", scene.kinds[0].sensors[1].name = "SR";
+    now.scene = std::make_shared<Scene>(scene);
+    now.sensed = {0.4f, 0.2f};
+    VehicleView vehicle;
+    vehicle.id = 0;
+    for (const Node& node : graph.nodes) vehicle.neuron_count += node.kind != NodeKind::sensor;
+    for (int i = 0; i < vehicle.neuron_count; ++i) now.neurons.push_back(static_cast<float>(i % 7) / 4 - 0.6f);
+    now.vehicles = {vehicle};
+    now.brains = {std::make_shared<BrainGraph>(graph)};
+    now.kind_brains = now.brains;
+    return now;
+}
+
+}  // namespace braitenlab::tests
