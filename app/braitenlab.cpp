@@ -201,8 +201,8 @@ private:
               .pulse = pulse(view)};
         draw_window(view, panels_, ui, layout);
 
-        const bool arrows_move_camera =
-            arrows_are_free && panels_.keyboard.focus.empty() && !takes_arrows(view, ImGui::GetIO().KeyCtrl);
+        const bool arrows_move_camera = arrows_are_free && view.mode != Mode::wiring &&
+                                        panels_.keyboard.focus.empty() && !takes_arrows(view, ImGui::GetIO().KeyCtrl);
         const Arrows held = arrows_move_camera ? arrows() : Arrows{};
         const bool steers = steer_by_keys(lab_, held.turn, held.raise);
         drive_camera(lab_, viewport_, panels_.stage, steers ? Arrows{} : held, area, layout.scene, passed);

@@ -84,8 +84,19 @@ enum class Action {
     close_outline,
     take_back,
     scene_menu,
+    copy,
+    cut,
+    paste,
+    select_all,
+    tidy,
+    join,
+    menu,
+    step_left,
+    step_right,
+    step_up,
+    step_down,
 };
-inline constexpr Action last_action = Action::scene_menu;
+inline constexpr Action last_action = Action::step_down;
 
 struct EditRequest {
     Command command;

@@ -97,6 +97,19 @@ constexpr Shortcut table[]{
     {{key::enter, false, true}, Action::close_outline, KeyPlace::stage},
     {{key::backspace}, Action::take_back, KeyPlace::stage},
     {{key::escape}, Action::cancel, KeyPlace::stage},
+    {{'C', true, false}, Action::copy, KeyPlace::canvas},
+    {{'X', true, false}, Action::cut, KeyPlace::canvas},
+    {{'V', true, false}, Action::paste, KeyPlace::canvas},
+    {{'D', true, false}, Action::duplicate, KeyPlace::canvas},
+    {{'A', true, false}, Action::select_all, KeyPlace::canvas},
+    {{'T', false, true}, Action::tidy, KeyPlace::canvas},
+    {{'L'}, Action::lesion, KeyPlace::canvas},
+    {{'C'}, Action::join, KeyPlace::canvas},
+    {{key::enter}, Action::menu, KeyPlace::canvas},
+    {{key::left}, Action::step_left, KeyPlace::canvas},
+    {{key::right}, Action::step_right, KeyPlace::canvas},
+    {{key::up}, Action::step_up, KeyPlace::canvas},
+    {{key::down}, Action::step_down, KeyPlace::canvas},
 };
 
 struct NamedAction {
@@ -172,6 +185,17 @@ constexpr NamedAction names[]{
     {Action::close_outline, "close_outline"},
     {Action::take_back, "take_back"},
     {Action::scene_menu, "scene_menu"},
+    {Action::copy, "copy"},
+    {Action::cut, "cut"},
+    {Action::paste, "paste"},
+    {Action::select_all, "select_all"},
+    {Action::tidy, "tidy"},
+    {Action::join, "join"},
+    {Action::menu, "menu"},
+    {Action::step_left, "step_left"},
+    {Action::step_right, "step_right"},
+    {Action::step_up, "step_up"},
+    {Action::step_down, "step_down"},
 };
 
 struct NamedKey {

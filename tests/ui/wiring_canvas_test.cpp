@@ -52,6 +52,7 @@ TEST_F(WiringCanvas, RefusesADuplicateAndSaysWhy) {
     drag(middle("pin.SL.out"), middle("pin.MR.in"));
     EXPECT_TRUE(edits.empty());
     EXPECT_EQ(state.refusal.key, "wiring.refused.duplicate");
+    EXPECT_NE(anchors.find("refused.duplicate"), nullptr) << "it stands at the cursor";
 }
 
 TEST_F(WiringCanvas, RefusesAWireIntoASensorAndBetweenEqualPins) {
@@ -62,11 +63,14 @@ TEST_F(WiringCanvas, RefusesAWireIntoASensorAndBetweenEqualPins) {
     EXPECT_TRUE(edits.empty());
 }
 
-TEST_F(WiringCanvas, DropOnEmptySpaceAddsANeuronThereAndMovesNothingElse) {
+TEST_F(WiringCanvas, DropOnEmptySpaceOffersNeuronsAndMovesNothingElse) {
     const vec2 eye = middle("node.SL"), motor = middle("node.MR"), place{470, 350};
     drag(middle("pin.SL.out"), place);
+    EXPECT_TRUE(edits.empty()) << "nothing is made before a kind is chosen";
+    choose("hump");
     ASSERT_EQ(edits.size(), 1u);
     EXPECT_EQ(weight_of(brain(), {SL, 4}), 1);
+    EXPECT_EQ(find_node(brain(), 4)->curve.response, Response::hump);
     EXPECT_LT(maths::distance(middle("pin.N1.in"), place), 1.5f);
     EXPECT_EQ(middle("node.SL"), eye);
     EXPECT_EQ(middle("node.MR"), motor);
@@ -75,12 +79,30 @@ TEST_F(WiringCanvas, DropOnEmptySpaceAddsANeuronThereAndMovesNothingElse) {
     EXPECT_NE(anchors.find("wire.N1-ML"), nullptr);
 }
 
+TEST_F(WiringCanvas, ADropFromAnInputMakesANeuronThatFeedsIt) {
+    drag(middle("pin.ML.in"), {470, 350});
+    choose("leaky");
+    EXPECT_EQ(weight_of(brain(), {4, ML}), 1);
+    EXPECT_GT(find_node(brain(), 4)->time_constant, 0);
+}
+
+TEST_F(WiringCanvas, ADropMenuThatIsLeftMakesNothing) {
+    drag(middle("pin.SL.out"), {470, 350});
+    ASSERT_TRUE(state.menu.open());
+    key(Action::cancel);
+    EXPECT_FALSE(state.menu.open());
+    drag(middle("pin.SL.out"), {470, 350});
+    click({60, 600});
+    EXPECT_FALSE(state.menu.open());
+    EXPECT_TRUE(edits.empty());
+}
+
 TEST_F(WiringCanvas, EscInMidDragChangesNothing) {
     move(middle("pin.SL.out"));
     button(true);
     move(middle("pin.ML.in"));
     ASSERT_EQ(state.drag.phase, CanvasPhase::drag_wire);
-    key(ImGuiKey_Escape);
+    key(Action::cancel);
     button(false);
     EXPECT_TRUE(edits.empty());
     EXPECT_EQ(state.drag.phase, CanvasPhase::idle);
@@ -92,7 +114,7 @@ TEST_F(WiringCanvas, EscBringsAMovedNodeBack) {
     button(true);
     move(before + vec2{60, 90});
     EXPECT_GT(maths::distance(middle("node.ML"), before), 50);
-    key(ImGuiKey_Escape);
+    key(Action::cancel);
     EXPECT_EQ(middle("node.ML"), before);
     EXPECT_TRUE(edits.empty());
 }
@@ -121,7 +143,7 @@ TEST_F(WiringCanvas, EscRestoresADraggedWeight) {
     button(true);
     move(label + vec2{0, 40});
     EXPECT_NEAR(dials().RL, 1.0f, 1e-5f);
-    key(ImGuiKey_Escape);
+    key(Action::cancel);
     button(false);
     EXPECT_EQ(dials().RL, 1.5f);
     EXPECT_EQ(edits.front().gesture, edits.back().gesture);
@@ -172,7 +194,7 @@ TEST_F(WiringCanvas, RightDragPansAndHomeFitsAgain) {
     move({100, 560});
     button(false, 1);
     EXPECT_LT(maths::distance(middle("node.SL"), before + vec2{40, -40}), 0.1f);
-    key(ImGuiKey_Home);
+    key(Action::fit);
     EXPECT_LT(maths::distance(middle("node.SL"), before), 0.1f);
 }
 
@@ -207,7 +229,7 @@ TEST_F(WiringCanvas, ClickSelectsAndShiftAdds) {
 
 TEST_F(WiringCanvas, DeletedWireReadsZero) {
     click(middle("wire.LR"));
-    key(ImGuiKey_Delete);
+    key(Action::erase);
     EXPECT_EQ(dials().LR, 0);
     EXPECT_EQ(dials().RL, 1.5f);
     ASSERT_EQ(edits.size(), 1u);
@@ -216,7 +238,7 @@ TEST_F(WiringCanvas, DeletedWireReadsZero) {
 
 TEST_F(WiringCanvas, DeleteLeavesSensorsAndMotors) {
     click(middle("node.SL"));
-    key(ImGuiKey_Delete);
+    key(Action::erase);
     EXPECT_TRUE(edits.empty());
     EXPECT_EQ(state.refusal.key, "wiring.refused.fixed");
 }
@@ -241,9 +263,9 @@ TEST_F(WiringCanvas, DropsADragWhenTheCanvasWasAway) {
 }
 
 TEST_F(WiringCanvas, EscIsFreeForOthersWhenThereIsNothingToCancel) {
-    EXPECT_FALSE(press_key(state, CanvasKey::cancel));
+    EXPECT_FALSE(press_key(state, Action::cancel));
     click(middle("node.SL"));
-    EXPECT_TRUE(press_key(state, CanvasKey::cancel));
+    EXPECT_TRUE(press_key(state, Action::cancel));
     frames();
     EXPECT_TRUE(state.selection.nodes.empty());
 }

@@ -27,7 +27,6 @@ struct WiringCanvas : testing::Test {
         io.IniFilename = nullptr;
         io.DisplaySize = {1000, 700};
         io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as OpenGL 3.3 has
-        for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;
         io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
@@ -60,7 +59,9 @@ struct WiringCanvas : testing::Test {
             wiring_canvas(view, state, ui, area);
             ImGui::Render();
             io.MouseWheel = 0;
+            const std::size_t before = edits.size();
             for (const Request& request : outbox) carry_out(std::get<EditRequest>(request));
+            view.undo_depth += edits.size() > before;
         }
     }
     void carry_out(const EditRequest& request) {
@@ -98,10 +99,19 @@ struct WiringCanvas : testing::Test {
         button(true);
         button(false);
     }
-    void key(ImGuiKey which) {
-        ImGui::GetIO().KeysDown[which] = true;
+    void key(Action action) {
+        press_key(state, action);
+        frames(2);
+    }
+    void right_click(vec2 at) {
+        move(at);
+        button(true, 1);
+        button(false, 1);
         frames();
-        ImGui::GetIO().KeysDown[which] = false;
+    }
+    void choose(const char* row) {
+        ASSERT_NE(anchors.find(std::string("menu.") + row), nullptr) << row;
+        click(middle(std::string("menu.") + row));
         frames();
     }
     void wheel(float notches) {

@@ -34,4 +34,19 @@ TEST(SumText, IsABareZeroWithoutWiresAndNothingForASensor) {
     EXPECT_EQ(sum_text(make_graph({}), SL, seen), "");
 }
 
+TEST(SumText, ShowsTheCurveInALineOfItsOwn) {
+    BrainGraph graph = make_graph({.LL = 0.5f, .LM = 0.1f});
+    find_node(graph, "ML")->curve.response = Response::inverted;
+    EXPECT_EQ(sum_text(graph, ML, seen), "0.42·0.50 + 0.10 = 0.31\nf(0.31) = 0.69 → 0.44");
+    EXPECT_NEAR(sum_of(graph, ML, seen), 0.31f, 1e-6f);
+}
+
+TEST(SumText, LeavesCutWiresOutAndAddsWhatWasLearned) {
+    BrainGraph graph = make_graph({.LL = 0.5f, .LR = 1});
+    find_wire(graph, 1, ML)->cut = true;
+    EXPECT_EQ(sum_text(graph, ML, seen), "0.42·0.50 → 0.44");
+    find_wire(graph, SL, ML)->learning_rate = 1;
+    EXPECT_EQ(sum_text(graph, ML, seen, [](const Wire& w) { return learns(w) ? 0.25f : 0; }), "0.42·0.75 → 0.44");
+}
+
 }  // namespace

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <imgui.h>
 
 #include "ui/imgui_compat.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
+#include "ui/widgets/keyboard.h"
+#include "ui/wiring/actions.h"
 #include "ui/wiring/draw.h"
 #include "ui/wiring/interaction.h"
 
@@ -23,24 +26,14 @@ Pointer read_pointer(bool over) {
     pointer.at = {io.MousePos.x, io.MousePos.y};
     pointer.over = over;
     pointer.left_pressed = over && ImGui::IsMouseClicked(0);
-    pointer.pan_pressed = over && (ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2));
+    pointer.right_pressed = over && ImGui::IsMouseClicked(1);
+    pointer.middle_pressed = over && ImGui::IsMouseClicked(2);
     pointer.left_down = io.MouseDown[0];
-    pointer.pan_down = io.MouseDown[1] || io.MouseDown[2];
+    pointer.right_down = io.MouseDown[1];
+    pointer.middle_down = io.MouseDown[2];
     pointer.wheel = over ? io.MouseWheel : 0;
     pointer.shift = io.KeyShift;
     return pointer;
-}
-
-void read_keys(CanvasState& state) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (!state.keys_from_imgui || io.WantTextInput) return;
-    const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
-    if (pressed(ImGuiKey_Escape)) press_key(state, CanvasKey::cancel);
-    if (pressed(ImGuiKey_Delete)) press_key(state, CanvasKey::erase);
-    // The letter as typed, wherever the keyboard's layout has it.
-    const bool f = std::any_of(io.InputQueueCharacters.begin(), io.InputQueueCharacters.end(),
-                               [](ImWchar c) { return c == 'f' || c == 'F'; });
-    if (f || pressed(ImGuiKey_Home)) press_key(state, CanvasKey::fit);
 }
 
 // Another brain or another room: the view follows, unless a person has chosen one.
@@ -53,7 +46,7 @@ void follow(CanvasState& state, const VehicleView& vehicle, const BrainGraph& gr
         state.fitted_area = area;
         state.nodes = graph.nodes.size();
     }
-    if (other) state.selection = {}, state.drag = {};
+    if (other) state.selection = {}, state.drag = {}, state.menu = {}, state.joining.reset(), state.focus = {};
     state.kind = vehicle.kind;
 }
 
@@ -61,6 +54,8 @@ void follow(CanvasState& state, const VehicleView& vehicle, const BrainGraph& gr
 void drop_stale_selection(CanvasState& state, const Layout& layout) {
     std::erase_if(state.selection.nodes, [&](NodeId id) { return find_shape(layout, id) == nullptr; });
     std::erase_if(state.selection.wires, [&](WireEnds ends) { return find_shape(layout, ends) == nullptr; });
+    if (!middle_of(layout, state.focus)) state.focus = {};
+    if (state.joining && find_shape(layout, *state.joining) == nullptr) state.joining.reset();
 }
 
 // Arrange and Fit, in the canvas's upper right corner. They take the press before the canvas sees it.
@@ -82,7 +77,7 @@ std::array<CornerButton, 2> corner_buttons(const Ui& ui, Rect area, Pointer& poi
         button.pressed = button.hovered && pointer.left_pressed;
     }
     for (const CornerButton& button : buttons)
-        if (button.hovered) pointer.left_pressed = pointer.pan_pressed = false;
+        if (button.hovered) pointer.left_pressed = pointer.right_pressed = pointer.middle_pressed = false;
     return buttons;
 }
 
@@ -110,6 +105,23 @@ void record(Ui& ui, Rect area, const std::string& id, Rect rect) {
              ui.palette.accent.with_alpha(0.4f + 0.6f * ui.pulse), 10, 2.5f);
 }
 
+// A point of the curve that its label does not cover.
+float label_clear(const WireShape& wire) {
+    const float t = 0.7f;
+    const maths::vec2 away = bezier_point(wire.bezier, t) - wire.label;
+    const bool covered = std::abs(away.x) < wire.label_size.x / 2 + 6 && std::abs(away.y) < wire.label_size.y / 2 + 6;
+    return covered ? 0.45f : t;
+}
+
+void record_selected(Ui& ui, const BrainGraph& graph, const Layout& layout, const View& view, const Caught& selection) {
+    for (const NodeId id : selection.nodes)
+        if (const NodeShape* node = find_shape(layout, id))
+            ui.anchors.record("selected." + graph.nodes[node->node].name, node_rect(view, *node));
+    for (const WireEnds& ends : selection.wires)
+        if (const WireShape* wire = find_shape(layout, ends))
+            ui.anchors.record("selected." + name_of(graph, layout, *wire), label_rect(view, *wire));
+}
+
 void record_anchors(Ui& ui, Rect area, const BrainGraph& graph, const Layout& layout, const View& view) {
     for (const NodeShape& node : layout.nodes) {
         const std::string& name = graph.nodes[node.node].name;
@@ -121,7 +133,11 @@ void record_anchors(Ui& ui, Rect area, const BrainGraph& graph, const Layout& la
     if (view.scale < map_zoom * ui.scale) return;
     for (const WireShape& wire : layout.wires) {
         const Rect label = label_rect(view, wire);
-        if (in_sight(area, label)) record(ui, area, "wire." + name_of(graph, layout, wire), label);
+        if (!in_sight(area, label)) continue;
+        const std::string name = name_of(graph, layout, wire);
+        record(ui, area, "wire." + name, label);
+        const maths::vec2 beside = view.to_window(bezier_point(wire.bezier, label_clear(wire)));
+        record(ui, area, "curve." + name, {beside.x - 1, beside.y - 1, 2, 2});
     }
 }
 
@@ -143,6 +159,7 @@ void canvas_of(const LabView& view, const VehicleView& vehicle, CanvasState& sta
     const auto& brain = view.now->brains[static_cast<std::size_t>(vehicle.brain)];
     const BrainGraph& graph = *brain;
     const Layout& before = state.layout.of(brain, state.places[vehicle.kind]);
+    state.undo_depth = view.undo_depth;
     follow(state, vehicle, graph, before, area, ui.scale);
     drop_stale_selection(state, before);
 
@@ -154,9 +171,9 @@ void canvas_of(const LabView& view, const VehicleView& vehicle, CanvasState& sta
     CanvasFrame frame{graph, before, area, target, ui.scale, view.wall_seconds, read_pointer(over)};
     const auto buttons = corner_buttons(ui, area, frame.pointer);
     interact(state, frame, ui.outbox);
-    if (buttons[1].pressed) state.places[vehicle.kind].clear();
+    if (buttons[1].pressed) obey(state, frame, Action::tidy, ui.outbox);
     const Layout& layout = state.layout.of(brain, state.places[vehicle.kind]);
-    if (buttons[0].pressed || buttons[1].pressed) fit(state, layout, area, ui.scale);
+    if (buttons[0].pressed) fit(state, layout, area, ui.scale);
 
     const Pen pen{*ImGui::GetWindowDrawList(), ui, view_of(state, area, ui.scale)};
     read(state.moment, *view.now, vehicle, graph, layout);
@@ -174,8 +191,11 @@ void canvas_of(const LabView& view, const VehicleView& vehicle, CanvasState& sta
     draw_labels(pen, picture);
     draw_nodes(pen, picture);
     record_anchors(ui, area, graph, layout, pen.view);
+    record_selected(ui, graph, layout, pen.view, state.selection);
     for (const CornerButton& button : buttons) draw_button(ui, button);
+    draw_minimap(pen, picture, area);
     draw_cursor(pen, picture, after);
+    draw_menu(pen, state.menu, area);
     set_cursor(state);
 }
 
@@ -184,7 +204,8 @@ void canvas_of(const LabView& view, const VehicleView& vehicle, CanvasState& sta
 void wiring_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
     if (area.w <= 0 || area.h <= 0) return;
     const int frame = ImGui::GetFrameCount();
-    if (state.last_frame != frame - 1) state.drag = {};  // the canvas was away in between
+    if (state.last_frame != frame - 1)  // the canvas was away in between
+        state.drag = {}, state.menu = {}, state.joining.reset();
     state.last_frame = frame;
     ui.anchors.record("canvas", area);
 
@@ -202,8 +223,9 @@ void wiring_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
         "###canvas", {area.w, area.h},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     const bool over = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+    // A click on the canvas takes the keyboard away from the cards.
+    if (over && ui.keyboard && ImGui::IsMouseClicked(0)) ui.keyboard->focus.clear();
 
-    read_keys(state);
     const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
     const auto brains = static_cast<int>(view.now->brains.size());
     const bool has_brain = vehicle != nullptr && vehicle->brain >= 0 && vehicle->brain < brains;
@@ -214,17 +236,10 @@ void wiring_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
         draw_ground(pen, area);
         nobody(ui, area);
         state.drag = {};
+        state.menu = {};
         state.keys.clear();
     }
     ImGui::End();
-}
-
-bool press_key(CanvasState& state, CanvasKey key) {
-    const bool dragging = state.drag.phase != CanvasPhase::idle;
-    const bool anything = !state.selection.nodes.empty() || !state.selection.wires.empty();
-    const bool wanted = key == CanvasKey::fit || dragging || anything;
-    if (wanted) state.keys.push_back(key);
-    return wanted;
 }
 
 }  // namespace braitenlab

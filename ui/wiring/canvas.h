@@ -1,4 +1,4 @@
-// The wiring canvas: a brain as a picture that can be rewired with the mouse.
+// The wiring canvas: a brain as a picture that can be rewired with the mouse, or with the keys alone.
 //
 // It reads the selected vehicle's brain from the snapshot every frame and keeps only what a person sees: where nodes
 // were moved, the view, the selection, the drag in progress. Every change leaves as an EditRequest through ui.outbox:
@@ -7,34 +7,36 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "ui/lab_view.h"
+#include "ui/widgets/card.h"
 #include "ui/widgets/ui.h"
 #include "ui/wiring/hit.h"
+#include "ui/wiring/menu.h"
 #include "ui/wiring/moment.h"
+#include "ui/wiring/piece.h"
+#include "ui/wiring/place_history.h"
 
 namespace braitenlab {
 
-enum class CanvasPhase { idle, pending, pan, box, move_nodes, drag_wire, drag_weight };
-
-enum class CanvasKey {
-    cancel,  // Esc: the drag in progress is undone, else the selection is cleared
-    erase,   // Del: removes the selected wires and neurons
-    fit,     // F, Home: everything in sight
-};
+enum class CanvasPhase { idle, pending, pan, map, box, move_nodes, drag_wire, drag_weight };
 
 // From the press of a button to its release; what it began with, so that Esc can bring it back.
 struct CanvasDrag {
     CanvasPhase phase = CanvasPhase::idle;
     Hit pressed;
-    bool panning_button = false;  // right or middle
-    maths::vec2 press, last;      // window pixels
+    bool left = true, right = false;  // the button; neither: the middle one
+    maths::vec2 press, last;          // window pixels
     BrainGraph graph;
     Places places;
     Caught selection;
-    float weight = 0, travel = 0, sent = 0;  // of DragWeight: at press, dragged since, last one asked for
+    float weight = 0, travel = 0, sent = 0;  // of drag_weight: at press, dragged since, last one asked for
+    NodeId fixed = 0;                        // of drag_wire: the node that the wire stays at
+    bool outwards = true;                    // and whether it begins there
+    std::optional<WireEnds> taken;           // the wire whose end was taken off; nothing: a new wire
     std::uint64_t gesture = 0;
 };
 
@@ -53,7 +55,13 @@ struct CanvasState {
     float zoom = 1;                // least_zoom..most_zoom
     bool own_view = false;         // panned or zoomed by hand: no automatic fit
     Caught selection;
+    Hit focus;                      // a node or a label: where the arrow keys stand
+    std::optional<NodeId> joining;  // a wire is being drawn by keys from this node to the one in focus
     CanvasDrag drag;
+    CanvasMenu menu;
+    BrainPiece clipboard;
+    int pastes = 0;  // of the same piece: each stands a little further on
+    PlaceHistory history;
     CanvasRefusal refusal;
     Hit hovered;
     KeptLayout layout;
@@ -62,22 +70,26 @@ struct CanvasState {
     int kind = -1;  // what was shown last, and how: a change fits the view again
     std::size_t nodes = 0;
     Rect fitted_area;
-    int last_frame = -1;                      // a drag that was not drawn for a frame is dropped
-    std::uint64_t next_gesture = 1ULL << 40;  // far from the sliders' numbers
-    WireEnds wheel_wire;                      // notches over the same label are one gesture
+    int undo_depth = 0;
+    int last_frame = -1;  // a drag that was not drawn for a frame is dropped
+    std::uint64_t next_gesture = gestures::canvas;
+    WireEnds wheel_wire;  // notches over the same label are one gesture
     std::uint64_t wheel_gesture = 0;
-    std::vector<CanvasKey> keys;  // waiting for the next frame
-    bool keys_from_imgui = true;  // false where the app forwards keys with press_key()
+    maths::vec2 pointer;  // window pixels, where the mouse was seen last
+    CardState inspector;
+    std::optional<MenuRow> wanted;  // asked for by the inspector's buttons, for the next frame
+    bool edit_numbers = false;      // the inspector is to take the keyboard
+    std::vector<Action> keys;       // waiting for the next frame
 };
 
 // Draws the canvas over `area` (window pixels: the part of the window that no card covers) and reports what the person
-// did there. Anchors: canvas, canvas.arrange, canvas.fit, pin.<node>.out, pin.<node>.in, node.<node>, wire.LL … or
-// wire.<from>-<to> (the weight's label).
+// did there. Anchors: canvas, canvas.arrange, canvas.fit, canvas.minimap, pin.<node>.out, pin.<node>.in, node.<node>,
+// wire.LL … or wire.<from>-<to> (the weight's label), curve.LL … (a point of the curve beside its label); menu.<row>
+// while a menu is open; selected.<node or wire>; refused.<reason>.
 void wiring_canvas(const LabView&, CanvasState&, Ui&, Rect area);
 
-// Hands a key to the canvas; it acts when drawn next. For apps that keep their own queue of keys (Dear ImGui 1.86 loses
-// quick presses); such an app sets keys_from_imgui to false. True when the canvas has a use for the key now: an Esc
+// Hands a key's action to the canvas, which acts when drawn next. True when the canvas has a use for it now: an Esc
 // that returns false is free to leave the wiring mode.
-bool press_key(CanvasState&, CanvasKey);
+bool press_key(CanvasState&, Action);
 
 }  // namespace braitenlab

@@ -31,6 +31,10 @@ void draw_nodes(const Pen&, const CanvasPicture&);
 // The selected neuron's sum, the wire or box being drawn, and the reason of a refusal.
 void draw_cursor(const Pen&, const CanvasPicture&, const CanvasFrame&);
 
+// The open menu, at the place that it gets here, and the small picture of a large brain.
+void draw_menu(const Pen&, CanvasMenu&, Rect area);
+void draw_minimap(const Pen&, const CanvasPicture&, Rect area);
+
 // The sign at a wire's end, pointing right at `tip`: ▶ excites, ● inhibits.
 void draw_end_sign(const Pen&, maths::vec2 tip, float size, bool excites, Colour);
 

@@ -56,14 +56,26 @@ ImVec2 beside_card(const Pen& pen, const Layout& layout, const NodeShape& shape,
     return hidden(above) < hidden(below) ? above : below;
 }
 
+float learned_now(const CanvasPicture& picture, const Wire& wire) {
+    return learns(wire) ? learned(*picture.view.now, picture.vehicle, wire.from, wire.to) : 0;
+}
+
+// The words of a refusal; a full brain's say how much it holds.
+std::string reason(const Ui& ui, std::string_view key) {
+    const int most = key == "wiring.refused.neurons" ? limits::neurons : limits::wires;
+    return fill(ui.strings(key), {std::to_string(most)});
+}
+
 // At the one node that is selected.
 void draw_sum(const Pen& pen, const CanvasPicture& picture, Rect area) {
     const Caught& selection = picture.state.selection;
     if (selection.nodes.size() != 1 || !selection.wires.empty()) return;
     const NodeShape* shape = find_shape(picture.layout, *selection.nodes.begin());
     if (shape == nullptr) return;
-    const std::string sum = sum_text(picture.graph, shape->id,
-                                     [&](NodeId id) { return node_value(*picture.view.now, picture.vehicle, id); });
+    const Snapshot& now = *picture.view.now;
+    const std::string sum = sum_text(
+        picture.graph, shape->id, [&](NodeId id) { return node_value(now, picture.vehicle, id); },
+        [&](const Wire& wire) { return learned_now(picture, wire); });
     if (sum.empty()) return;
     const ImVec2 at = beside_card(pen, picture.layout, *shape, note_size(pen.ui, sum));
     draw_note(pen, at, sum, area, pen.palette().second_text);
@@ -75,29 +87,66 @@ void draw_box(const Pen& pen, vec2 a, vec2 b) {
     compat::outline(pen.list, low, high, paint(pen.palette().accent), pen.ui.px(4), pen.ui.px(1.5f));
 }
 
-// From the pin to the cursor, or to the pin that would take it.
-void draw_pending_wire(const Pen& pen, const CanvasPicture& picture, const CanvasFrame& frame) {
-    const CanvasDrag& drag = picture.state.drag;
-    const NodeShape* start = find_shape(picture.layout, drag.pressed.node);
+struct Loose {
+    NodeId fixed;
+    bool outwards;  // it begins at the fixed node
+    vec2 end;       // the other one, canvas units
+};
+
+void draw_loose_wire(const Pen& pen, const CanvasPicture& picture, const Loose& loose, Colour colour) {
+    const NodeShape* start = find_shape(picture.layout, loose.fixed);
     if (start == nullptr) return;
-    const Palette& p = pen.palette();
-    const WireDrop drop = drop_of(picture.state, frame);
-    const bool outwards = drag.pressed.part == Part::out_pin;
-    vec2 loose = pen.view.to_canvas(frame.pointer.at);
-    if (drop.what == WireDrop::What::connect) {
-        const NodeShape* goal = find_shape(picture.layout, outwards ? drop.ends.to : drop.ends.from);
-        loose = outwards ? goal->in_pin() : goal->out_pin();
-    }
-    const auto b = outwards ? wire_curve(start->out_pin(), loose) : wire_curve(loose, start->in_pin());
-    const bool refused = drop.what == WireDrop::What::refused;
-    const Colour colour = refused ? p.warning : drop.what == WireDrop::What::connect ? p.excites : p.accent;
+    const auto b = loose.outwards ? wire_curve(start->out_pin(), loose.end) : wire_curve(loose.end, start->in_pin());
     pen.list.AddBezierCubic(pen.at(b[0]), pen.at(b[1]), pen.at(b[2]), pen.at(b[3]), paint(colour), pen.stroke(4),
                             wire_segments * 2);
     draw_end_sign(pen, b[3] - vec2{8, 0}, 15, true, colour);
-    const ImVec2 beside{frame.pointer.at.x + pen.ui.px(18), frame.pointer.at.y + pen.ui.px(14)};
-    if (refused) draw_note(pen, beside, pen.ui.strings(drop.reason), frame.area, p.warning);
+}
+
+ImVec2 beside(const Pen& pen, vec2 pixel) { return {pixel.x + pen.ui.px(18), pixel.y + pen.ui.px(14)}; }
+
+// From the pin to the cursor, or to the pin that would take it.
+void draw_dragged_wire(const Pen& pen, const CanvasPicture& picture, const CanvasFrame& frame) {
+    const CanvasDrag& drag = picture.state.drag;
+    const Palette& p = pen.palette();
+    const WireDrop drop = drop_of(picture.state, frame);
+    vec2 end = pen.view.to_canvas(frame.pointer.at);
+    if (drop.what == WireDrop::What::connect) {
+        const NodeShape* goal = find_shape(picture.layout, drag.outwards ? drop.ends.to : drop.ends.from);
+        end = drag.outwards ? goal->in_pin() : goal->out_pin();
+    }
+    const bool refused = drop.what == WireDrop::What::refused, off = drop.what == WireDrop::What::take_off;
+    const Colour colour = refused || off ? p.warning : drop.what == WireDrop::What::connect ? p.excites : p.accent;
+    draw_loose_wire(pen, picture, {drag.fixed, drag.outwards, end}, colour);
+    const ImVec2 note = beside(pen, frame.pointer.at);
+    if (refused) draw_note(pen, note, reason(pen.ui, drop.reason), frame.area, p.warning);
+    if (off) draw_note(pen, note, pen.ui.strings("wiring.take_off"), frame.area, p.warning);
     if (drop.what == WireDrop::What::new_neuron)
-        draw_note(pen, beside, pen.ui.strings("wiring.new_neuron"), frame.area, p.accent);
+        draw_note(pen, note, pen.ui.strings("wiring.new_neuron"), frame.area, p.accent);
+}
+
+// A wire that keys draw: to the node in focus.
+void draw_joining(const Pen& pen, const CanvasPicture& picture, const CanvasFrame& frame) {
+    const CanvasState& state = picture.state;
+    const NodeShape *from = find_shape(picture.layout, *state.joining),
+                    *to = find_shape(picture.layout, state.focus.node);
+    if (from == nullptr || to == nullptr) return;
+    const vec2 end = to == from ? from->out_pin() + vec2{90, 0} : to->in_pin();
+    draw_loose_wire(pen, picture, {from->id, true, end}, pen.palette().accent);
+    pen.frame(to->centre, to->size + vec2{10, 10}, 18, 3, pen.palette().accent);
+    draw_note(pen, pen.at(to->centre + vec2{-to->size.x / 2, to->size.y / 2 + 12}), pen.ui.strings("wiring.joining"),
+              frame.area, pen.palette().accent);
+}
+
+// The wire that would take the moved neuron in.
+void draw_insertion(const Pen& pen, const CanvasPicture& picture, const CanvasFrame& frame) {
+    const auto into = insertion_of(picture.state, frame);
+    const WireShape* wire = into ? find_shape(picture.layout, *into) : nullptr;
+    if (wire == nullptr) return;
+    const auto& b = wire->bezier;
+    const Palette& p = pen.palette();
+    pen.list.AddBezierCubic(pen.at(b[0]), pen.at(b[1]), pen.at(b[2]), pen.at(b[3]), paint(p.accent.with_alpha(0.5f)),
+                            pen.stroke(12), wire_segments * 2);
+    draw_note(pen, beside(pen, frame.pointer.at), pen.ui.strings("wiring.insert_here"), frame.area, p.accent);
 }
 
 }  // namespace
@@ -120,12 +169,20 @@ void draw_ground(const Pen& pen, Rect area) {
 
 void draw_cursor(const Pen& pen, const CanvasPicture& picture, const CanvasFrame& frame) {
     const CanvasState& state = picture.state;
-    draw_sum(pen, picture, frame.area);
-    if (state.drag.phase == CanvasPhase::drag_wire) draw_pending_wire(pen, picture, frame);
-    if (state.drag.phase == CanvasPhase::box) draw_box(pen, state.drag.press, frame.pointer.at);
-    if (!state.refusal.key.empty() && frame.wall_seconds < state.refusal.until)
-        draw_note(pen, {state.refusal.at.x + pen.ui.px(18), state.refusal.at.y + pen.ui.px(14)},
-                  pen.ui.strings(state.refusal.key), frame.area, pen.palette().warning);
+    const CanvasPhase phase = state.drag.phase;
+    if (!state.menu.open() && phase == CanvasPhase::idle && !state.joining) draw_sum(pen, picture, frame.area);
+    if (phase == CanvasPhase::drag_wire) draw_dragged_wire(pen, picture, frame);
+    if (phase == CanvasPhase::box) draw_box(pen, state.drag.press, frame.pointer.at);
+    if (phase == CanvasPhase::move_nodes) draw_insertion(pen, picture, frame);
+    if (state.joining) draw_joining(pen, picture, frame);
+    const Hit& loose = state.menu.loose;
+    if (state.menu.open() && loose.part != Part::nothing)
+        draw_loose_wire(pen, picture, {loose.node, loose.part == Part::out_pin, state.menu.place},
+                        pen.palette().accent);
+    if (state.refusal.key.empty() || frame.wall_seconds >= state.refusal.until) return;
+    draw_note(pen, beside(pen, state.refusal.at), reason(pen.ui, state.refusal.key), frame.area, pen.palette().warning);
+    pen.ui.anchors.record("refused." + state.refusal.key.substr(state.refusal.key.rfind('.') + 1),
+                          {state.refusal.at.x, state.refusal.at.y, 1, 1});
 }
 
 }  // namespace braitenlab

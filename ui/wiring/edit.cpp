@@ -32,7 +32,8 @@ std::string free_name(const BrainGraph& graph) {
 
 Edit connect(const BrainGraph& graph, WireEnds ends) {
     if (const auto reason = why_not(graph, ends); !reason.empty()) return {{}, reason};
-    if (weight_of(graph, ends) != 0) return {{}, "wiring.refused.duplicate"};
+    const Wire* there = find_wire(graph, ends.from, ends.to);
+    if (there != nullptr && (there->weight != 0 || learns(*there))) return {{}, "wiring.refused.duplicate"};
     return set_weight(graph, ends, 1);
 }
 
@@ -45,22 +46,22 @@ Edit set_weight(const BrainGraph& graph, WireEnds ends, float weight) {
         wire->weight = weight;
         return {edited, {}};
     }
-    if (edited.wires.size() >= static_cast<std::size_t>(limits::wires)) return {{}, "wiring.refused.too_many"};
+    if (edited.wires.size() >= static_cast<std::size_t>(limits::wires)) return {{}, "wiring.refused.wires"};
     Wire wire;
     wire.from = ends.from, wire.to = ends.to, wire.weight = weight;
     edited.wires.push_back(wire);
     return {edited, {}};
 }
 
-Edit add_neuron(const BrainGraph& graph) {
+Edit add_neuron(const BrainGraph& graph, const Node& like) {
     const auto neurons =
         std::count_if(graph.nodes.begin(), graph.nodes.end(), [](const Node& n) { return n.kind == NodeKind::neuron; });
-    if (neurons >= limits::neurons) return {{}, "wiring.refused.too_many"};
+    if (neurons >= limits::neurons) return {{}, "wiring.refused.neurons"};
     BrainGraph edited = graph;
-    Node node;
+    Node node = like;
     node.id = fresh_id(graph);
     node.kind = NodeKind::neuron;
-    node.name = free_name(graph);
+    if (node.name.empty() || find_node(graph, node.name) != nullptr) node.name = free_name(graph);
     edited.nodes.push_back(node);
     return {edited, {}};
 }

@@ -35,8 +35,9 @@ Edit connect(const BrainGraph&, WireEnds);
 // Refused: into a sensor.
 Edit set_weight(const BrainGraph&, WireEnds, float weight);
 
-// Adds a hidden neuron with the id fresh_id() and the first free name of N1, N2 … Refused: more than limits::neurons.
-Edit add_neuron(const BrainGraph&);
+// Adds a hidden neuron like the one given, with the id fresh_id() and the first free name of N1, N2 … unless its own is
+// free. Refused: more than limits::neurons.
+Edit add_neuron(const BrainGraph&, const Node& like = {});
 
 // The id that the next node gets: one above the largest.
 NodeId fresh_id(const BrainGraph&);

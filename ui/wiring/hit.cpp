@@ -72,6 +72,18 @@ Hit hit(const Layout& layout, const View& view, vec2 pixel, float ui_scale) {
     return best;
 }
 
+std::optional<WireEnds> wire_through(const Layout& layout, vec2 centre, float reach) {
+    std::optional<WireEnds> best;
+    for (const WireShape& wire : layout.wires) {
+        if (wire.ghost) continue;
+        const float distance = distance_to_wire(View{}, wire, centre);
+        if (distance > reach) continue;
+        reach = distance;
+        best = wire.ends;
+    }
+    return best;
+}
+
 Caught inside(const Layout& layout, const View& view, vec2 corner, vec2 opposite) {
     const float left = std::min(corner.x, opposite.x), right = std::max(corner.x, opposite.x);
     const float top = std::min(corner.y, opposite.y), bottom = std::max(corner.y, opposite.y);

@@ -1,6 +1,7 @@
 // What lies under a pixel of the canvas.
 #pragma once
 
+#include <optional>
 #include <set>
 
 #include "render/view/camera.h"
@@ -24,6 +25,9 @@ inline constexpr float map_zoom = 0.4f;  // layout pixels per unit; below, label
 // Pins first (the nearest within reach), then nodes (the topmost), labels, wires (the
 // nearest within reach). `ui_scale`: window pixels per layout pixel.
 Hit hit(const Layout&, const View&, maths::vec2 pixel, float ui_scale);
+
+// The wire that runs through a box of half this height around a point (canvas units), the nearest one; ghosts are none.
+std::optional<WireEnds> wire_through(const Layout&, maths::vec2 centre, float reach);
 
 // What a box from corner to corner (window pixels) takes in: nodes that it touches, wires whose label's middle it
 // holds. Ghosts are no wires.

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "ui/wiring/actions.h"
+#include "ui/wiring/minimap.h"
 
 namespace braitenlab {
 namespace {
@@ -11,73 +15,10 @@ using maths::vec2;
 constexpr float drag_begins = 4;      // layout pixels
 constexpr float pixels_per_step = 8;  // of weight
 constexpr float coarse = 0.1f, fine = 0.01f;
-constexpr double refusal_seconds = 2.5;
 
-void refuse(CanvasState& state, const CanvasFrame& frame, std::string_view key) {
-    state.refusal = {std::string(key), frame.pointer.at, frame.wall_seconds + refusal_seconds};
-}
+View view_of(const CanvasState& state, const CanvasFrame& frame) { return view_of(state, frame.area, frame.ui_scale); }
 
-void ask(Outbox& outbox, Command command, std::uint64_t gesture) {
-    outbox.push_back(EditRequest{std::move(command), gesture});
-}
-
-// The slider's number where the wire has one, so that both are the same command.
-void ask_weight(const CanvasFrame& frame, const BrainGraph& graph, WireEnds ends, float weight, std::uint64_t gesture,
-                Outbox& outbox) {
-    if (const auto dial = direct_dial(graph, ends))
-        ask(outbox, TurnDial{frame.target, *dial, weight}, gesture);
-    else if (const Edit edit = set_weight(graph, ends, weight))
-        ask(outbox, SetBrain{frame.target, *edit.graph}, gesture);
-}
-
-float tidy(float weight) { return std::clamp(std::round(weight * 100) / 100, -limits::weight, limits::weight); }
-
-// Writes down where everything stands, so that a node more or less moves nothing else.
-void keep_places(CanvasState& state, const Layout& layout) {
-    for (const NodeShape& node : layout.nodes) state.places[state.kind].try_emplace(node.id, node.centre);
-}
-
-void select(CanvasState& state, const Hit& hit, bool add) {
-    if (!add) state.selection = {};
-    const auto toggle = [add](auto& set, const auto& item) {
-        if (!set.insert(item).second && add) set.erase(item);
-    };
-    if (hit.part == Part::label || hit.part == Part::wire)
-        toggle(state.selection.wires, hit.wire);
-    else if (hit.part != Part::nothing)
-        toggle(state.selection.nodes, hit.node);
-}
-
-void erase_selected(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
-    if (state.selection.nodes.empty() && state.selection.wires.empty()) return;
-    const Edit edit = remove(frame.graph, state.selection.nodes, state.selection.wires);
-    if (!edit) return refuse(state, frame, edit.refused);
-    keep_places(state, frame.layout);
-    state.nodes = edit.graph->nodes.size();
-    ask(outbox, SetBrain{frame.target, *edit.graph}, state.next_gesture++);
-    state.selection = {};
-}
-
-// Esc: everything as it was at the press. Edits are asked for at the release, but for a weight, which moves live.
-void cancel(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
-    CanvasDrag& drag = state.drag;
-    if (drag.phase == CanvasPhase::drag_weight && drag.sent != drag.weight)
-        ask_weight(frame, drag.graph, drag.pressed.wire, drag.weight, drag.gesture, outbox);
-    if (drag.phase == CanvasPhase::move_nodes) state.places[state.kind] = drag.places;
-    if (drag.phase != CanvasPhase::idle) state.selection = drag.selection;
-    drag = {};
-}
-
-void obey_keys(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
-    for (const CanvasKey key : state.keys) {
-        const bool idle = state.drag.phase == CanvasPhase::idle;
-        if (key == CanvasKey::cancel && !idle) cancel(state, frame, outbox);
-        if (key == CanvasKey::cancel && idle) state.selection = {}, state.refusal = {};
-        if (key == CanvasKey::erase && idle) erase_selected(state, frame, outbox);
-        if (key == CanvasKey::fit && idle) fit(state, frame.layout, frame.area, frame.ui_scale);
-    }
-    state.keys.clear();
-}
+float rounded(float weight) { return std::clamp(std::round(weight * 100) / 100, -limits::weight, limits::weight); }
 
 void turn_wheel(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     const Pointer& pointer = frame.pointer;
@@ -88,17 +29,23 @@ void turn_wheel(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     state.wheel_wire = state.hovered.wire;
     if (state.wheel_gesture == 0) state.wheel_gesture = state.next_gesture++;
     const float now = weight_of(frame.graph, state.wheel_wire);
-    const float then = tidy(now + pointer.wheel * (pointer.shift ? fine : coarse));
+    const float then = rounded(now + pointer.wheel * (pointer.shift ? fine : coarse));
     if (then != now) ask_weight(frame, frame.graph, state.wheel_wire, then, state.wheel_gesture, outbox);
+}
+
+bool on_minimap(const CanvasFrame& frame) {
+    const auto map = minimap_of(frame.layout, frame.area, frame.ui_scale);
+    return map && map->rect.contains(frame.pointer.at.x, frame.pointer.at.y);
 }
 
 void press(CanvasState& state, const CanvasFrame& frame) {
     const Pointer& pointer = frame.pointer;
-    if (!pointer.over || (!pointer.left_pressed && !pointer.pan_pressed)) return;
+    if (!pointer.over || (!pointer.left_pressed && !pointer.right_pressed && !pointer.middle_pressed)) return;
     CanvasDrag& drag = state.drag;
     drag = {};
-    drag.phase = CanvasPhase::pending;
-    drag.panning_button = !pointer.left_pressed;
+    drag.phase = pointer.left_pressed && on_minimap(frame) ? CanvasPhase::map : CanvasPhase::pending;
+    drag.left = pointer.left_pressed;
+    drag.right = !pointer.left_pressed && pointer.right_pressed;
     drag.pressed = state.hovered;
     drag.press = drag.last = pointer.at;
     drag.graph = frame.graph;
@@ -106,11 +53,25 @@ void press(CanvasState& state, const CanvasFrame& frame) {
     drag.selection = state.selection;
     drag.gesture = state.next_gesture++;
     state.refusal = {};
+    state.joining.reset();
     state.wheel_gesture = 0;
 }
 
-CanvasPhase phase_for(const CanvasDrag& drag) {
-    if (drag.panning_button) return CanvasPhase::pan;
+// A new wire from a pin, or the end of a wire that was pressed nearer to it.
+void begin_wire(CanvasDrag& drag, const CanvasFrame& frame, const View& view) {
+    drag.fixed = drag.pressed.node;
+    drag.outwards = drag.pressed.part == Part::out_pin;
+    if (drag.pressed.part != Part::wire) return;
+    const WireShape* shape = find_shape(frame.layout, drag.pressed.wire);
+    const vec2 at = view.to_canvas(drag.press);
+    drag.outwards = maths::distance(at, shape->bezier[3]) < maths::distance(at, shape->bezier[0]);
+    drag.fixed = drag.outwards ? shape->ends.from : shape->ends.to;
+    drag.taken = shape->ends;
+}
+
+CanvasPhase phase_for(const CanvasDrag& drag, const CanvasFrame& frame) {
+    if (!drag.left) return CanvasPhase::pan;
+    const WireShape* wire = drag.pressed.part == Part::wire ? find_shape(frame.layout, drag.pressed.wire) : nullptr;
     switch (drag.pressed.part) {
         case Part::in_pin:
         case Part::out_pin:
@@ -119,6 +80,8 @@ CanvasPhase phase_for(const CanvasDrag& drag) {
             return CanvasPhase::move_nodes;
         case Part::label:
             return CanvasPhase::drag_weight;
+        case Part::wire:
+            return wire != nullptr && !wire->ghost ? CanvasPhase::drag_wire : CanvasPhase::box;
         default:
             return CanvasPhase::box;
     }
@@ -126,7 +89,8 @@ CanvasPhase phase_for(const CanvasDrag& drag) {
 
 void begin_drag(CanvasState& state, const CanvasFrame& frame) {
     CanvasDrag& drag = state.drag;
-    drag.phase = phase_for(drag);
+    drag.phase = phase_for(drag, frame);
+    if (drag.phase == CanvasPhase::drag_wire) begin_wire(drag, frame, view_of(state, frame));
     if (drag.phase == CanvasPhase::move_nodes && state.selection.nodes.count(drag.pressed.node) == 0)
         select(state, drag.pressed, frame.pointer.shift);
     if (drag.phase == CanvasPhase::drag_weight) {
@@ -141,141 +105,213 @@ void drag_weight(CanvasState& state, const CanvasFrame& frame, vec2 moved, Outbo
     drag.travel += (moved.x - moved.y) / (pixels_per_step * frame.ui_scale) * step;
     // Travel beyond the range is not kept, so that the way back begins at once.
     drag.travel = std::clamp(drag.travel, -limits::weight - drag.weight, limits::weight - drag.weight);
-    const float weight = tidy(drag.weight + std::round(drag.travel / step) * step);
+    const float weight = rounded(drag.weight + std::round(drag.travel / step) * step);
     if (weight == drag.sent) return;
     drag.sent = weight;
     ask_weight(frame, drag.graph, drag.pressed.wire, weight, drag.gesture, outbox);
 }
 
 void select_box(CanvasState& state, const CanvasFrame& frame) {
-    const Caught caught =
-        inside(frame.layout, view_of(state, frame.area, frame.ui_scale), state.drag.press, frame.pointer.at);
+    const Caught caught = inside(frame.layout, view_of(state, frame), state.drag.press, frame.pointer.at);
     state.selection = frame.pointer.shift ? state.drag.selection : Caught{};
     state.selection.nodes.insert(caught.nodes.begin(), caught.nodes.end());
     state.selection.wires.insert(caught.wires.begin(), caught.wires.end());
+}
+
+void move_nodes(CanvasState& state, const CanvasFrame& frame, vec2 by) {
+    for (const NodeId id : state.selection.nodes)
+        if (const NodeShape* node = find_shape(frame.layout, id))
+            state.places[state.kind].try_emplace(id, node->centre).first->second += by;
 }
 
 void move_along(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     CanvasDrag& drag = state.drag;
     const vec2 moved = frame.pointer.at - drag.last;
     drag.last = frame.pointer.at;
-    const float scale = view_of(state, frame.area, frame.ui_scale).scale;
+    const float scale = view_of(state, frame).scale;
     if (drag.phase == CanvasPhase::pan) {
         state.middle -= moved / scale;
         state.own_view = true;
+    } else if (drag.phase == CanvasPhase::map) {
+        const auto map = minimap_of(frame.layout, frame.area, frame.ui_scale);
+        if (map) state.middle = map->view.to_canvas(frame.pointer.at), state.own_view = true;
     } else if (drag.phase == CanvasPhase::box) {
         select_box(state, frame);
     } else if (drag.phase == CanvasPhase::move_nodes) {
-        for (const NodeId id : state.selection.nodes)
-            if (const NodeShape* node = find_shape(frame.layout, id))
-                state.places[state.kind].try_emplace(id, node->centre).first->second += moved / scale;
+        move_nodes(state, frame, moved / scale);
     } else if (drag.phase == CanvasPhase::drag_weight) {
         drag_weight(state, frame, moved, outbox);
     }
 }
 
-void drop_new_neuron(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+void drop_wire(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     const CanvasDrag& drag = state.drag;
-    const NodeId fresh = fresh_id(drag.graph);
-    const bool outwards = drag.pressed.part == Part::out_pin;
-    const WireEnds ends = outwards ? WireEnds{drag.pressed.node, fresh} : WireEnds{fresh, drag.pressed.node};
-    const Edit added = add_neuron(drag.graph);
-    const Edit joined = added ? connect(*added.graph, ends) : added;
-    if (!joined) return refuse(state, frame, joined.refused);
-    keep_places(state, frame.layout);
-    // The end of the wire stays under the cursor: the new neuron's pin comes to lie there.
-    const vec2 pin = view_of(state, frame.area, frame.ui_scale).to_canvas(frame.pointer.at);
-    state.places[state.kind][fresh] = pin + vec2{outwards ? 75.0f : -75.0f, 0};
-    state.nodes = joined.graph->nodes.size();
-    state.selection = {{fresh}, {}};
-    ask(outbox, SetBrain{frame.target, *joined.graph}, drag.gesture);
+    const WireDrop drop = drop_of(state, frame);
+    switch (drop.what) {
+        case WireDrop::What::nothing:
+            return;
+        case WireDrop::What::refused:
+            return refuse(state, frame, drop.reason);
+        case WireDrop::What::new_neuron:
+            return open_drop_menu(state, frame, drag.pressed);
+        case WireDrop::What::take_off:
+            ask(state, frame, remove(drag.graph, {}, {*drag.taken}), drag.gesture, outbox);
+            state.selection = {};
+            return;
+        case WireDrop::What::connect:
+            break;
+    }
+    if (drag.taken)
+        ask(state, frame, reconnect(drag.graph, *drag.taken, drop.ends), drag.gesture, outbox);
+    else if (direct_dial(drag.graph, drop.ends))
+        ask_weight(frame, drag.graph, drop.ends, 1, drag.gesture, outbox);
+    else
+        ask(state, frame, connect(drag.graph, drop.ends), drag.gesture, outbox);
+    select(state, {Part::label, 0, drop.ends}, false);
 }
 
-void drop_wire(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
-    const WireDrop drop = drop_of(state, frame);
-    if (drop.what == WireDrop::What::refused) return refuse(state, frame, drop.reason);
-    if (drop.what == WireDrop::What::new_neuron) return drop_new_neuron(state, frame, outbox);
-    if (drop.what != WireDrop::What::connect) return;
-    const BrainGraph& graph = state.drag.graph;
-    if (direct_dial(graph, drop.ends))
-        ask_weight(frame, graph, drop.ends, 1, state.drag.gesture, outbox);
-    else if (const Edit edit = connect(graph, drop.ends))
-        ask(outbox, SetBrain{frame.target, *edit.graph}, state.drag.gesture);
-    state.selection = {{}, {drop.ends}};
+void drop_nodes(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    const CanvasDrag& drag = state.drag;
+    const auto into = insertion_of(state, frame);
+    if (!into) return state.history.note(state.kind, state.undo_depth, drag.places, state.places[state.kind]);
+    keep_places(state, frame.layout);
+    ask(state, frame, insert(drag.graph, *state.selection.nodes.begin(), *into), drag.gesture, outbox);
+}
+
+// A click: selects, and with the right button opens the menu for what is selected then.
+void click(CanvasState& state, const CanvasFrame& frame) {
+    const CanvasDrag& drag = state.drag;
+    if (drag.left) return select(state, drag.pressed, frame.pointer.shift);
+    if (!drag.right) return;
+    const Hit& under = drag.pressed;
+    const bool wire = under.part == Part::wire || under.part == Part::label;
+    const bool chosen =
+        wire ? state.selection.wires.count(under.wire) > 0 : state.selection.nodes.count(under.node) > 0;
+    if (under.part == Part::nothing || !chosen) select(state, under, false);
+    open_menu(state, frame, frame.pointer.at);
 }
 
 void release(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
-    if (state.drag.phase == CanvasPhase::pending && !state.drag.panning_button)
-        select(state, state.drag.pressed, frame.pointer.shift);
+    if (state.drag.phase == CanvasPhase::pending) click(state, frame);
     if (state.drag.phase == CanvasPhase::drag_wire) drop_wire(state, frame, outbox);
+    if (state.drag.phase == CanvasPhase::move_nodes) drop_nodes(state, frame, outbox);
     state.drag = {};
 }
 
+// An open menu has the mouse to itself: a press on a row chooses it, one elsewhere closes it.
+bool menu_takes(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    if (!state.menu.open()) return false;
+    const Pointer& pointer = frame.pointer;
+    const int row = pointer.over ? row_at(state.menu, pointer.at) : -1;
+    if (pointer.at != state.pointer) state.menu.current = row;
+    if (pointer.left_pressed || pointer.right_pressed) choose(state, frame, row, outbox);
+    return true;
+}
+
+bool is_down(const CanvasDrag& drag, const Pointer& pointer) {
+    return drag.left ? pointer.left_down : drag.right ? pointer.right_down : pointer.middle_down;
+}
+
 }  // namespace
-
-View view_of(const CanvasState& state, Rect area, float ui_scale) {
-    const float scale = state.zoom * ui_scale;
-    return {vec2{area.x + area.w / 2, area.y + area.h / 2} - state.middle * scale, scale};
-}
-
-void zoom_at(CanvasState& state, Rect area, float ui_scale, vec2 pixel, float factor) {
-    const vec2 fixed = view_of(state, area, ui_scale).to_canvas(pixel);
-    state.zoom = std::clamp(state.zoom * factor, least_zoom, most_zoom);
-    state.middle += fixed - view_of(state, area, ui_scale).to_canvas(pixel);
-    state.own_view = true;
-}
-
-void fit(CanvasState& state, const Layout& layout, Rect area, float ui_scale) {
-    const float side = 28 * ui_scale, top = 56 * ui_scale, bottom = 24 * ui_scale;  // above stand the buttons
-    const vec2 size = layout.high - layout.low;
-    const vec2 room{std::max(area.w - 2 * side, 1.0f), std::max(area.h - top - bottom, 1.0f)};
-    state.zoom = std::clamp(std::min(room.x / size.x, room.y / size.y) / ui_scale, least_zoom, 1.4f);
-    state.middle = (layout.low + layout.high) / 2;
-    const float scale = view_of(state, area, ui_scale).scale, above = (area.h - size.y * scale) / 2;
-    if (above < top) state.middle.y -= (top - above) / scale;
-    state.own_view = false;
-}
 
 WireDrop drop_of(const CanvasState& state, const CanvasFrame& frame) {
     const CanvasDrag& drag = state.drag;
     const Pointer& pointer = frame.pointer;
     if (!pointer.over) return {};
-    const Hit under = hit(frame.layout, view_of(state, frame.area, frame.ui_scale), pointer.at, frame.ui_scale);
-    const bool outwards = drag.pressed.part == Part::out_pin;
+    const Hit under = hit(frame.layout, view_of(state, frame), pointer.at, frame.ui_scale);
     const bool on_pin = under.part == Part::in_pin || under.part == Part::out_pin;
-    if (!on_pin && under.part != Part::node) return {WireDrop::What::new_neuron, {}, {}};
+    if (!on_pin && under.part != Part::node) {
+        if (drag.taken && under.wire == *drag.taken && under.part != Part::nothing) return {};  // back where it was
+        return {drag.taken ? WireDrop::What::take_off : WireDrop::What::new_neuron, {}, {}};
+    }
+    const Part own = drag.outwards ? Part::out_pin : Part::in_pin;
     // A card stands for its pin; back on its own card a wire is put away.
-    if (under.node == drag.pressed.node && (!on_pin || under.part == drag.pressed.part)) return {};
+    if (under.node == drag.fixed && (!on_pin || under.part == own)) return {};
     // A sensor has no in-pin: its out-pin then means the sensor itself, and the edit says why not.
     const NodeShape* shape = find_shape(frame.layout, under.node);
-    const bool lacks_pin = !outwards && !shape->has_out;  // a motor where there is no neuron to feed
-    if (lacks_pin || (on_pin && under.part == drag.pressed.part && shape->has_in))
-        return {WireDrop::What::refused, {}, outwards ? "wiring.refused.two_outputs" : "wiring.refused.two_inputs"};
-    const WireEnds ends = outwards ? WireEnds{drag.pressed.node, under.node} : WireEnds{under.node, drag.pressed.node};
+    const bool lacks_pin = !drag.outwards && !shape->has_out;  // a motor where there is no neuron to feed
+    if (lacks_pin || (on_pin && under.part == own && shape->has_in))
+        return {
+            WireDrop::What::refused, {}, drag.outwards ? "wiring.refused.two_outputs" : "wiring.refused.two_inputs"};
+    const WireEnds ends = drag.outwards ? WireEnds{drag.fixed, under.node} : WireEnds{under.node, drag.fixed};
+    if (drag.taken && ends == *drag.taken) return {};
     const Edit edit = connect(drag.graph, ends);
     if (!edit) return {WireDrop::What::refused, ends, edit.refused};
     return {WireDrop::What::connect, ends, {}};
 }
 
+std::optional<WireEnds> insertion_of(const CanvasState& state, const CanvasFrame& frame) {
+    const auto& moved = state.selection.nodes;
+    if (state.drag.phase != CanvasPhase::move_nodes || moved.size() != 1) return {};
+    const NodeShape* shape = find_shape(frame.layout, *moved.begin());
+    if (shape == nullptr || shape->kind != NodeKind::neuron || is_wired(state.drag.graph, shape->id)) return {};
+    return wire_through(frame.layout, shape->centre, shape->size.y / 2);
+}
+
 void interact(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
-    obey_keys(state, frame, outbox);
+    for (const Action action : std::exchange(state.keys, {})) obey(state, frame, action, outbox);
+    if (const auto row = std::exchange(state.wanted, {})) carry_out(state, frame, *row, {}, outbox);
     CanvasDrag& drag = state.drag;
-    if (!frame.pointer.valid) cancel(state, frame, outbox);
+    if (!frame.pointer.valid) cancel_drag(state, frame, outbox);
     state.hovered = {};
-    const bool sweeps = drag.phase == CanvasPhase::box || drag.phase == CanvasPhase::pan;  // over things, not at them
-    if (frame.pointer.over && frame.pointer.valid && !sweeps)
-        state.hovered = hit(frame.layout, view_of(state, frame.area, frame.ui_scale), frame.pointer.at, frame.ui_scale);
+    const bool menu = menu_takes(state, frame, outbox);
+    state.pointer = frame.pointer.at;
+    if (menu) return;
+    // A box and a panned canvas go over things, not at them.
+    const bool sweeps =
+        drag.phase == CanvasPhase::box || drag.phase == CanvasPhase::pan || drag.phase == CanvasPhase::map;
+    if (frame.pointer.over && frame.pointer.valid && !sweeps && !on_minimap(frame))
+        state.hovered = hit(frame.layout, view_of(state, frame), frame.pointer.at, frame.ui_scale);
     if (drag.phase == CanvasPhase::idle) {
         turn_wheel(state, frame, outbox);
         press(state, frame);
         return;
     }
-    const bool down = drag.panning_button ? frame.pointer.pan_down : frame.pointer.left_down;
     if (drag.phase == CanvasPhase::pending &&
         maths::distance(frame.pointer.at, drag.press) >= drag_begins * frame.ui_scale)
         begin_drag(state, frame);
     if (drag.phase != CanvasPhase::pending) move_along(state, frame, outbox);
-    if (!down) release(state, frame, outbox);
+    if (!is_down(drag, frame.pointer)) release(state, frame, outbox);
+}
+
+bool press_key(CanvasState& state, Action action) {
+    const bool dragging = state.drag.phase != CanvasPhase::idle;
+    const bool anything = !state.selection.nodes.empty() || !state.selection.wires.empty();
+    bool wanted = false;
+    switch (action) {
+        case Action::cancel:
+            wanted = dragging || anything || state.menu.open() || state.joining;
+            break;
+        case Action::erase:
+            wanted = anything || dragging;
+            break;
+        case Action::undo:
+            wanted = state.history.can_undo(state.kind, state.undo_depth);
+            break;
+        case Action::redo:
+            wanted = state.history.can_redo(state.kind, state.undo_depth);
+            break;
+        case Action::copy:
+        case Action::cut:
+        case Action::duplicate:
+        case Action::fit:
+        case Action::tidy:
+        case Action::paste:
+        case Action::select_all:
+        case Action::lesion:
+        case Action::join:
+        case Action::menu:
+        case Action::step_left:
+        case Action::step_right:
+        case Action::step_up:
+        case Action::step_down:
+            wanted = true;
+            break;
+        default:
+            break;
+    }
+    if (wanted) state.keys.push_back(action);
+    return wanted;
 }
 
 }  // namespace braitenlab

@@ -1,6 +1,7 @@
 #include "ui/wiring/sum.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "ui/widgets/number.h"
@@ -13,32 +14,41 @@ struct Term {
     bool negative = false;
 };
 
-std::vector<Term> terms_of(const BrainGraph& graph, const Node& node, const std::function<float(NodeId)>& value) {
-    std::vector<const Wire*> arriving;
+using Values = std::function<float(NodeId)>;
+using Learned = std::function<float(const Wire&)>;
+
+float weight_now(const Wire& wire, const Learned& learned) { return wire.weight + (learned ? learned(wire) : 0.0f); }
+
+// What is left of an input behind the wire's threshold and curve.
+float passed(Wire wire, float input) {
+    wire.weight = 1;
+    return signal(wire, input);
+}
+
+std::vector<const Wire*> arriving(const BrainGraph& graph, NodeId id, const Learned& learned) {
+    std::vector<const Wire*> wires;
     for (const Wire& wire : graph.wires)
-        if (wire.to == node.id && wire.weight != 0) arriving.push_back(&wire);
-    std::sort(arriving.begin(), arriving.end(), [](const Wire* a, const Wire* b) { return a->from < b->from; });
+        if (wire.to == id && !wire.cut && weight_now(wire, learned) != 0) wires.push_back(&wire);
+    std::sort(wires.begin(), wires.end(), [](const Wire* a, const Wire* b) { return a->from < b->from; });
+    return wires;
+}
+
+std::vector<Term> terms_of(const BrainGraph& graph, const Node& node, const Values& value, const Learned& learned) {
     std::vector<Term> terms;
-    for (const Wire* wire : arriving) {
-        const float input = signal(*wire, value(wire->from)) / wire->weight;  // behind threshold and curve
+    for (const Wire* wire : arriving(graph, node.id, learned)) {
+        const float input = passed(*wire, value(wire->from)), weight = weight_now(*wire, learned);
         const std::string factor = input < 0 ? "(" + fixed(input, 2) + ")" : fixed(input, 2);
-        const float size = wire->weight < 0 ? -wire->weight : wire->weight;
-        terms.push_back({factor + "·" + fixed(size, 2), wire->weight < 0});
+        terms.push_back({factor + "·" + fixed(std::abs(weight), 2), weight < 0});
     }
-    if (node.bias != 0 || terms.empty())
-        terms.push_back({fixed(node.bias < 0 ? -node.bias : node.bias, 2), node.bias < 0});
+    if (node.bias != 0 || terms.empty()) terms.push_back({fixed(std::abs(node.bias), 2), node.bias < 0});
     return terms;
 }
 
-}  // namespace
-
-std::string sum_text(const BrainGraph& graph, NodeId id, const std::function<float(NodeId)>& value) {
+std::string joined(const std::vector<Term>& terms) {
     constexpr std::size_t terms_a_line = 3;
-    const Node* node = find_node(graph, id);
-    if (node == nullptr || node->kind == NodeKind::sensor) return {};
     std::string text;
     std::size_t count = 0;
-    for (const Term& term : terms_of(graph, *node, value)) {
+    for (const Term& term : terms) {
         if (count > 0) text += count % terms_a_line == 0 ? "\n" : " ";
         if (term.negative)
             text += count > 0 ? "− " : "−";
@@ -46,6 +56,28 @@ std::string sum_text(const BrainGraph& graph, NodeId id, const std::function<flo
             text += "+ ";
         text += term.size;
         ++count;
+    }
+    return text;
+}
+
+}  // namespace
+
+float sum_of(const BrainGraph& graph, NodeId id, const Values& value, const Learned& learned) {
+    const Node* node = find_node(graph, id);
+    if (node == nullptr) return 0;
+    float sum = node->bias;
+    for (const Wire* wire : arriving(graph, id, learned))
+        sum += signal(*wire, value(wire->from), learned ? learned(*wire) : 0);
+    return sum;
+}
+
+std::string sum_text(const BrainGraph& graph, NodeId id, const Values& value, const Learned& learned) {
+    const Node* node = find_node(graph, id);
+    if (node == nullptr || node->kind == NodeKind::sensor) return {};
+    std::string text = joined(terms_of(graph, *node, value, learned));
+    if (node->curve.response != Response::linear) {
+        const float sum = sum_of(graph, id, value, learned);
+        text += " = " + fixed(sum, 2) + "\nf(" + fixed(sum, 2) + ") = " + fixed(respond(node->curve, sum), 2);
     }
     return text + " → " + fixed(value(id), 2);
 }

@@ -1,0 +1,357 @@
+#include "ui/wiring/actions.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace braitenlab {
+
+using maths::vec2;
+
+namespace {
+
+constexpr double refusal_seconds = 2.5;
+
+View view_of(const CanvasState& state, const CanvasFrame& frame) { return view_of(state, frame.area, frame.ui_scale); }
+
+bool nothing_selected(const CanvasState& state) {
+    return state.selection.nodes.empty() && state.selection.wires.empty();
+}
+
+// Puts nodes somewhere else, so that it can be undone.
+void put(CanvasState& state, const Places& moved, bool all = false) {
+    Places& places = state.places[state.kind];
+    const Places before = places;
+    if (all) places.clear();
+    for (const auto& [id, place] : moved) places[id] = place;
+    state.history.note(state.kind, state.undo_depth, before, places);
+}
+
+void tidy_up(CanvasState& state, const CanvasFrame& frame) {
+    put(state, {}, true);
+    fit(state, lay_out(frame.graph, {}), frame.area, frame.ui_scale);
+}
+
+void erase_selected(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    if (nothing_selected(state)) return;
+    const Edit edit = remove(frame.graph, state.selection.nodes, state.selection.wires);
+    if (!edit) return refuse(state, frame, edit.refused);
+    keep_places(state, frame.layout);
+    state.nodes = edit.graph->nodes.size();
+    ask(state, frame, edit, state.next_gesture++, outbox);
+    state.selection = {};
+    if (!find_node(*edit.graph, state.focus.node)) state.focus = {};
+}
+
+bool copy_selected(CanvasState& state, const CanvasFrame& frame) {
+    BrainPiece piece = copy(frame.graph, frame.layout, state.selection.nodes);
+    if (piece.empty()) {
+        refuse(state, frame, "wiring.refused.nothing_to_copy");
+        return false;
+    }
+    state.clipboard = std::move(piece);
+    state.pastes = 0;
+    return true;
+}
+
+void paste_at(CanvasState& state, const CanvasFrame& frame, const BrainPiece& piece, vec2 middle, Outbox& outbox) {
+    const Pasted pasted = paste(frame.graph, piece, middle);
+    if (!pasted.edit) return refuse(state, frame, pasted.edit.refused);
+    keep_places(state, frame.layout);
+    for (const auto& [id, place] : pasted.places) state.places[state.kind][id] = place;
+    state.nodes = pasted.edit.graph->nodes.size();
+    state.selection = {pasted.nodes, {}};
+    reveal(state, frame.area, frame.ui_scale, middle);
+    ask(state, frame, pasted.edit, state.next_gesture++, outbox);
+}
+
+// Where the mouse points; in the middle of the canvas when it points elsewhere.
+void paste_copied(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    const Pointer& pointer = frame.pointer;
+    const vec2 place = pointer.valid && pointer.over ? view_of(state, frame).to_canvas(pointer.at) : state.middle;
+    const auto further = static_cast<float>(state.pastes++);
+    paste_at(state, frame, state.clipboard, place + vec2{28, 28} * further, outbox);
+}
+
+void duplicate(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    const BrainPiece piece = copy(frame.graph, frame.layout, state.selection.nodes);
+    if (piece.empty()) return refuse(state, frame, "wiring.refused.nothing_to_copy");
+    vec2 middle;
+    for (const Node& node : piece.neurons) middle += find_shape(frame.layout, node.id)->centre;
+    const vec2 beside{36, 104};  // clear of the card it is like
+    paste_at(state, frame, piece, middle / static_cast<float>(piece.neurons.size()) + beside, outbox);
+}
+
+void hurt_or_heal(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    Caught chosen = state.selection;
+    const Hit& under = state.hovered;
+    if (nothing_selected(state) && under.part != Part::nothing) {
+        if (under.part == Part::label || under.part == Part::wire)
+            chosen.wires.insert(under.wire);
+        else
+            chosen.nodes.insert(under.node);
+    }
+    if (chosen.nodes.empty() && chosen.wires.empty()) return;
+    const bool hurt = all_hurt(frame.graph, chosen.nodes, chosen.wires);
+    ask(state, frame, lesion(frame.graph, chosen.nodes, chosen.wires, !hurt), state.next_gesture++, outbox);
+}
+
+void select_all(CanvasState& state, const Layout& layout) {
+    state.selection = {};
+    for (const NodeShape& node : layout.nodes) state.selection.nodes.insert(node.id);
+    for (const WireShape& wire : layout.wires)
+        if (!wire.ghost) state.selection.wires.insert(wire.ends);
+}
+
+void step_in_menu(CanvasMenu& menu, Towards towards) {
+    const int count = static_cast<int>(menu.rows.size());
+    if (towards == Towards::down) menu.current = (menu.current + 1) % count;
+    if (towards == Towards::up) menu.current = (std::max(menu.current, 0) + count - 1) % count;
+}
+
+void step(CanvasState& state, const CanvasFrame& frame, Towards towards) {
+    if (state.menu.open()) return step_in_menu(state.menu, towards);
+    state.focus = next_towards(frame.layout, state.focus, towards, state.joining.has_value());
+    if (!state.joining && state.focus.part != Part::nothing) select(state, state.focus, false);
+    if (const auto at = middle_of(frame.layout, state.focus)) reveal(state, frame.area, frame.ui_scale, *at);
+}
+
+void begin_joining(CanvasState& state, const CanvasFrame& frame) {
+    const NodeShape* shape =
+        state.selection.nodes.size() == 1 ? find_shape(frame.layout, *state.selection.nodes.begin()) : nullptr;
+    if (shape == nullptr) return refuse(state, frame, "wiring.refused.join_one");
+    if (!shape->has_out) return refuse(state, frame, "wiring.refused.no_output");
+    state.joining = shape->id;
+    state.focus = {Part::node, shape->id, {}};
+}
+
+void finish_joining(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    const WireEnds ends{*state.joining, state.focus.node};
+    state.joining.reset();
+    const Edit edit = connect(frame.graph, ends);
+    if (!edit) return refuse(state, frame, edit.refused);
+    if (direct_dial(frame.graph, ends))
+        ask_weight(frame, frame.graph, ends, 1, state.next_gesture++, outbox);
+    else
+        ask(state, frame, edit, state.next_gesture++, outbox);
+    select(state, {Part::label, 0, ends}, false);
+}
+
+void enter(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    if (state.menu.open()) return choose(state, frame, state.menu.current, outbox);
+    if (state.joining) return finish_joining(state, frame, outbox);
+    const auto at = nothing_selected(state) ? std::nullopt : middle_of(frame.layout, state.focus);
+    open_menu(state, frame, view_of(state, frame).to_window(at ? *at : state.middle));
+    state.menu.current = 0;
+}
+
+void cancel(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    if (state.menu.open())
+        state.menu = {};
+    else if (state.joining)
+        state.joining.reset();
+    else if (state.drag.phase != CanvasPhase::idle)
+        cancel_drag(state, frame, outbox);
+    else
+        state.selection = {}, state.focus = {}, state.refusal = {};
+}
+
+// A neuron where the menu was opened; at the end of the wire that was dropped there, if one was.
+void add_chosen(CanvasState& state, const CanvasFrame& frame, const CanvasMenu& menu, std::size_t kind,
+                Outbox& outbox) {
+    Edit edit = add_neuron(frame.graph, neuron_kinds()[kind].made);
+    const NodeId fresh = fresh_id(frame.graph);
+    const bool outwards = menu.loose.part == Part::out_pin, loose = menu.loose.part != Part::nothing;
+    if (edit && loose)
+        edit = connect(*edit.graph, outwards ? WireEnds{menu.loose.node, fresh} : WireEnds{fresh, menu.loose.node});
+    if (!edit) return refuse(state, frame, edit.refused);
+    keep_places(state, frame.layout);
+    // The end of the wire stays where it was dropped: the new neuron's pin comes to lie there.
+    const float aside = !loose ? 0.0f : outwards ? 75.0f : -75.0f;
+    state.places[state.kind][fresh] = menu.place + vec2{aside, 0};
+    state.nodes = edit.graph->nodes.size();
+    state.selection = {{fresh}, {}};
+    state.focus = {Part::node, fresh, {}};
+    ask(state, frame, edit, state.next_gesture++, outbox);
+}
+
+void insert_new(CanvasState& state, const CanvasFrame& frame, WireEnds wire, Outbox& outbox) {
+    Edit edit = add_neuron(frame.graph, {});
+    const NodeId fresh = fresh_id(frame.graph);
+    if (edit) edit = insert(*edit.graph, fresh, wire);
+    if (!edit) return refuse(state, frame, edit.refused);
+    keep_places(state, frame.layout);
+    if (const WireShape* shape = find_shape(frame.layout, wire))
+        state.places[state.kind][fresh] = bezier_point(shape->bezier, 0.5f);
+    state.nodes = edit.graph->nodes.size();
+    state.selection = {{fresh}, {}};
+    state.focus = {Part::node, fresh, {}};
+    ask(state, frame, edit, state.next_gesture++, outbox);
+}
+
+void order(CanvasState& state, const CanvasFrame& frame, Order wanted) {
+    put(state, put_in_order(frame.layout, state.selection.nodes, wanted));
+}
+
+}  // namespace
+
+void refuse(CanvasState& state, const CanvasFrame& frame, std::string_view key) {
+    const Rect& area = frame.area;
+    const bool inside = frame.pointer.valid && area.contains(frame.pointer.at.x, frame.pointer.at.y);
+    const vec2 at = inside ? frame.pointer.at : vec2{area.x + area.w / 3, area.y + area.h / 2};
+    state.refusal = {std::string(key), at, frame.wall_seconds + refusal_seconds};
+}
+
+bool ask(CanvasState& state, const CanvasFrame& frame, const Edit& edit, std::uint64_t gesture, Outbox& outbox) {
+    if (edit)
+        outbox.push_back(EditRequest{SetBrain{frame.target, *edit.graph}, gesture});
+    else
+        refuse(state, frame, edit.refused);
+    return static_cast<bool>(edit);
+}
+
+void ask_weight(const CanvasFrame& frame, const BrainGraph& graph, WireEnds ends, float weight, std::uint64_t gesture,
+                Outbox& outbox) {
+    if (const auto dial = direct_dial(graph, ends))
+        outbox.push_back(EditRequest{TurnDial{frame.target, *dial, weight}, gesture});
+    else if (const Edit edit = set_weight(graph, ends, weight))
+        outbox.push_back(EditRequest{SetBrain{frame.target, *edit.graph}, gesture});
+}
+
+void select(CanvasState& state, const Hit& hit, bool add) {
+    if (!add) state.selection = {};
+    const auto toggle = [add](auto& set, const auto& item) {
+        if (!set.insert(item).second && add) set.erase(item);
+    };
+    const bool wire = hit.part == Part::label || hit.part == Part::wire;
+    if (wire)
+        toggle(state.selection.wires, hit.wire);
+    else if (hit.part != Part::nothing)
+        toggle(state.selection.nodes, hit.node);
+    state.focus = hit.part == Part::nothing ? Hit{}
+                  : wire                    ? Hit{Part::label, 0, hit.wire}
+                                            : Hit{Part::node, hit.node, {}};
+}
+
+void keep_places(CanvasState& state, const Layout& layout) {
+    for (const NodeShape& node : layout.nodes) state.places[state.kind].try_emplace(node.id, node.centre);
+}
+
+void open_menu(CanvasState& state, const CanvasFrame& frame, vec2 at) {
+    state.menu = {};
+    state.menu.rows = menu_rows(frame.graph, state.selection, !state.clipboard.empty());
+    state.menu.at = at;
+    state.menu.place = view_of(state, frame).to_canvas(at);
+}
+
+void open_drop_menu(CanvasState& state, const CanvasFrame& frame, Hit pin) {
+    state.menu = {};
+    state.menu.rows = drop_rows();
+    state.menu.at = frame.pointer.at;
+    state.menu.place = view_of(state, frame).to_canvas(frame.pointer.at);
+    state.menu.loose = pin;
+}
+
+void cancel_drag(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    CanvasDrag& drag = state.drag;
+    // Edits are asked for at the release, but for a weight, which moves live.
+    if (drag.phase == CanvasPhase::drag_weight && drag.sent != drag.weight)
+        ask_weight(frame, drag.graph, drag.pressed.wire, drag.weight, drag.gesture, outbox);
+    if (drag.phase == CanvasPhase::move_nodes) state.places[state.kind] = drag.places;
+    if (drag.phase != CanvasPhase::idle) state.selection = drag.selection;
+    drag = {};
+}
+
+void obey(CanvasState& state, const CanvasFrame& frame, Action action, Outbox& outbox) {
+    if (action == Action::cancel) return cancel(state, frame, outbox);
+    if (state.drag.phase != CanvasPhase::idle) return;  // the hand on the mouse has it
+    switch (action) {
+        case Action::menu:
+            return enter(state, frame, outbox);
+        case Action::step_left:
+            return step(state, frame, Towards::left);
+        case Action::step_right:
+            return step(state, frame, Towards::right);
+        case Action::step_up:
+            return step(state, frame, Towards::up);
+        case Action::step_down:
+            return step(state, frame, Towards::down);
+        default:
+            break;
+    }
+    state.menu = {};
+    switch (action) {
+        case Action::erase:
+            return erase_selected(state, frame, outbox);
+        case Action::fit:
+            return fit(state, frame.layout, frame.area, frame.ui_scale);
+        case Action::tidy:
+            return tidy_up(state, frame);
+        case Action::copy:
+            copy_selected(state, frame);
+            return;
+        case Action::cut:
+            if (copy_selected(state, frame)) erase_selected(state, frame, outbox);
+            return;
+        case Action::paste:
+            return paste_copied(state, frame, outbox);
+        case Action::duplicate:
+            return duplicate(state, frame, outbox);
+        case Action::select_all:
+            return select_all(state, frame.layout);
+        case Action::lesion:
+            return hurt_or_heal(state, frame, outbox);
+        case Action::join:
+            return begin_joining(state, frame);
+        case Action::undo:
+            state.places[state.kind] = state.history.undo();
+            return;
+        case Action::redo:
+            state.places[state.kind] = state.history.redo();
+            return;
+        default:
+            return;
+    }
+}
+
+void choose(CanvasState& state, const CanvasFrame& frame, int index, Outbox& outbox) {
+    const CanvasMenu menu = std::exchange(state.menu, {});
+    if (index >= 0 && index < static_cast<int>(menu.rows.size()))
+        carry_out(state, frame, menu.rows[static_cast<std::size_t>(index)], menu, outbox);
+}
+
+void carry_out(CanvasState& state, const CanvasFrame& frame, const MenuRow& row, const CanvasMenu& menu,
+               Outbox& outbox) {
+    const bool one_wire = state.selection.wires.size() == 1;
+    switch (row.command) {
+        case MenuCommand::add:
+            return add_chosen(state, frame, menu, row.kind, outbox);
+        case MenuCommand::edit_numbers:
+            state.edit_numbers = true;
+            return;
+        case MenuCommand::join:
+            return begin_joining(state, frame);
+        case MenuCommand::insert:
+            if (one_wire) insert_new(state, frame, *state.selection.wires.begin(), outbox);
+            return;
+        case MenuCommand::flip:
+            if (!one_wire) return;
+            return ask_weight(frame, frame.graph, *state.selection.wires.begin(),
+                              -weight_of(frame.graph, *state.selection.wires.begin()), state.next_gesture++, outbox);
+        case MenuCommand::detach:
+            ask(state, frame, detach(frame.graph, state.selection.nodes), state.next_gesture++, outbox);
+            return;
+        case MenuCommand::column:
+            return order(state, frame, Order::column);
+        case MenuCommand::row:
+            return order(state, frame, Order::row);
+        case MenuCommand::even_down:
+            return order(state, frame, Order::even_down);
+        case MenuCommand::even_across:
+            return order(state, frame, Order::even_across);
+        default:
+            if (row.key) obey(state, frame, *row.key, outbox);
+            return;
+    }
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,42 @@
+// What keys and the menu do to the canvas and its brain.
+#pragma once
+
+#include "ui/wiring/align.h"
+#include "ui/wiring/focus.h"
+#include "ui/wiring/interaction.h"
+
+namespace braitenlab {
+
+// Shows the reason at the cursor for a moment.
+void refuse(CanvasState&, const CanvasFrame&, std::string_view key);
+
+// Asks for the edited brain, or says why there is none. True when asked.
+bool ask(CanvasState&, const CanvasFrame&, const Edit&, std::uint64_t gesture, Outbox&);
+
+// Asks for a wire's weight: by the slider's number where the wire has one, so that both are the same command.
+void ask_weight(const CanvasFrame&, const BrainGraph&, WireEnds, float weight, std::uint64_t gesture, Outbox&);
+
+// Makes the thing the only one selected, or adds it to what is (a second time: takes it out).
+void select(CanvasState&, const Hit&, bool add);
+
+// Writes down where everything stands, so that a node more or less moves nothing else.
+void keep_places(CanvasState&, const Layout&);
+
+// Opens the menu for the selection, at a pixel of the window.
+void open_menu(CanvasState&, const CanvasFrame&, maths::vec2 at);
+
+// Opens the menu of what a dropped wire can end at.
+void open_drop_menu(CanvasState&, const CanvasFrame&, Hit pin);
+
+// Esc in mid-drag: everything as it was at the press.
+void cancel_drag(CanvasState&, const CanvasFrame&, Outbox&);
+
+void obey(CanvasState&, const CanvasFrame&, Action, Outbox&);
+
+// Does what a row of the menu says; `menu` is the one that it stood in.
+void carry_out(CanvasState&, const CanvasFrame&, const MenuRow&, const CanvasMenu& menu, Outbox&);
+
+// Closes the menu and carries out the row at this index; −1 for none.
+void choose(CanvasState&, const CanvasFrame&, int row, Outbox&);
+
+}  // namespace braitenlab
