@@ -282,15 +282,13 @@ bool press_key(CanvasState& state, Action action) {
         case Action::cancel:
             wanted = dragging || anything || state.menu.open() || state.joining;
             break;
-        case Action::erase:
-            wanted = anything || dragging;
-            break;
         case Action::undo:
             wanted = state.history.can_undo(state.kind, state.undo_depth);
             break;
         case Action::redo:
             wanted = state.history.can_redo(state.kind, state.undo_depth);
             break;
+        case Action::erase:  // with nothing selected too: Del must not fall through to the vehicle
         case Action::copy:
         case Action::cut:
         case Action::duplicate:
