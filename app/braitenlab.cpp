@@ -9,6 +9,7 @@
 
 #include "app/catalogue.h"
 #include "app/data.h"
+#include "app/desk.h"
 #include "app/lab.h"
 #include "app/lettering.h"
 #include "app/look.h"
@@ -59,6 +60,7 @@ public:
         letter_labels();
         if (!look_.warning().empty()) std::cerr << "braitenlab: " << look_.warning() << "\n";
         for (const Error& complaint : memory_.complaints) refuse(complaint);
+        refresh(files_, lab_);
         if (options_.play) handle(lab_, Action::play_pause);
     }
 
@@ -71,7 +73,7 @@ public:
             last = frame_began;
             if (repeatable()) passed = frame_seconds;
             window_.poll(0);
-            open_wanted();
+            do_what_files_ask();
             let_time_pass(passed);
             frame(static_cast<float>(passed));
             if (picture_is_due(seconds_since(began))) return take_picture(options_.screenshot);
@@ -106,15 +108,10 @@ private:
         }
     }
 
-    // What was dropped onto the window or chosen from the menu; the last one counts.
-    void open_wanted() {
-        for (const std::string& path : window_.take_dropped_files()) lab_.open = path;
-        if (lab_.open.empty()) return;
-        const std::string wanted = std::exchange(lab_.open, {});
-        auto opened = open_lab(wanted, std::nullopt, {});
-        if (!opened) return refuse(opened.error());
-        replace_lab(std::move(*opened));
-        remember_opened(memory_.remembered, wanted);
+    // What was dropped onto the window, and what was asked for in its browser.
+    void do_what_files_ask() {
+        for (const std::string& path : window_.take_dropped_files()) lab_.files.push_back(OpenRequest{path});
+        if (!lab_.files.empty()) do_files(lab_, files_, memory_.remembered, words_.strings);
     }
 
     void refuse(const Error& error) {
@@ -164,16 +161,6 @@ private:
         if (const auto error = keep(memory_, lab_.preferences, window_.windowed_size())) refuse(*error);
     }
 
-    void replace_lab(Lab next) {
-        next.preferences = lab_.preferences;
-        next.sensors = lab_.sensors;
-        next.outlines = lab_.outlines;
-        next.overlays = lab_.overlays;
-        next.overlays.field.reset();  // the next scene may have nothing on that channel
-        next.wall_seconds = lab_.wall_seconds;
-        lab_ = std::move(next);
-    }
-
     void frame(float passed) {
         follow_preferences();
         follow_shaders();
@@ -182,6 +169,7 @@ private:
         view.catalogue = &catalogue_;
         view.languages = &words_.languages;
         view.recent = &memory_.remembered.recent;
+        view.files = &files_;
         const Rect area = window_.area();
         const WindowLayout layout = lay_out(area.w, area.h, look_.scale(), view, panels_.charts_open);
         aim(viewport_, lab_, area, layout.scene, passed);
@@ -278,6 +266,7 @@ private:
     Clock::time_point memory_kept_ = Clock::now();
     std::vector<CatalogueEntry> catalogue_;
     Look look_;
+    FilesView files_;
     PanelState panels_;
     ViewportState viewport_;
     Anchors anchors_;
@@ -308,7 +297,7 @@ int open_and_run(const Options& options) {
     if (!path) return complain(path.error());
     auto lab = open_lab(*path, options.seed, options.settings);
     if (!lab) return complain(lab.error());
-    remember_opened(memory.remembered, *path);
+    remember_file(memory.remembered, *path);
     auto words = words_in(*data / "ui" / "strings", memory.preferences.language);
     if (!words) return complain(words.error());
     auto window = Window::open({.title = "Braitenlab",

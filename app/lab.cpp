@@ -296,6 +296,9 @@ void act(Lab& lab, Action action) {
         case Action::duplicate:
             edit_if(lab, copy_of(lab.session.snapshot(), chosen(lab)));
             break;
+        case Action::save:
+            lab.files.push_back(SaveRequest{lab.path.string(), FileKind::scene});
+            break;
         case Action::screenshot:
             lab.screenshot = true;
             break;
@@ -368,6 +371,7 @@ Result<Lab> open_lab(const std::filesystem::path& path, std::optional<std::uint6
     if (!session) return session.error();
     Lab lab{.session = std::move(*session),
             .name = path.stem().string(),
+            .path = path,
             .file = std::make_shared<const Scene>(std::move(*scene))};
     if (exercise) {
         auto shared = std::make_shared<const Exercise>(std::move(*exercise));
@@ -397,7 +401,9 @@ void handle(Lab& lab, const Request& request) {
               [&](const TakeRequest& r) { take(lab, r.thing); },
               [&](const ScopeRequest& r) { lab.whole_kind = r.whole_kind; },
               [&](const SeekRequest& r) { seek(lab, r); }, [&](const BookmarkRequest& r) { handle_bookmark(lab, r); },
-              [&](const OpenRequest& r) { lab.open = r.path; },
+              [&](const OpenRequest& r) { lab.files.push_back(r); },
+              [&](const BrowseRequest& r) { lab.files.push_back(r); },
+              [&](const SaveRequest& r) { lab.files.push_back(r); },
               [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },
               [&](const OverlaysRequest& r) { lab.overlays = r.overlays; },
               [&](const PredictRequest& r) {

@@ -32,6 +32,7 @@ struct Lesson {
 struct Lab {
     Session session;
     std::string name;                   // of the file, without folder and ending
+    std::filesystem::path path;         // of the file; empty: none yet
     std::shared_ptr<const Scene> file;  // the scene as it was read
     std::optional<Lesson> lesson;
 
@@ -57,7 +58,7 @@ struct Lab {
 
     // Asked of the window, which answers and clears them.
     bool exit = false, screenshot = false, full_screen = false;
-    std::string open;  // a file to open instead of this one; empty: none
+    std::vector<Request> files;  // to open, to save, to list a folder
 };
 
 // Opens a scene, an exercise or a saved run, which goes on as it is. Scenes take the settings; exercises bring their

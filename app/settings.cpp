@@ -111,7 +111,6 @@ void remember_opened(Remembered& r, const fs::path& file) {
     std::erase(r.recent, r.last_opened);
     r.recent.insert(r.recent.begin(), r.last_opened);
     if (r.recent.size() > most_recent) r.recent.resize(most_recent);
-    r.folder = path.parent_path().string();
 }
 
 namespace {

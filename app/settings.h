@@ -31,7 +31,7 @@ std::string write_remembered(const Remembered&);
 
 inline constexpr std::size_t most_recent = 8;
 
-// The file comes to the front of the recent ones, and its folder is remembered.
+// The file comes to the front of the recent ones.
 void remember_opened(Remembered&, const std::filesystem::path&);
 
 // The two files of one person, read at the start and written when something has changed.

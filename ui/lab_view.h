@@ -12,6 +12,7 @@
 #include "render/view/overlays.h"
 #include "render/view/palette.h"
 #include "render/view/pick.h"
+#include "ui/files.h"
 #include "ui/preferences.h"
 #include "ui/strings.h"
 
@@ -60,6 +61,7 @@ struct LabView {
     const LessonView* lesson = nullptr;                      // null outside exercises
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
     const std::vector<std::string>* recent = nullptr;        // paths opened before, the newest first; null: none
+    const FilesView* files = nullptr;                        // null: no disk to look at
     std::string opened;                                      // the name of what is open, as in the catalogue
     std::string notice;  // the last thing refused and why; empty when there is nothing to say
     Theme theme = Theme::dark;

@@ -9,6 +9,7 @@
 #include "core/world/command.h"
 #include "render/view/overlays.h"
 #include "render/view/pick.h"
+#include "ui/files.h"
 #include "ui/preferences.h"
 
 namespace braitenlab {
@@ -62,6 +63,8 @@ enum class Action {
     hint,
     exercise_reset,
     open,
+    save,
+    save_as,
 
     // Of widgets, canvas and stage, never of the lab.
     slider_LL,
@@ -130,7 +133,14 @@ struct BookmarkRequest {  // one of TimelineView::bookmarks
     bool remove = false;  // else go there
 };
 struct OpenRequest {
-    std::string path;  // of a scene or an exercise
+    std::string path;  // of a scene, an exercise or a brain; as typed, so perhaps a folder or relative to one
+};
+struct BrowseRequest {
+    std::string path{};  // of the folder to list; empty: the one where a file was opened or saved last
+};
+struct SaveRequest {
+    std::string path;  // as typed; its ending may be missing
+    FileKind kind = FileKind::scene;
 };
 struct PreferencesRequest {
     Preferences preferences;
@@ -147,9 +157,9 @@ inline constexpr std::uint64_t canvas = std::uint64_t{1} << 40;
 inline constexpr std::uint64_t viewport = std::uint64_t{1} << 48;
 }  // namespace gestures
 
-using Request =
-    std::variant<Action, EditRequest, SelectRequest, TakeRequest, ScopeRequest, PredictRequest, ExportRequest,
-                 SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, BookmarkRequest>;
+using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, ScopeRequest, PredictRequest,
+                             ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest,
+                             BookmarkRequest, BrowseRequest, SaveRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -59,6 +59,8 @@ constexpr Shortcut table[]{
     {{key::f12}, Action::screenshot},
     {{key::escape}, Action::cancel},
     {{'O', true, false}, Action::open},
+    {{'S', true, false}, Action::save},
+    {{'S', true, true}, Action::save_as},
     {{'Q', true, false}, Action::exit},
     {{key::f1}, Action::keys},
 
@@ -166,6 +168,8 @@ constexpr NamedAction names[]{
     {Action::exercise_reset, "exercise_reset"},
     {Action::keys, "keys"},
     {Action::open, "open"},
+    {Action::save, "save"},
+    {Action::save_as, "save_as"},
     {Action::slider_LL, "slider_LL"},
     {Action::slider_LR, "slider_LR"},
     {Action::slider_RL, "slider_RL"},

@@ -141,8 +141,11 @@ bool for_sheet(PanelState& state, KeyPress press) {
     return true;
 }
 
+// Into the file that it came from; else a person has to say where.
+bool saves_at_once(const LabView& view) { return view.files && !view.files->save_to.empty(); }
+
 // What opens a panel or moves the focus concerns nobody else.
-bool panels_own(PanelState& state, Action action, KeyPress press) {
+bool panels_own(const LabView& view, PanelState& state, Action action, KeyPress press) {
     if (const auto slider = slider_of(action)) {
         state.brain.folded = false;
         state.keyboard.focus = *slider;
@@ -151,12 +154,12 @@ bool panels_own(PanelState& state, Action action, KeyPress press) {
         state.keyboard.presses.push_back(press);
     else if (action == Action::keys)
         state.sheet = state.sheet == Sheet::keys ? Sheet::none : Sheet::keys;
-    else if (action == Action::open)
-        state.open_menu = state.focus_open_menu = !state.open_menu;
+    else if (action == Action::open || action == Action::save_as || (action == Action::save && !saves_at_once(view)))
+        begin_files(state.files, action != Action::open), state.sheet = Sheet::files;
     else if (action == Action::view)
         state.view_menu = state.focus_view_menu = !state.view_menu;
     else if (action == Action::settings)
-        state.sheet = Sheet::settings, state.open_menu = false;
+        state.sheet = Sheet::settings;
     else if (action == Action::charts)
         state.charts_open = !state.charts_open;
     else if (action == Action::lesion && !state.lesion_under_pointer.empty())
@@ -188,20 +191,17 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     hint_bar(view, ui, layout.hint_bar);
     toolbar(view, state, ui, layout.toolbar);
     stage_menu(view, state, ui, layout.window);
-    open_menu(view, state, ui, layout);
     view_menu(view, state, ui, layout);
     keys_card(view, state, ui, layout.window);
+    files_sheet(view, state, ui, layout.window);
     settings_card(view, state, ui, layout.window);
     end_keyboard(state.keyboard);
 }
 
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     if (for_typing(state.sliders, press)) return true;
+    if (state.sheet == Sheet::files && for_text_field(state.files.typed, press)) return true;
     if (state.sheet != Sheet::none && !works_under_a_sheet(press)) return for_sheet(state, press);
-    if (state.open_menu && press.key == key::escape) {
-        state.open_menu = false;
-        return true;
-    }
     if (state.presets_open && press.key == key::escape) {
         state.close_presets = true;
         return true;
@@ -210,13 +210,12 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         state.view_menu = false;
         return true;
     }
-    if (state.open_menu && for_open_menu(view, state, press)) return true;
     if (press_key(view, state.stage, state.keyboard, press, outbox)) return true;
     if (state.view_menu && for_view_menu(view, state, press)) return true;
     if (for_focus(state.keyboard, press)) return true;
     if (view.mode == Mode::wiring && for_canvas(state.canvas, press)) return true;
     if (const auto action = action_for(press)) {
-        if (!panels_own(state, *action, press)) outbox.push_back(*action);
+        if (!panels_own(view, state, *action, press)) outbox.push_back(*action);
         return true;
     }
     return false;

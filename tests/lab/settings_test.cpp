@@ -50,7 +50,6 @@ TEST_F(OnDisk, AreReadByTheNextStart) {
     EXPECT_TRUE(next.read(preferences, remembered).empty());
     EXPECT_EQ(preferences, chosen);
     EXPECT_EQ(remembered.last_opened, (folder / "scene.toml").string());
-    EXPECT_EQ(remembered.folder, folder.path.string());
 }
 
 TEST_F(OnDisk, StayUnwrittenWhileNobodyChooses) {

@@ -70,7 +70,7 @@ std::vector<Screen> screens() {
          [](Desk& d) {
              static const std::vector<CatalogueEntry> catalogue(std::begin(catalogue_entries),
                                                                 std::end(catalogue_entries));
-             d.view.catalogue = &catalogue, d.panels.open_menu = true;
+             d.view.catalogue = &catalogue, d.key({'O', true});
          }},
         {"presets", [](Desk& d) { d.click("button.presets"); }},
         {"a lamp",

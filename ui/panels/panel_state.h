@@ -10,6 +10,7 @@
 #include "core/brain/recogniser.h"
 #include "core/world/command.h"
 #include "ui/panels/energy_order.h"
+#include "ui/panels/files_state.h"
 #include "ui/panels/history.h"
 #include "ui/preferences.h"
 #include "ui/prompts.h"
@@ -32,7 +33,7 @@ struct Recognised {
 enum class Chart { signals, population, energy, bars };
 
 // What lies over the whole window: at most one.
-enum class Sheet { none, keys, settings };
+enum class Sheet { none, keys, settings, files };
 
 struct PanelState {
     CardState exercise, scene, brain, information, charts, thing;
@@ -59,10 +60,9 @@ struct PanelState {
     bool why_open = false;
     Sheet sheet = Sheet::none;
     SheetState keys, settings;
+    FilesState files;
     std::optional<Preferences> before_reset;  // what Reset All took away, until something is chosen anew
-    bool open_menu = false;                   // what can be opened, Ctrl+O
     bool view_menu = false, focus_view_menu = false;  // what the scene shows, E
-    bool focus_open_menu = false;             // opened by key: the focus is to go there
     bool presets_open = false, close_presets = false;
     bool outcome_told = false;   // of the exercise below: told once, it stays
     std::size_t hints_seen = 0;  // of the same, already scrolled to

@@ -26,14 +26,13 @@ void tool_palette(const LabView&, PanelState&, Ui&, Rect scene);  // the hand, a
 void stage_menu(const LabView&, PanelState&, Ui&, Rect window);   // of a thing or of the floor; closes itself
 void timeline(const LabView&, PanelState&, Ui&, Rect);
 void hint_bar(const LabView&, Ui&, Rect);
-void open_menu(const LabView&, PanelState&, Ui&, const WindowLayout&);  // over everything; closes itself
-bool for_open_menu(const LabView&, PanelState&, KeyPress);  // while it is open: Tab and arrows walk its rows
 
 void view_menu(const LabView&, PanelState&, Ui&, const WindowLayout&);  // the same for what the scene shows
 bool for_view_menu(const LabView&, PanelState&, KeyPress);
 
 // Sheets over everything; each draws itself while PanelState::sheet says so, and closes itself.
 void keys_card(const LabView&, PanelState&, Ui&, Rect window);      // all shortcuts
+void files_sheet(const LabView&, PanelState&, Ui&, Rect window);    // opening and saving
 void settings_card(const LabView&, PanelState&, Ui&, Rect window);  // language, theme, size of type, motion
 
 // The parts of the brain card. Precondition of all: the vehicle is in the snapshot.

@@ -69,7 +69,7 @@ float width_of(const Ui& ui, const std::vector<Tool>& all, int narrowness) {
 void press(PanelState& state, Ui& ui, const Tool& tool, int narrowness) {
     const Item at = button(ui, tool.anchor, look_of(ui, tool, narrowness));
     if (at.pressed && tool.action == Action::open)
-        state.open_menu = !state.open_menu;  // the panels' own
+        begin_files(state.files, false), state.sheet = Sheet::files;  // the panels' own
     else if (at.pressed && tool.action == Action::view)
         state.view_menu = !state.view_menu;
     else if (at.pressed)

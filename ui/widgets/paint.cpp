@@ -1,5 +1,6 @@
 #include "ui/widgets/paint.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/imgui_compat.h"
@@ -55,6 +56,15 @@ void put_right(const Ui& ui, ImVec2 at, std::string_view words, Colour colour, F
 
 void put_centred(const Ui& ui, ImVec2 at, std::string_view words, Colour colour, Face face) {
     put(ui, {at.x - text_width(ui, face, words) / 2, at.y}, words, colour, face);
+}
+
+std::string shortened(const Ui& ui, std::string_view words, Face face, float width) {
+    if (text_width(ui, face, words) <= width) return std::string(words);
+    ImFont* f = font(ui, face);
+    const float room = std::max(0.0f, width - text_width(ui, face, "…"));
+    const char* end = words.data();
+    f->CalcTextSizeA(compat::size_of(f), room, 0, words.data(), end_of(words), &end);
+    return std::string(words.data(), end) + "…";
 }
 
 void paragraph(Ui& ui, std::string_view words, Colour colour, Face face, float width) {

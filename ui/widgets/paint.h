@@ -1,6 +1,7 @@
 // What widgets are drawn with: words, shapes and icons on Dear ImGui's draw list, in the palette's colours.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include <imgui.h>
@@ -20,7 +21,7 @@ inline constexpr std::string_view play = "\uf04b", pause = "\uf04c", step = "\uf
                                   cross = "\uf00d", presets = "\uf02d", open = "\uf07c", clock = "\uf017",
                                   mirror = "\uf042", cross_over = "\uf0ec", drive = "\uf11b", save = "\uf0c7",
                                   load = "\uf115", chart = "\uf201", heal = "\uf0fa", enlarge = "\uf065",
-                                  bookmark = "\uf02e", rewind = "\uf049";
+                                  bookmark = "\uf02e", rewind = "\uf049", folder = "\uf07b", file = "\uf15b";
 }  // namespace icon
 
 enum class Face { text, strong, title, small };
@@ -38,6 +39,9 @@ float put(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::text);
 // The same with the right end or the middle at at.x.
 void put_right(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::text);
 void put_centred(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::text);
+
+// The words, or as many of them as fit into `width` window pixels and an ellipsis.
+std::string shortened(const Ui&, std::string_view, Face, float width);
 
 // Words as an item at the cursor, wrapped at `width` (0: at the card's edge).
 void paragraph(Ui&, std::string_view, Colour, Face = Face::text, float width = 0);

@@ -1,0 +1,132 @@
+// Opening and saving, as the window's browser asks for it.
+#include "app/desk.h"
+
+#include <gtest/gtest.h>
+
+#include "app/data.h"
+#include "app/files.h"
+#include "tests/lab/folder.h"
+
+namespace braitenlab::tests {
+namespace {
+
+struct OnTheDesk : testing::Test {
+    Folder folder;
+    Strings words = *Strings::load(std::string(BRAITENLAB_SOURCE) + "/ui/strings/en.toml");
+    FilesView files;
+    Remembered remembered;
+    Lab lab = open("2a-coward");
+
+    static Lab open(const char* name) {
+        auto opened = open_lab(*find_shipped(name), std::nullopt, {});
+        return std::move(*opened);
+    }
+
+    OnTheDesk() {
+        remembered.folder = folder.path.string();
+        refresh(files, lab);
+    }
+    void ask(const Request& request) {
+        handle(lab, request);
+        do_files(lab, files, remembered, words);
+    }
+    const FourNeurons dials() const { return read_dials(*lab.session.snapshot().kind_brains[0]); }
+};
+
+TEST_F(OnTheDesk, SavesTheSceneWithItsEditedBrainAndOpensItAgain) {
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    EXPECT_EQ(files.save_to, "") << "what ships is never written over";
+    ask(SaveRequest{"mine", FileKind::scene});
+    EXPECT_EQ(files.done, 1);
+    EXPECT_EQ(files.save_to, (folder / "mine.toml").string());
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    EXPECT_EQ(lab.name, "3a-love");
+    ask(OpenRequest{"mine.toml"});
+    EXPECT_EQ(dials().LR, 1.25f);
+    EXPECT_EQ(remembered.recent.front(), (folder / "mine.toml").string());
+}
+
+TEST_F(OnTheDesk, NeverReplacesWhatIsOpenByABrokenFile) {
+    put_text(folder / "broken.toml", "format = 1\n[arena]\nwidht = 3\n");
+    const auto before = lab.session.hash();
+    ask(OpenRequest{"broken.toml"});
+    EXPECT_EQ(lab.session.hash(), before);
+    EXPECT_EQ(lab.name, "2a-coward");
+    EXPECT_EQ(files.done, 0);
+    EXPECT_NE(files.refused.find("broken.toml:3"), std::string::npos) << files.refused;
+    EXPECT_NE(files.refused.find("width"), std::string::npos) << files.refused;
+    ask(OpenRequest{"not there.toml"});
+    EXPECT_EQ(lab.session.hash(), before);
+    EXPECT_NE(files.refused, "");
+}
+
+TEST_F(OnTheDesk, DoesNotWriteOverCommentsUnasked) {
+    ask(SaveRequest{"mine", FileKind::scene});
+    put_text(folder / "mine.toml", "# by hand\n" + text_of(folder / "mine.toml"));
+    ask(OpenRequest{"mine.toml"});
+    EXPECT_EQ(files.save_to, "");
+    ASSERT_EQ(files.done, 2);
+}
+
+TEST_F(OnTheDesk, SavesABrainAndGivesItToAnotherVehicleAsOneStepOfUndo) {
+    ask(SaveRequest{"shy", FileKind::brain});
+    ASSERT_TRUE(fs::exists(folder / "shy.toml"));
+    ask(OpenRequest{(*find_shipped("2b-aggressor")).string()});
+    const FourNeurons before = dials();
+    ask(OpenRequest{"shy.toml"});
+    EXPECT_EQ(dials().LL, 1.5f);
+    EXPECT_EQ(lab.name, "2b-aggressor");
+    EXPECT_EQ(lab.session.undo_depth(), 1);
+    handle(lab, Action::undo);
+    EXPECT_EQ(dials(), before);
+}
+
+TEST_F(OnTheDesk, SaysWhereItCannotWrite) {
+    ask(SaveRequest{"/proc/nowhere/mine", FileKind::scene});
+    EXPECT_EQ(files.done, 0);
+    EXPECT_NE(files.refused.find("/proc/nowhere/mine.toml"), std::string::npos) << files.refused;
+    EXPECT_EQ(lab.name, "2a-coward");
+}
+
+TEST_F(OnTheDesk, ListsFoldersFirstAndOnlyWhatTheLabReads) {
+    fs::create_directories(folder / "z");
+    put_text(folder / "b.toml", "format = 1\n[brain]\nLL = 1\n");
+    put_text(folder / "a.toml", "format = 1\n# why\n[kind.x]\n");
+    put_text(folder / "e.toml", "format = 1\n[[step]]\n");
+    put_text(folder / "notes.txt", "format = 1\n");
+    put_text(folder / "alien.toml", "[package]\nname = 'x'\n");
+    put_text(folder / ".hidden.toml", "format = 1\n[kind.x]\n");
+    ask(BrowseRequest{folder.path.string()});
+    std::vector<std::string> names;
+    for (const FileEntry& entry : files.listing.entries) names.push_back(entry.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"z", "a.toml", "b.toml", "e.toml"}));
+    EXPECT_EQ(files.listing.entries[1].kind, FileKind::scene);
+    EXPECT_TRUE(files.listing.entries[1].comments);
+    EXPECT_EQ(files.listing.entries[2].kind, FileKind::brain);
+    EXPECT_EQ(files.listing.entries[3].kind, FileKind::exercise);
+    ask(BrowseRequest{"/not/there"});
+    EXPECT_NE(files.listing.problem, "");
+}
+
+TEST_F(OnTheDesk, GoesToAFolderThatIsTyped) {
+    fs::create_directories(folder / "deep");
+    ask(OpenRequest{"deep"});
+    EXPECT_EQ(files.listing.folder, (folder / "deep").string());
+    EXPECT_EQ(files.done, 0);
+    ask(OpenRequest{".."});
+    EXPECT_EQ(files.listing.folder, folder.path.string());
+}
+
+TEST(Paths, AreReadFromTheFolderOrFromHome) {
+    setenv("HOME", "/home/me", 1);
+    EXPECT_EQ(resolved("~/a.toml", "/f"), "/home/me/a.toml");
+    EXPECT_EQ(resolved("~", "/f"), "/home/me/");
+    EXPECT_EQ(resolved("a/../b.toml", "/f"), "/f/b.toml");
+    EXPECT_EQ(resolved("/b.toml", "/f"), "/b.toml");
+    EXPECT_EQ(with_ending("/a", FileKind::scene), "/a.toml");
+    EXPECT_EQ(with_ending("/a.toml", FileKind::brain), "/a.toml");
+    EXPECT_EQ(with_ending("/a.b", FileKind::run), "/a.b.run");
+}
+
+}  // namespace
+}  // namespace braitenlab::tests

@@ -1,0 +1,158 @@
+#include "desk.h"
+
+namespace braitenlab::tests {
+
+struct FilesSheet : testing::Test {
+    Desk desk;
+    std::vector<CatalogueEntry> catalogue{{"05-aggressor", "/x/05-aggressor.toml", "Aggressor", "", 5},
+                                          {"2a-coward", "/x/2a-coward.toml", "Coward", "It turns away."}};
+    std::vector<std::string> recent{"/y/mine.toml", "/x/2a-coward.toml"};
+    FilesView files;
+
+    FilesSheet() {
+        files.listing = {"/home/me",
+                         {{"pictures", true},
+                          {"brain.toml", false, FileKind::brain},
+                          {"mine.toml", false, FileKind::scene, true},
+                          {"other.toml", false, FileKind::scene}},
+                         ""};
+        files.suggested = "Coward";
+        desk.view.catalogue = &catalogue;
+        desk.view.recent = &recent;
+        desk.view.files = &files;
+        desk.view.opened = "05-aggressor";
+        desk.frame(2);
+    }
+    template <class R>
+    std::vector<std::string> asked() const {
+        std::vector<std::string> paths;
+        for (const Request& request : desk.all)
+            if (const auto* open = std::get_if<R>(&request)) paths.push_back(open->path);
+        return paths;
+    }
+    std::vector<std::string> opened() const { return asked<OpenRequest>(); }
+    void press(KeyPress key) {
+        desk.key(key);
+        desk.frame(3);
+    }
+    void type(const char* text) {
+        desk.type(text);
+        desk.frame(3);
+    }
+};
+
+TEST_F(FilesSheet, OpensWhatIsClickedAndClosesWhenItIsOpen) {
+    desk.click("button.open");
+    desk.frame(2);
+    desk.click("open.2a-coward");
+    EXPECT_EQ(opened(), std::vector<std::string>{"/x/2a-coward.toml"});
+    EXPECT_TRUE(desk.anchors.find("card.open")) << "it may fail";
+    files.done = 1;
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("card.open"));
+}
+
+TEST_F(FilesSheet, SaysWhyAFileWasRefusedAndStaysOpen) {
+    press({'O', true});
+    desk.click("open.2a-coward");
+    files.refused = "2a-coward.toml:3: what is this";
+    desk.frame(2);
+    bool said = false;
+    for (const Written& w : desk.written) said |= w.words == files.refused;
+    EXPECT_TRUE(said);
+}
+
+TEST_F(FilesSheet, StartsAtWhatIsOpenAndIsWalkedByKeysAlone) {
+    press({'O', true});
+    EXPECT_EQ(desk.panels.keyboard.focus, "open.05-aggressor");
+    press({key::down});
+    EXPECT_EQ(desk.panels.keyboard.focus, "open.2a-coward");
+    press({key::enter});
+    EXPECT_EQ(opened(), std::vector<std::string>{"/x/2a-coward.toml"});
+    for (int i = 0; i < 20; ++i) {
+        press({key::tab});
+        EXPECT_TRUE(desk.panels.keyboard.focus.starts_with("open.") ||
+                    desk.panels.keyboard.focus.starts_with("files."));
+    }
+}
+
+TEST_F(FilesSheet, ClosesOnEscAndOnAClickElsewhereAndOpensNothing) {
+    press({'O', true});
+    press({key::escape});
+    EXPECT_FALSE(desk.anchors.find("card.open"));
+    desk.click("button.open");
+    desk.frame(2);
+    desk.point(8, 400);
+    desk.frame(2);
+    desk.button(0, true);
+    desk.frame();
+    desk.button(0, false);
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("card.open"));
+    EXPECT_TRUE(opened().empty());
+}
+
+TEST_F(FilesSheet, ListsWhatWasOpenLately) {
+    press({'O', true});
+    desk.click("files.place.2");
+    desk.frame(2);
+    desk.click("recent.1");
+    EXPECT_EQ(opened(), std::vector<std::string>{"/y/mine.toml"});
+}
+
+TEST_F(FilesSheet, GoesThroughFoldersAndShowsOneKindWhenAsked) {
+    press({'O', true});
+    desk.click("files.place.3");
+    desk.frame(2);
+    desk.click("file.pictures");
+    desk.click("file.up");
+    EXPECT_EQ(asked<BrowseRequest>(), (std::vector<std::string>{"", "/home/me/pictures", "/home"}));
+    desk.click("files.only.4");
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("file.brain.toml"));
+    EXPECT_TRUE(desk.anchors.find("file.pictures"));
+    EXPECT_FALSE(desk.anchors.find("file.mine.toml"));
+    desk.click("file.brain.toml");
+    EXPECT_EQ(opened(), std::vector<std::string>{"/home/me/brain.toml"});
+}
+
+TEST_F(FilesSheet, TakesATypedPathWithItsSpacesAndDots) {
+    press({'O', true});
+    desk.click("files.place.3");
+    desk.click("files.path");
+    type("~/my ");
+    press({' '});  // a letter here, not Play
+    type("scene.toml");
+    press({key::enter});
+    EXPECT_EQ(opened(), std::vector<std::string>{"~/my scene.toml"});
+    EXPECT_TRUE(desk.actions().empty());
+}
+
+TEST_F(FilesSheet, SavesUnderTheSuggestedOrATypedName) {
+    press({'S', true});
+    EXPECT_EQ(desk.panels.keyboard.focus, "files.path");
+    press({key::enter});
+    EXPECT_EQ(asked<SaveRequest>(), std::vector<std::string>{"Coward"});
+}
+
+TEST_F(FilesSheet, AsksBeforeItReplacesAndNamesCommentsThatWouldBeLost) {
+    press({'S', true, true});
+    desk.click("file.mine.toml");
+    desk.click("files.do");
+    EXPECT_TRUE(asked<SaveRequest>().empty());
+    bool told = false;
+    for (const Written& w : desk.written) told |= w.words.find("comments") != std::string::npos;
+    EXPECT_TRUE(told);
+    desk.rest();  // the question pushes the button down
+    desk.click("files.do");
+    EXPECT_EQ(asked<SaveRequest>(), std::vector<std::string>{"mine.toml"});
+}
+
+TEST_F(FilesSheet, SavesAtOnceWhereTheSceneHasAFileOfItsOwn) {
+    files.save_to = "/home/me/mine.toml";
+    press({'S', true});
+    EXPECT_FALSE(desk.anchors.find("card.open"));
+    EXPECT_EQ(desk.actions(), std::vector{Action::save});
+}
+
+}  // namespace braitenlab::tests

@@ -1,0 +1,34 @@
+// Files as the window's browser shows them; app/files.h looks at the disk.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace braitenlab {
+
+enum class FileKind { scene, exercise, brain, run };
+inline constexpr int file_kinds = 4;
+
+struct FileEntry {
+    std::string name;  // without its folder
+    bool is_folder = false;
+    FileKind kind = FileKind::scene;  // of a file
+    bool comments = false;            // it holds some, which writing it anew would lose
+};
+
+struct FolderListing {
+    std::string folder;              // absolute
+    std::vector<FileEntry> entries;  // folders first, each by name; only files that the lab can read
+    std::string problem;             // why it could not be listed; empty when it could
+};
+
+// What the panels see of files.
+struct FilesView {
+    FolderListing listing;
+    std::string suggested;  // a name, without ending, for what is saved for the first time
+    std::string save_to;    // where Ctrl+S writes the scene without asking; empty: it has to ask
+    int done = 0;           // files opened and saved since the start: a sheet that asked for one may close
+    std::string refused;    // why the last one was neither; empty when it was
+};
+
+}  // namespace braitenlab

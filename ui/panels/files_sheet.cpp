@@ -1,0 +1,291 @@
+// The window's own browser of files: what ships, what was open lately, and folders; for opening and for saving.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "ui/imgui_compat.h"
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/sheet.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float sheet_width = 680, list_height = 380, least_list = 120;  // layout pixels
+
+std::string_view kind_key(FileKind kind) {
+    constexpr std::array<std::string_view, file_kinds> keys{"files.scene", "files.exercise", "files.brain",
+                                                            "files.run"};
+    return keys[static_cast<std::size_t>(kind)];
+}
+
+std::string file_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+std::string folder_of(const std::string& path) {
+    return path.substr(0, std::max<std::size_t>(1, path.find_last_of('/')));
+}
+
+// A row of the list: an icon, what it is called, what more there is to say below or at the right end.
+struct Row {
+    std::string id, words, below, aside;
+    std::string_view icon;
+    bool current = false;
+};
+
+bool list_row(Ui& ui, const Row& row, std::string_view how) {
+    const float height =
+        line_height(ui, Face::text) + (row.below.empty() ? 0 : line_height(ui, Face::small)) + ui.px(12);
+    const Item at = item(ui, row.id, {card_width(ui), height});
+    fill_box(ui, at.rect, ui.palette.line.with_alpha(std::max(0.6f * at.warmth, at.focused ? 0.6f : 0.0f)));
+    if (row.current)
+        fill_box(ui, {at.rect.x, at.rect.y + ui.px(6), ui.px(3), height - ui.px(12)}, ui.palette.accent, 2);
+    float x = at.rect.x + ui.px(12);
+    const float y = at.rect.y + ui.px(5);
+    if (!row.icon.empty() && has_icons(ui)) {
+        put_icon(ui, {x + ui.px(7), y + line_height(ui, Face::text) / 2}, row.icon, ui.palette.second_text);
+        x += ui.px(26);
+    }
+    const float aside = text_width(ui, Face::small, row.aside);
+    put_right(ui, {at.right() - ui.px(12), y + ui.px(2)}, row.aside, ui.palette.second_text, Face::small);
+    const float room = at.right() - ui.px(20) - x - (aside > 0 ? aside + ui.px(12) : 0);
+    put(ui, {x, y}, shortened(ui, row.words, Face::strong, room), ui.palette.text, Face::strong);
+    put(ui, {x, y + line_height(ui, Face::text)}, shortened(ui, row.below, Face::small, at.right() - ui.px(12) - x),
+        ui.palette.second_text, Face::small);
+    tooltip(ui, at, how);
+    return at.pressed;
+}
+
+void ask(FilesState& files, const LabView& view, Ui& ui, Request request) {
+    ui.outbox.push_back(std::move(request));
+    files.asked = true;
+    files.done = view.files ? view.files->done : 0;
+}
+
+void begin_list(Ui& ui, std::string_view id, float height) {
+    compat::begin_child(std::string(id).c_str(), {card_width(ui), height}, ImGuiWindowFlags_NoNav);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(2)});
+}
+
+void end_list() {
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+}
+
+void shipped(const LabView& view, FilesState& files, Ui& ui, float height) {
+    begin_list(ui, "shipped", height);
+    for (const bool exercises : {true, false}) {
+        subheading(ui, ui.strings(exercises ? "open.exercises" : "open.scenes"));
+        if (view.catalogue)
+            for (const CatalogueEntry& entry : *view.catalogue) {
+                if ((entry.number > 0) != exercises) continue;
+                const std::string words = exercises ? std::to_string(entry.number) + "  " + entry.title : entry.title;
+                if (list_row(ui, {"open." + entry.name, words, entry.story, "", {}, entry.name == view.opened},
+                             entry.story.empty() ? ui.strings("files.open_how") : std::string_view(entry.story)))
+                    ask(files, view, ui, OpenRequest{entry.path});
+            }
+        gap(ui, 8);
+    }
+    end_list();
+}
+
+void recent(const LabView& view, FilesState& files, Ui& ui, float height) {
+    begin_list(ui, "recent", height);
+    int number = 0;
+    if (view.recent)
+        for (const std::string& path : *view.recent)
+            if (list_row(ui, {"recent." + std::to_string(++number), file_name(path), folder_of(path), "", icon::file},
+                         path))
+                ask(files, view, ui, OpenRequest{path});
+    if (number == 0) paragraph(ui, ui.strings("files.no_recent"), ui.palette.second_text);
+    end_list();
+}
+
+bool is_shown(const FilesState& files, const FileEntry& entry) {
+    if (entry.is_folder) return true;
+    return files.saving ? entry.kind == files.kind : !files.only || *files.only == entry.kind;
+}
+
+void folder(const LabView& view, FilesState& files, Ui& ui, float height) {
+    begin_list(ui, "folder", height);
+    const FolderListing& listing = view.files->listing;
+    if (files.listed != listing.folder) files.listed = listing.folder, ImGui::SetScrollY(0);
+    const std::string up = folder_of(listing.folder), below = listing.folder == "/" ? "/" : listing.folder + "/";
+    if (listing.folder != "/" &&
+        list_row(ui, {"file.up", "..", "", std::string(ui.strings("files.up")), icon::folder}, up))
+        ui.outbox.push_back(BrowseRequest{up});
+    bool any = false;
+    for (const FileEntry& entry : listing.entries) {
+        if (!is_shown(files, entry)) continue;
+        any = true;
+        const std::string aside = entry.is_folder ? "" : std::string(ui.strings(kind_key(entry.kind)));
+        const Row row{"file." + entry.name, entry.name, "", aside, entry.is_folder ? icon::folder : icon::file};
+        if (!list_row(ui, row, below + entry.name)) continue;
+        if (entry.is_folder)
+            ui.outbox.push_back(BrowseRequest{below + entry.name});
+        else if (files.saving)
+            files.typed.text = entry.name;
+        else
+            ask(files, view, ui, OpenRequest{below + entry.name});
+    }
+    if (!listing.problem.empty()) paragraph(ui, listing.problem, ui.palette.text);
+    if (!any && listing.problem.empty()) paragraph(ui, ui.strings("files.nothing"), ui.palette.second_text);
+    end_list();
+}
+
+// "scene.toml" for "scene" as well: what would be replaced, or null.
+const FileEntry* in_the_way(const FilesState& files, const FolderListing& listing) {
+    for (const FileEntry& entry : listing.entries)
+        if (entry.name == files.typed.text || entry.name == files.typed.text + ".toml" ||
+            entry.name == files.typed.text + ".run")
+            return &entry;
+    return nullptr;
+}
+
+void save(const LabView& view, FilesState& files, Ui& ui) {
+    if (files.typed.text.empty()) return;
+    const FileEntry* there = in_the_way(files, view.files->listing);
+    if (there && there->is_folder) {
+        ui.outbox.push_back(BrowseRequest{files.typed.text});
+        files.typed.text.clear();
+    } else if (there && files.replacing != files.typed.text) {
+        files.replacing = files.typed.text;
+    } else {
+        ask(files, view, ui, SaveRequest{files.typed.text, files.kind});
+    }
+}
+
+// Above the list: where from, or what to save and under which name.
+void opening_head(const LabView& view, FilesState& files, Ui& ui) {
+    const std::array<std::string_view, 3> places{ui.strings("files.shipped"), ui.strings("files.recent"),
+                                                 ui.strings("files.folder")};
+    const int clicked = segments(ui, "files.place", places, static_cast<int>(files.place), card_width(ui));
+    if (clicked >= 0) files.place = static_cast<FilesPlace>(clicked);
+    if (clicked == static_cast<int>(FilesPlace::folder)) ui.outbox.push_back(BrowseRequest{});
+    if (files.place != FilesPlace::folder || !view.files) return;
+    text_field(ui, files.typed, "files.path", card_width(ui));
+    if (files.typed.entered) ask(files, view, ui, OpenRequest{files.typed.text});
+    std::vector<std::string_view> kinds{ui.strings("files.all")};
+    for (int kind = 0; kind < file_kinds; ++kind) kinds.push_back(ui.strings(kind_key(static_cast<FileKind>(kind))));
+    const int only =
+        segments(ui, "files.only", kinds, files.only ? static_cast<int>(*files.only) + 1 : 0, card_width(ui));
+    if (only == 0) files.only.reset();
+    if (only > 0) files.only = static_cast<FileKind>(only - 1);
+}
+
+void saving_head(const LabView& view, FilesState& files, Ui& ui) {
+    constexpr std::array<FileKind, 2> savable{FileKind::scene, FileKind::brain};
+    std::array<std::string_view, 2> words{};
+    int chosen = 0;
+    for (std::size_t i = 0; i < savable.size(); ++i) {
+        words[i] = ui.strings(kind_key(savable[i]));
+        if (savable[i] == files.kind) chosen = static_cast<int>(i);
+    }
+    const int clicked = segments(ui, "files.kind", words, chosen, card_width(ui));
+    if (clicked >= 0) files.kind = savable[static_cast<std::size_t>(clicked)];
+    text_field(ui, files.typed, "files.path", card_width(ui));
+    if (files.typed.text != files.replacing) files.replacing.clear();
+    if (files.typed.entered) save(view, files, ui);
+}
+
+// What stands in the way, if anything does.
+void trouble(const LabView& view, const FilesState& files, Ui& ui) {
+    const Palette& p = ui.palette;
+    const Colour colour = legible(p.warning, p.panel, p.text);
+    if (!files.replacing.empty()) {
+        const FileEntry* there = in_the_way(files, view.files->listing);
+        paragraph(ui,
+                  fill(ui.strings(there && there->comments ? "files.replace_comments" : "files.replace"),
+                       {there ? there->name : files.replacing}),
+                  colour);
+    } else if (files.asked && view.files && !view.files->refused.empty()) {
+        paragraph(ui, view.files->refused, colour);
+    }
+}
+
+void buttons(const LabView& view, PanelState& state, Ui& ui) {
+    FilesState& files = state.files;
+    const bool typing = files.saving || files.place == FilesPlace::folder;
+    if (typing) {
+        const std::string_view words = ui.strings(!files.saving             ? "files.open"
+                                                  : files.replacing.empty() ? "files.save"
+                                                                            : "files.replace_it");
+        ButtonLook look{{}, words, Emphasis::primary};
+        look.enabled = !files.typed.text.empty();
+        const Item at = button(ui, "files.do", look);
+        tooltip(ui, at, ui.strings(files.saving ? "files.save_how" : "files.open_how"),
+                key_name({key::enter}, ui.strings));
+        if (at.pressed && files.saving) save(view, files, ui);
+        if (at.pressed && !files.saving) ask(files, view, ui, OpenRequest{files.typed.text});
+        ImGui::SameLine(0, ui.px(8));
+    }
+    const Item cancel = button(ui, "files.cancel", {{}, ui.strings("files.cancel")});
+    tooltip(ui, cancel, ui.strings("files.cancel_how"), key_name({key::escape}, ui.strings));
+    if (cancel.pressed) state.sheet = Sheet::none;
+}
+
+// The focus starts where a person will most likely go on.
+void first_focus(const LabView& view, FilesState& files, Ui& ui) {
+    if (files.begun || !ui.keyboard) return;
+    files.begun = true;
+    if (files.saving || files.place == FilesPlace::folder)
+        ui.keyboard->focus = "files.path";
+    else
+        ui.keyboard->focus = "open." + view.opened;
+    ui.keyboard->revealed = true;
+}
+
+}  // namespace
+
+void begin_files(FilesState& files, bool saving, FileKind kind) {
+    files.saving = saving;
+    files.kind = kind;
+    files.begun = files.asked = false;
+    files.typed = {};
+    files.replacing.clear();
+}
+
+void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
+    if (state.sheet != Sheet::files) return;
+    FilesState& files = state.files;
+    if (files.asked && view.files && view.files->done > files.done) {
+        state.sheet = Sheet::none;
+        return;
+    }
+    if (files.saving && !view.files) return;
+    if (!files.begun && files.saving) {
+        files.typed.text = view.files->suggested;
+        ui.outbox.push_back(BrowseRequest{});
+    }
+    const bool in_folder = files.saving || files.place == FilesPlace::folder;
+    const float taken = ui.px(in_folder ? 300.0f : 220.0f);  // all but the list
+    const float height = std::max(ui.px(least_list), std::min(ui.px(list_height), window.h - taken));
+    begin_sheet(ui, files.sheet, "card.open", ui.strings(files.saving ? "files.save_as" : "files.open"), sheet_width,
+                window);
+    if (files.saving)
+        saving_head(view, files, ui);
+    else
+        opening_head(view, files, ui);
+    if (in_folder && view.files) {
+        paragraph(ui, view.files->listing.folder, ui.palette.second_text, Face::small);
+        folder(view, files, ui, height);
+    } else if (files.place == FilesPlace::recent) {
+        recent(view, files, ui, height);
+    } else {
+        shipped(view, files, ui, height);
+    }
+    trouble(view, files, ui);
+    sheet_buttons(ui, files.sheet);
+    buttons(view, state, ui);
+    first_focus(view, files, ui);
+    if (end_sheet(files.sheet)) state.sheet = Sheet::none;
+}
+
+}  // namespace braitenlab
