@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "app/autosave.h"
 #include "app/catalogue.h"
 #include "app/data.h"
 #include "app/desk.h"
@@ -15,6 +16,7 @@
 #include "app/look.h"
 #include "app/memory.h"
 #include "app/options.h"
+#include "app/platform.h"
 #include "app/report_state.h"
 #include "app/screenshot.h"
 #include "app/viewport.h"
@@ -50,6 +52,9 @@ public:
           renderer_(std::move(renderer)),
           words_(std::move(words)),
           memory_(std::move(memory)),
+          autosave_(options_.screenshot.empty() && !state_folder().empty() ? state_folder() / "autosave"
+                                                                           : std::filesystem::path{},
+                    memory_.complaints),
           catalogue_(read_catalogue()),
           anchors_file_(options_.anchors),
           state_file_(options_.state) {
@@ -82,11 +87,13 @@ public:
             window_.show();
             write_reports();
             keep_memory(false);
+            if (const auto error = autosave_.keep(lab_, lab_.wall_seconds)) refuse(*error);
             if (lab_.full_screen) lab_.full_screen = false, window_.toggle_full_screen();
             while (!repeatable() && seconds_since(frame_began) < frame_seconds)
                 window_.poll(frame_seconds - seconds_since(frame_began));
         }
         keep_memory(true);
+        autosave_.finish();
         return 0;
     }
 
@@ -111,7 +118,21 @@ private:
     // What was dropped onto the window, and what was asked for in its browser.
     void do_what_files_ask() {
         for (const std::string& path : window_.take_dropped_files()) lab_.files.push_back(OpenRequest{path});
+        for (const Request& request : lab_.files)
+            if (const auto* recover = std::get_if<RecoverRequest>(&request)) do_recovery(recover->take);
         if (!lab_.files.empty()) do_files(lab_, files_, memory_.remembered, words_.strings);
+    }
+
+    // What a crash left is forgotten only when it is on the disk again under this lab's name.
+    void do_recovery(bool take) {
+        if (!take) return autosave_.forget();
+        auto recovered = autosave_.recover();
+        if (!recovered) return refuse(recovered.error());
+        recovered->work = 1;
+        replace_lab(lab_, std::move(*recovered));
+        refresh(files_, lab_);
+        const auto error = autosave_.keep(lab_, lab_.wall_seconds, true);
+        error ? refuse(*error) : autosave_.forget();
     }
 
     void refuse(const Error& error) {
@@ -158,7 +179,7 @@ private:
     void keep_memory(bool now) {
         if (!options_.screenshot.empty() || (!now && seconds_since(memory_kept_) < 1)) return;
         memory_kept_ = Clock::now();
-        if (const auto error = keep(memory_, lab_.preferences, window_.windowed_size())) refuse(*error);
+        if (const auto error = keep(memory_, desk_preferences(lab_), window_.windowed_size())) refuse(*error);
     }
 
     void frame(float passed) {
@@ -170,6 +191,7 @@ private:
         view.languages = &words_.languages;
         view.recent = &memory_.remembered.recent;
         view.files = &files_;
+        if (autosave_.leftover()) view.recovery = &autosave_.leftover()->offer;
         const Rect area = window_.area();
         const WindowLayout layout = lay_out(area.w, area.h, look_.scale(), view, panels_.charts_open);
         aim(viewport_, lab_, area, layout.scene, passed);
@@ -195,6 +217,7 @@ private:
         const bool steers = steer_by_keys(lab_, held.turn, held.raise);
         drive_camera(lab_, viewport_, panels_.stage, steers ? Arrows{} : held, area, layout.scene, passed);
         draw_scene();
+        facts_.focus = panels_.keyboard.focus;
         window_.bind();
         window_.end_frame();
         for (const Request& request : outbox_) handle(lab_, request);
@@ -241,10 +264,13 @@ private:
 
     void take_picture_for_person() {
         lab_.screenshot = false;
-        const auto path = next_screenshot_name(std::filesystem::current_path());
+        std::error_code none;  // writing will say what is wrong
+        const auto folder = pictures_folder();
+        std::filesystem::create_directories(folder, none);
+        const auto path = next_screenshot_name(folder);
         if (auto error = write_png(path, window_.framebuffer_width(), window_.framebuffer_height(), window_.pixels()))
             return refuse(*error);
-        lab_.notice = path.string();
+        lab_.notice = fill(words_.strings("notice.screenshot"), {path.string()});
         lab_.notice_until = lab_.wall_seconds + 6;
     }
 
@@ -263,6 +289,7 @@ private:
     Renderer renderer_;
     Words words_;
     Memory memory_;
+    Autosave autosave_;
     Clock::time_point memory_kept_ = Clock::now();
     std::vector<CatalogueEntry> catalogue_;
     Look look_;

@@ -65,9 +65,11 @@ struct Desk {
     void save(const SaveRequest& wanted) const {
         const fs::path path = with_ending(resolved(wanted.path, folder()), wanted.kind);
         if (const auto error = save_as(lab, path, wanted.kind)) return refuse(*error);
+        if (wanted.kind == FileKind::run) remember_file(remembered, path);
         if (wanted.kind == FileKind::scene) {
             if (!lab.lesson) lab.path = path, lab.name = path.stem().string();
             remember_file(remembered, path);
+            lab.saved_work = lab.work;
         }
         if (!view.listing.folder.empty()) list(view.listing.folder);
         done(path, strings(wanted.kind == FileKind::brain ? "files.saved_brain" : "files.saved"));
@@ -78,6 +80,7 @@ struct Desk {
 
 void replace_lab(Lab& lab, Lab next) {
     next.preferences = lab.preferences;
+    next.before_lecture = lab.before_lecture;
     next.sensors = lab.sensors;
     next.outlines = lab.outlines;
     next.overlays = lab.overlays;

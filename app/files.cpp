@@ -8,6 +8,7 @@
 #include "app/data.h"
 #include "app/platform.h"
 #include "app/safe_file.h"
+#include "core/world/run_file.h"
 
 namespace braitenlab {
 
@@ -109,14 +110,6 @@ fs::path with_ending(fs::path path, FileKind kind) {
     return path;
 }
 
-Scene scene_of(const Lab& lab) {
-    const Snapshot& now = lab.session.snapshot();
-    Scene scene = *now.scene;
-    for (std::size_t kind = 0; kind < scene.kinds.size() && kind < now.kind_brains.size(); ++kind)
-        scene.kinds[kind].brain = *now.kind_brains[kind];
-    return scene;
-}
-
 fs::path own_file(const Lab& lab) {
     if (lab.path.empty() || lab.lesson || ships(lab.path)) return {};
     const auto lines = lines_of(lab.path);
@@ -124,8 +117,9 @@ fs::path own_file(const Lab& lab) {
 }
 
 std::optional<Error> save_as(const Lab& lab, const fs::path& path, FileKind kind) {
-    if (kind == FileKind::scene) return write_whole(path, write_scene(scene_of(lab)));
-    if (kind != FileKind::brain) return Error{"can be saved as a scene or as a brain only", path.string()};
+    if (kind == FileKind::scene) return write_whole(path, write_scene(lab.session.edited_scene()));
+    if (kind == FileKind::run) return write_whole(path, write_run(lab.session.save()));
+    if (kind != FileKind::brain) return Error{"can be saved as a scene, a run or a brain only", path.string()};
     const Snapshot& now = lab.session.snapshot();
     const VehicleView* vehicle = find_vehicle(now, lab.selected);
     if (!vehicle) return Error{"no vehicle is selected; click the one whose brain is meant"};
@@ -138,7 +132,9 @@ std::optional<Error> take_brain(Lab& lab, const fs::path& path) {
     auto brain = load_brain(path);
     if (!brain) return brain.error();
     const Target target = lab.whole_kind ? Target{.kind = vehicle->kind} : Target{.vehicle = vehicle->id};
-    return lab.session.apply(SetBrain{target, std::move(*brain)});
+    const auto error = lab.session.apply(SetBrain{target, std::move(*brain)});
+    if (!error) ++lab.work;
+    return error;
 }
 
 }  // namespace braitenlab

@@ -26,14 +26,12 @@ std::filesystem::path resolved(const std::string& typed, const std::filesystem::
 // The same with the ending that its kind has, where it has none.
 std::filesystem::path with_ending(std::filesystem::path, FileKind);
 
-// The scene as it is now: designs, sources and brains as edited.
-Scene scene_of(const Lab&);
-
 // Where Ctrl+S writes without asking: the scene's own file, unless it ships with the lab or holds comments that would
 // be lost; empty for none.
 std::filesystem::path own_file(const Lab&);
 
-// Writes the scene, or the selected vehicle's brain. Fails where there is nothing to write or no way to.
+// Writes the scene, the run as it is now, or the selected vehicle's brain. Fails where there is nothing to write or no
+// way to.
 std::optional<Error> save_as(const Lab&, const std::filesystem::path&, FileKind);
 
 // Gives the selected vehicle, or its whole kind, the brain of a file: an edit, which undo takes back.

@@ -12,8 +12,8 @@
 #include "core/match.h"
 #include "core/scene/scene_file.h"
 #include "core/world/run_file.h"
-#include "ui/stage/edits.h"
 #include "render/view/intensity.h"
+#include "ui/stage/edits.h"
 #include "ui/steering.h"
 
 namespace braitenlab {
@@ -24,6 +24,7 @@ constexpr std::array<float, 8> speeds{0.125f, 0.25f, 0.5f, 1, 2, 4, 8, 16};
 constexpr double hint_patience = 30;  // s until the next hint opens without a run
 constexpr double notice_seconds = 6;  // how long a refusal stays readable
 constexpr float type_step = 0.125f;
+constexpr float lecture_type = 1.6f;        // times what a person has at the desk
 constexpr std::int64_t rewind_ticks = 300;  // five seconds
 constexpr double tick_length = 1.0 / 60;    // s, as core/brain/brain.h has it
 constexpr double stepping_budget = 0.012;   // s of a frame
@@ -94,12 +95,16 @@ void change_speed(Lab& lab, int step) {
 
 void change_type_size(Lab& lab, float by) {
     float& size = lab.preferences.type_size;
-    size = std::clamp(size + by, least_type_size, largest_type_size);
+    size = std::clamp(size + by, least_type_size,
+                      lab.before_lecture ? lecture_type * largest_type_size : largest_type_size);
 }
 
 bool apply(Lab& lab, const Command& command, std::uint64_t gesture = 0) {
     const auto error = lab.session.apply(command, gesture);
-    if (error) notify(lab, error->text());
+    if (error)
+        notify(lab, error->text());
+    else
+        ++lab.work;
     keep_selection(lab);
     return !error;
 }
@@ -163,7 +168,7 @@ void drive(Lab& lab) {
     apply(lab, ChooseDriver{vehicle->id, vehicle->driver == Driver::manual ? others : Driver::manual});
 }
 
-// To the next free name in the current folder, where screenshots go too.
+// To the next free name in the current folder.
 void write_numbers(Lab& lab, const ExportRequest& wanted) {
     std::error_code none;
     std::filesystem::path path;
@@ -182,6 +187,22 @@ void show_next_field(Lab& lab) {
         if (next != channels.end()) ++next;
     }
     lab.overlays.field = next == channels.end() ? std::nullopt : std::optional(*next);
+}
+
+void begin_lecture(Lab& lab) {
+    lab.before_lecture =
+        LectureBefore{lab.preferences.theme, lab.preferences.type_size, lab.camera, lab.sensors, lab.outlines};
+    lab.preferences.theme = Theme::light;
+    lab.preferences.type_size *= lecture_type;
+}
+
+void end_lecture(Lab& lab) {
+    const LectureBefore before = *lab.before_lecture;
+    lab.preferences = desk_preferences(lab);
+    lab.camera = before.camera;
+    lab.sensors = before.sensors;
+    lab.outlines = before.outlines;
+    lab.before_lecture.reset();
 }
 
 void act(Lab& lab, Action action) {
@@ -261,10 +282,10 @@ void act(Lab& lab, Action action) {
             if (lab.mode == Mode::wiring) set_mode(lab, Mode::paused);
             break;
         case Action::undo:
-            lab.session.undo(), keep_selection(lab);
+            lab.work += lab.session.undo(), keep_selection(lab);
             break;
         case Action::redo:
-            lab.session.redo(), keep_selection(lab);
+            lab.work += lab.session.redo(), keep_selection(lab);
             break;
         case Action::drive:
             drive(lab);
@@ -308,6 +329,9 @@ void act(Lab& lab, Action action) {
         case Action::theme:
             lab.preferences.theme = lab.preferences.theme == Theme::dark ? Theme::light : Theme::dark;
             break;
+        case Action::lecture:
+            lab.before_lecture ? end_lecture(lab) : begin_lecture(lab);
+            break;
         case Action::larger:
             change_type_size(lab, +type_step);
             break;
@@ -339,22 +363,16 @@ void watch(Lab& lab) {
     lesson.view.grade = grade(*lesson.exercise, *now.brains[static_cast<std::size_t>(now.vehicles.front().brain)]);
 }
 
-namespace {
-
-Result<Lab> open_run(const std::filesystem::path& path) {
-    auto run = load_run(path);
-    if (!run) return run.error();
-    auto opened = std::make_shared<const Scene>(run->opened);
-    Lab lab{.session = Session::resume(std::move(*run)), .name = path.stem().string(), .file = opened};
-    keep_selection(lab);
-    return lab;
-}
-
-}  // namespace
-
 Result<Lab> open_lab(const std::filesystem::path& path, std::optional<std::uint64_t> seed,
                      const std::vector<Setting>& settings) {
-    if (path.extension() == run_ending) return open_run(path);
+    if (path.extension() == run_ending) {
+        auto run = load_run(path);
+        if (!run) return run.error();
+        Lab lab = resume(std::move(*run));
+        lab.name = path.stem().string();
+        lab.path = path;
+        return lab;
+    }
     std::optional<Exercise> exercise;
     std::optional<Scene> scene;
     if (is_exercise(path)) {
@@ -382,6 +400,19 @@ Result<Lab> open_lab(const std::filesystem::path& path, std::optional<std::uint6
     return lab;
 }
 
+Lab resume(SavedRun run) {
+    Lab lab{.session = Session::resume(std::move(run))};
+    lab.file = std::make_shared<const Scene>(lab.session.scene());
+    keep_selection(lab);
+    return lab;
+}
+
+Preferences desk_preferences(const Lab& lab) {
+    Preferences p = lab.preferences;
+    if (lab.before_lecture) p.theme = lab.before_lecture->theme, p.type_size = lab.before_lecture->type_size;
+    return p;
+}
+
 void tick(Lab& lab) {
     lab.before = lab.session.snapshot().vehicles;
     lab.session.step();
@@ -404,6 +435,7 @@ void handle(Lab& lab, const Request& request) {
               [&](const OpenRequest& r) { lab.files.push_back(r); },
               [&](const BrowseRequest& r) { lab.files.push_back(r); },
               [&](const SaveRequest& r) { lab.files.push_back(r); },
+              [&](const RecoverRequest& r) { lab.files.push_back(r); },
               [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },
               [&](const OverlaysRequest& r) { lab.overlays = r.overlays; },
               [&](const PredictRequest& r) {
@@ -475,6 +507,7 @@ LabView view_of(const Lab& lab) {
     view.notice = lab.notice;
     view.preferences = lab.preferences;
     view.theme = lab.preferences.theme;
+    view.lecture = lab.before_lecture.has_value();
     view.reduce_motion = lab.preferences.reduce_motion;
     view.wall_seconds = lab.wall_seconds;
     return view;

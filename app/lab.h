@@ -29,6 +29,14 @@ struct Lesson {
     double last_hint_at = 0;  // wall seconds
 };
 
+// What a lecture changes in the way of looking.
+struct LectureBefore {
+    Theme theme = Theme::dark;
+    float type_size = 1;
+    Camera camera;
+    bool sensors = true, outlines = false;
+};
+
 struct Lab {
     Session session;
     std::string name;                   // of the file, without folder and ending
@@ -51,9 +59,11 @@ struct Lab {
     bool sensors = true, outlines = false;
     Overlays overlays;
     Camera camera;
-    Preferences preferences;
-    std::string notice;       // what was refused last, and why
-    double notice_until = 0;  // wall seconds
+    Preferences preferences;                      // as worn now
+    std::optional<LectureBefore> before_lecture;  // in a lecture: what leaving it brings back
+    std::int64_t work = 0, saved_work = 0;        // edits so far, and when a person saved last
+    std::string notice;                           // what was refused last, and why
+    double notice_until = 0;                      // wall seconds
     double wall_seconds = 0;
 
     // Asked of the window, which answers and clears them.
@@ -65,6 +75,12 @@ struct Lab {
 // own and take them on top.
 Result<Lab> open_lab(const std::filesystem::path&, std::optional<std::uint64_t> seed,
                      const std::vector<Setting>& settings);
+
+// A lab that goes on with a run; it has no file.
+Lab resume(SavedRun);
+
+// What a person chose, without what a lecture puts over it.
+Preferences desk_preferences(const Lab&);
 
 void handle(Lab&, const Request&);
 

@@ -1,8 +1,11 @@
 #include "app/platform.h"
 
 #include <cstdlib>
+#include <fstream>
+#include <string_view>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace braitenlab {
@@ -38,6 +41,32 @@ void flush_folder_to_disk(const std::filesystem::path& folder) {
     if (opened < 0) return;
     fsync(opened);
     close(opened);
+}
+
+FileLock::~FileLock() {
+    if (handle_ >= 0) close(handle_);
+}
+
+std::optional<FileLock> lock_file(const std::filesystem::path& path) {
+    const int handle = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    if (handle < 0) return std::nullopt;
+    FileLock lock(handle);
+    if (flock(handle, LOCK_EX | LOCK_NB) != 0) return std::nullopt;
+    return lock;
+}
+
+std::filesystem::path pictures_folder() {
+    const auto home = home_folder();
+    const char* config = std::getenv("XDG_CONFIG_HOME");
+    std::ifstream dirs((config && *config ? std::filesystem::path(config) : home / ".config") / "user-dirs.dirs");
+    for (std::string line; std::getline(dirs, line);) {
+        constexpr std::string_view key = "XDG_PICTURES_DIR=\"", from_home = "$HOME/";
+        if (!line.starts_with(key) || line.back() != '"') continue;
+        const std::string value = line.substr(key.size(), line.size() - key.size() - 1);
+        if (value.starts_with(from_home)) return home / value.substr(from_home.size());
+        if (value.starts_with("/")) return value;
+    }
+    return home.empty() ? home : home / "Pictures";
 }
 
 long process_number() { return getpid(); }

@@ -3,7 +3,9 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace braitenlab {
 
@@ -22,6 +24,26 @@ std::filesystem::path home_folder();
 bool flush_to_disk(std::FILE*);
 // The same for the names in a folder. Not every file system can: then it is left to chance.
 void flush_folder_to_disk(const std::filesystem::path&);
+
+// Held for as long as it lives, and by nobody else meanwhile; the system lets it go when its holder crashes.
+class FileLock {
+public:
+    explicit FileLock(int handle) : handle_(handle) {}
+    FileLock(FileLock&& other) noexcept : handle_(std::exchange(other.handle_, -1)) {}
+    FileLock& operator=(FileLock&& other) noexcept {
+        std::swap(handle_, other.handle_);
+        return *this;
+    }
+    ~FileLock();
+
+private:
+    int handle_;
+};
+// The lock of a file, which is made where it is missing; nothing where another holds it.
+std::optional<FileLock> lock_file(const std::filesystem::path&);
+
+// Where a person keeps pictures: as their desktop says, else a folder Pictures at home. Empty when there is no home.
+std::filesystem::path pictures_folder();
 
 // Different for any two programs that run at the same time.
 long process_number();

@@ -219,6 +219,9 @@ std::string state_json(const Lab& lab, const StageState& stage, const FrameFacts
                      {"pan", {lab.camera.pan.x, lab.camera.pan.y}}};
     state["opened"] = lab.name;
     state["notice"] = lab.notice;
+    state["lecture"] = lab.before_lecture.has_value();
+    state["sensors"] = lab.sensors;
+    state["focus"] = frame.focus;
     state["language"] = lab.preferences.language;
     state["theme"] = lab.preferences.theme == Theme::light ? "light" : "dark";
     state["type_size"] = plain(lab.preferences.type_size);

@@ -16,6 +16,7 @@ namespace braitenlab {
 std::string anchors_json(const Anchors&);
 
 struct FrameFacts {
+    std::string focus;  // the anchor that has the keyboard; empty: the viewport
     int draw_calls = 0;
     int graphics_errors = 0;  // see Window
     Sight sight;          // by which the scene was drawn

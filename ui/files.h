@@ -22,6 +22,12 @@ struct FolderListing {
     std::string problem;             // why it could not be listed; empty when it could
 };
 
+// What a lab that crashed has left, offered at the next start.
+struct RecoveryOffer {
+    std::string name;  // of what was open
+    std::string when;  // it was kept, as "2026-03-01 10:42:05"
+};
+
 // What the panels see of files.
 struct FilesView {
     FolderListing listing;

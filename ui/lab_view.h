@@ -68,7 +68,9 @@ struct LabView {
     Preferences preferences;                           // as chosen; theme and reduce_motion are as shown now
     const std::vector<Language>* languages = nullptr;  // null: no choice
     bool reduce_motion = false;
-    double wall_seconds = 0;  // for easing and pulsing alone
+    bool lecture = false;                     // large type, a clean screen
+    const RecoveryOffer* recovery = nullptr;  // null: nothing was left behind
+    double wall_seconds = 0;                  // for easing and pulsing alone
 };
 
 }  // namespace braitenlab

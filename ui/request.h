@@ -65,6 +65,7 @@ enum class Action {
     open,
     save,
     save_as,
+    lecture,
 
     // Of widgets, canvas and stage, never of the lab.
     slider_LL,
@@ -142,6 +143,9 @@ struct SaveRequest {
     std::string path;  // as typed; its ending may be missing
     FileKind kind = FileKind::scene;
 };
+struct RecoverRequest {
+    bool take = true;  // what was left behind; or throw it away
+};
 struct PreferencesRequest {
     Preferences preferences;
 };
@@ -159,7 +163,7 @@ inline constexpr std::uint64_t viewport = std::uint64_t{1} << 48;
 
 using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, ScopeRequest, PredictRequest,
                              ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest,
-                             BookmarkRequest, BrowseRequest, SaveRequest>;
+                             BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

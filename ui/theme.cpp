@@ -11,7 +11,7 @@ namespace {
 
 // A face's ascent plus descent, which is what Dear ImGui calls its size, in units of the em (Noto Sans).
 constexpr float line_height = 1.362f;
-constexpr float text_em = 14, title_em = 18, small_em = 12;  // layout pixels
+constexpr float text_em = 14, title_em = 18, small_em = 12, display_em = 36;  // layout pixels
 
 constexpr ImWchar latin[]{0x0020, 0x017F,  // Latin, Latin-1, Latin Extended-A
                           0x0370, 0x03FF,  // Greek: θ, Σ, π
@@ -59,6 +59,13 @@ public:
             merge(paths_.icons, std::round(em * 1.16f * scale_), icon_range, {0, em * 0.08f * scale_},
                   "buttons show words only");
         return font;
+    }
+
+    // Large, for a few words: without icons, and with the letters of the lab's languages only.
+    ImFont* load_figures(const std::string& file, float em) {
+        static constexpr ImWchar letters[]{0x0020, 0x00FF, 0x2212, 0x2212, 0};
+        if (!readable(file)) return nullptr;
+        return atlas_.AddFontFromFileTTF(file.c_str(), std::round(em * line_height * scale_), nullptr, letters);
     }
 
     std::string warning;
@@ -142,6 +149,7 @@ LoadedFonts load_fonts(ImFontAtlas& atlas, float scale, const FontPaths& paths) 
     loaded.fonts.text = loader.load(paths.text, text_em, true);
     loaded.fonts.strong = loader.load(paths.title, text_em, true);
     loaded.fonts.title = loader.load(paths.title, title_em, true);
+    loaded.fonts.display = loader.load_figures(paths.title, display_em);
     loaded.fonts.small = loader.load(paths.text, small_em, true);
     loaded.warning = loader.warning;
     return loaded;

@@ -47,7 +47,7 @@ void right_column(const LabView& view, PanelState& state, Ui& ui, WindowLayout l
     }
     Rect brain = layout.right;
     const float wanted = wanted_height(ui, state.brain);
-    if (view.mode == Mode::wiring) {
+    if (view.mode == Mode::wiring || view.lecture) {
         brain.h = std::min(wanted, layout.right.h);
         brain_card(view, state, ui, brain, layout.right);
         return;
@@ -180,17 +180,24 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     if (ImGui::IsMouseClicked(0) && !ImGui::GetIO().WantCaptureMouse) state.keyboard.focus.clear();
 
     remember(state.history, view);
+    follow_lecture(view, state);
     ui.anchors.record("viewport", layout.scene);
     stage(view, state.stage, ui, layout.scene);
     if (view.mode == Mode::wiring) draw_canvas(view, state, ui, layout);
     left_column(view, state, ui, layout.left);
     right_column(view, state, ui, layout);
     if (layout.charts.w > 0) chart_card(view, state, ui, layout.charts);
-    tool_palette(view, state, ui, layout.scene);
-    timeline(view, state, ui, layout.timeline);
-    hint_bar(view, ui, layout.hint_bar);
-    toolbar(view, state, ui, layout.toolbar);
+    if (!view.lecture) tool_palette(view, state, ui, layout.scene);
+    if (view.lecture) {
+        lecture_figures(view, state, ui, layout);
+        lecture_bar(view, ui, layout.toolbar);
+    } else {
+        timeline(view, state, ui, layout.timeline);
+        hint_bar(view, ui, layout.hint_bar);
+        toolbar(view, state, ui, layout.toolbar);
+    }
     stage_menu(view, state, ui, layout.window);
+    recovery_sheet(view, state, ui, layout.window);
     view_menu(view, state, ui, layout);
     keys_card(view, state, ui, layout.window);
     files_sheet(view, state, ui, layout.window);
@@ -200,6 +207,8 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
 
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     if (for_typing(state.sliders, press)) return true;
+    if (view.lecture && state.sheet == Sheet::none && press.key != key::f9)
+        state.pressed.push_back({press, view.wall_seconds});
     if (state.sheet == Sheet::files && for_text_field(state.files.typed, press)) return true;
     if (state.sheet != Sheet::none && !works_under_a_sheet(press)) return for_sheet(state, press);
     if (state.presets_open && press.key == key::escape) {

@@ -8,6 +8,7 @@ namespace {
 
 // WindowLayout pixels.
 constexpr float toolbar_height = 48, hint_height = 32, timeline_height = 44, above_timeline = 8;
+constexpr float lecture_bar_height = 56, figures_height = 92;
 constexpr float narrow_window = 1200;  // below it, cards and margins are slimmer
 constexpr float inset_height = 232;
 constexpr float charts_height = 248;
@@ -38,6 +39,10 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     l.hint_bar = {0, height - hint_height * scale, width, hint_height * scale};
 
     const Columns c = columns(width / scale);
+    if (view.lecture) {
+        l.toolbar.h = lecture_bar_height * scale;
+        l.hint_bar = {0, height - figures_height * scale, width, figures_height * scale};
+    }
     const float margin = c.margin * scale;
     const float top = l.toolbar.h + margin, bottom = l.hint_bar.y - margin;
     const float column = std::max(0.0f, bottom - top);
@@ -48,11 +53,14 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     l.right = {width - margin - right, top, right, column};
     l.scene = {2 * margin + left, top, width - 4 * margin - left - right, column};
 
-    if (charts && view.mode != Mode::wiring) {
+    if (charts && view.mode != Mode::wiring && !view.lecture) {
         const float strip = std::min(charts_height * scale, column * 0.45f);
         l.charts = {l.scene.x, bottom - strip, l.scene.w, strip};
         l.scene.h -= strip + margin;
     }
+    // Nothing but the scene: folded cards lie over it.
+    if (view.lecture) l.scene = {margin, top, width - 2 * margin, column};
+
     if (view.mode == Mode::wiring) {
         // The canvas needs room more than words do: a card without an exercise goes, and so does a card in a narrow
         // window.
@@ -63,7 +71,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         const float inset = std::min(inset_height * scale, column * 0.36f);
         l.scene = {l.right.x, bottom - inset, l.right.w, inset};
         l.right.h = column - inset - margin;
-    } else {
+    } else if (!view.lecture) {
         l.timeline = below(l.scene, scale);
     }
     return l;

@@ -81,6 +81,20 @@ TEST_F(OnTheDesk, SavesABrainAndGivesItToAnotherVehicleAsOneStepOfUndo) {
     EXPECT_EQ(dials(), before);
 }
 
+TEST_F(OnTheDesk, SavesARunAndGoesOnWithItExactly) {
+    for (int i = 0; i < 400; ++i) tick(lab);
+    ask(SaveRequest{"later", FileKind::run});
+    const auto hash = lab.session.hash();
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    ask(OpenRequest{"later.run"});
+    EXPECT_EQ(lab.session.hash(), hash);
+    EXPECT_EQ(lab.session.snapshot().tick, 400u);
+    put_text(folder / "broken.run", text_of(folder / "later.run").substr(0, 500));
+    ask(OpenRequest{"broken.run"});
+    EXPECT_EQ(lab.session.hash(), hash) << "a broken file never replaces what is open";
+    EXPECT_NE(files.refused, "");
+}
+
 TEST_F(OnTheDesk, SaysWhereItCannotWrite) {
     ask(SaveRequest{"/proc/nowhere/mine", FileKind::scene});
     EXPECT_EQ(files.done, 0);

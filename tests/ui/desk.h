@@ -134,6 +134,8 @@ public:
             Ui ui{strings, palette(view.theme), loaded_.fonts, scale_, anchors, asked, highlight, 1};
             written.clear();
             ui.written = &written;
+            shown.clear();
+            ui.shown = &shown;
             ImGui::NewFrame();
             layout = lay_out(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y, scale_, view, panels.charts_open);
             draw_window(view, panels, ui, layout);
@@ -190,6 +192,7 @@ public:
     PanelState panels;
     Anchors anchors;
     std::vector<Written> written;  // what the last frame put on the screen
+    std::vector<Shown> shown;      // and which widgets it drew
     Outbox asked, all;
     WindowLayout layout;
     std::string highlight;

@@ -8,7 +8,8 @@ TEST(Shortcuts, HaveNoKeyTwice) {
     const auto all = shortcuts();
     for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            EXPECT_FALSE(all[i].press == all[j].press && all[i].place == all[j].place) << key_name(all[i].press, english());
+            EXPECT_FALSE(all[i].press == all[j].press && all[i].place == all[j].place)
+                << key_name(all[i].press, english());
 }
 
 TEST(Shortcuts, FindTheActionOfAKey) {

@@ -54,7 +54,7 @@ void scope(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     if (std::count_if(view.now->vehicles.begin(), view.now->vehicles.end(), same) < 2) return;
     const std::string kind = kind_of(*view.now, vehicle).name;
     const std::array words{ui.strings("scope.one"), ui.strings.find("kind_all." + kind, ui.strings("scope.all"))};
-    const int chosen = segments(ui, "scope", words, view.whole_kind ? 1 : 0, card_width(ui));
+    const int chosen = segments(ui, "scope", words, view.whole_kind ? 1 : 0, card_width(ui), ui.strings("scope.how"));
     if (chosen >= 0) ui.outbox.push_back(ScopeRequest{chosen == 1});
 }
 

@@ -67,7 +67,9 @@ void prediction(const LessonView& lesson, const PanelState& state, Ui& ui) {
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(4)});
         for (std::size_t i = 0; i < asked.options.size(); ++i) {
             const bool is_chosen = static_cast<int>(i) == lesson.prediction;
-            if (radio_row(ui, numbered("exercise.predict.", i), asked.options[i], is_chosen, true) && !is_chosen)
+            if (radio_row(ui, numbered("exercise.predict.", i), asked.options[i], is_chosen, true,
+                          ui.strings("exercise.predict_how")) &&
+                !is_chosen)
                 ui.outbox.push_back(PredictRequest{static_cast<int>(i)});
         }
         ImGui::PopStyleVar();
@@ -206,7 +208,8 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         paragraph(ui, lesson.exercise->title, ui.palette.text, Face::title);
         result(lesson, ui);
         paragraph(ui, lesson.exercise->goal, ui.palette.text);
-        if (!lesson.exercise->why.empty() && fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.why_open))
+        if (!lesson.exercise->why.empty() &&
+            fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.why_open, ui.strings("exercise.why_how")))
             paragraph(ui, lesson.exercise->why, ui.palette.second_text);
         gap(ui, 12);
         prediction(lesson, state, ui);

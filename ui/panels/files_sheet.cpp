@@ -166,31 +166,32 @@ void save(const LabView& view, FilesState& files, Ui& ui) {
 void opening_head(const LabView& view, FilesState& files, Ui& ui) {
     const std::array<std::string_view, 3> places{ui.strings("files.shipped"), ui.strings("files.recent"),
                                                  ui.strings("files.folder")};
-    const int clicked = segments(ui, "files.place", places, static_cast<int>(files.place), card_width(ui));
+    const int clicked = segments(ui, "files.place", places, static_cast<int>(files.place), card_width(ui),
+                                 ui.strings("files.place_how"));
     if (clicked >= 0) files.place = static_cast<FilesPlace>(clicked);
     if (clicked == static_cast<int>(FilesPlace::folder)) ui.outbox.push_back(BrowseRequest{});
     if (files.place != FilesPlace::folder || !view.files) return;
-    text_field(ui, files.typed, "files.path", card_width(ui));
+    text_field(ui, files.typed, "files.path", card_width(ui), ui.strings("files.path_how"));
     if (files.typed.entered) ask(files, view, ui, OpenRequest{files.typed.text});
     std::vector<std::string_view> kinds{ui.strings("files.all")};
     for (int kind = 0; kind < file_kinds; ++kind) kinds.push_back(ui.strings(kind_key(static_cast<FileKind>(kind))));
-    const int only =
-        segments(ui, "files.only", kinds, files.only ? static_cast<int>(*files.only) + 1 : 0, card_width(ui));
+    const int only = segments(ui, "files.only", kinds, files.only ? static_cast<int>(*files.only) + 1 : 0,
+                              card_width(ui), ui.strings("files.only_how"));
     if (only == 0) files.only.reset();
     if (only > 0) files.only = static_cast<FileKind>(only - 1);
 }
 
 void saving_head(const LabView& view, FilesState& files, Ui& ui) {
-    constexpr std::array<FileKind, 2> savable{FileKind::scene, FileKind::brain};
-    std::array<std::string_view, 2> words{};
+    constexpr std::array<FileKind, 3> savable{FileKind::scene, FileKind::run, FileKind::brain};
+    std::array<std::string_view, savable.size()> words{};
     int chosen = 0;
     for (std::size_t i = 0; i < savable.size(); ++i) {
         words[i] = ui.strings(kind_key(savable[i]));
         if (savable[i] == files.kind) chosen = static_cast<int>(i);
     }
-    const int clicked = segments(ui, "files.kind", words, chosen, card_width(ui));
+    const int clicked = segments(ui, "files.kind", words, chosen, card_width(ui), ui.strings("files.kind_how"));
     if (clicked >= 0) files.kind = savable[static_cast<std::size_t>(clicked)];
-    text_field(ui, files.typed, "files.path", card_width(ui));
+    text_field(ui, files.typed, "files.path", card_width(ui), ui.strings("files.path_how"));
     if (files.typed.text != files.replacing) files.replacing.clear();
     if (files.typed.entered) save(view, files, ui);
 }

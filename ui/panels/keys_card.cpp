@@ -101,7 +101,9 @@ void keys_card(const LabView&, PanelState& state, Ui& ui, Rect window) {
     }
     ImGui::Dummy({width, static_cast<float>(longest) * line});
     sheet_buttons(ui, state.keys);
-    const bool closed = button(ui, "keys.close", {{}, ui.strings("keys.close"), Emphasis::primary}).pressed;
+    const Item close = button(ui, "keys.close", {{}, ui.strings("keys.close"), Emphasis::primary});
+    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
+    const bool closed = close.pressed;
     if (end_sheet(state.keys) || closed) state.sheet = Sheet::none;
 }
 

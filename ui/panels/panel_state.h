@@ -33,7 +33,20 @@ struct Recognised {
 enum class Chart { signals, population, energy, bars };
 
 // What lies over the whole window: at most one.
-enum class Sheet { none, keys, settings, files };
+enum class Sheet { none, keys, settings, files, recovery };
+
+// What a lecture folds away, to come back exactly.
+struct BeforeLecture {
+    CardState exercise, scene, brain, information, sensors;
+    bool information_opened = false;
+    std::string focus;
+};
+
+// A key to show to the audience.
+struct PressedKey {
+    KeyPress press;
+    double at = 0;  // wall seconds
+};
 
 struct PanelState {
     CardState exercise, scene, brain, information, charts, thing;
@@ -60,6 +73,8 @@ struct PanelState {
     bool why_open = false;
     Sheet sheet = Sheet::none;
     SheetState keys, settings;
+    SheetState recovery;
+    bool recovery_asked = false;
     FilesState files;
     std::optional<Preferences> before_reset;  // what Reset All took away, until something is chosen anew
     bool view_menu = false, focus_view_menu = false;  // what the scene shows, E
@@ -69,6 +84,8 @@ struct PanelState {
     bool grade_seen = false;
     std::string exercise_id;
     bool information_opened = false;  // by hand: it then stays open in a low window
+    std::optional<BeforeLecture> before_lecture;
+    std::vector<PressedKey> pressed;  // in a lecture, the newest last
 };
 
 }  // namespace braitenlab

@@ -30,10 +30,16 @@ void hint_bar(const LabView&, Ui&, Rect);
 void view_menu(const LabView&, PanelState&, Ui&, const WindowLayout&);  // the same for what the scene shows
 bool for_view_menu(const LabView&, PanelState&, KeyPress);
 
+// While the view is in a lecture: instead of the toolbar, instead of the hint bar, and what they fold away.
+void lecture_bar(const LabView&, Ui&, Rect);
+void lecture_figures(const LabView&, PanelState&, Ui&, const WindowLayout&);
+void follow_lecture(const LabView&, PanelState&);  // call once a frame, before the cards
+
 // Sheets over everything; each draws itself while PanelState::sheet says so, and closes itself.
-void keys_card(const LabView&, PanelState&, Ui&, Rect window);      // all shortcuts
-void files_sheet(const LabView&, PanelState&, Ui&, Rect window);    // opening and saving
-void settings_card(const LabView&, PanelState&, Ui&, Rect window);  // language, theme, size of type, motion
+void keys_card(const LabView&, PanelState&, Ui&, Rect window);       // all shortcuts
+void recovery_sheet(const LabView&, PanelState&, Ui&, Rect window);  // after a crash, while the view offers something
+void files_sheet(const LabView&, PanelState&, Ui&, Rect window);     // opening and saving
+void settings_card(const LabView&, PanelState&, Ui&, Rect window);   // language, theme, size of type, motion
 
 // The parts of the brain card. Precondition of all: the vehicle is in the snapshot.
 void dial_sliders(const LabView&, PanelState&, Ui&, const VehicleView&);

@@ -20,9 +20,10 @@ namespace {
 constexpr std::array<float, 4> type_sizes{1, 1.25f, 1.5f, 2};
 
 // A choice under its heading; the index chosen now, or -1.
-int choose(Ui& ui, std::string_view id, std::string_view heading, std::span<const std::string_view> words, int chosen) {
+int choose(Ui& ui, std::string_view id, std::string_view heading, std::span<const std::string_view> words, int chosen,
+           std::string_view how) {
     subheading(ui, heading);
-    const int clicked = segments(ui, id, words, chosen, card_width(ui));
+    const int clicked = segments(ui, id, words, chosen, card_width(ui), how);
     gap(ui, 12);
     return clicked;
 }
@@ -35,14 +36,15 @@ void language(const LabView& view, Ui& ui, Preferences& wanted) {
         if (each.code == wanted.language) chosen = static_cast<int>(names.size());
         names.push_back(each.name);
     }
-    const int clicked = choose(ui, "settings.language", ui.strings("settings.language"), names, chosen);
+    const int clicked = choose(ui, "settings.language", ui.strings("settings.language"), names, chosen,
+                               ui.strings("settings.language_how"));
     if (clicked >= 0) wanted.language = (*view.languages)[static_cast<std::size_t>(clicked)].code;
 }
 
 void theme(Ui& ui, Preferences& wanted) {
     const std::array<std::string_view, 2> words{ui.strings("settings.dark"), ui.strings("settings.light")};
-    const int clicked =
-        choose(ui, "settings.theme", ui.strings("settings.theme"), words, wanted.theme == Theme::light ? 1 : 0);
+    const int clicked = choose(ui, "settings.theme", ui.strings("settings.theme"), words,
+                               wanted.theme == Theme::light ? 1 : 0, ui.strings("settings.theme_how"));
     if (clicked >= 0) wanted.theme = clicked == 1 ? Theme::light : Theme::dark;
 }
 
@@ -51,14 +53,15 @@ void type_size(Ui& ui, Preferences& wanted) {
     int chosen = -1;
     for (std::size_t i = 0; i < type_sizes.size(); ++i)
         if (wanted.type_size == type_sizes[i]) chosen = static_cast<int>(i);
-    const int clicked = choose(ui, "settings.type", ui.strings("settings.type"), words, chosen);
+    const int clicked =
+        choose(ui, "settings.type", ui.strings("settings.type"), words, chosen, ui.strings("settings.type_how"));
     if (clicked >= 0) wanted.type_size = type_sizes[static_cast<std::size_t>(clicked)];
 }
 
 void motion(Ui& ui, Preferences& wanted) {
     const std::array<std::string_view, 2> words{ui.strings("settings.full_motion"), ui.strings("settings.less_motion")};
-    const int clicked =
-        choose(ui, "settings.motion", ui.strings("settings.motion"), words, wanted.reduce_motion ? 1 : 0);
+    const int clicked = choose(ui, "settings.motion", ui.strings("settings.motion"), words,
+                               wanted.reduce_motion ? 1 : 0, ui.strings("settings.motion_how"));
     if (clicked >= 0) wanted.reduce_motion = clicked == 1;
 }
 
@@ -69,7 +72,9 @@ void reset_all(PanelState& state, Ui& ui, Preferences& wanted) {
     if (wanted != fresh) state.before_reset.reset();  // changed since: there is something to reset again
     ImGui::SameLine(0, ui.px(8));
     if (state.before_reset) {
-        if (button(ui, "settings.restore", {{}, ui.strings("settings.restore")}).pressed) {
+        const Item back = button(ui, "settings.restore", {{}, ui.strings("settings.restore")});
+        tooltip(ui, back, ui.strings("settings.restore_how"));
+        if (back.pressed) {
             wanted = *state.before_reset;
             state.before_reset.reset();
         }
@@ -97,7 +102,9 @@ void settings_card(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     type_size(ui, wanted);
     motion(ui, wanted);
     sheet_buttons(ui, state.settings);
-    const bool closed = button(ui, "settings.close", {{}, ui.strings("keys.close"), Emphasis::primary}).pressed;
+    const Item close = button(ui, "settings.close", {{}, ui.strings("keys.close"), Emphasis::primary});
+    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
+    const bool closed = close.pressed;
     reset_all(state, ui, wanted);
     if (wanted != view.preferences) ui.outbox.push_back(PreferencesRequest{wanted});
     if (end_sheet(state.settings) || closed) state.sheet = Sheet::none;

@@ -89,7 +89,8 @@ Item small_button(Ui& ui, const SmallButton& look, bool words) {
     return at;
 }
 
-int segments(Ui& ui, std::string_view id, std::span<const std::string_view> words, int chosen, float width) {
+int segments(Ui& ui, std::string_view id, std::span<const std::string_view> words, int chosen, float width,
+             std::string_view how) {
     const float each = width / static_cast<float>(words.size());
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const Rect all{start.x, start.y, width, ui.px(30)};
@@ -110,12 +111,13 @@ int segments(Ui& ui, std::string_view id, std::span<const std::string_view> word
         const auto word = words[static_cast<std::size_t>(i)];
         const Face face = text_width(ui, Face::text, word) < each - ui.px(12) ? Face::text : Face::small;
         put_centred(ui, {at.middle_x(), at.middle_y() - line_height(ui, face) / 2}, word, colour, face);
+        tooltip(ui, at, how);
         if (at.pressed && !on) clicked = i;
     }
     return clicked;
 }
 
-bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen, bool enabled) {
+bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen, bool enabled, std::string_view how) {
     const float width = card_width(ui), left = ui.px(34), top = ui.px(7);
     ImFont* f = font(ui, Face::text);
     const float wrap = width - left - ui.px(10);
@@ -130,14 +132,16 @@ bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen,
     if (chosen) draw.AddCircleFilled(dot, ui.px(3.5f), paint(p.accent));
     draw.AddText(f, compat::size_of(f), {std::floor(at.rect.x + left), std::floor(at.rect.y + top)},
                  paint(enabled || chosen ? p.text : p.second_text), words.data(), words.data() + words.size(), wrap);
+    tooltip(ui, at, how);
     return at.pressed;
 }
 
-bool fold_row(Ui& ui, std::string_view id, std::string_view words, bool& open) {
+bool fold_row(Ui& ui, std::string_view id, std::string_view words, bool& open, std::string_view how) {
     const Item at = item(ui, id, {card_width(ui), ui.px(24)});
     const Colour colour = mix(ui.palette.second_text, ui.palette.text, at.warmth);
     put_icon(ui, {at.rect.x + ui.px(5), at.middle_y()}, open ? icon::unfolded : icon::folded, colour);
     put(ui, {at.rect.x + ui.px(18), at.middle_y() - line_height(ui, Face::text) / 2}, words, colour);
+    tooltip(ui, at, how);
     if (at.pressed) open = !open;
     return open;
 }

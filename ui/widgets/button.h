@@ -34,13 +34,14 @@ float small_button_width(const Ui&, const SmallButton&, bool words);  // without
 Item small_button(Ui&, const SmallButton&, bool words = true);
 
 // One of a few, side by side, filling `width`: the index clicked, or −1. Anchors: `id`.1, `id`.2 …
-int segments(Ui&, std::string_view id, std::span<const std::string_view> words, int chosen, float width);
+int segments(Ui&, std::string_view id, std::span<const std::string_view> words, int chosen, float width,
+             std::string_view how = {});
 
 // One of a list, each a row of wrapped words. True when clicked.
-bool radio_row(Ui&, std::string_view id, std::string_view words, bool chosen, bool enabled);
+bool radio_row(Ui&, std::string_view id, std::string_view words, bool chosen, bool enabled, std::string_view how = {});
 
 // A line with an angle that opens what follows; returns whether it is open.
-bool fold_row(Ui&, std::string_view id, std::string_view words, bool& open);
+bool fold_row(Ui&, std::string_view id, std::string_view words, bool& open, std::string_view how = {});
 
 // A word in a rounded box, with the middle of its left side at `at`.
 void chip(const Ui&, ImVec2 at, std::string_view words);

@@ -57,6 +57,10 @@ Item item(Ui& ui, std::string_view id, ImVec2 size, bool enabled) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     result.rect = {at.x, at.y, size.x, size.y};
     result.enabled = enabled;
+    if (ui.shown) {
+        result.shown = static_cast<int>(ui.shown->size());
+        ui.shown->push_back({key});
+    }
     const bool clicked = ImGui::InvisibleButton(key.c_str(), {std::max(1.0f, size.x), std::max(1.0f, size.y)});
     result.hovered = ImGui::IsItemHovered();
     result.held = enabled && ImGui::IsItemActive();
@@ -83,6 +87,7 @@ void mark(Ui& ui, std::string_view id, Rect rect) {
 }
 
 void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view shortcut) {
+    if (ui.shown && item.shown >= 0) (*ui.shown)[static_cast<std::size_t>(item.shown)].has_tooltip |= !words.empty();
     if (!item.hovered || item.held || words.empty()) return;
     // A moment of rest first: tooltips that jump up under a passing pointer hide what it is heading for.
     if (compat::hovered_seconds() < 0.35f) return;

@@ -18,6 +18,7 @@ struct Item {
     bool entered = false;  // pressed by Enter
     bool focused = false;  // has the keyboard
     bool enabled = true;
+    int shown = -1;    // in Ui::shown
     float warmth = 0;  // 0..1: hovered or held, eased over 150 ms
 
     float middle_x() const { return rect.x + rect.w / 2; }

@@ -29,7 +29,7 @@ void begin_keyboard(Keyboard& keyboard) {
     const Stops& stops = keyboard.last_stops;
     const int count = static_cast<int>(stops.size());
     int at = index_of(stops, keyboard.focus);
-    if (at < 0 && !stops.empty()) keyboard.focus.clear();
+    if (at < 0 && !stops.empty() && !keyboard.revealed) keyboard.focus.clear();  // but not one asked for just now
     while (const auto press = take(keyboard, key::tab)) {
         if (count == 0) continue;
         at = press->ctrl ? next_card(stops, at) : press->shift ? (at <= 0 ? count : at) - 1 : (at + 1) % count;

@@ -25,10 +25,12 @@ void note(const Ui& ui, Rect rect, std::string_view words) {
 
 ImFont* font(const Ui& ui, Face face) {
     const Fonts& fonts = ui.fonts;
-    ImFont* chosen = face == Face::text     ? fonts.text
-                     : face == Face::strong ? fonts.strong
-                     : face == Face::title  ? fonts.title
-                                            : fonts.small;
+    ImFont* chosen = face == Face::text      ? fonts.text
+                     : face == Face::strong  ? fonts.strong
+                     : face == Face::title   ? fonts.title
+                     : face == Face::display ? fonts.display
+                                             : fonts.small;
+    if (!chosen && face == Face::display) chosen = fonts.title;
     if (!chosen) chosen = fonts.text;
     return chosen ? chosen : ImGui::GetFont();
 }

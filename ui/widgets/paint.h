@@ -24,7 +24,7 @@ inline constexpr std::string_view play = "\uf04b", pause = "\uf04c", step = "\uf
                                   bookmark = "\uf02e", rewind = "\uf049", folder = "\uf07b", file = "\uf15b";
 }  // namespace icon
 
-enum class Face { text, strong, title, small };
+enum class Face { text, strong, title, small, display };
 
 // The font behind a face; Dear ImGui's current one where none was loaded.
 ImFont* font(const Ui&, Face);

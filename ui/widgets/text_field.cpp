@@ -23,7 +23,7 @@ int grow(ImGuiInputTextCallbackData* data) {
 
 }  // namespace
 
-void text_field(Ui& ui, TextField& field, std::string_view id, float width) {
+void text_field(Ui& ui, TextField& field, std::string_view id, float width, std::string_view how) {
     const float height = ui.px(button_height);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect box{at.x, at.y, width, height};
@@ -45,6 +45,9 @@ void text_field(Ui& ui, TextField& field, std::string_view id, float width) {
     ImGui::PopFont();
     line_box(ui, box, focused ? ui.palette.accent : ui.palette.line, 6, focused ? 1.5f : 1.0f);
     mark(ui, id, box);
+    Item field_item{.rect = box, .hovered = ImGui::IsItemHovered(), .held = field.active};
+    if (ui.shown) field_item.shown = static_cast<int>(ui.shown->size()), ui.shown->push_back({std::string(id)});
+    tooltip(ui, field_item, how);
     field.entered = std::exchange(field.ask_enter, false);
 }
 

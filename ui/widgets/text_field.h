@@ -18,7 +18,7 @@ struct TextField {
 };
 
 // Draws it at the cursor, `width` window pixels wide; anchor `id`.
-void text_field(Ui&, TextField&, std::string_view id, float width);
+void text_field(Ui&, TextField&, std::string_view id, float width, std::string_view how);
 
 // Keys while it has the cursor: Enter, Tab and arrows up and down are left to the keyboard's focus, letters come by
 // Dear ImGui. True when the key is not to go anywhere else.

@@ -19,10 +19,11 @@ struct Keyboard;  // ui/widgets/keyboard.h: who has the focus
 
 // Null stands for Dear ImGui's current font.
 struct Fonts {
-    ImFont* text = nullptr;    // 16 px times scale
-    ImFont* title = nullptr;   // 1.35 times that, bold
-    ImFont* strong = nullptr;  // the size of text, bold
-    ImFont* small = nullptr;   // captions and figures, 0.85 times text
+    ImFont* text = nullptr;     // 16 px times scale
+    ImFont* title = nullptr;    // 1.35 times that, bold
+    ImFont* strong = nullptr;   // the size of text, bold
+    ImFont* display = nullptr;  // 2.6 times text, bold: letters and figures alone
+    ImFont* small = nullptr;    // captions and figures, 0.85 times text
 };
 
 // Words as they were put on the screen, for tests that look for clipped and colliding ones.
@@ -30,6 +31,12 @@ struct Written {
     std::string words;
     Rect rect, clip;         // window pixels
     const void* sheet = {};  // the same for words that lie on one sheet
+};
+
+// A widget as it was drawn, for tests that look for one that does not explain itself.
+struct Shown {
+    std::string id;
+    bool has_tooltip = false;
 };
 
 struct Ui {
@@ -44,6 +51,7 @@ struct Ui {
     Keyboard* keyboard = nullptr;  // draw_window sets it; null: widgets answer to the mouse alone
     bool still = false;            // draw_window sets it: no easing, everything is at once where it is going
     std::vector<Written>* written = nullptr;  // null: nobody wants to know
+    std::vector<Shown>* shown = nullptr;      // the same
 
     // px of the layout's 8 px grid in window pixels.
     float px(float layout_pixels) const { return layout_pixels * scale; }

@@ -1,0 +1,56 @@
+// Lecture mode in the lab: what it changes, and that leaving brings everything back.
+#include <gtest/gtest.h>
+
+#include "app/data.h"
+#include "app/lab.h"
+
+namespace braitenlab::tests {
+namespace {
+
+struct InALecture : testing::Test {
+    Lab lab = open();
+
+    static Lab open() {
+        auto opened = open_lab(*find_shipped("predator-prey"), std::nullopt, {});
+        return std::move(*opened);
+    }
+};
+
+TEST_F(InALecture, TypeIsLargeAndColoursAreLight) {
+    lab.preferences.type_size = 1.25f;
+    handle(lab, Action::lecture);
+    EXPECT_TRUE(view_of(lab).lecture);
+    EXPECT_FLOAT_EQ(lab.preferences.type_size, 2);
+    EXPECT_EQ(view_of(lab).theme, Theme::light);
+}
+
+TEST_F(InALecture, LeavingBringsBackEveryWayOfLooking) {
+    const Preferences mine{Theme::dark, "es", 1.25f, true};
+    lab.preferences = mine;
+    lab.outlines = true;
+    lab.camera.zoom = 2;
+    const Camera camera = lab.camera;
+    handle(lab, Action::lecture);
+    for (const Action action : {Action::theme, Action::larger, Action::larger, Action::sensors, Action::outlines,
+                                Action::follow, Action::birds_eye})
+        handle(lab, action);
+    EXPECT_EQ(desk_preferences(lab), mine) << "what would be written to the settings in the meantime";
+    handle(lab, Action::lecture);
+    EXPECT_FALSE(view_of(lab).lecture);
+    EXPECT_EQ(lab.preferences, mine);
+    EXPECT_EQ(lab.camera, camera);
+    EXPECT_TRUE(lab.sensors);
+    EXPECT_TRUE(lab.outlines);
+}
+
+TEST_F(InALecture, WorkAndTimeGoOn) {
+    handle(lab, Action::lecture);
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1}});
+    tick(lab);
+    handle(lab, Action::lecture);
+    EXPECT_EQ(read_dials(*lab.session.snapshot().kind_brains[0]).LR, 1);
+    EXPECT_EQ(lab.session.snapshot().tick, 1u);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests

@@ -1,0 +1,84 @@
+// What a lecture shows.
+#include "desk.h"
+
+namespace braitenlab::tests {
+
+namespace {
+
+bool shows(const Desk& desk, const std::string& words) {
+    for (const Written& w : desk.written)
+        if (w.words == words) return true;
+    return false;
+}
+
+}  // namespace
+
+TEST(Lecture, ClearsTheScreenAndFoldsTheCards) {
+    Desk desk;
+    desk.open_exercise();
+    desk.frame(3);
+    desk.view.lecture = true;
+    desk.frame(3);
+    for (const char* gone : {"card.information", "slider.LL", "exercise.hint", "button.add"})
+        EXPECT_FALSE(desk.anchors.find(gone)) << gone;
+    EXPECT_GT(desk.layout.scene.w, 0.9f * desk.layout.window.w);
+    EXPECT_TRUE(desk.anchors.find("lecture.left"));
+    EXPECT_TRUE(shows(desk, "+0.30")) << "the left wheel's command, large";
+}
+
+TEST(Lecture, BringsEveryCardBackAsItWas) {
+    Desk desk;
+    desk.open_exercise();
+    desk.panels.brain.folded = true;
+    desk.frame(3);
+    desk.panels.keyboard.focus = "exercise.hint";
+    desk.frame(2);
+    const auto before = desk.anchors.all();
+    desk.view.lecture = true;
+    desk.frame(3);
+    desk.click("card.exercise.fold");
+    desk.key({'2'});
+    desk.frame(3);
+    EXPECT_TRUE(desk.anchors.find("slider.LR")) << "cards can be opened in a lecture";
+    desk.view.lecture = false;
+    desk.frame(4);
+    EXPECT_TRUE(desk.panels.brain.folded);
+    EXPECT_FALSE(desk.panels.exercise.folded);
+    EXPECT_EQ(desk.panels.keyboard.focus, "exercise.hint");
+    EXPECT_EQ(desk.anchors.all().size(), before.size());
+    for (const auto& [id, rect] : before) {
+        const Rect* now = desk.anchors.find(id);
+        ASSERT_TRUE(now) << id;
+        EXPECT_FLOAT_EQ(now->x, rect.x) << id;
+        EXPECT_FLOAT_EQ(now->y, rect.y) << id;
+        EXPECT_FLOAT_EQ(now->h, rect.h) << id;
+    }
+}
+
+TEST(Lecture, ShowsThePressedKeysForAWhile) {
+    Desk desk;
+    desk.frame(2);
+    desk.key({'S'});
+    desk.frame(2);
+    EXPECT_FALSE(shows(desk, "S")) << "at the desk nobody needs them";
+    desk.view.lecture = true;
+    desk.frame(2);
+    desk.key({' '});
+    desk.key({'Z', true});
+    desk.frame(2);
+    EXPECT_TRUE(shows(desk, "Space"));
+    EXPECT_TRUE(shows(desk, "Ctrl+Z"));
+    desk.view.wall_seconds += 3;
+    desk.frame(2);
+    EXPECT_FALSE(shows(desk, "Space"));
+}
+
+TEST(Lecture, CountsTheHunt) {
+    Desk desk;
+    desk.view.lecture = true;
+    desk.frame(3);
+    EXPECT_TRUE(shows(desk, "4"));
+    EXPECT_TRUE(shows(desk, "8"));
+}
+
+}  // namespace braitenlab::tests

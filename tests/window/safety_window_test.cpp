@@ -1,0 +1,131 @@
+// Lecture mode, crashes and the keyboard alone, in the real window.
+#include "tests/window/lab_window.h"
+
+namespace braitenlab::tests {
+namespace {
+
+bool wait_for(const std::function<bool()>& holds, double patience = 8) {
+    return LabWindow::eventually(holds, patience);
+}
+
+TEST(LectureWindow, F9AndBackRestoresEverything) {
+    LabWindow lab({"predator-prey", "--size", "1280x800"});
+    lab.click("card.information.fold");
+    lab.key("f");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["camera"] == "follow"; }));
+    LabWindow::wait(0.5);
+    const Json before = lab.anchors(), looked = lab.state();
+    lab.key("F9");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["lecture"] == true && lab.anchors().contains("lecture.prey"); }));
+    EXPECT_EQ(lab.state()["theme"], "light");
+    EXPECT_NEAR(lab.state()["type_size"].get<double>(), 1.6, 0.001);
+    lab.key("s");
+    EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("lecture.keys"); })) << "pressed keys are shown";
+    lab.key("t");
+    lab.key("F9");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["lecture"] == false && lab.anchors() == before; }))
+        << lab.anchors().dump(1);
+    for (const char* what : {"theme", "type_size", "camera", "view", "sensors", "language", "hash", "mode"})
+        EXPECT_EQ(lab.state()[what], looked[what]) << what;
+}
+
+TEST(CrashWindow, OffersTheWorkAgainAfterKillNine) {
+    const Home home;
+    {
+        LabWindow lab({"2a-coward", "--size", "1280x800"}, home.path);
+        lab.key("2");
+        for (int i = 0; i < 5; ++i) lab.key("Right");
+        ASSERT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 0.5; }));
+        lab.key("space");  // a change of mode keeps it at once
+        ASSERT_TRUE(wait_for([&] { return lab.state()["mode"] == "playing"; }));
+        LabWindow::wait(0.5);
+        lab.kill_at_once();
+    }
+    {
+        LabWindow lab({"3a-love", "--size", "1280x800"}, home.path);
+        ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("recovery.take"); }));
+        lab.key("Return");
+        EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 0.5; })) << lab.state().dump(1);
+        EXPECT_EQ(lab.state()["opened"], "2a-coward");
+        lab.key("ctrl+q");
+        EXPECT_EQ(lab.exit_code(), 0);
+    }
+    LabWindow lab({"3a-love", "--size", "1280x800"}, home.path);
+    LabWindow::wait(0.5);
+    EXPECT_FALSE(lab.anchors().contains("recovery.take")) << "after a proper end there is nothing to offer";
+}
+
+TEST(Screenshot, GoesToTheFolderForPicturesAndSaysSo) {
+    const Home home;
+    std::filesystem::create_directories(home.path / "config");
+    std::ofstream(home.path / "config" / "user-dirs.dirs") << "XDG_PICTURES_DIR=\"$HOME/Bilder\"\n";
+    LabWindow lab({"2a-coward", "--size", "1280x800"}, home.path);
+    lab.key("F12");
+    const auto file = home.path / "Bilder" / "braitenlab-001.png";
+    EXPECT_TRUE(wait_for([&] {
+        return lab.state()["notice"].get<std::string>().find(file.string()) != std::string::npos;
+    })) << lab.state()["notice"];
+    EXPECT_TRUE(std::filesystem::exists(file));
+}
+
+struct Screen {
+    const char *size, *scale;
+};
+
+class KeyboardAlone : public testing::TestWithParam<Screen> {
+protected:
+    LabWindow lab{{"05-aggressor", "--size", GetParam().size, "--scale", GetParam().scale}};
+
+    // Whoever has the focus is in sight, whole.
+    void expect_focus_in_sight() const {
+        const std::string focus = lab.state()["focus"];
+        if (focus.empty()) return;
+        ASSERT_TRUE(wait_for([&] { return lab.anchors().contains(focus); })) << focus;
+        const auto r = lab.anchors()[focus].get<std::vector<double>>();
+        int width = 0, height = 0;
+        std::sscanf(GetParam().size, "%dx%d", &width, &height);
+        EXPECT_GE(r[0], 0) << focus;
+        EXPECT_GE(r[1], 0) << focus;
+        EXPECT_LE(r[0] + r[2], width) << focus;
+        EXPECT_LE(r[1] + r[3], height) << focus;
+        EXPECT_GE(r[3], 15 * std::stod(GetParam().scale)) << focus << " is clipped";
+    }
+    void press(const std::string& key) const {
+        lab.key(key);
+        LabWindow::wait(0.12);
+        expect_focus_in_sight();
+    }
+    bool go_to(const std::string& anchor, const std::string& by) const {
+        for (int i = 0; i < 40; ++i) {
+            if (lab.state()["focus"] == anchor) return true;
+            press(by);
+        }
+        return false;
+    }
+    void set(const std::string& slider, const std::string& anchor, const std::string& value) const {
+        press(slider);
+        ASSERT_TRUE(wait_for([&] { return lab.state()["focus"] == "slider." + anchor; }));
+        press("Return");
+        lab.xdotool("type --delay 40 " + value);
+        press("Return");
+        EXPECT_TRUE(wait_for([&] { return lab.state()["weights"][anchor] == std::stod(value); })) << anchor;
+    }
+};
+
+TEST_P(KeyboardAlone, FinishesTheExercise) {
+    ASSERT_TRUE(go_to("card.exercise.fold", "ctrl+Tab"));
+    ASSERT_TRUE(go_to("exercise.predict.1", "Tab"));
+    press("Return");
+    set("1", "LL", "0");
+    set("2", "LR", "1.5");
+    set("3", "RL", "1.5");
+    set("4", "RR", "0");
+    press("space");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["exercise"]["passed"] == true; }, 60)) << lab.state().dump(1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Screens, KeyboardAlone, testing::Values(Screen{"1024x768", "1"}, Screen{"1920x1150", "2"}),
+                         [](const auto& given) { return "AtScale" + std::string(given.param.scale); });
+
+}  // namespace
+}  // namespace braitenlab::tests

@@ -1,0 +1,172 @@
+// The lecture's overlay: a slim bar on top, large figures below, and the keys that are pressed, for the back row.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "core/brain/recogniser.h"
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr double key_shown = 2.5;  // s
+constexpr std::size_t most_keys = 4;
+
+struct Figure {
+    std::string_view anchor, caption;  // caption: key of the string
+    std::string words;
+    Colour colour;
+    float bar = 0;  // −1..1, drawn below where `has_bar`
+    bool has_bar = false;
+};
+
+Character character_of(const Snapshot& now, const VehicleView& vehicle, Recognised& known) {
+    const auto& brain = now.brains[static_cast<std::size_t>(vehicle.brain)];
+    if (known.brain != brain) known = {brain, recognise(*brain)};
+    return known.character;
+}
+
+std::vector<Figure> figures(const LabView& view, PanelState& state, const Ui& ui) {
+    const Snapshot& now = *view.now;
+    const Palette& p = ui.palette;
+    if (now.predators + now.prey > 0)
+        return {{"lecture.predators", "lecture.predators", std::to_string(now.predators), p.predator},
+                {"lecture.prey", "lecture.prey", std::to_string(now.prey), p.prey},
+                {"lecture.captures", "lecture.captures", std::to_string(now.events.captures), p.text}};
+    const VehicleView* vehicle = find_vehicle(now, view.selected);
+    if (!vehicle) return {};
+    const auto wheel = [&](std::string_view name, float value) {
+        return Figure{name, name, with_sign(value, 2), p.text, value, true};
+    };
+    return {{"lecture.character", "lecture.character",
+             std::string(ui.strings("character." + std::string(name(character_of(now, *vehicle, state.recognised))))),
+             p.text},
+            {"lecture.speed", "lecture.speed", fill(ui.strings("info.metres_a_second"), {fixed(vehicle->speed, 2)}),
+             p.text},
+            wheel("lecture.left", vehicle->motor[0]),
+            wheel("lecture.right", vehicle->motor[1])};
+}
+
+// From the middle to the right for what drives forwards, to the left for what drives backwards.
+void signed_bar(const Ui& ui, Rect r, float value) {
+    const float middle = r.x + r.w / 2, reach = r.w / 2 * std::clamp(value, -1.0f, 1.0f);
+    fill_box(ui, r, ui.palette.line.with_alpha(0.6f), 3);
+    fill_box(ui, {std::min(middle, middle + reach), r.y, std::abs(reach), r.h}, colour_of_weight(ui.palette, value), 3);
+    fill_box(ui, {middle - ui.px(1), r.y - ui.px(2), ui.px(2), r.h + ui.px(4)}, ui.palette.text, 0);
+}
+
+void figure(Ui& ui, const Figure& f, Rect r) {
+    const float x = r.x + ui.px(16);
+    put(ui, {x, r.y + ui.px(8)}, ui.strings(f.caption), ui.palette.second_text, Face::small);
+    const float y = r.y + ui.px(8) + line_height(ui, Face::small);
+    const Face face = text_width(ui, Face::display, f.words) <= r.w - ui.px(24) ? Face::display : Face::title;
+    put(ui, {x, y}, f.words, legible(f.colour, ui.palette.panel, ui.palette.text), face);
+    if (f.has_bar) signed_bar(ui, {x, r.y + r.h - ui.px(14), r.w - ui.px(32), ui.px(6)}, f.bar);
+    mark(ui, f.anchor, r);
+}
+
+void pressed_keys(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
+    auto& keys = state.pressed;
+    std::erase_if(keys, [&](const PressedKey& k) { return view.wall_seconds - k.at > key_shown; });
+    if (keys.size() > most_keys) keys.erase(keys.begin(), keys.end() - static_cast<std::ptrdiff_t>(most_keys));
+    const auto words_of = [&](const PressedKey& k) { return key_name(k.press, ui.strings); };
+    const float h = line_height(ui, Face::title) + ui.px(16), space = ui.px(8);
+    float width = -space;
+    for (const PressedKey& k : keys) width += space + std::max(h, text_width(ui, Face::title, words_of(k)) + ui.px(28));
+    float x = layout.window.x + (layout.window.w - width) / 2;
+    const float y = layout.hint_bar.y - h - ui.px(16);
+    if (keys.empty()) return;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.PushClipRectFullScreen();  // they stand above the bar
+    for (const PressedKey& k : keys) {
+        const Rect cap{x, y, std::max(h, text_width(ui, Face::title, words_of(k)) + ui.px(28)), h};
+        fill_box(ui, cap, ui.palette.text, 8);
+        put_centred(ui, {cap.x + cap.w / 2, cap.y + ui.px(8)}, words_of(k), ui.palette.ground, Face::title);
+        x += cap.w + space;
+    }
+    mark(ui, "lecture.keys", {layout.window.x + (layout.window.w - width) / 2, y, width, h});
+    draw.PopClipRect();
+}
+
+}  // namespace
+
+void lecture_bar(const LabView& view, Ui& ui, Rect bar) {
+    begin_bar(ui, "lecture", bar);
+    const bool playing = view.mode == Mode::playing;
+    const float y = bar.y + (bar.h - ui.px(button_height)) / 2;
+    ImGui::SetCursorScreenPos({bar.x + ui.px(12), y});
+    ButtonLook play{playing ? icon::pause : icon::play, ui.strings(playing ? "button.pause" : "button.play"),
+                    Emphasis::primary};
+    play.min_width = 92;
+    const Item start = button(ui, "button.play", play);
+    tooltip(ui, start, ui.strings("tooltip.play_pause"), key_name(Action::play_pause, ui.strings));
+    if (start.pressed) ui.outbox.push_back(Action::play_pause);
+    const std::string time = fill(ui.strings("time.seconds"), {fixed(static_cast<float>(view.now->seconds), 1)});
+    put(ui, {start.right() + ui.px(16), bar.y + (bar.h - line_height(ui, Face::title)) / 2}, time, ui.palette.text,
+        Face::title);
+    ButtonLook leave{icon::cross, has_icons(ui) ? std::string_view{} : ui.strings("lecture.leave"), Emphasis::quiet};
+    const float width = button_width(ui, leave);
+    ImGui::SetCursorScreenPos({bar.x + bar.w - ui.px(12) - width, y});
+    const Item end = button(ui, "lecture.leave", leave);
+    tooltip(ui, end, ui.strings("lecture.leave"), key_name(Action::lecture, ui.strings));
+    if (end.pressed) ui.outbox.push_back(Action::lecture);
+    // What is shown, between the clock and the way out.
+    const std::string_view title =
+        view.lesson ? std::string_view(view.lesson->exercise->title) : std::string_view(view.now->scene->title);
+    const float from = start.right() + ui.px(16 + 96), room = end.rect.x - ui.px(12) - from;
+    put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2}, shortened(ui, title, Face::title, room),
+        ui.palette.second_text, Face::title);
+    end_bar();
+}
+
+void lecture_figures(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
+    const Rect& bar = layout.hint_bar;
+    begin_bar(ui, "lecture figures", bar);
+    if (view.notice.empty()) {
+        const auto all = figures(view, state, ui);
+        const float each = bar.w / static_cast<float>(std::max<std::size_t>(1, all.size()));
+        for (std::size_t i = 0; i < all.size(); ++i)
+            figure(ui, all[i], {bar.x + each * static_cast<float>(i), bar.y, each, bar.h});
+    } else {
+        const Palette& p = ui.palette;
+        put(ui, {bar.x + ui.px(16), bar.y + (bar.h - line_height(ui, Face::text)) / 2},
+            shortened(ui, view.notice, Face::text, bar.w - ui.px(32)), legible(p.warning, p.panel, p.text));
+    }
+    mark(ui, "hint.bar", bar);
+    pressed_keys(view, state, ui, layout);
+    end_bar();
+}
+
+void follow_lecture(const LabView& view, PanelState& state) {
+    if (view.lecture == state.before_lecture.has_value()) return;
+    if (view.lecture) {
+        state.before_lecture =
+            BeforeLecture{state.exercise,           state.scene,         state.brain, state.information,
+                          state.information_opened, state.keyboard.focus};
+        state.exercise.folded = state.scene.folded = state.brain.folded = true;
+        state.keyboard.focus.clear();
+        return;
+    }
+    const BeforeLecture before = *state.before_lecture;
+    state.exercise = before.exercise;
+    state.scene = before.scene;
+    state.brain = before.brain;
+    state.information = before.information;
+    state.information_opened = before.information_opened;
+    state.keyboard.focus = before.focus;
+    state.before_lecture.reset();
+    state.pressed.clear();
+}
+
+}  // namespace braitenlab
