@@ -163,7 +163,8 @@ Result<Window> Window::open(const WindowOptions& options) {
         if (action == GLFW_PRESS || repeats) Native::of(w).keys.push_back(press);
     });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-        Native::of(w).dropped.assign(paths, paths + count);
+        auto& dropped = Native::of(w).dropped;
+        dropped.insert(dropped.end(), paths, paths + count);
     });
 
     ImGui::CreateContext();

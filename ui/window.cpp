@@ -86,6 +86,7 @@ void left_column(const LabView& view, PanelState& state, Ui& ui, Rect column) {
         exercise_card(view, state, ui, top);
     else
         scene_card(view, state, ui, top);
+    if (view.lecture) return;
     Rect below = column;
     below.y = top.y + top.h + space;
     below.h = std::min(wanted, column.y + column.h - below.y);

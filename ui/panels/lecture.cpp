@@ -152,7 +152,7 @@ void follow_lecture(const LabView& view, PanelState& state) {
     if (view.lecture == state.before_lecture.has_value()) return;
     if (view.lecture) {
         state.before_lecture =
-            BeforeLecture{state.exercise,           state.scene,         state.brain, state.information,
+            BeforeLecture{state.exercise,           state.scene,         state.brain, state.information, state.sensors,
                           state.information_opened, state.keyboard.focus};
         state.exercise.folded = state.scene.folded = state.brain.folded = true;
         state.keyboard.focus.clear();
@@ -163,6 +163,7 @@ void follow_lecture(const LabView& view, PanelState& state) {
     state.scene = before.scene;
     state.brain = before.brain;
     state.information = before.information;
+    state.sensors = before.sensors;
     state.information_opened = before.information_opened;
     state.keyboard.focus = before.focus;
     state.before_lecture.reset();

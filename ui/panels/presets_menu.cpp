@@ -33,6 +33,7 @@ bool preset_row(Ui& ui, const Preset& preset, bool current, ImVec2 at) {
     put(ui, {x, row.rect.y + ui.px(5)}, ui.strings.find("preset." + key, key), ui.palette.text, Face::strong);
     put(ui, {x, row.rect.y + ui.px(6) + line_height(ui, Face::text)}, ui.strings.find("preset_story." + key, ""),
         ui.palette.second_text, Face::small);
+    tooltip(ui, row, ui.strings("tooltip.presets"));
     return row.pressed;
 }
 

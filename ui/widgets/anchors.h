@@ -3,6 +3,7 @@
 // Tutorial highlights, keyboard help and tests that drive the real window all read it.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -13,20 +14,33 @@ namespace braitenlab {
 
 class Anchors {
 public:
-    // Forgets last frame's rectangles; those recorded until the next begin() are this frame's.
-    void begin() { rectangles_.clear(); }
+    // Forgets last frame's rectangles; those recorded until the next begin() are this frame's. Their names are kept, so
+    // that a frame like the last one asks for no memory.
+    void begin() { ++frame_; }
     void record(std::string_view id, Rect window_pixels) {
-        rectangles_.insert_or_assign(std::string(id), window_pixels);
+        auto found = known_.find(id);
+        if (found == known_.end()) found = known_.emplace(std::string(id), Known{}).first;
+        found->second = {window_pixels, frame_};
     }
 
     const Rect* find(std::string_view id) const {
-        const auto found = rectangles_.find(id);
-        return found == rectangles_.end() ? nullptr : &found->second;
+        const auto found = known_.find(id);
+        return found == known_.end() || found->second.frame != frame_ ? nullptr : &found->second.rect;
     }
-    const std::map<std::string, Rect, std::less<>>& all() const { return rectangles_; }
+    std::map<std::string, Rect, std::less<>> all() const {
+        std::map<std::string, Rect, std::less<>> now;
+        for (const auto& [id, known] : known_)
+            if (known.frame == frame_) now.emplace(id, known.rect);
+        return now;
+    }
 
 private:
-    std::map<std::string, Rect, std::less<>> rectangles_;
+    struct Known {
+        Rect rect;
+        std::uint64_t frame = 0;
+    };
+    std::map<std::string, Known, std::less<>> known_;
+    std::uint64_t frame_ = 0;
 };
 
 }  // namespace braitenlab

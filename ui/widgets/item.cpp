@@ -53,15 +53,16 @@ bool is_visible(Rect r) { return r.w >= 1 && r.h >= 1; }
 
 Item item(Ui& ui, std::string_view id, ImVec2 size, bool enabled) {
     Item result;
-    const std::string key(id);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     result.rect = {at.x, at.y, size.x, size.y};
     result.enabled = enabled;
     if (ui.shown) {
         result.shown = static_cast<int>(ui.shown->size());
-        ui.shown->push_back({key});
+        ui.shown->push_back({std::string(id)});
     }
-    const bool clicked = ImGui::InvisibleButton(key.c_str(), {std::max(1.0f, size.x), std::max(1.0f, size.y)});
+    ImGui::PushID(id.data(), id.data() + id.size());
+    const bool clicked = ImGui::InvisibleButton("##item", {std::max(1.0f, size.x), std::max(1.0f, size.y)});
+    ImGui::PopID();
     result.hovered = ImGui::IsItemHovered();
     result.held = enabled && ImGui::IsItemActive();
     result.pressed = enabled && clicked;

@@ -1,20 +1,21 @@
 #include "ui/widgets/keyboard.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace braitenlab {
 
 namespace {
 
-using Stops = std::vector<Keyboard::Stop>;
+using Stops = std::span<const Keyboard::Stop>;
 
-int index_of(const Stops& stops, std::string_view id) {
+int index_of(Stops stops, std::string_view id) {
     const auto found = std::find_if(stops.begin(), stops.end(), [id](const auto& stop) { return stop.id == id; });
     return found == stops.end() ? -1 : static_cast<int>(found - stops.begin());
 }
 
-int next_card(const Stops& stops, int from) {
+int next_card(Stops stops, int from) {
     const int count = static_cast<int>(stops.size());
     if (from < 0) return 0;
     const int card = stops[static_cast<std::size_t>(from)].card;
@@ -26,7 +27,7 @@ int next_card(const Stops& stops, int from) {
 }  // namespace
 
 void begin_keyboard(Keyboard& keyboard) {
-    const Stops& stops = keyboard.last_stops;
+    const Stops stops(keyboard.last_stops.data(), keyboard.last_count);
     const int count = static_cast<int>(stops.size());
     int at = index_of(stops, keyboard.focus);
     if (at < 0 && !stops.empty() && !keyboard.revealed) keyboard.focus.clear();  // but not one asked for just now
@@ -36,7 +37,7 @@ void begin_keyboard(Keyboard& keyboard) {
         keyboard.focus = stops[static_cast<std::size_t>(at)].id;
         keyboard.revealed = true;
     }
-    keyboard.stops.clear();
+    keyboard.stop_count = 0;
     keyboard.card = 0;
 }
 
@@ -44,17 +45,18 @@ void hold_keyboard(Keyboard* keyboard) {
     if (!keyboard) return;
     if (!keyboard->was_held && !keyboard->held) keyboard->focus_before = std::exchange(keyboard->focus, {});
     keyboard->held = true;
-    keyboard->stops.clear();
+    keyboard->stop_count = 0;
 }
 
 void end_keyboard(Keyboard& keyboard) {
-    if (keyboard.held && index_of(keyboard.stops, keyboard.focus) < 0)
-        keyboard.focus = keyboard.stops.empty() ? "" : keyboard.stops.front().id;
+    const Stops stops(keyboard.stops.data(), keyboard.stop_count);
+    if (keyboard.held && index_of(stops, keyboard.focus) < 0) keyboard.focus = stops.empty() ? "" : stops.front().id;
     if (keyboard.was_held && !keyboard.held) keyboard.focus = std::exchange(keyboard.focus_before, {});
     keyboard.was_held = std::exchange(keyboard.held, false);
     keyboard.presses.clear();
     keyboard.revealed = false;
     keyboard.last_stops.swap(keyboard.stops);
+    std::swap(keyboard.last_count, keyboard.stop_count);
 }
 
 void begin_stops(Keyboard* keyboard) {
@@ -63,7 +65,10 @@ void begin_stops(Keyboard* keyboard) {
 
 bool stop_here(Keyboard* keyboard, std::string_view id) {
     if (!keyboard) return false;
-    keyboard->stops.push_back({std::string(id), keyboard->card});
+    if (keyboard->stop_count == keyboard->stops.size()) keyboard->stops.emplace_back();
+    Keyboard::Stop& stop = keyboard->stops[keyboard->stop_count++];
+    stop.id.assign(id);
+    stop.card = keyboard->card;
     return keyboard->focus == id;
 }
 

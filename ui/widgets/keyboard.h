@@ -21,7 +21,9 @@ struct Keyboard {
         std::string id;
         int card = 0;
     };
+    // This frame's and the last one's; those beyond the count are spent, and keep their memory for the next frame.
     std::vector<Stop> stops, last_stops;
+    std::size_t stop_count = 0, last_count = 0;
     int card = 0;
     bool held = false, was_held = false;  // by a sheet, in this frame and in the last one
     std::string focus_before;             // who had it when the sheet came

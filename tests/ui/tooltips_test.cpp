@@ -1,0 +1,98 @@
+// Every widget says what it is when the pointer rests on it.
+#include <set>
+
+#include "desk.h"
+#include "ui/widgets/item.h"
+
+namespace braitenlab::tests {
+
+namespace {
+
+// Walks every screen of the lab and rests the pointer on every widget of it.
+struct Walk {
+    std::set<std::string> all, told;
+
+    void look(Desk& desk) {
+        desk.frame(4);
+        std::set<std::string> here;
+        for (const Shown& shown : desk.shown) here.insert(shown.id);
+        for (const std::string& id : here)
+            if (all.insert(id).second || !told.count(id)) rest_on(desk, id);
+        desk.point(-100, -100);
+        desk.frame(2);
+    }
+
+    // Here and there: a part of it may lie under another, or say nothing.
+    void rest_on(Desk& desk, const std::string& id) {
+        for (const float across : {0.5f, 0.1f, 0.3f, 0.9f})
+            for (const float down : {0.5f, 0.15f}) {
+                const Rect* r = desk.anchors.find(id);
+                if (!r || told.count(id)) return;
+                desk.point(r->x + r->w * across, r->y + r->h * down);
+                desk.frame(2);
+                for (const Shown& shown : desk.shown)
+                    if (shown.has_tooltip) told.insert(shown.id);
+            }
+    }
+};
+
+}  // namespace
+
+TEST(Tooltips, AreOnEveryWidgetOfEveryScreen) {
+    const std::vector<CatalogueEntry> catalogue{{"05-aggressor", "5.toml", "Aggressor", "", 5},
+                                                {"2a-coward", "2a.toml", "Coward", "It turns away."}};
+    const std::vector<std::string> recent{"/y/mine.toml"};
+    FilesView files;
+    files.listing = {"/home/me", {{"pictures", true}, {"mine.toml", false, FileKind::scene}}, ""};
+    const RecoveryOffer offer{"Coward", "2026-03-01 10:42:05"};
+    Walk walk;
+    for (const bool exercise : {false, true}) {
+        Desk desk(1280, 1400);
+        desk.view.catalogue = &catalogue;
+        desk.view.recent = &recent;
+        desk.view.files = &files;
+        if (exercise) desk.open_exercise();
+        walk.look(desk);
+        desk.view.mode = Mode::wiring;
+        walk.look(desk);
+        desk.view.mode = Mode::paused;
+        for (const KeyPress opens :
+             {KeyPress{key::f1}, KeyPress{',', true}, KeyPress{'O', true}, KeyPress{'S', true}}) {
+            desk.key(opens);
+            walk.look(desk);
+            for (int place = 1; place <= 2; ++place)
+                desk.panels.files.place = static_cast<FilesPlace>(place), walk.look(desk);
+            desk.key({key::escape});
+        }
+        desk.frame(2);
+        desk.click("button.presets");
+        walk.look(desk);
+        desk.key({key::escape});
+        desk.view.recovery = &offer;
+        walk.look(desk);
+        desk.view.recovery = nullptr;
+        desk.view.lecture = true;
+        walk.look(desk);
+    }
+    EXPECT_GT(walk.all.size(), 60u) << "widgets are looked at at all";
+    for (const std::string& id : walk.all) EXPECT_TRUE(walk.told.count(id)) << id << " has no tooltip";
+}
+
+TEST(Tooltips, AreAskedForInEarnest) {
+    Desk desk;
+    desk.frame(2);
+    Ui ui{desk.strings, palette(Theme::dark), {}, 1, desk.anchors, desk.asked};
+    std::vector<Shown> shown;
+    ui.shown = &shown;
+    ImGui::NewFrame();
+    const Item bare = item(ui, "bare", {10, 10});
+    const Item told = item(ui, "told", {10, 10});
+    tooltip(ui, told, "It is told.");
+    tooltip(ui, bare, "");
+    ImGui::Render();
+    ASSERT_EQ(shown.size(), 2u);
+    EXPECT_FALSE(shown[0].has_tooltip);
+    EXPECT_TRUE(shown[1].has_tooltip);
+}
+
+}  // namespace braitenlab::tests

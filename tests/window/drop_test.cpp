@@ -1,0 +1,29 @@
+// What is dragged into the window, through the callback that the windowing library calls.
+#include <GL/glew.h>
+// GLFW after GLEW: both declare OpenGL, and GLEW insists on being first.
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include "app/window.h"
+
+namespace braitenlab::tests {
+namespace {
+
+TEST(Drop, HandsOverEveryFileOnceInItsOrder) {
+    auto window = Window::open({.title = "drop", .width = 640, .height = 480, .visible = false});
+    ASSERT_TRUE(window) << window.error().text();
+    GLFWwindow* native = glfwGetCurrentContext();
+    const GLFWdropfun drop = glfwSetDropCallback(native, nullptr);
+    ASSERT_TRUE(drop);
+    const char* files[]{"/tmp/one.toml", "/tmp/zwei ä.run"};
+    drop(native, 2, files);
+    EXPECT_EQ(window->take_dropped_files(), (std::vector<std::string>{"/tmp/one.toml", "/tmp/zwei ä.run"}));
+    EXPECT_TRUE(window->take_dropped_files().empty());
+    const char* another[]{"/tmp/three.toml"};
+    drop(native, 1, files);
+    drop(native, 1, another);
+    EXPECT_EQ(window->take_dropped_files().size(), 2u) << "two drops within a frame are two files";
+}
+
+}  // namespace
+}  // namespace braitenlab::tests
