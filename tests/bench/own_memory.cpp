@@ -9,13 +9,14 @@ namespace {
 
 // Every block carries its size before it.
 constexpr std::size_t header = alignof(std::max_align_t);
-std::atomic<std::int64_t> in_use{0};
+std::atomic<std::int64_t> in_use{0}, asked{0};
 
 void* take(std::size_t size) {
     void* block = std::malloc(size + header);
     if (!block) throw std::bad_alloc();
     *static_cast<std::size_t*>(block) = size;
     in_use += static_cast<std::int64_t>(size);
+    ++asked;
     return static_cast<char*>(block) + header;
 }
 
@@ -36,3 +37,4 @@ void operator delete(void* memory, std::size_t) noexcept { give_back(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { give_back(memory); }
 
 std::int64_t braitenlab::bench::bytes_in_use() { return in_use; }
+std::int64_t braitenlab::bench::allocations() { return asked; }

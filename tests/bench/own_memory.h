@@ -6,5 +6,6 @@
 namespace braitenlab::bench {
 
 std::int64_t bytes_in_use();  // by operator new, since the program began
+std::int64_t allocations();   // how often it was asked, since the program began
 
 }  // namespace braitenlab::bench

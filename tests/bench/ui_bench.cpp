@@ -1,8 +1,6 @@
 // What a frame of the window's panels costs beside a tick and a picture of the same 50 vehicles, and how often our own
 // code asks for memory. Dear ImGui has an allocator of its own, which is not counted.
-#include <atomic>
-#include <cstdlib>
-#include <new>
+#include <cstdint>
 #include <optional>
 
 #include <GL/glew.h>
@@ -11,23 +9,12 @@
 
 #include "app/lab.h"
 #include "render/gl/renderer.h"
+#include "tests/bench/own_memory.h"
 #include "tests/render/stage.h"
 #include "ui/prompts.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/window.h"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-void* operator new(std::size_t size) {
-    allocations.fetch_add(1, std::memory_order_relaxed);
-    if (void* memory = std::malloc(size ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace braitenlab {
 namespace {
@@ -95,16 +82,16 @@ void BM_UiPass(benchmark::State& state) {
     Panels panels;
     int triangles = 0;
     for (int i = 0; i < 600; ++i) tick(*lab), lab->wall_seconds += 1.0 / 60, panels.frame(view_of(*lab), *strings);
-    long asked = 0, frames = 0;
+    std::int64_t asked = 0, frames = 0;
     for (auto _ : state) {
         state.PauseTiming();
         tick(*lab);
         lab->wall_seconds += 1.0 / 60;
         const LabView view = view_of(*lab);
-        const long before = allocations;
+        const std::int64_t before = bench::allocations();
         state.ResumeTiming();
         triangles = panels.frame(view, *strings);
-        asked += allocations - before;
+        asked += bench::allocations() - before;
         ++frames;
     }
     state.counters["triangles"] = triangles;

@@ -15,7 +15,7 @@ struct Inspector : testing::Test {
         desk.panels.canvas.selection = std::move(chosen);
         desk.frame(3);
     }
-    const BrainGraph& asked() const { return std::get<SetBrain>(desk.edits().back().command).brain; }
+    BrainGraph asked() const { return std::get<SetBrain>(desk.edits().back().command).brain; }
     bool shows(std::string_view anchor) const { return desk.anchors.find(anchor) != nullptr; }
 
     Desk desk{1280, 800};

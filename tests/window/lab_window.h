@@ -89,8 +89,9 @@ public:
 
     ~LabWindow() {
         const Json last = state();
-        if (last.contains("graphics_errors"))
+        if (last.contains("graphics_errors")) {
             EXPECT_EQ(last["graphics_errors"], 0) << "the driver complained, see above";
+        }
         if (pid_ > 0 && waitpid(pid_, nullptr, WNOHANG) == 0) {
             kill(pid_, SIGKILL);
             waitpid(pid_, nullptr, 0);
