@@ -102,6 +102,7 @@ CompiledKind compile_kind(const Kind& kind) {
     compiled.motor_force = body.motor_force;
     compiled.dead_band = body.dead_band;
     compiled.mass = body.mass;
+    compiled.reach = 1.065f * maths::length(maths::vec2{body.length, body.width} / 2);
     compiled.sensor_names = sensor_names(kind);
     return compiled;
 }

@@ -38,6 +38,7 @@ struct CompiledKind {
     float mass = 0;
     bool has_noise = false;
     std::uint32_t late_readings = 0;
+    float reach = 0;  // m round its origin that it wants for itself: a little more than half its diagonal
     std::vector<std::string> sensor_names;
 };
 

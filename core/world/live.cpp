@@ -69,18 +69,25 @@ void fall(WorldState& s) {
 
 // Whoever has no energy left leaves, and one of the opposite role enters elsewhere.
 void bury_and_bear(WorldState& s) {
-    for (std::size_t row = 0; row < s.vehicles.size();) {
-        if (s.vehicles.energy[row] > 0) {
-            ++row;
-            continue;
-        }
-        const int kind = successor_kind(s, row);
-        remove_vehicle(s, row);
-        ++s.events.deaths;
-        const VehicleId id = s.next_id++;
-        add_vehicle(s, kind, -1, id, s.newcomers[static_cast<std::size_t>(kind)], free_place(s, id));
-        ++s.events.births;
+    std::vector<std::size_t> starved;
+    std::vector<int> successors;
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
+        if (s.vehicles.energy[row] > 0) continue;
+        starved.push_back(row);
+        successors.push_back(successor_kind(s, row));
     }
+    if (starved.empty()) return;
+    remove_vehicles(s, starved);
+    Places places(s);
+    for (const int kind : successors) {
+        const VehicleId id = s.next_id++;
+        add_vehicle(s, kind, -1, id, s.newcomers[static_cast<std::size_t>(kind)], free_place(s, places, kind, id));
+        ++s.events.deaths, ++s.events.births;
+    }
+    // So many newcomers at random places would cost Box2D's tree dearly; made again, the world enters them in good
+    // order.
+    constexpr std::size_t many = 256;
+    if (starved.size() > many) s = WorldState(std::move(static_cast<Moment&>(s)));
 }
 
 void watch_inactivity(WorldState& s) {

@@ -100,6 +100,7 @@ struct Physics::Box : b2ContactListener {
 
     // Takes the noted changes over into the counts of contacts.
     void settle() {
+        if (changes.empty()) return;
         std::sort(changes.begin(), changes.end(),
                   [](const Contacts& a, const Contacts& b) { return a.touch < b.touch; });
         for (const Contacts& change : changes) {
@@ -136,7 +137,7 @@ Physics::~Physics() = default;
 Physics::Physics(Physics&&) noexcept = default;
 Physics& Physics::operator=(Physics&&) noexcept = default;
 
-void Physics::add(VehicleId id, const Body& body, const Motion& motion) {
+void Physics::add(std::size_t row, VehicleId id, const Body& body, const Motion& motion) {
     b2BodyDef definition;
     definition.type = b2_dynamicBody;
     definition.position = to_box(motion.place);
@@ -161,12 +162,16 @@ void Physics::add(VehicleId id, const Body& body, const Motion& motion) {
     mass.center.SetZero();
     mass.I = mechanics::plate_inertia(body.mass, body.length, body.width);
     made->SetMassData(&mass);
-    box_->bodies.push_back(made);
+    if (row >= box_->bodies.size()) box_->bodies.resize(row + 1);
+    box_->bodies[row] = made;
 }
 
-void Physics::remove(std::size_t row) {
-    box_->world.DestroyBody(box_->bodies[row]);  // reports the contacts it ends
-    box_->bodies.erase(box_->bodies.begin() + static_cast<std::ptrdiff_t>(row));
+void Physics::remove(const std::vector<std::size_t>& rows) {
+    for (const std::size_t row : rows) {
+        box_->world.DestroyBody(box_->bodies[row]);  // reports the contacts it ends
+        box_->bodies[row] = nullptr;
+    }
+    std::erase(box_->bodies, nullptr);
     box_->settle();
 }
 

@@ -22,10 +22,10 @@ public:
     Physics(Physics&&) noexcept;
     Physics& operator=(Physics&&) noexcept;
 
-    // Bodies stand in rows, as the vehicles do; a new one comes last, a removed one closes the gap.
-    void add(VehicleId, const Body&, const Motion&);
-    void remove(std::size_t row);
-    void place(std::size_t row, const Pose&);  // at rest
+    // Bodies stand in rows, as the vehicles do; a removed one closes the gap. They may be added in any order.
+    void add(std::size_t row, VehicleId, const Body&, const Motion&);
+    void remove(const std::vector<std::size_t>& rows);  // which ascend
+    void place(std::size_t row, const Pose&);           // at rest
     // To another place, going on as fast: what leaves a torus on one side.
     void shift(std::size_t row, maths::vec2 to);
     void shift_obstacle(std::size_t index, maths::vec2 to);

@@ -1,6 +1,7 @@
 // Who enters the world, and where.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/maths/angle.h"
 #include "core/maths/random.h"
@@ -12,32 +13,13 @@ using maths::vec2;
 
 namespace {
 
-constexpr float clearance = 1.3f;    // m between origins: a little more than a standard vehicle's diagonal
-constexpr float wall_margin = 1.0f;  // m from origin to wall
-constexpr int tries = 64;            // then a crowded place will do; the bodies push each other apart
+constexpr int tries = 64;  // then a crowded place will do; the bodies push each other apart
 
 // Chance for one vehicle's place in one generation: what another vehicle draws does not change it. Who falls over the
 // edge does not enter where it would fall in the same way for ever.
 maths::Random chance_for(const WorldState& s, VehicleId id) {
     const auto stream = (static_cast<std::uint64_t>(s.generation) << 32U) | static_cast<std::uint32_t>(id);
     return {s.seed ^ (static_cast<std::uint64_t>(s.events.falls) * 0x9e3779b97f4a7c15ULL), stream};
-}
-
-// How far an obstacle stretches from its middle.
-float reach(const Obstacle& obstacle) {
-    float farthest = 0;
-    for (const vec2 corner : corners_of(obstacle)) farthest = std::max(farthest, maths::length(corner));
-    return farthest;
-}
-
-bool is_free(const WorldState& s, vec2 place) {
-    for (const Motion& other : s.vehicles.motion)
-        if (maths::distance(other.place, place) < clearance) return false;
-    for (std::size_t i = 0; i < s.obstacles.size(); ++i)
-        if (maths::distance(s.obstacles[i].place, place) < clearance / 2 + reach(s.scene->obstacles[i])) return false;
-    for (const Source& source : s.scene->sources)
-        if (maths::distance({source.x, source.y}, place) < clearance) return false;
-    return true;
 }
 
 Pose start_pose(const WorldState& s, const Start& start, VehicleId id) {
@@ -76,12 +58,34 @@ std::vector<int> random_counts(const WorldState& s) {
     return counts;
 }
 
-// Takes a vehicle's stretch out of a flat array and closes the gap.
-void erase_stretch(std::vector<float>& flat, std::vector<std::uint32_t>& first, std::size_t row) {
-    const std::uint32_t begin = first[row];
-    const auto end = row + 1 < first.size() ? first[row + 1] : static_cast<std::uint32_t>(flat.size());
-    flat.erase(flat.begin() + begin, flat.begin() + end);
-    for (std::size_t later = row + 1; later < first.size(); ++later) first[later] -= end - begin;
+// Takes the elements of these rows, which ascend, out of a column.
+template <class Column>
+void drop_rows(Column& column, const std::vector<std::size_t>& rows) {
+    auto gone = rows.begin();
+    std::size_t kept = 0;
+    for (std::size_t row = 0; row < column.size(); ++row) {
+        if (gone != rows.end() && *gone == row)
+            ++gone;
+        else if (kept++ != row)
+            column[kept - 1] = std::move(column[row]);
+    }
+    column.resize(kept);
+}
+
+// Takes the rows' stretches out of a flat array and closes the gaps; `first` keeps its rows for now.
+void drop_stretches(std::vector<float>& flat, std::vector<std::uint32_t>& first, const std::vector<std::size_t>& rows) {
+    auto gone = rows.begin();
+    std::size_t kept = 0;
+    for (std::size_t row = 0; row < first.size(); ++row) {
+        const std::size_t begin = first[row], end = row + 1 < first.size() ? first[row + 1] : flat.size();
+        first[row] = static_cast<std::uint32_t>(kept);
+        if (gone != rows.end() && *gone == row) {
+            ++gone;
+        } else {
+            for (std::size_t i = begin; i < end; ++i) flat[kept++] = flat[i];
+        }
+    }
+    flat.resize(kept);
 }
 
 // A vehicle's two motors, each a little stronger or weaker than it should be. Chance that belongs to the vehicle alone:
@@ -97,17 +101,19 @@ std::array<float, 2> motor_gains(const WorldState& s, int kind, VehicleId id) {
 
 int kind_due(const WorldState& s) { return most_wanted(*s.scene, random_counts(s)); }
 
-Pose free_place(const WorldState& s, VehicleId id) {
+Pose free_place(const WorldState& s, Places& places, int kind, VehicleId id) {
     maths::Random chance = chance_for(s, id);
-    const float half_width = std::max(0.0f, s.scene->arena.width / 2 - wall_margin);
-    const float half_height = std::max(0.0f, s.scene->arena.height / 2 - wall_margin);
+    const float reach = s.kinds[static_cast<std::size_t>(kind)].reach, margin = 1.5f * reach;  // from walls
+    const float half_width = std::max(0.0f, s.scene->arena.width / 2 - margin);
+    const float half_height = std::max(0.0f, s.scene->arena.height / 2 - margin);
     Pose pose;
     for (int i = 0; i < tries; ++i) {
         pose.x = chance.uniform(-half_width, half_width);
         pose.y = chance.uniform(-half_height, half_height);
-        if (is_free(s, {pose.x, pose.y})) break;
+        if (places.is_free({pose.x, pose.y}, reach)) break;
     }
     pose.heading = chance.uniform(-maths::pi, maths::pi);
+    places.take({pose.x, pose.y}, reach);
     return pose;
 }
 
@@ -133,10 +139,19 @@ void add_vehicle(WorldState& s, int kind, int start, VehicleId id, SharedDesign 
     v.first_late.push_back(static_cast<std::uint32_t>(v.late.size()));
     v.late.resize(v.late.size() + compiled.late_readings, 0.0f);
     v.design.push_back(std::move(design));
-    s.physics.add(id, s.scene->kinds[static_cast<std::size_t>(kind)].body, at_rest(pose));
+    s.physics.add(v.id.size() - 1, id, s.scene->kinds[static_cast<std::size_t>(kind)].body, at_rest(pose));
     v.motion.push_back(s.physics.motion(v.id.size() - 1));
     s.eyes_are_stale = true;
 }
+
+namespace {
+
+Pose elsewhere(const WorldState& s, std::size_t row) {
+    Places places(s);
+    return free_place(s, places, s.vehicles.kind[row], s.vehicles.id[row]);
+}
+
+}  // namespace
 
 void enter_again(WorldState& s, std::size_t row) {
     Vehicles& v = s.vehicles;
@@ -144,7 +159,7 @@ void enter_again(WorldState& s, std::size_t row) {
     std::erase_if(s.marks, [id](const Mark& mark) { return mark.owner == id; });
     const int start = v.start[row];
     const Pose pose =
-        start >= 0 ? start_pose(s, s.scene->starts[static_cast<std::size_t>(start)], id) : free_place(s, id);
+        start >= 0 ? start_pose(s, s.scene->starts[static_cast<std::size_t>(start)], id) : elsewhere(s, row);
     s.physics.place(row, pose);
     read_motion(s, row);
     v.energy[row] = 1;
@@ -152,17 +167,21 @@ void enter_again(WorldState& s, std::size_t row) {
     v.motor[row] = v.wheel_angle[row] = {};
     const std::size_t first = v.first_neuron[row];
     std::fill_n(v.neurons.begin() + static_cast<std::ptrdiff_t>(first), v.design[row]->brain.state_size(), 0.0f);
+    std::fill_n(v.late.begin() + static_cast<std::ptrdiff_t>(v.first_late[row]), s.kinds[s.kind(row)].late_readings,
+                0.0f);
     s.eyes_are_stale = true;
 }
 
-void remove_vehicle(WorldState& s, std::size_t row) {
+void remove_vehicles(WorldState& s, const std::vector<std::size_t>& rows) {
     Vehicles& v = s.vehicles;
-    std::erase_if(s.marks, [id = v.id[row]](const Mark& mark) { return mark.owner == id; });
-    erase_stretch(v.sensed, v.first_sensed, row);
-    erase_stretch(v.neurons, v.first_neuron, row);
-    erase_stretch(v.late, v.first_late, row);
-    v.each_column([row](auto& column) { column.erase(column.begin() + static_cast<std::ptrdiff_t>(row)); });
-    s.physics.remove(row);
+    std::vector<VehicleId> gone;
+    for (const std::size_t row : rows) gone.push_back(v.id[row]);
+    std::erase_if(s.marks, [&](const Mark& m) { return std::binary_search(gone.begin(), gone.end(), m.owner); });
+    drop_stretches(v.sensed, v.first_sensed, rows);
+    drop_stretches(v.neurons, v.first_neuron, rows);
+    drop_stretches(v.late, v.first_late, rows);
+    v.each_column([&](auto& column) { drop_rows(column, rows); });
+    s.physics.remove(rows);
 }
 
 void populate(WorldState& s) {
@@ -174,11 +193,12 @@ void populate(WorldState& s) {
                     start_pose(s, scene.starts[i], id));
     }
     std::vector<int> counts(s.kinds.size(), 0);
+    Places places(s);
     for (int i = 0; i < scene.ecology.population; ++i) {
         const int kind = most_wanted(scene, counts);
         ++counts[static_cast<std::size_t>(kind)];
         const VehicleId id = s.next_id++;
-        add_vehicle(s, kind, -1, id, s.newcomers[static_cast<std::size_t>(kind)], free_place(s, id));
+        add_vehicle(s, kind, -1, id, s.newcomers[static_cast<std::size_t>(kind)], free_place(s, places, kind, id));
     }
 }
 
@@ -188,12 +208,15 @@ void populate(WorldState& s) {
 void repopulate(WorldState& s) {
     const Vehicles before = std::move(s.vehicles);
     s.vehicles = {};
-    for (std::size_t row = before.size(); row-- > 0;) s.physics.remove(row);
+    std::vector<std::size_t> all(before.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    s.physics.remove(all);
     ++s.generation;
     s.still_ticks = 0;
     s.bites.clear();
     s.marks.clear();
     std::vector<int> counts(s.kinds.size(), 0);
+    Places places(s);
     for (std::size_t row = 0; row < before.size(); ++row) {
         const int start = before.start[row];
         const int kind = start >= 0 ? before.kind[row] : most_wanted(*s.scene, counts);
@@ -201,10 +224,13 @@ void repopulate(WorldState& s) {
         const VehicleId id = before.id[row];
         const SharedDesign& design =
             kind == before.kind[row] ? before.design[row] : s.newcomers[static_cast<std::size_t>(kind)];
-        const Pose pose =
-            start >= 0 ? start_pose(s, s.scene->starts[static_cast<std::size_t>(start)], id) : free_place(s, id);
+        const Pose pose = start >= 0 ? start_pose(s, s.scene->starts[static_cast<std::size_t>(start)], id)
+                                     : free_place(s, places, kind, id);
+        if (start >= 0) places.take({pose.x, pose.y}, s.kinds[static_cast<std::size_t>(kind)].reach);
         add_vehicle(s, kind, start, id, design, pose);
     }
+    s.touching.clear();
+    s = WorldState(std::move(static_cast<Moment&>(s)));  // all that was worked out begins anew, too
 }
 
 }  // namespace braitenlab

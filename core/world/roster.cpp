@@ -91,7 +91,11 @@ std::optional<Error> carry_out(WorldState& s, const AddVehicle& c) {
     const VehicleId id = c.id != no_vehicle ? c.id : s.next_id;
     s.next_id = std::max(s.next_id, id + 1);
     const bool comes_last = s.vehicles.size() == 0 || s.vehicles.id.back() < id;
-    add_vehicle(s, kind, *start, id, std::move(design), c.at ? *c.at : free_place(s, id));
+    const auto somewhere = [&] {
+        Places places(s);
+        return free_place(s, places, kind, id);
+    };
+    add_vehicle(s, kind, *start, id, std::move(design), c.at ? *c.at : somewhere());
     s.vehicles.energy.back() = c.energy;
     if (c.driver) s.vehicles.driver.back() = *c.driver;
     if (!comes_last) sort_in_last_row(s);
@@ -103,7 +107,7 @@ std::optional<Error> carry_out(WorldState& s, const RemoveVehicle& c) {
     const auto row = c.vehicle == no_vehicle ? std::optional(s.vehicles.size() - 1) : s.row_of(c.vehicle);
     if (!row) return Error{fmt::format("vehicle {} is no longer in the world; select another one", c.vehicle)};
     const std::int32_t start = s.vehicles.start[*row];
-    remove_vehicle(s, *row);
+    remove_vehicles(s, {*row});
     strike_off(s, start);
     return std::nullopt;
 }

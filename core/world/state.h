@@ -10,6 +10,7 @@
 #include "core/world/moment.h"
 #include "core/world/outline.h"
 #include "core/world/physics.h"
+#include "core/world/places.h"
 #include "core/world/world.h"
 
 namespace braitenlab {
@@ -57,9 +58,10 @@ void foresee(WorldState&);
 void populate(WorldState&);    // populate.cpp  the first generation
 void repopulate(WorldState&);  // the next one: as many again, elsewhere
 void add_vehicle(WorldState&, int kind, int start, VehicleId, SharedDesign, const Pose&);
-void remove_vehicle(WorldState&, std::size_t row);
-void enter_again(WorldState&, std::size_t row);  // at its start or elsewhere, as good as new
-Pose free_place(const WorldState&, VehicleId);   // at random, clear of others where there is room
+void remove_vehicles(WorldState&, const std::vector<std::size_t>& rows);  // which ascend
+void enter_again(WorldState&, std::size_t row);                           // at its start or elsewhere, as good as new
+// At random, clear of others where there is room; the place is taken from then on.
+Pose free_place(const WorldState&, Places&, int kind, VehicleId);
 int kind_due(const WorldState&);                 // the kind that the shares ask for next
 bool is_outside(const Arena&, maths::vec2);      // edge.cpp
 void read_motion(WorldState&, std::size_t row);  // takes over where the body is now

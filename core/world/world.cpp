@@ -1,11 +1,31 @@
 #include "core/world/world.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
 
 #include "core/scene/scene_file.h"
 #include "core/world/tick.h"
 
 namespace braitenlab {
+
+namespace {
+
+// Rows, strip by strip of the floor. Box2D's tree of boxes is good when neighbours enter one after the other; entered
+// as they come, beside long walls, 20,000 vehicles would cost its first step seconds.
+std::vector<std::size_t> by_place(const std::vector<Motion>& motion) {
+    constexpr float strip = 4;  // m
+    std::vector<std::size_t> rows(motion.size());
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    const auto key = [&](std::size_t row) {
+        return std::tuple(std::floor(motion[row].place.y / strip), motion[row].place.x, row);
+    };
+    std::sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+    return rows;
+}
+
+}  // namespace
 
 WorldState::WorldState(Moment moment)
     : Moment(std::move(moment)),
@@ -26,8 +46,8 @@ WorldState::WorldState(Moment moment)
         sensed_channel[channel] = farthest > 0;
         if (farthest > 0) fields[channel].lay_out(scene->arena, farthest);
     }
-    for (std::size_t row = 0; row < vehicles.size(); ++row)
-        physics.add(vehicles.id[row], scene->kinds[kind(row)].body, vehicles.motion[row]);
+    for (const std::size_t row : by_place(vehicles.motion))
+        physics.add(row, vehicles.id[row], scene->kinds[kind(row)].body, vehicles.motion[row]);
 }
 
 std::optional<std::size_t> WorldState::row_of(VehicleId id) const {

@@ -19,7 +19,7 @@ TEST(Box2D, TurnsBodiesByOurOwnSineAndCosineSoThatNoProcessorChangesARun) {
     for (int i = 0; i < 2000; ++i) {
         Physics physics(scene, {});
         const float heading = chance.uniform(-40, 40);
-        physics.add(0, Body{}, at_rest({0, 0, heading}));
+        physics.add(0, 0, Body{}, at_rest({0, 0, heading}));
         const Motion now = physics.motion(0);
         EXPECT_EQ(now.ahead, maths::direction(heading)) << heading;
     }
