@@ -121,6 +121,30 @@ std::optional<Fault> triangle_fault(const Kind& kind) {
     return std::nullopt;
 }
 
+// Physics needs outlines that turn left at every corner, with no two corners in one place.
+std::optional<Fault> outline_fault(const Obstacle& obstacle) {
+    constexpr float least = 0.01f, least_left = 0.001f;  // m, between corners; of every corner from every edge
+    const std::size_t count = obstacle.corners.size();
+    if (count == 0) return std::nullopt;  // a box
+    const std::string path = "obstacle." + obstacle.name + ".corner";
+    if (count < 3) return Fault{path, "an outline needs at least 3 corners; leave them out for a box"};
+    const std::vector<maths::vec2> corners = corners_of(obstacle);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t next = (i + 1) % count;
+        const maths::vec2 edge = corners[next] - corners[i];
+        if (!(maths::length(edge) >= least))
+            return Fault{path, fmt::format("corners {} and {} stand less than 0.01 m apart", i + 1, next + 1)};
+        for (std::size_t j = 0; j < count; ++j)
+            if (j != i && j != next &&
+                !(maths::cross(edge, corners[j] - corners[i]) >= least_left * maths::length(edge)))
+                return Fault{path,
+                             fmt::format("corner {} does not lie left of the edge from {} to {}; list the corners of a "
+                                         "convex outline counter-clockwise",
+                                         j + 1, i + 1, next + 1)};
+    }
+    return std::nullopt;
+}
+
 std::optional<Fault> start_fault(const Scene& scene, const Start& start) {
     const std::string path = "vehicle." + start.name;
     if (start.kind.empty()) return Fault{path, "a vehicle needs a kind: kind = \"NAME\" of a [kind.NAME]"};
@@ -151,6 +175,8 @@ std::optional<Fault> find_fault(const Scene& scene) {
         if (auto fault = triangle_fault(kind)) return fault;
         if (auto fault = find_fault(kind.brain)) return Fault{"kind." + kind.name + ".brain", std::move(fault->what)};
     }
+    for (const Obstacle& obstacle : scene.obstacles)
+        if (auto fault = outline_fault(obstacle)) return fault;
     for (const Start& start : scene.starts)
         if (auto fault = start_fault(scene, start)) return fault;
     if (scene.ecology.population > 0 && scene.kinds.empty())

@@ -221,6 +221,11 @@ TEST(SceneFile, NamesTheLineAndTheNearestWordForEveryKindOfMistake) {
         {"format = 1\n[[kind.k.brain.node]]\nname = \"N\"\n[[kind.k.brain.node]]\nname = \"N\"\n",
          {"test.toml:2: ", "two nodes are called 'N'"}},
         {"format = 1\n[ecology]\npopulation = 3\n", {"test.toml:3: ", "no [kind.NAME]"}},
+        {"format = 1\n[obstacle.o]\ncorner = [{ x = 1 }, { y = 1 }]\n", {"test.toml:3: ", "at least 3 corners"}},
+        {"format = 1\n[obstacle.o]\ncorner = [{ x = 1 }, { x = 1 }, { y = 1 }]\n",
+         {"test.toml:3: ", "corners 1 and 2 stand less than"}},
+        {"format = 1\n[obstacle.o]\ncorner = [{ x = 1 }, { y = -1 }, { y = 1 }]\n",
+         {"test.toml:3: ", "does not lie left", "counter-clockwise"}},
         {"format = 1\n[arena]\nwidth = 2\nwidth = 3\n", {"test.toml:4: ", "not TOML"}},
     };
     for (const Mistake& mistake : mistakes) {
