@@ -155,4 +155,25 @@ TEST_F(FilesSheet, SavesAtOnceWhereTheSceneHasAFileOfItsOwn) {
     EXPECT_EQ(desk.actions(), std::vector{Action::save});
 }
 
+TEST(OwnBrains, GoToAFileAndComeFromOneByTheListOfPresets) {
+    Desk desk;
+    desk.frame(2);
+    desk.click("button.presets");
+    desk.frame(2);
+    desk.click("preset.save");
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.sheet, Sheet::files);
+    EXPECT_TRUE(desk.panels.files.saving);
+    EXPECT_EQ(desk.panels.files.kind, FileKind::brain);
+    desk.panels.sheet = Sheet::none;
+    desk.frame(2);
+    desk.click("button.presets");
+    desk.frame(2);
+    desk.click("preset.load");
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.sheet, Sheet::files);
+    EXPECT_FALSE(desk.panels.files.saving);
+    EXPECT_EQ(desk.panels.files.only, FileKind::brain);
+}
+
 }  // namespace braitenlab::tests

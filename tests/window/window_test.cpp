@@ -55,7 +55,7 @@ TEST(Window, GoesBackFiveSecondsAndOnAgainToTheSameMoment) {
     lab.key("space");
     ASSERT_TRUE(wait_for([&] { return lab.state()["mode"] == "paused"; }));
     const Json there = lab.state();
-    lab.key("ctrl+Left");
+    lab.key("shift+comma");
     ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] == there["tick"].get<int>() - 300; })) << lab.state()["tick"];
     EXPECT_EQ(lab.state()["latest"], there["tick"]);
     lab.key("space");
@@ -166,9 +166,9 @@ TEST(Window, DragsAVehicleToAnotherPlaceWhichUndoTakesBack) {
 TEST(Window, OpensAnotherSceneFromItsMenu) {
     LabWindow lab({"--size", "1280x800"});
     lab.click("button.open");
-    ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("open.predator-prey"); }));
-    lab.click("open.predator-prey");
-    EXPECT_TRUE(wait_for([&] { return lab.state()["population"] == 10; }));
+    ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("open.2a-coward"); }));
+    lab.click("open.2a-coward");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["opened"] == "2a-coward"; }));
     EXPECT_TRUE(lab.state()["exercise"].is_null());
     EXPECT_EQ(lab.state()["mode"], "paused");
 }

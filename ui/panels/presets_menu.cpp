@@ -55,6 +55,27 @@ void rows(const LabView& view, PanelState& state, Ui& ui, const VehicleView& veh
     ImGui::SetCursorScreenPos({start.x, start.y + height * static_cast<float>(half)});
 }
 
+// Brains of one's own, from and to files: the file browser does it.
+void own_brains(PanelState& state, Ui& ui) {
+    const auto wanted = [&](const SmallButton& look, std::string_view how) {
+        const Item at = small_button(ui, look);
+        tooltip(ui, at, how);
+        if (at.pressed) ImGui::CloseCurrentPopup(), state.sheet = Sheet::files;
+        return at.pressed;
+    };
+    ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x + ui.px(10), ImGui::GetCursorScreenPos().y + ui.px(6)});
+    if (wanted({"preset.load", icon::load, ui.strings("own_brain.load")}, ui.strings("own_brain.load_how"))) {
+        begin_files(state.files, false);
+        state.files.place = FilesPlace::folder;
+        state.files.only = FileKind::brain;
+        ui.outbox.push_back(BrowseRequest{});
+    }
+    ImGui::SameLine(0, ui.px(8));
+    if (wanted({"preset.save", icon::save, ui.strings("own_brain.save")}, ui.strings("own_brain.save_how")))
+        begin_files(state.files, true, FileKind::brain);
+    ImGui::Dummy({1, ui.px(4)});
+}
+
 }  // namespace
 
 void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, bool wanted,
@@ -71,6 +92,7 @@ void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleV
     if (state.presets_open) {
         if (state.close_presets) ImGui::CloseCurrentPopup();
         rows(view, state, ui, vehicle);
+        own_brains(state, ui);
         ImGui::EndPopup();
     } else if (was_open && ui.keyboard && ui.keyboard->focus.substr(0, 7) == "preset.") {
         ui.keyboard->focus = "button.presets";
