@@ -52,6 +52,7 @@ void tool(Ui& ui, ImVec2 at, std::string_view id, std::string_view sign, std::st
     look.enabled = enabled;
     const Item button_item = button(ui, id, look);
     if (button_item.pressed) ui.outbox.push_back(action);
+    if (!wants_tooltip(ui, button_item)) return;
     tooltip(ui, button_item, ui.strings("action." + std::string(name(action))), key_name(action, ui.strings));
 }
 
@@ -145,7 +146,7 @@ void timeline(const LabView& view, PanelState& state, Ui& ui, Rect strip) {
     const Item item_of_track = item(ui, "timeline.track", {track.rect.w + ui.px(12), track.rect.h});
     scrub(view, state, ui, track, item_of_track);
     draw_track(view, ui, track, strip.y + strip.h / 2, item_of_track);
-    if (!item_of_track.held)
+    if (wants_tooltip(ui, item_of_track))
         tooltip(ui, item_of_track,
                 fill(ui.strings("timeline.track"),
                      {seconds_text(ui, static_cast<double>(track.tick(ImGui::GetIO().MousePos.x)))}));

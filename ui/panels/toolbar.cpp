@@ -74,6 +74,7 @@ void press(PanelState& state, Ui& ui, const Tool& tool, int narrowness) {
         state.view_menu = !state.view_menu;
     else if (at.pressed)
         ui.outbox.push_back(tool.action);
+    if (!wants_tooltip(ui, at)) return;
     // tooltip.play_pause and so on, word for word what the action does
     const std::string key = "tooltip." + std::string(name(tool.action));
     tooltip(ui, at, ui.strings.find(key, ui.strings(tool.words)), key_name(tool.action, ui.strings));

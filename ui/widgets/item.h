@@ -33,6 +33,9 @@ Item item(Ui&, std::string_view id, ImVec2 size, bool enabled = true);
 // Records where something stands that cannot be pressed, and lets it pulse. Only the part inside the card counts.
 void mark(Ui&, std::string_view id, Rect);
 
+// Whether there is any use in putting a tooltip's words together in this frame.
+inline bool wants_tooltip(const Ui& ui, const Item& item) { return (item.hovered && !item.held) || ui.shown; }
+
 // Shows after a moment of hovering: what it is and, set apart, its shortcut.
 void tooltip(Ui&, const Item&, std::string_view words, std::string_view shortcut = {});
 
