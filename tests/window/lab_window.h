@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -70,6 +71,7 @@ public:
         }
         pid_ = fork();
         if (pid_ == 0) {
+            prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that crashes leaves no window behind that others wait for
             setenv("HOME", home.c_str(), 1);
             setenv("XDG_CONFIG_HOME", (home / "config").c_str(), 1);
             setenv("XDG_STATE_HOME", (home / "state").c_str(), 1);

@@ -113,7 +113,8 @@ TEST_F(Wiring, KeysAloneSelectCutAndHealAWire) {
         LabWindow::wait(0.1);
     }
     EXPECT_TRUE(wait_for([&] {
-        for (const auto& [anchor, rect] : lab.anchors().items())
+        const Json all = lab.anchors();
+        for (const auto& [anchor, rect] : all.items())
             if (anchor.starts_with("selected.")) return true;
         return false;
     }));
