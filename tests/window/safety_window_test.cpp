@@ -106,6 +106,7 @@ protected:
         press(slider);
         ASSERT_TRUE(wait_for([&] { return lab.state()["focus"] == "slider." + anchor; }));
         press("Return");
+        LabWindow::wait(0.6);  // the field opens with the next frame, which takes its time on a busy machine
         lab.xdotool("type --delay 40 " + value);
         press("Return");
         EXPECT_TRUE(wait_for([&] { return lab.state()["weights"][anchor] == std::stod(value); })) << anchor;
