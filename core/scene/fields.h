@@ -33,6 +33,7 @@ struct Range {
 
 namespace limits {
 inline constexpr std::size_t file_bytes = 4u << 20u;
+inline constexpr int vehicles = 20000;  // in a world at a time
 inline constexpr std::size_t kinds = 64, starts = 4096, sources = 1024, obstacles = 4096, wheels = 16;
 inline constexpr std::size_t lamps = 16, waypoints = 256, corners = 8, zones = 1024;
 inline constexpr int marks = 64;
@@ -59,7 +60,7 @@ void describe(Visitor& v, Of<Arena>) {
 
 template <class Visitor>
 void describe(Visitor& v, Of<Ecology>) {
-    v.number("population", &Ecology::population, "", {0, 20000}, "vehicles placed at random, by the kinds' shares");
+    v.number("population", &Ecology::population, "", {0, limits::vehicles}, "vehicles placed at random, by the kinds' shares");
     v.number("drain", &Ecology::drain, "1/s", {0, 1}, "energy that a vehicle loses");
     v.number("bite", &Ecology::bite, "", {0, 1}, "energy that a predator takes from prey it touches");
     v.number("inactivity", &Ecology::inactivity, "s", {0, 3600}, "without movement until a new generation; 0: never");

@@ -67,6 +67,7 @@ bool is_blocked_by_obstacles(Channel channel) {
 
 int find_kind(const Scene& scene, const std::string& name) { return find_named(scene.kinds, name); }
 int find_source(const Scene& scene, const std::string& name) { return find_named(scene.sources, name); }
+int find_obstacle(const Scene& scene, const std::string& name) { return find_named(scene.obstacles, name); }
 
 std::vector<std::string> sensor_names(const Kind& kind) {
     std::vector<std::string> names;

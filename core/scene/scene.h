@@ -45,7 +45,8 @@ enum class SensorShape { sector, triangle, omni };
 enum class SensorResponse { graded, boolean };
 // Who drives: its brain, a person (the Steer command), the way along its waypoints, chance, or nobody.
 enum class Driver { brain, manual, path, wander, parked };
-// `open`: vehicles fall over it and enter again at their start or elsewhere. `torus`: whoever leaves on one side comes back on the other.
+// `open`: vehicles fall over it and enter again at their start or elsewhere. `torus`: whoever leaves on one side comes
+// back on the other.
 enum class Edge { wall, open, torus };
 // What covers a zone of the floor; `none` is the arena's own. Constants: floor_constants().
 enum class Surface { none, ice, carpet, sand, tape };
@@ -239,9 +240,10 @@ bool is_seen_as(Channel given, Channel wanted);
 // Whether obstacles hide what is on this channel: light and whatever is looked at, but not heat, smell and the like.
 bool is_blocked_by_obstacles(Channel);
 
-// Index of the kind, start or source of this name, or −1.
+// Index of the kind, source or obstacle of this name, or −1.
 int find_kind(const Scene&, const std::string& name);
 int find_source(const Scene&, const std::string& name);
+int find_obstacle(const Scene&, const std::string& name);
 
 // The names of a kind's sensors, in its own order: what compile() asks for.
 std::vector<std::string> sensor_names(const Kind&);

@@ -28,12 +28,12 @@ Result<Session> Session::open(const Scene& scene, std::uint64_t seed) {
 
 Session Session::resume(SavedRun run) { return Session(std::move(run.opened), World::restore(run.save)); }
 
-bool Session::carry_out(const Command& command) {
-    if (world_.apply(command)) return false;
+std::optional<Error> Session::carry_out(const Command& command) {
+    if (auto error = world_.apply(command)) return error;
     recording_.forget_after(world_.tick());
     recording_.add_command(world_.tick(), command);
     world_.capture(snapshot_);
-    return true;
+    return std::nullopt;
 }
 
 // Called whenever what can be undone has changed, so that going back in time can bring back what could be undone then.
@@ -53,10 +53,7 @@ void Session::take_edits_of(std::uint64_t tick) {
 
 std::optional<Error> Session::apply(const Command& command, std::uint64_t gesture) {
     std::vector<Command> back = undoing(snapshot_, command);
-    if (auto error = world_.apply(command)) return error;
-    recording_.forget_after(world_.tick());
-    recording_.add_command(world_.tick(), command);
-    world_.capture(snapshot_);
+    if (auto error = carry_out(command)) return error;
     if (back.empty()) return std::nullopt;
 
     const Command again = repeating(snapshot_, command);
@@ -84,7 +81,7 @@ bool Session::undo() {
     UndoStep step = *edits_.done.back();
     for (Command& command : step.again) command = repeating(snapshot_, command);
     edits_.done.pop_back();
-    for (const Command& command : step.back) carry_out(command);
+    for (const Command& command : step.back) (void)carry_out(command);
     push(edits_.undone, std::move(step));
     remember_edits();
     return true;
@@ -95,21 +92,23 @@ bool Session::redo() {
     UndoStep step = *edits_.undone.back();
     step.gesture = 0;  // a drag that goes on is a new step
     edits_.undone.pop_back();
-    for (const Command& command : step.again) carry_out(command);
+    for (const Command& command : step.again) (void)carry_out(command);
     push(edits_.done, std::move(step));
     remember_edits();
     return true;
 }
 
-void Session::step() {
+// A step into what is not recorded yet, or again through what is.
+void Session::advance() {
     world_.step();
-    const std::uint64_t now = world_.tick();
-    if (now > recording_.latest()) {
-        recording_.add_step(world_);
-    } else {
-        for (const Command& command : recording_.commands_at(now)) (void)world_.apply(command);
-        take_edits_of(now);
-    }
+    if (world_.tick() > recording_.latest()) return recording_.add_step(world_);
+    for (const Command& command : recording_.commands_at(world_.tick())) (void)world_.apply(command);
+}
+
+void Session::step() {
+    const bool in_the_past = world_.tick() < latest();
+    advance();
+    if (in_the_past) take_edits_of(world_.tick());
     world_.capture(snapshot_);
 }
 
@@ -117,10 +116,7 @@ void Session::seek(std::uint64_t tick) {
     tick = std::clamp(tick, earliest(), latest());
     if (tick < world_.tick() || recording_.keyframe_before(tick) > world_.tick())
         world_ = World::restore(recording_.at(recording_.keyframe_before(tick)));
-    while (world_.tick() < tick) {
-        world_.step();
-        for (const Command& command : recording_.commands_at(world_.tick())) (void)world_.apply(command);
-    }
+    while (world_.tick() < tick) advance();
     take_edits_of(tick);
     world_.capture(snapshot_);
 }
@@ -171,7 +167,7 @@ void Session::renumber_after_reset(const Snapshot& before, Keep keep) {
         const BrainGraph& brain = *before.brains[static_cast<std::size_t>(v.brain)];
         const VehicleView* now = find_vehicle(snapshot_, number(v.id));
         if (now && now->kind == v.kind && brain != *snapshot_.kind_brains[static_cast<std::size_t>(v.kind)])
-            carry_out(SetBrain{{.vehicle = now->id}, brain});
+            (void)carry_out(SetBrain{{.vehicle = now->id}, brain});
     }
     const auto renumber = [&](Steps& steps) {
         Steps kept;

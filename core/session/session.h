@@ -72,7 +72,8 @@ public:
 
 private:
     Session(Scene opened, World);
-    bool carry_out(const Command&);
+    std::optional<Error> carry_out(const Command&);
+    void advance();
     void remember_edits();
     void take_edits_of(std::uint64_t tick);
     void renumber_after_reset(const Snapshot& before, Keep);

@@ -11,7 +11,7 @@ namespace braitenlab {
 
 namespace {
 
-constexpr std::size_t most_vehicles = 20000;
+constexpr auto most_vehicles = static_cast<std::size_t>(limits::vehicles);
 constexpr float farthest = 1e5f;  // m, of anything from the middle; also the fastest, in m/s and rad/s
 constexpr std::uint64_t last_tick = std::uint64_t{1} << 53U;
 

@@ -1,6 +1,7 @@
 // Who is added and removed by hand: in the living world, and in the scene from which the next run begins.
 #include <cmath>
 
+#include "core/scene/fields.h"
 #include "core/world/edits.h"
 #include "core/world/scene_edit.h"
 
@@ -8,15 +9,14 @@ namespace braitenlab {
 
 namespace {
 
-constexpr std::size_t most_vehicles = 20000;
 constexpr VehicleId largest_id = 1'000'000'000;
 
 std::optional<Error> refusal(const WorldState& s, const AddVehicle& c) {
     if (s.kinds.empty()) return Error{"the scene has no kind of vehicle to add; write one into its file"};
     if (c.kind >= static_cast<int>(s.kinds.size()))
         return Error{fmt::format("the scene has no kind number {}", c.kind)};
-    if (s.vehicles.size() >= most_vehicles)
-        return Error{fmt::format("{} vehicles are the most a world holds; remove some first", most_vehicles)};
+    if (s.vehicles.size() >= static_cast<std::size_t>(limits::vehicles))
+        return Error{fmt::format("{} vehicles are the most a world holds; remove some first", limits::vehicles)};
     if (c.at && !is_finite(*c.at)) return Error{"a place takes finite numbers only"};
     if (!(c.energy >= 0 && c.energy <= 1)) return Error{"energy is a number from 0 to 1"};
     if (c.id != no_vehicle && s.row_of(c.id)) return Error{fmt::format("vehicle {} is in the world already", c.id)};

@@ -6,7 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "render/gl/renderer.h"
 #include "tests/render/stage.h"
@@ -21,7 +23,7 @@ class ShaderTest : public testing::Test {
 protected:
     void SetUp() override {
         ASSERT_TRUE(stage.ready()) << stage.problem();
-        folder = fs::temp_directory_path() / "braitenlab_shader_test";
+        folder = fs::temp_directory_path() / fmt::format("braitenlab-shaders-{}", getpid());
         fs::remove_all(folder);
         fs::copy(BRAITENLAB_SOURCE "/shaders", folder);
     }

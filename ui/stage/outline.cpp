@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/fields.h"
+
 namespace braitenlab {
 
 using maths::vec2;
@@ -61,7 +63,7 @@ float width_of(const std::vector<vec2>& corners) {
 }  // namespace
 
 OutlineFault fault_of_next(const std::vector<vec2>& corners, vec2 next) {
-    if (corners.size() >= most_corners) return OutlineFault::too_many;
+    if (corners.size() >= limits::corners) return OutlineFault::too_many;
     for (const vec2 corner : corners)
         if (maths::distance(corner, next) < nearest) return OutlineFault::too_near;
     std::vector<vec2> all = corners;
@@ -73,7 +75,7 @@ OutlineFault fault_of_next(const std::vector<vec2>& corners, vec2 next) {
 
 OutlineFault fault_of(const std::vector<vec2>& corners) {
     if (corners.size() < 3) return OutlineFault::too_few;
-    if (corners.size() > most_corners) return OutlineFault::too_many;
+    if (corners.size() > limits::corners) return OutlineFault::too_many;
     if (crosses(corners)) return OutlineFault::crosses;
     if (dents(corners)) return OutlineFault::dents;
     return width_of(corners) < narrowest ? OutlineFault::too_narrow : OutlineFault::none;

@@ -8,8 +8,6 @@
 
 namespace braitenlab {
 
-inline constexpr std::size_t most_corners = 8;
-
 // Why an outline cannot become an obstacle.
 enum class OutlineFault {
     none,
