@@ -1,0 +1,51 @@
+// An exercise in the lab: its judge, its hints, and the way back to its start.
+#include "app/lab_parts.h"
+
+namespace braitenlab {
+
+void watch(Lab& lab) {
+    if (!lab.lesson) return;
+    Lesson& lesson = *lab.lesson;
+    lesson.referee.watch(lab.session.snapshot());
+    lesson.view.verdicts = lesson.referee.verdicts();
+    if (!lesson.referee.passed() || lesson.view.grade) return;
+    // Every step is done in this run: now it must hold from the other starts as well.
+    const Snapshot& now = lab.session.snapshot();
+    if (now.vehicles.empty()) return;
+    lesson.view.grade = grade(*lesson.exercise, *now.brains[static_cast<std::size_t>(now.vehicles.front().brain)]);
+}
+
+void reset(Lab& lab) {
+    lab.session.reset(lab.lesson ? Keep::brains : Keep::edits);
+    lab.past.judged.clear();
+    lab.before.clear();
+    lab.debt = 0;
+    if (lab.lesson && !(lab.lesson->view.grade && lab.lesson->view.grade->good)) lab.lesson->view.grade.reset();
+    watch(lab);
+    keep_selection(lab);
+}
+
+// The exercise as it was on opening; the brain comes back by an edit, so that it can be undone.
+void restart_exercise(Lab& lab) {
+    if (!lab.lesson) return reset(lab);
+    Lesson& lesson = *lab.lesson;
+    set_mode(lab, Mode::paused);
+    for (std::size_t k = 0; k < lesson.exercise->scene.kinds.size(); ++k)
+        if (*lab.session.snapshot().kind_brains[k] != lesson.exercise->scene.kinds[k].brain)
+            apply(lab, SetBrain{{.kind = static_cast<int>(k)}, lesson.exercise->scene.kinds[k].brain});
+    lesson.view = {.exercise = lesson.exercise.get()};
+    lesson.last_hint_at = lab.wall_seconds;
+    lesson.referee = Referee(*lesson.exercise);
+    reset(lab);
+}
+
+void show_hint(Lab& lab) {
+    if (!lab.lesson) return;
+    LessonView& view = lab.lesson->view;
+    if (!view.hint_ready || view.hints_shown >= static_cast<int>(view.exercise->hints.size())) return;
+    ++view.hints_shown;
+    view.hint_ready = false;
+    lab.lesson->last_hint_at = lab.wall_seconds;
+}
+
+}  // namespace braitenlab
