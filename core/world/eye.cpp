@@ -34,14 +34,11 @@ Eye::Eye(const Sensor& s)
       inverse_range_squared(1 / (s.range * s.range)),
       inverse_half_distance_squared(1 / (s.half_distance * s.half_distance)),
       noise(s.noise),
-      late(ticks_late(s)) {}
+      late(ticks_late(s)),
+      is_lit(is_seen_as(s.channel, Channel::light)),
+      obstacles_may_hide(is_blocked_by_obstacles(s.channel)) {}
 
 std::uint32_t ticks_late(const Sensor& s) { return static_cast<std::uint32_t>(s.latency / tick_seconds + 0.5f); }
-
-Gaze carry(const Eye& eye, vec2 place, vec2 ahead) {
-    return {place + maths::rotate(eye.mount, ahead), maths::rotate(eye.axis, ahead), maths::rotate(eye.left_arm, ahead),
-            maths::rotate(eye.right_arm, ahead)};
-}
 
 bool in_field(const Eye& eye, const Gaze& gaze, vec2 point) {
     const vec2 d = point - gaze.from;
@@ -55,20 +52,6 @@ float answer(const Eye& eye, const Gaze& gaze, vec2 point, float strength) {
     const vec2 d = point - gaze.from;
     const float squared = maths::dot(d, d);
     return graded(eye, squared, std::sqrt(squared), maths::dot(d, gaze.axis), strength);
-}
-
-Bounds bounds_of(const Eye& eye, const Gaze& gaze) {
-    // How far the field stretches in the direction whose parts of axis and arms these are: to its range if the
-    // direction lies in it, else to the end of an arm, or not at all.
-    constexpr float rounding = 1.0001f;
-    const auto stretch = [&](float axis, float left, float right) {
-        const float share = axis >= eye.cos_half_field ? 1.0f : std::max({0.0f, left, right});
-        return share * eye.range * rounding;
-    };
-    return {{gaze.from.x - stretch(-gaze.axis.x, -gaze.left_arm.x, -gaze.right_arm.x),
-             gaze.from.y - stretch(-gaze.axis.y, -gaze.left_arm.y, -gaze.right_arm.y)},
-            {gaze.from.x + stretch(gaze.axis.x, gaze.left_arm.x, gaze.right_arm.x),
-             gaze.from.y + stretch(gaze.axis.y, gaze.left_arm.y, gaze.right_arm.y)}};
 }
 
 }  // namespace braitenlab

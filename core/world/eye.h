@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/maths/angle.h"
 #include "core/maths/vec.h"
 #include "core/scene/scene.h"
 
@@ -30,8 +31,10 @@ struct Eye {
     float least_cosine;    // what off-axis counts at least: 0, or 1 for omni, which has no axis
     float range, range_squared;
     float inverse_range_squared, inverse_half_distance_squared;
-    float noise;         // standard deviation
-    std::uint32_t late;  // ticks until the brain gets a reading
+    float noise;              // standard deviation
+    std::uint32_t late;       // ticks until the brain gets a reading
+    bool is_lit;              // the arena's ambient light reaches it
+    bool obstacles_may_hide;  // what it looks for
 };
 
 // How many ticks late a sensor's readings are.
@@ -41,7 +44,10 @@ std::uint32_t ticks_late(const Sensor&);
 struct Gaze {
     maths::vec2 from, axis, left_arm, right_arm;
 };
-Gaze carry(const Eye&, maths::vec2 place, maths::vec2 ahead);
+inline Gaze carry(const Eye& eye, maths::vec2 place, maths::vec2 ahead) {
+    return {place + maths::rotate(eye.mount, ahead), maths::rotate(eye.axis, ahead), maths::rotate(eye.left_arm, ahead),
+            maths::rotate(eye.right_arm, ahead)};
+}
 
 // Whether the point lies in the eye's field: a sector (right beyond 180 degrees too), a triangle or the whole circle.
 // What lies on the rim belongs to it.
@@ -65,6 +71,18 @@ inline float graded(const Eye& eye, float squared, float distance, float along, 
 struct Bounds {
     maths::vec2 low, high;
 };
-Bounds bounds_of(const Eye&, const Gaze&);
+inline Bounds bounds_of(const Eye& eye, const Gaze& gaze) {
+    // How far the field stretches in the direction whose parts of axis and arms these are: to its range if the
+    // direction lies in it, else to the end of an arm, or not at all.
+    constexpr float rounding = 1.0001f;
+    const auto stretch = [&](float axis, float left, float right) {
+        const float share = axis >= eye.cos_half_field ? 1.0f : std::max({0.0f, left, right});
+        return share * eye.range * rounding;
+    };
+    return {{gaze.from.x - stretch(-gaze.axis.x, -gaze.left_arm.x, -gaze.right_arm.x),
+             gaze.from.y - stretch(-gaze.axis.y, -gaze.left_arm.y, -gaze.right_arm.y)},
+            {gaze.from.x + stretch(gaze.axis.x, gaze.left_arm.x, gaze.right_arm.x),
+             gaze.from.y + stretch(gaze.axis.y, gaze.left_arm.y, gaze.right_arm.y)}};
+}
 
 }  // namespace braitenlab

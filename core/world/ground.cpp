@@ -54,6 +54,7 @@ int Ground::row(float y) const { return std::clamp(static_cast<int>((y - origin_
 
 // A place outside the arena belongs to the cell at the rim that is nearest, as do zones there.
 void Ground::sort_into_cells(const Arena& arena) {
+    if (patches_.empty()) return;
     cell_ = std::max(arena.width, arena.height) / cells_a_side;
     origin_ = {-arena.width / 2, -arena.height / 2};
     columns_ = static_cast<int>(arena.width / cell_) + 1;

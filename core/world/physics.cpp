@@ -22,6 +22,12 @@ constexpr float wall_thickness = 0.5f;  // m; thick enough that nothing passes w
 b2Vec2 to_box(maths::vec2 v) { return {v.x, v.y}; }
 maths::vec2 from_box(b2Vec2 v) { return {v.x, v.y}; }
 
+// Whether the chassis, seen from above, hides a wheel: then nothing can touch it that does not touch the chassis.
+bool is_covered(const Wheel& w, const Body& body) {
+    const float x = std::abs(w.x) + w.radius, y = std::abs(w.y) + w.width / 2;
+    return x <= body.length / 2 + b2_linearSlop && y <= body.width / 2 + b2_linearSlop;
+}
+
 VehicleId vehicle_of(b2Fixture* fixture) {
     const std::uintptr_t stored = fixture->GetBody()->GetUserData().pointer;
     return stored == 0 ? no_vehicle : static_cast<VehicleId>(stored - 1);
@@ -153,6 +159,7 @@ void Physics::add(std::size_t row, VehicleId id, const Body& body, const Motion&
     fill(fixture, shape, chassis, chassis | environment);
     made->CreateFixture(&fixture);
     for (const Wheel& w : body.wheels) {
+        if (is_covered(w, body)) continue;
         shape.SetAsBox(w.radius, w.width / 2, {w.x, w.y}, 0);
         fill(fixture, shape, wheel, environment);
         made->CreateFixture(&fixture);

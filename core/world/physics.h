@@ -1,7 +1,8 @@
 // The rigid bodies: Box2D lives behind this header and nowhere else.
 //
-// One body a vehicle with five fixtures, a chassis and four wheels: the rigid limit of five bodies joined by locked
-// joints, at a fraction of their cost. Gravity is off: the plane is seen from above.
+// One body a vehicle with a fixture for the chassis and one for each wheel that sticks out of it: the rigid limit of five
+// bodies joined by locked joints, at a fraction of their cost. What the chassis covers needs no fixture, since nothing
+// can touch it alone, and each would cost as much in Box2D's tree as the chassis does. Gravity is off: the plane is seen from above.
 #pragma once
 
 #include <cstdint>

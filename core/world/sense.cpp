@@ -14,7 +14,6 @@ namespace {
 
 // Channels whose signals come from places, and add up.
 bool is_field(Channel channel) { return channel < Channel::memory && channel != Channel::obstacle; }
-bool is_light(Channel channel) { return is_seen_as(channel, Channel::light); }
 
 void gather_lamps(const WorldState& s, Channel channel, std::vector<Stimulus>& out) {
     for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
@@ -49,7 +48,7 @@ float read_field(const WorldState& s, const Eye& eye, Gaze gaze, std::size_t row
     const Field& field = s.fields[static_cast<std::size_t>(eye.channel)];
     const auto self = static_cast<std::int32_t>(row);
     gaze.from = s.seam.inside(gaze.from);
-    if (!is_blocked_by_obstacles(eye.channel) || !s.outlines.any_obstacle_near(gaze.from, eye.range))
+    if (!eye.obstacles_may_hide || !s.outlines.any_obstacle_near(gaze.from, eye.range))
         return field.total(eye, gaze, self);
     return field.total_in_sight(eye, gaze, self, [&](vec2 from, vec2 to) { return s.outlines.hide(from, to); });
 }
@@ -99,7 +98,7 @@ float read(WorldState& s, const Eye& eye, std::size_t row) {
         case Channel::energy:
             return as_response(eye, s.vehicles.energy[row]);
         default:
-            return read_field(s, eye, gaze, row) + (is_light(eye.channel) ? s.scene->arena.ambient : 0.0f);
+            return read_field(s, eye, gaze, row) + (eye.is_lit ? s.scene->arena.ambient : 0.0f);
     }
 }
 

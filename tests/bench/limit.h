@@ -90,10 +90,6 @@ private:
         b2PolygonShape box;
         box.SetAsBox(design.length / 2, design.width / 2);
         attach(*body, box, chassis, chassis | environment);
-        for (const Wheel& wheel : design.wheels) {
-            box.SetAsBox(wheel.radius, wheel.width / 2, {wheel.x, wheel.y}, 0);
-            attach(*body, box, wheels, environment);
-        }
         b2MassData mass;
         mass.mass = design.mass;
         mass.center.SetZero();

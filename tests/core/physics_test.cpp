@@ -1,7 +1,7 @@
 #include "core/world/physics.h"
 
 #include <cmath>
-#include <cstring>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -34,6 +34,31 @@ TEST(Box2D, SineAndCosineOfTheWholeProgramAreExactFarOutAndForWhatIsNoNumber) {
     EXPECT_TRUE(std::isnan(std::sin(INFINITY)));
     EXPECT_TRUE(std::isnan(std::cos(NAN)));
     EXPECT_TRUE(std::signbit(std::sin(-0.0f)));
+}
+
+// Where a vehicle comes to rest that is pushed sideways against the wall at y = 2.
+float pushed_to_the_wall(const Body& body) {
+    Scene scene;
+    scene.arena.width = scene.arena.height = 4;
+    Physics physics(scene, {});
+    physics.add(0, 0, body, at_rest({0, 0, 0}));
+    std::vector<Touch> touching, begun;
+    for (int i = 0; i < 300; ++i) {
+        physics.push(0, {0, 20}, 0);
+        physics.step(touching, begun);
+    }
+    EXPECT_FALSE(touching.empty());
+    return physics.motion(0).place.y;
+}
+
+TEST(Wheels, ThatTheChassisCoversAreStoppedByWallsWhereTheChassisIs) {
+    EXPECT_NEAR(pushed_to_the_wall(Body{}), 2 - 0.35f, 0.02f);
+}
+
+TEST(Wheels, ThatStickOutMeetWallsBeforeTheChassisDoes) {
+    Body body;
+    for (Wheel& wheel : body.wheels) wheel.y *= 2;  // ±0.6 m, with 0.05 m of width beyond
+    EXPECT_NEAR(pushed_to_the_wall(body), 2 - 0.65f, 0.02f);
 }
 
 }  // namespace
