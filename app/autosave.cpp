@@ -1,6 +1,7 @@
 #include "app/autosave.h"
 
 #include <algorithm>
+#include <chrono>
 #include <ctime>
 #include <fstream>
 #include <iterator>
@@ -53,16 +54,25 @@ fs::path lock_of(fs::path file) { return file.replace_extension(".lock"); }
 
 }  // namespace
 
-std::string write_autosave(const Lab& lab, std::string_view when) {
+Draft draft_of(const Lab& lab) {
+    Draft draft{lab.name, lab.path, lab.session.save(), std::nullopt};
+    if (lab.lesson) {
+        const LessonView& view = lab.lesson->view;
+        draft.exercise = Draft::Progress{view.prediction, view.hints_shown, view.has_run};
+    }
+    return draft;
+}
+
+std::string write_autosave(const Draft& draft, std::string_view when) {
     toml::table table{{"format", 1},
                       {"when", when},
-                      {"name", lab.name},
-                      {"path", lab.path.string()},
-                      {"run", write_run(lab.session.save())}};
-    if (lab.lesson)
-        table.insert("exercise", toml::table{{"prediction", lab.lesson->view.prediction},
-                                             {"has_run", lab.lesson->view.has_run},
-                                             {"hints_shown", lab.lesson->view.hints_shown}});
+                      {"name", draft.name},
+                      {"path", draft.path.string()},
+                      {"run", write_run(draft.run)}};
+    if (draft.exercise)
+        table.insert("exercise", toml::table{{"prediction", draft.exercise->prediction},
+                                             {"has_run", draft.exercise->has_run},
+                                             {"hints_shown", draft.exercise->hints_shown}});
     std::ostringstream out;
     out << "# Kept by the lab while it runs, for the case that it crashes.\n" << table << "\n";
     return out.str();
@@ -78,6 +88,7 @@ Result<Lab> open_autosave(std::string_view text, std::string file_name) {
     if (!lesson) {
         Lab lab = resume(std::move(*run));
         lab.path = path;
+        lab.on_disk = mark_of(path);
         lab.name = (*table)["name"].value_or(std::string());
         return lab;
     }
@@ -139,31 +150,50 @@ bool Autosave::begin() {
     return lock_.has_value();
 }
 
-std::optional<Error> Autosave::keep(const Lab& lab, double wall_seconds, bool now) {
-    if (folder_.empty()) return std::nullopt;
-    const bool turned = std::exchange(mode_, lab.mode) != lab.mode;
-    if (lab.work == lab.saved_work) {
-        if (kept_ != 0) finish();
-        return std::nullopt;
-    }
-    if (lab.work == kept_) return std::nullopt;
-    if (dirty_since_ < 0) dirty_since_ = wall_seconds;
-    if (!now && !turned && wall_seconds - dirty_since_ < period) return std::nullopt;
-    dirty_since_ = -1;
-    kept_ = lab.work;
-    std::optional<Error> error;
-    if (begin())
-        error = write_whole(file_, write_autosave(lab, now_in_words()));
-    else
-        error = Error{"nothing can be kept here for the case of a crash; check that the folder may be written to",
-                      folder_.string()};
+std::optional<Error> Autosave::settle() {
+    if (!writing_.valid()) return std::nullopt;
+    const std::optional<Error> error = writing_.get();
     if (!error) failed_ = false;
     return error && !std::exchange(failed_, true) ? error : std::nullopt;
 }
 
-void Autosave::finish() {
-    kept_ = 0;
+std::optional<Error> Autosave::keep(const Lab& lab, double wall_seconds, bool now) {
+    if (folder_.empty()) return std::nullopt;
+    due_ |= std::exchange(mode_, lab.mode) != lab.mode;
+    const bool busy = writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+    if (busy && !now) return std::nullopt;
+    const auto told = settle();
+    const Reached here{lab.work, lab.session.snapshot().tick};
+    if (here == Reached{lab.saved_work, lab.saved_tick}) {
+        finish();
+        return told;
+    }
+    if (here == kept_) return told;
+    if (dirty_since_ < 0) dirty_since_ = wall_seconds;
+    if (!now && !due_ && wall_seconds - dirty_since_ < period) return told;
     dirty_since_ = -1;
+    due_ = false;
+    kept_ = here;
+    if (begin()) {
+        writing_ = std::async(std::launch::async, [file = file_, draft = draft_of(lab), when = now_in_words()] {
+            return write_whole(file, write_autosave(draft, when));
+        });
+    } else {
+        std::promise<std::optional<Error>> refused;
+        refused.set_value(
+            Error{"nothing can be kept here for the case of a crash; check that the folder may be "
+                  "written to",
+                  folder_.string()});
+        writing_ = refused.get_future();
+    }
+    return now ? settle() : told;
+}
+
+void Autosave::finish() {
+    (void)settle();
+    kept_ = {};
+    dirty_since_ = -1;
+    due_ = false;
     if (!lock_) return;
     std::error_code none;
     fs::remove(file_, none);

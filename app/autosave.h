@@ -1,11 +1,12 @@
-// What survives a crash: the work of the last seconds, kept in a file of this program's own, and offered by the next
-// start.
+// What survives a crash: edits and run up to the last seconds, kept in a file of this program's own, and offered by the
+// next start. A run that plays is kept too: the person watched it come that far.
 //
 // Every running lab holds a lock beside its file. A file whose lock is free belongs to a lab that did not end properly.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,8 +18,20 @@
 
 namespace braitenlab {
 
-// The run as it is now, what it was opened from and how far its exercise has got, as text.
-std::string write_autosave(const Lab&, std::string_view when);
+// The run as it is now, what it was opened from and how far its exercise has got: plain values, cheap to take from the
+// lab, that another thread may write while the lab goes on.
+struct Draft {
+    std::string name;
+    std::filesystem::path path;
+    SavedRun run;
+    struct Progress {
+        int prediction = -1, hints_shown = 0;
+        bool has_run = false;
+    };
+    std::optional<Progress> exercise;
+};
+Draft draft_of(const Lab&);
+std::string write_autosave(const Draft&, std::string_view when);
 
 // A lab from such text, with an exercise from its own file. Fails, naming the line, on
 // anything else.
@@ -32,7 +45,7 @@ struct Leftover {
 
 class Autosave {
 public:
-    static constexpr double period = 20;  // s of work at most that a crash may cost
+    static constexpr double period = 19.5;  // s; with the time that writing takes, a crash costs 20 s at most
 
     // Looks for what another lab has left in the folder; the newest counts. One that cannot be read is renamed to
     // <name>.broken and complained about. An empty folder: nothing is looked for or written.
@@ -46,9 +59,13 @@ public:
     Result<Lab> recover() const;
     void forget();
 
-    // Writes when there is work that is not on the disk yet: 20 s after it began, or at once when `mode` has changed or
-    // `now` is set. What a person saved needs no keeping. An error is told once until writing works again.
+    // Writes when there are edits or ticks that are not on the disk yet: `period` after they began, or at once when the
+    // mode has changed. That happens on another thread, so that no frame waits for a disk; with `now` set, before it
+    // returns. What a person saved needs no keeping. An error is told once until writing works again.
     std::optional<Error> keep(const Lab&, double wall_seconds, bool now = false);
+
+    // Waits until what keep() began is on the disk.
+    std::optional<Error> settle();
 
     // At a proper end: there is nothing to recover.
     void finish();
@@ -59,9 +76,17 @@ private:
     std::filesystem::path folder_, file_;
     std::optional<FileLock> lock_;
     std::optional<Leftover> leftover_;
-    std::int64_t kept_ = 0;    // Lab::work as on the disk
+    // How far the lab had got when it was last kept.
+    struct Reached {
+        std::int64_t work = -1;
+        std::uint64_t tick = 0;
+        friend bool operator==(const Reached&, const Reached&) = default;
+    };
+    Reached kept_;
     double dirty_since_ = -1;  // wall seconds; negative: all is on the disk
     Mode mode_ = Mode::paused;
+    bool due_ = false;                           // as soon as the one before is on the disk
+    std::future<std::optional<Error>> writing_;  // valid until its end was heard of
     bool failed_ = false;
 };
 

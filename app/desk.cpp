@@ -1,10 +1,12 @@
 #include "app/desk.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/files.h"
 #include "app/platform.h"
 #include "core/match.h"
+#include "core/world/run_file.h"
 
 namespace braitenlab {
 
@@ -47,7 +49,7 @@ struct Desk {
         view.refused.clear();
     }
 
-    void open(const std::string& typed) const {
+    void open(const std::string& typed, bool surely = false) const {
         const fs::path path = resolved(typed, folder());
         std::error_code none;
         if (fs::is_directory(path, none)) return list(path);
@@ -57,9 +59,25 @@ struct Desk {
         }
         auto opened = open_lab(path, std::nullopt, {});
         if (!opened) return refuse(opened.error());
+        if (!surely && has_unsaved_edits(lab)) {
+            view.leaving = Leaving{lab.name, path.string()};
+            return view.refused.clear();
+        }
         replace_lab(lab, std::move(*opened));
         remember_file(remembered, path);
         done(path, {});
+    }
+
+    // What the person said when asked whether to leave edits behind.
+    void leave(Leave answer) const {
+        if (!view.leaving) return;
+        if (answer == Leave::stay) return view.leaving.reset();
+        if (answer == Leave::save) save({view.save_to, FileKind::scene});
+        if (answer != Leave::discard && has_unsaved_edits(lab)) return;  // it could not be written: asked again
+        const std::string next = std::exchange(view.leaving, std::nullopt)->next;
+        if (!next.empty()) return open(next, true);
+        lab.saved_work = lab.work;
+        lab.exit = true;
     }
 
     void save(const SaveRequest& wanted) const {
@@ -69,8 +87,13 @@ struct Desk {
         if (wanted.kind == FileKind::scene) {
             if (!lab.lesson) lab.path = path, lab.name = path.stem().string();
             remember_file(remembered, path);
-            lab.saved_work = lab.work;
+            if (!lab.lesson) {
+                lab.file = std::make_shared<const Scene>(lab.session.edited_scene());
+                lab.on_disk = mark_of(path);
+            }
         }
+        if (wanted.kind != FileKind::brain) lab.saved_work = lab.work;
+        if (wanted.kind == FileKind::run) lab.saved_tick = lab.session.snapshot().tick;
         if (!view.listing.folder.empty()) list(view.listing.folder);
         done(path, strings(wanted.kind == FileKind::brain ? "files.saved_brain" : "files.saved"));
     }
@@ -99,8 +122,46 @@ void do_files(Lab& lab, FilesView& view, Remembered& remembered, const Strings& 
     for (const Request& request : std::exchange(lab.files, {})) {
         if (const auto* open = std::get_if<OpenRequest>(&request)) desk.open(open->path);
         if (const auto* save = std::get_if<SaveRequest>(&request)) desk.save(*save);
+        if (const auto* leave = std::get_if<LeaveRequest>(&request)) desk.leave(leave->answer);
         if (const auto* browse = std::get_if<BrowseRequest>(&request)) desk.list(resolved(browse->path, desk.folder()));
     }
+}
+
+bool has_unsaved_edits(const Lab& lab) {
+    if (lab.lesson || lab.work == lab.saved_work) return false;
+    if (lab.session.edited_scene() != *lab.file) return true;
+    const Snapshot& now = lab.session.snapshot();
+    return std::any_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) {  // or one has its own
+        return *now.brains[static_cast<std::size_t>(v.brain)] != *now.kind_brains[static_cast<std::size_t>(v.kind)];
+    });
+}
+
+bool may_leave(const Lab& lab, FilesView& view) {
+    if (!has_unsaved_edits(lab)) return true;
+    view.leaving = Leaving{lab.name};
+    view.refused.clear();
+    return false;
+}
+
+void follow_file(Lab& lab, FilesView& view, const Strings& strings) {
+    if (lab.path.empty() || lab.path.extension() == run_ending) return;
+    const FileMark mark = mark_of(lab.path);
+    if (mark == lab.on_disk || mark == FileMark{}) return;
+    if (std::exchange(lab.noticed, mark) != mark) return;  // still being written, perhaps
+    lab.on_disk = mark;
+    const auto say = [&](std::string words) { lab.notice = std::move(words), lab.notice_until = lab.wall_seconds + 8; };
+    auto opened = open_lab(lab.path, lab.session.seed(), lab.settings);
+    if (!opened) return say(opened.error().text());
+    const std::string name = lab.path.filename().string();
+    if (has_unsaved_edits(lab)) return say(fill(strings("files.changed"), {name}));
+    opened->mode = lab.mode;
+    opened->time_scale = lab.time_scale;
+    opened->camera = lab.camera;
+    opened->whole_kind = lab.whole_kind;
+    opened->toggles = lab.toggles;
+    replace_lab(lab, std::move(*opened));
+    refresh(view, lab);
+    say(fill(strings("files.reloaded"), {name}));
 }
 
 void refresh(FilesView& view, const Lab& lab) {

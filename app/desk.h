@@ -18,6 +18,16 @@ void remember_file(Remembered&, const std::filesystem::path&);
 // the lab's notice, what could not be done there and in the view.
 void do_files(Lab&, FilesView&, Remembered&, const Strings&);
 
+// Whether the scene has edits that no file has. An exercise has none that count: its brains are tries.
+bool has_unsaved_edits(const Lab&);
+
+// Whether the lab can be left as it is; where it cannot, the person is asked (FilesView::leaving).
+bool may_leave(const Lab&, FilesView&);
+
+// Call now and then. Takes the open file as another program has written it since; a broken one leaves what runs alone
+// and is told, and so is one that would cost unsaved edits.
+void follow_file(Lab&, FilesView&, const Strings&);
+
 // What the panels see of the lab's own file, made anew after each of these.
 void refresh(FilesView&, const Lab&);
 

@@ -18,14 +18,22 @@ constexpr double stepping_budget = 0.012;  // s of a frame
 
 }  // namespace
 
+FileMark mark_of(const std::filesystem::path& path) {
+    std::error_code problem, other;
+    const FileMark mark{std::filesystem::last_write_time(path, problem), std::filesystem::file_size(path, other)};
+    return problem || other ? FileMark{} : mark;
+}
+
 Result<Lab> open_lab(const std::filesystem::path& path, std::optional<std::uint64_t> seed,
                      const std::vector<Setting>& settings) {
+    const FileMark mark = mark_of(path);  // before reading: what is written meanwhile is news
     if (path.extension() == run_ending) {
         auto run = load_run(path);
         if (!run) return run.error();
         Lab lab = resume(std::move(*run));
         lab.name = path.stem().string();
         lab.path = path;
+        lab.saved_tick = lab.session.snapshot().tick;
         return lab;
     }
     std::optional<Exercise> exercise;
@@ -45,7 +53,9 @@ Result<Lab> open_lab(const std::filesystem::path& path, std::optional<std::uint6
     Lab lab{.session = std::move(*session),
             .name = path.stem().string(),
             .path = path,
-            .file = std::make_shared<const Scene>(std::move(*scene))};
+            .file = std::make_shared<const Scene>(std::move(*scene)),
+            .on_disk = mark,
+            .settings = settings};
     if (exercise) {
         auto shared = std::make_shared<const Exercise>(std::move(*exercise));
         lab.lesson = Lesson{shared, Referee(*shared), {.exercise = shared.get()}};

@@ -21,6 +21,14 @@
 
 namespace braitenlab {
 
+// What tells whether a file has been written again.
+struct FileMark {
+    std::filesystem::file_time_type written{};
+    std::uintmax_t size = 0;
+    friend bool operator==(const FileMark&, const FileMark&) = default;
+};
+FileMark mark_of(const std::filesystem::path&);  // FileMark{} where there is no such file
+
 // An open exercise: its text, its judge and how far the student has got.
 struct Lesson {
     std::shared_ptr<const Exercise> exercise;  // never null
@@ -41,7 +49,9 @@ struct Lab {
     Session session;
     std::string name;                   // of the file, without folder and ending
     std::filesystem::path path;         // of the file; empty: none yet
-    std::shared_ptr<const Scene> file;  // the scene as it was read
+    std::shared_ptr<const Scene> file;  // the scene as it was read or saved
+    FileMark on_disk, noticed;          // that file when it was read or saved; and as it was when last looked at
+    std::vector<Setting> settings;      // that it was opened with
     std::optional<Lesson> lesson;
 
     Past past;
@@ -62,6 +72,7 @@ struct Lab {
     Preferences preferences;                      // as worn now
     std::optional<LectureBefore> before_lecture;  // in a lecture: what leaving it brings back
     std::int64_t work = 0, saved_work = 0;        // edits so far, and when a person saved last
+    std::uint64_t saved_tick = 0;                 // up to which the run is in its file
     std::string notice;                           // what was refused last, and why
     double notice_until = 0;                      // wall seconds
     double wall_seconds = 0;

@@ -1,5 +1,5 @@
 // What the parts of the lab ask of each other: lab.cpp opens, plays and shows it, lab_requests.cpp does what is asked,
-// lab_selection.cpp and lab_lesson.cpp keep what their names say, past.cpp goes back in time.
+// lab_selection.cpp, lab_driving.cpp and lab_lesson.cpp keep what their names say, past.cpp goes back in time.
 #pragma once
 
 #include "app/lab.h"
@@ -10,6 +10,9 @@ void set_mode(Lab&, Mode);
 
 // Carries an edit out, or says why not; true when it was done.
 bool apply(Lab&, const Command&, std::uint64_t gesture = 0);
+
+// ── Driving ──
+void drive(Lab&);  // a person takes the selected vehicle's wheel, or gives it back to who had it
 
 // ── Selection ──
 const VehicleView* selected_vehicle(const Lab&);  // null when there is none

@@ -9,7 +9,6 @@
 #include "core/match.h"
 #include "render/view/intensity.h"
 #include "ui/stage/edits.h"
-#include "ui/steering.h"
 
 namespace braitenlab {
 
@@ -55,15 +54,6 @@ void look_through(Lab& lab, CameraMode mode) {
     lab.camera.mode = lab.camera.mode == mode ? CameraMode::overview : mode;
     if (!rides(lab.camera.mode)) return;
     lab.camera.zoom = 1;  // how near the overview was says nothing about how near to ride
-}
-
-// A person takes the wheel, or gives it back to who had it.
-void drive(Lab& lab) {
-    const VehicleView* vehicle = selected_vehicle(lab);
-    if (!vehicle) return;
-    const Driver kinds = lab.session.snapshot().scene->kinds[static_cast<std::size_t>(vehicle->kind)].driver;
-    const Driver others = kinds == Driver::manual ? Driver::brain : kinds;
-    apply(lab, ChooseDriver{vehicle->id, vehicle->driver == Driver::manual ? others : Driver::manual});
 }
 
 // To the next free name in the current folder.
@@ -277,6 +267,7 @@ void handle(Lab& lab, const Request& request) {
               [&](const BrowseRequest& r) { lab.files.push_back(r); },
               [&](const SaveRequest& r) { lab.files.push_back(r); },
               [&](const RecoverRequest& r) { lab.files.push_back(r); },
+              [&](const LeaveRequest& r) { lab.files.push_back(r); },
               [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },
               [&](const OverlaysRequest& r) { lab.overlays = r.overlays; },
               [&](const PredictRequest& r) {
@@ -285,23 +276,6 @@ void handle(Lab& lab, const Request& request) {
               [&](const ExportRequest& r) { write_numbers(lab, r); },
               [&](const SpeedRequest& r) { lab.time_scale = std::clamp(r.time_scale, speeds.front(), speeds.back()); }},
         request);
-}
-
-bool steer_by_keys(Lab& lab, float right, float ahead) {
-    const VehicleView* vehicle = selected_vehicle(lab);
-    const bool drives = vehicle && vehicle->driver == Driver::manual;
-    // Whoever was steered and is left to itself lets go of the wheel.
-    if (lab.steered.vehicle != no_vehicle && (!drives || vehicle->id != lab.steered.vehicle)) {
-        (void)lab.session.apply(steer(lab.steered.vehicle, 0, 0));
-        lab.steered = {};
-    }
-    if (!drives) return false;
-    const Steer wanted = steer(vehicle->id, right, ahead);
-    const bool idle = right == 0 && ahead == 0;
-    if (idle && lab.steered.vehicle == no_vehicle) return true;  // the stick may hold it
-    if (wanted != lab.steered) (void)lab.session.apply(wanted);
-    lab.steered = idle ? Steer{} : wanted;
-    return true;
 }
 
 }  // namespace braitenlab

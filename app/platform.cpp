@@ -1,5 +1,6 @@
 #include "app/platform.h"
 
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <string_view>
@@ -67,6 +68,26 @@ std::filesystem::path pictures_folder() {
         if (value.starts_with("/")) return value;
     }
     return home.empty() ? home : home / "Pictures";
+}
+
+namespace {
+
+volatile std::sig_atomic_t told_to_end = 0;  // all that a signal's handler may touch
+
+void note_the_end(int signal) {
+    told_to_end = 1;
+    std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+bool is_told_to_end() {
+    static const bool listens = [] {
+        for (const int signal : {SIGTERM, SIGINT, SIGHUP})
+            if (std::signal(signal, note_the_end) == SIG_IGN) std::signal(signal, SIG_IGN);  // nohup stays
+        return true;
+    }();
+    return listens && told_to_end;
 }
 
 long process_number() { return getpid(); }

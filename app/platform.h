@@ -45,6 +45,10 @@ std::optional<FileLock> lock_file(const std::filesystem::path&);
 // Where a person keeps pictures: as their desktop says, else a folder Pictures at home. Empty when there is no home.
 std::filesystem::path pictures_folder();
 
+// From the first call on, the system's wish that the program end (logging out, Ctrl+C in its terminal) is noted instead
+// of obeyed at once; a second one ends it.
+bool is_told_to_end();
+
 // Different for any two programs that run at the same time.
 long process_number();
 

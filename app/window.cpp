@@ -176,6 +176,7 @@ Result<Window> Window::open(const WindowOptions& options) {
 }
 
 bool Window::close_requested() const { return glfwWindowShouldClose(native_->window); }
+void Window::refuse_close() { glfwSetWindowShouldClose(native_->window, GLFW_FALSE); }
 
 Rect Window::area() const {
     int width = 0, height = 0;

@@ -33,7 +33,9 @@ public:
     Window& operator=(Window&&) noexcept;
     ~Window();
 
+    // Somebody wants it closed; refuse_close() forgets that.
     bool close_requested() const;
+    void refuse_close();
 
     // Window pixels; a display of high density may have more framebuffer pixels behind each.
     Rect area() const;

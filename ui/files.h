@@ -1,6 +1,7 @@
 // Files as the window's browser shows them; app/files.h looks at the disk.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,12 @@ struct RecoveryOffer {
     std::string when;  // it was kept, as "2026-03-01 10:42:05"
 };
 
+// Edits that are in no file yet are about to be left: the person is asked first.
+struct Leaving {
+    std::string name;    // of what they were made to
+    std::string next{};  // the file to be opened instead; empty: the lab is to be left
+};
+
 // What the panels see of files.
 struct FilesView {
     FolderListing listing;
@@ -35,6 +42,7 @@ struct FilesView {
     std::string save_to;    // where Ctrl+S writes the scene without asking; empty: it has to ask
     int done = 0;           // files opened and saved since the start: a sheet that asked for one may close
     std::string refused;    // why the last one was neither; empty when it was
+    std::optional<Leaving> leaving;
 };
 
 }  // namespace braitenlab

@@ -9,25 +9,19 @@ namespace braitenlab {
 
 namespace {
 
+// Simulated seconds: first the behaviour, then the hand on it, and not for ever.
+constexpr double watched = 3, enough = 8;
+constexpr double suggestion = 12;             // wall seconds that the later ones stay
+constexpr double run_worth_a_look_back = 15;  // simulated seconds
+
+constexpr float sees_nothing = 0.02f, stands_still = 0.03f;  // of a sensor, 0..1; m/s
+constexpr double lost_after = 3, stuck_after = 6;            // simulated seconds; love rests for five
+
 bool all_done(const LessonView& lesson) {
     return std::all_of(lesson.verdicts.begin(), lesson.verdicts.end(), [](const Verdict& v) { return v.done; });
 }
 
-std::string_view lesson_prompt(const LabView& view) {
-    const LessonView& lesson = *view.lesson;
-    if (!lesson.has_run && lesson.prediction < 0 && !lesson.exercise->prediction.options.empty())
-        return "exercise.predict";
-    if (!lesson.has_run) return view.mode == Mode::paused ? "button.play" : "";
-    if (all_done(lesson)) return {};
-    const int newest = std::min(lesson.hints_shown, static_cast<int>(lesson.exercise->hints.size())) - 1;
-    return newest >= 0 ? std::string_view(lesson.exercise->hints[static_cast<std::size_t>(newest)].anchor)
-                       : std::string_view{};
-}
-
-// Simulated seconds: first the behaviour, then the hand on it, and not for ever.
-constexpr double watched = 3, enough = 8;
-
-bool has_been_edited(const LabView& view) { return view.undo_depth > 0 || view.redo_depth > 0; }
+int edits(const LabView& view) { return view.undo_depth + view.redo_depth; }
 
 // Of the selected vehicle's weights the first that does something now; else the first.
 std::string_view telling_slider(const LabView& view) {
@@ -40,26 +34,125 @@ std::string_view telling_slider(const LabView& view) {
     return dials.RR != 0 ? "slider.RR" : "slider.LL";
 }
 
-bool follows_a_hint(const LabView& view) { return view.lesson && view.lesson->hints_shown > 0; }
+// ── The vehicle that gets nowhere ──
+
+bool is_blind(const Snapshot& now, const VehicleView& vehicle) {
+    const auto begin = now.sensed.begin() + vehicle.first_sensed;
+    const auto count =
+        static_cast<std::ptrdiff_t>(now.scene->kinds[static_cast<std::size_t>(vehicle.kind)].sensors.size());
+    return count > 0 && std::all_of(begin, begin + count, [](float value) { return value < sees_nothing; });
+}
+
+void keep_time(double& since, bool holds, double now) {
+    if (!holds || now < since) since = -1;
+    if (holds && since < 0) since = now;
+}
+
+bool lasts(double since, double for_seconds, double now) { return since >= 0 && now - since >= for_seconds; }
+
+// One vehicle alone that sees nothing any more, or stands still: only a reset leads out. In a crowd both are common.
+void watch_vehicle(PromptMemory& memory, const LabView& view) {
+    const Snapshot& now = *view.now;
+    const VehicleView* vehicle = now.vehicles.size() == 1 ? &now.vehicles.front() : nullptr;
+    const bool counts = vehicle && vehicle->driver == Driver::brain && now.tick > 0;
+    keep_time(memory.blind_since, counts && is_blind(now, *vehicle), now.seconds);
+    keep_time(memory.still_since, counts && std::fabs(vehicle->speed) < stands_still, now.seconds);
+}
+
+Prompt way_out(const PromptMemory& memory, const LabView& view) {
+    if (lasts(memory.still_since, stuck_after, view.now->seconds)) return {"button.reset", "hint.stuck"};
+    if (lasts(memory.blind_since, lost_after, view.now->seconds)) return {"button.reset", "hint.lost"};
+    return {};
+}
+
+// ── The exercise ──
+
+bool awaits_prediction(const LessonView& lesson) {
+    return !lesson.has_run && lesson.prediction < 0 && !lesson.exercise->prediction.options.empty();
+}
+
+// What the newest hint points to, until a hand has followed it.
+std::string_view hinted(PromptMemory& memory, const LabView& view) {
+    const LessonView& lesson = *view.lesson;
+    if (memory.hint != lesson.hints_shown) memory.hint = lesson.hints_shown, memory.edits_before_hint = edits(view);
+    const int newest = std::min(lesson.hints_shown, static_cast<int>(lesson.exercise->hints.size())) - 1;
+    if (newest < 0 || edits(view) != memory.edits_before_hint) return {};
+    return lesson.exercise->hints[static_cast<std::size_t>(newest)].anchor;
+}
+
+bool may_ask_for_a_hint(const LabView& view) {
+    const LessonView& lesson = *view.lesson;
+    const bool left = lesson.hints_shown < static_cast<int>(lesson.exercise->hints.size());
+    return left && lesson.hint_ready && view.now->seconds >= 0.5 * static_cast<double>(lesson.exercise->seconds);
+}
+
+Prompt of_lesson(PromptMemory& memory, const LabView& view) {
+    const LessonView& lesson = *view.lesson;
+    const bool at_start = view.now->tick == 0 && view.mode == Mode::paused;
+    if (awaits_prediction(lesson)) return {"exercise.predict", "hint.predict"};
+    if (!lesson.has_run) return at_start ? Prompt{"button.play", "hint.press_play"} : Prompt{};
+    if (lesson.grade && lesson.grade->good) return {"exercise.next", "hint.passed"};
+    if (all_done(lesson)) return {{}, "hint.other_starts"};
+    if (const auto anchor = hinted(memory, view); !anchor.empty()) return {anchor, "hint.follow_hint"};
+    if (at_start) return {"button.play", "hint.press_play"};
+    if (const Prompt out = way_out(memory, view); !out.anchor.empty()) return out;
+    if (may_ask_for_a_hint(view)) return {"exercise.hint", "hint.ask"};
+    return {};
+}
+
+// ── Free play ──
+
+// Whether the suggestion is to stand now; it is over once it was followed or has stood for long enough.
+bool stands(Suggested& suggested, bool followed, double wall_seconds) {
+    if (suggested.known || followed) return suggested.known = true, false;
+    if (suggested.since < 0) suggested.since = wall_seconds;
+    suggested.known = wall_seconds - suggested.since > suggestion;
+    return !suggested.known;
+}
+
+bool lamp_was_moved(const LabView& view) {
+    const auto& now = view.now->scene->sources;
+    return !view.file || now.empty() || view.file->sources != now;
+}
+
+Prompt of_wiring(PromptMemory& memory, const LabView& view) {
+    if (memory.edits_before_wiring < 0) memory.edits_before_wiring = edits(view);
+    memory.wiring.known = true;
+    if (edits(view) != memory.edits_before_wiring) return {};
+    return {"pin.SL.out", "hint.first_wire"};
+}
+
+Prompt of_free_play(PromptMemory& memory, const LabView& view) {
+    const Snapshot& now = *view.now;
+    if (!memory.played) return {"button.play", "hint.press_play"};
+    if (!memory.slider_known)
+        return now.seconds < watched ? Prompt{} : Prompt{telling_slider(view), "hint.turn_slider"};
+    if (view.lesson) return {};  // what an exercise is about comes from its hints
+    if (stands(memory.lamp, lamp_was_moved(view), view.wall_seconds)) return {lamp_anchor, "hint.drag_lamp"};
+    if (stands(memory.wiring, false, view.wall_seconds)) return {"button.wiring", "hint.open_wiring"};
+    if (now.seconds < run_worth_a_look_back) return {};
+    if (stands(memory.timeline, false, view.wall_seconds)) return {"timeline.track", "hint.look_back"};
+    return {};
+}
 
 }  // namespace
 
-std::string_view next_prompt(const LabView& view) {
-    if (view.lesson) {
-        if (const auto prompt = lesson_prompt(view); !prompt.empty()) return prompt;
-        if (!view.lesson->has_run || all_done(*view.lesson) || view.lesson->hints_shown > 0) return {};
-    }
-    if (view.mode == Mode::wiring || has_been_edited(view)) return {};
-    if (view.now->tick == 0 && view.mode == Mode::paused) return "button.play";
-    const double seconds = view.now->seconds;
-    return seconds < watched || seconds > enough ? std::string_view{} : telling_slider(view);
-}
-
-std::string_view still_wanted(PromptMemory& memory, const LabView& view, std::string_view prompt) {
+Prompt next_prompt(PromptMemory& memory, const LabView& view) {
     if (memory.opened != view.opened) memory = {view.opened};
-    memory.slider_known |= has_been_edited(view) || view.now->seconds > enough;
-    const bool is_slider = prompt.substr(0, 7) == "slider.";
-    return memory.slider_known && is_slider && !follows_a_hint(view) ? std::string_view{} : prompt;
+    memory.slider_known |= edits(view) > 0 || view.now->seconds > enough;
+    memory.timeline.known |= view.now->tick < view.timeline.latest;
+    memory.played |= view.now->tick > 0 || view.mode == Mode::playing;
+    watch_vehicle(memory, view);
+    if (view.mode == Mode::wiring) return of_wiring(memory, view);
+    memory.edits_before_wiring = -1;
+    if (view.now->tick < view.timeline.latest && view.mode == Mode::paused) return {{}, "hint.in_the_past"};
+    if (view.lesson)
+        if (const Prompt prompt = of_lesson(memory, view); !prompt.anchor.empty() || !prompt.hint.empty())
+            return prompt;
+    if (view.lesson && (!view.lesson->has_run || view.lesson->hints_shown > 0)) return {};
+    if (!view.lesson)
+        if (const Prompt out = way_out(memory, view); !out.anchor.empty()) return out;
+    return of_free_play(memory, view);
 }
 
 float pulse(const LabView& view) {

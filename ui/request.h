@@ -143,6 +143,10 @@ struct SaveRequest {
     std::string path;  // as typed; its ending may be missing
     FileKind kind = FileKind::scene;
 };
+enum class Leave { save, discard, stay, saved };  // saved: under a name of its own, in between
+struct LeaveRequest {                             // the answer to FilesView::leaving
+    Leave answer = Leave::stay;
+};
 struct RecoverRequest {
     bool take = true;  // what was left behind; or throw it away
 };
@@ -163,7 +167,7 @@ inline constexpr std::uint64_t viewport = std::uint64_t{1} << 48;
 
 using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, ScopeRequest, PredictRequest,
                              ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest,
-                             BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest>;
+                             BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

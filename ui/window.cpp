@@ -175,15 +175,18 @@ bool panels_own(const LabView& view, PanelState& state, Action action, KeyPress 
 void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
     ui.keyboard = &state.keyboard;
     ui.still = view.reduce_motion;
-    ui.highlight = still_wanted(state.prompts, view, ui.highlight);
+    const Prompt prompt = next_prompt(state.prompts, view);
+    ui.highlight = prompt.anchor;
     begin_keyboard(state.keyboard);
     // A click into the scene takes the keyboard away from the cards.
     if (ImGui::IsMouseClicked(0) && !ImGui::GetIO().WantCaptureMouse) state.keyboard.focus.clear();
+    if (ImGui::IsMouseClicked(0)) state.keyboard.shown = false;
 
     remember(state.history, view);
     follow_lecture(view, state);
     ui.anchors.record("viewport", layout.scene);
     stage(view, state.stage, ui, layout.scene);
+    point_to_lamp(view, ui);
     if (view.mode == Mode::wiring) draw_canvas(view, state, ui, layout);
     left_column(view, state, ui, layout.left);
     right_column(view, state, ui, layout);
@@ -194,7 +197,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
         lecture_bar(view, ui, layout.toolbar);
     } else {
         timeline(view, state, ui, layout.timeline);
-        hint_bar(view, ui, layout.hint_bar);
+        hint_bar(view, ui, layout.hint_bar, prompt.hint);
         toolbar(view, state, ui, layout.toolbar);
     }
     stage_menu(view, state, ui, layout.window);
@@ -203,10 +206,12 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     keys_card(view, state, ui, layout.window);
     files_sheet(view, state, ui, layout.window);
     settings_card(view, state, ui, layout.window);
+    leaving_sheet(view, state, ui, layout.window);
     end_keyboard(state.keyboard);
 }
 
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
+    show_focus_for(state.keyboard, press);
     if (for_typing(state.sliders, press)) return true;
     if (view.lecture && state.sheet == Sheet::none && press.key != key::f9)
         state.pressed.push_back({press, view.wall_seconds});

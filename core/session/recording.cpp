@@ -15,15 +15,20 @@ Recording::Recording(const Save& begin)
 
 void Recording::add_step(const World& world) {
     latest_ = world.tick();
-    if (latest_ < keyframes_.back().tick + keyframe_ticks) return;
-    const Save save = world.save();
-    if (save.keyframe_tick == keyframes_.back().tick) return;
-    keyframes_.push_back({save.keyframe_tick, save.keyframe});
+    if (world.keyframe_tick() == keyframes_.back().tick) return;
+    keyframes_.push_back({world.keyframe_tick(), world.keyframe()});
     while (keyframes_.size() > 1 && keyframes_[1].tick + recorded_ticks <= latest_) keyframes_.pop_front();
     commands_.erase(commands_.begin(), std::lower_bound(commands_.begin(), commands_.end(), earliest(), by_tick));
 }
 
-void Recording::add_command(std::uint64_t tick, const Command& command) { commands_.push_back({tick, command}); }
+// A keyframe in the middle of commands takes the place of those before it, and of a keyframe that they followed.
+void Recording::add_command(const World& world, const Command& command) {
+    const std::uint64_t tick = world.tick();
+    if (!world.is_at_keyframe()) return commands_.push_back({tick, command});
+    commands_.erase(std::lower_bound(commands_.begin(), commands_.end(), tick, by_tick), commands_.end());
+    if (keyframes_.back().tick == tick) keyframes_.pop_back();
+    keyframes_.push_back({tick, world.keyframe(), true});
+}
 
 void Recording::forget_after(std::uint64_t tick) {
     while (keyframes_.back().tick > tick) keyframes_.pop_back();
@@ -50,6 +55,12 @@ std::vector<Command> Recording::commands_at(std::uint64_t tick) const {
          c != commands_.end() && c->tick == tick; ++c)
         commands.push_back(c->command);
     return commands;
+}
+
+std::optional<Save> Recording::made_by_commands(std::uint64_t tick) const {
+    const Keyframe& keyframe = last_keyframe(tick);
+    if (keyframe.tick != tick || !keyframe.made_by_commands) return std::nullopt;
+    return Save{keyframe.moment, tick, {}, tick};
 }
 
 std::uint64_t Recording::keyframe_before(std::uint64_t tick) const { return last_keyframe(tick).tick; }

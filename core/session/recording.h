@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/world/world.h"
@@ -22,7 +23,7 @@ public:
 
     // Called when the world has taken a step, or a command, at a moment that is not recorded yet.
     void add_step(const World&);
-    void add_command(std::uint64_t tick, const Command&);
+    void add_command(const World&, const Command&);
 
     // Forgets everything after this moment: from here the run takes another way.
     void forget_after(std::uint64_t tick);
@@ -30,8 +31,10 @@ public:
     // The moment at `tick`, earliest() .. latest(), after the commands that were given then.
     Save at(std::uint64_t tick) const;
 
-    // The commands that were given between the step to `tick` and the next.
+    // The commands that were given between the step to `tick` and the next. Where there were so many that they made a
+    // keyframe, those since: whoever steps there goes on from that keyframe, which this gives; else nothing.
     std::vector<Command> commands_at(std::uint64_t tick) const;
+    std::optional<Save> made_by_commands(std::uint64_t tick) const;
 
     // The latest moment not after `tick` to which restoring costs no steps.
     std::uint64_t keyframe_before(std::uint64_t tick) const;
@@ -40,6 +43,7 @@ private:
     struct Keyframe {
         std::uint64_t tick = 0;
         std::shared_ptr<const Moment> moment;
+        bool made_by_commands = false;
     };
     const Keyframe& last_keyframe(std::uint64_t tick) const;
 

@@ -31,7 +31,7 @@ Session Session::resume(SavedRun run) { return Session(std::move(run.opened), Wo
 std::optional<Error> Session::carry_out(const Command& command) {
     if (auto error = world_.apply(command)) return error;
     recording_.forget_after(world_.tick());
-    recording_.add_command(world_.tick(), command);
+    recording_.add_command(world_, command);
     world_.capture(snapshot_);
     return std::nullopt;
 }
@@ -102,6 +102,7 @@ bool Session::redo() {
 void Session::advance() {
     world_.step();
     if (world_.tick() > recording_.latest()) return recording_.add_step(world_);
+    if (const auto made = recording_.made_by_commands(world_.tick())) world_ = World::restore(*made);
     for (const Command& command : recording_.commands_at(world_.tick())) (void)world_.apply(command);
 }
 

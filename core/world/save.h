@@ -16,6 +16,10 @@ struct Moment;  // core/world/moment.h: inside core/world only
 
 inline constexpr std::uint64_t keyframe_ticks = 300;
 
+// So many commands since a keyframe make another one, in between two ticks: somebody who drags things about while the
+// run is paused gives one with every frame. While it plays, one hand never comes that far.
+inline constexpr std::size_t keyframe_commands = 512;
+
 // A command, and the tick before which it was carried out.
 struct LoggedCommand {
     std::uint64_t tick = 0;
@@ -25,7 +29,7 @@ struct LoggedCommand {
 struct Save {
     std::shared_ptr<const Moment> keyframe;
     std::uint64_t keyframe_tick = 0;
-    std::vector<LoggedCommand> commands;  // since the keyframe, in order
+    std::vector<LoggedCommand> commands;  // since the keyframe, in order; fewer than keyframe_commands from a world
     std::uint64_t tick = 0;               // the saved moment; at most keyframe_ticks after the keyframe
 };
 

@@ -113,6 +113,7 @@ std::optional<Error> World::apply(const Command& command) {
     if (auto error = carry_out(*state_, command)) return error;
     state_->eyes_are_stale = true;
     since_.commands.push_back({state_->tick, command});
+    if (since_.commands.size() >= keyframe_commands) begin_keyframe();
     return std::nullopt;
 }
 

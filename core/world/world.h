@@ -41,6 +41,11 @@ public:
     Save save() const;
     static World restore(const Save&);
 
+    // The last keyframe, its tick, and whether nothing was done since.
+    const std::shared_ptr<const Moment>& keyframe() const { return since_.keyframe; }
+    std::uint64_t keyframe_tick() const { return since_.keyframe_tick; }
+    bool is_at_keyframe() const { return since_.commands.empty() && tick() == since_.keyframe_tick; }
+
     // A digest of everything that decides the future of the run.
     std::uint64_t hash() const;
 

@@ -60,7 +60,6 @@ public:
               .fonts = loaded_.fonts,
               .anchors = anchors_,
               .outbox = outbox_,
-              .highlight = next_prompt(view),
               .pulse = pulse(view)};
         draw_window(view, state_, ui, lay_out(width, height, 1, view));
         ImGui::Render();

@@ -55,6 +55,22 @@ TEST(Save, HoldsTheCommandsSinceTheKeyframe) {
     EXPECT_EQ(restored.hash(), world.hash());
 }
 
+TEST(Save, StaysSmallHoweverLongSomebodyDragsWhileTimeStandsStill) {
+    World world = std::move(*World::create(tests::crowd(12), 5));
+    steps(world, 130);
+    for (int i = 0; i < 5000; ++i) {
+        const float along = static_cast<float>(i % 97) * 0.05f;
+        ASSERT_FALSE(world.apply(MoveVehicle{5, along - 2, 1 - along, along}));
+    }
+    ASSERT_FALSE(world.apply(TurnDial{{.kind = 0}, Dial::LL, 1.5f}));
+    EXPECT_LT(world.save().commands.size(), keyframe_commands);
+    World restored = World::restore(world.save());
+    EXPECT_EQ(restored.hash(), world.hash());
+    steps(restored, 500);
+    steps(world, 500);
+    EXPECT_EQ(restored.hash(), world.hash());
+}
+
 TEST(Save, CountsNoContactTwiceWhenTheWorldIsMadeAnew) {
     World world = std::move(*World::create(tests::crowd(40), 2));
     Snapshot before, after;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/data.h"
-#include "tests/lab/folder.h"
+#include "tests/folder.h"
 
 namespace braitenlab::tests {
 namespace {
@@ -48,6 +48,7 @@ TEST_F(Autosaving, WaitsTwentySecondsOfWorkAndNoLonger) {
     EXPECT_TRUE(files_in(folder.path).empty());
     edit(lab, 1.5f);
     autosave.keep(lab, 80);
+    EXPECT_FALSE(autosave.settle());
     ASSERT_EQ(files_in(folder.path).size(), 1u);
     const auto kept = open_autosave(text_of(files_in(folder.path)[0]), "a");
     ASSERT_TRUE(kept) << kept.error().text();
@@ -61,7 +62,47 @@ TEST_F(Autosaving, WritesAtOnceWhenTheModeChanges) {
     EXPECT_TRUE(files_in(folder.path).empty());
     handle(lab, Action::play_pause);
     autosave.keep(lab, 0.1);
+    EXPECT_FALSE(autosave.settle());
     EXPECT_EQ(files_in(folder.path).size(), 1u);
+}
+
+TEST_F(Autosaving, KeepsARunThatPlaysEveryTwentySeconds) {
+    lab = open("predator-prey");
+    Autosave autosave(folder.path, complaints);
+    handle(lab, Action::play_pause);
+    std::uint64_t on_disk = 0;
+    for (int second = 0; second <= 65; ++second) {
+        for (int i = 0; i < 6; ++i) tick(lab);
+        autosave.keep(lab, second);
+        EXPECT_FALSE(autosave.settle());
+        ASSERT_EQ(files_in(folder.path).size(), 1u) << "from the moment it was begun";
+        if (second % 13 != 0) continue;
+        const auto kept = open_autosave(text_of(files_in(folder.path)[0]), "a");
+        ASSERT_TRUE(kept) << kept.error().text();
+        on_disk = kept->session.snapshot().tick;
+        EXPECT_LE(lab.session.snapshot().tick, on_disk + 20 * 6) << "at second " << second;
+    }
+    EXPECT_GT(on_disk, 200u);
+}
+
+TEST_F(Autosaving, GoesOnWithAPlayedRunExactly) {
+    lab = open("predator-prey");
+    for (int i = 0; i < 500; ++i) tick(lab);
+    EXPECT_FALSE(Autosave(folder.path, complaints).keep(lab, 0, true));
+    auto kept = Autosave(folder.path, complaints).recover();
+    ASSERT_TRUE(kept) << kept.error().text();
+    for (int i = 0; i < 400; ++i) tick(lab), tick(*kept);
+    EXPECT_EQ(kept->session.hash(), lab.session.hash());
+}
+
+TEST_F(Autosaving, KeepsNothingOfARunThatIsBackAtItsStart) {
+    Autosave autosave(folder.path, complaints);
+    tick(lab);
+    autosave.keep(lab, 0, true);
+    EXPECT_EQ(files_in(folder.path).size(), 1u);
+    handle(lab, Action::reset);
+    autosave.keep(lab, 1);
+    EXPECT_TRUE(files_in(folder.path).empty());
 }
 
 TEST_F(Autosaving, LeavesNothingBehindAtAProperEndOrAfterSaving) {

@@ -5,7 +5,7 @@
 
 #include "app/data.h"
 #include "app/files.h"
-#include "tests/lab/folder.h"
+#include "tests/folder.h"
 
 namespace braitenlab::tests {
 namespace {
@@ -129,6 +129,135 @@ TEST_F(OnTheDesk, GoesToAFolderThatIsTyped) {
     EXPECT_EQ(files.done, 0);
     ask(OpenRequest{".."});
     EXPECT_EQ(files.listing.folder, folder.path.string());
+}
+
+TEST_F(OnTheDesk, AsksBeforeUnsavedEditsAreLeftAndStaysWhenToldTo) {
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    const auto before = lab.session.hash();
+    const std::string love = (*find_shipped("3a-love")).string();
+    ask(OpenRequest{love});
+    EXPECT_EQ(lab.session.hash(), before);
+    ASSERT_TRUE(files.leaving);
+    EXPECT_EQ(files.leaving->name, "2a-coward");
+    EXPECT_EQ(files.leaving->next, love);
+    ask(LeaveRequest{Leave::stay});
+    EXPECT_FALSE(files.leaving);
+    EXPECT_EQ(lab.session.hash(), before);
+    ask(OpenRequest{love});
+    ask(LeaveRequest{Leave::discard});
+    EXPECT_FALSE(files.leaving);
+    EXPECT_EQ(lab.name, "3a-love");
+}
+
+TEST_F(OnTheDesk, SavesWhereTheSceneCameFromBeforeItLeaves) {
+    ask(SaveRequest{"mine", FileKind::scene});
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    ask(LeaveRequest{Leave::save});
+    EXPECT_EQ(lab.name, "3a-love");
+    ask(OpenRequest{"mine.toml"});
+    EXPECT_EQ(dials().LR, 1.25f);
+}
+
+TEST_F(OnTheDesk, GoesOnOnceWhatWasUnsavedHasGotANameOfItsOwn) {
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    ask(SaveRequest{"only the brain", FileKind::brain});
+    ask(LeaveRequest{Leave::saved});
+    EXPECT_TRUE(files.leaving) << "a brain is not the scene: asked again";
+    EXPECT_EQ(lab.name, "2a-coward");
+    ask(SaveRequest{"all of it", FileKind::scene});
+    ask(LeaveRequest{Leave::saved});
+    EXPECT_EQ(lab.name, "3a-love");
+}
+
+TEST_F(OnTheDesk, LeavesOnlyWhenNothingIsUnsavedOrThePersonSaysSo) {
+    EXPECT_TRUE(may_leave(lab, files)) << "nothing was done";
+    for (int i = 0; i < 100; ++i) tick(lab);
+    EXPECT_TRUE(may_leave(lab, files)) << "a run is no edit";
+    handle(lab, EditRequest{TurnDial{{.vehicle = 0}, Dial::LR, 1.25f}});
+    EXPECT_FALSE(may_leave(lab, files)) << "a brain of one vehicle alone counts too";
+    ASSERT_TRUE(files.leaving);
+    EXPECT_EQ(files.leaving->next, "");
+    ask(LeaveRequest{Leave::stay});
+    EXPECT_FALSE(lab.exit);
+    handle(lab, Action::undo);
+    EXPECT_TRUE(may_leave(lab, files)) << "what was undone is no edit any more";
+    handle(lab, Action::redo);
+    EXPECT_FALSE(may_leave(lab, files));
+    ask(LeaveRequest{Leave::discard});
+    EXPECT_TRUE(lab.exit);
+    EXPECT_TRUE(may_leave(lab, files));
+}
+
+TEST_F(OnTheDesk, StaysWhereTheEditsCannotBeWritten) {
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    EXPECT_FALSE(may_leave(lab, files));
+    files.save_to = "/proc/nowhere/mine.toml";
+    ask(LeaveRequest{Leave::save});
+    EXPECT_TRUE(files.leaving);
+    EXPECT_FALSE(lab.exit);
+    EXPECT_NE(files.refused, "");
+}
+
+TEST_F(OnTheDesk, NeverAsksAboutAnExercisesBrain) {
+    lab = open("05-aggressor");
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    EXPECT_TRUE(may_leave(lab, files));
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    EXPECT_EQ(lab.name, "3a-love");
+}
+
+struct Followed : OnTheDesk {
+    const fs::path file = folder / "mine.toml";
+    Followed() {
+        ask(SaveRequest{"mine", FileKind::scene});
+        ask(OpenRequest{"mine.toml"});
+    }
+    // As another program does it; two looks, since the first may find it half written.
+    void write(const std::string& text) {
+        put_text(file, text);
+        fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(++written_));
+        look(), look();
+    }
+    void look() { follow_file(lab, files, words); }
+    static std::string with(std::string text, const std::string& old, const std::string& fresh) {
+        const auto at = text.find(old);
+        EXPECT_NE(at, text.npos) << old;
+        return at == text.npos ? text : text.replace(at, old.size(), fresh);
+    }
+
+private:
+    int written_ = 0;
+};
+
+TEST_F(Followed, IsReadAgainWhenItIsWrittenByAnotherProgram) {
+    handle(lab, Action::play_pause);
+    for (int i = 0; i < 50; ++i) tick(lab);
+    look();
+    EXPECT_EQ(lab.session.snapshot().tick, 50u) << "what the lab wrote itself is no news";
+    write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
+    EXPECT_EQ(dials().LL, 0.25f);
+    EXPECT_EQ(lab.mode, Mode::playing);
+    EXPECT_NE(lab.notice.find("mine.toml"), std::string::npos);
+}
+
+TEST_F(Followed, LeavesTheRunAloneWhereItIsBrokenAndSaysWhy) {
+    for (int i = 0; i < 50; ++i) tick(lab);
+    const auto before = lab.session.hash();
+    write(with(text_of(file), "LL = 1.5", "LL = 77"));
+    EXPECT_EQ(lab.session.hash(), before);
+    EXPECT_NE(lab.notice.find("mine.toml:"), std::string::npos) << lab.notice;
+    write(with(text_of(file), "LL = 77", "LL = 0.5"));
+    EXPECT_EQ(dials().LL, 0.5f) << "mended, it counts";
+}
+
+TEST_F(Followed, NeverCostsUnsavedEdits) {
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
+    EXPECT_EQ(dials().LR, 1.25f);
+    EXPECT_EQ(dials().LL, 1.5f);
+    EXPECT_NE(lab.notice.find("mine.toml"), std::string::npos);
 }
 
 TEST(Paths, AreReadFromTheFolderOrFromHome) {

@@ -6,6 +6,7 @@
 #include "app/data.h"
 #include "app/safe_file.h"
 #include "core/world/run_file.h"
+#include "tests/folder.h"
 
 namespace braitenlab {
 namespace {
@@ -102,13 +103,13 @@ TEST(Bookmarks, BringTheirMomentBackAndCanBeRemoved) {
 TEST(SavedRun, OpensWhereItStood) {
     Lab lab = open("predator-prey");
     for (int i = 0; i < 400; ++i) tick(lab);
-    const auto file = std::filesystem::temp_directory_path() / "braitenlab-lab-test.run";
+    const tests::Folder folder;
+    const auto file = folder / "hunt.run";
     ASSERT_FALSE(write_whole(file, write_run(lab.session.save())));
     auto again = open_lab(file, std::nullopt, {});
     ASSERT_TRUE(again) << again.error().text();
     EXPECT_EQ(again->session.hash(), lab.session.hash());
     EXPECT_NE(again->selected, no_vehicle);
-    std::filesystem::remove(file);
 }
 
 TEST(Mode, CountsChangesBetweenPlayingAndNot) {
@@ -174,18 +175,15 @@ TEST(Driving, LetsGoOfAVehicleThatIsNoLongerSelected) {
 
 TEST(Numbers, GoToANewFileEachTimeAndSayWhere) {
     const auto before = std::filesystem::current_path();
-    const auto folder = std::filesystem::temp_directory_path() / "braitenlab-numbers-test";
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
+    const tests::Folder folder;
     Lab lab = open("2a-coward");
-    std::filesystem::current_path(folder);
+    std::filesystem::current_path(folder.path);
     handle(lab, ExportRequest{"signals", "seconds,SL\n"});
     handle(lab, ExportRequest{"signals", "seconds,SL\n0,1\n"});
     std::filesystem::current_path(before);
     EXPECT_EQ(std::filesystem::file_size(folder / "braitenlab-signals-001.csv"), 11u);
     EXPECT_EQ(std::filesystem::file_size(folder / "braitenlab-signals-002.csv"), 15u);
     EXPECT_NE(lab.notice.find("braitenlab-signals-002.csv"), std::string::npos);
-    std::filesystem::remove_all(folder);
 }
 
 TEST(Selection, MovesOnWhenItsVehicleLeaves) {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include "tests/lab/folder.h"
+#include "tests/folder.h"
 
 namespace braitenlab::tests {
 namespace {

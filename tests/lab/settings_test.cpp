@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/lab/folder.h"
+#include "tests/folder.h"
 
 namespace braitenlab::tests {
 namespace {

@@ -7,10 +7,17 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 namespace {
 
 using Json = nlohmann::json;
+
+// A file of this test's own: others may run beside it.
+std::string scratch(const std::string& name) {
+    const std::string own = "braitenctl-test-" + std::to_string(getpid()) + "-" + name;
+    return (std::filesystem::temp_directory_path() / own).string();
+}
 
 struct Ran {
     int code = -1;
@@ -62,7 +69,7 @@ TEST(RunHash, RepeatsAndDependsOnTheSeed) {
 }
 
 TEST(RunCsv, HasARowPerVehiclePerTenthOfASecond) {
-    const auto file = std::filesystem::temp_directory_path() / "braitenlab-run.csv";
+    const std::filesystem::path file = scratch("run.csv");
     ASSERT_EQ(ctl("run predator-prey --seconds 2 --csv " + file.string()).code, 0);
     std::ifstream csv(file);
     std::string line;
@@ -94,10 +101,6 @@ TEST(Check, FailsTheShippedExerciseAndPassesItsSolution) {
     EXPECT_EQ(ctl("check 05-aggressor").code, 1);
     const Ran all = ctl("check --all");
     EXPECT_EQ(all.code, 0) << all.out;
-}
-
-std::string scratch(const std::string& name) {
-    return (std::filesystem::temp_directory_path() / ("braitenctl-test-" + name)).string();
 }
 
 TEST(RunSave, LetsARunGoOnAsIfItHadNeverStopped) {

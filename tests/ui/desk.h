@@ -11,6 +11,7 @@
 #include <imgui.h>
 
 #include "core/brain/four_neurons.h"
+#include "ui/panels/panels.h"
 #include "ui/prompts.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
@@ -121,7 +122,7 @@ public:
     void open_exercise() {
         now = snapshot(0);
         lesson.exercise = &opened;
-        lesson.verdicts.assign(opened.steps.size(), Verdict{false, 0.83f, 0.6f, "m"});
+        lesson.verdicts.assign(opened.steps.size(), Verdict{false, 0.83f, 0.6f, "m", true});
         view.lesson = &lesson;
     }
 
@@ -131,17 +132,29 @@ public:
             view.wall_seconds += 1.0 / 60;
             asked.clear();
             anchors.begin();
-            Ui ui{strings, palette(view.theme), loaded_.fonts, scale_, anchors, asked, highlight, 1};
+            Ui ui{strings, palette(view.theme), loaded_.fonts, scale_, anchors, asked, {}, 1};
             written.clear();
             ui.written = &written;
             shown.clear();
             ui.shown = &shown;
             ImGui::NewFrame();
-            layout = lay_out(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y, scale_, view, panels.charts_open);
+            layout =
+                lay_out(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y, scale_, view, panels.charts_open);
             draw_window(view, panels, ui, layout);
             ImGui::Render();
             all.insert(all.end(), asked.begin(), asked.end());
         }
+    }
+
+    // The hint bar alone, with these words.
+    void show_hint(std::string_view key) {
+        anchors.begin();
+        Ui ui{strings, palette(view.theme), loaded_.fonts, scale_, anchors, asked, {}, 1};
+        written.clear();
+        ui.written = &written;
+        ImGui::NewFrame();
+        hint_bar(view, ui, layout.hint_bar, key);
+        ImGui::Render();
     }
 
     Rect where(std::string_view anchor) const {
@@ -195,7 +208,6 @@ public:
     std::vector<Shown> shown;      // and which widgets it drew
     Outbox asked, all;
     WindowLayout layout;
-    std::string highlight;
 
 private:
     void load() {

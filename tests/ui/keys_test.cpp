@@ -19,6 +19,10 @@ std::vector<KeyPress> all_presses() {
     return all;
 }
 
+bool ring_round(const Desk& desk, std::string_view id) {
+    return desk.panels.keyboard.focus == id && desk.panels.keyboard.shown;
+}
+
 struct Where {
     const char* name;
     KeyPlace place;
@@ -63,6 +67,25 @@ TEST(Keys, AreAllShownByF1) {
         EXPECT_TRUE(words.count(std::string(desk.strings("action." + std::string(name(shortcut.action))))))
             << name(shortcut.action);
     }
+}
+
+TEST(Focus, IsShownToTheKeyboardAndNotToTheMouse) {
+    Desk desk;
+    desk.frame(3);
+    desk.key({'2'});
+    desk.frame(2);
+    EXPECT_TRUE(ring_round(desk, "slider.LR"));
+    desk.key({' '});
+    desk.frame(2);
+    EXPECT_FALSE(ring_round(desk, "slider.LR")) << "it plays now: the ring would point at nothing";
+    desk.key({key::right});
+    desk.frame(2);
+    EXPECT_TRUE(ring_round(desk, "slider.LR"));
+    desk.click("button.step");
+    EXPECT_FALSE(desk.panels.keyboard.shown);
+    desk.key({key::tab});
+    desk.frame(2);
+    EXPECT_TRUE(desk.panels.keyboard.shown);
 }
 
 }  // namespace braitenlab::tests

@@ -4,65 +4,193 @@
 
 namespace braitenlab::tests {
 
-TEST(Prompts, LeadFromPlayToASliderAndGoAway) {
-    Desk desk;
-    EXPECT_EQ(next_prompt(desk.view), "button.play");
-    desk.view.mode = Mode::playing;
-    desk.now.tick = 600;
-    desk.now.seconds = 5;
-    EXPECT_EQ(next_prompt(desk.view), "slider.LR") << "the selected predator's LL does nothing";
-    desk.now.seconds = 9;
-    EXPECT_EQ(next_prompt(desk.view), "") << "not for ever";
-    desk.now.seconds = 5;
-    desk.view.undo_depth = 1;
-    EXPECT_EQ(next_prompt(desk.view), "");
-}
+namespace {
 
-TEST(Prompts, ForgetTheSliderForGoodOnceItWasWatchedOrTurned) {
+struct Prompts : ::testing::Test {
     Desk desk;
     PromptMemory memory;
-    desk.now.seconds = 5;
-    EXPECT_EQ(still_wanted(memory, desk.view, "slider.LR"), "slider.LR");
-    desk.now.seconds = 9;
-    still_wanted(memory, desk.view, "");
-    desk.now.seconds = 5;  // after a reset
-    EXPECT_EQ(still_wanted(memory, desk.view, "slider.LR"), "");
-    EXPECT_EQ(still_wanted(memory, desk.view, "button.play"), "button.play");
+
+    Prompt next() { return next_prompt(memory, desk.view); }
+    std::string_view anchor() { return next().anchor; }
+    void at(double seconds, Mode mode = Mode::playing) {
+        desk.now.seconds = seconds;
+        desk.now.tick = static_cast<std::uint64_t>(seconds * 60);
+        desk.view.timeline.latest = desk.now.tick == 0 ? 0 : std::max(desk.view.timeline.latest, desk.now.tick);
+        desk.view.mode = mode;
+    }
+    // One vehicle and one lamp, as most scenes of the book have them.
+    void alone() {
+        desk.now = snapshot(0);
+        auto scene = std::make_shared<Scene>(*desk.now.scene);
+        scene->sources.resize(1);
+        file_ = *scene;
+        desk.view.file = &file_;
+        desk.now.scene = scene;
+        desk.now.sources.resize(1);
+        desk.now.vehicles[0].speed = 1;
+    }
+    void move_lamp() {
+        auto scene = std::make_shared<Scene>(*desk.now.scene);
+        scene->sources[0].x += 1;
+        desk.now.scene = scene;
+    }
+    void see(float value) { desk.now.sensed.assign(desk.now.sensed.size(), value); }
+
+private:
+    Scene file_;
+};
+
+struct LessonPrompts : Prompts {
+    LessonPrompts() {
+        desk.open_exercise();
+        desk.now.vehicles[0].speed = 1;
+        desk.lesson.prediction = 0;
+        desk.lesson.has_run = true;
+    }
+    void all_done() {
+        for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
+    }
+};
+
+}  // namespace
+
+TEST_F(Prompts, LeadFromPlayToASliderAndGoAway) {
+    EXPECT_EQ(anchor(), "button.play");
+    EXPECT_EQ(next().hint, "hint.press_play");
+    at(1);
+    EXPECT_EQ(anchor(), "") << "first the behaviour";
+    at(5);
+    EXPECT_EQ(anchor(), "slider.LR") << "the selected predator's LL does nothing";
+    desk.view.undo_depth = 1;
+    EXPECT_NE(anchor(), "slider.LR");
+    desk.view.undo_depth = 0;
+    EXPECT_NE(anchor(), "slider.LR") << "once is enough";
+    at(0, Mode::paused);
+    EXPECT_NE(anchor(), "button.play") << "after a reset too";
+}
+
+TEST_F(Prompts, WantAnEditToBeSeenAtWork) {
+    desk.view.undo_depth = 1;
+    EXPECT_EQ(anchor(), "button.play");
+}
+
+TEST_F(Prompts, ForgetTheSliderForGoodOnceItWasWatched) {
+    at(5);
+    EXPECT_EQ(anchor(), "slider.LR");
+    at(9);
+    EXPECT_NE(anchor(), "slider.LR");
+    at(5);
+    EXPECT_NE(anchor(), "slider.LR");
     desk.view.opened = "another scene";
-    EXPECT_EQ(still_wanted(memory, desk.view, "slider.LR"), "slider.LR");
+    EXPECT_EQ(anchor(), "slider.LR");
+}
+
+TEST_F(Prompts, LeadFreePlayFromTheSliderToTheLampToTheWiringAndBackInTime) {
+    alone();
+    at(5);
+    EXPECT_EQ(anchor(), "slider.LL");
     desk.view.undo_depth = 1;
-    EXPECT_EQ(still_wanted(memory, desk.view, "slider.LR"), "");
+    EXPECT_EQ(anchor(), lamp_anchor);
+    EXPECT_EQ(next().hint, "hint.drag_lamp");
+    move_lamp();
+    EXPECT_EQ(anchor(), "button.wiring");
+    desk.view.mode = Mode::wiring;
+    EXPECT_EQ(anchor(), "pin.SL.out");
+    desk.view.undo_depth = 2;
+    EXPECT_EQ(anchor(), "") << "a wire was drawn";
+    at(10);
+    EXPECT_EQ(anchor(), "") << "the wiring is known now, and there is little to look back on";
+    at(20);
+    EXPECT_EQ(anchor(), "timeline.track");
+    at(12, Mode::paused);
+    EXPECT_EQ(anchor(), "");
+    EXPECT_EQ(next().hint, "hint.in_the_past");
+    at(20);
+    EXPECT_EQ(next().hint, "") << "all is known";
 }
 
-TEST(Prompts, KeepWhatAHintPointsTo) {
-    Desk desk;
-    desk.open_exercise();
-    desk.lesson.hints_shown = 3;
+TEST_F(Prompts, DoNotStayForEver) {
+    alone();
+    at(9);
+    EXPECT_EQ(anchor(), lamp_anchor);
+    desk.view.wall_seconds = 13;
+    EXPECT_EQ(anchor(), "button.wiring");
+    desk.view.wall_seconds = 26;
+    EXPECT_EQ(anchor(), "");
+}
+
+TEST_F(Prompts, ShowTheWayOutToOneThatSeesNothingAnyMore) {
+    alone();
     desk.view.undo_depth = 1;
-    PromptMemory memory;
-    EXPECT_EQ(still_wanted(memory, desk.view, "slider.LR"), "slider.LR");
+    at(5), see(0);
+    EXPECT_NE(anchor(), "button.reset");
+    at(7);
+    EXPECT_NE(anchor(), "button.reset") << "it may be about to turn";
+    at(8.5);
+    EXPECT_EQ(anchor(), "button.reset");
+    EXPECT_EQ(next().hint, "hint.lost");
+    see(0.3f);
+    EXPECT_NE(anchor(), "button.reset");
+    see(0);
+    at(0, Mode::paused);
+    EXPECT_NE(anchor(), "button.reset") << "it is back";
 }
 
-TEST(Prompts, AskForAPredictionBeforeTheFirstPlay) {
-    Desk desk;
-    desk.open_exercise();
-    EXPECT_EQ(next_prompt(desk.view), "exercise.predict");
-    desk.lesson.prediction = 0;
-    EXPECT_EQ(next_prompt(desk.view), "button.play");
+TEST_F(Prompts, ShowTheWayOutToOneThatIsStuckButNotInACrowd) {
+    alone();
+    desk.now.vehicles[0].speed = 0;
+    at(5), next(), at(10.5), next(), at(11.5);
+    EXPECT_EQ(next().hint, "hint.stuck");
+    EXPECT_EQ(anchor(), "button.reset");
+    desk.now = snapshot(4);
+    at(5), next(), at(12);
+    EXPECT_NE(anchor(), "button.reset");
 }
 
-TEST(Prompts, PointWhereTheNewestHintPoints) {
-    Desk desk;
-    desk.open_exercise();
+TEST_F(LessonPrompts, AskForAPredictionBeforeTheFirstPlay) {
+    desk.lesson.has_run = false;
+    desk.lesson.prediction = -1;
+    EXPECT_EQ(anchor(), "exercise.predict");
+    EXPECT_EQ(next().hint, "hint.predict");
     desk.lesson.prediction = 0;
-    desk.lesson.has_run = true;
+    EXPECT_EQ(anchor(), "button.play");
+}
+
+TEST_F(LessonPrompts, PointWhereTheNewestHintPointsUntilItIsFollowed) {
+    at(5), see(0);
     desk.lesson.hints_shown = 3;
-    EXPECT_EQ(next_prompt(desk.view), "slider.LR");
-    for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
-    EXPECT_EQ(next_prompt(desk.view), "");
+    EXPECT_EQ(anchor(), "slider.LR");
+    at(9);
+    EXPECT_EQ(anchor(), "slider.LR") << "before the way out";
+    desk.view.undo_depth = 1;
+    EXPECT_EQ(anchor(), "button.reset") << "its back is to the lamp: only a new start shows the change";
+    at(0, Mode::paused);
+    EXPECT_EQ(anchor(), "button.play");
+    at(0);
+    EXPECT_EQ(anchor(), "");
 }
 
-TEST(Prompts, StandStillWhereMotionIsReduced) {
+TEST_F(LessonPrompts, OfferAHintOnceTheRunHasComeToNothing) {
+    desk.opened.seconds = 40;
+    desk.view.undo_depth = 1;
+    at(15);
+    EXPECT_NE(anchor(), "exercise.hint");
+    at(21);
+    EXPECT_EQ(anchor(), "exercise.hint");
+    desk.lesson.hint_ready = false;
+    EXPECT_NE(anchor(), "exercise.hint");
+}
+
+TEST_F(LessonPrompts, GoOnToTheNextExerciseOnceThisOneIsPassed) {
+    at(9);
+    all_done();
+    EXPECT_EQ(next().hint, "hint.other_starts");
+    desk.lesson.grade = Grade{{true, true}, 2, true};
+    EXPECT_EQ(anchor(), "exercise.next");
+    EXPECT_EQ(next().hint, "hint.passed");
+}
+
+TEST(Pulse, StandsStillWhereMotionIsReduced) {
     Desk desk;
     desk.view.reduce_motion = true;
     desk.view.wall_seconds = 0;

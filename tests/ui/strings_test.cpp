@@ -11,14 +11,13 @@
 #include "core/scene/names.h"
 #include "desk.h"
 #include "render/view/intensity.h"
+#include "tests/folder.h"
 #include "ui/shortcuts.h"
 #include "ui/stage/edits.h"
 
 namespace braitenlab::tests {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 fs::path folder() { return fs::path(BRAITENLAB_SOURCE) / "ui" / "strings"; }
 
@@ -150,8 +149,8 @@ TEST(Languages, SayWhichThereAreWhenAskedForAnother) {
 }
 
 TEST(Languages, FallBackOnEnglishWhereWordsAreMissing) {
-    const auto place = fs::temp_directory_path() / "braitenlab-half-a-language";
-    fs::create_directories(place);
+    const Folder own;
+    const fs::path& place = own.path;
     std::ofstream(place / "en.toml") << "format = 1\n[a]\nb = \"words\"\nc = \"more\"\n";
     std::ofstream(place / "xx.toml") << "format = 1\n[a]\nb = \"wxrds\"\n";
     std::ofstream(place / "yy.toml") << "format = 1\n[a]\nb = 3\n";
@@ -162,7 +161,6 @@ TEST(Languages, FallBackOnEnglishWhereWordsAreMissing) {
     const auto broken = load_language(place, "yy");
     ASSERT_FALSE(broken);
     EXPECT_EQ(broken.error().line, 3);
-    fs::remove_all(place);
 }
 
 TEST(Strings, ShowTheKeyWhereWordsAreMissing) {

@@ -71,11 +71,42 @@ TEST(Tooltips, AreOnEveryWidgetOfEveryScreen) {
         desk.view.recovery = &offer;
         walk.look(desk);
         desk.view.recovery = nullptr;
+        files.leaving = Leaving{"Coward", "/y/mine.toml"};
+        walk.look(desk);
+        files.leaving.reset();
         desk.view.lecture = true;
         walk.look(desk);
     }
     EXPECT_GT(walk.all.size(), 60u) << "widgets are looked at at all";
     for (const std::string& id : walk.all) EXPECT_TRUE(walk.told.count(id)) << id << " has no tooltip";
+}
+
+TEST(Tooltips, GoAwayOnceTheyCanBeReadAndDoNotComeBackAfterAPress) {
+    Desk desk(1280, 800, 1, true);
+    desk.view.mode = Mode::playing;
+    desk.frame(3);
+    const auto shown = [&] {
+        for (const Written& w : desk.written)
+            if (w.words == desk.strings("tooltip.follow")) return true;
+        return false;
+    };
+    desk.point("button.follow");
+    desk.frame(10);
+    EXPECT_FALSE(shown()) << "not under a pointer that passes";
+    desk.frame(50);
+    EXPECT_TRUE(shown());
+    desk.frame(600);
+    EXPECT_FALSE(shown()) << "what it lies over is of interest too";
+    desk.point(640, 400);
+    desk.frame(5);
+    desk.point("button.follow");
+    desk.frame(60);
+    EXPECT_TRUE(shown()) << "for another look";
+    desk.button(0, true);
+    desk.frame(3);
+    desk.button(0, false);
+    desk.frame(90);
+    EXPECT_FALSE(shown()) << "whoever has pressed it knows it";
 }
 
 TEST(Tooltips, AreAskedForInEarnest) {

@@ -267,43 +267,4 @@ TEST(InformationCard, HoldsAsManyVehiclesAsThereAre) {
     EXPECT_TRUE(inside(desk.where("card.information"), desk.layout.window));
 }
 
-TEST(ExerciseCard, TakesThePredictionBeforeTheRun) {
-    Desk desk;
-    desk.open_exercise();
-    desk.frame(3);
-    desk.click("exercise.predict.2");
-    ASSERT_EQ(desk.all.size(), 1u);
-    EXPECT_EQ(std::get<PredictRequest>(desk.all[0]).option, 1);
-    desk.lesson.prediction = 1;
-    desk.lesson.has_run = true;
-    desk.frame(3);
-    EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "what was predicted stands";
-}
-
-TEST(ExerciseCard, OpensHintsAndStartsOver) {
-    Desk desk;
-    desk.open_exercise();
-    desk.frame(3);
-    desk.click("exercise.hint");
-    desk.click("exercise.reset");
-    EXPECT_EQ(desk.actions(), (std::vector{Action::hint, Action::exercise_reset}));
-    desk.all.clear();
-    desk.lesson.hint_ready = false;
-    desk.click("exercise.hint");
-    EXPECT_TRUE(desk.all.empty());
-}
-
-TEST(ExerciseCard, KeepsItsButtonsInSightHoweverLongItGets) {
-    Desk desk(1024, 768, 1, true);
-    desk.open_exercise();
-    desk.lesson.has_run = true;
-    desk.lesson.hints_shown = 3;
-    desk.panels.why_open = true;
-    desk.lesson.grade = Grade{{true, false, true}, 2, false};
-    desk.frame(5);
-    EXPECT_TRUE(inside(desk.where("exercise.hint"), desk.where("card.exercise")));
-    EXPECT_TRUE(inside(desk.where("exercise.reset"), desk.where("card.exercise")));
-    EXPECT_TRUE(desk.anchors.find("exercise.grade"));
-}
-
 }  // namespace braitenlab::tests

@@ -25,5 +25,15 @@ TEST(Drop, HandsOverEveryFileOnceInItsOrder) {
     EXPECT_EQ(window->take_dropped_files().size(), 2u) << "two drops within a frame are two files";
 }
 
+TEST(Close, CanBeRefused) {
+    auto window = Window::open({.title = "close", .width = 640, .height = 480, .visible = false});
+    ASSERT_TRUE(window) << window.error().text();
+    EXPECT_FALSE(window->close_requested());
+    glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE);  // as the button of its frame does
+    EXPECT_TRUE(window->close_requested());
+    window->refuse_close();
+    EXPECT_FALSE(window->close_requested());
+}
+
 }  // namespace
 }  // namespace braitenlab::tests

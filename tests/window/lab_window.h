@@ -156,6 +156,8 @@ public:
         pid_ = -1;
     }
 
+    void send(int signal) const { kill(pid_, signal); }
+
     // The exit code once the window has gone of its own accord; −1 when it has not.
     int exit_code(double patience = 5) {
         int status = 0;

@@ -48,11 +48,78 @@ TEST(CrashWindow, OffersTheWorkAgainAfterKillNine) {
         EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 0.5; })) << lab.state().dump(1);
         EXPECT_EQ(lab.state()["opened"], "2a-coward");
         lab.key("ctrl+q");
+        ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("leaving.discard"); }));
+        LabWindow::wait(0.4);  // the sheet finds its height in its first frames
+        lab.click("leaving.discard");
         EXPECT_EQ(lab.exit_code(), 0);
     }
     LabWindow lab({"3a-love", "--size", "1280x800"}, home.path);
     LabWindow::wait(0.5);
     EXPECT_FALSE(lab.anchors().contains("recovery.take")) << "after a proper end there is nothing to offer";
+}
+
+TEST(CrashWindow, OffersARunThatWasOnlyPlayed) {
+    const Home home;
+    int reached = 0;
+    {
+        LabWindow lab({"predator-prey", "--size", "1280x800", "--play"}, home.path);
+        LabWindow::wait(21);
+        reached = lab.state()["tick"];
+        lab.kill_at_once();
+    }
+    LabWindow lab({"3a-love", "--size", "1280x800"}, home.path);
+    ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("recovery.take"); }));
+    lab.key("Return");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["opened"] == "predator-prey"; }));
+    EXPECT_GT(lab.state()["tick"], 60) << "the run is there, not its start alone";
+    EXPECT_GE(lab.state()["tick"], reached - 20 * 60) << "twenty seconds at most are lost";
+    EXPECT_LE(lab.state()["tick"], reached + 60);
+}
+
+TEST(CrashWindow, EndsCleanlyWhenTheSystemSaysSoAndOffersTheWorkAgain) {
+    const Home home;
+    {
+        LabWindow lab({"2a-coward", "--size", "1280x800"}, home.path);
+        lab.key("2");
+        lab.key("Right");
+        ASSERT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 0.1; }));
+        lab.key("t");
+        ASSERT_TRUE(wait_for([&] { return lab.state()["theme"] == "light"; }));
+        lab.send(SIGTERM);
+        EXPECT_EQ(lab.exit_code(), 0);
+    }
+    LabWindow lab({"2a-coward", "--size", "1280x800"}, home.path);
+    EXPECT_EQ(lab.state()["theme"], "light") << "settings are written";
+    ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("recovery.take"); }));
+    lab.key("Return");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 0.1; }));
+}
+
+TEST(UnsavedWindow, AsksBeforeItLeavesAndOpensAndSavesUnderAName) {
+    const Home home;
+    LabWindow lab({"2a-coward", "--size", "1280x800"}, home.path);
+    lab.key("2");
+    lab.key("Right");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 0.1; }));
+    lab.key("ctrl+q");
+    ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("leaving.save"); }));
+    EXPECT_EQ(lab.exit_code(0.5), -1);
+    lab.key("Escape");
+    ASSERT_TRUE(wait_for([&] { return !lab.anchors().contains("leaving.save"); }));
+    EXPECT_EQ(lab.state()["weights"]["LR"], 0.1);
+    lab.click("button.open");
+    lab.click("open.3a-love");
+    ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("leaving.save"); }));
+    lab.key("Return");
+    ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("files.path"); }));
+    LabWindow::wait(0.5);
+    lab.key("ctrl+a");
+    lab.xdotool("type --delay 60 " + (home.path / "mine").string());
+    lab.key("Return");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["opened"] == "3a-love"; })) << lab.state()["opened"];
+    EXPECT_TRUE(std::filesystem::exists(home.path / "mine.toml"));
+    lab.key("ctrl+q");
+    EXPECT_EQ(lab.exit_code(), 0) << "nothing is unsaved now";
 }
 
 TEST(Screenshot, GoesToTheFolderForPicturesAndSaysSo) {

@@ -203,19 +203,17 @@ TEST(Window, StartsAndSaysSoWhereItsSettingsAreBroken) {
 }
 
 TEST(Window, SavesAPictureThatCanBeRepeated) {
-    const auto folder = std::filesystem::temp_directory_path();
+    const Home home;
     const auto shoot = [&](const char* name) {
-        const auto file = folder / name;
+        const auto file = home.path / name;
         const Ran ran = shell(fmt::format("{} predator-prey --size 640x480 --seed 5 --play --after 1.5 --screenshot {}",
                                           program("braitenlab"), file.string()));
         EXPECT_EQ(ran.code, 0) << ran.out;
         return file.string();
     };
-    const std::string a = shoot("braitenlab-a.png"), b = shoot("braitenlab-b.png");
+    const std::string a = shoot("a.png"), b = shoot("b.png");
     EXPECT_EQ(shell(fmt::format("compare -metric AE {} {} null:", a, b)).out, "0") << "pixels that differ";
     EXPECT_GT(std::stoi(shell(fmt::format("identify -format '%k' {}", a)).out), 200) << "colours in the picture";
-    std::filesystem::remove(a);
-    std::filesystem::remove(b);
 }
 
 TEST(Window, EndsWithTwoAndASentenceWithoutADisplay) {
@@ -232,13 +230,13 @@ TEST(Window, AnswersVersionAndHelpWithoutADisplay) {
 }
 
 TEST(Window, NamesFileAndLineOfABrokenScene) {
-    const auto file = std::filesystem::temp_directory_path() / "braitenlab-broken.toml";
+    const Home home;
+    const auto file = home.path / "broken.toml";
     std::ofstream(file) << "format = 1\n\n[ecology]\npopulatoin = 3\n";
     const Ran ran = shell(program("braitenlab") + " " + file.string());
     EXPECT_EQ(ran.code, 2);
-    EXPECT_NE(ran.out.find("braitenlab-broken.toml:4:"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("broken.toml:4:"), std::string::npos) << ran.out;
     EXPECT_NE(ran.out.find("population"), std::string::npos) << ran.out;
-    std::filesystem::remove(file);
 }
 
 TEST(Window, LeavesByItsExitButton) {

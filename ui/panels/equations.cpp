@@ -96,13 +96,13 @@ void equation(const Ui& ui, const MotorSum& sum, const Columns& x, ImVec2 at, co
     put_right(ui, {x.total, large}, with_sign(sum.total, 2), sum.stopped ? c.second_text : c.text, Face::strong);
 }
 
-std::string verdict(const Ui& ui, const std::array<MotorSum, 2>& both, const Cause& why) {
+std::string verdict(const Ui& ui, const std::array<MotorSum, 2>& both, const Cause& why, bool is_stuck) {
     if (both[0].stopped && both[1].stopped) return std::string(ui.strings("sums.both_stopped"));
     if (both[0].stopped || both[1].stopped)
         return std::string(ui.strings(both[0].stopped ? "sums.left_stopped" : "sums.right_stopped"));
     if (std::fabs(both[0].total) < alike && std::fabs(both[1].total) < alike)
         return std::string(ui.strings("sums.still"));
-    if (std::fabs(why.difference) < alike) return std::string(ui.strings("sums.straight"));
+    if (std::fabs(why.difference) < alike) return std::string(ui.strings(is_stuck ? "sums.stuck" : "sums.straight"));
     const std::string_view wheel = ui.strings(why.difference > 0 ? "sums.right_faster" : "sums.left_faster");
     if (why.by == Cause::By::product)
         return fill(ui.strings(why.holds_back ? "sums.because_held" : "sums.because"),
@@ -124,7 +124,9 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     equation(ui, both[1], x, {at.x, at.y + row}, strongest);
     const Item area = item(ui, "equations", {card_width(ui), 2 * row}, false);
     tooltip(ui, area, ui.strings(both[0].more_wires ? "sums.more_wires" : "sums.how"));
-    paragraph(ui, verdict(ui, both, why), ui.palette.text, Face::small);
+    // Its wheels are told to turn, and it stands: something is in its way. Before the first tick it has not begun.
+    const bool is_stuck = view.mode == Mode::playing && view.now->tick > 30 && std::fabs(vehicle.speed) < 0.02f;
+    paragraph(ui, verdict(ui, both, why, is_stuck), ui.palette.text, Face::small);
 }
 
 }  // namespace braitenlab

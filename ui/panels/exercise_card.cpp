@@ -20,6 +20,8 @@ namespace {
 
 std::string numbered(const char* stem, std::size_t index) { return stem + std::to_string(index + 1); }
 
+bool has_passed(const LessonView& lesson) { return lesson.grade && lesson.grade->good; }
+
 bool all_done(const LessonView& lesson) {
     return !lesson.verdicts.empty() &&
            std::all_of(lesson.verdicts.begin(), lesson.verdicts.end(), [](const Verdict& v) { return v.done; });
@@ -41,18 +43,30 @@ void check_mark(const Ui& ui, ImVec2 c, float radius, bool done, float arrived) 
 
 int decimals(std::string_view unit) { return unit == "m" || unit == "×" ? 2 : unit == "s" ? 1 : 0; }
 
-std::string with_unit(float value, std::string_view unit) {
-    return fixed(value, decimals(unit)) + (unit == "°" ? "" : " ") + std::string(unit);
+std::string with_unit(float value, std::string_view unit, int digits) {
+    return fixed(value, digits) + (unit == "°" ? "" : " ") + std::string(unit);
 }
 
-// "0.83 m, need < 0.60 m"
-std::string measured(const Ui& ui, Goal goal, const Verdict& verdict) {
-    const bool less_is_better = goal == Goal::turns_to || goal == Goal::touches;
-    return fill(ui.strings(less_is_better ? "exercise.need_less" : "exercise.need_more"),
-                {with_unit(verdict.measured, verdict.unit), with_unit(verdict.needed, verdict.unit)});
+// With as many digits as it takes to see which of the two is larger: 10.4° is no 10°.
+int telling_decimals(const Verdict& verdict) {
+    int digits = decimals(verdict.unit);
+    const bool differ = verdict.measured != verdict.needed;
+    for (const int most = digits + 2; digits < most && differ; ++digits)
+        if (fixed(verdict.measured, digits) != fixed(verdict.needed, digits)) break;
+    return digits;
 }
 
-void prediction(const LessonView& lesson, const PanelState& state, Ui& ui) {
+// "best 0.83 m, need ≤ 0.60 m": an extreme is the best so far, anything else is as it is now.
+std::string measured(const Ui& ui, const Verdict& verdict) {
+    const int digits = telling_decimals(verdict);
+    const std::string_view key = verdict.done ? verdict.at_most ? "exercise.done_at_most" : "exercise.done_at_least"
+                                 : verdict.at_most ? "exercise.best_at_most"
+                                                   : "exercise.now_at_least";
+    return fill(ui.strings(key),
+                {with_unit(verdict.measured, verdict.unit, digits), with_unit(verdict.needed, verdict.unit, digits)});
+}
+
+void prediction(const LessonView& lesson, const PanelState& state, bool rewired, Ui& ui) {
     const Prediction& asked = lesson.exercise->prediction;
     if (asked.options.empty()) return;
     const ImVec2 start = ImGui::GetCursorScreenPos();
@@ -75,7 +89,8 @@ void prediction(const LessonView& lesson, const PanelState& state, Ui& ui) {
         ImGui::PopStyleVar();
     }
     if (state.outcome_told && !asked.outcome.empty())
-        paragraph(ui, fill(ui.strings("exercise.outcome"), {asked.outcome}), ui.palette.text);
+        paragraph(ui, fill(ui.strings(rewired ? "exercise.outcome_before" : "exercise.outcome"), {asked.outcome}),
+                  rewired ? ui.palette.second_text : ui.palette.text);
     const ImVec2 end = ImGui::GetCursorScreenPos();
     mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});
     gap(ui, 12);
@@ -92,8 +107,8 @@ void step(const LessonView& lesson, std::size_t index, Ui& ui) {
     ImGui::Indent(left);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(2)});
     paragraph(ui, asked.text, ui.palette.text, done ? Face::strong : Face::text);
-    if (known && lesson.has_run)
-        paragraph(ui, measured(ui, asked.check.goal, lesson.verdicts[index]), ui.palette.second_text, Face::small);
+    if (known && lesson.has_run && std::isfinite(lesson.verdicts[index].measured))
+        paragraph(ui, measured(ui, lesson.verdicts[index]), ui.palette.second_text, Face::small);
     ImGui::PopStyleVar();
     ImGui::Unindent(left);
     ImGui::EndGroup();
@@ -164,27 +179,64 @@ void hints(const LessonView& lesson, PanelState& state, Ui& ui) {
     if (std::exchange(state.hints_seen, shown) < shown) ImGui::SetScrollHereY(1);  // a new hint comes into sight
 }
 
-void buttons(const LessonView& lesson, Ui& ui) {
+void hint_button(const LessonView& lesson, Ui& ui) {
     const std::size_t count = lesson.exercise->hints.size();
+    if (count == 0) return;
     const bool left = static_cast<std::size_t>(lesson.hints_shown) < count;
-    if (count > 0) {
-        ButtonLook look{icon::hint, ui.strings("exercise.hint")};
-        look.enabled = left && lesson.hint_ready;
-        const Item at = button(ui, "exercise.hint", look);
-        if (at.pressed) ui.outbox.push_back(Action::hint);
-        tooltip(ui, at,
-                ui.strings(!left               ? "exercise.hint_none"
-                           : lesson.hint_ready ? "exercise.hint_how"
-                                               : "exercise.hint_wait"));
-        ImGui::SameLine();
-    }
-    const Item at = button(ui, "exercise.reset", {icon::reset, ui.strings("exercise.reset")});
+    ButtonLook look{icon::hint, ui.strings("exercise.hint")};
+    look.enabled = left && lesson.hint_ready;
+    const Item at = button(ui, "exercise.hint", look);
+    if (at.pressed) ui.outbox.push_back(Action::hint);
+    tooltip(ui, at,
+            ui.strings(!left               ? "exercise.hint_none"
+                       : lesson.hint_ready ? "exercise.hint_how"
+                                           : "exercise.hint_wait"));
+    ImGui::SameLine();
+}
+
+// The exercise after this one, or null.
+const CatalogueEntry* next_exercise(const LabView& view) {
+    const CatalogueEntry* next = nullptr;
+    if (view.catalogue)
+        for (const CatalogueEntry& entry : *view.catalogue)
+            if (entry.number > view.lesson->exercise->number && (!next || entry.number < next->number)) next = &entry;
+    return next;
+}
+
+// Done: on to the next one, or to everything there is.
+void next_button(const LabView& view, PanelState& state, Ui& ui) {
+    const CatalogueEntry* next = next_exercise(view);
+    const Item at =
+        button(ui, "exercise.next", {{}, ui.strings(next ? "exercise.next" : "exercise.more"), Emphasis::primary});
+    tooltip(ui, at, next ? std::string_view(next->title) : ui.strings("exercise.more_how"));
+    ImGui::SameLine();
+    if (!at.pressed) return;
+    if (next) return ui.outbox.push_back(OpenRequest{next->path});
+    begin_files(state.files, false);
+    state.sheet = Sheet::files;
+}
+
+void buttons(const LabView& view, PanelState& state, Ui& ui) {
+    const bool passed = has_passed(*view.lesson);
+    if (passed)
+        next_button(view, state, ui);
+    else
+        hint_button(*view.lesson, ui);
+    const Item at =
+        button(ui, "exercise.reset", {passed ? std::string_view{} : icon::reset, ui.strings("exercise.reset")});
     if (at.pressed) ui.outbox.push_back(Action::exercise_reset);
     tooltip(ui, at, ui.strings("exercise.reset_how"));
 }
 
-// The outcome is told once the run has shown it, and then stays through resets.
-void tell_outcome(const LabView& view, PanelState& state) {
+bool is_rewired(const LabView& view) {
+    const auto& kinds = view.lesson->exercise->scene.kinds;
+    for (std::size_t k = 0; k < std::min(kinds.size(), view.now->kind_brains.size()); ++k)
+        if (*view.now->kind_brains[k] != kinds[k].brain) return true;
+    return false;
+}
+
+// What the brain as it came does is told once a run with that brain has shown it, and then stays.
+void tell_outcome(const LabView& view, PanelState& state, bool rewired) {
     const LessonView& lesson = *view.lesson;
     if (state.exercise_id != lesson.exercise->id) {
         state.exercise_id = lesson.exercise->id;
@@ -192,14 +244,30 @@ void tell_outcome(const LabView& view, PanelState& state) {
         state.hints_seen = 0;
     }
     const bool shown = all_done(lesson) || view.now->seconds >= 0.5 * static_cast<double>(lesson.exercise->seconds);
-    state.outcome_told = lesson.has_run && (state.outcome_told || shown);
+    state.outcome_told = lesson.has_run && (state.outcome_told || (shown && !rewired));
+}
+
+void steps(const LessonView& lesson, Ui& ui) {
+    subheading(ui, ui.strings("exercise.steps"));
+    for (std::size_t i = 0; i < lesson.exercise->steps.size(); ++i) step(lesson, i, ui);
+    gap(ui, 12);
+}
+
+void task(const LessonView& lesson, PanelState& state, Ui& ui) {
+    paragraph(ui, lesson.exercise->goal, ui.palette.text);
+    if (!lesson.exercise->why.empty() &&
+        fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.why_open, ui.strings("exercise.why_how")))
+        paragraph(ui, lesson.exercise->why, ui.palette.second_text);
+    gap(ui, 12);
 }
 
 }  // namespace
 
+// Once it is passed, the result and the steps come first: in a low window the rest can be scrolled to.
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const LessonView& lesson = *view.lesson;
-    tell_outcome(view, state);
+    const bool rewired = is_rewired(view), passed = has_passed(lesson);
+    tell_outcome(view, state, rewired);
     state.exercise.footer = ui.px(button_height + 8);
     place.h = std::min(place.h, wanted_height(ui, state.exercise));
     const std::string heading = fill(ui.strings("exercise.heading"), {std::to_string(lesson.exercise->number)});
@@ -207,20 +275,15 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     if (open) {
         paragraph(ui, lesson.exercise->title, ui.palette.text, Face::title);
         result(lesson, ui);
-        paragraph(ui, lesson.exercise->goal, ui.palette.text);
-        if (!lesson.exercise->why.empty() &&
-            fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.why_open, ui.strings("exercise.why_how")))
-            paragraph(ui, lesson.exercise->why, ui.palette.second_text);
-        gap(ui, 12);
-        prediction(lesson, state, ui);
-        subheading(ui, ui.strings("exercise.steps"));
-        for (std::size_t i = 0; i < lesson.exercise->steps.size(); ++i) step(lesson, i, ui);
-        gap(ui, 12);
+        if (passed) steps(lesson, ui);
+        task(lesson, state, ui);
+        prediction(lesson, state, rewired, ui);
+        if (!passed) steps(lesson, ui);
         hints(lesson, state, ui);
         if (lesson.grade && !state.grade_seen) ImGui::SetScrollY(0);
         state.grade_seen = lesson.grade.has_value();
         begin_footer(ui, state.exercise, place);
-        buttons(lesson, ui);
+        buttons(view, state, ui);
     }
     end_card(state.exercise);
 }

@@ -32,35 +32,38 @@ std::string cap_words(const Ui& ui, std::string_view inside) {
     return action ? key_name(*action, ui.strings) : std::string(inside);
 }
 
-void hint_line(const Ui& ui, std::string_view hint, float x, Rect bar) {
+void hint_line(const Ui& ui, std::string_view hint, Colour colour, float x, Rect bar) {
     while (!hint.empty()) {
         const std::size_t open = hint.find('['), close = open == hint.npos ? hint.npos : hint.find(']', open);
         const std::string_view words = close == hint.npos ? hint : hint.substr(0, open);
-        x += put(ui, {x, bar.y + (bar.h - line_height(ui, Face::small)) / 2}, words, ui.palette.second_text,
-                 Face::small);
+        x += put(ui, {x, bar.y + (bar.h - line_height(ui, Face::small)) / 2}, words, colour, Face::small);
         if (close == hint.npos) return;
         x += key_cap(ui, {x, bar.y}, bar.h, cap_words(ui, hint.substr(open + 1, close - open - 1)));
         hint.remove_prefix(close + 1);
     }
 }
 
-std::string_view hint_key(const LabView& view) {
+// What can be done here, when nothing in particular is next.
+std::string_view usual_hint(const LabView& view) {
     if (view.mode == Mode::wiring) return "hint.wiring";
-    if (view.lesson && !view.lesson->has_run && view.lesson->prediction < 0 &&
-        !view.lesson->exercise->prediction.options.empty())
-        return "hint.predict";
     if (view.mode == Mode::playing) return view.camera == CameraMode::follow ? "hint.following" : "hint.playing";
     return view.selected == no_vehicle ? "hint.nobody" : "hint.paused";
 }
 
 }  // namespace
 
-void hint_bar(const LabView& view, Ui& ui, Rect bar) {
+void hint_bar(const LabView& view, Ui& ui, Rect bar, std::string_view hint) {
     begin_bar(ui, "hint bar", bar);
     float x = bar.x + ui.px(16);
     const float middle = bar.y + bar.h / 2;
     if (view.notice.empty()) {
-        hint_line(ui, ui.strings(hint_key(view)), x, bar);
+        const bool prompted = !hint.empty();
+        if (prompted) {
+            put_icon(ui, {x + ui.px(6), middle}, icon::hint, ui.palette.accent, Face::small);
+            if (has_icons(ui)) x += ui.px(20);
+        }
+        hint_line(ui, ui.strings(prompted ? hint : usual_hint(view)),
+                  prompted ? ui.palette.text : ui.palette.second_text, x, bar);
     } else {
         const Colour colour = legible(ui.palette.warning, ui.palette.panel, ui.palette.text);
         put_icon(ui, {x + ui.px(6), middle}, icon::warning, colour, Face::small);

@@ -33,7 +33,7 @@ struct Recognised {
 enum class Chart { signals, population, energy, bars };
 
 // What lies over the whole window: at most one.
-enum class Sheet { none, keys, settings, files, recovery };
+enum class Sheet { none, keys, settings, files, recovery, leaving };
 
 // What a lecture folds away, to come back exactly.
 struct BeforeLecture {
@@ -73,10 +73,12 @@ struct PanelState {
     bool why_open = false;
     Sheet sheet = Sheet::none;
     SheetState keys, settings;
-    SheetState recovery;
+    SheetState recovery, leaving;
     bool recovery_asked = false;
+    bool leaving_asked = false;
+    int leaving_done = 0;  // FilesView::done when a name was asked for to save under
     FilesState files;
-    std::optional<Preferences> before_reset;  // what Reset All took away, until something is chosen anew
+    std::optional<Preferences> before_reset;          // what Reset All took away, until something is chosen anew
     bool view_menu = false, focus_view_menu = false;  // what the scene shows, E
     bool presets_open = false, close_presets = false;
     bool outcome_told = false;   // of the exercise below: told once, it stays

@@ -25,7 +25,8 @@ void thing_card(const LabView&, PanelState&, Ui&, Rect);          // preconditio
 void tool_palette(const LabView&, PanelState&, Ui&, Rect scene);  // the hand, and what draws into the scene
 void stage_menu(const LabView&, PanelState&, Ui&, Rect window);   // of a thing or of the floor; closes itself
 void timeline(const LabView&, PanelState&, Ui&, Rect);
-void hint_bar(const LabView&, Ui&, Rect);
+void hint_bar(const LabView&, Ui&, Rect, std::string_view hint);  // `hint`: key of a prompt's words, or empty
+void point_to_lamp(const LabView&, Ui&);                          // while it is what Ui::highlight names
 
 void view_menu(const LabView&, PanelState&, Ui&, const WindowLayout&);  // the same for what the scene shows
 bool for_view_menu(const LabView&, PanelState&, KeyPress);
@@ -38,6 +39,7 @@ void follow_lecture(const LabView&, PanelState&);  // call once a frame, before 
 // Sheets over everything; each draws itself while PanelState::sheet says so, and closes itself.
 void keys_card(const LabView&, PanelState&, Ui&, Rect window);       // all shortcuts
 void recovery_sheet(const LabView&, PanelState&, Ui&, Rect window);  // after a crash, while the view offers something
+void leaving_sheet(const LabView&, PanelState&, Ui&, Rect window);   // while the view asks about unsaved edits
 void files_sheet(const LabView&, PanelState&, Ui&, Rect window);     // opening and saving
 void settings_card(const LabView&, PanelState&, Ui&, Rect window);   // language, theme, size of type, motion
 

@@ -1,4 +1,5 @@
-// The slim bar on top. Where the window is narrow, words go group by group, the least needed first; tooltips stay.
+// The slim bar on top. Where the window is narrow, type and air shrink first, then the icons beside words go, then the
+// words, group by group, the least needed first; tooltips stay.
 #include <array>
 #include <string>
 #include <vector>
@@ -16,16 +17,18 @@ namespace braitenlab {
 
 namespace {
 
-constexpr int never = 99, narrowest = 7;                   // steps of narrowness
+constexpr int compact = 1, few_icons = 2, words_alone = 3, first_words_go = 4;  // steps of narrowness
+constexpr int never = 99, narrowest = first_words_go + 6;
 constexpr float margin = 12, between = 4, group_gap = 17;  // layout pixels
-constexpr float speed_width = 52, status_width = 196;
+constexpr float speed_width = 52, status_width = 196, compact_status = 176;
 
 struct Tool {
     std::string_view anchor, words, icon;  // words: key of the string
     Action action;
-    int loses_words;  // the step of narrowness at which its words go
+    int loses_words;  // the step of narrowness, from first_words_go on, at which its words go; 1 is the first
     bool on = false;
     bool first_of_group = false;
+    bool for_looking = false;  // keeps its icon longer: it is known by it in other windows too
 };
 
 std::vector<Tool> tools(const LabView& view) {
@@ -39,31 +42,37 @@ std::vector<Tool> tools(const LabView& view) {
         {"button.new", "button.new", icon::new_population, Action::new_population, 5},
         {"button.add", "button.add", icon::add, Action::add, 4, false, true},
         {"button.remove", "button.remove", icon::remove, Action::remove, 4},
-        {"button.follow", "button.follow", icon::follow, Action::follow, 3, view.camera == CameraMode::follow, true},
-        {"button.sensors", "button.sensors", icon::sensors, Action::sensors, 2, view.sensors},
-        {"button.outlines", "button.outlines", icon::outlines, Action::outlines, 2, view.outlines},
-        {"button.view", "button.view", icon::view, Action::view, 2},
-        {"button.wiring", "button.wiring", icon::wiring, Action::wiring, 7, view.mode == Mode::wiring},
+        {"button.follow", "button.follow", icon::follow, Action::follow, 3, view.camera == CameraMode::follow, true,
+         true},
+        {"button.sensors", "button.sensors", icon::sensors, Action::sensors, 2, view.sensors, false, true},
+        {"button.outlines", "button.outlines", icon::outlines, Action::outlines, 2, view.outlines, false, true},
+        {"button.view", "button.view", icon::view, Action::view, 2, false, false, true},
+        {"button.wiring", "button.wiring", icon::wiring, Action::wiring, 7, view.mode == Mode::wiring, false, true},
     };
 }
 
 const Tool exit_tool{"button.exit", "button.exit", icon::exit, Action::exit, 1};
 
 ButtonLook look_of(const Ui& ui, const Tool& tool, int narrowness) {
+    const bool is_play = tool.action == Action::play_pause;
     ButtonLook look;
-    look.icon = tool.icon;
-    if (narrowness < tool.loses_words || !has_icons(ui)) look.words = ui.strings(tool.words);
-    look.emphasis = tool.action == Action::play_pause ? Emphasis::primary : Emphasis::quiet;
-    if (tool.action == Action::play_pause) look.min_width = 92;  // Play and Pause: nothing beside it moves
+    if (narrowness < first_words_go - 1 + tool.loses_words || !has_icons(ui)) look.words = ui.strings(tool.words);
+    const int icons_until = tool.for_looking ? words_alone : few_icons;
+    if (narrowness < icons_until || look.words.empty() || is_play) look.icon = tool.icon;
+    look.emphasis = is_play ? Emphasis::primary : Emphasis::quiet;
+    if (is_play) look.min_width = 92;  // Play and Pause: nothing beside it moves
+    look.compact = narrowness >= compact;
     look.on = tool.on;
     return look;
 }
+
+float width_of_status(int narrowness) { return narrowness < compact ? status_width : compact_status; }
 
 float width_of(const Ui& ui, const std::vector<Tool>& all, int narrowness) {
     float width = 2 * ui.px(margin) + button_width(ui, look_of(ui, exit_tool, narrowness)) + ui.px(group_gap);
     for (const Tool& tool : all)
         width += button_width(ui, look_of(ui, tool, narrowness)) + ui.px(tool.first_of_group ? group_gap : between);
-    return width + ui.px(group_gap + 2 * 34 + speed_width + 2 * between + group_gap + status_width);
+    return width + ui.px(group_gap + 2 * 34 + speed_width + 2 * between + group_gap + width_of_status(narrowness));
 }
 
 void press(PanelState& state, Ui& ui, const Tool& tool, int narrowness) {
@@ -120,7 +129,7 @@ float speed(const LabView& view, Ui& ui, float x, Rect bar) {
 }
 
 // The state as a coloured word with its sign, and the simulated time.
-void status(const LabView& view, Ui& ui, float x, Rect bar) {
+void status(const LabView& view, Ui& ui, float x, float layout_width, Rect bar) {
     const Palette& p = ui.palette;
     const bool playing = view.mode == Mode::playing, wiring = view.mode == Mode::wiring;
     const Colour colour = legible(playing ? p.accent : wiring ? p.memory : p.text, p.panel, p.text);
@@ -138,7 +147,7 @@ void status(const LabView& view, Ui& ui, float x, Rect bar) {
     put(ui, {left + icon_room, middle - line_height(ui, Face::small) / 2}, words, colour, Face::small);
     mark(ui, "mode", pill);
     const std::string time = fill(ui.strings("time.seconds"), {fixed(static_cast<float>(view.now->seconds), 1)});
-    const Rect clock{pill.x + pill.w + ui.px(8), pill.y, ui.px(status_width - 112), pill.h};
+    const Rect clock{pill.x + pill.w + ui.px(8), pill.y, ui.px(layout_width - 112), pill.h};
     put_right(ui, {clock.x + clock.w, middle - line_height(ui, Face::text) / 2}, time, p.text);
     mark(ui, "time", clock);
 }
@@ -167,7 +176,8 @@ void toolbar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     x = speed(view, ui, x, bar);
 
     const float exit_x = bar.x + bar.w - ui.px(margin) - button_width(ui, look_of(ui, exit_tool, narrowness));
-    status(view, ui, exit_x - ui.px(group_gap + status_width), bar);
+    const float status_width_now = width_of_status(narrowness);
+    status(view, ui, exit_x - ui.px(group_gap + status_width_now), status_width_now, bar);
     rule(ui, exit_x - ui.px(group_gap / 2), bar);
     ImGui::SetCursorScreenPos({exit_x, y});
     press(state, ui, exit_tool, narrowness);

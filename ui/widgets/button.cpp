@@ -12,7 +12,14 @@ namespace braitenlab {
 
 namespace {
 
-constexpr float side = 10, icon_room = 16, icon_gap = 6;  // layout pixels
+constexpr float icon_room = 16;  // layout pixels
+float side(const ButtonLook& look) { return look.compact ? 6 : 10; }
+float icon_gap(const ButtonLook& look) { return look.compact ? 3 : 6; }
+
+Face face_of(const ButtonLook& look) {
+    if (look.emphasis == Emphasis::primary) return Face::strong;
+    return look.compact ? Face::small : Face::text;
+}
 
 bool shows_icon(const Ui& ui, const ButtonLook& look) { return !look.icon.empty() && has_icons(ui); }
 
@@ -40,9 +47,9 @@ ButtonColours colours(const Ui& ui, const ButtonLook& look, const Item& at) {
 }  // namespace
 
 float button_width(const Ui& ui, const ButtonLook& look) {
-    float width = 2 * ui.px(side);
-    if (shows_icon(ui, look)) width += ui.px(icon_room) + (look.words.empty() ? 0 : ui.px(icon_gap));
-    width += text_width(ui, look.emphasis == Emphasis::primary ? Face::strong : Face::text, look.words);
+    float width = 2 * ui.px(side(look));
+    if (shows_icon(ui, look)) width += ui.px(icon_room) + (look.words.empty() ? 0 : ui.px(icon_gap(look)));
+    width += text_width(ui, face_of(look), look.words);
     return std::max(width, ui.px(look.min_width));
 }
 
@@ -51,14 +58,14 @@ Item button(Ui& ui, std::string_view id, const ButtonLook& look) {
     const ButtonColours c = colours(ui, look, at);
     fill_box(ui, at.rect, c.fill);
     line_box(ui, at.rect, c.line);
-    const Face face = look.emphasis == Emphasis::primary ? Face::strong : Face::text;
+    const Face face = face_of(look);
     const bool with_icon = shows_icon(ui, look);
     float content = text_width(ui, face, look.words);
-    if (with_icon) content += ui.px(icon_room) + (look.words.empty() ? 0 : ui.px(icon_gap));
+    if (with_icon) content += ui.px(icon_room) + (look.words.empty() ? 0 : ui.px(icon_gap(look)));
     float x = at.middle_x() - content / 2;
     if (with_icon) {
         put_icon(ui, {x + ui.px(icon_room) / 2, at.middle_y()}, look.icon, c.words, Face::text);
-        x += ui.px(icon_room + icon_gap);
+        x += ui.px(icon_room + icon_gap(look));
     }
     put(ui, {x, at.middle_y() - line_height(ui, face) / 2}, look.words, c.words, face);
     return at;

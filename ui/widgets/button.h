@@ -16,7 +16,8 @@ struct ButtonLook {
     Emphasis emphasis = Emphasis::plain;
     bool on = false;  // a toggle that is on
     bool enabled = true;
-    float min_width = 0;  // layout pixels
+    float min_width = 0;   // layout pixels
+    bool compact = false;  // smaller words and less air, for bars that have little room
 };
 
 inline constexpr float button_height = 32;  // layout pixels

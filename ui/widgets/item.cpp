@@ -70,7 +70,7 @@ Item item(Ui& ui, std::string_view id, ImVec2 size, bool enabled) {
         result.focused = true;
         if (take(*ui.keyboard, key::enter)) result.pressed = result.entered = true;
         if (ui.keyboard->revealed && !is_visible(inside_clip(result.rect))) ImGui::SetScrollHereY();
-        ring(ui, result.rect, ui.palette.accent, 3, 1.5f);
+        if (ui.keyboard->shown) ring(ui, result.rect, ui.palette.accent, 3, 1.5f);
     }
     result.warmth = eased(ui, id, enabled && (result.hovered || result.held) ? 1.0f : 0.0f);
     mark(ui, id, result.rect);
@@ -90,8 +90,12 @@ void mark(Ui& ui, std::string_view id, Rect rect) {
 void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view shortcut) {
     if (ui.shown && item.shown >= 0) (*ui.shown)[static_cast<std::size_t>(item.shown)].has_tooltip |= !words.empty();
     if (!item.hovered || item.held || words.empty()) return;
-    // A moment of rest first: tooltips that jump up under a passing pointer hide what it is heading for.
-    if (compat::hovered_seconds() < 0.35f) return;
+    // A moment of rest first: tooltips that jump up under a passing pointer hide what it is heading for. And time to
+    // read, but no more: what they lie over is of interest too. Whoever has pressed the widget knows it.
+    constexpr float rest = 0.35f, read = 9;
+    const float hovered = compat::hovered_seconds();
+    const bool pressed_meanwhile = ImGui::GetTime() - ImGui::GetIO().MouseClickedTime[0] < static_cast<double>(hovered);
+    if (hovered < rest || hovered > read || pressed_meanwhile) return;
     place_tooltip(ui, item);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(6)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(2)});

@@ -26,6 +26,13 @@ int next_card(Stops stops, int from) {
 
 }  // namespace
 
+void show_focus_for(Keyboard& keyboard, KeyPress press) {
+    const bool arrow = press.key >= key::right && press.key <= key::up, digit = press.key >= '1' && press.key <= '4';
+    if (press.key == ' ') keyboard.shown = false;
+    if (press.key == key::tab || press.key == key::enter || arrow || digit || press.ctrl || press.key >= key::f1)
+        keyboard.shown = true;
+}
+
 void begin_keyboard(Keyboard& keyboard) {
     const Stops stops(keyboard.last_stops.data(), keyboard.last_count);
     const int count = static_cast<int>(stops.size());

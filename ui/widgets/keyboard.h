@@ -15,6 +15,7 @@ struct Keyboard {
     std::string focus;              // the anchor that has the focus; empty: the viewport has it
     std::vector<KeyPress> presses;  // for the focused widget, since the last frame
     bool revealed = false;          // the focus moved by a key: its card scrolls to it
+    bool shown = false;             // a ring says who has it: from a key that moves or uses it to a click or Space
 
     // A widget that can have the focus, in the order of drawing, and the card that it is on.
     struct Stop {
@@ -28,6 +29,9 @@ struct Keyboard {
     bool held = false, was_held = false;  // by a sheet, in this frame and in the last one
     std::string focus_before;             // who had it when the sheet came
 };
+
+// Whether the focus is shown after this key.
+void show_focus_for(Keyboard&, KeyPress);
 
 // Moves the focus for the Tabs among the presses: to the next widget, with Shift to the previous one, with Ctrl to the
 // next card. Forgets a focus whose widget is gone. Call once before the widgets.

@@ -1,0 +1,147 @@
+// What a frame shows, and in which look.
+#include <cmath>
+#include <iostream>
+
+#include <imgui.h>
+
+#include "app/app.h"
+#include "app/lettering.h"
+#include "app/platform.h"
+#include "app/screenshot.h"
+#include "render/view/between.h"
+#include "ui/prompts.h"
+
+namespace braitenlab {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+
+}  // namespace
+
+float App::wanted_scale() const {
+    if (!options_.scale) return window_.content_scale() * lab_.preferences.type_size;
+    return *options_.scale * lab_.preferences.type_size / memory_.preferences.type_size;
+}
+
+void App::follow_preferences() {
+    if (const auto error = speak(words_, lab_.preferences.language)) {
+        lab_.preferences.language = words_.language;
+        refuse(*error);
+    }
+    if (look_.wear(lab_.preferences.theme, wanted_scale())) window_.forget_fonts(), letter_labels();
+}
+
+float App::density() const {
+    return static_cast<float>(window_.framebuffer_width()) / std::max(1.0f, window_.area().w);
+}
+
+void App::letter_labels() {
+    constexpr float label_em = 14;  // layout pixels
+    const auto pixels = static_cast<int>(std::lround(label_em * look_.scale() * density()));
+    auto [lettering, warning] = label_font(find_font, pixels, *look_.fonts().small);
+    renderer_.use_lettering(std::move(lettering));
+    if (!warning.empty() && !told_of_labels_) std::cerr << "braitenlab: " << warning << "\n";
+    told_of_labels_ = true;
+}
+
+void App::follow_shaders() {
+    if (seconds_since(shaders_checked_) < 0.5) return;
+    shaders_checked_ = Clock::now();
+    if (const auto error = renderer_.follow_shaders()) complain(*error), refuse(*error);
+}
+
+void App::frame(float passed) {
+    follow_preferences();
+    follow_shaders();
+    window_.begin_frame();
+    LabView view = view_of(lab_);
+    view.catalogue = &catalogue_;
+    view.languages = &words_.languages;
+    view.recent = &memory_.remembered.recent;
+    view.files = &files_;
+    if (autosave_.leftover()) view.recovery = &autosave_.leftover()->offer;
+    const Rect area = window_.area();
+    const WindowLayout layout = lay_out(area.w, area.h, look_.scale(), view, panels_.charts_open);
+    aim(viewport_, lab_, area, layout.scene, passed);
+    view.sight = &viewport_.sight;
+    outbox_.clear();
+    bool arrows_are_free = true;
+    for (const KeyPress press : window_.take_keys()) arrows_are_free &= !press_key(view, panels_, press, outbox_);
+
+    anchors_.begin();
+    Ui ui{.strings = words_.strings,
+          .palette = palette(view.theme),
+          .fonts = look_.fonts(),
+          .scale = look_.scale(),
+          .anchors = anchors_,
+          .outbox = outbox_,
+          .pulse = pulse(view)};
+    draw_window(view, panels_, ui, layout);
+
+    const bool arrows_move_camera = arrows_are_free && view.mode != Mode::wiring && panels_.keyboard.focus.empty() &&
+                                    !takes_arrows(view, ImGui::GetIO().KeyCtrl);
+    const Arrows held = arrows_move_camera ? arrows() : Arrows{};
+    const bool steers = steer_by_keys(lab_, held.turn, held.raise);
+    drive_camera(lab_, viewport_, panels_.stage, steers ? Arrows{} : held, area, layout.scene, passed);
+    draw_scene();
+    facts_.focus = panels_.keyboard.focus;
+    window_.bind();
+    window_.end_frame();
+    for (const Request& request : outbox_) handle(lab_, request);
+}
+
+Arrows App::arrows() const {
+    if (ImGui::GetIO().WantTextInput) return {};
+    const auto held = [this](Action action) {
+        for (const Shortcut& shortcut : shortcuts())
+            if (shortcut.action == action && window_.holds(shortcut.press.key)) return 1.0f;
+        return 0.0f;
+    };
+    return {held(Action::turn_right) - held(Action::turn_left), held(Action::raise) - held(Action::lower)};
+}
+
+void App::draw_scene() {
+    Picture picture;
+    picture.sight = viewport_.sight;
+    picture.sight.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
+                            static_cast<float>(window_.framebuffer_height())};
+    picture.theme = lab_.preferences.theme;
+    picture.selected = lab_.selected;
+    const Thing& hovered = panels_.stage.hovered.thing;
+    picture.hovered = hovered.kind == ThingKind::vehicle ? hovered.index : no_vehicle;
+    picture.driver = lab_.camera.mode == CameraMode::driver ? lab_.selected : no_vehicle;
+    picture.sensors = lab_.sensors;
+    picture.outlines = lab_.outlines;
+    picture.overlays = lab_.overlays;
+    picture.pixel_scale = density() * look_.scale();
+    shown_ = lab_.session.snapshot();
+    if (!repeatable()) stand_between(shown_, lab_.before, between_ticks(lab_));
+    renderer_.draw(shown_, picture);
+    facts_.draw_calls = renderer_.draw_calls();
+    facts_.sight = viewport_.sight;
+    facts_.hand = ImGui::GetMouseCursor() == ImGuiMouseCursor_Hand;
+    facts_.graphics_errors = window_.graphics_errors();
+}
+
+int App::take_picture(const std::filesystem::path& path) {
+    if (auto error = write_png(path, window_.framebuffer_width(), window_.framebuffer_height(), window_.pixels()))
+        return complain(*error);
+    return 0;
+}
+
+void App::take_picture_for_person() {
+    lab_.screenshot = false;
+    std::error_code none;  // writing will say what is wrong
+    const auto folder = pictures_folder();
+    std::filesystem::create_directories(folder, none);
+    const auto path = next_screenshot_name(folder);
+    if (auto error = write_png(path, window_.framebuffer_width(), window_.framebuffer_height(), window_.pixels()))
+        return refuse(*error);
+    lab_.notice = fill(words_.strings("notice.screenshot"), {path.string()});
+    lab_.notice_until = lab_.wall_seconds + 6;
+}
+
+}  // namespace braitenlab

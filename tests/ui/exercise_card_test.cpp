@@ -1,0 +1,143 @@
+// The card of the open exercise.
+#include "desk.h"
+
+namespace braitenlab::tests {
+
+namespace {
+
+bool inside(Rect inner, Rect outer) {
+    return inner.x >= outer.x && inner.y >= outer.y && inner.x + inner.w <= outer.x + outer.w + 0.5f &&
+           inner.y + inner.h <= outer.y + outer.h + 0.5f;
+}
+
+bool says(const Desk& desk, std::string_view words) {
+    std::string all;
+    for (const Written& written : desk.written) all += written.words + "\n";
+    return all.find(words) != std::string::npos;
+}
+
+// An exercise in which everything has been done, from this start and from the others.
+void pass(Desk& desk) {
+    desk.open_exercise();
+    desk.lesson.prediction = 1;
+    desk.lesson.has_run = true;
+    for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
+    desk.lesson.grade = Grade{std::vector<bool>(10, true), 10, true};
+}
+
+}  // namespace
+
+TEST(ExerciseCard, TakesThePredictionBeforeTheRun) {
+    Desk desk;
+    desk.open_exercise();
+    desk.frame(3);
+    desk.click("exercise.predict.2");
+    ASSERT_EQ(desk.all.size(), 1u);
+    EXPECT_EQ(std::get<PredictRequest>(desk.all[0]).option, 1);
+    desk.lesson.prediction = 1;
+    desk.lesson.has_run = true;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "what was predicted stands";
+}
+
+TEST(ExerciseCard, OpensHintsAndStartsOver) {
+    Desk desk;
+    desk.open_exercise();
+    desk.frame(3);
+    desk.click("exercise.hint");
+    desk.click("exercise.reset");
+    EXPECT_EQ(desk.actions(), (std::vector{Action::hint, Action::exercise_reset}));
+    desk.all.clear();
+    desk.lesson.hint_ready = false;
+    desk.click("exercise.hint");
+    EXPECT_TRUE(desk.all.empty());
+}
+
+TEST(ExerciseCard, KeepsItsButtonsInSightHoweverLongItGets) {
+    Desk desk(1024, 768, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    desk.lesson.hints_shown = 3;
+    desk.panels.why_open = true;
+    desk.lesson.grade = Grade{{true, false, true}, 2, false};
+    desk.frame(5);
+    EXPECT_TRUE(inside(desk.where("exercise.hint"), desk.where("card.exercise")));
+    EXPECT_TRUE(inside(desk.where("exercise.reset"), desk.where("card.exercise")));
+    EXPECT_TRUE(desk.anchors.find("exercise.grade"));
+}
+
+TEST(ExerciseCard, WritesAsManyDigitsAsItTakesToSeeWhyAStepIsTickedOrNot) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    desk.lesson.verdicts[0] = {false, 10.4f, 10, "°", true};
+    desk.lesson.verdicts[1] = {true, 0.5972f, 0.6f, "m", true};
+    desk.lesson.verdicts[2] = {false, 1.2f, 1.5f, "×", false};
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "best 10.4°, need ≤ 10.0°"));
+    EXPECT_TRUE(says(desk, "reached 0.597 m (≤ 0.600 m)"));
+    EXPECT_TRUE(says(desk, "now 1.20 ×, need ≥ 1.50 ×")) << "what changes all the time is not the best so far";
+    desk.lesson.verdicts[0] = {true, 9, 10, "°", true};
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "reached 9° (≤ 10°)"));
+}
+
+TEST(ExerciseCard, TellsTheOutcomeOfTheBrainAsItCameAndOfNoOther) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.now.kind_brains = {desk.now.brains[0]};
+    desk.opened.scene = *desk.now.scene;
+    desk.lesson.prediction = 0;
+    desk.lesson.has_run = true;
+    const auto rewire = [&](const FourNeurons& dials) {
+        desk.now.kind_brains = {std::make_shared<BrainGraph>(make_graph(dials))};
+        desk.frame(3);
+    };
+    desk.now.seconds = desk.opened.seconds;
+    rewire({.LL = 0.3f});
+    EXPECT_FALSE(says(desk, "It turned away.")) << "rewired before the first run: nobody has seen that";
+    desk.now.kind_brains = {desk.now.brains[0]};
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "What happened: It turned away."));
+    rewire({.LL = 0.3f});
+    EXPECT_TRUE(says(desk, "Before your changes: It turned away."));
+}
+
+TEST(ExerciseCard, ShowsEveryStepAndTheWayOnOnceItIsPassedWithoutScrolling) {
+    for (const char* language : {"en", "de", "es"}) {
+        Desk desk(1024, 768, 1, true);
+        desk.strings = speaking(language);
+        pass(desk);
+        desk.panels.why_open = true;
+        desk.lesson.hints_shown = 3;
+        desk.frame(5);
+        const Rect card = desk.where("card.exercise"), buttons = desk.where("exercise.next");
+        EXPECT_TRUE(inside(buttons, card)) << language;
+        for (const char* step : {"exercise.step.1", "exercise.step.2", "exercise.step.3"}) {
+            const Rect r = desk.where(step);
+            EXPECT_GT(r.h, 30) << language << ": " << step << " is cut";
+            EXPECT_LT(r.y + r.h, buttons.y + 1) << language;
+        }
+    }
+}
+
+TEST(ExerciseCard, LeadsToTheNextExerciseOrToEverythingThereIs) {
+    Desk desk;
+    const std::vector<CatalogueEntry> more{{"05-aggressor", "5.toml", "Aggressor", "", 5},
+                                           {"08-overrun", "8.toml", "Overrun", "", 8},
+                                           {"06-love", "6.toml", "Love", "", 6},
+                                           {"2a-coward", "2a.toml", "Coward", "It turns away."}};
+    pass(desk);
+    desk.view.catalogue = &more;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.hint")) << "nobody needs one any more";
+    desk.click("exercise.next");
+    ASSERT_EQ(desk.all.size(), 1u);
+    EXPECT_EQ(std::get<OpenRequest>(desk.all[0]).path, "6.toml");
+    const std::vector<CatalogueEntry> last{more[0], more[3]};
+    desk.view.catalogue = &last;
+    desk.click("exercise.next");
+    EXPECT_EQ(desk.panels.sheet, Sheet::files);
+}
+
+}  // namespace braitenlab::tests

@@ -1,0 +1,52 @@
+// The bar on top, in windows of every width.
+#include "desk.h"
+
+namespace braitenlab::tests {
+
+namespace {
+
+constexpr const char* buttons[]{"button.open", "button.play",   "button.step",   "button.reset",   "button.new",
+                                "button.add",  "button.remove", "button.follow", "button.sensors", "button.outlines",
+                                "button.view", "button.wiring", "button.exit"};
+
+// Words within the button, other than its icon.
+bool has_words(const Desk& desk, const char* button) {
+    const Rect r = desk.where(button);
+    for (const Written& w : desk.written) {
+        const bool is_icon = !w.words.empty() && static_cast<unsigned char>(w.words[0]) == 0xEF;
+        if (!is_icon && r.contains(w.rect.x + w.rect.w / 2, w.rect.y + w.rect.h / 2)) return true;
+    }
+    return false;
+}
+
+struct InEveryLanguage : ::testing::TestWithParam<const char*> {};
+
+}  // namespace
+
+TEST_P(InEveryLanguage, HasWordsOnEveryButtonAt1280Pixels) {
+    Desk desk(1280, 800, 1, true);
+    desk.strings = speaking(GetParam());
+    desk.frame(3);
+    for (const char* button : buttons) EXPECT_TRUE(has_words(desk, button)) << button;
+}
+
+TEST_P(InEveryLanguage, StandsInOneRowWithoutOverlapsAtAnyWidth) {
+    for (int width = 1024; width <= 1920; width += 64) {
+        Desk desk(static_cast<float>(width), 800, 1, true);
+        desk.strings = speaking(GetParam());
+        desk.frame(3);
+        float end = 0;
+        for (const char* button : buttons) {
+            const Rect r = desk.where(button);
+            EXPECT_GE(r.x, end) << button << " at " << width;
+            end = r.x + r.w;
+        }
+        EXPECT_LE(end, static_cast<float>(width)) << width;
+        EXPECT_GE(desk.where("mode").x, desk.where("button.faster").x + desk.where("button.faster").w) << width;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Toolbar, InEveryLanguage, ::testing::Values("en", "de", "es"),
+                         [](const auto& given) { return std::string(given.param); });
+
+}  // namespace braitenlab::tests
