@@ -61,7 +61,7 @@ int App::run() {
         if (picture_is_due(seconds_since(began))) return take_picture(options_.screenshot);
         if (lab_.screenshot) take_picture_for_person();
         facts_.frame_ms = seconds_since(frame_began) * 1000;
-        window_.show();
+        if (!repeatable()) window_.show();
         write_reports();
         keep_memory(false);
         if (const auto error = autosave_.keep(lab_, lab_.wall_seconds)) refuse(*error);

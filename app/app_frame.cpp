@@ -86,7 +86,10 @@ void App::frame(float passed) {
     const Arrows held = arrows_move_camera ? arrows() : Arrows{};
     const bool steers = steer_by_keys(lab_, held.turn, held.raise);
     drive_camera(lab_, viewport_, panels_.stage, steers ? Arrows{} : held, area, layout.scene, passed);
-    draw_scene();
+    if (repeatable() && !picture_is_due(0))
+        renderer_.remember(lab_.session.snapshot());  // nobody looks before the picture is taken
+    else
+        draw_scene();
     facts_.focus = panels_.keyboard.focus;
     window_.bind();
     window_.end_frame();

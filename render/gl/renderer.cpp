@@ -228,10 +228,12 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
+void Renderer::remember(const Snapshot& now) { parts_->trails.record(now); }
+
 void Renderer::draw(const Snapshot& now, const Picture& picture) {
     Parts& p = *parts_;
     p.calls = 0;
-    p.trails.record(now);
+    remember(now);
     fill(p.list, now, picture, p.trails);
     p.feel(now, picture);
     p.letter(picture);

@@ -34,6 +34,9 @@ public:
     // Draws labels with these characters from the next frame on; until then, none.
     void use_lettering(Lettering);
 
+    // Notes where the vehicles are, for their trails. draw() does so by itself; this is for moments that nobody sees.
+    void remember(const Snapshot&);
+
     // Clears and draws everything. One draw call per kind of thing, however many there are.
     void draw(const Snapshot&, const Picture&);
 
