@@ -3,12 +3,13 @@ layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 normal;
 layout(location = 4) in vec4 place;  // x, y, direction
 layout(location = 5) in vec4 size;   // radius, height, what it sees, detail
-layout(location = 6) in vec4 base;   // colour of what it looks for
+layout(location = 6) in vec4 base;   // colour of what it looks for; w: 0 covered, 1 open
 
 out vec3 v_shell, v_glass;
 out vec3 v_lens;
 out float v_facing;  // 1 where the ball faces the eye that looks at the picture
 flat out vec3 v_glow;
+out vec3 v_lid;  // across the lens, -1..1; 1 covered
 
 // The lens looks half upwards, so that it can be seen from above.
 vec3 raised(vec3 v) { return vec3(v.x * 0.74 - v.z * 0.67, v.y, v.x * 0.67 + v.z * 0.74); }
@@ -23,6 +24,7 @@ void main() {
     v_shell = mix(white * light, base.rgb, 0.25 * size.z);
     v_glass = mix(ink.rgb, base.rgb, 0.10) * light;
     v_glow = mix(base.rgb, vec3(1.0), 0.30);
+    v_lid = vec3(corner.yz, 1.0 - base.w);
     v_lens = vec3(corner.x, size.z, size.w);
     v_facing = dot(up, normalize(eye.xyz - at));
     gl_Position = view_projection * vec4(at, 1.0);

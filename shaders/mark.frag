@@ -3,7 +3,8 @@ in vec4 v_shape, v_base;
 
 out vec4 colour;
 
-const int kind_shadow = 0, kind_pool = 1, kind_ring = 2, kind_thin_ring = 3, kind_memory = 4, kind_arrow = 5;
+const int kind_shadow = 0, kind_pool = 1, kind_ring = 2, kind_thin_ring = 3, kind_memory = 4, kind_arrow = 5,
+          kind_whole_socket = 6, kind_dashed_socket = 7, kind_dotted_socket = 8;
 
 float shadow() {
     float soft = v_shape.z;
@@ -42,6 +43,16 @@ vec4 arrow(float pixel) {
     return vec4(mix(ink.rgb, v_base.rgb, body) * alpha, alpha);
 }
 
+// Round the foot of a coloured lamp, so that red, green and blue differ in more than colour.
+vec4 socket(int kind, float d, float pixel) {
+    float line = max(v_shape.z, 0.8 * pixel * arena.w);
+    float ring = 1.0 - smoothstep(line - pixel * 0.5, line + pixel * 0.5, abs(d - v_shape.x));
+    float parts = kind == kind_dashed_socket ? 4.0 : 12.0, turn = atan(v_own.y, v_own.x) / 6.2831853 + 0.5;
+    float dash = smoothstep(0.40, 0.55, abs(fract(turn * parts) - 0.5) * 2.0);
+    float alpha = v_base.a * ring * (kind == kind_whole_socket ? 1.0 : dash);
+    return vec4(v_base.rgb * alpha, alpha);
+}
+
 void main() {
     int kind = int(v_shape.w + 0.5);
     if (kind == kind_shadow || kind == kind_pool) {
@@ -57,6 +68,10 @@ void main() {
         return;
     }
     float d = length(v_own), pixel = fwidth(d);
+    if (kind >= kind_whole_socket) {
+        colour = socket(kind, d, pixel);
+        return;
+    }
     float half_width = max(v_shape.z, (kind == kind_ring ? 1.1 : 0.7) * pixel * arena.w);
     float away = abs(d - v_shape.x);
     float line = 1.0 - smoothstep(half_width - pixel * 0.5, half_width + pixel * 0.5, away);

@@ -9,7 +9,8 @@ out float v_side;
 out float v_along;   // metres
 out vec4 v_base;
 out float v_signal;
-out float v_gap;     // 0 in a cut wire's gap, 1 elsewhere
+out float v_part;    // of the way, 0..1
+flat out float v_cut;
 
 void main() {
     float t = corner.x;
@@ -27,6 +28,7 @@ void main() {
     v_along = t * distance(a, b);
     v_base = base;
     v_signal = signal.x;
-    v_gap = signal.y > 0.5 ? abs(t - 0.45) * 12.0 - 0.6 : 1.0;
+    v_part = t;
+    v_cut = signal.y;
     gl_Position = view_projection * vec4(to_gl(vec3(at, shape.z)), 1.0);
 }

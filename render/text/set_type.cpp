@@ -28,8 +28,11 @@ void set_type(std::vector<LetterInstance>& letters, const std::vector<Label>& la
         const maths::vec2 middle = *at + label->offset * picture.pixel_scale;
         if (!window.contains(middle.x, middle.y)) continue;
         const SetLine line = set_line(lettering, label->text);
-        const float left = std::round(middle.x - static_cast<float>(line.width) / 2);
-        const float base = std::round(middle.y + static_cast<float>(lettering.cap_height()) / 2);
+        // As far that way as half the words reach, so that none of them lies over their place.
+        const maths::vec2 half{static_cast<float>(line.width) / 2, static_cast<float>(lettering.cap_height()) / 2};
+        const float reach = std::fabs(label->away.x) * half.x + std::fabs(label->away.y) * half.y;
+        const maths::vec2 centre = middle + label->away * reach;
+        const float left = std::round(centre.x - half.x), base = std::round(centre.y + half.y);
         const auto height = static_cast<float>(lettering.pixels());
         const Rect box{left - 3, base - height, static_cast<float>(line.width) + 6, height * 1.3f};
         if (std::any_of(taken.begin(), taken.end(), [&](const Rect& other) { return overlap(box, other); })) continue;

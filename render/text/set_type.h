@@ -17,7 +17,7 @@ struct LetterInstance {
     maths::vec4 colour;
 };
 
-// Sets each label centred on its place. Of two that overlap the one of lower rank stays; what is behind the eye or
+// Sets each label centred on its place, or beside it where it has a side to stand on. Of two that overlap the one of lower rank stays; what is behind the eye or
 // outside the window is left out. Boxes are grown by Lettering::room each way for the halo.
 void set_type(std::vector<LetterInstance>&, const std::vector<Label>&, Lettering&, const Picture&);
 

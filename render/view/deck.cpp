@@ -139,10 +139,17 @@ DeckWire run(const BrainGraph& brain, const Places& places, std::size_t i, const
     return {i, from, tip, bend};
 }
 
+bool is_silenced(const BrainGraph& brain, NodeKind kind, const std::string& name) {
+    return std::any_of(brain.nodes.begin(), brain.nodes.end(),
+                       [&](const Node& node) { return node.kind == kind && node.name == name && node.silenced; });
+}
+
 }  // namespace
 
 DeckPlan plan_deck(const BrainGraph& brain, const Kind& kind) {
     DeckPlan plan;
+    for (const Sensor& sensor : kind.sensors) plan.covered.push_back(is_silenced(brain, NodeKind::sensor, sensor.name));
+    plan.stopped = {is_silenced(brain, NodeKind::motor, "ML"), is_silenced(brain, NodeKind::motor, "MR")};
     const float front = 0.16f * kind.body.length, back = -0.04f * kind.body.length,
                 half_width = 0.30f * kind.body.width;
     Places places = fixed_places(brain, kind);

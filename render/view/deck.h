@@ -2,6 +2,7 @@
 // frame.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/brain/graph.h"
@@ -24,7 +25,9 @@ struct DeckWire {
 struct DeckPlan {
     std::vector<DeckNeuron> neurons;
     std::vector<DeckWire> wires;
-    float neuron_radius = 0.04f;  // m
+    float neuron_radius = 0.04f;    // m
+    std::vector<bool> covered;      // a lid over the eye; as Kind::sensors
+    std::array<bool, 2> stopped{};  // the motors, left and right
 };
 
 // Eyes stand where they are mounted and motors beside their wheels; what is between stands in rows from the eyes back

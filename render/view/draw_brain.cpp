@@ -13,10 +13,7 @@ using maths::vec4;
 
 namespace {
 
-const DeckPlan& plan_of(Sheet& sheet, const Subject& s) {
-    const auto brain = static_cast<std::size_t>(s.view.brain), kind = static_cast<std::size_t>(s.view.kind);
-    return sheet.list.decks.of(sheet.now.brains[brain], kind, s.kind);
-}
+constexpr float crossed_out = -1;  // as a neuron's value
 
 void add_wire(Sheet& sheet, const Subject& s, const DeckWire& run, int layer, float thin) {
     const Wire& wire = s.brain->wires[run.wire];
@@ -38,20 +35,19 @@ void add_wire(Sheet& sheet, const Subject& s, const DeckWire& run, int layer, fl
 void add_neuron(Sheet& sheet, const Subject& s, const DeckNeuron& neuron, float radius) {
     const float value = std::clamp(node_value(sheet.now, s.view, neuron.id), -1.0f, 1.0f);
     const vec2 at = s.to_world(neuron.place);
-    const Colour colour = neuron.silenced ? sheet.colours.wall
-                          : value < 0     ? sheet.colours.inhibits
-                                          : sheet.colours.excites;
+    const Colour colour = value < 0 ? sheet.colours.inhibits : sheet.colours.excites;
     sheet.list.neurons.push_back(
         {{at.x, at.y, (deck_height + 0.036f) * s.height_scale, radius * s.height_scale * s.detail},
-         rgb_with(colour, std::fabs(value))});
+         rgb_with(colour, neuron.silenced ? crossed_out : std::fabs(value))});
 }
 
 }  // namespace
 
 const DeckPlan& DeckPlans::of(const std::shared_ptr<const BrainGraph>& brain, std::size_t kind, const Kind& design) {
     for (Entry& entry : entries_)
-        if (entry.brain == brain && entry.kind == kind && entry.sensors == design.sensors &&
-            entry.body == design.body) {
+        // What was looked at in this picture already is not compared again: a crowd shares few brains.
+        if (entry.brain == brain && entry.kind == kind &&
+            (entry.used || (entry.sensors == design.sensors && entry.body == design.body))) {
             entry.used = true;
             return *entry.plan;
         }
@@ -65,15 +61,32 @@ void DeckPlans::forget_unused() {
     for (Entry& entry : entries_) entry.used = false;
 }
 
+const DeckPlan* plan_of(Sheet& sheet, const Subject& s) {
+    if (!s.brain || s.view.driver != Driver::brain) return nullptr;
+    const auto brain = static_cast<std::size_t>(s.view.brain), kind = static_cast<std::size_t>(s.view.kind);
+    return &sheet.list.decks.of(sheet.now.brains[brain], kind, s.kind);
+}
+
 void add_wires(Sheet& sheet, const Subject& s) {
-    if (!s.brain || s.view.driver != Driver::brain || s.detail == 0) return;
-    const DeckPlan& plan = plan_of(sheet, s);
+    if (!s.plan || s.detail == 0) return;
+    const DeckPlan& plan = *s.plan;
     // Many wires share the deck, so each is thinner.
     const float thin =
         std::clamp(std::sqrt(8.0f / static_cast<float>(std::max<std::size_t>(plan.wires.size(), 1))), 0.3f, 1.0f);
     int layer = 0;
     for (const DeckWire& run : plan.wires) add_wire(sheet, s, run, layer++, thin);
     for (const DeckNeuron& neuron : plan.neurons) add_neuron(sheet, s, neuron, plan.neuron_radius);
+}
+
+void add_stopped_wheels(Sheet& sheet, const Subject& s) {
+    if (!s.plan) return;
+    for (const Wheel& wheel : s.kind.body.wheels) {
+        if (wheel.motor == Motor::none || !s.plan->stopped[wheel.motor == Motor::right]) continue;
+        // Above the wheel and a little outside, where the hull leaves it free.
+        const vec2 at = s.to_world({wheel.x, wheel.y + (wheel.y < 0 ? -0.04f : 0.04f)});
+        sheet.list.neurons.push_back({{at.x, at.y, 2 * wheel.radius + 0.02f, 0.15f * s.height_scale},
+                                      rgb_with(sheet.colours.excites, crossed_out)});
+    }
 }
 
 void add_wheel_arrows(Sheet& sheet, const Subject& s) {

@@ -51,7 +51,7 @@ void add_fields(Sheet& sheet, const Subject& s) {
         const float idle = chosen ? 0.20f : 0.09f * std::max(0.3f, sheet.crowd * sheet.crowd);
         const float strong = (chosen ? 0.60f : 0.42f) - (light ? 0.10f : 0.0f);
         const float awake = s.view.driver == Driver::parked ? 0.4f : 1.0f;
-        const float fill = fills ? (idle + (strong - idle) * seen) * awake : 0.0f;
+        const float fill = fills && !is_covered(s, i) ? (idle + (strong - idle) * seen) * awake : 0.0f;
         const bool leads = s.driven && (i == leading_eye(s.kind, 1) || i == leading_eye(s.kind, -1));
         const float line = sheet.picture.outlines || leads ? (s.selected ? 0.8f : 0.28f) + 0.2f * seen : 0.0f;
         const float reach = fill_reach(sheet, s, sensor), radius = visible_radius(fill, reach, sensor);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "render/view/intensity.h"
 #include "render/view/sheet.h"
@@ -15,6 +16,7 @@ namespace {
 enum Rank { rank_chosen, rank_vehicle, rank_source, rank_zone, rank_level, rank_metres };
 
 constexpr float metres_between = 5;  // the grid's bright lines
+constexpr float clear_of_wall = 9;   // layout pixels
 
 std::string in_words(std::string name) {
     std::replace(name.begin(), name.end(), '_', ' ');
@@ -30,18 +32,32 @@ bool looks_down(const Sight& sight) { return sight.view[1][2] > 0.5f; }
 
 void add_metres(Sheet& sheet, const Arena& arena) {
     if (!looks_down(sheet.picture.sight)) return;
-    constexpr float outside = 0.6f;  // m from the edge
+    const Sight& sight = sheet.picture.sight;
+    const bool walled = arena.edge == Edge::wall;
     const Colour quiet = sheet.colours.second_text.with_alpha(0.75f);
     const auto along = [&](float length, auto place_of) {
         const int most = static_cast<int>(length / 2 / metres_between);
         for (int i = -most; i <= most; ++i) {
             const int n = i * static_cast<int>(metres_between);
-            sheet.list.labels.push_back(
-                {place_of(static_cast<float>(n)), 0, {}, metres(n, i == most), quiet, rank_metres});
+            const auto [place, outwards] = place_of(static_cast<float>(n));
+            // Beyond the wall's outer edge, at its foot or its top, whichever is farther out in the picture.
+            const vec2 edge = place + outwards * (walled ? wall_thickness : 0.0f);
+            const auto foot = project(sight, edge), beyond = project(sight, edge + outwards * 0.5f);
+            const auto top = project(sight, edge, wall_height);
+            if (!foot || !beyond || !top) continue;
+            const vec2 away = maths::normalise(*beyond - *foot);
+            const bool leans_out = walled && maths::dot(*top - *foot, away) > 0;
+            sheet.list.labels.push_back({.place = edge,
+                                         .height = leans_out ? wall_height : 0,
+                                         .offset = away * clear_of_wall,
+                                         .text = metres(n, i == most),
+                                         .colour = quiet,
+                                         .rank = rank_metres,
+                                         .away = away});
         }
     };
-    along(arena.width, [&](float n) { return vec2{n, -arena.height / 2 - outside}; });
-    along(arena.height, [&](float n) { return vec2{-arena.width / 2 - outside, n}; });
+    along(arena.width, [&](float n) { return std::pair{vec2{n, -arena.height / 2}, vec2{0, -1}}; });
+    along(arena.height, [&](float n) { return std::pair{vec2{-arena.width / 2, n}, vec2{-1, 0}}; });
 }
 
 void add_source_names(Sheet& sheet, const Scene& scene) {

@@ -40,7 +40,7 @@ struct WheelInstance {
 struct EyeInstance {
     maths::vec4 place;
     maths::vec4 size;    // radius m, height m, what it sees 0..1, detail
-    maths::vec4 colour;  // of what it looks for
+    maths::vec4 colour;  // of what it looks for; w: 0 covered by a lid, 1 open
 };
 struct WireInstance {
     maths::vec4 ends;    // x, y where it begins and where it ends
@@ -49,8 +49,9 @@ struct WireInstance {
     maths::vec4 signal;  // x: its size now 0..1; y: 1 cut
 };
 struct NeuronInstance {
-    maths::vec4 place;   // x, y, height, radius; m
-    maths::vec4 colour;  // w: the size of its value, 0..1
+    maths::vec4 place;  // x, y, height, radius; m
+    maths::vec4
+        colour;  // w: the size of its value, 0..1; −1 crossed out: a dead neuron, or a wheel whose motor stopped
 };
 struct FieldInstance {
     maths::vec4 place;
@@ -74,7 +75,7 @@ struct ZoneInstance {
     maths::vec4 flow;    // x, y: which way it pushes, in the zone's frame; z: how strongly 0..1
 };
 // What lies flat on the floor. The shaders know the same numbers.
-enum class MarkKind { shadow, pool, ring, thin_ring, memory, arrow };
+enum class MarkKind { shadow, pool, ring, thin_ring, memory, arrow, whole_socket, dashed_socket, dotted_socket };
 struct MarkInstance {
     maths::vec4 place;
     maths::vec4 shape;  // half the length, half the width, softness or width of its line (m), MarkKind
@@ -127,7 +128,8 @@ struct Label {
     maths::vec2 offset{};  // layout pixels on the screen, y down
     std::string text;      // UTF-8
     Colour colour;
-    int rank = 0;  // where two overlap, the lower rank stays
+    int rank = 0;        // where two overlap, the lower rank stays
+    maths::vec2 away{};  // unit vector on the screen: the words stand wholly on this side of their place; 0: centred
 };
 
 struct DrawList {

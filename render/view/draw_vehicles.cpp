@@ -10,7 +10,12 @@ namespace braitenlab {
 using maths::vec2;
 using maths::vec4;
 
+bool is_covered(const Subject& s, std::size_t sensor) {
+    return s.plan && sensor < s.plan->covered.size() && s.plan->covered[sensor];
+}
+
 float sensed(const Sheet& sheet, const Subject& s, std::size_t sensor) {
+    if (is_covered(s, sensor)) return 0;
     const std::size_t i = static_cast<std::size_t>(s.view.first_sensed) + sensor;
     return i < sheet.now.sensed.size() ? std::clamp(sheet.now.sensed[i], 0.0f, 1.0f) : 0.0f;
 }
@@ -117,13 +122,13 @@ void add_eyes(Sheet& sheet, const Subject& s) {
         const vec2 own{sensor.x, sensor.y}, inside{sensor.x - 0.04f * s.kind.body.length, sensor.y * 0.74f};
         const vec2 at = s.to_world(inside + (own - inside) * s.detail);
         const vec2 towards = maths::rotate(maths::direction(sensor.angle), s.ahead);
-        const float seen = std::sqrt(sensed(sheet, s, glowing));
+        const float seen = std::sqrt(sensed(sheet, s, glowing)), open = is_covered(s, glowing) ? 0.0f : 1.0f;
         sheet.list.eyes.push_back(
             {{at.x, at.y, towards.x, towards.y},
              {(dot ? 0.095f + (eye_radius(s.kind, i) - 0.095f) * s.detail : eye_radius(s.kind, i)) * s.height_scale *
                   size,
               (deck_height + 0.035f) * s.height_scale, seen, s.detail},
-             rgb_with(colour_of(sheet.colours, s.kind.sensors[glowing].channel), 1)});
+             rgb_with(colour_of(sheet.colours, s.kind.sensors[glowing].channel), open)});
     }
 }
 
@@ -177,6 +182,7 @@ void add_body(Sheet& sheet, const Subject& s) {
     add_wheels(sheet, s);
     add_eyes(sheet, s);
     add_wires(sheet, s);
+    add_stopped_wheels(sheet, s);
     add_shadow(sheet, s);
 }
 
@@ -213,7 +219,8 @@ void add_beyond_edges(Sheet& sheet, Subject s, const Arena& arena) {
 
 void add_vehicles(Sheet& sheet, const Trails& trails) {
     for (const VehicleView& view : sheet.now.vehicles) {
-        const Subject s = subject_of(sheet, view);
+        Subject s = subject_of(sheet, view);
+        s.plan = plan_of(sheet, s);
         add_here(sheet, s);
         add_fields(sheet, s);
         if (const Trail* trail = sheet.picture.overlays.trails ? trails.of(view.id) : nullptr)

@@ -38,7 +38,7 @@ std::vector<vec2> rectangle(float half_length, float half_width) {
 void add_walls(Sheet& sheet, const Arena& arena) {
     if (arena.edge != Edge::wall) return;
     const float half_w = arena.width / 2, half_h = arena.height / 2;
-    constexpr float thick = 0.11f, high = 0.35f, chamfer = 0.035f;  // half the thickness; m
+    constexpr float thick = wall_thickness / 2, high = wall_height, chamfer = 0.035f;  // m
     const vec4 colour = rgb_with(sheet.colours.wall, 0);
     for (const float side : {-1.0f, 1.0f}) {
         sheet.list.blocks.push_back(block({0, side * (half_h + thick), 1, 0}, rectangle(half_w + 2 * thick, thick),
@@ -140,6 +140,18 @@ void add_marks(Sheet& sheet) {
     }
 }
 
+// Coloured lamps are alike but for their colour: a ring at the foot says it too.
+void add_socket(Sheet& sheet, Channel channel, vec2 at, float size) {
+    const MarkKind kind = channel == Channel::red     ? MarkKind::whole_socket
+                          : channel == Channel::green ? MarkKind::dashed_socket
+                                                      : MarkKind::dotted_socket;
+    if (channel != Channel::red && channel != Channel::green && channel != Channel::blue) return;
+    const float radius = 0.34f * size;
+    sheet.list.rings.push_back({{at.x, at.y, 1, 0},
+                                {radius, radius, 0.022f, static_cast<float>(kind)},
+                                rgb_with(mix(colour_of(sheet.colours, channel), sheet.colours.text, 0.35f), 1)});
+}
+
 }  // namespace
 
 void add_source(Sheet& sheet, Channel channel, vec2 at, float foot, float strength, float size) {
@@ -160,6 +172,7 @@ void add_source(Sheet& sheet, Channel channel, vec2 at, float foot, float streng
         sheet.list.marks.push_back({place,
                                     {0.22f * size, 0.22f * size, 0.12f, static_cast<float>(MarkKind::shadow)},
                                     rgb_with(sheet.colours.shadow, sheet.colours.shadow.a * 0.7f)});
+    if (foot == 0) add_socket(sheet, channel, at, size);
     sheet.list.halos.push_back({{at.x, at.y, bulb, (dark ? 1.25f : 0.85f) * size},
                                 rgb_with(colour, (dark ? 0.75f : 0.5f) * (0.3f + 0.7f * strength))});
     if (sheet.list.lamps.size() < most_lamps)

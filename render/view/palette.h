@@ -36,8 +36,8 @@ struct Palette {
     Colour sky, floor, grid, wall, shadow, chassis, wheel, lamp;
     // meaning
     Colour excites, inhibits, predator, prey, neutral, selected, memory;
-    // what can be sensed; light has the lamp's colour
-    Colour heat, smell, oxygen, obstacle;
+    // what can be sensed; white light has the lamp's colour
+    Colour red_light, green_light, blue_light, heat, smell, oxygen, obstacle;
     // what can be pushed, and pieces of floor
     Colour crate, ice, carpet, sand, tape, recharge;
 };
@@ -50,16 +50,18 @@ constexpr Palette palette(Theme theme) {
     p.prey = rgb(0x009E73);
     p.selected = rgb(0xF0E442);
     p.memory = rgb(0xCC79A7);
-    p.heat = rgb(0xEF6461);
-    p.smell = rgb(0xA98BE8);
     if (theme == Theme::dark) {
         p.ground = rgb(0x14171C), p.panel = rgb(0x1C2128), p.raised = rgb(0x262D36), p.line = rgb(0x343D48);
         p.text = rgb(0xE6EAF0), p.second_text = rgb(0xA9B4C0);
         p.accent = rgb(0x4C8DFF), p.on_accent = rgb(0x0B1220), p.warning = rgb(0xFF8A70);
         p.sky = rgb(0x14171C), p.floor = rgb(0x20262E), p.grid = rgb(0x2C343E), p.wall = rgb(0x3A4552);
         p.shadow = Colour{0, 0, 0, 0.55f}, p.chassis = rgb(0x8C98A6), p.wheel = rgb(0x0E1115),
-        p.neutral = rgb(0x8EA2B8);
-        p.lamp = rgb(0xFFE3A0), p.oxygen = rgb(0x8FE3DC), p.obstacle = rgb(0x7F8FA3);
+        p.neutral = rgb(0xA4BAD4);
+        // Channels differ in lightness where colour-blind eyes see one hue: red and heat, blue and smell, green and
+        // oxygen.
+        p.red_light = rgb(0xF0405C), p.green_light = rgb(0x84EC58), p.blue_light = rgb(0x3D84FF);
+        p.heat = rgb(0xEFA06C), p.smell = rgb(0xC296F2);
+        p.lamp = rgb(0xFFE3A0), p.oxygen = rgb(0x8CF5EA), p.obstacle = rgb(0x727F90);
         p.crate = rgb(0xB49A78), p.ice = rgb(0x4E6C84), p.carpet = rgb(0x463D49), p.sand = rgb(0x5C5341);
         p.tape = rgb(0x06080A), p.recharge = rgb(0xB6E36B);
     } else {
@@ -68,9 +70,11 @@ constexpr Palette palette(Theme theme) {
         p.accent = rgb(0x1F5FD0), p.on_accent = rgb(0xFFFFFF), p.warning = rgb(0xB3261E);
         p.sky = rgb(0xFFFFFF), p.floor = rgb(0xF2F4F7), p.grid = rgb(0xD5DBE3), p.wall = rgb(0xB4BEC9);
         p.shadow = Colour{0, 0, 0, 0.22f}, p.chassis = rgb(0x6C7885), p.wheel = rgb(0x2A3038),
-        p.neutral = rgb(0x5D7186);
+        p.neutral = rgb(0x465873);
         // Pale yellow drowns in a projector's white: the lamp is amber there.
-        p.lamp = rgb(0xF2B21C), p.oxygen = rgb(0x1FA79B), p.obstacle = rgb(0x6B7A8C);
+        p.red_light = rgb(0xA8203A), p.green_light = rgb(0x2EA035), p.blue_light = rgb(0x2A46D6);
+        p.heat = rgb(0xE09660), p.smell = rgb(0x7D6CCB);
+        p.lamp = rgb(0xD9A200), p.oxygen = rgb(0x35ADA8), p.obstacle = rgb(0x8595AA);
         p.crate = rgb(0xA88A60), p.ice = rgb(0xC3DCEE), p.carpet = rgb(0xC9BCCB), p.sand = rgb(0xE3D6B8);
         p.tape = rgb(0x20252C), p.recharge = rgb(0x5E8C14);
     }
@@ -86,13 +90,15 @@ constexpr Colour colour_of(const Palette& p, Channel channel) {
         case Channel::light:
             return p.lamp;
         case Channel::red:
+            return p.red_light;
+        case Channel::green:
+            return p.green_light;
+        case Channel::blue:
+            return p.blue_light;
         case Channel::heat:
             return p.heat;
-        case Channel::green:
-            return p.prey;
-        case Channel::blue:
-            return p.oxygen;
         case Channel::memory:
+            return p.memory;
         case Channel::touch:
         case Channel::floor:
         case Channel::energy:

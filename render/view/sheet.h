@@ -17,7 +17,8 @@ struct Sheet {
     float crowd;          // 1 for a few vehicles, less the more there are
 };
 
-constexpr float deck_height = 0.27f;  // m, of the standard vehicle
+constexpr float wall_thickness = 0.22f, wall_height = 0.35f;  // m
+constexpr float deck_height = 0.27f;                          // m, of the standard vehicle
 
 // One vehicle with what it is made of.
 struct Subject {
@@ -29,13 +30,17 @@ struct Subject {
     float pixels;  // its length on the screen, layout pixels
     float detail;  // 0 small on the screen .. 1 large enough for small parts
     bool selected, hovered, driven;
+    const DeckPlan* plan = nullptr;  // of the brain that drives it; null when something else does
 
     maths::vec2 to_world(maths::vec2 own) const { return place + maths::rotate(own, ahead); }
 };
 
 inline maths::vec4 rgb_with(Colour c, float w) { return {c.r, c.g, c.b, w}; }
 
-// What a sensor of the vehicle reads now, 0..1.
+// Whether a lesion covers an eye of the vehicle.
+bool is_covered(const Subject&, std::size_t sensor);
+
+// What a sensor of the vehicle reads now, 0..1; a covered one nothing.
 float sensed(const Sheet&, const Subject&, std::size_t sensor);
 
 // 1 left, −1 right, 0 amid.
@@ -52,7 +57,10 @@ void add_source(Sheet&, Channel, maths::vec2 place, float foot, float strength, 
 // Adds every vehicle with all its parts.
 void add_vehicles(Sheet&, const Trails&);
 void add_fields(Sheet&, const Subject&);
+// The wires and neurons, and a cross over what a lesion has put out of work.
 void add_wires(Sheet&, const Subject&);
+void add_stopped_wheels(Sheet&, const Subject&);
+const DeckPlan* plan_of(Sheet&, const Subject&);
 void add_wheel_arrows(Sheet&, const Subject&);
 void add_trail(Sheet&, const Subject&, const Trail&);
 

@@ -70,6 +70,20 @@ TEST_F(SetType, LeavesOutWhatIsOutsideTheWindow) {
     EXPECT_TRUE(set({{{0, -500}, 0, {}, "behind", {}, 0}}).empty());
 }
 
+TEST_F(SetType, StandsWhollyOnTheSideThatALabelKeepsTo) {
+    for (const char* text : {"5 m", "−5", "a long label"}) {
+        const auto beside = [&](maths::vec2 away) {
+            return around(set({{.place = {2, 3}, .text = text, .away = away}}));
+        };
+        const maths::vec2 at = *project(picture.sight, {2, 3});
+        constexpr float halo = Lettering::room + 2;
+        EXPECT_LE(beside({-1, 0}).x + beside({-1, 0}).w, at.x + halo) << text;
+        EXPECT_GE(beside({1, 0}).x, at.x - halo) << text;
+        EXPECT_GE(beside({0, 1}).y, at.y - halo) << text;
+        EXPECT_NEAR(beside({-1, 0}).x + beside({-1, 0}).w, at.x, 2 * halo) << text << ": and no farther";
+    }
+}
+
 TEST_F(SetType, MovesByTheOffsetInLayoutPixels) {
     picture.pixel_scale = 2;
     const Rect plain = around(set({{{0, 0}, 0, {}, "x", {}, 0}})),

@@ -47,6 +47,15 @@ TEST(Deck, StandsNeuronsBetweenEyesAndWheelsInTheOrderOfTheirSignals) {
     EXPECT_GT(neuron(plan, far).place.x, -0.2f);
 }
 
+TEST(Deck, KnowsWhichEyesAreCoveredAndWhichMotorsStopped) {
+    BrainGraph brain = hand_made::wired(1, 0, 0, 1);
+    EXPECT_EQ(plan_deck(brain, two_eyed()).covered, (std::vector<bool>{false, false}));
+    brain.nodes[1].silenced = true, brain.nodes[2].silenced = true;  // SR, ML
+    const DeckPlan plan = plan_deck(brain, two_eyed());
+    EXPECT_EQ(plan.covered, (std::vector<bool>{false, true}));
+    EXPECT_EQ(plan.stopped, (std::array{true, false}));
+}
+
 TEST(Deck, KeepsNeuronsOnTheSideTheyHearFrom) {
     BrainGraph brain = hand_made::wired(0, 0, 0, 0);
     const NodeId left = add_neuron(brain), right = add_neuron(brain);

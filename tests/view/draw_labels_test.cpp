@@ -34,6 +34,32 @@ TEST(DrawLabels, CountTheMetresAlongTheArena) {
     for (const char* text : {"−10", "−5", "0", "5", "10 m"}) EXPECT_TRUE(has(texts, text)) << text;
 }
 
+TEST(DrawLabels, StandClearOfTheWallsHoweverOneLooks) {
+    const Snapshot now = hand_made::empty(hand_made::scene());
+    for (const float azimuth : {-1.57f, -1.2f, 0.4f, 2.0f})
+        for (const float zoom : {0.5f, 1.0f, 3.0f}) {
+            Picture picture = from_above();
+            picture.pixel_scale = 2;
+            Camera camera;
+            camera.azimuth = azimuth, camera.zoom = zoom;
+            picture.sight = look(camera, Arena{}, nullptr, picture.sight.window, picture.sight.window);
+            DrawList list;
+            fill(list, now, picture, Trails{});
+            EXPECT_FALSE(list.labels.empty());
+            for (const Label& label : list.labels) {
+                // Nothing of the wall, foot or top, inner or outer edge, reaches beyond the side that the words keep
+                // to.
+                const auto at = *project(picture.sight, label.place, label.height) + label.offset * picture.pixel_scale;
+                EXPECT_NEAR(maths::length(label.away), 1, 1e-3);
+                const maths::vec2 inside = label.place * (10 / (10 + 0.22f));
+                for (const maths::vec2 edge : {label.place, inside})
+                    for (const float height : {0.0f, 0.35f})
+                        EXPECT_GE(maths::dot(at - *project(picture.sight, edge, height), label.away), 16)
+                            << label.text << " from " << azimuth << " at " << zoom;
+            }
+        }
+}
+
 TEST(DrawLabels, LeaveTheMetresOutWhenOneLooksAlongTheFloor) {
     Picture picture = from_above();
     Camera camera;
