@@ -3,21 +3,8 @@ in vec4 v_shape, v_base;
 
 out vec4 colour;
 
-const int kind_shadow = 0, kind_pool = 1, kind_ring = 2, kind_thin_ring = 3, kind_memory = 4, kind_arrow = 5,
+const int kind_ring = 2, kind_thin_ring = 3, kind_memory = 4, kind_arrow = 5,
           kind_whole_socket = 6, kind_dashed_socket = 7, kind_dotted_socket = 8;
-
-float shadow() {
-    float soft = v_shape.z;
-    vec2 q = abs(v_own) - v_shape.xy + soft;
-    float outside = length(max(q, 0.0)) + min(max(q.x, q.y), 0.0) - soft;
-    float t = 1.0 - smoothstep(-soft * 1.2, soft, outside);
-    return t * t * (3.0 - 2.0 * t);
-}
-
-float pool() {
-    float t = max(0.0, 1.0 - dot(v_own, v_own) / (v_shape.x * v_shape.x));
-    return t * t * t;
-}
 
 // A remembered place: a soft disc with a cross in a ring, as one marks a map.
 vec4 memory(float pixel) {
@@ -55,13 +42,6 @@ vec4 socket(int kind, float d, float pixel) {
 
 void main() {
     int kind = int(v_shape.w + 0.5);
-    if (kind == kind_shadow || kind == kind_pool) {
-        float alpha = v_base.a * (kind == kind_shadow ? shadow() : pool());
-        // Light on a dark floor adds; on a light floor it can only tint.
-        float covers = kind == kind_pool ? mix(0.35, 1.0, counts.y) : 1.0;
-        colour = vec4(v_base.rgb * alpha, alpha * covers);
-        return;
-    }
     if (kind == kind_memory || kind == kind_arrow) {
         float pixel = length(fwidth(v_own)) * 0.7;
         colour = kind == kind_memory ? memory(pixel) : arrow(pixel);

@@ -41,6 +41,11 @@ Kit kit(const Shape& shape) {
     return Kit(shape, vectors<Instance>);
 }
 
+// Only what is small on the screen has a rim.
+bool has_rims(const std::vector<HullInstance>& hulls) {
+    return std::any_of(hulls.begin(), hulls.end(), [](const HullInstance& hull) { return hull.look.x < 1; });
+}
+
 struct ContourInstance {
     maths::vec4 place;   // half the arena's size, samples across both ways
     maths::vec4 colour;  // w: samples of the texture each way
@@ -93,6 +98,7 @@ struct Renderer::Parts {
     std::optional<Lettering> lettering;
     std::vector<LetterInstance> type;
     std::vector<FloorInstance> floor_size{1};
+    bool walled = true;  // what the arena ends with
     int calls = 0;
 
     Parts() {
@@ -187,14 +193,16 @@ struct Renderer::Parts {
         glDepthMask(GL_FALSE);
         glDisable(GL_CULL_FACE);
         glEnable(GL_BLEND);
+        if (!walled) draw(with.brink, floors);
         draw(with.zone, zones);
         felt.bind();
         draw(with.contour, contours);
         draw(with.skirt, skirts, blocks.instances);
-        draw(with.mark, marks);
+        draw(with.shade, marks);
         draw(with.trail, trail_strips);
         draw(with.field, with.sectors_from_points ? field_points : fields.batch, fields.instances);
-        for (std::size_t role = 0; role < rims.size(); ++role) draw(with.rim, rims[role], hulls[role].instances);
+        for (std::size_t role = 0; role < rims.size(); ++role)
+            if (has_rims(list.hulls[role])) draw(with.rim, rims[role], hulls[role].instances);
         draw(with.mark, rings);
         draw(with.halo, halos);
         glDisable(GL_DEPTH_TEST);
@@ -235,6 +243,7 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     p.calls = 0;
     remember(now);
     fill(p.list, now, picture, p.trails);
+    p.walled = !now.scene || now.scene->arena.edge == Edge::wall;
     p.feel(now, picture);
     p.letter(picture);
 

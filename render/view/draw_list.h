@@ -142,8 +142,8 @@ struct DrawList {
     std::vector<FieldInstance> fields;
     std::vector<BlockInstance> blocks;
     std::vector<ZoneInstance> zones;
-    std::vector<MarkInstance> marks;  // shadows and pools, below the fields
-    std::vector<MarkInstance> rings;  // above them
+    std::vector<MarkInstance> marks;  // shadows and pools, below the fields; nothing else
+    std::vector<MarkInstance> rings;  // rings, remembered places, arrows and lamps' feet, above them
     std::array<std::vector<SourceInstance>, source_shape_count> sources;
     std::vector<HaloInstance> halos;
     std::vector<TrailInstance> trails;

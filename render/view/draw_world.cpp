@@ -134,7 +134,7 @@ void add_marks(Sheet& sheet) {
     const bool light = sheet.picture.theme == Theme::light;
     for (const MarkView& mark : sheet.now.marks) {
         const float opacity = (mark.owner == sheet.picture.selected ? 1.0f : 0.35f) * std::sqrt(mark.strength);
-        sheet.list.marks.push_back({{mark.x, mark.y, 1, 0},
+        sheet.list.rings.push_back({{mark.x, mark.y, 1, 0},
                                     {0.22f, 0.22f, 0.035f, static_cast<float>(MarkKind::memory)},
                                     rgb_with(sheet.colours.memory, opacity * (light ? 1.0f : 0.9f))});
     }

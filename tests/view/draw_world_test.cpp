@@ -114,18 +114,18 @@ TEST(DrawWorld, ShowsTheSelectedVehiclesMemoryStrongerAndHidesItWhenAsked) {
     Picture picture;
     picture.selected = 1;
     const DrawList list = drawn(now, picture);
-    ASSERT_EQ(list.marks.size(), 2U);
-    EXPECT_GT(list.marks[1].colour.w, 2 * list.marks[0].colour.w);
-    EXPECT_EQ(list.marks[0].shape.w, static_cast<float>(MarkKind::memory));
+    ASSERT_EQ(list.rings.size(), 2U);
+    EXPECT_GT(list.rings[1].colour.w, 2 * list.rings[0].colour.w);
+    EXPECT_EQ(list.rings[0].shape.w, static_cast<float>(MarkKind::memory));
     picture.overlays.memory = false;
-    EXPECT_TRUE(drawn(now, picture).marks.empty());
+    EXPECT_TRUE(drawn(now, picture).rings.empty());
 }
 
 TEST(DrawWorld, FadesMemoryWithItsStrength) {
     Snapshot now = hand_made::empty(bare());
     now.marks = {{0, 1, 1, 0.7f}, {0, 2, 2, 0.1f}};
     const DrawList list = drawn(now);
-    EXPECT_GT(list.marks[0].colour.w, list.marks[1].colour.w);
+    EXPECT_GT(list.rings[0].colour.w, list.rings[1].colour.w);
 }
 
 TEST(DrawWorld, ShowsAtTheOtherEdgeOfATorusWhatReachesOverOne) {
