@@ -126,6 +126,7 @@ void App::draw_scene() {
     facts_.draw_calls = renderer_.draw_calls();
     facts_.sight = viewport_.sight;
     facts_.hand = ImGui::GetMouseCursor() == ImGuiMouseCursor_Hand;
+    facts_.graphics_watched = window_.watches_graphics();
     facts_.graphics_errors = window_.graphics_errors();
 }
 

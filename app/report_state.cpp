@@ -226,6 +226,7 @@ std::string state_json(const Lab& lab, const StageState& stage, const FrameFacts
     state["theme"] = lab.preferences.theme == Theme::light ? "light" : "dark";
     state["type_size"] = plain(lab.preferences.type_size);
     state["draw_calls"] = frame.draw_calls;
+    state["graphics_watched"] = frame.graphics_watched;
     state["graphics_errors"] = frame.graphics_errors;
     state["frame_ms"] = frame.frame_ms;
     state["exercise"] = exercise_json(lab);

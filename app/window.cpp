@@ -46,6 +46,7 @@ struct Window::Native {
     std::vector<std::string> dropped;
     int windowed[4] = {0, 0, 0, 0};  // place and size before full screen
     bool imgui = false;
+    bool watches_graphics = false;
     int graphics_errors = 0;
 
     Native() = default;
@@ -102,8 +103,8 @@ GLFWwindow* make_fitting_window(const WindowOptions& options) {
 }
 
 // Shaders' mistakes come back as an Error by themselves, so only the API's count.
-void listen_for_errors(int& count) {
-    if (!GLEW_KHR_debug) return;
+bool listen_for_errors(int& count) {
+    if (!GLEW_KHR_debug) return false;
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(
@@ -113,6 +114,7 @@ void listen_for_errors(int& count) {
             std::fprintf(stderr, "braitenlab: the graphics driver says: %s\n", text);
         },
         &count);
+    return true;
 }
 
 std::optional<Error> load_opengl() {
@@ -148,7 +150,7 @@ Result<Window> Window::open(const WindowOptions& options) {
     GLFWwindow* window = native->window;
     glfwSetWindowUserPointer(window, native.get());
     if (const auto error = load_opengl()) return *error;
-    if (options.watch_graphics) listen_for_errors(native->graphics_errors);
+    if (options.watch_graphics) native->watches_graphics = listen_for_errors(native->graphics_errors);
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(window, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glEnable(GL_MULTISAMPLE);
@@ -253,6 +255,7 @@ void Window::toggle_full_screen() {
     if (mode) glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
+bool Window::watches_graphics() const { return native_->watches_graphics; }
 int Window::graphics_errors() const { return native_->graphics_errors; }
 
 void Window::bind() const {

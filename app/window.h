@@ -63,6 +63,9 @@ public:
 
     void toggle_full_screen();
 
+    // Whether the driver checks every call: asked for, and able to.
+    bool watches_graphics() const;
+
     // What the driver has called an error so far; always 0 unless it was asked to watch. Each has gone to stderr.
     int graphics_errors() const;
 

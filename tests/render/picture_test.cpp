@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/maths/angle.h"
 #include "render/gl/renderer.h"
 #include "render/view/intensity.h"
 #include "tests/render/stage.h"
@@ -132,6 +133,58 @@ TEST_F(PictureTest, LaysFieldsUnderVehiclesAndObstacles) {
     const Colour lit = seen(now, 0.2f, 0.3f, 0.42f);
     EXPECT_NEAR(lit.r, bare.r, 0.01f);
     EXPECT_NEAR(lit.b, bare.b, 0.01f);
+}
+
+TEST_F(PictureTest, EndsAnArenaWithoutWallsByALineAndAnOpenOneInNothing) {
+    // The brightest near the left edge at this height, and the ground a metre and a half beyond it.
+    const auto at_edge = [&](Edge edge) {
+        auto scene = hand_made::scene();
+        scene->arena.edge = edge;
+        renderer->draw(hand_made::empty(scene), picture);
+        int bright = 0, dim = 0;
+        for (float y = -8.2f; y < 8.2f; y += 0.1f) {
+            float most = 0;
+            for (float x = -10.1f; x <= -9.9f; x += 0.02f)
+                most = std::max(most, brightness(stage.pixel(*project(picture.sight, {x, y}))));
+            (most > 0.4f ? bright : dim) += 1;
+        }
+        return std::pair{static_cast<float>(bright) / static_cast<float>(bright + dim),
+                         stage.pixel(*project(picture.sight, {-11.5f, 0.5f}))};
+    };
+    EXPECT_GT(at_edge(Edge::open).first, 0.95f) << "whole";
+    EXPECT_NEAR(at_edge(Edge::torus).first, 0.5f, 0.2f) << "dashed";
+    const Colour sky = palette(picture.theme).sky, nothing = at_edge(Edge::open).second,
+                 ground = at_edge(Edge::torus).second;
+    EXPECT_NEAR(nothing.b, sky.b, 0.01f);
+    EXPECT_GT(ground.b, sky.b + 0.02f) << "round a torus the ground goes on";
+}
+
+TEST_F(PictureTest, LaysARingAtTheFootOfColouredLampsEachBrokenInItsOwnWay) {
+    Camera near;
+    near.mode = CameraMode::birds_eye, near.zoom = 12;
+    picture.sight = look(near, Arena{}, nullptr, window, window);
+    // How often the ring begins on a way round it, and how much of the way it covers.
+    const auto ring = [&](Channel channel) {
+        Snapshot now = hand_made::empty(hand_made::scene());
+        hand_made::add_source(now, channel, 0, 0);
+        renderer->draw(now, picture);
+        const auto lit = [&](float turn, float radius) {
+            return brightness(stage.pixel(*project(picture.sight, maths::direction(turn) * radius)));
+        };
+        int begins = 0, covered = 0;
+        bool before = true;
+        constexpr int steps = 720;
+        for (int i = 0; i < steps; ++i) {
+            const float turn = 2 * maths::pi * static_cast<float>(i) / steps, radius = 0.34f * 1.15f;
+            const bool on = lit(turn, radius) > 0.5f * (lit(turn, radius - 0.06f) + lit(turn, radius + 0.06f)) + 0.04f;
+            begins += on && !before, covered += on, before = on;
+        }
+        return std::pair{begins, static_cast<float>(covered) / steps};
+    };
+    EXPECT_LT(ring(Channel::light).second, 0.05f);
+    EXPECT_GT(ring(Channel::red).second, 0.9f);
+    EXPECT_NEAR(ring(Channel::green).first, 4, 1);
+    EXPECT_NEAR(ring(Channel::blue).first, 12, 1);
 }
 
 TEST_F(PictureTest, WearsThePalettesColoursInBothThemes) {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <thread>
 #include <vector>
@@ -78,6 +79,7 @@ public:
             std::vector<char*> argv;
             for (std::string& a : arguments) argv.push_back(a.data());
             argv.push_back(nullptr);
+            if (!std::freopen((folder_ / "said").c_str(), "w", stderr)) _exit(126);
             execv(argv[0], argv.data());
             _exit(127);
         }
@@ -92,16 +94,25 @@ public:
     ~LabWindow() {
         const Json last = state();
         if (last.contains("graphics_errors")) {
-            EXPECT_EQ(last["graphics_errors"], 0) << "the driver complained, see above";
+            EXPECT_EQ(last["graphics_errors"], 0);
+            EXPECT_EQ(last["graphics_watched"], true) << "nobody would have noticed an error";
         }
         if (pid_ > 0 && waitpid(pid_, nullptr, WNOHANG) == 0) {
             kill(pid_, SIGKILL);
             waitpid(pid_, nullptr, 0);
         }
+        // The file tells also of the frames after the last state was written, and of the window's closing.
+        EXPECT_EQ(said().find("the graphics driver says"), std::string::npos) << said();
         std::filesystem::remove_all(folder_);
     }
     LabWindow(const LabWindow&) = delete;
     LabWindow& operator=(const LabWindow&) = delete;
+
+    // What it has written to its terminal.
+    std::string said() const {
+        std::ifstream file(folder_ / "said");
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
 
     Json state() const { return read("state.json"); }
     Json anchors() const { return read("anchors.json"); }
