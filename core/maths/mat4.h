@@ -23,6 +23,42 @@ constexpr mat4 operator*(const mat4& a, const mat4& b) {
     for (int i = 0; i < 4; ++i) product[i] = a * b[i];
     return product;
 }
+constexpr mat4& operator*=(mat4& a, const mat4& b) { return a = a * b; }
+
+// Element by element.
+constexpr mat4& operator+=(mat4& a, const mat4& b) {
+    for (int i = 0; i < 4; ++i) a[i] += b[i];
+    return a;
+}
+constexpr mat4& operator-=(mat4& a, const mat4& b) {
+    for (int i = 0; i < 4; ++i) a[i] -= b[i];
+    return a;
+}
+constexpr mat4& operator*=(mat4& a, float s) {
+    for (int i = 0; i < 4; ++i) a[i] *= s;
+    return a;
+}
+constexpr mat4& operator/=(mat4& a, float s) {
+    for (int i = 0; i < 4; ++i) a[i] /= s;
+    return a;
+}
+constexpr mat4 operator+(mat4 a, const mat4& b) { return a += b; }
+constexpr mat4 operator-(mat4 a, const mat4& b) { return a -= b; }
+constexpr mat4 operator-(mat4 a) { return a *= -1.0f; }
+constexpr mat4 operator*(mat4 a, float s) { return a *= s; }
+constexpr mat4 operator*(float s, mat4 a) { return a *= s; }
+constexpr mat4 operator/(mat4 a, float s) { return a /= s; }
+
+inline bool almost_equal(const mat4& a, const mat4& b, float tolerance) {
+    for (int i = 0; i < 4; ++i)
+        if (!almost_equal(a[i], b[i], tolerance)) return false;
+    return true;
+}
+
+// Its columns, each as a vector.
+inline std::ostream& operator<<(std::ostream& out, const mat4& m) {
+    return out << '(' << m[0] << ", " << m[1] << ", " << m[2] << ", " << m[3] << ')';
+}
 
 // Model matrices: move, grow along the axes, turn by an angle (radians) about a unit axis, counter-clockwise when the
 // axis points at the viewer (Rodrigues' formula).

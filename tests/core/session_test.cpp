@@ -67,6 +67,24 @@ TEST(Undo, OfAMoveBringsThePoseBack) {
     EXPECT_FLOAT_EQ(session.snapshot().vehicles[0].heading, 0.5f);
 }
 
+TEST(Undo, OfAStartMovedInOneGestureBringsBothPoseAndStartBack) {
+    Session session = open(tests::alone({}, 1, 2, 0.5f));
+    const Start before = session.snapshot().scene->starts[0];
+    Start after = before;
+    after.x = 5, after.y = 6, after.heading = 1;
+    for (const float x : {3.0f, 4.0f, 5.0f}) ASSERT_FALSE(session.apply(MoveVehicle{0, x, 6, 1}, 7));
+    ASSERT_FALSE(session.apply(EditStart{0, after}, 7));
+    EXPECT_EQ(session.undo_depth(), 1);
+    session.reset();
+    EXPECT_FLOAT_EQ(session.snapshot().vehicles[0].x, 5) << "a new run begins there";
+    session.undo();
+    EXPECT_EQ(session.snapshot().scene->starts[0], before);
+    EXPECT_FLOAT_EQ(session.snapshot().vehicles[0].x, 1);
+    session.redo();
+    EXPECT_EQ(session.snapshot().scene->starts[0], after);
+    EXPECT_FLOAT_EQ(session.snapshot().vehicles[0].x, 5);
+}
+
 TEST(Undo, ForgetsTheFutureOnANewEdit) {
     Session session = open(tests::crowd(2));
     session.apply(TurnDial{{.kind = 0}, Dial::LL, 1});

@@ -127,6 +127,27 @@ TEST_F(Stage, KeepsAVehicleInTheHandWhileItsBrainPullsAway) {
     EXPECT_NEAR(commands<MoveVehicle>().back().x, -6, a_pixel);
 }
 
+TEST_F(Stage, LetsAVehicleStartWhereItWasPutBeforeTheFirstTickOnly) {
+    desk.now.vehicles[0].start = 0;
+    Scene scene = *desk.now.scene;
+    scene.starts = {{.name = "it", .kind = "k", .x = -6, .facing = "lamp", .place_spread = 1, .heading_spread = 1}};
+    desk.now.scene = std::make_shared<const Scene>(scene);
+    desk.now.tick = 0;
+    hold({-6, 0}, {-6, 3});
+    EXPECT_TRUE(commands<EditStart>().empty()) << "not while it is in the hand: Esc puts it back";
+    release();
+    ASSERT_EQ(commands<EditStart>().size(), 1u);
+    const Start& start = commands<EditStart>()[0].to;
+    EXPECT_NEAR(start.y, 3, a_pixel);
+    EXPECT_EQ(start.facing, "");
+    EXPECT_EQ(start.place_spread + start.heading_spread, 0);
+    EXPECT_EQ(desk.edits().front().gesture, desk.edits().back().gesture) << "one step to undo";
+    desk.now.tick = 1;
+    hold({-6, 0}, {-6, 3});
+    release();
+    EXPECT_EQ(commands<EditStart>().size(), 1u);
+}
+
 TEST_F(Stage, LeavesNothingOutsideTheArena) {
     hold({3, 6}, {40, 6});
     EXPECT_FLOAT_EQ(commands<MoveObstacle>().back().x, 10);

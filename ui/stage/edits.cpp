@@ -72,6 +72,17 @@ std::optional<Command> move_of(const Snapshot& now, const Thing& thing, Pose to)
     return MoveObstacle{thing.index, within.x, within.y, to.heading};
 }
 
+std::optional<Command> start_of(const Snapshot& now, const Command& move) {
+    const auto* to = std::get_if<MoveVehicle>(&move);
+    const VehicleView* v = to && now.tick == 0 ? find_vehicle(now, to->vehicle) : nullptr;
+    if (!v || v->start < 0) return std::nullopt;
+    Start start = now.scene->starts[static_cast<std::size_t>(v->start)];
+    start.x = to->x, start.y = to->y, start.heading = to->heading;
+    start.facing.clear();
+    start.place_spread = start.heading_spread = 0;
+    return EditStart{v->start, start};
+}
+
 Thing added_by(const Snapshot& now, const Command& command) {
     const auto newest = [](ThingKind kind, std::size_t count, int before) {
         const int last = static_cast<int>(count) - 1;

@@ -22,6 +22,10 @@ std::optional<Command> copy_of(const Snapshot&, const Thing&);
 // The thing stands there instead, within the arena; a source takes no heading.
 std::optional<Command> move_of(const Snapshot&, const Thing&, Pose to);
 
+// Before a run's first tick, who is moved starts there from now on: its new start, exactly where and how it stands, to be
+// part of the same gesture. Nothing later, nor for one that starts at random, nor for other commands.
+std::optional<Command> start_of(const Snapshot&, const Command& move);
+
 // What is added by a command, once it has been carried out and captured: the newest of its sort. Thing{} for other
 // commands, and for vehicles that come in anywhere.
 Thing added_by(const Snapshot&, const Command&);

@@ -145,7 +145,8 @@ StagePhase phase_for(const StageState& state, const StageFrame& frame) {
 
 // Asks for the thing to be there, unless it is already. A vehicle that drives would drive out of the hand: it is put
 // back every frame.
-void put(const StageDrag& drag, const LabView& view, Pose to, Outbox& outbox) {
+void put(StageDrag& drag, const LabView& view, Pose to, Outbox& outbox) {
+    drag.put = to;
     const auto is = place_of(*view.now, drag.on.thing);
     const auto command = move_of(*view.now, drag.on.thing, to);
     if (!is || !command) return;
@@ -172,6 +173,12 @@ void go_on(StageState& state, const StageFrame& frame, Outbox& outbox) {
     }
 }
 
+// The hand lets go of what it has moved.
+void leave(const StageDrag& drag, const LabView& view, Outbox& outbox) {
+    const auto move = move_of(*view.now, drag.on.thing, drag.put);
+    if (auto start = move ? start_of(*view.now, *move) : std::nullopt) ask(outbox, *start, drag.gesture);
+}
+
 void open_menu(StageState& state, const StageFrame& frame) {
     state.menu = {};
     state.menu.open = true;
@@ -185,6 +192,7 @@ void release(StageState& state, const StageFrame& frame, Outbox& outbox) {
     const StagePointer& pointer = frame.pointer;
     if (drag.left ? pointer.left_down : drag.right ? pointer.right_down : pointer.middle_down) return;
     state.drag = {};
+    if (drag.phase == StagePhase::move || drag.phase == StagePhase::turn) leave(drag, frame.view, outbox);
     if (drag.phase == StagePhase::box) {
         vec2 far = in_arena(frame.view, floor_at(frame).value_or(drag.corner));
         // A mere click sets up a box of one metre.
@@ -266,7 +274,7 @@ void open_menu_of(StageState& state, const LabView& view, const Thing& thing) {
 }
 
 bool cancel(StageState& state, const LabView& view, Outbox& outbox) {
-    const StageDrag drag = state.drag;
+    StageDrag drag = state.drag;
     state.refusal = {};
     if (drag.phase == StagePhase::move || drag.phase == StagePhase::turn) put(drag, view, drag.began, outbox);
     if (drag.phase != StagePhase::idle) {

@@ -61,6 +61,8 @@ bool nudge(const LabView& view, StageState& state, KeyPress press, Outbox& outbo
     state.nudged = thing;
     state.nudged_at = view.wall_seconds;
     outbox.push_back(EditRequest{*command, gestures::viewport + state.gesture});
+    if (auto start = start_of(*view.now, *command))
+        outbox.push_back(EditRequest{*start, gestures::viewport + state.gesture});
     return true;
 }
 

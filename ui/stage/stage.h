@@ -39,7 +39,7 @@ struct StageDrag {
     maths::vec2 press;  // window pixels
     maths::vec2 last;   // where the pointer was when it was last reckoned with, and how far it has come since, px
     maths::vec2 moved;
-    Pose began;          // of the thing
+    Pose began, put;     // of the thing: at first, and where the hand has put it
     maths::vec2 offset;  // m, from the pointer's place on the floor to the thing's
     float bearing = 0;   // rad, of the pointer as seen from the thing, at the press of its handle
     maths::vec2 corner;  // m, of the box
