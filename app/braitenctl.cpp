@@ -1,11 +1,15 @@
 // Braitenlab without a window. Exit codes: 0 done or passed, 1 failed, 2 bad input.
+#include <algorithm>
 #include <iostream>
+#include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "app/ctl.h"
 #include "app/data.h"
+#include "core/scene/nearest.h"
 
 namespace braitenlab {
 
@@ -28,7 +32,9 @@ int command_line(int argc, char** argv) {
     run_command->add_option("--seconds", options.seconds, "simulated; of a saved run: more")
         ->check(CLI::Range(0.0, 1e6));
     run_command->add_option("--seed", options.seed, "where chance begins; the same seed gives the same run")
-        ->check(CLI::NonNegativeNumber);
+        ->check([](const std::string& text) {
+            return text.find_first_not_of("0123456789") == std::string::npos ? "" : "a seed is a whole number from 0 up";
+        });
     run_command->add_option("--set", options.settings, "one value of the scene, e.g. kind.prey.brain.LL=0.5")
         ->type_name("PATH=VALUE")
         ->expected(1)
@@ -59,6 +65,11 @@ int command_line(int argc, char** argv) {
     CLI::App* show_command = app.add_subcommand("show", "what a file contains, and what its brains are called");
     show_command->add_option("FILE", shown, "a scene, an exercise, a brain or a saved run")->required();
 
+    std::vector<std::string_view> commands;
+    for (const CLI::App* command : {run_command, check_command, grade_command, show_command})
+        commands.push_back(command->get_name());
+    if (argc > 1 && argv[1][0] != '-' && std::ranges::find(commands, argv[1]) == commands.end())
+        return complain({in_quotes(argv[1]) + " is no command" + name_nearest(argv[1], commands)});
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

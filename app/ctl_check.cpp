@@ -90,6 +90,7 @@ int grade_all(const std::string& name, const std::vector<std::string>& brain_fil
         rows << cell(file) << ",";
         if (!brain) {
             all_read = false;
+            if (!csv.empty()) complain(brain.error());
             rows << fmt::format("no,0,{},{},,{}", exercise->starts, exercise->needed, cell(brain.error().text()))
                  << std::string(static_cast<std::size_t>(exercise->starts), ',') << "\n";
             continue;

@@ -53,6 +53,8 @@ std::optional<Error> write_whole(const fs::path& wanted, std::string_view text) 
     if (!path.parent_path().empty()) fs::create_directories(path.parent_path(), problem);
     if (problem) return refused(wanted, problem.value());
     if (fs::is_directory(path, none)) return refused(wanted, EISDIR);
+    if (fs::exists(path, none) && !fs::is_regular_file(path, none))
+        return Error{"is no plain file and stays as it is; choose another name", wanted.string()};
     if (const int reason = write_through(beside, text)) {
         fs::remove(beside, none);
         return refused(wanted, reason);

@@ -78,6 +78,8 @@ Result<BrainGraph> parse_brain(std::string_view toml, std::string file_name) {
     check_format(*file);
     BrainFile content;
     TomlTable top(*file, file->root, "");
+    if (!top.has("brain") && top.has("kind"))
+        return Error{"this is a whole scene; a brain alone has one [brain] table, as saving a brain writes it", file->name};
     top.find("format");
     TomlReader<BrainFile> reader(top, content);
     describe(reader, Of<BrainFile>{});

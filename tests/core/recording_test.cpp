@@ -38,7 +38,9 @@ TEST(Recording, GoesThroughALongDragAgainExactly) {
     std::vector<std::uint64_t> hashes;
     for (int tick = 0; tick < 700; ++tick) {
         if (tick == 130 || tick == 300) drag(session, 1300);
-        if (tick == 300) ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 1.5f}));
+        if (tick == 300) {
+            ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 1.5f}));
+        }
         hashes.push_back(session.hash());
         session.step();
     }

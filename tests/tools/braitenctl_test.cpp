@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace {
@@ -95,6 +96,31 @@ TEST(BadInput, EndsWithTwoAndSaysWhatToDo) {
     EXPECT_EQ(ctl("run 2a-coward --seconds minus").code, 2);
     EXPECT_EQ(ctl("").code, 2);
     EXPECT_NE(ctl("run 2a-cowrad").out.find("2a-coward"), std::string::npos);
+}
+
+TEST(BadInput, NamesTheNearestCommandAndSaysWhatASeedIs) {
+    EXPECT_NE(ctl("chekc 05-aggressor").out.find("the nearest is 'check'"), std::string::npos);
+    const Ran seed = ctl("run 2a-coward --seed -1");
+    EXPECT_EQ(seed.code, 2);
+    EXPECT_NE(seed.out.find("a whole number"), std::string::npos) << seed.out;
+    EXPECT_LT(seed.out.size(), 200u);
+}
+
+TEST(RunSave, LeavesWhatIsNoPlainFileAlone) {
+    const std::string pipe = scratch("pipe.run");
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_EQ(ctl("run 2a-coward --seconds 1 --save " + pipe).code, 2);
+    EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+    std::filesystem::remove(pipe);
+}
+
+TEST(Grade, SaysWhenItIsHandedASceneInsteadOfABrain) {
+    const std::string csv = scratch("scene-for-a-brain.csv");
+    const std::string scene = std::string(BRAITENLAB_SOURCE) + "/exercises/scenes/2a-coward.toml";
+    const Ran ran = ctl("grade 05-aggressor " + scene + " --csv " + csv);
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.out.find("this is a whole scene"), std::string::npos) << ran.out;
+    std::filesystem::remove(csv);
 }
 
 TEST(Check, FailsTheShippedExerciseAndPassesItsSolution) {
