@@ -24,6 +24,8 @@ public:
 
     template <class Number>
     void number(const char* key, Number T::*member, const char*, Range range, const char*) {
+        // A float holds an end like 0.005 only nearly.
+        if (object_.*member == static_cast<Number>(range.low) || object_.*member == static_cast<Number>(range.high)) return;
         check(key, static_cast<double>(object_.*member), range);
     }
     void angle(const char* key, float T::*member, Range degrees, const char*) {
@@ -159,6 +161,23 @@ std::optional<Fault> start_fault(const Scene& scene, const Start& start) {
     return std::nullopt;
 }
 
+// A world keeps a dozen copies of its state; a file from a stranger must not fill the memory with them.
+std::optional<Fault> memory_fault(const Scene& scene) {
+    constexpr double most = 1 << 24;  // numbers, in all brains and all sensors' latencies
+    double largest = 0;
+    for (const Kind& kind : scene.kinds) {
+        double numbers = static_cast<double>(kind.brain.nodes.size() + kind.brain.wires.size());
+        for (const Sensor& sensor : kind.sensors) numbers += 1 + static_cast<double>(sensor.latency) / tick_seconds;
+        largest = std::max(largest, numbers);
+    }
+    const double vehicles = static_cast<double>(scene.starts.size()) + scene.ecology.population;
+    if (vehicles * largest <= most) return std::nullopt;
+    return Fault{"ecology.population",
+                 fmt::format("{:.0f} vehicles with up to {:.0f} numbers in brain and sensors each are more than fit; "
+                             "with such brains and latencies {:.0f} are the most",
+                             vehicles, largest, std::floor(most / largest))};
+}
+
 }  // namespace
 
 std::optional<Fault> find_fault(const BrainGraph& graph) {
@@ -181,7 +200,7 @@ std::optional<Fault> find_fault(const Scene& scene) {
         if (auto fault = start_fault(scene, start)) return fault;
     if (scene.ecology.population > 0 && scene.kinds.empty())
         return Fault{"ecology.population", "there is no [kind.NAME] to populate the arena with"};
-    return std::nullopt;
+    return memory_fault(scene);
 }
 
 std::optional<Error> check_scene(const Scene& scene) {

@@ -1,5 +1,9 @@
 #include "core/world/save.h"
 
+#include <array>
+#include <functional>
+#include <thread>
+
 #include <gtest/gtest.h>
 
 #include "core/maths/random.h"
@@ -35,6 +39,26 @@ TEST(Save, GoesOnExactlyAsTheSavedRunDoesInEveryShippedSceneFromAnyMoment) {
             EXPECT_EQ(restored.hash(), world.hash()) << path << " at tick " << world.tick();
             steps(ahead, 1);  // a third world disturbs nobody
         }
+    }
+}
+
+// A prediction may look ahead in a thread of its own: worlds share brains and keyframes, and nothing that changes.
+TEST(Save, GoesOnTheSameInTwoThreadsAtOnceAsInOne) {
+    for (const auto& path : tests::shipped_scenes()) {
+        World alone = world_of(path, 3);
+        steps(alone, 130);
+        const Save save = alone.save();
+        steps(alone, 600);
+        std::array<std::uint64_t, 2> hashes{};
+        const auto go_on = [&save](std::uint64_t& hash) {
+            World world = World::restore(save);
+            steps(world, 600);
+            hash = world.hash();
+        };
+        std::thread one(go_on, std::ref(hashes[0])), other(go_on, std::ref(hashes[1]));
+        one.join(), other.join();
+        EXPECT_EQ(hashes[0], alone.hash()) << path;
+        EXPECT_EQ(hashes[1], alone.hash()) << path;
     }
 }
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/maths/angle.h"
@@ -333,6 +334,16 @@ TEST(CheckScene, FindsInAnEditedSceneWhatAFileCouldNotHold) {
     scene = everything();
     scene.kinds[0].brain.wires.push_back({.from = 7, .to = 99});
     EXPECT_TRUE(check_scene(scene));
+    scene = everything();
+    scene.ecology.population = limits::vehicles;
+    EXPECT_FALSE(check_scene(scene));
+    for (int i = 0; i < 60; ++i) {
+        scene.kinds[1].sensors.push_back({.name = fmt::format("s{}", i), .latency = 1});
+        if (i == 10) {
+            EXPECT_FALSE(check_scene(scene)) << "eleven slow sensors each fit";
+        }
+    }
+    expect_in("ecology.population: 20002 vehicles", check_scene(scene)->text());
 }
 
 TEST(NearestWord, CountsLettersAddedDroppedAndReplaced) {
