@@ -115,11 +115,15 @@ bool lamp_was_moved(const LabView& view) {
     return !view.file || now.empty() || view.file->sources != now;
 }
 
+// The left eye's pin, where there is one, until something was done there.
 Prompt of_wiring(PromptMemory& memory, const LabView& view) {
     if (memory.edits_before_wiring < 0) memory.edits_before_wiring = edits(view);
     memory.wiring.known = true;
-    if (edits(view) != memory.edits_before_wiring) return {};
-    return {"pin.SL.out", "hint.first_wire"};
+    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    if (!vehicle || edits(view) != memory.edits_before_wiring) return {};
+    const auto& nodes = view.now->brains[static_cast<std::size_t>(vehicle->brain)]->nodes;
+    const bool has_eye = std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.name == "SL"; });
+    return has_eye ? Prompt{"pin.SL.out", "hint.first_wire"} : Prompt{};
 }
 
 Prompt of_free_play(PromptMemory& memory, const LabView& view) {

@@ -119,7 +119,7 @@ void apply_theme(Theme theme, float scale) {
     style.WindowRounding = style.ChildRounding = style.FrameRounding = style.PopupRounding = 6;
     style.ScrollbarRounding = style.GrabRounding = 4;
     style.WindowBorderSize = 0;
-    style.PopupBorderSize = 1;
+    style.PopupBorderSize = scale;
     style.ScaleAllSizes(scale);
 
     auto& c = style.Colors;

@@ -233,8 +233,9 @@ private:
 
 TEST_F(Followed, IsReadAgainWhenItIsWrittenByAnotherProgram) {
     handle(lab, Action::play_pause);
+    ask(SaveRequest{"mine", FileKind::scene});
     for (int i = 0; i < 50; ++i) tick(lab);
-    look();
+    look(), look();
     EXPECT_EQ(lab.session.snapshot().tick, 50u) << "what the lab wrote itself is no news";
     write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
     EXPECT_EQ(dials().LL, 0.25f);

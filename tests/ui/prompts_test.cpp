@@ -109,6 +109,19 @@ TEST_F(Prompts, LeadFreePlayFromTheSliderToTheLampToTheWiringAndBackInTime) {
     EXPECT_EQ(next().hint, "") << "all is known";
 }
 
+TEST_F(Prompts, PointToNoPinThatTheBrainLacks) {
+    alone();
+    auto brain = std::make_shared<BrainGraph>(*desk.now.brains[0]);
+    for (Node& node : brain->nodes)
+        if (node.name == "SL") node.name = "warmth";
+    desk.now.brains[0] = brain;
+    desk.view.mode = Mode::wiring;
+    EXPECT_EQ(anchor(), "");
+    EXPECT_EQ(next().hint, "") << "nothing there pulses";
+    desk.view.selected = no_vehicle;
+    EXPECT_EQ(anchor(), "") << "there is no brain to see";
+}
+
 TEST_F(Prompts, DoNotStayForEver) {
     alone();
     at(9);
