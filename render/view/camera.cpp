@@ -86,7 +86,8 @@ Stand overview(const Camera& camera, const Arena& arena, Rect window, Rect area)
     }
 
     const float focal = window.h / (2 * std::tan(overview_field / 2));
-    const float margin = 0.025f * std::min(area.w, area.h) + 4;
+    // Room for the walls' thickness and for the metres outside them.
+    const float margin = 0.032f * std::min(area.w, area.h) + 8;
     const float room_x = (area.w - 2 * margin) / focal, room_y = (area.h - 2 * margin) / focal;
     const auto fits = [&](float distance) {
         const Extent e = extent_from(distance, corners);
