@@ -99,10 +99,10 @@ void App::do_what_files_ask() {
     for (const std::string& path : window_.take_dropped_files()) lab_.files.push_back(OpenRequest{path});
     for (const Request& request : lab_.files)
         if (const auto* recover = std::get_if<RecoverRequest>(&request)) do_recovery(recover->take);
-    if (!lab_.files.empty()) do_files(lab_, files_, memory_.remembered, words_.strings);
+    if (!lab_.files.empty()) do_files(lab_, files_, memory_.remembered);
     if (!options_.screenshot.empty() || seconds_since(file_checked_) < 0.3) return;
     file_checked_ = Clock::now();
-    follow_file(lab_, files_, words_.strings);
+    follow_file(lab_, files_);
 }
 
 void App::do_recovery(bool take) {
@@ -117,8 +117,7 @@ void App::do_recovery(bool take) {
 }
 
 void App::refuse(const Error& error) {
-    lab_.notice = error.text();
-    lab_.notice_until = lab_.wall_seconds + 10;
+    say(lab_, {NoticeKind::failure, "", error.text()});
 }
 
 void App::keep_memory(bool now) {

@@ -144,8 +144,7 @@ void App::take_picture_for_person() {
     const auto path = next_screenshot_name(folder);
     if (auto error = write_png(path, window_.framebuffer_width(), window_.framebuffer_height(), window_.pixels()))
         return refuse(*error);
-    lab_.notice = fill(words_.strings("notice.screenshot"), {path.string()});
-    lab_.notice_until = lab_.wall_seconds + 6;
+    say(lab_, {NoticeKind::done, "notice.screenshot", path.string()});
 }
 
 }  // namespace braitenlab

@@ -18,20 +18,14 @@ struct Desk {
     Lab& lab;
     FilesView& view;
     Remembered& remembered;
-    const Strings& strings;
-
-    void say(std::string words) const {
-        lab.notice = std::move(words);
-        lab.notice_until = lab.wall_seconds + 8;
-    }
 
     void refuse(const Error& error) const {
         view.refused = error.text();
-        say(error.text());
+        say(lab, {NoticeKind::failure, "", error.text()});
     }
 
-    void done(const fs::path& path, std::string_view words) const {
-        if (!words.empty()) say(fill(words, {path.filename().string()}));
+    void done(const fs::path& path, std::string_view said) const {
+        if (!said.empty()) say(lab, {NoticeKind::done, std::string(said), path.filename().string()});
         view.refused.clear();
         ++view.done;
         refresh(view, lab);
@@ -55,7 +49,7 @@ struct Desk {
         if (fs::is_directory(path, none)) return list(path);
         if (kind_of_file(path) == FileKind::brain) {
             if (const auto error = take_brain(lab, path)) return refuse(*error);
-            return done(path, strings("files.took_brain"));
+            return done(path, "files.took_brain");
         }
         auto opened = open_lab(path, std::nullopt, {});
         if (!opened) return refuse(opened.error());
@@ -95,7 +89,7 @@ struct Desk {
         if (wanted.kind != FileKind::brain) lab.saved_work = lab.work;
         if (wanted.kind == FileKind::run) lab.saved_tick = lab.session.snapshot().tick;
         if (!view.listing.folder.empty()) list(view.listing.folder);
-        done(path, strings(wanted.kind == FileKind::brain ? "files.saved_brain" : "files.saved"));
+        done(path, wanted.kind == FileKind::brain ? "files.saved_brain" : "files.saved");
     }
 };
 
@@ -109,6 +103,7 @@ void replace_lab(Lab& lab, Lab next) {
     next.overlays = lab.overlays;
     next.overlays.field.reset();  // the next scene may have nothing on that channel
     next.wall_seconds = lab.wall_seconds;
+    next.sitting = lab.sitting + 1;
     lab = std::move(next);
 }
 
@@ -117,8 +112,8 @@ void remember_file(Remembered& remembered, const fs::path& file) {
     if (!ships(file)) remembered.folder = fs::path(remembered.last_opened).parent_path().string();
 }
 
-void do_files(Lab& lab, FilesView& view, Remembered& remembered, const Strings& strings) {
-    const Desk desk{lab, view, remembered, strings};
+void do_files(Lab& lab, FilesView& view, Remembered& remembered) {
+    const Desk desk{lab, view, remembered};
     for (const Request& request : std::exchange(lab.files, {})) {
         if (const auto* open = std::get_if<OpenRequest>(&request)) desk.open(open->path);
         if (const auto* save = std::get_if<SaveRequest>(&request)) desk.save(*save);
@@ -143,17 +138,16 @@ bool may_leave(const Lab& lab, FilesView& view) {
     return false;
 }
 
-void follow_file(Lab& lab, FilesView& view, const Strings& strings) {
+void follow_file(Lab& lab, FilesView& view) {
     if (lab.path.empty() || lab.path.extension() == run_ending) return;
     const FileMark mark = mark_of(lab.path);
     if (mark == lab.on_disk || mark == FileMark{}) return;
     if (std::exchange(lab.noticed, mark) != mark) return;  // still being written, perhaps
     lab.on_disk = mark;
-    const auto say = [&](std::string words) { lab.notice = std::move(words), lab.notice_until = lab.wall_seconds + 8; };
     auto opened = open_lab(lab.path, lab.session.seed(), lab.settings);
-    if (!opened) return say(opened.error().text());
+    if (!opened) return say(lab, {NoticeKind::failure, "", opened.error().text()});
     const std::string name = lab.path.filename().string();
-    if (has_unsaved_edits(lab)) return say(fill(strings("files.changed"), {name}));
+    if (has_unsaved_edits(lab)) return say(lab, {NoticeKind::notice, "files.changed", name});
     opened->mode = lab.mode;
     opened->time_scale = lab.time_scale;
     opened->camera = lab.camera;
@@ -161,7 +155,7 @@ void follow_file(Lab& lab, FilesView& view, const Strings& strings) {
     opened->toggles = lab.toggles;
     replace_lab(lab, std::move(*opened));
     refresh(view, lab);
-    say(fill(strings("files.reloaded"), {name}));
+    say(lab, {NoticeKind::notice, "files.reloaded", name});
 }
 
 void refresh(FilesView& view, const Lab& lab) {

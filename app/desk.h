@@ -4,7 +4,6 @@
 #include "app/lab.h"
 #include "app/settings.h"
 #include "ui/files.h"
-#include "ui/strings.h"
 
 namespace braitenlab {
 
@@ -16,7 +15,7 @@ void remember_file(Remembered&, const std::filesystem::path&);
 
 // Does what has been asked for with files since the last frame: opens, saves, lists folders. What was done is said in
 // the lab's notice, what could not be done there and in the view.
-void do_files(Lab&, FilesView&, Remembered&, const Strings&);
+void do_files(Lab&, FilesView&, Remembered&);
 
 // Whether the scene has edits that no file has. An exercise has none that count: its brains are tries.
 bool has_unsaved_edits(const Lab&);
@@ -26,7 +25,7 @@ bool may_leave(const Lab&, FilesView&);
 
 // Call now and then. Takes the open file as another program has written it since; a broken one leaves what runs alone
 // and is told, and so is one that would cost unsaved edits.
-void follow_file(Lab&, FilesView&, const Strings&);
+void follow_file(Lab&, FilesView&);
 
 // What the panels see of the lab's own file, made anew after each of these.
 void refresh(FilesView&, const Lab&);

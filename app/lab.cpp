@@ -86,7 +86,7 @@ void tick(Lab& lab) {
 
 void advance(Lab& lab, double wall_seconds) {
     lab.wall_seconds += wall_seconds;
-    if (lab.wall_seconds >= lab.notice_until) lab.notice.clear();
+    if (lab.wall_seconds >= lab.notice_until) lab.notice = {};
     if (lab.lesson && lab.wall_seconds - lab.lesson->last_hint_at >= hint_patience) lab.lesson->view.hint_ready = true;
     if (lab.mode != Mode::playing || lab.past.held) return;
 
@@ -99,6 +99,15 @@ void advance(Lab& lab, double wall_seconds) {
         lab.debt -= tick_length;
     }
     if (lab.debt >= tick_length) lab.debt = 0;
+}
+
+void say(Lab& lab, Notice notice) {
+    const double seconds = notice.kind == NoticeKind::failure ? 10 : notice.kind == NoticeKind::notice ? 8 : 6;
+    std::string& words = notice.words;
+    if (notice.key.empty() && !words.empty() && words[0] >= 'a' && words[0] <= 'z')
+        words[0] = static_cast<char>(words[0] - 'a' + 'A');
+    lab.notice = std::move(notice);
+    lab.notice_until = lab.wall_seconds + seconds;
 }
 
 float between_ticks(const Lab& lab) {
@@ -125,6 +134,7 @@ LabView view_of(const Lab& lab) {
     view.redo_depth = lab.session.redo_depth();
     view.lesson = lab.lesson ? &lab.lesson->view : nullptr;
     view.opened = lab.name;
+    view.sitting = lab.sitting;
     view.notice = lab.notice;
     view.preferences = lab.preferences;
     view.theme = lab.preferences.theme;

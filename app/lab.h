@@ -73,7 +73,8 @@ struct Lab {
     std::optional<LectureBefore> before_lecture;  // in a lecture: what leaving it brings back
     std::int64_t work = 0, saved_work = 0;        // edits so far, and when a person saved last
     std::uint64_t saved_tick = 0;                 // up to which the run is in its file
-    std::string notice;                           // what was refused last, and why
+    std::uint64_t sitting = 0;                    // which of the labs opened since the start this is
+    Notice notice;                                // what there is to say
     double notice_until = 0;                      // wall seconds
     double wall_seconds = 0;
 
@@ -94,6 +95,9 @@ Lab resume(SavedRun);
 Preferences desk_preferences(const Lab&);
 
 void handle(Lab&, const Request&);
+
+// Says it at the bottom of the window, for as long as it takes to read: what failed stays longest.
+void say(Lab&, Notice);
 
 // Lets wall time pass: steps as often as time and speed ask, for at most 12 ms, and forgets what it could not keep up
 // with, so that a slow machine shows slow motion and never falls behind for good.

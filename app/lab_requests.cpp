@@ -15,16 +15,9 @@ namespace braitenlab {
 namespace {
 
 constexpr std::array<float, 8> speeds{0.125f, 0.25f, 0.5f, 1, 2, 4, 8, 16};
-constexpr double notice_seconds = 6;  // how long a refusal stays readable
 constexpr float type_step = 0.125f;
 constexpr float lecture_type = 1.6f;        // times what a person has at the desk
 constexpr std::int64_t rewind_ticks = 300;  // five seconds
-
-void notify(Lab& lab, std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    lab.notice = std::move(text);
-    lab.notice_until = lab.wall_seconds + notice_seconds;
-}
 
 void change_speed(Lab& lab, int step) {
     const auto here = std::lower_bound(speeds.begin(), speeds.end(), lab.time_scale - 1e-6f);
@@ -63,7 +56,8 @@ void write_numbers(Lab& lab, const ExportRequest& wanted) {
     for (int i = 1; path.empty() || std::filesystem::exists(path, none); ++i)
         path = std::filesystem::current_path(none) / fmt::format("braitenlab-{}-{:03}.csv", wanted.name, i);
     const auto error = write_whole(path, wanted.text);
-    notify(lab, error ? error->text() : path.string());
+    error ? say(lab, {NoticeKind::failure, "", error->text()})
+          : say(lab, {NoticeKind::done, "notice.numbers", path.string()});
 }
 
 // From none through the channels of which there is something to feel, and back to none.
@@ -243,7 +237,7 @@ void set_mode(Lab& lab, Mode mode) {
 bool apply(Lab& lab, const Command& command, std::uint64_t gesture) {
     const auto error = lab.session.apply(command, gesture);
     if (error)
-        notify(lab, error->text());
+        say(lab, {NoticeKind::failure, "", error->text()});
     else
         ++lab.work;
     keep_selection(lab);

@@ -218,7 +218,7 @@ std::string state_json(const Lab& lab, const StageState& stage, const FrameFacts
                      {"zoom", lab.camera.zoom},
                      {"pan", {lab.camera.pan.x, lab.camera.pan.y}}};
     state["opened"] = lab.name;
-    state["notice"] = lab.notice;
+    state["notice"] = lab.notice.words;
     state["lecture"] = lab.before_lecture.has_value();
     state["sensors"] = lab.sensors;
     state["focus"] = frame.focus;

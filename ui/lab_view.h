@@ -13,6 +13,7 @@
 #include "render/view/palette.h"
 #include "render/view/pick.h"
 #include "ui/files.h"
+#include "ui/notice.h"
 #include "ui/preferences.h"
 #include "ui/strings.h"
 
@@ -63,7 +64,8 @@ struct LabView {
     const std::vector<std::string>* recent = nullptr;        // paths opened before, the newest first; null: none
     const FilesView* files = nullptr;                        // null: no disk to look at
     std::string opened;                                      // the name of what is open, as in the catalogue
-    std::string notice;  // the last thing refused and why; empty when there is nothing to say
+    std::uint64_t sitting = 0;  // which lab this is of those opened since the start: another run altogether
+    Notice notice;              // empty when there is nothing to say
     Theme theme = Theme::dark;
     Preferences preferences;                           // as chosen; theme and reduce_motion are as shown now
     const std::vector<Language>* languages = nullptr;  // null: no choice

@@ -31,7 +31,7 @@ enum class Theme { dark, light };
 
 struct Palette {
     // the window
-    Colour ground, panel, raised, line, text, second_text, accent, on_accent, warning;
+    Colour ground, panel, raised, line, text, second_text, accent, on_accent, warning, success;
     // the scene
     Colour sky, floor, grid, wall, shadow, chassis, wheel, lamp;
     // meaning
@@ -53,7 +53,7 @@ constexpr Palette palette(Theme theme) {
     if (theme == Theme::dark) {
         p.ground = rgb(0x14171C), p.panel = rgb(0x1C2128), p.raised = rgb(0x262D36), p.line = rgb(0x343D48);
         p.text = rgb(0xE6EAF0), p.second_text = rgb(0xA9B4C0);
-        p.accent = rgb(0x4C8DFF), p.on_accent = rgb(0x0B1220), p.warning = rgb(0xFF8A70);
+        p.accent = rgb(0x4C8DFF), p.on_accent = rgb(0x0B1220), p.warning = rgb(0xFF8A70), p.success = rgb(0x6FCF97);
         p.sky = rgb(0x14171C), p.floor = rgb(0x20262E), p.grid = rgb(0x2C343E), p.wall = rgb(0x3A4552);
         p.shadow = Colour{0, 0, 0, 0.55f}, p.chassis = rgb(0x8C98A6), p.wheel = rgb(0x0E1115),
         p.neutral = rgb(0xA4BAD4);
@@ -67,7 +67,7 @@ constexpr Palette palette(Theme theme) {
     } else {
         p.ground = rgb(0xFFFFFF), p.panel = rgb(0xF6F7F9), p.raised = rgb(0xFFFFFF), p.line = rgb(0xCBD2DB);
         p.text = rgb(0x14171C), p.second_text = rgb(0x4A5562);
-        p.accent = rgb(0x1F5FD0), p.on_accent = rgb(0xFFFFFF), p.warning = rgb(0xB3261E);
+        p.accent = rgb(0x1F5FD0), p.on_accent = rgb(0xFFFFFF), p.warning = rgb(0xB3261E), p.success = rgb(0x1B7A43);
         p.sky = rgb(0xFFFFFF), p.floor = rgb(0xF2F4F7), p.grid = rgb(0xD5DBE3), p.wall = rgb(0xB4BEC9);
         p.shadow = Colour{0, 0, 0, 0.22f}, p.chassis = rgb(0x6C7885), p.wheel = rgb(0x2A3038),
         p.neutral = rgb(0x465873);

@@ -12,7 +12,6 @@ namespace {
 
 struct OnTheDesk : testing::Test {
     Folder folder;
-    Strings words = *Strings::load(std::string(BRAITENLAB_SOURCE) + "/ui/strings/en.toml");
     FilesView files;
     Remembered remembered;
     Lab lab = open("2a-coward");
@@ -28,7 +27,7 @@ struct OnTheDesk : testing::Test {
     }
     void ask(const Request& request) {
         handle(lab, request);
-        do_files(lab, files, remembered, words);
+        do_files(lab, files, remembered);
     }
     const FourNeurons dials() const { return read_dials(*lab.session.snapshot().kind_brains[0]); }
 };
@@ -171,6 +170,19 @@ TEST_F(OnTheDesk, GoesOnOnceWhatWasUnsavedHasGotANameOfItsOwn) {
     EXPECT_EQ(lab.name, "3a-love");
 }
 
+TEST_F(OnTheDesk, SaysWhatWasDoneAndWhatFailedInDifferentWays) {
+    ask(SaveRequest{"mine", FileKind::scene});
+    EXPECT_EQ(lab.notice, (Notice{NoticeKind::done, "files.saved", "mine.toml"}));
+    ask(OpenRequest{"nowhere.toml"});
+    EXPECT_EQ(lab.notice.kind, NoticeKind::failure);
+}
+
+TEST_F(OnTheDesk, TellsEachLabItOpensFromTheOneBefore) {
+    const auto before = lab.sitting;
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    EXPECT_NE(lab.sitting, before) << "what was drawn of the other run does not belong to this one";
+}
+
 TEST_F(OnTheDesk, LeavesOnlyWhenNothingIsUnsavedOrThePersonSaysSo) {
     EXPECT_TRUE(may_leave(lab, files)) << "nothing was done";
     for (int i = 0; i < 100; ++i) tick(lab);
@@ -220,7 +232,7 @@ struct Followed : OnTheDesk {
         fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(++written_));
         look(), look();
     }
-    void look() { follow_file(lab, files, words); }
+    void look() { follow_file(lab, files); }
     static std::string with(std::string text, const std::string& old, const std::string& fresh) {
         const auto at = text.find(old);
         EXPECT_NE(at, text.npos) << old;
@@ -240,7 +252,7 @@ TEST_F(Followed, IsReadAgainWhenItIsWrittenByAnotherProgram) {
     write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
     EXPECT_EQ(dials().LL, 0.25f);
     EXPECT_EQ(lab.mode, Mode::playing);
-    EXPECT_NE(lab.notice.find("mine.toml"), std::string::npos);
+    EXPECT_NE(lab.notice.words.find("mine.toml"), std::string::npos);
 }
 
 TEST_F(Followed, LeavesTheRunAloneWhereItIsBrokenAndSaysWhy) {
@@ -248,7 +260,7 @@ TEST_F(Followed, LeavesTheRunAloneWhereItIsBrokenAndSaysWhy) {
     const auto before = lab.session.hash();
     write(with(text_of(file), "LL = 1.5", "LL = 77"));
     EXPECT_EQ(lab.session.hash(), before);
-    EXPECT_NE(lab.notice.find("mine.toml:"), std::string::npos) << lab.notice;
+    EXPECT_NE(lab.notice.words.find("mine.toml:"), std::string::npos) << lab.notice.words;
     write(with(text_of(file), "LL = 77", "LL = 0.5"));
     EXPECT_EQ(dials().LL, 0.5f) << "mended, it counts";
 }
@@ -258,7 +270,7 @@ TEST_F(Followed, NeverCostsUnsavedEdits) {
     write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
     EXPECT_EQ(dials().LR, 1.25f);
     EXPECT_EQ(dials().LL, 1.5f);
-    EXPECT_NE(lab.notice.find("mine.toml"), std::string::npos);
+    EXPECT_NE(lab.notice.words.find("mine.toml"), std::string::npos);
 }
 
 TEST(Paths, AreReadFromTheFolderOrFromHome) {

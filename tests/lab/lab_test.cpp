@@ -183,7 +183,8 @@ TEST(Numbers, GoToANewFileEachTimeAndSayWhere) {
     std::filesystem::current_path(before);
     EXPECT_EQ(std::filesystem::file_size(folder / "braitenlab-signals-001.csv"), 11u);
     EXPECT_EQ(std::filesystem::file_size(folder / "braitenlab-signals-002.csv"), 15u);
-    EXPECT_NE(lab.notice.find("braitenlab-signals-002.csv"), std::string::npos);
+    EXPECT_EQ(lab.notice.kind, NoticeKind::done);
+    EXPECT_NE(lab.notice.words.find("braitenlab-signals-002.csv"), std::string::npos);
 }
 
 TEST(Selection, MovesOnWhenItsVehicleLeaves) {
@@ -253,9 +254,10 @@ TEST(Refusal, IsSaidAndGoesAwayAgain) {
     Lab lab = open("2a-coward");
     handle(lab, Action::remove);
     handle(lab, Action::remove);
-    EXPECT_NE(lab.notice, "");
+    EXPECT_NE(lab.notice.words, "");
+    EXPECT_EQ(lab.notice.kind, NoticeKind::failure);
     advance(lab, 60);
-    EXPECT_EQ(lab.notice, "");
+    EXPECT_TRUE(lab.notice.empty());
 }
 
 TEST(Lesson, TicksItsStepsLiveAndGradesFromAllStarts) {

@@ -58,6 +58,30 @@ TEST(History, ForgetsOnlyWhatHasBeenTakenBack) {
     EXPECT_EQ(history.signals.size(), whole) << "and goes on from there";
 }
 
+TEST(History, BeginsAnewWithAnotherSceneThoughItsTimeIsTheSame) {
+    Desk desk;
+    History history;
+    pass(desk, history, 0);
+    desk.now = snapshot(0);  // one vehicle, neither predator nor prey
+    ++desk.view.sitting;
+    pass(desk, history, 0);
+    ASSERT_EQ(history.population.size(), 1u);
+    EXPECT_EQ(history.population.back().count, (std::array{0, 0, 1}));
+}
+
+TEST(History, FollowsEditsOfTheMomentThatIsShown) {
+    Desk desk;
+    History history;
+    pass(desk, history, 0);
+    desk.now.vehicles.pop_back();
+    desk.now.sensed = std::vector<float>(desk.now.sensed.size(), 0.7f);
+    pass(desk, history, 0);
+    ASSERT_EQ(history.population.size(), 1u);
+    EXPECT_EQ(history.population.back().count[1], 7);
+    ASSERT_EQ(history.signals.size(), 1u);
+    EXPECT_FLOAT_EQ(history.signals.back().values[0], 0.7f);
+}
+
 TEST(History, KeepsNumbersAndMeanEnergiesOfEachSide) {
     Desk desk;  // 4 predators, 8 prey
     for (VehicleView& v : desk.now.vehicles) v.energy = v.role == Role::predator ? 0.5f : 0.25f;

@@ -26,6 +26,7 @@ TEST(Palette, KeepsTextReadable) {
             for (const Colour text : {p.text, p.second_text}) EXPECT_GE(contrast(text, ground), 4.5f);
         EXPECT_GE(contrast(p.on_accent, p.accent), 4.5f);
         EXPECT_GE(contrast(p.warning, p.panel), 4.5f);
+        EXPECT_GE(contrast(p.success, p.panel), 4.5f);
     }
 }
 

@@ -65,10 +65,12 @@ void hint_bar(const LabView& view, Ui& ui, Rect bar, std::string_view hint) {
         hint_line(ui, ui.strings(prompted ? hint : usual_hint(view)),
                   prompted ? ui.palette.text : ui.palette.second_text, x, bar);
     } else {
-        const Colour colour = legible(ui.palette.warning, ui.palette.panel, ui.palette.text);
-        put_icon(ui, {x + ui.px(6), middle}, icon::warning, colour, Face::small);
+        const Colour colour = colour_of(view.notice.kind, ui.palette);
+        put_icon(ui, {x + ui.px(6), middle}, sign_of(view.notice.kind), colour, Face::small);
         if (has_icons(ui)) x += ui.px(20);
-        put(ui, {x, middle - line_height(ui, Face::small) / 2}, view.notice, colour, Face::small);
+        const float room = bar.x + bar.w - ui.px(16) - x;
+        put(ui, {x, middle - line_height(ui, Face::small) / 2},
+            shortened(ui, text_of(view.notice, ui.strings), Face::small, room), colour, Face::small);
     }
     mark(ui, "hint.bar", bar);
     end_bar();

@@ -16,11 +16,13 @@ void forget_after(Samples& samples, double seconds) {
 // Half a tick of slack: seconds are ticks divided by 60.
 template <class Samples>
 bool is_due(const Samples& samples, double seconds, std::uint64_t period) {
-    return samples.empty() || seconds - samples.back().seconds > (static_cast<double>(period) - 0.5) / 60;
+    return samples.empty() || samples.back().seconds == seconds ||
+           seconds - samples.back().seconds > (static_cast<double>(period) - 0.5) / 60;
 }
 
 template <class Samples, class Sample>
 void keep(Samples& samples, const Sample& sample, std::size_t most) {
+    if (!samples.empty() && samples.back().seconds == sample.seconds) samples.pop_back();
     samples.push_back(sample);
     if (samples.size() > most) samples.pop_front();
 }
@@ -50,6 +52,7 @@ History::Population counted(const Snapshot& now, double seconds) {
 void remember(History& history, const LabView& view) {
     const Snapshot& now = *view.now;
     const double seconds = static_cast<double>(now.tick) / 60;
+    if (history.sitting != view.sitting) history = {}, history.sitting = view.sitting;
     if (now.tick < history.tick) {
         forget_after(history.signals, seconds);
         forget_after(history.population, seconds);

@@ -139,9 +139,11 @@ void lecture_figures(const LabView& view, PanelState& state, Ui& ui, const Windo
         for (std::size_t i = 0; i < all.size(); ++i)
             figure(ui, all[i], {bar.x + each * static_cast<float>(i), bar.y, each, bar.h});
     } else {
-        const Palette& p = ui.palette;
-        put(ui, {bar.x + ui.px(16), bar.y + (bar.h - line_height(ui, Face::text)) / 2},
-            shortened(ui, view.notice, Face::text, bar.w - ui.px(32)), legible(p.warning, p.panel, p.text));
+        const Colour colour = colour_of(view.notice.kind, ui.palette);
+        const float x = bar.x + ui.px(16), words = x + (has_icons(ui) ? ui.px(24) : 0);
+        put_icon(ui, {x + ui.px(7), bar.y + bar.h / 2}, sign_of(view.notice.kind), colour);
+        put(ui, {words, bar.y + (bar.h - line_height(ui, Face::text)) / 2},
+            shortened(ui, text_of(view.notice, ui.strings), Face::text, bar.x + bar.w - ui.px(16) - words), colour);
     }
     mark(ui, "hint.bar", bar);
     pressed_keys(view, state, ui, layout);

@@ -1,0 +1,42 @@
+#include "ui/notice.h"
+
+#include "desk.h"
+
+namespace braitenlab::tests {
+
+TEST(Notice, HasASignAndAColourOfItsOwnForEachKind) {
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        const Palette p = palette(theme);
+        EXPECT_NE(colour_of(NoticeKind::done, p), colour_of(NoticeKind::failure, p));
+        EXPECT_NE(colour_of(NoticeKind::notice, p), colour_of(NoticeKind::failure, p));
+        EXPECT_NE(colour_of(NoticeKind::done, p), colour_of(NoticeKind::notice, p));
+        for (const NoticeKind kind : {NoticeKind::done, NoticeKind::notice, NoticeKind::failure})
+            EXPECT_GE(contrast(colour_of(kind, p), p.panel), 4.5f);
+    }
+    EXPECT_NE(sign_of(NoticeKind::done), sign_of(NoticeKind::failure));
+    EXPECT_NE(sign_of(NoticeKind::notice), sign_of(NoticeKind::failure));
+}
+
+TEST(Notice, IsReadInTheLanguageThatIsShown) {
+    const Notice saved{NoticeKind::done, "notice.screenshot", "/tmp/a.png"};
+    EXPECT_EQ(text_of(saved, english()), "Picture saved to /tmp/a.png");
+    EXPECT_EQ(text_of(saved, speaking("de")), "Bild gespeichert: /tmp/a.png");
+    EXPECT_EQ(text_of({NoticeKind::failure, "", "no {} here"}, english()), "no {} here");
+}
+
+TEST(Notice, EndsInAnEllipsisWhereItDoesNotFit) {
+    Desk desk(1280, 800, 1, true);
+    desk.view.notice = {NoticeKind::failure, "", std::string(400, 'w')};
+    desk.frame(2);
+    const Rect bar = desk.where("hint.bar");
+    bool found = false;
+    for (const Written& w : desk.written) {
+        if (!w.words.starts_with("www")) continue;
+        found = true;
+        EXPECT_LE(w.rect.right(), bar.right());
+        EXPECT_TRUE(w.words.ends_with("…"));
+    }
+    EXPECT_TRUE(found);
+}
+
+}  // namespace braitenlab::tests
