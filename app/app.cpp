@@ -116,9 +116,7 @@ void App::do_recovery(bool take) {
     error ? refuse(*error) : autosave_.forget();
 }
 
-void App::refuse(const Error& error) {
-    say(lab_, {NoticeKind::failure, "", error.text()});
-}
+void App::refuse(const Error& error) { say(lab_, {NoticeKind::failure, "", error.text()}); }
 
 void App::keep_memory(bool now) {
     if (!options_.screenshot.empty() || (!now && seconds_since(memory_kept_) < 1)) return;

@@ -16,6 +16,18 @@ constexpr double hint_patience = 30;       // s until the next hint opens withou
 constexpr double tick_length = 1.0 / 60;   // s, as core/brain/brain.h has it
 constexpr double stepping_budget = 0.012;  // s of a frame
 
+// Once a second. A person hardly sees a twentieth less.
+void measure(Lab& lab, double wall_seconds, double simulated) {
+    constexpr double stretch = 1, falls_behind = 0.95;
+    Pace& pace = lab.pace;
+    pace.wall += wall_seconds, pace.simulated += simulated;
+    if (pace.wall < stretch) return;
+    const double reached = pace.simulated / pace.wall;
+    pace.reached.reset();
+    if (reached < falls_behind * static_cast<double>(lab.time_scale)) pace.reached = static_cast<float>(reached);
+    pace.wall = pace.simulated = 0;
+}
+
 }  // namespace
 
 FileMark mark_of(const std::filesystem::path& path) {
@@ -94,10 +106,12 @@ void advance(Lab& lab, double wall_seconds) {
     const auto began = Clock::now();
     const auto spent = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
     lab.debt += wall_seconds * static_cast<double>(lab.time_scale);
+    const double before = lab.session.snapshot().seconds;
     while (lab.debt >= tick_length && spent() < stepping_budget) {
         tick(lab);
         lab.debt -= tick_length;
     }
+    measure(lab, wall_seconds, lab.session.snapshot().seconds - before);
     if (lab.debt >= tick_length) lab.debt = 0;
 }
 
@@ -123,6 +137,7 @@ LabView view_of(const Lab& lab) {
     view.timeline = {lab.session.earliest(), lab.session.latest(), {}};
     for (const Past::Mark& mark : lab.past.bookmarks) view.timeline.bookmarks.push_back(mark.moment.tick());
     view.time_scale = lab.time_scale;
+    view.pace = lab.pace.reached;
     view.selected = lab.selected;
     view.thing = lab.thing;
     view.whole_kind = lab.whole_kind;

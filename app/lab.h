@@ -45,6 +45,12 @@ struct LectureBefore {
     bool sensors = true, outlines = false;
 };
 
+// How fast simulated time passes, measured while playing.
+struct Pace {
+    double wall = 0, simulated = 0;  // seconds so far of the stretch that is measured now
+    std::optional<float> reached;    // simulated seconds a second, of the last stretch; none: as fast as was asked for
+};
+
 struct Lab {
     Session session;
     std::string name;                   // of the file, without folder and ending
@@ -60,7 +66,8 @@ struct Lab {
     float time_scale = 1;
     std::vector<VehicleView> before;  // the vehicles a tick ago, so that a picture can stand between two ticks
     double debt = 0;                  // simulated seconds that are due but not yet stepped
-    std::int64_t toggles = 0;         // changes between playing and not playing
+    Pace pace;
+    std::int64_t toggles = 0;  // changes between playing and not playing
     VehicleId selected = no_vehicle;
     Thing thing;             // a lamp or an obstacle, selected beside the vehicle
     std::string thing_name;  // by which it is known when others come or go

@@ -19,11 +19,33 @@ constexpr float type_step = 0.125f;
 constexpr float lecture_type = 1.6f;        // times what a person has at the desk
 constexpr std::int64_t rewind_ticks = 300;  // five seconds
 
+// Says what became of the time that was recorded ahead.
+void tell_of_time(Lab& lab, std::uint64_t latest_before) {
+    constexpr std::uint64_t worth_a_word = 30;  // ticks
+    const std::uint64_t now = lab.session.snapshot().tick, latest = lab.session.latest();
+    const std::string seconds = fmt::format("{:.1f}", lab.session.snapshot().seconds);
+    if (latest > latest_before && latest > now + worth_a_word)
+        say(lab, {NoticeKind::done, "notice.time_back", seconds});
+    if (latest_before <= latest + worth_a_word) return;
+    const bool can_come_back = lab.session.undo_brings_time_back();
+    say(lab, {NoticeKind::notice, can_come_back ? "notice.forgotten" : "notice.forgotten_for_good", seconds});
+}
+
+// Undo or redo.
+template <class Change>
+void change(Lab& lab, const Change& make) {
+    const std::uint64_t latest = lab.session.latest();
+    lab.work += make();
+    keep_selection(lab);
+    tell_of_time(lab, latest);
+}
+
 void change_speed(Lab& lab, int step) {
     const auto here = std::lower_bound(speeds.begin(), speeds.end(), lab.time_scale - 1e-6f);
     const auto index =
         std::clamp(static_cast<int>(here - speeds.begin()) + step, 0, static_cast<int>(speeds.size()) - 1);
     lab.time_scale = speeds[static_cast<std::size_t>(index)];
+    lab.pace = {};
 }
 
 void change_type_size(Lab& lab, float by) {
@@ -164,10 +186,10 @@ void act(Lab& lab, Action action) {
             if (lab.mode == Mode::wiring) set_mode(lab, Mode::paused);
             break;
         case Action::undo:
-            lab.work += lab.session.undo(), keep_selection(lab);
+            change(lab, [&] { return lab.session.undo(); });
             break;
         case Action::redo:
-            lab.work += lab.session.redo(), keep_selection(lab);
+            change(lab, [&] { return lab.session.redo(); });
             break;
         case Action::drive:
             drive(lab);
@@ -231,15 +253,17 @@ void set_mode(Lab& lab, Mode mode) {
     const bool was_playing = lab.mode == Mode::playing, plays = mode == Mode::playing;
     if (was_playing != plays) ++lab.toggles;
     if (plays) lab.debt = 0;
+    lab.pace = {};
     lab.mode = mode;
 }
 
 bool apply(Lab& lab, const Command& command, std::uint64_t gesture) {
+    const std::uint64_t latest = lab.session.latest();
     const auto error = lab.session.apply(command, gesture);
     if (error)
         say(lab, {NoticeKind::failure, "", error->text()});
     else
-        ++lab.work;
+        ++lab.work, tell_of_time(lab, latest);
     keep_selection(lab);
     return !error;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "app/lab_parts.h"
 
 namespace braitenlab {
@@ -86,6 +88,8 @@ void handle_bookmark(Lab& lab, const BookmarkRequest& request) {
     if (request.index < 0 || static_cast<std::size_t>(request.index) >= bookmarks.size()) return;
     const auto mark = bookmarks.begin() + request.index;
     if (request.remove) {
+        say(lab, {NoticeKind::done, "notice.mark_removed",
+                  fmt::format("{:.1f}", static_cast<double>(mark->moment.tick()) / 60)});
         bookmarks.erase(mark);
         return;
     }

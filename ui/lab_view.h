@@ -50,7 +50,8 @@ struct LabView {
     const Scene* file = nullptr;    // the scene as its file has it, before all edits; null: unknown
     Mode mode = Mode::paused;
     TimelineView timeline;
-    float time_scale = 1;  // simulated seconds per second, 1/8 … 16
+    float time_scale = 1;       // simulated seconds per second, 1/8 … 16
+    std::optional<float> pace;  // the same, as it is reached, where that is clearly less
     VehicleId selected = no_vehicle;
     Thing thing;                   // the lamp or obstacle that is selected beside the vehicle
     const Sight* sight = nullptr;  // where the scene is seen from; null: it cannot be pointed at

@@ -16,7 +16,6 @@ constexpr float text_em = 14, title_em = 18, small_em = 12, display_em = 36;  //
 constexpr ImWchar latin[]{0x0020, 0x017F,  // Latin, Latin-1, Latin Extended-A
                           0x0370, 0x03FF,  // Greek: θ, Σ, π
                           0x2010, 0x2027,  // dashes, quotation marks, …
-                          0x215B, 0x215E,  // ⅛ and its kind
                           0};
 constexpr ImWchar signs[]{0x2070, 0x209F,  // superscripts, subscripts
                           0x2190, 0x21FF,  // arrows

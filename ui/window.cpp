@@ -191,7 +191,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     left_column(view, state, ui, layout.left);
     right_column(view, state, ui, layout);
     if (layout.charts.w > 0) chart_card(view, state, ui, layout.charts);
-    if (!view.lecture) tool_palette(view, state, ui, layout.scene);
+    if (!view.lecture) tool_palette(view, state, ui, layout.tools);
     if (view.lecture) {
         lecture_figures(view, state, ui, layout);
         lecture_bar(view, ui, layout.toolbar);

@@ -11,7 +11,7 @@ constexpr float toolbar_height = 48, hint_height = 32, timeline_height = 44, abo
 constexpr float lecture_bar_height = 56, figures_height = 92;
 constexpr float narrow_window = 1200;  // below it, cards and margins are slimmer
 constexpr float inset_height = 232;
-constexpr float charts_height = 248;
+constexpr float charts_height = 248, tools_row = 44;
 
 struct Columns {
     float margin, left, right;
@@ -57,6 +57,8 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         const float strip = std::min(charts_height * scale, column * 0.45f);
         l.charts = {l.scene.x, bottom - strip, l.scene.w, strip};
         l.scene.h -= strip + margin;
+        l.tools = l.scene;
+        l.scene.y += tools_row * scale, l.scene.h -= tools_row * scale;
     }
     // Nothing but the scene: folded cards lie over it.
     if (view.lecture) l.scene = {margin, top, width - 2 * margin, column};
@@ -74,6 +76,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     } else if (!view.lecture) {
         l.timeline = below(l.scene, scale);
     }
+    if (l.tools.w <= 0) l.tools = l.scene;
     return l;
 }
 

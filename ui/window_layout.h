@@ -17,6 +17,8 @@ struct WindowLayout {
     Rect canvas;    // the wiring canvas; in Mode::wiring alone
     Rect scene;     // what no card covers: the camera frames the arena here, and the anchor `viewport` is here. In
                     // Mode::wiring a small inset, so that the scene stays in sight
+    Rect tools;     // the palette of tools stands in its upper left corner: over the scene, or above it where the large
+                    // pictures leave no room for both
     float scale = 1;
 };
 

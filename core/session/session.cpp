@@ -30,6 +30,8 @@ Session Session::resume(SavedRun run) { return Session(std::move(run.opened), Wo
 
 std::optional<Error> Session::carry_out(const Command& command) {
     if (auto error = world_.apply(command)) return error;
+    if (recording_.latest() > world_.tick())
+        forgotten_ = Forgotten{world_.tick(), edits_.done.size(), recording_, edits_since_};
     recording_.forget_after(world_.tick());
     recording_.add_command(world_, command);
     world_.capture(snapshot_);
@@ -70,9 +72,26 @@ std::optional<Error> Session::apply(const Command& command, std::uint64_t gestur
     }
     const bool is_back_where_it_began = same_gesture && undoing(snapshot_, again) == step.back;
     if (!is_back_where_it_began) push(edits_.done, std::move(step));
-    if (edits_.done.size() > most_edits) edits_.done.erase(edits_.done.begin());
+    if (edits_.done.size() > most_edits) {
+        edits_.done.erase(edits_.done.begin());
+        if (forgotten_) --forgotten_->edits;
+    }
     remember_edits();
     return std::nullopt;
+}
+
+bool Session::undo_brings_time_back() const {
+    return forgotten_ && forgotten_->tick == world_.tick() && recording_.latest() == world_.tick() &&
+           edits_.done.size() == forgotten_->edits + 1;
+}
+
+// The world stands again at the moment before the edit, with everything that lay ahead of it.
+void Session::bring_time_back() {
+    recording_ = std::move(forgotten_->recording);
+    edits_since_ = std::move(forgotten_->edits_since);
+    forgotten_.reset();
+    world_ = World::restore(recording_.at(world_.tick()));
+    world_.capture(snapshot_);
 }
 
 // Something may have left the world since the edit; then there is nothing to bring back, and the rest still counts.
@@ -80,9 +99,16 @@ bool Session::undo() {
     if (edits_.done.empty()) return false;
     UndoStep step = *edits_.done.back();
     for (Command& command : step.again) command = repeating(snapshot_, command);
+    const bool brings_time_back = undo_brings_time_back();
     edits_.done.pop_back();
+    if (brings_time_back) {
+        push(edits_.undone, std::move(step));
+        bring_time_back();
+        return true;
+    }
     for (const Command& command : step.back) (void)carry_out(command);
     push(edits_.undone, std::move(step));
+    if (forgotten_ && edits_.done.size() <= forgotten_->edits) forgotten_.reset();  // from here it is another way
     remember_edits();
     return true;
 }
@@ -101,7 +127,10 @@ bool Session::redo() {
 // A step into what is not recorded yet, or again through what is.
 void Session::advance() {
     world_.step();
-    if (world_.tick() > recording_.latest()) return recording_.add_step(world_);
+    if (world_.tick() > recording_.latest()) {
+        forgotten_.reset();
+        return recording_.add_step(world_);
+    }
     if (const auto made = recording_.made_by_commands(world_.tick())) world_ = World::restore(*made);
     for (const Command& command : recording_.commands_at(world_.tick())) (void)world_.apply(command);
 }
@@ -140,6 +169,7 @@ void Session::go_to(const Bookmark& bookmark) {
     }
     world_ = World::restore(bookmark.save);
     recording_ = Recording(bookmark.save);
+    forgotten_.reset();
     edits_ = bookmark.edits;
     edits_since_.clear();
     edits_since_.emplace_back(earliest(), edits_);
@@ -201,6 +231,7 @@ void Session::reset(Keep keep) {
     const Snapshot before = std::move(snapshot_);
     world_ = std::move(*world);
     recording_ = Recording(world_.save());
+    forgotten_.reset();
     snapshot_ = {};
     world_.capture(snapshot_);
     renumber_after_reset(before, keep);

@@ -41,7 +41,8 @@ public:
     // Back to the very start of the run: edits stay (see Keep), time and places start over.
     void reset(Keep = Keep::edits);
 
-    // Values, never time: an undone weight is the old weight now. False when there is nothing to undo or redo.
+    // Values, never time: an undone weight is the old weight now. False when there is nothing to undo or redo. What an
+    // edit in the past made the recording forget is there again when the edit is undone before time has gone on.
     bool undo();
     bool redo();
     int undo_depth() const { return static_cast<int>(edits_.done.size()); }
@@ -51,6 +52,9 @@ public:
     // The ticks that can be gone to: the last minute, and what lies ahead of a moment in the past.
     std::uint64_t earliest() const { return recording_.earliest(); }
     std::uint64_t latest() const { return recording_.latest(); }
+
+    // Whether the next undo brings back a future that was forgotten.
+    bool undo_brings_time_back() const;
 
     // Stands at this tick as the run did then, the nearest recorded one; what can be undone is what could be then.
     // Costs at most keyframe_ticks steps; `roughly`, none: it goes to the keyframe before.
@@ -72,7 +76,16 @@ public:
 
 private:
     Session(Scene opened, World);
+    // The future that an edit in the past made the recording forget, until time goes on.
+    struct Forgotten {
+        std::uint64_t tick = 0;  // of that edit
+        std::size_t edits = 0;   // that could be undone before it
+        Recording recording;
+        std::vector<std::pair<std::uint64_t, Edits>> edits_since;
+    };
+
     std::optional<Error> carry_out(const Command&);
+    void bring_time_back();
     void advance();
     void remember_edits();
     void take_edits_of(std::uint64_t tick);
@@ -85,6 +98,7 @@ private:
     Edits edits_;
     std::vector<std::pair<std::uint64_t, Edits>>
         edits_since_;  // as they became at each recorded tick that changed them
+    std::optional<Forgotten> forgotten_;
 };
 
 }  // namespace braitenlab

@@ -82,11 +82,6 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
                 if (!v) return {};
                 return {MoveVehicle{v->id, v->x, v->y, v->heading}};
             },
-            [&](const ChooseDriver& c) -> Commands {
-                const VehicleView* v = find_vehicle(now, c.vehicle);
-                if (!v) return {};
-                return {ChooseDriver{v->id, v->driver}};
-            },
             [&](const EditStart& c) -> Commands {
                 const Start* start = at(scene.starts, c.start);
                 if (!start) return {};
@@ -125,6 +120,7 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
                 if (!pose) return {};
                 return {MoveObstacle{c.obstacle, pose->x, pose->y, pose->heading}};
             },
+            [](const ChooseDriver&) -> Commands { return {}; },  // who drives is a mode, not an edit
             [](const Steer&) -> Commands { return {}; },
             [](const NewPopulation&) -> Commands { return {}; },
         },
@@ -147,7 +143,6 @@ bool supersedes(const Command& later, const Command& earlier) {
               },
               [&](const SetBrain& c) { return c.target == std::get<SetBrain>(earlier).target; },
               [&](const MoveVehicle& c) { return c.vehicle == std::get<MoveVehicle>(earlier).vehicle; },
-              [&](const ChooseDriver& c) { return c.vehicle == std::get<ChooseDriver>(earlier).vehicle; },
               [&](const EditStart& c) { return c.start == std::get<EditStart>(earlier).start; },
               [&](const SetSensors& c) { return c.kind == std::get<SetSensors>(earlier).kind; },
               [&](const EditSource& c) { return c.source == std::get<EditSource>(earlier).source; },

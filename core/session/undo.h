@@ -22,7 +22,7 @@ struct Edits {
 };
 
 // What undoes a command, judged before it is carried out; empty for those that only time or another command takes back
-// (Steer, NewPopulation) and for those that would be refused.
+// (ChooseDriver, Steer, NewPopulation) and for those that would be refused.
 std::vector<Command> undoing(const Snapshot& before, const Command&);
 
 // The command again, made to do the very same: one that added a vehicle brings that vehicle, as it is `after`.

@@ -17,7 +17,7 @@ void add_trail(Sheet& sheet, const Subject& s, const Trail& trail) {
     const std::size_t longest =
         s.selected ? Trail::capacity
                    : std::clamp<std::size_t>(most_points / sheet.now.vehicles.size(), 6, Trail::capacity);
-    const std::size_t count = std::min(trail.count, longest) + 1;  // the place right now is the newest point
+    const std::size_t count = std::min(trail.count(), longest) + 1;  // the place right now is the newest point
     const auto point = [&](std::size_t i) { return i == 0 ? s.place : trail.at(i - 1); };
     const auto side = [&](std::size_t i) {
         const vec2 along = maths::normalise(point(i == 0 ? 0 : i - 1) - point(std::min(i + 1, count - 1)));

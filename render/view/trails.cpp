@@ -9,6 +9,9 @@ namespace {
 
 constexpr std::uint64_t ticks_between = 6;  // a tenth of a second
 constexpr float still = 0.04f;              // m between two places
+constexpr float beside = 0.2f;              // m: farther than this from the way that is known is another way
+constexpr std::size_t recorded = 600;       // places: the minute that can be gone back
+constexpr std::size_t crowd = 1000;         // vehicles; with more, what is drawn is all that is remembered
 
 // Whether a vehicle that jumped from one place to the other went over the edge of a torus.
 bool went_round(const Arena& arena, maths::vec2 from, maths::vec2 to) {
@@ -17,32 +20,55 @@ bool went_round(const Arena& arena, maths::vec2 from, maths::vec2 to) {
            std::hypot(around(to.x - from.x, arena.width), around(to.y - from.y, arena.height)) <= Trail::jump;
 }
 
-void extend(Trail& trail, maths::vec2 place, const Arena& arena) {
-    if (trail.count > 0) {
-        const float moved = maths::distance(trail.at(0), place);
-        if (moved < still) return;
-        if (moved > Trail::jump && !went_round(arena, trail.at(0), place)) trail.count = 0;
-    }
-    trail.newest = (trail.newest + 1) % Trail::capacity;
-    trail.places[trail.newest] = place;
-    if (trail.count < Trail::capacity) ++trail.count;
+// How far a place is from the straight way between two others.
+float distance_to_way(maths::vec2 place, maths::vec2 from, maths::vec2 to) {
+    const maths::vec2 way = to - from;
+    const float length = maths::dot(way, way);
+    const float share = length > 0 ? std::clamp(maths::dot(place - from, way) / length, 0.0f, 1.0f) : 0.0f;
+    return maths::distance(place, from + way * share);
 }
 
 }  // namespace
+
+std::size_t Trail::count() const { return std::min(places_.size() - later_, capacity); }
+
+// Between the place before this moment and the one after it.
+bool Trail::is_on_the_known_way(maths::vec2 place) const {
+    const std::size_t next = places_.size() - later_;
+    const maths::vec2 after = places_[next].at, before = next > 0 ? places_[next - 1].at : after;
+    return maths::distance(before, after) > jump || distance_to_way(place, before, after) < beside;
+}
+
+void Trail::extend(std::uint64_t tick, maths::vec2 place, const Arena& arena, std::size_t most) {
+    if (tick != tick_) {  // the places after this moment
+        while (later_ < places_.size() && places_[places_.size() - 1 - later_].tick > tick) ++later_;
+        while (later_ > 0 && places_[places_.size() - later_].tick <= tick) --later_;
+    }
+    tick_ = tick;
+    if (later_ > 0) {
+        if (is_on_the_known_way(place)) return;
+        places_.resize(places_.size() - later_);
+        later_ = 0;
+    }
+    if (!places_.empty()) {
+        if (tick < places_.back().tick + ticks_between) return;
+        const float moved = maths::distance(places_.back().at, place);
+        if (moved < still) return;
+        if (moved > jump && !went_round(arena, places_.back().at, place)) places_.clear();
+    }
+    places_.push_back({place, tick});
+    while (places_.size() > most) places_.pop_front();
+}
 
 void Trails::record(const Snapshot& now) {
     // Edits make a new scene of the same name: the run goes on.
     const std::string name = now.scene ? now.scene->name : std::string{};
     const Arena arena = now.scene ? now.scene->arena : Arena{};
-    if (now.tick < tick_ || now.seed != seed_ || now.generation != generation_ || name != scene_) trails_.clear();
-    tick_ = now.tick, seed_ = now.seed, generation_ = now.generation, scene_ = name;
-    for (const VehicleView& vehicle : now.vehicles) {
-        const auto [found, is_new] = trails_.try_emplace(vehicle.id);
-        Trail& trail = found->second;
-        if (!is_new && now.tick < trail.seen + ticks_between) continue;
-        trail.seen = now.tick;
-        extend(trail, {vehicle.x, vehicle.y}, arena);
-    }
+    if (now.seed != seed_ || now.generation != generation_ || name != scene_) trails_.clear();
+    seed_ = now.seed, generation_ = now.generation, scene_ = name;
+    const std::size_t most = now.vehicles.size() > crowd ? Trail::capacity : Trail::capacity + recorded;
+    for (const VehicleView& vehicle : now.vehicles)
+        trails_[vehicle.id].extend(now.tick, {vehicle.x, vehicle.y}, arena, most);
     if (trails_.size() > now.vehicles.size())
         std::erase_if(trails_, [&](const auto& entry) { return !find_vehicle(now, entry.first); });
 }

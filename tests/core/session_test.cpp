@@ -51,6 +51,17 @@ TEST(Undo, RestoresEachVehiclesOwnBrain) {
     EXPECT_EQ(dial(session, Dial::LL, 2), 0);
 }
 
+TEST(Undo, LeavesTheWheelToWhoHasIt) {
+    Session session = open(tests::crowd(4));
+    ASSERT_FALSE(session.apply(ChooseDriver{0, Driver::manual}));
+    ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 2}));
+    ASSERT_FALSE(session.apply(ChooseDriver{0, Driver::brain}));
+    EXPECT_EQ(session.undo_depth(), 1);
+    session.undo();
+    EXPECT_EQ(dial(session, Dial::LL), 0);
+    EXPECT_EQ(session.snapshot().vehicles[0].driver, Driver::brain);
+}
+
 TEST(Undo, LeavesTimeAlone) {
     Session session = open(tests::crowd(4));
     session.apply(TurnDial{{.kind = 0}, Dial::LL, 2});
@@ -136,7 +147,7 @@ Command any_edit(const Session& session, maths::Random& chance) {
         case 5:
             return MoveVehicle{vehicle, metres(), metres(), 2};
         case 6:
-            return ChooseDriver{vehicle, Driver::parked};
+            return TurnDial{{.vehicle = vehicle}, Dial::LL, chance.uniform(-2, 2)};
         case 7: {
             auto sensors = now.scene->kinds[static_cast<std::size_t>(kind)].sensors;
             if (!sensors.empty()) sensors[0].range = chance.uniform(1, 9);
@@ -229,6 +240,49 @@ TEST(Time, TakesAnotherWayFromAnEditInThePast) {
     EXPECT_EQ(session.latest(), 350u);
     while (session.snapshot().tick < 700) session.step();
     EXPECT_NE(session.hash(), hash);
+}
+
+TEST(Time, ThatAnEditInThePastForgotIsBackWhenTheEditIsUndone) {
+    Session session = open(furnished());
+    for (int i = 0; i < 200; ++i) session.step();
+    session.apply(TurnDial{{.kind = 0}, Dial::RR, 1});
+    for (int i = 200; i < 700; ++i) session.step();
+    const auto hash = session.hash();
+    session.seek(350);
+    const auto then = session.hash();
+    for (const float value : {0.5f, 1.0f, 2.0f}) ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, value}, 9));
+    EXPECT_TRUE(session.undo_brings_time_back());
+    ASSERT_FALSE(session.apply(RemoveVehicle{}));
+    EXPECT_FALSE(session.undo_brings_time_back()) << "this one took nothing away";
+    session.undo(), session.undo();
+    EXPECT_EQ(session.latest(), 700u);
+    EXPECT_EQ(session.snapshot().tick, 350u);
+    EXPECT_EQ(session.hash(), then);
+    while (session.snapshot().tick < 700) session.step();
+    EXPECT_EQ(session.hash(), hash) << "to the very bit";
+    session.seek(350);
+    EXPECT_EQ(session.undo_depth(), 1);
+}
+
+TEST(Time, ThatWasForgottenStaysSoOnceTheRunHasGoneOn) {
+    Session session = open(furnished());
+    session.apply(TurnDial{{.kind = 0}, Dial::RR, 1});
+    for (int i = 0; i < 700; ++i) session.step();
+    session.seek(350);
+    session.undo();
+    session.apply(TurnDial{{.kind = 0}, Dial::LL, 1});
+    EXPECT_FALSE(session.undo_brings_time_back()) << "the run that was recorded had another RR";
+    session.undo();
+    EXPECT_EQ(session.latest(), 350u);
+    session.step();
+    session.seek(350);
+    session.apply(TurnDial{{.kind = 0}, Dial::LL, 1});
+    session.undo();
+    EXPECT_EQ(session.latest(), 351u) << "one tick was recorded, and is back";
+    session.apply(TurnDial{{.kind = 0}, Dial::LL, 1});
+    session.step(), session.step();
+    session.undo();
+    EXPECT_EQ(session.latest(), 352u);
 }
 
 TEST(Bookmark, BringsItsMomentBackFromAnyOtherRun) {

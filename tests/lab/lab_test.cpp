@@ -62,6 +62,41 @@ TEST(Time, GoesBackAndOnAgainExactly) {
     EXPECT_EQ(lab.session.hash(), hash);
 }
 
+TEST(Time, SaysWhatAnEditInThePastForgetsAndWhatUndoBringsBack) {
+    Lab lab = open("predator-prey");
+    for (int i = 0; i < 700; ++i) tick(lab);
+    handle(lab, SeekRequest{400, false});
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LL, 1}});
+    EXPECT_EQ(lab.notice.key, "notice.forgotten");
+    EXPECT_EQ(lab.notice.words, "6.7");
+    EXPECT_EQ(lab.session.latest(), 400u);
+    handle(lab, Action::undo);
+    EXPECT_EQ(lab.notice.key, "notice.time_back");
+    EXPECT_EQ(lab.session.latest(), 700u);
+    handle(lab, Action::add);
+    EXPECT_EQ(lab.notice.key, "notice.forgotten");
+    tick(lab);
+    lab.notice = {};
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LL, 1}});
+    EXPECT_TRUE(lab.notice.empty()) << "at the front there is nothing to forget";
+}
+
+TEST(Time, TellsHowFastItPassesWhereItFallsBehind) {
+    Lab lab = open("2a-coward");
+    handle(lab, Action::play_pause);
+    for (int i = 0; i < 70; ++i) advance(lab, 1.0 / 60);
+    EXPECT_FALSE(view_of(lab).pace) << "one vehicle is no work";
+    lab.time_scale = 1e6f;
+    lab.pace = {};
+    for (int i = 0; i < 70; ++i) advance(lab, 1.0 / 60);
+    const auto pace = view_of(lab).pace;
+    ASSERT_TRUE(pace);
+    EXPECT_GT(*pace, 0.0f);
+    EXPECT_LT(*pace, 1e5f) << "what is reached, not what was asked for";
+    handle(lab, Action::slower);
+    EXPECT_FALSE(view_of(lab).pace) << "measured anew";
+}
+
 TEST(Time, TakesTheJudgeBackWithIt) {
     Lab lab = open("05-aggressor");
     handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph(lab.lesson->exercise->solution)}});

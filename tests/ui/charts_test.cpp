@@ -71,6 +71,43 @@ TEST(Charts, StandInTheMiddleBelowTheScene) {
     EXPECT_FLOAT_EQ(card.w, scene.w);
 }
 
+TEST(Charts, LeaveTheCornerOfTheSceneToTheScene) {
+    Desk desk;
+    const Sight sight = look(Camera{}, desk.now.scene->arena, nullptr, {0, 0, 1280, 800}, {300, 60, 600, 600});
+    desk.view.sight = &sight;
+    desk.panels.charts_open = true;
+    desk.frame(3);
+    const Rect tools = desk.where("tool.hand"), scene = desk.where("viewport");
+    EXPECT_LE(tools.y + tools.h, scene.y) << "no tool over a vehicle";
+}
+
+TEST(Charts, HaveOneTooltipAtATime) {
+    Desk desk(1280, 800, 1, true);
+    desk.panels.charts_open = true;
+    desk.frame(3);
+    desk.point("charts.csv");
+    desk.frame(60);
+    bool told = false;
+    for (const Written& w : desk.written) {
+        told |= w.words == desk.strings("tooltip.csv");
+        EXPECT_NE(w.words, desk.strings("card.fold"));
+    }
+    EXPECT_TRUE(told);
+}
+
+TEST(Charts, KeepTheNumbersOfTwoPicturesApart) {
+    Desk desk(1280, 800, 1, true);
+    desk.panels.charts_open = true;
+    for (std::uint64_t tick = 0; tick <= 600; tick += 3) desk.now.tick = tick, desk.frame();
+    std::vector<Rect> numbers;
+    for (const Written& w : desk.written)
+        if (w.words == "0.0" || w.words == "1.0")
+            if (w.rect.y > desk.layout.charts.y) numbers.push_back(w.rect);
+    ASSERT_GE(numbers.size(), 4u);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) EXPECT_GE(std::abs(numbers[i].y - numbers[j].y), numbers[i].h - 0.5f);
+}
+
 TEST(Charts, ExportWhatTheyShow) {
     ChartDesk desk;
     const char* names[]{"signals", "population", "population", "energies"};

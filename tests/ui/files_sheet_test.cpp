@@ -100,6 +100,62 @@ TEST_F(FilesSheet, ListsWhatWasOpenLately) {
     EXPECT_EQ(opened(), std::vector<std::string>{"/y/mine.toml"});
 }
 
+TEST_F(FilesSheet, KeepsItsTabsUnderTheMouseWhicheverIsChosen) {
+    press({'O', true});
+    desk.frame(4);
+    const Rect tabs = desk.where("files.place.1"), sheet = desk.where("card.open");
+    for (const char* place : {"files.place.2", "files.place.3", "files.place.1"}) {
+        desk.click(place);
+        desk.frame(4);
+        EXPECT_EQ(desk.where("files.place.1").y, tabs.y) << place;
+        EXPECT_EQ(desk.where("card.open").h, sheet.h) << place;
+    }
+}
+
+TEST_F(FilesSheet, StartsEachListAtItsTop) {
+    for (int i = 0; i < 40; ++i) recent.push_back("/y/" + std::to_string(i) + ".toml");
+    for (int i = 0; i < 40; ++i) {
+        const std::string name = "s" + std::to_string(i);
+        catalogue.push_back({name, "/x/" + name + ".toml", name, "A story."});
+    }
+    press({'O', true});
+    const float row = desk.where("open.2a-coward").y;
+    desk.point("open.2a-coward");
+    ImGui::GetIO().MouseWheel = -20;
+    desk.frame(4);
+    EXPECT_FALSE(desk.anchors.find("open.2a-coward")) << "scrolled away";
+    desk.click("files.place.2");
+    desk.frame(4);
+    EXPECT_TRUE(desk.anchors.find("recent.1"));
+    desk.click("files.place.1");
+    desk.frame(4);
+    EXPECT_EQ(desk.where("open.2a-coward").y, row);
+}
+
+TEST_F(FilesSheet, SaysWhatBelongsIntoItsEmptyField) {
+    press({'O', true});
+    desk.click("files.place.3");
+    desk.frame(2);
+    const auto said = [&] {
+        for (const Written& w : desk.written)
+            if (w.words == desk.strings("files.path")) return true;
+        return false;
+    };
+    EXPECT_TRUE(said());
+    desk.click("files.path");
+    type("m");
+    EXPECT_FALSE(said());
+}
+
+TEST_F(FilesSheet, DoesNotSayAgainInATooltipWhatCanBeRead) {
+    press({'O', true});
+    desk.point("open.2a-coward");
+    desk.frame(60);
+    int said = 0;
+    for (const Written& w : desk.written) said += w.words == "It turns away.";
+    EXPECT_EQ(said, 1);
+}
+
 TEST_F(FilesSheet, GoesThroughFoldersAndShowsOneKindWhenAsked) {
     press({'O', true});
     desk.click("files.place.3");

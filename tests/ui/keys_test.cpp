@@ -35,6 +35,31 @@ constexpr Where everywhere[]{
 
 }  // namespace
 
+TEST(KeysSheet, TellsWhatTheMouseDoesAndAllFourArrows) {
+    Desk desk(1280, 2400, 1, true);
+    desk.key({key::f1});
+    desk.frame(3);
+    std::string all;
+    for (const Written& w : desk.written) all += w.words + "\n";
+    EXPECT_NE(all.find(std::string(desk.strings("mouse_does.wheel"))), std::string::npos);
+    EXPECT_NE(all.find(std::string(desk.strings("mouse_does.drag"))), std::string::npos);
+    EXPECT_NE(all.find("\uf061 \uf060 \uf063 \uf062"), std::string::npos) << "as large as other keys: icons";
+    EXPECT_EQ(all.find("←"), std::string::npos);
+}
+
+TEST(KeysSheet, LetsNoWordRunIntoAKeyInAnyLanguage) {
+    for (const char* code : {"en", "de", "es"}) {
+        Desk desk(1280, 2400, 1, true);
+        desk.strings = speaking(code);
+        desk.key({key::f1});
+        desk.frame(3);
+        for (const Written& a : desk.written)
+            for (const Written& b : desk.written)
+                if (a.sheet == b.sheet && a.rect.y == b.rect.y && a.rect.x < b.rect.x)
+                    EXPECT_GE(b.rect.x - (a.rect.x + a.rect.w), 8) << code << ": " << a.words << " | " << b.words;
+    }
+}
+
 TEST(Keys, DoNothingUnlessTheTableListsThem) {
     for (const Where& where : everywhere) {
         int used = 0;

@@ -33,7 +33,7 @@ TEST(Notice, EndsInAnEllipsisWhereItDoesNotFit) {
     for (const Written& w : desk.written) {
         if (!w.words.starts_with("www")) continue;
         found = true;
-        EXPECT_LE(w.rect.right(), bar.right());
+        EXPECT_LE(w.rect.x + w.rect.w, bar.x + bar.w);
         EXPECT_TRUE(w.words.ends_with("…"));
     }
     EXPECT_TRUE(found);

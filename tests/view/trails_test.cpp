@@ -28,21 +28,47 @@ TEST(Trails, GrowWithTheWayAndForgetItsBeginning) {
     Snapshot now = one_vehicle();
     Trails trails;
     drive(now, trails, 60);
-    const std::size_t after_a_second = trails.of(0)->count;
+    const std::size_t after_a_second = trails.of(0)->count();
     EXPECT_GE(after_a_second, 9U);
     drive(now, trails, 2000);
-    EXPECT_EQ(trails.of(0)->count, Trail::capacity);
+    EXPECT_EQ(trails.of(0)->count(), Trail::capacity);
     EXPECT_NEAR(trails.of(0)->at(0).x, now.vehicles[0].x, 0.13f);
     EXPECT_GT(trails.of(0)->at(0).x, trails.of(0)->at(1).x);
 }
 
-TEST(Trails, BeginAgainWhenTimeGoesBack) {
+TEST(Trails, EndWhereTheVehicleWasWhenTimeGoesBackAndGoOnFromThere) {
     Snapshot now = one_vehicle();
     Trails trails;
-    drive(now, trails, 60);
-    now.tick = 5;
+    drive(now, trails, 1200);
+    const Snapshot later = now;
+    now.tick = 600, now.vehicles[0].x = 12;
     trails.record(now);
-    EXPECT_LE(trails.of(0)->count, 1U);
+    EXPECT_EQ(trails.of(0)->count(), Trail::capacity) << "ten seconds back there is a way behind it, too";
+    EXPECT_NEAR(trails.of(0)->at(0).x, 12, 0.13f);
+    EXPECT_LT(trails.of(0)->at(1).x, trails.of(0)->at(0).x);
+    trails.record(later);
+    EXPECT_NEAR(trails.of(0)->at(0).x, later.vehicles[0].x, 0.13f) << "what lies ahead was not forgotten";
+    now.tick = 0, now.vehicles[0].x = 0;
+    trails.record(now);
+    EXPECT_LE(trails.of(0)->count(), 1U);
+}
+
+TEST(Trails, ForgetWhatCameLaterWhereTheVehicleTakesAnotherWay) {
+    Snapshot now = one_vehicle();
+    Trails trails;
+    drive(now, trails, 600);
+    now.tick = 300, now.vehicles[0].x = 6;
+    trails.record(now);
+    for (int i = 0; i < 60; ++i) {
+        ++now.tick;
+        now.vehicles[0].y += 0.02f;
+        trails.record(now);
+    }
+    EXPECT_NEAR(trails.of(0)->at(0).y, now.vehicles[0].y, 0.13f);
+    Snapshot ahead = now;
+    ahead.tick = 600;
+    trails.record(ahead);
+    for (std::size_t i = 0; i < trails.of(0)->count(); ++i) EXPECT_LT(trails.of(0)->at(i).x, 6.2f);
 }
 
 TEST(Trails, DoNotGrowWhileAVehicleStands) {
@@ -52,7 +78,7 @@ TEST(Trails, DoNotGrowWhileAVehicleStands) {
         ++now.tick;
         trails.record(now);
     }
-    EXPECT_EQ(trails.of(0)->count, 1U);
+    EXPECT_EQ(trails.of(0)->count(), 1U);
 }
 
 TEST(Trails, BreakWhereAVehicleWasPutElsewhere) {
@@ -61,7 +87,7 @@ TEST(Trails, BreakWhereAVehicleWasPutElsewhere) {
     drive(now, trails, 60);
     now.vehicles[0].x += 8;
     drive(now, trails, 7);
-    EXPECT_LE(trails.of(0)->count, 2U);
+    EXPECT_LE(trails.of(0)->count(), 2U);
 }
 
 TEST(Trails, GoOnOverTheEdgeOfATorus) {
@@ -71,10 +97,10 @@ TEST(Trails, GoOnOverTheEdgeOfATorus) {
     hand_made::add(now, 0, 9.5f, 0, 0);
     Trails trails;
     drive(now, trails, 30);
-    const std::size_t before = trails.of(0)->count;
+    const std::size_t before = trails.of(0)->count();
     now.vehicles[0].x -= 20;
     drive(now, trails, 30);
-    EXPECT_GT(trails.of(0)->count, before);
+    EXPECT_GT(trails.of(0)->count(), before);
     DrawList list;
     fill(list, now, {}, trails);
     EXPECT_GT(list.trails.size(), 4U);
@@ -85,10 +111,10 @@ TEST(Trails, SurviveAnEditOfTheScene) {
     Snapshot now = one_vehicle();
     Trails trails;
     drive(now, trails, 60);
-    const std::size_t before = trails.of(0)->count;
+    const std::size_t before = trails.of(0)->count();
     now.scene = std::make_shared<Scene>(*now.scene);
     drive(now, trails, 1);
-    EXPECT_GE(trails.of(0)->count, before);
+    EXPECT_GE(trails.of(0)->count(), before);
 }
 
 TEST(Trails, OfVehiclesThatLeftAreForgotten) {

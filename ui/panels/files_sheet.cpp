@@ -20,7 +20,8 @@ namespace braitenlab {
 
 namespace {
 
-constexpr float sheet_width = 680, list_height = 380, least_list = 120;  // layout pixels
+// Layout pixels. `taken`: by the sheet's heading and buttons, and the least margin round it.
+constexpr float sheet_width = 680, body_height = 490, least_body = 200, least_list = 80, taken = 170;
 
 std::string_view kind_key(FileKind kind) {
     constexpr std::array<std::string_view, file_kinds> keys{"files.scene", "files.exercise", "files.brain",
@@ -56,10 +57,12 @@ bool list_row(Ui& ui, const Row& row, std::string_view how) {
     const float aside = text_width(ui, Face::small, row.aside);
     put_right(ui, {at.right() - ui.px(12), y + ui.px(2)}, row.aside, ui.palette.second_text, Face::small);
     const float room = at.right() - ui.px(20) - x - (aside > 0 ? aside + ui.px(12) : 0);
-    put(ui, {x, y}, shortened(ui, row.words, Face::strong, room), ui.palette.text, Face::strong);
-    put(ui, {x, y + line_height(ui, Face::text)}, shortened(ui, row.below, Face::small, at.right() - ui.px(12) - x),
-        ui.palette.second_text, Face::small);
-    tooltip(ui, at, how);
+    const std::string words = shortened(ui, row.words, Face::strong, room);
+    const std::string below = shortened(ui, row.below, Face::small, at.right() - ui.px(12) - x);
+    put(ui, {x, y}, words, ui.palette.text, Face::strong);
+    put(ui, {x, y + line_height(ui, Face::text)}, below, ui.palette.second_text, Face::small);
+    // What can be read in the row is not said again.
+    tooltip(ui, at, below != row.below ? std::string_view(row.below) : words != row.words ? row.words : how);
     return at.pressed;
 }
 
@@ -69,8 +72,12 @@ void ask(FilesState& files, const LabView& view, Ui& ui, Request request) {
     files.done = view.files ? view.files->done : 0;
 }
 
-void begin_list(Ui& ui, std::string_view id, float height) {
-    compat::begin_child(std::string(id).c_str(), {card_width(ui), height}, ImGuiWindowFlags_NoNav);
+// Down to where the sheet's buttons are, wherever it begins. `contents` names what is listed: another list starts at
+// its top.
+void begin_list(FilesState& files, Ui& ui, std::string_view contents, float bottom) {
+    const float height = std::max(ui.px(least_list), bottom - ImGui::GetCursorPosY());
+    compat::begin_child("list", {card_width(ui), height}, ImGuiWindowFlags_NoNav);
+    if (files.listed != contents || !files.begun) files.listed = contents, ImGui::SetScrollY(0);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(2)});
 }
 
@@ -79,30 +86,30 @@ void end_list() {
     ImGui::EndChild();
 }
 
-void shipped(const LabView& view, FilesState& files, Ui& ui, float height) {
-    begin_list(ui, "shipped", height);
+void shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) {
+    begin_list(files, ui, "shipped", bottom);
     for (const bool exercises : {true, false}) {
         subheading(ui, ui.strings(exercises ? "open.exercises" : "open.scenes"));
         if (view.catalogue)
             for (const CatalogueEntry& entry : *view.catalogue) {
                 if ((entry.number > 0) != exercises) continue;
                 const std::string words = exercises ? std::to_string(entry.number) + "  " + entry.title : entry.title;
-                if (list_row(ui, {"open." + entry.name, words, entry.story, "", {}, entry.name == view.opened},
-                             entry.story.empty() ? ui.strings("files.open_how") : std::string_view(entry.story)))
-                    ask(files, view, ui, OpenRequest{entry.path});
+                const Row row{"open." + entry.name, words, entry.story, "", {}, entry.name == view.opened};
+                if (list_row(ui, row, ui.strings("files.open_how"))) ask(files, view, ui, OpenRequest{entry.path});
+                if (row.current && !files.begun) ImGui::SetScrollHereY();
             }
         gap(ui, 8);
     }
     end_list();
 }
 
-void recent(const LabView& view, FilesState& files, Ui& ui, float height) {
-    begin_list(ui, "recent", height);
+void recent(const LabView& view, FilesState& files, Ui& ui, float bottom) {
+    begin_list(files, ui, "recent", bottom);
     int number = 0;
     if (view.recent)
         for (const std::string& path : *view.recent)
             if (list_row(ui, {"recent." + std::to_string(++number), file_name(path), folder_of(path), "", icon::file},
-                         path))
+                         ui.strings("files.open_how")))
                 ask(files, view, ui, OpenRequest{path});
     if (number == 0) paragraph(ui, ui.strings("files.no_recent"), ui.palette.second_text);
     end_list();
@@ -113,10 +120,9 @@ bool is_shown(const FilesState& files, const FileEntry& entry) {
     return files.saving ? entry.kind == files.kind : !files.only || *files.only == entry.kind;
 }
 
-void folder(const LabView& view, FilesState& files, Ui& ui, float height) {
-    begin_list(ui, "folder", height);
+void folder(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     const FolderListing& listing = view.files->listing;
-    if (files.listed != listing.folder) files.listed = listing.folder, ImGui::SetScrollY(0);
+    begin_list(files, ui, listing.folder, bottom);
     const std::string up = folder_of(listing.folder), below = listing.folder == "/" ? "/" : listing.folder + "/";
     if (listing.folder != "/" &&
         list_row(ui, {"file.up", "..", "", std::string(ui.strings("files.up")), icon::folder}, up))
@@ -127,7 +133,11 @@ void folder(const LabView& view, FilesState& files, Ui& ui, float height) {
         any = true;
         const std::string aside = entry.is_folder ? "" : std::string(ui.strings(kind_key(entry.kind)));
         const Row row{"file." + entry.name, entry.name, "", aside, entry.is_folder ? icon::folder : icon::file};
-        if (!list_row(ui, row, below + entry.name)) continue;
+        if (!list_row(ui, row,
+                      ui.strings(entry.is_folder ? "files.folder_how"
+                                 : files.saving  ? "files.take_name"
+                                                 : "files.open_how")))
+            continue;
         if (entry.is_folder)
             ui.outbox.push_back(BrowseRequest{below + entry.name});
         else if (files.saving)
@@ -171,7 +181,7 @@ void opening_head(const LabView& view, FilesState& files, Ui& ui) {
     if (clicked >= 0) files.place = static_cast<FilesPlace>(clicked);
     if (clicked == static_cast<int>(FilesPlace::folder)) ui.outbox.push_back(BrowseRequest{});
     if (files.place != FilesPlace::folder || !view.files) return;
-    text_field(ui, files.typed, "files.path", card_width(ui), ui.strings("files.path_how"));
+    text_field(ui, files.typed, "files.path", card_width(ui), ui.strings("files.path"), ui.strings("files.path_how"));
     if (files.typed.entered) ask(files, view, ui, OpenRequest{files.typed.text});
     std::vector<std::string_view> kinds{ui.strings("files.all")};
     for (int kind = 0; kind < file_kinds; ++kind) kinds.push_back(ui.strings(kind_key(static_cast<FileKind>(kind))));
@@ -191,7 +201,7 @@ void saving_head(const LabView& view, FilesState& files, Ui& ui) {
     }
     const int clicked = segments(ui, "files.kind", words, chosen, card_width(ui), ui.strings("files.kind_how"));
     if (clicked >= 0) files.kind = savable[static_cast<std::size_t>(clicked)];
-    text_field(ui, files.typed, "files.path", card_width(ui), ui.strings("files.path_how"));
+    text_field(ui, files.typed, "files.path", card_width(ui), ui.strings("files.name"), ui.strings("files.path_how"));
     if (files.typed.text != files.replacing) files.replacing.clear();
     if (files.typed.entered) save(view, files, ui);
 }
@@ -266,21 +276,22 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
         ui.outbox.push_back(BrowseRequest{});
     }
     const bool in_folder = files.saving || files.place == FilesPlace::folder;
-    const float taken = ui.px(in_folder ? 300.0f : 220.0f);  // all but the list
-    const float height = std::max(ui.px(least_list), std::min(ui.px(list_height), window.h - taken));
     begin_sheet(ui, files.sheet, "card.open", ui.strings(files.saving ? "files.save_as" : "files.open"), sheet_width,
                 window);
+    // All that stands above the buttons is as high on every tab, so that no tab moves under the mouse.
+    const float body = std::clamp(window.h - ui.px(taken), ui.px(least_body), ui.px(body_height));
+    const float bottom = ImGui::GetCursorPosY() + body;
     if (files.saving)
         saving_head(view, files, ui);
     else
         opening_head(view, files, ui);
     if (in_folder && view.files) {
         paragraph(ui, view.files->listing.folder, ui.palette.second_text, Face::small);
-        folder(view, files, ui, height);
+        folder(view, files, ui, bottom);
     } else if (files.place == FilesPlace::recent) {
-        recent(view, files, ui, height);
+        recent(view, files, ui, bottom);
     } else {
-        shipped(view, files, ui, height);
+        shipped(view, files, ui, bottom);
     }
     trouble(view, files, ui);
     sheet_buttons(ui, files.sheet);

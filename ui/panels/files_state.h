@@ -19,7 +19,7 @@ struct FilesState {
     std::optional<FileKind> only;            // when opening from a folder; none: every kind
     FileKind kind = FileKind::scene;         // when saving
     TextField typed;                         // a path, or the name to save under
-    std::string listed;                      // the folder that is shown; another one scrolls to its top
+    std::string listed;                      // what is listed, a folder or a place; another one starts at its top
     bool begun = false;                      // drawn once since it was opened
     bool asked = false;                      // something was asked of the lab: `done` tells when it has happened
     int done = 0;                            // FilesView::done when it was asked

@@ -1,6 +1,8 @@
-// All keys, over everything, from the one table of shortcuts.
+// All keys, over everything, from the one table of shortcuts, and what the mouse does.
 #include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <imgui.h>
@@ -21,7 +23,29 @@ namespace {
 struct Row {
     std::string key, words;
     bool heading = false;
+    std::vector<std::string_view> lines{};  // of the words, as they fit beside the key
 };
+
+constexpr float between = 14, line_gap = 4;  // layout pixels
+
+// What the mouse does: the keys of a gesture and of what comes of it.
+constexpr std::array<std::array<std::string_view, 2>, 15> gestures_of_mouse{{
+    {"mouse.click", "mouse_does.click"},
+    {"mouse.drag", "mouse_does.drag"},
+    {"mouse.knob", "mouse_does.knob"},
+    {"mouse.floor", "mouse_does.floor"},
+    {"mouse.shift_view", "mouse_does.shift_view"},
+    {"mouse.wheel", "mouse_does.wheel"},
+    {"mouse.menu", "mouse_does.menu"},
+    {"mouse.draw", "mouse_does.draw"},
+    {"mouse.slider_type", "mouse_does.slider_type"},
+    {"mouse.slider_file", "mouse_does.slider_file"},
+    {"mouse.timeline", "mouse_does.timeline"},
+    {"mouse.bookmark", "mouse_does.bookmark"},
+    {"mouse.pins", "mouse_does.pins"},
+    {"mouse.onto", "mouse_does.onto"},
+    {"mouse.canvas", "mouse_does.canvas"},
+}};
 
 std::string_view place_key(KeyPlace place) {
     switch (place) {
@@ -38,7 +62,21 @@ std::string_view place_key(KeyPlace place) {
     }
 }
 
-// Each action of a place once, with the key to show for it.
+bool is_bare_arrow(KeyPress press) {
+    return !press.ctrl && !press.shift && press.key >= key::right && press.key <= key::up;
+}
+
+// The key to show for an action; all four arrows where they do the same in four directions.
+std::string keys_of(const Shortcut& first, const Strings& strings) {
+    std::string text = key_name(first.press, strings);
+    for (const Shortcut& other : shortcuts())
+        if (other.place == first.place && other.action == first.action && other.press != first.press &&
+            is_bare_arrow(other.press) && is_bare_arrow(first.press))
+            text += " " + key_name(other.press, strings);
+    return text;
+}
+
+// Each action of a place once.
 void add_rows(std::vector<Row>& list, KeyPlace place, const Strings& strings) {
     list.push_back({"", std::string(strings(place_key(place))), true});
     std::vector<Action> listed;
@@ -47,7 +85,7 @@ void add_rows(std::vector<Row>& list, KeyPlace place, const Strings& strings) {
         if (std::find(listed.begin(), listed.end(), shortcut.action) != listed.end()) continue;
         listed.push_back(shortcut.action);
         list.push_back(
-            {key_name(shortcut.press, strings), std::string(strings("action." + std::string(name(shortcut.action))))});
+            {keys_of(shortcut, strings), std::string(strings("action." + std::string(name(shortcut.action))))});
     }
 }
 
@@ -55,29 +93,67 @@ std::vector<Row> rows(const Strings& strings) {
     std::vector<Row> list;
     for (int place = 0; place <= static_cast<int>(last_place); ++place)
         add_rows(list, static_cast<KeyPlace>(place), strings);
+    list.push_back({"", std::string(strings("keys.place.mouse")), true});
+    for (const auto& [gesture, what] : gestures_of_mouse)
+        list.push_back({std::string(strings(gesture)), std::string(strings(what))});
     return list;
 }
 
+// The text face has no arrows, and those that stand in for them are small: the icons' are as large as other keys.
+std::string with_large_arrows(const Ui& ui, std::string text) {
+    if (!has_icons(ui)) return text;
+    constexpr std::array<std::array<std::string_view, 2>, 4> arrows{
+        {{"←", "\uf060"}, {"→", "\uf061"}, {"↑", "\uf062"}, {"↓", "\uf063"}}};
+    for (const auto& [small, large] : arrows)
+        for (std::size_t at = text.find(small); at != text.npos; at = text.find(small))
+            text.replace(at, small.size(), large);
+    return text;
+}
+
+// Beside a long key the words take several lines.
+void break_into_lines(const Ui& ui, Row& row, float width) {
+    const float room = width - text_width(ui, Face::strong, row.key) - ui.px(between);
+    std::string_view rest = row.words;
+    while (!rest.empty()) {
+        std::size_t end = rest.find(' ');
+        while (end < rest.size()) {
+            const std::size_t next = rest.find(' ', end + 1);
+            if (text_width(ui, Face::text, rest.substr(0, next)) > room) break;
+            end = next;
+        }
+        row.lines.push_back(rest.substr(0, end));
+        rest.remove_prefix(end < rest.size() ? end + 1 : rest.size());
+    }
+}
+
+std::size_t height_of(const Row& row) { return std::max<std::size_t>(1, row.lines.size()); }
+
 // Where each column ends: all about as long, and no heading alone at the foot of one.
 std::vector<std::size_t> column_ends(const std::vector<Row>& list, std::size_t columns) {
+    std::size_t whole = 0;
+    for (const Row& row : list) whole += height_of(row);
     std::vector<std::size_t> ends;
-    std::size_t begin = 0;
-    for (std::size_t left = columns; left > 0; --left) {
-        std::size_t end = left == 1 ? list.size() : begin + (list.size() - begin + left - 1) / left;
-        while (end < list.size() && end > begin + 1 && list[end - 1].heading) --end;
-        ends.push_back(begin = end);
+    std::size_t end = 0, filled = 0;
+    for (std::size_t column = 1; column <= columns; ++column) {
+        const std::size_t begin = end, wanted = whole * column / columns;
+        while (end < list.size() && (filled < wanted || column == columns)) filled += height_of(list[end++]);
+        while (end < list.size() && end > begin + 1 && list[end - 1].heading) filled -= height_of(list[--end]);
+        ends.push_back(end);
     }
     return ends;
 }
 
 void write_row(const Ui& ui, const Row& row, ImVec2 at, float width, float line) {
     if (row.heading) {
-        put(ui, {at.x, at.y + line - line_height(ui, Face::small) - ui.px(4)}, row.words, ui.palette.second_text,
+        put(ui, {at.x, at.y + line - line_height(ui, Face::small) - ui.px(line_gap)}, row.words, ui.palette.second_text,
             Face::small);
         return;
     }
-    put(ui, at, row.words, ui.palette.text);
     put_right(ui, {at.x + width, at.y}, row.key, ui.palette.second_text, Face::strong);
+    for (const std::string_view words : row.lines) {
+        put(ui, at, words, ui.palette.text);
+        at.y += line;
+    }
 }
 
 }  // namespace
@@ -86,20 +162,28 @@ void keys_card(const LabView&, PanelState& state, Ui& ui, Rect window) {
     if (state.sheet != Sheet::keys) return;
     constexpr float narrowest = 300, space = 36;  // layout pixels
     begin_sheet(ui, state.keys, "card.keys", ui.strings("keys.heading"), 1060, window);
-    const std::vector<Row> list = rows(ui.strings);
-    const float line = line_height(ui, Face::text) + ui.px(4), width = card_width(ui);
+    std::vector<Row> list = rows(ui.strings);
+    const float line = line_height(ui, Face::text) + ui.px(line_gap), width = card_width(ui);
     const auto columns =
         static_cast<std::size_t>(std::clamp((width + ui.px(space)) / ui.px(narrowest + space), 1.0f, 3.0f));
     const float each = (width - ui.px(space) * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    for (Row& row : list) {
+        row.key = with_large_arrows(ui, std::move(row.key));
+        if (!row.heading) break_into_lines(ui, row, each);
+    }
     ImVec2 at = ImGui::GetCursorScreenPos();
     const float top = at.y;
-    std::size_t i = 0, longest = 0;
+    std::size_t i = 0;
+    float lowest = top;
     for (const std::size_t end : column_ends(list, columns)) {
-        longest = std::max(longest, end - i);
-        for (at.y = top; i < end; ++i, at.y += line) write_row(ui, list[i], at, each, line);
+        for (at.y = top; i < end; ++i) {
+            write_row(ui, list[i], at, each, line);
+            at.y += static_cast<float>(height_of(list[i])) * line;
+        }
+        lowest = std::max(lowest, at.y);
         at.x += each + ui.px(space);
     }
-    ImGui::Dummy({width, static_cast<float>(longest) * line});
+    ImGui::Dummy({width, lowest - top});
     sheet_buttons(ui, state.keys);
     const Item close = button(ui, "keys.close", {{}, ui.strings("keys.close"), Emphasis::primary});
     tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));

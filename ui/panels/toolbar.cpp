@@ -99,7 +99,7 @@ std::string speed_words(float time_scale) {
         float value;
         const char* words;
     };
-    for (const Fraction f : {Fraction{0.125f, "⅛×"}, Fraction{0.25f, "¼×"}, Fraction{0.5f, "½×"}})
+    for (const Fraction f : {Fraction{0.125f, "1/8×"}, Fraction{0.25f, "1/4×"}, Fraction{0.5f, "1/2×"}})
         if (time_scale < f.value * 1.01f && time_scale > f.value * 0.99f) return f.words;
     return fixed(time_scale, time_scale < 1 ? 2 : 0) + "×";
 }
@@ -148,7 +148,14 @@ void status(const LabView& view, Ui& ui, float x, float layout_width, Rect bar) 
     mark(ui, "mode", pill);
     const std::string time = fill(ui.strings("time.seconds"), {fixed(static_cast<float>(view.now->seconds), 1)});
     const Rect clock{pill.x + pill.w + ui.px(8), pill.y, ui.px(layout_width - 112), pill.h};
-    put_right(ui, {clock.x + clock.w, middle - line_height(ui, Face::text) / 2}, time, p.text);
+    const float raised = view.pace ? line_height(ui, Face::small) / 2 : 0;
+    put_right(ui, {clock.x + clock.w, middle - line_height(ui, Face::text) / 2 - raised}, time, p.text);
+    if (view.pace) {  // the machine cannot keep up
+        const std::string pace = fill(ui.strings("time.pace"), {fixed(*view.pace, *view.pace < 0.095f ? 2 : 1)});
+        put_right(ui, {clock.x + clock.w, middle + line_height(ui, Face::text) / 2 - raised}, pace,
+                  colour_of(NoticeKind::failure, p), Face::small);
+        mark(ui, "pace", clock);
+    }
     mark(ui, "time", clock);
 }
 

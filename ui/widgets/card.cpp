@@ -43,6 +43,7 @@ float heading_button(Ui& ui, HeadingButton& extra, float right, float y) {
                 Face::small);
     tooltip(ui, at, extra.tooltip, extra.shortcut);
     extra.pressed = at.pressed;
+    extra.hovered = at.hovered;
     return at.rect.x;
 }
 
@@ -58,7 +59,8 @@ void heading_row(Ui& ui, CardState& state, std::string_view id, std::string_view
     const float y = row.rect.y + ui.px(heading_height) / 2;
     put(ui, {r.x + ui.px(side_padding), y - line_height(ui, Face::small) / 2}, words, colour, Face::small);
     put_icon(ui, {r.x + r.w - ui.px(side_padding + 4), y}, state.folded ? icon::folded : icon::unfolded, colour);
-    tooltip(ui, row, ui.strings(state.folded ? "card.unfold" : "card.fold"));
+    const bool on_a_button = std::any_of(extras.begin(), extras.end(), [](const auto& extra) { return extra.hovered; });
+    tooltip(ui, row, on_a_button ? std::string_view{} : ui.strings(state.folded ? "card.unfold" : "card.fold"));
     if (row.pressed) state.folded = !state.folded;
 }
 

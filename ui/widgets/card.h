@@ -25,7 +25,7 @@ float folded_height(const Ui&);
 struct HeadingButton {
     std::string_view id, words, tooltip, shortcut{};
     bool on = false;  // a toggle that is on
-    bool pressed = false;
+    bool pressed = false, hovered = false;
 };
 
 // Opens the card in this rectangle; anchors: `id` for all of it, `id`.fold for its heading. When false, nothing may be

@@ -31,11 +31,14 @@ void ring(const Ui& ui, Rect r, Colour colour, float gap, float thickness) {
     draw.PopClipRect();
 }
 
-// Beside the card, level with the widget, so that it never covers the next one; for the toolbar's below it.
+// Beside the card, level with the widget, so that it never covers the next one; so, too, for the rows of a sheet, where
+// there is room; for the toolbar's below it.
 void place_tooltip(const Ui& ui, const Item& item) {
     const ImVec2 window = ImGui::GetIO().DisplaySize, card = ImGui::GetWindowPos();
     const float card_width = ImGui::GetWindowWidth(), away = ui.px(24), half = ui.px(150);
-    if (card_width > window.x / 2) {
+    if (card_width > window.x / 2 && item.rect.w > half && item.right() + 2 * half + away < window.x) {
+        ImGui::SetNextWindowPos({item.right() + away, item.middle_y()}, ImGuiCond_Always, {0, 0.5f});
+    } else if (card_width > window.x / 2) {
         const float x = std::clamp(item.middle_x(), half, std::max(half, window.x - half));
         const bool above = item.rect.y > window.y / 2;
         ImGui::SetNextWindowPos({x, above ? item.rect.y - ui.px(10) : item.bottom() + ui.px(10)}, ImGuiCond_Always,

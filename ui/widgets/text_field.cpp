@@ -23,7 +23,8 @@ int grow(ImGuiInputTextCallbackData* data) {
 
 }  // namespace
 
-void text_field(Ui& ui, TextField& field, std::string_view id, float width, std::string_view how) {
+void text_field(Ui& ui, TextField& field, std::string_view id, float width, std::string_view what,
+                std::string_view how) {
     const float height = ui.px(button_height);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect box{at.x, at.y, width, height};
@@ -43,6 +44,9 @@ void text_field(Ui& ui, TextField& field, std::string_view id, float width, std:
     if (field.active && !focused && !clicked) ImGui::ClearActiveID(), field.active = false;
     ImGui::PopStyleVar();
     ImGui::PopFont();
+    if (field.text.empty())
+        put(ui, {box.x + ui.px(10), box.y + (height - line_height(ui, Face::text)) / 2},
+            shortened(ui, what, Face::text, width - ui.px(20)), ui.palette.second_text);
     line_box(ui, box, focused ? ui.palette.accent : ui.palette.line, 6, focused ? 1.5f : 1.0f);
     mark(ui, id, box);
     Item field_item{.rect = box, .hovered = ImGui::IsItemHovered(), .held = field.active};

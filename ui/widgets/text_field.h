@@ -17,8 +17,8 @@ struct TextField {
     bool ask_enter = false;
 };
 
-// Draws it at the cursor, `width` window pixels wide; anchor `id`.
-void text_field(Ui&, TextField&, std::string_view id, float width, std::string_view how);
+// Draws it at the cursor, `width` window pixels wide; anchor `id`. Empty, it says `what` belongs into it.
+void text_field(Ui&, TextField&, std::string_view id, float width, std::string_view what, std::string_view how);
 
 // Keys while it has the cursor: Enter, Tab and arrows up and down are left to the keyboard's focus, letters come by
 // Dear ImGui. True when the key is not to go anywhere else.
