@@ -1,4 +1,5 @@
 // What a frame shows, and in which look.
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -19,11 +20,20 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
+// No larger than leaves the toolbar and the cards their room; in steps, since each makes the letters anew.
+float fitting(float scale, Rect window) {
+    constexpr float least_width = 940, least_height = 570, steps = 8;  // layout pixels; a step is an eighth
+    const float most = std::min(window.w / least_width, window.h / least_height);
+    return scale <= most ? scale : std::max(1.0f, std::floor(most * steps) / steps);
+}
+
 }  // namespace
 
 float App::wanted_scale() const {
-    if (!options_.scale) return window_.content_scale() * lab_.preferences.type_size;
-    return *options_.scale * lab_.preferences.type_size / memory_.preferences.type_size;
+    const float type = lab_.preferences.type_size;
+    const float wanted =
+        options_.scale ? *options_.scale * type / memory_.preferences.type_size : window_.content_scale() * type;
+    return lab_.before_lecture ? wanted : fitting(wanted, window_.area());
 }
 
 void App::follow_preferences() {
@@ -113,6 +123,7 @@ void App::draw_scene() {
                             static_cast<float>(window_.framebuffer_height())};
     picture.theme = lab_.preferences.theme;
     picture.selected = lab_.selected;
+    picture.thing_selected = static_cast<bool>(lab_.thing);
     const Thing& hovered = panels_.stage.hovered.thing;
     picture.hovered = hovered.kind == ThingKind::vehicle ? hovered.index : no_vehicle;
     picture.driver = lab_.camera.mode == CameraMode::driver ? lab_.selected : no_vehicle;

@@ -16,7 +16,7 @@ namespace braitenlab {
 
 namespace {
 
-constexpr int least_width = 640, least_height = 480;  // window pixels; below, the toolbar has no room
+constexpr int least_width = 940, least_height = 570;  // window pixels; below, the toolbar has no room
 constexpr int smooth_samples = 4;                     // multisampling: smooth edges
 
 // GLFW reports errors by callback only; the last one is what explains a failed call.

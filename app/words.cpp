@@ -6,6 +6,24 @@
 
 namespace braitenlab {
 
+namespace {
+
+// The window's words, and what shipped scenes and exercises say. A mistake in the latter is told by line; a language
+// that has none shows them as they are.
+Result<Strings> speaking(const std::filesystem::path& folder, const std::string& language) {
+    auto strings = load_language(folder, language);
+    if (!strings) return strings;
+    const auto shipped = folder.parent_path().parent_path() / "exercises" / "words" / (language + ".toml");
+    std::error_code none;
+    if (!std::filesystem::exists(shipped, none)) return strings;
+    const auto words = Strings::load(shipped);
+    if (!words) return words.error();
+    strings->fall_back_on(*words);
+    return strings;
+}
+
+}  // namespace
+
 std::string native_language(const std::filesystem::path& folder) {
     const std::string local = system_language();
     const auto spoken = languages(folder);
@@ -14,14 +32,14 @@ std::string native_language(const std::filesystem::path& folder) {
 }
 
 Result<Words> words_in(const std::filesystem::path& folder, const std::string& language) {
-    auto strings = load_language(folder, language);
+    auto strings = speaking(folder, language);
     if (!strings) return strings.error();
     return Words{folder, language, std::move(*strings), languages(folder)};
 }
 
 std::optional<Error> speak(Words& words, const std::string& language) {
     if (language == words.language) return std::nullopt;
-    auto strings = load_language(words.folder, language);
+    auto strings = speaking(words.folder, language);
     if (!strings) return strings.error();
     words.strings = std::move(*strings);
     words.language = language;

@@ -148,11 +148,12 @@ void add_lamps(Sheet& sheet, const Subject& s) {
 void add_ring(Sheet& sheet, const Subject& s) {
     if (s.driven || (!s.selected && !s.hovered)) return;
     const float radius = 0.5f * std::hypot(s.kind.body.length, s.kind.body.width) + 0.16f;
-    const MarkKind kind = s.selected ? MarkKind::ring : MarkKind::thin_ring;
+    const bool first = s.selected && !sheet.picture.thing_selected;  // what Delete would take
+    const MarkKind kind = first ? MarkKind::ring : MarkKind::thin_ring;
     sheet.list.rings.push_back(
         {{s.place.x, s.place.y, s.ahead.x, s.ahead.y},
-         {radius, radius, s.selected ? 0.013f : 0.007f, static_cast<float>(kind)},
-         s.selected ? rgb_with(sheet.colours.selected, 1) : rgb_with(sheet.colours.second_text, 0.9f)});
+         {radius, radius, first ? 0.013f : 0.007f, static_cast<float>(kind)},
+         first ? rgb_with(sheet.colours.selected, 1) : rgb_with(sheet.colours.second_text, 0.9f)});
 }
 
 Subject subject_of(const Sheet& sheet, const VehicleView& view) {

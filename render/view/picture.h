@@ -12,6 +12,7 @@ struct Picture {
     Sight sight;
     Theme theme = Theme::dark;
     VehicleId selected = no_vehicle, hovered = no_vehicle;
+    bool thing_selected = false;    // a lamp or an obstacle is, above all: the vehicle's ring stands back
     VehicleId driver = no_vehicle;  // through whose eyes one looks: its fields show whatever else is off
     bool sensors = true;            // fill the sensor fields
     bool outlines = false;          // draw their edges

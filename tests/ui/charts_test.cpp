@@ -102,7 +102,7 @@ TEST(Charts, KeepTheNumbersOfTwoPicturesApart) {
     std::vector<Rect> numbers;
     for (const Written& w : desk.written)
         if (w.words == "0.0" || w.words == "1.0")
-            if (w.rect.y > desk.layout.charts.y) numbers.push_back(w.rect);
+            if (desk.layout.charts.contains(w.rect.x, w.rect.y)) numbers.push_back(w.rect);
     ASSERT_GE(numbers.size(), 4u);
     for (std::size_t i = 0; i < numbers.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) EXPECT_GE(std::abs(numbers[i].y - numbers[j].y), numbers[i].h - 0.5f);

@@ -43,7 +43,7 @@ TEST(KeysSheet, TellsWhatTheMouseDoesAndAllFourArrows) {
     for (const Written& w : desk.written) all += w.words + "\n";
     EXPECT_NE(all.find(std::string(desk.strings("mouse_does.wheel"))), std::string::npos);
     EXPECT_NE(all.find(std::string(desk.strings("mouse_does.drag"))), std::string::npos);
-    EXPECT_NE(all.find("\uf061 \uf060 \uf063 \uf062"), std::string::npos) << "as large as other keys: icons";
+    EXPECT_NE(all.find("\uf060 \uf061 \uf062 \uf063"), std::string::npos) << "as large as other keys: icons";
     EXPECT_EQ(all.find("←"), std::string::npos);
 }
 
@@ -53,10 +53,17 @@ TEST(KeysSheet, LetsNoWordRunIntoAKeyInAnyLanguage) {
         desk.strings = speaking(code);
         desk.key({key::f1});
         desk.frame(3);
+        const void* sheet = nullptr;
+        for (const Written& w : desk.written)
+            if (w.words == desk.strings("mouse.wheel")) sheet = w.sheet;
+        int pairs = 0;
         for (const Written& a : desk.written)
-            for (const Written& b : desk.written)
-                if (a.sheet == b.sheet && a.rect.y == b.rect.y && a.rect.x < b.rect.x)
-                    EXPECT_GE(b.rect.x - (a.rect.x + a.rect.w), 8) << code << ": " << a.words << " | " << b.words;
+            for (const Written& b : desk.written) {
+                if (a.sheet != sheet || b.sheet != sheet || a.rect.y != b.rect.y || a.rect.x >= b.rect.x) continue;
+                ++pairs;
+                EXPECT_GE(b.rect.x - (a.rect.x + a.rect.w), 8) << code << ": " << a.words << " | " << b.words;
+            }
+        EXPECT_GT(pairs, 60);
     }
 }
 
@@ -84,13 +91,14 @@ TEST(Keys, AreAllShownByF1) {
     desk.key({key::f1});
     desk.frame(3);
     std::set<std::string> words;
-    for (const Written& w : desk.written) words.insert(w.words);
+    std::string all;  // a sentence may take several lines, one after the other
+    for (const Written& w : desk.written) words.insert(w.words), all += w.words + " ";
     std::set<std::pair<KeyPlace, Action>> seen;
     for (const Shortcut& shortcut : shortcuts()) {
         if (!seen.insert({shortcut.place, shortcut.action}).second) continue;  // further keys of the same
         EXPECT_TRUE(words.count(key_name(shortcut.press, desk.strings))) << key_name(shortcut.press, desk.strings);
-        EXPECT_TRUE(words.count(std::string(desk.strings("action." + std::string(name(shortcut.action))))))
-            << name(shortcut.action);
+        const std::string_view sentence = desk.strings("action." + std::string(name(shortcut.action)));
+        EXPECT_NE(all.find(std::string(sentence) + " "), std::string::npos) << name(shortcut.action);
     }
 }
 

@@ -39,6 +39,25 @@ TEST(Slider, DraggingAsksForTheValueInEveryChangedFrameUnderOneGesture) {
     EXPECT_NEAR(last, 30 / ((r.w - 26 - 46 - 16) / 4), 0.06f);
 }
 
+TEST(Slider, CatchesAtNought) {
+    Desk desk;
+    desk.frame(2);
+    const Rect r = desk.where("slider.LR");
+    desk.point("slider.LR", 0.6f);
+    desk.frame(2);
+    desk.button(0, true);
+    desk.frame(2);
+    int noughts = 0;
+    for (float x = r.x + r.w * 0.6f; x > r.x + r.w * 0.2f; x -= 1) {
+        desk.point(x, r.y + r.h / 2);
+        desk.frame();
+        noughts += !desk.edits().empty() && turned(desk.edits().back()).value == 0;
+    }
+    EXPECT_GE(noughts, 5) << "a hand that is a pixel off meets it all the same";
+    EXPECT_LE(noughts, 8);
+    desk.button(0, false);
+}
+
 TEST(Slider, TwoDragsAreTwoGestures) {
     Desk desk;
     desk.frame(3);

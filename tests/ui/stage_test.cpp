@@ -343,6 +343,10 @@ TEST_F(Stage, DoesWithAVehicleWhatItsMenuSays) {
     EXPECT_EQ(commands<RemoveVehicle>().back().vehicle, 1);
     click({-4.5f, 0}, 1);
     desk.click("menu.brains");
+    desk.frame(2);
+    bool says_whose = false;
+    for (const Written& w : desk.written) says_whose |= w.words.ends_with("2  ·  Another brain");
+    EXPECT_TRUE(says_whose);
     desk.click("menu.brain.2a-coward");
     EXPECT_EQ(commands<SetBrain>().back().target, (Target{1, -1}));
 }

@@ -218,6 +218,19 @@ TEST(DrawList, RingsTheSelectedVehicleAlone) {
     EXPECT_EQ(list.rings[0].place.x, 4);
 }
 
+TEST(DrawList, RingsTheVehicleLessWhereALampIsSelectedAboveAll) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    Picture picture;
+    picture.selected = hand_made::add(now, 0, 4, 5, 0);
+    const auto alone = drawn(now, picture).rings;
+    picture.thing_selected = true;
+    const auto beside = drawn(now, picture).rings;
+    ASSERT_EQ(alone.size(), 1U);
+    ASSERT_EQ(beside.size(), 1U) << "its brain is still the one that is shown";
+    EXPECT_LT(beside[0].shape.z, alone[0].shape.z);
+    EXPECT_NE(beside[0].colour.x, alone[0].colour.x);
+}
+
 TEST(DrawList, BuildsWallsOnlyWhereTheArenaHasThem) {
     auto open = hand_made::scene();
     open->arena.edge = Edge::open;

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "ui/panels/panels.h"
+#include "ui/panels/translated.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/widgets/button.h"
@@ -75,13 +76,14 @@ void prediction(const LessonView& lesson, const PanelState& state, bool rewired,
         // After the run the choice stands beside the outcome; neither right nor wrong is said.
         const auto chosen = static_cast<std::size_t>(lesson.prediction);
         if (chosen < asked.options.size())
-            paragraph(ui, fill(ui.strings("exercise.you_predicted"), {asked.options[chosen]}), ui.palette.second_text);
+            paragraph(ui, fill(ui.strings("exercise.you_predicted"), {translated(ui, asked.options[chosen])}),
+                      ui.palette.second_text);
     } else {
-        paragraph(ui, asked.question, ui.palette.text);
+        paragraph(ui, translated(ui, asked.question), ui.palette.text);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(4)});
         for (std::size_t i = 0; i < asked.options.size(); ++i) {
             const bool is_chosen = static_cast<int>(i) == lesson.prediction;
-            if (radio_row(ui, numbered("exercise.predict.", i), asked.options[i], is_chosen, true,
+            if (radio_row(ui, numbered("exercise.predict.", i), translated(ui, asked.options[i]), is_chosen, true,
                           ui.strings("exercise.predict_how")) &&
                 !is_chosen)
                 ui.outbox.push_back(PredictRequest{static_cast<int>(i)});
@@ -89,8 +91,10 @@ void prediction(const LessonView& lesson, const PanelState& state, bool rewired,
         ImGui::PopStyleVar();
     }
     if (state.outcome_told && !asked.outcome.empty())
-        paragraph(ui, fill(ui.strings(rewired ? "exercise.outcome_before" : "exercise.outcome"), {asked.outcome}),
-                  rewired ? ui.palette.second_text : ui.palette.text);
+        paragraph(
+            ui,
+            fill(ui.strings(rewired ? "exercise.outcome_before" : "exercise.outcome"), {translated(ui, asked.outcome)}),
+            rewired ? ui.palette.second_text : ui.palette.text);
     const ImVec2 end = ImGui::GetCursorScreenPos();
     mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});
     gap(ui, 12);
@@ -106,7 +110,7 @@ void step(const LessonView& lesson, std::size_t index, Ui& ui) {
     ImGui::BeginGroup();
     ImGui::Indent(left);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(2)});
-    paragraph(ui, asked.text, ui.palette.text, done ? Face::strong : Face::text);
+    paragraph(ui, translated(ui, asked.text), ui.palette.text, done ? Face::strong : Face::text);
     if (known && lesson.has_run && std::isfinite(lesson.verdicts[index].measured))
         paragraph(ui, measured(ui, lesson.verdicts[index]), ui.palette.second_text, Face::small);
     ImGui::PopStyleVar();
@@ -170,7 +174,7 @@ void hints(const LessonView& lesson, PanelState& state, Ui& ui) {
         ImGui::Indent(ui.px(12));
         paragraph(ui, fill(ui.strings("exercise.hint_number"), {std::to_string(i + 1)}), ui.palette.second_text,
                   Face::small);
-        paragraph(ui, all[i].text, ui.palette.text);
+        paragraph(ui, translated(ui, all[i].text), ui.palette.text);
         ImGui::Unindent(ui.px(12));
         const float height = ImGui::GetCursorScreenPos().y - start.y - ui.px(8);
         ImGui::GetWindowDrawList()->AddRectFilled({start.x, start.y}, {start.x + ui.px(3), start.y + height},
@@ -208,7 +212,7 @@ void next_button(const LabView& view, PanelState& state, Ui& ui) {
     const CatalogueEntry* next = next_exercise(view);
     const Item at =
         button(ui, "exercise.next", {{}, ui.strings(next ? "exercise.next" : "exercise.more"), Emphasis::primary});
-    tooltip(ui, at, next ? std::string_view(next->title) : ui.strings("exercise.more_how"));
+    tooltip(ui, at, next ? translated(ui, next->title) : ui.strings("exercise.more_how"));
     ImGui::SameLine();
     if (!at.pressed) return;
     if (next) return ui.outbox.push_back(OpenRequest{next->path});
@@ -254,10 +258,10 @@ void steps(const LessonView& lesson, Ui& ui) {
 }
 
 void task(const LessonView& lesson, PanelState& state, Ui& ui) {
-    paragraph(ui, lesson.exercise->goal, ui.palette.text);
+    paragraph(ui, translated(ui, lesson.exercise->goal), ui.palette.text);
     if (!lesson.exercise->why.empty() &&
         fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.why_open, ui.strings("exercise.why_how")))
-        paragraph(ui, lesson.exercise->why, ui.palette.second_text);
+        paragraph(ui, translated(ui, lesson.exercise->why), ui.palette.second_text);
     gap(ui, 12);
 }
 
@@ -273,7 +277,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const std::string heading = fill(ui.strings("exercise.heading"), {std::to_string(lesson.exercise->number)});
     const bool open = begin_card(ui, state.exercise, "card.exercise", heading, place);
     if (open) {
-        paragraph(ui, lesson.exercise->title, ui.palette.text, Face::title);
+        paragraph(ui, translated(ui, lesson.exercise->title), ui.palette.text, Face::title);
         result(lesson, ui);
         if (passed) steps(lesson, ui);
         task(lesson, state, ui);

@@ -8,6 +8,7 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/translated.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/widgets/button.h"
@@ -93,8 +94,10 @@ void shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) {
         if (view.catalogue)
             for (const CatalogueEntry& entry : *view.catalogue) {
                 if ((entry.number > 0) != exercises) continue;
-                const std::string words = exercises ? std::to_string(entry.number) + "  " + entry.title : entry.title;
-                const Row row{"open." + entry.name, words, entry.story, "", {}, entry.name == view.opened};
+                const std::string title(translated(ui, entry.title));
+                const std::string words = exercises ? std::to_string(entry.number) + "  " + title : title;
+                const Row row{"open." + entry.name,     words, std::string(translated(ui, entry.story)), "", {},
+                              entry.name == view.opened};
                 if (list_row(ui, row, ui.strings("files.open_how"))) ask(files, view, ui, OpenRequest{entry.path});
                 if (row.current && !files.begun) ImGui::SetScrollHereY();
             }

@@ -8,6 +8,7 @@
 
 #include "core/brain/recogniser.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/translated.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/widgets/button.h"
@@ -125,7 +126,7 @@ void lecture_bar(const LabView& view, Ui& ui, Rect bar) {
     const std::string_view title =
         view.lesson ? std::string_view(view.lesson->exercise->title) : std::string_view(view.now->scene->title);
     const float from = start.right() + ui.px(16 + 96), room = end.rect.x - ui.px(12) - from;
-    put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2}, shortened(ui, title, Face::title, room),
+    put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2}, shortened(ui, translated(ui, title), Face::title, room),
         ui.palette.second_text, Face::title);
     end_bar();
 }

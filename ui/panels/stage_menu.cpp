@@ -80,11 +80,14 @@ private:
         return lone ? words("kind.vehicle") : kind_name(ui_, kind);
     }
 
+    std::string name_of(const VehicleView& v) const {
+        return name_of(now_.scene->kinds[static_cast<std::size_t>(v.kind)]) + " " + std::to_string(v.id + 1);
+    }
+
     void of_vehicle() {
         const VehicleView* v = find_vehicle(now_, menu_.thing.index);
         if (!v) return;
-        const Kind& kind = now_.scene->kinds[static_cast<std::size_t>(v->kind)];
-        heading(name_of(kind) + " " + std::to_string(v->id + 1));
+        heading(name_of(*v));
         add("brains", words("menu.brains")).leads_to = MenuPage::brains;
         const bool by_hand = v->driver == Driver::manual;
         add("drive", words(by_hand ? "menu.let_drive" : "menu.drive"), {SelectRequest{v->id}, Action::drive},
@@ -101,9 +104,9 @@ private:
     }
 
     void brains() {
-        heading(words("menu.brains"));
         const VehicleView* v = find_vehicle(now_, menu_.thing.index);
         if (!v) return;
+        heading(name_of(*v) + "  ·  " + words("menu.brains"));
         const auto give = [&](const BrainGraph& brain) {
             return std::vector<Request>{SelectRequest{v->id}, EditRequest{SetBrain{{v->id, -1}, brain}}};
         };

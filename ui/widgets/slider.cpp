@@ -16,9 +16,9 @@ namespace braitenlab {
 
 namespace {
 
-constexpr float knob_radius = 7;              // layout pixels
-constexpr float coarse = 5, nudged = 10;      // steps under the mouse, and at a press of an arrow key
-constexpr double pause_between_gestures = 1;  // seconds without a key
+constexpr float knob_radius = 7, catches = 3;  // layout pixels; a drag stops at 0 so near to it, with Shift it does not
+constexpr float coarse = 5, nudged = 10;       // steps under the mouse, and at a press of an arrow key
+constexpr double pause_between_gestures = 1;   // seconds without a key
 
 struct Track {
     float x0, x1, y, low, high;
@@ -63,7 +63,9 @@ std::optional<float> drag(const Ui& ui, SliderState& state, const Item& at, cons
         state.grip -= 0.9f * (track.value_at(io.MousePos.x) - track.value_at(io.MousePos.x - io.MouseDelta.x));
         return rounded(track.value_at(io.MousePos.x) + state.grip, step);
     }
-    return rounded(track.value_at(io.MousePos.x) + state.grip, coarse * step);
+    const float wanted = track.value_at(io.MousePos.x) + state.grip;
+    const bool meets_zero = track.low < 0 && std::fabs(track.at(wanted) - track.at(0)) <= ui.px(catches);
+    return meets_zero ? 0 : rounded(wanted, coarse * step);
 }
 
 std::optional<float> nudge(Ui& ui, SliderState& state, const Item& at, std::string_view id, float value, double now,
