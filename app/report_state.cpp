@@ -9,8 +9,8 @@
 
 #include "app/report.h"
 #include "core/brain/four_neurons.h"
-#include "core/brain/recogniser.h"
 #include "core/scene/names.h"
+#include "core/world/character.h"
 
 namespace braitenlab {
 
@@ -166,7 +166,7 @@ void add_brain(Json& state, const Snapshot& now, const VehicleView* vehicle) {
         thresholds[std::string(name(dial))] = plain(at(four, threshold_of(dial)));
     }
     for (const Dial dial : {Dial::LM, Dial::RM}) weights[std::string(name(dial))] = plain(at(four, dial));
-    state["character"] = vehicle ? name(recognise(brain)) : "";
+    state["character"] = vehicle ? name(character_of(now, *vehicle)) : "";
     state["weights"] = std::move(weights);
     state["thresholds"] = std::move(thresholds);
     state["lesions"] = std::count_if(brain.nodes.begin(), brain.nodes.end(), [](const Node& n) { return n.silenced; }) +

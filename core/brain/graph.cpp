@@ -27,9 +27,13 @@ float respond(const Curve& curve, float x) {
     return x;
 }
 
+float let_through(const Wire& wire, float input) {
+    return respond(wire.curve, std::fabs(input) < wire.threshold ? 0.0f : input);
+}
+
 float signal(const Wire& wire, float input, float learned) {
     if (wire.cut) return 0;
-    return (wire.weight + learned) * respond(wire.curve, std::fabs(input) < wire.threshold ? 0.0f : input);
+    return (wire.weight + learned) * let_through(wire, input);
 }
 
 const Node* find_node(const BrainGraph& graph, NodeId id) {

@@ -75,6 +75,9 @@ inline bool learns(const Wire& wire) { return wire.learning_rate > 0; }
 // What the curve makes of x.
 float respond(const Curve&, float x);
 
+// What the wire's threshold and curve leave of an input, before its weight.
+float let_through(const Wire&, float input);
+
 // What the wire delivers to its end when its start stands at `input`: mask, curve, weight (with what a Hebbian wire
 // has learned). A cut wire delivers 0.
 float signal(const Wire&, float input, float learned = 0);

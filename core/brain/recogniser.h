@@ -23,6 +23,7 @@ struct EyePair {
 struct Reading {
     std::string sensor;
     float value = 0;
+    friend bool operator==(const Reading&, const Reading&) = default;
 };
 
 // Puts steady stimuli of eight strengths before the left eye and before the right one, and looks at what the motors

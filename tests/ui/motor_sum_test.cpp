@@ -1,5 +1,8 @@
 #include "ui/panels/motor_sum.h"
 
+#include "core/brain/presets.h"
+#include "core/scene/scene_file.h"
+#include "core/world/world.h"
 #include "desk.h"
 
 namespace braitenlab::tests {
@@ -66,6 +69,78 @@ TEST(MotorSums, DoNotCallTheWheelsLimitAFurtherWire) {
     const auto sums = motor_sums(now, now.vehicles[0]);
     EXPECT_NEAR(sums[0].others, 1, 1e-6f);
     EXPECT_FLOAT_EQ(sums[0].total, 1);
+}
+
+// What further wires bring to a motor without a curve or memory of its own, wire by wire.
+float brought_by_others(const Snapshot& now, const VehicleView& vehicle, const BrainGraph& brain, const Node& motor) {
+    float sum = 0;
+    for (const Wire& wire : brain.wires) {
+        const std::string& from = find_node(brain, wire.from)->name;
+        if (wire.to == motor.id && from != "SL" && from != "SR")
+            sum += signal(wire, node_value(now, vehicle, wire.from), learned(now, vehicle, wire.from, wire.to));
+    }
+    return sum;
+}
+
+TEST(MotorSums, AddUpToWhatTheMotorsGetForEveryPresetInItsScene) {
+    int seen = 0, curved = 0;
+    for (const Preset& preset : presets()) {
+        auto scene =
+            load_scene(std::string(BRAITENLAB_SOURCE) + "/exercises/scenes/" + std::string(preset.scene) + ".toml");
+        ASSERT_TRUE(scene) << scene.error().text();
+        auto world = World::create(*scene, 1);
+        ASSERT_TRUE(world) << world.error().text();
+        Snapshot now;
+        for (int tick = 0; tick < 600; ++tick) {
+            world->step();
+            if (tick % 20 != 0) continue;
+            world->capture(now);
+            for (const VehicleView& vehicle : now.vehicles) {
+                if (vehicle.driver != Driver::brain) continue;
+                const BrainGraph& brain = *now.brains[static_cast<std::size_t>(vehicle.brain)];
+                for (const MotorSum& sum : motor_sums(now, vehicle)) {
+                    float shown = sum.bias + sum.others;
+                    for (const Product& p : sum.products) {
+                        EXPECT_NEAR(p.value, p.input * p.weight, 1e-5f) << preset.name << ' ' << p.letters;
+                        shown += p.input * p.weight;
+                        seen += p.value != 0;
+                    }
+                    EXPECT_NEAR(std::clamp(shown, -1.0f, 1.0f), sum.total, 1e-4f) << preset.name << ' ' << sum.motor;
+                    EXPECT_EQ(sum.limited, std::fabs(shown) > 1.0001f) << preset.name << ' ' << shown;
+                    const Node* motor = find_node(brain, std::string(sum.motor));
+                    for (const Wire& wire : brain.wires) curved += wire.curve != Curve{};
+                    if (motor->curve == Curve{} && motor->time_constant == 0)
+                        EXPECT_NEAR(sum.others, brought_by_others(now, vehicle, brain, *motor), 1e-4f)
+                            << preset.name << ' ' << sum.motor << ": not one number for whatever is left over";
+                }
+            }
+        }
+    }
+    EXPECT_GT(seen, 1000);
+    EXPECT_GT(curved, 0) << "some wire bends";
+}
+
+TEST(MotorSums, ShowWhatThresholdAndCurveLetThrough) {
+    Snapshot now = snapshot(0);  // SL reads 0.4, SR 0.2
+    BrainGraph bent = *now.brains[0];
+    find_wire(bent, 0, 2)->curve = {Response::inverted};
+    find_wire(bent, 1, 3)->threshold = 0.3f;
+    now.brains[0] = std::make_shared<BrainGraph>(bent);
+    const auto sums = motor_sums(now, now.vehicles[0]);
+    EXPECT_FLOAT_EQ(sums[0].products[0].input, 0.6f);
+    EXPECT_FLOAT_EQ(sums[0].products[0].value, 0.6f * 1.5f);
+    EXPECT_EQ(sums[1].products[0].input, 0);
+    EXPECT_TRUE(sums[1].products[0].masked);
+    EXPECT_FALSE(sums[0].more_wires) << "a bent wire is no further wire";
+}
+
+TEST(MotorSums, SayWhereTheWheelCanDoNoMore) {
+    Snapshot now = snapshot(0);
+    now.brains[0] = std::make_shared<BrainGraph>(make_graph({.LL = 2, .RR = 2, .LM = 0.3f, .RM = 0.3f}));
+    now.vehicles[0].motor = {1, 0.7f};
+    const auto sums = motor_sums(now, now.vehicles[0]);
+    EXPECT_TRUE(sums[0].limited) << "0.4·2 + 0.3";
+    EXPECT_FALSE(sums[1].limited);
 }
 
 TEST(MotorSums, NameTheLargestPushAsTheCause) {

@@ -42,7 +42,7 @@ TEST(SignalDots, MoveWithEveryTickAndStandBetweenTicks) {
     }
 }
 
-TEST(Moment, SaysTheSameAsTheSnapshot) {
+TEST(CanvasMoment, SaysTheSameAsTheSnapshot) {
     BrainGraph graph = large_brain(30, 100);
     std::reverse(graph.nodes.begin(), graph.nodes.end());
     graph.wires[5].learning_rate = graph.wires[50].learning_rate = graph.wires[7].learning_rate = 1;
@@ -52,7 +52,7 @@ TEST(Moment, SaysTheSameAsTheSnapshot) {
     now.neurons.insert(now.neurons.end(), {0.11f, 0.22f, 0.33f});
     const VehicleView& vehicle = now.vehicles[0];
     const Layout layout = lay_out(graph, {});
-    Moment moment;
+    CanvasMoment moment;
     read(moment, now, vehicle, graph, layout);
     ASSERT_EQ(moment.nodes.size(), layout.nodes.size());
     for (std::size_t i = 0; i < layout.nodes.size(); ++i)

@@ -21,11 +21,6 @@ namespace {
 
 constexpr float low_column = 680;  // layout pixels: below it the picture is smaller
 
-Character recognised(PanelState& state, const std::shared_ptr<const BrainGraph>& brain) {
-    if (state.recognised.brain != brain) state.recognised = {brain, recognise(*brain)};
-    return state.recognised.character;
-}
-
 // Swatch, name, and the recogniser's word as a chip.
 void title(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -35,7 +30,8 @@ void title(const LabView& view, PanelState& state, Ui& ui, const VehicleView& ve
     // Where its brain has no say, the chip says who drives.
     const bool thinks = vehicle.driver == Driver::brain;
     const std::string_view character =
-        thinks ? braitenlab::name(recognised(state, brain_of(*view.now, vehicle))) : word(vehicle.driver);
+        thinks ? braitenlab::name(recognised(state.recognised, *view.now, vehicle, view.wall_seconds))
+               : word(vehicle.driver);
     const std::string_view label =
         ui.strings.find((thinks ? "character." : "driver.") + std::string(character), character);
     const float left = at.x + size + ui.px(8), name_width = text_width(ui, Face::title, name);

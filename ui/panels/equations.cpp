@@ -22,7 +22,7 @@ namespace {
 constexpr float alike = 0.02f;  // wheel commands this close make no turn that one sees
 
 std::string numbers_of(const Ui& ui, const Product& p) {
-    const std::string input = fixed(p.masked ? 0 : p.input, 2) + "·";
+    const std::string input = fixed(p.input, 2) + "·";
     return input + (p.cut ? std::string(ui.strings("sums.cut")) : as_factor(p.weight, 2));
 }
 
@@ -92,7 +92,7 @@ void equation(const Ui& ui, const MotorSum& sum, const Columns& x, ImVec2 at, co
     one_product(ui, x.second, at.y, sum.products[1], &sum.products[1] == strongest);
     term(ui, x.bias, at.y, sum.bias_letters, sum.bias);
     if (sum.more_wires) term(ui, x.others, at.y, ui.strings("sums.others"), sum.others);
-    sign(x.result, "=");
+    sign(x.result, sum.limited ? "→" : "=");  // the wheel can do no more
     put_right(ui, {x.total, large}, with_sign(sum.total, 2), sum.stopped ? c.second_text : c.text, Face::strong);
 }
 

@@ -6,7 +6,6 @@
 
 #include <imgui.h>
 
-#include "core/brain/recogniser.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/translated.h"
 #include "ui/strings.h"
@@ -32,12 +31,6 @@ struct Figure {
     bool has_bar = false;
 };
 
-Character character_of(const Snapshot& now, const VehicleView& vehicle, Recognised& known) {
-    const auto& brain = now.brains[static_cast<std::size_t>(vehicle.brain)];
-    if (known.brain != brain) known = {brain, recognise(*brain)};
-    return known.character;
-}
-
 std::vector<Figure> figures(const LabView& view, PanelState& state, const Ui& ui) {
     const Snapshot& now = *view.now;
     const Palette& p = ui.palette;
@@ -51,7 +44,8 @@ std::vector<Figure> figures(const LabView& view, PanelState& state, const Ui& ui
         return Figure{name, name, with_sign(value, 2), p.text, value, true};
     };
     return {{"lecture.character", "lecture.character",
-             std::string(ui.strings("character." + std::string(name(character_of(now, *vehicle, state.recognised))))),
+             std::string(ui.strings("character." +
+                                    std::string(name(recognised(state.recognised, now, *vehicle, view.wall_seconds))))),
              p.text},
             {"lecture.speed", "lecture.speed", fill(ui.strings("info.metres_a_second"), {fixed(vehicle->speed, 2)}),
              p.text},

@@ -10,6 +10,7 @@ namespace braitenlab {
 
 namespace {
 
+constexpr float just_over = 1e-4f;    // rounding alone
 constexpr float least_push = 0.005f;  // below it, the two decimals on the screen show nothing
 
 Product product(const Snapshot& now, const VehicleView& vehicle, const char* eye, const char* motor, Dial dial,
@@ -19,17 +20,21 @@ Product product(const Snapshot& now, const VehicleView& vehicle, const char* eye
     const Node* from = find_node(brain, std::string(eye));
     const Node* to = find_node(brain, std::string(motor));
     if (!from || !to) return p;
-    p.input = from->silenced ? 0.0f : node_value(now, vehicle, from->id);
+    const float reading = node_value(now, vehicle, from->id);
+    p.input = reading;
     p.weight = at(read_dials(brain), dial);
     if (const Wire* wire = find_wire(brain, from->id, to->id)) {
-        p.value = signal(*wire, p.input, learned(now, vehicle, from->id, to->id));
+        p.input = let_through(*wire, reading);
+        p.weight += learned(now, vehicle, from->id, to->id);
         p.cut = wire->cut;
-        p.masked = std::fabs(p.input) < wire->threshold;
+        p.masked = std::fabs(reading) < wire->threshold;
+        p.value = p.cut ? 0.0f : p.input * p.weight;
     }
     return p;
 }
 
-// Whether the sliders show all there is: two eyes, two motors and plain wires between them, lesions or not.
+// Whether the two products and the bias are all there is: two eyes, two motors and wires from those to these, with
+// whatever curves; lesions or not.
 bool is_plain(const BrainGraph& brain) {
     const auto plain_node = [](const Node& n) {
         const bool known = n.kind == NodeKind::sensor ? n.name == "SL" || n.name == "SR" : n.kind == NodeKind::motor;
@@ -37,7 +42,7 @@ bool is_plain(const BrainGraph& brain) {
     };
     const auto plain_wire = [&](const Wire& w) {
         const Node* from = find_node(brain, w.from);
-        return w.curve == Curve{} && !learns(w) && from && from->kind == NodeKind::sensor;
+        return from && from->kind == NodeKind::sensor;
     };
     return std::all_of(brain.nodes.begin(), brain.nodes.end(), plain_node) &&
            std::all_of(brain.wires.begin(), brain.wires.end(), plain_wire);
@@ -58,14 +63,15 @@ std::array<MotorSum, 2> motor_sums(const Snapshot& now, const VehicleView& vehic
     std::array<MotorSum, 2> both{left, right};
     const bool plain = is_plain(brain);
     for (MotorSum& sum : both) {
-        const Node* stopped = find_node(brain, std::string(sum.motor));
-        sum.stopped = stopped && stopped->silenced;
-        if (plain || sum.stopped) continue;
-        both[0].more_wires = both[1].more_wires = true;
+        const Node* motor = find_node(brain, std::string(sum.motor));
+        sum.stopped = motor && motor->silenced;
+        if (!motor || sum.stopped) continue;
+        const float shown = sum.products[0].value + sum.products[1].value + sum.bias;
         // From the motor's own state, which is not yet bounded to what a wheel can do.
-        if (const Node* motor = find_node(brain, std::string(sum.motor)))
-            sum.others = node_value(now, vehicle, motor->id) - sum.products[0].value - sum.products[1].value - sum.bias;
+        if (!plain) sum.others = node_value(now, vehicle, motor->id) - shown;
+        sum.limited = std::fabs(shown + sum.others) > 1.0f + just_over;
     }
+    both[0].more_wires = both[1].more_wires = !plain;
     return both;
 }
 

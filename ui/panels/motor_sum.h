@@ -8,13 +8,13 @@
 
 namespace braitenlab {
 
-// One eye's wire to the motor: what the eye delivers, and what the wire makes of it.
+// One eye's wire to the motor: value = input · weight, unless the wire is cut.
 struct Product {
     std::string_view letters;  // "SL·LL"
-    float input = 0;           // as the eye reads it; 0 where it is covered
-    float weight = 0;
-    float value = 0;      // what arrives: mask, curve and weight applied
-    bool masked = false;  // below the threshold: counts as 0
+    float input = 0;      // what threshold and curve of the wire let through; of a covered eye as of one in the dark
+    float weight = 0;     // with what a Hebbian wire has learned
+    float value = 0;      // what arrives
+    bool masked = false;  // what the eye reads is below the threshold: counts as 0
     bool cut = false;     // a lesion: delivers nothing
 };
 
@@ -25,6 +25,7 @@ struct MotorSum {
     bool more_wires = false;  // the brain is longer than the sliders'
     float others = 0;         // what is then left: further wires, memory, the motor's curve; 0 otherwise
     bool stopped = false;     // a lesion of the motor: whatever the sum, the total is 0
+    bool limited = false;     // the sum is more than a wheel can do: the total is −1 or 1
     float total = 0;          // what the motor really gets, −1..1
 };
 

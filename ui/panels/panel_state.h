@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "core/brain/graph.h"
-#include "core/brain/recogniser.h"
 #include "core/world/command.h"
 #include "ui/panels/energy_order.h"
 #include "ui/panels/files_state.h"
 #include "ui/panels/history.h"
+#include "ui/panels/recognised.h"
 #include "ui/preferences.h"
 #include "ui/prompts.h"
 #include "ui/stage/stage.h"
@@ -22,12 +22,6 @@
 #include "ui/wiring/canvas.h"
 
 namespace braitenlab {
-
-// The recogniser's word for a brain, worked out once a brain and not once a frame.
-struct Recognised {
-    std::shared_ptr<const BrainGraph> brain;
-    Character character = Character::still;
-};
 
 // The large pictures: one at a time.
 enum class Chart { signals, population, energy, bars };

@@ -65,7 +65,7 @@ struct CanvasState {
     CanvasRefusal refusal;
     Hit hovered;
     KeptLayout layout;
-    Moment moment;
+    CanvasMoment moment;
 
     int kind = -1;  // what was shown last, and how: a change fits the view again
     std::size_t nodes = 0;

@@ -12,7 +12,7 @@ struct CanvasPicture {
     const VehicleView& vehicle;
     const BrainGraph& graph;
     const Layout& layout;
-    const Moment& moment;
+    const CanvasMoment& moment;
     const CanvasState& state;
     maths::vec2 low, high;  // corners of what can be seen, canvas units
 

@@ -21,14 +21,22 @@ vec2 upper(vec2 a, vec2 b) { return {std::max(a.x, b.x), std::max(a.y, b.y)}; }
 class Stroke {
 public:
     Stroke(const Pen& with, const CanvasPicture& picture, const std::array<vec2, 4>& curve)
-        : pen(with), picture_(picture), bezier_(curve) {
-        length_ = maths::distance(curve[0], curve[1]) + maths::distance(curve[1], curve[2]) +
-                  maths::distance(curve[2], curve[3]);
+        : pen(with), picture_(picture) {
         // A straight run needs few pieces, and a bend seen from afar not many more.
         const float across = std::abs(curve[3].y - curve[0].y);
-        const float bend = curve[3].x > curve[0].x ? across : length_;
+        const float bend = curve[3].x > curve[0].x
+                               ? across
+                               : maths::distance(curve[0], curve[1]) + maths::distance(curve[1], curve[2]) +
+                                     maths::distance(curve[2], curve[3]);
         pieces_ = std::clamp(static_cast<int>(2 + std::sqrt(pen.size(bend)) * 1.3f), 2, 2 * wire_segments);
-        for (int i = 0; i <= pieces_; ++i) points_[static_cast<std::size_t>(i)] = point(i, pieces_);
+        // The curve as a polynomial in t: a wire is a few dozen points, and there may be many hundred wires.
+        const vec2 first = (curve[1] - curve[0]) * 3, second = (curve[2] - curve[1]) * 3 - first;
+        const vec2 third = curve[3] - curve[0] - first - second;
+        const float step = 1 / static_cast<float>(pieces_);
+        for (int i = 0; i <= pieces_; ++i) {
+            const float t = static_cast<float>(i) * step;
+            points_[static_cast<std::size_t>(i)] = curve[0] + (first + (second + third * t) * t) * t;
+        }
     }
 
     void line(float width, Colour colour) const {
@@ -52,30 +60,29 @@ public:
         finish();
     }
 
-    // Calls back with points `gap` units apart along the curve, which must not bunch where the parameter runs slowly.
+    // Calls back with points `gap` units apart along the line as it is drawn, which must not bunch where the parameter
+    // runs slowly; those on pieces that nobody sees are counted only. The visitor gets how many came before.
     template <class Visitor>
     void along(float gap, float first, Visitor visitor) const {
-        const int fine = std::clamp(static_cast<int>(length_ / (gap / 4)), 12, 160);
-        float run = 0, next = first;
-        vec2 before = bezier_[0];
-        for (int i = 1; i <= fine; ++i) {
-            const vec2 now = point(i, fine);
-            const float piece = maths::distance(before, now);
-            for (; piece > 0 && next <= run + piece; next += gap)
-                visitor(before + (now - before) * ((next - run) / piece));
-            run += piece;
-            before = now;
+        float next = first;  // from the start of the piece
+        int count = 0;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(pieces_); ++i) {
+            const vec2 from = points_[i], way = points_[i + 1] - from;
+            const float piece = maths::length(way);
+            if (next <= piece && !picture_.sees(lower(from, points_[i + 1]), upper(from, points_[i + 1]))) {
+                const int unseen = static_cast<int>((piece - next) / gap) + 1;
+                count += unseen;
+                next += static_cast<float>(unseen) * gap;
+            }
+            for (; next <= piece; next += gap) visitor(from + way * (next / piece), count++);
+            next -= piece;
         }
     }
 
     const Pen& pen;
 
 private:
-    vec2 point(int i, int of) const { return bezier_point(bezier_, static_cast<float>(i) / static_cast<float>(of)); }
-
     const CanvasPicture& picture_;
-    std::array<vec2, 4> bezier_;
-    float length_;  // units, of the line from control to control: the curve is no longer
     int pieces_;
     std::array<vec2, 2 * wire_segments + 1> points_;
 };
@@ -89,14 +96,14 @@ std::array<vec2, 4> shortened(std::array<vec2, 4> curve) {
 }
 
 void dash(const Stroke& stroke, float width, Colour colour) {
-    bool draws = true;
     vec2 before;
-    stroke.along(7, 4, [&](vec2 point) {
-        if (!draws)
+    int last = -1;
+    stroke.along(7, 4, [&](vec2 point, int count) {
+        if (count % 2 == 1 && last == count - 1)
             stroke.pen.list.AddLine(stroke.pen.at(before), stroke.pen.at(point), paint(colour),
                                     stroke.pen.stroke(width));
         before = point;
-        draws = !draws;
+        last = count;
     });
 }
 
@@ -141,13 +148,14 @@ void draw_dots(const Stroke& stroke, const CanvasPicture& picture, float carried
     const ImU32 core =
         paint(mix(colour, Colour{1, 1, 1, 1}, dark ? 0.25f + 0.6f * strength : 0).with_alpha(0.55f + 0.45f * strength));
     const ImU32 glow = paint(colour.with_alpha(0.28f * strength)), rim = paint(pen.palette().text.with_alpha(0.5f));
-    stroke.along(map ? 2 * dot_gap : dot_gap, first_dot(picture.view.now->tick), [&](vec2 point) {
+    stroke.along(map ? 2 * dot_gap : dot_gap, first_dot(picture.view.now->tick), [&](vec2 point, int) {
         if (!picture.sees(point, point)) return;
         const ImVec2 at = pen.at(point);
         if (map) return pen.list.AddRectFilled({at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}, core);
-        if (!plain) pen.list.AddCircleFilled(at, radius * 2.1f, glow);
-        pen.list.AddCircleFilled(at, radius, core, plain ? 8 : 0);
-        if (!plain && !dark) pen.list.AddCircle(at, radius, rim, 0, pen.stroke(1));  // lit, on white ground
+        if (plain) return pen.dot(at, radius, core);
+        pen.list.AddCircleFilled(at, radius * 2.1f, glow);
+        pen.list.AddCircleFilled(at, radius, core);
+        if (!dark) pen.list.AddCircle(at, radius, rim, 0, pen.stroke(1));  // lit, on white ground
     });
 }
 

@@ -11,7 +11,7 @@ float value_of(const Snapshot& now, const VehicleView& vehicle, const Node& node
 
 }  // namespace
 
-void read(Moment& moment, const Snapshot& now, const VehicleView& vehicle, const BrainGraph& graph,
+void read(CanvasMoment& moment, const Snapshot& now, const VehicleView& vehicle, const BrainGraph& graph,
           const Layout& layout) {
     moment.nodes.clear();
     moment.learned.clear();

@@ -8,7 +8,8 @@
 
 namespace braitenlab {
 
-struct Moment {
+// Not core's Moment: two types of one name would share one destructor when linked into one program.
+struct CanvasMoment {
     std::vector<float> nodes;    // as Layout::nodes: a reading, a neuron's or a motor's value
     std::vector<float> learned;  // as Layout::wires: what a Hebbian wire adds to its weight; 0 for any other
     std::vector<float> carried;  // as Layout::wires: what arrives at the end
@@ -16,6 +17,6 @@ struct Moment {
 
 // Fills `moment`; the same as node_value(), learned() and signal() say, one after the other. Precondition: the layout
 // is that of the vehicle's brain, `graph`.
-void read(Moment& moment, const Snapshot&, const VehicleView&, const BrainGraph& graph, const Layout&);
+void read(CanvasMoment& moment, const Snapshot&, const VehicleView&, const BrainGraph& graph, const Layout&);
 
 }  // namespace braitenlab

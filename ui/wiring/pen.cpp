@@ -1,7 +1,10 @@
 #include "ui/wiring/pen.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
+#include "core/maths/portable.h"
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
 
@@ -60,14 +63,73 @@ void Pen::frame(vec2 centre, vec2 extent, float rounding, float thickness, Colou
                     stroke(thickness));
 }
 
-void Pen::halo(vec2 centre, vec2 extent, float rounding, float reach, Colour colour) const {
-    // A layer every other pixel or so: more cannot be told apart.
-    const int layers = std::clamp(static_cast<int>(size(reach) / ui.px(1.5f)), 2, 8);
-    const auto count = static_cast<float>(layers);
-    for (int i = layers; i > 0; --i) {
-        const float grow = reach * static_cast<float>(i) / count;
-        box(centre, extent + vec2{2 * grow, 2 * grow}, rounding + grow, colour.with_alpha(colour.a * 1.6f / count));
+namespace {
+
+constexpr int corner_steps = 6;  // of a quarter circle
+constexpr int rim_points = 4 * (corner_steps + 1);
+
+// Directions of a rounded box's rim from its corners' middles, clockwise from the right.
+const std::array<ImVec2, rim_points>& rim() {
+    static const std::array<ImVec2, rim_points> points = [] {
+        std::array<ImVec2, rim_points> made;
+        for (int i = 0; i < rim_points; ++i) {
+            const int quarter = i / (corner_steps + 1), step = i % (corner_steps + 1);
+            const float turn = (static_cast<float>(quarter) + static_cast<float>(step) / corner_steps) * maths::pi / 2;
+            made[static_cast<std::size_t>(i)] = {maths::cosine(turn), maths::sine(turn)};
+        }
+        return made;
+    }();
+    return points;
+}
+
+// What lies inside the inner rim in one colour, out to the outer rim fading to nothing; both rims have `count` points,
+// in pairs: inner, outer, inner, outer …
+void fade_out(ImDrawList& list, const ImVec2* pairs, int count, ImU32 colour) {
+    const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+    list.PrimReserve(3 * (count - 2) + 6 * count, 2 * count);
+    const unsigned first = list._VtxCurrentIdx;
+    const auto corner = [&](int i) { list.PrimWriteIdx(static_cast<ImDrawIdx>(first + static_cast<unsigned>(i))); };
+    const auto triangle = [&](int a, int b, int c) { corner(a), corner(b), corner(c); };
+    for (int i = 2; i < count; ++i) triangle(0, 2 * i - 2, 2 * i);
+    for (int i = 0; i < count; ++i) {
+        const int here = 2 * i, next = 2 * ((i + 1) % count);
+        triangle(here, next, next + 1);
+        triangle(here, next + 1, here + 1);
     }
+    for (int i = 0; i < 2 * count; ++i)
+        list.PrimWriteVtx(pairs[i], white, i % 2 == 0 ? colour : colour & ~IM_COL32_A_MASK);
+}
+
+}  // namespace
+
+void Pen::halo(vec2 centre, vec2 extent, float rounding, float reach, Colour colour) const {
+    const vec2 half = extent / 2 - vec2{rounding, rounding};
+    const ImVec2 middle = at(centre);
+    std::array<ImVec2, 2 * rim_points> pairs;
+    for (int i = 0; i < rim_points; ++i) {
+        const ImVec2 out = rim()[static_cast<std::size_t>(i)];
+        const int quarter = i / (corner_steps + 1);
+        const vec2 corner{quarter == 0 || quarter == 3 ? half.x : -half.x, quarter < 2 ? half.y : -half.y};
+        for (const int outer : {0, 1}) {
+            const float radius = size(rounding + (outer == 0 ? 0 : reach));
+            pairs[static_cast<std::size_t>(2 * i + outer)] = {middle.x + size(corner.x) + out.x * radius,
+                                                              middle.y + size(corner.y) + out.y * radius};
+        }
+    }
+    fade_out(list, pairs.data(), rim_points, paint(colour.with_alpha(std::min(1.0f, colour.a * 1.35f))));
+}
+
+void Pen::dot(ImVec2 middle, float radius, ImU32 colour) const {
+    constexpr int corners = 8;
+    constexpr float slant = 0.70710678f;
+    const ImVec2 out[corners] = {{1, 0},  {slant, slant},   {0, 1},  {-slant, slant},
+                                 {-1, 0}, {-slant, -slant}, {0, -1}, {slant, -slant}};
+    ImVec2 pairs[2 * corners];
+    for (int i = 0; i < 2 * corners; ++i) {
+        const float r = std::max(0.0f, radius + (i % 2 == 0 ? -0.5f : 0.5f));  // a rim of one pixel
+        pairs[i] = {middle.x + out[i / 2].x * r, middle.y + out[i / 2].y * r};
+    }
+    fade_out(list, pairs, corners, colour);
 }
 
 }  // namespace braitenlab

@@ -32,8 +32,12 @@ struct Pen {
     void box(maths::vec2 centre, maths::vec2 size, float rounding, Colour) const;
     void frame(maths::vec2 centre, maths::vec2 size, float rounding, float thickness, Colour) const;
 
-    // Light or shadow around a box that fades over `reach` units.
+    // Light or shadow around a box that fades over `reach` units, brightest at its rim and behind it. One small mesh,
+    // since a large brain has many.
     void halo(maths::vec2 centre, maths::vec2 size, float rounding, float reach, Colour) const;
+
+    // A small disc, of window pixels and as cheap as can be: signals are many.
+    void dot(ImVec2 middle, float radius, ImU32 colour) const;
 };
 
 }  // namespace braitenlab

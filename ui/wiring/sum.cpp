@@ -19,12 +19,6 @@ using Learned = std::function<float(const Wire&)>;
 
 float weight_now(const Wire& wire, const Learned& learned) { return wire.weight + (learned ? learned(wire) : 0.0f); }
 
-// What is left of an input behind the wire's threshold and curve.
-float passed(Wire wire, float input) {
-    wire.weight = 1;
-    return signal(wire, input);
-}
-
 std::vector<const Wire*> arriving(const BrainGraph& graph, NodeId id, const Learned& learned) {
     std::vector<const Wire*> wires;
     for (const Wire& wire : graph.wires)
@@ -36,7 +30,7 @@ std::vector<const Wire*> arriving(const BrainGraph& graph, NodeId id, const Lear
 std::vector<Term> terms_of(const BrainGraph& graph, const Node& node, const Values& value, const Learned& learned) {
     std::vector<Term> terms;
     for (const Wire* wire : arriving(graph, node.id, learned)) {
-        const float input = passed(*wire, value(wire->from)), weight = weight_now(*wire, learned);
+        const float input = let_through(*wire, value(wire->from)), weight = weight_now(*wire, learned);
         const std::string factor = input < 0 ? "(" + fixed(input, 2) + ")" : fixed(input, 2);
         terms.push_back({factor + "·" + fixed(std::abs(weight), 2), weight < 0});
     }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace braitenlab {
@@ -24,76 +26,97 @@ int side(const Node& node) {
     return node.name.back() == 'L' ? 0 : node.name.back() == 'R' ? 2 : 1;
 }
 
-std::vector<const Node*> of_kind(const BrainGraph& graph, NodeKind kind) {
-    std::vector<const Node*> found;
-    for (const Node& node : graph.nodes)
-        if (node.kind == kind) found.push_back(&node);
-    std::sort(found.begin(), found.end(),
-              [](const Node* a, const Node* b) { return side(*a) != side(*b) ? side(*a) < side(*b) : a->id < b->id; });
+using Index = std::size_t;  // in BrainGraph::nodes
+
+// The wires that carry something, as pairs of indices: looked up once, not once a column.
+struct Feed {
+    Index from, to;
+};
+
+std::vector<Feed> feeds_of(const BrainGraph& graph) {
+    std::vector<std::pair<NodeId, Index>> by_id;
+    for (Index i = 0; i < graph.nodes.size(); ++i) by_id.emplace_back(graph.nodes[i].id, i);
+    std::sort(by_id.begin(), by_id.end());
+    const auto index_of = [&](NodeId id) {
+        const auto found = std::lower_bound(by_id.begin(), by_id.end(), std::pair(id, Index{0}));
+        return found != by_id.end() && found->first == id ? found->second : graph.nodes.size();
+    };
+    std::vector<Feed> feeds;
+    for (const Wire& wire : graph.wires) {
+        const Feed feed{index_of(wire.from), index_of(wire.to)};
+        if (wire.weight != 0 && feed.from < graph.nodes.size() && feed.to < graph.nodes.size()) feeds.push_back(feed);
+    }
+    return feeds;
+}
+
+std::vector<Index> of_kind(const BrainGraph& graph, NodeKind kind) {
+    std::vector<Index> found;
+    for (Index i = 0; i < graph.nodes.size(); ++i)
+        if (graph.nodes[i].kind == kind) found.push_back(i);
+    std::sort(found.begin(), found.end(), [&](Index a, Index b) {
+        const Node &one = graph.nodes[a], &other = graph.nodes[b];
+        return side(one) != side(other) ? side(one) < side(other) : one.id < other.id;
+    });
     return found;
 }
 
-// How many wires a signal crosses from the nearest sensor; 1 for a neuron that no sensor reaches.
-std::map<NodeId, int> depths(const BrainGraph& graph) {
-    std::map<NodeId, int> depth;
-    std::vector<NodeId> edge;
-    for (const Node& node : graph.nodes)
-        if (node.kind == NodeKind::sensor) depth[node.id] = 0, edge.push_back(node.id);
-    for (std::size_t i = 0; i < edge.size(); ++i)
-        for (const Wire& wire : graph.wires) {
-            if (wire.from != edge[i] || wire.weight == 0 || depth.count(wire.to) > 0) continue;
-            depth[wire.to] = depth[edge[i]] + 1;
-            edge.push_back(wire.to);
-        }
-    for (const Node& node : graph.nodes)
-        if (node.kind == NodeKind::neuron) depth.try_emplace(node.id, 1);
+// How many wires a signal crosses from the nearest sensor, node by node; 1 for a neuron that no sensor reaches.
+std::vector<int> depths(const BrainGraph& graph, const std::vector<Feed>& feeds) {
+    constexpr int unreached = -1;
+    std::vector<int> depth(graph.nodes.size(), unreached);
+    for (Index i = 0; i < graph.nodes.size(); ++i)
+        if (graph.nodes[i].kind == NodeKind::sensor) depth[i] = 0;
+    bool grows = true;
+    for (int reached = 0; grows; ++reached) {
+        grows = false;
+        for (const Feed& feed : feeds)
+            if (depth[feed.from] == reached && depth[feed.to] == unreached) depth[feed.to] = reached + 1, grows = true;
+    }
+    for (int& steps : depth) steps = steps == unreached ? 1 : steps;
     return depth;
 }
 
-std::vector<std::vector<NodeId>> hidden_columns(const BrainGraph& graph) {
-    const auto depth = depths(graph);
-    std::map<int, std::vector<NodeId>> by_depth;
-    for (const Node* node : of_kind(graph, NodeKind::neuron)) by_depth[depth.at(node->id)].push_back(node->id);
-    std::vector<std::vector<NodeId>> columns;
-    for (const auto& [steps, ids] : by_depth) {
-        const std::size_t most = rows_at_most(depth.size());
-        const std::size_t parts = (ids.size() + most - 1) / most;
-        const std::size_t rows = (ids.size() + parts - 1) / parts;
-        for (std::size_t first = 0; first < ids.size(); first += rows)
-            columns.emplace_back(ids.begin() + static_cast<std::ptrdiff_t>(first),
-                                 ids.begin() + static_cast<std::ptrdiff_t>(std::min(first + rows, ids.size())));
+std::vector<std::vector<Index>> hidden_columns(const BrainGraph& graph, const std::vector<Feed>& feeds) {
+    const auto depth = depths(graph, feeds);
+    std::map<int, std::vector<Index>> by_depth;
+    for (const Index node : of_kind(graph, NodeKind::neuron)) by_depth[depth[node]].push_back(node);
+    std::vector<std::vector<Index>> columns;
+    for (const auto& [steps, nodes] : by_depth) {
+        const std::size_t most = rows_at_most(graph.nodes.size());
+        const std::size_t parts = (nodes.size() + most - 1) / most;
+        const std::size_t rows = (nodes.size() + parts - 1) / parts;
+        for (std::size_t first = 0; first < nodes.size(); first += rows)
+            columns.emplace_back(nodes.begin() + static_cast<std::ptrdiff_t>(first),
+                                 nodes.begin() + static_cast<std::ptrdiff_t>(std::min(first + rows, nodes.size())));
     }
     return columns;
 }
 
-void place_column(Places& places, const std::vector<NodeId>& ids, float x, float height) {
-    const auto count = ids.size();
+using Placed = std::vector<std::optional<maths::vec2>>;
+
+void place_column(Placed& placed, const std::vector<Index>& nodes, float x, float height) {
+    const auto count = nodes.size();
     for (std::size_t i = 0; i < count; ++i) {
         const float share = count > 1 ? static_cast<float>(i) / static_cast<float>(count - 1) : 0.5f;
-        places[ids[i]] = {x, (share - 0.5f) * height};
+        placed[nodes[i]] = {x, (share - 0.5f) * height};
     }
 }
 
 // A neuron stands near the height of what feeds it, so that wires cross less.
-void order_by_sources(const BrainGraph& graph, const Places& placed, std::vector<NodeId>& ids) {
-    std::map<NodeId, float> height;
-    for (const NodeId id : ids) {
-        float sum = 0, count = 0;
-        for (const Wire& wire : graph.wires)
-            if (const auto source = placed.find(wire.from); wire.to == id && wire.weight != 0 && source != placed.end())
-                sum += source->second.y, count += 1;
-        height[id] = count > 0 ? sum / count : 0;
-    }
-    std::stable_sort(ids.begin(), ids.end(), [&](NodeId a, NodeId b) { return height[a] < height[b]; });
+void order_by_sources(const std::vector<Feed>& feeds, const Placed& placed, std::vector<Index>& nodes) {
+    std::vector<float> sum(placed.size(), 0.0f), count(placed.size(), 0.0f);
+    for (const Feed& feed : feeds)
+        if (placed[feed.from]) sum[feed.to] += placed[feed.from]->y, count[feed.to] += 1;
+    const auto height = [&](Index node) { return count[node] > 0 ? sum[node] / count[node] : 0; };
+    std::stable_sort(nodes.begin(), nodes.end(), [&](Index a, Index b) { return height(a) < height(b); });
 }
 
 }  // namespace
 
 Places tidy(const BrainGraph& graph) {
-    auto columns = hidden_columns(graph);
-    std::vector<NodeId> sensors, motors;
-    for (const Node* node : of_kind(graph, NodeKind::sensor)) sensors.push_back(node->id);
-    for (const Node* node : of_kind(graph, NodeKind::motor)) motors.push_back(node->id);
+    const auto feeds = feeds_of(graph);
+    auto columns = hidden_columns(graph, feeds);
+    const auto sensors = of_kind(graph, NodeKind::sensor), motors = of_kind(graph, NodeKind::motor);
 
     std::size_t rows = 0;
     for (const auto& column : columns) rows = std::max(rows, column.size());
@@ -101,16 +124,18 @@ Places tidy(const BrainGraph& graph) {
     // The outer columns reach beyond the inner ones, so that the direct wires LL and RR run past the hidden neurons.
     const float outer = std::max({direct_spread, rows > 0 ? height_of(rows) + 1.5f * row_gap : 0,
                                   height_of(sensors.size()), height_of(motors.size())});
-    Places places;
-    place_column(places, sensors, 0, outer);
+    Placed placed(graph.nodes.size());
+    place_column(placed, sensors, 0, outer);
     float x = 0;
     for (auto& column : columns) {
         x += x == 0 ? column_gap + outer_room : column_gap;
-        order_by_sources(graph, places, column);
-        place_column(places, column, x, height_of(column.size()));
+        order_by_sources(feeds, placed, column);
+        place_column(placed, column, x, height_of(column.size()));
     }
     // A tall column stands far from the motors, or its wires are so steep that they and their labels crowd.
-    place_column(places, motors, std::max({x + column_gap + outer_room, direct_gap, outer}), outer);
+    place_column(placed, motors, std::max({x + column_gap + outer_room, direct_gap, outer}), outer);
+    Places places;
+    for (Index i = 0; i < placed.size(); ++i) places[graph.nodes[i].id] = *placed[i];
     return places;
 }
 

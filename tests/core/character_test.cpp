@@ -1,0 +1,44 @@
+#include "core/world/character.h"
+
+#include <algorithm>
+
+#include "core/scene/scene_file.h"
+#include "runs.h"
+
+namespace braitenlab::tests {
+
+namespace {
+
+Scene shipped(const std::string& name) {
+    auto scene = load_scene(std::string(BRAITENLAB_SOURCE) + "/exercises/scenes/" + name + ".toml");
+    EXPECT_TRUE(scene) << scene.error().text();
+    return *scene;
+}
+
+// The tortoise in its scene, as full as that.
+Snapshot tortoise(float energy) {
+    Snapshot now = look(make(shipped("tortoise")));
+    const Kind& kind = now.scene->kinds[static_cast<std::size_t>(now.vehicles[0].kind)];
+    for (std::size_t i = 0; i < kind.sensors.size(); ++i)
+        if (kind.sensors[i].name == "EN")
+            now.sensed[static_cast<std::size_t>(now.vehicles[0].first_sensed) + i] = energy;
+    return now;
+}
+
+}  // namespace
+
+TEST(CharacterOf, IsAnotherForAFedTortoiseThanForAHungryOne) {
+    const Snapshot fed = tortoise(1), hungry = tortoise(0.1f);
+    EXPECT_EQ(character_of(fed, fed.vehicles[0]), Character::orbiting);
+    EXPECT_EQ(character_of(hungry, hungry.vehicles[0]), Character::aggressor);
+}
+
+TEST(CharacterOf, TakesWhatStandsAloneAsItReadsAndLeavesPairsOut) {
+    const Snapshot now = tortoise(0.75f);
+    const auto readings = readings_beside_eyes(now, now.vehicles[0]);
+    EXPECT_NE(std::find(readings.begin(), readings.end(), Reading{"EN", 0.75f}), readings.end());
+    for (const Reading& reading : readings) EXPECT_NE(reading.sensor.back(), 'L') << reading.sensor;
+    EXPECT_TRUE(readings_beside_eyes(look(make(shipped("2a-coward"))), VehicleView{}).empty());
+}
+
+}  // namespace braitenlab::tests
