@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "app/files.h"
 #include "app/platform.h"
+#include "app/safe_file.h"
 #include "core/match.h"
 #include "core/world/run_file.h"
 
@@ -74,6 +77,18 @@ struct Desk {
         lab.exit = true;
     }
 
+    // Where screenshots go, so that what a report needs lies together; the whole path is told, since nobody chose it.
+    void save_numbers(const ExportRequest& wanted) const {
+        std::error_code none;  // writing will say what is wrong
+        const fs::path into = pictures_folder();
+        fs::create_directories(into, none);
+        fs::path path;
+        for (int i = 1; path.empty() || fs::exists(path, none); ++i)
+            path = into / fmt::format("braitenlab-{}-{:03}.csv", wanted.name, i);
+        if (const auto error = write_whole(path, wanted.text)) return refuse(*error);
+        say(lab, {NoticeKind::done, "notice.numbers", path.string()});
+    }
+
     void save(const SaveRequest& wanted) const {
         const fs::path path = with_ending(resolved(wanted.path, folder()), wanted.kind);
         if (const auto error = save_as(lab, path, wanted.kind)) return refuse(*error);
@@ -118,6 +133,7 @@ void do_files(Lab& lab, FilesView& view, Remembered& remembered) {
         if (const auto* open = std::get_if<OpenRequest>(&request)) desk.open(open->path);
         if (const auto* save = std::get_if<SaveRequest>(&request)) desk.save(*save);
         if (const auto* leave = std::get_if<LeaveRequest>(&request)) desk.leave(leave->answer);
+        if (const auto* numbers = std::get_if<ExportRequest>(&request)) desk.save_numbers(*numbers);
         if (const auto* browse = std::get_if<BrowseRequest>(&request)) desk.list(resolved(browse->path, desk.folder()));
     }
 }

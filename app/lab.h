@@ -87,7 +87,7 @@ struct Lab {
 
     // Asked of the window, which answers and clears them.
     bool exit = false, screenshot = false, full_screen = false;
-    std::vector<Request> files;  // to open, to save, to list a folder
+    std::vector<Request> files;  // to open, to save, to export, to list a folder
 };
 
 // Opens a scene, an exercise or a saved run, which goes on as it is. Scenes take the settings; exercises bring their

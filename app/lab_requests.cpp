@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "app/lab_parts.h"
-#include "app/safe_file.h"
 #include "core/match.h"
 #include "render/view/intensity.h"
 #include "ui/stage/edits.h"
@@ -69,17 +68,6 @@ void look_through(Lab& lab, CameraMode mode) {
     lab.camera.mode = lab.camera.mode == mode ? CameraMode::overview : mode;
     if (!rides(lab.camera.mode)) return;
     lab.camera.zoom = 1;  // how near the overview was says nothing about how near to ride
-}
-
-// To the next free name in the current folder.
-void write_numbers(Lab& lab, const ExportRequest& wanted) {
-    std::error_code none;
-    std::filesystem::path path;
-    for (int i = 1; path.empty() || std::filesystem::exists(path, none); ++i)
-        path = std::filesystem::current_path(none) / fmt::format("braitenlab-{}-{:03}.csv", wanted.name, i);
-    const auto error = write_whole(path, wanted.text);
-    error ? say(lab, {NoticeKind::failure, "", error->text()})
-          : say(lab, {NoticeKind::done, "notice.numbers", path.string()});
 }
 
 // From none through the channels of which there is something to feel, and back to none.
@@ -291,7 +279,7 @@ void handle(Lab& lab, const Request& request) {
               [&](const PredictRequest& r) {
                   if (lab.lesson && !lab.lesson->view.has_run) lab.lesson->view.prediction = r.option;
               },
-              [&](const ExportRequest& r) { write_numbers(lab, r); },
+              [&](const ExportRequest& r) { lab.files.push_back(r); },
               [&](const SpeedRequest& r) { lab.time_scale = std::clamp(r.time_scale, speeds.front(), speeds.back()); }},
         request);
 }

@@ -119,7 +119,7 @@ struct ScopeRequest {
 struct PredictRequest {
     int option = 0;  // 0-based
 };
-struct ExportRequest {  // numbers for a spreadsheet, to a new file in the current folder
+struct ExportRequest {  // numbers for a spreadsheet, to a new file where pictures go
     std::string name, text;
 };
 struct SpeedRequest {

@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include "ui/panels/lesion.h"
 #include "ui/panels/panels.h"
 #include "ui/theme.h"
 #include "ui/widgets/item.h"
@@ -190,6 +191,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     if (view.mode == Mode::wiring) draw_canvas(view, state, ui, layout);
     left_column(view, state, ui, layout.left);
     right_column(view, state, ui, layout);
+    lesions_elsewhere(view, state, ui);
     if (layout.charts.w > 0) chart_card(view, state, ui, layout.charts);
     if (!view.lecture) tool_palette(view, state, ui, layout.tools);
     if (view.lecture) {
@@ -228,7 +230,8 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     if (press_key(view, state.stage, state.keyboard, press, outbox)) return true;
     if (state.view_menu && for_view_menu(view, state, press)) return true;
     if (for_focus(state.keyboard, press)) return true;
-    if (view.mode == Mode::wiring && for_canvas(state.canvas, press)) return true;
+    const bool on_a_card = action_for(press) == Action::lesion && !state.lesion_under_pointer.empty();
+    if (view.mode == Mode::wiring && !on_a_card && for_canvas(state.canvas, press)) return true;
     if (const auto action = action_for(press)) {
         if (!panels_own(view, state, *action, press)) outbox.push_back(*action);
         return true;

@@ -45,6 +45,21 @@ TEST_F(OnTheDesk, SavesTheSceneWithItsEditedBrainAndOpensItAgain) {
     EXPECT_EQ(remembered.recent.front(), (folder / "mine.toml").string());
 }
 
+TEST_F(OnTheDesk, PutsNumbersWherePicturesGoToANewFileEachTimeAndSaysWhere) {
+    const std::string home = std::getenv("HOME") ? std::getenv("HOME") : "";
+    const std::string config = std::getenv("XDG_CONFIG_HOME") ? std::getenv("XDG_CONFIG_HOME") : "";
+    setenv("HOME", folder.path.c_str(), 1);
+    setenv("XDG_CONFIG_HOME", (folder / "config").c_str(), 1);
+    ask(ExportRequest{"signals", "seconds,SL\n"});
+    ask(ExportRequest{"signals", "seconds,SL\n0,1\n"});
+    setenv("HOME", home.c_str(), 1);
+    setenv("XDG_CONFIG_HOME", config.c_str(), 1);
+    EXPECT_EQ(text_of(folder / "Pictures/braitenlab-signals-001.csv"), "seconds,SL\n");
+    EXPECT_EQ(text_of(folder / "Pictures/braitenlab-signals-002.csv"), "seconds,SL\n0,1\n");
+    EXPECT_NE(lab.notice.words.find((folder / "Pictures/braitenlab-signals-002.csv").string()), std::string::npos)
+        << lab.notice.words;
+}
+
 TEST_F(OnTheDesk, NeverReplacesWhatIsOpenByABrokenFile) {
     put_text(folder / "broken.toml", "format = 1\n[arena]\nwidht = 3\n");
     const auto before = lab.session.hash();

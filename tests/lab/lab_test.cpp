@@ -208,20 +208,6 @@ TEST(Driving, LetsGoOfAVehicleThatIsNoLongerSelected) {
     EXPECT_EQ(lab.session.snapshot().vehicles[0].motor, (std::array{0.0f, 0.0f}));
 }
 
-TEST(Numbers, GoToANewFileEachTimeAndSayWhere) {
-    const auto before = std::filesystem::current_path();
-    const tests::Folder folder;
-    Lab lab = open("2a-coward");
-    std::filesystem::current_path(folder.path);
-    handle(lab, ExportRequest{"signals", "seconds,SL\n"});
-    handle(lab, ExportRequest{"signals", "seconds,SL\n0,1\n"});
-    std::filesystem::current_path(before);
-    EXPECT_EQ(std::filesystem::file_size(folder / "braitenlab-signals-001.csv"), 11u);
-    EXPECT_EQ(std::filesystem::file_size(folder / "braitenlab-signals-002.csv"), 15u);
-    EXPECT_EQ(lab.notice.kind, NoticeKind::done);
-    EXPECT_NE(lab.notice.words.find("braitenlab-signals-002.csv"), std::string::npos);
-}
-
 TEST(Selection, MovesOnWhenItsVehicleLeaves) {
     Lab lab = open("predator-prey");
     EXPECT_EQ(lab.selected, 0);

@@ -117,6 +117,54 @@ TEST(Lesions, FollowTheKeyLOverThePictureAndEnterOnTheFocus) {
     EXPECT_TRUE(is_cut(brain_asked_for(desk), "SL", "MR"));
 }
 
+TEST(Lesions, FollowTheKeyLOverASliderToItsWire) {
+    Desk desk(1280, 1000);
+    desk.frame(3);
+    for (const char* anchor : {"slider.LR", "threshold.LR"}) {
+        desk.all.clear();
+        desk.point(anchor);
+        desk.frame(2);
+        desk.key({'L'});
+        desk.frame(2);
+        EXPECT_TRUE(is_cut(brain_asked_for(desk), "SR", "ML")) << anchor;
+    }
+    desk.all.clear();
+    desk.point("slider.LL");
+    desk.frame(2);
+    desk.key({'L'});
+    desk.frame(2);
+    EXPECT_TRUE(desk.edits().empty()) << "where there is no wire there is nothing to cut";
+}
+
+TEST(Lesions, FollowTheKeyLInTheSceneToTheEyeOrWheelUnderIt) {
+    Desk desk(1280, 1000);
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    for (Kind& kind : scene->kinds) {
+        kind.sensors[0].x = kind.sensors[1].x = 0.3f;
+        kind.sensors[0].y = 0.24f, kind.sensors[1].y = -0.24f;
+    }
+    desk.now.scene = scene;
+    const Sight sight = look(Camera{}, Arena{}, nullptr, {0, 0, 1280, 1000}, {336, 64, 576, 880});
+    desk.view.sight = &sight;
+    desk.frame(3);
+    const auto over = [&](float x, float y) {
+        const auto at = *project(sight, {x, y}, 0.2f);
+        desk.all.clear();
+        desk.point(at.x, at.y);
+        desk.frame(2);
+        desk.key({'L'});
+        desk.frame(2);
+        return desk.edits().empty() ? BrainGraph{} : brain_asked_for(desk);
+    };
+    const BrainGraph eye = over(0.3f, 0.24f);  // the selected vehicle stands at the origin and looks along x
+    ASSERT_TRUE(find_node(eye, "SL"));
+    EXPECT_TRUE(find_node(eye, "SL")->silenced);
+    const BrainGraph wheel = over(0, -0.3f);
+    ASSERT_TRUE(find_node(wheel, "MR"));
+    EXPECT_TRUE(find_node(wheel, "MR")->silenced);
+    EXPECT_TRUE(over(4, 4).nodes.empty()) << "the bare floor cannot be hurt";
+}
+
 TEST(Lesions, HealAllAtOnce) {
     Desk desk(1280, 1000);
     desk.frame(3);

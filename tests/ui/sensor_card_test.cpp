@@ -107,6 +107,21 @@ TEST(SensorCard, ChangesShapeAndResponse) {
     EXPECT_EQ(desk.asked_for()[1].response, SensorResponse::boolean);
 }
 
+TEST(SensorCard, ChoosesWhatBothEyesSense) {
+    SensorDesk desk;
+    EXPECT_FALSE(desk.anchors.find("sensor.channel.heat"));
+    desk.click("sensor.channel");
+    desk.click("sensor.channel.heat");
+    const auto sensors = desk.asked_for();
+    EXPECT_EQ(sensors[0].channel, Channel::heat);
+    EXPECT_EQ(sensors[1].channel, Channel::heat);
+    EXPECT_EQ(sensors[2].channel, Channel::touch) << "the bumper goes on feeling";
+    EXPECT_NE(desk.edits().back().gesture, 0u) << "a step of undo of its own";
+    desk.all.clear();
+    desk.click("sensor.channel.light");
+    EXPECT_TRUE(desk.edits().empty()) << "it senses light already";
+}
+
 TEST(SensorCard, KeepsNoiseAndDelayFoldedAndClampsThem) {
     SensorDesk desk;
     EXPECT_FALSE(desk.anchors.find("sensor.noise"));

@@ -96,7 +96,6 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         presets_menu(view, state, ui, *vehicle, buttons[0].pressed,
                      {place.x + place.w - ui.px(16), place.y + ui.px(36)});
     }
-    state.lesion_wanted.clear();
     end_card(state.brain);
 }
 

@@ -57,6 +57,7 @@ struct PanelState {
     Steer steered;                     // by the stick, last
     bool stick_held = false;
     std::string sensor;                // by name: the one whose numbers the card shows
+    bool sensor_channel_open = false;  // the choice of what it senses
     bool sensor_alone = false;         // edited without the one on the other side
     bool sensor_quality_open = false;  // noise and delay
     bool charts_open = false;

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include "core/brain/graft.h"
 #include "core/brain/presets.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/selected.h"
@@ -47,12 +48,25 @@ void rows(const LabView& view, PanelState& state, Ui& ui, const VehicleView& veh
         const Preset& preset = presets()[i];
         const ImVec2 at{start.x + (i < half ? 0.0f : ui.px(row_width + 8)),
                         start.y + height * static_cast<float>(i < half ? i : i - half)};
-        if (!preset_row(ui, preset, preset.brain == brain, at)) continue;
-        ui.outbox.push_back(
-            EditRequest{SetBrain{target_of(view, vehicle), preset.brain}, gestures::panels + ++state.sliders.gesture});
+        BrainGraph made = graft(brain, preset.brain);
+        if (!preset_row(ui, preset, made == brain, at)) continue;
+        ui.outbox.push_back(EditRequest{SetBrain{target_of(view, vehicle), std::move(made)},
+                                        gestures::panels + ++state.sliders.gesture});
         ImGui::CloseCurrentPopup();
     }
     ImGui::SetCursorScreenPos({start.x, start.y + height * static_cast<float>(half)});
+}
+
+// A preset is for two eyes; a vehicle that has more senses is told that they stay.
+void what_stays(Ui& ui, const BrainGraph& brain) {
+    std::string names;
+    for (const std::string& name : kept_by_graft(brain, find_preset("2a-coward")->brain))
+        names += (names.empty() ? "" : ", ") + name;
+    if (names.empty()) return;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    put(ui, {at.x + ui.px(10), at.y + ui.px(4)}, fill(ui.strings("own_brain.stays"), {names}), ui.palette.second_text,
+        Face::small);
+    ImGui::Dummy({1, line_height(ui, Face::small) + ui.px(8)});
 }
 
 // Brains of one's own, from and to files: the file browser does it.
@@ -92,6 +106,7 @@ void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleV
     if (state.presets_open) {
         if (state.close_presets) ImGui::CloseCurrentPopup();
         rows(view, state, ui, vehicle);
+        what_stays(ui, *brain_of(*view.now, vehicle));
         own_brains(state, ui);
         ImGui::EndPopup();
     } else if (was_open && ui.keyboard && ui.keyboard->focus.substr(0, 7) == "preset.") {

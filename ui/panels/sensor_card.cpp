@@ -74,6 +74,7 @@ public:
 
     void draw() {
         names();
+        channels();
         sides();
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
         for (const Field& field : geometry) turn(field);
@@ -109,6 +110,24 @@ private:
 
     std::string_view senses(const Sensor& sensor) const {
         return ui_.strings.find("wiring.senses." + std::string(word(sensor.channel)), word(sensor.channel));
+    }
+
+    // What it senses: all channels, as many in a row as fit, while the line is open.
+    void channels() {
+        if (!fold_row(ui_, "sensor.channel", ui_.strings("sensors.channel"), state_.sensor_channel_open)) return;
+        const float right = ImGui::GetCursorScreenPos().x + card_width(ui_);
+        bool first = true;
+        for (const auto& [channel, word] : channel_words) {
+            const std::string anchor = "sensor.channel." + std::string(word);
+            const SmallButton look{
+                anchor, {}, ui_.strings.find("view.channel." + std::string(word), word), channel == sensor_->channel};
+            if (!first && ImGui::GetItemRectMax().x + ui_.px(6) + small_button_width(ui_, look, true) <= right)
+                ImGui::SameLine(0, ui_.px(6));
+            first = false;
+            if (!small_button(ui_, look).pressed || channel == sensor_->channel) continue;
+            edit(++state_.sliders.gesture, [&, to = channel](Sensor& s, bool) { s.channel = to; });
+        }
+        gap(ui_, 4);
     }
 
     // Whether the other side follows, mirrored.

@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include "core/brain/graft.h"
 #include "core/brain/presets.h"
 #include "core/maths/angle.h"
 #include "core/scene/names.h"
@@ -116,7 +117,8 @@ private:
                     now_.scene->kinds[k].role;
         for (const Preset& preset : presets()) {
             const std::string key(preset.name);
-            add("brain." + key, std::string(ui_.strings.find("preset." + key, key)), give(preset.brain));
+            add("brain." + key, std::string(ui_.strings.find("preset." + key, key)),
+                give(graft(*now_.brains[static_cast<std::size_t>(v->brain)], preset.brain)));
         }
     }
 

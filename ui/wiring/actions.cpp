@@ -82,14 +82,12 @@ void duplicate(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
 }
 
 void hurt_or_heal(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    // What lies under the pointer goes before what is selected, unless it is a part of that.
     Caught chosen = state.selection;
     const Hit& under = state.hovered;
-    if (nothing_selected(state) && under.part != Part::nothing) {
-        if (under.part == Part::label || under.part == Part::wire)
-            chosen.wires.insert(under.wire);
-        else
-            chosen.nodes.insert(under.node);
-    }
+    const bool wire = under.part == Part::label || under.part == Part::wire;
+    if (wire && chosen.wires.count(under.wire) == 0) chosen = {{}, {under.wire}};
+    if (!wire && under.part != Part::nothing && chosen.nodes.count(under.node) == 0) chosen = {{under.node}, {}};
     if (chosen.nodes.empty() && chosen.wires.empty()) return;
     const bool hurt = all_hurt(frame.graph, chosen.nodes, chosen.wires);
     ask(state, frame, lesion(frame.graph, chosen.nodes, chosen.wires, !hurt), state.next_gesture++, outbox);

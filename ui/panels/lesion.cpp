@@ -1,0 +1,101 @@
+#include "ui/panels/lesion.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include <imgui.h>
+
+#include "core/maths/portable.h"
+#include "ui/panels/selected.h"
+#include "ui/request.h"
+
+namespace braitenlab {
+
+using maths::vec2;
+
+namespace {
+
+struct SliderOfWire {
+    std::string_view slider, threshold, lesion, eye, motor;
+};
+constexpr std::array<SliderOfWire, 4> wires{{{"slider.LL", "threshold.LL", "lesion.LL", "SL", "ML"},
+                                             {"slider.LR", "threshold.LR", "lesion.LR", "SR", "ML"},
+                                             {"slider.RL", "threshold.RL", "lesion.RL", "SL", "MR"},
+                                             {"slider.RR", "threshold.RR", "lesion.RR", "SR", "MR"}}};
+
+bool holds(const Anchors& anchors, std::string_view name, vec2 at) {
+    const Rect* rect = anchors.find(name);
+    return rect && rect->contains(at.x, at.y);
+}
+
+// The eye or driven wheel of the selected vehicle that lies nearest to the pointer, within a few pixels or, seen from
+// near, within a hand of it.
+std::string part_in_scene(const LabView& view, vec2 pointer) {
+    constexpr float pixels = 14, metres = 0.14f, eye_height = 0.3f, wheel_height = 0.1f;
+    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    if (!vehicle || !view.sight) return {};
+    const vec2 ahead{maths::cosine(vehicle->heading), maths::sine(vehicle->heading)};
+    const vec2 place{vehicle->x, vehicle->y};
+    std::string nearest;
+    float least = 1e9f;
+    const auto offer = [&](float x, float y, float height, const std::string& name) {
+        const vec2 at = place + ahead * x + vec2{-ahead.y, ahead.x} * y;
+        const auto middle = project(*view.sight, at, height);
+        const auto beside = project(*view.sight, at + ahead * metres, height);
+        if (!middle || !beside) return;
+        const float far = maths::distance(*middle, pointer);
+        if (far > std::max(pixels, maths::distance(*middle, *beside)) || far >= least) return;
+        least = far;
+        nearest = name;
+    };
+    const Kind& kind = kind_of(*view.now, *vehicle);
+    for (const Sensor& sensor : kind.sensors) offer(sensor.x, sensor.y, eye_height, sensor.name);
+    for (const Wheel& wheel : kind.body.wheels)
+        if (wheel.motor != Motor::none) offer(wheel.x, wheel.y, wheel_height, wheel.motor == Motor::left ? "ML" : "MR");
+    return nearest.empty() ? nearest : "lesion." + nearest;
+}
+
+// The brain with that part hurt, or healed where it was hurt; nothing where the brain has no such part.
+std::optional<BrainGraph> toggled(BrainGraph brain, std::string_view lesion) {
+    for (const SliderOfWire& each : wires) {
+        if (each.lesion != lesion) continue;
+        const Node* from = find_node(brain, std::string(each.eye));
+        const Node* to = find_node(brain, std::string(each.motor));
+        Wire* wire = from && to ? find_wire(brain, from->id, to->id) : nullptr;
+        if (!wire || (wire->weight == 0 && !learns(*wire) && !wire->cut)) return std::nullopt;
+        wire->cut = !wire->cut;
+        return brain;
+    }
+    Node* node = find_node(brain, std::string(lesion.substr(lesion.find('.') + 1)));
+    if (!node) return std::nullopt;
+    node->silenced = !node->silenced;
+    return brain;
+}
+
+}  // namespace
+
+std::string lesion_under_pointer(const LabView& view, const Anchors& anchors, bool over_card) {
+    const vec2 pointer{ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
+    if (over_card) {
+        for (const SliderOfWire& wire : wires)
+            if (holds(anchors, wire.slider, pointer) || holds(anchors, wire.threshold, pointer))
+                return std::string(wire.lesion);
+        return {};
+    }
+    return view.mode == Mode::wiring ? std::string{} : part_in_scene(view, pointer);
+}
+
+void lesions_elsewhere(const LabView& view, PanelState& state, Ui& ui) {
+    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    if (state.lesion_under_pointer.empty() && vehicle && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
+        state.lesion_under_pointer = lesion_under_pointer(view, ui.anchors, ImGui::GetIO().WantCaptureMouse);
+    const std::string wanted = std::exchange(state.lesion_wanted, {});
+    if (wanted.empty() || !vehicle) return;
+    if (auto brain = toggled(*brain_of(*view.now, *vehicle), wanted))
+        ui.outbox.push_back(EditRequest{SetBrain{target_of(view, *vehicle), std::move(*brain)},
+                                        gestures::panels + ++state.sliders.gesture});
+}
+
+}  // namespace braitenlab
