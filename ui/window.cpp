@@ -183,6 +183,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     if (ImGui::IsMouseClicked(0) && !ImGui::GetIO().WantCaptureMouse) state.keyboard.focus.clear();
     if (ImGui::IsMouseClicked(0)) state.keyboard.shown = false;
 
+    state.lesion_under_pointer.clear();
     remember(state.history, view);
     follow_lecture(view, state);
     ui.anchors.record("viewport", layout.scene);

@@ -35,6 +35,17 @@ TEST_F(WiringGestures, AWireTakenByItsEndIsMovedWithItsNumbers) {
     EXPECT_EQ(edits.size(), 1u);
 }
 
+TEST_F(WiringGestures, LTakesWhatIsUnderThePointerBeforeWhatIsSelected) {
+    click(middle("node.SL"));
+    move(middle("wire.LR"));
+    key(Action::lesion);
+    EXPECT_TRUE(wire(SR, ML)->cut);
+    EXPECT_FALSE(find_node(brain(), SL)->silenced);
+    move({470, 120});  // empty ground
+    key(Action::lesion);
+    EXPECT_TRUE(find_node(brain(), SL)->silenced) << "with nothing there, it is for what is selected";
+}
+
 TEST_F(WiringGestures, AWireTakenByItsStartGetsAnotherSource) {
     drag(on_wire({SR, ML}, 0.12f), middle("pin.SL.out"));
     EXPECT_EQ(dials().LR, 0);

@@ -69,7 +69,6 @@ std::string kind_name(const LabView& view, const Ui& ui, const VehicleView& vehi
 
 void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect room) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
-    state.lesion_under_pointer.clear();
     const std::string keys = key_name(Action::drive, ui.strings);
     const bool by_hand = vehicle && vehicle->driver == Driver::manual;
     std::array buttons{

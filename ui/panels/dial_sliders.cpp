@@ -80,7 +80,7 @@ private:
         if (small(mirror, mirror_x, at.y, words, "tooltip.mirror")) set(mirrored(brain_));
         if (small(cross, cross_x, at.y, words, "tooltip.cross")) set(crossed(brain_));
         ImGui::SetCursorScreenPos(at);
-        ImGui::Dummy({1, height - ui_.px(6)});
+        ImGui::Dummy({1, height - ui_.px(2)});  // clear of the ring round a first slider in focus
     }
 
     bool small(const SmallButton& which, float x, float y, bool words, std::string_view tip) {

@@ -2,25 +2,11 @@
 #pragma once
 
 #include "ui/wiring/align.h"
+#include "ui/wiring/ask.h"
 #include "ui/wiring/focus.h"
 #include "ui/wiring/interaction.h"
 
 namespace braitenlab {
-
-// Shows the reason at the cursor for a moment.
-void refuse(CanvasState&, const CanvasFrame&, std::string_view key);
-
-// Asks for the edited brain, or says why there is none. True when asked.
-bool ask(CanvasState&, const CanvasFrame&, const Edit&, std::uint64_t gesture, Outbox&);
-
-// Asks for a wire's weight: by the slider's number where the wire has one, so that both are the same command.
-void ask_weight(const CanvasFrame&, const BrainGraph&, WireEnds, float weight, std::uint64_t gesture, Outbox&);
-
-// Makes the thing the only one selected, or adds it to what is (a second time: takes it out).
-void select(CanvasState&, const Hit&, bool add);
-
-// Writes down where everything stands, so that a node more or less moves nothing else.
-void keep_places(CanvasState&, const Layout&);
 
 // Opens the menu for the selection, at a pixel of the window.
 void open_menu(CanvasState&, const CanvasFrame&, maths::vec2 at);

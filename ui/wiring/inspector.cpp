@@ -175,8 +175,11 @@ private:
         look.min_width = 3 * kind_width + 8;
         const Item at = button(ui_, "inspector.lesion", look);
         tooltip(ui_, at, words("inspector.lesion_how"));
-        if (at.pressed) state_.keys.push_back(Action::lesion);
+        if (at.pressed) for_selection(), state_.keys.push_back(Action::lesion);
     }
+
+    // What the card's buttons do is for what is selected, wherever the pointer rests meanwhile.
+    void for_selection() { state_.hovered = {}; }
 
     // Two sliders side by side, row by row.
     class Rows {
@@ -307,7 +310,7 @@ private:
             if (x + width < right && x > right - ImGui::GetContentRegionAvail().x) ImGui::SameLine();
             if (x + width >= right) x = right - ImGui::GetContentRegionAvail().x;
             const std::string name(row.words.substr(row.words.rfind('.') + 1));
-            if (button(ui_, "inspector." + name, look).pressed) state_.wanted = row;
+            if (button(ui_, "inspector." + name, look).pressed) for_selection(), state_.wanted = row;
             x += width + ui_.px(8);
         }
     }

@@ -1,0 +1,55 @@
+#include "ui/wiring/ask.h"
+
+namespace braitenlab {
+
+using maths::vec2;
+
+namespace {
+
+constexpr double refusal_seconds = 2.5;
+
+}  // namespace
+
+void refuse(CanvasState& state, const CanvasFrame& frame, std::string_view key) {
+    const Rect& area = frame.area;
+    const bool inside = frame.pointer.valid && area.contains(frame.pointer.at.x, frame.pointer.at.y);
+    const vec2 at = inside ? frame.pointer.at : vec2{area.x + area.w / 3, area.y + area.h / 2};
+    state.refusal = {std::string(key), at, frame.wall_seconds + refusal_seconds};
+}
+
+bool ask(CanvasState& state, const CanvasFrame& frame, const Edit& edit, std::uint64_t gesture, Outbox& outbox) {
+    if (edit)
+        outbox.push_back(EditRequest{SetBrain{frame.target, *edit.graph}, gesture});
+    else
+        refuse(state, frame, edit.refused);
+    return static_cast<bool>(edit);
+}
+
+void ask_weight(const CanvasFrame& frame, const BrainGraph& graph, WireEnds ends, float weight, std::uint64_t gesture,
+                Outbox& outbox) {
+    if (const auto dial = direct_dial(graph, ends))
+        outbox.push_back(EditRequest{TurnDial{frame.target, *dial, weight}, gesture});
+    else if (const Edit edit = set_weight(graph, ends, weight))
+        outbox.push_back(EditRequest{SetBrain{frame.target, *edit.graph}, gesture});
+}
+
+void select(CanvasState& state, const Hit& hit, bool add) {
+    if (!add) state.selection = {};
+    const auto toggle = [add](auto& set, const auto& item) {
+        if (!set.insert(item).second && add) set.erase(item);
+    };
+    const bool wire = hit.part == Part::label || hit.part == Part::wire;
+    if (wire)
+        toggle(state.selection.wires, hit.wire);
+    else if (hit.part != Part::nothing)
+        toggle(state.selection.nodes, hit.node);
+    state.focus = hit.part == Part::nothing ? Hit{}
+                  : wire                    ? Hit{Part::label, 0, hit.wire}
+                                            : Hit{Part::node, hit.node, {}};
+}
+
+void keep_places(CanvasState& state, const Layout& layout) {
+    for (const NodeShape& node : layout.nodes) state.places[state.kind].try_emplace(node.id, node.centre);
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,100 @@
+#include "ui/wiring/make.h"
+
+#include <utility>
+
+#include "ui/wiring/actions.h"
+
+namespace braitenlab {
+
+using maths::vec2;
+
+namespace {
+
+View view_of(const CanvasState& state, const CanvasFrame& frame) { return view_of(state, frame.area, frame.ui_scale); }
+
+void paste_at(CanvasState& state, const CanvasFrame& frame, const BrainPiece& piece, vec2 middle, Outbox& outbox) {
+    const Pasted pasted = paste(frame.graph, piece, middle);
+    if (!pasted.edit) return refuse(state, frame, pasted.edit.refused);
+    keep_places(state, frame.layout);
+    for (const auto& [id, place] : pasted.places) state.places[state.kind][id] = place;
+    state.nodes = pasted.edit.graph->nodes.size();
+    state.selection = {pasted.nodes, {}};
+    reveal(state, frame.area, frame.ui_scale, middle);
+    ask(state, frame, pasted.edit, state.next_gesture++, outbox);
+}
+
+}  // namespace
+
+void erase_selected(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    if (nothing_selected(state)) return;
+    const Edit edit = remove(frame.graph, state.selection.nodes, state.selection.wires);
+    if (!edit) return refuse(state, frame, edit.refused);
+    keep_places(state, frame.layout);
+    state.nodes = edit.graph->nodes.size();
+    ask(state, frame, edit, state.next_gesture++, outbox);
+    state.selection = {};
+    if (!find_node(*edit.graph, state.focus.node)) state.focus = {};
+}
+
+bool copy_selected(CanvasState& state, const CanvasFrame& frame) {
+    BrainPiece piece = copy(frame.graph, frame.layout, state.selection.nodes);
+    if (piece.empty()) {
+        refuse(state, frame, "wiring.refused.nothing_to_copy");
+        return false;
+    }
+    state.clipboard = std::move(piece);
+    state.pastes = 0;
+    return true;
+}
+
+// Where the mouse points; in the middle of the canvas when it points elsewhere.
+void paste_copied(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    const Pointer& pointer = frame.pointer;
+    const vec2 place = pointer.valid && pointer.over ? view_of(state, frame).to_canvas(pointer.at) : state.middle;
+    const auto further = static_cast<float>(state.pastes++);
+    paste_at(state, frame, state.clipboard, place + vec2{28, 28} * further, outbox);
+}
+
+void duplicate(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    const BrainPiece piece = copy(frame.graph, frame.layout, state.selection.nodes);
+    if (piece.empty()) return refuse(state, frame, "wiring.refused.nothing_to_copy");
+    vec2 middle;
+    for (const Node& node : piece.neurons) middle += find_shape(frame.layout, node.id)->centre;
+    const vec2 beside{36, 104};  // clear of the card it is like
+    paste_at(state, frame, piece, middle / static_cast<float>(piece.neurons.size()) + beside, outbox);
+}
+
+// A neuron where the menu was opened; at the end of the wire that was dropped there, if one was.
+void add_chosen(CanvasState& state, const CanvasFrame& frame, const CanvasMenu& menu, std::size_t kind,
+                Outbox& outbox) {
+    Edit edit = add_neuron(frame.graph, neuron_kinds()[kind].made);
+    const NodeId fresh = fresh_id(frame.graph);
+    const bool outwards = menu.loose.part == Part::out_pin, loose = menu.loose.part != Part::nothing;
+    if (edit && loose)
+        edit = connect(*edit.graph, outwards ? WireEnds{menu.loose.node, fresh} : WireEnds{fresh, menu.loose.node});
+    if (!edit) return refuse(state, frame, edit.refused);
+    keep_places(state, frame.layout);
+    // The end of the wire stays where it was dropped: the new neuron's pin comes to lie there.
+    const float aside = !loose ? 0.0f : outwards ? 75.0f : -75.0f;
+    state.places[state.kind][fresh] = menu.place + vec2{aside, 0};
+    state.nodes = edit.graph->nodes.size();
+    state.selection = {{fresh}, {}};
+    state.focus = {Part::node, fresh, {}};
+    ask(state, frame, edit, state.next_gesture++, outbox);
+}
+
+void insert_new(CanvasState& state, const CanvasFrame& frame, WireEnds wire, Outbox& outbox) {
+    Edit edit = add_neuron(frame.graph, {});
+    const NodeId fresh = fresh_id(frame.graph);
+    if (edit) edit = insert(*edit.graph, fresh, wire);
+    if (!edit) return refuse(state, frame, edit.refused);
+    keep_places(state, frame.layout);
+    if (const WireShape* shape = find_shape(frame.layout, wire))
+        state.places[state.kind][fresh] = bezier_point(shape->bezier, 0.5f);
+    state.nodes = edit.graph->nodes.size();
+    state.selection = {{fresh}, {}};
+    state.focus = {Part::node, fresh, {}};
+    ask(state, frame, edit, state.next_gesture++, outbox);
+}
+
+}  // namespace braitenlab
