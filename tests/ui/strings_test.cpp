@@ -70,8 +70,7 @@ std::set<std::string> composed() {
     for (int i = 0; i <= static_cast<int>(Character::mixed); ++i)
         for (const char* stem : {"character.", "character_story."})
             keys.insert(stem + std::string(name(static_cast<Character>(i))));
-    for (const auto& channel : channel_words)
-        if (has_field(channel.value)) keys.insert("view.channel." + std::string(channel.word));
+    for (const auto& channel : channel_words) keys.insert("view.channel." + std::string(channel.word));
     for (const auto& driver : driver_words) {
         if (driver.value == Driver::brain) continue;
         keys.insert("driver." + std::string(driver.word));
