@@ -109,9 +109,10 @@ TEST(MotorSums, AddUpToWhatTheMotorsGetForEveryPresetInItsScene) {
                     EXPECT_EQ(sum.limited, std::fabs(shown) > 1.0001f) << preset.name << ' ' << shown;
                     const Node* motor = find_node(brain, std::string(sum.motor));
                     for (const Wire& wire : brain.wires) curved += wire.curve != Curve{};
-                    if (motor->curve == Curve{} && motor->time_constant == 0)
+                    if (motor->curve == Curve{} && motor->time_constant == 0) {
                         EXPECT_NEAR(sum.others, brought_by_others(now, vehicle, brain, *motor), 1e-4f)
                             << preset.name << ' ' << sum.motor << ": not one number for whatever is left over";
+                    }
                 }
             }
         }
