@@ -5,7 +5,7 @@ flat in float v_beyond;
 
 out vec4 colour;
 
-const float wall_width = 0.22;  // m, as render/view/sheet.h has it
+const float wall_width = 0.22;  // m, as render/view/drawing.h has it
 
 // How much of this pixel a line every `spacing` metres covers, `width` metres wide but never thinner than a pixel, whose
 // strength then falls instead. `many` is how many pixels make a metre.

@@ -4,7 +4,7 @@
 
 #include "core/maths/angle.h"
 #include "render/view/deck.h"
-#include "render/view/sheet.h"
+#include "render/view/drawing.h"
 
 namespace braitenlab {
 
@@ -15,28 +15,28 @@ namespace {
 
 constexpr float crossed_out = -1;  // as a neuron's value
 
-void add_wire(Sheet& sheet, const Subject& s, const DeckWire& run, int layer, float thin) {
+void add_wire(Drawing& drawing, const Subject& s, const DeckWire& run, int layer, float thin) {
     const Wire& wire = s.brain->wires[run.wire];
-    const float more = learns(wire) ? learned(sheet.now, s.view, wire.from, wire.to) : 0;
+    const float more = learns(wire) ? learned(drawing.now, s.view, wire.from, wire.to) : 0;
     const float weight = std::clamp(wire.weight + more, -limits::weight, limits::weight);
-    const float now = std::min(1.0f, std::fabs(signal(wire, node_value(sheet.now, s.view, wire.from), more)));
+    const float now = std::min(1.0f, std::fabs(signal(wire, node_value(drawing.now, s.view, wire.from), more)));
     const vec2 a = s.to_world(run.from), b = s.to_world(run.to), c = s.to_world(run.bend);
     // Each wire lies a little above the one before it, so that crossings are crossings and nothing flickers.
     const float height = (deck_height + 0.010f) * s.height_scale + 0.003f * static_cast<float>(layer % 8);
     const bool excites = weight > 0;
-    const Colour colour = excites ? sheet.colours.excites : sheet.colours.inhibits;
-    sheet.list.wires.push_back(
+    const Colour colour = excites ? drawing.colours.excites : drawing.colours.inhibits;
+    drawing.list.wires.push_back(
         {{a.x, a.y, b.x, b.y},
          {c.x, c.y, height, (0.028f + 0.05f * std::fabs(weight) / limits::weight) * thin * s.height_scale * s.detail},
-         rgb_with(wire.cut ? mix(colour, sheet.colours.wheel, 0.6f) : colour, excites ? 1.0f : -1.0f),
+         rgb_with(wire.cut ? mix(colour, drawing.colours.wheel, 0.6f) : colour, excites ? 1.0f : -1.0f),
          {now, wire.cut ? 1.0f : 0.0f, 0, 0}});
 }
 
-void add_neuron(Sheet& sheet, const Subject& s, const DeckNeuron& neuron, float radius) {
-    const float value = std::clamp(node_value(sheet.now, s.view, neuron.id), -1.0f, 1.0f);
+void add_neuron(Drawing& drawing, const Subject& s, const DeckNeuron& neuron, float radius) {
+    const float value = std::clamp(node_value(drawing.now, s.view, neuron.id), -1.0f, 1.0f);
     const vec2 at = s.to_world(neuron.place);
-    const Colour colour = value < 0 ? sheet.colours.inhibits : sheet.colours.excites;
-    sheet.list.neurons.push_back(
+    const Colour colour = value < 0 ? drawing.colours.inhibits : drawing.colours.excites;
+    drawing.list.neurons.push_back(
         {{at.x, at.y, (deck_height + 0.036f) * s.height_scale, radius * s.height_scale * s.detail},
          rgb_with(colour, neuron.silenced ? crossed_out : std::fabs(value))});
 }
@@ -61,35 +61,35 @@ void DeckPlans::forget_unused() {
     for (Entry& entry : entries_) entry.used = false;
 }
 
-const DeckPlan* plan_of(Sheet& sheet, const Subject& s) {
+const DeckPlan* plan_of(Drawing& drawing, const Subject& s) {
     if (!s.brain || s.view.driver != Driver::brain) return nullptr;
     const auto brain = static_cast<std::size_t>(s.view.brain), kind = static_cast<std::size_t>(s.view.kind);
-    return &sheet.list.decks.of(sheet.now.brains[brain], kind, s.kind);
+    return &drawing.list.decks.of(drawing.now.brains[brain], kind, s.kind);
 }
 
-void add_wires(Sheet& sheet, const Subject& s) {
+void add_wires(Drawing& drawing, const Subject& s) {
     if (!s.plan || s.detail == 0) return;
     const DeckPlan& plan = *s.plan;
     // Many wires share the deck, so each is thinner.
     const float thin =
         std::clamp(std::sqrt(8.0f / static_cast<float>(std::max<std::size_t>(plan.wires.size(), 1))), 0.3f, 1.0f);
     int layer = 0;
-    for (const DeckWire& run : plan.wires) add_wire(sheet, s, run, layer++, thin);
-    for (const DeckNeuron& neuron : plan.neurons) add_neuron(sheet, s, neuron, plan.neuron_radius);
+    for (const DeckWire& run : plan.wires) add_wire(drawing, s, run, layer++, thin);
+    for (const DeckNeuron& neuron : plan.neurons) add_neuron(drawing, s, neuron, plan.neuron_radius);
 }
 
-void add_stopped_wheels(Sheet& sheet, const Subject& s) {
+void add_stopped_wheels(Drawing& drawing, const Subject& s) {
     if (!s.plan) return;
     for (const Wheel& wheel : s.kind.body.wheels) {
         if (wheel.motor == Motor::none || !s.plan->stopped[wheel.motor == Motor::right]) continue;
         // Above the wheel and a little outside, where the hull leaves it free.
         const vec2 at = s.to_world({wheel.x, wheel.y + (wheel.y < 0 ? -0.04f : 0.04f)});
-        sheet.list.neurons.push_back({{at.x, at.y, 2 * wheel.radius + 0.02f, 0.15f * s.height_scale},
-                                      rgb_with(sheet.colours.excites, crossed_out)});
+        drawing.list.neurons.push_back({{at.x, at.y, 2 * wheel.radius + 0.02f, 0.15f * s.height_scale},
+                                        rgb_with(drawing.colours.excites, crossed_out)});
     }
 }
 
-void add_wheel_arrows(Sheet& sheet, const Subject& s) {
+void add_wheel_arrows(Drawing& drawing, const Subject& s) {
     if (!s.selected || s.driven) return;
     constexpr float longest = 0.9f, least = 0.03f;  // m at full speed; below it the wheel rests
     for (const Wheel& wheel : s.kind.body.wheels) {
@@ -99,9 +99,9 @@ void add_wheel_arrows(Sheet& sheet, const Subject& s) {
         const float half = 0.5f * longest * std::fabs(speed) * s.kind.body.length, way = speed < 0 ? -1.0f : 1.0f;
         const float beside = wheel.y + (wheel.y < 0 ? -0.19f : 0.19f);
         const vec2 middle = s.to_world({wheel.x + way * half, beside});
-        sheet.list.rings.push_back({{middle.x, middle.y, way * s.ahead.x, way * s.ahead.y},
-                                    {half, 0.085f, 0.012f, static_cast<float>(MarkKind::arrow)},
-                                    rgb_with(sheet.colours.text, 1)});
+        drawing.list.rings.push_back({{middle.x, middle.y, way * s.ahead.x, way * s.ahead.y},
+                                      {half, 0.085f, 0.012f, static_cast<float>(MarkKind::arrow)},
+                                      rgb_with(drawing.colours.text, 1)});
     }
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/maths/angle.h"
-#include "render/view/sheet.h"
+#include "render/view/drawing.h"
 
 namespace braitenlab {
 
@@ -14,9 +14,9 @@ namespace {
 
 // Few vehicles show their whole field; in a crowd only the near part, where the eye is keenest, so that the floor stays
 // readable and the picture's cost bounded.
-float fill_reach(const Sheet& sheet, const Subject& s, const Sensor& sensor) {
+float fill_reach(const Drawing& drawing, const Subject& s, const Sensor& sensor) {
     if (s.selected || s.hovered) return sensor.range;
-    return std::min(sensor.range, std::max(1.2f, sensor.range * sheet.crowd * (0.85f + 0.15f * sheet.crowd)));
+    return std::min(sensor.range, std::max(1.2f, sensor.range * drawing.crowd * (0.85f + 0.15f * drawing.crowd)));
 }
 
 // Where a fill of this strength has faded below what a screen can show: nothing is painted farther out.
@@ -39,33 +39,33 @@ std::size_t leading_eye(const Kind& kind, int side) {
 
 }  // namespace
 
-void add_fields(Sheet& sheet, const Subject& s) {
-    const bool fills = sheet.picture.sensors || s.driven;
-    if (!fills && !sheet.picture.outlines) return;
+void add_fields(Drawing& drawing, const Subject& s) {
+    const bool fills = drawing.picture.sensors || s.driven;
+    if (!fills && !drawing.picture.outlines) return;
     for (std::size_t i = 0; i < s.kind.sensors.size(); ++i) {
         const Sensor& sensor = s.kind.sensors[i];
-        const float seen = std::sqrt(sensed(sheet, s, i));
-        const bool light = sheet.picture.theme == Theme::light;
+        const float seen = std::sqrt(sensed(drawing, s, i));
+        const bool light = drawing.picture.theme == Theme::light;
         // In a crowd idle fields step back: where many overlap, their colours would only mix to mud.
         const bool chosen = s.selected || s.hovered;
-        const float idle = chosen ? 0.20f : 0.09f * std::max(0.3f, sheet.crowd * sheet.crowd);
+        const float idle = chosen ? 0.20f : 0.09f * std::max(0.3f, drawing.crowd * drawing.crowd);
         const float strong = (chosen ? 0.60f : 0.42f) - (light ? 0.10f : 0.0f);
         const float awake = s.view.driver == Driver::parked ? 0.4f : 1.0f;
         const float fill = fills && !is_covered(s, i) ? (idle + (strong - idle) * seen) * awake : 0.0f;
         const bool leads = s.driven && (i == leading_eye(s.kind, 1) || i == leading_eye(s.kind, -1));
-        const float line = sheet.picture.outlines || leads ? (s.selected ? 0.8f : 0.28f) + 0.2f * seen : 0.0f;
-        const float reach = fill_reach(sheet, s, sensor), radius = visible_radius(fill, reach, sensor);
+        const float line = drawing.picture.outlines || leads ? (s.selected ? 0.8f : 0.28f) + 0.2f * seen : 0.0f;
+        const float reach = fill_reach(drawing, s, sensor), radius = visible_radius(fill, reach, sensor);
         if (radius == 0 && line == 0) continue;
         const vec2 at = s.to_world({sensor.x, sensor.y});
-        if (!in_sight(sheet, at, line > 0 ? sensor.range : radius)) continue;
+        if (!in_sight(drawing, at, line > 0 ? sensor.range : radius)) continue;
         const vec2 towards = maths::rotate(maths::direction(sensor.angle), s.ahead);
         const float half = sensor.shape == SensorShape::omni ? maths::pi : sensor.field / 2;
         const bool chord = sensor.shape == SensorShape::triangle && half < maths::pi / 2;
-        sheet.list.fields.push_back({{at.x, at.y, towards.x, towards.y},
-                                     {line > 0 ? sensor.range * 1.01f : radius, half,
-                                      sensor.response == SensorResponse::boolean ? 0 : sensor.half_distance, reach},
-                                     rgb_with(colour_of(sheet.colours, sensor.channel), fill),
-                                     {line, chord ? -sensor.range * maths::cosine(half) : sensor.range, 0, 0}});
+        drawing.list.fields.push_back({{at.x, at.y, towards.x, towards.y},
+                                       {line > 0 ? sensor.range * 1.01f : radius, half,
+                                        sensor.response == SensorResponse::boolean ? 0 : sensor.half_distance, reach},
+                                       rgb_with(colour_of(drawing.colours, sensor.channel), fill),
+                                       {line, chord ? -sensor.range * maths::cosine(half) : sensor.range, 0, 0}});
     }
 }
 

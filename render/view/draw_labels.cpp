@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "render/view/drawing.h"
 #include "render/view/intensity.h"
-#include "render/view/sheet.h"
 
 namespace braitenlab {
 
@@ -30,11 +30,11 @@ std::string metres(int n, bool with_unit) {
 // Seen from low down, words along the arena's edge would float before and behind its walls.
 bool looks_down(const Sight& sight) { return sight.view[1][2] > 0.5f; }
 
-void add_metres(Sheet& sheet, const Arena& arena) {
-    if (!looks_down(sheet.picture.sight)) return;
-    const Sight& sight = sheet.picture.sight;
+void add_metres(Drawing& drawing, const Arena& arena) {
+    if (!looks_down(drawing.picture.sight)) return;
+    const Sight& sight = drawing.picture.sight;
     const bool walled = arena.edge == Edge::wall;
-    const Colour quiet = sheet.colours.second_text.with_alpha(0.75f);
+    const Colour quiet = drawing.colours.second_text.with_alpha(0.75f);
     const auto along = [&](float length, auto place_of) {
         const int most = static_cast<int>(length / 2 / metres_between);
         for (int i = -most; i <= most; ++i) {
@@ -47,63 +47,63 @@ void add_metres(Sheet& sheet, const Arena& arena) {
             if (!foot || !beyond || !top) continue;
             const vec2 away = maths::normalise(*beyond - *foot);
             const bool leans_out = walled && maths::dot(*top - *foot, away) > 0;
-            sheet.list.labels.push_back({.place = edge,
-                                         .height = leans_out ? wall_height : 0,
-                                         .offset = away * clear_of_wall,
-                                         .text = metres(n, i == most),
-                                         .colour = quiet,
-                                         .rank = rank_metres,
-                                         .away = away});
+            drawing.list.labels.push_back({.place = edge,
+                                           .height = leans_out ? wall_height : 0,
+                                           .offset = away * clear_of_wall,
+                                           .text = metres(n, i == most),
+                                           .colour = quiet,
+                                           .rank = rank_metres,
+                                           .away = away});
         }
     };
     along(arena.width, [&](float n) { return std::pair{vec2{n, -arena.height / 2}, vec2{0, -1}}; });
     along(arena.height, [&](float n) { return std::pair{vec2{-arena.width / 2, n}, vec2{-1, 0}}; });
 }
 
-void add_source_names(Sheet& sheet, const Scene& scene) {
-    if (sheet.now.sources.size() < 2) return;  // a single one needs no name
-    for (const SourceView& source : sheet.now.sources) {
+void add_source_names(Drawing& drawing, const Scene& scene) {
+    if (drawing.now.sources.size() < 2) return;  // a single one needs no name
+    for (const SourceView& source : drawing.now.sources) {
         const auto i = static_cast<std::size_t>(source.source);
         if (i < scene.sources.size())
-            sheet.list.labels.push_back(
-                {{source.x, source.y}, 0, {0, 16}, in_words(scene.sources[i].name), sheet.colours.text, rank_source});
+            drawing.list.labels.push_back(
+                {{source.x, source.y}, 0, {0, 16}, in_words(scene.sources[i].name), drawing.colours.text, rank_source});
     }
 }
 
-void add_zone_names(Sheet& sheet, const Scene& scene) {
-    if (!sheet.picture.overlays.surfaces) return;
+void add_zone_names(Drawing& drawing, const Scene& scene) {
+    if (!drawing.picture.overlays.surfaces) return;
     for (const Zone& zone : scene.zones)
-        sheet.list.labels.push_back(
-            {{zone.x, zone.y}, 0, {}, in_words(zone.name), sheet.colours.text.with_alpha(0.9f), rank_zone});
+        drawing.list.labels.push_back(
+            {{zone.x, zone.y}, 0, {}, in_words(zone.name), drawing.colours.text.with_alpha(0.9f), rank_zone});
 }
 
 // Few vehicles all carry their number, of many the chosen ones alone.
-void add_numbers(Sheet& sheet) {
+void add_numbers(Drawing& drawing) {
     constexpr std::size_t few = 12;
-    if (sheet.now.vehicles.size() == 1) return;
+    if (drawing.now.vehicles.size() == 1) return;
     constexpr float least_pixels = 16;  // layout pixels; a smaller vehicle's number would hide it
-    for (const VehicleView& v : sheet.now.vehicles) {
-        const bool chosen = v.id == sheet.picture.selected || v.id == sheet.picture.hovered;
-        if (v.id == sheet.picture.driver || (!chosen && sheet.now.vehicles.size() > few)) continue;
-        const float pixels = pixels_per_metre(sheet.picture.sight, {v.x, v.y}) / sheet.picture.pixel_scale;
+    for (const VehicleView& v : drawing.now.vehicles) {
+        const bool chosen = v.id == drawing.picture.selected || v.id == drawing.picture.hovered;
+        if (v.id == drawing.picture.driver || (!chosen && drawing.now.vehicles.size() > few)) continue;
+        const float pixels = pixels_per_metre(drawing.picture.sight, {v.x, v.y}) / drawing.picture.pixel_scale;
         if (!chosen && pixels < least_pixels) continue;
-        sheet.list.labels.push_back({{v.x, v.y},
-                                     0.45f,
-                                     {0, -std::min(0.45f * pixels, 24.0f) - 10},
-                                     std::to_string(v.id + 1),
-                                     chosen ? sheet.colours.text : sheet.colours.second_text,
-                                     chosen ? rank_chosen : rank_vehicle});
+        drawing.list.labels.push_back({{v.x, v.y},
+                                       0.45f,
+                                       {0, -std::min(0.45f * pixels, 24.0f) - 10},
+                                       std::to_string(v.id + 1),
+                                       chosen ? drawing.colours.text : drawing.colours.second_text,
+                                       chosen ? rank_chosen : rank_vehicle});
     }
 }
 
 }  // namespace
 
-void add_labels(Sheet& sheet) {
-    if (!sheet.picture.overlays.labels || !sheet.now.scene) return;
-    add_numbers(sheet);
-    add_source_names(sheet, *sheet.now.scene);
-    add_zone_names(sheet, *sheet.now.scene);
-    add_metres(sheet, sheet.now.scene->arena);
+void add_labels(Drawing& drawing) {
+    if (!drawing.picture.overlays.labels || !drawing.now.scene) return;
+    add_numbers(drawing);
+    add_source_names(drawing, *drawing.now.scene);
+    add_zone_names(drawing, *drawing.now.scene);
+    add_metres(drawing, drawing.now.scene->arena);
 }
 
 void add_level_labels(DrawList& list, const Intensity& grid, const Arena& arena, Colour colour) {

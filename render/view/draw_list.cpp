@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/view/sheet.h"
+#include "render/view/drawing.h"
 
 namespace braitenlab {
 
@@ -23,15 +23,15 @@ int source_shape_of(Channel channel) {
 void fill(DrawList& list, const Snapshot& now, const Picture& picture, const Trails& trails) {
     list.clear();
     const float count = static_cast<float>(now.vehicles.size());
-    Sheet sheet{list,
-                now,
-                picture,
-                palette(picture.theme),
-                picture.sight.projection * picture.sight.view,
-                std::min(1.0f, std::sqrt(8 / std::max(count, 1.0f)))};
-    add_world(sheet);
-    add_vehicles(sheet, trails);
-    add_labels(sheet);
+    Drawing drawing{list,
+                    now,
+                    picture,
+                    palette(picture.theme),
+                    picture.sight.projection * picture.sight.view,
+                    std::min(1.0f, std::sqrt(8 / std::max(count, 1.0f)))};
+    add_world(drawing);
+    add_vehicles(drawing, trails);
+    add_labels(drawing);
     list.decks.forget_unused();
 }
 

@@ -3,27 +3,27 @@
 #include <cmath>
 
 #include "core/maths/angle.h"
-#include "render/view/sheet.h"
+#include "render/view/drawing.h"
 
 namespace braitenlab {
 
 using maths::vec2;
 using maths::vec4;
 
-void add_trail(Sheet& sheet, const Subject& s, const Trail& trail) {
+void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
     if (s.pixels < 10 && !s.selected) return;  // a speck's is a scratch
     // The more vehicles, the shorter their trails: a crowd's would be a carpet.
     constexpr std::size_t most_points = 64 * Trail::capacity;
     const std::size_t longest =
         s.selected ? Trail::capacity
-                   : std::clamp<std::size_t>(most_points / sheet.now.vehicles.size(), 6, Trail::capacity);
+                   : std::clamp<std::size_t>(most_points / drawing.now.vehicles.size(), 6, Trail::capacity);
     const std::size_t count = std::min(trail.count(), longest) + 1;  // the place right now is the newest point
     const auto point = [&](std::size_t i) { return i == 0 ? s.place : trail.at(i - 1); };
     const auto side = [&](std::size_t i) {
         const vec2 along = maths::normalise(point(i == 0 ? 0 : i - 1) - point(std::min(i + 1, count - 1)));
         return vec2{along.y, -along.x};  // left of the way back, which is the way it is drawn
     };
-    const Colour colour = colour_of(sheet.colours, s.view.role);
+    const Colour colour = colour_of(drawing.colours, s.view.role);
     const float most = s.selected ? 0.75f : 0.4f;
     const auto opacity = [&](std::size_t i) {
         const float age = static_cast<float>(i) / static_cast<float>(longest);
@@ -32,10 +32,10 @@ void add_trail(Sheet& sheet, const Subject& s, const Trail& trail) {
     for (std::size_t i = 0; i + 1 < count; ++i) {
         const vec2 a = point(i), b = point(i + 1), na = side(i), nb = side(i + 1);
         if (maths::distance(a, b) > Trail::jump) continue;
-        sheet.list.trails.push_back({{a.x, a.y, b.x, b.y},
-                                     {na.x, na.y, nb.x, nb.y},
-                                     rgb_with(colour, s.selected ? 0.075f : 0.06f),
-                                     {opacity(i), opacity(i + 1), 0, 0}});
+        drawing.list.trails.push_back({{a.x, a.y, b.x, b.y},
+                                       {na.x, na.y, nb.x, nb.y},
+                                       rgb_with(colour, s.selected ? 0.075f : 0.06f),
+                                       {opacity(i), opacity(i + 1), 0, 0}});
     }
 }
 

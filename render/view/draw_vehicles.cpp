@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/maths/angle.h"
-#include "render/view/sheet.h"
+#include "render/view/drawing.h"
 
 namespace braitenlab {
 
@@ -14,19 +14,19 @@ bool is_covered(const Subject& s, std::size_t sensor) {
     return s.plan && sensor < s.plan->covered.size() && s.plan->covered[sensor];
 }
 
-float sensed(const Sheet& sheet, const Subject& s, std::size_t sensor) {
+float sensed(const Drawing& drawing, const Subject& s, std::size_t sensor) {
     if (is_covered(s, sensor)) return 0;
     const std::size_t i = static_cast<std::size_t>(s.view.first_sensed) + sensor;
-    return i < sheet.now.sensed.size() ? std::clamp(sheet.now.sensed[i], 0.0f, 1.0f) : 0.0f;
+    return i < drawing.now.sensed.size() ? std::clamp(drawing.now.sensed[i], 0.0f, 1.0f) : 0.0f;
 }
 
 int side_of(const Sensor& sensor) { return (sensor.y > 0.01f) - (sensor.y < -0.01f); }
 
-bool in_sight(const Sheet& sheet, vec2 place, float radius) {
-    if (sheet.picture.sight.window.w <= 0) return true;
+bool in_sight(const Drawing& drawing, vec2 place, float radius) {
+    if (drawing.picture.sight.window.w <= 0) return true;
     const maths::vec3 p = to_gl(place);
-    const vec4 clip = sheet.to_clip * vec4{p.x, p.y, p.z, 1};
-    const auto& lens = sheet.picture.sight.projection;
+    const vec4 clip = drawing.to_clip * vec4{p.x, p.y, p.z, 1};
+    const auto& lens = drawing.picture.sight.projection;
     // How far the radius can reach in clip coordinates, whichever way it points.
     const float w = clip.w + radius * std::fabs(lens[2].w);
     return w > 0 && std::fabs(clip.x) <= w + radius * (lens[0].x + std::fabs(lens[2].x)) &&
@@ -44,37 +44,37 @@ float detail_of(float pixels) {
     return t * t * (3 - 2 * t);
 }
 
-Colour body_colour(const Sheet& sheet, const Subject& s) {
-    Colour colour = colour_of(sheet.colours, s.view.role);
-    if (s.view.driver == Driver::parked) colour = mix(colour, sheet.colours.wall, 0.6f);
+Colour body_colour(const Drawing& drawing, const Subject& s) {
+    Colour colour = colour_of(drawing.colours, s.view.role);
+    if (s.view.driver == Driver::parked) colour = mix(colour, drawing.colours.wall, 0.6f);
     // Tired vehicles pale a little; the gauge on the tail says how much is left.
-    return mix(mix(colour, sheet.colours.wall, 0.45f), colour, 0.3f + 0.7f * std::min(1.0f, s.view.energy * 2));
+    return mix(mix(colour, drawing.colours.wall, 0.45f), colour, 0.3f + 0.7f * std::min(1.0f, s.view.energy * 2));
 }
 
-void add_sign(Sheet& sheet, const Subject& s) {
+void add_sign(Drawing& drawing, const Subject& s) {
     vec4 seen{0, 0, 0, 0};  // left, right
     for (std::size_t i = 0; i < s.kind.sensors.size(); ++i) {
-        const float now = std::sqrt(sensed(sheet, s, i));
+        const float now = std::sqrt(sensed(drawing, s, i));
         if (side_of(s.kind.sensors[i]) >= 0) seen.x = std::max(seen.x, now);
         if (side_of(s.kind.sensors[i]) <= 0) seen.y = std::max(seen.y, now);
     }
-    sheet.list.signs[static_cast<std::size_t>(s.view.role)].push_back(
+    drawing.list.signs[static_cast<std::size_t>(s.view.role)].push_back(
         {{s.place.x, s.place.y, s.ahead.x, s.ahead.y},
          {s.kind.body.length, s.kind.body.width, s.height_scale, s.pixels},
-         rgb_with(body_colour(sheet, s), s.view.driver == Driver::parked ? 0.0f : 1.0f),
+         rgb_with(body_colour(drawing, s), s.view.driver == Driver::parked ? 0.0f : 1.0f),
          seen});
 }
 
-void add_hull(Sheet& sheet, const Subject& s) {
+void add_hull(Drawing& drawing, const Subject& s) {
     const bool parked = s.view.driver == Driver::parked;
-    sheet.list.hulls[static_cast<std::size_t>(s.view.role)].push_back(
+    drawing.list.hulls[static_cast<std::size_t>(s.view.role)].push_back(
         {{s.place.x, s.place.y, s.ahead.x, s.ahead.y},
          {s.kind.body.length, s.kind.body.width, s.height_scale, std::clamp(s.view.energy, 0.0f, 1.0f)},
-         rgb_with(body_colour(sheet, s), parked ? 0.0f : 1.0f),
+         rgb_with(body_colour(drawing, s), parked ? 0.0f : 1.0f),
          {s.detail, 0, 0, 0}});
 }
 
-void add_wheels(Sheet& sheet, const Subject& s) {
+void add_wheels(Drawing& drawing, const Subject& s) {
     for (const Wheel& wheel : s.kind.body.wheels) {
         const bool castor = wheel.motor == Motor::none;
         if (castor && s.detail == 0) continue;  // hidden below the hull
@@ -82,20 +82,20 @@ void add_wheels(Sheet& sheet, const Subject& s) {
         const float turned = castor ? 0 : s.view.wheel_angle[wheel.motor == Motor::right];
         // The mesh shows its left side: a wheel on the right is turned about, and then rolls the other way.
         const float side = wheel.y < 0 ? -1.0f : 1.0f;
-        sheet.list.wheels.push_back(
+        drawing.list.wheels.push_back(
             {{at.x, at.y, side * s.ahead.x, side * s.ahead.y}, {wheel.radius, wheel.width, side * turned, s.detail}});
     }
 }
 
 // A small vehicle shows one dot a side (left, right, middle) for all eyes there: the first, with the glow of the one
 // that sees most. Which eye glows at the dot of eye i, or nothing when i is not the first.
-std::optional<std::size_t> keenest_beside(const Sheet& sheet, const Subject& s, std::size_t i) {
+std::optional<std::size_t> keenest_beside(const Drawing& drawing, const Subject& s, std::size_t i) {
     const auto& sensors = s.kind.sensors;
     std::size_t keenest = i;
     for (std::size_t k = 0; k < sensors.size(); ++k) {
         if (side_of(sensors[k]) != side_of(sensors[i])) continue;
         if (k < i) return std::nullopt;
-        if (sensed(sheet, s, k) > sensed(sheet, s, keenest)) keenest = k;
+        if (sensed(drawing, s, k) > sensed(drawing, s, keenest)) keenest = k;
     }
     return keenest;
 }
@@ -110,11 +110,11 @@ float eye_radius(const Kind& kind, std::size_t i) {
     return std::max(radius, 0.05f);
 }
 
-void add_eyes(Sheet& sheet, const Subject& s) {
+void add_eyes(Drawing& drawing, const Subject& s) {
     if (s.driven) return;  // right before one's own, they would fill the picture
     for (std::size_t i = 0; i < s.kind.sensors.size(); ++i) {
         const Sensor& sensor = s.kind.sensors[i];
-        const auto dot = s.detail < 1 ? keenest_beside(sheet, s, i) : std::nullopt;
+        const auto dot = s.detail < 1 ? keenest_beside(drawing, s, i) : std::nullopt;
         const std::size_t glowing = s.detail < 0.5f ? dot.value_or(i) : i;
         const float size = dot ? 1.4f - 0.4f * s.detail : s.detail;
         if (size == 0) continue;
@@ -122,76 +122,76 @@ void add_eyes(Sheet& sheet, const Subject& s) {
         const vec2 own{sensor.x, sensor.y}, inside{sensor.x - 0.04f * s.kind.body.length, sensor.y * 0.74f};
         const vec2 at = s.to_world(inside + (own - inside) * s.detail);
         const vec2 towards = maths::rotate(maths::direction(sensor.angle), s.ahead);
-        const float seen = std::sqrt(sensed(sheet, s, glowing)), open = is_covered(s, glowing) ? 0.0f : 1.0f;
-        sheet.list.eyes.push_back(
+        const float seen = std::sqrt(sensed(drawing, s, glowing)), open = is_covered(s, glowing) ? 0.0f : 1.0f;
+        drawing.list.eyes.push_back(
             {{at.x, at.y, towards.x, towards.y},
              {(dot ? 0.095f + (eye_radius(s.kind, i) - 0.095f) * s.detail : eye_radius(s.kind, i)) * s.height_scale *
                   size,
               (deck_height + 0.035f) * s.height_scale, seen, s.detail},
-             rgb_with(colour_of(sheet.colours, s.kind.sensors[glowing].channel), open)});
+             rgb_with(colour_of(drawing.colours, s.kind.sensors[glowing].channel), open)});
     }
 }
 
-void add_shadow(Sheet& sheet, const Subject& s) {
+void add_shadow(Drawing& drawing, const Subject& s) {
     const Body& body = s.kind.body;
-    sheet.list.marks.push_back({{s.place.x, s.place.y, s.ahead.x, s.ahead.y},
-                                {body.length / 2, body.width / 2, 0.16f, static_cast<float>(MarkKind::shadow)},
-                                rgb_with(sheet.colours.shadow, sheet.colours.shadow.a)});
+    drawing.list.marks.push_back({{s.place.x, s.place.y, s.ahead.x, s.ahead.y},
+                                  {body.length / 2, body.width / 2, 0.16f, static_cast<float>(MarkKind::shadow)},
+                                  rgb_with(drawing.colours.shadow, drawing.colours.shadow.a)});
 }
 
-void add_lamps(Sheet& sheet, const Subject& s) {
+void add_lamps(Drawing& drawing, const Subject& s) {
     for (const CarriedLamp& lamp : s.kind.lamps)
-        add_source(sheet, lamp.channel, s.to_world({lamp.x, lamp.y}), deck_height * s.height_scale, lamp.strength,
+        add_source(drawing, lamp.channel, s.to_world({lamp.x, lamp.y}), deck_height * s.height_scale, lamp.strength,
                    0.5f);
 }
 
-void add_ring(Sheet& sheet, const Subject& s) {
+void add_ring(Drawing& drawing, const Subject& s) {
     if (s.driven || (!s.selected && !s.hovered)) return;
     const float radius = 0.5f * std::hypot(s.kind.body.length, s.kind.body.width) + 0.16f;
-    const bool first = s.selected && !sheet.picture.thing_selected;  // what Delete would take
+    const bool first = s.selected && !drawing.picture.thing_selected;  // what Delete would take
     const MarkKind kind = first ? MarkKind::ring : MarkKind::thin_ring;
-    sheet.list.rings.push_back(
+    drawing.list.rings.push_back(
         {{s.place.x, s.place.y, s.ahead.x, s.ahead.y},
          {radius, radius, first ? 0.013f : 0.007f, static_cast<float>(kind)},
-         first ? rgb_with(sheet.colours.selected, 1) : rgb_with(sheet.colours.second_text, 0.9f)});
+         first ? rgb_with(drawing.colours.selected, 1) : rgb_with(drawing.colours.second_text, 0.9f)});
 }
 
-Subject subject_of(const Sheet& sheet, const VehicleView& view) {
+Subject subject_of(const Drawing& drawing, const VehicleView& view) {
     static const Kind plain;
     const auto kind = static_cast<std::size_t>(view.kind), brain = static_cast<std::size_t>(view.brain);
-    const bool known = sheet.now.scene && kind < sheet.now.scene->kinds.size();
-    const Kind& its_kind = known ? sheet.now.scene->kinds[kind] : plain;
+    const bool known = drawing.now.scene && kind < drawing.now.scene->kinds.size();
+    const Kind& its_kind = known ? drawing.now.scene->kinds[kind] : plain;
     const vec2 place{view.x, view.y};
-    const float scale = pixels_per_metre(sheet.picture.sight, place);
-    const float pixels = scale > 0 ? its_kind.body.length * scale / sheet.picture.pixel_scale : 1e3f;
+    const float scale = pixels_per_metre(drawing.picture.sight, place);
+    const float pixels = scale > 0 ? its_kind.body.length * scale / drawing.picture.pixel_scale : 1e3f;
     return {view,
             its_kind,
-            brain < sheet.now.brains.size() ? sheet.now.brains[brain].get() : nullptr,
+            brain < drawing.now.brains.size() ? drawing.now.brains[brain].get() : nullptr,
             place,
             maths::direction(view.heading),
             std::min(its_kind.body.length, its_kind.body.width / 0.7f),
             pixels,
             detail_of(pixels),
-            view.id == sheet.picture.selected,
-            view.id == sheet.picture.hovered,
-            view.id == sheet.picture.driver};
+            view.id == drawing.picture.selected,
+            view.id == drawing.picture.hovered,
+            view.id == drawing.picture.driver};
 }
 
-void add_body(Sheet& sheet, const Subject& s) {
-    if (s.pixels < sign_below) return add_sign(sheet, s);
-    add_hull(sheet, s);
-    add_wheels(sheet, s);
-    add_eyes(sheet, s);
-    add_wires(sheet, s);
-    add_stopped_wheels(sheet, s);
-    add_shadow(sheet, s);
+void add_body(Drawing& drawing, const Subject& s) {
+    if (s.pixels < sign_below) return add_sign(drawing, s);
+    add_hull(drawing, s);
+    add_wheels(drawing, s);
+    add_eyes(drawing, s);
+    add_wires(drawing, s);
+    add_stopped_wheels(drawing, s);
+    add_shadow(drawing, s);
 }
 
-void add_here(Sheet& sheet, const Subject& s) {
-    if (in_sight(sheet, s.place, s.kind.body.length + 0.5f)) add_body(sheet, s);
-    add_lamps(sheet, s);
-    add_ring(sheet, s);
-    add_wheel_arrows(sheet, s);
+void add_here(Drawing& drawing, const Subject& s) {
+    if (in_sight(drawing, s.place, s.kind.body.length + 0.5f)) add_body(drawing, s);
+    add_lamps(drawing, s);
+    add_ring(drawing, s);
+    add_wheel_arrows(drawing, s);
 }
 
 float farthest_eye(const Kind& kind) {
@@ -201,7 +201,7 @@ float farthest_eye(const Kind& kind) {
 }
 
 // What reaches over one edge of a torus shows at the other.
-void add_beyond_edges(Sheet& sheet, Subject s, const Arena& arena) {
+void add_beyond_edges(Drawing& drawing, Subject s, const Arena& arena) {
     const float body = s.kind.body.length, eye = farthest_eye(s.kind);
     const vec2 home = s.place;
     const auto reaches_in = [&](float reach) {
@@ -211,23 +211,23 @@ void add_beyond_edges(Sheet& sheet, Subject s, const Arena& arena) {
         for (const float y : {-arena.height, 0.0f, arena.height}) {
             if (x == 0 && y == 0) continue;
             s.place = home + vec2{x, y};
-            if (reaches_in(body)) add_here(sheet, s);
-            if (reaches_in(eye)) add_fields(sheet, s);
+            if (reaches_in(body)) add_here(drawing, s);
+            if (reaches_in(eye)) add_fields(drawing, s);
         }
 }
 
 }  // namespace
 
-void add_vehicles(Sheet& sheet, const Trails& trails) {
-    for (const VehicleView& view : sheet.now.vehicles) {
-        Subject s = subject_of(sheet, view);
-        s.plan = plan_of(sheet, s);
-        add_here(sheet, s);
-        add_fields(sheet, s);
-        if (const Trail* trail = sheet.picture.overlays.trails ? trails.of(view.id) : nullptr)
-            add_trail(sheet, s, *trail);
-        if (sheet.now.scene && sheet.now.scene->arena.edge == Edge::torus)
-            add_beyond_edges(sheet, s, sheet.now.scene->arena);
+void add_vehicles(Drawing& drawing, const Trails& trails) {
+    for (const VehicleView& view : drawing.now.vehicles) {
+        Subject s = subject_of(drawing, view);
+        s.plan = plan_of(drawing, s);
+        add_here(drawing, s);
+        add_fields(drawing, s);
+        if (const Trail* trail = drawing.picture.overlays.trails ? trails.of(view.id) : nullptr)
+            add_trail(drawing, s, *trail);
+        if (drawing.now.scene && drawing.now.scene->arena.edge == Edge::torus)
+            add_beyond_edges(drawing, s, drawing.now.scene->arena);
     }
 }
 

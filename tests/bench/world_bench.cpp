@@ -135,7 +135,7 @@ BENCHMARK(BM_GridSense)->Apply(sizes);
 
 // The same eyes and the same sums, but one cell as large as the arena: everybody looks at everybody.
 void BM_AllPairsSense(benchmark::State& state) { look(state, 1e6f); }
-BENCHMARK(BM_AllPairsSense)->Arg(50)->Arg(1000)->Arg(5000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_AllPairsSense)->Apply(sizes);
 
 // The same crowd with five bodies a vehicle, joined by locked joints.
 void BM_FiveBodies(benchmark::State& state) {
@@ -168,7 +168,7 @@ void BM_FiveBodies(benchmark::State& state) {
     }
     count(state);
 }
-BENCHMARK(BM_FiveBodies)->Arg(50)->Arg(1000)->Arg(5000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_FiveBodies)->Apply(sizes);
 
 void BM_Capture(benchmark::State& state) {
     const World world = World::restore(crowd_of(static_cast<int>(state.range(0))));

@@ -6,7 +6,7 @@
 
 #include "render/gl/renderer.h"
 #include "render/gl/texture.h"
-#include "tests/render/stage.h"
+#include "tests/render/rendered.h"
 #include "tests/view/hand_made.h"
 
 namespace {
@@ -21,9 +21,6 @@ extern "C" void GLAPIENTRY glGenTextures(GLsizei n, GLuint* names) {
 
 namespace braitenlab {
 namespace {
-
-constexpr int width = 640, height = 480;
-const Rect window{0, 0, width, height};
 
 // GLEW calls through pointers, which a test can point elsewhere: each replacement counts and goes on.
 PFNGLGENBUFFERSPROC real_gen_buffers;
@@ -52,15 +49,12 @@ void GLAPIENTRY counted_upload(GLenum target, GLintptr offset, GLsizeiptr size, 
     ++uploads, real_upload(target, offset, size, data);
 }
 
-class CostTest : public testing::Test {
+class CostTest : public Rendered {
 protected:
     void SetUp() override {
-        ASSERT_TRUE(stage.ready()) << stage.problem();
-        auto created = Renderer::create(BRAITENLAB_SOURCE "/shaders");
-        ASSERT_TRUE(created) << created.error().text();
-        renderer.emplace(std::move(*created));
+        Rendered::SetUp();
+        if (HasFatalFailure()) return;
         renderer->use_lettering(std::move(*Lettering::from_fonts(find_font, 14)));
-        picture.sight = look(Camera{}, Arena{}, nullptr, window, window);
         picture.outlines = true, picture.selected = 0, picture.overlays.field = Channel::light;
 
         real_gen_buffers = glGenBuffers, glGenBuffers = counted_gen_buffers;
@@ -99,10 +93,6 @@ protected:
         now.marks = {{0, 1, 1, 0.5f}};
         return now;
     }
-
-    Stage stage{width, height};
-    std::optional<Renderer> renderer;
-    Picture picture;
 };
 
 TEST_F(CostTest, MakesNoObjectInAFrame) {

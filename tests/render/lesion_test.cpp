@@ -7,31 +7,23 @@
 
 #include "render/gl/renderer.h"
 #include "render/view/draw_list.h"
-#include "tests/render/stage.h"
+#include "tests/render/rendered.h"
 #include "tests/view/hand_made.h"
 
 namespace braitenlab {
 namespace {
 
-constexpr int width = 640, height = 480;
-const Rect window{0, 0, width, height};
-
-float brightness(Colour c) { return (c.r + c.g + c.b) / 3; }
-
-class LesionTest : public testing::Test {
+class LesionTest : public Rendered {
 protected:
     void SetUp() override {
-        ASSERT_TRUE(stage.ready()) << stage.problem();
-        auto created = Renderer::create(BRAITENLAB_SOURCE "/shaders");
-        ASSERT_TRUE(created) << created.error().text();
-        renderer.emplace(std::move(*created));
+        Rendered::SetUp();
+        if (HasFatalFailure()) return;
         Camera near;
         near.mode = CameraMode::birds_eye, near.zoom = 10;  // 200 pixels a vehicle
-        picture.sight = look(near, Arena{}, nullptr, window, window);
+        look_from(near);
         picture.overlays.labels = false;
         hand_made::add(now, 0, 0, 0, 0);
     }
-    void TearDown() override { renderer.reset(); }
 
     // A change of the one vehicle's brain.
     template <class Change>
@@ -57,9 +49,6 @@ protected:
         return {darkest, brightest};
     }
 
-    Stage stage{width, height};
-    std::optional<Renderer> renderer;
-    Picture picture;
     Snapshot now = hand_made::empty(hand_made::scene());
 };
 

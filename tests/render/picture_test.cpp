@@ -8,39 +8,27 @@
 #include "core/maths/angle.h"
 #include "render/gl/renderer.h"
 #include "render/view/intensity.h"
-#include "tests/render/stage.h"
+#include "tests/render/rendered.h"
 #include "tests/view/hand_made.h"
 
 namespace braitenlab {
 namespace {
 
-constexpr int width = 640, height = 480;
-const Rect window{0, 0, width, height};
-
-float brightness(Colour c) { return (c.r + c.g + c.b) / 3; }
-
-class PictureTest : public testing::Test {
+class PictureTest : public Rendered {
 protected:
     void SetUp() override {
-        ASSERT_TRUE(stage.ready()) << stage.problem();
-        auto created = Renderer::create(BRAITENLAB_SOURCE "/shaders");
-        ASSERT_TRUE(created) << created.error().text();
-        renderer.emplace(std::move(*created));
+        Rendered::SetUp();
+        if (HasFatalFailure()) return;
         Camera above;
         above.mode = CameraMode::birds_eye;
-        picture.sight = look(above, Arena{}, nullptr, window, window);
+        look_from(above);
         picture.overlays.labels = false;
     }
-    void TearDown() override { renderer.reset(); }
 
     Colour seen(const Snapshot& now, float x, float y, float up = 0) {
         renderer->draw(now, picture);
         return stage.pixel(*project(picture.sight, {x, y}, up));
     }
-
-    Stage stage{width, height};
-    std::optional<Renderer> renderer;
-    Picture picture;
 };
 
 TEST_F(PictureTest, PaintsTheFieldOfAChannelWhereItIsFeltAndNowhereElse) {

@@ -6,38 +6,20 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/render/stage.h"
+#include "tests/render/rendered.h"
 #include "tests/view/hand_made.h"
 
 namespace braitenlab {
 namespace {
 
-constexpr int width = 640, height = 480;
-const Rect window{0, 0, width, height};
-
-class RendererTest : public testing::Test {
+class RendererTest : public Rendered {
 protected:
-    void SetUp() override {
-        ASSERT_TRUE(stage.ready()) << stage.problem();
-        auto created = Renderer::create(BRAITENLAB_SOURCE "/shaders");
-        ASSERT_TRUE(created) << created.error().text();
-        renderer.emplace(std::move(*created));
-        picture.sight = look(Camera{}, Arena{}, nullptr, window, window);
-    }
-    void TearDown() override { renderer.reset(); }
-
     // The vehicles' deck is dark and carries wires; behind the deck the hull shows its colour.
     Colour hull_colour(const VehicleView& v) const {
         const auto place = maths::vec2{v.x, v.y} + maths::rotate({-0.275f, 0}, maths::direction(v.heading));
         return stage.pixel(*project(picture.sight, place, 0.25f));
     }
-
-    Stage stage{width, height};
-    std::optional<Renderer> renderer;
-    Picture picture;
 };
-
-float brightness(Colour c) { return (c.r + c.g + c.b) / 3; }
 
 TEST_F(RendererTest, ShowsAVehicleInItsColourWhereItIs) {
     Camera camera;

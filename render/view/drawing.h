@@ -8,7 +8,7 @@
 namespace braitenlab {
 
 // All that is asked for again and again while one picture is made.
-struct Sheet {
+struct Drawing {
     DrawList& list;
     const Snapshot& now;
     const Picture& picture;
@@ -41,30 +41,30 @@ inline maths::vec4 rgb_with(Colour c, float w) { return {c.r, c.g, c.b, w}; }
 bool is_covered(const Subject&, std::size_t sensor);
 
 // What a sensor of the vehicle reads now, 0..1; a covered one nothing.
-float sensed(const Sheet&, const Subject&, std::size_t sensor);
+float sensed(const Drawing&, const Subject&, std::size_t sensor);
 
 // 1 left, −1 right, 0 amid.
 int side_of(const Sensor&);
 
 // Whether anything within `radius` metres of a place may be in the picture; never wrong when it says no.
-bool in_sight(const Sheet&, maths::vec2 place, float radius);
+bool in_sight(const Drawing&, maths::vec2 place, float radius);
 
 // Adds what stands and lies in the arena, and what vehicles remember of it.
-void add_world(Sheet&);
+void add_world(Drawing&);
 // Adds a source's light and shape; `foot` is the height it stands at, m.
-void add_source(Sheet&, Channel, maths::vec2 place, float foot, float strength, float size);
+void add_source(Drawing&, Channel, maths::vec2 place, float foot, float strength, float size);
 
 // Adds every vehicle with all its parts.
-void add_vehicles(Sheet&, const Trails&);
-void add_fields(Sheet&, const Subject&);
+void add_vehicles(Drawing&, const Trails&);
+void add_fields(Drawing&, const Subject&);
 // The wires and neurons, and a cross over what a lesion has put out of work.
-void add_wires(Sheet&, const Subject&);
-void add_stopped_wheels(Sheet&, const Subject&);
-const DeckPlan* plan_of(Sheet&, const Subject&);
-void add_wheel_arrows(Sheet&, const Subject&);
-void add_trail(Sheet&, const Subject&, const Trail&);
+void add_wires(Drawing&, const Subject&);
+void add_stopped_wheels(Drawing&, const Subject&);
+const DeckPlan* plan_of(Drawing&, const Subject&);
+void add_wheel_arrows(Drawing&, const Subject&);
+void add_trail(Drawing&, const Subject&, const Trail&);
 
 // Adds the words: sources, zones, vehicles and the metres along the arena's edge.
-void add_labels(Sheet&);
+void add_labels(Drawing&);
 
 }  // namespace braitenlab
