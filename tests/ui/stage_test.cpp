@@ -137,7 +137,7 @@ TEST_F(Stage, LetsAVehicleStartWhereItWasPutBeforeTheFirstTickOnly) {
     EXPECT_TRUE(commands<EditStart>().empty()) << "not while it is in the hand: Esc puts it back";
     release();
     ASSERT_EQ(commands<EditStart>().size(), 1u);
-    const Start& start = commands<EditStart>()[0].to;
+    const Start start = commands<EditStart>()[0].to;
     EXPECT_NEAR(start.y, 3, a_pixel);
     EXPECT_EQ(start.facing, "");
     EXPECT_EQ(start.place_spread + start.heading_spread, 0);

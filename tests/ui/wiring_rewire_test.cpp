@@ -76,7 +76,7 @@ TEST(Replace, BringsNumbersIntoTheirRangesAndKeepsWhatIsNotFinite) {
     Node node = *find_node(graph, 4);
     node.bias = 7, node.time_constant = -1, node.curve.width = 0, node.name = "other";
     node.curve.peak = std::numeric_limits<float>::quiet_NaN();
-    const Node& made = *find_node(*replace(graph, node).graph, 4);
+    const Node made = *find_node(*replace(graph, node).graph, 4);
     EXPECT_EQ(made.bias, limits::bias);
     EXPECT_EQ(made.time_constant, 0);
     EXPECT_GT(made.curve.width, 0);
@@ -84,7 +84,7 @@ TEST(Replace, BringsNumbersIntoTheirRangesAndKeepsWhatIsNotFinite) {
     EXPECT_EQ(made.name, "N1");
     Wire wire = *find_wire(graph, SL, MR);
     wire.weight = 9, wire.learning_rate = -3, wire.decay = std::numeric_limits<float>::infinity();
-    const Wire& set = *find_wire(*replace(graph, wire).graph, SL, MR);
+    const Wire set = *find_wire(*replace(graph, wire).graph, SL, MR);
     EXPECT_EQ(set.weight, limits::weight);
     EXPECT_EQ(set.learning_rate, 0);
     EXPECT_EQ(set.decay, 0);
