@@ -15,7 +15,7 @@ layout(std140) uniform Frame {
     vec4 sky, floor_colour, grid_colour;
     vec4 ink, paper;
     vec4 shadow_colour;
-    vec4 window;  // width, height of the framebuffer, pixels
+    vec4 window;  // width, height of the picture, pixels; its left lower corner in the framebuffer
     vec4 arena;   // half the width, half the height, m; simulated seconds; display pixels a layout pixel
     vec4 counts;  // x: lamps; y: 1 in the light theme; z: how far one sees beyond the arena, m; w: its edge
     Lamp lamps[8];

@@ -27,7 +27,7 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     block.sky = four(colours.sky), block.floor_colour = four(colours.floor), block.grid_colour = four(colours.grid);
     block.ink = four(colours.wheel), block.paper = light ? four(colours.raised) : four(colours.text);
     block.shadow = four(colours.shadow);
-    block.window = {sight.window.w, sight.window.h, 0, 0};
+    block.window = {sight.window.w, sight.window.h, sight.window.x, sight.window.y};
     const Arena arena = now.scene ? now.scene->arena : Arena{};
     // Seconds wrap where every pulse does, so that a long run loses no precision.
     block.arena = {arena.width / 2, arena.height / 2, static_cast<float>(std::fmod(now.seconds, 60.0)),

@@ -16,7 +16,7 @@ struct FrameBlock {
     maths::vec4 sky, floor_colour, grid_colour;
     maths::vec4 ink, paper;  // text and ground of the theme: the darkest and lightest that things wear
     maths::vec4 shadow;
-    maths::vec4 window;  // width, height of the framebuffer, pixels
+    maths::vec4 window;  // width, height of the picture, pixels; its left lower corner in the framebuffer
     maths::vec4 arena;   // half the width, half the height, m; simulated seconds; display pixels a layout pixel
     maths::vec4 counts;  // x: lamps; y: 1 in the light theme; z: how far one sees beyond the arena, m; w: its edge
     std::array<Lamp, most_lamps> lamps;

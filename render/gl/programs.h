@@ -10,8 +10,8 @@
 namespace braitenlab {
 
 struct Programs {
-    Program floor, brink, zone, contour, block, skirt, hull, sign, rim, wheel, eye, wire, neuron, field, shade, mark,
-        source, halo, trail, letter;
+    Program floor, brink, backdrop, zone, contour, block, skirt, hull, sign, rim, wheel, eye, wire, neuron, field,
+        shade, mark, source, halo, trail, letter;
     bool sectors_from_points = false;
 
     // Compiles all of them; after an error some may be missing.

@@ -7,6 +7,7 @@
 
 #include <GL/glew.h>
 
+#include "render/gl/backdrop.h"
 #include "render/gl/batch.h"
 #include "render/gl/frame.h"
 #include "render/gl/meshes.h"
@@ -60,6 +61,7 @@ struct Renderer::Parts {
     std::filesystem::file_time_type shaders_changed;
 
     Kit floors = kit<FloorInstance>(quad());
+    Backdrop backdrop;
     Kit blocks = kit<BlockInstance>(prism());
     Batch skirts{skirt(), blocks.instances};
     Kit zones = kit<ZoneInstance>(quad());
@@ -155,11 +157,35 @@ struct Renderer::Parts {
         draw(with.neuron, neurons);
     }
 
+    void draw_ground() {
+        draw(with.floor, floors);
+        if (walled) return;
+        glEnable(GL_BLEND);
+        draw(with.brink, floors);
+        glDisable(GL_BLEND);
+    }
+
+    // Sees to it that the backdrop shows the ground, if that pays; whether it does now.
+    bool keep_ground(const FrameBlock& frame) {
+        const auto ground = backdrop.look(frame);
+        if (ground == Backdrop::Ground::rests) {
+            backdrop.begin_painting();
+            glClear(GL_COLOR_BUFFER_BIT);
+            draw_ground();
+            backdrop.end_painting();
+        }
+        return ground != Backdrop::Ground::moves;
+    }
+
     // Last of the solid things, so that what stands before it need not be painted twice. It leaves no depth behind:
     // nothing is below it, so what lies flat on it cannot flicker and a halo that dips into it is not cut.
-    void draw_floor() {
+    void draw_below_all(bool kept) {
         glDepthMask(GL_FALSE);
-        draw(with.floor, floors);
+        backdrop.bind();
+        if (kept)
+            draw(with.backdrop, floors);
+        else
+            draw_ground();
         glDepthMask(GL_TRUE);
     }
 
@@ -193,7 +219,6 @@ struct Renderer::Parts {
         glDepthMask(GL_FALSE);
         glDisable(GL_CULL_FACE);
         glEnable(GL_BLEND);
-        if (!walled) draw(with.brink, floors);
         draw(with.zone, zones);
         felt.bind();
         draw(with.contour, contours);
@@ -226,6 +251,7 @@ std::optional<Error> Renderer::follow_shaders() {
     Programs fresh;
     if (auto error = fresh.load(parts_->folder, parts_->path)) return error;
     parts_->with = std::move(fresh);
+    parts_->backdrop.forget();
     return std::nullopt;
 }
 
@@ -255,7 +281,6 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     const Colour sky = palette(picture.theme).sky;
     glClearColor(sky.r, sky.g, sky.b, 1);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_CULL_FACE);
@@ -266,9 +291,12 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     // Colours come premultiplied: alpha 0 adds light, alpha 1 covers.
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
-    p.upload(frame_block(now, picture, p.list));
+    const FrameBlock frame = frame_block(now, picture, p.list);
+    p.upload(frame);
+    const bool kept = p.keep_ground(frame);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     p.draw_solids();
-    p.draw_floor();
+    p.draw_below_all(kept);
     p.draw_flat_things();
 
     // Whoever draws next starts from a clean table.

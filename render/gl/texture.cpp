@@ -1,26 +1,25 @@
 #include "render/gl/texture.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <GL/glew.h>
 
 namespace braitenlab {
 
-Texture::Texture(Kind kind, int width, int height) {
-    const bool numbers = kind == Kind::numbers;
-    const GLint filter = numbers ? GL_LINEAR : GL_NEAREST;
+Texture::Texture(Kind kind, int width, int height) : kind_(kind) {
+    const GLint filter = kind == Kind::numbers ? GL_LINEAR : GL_NEAREST;
     glGenTextures(1, &id_);
     bind();
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glTexImage2D(GL_TEXTURE_2D, 0, numbers ? GL_R16F : GL_R8, width, height, 0, GL_RED,
-                 numbers ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+    resize(width, height);
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-Texture::Texture(Texture&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+Texture::Texture(Texture&& other) noexcept : kind_(other.kind_), id_(std::exchange(other.id_, 0)) {}
 
 Texture::~Texture() {
     if (id_) glDeleteTextures(1, &id_);
@@ -36,6 +35,19 @@ void Texture::fill(int first_row, int width, int rows, const float* values) {
     bind();
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first_row, width, rows, GL_RED, GL_FLOAT, values);
+}
+
+void Texture::resize(int width, int height) {
+    struct Storage {
+        GLint inside;
+        GLenum channels, type;
+    };
+    const Storage storage = kind_ == Kind::bytes     ? Storage{GL_R8, GL_RED, GL_UNSIGNED_BYTE}
+                            : kind_ == Kind::numbers ? Storage{GL_R16F, GL_RED, GL_FLOAT}
+                                                     : Storage{GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+    bind();
+    glTexImage2D(GL_TEXTURE_2D, 0, storage.inside, std::max(width, 1), std::max(height, 1), 0, storage.channels,
+                 storage.type, nullptr);
 }
 
 void Texture::bind() const {

@@ -158,16 +158,14 @@ Shape sign_shape(Role role) {
         role == Role::predator ? std::vector<vec2>{{-0.5f, 0.44f}, {0.2f, 0.5f}, {0.5f, 0.02f}}
         : role == Role::prey   ? std::vector<vec2>{{-0.5f, 0.2f}, {-0.33f, 0.5f}, {0.25f, 0.5f}, {0.5f, 0.15f}}
                                : std::vector<vec2>{{-0.5f, 0.48f}, {0.5f, 0.48f}};
-    const auto outline = mirrored(left);
-    const auto rectangle = [](float x0, float x1, float y) {
-        return std::vector<vec2>{{x0, y - 0.06f}, {x1, y - 0.06f}, {x1, y + 0.06f}, {x0, y + 0.06f}};
-    };
+    constexpr float rim = 0.07f, height = 0.2f;
+    const auto outline = inset(mirrored(left), -rim);
     Shape shape;
-    add_top(shape, inset(outline, -0.07f), 0.16f, Paint::inlay);
-    for (const float side : {-0.46f, 0.46f}) add_top(shape, rectangle(-0.18f, 0.18f, side), 0.24f, Paint::dark);
-    add_top(shape, inset(outline, role == Role::predator ? 0.05f : 0.07f), 0.2f, Paint::body);
-    for (const float side : {-0.24f, 0.24f}) add_top(shape, rectangle(0.16f, 0.30f, side), 0.28f, Paint::light);
-    add_triangle(shape, {-0.3f, -0.2f, 0.28f}, {0.08f, 0, 0.28f}, {-0.3f, 0.2f, 0.28f}, Paint::mark);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const vec2 a = outline[i], b = outline[(i + 1) % outline.size()], along = maths::normalise(b - a);
+        add_triangle(shape, at({0, 0}, height), at(a, height), at(b, height), Paint::body);
+        shape.corners[shape.corners.size() - 3].paint = a.x * along.y - a.y * along.x;  // how far inside the middle is
+    }
     return shape;
 }
 

@@ -29,9 +29,8 @@ struct Shape {
 // for wires and an energy gauge. The arrowhead's corners are 0..1 along it and −1..1 across: the shader gives it size.
 Shape hull_shape(Role);
 
-// A whole vehicle as a few flat parts, for one that is small on the screen: rim, body, wheels, arrowhead, eyes.
-// 1 long and 1 wide; parts lie centimetres above each other, so that they keep apart from afar too. The rim is painted
-// inlay, eyes light.
+// A whole vehicle as a flat outline, for one that is small on the screen: 1 long and 1 wide, with a rim round that. Paint
+// says how far inside the outline a corner is; the shader draws the rim, wheels, eyes and arrowhead onto it.
 Shape sign_shape(Role);
 
 // A line round the silhouette of a hull with its wheels, and what it encloses. Normals point outwards, z says how far a

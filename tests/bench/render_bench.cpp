@@ -50,16 +50,23 @@ void drive_on(Snapshot& now) {
     for (VehicleView& v : now.vehicles) v.x += 0.02f, v.wheel_angle[0] += 0.1f, v.wheel_angle[1] += 0.1f;
 }
 
-void draw_ours(benchmark::State& state, SectorPath sectors) {
+enum class Look { rests, moves };
+
+void draw_ours(benchmark::State& state, SectorPath sectors, Look eye = Look::rests) {
     Stage stage(width, height);
     if (!stage.ready()) return state.SkipWithError(stage.problem().c_str());
     auto renderer = Renderer::create(BRAITENLAB_SOURCE "/shaders", sectors);
     if (!renderer) return state.SkipWithError(renderer.error().text().c_str());
     Snapshot now = dense(static_cast<int>(state.range(0)));
-    const Picture picture = seen_from_the_ring(now);
+    Picture picture = seen_from_the_ring(now);
     for (int i = 0; i < warm_up_frames; ++i) drive_on(now), renderer->draw(now, picture), glFinish();
+    Camera camera;
     for (auto _ : state) {
         drive_on(now);
+        if (eye == Look::moves) {
+            orbit(camera, 0.002f, 0);
+            picture.sight = look(camera, now.scene->arena, nullptr, window, window);
+        }
         renderer->draw(now, picture);
         glFinish();
     }
@@ -67,6 +74,7 @@ void draw_ours(benchmark::State& state, SectorPath sectors) {
 }
 
 void BM_DrawOurs(benchmark::State& state) { draw_ours(state, SectorPath::automatic); }
+void BM_DrawOursOrbiting(benchmark::State& state) { draw_ours(state, SectorPath::automatic, Look::moves); }
 void BM_DrawOursInstanced(benchmark::State& state) { draw_ours(state, SectorPath::instanced); }
 
 void BM_DrawCubeByCube(benchmark::State& state) {
@@ -95,6 +103,7 @@ void BM_FillDrawList(benchmark::State& state) {
 
 #define BRAITENLAB_CROWDS Arg(50)->Arg(1000)->Arg(5000)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime()
 BENCHMARK(BM_DrawOurs)->BRAITENLAB_CROWDS;
+BENCHMARK(BM_DrawOursOrbiting)->BRAITENLAB_CROWDS;
 BENCHMARK(BM_DrawOursInstanced)->BRAITENLAB_CROWDS;
 BENCHMARK(BM_DrawCubeByCube)->BRAITENLAB_CROWDS;
 BENCHMARK(BM_FillDrawList)->BRAITENLAB_CROWDS;

@@ -1,0 +1,55 @@
+#include "render/gl/backdrop.h"
+
+#include <cstring>
+
+#include <GL/glew.h>
+
+namespace braitenlab {
+
+namespace {
+
+// A frame as far as the ground shows it: neither time nor lamps.
+FrameBlock ground_of(FrameBlock frame) {
+    frame.arena.z = 0;
+    frame.counts.x = 0;
+    frame.lamps = {};
+    return frame;
+}
+
+bool same(const std::optional<FrameBlock>& a, const FrameBlock& b) { return a && std::memcmp(&*a, &b, sizeof b) == 0; }
+
+}  // namespace
+
+Backdrop::Backdrop() { glGenFramebuffers(1, &framebuffer_); }
+
+Backdrop::~Backdrop() { glDeleteFramebuffers(1, &framebuffer_); }
+
+Backdrop::Ground Backdrop::look(const FrameBlock& frame) {
+    const FrameBlock ground = ground_of(frame);
+    const bool rests = same(last_, ground);
+    last_ = ground;
+    return same(painted_, ground) ? Ground::kept : rests ? Ground::rests : Ground::moves;
+}
+
+void Backdrop::begin_painting() {
+    const int width = static_cast<int>(last_->window.x), height = static_cast<int>(last_->window.y);
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound_before_);
+    glGetIntegerv(GL_VIEWPORT, viewport_before_);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
+    if (width != width_ || height != height_) {
+        picture_.resize(width, height);
+        glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture_.id(), 0);
+        width_ = width, height_ = height;
+    }
+    glViewport(0, 0, width, height);
+}
+
+void Backdrop::end_painting() {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound_before_));
+    glViewport(viewport_before_[0], viewport_before_[1], viewport_before_[2], viewport_before_[3]);
+    painted_ = last_;
+}
+
+void Backdrop::forget() { painted_.reset(); }
+
+}  // namespace braitenlab

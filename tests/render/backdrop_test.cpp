@@ -1,0 +1,107 @@
+#include "render/gl/backdrop.h"
+
+#include <cstdlib>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/render/rendered.h"
+#include "tests/view/hand_made.h"
+
+namespace braitenlab {
+namespace {
+
+using Pixels = std::vector<unsigned char>;
+
+// Whether two pictures are the same but for roundings, which move by one of 255 levels with the order of drawing, and
+// for two pixels at most where a wall's foot and the floor are equally far away.
+testing::AssertionResult alike(const Pixels& a, const Pixels& b) {
+    if (a.size() != b.size() || a.empty()) return testing::AssertionFailure() << "of different sizes";
+    int odd = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) odd += std::abs(a[i] - b[i]) > 1;
+    if (odd <= 6) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << odd << " bytes differ";
+}
+
+class BackdropTest : public Rendered {
+protected:
+    Pixels drawn(const Snapshot& now) {
+        renderer->draw(now, picture);
+        return stage.pixels();
+    }
+
+    // By a renderer that has nothing kept yet.
+    Pixels drawn_afresh(const Snapshot& now) {
+        auto created = Renderer::create(BRAITENLAB_SOURCE "/shaders");
+        if (!created) return {};
+        created->draw(now, picture);
+        return stage.pixels();
+    }
+
+    static Snapshot arena_with(Edge edge) {
+        auto scene = hand_made::scene();
+        scene->arena.edge = edge;
+        Snapshot now = hand_made::empty(scene);
+        hand_made::add(now, 1, -1, 2, 0.4f);
+        hand_made::add_source(now, Channel::light, 3, 1);
+        return now;
+    }
+};
+
+TEST_F(BackdropTest, ShowsTheGroundAsItWouldBePaintedAnew) {
+    for (const Edge edge : {Edge::wall, Edge::open, Edge::torus})
+        for (const Theme theme : {Theme::dark, Theme::light}) {
+            const Snapshot now = arena_with(edge);
+            picture.theme = theme;
+            const auto moving = drawn_afresh(now);
+            for (int frame = 0; frame < 4; ++frame)
+                EXPECT_TRUE(alike(drawn(now), moving)) << "frame " << frame << " of edge " << static_cast<int>(edge);
+        }
+}
+
+TEST_F(BackdropTest, FollowsTheCameraThatSetsOffAgain) {
+    const Snapshot now = arena_with(Edge::wall);
+    for (int frame = 0; frame < 3; ++frame) drawn(now);
+    Camera camera;
+    camera.zoom = 1.7f, camera.azimuth += 0.4f;
+    look_from(camera);
+    EXPECT_TRUE(alike(drawn(now), drawn_afresh(now)));
+}
+
+TEST_F(BackdropTest, FillsAPictureThatIsOnlyPartOfTheFramebuffer) {
+    const Snapshot now = arena_with(Edge::wall);
+    const Rect part{160, 120, 320, 240};
+    picture.sight = look(Camera{}, Arena{}, nullptr, part, part);
+    const auto moving = drawn_afresh(now);
+    for (int frame = 0; frame < 3; ++frame) EXPECT_TRUE(alike(drawn(now), moving)) << frame;
+}
+
+TEST_F(BackdropTest, LetsTheCameraRestForAFrameBeforeItKeepsAnything) {
+    const Snapshot now = arena_with(Edge::wall);
+    Backdrop backdrop;
+    const auto ground = [&] { return backdrop.look(frame_block(now, picture, DrawList{})); };
+    EXPECT_EQ(ground(), Backdrop::Ground::moves);
+    EXPECT_EQ(ground(), Backdrop::Ground::rests);
+    backdrop.begin_painting();
+    backdrop.end_painting();
+    EXPECT_EQ(ground(), Backdrop::Ground::kept);
+    picture.theme = Theme::light;
+    EXPECT_EQ(ground(), Backdrop::Ground::moves);
+    picture.theme = Theme::dark;
+    EXPECT_EQ(ground(), Backdrop::Ground::kept) << "what it holds is right again";
+    backdrop.forget();
+    EXPECT_EQ(ground(), Backdrop::Ground::rests);
+}
+
+TEST_F(BackdropTest, KeepsTheGroundWhileTimeGoesOnAndLampsMove) {
+    Snapshot now = arena_with(Edge::wall);
+    Backdrop backdrop;
+    DrawList list;
+    backdrop.look(frame_block(now, picture, list));
+    now.seconds += 1, now.vehicles[0].x += 1;
+    list.lamps.push_back({{1, 1, 0, 1}, {1, 1, 1, 4}});
+    EXPECT_EQ(backdrop.look(frame_block(now, picture, list)), Backdrop::Ground::rests);
+}
+
+}  // namespace
+}  // namespace braitenlab
