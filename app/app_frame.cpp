@@ -27,6 +27,11 @@ float fitting(float scale, Rect window) {
     return scale <= most ? scale : std::max(1.0f, std::floor(most * steps) / steps);
 }
 
+std::string typed_text(const PanelState& panels) {
+    if (!panels.sliders.typed.empty()) return panels.sliders.text;
+    return panels.files.typed.active ? panels.files.typed.text : std::string();
+}
+
 }  // namespace
 
 float App::wanted_scale() const {
@@ -66,7 +71,8 @@ void App::follow_shaders() {
 void App::frame(float passed) {
     follow_preferences();
     follow_shaders();
-    window_.begin_frame();
+    const KeysOfAFrame keys = window_.take_keys(panels_.keyboard.text);
+    window_.begin_frame(keys);
     LabView view = view_of(lab_);
     view.catalogue = &catalogue_;
     view.languages = &words_.languages;
@@ -79,7 +85,7 @@ void App::frame(float passed) {
     view.sight = &viewport_.sight;
     outbox_.clear();
     bool arrows_are_free = true;
-    for (const KeyPress press : window_.take_keys()) arrows_are_free &= !press_key(view, panels_, press, outbox_);
+    for (const KeyPress press : keys.presses) arrows_are_free &= !press_key(view, panels_, press, outbox_);
 
     anchors_.begin();
     Ui ui{.strings = words_.strings,
@@ -101,6 +107,7 @@ void App::frame(float passed) {
     else
         draw_scene();
     facts_.focus = panels_.keyboard.focus;
+    facts_.typed = typed_text(panels_);
     window_.bind();
     window_.end_frame();
     for (const Request& request : outbox_) handle(lab_, request);

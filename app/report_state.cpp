@@ -222,6 +222,7 @@ std::string state_json(const Lab& lab, const StageState& stage, const FrameFacts
     state["lecture"] = lab.before_lecture.has_value();
     state["sensors"] = lab.sensors;
     state["focus"] = frame.focus;
+    state["typed"] = frame.typed;
     state["language"] = lab.preferences.language;
     state["theme"] = lab.preferences.theme == Theme::light ? "light" : "dark";
     state["type_size"] = plain(lab.preferences.type_size);

@@ -17,19 +17,21 @@ std::string anchors_json(const Anchors&);
 
 struct FrameFacts {
     std::string focus;  // the anchor that has the keyboard; empty: the viewport
+    std::string typed;  // so far, in the text field or number that has the cursor
     int draw_calls = 0;
     bool graphics_watched = false;
     int graphics_errors = 0;  // see Window
-    Sight sight;          // by which the scene was drawn
-    bool hand = false;    // the mouse cursor says that something can be taken
-    double frame_ms = 0;  // work of a frame, without waiting for the display
+    Sight sight;              // by which the scene was drawn
+    bool hand = false;        // the mouse cursor says that something can be taken
+    double frame_ms = 0;      // work of a frame, without waiting for the display
 };
 
 // {mode, tick, seconds, hash, time_scale, selected, character, weights {LL …}, thresholds {LL …}, lesions, driver,
 // motor [left, right], sensor_ranges [..], nodes, wires, toggles, undo_depth, redo_depth, population, predators, prey,
-// generation, camera, language, overlays {…}, draw_calls, graphics_watched, graphics_errors, frame_ms, exercise, thing {kind, index}, hovered {kind, index, handle},
-// cursor, tool, corners, vehicles, sources, obstacles}; the last three hold values and, as `at`, where each stands in
-// the window, px, or null behind the eye. The first 64 alone.
+// generation, camera, language, focus, typed, overlays {…}, draw_calls, graphics_watched, graphics_errors, frame_ms,
+// exercise, thing {kind, index}, hovered {kind, index, handle}, cursor, tool, corners, vehicles, sources, obstacles};
+// the last three hold values and, as `at`, where each stands in the window, px, or null behind the eye. The first 64
+// alone.
 std::string state_json(const Lab&, const StageState&, const FrameFacts&);
 
 // Keeps one file up to date: writes beside it and renames, so that a reader never sees half a file; leaves it alone

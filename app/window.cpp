@@ -12,6 +12,8 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include "ui/imgui_compat.h"
+
 namespace braitenlab {
 
 namespace {
@@ -42,7 +44,7 @@ int key_of(int glfw_key, int scancode) {
 
 struct Window::Native {
     GLFWwindow* window = nullptr;
-    std::vector<KeyPress> keys;
+    KeyQueue keys;
     std::vector<std::string> dropped;
     int windowed[4] = {0, 0, 0, 0};  // place and size before full screen
     bool imgui = false;
@@ -63,6 +65,20 @@ struct Window::Native {
     }
 
     static Native& of(GLFWwindow* w) { return *static_cast<Native*>(glfwGetWindowUserPointer(w)); }
+
+    // In the place of Dear ImGui's own callbacks: it hears of keys by our queue, unless it keeps one itself.
+    void listen_to_keys() {
+        glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+            if constexpr (compat::keeps_a_key_queue) ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, mods);
+            if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
+            const bool ctrl = (mods & GLFW_MOD_CONTROL) != 0, shift = (mods & GLFW_MOD_SHIFT) != 0;
+            of(w).keys.press({key_of(key, scancode), ctrl, shift}, action == GLFW_REPEAT);
+        });
+        glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
+            if constexpr (compat::keeps_a_key_queue) ImGui_ImplGlfw_CharCallback(w, character);
+            of(w).keys.type(character);
+        });
+    }
 };
 
 namespace {
@@ -155,15 +171,6 @@ Result<Window> Window::open(const WindowOptions& options) {
     glfwSetWindowSizeLimits(window, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glEnable(GL_MULTISAMPLE);
 
-    // Before Dear ImGui's own: it keeps no queue (1.86), and a key pressed and released within a frame would be lost.
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
-        if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
-        const KeyPress press{key_of(key, scancode), (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0};
-        // A held key repeats; play and pause and the like must not flicker with it.
-        const bool repeats = key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT || key == GLFW_KEY_UP ||
-                             key == GLFW_KEY_DOWN || key == GLFW_KEY_TAB || press.key == '.' || press.key == ',';
-        if (action == GLFW_PRESS || repeats) Native::of(w).keys.push_back(press);
-    });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
         auto& dropped = Native::of(w).dropped;
         dropped.insert(dropped.end(), paths, paths + count);
@@ -174,6 +181,7 @@ Result<Window> Window::open(const WindowOptions& options) {
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
     native->imgui = true;
+    native->listen_to_keys();
     return Window(std::move(native));
 }
 
@@ -218,14 +226,19 @@ void Window::poll(double patience) {
         glfwPollEvents();
 }
 
-std::vector<KeyPress> Window::take_keys() { return std::exchange(native_->keys, {}); }
+KeysOfAFrame Window::take_keys(TextInput text) { return native_->keys.take(text); }
 std::vector<std::string> Window::take_dropped_files() { return std::exchange(native_->dropped, {}); }
 
 bool Window::holds(int glfw_key) const { return glfwGetKey(native_->window, glfw_key) == GLFW_PRESS; }
 
-void Window::begin_frame() {
+void Window::begin_frame(const KeysOfAFrame& keys) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    const auto either = [this](int left, int right) { return holds(left) || holds(right); };
+    hand_over(keys,
+              {either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL), either(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+               either(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)},
+              ImGui::GetIO());
     ImGui::NewFrame();
 }
 

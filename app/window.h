@@ -9,7 +9,7 @@
 
 #include "core/result.h"
 #include "render/view/camera.h"
-#include "ui/shortcuts.h"
+#include "ui/key_queue.h"
 
 struct GLFWwindow;
 
@@ -46,17 +46,18 @@ public:
     // What the display asks for, at least 1.
     float content_scale() const;
 
-    // Takes what happened since the last call: keys in the order they were pressed, dropped files. Waits for something
-    // to happen, but not longer than `patience` seconds; 0 does not wait.
+    // Takes what happened since the last call: what the keyboard did, in its order, and dropped files. Waits for
+    // something to happen, but not longer than `patience` seconds; 0 does not wait.
     void poll(double patience);
-    std::vector<KeyPress> take_keys();
+    KeysOfAFrame take_keys(TextInput);
     std::vector<std::string> take_dropped_files();
 
     // Whether a key is held now.
     bool holds(int glfw_key) const;
 
-    // Dear ImGui's frame; the font atlas must be filled before the first and may be refilled between frames.
-    void begin_frame();
+    // Dear ImGui's frame, which hears these keys; the font atlas must be filled before the first and may be refilled
+    // between frames.
+    void begin_frame(const KeysOfAFrame&);
     void end_frame();     // draws Dear ImGui's lists over what has been drawn
     void show();          // swaps the buffers
     void forget_fonts();  // after the atlas was refilled

@@ -56,6 +56,20 @@ inline void polyline(ImDrawList& draw, const ImVec2* points, int count, ImU32 co
 #endif
 }
 
+// Whether Dear ImGui keeps keys and characters in their order by itself.
+inline constexpr bool keeps_a_key_queue = IMGUI_VERSION_NUM >= 18700;
+
+// Of all keys `down` alone is down in the frame that begins next, −1: none. Numbered as io.KeyMap has them.
+inline void set_keys(ImGuiIO& io, int down, bool ctrl, bool shift, bool alt) {
+#if IMGUI_VERSION_NUM >= 18700
+    (void)io, (void)down, (void)ctrl, (void)shift, (void)alt;
+#else
+    for (bool& key : io.KeysDown) key = false;
+    if (down >= 0 && down < IM_ARRAYSIZE(io.KeysDown)) io.KeysDown[down] = true;
+    io.KeyCtrl = ctrl, io.KeyShift = shift, io.KeyAlt = alt;
+#endif
+}
+
 // How long the pointer has been over the widget that it is over.
 inline float hovered_seconds() { return GImGui->HoveredIdTimer; }
 

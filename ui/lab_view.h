@@ -55,7 +55,7 @@ struct LabView {
     VehicleId selected = no_vehicle;
     Thing thing;                   // the lamp or obstacle that is selected beside the vehicle
     const Sight* sight = nullptr;  // where the scene is seen from; null: it cannot be pointed at
-    bool whole_kind = true;  // edits go to every vehicle of the selected one's kind
+    bool whole_kind = true;        // edits go to every vehicle of the selected one's kind
     bool sensors = true, outlines = false;
     Overlays overlays;
     CameraMode camera = CameraMode::overview;

@@ -16,7 +16,7 @@ class Strings;
 // is printed. The others are numbered as GLFW numbers them, so that the window needs no table.
 namespace key {
 inline constexpr int escape = 256, enter = 257, tab = 258, backspace = 259, del = 261;
-inline constexpr int right = 262, left = 263, down = 264, up = 265, home = 268;
+inline constexpr int right = 262, left = 263, down = 264, up = 265, home = 268, end = 269;
 inline constexpr int f1 = 290, f9 = 298, f10 = 299, f11 = 300, f12 = 301, menu = 348;
 }  // namespace key
 

@@ -59,6 +59,8 @@ void end_keyboard(Keyboard& keyboard) {
     const Stops stops(keyboard.stops.data(), keyboard.stop_count);
     if (keyboard.held && index_of(stops, keyboard.focus) < 0) keyboard.focus = stops.empty() ? "" : stops.front().id;
     if (keyboard.was_held && !keyboard.held) keyboard.focus = std::exchange(keyboard.focus_before, {});
+    const int at = index_of(stops, keyboard.focus);
+    keyboard.text = at < 0 ? TextInput::none : stops[static_cast<std::size_t>(at)].text;
     keyboard.was_held = std::exchange(keyboard.held, false);
     keyboard.presses.clear();
     keyboard.revealed = false;
@@ -76,7 +78,14 @@ bool stop_here(Keyboard* keyboard, std::string_view id) {
     Keyboard::Stop& stop = keyboard->stops[keyboard->stop_count++];
     stop.id.assign(id);
     stop.card = keyboard->card;
+    stop.text = TextInput::none;
     return keyboard->focus == id;
+}
+
+void takes_text(Keyboard* keyboard, std::string_view id, bool has_cursor) {
+    if (!keyboard || keyboard->stop_count == 0) return;
+    Keyboard::Stop& stop = keyboard->stops[keyboard->stop_count - 1];
+    if (stop.id == id) stop.text = has_cursor ? TextInput::open : TextInput::awaited;
 }
 
 std::optional<KeyPress> take(Keyboard& keyboard, int wanted) {

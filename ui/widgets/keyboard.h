@@ -11,6 +11,9 @@
 
 namespace braitenlab {
 
+// What is typed goes into a text field that has the cursor, or into one that is about to have it.
+enum class TextInput { none, awaited, open };
+
 struct Keyboard {
     std::string focus;              // the anchor that has the focus; empty: the viewport has it
     std::vector<KeyPress> presses;  // for the focused widget, since the last frame
@@ -21,6 +24,7 @@ struct Keyboard {
     struct Stop {
         std::string id;
         int card = 0;
+        TextInput text = TextInput::none;
     };
     // This frame's and the last one's; those beyond the count are spent, and keep their memory for the next frame.
     std::vector<Stop> stops, last_stops;
@@ -28,6 +32,7 @@ struct Keyboard {
     int card = 0;
     bool held = false, was_held = false;  // by a sheet, in this frame and in the last one
     std::string focus_before;             // who had it when the sheet came
+    TextInput text = TextInput::none;     // of the focused widget, when the last frame had been drawn
 };
 
 // Whether the focus is shown after this key.
@@ -49,6 +54,10 @@ void begin_stops(Keyboard*);
 
 // The widget can have the focus; true when it has it. `keyboard` may be null.
 bool stop_here(Keyboard*, std::string_view id);
+
+// The widget that just became a stop takes text: it has the cursor, or will in one of the next frames. `keyboard` may
+// be null.
+void takes_text(Keyboard*, std::string_view id, bool has_cursor);
 
 // Takes the first press of this key away, with or without Shift and Ctrl. Nothing when it was not pressed.
 std::optional<KeyPress> take(Keyboard&, int key);

@@ -97,7 +97,7 @@ int only_number(ImGuiInputTextCallbackData* data) {
 }
 
 // The open number. Leaving it in any way but Esc takes what stands there, if it is a number.
-std::optional<float> type(Ui& ui, SliderState& state, Rect box) {
+std::optional<float> type(Ui& ui, SliderState& state, std::string_view id, Rect box) {
     ImGui::SetCursorScreenPos({box.x, box.y});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(4), (box.h - line_height(ui, Face::text)) / 2});
     compat::push_font(font(ui, Face::text));
@@ -113,6 +113,7 @@ std::optional<float> type(Ui& ui, SliderState& state, Rect box) {
     line_box(ui, box, ui.palette.accent, 6, 1.5f);
     const bool left = state.text_opened && !active;  // after Esc, Dear ImGui has put the old number back
     if (active) state.text_opened = true;
+    takes_text(ui.keyboard, id, active);
     if (!entered && !state.commit && !state.give_up && !left) return std::nullopt;
     state.typed.clear();
     ImGui::ClearActiveID();
@@ -160,7 +161,8 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
     if (clicked && ui.keyboard) ui.keyboard->focus = id;
     if (typing) {
         ImGui::SameLine(0, 0);
-        if (const auto typed = type(ui, state, {at.right() - text_width_open, at.rect.y, text_width_open, at.rect.h})) {
+        if (const auto typed =
+                type(ui, state, id, {at.right() - text_width_open, at.rect.y, text_width_open, at.rect.h})) {
             ++state.gesture;
             wanted = *typed;
         }
@@ -169,6 +171,7 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
         const bool moved = twice && state.pressed == id && state.pressed_at != value;
         if (moved) wanted = state.pressed_at;
         open_text(state, id, written(wanted.value_or(value), look));
+        takes_text(ui.keyboard, id, false);
         state.dragged.clear();
     } else if ((at.hovered && ImGui::IsMouseClicked(1)) || (at.focused && take(*ui.keyboard, key::del))) {
         ++state.gesture;

@@ -42,6 +42,7 @@ void text_field(Ui& ui, TextField& field, std::string_view id, float width, std:
     field.active = ImGui::IsItemActive();
     if (clicked && ui.keyboard) ui.keyboard->focus = id;
     if (field.active && !focused && !clicked) ImGui::ClearActiveID(), field.active = false;
+    takes_text(ui.keyboard, id, field.active);
     ImGui::PopStyleVar();
     ImGui::PopFont();
     if (field.text.empty())

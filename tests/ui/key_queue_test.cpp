@@ -1,0 +1,177 @@
+#include "ui/key_queue.h"
+
+#include <string>
+
+#include "desk.h"
+
+namespace braitenlab::tests {
+namespace {
+
+constexpr KeyPress select_all{'A', true}, save_as{'S', true, true};
+
+void strike(KeyQueue& queue, char letter) {
+    queue.press({letter >= 'a' && letter <= 'z' ? letter - 'a' + 'A' : letter});
+    queue.type(static_cast<unsigned char>(letter));
+}
+void strike(KeyQueue& queue, const std::string& letters) {
+    for (const char letter : letters) strike(queue, letter);
+}
+std::string text(const KeysOfAFrame& frame) { return {frame.characters.begin(), frame.characters.end()}; }
+
+TEST(KeyQueue, HandsEveryShortcutOverAtOnceHoweverManyThereAre) {
+    KeyQueue queue;
+    for (int i = 0; i < 20; ++i) strike(queue, ' ');
+    const KeysOfAFrame frame = queue.take(TextInput::none);
+    EXPECT_EQ(frame.presses, std::vector<KeyPress>(20, KeyPress{' '}));
+    EXPECT_TRUE(frame.characters.empty()) << "nobody reads them";
+    EXPECT_FALSE(frame.stroke);
+    EXPECT_TRUE(queue.take(TextInput::none).presses.empty());
+}
+
+TEST(KeyQueue, LetsNothingPassAKeyAfterWhichTextMayBeTyped) {
+    KeyQueue queue;
+    queue.press(save_as);
+    strike(queue, "hi");
+    EXPECT_EQ(queue.take(TextInput::none).presses, std::vector{save_as});
+    EXPECT_TRUE(queue.take(TextInput::awaited).presses.empty());
+    EXPECT_TRUE(queue.take(TextInput::awaited).characters.empty());
+    EXPECT_EQ(text(queue.take(TextInput::open)), "hi");
+}
+
+TEST(KeyQueue, TakesShortcutsAgainWhenNoTextIsTypedAfterAll) {
+    KeyQueue queue;
+    queue.press({key::enter});
+    strike(queue, ' ');
+    EXPECT_EQ(queue.take(TextInput::none).presses, std::vector{KeyPress{key::enter}});
+    EXPECT_EQ(queue.take(TextInput::none).presses, std::vector{KeyPress{' '}});
+}
+
+TEST(KeyQueue, DoesNotWaitForeverForAFieldThatNeverTakesTheCursor) {
+    KeyQueue queue;
+    strike(queue, ' ');
+    int frames = 0;
+    while (queue.take(TextInput::awaited).presses.empty() && frames < 100) ++frames;
+    EXPECT_LT(frames, 30);
+}
+
+TEST(KeyQueue, GivesTextEitherCharactersOrOneKey) {
+    KeyQueue queue;
+    strike(queue, "hello");
+    queue.press(select_all);
+    strike(queue, "x");
+    queue.press({key::home});
+    strike(queue, "y");
+    std::vector<std::string> heard;
+    for (int i = 0; i < 5; ++i) {
+        const KeysOfAFrame frame = queue.take(TextInput::open);
+        EXPECT_TRUE(frame.characters.empty() || !frame.stroke) << i;
+        heard.push_back(frame.stroke ? std::to_string(frame.stroke->key) : text(frame));
+    }
+    EXPECT_EQ(heard, (std::vector<std::string>{"hello", "65", "x", "268", "y"}));
+}
+
+TEST(KeyQueue, LetsAKeyComeUpBeforeItGoesDownAgain) {
+    KeyQueue queue;
+    queue.press({key::left});
+    queue.press({key::left});
+    EXPECT_TRUE(queue.take(TextInput::open).stroke);
+    EXPECT_FALSE(queue.take(TextInput::open).stroke);
+    EXPECT_TRUE(queue.take(TextInput::open).stroke);
+}
+
+TEST(KeyQueue, RepeatsHeldKeysWhereThatHelpsAndNowhereElse) {
+    KeyQueue queue;
+    queue.press({' '}, true);
+    queue.press({key::left}, true);
+    queue.press({key::backspace}, true);
+    EXPECT_EQ(queue.take(TextInput::none).presses, std::vector{KeyPress{key::left}}) << "Space would flicker";
+    queue.press({key::enter}, true);
+    queue.press({key::backspace}, true);
+    EXPECT_EQ(queue.take(TextInput::open).stroke, KeyPress{key::backspace});
+}
+
+// The same, heard by a text field.
+struct TypedQuickly : testing::Test {
+    Desk desk;
+    FilesView files;
+    KeyQueue queue;
+
+    TypedQuickly() {
+        ImGuiIO& io = ImGui::GetIO();
+        io.KeyMap[ImGuiKey_A] = 'A', io.KeyMap[ImGuiKey_Z] = 'Z';
+        io.KeyMap[ImGuiKey_C] = 'C', io.KeyMap[ImGuiKey_V] = 'V';
+        io.KeyMap[ImGuiKey_Home] = key::home, io.KeyMap[ImGuiKey_End] = key::end;
+        io.KeyMap[ImGuiKey_LeftArrow] = key::left, io.KeyMap[ImGuiKey_RightArrow] = key::right;
+        io.KeyMap[ImGuiKey_Backspace] = key::backspace, io.KeyMap[ImGuiKey_Enter] = key::enter;
+        files.suggested = "scene";
+        desk.view.files = &files;
+        desk.frame(2);
+    }
+    void hear(int frames) {
+        for (; frames > 0; --frames) {
+            const KeysOfAFrame keys = queue.take(desk.panels.keyboard.text);
+            hand_over(keys, {}, ImGui::GetIO());
+            for (const KeyPress press : keys.presses) desk.key(press);
+            desk.frame();
+        }
+    }
+    const std::string& name() const { return desk.panels.files.typed.text; }
+};
+
+TEST_F(TypedQuickly, ReachesAFieldThatTheFirstKeyOpens) {
+    queue.press(save_as);
+    queue.press(select_all);
+    strike(queue, "hello");
+    queue.press(select_all);
+    strike(queue, "x");
+    queue.press({key::home});
+    strike(queue, "y");
+    hear(40);
+    EXPECT_EQ(name(), "yx");
+    EXPECT_TRUE(desk.actions().empty());
+}
+
+TEST_F(TypedQuickly, KeepsCharactersAndKeysInTheirOrder) {
+    queue.press(save_as);
+    queue.press(select_all);
+    strike(queue, "abcd");
+    for (int i = 0; i < 3; ++i) queue.press({key::left});
+    queue.press({key::backspace});
+    strike(queue, "1 2");
+    queue.press({key::end});
+    strike(queue, "!");
+    hear(60);
+    EXPECT_EQ(name(), "1 2bcd!");
+}
+
+TEST_F(TypedQuickly, SavesUnderWhatWasTypedBeforeEnterAndPlaysAfterEscape) {
+    queue.press(save_as);
+    queue.press(select_all);
+    strike(queue, "new one");
+    queue.press({key::enter});
+    queue.press({key::escape});
+    strike(queue, ' ');
+    hear(60);
+    std::vector<std::string> saved;
+    for (const Request& request : desk.all)
+        if (const auto* save = std::get_if<SaveRequest>(&request)) saved.push_back(save->path);
+    EXPECT_EQ(saved, std::vector<std::string>{"new one"});
+    EXPECT_EQ(desk.actions(), std::vector{Action::play_pause});
+}
+
+TEST_F(TypedQuickly, ReachesTheNumberThatEnterOpens) {
+    queue.press({'2'});
+    queue.type('2');
+    queue.press({key::enter});
+    strike(queue, "0.75");
+    queue.press({key::enter});
+    strike(queue, ' ');
+    hear(60);
+    const auto edits = desk.edits();
+    ASSERT_EQ(edits.size(), 1u);
+    EXPECT_FLOAT_EQ(turned(edits[0]).value, 0.75f);
+    EXPECT_EQ(desk.actions(), std::vector{Action::play_pause}) << "'.' within the number is no step";
+}
+
+}  // namespace
+}  // namespace braitenlab::tests
