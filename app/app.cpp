@@ -71,7 +71,8 @@ int App::run() {
     }
     keep_memory(true);
     if (is_told_to_end())
-        autosave_.keep(lab_, lab_.wall_seconds, true);  // nobody could be asked: the next start offers it
+        autosave_.keep(lab_, lab_.wall_seconds,
+                       Autosave::Occasion::end);  // nobody could be asked: offered at next start
     else
         autosave_.finish();
     return 0;
@@ -96,7 +97,7 @@ void App::let_time_pass(double passed) {
 }
 
 void App::do_what_files_ask() {
-    for (const std::string& path : window_.take_dropped_files()) lab_.files.push_back(OpenRequest{path});
+    for (const std::string& path : window_.take_dropped_files()) lab_.files.push_back(OpenRequest{path, true});
     for (const Request& request : lab_.files)
         if (const auto* recover = std::get_if<RecoverRequest>(&request)) do_recovery(recover->take);
     if (!lab_.files.empty()) do_files(lab_, files_, memory_.remembered);
@@ -112,7 +113,7 @@ void App::do_recovery(bool take) {
     recovered->work = 1;
     replace_lab(lab_, std::move(*recovered));
     refresh(files_, lab_);
-    const auto error = autosave_.keep(lab_, lab_.wall_seconds, true);
+    const auto error = autosave_.keep(lab_, lab_.wall_seconds, Autosave::Occasion::now);
     error ? refuse(*error) : autosave_.forget();
 }
 

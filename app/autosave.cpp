@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -52,6 +53,12 @@ void set_aside(const fs::path& path) {
 
 fs::path lock_of(fs::path file) { return file.replace_extension(".lock"); }
 
+Error cannot_keep(Error reason) {
+    reason.what =
+        fmt::format("your work cannot be kept for the case of a crash, save it yourself (Ctrl+S): {}", reason.what);
+    return reason;
+}
+
 }  // namespace
 
 Draft draft_of(const Lab& lab) {
@@ -63,9 +70,10 @@ Draft draft_of(const Lab& lab) {
     return draft;
 }
 
-std::string write_autosave(const Draft& draft, std::string_view when) {
+std::string write_autosave(const Draft& draft, std::string_view when, bool ended) {
     toml::table table{{"format", 1},
                       {"when", when},
+                      {"ended", ended},
                       {"name", draft.name},
                       {"path", draft.path.string()},
                       {"run", write_run(draft.run)}};
@@ -122,7 +130,8 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& complaints) : folder_(st
             continue;
         }
         const auto table = read_table(text, file.string());
-        const RecoveryOffer offer{opened->name, (*table)["when"].value_or(std::string())};
+        const RecoveryOffer offer{opened->name, (*table)["when"].value_or(std::string()),
+                                  (*table)["ended"].value_or(false)};
         if (!leftover_ || leftover_->offer.when < offer.when) leftover_ = Leftover{file, offer};
     }
 }
@@ -153,12 +162,14 @@ bool Autosave::begin() {
 std::optional<Error> Autosave::settle() {
     if (!writing_.valid()) return std::nullopt;
     const std::optional<Error> error = writing_.get();
-    if (!error) failed_ = false;
-    return error && !std::exchange(failed_, true) ? error : std::nullopt;
+    if (!error) return failed_ = false, std::nullopt;
+    kept_ = {};  // it is tried again
+    return std::exchange(failed_, true) ? std::nullopt : error;
 }
 
-std::optional<Error> Autosave::keep(const Lab& lab, double wall_seconds, bool now) {
+std::optional<Error> Autosave::keep(const Lab& lab, double wall_seconds, Occasion occasion) {
     if (folder_.empty()) return std::nullopt;
+    const bool now = occasion != Occasion::frame;
     due_ |= std::exchange(mode_, lab.mode) != lab.mode;
     const bool busy = writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
     if (busy && !now) return std::nullopt;
@@ -168,31 +179,38 @@ std::optional<Error> Autosave::keep(const Lab& lab, double wall_seconds, bool no
         finish();
         return told;
     }
-    if (here == kept_) return told;
+    if (here == kept_ && occasion != Occasion::end) return told;
     if (dirty_since_ < 0) dirty_since_ = wall_seconds;
-    if (!now && !due_ && wall_seconds - dirty_since_ < period) return told;
+    if (!now && !due_ && wall_seconds < std::max(dirty_since_ + soon, written_at_ + period)) return told;
     dirty_since_ = -1;
+    written_at_ = wall_seconds;
     due_ = false;
     kept_ = here;
-    if (begin()) {
-        writing_ = std::async(std::launch::async, [file = file_, draft = draft_of(lab), when = now_in_words()] {
-            return write_whole(file, write_autosave(draft, when));
-        });
-    } else {
-        std::promise<std::optional<Error>> refused;
-        refused.set_value(
-            Error{"nothing can be kept here for the case of a crash; check that the folder may be "
-                  "written to",
-                  folder_.string()});
-        writing_ = refused.get_future();
-    }
+    write(lab, occasion == Occasion::end);
     return now ? settle() : told;
+}
+
+void Autosave::write(const Lab& lab, bool ended) {
+    if (begin()) {
+        writing_ =
+            std::async(std::launch::async,
+                       [file = file_, draft = draft_of(lab), when = now_in_words(), ended]() -> std::optional<Error> {
+                           if (auto error = write_whole(file, write_autosave(draft, when, ended)))
+                               return cannot_keep(*error);
+                           return std::nullopt;
+                       });
+        return;
+    }
+    std::promise<std::optional<Error>> refused;
+    refused.set_value(cannot_keep({"check that the folder may be written to and has room", folder_.string()}));
+    writing_ = refused.get_future();
 }
 
 void Autosave::finish() {
     (void)settle();
     kept_ = {};
     dirty_since_ = -1;
+    written_at_ = -period;
     due_ = false;
     if (!lock_) return;
     std::error_code none;

@@ -31,7 +31,8 @@ struct Draft {
     std::optional<Progress> exercise;
 };
 Draft draft_of(const Lab&);
-std::string write_autosave(const Draft&, std::string_view when);
+// `ended`: the lab was told to end, and did so properly.
+std::string write_autosave(const Draft&, std::string_view when, bool ended = false);
 
 // A lab from such text, with an exercise from its own file. Fails, naming the line, on
 // anything else.
@@ -46,6 +47,10 @@ struct Leftover {
 class Autosave {
 public:
     static constexpr double period = 19.5;  // s; with the time that writing takes, a crash costs 20 s at most
+    static constexpr double soon = 1.5;     // s, after the first edit
+
+    // frame: may wait until it is due. now: is on the disk before keep() returns. end: the same, for the last time.
+    enum class Occasion { frame, now, end };
 
     // Looks for what another lab has left in the folder; the newest counts. One that cannot be read is renamed to
     // <name>.broken and complained about. An empty folder: nothing is looked for or written.
@@ -59,10 +64,11 @@ public:
     Result<Lab> recover() const;
     void forget();
 
-    // Writes when there are edits or ticks that are not on the disk yet: `period` after they began, or at once when the
-    // mode has changed. That happens on another thread, so that no frame waits for a disk; with `now` set, before it
-    // returns. What a person saved needs no keeping. An error is told once until writing works again.
-    std::optional<Error> keep(const Lab&, double wall_seconds, bool now = false);
+    // Writes when there are edits or ticks that are not on the disk yet: `soon` after they began, but `period` after
+    // the last time at the earliest; at once when the mode has changed. That happens on another thread, so that no
+    // frame waits for a disk. What a person saved needs no keeping. An error is told once until writing works again,
+    // which is tried again and again.
+    std::optional<Error> keep(const Lab&, double wall_seconds, Occasion = Occasion::frame);
 
     // Waits until what keep() began is on the disk.
     std::optional<Error> settle();
@@ -72,6 +78,7 @@ public:
 
 private:
     bool begin();  // takes a name and its lock
+    void write(const Lab&, bool ended);
 
     std::filesystem::path folder_, file_;
     std::optional<FileLock> lock_;
@@ -84,6 +91,7 @@ private:
     };
     Reached kept_;
     double dirty_since_ = -1;  // wall seconds; negative: all is on the disk
+    double written_at_ = -period;
     Mode mode_ = Mode::paused;
     bool due_ = false;                           // as soon as the one before is on the disk
     std::future<std::optional<Error>> writing_;  // valid until its end was heard of

@@ -12,25 +12,52 @@ namespace {
 
 constexpr const char* first_exercise = "05-aggressor";
 
-// What is open at the start: the file asked for; else what was open last; else the first exercise.
-Result<std::filesystem::path> file_to_open(const Options& options, Memory& memory) {
-    if (!options.file.empty()) return find_shipped(options.file);
+struct Opened {
+    std::filesystem::path path;
+    Lab lab;
+};
+
+// What is open at the start when nothing is asked for: what was open last; else the first exercise.
+Result<Opened> open_usual(const Options& options, Memory& memory) {
     if (const std::string& last = memory.remembered.last_opened; !last.empty()) {
-        if (const auto found = find_shipped(last); found && open_lab(*found, std::nullopt, {})) return found;
+        if (const auto found = find_shipped(last))
+            if (auto lab = open_lab(*found, options.seed, options.settings)) return Opened{*found, std::move(*lab)};
         memory.complaints.push_back({"was open last, but cannot be opened now", last});
     }
-    return find_shipped(first_exercise);
+    const auto first = find_shipped(first_exercise);
+    if (!first) return first.error();
+    auto lab = open_lab(*first, options.seed, options.settings);
+    if (!lab) return lab.error();
+    return Opened{*first, std::move(*lab)};
+}
+
+Result<Opened> open_asked(const Options& options) {
+    const auto path = find_shipped(options.file);
+    if (!path) return path.error();
+    auto lab = open_lab(*path, options.seed, options.settings);
+    if (!lab) return lab.error();
+    return Opened{*path, std::move(*lab)};
+}
+
+// A file that cannot be opened is no reason to open no window: who has double-clicked it sees no terminal. But a script
+// that asked for a picture of it, or for other values in it, must not get another scene.
+Result<Opened> open_at_start(const Options& options, Memory& memory) {
+    if (options.file.empty()) return open_usual(options, memory);
+    auto asked = open_asked(options);
+    if (asked || !options.screenshot.empty() || !options.settings.empty()) return asked;
+    complain(asked.error());
+    auto instead = open_usual(options, memory);
+    memory.complaints.push_back(asked.error());  // the last one is what the window shows
+    return instead;
 }
 
 int open_and_run(const Options& options) {
     const auto data = data_folder();
     if (!data) return complain(data.error());
     Memory memory = recall(options, native_language(*data / "ui" / "strings"));
-    const auto path = file_to_open(options, memory);
-    if (!path) return complain(path.error());
-    auto lab = open_lab(*path, options.seed, options.settings);
-    if (!lab) return complain(lab.error());
-    remember_file(memory.remembered, *path);
+    auto opened = open_at_start(options, memory);
+    if (!opened) return complain(opened.error());
+    remember_file(memory.remembered, opened->path);
     auto words = words_in(*data / "ui" / "strings", memory.preferences.language);
     if (!words) return complain(words.error());
     auto window = Window::open({.title = "Braitenlab",
@@ -42,7 +69,8 @@ int open_and_run(const Options& options) {
     if (!window) return complain(window.error());
     auto renderer = Renderer::create(*data / "shaders", options.sectors);
     if (!renderer) return complain(renderer.error());
-    return App(options, std::move(*lab), std::move(*window), std::move(*renderer), std::move(*words), std::move(memory))
+    return App(options, std::move(opened->lab), std::move(*window), std::move(*renderer), std::move(*words),
+               std::move(memory))
         .run();
 }
 

@@ -46,10 +46,14 @@ struct Desk {
         view.refused.clear();
     }
 
-    void open(const std::string& typed, bool surely = false) const {
+    void open(const std::string& typed, bool surely = false, bool dropped = false) const {
         const fs::path path = resolved(typed, folder());
         std::error_code none;
-        if (fs::is_directory(path, none)) return list(path);
+        if (fs::is_directory(path, none)) {
+            list(path);
+            if (dropped) say(lab, {NoticeKind::notice, "files.dropped_folder", path.filename().string()});
+            return;
+        }
         if (kind_of_file(path) == FileKind::brain) {
             if (const auto error = take_brain(lab, path)) return refuse(*error);
             return done(path, "files.took_brain");
@@ -130,7 +134,7 @@ void remember_file(Remembered& remembered, const fs::path& file) {
 void do_files(Lab& lab, FilesView& view, Remembered& remembered) {
     const Desk desk{lab, view, remembered};
     for (const Request& request : std::exchange(lab.files, {})) {
-        if (const auto* open = std::get_if<OpenRequest>(&request)) desk.open(open->path);
+        if (const auto* open = std::get_if<OpenRequest>(&request)) desk.open(open->path, false, open->dropped);
         if (const auto* save = std::get_if<SaveRequest>(&request)) desk.save(*save);
         if (const auto* leave = std::get_if<LeaveRequest>(&request)) desk.leave(leave->answer);
         if (const auto* numbers = std::get_if<ExportRequest>(&request)) desk.save_numbers(*numbers);

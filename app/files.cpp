@@ -5,6 +5,8 @@
 #include <fstream>
 #include <sstream>
 
+#include <toml++/toml.h>
+
 #include "app/data.h"
 #include "app/platform.h"
 #include "app/safe_file.h"
@@ -17,7 +19,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t most_entries = 2000;
-constexpr std::uintmax_t largest = 8u << 20;  // bytes; no scene is longer
+constexpr std::uintmax_t largest = 8u << 20;                                 // bytes; no scene is longer
+constexpr std::uintmax_t worth_reading = 1u << 20, reads_in_all = 4u << 20;  // bytes, to see whether a file is broken
 
 // The lines of a file that could be ours; none for anything else, pipes and devices above all.
 std::vector<std::string> lines_of(const fs::path& path) {
@@ -27,6 +30,29 @@ std::vector<std::string> lines_of(const fs::path& path) {
     std::ifstream file(path);
     for (std::string line; std::getline(file, line);) lines.push_back(std::move(line));
     return lines;
+}
+
+// Whether the lab can open it, asked by opening it.
+bool is_broken(const fs::path& path, FileKind kind) {
+    switch (kind) {
+        case FileKind::brain:
+            return !load_brain(path);
+        case FileKind::exercise:
+            return !load_exercise(path);
+        case FileKind::run:
+            return !load_run(path);
+        default:
+            return !load_scene(path);
+    }
+}
+
+// Of another program's, perhaps: well-formed all the same.
+bool is_toml(const fs::path& path) {
+    try {
+        return toml::parse_file(path.string()), true;
+    } catch (const toml::parse_error&) {
+        return false;
+    }
 }
 
 bool any_begins(const std::vector<std::string>& lines, std::string_view with) {
@@ -49,18 +75,24 @@ bool holds_comments(const std::vector<std::string>& lines) {
     });
 }
 
-std::optional<FileEntry> entry_of(const fs::directory_entry& found) {
+// `budget`: bytes that may still be read to see what is broken; beyond, a file is taken to be whole until it is opened.
+std::optional<FileEntry> entry_of(const fs::directory_entry& found, std::uintmax_t& budget) {
     FileEntry entry{found.path().filename().string()};
     if (entry.name.empty() || entry.name[0] == '.') return std::nullopt;
     std::error_code problem;
     entry.is_folder = found.is_directory(problem);
     if (entry.is_folder) return entry;
     const auto ending = found.path().extension();
-    if (ending != ".toml" && ending != ".run") return std::nullopt;
+    if ((ending != ".toml" && ending != run_ending) || !found.is_regular_file(problem)) return std::nullopt;
     const auto lines = ending == ".toml" ? lines_of(found.path()) : std::vector<std::string>{};
     const auto kind = kind_of(found.path(), lines);
-    if (!kind) return std::nullopt;
-    entry.kind = *kind;
+    const std::uintmax_t size = found.file_size(problem);
+    if (problem) return std::nullopt;
+    const bool read = size <= std::min(worth_reading, budget);
+    if (!kind && (!read || is_toml(found.path()))) return std::nullopt;
+    entry.broken = !kind || (read && is_broken(found.path(), *kind));
+    if (read) budget -= size;
+    entry.kind = kind.value_or(FileKind::scene);
     entry.comments = holds_comments(lines);
     return entry;
 }
@@ -80,9 +112,10 @@ FolderListing list_folder(const fs::path& wanted) {
         listing.problem = problem.message();
         return listing;
     }
+    std::uintmax_t budget = reads_in_all;
     for (; entries != fs::directory_iterator() && listing.entries.size() < most_entries; entries.increment(problem)) {
         if (problem) break;
-        if (auto entry = entry_of(*entries)) listing.entries.push_back(std::move(*entry));
+        if (auto entry = entry_of(*entries, budget)) listing.entries.push_back(std::move(*entry));
     }
     std::sort(listing.entries.begin(), listing.entries.end(), [](const FileEntry& a, const FileEntry& b) {
         return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;

@@ -14,7 +14,8 @@ namespace braitenlab {
 // What a file is by its ending and by the tables in it; none where the lab has no use for it.
 std::optional<FileKind> kind_of_file(const std::filesystem::path&);
 
-// Folders and files that the lab can read. Hidden ones are left out, and all beyond the first two thousand.
+// Folders and the lab's files, those that it cannot read marked as broken: also what is no TOML in spite of its ending.
+// Hidden ones are left out, and all beyond the first two thousand.
 FolderListing list_folder(const std::filesystem::path&);
 
 // Whether it came with the lab.

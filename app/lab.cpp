@@ -116,7 +116,9 @@ void advance(Lab& lab, double wall_seconds) {
 }
 
 void say(Lab& lab, Notice notice) {
-    const double seconds = notice.kind == NoticeKind::failure ? 10 : notice.kind == NoticeKind::notice ? 8 : 6;
+    constexpr double letters_a_second = 15;  // read by somebody who was looking elsewhere
+    const double least = notice.kind == NoticeKind::failure ? 10 : notice.kind == NoticeKind::notice ? 8 : 6;
+    const double seconds = std::max(least, static_cast<double>(notice.words.size()) / letters_a_second);
     std::string& words = notice.words;
     if (notice.key.empty() && !words.empty() && words[0] >= 'a' && words[0] <= 'z')
         words[0] = static_cast<char>(words[0] - 'a' + 'A');

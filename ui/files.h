@@ -15,18 +15,20 @@ struct FileEntry {
     bool is_folder = false;
     FileKind kind = FileKind::scene;  // of a file
     bool comments = false;            // it holds some, which writing it anew would lose
+    bool broken = false;              // the lab cannot read it; opening it says why
 };
 
 struct FolderListing {
     std::string folder;              // absolute
-    std::vector<FileEntry> entries;  // folders first, each by name; only files that the lab can read
+    std::vector<FileEntry> entries;  // folders first, each by name; files that could be the lab's
     std::string problem;             // why it could not be listed; empty when it could
 };
 
-// What a lab that crashed has left, offered at the next start.
+// What a lab has left that crashed or was told to end, offered at the next start.
 struct RecoveryOffer {
-    std::string name;  // of what was open
-    std::string when;  // it was kept, as "2026-03-01 10:42:05"
+    std::string name;    // of what was open
+    std::string when;    // it was kept, as "2026-03-01 10:42:05"
+    bool ended = false;  // it was told to end, and did so properly
 };
 
 // Edits that are in no file yet are about to be left: the person is asked first.

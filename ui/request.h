@@ -134,7 +134,8 @@ struct BookmarkRequest {  // one of TimelineView::bookmarks
     bool remove = false;  // else go there
 };
 struct OpenRequest {
-    std::string path;  // of a scene, an exercise or a brain; as typed, so perhaps a folder or relative to one
+    std::string path;      // of a scene, an exercise or a brain; as typed, so perhaps a folder or relative to one
+    bool dropped = false;  // onto the window: nothing that lists folders is in sight
 };
 struct BrowseRequest {
     std::string path{};  // of the folder to list; empty: the one where a file was opened or saved last

@@ -215,6 +215,10 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
 
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     show_focus_for(state.keyboard, press);
+    if (action_for(press) == Action::exit) {  // whatever is open or typed: nothing is lost, the lab asks
+        outbox.push_back(Action::exit);
+        return true;
+    }
     if (for_typing(state.sliders, press)) return true;
     if (view.lecture && state.sheet == Sheet::none && press.key != key::f9)
         state.pressed.push_back({press, view.wall_seconds});

@@ -34,25 +34,60 @@ struct Autosaving : testing::Test {
     void crash_with(float value) {
         Autosave dying(folder.path, complaints);
         edit(lab, value);
-        EXPECT_FALSE(dying.keep(lab, 0, true));
+        EXPECT_FALSE(dying.keep(lab, 0, Autosave::Occasion::now));
     }
 };
 
-TEST_F(Autosaving, WaitsTwentySecondsOfWorkAndNoLonger) {
+// LR as it is on the disk; nothing where there is no file.
+std::optional<float> kept_in(const fs::path& folder) {
+    const auto files = files_in(folder);
+    if (files.empty()) return std::nullopt;
+    const auto kept = open_autosave(text_of(files[0]), "a");
+    if (kept) return dials(*kept).LR;
+    ADD_FAILURE() << kept.error().text();
+    return std::nullopt;
+}
+
+TEST_F(Autosaving, KeepsTheFirstEditWithinTwoSecondsAndThenWhatTwentyBring) {
     Autosave autosave(folder.path, complaints);
-    for (double at = 0; at < 60; at += 1) autosave.keep(lab, at);
-    EXPECT_TRUE(files_in(folder.path).empty()) << "no work, no file";
+    const auto at = [&](double second) {
+        EXPECT_FALSE(autosave.keep(lab, second));
+        EXPECT_FALSE(autosave.settle());
+        return kept_in(folder.path);
+    };
+    for (double second = 0; second < 60; second += 1) EXPECT_EQ(at(second), std::nullopt) << "no work, no file";
     edit(lab, 1);
-    autosave.keep(lab, 60);
-    autosave.keep(lab, 79);
-    EXPECT_TRUE(files_in(folder.path).empty());
+    EXPECT_EQ(at(60), std::nullopt) << "a drag may have just begun";
+    EXPECT_EQ(at(62), 1.0f);
     edit(lab, 1.5f);
-    autosave.keep(lab, 80);
-    EXPECT_FALSE(autosave.settle());
-    ASSERT_EQ(files_in(folder.path).size(), 1u);
-    const auto kept = open_autosave(text_of(files_in(folder.path)[0]), "a");
-    ASSERT_TRUE(kept) << kept.error().text();
-    EXPECT_EQ(dials(*kept).LR, 1.5f);
+    EXPECT_EQ(at(63), 1.0f);
+    EXPECT_EQ(at(80), 1.0f) << "no disk is written to all the time";
+    edit(lab, 1.75f);
+    EXPECT_EQ(at(82), 1.75f);
+    EXPECT_EQ(at(200), 1.75f);
+    edit(lab, 0.5f);
+    EXPECT_EQ(at(200), 1.75f);
+    EXPECT_EQ(at(202), 0.5f) << "after a pause the next edit is a first one";
+    lab.saved_work = lab.work;
+    EXPECT_EQ(at(203), std::nullopt);
+    edit(lab, 0.75f);
+    at(204);
+    EXPECT_EQ(at(206), 0.75f) << "and so is one after a save";
+}
+
+TEST_F(Autosaving, TellsWhatWasToldToEndFromWhatCrashed) {
+    crash_with(1);
+    EXPECT_FALSE(Autosave(folder.path, complaints).leftover()->offer.ended);
+    Autosave(folder.path, complaints).forget();
+    {
+        Autosave ending(folder.path, complaints);
+        EXPECT_FALSE(ending.keep(lab, 0, Autosave::Occasion::now));
+        EXPECT_FALSE(ending.keep(lab, 1, Autosave::Occasion::end));
+    }
+    const Autosave next(folder.path, complaints);
+    ASSERT_TRUE(next.leftover());
+    EXPECT_TRUE(next.leftover()->offer.ended);
+    EXPECT_EQ(dials(*next.recover()).LR, 1.0f);
 }
 
 TEST_F(Autosaving, WritesAtOnceWhenTheModeChanges) {
@@ -88,7 +123,7 @@ TEST_F(Autosaving, KeepsARunThatPlaysEveryTwentySeconds) {
 TEST_F(Autosaving, GoesOnWithAPlayedRunExactly) {
     lab = open("predator-prey");
     for (int i = 0; i < 500; ++i) tick(lab);
-    EXPECT_FALSE(Autosave(folder.path, complaints).keep(lab, 0, true));
+    EXPECT_FALSE(Autosave(folder.path, complaints).keep(lab, 0, Autosave::Occasion::now));
     auto kept = Autosave(folder.path, complaints).recover();
     ASSERT_TRUE(kept) << kept.error().text();
     for (int i = 0; i < 400; ++i) tick(lab), tick(*kept);
@@ -98,7 +133,7 @@ TEST_F(Autosaving, GoesOnWithAPlayedRunExactly) {
 TEST_F(Autosaving, KeepsNothingOfARunThatIsBackAtItsStart) {
     Autosave autosave(folder.path, complaints);
     tick(lab);
-    autosave.keep(lab, 0, true);
+    autosave.keep(lab, 0, Autosave::Occasion::now);
     EXPECT_EQ(files_in(folder.path).size(), 1u);
     handle(lab, Action::reset);
     autosave.keep(lab, 1);
@@ -108,13 +143,13 @@ TEST_F(Autosaving, KeepsNothingOfARunThatIsBackAtItsStart) {
 TEST_F(Autosaving, LeavesNothingBehindAtAProperEndOrAfterSaving) {
     Autosave autosave(folder.path, complaints);
     edit(lab, 1);
-    autosave.keep(lab, 0, true);
+    autosave.keep(lab, 0, Autosave::Occasion::now);
     EXPECT_EQ(files_in(folder.path).size(), 1u);
     lab.saved_work = lab.work;
     autosave.keep(lab, 1);
     EXPECT_TRUE(files_in(folder.path).empty());
     edit(lab, 2);
-    autosave.keep(lab, 2, true);
+    autosave.keep(lab, 2, Autosave::Occasion::now);
     autosave.finish();
     EXPECT_TRUE(fs::is_empty(folder.path));
 }
@@ -140,7 +175,7 @@ TEST_F(Autosaving, OffersWhatACrashedLabHasLeft) {
 TEST_F(Autosaving, DoesNotOfferWhatARunningLabKeeps) {
     Autosave running(folder.path, complaints);
     edit(lab, 1);
-    running.keep(lab, 0, true);
+    running.keep(lab, 0, Autosave::Occasion::now);
     EXPECT_FALSE(Autosave(folder.path, complaints).leftover());
 }
 
@@ -176,13 +211,32 @@ TEST_F(Autosaving, SetsABrokenFileAsideAndSaysSo) {
     }
 }
 
-TEST_F(Autosaving, SaysOnceThatItCannotWrite) {
+TEST_F(Autosaving, SaysOnceThatItCannotWriteAndTriesAgain) {
     put_text(folder / "taken", "a file where the folder should be");
     Autosave autosave(folder / "taken" / "here", complaints);
     edit(lab, 1);
-    EXPECT_TRUE(autosave.keep(lab, 0, true));
+    const auto error = autosave.keep(lab, 0, Autosave::Occasion::now);
+    ASSERT_TRUE(error);
+    EXPECT_NE(error->what.find("save it yourself"), std::string::npos) << error->what;
     edit(lab, 2);
-    EXPECT_FALSE(autosave.keep(lab, 1, true));
+    EXPECT_FALSE(autosave.keep(lab, 1, Autosave::Occasion::now));
+    fs::remove(folder / "taken");
+    for (double second = 2; second < 30; second += 1) EXPECT_FALSE(autosave.keep(lab, second));
+    EXPECT_FALSE(autosave.settle());
+    EXPECT_EQ(kept_in(folder / "taken" / "here"), 2.0f) << "without another edit";
+}
+
+TEST_F(Autosaving, SaysWhatIsWrongWhenTheDiskTurnsBadMeanwhile) {
+    const fs::path place = folder / "kept";
+    Autosave autosave(place, complaints);
+    edit(lab, 1);
+    EXPECT_FALSE(autosave.keep(lab, 0, Autosave::Occasion::now));
+    fs::remove_all(place);
+    put_text(place, "a file where the folder was");
+    edit(lab, 2);
+    const auto error = autosave.keep(lab, 40, Autosave::Occasion::now);
+    ASSERT_TRUE(error);
+    EXPECT_NE(error->what.find("save it yourself"), std::string::npos) << error->what;
 }
 
 }  // namespace

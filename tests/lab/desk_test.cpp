@@ -60,6 +60,33 @@ TEST_F(OnTheDesk, PutsNumbersWherePicturesGoToANewFileEachTimeAndSaysWhere) {
         << lab.notice.words;
 }
 
+TEST_F(OnTheDesk, ListsWhatItCannotReadAsBroken) {
+    ask(SaveRequest{"good scene", FileKind::scene});
+    ask(SaveRequest{"good brain", FileKind::brain});
+    ask(SaveRequest{"good run", FileKind::run});
+    const std::string run = text_of(folder / "good run.run");
+    put_text(folder / "torn.run", run.substr(0, run.size() / 2));
+    put_text(folder / "torn brain.toml", text_of(folder / "good brain.toml") + "\n[brain.nonsense]\n");
+    put_text(folder / "torn scene.toml", text_of(folder / "good scene.toml") + "\n[nonsense]\n");
+    put_text(folder / "garbage.toml", "garbage");
+    put_text(folder / "letter.txt", "not the lab's");
+    ask(BrowseRequest{folder.path.string()});
+    std::vector<std::string> good, broken;
+    for (const FileEntry& entry : files.listing.entries) (entry.broken ? broken : good).push_back(entry.name);
+    EXPECT_EQ(good, (std::vector<std::string>{"good brain.toml", "good run.run", "good scene.toml"}));
+    EXPECT_EQ(broken, (std::vector<std::string>{"garbage.toml", "torn brain.toml", "torn scene.toml", "torn.run"}));
+    ask(OpenRequest{"garbage.toml"});
+    EXPECT_NE(files.refused.find("garbage.toml:1"), std::string::npos) << files.refused;
+}
+
+TEST_F(OnTheDesk, SaysWhatToDoWithAFolderThatIsDropped) {
+    fs::create_directories(folder / "class");
+    ask(OpenRequest{(folder / "class").string(), true});
+    EXPECT_EQ(lab.notice.key, "files.dropped_folder");
+    EXPECT_EQ(lab.notice.words, "class");
+    EXPECT_EQ(files.listing.folder, (folder / "class").string()) << "as the words say";
+}
+
 TEST_F(OnTheDesk, NeverReplacesWhatIsOpenByABrokenFile) {
     put_text(folder / "broken.toml", "format = 1\n[arena]\nwidht = 3\n");
     const auto before = lab.session.hash();

@@ -172,6 +172,21 @@ TEST_F(FilesSheet, GoesThroughFoldersAndShowsOneKindWhenAsked) {
     EXPECT_EQ(opened(), std::vector<std::string>{"/home/me/brain.toml"});
 }
 
+TEST_F(FilesSheet, MarksWhatCannotBeReadAndOpensItToLearnWhy) {
+    files.listing.entries.push_back({"torn.toml", false, FileKind::scene, false, true});
+    press({'O', true});
+    desk.click("files.place.3");
+    desk.frame(2);
+    const auto marked = [&] {
+        int count = 0;
+        for (const Written& w : desk.written) count += w.words == desk.strings("files.broken");
+        return count;
+    };
+    EXPECT_EQ(marked(), 1);
+    desk.click("file.torn.toml");
+    EXPECT_EQ(opened(), std::vector<std::string>{"/home/me/torn.toml"});
+}
+
 TEST_F(FilesSheet, TakesATypedPathWithItsSpacesAndDots) {
     press({'O', true});
     desk.click("files.place.3");

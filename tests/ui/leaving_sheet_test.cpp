@@ -1,4 +1,6 @@
 // The sheet that asks before unsaved edits are left.
+#include <algorithm>
+
 #include "desk.h"
 
 namespace braitenlab::tests {
@@ -95,6 +97,34 @@ TEST_F(LeavingSheet, StaysWhenTheNameIsCancelled) {
     desk.key({key::escape});
     desk.frame();
     EXPECT_EQ(answers(), std::vector{Leave::stay});
+}
+
+TEST_F(LeavingSheet, IsAskedForByCtrlQWhateverIsOpenOrTyped) {
+    const auto exits = [&] {
+        const auto asked = desk.actions();
+        return std::count(asked.begin(), asked.end(), Action::exit);
+    };
+    for (const Sheet sheet : {Sheet::keys, Sheet::settings, Sheet::files}) {
+        const auto before = exits();
+        if (sheet == Sheet::files) begin_files(desk.panels.files, true);
+        desk.panels.sheet = sheet;
+        desk.frame(4);
+        EXPECT_EQ(desk.panels.files.typed.active, sheet == Sheet::files);
+        desk.key({'Q', true});
+        EXPECT_EQ(exits(), before + 1) << static_cast<int>(sheet);
+        ask("");
+        EXPECT_TRUE(desk.anchors.find("card.leaving"));
+        files.leaving.reset();
+        desk.frame(2);
+    }
+    desk.key({'2'});
+    desk.frame(2);
+    desk.key({key::enter});
+    desk.frame(3);
+    ASSERT_FALSE(desk.panels.sliders.typed.empty());
+    const auto before = exits();
+    desk.key({'Q', true});
+    EXPECT_EQ(exits(), before + 1);
 }
 
 }  // namespace braitenlab::tests

@@ -39,4 +39,19 @@ TEST(Notice, EndsInAnEllipsisWhereItDoesNotFit) {
     EXPECT_TRUE(found);
 }
 
+TEST(Notice, IsReadWholeUnderThePointerWhereItDoesNotFit) {
+    Desk desk(1280, 800, 1, true);
+    desk.view.notice = {NoticeKind::failure, "", "begin " + std::string(400, 'w') + " end"};
+    desk.frame(2);
+    const auto reads_end = [&] {
+        for (const Written& w : desk.written)
+            if (w.words.find("end") != std::string::npos && w.words.find("www") != std::string::npos) return true;
+        return false;
+    };
+    EXPECT_FALSE(reads_end());
+    desk.point("hint.bar");
+    desk.frame(40);
+    EXPECT_TRUE(reads_end());
+}
+
 }  // namespace braitenlab::tests

@@ -229,14 +229,27 @@ TEST(Window, AnswersVersionAndHelpWithoutADisplay) {
     EXPECT_NE(help.out.find("--screenshot"), std::string::npos);
 }
 
-TEST(Window, NamesFileAndLineOfABrokenScene) {
+TEST(Window, OpensAllTheSameWithABrokenSceneAndNamesFileAndLine) {
     const Home home;
     const auto file = home.path / "broken.toml";
     std::ofstream(file) << "format = 1\n\n[ecology]\npopulatoin = 3\n";
-    const Ran ran = shell(program("braitenlab") + " " + file.string());
+    LabWindow lab({file.string(), "--size", "1280x800"}, home.path);
+    EXPECT_EQ(lab.state()["opened"], "05-aggressor");
+    for (const std::string& said : {lab.state()["notice"].get<std::string>(), lab.said()}) {
+        EXPECT_NE(said.find("broken.toml:4:"), std::string::npos) << said;
+        EXPECT_NE(said.find("population"), std::string::npos) << said;
+    }
+}
+
+TEST(Window, TakesNoPictureOfAnotherSceneInsteadOfABrokenOne) {
+    const Home home;
+    const auto file = home.path / "broken.toml", picture = home.path / "picture.png";
+    std::ofstream(file) << "format = 1\n\n[ecology]\npopulatoin = 3\n";
+    const Ran ran = shell(fmt::format("{} {} --screenshot {}", program("braitenlab"), file.string(), picture.string()));
     EXPECT_EQ(ran.code, 2);
     EXPECT_NE(ran.out.find("broken.toml:4:"), std::string::npos) << ran.out;
-    EXPECT_NE(ran.out.find("population"), std::string::npos) << ran.out;
+    EXPECT_FALSE(std::filesystem::exists(picture));
+    EXPECT_EQ(shell(program("braitenlab") + " 2a-coward --set kind.nobody.brain.LL=1").code, 2);
 }
 
 TEST(Window, LeavesByItsExitButton) {

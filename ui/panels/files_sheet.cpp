@@ -39,7 +39,7 @@ std::string folder_of(const std::string& path) {
 struct Row {
     std::string id, words, below, aside;
     std::string_view icon;
-    bool current = false;
+    bool current = false, broken = false;
 };
 
 bool list_row(Ui& ui, const Row& row, std::string_view how) {
@@ -49,14 +49,16 @@ bool list_row(Ui& ui, const Row& row, std::string_view how) {
     fill_box(ui, at.rect, ui.palette.line.with_alpha(std::max(0.6f * at.warmth, at.focused ? 0.6f : 0.0f)));
     if (row.current)
         fill_box(ui, {at.rect.x, at.rect.y + ui.px(6), ui.px(3), height - ui.px(12)}, ui.palette.accent, 2);
+    const Palette& p = ui.palette;
+    const Colour quiet = row.broken ? legible(p.warning, p.panel, p.text) : p.second_text;
     float x = at.rect.x + ui.px(12);
     const float y = at.rect.y + ui.px(5);
     if (!row.icon.empty() && has_icons(ui)) {
-        put_icon(ui, {x + ui.px(7), y + line_height(ui, Face::text) / 2}, row.icon, ui.palette.second_text);
+        put_icon(ui, {x + ui.px(7), y + line_height(ui, Face::text) / 2}, row.icon, quiet);
         x += ui.px(26);
     }
     const float aside = text_width(ui, Face::small, row.aside);
-    put_right(ui, {at.right() - ui.px(12), y + ui.px(2)}, row.aside, ui.palette.second_text, Face::small);
+    put_right(ui, {at.right() - ui.px(12), y + ui.px(2)}, row.aside, quiet, Face::small);
     const float room = at.right() - ui.px(20) - x - (aside > 0 ? aside + ui.px(12) : 0);
     const std::string words = shortened(ui, row.words, Face::strong, room);
     const std::string below = shortened(ui, row.below, Face::small, at.right() - ui.px(12) - x);
@@ -123,6 +125,12 @@ bool is_shown(const FilesState& files, const FileEntry& entry) {
     return files.saving ? entry.kind == files.kind : !files.only || *files.only == entry.kind;
 }
 
+std::string_view use_of(const FilesState& files, const FileEntry& entry) {
+    if (entry.is_folder) return "files.folder_how";
+    if (files.saving) return "files.take_name";
+    return entry.broken ? "files.broken_how" : "files.open_how";
+}
+
 void folder(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     const FolderListing& listing = view.files->listing;
     begin_list(files, ui, listing.folder, bottom);
@@ -134,13 +142,10 @@ void folder(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     for (const FileEntry& entry : listing.entries) {
         if (!is_shown(files, entry)) continue;
         any = true;
-        const std::string aside = entry.is_folder ? "" : std::string(ui.strings(kind_key(entry.kind)));
-        const Row row{"file." + entry.name, entry.name, "", aside, entry.is_folder ? icon::folder : icon::file};
-        if (!list_row(ui, row,
-                      ui.strings(entry.is_folder ? "files.folder_how"
-                                 : files.saving  ? "files.take_name"
-                                                 : "files.open_how")))
-            continue;
+        Row row{"file." + entry.name, entry.name, "", "", entry.is_folder ? icon::folder : icon::file};
+        if (!entry.is_folder) row.aside = ui.strings(entry.broken ? "files.broken" : kind_key(entry.kind));
+        if (entry.broken) row.icon = icon::warning, row.broken = true;
+        if (!list_row(ui, row, ui.strings(use_of(files, entry)))) continue;
         if (entry.is_folder)
             ui.outbox.push_back(BrowseRequest{below + entry.name});
         else if (files.saving)

@@ -69,8 +69,12 @@ void hint_bar(const LabView& view, Ui& ui, Rect bar, std::string_view hint) {
         put_icon(ui, {x + ui.px(6), middle}, sign_of(view.notice.kind), colour, Face::small);
         if (has_icons(ui)) x += ui.px(20);
         const float room = bar.x + bar.w - ui.px(16) - x;
-        put(ui, {x, middle - line_height(ui, Face::small) / 2},
-            shortened(ui, text_of(view.notice, ui.strings), Face::small, room), colour, Face::small);
+        const std::string words = text_of(view.notice, ui.strings), fitting = shortened(ui, words, Face::small, room);
+        put(ui, {x, middle - line_height(ui, Face::small) / 2}, fitting, colour, Face::small);
+        if (fitting != words) {
+            ImGui::SetCursorScreenPos({bar.x, bar.y});
+            tooltip(ui, item(ui, "hint.notice", {bar.w, bar.h}, false), words);
+        }
     }
     mark(ui, "hint.bar", bar);
     end_bar();

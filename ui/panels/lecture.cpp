@@ -120,8 +120,8 @@ void lecture_bar(const LabView& view, Ui& ui, Rect bar) {
     const std::string_view title =
         view.lesson ? std::string_view(view.lesson->exercise->title) : std::string_view(view.now->scene->title);
     const float from = start.right() + ui.px(16 + 96), room = end.rect.x - ui.px(12) - from;
-    put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2}, shortened(ui, translated(ui, title), Face::title, room),
-        ui.palette.second_text, Face::title);
+    put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2},
+        shortened(ui, translated(ui, title), Face::title, room), ui.palette.second_text, Face::title);
     end_bar();
 }
 

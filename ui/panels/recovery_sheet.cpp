@@ -21,7 +21,8 @@ void recovery_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
         state.sheet = Sheet::none;
         return;
     }
-    begin_sheet(ui, state.recovery, "card.recovery", ui.strings("recovery.heading"), 460, window);
+    begin_sheet(ui, state.recovery, "card.recovery",
+                ui.strings(view.recovery->ended ? "recovery.heading_ended" : "recovery.heading"), 460, window);
     paragraph(ui, fill(ui.strings("recovery.what"), {view.recovery->name, view.recovery->when}), ui.palette.text);
     sheet_buttons(ui, state.recovery);
     const Item take = button(ui, "recovery.take", {{}, ui.strings("recovery.take"), Emphasis::primary});
