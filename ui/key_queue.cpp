@@ -8,8 +8,11 @@ namespace {
 
 constexpr int longest_wait = 12;  // frames for a text field to take the cursor; then keys mean what they always mean
 
-// Types its character, which follows it.
-bool is_printed(KeyPress press) { return press.key < key::escape && !press.ctrl; }
+// Says nothing to a text field by itself: its character follows it, or the key that it modifies.
+bool is_no_stroke(KeyPress press) {
+    const bool printed = press.key < key::escape && !press.ctrl;
+    return printed || (press.key >= key::first_modifier && press.key <= key::last_modifier);
+}
 
 // Text may be typed after it: the key opens a sheet, a number, or moves the focus to a field.
 bool may_lead_to_text(KeyPress press) {
@@ -53,7 +56,7 @@ KeysOfAFrame KeyQueue::take_text() {
         const Event& event = events_.front();
         if (event.character != 0) {
             frame.characters.push_back(next().character);
-        } else if (is_printed(event.press)) {
+        } else if (is_no_stroke(event.press)) {
             frame.presses.push_back(next().press);
         } else if (event.repeats && !may_repeat_in_text(event.press)) {
             next();

@@ -14,6 +14,10 @@ struct ImGuiIO;
 
 namespace braitenlab {
 
+namespace key {
+inline constexpr int first_modifier = 340, last_modifier = 347;  // Shift, Ctrl, Alt …
+}
+
 // What one frame hears of the keyboard.
 struct KeysOfAFrame {
     std::vector<KeyPress> presses;     // for press_key(), in order
