@@ -15,7 +15,10 @@ constexpr float degrees(float radians) { return radians * (180 / pi); }
 inline float wrap_angle(float angle) { return angle - 2 * pi * std::floor((angle + pi) / (2 * pi)); }
 
 // The unit vector that points along an angle, counter-clockwise from +x.
-inline vec2 direction(float angle) { return {cosine(angle), sine(angle)}; }
+inline vec2 direction(float angle) {
+    const auto [sine, cosine] = sine_cosine(angle);
+    return {cosine, sine};
+}
 
 // The point at this distance (m) in this direction (rad): polar to Cartesian, and back.
 inline vec2 from_polar(float distance, float angle) { return direction(angle) * distance; }

@@ -25,26 +25,27 @@ constexpr double cosine_core(double x) {
                     s * (1.0 / 24 + s * (-1.0 / 720 + s * (1.0 / 40320 + s * (-1.0 / 3628800 + s / 479001600)))));
 }
 
-inline double sine_of_quarters(double angle, int shift) {
-    const double quarters = std::floor(angle * (2 / pi_d) + 0.5);
-    const double rest = angle - quarters * (pi_d / 2);
-    switch ((static_cast<long long>(quarters) + shift) & 3) {
-        case 0:
-            return sine_core(rest);
-        case 1:
-            return cosine_core(rest);
-        case 2:
-            return -sine_core(rest);
-        default:
-            return -cosine_core(rest);
-    }
-}
-
 }  // namespace detail
 
-// Angle in radians, up to 10^9 either way.
-inline float sine(float angle) { return static_cast<float>(detail::sine_of_quarters(angle, 0)); }
-inline float cosine(float angle) { return static_cast<float>(detail::sine_of_quarters(angle, 1)); }
+struct SineCosine {
+    float sine, cosine;
+};
+
+// Of one angle in radians, up to 10^9 either way. Nothing in it branches: which quarter a turning body looks into is
+// beyond what a processor can guess.
+inline SineCosine sine_cosine(float angle) {
+    const double turns = static_cast<double>(angle) * (2 / pi_d) + 0.5;
+    const auto towards_zero = static_cast<long long>(turns);
+    const long long quarter = towards_zero - (turns < static_cast<double>(towards_zero));
+    const double rest = static_cast<double>(angle) - static_cast<double>(quarter) * (pi_d / 2);
+    const double core[] = {detail::sine_core(rest), detail::cosine_core(rest)};
+    constexpr double sign[] = {1, 1, -1, -1};
+    return {static_cast<float>(sign[quarter & 3] * core[quarter & 1]),
+            static_cast<float>(sign[(quarter + 1) & 3] * core[(quarter + 1) & 1])};
+}
+
+inline float sine(float angle) { return sine_cosine(angle).sine; }
+inline float cosine(float angle) { return sine_cosine(angle).cosine; }
 
 // The angle of the point (x, y), in [-pi, pi]; 0 at the origin.
 inline float arctangent2(float y, float x) {

@@ -18,6 +18,7 @@ class Limit {
 public:
     Limit(const Scene& scene, const Places& places) : hunts_(places.hunts), eyes_(scene, eye_range) {
         world_.SetAllowSleeping(false);
+        world_.SetContinuousPhysics(false);
         const float w = scene.arena.width, h = scene.arena.height, t = 0.5f;
         add_wall({0, (h + t) / 2}, w + 2 * t, t), add_wall({0, -(h + t) / 2}, w + 2 * t, t);
         add_wall({(w + t) / 2, 0}, t, h), add_wall({-(w + t) / 2, 0}, t, h);

@@ -19,8 +19,8 @@ const std::map<std::string, std::string> golden{
     {"tortoise", "a6ff708ad87b1e25"},      {"1-alive", "51836c1c63014715"},   {"2a-coward", "dce8087333897ab6"},
     {"2b-aggressor", "a6f9d571aef16750"},  {"2c", "b90856b781b723fc"},        {"3a-love", "240ac4b43cf3ad47"},
     {"3b-explorer", "248f2cab65bcefa9"},   {"3c-values", "d742ec79ad66cec4"}, {"4a-orbit", "7f8fc0f90c8354a0"},
-    {"4b-decision", "27425ede1f8da0a4"},   {"5-logic", "f2ef241eb6c18ef9"},   {"7-mnemotrix", "e6a9c4fd3cace470"},
-    {"predator-prey", "7f5caa4d6faf93db"},
+    {"4b-decision", "7a283553062e3973"},   {"5-logic", "f2ef241eb6c18ef9"},   {"7-mnemotrix", "e6a9c4fd3cace470"},
+    {"predator-prey", "45f4001c9edc40fa"},
 };
 
 const std::filesystem::path scenes = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "scenes";
