@@ -49,7 +49,8 @@ bool is_broken(const fs::path& path, FileKind kind) {
 // Of another program's, perhaps: well-formed all the same.
 bool is_toml(const fs::path& path) {
     try {
-        return toml::parse_file(path.string()), true;
+        static_cast<void>(toml::parse_file(path.string()));
+        return true;
     } catch (const toml::parse_error&) {
         return false;
     }

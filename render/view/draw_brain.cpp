@@ -68,7 +68,7 @@ const DeckPlan* plan_of(Drawing& drawing, const Subject& s) {
 }
 
 void add_wires(Drawing& drawing, const Subject& s) {
-    if (!s.plan || s.detail == 0) return;
+    if (!s.plan || s.detail == 0 || s.driven) return;
     const DeckPlan& plan = *s.plan;
     // Many wires share the deck, so each is thinner.
     const float thin =

@@ -111,7 +111,7 @@ float eye_radius(const Kind& kind, std::size_t i) {
 }
 
 void add_eyes(Drawing& drawing, const Subject& s) {
-    if (s.driven) return;  // right before one's own, they would fill the picture
+    if (s.driven) return;  // right before one's own, they would fill the picture, as wires would
     for (std::size_t i = 0; i < s.kind.sensors.size(); ++i) {
         const Sensor& sensor = s.kind.sensors[i];
         const auto dot = s.detail < 1 ? keenest_beside(drawing, s, i) : std::nullopt;

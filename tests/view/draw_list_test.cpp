@@ -164,7 +164,7 @@ TEST(DrawList, DrawsFieldsAndOutlinesOnlyWhenAsked) {
     EXPECT_GE(outlined.fields[0].shape.x, 12);  // the whole range
 }
 
-TEST(DrawList, ShowsADriverBothItsFieldsWhateverElseIsOff) {
+TEST(DrawList, ShowsADriverBothItsFieldsAndNothingRightBeforeIt) {
     Snapshot now = hand_made::empty(hand_made::scene());
     const VehicleId driver = hand_made::add(now, 0, 0, 0, 0);
     hand_made::add(now, 0, 5, 0, 0);
@@ -173,7 +173,11 @@ TEST(DrawList, ShowsADriverBothItsFieldsWhateverElseIsOff) {
     const DrawList list = drawn(now, picture);
     ASSERT_EQ(list.fields.size(), 2U);
     for (const FieldInstance& field : list.fields) EXPECT_GT(field.line.x, 0);
-    EXPECT_EQ(list.eyes.size(), 2U);  // the other's: one's own would fill the picture
+    // The other's: one's own would fill the picture.
+    EXPECT_EQ(list.eyes.size(), 2U);
+    picture.driver = no_vehicle;
+    EXPECT_EQ(2 * list.wires.size(), drawn(now, picture).wires.size());
+    EXPECT_FALSE(list.wires.empty());
 }
 
 TEST(DrawList, ShrinksEyesThatCrowdEachOther) {
