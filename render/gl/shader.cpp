@@ -34,21 +34,17 @@ Error unreadable(const std::filesystem::path& file) {
     return {"cannot read the shader; install the shaders folder beside the program", file.string()};
 }
 
-std::string log_of_shader(GLuint shader) {
+// What the driver says of a shader or a program, by its own two functions for either.
+std::string log_of(GLuint object, PFNGLGETSHADERIVPROC ask, PFNGLGETSHADERINFOLOGPROC read) {
     GLint length = 0;
-    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    ask(object, GL_INFO_LOG_LENGTH, &length);
     std::vector<char> text(static_cast<std::size_t>(length) + 1, '\0');
-    glGetShaderInfoLog(shader, length, nullptr, text.data());
+    read(object, length, nullptr, text.data());
     return text.data();
 }
 
-std::string log_of_program(GLuint program) {
-    GLint length = 0;
-    glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-    std::vector<char> text(static_cast<std::size_t>(length) + 1, '\0');
-    glGetProgramInfoLog(program, length, nullptr, text.data());
-    return text.data();
-}
+std::string log_of_shader(GLuint shader) { return log_of(shader, glGetShaderiv, glGetShaderInfoLog); }
+std::string log_of_program(GLuint program) { return log_of(program, glGetProgramiv, glGetProgramInfoLog); }
 
 Result<GLuint> compile_stage(GLenum stage, const std::filesystem::path& folder, const std::string& name) {
     const auto file = folder / name, common_file = folder / "common.glsl";

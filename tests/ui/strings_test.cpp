@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <regex>
 #include <set>
 
@@ -29,37 +30,31 @@ std::multiset<std::string> marks(const std::string& words) {
     return found;
 }
 
-// Every text in quotes that looks like a key, in all sources that may name one.
-std::set<std::string> quoted_in_sources() {
+// What the groups of an expression match, in all sources that may name a key.
+std::set<std::string> found_in_sources(const std::regex& expression, std::initializer_list<std::size_t> groups) {
     const fs::path root(BRAITENLAB_SOURCE);
-    const std::regex quoted("\"([a-z_]+(\\.[A-Za-z0-9_-]+)+)\"");
     std::set<std::string> found;
     for (const char* folder : {"ui", "app"})
         for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
             if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
             std::ifstream in(entry.path());
             const std::string text{std::istreambuf_iterator<char>(in), {}};
-            for (std::sregex_iterator at(text.begin(), text.end(), quoted), end; at != end; ++at)
-                found.insert((*at)[1]);
+            for (std::sregex_iterator at(text.begin(), text.end(), expression), end; at != end; ++at)
+                for (const std::size_t group : groups)
+                    if ((*at)[group].matched) found.insert((*at)[group]);
         }
     return found;
 }
 
+// Every text in quotes that looks like a key.
+std::set<std::string> quoted_in_sources() {
+    return found_in_sources(std::regex("\"([a-z_]+(\\.[A-Za-z0-9_-]+)+)\""), {1});
+}
+
 // Keys given to ui.strings(…) as they stand.
 std::set<std::string> asked_in_sources() {
-    const fs::path root(BRAITENLAB_SOURCE);
-    const std::regex call("strings_?\\(\\s*(?:[^()\"]*\\?\\s*)?\"([^\"]+)\"(?:\\s*:\\s*\"([^\"]+)\")?\\s*\\)");
-    std::set<std::string> found;
-    for (const char* folder : {"ui", "app"})
-        for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-            if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
-            std::ifstream in(entry.path());
-            const std::string text{std::istreambuf_iterator<char>(in), {}};
-            for (std::sregex_iterator at(text.begin(), text.end(), call), end; at != end; ++at)
-                for (std::size_t group : {std::size_t{1}, std::size_t{2}})
-                    if ((*at)[group].matched) found.insert((*at)[group]);
-        }
-    return found;
+    return found_in_sources(
+        std::regex("strings_?\\(\\s*(?:[^()\"]*\\?\\s*)?\"([^\"]+)\"(?:\\s*:\\s*\"([^\"]+)\")?\\s*\\)"), {1, 2});
 }
 
 // Keys put together from a stem and a name that the program knows.

@@ -2,16 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/view/drawn.h"
 #include "tests/view/hand_made.h"
 
 namespace braitenlab {
 namespace {
-
-DrawList drawn(const Snapshot& now, const Picture& picture = {}) {
-    DrawList list;
-    fill(list, now, picture, Trails{});
-    return list;
-}
 
 TEST(DrawList, SortsHullsByRole) {
     Snapshot now = hand_made::empty(hand_made::scene());

@@ -5,16 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "render/view/draw_list.h"
+#include "tests/view/drawn.h"
 #include "tests/view/hand_made.h"
 
 namespace braitenlab {
 namespace {
-
-DrawList drawn(const Snapshot& now, const Picture& picture = {}) {
-    DrawList list;
-    fill(list, now, picture, Trails{});
-    return list;
-}
 
 std::shared_ptr<Scene> bare() {
     auto scene = hand_made::scene();

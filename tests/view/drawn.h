@@ -1,0 +1,14 @@
+// What a picture of a snapshot is made of, before any graphics library sees it.
+#pragma once
+
+#include "render/view/draw_list.h"
+
+namespace braitenlab {
+
+inline DrawList drawn(const Snapshot& now, const Picture& picture = {}) {
+    DrawList list;
+    fill(list, now, picture, Trails{});
+    return list;
+}
+
+}  // namespace braitenlab
