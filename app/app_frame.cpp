@@ -29,7 +29,9 @@ float fitting(float scale, Rect window) {
 
 std::string typed_text(const PanelState& panels) {
     if (!panels.sliders.typed.empty()) return panels.sliders.text;
-    return panels.files.typed.active ? panels.files.typed.text : std::string();
+    for (const TextField* field : {&panels.files.typed, &panels.files.title})
+        if (field->active) return field->text;
+    return {};
 }
 
 }  // namespace

@@ -95,6 +95,10 @@ struct Desk {
 
     void save(const SaveRequest& wanted) const {
         const fs::path path = with_ending(resolved(wanted.path, folder()), wanted.kind);
+        if (wanted.title) {
+            if (const auto error = lab.session.apply(Retitle{*wanted.title})) return refuse(*error);
+            ++lab.work;
+        }
         if (const auto error = save_as(lab, path, wanted.kind)) return refuse(*error);
         if (wanted.kind == FileKind::run) remember_file(remembered, path);
         if (wanted.kind == FileKind::scene) {

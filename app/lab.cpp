@@ -86,7 +86,10 @@ Lab resume(SavedRun run) {
 
 void tick(Lab& lab) {
     lab.before = lab.session.snapshot().vehicles;
+    const VehicleView* selected = selected_vehicle(lab);
+    const std::optional<VehicleView> before = selected ? std::optional(*selected) : std::nullopt;
     lab.session.step();
+    if (before) mourn(lab, *before);
     keep_selection(lab);
     if (lab.lesson) {
         lab.lesson->view.has_run = true;

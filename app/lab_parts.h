@@ -24,8 +24,12 @@ void select_neighbour(Lab&, int step);
 // After anything that may have changed who is there: a vehicle stays selected as long as there is one.
 void keep_selection(Lab&);
 
+// The selected vehicle, as it was a tick ago, may have died since: the next of its kind is selected, which is told.
+void mourn(Lab&, const VehicleView& selected);
+
 // ── Exercise ──
-void watch(Lab&);  // shows the moment to the judge, and what it says to the panels
+void watch(Lab&);                       // shows the moment to the judge, and what it says to the panels
+void tell_judge(Lab&, const Command&);  // that a hand has done this
 void show_hint(Lab&);
 void reset(Lab&);             // the run; see Session::reset
 void restart_exercise(Lab&);  // as it was on opening, brain and all

@@ -36,6 +36,7 @@ void change(Lab& lab, const Change& make) {
     const std::uint64_t latest = lab.session.latest();
     lab.work += make();
     keep_selection(lab);
+    watch(lab);
     tell_of_time(lab, latest);
 }
 
@@ -251,7 +252,7 @@ bool apply(Lab& lab, const Command& command, std::uint64_t gesture) {
     if (error)
         say(lab, {NoticeKind::failure, "", error->text()});
     else
-        ++lab.work, tell_of_time(lab, latest);
+        ++lab.work, tell_judge(lab, command), tell_of_time(lab, latest);
     keep_selection(lab);
     return !error;
 }

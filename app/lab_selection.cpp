@@ -1,5 +1,6 @@
 // What is selected: always a vehicle, and perhaps a lamp or an obstacle besides.
 #include <algorithm>
+#include <string>
 
 #include "app/lab_parts.h"
 
@@ -14,6 +15,15 @@ void keep_thing(Lab& lab) {
     lab.thing.index =
         lab.thing.kind == ThingKind::source ? find_source(scene, lab.thing_name) : find_obstacle(scene, lab.thing_name);
     if (lab.thing.index < 0) lab.thing = {};
+}
+
+// Who has more energy than a few ticks take has not starved: it was bitten.
+std::string_view fate_of(const Scene& scene, const VehicleView& dead) {
+    constexpr float some_ticks = 3.0f / 60;  // s
+    if (dead.role == Role::prey && dead.energy > scene.ecology.drain * some_ticks) return "notice.eaten_prey";
+    return dead.role == Role::prey       ? "notice.starved_prey"
+           : dead.role == Role::predator ? "notice.starved_predator"
+                                         : "notice.starved_none";
 }
 
 }  // namespace
@@ -45,6 +55,21 @@ void select_neighbour(Lab& lab, int step) {
     const auto count = static_cast<int>(vehicles.size());
     const int index = here == vehicles.end() ? 0 : static_cast<int>(here - vehicles.begin()) + step + count;
     select(lab, vehicle_thing(vehicles[static_cast<std::size_t>(index % count)].id));
+}
+
+void mourn(Lab& lab, const VehicleView& selected) {
+    const Snapshot& now = lab.session.snapshot();
+    if (now.vehicles.empty() || find_vehicle(now, selected.id)) return;
+    // Ids ascend: the next one of the kind, else the first, else whoever comes first.
+    const auto of_kind = [&](const VehicleView& v) { return v.kind == selected.kind; };
+    const auto later = std::upper_bound(now.vehicles.begin(), now.vehicles.end(), selected.id,
+                                        [](VehicleId id, const VehicleView& v) { return id < v.id; });
+    auto next = std::find_if(later, now.vehicles.end(), of_kind);
+    if (next == now.vehicles.end()) next = std::find_if(now.vehicles.begin(), now.vehicles.end(), of_kind);
+    lab.selected = next == now.vehicles.end() ? now.vehicles.front().id : next->id;
+    if (lab.notice.kind == NoticeKind::failure && !lab.notice.empty()) return;  // more important
+    say(lab, {NoticeKind::notice, std::string(fate_of(*now.scene, selected)), std::to_string(selected.id + 1),
+              std::to_string(lab.selected + 1)});
 }
 
 void keep_selection(Lab& lab) {

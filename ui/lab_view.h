@@ -30,6 +30,7 @@ struct LessonView {
     int hints_shown = 0;                 // of exercise->hints
     bool hint_ready = true;              // the next hint may be opened now
     std::optional<Grade> grade;          // of the starts, once every step has been done in a run
+    bool by_hand = false;                // something was moved: this run does not count
 };
 
 // A shipped scene or exercise, as the menu of what can be opened lists it.

@@ -6,7 +6,7 @@
 namespace braitenlab {
 
 std::string text_of(const Notice& notice, const Strings& strings) {
-    return notice.key.empty() ? notice.words : fill(strings(notice.key), {notice.words});
+    return notice.key.empty() ? notice.words : fill(strings(notice.key), {notice.words, notice.more});
 }
 
 std::string_view sign_of(NoticeKind kind) {

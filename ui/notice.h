@@ -16,6 +16,7 @@ struct Notice {
     NoticeKind kind = NoticeKind::notice;
     std::string key{};    // of what to say, in the language that is shown; empty: `words` stand as they are
     std::string words{};  // what fills its {}
+    std::string more{};   // what fills a second one
 
     bool empty() const { return key.empty() && words.empty(); }
     friend bool operator==(const Notice&, const Notice&) = default;

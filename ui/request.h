@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -143,6 +144,7 @@ struct BrowseRequest {
 struct SaveRequest {
     std::string path;  // as typed; its ending may be missing
     FileKind kind = FileKind::scene;
+    std::optional<std::string> title{};  // of the scene, if another than it has
 };
 enum class Leave { save, discard, stay, saved };  // saved: under a name of its own, in between
 struct LeaveRequest {                             // the answer to FilesView::leaving

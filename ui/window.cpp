@@ -18,6 +18,14 @@ namespace {
 
 constexpr float between_cards = 12, least_open_card = 124;  // layout pixels
 
+// In a lecture a folded card is no wider than its title: it lies over the scene.
+Rect slim(const LabView& view, const Ui& ui, const CardState& card, Rect r, bool to_the_right) {
+    constexpr float title_width = 150;  // layout pixels
+    if (!view.lecture || !card.folded) return r;
+    const float w = std::min(r.w, ui.px(title_width));
+    return {to_the_right ? r.x + r.w - w : r.x, r.y, w, r.h};
+}
+
 // The wiring canvas on its own ground, which leaves only the inset with the scene open.
 void draw_canvas(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
@@ -50,7 +58,7 @@ void right_column(const LabView& view, PanelState& state, Ui& ui, WindowLayout l
     const float wanted = wanted_height(ui, state.brain);
     if (view.mode == Mode::wiring || view.lecture) {
         brain.h = std::min(wanted, layout.right.h);
-        brain_card(view, state, ui, brain, layout.right);
+        brain_card(view, state, ui, slim(view, ui, state.brain, brain, true), layout.right);
         return;
     }
     CardState& information = state.information;
@@ -83,6 +91,7 @@ void left_column(const LabView& view, PanelState& state, Ui& ui, Rect column) {
     const float reserved = std::min(wanted, std::max({folded_height(ui), left_over, column.h / 2}));
     Rect top = column;
     top.h = std::min(column.h - space - reserved, wanted_height(ui, upper));
+    top = slim(view, ui, upper, top, false);
     if (view.lesson)
         exercise_card(view, state, ui, top);
     else
@@ -222,7 +231,9 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     if (for_typing(state.sliders, press)) return true;
     if (view.lecture && state.sheet == Sheet::none && press.key != key::f9)
         state.pressed.push_back({press, view.wall_seconds});
-    if (state.sheet == Sheet::files && for_text_field(state.files.typed, press)) return true;
+    if (state.sheet == Sheet::files &&
+        (for_text_field(state.files.typed, press) || for_text_field(state.files.title, press)))
+        return true;
     if (state.sheet != Sheet::none && !works_under_a_sheet(press)) return for_sheet(state, press);
     if (state.presets_open && press.key == key::escape) {
         state.close_presets = true;

@@ -46,10 +46,16 @@ Referee::Referee(const Exercise& exercise) {
         checks_.push_back(step.check);
         verdicts_.push_back(undecided(step.check));
     }
+    sources_ = exercise.scene.sources;
+    if (exercise.scene.starts.empty()) return;
+    start_ = exercise.scene.starts.front();
+    if (const int kind = pupil_kind(exercise.scene); kind >= 0)
+        driver_ = exercise.scene.kinds[static_cast<std::size_t>(kind)].driver;
 }
 
 void Referee::begin(const Snapshot& snapshot) {
     begun_ = true;
+    disturbed_ = by_hand_ = false;
     first_speed_ = 0;
     pupil_ = snapshot.vehicles.empty() ? no_vehicle : snapshot.vehicles.front().id;  // the one placed first
     was_outside_.assign(checks_.size(), false);
@@ -64,10 +70,23 @@ void Referee::watch(const Snapshot& snapshot) {
     last_tick_ = snapshot.tick;
     const VehicleView* pupil = find_vehicle(snapshot, pupil_);
     if (!pupil) return;
+    by_hand_ = disturbed_ || !is_as_given(snapshot, *pupil);
+    if (by_hand_) return;
     if (first_speed_ == 0 && snapshot.seconds >= 1)
         first_speed_ = std::max(std::fabs(pupil->speed), slowest_first_speed);
     for (std::size_t i = 0; i < checks_.size(); ++i)
         if (!verdicts_[i].done) judge(i, snapshot, *pupil);
+}
+
+// No lamp elsewhere, none too many; one that is missing helps nobody.
+bool Referee::is_as_given(const Snapshot& snapshot, const VehicleView& pupil) const {
+    const auto& sources = snapshot.scene->sources;
+    const bool lit_as_given = std::all_of(sources.begin(), sources.end(), [&](const Source& source) {
+        return std::find(sources_.begin(), sources_.end(), source) != sources_.end();
+    });
+    const auto& starts = snapshot.scene->starts;
+    const bool starts_as_given = !start_ || (!starts.empty() && starts.front() == *start_);
+    return lit_as_given && starts_as_given && (!start_ || pupil.driver == driver_);
 }
 
 void Referee::judge(std::size_t i, const Snapshot& snapshot, const VehicleView& pupil) {

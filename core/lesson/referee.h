@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -26,20 +27,32 @@ public:
     // same moment again changes nothing.
     void watch(const Snapshot&);
 
+    // Somebody took something of the scene into their hands in the middle of the run: it counts no more.
+    void disturb() { disturbed_ = by_hand_ = true; }
+
+    // Whether this run does not count: it was disturbed, or it did not begin as the exercise does (lamps elsewhere,
+    // another start, somebody at the wheel). Steps that were done before stay done.
+    bool by_hand() const { return by_hand_; }
+
     const std::vector<Verdict>& verdicts() const { return verdicts_; }
     bool passed() const;
 
 private:
     void begin(const Snapshot&);
     void judge(std::size_t step, const Snapshot&, const VehicleView&);
+    bool is_as_given(const Snapshot&, const VehicleView&) const;
 
     std::vector<Check> checks_;
+    std::vector<Source> sources_;  // of the exercise
+    std::optional<Start> start_;   // the pupil's, and who drives there
+    Driver driver_ = Driver::brain;
     std::vector<Verdict> verdicts_;
     std::vector<bool> was_outside_;  // for turns_to, one a check
     std::vector<bool> over_;         // for speeds_up: the touch has come and decided
     VehicleId pupil_ = no_vehicle;
     std::uint64_t last_tick_ = 0;
     bool begun_ = false;
+    bool disturbed_ = false, by_hand_ = false;
     float first_speed_ = 0;  // m/s after the first second
 };
 

@@ -123,6 +123,7 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
             [](const ChooseDriver&) -> Commands { return {}; },  // who drives is a mode, not an edit
             [](const Steer&) -> Commands { return {}; },
             [](const NewPopulation&) -> Commands { return {}; },
+            [&](const Retitle&) -> Commands { return {Retitle{scene.title}}; },
         },
         command);
 }
@@ -149,7 +150,7 @@ bool supersedes(const Command& later, const Command& earlier) {
               [&](const MoveSource& c) { return c.source == std::get<MoveSource>(earlier).source; },
               [&](const EditObstacle& c) { return c.obstacle == std::get<EditObstacle>(earlier).obstacle; },
               [&](const MoveObstacle& c) { return c.obstacle == std::get<MoveObstacle>(earlier).obstacle; },
-              [](const auto&) { return false; }},
+              [](const Retitle&) { return true; }, [](const auto&) { return false; }},
         later);
 }
 

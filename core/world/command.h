@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -113,12 +114,16 @@ struct MoveObstacle {
     float x = 0, y = 0, heading = 0;
     friend bool operator==(const MoveObstacle&, const MoveObstacle&) = default;
 };
+struct Retitle {  // the scene, for people
+    std::string title;
+    friend bool operator==(const Retitle&, const Retitle&) = default;
+};
 struct NewPopulation {  // the next generation: the same numbers at new random places
     friend bool operator==(const NewPopulation&, const NewPopulation&) = default;
 };
 
 using Command = std::variant<TurnDial, SetBrain, AddVehicle, RemoveVehicle, MoveVehicle, ChooseDriver, Steer, EditStart,
                              SetSensors, AddSource, RemoveSource, EditSource, MoveSource, AddObstacle, RemoveObstacle,
-                             EditObstacle, MoveObstacle, NewPopulation>;
+                             EditObstacle, MoveObstacle, NewPopulation, Retitle>;
 
 }  // namespace braitenlab

@@ -26,6 +26,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddObstacle, obstacle, before)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveObstacle, obstacle)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditObstacle, obstacle, to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveObstacle, obstacle, x, y, heading)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Retitle, title)
 inline void to_json(Json& json, const NewPopulation&) { json = Json::object(); }
 inline void from_json(const Json&, NewPopulation&) {}
 
@@ -33,9 +34,9 @@ namespace {
 
 // As in Command.
 constexpr std::array<const char*, std::variant_size_v<Command>> names{
-    "TurnDial",   "SetBrain",    "AddVehicle",     "RemoveVehicle", "MoveVehicle",  "ChooseDriver",
-    "Steer",      "EditStart",   "SetSensors",     "AddSource",     "RemoveSource", "EditSource",
-    "MoveSource", "AddObstacle", "RemoveObstacle", "EditObstacle",  "MoveObstacle", "NewPopulation"};
+    "TurnDial",       "SetBrain",     "AddVehicle",   "RemoveVehicle", "MoveVehicle", "ChooseDriver", "Steer",
+    "EditStart",      "SetSensors",   "AddSource",    "RemoveSource",  "EditSource",  "MoveSource",   "AddObstacle",
+    "RemoveObstacle", "EditObstacle", "MoveObstacle", "NewPopulation", "Retitle"};
 
 template <std::size_t... I>
 void read_one(const Json& json, const std::string& name, Command& command, std::index_sequence<I...>) {

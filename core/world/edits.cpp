@@ -138,4 +138,12 @@ std::optional<Error> carry_out(WorldState& s, const MoveObstacle& c) {
     return carry_out(s, EditObstacle{c.obstacle, std::move(moved)});
 }
 
+std::optional<Error> carry_out(WorldState& s, const Retitle& c) {
+    Scene scene = *s.scene;
+    scene.title = c.title;
+    if (auto error = check_scene(scene)) return error;
+    s.scene = std::make_shared<const Scene>(std::move(scene));
+    return std::nullopt;
+}
+
 }  // namespace braitenlab

@@ -22,5 +22,6 @@ std::optional<Error> carry_out(WorldState&, const AddObstacle&);
 std::optional<Error> carry_out(WorldState&, const RemoveObstacle&);
 std::optional<Error> carry_out(WorldState&, const EditObstacle&);
 std::optional<Error> carry_out(WorldState&, const MoveObstacle&);
+std::optional<Error> carry_out(WorldState&, const Retitle&);
 
 }  // namespace braitenlab

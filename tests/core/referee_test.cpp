@@ -151,6 +151,57 @@ TEST(Referee, FollowsTheVehicleThatWasFirstAndNoOther) {
     EXPECT_FALSE(referee.passed());
 }
 
+TEST(Referee, CountsNothingInARunThatAHandDisturbedButWhatWasDoneBefore) {
+    Referee referee(with({turn, touch}));
+    referee.watch(moment(0, 3, 90));
+    referee.watch(moment(1, 3, 180));
+    referee.disturb();
+    EXPECT_TRUE(referee.by_hand());
+    referee.watch(moment(2, 0.1f));
+    EXPECT_TRUE(referee.verdicts()[0].done);
+    EXPECT_FALSE(referee.verdicts()[1].done);
+    referee.watch(moment(0, 3));
+    EXPECT_FALSE(referee.by_hand()) << "the next run is another";
+    referee.watch(moment(1, 0.1f));
+    EXPECT_TRUE(referee.verdicts()[1].done);
+}
+
+TEST(Referee, CountsNothingWhereALampStandsElsewhereOrThereIsOneTooMany) {
+    for (const bool added : {false, true}) {
+        Referee referee(with({touch}));
+        Snapshot snapshot = moment(0, 0.1f);
+        Scene scene = *snapshot.scene;
+        added ? scene.sources.push_back({"bait", Channel::light, 1, 1, 1}) : void(scene.sources[1].x += 1);
+        snapshot.scene = std::make_shared<const Scene>(scene);
+        referee.watch(snapshot);
+        EXPECT_TRUE(referee.by_hand());
+        EXPECT_FALSE(referee.passed());
+        referee.watch(moment(0, 0.1f));  // put back
+        EXPECT_FALSE(referee.by_hand());
+        EXPECT_TRUE(referee.passed());
+    }
+}
+
+TEST(Referee, CountsNothingFromAnotherStartOrWithAPersonAtTheWheel) {
+    Exercise exercise = with({touch});
+    exercise.scene.kinds.push_back({.name = "vehicle"});
+    exercise.scene.starts.push_back({.name = "one", .kind = "vehicle", .x = 3});
+    const auto given = [&](const Scene& scene, Driver driver) {
+        Referee referee(exercise);
+        Snapshot snapshot = moment(0, 0.1f);
+        snapshot.scene = std::make_shared<const Scene>(scene);
+        snapshot.vehicles[0].driver = driver;
+        referee.watch(snapshot);
+        EXPECT_EQ(referee.by_hand(), !referee.passed());
+        return referee.passed();
+    };
+    EXPECT_TRUE(given(exercise.scene, Driver::brain));
+    EXPECT_FALSE(given(exercise.scene, Driver::manual));
+    Scene nearer = exercise.scene;
+    nearer.starts[0].x = 1;
+    EXPECT_FALSE(given(nearer, Driver::brain));
+}
+
 TEST(Grade, IsTheSameEveryTimeAndCountsWhatItSays) {
     const auto exercise =
         load_exercise(std::filesystem::path(BRAITENLAB_SOURCE) / "exercises/guided/05-aggressor.toml");

@@ -133,7 +133,7 @@ Command any_edit(const Session& session, maths::Random& chance) {
         now.vehicles.empty() ? 0 : now.vehicles[static_cast<std::size_t>(below(now.vehicles.size()))].id;
     const int source = below(now.sources.size()), obstacle = below(now.obstacles.size());
     const int kind = below(now.scene->kinds.size());
-    switch (below(15)) {
+    switch (below(16)) {
         case 0:
             return TurnDial{{.vehicle = vehicle}, Dial::LR, chance.uniform(-2, 2)};
         case 1:
@@ -165,6 +165,8 @@ Command any_edit(const Session& session, maths::Random& chance) {
             return RemoveObstacle{obstacle};
         case 13:
             return MoveObstacle{obstacle, metres(), metres(), 1};
+        case 14:
+            return Retitle{"scene " + std::to_string(below(100))};
         default: {
             if (now.sources.empty()) return AddVehicle{};
             Source to = now.scene->sources[static_cast<std::size_t>(source)];

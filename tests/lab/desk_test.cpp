@@ -45,6 +45,18 @@ TEST_F(OnTheDesk, SavesTheSceneWithItsEditedBrainAndOpensItAgain) {
     EXPECT_EQ(remembered.recent.front(), (folder / "mine.toml").string());
 }
 
+TEST_F(OnTheDesk, SavesTheSceneUnderATitleOfItsOwn) {
+    ask(SaveRequest{"mine", FileKind::scene, "My own coward"});
+    EXPECT_EQ(lab.session.snapshot().scene->title, "My own coward") << "the card shows it";
+    EXPECT_FALSE(has_unsaved_edits(lab));
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    ask(OpenRequest{"mine.toml"});
+    EXPECT_EQ(lab.session.scene().title, "My own coward");
+    ask(SaveRequest{"mine", FileKind::scene, std::string(1000, 'x')});
+    EXPECT_NE(files.refused, "") << "too long";
+    EXPECT_EQ(lab.session.snapshot().scene->title, "My own coward");
+}
+
 TEST_F(OnTheDesk, PutsNumbersWherePicturesGoToANewFileEachTimeAndSaysWhere) {
     const std::string home = std::getenv("HOME") ? std::getenv("HOME") : "";
     const std::string config = std::getenv("XDG_CONFIG_HOME") ? std::getenv("XDG_CONFIG_HOME") : "";

@@ -329,6 +329,63 @@ TEST(Lesson, ResetBringsBackTheVeryStartAndTheShippedBrainWhichUndoTakesBack) {
     EXPECT_EQ(read_dials(*lab.session.snapshot().kind_brains[0]).LR, 2);
 }
 
+bool any_done(const Lab& lab) {
+    const auto& verdicts = lab.lesson->view.verdicts;
+    return std::any_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.done; });
+}
+
+TEST(Lesson, IsNotPassedByCarryingTheLampToAVehicleThatDidNotChange) {
+    for (const int before : {0, 30}) {
+        Lab lab = open("05-aggressor");
+        for (int i = 0; i < before; ++i) tick(lab);
+        for (int i = 0; i < 300; ++i) {
+            const VehicleView& coward = lab.session.snapshot().vehicles[0];
+            handle(lab, EditRequest{MoveSource{0, coward.x + 0.4f * std::cos(coward.heading),
+                                               coward.y + 0.4f * std::sin(coward.heading)}});
+            tick(lab);
+        }
+        EXPECT_FALSE(any_done(lab)) << before;
+        EXPECT_TRUE(lab.lesson->view.by_hand);
+        handle(lab, Action::reset);
+        EXPECT_FALSE(lab.lesson->view.by_hand);
+    }
+}
+
+TEST(Lesson, CountsAgainOnceWhatWasMovedBeforeTheStartIsPutBack) {
+    Lab lab = open("05-aggressor");
+    handle(lab, EditRequest{MoveSource{0, 1, 1}});
+    EXPECT_TRUE(lab.lesson->view.by_hand);
+    handle(lab, Action::undo);
+    EXPECT_FALSE(lab.lesson->view.by_hand);
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
+    tick(lab);
+    EXPECT_FALSE(lab.lesson->view.by_hand) << "to change the brain is what is asked for";
+}
+
+TEST(Lesson, CountsUpToTheMomentOfADisturbanceThatIsGoneBackTo) {
+    Lab lab = open("05-aggressor");
+    for (int i = 0; i < 100; ++i) tick(lab);
+    handle(lab, EditRequest{MoveVehicle{lab.selected, 0, 0, 0}});
+    for (int i = 0; i < 100; ++i) tick(lab);
+    handle(lab, SeekRequest{104});
+    EXPECT_TRUE(lab.lesson->view.by_hand);
+    handle(lab, SeekRequest{50});
+    EXPECT_FALSE(lab.lesson->view.by_hand);
+    handle(lab, SeekRequest{199});
+    EXPECT_TRUE(lab.lesson->view.by_hand);
+}
+
+TEST(Lesson, StartsOverWithTheShippedBrainInAVehicleThatHadOneOfItsOwn) {
+    Lab lab = open("05-aggressor");
+    handle(lab, EditRequest{TurnDial{{.vehicle = lab.selected}, Dial::LR, 2}});
+    handle(lab, Action::exercise_reset);
+    const Snapshot& now = lab.session.snapshot();
+    EXPECT_EQ(*now.brains[static_cast<std::size_t>(now.vehicles[0].brain)], lab.lesson->exercise->scene.kinds[0].brain);
+    handle(lab, Action::undo);
+    const Snapshot& then = lab.session.snapshot();
+    EXPECT_EQ(read_dials(*then.brains[static_cast<std::size_t>(then.vehicles[0].brain)]).LR, 2);
+}
+
 TEST(Reset, KeepsTheStudentsBrain) {
     Lab lab = open("05-aggressor");
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
@@ -336,6 +393,24 @@ TEST(Reset, KeepsTheStudentsBrain) {
     handle(lab, Action::reset);
     EXPECT_EQ(lab.session.snapshot().tick, 0u);
     EXPECT_EQ(read_dials(*lab.session.snapshot().kind_brains[0]).LR, 2);
+}
+
+TEST(Selection, GoesToTheNextOfItsKindWhenTheSelectedOneDiesAndSaysSo) {
+    Lab lab = open("predator-prey");
+    const auto prey = [&] {
+        for (const VehicleView& v : lab.session.snapshot().vehicles)
+            if (v.role == Role::prey) return v.id;
+        return no_vehicle;
+    };
+    handle(lab, SelectRequest{prey()});
+    const VehicleId first = lab.selected;
+    for (int i = 0; i < 60 * 120 && lab.selected == first; ++i) tick(lab);
+    ASSERT_NE(lab.selected, first) << "nobody has eaten it in two minutes";
+    EXPECT_EQ(find_vehicle(lab.session.snapshot(), lab.selected)->role, Role::prey);
+    EXPECT_TRUE(lab.notice.key == "notice.eaten_prey" || lab.notice.key == "notice.starved_prey") << lab.notice.key;
+    EXPECT_EQ(lab.notice.words, std::to_string(first + 1));
+    EXPECT_EQ(lab.notice.more, std::to_string(lab.selected + 1));
+    EXPECT_EQ(lab.notice.kind, NoticeKind::notice);
 }
 
 TEST(View, WalksThroughTheFieldsOfTheSceneAndBackToNone) {

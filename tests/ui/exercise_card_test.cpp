@@ -53,6 +53,22 @@ TEST(ExerciseCard, OpensHintsAndStartsOver) {
     EXPECT_TRUE(desk.all.empty());
 }
 
+TEST(ExerciseCard, SaysWhenARunDoesNotCount) {
+    Desk desk;
+    desk.open_exercise();
+    const auto said = [&] {
+        desk.frame(3);
+        std::string all;
+        for (const Written& w : desk.written) all += w.words + " ";
+        return all.find("moved or steered") != std::string::npos;
+    };
+    EXPECT_FALSE(said());
+    desk.lesson.by_hand = true;
+    EXPECT_TRUE(said());
+    for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
+    EXPECT_FALSE(said()) << "nothing is left to count";
+}
+
 TEST(ExerciseCard, KeepsItsButtonsInSightHoweverLongItGets) {
     Desk desk(1024, 768, 1, true);
     desk.open_exercise();

@@ -206,6 +206,32 @@ TEST_F(FilesSheet, SavesUnderTheSuggestedOrATypedName) {
     EXPECT_EQ(asked<SaveRequest>(), std::vector<std::string>{"Coward"});
 }
 
+TEST_F(FilesSheet, AsksForATitleOfASceneAndSendsItOnlyWhereItIsNew) {
+    const auto titles = [&] {
+        std::vector<std::optional<std::string>> found;
+        for (const Request& request : desk.all)
+            if (const auto* save = std::get_if<SaveRequest>(&request)) found.push_back(save->title);
+        return found;
+    };
+    press({'S', true});
+    EXPECT_EQ(desk.panels.files.title.text, desk.now.scene->title);
+    press({key::enter});
+    EXPECT_EQ(titles().back(), std::nullopt);
+    press({key::tab});
+    EXPECT_EQ(desk.panels.keyboard.focus, "files.title");
+    type(" of my own");
+    press({' '});  // a letter here, not Play
+    press({key::enter});
+    ASSERT_TRUE(titles().back());
+    EXPECT_NE(titles().back()->find("of my own"), std::string::npos) << *titles().back();
+    EXPECT_TRUE(desk.actions().empty());
+    desk.click("files.kind.2");
+    desk.click("files.path");
+    EXPECT_FALSE(desk.anchors.find("files.title")) << "runs have none";
+    press({key::enter});
+    EXPECT_EQ(titles().back(), std::nullopt);
+}
+
 TEST_F(FilesSheet, AsksBeforeItReplacesAndNamesCommentsThatWouldBeLost) {
     press({'S', true, true});
     desk.click("file.mine.toml");

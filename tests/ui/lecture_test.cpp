@@ -26,6 +26,21 @@ TEST(Lecture, ClearsTheScreenAndFoldsTheCards) {
     EXPECT_TRUE(shows(desk, "+0.30")) << "the left wheel's command, large";
 }
 
+TEST(Lecture, KeepsFoldedCardsOutOfTheScenesWay) {
+    Desk desk(1280, 800, 1.6f, true);
+    desk.frame(3);
+    desk.view.lecture = true;
+    desk.frame(4);
+    const float width = desk.layout.window.w;
+    const Rect left = desk.where("card.scene"), right = desk.where("card.brain");
+    EXPECT_LT(left.x + left.w, 0.25f * width);
+    EXPECT_GT(right.x, 0.75f * width);
+    desk.click("card.brain.fold");
+    desk.frame(3);
+    EXPECT_GT(desk.where("card.brain").w, right.w) << "opened, it has its room";
+    EXPECT_TRUE(desk.anchors.find("slider.LR"));
+}
+
 TEST(Lecture, BringsEveryCardBackAsItWas) {
     Desk desk;
     desk.open_exercise();

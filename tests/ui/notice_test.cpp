@@ -54,4 +54,22 @@ TEST(Notice, IsReadWholeUnderThePointerWhereItDoesNotFit) {
     EXPECT_TRUE(reads_end());
 }
 
+TEST(HintBar, NamesTheWayBackWhileAPersonDrivesOrLooksThroughTheVehiclesEyes) {
+    const auto said = [](Desk& desk) {
+        desk.frame(2);
+        std::string all;
+        for (const Written& w : desk.written) all += w.words + " ";
+        return all;
+    };
+    Desk desk(1280, 800, 1, true);
+    EXPECT_EQ(said(desk).find("gives the wheel back"), std::string::npos);
+    desk.now.vehicles[0].driver = Driver::manual;
+    EXPECT_NE(said(desk).find("gives the wheel back"), std::string::npos) << "whatever else would be next";
+    desk.view.camera = CameraMode::driver;
+    EXPECT_NE(said(desk).find("leaves them"), std::string::npos);
+    desk.now.vehicles[0].driver = Driver::brain;
+    EXPECT_NE(said(desk).find("leaves them"), std::string::npos);
+    EXPECT_EQ(said(desk).find("gives the wheel back"), std::string::npos);
+}
+
 }  // namespace braitenlab::tests

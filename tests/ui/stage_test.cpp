@@ -5,6 +5,7 @@
 
 #include "core/maths/angle.h"
 #include "desk.h"
+#include "ui/stage/edits.h"
 
 namespace braitenlab::tests {
 namespace {
@@ -310,6 +311,37 @@ TEST_F(Stage, LeavesDrawingByEscapeStepByStep) {
     EXPECT_TRUE(desk.actions().empty());
     desk.key({key::escape});
     EXPECT_EQ(desk.actions().size(), 1u) << "then it is the window's";
+}
+
+TEST_F(Stage, KeepsWhatTheMenuAddsAndWhatIsDuplicatedOffTheWallAndOffOthers) {
+    const float rim = desk.now.scene->arena.width / 2;
+    click({rim - 0.05f, 3}, 1);
+    desk.click("menu.add.vehicle.1");
+    ASSERT_EQ(commands<AddVehicle>().size(), 1u);
+    EXPECT_LT(commands<AddVehicle>()[0].at->x, rim - 0.5f);
+    click({-6.0f, 0.9f}, 1);  // beside a vehicle, on the floor
+    desk.click("menu.add.vehicle.1");
+    ASSERT_EQ(commands<AddVehicle>().size(), 2u);
+    const auto clear = [&](vec2 at) {
+        for (const VehicleView& v : desk.now.vehicles)
+            if (maths::distance(at, {v.x, v.y}) < 1.1f) return false;
+        return true;
+    };
+    EXPECT_TRUE(clear({commands<AddVehicle>()[1].at->x, commands<AddVehicle>()[1].at->y}));
+    const auto copy = copy_of(desk.now, vehicle_thing(2));
+    const Pose at = *std::get<AddVehicle>(*copy).at;
+    EXPECT_TRUE(clear({at.x, at.y})) << "0.8 m beside it another one stands";
+}
+
+TEST_F(Stage, TakesTheClickThatClosesItsMenuForThatAlone) {
+    click({0, 3}, 1);
+    ASSERT_TRUE(stage().menu.open);
+    desk.all.clear();
+    click({-3, 6});  // a lamp
+    EXPECT_FALSE(stage().menu.open);
+    EXPECT_TRUE(desk.all.empty());
+    click({-3, 6});
+    EXPECT_FALSE(desk.all.empty());
 }
 
 TEST_F(Stage, AddsWhatTheMenuOffersWhereItWasOpened) {

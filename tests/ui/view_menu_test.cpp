@@ -51,6 +51,32 @@ TEST_F(ViewMenu, OffersTheFieldsOfWhatThereIsToFeel) {
     EXPECT_EQ(wanted()->field, std::nullopt);
 }
 
+TEST_F(ViewMenu, TakesTheClickThatClosesItForItself) {
+    desk.click("button.view");
+    desk.frame(2);
+    ASSERT_TRUE(desk.anchors.find("card.view"));
+    desk.click("button.play");
+    EXPECT_FALSE(desk.anchors.find("card.view"));
+    EXPECT_TRUE(desk.actions().empty());
+    desk.click("button.play");
+    EXPECT_EQ(desk.actions(), std::vector{Action::play_pause});
+    desk.click("button.view");
+    desk.frame(2);
+    desk.click("button.view");
+    EXPECT_FALSE(desk.anchors.find("card.view")) << "its own button closes it, too";
+}
+
+TEST(PresetsMenu, TakesTheClickThatClosesItForItself) {
+    Desk desk;
+    desk.frame(2);
+    desk.click("button.presets");
+    desk.frame(2);
+    ASSERT_TRUE(desk.panels.presets_open);
+    desk.click("button.play");
+    EXPECT_FALSE(desk.panels.presets_open);
+    EXPECT_TRUE(desk.actions().empty());
+}
+
 TEST_F(ViewMenu, CanBeUsedByKeysAlone) {
     desk.key({'E'});
     desk.frame(2);

@@ -19,6 +19,7 @@ struct FilesState {
     std::optional<FileKind> only;            // when opening from a folder; none: every kind
     FileKind kind = FileKind::scene;         // when saving
     TextField typed;                         // a path, or the name to save under
+    TextField title;                         // of the scene that is saved
     std::string listed;                      // what is listed, a folder or a place; another one starts at its top
     bool begun = false;                      // drawn once since it was opened
     bool asked = false;                      // something was asked of the lab: `done` tells when it has happened

@@ -32,15 +32,29 @@ std::string cap_words(const Ui& ui, std::string_view inside) {
     return action ? key_name(*action, ui.strings) : std::string(inside);
 }
 
-void hint_line(const Ui& ui, std::string_view hint, Colour colour, float x, Rect bar) {
+// Returns where it ends.
+float hint_line(const Ui& ui, std::string_view hint, Colour colour, float x, Rect bar) {
     while (!hint.empty()) {
         const std::size_t open = hint.find('['), close = open == hint.npos ? hint.npos : hint.find(']', open);
         const std::string_view words = close == hint.npos ? hint : hint.substr(0, open);
         x += put(ui, {x, bar.y + (bar.h - line_height(ui, Face::small)) / 2}, words, colour, Face::small);
-        if (close == hint.npos) return;
+        if (close == hint.npos) return x;
         x += key_cap(ui, {x, bar.y}, bar.h, cap_words(ui, hint.substr(open + 1, close - open - 1)));
         hint.remove_prefix(close + 1);
     }
+    return x;
+}
+
+// While the keys mean something else, or the view is another, the way back stands first; nothing when neither is so.
+bool way_back(const LabView& view, const Ui& ui, float x, Rect bar) {
+    if (view.mode == Mode::wiring) return false;
+    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    const bool drives = vehicle && vehicle->driver == Driver::manual, rides = view.camera == CameraMode::driver;
+    const Colour colour = ui.palette.text;
+    if (drives) x = hint_line(ui, ui.strings("hint.driving"), colour, x, bar);
+    if (drives && rides) x = hint_line(ui, "  ·  ", colour, x, bar);
+    if (rides) hint_line(ui, ui.strings("hint.eyes"), colour, x, bar);
+    return drives || rides;
 }
 
 // What can be done here, when nothing in particular is next.
@@ -50,32 +64,38 @@ std::string_view usual_hint(const LabView& view) {
     return view.selected == no_vehicle ? "hint.nobody" : "hint.paused";
 }
 
+// What is next, or else what can be done.
+void say_hint(const LabView& view, const Ui& ui, float x, Rect bar, std::string_view hint) {
+    if (way_back(view, ui, x, bar)) return;
+    const bool prompted = !hint.empty();
+    if (prompted) {
+        put_icon(ui, {x + ui.px(6), bar.y + bar.h / 2}, icon::hint, ui.palette.accent, Face::small);
+        if (has_icons(ui)) x += ui.px(20);
+    }
+    hint_line(ui, ui.strings(prompted ? hint : usual_hint(view)), prompted ? ui.palette.text : ui.palette.second_text,
+              x, bar);
+}
+
+// What does not fit is read under the pointer.
+void say_notice(const LabView& view, Ui& ui, float x, Rect bar) {
+    const Colour colour = colour_of(view.notice.kind, ui.palette);
+    const float middle = bar.y + bar.h / 2;
+    put_icon(ui, {x + ui.px(6), middle}, sign_of(view.notice.kind), colour, Face::small);
+    if (has_icons(ui)) x += ui.px(20);
+    const float room = bar.x + bar.w - ui.px(16) - x;
+    const std::string words = text_of(view.notice, ui.strings), fitting = shortened(ui, words, Face::small, room);
+    put(ui, {x, middle - line_height(ui, Face::small) / 2}, fitting, colour, Face::small);
+    if (fitting == words) return;
+    ImGui::SetCursorScreenPos({bar.x, bar.y});
+    tooltip(ui, item(ui, "hint.notice", {bar.w, bar.h}, false), words);
+}
+
 }  // namespace
 
 void hint_bar(const LabView& view, Ui& ui, Rect bar, std::string_view hint) {
     begin_bar(ui, "hint bar", bar);
-    float x = bar.x + ui.px(16);
-    const float middle = bar.y + bar.h / 2;
-    if (view.notice.empty()) {
-        const bool prompted = !hint.empty();
-        if (prompted) {
-            put_icon(ui, {x + ui.px(6), middle}, icon::hint, ui.palette.accent, Face::small);
-            if (has_icons(ui)) x += ui.px(20);
-        }
-        hint_line(ui, ui.strings(prompted ? hint : usual_hint(view)),
-                  prompted ? ui.palette.text : ui.palette.second_text, x, bar);
-    } else {
-        const Colour colour = colour_of(view.notice.kind, ui.palette);
-        put_icon(ui, {x + ui.px(6), middle}, sign_of(view.notice.kind), colour, Face::small);
-        if (has_icons(ui)) x += ui.px(20);
-        const float room = bar.x + bar.w - ui.px(16) - x;
-        const std::string words = text_of(view.notice, ui.strings), fitting = shortened(ui, words, Face::small, room);
-        put(ui, {x, middle - line_height(ui, Face::small) / 2}, fitting, colour, Face::small);
-        if (fitting != words) {
-            ImGui::SetCursorScreenPos({bar.x, bar.y});
-            tooltip(ui, item(ui, "hint.notice", {bar.w, bar.h}, false), words);
-        }
-    }
+    const float x = bar.x + ui.px(16);
+    view.notice.empty() ? say_hint(view, ui, x, bar, hint) : say_notice(view, ui, x, bar);
     mark(ui, "hint.bar", bar);
     end_bar();
 }

@@ -12,6 +12,7 @@
 #include "ui/panels/panels.h"
 #include "ui/shortcuts.h"
 #include "ui/stage/edits.h"
+#include "ui/stage/room.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/widgets/card.h"
@@ -204,7 +205,7 @@ bool show(Ui& ui, const Row& row, bool indented) {
     return at.pressed;
 }
 
-void obey(PanelState& state, Ui& ui, const Row& row) {
+void obey(const LabView& view, PanelState& state, Ui& ui, const Row& row) {
     StageState& stage = state.stage;
     if (row.leads_to) {
         stage.menu.page = *row.leads_to;
@@ -212,7 +213,10 @@ void obey(PanelState& state, Ui& ui, const Row& row) {
         if (ui.keyboard) ui.keyboard->focus.clear();
         return;
     }
-    for (const Request& request : row.asks) ui.outbox.push_back(request);
+    for (Request request : row.asks) {
+        if (auto* edit = std::get_if<EditRequest>(&request)) edit->command = with_room(*view.now, edit->command);
+        ui.outbox.push_back(std::move(request));
+    }
     if (row.takes) {
         stage.tool = *row.takes;
         stage.corners = {stage.menu.place};
@@ -246,7 +250,7 @@ void stage_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
         const bool signs = std::any_of(rows.begin(), rows.end(), [](const Row& r) { return r.role || r.channel; });
         for (const Row& row : rows) {
             if (!row.heading) menu.rows.push_back(row.anchor);
-            if (show(ui, row, signs)) obey(state, ui, row);
+            if (show(ui, row, signs)) obey(view, state, ui, row);
         }
         mark(ui, "menu", {at.x, at.y, w, h});
         if (menu.by_key && ui.keyboard && !menu.rows.empty() && ui.keyboard->focus.empty())

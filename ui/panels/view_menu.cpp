@@ -106,8 +106,8 @@ void view_menu(const LabView& view, PanelState& state, Ui& ui, const WindowLayou
         2 * ui.px(pad) + heads + ui.px(row_height) * static_cast<float>(all_switches.size() + all_fields.size());
     const Rect menu{std::min(opener.x, layout.window.w - ui.px(menu_width + 12)),
                     layout.toolbar.y + layout.toolbar.h + ui.px(8), ui.px(menu_width), height};
-    // No veil over the scene: one looks at it while choosing.
-    begin_bar(ui, "view", menu, true);
+    // No veil over the scene: one looks at it while choosing. But the click that closes the menu does nothing else.
+    begin_bar(ui, "view", layout.window, true);
     card_ground(ui, menu);
     fill_box(ui, menu, ui.palette.panel);
     line_box(ui, menu, ui.palette.line);
@@ -131,8 +131,7 @@ void view_menu(const LabView& view, PanelState& state, Ui& ui, const WindowLayou
     if (state.focus_view_menu && ui.keyboard) ui.keyboard->focus = all_switches.front().id;
     state.focus_view_menu = false;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    const bool elsewhere = !menu.contains(mouse.x, mouse.y) && !opener.contains(mouse.x, mouse.y);
-    if (ImGui::IsMouseClicked(0) && elsewhere) state.view_menu = false;
+    if (ImGui::IsMouseClicked(0) && !menu.contains(mouse.x, mouse.y)) state.view_menu = false;
     end_bar();
 }
 

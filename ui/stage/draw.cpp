@@ -9,6 +9,8 @@
 
 #include "core/maths/angle.h"
 #include "ui/imgui_compat.h"
+#include "ui/stage/polygon_tool.h"
+#include "ui/stage/under_pointer.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/widgets/number.h"

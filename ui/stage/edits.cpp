@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/stage/room.h"
+
 namespace braitenlab {
 
 using maths::vec2;
@@ -52,16 +54,16 @@ std::optional<Command> copy_of(const Snapshot& now, const Thing& thing) {
         const bool as_its_kind = kind < now.kind_brains.size() && own == *now.kind_brains[kind];
         AddVehicle copy{vehicle.kind, at, std::nullopt, vehicle.energy};
         if (!as_its_kind) copy.brain = own;
-        return copy;
+        return with_room(now, copy);
     }
     if (thing.kind == ThingKind::source) {
         Source source = now.scene->sources[static_cast<std::size_t>(thing.index)];
         source.x = at.x, source.y = at.y;
-        return AddSource{source};
+        return with_room(now, AddSource{source});
     }
     Obstacle obstacle = now.scene->obstacles[static_cast<std::size_t>(thing.index)];
     obstacle.x = at.x, obstacle.y = at.y, obstacle.heading = at.heading;
-    return AddObstacle{obstacle};
+    return with_room(now, AddObstacle{obstacle});
 }
 
 std::optional<Command> move_of(const Snapshot& now, const Thing& thing, Pose to) {

@@ -5,6 +5,10 @@
 
 #include "core/maths/angle.h"
 #include "ui/stage/edits.h"
+#include "ui/stage/outline.h"
+#include "ui/stage/polygon_tool.h"
+#include "ui/stage/room.h"
+#include "ui/stage/under_pointer.h"
 
 namespace braitenlab {
 
@@ -12,50 +16,14 @@ using maths::vec2;
 
 namespace {
 
-constexpr float drag_begins = 4;                               // layout pixels
-constexpr float ring_gap = 16, ring_grip = 6, knob_grip = 11;  // layout pixels
-constexpr float handle_near = 36;                              // layout pixels beyond the ring
-constexpr float corner_grip = 11;                              // layout pixels round the first corner, which closes
-constexpr float turn_step = maths::pi / 12;                    // with Shift
-constexpr double refusal_seconds = 3;
+constexpr float drag_begins = 4;             // layout pixels
+constexpr float turn_step = maths::pi / 12;  // with Shift
 
 void ask(Outbox& outbox, Command command, std::uint64_t gesture = 0) {
     outbox.push_back(EditRequest{std::move(command), gesture});
 }
 
-void refuse(StageState& state, double wall_seconds, std::string_view key) {
-    state.refusal = {std::string(key), wall_seconds + refusal_seconds};
-}
-
-std::optional<vec2> floor_at(const StageFrame& frame) { return unproject(frame.sight, frame.pointer.at); }
-
 float bearing_from(Pose place, vec2 point) { return maths::arctangent2(point.y - place.y, point.x - place.x); }
-
-// How many pixels the pointer is away from a place on the floor.
-float pixels_from(const StageFrame& frame, vec2 place) {
-    const auto at = project(frame.sight, place);
-    return at ? maths::distance(*at, frame.pointer.at) : 1e9f;
-}
-
-StageHit under_pointer(const StageState& state, const StageFrame& frame) {
-    if (!frame.pointer.over || frame.view.mode == Mode::wiring || state.tool != StageTool::hand) return {};
-    const auto handle = handle_of(state, frame);
-    const auto floor = floor_at(frame);
-    const Thing thing = pick_thing(*frame.view.now, frame.sight, frame.pointer.at);
-    const float to_knob = handle ? pixels_from(frame, handle->knob) : 1e9f;
-    if (to_knob <= knob_grip * frame.scale) {
-        // A neighbour may stand right below the knob: whoever is nearer to the pointer.
-        const auto place = thing == chosen(frame.view) ? std::nullopt : place_of(*frame.view.now, thing);
-        const bool neighbour = place && pixels_from(frame, {place->x, place->y}) < to_knob;
-        return neighbour ? StageHit{thing, false} : StageHit{chosen(frame.view), true};
-    }
-    if (thing) return {thing, false};
-    if (handle && floor) {
-        const float off = std::fabs(maths::distance(*floor, handle->middle) - handle->radius);
-        if (off * pixels_per_metre(frame.sight, *floor) <= ring_grip * frame.scale) return {chosen(frame.view), true};
-    }
-    return {};
-}
 
 void begin_drag(StageState& state, const StageFrame& frame) {
     const StagePointer& pointer = frame.pointer;
@@ -84,24 +52,6 @@ void choose(const Thing& thing, const LabView& view, Outbox& outbox) {
         outbox.push_back(TakeRequest{thing});
 }
 
-void click_corner(StageState& state, const StageFrame& frame, vec2 at, Outbox& outbox) {
-    const StagePointer& pointer = frame.pointer;
-    const bool on_first =
-        state.corners.size() >= 3 && pixels_from(frame, state.corners[0]) <= corner_grip * frame.scale;
-    if (on_first || (pointer.left_double && state.corners.size() >= 3))
-        return close_outline(state, frame.view.wall_seconds, pointer.shift, outbox);
-    if (pointer.left_double) return;  // the first of the two clicks has set the corner
-    if (const OutlineFault fault = fault_of_next(state.corners, at); fault != OutlineFault::none)
-        return refuse(state, frame.view.wall_seconds, reason(fault));
-    state.corners.push_back(at);
-}
-
-vec2 in_arena(const LabView& view, vec2 place) {
-    if (!view.now->scene) return place;
-    const float x = view.now->scene->arena.width / 2, y = view.now->scene->arena.height / 2;
-    return {std::clamp(place.x, -x, x), std::clamp(place.y, -y, y)};
-}
-
 void press(StageState& state, const StageFrame& frame, Outbox& outbox) {
     const StagePointer& pointer = frame.pointer;
     if (!pointer.over || !(pointer.left_pressed || pointer.right_pressed || pointer.middle_pressed)) return;
@@ -125,7 +75,7 @@ void press(StageState& state, const StageFrame& frame, Outbox& outbox) {
     }
     Source lamp;
     lamp.x = at.x, lamp.y = at.y;
-    ask(outbox, AddSource{lamp});
+    ask(outbox, with_room(*frame.view.now, AddSource{lamp}));
     if (!pointer.shift) state.tool = StageTool::hand;
 }
 
@@ -197,8 +147,9 @@ void release(StageState& state, const StageFrame& frame, Outbox& outbox) {
         vec2 far = in_arena(frame.view, floor_at(frame).value_or(drag.corner));
         // A mere click sets up a box of one metre.
         const bool click = maths::distance(drag.press, pointer.at) <= drag_begins * frame.scale;
-        ask(outbox, AddObstacle{click ? box_between(drag.corner - vec2{0.5f, 0.5f}, drag.corner + vec2{0.5f, 0.5f})
-                                      : box_between(drag.corner, far)});
+        const vec2 half{0.5f, 0.5f};
+        ask(outbox, click ? with_room(*frame.view.now, AddObstacle{box_between(drag.corner - half, drag.corner + half)})
+                          : AddObstacle{box_between(drag.corner, far)});
         if (!pointer.shift) state.tool = StageTool::hand;
     }
     if (drag.phase != StagePhase::pending || frame.view.mode == Mode::wiring) return;
@@ -210,47 +161,6 @@ void release(StageState& state, const StageFrame& frame, Outbox& outbox) {
 }
 
 }  // namespace
-
-Thing chosen(const LabView& view) { return view.thing ? view.thing : vehicle_thing(view.selected); }
-
-std::string_view reason(OutlineFault fault) {
-    switch (fault) {
-        case OutlineFault::none:
-            break;
-        case OutlineFault::too_near:
-            return "stage.refused.too_near";
-        case OutlineFault::crosses:
-            return "stage.refused.crosses";
-        case OutlineFault::dents:
-            return "stage.refused.dents";
-        case OutlineFault::too_many:
-            return "stage.refused.too_many";
-        case OutlineFault::too_few:
-            return "stage.refused.too_few";
-        case OutlineFault::too_narrow:
-            return "stage.refused.too_narrow";
-    }
-    return {};
-}
-
-std::optional<Handle> handle_of(const StageState& state, const StageFrame& frame) {
-    const Thing thing = state.drag.phase == StagePhase::turn ? state.drag.on.thing : chosen(frame.view);
-    const auto place = place_of(*frame.view.now, thing);
-    const bool turns = thing.kind == ThingKind::vehicle || thing.kind == ThingKind::obstacle;
-    const bool free = state.drag.phase == StagePhase::idle || state.drag.phase == StagePhase::turn;
-    if (rides(frame.view.camera) && thing == vehicle_thing(frame.view.selected)) return std::nullopt;
-    if (!turns || !place || !free || state.tool != StageTool::hand || frame.view.mode == Mode::wiring)
-        return std::nullopt;
-    Handle handle;
-    handle.middle = {place->x, place->y};
-    const float scale = pixels_per_metre(frame.sight, handle.middle);
-    if (scale <= 0) return std::nullopt;
-    handle.radius = reach_of(*frame.view.now, thing) + ring_gap * frame.scale / scale;
-    handle.knob = handle.middle + maths::from_polar(handle.radius, place->heading);
-    const float near = handle.radius * scale + handle_near * frame.scale;
-    const bool shown = state.drag.phase == StagePhase::turn || pixels_from(frame, handle.middle) <= near;
-    return shown ? std::optional(handle) : std::nullopt;
-}
 
 void interact(StageState& state, const StageFrame& frame, Outbox& outbox) {
     if (!place_of(*frame.view.now, state.drag.on.thing) && state.drag.on) state.drag = {};  // it has left the world
@@ -289,23 +199,6 @@ bool cancel(StageState& state, const LabView& view, Outbox& outbox) {
         return false;
     }
     return true;
-}
-
-void take_back_corner(StageState& state) {
-    state.refusal = {};
-    if (state.corners.empty())
-        state.tool = StageTool::hand;
-    else
-        state.corners.pop_back();
-}
-
-void close_outline(StageState& state, double wall_seconds, bool keep_tool, Outbox& outbox) {
-    if (const OutlineFault fault = fault_of(state.corners); fault != OutlineFault::none)
-        return refuse(state, wall_seconds, reason(fault));
-    ask(outbox, AddObstacle{obstacle_from(state.corners)});
-    state.corners.clear();
-    state.refusal = {};
-    if (!keep_tool) state.tool = StageTool::hand;
 }
 
 }  // namespace braitenlab

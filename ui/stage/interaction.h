@@ -3,9 +3,6 @@
 // Idle → Pending (pressed, moved less than 4 px) → Move | Turn | Orbit | Pan | Box → Idle.
 #pragma once
 
-#include <optional>
-
-#include "ui/stage/outline.h"
 #include "ui/stage/stage.h"
 
 namespace braitenlab {
@@ -37,24 +34,5 @@ bool cancel(StageState&, const LabView&, Outbox&);
 
 // The menu of a thing where it stands, as by a right click on it.
 void open_menu_of(StageState&, const LabView&, const Thing&);
-
-// Takes back the corner drawn last; without any, back to the hand.
-void take_back_corner(StageState&);
-
-// Makes the outline an obstacle, or says why not. `keep_tool`: another one follows.
-void close_outline(StageState&, double wall_seconds, bool keep_tool, Outbox&);
-
-// The string key that says why an outline is refused; empty for none.
-std::string_view reason(OutlineFault);
-
-// The ring round a thing by which it is turned.
-struct Handle {
-    maths::vec2 middle;  // m
-    float radius = 0;    // m
-    maths::vec2 knob;    // m, on the ring, where the thing faces
-};
-
-// Of the chosen thing, where it can be turned; only near the pointer or while it turns, so that a run stays calm.
-std::optional<Handle> handle_of(const StageState&, const StageFrame&);
 
 }  // namespace braitenlab

@@ -9,6 +9,7 @@
 #include "ui/stage/draw.h"
 #include "ui/stage/edits.h"
 #include "ui/stage/interaction.h"
+#include "ui/stage/polygon_tool.h"
 
 namespace braitenlab {
 

@@ -1,0 +1,87 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "render/view/pick.h"
+#include "ui/stage/room.h"
+
+namespace braitenlab::tests {
+namespace {
+
+using maths::vec2;
+
+// An arena of 10 by 8 m with a wall, a lamp in its middle and a box to the right.
+struct Room : testing::Test {
+    std::shared_ptr<Scene> scene = std::make_shared<Scene>();
+    Snapshot now;
+
+    Room() {
+        scene->arena = {.width = 10, .height = 8};
+        scene->kinds.resize(1);
+        scene->sources.resize(1);
+        scene->obstacles = {{.name = "box", .x = 3, .y = 0, .length = 1, .width = 2}};
+        now.scene = scene;
+        now.sources = {{.source = 0}};
+    }
+    void stand(float x, float y) {
+        VehicleView vehicle;
+        vehicle.id = static_cast<int>(now.vehicles.size());
+        vehicle.x = x, vehicle.y = y;
+        now.vehicles.push_back(vehicle);
+    }
+    float reach() const { return std::hypot(scene->kinds[0].body.length, scene->kinds[0].body.width) / 2; }
+};
+
+TEST_F(Room, LeavesAFreePlaceAsItIs) {
+    const vec2 at = free_place(now, {-3, 2}, 0.6f);
+    EXPECT_EQ(at.x, -3);
+    EXPECT_EQ(at.y, 2);
+}
+
+TEST_F(Room, KeepsWhatIsAddedOffTheWalls) {
+    for (const vec2 wanted : {vec2{9, 9}, vec2{-5, 0.5f}, vec2{0, -30}, vec2{4.9f, 3.9f}}) {
+        const vec2 at = free_place(now, wanted, 0.6f);
+        EXPECT_LE(std::fabs(at.x), 4.4f + 1e-4f);
+        EXPECT_LE(std::fabs(at.y), 3.4f + 1e-4f);
+    }
+    scene->arena.edge = Edge::torus;
+    EXPECT_EQ(free_place(now, {5, 3}, 0.6f).x, 5) << "over a joined edge it may stand";
+}
+
+TEST_F(Room, MovesAsideFromWhatStandsThereAndNoFartherThanItMust) {
+    stand(-3, 2);
+    const float both = 0.6f + reach();
+    const vec2 at = free_place(now, {-3, 2.1f}, 0.6f);
+    const float away = maths::distance(at, {-3, 2});
+    EXPECT_GE(away, both - 1e-4f);
+    EXPECT_LE(away, both + 0.25f);
+    const vec2 beside_lamp = free_place(now, {0, 0}, 0.6f);
+    EXPECT_GE(maths::length(beside_lamp), 0.9f - 1e-4f);
+    EXPECT_LE(maths::length(beside_lamp), 1.15f);
+    const vec2 beside_box = free_place(now, {3, 0}, 0.6f);
+    EXPECT_LE(beside_box.x, 3 - 0.5f - 0.6f + 1e-4f);
+}
+
+TEST_F(Room, TakesTheWantedPlaceInsideWhereEverythingIsFull) {
+    scene->obstacles[0] = {.name = "box", .length = 30, .width = 30};
+    const vec2 at = free_place(now, {9, 1}, 0.6f);
+    EXPECT_NEAR(at.x, 4.4f, 1e-4f);
+    EXPECT_NEAR(at.y, 1, 1e-4f);
+}
+
+TEST_F(Room, IsMadeForWhatACommandAddsAndForNothingElse) {
+    stand(-3, 2);
+    const auto vehicle = std::get<AddVehicle>(with_room(now, AddVehicle{0, Pose{-3, 2, 1}}));
+    EXPECT_GE(maths::distance(vec2{vehicle.at->x, vehicle.at->y}, vec2{-3, 2}), 2 * reach() - 1e-4f);
+    EXPECT_EQ(vehicle.at->heading, 1);
+    const auto lamp = std::get<AddSource>(with_room(now, AddSource{{.x = 8, .y = 1}}));
+    EXPECT_LT(lamp.source.x, 5);
+    const auto box = std::get<AddObstacle>(with_room(now, AddObstacle{{.x = 3.2f, .y = 0.2f}}));
+    EXPECT_GE(maths::distance(vec2{box.obstacle.x, box.obstacle.y}, vec2{3, 0}), 0.99f);
+    EXPECT_EQ(with_room(now, Command(AddVehicle{})), Command(AddVehicle{})) << "somewhere free, as the world finds it";
+    const Command move = MoveVehicle{0, 3, 0, 0};
+    EXPECT_EQ(with_room(now, move), move) << "a hand knows where it puts something";
+}
+
+}  // namespace
+}  // namespace braitenlab::tests

@@ -1,0 +1,172 @@
+#include "ui/panels/file_lists.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <imgui.h>
+
+#include "ui/imgui_compat.h"
+#include "ui/panels/translated.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float least_list = 80;  // layout pixels
+
+}  // namespace
+
+std::string_view kind_key(FileKind kind) {
+    constexpr std::array<std::string_view, file_kinds> keys{"files.scene", "files.exercise", "files.brain",
+                                                            "files.run"};
+    return keys[static_cast<std::size_t>(kind)];
+}
+
+namespace {
+
+std::string file_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+std::string folder_of(const std::string& path) {
+    return path.substr(0, std::max<std::size_t>(1, path.find_last_of('/')));
+}
+
+// A row of the list: an icon, what it is called, what more there is to say below or at the right end.
+struct Row {
+    std::string id, words, below, aside;
+    std::string_view icon;
+    bool current = false, broken = false;
+};
+
+bool list_row(Ui& ui, const Row& row, std::string_view how) {
+    const float height =
+        line_height(ui, Face::text) + (row.below.empty() ? 0 : line_height(ui, Face::small)) + ui.px(12);
+    const Item at = item(ui, row.id, {card_width(ui), height});
+    fill_box(ui, at.rect, ui.palette.line.with_alpha(std::max(0.6f * at.warmth, at.focused ? 0.6f : 0.0f)));
+    if (row.current)
+        fill_box(ui, {at.rect.x, at.rect.y + ui.px(6), ui.px(3), height - ui.px(12)}, ui.palette.accent, 2);
+    const Palette& p = ui.palette;
+    const Colour quiet = row.broken ? legible(p.warning, p.panel, p.text) : p.second_text;
+    float x = at.rect.x + ui.px(12);
+    const float y = at.rect.y + ui.px(5);
+    if (!row.icon.empty() && has_icons(ui)) {
+        put_icon(ui, {x + ui.px(7), y + line_height(ui, Face::text) / 2}, row.icon, quiet);
+        x += ui.px(26);
+    }
+    const float aside = text_width(ui, Face::small, row.aside);
+    put_right(ui, {at.right() - ui.px(12), y + ui.px(2)}, row.aside, quiet, Face::small);
+    const float room = at.right() - ui.px(20) - x - (aside > 0 ? aside + ui.px(12) : 0);
+    const std::string words = shortened(ui, row.words, Face::strong, room);
+    const std::string below = shortened(ui, row.below, Face::small, at.right() - ui.px(12) - x);
+    put(ui, {x, y}, words, ui.palette.text, Face::strong);
+    put(ui, {x, y + line_height(ui, Face::text)}, below, ui.palette.second_text, Face::small);
+    // What can be read in the row is not said again.
+    tooltip(ui, at, below != row.below ? std::string_view(row.below) : words != row.words ? row.words : how);
+    return at.pressed;
+}
+
+}  // namespace
+
+void ask(const LabView& view, FilesState& files, Ui& ui, Request request) {
+    ui.outbox.push_back(std::move(request));
+    files.asked = true;
+    files.done = view.files ? view.files->done : 0;
+}
+
+namespace {
+
+// Down to where the sheet's buttons are, wherever it begins. `contents` names what is listed: another list starts at
+// its top.
+void begin_list(FilesState& files, Ui& ui, std::string_view contents, float bottom) {
+    const float height = std::max(ui.px(least_list), bottom - ImGui::GetCursorPosY());
+    compat::begin_child("list", {card_width(ui), height}, ImGuiWindowFlags_NoNav);
+    if (files.listed != contents || !files.begun) files.listed = contents, ImGui::SetScrollY(0);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(2)});
+}
+
+void end_list() {
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+}
+
+}  // namespace
+
+void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) {
+    begin_list(files, ui, "shipped", bottom);
+    for (const bool exercises : {true, false}) {
+        subheading(ui, ui.strings(exercises ? "open.exercises" : "open.scenes"));
+        gap(ui, 12);  // for the ring round the first row
+        if (view.catalogue)
+            for (const CatalogueEntry& entry : *view.catalogue) {
+                if ((entry.number > 0) != exercises) continue;
+                const std::string title(translated(ui, entry.title));
+                const std::string words = exercises ? std::to_string(entry.number) + "  " + title : title;
+                const Row row{"open." + entry.name,     words, std::string(translated(ui, entry.story)), "", {},
+                              entry.name == view.opened};
+                if (list_row(ui, row, ui.strings("files.open_how"))) ask(view, files, ui, OpenRequest{entry.path});
+                if (row.current && !files.begun) ImGui::SetScrollHereY();
+            }
+        gap(ui, 8);
+    }
+    end_list();
+}
+
+void list_recent(const LabView& view, FilesState& files, Ui& ui, float bottom) {
+    begin_list(files, ui, "recent", bottom);
+    int number = 0;
+    if (view.recent)
+        for (const std::string& path : *view.recent)
+            if (list_row(ui, {"recent." + std::to_string(++number), file_name(path), folder_of(path), "", icon::file},
+                         ui.strings("files.open_how")))
+                ask(view, files, ui, OpenRequest{path});
+    if (number == 0) paragraph(ui, ui.strings("files.no_recent"), ui.palette.second_text);
+    end_list();
+}
+
+namespace {
+
+bool is_shown(const FilesState& files, const FileEntry& entry) {
+    if (entry.is_folder) return true;
+    return files.saving ? entry.kind == files.kind : !files.only || *files.only == entry.kind;
+}
+
+std::string_view use_of(const FilesState& files, const FileEntry& entry) {
+    if (entry.is_folder) return "files.folder_how";
+    if (files.saving) return "files.take_name";
+    return entry.broken ? "files.broken_how" : "files.open_how";
+}
+
+}  // namespace
+
+void list_folder(const LabView& view, FilesState& files, Ui& ui, float bottom) {
+    const FolderListing& listing = view.files->listing;
+    begin_list(files, ui, listing.folder, bottom);
+    const std::string up = folder_of(listing.folder), below = listing.folder == "/" ? "/" : listing.folder + "/";
+    if (listing.folder != "/" &&
+        list_row(ui, {"file.up", "..", "", std::string(ui.strings("files.up")), icon::folder}, up))
+        ui.outbox.push_back(BrowseRequest{up});
+    bool any = false;
+    for (const FileEntry& entry : listing.entries) {
+        if (!is_shown(files, entry)) continue;
+        any = true;
+        Row row{"file." + entry.name, entry.name, "", "", entry.is_folder ? icon::folder : icon::file};
+        if (!entry.is_folder) row.aside = ui.strings(entry.broken ? "files.broken" : kind_key(entry.kind));
+        if (entry.broken) row.icon = icon::warning, row.broken = true;
+        if (!list_row(ui, row, ui.strings(use_of(files, entry)))) continue;
+        if (entry.is_folder)
+            ui.outbox.push_back(BrowseRequest{below + entry.name});
+        else if (files.saving)
+            files.typed.text = entry.name;
+        else
+            ask(view, files, ui, OpenRequest{below + entry.name});
+    }
+    if (!listing.problem.empty()) paragraph(ui, listing.problem, ui.palette.text);
+    if (!any && listing.problem.empty()) paragraph(ui, ui.strings("files.nothing"), ui.palette.second_text);
+    end_list();
+}
+
+}  // namespace braitenlab
