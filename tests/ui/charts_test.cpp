@@ -167,4 +167,21 @@ TEST(Charts, ReadOutTheValueUnderThePointer) {
     EXPECT_GT(shapes(), without + 40) << "a line and its words";
 }
 
+TEST(Charts, CountBesideTheBarsThoseThatFindNoRoom) {
+    Desk desk(1280, 800, 1, true);
+    desk.now = snapshot(200);
+    desk.panels.charts_open = true;
+    desk.panels.chart = Chart::bars;
+    desk.frame(4);
+    const Rect bars = desk.where("charts.bars");
+    int counts = 0;
+    for (const Written& w : desk.written) {
+        if (w.words.find(" more") == std::string::npos) continue;
+        if (!desk.where("card.charts").contains(w.rect.x, w.rect.y)) continue;  // the small bars count too
+        ++counts;
+        EXPECT_LE(w.rect.y + w.rect.h, bars.y) << "no bar fills its place";
+    }
+    EXPECT_EQ(counts, 1);
+}
+
 }  // namespace braitenlab::tests

@@ -31,6 +31,12 @@ struct FilesSheet : testing::Test {
         return paths;
     }
     std::vector<std::string> opened() const { return asked<OpenRequest>(); }
+    // How often the last frame has said it.
+    int said(std::string_view words) const {
+        int count = 0;
+        for (const Written& w : desk.written) count += w.words.find(words) != std::string::npos;
+        return count;
+    }
     void press(KeyPress key) {
         desk.key(key);
         desk.frame(3);
@@ -57,9 +63,7 @@ TEST_F(FilesSheet, SaysWhyAFileWasRefusedAndStaysOpen) {
     desk.click("open.2a-coward");
     files.refused = "2a-coward.toml:3: what is this";
     desk.frame(2);
-    bool said = false;
-    for (const Written& w : desk.written) said |= w.words == files.refused;
-    EXPECT_TRUE(said);
+    EXPECT_EQ(said(files.refused), 1);
 }
 
 TEST_F(FilesSheet, StartsAtWhatIsOpenAndIsWalkedByKeysAlone) {
@@ -136,24 +140,17 @@ TEST_F(FilesSheet, SaysWhatBelongsIntoItsEmptyField) {
     press({'O', true});
     desk.click("files.place.3");
     desk.frame(2);
-    const auto said = [&] {
-        for (const Written& w : desk.written)
-            if (w.words == desk.strings("files.path")) return true;
-        return false;
-    };
-    EXPECT_TRUE(said());
+    EXPECT_EQ(said(desk.strings("files.path")), 1);
     desk.click("files.path");
     type("m");
-    EXPECT_FALSE(said());
+    EXPECT_EQ(said(desk.strings("files.path")), 0);
 }
 
 TEST_F(FilesSheet, DoesNotSayAgainInATooltipWhatCanBeRead) {
     press({'O', true});
     desk.point("open.2a-coward");
     desk.frame(60);
-    int said = 0;
-    for (const Written& w : desk.written) said += w.words == "It turns away.";
-    EXPECT_EQ(said, 1);
+    EXPECT_EQ(said("It turns away."), 1);
 }
 
 TEST_F(FilesSheet, GoesThroughFoldersAndShowsOneKindWhenAsked) {
@@ -177,12 +174,7 @@ TEST_F(FilesSheet, MarksWhatCannotBeReadAndOpensItToLearnWhy) {
     press({'O', true});
     desk.click("files.place.3");
     desk.frame(2);
-    const auto marked = [&] {
-        int count = 0;
-        for (const Written& w : desk.written) count += w.words == desk.strings("files.broken");
-        return count;
-    };
-    EXPECT_EQ(marked(), 1);
+    EXPECT_EQ(said(desk.strings("files.broken")), 1);
     desk.click("file.torn.toml");
     EXPECT_EQ(opened(), std::vector<std::string>{"/home/me/torn.toml"});
 }
@@ -237,9 +229,7 @@ TEST_F(FilesSheet, AsksBeforeItReplacesAndNamesCommentsThatWouldBeLost) {
     desk.click("file.mine.toml");
     desk.click("files.do");
     EXPECT_TRUE(asked<SaveRequest>().empty());
-    bool told = false;
-    for (const Written& w : desk.written) told |= w.words.find("comments") != std::string::npos;
-    EXPECT_TRUE(told);
+    EXPECT_EQ(said("comments"), 1);
     desk.rest();  // the question pushes the button down
     desk.click("files.do");
     EXPECT_EQ(asked<SaveRequest>(), std::vector<std::string>{"mine.toml"});

@@ -333,12 +333,18 @@ TEST_F(Stage, KeepsWhatTheMenuAddsAndWhatIsDuplicatedOffTheWallAndOffOthers) {
     EXPECT_TRUE(clear({at.x, at.y})) << "0.8 m beside it another one stands";
 }
 
-TEST_F(Stage, TakesTheClickThatClosesItsMenuForThatAlone) {
+TEST_F(Stage, LeavesTheClickThatClosesAMenuToTheMenu) {
     click({0, 3}, 1);
     ASSERT_TRUE(stage().menu.open);
     desk.all.clear();
     click({-3, 6});  // a lamp
     EXPECT_FALSE(stage().menu.open);
+    EXPECT_TRUE(desk.all.empty());
+    desk.key({'E'});
+    desk.frame(3);
+    ASSERT_TRUE(desk.panels.view_menu);
+    click({-3, 6});
+    EXPECT_FALSE(desk.panels.view_menu);
     EXPECT_TRUE(desk.all.empty());
     click({-3, 6});
     EXPECT_FALSE(desk.all.empty());

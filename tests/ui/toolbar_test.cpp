@@ -34,7 +34,17 @@ TEST_P(InEveryLanguage, StandsInOneRowWithoutOverlapsAtAnyWidth) {
     for (int width = 1024; width <= 1920; width += 64) {
         Desk desk(static_cast<float>(width), 800, 1, true);
         desk.strings = speaking(GetParam());
+        desk.view.pace = 0.8f;
         desk.frame(3);
+        const std::string pace = fill(desk.strings("time.pace"), {"0.8"});
+        const Rect mode = desk.where("mode");
+        int paces = 0;
+        for (const Written& w : desk.written) {
+            if (w.words != pace) continue;
+            ++paces;
+            EXPECT_GE(w.rect.x, mode.x + mode.w) << width;
+        }
+        EXPECT_EQ(paces, 1);
         float end = 0;
         for (const char* button : buttons) {
             const Rect r = desk.where(button);

@@ -83,8 +83,9 @@ public:
             execv(argv[0], argv.data());
             _exit(127);
         }
-        EXPECT_TRUE(eventually([this] { return !state().is_null() && !anchors().is_null(); }, 30))
-            << "no window came up";
+        const bool came_up = eventually([this] { return !state().is_null() && !anchors().is_null(); }, 30);
+        EXPECT_TRUE(came_up) << "no window came up: " << said();
+        if (!came_up) return;  // nobody to look for
         window_ = shell(fmt::format("xdotool search --sync --onlyvisible --pid {} | tail -n 1", pid_)).out;
         while (!window_.empty() && window_.back() == '\n') window_.pop_back();
         xdotool("windowfocus --sync " + window_);

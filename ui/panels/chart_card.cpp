@@ -194,6 +194,7 @@ void sort_headers(PanelState& state, Ui& ui) {
 
 // One bar a vehicle, in the chosen order; those that find no room are counted.
 void bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
+    const float headers = ImGui::GetCursorScreenPos().y;
     sort_headers(state, ui);
     const Rect r = rest_of(ui, card);
     sort(*view.now, state.energy_order, state.energy_rows);
@@ -228,7 +229,7 @@ void bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
     }
     mark(ui, "charts.bars", {inner.x, inner.y, width * static_cast<float>(shown), inner.h});
     if (shown < rows.size())
-        put_right(ui, {inner.x + inner.w - ui.px(4), inner.y + ui.px(2)},
+        put_right(ui, {inner.x + inner.w, headers + ui.px(4)},  // above the bars, which may fill their place
                   fill(ui.strings("info.more"), {std::to_string(rows.size() - shown)}), ui.palette.second_text,
                   Face::small);
 }

@@ -7,6 +7,7 @@
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
+#include "ui/widgets/arrows.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
@@ -29,7 +30,7 @@ float key_cap(const Ui& ui, ImVec2 at, float height, std::string_view words) {
 // "[play_pause] plays": the key of the action in brackets is drawn as a cap; "[F1]" stands as written.
 std::string cap_words(const Ui& ui, std::string_view inside) {
     const auto action = action_named(inside);
-    return action ? key_name(*action, ui.strings) : std::string(inside);
+    return action ? with_large_arrows(ui, key_name(*action, ui.strings)) : std::string(inside);
 }
 
 // Returns where it ends.

@@ -10,6 +10,7 @@
 #include "ui/panels/panels.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
+#include "ui/widgets/arrows.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
@@ -97,17 +98,6 @@ std::vector<Row> rows(const Strings& strings) {
     for (const auto& [gesture, what] : gestures_of_mouse)
         list.push_back({std::string(strings(gesture)), std::string(strings(what))});
     return list;
-}
-
-// The text face has no arrows, and those that stand in for them are small: the icons' are as large as other keys.
-std::string with_large_arrows(const Ui& ui, std::string text) {
-    if (!has_icons(ui)) return text;
-    constexpr std::array<std::array<std::string_view, 2>, 4> arrows{
-        {{"←", "\uf060"}, {"→", "\uf061"}, {"↑", "\uf062"}, {"↓", "\uf063"}}};
-    for (const auto& [small, large] : arrows)
-        for (std::size_t at = text.find(small); at != text.npos; at = text.find(small))
-            text.replace(at, small.size(), large);
-    return text;
 }
 
 // Beside a long key the words take several lines.

@@ -20,7 +20,8 @@ namespace {
 constexpr int compact = 1, few_icons = 2, words_alone = 3, first_words_go = 4;  // steps of narrowness
 constexpr int never = 99, narrowest = first_words_go + 6;
 constexpr float margin = 12, between = 4, group_gap = 17;  // layout pixels
-constexpr float speed_width = 52, status_width = 196, compact_status = 176;
+constexpr float speed_width = 52, status_width = 204,
+                compact_status = 200;  // the pill, and the clock with the pace below
 
 struct Tool {
     std::string_view anchor, words, icon;  // words: key of the string
