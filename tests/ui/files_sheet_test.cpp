@@ -61,8 +61,12 @@ TEST_F(FilesSheet, OpensWhatIsClickedAndClosesWhenItIsOpen) {
 TEST_F(FilesSheet, SaysWhyAFileWasRefusedAndStaysOpen) {
     press({'O', true});
     desk.click("open.2a-coward");
+    desk.frame(4);
+    const Rect sheet = desk.where("card.open"), row = desk.where("open.2a-coward");
     files.refused = "2a-coward.toml:3: what is this";
-    desk.frame(2);
+    desk.frame(4);
+    EXPECT_NEAR(desk.where("card.open").h, sheet.h, 1) << "nothing moves under the mouse";
+    EXPECT_NEAR(desk.where("open.2a-coward").y, row.y, 1);
     EXPECT_EQ(said(files.refused), 1);
 }
 

@@ -254,8 +254,7 @@ void tell_outcome(const LabView& view, PanelState& state, bool rewired) {
 void steps(const LessonView& lesson, Ui& ui) {
     subheading(ui, ui.strings("exercise.steps"));
     if (lesson.by_hand && !all_done(lesson))
-        paragraph(ui, ui.strings("exercise.by_hand"), legible(ui.palette.warning, ui.palette.panel, ui.palette.text),
-                  Face::small);
+        paragraph(ui, ui.strings("exercise.by_hand"), colour_of(NoticeKind::notice, ui.palette), Face::small);
     for (std::size_t i = 0; i < lesson.exercise->steps.size(); ++i) step(lesson, i, ui);
     gap(ui, 12);
 }

@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include "ui/imgui_compat.h"
 #include "ui/panels/file_lists.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/translated.h"
@@ -104,19 +105,23 @@ void saving_head(const LabView& view, FilesState& files, Ui& ui) {
     if (files.typed.entered || files.title.entered) save(view, files, ui);
 }
 
-// What stands in the way, if anything does.
-void trouble(const LabView& view, const FilesState& files, Ui& ui) {
-    const Palette& p = ui.palette;
-    const Colour colour = legible(p.warning, p.panel, p.text);
+// What stands in the way; empty when nothing does.
+std::string trouble(const LabView& view, const FilesState& files, const Ui& ui) {
     if (!files.replacing.empty()) {
         const FileEntry* there = in_the_way(files, view.files->listing);
-        paragraph(ui,
-                  fill(ui.strings(there && there->comments ? "files.replace_comments" : "files.replace"),
-                       {there ? there->name : files.replacing}),
-                  colour);
-    } else if (files.asked && view.files && !view.files->refused.empty()) {
-        paragraph(ui, view.files->refused, colour);
+        return fill(ui.strings(there && there->comments ? "files.replace_comments" : "files.replace"),
+                    {there ? there->name : files.replacing});
     }
+    return files.asked && view.files ? view.files->refused : std::string();
+}
+
+// A paragraph of it and the gap above, window pixels.
+float height_of(const Ui& ui, const std::string& words) {
+    if (words.empty()) return 0;
+    compat::push_font(font(ui, Face::text));
+    const float height = ImGui::CalcTextSize(words.c_str(), nullptr, false, card_width(ui)).y;
+    ImGui::PopFont();
+    return height + ImGui::GetStyle().ItemSpacing.y;
 }
 
 void buttons(const LabView& view, PanelState& state, Ui& ui) {
@@ -177,13 +182,15 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     const bool in_folder = files.saving || files.place == FilesPlace::folder;
     begin_sheet(ui, files.sheet, "card.open", ui.strings(files.saving ? "files.save_as" : "files.open"), sheet_width,
                 window);
-    // All that stands above the buttons is as high on every tab, so that no tab moves under the mouse.
+    // All that stands above the buttons is as high on every tab, whatever is refused: nothing moves under the mouse.
     const float body = std::clamp(window.h - ui.px(taken), ui.px(least_body), ui.px(body_height));
-    const float bottom = ImGui::GetCursorPosY() + body;
+    float bottom = ImGui::GetCursorPosY() + body;
     if (files.saving)
         saving_head(view, files, ui);
     else
         opening_head(view, files, ui);
+    const std::string wrong = trouble(view, files, ui);
+    bottom -= height_of(ui, wrong);
     if (in_folder && view.files) {
         paragraph(ui, view.files->listing.folder, ui.palette.second_text, Face::small);
         list_folder(view, files, ui, bottom);
@@ -192,7 +199,7 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     } else {
         list_shipped(view, files, ui, bottom);
     }
-    trouble(view, files, ui);
+    if (!wrong.empty()) paragraph(ui, wrong, legible(ui.palette.warning, ui.palette.panel, ui.palette.text));
     sheet_buttons(ui, files.sheet);
     buttons(view, state, ui);
     first_focus(view, files, ui);
