@@ -10,8 +10,8 @@ namespace {
 // What a student is asked to change, or what changes nobody's chances.
 bool is_fair(const Command& command) {
     return std::holds_alternative<TurnDial>(command) || std::holds_alternative<SetBrain>(command) ||
-           std::holds_alternative<SetSensors>(command) || std::holds_alternative<Steer>(command) ||
-           std::holds_alternative<Retitle>(command);
+           std::holds_alternative<PlaceNodes>(command) || std::holds_alternative<SetSensors>(command) ||
+           std::holds_alternative<Steer>(command) || std::holds_alternative<Retitle>(command);
 }
 
 // Whether all of the kind have the brain that came with the exercise.

@@ -27,6 +27,9 @@ Fault fault_in(const Curve& curve) {
 Fault fault_in(const Node& node) {
     if (auto fault = outside("bias", node.bias, -limits::bias, limits::bias)) return fault;
     if (auto fault = outside("time_constant", node.time_constant, 0, limits::time_constant)) return fault;
+    if (node.place)
+        for (const float along : {node.place->x, node.place->y})
+            if (auto fault = outside("place", along, -limits::place, limits::place)) return fault;
     return fault_in(node.curve);
 }
 

@@ -48,7 +48,7 @@ float at(const FourNeurons&, Dial);
 // Nodes SL, SR, ML, MR with ids 0..3 and the four wires, those of weight 0 included.
 BrainGraph make_graph(const FourNeurons&);
 
-// True when the graph is exactly what make_graph gives for some FourNeurons, in any order.
+// True when the graph is exactly what make_graph gives for some FourNeurons, in any order and wherever its nodes stand.
 bool is_four_neurons(const BrainGraph&);
 
 // The direct wires from SL and SR to ML and MR and those motors' biases; 0 where there is none.

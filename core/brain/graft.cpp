@@ -39,29 +39,40 @@ std::string free_name(const BrainGraph& brain, const std::string& wanted) {
     return name;
 }
 
+// Eyes and motors stand where they stood; but neurons of the preset's have no place among those, and then all is
+// tidied.
+void put_in_place(const BrainGraph& brain, const BrainGraph& preset, BrainGraph& made) {
+    const bool brings_neurons = std::any_of(preset.nodes.begin(), preset.nodes.end(),
+                                            [](const Node& node) { return node.kind == NodeKind::neuron; });
+    if (brings_neurons) return void(made = without_places(std::move(made)));
+    for (const Node& node : preset.nodes)
+        if (const Node* before = find_node(brain, node.name)) find_node(made, node.name)->place = before->place;
+}
+
 }  // namespace
 
 BrainGraph graft(const BrainGraph& brain, const BrainGraph& preset) {
     BrainGraph made = preset;
-    std::map<NodeId, NodeId> places;  // of what stays, and of the motors, in the new brain
+    std::map<NodeId, NodeId> numbers;  // of what stays, and of the motors, in the new brain
     NodeId next = 0;
     for (const Node& node : preset.nodes) next = std::max(next, node.id + 1);
     const std::set<NodeId> stay = kept(brain, preset);
     for (const Node& node : brain.nodes) {
         const Node* motor = node.kind == NodeKind::motor ? find_node(preset, node.name) : nullptr;
-        if (motor) places[node.id] = motor->id;
+        if (motor) numbers[node.id] = motor->id;
         if (stay.count(node.id) == 0) continue;
         Node moved = node;
-        moved.id = places[node.id] = next++;
+        moved.id = numbers[node.id] = next++;
         moved.name = free_name(made, node.name);
         made.nodes.push_back(moved);
     }
     for (const Wire& wire : brain.wires) {
-        if (stay.count(wire.from) == 0 || places.count(wire.to) == 0) continue;
+        if (stay.count(wire.from) == 0 || numbers.count(wire.to) == 0) continue;
         Wire moved = wire;
-        moved.from = places[wire.from], moved.to = places[wire.to];
+        moved.from = numbers[wire.from], moved.to = numbers[wire.to];
         made.wires.push_back(moved);
     }
+    put_in_place(brain, preset, made);
     return made;
 }
 

@@ -36,6 +36,15 @@ float signal(const Wire& wire, float input, float learned) {
     return (wire.weight + learned) * let_through(wire, input);
 }
 
+BrainGraph without_places(BrainGraph graph) {
+    for (Node& node : graph.nodes) node.place.reset();
+    return graph;
+}
+
+bool same_wiring(const BrainGraph& one, const BrainGraph& other) {
+    return without_places(one) == without_places(other);
+}
+
 const Node* find_node(const BrainGraph& graph, NodeId id) {
     const auto found = std::find_if(graph.nodes.begin(), graph.nodes.end(), [&](const Node& n) { return n.id == id; });
     return found == graph.nodes.end() ? nullptr : &*found;

@@ -5,8 +5,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "core/maths/vec.h"
 
 namespace braitenlab {
 
@@ -39,6 +42,9 @@ struct Node {
     float bias = 0;           // added to the sum, -1..1; a sensor has none
     float time_constant = 0;  // seconds of leaky memory; 0 answers at once
     bool silenced = false;    // a lesion: a covered eye, a stopped motor, a dead neuron; gives 0 and keeps its numbers
+    // Where a person has put it on the wiring canvas: its middle in canvas units (a layout pixel at zoom 1), x to the
+    // right, y down, each -100000..100000. None: where it is tidied to. What the brain does is not touched by it.
+    std::optional<maths::vec2> place{};
     friend bool operator==(const Node&, const Node&) = default;
 };
 
@@ -66,8 +72,13 @@ inline constexpr float weight = 2, bias = 1, threshold = 1;         // largest s
 inline constexpr float peak = 2, least_width = 0.001f, width = 10;  // of a curve
 inline constexpr float time_constant = 600;                         // s
 inline constexpr float learning_rate = 10, decay = 10;              // 1/s
+inline constexpr float place = 100000;                              // canvas units
 inline constexpr int sensors = 64, neurons = 1024, wires = 8192;    // of one brain; the two motors come on top
 }  // namespace limits
+
+// The brain with nobody put anywhere, and whether two brains differ in nothing but that.
+BrainGraph without_places(BrainGraph);
+bool same_wiring(const BrainGraph&, const BrainGraph&);
 
 // Whether what happens at its ends changes the wire.
 inline bool learns(const Wire& wire) { return wire.learning_rate > 0; }

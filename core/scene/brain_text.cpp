@@ -1,6 +1,7 @@
 #include "core/scene/brain_text.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <vector>
 
@@ -12,7 +13,21 @@ namespace braitenlab {
 
 namespace {
 
-bool is_dialled(const std::string& node) { return node == "SL" || node == "SR" || node == "ML" || node == "MR"; }
+// The four nodes that the dials belong to, and where their places stand.
+struct DialledNode {
+    const char* name;
+    std::optional<maths::vec2> BrainText::*place;
+    const char* key;
+};
+constexpr std::array<DialledNode, 4> dialled_nodes{{{"SL", &BrainText::place_SL, "place_SL"},
+                                                    {"SR", &BrainText::place_SR, "place_SR"},
+                                                    {"ML", &BrainText::place_ML, "place_ML"},
+                                                    {"MR", &BrainText::place_MR, "place_MR"}}};
+
+bool is_dialled(const std::string& node) {
+    return std::any_of(dialled_nodes.begin(), dialled_nodes.end(),
+                       [&](const auto& entry) { return entry.name == node; });
+}
 
 std::optional<Fault> append_nodes(const std::vector<NodeText>& nodes, BrainGraph& graph) {
     NodeId next = 0;
@@ -51,8 +66,23 @@ std::optional<Fault> append_wires(const std::vector<WireText>& wires, BrainGraph
     return std::nullopt;
 }
 
-// The four neurons that a graph begins with, bit for bit, or nothing.
-std::optional<FourNeurons> leading_four(const BrainGraph& graph) {
+std::optional<Fault> put_dialled_nodes(const BrainText& text, BrainGraph& graph) {
+    for (const DialledNode& entry : dialled_nodes) {
+        if (!(text.*entry.place)) continue;
+        Node* node = find_node(graph, entry.name);
+        if (!node) return Fault{entry.key, fmt::format("the brain lacks the node {} that this belongs to", entry.name)};
+        node->place = text.*entry.place;
+    }
+    return std::nullopt;
+}
+
+void take_dialled_places(const BrainGraph& graph, BrainText& text) {
+    for (const DialledNode& entry : dialled_nodes) text.*entry.place = find_node(graph, entry.name)->place;
+}
+
+// The four neurons that a graph begins with, bit for bit but for where they stand, or nothing.
+std::optional<FourNeurons> leading_four(const BrainGraph& placed) {
+    const BrainGraph graph = without_places(placed);
     const FourNeurons dials = read_dials(graph);
     const BrainGraph four = make_graph(dials);
     if (graph.nodes.size() < four.nodes.size() || graph.wires.size() < four.wires.size()) return std::nullopt;
@@ -78,6 +108,7 @@ std::optional<Fault> to_graph(const BrainText& text, BrainGraph& graph) {
     graph = !text.given.empty() && !declared ? make_graph(text.dials) : BrainGraph{};
     if (auto fault = append_nodes(text.nodes, graph)) return fault;
     if (auto fault = append_wires(text.wires, graph)) return fault;
+    if (auto fault = put_dialled_nodes(text, graph)) return fault;
     if (!declared) return std::nullopt;
     for (const Dial dial : text.given) {
         turn(graph, dial, at(text.dials, dial));
@@ -92,12 +123,14 @@ BrainText to_text(const BrainGraph& graph) {
     if (is_four_neurons(graph)) {
         text.dials = read_dials(graph);
         text.given = dials_to_write(text.dials);
+        take_dialled_places(graph, text);
         return text;
     }
     const std::optional<FourNeurons> four = leading_four(graph);
     if (four) {
         text.dials = *four;
         text.given = dials_to_write(*four);
+        take_dialled_places(graph, text);
     }
     NodeId next = 0;
     for (std::size_t i = 0; i < graph.nodes.size(); ++i) {

@@ -8,7 +8,7 @@
 //     word(key, enum T::*, meaning)                                text(key, string T::*, longest, meaning)
 //     part(member, …)    another struct's keys in this same table  table(key, member, meaning)      [key]
 //     named(key, vector T::*, most, meaning)   [key.NAME] …        list(key, vector T::*, most, meaning)   [[key]] …
-//     brain(key, BrainGraph T::*, meaning)
+//     brain(key, BrainGraph T::*, meaning)                         place(key, optional<vec2> T::*, range, meaning)
 //
 // Values come before tables, as TOML wants them. Defaults are those of the structs. Unit and meaning are for people.
 #pragma once
@@ -45,6 +45,7 @@ inline constexpr Range threshold_range{0, limits::threshold};
 inline constexpr Range bias_range{-limits::bias, limits::bias};
 inline constexpr Range place_range{-1000, 1000};
 inline constexpr Range mount_range{-10, 10};
+inline constexpr Range canvas_range{-limits::place, limits::place};
 
 template <class Visitor>
 void describe(Visitor& v, Of<Arena>) {
@@ -60,7 +61,8 @@ void describe(Visitor& v, Of<Arena>) {
 
 template <class Visitor>
 void describe(Visitor& v, Of<Ecology>) {
-    v.number("population", &Ecology::population, "", {0, limits::vehicles}, "vehicles placed at random, by the kinds' shares");
+    v.number("population", &Ecology::population, "", {0, limits::vehicles},
+             "vehicles placed at random, by the kinds' shares");
     v.number("drain", &Ecology::drain, "1/s", {0, 1}, "energy that a vehicle loses");
     v.number("bite", &Ecology::bite, "", {0, 1}, "energy that a predator takes from prey it touches");
     v.number("inactivity", &Ecology::inactivity, "s", {0, 3600}, "without movement until a new generation; 0: never");
@@ -220,6 +222,7 @@ struct WireText {
 struct BrainText {
     FourNeurons dials;
     std::vector<Dial> given;  // the dials that stand in the file, zeros included
+    std::optional<maths::vec2> place_SL, place_SR, place_ML, place_MR;
     std::vector<NodeText> nodes;
     std::vector<WireText> wires;
 };
@@ -241,7 +244,8 @@ void describe(Visitor& v, Of<FourNeurons>) {
 template <class Visitor>
 void describe(Visitor& v, Of<Curve>) {
     v.word("curve", &Curve::response, "how it answers to its input x");
-    v.number("peak", &Curve::peak, "", {-limits::peak, limits::peak}, "where the step, the sigmoid's middle or the hump stands");
+    v.number("peak", &Curve::peak, "", {-limits::peak, limits::peak},
+             "where the step, the sigmoid's middle or the hump stands");
     v.number("width", &Curve::width, "", {0.001, limits::width}, "of the sigmoid or the hump");
 }
 
@@ -252,8 +256,10 @@ void describe(Visitor& v, Of<Node>) {
     v.word("kind", &Node::kind, "the motors are ML and MR");
     v.part(&Node::curve);
     v.number("bias", &Node::bias, "", bias_range, "added to its sum");
-    v.number("time_constant", &Node::time_constant, "s", {0, limits::time_constant}, "of its leaky memory; 0 answers at once");
+    v.number("time_constant", &Node::time_constant, "s", {0, limits::time_constant},
+             "of its leaky memory; 0 answers at once");
     v.flag("silenced", &Node::silenced, "a lesion: a covered eye, a stopped motor, a neuron that gives 0");
+    v.place("place", &Node::place, canvas_range, "its middle on the wiring canvas: to the right, down");
 }
 
 template <class Visitor>
@@ -282,6 +288,11 @@ void describe(Visitor& v, Of<WireText>) {
 template <class Visitor>
 void describe(Visitor& v, Of<BrainText>) {
     v.part(&BrainText::dials);
+    v.place("place_SL", &BrainText::place_SL, canvas_range,
+            "the left eye's middle on the wiring canvas: to the right, down");
+    v.place("place_SR", &BrainText::place_SR, canvas_range, "the right eye's");
+    v.place("place_ML", &BrainText::place_ML, canvas_range, "the left motor's");
+    v.place("place_MR", &BrainText::place_MR, canvas_range, "the right motor's");
     v.list("node", &BrainText::nodes, limits::sensors + limits::neurons + 2, "a sensor, neuron or motor more");
     v.list("wire", &BrainText::wires, limits::wires, "from any node to any other");
 }

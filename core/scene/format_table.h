@@ -40,6 +40,9 @@ public:
     void flag(const char* key, bool T::*member, const char* meaning) {
         row(key, "", "true, false", defaults_.*member ? "true" : "false", meaning);
     }
+    void place(const char* key, std::optional<maths::vec2> T::*, Range range, const char* meaning) {
+        row(key, "canvas units", fmt::format("[x, y], each {}", limits_text(range)), "tidied", meaning);
+    }
     template <class Enum>
     void word(const char* key, Enum T::*member, const char* meaning) {
         std::string all;

@@ -15,14 +15,33 @@ const toml::node* TomlTable::find(std::string_view key) {
     return table_.get(key);
 }
 
+namespace {
+
+bool is_number(const toml::node& node) { return node.is_integer() || node.is_floating_point(); }
+double as_number(const toml::node& node) {
+    return node.is_integer() ? static_cast<double>(node.ref<std::int64_t>()) : node.ref<double>();
+}
+
+}  // namespace
+
 std::optional<double> TomlTable::number(std::string_view key, Range range) {
     const toml::node* node = find(key);
     if (!node) return std::nullopt;
-    const bool is_number = node->is_integer() || node->is_floating_point();
-    if (!is_number) return wrong_type(key, *node, "a number"), std::nullopt;
-    const double value = node->is_integer() ? static_cast<double>(node->ref<std::int64_t>()) : node->ref<double>();
+    if (!is_number(*node)) return wrong_type(key, *node, "a number"), std::nullopt;
+    const double value = as_number(*node);
     if (!range.holds(value)) return fail(key, outside(key, value, range)), std::nullopt;
     return value;
+}
+
+std::optional<maths::vec2> TomlTable::pair(std::string_view key, Range range) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    const toml::array* both = node->as_array();
+    if (!both || both->size() != 2 || !is_number(*both->get(0)) || !is_number(*both->get(1)))
+        return fail(key, fmt::format("'{}' should be two numbers, [x, y]", key)), std::nullopt;
+    for (const toml::node& one : *both)
+        if (!range.holds(as_number(one))) return fail(key, outside(key, as_number(one), range)), std::nullopt;
+    return maths::vec2{static_cast<float>(as_number(*both->get(0))), static_cast<float>(as_number(*both->get(1)))};
 }
 
 std::optional<std::int64_t> TomlTable::whole(std::string_view key, Range range) {

@@ -28,6 +28,7 @@ public:
 
     std::optional<double> number(std::string_view key, Range);
     std::optional<std::int64_t> whole(std::string_view key, Range);
+    std::optional<maths::vec2> pair(std::string_view key, Range);  // [x, y], each in the range
     std::optional<bool> flag(std::string_view key);
     std::optional<std::string> text(std::string_view key, std::size_t longest);
     std::optional<std::size_t> one_of(std::string_view key, const std::vector<std::string_view>& words);  // which
@@ -76,6 +77,9 @@ public:
     void angle(const char* key, float T::*member, Range degrees, const char*) {
         if (const auto value = table_.number(key, degrees))
             object_.*member = static_cast<float>(*value * (maths::pi_d / 180));
+    }
+    void place(const char* key, std::optional<maths::vec2> T::*member, Range range, const char*) {
+        if (const auto value = table_.pair(key, range)) object_.*member = *value;
     }
     void flag(const char* key, bool T::*member, const char*) {
         if (const auto value = table_.flag(key)) object_.*member = *value;

@@ -71,6 +71,10 @@ public:
     void angle(const char* key, float T::*member, Range, const char*) {
         if (differs(member)) line(key, degrees_text(object_.*member));
     }
+    void place(const char* key, std::optional<maths::vec2> T::*member, Range, const char*) {
+        if (const auto& at = object_.*member)
+            line(key, fmt::format("[{}, {}]", number_text(at->x), number_text(at->y)));
+    }
     void flag(const char* key, bool T::*member, const char*) {
         if (differs(member)) line(key, object_.*member ? "true" : "false");
     }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/world/node_places.h"
+
 namespace braitenlab {
 
 namespace {
@@ -24,10 +26,20 @@ void Recording::add_step(const World& world) {
 // A keyframe in the middle of commands takes the place of those before it, and of a keyframe that they followed.
 void Recording::add_command(const World& world, const Command& command) {
     const std::uint64_t tick = world.tick();
+    if (const auto* places = std::get_if<PlaceNodes>(&command)) return add_places(tick, *places);
     if (!world.is_at_keyframe()) return commands_.push_back({tick, command});
     commands_.erase(std::lower_bound(commands_.begin(), commands_.end(), tick, by_tick), commands_.end());
     if (keyframes_.back().tick == tick) keyframes_.pop_back();
     keyframes_.push_back({tick, world.keyframe(), true});
+}
+
+// What lies ahead stays as it was but for the nodes: at every later moment, too, they stand where they were put.
+void Recording::add_places(std::uint64_t tick, const PlaceNodes& places) {
+    for (Keyframe& keyframe : keyframes_)
+        if (keyframe.tick > tick) keyframe.moment = with_places(*keyframe.moment, places);
+    const auto later = std::lower_bound(commands_.begin(), commands_.end(), tick + 1, by_tick);
+    for (auto c = later; c != commands_.end(); ++c) c->command = keeping_places(std::move(c->command), places);
+    commands_.insert(later, {tick, places});
 }
 
 void Recording::forget_after(std::uint64_t tick) {

@@ -21,7 +21,8 @@ public:
     std::uint64_t earliest() const { return keyframes_.front().tick; }
     std::uint64_t latest() const { return latest_; }
 
-    // Called when the world has taken a step, or a command, at a moment that is not recorded yet.
+    // Called when the world has taken a step, or a command, at a moment that is not recorded yet; a command that moves
+    // nodes may come at a recorded one.
     void add_step(const World&);
     void add_command(const World&, const Command&);
 
@@ -46,6 +47,7 @@ private:
         bool made_by_commands = false;
     };
     const Keyframe& last_keyframe(std::uint64_t tick) const;
+    void add_places(std::uint64_t tick, const PlaceNodes&);
 
     std::deque<Keyframe> keyframes_;       // by ascending tick, never empty
     std::vector<LoggedCommand> commands_;  // in order

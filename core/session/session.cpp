@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <map>
 
+#include "core/world/node_places.h"
+
 namespace braitenlab {
 
 namespace {
 
 constexpr std::size_t most_edits = 500;  // undo reaches this far back
 
-using Steps = std::vector<std::shared_ptr<const UndoStep>>;
+using Steps = std::vector<SharedStep>;
 
 void push(Steps& steps, UndoStep step) { steps.push_back(std::make_shared<const UndoStep>(std::move(step))); }
 
@@ -30,9 +32,11 @@ Session Session::resume(SavedRun run) { return Session(std::move(run.opened), Wo
 
 std::optional<Error> Session::carry_out(const Command& command) {
     if (auto error = world_.apply(command)) return error;
-    if (recording_.latest() > world_.tick())
-        forgotten_ = Forgotten{world_.tick(), edits_.done.size(), recording_, edits_since_};
-    recording_.forget_after(world_.tick());
+    if (!changes_looks_alone(command)) {
+        if (recording_.latest() > world_.tick())
+            forgotten_ = Forgotten{world_.tick(), edits_.done.size(), recording_, edits_since_};
+        recording_.forget_after(world_.tick());
+    }
     recording_.add_command(world_, command);
     world_.capture(snapshot_);
     return std::nullopt;
@@ -41,10 +45,23 @@ std::optional<Error> Session::carry_out(const Command& command) {
 // Called whenever what can be undone has changed, so that going back in time can bring back what could be undone then.
 void Session::remember_edits() {
     const std::uint64_t now = world_.tick();
-    std::erase_if(edits_since_, [now](const auto& known) { return known.first >= now; });
-    edits_since_.emplace_back(now, edits_);
+    std::erase_if(edits_since_, [&](const auto& known) { return known.first == now || known.first > latest(); });
+    const auto later =
+        std::find_if(edits_since_.begin(), edits_since_.end(), [now](const auto& known) { return known.first > now; });
+    edits_since_.emplace(later, now, edits_);
     const auto second = edits_since_.begin() + 1;  // the first that counts is the last one not after the earliest
     while (second < edits_since_.end() && second->first <= earliest()) edits_since_.erase(edits_since_.begin());
+}
+
+// Moving nodes leaves the recorded future standing: what can be undone there loses this step, or gains that one.
+void Session::change_later(const SharedStep& lost, const SharedStep& gained) {
+    for (auto& [tick, edits] : edits_since_) {
+        if (tick <= world_.tick()) continue;
+        std::erase(edits.done, lost);
+        if (!gained) continue;
+        edits.done.push_back(gained);
+        edits.undone.clear();
+    }
 }
 
 void Session::take_edits_of(std::uint64_t tick) {
@@ -62,7 +79,8 @@ std::optional<Error> Session::apply(const Command& command, std::uint64_t gestur
     if (const auto* added = std::get_if<AddVehicle>(&again)) back = {RemoveVehicle{added->id}};
     edits_.undone.clear();
     const bool same_gesture = gesture != 0 && !edits_.done.empty() && edits_.done.back()->gesture == gesture;
-    UndoStep step = same_gesture ? *edits_.done.back() : UndoStep{{}, {}, gesture};
+    const SharedStep begun = same_gesture ? edits_.done.back() : nullptr;
+    UndoStep step = begun ? *begun : UndoStep{{}, {}, gesture};
     if (same_gesture) edits_.done.pop_back();
     if (same_gesture && supersedes(again, step.again.back())) {
         step.again.back() = again;  // what the first one took back stays what undo brings back
@@ -72,6 +90,7 @@ std::optional<Error> Session::apply(const Command& command, std::uint64_t gestur
     }
     const bool is_back_where_it_began = same_gesture && undoing(snapshot_, again) == step.back;
     if (!is_back_where_it_began) push(edits_.done, std::move(step));
+    change_later(begun, is_back_where_it_began ? nullptr : edits_.done.back());
     if (edits_.done.size() > most_edits) {
         edits_.done.erase(edits_.done.begin());
         if (forgotten_) --forgotten_->edits;
@@ -97,7 +116,8 @@ void Session::bring_time_back() {
 // Something may have left the world since the edit; then there is nothing to bring back, and the rest still counts.
 bool Session::undo() {
     if (edits_.done.empty()) return false;
-    UndoStep step = *edits_.done.back();
+    const SharedStep undone = edits_.done.back();
+    UndoStep step = *undone;
     for (Command& command : step.again) command = repeating(snapshot_, command);
     const bool brings_time_back = undo_brings_time_back();
     edits_.done.pop_back();
@@ -108,6 +128,7 @@ bool Session::undo() {
     }
     for (const Command& command : step.back) (void)carry_out(command);
     push(edits_.undone, std::move(step));
+    change_later(undone, nullptr);
     if (forgotten_ && edits_.done.size() <= forgotten_->edits) forgotten_.reset();  // from here it is another way
     remember_edits();
     return true;
@@ -120,6 +141,7 @@ bool Session::redo() {
     edits_.undone.pop_back();
     for (const Command& command : step.again) (void)carry_out(command);
     push(edits_.done, std::move(step));
+    change_later(nullptr, edits_.done.back());
     remember_edits();
     return true;
 }

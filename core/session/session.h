@@ -32,7 +32,8 @@ public:
     static Session resume(SavedRun);
 
     // Does what a person asked for. Every edit can be undone; those with the same gesture (any number but 0, one per
-    // drag) are one step of undo. Given in the past, it makes another future: the recorded one is forgotten.
+    // drag) are one step of undo. Given in the past, it makes another future: the recorded one is forgotten, but for a
+    // move of nodes, which changes nothing that happens.
     std::optional<Error> apply(const Command&, std::uint64_t gesture = 0);
 
     // One tick. In the recorded past, the commands given there are given again: the run is the same.
@@ -88,6 +89,7 @@ private:
     void bring_time_back();
     void advance();
     void remember_edits();
+    void change_later(const SharedStep& lost, const SharedStep& gained);
     void take_edits_of(std::uint64_t tick);
     void renumber_after_reset(const Snapshot& before, Keep);
 

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "core/match.h"
+#include "core/world/node_places.h"
 
 namespace braitenlab {
 
@@ -33,6 +34,16 @@ Commands same_brains(const Snapshot& now, const Target& target) {
     for (const VehicleView& v : now.vehicles) {  // those of the kind that have one of their own
         const BrainGraph& brain = *now.brains[static_cast<std::size_t>(v.brain)];
         if (v.kind == target.kind && brain != **of_kind) commands.push_back(SetBrain{{.vehicle = v.id}, brain});
+    }
+    return commands;
+}
+
+// The same for where their nodes stand.
+Commands same_places(const Snapshot& now, const Target& target) {
+    Commands commands;
+    for (Command& command : same_brains(now, target)) {
+        const auto& brain = std::get<SetBrain>(command);
+        commands.push_back(PlaceNodes{brain.target, places_of(brain.brain)});
     }
     return commands;
 }
@@ -75,6 +86,7 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
         Match{
             [&](const TurnDial& c) { return same_brains(now, c.target); },
             [&](const SetBrain& c) { return same_brains(now, c.target); },
+            [&](const PlaceNodes& c) { return same_places(now, c.target); },
             [&](const AddVehicle&) -> Commands { return {RemoveVehicle{}}; },
             [&](const RemoveVehicle& c) { return bringing_back(now, c); },
             [&](const MoveVehicle& c) -> Commands {
@@ -155,7 +167,8 @@ bool supersedes(const Command& later, const Command& earlier) {
 }
 
 bool is_about_brains(const Command& command) {
-    return std::holds_alternative<TurnDial>(command) || std::holds_alternative<SetBrain>(command);
+    return std::holds_alternative<TurnDial>(command) || std::holds_alternative<SetBrain>(command) ||
+           std::holds_alternative<PlaceNodes>(command);
 }
 
 Command renumbered(Command command, const std::function<VehicleId(VehicleId)>& number) {

@@ -16,9 +16,11 @@ struct UndoStep {
     std::uint64_t gesture = 0;
 };
 
+using SharedStep = std::shared_ptr<const UndoStep>;
+
 // What can be taken back and done again, the latest last. Copies are cheap: steps are shared, never changed.
 struct Edits {
-    std::vector<std::shared_ptr<const UndoStep>> done, undone;
+    std::vector<SharedStep> done, undone;
 };
 
 // What undoes a command, judged before it is carried out; empty for those that only time or another command takes back

@@ -30,6 +30,17 @@ struct SetBrain {
     BrainGraph brain;
     friend bool operator==(const SetBrain&, const SetBrain&) = default;
 };
+// Where nodes stand on the wiring canvas (Node::place); nothing that the run does is touched by it.
+struct NodePlace {
+    NodeId node = 0;
+    std::optional<maths::vec2> at{};  // none: where it is tidied to
+    friend bool operator==(const NodePlace&, const NodePlace&) = default;
+};
+struct PlaceNodes {  // a node that a brain lacks is passed over
+    Target target;
+    std::vector<NodePlace> places;
+    friend bool operator==(const PlaceNodes&, const PlaceNodes&) = default;
+};
 // Vehicles that people add and remove are added to and removed from the scene as well: one with a place of its own is a
 // start (Scene::starts), any other is one more of the population (Ecology::population).
 struct AddVehicle {
@@ -122,8 +133,8 @@ struct NewPopulation {  // the next generation: the same numbers at new random p
     friend bool operator==(const NewPopulation&, const NewPopulation&) = default;
 };
 
-using Command = std::variant<TurnDial, SetBrain, AddVehicle, RemoveVehicle, MoveVehicle, ChooseDriver, Steer, EditStart,
-                             SetSensors, AddSource, RemoveSource, EditSource, MoveSource, AddObstacle, RemoveObstacle,
-                             EditObstacle, MoveObstacle, NewPopulation, Retitle>;
+using Command = std::variant<TurnDial, SetBrain, PlaceNodes, AddVehicle, RemoveVehicle, MoveVehicle, ChooseDriver,
+                             Steer, EditStart, SetSensors, AddSource, RemoveSource, EditSource, MoveSource, AddObstacle,
+                             RemoveObstacle, EditObstacle, MoveObstacle, NewPopulation, Retitle>;
 
 }  // namespace braitenlab

@@ -11,6 +11,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Pose, x, y, heading)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Target, vehicle, kind)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TurnDial, target, dial, value)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetBrain, target, brain)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NodePlace, node, at)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlaceNodes, target, places)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddVehicle, kind, at, brain, energy, driver, id, start, before)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveVehicle, vehicle)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveVehicle, vehicle, x, y, heading)
@@ -34,9 +36,9 @@ namespace {
 
 // As in Command.
 constexpr std::array<const char*, std::variant_size_v<Command>> names{
-    "TurnDial",       "SetBrain",     "AddVehicle",   "RemoveVehicle", "MoveVehicle", "ChooseDriver", "Steer",
-    "EditStart",      "SetSensors",   "AddSource",    "RemoveSource",  "EditSource",  "MoveSource",   "AddObstacle",
-    "RemoveObstacle", "EditObstacle", "MoveObstacle", "NewPopulation", "Retitle"};
+    "TurnDial",    "SetBrain",       "PlaceNodes",   "AddVehicle",   "RemoveVehicle", "MoveVehicle", "ChooseDriver",
+    "Steer",       "EditStart",      "SetSensors",   "AddSource",    "RemoveSource",  "EditSource",  "MoveSource",
+    "AddObstacle", "RemoveObstacle", "EditObstacle", "MoveObstacle", "NewPopulation", "Retitle"};
 
 template <std::size_t... I>
 void read_one(const Json& json, const std::string& name, Command& command, std::index_sequence<I...>) {

@@ -6,6 +6,7 @@
 
 #include "core/maths/angle.h"
 #include "core/world/edits.h"
+#include "core/world/node_places.h"
 #include "core/world/state.h"
 
 namespace braitenlab {
@@ -77,6 +78,8 @@ std::optional<Error> carry_out(WorldState& s, const TurnDial& c) {
 std::optional<Error> carry_out(WorldState& s, const SetBrain& c) {
     return edit_brains(s, c.target, [&](BrainGraph& graph) { graph = c.brain; });
 }
+
+std::optional<Error> carry_out(WorldState& s, const PlaceNodes& c) { return place_nodes(s, c); }
 
 std::optional<Error> carry_out(WorldState& s, const MoveVehicle& c) {
     const auto row = s.row_of(c.vehicle);

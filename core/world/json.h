@@ -71,6 +71,9 @@ public:
         json_[key] = object_.*member;
     }
     void angle(const char* key, float T::*member, Range, const char*) { json_[key] = object_.*member; }  // rad
+    void place(const char* key, std::optional<maths::vec2> T::*member, Range, const char*) {
+        if (object_.*member) json_[key] = *(object_.*member);
+    }
     void flag(const char* key, bool T::*member, const char*) { json_[key] = object_.*member; }
     template <class Enum>
     void word(const char* key, Enum T::*member, const char*) {
@@ -111,6 +114,9 @@ public:
         json_.at(key).get_to(object_.*member);
     }
     void angle(const char* key, float T::*member, Range, const char*) { json_.at(key).get_to(object_.*member); }
+    void place(const char* key, std::optional<maths::vec2> T::*member, Range, const char*) {
+        if (json_.contains(key)) object_.*member = json_.at(key).get<maths::vec2>();
+    }
     void flag(const char* key, bool T::*member, const char*) { json_.at(key).get_to(object_.*member); }
     template <class Enum>
     void word(const char* key, Enum T::*member, const char*) {

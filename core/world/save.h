@@ -17,7 +17,8 @@ struct Moment;  // core/world/moment.h: inside core/world only
 inline constexpr std::uint64_t keyframe_ticks = 300;
 
 // So many commands since a keyframe make another one, in between two ticks: somebody who drags things about while the
-// run is paused gives one with every frame. While it plays, one hand never comes that far.
+// run is paused gives one with every frame. While it plays, one hand never comes that far. Those that move nodes on the
+// canvas do not count.
 inline constexpr std::size_t keyframe_commands = 512;
 
 // A command, and the tick before which it was carried out.
@@ -29,7 +30,7 @@ struct LoggedCommand {
 struct Save {
     std::shared_ptr<const Moment> keyframe;
     std::uint64_t keyframe_tick = 0;
-    std::vector<LoggedCommand> commands;  // since the keyframe, in order; fewer than keyframe_commands from a world
+    std::vector<LoggedCommand> commands;  // since the keyframe, in order; fewer than keyframe_commands that count
     std::uint64_t tick = 0;               // the saved moment; at most keyframe_ticks after the keyframe
 };
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/scene/scene_file.h"
+#include "core/world/node_places.h"
 #include "core/world/tick.h"
 
 namespace braitenlab {
@@ -113,7 +114,11 @@ std::optional<Error> World::apply(const Command& command) {
     if (auto error = carry_out(*state_, command)) return error;
     state_->eyes_are_stale = true;
     since_.commands.push_back({state_->tick, command});
-    if (since_.commands.size() >= keyframe_commands) begin_keyframe();
+    // A keyframe makes the world anew, which decides later bits; where nodes stand must not.
+    if (changes_looks_alone(command)) return std::nullopt;
+    const auto happened = std::count_if(since_.commands.begin(), since_.commands.end(),
+                                        [](const LoggedCommand& c) { return !changes_looks_alone(c.command); });
+    if (static_cast<std::size_t>(happened) >= keyframe_commands) begin_keyframe();
     return std::nullopt;
 }
 

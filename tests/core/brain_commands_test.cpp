@@ -102,6 +102,7 @@ TEST(Hash, TellsBrainsApartByWhateverDecidesWhatTheyDo) {
     EXPECT_NE(edited([](BrainGraph& g) { g.wires[0].curve.peak = 0.1f; }), plain);
     EXPECT_NE(edited([](BrainGraph& g) { g.wires[0].curve.width = 0.1f; }), plain);
     EXPECT_NE(edited([](BrainGraph& g) { g.wires[0].decay = 1; }), plain);
+    EXPECT_EQ(edited([](BrainGraph& g) { g.nodes[0].place = {7, 7}; }), plain) << "this decides nothing";
 }
 
 TEST(Commands, RefuseEveryNumberThatIsNotFinite) {

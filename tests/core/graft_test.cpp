@@ -53,6 +53,18 @@ TEST(Graft, IsThePresetWhereThereIsNothingToKeepAndChangesNothingTheSecondTime) 
     }
 }
 
+TEST(Graft, LeavesNodesWhereTheyStandUnlessThePresetBringsNeurons) {
+    BrainGraph brain = with_feelers(), preset = make_graph({.LL = 1});
+    find_node(brain, "SL")->place = {1, 2};
+    find_node(brain, "QR")->place = {3, 4};
+    BrainGraph made = graft(brain, preset);
+    EXPECT_EQ(find_node(made, "SL")->place, (maths::vec2{1, 2}));
+    EXPECT_EQ(find_node(made, "QR")->place, (maths::vec2{3, 4}));
+    preset.nodes.push_back({.id = 4, .kind = NodeKind::neuron, .name = "X"});
+    made = graft(brain, preset);
+    EXPECT_EQ(made, without_places(made));
+}
+
 TEST(Graft, GivesANameThatIsTakenAnother) {
     BrainGraph preset = make_graph({.LL = 1});
     preset.nodes.push_back({.id = 4, .kind = NodeKind::neuron, .name = "N1"});

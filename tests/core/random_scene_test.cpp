@@ -27,7 +27,8 @@ struct Dice {
         return range.low + share * (range.high - range.low);
     }
     std::string text(std::size_t longest) {
-        static const std::string_view parts[] = {"a", "Z", " ", "\"", "\\", "\n", "\t", "'''", "=", "#", "[x]", "ä", "→", "0"};
+        static const std::string_view parts[] = {"a",   "Z", " ", "\"",  "\\", "\n", "\t",
+                                                 "'''", "=", "#", "[x]", "ä",  "→",  "0"};
         std::string made;
         for (std::size_t i = below(12); i > 0; --i) made += parts[below(std::size(parts))];
         return made.size() <= longest ? made : "long";
@@ -47,6 +48,9 @@ public:
     }
     void angle(const char*, float T::*member, Range degrees, const char*) {
         if (dice_.toss()) object_.*member = static_cast<float>(dice_.in(degrees) * (maths::pi_d / 180));
+    }
+    void place(const char*, std::optional<maths::vec2> T::*member, Range range, const char*) {
+        if (dice_.toss()) object_.*member = {static_cast<float>(dice_.in(range)), static_cast<float>(dice_.in(range))};
     }
     void flag(const char*, bool T::*member, const char*) { object_.*member = dice_.toss(); }
     template <class Enum>
@@ -143,8 +147,9 @@ void make_sound(Scene& scene, Dice& dice) {
         const std::size_t corners = obstacle.corners.size() < 3 ? 0 : obstacle.corners.size();
         obstacle.corners.resize(corners);
         for (std::size_t i = 0; i < corners; ++i) {
-            const maths::vec2 at = maths::from_polar(
-                2, maths::pi * 2 * (static_cast<float>(i) + dice.random.uniform(0, 0.5f)) / static_cast<float>(corners));
+            const maths::vec2 at =
+                maths::from_polar(2, maths::pi * 2 * (static_cast<float>(i) + dice.random.uniform(0, 0.5f)) /
+                                         static_cast<float>(corners));
             obstacle.corners[i].x = at.x, obstacle.corners[i].y = at.y;
         }
     }

@@ -37,6 +37,7 @@ Session busy_session(const Scene& scene, int ticks) {
     (void)session.apply(EditObstacle{0, {"", -3, -2, 0, 1, 1, {{-1, -1}, {1, -1}, {0, 1}}, 5}});
     (void)session.apply(SetSensors{0, session.snapshot().scene->kinds[0].sensors});
     (void)session.apply(SetBrain{{.kind = 0}, *session.snapshot().kind_brains[0]});
+    (void)session.apply(PlaceNodes{{.kind = 0}, {{0, maths::vec2{1, 2.5f}}, {1, {}}}});
     for (int i = 0; i < 40; ++i) session.step();
     (void)session.apply(RemoveSource{0});
     (void)session.apply(RemoveObstacle{0});

@@ -3,11 +3,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "core/brain/brain.h"
 #include "core/maths/angle.h"
 #include "core/maths/random.h"
 #include "core/scene/format_table.h"
@@ -80,7 +82,8 @@ Scene everything() {
                          .curve = {Response::hump, 0.3f, 0.15f},
                          .bias = -0.25f,
                          .time_constant = 1.5f,
-                         .silenced = true},
+                         .silenced = true,
+                         .place = maths::vec2{256, -40.5f}},
                         {.id = 8, .kind = NodeKind::motor, .name = "ML", .curve = {Response::sigmoid, 0.1f, 0.9f}}};
     kind.brain.wires = {
         {.from = 7, .to = 3, .weight = -1.75f, .threshold = 0.125f, .curve = {Response::step, 0.4f, 0.3f}},
@@ -90,6 +93,8 @@ Scene everything() {
     Kind plain;
     plain.name = "a-second";
     plain.brain = make_graph({.LL = 0.1f, .LR = -0.2f, .threshold_RL = 0.3f, .LM = 0.4f});
+    plain.brain.nodes[0].place = {-12, 150};
+    plain.brain.nodes[3].place = {520, 0};
     scene.kinds.push_back(plain);
     Kind zeros;
     zeros.name = "m-third";
@@ -158,6 +163,42 @@ TEST(SceneFile, WritesAFourNeuronBrainInItsShortFormWhateverItsOrder) {
     std::swap(scene.kinds[0].brain.wires[0], scene.kinds[0].brain.wires[3]);
     expect_in("[kind.k.brain]\nLR = 1.5\nRM = 0.1\n", write_scene(scene));
     EXPECT_EQ(read(write_scene(scene)).kinds[0].brain, make_graph({.LR = 1.5f, .RM = 0.1f}));
+}
+
+TEST(SceneFile, KeepsTheShortFormOfABrainWhoseNodesWereMoved) {
+    BrainGraph brain = make_graph({.LR = 1.5f});
+    find_node(brain, "SR")->place = {-20, 180.5f};
+    EXPECT_EQ(write_brain(brain), "format = 1\n\n[brain]\nLR = 1.5\nplace_SR = [-20, 180.5]\n");
+    const auto again = parse_brain(write_brain(brain), "brain.toml");
+    ASSERT_TRUE(again);
+    EXPECT_EQ(*again, brain);
+}
+
+TEST(SceneFile, PutsANodeThatItDeclaresItselfByEitherKey) {
+    const auto brain = parse_brain(
+        "format = 1\n[brain]\nLL = 1\nplace_SL = [1, 2]\n"
+        "[[brain.node]]\nname = 'SL'\nkind = 'sensor'\n[[brain.node]]\nname = 'ML'\nkind = 'motor'\nplace = [3.5, "
+        "-4]\n",
+        "brain.toml");
+    ASSERT_TRUE(brain) << brain.error().text();
+    EXPECT_EQ(find_node(*brain, std::string("SL"))->place, (maths::vec2{1, 2}));
+    EXPECT_EQ(find_node(*brain, std::string("ML"))->place, (maths::vec2{3.5f, -4}));
+}
+
+TEST(SceneFile, RefusesPlacesThatAreNone) {
+    const auto refusal = [](const std::string& line) {
+        return parse_brain("format = 1\n[brain]\nLL = 1\n" + line, "brain.toml").error().text();
+    };
+    expect_in("brain.toml:4: 'place_SL' should be two numbers, [x, y]", refusal("place_SL = [1]"));
+    expect_in("should be two numbers", refusal("place_SL = 3"));
+    expect_in("should be two numbers", refusal("place_SL = ['a', 2]"));
+    expect_in("'place_SL' is 100001, outside", refusal("place_SL = [0, 100001]"));
+    expect_in("outside", refusal("place_SL = [nan, 0]"));
+    expect_in("brain.toml:4: the brain lacks the node ML",
+              refusal("place_ML = [0, 0]\n[[brain.node]]\nname = 'SL'\nkind = 'sensor'"));
+    BrainGraph brain = make_graph({});
+    brain.nodes[0].place = {0, std::numeric_limits<float>::infinity()};
+    expect_in("'place' is inf, outside", check_graph(brain)->text());
 }
 
 TEST(SceneFile, KeepsTheOrderOfTheFileNotOfTheAlphabet) {

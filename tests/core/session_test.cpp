@@ -1,5 +1,7 @@
 #include "core/session/session.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/maths/random.h"
@@ -133,7 +135,7 @@ Command any_edit(const Session& session, maths::Random& chance) {
         now.vehicles.empty() ? 0 : now.vehicles[static_cast<std::size_t>(below(now.vehicles.size()))].id;
     const int source = below(now.sources.size()), obstacle = below(now.obstacles.size());
     const int kind = below(now.scene->kinds.size());
-    switch (below(16)) {
+    switch (below(18)) {
         case 0:
             return TurnDial{{.vehicle = vehicle}, Dial::LR, chance.uniform(-2, 2)};
         case 1:
@@ -167,6 +169,10 @@ Command any_edit(const Session& session, maths::Random& chance) {
             return MoveObstacle{obstacle, metres(), metres(), 1};
         case 14:
             return Retitle{"scene " + std::to_string(below(100))};
+        case 15:
+            return PlaceNodes{{.kind = kind}, {{below(4), maths::vec2{metres(), metres()}}, {below(4), {}}}};
+        case 16:
+            return PlaceNodes{{.vehicle = vehicle}, {{below(4), maths::vec2{metres(), metres()}}}};
         default: {
             if (now.sources.empty()) return AddVehicle{};
             Source to = now.scene->sources[static_cast<std::size_t>(source)];
@@ -242,6 +248,101 @@ TEST(Time, TakesAnotherWayFromAnEditInThePast) {
     EXPECT_EQ(session.latest(), 350u);
     while (session.snapshot().tick < 700) session.step();
     EXPECT_NE(session.hash(), hash);
+}
+
+std::optional<maths::vec2> place_of(const Session& session, NodeId node, std::size_t vehicle = 0) {
+    const Snapshot& now = session.snapshot();
+    return find_node(*now.brains[static_cast<std::size_t>(now.vehicles[vehicle].brain)], node)->place;
+}
+
+TEST(Places, OfNodesAreUndoneAsEverythingIs) {
+    Session session = open(tests::crowd(4));
+    const int kind = session.snapshot().vehicles[0].kind;
+    ASSERT_FALSE(session.apply(PlaceNodes{{.vehicle = session.snapshot().vehicles[0].id}, {{1, maths::vec2{5, 6}}}}));
+    ASSERT_FALSE(session.apply(PlaceNodes{{.kind = kind}, {{0, maths::vec2{1, 2}}, {99, maths::vec2{}}}}));
+    EXPECT_EQ(session.undo_depth(), 2);
+    EXPECT_EQ(place_of(session, 0), (maths::vec2{1, 2}));
+    EXPECT_EQ(place_of(session, 1), (maths::vec2{5, 6})) << "its own stays";
+    EXPECT_EQ(session.edited_scene().kinds[static_cast<std::size_t>(kind)].brain.nodes[0].place, (maths::vec2{1, 2}));
+    session.undo();
+    EXPECT_EQ(place_of(session, 0), std::nullopt);
+    EXPECT_EQ(place_of(session, 1), (maths::vec2{5, 6}));
+    session.undo();
+    EXPECT_EQ(place_of(session, 1), std::nullopt);
+    session.redo(), session.redo();
+    EXPECT_EQ(place_of(session, 0), (maths::vec2{1, 2}));
+    session.reset();
+    EXPECT_EQ(place_of(session, 0), (maths::vec2{1, 2})) << "a reset keeps it, as every edit";
+}
+
+TEST(Places, BeyondTheCanvasAndOfNobodyAreRefused) {
+    Session session = open(tests::crowd(2));
+    EXPECT_TRUE(session.apply(PlaceNodes{{.kind = 0}, {{0, maths::vec2{0, 100001}}}}));
+    EXPECT_TRUE(session.apply(PlaceNodes{{.kind = 0}, {{0, maths::vec2{std::nanf(""), 0}}}}));
+    EXPECT_TRUE(session.apply(PlaceNodes{{.kind = 99}, {}}));
+    EXPECT_TRUE(session.apply(PlaceNodes{{.vehicle = 99}, {}}));
+    EXPECT_EQ(session.undo_depth(), 0);
+}
+
+TEST(Places, OfNodesChangeNothingThatHappens) {
+    Scene scene = furnished();
+    scene.kinds[0].brain.nodes.push_back({.id = 9, .name = "N", .time_constant = 2});
+    scene.kinds[0].brain.wires.push_back({.from = 0, .to = 9});
+    Session plain = open(scene), moved = open(scene);
+    const auto run = [&](int ticks) {
+        for (int i = 0; i < ticks; ++i) plain.step(), moved.step();
+    };
+    run(140);
+    const auto neurons = moved.snapshot().neurons;
+    for (std::size_t i = 0; i < 2 * keyframe_commands; ++i)
+        ASSERT_FALSE(moved.apply(PlaceNodes{{.kind = 0}, {{9, maths::vec2{static_cast<float>(i), 3}}}}));
+    EXPECT_EQ(moved.hash(), plain.hash());
+    EXPECT_EQ(moved.snapshot().neurons.size(), neurons.size());
+    for (Session* session : {&plain, &moved}) ASSERT_FALSE(session->apply(TurnDial{{.kind = 0}, Dial::LL, 1}));
+    EXPECT_EQ(moved.bookmark().save.keyframe_tick, 0u) << "they make no keyframe: the world is not made anew";
+    run(500);
+    EXPECT_EQ(moved.hash(), plain.hash());
+    moved.seek(200);
+    EXPECT_EQ(place_of(moved, 9), (maths::vec2{2 * keyframe_commands - 1, 3}));
+}
+
+TEST(Places, ThatChangeInThePastLeaveTheFutureAsItWas) {
+    Session session = open(furnished());
+    for (int i = 0; i < 500; ++i) session.step();
+    BrainGraph rewired = *session.snapshot().kind_brains[0];
+    rewired.wires[0].weight = -1;
+    ASSERT_FALSE(session.apply(SetBrain{{.kind = 0}, rewired}));
+    for (int i = 500; i < 700; ++i) session.step();
+    const auto hash = session.hash();
+    session.seek(350);
+    const PlaceNodes move{{.kind = 0}, {{2, maths::vec2{70, 80}}}};
+    ASSERT_FALSE(session.apply(move));
+    EXPECT_EQ(session.latest(), 700u);
+    EXPECT_FALSE(session.undo_brings_time_back());
+    while (session.snapshot().tick < 700) {
+        session.step();
+        ASSERT_EQ(place_of(session, 2), (maths::vec2{70, 80})) << session.snapshot().tick;
+    }
+    EXPECT_EQ(session.hash(), hash);
+    EXPECT_EQ(session.undo_depth(), 2);
+    session.seek(340);
+    EXPECT_EQ(place_of(session, 2), std::nullopt);
+    EXPECT_EQ(session.undo_depth(), 0);
+    session.seek(650);
+    EXPECT_EQ(place_of(session, 2), (maths::vec2{70, 80})) << "keyframes ahead have it too";
+    session.seek(350);
+    EXPECT_EQ(session.undo_depth(), 1);
+    session.undo();
+    EXPECT_EQ(place_of(session, 2), std::nullopt);
+    session.seek(700);
+    EXPECT_EQ(session.hash(), hash);
+    EXPECT_EQ(place_of(session, 2), std::nullopt);
+    EXPECT_EQ(session.undo_depth(), 1);
+    session.seek(350);
+    session.redo();
+    session.seek(700);
+    EXPECT_EQ(place_of(session, 2), (maths::vec2{70, 80}));
+    EXPECT_EQ(session.undo_depth(), 2);
 }
 
 TEST(Time, ThatAnEditInThePastForgotIsBackWhenTheEditIsUndone) {

@@ -17,7 +17,7 @@ struct WiringGestures : WiringCanvas {
         ASSERT_EQ(edits.size(), 1u);
     }
     vec2 on_wire(WireEnds ends, float t) {
-        const WireShape* wire = find_shape(state.layout.of(now.brains[0], state.places[0]), ends);
+        const WireShape* wire = find_shape(state.layout.of(now.brains[0], state.held), ends);
         return view_of(state, area, 1).to_window(bezier_point(wire->bezier, t));
     }
     const Wire* wire(NodeId from, NodeId to) const { return find_wire(brain(), from, to); }
@@ -77,7 +77,8 @@ TEST_F(WiringGestures, ANeuronWithoutWiresThatIsDroppedOnAWireIsPutIntoIt) {
     EXPECT_EQ(weight_of(brain(), {4, ML}), 1);
     EXPECT_EQ(dials().LR, 0);
     drag(middle("node.N1"), on_wire({SL, MR}, 0.6f));
-    EXPECT_EQ(edits.size(), 2u) << "one that has wires is only moved";
+    ASSERT_EQ(edits.size(), 3u);
+    EXPECT_TRUE(std::holds_alternative<PlaceNodes>(edits[2].command)) << "one that has wires is only moved";
 }
 
 TEST_F(WiringGestures, TheMenuOfAWirePutsANeuronIn) {
@@ -148,7 +149,7 @@ TEST_F(WiringGestures, DuplicateStandsBesideAndLeavesTheClipboardAlone) {
     add_neuron_at({470, 625});
     key(Action::duplicate);
     ASSERT_NE(anchors.find("node.N2"), nullptr) << "the view follows it where it would be out of sight";
-    EXPECT_GT(state.places[0].at(5).y, state.places[0].at(4).y);
+    EXPECT_GT(find_node(brain(), 5)->place->y, find_node(brain(), 4)->place->y);
     EXPECT_TRUE(state.clipboard.empty());
 }
 
@@ -187,32 +188,82 @@ TEST_F(WiringGestures, AFreePlaceHasNothingToCut) {
     EXPECT_EQ(state.refusal.key, "wiring.refused.nothing_to_cut");
 }
 
-TEST_F(WiringGestures, MovedNodesGoBackAndForthByUndo) {
-    const vec2 before = middle("node.ML"), after = before + vec2{40, 50};
-    drag(before, after);
-    EXPECT_TRUE(press_key(state, Action::undo));
+TEST_F(WiringGestures, ADragOfNodesIsOneEditOfTheBrainAskedForWhenLetGo) {
+    click(middle("node.MR"));
+    ImGui::GetIO().KeyShift = true;
+    click(middle("node.ML"));
+    ImGui::GetIO().KeyShift = false;
+    const vec2 before = middle("node.ML"), other = middle("node.MR"), eye = middle("node.SL");
+    move(before);
+    button(true);
+    for (int i = 1; i <= 5; ++i) move(before + vec2{8, 10} * static_cast<float>(i));
+    EXPECT_TRUE(edits.empty());
+    EXPECT_LT(maths::distance(middle("node.ML"), before + vec2{40, 50}), 1.5f) << "it goes along with the hand";
+    button(false);
+    EXPECT_LT(maths::distance(middle("node.ML"), before + vec2{40, 50}), 1.5f) << "nor does it jump back for a frame";
     frames(2);
-    EXPECT_LT(maths::distance(middle("node.ML"), before), 1);
-    EXPECT_FALSE(press_key(state, Action::undo)) << "what came before is the lab's to undo";
-    key(Action::redo);
-    EXPECT_LT(maths::distance(middle("node.ML"), after), 1);
-    click(middle("wire.LR"));
-    key(Action::erase);
-    EXPECT_FALSE(press_key(state, Action::undo)) << "the edit came last";
+    EXPECT_LT(maths::distance(middle("node.ML"), before + vec2{40, 50}), 1.5f);
+    EXPECT_LT(maths::distance(middle("node.MR"), other + vec2{40, 50}), 1.5f);
+    EXPECT_EQ(middle("node.SL"), eye);
+    ASSERT_EQ(edits.size(), 1u);
+    const auto& places = std::get<PlaceNodes>(edits[0].command);
+    EXPECT_EQ(places.target, (Target{.kind = 0}));
+    EXPECT_EQ(places.places.size(), 4u) << "all stay where they are from now on";
+    EXPECT_TRUE(is_four_neurons(brain()));
+    drag(middle("node.ML"), middle("node.ML") + vec2{3, 0});
+    EXPECT_EQ(edits.size(), 1u) << "a click moves nothing";
+    const vec2 again = middle("node.ML");
+    move(again);
+    button(true);
+    move(again + vec2{30, 0});
+    move(again);
+    button(false);
+    EXPECT_EQ(edits.size(), 1u) << "back where it stood";
 }
 
-TEST_F(WiringGestures, AlignmentAndTidyingAreUndone) {
+TEST_F(WiringGestures, UndoAndRedoAreTheLabsAlone) {
+    drag(middle("node.ML"), middle("node.ML") + vec2{40, 50});
+    EXPECT_FALSE(press_key(state, Action::undo));
+    EXPECT_FALSE(press_key(state, Action::redo));
+}
+
+TEST_F(WiringGestures, AlignmentAndTidyingAreEditsToo) {
     const vec2 before = middle("node.ML");
     drag(middle("node.ML"), before + vec2{-60, 30});
     key(Action::select_all);
     right_click(middle("node.ML"));
     choose("column");
     EXPECT_NEAR(middle("node.ML").x, middle("node.SL").x, 0.5f);
-    key(Action::undo);
-    EXPECT_LT(maths::distance(middle("node.ML"), before + vec2{-60, 30}), 1);
+    ASSERT_EQ(edits.size(), 2u);
+    EXPECT_TRUE(std::holds_alternative<PlaceNodes>(edits[1].command));
     key(Action::tidy);
     EXPECT_LT(maths::distance(middle("node.ML"), before), 1);
-    EXPECT_TRUE(edits.empty()) << "places are no part of a brain";
+    EXPECT_EQ(edits.size(), 3u);
+    EXPECT_EQ(brain(), without_places(brain())) << "tidied brains need no places";
+    key(Action::tidy);
+    EXPECT_EQ(edits.size(), 3u) << "there is nothing left to tidy";
+}
+
+TEST_F(WiringGestures, AnEditMovesNobodyElse) {
+    const BrainGraph crowd = large_brain(9, 24);
+    const VehicleId id = view.selected;
+    now = moment_with(crowd);
+    now.vehicles[0].id = id;
+    frames(3);
+    const Layout shown = state.layout.of(now.brains[0], {});
+    const auto expect_as_shown = [&] {
+        for (const NodeShape& shape : state.layout.of(now.brains[0], {}).nodes)
+            if (const NodeShape* before = find_shape(shown, shape.id)) {
+                EXPECT_EQ(shape.centre, before->centre) << shape.id;
+            }
+    };
+    for (const char* name : {"N1", "N2", "N3"}) {
+        state.selection = {{find_node(brain(), std::string(name))->id}, {}};
+        key(Action::erase);
+        expect_as_shown();
+    }
+    EXPECT_EQ(edits.size(), 3u);
+    EXPECT_NE(tidy(brain()), tidy(crowd)) << "tidying would have moved some";
 }
 
 TEST_F(WiringGestures, ArrowsSelectOneThingAfterTheOtherAndDelRemovesIt) {
@@ -303,7 +354,7 @@ TEST_F(WiringGestures, AMinimapStandsFromTwentyOneNodesOnAndMovesTheView) {
     ASSERT_NE(map, nullptr);
     const Rect r = *map;
     drag({r.x + r.w * 0.5f, r.y + r.h / 2}, {r.x + r.w * 0.25f, r.y + r.h * 0.6f});
-    const auto shown = minimap_of(state.layout.of(now.brains[0], state.places[0]), area, 1);
+    const auto shown = minimap_of(state.layout.of(now.brains[0], state.held), area, 1);
     EXPECT_LT(maths::distance(shown->view.to_window(state.middle), {r.x + r.w * 0.25f, r.y + r.h * 0.6f}), 0.6f);
     EXPECT_TRUE(state.selection.nodes.empty());
 }

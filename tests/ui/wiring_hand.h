@@ -69,6 +69,10 @@ struct WiringCanvas : testing::Test {
         auto edited = std::make_shared<BrainGraph>(*now.brains[0]);
         if (const auto* dial = std::get_if<TurnDial>(&request.command)) turn(*edited, dial->dial, dial->value);
         if (const auto* brain = std::get_if<SetBrain>(&request.command)) *edited = brain->brain;
+        if (const auto* placed = std::get_if<PlaceNodes>(&request.command))
+            for (const NodePlace& place : placed->places)
+                for (Node& node : edited->nodes)
+                    if (node.id == place.node) node.place = place.at;
         now.brains[0] = edited;
         now.neurons.resize(edited->nodes.size());
     }

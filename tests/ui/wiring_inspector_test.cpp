@@ -64,11 +64,13 @@ TEST_F(Inspector, CutsAWireAndSilencesANode) {
     EXPECT_TRUE(find_node(asked(), SL)->silenced);
 }
 
-TEST_F(Inspector, PutsNodesInOrderWithoutAnEdit) {
+TEST_F(Inspector, PutsNodesInOrder) {
     select({{ML, SL}, {}});
     desk.click("inspector.column");
-    EXPECT_TRUE(desk.edits().empty());
-    EXPECT_FALSE(desk.panels.canvas.places.at(desk.panels.canvas.kind).empty());
+    ASSERT_EQ(desk.edits().size(), 1u);
+    const auto places = std::get<PlaceNodes>(desk.edits()[0].command).places;
+    EXPECT_EQ(places[SL].at->x, places[ML].at->x);
+    EXPECT_NE(places[SL].at->x, places[SR].at->x);
 }
 
 TEST_F(Inspector, LeavesItsRoomToTheCanvasWhenFolded) {

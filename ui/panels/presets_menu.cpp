@@ -49,7 +49,7 @@ void rows(const LabView& view, PanelState& state, Ui& ui, const VehicleView& veh
         const ImVec2 at{start.x + (i < half ? 0.0f : ui.px(row_width + 8)),
                         start.y + height * static_cast<float>(i < half ? i : i - half)};
         BrainGraph made = graft(brain, preset.brain);
-        if (!preset_row(ui, preset, made == brain, at)) continue;
+        if (!preset_row(ui, preset, same_wiring(made, brain), at)) continue;
         ui.outbox.push_back(EditRequest{SetBrain{target_of(view, vehicle), std::move(made)},
                                         gestures::panels + ++state.sliders.gesture});
         ImGui::CloseCurrentPopup();

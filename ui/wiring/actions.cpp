@@ -13,18 +13,13 @@ namespace {
 
 View view_of(const CanvasState& state, const CanvasFrame& frame) { return view_of(state, frame.area, frame.ui_scale); }
 
-// Puts nodes somewhere else, so that it can be undone.
-void put(CanvasState& state, const Places& moved, bool all = false) {
-    Places& places = state.places[state.kind];
-    const Places before = places;
-    if (all) places.clear();
-    for (const auto& [id, place] : moved) places[id] = place;
-    state.history.note(state.kind, state.undo_depth, before, places);
-}
-
-void tidy_up(CanvasState& state, const CanvasFrame& frame) {
-    put(state, {}, true);
-    fit(state, lay_out(frame.graph, {}), frame.area, frame.ui_scale);
+void tidy_up(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    PlaceNodes tidied{frame.target, {}};
+    for (const Node& node : frame.graph.nodes) tidied.places.push_back({node.id, {}});
+    const BrainGraph bare = without_places(frame.graph);
+    if (bare != frame.graph) outbox.push_back(EditRequest{tidied, state.next_gesture++});
+    state.held = tidy(bare);
+    fit(state, lay_out(bare, {}), frame.area, frame.ui_scale);
 }
 
 void hurt_or_heal(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
@@ -99,8 +94,11 @@ void cancel(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
         state.selection = {}, state.focus = {}, state.refusal = {};
 }
 
-void order(CanvasState& state, const CanvasFrame& frame, Order wanted) {
-    put(state, put_in_order(frame.layout, state.selection.nodes, wanted));
+void order(CanvasState& state, const CanvasFrame& frame, Order wanted, Outbox& outbox) {
+    state.held = put_in_order(frame.layout, state.selection.nodes, wanted);
+    std::erase_if(state.held,
+                  [&](const auto& put) { return find_shape(frame.layout, put.first)->centre == put.second; });
+    ask_places(frame, state.held, state.next_gesture++, outbox);
 }
 
 }  // namespace
@@ -125,7 +123,7 @@ void cancel_drag(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     // Edits are asked for at the release, but for a weight, which moves live.
     if (drag.phase == CanvasPhase::drag_weight && drag.sent != drag.weight)
         ask_weight(frame, drag.graph, drag.pressed.wire, drag.weight, drag.gesture, outbox);
-    if (drag.phase == CanvasPhase::move_nodes) state.places[state.kind] = drag.places;
+    state.held.clear();
     if (drag.phase != CanvasPhase::idle) state.selection = drag.selection;
     drag = {};
 }
@@ -154,7 +152,7 @@ void obey(CanvasState& state, const CanvasFrame& frame, Action action, Outbox& o
         case Action::fit:
             return fit(state, frame.layout, frame.area, frame.ui_scale);
         case Action::tidy:
-            return tidy_up(state, frame);
+            return tidy_up(state, frame, outbox);
         case Action::copy:
             copy_selected(state, frame);
             return;
@@ -171,12 +169,6 @@ void obey(CanvasState& state, const CanvasFrame& frame, Action action, Outbox& o
             return hurt_or_heal(state, frame, outbox);
         case Action::join:
             return begin_joining(state, frame);
-        case Action::undo:
-            state.places[state.kind] = state.history.undo();
-            return;
-        case Action::redo:
-            state.places[state.kind] = state.history.redo();
-            return;
         default:
             return;
     }
@@ -210,13 +202,13 @@ void carry_out(CanvasState& state, const CanvasFrame& frame, const MenuRow& row,
             ask(state, frame, detach(frame.graph, state.selection.nodes), state.next_gesture++, outbox);
             return;
         case MenuCommand::column:
-            return order(state, frame, Order::column);
+            return order(state, frame, Order::column, outbox);
         case MenuCommand::row:
-            return order(state, frame, Order::row);
+            return order(state, frame, Order::row, outbox);
         case MenuCommand::even_down:
-            return order(state, frame, Order::even_down);
+            return order(state, frame, Order::even_down, outbox);
         case MenuCommand::even_across:
-            return order(state, frame, Order::even_across);
+            return order(state, frame, Order::even_across, outbox);
         default:
             if (row.key) obey(state, frame, *row.key, outbox);
             return;

@@ -54,7 +54,7 @@ Places put_in_order(const Layout& layout, const std::set<NodeId>& nodes, Order o
     else
         line_up(shapes, down);
     Places places;
-    for (const NodeShape& shape : shapes) places[shape.id] = shape.centre;
+    for (const NodeShape& shape : shapes) places[shape.id] = on_canvas(shape.centre);
     return places;
 }
 

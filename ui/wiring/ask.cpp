@@ -19,7 +19,7 @@ void refuse(CanvasState& state, const CanvasFrame& frame, std::string_view key) 
 
 bool ask(CanvasState& state, const CanvasFrame& frame, const Edit& edit, std::uint64_t gesture, Outbox& outbox) {
     if (edit)
-        outbox.push_back(EditRequest{SetBrain{frame.target, *edit.graph}, gesture});
+        outbox.push_back(EditRequest{SetBrain{frame.target, in_place(*edit.graph, frame.layout)}, gesture});
     else
         refuse(state, frame, edit.refused);
     return static_cast<bool>(edit);
@@ -30,7 +30,17 @@ void ask_weight(const CanvasFrame& frame, const BrainGraph& graph, WireEnds ends
     if (const auto dial = direct_dial(graph, ends))
         outbox.push_back(EditRequest{TurnDial{frame.target, *dial, weight}, gesture});
     else if (const Edit edit = set_weight(graph, ends, weight))
-        outbox.push_back(EditRequest{SetBrain{frame.target, *edit.graph}, gesture});
+        outbox.push_back(EditRequest{SetBrain{frame.target, in_place(*edit.graph, frame.layout)}, gesture});
+}
+
+void ask_places(const CanvasFrame& frame, const Places& moved, std::uint64_t gesture, Outbox& outbox) {
+    if (moved.empty()) return;
+    PlaceNodes all{frame.target, {}};
+    for (const NodeShape& shape : frame.layout.nodes) {
+        const auto to = moved.find(shape.id);
+        all.places.push_back({shape.id, to == moved.end() ? shape.centre : to->second});
+    }
+    outbox.push_back(EditRequest{std::move(all), gesture});
 }
 
 void select(CanvasState& state, const Hit& hit, bool add) {
@@ -46,10 +56,6 @@ void select(CanvasState& state, const Hit& hit, bool add) {
     state.focus = hit.part == Part::nothing ? Hit{}
                   : wire                    ? Hit{Part::label, 0, hit.wire}
                                             : Hit{Part::node, hit.node, {}};
-}
-
-void keep_places(CanvasState& state, const Layout& layout) {
-    for (const NodeShape& node : layout.nodes) state.places[state.kind].try_emplace(node.id, node.centre);
 }
 
 }  // namespace braitenlab

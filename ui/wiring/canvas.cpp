@@ -36,18 +36,33 @@ Pointer read_pointer(bool over) {
     return pointer;
 }
 
-// Another brain or another room: the view follows, unless a person has chosen one.
-void follow(CanvasState& state, const VehicleView& vehicle, const BrainGraph& graph, const Layout& layout, Rect area,
-            float ui_scale) {
-    const bool other = state.kind != vehicle.kind;
-    const bool grown = state.nodes != graph.nodes.size() || state.fitted_area != area;
-    if (other || (grown && !state.own_view && state.drag.phase == CanvasPhase::idle)) {
-        fit(state, layout, area, ui_scale);
-        state.fitted_area = area;
-        state.nodes = graph.nodes.size();
-    }
-    if (other) state.selection = {}, state.drag = {}, state.menu = {}, state.joining.reset(), state.focus = {};
-    state.kind = vehicle.kind;
+bool all_in_sight(const Layout& layout, const View& view, Rect area) {
+    return std::all_of(layout.nodes.begin(), layout.nodes.end(), [&](const NodeShape& node) {
+        const vec2 at = view.to_window(node.centre);
+        return area.contains(at.x, at.y);
+    });
+}
+
+// What is under the mouse stays there, whatever is done to the brain and whatever card opens or folds beside it. All of
+// it is brought into view when it is first seen, when it is another one, and when the window takes another size; a view
+// that a person has chosen is left to them.
+void follow(CanvasState& state, const LabView& lab, const VehicleView& vehicle,
+            const std::shared_ptr<const BrainGraph>& brain, const Layout& layout, Rect area, float ui_scale) {
+    CanvasShown now{
+        lab.sitting, vehicle.kind, brain, area, {ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y}, ui_scale};
+    CanvasShown& before = state.shown;
+    const bool another = before.kind != now.kind || before.sitting != now.sitting;
+    const bool resized = before.window != now.window || before.ui_scale != now.ui_scale;
+    if (another) state.selection = {}, state.drag = {}, state.menu = {}, state.joining.reset(), state.focus = {};
+    if (!another && !resized && before.area != area)
+        state.middle += (vec2{area.x + area.w / 2, area.y + area.h / 2} -
+                         vec2{before.area.x + before.area.w / 2, before.area.y + before.area.h / 2}) /
+                        (state.zoom * ui_scale);
+    // Given another brain elsewhere: a preset, a file, an undo. What the canvas itself adds is in sight already.
+    const bool outgrown = before.brain != brain && state.drag.phase == CanvasPhase::idle &&
+                          !all_in_sight(layout, view_of(state, area, ui_scale), area);
+    if (another || (!state.own_view && (resized || state.entered || outgrown))) fit(state, layout, area, ui_scale);
+    before = std::move(now);
 }
 
 // What an undo has taken away cannot stay selected.
@@ -158,9 +173,9 @@ void nobody(const Ui& ui, Rect area) {
 void canvas_of(const LabView& view, const VehicleView& vehicle, CanvasState& state, Ui& ui, Rect area, bool over) {
     const auto& brain = view.now->brains[static_cast<std::size_t>(vehicle.brain)];
     const BrainGraph& graph = *brain;
-    const Layout& before = state.layout.of(brain, state.places[vehicle.kind]);
-    state.undo_depth = view.undo_depth;
-    follow(state, vehicle, graph, before, area, ui.scale);
+    if (state.drag.phase != CanvasPhase::move_nodes) state.held.clear();
+    const Layout& before = state.layout.of(brain, state.held);
+    follow(state, view, vehicle, brain, before, area, ui.scale);
     drop_stale_selection(state, before);
 
     Target target;
@@ -172,7 +187,7 @@ void canvas_of(const LabView& view, const VehicleView& vehicle, CanvasState& sta
     const auto buttons = corner_buttons(ui, area, frame.pointer);
     interact(state, frame, ui.outbox);
     if (buttons[1].pressed) obey(state, frame, Action::tidy, ui.outbox);
-    const Layout& layout = state.layout.of(brain, state.places[vehicle.kind]);
+    const Layout& layout = state.layout.of(brain, state.held);
     if (buttons[0].pressed) fit(state, layout, area, ui.scale);
 
     const Pen pen{*ImGui::GetWindowDrawList(), ui, view_of(state, area, ui.scale)};
@@ -204,8 +219,8 @@ void canvas_of(const LabView& view, const VehicleView& vehicle, CanvasState& sta
 void wiring_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
     if (area.w <= 0 || area.h <= 0) return;
     const int frame = ImGui::GetFrameCount();
-    if (state.last_frame != frame - 1)  // the canvas was away in between
-        state.drag = {}, state.menu = {}, state.joining.reset();
+    state.entered = state.last_frame != frame - 1;  // it was away in between
+    if (state.entered) state.drag = {}, state.menu = {}, state.joining.reset();
     state.last_frame = frame;
     ui.anchors.record("canvas", area);
 

@@ -1,13 +1,13 @@
 // The wiring canvas: a brain as a picture that can be rewired with the mouse, or with the keys alone.
 //
-// It reads the selected vehicle's brain from the snapshot every frame and keeps only what a person sees: where nodes
-// were moved, the view, the selection, the drag in progress. Every change leaves as an EditRequest through ui.outbox:
-// TurnDial for the weights of LL, LR, RL, RR (a slider and a wire are the same number), SetBrain for everything else.
-// All edits of one drag carry one gesture.
+// It reads the selected vehicle's brain from the snapshot every frame and keeps only what a person sees: the view, the
+// selection, the drag in progress. Every change leaves as an EditRequest through ui.outbox: TurnDial for the weights of
+// LL, LR, RL, RR (a slider and a wire are the same number), PlaceNodes for where nodes stand, SetBrain for everything
+// else. All edits of one drag carry one gesture.
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,7 +18,6 @@
 #include "ui/wiring/menu.h"
 #include "ui/wiring/moment.h"
 #include "ui/wiring/piece.h"
-#include "ui/wiring/place_history.h"
 
 namespace braitenlab {
 
@@ -31,7 +30,7 @@ struct CanvasDrag {
     bool left = true, right = false;  // the button; neither: the middle one
     maths::vec2 press, last;          // window pixels
     BrainGraph graph;
-    Places places;
+    Places places;  // of move_nodes: where those in the hand stood
     Caught selection;
     float weight = 0, travel = 0, sent = 0;  // of drag_weight: at press, dragged since, last one asked for
     NodeId fixed = 0;                        // of drag_wire: the node that the wire stays at
@@ -47,13 +46,23 @@ struct CanvasRefusal {
     double until = 0;  // LabView::wall_seconds
 };
 
+// What was shown a frame ago, and where: changes of it move the view, or must not.
+struct CanvasShown {
+    std::uint64_t sitting = 0;
+    int kind = -1;  // the vehicle's
+    std::shared_ptr<const BrainGraph> brain{};
+    Rect area{};
+    maths::vec2 window{};  // its size, pixels
+    float ui_scale = 1;
+};
+
 inline constexpr float least_zoom = 0.1f, most_zoom = 3;
 
 struct CanvasState {
-    std::map<int, Places> places;  // nodes that were moved, by the vehicle's kind
-    maths::vec2 middle;            // the canvas point in the middle of the area
-    float zoom = 1;                // least_zoom..most_zoom
-    bool own_view = false;         // panned or zoomed by hand: no automatic fit
+    maths::vec2 middle;     // the canvas point in the middle of the area
+    float zoom = 1;         // least_zoom..most_zoom
+    bool own_view = false;  // panned or zoomed by hand: no automatic fit
+    Places held;            // nodes in the hand, and those just let go until the lab has put them there
     Caught selection;
     Hit focus;                      // a node or a label: where the arrow keys stand
     std::optional<NodeId> joining;  // a wire is being drawn by keys from this node to the one in focus
@@ -61,17 +70,14 @@ struct CanvasState {
     CanvasMenu menu;
     BrainPiece clipboard;
     int pastes = 0;  // of the same piece: each stands a little further on
-    PlaceHistory history;
     CanvasRefusal refusal;
     Hit hovered;
     KeptLayout layout;
     CanvasMoment moment;
 
-    int kind = -1;  // what was shown last, and how: a change fits the view again
-    std::size_t nodes = 0;
-    Rect fitted_area;
-    int undo_depth = 0;
-    int last_frame = -1;  // a drag that was not drawn for a frame is dropped
+    CanvasShown shown;
+    bool entered = false;  // the canvas was not drawn a frame ago
+    int last_frame = -1;   // a drag that was not drawn for a frame is dropped
     std::uint64_t next_gesture = gestures::canvas;
     WireEnds wheel_wire;  // notches over the same label are one gesture
     std::uint64_t wheel_gesture = 0;

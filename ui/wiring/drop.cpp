@@ -73,8 +73,8 @@ void drop_wire(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
 void drop_nodes(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     const CanvasDrag& drag = state.drag;
     const auto into = insertion_of(state, frame);
-    if (!into) return state.history.note(state.kind, state.undo_depth, drag.places, state.places[state.kind]);
-    keep_places(state, frame.layout);
+    if (!into && state.held == drag.places) return;  // back where they stood
+    if (!into) return ask_places(frame, state.held, drag.gesture, outbox);
     ask(state, frame, insert(drag.graph, *state.selection.nodes.begin(), *into), drag.gesture, outbox);
 }
 

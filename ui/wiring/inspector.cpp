@@ -114,7 +114,7 @@ private:
 
     void ask(Command command, std::uint64_t gesture) { ui_.outbox.push_back(EditRequest{std::move(command), gesture}); }
     void ask(const Edit& edit, std::uint64_t gesture) {
-        if (edit) ask(SetBrain{target_, *edit.graph}, gesture);
+        if (edit) ask(SetBrain{target_, in_place(*edit.graph, state_.layout.of(brain_, {}))}, gesture);
     }
 
     std::optional<SliderEdit> number(const Number& n, float width) {

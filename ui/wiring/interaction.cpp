@@ -50,7 +50,6 @@ void press(CanvasState& state, const CanvasFrame& frame) {
     drag.pressed = state.hovered;
     drag.press = drag.last = pointer.at;
     drag.graph = frame.graph;
-    drag.places = state.places[state.kind];
     drag.selection = state.selection;
     drag.gesture = state.next_gesture++;
     state.refusal = {};
@@ -88,12 +87,23 @@ CanvasPhase phase_for(const CanvasDrag& drag, const CanvasFrame& frame) {
     }
 }
 
+void take_up(CanvasState& state, const Layout& layout) {
+    for (const NodeId id : state.selection.nodes)
+        if (const NodeShape* node = find_shape(layout, id)) state.held[id] = node->centre;
+    state.drag.places = state.held;
+}
+
+void move_held(CanvasState& state, vec2 by) {
+    for (auto& [id, place] : state.held) place = on_canvas(state.drag.places.at(id) + by);
+}
+
 void begin_drag(CanvasState& state, const CanvasFrame& frame) {
     CanvasDrag& drag = state.drag;
     drag.phase = phase_for(drag, frame);
     if (drag.phase == CanvasPhase::drag_wire) begin_wire(drag, frame, view_of(state, frame));
     if (drag.phase == CanvasPhase::move_nodes && state.selection.nodes.count(drag.pressed.node) == 0)
         select(state, drag.pressed, frame.pointer.shift);
+    if (drag.phase == CanvasPhase::move_nodes) take_up(state, frame.layout);
     if (drag.phase == CanvasPhase::drag_weight) {
         drag.weight = drag.sent = weight_of(drag.graph, drag.pressed.wire);
         select(state, drag.pressed, false);
@@ -119,12 +129,6 @@ void select_box(CanvasState& state, const CanvasFrame& frame) {
     state.selection.wires.insert(caught.wires.begin(), caught.wires.end());
 }
 
-void move_nodes(CanvasState& state, const CanvasFrame& frame, vec2 by) {
-    for (const NodeId id : state.selection.nodes)
-        if (const NodeShape* node = find_shape(frame.layout, id))
-            state.places[state.kind].try_emplace(id, node->centre).first->second += by;
-}
-
 void move_along(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     CanvasDrag& drag = state.drag;
     const vec2 moved = frame.pointer.at - drag.last;
@@ -139,7 +143,7 @@ void move_along(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     } else if (drag.phase == CanvasPhase::box) {
         select_box(state, frame);
     } else if (drag.phase == CanvasPhase::move_nodes) {
-        move_nodes(state, frame, moved / scale);
+        move_held(state, (frame.pointer.at - drag.press) / scale);
     } else if (drag.phase == CanvasPhase::drag_weight) {
         drag_weight(state, frame, moved, outbox);
     }
@@ -214,12 +218,6 @@ bool press_key(CanvasState& state, Action action) {
     switch (action) {
         case Action::cancel:
             wanted = dragging || anything || state.menu.open() || state.joining;
-            break;
-        case Action::undo:
-            wanted = state.history.can_undo(state.kind, state.undo_depth);
-            break;
-        case Action::redo:
-            wanted = state.history.can_redo(state.kind, state.undo_depth);
             break;
         case Action::erase:  // with nothing selected too: Del must not fall through to the vehicle
         case Action::copy:

@@ -24,16 +24,22 @@ void number_neurons(Layout& layout) {
     layout.has_neurons = unit > 0;
 }
 
-void place_nodes(Layout& layout, const BrainGraph& graph, const Places& moved) {
-    const auto is_moved = [&](const Node& node) { return moved.count(node.id) > 0; };
-    const bool all_moved = std::all_of(graph.nodes.begin(), graph.nodes.end(), is_moved);
-    const Places arranged = all_moved ? Places{} : tidy(graph);
+// In the hand, else where a person has put it.
+std::optional<vec2> own_place(const Node& node, const Places& held) {
+    const auto in_hand = held.find(node.id);
+    return in_hand != held.end() ? std::optional(in_hand->second) : node.place;
+}
+
+void place_nodes(Layout& layout, const BrainGraph& graph, const Places& held) {
+    const auto is_put = [&](const Node& node) { return own_place(node, held).has_value(); };
+    const bool all_put = std::all_of(graph.nodes.begin(), graph.nodes.end(), is_put);
+    const Places arranged = all_put ? Places{} : tidy(graph);
     for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
         const Node& node = graph.nodes[i];
         NodeShape shape;
         shape.id = node.id, shape.kind = node.kind, shape.size = size_of(node.kind), shape.node = i;
-        const auto own = moved.find(node.id);
-        shape.centre = own != moved.end() ? own->second : arranged.at(node.id);
+        const auto own = own_place(node, held);
+        shape.centre = own ? *own : arranged.at(node.id);
         shape.has_in = node.kind != NodeKind::sensor;
         layout.by_id.emplace_back(node.id, i);
         const vec2 half = shape.size / 2;
@@ -133,22 +139,40 @@ void place_labels(Layout& layout) {
 
 }  // namespace
 
-Layout lay_out(const BrainGraph& graph, const Places& moved) {
+Layout lay_out(const BrainGraph& graph, const Places& held) {
     Layout layout;
-    place_nodes(layout, graph, moved);
+    place_nodes(layout, graph, held);
     list_wires(layout, graph);
     draw_curves(layout);
     place_labels(layout);
     return layout;
 }
 
-const Layout& KeptLayout::of(const std::shared_ptr<const BrainGraph>& graph, const Places& places) {
-    if (graph_ != graph || places_ != places) {
-        layout_ = lay_out(*graph, places);
+const Layout& KeptLayout::of(const std::shared_ptr<const BrainGraph>& graph, const Places& held) {
+    if (graph_ != graph || held_ != held) {
+        layout_ = lay_out(*graph, held);
         graph_ = graph;
-        places_ = places;
+        held_ = held;
     }
     return layout_;
+}
+
+vec2 on_canvas(vec2 place) {
+    return {std::clamp(std::round(place.x), -limits::place, limits::place),
+            std::clamp(std::round(place.y), -limits::place, limits::place)};
+}
+
+BrainGraph in_place(BrainGraph edited, const Layout& shown) {
+    const auto shape_of = [&](const Node& node) { return find_shape(shown, node.id); };
+    const Places arranged = tidy(edited);
+    const auto would_move = [&](const Node& node) {
+        const NodeShape* shape = shape_of(node);
+        return shape != nullptr && (node.place ? *node.place : arranged.at(node.id)) != shape->centre;
+    };
+    if (std::any_of(edited.nodes.begin(), edited.nodes.end(), would_move))
+        for (Node& node : edited.nodes)
+            if (const NodeShape* shape = shape_of(node)) node.place = shape->centre;
+    return edited;
 }
 
 const NodeShape* find_shape(const Layout& layout, NodeId id) {

@@ -47,17 +47,25 @@ struct Layout {
     bool has_neurons = false;
 };
 
-// The same graph and places give the same layout. Nodes without a place of their own stand where tidy() puts them.
-Layout lay_out(const BrainGraph&, const Places&);
+// The same graph and places give the same layout. Nodes in the hand stand where it `held` them, others where a person
+// has put them, the rest where tidy() puts them.
+Layout lay_out(const BrainGraph&, const Places& held);
 
-// A layout that is made anew only when the graph or the places have changed.
+// The edited brain, its nodes where the layout shows them: an edit moves nobody. Where tidying it would, the places are
+// written down.
+BrainGraph in_place(BrainGraph edited, const Layout& shown);
+
+// The nearest place that a node can have: whole units, which keep files short.
+maths::vec2 on_canvas(maths::vec2 place);
+
+// A layout that is made anew only when the graph or what is held has changed.
 class KeptLayout {
 public:
-    const Layout& of(const std::shared_ptr<const BrainGraph>&, const Places&);
+    const Layout& of(const std::shared_ptr<const BrainGraph>&, const Places& held);
 
 private:
     std::shared_ptr<const BrainGraph> graph_;  // held, so that no other graph can take its address
-    Places places_;
+    Places held_;
     Layout layout_;
 };
 

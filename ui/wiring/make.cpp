@@ -1,5 +1,6 @@
 #include "ui/wiring/make.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "ui/wiring/actions.h"
@@ -15,12 +16,20 @@ View view_of(const CanvasState& state, const CanvasFrame& frame) { return view_o
 void paste_at(CanvasState& state, const CanvasFrame& frame, const BrainPiece& piece, vec2 middle, Outbox& outbox) {
     const Pasted pasted = paste(frame.graph, piece, middle);
     if (!pasted.edit) return refuse(state, frame, pasted.edit.refused);
-    keep_places(state, frame.layout);
-    for (const auto& [id, place] : pasted.places) state.places[state.kind][id] = place;
-    state.nodes = pasted.edit.graph->nodes.size();
     state.selection = {pasted.nodes, {}};
     reveal(state, frame.area, frame.ui_scale, middle);
     ask(state, frame, pasted.edit, state.next_gesture++, outbox);
+}
+
+// The brain with a neuron more, which is selected and stands there.
+void ask_with_new(CanvasState& state, const CanvasFrame& frame, BrainGraph edited, NodeId fresh, vec2 place,
+                  Outbox& outbox) {
+    const auto made =
+        std::find_if(edited.nodes.begin(), edited.nodes.end(), [&](const Node& node) { return node.id == fresh; });
+    made->place = on_canvas(place);
+    ask(state, frame, {std::move(edited), {}}, state.next_gesture++, outbox);
+    state.selection = {{fresh}, {}};
+    state.focus = {Part::node, fresh, {}};
 }
 
 }  // namespace
@@ -29,8 +38,6 @@ void erase_selected(CanvasState& state, const CanvasFrame& frame, Outbox& outbox
     if (nothing_selected(state)) return;
     const Edit edit = remove(frame.graph, state.selection.nodes, state.selection.wires);
     if (!edit) return refuse(state, frame, edit.refused);
-    keep_places(state, frame.layout);
-    state.nodes = edit.graph->nodes.size();
     ask(state, frame, edit, state.next_gesture++, outbox);
     state.selection = {};
     if (!find_node(*edit.graph, state.focus.node)) state.focus = {};
@@ -73,14 +80,9 @@ void add_chosen(CanvasState& state, const CanvasFrame& frame, const CanvasMenu& 
     if (edit && loose)
         edit = connect(*edit.graph, outwards ? WireEnds{menu.loose.node, fresh} : WireEnds{fresh, menu.loose.node});
     if (!edit) return refuse(state, frame, edit.refused);
-    keep_places(state, frame.layout);
     // The end of the wire stays where it was dropped: the new neuron's pin comes to lie there.
     const float aside = !loose ? 0.0f : outwards ? 75.0f : -75.0f;
-    state.places[state.kind][fresh] = menu.place + vec2{aside, 0};
-    state.nodes = edit.graph->nodes.size();
-    state.selection = {{fresh}, {}};
-    state.focus = {Part::node, fresh, {}};
-    ask(state, frame, edit, state.next_gesture++, outbox);
+    ask_with_new(state, frame, std::move(*edit.graph), fresh, menu.place + vec2{aside, 0}, outbox);
 }
 
 void insert_new(CanvasState& state, const CanvasFrame& frame, WireEnds wire, Outbox& outbox) {
@@ -88,13 +90,9 @@ void insert_new(CanvasState& state, const CanvasFrame& frame, WireEnds wire, Out
     const NodeId fresh = fresh_id(frame.graph);
     if (edit) edit = insert(*edit.graph, fresh, wire);
     if (!edit) return refuse(state, frame, edit.refused);
-    keep_places(state, frame.layout);
-    if (const WireShape* shape = find_shape(frame.layout, wire))
-        state.places[state.kind][fresh] = bezier_point(shape->bezier, 0.5f);
-    state.nodes = edit.graph->nodes.size();
-    state.selection = {{fresh}, {}};
-    state.focus = {Part::node, fresh, {}};
-    ask(state, frame, edit, state.next_gesture++, outbox);
+    const WireShape* shape = find_shape(frame.layout, wire);
+    if (shape == nullptr) return;
+    ask_with_new(state, frame, std::move(*edit.graph), fresh, bezier_point(shape->bezier, 0.5f), outbox);
 }
 
 }  // namespace braitenlab

@@ -45,23 +45,22 @@ BrainPiece copy(const BrainGraph& graph, const Layout& layout, const std::set<No
 }
 
 Pasted paste(const BrainGraph& graph, const BrainPiece& piece, vec2 middle) {
-    if (piece.empty()) return {{{}, "wiring.refused.nothing_copied"}, {}, {}};
+    if (piece.empty()) return {{{}, "wiring.refused.nothing_copied"}, {}};
     Pasted pasted;
     BrainGraph edited = graph;
     std::vector<NodeId> made;
     for (std::size_t i = 0; i < piece.neurons.size(); ++i) {
         Edit added = add_neuron(edited, piece.neurons[i]);
-        if (!added) return {added, {}, {}};
+        if (!added) return {added, {}};
         edited = std::move(*added.graph);
         made.push_back(edited.nodes.back().id);
+        edited.nodes.back().place = on_canvas(middle + piece.places[i]);
         pasted.nodes.insert(made.back());
-        pasted.places[made.back()] = middle + piece.places[i];
     }
     for (const BrainPiece::Joint& joint : piece.wires) {
         const auto from = id_of(edited, made, joint.from), to = id_of(edited, made, joint.to);
         if (!from || !to) continue;
-        if (edited.wires.size() >= static_cast<std::size_t>(limits::wires))
-            return {{{}, "wiring.refused.wires"}, {}, {}};
+        if (edited.wires.size() >= static_cast<std::size_t>(limits::wires)) return {{{}, "wiring.refused.wires"}, {}};
         edited.wires.push_back(joint.wire);
         edited.wires.back().from = *from, edited.wires.back().to = *to;
     }

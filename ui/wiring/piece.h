@@ -32,7 +32,6 @@ BrainPiece copy(const BrainGraph&, const Layout&, const std::set<NodeId>& nodes)
 struct Pasted {
     Edit edit;
     std::set<NodeId> nodes;  // the new ones
-    Places places;           // of the new ones
 };
 Pasted paste(const BrainGraph&, const BrainPiece&, maths::vec2 middle);
 

@@ -98,7 +98,7 @@ void place_column(Placed& placed, const std::vector<Index>& nodes, float x, floa
     const auto count = nodes.size();
     for (std::size_t i = 0; i < count; ++i) {
         const float share = count > 1 ? static_cast<float>(i) / static_cast<float>(count - 1) : 0.5f;
-        placed[nodes[i]] = {x, (share - 0.5f) * height};
+        placed[nodes[i]] = {std::round(x), std::round((share - 0.5f) * height)};  // whole units: short in a file
     }
 }
 
