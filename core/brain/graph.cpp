@@ -1,7 +1,6 @@
 #include "core/brain/graph.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/maths/portable.h"
 
@@ -27,9 +26,7 @@ float respond(const Curve& curve, float x) {
     return x;
 }
 
-float let_through(const Wire& wire, float input) {
-    return respond(wire.curve, std::fabs(input) < wire.threshold ? 0.0f : input);
-}
+float let_through(const Wire& wire, float input) { return respond(wire.curve, masked(input, wire.threshold)); }
 
 float signal(const Wire& wire, float input, float learned) {
     if (wire.cut) return 0;

@@ -4,6 +4,7 @@
 // sensors, two motors and four wires (core/brain/four_neurons.h): the same type, not a second one.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -82,6 +83,9 @@ bool same_wiring(const BrainGraph&, const BrainGraph&);
 
 // Whether what happens at its ends changes the wire.
 inline bool learns(const Wire& wire) { return wire.learning_rate > 0; }
+
+// What a threshold leaves of an input: nothing where its size is below it.
+inline float masked(float input, float threshold) { return std::fabs(input) < threshold ? 0.0f : input; }
 
 // What the curve makes of x.
 float respond(const Curve&, float x);

@@ -1,6 +1,5 @@
 // One tick of a brain, over flat arrays.
 #include <algorithm>
-#include <cmath>
 
 #include "core/brain/brain.h"
 
@@ -41,8 +40,7 @@ float settle(const Thought& t, std::size_t u, Read read) {
     float sum = unit.bias;
     for (std::int32_t i = unit.first_tap; i < unit.end_tap; ++i) {
         const Brain::Tap& tap = t.brain.taps[static_cast<std::size_t>(i)];
-        const float input = read(static_cast<std::size_t>(tap.source));
-        const float passed = std::fabs(input) < tap.threshold ? 0.0f : input;
+        const float passed = masked(read(static_cast<std::size_t>(tap.source)), tap.threshold);
         float weight = tap.weight;
         if constexpr (learning) weight += tap.learned < 0 ? 0.0f : t.learned[tap.learned];
         sum += weight * (tap.curve.response == Response::linear ? passed : respond(tap.curve, passed));

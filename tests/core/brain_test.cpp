@@ -39,6 +39,14 @@ TEST(FourNeuronBrain, ClampsTheSumsToFullSpeed) {
     EXPECT_EQ(motors[1], -1);
 }
 
+TEST(Threshold, MasksBySizeWhateverTheSign) {
+    for (const float sign : {1.0f, -1.0f}) {
+        EXPECT_EQ(masked(sign * 0.5f, 0.5f), sign * 0.5f);
+        EXPECT_EQ(masked(sign * 0.49f, 0.5f), 0);
+        EXPECT_EQ(masked(sign * 0.49f, 0), sign * 0.49f);
+    }
+}
+
 TEST(Threshold, MasksInputsBelowItAndPassesThoseAtIt) {
     const BrainGraph graph = make_graph({.LL = 1, .threshold_LL = 0.5f});
     EXPECT_EQ(drive_once(graph, 0.49f, 0)[0], 0);

@@ -1,4 +1,6 @@
 // The card below the canvas: what it shows of a selection and what it asks for.
+#include <algorithm>
+
 #include "tests/ui/desk.h"
 
 namespace braitenlab::tests {
@@ -17,6 +19,10 @@ struct Inspector : testing::Test {
     }
     BrainGraph asked() const { return std::get<SetBrain>(desk.edits().back().command).brain; }
     bool shows(std::string_view anchor) const { return desk.anchors.find(anchor) != nullptr; }
+    bool writes(std::string_view words) const {
+        return std::any_of(desk.written.begin(), desk.written.end(),
+                           [&](const Written& w) { return w.words == words; });
+    }
 
     Desk desk{1280, 800};
 };
@@ -71,6 +77,66 @@ TEST_F(Inspector, PutsNodesInOrder) {
     const auto places = std::get<PlaceNodes>(desk.edits()[0].command).places;
     EXPECT_EQ(places[SL].at->x, places[ML].at->x);
     EXPECT_NE(places[SL].at->x, places[SR].at->x);
+}
+
+TEST_F(Inspector, CallsThePeakOfACurveByWhatItIs) {
+    const auto said = [&](Response response) {
+        BrainGraph graph = *desk.now.brains[0];
+        find_node(graph, "ML")->curve.response = response;
+        desk.now.brains[0] = std::make_shared<BrainGraph>(graph);
+        select({{ML}, {}});
+        std::string found;
+        for (const char* words : {"threshold", "middle", "peak"})
+            if (writes(words)) found += words;
+        return found;
+    };
+    EXPECT_EQ(said(Response::linear), "");
+    EXPECT_EQ(said(Response::step), "threshold");
+    EXPECT_EQ(said(Response::sigmoid), "middle");
+    EXPECT_EQ(said(Response::hump), "peak");
+    BrainGraph graph = *desk.now.brains[0];
+    find_wire(graph, SR, ML)->curve.response = Response::step;
+    desk.now.brains[0] = std::make_shared<BrainGraph>(graph);
+    select({{}, {{SR, ML}}});
+    EXPECT_TRUE(writes("threshold") && writes("step at")) << "a wire has a threshold besides";
+}
+
+TEST_F(Inspector, CountsOneAsOne) {
+    BrainGraph graph = *desk.now.brains[0];
+    graph.nodes.push_back({.id = 4, .name = "N1"});
+    desk.now.brains[0] = std::make_shared<BrainGraph>(graph);
+    desk.now.neurons.push_back(0);
+    desk.now.vehicles[0].neuron_count = 3;
+    select({});
+    EXPECT_TRUE(writes("2 sensors  ·  1 neuron  ·  2 motors  ·  2 wires"));
+    select({{4, SL}, {{SR, ML}}});
+    EXPECT_TRUE(writes("Selected: 2 nodes  ·  1 wire"));
+}
+
+TEST_F(Inspector, SaysWhatASensorSensesBesideItsName) {
+    Scene scene = *desk.now.scene;
+    scene.kinds[0].sensors[0].name = "OL";
+    scene.kinds[0].sensors[0].channel = Channel::smell;
+    desk.now.scene = std::make_shared<Scene>(scene);
+    BrainGraph graph = *desk.now.brains[0];
+    graph.nodes[0].name = "OL";
+    desk.now.brains[0] = std::make_shared<BrainGraph>(graph);
+    select({{SL}, {}});
+    EXPECT_TRUE(writes("OL  ·  smells  ·  stands at 0.40"));
+}
+
+TEST_F(Inspector, IsNotClickedThroughTheCanvassOpenMenu) {
+    const Rect canvas = desk.where("canvas");
+    desk.point(canvas.x + 40, canvas.y + canvas.h - 60);
+    for (const bool down : {true, false}) desk.button(1, down), desk.frame(2);
+    ASSERT_TRUE(desk.panels.canvas.menu.open());
+    EXPECT_TRUE(writes("Add a neuron"));
+    desk.frame(2);
+    desk.click("card.inspector.fold");
+    EXPECT_FALSE(desk.panels.canvas.menu.open());
+    EXPECT_FALSE(desk.panels.canvas.inspector.folded) << "the click closed the menu and did nothing else";
+    desk.click("card.inspector.fold");
+    EXPECT_TRUE(desk.panels.canvas.inspector.folded);
 }
 
 TEST_F(Inspector, LeavesItsRoomToTheCanvasWhenFolded) {

@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "core/scene/scene.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/widgets/number.h"
 #include "ui/wiring/draw.h"
+#include "ui/wiring/node_words.h"
 
 namespace braitenlab {
 namespace {
@@ -14,27 +13,6 @@ namespace {
 using maths::vec2;
 
 constexpr float card_rounding = 16;
-
-// In the order of Channel.
-constexpr std::array<std::string_view, channel_count> senses_keys{
-    "wiring.senses.light",    "wiring.senses.red",   "wiring.senses.green",   "wiring.senses.blue",
-    "wiring.senses.heat",     "wiring.senses.smell", "wiring.senses.oxygen",  "wiring.senses.obstacle",
-    "wiring.senses.predator", "wiring.senses.prey",  "wiring.senses.vehicle", "wiring.senses.memory",
-    "wiring.senses.touch",    "wiring.senses.floor", "wiring.senses.energy"};
-
-// The first two eyes are known by their side, every further sensor by what it senses.
-std::string_view subtitle_key(const CanvasPicture& picture, const Node& node) {
-    if (node.name == "SL") return "wiring.node.SL";
-    if (node.name == "SR") return "wiring.node.SR";
-    if (node.name == "ML") return "wiring.node.ML";
-    if (node.name == "MR") return "wiring.node.MR";
-    if (node.kind == NodeKind::motor) return "wiring.node.motor";
-    if (node.kind == NodeKind::neuron) return "wiring.node.neuron";
-    const Kind& kind = picture.view.now->scene->kinds.at(static_cast<std::size_t>(picture.vehicle.kind));
-    for (const Sensor& sensor : kind.sensors)
-        if (sensor.name == node.name) return senses_keys.at(static_cast<std::size_t>(sensor.channel));
-    return "wiring.node.sensor";
-}
 
 float wheel_angle(const CanvasPicture& picture, const Node& node) {
     const auto& angle = picture.vehicle.wheel_angle;
@@ -47,15 +25,19 @@ void draw_words(const Pen& pen, const CanvasPicture& picture, const Node& node, 
     const bool neuron = node.kind == NodeKind::neuron, far = detail_of(pen) != Detail::full;
     const std::string number = node.kind == NodeKind::sensor ? fixed(value, 2) : with_sign(value, 2);
     const float room = high.x - low.x;
-    if (far || neuron) {
+    const std::string_view caption = pen.ui.strings(node_words(*picture.view.now, picture.vehicle, node));
+    if (far && !neuron) {
+        pen.text({low.x, low.y + 24}, 27, 0, node.name, p.text, Face::strong, room);
+        pen.text({low.x, low.y + 52}, 26, 0, number, p.text, Face::text, room);
+        pen.text({low.x - 62, low.y + 81}, 20, 0, caption, p.second_text, Face::small, room + 66);
+    } else if (far || neuron) {
         const float height = far ? 29 : 21, above = far ? 25 : 22;
         pen.text({low.x, low.y + above}, height, 0, node.name, p.text, Face::strong, room);
         pen.text({low.x, low.y + above + height + 2}, height, 0, number, p.text, Face::text, room);
     } else {
         pen.text({low.x, low.y + 27}, 24, 0, node.name, p.text, Face::strong, room - 62);
         pen.text({high.x, low.y + 27}, 20, 1, number, p.text);
-        pen.text({low.x, low.y + 52}, 16, 0, pen.ui.strings(subtitle_key(picture, node)), p.second_text, Face::small,
-                 room);
+        pen.text({low.x, low.y + 52}, 16, 0, caption, p.second_text, Face::small, room);
     }
     const float bar = neuron ? low.x : low.x - 58;
     if (!far)
@@ -67,7 +49,7 @@ void draw_contents(const Pen& pen, const CanvasPicture& picture, const NodeShape
     const bool neuron = node.kind == NodeKind::neuron;
     const bool far = detail_of(pen) != Detail::full;
     const vec2 half = shape.size / 2;
-    const vec2 icon = shape.centre + vec2{-half.x + (neuron ? 38.0f : 44.0f), neuron || far ? 0.0f : -9.0f};
+    const vec2 icon = shape.centre + vec2{-half.x + (neuron ? 38.0f : 44.0f), neuron ? 0.0f : far ? -13.0f : -9.0f};
     if (node.kind == NodeKind::sensor) draw_eye(pen, icon, value, node.silenced);
     if (node.kind == NodeKind::motor) draw_wheel(pen, icon, wheel_angle(picture, node), value, node.silenced);
     if (neuron) draw_response(pen, icon, node.curve, value);
