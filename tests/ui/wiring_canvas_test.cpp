@@ -1,7 +1,9 @@
 // What the mouse and the keys do to the canvas.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "tests/ui/large_brain.h"
 #include "tests/ui/wiring_hand.h"
 
 namespace braitenlab::tests {
@@ -198,6 +200,93 @@ TEST_F(WiringCanvas, RightDragPansAndHomeFitsAgain) {
     EXPECT_LT(maths::distance(middle("node.SL"), before), 0.1f);
 }
 
+TEST_F(WiringCanvas, StaysUnderTheMouseWhileABrainIsEditedAndACardOpensBelow) {
+    const vec2 eye = middle("node.SL"), motor = middle("node.MR");
+    const auto expect_still = [&](const char* after) {
+        EXPECT_LT(maths::distance(middle("node.SL"), eye), 0.1f) << after;
+        EXPECT_LT(maths::distance(middle("node.MR"), motor), 0.1f) << after;
+    };
+    right_click({470, 600});
+    choose("step");
+    expect_still("adding");
+    drag(middle("pin.SL.out"), middle("pin.N1.in"));
+    expect_still("joining");
+    area.h -= 200;  // a card opens below, over the lower half
+    frames(2);
+    EXPECT_LT(maths::distance(middle("node.SL"), eye), 0.1f);
+    EXPECT_EQ(anchors.find("node.MR"), nullptr);
+    click(middle("wire.RL"));
+    key(Action::erase);
+    EXPECT_LT(maths::distance(middle("node.SL"), eye), 0.1f) << "even then an edit moves nothing";
+    area.h += 200;
+    frames(2);
+    expect_still("a card that folds");
+    now.brains[0] = std::make_shared<BrainGraph>(make_graph({.LR = 1.5f, .RL = 1.5f}));
+    frames(2);
+    EXPECT_LT(maths::distance(middle("node.SL"), eye), 0.1f) << "an undo";
+}
+
+TEST_F(WiringCanvas, BringsABrainThatComesFromElsewhereIntoViewUnlessTheViewIsOnesOwn) {
+    const auto give = [&](int nodes) {
+        const VehicleId id = view.selected;
+        now = moment_with(large_brain(nodes, 90));
+        now.vehicles[0].id = id;
+        frames(2);
+        return std::all_of(brain().nodes.begin(), brain().nodes.end(),
+                           [&](const Node& node) { return anchors.find("node." + node.name) != nullptr; });
+    };
+    EXPECT_TRUE(give(40));
+    state.own_view = true;
+    EXPECT_FALSE(give(200));
+    now.vehicles[0].kind = 0;
+    ++view.sitting;  // another scene
+    frames(2);
+    EXPECT_FALSE(state.own_view);
+    EXPECT_NE(anchors.find("node.MR"), nullptr);
+}
+
+TEST_F(WiringCanvas, FitsAgainInAnotherWindow) {
+    area.w = 700;
+    ImGui::GetIO().DisplaySize = {800, 700};
+    frames(2);
+    EXPECT_LT(anchors.find("node.MR")->x, 720);
+}
+
+TEST_F(WiringCanvas, ANeuronThatWasAddedIsSelected) {
+    right_click({470, 600});
+    choose("step");
+    frames(5);
+    EXPECT_EQ(state.selection.nodes, (std::set<NodeId>{4}));
+}
+
+TEST_F(WiringCanvas, TheMenuOfEmptyGroundSaysThatItAddsNeurons) {
+    right_click({470, 600});
+    EXPECT_EQ(state.menu.heading, "wiring.add_neuron");
+    EXPECT_EQ(state.menu.note, "wiring.add_how");
+    const Rect first = row_rect(state.menu, 0), last = row_rect(state.menu, state.menu.rows.size() - 1);
+    EXPECT_GE(first.y, state.menu.rect.y + head_height(state.menu));
+    EXPECT_GT(head_height(state.menu), 40);
+    EXPECT_LE(last.y + last.h, state.menu.rect.y + state.menu.rect.h);
+    key(Action::cancel);
+    right_click(middle("wire.LR"));
+    EXPECT_EQ(state.menu.heading, "") << "what is done to a wire needs no heading";
+}
+
+TEST_F(WiringCanvas, ACardTooSmallForItsWordsSaysThemToAPointerThatRests) {
+    state.zoom = 0.5f;
+    state.own_view = true;
+    frames();
+    move(middle("node.SR"));
+    EXPECT_EQ(anchors.find("says.SR"), nullptr) << "not in passing";
+    frames(30);
+    EXPECT_NE(anchors.find("says.SR"), nullptr);
+    state.zoom = 1;
+    frames();
+    move(middle("node.SR"));
+    frames(30);
+    EXPECT_EQ(anchors.find("says.SR"), nullptr) << "the card itself says it";
+}
+
 TEST_F(WiringCanvas, FitKeepsEveryCardClearOfTheButtonsAtAnySize) {
     const Layout layout = lay_out(brain(), {});
     for (const Rect room : {Rect{0, 0, 900, 640}, Rect{40, 90, 1200, 300}, Rect{10, 10, 300, 900}})
@@ -206,7 +295,9 @@ TEST_F(WiringCanvas, FitKeepsEveryCardClearOfTheButtonsAtAnySize) {
             const View drawn = view_of(state, room, ui_scale);
             for (const NodeShape& node : layout.nodes) {
                 const Rect card = node_rect(drawn, node);
-                EXPECT_GE(card.y, room.y + 44 * ui_scale) << room.w << " x " << room.h << " at " << ui_scale;
+                const bool below = card.y >= room.y + 44 * ui_scale;
+                const bool beside = card.x + card.w <= room.x + room.w - 200 * ui_scale && card.y >= room.y;
+                EXPECT_TRUE(below || beside) << room.w << " x " << room.h << " at " << ui_scale;
                 if (state.zoom <= least_zoom) continue;  // as small as it gets
                 EXPECT_LE(card.y + card.h, room.y + room.h);
                 EXPECT_GE(card.x, room.x);

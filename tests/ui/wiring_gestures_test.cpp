@@ -112,17 +112,38 @@ TEST_F(WiringGestures, CopyAndPasteMakeANeuronOfTheSameKindAtTheMouse) {
     choose("sigmoid");
     click(middle("node.N1"));
     key(Action::copy);
-    move({300, 150});
+    move({470, 615});
     key(Action::paste);
     const Node* copy = find_node(brain(), 5);
     ASSERT_NE(copy, nullptr);
     EXPECT_EQ(copy->curve.response, Response::sigmoid);
     EXPECT_EQ(copy->name, "N2");
-    EXPECT_LT(maths::distance(middle("node.N2"), {300, 150}), 1.5f);
+    EXPECT_LT(maths::distance(middle("node.N2"), {470, 615}), 1.5f);
     EXPECT_EQ(wire(SL, 5), nullptr) << "the eye was not selected";
     EXPECT_EQ(state.selection.nodes, (std::set<NodeId>{5}));
     key(Action::paste);
     EXPECT_GT(maths::distance(middle("node.N3"), middle("node.N2")), 20) << "a second copy does not hide the first";
+}
+
+TEST_F(WiringGestures, APastedNeuronCoversNothing) {
+    add_neuron_at({470, 625});
+    click(middle("node.N1"));
+    key(Action::copy);
+    for (const char* over : {"node.SL", "wire.LR", "node.N1"}) {
+        move(middle(over));
+        key(Action::paste);
+    }
+    const Layout& layout = state.layout.of(now.brains[0], {});
+    ASSERT_EQ(layout.nodes.size(), 8u);
+    const auto covers = [](vec2 a, vec2 a_size, vec2 b, vec2 b_size) {
+        return std::abs(a.x - b.x) * 2 < a_size.x + b_size.x && std::abs(a.y - b.y) * 2 < a_size.y + b_size.y;
+    };
+    for (const NodeShape& a : layout.nodes) {
+        for (const NodeShape& b : layout.nodes)
+            EXPECT_FALSE(a.id < b.id && covers(a.centre, a.size, b.centre, b.size)) << a.id << " " << b.id;
+        for (const WireShape& wire : layout.wires)
+            EXPECT_FALSE(covers(a.centre, a.size, wire.label, wire.label_size)) << a.id;
+    }
 }
 
 TEST_F(WiringGestures, WiresToSelectedEyesAreCopiedAlong) {
@@ -341,20 +362,24 @@ TEST_F(WiringGestures, AFullBrainSaysHowMuchItHolds) {
 
 TEST_F(WiringGestures, AMinimapStandsFromTwentyOneNodesOnAndMovesTheView) {
     EXPECT_EQ(anchors.find("canvas.minimap"), nullptr);
-    const auto show = [&](int nodes) {
+    const auto show = [&](int nodes, float zoom) {
         const VehicleId id = view.selected;
         now = moment_with(large_brain(nodes, 40));
         now.vehicles[0].id = id;
+        state.own_view = true;
+        state.zoom = zoom;
         frames(3);
     };
-    show(20);
+    show(20, 1);
     EXPECT_EQ(anchors.find("canvas.minimap"), nullptr);
-    show(21);
+    show(21, 0.2f);
+    EXPECT_EQ(anchors.find("canvas.minimap"), nullptr) << "everything is in sight";
+    show(21, 1);
     const Rect* map = anchors.find("canvas.minimap");
     ASSERT_NE(map, nullptr);
     const Rect r = *map;
     drag({r.x + r.w * 0.5f, r.y + r.h / 2}, {r.x + r.w * 0.25f, r.y + r.h * 0.6f});
-    const auto shown = minimap_of(state.layout.of(now.brains[0], state.held), area, 1);
+    const auto shown = minimap_of(state.layout.of(now.brains[0], state.held), view_of(state, area, 1), area, 1);
     EXPECT_LT(maths::distance(shown->view.to_window(state.middle), {r.x + r.w * 0.25f, r.y + r.h * 0.6f}), 0.6f);
     EXPECT_TRUE(state.selection.nodes.empty());
 }

@@ -125,7 +125,7 @@ struct WiringCanvas : testing::Test {
     const BrainGraph& brain() const { return *now.brains[0]; }
     FourNeurons dials() const { return read_dials(brain()); }
 
-    const Rect area{20, 30, 900, 640};
+    Rect area{20, 30, 900, 640};
     Strings strings;
     Anchors anchors;
     Outbox outbox;

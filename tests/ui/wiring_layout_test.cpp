@@ -127,6 +127,34 @@ TEST(Layout, StandsManySensorsFarFromTheMotorsSoThatWiresDoNotRunSteeply) {
     EXPECT_GE(across.x, across.y);
 }
 
+TEST(Layout, PutsANodeWhereItsBrainSaysUnlessItIsInTheHand) {
+    BrainGraph graph = chain(1);
+    graph.nodes.back().place = {17, -230};
+    const NodeId id = graph.nodes.back().id;
+    EXPECT_EQ(find_shape(lay_out(graph, {}), id)->centre, (vec2{17, -230}));
+    EXPECT_EQ(find_shape(lay_out(graph, {{id, {1, 2}}}), id)->centre, (vec2{1, 2}));
+}
+
+TEST(InPlace, WritesPlacesDownOnlyWhereTidyingWouldMoveSomebody) {
+    const BrainGraph graph = crossed();
+    const Layout shown = lay_out(graph, {});
+    EXPECT_EQ(in_place(graph, shown), graph);
+    const BrainGraph longer = chain(3);
+    const Layout still = lay_out(in_place(longer, shown), {});
+    for (const NodeShape& node : shown.nodes) EXPECT_EQ(find_shape(still, node.id)->centre, node.centre);
+}
+
+TEST(FreePlace, IsTheWantedOneOrTheNearestThatCoversNothing) {
+    const Layout layout = lay_out(crossed(), {});
+    const vec2 size{150, 80}, far{2000, 2000};
+    EXPECT_EQ(free_place(layout, far, size), far);
+    for (const NodeShape& node : layout.nodes) {
+        const vec2 at = free_place(layout, node.centre, size);
+        EXPECT_FALSE(overlap(at, size, node.centre, node.size));
+        EXPECT_LT(maths::distance(at, node.centre), 180);
+    }
+}
+
 TEST(KeptLayout, IsMadeAnewOnlyForAnotherGraphOrOtherPlaces) {
     KeptLayout kept;
     const auto graph = std::make_shared<BrainGraph>(chain(2)), longer = std::make_shared<BrainGraph>(chain(3));

@@ -108,6 +108,7 @@ void open_menu(CanvasState& state, const CanvasFrame& frame, vec2 at) {
     state.menu.rows = menu_rows(frame.graph, state.selection, !state.clipboard.empty());
     state.menu.at = at;
     state.menu.place = view_of(state, frame).to_canvas(at);
+    head_menu(state.menu);
 }
 
 void open_drop_menu(CanvasState& state, const CanvasFrame& frame, Hit pin) {
@@ -116,6 +117,7 @@ void open_drop_menu(CanvasState& state, const CanvasFrame& frame, Hit pin) {
     state.menu.at = frame.pointer.at;
     state.menu.place = view_of(state, frame).to_canvas(frame.pointer.at);
     state.menu.loose = pin;
+    head_menu(state.menu);
 }
 
 void cancel_drag(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {

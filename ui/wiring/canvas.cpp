@@ -43,13 +43,21 @@ bool all_in_sight(const Layout& layout, const View& view, Rect area) {
     });
 }
 
+// Whether there are nodes that were not there before and that nobody here has just made: those are selected.
+bool brings_others(const BrainGraph& brain, const BrainGraph& before, const Caught& selection) {
+    return std::any_of(brain.nodes.begin(), brain.nodes.end(), [&](const Node& node) {
+        const Node* known = find_node(before, node.id);
+        return (known == nullptr || known->name != node.name) && selection.nodes.count(node.id) == 0;
+    });
+}
+
 // What is under the mouse stays there, whatever is done to the brain and whatever card opens or folds beside it. All of
-// it is brought into view when it is first seen, when it is another one, and when the window takes another size; a view
-// that a person has chosen is left to them.
+// it is brought into view when it is first seen, when it is another one (a preset, a file), and when the window takes
+// another size; a view that a person has chosen is left to them.
 void follow(CanvasState& state, const LabView& lab, const VehicleView& vehicle,
             const std::shared_ptr<const BrainGraph>& brain, const Layout& layout, Rect area, float ui_scale) {
-    CanvasShown now{
-        lab.sitting, vehicle.kind, brain, area, {ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y}, ui_scale};
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    CanvasShown now{lab.sitting, vehicle.kind, brain, area, {window.x, window.y}, ui_scale};
     CanvasShown& before = state.shown;
     const bool another = before.kind != now.kind || before.sitting != now.sitting;
     const bool resized = before.window != now.window || before.ui_scale != now.ui_scale;
@@ -58,8 +66,7 @@ void follow(CanvasState& state, const LabView& lab, const VehicleView& vehicle,
         state.middle += (vec2{area.x + area.w / 2, area.y + area.h / 2} -
                          vec2{before.area.x + before.area.w / 2, before.area.y + before.area.h / 2}) /
                         (state.zoom * ui_scale);
-    // Given another brain elsewhere: a preset, a file, an undo. What the canvas itself adds is in sight already.
-    const bool outgrown = before.brain != brain && state.drag.phase == CanvasPhase::idle &&
+    const bool outgrown = !another && before.brain != brain && brings_others(*brain, *before.brain, state.selection) &&
                           !all_in_sight(layout, view_of(state, area, ui_scale), area);
     if (another || (!state.own_view && (resized || state.entered || outgrown))) fit(state, layout, area, ui_scale);
     before = std::move(now);
@@ -166,6 +173,18 @@ void set_cursor(const CanvasState& state) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
 }
 
+// While the menu is open all that is clicked is for it: whatever lies beside it, or beneath, does not see the mouse.
+bool hovers_shield() {
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+    ImGui::Begin("wiring menu", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollWithMouse);
+    const bool hovers = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+    ImGui::End();
+    return hovers;
+}
+
 void nobody(const Ui& ui, Rect area) {
     put_centred(ui, {area.x + area.w / 2, area.y + area.h / 2}, ui.strings("wiring.nobody"), ui.palette.second_text);
 }
@@ -186,6 +205,7 @@ void canvas_of(const LabView& view, const VehicleView& vehicle, CanvasState& sta
     CanvasFrame frame{graph, before, area, target, ui.scale, view.wall_seconds, read_pointer(over)};
     const auto buttons = corner_buttons(ui, area, frame.pointer);
     interact(state, frame, ui.outbox);
+    if (state.hovered != state.rested) state.rested = state.hovered, state.rested_since = view.wall_seconds;
     if (buttons[1].pressed) obey(state, frame, Action::tidy, ui.outbox);
     const Layout& layout = state.layout.of(brain, state.held);
     if (buttons[0].pressed) fit(state, layout, area, ui.scale);
@@ -237,7 +257,8 @@ void wiring_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
     ImGui::InvisibleButton(
         "###canvas", {area.w, area.h},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
-    const bool over = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+    bool over = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+    if (state.menu.open()) over |= hovers_shield();
     // A click on the canvas takes the keyboard away from the cards.
     if (over && ui.keyboard && ImGui::IsMouseClicked(0)) ui.keyboard->focus.clear();
 

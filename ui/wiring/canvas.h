@@ -69,7 +69,8 @@ struct CanvasState {
     CanvasDrag drag;
     CanvasMenu menu;
     BrainPiece clipboard;
-    int pastes = 0;  // of the same piece: each stands a little further on
+    Hit rested;  // what the pointer has lain on, and since when (LabView::wall_seconds)
+    double rested_since = 0;
     CanvasRefusal refusal;
     Hit hovered;
     KeptLayout layout;
@@ -91,7 +92,7 @@ struct CanvasState {
 // Draws the canvas over `area` (window pixels: the part of the window that no card covers) and reports what the person
 // did there. Anchors: canvas, canvas.arrange, canvas.fit, canvas.minimap, pin.<node>.out, pin.<node>.in, node.<node>,
 // wire.LL … or wire.<from>-<to> (the weight's label), curve.LL … (a point of the curve beside its label); menu.<row>
-// while a menu is open; selected.<node or wire>; refused.<reason>.
+// while a menu is open; says.<node> while a note says what it senses; selected.<node or wire>; refused.<reason>.
 void wiring_canvas(const LabView&, CanvasState&, Ui&, Rect area);
 
 // Hands a key's action to the canvas, which acts when drawn next. True when the canvas has a use for it now: an Esc

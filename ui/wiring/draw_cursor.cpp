@@ -5,6 +5,7 @@
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/wiring/draw.h"
+#include "ui/wiring/node_words.h"
 #include "ui/wiring/sum.h"
 
 namespace braitenlab {
@@ -20,6 +21,15 @@ ImVec2 note_size(const Ui& ui, std::string_view words) {
     return {extent.x + ui.px(20), extent.y + ui.px(14)};
 }
 
+// Where a card of this size stands that is wanted there, as near as it can inside the area.
+ImVec2 kept_inside(const Ui& ui, ImVec2 at, ImVec2 size, Rect area) {
+    const float rim = ui.px(4);
+    const auto within = [rim](float wanted, float length, float low, float extent) {
+        return std::floor(std::clamp(wanted, low + rim, std::max(low + rim, low + extent - length - rim)));
+    };
+    return {within(at.x, size.x, area.x, area.w), within(at.y, size.y, area.y, area.h)};
+}
+
 // That card, its upper left corner at `at` (window pixels), moved so that it stays inside the area.
 void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Colour edge) {
     const Ui& ui = pen.ui;
@@ -27,8 +37,7 @@ void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Col
     const float height = compat::size_of(face), pad = ui.px(10);
     const char* end = words.data() + words.size();
     const auto [w, h] = note_size(ui, words);
-    at.x = std::floor(std::clamp(at.x, area.x + ui.px(4), std::max(area.x + ui.px(4), area.x + area.w - w - ui.px(4))));
-    at.y = std::floor(std::clamp(at.y, area.y + ui.px(4), std::max(area.y + ui.px(4), area.y + area.h - h - ui.px(4))));
+    at = kept_inside(ui, at, {w, h}, area);
     const ImVec2 far{at.x + w, at.y + h};
     const Palette& p = ui.palette;
     for (int i = 6; i > 0; --i) {
@@ -41,13 +50,13 @@ void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Col
     pen.list.AddText(face, height, {at.x + pad, at.y + 0.7f * pad}, paint(p.text), words.data(), end);
 }
 
-// Below the card or above it: where it hides less of the others.
-ImVec2 beside_card(const Pen& pen, const Layout& layout, const NodeShape& shape, ImVec2 note) {
-    const auto hidden = [&](ImVec2 at) {
+// Below the card or above it: where it hides less, once it has been moved into the area.
+ImVec2 beside_card(const Pen& pen, const Layout& layout, const NodeShape& shape, ImVec2 note, Rect area) {
+    const auto hidden = [&](ImVec2 wanted) {
+        const ImVec2 at = kept_inside(pen.ui, wanted, note, area);
         return std::count_if(layout.nodes.begin(), layout.nodes.end(), [&](const NodeShape& other) {
             const ImVec2 low = pen.at(other.centre - other.size / 2), high = pen.at(other.centre + other.size / 2);
-            return other.id != shape.id && low.x < at.x + note.x && high.x > at.x && low.y < at.y + note.y &&
-                   high.y > at.y;
+            return low.x < at.x + note.x && high.x > at.x && low.y < at.y + note.y && high.y > at.y;
         });
     };
     const ImVec2 below = pen.at(shape.centre + vec2{-shape.size.x / 2, shape.size.y / 2 + 14});
@@ -77,7 +86,7 @@ void draw_sum(const Pen& pen, const CanvasPicture& picture, Rect area) {
         picture.graph, shape->id, [&](NodeId id) { return node_value(now, picture.vehicle, id); },
         [&](const Wire& wire) { return learned_now(picture, wire); });
     if (sum.empty()) return;
-    const ImVec2 at = beside_card(pen, picture.layout, *shape, note_size(pen.ui, sum));
+    const ImVec2 at = beside_card(pen, picture.layout, *shape, note_size(pen.ui, sum), area);
     draw_note(pen, at, sum, area, pen.palette().second_text);
 }
 
@@ -137,6 +146,20 @@ void draw_joining(const Pen& pen, const CanvasPicture& picture, const CanvasFram
               frame.area, pen.palette().accent);
 }
 
+// What a sensor senses or which motor it is, where its card is too small to say so and the pointer has rested on it.
+void draw_what_it_is(const Pen& pen, const CanvasPicture& picture, const CanvasFrame& frame) {
+    constexpr double rest = 0.35;  // s
+    const CanvasState& state = picture.state;
+    const bool rests = frame.wall_seconds - state.rested_since >= rest;
+    if (!rests || state.hovered.part != Part::node || detail_of(pen) == Detail::full) return;
+    const Node* node = find_node(picture.graph, state.hovered.node);
+    if (node == nullptr || node->kind == NodeKind::neuron) return;
+    const std::string_view words = pen.ui.strings(node_words(*picture.view.now, picture.vehicle, *node));
+    draw_note(pen, beside(pen, frame.pointer.at), node->name + ": " + std::string(words), frame.area,
+              pen.palette().second_text);
+    pen.ui.anchors.record("says." + node->name, {frame.pointer.at.x, frame.pointer.at.y, 1, 1});
+}
+
 // The wire that would take the moved neuron in.
 void draw_insertion(const Pen& pen, const CanvasPicture& picture, const CanvasFrame& frame) {
     const auto into = insertion_of(picture.state, frame);
@@ -171,6 +194,7 @@ void draw_cursor(const Pen& pen, const CanvasPicture& picture, const CanvasFrame
     const CanvasState& state = picture.state;
     const CanvasPhase phase = state.drag.phase;
     if (!state.menu.open() && phase == CanvasPhase::idle && !state.joining) draw_sum(pen, picture, frame.area);
+    if (!state.menu.open() && phase == CanvasPhase::idle && !state.joining) draw_what_it_is(pen, picture, frame);
     if (phase == CanvasPhase::drag_wire) draw_dragged_wire(pen, picture, frame);
     if (phase == CanvasPhase::box) draw_box(pen, state.drag.press, frame.pointer.at);
     if (phase == CanvasPhase::move_nodes) draw_insertion(pen, picture, frame);

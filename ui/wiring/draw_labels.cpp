@@ -27,7 +27,9 @@ void draw_label(const Pen& pen, const CanvasPicture& picture, std::size_t index)
     const bool cut = wire != nullptr && wire->cut, selected = picture.state.selection.wires.count(shape.ends) > 0;
     const Hit& over = picture.state.hovered;
     const bool hovered = (over.part == Part::wire || over.part == Part::label) && over.wire == shape.ends;
-    const vec2 extent = shape.label_size, at = shape.label;
+    const bool sketch = detail_of(pen) != Detail::full;  // letters larger there, or they cannot be read
+    const float letters = sketch ? 20 : 17, grow = std::max(1.0f, pen.ui.px(least_type) / pen.size(letters));
+    const vec2 extent = shape.label_size * grow, at = shape.label;
     const float value = wire == nullptr ? 0 : wire->weight;
     if (!shape.ghost) pen.halo(at + vec2{0, 1}, extent, extent.y / 2, 4, p.shadow.with_alpha(p.shadow.a * 0.3f));
     pen.box(at, extent, extent.y / 2, shape.ghost || cut ? p.panel : p.raised);
@@ -37,12 +39,11 @@ void draw_label(const Pen& pen, const CanvasPicture& picture, std::size_t index)
     if (cut) draw_cut(pen, at + vec2{extent.x / 2, 0}, extent.y * 0.42f);
     const std::string weight = shape.ghost ? fixed(0, 2) : with_sign(value, 2);
     const Colour ink = shape.ghost || cut ? p.second_text : p.text;
-    const bool sketch = detail_of(pen) != Detail::full;  // larger there, or it cannot be read
-    if (!shape.direct) return pen.text(at, sketch ? 23 : 18, 0.5f, weight, ink);
-    const float pad = sketch ? 9 : 13;
-    pen.text(at - vec2{extent.x / 2 - pad, 0}, sketch ? 20 : 17, 0, name_of(picture.graph, picture.layout, shape),
-             p.second_text, Face::strong);
-    pen.text(at + vec2{extent.x / 2 - pad, 0}, sketch ? 22 : 19, 1, weight, ink);
+    if (!shape.direct) return pen.text(at, letters + 2, 0.5f, weight, ink);
+    const float pad = (sketch ? 9.0f : 13.0f) * grow;
+    pen.text(at - vec2{extent.x / 2 - pad, 0}, letters, 0, name_of(picture.graph, picture.layout, shape), p.second_text,
+             Face::strong);
+    pen.text(at + vec2{extent.x / 2 - pad, 0}, letters + 2, 1, weight, ink);
 }
 
 bool is_marked(const CanvasPicture& picture, const WireShape& shape) {

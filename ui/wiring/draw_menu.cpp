@@ -28,7 +28,9 @@ std::string key_of(const Ui& ui, const MenuRow& row) {
 bool has_signs(const CanvasMenu& menu) { return menu.rows.front().command == MenuCommand::add; }
 
 float width_of(const Ui& ui, const CanvasMenu& menu) {
-    float widest = 0;
+    float widest = std::max(text_width(ui, Face::strong, ui.strings.find(menu.heading, "")),
+                            text_width(ui, Face::small, ui.strings.find(menu.note, ""))) -
+                   ui.px(has_signs(menu) ? sign_room : 0);
     for (const MenuRow& row : menu.rows) {
         const std::string key = key_of(ui, row);
         float width = text_width(ui, Face::text, ui.strings(row.words));
@@ -64,6 +66,14 @@ void draw_row(const Pen& pen, const CanvasMenu& menu, std::size_t index) {
     ui.anchors.record("menu." + std::string(words.substr(words.rfind('.') + 1)), r);
 }
 
+void draw_head(const Ui& ui, const CanvasMenu& menu) {
+    const float x = menu.rect.x + ui.px(side), y = menu.rect.y + ui.px(9);
+    if (!menu.heading.empty()) put(ui, {x, y}, ui.strings(menu.heading), ui.palette.text, Face::strong);
+    if (!menu.note.empty())
+        put(ui, {x, y + line_height(ui, Face::strong) + ui.px(2)}, ui.strings(menu.note), ui.palette.second_text,
+            Face::small);
+}
+
 }  // namespace
 
 void draw_menu(const Pen& pen, CanvasMenu& menu, Rect area) {
@@ -79,12 +89,13 @@ void draw_menu(const Pen& pen, CanvasMenu& menu, Rect area) {
     }
     fill_box(ui, r, mix(p.panel, p.raised, 0.5f), 8);
     line_box(ui, r, p.line, 8);
+    draw_head(ui, menu);
     for (std::size_t i = 0; i < menu.rows.size(); ++i) draw_row(pen, menu, i);
     ui.anchors.record("menu", r);
 }
 
 void draw_minimap(const Pen& pen, const CanvasPicture& picture, Rect area) {
-    const auto map = minimap_of(picture.layout, area, pen.ui.scale);
+    const auto map = minimap_of(picture.layout, pen.view, area, pen.ui.scale);
     if (!map) return;
     const Palette& p = pen.palette();
     const Rect& r = map->rect;

@@ -34,8 +34,12 @@ void turn_wheel(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     if (then != now) ask_weight(frame, frame.graph, state.wheel_wire, then, state.wheel_gesture, outbox);
 }
 
-bool on_minimap(const CanvasFrame& frame) {
-    const auto map = minimap_of(frame.layout, frame.area, frame.ui_scale);
+std::optional<Minimap> minimap_of(const CanvasState& state, const CanvasFrame& frame) {
+    return minimap_of(frame.layout, view_of(state, frame), frame.area, frame.ui_scale);
+}
+
+bool on_minimap(const CanvasState& state, const CanvasFrame& frame) {
+    const auto map = minimap_of(state, frame);
     return map && map->rect.contains(frame.pointer.at.x, frame.pointer.at.y);
 }
 
@@ -44,7 +48,7 @@ void press(CanvasState& state, const CanvasFrame& frame) {
     if (!pointer.over || (!pointer.left_pressed && !pointer.right_pressed && !pointer.middle_pressed)) return;
     CanvasDrag& drag = state.drag;
     drag = {};
-    drag.phase = pointer.left_pressed && on_minimap(frame) ? CanvasPhase::map : CanvasPhase::pending;
+    drag.phase = pointer.left_pressed && on_minimap(state, frame) ? CanvasPhase::map : CanvasPhase::pending;
     drag.left = pointer.left_pressed;
     drag.right = !pointer.left_pressed && pointer.right_pressed;
     drag.pressed = state.hovered;
@@ -138,7 +142,7 @@ void move_along(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
         state.middle -= moved / scale;
         state.own_view = true;
     } else if (drag.phase == CanvasPhase::map) {
-        const auto map = minimap_of(frame.layout, frame.area, frame.ui_scale);
+        const auto map = minimap_of(state, frame);
         if (map) state.middle = map->view.to_canvas(frame.pointer.at), state.own_view = true;
     } else if (drag.phase == CanvasPhase::box) {
         select_box(state, frame);
@@ -197,7 +201,7 @@ void interact(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     // A box and a panned canvas go over things, not at them.
     const bool sweeps =
         drag.phase == CanvasPhase::box || drag.phase == CanvasPhase::pan || drag.phase == CanvasPhase::map;
-    if (frame.pointer.over && frame.pointer.valid && !sweeps && !on_minimap(frame))
+    if (frame.pointer.over && frame.pointer.valid && !sweeps && !on_minimap(state, frame))
         state.hovered = hit(frame.layout, view_of(state, frame), frame.pointer.at, frame.ui_scale);
     if (drag.phase == CanvasPhase::idle) {
         turn_wheel(state, frame, outbox);

@@ -33,7 +33,7 @@ View view_of(const CanvasState&, Rect area, float ui_scale);
 // Multiplies the zoom (kept within its range) so that the canvas point under the pixel stays there.
 void zoom_at(CanvasState&, Rect area, float ui_scale, maths::vec2 pixel, float factor);
 
-// Brings all nodes into the area, below its buttons, never larger than 1.4 times.
+// Brings all nodes into the area, below its buttons or beside them, never larger than 1.4 times.
 void fit(CanvasState&, const Layout&, Rect area, float ui_scale);
 
 // Moves the view by as little as brings the canvas point into the area, clear of its rim.

@@ -12,8 +12,6 @@ using maths::vec2;
 
 constexpr float arrival_gap = 18;  // between wires that arrive at one pin
 
-vec2 size_of(NodeKind kind) { return kind == NodeKind::neuron ? vec2{150, 80} : vec2{204, 100}; }
-
 vec2 lower(vec2 a, vec2 b) { return {std::min(a.x, b.x), std::min(a.y, b.y)}; }
 vec2 upper(vec2 a, vec2 b) { return {std::max(a.x, b.x), std::max(a.y, b.y)}; }
 
@@ -37,7 +35,7 @@ void place_nodes(Layout& layout, const BrainGraph& graph, const Places& held) {
     for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
         const Node& node = graph.nodes[i];
         NodeShape shape;
-        shape.id = node.id, shape.kind = node.kind, shape.size = size_of(node.kind), shape.node = i;
+        shape.id = node.id, shape.kind = node.kind, shape.size = card_size(node.kind), shape.node = i;
         const auto own = own_place(node, held);
         shape.centre = own ? *own : arranged.at(node.id);
         shape.has_in = node.kind != NodeKind::sensor;
@@ -160,6 +158,28 @@ const Layout& KeptLayout::of(const std::shared_ptr<const BrainGraph>& graph, con
 vec2 on_canvas(vec2 place) {
     return {std::clamp(std::round(place.x), -limits::place, limits::place),
             std::clamp(std::round(place.y), -limits::place, limits::place)};
+}
+
+vec2 card_size(NodeKind kind) { return kind == NodeKind::neuron ? vec2{150, 80} : vec2{204, 100}; }
+
+vec2 free_place(const Layout& layout, vec2 wanted, vec2 size) {
+    Occupied taken;
+    for (const NodeShape& node : layout.nodes) taken.add(node.centre, node.size);
+    for (const WireShape& wire : layout.wires) taken.add(wire.label, wire.label_size);
+    constexpr float step = 28;  // between tries
+    constexpr int rings = 40;
+    for (int ring = 0; ring <= rings; ++ring) {
+        std::optional<vec2> best;
+        for (int x = -ring; x <= ring; ++x)
+            for (int y = -ring; y <= ring; ++y) {
+                if (std::max(std::abs(x), std::abs(y)) != ring) continue;
+                const vec2 at = wanted + vec2{static_cast<float>(x), static_cast<float>(y)} * step;
+                const bool nearer = !best || maths::distance(at, wanted) < maths::distance(*best, wanted);
+                if (nearer && !taken.touches(at, size)) best = at;
+            }
+        if (best) return *best;
+    }
+    return wanted;
 }
 
 BrainGraph in_place(BrainGraph edited, const Layout& shown) {

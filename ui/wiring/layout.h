@@ -58,6 +58,11 @@ BrainGraph in_place(BrainGraph edited, const Layout& shown);
 // The nearest place that a node can have: whole units, which keep files short.
 maths::vec2 on_canvas(maths::vec2 place);
 
+// The place nearest to the wanted one where a box of this size covers no card and no label.
+maths::vec2 free_place(const Layout&, maths::vec2 wanted, maths::vec2 size);
+
+maths::vec2 card_size(NodeKind);
+
 // A layout that is made anew only when the graph or what is held has changed.
 class KeptLayout {
 public:

@@ -1,6 +1,7 @@
 #include "ui/wiring/make.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ui/wiring/actions.h"
@@ -13,11 +14,23 @@ namespace {
 
 View view_of(const CanvasState& state, const CanvasFrame& frame) { return view_of(state, frame.area, frame.ui_scale); }
 
-void paste_at(CanvasState& state, const CanvasFrame& frame, const BrainPiece& piece, vec2 middle, Outbox& outbox) {
+// Room for the piece and a little around it.
+vec2 room_of(const BrainPiece& piece) {
+    constexpr float clear = 10;
+    vec2 reach;
+    for (const vec2 place : piece.places)
+        reach = {std::max(reach.x, std::abs(place.x)), std::max(reach.y, std::abs(place.y))};
+    return reach * 2 + card_size(NodeKind::neuron) + vec2{2 * clear, 2 * clear};
+}
+
+// Near the wanted place, where it covers nothing.
+void paste_at(CanvasState& state, const CanvasFrame& frame, const BrainPiece& piece, vec2 wanted, Outbox& outbox) {
+    const vec2 middle = free_place(frame.layout, wanted, room_of(piece));
     const Pasted pasted = paste(frame.graph, piece, middle);
     if (!pasted.edit) return refuse(state, frame, pasted.edit.refused);
     state.selection = {pasted.nodes, {}};
-    reveal(state, frame.area, frame.ui_scale, middle);
+    const vec2 pixel = view_of(state, frame).to_window(middle);
+    if (!frame.area.contains(pixel.x, pixel.y)) reveal(state, frame.area, frame.ui_scale, middle);
     ask(state, frame, pasted.edit, state.next_gesture++, outbox);
 }
 
@@ -50,7 +63,6 @@ bool copy_selected(CanvasState& state, const CanvasFrame& frame) {
         return false;
     }
     state.clipboard = std::move(piece);
-    state.pastes = 0;
     return true;
 }
 
@@ -58,8 +70,7 @@ bool copy_selected(CanvasState& state, const CanvasFrame& frame) {
 void paste_copied(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     const Pointer& pointer = frame.pointer;
     const vec2 place = pointer.valid && pointer.over ? view_of(state, frame).to_canvas(pointer.at) : state.middle;
-    const auto further = static_cast<float>(state.pastes++);
-    paste_at(state, frame, state.clipboard, place + vec2{28, 28} * further, outbox);
+    paste_at(state, frame, state.clipboard, place, outbox);
 }
 
 void duplicate(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {

@@ -5,7 +5,7 @@
 namespace braitenlab {
 namespace {
 
-constexpr float row_height = 28, padding = 6, group_gap = 9;  // layout pixels
+constexpr float row_height = 28, padding = 6, group_gap = 9, heading_height = 26, note_height = 20;  // layout pixels
 
 void add_kinds(std::vector<MenuRow>& rows) {
     for (std::size_t kind = 0; kind < neuron_kind_count; ++kind)
@@ -83,10 +83,20 @@ std::vector<MenuRow> drop_rows() {
     return rows;
 }
 
+void head_menu(CanvasMenu& menu) {
+    if (menu.rows.empty() || menu.rows.front().command != MenuCommand::add) return;
+    menu.heading = "wiring.add_neuron";
+    if (menu.loose.part == Part::nothing) menu.note = "wiring.add_how";
+}
+
+float head_height(const CanvasMenu& menu) {
+    return ((menu.heading.empty() ? 0 : heading_height) + (menu.note.empty() ? 0 : note_height)) * menu.ui_scale;
+}
+
 void place_menu(CanvasMenu& menu, Rect area, float ui_scale, float widest) {
-    float height = 2 * padding * ui_scale;
-    for (const MenuRow& row : menu.rows) height += (row_height + (row.begins_group ? group_gap : 0)) * ui_scale;
     menu.ui_scale = ui_scale;
+    float height = 2 * padding * ui_scale + head_height(menu);
+    for (const MenuRow& row : menu.rows) height += (row_height + (row.begins_group ? group_gap : 0)) * ui_scale;
     const float room = 4 * ui_scale;
     const auto within = [room](float at, float size, float low, float extent) {
         return std::clamp(at, low + room, std::max(low + room, low + extent - size - room));
@@ -95,7 +105,7 @@ void place_menu(CanvasMenu& menu, Rect area, float ui_scale, float widest) {
 }
 
 Rect row_rect(const CanvasMenu& menu, std::size_t wanted) {
-    float y = menu.rect.y + padding * menu.ui_scale;
+    float y = menu.rect.y + padding * menu.ui_scale + head_height(menu);
     for (std::size_t i = 0; i < menu.rows.size(); ++i) {
         if (menu.rows[i].begins_group) y += group_gap * menu.ui_scale;
         if (i == wanted) break;

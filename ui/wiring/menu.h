@@ -42,12 +42,13 @@ struct MenuRow {
 };
 
 struct CanvasMenu {
-    std::vector<MenuRow> rows;  // none: it is closed
-    int current = -1;           // the row that the mouse or the arrow keys stand at; −1: none
-    maths::vec2 at;             // where it was asked for, window pixels
-    maths::vec2 place;          // the same in canvas units: what is made comes to stand there
-    Hit loose;                  // the pin that a dropped wire comes from; nothing: no wire is waiting
-    Rect rect;                  // where it stands, window pixels; set by place_menu()
+    std::vector<MenuRow> rows;       // none: it is closed
+    std::string_view heading, note;  // string keys of what stands above them; empty for nothing
+    int current = -1;                // the row that the mouse or the arrow keys stand at; −1: none
+    maths::vec2 at;                  // where it was asked for, window pixels
+    maths::vec2 place;               // the same in canvas units: what is made comes to stand there
+    Hit loose;                       // the pin that a dropped wire comes from; nothing: no wire is waiting
+    Rect rect;                       // where it stands, window pixels; set by place_menu()
     float ui_scale = 1;
     bool open() const { return !rows.empty(); }
 };
@@ -57,6 +58,12 @@ std::vector<MenuRow> menu_rows(const BrainGraph&, const Caught& selection, bool 
 
 // The kinds of neuron that a dropped wire can end at.
 std::vector<MenuRow> drop_rows();
+
+// What the rows are about, where they do not say so themselves: what is chosen from them is added.
+void head_menu(CanvasMenu&);
+
+// How high heading and note stand together, window pixels.
+float head_height(const CanvasMenu&);
 
 // Gives the menu its place: as wide as its widest words (window pixels), within the area.
 void place_menu(CanvasMenu&, Rect area, float ui_scale, float widest);

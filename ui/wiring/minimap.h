@@ -15,7 +15,8 @@ struct Minimap {
     View view;  // how the canvas lies in it
 };
 
-// In the lower right corner of the area; nothing for a brain of fewer nodes, or where there is no room.
-std::optional<Minimap> minimap_of(const Layout&, Rect area, float ui_scale);
+// In the lower right corner of the area; nothing for a brain of fewer nodes, where there is no room, and while the view
+// shows every card whole: the picture would only hide some of them.
+std::optional<Minimap> minimap_of(const Layout&, const View&, Rect area, float ui_scale);
 
 }  // namespace braitenlab

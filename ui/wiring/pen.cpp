@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "core/maths/portable.h"
 #include "ui/imgui_compat.h"
@@ -35,23 +36,44 @@ Type type_for(const Ui& ui, Face face, float pixels) {
     return {font(ui, Face::title), pixels};
 }
 
+// As many of the characters as fit, and "…" for the rest.
+template <class Fits>
+std::string fitted(std::string_view words, Fits fits) {
+    std::string text(words);
+    while (!fits(text) && !words.empty()) {
+        bool inside = true;  // a character of several bytes goes as a whole
+        while (inside && !words.empty()) {
+            inside = (static_cast<unsigned char>(words.back()) & 0xC0U) == 0x80U;
+            words.remove_suffix(1);
+        }
+        text = std::string(words) + "…";
+    }
+    return text;
+}
+
 }  // namespace
 
 void Pen::text(vec2 unit, float height, float anchor, std::string_view words, Colour colour, Face face,
                float room) const {
-    constexpr float least = 6;  // layout pixels
-    if (words.empty() || size(height) < ui.px(least)) return;
-    Type type = type_for(ui, face, size(height));
-    const char* end = words.data() + words.size();
-    float width = type.font->CalcTextSizeA(type.pixels, 1e9f, 0, words.data(), end).x;
+    if (words.empty() || size(height) < ui.px(too_small)) return;
+    const float least = ui.px(least_type);
+    Type type = type_for(ui, face, std::max(size(height), least));
+    const auto width_of = [&](std::string_view part) {
+        return type.font->CalcTextSizeA(type.pixels, 1e9f, 0, part.data(), part.data() + part.size()).x;
+    };
+    float width = width_of(words);
+    std::string shortened;
     if (room > 0 && width > size(room)) {
-        type.pixels *= size(room) / width;
-        width = size(room);
+        const float fitting = type.pixels * size(room) / width;
+        if (fitting < least && face == Face::small) return;  // a caption that cannot be read only dirties the card
+        type.pixels = std::max(fitting, ui.px(least_name));
+        shortened = fitted(words, [&](std::string_view part) { return width_of(part) <= size(room) + 1; });
+        words = shortened;
+        width = width_of(words);
     }
-    if (type.pixels < ui.px(least)) return;
     const ImVec2 p = at(unit);
     list.AddText(type.font, type.pixels, {std::round(p.x - width * anchor), std::round(p.y - type.pixels / 2)},
-                 paint(colour), words.data(), end);
+                 paint(colour), words.data(), words.data() + words.size());
 }
 
 void Pen::box(vec2 centre, vec2 extent, float rounding, Colour colour) const {

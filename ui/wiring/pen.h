@@ -10,6 +10,8 @@
 
 namespace braitenlab {
 
+inline constexpr float least_type = 11, least_name = 8, too_small = 6;  // layout pixels
+
 struct Pen {
     ImDrawList& list;
     const Ui& ui;
@@ -24,8 +26,10 @@ struct Pen {
     // A line's thickness: `units`, but never so thin that it vanishes.
     float stroke(float units) const;
 
-    // Words about `height` units tall whose point `anchor` (0..1 of their width, middle of their height) lies at
-    // `unit`; smaller where they would be wider than `room` units (0: any width), left out when too small to be read.
+    // Words about `height` units tall, but never smaller than can be read, whose point `anchor` (0..1 of their width,
+    // middle of their height) lies at `unit`. Where they would be wider than `room` units (0: any width) they are
+    // smaller, then cut short (down to least_name), or left out if they are a caption (Face::small). Left out, too,
+    // where they were to be tiny.
     void text(maths::vec2 unit, float height, float anchor, std::string_view, Colour, Face = Face::text,
               float room = 0) const;
 

@@ -9,11 +9,12 @@
 namespace braitenlab {
 namespace {
 
-constexpr float column_gap = 256, row_gap = 132;  // between centres
-constexpr float outer_room = 36;                  // more beside the sensors and the motors, whose cards are wider
-constexpr float direct_gap = 520;                 // from sensors to motors when nothing stands between them
-constexpr float direct_spread = 300;              // from the left eye to the right one, at least
-constexpr std::size_t rows_at_least = 6;          // a longer column is broken into several
+constexpr float column_gap = 256, row_gap = 132, outer_row_gap = 116;  // between centres
+constexpr float outer_room = 36;          // more beside the sensors and the motors, whose cards are wider
+constexpr float direct_gap = 520;         // from sensors to motors when nothing stands between them
+constexpr float direct_spread = 300;      // from the left eye to the right one, at least
+constexpr float slope = 1.3f;             // from sensors to motors at least, for every unit from the first to the last
+constexpr std::size_t rows_at_least = 6;  // a longer column is broken into several
 
 // As many rows as make many columns about as wide as high.
 std::size_t rows_at_most(std::size_t neurons) {
@@ -120,10 +121,12 @@ Places tidy(const BrainGraph& graph) {
 
     std::size_t rows = 0;
     for (const auto& column : columns) rows = std::max(rows, column.size());
-    const auto height_of = [](std::size_t count) { return static_cast<float>(count > 0 ? count - 1 : 0) * row_gap; };
+    const auto height_of = [](std::size_t count, float gap = row_gap) {
+        return static_cast<float>(count > 0 ? count - 1 : 0) * gap;
+    };
     // The outer columns reach beyond the inner ones, so that the direct wires LL and RR run past the hidden neurons.
     const float outer = std::max({direct_spread, rows > 0 ? height_of(rows) + 1.5f * row_gap : 0,
-                                  height_of(sensors.size()), height_of(motors.size())});
+                                  height_of(sensors.size(), outer_row_gap), height_of(motors.size(), outer_row_gap)});
     Placed placed(graph.nodes.size());
     place_column(placed, sensors, 0, outer);
     float x = 0;
@@ -133,7 +136,7 @@ Places tidy(const BrainGraph& graph) {
         place_column(placed, column, x, height_of(column.size()));
     }
     // A tall column stands far from the motors, or its wires are so steep that they and their labels crowd.
-    place_column(placed, motors, std::max({x + column_gap + outer_room, direct_gap, outer}), outer);
+    place_column(placed, motors, std::max({x + column_gap + outer_room, direct_gap, outer * slope}), outer);
     Places places;
     for (Index i = 0; i < placed.size(); ++i) places[graph.nodes[i].id] = *placed[i];
     return places;

@@ -19,15 +19,30 @@ void zoom_at(CanvasState& state, Rect area, float ui_scale, vec2 pixel, float fa
     state.own_view = true;
 }
 
+namespace {
+
+constexpr float side = 28, bottom = 24, top = 56, buttons = 212;  // layout pixels; the buttons' height and width
+
+float zoom_in(vec2 room, vec2 size, float ui_scale) {
+    const float zoom = std::min(std::max(room.x, 1.0f) / size.x, std::max(room.y, 1.0f) / size.y) / ui_scale;
+    return std::clamp(zoom, least_zoom, 1.4f);
+}
+
+}  // namespace
+
 void fit(CanvasState& state, const Layout& layout, Rect area, float ui_scale) {
-    const float side = 28 * ui_scale, top = 56 * ui_scale, bottom = 24 * ui_scale;  // above stand the buttons
     const vec2 size = layout.high - layout.low;
-    const vec2 room{std::max(area.w - 2 * side, 1.0f), std::max(area.h - top - bottom, 1.0f)};
-    state.zoom = std::clamp(std::min(room.x / size.x, room.y / size.y) / ui_scale, least_zoom, 1.4f);
+    const float below = zoom_in({area.w - 2 * side * ui_scale, area.h - (top + bottom) * ui_scale}, size, ui_scale);
+    const float beside =
+        zoom_in({area.w - (side + buttons) * ui_scale, area.h - 2 * bottom * ui_scale}, size, ui_scale);
+    const bool stands_beside = beside > 1.1f * below;  // in a low room the buttons would cost half of it
+    state.zoom = stands_beside ? beside : below;
     state.middle = (layout.low + layout.high) / 2;
-    const float scale = view_of(state, area, ui_scale).scale, above = (area.h - size.y * scale) / 2;
-    if (above < top) state.middle.y -= (top - above) / scale;
     state.own_view = false;
+    const float scale = view_of(state, area, ui_scale).scale;
+    const float above = (area.h - size.y * scale) / 2, right = (area.w - size.x * scale) / 2;
+    if (stands_beside && right < buttons * ui_scale) state.middle.x += (buttons * ui_scale - right) / scale;
+    if (!stands_beside && above < top * ui_scale) state.middle.y -= (top * ui_scale - above) / scale;
 }
 
 void reveal(CanvasState& state, Rect area, float ui_scale, vec2 point) {
