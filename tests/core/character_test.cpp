@@ -37,7 +37,9 @@ TEST(CharacterOf, TakesWhatStandsAloneAsItReadsAndLeavesPairsOut) {
     const Snapshot now = tortoise(0.75f);
     const auto readings = readings_beside_eyes(now, now.vehicles[0]);
     EXPECT_NE(std::find(readings.begin(), readings.end(), Reading{"EN", 0.75f}), readings.end());
-    for (const Reading& reading : readings) EXPECT_NE(reading.sensor.back(), 'L') << reading.sensor;
+    const auto pairs = {"SL", "SR", "QL", "QR"};
+    for (const Reading& reading : readings)
+        EXPECT_EQ(std::find(pairs.begin(), pairs.end(), reading.sensor), pairs.end()) << reading.sensor;
     EXPECT_TRUE(readings_beside_eyes(look(make(shipped("2a-coward"))), VehicleView{}).empty());
 }
 

@@ -40,7 +40,9 @@ TEST(Graft, GivesTheEyesTheirNewWiresAndLeavesTheFeelersTheirs) {
     EXPECT_FLOAT_EQ(between(made, "QR", "N1"), 0.7f);
     EXPECT_FLOAT_EQ(between(made, "N1", "ML"), -0.6f);
     EXPECT_EQ(find_node(made, std::string("N2")), nullptr) << "an eye's neuron goes with its wires";
-    EXPECT_EQ(kept_by_graft(with_feelers(), coward), (std::vector<std::string>{"QL", "QR"}));
+    BrainGraph more = with_feelers();
+    more.nodes.push_back({.id = 8, .kind = NodeKind::sensor, .name = "EN"});
+    EXPECT_EQ(kept_by_graft(more, coward), (std::vector<std::string>{"QL", "QR"})) << "one without wires is none";
 }
 
 TEST(Graft, IsThePresetWhereThereIsNothingToKeepAndChangesNothingTheSecondTime) {

@@ -163,6 +163,11 @@ TEST(Lesions, FollowTheKeyLInTheSceneToTheEyeOrWheelUnderIt) {
     ASSERT_TRUE(find_node(wheel, "MR"));
     EXPECT_TRUE(find_node(wheel, "MR")->silenced);
     EXPECT_TRUE(over(4, 4).nodes.empty()) << "the bare floor cannot be hurt";
+    desk.now.vehicles[0].heading = 1.5707964f;  // now it looks along y
+    desk.frame(2);
+    const BrainGraph turned = over(-0.24f, 0.3f);
+    ASSERT_TRUE(find_node(turned, "SL"));
+    EXPECT_TRUE(find_node(turned, "SL")->silenced);
 }
 
 TEST(Lesions, HealAllAtOnce) {

@@ -132,6 +132,7 @@ TEST(MotorSums, ShowWhatThresholdAndCurveLetThrough) {
     EXPECT_FLOAT_EQ(sums[0].products[0].value, 0.6f * 1.5f);
     EXPECT_EQ(sums[1].products[0].input, 0);
     EXPECT_TRUE(sums[1].products[0].masked);
+    EXPECT_FALSE(sums[0].products[0].masked || sums[0].products[1].masked || sums[1].products[1].masked);
     EXPECT_FALSE(sums[0].more_wires) << "a bent wire is no further wire";
 }
 
@@ -142,6 +143,11 @@ TEST(MotorSums, SayWhereTheWheelCanDoNoMore) {
     const auto sums = motor_sums(now, now.vehicles[0]);
     EXPECT_TRUE(sums[0].limited) << "0.4·2 + 0.3";
     EXPECT_FALSE(sums[1].limited);
+    now.brains[0] = std::make_shared<BrainGraph>(make_graph({.LL = -2, .RR = -2, .LM = -0.3f, .RM = -0.3f}));
+    now.vehicles[0].motor = {-1, -0.7f};
+    const auto backwards = motor_sums(now, now.vehicles[0]);
+    EXPECT_TRUE(backwards[0].limited);
+    EXPECT_FALSE(backwards[1].limited);
 }
 
 TEST(MotorSums, NameTheLargestPushAsTheCause) {

@@ -138,6 +138,31 @@ TEST_F(Wiring, EscInMidDragChangesNothingAndStaysInTheEditor) {
     EXPECT_EQ(lab.state()["mode"], "wiring");
 }
 
+TEST_F(Wiring, ADraggedNodeStandsThereUndoesInOneStepAndLeavesTheFutureAlone) {
+    lab.key("Escape");
+    lab.key("comma");  // a step back, so that something lies ahead
+    ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] < lab.state()["latest"]; }));
+    const auto latest = lab.state()["latest"];
+    lab.key("w");
+    ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("node.MR"); }));
+    LabWindow::wait(0.3);
+    const Point before = lab.at("node.MR"), after{before.x - 60, before.y + 20};
+    const auto stands_at = [&](Point place) {
+        return wait_for([&] {
+            const Point now = lab.at("node.MR");
+            return std::abs(now.x - place.x) < 3 && std::abs(now.y - place.y) < 3;
+        });
+    };
+    lab.drag(before, after);
+    EXPECT_TRUE(stands_at(after));
+    EXPECT_TRUE(wait_for([&] { return lab.state()["undo_depth"] == 1; }));
+    EXPECT_EQ(lab.state()["latest"], latest);
+    lab.key("ctrl+z");
+    EXPECT_TRUE(stands_at(before));
+    lab.key("ctrl+y");
+    EXPECT_TRUE(stands_at(after));
+}
+
 TEST_F(Wiring, SpaceLeavesItAndPlays) {
     lab.key("space");
     EXPECT_TRUE(wait_for([&] { return lab.state()["mode"] == "playing"; }));
