@@ -100,7 +100,8 @@ void show_nothing(Inspected& in) {
         counted(in, wires, "inspector.one_wire", "inspector.wires");
     paragraph(in.ui, in.words("inspector.nothing"), in.ui.palette.text, Face::text);
     paragraph(in.ui, counts, in.ui.palette.second_text, Face::small);
-    paragraph(in.ui, in.words("inspector.keys"), in.ui.palette.second_text, Face::small);
+    const bool room = ImGui::GetContentRegionAvail().y >= line_height(in.ui, Face::small);  // large type has none
+    if (room) paragraph(in.ui, in.words("inspector.keys"), in.ui.palette.second_text, Face::small);
 }
 
 void show(Inspected& in) {
