@@ -40,6 +40,9 @@ TEST(Graft, GivesTheEyesTheirNewWiresAndLeavesTheFeelersTheirs) {
     EXPECT_FLOAT_EQ(between(made, "QR", "N1"), 0.7f);
     EXPECT_FLOAT_EQ(between(made, "N1", "ML"), -0.6f);
     EXPECT_EQ(find_node(made, std::string("N2")), nullptr) << "an eye's neuron goes with its wires";
+    BrainGraph both = with_feelers();  // N2 hears a feeler too
+    both.wires.push_back({.from = 4, .to = 7, .weight = 1});
+    EXPECT_EQ(find_node(graft(both, coward), std::string("N2")), nullptr) << "what an eye feeds besides goes, too";
     BrainGraph more = with_feelers();
     more.nodes.push_back({.id = 8, .kind = NodeKind::sensor, .name = "EN"});
     EXPECT_EQ(kept_by_graft(more, coward), (std::vector<std::string>{"QL", "QR"})) << "one without wires is none";
@@ -71,7 +74,7 @@ TEST(Graft, GivesANameThatIsTakenAnother) {
     BrainGraph preset = make_graph({.LL = 1});
     preset.nodes.push_back({.id = 4, .kind = NodeKind::neuron, .name = "N1"});
     const BrainGraph made = graft(with_feelers(), preset);
-    EXPECT_TRUE(find_node(made, std::string("N1-2")));
+    ASSERT_TRUE(find_node(made, std::string("N1-2")));
     EXPECT_FLOAT_EQ(between(made, "QR", "N1-2"), 0.7f);
 }
 

@@ -65,7 +65,8 @@ std::set<std::string> composed() {
     for (int i = 0; i <= static_cast<int>(Character::mixed); ++i)
         for (const char* stem : {"character.", "character_story."})
             keys.insert(stem + std::string(name(static_cast<Character>(i))));
-    for (const auto& channel : channel_words) keys.insert("view.channel." + std::string(channel.word));
+    for (const auto& channel : channel_words)
+        for (const char* stem : {"view.channel.", "wiring.senses."}) keys.insert(stem + std::string(channel.word));
     for (const auto& driver : driver_words) {
         if (driver.value == Driver::brain) continue;
         keys.insert("driver." + std::string(driver.word));

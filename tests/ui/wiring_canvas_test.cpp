@@ -249,7 +249,9 @@ TEST_F(WiringCanvas, FitsAgainInAnotherWindow) {
     area.w = 700;
     ImGui::GetIO().DisplaySize = {800, 700};
     frames(2);
-    EXPECT_LT(anchors.find("node.MR")->x, 720);
+    const Rect motor = *anchors.find("node.MR"), eye = *anchors.find("node.SL");
+    EXPECT_LE(motor.x + motor.w, area.x + area.w);
+    EXPECT_GE(eye.x, area.x);
 }
 
 TEST_F(WiringCanvas, ANeuronThatWasAddedIsSelected) {
