@@ -16,7 +16,7 @@ namespace braitenlab {
 namespace {
 
 constexpr float plot_side = 104, kind_width = 44, kind_height = 30, space = 16;  // layout pixels
-constexpr float curves_width = 3 * kind_width + 8, room_for_plot = 560;
+constexpr float curves_width = 3 * kind_width + 8, room_for_plot = 680;
 
 // In the order of Response: the words of neuron_kinds().
 constexpr int responses = 6;
