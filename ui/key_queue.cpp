@@ -65,6 +65,8 @@ KeysOfAFrame KeyQueue::take_text() {
             if (!frame.characters.empty() || event.press.key == last_stroke_.key) break;
             frame.stroke = next().press;
             frame.presses.push_back(*frame.stroke);
+            // A held key that repeats faster than frames come must not go on after it was let go.
+            while (!events_.empty() && events_.front().repeats && events_.front().press == *frame.stroke) next();
             break;
         }
     }

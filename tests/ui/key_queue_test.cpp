@@ -91,6 +91,20 @@ TEST(KeyQueue, RepeatsHeldKeysWhereThatHelpsAndNowhereElse) {
     EXPECT_EQ(queue.take(TextInput::open).stroke, KeyPress{key::backspace});
 }
 
+TEST(KeyQueue, StopsRepeatingInTextAsSoonAsTheKeyIsLetGoHoweverSlowTheFrames) {
+    KeyQueue queue;
+    queue.press({key::backspace});
+    for (int i = 0; i < 50; ++i) queue.press({key::backspace}, true);
+    strike(queue, "x");
+    int strokes = 0, frames = 0;
+    for (KeysOfAFrame frame = queue.take(TextInput::open); frame.characters.empty(); ++frames) {
+        ASSERT_LT(frames, 100);
+        strokes += frame.stroke.has_value();
+        frame = queue.take(TextInput::open);
+    }
+    EXPECT_LE(strokes, 2);
+}
+
 // The same, heard by a text field.
 struct TypedQuickly : testing::Test {
     Desk desk;
