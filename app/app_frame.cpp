@@ -27,6 +27,12 @@ float fitting(float scale, Rect window) {
     return scale <= most ? scale : std::max(1.0f, std::floor(most * steps) / steps);
 }
 
+// The camera leaves room at the foot for the metres outside the wall, as they are at scale 1: larger ones need more.
+Rect without_metres(Rect scene, float scale) {
+    constexpr float more = 16;  // layout pixels
+    return {scene.x, scene.y, scene.w, std::max(0.5f * scene.h, scene.h - more * (scale - 1))};
+}
+
 std::string typed_text(const PanelState& panels) {
     if (!panels.sliders.typed.empty()) return panels.sliders.text;
     for (const TextField* field : {&panels.files.typed, &panels.files.title})
@@ -83,7 +89,8 @@ void App::frame(float passed) {
     if (autosave_.leftover()) view.recovery = &autosave_.leftover()->offer;
     const Rect area = window_.area();
     const WindowLayout layout = lay_out(area.w, area.h, look_.scale(), view, panels_.charts_open);
-    aim(viewport_, lab_, area, layout.scene, passed);
+    const Rect arena = without_metres(layout.scene, look_.scale());
+    aim(viewport_, lab_, area, arena, passed);
     view.sight = &viewport_.sight;
     outbox_.clear();
     bool arrows_are_free = true;
@@ -103,7 +110,7 @@ void App::frame(float passed) {
                                     !takes_arrows(view, ImGui::GetIO().KeyCtrl);
     const Arrows held = arrows_move_camera ? arrows() : Arrows{};
     const bool steers = steer_by_keys(lab_, held.turn, held.raise);
-    drive_camera(lab_, viewport_, panels_.stage, steers ? Arrows{} : held, area, layout.scene, passed);
+    drive_camera(lab_, viewport_, panels_.stage, steers ? Arrows{} : held, area, arena, passed);
     if (repeatable() && !picture_is_due(0))
         renderer_.remember(lab_.session.snapshot());  // nobody looks before the picture is taken
     else
