@@ -41,6 +41,19 @@ TEST(Lecture, KeepsFoldedCardsOutOfTheScenesWay) {
     EXPECT_TRUE(desk.anchors.find("slider.LR"));
 }
 
+TEST(Lecture, GivesTheDiagramTheRoomOfTheCardBelowIt) {
+    Desk desk(1280, 800, 1.6f, true);
+    desk.view.mode = Mode::wiring;
+    desk.frame(3);
+    const float open = desk.where("card.inspector").h;
+    desk.view.lecture = true;
+    desk.frame(3);
+    EXPECT_LT(desk.where("card.inspector").h, 0.5f * open);
+    desk.view.lecture = false;
+    desk.frame(3);
+    EXPECT_FLOAT_EQ(desk.where("card.inspector").h, open);
+}
+
 TEST(Lecture, BringsEveryCardBackAsItWas) {
     Desk desk;
     desk.open_exercise();

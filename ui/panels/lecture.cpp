@@ -148,10 +148,10 @@ void lecture_figures(const LabView& view, PanelState& state, Ui& ui, const Windo
 void follow_lecture(const LabView& view, PanelState& state) {
     if (view.lecture == state.before_lecture.has_value()) return;
     if (view.lecture) {
-        state.before_lecture =
-            BeforeLecture{state.exercise,           state.scene,         state.brain, state.information, state.sensors,
-                          state.information_opened, state.keyboard.focus};
-        state.exercise.folded = state.scene.folded = state.brain.folded = true;
+        state.before_lecture = BeforeLecture{state.exercise,           state.scene,         state.brain,
+                                             state.information,        state.sensors,       state.canvas.inspector,
+                                             state.information_opened, state.keyboard.focus};
+        state.exercise.folded = state.scene.folded = state.brain.folded = state.canvas.inspector.folded = true;
         state.keyboard.focus.clear();
         return;
     }
@@ -161,6 +161,7 @@ void follow_lecture(const LabView& view, PanelState& state) {
     state.brain = before.brain;
     state.information = before.information;
     state.sensors = before.sensors;
+    state.canvas.inspector = before.inspector;
     state.information_opened = before.information_opened;
     state.keyboard.focus = before.focus;
     state.before_lecture.reset();

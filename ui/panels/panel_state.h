@@ -31,7 +31,7 @@ enum class Sheet { none, keys, settings, files, recovery, leaving };
 
 // What a lecture folds away, to come back exactly.
 struct BeforeLecture {
-    CardState exercise, scene, brain, information, sensors;
+    CardState exercise, scene, brain, information, sensors, inspector;
     bool information_opened = false;
     std::string focus;
 };
