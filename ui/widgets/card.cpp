@@ -47,14 +47,13 @@ float heading_button(Ui& ui, HeadingButton& extra, float right, float y) {
     return at.rect.x;
 }
 
-void heading_row(Ui& ui, CardState& state, std::string_view id, std::string_view words, Rect r,
-                 std::span<HeadingButton> extras) {
+void heading_row(Ui& ui, CardState& state, std::string_view words, Rect r, std::span<HeadingButton> extras) {
     // The buttons come first: of two widgets under the pointer, Dear ImGui gives it to the earlier one.
     float right = r.x + r.w - ui.px(side_padding + 16);
     if (!state.folded)
         for (HeadingButton& extra : extras) right = heading_button(ui, extra, right, r.y) - ui.px(6);
     ImGui::SetCursorScreenPos({r.x, r.y});
-    const Item row = item(ui, std::string(id) + ".fold", {r.w, std::min(r.h, ui.px(heading_height))});
+    const Item row = item(ui, state.fold_id, {r.w, std::min(r.h, ui.px(heading_height))});
     const Colour colour = mix(ui.palette.second_text, ui.palette.text, row.warmth);
     const float y = row.rect.y + ui.px(heading_height) / 2;
     put(ui, {r.x + ui.px(side_padding), y - line_height(ui, Face::small) / 2}, words, colour, Face::small);
@@ -88,10 +87,11 @@ void card_ground(const Ui& ui, Rect r, float rounding) {
 bool begin_card(Ui& ui, CardState& state, std::string_view id, std::string_view heading, Rect r,
                 std::span<HeadingButton> extras) {
     begin_stops(ui.keyboard);
-    begin_window(std::string(id).c_str(), r);
+    if (state.id != id) state.id = id, state.fold_id = state.id + ".fold";
+    begin_window(state.id.c_str(), r);
     card_ground(ui, r);
     mark(ui, id, r);
-    heading_row(ui, state, id, heading, r, extras);
+    heading_row(ui, state, heading, r, extras);
     if (state.folded) return false;
     const float top = ui.px(heading_height), bottom = ui.px(bottom_padding);
     ImGui::SetCursorPos({ui.px(side_padding), top});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "ui/widgets/ui.h"
@@ -12,7 +13,8 @@ struct CardState {
     bool folded = false;
     float footer = 0;  // window pixels kept at the bottom for what must stay in sight
     bool in_body = false;
-    float content = 0;  // how high everything in it is, measured last frame, window pixels; 0 before the first
+    float content = 0;        // how high everything in it is, measured last frame, window pixels; 0 before the first
+    std::string id, fold_id;  // of the card and its heading, spelled once and not in every frame
 };
 
 // The height that the card wants, heading and borders included.
