@@ -8,7 +8,7 @@ namespace {
 
 // WindowLayout pixels.
 constexpr float toolbar_height = 48, hint_height = 32, timeline_height = 44, above_timeline = 8;
-constexpr float lecture_bar_height = 56, figures_height = 92;
+constexpr float lecture_bar_height = 56, figures_height = 92, lecture_inset_aspect = 1.6f;
 constexpr float narrow_window = 1200;  // below it, cards and margins are slimmer
 constexpr float inset_height = 232;
 constexpr float charts_height = 248, tools_row = 44;
@@ -68,10 +68,13 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         // window.
         if (!view.lesson || width / scale < narrow_window) l.left = {};
         const float from = l.left.w > 0 ? l.scene.x : margin;
-        l.canvas = {from, top, l.right.x - margin - from, column};
-        l.timeline = below(l.canvas, scale);
         const float inset = std::min(inset_height * scale, column * 0.36f);
-        l.scene = {l.right.x, bottom - inset, l.right.w, inset};
+        // Large letters need a large diagram: in a lecture it has the timeline's room, and what the inset can spare; an
+        // opened card lies over it.
+        const float inset_width = view.lecture ? std::min(l.right.w, inset * lecture_inset_aspect) : l.right.w;
+        l.scene = {width - margin - inset_width, bottom - inset, inset_width, inset};
+        l.canvas = {from, top, l.scene.x - margin - from, column};
+        if (!view.lecture) l.timeline = below(l.canvas, scale);
         l.right.h = column - inset - margin;
     } else if (!view.lecture) {
         l.timeline = below(l.scene, scale);

@@ -49,6 +49,8 @@ TEST(Lecture, GivesTheDiagramTheRoomOfTheCardBelowIt) {
     desk.view.lecture = true;
     desk.frame(3);
     EXPECT_LT(desk.where("card.inspector").h, 0.5f * open);
+    EXPECT_GT(desk.where("canvas").w, 0.7f * desk.layout.window.w);
+    EXPECT_GT(desk.where("canvas").h, 0.5f * desk.layout.window.h);
     desk.view.lecture = false;
     desk.frame(3);
     EXPECT_FLOAT_EQ(desk.where("card.inspector").h, open);
