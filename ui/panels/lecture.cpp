@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <imgui.h>
@@ -145,23 +146,30 @@ void lecture_figures(const LabView& view, PanelState& state, Ui& ui, const Windo
     end_bar();
 }
 
+namespace {
+
+// The cards that people may fold and open in a lecture: it gives them back as it found them. The first four lie over
+// what is shown and are folded at its beginning.
+std::array<CardState*, 6> cards_in_lecture(PanelState& state) {
+    return {&state.exercise, &state.scene, &state.brain, &state.canvas.inspector, &state.information, &state.sensors};
+}
+constexpr std::size_t folded_at_first = 4;
+
+}  // namespace
+
 void follow_lecture(const LabView& view, PanelState& state) {
     if (view.lecture == state.before_lecture.has_value()) return;
+    const auto cards = cards_in_lecture(state);
     if (view.lecture) {
-        state.before_lecture = BeforeLecture{state.exercise,           state.scene,         state.brain,
-                                             state.information,        state.sensors,       state.canvas.inspector,
-                                             state.information_opened, state.keyboard.focus};
-        state.exercise.folded = state.scene.folded = state.brain.folded = state.canvas.inspector.folded = true;
-        state.keyboard.focus.clear();
+        BeforeLecture& before = state.before_lecture.emplace();
+        for (std::size_t i = 0; i < cards.size(); ++i) before.cards[i] = *cards[i];
+        before.information_opened = state.information_opened;
+        before.focus = std::exchange(state.keyboard.focus, {});
+        for (std::size_t i = 0; i < folded_at_first; ++i) cards[i]->folded = true;
         return;
     }
-    const BeforeLecture before = *state.before_lecture;
-    state.exercise = before.exercise;
-    state.scene = before.scene;
-    state.brain = before.brain;
-    state.information = before.information;
-    state.sensors = before.sensors;
-    state.canvas.inspector = before.inspector;
+    const BeforeLecture& before = *state.before_lecture;
+    for (std::size_t i = 0; i < cards.size(); ++i) *cards[i] = before.cards[i];
     state.information_opened = before.information_opened;
     state.keyboard.focus = before.focus;
     state.before_lecture.reset();

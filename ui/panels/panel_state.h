@@ -1,6 +1,7 @@
 // What the panels remember between frames: folds, drags, the focus. Nothing of it is the lab's.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,7 +32,7 @@ enum class Sheet { none, keys, settings, files, recovery, leaving };
 
 // What a lecture folds away, to come back exactly.
 struct BeforeLecture {
-    CardState exercise, scene, brain, information, sensors, inspector;
+    std::array<CardState, 6> cards;  // those that it gives back as it found them (lecture.cpp)
     bool information_opened = false;
     std::string focus;
 };
