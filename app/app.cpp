@@ -10,12 +10,13 @@ namespace braitenlab {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 constexpr double frame_seconds = 1.0 / 60;
 
 }  // namespace
+
+double seconds_since(std::chrono::steady_clock::time_point then) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+}
 
 int complain(const Error& error) {
     std::cerr << "braitenlab: " << error.text() << "\n";

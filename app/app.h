@@ -23,6 +23,9 @@ namespace braitenlab {
 // Says on stderr what is wrong; 2, the exit code for it.
 int complain(const Error&);
 
+// Wall seconds from `then` until now.
+double seconds_since(std::chrono::steady_clock::time_point then);
+
 class App {
 public:
     App(Options, Lab, Window, Renderer, Words, Memory);

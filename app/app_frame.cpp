@@ -16,10 +16,6 @@ namespace braitenlab {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
-
 // No larger than leaves the toolbar and the cards their room; in steps, since each makes the letters anew.
 float fitting(float scale, Rect window) {
     constexpr float least_width = 940, least_height = 570, steps = 8;  // layout pixels; a step is an eighth

@@ -33,7 +33,7 @@ struct Reading {
     }
 };
 
-Result<Reading> read_table(std::string_view text, std::string file_name) {
+Result<Reading> read_settings(std::string_view text, std::string file_name) {
     try {
         return Reading{toml::parse(text, file_name), file_name, std::nullopt};
     } catch (const toml::parse_error& error) {
@@ -50,7 +50,7 @@ std::string text_of(const toml::table& table, const char* about) {
 }  // namespace
 
 Result<Preferences> parse_preferences(std::string_view toml, std::string file_name, const Preferences& otherwise) {
-    auto reading = read_table(toml, std::move(file_name));
+    auto reading = read_settings(toml, std::move(file_name));
     if (!reading) return reading.error();
     Preferences p = otherwise;
     std::string theme = p.theme == Theme::light ? "light" : "dark";
@@ -74,7 +74,7 @@ std::string write_preferences(const Preferences& p) {
 }
 
 Result<Remembered> parse_remembered(std::string_view toml, std::string file_name) {
-    auto reading = read_table(toml, std::move(file_name));
+    auto reading = read_settings(toml, std::move(file_name));
     if (!reading) return reading.error();
     Remembered r;
     reading->take("width", r.width, "a whole number");
@@ -115,7 +115,7 @@ void remember_opened(Remembered& r, const fs::path& file) {
 
 namespace {
 
-std::optional<std::string> text_in(const fs::path& path) {
+std::optional<std::string> text_of_file(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     if (path.empty() || !file) return std::nullopt;
     return std::string{std::istreambuf_iterator<char>(file), {}};
@@ -140,7 +140,7 @@ SettingsFiles::SettingsFiles(fs::path config, fs::path state)
 std::vector<Error> SettingsFiles::read(Preferences& preferences, Remembered& remembered) {
     std::vector<Error> complaints;
     const auto read_one = [&](const fs::path& path, std::string& text, auto parse, auto& value) {
-        const auto found = text_in(path);
+        const auto found = text_of_file(path);
         if (!found) return;
         auto parsed = parse(*found, path.string());
         if (!parsed) return complaints.push_back(set_aside(path, parsed.error()));

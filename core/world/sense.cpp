@@ -53,7 +53,7 @@ float read_field(const WorldState& s, const Eye& eye, Gaze gaze, std::size_t row
     return field.total_in_sight(eye, gaze, self, [&](vec2 from, vec2 to) { return s.outlines.hide(from, to); });
 }
 
-Outline chassis(const WorldState& s, std::size_t row) {
+Outline chassis_outline(const WorldState& s, std::size_t row) {
     const Body& body = s.scene->kinds[s.kind(row)].body;
     const float l = body.length / 2, w = body.width / 2;
     return outline_of({{-l, -w}, {l, -w}, {l, w}, {-l, w}}, s.vehicles.motion[row]);
@@ -72,7 +72,7 @@ float read_bumper(WorldState& s, const Eye& eye, std::size_t row) {
             for (const Outline& outline : s.touched_outlines)
                 if (feels(eye, body, motion, outline)) return 1;
         } else if (const auto other = s.row_of(touch->other)) {
-            if (feels(eye, body, motion, chassis(s, *other))) return 1;
+            if (feels(eye, body, motion, chassis_outline(s, *other))) return 1;
         }
     }
     return 0;

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+namespace braitenlab::tests::architecture_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -101,3 +102,4 @@ TEST(Architecture, FindsAnIncludeThatRunsUpwards) {
 }
 
 }  // namespace
+}  // namespace braitenlab::tests::architecture_test

@@ -8,7 +8,7 @@
 #include "core/world/world.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::brain_commands_test {
 namespace {
 
 // A vehicle before a lamp that learns to drive its left motor by what it sees.
@@ -145,4 +145,4 @@ TEST(SceneFile, RefusesNumbersOfABrainThatAreNotFiniteOrOutOfRange) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::brain_commands_test

@@ -11,7 +11,7 @@
 #include "core/brain/four_neurons.h"
 #include "core/maths/random.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::brain_test {
 namespace {
 
 const std::array<std::string, 2> eyes{"SL", "SR"};
@@ -344,7 +344,7 @@ TEST(ThresholdUnit, FeedingItselfRemembersUntilItIsReset) {
 }
 
 // A motor driven by birth from SR, and by what it learns from SL.
-BrainGraph pupil(float learning_rate, float decay) {
+BrainGraph learner(float learning_rate, float decay) {
     BrainGraph graph = make_graph({.LR = 1});
     Wire& wire = *find_wire(graph, 0, 2);
     wire.learning_rate = learning_rate;
@@ -353,7 +353,7 @@ BrainGraph pupil(float learning_rate, float decay) {
 }
 
 TEST(HebbianWire, GrowsByWhatStandsAtBothEndsTogether) {
-    Pupil pupil(braitenlab::pupil(0.6f, 0));
+    Pupil pupil(learner(0.6f, 0));
     EXPECT_EQ(pupil.brain.learning_wires, (std::vector<std::pair<NodeId, NodeId>>{{0, 2}}));
     pupil.live(60, 0, 1);  // nothing at its start
     EXPECT_EQ(pupil.learned(), 0);
@@ -368,7 +368,7 @@ TEST(HebbianWire, GrowsByWhatStandsAtBothEndsTogether) {
 }
 
 TEST(HebbianWire, FadesToAThirdInTheTimeThatItsDecaySays) {
-    Pupil pupil(braitenlab::pupil(2, 0.5f));
+    Pupil pupil(learner(2, 0.5f));
     pupil.live(60, 1, 1);
     const float before = pupil.learned();
     EXPECT_GT(before, 0.5f);
@@ -377,15 +377,15 @@ TEST(HebbianWire, FadesToAThirdInTheTimeThatItsDecaySays) {
 }
 
 TEST(HebbianWire, StopsWhereItsWeightWouldLeaveTheRange) {
-    Pupil eager(pupil(10, 0));
+    Pupil eager(learner(10, 0));
     eager.live(600, 1, 1);
     EXPECT_EQ(eager.learned(), 2);
-    BrainGraph strong = pupil(10, 0);
+    BrainGraph strong = learner(10, 0);
     find_wire(strong, 0, 2)->weight = 0.5f;
     Pupil born_strong(strong);
     born_strong.live(600, 1, 1);
     EXPECT_EQ(born_strong.learned(), 1.5f);
-    BrainGraph against = pupil(10, 0);
+    BrainGraph against = learner(10, 0);
     find_wire(against, 1, 2)->weight = -1;  // the motor runs backwards: the wire is weakened
     find_wire(against, 0, 2)->weight = 0.5f;
     Pupil contrary(against);
@@ -394,7 +394,7 @@ TEST(HebbianWire, StopsWhereItsWeightWouldLeaveTheRange) {
 }
 
 TEST(HebbianWire, KeepsWhatItLearnedWhileItIsCut) {
-    BrainGraph graph = pupil(2, 0.5f);
+    BrainGraph graph = learner(2, 0.5f);
     Pupil whole(graph);
     whole.live(60, 1, 1);
     find_wire(graph, 0, 2)->cut = true;
@@ -427,4 +427,4 @@ TEST(Dials, ReachTheDirectWiresOfALargerGraph) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::brain_test

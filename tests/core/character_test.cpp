@@ -5,7 +5,7 @@
 #include "core/scene/scene_file.h"
 #include "runs.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::character_test {
 
 namespace {
 
@@ -43,4 +43,4 @@ TEST(CharacterOf, TakesWhatStandsAloneAsItReadsAndLeavesPairsOut) {
     EXPECT_TRUE(readings_beside_eyes(look(make(shipped("2a-coward"))), VehicleView{}).empty());
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::character_test

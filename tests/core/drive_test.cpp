@@ -7,7 +7,7 @@
 #include "tests/core/runs.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::drive_test {
 namespace {
 
 using maths::vec2;
@@ -238,4 +238,4 @@ TEST(Pull, DrawsToItsMiddleAndHoldsThereAndANegativeOneDrivesAway) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::drive_test

@@ -4,7 +4,7 @@
 #include "tests/core/runs.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::edge_test {
 namespace {
 
 using tests::after;
@@ -125,4 +125,4 @@ TEST(Obstacles, ThatMoveGoRoundATorusToo) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::edge_test

@@ -10,7 +10,7 @@
 #include "core/lesson/referee.h"
 #include "core/maths/random.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::exercise_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -192,4 +192,4 @@ TEST(ExerciseFormatPage, HoldsTheTablesOfTheFieldsAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::exercise_test

@@ -8,7 +8,7 @@
 #include "core/maths/geometry.h"
 #include "tests/core/chance.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::eye_test {
 namespace {
 
 using maths::vec2;
@@ -121,4 +121,4 @@ TEST(Eye, HasBoundsNoWiderThanItsField) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::eye_test

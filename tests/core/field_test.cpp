@@ -5,7 +5,7 @@
 #include "core/maths/angle.h"
 #include "tests/core/chance.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::field_test {
 namespace {
 
 using maths::vec2;
@@ -92,4 +92,4 @@ TEST(Field, LeavesOutWhatIsHidden) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::field_test

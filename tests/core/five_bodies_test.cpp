@@ -9,7 +9,7 @@
 #include "core/world/world.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::five_bodies_test {
 namespace {
 
 // What the motors are told, a second and a quarter each: five seconds in all.
@@ -87,4 +87,4 @@ TEST(FiveBodies, RestAtTheWallWhereTheOneBodyDoes) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::five_bodies_test

@@ -12,7 +12,7 @@
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::golden_test {
 namespace {
 
 const std::map<std::string, std::string> golden{
@@ -42,4 +42,4 @@ TEST(GoldenHash, IsThereForEveryShippedScene) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::golden_test

@@ -6,7 +6,7 @@
 #include "core/brain/four_neurons.h"
 #include "core/brain/presets.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::graft_test {
 
 namespace {
 
@@ -78,4 +78,4 @@ TEST(Graft, GivesANameThatIsTakenAnother) {
     EXPECT_FLOAT_EQ(between(made, "QR", "N1-2"), 0.7f);
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::graft_test

@@ -7,7 +7,7 @@
 #include "core/maths/angle.h"
 #include "core/maths/random.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::ground_test {
 namespace {
 
 // Worked out from the zone itself, without cells.
@@ -69,4 +69,4 @@ TEST(Ground, FindsTheZonesOfEveryPlaceAsLookingAtAllOfThemWould) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::ground_test

@@ -6,7 +6,7 @@
 #include "core/world/world.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::hostile_world_test {
 namespace {
 
 // Changes one to three digits, signs or words of the text.
@@ -46,4 +46,4 @@ TEST(HostileWorlds, RunWhateverPassesTheChecks) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::hostile_world_test

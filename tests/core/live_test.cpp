@@ -4,7 +4,7 @@
 #include "tests/core/runs.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::live_test {
 namespace {
 
 using tests::after;
@@ -103,4 +103,4 @@ TEST(Events, CountABiteOnceASecondAndPairHoweverManyBiteAtOnce) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::live_test

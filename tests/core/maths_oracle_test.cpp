@@ -111,8 +111,8 @@ TEST_F(Oracle, AgreesOnModelViewAndProjection) {
         expect_same(scaling(v), glm::scale(one, to_glm(v)));
         expect_same(rotation(angle, axis), glm::rotate(one, angle, to_glm(axis)));
         if (length(cross(normalise(target - eye), {0, 1, 0})) > 0.05f)
-            expect_same(look_at(eye, target, {0, 1, 0}),
-                               glm::lookAt(to_glm(eye), to_glm(target), glm::vec3(0, 1, 0)), 20);
+            expect_same(look_at(eye, target, {0, 1, 0}), glm::lookAt(to_glm(eye), to_glm(target), glm::vec3(0, 1, 0)),
+                        20);
         const float field = chance.uniform(0.2f, 2.5f), aspect = chance.uniform(0.4f, 3),
                     near = chance.uniform(0.01f, 1);
         expect_same(perspective(field, aspect, near, 100), glm::perspective(field, aspect, near, 100.0f), 10);

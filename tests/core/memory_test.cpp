@@ -4,7 +4,7 @@
 #include "tests/core/runs.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::memory_test {
 namespace {
 
 using tests::after;
@@ -96,4 +96,4 @@ TEST(PlaceMemory, GoesOnExactlyInARestoredRun) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::memory_test

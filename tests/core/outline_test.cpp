@@ -6,7 +6,7 @@
 #include "core/world/bumper.h"
 #include "tests/core/chance.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::outline_test {
 namespace {
 
 using maths::vec2;
@@ -132,4 +132,4 @@ TEST(Bumper, FeelsOnItsOwnSideOnly) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::outline_test

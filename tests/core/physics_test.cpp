@@ -9,7 +9,7 @@
 #include "core/maths/random.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::physics_test {
 namespace {
 
 // On other systems Box2D has the C library's sine and cosine; see core/world/physics.cpp.
@@ -97,4 +97,4 @@ TEST(Wheels, ThatStickOutMeetWallsBeforeTheChassisDoes) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::physics_test

@@ -11,7 +11,7 @@
 #include "tests/core/runs.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::populate_test {
 namespace {
 
 using maths::vec2;
@@ -120,4 +120,4 @@ TEST(Population, ThatComesAndGoesTenThousandTimesLeavesNothingBehind) {
 #endif
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::populate_test

@@ -11,7 +11,7 @@
 #include "core/scene/names.h"
 #include "core/scene/scene_file.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::random_scene_test {
 namespace {
 
 struct Dice {
@@ -175,4 +175,4 @@ TEST(SceneFile, ReadsWhatItWroteForAnySceneThatChanceCanMake) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::random_scene_test

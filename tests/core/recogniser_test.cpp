@@ -12,7 +12,7 @@
 #include "core/brain/presets.h"
 #include "core/maths/random.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::recogniser_test {
 namespace {
 
 Character of(const FourNeurons& four) { return recognise(make_graph(four)); }
@@ -190,4 +190,4 @@ TEST(Recogniser, MakesPredatorsOfThoseDrawnAndPreyOfThoseDriven) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::recogniser_test

@@ -5,7 +5,7 @@
 #include "core/session/session.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::recording_test {
 namespace {
 
 Session open() {
@@ -60,4 +60,4 @@ TEST(Recording, GoesThroughALongDragAgainExactly) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::recording_test

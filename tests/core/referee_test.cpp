@@ -6,7 +6,7 @@
 
 #include "core/maths/angle.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::referee_test {
 namespace {
 
 Exercise with(std::vector<Check> checks) {
@@ -215,4 +215,4 @@ TEST(Grade, IsTheSameEveryTimeAndCountsWhatItSays) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::referee_test

@@ -8,7 +8,7 @@
 #include "core/world/world.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::run_file_test {
 namespace {
 
 void steps(World& world, int count) {
@@ -134,4 +134,4 @@ TEST(RunFile, FromAStrangerCannotCrash) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::run_file_test

@@ -11,7 +11,7 @@
 #include "core/world/world.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::save_test {
 namespace {
 
 World world_of(const std::filesystem::path& path, std::uint64_t seed) {
@@ -106,4 +106,4 @@ TEST(Save, CountsNoContactTwiceWhenTheWorldIsMadeAnew) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::save_test

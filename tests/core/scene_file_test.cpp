@@ -16,7 +16,7 @@
 #include "core/scene/nearest.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::scene_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -474,4 +474,4 @@ TEST(SceneFormatPage, ShowsASceneThatCanBeRead) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::scene_file_test

@@ -6,7 +6,7 @@
 #include "core/world/world.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::sense_test {
 namespace {
 
 // Somebody in the middle who stands still and looks ahead with one sensor.
@@ -362,4 +362,4 @@ TEST(SetSensors, GivesSlowSensorsANewRing) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::sense_test

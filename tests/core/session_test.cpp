@@ -7,7 +7,7 @@
 #include "core/maths/random.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::session_test {
 namespace {
 
 Session open(const Scene& scene) {
@@ -458,4 +458,4 @@ TEST(Reset, GivesTheVerySameStartAndKeepsTheEditedBrains) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::session_test

@@ -11,7 +11,7 @@
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::shipped_scenes_test {
 namespace {
 
 constexpr std::uint64_t seeds = 20;
@@ -330,4 +330,4 @@ TEST(ShippedScenes, PredatorsCatchPreyAndNobodyIsStuckForLong) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::shipped_scenes_test

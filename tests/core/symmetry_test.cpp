@@ -7,7 +7,7 @@
 #include "core/brain/four_neurons.h"
 #include "core/brain/recogniser.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::symmetry_test {
 
 namespace {
 
@@ -80,4 +80,4 @@ TEST(Symmetry, LeavesABrainWithoutTwoEyesAlone) {
     EXPECT_EQ(crossed(brain), brain);
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::symmetry_test

@@ -8,7 +8,7 @@
 #include "core/mechanics/wheel.h"
 #include "tests/core/scenes.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::world_test {
 namespace {
 
 using tests::alone;
@@ -295,4 +295,4 @@ TEST(Snapshot, TellsTheValueOfEveryNode) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::world_test

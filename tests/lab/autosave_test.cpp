@@ -5,7 +5,7 @@
 #include "app/data.h"
 #include "tests/folder.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::autosave_test {
 namespace {
 
 Lab open(const char* name) {
@@ -240,4 +240,4 @@ TEST_F(Autosaving, SaysWhatIsWrongWhenTheDiskTurnsBadMeanwhile) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::autosave_test

@@ -7,7 +7,7 @@
 #include "app/files.h"
 #include "tests/folder.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::desk_test {
 namespace {
 
 struct OnTheDesk : testing::Test {
@@ -339,4 +339,4 @@ TEST(Paths, AreReadFromTheFolderOrFromHome) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::desk_test

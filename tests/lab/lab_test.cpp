@@ -8,7 +8,7 @@
 #include "core/world/run_file.h"
 #include "tests/folder.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::lab_test {
 namespace {
 
 Lab open(const std::string& name) {
@@ -437,4 +437,4 @@ TEST(View, SwitchesEachPictureOffAndOn) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::lab_test

@@ -4,7 +4,7 @@
 #include "app/data.h"
 #include "app/lab.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::lecture_test {
 namespace {
 
 struct InALecture : testing::Test {
@@ -53,4 +53,4 @@ TEST_F(InALecture, WorkAndTimeGoOn) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::lecture_test

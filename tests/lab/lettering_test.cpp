@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace braitenlab {
+namespace braitenlab::tests::lettering_test {
 namespace {
 
 // Dear ImGui's built-in font, which needs no file.
@@ -40,4 +40,4 @@ TEST(LabelFont, PrefersTheSystemsFonts) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::lettering_test

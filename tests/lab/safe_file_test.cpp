@@ -10,7 +10,7 @@
 
 #include "tests/folder.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::safe_file_test {
 namespace {
 
 std::set<std::string> names_in(const fs::path& folder) {
@@ -78,4 +78,4 @@ TEST(SafeFile, RefusesAFolderAndAPlaceBelowAFile) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::safe_file_test

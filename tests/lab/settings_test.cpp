@@ -4,7 +4,7 @@
 
 #include "tests/folder.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::settings_test {
 namespace {
 
 const Preferences chosen{Theme::light, "es", 1.5f, true};
@@ -88,4 +88,4 @@ TEST(Recent, HoldsEachFileOnceTheNewestFirstAndNotTooMany) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::settings_test

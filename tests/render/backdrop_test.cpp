@@ -8,7 +8,7 @@
 #include "tests/render/rendered.h"
 #include "tests/view/hand_made.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::backdrop_test {
 namespace {
 
 using Pixels = std::vector<unsigned char>;
@@ -104,4 +104,4 @@ TEST_F(BackdropTest, KeepsTheGroundWhileTimeGoesOnAndLampsMove) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::backdrop_test

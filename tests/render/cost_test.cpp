@@ -19,7 +19,7 @@ extern "C" void GLAPIENTRY glGenTextures(GLsizei n, GLuint* names) {
     ++objects_made, real(n, names);
 }
 
-namespace braitenlab {
+namespace braitenlab::tests::cost_test {
 namespace {
 
 // GLEW calls through pointers, which a test can point elsewhere: each replacement counts and goes on.
@@ -150,4 +150,4 @@ TEST_F(CostTest, DrawsEverythingInFewCalls) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::cost_test

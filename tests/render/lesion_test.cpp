@@ -10,7 +10,7 @@
 #include "tests/render/rendered.h"
 #include "tests/view/hand_made.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::lesion_test {
 namespace {
 
 class LesionTest : public Rendered {
@@ -142,4 +142,4 @@ TEST_F(LesionTest, CrossesOutADeadNeuron) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::lesion_test

@@ -11,7 +11,7 @@
 #include "tests/render/rendered.h"
 #include "tests/view/hand_made.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::picture_test {
 namespace {
 
 class PictureTest : public Rendered {
@@ -189,4 +189,4 @@ TEST_F(PictureTest, WearsThePalettesColoursInBothThemes) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::picture_test

@@ -9,7 +9,7 @@
 #include "tests/render/rendered.h"
 #include "tests/view/hand_made.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::renderer_test {
 namespace {
 
 class RendererTest : public Rendered {
@@ -215,4 +215,4 @@ TEST_F(RendererTest, RingsTheSelectedVehicleInYellow) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::renderer_test

@@ -8,7 +8,7 @@
 #include "tests/render/stage.h"
 #include "tests/view/hand_made.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::sector_test {
 namespace {
 
 constexpr int width = 640, height = 480;
@@ -87,4 +87,4 @@ TEST_F(SectorTest, TakesGeometryShadersWhereThereAreSome) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::sector_test

@@ -14,7 +14,7 @@
 #include "tests/render/stage.h"
 #include "tests/view/hand_made.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::shader_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,4 +141,4 @@ TEST(FirstComplaint, KeepsALogItDoesNotUnderstand) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::shader_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace braitenlab {
+namespace braitenlab::tests::lettering_test {
 namespace {
 
 // A font with a kern table, which Noto Sans has not. Empty where it is not installed.
@@ -111,4 +111,4 @@ TEST(Lettering, EndsQuietlyWhenTheSheetIsFull) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::lettering_test

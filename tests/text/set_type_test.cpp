@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace braitenlab {
+namespace braitenlab::tests::set_type_test {
 namespace {
 
 class SetType : public testing::Test {
@@ -93,4 +93,4 @@ TEST_F(SetType, MovesByTheOffsetInLayoutPixels) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::set_type_test

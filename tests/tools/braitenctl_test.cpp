@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+namespace braitenlab::tests::braitenctl_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -176,3 +177,4 @@ TEST(Grade, GivesEveryBrainOfAClassARow) {
 }
 
 }  // namespace
+}  // namespace braitenlab::tests::braitenctl_test

@@ -5,7 +5,7 @@
 #include "desk.h"
 #include "ui/panels/brain_sketch.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::brain_card_test {
 
 namespace {
 
@@ -227,4 +227,4 @@ TEST(Driving, GivesTheWheelBackToTheBrain) {
     EXPECT_EQ(std::get<ChooseDriver>(desk.edits()[0].command), (ChooseDriver{0, Driver::brain}));
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::brain_card_test

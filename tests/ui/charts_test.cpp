@@ -4,7 +4,7 @@
 #include "desk.h"
 #include "ui/panels/energy_order.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::charts_test {
 
 namespace {
 
@@ -184,4 +184,4 @@ TEST(Charts, CountBesideTheBarsThoseThatFindNoRoom) {
     EXPECT_EQ(counts, 1);
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::charts_test

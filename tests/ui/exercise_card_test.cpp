@@ -1,7 +1,7 @@
 // The card of the open exercise.
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::exercise_card_test {
 
 namespace {
 
@@ -156,4 +156,4 @@ TEST(ExerciseCard, LeadsToTheNextExerciseOrToEverythingThereIs) {
     EXPECT_EQ(desk.panels.sheet, Sheet::files);
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::exercise_card_test

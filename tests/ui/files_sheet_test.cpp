@@ -1,6 +1,6 @@
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::files_sheet_test {
 
 struct FilesSheet : testing::Test {
     Desk desk;
@@ -267,4 +267,4 @@ TEST(OwnBrains, GoToAFileAndComeFromOneByTheListOfPresets) {
     EXPECT_EQ(desk.panels.files.only, FileKind::brain);
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::files_sheet_test

@@ -5,7 +5,7 @@
 #include "desk.h"
 #include "ui/panels/csv.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::history_test {
 
 namespace {
 
@@ -117,4 +117,4 @@ TEST(Csv, NamesEverybodyAndQuotesWhatNeedsIt) {
     EXPECT_EQ(energies_csv(desk.now), "id,kind,role,energy\n0,\"a \"\"shy\"\", slow one\",none,0.5000\n");
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::history_test

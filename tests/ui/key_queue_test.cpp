@@ -4,7 +4,7 @@
 
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::key_queue_test {
 namespace {
 
 constexpr KeyPress select_all{'A', true}, save_as{'S', true, true};
@@ -189,4 +189,4 @@ TEST_F(TypedQuickly, ReachesTheNumberThatEnterOpens) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::key_queue_test

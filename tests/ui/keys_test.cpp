@@ -4,7 +4,7 @@
 
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::keys_test {
 
 namespace {
 
@@ -121,4 +121,4 @@ TEST(Focus, IsShownToTheKeyboardAndNotToTheMouse) {
     EXPECT_TRUE(desk.panels.keyboard.shown);
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::keys_test

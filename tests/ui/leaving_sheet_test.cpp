@@ -3,7 +3,7 @@
 
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::leaving_sheet_test {
 
 namespace {
 
@@ -127,4 +127,4 @@ TEST_F(LeavingSheet, IsAskedForByCtrlQWhateverIsOpenOrTyped) {
     EXPECT_EQ(exits(), before + 1);
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::leaving_sheet_test

@@ -1,7 +1,7 @@
 // What a lecture shows.
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::lecture_test {
 
 namespace {
 
@@ -111,4 +111,4 @@ TEST(Lecture, CountsTheHunt) {
     EXPECT_TRUE(shows(desk, "8"));
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::lecture_test

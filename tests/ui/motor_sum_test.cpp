@@ -5,7 +5,7 @@
 #include "core/world/world.h"
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::motor_sum_test {
 
 namespace {
 
@@ -177,4 +177,4 @@ TEST(MotorSums, NameTheBiasesWhereNothingElsePushes) {
     EXPECT_EQ(cause(sums).by, Cause::By::biases);
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::motor_sum_test

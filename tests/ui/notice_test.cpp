@@ -2,7 +2,7 @@
 
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::notice_test {
 
 TEST(Notice, HasASignAndAColourOfItsOwnForEachKind) {
     for (const Theme theme : {Theme::dark, Theme::light}) {
@@ -72,4 +72,4 @@ TEST(HintBar, NamesTheWayBackWhileAPersonDrivesOrLooksThroughTheVehiclesEyes) {
     EXPECT_EQ(said(desk).find("gives the wheel back"), std::string::npos);
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::notice_test

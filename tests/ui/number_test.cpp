@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace braitenlab {
+namespace braitenlab::tests::number_test {
 
 TEST(Numbers, KeepTheirDigits) {
     EXPECT_EQ(fixed(0.8f, 2), "0.80");
@@ -39,4 +39,4 @@ TEST(Numbers, AreReadAsPeopleTypeThem) {
         EXPECT_FALSE(typed_number(nonsense)) << nonsense;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::number_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace braitenlab {
+namespace braitenlab::tests::plot_test {
 
 TEST(Plot, CutsAnAxisAtRoundNumbers) {
     EXPECT_FLOAT_EQ(round_step(10, 5), 2);
@@ -27,4 +27,4 @@ TEST(Plot, PutsLowAtTheBottomLeftAndHighAtTheTopRight) {
     EXPECT_FLOAT_EQ(plot_point(r, x, y, 15, 7).y, 50) << "what is too high stays in the picture";
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::plot_test

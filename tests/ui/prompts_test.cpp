@@ -2,7 +2,7 @@
 
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::prompts_test {
 
 namespace {
 
@@ -212,4 +212,4 @@ TEST(Pulse, StandsStillWhereMotionIsReduced) {
     EXPECT_NEAR(pulse(desk.view), 0, 1e-6f);
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::prompts_test

@@ -1,7 +1,7 @@
 // What a crash or an end has left is offered in words that tell which it was.
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::recovery_sheet_test {
 namespace {
 
 TEST(RecoverySheet, SaysWhetherTheLabCrashedOrWasToldToEnd) {
@@ -21,4 +21,4 @@ TEST(RecoverySheet, SaysWhetherTheLabCrashedOrWasToldToEnd) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::recovery_sheet_test

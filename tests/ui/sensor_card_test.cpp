@@ -4,7 +4,7 @@
 
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::sensor_card_test {
 
 namespace {
 
@@ -164,4 +164,4 @@ TEST(SensorCard, SaysWhenThereIsNothingToSenseWith) {
     EXPECT_FALSE(desk.anchors.find("sensor.angle"));
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::sensor_card_test

@@ -1,7 +1,7 @@
 // The card of settings, and what a sheet does to keyboard and mouse.
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::settings_test {
 
 struct SettingsCard : testing::Test {
     Desk desk;
@@ -93,4 +93,4 @@ TEST_F(SettingsCard, ClosesOnAClickBesideIt) {
     EXPECT_FALSE(desk.anchors.find("card.settings"));
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::settings_test

@@ -5,7 +5,7 @@
 #include "core/scene/scene_file.h"
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::shipped_words_test {
 
 namespace {
 
@@ -76,4 +76,4 @@ TEST(ShippedWords, StandOnTheCardsInTheLanguageThatIsShown) {
     EXPECT_NE(all.find("Es berührt die Lampe"), std::string::npos);
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::shipped_words_test

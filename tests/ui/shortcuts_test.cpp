@@ -2,7 +2,7 @@
 
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::shortcuts_test {
 
 TEST(Shortcuts, HaveNoKeyTwice) {
     const auto all = shortcuts();
@@ -51,4 +51,4 @@ TEST(Shortcuts, InTheHintBarAreOnesThatWork) {
     }
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::shortcuts_test

@@ -4,7 +4,7 @@
 
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::slider_test {
 
 TEST(Slider, DraggingAsksForTheValueInEveryChangedFrameUnderOneGesture) {
     Desk desk;
@@ -230,4 +230,4 @@ TEST(Slider, EveryDialHasOne) {
     }
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::slider_test

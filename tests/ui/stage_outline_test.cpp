@@ -4,7 +4,7 @@
 
 #include "ui/stage/outline.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::stage_outline_test {
 namespace {
 
 using maths::vec2;
@@ -78,4 +78,4 @@ TEST(Outline, MakesABoxFromAnyTwoOppositeCorners) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::stage_outline_test

@@ -5,7 +5,7 @@
 #include "render/view/pick.h"
 #include "ui/stage/room.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::stage_room_test {
 namespace {
 
 using maths::vec2;
@@ -84,4 +84,4 @@ TEST_F(Room, IsMadeForWhatACommandAddsAndForNothingElse) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::stage_room_test

@@ -7,7 +7,7 @@
 #include "desk.h"
 #include "ui/stage/edits.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::stage_test {
 namespace {
 
 using maths::vec2;
@@ -452,4 +452,4 @@ TEST_F(Stage, CardEditsAnObstacleWhereItStandsNow) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::stage_test

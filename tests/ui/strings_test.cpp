@@ -16,7 +16,7 @@
 #include "ui/shortcuts.h"
 #include "ui/stage/edits.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::strings_test {
 
 namespace {
 
@@ -181,4 +181,4 @@ TEST(Strings, FillTheirGapsInOrder) {
     EXPECT_EQ(fill("{}", {"{}"}), "{}");
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::strings_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace braitenlab {
+namespace braitenlab::tests::theme_test {
 
 TEST(Theme, MeasuresContrastAsTheGuidelinesDo) {
     EXPECT_NEAR(contrast(rgb(0xFFFFFF), rgb(0x000000)), 21, 0.01f);
@@ -39,4 +39,4 @@ TEST(Theme, StandsInForFontsThatAreMissing) {
     EXPECT_TRUE(atlas.Build());
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::theme_test

@@ -1,6 +1,6 @@
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::timeline_test {
 
 struct Timeline : testing::Test {
     Desk desk;
@@ -78,4 +78,4 @@ TEST_F(Timeline, ScrollsOnceTheRunIsLongerThanAMinute) {
     EXPECT_NEAR(static_cast<double>(asked<SeekRequest>().back().tick), 7200, 60);
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::timeline_test

@@ -1,7 +1,7 @@
 // The bar on top, in windows of every width.
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::toolbar_test {
 
 namespace {
 
@@ -59,4 +59,4 @@ TEST_P(InEveryLanguage, StandsInOneRowWithoutOverlapsAtAnyWidth) {
 INSTANTIATE_TEST_SUITE_P(Toolbar, InEveryLanguage, ::testing::Values("en", "de", "es"),
                          [](const auto& given) { return std::string(given.param); });
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::toolbar_test

@@ -4,7 +4,7 @@
 #include "desk.h"
 #include "ui/widgets/item.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::tooltips_test {
 
 namespace {
 
@@ -126,4 +126,4 @@ TEST(Tooltips, AreAskedForInEarnest) {
     EXPECT_TRUE(shown[1].has_tooltip);
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::tooltips_test

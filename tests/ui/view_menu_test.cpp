@@ -4,7 +4,7 @@
 
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::view_menu_test {
 
 struct ViewMenu : testing::Test {
     Desk desk;
@@ -94,4 +94,4 @@ TEST_F(ViewMenu, CanBeUsedByKeysAlone) {
     EXPECT_FALSE(desk.anchors.find("card.view"));
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::view_menu_test

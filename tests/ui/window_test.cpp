@@ -5,7 +5,7 @@
 #include "desk.h"
 #include "ui/panels/panels.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::window_test {
 
 namespace {
 
@@ -267,4 +267,4 @@ TEST(InformationCard, HoldsAsManyVehiclesAsThereAre) {
     EXPECT_TRUE(inside(desk.where("card.information"), desk.layout.window));
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::window_test

@@ -6,7 +6,7 @@
 #include "tests/ui/large_brain.h"
 #include "tests/ui/wiring_hand.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::wiring_canvas_test {
 namespace {
 
 TEST_F(WiringCanvas, RecordsPinsAndLabelsInsideItsArea) {
@@ -374,4 +374,4 @@ TEST_F(WiringCanvas, SurvivesNobodySelectedAndABrainWithoutNodes) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::wiring_canvas_test

@@ -4,9 +4,8 @@
 
 #include "ui/wiring/edit.h"
 
+namespace braitenlab::tests::wiring_edit_test {
 namespace {
-
-using namespace braitenlab;
 
 constexpr NodeId SL = 0, SR = 1, ML = 2, MR = 3;
 
@@ -112,3 +111,4 @@ TEST(WireName, IsTheSlidersOrBothEnds) {
 }
 
 }  // namespace
+}  // namespace braitenlab::tests::wiring_edit_test

@@ -6,7 +6,7 @@
 #include "ui/wiring/focus.h"
 #include "ui/wiring/minimap.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::wiring_gestures_test {
 namespace {
 
 struct WiringGestures : WiringCanvas {
@@ -385,4 +385,4 @@ TEST_F(WiringGestures, AMinimapStandsFromTwentyOneNodesOnAndMovesTheView) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::wiring_gestures_test

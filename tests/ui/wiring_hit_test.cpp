@@ -2,9 +2,9 @@
 
 #include "ui/wiring/hit.h"
 
+namespace braitenlab::tests::wiring_hit_test {
 namespace {
 
-using namespace braitenlab;
 using maths::vec2;
 
 constexpr NodeId SL = 0, SR = 1, ML = 2, MR = 3;
@@ -69,3 +69,4 @@ TEST_F(WiringHit, BoxTakesInWhatItTouchesAndNoGhosts) {
 }
 
 }  // namespace
+}  // namespace braitenlab::tests::wiring_hit_test

@@ -3,7 +3,7 @@
 
 #include "tests/ui/desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::wiring_inspector_test {
 namespace {
 
 constexpr NodeId SL = 0, SR = 1, ML = 2;
@@ -161,4 +161,4 @@ TEST_F(Inspector, TakesTheKeyboardWhenAskedForItsNumbers) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::wiring_inspector_test

@@ -6,9 +6,9 @@
 #include "ui/wiring/layout.h"
 #include "ui/wiring/occupied.h"
 
+namespace braitenlab::tests::wiring_layout_test {
 namespace {
 
-using namespace braitenlab;
 using maths::vec2;
 
 constexpr NodeId SL = 0, SR = 1, ML = 2, MR = 3;
@@ -194,3 +194,4 @@ TEST(View, GoesThereAndBack) {
 }
 
 }  // namespace
+}  // namespace braitenlab::tests::wiring_layout_test

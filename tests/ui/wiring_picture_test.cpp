@@ -3,7 +3,7 @@
 #include "tests/ui/wiring_hand.h"
 #include "ui/wiring/draw.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::wiring_picture_test {
 namespace {
 
 struct WiringPicture : WiringCanvas {
@@ -68,4 +68,4 @@ TEST(CanvasMoment, SaysTheSameAsTheSnapshot) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::wiring_picture_test

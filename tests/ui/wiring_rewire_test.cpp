@@ -8,9 +8,9 @@
 #include "ui/wiring/piece.h"
 #include "ui/wiring/rewire.h"
 
+namespace braitenlab::tests::wiring_rewire_test {
 namespace {
 
-using namespace braitenlab;
 using maths::vec2;
 
 constexpr NodeId SL = 0, SR = 1, ML = 2, MR = 3;
@@ -163,3 +163,4 @@ TEST(PutInOrder, LinesUpAndKeepsCardsApart) {
 }
 
 }  // namespace
+}  // namespace braitenlab::tests::wiring_rewire_test

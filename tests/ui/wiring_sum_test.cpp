@@ -3,9 +3,8 @@
 #include "core/brain/four_neurons.h"
 #include "ui/wiring/sum.h"
 
+namespace braitenlab::tests::wiring_sum_test {
 namespace {
-
-using namespace braitenlab;
 
 constexpr NodeId SL = 0, ML = 2, MR = 3;
 
@@ -50,3 +49,4 @@ TEST(SumText, LeavesCutWiresOutAndAddsWhatWasLearned) {
 }
 
 }  // namespace
+}  // namespace braitenlab::tests::wiring_sum_test

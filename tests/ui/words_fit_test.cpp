@@ -3,7 +3,7 @@
 
 #include "desk.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::words_fit_test {
 
 namespace {
 
@@ -238,4 +238,4 @@ TEST(WordsFit, IsAQuestionThatCanBeAnsweredWithNo) {
     EXPECT_EQ(cut, 1);
 }
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::words_fit_test

@@ -4,7 +4,7 @@
 
 #include "core/maths/angle.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::between_test {
 namespace {
 
 VehicleView at(VehicleId id, float x, float heading) {
@@ -30,4 +30,4 @@ TEST(BetweenTicks, LeavesNewcomersAndThoseThatWereMovedByHand) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::between_test

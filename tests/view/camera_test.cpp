@@ -7,7 +7,7 @@
 #include "core/maths/angle.h"
 #include "tests/view/hand_made.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::camera_test {
 namespace {
 
 using maths::vec2;
@@ -270,4 +270,4 @@ TEST(Glide, DoesNotLagBehindAWindowThatChangesItsSize) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::camera_test

@@ -7,7 +7,7 @@
 
 #include "tests/view/hand_made.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::deck_test {
 namespace {
 
 Kind two_eyed() {
@@ -125,4 +125,4 @@ TEST(Deck, HasRoomForTheLargestBrainThereMayBe) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::deck_test

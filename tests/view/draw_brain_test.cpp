@@ -8,7 +8,7 @@
 #include "tests/view/drawn.h"
 #include "tests/view/hand_made.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::draw_brain_test {
 namespace {
 
 // One vehicle: left eye → neuron 5 → right motor, inhibiting.
@@ -106,4 +106,4 @@ TEST(DrawBrain, PointsAnArrowPerWheelAsLongAsItsSpeedForTheSelectedVehicle) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::draw_brain_test

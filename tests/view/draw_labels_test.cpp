@@ -7,7 +7,7 @@
 #include "render/view/intensity.h"
 #include "tests/view/hand_made.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::draw_labels_test {
 namespace {
 
 Picture from_above() {
@@ -113,4 +113,4 @@ TEST(DrawLabels, SayWhatTheContoursStandFor) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::draw_labels_test

@@ -5,7 +5,7 @@
 #include "tests/view/drawn.h"
 #include "tests/view/hand_made.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::draw_list_test {
 namespace {
 
 TEST(DrawList, SortsHullsByRole) {
@@ -263,4 +263,4 @@ TEST(DrawList, StartsAnewWithEveryFill) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::draw_list_test

@@ -8,7 +8,7 @@
 #include "tests/view/drawn.h"
 #include "tests/view/hand_made.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::draw_world_test {
 namespace {
 
 std::shared_ptr<Scene> bare() {
@@ -145,4 +145,4 @@ TEST(DrawWorld, ShowsAtTheOtherEdgeOfATorusWhatReachesOverOne) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::draw_world_test

@@ -9,7 +9,7 @@
 #include "core/world/world.h"
 #include "tests/view/hand_made.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::intensity_test {
 namespace {
 
 // The value of the sample nearest to a place.
@@ -146,4 +146,4 @@ TEST(Intensity, IsOfferedForWhatThereIsToFeel) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::intensity_test

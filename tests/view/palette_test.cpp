@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace braitenlab {
+namespace braitenlab::tests::palette_test {
 namespace {
 
 // Relative luminance and contrast after WCAG 2.1.
@@ -94,4 +94,4 @@ TEST(Palette, GivesOneColourOneMeaning) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::palette_test

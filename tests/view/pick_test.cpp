@@ -4,7 +4,7 @@
 
 #include "tests/view/hand_made.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::pick_test {
 namespace {
 
 const Rect window{0, 0, 1280, 800};
@@ -128,4 +128,4 @@ TEST(PickThing, ReachesAsFarAsTheFarthestCorner) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::pick_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace braitenlab {
+namespace braitenlab::tests::shapes_test {
 namespace {
 
 using maths::vec3;
@@ -81,4 +81,4 @@ TEST(Shapes, KeepHullsInsideTheirBody) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::shapes_test

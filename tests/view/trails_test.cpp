@@ -7,7 +7,7 @@
 #include "render/view/draw_list.h"
 #include "tests/view/hand_made.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::trails_test {
 namespace {
 
 Snapshot one_vehicle() {
@@ -129,4 +129,4 @@ TEST(Trails, OfVehiclesThatLeftAreForgotten) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::trails_test

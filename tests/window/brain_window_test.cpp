@@ -3,7 +3,7 @@
 
 #include "tests/window/lab_window.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::brain_window_test {
 namespace {
 
 bool wait_for(const std::function<bool()>& holds) { return LabWindow::eventually(holds, 6); }
@@ -108,4 +108,4 @@ TEST(BrainWindow, ShowsTheLargePicturesAndTakesThemAway) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::brain_window_test

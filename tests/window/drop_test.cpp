@@ -6,7 +6,7 @@
 
 #include "app/window.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::drop_test {
 namespace {
 
 TEST(Drop, HandsOverEveryFileOnceInItsOrder) {
@@ -36,4 +36,4 @@ TEST(Close, CanBeRefused) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::drop_test

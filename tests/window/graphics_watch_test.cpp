@@ -6,7 +6,7 @@
 
 #include "app/window.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::graphics_watch_test {
 namespace {
 
 constexpr GLenum no_such_thing = 0xDEAD;
@@ -32,4 +32,4 @@ TEST(GraphicsWatch, SaysWhenNobodyWatches) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::graphics_watch_test

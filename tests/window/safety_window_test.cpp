@@ -1,7 +1,7 @@
 // Lecture mode, crashes and the keyboard alone, in the real window.
 #include "tests/window/lab_window.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::safety_window_test {
 namespace {
 
 bool wait_for(const std::function<bool()>& holds, double patience = 8) {
@@ -205,4 +205,4 @@ INSTANTIATE_TEST_SUITE_P(Screens, KeyboardAlone, testing::Values(Screen{"1024x76
                          [](const auto& given) { return "AtScale" + std::string(given.param.scale); });
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::safety_window_test

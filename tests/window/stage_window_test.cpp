@@ -3,7 +3,7 @@
 
 #include "tests/window/lab_window.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::stage_window_test {
 namespace {
 
 bool wait_for(const std::function<bool()>& holds, double patience = 5) {
@@ -194,4 +194,4 @@ TEST(StageWindow, PansWithTheRightButtonZoomsAboutThePointerAndComesHomeByOneKey
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::stage_window_test

@@ -1,7 +1,7 @@
 // What is typed faster than frames are drawn, in the real window.
 #include "tests/window/lab_window.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::typing_window_test {
 namespace {
 
 // All of it within two or three frames. Not faster: of one key pressed twice within a millisecond, GLFW takes the
@@ -26,4 +26,4 @@ TEST(TypingWindow, ReachesTheFieldThatTheFirstKeyOfABurstOpens) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::typing_window_test

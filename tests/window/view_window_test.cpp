@@ -1,7 +1,7 @@
 // What the scene shows, switched by a real hand in the real window.
 #include "tests/window/lab_window.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::view_window_test {
 namespace {
 
 bool wait_for(const std::function<bool()>& holds) { return LabWindow::eventually(holds, 8); }
@@ -29,4 +29,4 @@ TEST(ViewWindow, WalksThroughFieldsByKeyAndSwitchesPicturesInTheMenu) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::view_window_test

@@ -3,7 +3,7 @@
 #include "render/view/camera.h"
 #include "tests/window/lab_window.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::window_test {
 namespace {
 
 bool wait_for(const std::function<bool()>& holds, double patience = 5) {
@@ -259,4 +259,4 @@ TEST(Window, LeavesByItsExitButton) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::window_test

@@ -1,7 +1,7 @@
 // The wiring editor in the real window.
 #include "tests/window/lab_window.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::tests::wiring_window_test {
 namespace {
 
 bool wait_for(const std::function<bool()>& holds, double patience = 5) {
@@ -169,4 +169,4 @@ TEST_F(Wiring, SpaceLeavesItAndPlays) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::tests::wiring_window_test

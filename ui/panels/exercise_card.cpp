@@ -220,7 +220,7 @@ void next_button(const LabView& view, PanelState& state, Ui& ui) {
     state.sheet = Sheet::files;
 }
 
-void buttons(const LabView& view, PanelState& state, Ui& ui) {
+void exercise_buttons(const LabView& view, PanelState& state, Ui& ui) {
     const bool passed = has_passed(*view.lesson);
     if (passed)
         next_button(view, state, ui);
@@ -289,7 +289,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         if (lesson.grade && !state.grade_seen) ImGui::SetScrollY(0);
         state.grade_seen = lesson.grade.has_value();
         begin_footer(ui, state.exercise, place);
-        buttons(view, state, ui);
+        exercise_buttons(view, state, ui);
     }
     end_card(state.exercise);
 }

@@ -30,7 +30,7 @@ std::string_view kind_key(FileKind kind) {
 
 namespace {
 
-std::string file_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+std::string name_in_path(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 std::string folder_of(const std::string& path) {
     return path.substr(0, std::max<std::size_t>(1, path.find_last_of('/')));
 }
@@ -120,7 +120,8 @@ void list_recent(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     int number = 0;
     if (view.recent)
         for (const std::string& path : *view.recent)
-            if (list_row(ui, {"recent." + std::to_string(++number), file_name(path), folder_of(path), "", icon::file},
+            if (list_row(ui,
+                         {"recent." + std::to_string(++number), name_in_path(path), folder_of(path), "", icon::file},
                          ui.strings("files.open_how")))
                 ask(view, files, ui, OpenRequest{path});
     if (number == 0) paragraph(ui, ui.strings("files.no_recent"), ui.palette.second_text);

@@ -124,7 +124,7 @@ float height_of(const Ui& ui, const std::string& words) {
     return height + ImGui::GetStyle().ItemSpacing.y;
 }
 
-void buttons(const LabView& view, PanelState& state, Ui& ui) {
+void files_buttons(const LabView& view, PanelState& state, Ui& ui) {
     FilesState& files = state.files;
     const bool typing = files.saving || files.place == FilesPlace::folder;
     if (typing) {
@@ -201,7 +201,7 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     }
     if (!wrong.empty()) paragraph(ui, wrong, legible(ui.palette.warning, ui.palette.panel, ui.palette.text));
     sheet_buttons(ui, files.sheet);
-    buttons(view, state, ui);
+    files_buttons(view, state, ui);
     first_focus(view, files, ui);
     if (end_sheet(files.sheet)) state.sheet = Sheet::none;
 }

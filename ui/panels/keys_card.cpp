@@ -21,7 +21,7 @@ namespace braitenlab {
 
 namespace {
 
-struct Row {
+struct KeyRow {
     std::string key, words;
     bool heading = false;
     std::vector<std::string_view> lines{};  // of the words, as they fit beside the key
@@ -78,7 +78,7 @@ std::string keys_of(const Shortcut& first, const Strings& strings) {
 }
 
 // Each action of a place once.
-void add_rows(std::vector<Row>& list, KeyPlace place, const Strings& strings) {
+void add_rows(std::vector<KeyRow>& list, KeyPlace place, const Strings& strings) {
     list.push_back({"", std::string(strings(place_key(place))), true});
     std::vector<Action> listed;
     for (const Shortcut& shortcut : shortcuts()) {
@@ -90,8 +90,8 @@ void add_rows(std::vector<Row>& list, KeyPlace place, const Strings& strings) {
     }
 }
 
-std::vector<Row> rows(const Strings& strings) {
-    std::vector<Row> list;
+std::vector<KeyRow> rows(const Strings& strings) {
+    std::vector<KeyRow> list;
     for (int place = 0; place <= static_cast<int>(last_place); ++place)
         add_rows(list, static_cast<KeyPlace>(place), strings);
     list.push_back({"", std::string(strings("keys.place.mouse")), true});
@@ -101,7 +101,7 @@ std::vector<Row> rows(const Strings& strings) {
 }
 
 // Beside a long key the words take several lines.
-void break_into_lines(const Ui& ui, Row& row, float width) {
+void break_into_lines(const Ui& ui, KeyRow& row, float width) {
     const float room = width - text_width(ui, Face::strong, row.key) - ui.px(between);
     std::string_view rest = row.words;
     while (!rest.empty()) {
@@ -116,12 +116,12 @@ void break_into_lines(const Ui& ui, Row& row, float width) {
     }
 }
 
-std::size_t height_of(const Row& row) { return std::max<std::size_t>(1, row.lines.size()); }
+std::size_t height_of(const KeyRow& row) { return std::max<std::size_t>(1, row.lines.size()); }
 
 // Where each column ends: all about as long, and no heading alone at the foot of one.
-std::vector<std::size_t> column_ends(const std::vector<Row>& list, std::size_t columns) {
+std::vector<std::size_t> column_ends(const std::vector<KeyRow>& list, std::size_t columns) {
     std::size_t whole = 0;
-    for (const Row& row : list) whole += height_of(row);
+    for (const KeyRow& row : list) whole += height_of(row);
     std::vector<std::size_t> ends;
     std::size_t end = 0, filled = 0;
     for (std::size_t column = 1; column <= columns; ++column) {
@@ -133,7 +133,7 @@ std::vector<std::size_t> column_ends(const std::vector<Row>& list, std::size_t c
     return ends;
 }
 
-void write_row(const Ui& ui, const Row& row, ImVec2 at, float width, float line) {
+void write_row(const Ui& ui, const KeyRow& row, ImVec2 at, float width, float line) {
     if (row.heading) {
         put(ui, {at.x, at.y + line - line_height(ui, Face::small) - ui.px(line_gap)}, row.words, ui.palette.second_text,
             Face::small);
@@ -152,12 +152,12 @@ void keys_card(const LabView&, PanelState& state, Ui& ui, Rect window) {
     if (state.sheet != Sheet::keys) return;
     constexpr float narrowest = 300, space = 36;  // layout pixels
     begin_sheet(ui, state.keys, "card.keys", ui.strings("keys.heading"), 1060, window);
-    std::vector<Row> list = rows(ui.strings);
+    std::vector<KeyRow> list = rows(ui.strings);
     const float line = line_height(ui, Face::text) + ui.px(line_gap), width = card_width(ui);
     const auto columns =
         static_cast<std::size_t>(std::clamp((width + ui.px(space)) / ui.px(narrowest + space), 1.0f, 3.0f));
     const float each = (width - ui.px(space) * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-    for (Row& row : list) {
+    for (KeyRow& row : list) {
         row.key = with_large_arrows(ui, std::move(row.key));
         if (!row.heading) break_into_lines(ui, row, each);
     }

@@ -26,7 +26,7 @@ namespace {
 constexpr float menu_width = 268, pad = 6, row_height = 28, rule_height = 9;  // layout pixels
 
 // A row of the menu: what it says, what it asks for, and where it leads.
-struct Row {
+struct StageMenuRow {
     std::string anchor, words, keys;
     std::vector<Request> asks;
     std::optional<MenuPage> leads_to;
@@ -41,7 +41,7 @@ public:
     Rows(const LabView& view, const StageMenu& menu, const Ui& ui)
         : view_(view), now_(*view.now), menu_(menu), ui_(ui) {}
 
-    std::vector<Row> of_page() {
+    std::vector<StageMenuRow> of_page() {
         const bool vehicle = menu_.thing.kind == ThingKind::vehicle;
         if (vehicle && menu_.page == MenuPage::brains)
             brains();
@@ -58,8 +58,8 @@ private:
     std::string words(std::string_view key) const { return std::string(ui_.strings(key)); }
     std::string keys(Action action) const { return key_name(action, ui_.strings); }
 
-    Row& add(std::string anchor, std::string text, std::vector<Request> asks = {}, std::string shortcut = {}) {
-        Row row;
+    StageMenuRow& add(std::string anchor, std::string text, std::vector<Request> asks = {}, std::string shortcut = {}) {
+        StageMenuRow row;
         row.anchor = "menu." + std::move(anchor);
         row.words = std::move(text);
         row.keys = std::move(shortcut);
@@ -144,7 +144,7 @@ private:
             Source source;
             source.channel = channel, source.x = menu_.place.x, source.y = menu_.place.y;
             const std::string name(word(channel));
-            Row& row = add("add." + name, words("source." + name), {EditRequest{AddSource{source}}});
+            StageMenuRow& row = add("add." + name, words("source." + name), {EditRequest{AddSource{source}}});
             row.channel = channel;
             row.rule_above = channel == source_channels.front();
         }
@@ -159,17 +159,17 @@ private:
     const Snapshot& now_;
     const StageMenu& menu_;
     const Ui& ui_;
-    std::vector<Row> rows_;
+    std::vector<StageMenuRow> rows_;
 };
 
-float height_of(const Ui& ui, const std::vector<Row>& rows) {
+float height_of(const Ui& ui, const std::vector<StageMenuRow>& rows) {
     float height = 2 * ui.px(pad);
-    for (const Row& row : rows) height += ui.px(row_height) + (row.rule_above ? ui.px(rule_height) : 0);
+    for (const StageMenuRow& row : rows) height += ui.px(row_height) + (row.rule_above ? ui.px(rule_height) : 0);
     return height;
 }
 
 // `indented`: others have a sign before their words.
-void draw_row(const Ui& ui, const Row& row, const Item& at, bool indented) {
+void draw_row(const Ui& ui, const StageMenuRow& row, const Item& at, bool indented) {
     const Palette& p = ui.palette;
     fill_box(ui, at.rect, p.line.with_alpha(std::max(0.6f * at.warmth, at.focused ? 0.6f : 0.0f)), 4);
     float x = at.rect.x + ui.px(10);
@@ -185,7 +185,7 @@ void draw_row(const Ui& ui, const Row& row, const Item& at, bool indented) {
 }
 
 // True when it was pressed.
-bool show(Ui& ui, const Row& row, bool indented) {
+bool show(Ui& ui, const StageMenuRow& row, bool indented) {
     const float width = ui.px(menu_width - 2 * pad);
     if (row.rule_above) {
         const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -205,7 +205,7 @@ bool show(Ui& ui, const Row& row, bool indented) {
     return at.pressed;
 }
 
-void obey(const LabView& view, PanelState& state, Ui& ui, const Row& row) {
+void obey(const LabView& view, PanelState& state, Ui& ui, const StageMenuRow& row) {
     StageState& stage = state.stage;
     if (row.leads_to) {
         stage.menu.page = *row.leads_to;
@@ -233,7 +233,7 @@ void stage_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     if (!menu.open) return;
     const bool just_opened = !std::exchange(menu.placed, true);
     if (just_opened) ImGui::OpenPopup("stage menu");
-    const std::vector<Row> rows = Rows(view, menu, ui).of_page();
+    const std::vector<StageMenuRow> rows = Rows(view, menu, ui).of_page();
     const float w = ui.px(menu_width), most = window.h - ui.px(16), h = std::min(height_of(ui, rows), most);
     const auto within = [](float at, float low, float size, float room) {
         return std::clamp(at, low, std::max(low, low + room - size));
@@ -247,8 +247,9 @@ void stage_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     if (ImGui::BeginPopup("stage menu", ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav)) {
         begin_stops(ui.keyboard);
         menu.rows.clear();
-        const bool signs = std::any_of(rows.begin(), rows.end(), [](const Row& r) { return r.role || r.channel; });
-        for (const Row& row : rows) {
+        const bool signs =
+            std::any_of(rows.begin(), rows.end(), [](const StageMenuRow& r) { return r.role || r.channel; });
+        for (const StageMenuRow& row : rows) {
             if (!row.heading) menu.rows.push_back(row.anchor);
             if (show(ui, row, signs)) obey(view, state, ui, row);
         }

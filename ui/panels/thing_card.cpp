@@ -63,7 +63,7 @@ bool swatch(Ui& ui, Channel channel, bool chosen) {
     return at.pressed;
 }
 
-void buttons(Ui& ui) {
+void thing_buttons(Ui& ui) {
     gap(ui, 8);
     const Item copy = button(ui, "thing.duplicate", {{}, ui.strings("action.duplicate")});
     tooltip(ui, copy, ui.strings("action.duplicate"), key_name(Action::duplicate, ui.strings));
@@ -127,7 +127,7 @@ void thing_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
             source_values(view, state, ui, view.thing.index);
         else
             obstacle_values(view, state, ui, view.thing.index);
-        buttons(ui);
+        thing_buttons(ui);
     }
     end_card(state.thing);
 }

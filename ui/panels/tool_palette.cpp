@@ -17,7 +17,7 @@ namespace braitenlab {
 
 namespace {
 
-constexpr float button_size = 32, pad = 4;  // layout pixels
+constexpr float button_size = 32, palette_pad = 4;  // layout pixels
 
 struct ToolLook {
     StageTool tool;
@@ -58,7 +58,7 @@ void draw_sign(const Ui& ui, StageTool tool, ImVec2 c, Colour colour) {
 
 void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect scene) {
     if (!view.sight || view.mode == Mode::wiring) return;
-    const float size = ui.px(button_size), inset = ui.px(pad);
+    const float size = ui.px(button_size), inset = ui.px(palette_pad);
     const Rect bar{scene.x, scene.y, looks.size() * size + 2 * inset, size + 2 * inset};
     begin_bar(ui, "tools", bar, false, 6);
     const Palette& p = ui.palette;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int compact = 1, few_icons = 2, words_alone = 3, first_words_go = 4;  // steps of narrowness
 constexpr int never = 99, narrowest = first_words_go + 6;
-constexpr float margin = 12, between = 4, group_gap = 17;  // layout pixels
+constexpr float toolbar_margin = 12, tool_gap = 4, group_gap = 17;  // layout pixels
 constexpr float speed_width = 52, status_width = 204,
                 compact_status = 200;  // the pill, and the clock with the pace below
 
@@ -70,10 +70,10 @@ ButtonLook look_of(const Ui& ui, const Tool& tool, int narrowness) {
 float width_of_status(int narrowness) { return narrowness < compact ? status_width : compact_status; }
 
 float width_of(const Ui& ui, const std::vector<Tool>& all, int narrowness) {
-    float width = 2 * ui.px(margin) + button_width(ui, look_of(ui, exit_tool, narrowness)) + ui.px(group_gap);
+    float width = 2 * ui.px(toolbar_margin) + button_width(ui, look_of(ui, exit_tool, narrowness)) + ui.px(group_gap);
     for (const Tool& tool : all)
-        width += button_width(ui, look_of(ui, tool, narrowness)) + ui.px(tool.first_of_group ? group_gap : between);
-    return width + ui.px(group_gap + 2 * 34 + speed_width + 2 * between + group_gap + width_of_status(narrowness));
+        width += button_width(ui, look_of(ui, tool, narrowness)) + ui.px(tool.first_of_group ? group_gap : tool_gap);
+    return width + ui.px(group_gap + 2 * 34 + speed_width + 2 * tool_gap + group_gap + width_of_status(narrowness));
 }
 
 void press(PanelState& state, Ui& ui, const Tool& tool, int narrowness) {
@@ -169,21 +169,21 @@ void toolbar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     while (narrowness < narrowest && width_of(ui, all, narrowness) > bar.w) ++narrowness;
 
     const float y = bar.y + (bar.h - ui.px(button_height)) / 2;
-    float x = bar.x + ui.px(margin);
+    float x = bar.x + ui.px(toolbar_margin);
     for (const Tool& tool : all) {
         if (tool.first_of_group) {
-            x += ui.px(group_gap - between);
-            rule(ui, x - ui.px((group_gap - between) / 2 + between / 2), bar);
+            x += ui.px(group_gap - tool_gap);
+            rule(ui, x - ui.px((group_gap - tool_gap) / 2 + tool_gap / 2), bar);
         }
         ImGui::SetCursorScreenPos({x, y});
         press(state, ui, tool, narrowness);
-        x += button_width(ui, look_of(ui, tool, narrowness)) + ui.px(between);
+        x += button_width(ui, look_of(ui, tool, narrowness)) + ui.px(tool_gap);
     }
-    x += ui.px(group_gap - between);
-    rule(ui, x - ui.px((group_gap - between) / 2 + between / 2), bar);
+    x += ui.px(group_gap - tool_gap);
+    rule(ui, x - ui.px((group_gap - tool_gap) / 2 + tool_gap / 2), bar);
     x = speed(view, ui, x, bar);
 
-    const float exit_x = bar.x + bar.w - ui.px(margin) - button_width(ui, look_of(ui, exit_tool, narrowness));
+    const float exit_x = bar.x + bar.w - ui.px(toolbar_margin) - button_width(ui, look_of(ui, exit_tool, narrowness));
     const float status_width_now = width_of_status(narrowness);
     status(view, ui, exit_x - ui.px(group_gap + status_width_now), status_width_now, bar);
     rule(ui, exit_x - ui.px(group_gap / 2), bar);

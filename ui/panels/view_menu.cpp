@@ -19,7 +19,7 @@ namespace braitenlab {
 
 namespace {
 
-constexpr float menu_width = 300, pad = 12, row_height = 32;  // layout pixels
+constexpr float view_menu_width = 300, view_menu_pad = 12, view_row_height = 32;  // layout pixels
 
 struct ViewRow {
     std::string id;
@@ -53,7 +53,7 @@ std::string_view words_of(const Ui& ui, const ViewRow& row) {
 
 bool draw_row(Ui& ui, const ViewRow& row, ImVec2 at) {
     ImGui::SetCursorScreenPos(at);
-    const Item here = item(ui, row.id, {ui.px(menu_width - 2 * pad), ui.px(row_height)});
+    const Item here = item(ui, row.id, {ui.px(view_menu_width - 2 * view_menu_pad), ui.px(view_row_height)});
     fill_box(ui, here.rect, ui.palette.line.with_alpha(std::max(0.6f * here.warmth, here.focused ? 0.6f : 0.0f)));
     const float y = here.middle_y() - line_height(ui, Face::text) / 2;
     if (row.on) {
@@ -72,7 +72,8 @@ bool draw_row(Ui& ui, const ViewRow& row, ImVec2 at) {
 
 float heading(const Ui& ui, ImVec2 at, std::string_view words, std::string_view key) {
     put(ui, {at.x + ui.px(10), at.y + ui.px(4)}, words, ui.palette.second_text, Face::small);
-    put_right(ui, {at.x + ui.px(menu_width - 2 * pad - 10), at.y + ui.px(4)}, key, ui.palette.second_text, Face::small);
+    put_right(ui, {at.x + ui.px(view_menu_width - 2 * view_menu_pad - 10), at.y + ui.px(4)}, key,
+              ui.palette.second_text, Face::small);
     return at.y + line_height(ui, Face::small) + ui.px(8);
 }
 
@@ -102,20 +103,20 @@ void view_menu(const LabView& view, PanelState& state, Ui& ui, const WindowLayou
     const Rect opener = *button;  // what follows records anchors
     const auto all_switches = switches(view), all_fields = fields(view);
     const float heads = 2 * (line_height(ui, Face::small) + ui.px(8)) + ui.px(8);
-    const float height =
-        2 * ui.px(pad) + heads + ui.px(row_height) * static_cast<float>(all_switches.size() + all_fields.size());
-    const Rect menu{std::min(opener.x, layout.window.w - ui.px(menu_width + 12)),
-                    layout.toolbar.y + layout.toolbar.h + ui.px(8), ui.px(menu_width), height};
+    const float height = 2 * ui.px(view_menu_pad) + heads +
+                         ui.px(view_row_height) * static_cast<float>(all_switches.size() + all_fields.size());
+    const Rect menu{std::min(opener.x, layout.window.w - ui.px(view_menu_width + 12)),
+                    layout.toolbar.y + layout.toolbar.h + ui.px(8), ui.px(view_menu_width), height};
     // No veil over the scene: one looks at it while choosing. But the click that closes the menu does nothing else.
     begin_bar(ui, "view", layout.window, true);
     card_ground(ui, menu);
     fill_box(ui, menu, ui.palette.panel);
     line_box(ui, menu, ui.palette.line);
-    ImVec2 at{menu.x + ui.px(pad), menu.y + ui.px(pad)};
+    ImVec2 at{menu.x + ui.px(view_menu_pad), menu.y + ui.px(view_menu_pad)};
     at.y = heading(ui, at, ui.strings("view.shown"), {});
     for (const ViewRow& row : all_switches) {
         if (draw_row(ui, row, at)) ui.outbox.push_back(*row.action);
-        at.y += ui.px(row_height);
+        at.y += ui.px(view_row_height);
     }
     at.y += ui.px(8);
     at.y = heading(ui, at, ui.strings("view.field"), key_name(Action::next_field, ui.strings));
@@ -125,7 +126,7 @@ void view_menu(const LabView& view, PanelState& state, Ui& ui, const WindowLayou
             wanted.field = row.field;
             ui.outbox.push_back(OverlaysRequest{wanted});
         }
-        at.y += ui.px(row_height);
+        at.y += ui.px(view_row_height);
     }
     mark(ui, "card.view", menu);
     if (state.focus_view_menu && ui.keyboard) ui.keyboard->focus = all_switches.front().id;

@@ -16,7 +16,7 @@ using maths::vec2;
 
 namespace {
 
-constexpr float step = 0.1f;          // m between the places that are tried
+constexpr float search_step = 0.1f;   // m between the places that are tried
 constexpr float source_reach = 0.3f;  // m, the foot of a lamp
 
 struct Disc {
@@ -90,8 +90,9 @@ vec2 free_place(const Snapshot& now, vec2 wanted, float reach) {
     const vec2 from{std::clamp(wanted.x, -limit.x, limit.x), std::clamp(wanted.y, -limit.y, limit.y)};
     // Rings round it, each from the side of the arena's middle on: there is most room.
     const float towards_middle = std::atan2(-from.y, -from.x), farthest = 2 * std::hypot(limit.x, limit.y);
-    for (float ring = 0; ring <= farthest; ring += step) {
-        const int places = ring == 0 ? 1 : static_cast<int>(std::ceil(2 * std::numbers::pi_v<float> * ring / step));
+    for (float ring = 0; ring <= farthest; ring += search_step) {
+        const int places =
+            ring == 0 ? 1 : static_cast<int>(std::ceil(2 * std::numbers::pi_v<float> * ring / search_step));
         for (int i = 0; i < places; ++i) {
             const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(places);
             const vec2 at = from + ring * vec2{std::cos(towards_middle + turn), std::sin(towards_middle + turn)};

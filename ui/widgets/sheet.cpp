@@ -17,16 +17,17 @@ namespace braitenlab {
 
 namespace {
 
-constexpr float pad = 16, scrollbar_inset = 3, least_margin = 12;  // layout pixels
+constexpr float sheet_pad = 16, sheet_scrollbar_inset = 3, least_margin = 12;  // layout pixels
 
-float heading_height(const Ui& ui) { return line_height(ui, Face::title) + ui.px(pad); }
-float row_height(const Ui& ui) { return ui.px(button_height + pad); }
+float sheet_heading_height(const Ui& ui) { return line_height(ui, Face::title) + ui.px(sheet_pad); }
+float sheet_row_height(const Ui& ui) { return ui.px(button_height + sheet_pad); }
 
 }  // namespace
 
 void begin_sheet(Ui& ui, SheetState& state, std::string_view id, std::string_view heading, float layout_width,
                  Rect window) {
-    const float margin = ui.px(least_margin), around = heading_height(ui) + row_height(ui) + 2 * ui.px(pad);
+    const float margin = ui.px(least_margin),
+                around = sheet_heading_height(ui) + sheet_row_height(ui) + 2 * ui.px(sheet_pad);
     const float w = std::min(ui.px(layout_width), window.w - 2 * margin);
     const float h = std::min(state.content + around, window.h - 2 * margin);
     const Rect r{window.x + std::floor((window.w - w) / 2), window.y + std::floor((window.h - h) / 2), w, h};
@@ -37,11 +38,12 @@ void begin_sheet(Ui& ui, SheetState& state, std::string_view id, std::string_vie
     card_ground(ui, r);
     fill_box(ui, r, ui.palette.panel);  // opaque: what lies below is full of words
     line_box(ui, r, ui.palette.line);
-    put(ui, {r.x + ui.px(pad), r.y + ui.px(pad)}, heading, ui.palette.text, Face::title);
+    put(ui, {r.x + ui.px(sheet_pad), r.y + ui.px(sheet_pad)}, heading, ui.palette.text, Face::title);
     mark(ui, id, r);
     state.rect = r;
-    ImGui::SetCursorScreenPos({r.x + ui.px(pad), r.y + ui.px(pad) + heading_height(ui)});
-    compat::begin_child("body", {w - ui.px(pad + scrollbar_inset), std::max(1.0f, h - around)}, ImGuiWindowFlags_NoNav);
+    ImGui::SetCursorScreenPos({r.x + ui.px(sheet_pad), r.y + ui.px(sheet_pad) + sheet_heading_height(ui)});
+    compat::begin_child("body", {w - ui.px(sheet_pad + sheet_scrollbar_inset), std::max(1.0f, h - around)},
+                        ImGuiWindowFlags_NoNav);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(8)});
     ImGui::BeginGroup();
 }
@@ -52,7 +54,7 @@ void sheet_buttons(Ui& ui, SheetState& state) {
     ImGui::PopStyleVar();
     ImGui::EndChild();
     const Rect& r = state.rect;
-    ImGui::SetCursorScreenPos({r.x + ui.px(pad), r.y + r.h - ui.px(pad + button_height)});
+    ImGui::SetCursorScreenPos({r.x + ui.px(sheet_pad), r.y + r.h - ui.px(sheet_pad + button_height)});
 }
 
 bool end_sheet(const SheetState& state) {

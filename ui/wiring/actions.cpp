@@ -11,8 +11,6 @@ using maths::vec2;
 
 namespace {
 
-View view_of(const CanvasState& state, const CanvasFrame& frame) { return view_of(state, frame.area, frame.ui_scale); }
-
 void tidy_up(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     PlaceNodes tidied{frame.target, {}};
     for (const Node& node : frame.graph.nodes) tidied.places.push_back({node.id, {}});
@@ -47,7 +45,7 @@ void step_in_menu(CanvasMenu& menu, Towards towards) {
     if (towards == Towards::up) menu.current = (std::max(menu.current, 0) + count - 1) % count;
 }
 
-void step(CanvasState& state, const CanvasFrame& frame, Towards towards) {
+void move_focus(CanvasState& state, const CanvasFrame& frame, Towards towards) {
     if (state.menu.open()) return step_in_menu(state.menu, towards);
     state.focus = next_towards(frame.layout, state.focus, towards, state.joining.has_value());
     if (!state.joining && state.focus.part != Part::nothing) select(state, state.focus, false);
@@ -137,13 +135,13 @@ void obey(CanvasState& state, const CanvasFrame& frame, Action action, Outbox& o
         case Action::menu:
             return enter(state, frame, outbox);
         case Action::step_left:
-            return step(state, frame, Towards::left);
+            return move_focus(state, frame, Towards::left);
         case Action::step_right:
-            return step(state, frame, Towards::right);
+            return move_focus(state, frame, Towards::right);
         case Action::step_up:
-            return step(state, frame, Towards::up);
+            return move_focus(state, frame, Towards::up);
         case Action::step_down:
-            return step(state, frame, Towards::down);
+            return move_focus(state, frame, Towards::down);
         default:
             break;
     }

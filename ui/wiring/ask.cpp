@@ -6,7 +6,7 @@ using maths::vec2;
 
 namespace {
 
-constexpr double refusal_seconds = 2.5;
+constexpr double wiring_refusal_seconds = 2.5;
 
 }  // namespace
 
@@ -14,7 +14,7 @@ void refuse(CanvasState& state, const CanvasFrame& frame, std::string_view key) 
     const Rect& area = frame.area;
     const bool inside = frame.pointer.valid && area.contains(frame.pointer.at.x, frame.pointer.at.y);
     const vec2 at = inside ? frame.pointer.at : vec2{area.x + area.w / 3, area.y + area.h / 2};
-    state.refusal = {std::string(key), at, frame.wall_seconds + refusal_seconds};
+    state.refusal = {std::string(key), at, frame.wall_seconds + wiring_refusal_seconds};
 }
 
 bool ask(CanvasState& state, const CanvasFrame& frame, const Edit& edit, std::uint64_t gesture, Outbox& outbox) {

@@ -4,11 +4,7 @@
 
 namespace braitenlab {
 
-namespace {
-
-View view_of(const CanvasState& state, const CanvasFrame& frame) { return view_of(state, frame.area, frame.ui_scale); }
-
-}  // namespace
+namespace {}  // namespace
 
 WireDrop drop_of(const CanvasState& state, const CanvasFrame& frame) {
     const CanvasDrag& drag = state.drag;

@@ -17,8 +17,6 @@ constexpr float drag_begins = 4;      // layout pixels
 constexpr float pixels_per_step = 8;  // of weight
 constexpr float coarse = 0.1f, fine = 0.01f;
 
-View view_of(const CanvasState& state, const CanvasFrame& frame) { return view_of(state, frame.area, frame.ui_scale); }
-
 float rounded(float weight) { return std::clamp(std::round(weight * 100) / 100, -limits::weight, limits::weight); }
 
 void turn_wheel(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {

@@ -29,6 +29,9 @@ struct CanvasFrame {
 };
 
 View view_of(const CanvasState&, Rect area, float ui_scale);
+inline View view_of(const CanvasState& state, const CanvasFrame& frame) {
+    return view_of(state, frame.area, frame.ui_scale);
+}
 
 // Multiplies the zoom (kept within its range) so that the canvas point under the pixel stays there.
 void zoom_at(CanvasState&, Rect area, float ui_scale, maths::vec2 pixel, float factor);

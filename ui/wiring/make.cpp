@@ -12,8 +12,6 @@ using maths::vec2;
 
 namespace {
 
-View view_of(const CanvasState& state, const CanvasFrame& frame) { return view_of(state, frame.area, frame.ui_scale); }
-
 // Room for the piece and a little around it.
 vec2 room_of(const BrainPiece& piece) {
     constexpr float clear = 10;

@@ -21,7 +21,8 @@ void zoom_at(CanvasState& state, Rect area, float ui_scale, vec2 pixel, float fa
 
 namespace {
 
-constexpr float side = 28, bottom = 24, top = 56, buttons = 212;  // layout pixels; the buttons' height and width
+// Layout pixels around the fitted brain; `buttons` is the width of the canvas buttons.
+constexpr float fit_side = 28, fit_bottom = 24, fit_top = 56, fit_buttons = 212;
 
 float zoom_in(vec2 room, vec2 size, float ui_scale) {
     const float zoom = std::min(std::max(room.x, 1.0f) / size.x, std::max(room.y, 1.0f) / size.y) / ui_scale;
@@ -32,17 +33,18 @@ float zoom_in(vec2 room, vec2 size, float ui_scale) {
 
 void fit(CanvasState& state, const Layout& layout, Rect area, float ui_scale) {
     const vec2 size = layout.high - layout.low;
-    const float below = zoom_in({area.w - 2 * side * ui_scale, area.h - (top + bottom) * ui_scale}, size, ui_scale);
+    const float below =
+        zoom_in({area.w - 2 * fit_side * ui_scale, area.h - (fit_top + fit_bottom) * ui_scale}, size, ui_scale);
     const float beside =
-        zoom_in({area.w - (side + buttons) * ui_scale, area.h - 2 * bottom * ui_scale}, size, ui_scale);
+        zoom_in({area.w - (fit_side + fit_buttons) * ui_scale, area.h - 2 * fit_bottom * ui_scale}, size, ui_scale);
     const bool stands_beside = beside > 1.1f * below;  // in a low room the buttons would cost half of it
     state.zoom = stands_beside ? beside : below;
     state.middle = (layout.low + layout.high) / 2;
     state.own_view = false;
     const float scale = view_of(state, area, ui_scale).scale;
     const float above = (area.h - size.y * scale) / 2, right = (area.w - size.x * scale) / 2;
-    if (stands_beside && right < buttons * ui_scale) state.middle.x += (buttons * ui_scale - right) / scale;
-    if (!stands_beside && above < top * ui_scale) state.middle.y -= (top * ui_scale - above) / scale;
+    if (stands_beside && right < fit_buttons * ui_scale) state.middle.x += (fit_buttons * ui_scale - right) / scale;
+    if (!stands_beside && above < fit_top * ui_scale) state.middle.y -= (fit_top * ui_scale - above) / scale;
 }
 
 void reveal(CanvasState& state, Rect area, float ui_scale, vec2 point) {
