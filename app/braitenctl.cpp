@@ -47,9 +47,9 @@ int command_line(int argc, char** argv) {
 
     std::string exercise, brain;
     bool all = false;
-    CLI::App* check_command = app.add_subcommand("check", "does a brain pass an exercise?");
+    CLI::App* check_command = app.add_subcommand("check", "is an exercise sound, or does a brain pass it?");
     auto* name = check_command->add_option("EXERCISE", exercise, "a path, or the bare name of a shipped exercise");
-    check_command->add_option("--brain", brain, "a brain file; without it, the brain as shipped")->type_name("FILE");
+    check_command->add_option("--brain", brain, "a brain file; without it, the brain as shipped and the exercise's own solution")->type_name("FILE");
     auto* all_flag =
         check_command->add_flag("--all", all, "every shipped exercise: fails as shipped, passes with its solution");
     name->excludes(all_flag);

@@ -27,11 +27,14 @@ struct RunOptions {
 };
 int run(const RunOptions&);
 
+// Prints whether the brain of the file passes the exercise. With an empty file name: whether the exercise is sound,
+// i.e. no start passes as shipped and every start passes with its own solution.
 int check(const std::string& exercise, const std::string& brain_file);
+// Prints whether each shipped exercise is sound.
 int check_all();
 
-// A class's brains, one row each, to the file or where it is empty to stdout. A file that holds no brain gets a row
-// that says so, and the others are graded all the same.
+// Grades a class's brains, one row each, into the CSV file, or to stdout when its name is empty. A file that holds no
+// brain gets a row with the error; the other files are still graded.
 int grade_all(const std::string& exercise, const std::vector<std::string>& brain_files, const std::string& csv);
 
 // What a scene, an exercise, a saved run or a brain contains, and what the recogniser calls its brains.

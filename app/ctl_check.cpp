@@ -1,4 +1,4 @@
-// braitenctl check and grade: does a brain pass an exercise?
+// braitenctl check and grade: whether exercises are sound and whether brains pass them.
 #include <iostream>
 #include <sstream>
 
@@ -9,7 +9,7 @@
 #include "app/safe_file.h"
 #include "core/brain/recogniser.h"
 #include "core/lesson/exercise.h"
-#include "core/lesson/referee.h"
+#include "core/lesson/grade.h"
 #include "core/scene/scene_file.h"
 
 namespace braitenlab {
@@ -29,8 +29,15 @@ void print_grade(const Exercise& exercise, const Grade& grade) {
         if (!grade.passed[i]) std::cout << fmt::format("  start {} fails\n", i + 1);
 }
 
-const BrainGraph& pupil_brain(const Exercise& exercise) {
-    return exercise.scene.kinds[static_cast<std::size_t>(pupil_kind(exercise.scene))].brain;
+// An exercise is sound when no start passes as shipped and every start passes with the solution.
+bool is_sound(const Exercise& exercise) {
+    const Grade shipped = grade(exercise, as_shipped(exercise));
+    const Grade solved = grade(exercise, with_solution(exercise));
+    const bool sound = shipped.count == 0 && solved.count == exercise.starts;
+    std::cout << fmt::format(
+        "{}: as shipped {} of {} starts pass (none should), with its solution {} (all should): {}\n", exercise.id,
+        shipped.count, exercise.starts, solved.count, sound ? "good" : "wrong");
+    return sound;
 }
 
 // A cell of a CSV file (RFC 4180).
@@ -49,30 +56,20 @@ std::string cell(const std::string& text) {
 int check(const std::string& name, const std::string& brain_file) {
     const auto exercise = find_exercise(name);
     if (!exercise) return complain(exercise.error());
-    BrainGraph brain = pupil_brain(*exercise);
-    if (!brain_file.empty()) {
-        auto own = load_brain(brain_file);
-        if (!own) return complain(own.error());
-        brain = *own;
-    }
-    const Grade result = grade(*exercise, brain);
+    if (brain_file.empty()) return is_sound(*exercise) ? exit_code::done : exit_code::failed;
+    auto brain = load_brain(brain_file);
+    if (!brain) return complain(brain.error());
+    const Grade result = grade(*exercise, with_brain(*exercise, std::move(*brain)));
     print_grade(*exercise, result);
     return result.good ? exit_code::done : exit_code::failed;
 }
 
-// Every shipped exercise must fail as shipped and pass with its solution, from every start.
 int check_all() {
     int wrong = 0;
     for (const auto& path : shipped_exercises()) {
         const auto exercise = load_exercise(path);
         if (!exercise) return complain(exercise.error());
-        const Grade shipped = grade(*exercise, pupil_brain(*exercise));
-        const Grade solved = grade(*exercise, make_graph(exercise->solution));
-        const bool good = shipped.count == 0 && solved.count == exercise->starts;
-        std::cout << fmt::format(
-            "{}: as shipped {} of {} starts pass (none should), with its solution {} (all should): {}\n", exercise->id,
-            shipped.count, exercise->starts, solved.count, good ? "good" : "wrong");
-        wrong += !good;
+        wrong += !is_sound(*exercise);
     }
     return wrong == 0 ? exit_code::done : exit_code::failed;
 }
@@ -95,7 +92,7 @@ int grade_all(const std::string& name, const std::vector<std::string>& brain_fil
                  << std::string(static_cast<std::size_t>(exercise->starts), ',') << "\n";
             continue;
         }
-        const Grade result = grade(*exercise, *brain);
+        const Grade result = grade(*exercise, with_brain(*exercise, *brain));
         rows << fmt::format("{},{},{},{},{},", result.good ? "yes" : "no", result.count, exercise->starts,
                             exercise->needed, braitenlab::name(recognise(*brain)));
         for (const bool passed : result.passed) rows << (passed ? ",yes" : ",no");

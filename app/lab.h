@@ -11,6 +11,7 @@
 
 #include "app/past.h"
 #include "core/lesson/exercise.h"
+#include "core/lesson/grade.h"
 #include "core/lesson/referee.h"
 #include "core/scene/scene_file.h"
 #include "core/session/session.h"

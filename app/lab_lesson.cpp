@@ -45,9 +45,7 @@ void watch(Lab& lab) {
     lesson.view.by_hand = lesson.referee.by_hand();
     if (!lesson.referee.passed() || lesson.view.grade) return;
     // Every step is done in this run: now it must hold from the other starts as well.
-    const Snapshot& now = lab.session.snapshot();
-    if (now.vehicles.empty()) return;
-    lesson.view.grade = grade(*lesson.exercise, *now.brains[static_cast<std::size_t>(now.vehicles.front().brain)]);
+    lesson.view.grade = grade(*lesson.exercise, submission_of(*lesson.exercise, lab.session.snapshot()));
 }
 
 void reset(Lab& lab) {

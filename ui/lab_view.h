@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/lesson/exercise.h"
+#include "core/lesson/grade.h"
 #include "core/lesson/referee.h"
 #include "core/world/snapshot.h"
 #include "render/view/camera.h"

@@ -2,11 +2,61 @@
 
 #include <fmt/format.h>
 
-#include "core/lesson/exercise_fields.h"
+#include "core/scene/format_table.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/toml_reader.h"
 
 namespace braitenlab {
+
+namespace limits {
+inline constexpr std::size_t steps = 32, hints = 32, options = 8;
+}
+
+// ── Every value of an exercise file, described once as core/scene/fields.h does for scenes ──
+
+template <class Visitor>
+void describe(Visitor& v, Of<Prediction>) {
+    v.text("question", &Prediction::question, limits::text_length, "asked before the first run, never graded");
+    v.texts("options", &Prediction::options, limits::options, limits::text_length, "two or more to choose from");
+    v.choice("answer", &Prediction::answer, &Prediction::options, "the option that the run shows");
+    v.text("outcome", &Prediction::outcome, limits::text_length, "shown after the run, beside the student's choice");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Check>) {
+    v.variant("goal", &Check::goal, "what the vehicle must do; each goal has keys of its own, listed under Goals");
+    v.text("vehicle", &Check::vehicle, limits::name_length,
+           "NAME of the [vehicle.NAME] that must do it; without it, the scene's first");
+    v.number("hold", &Check::hold, "s", {0, 600}, "the goal must stay met for so long without a break");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Step>) {
+    v.text("text", &Step::text, limits::text_length, "what is to be seen");
+    v.part(&Step::check);
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Hint>) {
+    v.text("text", &Hint::text, limits::text_length, "from a nudge to the whole solution, one after the other");
+    v.text("anchor", &Hint::anchor, limits::title_length, "id of the widget that pulses, like slider.LR");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Exercise>) {
+    v.number("number", &Exercise::number, "", {0, 999}, "its position in the course");
+    v.text("title", &Exercise::title, limits::title_length, "must be given");
+    v.text("goal", &Exercise::goal, limits::text_length, "must be given");
+    v.text("why", &Exercise::why, limits::text_length, "the mechanism, shown on request");
+    v.number("seed", &Exercise::seed, "", {0, 1e15}, "of the run that the student sees");
+    v.number("seconds", &Exercise::seconds, "s", {1, 600}, "duration of a graded run");
+    v.number("starts", &Exercise::starts, "", {1, 100}, "number of seeds, from 1 on, that are graded");
+    v.number("needed", &Exercise::needed, "", {1, 100}, "number of them that must pass every step");
+    v.table("predict", &Exercise::prediction, "a prediction before the first run");
+    v.list("step", &Exercise::steps, limits::steps, "what must happen; at least one");
+    v.list("hint", &Exercise::hints, limits::hints, "help, in stages");
+    v.table("solution", &Exercise::solution, "a brain that passes; must be given");
+}
 
 namespace {
 
@@ -31,43 +81,39 @@ void gather_settings(TomlFile& file, const toml::table& table, const std::string
     }
 }
 
-struct NeededKey {
-    const char* key;
-    std::vector<Goal> goals;
+// A part of the exercise file that is checked after reading: where it stands, and the scene that its names refer to.
+struct Part {
+    TomlFile& file;
+    const toml::table& table;
+    std::string path;
+    const Scene& scene;
+
+    template <class Named>
+    void check_name(const char* key, const std::string& name, const std::vector<Named>& known, const char* what) const {
+        std::vector<std::string_view> names;
+        for (const Named& each : known) names.emplace_back(each.name);
+        if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return;
+        file.fail(path + "." + key, table.get(key),
+                  fmt::format("the scene has no {} called {}{}", what, in_quotes(name), name_nearest(name, names)));
+    }
 };
 
-// Which goals need which of a step's keys.
-const std::vector<NeededKey>& needed_keys() {
-    static const std::vector<NeededKey> keys{{"source", {Goal::turns_to, Goal::touches, Goal::speeds_up}},
-                                             {"metres", {Goal::touches, Goal::speeds_up}},
-                                             {"seconds", {Goal::runs}},
-                                             {"degrees", {Goal::turns_to}},
-                                             {"factor", {Goal::speeds_up}}};
-    return keys;
-}
-
-// A step must say all that its goal needs and nothing else.
-void check_step(TomlFile& file, const toml::table& table, const std::string& path, const Step& step,
-                const Scene& scene) {
-    if (step.text.empty()) return file.fail(path, &table, "a step needs a text: text = \"It …\"");
-    if (!table.contains("goal"))
-        return file.fail(path, &table, "a step needs a goal: \"runs\", \"turns_to\", \"touches\" or \"speeds_up\"");
-    const std::string_view goal = word(step.check.goal);
-    for (const NeededKey& needed : needed_keys()) {
-        const bool wanted = std::find(needed.goals.begin(), needed.goals.end(), step.check.goal) != needed.goals.end();
-        const toml::node* given = table.get(needed.key);
-        if (wanted && !given)
-            return file.fail(path, &table, fmt::format("the goal '{}' needs '{}'; add it", goal, needed.key));
-        if (!wanted && given)
-            return file.fail(path + "." + needed.key, given,
-                             fmt::format("the goal '{}' has no '{}'; take it out", goal, needed.key));
-    }
-    if (step.check.source.empty() || find_source(scene, step.check.source) >= 0) return;
-    std::vector<std::string_view> names;
-    for (const Source& source : scene.sources) names.emplace_back(source.name);
-    file.fail(
-        path + ".source", table.get("source"),
-        "the scene has no source called " + in_quotes(step.check.source) + name_nearest(step.check.source, names));
+void check_check(const Part& part, const Check& check) {
+    part.check_name("vehicle", check.vehicle, part.scene.starts, "vehicle");
+    const auto check_goal = [&]<class G>(const G& goal) {
+        if constexpr (requires { goal.source; }) part.check_name("source", goal.source, part.scene.sources, "source");
+        if constexpr (requires { goal.checks; }) {
+            const toml::array* checks = part.table.get_as<toml::array>("check");
+            if (goal.checks.empty())
+                part.file.fail(part.path, &part.table,
+                               fmt::format("the goal '{}' needs at least one check of its own", G::traits.word));
+            for (std::size_t i = 0; i < goal.checks.size() && !part.file.error; ++i)
+                check_check(
+                    {part.file, *checks->get(i)->as_table(), fmt::format("{}.check.{}", part.path, i + 1), part.scene},
+                    goal.checks[i]);
+        }
+    };
+    std::visit(check_goal, check.goal);
 }
 
 void check_prediction(TomlTable& top, const Prediction& prediction) {
@@ -88,15 +134,18 @@ void check_exercise(TomlTable& top, const Exercise& exercise) {
     if (!top.has("solution") && !file.error)
         file.error = Error{"there is no [solution]; add the brain that passes", file.name};
     if (exercise.steps.empty() && !file.error)
-        file.error = Error{"there is no [[step]]; say what must come to pass", file.name};
+        file.error = Error{"there is no [[step]]; add at least one check of what must happen", file.name};
     if (exercise.scene.starts.empty())
         top.fail("scene", "this scene places no vehicle; an exercise is about its first [vehicle.NAME]");
     const toml::array* steps = top.content()["step"].as_array();
-    for (std::size_t i = 0; i < exercise.steps.size() && !file.error; ++i)
-        check_step(file, *steps->get(i)->as_table(), fmt::format("step.{}", i + 1), exercise.steps[i], exercise.scene);
+    for (std::size_t i = 0; i < exercise.steps.size() && !file.error; ++i) {
+        const Part part{file, *steps->get(i)->as_table(), fmt::format("step.{}", i + 1), exercise.scene};
+        if (exercise.steps[i].text.empty()) file.fail(part.path, &part.table, "a step needs a text: text = \"It …\"");
+        check_check(part, exercise.steps[i].check);
+    }
 }
 
-// The scene that the exercise names, with the exercise's settings and then those that came from outside.
+// The scene that the exercise names, with the exercise's settings and then the given ones.
 void load_its_scene(TomlTable& top, const std::filesystem::path& path, const std::vector<Setting>& more,
                     Exercise& exercise) {
     const auto scene_path = top.text("scene", limits::text_length);
@@ -107,15 +156,34 @@ void load_its_scene(TomlTable& top, const std::filesystem::path& path, const std
     if (!scene_path && !file.error)
         file.error = Error{"'scene' is missing; add scene = \"../scenes/NAME.toml\"", file.name, 1};
     if (file.error) return;
-    const std::filesystem::path place = (path.parent_path() / *scene_path).lexically_normal();
-    std::error_code trouble;
-    if (!std::filesystem::is_regular_file(place, trouble))
-        return top.fail("scene", "there is no scene " + in_quotes(place.string()) + "; its path counts from this file");
-    auto scene = load_scene(place, settings);
+    const std::filesystem::path scene_file = (path.parent_path() / *scene_path).lexically_normal();
+    std::error_code problem;
+    if (!std::filesystem::is_regular_file(scene_file, problem))
+        return top.fail("scene",
+                        "there is no scene " + in_quotes(scene_file.string()) + "; its path is relative to this file");
+    auto scene = load_scene(scene_file, settings);
     if (scene)
         exercise.scene = std::move(*scene);
     else
         file.error = scene.error();
+}
+
+template <class G>
+std::string describe_goal() {
+    const std::string heading = fmt::format("\n### `{}`\n\nMet when {}.\n", G::traits.word, G::traits.meaning);
+    FormatTable<G> table("", G{});
+    describe(table, Of<G>{});
+    return heading + (table.rows().empty() ? "" : table.text());
+}
+
+template <class... Goals>
+std::string describe_goals(const std::variant<Goals...>&) {
+    std::string text = "\n## Goals\n\nA step must give all keys of its goal and no key of another goal.\n";
+    ((text += describe_goal<Goals>()), ...);
+    FormatTable<Check> check("step.check.", "`[[step.check]]`",
+                             fmt::format("a check of the goals all_of and any_of; up to {}", limits::checks));
+    describe(check, Of<Check>{});
+    return text + check.text();
 }
 
 }  // namespace
@@ -144,6 +212,12 @@ Result<Exercise> load_exercise(const std::filesystem::path& path, const std::vec
     return parse_exercise(*text, path, more);
 }
 
-int pupil_kind(const Scene& scene) { return find_kind(scene, scene.starts.front().kind); }
+std::string describe_exercise_format() {
+    FormatTable<Exercise> table("", "The top of the file", "");
+    describe(table, Of<Exercise>{});
+    return table.text() + describe_goals(Goal{});
+}
+
+int subject_kind(const Scene& scene) { return find_kind(scene, scene.starts.front().kind); }
 
 }  // namespace braitenlab

@@ -8,51 +8,29 @@
 #include <vector>
 
 #include "core/brain/four_neurons.h"
+#include "core/lesson/goals.h"
 #include "core/result.h"
 #include "core/scene/scene.h"
 #include "core/scene/scene_file.h"
 
 namespace braitenlab {
 
-// What a step asks of the scene's first vehicle.
-enum class Goal {
-    runs,       // the run has lasted `seconds`
-    turns_to,   // the source came to lie within `degrees` of the heading, having been outside
-    touches,    // its origin came within `metres` of the source
-    speeds_up,  // when it first came within `metres`, it moved at least `factor` times as fast as after its first
-                // second
-};
-
-// A check is data; core/lesson/referee.h judges it.
-struct Check {
-    Goal goal = Goal::runs;
-    std::string source;  // for all but `runs`
-    float metres = 0;
-    float seconds = 0;
-    float degrees = 0;
-    float factor = 0;
-    friend bool operator==(const Check&, const Check&) = default;
-};
-
 struct Step {
     std::string text;
     Check check;
-    friend bool operator==(const Step&, const Step&) = default;
 };
 
-// Asked before the first run, never graded. Without a question there is none.
+// Asked before the first run, never graded. There is none when the question is empty.
 struct Prediction {
     std::string question;
     std::vector<std::string> options;
-    int answer = 0;       // 0-based: what the run will show; in the file, one of the options
-    std::string outcome;  // said after the run, next to the student's own choice
-    friend bool operator==(const Prediction&, const Prediction&) = default;
+    int answer = 0;       // index of the option that the run shows; in the file, the option's text
+    std::string outcome;  // shown after the run, next to the student's own choice
 };
 
 struct Hint {
     std::string text;
-    std::string anchor;  // the widget that pulses while the hint is the newest, e.g. "slider.LR"; may be empty
-    friend bool operator==(const Hint&, const Hint&) = default;
+    std::string anchor;  // id of the widget that pulses while the hint is the newest, e.g. "slider.LR"; may be empty
 };
 
 struct Exercise {
@@ -64,13 +42,13 @@ struct Exercise {
     Prediction prediction;
     std::vector<Step> steps;
     std::vector<Hint> hints;
-    float seconds = 20;  // how long a graded run lasts
+    float seconds = 20;  // duration of a graded run
     int starts = 10;     // seeds 1..starts are graded
-    int needed = 8;      // so many of them must pass every step
+    int needed = 8;      // number of starts that must pass every step
     FourNeurons solution;
 };
 
-// Mistakes come with file and line, those in the scene with the scene's. The scene's path is relative to the exercise's
+// Errors carry file and line; those in the scene carry the scene's. The scene's path is relative to the exercise's
 // file.
 Result<Exercise> load_exercise(const std::filesystem::path&, const std::vector<Setting>& more = {});
 Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::path& file,
@@ -79,8 +57,8 @@ Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::pa
 // The tables of docs/exercise-format.md, in Markdown.
 std::string describe_exercise_format();
 
-// Where a scene's first vehicle's brain is: the kind that the exercise is about.
-// Precondition: the scene has a start (load_exercise sees to it) and is sound.
-int pupil_kind(const Scene&);
+// Index of the kind of the scene's first vehicle: its brain, sensors and body are what the student changes.
+// Precondition: the scene has a start (load_exercise ensures it) and passes check_scene.
+int subject_kind(const Scene&);
 
 }  // namespace braitenlab

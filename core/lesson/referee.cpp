@@ -1,162 +1,98 @@
 #include "core/lesson/referee.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "core/brain/brain.h"
-#include "core/maths/angle.h"
-#include "core/maths/vec.h"
-#include "core/world/world.h"
 
 namespace braitenlab {
 
 namespace {
 
-// A vehicle that hardly moves at first would multiply its speed by any factor.
-constexpr float slowest_first_speed = 0.05f;  // m/s
-
-maths::vec2 way_to(const Snapshot& snapshot, int source, const VehicleView& vehicle) {
-    const SourceView& view = snapshot.sources[static_cast<std::size_t>(source)];
-    return {view.x - vehicle.x, view.y - vehicle.y};
+// Equal but for the brain, which a snapshot's scene does not keep up to date.
+bool same_but_for_brain(Kind a, const Kind& b) {
+    a.brain = b.brain;
+    return a == b;
 }
 
-// How far the source lies off the heading, 0..180 degrees.
-float degrees_off(maths::vec2 way, float heading) {
-    return std::fabs(maths::degrees(maths::wrap_angle(maths::arctangent2(way.y, way.x) - heading)));
-}
-
-Verdict undecided(const Check& check) {
-    switch (check.goal) {
-        case Goal::runs:
-            return {false, 0, check.seconds, "s", false};
-        case Goal::turns_to:
-            return {false, 180, check.degrees, "°", true};
-        case Goal::touches:
-            return {false, INFINITY, check.metres, "m", true};
-        case Goal::speeds_up:
-            return {false, 0, check.factor, "×", false};
-    }
-    return {};
+bool same_but_for_submission(Kind a, const Kind& b) {
+    a.sensors = b.sensors;
+    a.body = b.body;
+    return same_but_for_brain(std::move(a), b);
 }
 
 }  // namespace
 
-Referee::Referee(const Exercise& exercise) {
-    for (const Step& step : exercise.steps) {
-        checks_.push_back(step.check);
-        verdicts_.push_back(undecided(step.check));
+bool is_as_given(const Exercise& exercise, const Scene& now) {
+    const Scene& given = exercise.scene;
+    if (now.kinds.size() != given.kinds.size()) return false;
+    for (std::size_t k = 0; k < given.kinds.size(); ++k) {
+        const bool is_subject = !given.starts.empty() && static_cast<int>(k) == subject_kind(given);
+        if (!(is_subject ? same_but_for_submission : same_but_for_brain)(now.kinds[k], given.kinds[k])) return false;
     }
-    sources_ = exercise.scene.sources;
-    if (exercise.scene.starts.empty()) return;
-    start_ = exercise.scene.starts.front();
-    if (const int kind = pupil_kind(exercise.scene); kind >= 0)
-        driver_ = exercise.scene.kinds[static_cast<std::size_t>(kind)].driver;
-}
-
-void Referee::begin(const Snapshot& snapshot) {
-    begun_ = true;
-    disturbed_ = by_hand_ = false;
-    first_speed_ = 0;
-    pupil_ = snapshot.vehicles.empty() ? no_vehicle : snapshot.vehicles.front().id;  // the one placed first
-    was_outside_.assign(checks_.size(), false);
-    over_.assign(checks_.size(), false);
-    for (std::size_t i = 0; i < checks_.size(); ++i) verdicts_[i] = undecided(checks_[i]);
-}
-
-void Referee::watch(const Snapshot& snapshot) {
-    const bool new_run = !begun_ || snapshot.tick == 0 || snapshot.tick < last_tick_;
-    if (!new_run && snapshot.tick == last_tick_) return;
-    if (new_run) begin(snapshot);
-    last_tick_ = snapshot.tick;
-    const VehicleView* pupil = find_vehicle(snapshot, pupil_);
-    if (!pupil) return;
-    by_hand_ = disturbed_ || !is_as_given(snapshot, *pupil);
-    if (by_hand_) return;
-    if (first_speed_ == 0 && snapshot.seconds >= 1)
-        first_speed_ = std::max(std::fabs(pupil->speed), slowest_first_speed);
-    for (std::size_t i = 0; i < checks_.size(); ++i)
-        if (!verdicts_[i].done) judge(i, snapshot, *pupil);
-}
-
-// No lamp elsewhere, none too many; one that is missing helps nobody.
-bool Referee::is_as_given(const Snapshot& snapshot, const VehicleView& pupil) const {
-    const auto& sources = snapshot.scene->sources;
-    const bool lit_as_given = std::all_of(sources.begin(), sources.end(), [&](const Source& source) {
-        return std::find(sources_.begin(), sources_.end(), source) != sources_.end();
+    const bool has_no_other_source = std::all_of(now.sources.begin(), now.sources.end(), [&](const Source& source) {
+        return std::find(given.sources.begin(), given.sources.end(), source) != given.sources.end();
     });
-    const auto& starts = snapshot.scene->starts;
-    const bool starts_as_given = !start_ || (!starts.empty() && starts.front() == *start_);
-    return lit_as_given && starts_as_given && (!start_ || pupil.driver == driver_);
+    return has_no_other_source && now.arena == given.arena && now.ecology == given.ecology &&
+           now.starts == given.starts && now.obstacles == given.obstacles && now.zones == given.zones;
 }
 
-void Referee::judge(std::size_t i, const Snapshot& snapshot, const VehicleView& pupil) {
-    const Check& check = checks_[i];
-    Verdict& verdict = verdicts_[i];
-    if (check.goal == Goal::runs) {
-        verdict.measured = static_cast<float>(snapshot.seconds);
-        verdict.done = verdict.measured >= check.seconds;
-        return;
+Referee::Referee(const Exercise& exercise) : exercise_(std::make_shared<const Exercise>(exercise)) {
+    for (const Step& step : exercise.steps) state_.steps.push_back({initial_state(step.check)});
+}
+
+void Referee::begin(const Snapshot& now) {
+    const std::vector<Start>& starts = exercise_->scene.starts;
+    state_ = {};
+    state_.begun = true;
+    for (const Step& step : exercise_->steps) state_.steps.push_back({initial_state(step.check)});
+    state_.subjects.assign(std::max<std::size_t>(1, starts.size()), no_vehicle);
+    for (const VehicleView& vehicle : now.vehicles)
+        if (vehicle.start >= 0 && static_cast<std::size_t>(vehicle.start) < starts.size())
+            state_.subjects[static_cast<std::size_t>(vehicle.start)] = vehicle.id;
+    if (starts.empty() && !now.vehicles.empty()) state_.subjects.front() = now.vehicles.front().id;
+}
+
+void Referee::watch(const Snapshot& now) {
+    const bool is_new_run = !state_.begun || now.tick == 0 || now.tick < state_.tick;
+    if (!is_new_run && now.tick == state_.tick) return;
+    if (is_new_run) begin(now);
+    state_.tick = now.tick;
+    const Subjects subjects{exercise_->scene.starts, state_.subjects};
+    if (!find_vehicle(now, subjects.id({}))) return;
+    state_.by_hand = state_.disturbed || !is_undisturbed(now);
+    if (state_.by_hand) return;
+    for (std::size_t i = 0; i < state_.steps.size(); ++i) {
+        RefereeState::Judged& step = state_.steps[i];
+        if (!step.done) step.done = update(exercise_->steps[i].check, step.check, now, subjects);
     }
-    const int source = find_source(*snapshot.scene, check.source);  // others may have been added or removed
-    if (source < 0) return;
-    const maths::vec2 way = way_to(snapshot, source, pupil);
-    const float distance = maths::length(way);
-    switch (check.goal) {
-        case Goal::turns_to: {
-            const float off = degrees_off(way, pupil.heading);
-            if (off > check.degrees) was_outside_[i] = true;
-            verdict.measured = std::min(verdict.measured, off);
-            verdict.done = was_outside_[i] && off <= check.degrees;
-            break;
-        }
-        case Goal::touches:
-            verdict.measured = std::min(verdict.measured, distance);
-            verdict.done = distance <= check.metres;
-            break;
-        case Goal::speeds_up:
-            if (first_speed_ == 0 || over_[i]) break;
-            verdict.measured = std::fabs(pupil.speed) / first_speed_;
-            over_[i] = distance <= check.metres;  // what it does later is another story
-            verdict.done = over_[i] && verdict.measured >= check.factor;
-            break;
-        case Goal::runs:
-            break;
+}
+
+// The scene, the brains of other kinds, and who drives.
+bool Referee::is_undisturbed(const Snapshot& now) {
+    const Scene& given = exercise_->scene;
+    if (compared_ != now.scene) {
+        compared_ = now.scene;
+        as_given_ = is_as_given(*exercise_, *now.scene);
     }
+    if (!as_given_) return false;
+    const int subject = given.starts.empty() ? -1 : subject_kind(given);
+    for (std::size_t k = 0; k < std::min(given.kinds.size(), now.kind_brains.size()); ++k)
+        if (static_cast<int>(k) != subject && *now.kind_brains[k] != given.kinds[k].brain) return false;
+    for (std::size_t i = 0; i < std::min(given.starts.size(), state_.subjects.size()); ++i) {
+        const VehicleView* vehicle = find_vehicle(now, state_.subjects[i]);
+        const int kind = find_kind(given, given.starts[i].kind);
+        if (vehicle && kind >= 0 && vehicle->driver != given.kinds[static_cast<std::size_t>(kind)].driver) return false;
+    }
+    return true;
+}
+
+std::vector<Verdict> Referee::verdicts() const {
+    std::vector<Verdict> verdicts;
+    for (std::size_t i = 0; i < state_.steps.size(); ++i)
+        verdicts.push_back({state_.steps[i].done, measures(exercise_->steps[i].check, state_.steps[i].check)});
+    return verdicts;
 }
 
 bool Referee::passed() const {
-    return std::all_of(verdicts_.begin(), verdicts_.end(), [](const Verdict& v) { return v.done; });
-}
-
-namespace {
-
-bool passes(const Exercise& exercise, const Scene& scene, std::uint64_t seed) {
-    auto world = World::create(scene, seed);
-    if (!world) return false;
-    Referee referee(exercise);
-    Snapshot snapshot;
-    world->capture(snapshot);
-    referee.watch(snapshot);
-    const int ticks = static_cast<int>(std::lround(exercise.seconds / tick_seconds));
-    for (int tick = 0; tick < ticks && !referee.passed(); ++tick) {
-        world->step();
-        world->capture(snapshot);
-        referee.watch(snapshot);
-    }
-    return referee.passed();
-}
-
-}  // namespace
-
-Grade grade(const Exercise& exercise, const BrainGraph& brain) {
-    Scene scene = exercise.scene;
-    scene.kinds[static_cast<std::size_t>(pupil_kind(scene))].brain = brain;
-    Grade grade;
-    for (int seed = 1; seed <= exercise.starts; ++seed)
-        grade.passed.push_back(passes(exercise, scene, static_cast<std::uint64_t>(seed)));
-    grade.count = static_cast<int>(std::count(grade.passed.begin(), grade.passed.end(), true));
-    grade.good = grade.count >= exercise.needed;
-    return grade;
+    return std::all_of(state_.steps.begin(), state_.steps.end(), [](const auto& step) { return step.done; });
 }
 
 }  // namespace braitenlab

@@ -1,9 +1,8 @@
-// Judges an exercise's checks from what anyone can see of a run; the window and the command line use it alike.
+// Judges an exercise's steps from the snapshots of a run; the window and the command line use the same referee.
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <string_view>
+#include <memory>
 #include <vector>
 
 #include "core/lesson/exercise.h"
@@ -11,59 +10,60 @@
 
 namespace braitenlab {
 
-// One step, judged: done stays done once reached.
+// One step, judged: once done it stays done, and its measures stay as they were then.
 struct Verdict {
     bool done = false;
-    float measured = 0, needed = 0;  // the live value beside the one asked for; best so far where it is an extreme
-    std::string_view unit;           // "s", "m", "°", "×"
-    bool at_most = false;            // done when measured <= needed; else when measured >= needed
+    std::vector<Measure> measures;  // at least one; the values to show
+};
+
+// Everything that a referee remembers of the run: enough to continue from the tick that it saw last.
+struct RefereeState {
+    struct Judged {
+        CheckState check;
+        bool done = false;
+    };
+    std::vector<Judged> steps;        // as Exercise::steps
+    std::vector<VehicleId> subjects;  // as Scene::starts; see Subjects
+    std::uint64_t tick = 0;           // of the last snapshot
+    bool begun = false;               // a snapshot was seen
+    bool disturbed = false;           // see Referee::disturb
+    bool by_hand = false;             // see Referee::by_hand
 };
 
 class Referee {
 public:
     explicit Referee(const Exercise&);
 
-    // Call for the start and after every tick. A snapshot from before the last one, or of tick 0, begins a new run; the
-    // same moment again changes nothing.
+    // Call for the start and after every tick. A snapshot of an earlier tick than the last one, or of tick 0, begins a
+    // new run; the same tick again changes nothing.
     void watch(const Snapshot&);
 
-    // Somebody took something of the scene into their hands in the middle of the run: it counts no more.
-    void disturb() { disturbed_ = by_hand_ = true; }
+    // Call when the scene was changed by hand in the middle of the run: from now on the run does not count.
+    void disturb() { state_.disturbed = state_.by_hand = true; }
 
-    // Whether this run does not count: it was disturbed, or it did not begin as the exercise does (lamps elsewhere,
-    // another start, somebody at the wheel). Steps that were done before stay done.
-    bool by_hand() const { return by_hand_; }
+    // True when this run does not count: it was disturbed, or the scene is not the exercise's (see is_as_given), or a
+    // subject is driven by hand. Steps that were done before stay done.
+    bool by_hand() const { return state_.by_hand; }
 
-    const std::vector<Verdict>& verdicts() const { return verdicts_; }
-    bool passed() const;
+    std::vector<Verdict> verdicts() const;  // one per step
+    bool passed() const;                    // every step is done
+
+    // Takes a referee of the same exercise back to an earlier state of its own, or on to a later one.
+    const RefereeState& state() const { return state_; }
+    void restore(RefereeState state) { state_ = std::move(state); }
 
 private:
     void begin(const Snapshot&);
-    void judge(std::size_t step, const Snapshot&, const VehicleView&);
-    bool is_as_given(const Snapshot&, const VehicleView&) const;
+    bool is_undisturbed(const Snapshot&);
 
-    std::vector<Check> checks_;
-    std::vector<Source> sources_;  // of the exercise
-    std::optional<Start> start_;   // the pupil's, and who drives there
-    Driver driver_ = Driver::brain;
-    std::vector<Verdict> verdicts_;
-    std::vector<bool> was_outside_;  // for turns_to, one a check
-    std::vector<bool> over_;         // for speeds_up: the touch has come and decided
-    VehicleId pupil_ = no_vehicle;
-    std::uint64_t last_tick_ = 0;
-    bool begun_ = false;
-    bool disturbed_ = false, by_hand_ = false;
-    float first_speed_ = 0;  // m/s after the first second
+    std::shared_ptr<const Exercise> exercise_;
+    RefereeState state_;
+    std::shared_ptr<const Scene> compared_;  // with the exercise's scene, last
+    bool as_given_ = true;                   // the result
 };
 
-struct Grade {
-    std::vector<bool> passed;  // one per start, seeds 1, 2, …
-    int count = 0;             // how many passed
-    bool good = false;         // count >= Exercise::needed
-};
-
-// Runs the exercise's starts with this brain in its first vehicle's kind. Deterministic; a fraction of a second. A
-// brain that does not compile passes nothing.
-Grade grade(const Exercise&, const BrainGraph&);
+// Whether a scene offers what the exercise's scene offers. The subject's kind may have another brain, other sensors and
+// another body, as these are what the student changes; sources may be missing, as that makes nothing easier.
+bool is_as_given(const Exercise&, const Scene&);
 
 }  // namespace braitenlab

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -57,6 +58,12 @@ public:
     }
     void choice(const char* key, int T::*, std::vector<std::string> T::*, const char* meaning) {
         row(key, "", "text", "", meaning);
+    }
+    template <class... Types>
+    void variant(const char* key, std::variant<Types...> T::*, const char* meaning) {
+        std::string all;
+        ((all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", Types::traits.word)), ...);
+        row(key, "", all, "", meaning);
     }
     template <class Part>
     void part(Part T::*member) {

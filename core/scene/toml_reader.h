@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/maths/angle.h"
@@ -49,6 +50,7 @@ public:
         return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
     }
     void fail(std::string_view key, std::string what) { file_.fail(path(key), table_.get(key), std::move(what)); }
+    void fail_whole(std::string what) { file_.fail(path_, &table_, std::move(what)); }  // the table itself
     TomlFile& file() { return file_; }
     const toml::table& content() const { return table_; }
 
@@ -60,6 +62,29 @@ private:
     std::string path_;
     std::vector<std::string> known_;
 };
+
+// The keys that a description names directly.
+template <class T>
+struct KeyNames {
+    std::vector<std::string_view> names;
+
+    template <class Number>
+    void number(const char* key, Number T::*, const char*, Range, const char*) {
+        names.emplace_back(key);
+    }
+    void text(const char* key, std::string T::*, std::size_t, const char*) { names.emplace_back(key); }
+    void flag(const char* key, bool T::*, const char*) { names.emplace_back(key); }
+    template <class Element>
+    void list(const char* key, std::vector<Element> T::*, std::size_t, const char*) {
+        names.emplace_back(key);
+    }
+};
+template <class T>
+std::vector<std::string_view> key_names() {
+    KeyNames<T> keys;
+    describe(keys, Of<T>{});
+    return keys.names;
+}
 
 // The visitor (see core/scene/fields.h); members that the scene does not use serve core/lesson.
 template <class T>
@@ -138,8 +163,35 @@ public:
         const std::vector<std::string_view> known((object_.*options).begin(), (object_.*options).end());
         if (const auto which = table_.one_of(key, known)) object_.*member = static_cast<int>(*which);
     }
+    // The word at `key` names the alternative by its traits. The alternative's keys stand in the same table: each must
+    // be given, and none of another alternative.
+    template <class... Types>
+    void variant(const char* key, std::variant<Types...> T::*member, const char*) {
+        const std::vector<std::string_view> known{Types::traits.word...};
+        if (!table_.has(key)) table_.fail_whole("'" + std::string(key) + "' is missing" + name_nearest("", known));
+        const auto which = table_.one_of(key, known);
+        if (!which) return;
+        std::size_t index = 0;
+        ((index++ == *which && (read_alternative<Types>(key, object_.*member), true)) || ...);
+        const std::vector<std::string_view> own = std::vector{key_names<Types>()...}[*which];
+        for (const auto& keys : {key_names<Types>()...})
+            for (const std::string_view other : keys)
+                if (std::find(own.begin(), own.end(), other) == own.end() && table_.find(other))
+                    table_.fail(other, "the " + std::string(key) + " '" + std::string(known[*which]) + "' has no '" +
+                                           std::string(other) + "'; remove it");
+    }
 
 private:
+    template <class Type, class Variant>
+    void read_alternative(const char* key, Variant& variant) {
+        for (const std::string_view needed : key_names<Type>())
+            if (!table_.has(needed))
+                table_.fail_whole("the " + std::string(key) + " '" + std::string(Type::traits.word) + "' needs '" +
+                                  std::string(needed) + "'; add it");
+        TomlReader<Type> reader(table_, variant.template emplace<Type>());
+        describe(reader, Of<Type>{});
+    }
+
     template <class Inner>
     void read(const toml::table& inner, const std::string& path, Inner& object) {
         TomlTable table(table_.file(), inner, path);

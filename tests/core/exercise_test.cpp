@@ -3,12 +3,15 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
-#include "core/lesson/referee.h"
+#include "core/lesson/grade.h"
 #include "core/maths/random.h"
+#include "core/scene/toml_reader.h"
 
 namespace braitenlab::tests::exercise_test {
 namespace {
@@ -65,9 +68,8 @@ TEST(Exercise, ShippedOnesFailAsShippedAndPassWithTheirSolutionOnEverySeed) {
         const auto exercise = load_exercise(path);
         ASSERT_TRUE(exercise) << exercise.error().text();
         ASSERT_GE(exercise->starts, 10);
-        const auto kind = static_cast<std::size_t>(pupil_kind(exercise->scene));
-        EXPECT_EQ(grade(*exercise, exercise->scene.kinds[kind].brain).count, 0) << path;
-        EXPECT_EQ(grade(*exercise, make_graph(exercise->solution)).count, exercise->starts) << path;
+        EXPECT_EQ(grade(*exercise, as_shipped(*exercise)).count, 0) << path;
+        EXPECT_EQ(grade(*exercise, with_solution(*exercise)).count, exercise->starts) << path;
     }
 }
 
@@ -81,7 +83,8 @@ TEST(Exercise, TheAggressorIsNotPassedByAnyOtherOfTheClassicVehicles) {
         {.LL = 0.75f, .LR = 0.75f, .RL = 0.75f, .RR = 0.75f, .LM = 0.1f, .RM = 0.1f},  // all four alike
         {.LM = 1, .RM = 1},                                                            // blind
     };
-    for (const FourNeurons& other : others) EXPECT_FALSE(grade(*exercise, make_graph(other)).good);
+    for (const FourNeurons& other : others)
+        EXPECT_FALSE(grade(*exercise, with_brain(*exercise, make_graph(other))).good);
 }
 
 TEST(Exercise, AppliesItsOwnSettingsAndThenThoseGivenFromOutside) {
@@ -93,7 +96,7 @@ TEST(Exercise, AppliesItsOwnSettingsAndThenThoseGivenFromOutside) {
     ASSERT_TRUE(more);
     EXPECT_EQ(read_dials(more->scene.kinds[0].brain).LR, 0.7f);
     EXPECT_EQ(own->prediction.answer, 0);
-    EXPECT_EQ(own->steps[0].check.goal, Goal::turns_to);
+    EXPECT_TRUE(std::holds_alternative<goals::TurnsTo>(own->steps[0].check.goal));
 }
 
 TEST(Exercise, TakesSettingsWithOrWithoutQuotes) {
@@ -101,6 +104,71 @@ TEST(Exercise, TakesSettingsWithOrWithoutQuotes) {
     const auto exercise = parse_exercise(text, guided / "x.toml");
     ASSERT_TRUE(exercise) << exercise.error().text();
     EXPECT_EQ(read_dials(exercise->scene.kinds[0].brain).LR, 0.25f);
+}
+
+// The shipped exercise with its second step's check replaced.
+std::string with_check(const std::string& toml) {
+    return changed(aggressor(), "goal = \"touches\"\nsource = \"lamp\"\nmetres = 0.75\n", toml);
+}
+
+TEST(Exercise, AStepNamesAVehicleAndAHoldTime) {
+    const auto exercise = parse_exercise(
+        with_check("goal = \"touches\"\nsource = \"lamp\"\nmetres = 0.75\nvehicle = \"one\"\nhold = 5\n"),
+        guided / "x.toml");
+    ASSERT_TRUE(exercise) << exercise.error().text();
+    EXPECT_EQ(exercise->steps[1].check.vehicle, "one");
+    EXPECT_EQ(exercise->steps[1].check.hold, 5);
+}
+
+TEST(Exercise, AStepCombinesChecks) {
+    const auto exercise = parse_exercise(with_check("goal = \"all_of\"\nhold = 2\n"
+                                                    "[[step.check]]\ngoal = \"runs\"\nseconds = 3\n"
+                                                    "[[step.check]]\ngoal = \"any_of\"\n"
+                                                    "[[step.check.check]]\ngoal = \"runs\"\nseconds = 4\n"),
+                                         guided / "x.toml");
+    ASSERT_TRUE(exercise) << exercise.error().text();
+    const auto& all = std::get<goals::AllOf>(exercise->steps[1].check.goal);
+    ASSERT_EQ(all.checks.size(), 2u);
+    EXPECT_EQ(std::get<goals::Runs>(all.checks[0].goal).seconds, 3);
+    EXPECT_EQ(std::get<goals::AnyOf>(all.checks[1].goal).checks.size(), 1u);
+    EXPECT_EQ(exercise->steps[1].check.hold, 2);
+}
+
+TEST(Exercise, EveryGoalNeedsAllItsKeysAndNoKeyOfAnother) {
+    const auto error_of = [](const std::string& check) {
+        const auto exercise = parse_exercise(with_check(check), guided / "x.toml");
+        return exercise ? std::string("accepted") : exercise.error().text();
+    };
+    EXPECT_NE(error_of("").find("'goal' is missing; known are 'runs'"), std::string::npos) << error_of("");
+    const std::map<std::string_view, std::string> values{{"source", "\"lamp\""},
+                                                         {"check", "[{goal = \"runs\", seconds = 1}]"}};
+    const auto line = [&](std::string_view key) {
+        const auto value = values.find(key);
+        return std::string(key) + " = " + (value == values.end() ? "1" : value->second) + "\n";
+    };
+    const auto try_all = [&]<class... Goals>(const std::variant<Goals...>&) {
+        std::set<std::string_view> all_keys;
+        for (const auto& keys : {key_names<Goals>()...}) all_keys.insert(keys.begin(), keys.end());
+        const auto try_goal = [&]<class G>(const G&) {
+            const auto own = key_names<G>();
+            const std::string word(G::traits.word);
+            std::string whole = "goal = \"" + word + "\"\n";
+            for (const auto key : own) whole += line(key);
+            EXPECT_EQ(error_of(whole), "accepted") << whole;
+            for (const auto key : own)
+                EXPECT_NE(error_of(changed(whole, line(key), "")).find("'" + word + "' needs '" + std::string(key)),
+                          std::string::npos)
+                    << word << " without " << key;
+            for (const auto key : all_keys) {
+                if (std::find(own.begin(), own.end(), key) != own.end()) continue;
+                EXPECT_NE(error_of(whole + line(key)).find("'" + word + "' has no '" + std::string(key)),
+                          std::string::npos)
+                    << word << " with " << key;
+            }
+        };
+        (try_goal(Goals{}), ...);
+    };
+    try_all(Goal{});
 }
 
 struct Mistake {
@@ -131,6 +199,15 @@ TEST(Exercise, NamesTheLineAndTheNearestWordForEveryKindOfMistake) {
          {"nearest is 'lamp'"}},
         {"metres = 0.75\n", "", "[[step]]\ntext = \"It touches", {"'touches' needs 'metres'"}},
         {"metres = 0.75\n", "metres = 0.6\ndegrees = 3\n", "degrees = 3", {"'touches' has no 'degrees'"}},
+        {"metres = 0.75\n", "metres = 0.75\nvehicle = \"on\"\n", "vehicle = \"on\"", {"nearest is 'one'"}},
+        {"goal = \"touches\"\nsource = \"lamp\"\nmetres = 0.75\n",
+         "goal = \"any_of\"\ncheck = []\n",
+         "[[step]]\ntext = \"It touches",
+         {"'any_of' needs at least one check"}},
+        {"goal = \"touches\"\nsource = \"lamp\"\nmetres = 0.75\n",
+         "goal = \"any_of\"\n[[step.check]]\ngoal = \"touches\"\nmetres = 1\nsource = \"lump\"\n",
+         "source = \"lump\"",
+         {"nearest is 'lamp'"}},
         {"degrees = 10", "degrees = 200", "degrees = 200", {"outside 0.5 .. 180"}},
         {"needed = 8", "needed = 11", "needed = 11", {"more than the 10 starts"}},
         {"anchor = \"slider.LR\"", "anker = \"slider.LR\"", "anker", {"nearest is 'anchor'"}},

@@ -89,9 +89,9 @@ inline Exercise exercise() {
                        1,
                        "It turned away."};
     Step turns{"Turn to the lamp", {}}, touches{"Touch the lamp", {}}, speeds{"Arrive faster", {}};
-    turns.check.goal = Goal::turns_to;
-    touches.check.goal = Goal::touches;
-    speeds.check.goal = Goal::speeds_up;
+    turns.check.goal = goals::TurnsTo{};
+    touches.check.goal = goals::Touches{};
+    speeds.check.goal = goals::SpeedsUp{};
     made.steps = {turns, touches, speeds};
     made.hints = {{"A nudge.", ""}, {"The principle.", ""}, {"Raise LR.", "slider.LR"}};
     return made;
@@ -122,7 +122,7 @@ public:
     void open_exercise() {
         now = snapshot(0);
         lesson.exercise = &opened;
-        lesson.verdicts.assign(opened.steps.size(), Verdict{false, 0.83f, 0.6f, "m", true});
+        lesson.verdicts.assign(opened.steps.size(), Verdict{false, {{0.83f, 0.6f, "m", true, true}}});
         view.lesson = &lesson;
     }
 

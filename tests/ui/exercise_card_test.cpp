@@ -86,14 +86,14 @@ TEST(ExerciseCard, WritesAsManyDigitsAsItTakesToSeeWhyAStepIsTickedOrNot) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
     desk.lesson.has_run = true;
-    desk.lesson.verdicts[0] = {false, 10.4f, 10, "°", true};
-    desk.lesson.verdicts[1] = {true, 0.5972f, 0.6f, "m", true};
-    desk.lesson.verdicts[2] = {false, 1.2f, 1.5f, "×", false};
+    desk.lesson.verdicts[0] = {false, {{10.4f, 10, "°", true, true}}};
+    desk.lesson.verdicts[1] = {true, {{0.5972f, 0.6f, "m", true, true}}};
+    desk.lesson.verdicts[2] = {false, {{1.2f, 1.5f, "×"}}};
     desk.frame(3);
     EXPECT_TRUE(says(desk, "best 10.4°, need ≤ 10.0°"));
     EXPECT_TRUE(says(desk, "reached 0.597 m (≤ 0.600 m)"));
     EXPECT_TRUE(says(desk, "now 1.20 ×, need ≥ 1.50 ×")) << "what changes all the time is not the best so far";
-    desk.lesson.verdicts[0] = {true, 9, 10, "°", true};
+    desk.lesson.verdicts[0] = {true, {{9, 10, "°", true, true}}};
     desk.frame(3);
     EXPECT_TRUE(says(desk, "reached 9° (≤ 10°)"));
 }

@@ -49,22 +49,23 @@ std::string with_unit(float value, std::string_view unit, int digits) {
 }
 
 // With as many digits as it takes to see which of the two is larger: 10.4° is no 10°.
-int telling_decimals(const Verdict& verdict) {
-    int digits = decimals(verdict.unit);
-    const bool differ = verdict.measured != verdict.needed;
+int telling_decimals(const Measure& measure) {
+    int digits = decimals(measure.unit);
+    const bool differ = measure.value != measure.needed;
     for (const int most = digits + 2; digits < most && differ; ++digits)
-        if (fixed(verdict.measured, digits) != fixed(verdict.needed, digits)) break;
+        if (fixed(measure.value, digits) != fixed(measure.needed, digits)) break;
     return digits;
 }
 
-// "best 0.83 m, need ≤ 0.60 m": an extreme is the best so far, anything else is as it is now.
-std::string measured(const Ui& ui, const Verdict& verdict) {
-    const int digits = telling_decimals(verdict);
-    const std::string_view key = verdict.done ? verdict.at_most ? "exercise.done_at_most" : "exercise.done_at_least"
-                                 : verdict.at_most ? "exercise.best_at_most"
+// "best 0.83 m, need ≤ 0.60 m"
+std::string measured(const Ui& ui, const Measure& measure, bool done) {
+    const int digits = telling_decimals(measure);
+    const std::string_view key = done           ? measure.at_most ? "exercise.done_at_most" : "exercise.done_at_least"
+                                 : measure.best ? "exercise.best_at_most"
+                                 : measure.at_most ? "exercise.now_at_most"
                                                    : "exercise.now_at_least";
     return fill(ui.strings(key),
-                {with_unit(verdict.measured, verdict.unit, digits), with_unit(verdict.needed, verdict.unit, digits)});
+                {with_unit(measure.value, measure.unit, digits), with_unit(measure.needed, measure.unit, digits)});
 }
 
 void prediction(const LessonView& lesson, const PanelState& state, bool rewired, Ui& ui) {
@@ -111,8 +112,10 @@ void step(const LessonView& lesson, std::size_t index, Ui& ui) {
     ImGui::Indent(left);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(2)});
     paragraph(ui, translated(ui, asked.text), ui.palette.text, done ? Face::strong : Face::text);
-    if (known && lesson.has_run && std::isfinite(lesson.verdicts[index].measured))
-        paragraph(ui, measured(ui, lesson.verdicts[index]), ui.palette.second_text, Face::small);
+    if (known && lesson.has_run)
+        for (const Measure& measure : lesson.verdicts[index].measures)
+            if (std::isfinite(measure.value))
+                paragraph(ui, measured(ui, measure, done), ui.palette.second_text, Face::small);
     ImGui::PopStyleVar();
     ImGui::Unindent(left);
     ImGui::EndGroup();

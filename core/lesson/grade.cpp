@@ -1,0 +1,82 @@
+#include "core/lesson/grade.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/brain/brain.h"
+#include "core/lesson/referee.h"
+#include "core/world/world.h"
+
+namespace braitenlab {
+
+namespace {
+
+const Kind& shipped_kind(const Exercise& exercise) {
+    return exercise.scene.kinds[static_cast<std::size_t>(subject_kind(exercise.scene))];
+}
+
+Scene scene_with(const Exercise& exercise, const Submission& submission) {
+    Scene scene = exercise.scene;
+    Kind& kind = scene.kinds[static_cast<std::size_t>(subject_kind(scene))];
+    kind.brain = submission.brain;
+    kind.sensors = submission.sensors;
+    kind.body = submission.body;
+    return scene;
+}
+
+}  // namespace
+
+Submission as_shipped(const Exercise& exercise) {
+    const Kind& kind = shipped_kind(exercise);
+    return {kind.brain, kind.sensors, kind.body};
+}
+
+Submission with_brain(const Exercise& exercise, BrainGraph brain) {
+    Submission submission = as_shipped(exercise);
+    submission.brain = std::move(brain);
+    return submission;
+}
+
+Submission with_solution(const Exercise& exercise) { return with_brain(exercise, make_graph(exercise.solution)); }
+
+Submission submission_of(const Exercise& exercise, const Snapshot& now) {
+    const auto index = static_cast<std::size_t>(subject_kind(exercise.scene));
+    const Kind& kind = now.scene->kinds[index];
+    const auto subject = std::find_if(now.vehicles.begin(), now.vehicles.end(),
+                                      [](const VehicleView& vehicle) { return vehicle.start == 0; });
+    const BrainGraph& brain =
+        subject == now.vehicles.end() ? *now.kind_brains[index] : *now.brains[static_cast<std::size_t>(subject->brain)];
+    return {brain, kind.sensors, kind.body};
+}
+
+bool passes(const Exercise& exercise, const Submission& submission, std::uint64_t seed) {
+    auto world = World::create(scene_with(exercise, submission), seed);
+    if (!world) return false;
+    Referee referee(exercise);
+    Snapshot snapshot;
+    world->capture(snapshot);
+    referee.watch(snapshot);
+    const auto ticks = std::lround(exercise.seconds / tick_seconds);
+    for (long tick = 0; tick < ticks && !referee.passed(); ++tick) {
+        world->step();
+        world->capture(snapshot);
+        referee.watch(snapshot);
+    }
+    return referee.passed();
+}
+
+Grade grade_of(const Exercise& exercise, std::vector<bool> passed) {
+    Grade grade{std::move(passed)};
+    grade.count = static_cast<int>(std::count(grade.passed.begin(), grade.passed.end(), true));
+    grade.good = grade.count >= exercise.needed;
+    return grade;
+}
+
+Grade grade(const Exercise& exercise, const Submission& submission) {
+    std::vector<bool> passed;
+    for (int seed = 1; seed <= exercise.starts; ++seed)
+        passed.push_back(passes(exercise, submission, static_cast<std::uint64_t>(seed)));
+    return grade_of(exercise, std::move(passed));
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,147 @@
+#include "core/lesson/goals.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/lesson/exercise.h"
+#include "core/lesson/referee.h"
+
+namespace braitenlab {
+namespace {
+
+Exercise with(Check check) {
+    Exercise exercise;
+    exercise.scene.sources.resize(2);
+    exercise.scene.sources[0].name = "lamp";
+    exercise.scene.sources[1].name = "fire";
+    exercise.scene.sources[1].x = 10;
+    exercise.scene.kinds.emplace_back().name = "kind";
+    exercise.scene.starts.resize(2);
+    exercise.scene.starts[0] = {"one", "kind", 3, 0, 0, {}, 0, 0};
+    exercise.scene.starts[1] = {"two", "kind", 5, 0, 0, {}, 0, 0};
+    exercise.steps.push_back({"", std::move(check)});
+    return exercise;
+}
+
+// Vehicle `one` at (x1, 0) and `two` at (x2, 0); the lamp is at (0, 0) and the fire at (10, 0).
+Snapshot at(const Exercise& exercise, std::uint64_t tick, float x1, float x2 = 50) {
+    Snapshot now;
+    now.tick = tick;
+    now.seconds = static_cast<double>(tick) / 60;
+    now.scene = std::make_shared<const Scene>(exercise.scene);
+    now.sources = {{0, Channel::light, 0, 0, 1}, {1, Channel::light, 10, 0, 1}};
+    for (const float x : {x1, x2}) {
+        VehicleView& vehicle = now.vehicles.emplace_back();
+        vehicle.id = vehicle.start = static_cast<int>(now.vehicles.size()) - 1;
+        vehicle.x = x;
+    }
+    return now;
+}
+
+bool done_by(const Exercise& exercise, const std::vector<std::pair<float, float>>& positions) {
+    Referee referee(exercise);
+    for (std::size_t tick = 0; tick < positions.size(); ++tick)
+        referee.watch(at(exercise, tick, positions[tick].first, positions[tick].second));
+    return referee.passed();
+}
+
+const Goal near_lamp = goals::Touches{"lamp", 1}, near_fire = goals::Touches{"fire", 1};
+
+TEST(Goals, EveryGoalHasAWordOfItsOwn) {
+    std::set<std::string_view> words;
+    const auto insert = [&]<class... Goals>(const std::variant<Goals...>&) {
+        (words.insert(Goals::traits.word), ...);
+        EXPECT_EQ(words.size(), sizeof...(Goals));
+        EXPECT_TRUE((!Goals::traits.meaning.empty() && ...));
+    };
+    insert(Goal{});
+}
+
+TEST(Goals, TheStateOfAGoalHasTheIndexOfTheGoal) {
+    const auto expect = []<class... Goals>(const std::variant<Goals...>&) {
+        for (const Goal& goal : {Goal(Goals{})...}) EXPECT_EQ(initial_state(Check{goal}).goal.index(), goal.index());
+    };
+    expect(Goal{});
+}
+
+TEST(Goals, ACheckIsAboutTheVehicleThatItNamesAndElseAboutTheFirst) {
+    EXPECT_TRUE(done_by(with({near_lamp}), {{0, 5}}));
+    EXPECT_FALSE(done_by(with({near_lamp}), {{5, 0}}));
+    EXPECT_TRUE(done_by(with({near_lamp, "two"}), {{5, 0}}));
+    EXPECT_FALSE(done_by(with({near_lamp, "two"}), {{0, 5}}));
+}
+
+TEST(Goals, AGoalIsHeldWithoutABreak) {
+    const Exercise exercise = with({near_lamp, "", 0.1f});  // 6 ticks
+    const auto positions = [](int near, int away, int again) {
+        std::vector<std::pair<float, float>> all(static_cast<std::size_t>(near), {0, 50});
+        all.insert(all.end(), static_cast<std::size_t>(away), {5, 50});
+        all.insert(all.end(), static_cast<std::size_t>(again), {0, 50});
+        return all;
+    };
+    EXPECT_FALSE(done_by(exercise, positions(6, 0, 0)));
+    EXPECT_TRUE(done_by(exercise, positions(7, 0, 0)));
+    EXPECT_FALSE(done_by(exercise, positions(6, 1, 6)));
+    EXPECT_TRUE(done_by(exercise, positions(6, 1, 7)));
+}
+
+TEST(Goals, AHeldGoalShowsItsPresentValueAndHowLongItHasBeenMet) {
+    const Exercise exercise = with({near_lamp, "", 0.5f});
+    Referee referee(exercise);
+    for (std::uint64_t tick = 0; tick < 13; ++tick) referee.watch(at(exercise, tick, 0.25f));
+    EXPECT_EQ(referee.verdicts()[0].measures,
+              (std::vector<Measure>{{0.25f, 1, "m", true, false}, {0.2f, 0.5f, "s", false, false}}));
+    referee.watch(at(exercise, 13, 2));
+    EXPECT_EQ(referee.verdicts()[0].measures,
+              (std::vector<Measure>{{2, 1, "m", true, false}, {0, 0.5f, "s", false, false}}));
+}
+
+TEST(Goals, AllOfNeedsItsChecksAtTheSameTime) {
+    const Exercise exercise = with({goals::AllOf{{{near_lamp}, {near_fire, "two"}}}});
+    EXPECT_FALSE(done_by(exercise, {{0, 5}, {5, 10}}));
+    EXPECT_TRUE(done_by(exercise, {{0, 5}, {0, 10}}));
+}
+
+TEST(Goals, AnyOfNeedsOneOfItsChecks) {
+    const Exercise exercise = with({goals::AnyOf{{{near_lamp}, {near_fire}}}});
+    EXPECT_FALSE(done_by(exercise, {{5, 0}}));
+    EXPECT_TRUE(done_by(exercise, {{0, 0}}));
+    EXPECT_TRUE(done_by(exercise, {{10, 0}}));
+}
+
+TEST(Goals, ACombinationIsHeldAsAWhole) {
+    const Exercise exercise = with({goals::AnyOf{{{near_lamp}, {near_fire}}}, "", 2.0f / 60});
+    EXPECT_TRUE(done_by(exercise, {{0, 0}, {10, 0}, {0, 0}})) << "one after the other, without a break";
+    EXPECT_FALSE(done_by(exercise, {{0, 0}, {5, 0}, {0, 0}}));
+}
+
+TEST(Goals, ACombinationNamesTheVehicleOfTheChecksThatNameNone) {
+    const Exercise exercise = with({goals::AllOf{{{near_lamp}, {near_fire, "one"}}}, "two"});
+    EXPECT_TRUE(done_by(exercise, {{10, 0}}));
+    EXPECT_FALSE(done_by(exercise, {{0, 10}}));
+}
+
+TEST(Goals, ACombinationShowsTheValuesOfItsChecks) {
+    const Exercise exercise = with({goals::AllOf{{{near_lamp}, {goals::Runs{1}}}}});
+    Referee referee(exercise);
+    referee.watch(at(exercise, 0, 2));
+    EXPECT_EQ(referee.verdicts()[0].measures, (std::vector<Measure>{{2, 1, "m", true, false}, {0, 1, "s"}}));
+}
+
+TEST(Goals, ASpeedUpStaysDecidedAsPartOfACombination) {
+    const Exercise exercise = with({goals::AllOf{{{goals::SpeedsUp{"lamp", 1, 1.5f}}, {goals::Runs{2}}}}});
+    Referee referee(exercise);
+    const auto watch = [&](std::uint64_t tick, float x, float speed) {
+        Snapshot now = at(exercise, tick, x);
+        now.vehicles[0].speed = speed;
+        referee.watch(now);
+    };
+    watch(0, 3, 0), watch(60, 3, 1), watch(70, 0.5f, 2), watch(71, 3, 0.1f);
+    EXPECT_FALSE(referee.passed());
+    watch(120, 3, 0);
+    EXPECT_TRUE(referee.passed());
+}
+
+}  // namespace
+}  // namespace braitenlab

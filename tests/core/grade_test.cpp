@@ -1,0 +1,70 @@
+#include "core/lesson/grade.h"
+
+#include <gtest/gtest.h>
+
+namespace braitenlab {
+namespace {
+
+Exercise aggressor() {
+    auto exercise = load_exercise(std::filesystem::path(BRAITENLAB_SOURCE) / "exercises/guided/05-aggressor.toml");
+    if (!exercise) throw std::runtime_error(exercise.error().text());
+    return *exercise;
+}
+
+TEST(Grade, IsTheSameEveryTimeAndCountsThePassedStarts) {
+    const Exercise exercise = aggressor();
+    const Submission half = with_brain(exercise, make_graph({.LR = 0.4f, .RL = 0.4f, .LM = 0.3f, .RM = 0.3f}));
+    const Grade one = grade(exercise, half), two = grade(exercise, half);
+    EXPECT_EQ(one.passed, two.passed);
+    EXPECT_EQ(one.passed.size(), 10u);
+    EXPECT_EQ(one.good, one.count >= exercise.needed);
+}
+
+TEST(Grade, ABrainThatDoesNotCompilePassesNoStart) {
+    const Exercise exercise = aggressor();
+    EXPECT_EQ(grade(exercise, with_brain(exercise, BrainGraph{})).count, 0);
+}
+
+TEST(Grade, OneStartPassesByItselfAsItDoesAmongAll) {
+    const Exercise exercise = aggressor();
+    const Submission half = with_brain(exercise, make_graph({.LR = 0.4f, .RL = 0.4f, .LM = 0.3f, .RM = 0.3f}));
+    const Grade all = grade(exercise, half);
+    for (const std::uint64_t seed : {10u, 3u, 1u}) EXPECT_EQ(passes(exercise, half, seed), all.passed[seed - 1]);
+}
+
+TEST(Grade, RunsTheSensorsAndTheBodyOfTheSubmission) {
+    const Exercise exercise = aggressor();
+    Submission submission = with_solution(exercise);
+    ASSERT_TRUE(passes(exercise, submission, 1));
+    Submission blind = submission;
+    for (Sensor& sensor : blind.sensors) sensor.range = 0.1f;
+    EXPECT_FALSE(passes(exercise, blind, 1));
+    Submission slow = submission;
+    slow.body.top_speed = 0.1f;
+    EXPECT_FALSE(passes(exercise, slow, 1));
+}
+
+TEST(Grade, ASubmissionIsWhatTheFirstVehicleHasNow) {
+    const Exercise exercise = aggressor();
+    Snapshot now;
+    auto scene = std::make_shared<Scene>(exercise.scene);
+    scene->kinds[0].sensors[0].range = 3;
+    scene->kinds[0].body.mass = 12;
+    now.scene = scene;
+    now.kind_brains = {std::make_shared<BrainGraph>(exercise.scene.kinds[0].brain)};
+    now.brains = {now.kind_brains[0], std::make_shared<BrainGraph>(make_graph(exercise.solution))};
+    VehicleView other, subject;
+    other.brain = 0;
+    subject.start = 0;
+    subject.brain = 1;
+    now.vehicles = {other, subject};
+    const Submission submission = submission_of(exercise, now);
+    EXPECT_EQ(submission.brain, make_graph(exercise.solution));
+    EXPECT_EQ(submission.sensors[0].range, 3);
+    EXPECT_EQ(submission.body.mass, 12);
+    now.vehicles.pop_back();
+    EXPECT_EQ(submission_of(exercise, now).brain, exercise.scene.kinds[0].brain);
+}
+
+}  // namespace
+}  // namespace braitenlab
