@@ -98,7 +98,16 @@ struct Part {
     }
 };
 
+template <class... Goals>
+std::string listed_words(const std::variant<Goals...>&) {
+    std::string all;
+    ((all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", Goals::traits.word)), ...);
+    return all;
+}
+
 void check_check(const Part& part, const Check& check) {
+    if (!part.table.contains("goal"))
+        return part.file.fail(part.path, &part.table, "'goal' is missing; it is one of " + listed_words(Goal{}));
     part.check_name("vehicle", check.vehicle, part.scene.starts, "vehicle");
     const auto check_goal = [&]<class G>(const G& goal) {
         if constexpr (requires { goal.source; }) part.check_name("source", goal.source, part.scene.sources, "source");
@@ -173,7 +182,7 @@ std::string describe_goal() {
     const std::string heading = fmt::format("\n### `{}`\n\nMet when {}.\n", G::traits.word, G::traits.meaning);
     FormatTable<G> table("", G{});
     describe(table, Of<G>{});
-    return heading + (table.rows().empty() ? "" : table.text());
+    return heading + (table.rows().empty() ? "" : "\n" + table.text());
 }
 
 template <class... Goals>
@@ -216,6 +225,33 @@ std::string describe_exercise_format() {
     FormatTable<Exercise> table("", "The top of the file", "");
     describe(table, Of<Exercise>{});
     return table.text() + describe_goals(Goal{});
+}
+
+std::vector<TranslatableText> texts_of(const Exercise& exercise) {
+    std::vector<TranslatableText> texts;
+    const auto add = [&](const std::string& key, const std::string& text) {
+        if (!text.empty()) texts.push_back({exercise.id + "." + key, text});
+    };
+    const auto add_list = [&](const std::string& list, const auto& elements, const std::string& key, auto text_of) {
+        for (std::size_t i = 0; i < elements.size(); ++i)
+            add(fmt::format("{}.{}{}", list, i + 1, key), text_of(elements[i]));
+    };
+    add("title", exercise.title);
+    add("goal", exercise.goal);
+    add("why", exercise.why);
+    add("predict.question", exercise.prediction.question);
+    add_list("predict.option", exercise.prediction.options, "", [](const std::string& option) { return option; });
+    add("predict.outcome", exercise.prediction.outcome);
+    add_list("step", exercise.steps, ".text", [](const Step& step) { return step.text; });
+    add_list("hint", exercise.hints, ".text", [](const Hint& hint) { return hint.text; });
+    return texts;
+}
+
+std::vector<TranslatableText> texts_of(const Scene& scene) {
+    std::vector<TranslatableText> texts;
+    if (!scene.title.empty()) texts.push_back({"scene." + scene.name + ".title", scene.title});
+    if (!scene.story.empty()) texts.push_back({"scene." + scene.name + ".story", scene.story});
+    return texts;
 }
 
 int subject_kind(const Scene& scene) { return find_kind(scene, scene.starts.front().kind); }

@@ -54,6 +54,14 @@ Result<Exercise> load_exercise(const std::filesystem::path&, const std::vector<S
 Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::path& file,
                                 const std::vector<Setting>& more = {});
 
+// A text that can be translated, by an id that does not depend on its wording: "05-aggressor.step.1.text",
+// "scene.2a-coward.story". Translations: exercises/words/*.toml.
+struct TranslatableText {
+    std::string id, text;
+};
+std::vector<TranslatableText> texts_of(const Exercise&);  // those that are not empty
+std::vector<TranslatableText> texts_of(const Scene&);
+
 // The tables of docs/exercise-format.md, in Markdown.
 std::string describe_exercise_format();
 

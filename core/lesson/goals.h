@@ -79,9 +79,10 @@ struct Touches {
 
 // Decided by the speed at the first tick within `metres`; later ticks do not count.
 struct SpeedsUp {
-    static constexpr Traits traits{"speeds_up", "×", false, 0,
-                                   "when the vehicle first comes within `metres` of the source, it moves at least "
-                                   "`factor` times as fast as after its first second"};
+    static constexpr Traits traits{
+        "speeds_up", "×", false, 0,
+        "at its first tick within `metres` of the source, the vehicle moves at least `factor` "
+        "times as fast as after its first second"};
     struct State {
         float first_speed = 0;  // m/s after the first second; 0: not known yet
         float ratio = 0;        // of the present speed to the first; that of the first arrival once it is decided

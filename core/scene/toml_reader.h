@@ -168,7 +168,6 @@ public:
     template <class... Types>
     void variant(const char* key, std::variant<Types...> T::*member, const char*) {
         const std::vector<std::string_view> known{Types::traits.word...};
-        if (!table_.has(key)) table_.fail_whole("'" + std::string(key) + "' is missing" + name_nearest("", known));
         const auto which = table_.one_of(key, known);
         if (!which) return;
         std::size_t index = 0;

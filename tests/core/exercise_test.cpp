@@ -139,7 +139,7 @@ TEST(Exercise, EveryGoalNeedsAllItsKeysAndNoKeyOfAnother) {
         const auto exercise = parse_exercise(with_check(check), guided / "x.toml");
         return exercise ? std::string("accepted") : exercise.error().text();
     };
-    EXPECT_NE(error_of("").find("'goal' is missing; known are 'runs'"), std::string::npos) << error_of("");
+    EXPECT_NE(error_of("").find("'goal' is missing; it is one of \"runs\""), std::string::npos) << error_of("");
     const std::map<std::string_view, std::string> values{{"source", "\"lamp\""},
                                                          {"check", "[{goal = \"runs\", seconds = 1}]"}};
     const auto line = [&](std::string_view key) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/brain/brain.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/referee.h"
 
@@ -91,7 +92,7 @@ TEST(Goals, AHeldGoalShowsItsPresentValueAndHowLongItHasBeenMet) {
     Referee referee(exercise);
     for (std::uint64_t tick = 0; tick < 13; ++tick) referee.watch(at(exercise, tick, 0.25f));
     EXPECT_EQ(referee.verdicts()[0].measures,
-              (std::vector<Measure>{{0.25f, 1, "m", true, false}, {0.2f, 0.5f, "s", false, false}}));
+              (std::vector<Measure>{{0.25f, 1, "m", true, false}, {12 * tick_seconds, 0.5f, "s", false, false}}));
     referee.watch(at(exercise, 13, 2));
     EXPECT_EQ(referee.verdicts()[0].measures,
               (std::vector<Measure>{{2, 1, "m", true, false}, {0, 0.5f, "s", false, false}}));

@@ -124,10 +124,41 @@ TEST(Grade, SaysWhenItIsHandedASceneInsteadOfABrain) {
     std::filesystem::remove(csv);
 }
 
-TEST(Check, FailsTheShippedExerciseAndPassesItsSolution) {
-    EXPECT_EQ(ctl("check 05-aggressor").code, 1);
+TEST(CtlCheck, EveryShippedExerciseIsSound) {
     const Ran all = ctl("check --all");
     EXPECT_EQ(all.code, 0) << all.out;
+    const Ran one = ctl("check 05-aggressor");
+    EXPECT_EQ(one.code, 0) << one.out;
+    EXPECT_EQ(one.out, all.out) << "the only one so far";
+}
+
+TEST(CtlCheck, AnExerciseWhoseSolutionDoesNotPassIsNotSound) {
+    std::ifstream shipped(std::string(BRAITENLAB_SOURCE) + "/exercises/guided/05-aggressor.toml");
+    std::string text{std::istreambuf_iterator<char>(shipped), {}};
+    const auto change = [&](const std::string& from, const std::string& to) {
+        ASSERT_NE(text.find(from), std::string::npos) << from;
+        text.replace(text.find(from), from.size(), to);
+    };
+    change("../scenes/", std::string(BRAITENLAB_SOURCE) + "/exercises/scenes/");
+    change("[solution]\nLR = 1.5", "[solution]\nLR = 0");
+    const std::string file = scratch("unsound.toml");
+    std::ofstream(file) << text;
+    const Ran ran = ctl("check " + file);
+    EXPECT_EQ(ran.code, 1) << ran.out;
+    EXPECT_NE(ran.out.find("as shipped 0 of 10 starts pass (none should), with its solution 0"), std::string::npos)
+        << ran.out;
+    std::filesystem::remove(file);
+}
+
+TEST(CtlCheck, ABrainPassesOrFailsAnExercise) {
+    const std::string brain = scratch("brain.toml");
+    std::ofstream(brain) << "format = 1\n[brain]\nLR = 1.5\nRL = 1.5\nLM = 0.1\nRM = 0.1\n";
+    EXPECT_EQ(ctl("check 05-aggressor --brain " + brain).code, 0);
+    std::ofstream(brain) << "format = 1\n[brain]\nLM = 0.2\n";
+    EXPECT_EQ(ctl("check 05-aggressor --brain " + brain).code, 1);
+    EXPECT_EQ(ctl("check 05-aggressor --brain no-such-file").code, 2);
+    EXPECT_EQ(ctl("check no-such-exercise").code, 2);
+    std::filesystem::remove(brain);
 }
 
 TEST(RunSave, LetsARunGoOnAsIfItHadNeverStopped) {
