@@ -2,14 +2,18 @@
 
 #include <algorithm>
 
+#include "app/data.h"
 #include "app/platform.h"
+#include "core/lesson/exercise.h"
+#include "core/scene/scene_file.h"
+#include "ui/panels/translated.h"
 
 namespace braitenlab {
 
 namespace {
 
-// The window's words, and what shipped scenes and exercises say. A mistake in the latter is told by line; a language
-// that has none shows them as they are.
+// The window's words and the translated texts of shipped scenes and exercises. Texts without a translation are shown as
+// their files have them.
 Result<Strings> speaking(const std::filesystem::path& folder, const std::string& language) {
     auto strings = load_language(folder, language);
     if (!strings) return strings;
@@ -18,7 +22,10 @@ Result<Strings> speaking(const std::filesystem::path& folder, const std::string&
     if (!std::filesystem::exists(shipped, none)) return strings;
     const auto words = Strings::load(shipped);
     if (!words) return words.error();
-    strings->fall_back_on(*words);
+    for (const auto& path : shipped_exercises())
+        if (const auto exercise = load_exercise(path)) add_translations(*strings, texts_of(*exercise), *words);
+    for (const auto& path : shipped_scenes())
+        if (const auto scene = load_scene(path)) add_translations(*strings, texts_of(*scene), *words);
     return strings;
 }
 

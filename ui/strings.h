@@ -30,6 +30,9 @@ public:
     // Takes over what these words lack and the others have: half a language is better than bare keys.
     void fall_back_on(const Strings& others) { words_.insert(others.words_.begin(), others.words_.end()); }
 
+    // Adds words for a key that has none yet.
+    void add(std::string key, std::string words) { words_.try_emplace(std::move(key), std::move(words)); }
+
 private:
     std::map<std::string, std::string, std::less<>> words_;
 };

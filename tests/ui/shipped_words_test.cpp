@@ -1,9 +1,11 @@
-// What ships is told in every language of the lab, and no translation is left over from words that are gone.
+// Every text of shipped exercises and scenes has a translation in every language, and every translation has a text.
+#include <map>
 #include <set>
 
 #include "core/lesson/exercise.h"
 #include "core/scene/scene_file.h"
 #include "desk.h"
+#include "ui/panels/translated.h"
 
 namespace braitenlab::tests::shipped_words_test {
 
@@ -13,27 +15,21 @@ namespace fs = std::filesystem;
 
 const fs::path shipped = fs::path(BRAITENLAB_SOURCE) / "exercises";
 
-std::set<std::string> texts_of(const Exercise& e) {
-    std::set<std::string> texts{e.title, e.goal, e.why, e.prediction.question, e.prediction.outcome};
-    texts.insert(e.prediction.options.begin(), e.prediction.options.end());
-    for (const Step& step : e.steps) texts.insert(step.text);
-    for (const Hint& hint : e.hints) texts.insert(hint.text);
-    return texts;
-}
-
-std::set<std::string> all_texts() {
-    std::set<std::string> texts;
+std::vector<TranslatableText> all_texts() {
+    std::vector<TranslatableText> texts;
+    const auto add = [&](const std::vector<TranslatableText>& more) {
+        texts.insert(texts.end(), more.begin(), more.end());
+    };
     for (const auto& entry : fs::directory_iterator(shipped / "guided")) {
         const auto exercise = load_exercise(entry.path());
         EXPECT_TRUE(exercise) << entry.path();
-        if (exercise) texts.merge(texts_of(*exercise));
+        if (exercise) add(texts_of(*exercise));
     }
     for (const auto& entry : fs::directory_iterator(shipped / "scenes")) {
         const auto scene = load_scene(entry.path());
         EXPECT_TRUE(scene) << entry.path();
-        if (scene) texts.insert({scene->title, scene->story});
+        if (scene) add(texts_of(*scene));
     }
-    texts.erase("");
     return texts;
 }
 
@@ -43,35 +39,56 @@ Strings words_of_shipped(const std::string& code) {
     return words ? *words : Strings{};
 }
 
+std::vector<std::string> other_languages() {
+    std::vector<std::string> codes;
+    for (const Language& language : languages(fs::path(BRAITENLAB_SOURCE) / "ui" / "strings"))
+        if (language.code != "en") codes.push_back(language.code);
+    return codes;
+}
+
 }  // namespace
 
-TEST(ShippedWords, AreThereInEveryLanguage) {
-    const auto texts = all_texts();
-    EXPECT_GT(texts.size(), 40u) << "scenes and exercises are read at all";
-    for (const Language& language : languages(fs::path(BRAITENLAB_SOURCE) / "ui" / "strings")) {
-        if (language.code == "en") continue;
-        const Strings words = words_of_shipped(language.code);
-        for (const std::string& text : texts)
-            EXPECT_TRUE(words.all().count(text)) << "exercises/words/" << language.code << ".toml lacks: " << text;
-        for (const auto& [text, translation] : words.all())
-            EXPECT_TRUE(texts.count(text)) << language.code << ".toml has what nothing says: " << text;
+TEST(ShippedWords, EveryTextHasATranslationAndEveryTranslationATextInEveryLanguage) {
+    std::set<std::string> ids;
+    for (const TranslatableText& text : all_texts()) EXPECT_TRUE(ids.insert(text.id).second) << text.id << " twice";
+    EXPECT_GT(ids.size(), 40u) << "scenes and exercises are read at all";
+    EXPECT_TRUE(ids.count("05-aggressor.step.1.text"));
+    EXPECT_TRUE(ids.count("scene.2a-coward.story"));
+    for (const std::string& code : other_languages()) {
+        const Strings words = words_of_shipped(code);
+        for (const std::string& id : ids)
+            EXPECT_TRUE(words.all().count(id)) << "exercises/words/" << code << ".toml lacks " << id;
+        for (const auto& [id, translation] : words.all())
+            EXPECT_TRUE(ids.count(id)) << "exercises/words/" << code << ".toml: no text has the id " << id;
     }
 }
 
-TEST(ShippedWords, StandOnTheCardsInTheLanguageThatIsShown) {
-    Desk desk(1280, 1400, 1, true);
-    desk.strings = speaking("de");
-    desk.strings.fall_back_on(words_of_shipped("de"));
+TEST(ShippedWords, TheSameTextHasTheSameTranslationEverywhere) {
+    for (const std::string& code : other_languages()) {
+        const Strings words = words_of_shipped(code);
+        std::map<std::string, std::string> translations;
+        for (const TranslatableText& text : all_texts()) {
+            const std::string translation(words.find(text.id, {}));
+            const auto first = translations.try_emplace(text.text, translation).first;
+            EXPECT_EQ(first->second, translation) << code << ": " << text.id << ": " << text.text;
+        }
+    }
+}
+
+TEST(ShippedWords, AreShownOnTheCardInTheChosenLanguage) {
     const auto exercise = load_exercise(shipped / "guided" / "05-aggressor.toml");
     ASSERT_TRUE(exercise);
+    Desk desk(1280, 1400, 1, true);
+    desk.strings = speaking("de");
+    add_translations(desk.strings, texts_of(*exercise), words_of_shipped("de"));
     desk.opened = *exercise;
     desk.open_exercise();
     desk.frame(4);
     std::string all;
     for (const Written& w : desk.written) all += w.words + "\n";
-    for (const std::string& text : texts_of(*exercise)) {
-        if (text == exercise->title) continue;  // is the same in German
-        EXPECT_EQ(all.find(text.substr(0, 20)), std::string::npos) << text;
+    for (const TranslatableText& text : texts_of(*exercise)) {
+        if (text.text == exercise->title) continue;  // the same in German
+        EXPECT_EQ(all.find(text.text.substr(0, 20)), std::string::npos) << text.text;
     }
     EXPECT_NE(all.find("Es berührt die Lampe"), std::string::npos);
 }
