@@ -82,7 +82,7 @@ void gather_settings(TomlFile& file, const toml::table& table, const std::string
 }
 
 // A part of the exercise file that is checked after reading: where it stands, and the scene that its names refer to.
-struct Part {
+struct ExercisePart {
     TomlFile& file;
     const toml::table& table;
     std::string path;
@@ -105,7 +105,7 @@ std::string listed_words(const std::variant<Goals...>&) {
     return all;
 }
 
-void check_check(const Part& part, const Check& check) {
+void check_check(const ExercisePart& part, const Check& check) {
     if (!part.table.contains("goal"))
         return part.file.fail(part.path, &part.table, "'goal' is missing; it is one of " + listed_words(Goal{}));
     part.check_name("vehicle", check.vehicle, part.scene.starts, "vehicle");
@@ -148,7 +148,7 @@ void check_exercise(TomlTable& top, const Exercise& exercise) {
         top.fail("scene", "this scene places no vehicle; an exercise is about its first [vehicle.NAME]");
     const toml::array* steps = top.content()["step"].as_array();
     for (std::size_t i = 0; i < exercise.steps.size() && !file.error; ++i) {
-        const Part part{file, *steps->get(i)->as_table(), fmt::format("step.{}", i + 1), exercise.scene};
+        const ExercisePart part{file, *steps->get(i)->as_table(), fmt::format("step.{}", i + 1), exercise.scene};
         if (exercise.steps[i].text.empty()) file.fail(part.path, &part.table, "a step needs a text: text = \"It …\"");
         check_check(part, exercise.steps[i].check);
     }

@@ -74,24 +74,24 @@ auto visit_goal(const Check& check, CheckState& state, const With& with) {
                       check.goal);
 }
 
-struct Context {
+struct CheckContext {
     const Snapshot& now;
     const Subjects& subjects;
     std::string_view vehicle;  // of the check around this one
     bool together = false;     // this check must be met while others are, or for a time: its best value says nothing
 };
 
-bool judge(const Check&, CheckState&, Context);
+bool judge(const Check&, CheckState&, CheckContext);
 
 template <Combined G>
-bool is_met(const G& goal, typename G::State& state, CheckState&, const Context& context) {
+bool is_met(const G& goal, typename G::State& state, CheckState&, const CheckContext& context) {
     std::ptrdiff_t met = 0;
     for (std::size_t i = 0; i < goal.checks.size(); ++i) met += judge(goal.checks[i], state.checks[i], context);
     return std::is_same_v<G, goals::AllOf> ? met == std::ssize(goal.checks) : met > 0;
 }
 
 template <class G>
-bool is_met(const G& goal, typename G::State& own, CheckState& state, const Context& context) {
+bool is_met(const G& goal, typename G::State& own, CheckState& state, const CheckContext& context) {
     const VehicleView* vehicle = find_vehicle(context.now, context.subjects.id(context.vehicle));
     if (!vehicle) return false;
     const auto reading = measure(goal, own, {context.now, *vehicle});
@@ -101,7 +101,7 @@ bool is_met(const G& goal, typename G::State& own, CheckState& state, const Cont
     return reading->met;
 }
 
-bool judge(const Check& check, CheckState& state, Context context) {
+bool judge(const Check& check, CheckState& state, CheckContext context) {
     if (!check.vehicle.empty()) context.vehicle = check.vehicle;
     context.together |= check.hold > 0 || std::holds_alternative<goals::AllOf>(check.goal);
     const bool met =

@@ -8,7 +8,7 @@
 #include "core/lesson/exercise.h"
 #include "core/lesson/referee.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::goals_test {
 namespace {
 
 Exercise with(Check check) {
@@ -145,4 +145,4 @@ TEST(Goals, ASpeedUpStaysDecidedAsPartOfACombination) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::goals_test

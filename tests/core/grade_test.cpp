@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace braitenlab {
+namespace braitenlab::tests::grade_test {
 namespace {
 
 Exercise aggressor() {
@@ -67,4 +67,4 @@ TEST(Grade, ASubmissionIsWhatTheFirstVehicleHasNow) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::grade_test
