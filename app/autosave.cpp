@@ -12,7 +12,7 @@
 #include <toml++/toml.h>
 
 #include "app/safe_file.h"
-#include "core/world/run_file.h"
+#include "core/io/run_file.h"
 
 namespace braitenlab {
 
@@ -76,7 +76,7 @@ std::string write_autosave(const Draft& draft, std::string_view when, bool ended
                       {"ended", ended},
                       {"name", draft.name},
                       {"path", draft.path.string()},
-                      {"run", write_run(draft.run)}};
+                      {"run", io::write_run(draft.run)}};
     if (draft.exercise)
         table.insert("exercise", toml::table{{"prediction", draft.exercise->prediction},
                                              {"has_run", draft.exercise->has_run},
@@ -89,7 +89,7 @@ std::string write_autosave(const Draft& draft, std::string_view when, bool ended
 Result<Lab> open_autosave(std::string_view text, std::string file_name) {
     const auto table = read_table(text, file_name);
     if (!table) return table.error();
-    auto run = read_run((*table)["run"].value_or(std::string()), file_name);
+    auto run = io::read_run((*table)["run"].value_or(std::string()), file_name);
     if (!run) return run.error();
     const fs::path path = (*table)["path"].value_or(std::string());
     const toml::table* lesson = (*table)["exercise"].as_table();

@@ -7,8 +7,8 @@
 #include "app/data.h"
 #include "app/report.h"
 #include "app/safe_file.h"
+#include "core/io/run_file.h"
 #include "core/scene/scene_file.h"
-#include "core/world/run_file.h"
 #include "core/world/world.h"
 
 namespace braitenlab {
@@ -23,14 +23,14 @@ struct Begun {
 Result<Begun> go_on(const RunOptions& options) {
     if (options.seed || !options.settings.empty())
         return Error{"a saved run goes on as it is; leave out --seed and --set, or run its scene anew", options.file};
-    auto saved = load_run(options.file);
+    auto saved = io::load_run(options.file);
     if (!saved) return saved.error();
-    World world = World::restore(saved->save);
+    World world = World::restore(saved->checkpoint);
     return Begun{std::move(saved->opened), std::move(world)};
 }
 
 Result<Begun> begin(const RunOptions& options) {
-    if (options.file.ends_with(run_ending)) return go_on(options);
+    if (options.file.ends_with(io::run_ending)) return go_on(options);
     std::vector<Setting> settings;
     for (const std::string& text : options.settings) {
         auto setting = parse_setting(text);
@@ -87,7 +87,7 @@ int run(const RunOptions& options) {
     }
     if (const auto error = csv.close()) return complain(*error);
     if (!options.save.empty())
-        if (const auto error = write_whole(options.save, write_run({begun->opened, world.save()})))
+        if (const auto error = write_whole(options.save, io::write_run({begun->opened, world.checkpoint()})))
             return complain(*error);
 
     world.capture(now);

@@ -8,11 +8,11 @@
 #include "app/ctl.h"
 #include "app/data.h"
 #include "core/brain/recogniser.h"
+#include "core/io/run_file.h"
 #include "core/lesson/exercise.h"
 #include "core/maths/angle.h"
 #include "core/scene/names.h"
 #include "core/scene/scene_file.h"
-#include "core/world/run_file.h"
 #include "core/world/world.h"
 
 namespace braitenlab {
@@ -69,10 +69,10 @@ void show_exercise(const Exercise& exercise) {
 }
 
 int show_run(const std::string& file) {
-    const auto run = load_run(file);
+    const auto run = io::load_run(file);
     if (!run) return complain(run.error());
     Snapshot now;
-    World::restore(run->save).capture(now);
+    World::restore(run->checkpoint).capture(now);
     std::cout << fmt::format("saved run at {:.1f} s, seed {}: {} vehicles, generation {}\n", now.seconds, now.seed,
                              now.vehicles.size(), now.generation);
     Scene scene = *now.scene;
@@ -94,7 +94,7 @@ bool has_brain_at_the_top(const std::filesystem::path& path) {
 }  // namespace
 
 int show(const std::string& file) {
-    if (file.ends_with(run_ending)) return show_run(file);
+    if (file.ends_with(io::run_ending)) return show_run(file);
     const auto path = find_shipped(file);
     if (!path) return complain(path.error());
     if (is_exercise(*path)) {

@@ -8,8 +8,8 @@
 #include "app/files.h"
 #include "app/platform.h"
 #include "app/safe_file.h"
+#include "core/io/run_file.h"
 #include "core/match.h"
-#include "core/world/run_file.h"
 
 namespace braitenlab {
 
@@ -163,7 +163,7 @@ bool may_leave(const Lab& lab, FilesView& view) {
 }
 
 void follow_file(Lab& lab, FilesView& view) {
-    if (lab.path.empty() || lab.path.extension() == run_ending) return;
+    if (lab.path.empty() || lab.path.extension() == io::run_ending) return;
     const FileMark mark = mark_of(lab.path);
     if (mark == lab.on_disk || mark == FileMark{}) return;
     if (std::exchange(lab.noticed, mark) != mark) return;  // still being written, perhaps

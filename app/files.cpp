@@ -10,7 +10,7 @@
 #include "app/data.h"
 #include "app/platform.h"
 #include "app/safe_file.h"
-#include "core/world/run_file.h"
+#include "core/io/run_file.h"
 
 namespace braitenlab {
 
@@ -40,7 +40,7 @@ bool is_broken(const fs::path& path, FileKind kind) {
         case FileKind::exercise:
             return !load_exercise(path);
         case FileKind::run:
-            return !load_run(path);
+            return !io::load_run(path);
         default:
             return !load_scene(path);
     }
@@ -84,7 +84,7 @@ std::optional<FileEntry> entry_of(const fs::directory_entry& found, std::uintmax
     entry.is_folder = found.is_directory(problem);
     if (entry.is_folder) return entry;
     const auto ending = found.path().extension();
-    if ((ending != ".toml" && ending != run_ending) || !found.is_regular_file(problem)) return std::nullopt;
+    if ((ending != ".toml" && ending != io::run_ending) || !found.is_regular_file(problem)) return std::nullopt;
     const auto lines = ending == ".toml" ? lines_of(found.path()) : std::vector<std::string>{};
     const auto kind = kind_of(found.path(), lines);
     const std::uintmax_t size = found.file_size(problem);
@@ -152,7 +152,7 @@ fs::path own_file(const Lab& lab) {
 
 std::optional<Error> save_as(const Lab& lab, const fs::path& path, FileKind kind) {
     if (kind == FileKind::scene) return write_whole(path, write_scene(lab.session.edited_scene()));
-    if (kind == FileKind::run) return write_whole(path, write_run(lab.session.save()));
+    if (kind == FileKind::run) return write_whole(path, io::write_run(lab.session.save()));
     if (kind != FileKind::brain) return Error{"can be saved as a scene, a run or a brain only", path.string()};
     const Snapshot& now = lab.session.snapshot();
     const VehicleView* vehicle = find_vehicle(now, lab.selected);

@@ -5,8 +5,8 @@
 
 #include "app/data.h"
 #include "app/lab_parts.h"
+#include "core/io/run_file.h"
 #include "core/scene/scene_file.h"
-#include "core/world/run_file.h"
 
 namespace braitenlab {
 
@@ -39,8 +39,8 @@ FileMark mark_of(const std::filesystem::path& path) {
 Result<Lab> open_lab(const std::filesystem::path& path, std::optional<std::uint64_t> seed,
                      const std::vector<Setting>& settings) {
     const FileMark mark = mark_of(path);  // before reading: what is written meanwhile is news
-    if (path.extension() == run_ending) {
-        auto run = load_run(path);
+    if (path.extension() == io::run_ending) {
+        auto run = io::load_run(path);
         if (!run) return run.error();
         Lab lab = resume(std::move(*run));
         lab.name = path.stem().string();

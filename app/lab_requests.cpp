@@ -6,7 +6,6 @@
 
 #include "app/lab_parts.h"
 #include "core/match.h"
-#include "render/view/intensity.h"
 #include "ui/stage/edits.h"
 
 namespace braitenlab {
@@ -73,7 +72,7 @@ void look_through(Lab& lab, CameraMode mode) {
 
 // From none through the channels of which there is something to feel, and back to none.
 void show_next_field(Lab& lab) {
-    const auto channels = channels_with_field(lab.session.snapshot());
+    const auto channels = channels_with_intensity(lab.session.snapshot());
     auto next = channels.begin();
     if (lab.overlays.field) {
         next = std::find(channels.begin(), channels.end(), *lab.overlays.field);

@@ -7,7 +7,7 @@
 
 #include "app/data.h"
 #include "core/scene/names.h"
-#include "render/view/intensity.h"
+#include "core/sensing/intensity.h"
 
 namespace braitenlab {
 
@@ -87,7 +87,7 @@ CommandLine read_command_line(int argc, char** argv) {
            "--field",
            [&](const std::string& word) {
                for (const auto& channel : channel_words)
-                   if (channel.word == word && has_field(channel.value)) o.field = channel.value;
+                   if (channel.word == word && sensing::has_intensity(channel.value)) o.field = channel.value;
                if (!o.field)
                    throw CLI::ValidationError("--field", "'" + word + "' is no channel with a field; try light");
            },

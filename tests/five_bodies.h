@@ -14,9 +14,10 @@
 
 #include "core/brain/brain.h"
 #include "core/maths/angle.h"
+#include "core/mechanics/motion.h"
 #include "core/mechanics/wheel.h"
 #include "core/scene/scene.h"
-#include "core/world/motion.h"
+#include "core/world/snapshot.h"
 
 namespace braitenlab::tests {
 
@@ -24,7 +25,7 @@ class FiveBodies {
 public:
     // An empty arena on its plain floor, with walls where its edge has them.
     explicit FiveBodies(const Arena& arena) : floor_(arena) {
-        if (arena.edge != Edge::wall) return;
+        if (arena.edge != Boundary::wall) return;
         const float w = arena.width, h = arena.height, t = 0.5f;
         add_wall({0, (h + t) / 2}, w + 2 * t, t), add_wall({0, -(h + t) / 2}, w + 2 * t, t);
         add_wall({(w + t) / 2, 0}, t, h), add_wall({-(w + t) / 2, 0}, t, h);
@@ -86,7 +87,7 @@ public:
     }
 
     // Of the vehicle's origin, which is the frame of its chassis.
-    Motion motion(std::size_t row) const {
+    mechanics::Motion motion(std::size_t row) const {
         const b2Body& body = *vehicles_[row].chassis;
         const b2Rot& turn = body.GetTransform().q;
         const b2Vec2 place = body.GetPosition(), velocity = body.GetLinearVelocityFromLocalPoint({0, 0});

@@ -39,8 +39,8 @@ inline constexpr std::array<Named<Driver>, 5> driver_words{{{Driver::brain, "bra
                                                             {Driver::path, "path"},
                                                             {Driver::wander, "wander"},
                                                             {Driver::parked, "parked"}}};
-inline constexpr std::array<Named<Edge>, 3> edge_words{
-    {{Edge::wall, "wall"}, {Edge::open, "open"}, {Edge::torus, "torus"}}};
+inline constexpr std::array<Named<Boundary>, 3> boundary_words{
+    {{Boundary::wall, "wall"}, {Boundary::open, "open"}, {Boundary::torus, "torus"}}};
 inline constexpr std::array<Named<Surface>, 5> surface_words{{{Surface::none, "none"},
                                                               {Surface::ice, "ice"},
                                                               {Surface::carpet, "carpet"},
@@ -64,7 +64,7 @@ inline constexpr std::array<Named<Response>, 6> response_words{{{Response::linea
 constexpr const auto& words(Channel) { return channel_words; }
 constexpr const auto& words(Role) { return role_words; }
 constexpr const auto& words(Driver) { return driver_words; }
-constexpr const auto& words(Edge) { return edge_words; }
+constexpr const auto& words(Boundary) { return boundary_words; }
 constexpr const auto& words(Surface) { return surface_words; }
 constexpr const auto& words(Motor) { return motor_words; }
 constexpr const auto& words(SensorShape) { return shape_words; }

@@ -47,7 +47,7 @@ enum class SensorResponse { graded, boolean };
 enum class Driver { brain, manual, path, wander, parked };
 // `open`: vehicles fall over it and enter again at their start or elsewhere. `torus`: whoever leaves on one side comes
 // back on the other.
-enum class Edge { wall, open, torus };
+enum class Boundary { wall, open, torus };
 // What covers a zone of the floor; `none` is the arena's own. Constants: floor_constants().
 enum class Surface { none, ice, carpet, sand, tape };
 
@@ -194,7 +194,7 @@ struct Zone {
 
 struct Arena {
     float width = 20, height = 20;  // m, along x and y
-    Edge edge = Edge::wall;
+    Boundary edge = Boundary::wall;
     float friction = 40;       // the floor's constant: rolling drag in N·s/m per m^2 of contact
     float grip = 1;            // multiplies every wheel's grip; ice is 0.1
     float reflectance = 0.8f;  // 0..1, what a floor sensor reads

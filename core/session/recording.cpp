@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/world/node_places.h"
+#include "core/world/cosmetic_edits.h"
 
 namespace braitenlab {
 
@@ -12,7 +12,7 @@ const auto by_tick = [](const LoggedCommand& command, std::uint64_t tick) { retu
 
 }  // namespace
 
-Recording::Recording(const Save& begin)
+Recording::Recording(const Checkpoint& begin)
     : keyframes_{{begin.keyframe_tick, begin.keyframe}}, commands_(begin.commands), latest_(begin.tick) {}
 
 void Recording::add_step(const World& world) {
@@ -36,9 +36,9 @@ void Recording::add_command(const World& world, const Command& command) {
 // What lies ahead stays as it was but for the nodes: at every later moment, too, they stand where they were put.
 void Recording::add_places(std::uint64_t tick, const PlaceNodes& places) {
     for (Keyframe& keyframe : keyframes_)
-        if (keyframe.tick > tick) keyframe.moment = with_places(*keyframe.moment, places);
+        if (keyframe.tick > tick) keyframe.state = world::with_places(*keyframe.state, places);
     const auto later = std::lower_bound(commands_.begin(), commands_.end(), tick + 1, by_tick);
-    for (auto c = later; c != commands_.end(); ++c) c->command = keeping_places(std::move(c->command), places);
+    for (auto c = later; c != commands_.end(); ++c) c->command = world::keeping_places(std::move(c->command), places);
     commands_.insert(later, {tick, places});
 }
 
@@ -54,11 +54,11 @@ const Recording::Keyframe& Recording::last_keyframe(std::uint64_t tick) const {
     return *(after - 1);
 }
 
-Save Recording::at(std::uint64_t tick) const {
+Checkpoint Recording::at(std::uint64_t tick) const {
     const Keyframe& keyframe = last_keyframe(tick);
     const auto begin = std::lower_bound(commands_.begin(), commands_.end(), keyframe.tick, by_tick);
     const auto end = std::lower_bound(commands_.begin(), commands_.end(), tick + 1, by_tick);
-    return {keyframe.moment, keyframe.tick, {begin, end}, tick};
+    return {keyframe.state, keyframe.tick, {begin, end}, tick};
 }
 
 std::vector<Command> Recording::commands_at(std::uint64_t tick) const {
@@ -69,10 +69,10 @@ std::vector<Command> Recording::commands_at(std::uint64_t tick) const {
     return commands;
 }
 
-std::optional<Save> Recording::made_by_commands(std::uint64_t tick) const {
+std::optional<Checkpoint> Recording::made_by_commands(std::uint64_t tick) const {
     const Keyframe& keyframe = last_keyframe(tick);
     if (keyframe.tick != tick || !keyframe.made_by_commands) return std::nullopt;
-    return Save{keyframe.moment, tick, {}, tick};
+    return Checkpoint{keyframe.state, tick, {}, tick};
 }
 
 std::uint64_t Recording::keyframe_before(std::uint64_t tick) const { return last_keyframe(tick).tick; }

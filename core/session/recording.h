@@ -16,7 +16,7 @@ inline constexpr std::uint64_t recorded_ticks = 3600;  // one minute at least, o
 class Recording {
 public:
     // Begins with what the save holds, from its keyframe on.
-    explicit Recording(const Save& begin);
+    explicit Recording(const Checkpoint& begin);
 
     std::uint64_t earliest() const { return keyframes_.front().tick; }
     std::uint64_t latest() const { return latest_; }
@@ -30,12 +30,12 @@ public:
     void forget_after(std::uint64_t tick);
 
     // The moment at `tick`, earliest() .. latest(), after the commands that were given then.
-    Save at(std::uint64_t tick) const;
+    Checkpoint at(std::uint64_t tick) const;
 
     // The commands that were given between the step to `tick` and the next. Where there were so many that they made a
     // keyframe, those since: whoever steps there goes on from that keyframe, which this gives; else nothing.
     std::vector<Command> commands_at(std::uint64_t tick) const;
-    std::optional<Save> made_by_commands(std::uint64_t tick) const;
+    std::optional<Checkpoint> made_by_commands(std::uint64_t tick) const;
 
     // The latest moment not after `tick` to which restoring costs no steps.
     std::uint64_t keyframe_before(std::uint64_t tick) const;
@@ -43,7 +43,7 @@ public:
 private:
     struct Keyframe {
         std::uint64_t tick = 0;
-        std::shared_ptr<const Moment> moment;
+        std::shared_ptr<const world::State> state;
         bool made_by_commands = false;
     };
     const Keyframe& last_keyframe(std::uint64_t tick) const;

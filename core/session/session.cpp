@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/world/node_places.h"
+#include "core/world/cosmetic_edits.h"
 
 namespace braitenlab {
 
@@ -18,7 +18,7 @@ void push(Steps& steps, UndoStep step) { steps.push_back(std::make_shared<const 
 }  // namespace
 
 Session::Session(Scene opened, World world)
-    : opened_(std::move(opened)), world_(std::move(world)), recording_(world_.save()) {
+    : opened_(std::move(opened)), world_(std::move(world)), recording_(world_.checkpoint()) {
     world_.capture(snapshot_);
 }
 
@@ -28,11 +28,11 @@ Result<Session> Session::open(const Scene& scene, std::uint64_t seed) {
     return Session(scene, std::move(*world));
 }
 
-Session Session::resume(SavedRun run) { return Session(std::move(run.opened), World::restore(run.save)); }
+Session Session::resume(SavedRun run) { return Session(std::move(run.opened), World::restore(run.checkpoint)); }
 
-std::optional<Error> Session::carry_out(const Command& command) {
+std::optional<Error> Session::execute(const Command& command) {
     if (auto error = world_.apply(command)) return error;
-    if (!changes_looks_alone(command)) {
+    if (!world::is_cosmetic(command)) {
         if (recording_.latest() > world_.tick())
             forgotten_ = Forgotten{world_.tick(), edits_.done.size(), recording_, edits_since_};
         recording_.forget_after(world_.tick());
@@ -72,7 +72,7 @@ void Session::take_edits_of(std::uint64_t tick) {
 
 std::optional<Error> Session::apply(const Command& command, std::uint64_t gesture) {
     std::vector<Command> back = undoing(snapshot_, command);
-    if (auto error = carry_out(command)) return error;
+    if (auto error = execute(command)) return error;
     if (back.empty()) return std::nullopt;
 
     const Command again = repeating(snapshot_, command);
@@ -126,7 +126,7 @@ bool Session::undo() {
         bring_time_back();
         return true;
     }
-    for (const Command& command : step.back) (void)carry_out(command);
+    for (const Command& command : step.back) (void)execute(command);
     push(edits_.undone, std::move(step));
     change_later(undone, nullptr);
     if (forgotten_ && edits_.done.size() <= forgotten_->edits) forgotten_.reset();  // from here it is another way
@@ -139,7 +139,7 @@ bool Session::redo() {
     UndoStep step = *edits_.undone.back();
     step.gesture = 0;  // a drag that goes on is a new step
     edits_.undone.pop_back();
-    for (const Command& command : step.again) (void)carry_out(command);
+    for (const Command& command : step.again) (void)execute(command);
     push(edits_.done, std::move(step));
     change_later(nullptr, edits_.done.back());
     remember_edits();
@@ -180,17 +180,17 @@ void Session::seek_roughly(std::uint64_t tick) {
 void Session::go_to(const Bookmark& bookmark) {
     const std::uint64_t tick = bookmark.tick();
     if (tick >= earliest() && tick <= latest()) {  // on the recorded way, what lies ahead of it stays
-        const Save recorded = recording_.at(tick);
+        const Checkpoint recorded = recording_.at(tick);
         const auto same = [](const LoggedCommand& a, const LoggedCommand& b) {
             return a.tick == b.tick && a.command == b.command;
         };
-        if (recorded.keyframe == bookmark.save.keyframe &&
-            std::equal(recorded.commands.begin(), recorded.commands.end(), bookmark.save.commands.begin(),
-                       bookmark.save.commands.end(), same))
+        if (recorded.keyframe == bookmark.checkpoint.keyframe &&
+            std::equal(recorded.commands.begin(), recorded.commands.end(), bookmark.checkpoint.commands.begin(),
+                       bookmark.checkpoint.commands.end(), same))
             return seek(tick);
     }
-    world_ = World::restore(bookmark.save);
-    recording_ = Recording(bookmark.save);
+    world_ = World::restore(bookmark.checkpoint);
+    recording_ = Recording(bookmark.checkpoint);
     forgotten_.reset();
     edits_ = bookmark.edits;
     edits_since_.clear();
@@ -220,7 +220,7 @@ void Session::renumber_after_reset(const Snapshot& before, Keep keep) {
         const BrainGraph& brain = *before.brains[static_cast<std::size_t>(v.brain)];
         const VehicleView* now = find_vehicle(snapshot_, number(v.id));
         if (now && now->kind == v.kind && brain != *snapshot_.kind_brains[static_cast<std::size_t>(v.kind)])
-            (void)carry_out(SetBrain{{.vehicle = now->id}, brain});
+            (void)execute(SetBrain{{.vehicle = now->id}, brain});
     }
     const auto renumber = [&](Steps& steps) {
         Steps kept;
@@ -252,7 +252,7 @@ void Session::reset(Keep keep) {
     if (!world) world = World::create(opened_, seed());  // brains that need sensors which the opened scene lacks
     const Snapshot before = std::move(snapshot_);
     world_ = std::move(*world);
-    recording_ = Recording(world_.save());
+    recording_ = Recording(world_.checkpoint());
     forgotten_.reset();
     snapshot_ = {};
     world_.capture(snapshot_);

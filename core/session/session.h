@@ -18,9 +18,9 @@ enum class Keep { edits, brains };
 
 // A moment to come back to.
 struct Bookmark {
-    Save save;
+    Checkpoint checkpoint;
     Edits edits;
-    std::uint64_t tick() const { return save.tick; }
+    std::uint64_t tick() const { return checkpoint.tick; }
 };
 
 class Session {
@@ -62,9 +62,9 @@ public:
     void seek(std::uint64_t tick);
     void seek_roughly(std::uint64_t tick);
 
-    Bookmark bookmark() const { return {world_.save(), edits_}; }
+    Bookmark bookmark() const { return {world_.checkpoint(), edits_}; }
     void go_to(const Bookmark&);
-    SavedRun save() const { return {opened_, world_.save()}; }
+    SavedRun save() const { return {opened_, world_.checkpoint()}; }
 
     // The moment as it is now; stays valid and changes with the session.
     const Snapshot& snapshot() const { return snapshot_; }
@@ -85,7 +85,7 @@ private:
         std::vector<std::pair<std::uint64_t, Edits>> edits_since;
     };
 
-    std::optional<Error> carry_out(const Command&);
+    std::optional<Error> execute(const Command&);
     void bring_time_back();
     void advance();
     void remember_edits();

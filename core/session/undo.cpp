@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "core/match.h"
-#include "core/world/node_places.h"
+#include "core/world/cosmetic_edits.h"
 
 namespace braitenlab {
 
@@ -43,7 +43,7 @@ Commands same_places(const Snapshot& now, const Target& target) {
     Commands commands;
     for (Command& command : same_brains(now, target)) {
         const auto& brain = std::get<SetBrain>(command);
-        commands.push_back(PlaceNodes{brain.target, places_of(brain.brain)});
+        commands.push_back(PlaceNodes{brain.target, world::places_of(brain.brain)});
     }
     return commands;
 }

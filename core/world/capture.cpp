@@ -2,31 +2,31 @@
 #include <algorithm>
 
 #include "core/maths/angle.h"
-#include "core/world/state.h"
+#include "core/world/world_data.h"
 
-namespace braitenlab {
+namespace braitenlab::world {
 
 namespace {
 
 // Brains in use, each once. Rows that share one mostly follow each other or the first few, so a linear look is short.
-int index_of(const SharedDesign& design, std::vector<std::shared_ptr<const BrainGraph>>& brains) {
+int index_of(const SharedBrain& brain, std::vector<std::shared_ptr<const BrainGraph>>& brains) {
     for (std::size_t i = 0; i < brains.size() && i < 64; ++i)
-        if (brains[i].get() == &design->graph) return static_cast<int>(i);
-    brains.push_back(std::shared_ptr<const BrainGraph>(design, &design->graph));
+        if (brains[i].get() == &brain->graph) return static_cast<int>(i);
+    brains.push_back(std::shared_ptr<const BrainGraph>(brain, &brain->graph));
     return static_cast<int>(brains.size()) - 1;
 }
 
-VehicleView view_of(const WorldState& s, std::size_t row, int brain) {
+VehicleView view_of(const WorldData& s, std::size_t row, int brain) {
     const Vehicles& v = s.vehicles;
-    const Motion& m = v.motion[row];
+    const mechanics::Motion& m = v.motion[row];
     VehicleView view;
     view.id = v.id[row];
     view.kind = v.kind[row];
     view.start = v.start[row];
     view.role = s.role(row);
     view.driver = v.driver[row];
-    view.x = m.place.x;
-    view.y = m.place.y;
+    view.x = m.position.x;
+    view.y = m.position.y;
     view.heading = maths::wrap_angle(m.heading);
     view.speed = maths::dot(m.velocity, m.ahead);
     view.energy = v.energy[row];
@@ -35,13 +35,13 @@ VehicleView view_of(const WorldState& s, std::size_t row, int brain) {
     view.brain = brain;
     view.first_sensed = static_cast<int>(v.first_sensed[row]);
     view.first_neuron = static_cast<int>(v.first_neuron[row]);
-    view.neuron_count = v.design[row]->brain.neuron_count();
+    view.neuron_count = v.brain[row]->flat.neuron_count();
     return view;
 }
 
 }  // namespace
 
-void capture(const WorldState& s, Snapshot& out) {
+void capture(const WorldData& s, Snapshot& out) {
     out.tick = s.tick;
     out.seconds = static_cast<double>(s.tick) / 60;
     out.seed = s.seed;
@@ -53,23 +53,25 @@ void capture(const WorldState& s, Snapshot& out) {
     out.vehicles.clear();
     out.brains.clear();
     for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
-        out.vehicles.push_back(view_of(s, row, index_of(s.vehicles.design[row], out.brains)));
+        out.vehicles.push_back(view_of(s, row, index_of(s.vehicles.brain[row], out.brains)));
         out.predators += s.role(row) == Role::predator;
         out.prey += s.role(row) == Role::prey;
     }
     out.sensed = s.vehicles.sensed;
-    out.neurons = s.foreseen_neurons.empty() ? s.vehicles.neurons : s.foreseen_neurons;
+    out.neurons = s.preview_neurons.empty() ? s.vehicles.neurons : s.preview_neurons;
     out.kind_brains.clear();
-    for (const SharedDesign& design : s.newcomers) out.kind_brains.emplace_back(design, &design->graph);
+    for (const SharedBrain& brain : s.kind_brains) out.kind_brains.emplace_back(brain, &brain->graph);
     out.sources.clear();
     for (const Source& source : s.scene->sources)
         out.sources.push_back(
             {static_cast<int>(out.sources.size()), source.channel, source.x, source.y, source.strength});
     out.obstacles.clear();
-    for (const Motion& m : s.obstacles) out.obstacles.push_back({m.place.x, m.place.y, maths::wrap_angle(m.heading)});
+    for (const mechanics::Motion& m : s.obstacles)
+        out.obstacles.push_back({m.position.x, m.position.y, maths::wrap_angle(m.heading)});
     out.marks.clear();
-    for (const Mark& mark : s.marks) out.marks.push_back({mark.owner, mark.place.x, mark.place.y, strength(s, mark)});
+    for (const Mark& mark : s.marks)
+        out.marks.push_back({mark.owner, mark.position.x, mark.position.y, strength(s, mark)});
     out.scene = s.scene;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::world

@@ -7,7 +7,7 @@
 #include "core/mechanics/body.h"
 #include "core/mechanics/wheel.h"
 
-namespace braitenlab {
+namespace braitenlab::world {
 
 namespace {
 
@@ -19,11 +19,11 @@ Role role_by_wiring(const BrainGraph& graph) {
 
 }  // namespace
 
-Result<SharedDesign> make_design(const BrainGraph& graph, const Kind& kind) {
+Result<SharedBrain> compile_brain(const BrainGraph& graph, const Kind& kind) {
     auto brain = compile(graph, sensor_names(kind));
     if (!brain) return brain.error();
     const Role role = kind.role == Role::wiring ? role_by_wiring(graph) : kind.role;
-    return std::make_shared<const Design>(Design{graph, std::move(*brain), role});
+    return std::make_shared<const CompiledBrain>(CompiledBrain{graph, std::move(*brain), role});
 }
 
 namespace {
@@ -53,8 +53,8 @@ float overshoot(const Body& body, const std::vector<CompiledWheel>& wheels, floa
 }
 
 // Wheels far from the middle of a small body would shake it to pieces: they stop no more than leaves it steady.
-void steady(const Body& body, std::vector<CompiledWheel>& wheels, float CompiledWheel::*along,
-            float CompiledWheel::*across) {
+void limit_overshoot(const Body& body, std::vector<CompiledWheel>& wheels, float CompiledWheel::*along,
+                     float CompiledWheel::*across) {
     const float too_far = overshoot(body, wheels, along, across);
     if (too_far <= 1.001f) return;
     for (CompiledWheel& w : wheels) {
@@ -65,9 +65,9 @@ void steady(const Body& body, std::vector<CompiledWheel>& wheels, float Compiled
 
 }  // namespace
 
-std::uint32_t late_readings(const Kind& kind) {
+std::uint32_t delayed_readings(const Kind& kind) {
     std::uint32_t count = 0;
-    for (const Sensor& sensor : kind.sensors) count += ticks_late(sensor);
+    for (const Sensor& sensor : kind.sensors) count += sensing::delay_ticks(sensor);
     return count;
 }
 
@@ -75,10 +75,10 @@ CompiledKind compile_kind(const Kind& kind) {
     const Body& body = kind.body;
     CompiledKind compiled;
     for (const Sensor& sensor : kind.sensors) {
-        const Eye& eye = compiled.eyes.emplace_back(sensor);
-        compiled.has_noise = compiled.has_noise || eye.noise > 0;
+        const sensing::CompiledSensor& made = compiled.sensors.emplace_back(sensor);
+        compiled.has_noise = compiled.has_noise || made.noise > 0;
     }
-    compiled.late_readings = late_readings(kind);
+    compiled.delayed_readings = delayed_readings(kind);
     float driven = 0, gripping = 0;  // shares of the load on wheels with a motor, with grip
     for (const Wheel& w : body.wheels) {
         if (w.motor != Motor::none) driven += w.load;
@@ -96,8 +96,8 @@ CompiledKind compile_kind(const Kind& kind) {
         compiled.wheels.push_back(c);
         if (w.motor != Motor::none) compiled.driven_radius[w.motor == Motor::left ? 0 : 1] = w.radius;
     }
-    steady(body, compiled.wheels, &CompiledWheel::drive_mass, &CompiledWheel::lateral_mass);
-    steady(body, compiled.wheels, &CompiledWheel::carried_mass, &CompiledWheel::carried_mass);
+    limit_overshoot(body, compiled.wheels, &CompiledWheel::drive_mass, &CompiledWheel::lateral_mass);
+    limit_overshoot(body, compiled.wheels, &CompiledWheel::carried_mass, &CompiledWheel::carried_mass);
     compiled.top_speed = body.top_speed;
     compiled.motor_force = body.motor_force;
     compiled.dead_band = body.dead_band;
@@ -107,4 +107,4 @@ CompiledKind compile_kind(const Kind& kind) {
     return compiled;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::world

@@ -2,9 +2,9 @@
 // force and one torque.
 #include "core/maths/angle.h"
 #include "core/mechanics/wheel.h"
-#include "core/world/state.h"
+#include "core/world/world_data.h"
 
-namespace braitenlab {
+namespace braitenlab::world {
 
 using maths::vec2;
 
@@ -27,21 +27,22 @@ std::array<float, 2> commands_of(const Vehicles& v, std::size_t row, float dead_
             mechanics::motor_command(v.motor[row][1], dead_band, v.gain[row][1])};
 }
 
-void drive_vehicle(WorldState& s, std::size_t row) {
+void drive_vehicle(WorldData& s, std::size_t row) {
     Vehicles& v = s.vehicles;
     const CompiledKind& kind = s.kinds[s.kind(row)];
-    const Motion& m = v.motion[row];
+    const mechanics::Motion& m = v.motion[row];
     const std::array<float, 2> command = commands_of(v, row, kind.dead_band);
     // Wheels hold against what pushes the vehicle: they see the speed that this push alone would give it.
-    const vec2 push = s.ground.push_at(m.place, kind.mass);
+    const vec2 push = s.environment.ground.push_at(m.position, kind.mass);
     const vec2 pushed = m.velocity + push * (tick_seconds / kind.mass);
     const vec2 velocity = maths::rotate(pushed, {m.ahead.x, -m.ahead.y});  // in the vehicle's frame
-    FloorConstants floor = s.ground.plain;
+    FloorConstants floor = s.environment.ground.plain;
     vec2 force;
     float torque = 0;
     for (const CompiledWheel& wheel : kind.wheels) {
-        if (s.ground.has_surfaces) floor = s.ground.floor_at(m.place + maths::rotate(wheel.at, m.ahead));
-        const vec2 at_wheel{velocity.x - m.turning * wheel.at.y, velocity.y + m.turning * wheel.at.x};
+        if (s.environment.ground.has_surfaces)
+            floor = s.environment.ground.floor_at(m.position + maths::rotate(wheel.at, m.ahead));
+        const vec2 at_wheel{velocity.x - m.angular_velocity * wheel.at.y, velocity.y + m.angular_velocity * wheel.at.x};
         const auto side = static_cast<std::size_t>(wheel.motor == Motor::right ? 1 : 0);
         const vec2 f = wheel_force(kind, wheel, floor, at_wheel, command[side]);
         force += f;
@@ -56,8 +57,8 @@ void drive_vehicle(WorldState& s, std::size_t row) {
 
 }  // namespace
 
-void drive(WorldState& s) {
+void drive(WorldData& s) {
     for (std::size_t row = 0; row < s.vehicles.size(); ++row) drive_vehicle(s, row);
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::world

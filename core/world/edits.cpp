@@ -2,58 +2,51 @@
 
 #include "core/maths/angle.h"
 #include "core/scene/names.h"
-#include "core/world/scene_edit.h"
 
-namespace braitenlab {
+namespace braitenlab::world {
 
-namespace {
-
-Error not_finite() { return {"a place takes finite numbers only"}; }
-
-}  // namespace
-
-std::optional<Error> carry_out(WorldState& s, const SetSensors& c) {
+std::optional<Error> execute(WorldData& s, const SetSensors& c) {
     if (auto error = missing(s.scene->kinds, c.kind, "kind")) return error;
     Scene scene = *s.scene;
     Kind& kind = scene.kinds[static_cast<std::size_t>(c.kind)];
     kind.sensors = c.sensors;
-    kind.brain = s.newcomers[static_cast<std::size_t>(c.kind)]->graph;
+    kind.brain = s.kind_brains[static_cast<std::size_t>(c.kind)]->graph;
     if (auto error = check_scene(scene)) return error;
 
-    // Brains find their sensors by name; every design of the kind is made again with the new ones.
-    std::vector<std::pair<SharedDesign, SharedDesign>> made;
-    const auto again = [&](SharedDesign& design) {
+    // Brains find their sensors by name; every brain of the kind is made again with the new ones.
+    std::vector<std::pair<SharedBrain, SharedBrain>> made;
+    const auto again = [&](SharedBrain& brain) {
         for (const auto& [before, after] : made)
-            if (before == design) return void(design = after);
-        made.emplace_back(design, *make_design(design->graph, kind));
-        design = made.back().second;
+            if (before == brain) return void(brain = after);
+        made.emplace_back(brain, *compile_brain(brain->graph, kind));
+        brain = made.back().second;
     };
-    again(s.newcomers[static_cast<std::size_t>(c.kind)]);
+    again(s.kind_brains[static_cast<std::size_t>(c.kind)]);
     Vehicles& v = s.vehicles;
     for (std::size_t row = 0; row < v.size(); ++row)
-        if (v.kind[row] == c.kind) again(v.design[row]);
+        if (v.kind[row] == c.kind) again(v.brain[row]);
     v.sensed.clear();
-    v.late.clear();
+    v.delayed.clear();
     for (std::size_t row = 0; row < v.size(); ++row) {
         const Kind& of_row = scene.kinds[s.kind(row)];
         v.first_sensed[row] = static_cast<std::uint32_t>(v.sensed.size());
         v.sensed.resize(v.sensed.size() + of_row.sensors.size(), 0.0f);
-        v.first_late[row] = static_cast<std::uint32_t>(v.late.size());
-        v.late.resize(v.late.size() + late_readings(of_row), 0.0f);
+        v.first_delayed[row] = static_cast<std::uint32_t>(v.delayed.size());
+        v.delayed.resize(v.delayed.size() + delayed_readings(of_row), 0.0f);
     }
-    take_over(s, std::move(scene));
+    replace_scene(s, std::move(scene));
     return std::nullopt;
 }
 
-std::optional<Error> carry_out(WorldState& s, const AddSource& c) {
+std::optional<Error> execute(WorldData& s, const AddSource& c) {
     Scene scene = *s.scene;
     Source source = c.source;
     source.name = free_name(scene.sources, source.name, word(source.channel));
-    scene.sources.insert(place_in(scene.sources, place_for(scene.sources, c.before)), std::move(source));
-    return take_over_if_sound(s, std::move(scene));
+    scene.sources.insert(iterator_at(scene.sources, insertion_index(scene.sources, c.before)), std::move(source));
+    return replace_scene_if_valid(s, std::move(scene));
 }
 
-std::optional<Error> carry_out(WorldState& s, const RemoveSource& c) {
+std::optional<Error> execute(WorldData& s, const RemoveSource& c) {
     if (auto error = missing(s.scene->sources, c.source, "source")) return error;
     Scene scene = *s.scene;
     // Starts that face it keep the direction in which it stood.
@@ -63,82 +56,82 @@ std::optional<Error> carry_out(WorldState& s, const RemoveSource& c) {
         start.heading = maths::wrap_angle(start.heading + maths::arctangent2(gone.y - start.y, gone.x - start.x));
         start.facing.clear();
     }
-    scene.sources.erase(place_in(scene.sources, c.source));
-    take_over(s, std::move(scene));
+    scene.sources.erase(iterator_at(scene.sources, c.source));
+    replace_scene(s, std::move(scene));
     return std::nullopt;
 }
 
-std::optional<Error> carry_out(WorldState& s, const EditSource& c) {
+std::optional<Error> execute(WorldData& s, const EditSource& c) {
     if (auto error = missing(s.scene->sources, c.source, "source")) return error;
     Scene scene = *s.scene;
-    Source& source = *place_in(scene.sources, c.source);
+    Source& source = *iterator_at(scene.sources, c.source);
     const std::string name = source.name;  // starts and checks know it by this
     source = c.to;
     source.name = name;
-    return take_over_if_sound(s, std::move(scene));
+    return replace_scene_if_valid(s, std::move(scene));
 }
 
-std::optional<Error> carry_out(WorldState& s, const MoveSource& c) {
+std::optional<Error> execute(WorldData& s, const MoveSource& c) {
     if (auto error = missing(s.scene->sources, c.source, "source")) return error;
     if (!is_finite({c.x, c.y})) return not_finite();
     Scene scene = *s.scene;
-    Source& source = *place_in(scene.sources, c.source);
+    Source& source = *iterator_at(scene.sources, c.source);
     source.x = std::clamp(c.x, -1000.0f, 1000.0f);
     source.y = std::clamp(c.y, -1000.0f, 1000.0f);
     if (source.solid)
-        take_over(s, std::move(scene));
+        replace_scene(s, std::move(scene));
     else
         s.scene = std::make_shared<const Scene>(std::move(scene));
     return std::nullopt;
 }
 
-std::optional<Error> carry_out(WorldState& s, const AddObstacle& c) {
+std::optional<Error> execute(WorldData& s, const AddObstacle& c) {
     Scene scene = *s.scene;
     Obstacle obstacle = c.obstacle;
     obstacle.name = free_name(scene.obstacles, obstacle.name, "obstacle");
-    const int index = place_for(scene.obstacles, c.before);
-    const Motion motion = at_rest({obstacle.x, obstacle.y, obstacle.heading});
-    scene.obstacles.insert(place_in(scene.obstacles, index), std::move(obstacle));
+    const int index = insertion_index(scene.obstacles, c.before);
+    const mechanics::Motion motion = mechanics::at_rest({obstacle.x, obstacle.y}, obstacle.heading);
+    scene.obstacles.insert(iterator_at(scene.obstacles, index), std::move(obstacle));
     if (auto error = check_scene(scene)) return error;
-    s.obstacles.insert(place_in(s.obstacles, index), motion);
-    take_over(s, std::move(scene));
+    s.obstacles.insert(iterator_at(s.obstacles, index), motion);
+    replace_scene(s, std::move(scene));
     return std::nullopt;
 }
 
-std::optional<Error> carry_out(WorldState& s, const RemoveObstacle& c) {
+std::optional<Error> execute(WorldData& s, const RemoveObstacle& c) {
     if (auto error = missing(s.scene->obstacles, c.obstacle, "obstacle")) return error;
     Scene scene = *s.scene;
-    scene.obstacles.erase(place_in(scene.obstacles, c.obstacle));
-    s.obstacles.erase(place_in(s.obstacles, c.obstacle));
-    take_over(s, std::move(scene));
+    scene.obstacles.erase(iterator_at(scene.obstacles, c.obstacle));
+    s.obstacles.erase(iterator_at(s.obstacles, c.obstacle));
+    replace_scene(s, std::move(scene));
     return std::nullopt;
 }
 
-std::optional<Error> carry_out(WorldState& s, const EditObstacle& c) {
+std::optional<Error> execute(WorldData& s, const EditObstacle& c) {
     if (auto error = missing(s.scene->obstacles, c.obstacle, "obstacle")) return error;
     Scene scene = *s.scene;
-    Obstacle& obstacle = *place_in(scene.obstacles, c.obstacle);
+    Obstacle& obstacle = *iterator_at(scene.obstacles, c.obstacle);
     const std::string name = obstacle.name;
     obstacle = c.to;
     obstacle.name = name;
-    const Motion motion = at_rest({obstacle.x, obstacle.y, obstacle.heading});
+    const mechanics::Motion motion = mechanics::at_rest({obstacle.x, obstacle.y}, obstacle.heading);
     if (auto error = check_scene(scene)) return error;
-    *place_in(s.obstacles, c.obstacle) = motion;
-    take_over(s, std::move(scene));
+    *iterator_at(s.obstacles, c.obstacle) = motion;
+    replace_scene(s, std::move(scene));
     return std::nullopt;
 }
 
-std::optional<Error> carry_out(WorldState& s, const MoveObstacle& c) {
+std::optional<Error> execute(WorldData& s, const MoveObstacle& c) {
     if (auto error = missing(s.scene->obstacles, c.obstacle, "obstacle")) return error;
     if (!is_finite({c.x, c.y, c.heading})) return not_finite();
     Obstacle moved = s.scene->obstacles[static_cast<std::size_t>(c.obstacle)];
     moved.x = std::clamp(c.x, -1000.0f, 1000.0f);
     moved.y = std::clamp(c.y, -1000.0f, 1000.0f);
     moved.heading = maths::wrap_angle(c.heading);
-    return carry_out(s, EditObstacle{c.obstacle, std::move(moved)});
+    return execute(s, EditObstacle{c.obstacle, std::move(moved)});
 }
 
-std::optional<Error> carry_out(WorldState& s, const Retitle& c) {
+std::optional<Error> execute(WorldData& s, const Retitle& c) {
     Scene scene = *s.scene;
     scene.title = c.title;
     if (auto error = check_scene(scene)) return error;
@@ -146,4 +139,4 @@ std::optional<Error> carry_out(WorldState& s, const Retitle& c) {
     return std::nullopt;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::world

@@ -1,27 +1,80 @@
-// Commands that change the scene as well as the world: who is in it (roster.cpp), what stands in it and what the kinds'
-// sensors are (edits.cpp).
+// Commands that edit the scene of a running world, and what they share. Inside core/world only.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
-#include "core/world/state.h"
+#include <fmt/format.h>
 
-namespace braitenlab {
+#include "core/scene/scene_file.h"
+#include "core/world/world_data.h"
 
-// Each refuses what would make the scene unsound (see check_scene) and leaves everything as it was. A name that is
-// empty or taken is replaced by a free one.
-std::optional<Error> carry_out(WorldState&, const AddVehicle&);
-std::optional<Error> carry_out(WorldState&, const RemoveVehicle&);
-std::optional<Error> carry_out(WorldState&, const EditStart&);
-std::optional<Error> carry_out(WorldState&, const SetSensors&);
-std::optional<Error> carry_out(WorldState&, const AddSource&);
-std::optional<Error> carry_out(WorldState&, const RemoveSource&);
-std::optional<Error> carry_out(WorldState&, const EditSource&);
-std::optional<Error> carry_out(WorldState&, const MoveSource&);
-std::optional<Error> carry_out(WorldState&, const AddObstacle&);
-std::optional<Error> carry_out(WorldState&, const RemoveObstacle&);
-std::optional<Error> carry_out(WorldState&, const EditObstacle&);
-std::optional<Error> carry_out(WorldState&, const MoveObstacle&);
-std::optional<Error> carry_out(WorldState&, const Retitle&);
+namespace braitenlab::world {
 
-}  // namespace braitenlab
+// Each refuses what would make the scene invalid (see check_scene) and then changes nothing. An empty name or one that
+// is in use is replaced by a free one.
+std::optional<Error> execute(WorldData&, const AddVehicle&);  // add_remove.cpp
+std::optional<Error> execute(WorldData&, const RemoveVehicle&);
+std::optional<Error> execute(WorldData&, const EditStart&);
+std::optional<Error> execute(WorldData&, const SetSensors&);  // edits.cpp
+std::optional<Error> execute(WorldData&, const AddSource&);
+std::optional<Error> execute(WorldData&, const RemoveSource&);
+std::optional<Error> execute(WorldData&, const EditSource&);
+std::optional<Error> execute(WorldData&, const MoveSource&);
+std::optional<Error> execute(WorldData&, const AddObstacle&);
+std::optional<Error> execute(WorldData&, const RemoveObstacle&);
+std::optional<Error> execute(WorldData&, const EditObstacle&);
+std::optional<Error> execute(WorldData&, const MoveObstacle&);
+std::optional<Error> execute(WorldData&, const Retitle&);
+
+inline bool is_finite(const Pose& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.heading); }
+inline Error not_finite() { return {"a position takes finite numbers only"}; }
+
+// Replaces the scene by an edited one and rebuilds the world from it.
+inline void replace_scene(WorldData& s, Scene scene) {
+    State state = std::move(static_cast<State&>(s));
+    state.scene = std::make_shared<const Scene>(std::move(scene));
+    s = WorldData(std::move(state));
+}
+
+inline std::optional<Error> replace_scene_if_valid(WorldData& s, Scene scene) {
+    if (auto error = check_scene(scene)) return error;
+    replace_scene(s, std::move(scene));
+    return std::nullopt;
+}
+
+template <class Element>
+std::optional<Error> missing(const std::vector<Element>& elements, int index, const char* what) {
+    if (index >= 0 && static_cast<std::size_t>(index) < elements.size()) return std::nullopt;
+    return Error{fmt::format("the scene has no {} number {}", what, index)};
+}
+
+template <class Element>
+auto iterator_at(std::vector<Element>& elements, int index) {
+    return elements.begin() + static_cast<std::ptrdiff_t>(index);
+}
+
+// Index of a new element: before the given one, else at the end.
+template <class Element>
+int insertion_index(const std::vector<Element>& elements, int before) {
+    const auto count = static_cast<int>(elements.size());
+    return before < 0 ? count : std::min(before, count);
+}
+
+// The requested name if it is not empty and not in use, else the word, with the lowest free number from 2 if needed.
+template <class Element>
+std::string free_name(const std::vector<Element>& elements, const std::string& requested, std::string_view word) {
+    const auto is_used = [&](const std::string& name) {
+        return std::any_of(elements.begin(), elements.end(), [&](const Element& e) { return e.name == name; });
+    };
+    if (!requested.empty() && !is_used(requested)) return requested;
+    std::string name(word);
+    for (int number = 2; is_used(name); ++number) name = fmt::format("{}-{}", word, number);
+    return name;
+}
+
+}  // namespace braitenlab::world

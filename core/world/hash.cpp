@@ -2,9 +2,9 @@
 // makes them anew.
 #include <cstring>
 
-#include "core/world/state.h"
+#include "core/world/world_data.h"
 
-namespace braitenlab {
+namespace braitenlab::world {
 
 namespace {
 
@@ -39,17 +39,17 @@ void add(Digest& digest, const BrainGraph& graph) {
     }
 }
 
-void add(Digest& digest, const Motion& motion) {
-    digest.add(motion.place);
+void add(Digest& digest, const mechanics::Motion& motion) {
+    digest.add(motion.position);
     digest.add(motion.ahead);
     digest.add(motion.velocity);
-    digest.add(motion.turning);
+    digest.add(motion.angular_velocity);
     digest.add(motion.heading);
 }
 
 }  // namespace
 
-std::uint64_t hash(const Moment& s) {
+std::uint64_t hash(const State& s) {
     Digest digest;
     digest.add(s.seed);
     digest.add(s.tick);
@@ -61,23 +61,23 @@ std::uint64_t hash(const Moment& s) {
         digest.add(count);
     for (const Bite& bite : s.bites) digest.add(bite.pair.one), digest.add(bite.pair.other), digest.add(bite.tick);
     for (const Source& source : s.scene->sources) digest.add(source.x), digest.add(source.y);
-    for (const Motion& obstacle : s.obstacles) add(digest, obstacle);
+    for (const mechanics::Motion& obstacle : s.obstacles) add(digest, obstacle);
     for (const Touch& touch : s.touching) digest.add(touch.one), digest.add(touch.other);
-    for (const Mark& mark : s.marks) digest.add(mark.owner), digest.add(mark.place), digest.add(mark.tick);
+    for (const Mark& mark : s.marks) digest.add(mark.owner), digest.add(mark.position), digest.add(mark.tick);
     const Vehicles& v = s.vehicles;
     for (std::size_t row = 0; row < v.size(); ++row) {
         digest.add(v.id[row]);
         digest.add(v.kind[row]);
         add(digest, v.motion[row]);
         digest.add(static_cast<std::int32_t>(v.driver[row]));
-        digest.add(v.hand[row][0]), digest.add(v.hand[row][1]);
+        digest.add(v.steered[row][0]), digest.add(v.steered[row][1]);
         digest.add(v.waypoint[row]);
         digest.add(v.energy[row]);
-        add(digest, v.design[row]->graph);
+        add(digest, v.brain[row]->graph);
     }
     for (const float neuron : v.neurons) digest.add(neuron);
-    for (const float reading : v.late) digest.add(reading);
+    for (const float reading : v.delayed) digest.add(reading);
     return digest.value;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::world

@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "core/maths/portable.h"
-#include "core/world/state.h"
+#include "core/world/world_data.h"
 
-namespace braitenlab {
+namespace braitenlab::world {
 
 namespace {
 
@@ -20,7 +20,7 @@ void renew(MarkAt mark, MarkAt end, std::uint64_t tick) {
     std::rotate(mark, mark + 1, end);
 }
 
-void forget(WorldState& s) {
+void forget(WorldData& s) {
     if (s.tick % ticks_a_sweep != 0) return;
     std::erase_if(s.marks, [&](const Mark& mark) {
         const std::size_t row = *s.row_of(mark.owner);
@@ -31,8 +31,8 @@ void forget(WorldState& s) {
 
 }  // namespace
 
-void remember(WorldState& s) {
-    if (!s.anyone_remembers) return;
+void remember(WorldData& s) {
+    if (!s.any_memory) return;
     forget(s);
     s.physics.find_bumps(s.bumps);
     const std::size_t before = s.marks.size();
@@ -45,12 +45,12 @@ void remember(WorldState& s) {
         const auto by_owner = [](const Mark& mark, VehicleId id) { return mark.owner < id; };
         const auto first = std::lower_bound(s.marks.begin(), old, bump.vehicle, by_owner);
         const auto last = std::lower_bound(first, old, bump.vehicle + 1, by_owner);
-        const auto near =
-            std::find_if(first, last, [&](const Mark& mark) { return maths::distance(mark.place, bump.at) < apart; });
+        const auto near = std::find_if(
+            first, last, [&](const Mark& mark) { return maths::distance(mark.position, bump.at) < apart; });
         if (near != last) {
             renew(near, last, s.tick);
         } else if (last - first >= most) {  // the oldest makes room
-            first->place = bump.at;
+            first->position = bump.at;
             renew(first, last, s.tick);
         } else {
             s.marks.push_back({bump.vehicle, bump.at, s.tick});
@@ -61,7 +61,7 @@ void remember(WorldState& s) {
                        [](const Mark& a, const Mark& b) { return a.owner < b.owner; });
 }
 
-float strength(const Moment& s, const Mark& mark) {
+float strength(const State& s, const Mark& mark) {
     const auto row = std::lower_bound(s.vehicles.id.begin(), s.vehicles.id.end(), mark.owner) - s.vehicles.id.begin();
     const auto kind = static_cast<std::size_t>(s.vehicles.kind[static_cast<std::size_t>(row)]);
     const PlaceMemory& memory = s.scene->kinds[kind].memory;
@@ -70,13 +70,15 @@ float strength(const Moment& s, const Mark& mark) {
     return memory.strength * maths::exponential(-ln2 * age / memory.fade);
 }
 
-float read_memory(const WorldState& s, const Eye& eye, const Gaze& gaze, std::size_t row) {
+float read_memory(const WorldData& s, const sensing::CompiledSensor& sensor, const sensing::SensorPose& pose,
+                  std::size_t row) {
     const auto before = [](const Mark& a, const Mark& b) { return a.owner < b.owner; };
     const auto [first, end] = std::equal_range(s.marks.begin(), s.marks.end(), Mark{s.vehicles.id[row], {}, 0}, before);
     float sum = 0;
     for (auto mark = first; mark != end; ++mark)
-        sum += answer(eye, gaze, gaze.from + s.seam.shortest(mark->place - gaze.from), strength(s, *mark));
+        sum += response_to(sensor, pose, pose.position + s.environment.seam.shortest(mark->position - pose.position),
+                           strength(s, *mark));
     return sum;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::world

@@ -11,7 +11,7 @@
 #include "core/maths/angle.h"
 #include "core/mechanics/body.h"
 
-namespace braitenlab {
+namespace braitenlab::world {
 
 namespace {
 
@@ -61,7 +61,7 @@ void fill(b2FixtureDef& definition, const b2Shape& shape, Category category, std
 }  // namespace
 
 // Box2D reports contacts in the middle of a step; they are only noted here and acted on after it.
-struct Physics::Box : b2ContactListener {
+struct Physics::Impl : b2ContactListener {
     b2World world{b2Vec2(0, 0)};
     std::vector<b2Body*> bodies;
     std::vector<b2Body*> obstacles;
@@ -84,13 +84,13 @@ struct Physics::Box : b2ContactListener {
         return {std::min(a, b), std::max(a, b)};
     }
 
-    b2Body* add_block(const Motion& motion, const std::vector<maths::vec2>& corners, float mass) {
+    b2Body* add_block(const mechanics::Motion& motion, const std::vector<maths::vec2>& corners, float mass) {
         b2BodyDef body;
         body.type = mass > 0 ? b2_dynamicBody : b2_staticBody;
-        body.position = to_box(motion.place);
+        body.position = to_box(motion.position);
         body.angle = motion.heading;
         body.linearVelocity = to_box(motion.velocity);
-        body.angularVelocity = motion.turning;
+        body.angularVelocity = motion.angular_velocity;
         // Nothing drives it: the floor brakes what was pushed.
         body.linearDamping = body.angularDamping = 3;
         std::array<b2Vec2, b2_maxPolygonVertices> points;
@@ -108,7 +108,7 @@ struct Physics::Box : b2ContactListener {
     }
     void add_box(maths::vec2 middle, float length, float width) {
         const float l = length / 2, w = width / 2;
-        add_block(at_rest({middle.x, middle.y, 0}), {{-l, -w}, {l, -w}, {l, w}, {-l, w}}, 0);
+        add_block(mechanics::at_rest(middle, 0), {{-l, -w}, {l, -w}, {l, w}, {-l, w}}, 0);
     }
     void add_post(maths::vec2 middle) {
         b2BodyDef body;
@@ -138,37 +138,38 @@ struct Physics::Box : b2ContactListener {
     }
 };
 
-Physics::Physics(const Scene& scene, const std::vector<Motion>& obstacles) : box_(std::make_unique<Box>()) {
-    box_->world.SetContactListener(box_.get());
-    box_->world.SetContinuousPhysics(may_skip_an_impact(scene));
-    box_->world.SetAllowSleeping(false);  // sleeping islands depend on Box2D's own lists
-    if (scene.arena.edge == Edge::wall) {
+Physics::Physics(const Scene& scene, const std::vector<mechanics::Motion>& obstacles)
+    : impl_(std::make_unique<Impl>()) {
+    impl_->world.SetContactListener(impl_.get());
+    impl_->world.SetContinuousPhysics(may_skip_an_impact(scene));
+    impl_->world.SetAllowSleeping(false);  // sleeping islands depend on Box2D's own lists
+    if (scene.arena.edge == Boundary::wall) {
         const float w = scene.arena.width, h = scene.arena.height, t = wall_thickness;
-        box_->add_box({0, (h + t) / 2}, w + 2 * t, t);
-        box_->add_box({0, -(h + t) / 2}, w + 2 * t, t);
-        box_->add_box({(w + t) / 2, 0}, t, h);
-        box_->add_box({-(w + t) / 2, 0}, t, h);
+        impl_->add_box({0, (h + t) / 2}, w + 2 * t, t);
+        impl_->add_box({0, -(h + t) / 2}, w + 2 * t, t);
+        impl_->add_box({(w + t) / 2, 0}, t, h);
+        impl_->add_box({-(w + t) / 2, 0}, t, h);
     }
     for (std::size_t i = 0; i < scene.obstacles.size(); ++i)
-        box_->obstacles.push_back(
-            box_->add_block(obstacles[i], corners_of(scene.obstacles[i]), scene.obstacles[i].mass));
+        impl_->obstacles.push_back(
+            impl_->add_block(obstacles[i], corners_of(scene.obstacles[i]), scene.obstacles[i].mass));
     for (const Source& source : scene.sources)
-        if (source.solid) box_->add_post({source.x, source.y});
+        if (source.solid) impl_->add_post({source.x, source.y});
 }
 
 Physics::~Physics() = default;
 Physics::Physics(Physics&&) noexcept = default;
 Physics& Physics::operator=(Physics&&) noexcept = default;
 
-void Physics::add(std::size_t row, VehicleId id, const Body& body, const Motion& motion) {
+void Physics::add(std::size_t row, VehicleId id, const Body& body, const mechanics::Motion& motion) {
     b2BodyDef definition;
     definition.type = b2_dynamicBody;
-    definition.position = to_box(motion.place);
+    definition.position = to_box(motion.position);
     definition.angle = motion.heading;
     definition.linearVelocity = to_box(motion.velocity);
-    definition.angularVelocity = motion.turning;
+    definition.angularVelocity = motion.angular_velocity;
     definition.userData.pointer = static_cast<std::uintptr_t>(id) + 1;  // 0 is the environment
-    b2Body* made = box_->world.CreateBody(&definition);
+    b2Body* made = impl_->world.CreateBody(&definition);
 
     b2PolygonShape shape;
     b2FixtureDef fixture;
@@ -186,37 +187,37 @@ void Physics::add(std::size_t row, VehicleId id, const Body& body, const Motion&
     mass.center.SetZero();
     mass.I = mechanics::plate_inertia(body.mass, body.length, body.width);
     made->SetMassData(&mass);
-    if (row >= box_->bodies.size()) box_->bodies.resize(row + 1);
-    box_->bodies[row] = made;
+    if (row >= impl_->bodies.size()) impl_->bodies.resize(row + 1);
+    impl_->bodies[row] = made;
 }
 
 void Physics::remove(const std::vector<std::size_t>& rows) {
     for (const std::size_t row : rows) {
-        box_->world.DestroyBody(box_->bodies[row]);  // reports the contacts it ends
-        box_->bodies[row] = nullptr;
+        impl_->world.DestroyBody(impl_->bodies[row]);  // reports the contacts it ends
+        impl_->bodies[row] = nullptr;
     }
-    std::erase(box_->bodies, nullptr);
-    box_->settle();
+    std::erase(impl_->bodies, nullptr);
+    impl_->settle();
 }
 
-void Physics::place(std::size_t row, const Pose& pose) {
-    b2Body* body = box_->bodies[row];
+void Physics::set_pose(std::size_t row, const Pose& pose) {
+    b2Body* body = impl_->bodies[row];
     body->SetTransform({pose.x, pose.y}, pose.heading);
     body->SetLinearVelocity({0, 0});
     body->SetAngularVelocity(0);
 }
 
-void Physics::shift(std::size_t row, maths::vec2 to) {
-    box_->bodies[row]->SetTransform(to_box(to), box_->bodies[row]->GetAngle());
+void Physics::set_position(std::size_t row, maths::vec2 to) {
+    impl_->bodies[row]->SetTransform(to_box(to), impl_->bodies[row]->GetAngle());
 }
 
-void Physics::shift_obstacle(std::size_t index, maths::vec2 to) {
-    box_->obstacles[index]->SetTransform(to_box(to), box_->obstacles[index]->GetAngle());
+void Physics::set_obstacle_position(std::size_t index, maths::vec2 to) {
+    impl_->obstacles[index]->SetTransform(to_box(to), impl_->obstacles[index]->GetAngle());
 }
 
 namespace {
 
-Motion motion_of(const b2Body& body) {
+mechanics::Motion motion_of(const b2Body& body) {
     const b2Rot& turn = body.GetTransform().q;
     return {from_box(body.GetPosition()),
             {turn.c, turn.s},
@@ -227,21 +228,21 @@ Motion motion_of(const b2Body& body) {
 
 }  // namespace
 
-Motion Physics::motion(std::size_t row) const { return motion_of(*box_->bodies[row]); }
-Motion Physics::obstacle(std::size_t index) const { return motion_of(*box_->obstacles[index]); }
+mechanics::Motion Physics::motion(std::size_t row) const { return motion_of(*impl_->bodies[row]); }
+mechanics::Motion Physics::obstacle(std::size_t index) const { return motion_of(*impl_->obstacles[index]); }
 
 void Physics::push(std::size_t row, maths::vec2 force, float torque) {
     // In a large crowd the next ones are far away in memory.
     constexpr std::size_t ahead = 6;
-    if (row + ahead < box_->bodies.size()) __builtin_prefetch(box_->bodies[row + ahead], 1);
-    box_->bodies[row]->ApplyForceToCenter(to_box(force), true);
-    box_->bodies[row]->ApplyTorque(torque, true);
+    if (row + ahead < impl_->bodies.size()) __builtin_prefetch(impl_->bodies[row + ahead], 1);
+    impl_->bodies[row]->ApplyForceToCenter(to_box(force), true);
+    impl_->bodies[row]->ApplyTorque(torque, true);
 }
 
 void Physics::find_bumps(std::vector<Bump>& bumps) const {
     bumps.clear();
-    for (b2Contact* contact = box_->world.GetContactList(); contact; contact = contact->GetNext()) {
-        const Touch touch = Box::touch_of(contact);
+    for (b2Contact* contact = impl_->world.GetContactList(); contact; contact = contact->GetNext()) {
+        const Touch touch = Impl::touch_of(contact);
         if (!contact->IsTouching() || touch.one == no_vehicle || touch.other != no_vehicle) continue;
         b2WorldManifold points;
         contact->GetWorldManifold(&points);
@@ -263,19 +264,19 @@ void Physics::find_bumps(std::vector<Bump>& bumps) const {
 
 void Physics::step(std::vector<Touch>& touching, std::vector<Touch>& begun) {
     constexpr int velocity_iterations = 6, position_iterations = 2;
-    box_->world.Step(tick_seconds, velocity_iterations, position_iterations);
-    box_->settle();
+    impl_->world.Step(tick_seconds, velocity_iterations, position_iterations);
+    impl_->settle();
     begun.clear();
     auto before = touching.begin();
-    for (const Box::Contacts& now : box_->contacts) {
+    for (const Impl::Contacts& now : impl_->contacts) {
         while (before != touching.end() && *before < now.touch) ++before;
         if (before == touching.end() || *before != now.touch) begun.push_back(now.touch);
     }
     touching.clear();
-    for (const Box::Contacts& now : box_->contacts) touching.push_back(now.touch);
+    for (const Impl::Contacts& now : impl_->contacts) touching.push_back(now.touch);
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::world
 
 // Box2D turns its bodies by the C library's sine and cosine, and glibc picks theirs by processor: with fused
 // multiply-add and without they differ in the last bit of a few angles in a hundred million, which is enough to part

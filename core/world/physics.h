@@ -1,50 +1,55 @@
-// The rigid bodies: Box2D lives behind this header and nowhere else.
+// Rigid bodies. Only physics.cpp includes Box2D. Inside core/world only.
 //
-// One body a vehicle with a fixture for the chassis and one for each wheel that sticks out of it: the rigid limit of five
-// bodies joined by locked joints, at a fraction of their cost. What the chassis covers needs no fixture, since nothing
-// can touch it alone, and each would cost as much in Box2D's tree as the chassis does. Gravity is off: the plane is seen from above.
+// One body per vehicle, with a fixture for the chassis and one for each wheel that sticks out of it: the rigid limit of
+// five bodies joined by locked joints, at a fraction of their cost. A wheel inside the chassis needs no fixture,
+// because nothing can touch it alone, and it would cost as much in Box2D's tree as the chassis. Gravity is off: the
+// plane is seen from above.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "core/maths/vec.h"
-#include "core/scene/scene.h"
-#include "core/world/motion.h"
+#include "core/world/state.h"
 
-namespace braitenlab {
+namespace braitenlab::world {
+
+// Contact of a vehicle with the environment, and where (m).
+struct Bump {
+    VehicleId vehicle = no_vehicle;
+    maths::vec2 at;
+};
 
 class Physics {
 public:
-    // Builds walls, posts and obstacles, the obstacles moving as given (as Scene::obstacles).
-    Physics(const Scene&, const std::vector<Motion>& obstacles);
+    // Builds walls, posts and obstacles; `obstacles` are the motions of Scene::obstacles.
+    Physics(const Scene&, const std::vector<mechanics::Motion>& obstacles);
     ~Physics();
     Physics(Physics&&) noexcept;
     Physics& operator=(Physics&&) noexcept;
 
-    // Bodies stand in rows, as the vehicles do; a removed one closes the gap. They may be added in any order.
-    void add(std::size_t row, VehicleId, const Body&, const Motion&);
-    void remove(const std::vector<std::size_t>& rows);  // which ascend
-    void place(std::size_t row, const Pose&);           // at rest
-    // To another place, going on as fast: what leaves a torus on one side.
-    void shift(std::size_t row, maths::vec2 to);
-    void shift_obstacle(std::size_t index, maths::vec2 to);
+    // Bodies are in rows, as the vehicles are; removing one closes the gap. Rows may be added in any order.
+    void add(std::size_t row, VehicleId, const Body&, const mechanics::Motion&);
+    void remove(const std::vector<std::size_t>& rows);  // ascending
+    void set_pose(std::size_t row, const Pose&);        // at rest
+    // Changes the position and keeps the velocity: a vehicle that crosses the seam of a torus.
+    void set_position(std::size_t row, maths::vec2);
+    void set_obstacle_position(std::size_t index, maths::vec2);
 
-    Motion motion(std::size_t row) const;
-    Motion obstacle(std::size_t index) const;
+    mechanics::Motion motion(std::size_t row) const;
+    mechanics::Motion obstacle(std::size_t index) const;
     void push(std::size_t row, maths::vec2 force, float torque);  // N and N·m, for the next step
 
-    // One step of tick_seconds. `touching`, sorted, is brought up to date; `begun` gets what began in this step.
+    // One step of tick_seconds. Updates `touching` (sorted); `begun` receives the contacts that began in this step.
     void step(std::vector<Touch>& touching, std::vector<Touch>& begun);
 
-    // Who touches walls, posts and obstacles after the last step: each vehicle once, by ascending id, at the middle of
-    // all its points of contact.
+    // Contacts with walls, posts and obstacles after the last step: one per vehicle, by ascending id, at the mean of
+    // all its contact points.
     void find_bumps(std::vector<Bump>&) const;
 
 private:
-    struct Box;  // Box2D's world and the listener
-    std::unique_ptr<Box> box_;
+    struct Impl;  // Box2D's world and the contact listener
+    std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace braitenlab
+}  // namespace braitenlab::world

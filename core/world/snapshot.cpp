@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "core/maths/angle.h"
+#include "core/sensing/intensity.h"
+
 namespace braitenlab {
 
 const VehicleView* find_vehicle(const Snapshot& now, VehicleId id) {
@@ -44,6 +47,82 @@ float learned(const Snapshot& now, const VehicleView& vehicle, NodeId from, Node
     for (const Wire& other : brain.wires)
         if (learns(other) && std::pair(other.from, other.to) < std::pair(from, to)) ++place;
     return now.neurons[place];
+}
+
+namespace {
+
+// Poses of the obstacles: those of the snapshot, and of the scene where the snapshot has none.
+std::vector<mechanics::Motion> obstacles_of(const Snapshot& now) {
+    std::vector<mechanics::Motion> obstacles;
+    for (std::size_t i = 0; i < now.scene->obstacles.size(); ++i) {
+        const Obstacle& o = now.scene->obstacles[i];
+        const Pose pose = i < now.obstacles.size() ? now.obstacles[i] : Pose{o.x, o.y, o.heading};
+        obstacles.push_back(mechanics::at_rest({pose.x, pose.y}, pose.heading));
+    }
+    return obstacles;
+}
+
+std::vector<sensing::Stimulus> marks_of(const Snapshot& now, VehicleId owner) {
+    std::vector<sensing::Stimulus> stimuli;
+    for (const MarkView& mark : now.marks)
+        if (mark.owner == owner) stimuli.push_back({{mark.x, mark.y}, mark.strength});
+    return stimuli;
+}
+
+// All stimuli of the channel but those of one vehicle.
+std::vector<sensing::Stimulus> stimuli_beside(const Snapshot& now, Channel channel, VehicleId left_out) {
+    std::vector<sensing::PointSource> sources;
+    for (const SourceView& s : now.sources) sources.push_back({s.channel, {s.x, s.y}, s.strength});
+    std::vector<mechanics::Motion> motion;
+    std::vector<std::int32_t> kind;
+    std::vector<Role> role;
+    for (const VehicleView& v : now.vehicles) {
+        if (v.id == left_out) continue;
+        motion.push_back(mechanics::at_rest({v.x, v.y}, v.heading));
+        kind.push_back(v.kind);
+        role.push_back(v.role);
+    }
+    std::vector<sensing::Stimulus> stimuli;
+    const sensing::Seam seam(now.scene->arena);
+    sensing::gather_stimuli({sources, now.scene->kinds, motion, kind, role}, seam, channel, stimuli);
+    return stimuli;
+}
+
+}  // namespace
+
+sensing::IntensityInput intensity_input(const Snapshot& now, Channel channel, VehicleId asking) {
+    sensing::IntensityInput input;
+    const VehicleView* vehicle = find_vehicle(now, asking);
+    const Kind* kind = now.scene && vehicle ? &now.scene->kinds[static_cast<std::size_t>(vehicle->kind)] : nullptr;
+    input.sensor = sensing::measuring_sensor(kind, channel);
+    input.scene = now.scene;
+    if (!now.scene) return input;
+    if (channel == Channel::obstacle || is_blocked_by_obstacles(channel)) input.obstacles = obstacles_of(now);
+    input.stimuli = channel == Channel::memory ? marks_of(now, asking) : stimuli_beside(now, channel, asking);
+    return input;
+}
+
+std::vector<Channel> channels_with_intensity(const Snapshot& now) {
+    std::vector<Channel> found;
+    if (!now.scene) return found;
+    const std::vector<Kind>& kinds = now.scene->kinds;
+    const auto any_seen_as = [](const auto& emitters, Channel c) {
+        return std::any_of(emitters.begin(), emitters.end(), [&](const auto& e) { return is_seen_as(e.channel, c); });
+    };
+    for (int i = 0; i < channel_count; ++i) {
+        const auto c = static_cast<Channel>(i);
+        if (!sensing::has_intensity(c)) continue;
+        const bool is_sensed = std::any_of(kinds.begin(), kinds.end(), [&](const Kind& kind) {
+            return std::any_of(kind.sensors.begin(), kind.sensors.end(),
+                               [&](const Sensor& s) { return s.channel == c; });
+        });
+        const bool is_carried =
+            std::any_of(kinds.begin(), kinds.end(), [&](const Kind& kind) { return any_seen_as(kind.lamps, c); });
+        const bool is_given = any_seen_as(now.sources, c) || is_carried;
+        const bool is_colour = c != Channel::light && is_seen_as(c, Channel::light);
+        if (is_colour ? is_given && is_sensed : is_given || is_sensed) found.push_back(c);
+    }
+    return found;
 }
 
 }  // namespace braitenlab

@@ -11,6 +11,10 @@
 
 namespace braitenlab {
 
+namespace sensing {
+struct IntensityInput;  // core/sensing/intensity.h
+}
+
 using VehicleId = std::int32_t;  // unique in a run, never used again; ascending in the order of entering
 inline constexpr VehicleId no_vehicle = -1;
 
@@ -83,5 +87,13 @@ float node_value(const Snapshot&, const VehicleView&, NodeId);
 
 // What a Hebbian wire of a vehicle's brain has learned, to be added to its weight; 0 for any other wire.
 float learned(const Snapshot&, const VehicleView&, NodeId from, NodeId to);
+
+// What the intensity of a channel depends on, as the vehicle `asking` senses it (or no_vehicle): its own sensor for the
+// channel measures, its own stimuli do not count, and `memory` shows its own marks.
+sensing::IntensityInput intensity_input(const Snapshot&, Channel, VehicleId asking);
+
+// The channels with an intensity of which the scene has a sensor or a source, in the order of Channel. Colours of light
+// are listed only when a sensor distinguishes them.
+std::vector<Channel> channels_with_intensity(const Snapshot&);
 
 }  // namespace braitenlab

@@ -1,76 +1,83 @@
-// A running world: the moment, and everything that is worked out from it. Inside core/world only.
+// Everything that a tick changes, as plain values that can be copied and stored. Inside core/world and core/io only.
+//
+// A running world is a state and what is derived from it (core/world/world_data.h): two worlds made from the same state
+// evolve identically, bit for bit.
+//
+// Vehicles are rows of parallel arrays by ascending id; row i of every array, and of the bodies in Physics, is the same
+// vehicle.
 #pragma once
 
 #include <array>
-#include <optional>
+#include <compare>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "core/world/field.h"
-#include "core/world/ground.h"
-#include "core/world/moment.h"
-#include "core/world/outline.h"
-#include "core/world/physics.h"
-#include "core/world/places.h"
-#include "core/world/world.h"
+#include "core/mechanics/motion.h"
+#include "core/world/compiled.h"
+#include "core/world/snapshot.h"
 
-namespace braitenlab {
+namespace braitenlab::world {
 
-struct WorldState : Moment {
-    // Takes the moment as it is; kinds, outlines, fields and bodies follow from it alone. After an edit of the scene's
-    // designs, and at every keyframe, a world is made again from its own moment:  s = WorldState(Moment(s)).
-    explicit WorldState(Moment);
-
-    std::vector<CompiledKind> kinds;
-    Ground ground;
-    Outlines outlines;  // walls, obstacles and posts, for eyes
-    Seam seam;
-    std::array<bool, channel_count> sensed_channel{};
-    std::array<Field, channel_count> fields;
-    bool anyone_remembers = false;          // any kind has a place memory
-    std::vector<Bump> bumps;                // of this tick, where anyone remembers
-    std::vector<Touch> begun;               // what began to touch in the last step, sorted
-    std::vector<Touch> touched;             // all touches, both ways round, sorted; kept where there are bumpers
-    std::vector<Stimulus> stimuli;          // scratch
-    std::vector<Outline> touched_outlines;  // scratch
-    bool eyes_are_stale = true;             // something moved since they looked
-    std::vector<float> foreseen_neurons;    // what the next tick would make of them; empty: as they are
-    Physics physics;
-
-    Role role(std::size_t row) const { return vehicles.design[row]->role; }
-    std::size_t kind(std::size_t row) const { return static_cast<std::size_t>(vehicles.kind[row]); }
-    std::optional<std::size_t> row_of(VehicleId) const;
+// Two vehicles in contact, the lower id first; or one vehicle and the environment (other == no_vehicle).
+struct Touch {
+    VehicleId one = no_vehicle, other = no_vehicle;
+    friend auto operator<=>(const Touch&, const Touch&) = default;
 };
 
-// ── The tick, in order ──────────────────────────────────────────────────────────────────────────────────────────────
-void sense(WorldState&);           // sense.cpp   sensors read their channels
-void glance(WorldState&);          //             the same, but slow sensors keep nothing of it
-void think(WorldState&);           // think.cpp   brains and other drivers turn readings into wheel commands
-void drive(WorldState&);           // drive.cpp   wheels push bodies
-void keep_inside(WorldState&);     // edge.cpp    a torus closes, walls hold
-void remember(WorldState&);        // memory.cpp  where they met obstacles
-void touch_and_live(WorldState&);  // live.cpp    bites, energy, deaths and births, the inactivity timer
+// A bite of a pair; the same pair bites again one second later at the earliest.
+struct Bite {
+    Touch pair;
+    std::uint64_t tick = 0;
+};
 
-// After a command and before the next tick, a picture shows what the eyes see now and what the drivers make of it; the
-// brains' own state waits for the tick.
-void foresee(WorldState&);
+// A position (m) that a vehicle remembers, and the tick of its last visit.
+struct Mark {
+    VehicleId owner = no_vehicle;
+    maths::vec2 position;
+    std::uint64_t tick = 0;
+};
 
-// ── Who is in the world ─────────────────────────────────────────────────────────────────────────────────────────────
-void populate(WorldState&);    // populate.cpp  the first generation
-void repopulate(WorldState&);  // the next one: as many again, elsewhere
-void add_vehicle(WorldState&, int kind, int start, VehicleId, SharedDesign, const Pose&);
-void remove_vehicles(WorldState&, const std::vector<std::size_t>& rows);  // which ascend
-void enter_again(WorldState&, std::size_t row);                           // at its start or elsewhere, as good as new
-// At random, clear of others where there is room; the place is taken from then on.
-Pose free_place(const WorldState&, Places&, int kind, VehicleId);
-int kind_due(const WorldState&);                 // the kind that the shares ask for next
-bool is_outside(const Arena&, maths::vec2);      // edge.cpp
-void read_motion(WorldState&, std::size_t row);  // takes over where the body is now
+struct Vehicles {
+    std::vector<VehicleId> id;
+    std::vector<std::int32_t> kind;
+    std::vector<std::int32_t> start;  // in Scene::starts, −1: one of the population
+    std::vector<Driver> driver;
+    std::vector<mechanics::Motion> motion;
+    std::vector<float> energy;
+    std::vector<std::array<float, 2>> steered;      // wheel commands of the manual driver, −1..1
+    std::vector<std::int32_t> waypoint;             // index of the next one
+    std::vector<std::array<float, 2>> gain;         // of each motor, 1 without mismatch
+    std::vector<std::array<float, 2>> motor;        // wheel commands, −1..1
+    std::vector<std::array<float, 2>> wheel_angle;  // rad, for display only
+    std::vector<SharedBrain> brain;
+    std::vector<std::uint32_t> first_sensed, first_neuron, first_delayed;  // into the three arrays below
+    std::vector<float> sensed, neurons;
+    std::vector<float> delayed;  // readings of sensors with latency that the brain has not received: one ring each
 
-// ── From outside and to the outside ────────────────────────────────────────────────────────────────────────────────
-std::optional<Error> carry_out(WorldState&, const Command&);                     // commands.cpp, edits.cpp
-float strength(const Moment&, const Mark&);                                      // memory.cpp: what is left of it, 0..1
-float read_memory(const WorldState&, const Eye&, const Gaze&, std::size_t row);  // its own marks, added up
-void capture(const WorldState&, Snapshot&);                                      // capture.cpp
-std::uint64_t hash(const Moment&);                                               // hash.cpp
+    std::size_t size() const { return id.size(); }
 
-}  // namespace braitenlab
+    // Calls f with every array that has one element per vehicle.
+    template <class Self, class F>
+    static void each_column(Self& v, F f) {
+        f(v.id), f(v.kind), f(v.start), f(v.driver), f(v.motion), f(v.energy), f(v.steered), f(v.waypoint), f(v.gain);
+        f(v.motor), f(v.wheel_angle), f(v.brain), f(v.first_sensed), f(v.first_neuron), f(v.first_delayed);
+    }
+};
+
+struct State {
+    std::shared_ptr<const Scene> scene;    // as edited up to now
+    std::vector<SharedBrain> kind_brains;  // by kind: the brain of vehicles that enter
+    std::uint64_t seed = 0, tick = 0;
+    std::int32_t generation = 1;
+    std::uint32_t still_ticks = 0;  // since any vehicle moved
+    VehicleId next_id = 0;
+    EventCounts events;
+    std::vector<Bite> bites;  // of the last second, sorted by pair
+    std::vector<Mark> marks;  // by owner, the oldest first
+    Vehicles vehicles;
+    std::vector<mechanics::Motion> obstacles;  // as Scene::obstacles
+    std::vector<Touch> touching;               // sorted
+};
+
+}  // namespace braitenlab::world

@@ -4,9 +4,9 @@
 
 #include "core/maths/angle.h"
 #include "core/maths/random.h"
-#include "core/world/state.h"
+#include "core/world/world_data.h"
 
-namespace braitenlab {
+namespace braitenlab::world {
 
 using maths::vec2;
 
@@ -22,52 +22,52 @@ Wheels steer(float forward, float turn) {
 }
 
 // Towards a point: ahead as far as it lies ahead, turning as far as it lies aside.
-Wheels steer_to(const Motion& motion, vec2 goal, float speed) {
-    const vec2 way = goal - motion.place;
+Wheels steer_to(const mechanics::Motion& motion, vec2 goal, float speed) {
+    const vec2 way = goal - motion.position;
     const float aside = maths::wrap_angle(maths::arctangent2(way.y, way.x) - motion.heading);
     const float forward = std::max(0.0f, maths::cosine(aside)) * speed;
     return steer(forward, std::clamp(aside, -0.6f, 0.6f));
 }
 
-Wheels follow_path(WorldState& s, std::size_t row) {
+Wheels follow_path(WorldData& s, std::size_t row) {
     constexpr float arrived = 0.6f;  // m
     const auto& path = s.scene->kinds[s.kind(row)].waypoints;
     if (path.empty()) return {};
     std::int32_t& next = s.vehicles.waypoint[row];
     if (static_cast<std::size_t>(next) >= path.size()) next = 0;
     const Waypoint& goal = path[static_cast<std::size_t>(next)];
-    if (maths::distance({goal.x, goal.y}, s.vehicles.motion[row].place) < arrived)
+    if (maths::distance({goal.x, goal.y}, s.vehicles.motion[row].position) < arrived)
         next = static_cast<std::int32_t>((static_cast<std::size_t>(next) + 1) % path.size());
     return steer_to(s.vehicles.motion[row], {goal.x, goal.y}, 0.6f);
 }
 
 // A new direction every so often, back inwards near the rim, and a turn on the spot where something is in the way.
-Wheels wander(const WorldState& s, std::size_t row) {
+Wheels wander(const WorldData& s, std::size_t row) {
     constexpr std::uint64_t ticks_a_whim = 45;
     constexpr float rim = 1.5f;  // m
     const VehicleId id = s.vehicles.id[row];
-    const Motion& motion = s.vehicles.motion[row];
+    const mechanics::Motion& motion = s.vehicles.motion[row];
     const std::uint64_t stream = (s.tick / ticks_a_whim << 32U) | static_cast<std::uint32_t>(id);
     maths::Random chance{s.seed ^ 0x77616e646572ULL, stream};
     const float whim = chance.uniform(-0.3f, 0.3f);
     const Touch wall{id, no_vehicle};
     if (std::binary_search(s.touching.begin(), s.touching.end(), wall)) return steer(-0.4f, whim > 0 ? 0.5f : -0.5f);
-    const vec2 soon = motion.place + motion.ahead * rim;
+    const vec2 soon = motion.position + motion.ahead * rim;
     const Arena& arena = s.scene->arena;
     const bool leaving = std::fabs(soon.x) > arena.width / 2 - 0.5f || std::fabs(soon.y) > arena.height / 2 - 0.5f;
-    if (leaving && arena.edge != Edge::torus) return steer_to(motion, {0, 0}, 0.4f);
+    if (leaving && arena.edge != Boundary::torus) return steer_to(motion, {0, 0}, 0.4f);
     return steer(0.5f, whim);
 }
 
-void think_with_brain(const WorldState& s, std::size_t row, std::vector<float>& neurons, Wheels& motor) {
+void think_with_brain(const WorldData& s, std::size_t row, std::vector<float>& neurons, Wheels& motor) {
     const Vehicles& v = s.vehicles;
-    const Brain& brain = v.design[row]->brain;
-    think(brain, {v.sensed.data() + v.first_sensed[row], s.kinds[s.kind(row)].eyes.size()},
+    const Brain& brain = v.brain[row]->flat;
+    think(brain, {v.sensed.data() + v.first_sensed[row], s.kinds[s.kind(row)].sensors.size()},
           {neurons.data() + v.first_neuron[row], static_cast<std::size_t>(brain.state_size())}, motor);
 }
 
 // `neurons` holds all vehicles' units.
-void think_with(WorldState& s, std::vector<float>& neurons) {
+void think_with(WorldData& s, std::vector<float>& neurons) {
     Vehicles& v = s.vehicles;
     for (std::size_t row = 0; row < v.size(); ++row) {
         switch (v.driver[row]) {
@@ -75,7 +75,7 @@ void think_with(WorldState& s, std::vector<float>& neurons) {
                 think_with_brain(s, row, neurons, v.motor[row]);
                 break;
             case Driver::manual:
-                v.motor[row] = v.hand[row];
+                v.motor[row] = v.steered[row];
                 break;
             case Driver::path:
                 v.motor[row] = follow_path(s, row);
@@ -92,17 +92,17 @@ void think_with(WorldState& s, std::vector<float>& neurons) {
 
 }  // namespace
 
-void think(WorldState& s) {
+void think(WorldData& s) {
     think_with(s, s.vehicles.neurons);
-    s.foreseen_neurons.clear();
+    s.preview_neurons.clear();
 }
 
-void foresee(WorldState& s) {
-    glance(s);
-    s.foreseen_neurons = s.vehicles.neurons;
+void preview(WorldData& s) {
+    sense_preview(s);
+    s.preview_neurons = s.vehicles.neurons;
     const std::vector<std::int32_t> waypoint = s.vehicles.waypoint;
-    think_with(s, s.foreseen_neurons);
+    think_with(s, s.preview_neurons);
     s.vehicles.waypoint = waypoint;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::world

@@ -1,19 +1,18 @@
-// One tick of a running world, for World::step and for whoever measures its parts. Inside core/world and benchmarks
-// only.
+// One tick of a running world, for World::step and for benchmarks of its parts. Inside core/world and benchmarks only.
 #pragma once
 
 #include <memory>
 #include <utility>
 
-#include "core/world/state.h"
+#include "core/world/world_data.h"
 
-namespace braitenlab {
+namespace braitenlab::world {
 
 enum class TickPart { sense, think, drive, physics, other };
 
-// The whole tick. Calls done(TickPart) after each part of it.
+// One whole tick. Calls done(TickPart) after each part.
 template <class Done>
-void tick(WorldState& s, Done done) {
+void tick(WorldData& s, Done done) {
     sense(s);
     done(TickPart::sense);
     think(s);
@@ -25,20 +24,20 @@ void tick(WorldState& s, Done done) {
     for (std::size_t i = 0; i < s.obstacles.size(); ++i) s.obstacles[i] = s.physics.obstacle(i);
     done(TickPart::physics);
     keep_inside(s);
-    s.outlines.move(*s.scene, s.obstacles);
+    s.environment.outlines.move(*s.scene, s.obstacles);
     remember(s);
     touch_and_live(s);
     ++s.tick;
     done(TickPart::other);
 }
 
-// Goes on from a copy of its own moment, as a world restored from that copy will. Gives the copy.
-inline std::shared_ptr<const Moment> begin_keyframe(WorldState& s) {
-    const bool stale = s.eyes_are_stale;
-    auto keyframe = std::make_shared<const Moment>(s);
-    s = WorldState(Moment(*keyframe));
-    s.eyes_are_stale = stale;
+// Rebuilds the world from a copy of its own state, as a world restored from that copy is built. Returns the copy.
+inline std::shared_ptr<const State> begin_keyframe(WorldData& s) {
+    const bool stale = s.readings_are_stale;
+    auto keyframe = std::make_shared<const State>(s);
+    s = WorldData(State(*keyframe));
+    s.readings_are_stale = stale;
     return keyframe;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::world

@@ -6,21 +6,24 @@
 #include <tuple>
 
 #include "core/scene/scene_file.h"
-#include "core/world/node_places.h"
+#include "core/world/cosmetic_edits.h"
 #include "core/world/tick.h"
 
 namespace braitenlab {
 
+using world::State;
+using world::WorldData;
+
 namespace {
 
-// Rows, strip by strip of the floor. Box2D's tree of boxes is good when neighbours enter one after the other; entered
-// as they come, beside long walls, 20,000 vehicles would cost its first step seconds.
-std::vector<std::size_t> by_place(const std::vector<Motion>& motion) {
+// Rows ordered by strips of the floor. Box2D builds a good tree when neighbours enter one after the other; entered by
+// id beside long walls, 20,000 vehicles make its first step take seconds.
+std::vector<std::size_t> rows_by_position(const std::vector<mechanics::Motion>& motion) {
     constexpr float strip = 4;  // m
     std::vector<std::size_t> rows(motion.size());
     std::iota(rows.begin(), rows.end(), std::size_t{0});
     const auto key = [&](std::size_t row) {
-        return std::tuple(std::floor(motion[row].place.y / strip), motion[row].place.x, row);
+        return std::tuple(std::floor(motion[row].position.y / strip), motion[row].position.x, row);
     };
     std::sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
     return rows;
@@ -28,31 +31,27 @@ std::vector<std::size_t> by_place(const std::vector<Motion>& motion) {
 
 }  // namespace
 
-WorldState::WorldState(Moment moment)
-    : Moment(std::move(moment)),
-      ground(*scene),
-      outlines(*scene, obstacles),
-      seam(scene->arena),
-      physics(*scene, obstacles) {
-    for (const Kind& design : scene->kinds) {
-        kinds.push_back(compile_kind(design));
-        anyone_remembers |= design.memory.marks > 0;
+WorldData::WorldData(State state)
+    : State(std::move(state)), environment(*scene, obstacles), physics(*scene, obstacles) {
+    for (const Kind& kind_of_scene : scene->kinds) {
+        kinds.push_back(compile_kind(kind_of_scene));
+        any_memory |= kind_of_scene.memory.marks > 0;
     }
     for (int c = 0; c < channel_count; ++c) {
-        float farthest = 0;
+        float longest_range = 0;
         for (const CompiledKind& compiled : kinds)
-            for (const Eye& eye : compiled.eyes)
-                if (static_cast<int>(eye.channel) == c) farthest = std::max(farthest, eye.range);
+            for (const sensing::CompiledSensor& sensor : compiled.sensors)
+                if (static_cast<int>(sensor.channel) == c) longest_range = std::max(longest_range, sensor.range);
         const auto channel = static_cast<std::size_t>(c);
-        sensed_channel[channel] = farthest > 0;
-        if (farthest > 0) fields[channel].lay_out(scene->arena, farthest);
+        sensed_channel[channel] = longest_range > 0;
+        if (longest_range > 0) environment.grids[channel].lay_out(scene->arena, longest_range);
     }
-    for (const std::size_t row : by_place(vehicles.motion))
+    for (const std::size_t row : rows_by_position(vehicles.motion))
         physics.add(row, vehicles.id[row], scene->kinds[kind(row)].body, vehicles.motion[row]);
 }
 
-std::optional<std::size_t> WorldState::row_of(VehicleId id) const {
-    // Ids ascend. Where nobody has left yet, an id tells its row.
+std::optional<std::size_t> WorldData::row_of(VehicleId id) const {
+    // Ids ascend. While no vehicle has left, the id gives its row.
     if (vehicles.size() == 0 || id < vehicles.id.front()) return std::nullopt;
     const auto guess = static_cast<std::size_t>(id - vehicles.id.front());
     if (guess < vehicles.size() && vehicles.id[guess] == id) return guess;
@@ -61,72 +60,73 @@ std::optional<std::size_t> WorldState::row_of(VehicleId id) const {
     return static_cast<std::size_t>(found - vehicles.id.begin());
 }
 
-World::World(std::unique_ptr<WorldState> state) : state_(std::move(state)) {}
+World::World(std::unique_ptr<WorldData> data) : data_(std::move(data)) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 Result<World> World::create(const Scene& scene, std::uint64_t seed) {
     if (auto error = check_scene(scene)) return *error;
-    Moment begin;
+    State begin;
     begin.scene = std::make_shared<const Scene>(scene);
     begin.seed = seed;
     for (const Kind& kind : scene.kinds) {
-        auto design = make_design(kind.brain, kind);
-        if (!design) return design.error();
-        begin.newcomers.push_back(*design);
+        auto brain = world::compile_brain(kind.brain, kind);
+        if (!brain) return brain.error();
+        begin.kind_brains.push_back(*brain);
     }
-    for (const Obstacle& o : scene.obstacles) begin.obstacles.push_back(at_rest({o.x, o.y, o.heading}));
-    auto state = std::make_unique<WorldState>(std::move(begin));
-    populate(*state);
-    World world(std::move(state));
-    world.begin_keyframe();
-    return world;
+    for (const Obstacle& o : scene.obstacles) begin.obstacles.push_back(mechanics::at_rest({o.x, o.y}, o.heading));
+    auto data = std::make_unique<WorldData>(std::move(begin));
+    spawn_population(*data);
+    World made(std::move(data));
+    made.begin_keyframe();
+    return made;
 }
 
-void World::begin_keyframe() { since_ = {braitenlab::begin_keyframe(*state_), state_->tick, {}, state_->tick}; }
+void World::begin_keyframe() { since_ = {world::begin_keyframe(*data_), data_->tick, {}, data_->tick}; }
 
-Save World::save() const {
-    Save save = since_;
-    save.tick = state_->tick;
-    return save;
+Checkpoint World::checkpoint() const {
+    Checkpoint now = since_;
+    now.tick = data_->tick;
+    return now;
 }
 
-World World::restore(const Save& save) {
-    World world(std::make_unique<WorldState>(Moment(*save.keyframe)));
-    world.since_ = {save.keyframe, save.keyframe_tick, {}, save.keyframe_tick};
-    auto next = save.commands.begin();
-    const auto carry_out_due = [&] {
-        for (; next != save.commands.end() && next->tick <= world.tick(); ++next) (void)world.apply(next->command);
+World World::restore(const Checkpoint& checkpoint) {
+    World restored(std::make_unique<WorldData>(State(*checkpoint.keyframe)));
+    restored.since_ = {checkpoint.keyframe, checkpoint.keyframe_tick, {}, checkpoint.keyframe_tick};
+    auto next = checkpoint.commands.begin();
+    const auto apply_due = [&] {
+        for (; next != checkpoint.commands.end() && next->tick <= restored.tick(); ++next)
+            (void)restored.apply(next->command);
     };
-    for (carry_out_due(); world.tick() < save.tick; carry_out_due()) world.step();
-    return world;
+    for (apply_due(); restored.tick() < checkpoint.tick; apply_due()) restored.step();
+    return restored;
 }
 
 void World::step() {
-    braitenlab::tick(*state_, [](TickPart) {});
-    if (state_->tick % keyframe_ticks == 0) begin_keyframe();
+    world::tick(*data_, [](world::TickPart) {});
+    if (data_->tick % keyframe_ticks == 0) begin_keyframe();
 }
 
-std::uint64_t World::tick() const { return state_->tick; }
+std::uint64_t World::tick() const { return data_->tick; }
 
 std::optional<Error> World::apply(const Command& command) {
-    if (auto error = carry_out(*state_, command)) return error;
-    state_->eyes_are_stale = true;
-    since_.commands.push_back({state_->tick, command});
-    // A keyframe makes the world anew, which decides later bits; where nodes stand must not.
-    if (changes_looks_alone(command)) return std::nullopt;
-    const auto happened = std::count_if(since_.commands.begin(), since_.commands.end(),
-                                        [](const LoggedCommand& c) { return !changes_looks_alone(c.command); });
-    if (static_cast<std::size_t>(happened) >= keyframe_commands) begin_keyframe();
+    if (auto error = execute(*data_, command)) return error;
+    data_->readings_are_stale = true;
+    since_.commands.push_back({data_->tick, command});
+    // A keyframe rebuilds the world, which changes later bits; a cosmetic command must not.
+    if (world::is_cosmetic(command)) return std::nullopt;
+    const auto effective = std::count_if(since_.commands.begin(), since_.commands.end(),
+                                         [](const LoggedCommand& c) { return !world::is_cosmetic(c.command); });
+    if (static_cast<std::size_t>(effective) >= keyframe_commands) begin_keyframe();
     return std::nullopt;
 }
 
 void World::capture(Snapshot& out) const {
-    if (state_->eyes_are_stale) foresee(*state_);
-    braitenlab::capture(*state_, out);
+    if (data_->readings_are_stale) preview(*data_);
+    world::capture(*data_, out);
 }
 
-std::uint64_t World::hash() const { return braitenlab::hash(*state_); }
+std::uint64_t World::hash() const { return world::hash(*data_); }
 
 }  // namespace braitenlab

@@ -32,8 +32,8 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     // Seconds wrap where every pulse does, so that a long run loses no precision.
     block.arena = {arena.width / 2, arena.height / 2, static_cast<float>(std::fmod(now.seconds, 60.0)),
                    picture.pixel_scale};
-    block.counts = {static_cast<float>(list.lamps.size()), light ? 1.0f : 0.0f, arena.edge == Edge::open ? 1e6f : 0.0f,
-                    static_cast<float>(arena.edge)};
+    block.counts = {static_cast<float>(list.lamps.size()), light ? 1.0f : 0.0f,
+                    arena.edge == Boundary::open ? 1e6f : 0.0f, static_cast<float>(arena.edge)};
     for (std::size_t i = 0; i < list.lamps.size(); ++i) block.lamps[i] = list.lamps[i];
     return block;
 }

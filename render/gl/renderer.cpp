@@ -7,6 +7,7 @@
 
 #include <GL/glew.h>
 
+#include "core/sensing/intensity.h"
 #include "render/gl/backdrop.h"
 #include "render/gl/batch.h"
 #include "render/gl/frame.h"
@@ -15,7 +16,6 @@
 #include "render/gl/texture.h"
 #include "render/text/set_type.h"
 #include "render/view/draw_list.h"
-#include "render/view/intensity.h"
 #include "render/view/shapes.h"
 
 namespace braitenlab {
@@ -80,7 +80,7 @@ struct Renderer::Parts {
     Kit neurons = kit<NeuronInstance>(quad());
     Kit contours = kit<ContourInstance>(quad());
     Kit letters = kit<LetterInstance>(quad());
-    Texture felt{Texture::Kind::numbers, Intensity::most_columns, Intensity::most_rows};
+    Texture felt{Texture::Kind::numbers, sensing::Intensity::most_columns, sensing::Intensity::most_rows};
     Texture characters{Texture::Kind::bytes, Lettering::side, Lettering::side};
     Kit fields = kit<FieldInstance>(fan());
     Batch field_points = Batch::points(fields.instances);
@@ -95,7 +95,7 @@ struct Renderer::Parts {
     unsigned frame_buffer = 0;
     DrawList list;
     Trails trails;
-    IntensityMap intensity;
+    sensing::IntensityMap intensity;
     std::vector<ContourInstance> contour;
     std::optional<Lettering> lettering;
     std::vector<LetterInstance> type;
@@ -194,14 +194,15 @@ struct Renderer::Parts {
         contour.clear();
         if (!picture.overlays.field || !now.scene) return;
         const Channel channel = *picture.overlays.field;
-        const Intensity& grid = intensity.grid();
-        if (intensity.update(now, channel, picture.selected)) felt.fill(0, grid.columns, grid.rows, grid.values.data());
+        const sensing::Intensity& grid = intensity.grid();
+        if (intensity.update(intensity_input(now, channel, picture.selected)))
+            felt.fill(0, grid.columns, grid.rows, grid.values.data());
         const Palette colours = palette(picture.theme);
         const Colour c = colour_of(colours, channel);
         const Arena& arena = now.scene->arena;
         contour.push_back(
             {{arena.width / 2, arena.height / 2, static_cast<float>(grid.columns), static_cast<float>(grid.rows)},
-             {c.r, c.g, c.b, static_cast<float>(Intensity::most_columns)}});
+             {c.r, c.g, c.b, static_cast<float>(sensing::Intensity::most_columns)}});
         if (picture.overlays.labels) add_level_labels(list, grid, arena, colours.text);
     }
 
@@ -269,7 +270,7 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     p.calls = 0;
     remember(now);
     fill(p.list, now, picture, p.trails);
-    p.walled = !now.scene || now.scene->arena.edge == Edge::wall;
+    p.walled = !now.scene || now.scene->arena.edge == Boundary::wall;
     p.feel(now, picture);
     p.letter(picture);
 

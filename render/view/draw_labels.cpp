@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "core/sensing/intensity.h"
 #include "render/view/drawing.h"
-#include "render/view/intensity.h"
 
 namespace braitenlab {
 
@@ -33,7 +33,7 @@ bool looks_down(const Sight& sight) { return sight.view[1][2] > 0.5f; }
 void add_metres(Drawing& drawing, const Arena& arena) {
     if (!looks_down(drawing.picture.sight)) return;
     const Sight& sight = drawing.picture.sight;
-    const bool walled = arena.edge == Edge::wall;
+    const bool walled = arena.edge == Boundary::wall;
     const Colour quiet = drawing.colours.second_text.with_alpha(0.75f);
     const auto along = [&](float length, auto place_of) {
         const int most = static_cast<int>(length / 2 / metres_between);
@@ -106,7 +106,7 @@ void add_labels(Drawing& drawing) {
     add_metres(drawing, drawing.now.scene->arena);
 }
 
-void add_level_labels(DrawList& list, const Intensity& grid, const Arena& arena, Colour colour) {
+void add_level_labels(DrawList& list, const sensing::Intensity& grid, const Arena& arena, Colour colour) {
     if (grid.columns < 2) return;
     const auto peak = std::max_element(grid.values.begin(), grid.values.end()) - grid.values.begin();
     const int row = static_cast<int>(peak) / grid.columns, first = static_cast<int>(peak) % grid.columns;

@@ -158,8 +158,10 @@ struct DrawList {
 void fill(DrawList&, const Snapshot&, const Picture&, const Trails&);
 
 // Adds the numbers of some contours of an intensity field.
+namespace sensing {
 struct Intensity;
-void add_level_labels(DrawList&, const Intensity&, const Arena&, Colour);
+}
+void add_level_labels(DrawList&, const sensing::Intensity&, const Arena&, Colour);
 
 // Which of DrawList::sources shows a channel.
 int source_shape_of(Channel);

@@ -226,7 +226,7 @@ void add_vehicles(Drawing& drawing, const Trails& trails) {
         add_fields(drawing, s);
         if (const Trail* trail = drawing.picture.overlays.trails ? trails.of(view.id) : nullptr)
             add_trail(drawing, s, *trail);
-        if (drawing.now.scene && drawing.now.scene->arena.edge == Edge::torus)
+        if (drawing.now.scene && drawing.now.scene->arena.edge == Boundary::torus)
             add_beyond_edges(drawing, s, drawing.now.scene->arena);
     }
 }

@@ -36,7 +36,7 @@ std::vector<vec2> rectangle(float half_length, float half_width) {
 }
 
 void add_walls(Drawing& drawing, const Arena& arena) {
-    if (arena.edge != Edge::wall) return;
+    if (arena.edge != Boundary::wall) return;
     const float half_w = arena.width / 2, half_h = arena.height / 2;
     constexpr float thick = wall_thickness / 2, high = wall_height, chamfer = 0.035f;  // m
     const vec4 colour = rgb_with(drawing.colours.wall, 0);

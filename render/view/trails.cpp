@@ -16,7 +16,7 @@ constexpr std::size_t crowd = 1000;         // vehicles; with more, what is draw
 // Whether a vehicle that jumped from one place to the other went over the edge of a torus.
 bool went_round(const Arena& arena, maths::vec2 from, maths::vec2 to) {
     const auto around = [](float way, float side) { return std::min(std::fabs(way), side - std::fabs(way)); };
-    return arena.edge == Edge::torus &&
+    return arena.edge == Boundary::torus &&
            std::hypot(around(to.x - from.x, arena.width), around(to.y - from.y, arena.height)) <= Trail::jump;
 }
 

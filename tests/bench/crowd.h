@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/world/field.h"
-#include "core/world/motion.h"
+#include "core/mechanics/motion.h"
+#include "core/sensing/stimulus_grid.h"
 #include "core/world/world.h"
 #include "tests/core/scenes.h"
 
@@ -30,7 +30,7 @@ inline Scene dense(int n) {
 }
 
 // Where everybody stands and how they move, and who hunts.
-struct Places {
+struct FreeSpace {
     std::vector<Motion> motion;
     std::vector<char> hunts;
 };
@@ -40,7 +40,7 @@ class CrowdEyes {
 public:
     CrowdEyes(const Scene& scene, float farthest) {
         for (const Sensor& sensor : scene.kinds[0].sensors) eyes_.emplace_back(sensor);
-        for (Field& field : fields_) field.lay_out(scene.arena, farthest);
+        for (StimulusGrid& field : fields_) field.lay_out(scene.arena, farthest);
     }
 
     void look(const std::vector<Motion>& motion, const std::vector<char>& hunts,
@@ -48,21 +48,21 @@ public:
         for (int side = 0; side < 2; ++side) {
             stimuli_.clear();
             for (std::size_t row = 0; row < motion.size(); ++row)
-                if (hunts[row] == side) stimuli_.push_back({motion[row].place, 1, static_cast<std::int32_t>(row)});
+                if (hunts[row] == side) stimuli_.push_back({motion[row].position, 1, static_cast<std::int32_t>(row)});
             fields_[static_cast<std::size_t>(side)].fill(stimuli_);
         }
         sensed.resize(motion.size());
         for (std::size_t row = 0; row < motion.size(); ++row)
             for (std::size_t k = 0; k < 2; ++k) {
-                const Field& others = fields_[hunts[row] ? 0 : 1];
-                const Gaze gaze = carry(eyes_[k], motion[row].place, motion[row].ahead);
+                const StimulusGrid& others = fields_[hunts[row] ? 0 : 1];
+                const SensorPose gaze = sensor_pose(eyes_[k], motion[row].position, motion[row].ahead);
                 sensed[row][k] = std::min(1.0f, others.total(eyes_[k], gaze, static_cast<std::int32_t>(row)));
             }
     }
 
 private:
-    std::vector<Eye> eyes_;
-    std::array<Field, 2> fields_;
+    std::vector<CompiledSensor> eyes_;
+    std::array<StimulusGrid, 2> fields_;
     std::vector<Stimulus> stimuli_;
 };
 

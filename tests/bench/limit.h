@@ -16,7 +16,7 @@ namespace braitenlab::bench {
 
 class Limit {
 public:
-    Limit(const Scene& scene, const Places& places) : hunts_(places.hunts), eyes_(scene, eye_range) {
+    Limit(const Scene& scene, const FreeSpace& places) : hunts_(places.hunts), eyes_(scene, eye_range) {
         world_.SetAllowSleeping(false);
         world_.SetContinuousPhysics(false);
         const float w = scene.arena.width, h = scene.arena.height, t = 0.5f;
@@ -52,7 +52,7 @@ private:
         const float along = maths::dot(m.velocity, m.ahead), across = maths::cross(m.ahead, m.velocity);
         float force_along = -drag_ * along, force_across = -drag_ * across, torque = 0;
         for (int side = 0; side < 2; ++side) {
-            const float y = side == 0 ? aside : -aside, speed = along - m.turning * y;
+            const float y = side == 0 ? aside : -aside, speed = along - m.angular_velocity * y;
             const float wanted = (told[static_cast<std::size_t>(side)] * top_speed - speed) * (mass / 2) / tick_seconds;
             float x_force = std::clamp(wanted, -strongest, strongest), y_force = -across * (mass / 2) / tick_seconds;
             const float size = std::sqrt(x_force * x_force + y_force * y_force);
@@ -83,10 +83,10 @@ private:
     void add(const Body& design, const Motion& motion) {
         b2BodyDef definition;
         definition.type = b2_dynamicBody;
-        definition.position = {motion.place.x, motion.place.y};
+        definition.position = {motion.position.x, motion.position.y};
         definition.angle = motion.heading;
         definition.linearVelocity = {motion.velocity.x, motion.velocity.y};
-        definition.angularVelocity = motion.turning;
+        definition.angularVelocity = motion.angular_velocity;
         b2Body* body = world_.CreateBody(&definition);
         b2PolygonShape box;
         box.SetAsBox(design.length / 2, design.width / 2);

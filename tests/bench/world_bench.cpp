@@ -19,13 +19,13 @@ namespace {
 constexpr int warm_ticks = 120;  // past the start, into the crowd
 
 // A crowd past its start, made once. It begins on a grid: looking for free places takes longer than all the ticks.
-const Save& crowd_of(int n) {
-    static std::map<int, Save> made;
-    Save& save = made[n];
+const Checkpoint& crowd_of(int n) {
+    static std::map<int, Checkpoint> made;
+    Checkpoint& save = made[n];
     if (save.keyframe) return save;
     Scene scene = dense(n);
     scene.ecology.population = 0;
-    WorldState s{Moment(*World::create(scene, 1)->save().keyframe)};
+    WorldData s{State(*World::create(scene, 1)->save().keyframe)};
     maths::Random chance{1, 1};
     const int side = static_cast<int>(std::ceil(std::sqrt(static_cast<float>(n))));
     const float spacing = scene.arena.width / static_cast<float>(side);
@@ -34,18 +34,18 @@ const Save& crowd_of(int n) {
         const Pose pose{(column + 0.5f) * spacing - scene.arena.width / 2,
                         (row + 0.5f) * spacing - scene.arena.height / 2, chance.uniform(-3, 3)};
         const int kind = static_cast<int>(chance.next() % 2);
-        add_vehicle(s, kind, -1, s.next_id++, s.newcomers[static_cast<std::size_t>(kind)], pose);
+        add_vehicle(s, kind, -1, s.next_id++, s.kind_brains[static_cast<std::size_t>(kind)], pose);
     }
     for (int i = 0; i < warm_ticks; ++i) tick(s, [](TickPart) {});
-    save = {std::make_shared<const Moment>(s), s.tick, {}, s.tick};
+    save = {std::make_shared<const State>(s), s.tick, {}, s.tick};
     return save;
 }
 
-Places places_in(const Save& save) {
-    const Moment& moment = *save.keyframe;
-    Places places;
+FreeSpace places_in(const Checkpoint& save) {
+    const State& moment = *save.keyframe;
+    FreeSpace places;
     places.motion = moment.vehicles.motion;
-    for (const SharedDesign& design : moment.vehicles.design) places.hunts.push_back(design->role == Role::predator);
+    for (const SharedBrain& design : moment.vehicles.design) places.hunts.push_back(design->role == Role::predator);
     return places;
 }
 
@@ -63,9 +63,9 @@ void sizes(benchmark::internal::Benchmark* b) {
 void count(benchmark::State& state) { state.SetItemsProcessed(state.iterations() * state.range(0)); }
 
 void BM_WorldStep(benchmark::State& state) {
-    const Save& save = crowd_of(static_cast<int>(state.range(0)));
+    const Checkpoint& save = crowd_of(static_cast<int>(state.range(0)));
     const std::int64_t before = bytes_in_use();
-    WorldState world{Moment(*save.keyframe)};
+    WorldData world{State(*save.keyframe)};
     auto keyframe = begin_keyframe(world);
     tick(world, [](TickPart) {});
     const std::int64_t bytes = bytes_in_use() - before - static_cast<std::int64_t>(sizeof(b2World));  // our own
@@ -76,7 +76,7 @@ void BM_WorldStep(benchmark::State& state) {
     for (auto _ : state) {
         if (++ticks % stretch == 0) {
             state.PauseTiming();
-            world = WorldState(Moment(*save.keyframe));
+            world = WorldData(State(*save.keyframe));
             state.ResumeTiming();
         }
         if (ticks % timed_of == 0) {
@@ -103,7 +103,7 @@ BENCHMARK(BM_WorldStep)->Apply(sizes)->Arg(10000);  // whom a second of processo
 void BM_Limit(benchmark::State& state) {
     const int n = static_cast<int>(state.range(0));
     const Scene scene = dense(n);
-    const Places places = places_in(crowd_of(n));
+    const FreeSpace places = places_in(crowd_of(n));
     auto limit = std::make_unique<Limit>(scene, places);
     int ticks = 0;
     for (auto _ : state) {
@@ -120,7 +120,7 @@ BENCHMARK(BM_Limit)->Apply(sizes);
 
 void look(benchmark::State& state, float farthest) {
     const Scene scene = dense(static_cast<int>(state.range(0)));
-    const Places places = places_in(crowd_of(static_cast<int>(state.range(0))));
+    const FreeSpace places = places_in(crowd_of(static_cast<int>(state.range(0))));
     std::vector<std::array<float, 2>> sensed;
     CrowdEyes eyes(scene, farthest);
     for (auto _ : state) {
@@ -141,10 +141,10 @@ BENCHMARK(BM_AllPairsSense)->Apply(sizes);
 void BM_FiveBodies(benchmark::State& state) {
     const int n = static_cast<int>(state.range(0));
     const Scene scene = dense(n);
-    const Places places = places_in(crowd_of(n));
+    const FreeSpace places = places_in(crowd_of(n));
     const auto crowd = [&] {
         auto made = std::make_unique<tests::FiveBodies>(scene.arena);
-        for (const Motion& m : places.motion) made->add(scene.kinds[0].body, {m.place.x, m.place.y, m.heading});
+        for (const Motion& m : places.motion) made->add(scene.kinds[0].body, {m.position.x, m.position.y, m.heading});
         return made;
     };
     auto bodies = crowd();
@@ -194,7 +194,7 @@ void BM_Rollout(benchmark::State& state) {
     Scene scene = tests::alone(hunter);
     scene.sources.push_back({.name = "lamp", .x = 8, .y = 2});
     World now = std::move(*World::create(scene, 1));
-    const Save save = now.save();
+    const Checkpoint save = now.checkpoint();
     for (auto _ : state) {
         World ahead = World::restore(save);
         for (int i = 0; i < 300; ++i) ahead.step();

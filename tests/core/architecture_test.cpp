@@ -1,8 +1,10 @@
-// The house's floors: a file includes only what stands on its own floor or below.
+// The include rules: a file includes only headers of its own folder or of folders below it, and internal headers are
+// included only where they are allowed.
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,13 +15,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Each folder with the folders it may include besides itself.
+// Each folder and the folders that it may include besides itself. "core" names the files directly in it when asked from
+// within core, and all of core from above.
 const std::map<std::string, std::vector<std::string>> may_include{
     {"core/maths", {}},
     {"core/mechanics", {"core/maths"}},
     {"core/brain", {"core/maths", "core"}},
     {"core/scene", {"core/maths", "core/brain", "core"}},
-    {"core/world", {"core/maths", "core/mechanics", "core/brain", "core/scene", "core"}},
+    {"core/sensing", {"core/maths", "core/mechanics", "core/brain", "core/scene", "core"}},
+    {"core/world", {"core/maths", "core/mechanics", "core/brain", "core/scene", "core/sensing", "core"}},
+    {"core/io", {"core/maths", "core/mechanics", "core/brain", "core/scene", "core/sensing", "core/world", "core"}},
     {"core/session", {"core/maths", "core/brain", "core/scene", "core/world", "core"}},
     {"core/lesson", {"core/maths", "core/brain", "core/scene", "core/world", "core"}},
     {"core", {}},
@@ -30,13 +35,28 @@ const std::map<std::string, std::vector<std::string>> may_include{
     {"app", {"core", "render", "ui"}},
 };
 
-// What Dear ImGui, OpenGL, windows and Box2D are called in an include, and the only places that may know them.
+// Prefixes of library includes, and the only places that may use them.
 const std::map<std::string, std::vector<std::string>> libraries{
     {"<box2d/", {"core/world/physics.cpp"}},
     {"<GL/", {"render/gl/", "app/window.cpp"}},
     {"<GLFW/", {"app/window.cpp"}},
     {"<imgui", {"ui/", "app/"}},
-    {"<nlohmann/", {"core/world/json.h", "app/"}},
+    {"<nlohmann/", {"core/io/json.h", "app/"}},
+};
+
+// Internal headers, and the only places that may include them. Tests and benchmarks may include all.
+const std::map<std::string, std::vector<std::string>> internal_headers{
+    {"core/world/state.h", {"core/world/", "core/io/"}},
+    {"core/world/compiled.h", {"core/world/", "core/io/"}},
+    {"core/world/world_data.h", {"core/world/"}},
+    {"core/world/tick.h", {"core/world/"}},
+    {"core/world/physics.h", {"core/world/"}},
+    {"core/world/free_space.h", {"core/world/"}},
+    {"core/world/edits.h", {"core/world/"}},
+    {"core/world/cosmetic_edits.h", {"core/world/", "core/session/"}},
+    {"core/io/json.h", {"core/io/"}},
+    {"core/io/state_json.h", {"core/io/"}},
+    {"core/session/undo.h", {"core/session/"}},
 };
 
 std::string folder_of(const std::string& file) {
@@ -46,37 +66,46 @@ std::string folder_of(const std::string& file) {
     return best;
 }
 
-bool lies_in(const std::string& file, const std::string& folder) {
-    // "core" alone names the files right inside it when asked from within core, and all of core from above.
-    return file.starts_with(folder + "/");
+bool any_prefix_of(const std::string& file, const std::vector<std::string>& prefixes) {
+    for (const std::string& prefix : prefixes)
+        if (file.starts_with(prefix)) return true;
+    return false;
+}
+
+bool may_include_file(const std::string& folder, const std::string& target) {
+    if (folder_of(target).empty() || target.starts_with(folder + "/")) return true;
+    for (const std::string& below : may_include.at(folder)) {
+        const bool inside_core = folder.starts_with("core") && below == "core";
+        if (inside_core ? folder_of(target) == "core" : target.starts_with(below + "/")) return true;
+    }
+    return false;
 }
 
 std::vector<std::string> violations(const std::string& file, std::istream& text) {
     static const std::regex own{R"(^\s*#include "([^"]+)\")"}, system{R"(^\s*#include (<[^>]+>))"};
     std::vector<std::string> found;
-    const std::string folder = folder_of(file);
+    const auto check = [&](bool allowed, const std::string& target) {
+        if (!allowed) found.push_back(file + " includes " + target);
+    };
     std::smatch match;
     for (std::string line; std::getline(text, line);) {
         if (std::regex_search(line, match, own)) {
             const std::string target = match[1];
-            if (folder_of(target).empty() || lies_in(target, folder)) continue;
-            bool allowed = false;
-            for (const std::string& below : may_include.at(folder)) {
-                const bool inside_core = folder.starts_with("core") && below == "core";
-                allowed |= inside_core ? folder_of(target) == "core" : lies_in(target, below);
-            }
-            if (!allowed) found.push_back(file + " includes " + target);
+            check(may_include_file(folder_of(file), target), target);
+            if (const auto internal = internal_headers.find(target); internal != internal_headers.end())
+                check(any_prefix_of(file, internal->second), "the internal header " + target);
         } else if (std::regex_search(line, match, system)) {
             const std::string target = match[1];
-            for (const auto& [library, places] : libraries) {
-                if (!target.starts_with(library)) continue;
-                bool allowed = false;
-                for (const std::string& place : places) allowed |= file.starts_with(place);
-                if (!allowed) found.push_back(file + " includes " + target);
-            }
+            for (const auto& [library, places] : libraries)
+                if (target.starts_with(library)) check(any_prefix_of(file, places), target);
         }
     }
     return found;
+}
+
+std::size_t count_violations(const std::string& file, const std::string& include) {
+    std::istringstream text("#include " + include + "\n");
+    return violations(file, text).size();
 }
 
 TEST(Architecture, IncludesRunDownwardsOnly) {
@@ -94,11 +123,25 @@ TEST(Architecture, IncludesRunDownwardsOnly) {
 }
 
 TEST(Architecture, FindsAnIncludeThatRunsUpwards) {
-    std::istringstream upwards{"#include \"core/world/world.h\"\n"}, physics{"#include <box2d/box2d.h>\n"},
-        fine{"#include \"core/brain/graph.h\"\n#include \"core/result.h\"\n#include <vector>\n"};
-    EXPECT_EQ(violations("core/brain/brain.cpp", upwards).size(), 1u);
-    EXPECT_EQ(violations("core/world/world.cpp", physics).size(), 1u);
-    EXPECT_EQ(violations("core/brain/brain.cpp", fine).size(), 0u);
+    EXPECT_EQ(count_violations("core/brain/brain.cpp", "\"core/world/world.h\""), 1u);
+    EXPECT_EQ(count_violations("core/sensing/outline.cpp", "\"core/world/snapshot.h\""), 1u);
+    EXPECT_EQ(count_violations("core/world/world.cpp", "\"core/io/run_file.h\""), 1u);
+    EXPECT_EQ(count_violations("core/world/world.cpp", "<box2d/box2d.h>"), 1u);
+    EXPECT_EQ(count_violations("core/brain/brain.cpp", "\"core/brain/graph.h\""), 0u);
+    EXPECT_EQ(count_violations("core/brain/brain.cpp", "\"core/result.h\""), 0u);
+    EXPECT_EQ(count_violations("core/brain/brain.cpp", "<vector>"), 0u);
+}
+
+TEST(Architecture, FindsAnInternalHeaderIncludedFromOutside) {
+    EXPECT_EQ(count_violations("core/lesson/referee.cpp", "\"core/world/state.h\""), 1u);
+    EXPECT_EQ(count_violations("app/lab.cpp", "\"core/world/physics.h\""), 1u);
+    EXPECT_EQ(count_violations("core/io/state_json.cpp", "\"core/world/state.h\""), 0u);
+    EXPECT_EQ(count_violations("core/session/session.cpp", "\"core/world/cosmetic_edits.h\""), 0u);
+}
+
+TEST(Architecture, EveryInternalHeaderExists) {
+    for (const auto& [header, places] : internal_headers)
+        EXPECT_TRUE(fs::exists(fs::path(BRAITENLAB_SOURCE) / header)) << header;
 }
 
 }  // namespace

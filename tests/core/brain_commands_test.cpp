@@ -68,7 +68,7 @@ TEST(LearningVehicle, BeginsAnewWithAnotherBrain) {
 
 TEST(LearningVehicle, GoesOnFromASaveWithWhatItHadLearned) {
     World world = run(learner(), 90);
-    World again = World::restore(world.save());
+    World again = World::restore(world.checkpoint());
     for (int t = 0; t < 400; ++t) world.step(), again.step();
     EXPECT_EQ(world.hash(), again.hash());
     EXPECT_EQ(learned_by_it(world), learned_by_it(again));

@@ -3,6 +3,7 @@
 
 #include "core/maths/portable.h"
 #include "core/maths/random.h"
+#include "core/mechanics/motion.h"
 #include "core/scene/scene.h"
 #include "core/world/snapshot.h"
 
@@ -16,6 +17,10 @@ public:
     int below(int count) { return static_cast<int>(random_.next() % static_cast<unsigned>(count)); }
     maths::vec2 place(float most) { return {number(-most, most), number(-most, most)}; }
     Pose pose() { return {number(-3, 3), number(-3, 3), number(-7, 7)}; }
+    mechanics::Motion motion() {
+        const Pose at = pose();
+        return mechanics::at_rest({at.x, at.y}, at.heading);
+    }
 
     // Of any shape and response. Triangles open by less than 180 degrees.
     Sensor sensor() {

@@ -10,6 +10,7 @@
 namespace braitenlab::tests::drive_test {
 namespace {
 
+using namespace world;
 using maths::vec2;
 using tests::after;
 using tests::alone;
@@ -42,9 +43,9 @@ Scene motorless() {
 }
 
 World set_in_motion(const Scene& scene, vec2 velocity, float turning = 0) {
-    return begin_with(scene, [&](Moment& moment) {
+    return begin_with(scene, [&](State& moment) {
         moment.vehicles.motion[0].velocity = velocity;
-        moment.vehicles.motion[0].turning = turning;
+        moment.vehicles.motion[0].angular_velocity = turning;
     });
 }
 
@@ -103,9 +104,9 @@ TEST(TurningRadius, MeasuredAtTheOriginIsThatOfADifferentialDrive) {
     }
 }
 
-float kinetic_energy(const Body& body, const Motion& m) {
+float kinetic_energy(const Body& body, const mechanics::Motion& m) {
     const float inertia = mechanics::plate_inertia(body.mass, body.length, body.width);
-    return body.mass / 2 * maths::dot(m.velocity, m.velocity) + inertia / 2 * m.turning * m.turning;
+    return body.mass / 2 * maths::dot(m.velocity, m.velocity) + inertia / 2 * m.angular_velocity * m.angular_velocity;
 }
 
 // A body with every value anywhere in its range: none of them may shake itself to pieces.
@@ -149,8 +150,8 @@ TEST(Friction, NeverAddsEnergyWhateverTheBodyTheFloorAndTheMotion) {
         for (int tick = 0; tick < 120; ++tick) {
             const Snapshot now = after(world, 1.0 / 60);
             const VehicleView &a = before.vehicles[0], &b = now.vehicles[0];
-            const Motion motion{.velocity = vec2{b.x - a.x, b.y - a.y} * 60,
-                                .turning = maths::wrap_angle(b.heading - a.heading) * 60};
+            const mechanics::Motion motion{.velocity = vec2{b.x - a.x, b.y - a.y} * 60,
+                                           .angular_velocity = maths::wrap_angle(b.heading - a.heading) * 60};
             const float left = kinetic_energy(scene.kinds[0].body, motion);
             EXPECT_LE(left, energy * 1.002f + 1e-3f * scene.kinds[0].body.mass)
                 << "round " << round << " tick " << tick;

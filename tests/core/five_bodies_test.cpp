@@ -12,6 +12,7 @@
 namespace braitenlab::tests::five_bodies_test {
 namespace {
 
+using namespace world;
 // What the motors are told, a second and a quarter each: five seconds in all.
 using Drive = std::array<std::array<float, 2>, 4>;
 
@@ -31,7 +32,7 @@ constexpr int ticks_a_leg = 75;
 
 // How far apart one body and five end after the same commands.
 struct Gap {
-    float place = 0, heading = 0, path = 0;  // m, rad, m
+    float position = 0, heading = 0, path = 0;  // m, rad, m
 };
 
 Gap gap_after(const Drive& drive, const Arena& arena) {
@@ -54,8 +55,8 @@ Gap gap_after(const Drive& drive, const Arena& arena) {
             gap.path += maths::distance(before, {now.vehicles[0].x, now.vehicles[0].y});
         }
     }
-    const Motion end = five.motion(0);
-    gap.place = maths::distance(end.place, {now.vehicles[0].x, now.vehicles[0].y});
+    const mechanics::Motion end = five.motion(0);
+    gap.position = maths::distance(end.position, {now.vehicles[0].x, now.vehicles[0].y});
     gap.heading = std::fabs(maths::wrap_angle(end.heading - now.vehicles[0].heading));
     return gap;
 }
@@ -68,7 +69,7 @@ void expect_the_same_drives(const Arena& arena) {
     for (std::size_t i = 0; i < drives.size(); ++i) {
         const Gap gap = gap_after(drives[i], arena);
         EXPECT_GT(gap.path, 0.3f) << "drive " << i;
-        EXPECT_LE(gap.place, 0.05f * gap.path) << "drive " << i;
+        EXPECT_LE(gap.position, 0.05f * gap.path) << "drive " << i;
         EXPECT_LE(maths::degrees(gap.heading), 5) << "drive " << i;
     }
 }
@@ -82,7 +83,7 @@ TEST(FiveBodies, RestAtTheWallWhereTheOneBodyDoes) {
     arena.width = arena.height = 8;
     const Gap gap = gap_after(drives[1], arena);  // at full speed into the wall
     EXPECT_GT(gap.path, 3);
-    EXPECT_LE(gap.place, 0.05f * gap.path);
+    EXPECT_LE(gap.position, 0.05f * gap.path);
     EXPECT_LE(maths::degrees(gap.heading), 5);
 }
 

@@ -1,4 +1,4 @@
-#include "core/world/ground.h"
+#include "core/sensing/ground.h"
 
 #include <cmath>
 
@@ -10,6 +10,7 @@
 namespace braitenlab::tests::ground_test {
 namespace {
 
+using namespace sensing;
 // Worked out from the zone itself, without cells.
 bool covers(const Zone& zone, maths::vec2 place) {
     const maths::vec2 ahead = maths::direction(zone.heading);

@@ -7,6 +7,7 @@
 namespace braitenlab::tests::memory_test {
 namespace {
 
+using namespace world;
 using tests::after;
 using tests::alone;
 using tests::look;
@@ -90,7 +91,7 @@ TEST(PlaceMemory, GoesOnExactlyInARestoredRun) {
     World world = make(scene);
     after(world, 8.3);
     EXPECT_GT(look(world).marks.size(), 5u);
-    World restored = World::restore(world.save());
+    World restored = World::restore(world.checkpoint());
     after(world, 7), after(restored, 7);
     EXPECT_EQ(world.hash(), restored.hash());
 }

@@ -1,20 +1,20 @@
-#include "core/world/outline.h"
+#include "core/sensing/outline.h"
 
 #include <gtest/gtest.h>
 
 #include "core/maths/angle.h"
-#include "core/world/bumper.h"
 #include "tests/core/chance.h"
 
 namespace braitenlab::tests::outline_test {
 namespace {
 
+using namespace sensing;
 using maths::vec2;
 using tests::Chance;
 
 Outline random_box(Chance& chance) {
     const float l = chance.number(0.2f, 4), w = chance.number(0.2f, 4);
-    return outline_of({{-l, -w}, {l, -w}, {l, w}, {-l, w}}, at_rest(chance.pose()));
+    return outline_of({{-l, -w}, {l, -w}, {l, w}, {-l, w}}, chance.motion());
 }
 
 // Calls visit(point) for many points along the sides.
@@ -34,17 +34,17 @@ TEST(Outline, IsFeltByTheNearestOfAllItsPointsInTheField) {
     for (int i = 0; i < 400; ++i) {
         Sensor sensor = chance.sensor();
         sensor.response = SensorResponse::graded;
-        const Eye eye(sensor);
+        const CompiledSensor compiled(sensor);
         const Pose pose = chance.pose();
-        const Gaze gaze = carry(eye, {pose.x, pose.y}, maths::direction(pose.heading));
+        const SensorPose placed = sensor_pose(compiled, {pose.x, pose.y}, maths::direction(pose.heading));
         const Outline outline = random_box(chance);
         float nearest = 1e9f, expected = 0;
         walk(outline, [&](vec2 p) {
-            if (const float d = maths::distance(p, gaze.from); d < nearest && in_field(eye, gaze, p))
-                nearest = d, expected = answer(eye, gaze, p, 1);
+            if (const float d = maths::distance(p, placed.position); d < nearest && in_field(compiled, placed, p))
+                nearest = d, expected = response_to(compiled, placed, p, 1);
         });
         if (nearest < 0.2f) continue;  // so near, the direction turns fast along the side
-        ASSERT_NEAR(answer_to_outline(eye, gaze, outline), expected, 0.02f) << i;
+        ASSERT_NEAR(response_to_outline(compiled, placed, outline), expected, 0.02f) << i;
         felt += expected > 0.02f;
     }
     EXPECT_GT(felt, 100);
@@ -55,7 +55,8 @@ TEST(Outline, HidesWhatLiesBehindIt) {
     int hidden = 0;
     for (int i = 0; i < 400; ++i) {
         const float half = chance.number(0.3f, 2);
-        const Outline box = outline_of({{-half, -half}, {half, -half}, {half, half}, {-half, half}}, at_rest({}));
+        const Outline box =
+            outline_of({{-half, -half}, {half, -half}, {half, half}, {-half, half}}, mechanics::at_rest({}, 0));
         const vec2 a = chance.place(5), b = chance.place(5);
         const auto depth = [&](vec2 p) { return std::max(std::fabs(p.x), std::fabs(p.y)) - half; };  // below 0: inside
         float deepest = 1e9f;
@@ -70,14 +71,14 @@ TEST(Outline, HidesWhatLiesBehindIt) {
 
 Scene with_obstacle(const Obstacle& obstacle) {
     Scene scene;
-    scene.arena.edge = Edge::open;
+    scene.arena.edge = Boundary::open;
     scene.obstacles.push_back(obstacle);
     return scene;
 }
 
 Outlines outlines_of(const Scene& scene) {
-    std::vector<Motion> motions;
-    for (const Obstacle& o : scene.obstacles) motions.push_back(at_rest({o.x, o.y, o.heading}));
+    std::vector<mechanics::Motion> motions;
+    for (const Obstacle& o : scene.obstacles) motions.push_back(mechanics::at_rest({o.x, o.y}, o.heading));
     return {scene, motions};
 }
 
@@ -85,50 +86,52 @@ TEST(Outlines, HideBehindObstaclesButNotBehindPosts) {
     Scene scene = with_obstacle({.name = "box", .x = 2});
     scene.sources.push_back({.name = "post", .x = -2, .solid = true});
     const Outlines outlines = outlines_of(scene);
-    EXPECT_TRUE(outlines.hide({0, 0}, {4, 0}));
-    EXPECT_TRUE(outlines.hide({4, 0}, {0, 0}));
-    EXPECT_FALSE(outlines.hide({0, 0}, {1, 0}));
-    EXPECT_FALSE(outlines.hide({0, 0}, {4, 3}));
-    EXPECT_FALSE(outlines.hide({0, 0}, {-4, 0}));
+    EXPECT_TRUE(outlines.block({0, 0}, {4, 0}));
+    EXPECT_TRUE(outlines.block({4, 0}, {0, 0}));
+    EXPECT_FALSE(outlines.block({0, 0}, {1, 0}));
+    EXPECT_FALSE(outlines.block({0, 0}, {4, 3}));
+    EXPECT_FALSE(outlines.block({0, 0}, {-4, 0}));
     EXPECT_TRUE(outlines.any_obstacle_near({0, 0}, 1.6f));
     EXPECT_FALSE(outlines.any_obstacle_near({0, 0}, 1.0f));
 }
 
 TEST(Outlines, FeelObstaclesAndPostsAcrossASeamOnceEach) {
     Scene scene = with_obstacle({.name = "box", .x = 9, .y = 0});
-    scene.arena.edge = Edge::torus;
-    const Eye eye({.shape = SensorShape::omni, .x = 0, .range = 4});
+    scene.arena.edge = Boundary::torus;
+    const CompiledSensor compiled({.shape = SensorShape::omni, .x = 0, .range = 4});
     const Outlines outlines = outlines_of(scene);
-    const float near = outlines.total(eye, carry(eye, {-9.5f, 0}, {1, 0}));  // its side at 9.5 is 1 m away
-    EXPECT_NEAR(near, answer(eye, carry(eye, {0, 0}, {1, 0}), {1, 0}, 1), 1e-5f);
-    EXPECT_TRUE(outlines.hide({-9.5f, 0}, {-13, 0}));
+    const float near =
+        outlines.total(compiled, sensor_pose(compiled, {-9.5f, 0}, {1, 0}));  // its side at 9.5 is 1 m away
+    EXPECT_NEAR(near, response_to(compiled, sensor_pose(compiled, {0, 0}, {1, 0}), {1, 0}, 1), 1e-5f);
+    EXPECT_TRUE(outlines.block({-9.5f, 0}, {-13, 0}));
     scene.obstacles.clear();
-    EXPECT_EQ(outlines_of(scene).total(eye, carry(eye, {-9.5f, 0}, {1, 0})), 0);
+    EXPECT_EQ(outlines_of(scene).total(compiled, sensor_pose(compiled, {-9.5f, 0}, {1, 0})), 0);
     scene.sources.push_back({.name = "post", .x = 9, .solid = true});
-    EXPECT_GT(outlines_of(scene).total(eye, carry(eye, {-9.5f, 0}, {1, 0})), 0.5f);
+    EXPECT_GT(outlines_of(scene).total(compiled, sensor_pose(compiled, {-9.5f, 0}, {1, 0})), 0.5f);
 }
 
 TEST(Outlines, FollowWhatIsPushed) {
     Scene scene = with_obstacle({.name = "box", .x = 2, .mass = 5});
     Outlines outlines = outlines_of(scene);
-    outlines.move(scene, {at_rest({0, 3, 0})});
-    EXPECT_FALSE(outlines.hide({0, 0}, {4, 0}));
-    EXPECT_TRUE(outlines.hide({0, 0}, {0, 5}));
+    outlines.move(scene, {mechanics::at_rest({0, 3}, 0)});
+    EXPECT_FALSE(outlines.block({0, 0}, {4, 0}));
+    EXPECT_TRUE(outlines.block({0, 0}, {0, 5}));
 }
 
 TEST(Bumper, FeelsOnItsOwnSideOnly) {
     const Body body;
-    const Motion motion = at_rest({1, 2, maths::radians(90)});
+    const mechanics::Motion motion = mechanics::at_rest({1, 2}, maths::radians(90));
     const Outline ahead{{{-5, 2.52f}, {5, 2.52f}}}, far_ahead{{{-5, 2.7f}, {5, 2.7f}}},
         behind{{{-5, 1.48f}, {5, 1.48f}}};
-    const Eye front({.channel = Channel::touch}), back({.channel = Channel::touch, .x = -0.3f, .angle = maths::pi});
-    EXPECT_TRUE(feels(front, body, motion, ahead));
-    EXPECT_FALSE(feels(front, body, motion, far_ahead));
-    EXPECT_FALSE(feels(front, body, motion, behind));
-    EXPECT_TRUE(feels(back, body, motion, behind));
-    EXPECT_FALSE(feels(back, body, motion, ahead));
-    const Eye all({.channel = Channel::touch, .shape = SensorShape::omni});
-    EXPECT_TRUE(feels(all, body, motion, ahead) && feels(all, body, motion, behind));
+    const CompiledSensor front({.channel = Channel::touch}),
+        back({.channel = Channel::touch, .x = -0.3f, .angle = maths::pi});
+    EXPECT_TRUE(touches_field(front, body, motion, ahead));
+    EXPECT_FALSE(touches_field(front, body, motion, far_ahead));
+    EXPECT_FALSE(touches_field(front, body, motion, behind));
+    EXPECT_TRUE(touches_field(back, body, motion, behind));
+    EXPECT_FALSE(touches_field(back, body, motion, ahead));
+    const CompiledSensor all({.channel = Channel::touch, .shape = SensorShape::omni});
+    EXPECT_TRUE(touches_field(all, body, motion, ahead) && touches_field(all, body, motion, behind));
 }
 
 }  // namespace

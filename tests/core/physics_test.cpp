@@ -12,6 +12,7 @@
 namespace braitenlab::tests::physics_test {
 namespace {
 
+using namespace world;
 // On other systems Box2D has the C library's sine and cosine; see core/world/physics.cpp.
 #if defined(__ELF__)
 TEST(Box2D, TurnsBodiesByOurOwnSineAndCosineSoThatNoProcessorChangesARun) {
@@ -20,8 +21,8 @@ TEST(Box2D, TurnsBodiesByOurOwnSineAndCosineSoThatNoProcessorChangesARun) {
     for (int i = 0; i < 2000; ++i) {
         Physics physics(scene, {});
         const float heading = chance.uniform(-40, 40);
-        physics.add(0, 0, Body{}, at_rest({0, 0, heading}));
-        const Motion now = physics.motion(0);
+        physics.add(0, 0, Body{}, mechanics::at_rest({0, 0}, heading));
+        const mechanics::Motion now = physics.motion(0);
         EXPECT_EQ(now.ahead, maths::direction(heading)) << heading;
     }
 }
@@ -49,13 +50,13 @@ float farthest_at_full_speed(const Body& body, float board) {
     scene.obstacles = {obstacle};
     float farthest = -100;
     for (int begin = 0; begin < 20; ++begin) {
-        Physics physics(scene, {at_rest({1, 0, 0})});
-        Motion motion = at_rest({-1 - 0.01f * static_cast<float>(begin), 0, 0});
+        Physics physics(scene, {mechanics::at_rest({1, 0}, 0)});
+        mechanics::Motion motion = mechanics::at_rest({-1 - 0.01f * static_cast<float>(begin), 0}, 0);
         motion.velocity = {body.top_speed, 0};
         physics.add(0, 0, body, motion);
         std::vector<Touch> touching, begun;
         for (int tick = 0; tick < 60; ++tick) physics.step(touching, begun);
-        farthest = std::max(farthest, physics.motion(0).place.x);
+        farthest = std::max(farthest, physics.motion(0).position.x);
     }
     return farthest;
 }
@@ -76,14 +77,14 @@ float pushed_to_the_wall(const Body& body) {
     Scene scene;
     scene.arena.width = scene.arena.height = 4;
     Physics physics(scene, {});
-    physics.add(0, 0, body, at_rest({0, 0, 0}));
+    physics.add(0, 0, body, mechanics::at_rest({0, 0}, 0));
     std::vector<Touch> touching, begun;
     for (int i = 0; i < 300; ++i) {
         physics.push(0, {0, 20}, 0);
         physics.step(touching, begun);
     }
     EXPECT_FALSE(touching.empty());
-    return physics.motion(0).place.y;
+    return physics.motion(0).position.y;
 }
 
 TEST(Wheels, ThatTheChassisCoversAreStoppedByWallsWhereTheChassisIs) {

@@ -26,11 +26,11 @@ TEST(Recording, StaysSmallHoweverLongSomebodyDragsWhileTimeStandsStill) {
     Session session = open();
     for (int i = 0; i < 130; ++i) session.step();
     drag(session, 4000);
-    EXPECT_LT(session.bookmark().save.commands.size(), keyframe_commands);
+    EXPECT_LT(session.bookmark().checkpoint.commands.size(), keyframe_commands);
     EXPECT_EQ(session.undo_depth(), 1);
     session.seek(100);
     session.seek(130);
-    EXPECT_LT(session.bookmark().save.commands.size(), keyframe_commands);
+    EXPECT_LT(session.bookmark().checkpoint.commands.size(), keyframe_commands);
 }
 
 TEST(Recording, GoesThroughALongDragAgainExactly) {
@@ -54,7 +54,7 @@ TEST(Recording, GoesThroughALongDragAgainExactly) {
         EXPECT_EQ(session.latest(), 700u);
     }
     session.seek(131);
-    World world = World::restore(session.save().save);
+    World world = World::restore(session.save().checkpoint);
     while (world.tick() < 299) world.step();
     EXPECT_EQ(world.hash(), hashes[299]);
 }

@@ -1,4 +1,4 @@
-#include "core/world/run_file.h"
+#include "core/io/run_file.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ TEST(RunFile, GoesOnExactlyAsTheSavedRunDoesInEveryShippedScene) {
     for (const auto& path : tests::shipped_scenes()) {
         for (const int ticks : {10, 290, 777}) {
             Session session = busy_session(*load_scene(path), ticks);
-            auto run = read_run(write_run(session.save()), "a.run");
+            auto run = io::read_run(io::write_run(session.save()), "a.run");
             ASSERT_TRUE(run) << path << ": " << run.error().text();
             Session resumed = Session::resume(std::move(*run));
             EXPECT_EQ(resumed.hash(), session.hash()) << path;
@@ -68,7 +68,7 @@ TEST(RunFile, KeepsWhatSlowSensorsHoldBack) {
     for (Kind& kind : scene.kinds) kind.sensors[0].latency = 0.5f, kind.sensors[1].noise = 0.1f;
     Session session = std::move(*Session::open(scene, 3));
     for (int i = 0; i < 400; ++i) session.step();
-    auto run = read_run(write_run(session.save()), "a.run");
+    auto run = io::read_run(io::write_run(session.save()), "a.run");
     ASSERT_TRUE(run) << run.error().text();
     Session resumed = Session::resume(std::move(*run));
     for (int i = 0; i < 100; ++i) session.step(), resumed.step();
@@ -76,28 +76,28 @@ TEST(RunFile, KeepsWhatSlowSensorsHoldBack) {
 }
 
 TEST(RunFile, WritesTheSameTextAgain) {
-    const std::string text = write_run(busy_session(tests::crowd(6), 400).save());
-    EXPECT_EQ(write_run(*read_run(text, "a.run")), text);
+    const std::string text = io::write_run(busy_session(tests::crowd(6), 400).save());
+    EXPECT_EQ(io::write_run(*io::read_run(text, "a.run")), text);
 }
 
 TEST(RunFile, SaysOfAnotherFileThatItIsNone) {
     for (const char* text :
          {"", "format = 1", "{}", "[]", "{\"braitenlab_run\": 2}", "{\"braitenlab_run\": 1}", "\xff"}) {
-        const auto run = read_run(text, "a.run");
+        const auto run = io::read_run(text, "a.run");
         ASSERT_FALSE(run) << text;
         EXPECT_EQ(run.error().text().rfind("a.run: is no saved run", 0), 0u) << run.error().text();
     }
-    EXPECT_FALSE(load_run("/nowhere/a.run"));
+    EXPECT_FALSE(io::load_run("/nowhere/a.run"));
 }
 
 TEST(RunFile, RefusesDeepNestingAndGiantNumbers) {
-    EXPECT_FALSE(read_run(std::string(1000000, '['), "a.run"));
-    EXPECT_FALSE(read_run("{\"braitenlab_run\": 1, \"tick\": 1e300}", "a.run"));
+    EXPECT_FALSE(io::read_run(std::string(1000000, '['), "a.run"));
+    EXPECT_FALSE(io::read_run("{\"braitenlab_run\": 1, \"tick\": 1e300}", "a.run"));
 }
 
 // Swaps, drops and repeats stretches and digits of a good file: whatever comes of it is refused or runs.
 TEST(RunFile, FromAStrangerCannotCrash) {
-    const std::string good = write_run(busy_session(tests::crowd(4), 20).save());
+    const std::string good = io::write_run(busy_session(tests::crowd(4), 20).save());
     maths::Random chance{5, 1};
     const auto below = [&](std::size_t n) { return static_cast<std::size_t>(chance.next()) % n; };
     int accepted = 0;
@@ -124,10 +124,10 @@ TEST(RunFile, FromAStrangerCannotCrash) {
                 if (digit != std::string::npos) text.insert(digit, "-");
             }
         }
-        auto run = read_run(text, "a.run");
+        auto run = io::read_run(text, "a.run");
         if (!run) continue;
         ++accepted;
-        World world = World::restore(run->save);
+        World world = World::restore(run->checkpoint);
         steps(world, 5);
     }
     EXPECT_GT(accepted, 20);

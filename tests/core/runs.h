@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/world/moment.h"
+#include "core/world/state.h"
 #include "core/world/world.h"
 
 namespace braitenlab::tests {
@@ -30,14 +30,14 @@ inline Snapshot after(World& world, double seconds) {
     return look(world);
 }
 
-// A world that begins with its moment edited: set in motion, starved, anything that commands cannot do.
+// A world that begins with its state edited: set in motion, starved, anything that commands cannot do.
 template <class Edit>
 World begin_with(const Scene& scene, Edit edit) {
-    Save save = make(scene).save();
-    auto moment = std::make_shared<Moment>(*save.keyframe);
-    edit(*moment);
-    save.keyframe = std::move(moment);
-    return World::restore(save);
+    Checkpoint checkpoint = make(scene).checkpoint();
+    auto state = std::make_shared<world::State>(*checkpoint.keyframe);
+    edit(*state);
+    checkpoint.keyframe = std::move(state);
+    return World::restore(checkpoint);
 }
 
 }  // namespace braitenlab::tests

@@ -9,6 +9,7 @@
 namespace braitenlab::tests::sense_test {
 namespace {
 
+using namespace sensing;
 // Somebody in the middle who stands still and looks ahead with one sensor.
 Scene watcher(const Sensor& sensor) {
     Scene scene = tests::alone({});
@@ -294,13 +295,13 @@ TEST(Torus, IsSensedAcrossItsSeam) {
     for (const Channel channel : {Channel::light, Channel::vehicle, Channel::obstacle}) {
         Scene scene = watcher(Sensor{.channel = channel});
         scene.arena.width = 20;
-        scene.arena.edge = Edge::torus;
+        scene.arena.edge = Boundary::torus;
         scene.starts[0].x = 8;
         if (channel == Channel::light) scene = with(scene, {.x = -8});
         if (channel == Channel::vehicle) scene.starts.push_back({.name = "o", .kind = "tester", .x = -8});
         if (channel == Channel::obstacle) scene.obstacles.push_back({.name = "box", .x = -8});
         EXPECT_GT(reading(scene), 0.1f);
-        scene.arena.edge = Edge::open;
+        scene.arena.edge = Boundary::open;
         EXPECT_EQ(reading(scene), 0);
     }
 }
@@ -327,14 +328,14 @@ Scene crowd_with_every_sense() {
     return scene;
 }
 
-TEST(Save, HoldsWhatSlowAndNoisySensorsAndMemoriesKeep) {
+TEST(Checkpoint, HoldsWhatSlowAndNoisySensorsAndMemoriesKeep) {
     World world = make(crowd_with_every_sense(), 3);
     for (const int more : {137, 290, 41, 333}) {
         steps(world, more);
-        World restored = World::restore(world.save());
+        World restored = World::restore(world.checkpoint());
         EXPECT_EQ(restored.hash(), world.hash());
         steps(restored, 310);
-        World on = World::restore(world.save());
+        World on = World::restore(world.checkpoint());
         steps(on, 310);
         steps(world, 310);
         EXPECT_EQ(restored.hash(), world.hash());
@@ -357,7 +358,7 @@ TEST(SetSensors, GivesSlowSensorsANewRing) {
     steps(world, 50);
     ASSERT_FALSE(world.apply(RemoveVehicle{}));
     steps(world, 50);
-    World restored = World::restore(world.save());
+    World restored = World::restore(world.checkpoint());
     EXPECT_EQ(restored.hash(), world.hash());
 }
 

@@ -255,7 +255,7 @@ std::optional<maths::vec2> place_of(const Session& session, NodeId node, std::si
     return find_node(*now.brains[static_cast<std::size_t>(now.vehicles[vehicle].brain)], node)->place;
 }
 
-TEST(Places, OfNodesAreUndoneAsEverythingIs) {
+TEST(FreeSpace, OfNodesAreUndoneAsEverythingIs) {
     Session session = open(tests::crowd(4));
     const int kind = session.snapshot().vehicles[0].kind;
     ASSERT_FALSE(session.apply(PlaceNodes{{.vehicle = session.snapshot().vehicles[0].id}, {{1, maths::vec2{5, 6}}}}));
@@ -275,7 +275,7 @@ TEST(Places, OfNodesAreUndoneAsEverythingIs) {
     EXPECT_EQ(place_of(session, 0), (maths::vec2{1, 2})) << "a reset keeps it, as every edit";
 }
 
-TEST(Places, BeyondTheCanvasAndOfNobodyAreRefused) {
+TEST(FreeSpace, BeyondTheCanvasAndOfNobodyAreRefused) {
     Session session = open(tests::crowd(2));
     EXPECT_TRUE(session.apply(PlaceNodes{{.kind = 0}, {{0, maths::vec2{0, 100001}}}}));
     EXPECT_TRUE(session.apply(PlaceNodes{{.kind = 0}, {{0, maths::vec2{std::nanf(""), 0}}}}));
@@ -284,7 +284,7 @@ TEST(Places, BeyondTheCanvasAndOfNobodyAreRefused) {
     EXPECT_EQ(session.undo_depth(), 0);
 }
 
-TEST(Places, OfNodesChangeNothingThatHappens) {
+TEST(FreeSpace, OfNodesChangeNothingThatHappens) {
     Scene scene = furnished();
     scene.kinds[0].brain.nodes.push_back({.id = 9, .name = "N", .time_constant = 2});
     scene.kinds[0].brain.wires.push_back({.from = 0, .to = 9});
@@ -299,14 +299,14 @@ TEST(Places, OfNodesChangeNothingThatHappens) {
     EXPECT_EQ(moved.hash(), plain.hash());
     EXPECT_EQ(moved.snapshot().neurons.size(), neurons.size());
     for (Session* session : {&plain, &moved}) ASSERT_FALSE(session->apply(TurnDial{{.kind = 0}, Dial::LL, 1}));
-    EXPECT_EQ(moved.bookmark().save.keyframe_tick, 0u) << "they make no keyframe: the world is not made anew";
+    EXPECT_EQ(moved.bookmark().checkpoint.keyframe_tick, 0u) << "they make no keyframe: the world is not made anew";
     run(500);
     EXPECT_EQ(moved.hash(), plain.hash());
     moved.seek(200);
     EXPECT_EQ(place_of(moved, 9), (maths::vec2{2 * keyframe_commands - 1, 3}));
 }
 
-TEST(Places, ThatChangeInThePastLeaveTheFutureAsItWas) {
+TEST(FreeSpace, ThatChangeInThePastLeaveTheFutureAsItWas) {
     Session session = open(furnished());
     for (int i = 0; i < 500; ++i) session.step();
     BrainGraph rewired = *session.snapshot().kind_brains[0];

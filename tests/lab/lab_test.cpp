@@ -5,7 +5,7 @@
 
 #include "app/data.h"
 #include "app/safe_file.h"
-#include "core/world/run_file.h"
+#include "core/io/run_file.h"
 #include "tests/folder.h"
 
 namespace braitenlab::tests::lab_test {
@@ -140,7 +140,7 @@ TEST(SavedRun, OpensWhereItStood) {
     for (int i = 0; i < 400; ++i) tick(lab);
     const tests::Folder folder;
     const auto file = folder / "hunt.run";
-    ASSERT_FALSE(write_whole(file, write_run(lab.session.save())));
+    ASSERT_FALSE(write_whole(file, io::write_run(lab.session.save())));
     auto again = open_lab(file, std::nullopt, {});
     ASSERT_TRUE(again) << again.error().text();
     EXPECT_EQ(again->session.hash(), lab.session.hash());

@@ -38,7 +38,7 @@ protected:
         return stage.pixels();
     }
 
-    static Snapshot arena_with(Edge edge) {
+    static Snapshot arena_with(Boundary edge) {
         auto scene = hand_made::scene();
         scene->arena.edge = edge;
         Snapshot now = hand_made::empty(scene);
@@ -49,7 +49,7 @@ protected:
 };
 
 TEST_F(BackdropTest, ShowsTheGroundAsItWouldBePaintedAnew) {
-    for (const Edge edge : {Edge::wall, Edge::open, Edge::torus})
+    for (const Boundary edge : {Boundary::wall, Boundary::open, Boundary::torus})
         for (const Theme theme : {Theme::dark, Theme::light}) {
             const Snapshot now = arena_with(edge);
             picture.theme = theme;
@@ -60,7 +60,7 @@ TEST_F(BackdropTest, ShowsTheGroundAsItWouldBePaintedAnew) {
 }
 
 TEST_F(BackdropTest, FollowsTheCameraThatSetsOffAgain) {
-    const Snapshot now = arena_with(Edge::wall);
+    const Snapshot now = arena_with(Boundary::wall);
     for (int frame = 0; frame < 3; ++frame) drawn(now);
     Camera camera;
     camera.zoom = 1.7f, camera.azimuth += 0.4f;
@@ -69,7 +69,7 @@ TEST_F(BackdropTest, FollowsTheCameraThatSetsOffAgain) {
 }
 
 TEST_F(BackdropTest, FillsAPictureThatIsOnlyPartOfTheFramebuffer) {
-    const Snapshot now = arena_with(Edge::wall);
+    const Snapshot now = arena_with(Boundary::wall);
     const Rect part{160, 120, 320, 240};
     picture.sight = look(Camera{}, Arena{}, nullptr, part, part);
     const auto moving = drawn_afresh(now);
@@ -77,7 +77,7 @@ TEST_F(BackdropTest, FillsAPictureThatIsOnlyPartOfTheFramebuffer) {
 }
 
 TEST_F(BackdropTest, LetsTheCameraRestForAFrameBeforeItKeepsAnything) {
-    const Snapshot now = arena_with(Edge::wall);
+    const Snapshot now = arena_with(Boundary::wall);
     Backdrop backdrop;
     const auto ground = [&] { return backdrop.look(frame_block(now, picture, DrawList{})); };
     EXPECT_EQ(ground(), Backdrop::Ground::moves);
@@ -94,7 +94,7 @@ TEST_F(BackdropTest, LetsTheCameraRestForAFrameBeforeItKeepsAnything) {
 }
 
 TEST_F(BackdropTest, KeepsTheGroundWhileTimeGoesOnAndLampsMove) {
-    Snapshot now = arena_with(Edge::wall);
+    Snapshot now = arena_with(Boundary::wall);
     Backdrop backdrop;
     DrawList list;
     backdrop.look(frame_block(now, picture, list));

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "core/maths/angle.h"
+#include "core/sensing/intensity.h"
 #include "render/gl/renderer.h"
-#include "render/view/intensity.h"
 #include "tests/render/rendered.h"
 #include "tests/view/hand_made.h"
 
@@ -125,7 +125,7 @@ TEST_F(PictureTest, LaysFieldsUnderVehiclesAndObstacles) {
 
 TEST_F(PictureTest, EndsAnArenaWithoutWallsByALineAndAnOpenOneInNothing) {
     // The brightest near the left edge at this height, and the ground a metre and a half beyond it.
-    const auto at_edge = [&](Edge edge) {
+    const auto at_edge = [&](Boundary edge) {
         auto scene = hand_made::scene();
         scene->arena.edge = edge;
         renderer->draw(hand_made::empty(scene), picture);
@@ -139,10 +139,10 @@ TEST_F(PictureTest, EndsAnArenaWithoutWallsByALineAndAnOpenOneInNothing) {
         return std::pair{static_cast<float>(bright) / static_cast<float>(bright + dim),
                          stage.pixel(*project(picture.sight, {-11.5f, 0.5f}))};
     };
-    EXPECT_GT(at_edge(Edge::open).first, 0.95f) << "whole";
-    EXPECT_NEAR(at_edge(Edge::torus).first, 0.5f, 0.2f) << "dashed";
-    const Colour sky = palette(picture.theme).sky, nothing = at_edge(Edge::open).second,
-                 ground = at_edge(Edge::torus).second;
+    EXPECT_GT(at_edge(Boundary::open).first, 0.95f) << "whole";
+    EXPECT_NEAR(at_edge(Boundary::torus).first, 0.5f, 0.2f) << "dashed";
+    const Colour sky = palette(picture.theme).sky, nothing = at_edge(Boundary::open).second,
+                 ground = at_edge(Boundary::torus).second;
     EXPECT_NEAR(nothing.b, sky.b, 0.01f);
     EXPECT_GT(ground.b, sky.b + 0.02f) << "round a torus the ground goes on";
 }

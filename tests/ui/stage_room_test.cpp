@@ -44,7 +44,7 @@ TEST_F(Room, KeepsWhatIsAddedOffTheWalls) {
         EXPECT_LE(std::fabs(at.x), 4.4f + 1e-4f);
         EXPECT_LE(std::fabs(at.y), 3.4f + 1e-4f);
     }
-    scene->arena.edge = Edge::torus;
+    scene->arena.edge = Boundary::torus;
     EXPECT_EQ(free_place(now, {5, 3}, 0.6f).x, 5) << "over a joined edge it may stand";
 }
 

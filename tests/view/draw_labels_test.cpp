@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/sensing/intensity.h"
 #include "render/view/draw_list.h"
-#include "render/view/intensity.h"
 #include "tests/view/hand_made.h"
 
 namespace braitenlab::tests::draw_labels_test {
@@ -98,8 +98,8 @@ TEST(DrawLabels, NumberFewVehiclesButOfManyTheChosenOneAlone) {
 TEST(DrawLabels, SayWhatTheContoursStandFor) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add_source(now, Channel::light, -5, 0);
-    IntensityMap map;
-    map.update(now, Channel::light, no_vehicle);
+    sensing::IntensityMap map;
+    map.update(intensity_input(now, Channel::light, no_vehicle));
     DrawList list;
     add_level_labels(list, map.grid(), now.scene->arena, {});
     ASSERT_EQ(list.labels.size(), 4U);  // from the lamp outwards

@@ -232,7 +232,7 @@ TEST(DrawList, RingsTheVehicleLessWhereALampIsSelectedAboveAll) {
 
 TEST(DrawList, BuildsWallsOnlyWhereTheArenaHasThem) {
     auto open = hand_made::scene();
-    open->arena.edge = Edge::open;
+    open->arena.edge = Boundary::open;
     EXPECT_EQ(drawn(hand_made::empty(hand_made::scene())).blocks.size(), 4U);
     EXPECT_TRUE(drawn(hand_made::empty(open)).blocks.empty());
 }

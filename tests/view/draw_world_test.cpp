@@ -13,7 +13,7 @@ namespace {
 
 std::shared_ptr<Scene> bare() {
     auto scene = hand_made::scene();
-    scene->arena.edge = Edge::open;
+    scene->arena.edge = Boundary::open;
     return scene;
 }
 
@@ -125,7 +125,7 @@ TEST(DrawWorld, FadesMemoryWithItsStrength) {
 
 TEST(DrawWorld, ShowsAtTheOtherEdgeOfATorusWhatReachesOverOne) {
     auto scene = bare();
-    scene->arena.edge = Edge::torus;
+    scene->arena.edge = Boundary::torus;
     for (Sensor& eye : scene->kinds[0].sensors) eye.range = 3;
     Snapshot now = hand_made::empty(scene);
     hand_made::add(now, 0, 9.8f, 0, 0);
@@ -139,7 +139,7 @@ TEST(DrawWorld, ShowsAtTheOtherEdgeOfATorusWhatReachesOverOne) {
     EXPECT_EQ(list.fields.size(), 4U);
     now.vehicles[0].x = 0;
     EXPECT_EQ(drawn(now).fields.size(), 2U);
-    scene->arena.edge = Edge::wall;
+    scene->arena.edge = Boundary::wall;
     now.vehicles[0].x = 9.8f;
     EXPECT_EQ(drawn(now).hulls[0].size(), 1U);
 }

@@ -92,7 +92,7 @@ TEST(Trails, BreakWhereAVehicleWasPutElsewhere) {
 
 TEST(Trails, GoOnOverTheEdgeOfATorus) {
     auto scene = hand_made::scene();
-    scene->arena.edge = Edge::torus;
+    scene->arena.edge = Boundary::torus;
     Snapshot now = hand_made::empty(scene);
     hand_made::add(now, 0, 9.5f, 0, 0);
     Trails trails;

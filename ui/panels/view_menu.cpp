@@ -8,7 +8,6 @@
 #include <imgui.h>
 
 #include "core/scene/names.h"
-#include "render/view/intensity.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 #include "ui/widgets/card.h"
@@ -41,7 +40,7 @@ std::vector<ViewRow> switches(const LabView& view) {
 
 std::vector<ViewRow> fields(const LabView& view) {
     std::vector<ViewRow> rows{{"view.none", !view.overlays.field, std::nullopt}};
-    for (const Channel c : channels_with_field(*view.now))
+    for (const Channel c : channels_with_intensity(*view.now))
         rows.push_back({"view." + std::string(word(c)), view.overlays.field == c, std::nullopt, c});
     return rows;
 }

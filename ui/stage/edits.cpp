@@ -22,7 +22,7 @@ vec2 inside(const Snapshot& now, vec2 place, float margin = 0) {
 // A vehicle keeps off the walls by half its width, so that it can drive away.
 float margin_of(const Snapshot& now, const Thing& thing) {
     const VehicleView* vehicle = thing.kind == ThingKind::vehicle ? find_vehicle(now, thing.index) : nullptr;
-    if (!vehicle || !now.scene || now.scene->arena.edge != Edge::wall) return 0;
+    if (!vehicle || !now.scene || now.scene->arena.edge != Boundary::wall) return 0;
     return now.scene->kinds[static_cast<std::size_t>(vehicle->kind)].body.width / 2;
 }
 

@@ -57,7 +57,7 @@ bool is_free(const Standing& all, vec2 place, float reach) {
 
 // How far the middle of something of this reach may be from the arena's: over a joined edge it may stand.
 vec2 limits_for(const Arena& arena, float reach) {
-    const float margin = arena.edge == Edge::torus ? 0 : reach;
+    const float margin = arena.edge == Boundary::torus ? 0 : reach;
     return {std::max(0.0f, arena.width / 2 - margin), std::max(0.0f, arena.height / 2 - margin)};
 }
 

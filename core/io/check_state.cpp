@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/io/state_json.h"
+#include "core/scene/fields.h"
+
+namespace braitenlab::io {
+
+using world::Bite;
+using world::Mark;
+using world::State;
+using world::Touch;
+using world::Vehicles;
+
+namespace {
+
+constexpr auto most_vehicles = static_cast<std::size_t>(limits::vehicles);
+constexpr float farthest = 1e5f;  // m, of anything from the middle; also the fastest, in m/s and rad/s
+constexpr std::uint64_t last_tick = std::uint64_t{1} << 53U;
+
+bool within(float value, float low, float high) { return value >= low && value <= high; }  // false for NaN
+bool is_bounded(float value) { return within(value, -farthest, farthest); }
+bool is_bounded(maths::vec2 v) { return is_bounded(v.x) && is_bounded(v.y); }
+
+bool is_sound(const mechanics::Motion& m) {
+    return is_bounded(m.position) && is_bounded(m.velocity) && is_bounded(m.angular_velocity) &&
+           is_bounded(m.heading) && within(maths::length(m.ahead), 0.999f, 1.001f);
+}
+
+template <class Values, class IsSound>
+bool all_of(const Values& values, IsSound is_sound) {
+    return std::all_of(values.begin(), values.end(), is_sound);
+}
+
+template <class Values>
+bool ascend(const Values& values) {
+    return std::adjacent_find(values.begin(), values.end(), [](const auto& a, const auto& b) { return !(a < b); }) ==
+           values.end();
+}
+
+bool pair_is_within(const std::array<float, 2>& pair, float low, float high) {
+    return within(pair[0], low, high) && within(pair[1], low, high);
+}
+
+std::optional<Error> vehicles_fault(const State& m) {
+    const Vehicles& v = m.vehicles;
+    if (v.size() > most_vehicles) return Error{fmt::format("{} vehicles are the most a world holds", most_vehicles)};
+    bool complete = true;
+    Vehicles::each_column(v, [&](const auto& column) { complete &= column.size() == v.size(); });
+    if (!complete) return Error{"some vehicles lack some of their values"};
+    if (!ascend(v.id) || (v.size() > 0 && (v.id.front() < 0 || v.id.back() >= m.next_id)))
+        return Error{"the vehicles' numbers do not ascend, or go beyond the next one"};
+    const auto starts = static_cast<std::int32_t>(m.scene->starts.size());
+    if (!all_of(v.start, [&](std::int32_t start) { return start >= -1 && start < starts; }))
+        return Error{"a vehicle has a start that the scene does not have"};
+    for (std::size_t row = 0; row < v.size(); ++row) {
+        const auto waypoints = m.scene->kinds[static_cast<std::size_t>(v.kind[row])].waypoints.size();
+        if (v.waypoint[row] < 0 || (v.waypoint[row] > 0 && static_cast<std::size_t>(v.waypoint[row]) >= waypoints))
+            return Error{fmt::format("vehicle {} drives to a waypoint that it does not have", v.id[row])};
+    }
+    const auto pairs_within = [](const auto& pairs, float low, float high) {
+        return all_of(pairs, [&](const auto& pair) { return pair_is_within(pair, low, high); });
+    };
+    const bool values_are_sound =
+        all_of(v.motion, is_sound) && all_of(v.energy, [](float e) { return within(e, 0, 1); }) &&
+        pairs_within(v.steered, -1, 1) && pairs_within(v.motor, -1, 1) && pairs_within(v.gain, 0.5f, 1.5f) &&
+        all_of(v.wheel_angle, [](const auto& pair) { return std::isfinite(pair[0]) && std::isfinite(pair[1]); }) &&
+        all_of(v.sensed, [](float s) { return within(s, 0, 1); }) &&
+        all_of(v.delayed, [](float s) { return within(s, 0, 1); }) &&
+        all_of(v.neurons, [](float n) { return is_bounded(n); });
+    if (!values_are_sound) return Error{"a value of a vehicle is outside its range"};
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> check_state(const State& m) {
+    if (m.kind_brains.size() != m.scene->kinds.size()) return Error{"not every kind has a brain for kind_brains"};
+    if (m.tick > last_tick || m.generation < 1 || m.next_id < 0) return Error{"its clock is outside its range"};
+    if (auto error = vehicles_fault(m)) return error;
+    const auto lives = [&](VehicleId id) { return std::binary_search(m.vehicles.id.begin(), m.vehicles.id.end(), id); };
+    const auto has_lived = [&](VehicleId id) { return id >= 0 && id < m.next_id; };  // who left may be touched yet
+    const auto touch_is_sound = [&](const Touch& t) {
+        return has_lived(t.one) && (t.other == no_vehicle || (has_lived(t.other) && t.one < t.other));
+    };
+    if (!all_of(m.touching, touch_is_sound) || !ascend(m.touching)) return Error{"who touches whom does not add up"};
+    if (m.bites.size() > most_vehicles || !all_of(m.bites, [&](const Bite& b) { return b.tick <= m.tick; }))
+        return Error{"its bites do not add up"};
+    const auto by_owner = [](const Mark& a, const Mark& b) { return a.owner < b.owner; };
+    if (!std::is_sorted(m.marks.begin(), m.marks.end(), by_owner) ||
+        m.marks.size() > most_vehicles * static_cast<std::size_t>(limits::marks) ||
+        !all_of(m.marks, [&](const Mark& k) { return lives(k.owner) && is_bounded(k.position) && k.tick <= m.tick; }))
+        return Error{"what its vehicles remember does not add up"};
+    if (m.obstacles.size() != m.scene->obstacles.size() || !all_of(m.obstacles, is_sound))
+        return Error{"where its obstacles stand does not add up"};
+    return std::nullopt;
+}
+
+}  // namespace braitenlab::io

@@ -1,0 +1,63 @@
+// Commands as JSON, for the log of a run file.
+#include <array>
+#include <string>
+#include <type_traits>
+
+#include "core/io/json.h"
+
+namespace braitenlab {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Pose, x, y, heading)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Target, vehicle, kind)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TurnDial, target, dial, value)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetBrain, target, brain)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NodePlace, node, at)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlaceNodes, target, places)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddVehicle, kind, at, brain, energy, driver, id, start, before)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveVehicle, vehicle)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveVehicle, vehicle, x, y, heading)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChooseDriver, vehicle, driver)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Steer, vehicle, left, right)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditStart, start, to)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetSensors, kind, sensors)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddSource, source, before)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveSource, source)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditSource, source, to)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveSource, source, x, y)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddObstacle, obstacle, before)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveObstacle, obstacle)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditObstacle, obstacle, to)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveObstacle, obstacle, x, y, heading)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Retitle, title)
+inline void to_json(Json& json, const NewPopulation&) { json = Json::object(); }
+inline void from_json(const Json&, NewPopulation&) {}
+
+namespace {
+
+// As in Command.
+constexpr std::array<const char*, std::variant_size_v<Command>> names{
+    "TurnDial",    "SetBrain",       "PlaceNodes",   "AddVehicle",   "RemoveVehicle", "MoveVehicle", "ChooseDriver",
+    "Steer",       "EditStart",      "SetSensors",   "AddSource",    "RemoveSource",  "EditSource",  "MoveSource",
+    "AddObstacle", "RemoveObstacle", "EditObstacle", "MoveObstacle", "NewPopulation", "Retitle"};
+
+template <std::size_t... I>
+void read_one(const Json& json, const std::string& name, Command& command, std::index_sequence<I...>) {
+    const bool known =
+        ((name == names[I] && (command = json.get<std::variant_alternative_t<I, Command>>(), true)) || ...);
+    if (!known) throw Json::other_error::create(501, "unknown command '" + name + "'", &json);
+}
+
+}  // namespace
+
+void to_json(Json& json, const Command& command) {
+    std::visit([&](const auto& c) { json = {{names[command.index()], c}}; }, command);
+}
+
+void from_json(const Json& json, Command& command) {
+    if (!json.is_object() || json.size() != 1)
+        throw Json::other_error::create(501, "a command is an object with one key, its name", &json);
+    read_one(json.begin().value(), json.begin().key(), command,
+             std::make_index_sequence<std::variant_size_v<Command>>{});
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,206 @@
+// Scenes, brains and commands as JSON, for files that programs write and read (files that people write are TOML).
+// Structs described in core/scene/fields.h need no line here. Inside core/io only.
+//
+// Reading throws Json::exception for missing values and wrong types. The caller checks ranges.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "core/brain/four_neurons.h"
+#include "core/scene/fields.h"
+#include "core/scene/names.h"
+#include "core/world/command.h"
+
+namespace braitenlab::io {
+using Json = nlohmann::json;
+}  // namespace braitenlab::io
+
+// to_json and from_json are in the namespaces of their types, where the library looks for them.
+namespace braitenlab {
+
+using io::Json;
+
+// ── Words ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+template <class Enum>
+concept HasWords = requires(Enum e) {
+    words(e);
+};
+
+template <HasWords Enum>
+void to_json(Json& json, const Enum& value) {
+    json = word(value);
+}
+template <HasWords Enum>
+void from_json(const Json& json, Enum& value) {
+    const auto& text = json.get_ref<const std::string&>();
+    for (const auto& named : words(Enum{}))
+        if (named.word == text) return void(value = named.value);
+    throw Json::other_error::create(501, "unknown word '" + text + "'", &json);
+}
+
+inline void to_json(Json& json, const Dial& dial) { json = name(dial); }
+inline void from_json(const Json& json, Dial& dial) {
+    const auto& text = json.get_ref<const std::string&>();
+    const auto known = dial_named(text);
+    if (!known) throw Json::other_error::create(501, "unknown dial '" + text + "'", &json);
+    dial = *known;
+}
+
+// ── Plain structs ───────────────────────────────────────────────────────────────────────────────────────────────────
+namespace maths {
+inline void to_json(Json& json, const vec2& v) { json = {v.x, v.y}; }
+inline void from_json(const Json& json, vec2& v) { json.at(0).get_to(v.x), json.at(1).get_to(v.y); }
+}  // namespace maths
+
+// Node ids of a wire's ends.
+inline void add_ends(Json& json, const Wire& wire) { json["from"] = wire.from, json["to"] = wire.to; }
+inline void take_ends(const Json& json, Wire& wire) {
+    json.at("from").get_to(wire.from), json.at("to").get_to(wire.to);
+}
+
+void to_json(Json&, const BrainGraph&);
+void from_json(const Json&, BrainGraph&);
+
+// ── Structs described in core/scene/fields.h ────────────────────────────────────────────────────────────────────────
+namespace io {
+
+template <class T>
+class JsonWriter {
+public:
+    JsonWriter(const T& object, Json& json) : object_(object), json_(json) {}
+
+    template <class Number>
+    void number(const char* key, Number T::*member, const char*, Range, const char*) {
+        json_[key] = object_.*member;
+    }
+    void angle(const char* key, float T::*member, Range, const char*) { json_[key] = object_.*member; }  // rad
+    void place(const char* key, std::optional<maths::vec2> T::*member, Range, const char*) {
+        if (object_.*member) json_[key] = *(object_.*member);
+    }
+    void flag(const char* key, bool T::*member, const char*) { json_[key] = object_.*member; }
+    template <class Enum>
+    void word(const char* key, Enum T::*member, const char*) {
+        json_[key] = object_.*member;
+    }
+    void text(const char* key, std::string T::*member, std::size_t, const char*) { json_[key] = object_.*member; }
+    template <class Part>
+    void part(Part T::*member) {
+        JsonWriter<Part> inner(object_.*member, json_);
+        describe(inner, Of<Part>{});
+    }
+    template <class Inner>
+    void table(const char* key, Inner T::*member, const char*) {
+        json_[key] = object_.*member;
+    }
+    template <class Element>
+    void named(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
+        json_[key] = object_.*member;
+    }
+    template <class Element>
+    void list(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
+        json_[key] = object_.*member;
+    }
+    void brain(const char* key, BrainGraph T::*member, const char*) { json_[key] = object_.*member; }
+
+private:
+    const T& object_;
+    Json& json_;
+};
+
+template <class T>
+class JsonReader {
+public:
+    JsonReader(const Json& json, T& object) : json_(json), object_(object) {}
+
+    template <class Number>
+    void number(const char* key, Number T::*member, const char*, Range, const char*) {
+        json_.at(key).get_to(object_.*member);
+    }
+    void angle(const char* key, float T::*member, Range, const char*) { json_.at(key).get_to(object_.*member); }
+    void place(const char* key, std::optional<maths::vec2> T::*member, Range, const char*) {
+        if (json_.contains(key)) object_.*member = json_.at(key).get<maths::vec2>();
+    }
+    void flag(const char* key, bool T::*member, const char*) { json_.at(key).get_to(object_.*member); }
+    template <class Enum>
+    void word(const char* key, Enum T::*member, const char*) {
+        json_.at(key).get_to(object_.*member);
+    }
+    void text(const char* key, std::string T::*member, std::size_t, const char*) {
+        json_.at(key).get_to(object_.*member);
+    }
+    template <class Part>
+    void part(Part T::*member) {
+        JsonReader<Part> inner(json_, object_.*member);
+        describe(inner, Of<Part>{});
+    }
+    template <class Inner>
+    void table(const char* key, Inner T::*member, const char*) {
+        json_.at(key).get_to(object_.*member);
+    }
+    template <class Element>
+    void named(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
+        json_.at(key).get_to(object_.*member);
+    }
+    template <class Element>
+    void list(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
+        json_.at(key).get_to(object_.*member);
+    }
+    void brain(const char* key, BrainGraph T::*member, const char*) { json_.at(key).get_to(object_.*member); }
+
+private:
+    const Json& json_;
+    T& object_;
+};
+
+}  // namespace io
+
+template <class T>
+concept Described = std::is_class_v<T> && requires(io::JsonWriter<Scene>& any_visitor) {
+    describe(any_visitor, Of<T>{});
+};
+
+template <Described T>
+void to_json(Json& json, const T& object) {
+    json = Json::object();
+    if constexpr (requires { object.name; }) json["name"] = object.name;
+    if constexpr (std::is_same_v<T, Wire>) add_ends(json, object);
+    io::JsonWriter<T> writer(object, json);
+    describe(writer, Of<T>{});
+}
+template <Described T>
+void from_json(const Json& json, T& object) {
+    if constexpr (requires { object.name; }) json.at("name").get_to(object.name);
+    if constexpr (std::is_same_v<T, Wire>) take_ends(json, object);
+    io::JsonReader<T> reader(json, object);
+    describe(reader, Of<T>{});
+}
+
+inline void to_json(Json& json, const BrainGraph& graph) { json = {{"nodes", graph.nodes}, {"wires", graph.wires}}; }
+inline void from_json(const Json& json, BrainGraph& graph) {
+    json.at("nodes").get_to(graph.nodes);
+    json.at("wires").get_to(graph.wires);
+}
+
+// ── Commands: {"TurnDial": {…}} ─────────────────────────────────────────────────────────────────────────────────────
+void to_json(Json&, const Command&);
+void from_json(const Json&, Command&);
+
+}  // namespace braitenlab
+
+// The form that the library requires for types of other namespaces.
+template <class T>
+struct nlohmann::adl_serializer<std::optional<T>> {
+    static void to_json(braitenlab::Json& json, const std::optional<T>& value) {
+        json = value ? braitenlab::Json(*value) : braitenlab::Json();
+    }
+    static void from_json(const braitenlab::Json& json, std::optional<T>& value) {
+        if (json.is_null())
+            value.reset();
+        else
+            value = json.get<T>();
+    }
+};

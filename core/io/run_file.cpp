@@ -1,0 +1,108 @@
+#include "core/io/run_file.h"
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "core/io/json.h"
+#include "core/io/state_json.h"
+#include "core/scene/scene_file.h"
+
+namespace braitenlab {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LoggedCommand, tick, command)
+
+namespace io {
+
+namespace {
+
+constexpr int version = 1;
+constexpr std::size_t most_bytes = std::size_t{256} << 20U, most_commands = 100000;
+constexpr int deepest = 32;       // of lists within lists
+constexpr double largest = 1e30;  // far inside what a float can hold
+
+Error refused(std::string what, const std::string& file) {
+    return {"is no saved run that can be gone on with: " + std::move(what), file};
+}
+
+// Rejects numbers and nesting that no run file contains.
+struct Guard {
+    std::string objection;
+    bool operator()(int depth, Json::parse_event_t, const Json& value) {
+        if (depth > deepest) objection = "lists within lists within lists";
+        if (value.is_number_float() && !(std::fabs(value.get<double>()) <= largest))
+            objection = "a number is too large";
+        return objection.empty();
+    }
+};
+
+std::optional<Error> check_log(const Checkpoint& log, const std::string& file) {
+    if (log.tick < log.keyframe_tick || log.tick > log.keyframe_tick + keyframe_ticks)
+        return refused("its moment is not in reach of its keyframe", file);
+    if (log.commands.size() > most_commands) return refused("more commands than a person can give", file);
+    std::uint64_t before = log.keyframe_tick;
+    for (const LoggedCommand& c : log.commands) {
+        if (c.tick < before || c.tick > log.tick) return refused("its commands are not in order", file);
+        before = c.tick;
+    }
+    return std::nullopt;
+}
+
+Result<SavedRun> from(const Json& json, const std::string& file) {
+    if (!json.is_object() || !json.contains("braitenlab_run")) return refused("it is some other file", file);
+    if (json.at("braitenlab_run") != version)
+        return refused(fmt::format("its version is {}, this program knows {}; a newer program may open it",
+                                   json.at("braitenlab_run").dump(), version),
+                       file);
+    SavedRun run;
+    json.at("opened").get_to(run.opened);
+    if (const auto error = check_scene(run.opened)) return refused(error->what, file);
+    auto state = read_state(json.at("keyframe"));
+    if (!state) return refused(state.error().what, file);
+    run.checkpoint.keyframe_tick = state->tick;
+    run.checkpoint.keyframe = std::make_shared<const world::State>(std::move(*state));
+    json.at("commands").get_to(run.checkpoint.commands);
+    json.at("tick").get_to(run.checkpoint.tick);
+    if (auto error = check_log(run.checkpoint, file)) return *error;
+    return run;
+}
+
+}  // namespace
+
+std::string write_run(const SavedRun& run) {
+    const Json json{{"braitenlab_run", version},
+                    {"opened", run.opened},
+                    {"keyframe", state_json(*run.checkpoint.keyframe)},
+                    {"commands", run.checkpoint.commands},
+                    {"tick", run.checkpoint.tick}};
+    return json.dump() + "\n";
+}
+
+Result<SavedRun> read_run(std::string_view text, std::string file) {
+    if (text.size() > most_bytes) return refused(fmt::format("it is larger than {} MiB", most_bytes >> 20U), file);
+    Guard guard;
+    try {
+        const Json json = Json::parse(text, std::ref(guard));
+        if (!guard.objection.empty()) return refused(guard.objection, file);
+        return from(json, file);
+    } catch (const Json::exception& problem) {
+        return refused(problem.what(), file);
+    }
+}
+
+Result<SavedRun> load_run(const std::filesystem::path& path) {
+    std::error_code problem;
+    const auto bytes = std::filesystem::file_size(path, problem);
+    if (problem) return Error{"cannot be opened: " + problem.message(), path.string()};
+    if (bytes > most_bytes) return refused(fmt::format("it is larger than {} MiB", most_bytes >> 20U), path.string());
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (!file) return Error{"cannot be read; check its permissions", path.string()};
+    return read_run(text.str(), path.string());
+}
+
+}  // namespace io
+}  // namespace braitenlab

@@ -1,0 +1,192 @@
+#include "core/io/state_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "core/scene/scene_file.h"
+
+namespace braitenlab {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EventCounts, captures, deaths, births, contacts, falls)
+
+namespace mechanics {
+void to_json(io::Json& json, const Motion& m) {
+    json = {{"place", m.position},
+            {"ahead", m.ahead},
+            {"velocity", m.velocity},
+            {"turning", m.angular_velocity},
+            {"heading", m.heading}};
+}
+void from_json(const io::Json& json, Motion& m) {
+    json.at("place").get_to(m.position);
+    json.at("ahead").get_to(m.ahead);
+    json.at("velocity").get_to(m.velocity);
+    json.at("turning").get_to(m.angular_velocity);
+    json.at("heading").get_to(m.heading);
+}
+}  // namespace mechanics
+
+namespace world {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Touch, one, other)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Bite, pair, tick)
+void to_json(io::Json& json, const Mark& m) { json = {{"owner", m.owner}, {"place", m.position}, {"tick", m.tick}}; }
+void from_json(const io::Json& json, Mark& m) {
+    json.at("owner").get_to(m.owner);
+    json.at("place").get_to(m.position);
+    json.at("tick").get_to(m.tick);
+}
+}  // namespace world
+
+namespace io {
+
+using world::CompiledBrain;
+using world::SharedBrain;
+using world::State;
+using world::Vehicles;
+
+namespace {
+
+// Vehicles share brains; each graph is written once and referred to by its index.
+struct BrainTable {
+    std::map<const CompiledBrain*, int> number;
+    Json graphs = Json::array();
+
+    int add(const SharedBrain& brain) {
+        const auto [known, is_new] = number.try_emplace(brain.get(), static_cast<int>(number.size()));
+        if (is_new) graphs.push_back(brain->graph);
+        return known->second;
+    }
+};
+
+// Compiles the graphs of a file, each once per kind that uses it.
+class BrainMaker {
+public:
+    BrainMaker(const Json& graphs, const Scene& scene)
+        : graphs_(graphs.get<std::vector<BrainGraph>>()), scene_(scene) {}
+
+    Result<SharedBrain> make(std::size_t number, std::size_t kind) {
+        if (number >= graphs_.size()) return Error{fmt::format("there is no brain number {}", number)};
+        if (kind >= scene_.kinds.size()) return Error{fmt::format("there is no kind number {}", kind)};
+        SharedBrain& brain = made_[{number, kind}];
+        if (brain) return brain;
+        auto made = world::compile_brain(graphs_[number], scene_.kinds[kind]);
+        if (made) brain = *made;
+        return made;
+    }
+
+private:
+    std::vector<BrainGraph> graphs_;
+    const Scene& scene_;
+    std::map<std::pair<std::size_t, std::size_t>, SharedBrain> made_;
+};
+
+Json vehicles_json(const Vehicles& v, BrainTable& brains) {
+    Json brain = Json::array();
+    for (const SharedBrain& one : v.brain) brain.push_back(brains.add(one));
+    return {{"id", v.id},
+            {"kind", v.kind},
+            {"start", v.start},
+            {"driver", v.driver},
+            {"motion", v.motion},
+            {"energy", v.energy},
+            {"hand", v.steered},
+            {"waypoint", v.waypoint},
+            {"gain", v.gain},
+            {"motor", v.motor},
+            {"wheel_angle", v.wheel_angle},
+            {"design", brain},
+            {"sensed", v.sensed},
+            {"neurons", v.neurons},
+            {"late", v.delayed}};
+}
+
+std::optional<Error> read_vehicles(const Json& json, const Scene& scene, BrainMaker& brains, Vehicles& v) {
+    json.at("id").get_to(v.id);
+    json.at("kind").get_to(v.kind);
+    json.at("start").get_to(v.start);
+    json.at("driver").get_to(v.driver);
+    json.at("motion").get_to(v.motion);
+    json.at("energy").get_to(v.energy);
+    json.at("hand").get_to(v.steered);
+    json.at("waypoint").get_to(v.waypoint);
+    json.at("gain").get_to(v.gain);
+    json.at("motor").get_to(v.motor);
+    json.at("wheel_angle").get_to(v.wheel_angle);
+    json.at("sensed").get_to(v.sensed);
+    json.at("neurons").get_to(v.neurons);
+    json.at("late").get_to(v.delayed);
+    const auto brain = json.at("design").get<std::vector<std::size_t>>();
+    if (brain.size() != v.size() || v.kind.size() != v.size()) return Error{"not every vehicle has a kind and a brain"};
+    std::uint32_t sensed = 0, neurons = 0, late = 0;
+    for (std::size_t row = 0; row < v.size(); ++row) {
+        const auto kind = static_cast<std::size_t>(v.kind[row]);
+        auto made = brains.make(brain[row], kind);
+        if (!made) return made.error();
+        v.first_sensed.push_back(sensed);
+        v.first_neuron.push_back(neurons);
+        v.first_delayed.push_back(late);
+        sensed += static_cast<std::uint32_t>(scene.kinds[kind].sensors.size());
+        late += world::delayed_readings(scene.kinds[kind]);
+        neurons += static_cast<std::uint32_t>((*made)->flat.state_size());
+        v.brain.push_back(*made);
+    }
+    if (v.sensed.size() != sensed || v.neurons.size() != neurons || v.delayed.size() != late)
+        return Error{"the vehicles' readings and neurons do not fit their sensors and brains"};
+    return std::nullopt;
+}
+
+}  // namespace
+
+Json state_json(const State& m) {
+    BrainTable brains;
+    Json kind_brains = Json::array();
+    for (const SharedBrain& brain : m.kind_brains) kind_brains.push_back(brains.add(brain));
+    Json vehicles = vehicles_json(m.vehicles, brains);
+    return {{"scene", *m.scene},
+            {"brains", brains.graphs},
+            {"newcomers", kind_brains},
+            {"seed", m.seed},
+            {"tick", m.tick},
+            {"generation", m.generation},
+            {"still_ticks", m.still_ticks},
+            {"next_id", m.next_id},
+            {"events", m.events},
+            {"bites", m.bites},
+            {"marks", m.marks},
+            {"vehicles", vehicles},
+            {"obstacles", m.obstacles},
+            {"touching", m.touching}};
+}
+
+Result<State> read_state(const Json& json) {
+    State m;
+    auto scene = std::make_shared<Scene>(json.at("scene").get<Scene>());
+    if (auto error = check_scene(*scene)) return *error;
+    m.scene = scene;
+    BrainMaker brains(json.at("brains"), *scene);
+    const auto kind_brains = json.at("newcomers").get<std::vector<std::size_t>>();
+    for (std::size_t kind = 0; kind < kind_brains.size(); ++kind) {
+        auto brain = brains.make(kind_brains[kind], kind);
+        if (!brain) return brain.error();
+        m.kind_brains.push_back(*brain);
+    }
+    json.at("seed").get_to(m.seed);
+    json.at("tick").get_to(m.tick);
+    json.at("generation").get_to(m.generation);
+    json.at("still_ticks").get_to(m.still_ticks);
+    json.at("next_id").get_to(m.next_id);
+    json.at("events").get_to(m.events);
+    json.at("bites").get_to(m.bites);
+    json.at("marks").get_to(m.marks);
+    json.at("obstacles").get_to(m.obstacles);
+    json.at("touching").get_to(m.touching);
+    if (auto error = read_vehicles(json.at("vehicles"), *scene, brains, m.vehicles)) return *error;
+    if (auto error = check_state(m)) return *error;
+    return m;
+}
+
+}  // namespace io
+}  // namespace braitenlab

@@ -1,0 +1,87 @@
+// One sensor with all constants precomputed, and its response to one stimulus.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "core/maths/angle.h"
+#include "core/maths/vec.h"
+#include "core/mechanics/motion.h"
+#include "core/scene/scene.h"
+
+namespace braitenlab::sensing {
+
+// One branch-free test serves all shapes. For a displacement d from the sensor with component `along` on its axis:
+//     |d| <= range,  along >= cos_half_field · |d|,  along <= reach.
+// The cosine decreases from the axis to 180 degrees, so this holds for a sector of any opening angle. A triangle is the
+// part of its sector before the chord; an omni sensor has no condition on the direction.
+struct CompiledSensor {
+    explicit CompiledSensor(const Sensor&);
+
+    Channel channel;
+    SensorShape shape;
+    SensorResponse response;
+    maths::vec2 mount, axis;  // in the vehicle's frame
+    maths::vec2 left_arm, right_arm;
+    float cos_half_field;  // below −1 for omni
+    float reach;           // m along the axis; for a triangle up to its chord, else unlimited
+    float least_cosine;    // lower bound of the off-axis cosine: 0, or 1 for omni, which has no axis
+    float range, range_squared;
+    float inverse_range_squared, inverse_half_distance_squared;
+    float noise;              // standard deviation of a reading
+    std::uint32_t delay;      // ticks until the brain receives a reading
+    bool sees_ambient_light;  // the arena's ambient light is added to its readings
+    bool is_blocked;          // obstacles hide stimuli of its channel
+};
+
+// Latency of a sensor in ticks, rounded.
+std::uint32_t delay_ticks(const Sensor&);
+
+// A sensor's position, axis and arms in world coordinates.
+struct SensorPose {
+    maths::vec2 position, axis, left_arm, right_arm;
+};
+inline SensorPose sensor_pose(const CompiledSensor& sensor, maths::vec2 vehicle, maths::vec2 ahead) {
+    return {vehicle + maths::rotate(sensor.mount, ahead), maths::rotate(sensor.axis, ahead),
+            maths::rotate(sensor.left_arm, ahead), maths::rotate(sensor.right_arm, ahead)};
+}
+
+// True when the point (m) lies in the sensor's field: a sector (right beyond 180 degrees too), a triangle or the whole
+// circle. The border belongs to the field.
+bool in_field(const CompiledSensor&, const SensorPose&, maths::vec2 point);
+
+// Reading of one stimulus, 0..strength. A boolean sensor returns the strength of a stimulus in its field; a graded one
+//     strength · max(0, cos off-axis) · 1/(1 + (d/d0)^2) · (1 − (d/range)^2)^2,   0 beyond the range,
+// without the cosine for an omni sensor.
+float response_to(const CompiledSensor&, const SensorPose&, maths::vec2 point, float strength);
+
+// The graded response to a point inside the field: its distance (m), the distance squared, and its distance along the
+// axis.
+inline float graded_response(const CompiledSensor& sensor, float squared, float distance, float along, float strength) {
+    const float fade = 1 - squared * sensor.inverse_range_squared;
+    const float off_axis = std::max(along, sensor.least_cosine * distance);  // the cosine times the distance
+    const float numerator = strength * off_axis * fade * fade;
+    const float denominator = distance * (1 + squared * sensor.inverse_half_distance_squared);
+    return distance > 0 ? numerator / denominator : strength;
+}
+
+// An axis-aligned rectangle in world coordinates that contains the sensor's whole field.
+struct Bounds {
+    maths::vec2 low, high;
+};
+inline Bounds bounds_of(const CompiledSensor& sensor, const SensorPose& pose) {
+    // Extent of the field in one direction, from the components of axis and arms in it: the range if the direction lies
+    // in the field, else the end of an arm, or 0.
+    constexpr float rounding = 1.0001f;
+    const auto extent = [&](float axis, float left, float right) {
+        const float share = axis >= sensor.cos_half_field ? 1.0f : std::max({0.0f, left, right});
+        return share * sensor.range * rounding;
+    };
+    return {{pose.position.x - extent(-pose.axis.x, -pose.left_arm.x, -pose.right_arm.x),
+             pose.position.y - extent(-pose.axis.y, -pose.left_arm.y, -pose.right_arm.y)},
+            {pose.position.x + extent(pose.axis.x, pose.left_arm.x, pose.right_arm.x),
+             pose.position.y + extent(pose.axis.y, pose.left_arm.y, pose.right_arm.y)}};
+}
+
+}  // namespace braitenlab::sensing

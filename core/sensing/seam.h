@@ -1,0 +1,30 @@
+// Shortest paths in an arena whose opposite edges may be joined (Boundary::torus).
+#pragma once
+
+#include <cmath>
+
+#include "core/scene/scene.h"
+
+namespace braitenlab::sensing {
+
+struct Seam {
+    bool joined = false;
+    maths::vec2 size;  // m, of the arena
+
+    Seam() = default;
+    explicit Seam(const Arena& arena) : joined(arena.edge == Boundary::torus), size{arena.width, arena.height} {}
+
+    // The same position inside the arena when its edges are joined; otherwise the position itself.
+    maths::vec2 inside(maths::vec2 position) const {
+        if (!joined) return position;
+        return {inside(position.x, size.x), inside(position.y, size.y)};
+    }
+
+    // The shortest displacement (m) with the same end point: `displacement` itself, or the one across the seam.
+    maths::vec2 shortest(maths::vec2 displacement) const { return inside(displacement); }
+
+private:
+    static float inside(float x, float side) { return x - side * std::floor(x / side + 0.5f); }
+};
+
+}  // namespace braitenlab::sensing

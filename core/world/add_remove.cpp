@@ -1,0 +1,127 @@
+// Who is added and removed by steered: in the living world, and in the scene from which the next run begins.
+#include <cmath>
+
+#include "core/scene/fields.h"
+#include "core/world/edits.h"
+
+namespace braitenlab::world {
+
+namespace {
+
+constexpr VehicleId largest_id = 1'000'000'000;
+
+std::optional<Error> refusal(const WorldData& s, const AddVehicle& c) {
+    if (s.kinds.empty()) return Error{"the scene has no kind of vehicle to add; write one into its file"};
+    if (c.kind >= static_cast<int>(s.kinds.size()))
+        return Error{fmt::format("the scene has no kind number {}", c.kind)};
+    if (s.vehicles.size() >= static_cast<std::size_t>(limits::vehicles))
+        return Error{fmt::format("{} vehicles are the most a world holds; remove some first", limits::vehicles)};
+    if (c.at && !is_finite(*c.at)) return not_finite();
+    if (!(c.energy >= 0 && c.energy <= 1)) return Error{"energy is a number from 0 to 1"};
+    if (c.id != no_vehicle && s.row_of(c.id)) return Error{fmt::format("vehicle {} is in the world already", c.id)};
+    if (c.id < no_vehicle || c.id > largest_id) return Error{fmt::format("no vehicle can be number {}", c.id)};
+    return std::nullopt;
+}
+
+// Writes the newcomer into the scene; gives the index of its start, −1 when it is one more of the population.
+Result<int> add_to_scene(WorldData& s, const AddVehicle& c, int kind) {
+    Scene scene = *s.scene;
+    const bool returns_to_population = c.id != no_vehicle && !c.start;
+    if (!c.at || returns_to_population) {
+        ++scene.ecology.population;
+        s.scene = std::make_shared<const Scene>(std::move(scene));
+        return -1;
+    }
+    const std::string& of_kind = scene.kinds[static_cast<std::size_t>(kind)].name;
+    Start start = c.start ? *c.start : Start{"", of_kind, c.at->x, c.at->y, maths::wrap_angle(c.at->heading)};
+    start.name = free_name(scene.starts, start.name, of_kind);
+    const int index = insertion_index(scene.starts, c.before);
+    scene.starts.insert(iterator_at(scene.starts, index), std::move(start));
+    if (auto error = check_scene(scene)) return *error;
+    for (std::int32_t& other : s.vehicles.start) other += other >= index;
+    s.scene = std::make_shared<const Scene>(std::move(scene));
+    return index;
+}
+
+void remove_from_scene(WorldData& s, std::int32_t start) {
+    Scene scene = *s.scene;
+    if (start >= 0) {
+        scene.starts.erase(iterator_at(scene.starts, start));
+        for (std::int32_t& other : s.vehicles.start) other -= other > start;
+    } else {
+        scene.ecology.population = std::max(0, scene.ecology.population - 1);
+    }
+    s.scene = std::make_shared<const Scene>(std::move(scene));
+}
+
+// Rows stand by ascending id: one that comes back goes from the last row to where it was.
+void sort_in_last_row(WorldData& s) {
+    State m = std::move(static_cast<State&>(s));
+    Vehicles& v = m.vehicles;
+    const auto last = static_cast<std::ptrdiff_t>(v.size()) - 1;
+    const auto row = std::lower_bound(v.id.begin(), v.id.end() - 1, v.id.back()) - v.id.begin();
+    const auto rotate_stretch = [&](std::vector<float>& flat, std::vector<std::uint32_t>& first) {
+        const auto begin = first[static_cast<std::size_t>(row)], end = first.back();
+        const auto size = static_cast<std::uint32_t>(flat.size()) - end;
+        std::rotate(flat.begin() + begin, flat.begin() + end, flat.end());
+        for (auto later = row; later < last; ++later) first[static_cast<std::size_t>(later)] += size;
+        first.back() = begin;
+    };
+    rotate_stretch(v.sensed, v.first_sensed);
+    rotate_stretch(v.neurons, v.first_neuron);
+    rotate_stretch(v.delayed, v.first_delayed);
+    Vehicles::each_column(
+        v, [&](auto& column) { std::rotate(column.begin() + row, column.begin() + last, column.end()); });
+    s = WorldData(std::move(m));
+}
+
+}  // namespace
+
+std::optional<Error> execute(WorldData& s, const AddVehicle& c) {
+    if (auto error = refusal(s, c)) return error;
+    const int kind = c.kind >= 0 ? c.kind : next_kind(s);
+    SharedBrain brain = s.kind_brains[static_cast<std::size_t>(kind)];
+    if (c.brain && *c.brain != brain->graph) {
+        auto own = compile_brain(*c.brain, s.scene->kinds[static_cast<std::size_t>(kind)]);
+        if (!own) return own.error();
+        brain = *own;
+    }
+    const auto start = add_to_scene(s, c, kind);
+    if (!start) return start.error();
+    const VehicleId id = c.id != no_vehicle ? c.id : s.next_id;
+    s.next_id = std::max(s.next_id, id + 1);
+    const bool comes_last = s.vehicles.size() == 0 || s.vehicles.id.back() < id;
+    const auto somewhere = [&] {
+        FreeSpace free_space(s);
+        return free_pose(s, free_space, kind, id);
+    };
+    add_vehicle(s, kind, *start, id, std::move(brain), c.at ? *c.at : somewhere());
+    s.vehicles.energy.back() = c.energy;
+    if (c.driver) s.vehicles.driver.back() = *c.driver;
+    if (!comes_last) sort_in_last_row(s);
+    return std::nullopt;
+}
+
+std::optional<Error> execute(WorldData& s, const RemoveVehicle& c) {
+    if (s.vehicles.size() == 0) return Error{"there is no vehicle left to remove"};
+    const auto row = c.vehicle == no_vehicle ? std::optional(s.vehicles.size() - 1) : s.row_of(c.vehicle);
+    if (!row) return Error{fmt::format("vehicle {} is no longer in the world; select another one", c.vehicle)};
+    const std::int32_t start = s.vehicles.start[*row];
+    remove_vehicles(s, {*row});
+    remove_from_scene(s, start);
+    return std::nullopt;
+}
+
+std::optional<Error> execute(WorldData& s, const EditStart& c) {
+    if (auto error = missing(s.scene->starts, c.start, "start")) return error;
+    Scene scene = *s.scene;
+    Start& start = *iterator_at(scene.starts, c.start);
+    const std::string name = start.name;
+    start = c.to;
+    start.name = name;
+    if (auto error = check_scene(scene)) return error;
+    s.scene = std::make_shared<const Scene>(std::move(scene));
+    return std::nullopt;
+}
+
+}  // namespace braitenlab::world

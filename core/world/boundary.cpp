@@ -1,0 +1,58 @@
+// The rim of the arena: a torus closes upon itself, and walls hold whatever happens.
+#include <algorithm>
+#include <cmath>
+
+#include "core/world/world_data.h"
+
+namespace braitenlab::world {
+
+using maths::vec2;
+
+namespace {
+
+// Into the half-open stretch of this length about 0.
+float wrapped(float x, float length) {
+    const float inside = x - length * std::floor((x + length / 2) / length);
+    return inside < length / 2 ? inside : -length / 2;  // rounding may end on the far rim
+}
+
+void close_the_torus(WorldData& s) {
+    const Arena& arena = s.scene->arena;
+    const auto home = [&](vec2 position) {
+        return vec2{wrapped(position.x, arena.width), wrapped(position.y, arena.height)};
+    };
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
+        vec2& position = s.vehicles.motion[row].position;
+        if (is_outside(arena, position)) s.physics.set_position(row, position = home(position));
+    }
+    for (std::size_t i = 0; i < s.obstacles.size(); ++i) {
+        const bool moves = s.scene->obstacles[i].mass > 0;
+        vec2& position = s.obstacles[i].position;
+        if (moves && is_outside(arena, position)) s.physics.set_obstacle_position(i, position = home(position));
+    }
+}
+
+// Who started or was put outside, or was pressed through a wall by a crowd, stands inside again.
+void hold_behind_walls(WorldData& s) {
+    const Arena& arena = s.scene->arena;
+    const float x = std::max(arena.width / 2 - 0.5f, 0.0f), y = std::max(arena.height / 2 - 0.5f, 0.0f);
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
+        const mechanics::Motion& m = s.vehicles.motion[row];
+        if (!is_outside(arena, m.position)) continue;
+        s.physics.set_pose(row, {std::clamp(m.position.x, -x, x), std::clamp(m.position.y, -y, y), m.heading});
+        read_motion(s, row);
+    }
+}
+
+}  // namespace
+
+bool is_outside(const Arena& arena, vec2 position) {
+    return std::fabs(position.x) > arena.width / 2 || std::fabs(position.y) > arena.height / 2;
+}
+
+void keep_inside(WorldData& s) {
+    if (s.scene->arena.edge == Boundary::torus) close_the_torus(s);
+    if (s.scene->arena.edge == Boundary::wall) hold_behind_walls(s);
+}
+
+}  // namespace braitenlab::world

@@ -1,0 +1,102 @@
+#include "core/world/free_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/maths/geometry.h"
+#include "core/world/world_data.h"
+
+namespace braitenlab::world {
+
+using maths::vec2;
+
+namespace {
+
+constexpr float source_reach = 0.65f;  // m, that a newcomer keeps from lamps, solid or not
+constexpr int most_cells_a_block = 256;
+
+}  // namespace
+
+FreeSpace::FreeSpace(const WorldData& s) {
+    const Arena& arena = s.scene->arena;
+    float widest = source_reach;
+    for (const CompiledKind& kind : s.kinds) widest = std::max(widest, kind.reach);
+    const auto count = static_cast<float>(s.vehicles.size() + static_cast<std::size_t>(s.scene->ecology.population));
+    side_ = std::max(2 * widest, std::sqrt(arena.width * arena.height / (count + 64)));
+    origin_ = {-arena.width / 2, -arena.height / 2};
+    columns_ = static_cast<int>(arena.width / side_) + 1;
+    rows_ = static_cast<int>(arena.height / side_) + 1;
+    first_disc_.assign(cell(0, rows_), -1);
+    first_block_.assign(cell(0, rows_), -1);
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row)
+        occupy(s.vehicles.motion[row].position, s.kinds[s.kind(row)].reach);
+    for (const Source& source : s.scene->sources) occupy({source.x, source.y}, source_reach);
+    for (std::size_t i = 0; i < s.obstacles.size(); ++i) {
+        Block block;
+        for (const vec2 corner : corners_of(s.scene->obstacles[i]))
+            block.corners.push_back(s.obstacles[i].position + maths::rotate(corner, s.obstacles[i].ahead));
+        add(std::move(block));
+    }
+}
+
+// Clamped before they are whole numbers: who was dragged far outside belongs to the rim.
+int FreeSpace::column(float x) const {
+    return static_cast<int>(std::clamp((x - origin_.x) / side_, 0.0f, static_cast<float>(columns_ - 1)));
+}
+int FreeSpace::row(float y) const {
+    return static_cast<int>(std::clamp((y - origin_.y) / side_, 0.0f, static_cast<float>(rows_ - 1)));
+}
+
+void FreeSpace::occupy(vec2 position, float reach) {
+    std::int32_t& first = first_disc_[cell(column(position.x), row(position.y))];
+    discs_.push_back({position, reach, first});
+    first = static_cast<std::int32_t>(discs_.size()) - 1;
+}
+
+void FreeSpace::add(Block block) {
+    vec2 low = block.corners.front(), high = low;
+    for (const vec2 corner : block.corners) {
+        low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
+        high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
+    }
+    const int left = column(low.x), right = column(high.x), bottom = row(low.y), top = row(high.y);
+    const auto index = static_cast<std::int32_t>(blocks_.size());
+    blocks_.push_back(std::move(block));
+    if ((right - left + 1) * (top - bottom + 1) > most_cells_a_block) return wide_.push_back(index);
+    for (int r = bottom; r <= top; ++r)
+        for (int c = left; c <= right; ++c) {
+            std::int32_t& first = first_block_[cell(c, r)];
+            blocks_at_.push_back({index, first});
+            first = static_cast<std::int32_t>(blocks_at_.size()) - 1;
+        }
+}
+
+bool FreeSpace::is_near(const Block& block, vec2 position, float reach) {
+    bool inside = true;
+    for (std::size_t i = 0; i < block.corners.size(); ++i) {
+        const vec2 a = block.corners[i], b = block.corners[(i + 1) % block.corners.size()];
+        if (maths::distance(maths::nearest_on_segment(position, a, b), position) < reach) return true;
+        inside &= maths::cross(b - a, position - a) >= 0;
+    }
+    return inside;
+}
+
+bool FreeSpace::is_free(vec2 position, float reach) const {
+    for (const std::int32_t wide : wide_)
+        if (is_near(blocks_[static_cast<std::size_t>(wide)], position, reach)) return false;
+    const int at_column = column(position.x), at_row = row(position.y);
+    for (int r = std::max(0, at_row - 1); r <= std::min(rows_ - 1, at_row + 1); ++r)
+        for (int c = std::max(0, at_column - 1); c <= std::min(columns_ - 1, at_column + 1); ++c) {
+            for (std::int32_t i = first_disc_[cell(c, r)]; i >= 0; i = discs_[static_cast<std::size_t>(i)].next) {
+                const Disc& disc = discs_[static_cast<std::size_t>(i)];
+                if (maths::distance(disc.position, position) < disc.reach + reach) return false;
+            }
+            for (std::int32_t i = first_block_[cell(c, r)]; i >= 0; i = blocks_at_[static_cast<std::size_t>(i)].next) {
+                const auto block = static_cast<std::size_t>(blocks_at_[static_cast<std::size_t>(i)].block);
+                if (is_near(blocks_[block], position, reach)) return false;
+            }
+        }
+    return true;
+}
+
+}  // namespace braitenlab::world

@@ -1,0 +1,51 @@
+// Free-space search: positions where one more vehicle fits. Inside core/world only.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/maths/vec.h"
+
+namespace braitenlab::world {
+
+struct WorldData;
+
+// All vehicles, sources and obstacles sorted into square cells: the cost of a query does not grow with their number.
+// Holds the positions at the time of construction; later motion is not followed.
+class FreeSpace {
+public:
+    explicit FreeSpace(const WorldData&);
+
+    // True when nothing is nearer to the position than `reach` (m) plus its own reach.
+    bool is_free(maths::vec2 position, float reach) const;
+    void occupy(maths::vec2 position, float reach);
+
+private:
+    struct Disc {
+        maths::vec2 position;
+        float reach = 0;
+        std::int32_t next = -1;  // in the same cell
+    };
+    struct Block {
+        std::vector<maths::vec2> corners;  // counter-clockwise, world coordinates
+    };
+    struct BlockAt {
+        std::int32_t block = 0, next = -1;
+    };
+    int column(float x) const;
+    int row(float y) const;
+    std::size_t cell(int c, int r) const { return static_cast<std::size_t>(r * columns_ + c); }
+    void add(Block);
+    static bool is_near(const Block&, maths::vec2 position, float reach);
+
+    maths::vec2 origin_;
+    float side_ = 1;  // m, of a cell; discs that are too near lie in the same cell or in neighbouring ones
+    int columns_ = 1, rows_ = 1;
+    std::vector<Disc> discs_;
+    std::vector<Block> blocks_;
+    std::vector<BlockAt> blocks_at_;
+    std::vector<std::int32_t> first_disc_, first_block_;
+    std::vector<std::int32_t> wide_;  // blocks over too many cells to be listed in each of them
+};
+
+}  // namespace braitenlab::world

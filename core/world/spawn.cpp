@@ -1,0 +1,237 @@
+// Who enters the world, and where.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/maths/angle.h"
+#include "core/maths/random.h"
+#include "core/world/world_data.h"
+
+namespace braitenlab::world {
+
+using maths::vec2;
+
+namespace {
+
+constexpr int tries = 64;  // then a crowded place will do; the bodies push each other apart
+
+// Chance for one vehicle's place in one generation: what another vehicle draws does not change it. Who falls over the
+// edge does not enter where it would fall in the same way for ever.
+maths::Random chance_for(const WorldData& s, VehicleId id) {
+    const auto stream = (static_cast<std::uint64_t>(s.generation) << 32U) | static_cast<std::uint32_t>(id);
+    return {s.seed ^ (static_cast<std::uint64_t>(s.events.falls) * 0x9e3779b97f4a7c15ULL), stream};
+}
+
+Pose start_pose(const WorldData& s, const Start& start, VehicleId id) {
+    maths::Random chance = chance_for(s, id);
+    Pose pose{start.x, start.y, start.heading};
+    pose.x += chance.uniform(-start.place_spread, start.place_spread);
+    pose.y += chance.uniform(-start.place_spread, start.place_spread);
+    if (const int source = find_source(*s.scene, start.facing); source >= 0) {
+        const Source& faced = s.scene->sources[static_cast<std::size_t>(source)];
+        const vec2 to = vec2{faced.x, faced.y} - vec2{pose.x, pose.y};
+        pose.heading += maths::arctangent2(to.y, to.x);
+    }
+    pose.heading = maths::wrap_angle(pose.heading + chance.uniform(-start.heading_spread, start.heading_spread));
+    return pose;
+}
+
+// The kind whose count lags farthest behind its share; ties go to the kind written first.
+int most_wanted(const Scene& scene, const std::vector<int>& counts) {
+    int total = 1, wanted = 0;
+    float all_shares = 0, largest_lack = -INFINITY;
+    for (std::size_t k = 0; k < counts.size(); ++k) total += counts[k], all_shares += scene.kinds[k].share;
+    if (all_shares <= 0) return 0;
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+        if (scene.kinds[k].share <= 0) continue;
+        const float lack =
+            scene.kinds[k].share / all_shares * static_cast<float>(total) - static_cast<float>(counts[k]);
+        if (lack > largest_lack) largest_lack = lack, wanted = static_cast<int>(k);
+    }
+    return wanted;
+}
+
+std::vector<int> random_counts(const WorldData& s) {
+    std::vector<int> counts(s.kinds.size(), 0);
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row)
+        if (s.vehicles.start[row] < 0) ++counts[static_cast<std::size_t>(s.vehicles.kind[row])];
+    return counts;
+}
+
+// Takes the elements of these rows, which ascend, out of a column.
+template <class Column>
+void drop_rows(Column& column, const std::vector<std::size_t>& rows) {
+    auto gone = rows.begin();
+    std::size_t kept = 0;
+    for (std::size_t row = 0; row < column.size(); ++row) {
+        if (gone != rows.end() && *gone == row)
+            ++gone;
+        else if (kept++ != row)
+            column[kept - 1] = std::move(column[row]);
+    }
+    column.resize(kept);
+}
+
+// Takes the rows' stretches out of a flat array and closes the gaps; `first` keeps its rows for now.
+void drop_stretches(std::vector<float>& flat, std::vector<std::uint32_t>& first, const std::vector<std::size_t>& rows) {
+    auto gone = rows.begin();
+    std::size_t kept = 0;
+    for (std::size_t row = 0; row < first.size(); ++row) {
+        const std::size_t begin = first[row], end = row + 1 < first.size() ? first[row + 1] : flat.size();
+        first[row] = static_cast<std::uint32_t>(kept);
+        if (gone != rows.end() && *gone == row) {
+            ++gone;
+        } else {
+            for (std::size_t i = begin; i < end; ++i) flat[kept++] = flat[i];
+        }
+    }
+    flat.resize(kept);
+}
+
+// A vehicle's two motors, each a little stronger or weaker than it should be. Chance that belongs to the vehicle alone:
+// it keeps its motors from generation to generation.
+std::array<float, 2> motor_gains(const WorldData& s, int kind, VehicleId id) {
+    const float mismatch = s.scene->kinds[static_cast<std::size_t>(kind)].body.mismatch;
+    maths::Random chance{s.seed, (std::uint64_t{0x6d6f746f} << 32U) | static_cast<std::uint32_t>(id)};
+    const float left = chance.uniform(-1, 1), right = chance.uniform(-1, 1);
+    return {1 + mismatch * left, 1 + mismatch * right};
+}
+
+}  // namespace
+
+int next_kind(const WorldData& s) { return most_wanted(*s.scene, random_counts(s)); }
+
+Pose free_pose(const WorldData& s, FreeSpace& free_space, int kind, VehicleId id) {
+    maths::Random chance = chance_for(s, id);
+    const float reach = s.kinds[static_cast<std::size_t>(kind)].reach, margin = 1.5f * reach;  // from walls
+    const float half_width = std::max(0.0f, s.scene->arena.width / 2 - margin);
+    const float half_height = std::max(0.0f, s.scene->arena.height / 2 - margin);
+    Pose pose;
+    for (int i = 0; i < tries; ++i) {
+        pose.x = chance.uniform(-half_width, half_width);
+        pose.y = chance.uniform(-half_height, half_height);
+        if (free_space.is_free({pose.x, pose.y}, reach)) break;
+    }
+    pose.heading = chance.uniform(-maths::pi, maths::pi);
+    free_space.occupy({pose.x, pose.y}, reach);
+    return pose;
+}
+
+void read_motion(WorldData& s, std::size_t row) { s.vehicles.motion[row] = s.physics.motion(row); }
+
+void add_vehicle(WorldData& s, int kind, int start, VehicleId id, SharedBrain brain, const Pose& pose) {
+    const CompiledKind& compiled = s.kinds[static_cast<std::size_t>(kind)];
+    Vehicles& v = s.vehicles;
+    v.id.push_back(id);
+    v.kind.push_back(kind);
+    v.start.push_back(start);
+    v.driver.push_back(s.scene->kinds[static_cast<std::size_t>(kind)].driver);
+    v.energy.push_back(1);
+    v.steered.push_back({});
+    v.waypoint.push_back(0);
+    v.gain.push_back(motor_gains(s, kind, id));
+    v.motor.push_back({});
+    v.wheel_angle.push_back({});
+    v.first_sensed.push_back(static_cast<std::uint32_t>(v.sensed.size()));
+    v.sensed.resize(v.sensed.size() + compiled.sensors.size(), 0.0f);
+    v.first_neuron.push_back(static_cast<std::uint32_t>(v.neurons.size()));
+    v.neurons.resize(v.neurons.size() + static_cast<std::size_t>(brain->flat.state_size()), 0.0f);
+    v.first_delayed.push_back(static_cast<std::uint32_t>(v.delayed.size()));
+    v.delayed.resize(v.delayed.size() + compiled.delayed_readings, 0.0f);
+    v.brain.push_back(std::move(brain));
+    s.physics.add(v.id.size() - 1, id, s.scene->kinds[static_cast<std::size_t>(kind)].body,
+                  mechanics::at_rest({pose.x, pose.y}, pose.heading));
+    v.motion.push_back(s.physics.motion(v.id.size() - 1));
+    s.readings_are_stale = true;
+}
+
+namespace {
+
+Pose elsewhere(const WorldData& s, std::size_t row) {
+    FreeSpace free_space(s);
+    return free_pose(s, free_space, s.vehicles.kind[row], s.vehicles.id[row]);
+}
+
+}  // namespace
+
+void respawn(WorldData& s, std::size_t row) {
+    Vehicles& v = s.vehicles;
+    const VehicleId id = v.id[row];
+    std::erase_if(s.marks, [id](const Mark& mark) { return mark.owner == id; });
+    const int start = v.start[row];
+    const Pose pose =
+        start >= 0 ? start_pose(s, s.scene->starts[static_cast<std::size_t>(start)], id) : elsewhere(s, row);
+    s.physics.set_pose(row, pose);
+    read_motion(s, row);
+    v.energy[row] = 1;
+    v.waypoint[row] = 0;
+    v.motor[row] = v.wheel_angle[row] = {};
+    const std::size_t first = v.first_neuron[row];
+    std::fill_n(v.neurons.begin() + static_cast<std::ptrdiff_t>(first), v.brain[row]->flat.state_size(), 0.0f);
+    std::fill_n(v.delayed.begin() + static_cast<std::ptrdiff_t>(v.first_delayed[row]),
+                s.kinds[s.kind(row)].delayed_readings, 0.0f);
+    s.readings_are_stale = true;
+}
+
+void remove_vehicles(WorldData& s, const std::vector<std::size_t>& rows) {
+    Vehicles& v = s.vehicles;
+    std::vector<VehicleId> gone;
+    for (const std::size_t row : rows) gone.push_back(v.id[row]);
+    std::erase_if(s.marks, [&](const Mark& m) { return std::binary_search(gone.begin(), gone.end(), m.owner); });
+    drop_stretches(v.sensed, v.first_sensed, rows);
+    drop_stretches(v.neurons, v.first_neuron, rows);
+    drop_stretches(v.delayed, v.first_delayed, rows);
+    Vehicles::each_column(v, [&](auto& column) { drop_rows(column, rows); });
+    s.physics.remove(rows);
+}
+
+void spawn_population(WorldData& s) {
+    const Scene& scene = *s.scene;
+    for (std::size_t i = 0; i < scene.starts.size(); ++i) {
+        const int kind = find_kind(scene, scene.starts[i].kind);
+        const VehicleId id = s.next_id++;
+        add_vehicle(s, kind, static_cast<int>(i), id, s.kind_brains[static_cast<std::size_t>(kind)],
+                    start_pose(s, scene.starts[i], id));
+    }
+    std::vector<int> counts(s.kinds.size(), 0);
+    FreeSpace free_space(s);
+    for (int i = 0; i < scene.ecology.population; ++i) {
+        const int kind = most_wanted(scene, counts);
+        ++counts[static_cast<std::size_t>(kind)];
+        const VehicleId id = s.next_id++;
+        add_vehicle(s, kind, -1, id, s.kind_brains[static_cast<std::size_t>(kind)], free_pose(s, free_space, kind, id));
+    }
+}
+
+// Everyone leaves and as many enter again under the same ids, so that what is selected stays selected. Those placed by
+// steered return to their starts; the others' kinds are dealt anew by the shares, so that a population which bit itself
+// out of balance begins in balance again. A vehicle whose kind is the same keeps its brain.
+void new_generation(WorldData& s) {
+    const Vehicles before = std::move(s.vehicles);
+    s.vehicles = {};
+    std::vector<std::size_t> all(before.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    s.physics.remove(all);
+    ++s.generation;
+    s.still_ticks = 0;
+    s.bites.clear();
+    s.marks.clear();
+    std::vector<int> counts(s.kinds.size(), 0);
+    FreeSpace free_space(s);
+    for (std::size_t row = 0; row < before.size(); ++row) {
+        const int start = before.start[row];
+        const int kind = start >= 0 ? before.kind[row] : most_wanted(*s.scene, counts);
+        if (start < 0) ++counts[static_cast<std::size_t>(kind)];
+        const VehicleId id = before.id[row];
+        const SharedBrain& brain =
+            kind == before.kind[row] ? before.brain[row] : s.kind_brains[static_cast<std::size_t>(kind)];
+        const Pose pose = start >= 0 ? start_pose(s, s.scene->starts[static_cast<std::size_t>(start)], id)
+                                     : free_pose(s, free_space, kind, id);
+        if (start >= 0) free_space.occupy({pose.x, pose.y}, s.kinds[static_cast<std::size_t>(kind)].reach);
+        add_vehicle(s, kind, start, id, brain, pose);
+    }
+    s.touching.clear();
+    s = WorldData(std::move(static_cast<State&>(s)));  // all that was worked out begins anew, too
+}
+
+}  // namespace braitenlab::world

@@ -1,0 +1,77 @@
+// A running world: the state and everything derived from it. Inside core/world only.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/sensing/environment.h"
+#include "core/world/free_space.h"
+#include "core/world/physics.h"
+#include "core/world/state.h"
+#include "core/world/world.h"
+
+namespace braitenlab::world {
+
+struct WorldData : State {
+    // Takes the state as it is; kinds, environment and bodies are derived from it alone. After an edit of the scene and
+    // at every keyframe a world is rebuilt from its own state:  s = WorldData(State(s)).
+    explicit WorldData(State);
+
+    std::vector<CompiledKind> kinds;
+    sensing::Environment environment;
+    std::array<bool, channel_count> sensed_channel{};  // by any kind
+    bool any_memory = false;                           // any kind has a place memory
+    bool readings_are_stale = true;                    // something moved since the sensors were read
+    std::vector<float> preview_neurons;                // the neurons after the next tick's think(); empty: as they are
+    std::vector<Bump> bumps;                           // of this tick; filled when any_memory
+    std::vector<Touch> begun;                          // contacts that began in the last step, sorted
+    std::vector<Touch> touched;  // all touches in both directions, sorted; filled when there are bumpers
+    // Scratch memory of a tick.
+    std::vector<sensing::PointSource> point_sources;
+    std::vector<Role> roles;
+    std::vector<sensing::Stimulus> stimuli;
+    std::vector<sensing::Outline> touched_outlines;
+    Physics physics;
+
+    Role role(std::size_t row) const { return vehicles.brain[row]->role; }
+    std::size_t kind(std::size_t row) const { return static_cast<std::size_t>(vehicles.kind[row]); }
+    std::optional<std::size_t> row_of(VehicleId) const;
+};
+
+// ── The tick, in order ──────────────────────────────────────────────────────────────────────────────────────────────
+void sense(WorldData&);           // sense.cpp     sensors read their channels
+void think(WorldData&);           // think.cpp     drivers turn readings into wheel commands
+void drive(WorldData&);           // drive.cpp     wheels push bodies
+void keep_inside(WorldData&);     // boundary.cpp  torus and walls
+void remember(WorldData&);        // memory.cpp    marks where vehicles touch obstacles
+void touch_and_live(WorldData&);  // ecology.cpp   bites, energy, deaths and births, the inactivity timer
+
+// sense() without storing readings of sensors with latency.
+void sense_preview(WorldData&);
+
+// After a command and before the next tick: reads the sensors and computes the wheel commands and preview_neurons that
+// follow from them. The state of the brains does not change.
+void preview(WorldData&);
+
+// ── Vehicles ────────────────────────────────────────────────────────────────────────────────────────────────────────
+void spawn_population(WorldData&);  // spawn.cpp  the first generation
+void new_generation(WorldData&);    //            the same numbers at new random poses
+void add_vehicle(WorldData&, int kind, int start, VehicleId, SharedBrain, const Pose&);
+void remove_vehicles(WorldData&, const std::vector<std::size_t>& rows);  // ascending rows
+void respawn(WorldData&, std::size_t row);  // at its start, or at a random pose; energy, brain and marks are reset
+// A random pose, clear of others where there is room; the position is occupied afterwards.
+Pose free_pose(const WorldData&, FreeSpace&, int kind, VehicleId);
+int next_kind(const WorldData&);                // the kind that the shares require next
+bool is_outside(const Arena&, maths::vec2);     // boundary.cpp
+void read_motion(WorldData&, std::size_t row);  // copies the body's motion from the physics to the state
+
+// ── Commands, display, hash ─────────────────────────────────────────────────────────────────────────────────────────
+std::optional<Error> execute(WorldData&, const Command&);  // commands.cpp, edits.cpp, add_remove.cpp
+float strength(const State&, const Mark&);                 // memory.cpp: what is left of a mark, 0..1
+// Sum of a sensor's responses to its own vehicle's marks.
+float read_memory(const WorldData&, const sensing::CompiledSensor&, const sensing::SensorPose&, std::size_t row);
+void capture(const WorldData&, Snapshot&);  // capture.cpp
+std::uint64_t hash(const State&);           // hash.cpp
+
+}  // namespace braitenlab::world

@@ -1,0 +1,107 @@
+// Ecology: energy, recharging, roles that follow from the wiring, what is counted.
+#include <cmath>
+
+#include "tests/core/runs.h"
+#include "tests/core/scenes.h"
+
+namespace braitenlab::tests::ecology_test {
+namespace {
+
+using namespace world;
+using tests::after;
+using tests::alone;
+using tests::begin_with;
+using tests::look;
+using tests::make;
+
+TEST(Recharging, GivesEnergyOnItsZoneOnlyAndNeverMoreThanAll) {
+    Scene scene = alone({});
+    scene.kinds[0].driver = Driver::parked;
+    scene.starts.push_back({.name = "beside", .kind = "tester", .x = 3});
+    scene.ecology.drain = 0.1f;
+    scene.zones.push_back({.name = "hutch", .length = 2, .width = 2, .recharge = 0.3f});
+    World world = begin_with(scene, [](State& m) { m.vehicles.energy = {0.5f, 0.5f}; });
+    Snapshot now = after(world, 1);
+    EXPECT_NEAR(now.vehicles[0].energy, 0.7f, 1e-4f);
+    EXPECT_NEAR(now.vehicles[1].energy, 0.4f, 1e-4f);
+    now = after(world, 2);
+    EXPECT_EQ(now.vehicles[0].energy, 1);
+}
+
+// Hunters and hunted that no file calls so: crossed eyes for others are drawn to them, uncrossed ones driven away.
+Scene by_wiring() {
+    Scene scene = alone({});
+    scene.kinds.clear();
+    scene.kinds.push_back(tests::two_eyed("drawn", {.LR = 1, .RL = 1, .LM = 0.4f, .RM = 0.4f}, Channel::vehicle));
+    scene.kinds.push_back(tests::two_eyed("shy", {.LL = 1, .RR = 1}, Channel::vehicle));
+    scene.kinds[1].driver = Driver::parked;
+    for (Kind& kind : scene.kinds) kind.role = Role::wiring;
+    scene.starts = {{.name = "a", .kind = "drawn", .x = -2}, {.name = "b", .kind = "shy"}};
+    return scene;
+}
+
+TEST(RoleByWiring, MakesWhoeverIsDrawnToOthersAPredatorAndBitesFollow) {
+    World world = make(by_wiring());
+    Snapshot now = look(world);
+    EXPECT_EQ(now.vehicles[0].role, Role::predator);
+    EXPECT_EQ(now.vehicles[1].role, Role::prey);
+    now = after(world, 3);
+    EXPECT_GT(now.events.captures, 0);
+    EXPECT_LT(now.vehicles[1].energy, 1);
+}
+
+TEST(RoleByWiring, FollowsTheWiringWhenItIsChanged) {
+    World world = make(by_wiring());
+    ASSERT_FALSE(world.apply(SetBrain{{.vehicle = 0}, make_graph({.LL = 1, .RR = 1})}));
+    EXPECT_EQ(look(world).vehicles[0].role, Role::prey);
+    ASSERT_FALSE(world.apply(SetBrain{{.vehicle = 0}, make_graph({.LM = 1, .RM = 1})}));
+    EXPECT_EQ(look(world).vehicles[0].role, Role::none);
+}
+
+TEST(RoleByWiring, DecidesWhoComesAfterTheStarved) {
+    World world = begin_with(by_wiring(), [](State& m) { m.vehicles.energy = {0, 1}; });
+    const Snapshot now = after(world, 1.0 / 60);
+    ASSERT_EQ(now.vehicles.size(), 2u);
+    EXPECT_EQ(now.events.deaths, 1);
+    EXPECT_EQ(now.events.births, 1);
+    EXPECT_EQ(now.vehicles[1].kind, 1) << "a predator starved, so prey enters";
+    EXPECT_EQ(now.vehicles[1].energy, 1);
+}
+
+TEST(Events, CountAContactOnceForAsLongAsItLasts) {
+    Scene scene = alone({.LM = 0.5f, .RM = 0.5f});
+    scene.arena.width = scene.arena.height = 6;
+    World world = make(scene);
+    const std::int64_t met = after(world, 4).events.contacts;
+    EXPECT_GE(met, 1);
+    EXPECT_LE(met, 3) << "it may bounce";
+    EXPECT_EQ(after(world, 10).events.contacts, met) << "across keyframes, too";
+}
+
+TEST(Events, CountABiteOnceASecondAndPairHoweverManyBiteAtOnce) {
+    Scene scene = tests::crowd(0);
+    scene.ecology.bite = 0.001f;
+    for (Kind& kind : scene.kinds) kind.driver = Driver::parked;
+    // Prey in the middle of four hunters that touch it from all sides.
+    scene.starts.push_back({.name = "prey", .kind = "hunted"});
+    for (int i = 0; i < 4; ++i) {
+        const maths::vec2 at = maths::direction(maths::pi / 2 * static_cast<float>(i));
+        const float far = i % 2 == 0 ? 0.999f : 0.849f;
+        scene.starts.push_back({.name = "h" + std::to_string(i),
+                                .kind = "hunter",
+                                .x = at.x * far,
+                                .y = at.y * far,
+                                .heading = maths::pi / 2 * static_cast<float>(i)});
+    }
+    World world = make(scene);
+    ASSERT_FALSE(world.apply(MoveVehicle{1, 4, 4, 0}));  // the first of them comes later than the others
+    EXPECT_EQ(after(world, 0.5).events.captures, 3);
+    ASSERT_FALSE(world.apply(MoveVehicle{1, 0.999f, 0, 0}));
+    EXPECT_EQ(after(world, 0.4).events.captures, 4);
+    EXPECT_EQ(after(world, 0.4).events.captures, 7);
+    EXPECT_EQ(after(world, 0.5).events.captures, 8);
+    EXPECT_EQ(after(world, 1).events.captures, 12);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::ecology_test
