@@ -9,7 +9,7 @@ namespace braitenlab {
 
 namespace {
 
-// Everything there is to know about a dial: its word, where its number lives, and which wire or motor it belongs to.
+// A dial's word, its number in FourNeurons, and the wire or motor that it belongs to.
 struct DialEntry {
     std::string_view word;
     float FourNeurons::*value;
@@ -97,6 +97,28 @@ FourNeurons read_dials(const BrainGraph& graph) {
     for (const Dial dial : {Dial::LM, Dial::RM})
         if (const Node* motor = find_node(graph, entry(dial).motor)) at(four, dial) = motor->bias;
     return four;
+}
+
+std::optional<Dial> direct_dial(const BrainGraph& graph, WireEnds ends) {
+    for (const Dial dial : weight_dials)
+        if (direct_ends(graph, dial) == ends) return dial;
+    return std::nullopt;
+}
+
+std::optional<WireEnds> direct_ends(const BrainGraph& graph, Dial weight) {
+    assert(is_weight(weight));
+    const Node* sensor = find_node(graph, entry(weight).sensor);
+    const Node* motor = find_node(graph, entry(weight).motor);
+    if (sensor == nullptr || sensor->kind != NodeKind::sensor) return std::nullopt;
+    if (motor == nullptr || motor->kind != NodeKind::motor) return std::nullopt;
+    return WireEnds{sensor->id, motor->id};
+}
+
+std::string wire_name(const BrainGraph& graph, WireEnds ends) {
+    if (const auto dial = direct_dial(graph, ends)) return std::string(name(*dial));
+    const Node* from = find_node(graph, ends.from);
+    const Node* to = find_node(graph, ends.to);
+    return (from == nullptr ? "?" : from->name) + "-" + (to == nullptr ? "?" : to->name);
 }
 
 void turn(BrainGraph& graph, Dial dial, float value) {

@@ -1,4 +1,4 @@
-// The four-neuron brain: what the sliders show and what a scene file's short form holds.
+// The four-neuron brain: the brain of the sliders and of a scene file's short form.
 //
 //     ML = SL·LL + SR·LR + LM          MR = SR·RR + SL·RL + RM
 //
@@ -8,13 +8,14 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/brain/graph.h"
 
 namespace braitenlab {
 
-// One number of the four-neuron brain, the thing a slider moves.
+// One number of the four-neuron brain; a slider sets it.
 enum class Dial { LL, LR, RL, RR, threshold_LL, threshold_LR, threshold_RL, threshold_RR, LM, RM };
 inline constexpr std::array<Dial, 10> all_dials{
     Dial::LL,           Dial::LR,           Dial::RL,           Dial::RR, Dial::threshold_LL,
@@ -32,7 +33,7 @@ std::optional<Dial> dial_named(std::string_view);
 // Weights −2..2, thresholds 0..1, biases −1..1.
 DialRange range(Dial);
 
-// The threshold that belongs to a weight. Precondition: one of weight_dials.
+// The threshold of the wire that has this weight. Precondition: one of weight_dials.
 Dial threshold_of(Dial weight);
 
 struct FourNeurons {
@@ -48,14 +49,25 @@ float at(const FourNeurons&, Dial);
 // Nodes SL, SR, ML, MR with ids 0..3 and the four wires, those of weight 0 included.
 BrainGraph make_graph(const FourNeurons&);
 
-// True when the graph is exactly what make_graph gives for some FourNeurons, in any order and wherever its nodes stand.
+// True when the graph equals make_graph() of some FourNeurons, apart from order and canvas positions.
 bool is_four_neurons(const BrainGraph&);
 
-// The direct wires from SL and SR to ML and MR and those motors' biases; 0 where there is none.
+// The dial that holds the weight of this wire; nullopt unless it joins SL or SR to ML or MR.
+std::optional<Dial> direct_dial(const BrainGraph&, WireEnds);
+
+// The ends of a dial's wire; nullopt when the graph does not have the sensor or the motor. Precondition: one of
+// weight_dials.
+std::optional<WireEnds> direct_ends(const BrainGraph&, Dial weight);
+
+// "LR" for a direct wire, else the names of both ends: "N1-ML". An end that the graph does not have is "?".
+std::string wire_name(const BrainGraph&, WireEnds);
+
+// The dials of any graph: its direct wires from SL and SR to ML and MR and those motors' biases; 0 where one is
+// missing.
 FourNeurons read_dials(const BrainGraph&);
 
-// Turns one dial, making the wire where the graph has none; clamps to the dial's range and ignores what is not finite.
-// A graph without the eye or the motor in question is left as it is.
+// Sets one dial, adding the wire where the graph has none. Clamps to the dial's range; a value that is not finite
+// changes nothing, nor does a dial whose sensor or motor the graph does not have.
 void turn(BrainGraph&, Dial, float value);
 
 }  // namespace braitenlab

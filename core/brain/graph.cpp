@@ -2,29 +2,7 @@
 
 #include <algorithm>
 
-#include "core/maths/portable.h"
-
 namespace braitenlab {
-
-float respond(const Curve& curve, float x) {
-    switch (curve.response) {
-        case Response::linear:
-            return x;
-        case Response::rectified:
-            return std::max(0.0f, x);
-        case Response::step:
-            return x >= curve.peak ? 1.0f : 0.0f;
-        case Response::sigmoid:
-            return 1.0f / (1.0f + maths::exponential(-(x - curve.peak) / curve.width));
-        case Response::hump: {
-            const float t = (x - curve.peak) / curve.width;
-            return maths::exponential(-t * t);
-        }
-        case Response::inverted:
-            return 1.0f - x;
-    }
-    return x;
-}
 
 float let_through(const Wire& wire, float input) { return respond(wire.curve, masked(input, wire.threshold)); }
 

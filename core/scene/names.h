@@ -54,12 +54,6 @@ inline constexpr std::array<Named<SensorResponse>, 2> sensor_response_words{
     {{SensorResponse::graded, "graded"}, {SensorResponse::boolean, "boolean"}}};
 inline constexpr std::array<Named<NodeKind>, 3> node_kind_words{
     {{NodeKind::sensor, "sensor"}, {NodeKind::neuron, "neuron"}, {NodeKind::motor, "motor"}}};
-inline constexpr std::array<Named<Response>, 6> response_words{{{Response::linear, "linear"},
-                                                                {Response::rectified, "rectified"},
-                                                                {Response::step, "step"},
-                                                                {Response::sigmoid, "sigmoid"},
-                                                                {Response::hump, "hump"},
-                                                                {Response::inverted, "inverted"}}};
 
 constexpr const auto& words(Channel) { return channel_words; }
 constexpr const auto& words(Role) { return role_words; }
@@ -70,7 +64,7 @@ constexpr const auto& words(Motor) { return motor_words; }
 constexpr const auto& words(SensorShape) { return shape_words; }
 constexpr const auto& words(SensorResponse) { return sensor_response_words; }
 constexpr const auto& words(NodeKind) { return node_kind_words; }
-constexpr const auto& words(Response) { return response_words; }
+constexpr const auto& words(Response) { return responses; }
 
 // The word for a value, e.g. word(Role::prey) == "prey".
 template <class Enum>

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/brain/four_neurons.h"
 #include "core/maths/random.h"
 #include "core/world/snapshot.h"
-#include "ui/wiring/edit.h"
 
 namespace braitenlab::tests {
 
@@ -17,7 +17,7 @@ inline BrainGraph large_brain(int nodes, int wires) {
     for (NodeId id = 4; id < nodes; ++id) {
         Node node;
         node.id = id, node.name = "N" + std::to_string(id - 3);
-        node.curve.response = static_cast<Response>(id % 6);
+        node.curve.response = responses[static_cast<std::size_t>(id) % responses.size()].value;
         graph.nodes.push_back(node);
     }
     while (static_cast<int>(graph.wires.size()) < wires) {

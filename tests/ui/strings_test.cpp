@@ -7,6 +7,7 @@
 #include <regex>
 #include <set>
 
+#include "core/brain/edit.h"
 #include "core/brain/presets.h"
 #include "core/brain/recogniser.h"
 #include "core/scene/names.h"
@@ -67,6 +68,8 @@ std::set<std::string> composed() {
             keys.insert(stem + std::string(name(static_cast<Character>(i))));
     for (const auto& channel : channel_words)
         for (const char* stem : {"view.channel.", "wiring.senses."}) keys.insert(stem + std::string(channel.word));
+    for (const NeuronKind& kind : neuron_kinds) keys.insert("wiring.kind." + std::string(kind.word));
+    for (const RefusalName& refusal : refusals) keys.insert("wiring.refused." + std::string(refusal.word));
     for (const auto& driver : driver_words) {
         if (driver.value == Driver::brain) continue;
         keys.insert("driver." + std::string(driver.word));

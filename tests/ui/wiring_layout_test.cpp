@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/brain/edit.h"
 #include "ui/wiring/layout.h"
 #include "ui/wiring/occupied.h"
 

@@ -28,8 +28,8 @@ void hurt_or_heal(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) 
     if (wire && chosen.wires.count(under.wire) == 0) chosen = {{}, {under.wire}};
     if (!wire && under.part != Part::nothing && chosen.nodes.count(under.node) == 0) chosen = {{under.node}, {}};
     if (chosen.nodes.empty() && chosen.wires.empty()) return;
-    const bool hurt = all_hurt(frame.graph, chosen.nodes, chosen.wires);
-    ask(state, frame, lesion(frame.graph, chosen.nodes, chosen.wires, !hurt), state.next_gesture++, outbox);
+    const bool hurt = all_lesioned(frame.graph, chosen.nodes, chosen.wires);
+    ask(state, frame, set_lesion(frame.graph, chosen.nodes, chosen.wires, !hurt), state.next_gesture++, outbox);
 }
 
 void select_all(CanvasState& state, const Layout& layout) {
@@ -65,7 +65,7 @@ void finish_joining(CanvasState& state, const CanvasFrame& frame, Outbox& outbox
     const WireEnds ends{*state.joining, state.focus.node};
     state.joining.reset();
     const Edit edit = connect(frame.graph, ends);
-    if (!edit) return refuse(state, frame, edit.refused);
+    if (!edit) return refuse(state, frame, edit.refusal);
     if (direct_dial(frame.graph, ends))
         ask_weight(frame, frame.graph, ends, 1, state.next_gesture++, outbox);
     else

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/brain/fragment.h"
+
 namespace braitenlab {
 namespace {
 
@@ -54,7 +56,7 @@ Places put_in_order(const Layout& layout, const std::set<NodeId>& nodes, Order o
     else
         line_up(shapes, down);
     Places places;
-    for (const NodeShape& shape : shapes) places[shape.id] = on_canvas(shape.centre);
+    for (const NodeShape& shape : shapes) places[shape.id] = rounded_position(shape.centre);
     return places;
 }
 

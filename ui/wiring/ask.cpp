@@ -17,11 +17,15 @@ void refuse(CanvasState& state, const CanvasFrame& frame, std::string_view key) 
     state.refusal = {std::string(key), at, frame.wall_seconds + wiring_refusal_seconds};
 }
 
+void refuse(CanvasState& state, const CanvasFrame& frame, Refusal refusal) {
+    refuse(state, frame, refusal_key(refusal));
+}
+
 bool ask(CanvasState& state, const CanvasFrame& frame, const Edit& edit, std::uint64_t gesture, Outbox& outbox) {
     if (edit)
         outbox.push_back(EditRequest{SetBrain{frame.target, in_place(*edit.graph, frame.layout)}, gesture});
     else
-        refuse(state, frame, edit.refused);
+        refuse(state, frame, edit.refusal);
     return static_cast<bool>(edit);
 }
 

@@ -11,6 +11,7 @@ inline bool nothing_selected(const CanvasState& state) {
 
 // Shows the reason at the cursor for a moment.
 void refuse(CanvasState&, const CanvasFrame&, std::string_view key);
+void refuse(CanvasState&, const CanvasFrame&, Refusal);
 
 // Asks for the edited brain, nobody in it moved (see in_place()), or says why there is none. True when asked.
 bool ask(CanvasState&, const CanvasFrame&, const Edit&, std::uint64_t gesture, Outbox&);

@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
+#include "core/brain/fragment.h"
 #include "ui/lab_view.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/ui.h"
 #include "ui/wiring/hit.h"
 #include "ui/wiring/menu.h"
 #include "ui/wiring/moment.h"
-#include "ui/wiring/piece.h"
 
 namespace braitenlab {
 
@@ -68,7 +68,7 @@ struct CanvasState {
     std::optional<NodeId> joining;  // a wire is being drawn by keys from this node to the one in focus
     CanvasDrag drag;
     CanvasMenu menu;
-    BrainPiece clipboard;
+    BrainFragment clipboard;
     Hit rested;  // what the pointer has lain on, and since when (LabView::wall_seconds)
     double rested_since = 0;
     CanvasRefusal refusal;

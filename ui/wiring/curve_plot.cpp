@@ -34,13 +34,13 @@ vec2 CurvePlot::at(float x, float y) const {
 
 CurvePlot plot_of(const Curve& curve, Rect rect) {
     CurvePlot plot{rect};
-    const bool has_peak =
-        curve.response == Response::step || curve.response == Response::sigmoid || curve.response == Response::hump;
-    if (has_peak) {
+    const ResponseTraits& response = traits(curve.response);
+    if (response.has_peak) {
         plot.low_x = std::min(-1.0f, curve.peak - 0.5f);
         plot.high_x = std::max(1.0f, curve.peak + 0.5f);
     }
-    if (curve.response == Response::inverted) plot.high_y = 2;  // 1 − x
+    plot.low_y = std::min(-1.0f, response.low);
+    plot.high_y = std::max(1.0f, response.high);
     return plot;
 }
 

@@ -55,7 +55,7 @@ void draw_row(const Pen& pen, const CanvasMenu& menu, std::size_t index) {
     if (has_signs(menu)) {
         const Rect sign{x, middle - ui.px(8), ui.px(24), ui.px(16)};
         if (row.command == MenuCommand::add)
-            draw_curve_sign(pen.list, ui, sign, neuron_kinds()[row.kind].made.curve, p.excites);
+            draw_curve_sign(pen.list, ui, sign, neuron_kinds[row.kind].curve, p.excites);
         x += ui.px(sign_room);
     }
     put(ui, {x, middle - line_height(ui, Face::text) / 2}, ui.strings(row.words), p.text);

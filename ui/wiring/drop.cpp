@@ -6,6 +6,8 @@ namespace braitenlab {
 
 namespace {}  // namespace
 
+std::string refusal_key(Refusal refusal) { return "wiring.refused." + std::string(name(refusal)); }
+
 WireDrop drop_of(const CanvasState& state, const CanvasFrame& frame) {
     const CanvasDrag& drag = state.drag;
     const Pointer& pointer = frame.pointer;
@@ -28,7 +30,7 @@ WireDrop drop_of(const CanvasState& state, const CanvasFrame& frame) {
     const WireEnds ends = drag.outwards ? WireEnds{drag.fixed, under.node} : WireEnds{under.node, drag.fixed};
     if (drag.taken && ends == *drag.taken) return {};
     const Edit edit = connect(drag.graph, ends);
-    if (!edit) return {WireDrop::What::refused, ends, edit.refused};
+    if (!edit) return {WireDrop::What::refused, ends, refusal_key(edit.refusal)};
     return {WireDrop::What::connect, ends, {}};
 }
 
@@ -71,7 +73,7 @@ void drop_nodes(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     const auto into = insertion_of(state, frame);
     if (!into && state.held == drag.places) return;  // back where they stood
     if (!into) return ask_places(frame, state.held, drag.gesture, outbox);
-    ask(state, frame, insert(drag.graph, *state.selection.nodes.begin(), *into), drag.gesture, outbox);
+    ask(state, frame, insert_neuron(drag.graph, *state.selection.nodes.begin(), *into), drag.gesture, outbox);
 }
 
 }  // namespace braitenlab

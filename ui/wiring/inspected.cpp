@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "core/brain/edit.h"
 #include "ui/strings.h"
 #include "ui/wiring/number_sheet.h"
-#include "ui/wiring/rewire.h"
 #include "ui/wiring/sum.h"
 
 namespace braitenlab {
@@ -50,7 +50,7 @@ void inspect_node(Inspected& in, const Node& node) {
     if (is_motor && wanted.bias != node.bias)
         in.ask(TurnDial{in.target, node.name == "ML" ? Dial::LM : Dial::RM, wanted.bias}, sheet.gesture());
     else if (wanted != node)
-        in.ask(replace(in.graph(), wanted), sheet.gesture());
+        in.ask(set_parameters(in.graph(), wanted), sheet.gesture());
 }
 
 namespace {
@@ -59,8 +59,8 @@ namespace {
 Edit replaced(const BrainGraph& graph, const Wire& wanted) {
     const WireEnds ends{wanted.from, wanted.to};
     const bool there = find_wire(graph, ends.from, ends.to) != nullptr;
-    const Edit made = there ? Edit{graph, {}} : set_weight(graph, ends, 0);
-    return made ? replace(*made.graph, wanted) : made;
+    const Edit made = there ? Edit(graph) : set_weight(graph, ends, 0);
+    return made ? set_parameters(*made.graph, wanted) : made;
 }
 
 }  // namespace

@@ -18,8 +18,6 @@
 namespace braitenlab {
 namespace {
 
-constexpr float card_height = 160;  // layout pixels
-
 std::string node_heading(const Inspected& in, const Node& node) {
     const float value = in.value(node.id);
     const std::string now = node.kind == NodeKind::sensor ? fixed(value, 2) : with_sign(value, 2);
@@ -119,7 +117,7 @@ void show(Inspected& in) {
 }  // namespace
 
 Rect inspector_place(const Ui& ui, const CanvasState& state, Rect canvas) {
-    const float open = std::min(ui.px(card_height), canvas.h * 0.4f);
+    const float open = std::min(ui.px(sheet_height()), canvas.h * 0.4f);
     const float height = state.inspector.folded ? folded_height(ui) : open;
     return {canvas.x, canvas.y + canvas.h - height, canvas.w, height};
 }

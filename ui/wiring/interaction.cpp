@@ -96,7 +96,7 @@ void take_up(CanvasState& state, const Layout& layout) {
 }
 
 void move_held(CanvasState& state, vec2 by) {
-    for (auto& [id, place] : state.held) place = on_canvas(state.drag.places.at(id) + by);
+    for (auto& [id, place] : state.held) place = rounded_position(state.drag.places.at(id) + by);
 }
 
 void begin_drag(CanvasState& state, const CanvasFrame& frame) {

@@ -48,9 +48,12 @@ void interact(CanvasState&, const CanvasFrame&, Outbox&);
 // What would happen if the wire being dragged were let go here. Precondition: the phase is drag_wire.
 struct WireDrop {
     enum class What { nothing, connect, new_neuron, take_off, refused } what = What::nothing;
-    WireEnds ends;              // of connect
-    std::string_view reason{};  // of refused: a string key
+    WireEnds ends;         // of connect
+    std::string reason{};  // of refused: a string key
 };
+// The string key of a refusal.
+std::string refusal_key(Refusal);
+
 WireDrop drop_of(const CanvasState&, const CanvasFrame&);
 
 // The wire that would take in the neuron being moved if it were let go here: one without any wires, alone.

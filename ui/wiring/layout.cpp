@@ -155,11 +155,6 @@ const Layout& KeptLayout::of(const std::shared_ptr<const BrainGraph>& graph, con
     return layout_;
 }
 
-vec2 on_canvas(vec2 place) {
-    return {std::clamp(std::round(place.x), -limits::place, limits::place),
-            std::clamp(std::round(place.y), -limits::place, limits::place)};
-}
-
 vec2 card_size(NodeKind kind) { return kind == NodeKind::neuron ? vec2{150, 80} : vec2{204, 100}; }
 
 vec2 free_place(const Layout& layout, vec2 wanted, vec2 size) {
@@ -180,6 +175,12 @@ vec2 free_place(const Layout& layout, vec2 wanted, vec2 size) {
         if (best) return *best;
     }
     return wanted;
+}
+
+BrainGraph placed(BrainGraph graph, const Layout& shown) {
+    for (Node& node : graph.nodes)
+        if (const NodeShape* shape = find_shape(shown, node.id)) node.place = shape->centre;
+    return graph;
 }
 
 BrainGraph in_place(BrainGraph edited, const Layout& shown) {

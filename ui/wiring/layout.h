@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/brain/four_neurons.h"
 #include "core/maths/vec.h"
-#include "ui/wiring/edit.h"
 #include "ui/wiring/tidy.h"
 
 namespace braitenlab {
@@ -55,8 +55,8 @@ Layout lay_out(const BrainGraph&, const Places& held);
 // written down.
 BrainGraph in_place(BrainGraph edited, const Layout& shown);
 
-// The nearest place that a node can have: whole units, which keep files short.
-maths::vec2 on_canvas(maths::vec2 place);
+// The brain with every node where the layout shows it.
+BrainGraph placed(BrainGraph, const Layout& shown);
 
 // The place nearest to the wanted one where a box of this size covers no card and no label.
 maths::vec2 free_place(const Layout&, maths::vec2 wanted, maths::vec2 size);

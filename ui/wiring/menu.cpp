@@ -1,6 +1,8 @@
 #include "ui/wiring/menu.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
 
 namespace braitenlab {
 namespace {
@@ -8,8 +10,8 @@ namespace {
 constexpr float row_height = 28, padding = 6, group_gap = 9, heading_height = 26, note_height = 20;  // layout pixels
 
 void add_kinds(std::vector<MenuRow>& rows) {
-    for (std::size_t kind = 0; kind < neuron_kind_count; ++kind)
-        rows.push_back({MenuCommand::add, neuron_kinds()[kind].words, {}, kind});
+    for (std::size_t kind = 0; kind < neuron_kinds.size(); ++kind)
+        rows.push_back({MenuCommand::add, kind_key(kind), {}, kind});
 }
 
 void add_canvas_rows(std::vector<MenuRow>& rows, bool can_paste) {
@@ -46,6 +48,15 @@ void add_order_rows(std::vector<MenuRow>& rows, std::size_t nodes) {
 
 }  // namespace
 
+std::string_view kind_key(std::size_t kind) {
+    static const auto keys = [] {
+        std::array<std::string, neuron_kinds.size()> made;
+        for (std::size_t i = 0; i < made.size(); ++i) made[i] = "wiring.kind." + std::string(neuron_kinds[i].word);
+        return made;
+    }();
+    return keys.at(kind);
+}
+
 std::vector<MenuRow> menu_rows(const BrainGraph& graph, const Caught& selection, bool can_paste) {
     std::vector<MenuRow> rows;
     const std::size_t nodes = selection.nodes.size(), wires = selection.wires.size();
@@ -55,7 +66,7 @@ std::vector<MenuRow> menu_rows(const BrainGraph& graph, const Caught& selection,
     }
     if (nodes == 0 && wires == 1) add_wire_rows(rows, graph, selection);
     if (nodes == 1 && wires == 0) add_node_rows(rows, graph, *selection.nodes.begin());
-    const bool hurt = all_hurt(graph, selection.nodes, selection.wires);
+    const bool hurt = all_lesioned(graph, selection.nodes, selection.wires);
     rows.push_back({MenuCommand::lesion,
                     hurt        ? "wiring.do.heal"
                     : nodes > 0 ? "wiring.do.silence"

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/brain/edit.h"
 #include "ui/request.h"
 #include "ui/wiring/hit.h"
-#include "ui/wiring/rewire.h"
 
 namespace braitenlab {
 
@@ -37,7 +37,7 @@ struct MenuRow {
     MenuCommand command{};
     std::string_view words;       // string key
     std::optional<Action> key{};  // its shortcut
-    std::size_t kind = 0;         // of add: in neuron_kinds()
+    std::size_t kind = 0;         // of add: in neuron_kinds
     bool begins_group = false;    // a line above it
 };
 
@@ -52,6 +52,9 @@ struct CanvasMenu {
     float ui_scale = 1;
     bool open() const { return !rows.empty(); }
 };
+
+// The string key of a row of neuron_kinds.
+std::string_view kind_key(std::size_t kind);
 
 // What there is to do with a selection; with nothing selected, with the canvas.
 std::vector<MenuRow> menu_rows(const BrainGraph&, const Caught& selection, bool can_paste);

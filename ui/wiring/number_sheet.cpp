@@ -11,33 +11,27 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/wiring/curve_plot.h"
+#include "ui/wiring/menu.h"
 
 namespace braitenlab {
 namespace {
 
 constexpr float plot_side = 104, kind_width = 44, kind_height = 30, space = 16;  // layout pixels
-constexpr float curves_width = 3 * kind_width + 8, room_for_plot = 680;
+constexpr std::size_t curve_columns = 3;
+constexpr float curves_width = static_cast<float>(curve_columns) * kind_width + 8, room_for_plot = 680;
 
-// In the order of Response: the words of neuron_kinds().
-constexpr int responses = 6;
-
-bool has_peak(const Curve& c) {
-    return c.response == Response::step || c.response == Response::sigmoid || c.response == Response::hump;
-}
-bool has_width(const Curve& c) { return c.response == Response::sigmoid || c.response == Response::hump; }
-
-bool curve_button(Ui& ui, int index, const Curve& curve) {
+bool curve_button(Ui& ui, std::size_t index, const Curve& curve) {
     const Item at = item(ui, "inspector.kind." + std::to_string(index + 1), {ui.px(kind_width), ui.px(kind_height)});
     const Palette& p = ui.palette;
-    const NeuronKind& kind = neuron_kinds()[static_cast<std::size_t>(index)];
-    const bool on = static_cast<int>(curve.response) == index;
+    const Response response = responses[index].value;
+    const bool on = curve.response == response;
     fill_box(ui, at.rect, on ? mix(p.panel, p.accent, 0.20f) : mix(p.raised, p.line, at.warmth * 0.6f));
     line_box(ui, at.rect, on ? p.accent : p.line);
     const float inset = ui.px(6);
     draw_curve_sign(*ImGui::GetWindowDrawList(), ui,
-                    {at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset},
-                    kind.made.curve, on ? p.text : p.second_text);
-    tooltip(ui, at, ui.strings(kind.words));
+                    {at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset}, {response},
+                    on ? p.text : p.second_text);
+    tooltip(ui, at, ui.strings(kind_key(index)));
     return at.pressed && !on;
 }
 
@@ -88,10 +82,10 @@ void NumberSheet::choose_curve(Curve& curve, const SheetHead& head) {
     Ui& ui = in_.ui;
     ImGui::BeginGroup();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(4), ui.px(4)});
-    for (int i = 0; i < responses; ++i) {
-        if (i % 3 != 0) ImGui::SameLine();
+    for (std::size_t i = 0; i < responses.size(); ++i) {
+        if (i % curve_columns != 0) ImGui::SameLine();
         if (!curve_button(ui, i, curve)) continue;
-        curve.response = static_cast<Response>(i);
+        curve.response = responses[i].value;
         gesture_ = in_.state.next_gesture++;
     }
     lesion_button(in_, head.hurt, head.hurt_words);
@@ -116,9 +110,15 @@ void NumberSheet::number(const Number& n, float& value) {
 
 void NumberSheet::curve_numbers(Curve& curve, bool masks) {
     const PeakWords words = peak_words(curve.response, masks);
-    if (has_peak(curve)) number({"inspector.peak", words.words, words.tooltip, -2, 2, 2, true}, curve.peak);
-    if (has_width(curve))
+    if (traits(curve.response).has_peak)
+        number({"inspector.peak", words.words, words.tooltip, -2, 2, 2, true}, curve.peak);
+    if (traits(curve.response).has_width)
         number({"inspector.width", "inspector.width", "inspector.width_how", 0.01f, 2, 10}, curve.width);
+}
+
+float sheet_height() {
+    constexpr auto rows = static_cast<float>((responses.size() + curve_columns - 1) / curve_columns);
+    return 92 + rows * (kind_height + 4);
 }
 
 PeakWords peak_words(Response response, bool masks) {

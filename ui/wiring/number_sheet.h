@@ -1,4 +1,4 @@
-// The numbers of one node or wire: its curve as a plot, the six curves to choose from, a lesion, and sliders beside
+// The numbers of one node or wire: its curve as a plot, the curves to choose from, a lesion, and sliders beside
 // them.
 #pragma once
 
@@ -50,6 +50,9 @@ private:
     float start_, words_width_, slider_width_ = 0;
     int sliders_ = 0;
 };
+
+// The height of the card that holds the sheet, layout pixels: a heading, rows of curves and the lesion.
+float sheet_height();
 
 // The button that hurts or heals what is selected.
 void lesion_button(Inspected&, bool hurt, std::string_view hurt_words);
