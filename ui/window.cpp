@@ -10,6 +10,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
+#include "ui/wiring/input.h"
 #include "ui/wiring/inspector.h"
 
 namespace braitenlab {
@@ -37,11 +38,11 @@ void draw_canvas(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     draw.AddRectFilled({w.x, s.y}, {s.x, s.y + s.h}, ground);
     draw.AddRectFilled({s.x + s.w, s.y}, {w.x + w.w, s.y + s.h}, ground);
     draw.AddRect({s.x, s.y}, {s.x + s.w, s.y + s.h}, paint(ui.palette.line));
-    const Rect below = inspector_place(ui, state.canvas, layout.canvas);
+    const Rect below = wiring::inspector_rect(ui, state.canvas, layout.canvas);
     Rect canvas = layout.canvas;
     canvas.h -= below.h + ui.px(between_cards);
-    wiring_canvas(view, state.canvas, ui, canvas);
-    wiring_inspector(view, state.canvas, state.sliders, ui, below);
+    wiring::draw_canvas(view, state.canvas, ui, canvas);
+    wiring::draw_inspector(view, state.canvas, state.sliders, ui, below);
 }
 
 // The card of the lamp or obstacle that is selected above all. The brain card on top, the information card in what is
@@ -128,10 +129,10 @@ bool for_focus(Keyboard& keyboard, KeyPress press) {
 }
 
 // Undo and redo are the lab's, but for what the canvas alone has changed.
-bool for_canvas(CanvasState& canvas, KeyPress press) {
+bool for_canvas(wiring::CanvasState& canvas, KeyPress press) {
     auto action = action_for(press, KeyPlace::canvas);
     if (!action) action = action_for(press);
-    return action && press_key(canvas, *action);
+    return action && wiring::press_key(canvas, *action);
 }
 
 // Under a sheet the lab still plays, and the window still grows: nothing that its widgets could want.

@@ -60,11 +60,12 @@ float& at(FourNeurons& four, Dial dial) { return four.*entry(dial).value; }
 float at(const FourNeurons& four, Dial dial) { return four.*entry(dial).value; }
 
 BrainGraph make_graph(const FourNeurons& four) {
+    using namespace four_neuron_ids;
     BrainGraph graph;
-    graph.nodes = {{.id = 0, .kind = NodeKind::sensor, .name = "SL"},
-                   {.id = 1, .kind = NodeKind::sensor, .name = "SR"},
-                   {.id = 2, .kind = NodeKind::motor, .name = "ML", .bias = four.LM},
-                   {.id = 3, .kind = NodeKind::motor, .name = "MR", .bias = four.RM}};
+    graph.nodes = {{.id = SL, .kind = NodeKind::sensor, .name = "SL"},
+                   {.id = SR, .kind = NodeKind::sensor, .name = "SR"},
+                   {.id = ML, .kind = NodeKind::motor, .name = "ML", .bias = four.LM},
+                   {.id = MR, .kind = NodeKind::motor, .name = "MR", .bias = four.RM}};
     for (const Dial dial : weight_dials)
         graph.wires.push_back({.from = find_node(graph, entry(dial).sensor)->id,
                                .to = find_node(graph, entry(dial).motor)->id,

@@ -46,7 +46,12 @@ struct FourNeurons {
 float& at(FourNeurons&, Dial);
 float at(const FourNeurons&, Dial);
 
-// Nodes SL, SR, ML, MR with ids 0..3 and the four wires, those of weight 0 included.
+// Ids of the nodes of make_graph().
+namespace four_neuron_ids {
+inline constexpr NodeId SL = 0, SR = 1, ML = 2, MR = 3;
+}
+
+// The nodes SL, SR, ML, MR and the four wires, those of weight 0 included.
 BrainGraph make_graph(const FourNeurons&);
 
 // True when the graph equals make_graph() of some FourNeurons, apart from order and canvas positions.

@@ -6,14 +6,13 @@
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/wiring/canvas.h"
-#include "ui/wiring/interaction.h"
 
 namespace braitenlab {
 namespace {
 
 class Easel {
 public:
-    explicit Easel(const BrainGraph& graph) : now_(tests::moment_with(graph)) {
+    explicit Easel(const BrainGraph& graph) : now_(tests::snapshot_with(graph)) {
         ImGui::CreateContext();
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
@@ -39,13 +38,13 @@ public:
         anchors_.begin();
         outbox_.clear();
         Ui ui{strings_, palette(Theme::dark), fonts_, 1, anchors_, outbox_, {}};
-        wiring_canvas(view_, state_, ui, area_);
+        wiring::draw_canvas(view_, state_, ui, area_);
         ImGui::Render();
     }
     void forget_layout() { state_.layout = {}; }
-    void zoom(float to) { state_.zoom = to, state_.own_view = true; }
+    void zoom(float to) { state_.camera.zoom = to, state_.camera.by_user = true; }
     int vertices() const { return ImGui::GetDrawData()->TotalVtxCount; }
-    float shown_at() const { return state_.zoom; }
+    float shown_at() const { return state_.camera.zoom; }
 
 private:
     const Rect area_{16, 64, 900, 600};
@@ -55,7 +54,7 @@ private:
     Outbox outbox_;
     LabView view_;
     Fonts fonts_;
-    CanvasState state_;
+    wiring::CanvasState state_;
 };
 
 void report(benchmark::State& state, const Easel& easel) {

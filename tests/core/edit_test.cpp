@@ -11,7 +11,7 @@
 namespace braitenlab {
 namespace {
 
-constexpr NodeId SL = 0, SR = 1, ML = 2, MR = 3;
+using namespace four_neuron_ids;
 
 BrainGraph aggressor() { return make_graph({.LR = 1.5f, .RL = 1.5f, .LM = 0.1f, .RM = 0.1f}); }
 

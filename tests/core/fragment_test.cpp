@@ -10,7 +10,7 @@ namespace {
 
 using maths::vec2;
 
-constexpr NodeId SL = 0, ML = 2;
+using namespace four_neuron_ids;
 
 // Two eyes, two motors and `count` neurons from id 4 on, side by side.
 BrainGraph row_of_neurons(int count) {

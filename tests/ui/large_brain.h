@@ -1,4 +1,4 @@
-// Brains of any size, made by hand: two eyes, two motors and as many neurons and wires as asked for.
+// Brains of any size: two eyes, two motors and a given number of neurons and wires.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace braitenlab::tests {
 
-// Precondition: `wires` fit between so many nodes with room to spare.
+// `nodes` includes the eyes and motors. Precondition: far fewer wires than pairs of nodes.
 inline BrainGraph large_brain(int nodes, int wires) {
     BrainGraph graph = make_graph({.LR = 1.5f, .RL = 1.5f});
     maths::Random chance{7, 1};
@@ -31,8 +31,8 @@ inline BrainGraph large_brain(int nodes, int wires) {
     return graph;
 }
 
-// A snapshot of one vehicle with this brain; every neuron holds something.
-inline Snapshot moment_with(const BrainGraph& graph) {
+// A snapshot of one vehicle with this brain; most neurons have a value other than 0.
+inline Snapshot snapshot_with(const BrainGraph& graph) {
     Snapshot now;
     Scene scene;
     scene.kinds.resize(1);

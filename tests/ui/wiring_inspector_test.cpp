@@ -1,19 +1,22 @@
-// The card below the canvas: what it shows of a selection and what it asks for.
 #include <algorithm>
 
 #include "tests/ui/desk.h"
+#include "ui/wiring/inspector.h"
 
-namespace braitenlab::tests::wiring_inspector_test {
+namespace braitenlab::wiring {
 namespace {
 
-constexpr NodeId SL = 0, SR = 1, ML = 2;
+using tests::Desk;
+using tests::turned;
 
-struct Inspector : testing::Test {
-    Inspector() {
+using namespace four_neuron_ids;
+
+struct WiringInspector : testing::Test {
+    WiringInspector() {
         desk.view.mode = Mode::wiring;
         desk.frame(4);
     }
-    void select(Caught chosen) {
+    void select(Selection chosen) {
         desk.panels.canvas.selection = std::move(chosen);
         desk.frame(3);
     }
@@ -27,7 +30,7 @@ struct Inspector : testing::Test {
     Desk desk{1280, 800};
 };
 
-TEST_F(Inspector, ShowsNumbersOfWhatIsSelectedAlone) {
+TEST_F(WiringInspector, ShowsNumbersOfWhatIsSelectedAlone) {
     EXPECT_TRUE(shows("card.inspector"));
     EXPECT_FALSE(shows("inspector.weight"));
     select({{}, {{SR, ML}}});
@@ -42,7 +45,7 @@ TEST_F(Inspector, ShowsNumbersOfWhatIsSelectedAlone) {
     EXPECT_TRUE(shows("inspector.column"));
 }
 
-TEST_F(Inspector, TurnsTheSlidersOwnNumberForADirectWireAndAMotor) {
+TEST_F(WiringInspector, TurnsTheSlidersOwnNumberForADirectWireAndAMotor) {
     select({{}, {{SR, ML}}});
     desk.click("inspector.weight", 1);  // a right click brings 0
     ASSERT_FALSE(desk.edits().empty());
@@ -53,14 +56,14 @@ TEST_F(Inspector, TurnsTheSlidersOwnNumberForADirectWireAndAMotor) {
     EXPECT_EQ(turned(desk.edits().back()).dial, Dial::LM);
 }
 
-TEST_F(Inspector, GivesANodeACurveThatWasChosen) {
+TEST_F(WiringInspector, GivesANodeACurveThatWasChosen) {
     select({{ML}, {}});
     desk.click("inspector.kind.5");
     ASSERT_FALSE(desk.edits().empty());
     EXPECT_EQ(find_node(asked(), ML)->curve.response, Response::hump);
 }
 
-TEST_F(Inspector, CutsAWireAndSilencesANode) {
+TEST_F(WiringInspector, CutsAWireAndSilencesANode) {
     select({{}, {{SR, ML}}});
     desk.click("inspector.lesion");
     ASSERT_EQ(desk.edits().size(), 1u);
@@ -70,7 +73,7 @@ TEST_F(Inspector, CutsAWireAndSilencesANode) {
     EXPECT_TRUE(find_node(asked(), SL)->silenced);
 }
 
-TEST_F(Inspector, PutsNodesInOrder) {
+TEST_F(WiringInspector, PutsNodesInOrder) {
     select({{ML, SL}, {}});
     desk.click("inspector.column");
     ASSERT_EQ(desk.edits().size(), 1u);
@@ -79,7 +82,7 @@ TEST_F(Inspector, PutsNodesInOrder) {
     EXPECT_NE(places[SL].at->x, places[SR].at->x);
 }
 
-TEST_F(Inspector, CallsThePeakOfACurveByWhatItIs) {
+TEST_F(WiringInspector, CallsThePeakOfACurveByWhatItIs) {
     const auto said = [&](Response response) {
         BrainGraph graph = *desk.now.brains[0];
         find_node(graph, "ML")->curve.response = response;
@@ -101,7 +104,7 @@ TEST_F(Inspector, CallsThePeakOfACurveByWhatItIs) {
     EXPECT_TRUE(writes("threshold") && writes("step at")) << "a wire has a threshold besides";
 }
 
-TEST_F(Inspector, CountsOneAsOne) {
+TEST_F(WiringInspector, CountsOneAsOne) {
     BrainGraph graph = *desk.now.brains[0];
     graph.nodes.push_back({.id = 4, .name = "N1"});
     desk.now.brains[0] = std::make_shared<BrainGraph>(graph);
@@ -113,7 +116,7 @@ TEST_F(Inspector, CountsOneAsOne) {
     EXPECT_TRUE(writes("Selected: 2 nodes  ·  1 wire"));
 }
 
-TEST_F(Inspector, SaysWhatASensorSensesBesideItsName) {
+TEST_F(WiringInspector, SaysWhatASensorSensesBesideItsName) {
     Scene scene = *desk.now.scene;
     scene.kinds[0].sensors[0].name = "OL";
     scene.kinds[0].sensors[0].channel = Channel::smell;
@@ -125,7 +128,7 @@ TEST_F(Inspector, SaysWhatASensorSensesBesideItsName) {
     EXPECT_TRUE(writes("OL  ·  smells  ·  stands at 0.40"));
 }
 
-TEST_F(Inspector, IsNotClickedThroughTheCanvassOpenMenu) {
+TEST_F(WiringInspector, IsNotClickedThroughTheCanvassOpenMenu) {
     const Rect canvas = desk.where("canvas");
     desk.point(canvas.x + 40, canvas.y + canvas.h - 60);
     for (const bool down : {true, false}) desk.button(1, down), desk.frame(2);
@@ -139,14 +142,14 @@ TEST_F(Inspector, IsNotClickedThroughTheCanvassOpenMenu) {
     EXPECT_TRUE(desk.panels.canvas.inspector.folded);
 }
 
-TEST_F(Inspector, LeavesItsRoomToTheCanvasWhenFolded) {
+TEST_F(WiringInspector, LeavesItsRoomToTheCanvasWhenFolded) {
     const float before = desk.where("canvas").h;
     desk.click("card.inspector.fold");
     desk.frame(2);
     EXPECT_GT(desk.where("canvas").h, before + 60);
 }
 
-TEST_F(Inspector, TakesTheKeyboardWhenAskedForItsNumbers) {
+TEST_F(WiringInspector, TakesTheKeyboardWhenAskedForItsNumbers) {
     select({{}, {{SR, ML}}});
     desk.panels.canvas.focus = {Part::label, 0, {SR, ML}};
     desk.key({key::enter});
@@ -161,4 +164,4 @@ TEST_F(Inspector, TakesTheKeyboardWhenAskedForItsNumbers) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests::wiring_inspector_test
+}  // namespace braitenlab::wiring

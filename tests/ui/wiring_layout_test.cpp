@@ -4,25 +4,21 @@
 #include <gtest/gtest.h>
 
 #include "core/brain/edit.h"
+#include "core/brain/four_neurons.h"
 #include "ui/wiring/layout.h"
-#include "ui/wiring/occupied.h"
 
-namespace braitenlab::tests::wiring_layout_test {
+namespace braitenlab::wiring {
 namespace {
 
 using maths::vec2;
 
-constexpr NodeId SL = 0, SR = 1, ML = 2, MR = 3;
+using namespace four_neuron_ids;
 
-BrainGraph crossed() {
-    FourNeurons four;
-    four.LR = four.RL = 1.5f;
-    return make_graph(four);
-}
+BrainGraph aggressor() { return make_graph({.LR = 1.5f, .RL = 1.5f}); }
 
 // Two sensors and two motors with `count` hidden neurons in a chain.
 BrainGraph chain(int count) {
-    BrainGraph graph = crossed();
+    BrainGraph graph = aggressor();
     NodeId before = SL;
     for (int i = 0; i < count; ++i) {
         const NodeId neuron = fresh_id(graph);
@@ -37,14 +33,14 @@ bool overlap(vec2 a, vec2 a_size, vec2 b, vec2 b_size) {
     return std::abs(a.x - b.x) * 2 < a_size.x + b_size.x && std::abs(a.y - b.y) * 2 < a_size.y + b_size.y;
 }
 
-TEST(Layout, StandsEyesLeftMotorsRightAndLeftAboveRight) {
-    const Layout layout = lay_out(crossed(), {});
+TEST(WiringLayout, HasEyesLeftMotorsRightAndLeftAboveRight) {
+    const Layout layout = lay_out(aggressor(), {});
     EXPECT_LT(find_shape(layout, SL)->centre.x, find_shape(layout, ML)->centre.x);
     EXPECT_LT(find_shape(layout, SL)->centre.y, find_shape(layout, SR)->centre.y);
     EXPECT_LT(find_shape(layout, ML)->centre.y, find_shape(layout, MR)->centre.y);
 }
 
-TEST(Layout, PutsHiddenNeuronsBetweenInTheOrderOfTheSignal) {
+TEST(WiringLayout, PutsHiddenNeuronsBetweenInTheOrderOfTheSignal) {
     const Layout layout = lay_out(chain(3), {});
     float before = find_shape(layout, SL)->centre.x;
     for (const NodeId id : {4, 5, 6, ML}) {
@@ -53,7 +49,7 @@ TEST(Layout, PutsHiddenNeuronsBetweenInTheOrderOfTheSignal) {
     }
 }
 
-TEST(Layout, LetsNoCardsOverlap) {
+TEST(WiringLayout, HasNoCardsThatOverlap) {
     BrainGraph graph = chain(4);
     for (int i = 0; i < 8; ++i) graph = *add_neuron(graph).graph;
     const Layout layout = lay_out(graph, {});
@@ -62,7 +58,7 @@ TEST(Layout, LetsNoCardsOverlap) {
             EXPECT_FALSE(a.id < b.id && overlap(a.centre, a.size, b.centre, b.size)) << a.id << " " << b.id;
 }
 
-TEST(Layout, IsTheSameInWhateverOrderTheGraphWasMade) {
+TEST(WiringLayout, IsTheSameInWhateverOrderTheGraphWasMade) {
     BrainGraph graph = chain(3), turned = graph;
     std::reverse(turned.nodes.begin(), turned.nodes.end());
     std::reverse(turned.wires.begin(), turned.wires.end());
@@ -75,35 +71,35 @@ TEST(Layout, IsTheSameInWhateverOrderTheGraphWasMade) {
     }
 }
 
-TEST(Layout, KeepsAMovedNodeWhereItWasPut) {
+TEST(WiringLayout, KeepsAMovedNodeWhereItWasPut) {
     const Layout layout = lay_out(chain(1), {{4, {17, -230}}});
     EXPECT_EQ(find_shape(layout, 4)->centre, (vec2{17, -230}));
 }
 
-TEST(Layout, HasAPlaceForAllFourDirectWiresEvenWhereNoneIs) {
-    BrainGraph bare = crossed();
+TEST(WiringLayout, HasAPlaceForAllFourDirectWiresEvenWhereNoneIs) {
+    BrainGraph bare = aggressor();
     bare.wires.clear();
     const Layout layout = lay_out(bare, {});
     ASSERT_EQ(layout.wires.size(), 4u);
     for (const WireShape& wire : layout.wires) EXPECT_TRUE(wire.ghost && wire.direct);
-    EXPECT_FALSE(find_shape(lay_out(crossed(), {}), WireEnds{SL, MR})->ghost);
+    EXPECT_FALSE(find_shape(lay_out(aggressor(), {}), WireEnds{SL, MR})->ghost);
 }
 
-TEST(Layout, LetsNoLabelsOfTheFourCoverEachOther) {
-    const Layout layout = lay_out(crossed(), {});
+TEST(WiringLayout, HasNoLabelsOfDirectWiresThatOverlap) {
+    const Layout layout = lay_out(aggressor(), {});
     for (const WireShape& a : layout.wires)
         for (const WireShape& b : layout.wires)
             EXPECT_FALSE(a.ends < b.ends && overlap(a.label, a.label_size, b.label, b.label_size));
 }
 
-TEST(Layout, StandsTheLabelsOfCrossingWiresSideBySideAsMirrorImages) {
-    const Layout layout = lay_out(crossed(), {});
+TEST(WiringLayout, HasTheLabelsOfCrossingWiresSideBySideAsMirrorImages) {
+    const Layout layout = lay_out(aggressor(), {});
     const vec2 down = find_shape(layout, WireEnds{SL, MR})->label, up = find_shape(layout, WireEnds{SR, ML})->label;
     EXPECT_NEAR(down.x, up.x, 0.5f);
     EXPECT_NEAR(down.y, -up.y, 0.5f);
 }
 
-TEST(Layout, KeepsLabelsClearOfCards) {
+TEST(WiringLayout, KeepsLabelsClearOfCards) {
     const vec2 in_the_way = find_shape(lay_out(chain(1), {}), WireEnds{SL, ML})->label;
     const Layout layout = lay_out(chain(1), {{4, in_the_way + vec2{70, 0}}});
     const NodeShape& card = *find_shape(layout, 4);
@@ -111,13 +107,13 @@ TEST(Layout, KeepsLabelsClearOfCards) {
     EXPECT_FALSE(overlap(wire.label, wire.label_size, card.centre, card.size));
 }
 
-TEST(Layout, LetsWiresArriveOneBelowTheOther) {
-    const Layout layout = lay_out(crossed(), {});
+TEST(WiringLayout, EndsWiresOfOnePinOneBelowTheOther) {
+    const Layout layout = lay_out(aggressor(), {});
     EXPECT_LT(find_shape(layout, WireEnds{SL, ML})->bezier[3].y, find_shape(layout, WireEnds{SR, ML})->bezier[3].y);
 }
 
-TEST(Layout, StandsManySensorsFarFromTheMotorsSoThatWiresDoNotRunSteeply) {
-    BrainGraph graph = crossed();
+TEST(WiringLayout, IsWideForManySensorsSoThatWiresAreNotSteep) {
+    BrainGraph graph = aggressor();
     for (const char* name : {"OL", "OR", "KL", "KR"}) {
         Node sensor;
         sensor.id = fresh_id(graph), sensor.name = name, sensor.kind = NodeKind::sensor;
@@ -128,7 +124,7 @@ TEST(Layout, StandsManySensorsFarFromTheMotorsSoThatWiresDoNotRunSteeply) {
     EXPECT_GE(across.x, across.y);
 }
 
-TEST(Layout, PutsANodeWhereItsBrainSaysUnlessItIsInTheHand) {
+TEST(WiringLayout, HasANodeAtItsOwnPositionUnlessItIsHeld) {
     BrainGraph graph = chain(1);
     graph.nodes.back().place = {17, -230};
     const NodeId id = graph.nodes.back().id;
@@ -136,36 +132,36 @@ TEST(Layout, PutsANodeWhereItsBrainSaysUnlessItIsInTheHand) {
     EXPECT_EQ(find_shape(lay_out(graph, {{id, {1, 2}}}), id)->centre, (vec2{1, 2}));
 }
 
-TEST(InPlace, WritesPlacesDownOnlyWhereTidyingWouldMoveSomebody) {
-    const BrainGraph graph = crossed();
+TEST(WiringLayout, KeepPositionsWritesThemOnlyWhereTidyWouldMoveANode) {
+    const BrainGraph graph = aggressor();
     const Layout shown = lay_out(graph, {});
-    EXPECT_EQ(in_place(graph, shown), graph);
+    EXPECT_EQ(keep_positions(graph, shown), graph);
     const BrainGraph longer = chain(3);
-    const Layout still = lay_out(in_place(longer, shown), {});
+    const Layout still = lay_out(keep_positions(longer, shown), {});
     for (const NodeShape& node : shown.nodes) EXPECT_EQ(find_shape(still, node.id)->centre, node.centre);
 }
 
-TEST(FreePlace, IsTheWantedOneOrTheNearestThatCoversNothing) {
-    const Layout layout = lay_out(crossed(), {});
+TEST(WiringLayout, FreePositionIsTheWantedOneOrTheNearestThatCoversNothing) {
+    const Layout layout = lay_out(aggressor(), {});
     const vec2 size{150, 80}, far{2000, 2000};
-    EXPECT_EQ(free_place(layout, far, size), far);
+    EXPECT_EQ(free_position(layout, far, size), far);
     for (const NodeShape& node : layout.nodes) {
-        const vec2 at = free_place(layout, node.centre, size);
+        const vec2 at = free_position(layout, node.centre, size);
         EXPECT_FALSE(overlap(at, size, node.centre, node.size));
         EXPECT_LT(maths::distance(at, node.centre), 180);
     }
 }
 
-TEST(KeptLayout, IsMadeAnewOnlyForAnotherGraphOrOtherPlaces) {
-    KeptLayout kept;
+TEST(WiringLayout, CacheLaysOutAgainOnlyForAnotherGraphOrOtherPositions) {
+    LayoutCache kept;
     const auto graph = std::make_shared<BrainGraph>(chain(2)), longer = std::make_shared<BrainGraph>(chain(3));
-    const NodeShape* first = kept.of(graph, {}).nodes.data();
-    EXPECT_EQ(kept.of(graph, {}).nodes.data(), first);
-    EXPECT_EQ(find_shape(kept.of(graph, {{4, {9, 9}}}), 4)->centre, (vec2{9, 9}));
-    EXPECT_EQ(kept.of(longer, {}).nodes.size(), longer->nodes.size());
+    const NodeShape* first = kept.get(graph, {}).nodes.data();
+    EXPECT_EQ(kept.get(graph, {}).nodes.data(), first);
+    EXPECT_EQ(find_shape(kept.get(graph, {{4, {9, 9}}}), 4)->centre, (vec2{9, 9}));
+    EXPECT_EQ(kept.get(longer, {}).nodes.size(), longer->nodes.size());
 }
 
-TEST(WireCurve, RunsFromPinToPin) {
+TEST(WiringLayout, WireCurveRunsFromPinToPin) {
     for (const vec2 to : {vec2{300, 80}, vec2{-200, 40}, vec2{0, 0}}) {
         const auto curve = wire_curve({10, 20}, to);
         EXPECT_EQ(bezier_point(curve, 0), (vec2{10, 20}));
@@ -173,9 +169,9 @@ TEST(WireCurve, RunsFromPinToPin) {
     }
 }
 
-TEST(Occupied, AgreesWithLookingAtEveryBox) {
+TEST(WiringLayout, OccupiedBoxesAgreeWithASearchOfEveryBox) {
     std::vector<std::pair<vec2, vec2>> boxes;
-    Occupied taken;
+    OccupiedBoxes taken;
     for (int i = 0; i < 40; ++i) {
         const vec2 at{static_cast<float>(i * 197 % 900) - 450, static_cast<float>(i * 331 % 700) - 350};
         boxes.emplace_back(at, vec2{static_cast<float>(20 + i * 13 % 180), 30});
@@ -185,14 +181,9 @@ TEST(Occupied, AgreesWithLookingAtEveryBox) {
         const vec2 at{static_cast<float>(i * 83 % 1000) - 500, static_cast<float>(i * 59 % 800) - 400}, size{72, 28};
         const bool any = std::any_of(boxes.begin(), boxes.end(),
                                      [&](const auto& box) { return overlap(at, size, box.first, box.second); });
-        EXPECT_EQ(taken.touches(at, size), any) << at.x << " " << at.y;
+        EXPECT_EQ(taken.overlaps(at, size), any) << at.x << " " << at.y;
     }
 }
 
-TEST(View, GoesThereAndBack) {
-    const View view{{120, 40}, 1.5f};
-    EXPECT_EQ(view.to_canvas(view.to_window({8, -6})), (vec2{8, -6}));
-}
-
 }  // namespace
-}  // namespace braitenlab::tests::wiring_layout_test
+}  // namespace braitenlab::wiring

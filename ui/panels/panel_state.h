@@ -48,7 +48,7 @@ struct PanelState {
     CardState sensors{.folded = true};
     SliderState sliders;
     Keyboard keyboard;
-    CanvasState canvas;
+    wiring::CanvasState canvas;
     StageState stage;
     Recognised recognised;
     History history;

@@ -3,33 +3,34 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/wiring/make.h"
+#include "core/brain/four_neurons.h"
+#include "ui/wiring/edits.h"
 
-namespace braitenlab {
+namespace braitenlab::wiring {
 
 using maths::vec2;
 
 namespace {
 
 void tidy_up(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
-    PlaceNodes tidied{frame.target, {}};
-    for (const Node& node : frame.graph.nodes) tidied.places.push_back({node.id, {}});
+    PlaceNodes none{frame.target, {}};
+    for (const Node& node : frame.graph.nodes) none.places.push_back({node.id, {}});
     const BrainGraph bare = without_places(frame.graph);
-    if (bare != frame.graph) outbox.push_back(EditRequest{tidied, state.next_gesture++});
+    if (bare != frame.graph) outbox.push_back(EditRequest{none, state.next_gesture++});
     state.held = tidy(bare);
-    fit(state, lay_out(bare, {}), frame.area, frame.ui_scale);
+    fit(state.camera, lay_out(bare, {}), frame.area, frame.ui_scale);
 }
 
-void hurt_or_heal(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
-    // What lies under the pointer goes before what is selected, unless it is a part of that.
-    Caught chosen = state.selection;
+void toggle_lesion(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
+    // The part under the pointer, unless it is selected: then the whole selection.
+    Selection chosen = state.selection;
     const Hit& under = state.hovered;
-    const bool wire = under.part == Part::label || under.part == Part::wire;
-    if (wire && chosen.wires.count(under.wire) == 0) chosen = {{}, {under.wire}};
-    if (!wire && under.part != Part::nothing && chosen.nodes.count(under.node) == 0) chosen = {{under.node}, {}};
-    if (chosen.nodes.empty() && chosen.wires.empty()) return;
-    const bool hurt = all_lesioned(frame.graph, chosen.nodes, chosen.wires);
-    ask(state, frame, set_lesion(frame.graph, chosen.nodes, chosen.wires, !hurt), state.next_gesture++, outbox);
+    if (under.part != Part::nothing && !chosen.contains(under))
+        chosen = under.is_wire() ? Selection{{}, {under.wire}} : Selection{{under.node}, {}};
+    if (chosen.empty()) return;
+    const bool lesioned = all_lesioned(frame.graph, chosen.nodes, chosen.wires);
+    send_edit(state, frame, set_lesion(frame.graph, chosen.nodes, chosen.wires, !lesioned), state.next_gesture++,
+              outbox);
 }
 
 void select_all(CanvasState& state, const Layout& layout) {
@@ -39,24 +40,24 @@ void select_all(CanvasState& state, const Layout& layout) {
         if (!wire.ghost) state.selection.wires.insert(wire.ends);
 }
 
-void step_in_menu(CanvasMenu& menu, Towards towards) {
+void step_in_menu(CanvasMenu& menu, Direction direction) {
     const int count = static_cast<int>(menu.rows.size());
-    if (towards == Towards::down) menu.current = (menu.current + 1) % count;
-    if (towards == Towards::up) menu.current = (std::max(menu.current, 0) + count - 1) % count;
+    if (direction == Direction::down) menu.current = (menu.current + 1) % count;
+    if (direction == Direction::up) menu.current = (std::max(menu.current, 0) + count - 1) % count;
 }
 
-void move_focus(CanvasState& state, const CanvasFrame& frame, Towards towards) {
-    if (state.menu.open()) return step_in_menu(state.menu, towards);
-    state.focus = next_towards(frame.layout, state.focus, towards, state.joining.has_value());
+void step(CanvasState& state, const CanvasFrame& frame, Direction direction) {
+    if (state.menu.open()) return step_in_menu(state.menu, direction);
+    state.focus = next_in(direction, frame.layout, state.focus, state.joining.has_value());
     if (!state.joining && state.focus.part != Part::nothing) select(state, state.focus, false);
-    if (const auto at = middle_of(frame.layout, state.focus)) reveal(state, frame.area, frame.ui_scale, *at);
+    if (const auto at = centre_of(frame.layout, state.focus)) reveal(state.camera, frame.area, frame.ui_scale, *at);
 }
 
 void begin_joining(CanvasState& state, const CanvasFrame& frame) {
     const NodeShape* shape =
         state.selection.nodes.size() == 1 ? find_shape(frame.layout, *state.selection.nodes.begin()) : nullptr;
-    if (shape == nullptr) return refuse(state, frame, "wiring.refused.join_one");
-    if (!shape->has_out) return refuse(state, frame, "wiring.refused.no_output");
+    if (shape == nullptr) return show_refusal(state, frame, "wiring.refused.join_one");
+    if (!shape->has_out) return show_refusal(state, frame, "wiring.refused.no_output");
     state.joining = shape->id;
     state.focus = {Part::node, shape->id, {}};
 }
@@ -65,19 +66,19 @@ void finish_joining(CanvasState& state, const CanvasFrame& frame, Outbox& outbox
     const WireEnds ends{*state.joining, state.focus.node};
     state.joining.reset();
     const Edit edit = connect(frame.graph, ends);
-    if (!edit) return refuse(state, frame, edit.refusal);
+    if (!edit) return show_refusal(state, frame, edit.refusal);
     if (direct_dial(frame.graph, ends))
-        ask_weight(frame, frame.graph, ends, 1, state.next_gesture++, outbox);
+        send_weight(frame, frame.graph, ends, 1, state.next_gesture++, outbox);
     else
-        ask(state, frame, edit, state.next_gesture++, outbox);
+        send_edit(state, frame, edit, state.next_gesture++, outbox);
     select(state, {Part::label, 0, ends}, false);
 }
 
 void enter(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     if (state.menu.open()) return choose(state, frame, state.menu.current, outbox);
     if (state.joining) return finish_joining(state, frame, outbox);
-    const auto at = nothing_selected(state) ? std::nullopt : middle_of(frame.layout, state.focus);
-    open_menu(state, frame, view_of(state, frame).to_window(at ? *at : state.middle));
+    const auto at = state.selection.empty() ? std::nullopt : centre_of(frame.layout, state.focus);
+    open_menu(state, frame, view_of(state, frame).to_window(at ? *at : state.camera.middle));
     state.menu.current = 0;
 }
 
@@ -86,17 +87,17 @@ void cancel(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
         state.menu = {};
     else if (state.joining)
         state.joining.reset();
-    else if (state.drag.phase != CanvasPhase::idle)
+    else if (state.drag.phase != DragPhase::idle)
         cancel_drag(state, frame, outbox);
     else
         state.selection = {}, state.focus = {}, state.refusal = {};
 }
 
-void order(CanvasState& state, const CanvasFrame& frame, Order wanted, Outbox& outbox) {
-    state.held = put_in_order(frame.layout, state.selection.nodes, wanted);
+void arrange(CanvasState& state, const CanvasFrame& frame, Arrangement wanted, Outbox& outbox) {
+    state.held = arranged(frame.layout, state.selection.nodes, wanted);
     std::erase_if(state.held,
-                  [&](const auto& put) { return find_shape(frame.layout, put.first)->centre == put.second; });
-    ask_places(frame, state.held, state.next_gesture++, outbox);
+                  [&](const auto& moved) { return find_shape(frame.layout, moved.first)->centre == moved.second; });
+    send_positions(frame, state.held, state.next_gesture++, outbox);
 }
 
 }  // namespace
@@ -105,43 +106,43 @@ void open_menu(CanvasState& state, const CanvasFrame& frame, vec2 at) {
     state.menu = {};
     state.menu.rows = menu_rows(frame.graph, state.selection, !state.clipboard.empty());
     state.menu.at = at;
-    state.menu.place = view_of(state, frame).to_canvas(at);
-    head_menu(state.menu);
+    state.menu.canvas_at = view_of(state, frame).to_canvas(at);
+    set_heading(state.menu);
 }
 
 void open_drop_menu(CanvasState& state, const CanvasFrame& frame, Hit pin) {
     state.menu = {};
     state.menu.rows = drop_rows();
     state.menu.at = frame.pointer.at;
-    state.menu.place = view_of(state, frame).to_canvas(frame.pointer.at);
+    state.menu.canvas_at = view_of(state, frame).to_canvas(frame.pointer.at);
     state.menu.loose = pin;
-    head_menu(state.menu);
+    set_heading(state.menu);
 }
 
 void cancel_drag(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
-    CanvasDrag& drag = state.drag;
-    // Edits are asked for at the release, but for a weight, which moves live.
-    if (drag.phase == CanvasPhase::drag_weight && drag.sent != drag.weight)
-        ask_weight(frame, drag.graph, drag.pressed.wire, drag.weight, drag.gesture, outbox);
+    Drag& drag = state.drag;
+    // All edits are sent at the release, except a weight, which is sent while it is dragged.
+    if (drag.phase == DragPhase::drag_weight && drag.sent != drag.weight)
+        send_weight(frame, drag.graph, drag.pressed.wire, drag.weight, drag.gesture, outbox);
     state.held.clear();
-    if (drag.phase != CanvasPhase::idle) state.selection = drag.selection;
+    if (drag.phase != DragPhase::idle) state.selection = drag.selection;
     drag = {};
 }
 
-void obey(CanvasState& state, const CanvasFrame& frame, Action action, Outbox& outbox) {
+void execute(CanvasState& state, const CanvasFrame& frame, Action action, Outbox& outbox) {
     if (action == Action::cancel) return cancel(state, frame, outbox);
-    if (state.drag.phase != CanvasPhase::idle) return;  // the hand on the mouse has it
+    if (state.drag.phase != DragPhase::idle) return;  // keys wait until the drag ends
     switch (action) {
         case Action::menu:
             return enter(state, frame, outbox);
         case Action::step_left:
-            return move_focus(state, frame, Towards::left);
+            return step(state, frame, Direction::left);
         case Action::step_right:
-            return move_focus(state, frame, Towards::right);
+            return step(state, frame, Direction::right);
         case Action::step_up:
-            return move_focus(state, frame, Towards::up);
+            return step(state, frame, Direction::up);
         case Action::step_down:
-            return move_focus(state, frame, Towards::down);
+            return step(state, frame, Direction::down);
         default:
             break;
     }
@@ -150,7 +151,7 @@ void obey(CanvasState& state, const CanvasFrame& frame, Action action, Outbox& o
         case Action::erase:
             return erase_selected(state, frame, outbox);
         case Action::fit:
-            return fit(state, frame.layout, frame.area, frame.ui_scale);
+            return fit(state.camera, frame.layout, frame.area, frame.ui_scale);
         case Action::tidy:
             return tidy_up(state, frame, outbox);
         case Action::copy:
@@ -162,11 +163,11 @@ void obey(CanvasState& state, const CanvasFrame& frame, Action action, Outbox& o
         case Action::paste:
             return paste_copied(state, frame, outbox);
         case Action::duplicate:
-            return duplicate(state, frame, outbox);
+            return duplicate_selected(state, frame, outbox);
         case Action::select_all:
             return select_all(state, frame.layout);
         case Action::lesion:
-            return hurt_or_heal(state, frame, outbox);
+            return toggle_lesion(state, frame, outbox);
         case Action::join:
             return begin_joining(state, frame);
         default:
@@ -177,11 +178,10 @@ void obey(CanvasState& state, const CanvasFrame& frame, Action action, Outbox& o
 void choose(CanvasState& state, const CanvasFrame& frame, int index, Outbox& outbox) {
     const CanvasMenu menu = std::exchange(state.menu, {});
     if (index >= 0 && index < static_cast<int>(menu.rows.size()))
-        carry_out(state, frame, menu.rows[static_cast<std::size_t>(index)], menu, outbox);
+        execute(state, frame, menu.rows[static_cast<std::size_t>(index)], menu, outbox);
 }
 
-void carry_out(CanvasState& state, const CanvasFrame& frame, const MenuRow& row, const CanvasMenu& menu,
-               Outbox& outbox) {
+void execute(CanvasState& state, const CanvasFrame& frame, const MenuRow& row, const CanvasMenu& menu, Outbox& outbox) {
     const bool one_wire = state.selection.wires.size() == 1;
     switch (row.command) {
         case MenuCommand::add:
@@ -196,23 +196,23 @@ void carry_out(CanvasState& state, const CanvasFrame& frame, const MenuRow& row,
             return;
         case MenuCommand::flip:
             if (!one_wire) return;
-            return ask_weight(frame, frame.graph, *state.selection.wires.begin(),
-                              -weight_of(frame.graph, *state.selection.wires.begin()), state.next_gesture++, outbox);
+            return send_weight(frame, frame.graph, *state.selection.wires.begin(),
+                               -weight_of(frame.graph, *state.selection.wires.begin()), state.next_gesture++, outbox);
         case MenuCommand::detach:
-            ask(state, frame, detach(frame.graph, state.selection.nodes), state.next_gesture++, outbox);
+            send_edit(state, frame, detach(frame.graph, state.selection.nodes), state.next_gesture++, outbox);
             return;
         case MenuCommand::column:
-            return order(state, frame, Order::column, outbox);
+            return arrange(state, frame, Arrangement::column, outbox);
         case MenuCommand::row:
-            return order(state, frame, Order::row, outbox);
+            return arrange(state, frame, Arrangement::row, outbox);
         case MenuCommand::even_down:
-            return order(state, frame, Order::even_down, outbox);
+            return arrange(state, frame, Arrangement::even_down, outbox);
         case MenuCommand::even_across:
-            return order(state, frame, Order::even_across, outbox);
+            return arrange(state, frame, Arrangement::even_across, outbox);
         default:
-            if (row.key) obey(state, frame, *row.key, outbox);
+            if (row.action) execute(state, frame, *row.action, outbox);
             return;
     }
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::wiring

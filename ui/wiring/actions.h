@@ -1,28 +1,25 @@
-// What keys and the menu do to the canvas and its brain.
+// Executes the actions of keys and the rows of menus on the canvas and its brain. No Dear ImGui.
 #pragma once
 
-#include "ui/wiring/align.h"
-#include "ui/wiring/ask.h"
-#include "ui/wiring/focus.h"
-#include "ui/wiring/interaction.h"
+#include "ui/wiring/canvas.h"
 
-namespace braitenlab {
+namespace braitenlab::wiring {
 
-// Opens the menu for the selection, at a pixel of the window.
+// Opens the menu of the selection at a window pixel.
 void open_menu(CanvasState&, const CanvasFrame&, maths::vec2 at);
 
-// Opens the menu of what a dropped wire can end at.
+// Opens the menu of neurons at the pointer, for a wire that was dropped there. `pin`: the pin that it starts from.
 void open_drop_menu(CanvasState&, const CanvasFrame&, Hit pin);
 
-// Esc in mid-drag: everything as it was at the press.
+// Ends a drag and restores everything as it was at the press.
 void cancel_drag(CanvasState&, const CanvasFrame&, Outbox&);
 
-void obey(CanvasState&, const CanvasFrame&, Action, Outbox&);
+void execute(CanvasState&, const CanvasFrame&, Action, Outbox&);
 
-// Does what a row of the menu says; `menu` is the one that it stood in.
-void carry_out(CanvasState&, const CanvasFrame&, const MenuRow&, const CanvasMenu& menu, Outbox&);
+// `menu`: the menu that the row is from.
+void execute(CanvasState&, const CanvasFrame&, const MenuRow&, const CanvasMenu& menu, Outbox&);
 
-// Closes the menu and carries out the row at this index; −1 for none.
+// Closes the menu and executes its row of this index; −1: none.
 void choose(CanvasState&, const CanvasFrame&, int row, Outbox&);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::wiring

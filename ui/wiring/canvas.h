@@ -1,13 +1,14 @@
-// The wiring canvas: a brain as a picture that can be rewired with the mouse, or with the keys alone.
+// The wiring canvas: a brain as a diagram that is rewired with the mouse or with keys alone.
 //
-// It reads the selected vehicle's brain from the snapshot every frame and keeps only what a person sees: the view, the
-// selection, the drag in progress. Every change leaves as an EditRequest through ui.outbox: TurnDial for the weights of
-// LL, LR, RL, RR (a slider and a wire are the same number), PlaceNodes for where nodes stand, SetBrain for everything
-// else. All edits of one drag carry one gesture.
+// The canvas keeps no graph. It reads the selected vehicle's brain from the snapshot in every frame and keeps view
+// state only: camera, selection, the drag in progress. Every edit leaves as an EditRequest through the outbox: TurnDial
+// for the weights LL, LR, RL, RR (the sliders' numbers), PlaceNodes for node positions, SetBrain for all other edits.
+// All edits of one drag have the same gesture.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,39 +16,38 @@
 #include "ui/lab_view.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/ui.h"
-#include "ui/wiring/hit.h"
 #include "ui/wiring/menu.h"
-#include "ui/wiring/moment.h"
+#include "ui/wiring/view.h"
 
-namespace braitenlab {
+namespace braitenlab::wiring {
 
-enum class CanvasPhase { idle, pending, pan, map, box, move_nodes, drag_wire, drag_weight };
+enum class DragPhase { idle, pending, pan, map, box, move_nodes, drag_wire, drag_weight };
 
-// From the press of a button to its release; what it began with, so that Esc can bring it back.
-struct CanvasDrag {
-    CanvasPhase phase = CanvasPhase::idle;
+// From a button's press to its release, with the state at the press, which Esc restores.
+struct Drag {
+    DragPhase phase = DragPhase::idle;
     Hit pressed;
     bool left = true, right = false;  // the button; neither: the middle one
     maths::vec2 press, last;          // window pixels
     BrainGraph graph;
-    Places places;  // of move_nodes: where those in the hand stood
-    Caught selection;
-    float weight = 0, travel = 0, sent = 0;  // of drag_weight: at press, dragged since, last one asked for
-    NodeId fixed = 0;                        // of drag_wire: the node that the wire stays at
-    bool outwards = true;                    // and whether it begins there
-    std::optional<WireEnds> taken;           // the wire whose end was taken off; nothing: a new wire
+    Positions positions;  // of move_nodes: of the moved nodes
+    Selection selection;
+    float weight = 0, travel = 0, sent = 0;  // of drag_weight: at the press, dragged since then, last one sent
+    NodeId fixed = 0;                        // of drag_wire: the node that the wire keeps
+    bool outwards = true;                    // of drag_wire: whether the wire starts at `fixed`
+    std::optional<WireEnds> taken;           // of drag_wire: the wire whose end is dragged; nullopt: a new wire
     std::uint64_t gesture = 0;
 };
 
-// Why something was refused, shown at the cursor for a moment.
-struct CanvasRefusal {
-    std::string key;   // of the reason's string; empty for none
+// The reason of a refusal, shown at the pointer for a moment.
+struct RefusalNote {
+    std::string key;   // string key; empty: none
     maths::vec2 at;    // window pixels
     double until = 0;  // LabView::wall_seconds
 };
 
-// What was shown a frame ago, and where: changes of it move the view, or must not.
-struct CanvasShown {
+// What the previous frame showed: a change of it can move the camera.
+struct ShownBefore {
     std::uint64_t sitting = 0;
     int kind = -1;  // the vehicle's
     std::shared_ptr<const BrainGraph> brain{};
@@ -56,47 +56,76 @@ struct CanvasShown {
     float ui_scale = 1;
 };
 
-inline constexpr float least_zoom = 0.1f, most_zoom = 3;
-
-struct CanvasState {
-    maths::vec2 middle;     // the canvas point in the middle of the area
-    float zoom = 1;         // least_zoom..most_zoom
-    bool own_view = false;  // panned or zoomed by hand: no automatic fit
-    Places held;            // nodes in the hand, and those just let go until the lab has put them there
-    Caught selection;
-    Hit focus;                      // a node or a label: where the arrow keys stand
-    std::optional<NodeId> joining;  // a wire is being drawn by keys from this node to the one in focus
-    CanvasDrag drag;
-    CanvasMenu menu;
-    BrainFragment clipboard;
-    Hit rested;  // what the pointer has lain on, and since when (LabView::wall_seconds)
-    double rested_since = 0;
-    CanvasRefusal refusal;
-    Hit hovered;
-    KeptLayout layout;
-    CanvasMoment moment;
-
-    CanvasShown shown;
-    bool entered = false;  // the canvas was not drawn a frame ago
-    int last_frame = -1;   // a drag that was not drawn for a frame is dropped
-    std::uint64_t next_gesture = gestures::canvas;
-    WireEnds wheel_wire;  // notches over the same label are one gesture
-    std::uint64_t wheel_gesture = 0;
-    maths::vec2 pointer;  // window pixels, where the mouse was seen last
-    CardState inspector;
-    std::optional<MenuRow> wanted;  // asked for by the inspector's buttons, for the next frame
-    bool edit_numbers = false;      // the inspector is to take the keyboard
-    std::vector<Action> keys;       // waiting for the next frame
+// What nodes and wires carry in the snapshot, in the order of the layout.
+struct Readings {
+    std::vector<float> nodes;    // as Layout::nodes: a sensor's reading, a neuron's or a motor's value
+    std::vector<float> learned;  // as Layout::wires: the learned part of a Hebbian wire's weight, else 0
+    std::vector<float> carried;  // as Layout::wires: what the wire delivers
 };
 
-// Draws the canvas over `area` (window pixels: the part of the window that no card covers) and reports what the person
-// did there. Anchors: canvas, canvas.arrange, canvas.fit, canvas.minimap, pin.<node>.out, pin.<node>.in, node.<node>,
-// wire.LL … or wire.<from>-<to> (the weight's label), curve.LL … (a point of the curve beside its label); menu.<row>
-// while a menu is open; says.<node> while a note says what it senses; selected.<node or wire>; refused.<reason>.
-void wiring_canvas(const LabView&, CanvasState&, Ui&, Rect area);
+// Equals node_value(), learned() and signal() of each node and wire. Precondition: the layout is of the vehicle's brain
+// `graph`.
+void update(Readings&, const Snapshot&, const VehicleView&, const BrainGraph& graph, const Layout&);
 
-// Hands a key's action to the canvas, which acts when drawn next. True when the canvas has a use for it now: an Esc
-// that returns false is free to leave the wiring mode.
-bool press_key(CanvasState&, Action);
+struct CanvasState {
+    Camera camera;
+    Positions held;  // of nodes that are dragged, and after the release until the lab has moved them
+    Selection selection;
+    Hit focus;                      // node or label that arrow keys start from
+    std::optional<NodeId> joining;  // start of a wire that is drawn with keys, to the node in focus
+    Drag drag;
+    CanvasMenu menu;
+    BrainFragment clipboard;
+    RefusalNote refusal;
+    Hit hovered;               // part under the pointer
+    Hit rested;                // part that the pointer is on since `rested_since`
+    double rested_since = 0;   // LabView::wall_seconds
+    maths::vec2 last_pointer;  // window pixels, in the previous frame
+    LayoutCache layout;
+    Readings readings;
 
-}  // namespace braitenlab
+    ShownBefore shown;
+    bool entered = false;  // the previous frame did not draw the canvas
+    int last_frame = -1;   // Dear ImGui's count; a drag ends when a frame does not draw the canvas
+    std::uint64_t next_gesture = gestures::canvas;
+    WireEnds wheel_wire;              // wheel notches over one label are one gesture
+    std::uint64_t wheel_gesture = 0;  // 0: none
+    CardState inspector;
+    bool edit_numbers = false;          // the inspector takes the keyboard in the next frame
+    std::vector<Action> actions;        // keys' actions, executed in the next frame
+    std::optional<MenuRow> chosen_row;  // chosen with the inspector's buttons, executed in the next frame
+};
+
+// The mouse in one frame, window pixels.
+struct Pointer {
+    maths::vec2 at;
+    bool valid = true;  // false when the window has lost the mouse: a drag is cancelled
+    bool over = true;   // no other window covers the canvas here
+    bool left_pressed = false, right_pressed = false, middle_pressed = false;  // in this frame
+    bool left_down = false, right_down = false, middle_down = false;
+    float wheel = 0;  // notches, up is positive
+    bool shift = false;
+};
+
+// What one frame of input works on.
+struct CanvasFrame {
+    const BrainGraph& graph;  // the vehicle's brain
+    const Layout& layout;
+    Rect area;
+    Target target;  // vehicle or kind that edits apply to
+    float ui_scale = 1;
+    double wall_seconds = 0;
+    Pointer pointer;
+};
+
+inline View view_of(const CanvasState& state, const CanvasFrame& frame) {
+    return view_of(state.camera, frame.area, frame.ui_scale);
+}
+
+// Draws the canvas over `area` (window pixels, free of cards) and sends the user's edits. Anchors: canvas,
+// canvas.arrange, canvas.fit, canvas.minimap, pin.<node>.out, pin.<node>.in, node.<node>, wire.LL … or wire.<from>-<to>
+// (the weight's label), curve.LL … (a point of the curve beside its label), menu and menu.<row> while a menu is open,
+// says.<node> while a note describes the node, selected.<node or wire>, refused.<reason>.
+void draw_canvas(const LabView&, CanvasState&, Ui&, Rect area);
+
+}  // namespace braitenlab::wiring

@@ -1,58 +1,75 @@
-// The canvas's picture: ground, wires, cards, and what goes on under the cursor.
+// What all parts of the canvas's picture are drawn with: a pen in canvas units and the state to show.
 #pragma once
 
-#include "ui/wiring/interaction.h"
-#include "ui/wiring/moment.h"
-#include "ui/wiring/pen.h"
+#include <string_view>
 
-namespace braitenlab {
+#include <imgui.h>
 
-struct CanvasPicture {
+#include "ui/widgets/paint.h"
+#include "ui/wiring/canvas.h"
+
+namespace braitenlab::wiring {
+
+inline constexpr float least_type = 11, least_name = 8, too_small = 6;  // letters' heights, layout pixels
+
+// Draws in canvas units on Dear ImGui's draw list.
+struct Pen {
+    ImDrawList& list;
+    const Ui& ui;
+    View view;
+
+    const Palette& palette() const { return ui.palette; }
+    float size(float units) const { return units * view.scale; }
+    ImVec2 at(maths::vec2 unit) const {
+        const maths::vec2 pixel = view.to_window(unit);
+        return {pixel.x, pixel.y};
+    }
+
+    // A line's thickness in window pixels: `units`, at least 0.75 layout pixels.
+    float stroke(float units) const;
+
+    // Text about `height` units high, at least least_type, its point `anchor` (0..1 of its width, middle of its height)
+    // at `unit`. Text wider than `room` units (0: no limit) is made smaller, down to least_name, then cut; captions
+    // (Face::small) are left out instead, and so is text below too_small.
+    void text(maths::vec2 unit, float height, float anchor, std::string_view, Colour, Face = Face::text,
+              float room = 0) const;
+
+    void box(maths::vec2 centre, maths::vec2 size, float rounding, Colour) const;
+    void frame(maths::vec2 centre, maths::vec2 size, float rounding, float thickness, Colour) const;
+
+    // Light or shadow around a box, brightest at its rim and fading over `reach` units. One small mesh, because a large
+    // brain has many.
+    void halo(maths::vec2 centre, maths::vec2 size, float rounding, float reach, Colour) const;
+
+    // A small disc with few vertices, window pixels.
+    void dot(ImVec2 middle, float radius, ImU32 colour) const;
+};
+
+// How much is drawn at the pen's zoom.
+enum class Detail { map, sketch, full };  // boxes and lines; with text as large as it fits; everything
+Detail detail_of(const Pen&);
+
+// What is drawn.
+struct Picture {
     const LabView& view;
     const VehicleView& vehicle;
     const BrainGraph& graph;
     const Layout& layout;
-    const CanvasMoment& moment;
+    const Readings& readings;
     const CanvasState& state;
-    maths::vec2 low, high;  // corners of what can be seen, canvas units
+    maths::vec2 low, high;  // corners of the visible canvas, canvas units
 
-    // Whether anything between two corners can be seen, with room for a card's glow around it.
-    bool sees(maths::vec2 from, maths::vec2 to) const {
+    // True when part of a box between two corners is visible, with room for a card's glow around it.
+    bool is_visible(maths::vec2 from, maths::vec2 to) const {
         constexpr float glow = 24;
         return to.x + glow > low.x && from.x - glow < high.x && to.y + glow > low.y && from.y - glow < high.y;
     }
 };
 
+// The canvas's background with a grid of dots.
 void draw_ground(const Pen&, Rect area);
-void draw_wires(const Pen&, const CanvasPicture&);
-void draw_labels(const Pen&, const CanvasPicture&);
-void draw_nodes(const Pen&, const CanvasPicture&);
 
-// The selected neuron's sum, the wire or box being drawn, and the reason of a refusal.
-void draw_cursor(const Pen&, const CanvasPicture&, const CanvasFrame&);
+// Records the anchors of all visible nodes, pins and wires and of the selection, and draws the highlighted one.
+void record_anchors(Ui&, const Pen&, const Picture&, Rect area);
 
-// The open menu, at the place that it gets here, and the small picture of a large brain.
-void draw_menu(const Pen&, CanvasMenu&, Rect area);
-void draw_minimap(const Pen&, const CanvasPicture&, Rect area);
-
-// The sign at a wire's end, pointing right at `tip`: ▶ excites, ● inhibits.
-void draw_end_sign(const Pen&, maths::vec2 tip, float size, bool excites, Colour);
-
-// What stands on a card: an almond with an iris that opens and lights up with what it sees, a wheel seen from its side
-// (rad), a response curve with a dot where the neuron stands, a bar from 0 to the value.
-void draw_eye(const Pen&, maths::vec2 centre, float value, bool covered);
-void draw_wheel(const Pen&, maths::vec2 centre, float angle, float value, bool stopped);
-void draw_response(const Pen&, maths::vec2 centre, const Curve&, float value);
-void draw_bar(const Pen&, maths::vec2 left, float width, float value, bool both_sides);
-void draw_pin(const Pen&, maths::vec2 at, float spread, bool hovered, bool inviting, bool out);
-
-// Where the dots of a signal stand along every wire at this tick: the first one's distance from the start, then one
-// every `dot_gap`. A tick moves them on.
-inline constexpr float dot_gap = 44;  // units
-float first_dot(std::uint64_t tick);
-
-// How much of the picture is worth drawing at this size.
-enum class Detail { map, sketch, full };  // boxes and lines; words as large as they fit; everything
-Detail detail_of(const Pen&);
-
-}  // namespace braitenlab
+}  // namespace braitenlab::wiring

@@ -1,19 +1,22 @@
+#include "ui/wiring/draw_cursor.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "ui/imgui_compat.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
-#include "ui/wiring/draw.h"
-#include "ui/wiring/node_words.h"
-#include "ui/wiring/sum.h"
+#include "ui/wiring/draw_wires.h"
+#include "ui/wiring/edits.h"
+#include "ui/wiring/node_text.h"
 
-namespace braitenlab {
-namespace {
+namespace braitenlab::wiring {
 
 using maths::vec2;
 
-// The size of a small card with words, in window pixels.
+namespace {
+
+// The size of a note, window pixels.
 ImVec2 note_size(const Ui& ui, std::string_view words) {
     ImFont* face = font(ui, Face::text);
     const char* end = words.data() + words.size();
@@ -21,7 +24,7 @@ ImVec2 note_size(const Ui& ui, std::string_view words) {
     return {extent.x + ui.px(20), extent.y + ui.px(14)};
 }
 
-// Where a card of this size stands that is wanted there, as near as it can inside the area.
+// The position inside the area that is nearest to `at`, for a note of this size.
 ImVec2 kept_inside(const Ui& ui, ImVec2 at, ImVec2 size, Rect area) {
     const float rim = ui.px(4);
     const auto within = [rim](float wanted, float length, float low, float extent) {
@@ -30,7 +33,7 @@ ImVec2 kept_inside(const Ui& ui, ImVec2 at, ImVec2 size, Rect area) {
     return {within(at.x, size.x, area.x, area.w), within(at.y, size.y, area.y, area.h)};
 }
 
-// That card, its upper left corner at `at` (window pixels), moved so that it stays inside the area.
+// A note with its upper left corner at `at` (window pixels), moved inside the area.
 void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Colour edge) {
     const Ui& ui = pen.ui;
     ImFont* face = font(ui, Face::text);
@@ -50,9 +53,9 @@ void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Col
     pen.list.AddText(face, height, {at.x + pad, at.y + 0.7f * pad}, paint(p.text), words.data(), end);
 }
 
-// Below the card or above it: where it hides less, once it has been moved into the area.
+// Below the card or above it, where the note covers fewer cards.
 ImVec2 beside_card(const Pen& pen, const Layout& layout, const NodeShape& shape, ImVec2 note, Rect area) {
-    const auto hidden = [&](ImVec2 wanted) {
+    const auto covered = [&](ImVec2 wanted) {
         const ImVec2 at = kept_inside(pen.ui, wanted, note, area);
         return std::count_if(layout.nodes.begin(), layout.nodes.end(), [&](const NodeShape& other) {
             const ImVec2 low = pen.at(other.centre - other.size / 2), high = pen.at(other.centre + other.size / 2);
@@ -62,22 +65,22 @@ ImVec2 beside_card(const Pen& pen, const Layout& layout, const NodeShape& shape,
     const ImVec2 below = pen.at(shape.centre + vec2{-shape.size.x / 2, shape.size.y / 2 + 14});
     ImVec2 above = pen.at(shape.centre - vec2{shape.size.x / 2, shape.size.y / 2 + 14});
     above.y -= note.y;
-    return hidden(above) < hidden(below) ? above : below;
+    return covered(above) < covered(below) ? above : below;
 }
 
-float learned_now(const CanvasPicture& picture, const Wire& wire) {
+float learned_now(const Picture& picture, const Wire& wire) {
     return learns(wire) ? learned(*picture.view.now, picture.vehicle, wire.from, wire.to) : 0;
 }
 
-// The words of a refusal; a full brain's say how much it holds.
-std::string reason(const Ui& ui, std::string_view key) {
+// The text of a refusal; that of a full brain contains the limit.
+std::string refusal_text(const Ui& ui, std::string_view key) {
     const int most = key == "wiring.refused.neurons" ? limits::neurons : limits::wires;
     return fill(ui.strings(key), {std::to_string(most)});
 }
 
-// At the one node that is selected.
-void draw_sum(const Pen& pen, const CanvasPicture& picture, Rect area) {
-    const Caught& selection = picture.state.selection;
+// At the selected node.
+void draw_sum(const Pen& pen, const Picture& picture, Rect area) {
+    const Selection& selection = picture.state.selection;
     if (selection.nodes.size() != 1 || !selection.wires.empty()) return;
     const NodeShape* shape = find_shape(picture.layout, *selection.nodes.begin());
     if (shape == nullptr) return;
@@ -96,13 +99,13 @@ void draw_box(const Pen& pen, vec2 a, vec2 b) {
     compat::outline(pen.list, low, high, paint(pen.palette().accent), pen.ui.px(4), pen.ui.px(1.5f));
 }
 
-struct Loose {
+struct LooseWire {
     NodeId fixed;
-    bool outwards;  // it begins at the fixed node
-    vec2 end;       // the other one, canvas units
+    bool outwards;  // it starts at the fixed node
+    vec2 end;       // its other end, canvas units
 };
 
-void draw_loose_wire(const Pen& pen, const CanvasPicture& picture, const Loose& loose, Colour colour) {
+void draw_loose(const Pen& pen, const Picture& picture, const LooseWire& loose, Colour colour) {
     const NodeShape* start = find_shape(picture.layout, loose.fixed);
     if (start == nullptr) return;
     const auto b = loose.outwards ? wire_curve(start->out_pin(), loose.end) : wire_curve(loose.end, start->in_pin());
@@ -113,9 +116,9 @@ void draw_loose_wire(const Pen& pen, const CanvasPicture& picture, const Loose& 
 
 ImVec2 beside(const Pen& pen, vec2 pixel) { return {pixel.x + pen.ui.px(18), pixel.y + pen.ui.px(14)}; }
 
-// From the pin to the cursor, or to the pin that would take it.
-void draw_dragged_wire(const Pen& pen, const CanvasPicture& picture, const CanvasFrame& frame) {
-    const CanvasDrag& drag = picture.state.drag;
+// From the pin to the pointer, or to the pin that it would be joined to.
+void draw_dragged_wire(const Pen& pen, const Picture& picture, const CanvasFrame& frame) {
+    const Drag& drag = picture.state.drag;
     const Palette& p = pen.palette();
     const WireDrop drop = drop_of(picture.state, frame);
     vec2 end = pen.view.to_canvas(frame.pointer.at);
@@ -125,43 +128,43 @@ void draw_dragged_wire(const Pen& pen, const CanvasPicture& picture, const Canva
     }
     const bool refused = drop.what == WireDrop::What::refused, off = drop.what == WireDrop::What::take_off;
     const Colour colour = refused || off ? p.warning : drop.what == WireDrop::What::connect ? p.excites : p.accent;
-    draw_loose_wire(pen, picture, {drag.fixed, drag.outwards, end}, colour);
+    draw_loose(pen, picture, {drag.fixed, drag.outwards, end}, colour);
     const ImVec2 note = beside(pen, frame.pointer.at);
-    if (refused) draw_note(pen, note, reason(pen.ui, drop.reason), frame.area, p.warning);
+    if (refused) draw_note(pen, note, refusal_text(pen.ui, drop.reason), frame.area, p.warning);
     if (off) draw_note(pen, note, pen.ui.strings("wiring.take_off"), frame.area, p.warning);
     if (drop.what == WireDrop::What::new_neuron)
         draw_note(pen, note, pen.ui.strings("wiring.new_neuron"), frame.area, p.accent);
 }
 
-// A wire that keys draw: to the node in focus.
-void draw_joining(const Pen& pen, const CanvasPicture& picture, const CanvasFrame& frame) {
+// A wire that is drawn with keys: to the node in focus.
+void draw_joining(const Pen& pen, const Picture& picture, const CanvasFrame& frame) {
     const CanvasState& state = picture.state;
     const NodeShape *from = find_shape(picture.layout, *state.joining),
                     *to = find_shape(picture.layout, state.focus.node);
     if (from == nullptr || to == nullptr) return;
     const vec2 end = to == from ? from->out_pin() + vec2{90, 0} : to->in_pin();
-    draw_loose_wire(pen, picture, {from->id, true, end}, pen.palette().accent);
+    draw_loose(pen, picture, {from->id, true, end}, pen.palette().accent);
     pen.frame(to->centre, to->size + vec2{10, 10}, 18, 3, pen.palette().accent);
     draw_note(pen, pen.at(to->centre + vec2{-to->size.x / 2, to->size.y / 2 + 12}), pen.ui.strings("wiring.joining"),
               frame.area, pen.palette().accent);
 }
 
-// What a sensor senses or which motor it is, where its card is too small to say so and the pointer has rested on it.
-void draw_what_it_is(const Pen& pen, const CanvasPicture& picture, const CanvasFrame& frame) {
-    constexpr double rest = 0.35;  // s
+// The description of a sensor or motor under a resting pointer, when its card is too small to show it.
+void draw_description(const Pen& pen, const Picture& picture, const CanvasFrame& frame) {
+    constexpr double rest_seconds = 0.35;
     const CanvasState& state = picture.state;
-    const bool rests = frame.wall_seconds - state.rested_since >= rest;
+    const bool rests = frame.wall_seconds - state.rested_since >= rest_seconds;
     if (!rests || state.hovered.part != Part::node || detail_of(pen) == Detail::full) return;
     const Node* node = find_node(picture.graph, state.hovered.node);
     if (node == nullptr || node->kind == NodeKind::neuron) return;
-    const std::string_view words = pen.ui.strings(node_words(*picture.view.now, picture.vehicle, *node));
+    const std::string_view words = pen.ui.strings(description_key(*picture.view.now, picture.vehicle, *node));
     draw_note(pen, beside(pen, frame.pointer.at), node->name + ": " + std::string(words), frame.area,
               pen.palette().second_text);
     pen.ui.anchors.record("says." + node->name, {frame.pointer.at.x, frame.pointer.at.y, 1, 1});
 }
 
-// The wire that would take the moved neuron in.
-void draw_insertion(const Pen& pen, const CanvasPicture& picture, const CanvasFrame& frame) {
+// The wire that the dragged neuron would be inserted into.
+void draw_insertion(const Pen& pen, const Picture& picture, const CanvasFrame& frame) {
     const auto into = insertion_of(picture.state, frame);
     const WireShape* wire = into ? find_shape(picture.layout, *into) : nullptr;
     if (wire == nullptr) return;
@@ -174,39 +177,46 @@ void draw_insertion(const Pen& pen, const CanvasPicture& picture, const CanvasFr
 
 }  // namespace
 
-void draw_ground(const Pen& pen, Rect area) {
-    const Palette& p = pen.palette();
-    pen.list.AddRectFilled({area.x, area.y}, {area.x + area.w, area.y + area.h}, paint(p.ground), pen.ui.px(8));
-    float gap = 32 * pen.view.scale;
-    while (gap < pen.ui.px(18)) gap *= 2;
-    const float radius = pen.ui.px(1.1f);
-    const auto first = [gap](float origin, float low) {
-        return low + std::fmod(std::fmod(origin - low, gap) + gap, gap);
-    };
-    for (float y = first(pen.view.origin.y, area.y); y < area.y + area.h; y += gap)
-        for (float x = first(pen.view.origin.x, area.x); x < area.x + area.w; x += gap)
-            pen.list.AddRectFilled({x - radius, y - radius}, {x + radius, y + radius}, paint(p.grid));
-    compat::outline(pen.list, {area.x, area.y}, {area.x + area.w, area.y + area.h}, paint(p.line), pen.ui.px(8),
-                    pen.ui.px(1));
-}
-
-void draw_cursor(const Pen& pen, const CanvasPicture& picture, const CanvasFrame& frame) {
+void draw_cursor(const Pen& pen, const Picture& picture, const CanvasFrame& frame) {
     const CanvasState& state = picture.state;
-    const CanvasPhase phase = state.drag.phase;
-    if (!state.menu.open() && phase == CanvasPhase::idle && !state.joining) draw_sum(pen, picture, frame.area);
-    if (!state.menu.open() && phase == CanvasPhase::idle && !state.joining) draw_what_it_is(pen, picture, frame);
-    if (phase == CanvasPhase::drag_wire) draw_dragged_wire(pen, picture, frame);
-    if (phase == CanvasPhase::box) draw_box(pen, state.drag.press, frame.pointer.at);
-    if (phase == CanvasPhase::move_nodes) draw_insertion(pen, picture, frame);
+    const DragPhase phase = state.drag.phase;
+    if (!state.menu.open() && phase == DragPhase::idle && !state.joining) draw_sum(pen, picture, frame.area);
+    if (!state.menu.open() && phase == DragPhase::idle && !state.joining) draw_description(pen, picture, frame);
+    if (phase == DragPhase::drag_wire) draw_dragged_wire(pen, picture, frame);
+    if (phase == DragPhase::box) draw_box(pen, state.drag.press, frame.pointer.at);
+    if (phase == DragPhase::move_nodes) draw_insertion(pen, picture, frame);
     if (state.joining) draw_joining(pen, picture, frame);
     const Hit& loose = state.menu.loose;
     if (state.menu.open() && loose.part != Part::nothing)
-        draw_loose_wire(pen, picture, {loose.node, loose.part == Part::out_pin, state.menu.place},
-                        pen.palette().accent);
+        draw_loose(pen, picture, {loose.node, loose.part == Part::out_pin, state.menu.canvas_at}, pen.palette().accent);
     if (state.refusal.key.empty() || frame.wall_seconds >= state.refusal.until) return;
-    draw_note(pen, beside(pen, state.refusal.at), reason(pen.ui, state.refusal.key), frame.area, pen.palette().warning);
+    draw_note(pen, beside(pen, state.refusal.at), refusal_text(pen.ui, state.refusal.key), frame.area,
+              pen.palette().warning);
     pen.ui.anchors.record("refused." + state.refusal.key.substr(state.refusal.key.rfind('.') + 1),
                           {state.refusal.at.x, state.refusal.at.y, 1, 1});
 }
 
-}  // namespace braitenlab
+void draw_minimap(const Pen& pen, const Picture& picture, Rect area) {
+    const auto map = minimap_of(picture.layout, pen.view, area, pen.ui.scale);
+    if (!map) return;
+    const Palette& p = pen.palette();
+    const Rect& r = map->rect;
+    fill_box(pen.ui, r, p.panel.with_alpha(0.92f));
+    pen.list.PushClipRect({r.x, r.y}, {r.x + r.w, r.y + r.h}, true);
+    for (const NodeShape& node : picture.layout.nodes) {
+        const bool selected = picture.state.selection.nodes.count(node.id) > 0;
+        const vec2 low = map->view.to_window(node.centre - node.size / 2);
+        const vec2 high = map->view.to_window(node.centre + node.size / 2);
+        const Colour colour = selected ? p.selected : node.kind == NodeKind::neuron ? p.second_text : p.accent;
+        pen.list.AddRectFilled({low.x, low.y}, {std::max(high.x, low.x + 1.5f), std::max(high.y, low.y + 1.5f)},
+                               paint(colour));
+    }
+    const vec2 low = map->view.to_window(picture.low), high = map->view.to_window(picture.high);
+    pen.list.AddRectFilled({low.x, low.y}, {high.x, high.y}, paint(p.text.with_alpha(0.07f)));
+    compat::outline(pen.list, {low.x, low.y}, {high.x, high.y}, paint(p.text), 0, pen.ui.px(1.5f));
+    pen.list.PopClipRect();
+    line_box(pen.ui, r, p.line);
+    pen.ui.anchors.record("canvas.minimap", r);
+}
+
+}  // namespace braitenlab::wiring

@@ -1,31 +1,119 @@
+#include "ui/wiring/draw_nodes.h"
+
 #include <algorithm>
 #include <cmath>
 
+#include "core/maths/portable.h"
+#include "ui/imgui_compat.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/widgets/number.h"
-#include "ui/wiring/draw.h"
-#include "ui/wiring/node_words.h"
+#include "ui/wiring/node_text.h"
 
-namespace braitenlab {
-namespace {
+namespace braitenlab::wiring {
 
 using maths::vec2;
 
+namespace {
+
+// A sensor: an almond with an iris that opens and brightens with the reading.
+void draw_eye(const Pen& pen, vec2 c, float value, bool covered) {
+    const Palette& p = pen.palette();
+    const auto almond = [&] {
+        pen.list.PathLineTo(pen.at(c - vec2{21, 0}));
+        pen.list.PathBezierQuadraticCurveTo(pen.at(c - vec2{0, 25}), pen.at(c + vec2{21, 0}), 20);
+        pen.list.PathBezierQuadraticCurveTo(pen.at(c + vec2{0, 25}), pen.at(c - vec2{21, 0}), 20);
+    };
+    almond();
+    pen.list.PathFillConvex(paint(mix(p.wheel, p.raised, 0.15f)));
+    const float seen = std::clamp(value, 0.0f, 1.0f);
+    pen.list.AddCircleFilled(pen.at(c), pen.size(11), paint(p.chassis.with_alpha(0.35f)));
+    if (seen > 0.005f) pen.list.AddCircleFilled(pen.at(c), pen.size(3 + 8 * seen), paint(mix(p.excites, p.lamp, seen)));
+    pen.list.AddCircleFilled(pen.at(c), pen.size(2.5f), paint(p.wheel));
+    if (covered) {  // a closed lid
+        almond();
+        pen.list.PathFillConvex(paint(mix(p.wheel, p.raised, 0.6f)));
+        pen.list.AddLine(pen.at(c - vec2{21, 0}), pen.at(c + vec2{21, 0}), paint(p.warning), pen.stroke(2.4f));
+    }
+    almond();
+    pen.list.PathStroke(paint(p.second_text), 0, pen.stroke(1.8f));
+}
+
+// A motor: a wheel seen from its side at `angle` (rad).
+void draw_wheel(const Pen& pen, vec2 c, float angle, float value, bool stopped) {
+    const Palette& p = pen.palette();
+    constexpr float radius = 20;
+    pen.list.AddCircleFilled(pen.at(c), pen.size(radius), paint(p.wheel), 40);
+    pen.list.AddCircleFilled(pen.at(c), pen.size(radius - 5), paint(mix(p.panel, p.chassis, 0.35f)), 40);
+    for (int spoke = 0; spoke < 3; ++spoke) {
+        const float turn = -angle + static_cast<float>(spoke) * maths::pi / 3;
+        const vec2 out{maths::cosine(turn) * (radius - 5), maths::sine(turn) * (radius - 5)};
+        pen.list.AddLine(pen.at(c - out), pen.at(c + out), paint(p.wheel), pen.stroke(2.2f));
+    }
+    pen.list.AddCircleFilled(pen.at(c), pen.size(5), paint(value == 0 ? p.second_text : colour_of_weight(p, value)));
+    pen.list.AddCircle(pen.at(c), pen.size(radius), paint(p.second_text), 40, pen.stroke(1.5f));
+    if (stopped)  // a brake block across it
+        pen.list.AddLine(pen.at(c + vec2{-14, 14}), pen.at(c + vec2{14, -14}), paint(p.warning), pen.stroke(4));
+}
+
+// A neuron: its response curve with a dot at its value.
+void draw_response(const Pen& pen, vec2 c, const Curve& curve, float value) {
+    const Palette& p = pen.palette();
+    constexpr float half = 17;
+    pen.box(c, {2 * half + 6, 2 * half + 6}, 8, mix(p.panel, p.ground, 0.6f));
+    pen.list.AddLine(pen.at(c - vec2{half, 0}), pen.at(c + vec2{half, 0}), paint(p.line), pen.stroke(1));
+    pen.list.AddLine(pen.at(c - vec2{0, half}), pen.at(c + vec2{0, half}), paint(p.line), pen.stroke(1));
+    constexpr int pieces = 24;
+    ImVec2 points[pieces + 1];
+    for (int i = 0; i <= pieces; ++i) {
+        const float x = 2 * static_cast<float>(i) / pieces - 1;
+        points[i] = pen.at(c + vec2{x, -std::clamp(respond(curve, x), -1.0f, 1.0f)} * half);
+    }
+    compat::polyline(pen.list, points, pieces + 1, paint(p.text), false, pen.stroke(2));
+    const float height = std::clamp(value, -1.0f, 1.0f);
+    pen.list.AddCircleFilled(pen.at(c + vec2{half, -height * half}), pen.size(3.5f), paint(colour_of_weight(p, value)));
+}
+
+// A bar from 0 to the value: to the right for positive values. A sensor has no negative side.
+void draw_bar(const Pen& pen, vec2 left, float width, float value, bool both_sides) {
+    const Palette& p = pen.palette();
+    const vec2 middle = left + vec2{width / 2, 0};
+    pen.box(middle, {width, 7}, 3.5f, mix(p.ground, p.line, 0.7f));
+    const float room = both_sides ? width / 2 : width;
+    const float length = std::clamp(value, both_sides ? -1.0f : 0.0f, 1.0f) * room;
+    const vec2 zero = both_sides ? middle : left;
+    if (std::abs(length) > 0.5f)
+        pen.box(zero + vec2{length / 2, 0}, {std::abs(length), 7}, 3.5f, colour_of_weight(p, value));
+    if (both_sides)
+        pen.list.AddLine(pen.at(middle - vec2{0, 6}), pen.at(middle + vec2{0, 6}), paint(p.second_text),
+                         pen.stroke(1.5f));
+}
+
+void draw_pin(const Pen& pen, vec2 at, float spread, bool hovered, bool inviting, bool out) {
+    const Palette& p = pen.palette();
+    const float radius = hovered ? 9.5f : 7.5f;
+    const vec2 extent{2 * radius, 2 * radius + spread};
+    if (hovered || inviting)
+        pen.halo(at, extent, radius, hovered ? 8 : 5, p.accent.with_alpha(hovered ? 0.45f : 0.28f));
+    pen.box(at, extent, radius, out ? p.text : p.panel);
+    pen.frame(at, extent, radius, 2.2f, hovered || inviting ? p.accent : p.text);
+    if (out) pen.box(at, {5, 5}, 2.5f, p.panel);
+}
+
 constexpr float card_rounding = 16;
 
-float wheel_angle(const CanvasPicture& picture, const Node& node) {
+float wheel_angle(const Picture& picture, const Node& node) {
     const auto& angle = picture.vehicle.wheel_angle;
     return node.name == "ML" ? angle[0] : node.name == "MR" ? angle[1] : 0;
 }
 
-// From far away only what can still be read: icon, name and number, as large as the card allows.
-void draw_words(const Pen& pen, const CanvasPicture& picture, const Node& node, float value, vec2 low, vec2 high) {
+// Below full detail only name, number and a sensor's caption, as large as the card allows.
+void draw_words(const Pen& pen, const Picture& picture, const Node& node, float value, vec2 low, vec2 high) {
     const Palette& p = pen.palette();
     const bool neuron = node.kind == NodeKind::neuron, far = detail_of(pen) != Detail::full;
     const std::string number = node.kind == NodeKind::sensor ? fixed(value, 2) : with_sign(value, 2);
     const float room = high.x - low.x;
-    const std::string_view caption = pen.ui.strings(node_words(*picture.view.now, picture.vehicle, node));
+    const std::string_view caption = pen.ui.strings(description_key(*picture.view.now, picture.vehicle, node));
     if (far && !neuron) {
         pen.text({low.x, low.y + 24}, 27, 0, node.name, p.text, Face::strong, room);
         pen.text({low.x, low.y + 52}, 26, 0, number, p.text, Face::text, room);
@@ -44,8 +132,7 @@ void draw_words(const Pen& pen, const CanvasPicture& picture, const Node& node, 
         draw_bar(pen, {bar, high.y - (neuron ? 14.0f : 18.0f)}, high.x - 2 - bar, value, node.kind != NodeKind::sensor);
 }
 
-void draw_contents(const Pen& pen, const CanvasPicture& picture, const NodeShape& shape, const Node& node,
-                   float value) {
+void draw_contents(const Pen& pen, const Picture& picture, const NodeShape& shape, const Node& node, float value) {
     const bool neuron = node.kind == NodeKind::neuron;
     const bool far = detail_of(pen) != Detail::full;
     const vec2 half = shape.size / 2;
@@ -58,7 +145,7 @@ void draw_contents(const Pen& pen, const CanvasPicture& picture, const NodeShape
                shape.centre + half - vec2{neuron ? 14.0f : 18.0f, 0});
 }
 
-// A lesion: stripes across the card, which its name and number stay readable on.
+// A lesion: pale stripes across the card.
 void draw_silence(const Pen& pen, const NodeShape& shape) {
     const Palette& p = pen.palette();
     const vec2 half = shape.size / 2;
@@ -71,11 +158,11 @@ void draw_silence(const Pen& pen, const NodeShape& shape) {
     pen.frame(shape.centre, shape.size, card_rounding, 2.2f, p.warning);
 }
 
-void draw_card(const Pen& pen, const CanvasPicture& picture, std::size_t index) {
+void draw_card(const Pen& pen, const Picture& picture, std::size_t index) {
     const Palette& p = pen.palette();
     const NodeShape& shape = picture.layout.nodes[index];
     const Node& node = picture.graph.nodes[shape.node];
-    const float value = picture.moment.nodes[index], strength = std::min(std::abs(value), 1.0f);
+    const float value = picture.readings.nodes[index], strength = std::min(std::abs(value), 1.0f);
     const bool selected = picture.state.selection.nodes.count(shape.id) > 0;
     const bool hovered = picture.state.hovered.part == Part::node && picture.state.hovered.node == shape.id;
     const bool plain = detail_of(pen) == Detail::map;
@@ -99,10 +186,10 @@ void draw_card(const Pen& pen, const CanvasPicture& picture, std::size_t index) 
     pen.text(shape.centre, 34, 0.5f, node.name, p.text, Face::strong, shape.size.x);
 }
 
-// While a wire is dragged, the pins that could take it light up.
-bool invites(const CanvasPicture& picture, const NodeShape& shape, bool out) {
-    const CanvasDrag& drag = picture.state.drag;
-    if (drag.phase != CanvasPhase::drag_wire) return false;
+// True for a pin that the dragged wire can be joined to.
+bool invites(const Picture& picture, const NodeShape& shape, bool out) {
+    const Drag& drag = picture.state.drag;
+    if (drag.phase != DragPhase::drag_wire) return false;
     const bool outwards = drag.pressed.part == Part::out_pin;
     if (outwards == out) return false;
     const WireEnds ends = outwards ? WireEnds{drag.pressed.node, shape.id} : WireEnds{shape.id, drag.pressed.node};
@@ -111,11 +198,11 @@ bool invites(const CanvasPicture& picture, const NodeShape& shape, bool out) {
 
 }  // namespace
 
-void draw_nodes(const Pen& pen, const CanvasPicture& picture) {
+void draw_nodes(const Pen& pen, const Picture& picture) {
     const Hit& over = picture.state.hovered;
     for (std::size_t i = 0; i < picture.layout.nodes.size(); ++i) {
         const NodeShape& shape = picture.layout.nodes[i];
-        if (!picture.sees(shape.centre - shape.size / 2, shape.centre + shape.size / 2)) continue;
+        if (!picture.is_visible(shape.centre - shape.size / 2, shape.centre + shape.size / 2)) continue;
         draw_card(pen, picture, i);
         const bool in = over.part == Part::in_pin && over.node == shape.id;
         const bool out = over.part == Part::out_pin && over.node == shape.id;
@@ -124,4 +211,4 @@ void draw_nodes(const Pen& pen, const CanvasPicture& picture) {
     }
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::wiring

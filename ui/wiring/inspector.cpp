@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include <imgui.h>
 
+#include "core/brain/four_neurons.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/widgets/button.h"
@@ -12,18 +14,65 @@
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/wiring/menu.h"
-#include "ui/wiring/node_words.h"
+#include "ui/wiring/node_text.h"
 #include "ui/wiring/number_sheet.h"
 
-namespace braitenlab {
+namespace braitenlab::wiring {
+
 namespace {
+
+// The parameters of a neuron or motor.
+void inspect_node(Inspected& in, const Node& node) {
+    const float sum = sum_of(
+        in.graph(), node.id, [&](NodeId id) { return in.value(id); },
+        [&](const Wire& wire) { return in.learned_by(wire); });
+    Node wanted = node;
+    NumberSheet sheet(in, wanted.curve, {sum, node.silenced, "wiring.do.silence"});
+    sheet.number({"inspector.bias", "inspector.bias", "inspector.bias_how", -1, 1, 1, true}, wanted.bias);
+    sheet.number({"inspector.memory", "inspector.memory", "inspector.memory_how", 0, 5, 600}, wanted.time_constant);
+    sheet.curve_numbers(wanted.curve, false);
+    const bool is_motor = node.kind == NodeKind::motor;
+    if (is_motor && wanted.bias != node.bias)
+        in.send(TurnDial{in.target, node.name == "ML" ? Dial::LM : Dial::RM, wanted.bias}, sheet.gesture());
+    else if (wanted != node)
+        in.send(set_parameters(in.graph(), wanted), sheet.gesture());
+}
+
+// The brain with these parameters of the wire, which is added where there is none.
+Edit with_wire(const BrainGraph& graph, const Wire& wanted) {
+    const WireEnds ends{wanted.from, wanted.to};
+    const bool there = find_wire(graph, ends.from, ends.to) != nullptr;
+    const Edit made = there ? Edit(graph) : set_weight(graph, ends, 0);
+    return made ? set_parameters(*made.graph, wanted) : made;
+}
+
+// The parameters of a wire or of a direct place without a wire.
+void inspect_wire(Inspected& in, WireEnds ends) {
+    const Wire* found = find_wire(in.graph(), ends.from, ends.to);
+    const Wire wire = found != nullptr ? *found : Wire{.from = ends.from, .to = ends.to, .weight = 0};
+    Wire wanted = wire;
+    NumberSheet sheet(in, wanted.curve, {masked(in.value(ends.from), wire.threshold), wire.cut, "wiring.do.sever"});
+    sheet.number({"inspector.weight", "inspector.weight", "inspector.weight_how", -2, 2, 2, true}, wanted.weight);
+    sheet.number({"inspector.threshold", "inspector.threshold", "inspector.threshold_how", 0, 1, 1}, wanted.threshold);
+    sheet.number({"inspector.learning", "inspector.learning", "inspector.learning_how", 0, 2, 10},
+                 wanted.learning_rate);
+    sheet.number({"inspector.decay", "inspector.decay", "inspector.decay_how", 0, 2, 10}, wanted.decay);
+    sheet.curve_numbers(wanted.curve, true);
+    const auto dial = direct_dial(in.graph(), ends);
+    if (dial && wanted.weight != wire.weight)
+        in.send(TurnDial{in.target, *dial, wanted.weight}, sheet.gesture());
+    else if (dial && wanted.threshold != wire.threshold)
+        in.send(TurnDial{in.target, threshold_of(*dial), wanted.threshold}, sheet.gesture());
+    else if (wanted != wire)
+        in.send(with_wire(in.graph(), wanted), sheet.gesture());
+}
 
 std::string node_heading(const Inspected& in, const Node& node) {
     const float value = in.value(node.id);
     const std::string now = node.kind == NodeKind::sensor ? fixed(value, 2) : with_sign(value, 2);
-    const bool outer = node.kind != NodeKind::neuron;  // a sensor or motor: what it is stands on its card, but small
+    const bool outer = node.kind != NodeKind::neuron;  // its description on the card is small
     return node.name + "  ·  " +
-           (outer ? std::string(in.words(node_words(*in.view.now, in.vehicle, node))) + "  ·  " : "") +
+           (outer ? std::string(in.words(description_key(*in.view.now, in.vehicle, node))) + "  ·  " : "") +
            fill(in.words(node.silenced ? "inspector.silenced" : "inspector.stands_at"), {now});
 }
 
@@ -44,7 +93,7 @@ std::string heading(const Inspected& in) {
     return std::string(in.words("inspector.heading"));
 }
 
-// The menu, or Enter, has asked for the numbers.
+// Moves the keyboard to the first number when the menu or Enter has asked for it.
 void take_keyboard(Inspected& in) {
     if (!std::exchange(in.state.edit_numbers, false) || in.ui.keyboard == nullptr) return;
     in.ui.keyboard->focus = in.wire() ? "inspector.weight" : "inspector.bias";
@@ -63,7 +112,7 @@ std::string counted(const Inspected& in, std::ptrdiff_t number, std::string_view
 
 void show_many(Inspected& in) {
     Ui& ui = in.ui;
-    const Caught& chosen = in.state.selection;
+    const Selection& chosen = in.state.selection;
     const auto nodes = std::ssize(chosen.nodes), wires = std::ssize(chosen.wires);
     paragraph(ui,
               fill(in.words("inspector.many"), {counted(in, nodes, "inspector.one_node", "inspector.nodes"),
@@ -79,7 +128,7 @@ void show_many(Inspected& in) {
         else if (x > left)
             ImGui::SameLine();
         const std::string name(row.words.substr(row.words.rfind('.') + 1));
-        if (button(ui, "inspector." + name, look).pressed) in.state.hovered = {}, in.state.wanted = row;
+        if (button(ui, "inspector." + name, look).pressed) in.state.hovered = {}, in.state.chosen_row = row;
         x += width + ui.px(8);
     }
 }
@@ -116,13 +165,13 @@ void show(Inspected& in) {
 
 }  // namespace
 
-Rect inspector_place(const Ui& ui, const CanvasState& state, Rect canvas) {
+Rect inspector_rect(const Ui& ui, const CanvasState& state, Rect canvas) {
     const float open = std::min(ui.px(sheet_height()), canvas.h * 0.4f);
     const float height = state.inspector.folded ? folded_height(ui) : open;
     return {canvas.x, canvas.y + canvas.h - height, canvas.w, height};
 }
 
-void wiring_inspector(const LabView& view, CanvasState& state, SliderState& sliders, Ui& ui, Rect place) {
+void draw_inspector(const LabView& view, CanvasState& state, SliderState& sliders, Ui& ui, Rect rect) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
     if (vehicle == nullptr || vehicle->brain < 0) return;
     Inspected in{view, *vehicle, view.now->brains[static_cast<std::size_t>(vehicle->brain)], state, sliders, ui, {}};
@@ -130,8 +179,8 @@ void wiring_inspector(const LabView& view, CanvasState& state, SliderState& slid
         in.target.kind = vehicle->kind;
     else
         in.target.vehicle = vehicle->id;
-    if (begin_card(ui, state.inspector, "card.inspector", heading(in), place)) show(in);
+    if (begin_card(ui, state.inspector, "card.inspector", heading(in), rect)) show(in);
     end_card(state.inspector);
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::wiring

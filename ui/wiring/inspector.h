@@ -1,17 +1,17 @@
-// The card below the canvas: the numbers of the one neuron or wire that is selected, to be seen and changed.
+// The card below the canvas with the parameters of the selected neuron or wire.
 #pragma once
 
 #include "ui/widgets/slider.h"
 #include "ui/wiring/canvas.h"
 
-namespace braitenlab {
+namespace braitenlab::wiring {
 
-// The part of the canvas's room that the card takes, at its lower end; less when it is folded.
-Rect inspector_place(const Ui&, const CanvasState&, Rect canvas);
+// The card's rectangle at the lower end of the canvas's area; lower when it is folded.
+Rect inspector_rect(const Ui&, const CanvasState&, Rect canvas);
 
-// Draws the card there and reports what the person changed, as the canvas does. A wire's weight and threshold and a
-// motor's bias are the sliders' own numbers. Anchors: card.inspector, inspector.weight, .threshold, .bias, .memory,
-// .peak, .width, .learning, .decay, .lesion, inspector.kind.<n> for the curves, inspector.column … for many nodes.
-void wiring_inspector(const LabView&, CanvasState&, SliderState&, Ui&, Rect);
+// Draws the card and sends the user's edits. A direct wire's weight and threshold and a motor's bias are the sliders'
+// numbers. Anchors: card.inspector, inspector.weight, .threshold, .bias, .memory, .peak, .width, .learning, .decay,
+// .lesion, inspector.kind.<n> for the curves, inspector.column … for several nodes.
+void draw_inspector(const LabView&, CanvasState&, SliderState&, Ui&, Rect);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::wiring

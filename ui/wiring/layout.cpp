@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/wiring/occupied.h"
+#include "core/brain/four_neurons.h"
 
-namespace braitenlab {
+namespace braitenlab::wiring {
 namespace {
 
 using maths::vec2;
 
-constexpr float arrival_gap = 18;  // between wires that arrive at one pin
+constexpr float end_gap = 18;  // between wires that end at one pin
 
 vec2 lower(vec2 a, vec2 b) { return {std::min(a.x, b.x), std::min(a.y, b.y)}; }
 vec2 upper(vec2 a, vec2 b) { return {std::max(a.x, b.x), std::max(a.y, b.y)}; }
@@ -22,21 +22,20 @@ void number_neurons(Layout& layout) {
     layout.has_neurons = unit > 0;
 }
 
-// In the hand, else where a person has put it.
-std::optional<vec2> own_place(const Node& node, const Places& held) {
-    const auto in_hand = held.find(node.id);
-    return in_hand != held.end() ? std::optional(in_hand->second) : node.place;
+std::optional<vec2> own_position(const Node& node, const Positions& held) {
+    const auto found = held.find(node.id);
+    return found != held.end() ? std::optional(found->second) : node.place;
 }
 
-void place_nodes(Layout& layout, const BrainGraph& graph, const Places& held) {
-    const auto is_put = [&](const Node& node) { return own_place(node, held).has_value(); };
-    const bool all_put = std::all_of(graph.nodes.begin(), graph.nodes.end(), is_put);
-    const Places arranged = all_put ? Places{} : tidy(graph);
+void add_nodes(Layout& layout, const BrainGraph& graph, const Positions& held) {
+    const auto has_position = [&](const Node& node) { return own_position(node, held).has_value(); };
+    const bool all_have = std::all_of(graph.nodes.begin(), graph.nodes.end(), has_position);
+    const Positions arranged = all_have ? Positions{} : tidy(graph);
     for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
         const Node& node = graph.nodes[i];
         NodeShape shape;
         shape.id = node.id, shape.kind = node.kind, shape.size = card_size(node.kind), shape.node = i;
-        const auto own = own_place(node, held);
+        const auto own = own_position(node, held);
         shape.centre = own ? *own : arranged.at(node.id);
         shape.has_in = node.kind != NodeKind::sensor;
         layout.by_id.emplace_back(node.id, i);
@@ -47,11 +46,11 @@ void place_nodes(Layout& layout, const BrainGraph& graph, const Places& held) {
     }
     std::sort(layout.by_id.begin(), layout.by_id.end());
     number_neurons(layout);
-    // A motor can feed neurons; where there is none, a pin would only raise questions.
+    // A motor can feed neurons only.
     for (NodeShape& shape : layout.nodes) shape.has_out = shape.kind != NodeKind::motor || layout.has_neurons;
 }
 
-// The direct places, then every other wire by its ends.
+// The four direct places, then all other wires by their ends.
 std::vector<WireShape> wires_in_order(const BrainGraph& graph) {
     std::map<WireEnds, WireShape> by_ends;
     int learner = 0;
@@ -78,7 +77,7 @@ std::vector<WireShape> wires_in_order(const BrainGraph& graph) {
     return all;
 }
 
-void list_wires(Layout& layout, const BrainGraph& graph) {
+void add_wires(Layout& layout, const BrainGraph& graph) {
     for (WireShape& shape : wires_in_order(graph)) {
         const NodeShape *from = find_shape(layout, shape.ends.from), *to = find_shape(layout, shape.ends.to);
         if (from == nullptr || to == nullptr) continue;
@@ -89,28 +88,28 @@ void list_wires(Layout& layout, const BrainGraph& graph) {
     }
 }
 
-// Wires that end at one pin arrive one below the other, in the order of their sources.
-void draw_curves(Layout& layout) {
-    std::vector<std::vector<WireShape*>> arriving(layout.nodes.size());
-    for (WireShape& wire : layout.wires) arriving[wire.to].push_back(&wire);
+// Wires that end at one pin end one below the other, in the vertical order of their starts.
+void shape_curves(Layout& layout) {
+    std::vector<std::vector<WireShape*>> ending(layout.nodes.size());
+    for (WireShape& wire : layout.wires) ending[wire.to].push_back(&wire);
     const auto start = [&](const WireShape* wire) { return layout.nodes[wire->from].out_pin(); };
     for (std::size_t n = 0; n < layout.nodes.size(); ++n) {
         NodeShape& node = layout.nodes[n];
-        std::stable_sort(arriving[n].begin(), arriving[n].end(),
+        std::stable_sort(ending[n].begin(), ending[n].end(),
                          [&](const WireShape* a, const WireShape* b) { return start(a).y < start(b).y; });
-        const auto gaps = static_cast<float>(arriving[n].empty() ? 0 : arriving[n].size() - 1);
-        node.in_spread = std::min(gaps * arrival_gap, node.size.y - 28);
-        for (std::size_t i = 0; i < arriving[n].size(); ++i) {
+        const auto gaps = static_cast<float>(ending[n].empty() ? 0 : ending[n].size() - 1);
+        node.in_spread = std::min(gaps * end_gap, node.size.y - 28);
+        for (std::size_t i = 0; i < ending[n].size(); ++i) {
             const float share = gaps > 0 ? static_cast<float>(i) / gaps - 0.5f : 0;
             const vec2 end = node.in_pin() + vec2{-8, share * node.in_spread};  // 8: the pin's own radius
-            arriving[n][i]->bezier = wire_curve(start(arriving[n][i]), end);
+            ending[n][i]->bezier = wire_curve(start(ending[n][i]), end);
         }
     }
 }
 
-// In the middle, or at a third of a wire that climbs or falls, since crossing wires meet at the middle; from there the
-// nearest place along the wire that covers no card and none of the labels before it.
-void place_label(const Occupied& taken, WireShape& wire) {
+// At the middle, or at 0.3 of a steep wire because crossing wires meet at the middle; from there the nearest point
+// along the wire where the label covers no card and no earlier label.
+void place_label(const OccupiedBoxes& taken, WireShape& wire) {
     const bool climbs = std::abs(wire.bezier[3].y - wire.bezier[0].y) > 80;
     const float wanted = climbs ? 0.3f : 0.5f;
     wire.label = bezier_point(wire.bezier, wanted);
@@ -118,14 +117,14 @@ void place_label(const Occupied& taken, WireShape& wire) {
         const float t = wanted + (i % 2 == 0 ? 0.03f : -0.03f) * static_cast<float>((i + 1) / 2);
         if (t < 0.12f || t > 0.88f) continue;
         const vec2 at = bezier_point(wire.bezier, t);
-        if (taken.touches(at, wire.label_size + vec2{8, 6})) continue;
+        if (taken.overlaps(at, wire.label_size + vec2{8, 6})) continue;
         wire.label = at;
         return;
     }
 }
 
 void place_labels(Layout& layout) {
-    Occupied taken;
+    OccupiedBoxes taken;
     for (const NodeShape& node : layout.nodes) taken.add(node.centre, node.size);
     for (WireShape& wire : layout.wires) {
         place_label(taken, wire);
@@ -137,16 +136,16 @@ void place_labels(Layout& layout) {
 
 }  // namespace
 
-Layout lay_out(const BrainGraph& graph, const Places& held) {
+Layout lay_out(const BrainGraph& graph, const Positions& held) {
     Layout layout;
-    place_nodes(layout, graph, held);
-    list_wires(layout, graph);
-    draw_curves(layout);
+    add_nodes(layout, graph, held);
+    add_wires(layout, graph);
+    shape_curves(layout);
     place_labels(layout);
     return layout;
 }
 
-const Layout& KeptLayout::of(const std::shared_ptr<const BrainGraph>& graph, const Places& held) {
+const Layout& LayoutCache::get(const std::shared_ptr<const BrainGraph>& graph, const Positions& held) {
     if (graph_ != graph || held_ != held) {
         layout_ = lay_out(*graph, held);
         graph_ = graph;
@@ -157,8 +156,8 @@ const Layout& KeptLayout::of(const std::shared_ptr<const BrainGraph>& graph, con
 
 vec2 card_size(NodeKind kind) { return kind == NodeKind::neuron ? vec2{150, 80} : vec2{204, 100}; }
 
-vec2 free_place(const Layout& layout, vec2 wanted, vec2 size) {
-    Occupied taken;
+vec2 free_position(const Layout& layout, vec2 wanted, vec2 size) {
+    OccupiedBoxes taken;
     for (const NodeShape& node : layout.nodes) taken.add(node.centre, node.size);
     for (const WireShape& wire : layout.wires) taken.add(wire.label, wire.label_size);
     constexpr float step = 28;  // between tries
@@ -170,22 +169,22 @@ vec2 free_place(const Layout& layout, vec2 wanted, vec2 size) {
                 if (std::max(std::abs(x), std::abs(y)) != ring) continue;
                 const vec2 at = wanted + vec2{static_cast<float>(x), static_cast<float>(y)} * step;
                 const bool nearer = !best || maths::distance(at, wanted) < maths::distance(*best, wanted);
-                if (nearer && !taken.touches(at, size)) best = at;
+                if (nearer && !taken.overlaps(at, size)) best = at;
             }
         if (best) return *best;
     }
     return wanted;
 }
 
-BrainGraph placed(BrainGraph graph, const Layout& shown) {
+BrainGraph with_positions(BrainGraph graph, const Layout& shown) {
     for (Node& node : graph.nodes)
         if (const NodeShape* shape = find_shape(shown, node.id)) node.place = shape->centre;
     return graph;
 }
 
-BrainGraph in_place(BrainGraph edited, const Layout& shown) {
+BrainGraph keep_positions(BrainGraph edited, const Layout& shown) {
     const auto shape_of = [&](const Node& node) { return find_shape(shown, node.id); };
-    const Places arranged = tidy(edited);
+    const Positions arranged = tidy(edited);
     const auto would_move = [&](const Node& node) {
         const NodeShape* shape = shape_of(node);
         return shape != nullptr && (node.place ? *node.place : arranged.at(node.id)) != shape->centre;
@@ -227,4 +226,40 @@ vec2 bezier_point(const std::array<vec2, 4>& b, float t) {
     return b[0] * (s * s * s) + b[1] * (3 * s * s * t) + b[2] * (3 * s * t * t) + b[3] * (t * t * t);
 }
 
-}  // namespace braitenlab
+namespace {
+
+constexpr float cell_size = 128;  // units; about as large as a card
+
+// Calls the visitor for every cell that the box overlaps, until it returns true.
+template <class Visitor>
+bool visit_cells(vec2 centre, vec2 size, Visitor visitor) {
+    const auto cell = [](float at) { return static_cast<std::int32_t>(std::floor(at / cell_size)); };
+    for (std::int32_t x = cell(centre.x - size.x / 2); x <= cell(centre.x + size.x / 2); ++x)
+        for (std::int32_t y = cell(centre.y - size.y / 2); y <= cell(centre.y + size.y / 2); ++y)
+            if (visitor(std::uint64_t{static_cast<std::uint32_t>(x)} << 32U | static_cast<std::uint32_t>(y)))
+                return true;
+    return false;
+}
+
+}  // namespace
+
+void OccupiedBoxes::add(vec2 centre, vec2 size) {
+    visit_cells(centre, size, [&](std::uint64_t cell) {
+        cells_[cell].push_back({centre, size});
+        return false;
+    });
+}
+
+bool OccupiedBoxes::overlaps(vec2 centre, vec2 size) const {
+    return visit_cells(centre, size, [&](std::uint64_t cell) {
+        const auto found = cells_.find(cell);
+        if (found == cells_.end()) return false;
+        for (const Box& box : found->second)
+            if (std::abs(centre.x - box.centre.x) * 2 < size.x + box.size.x &&
+                std::abs(centre.y - box.centre.y) * 2 < size.y + box.size.y)
+                return true;
+        return false;
+    });
+}
+
+}  // namespace braitenlab::wiring

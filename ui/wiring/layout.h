@@ -1,28 +1,30 @@
-// Where a brain's nodes, pins and wires stand on the canvas.
+// Where a brain's nodes, pins, wires and labels are on the canvas.
 //
-// All in canvas units: one unit is one layout pixel at zoom 1; x to the right, y down.
+// No Dear ImGui. All in canvas units: one unit is one layout pixel at zoom 1; x to the right, y down.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "core/brain/four_neurons.h"
+#include "core/brain/graph.h"
 #include "core/maths/vec.h"
 #include "ui/wiring/tidy.h"
 
-namespace braitenlab {
+namespace braitenlab::wiring {
 
 struct NodeShape {
     NodeId id = 0;
     NodeKind kind = NodeKind::neuron;
     maths::vec2 centre, size;
     bool has_in = false, has_out = false;
-    float in_spread = 0;   // wires arrive up to half of this above and below the in-pin
-    std::size_t node = 0;  // in BrainGraph::nodes
-    int unit = 0;          // of a neuron: its place among the neurons by ascending id
+    float in_spread = 0;   // wires end up to half of this above and below the in-pin
+    std::size_t node = 0;  // index in BrainGraph::nodes
+    int unit = 0;          // of a neuron: its rank among the neurons by ascending id
     maths::vec2 in_pin() const { return {centre.x - size.x / 2, centre.y}; }
     maths::vec2 out_pin() const { return {centre.x + size.x / 2, centre.y}; }
 };
@@ -30,70 +32,76 @@ struct NodeShape {
 struct WireShape {
     WireEnds ends;
     std::array<maths::vec2, 4> bezier{};  // start, two controls, end
-    bool ghost = false;                   // weight 0: a place that waits for a wire
+    bool ghost = false;                   // weight 0 and not learning: drawn as a free place for a wire
     bool direct = false;                  // one of LL, LR, RL, RR
     maths::vec2 label, label_size;        // centre and size of the weight's label
-    maths::vec2 low, high;                // corners of what holds curve and label
-    int wire = -1;                        // in BrainGraph::wires; −1: a direct place that the graph has no wire for
-    std::size_t from = 0, to = 0;         // in Layout::nodes
-    int learner = -1;                     // its place among the learning wires by (from, to); −1: learns nothing
+    maths::vec2 low, high;                // corners of the box around curve and label
+    int wire = -1;                        // index in BrainGraph::wires; −1: a direct place without a wire
+    std::size_t from = 0, to = 0;         // indices in Layout::nodes
+    int learner = -1;                     // rank among the learning wires by (from, to); −1: does not learn
 };
 
 struct Layout {
     std::vector<NodeShape> nodes;                       // in drawing order: the last is on top
     std::vector<WireShape> wires;                       // the four direct places first
-    maths::vec2 low, high;                              // corners of what holds all nodes; both 0 for no nodes
+    maths::vec2 low, high;                              // corners of the box around all nodes; both 0 without nodes
     std::vector<std::pair<NodeId, std::size_t>> by_id;  // of nodes, ascending
     bool has_neurons = false;
 };
 
-// The same graph and places give the same layout. Nodes in the hand stand where it `held` them, others where a person
-// has put them, the rest where tidy() puts them.
-Layout lay_out(const BrainGraph&, const Places& held);
+// Deterministic in graph and `held`. A node is at its position in `held`, else at its own (Node::place), else where
+// tidy() puts it.
+Layout lay_out(const BrainGraph&, const Positions& held);
 
-// The edited brain, its nodes where the layout shows them: an edit moves nobody. Where tidying it would, the places are
-// written down.
-BrainGraph in_place(BrainGraph edited, const Layout& shown);
-
-// The brain with every node where the layout shows it.
-BrainGraph placed(BrainGraph, const Layout& shown);
-
-// The place nearest to the wanted one where a box of this size covers no card and no label.
-maths::vec2 free_place(const Layout&, maths::vec2 wanted, maths::vec2 size);
-
-maths::vec2 card_size(NodeKind);
-
-// A layout that is made anew only when the graph or what is held has changed.
-class KeptLayout {
+// Keeps the last layout until the graph or the held positions change.
+class LayoutCache {
 public:
-    const Layout& of(const std::shared_ptr<const BrainGraph>&, const Places& held);
+    const Layout& get(const std::shared_ptr<const BrainGraph>&, const Positions& held);
 
 private:
-    std::shared_ptr<const BrainGraph> graph_;  // held, so that no other graph can take its address
-    Places held_;
+    std::shared_ptr<const BrainGraph> graph_;  // owned, so that no other graph gets its address
+    Positions held_;
     Layout layout_;
 };
 
+// The brain with every node at its position in the layout.
+BrainGraph with_positions(BrainGraph, const Layout&);
+
+// An edited brain whose nodes stay where `shown` has them. Positions are written only where tidy() would move a node.
+BrainGraph keep_positions(BrainGraph edited, const Layout& shown);
+
+// The position nearest to `wanted` where a box of this size covers no card and no label; `wanted` itself when none is
+// free within 40 steps of 28 units.
+maths::vec2 free_position(const Layout&, maths::vec2 wanted, maths::vec2 size);
+
+maths::vec2 card_size(NodeKind);
+
+// The shape of a node or wire, or null.
 const NodeShape* find_shape(const Layout&, NodeId);
 const WireShape* find_shape(const Layout&, WireEnds);
 
-// wire_name() for a wire of the layout, without looking its ends up.
+// wire_name() of a wire of the layout, without searching its nodes.
 std::string name_of(const BrainGraph&, const Layout&, const WireShape&);
 
-// The curve from an out-pin to an in-pin; a wire that runs backwards or to its own node arches over the top.
+// The curve from an out-pin to an in-pin. A wire that runs backwards or to its own node arches over the cards.
 std::array<maths::vec2, 4> wire_curve(maths::vec2 from, maths::vec2 to);
 
 // The point of a cubic bezier at t in 0..1.
 maths::vec2 bezier_point(const std::array<maths::vec2, 4>&, float t);
 
-inline constexpr int wire_segments = 24;  // straight pieces that a wire is hit as, and drawn as at most
+inline constexpr int wire_segments = 24;  // straight pieces that a wire is hit as, and half of those it is drawn as
 
-// How the canvas lies in the window: pixel = origin + scale · unit.
-struct View {
-    maths::vec2 origin;
-    float scale = 1;  // window pixels per canvas unit
-    maths::vec2 to_window(maths::vec2 unit) const { return origin + unit * scale; }
-    maths::vec2 to_canvas(maths::vec2 pixel) const { return (pixel - origin) / scale; }
+// Boxes sorted into square cells: the time of a query does not depend on their number.
+class OccupiedBoxes {
+public:
+    void add(maths::vec2 centre, maths::vec2 size);
+    bool overlaps(maths::vec2 centre, maths::vec2 size) const;
+
+private:
+    struct Box {
+        maths::vec2 centre, size;
+    };
+    std::unordered_map<std::uint64_t, std::vector<Box>> cells_;
 };
 
-}  // namespace braitenlab
+}  // namespace braitenlab::wiring

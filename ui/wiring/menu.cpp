@@ -4,10 +4,20 @@
 #include <array>
 #include <string>
 
-namespace braitenlab {
+#include "ui/shortcuts.h"
+#include "ui/strings.h"
+#include "ui/theme.h"
+#include "ui/wiring/draw.h"
+#include "ui/wiring/number_sheet.h"
+
+namespace braitenlab::wiring {
+
+using maths::vec2;
+
 namespace {
 
-constexpr float row_height = 28, padding = 6, group_gap = 9, heading_height = 26, note_height = 20;  // layout pixels
+constexpr float menu_row_height = 28, menu_padding = 6, menu_group_gap = 9, heading_room = 26,
+                note_room = 20;  // layout pixels
 
 void add_kinds(std::vector<MenuRow>& rows) {
     for (std::size_t kind = 0; kind < neuron_kinds.size(); ++kind)
@@ -22,7 +32,7 @@ void add_canvas_rows(std::vector<MenuRow>& rows, bool can_paste) {
     rows.push_back({MenuCommand::fit, "wiring.do.fit", Action::fit});
 }
 
-void add_wire_rows(std::vector<MenuRow>& rows, const BrainGraph& graph, const Caught& selection) {
+void add_wire_rows(std::vector<MenuRow>& rows, const BrainGraph& graph, const Selection& selection) {
     const Wire* wire = find_wire(graph, selection.wires.begin()->from, selection.wires.begin()->to);
     rows.push_back({MenuCommand::edit_numbers, "wiring.do.edit_numbers"});
     if (wire == nullptr || wire->weight == 0) return;
@@ -37,7 +47,7 @@ void add_node_rows(std::vector<MenuRow>& rows, const BrainGraph& graph, NodeId i
     rows.push_back({MenuCommand::join, "wiring.do.join"});
 }
 
-void add_order_rows(std::vector<MenuRow>& rows, std::size_t nodes) {
+void add_arrangement_rows(std::vector<MenuRow>& rows, std::size_t nodes) {
     if (nodes < 2) return;
     rows.push_back({MenuCommand::column, "wiring.do.column", {}, 0, true});
     rows.push_back({MenuCommand::row, "wiring.do.row"});
@@ -57,7 +67,7 @@ std::string_view kind_key(std::size_t kind) {
     return keys.at(kind);
 }
 
-std::vector<MenuRow> menu_rows(const BrainGraph& graph, const Caught& selection, bool can_paste) {
+std::vector<MenuRow> menu_rows(const BrainGraph& graph, const Selection& selection, bool can_paste) {
     std::vector<MenuRow> rows;
     const std::size_t nodes = selection.nodes.size(), wires = selection.wires.size();
     if (nodes + wires == 0) {
@@ -66,9 +76,9 @@ std::vector<MenuRow> menu_rows(const BrainGraph& graph, const Caught& selection,
     }
     if (nodes == 0 && wires == 1) add_wire_rows(rows, graph, selection);
     if (nodes == 1 && wires == 0) add_node_rows(rows, graph, *selection.nodes.begin());
-    const bool hurt = all_lesioned(graph, selection.nodes, selection.wires);
+    const bool lesioned = all_lesioned(graph, selection.nodes, selection.wires);
     rows.push_back({MenuCommand::lesion,
-                    hurt        ? "wiring.do.heal"
+                    lesioned    ? "wiring.do.heal"
                     : nodes > 0 ? "wiring.do.silence"
                                 : "wiring.do.sever",
                     Action::lesion});
@@ -82,7 +92,7 @@ std::vector<MenuRow> menu_rows(const BrainGraph& graph, const Caught& selection,
         rows.push_back({MenuCommand::cut, "wiring.do.cut", Action::cut});
         rows.push_back({MenuCommand::duplicate, "wiring.do.duplicate", Action::duplicate});
     }
-    add_order_rows(rows, nodes);
+    add_arrangement_rows(rows, nodes);
     if (nodes > 0) rows.push_back({MenuCommand::detach, "wiring.do.detach", {}, 0, true});
     if (neurons || wires > 0) rows.push_back({MenuCommand::erase, "wiring.do.erase", Action::erase, 0, nodes == 0});
     return rows;
@@ -94,35 +104,36 @@ std::vector<MenuRow> drop_rows() {
     return rows;
 }
 
-void head_menu(CanvasMenu& menu) {
+void set_heading(CanvasMenu& menu) {
     if (menu.rows.empty() || menu.rows.front().command != MenuCommand::add) return;
     menu.heading = "wiring.add_neuron";
     if (menu.loose.part == Part::nothing) menu.note = "wiring.add_how";
 }
 
-float head_height(const CanvasMenu& menu) {
-    return ((menu.heading.empty() ? 0 : heading_height) + (menu.note.empty() ? 0 : note_height)) * menu.ui_scale;
+float heading_height(const CanvasMenu& menu) {
+    return ((menu.heading.empty() ? 0 : heading_room) + (menu.note.empty() ? 0 : note_room)) * menu.ui_scale;
 }
 
-void place_menu(CanvasMenu& menu, Rect area, float ui_scale, float widest) {
+void place_menu(CanvasMenu& menu, Rect area, float ui_scale, float width) {
     menu.ui_scale = ui_scale;
-    float height = 2 * padding * ui_scale + head_height(menu);
-    for (const MenuRow& row : menu.rows) height += (row_height + (row.begins_group ? group_gap : 0)) * ui_scale;
+    float height = 2 * menu_padding * ui_scale + heading_height(menu);
+    for (const MenuRow& row : menu.rows)
+        height += (menu_row_height + (row.begins_group ? menu_group_gap : 0)) * ui_scale;
     const float room = 4 * ui_scale;
     const auto within = [room](float at, float size, float low, float extent) {
         return std::clamp(at, low + room, std::max(low + room, low + extent - size - room));
     };
-    menu.rect = {within(menu.at.x, widest, area.x, area.w), within(menu.at.y, height, area.y, area.h), widest, height};
+    menu.rect = {within(menu.at.x, width, area.x, area.w), within(menu.at.y, height, area.y, area.h), width, height};
 }
 
 Rect row_rect(const CanvasMenu& menu, std::size_t wanted) {
-    float y = menu.rect.y + padding * menu.ui_scale + head_height(menu);
+    float y = menu.rect.y + menu_padding * menu.ui_scale + heading_height(menu);
     for (std::size_t i = 0; i < menu.rows.size(); ++i) {
-        if (menu.rows[i].begins_group) y += group_gap * menu.ui_scale;
+        if (menu.rows[i].begins_group) y += menu_group_gap * menu.ui_scale;
         if (i == wanted) break;
-        y += row_height * menu.ui_scale;
+        y += menu_row_height * menu.ui_scale;
     }
-    return {menu.rect.x, y, menu.rect.w, row_height * menu.ui_scale};
+    return {menu.rect.x, y, menu.rect.w, menu_row_height * menu.ui_scale};
 }
 
 int row_at(const CanvasMenu& menu, maths::vec2 pixel) {
@@ -131,4 +142,84 @@ int row_at(const CanvasMenu& menu, maths::vec2 pixel) {
     return -1;
 }
 
-}  // namespace braitenlab
+namespace {
+
+constexpr float curve_room = 34, menu_side = 12, key_gap = 28;  // layout pixels
+
+std::string shortcut_of(const Ui& ui, const MenuRow& row) {
+    if (!row.action) return {};
+    for (const Shortcut& shortcut : shortcuts())
+        if (shortcut.action == *row.action && shortcut.place == KeyPlace::canvas)
+            return key_name(shortcut.press, ui.strings);
+    return {};
+}
+
+bool shows_curves(const CanvasMenu& menu) { return menu.rows.front().command == MenuCommand::add; }
+
+float menu_width(const Ui& ui, const CanvasMenu& menu) {
+    float widest = std::max(text_width(ui, Face::strong, ui.strings.find(menu.heading, "")),
+                            text_width(ui, Face::small, ui.strings.find(menu.note, ""))) -
+                   ui.px(shows_curves(menu) ? curve_room : 0);
+    for (const MenuRow& row : menu.rows) {
+        const std::string key = shortcut_of(ui, row);
+        float width = text_width(ui, Face::text, ui.strings(row.words));
+        if (!key.empty()) width += ui.px(key_gap) + text_width(ui, Face::small, key);
+        widest = std::max(widest, width);
+    }
+    return widest + ui.px(2 * menu_side + (shows_curves(menu) ? curve_room : 0));
+}
+
+void draw_row(const Pen& pen, const CanvasMenu& menu, std::size_t index) {
+    const Ui& ui = pen.ui;
+    const Palette& p = ui.palette;
+    const MenuRow& row = menu.rows[index];
+    const Rect r = row_rect(menu, index);
+    const float middle = r.y + r.h / 2;
+    if (row.begins_group)
+        pen.list.AddLine({r.x + ui.px(menu_side), r.y - ui.px(4.5f)}, {r.x + r.w - ui.px(menu_side), r.y - ui.px(4.5f)},
+                         paint(p.line), ui.px(1));
+    const bool current = static_cast<int>(index) == menu.current;
+    if (current) fill_box(ui, {r.x + ui.px(4), r.y, r.w - ui.px(8), r.h}, mix(p.panel, p.accent, 0.28f), 4);
+    float x = r.x + ui.px(menu_side);
+    if (shows_curves(menu)) {
+        const Rect sign{x, middle - ui.px(8), ui.px(24), ui.px(16)};
+        if (row.command == MenuCommand::add) draw_curve(pen.list, ui, sign, neuron_kinds[row.kind].curve, p.excites);
+        x += ui.px(curve_room);
+    }
+    put(ui, {x, middle - line_height(ui, Face::text) / 2}, ui.strings(row.words), p.text);
+    put_right(ui, {r.x + r.w - ui.px(menu_side), middle - line_height(ui, Face::small) / 2}, shortcut_of(ui, row),
+              p.second_text, Face::small);
+    // The anchor of "wiring.do.insert" is menu.insert.
+    const std::string_view words = row.words;
+    ui.anchors.record("menu." + std::string(words.substr(words.rfind('.') + 1)), r);
+}
+
+void draw_heading(const Ui& ui, const CanvasMenu& menu) {
+    const float x = menu.rect.x + ui.px(menu_side), y = menu.rect.y + ui.px(9);
+    if (!menu.heading.empty()) put(ui, {x, y}, ui.strings(menu.heading), ui.palette.text, Face::strong);
+    if (!menu.note.empty())
+        put(ui, {x, y + line_height(ui, Face::strong) + ui.px(2)}, ui.strings(menu.note), ui.palette.second_text,
+            Face::small);
+}
+
+}  // namespace
+
+void draw_menu(const Pen& pen, CanvasMenu& menu, Rect area) {
+    if (!menu.open()) return;
+    const Ui& ui = pen.ui;
+    const Palette& p = ui.palette;
+    place_menu(menu, area, ui.scale, menu_width(ui, menu));
+    const Rect& r = menu.rect;
+    for (int i = 6; i > 0; --i) {
+        const float grow = ui.px(1.5f) * static_cast<float>(i);
+        pen.list.AddRectFilled({r.x - grow, r.y - grow + ui.px(2)}, {r.x + r.w + grow, r.y + r.h + grow + ui.px(2)},
+                               paint(p.shadow.with_alpha(p.shadow.a * 0.09f)), ui.px(8) + grow);
+    }
+    fill_box(ui, r, mix(p.panel, p.raised, 0.5f), 8);
+    line_box(ui, r, p.line, 8);
+    draw_heading(ui, menu);
+    for (std::size_t i = 0; i < menu.rows.size(); ++i) draw_row(pen, menu, i);
+    ui.anchors.record("menu", r);
+}
+
+}  // namespace braitenlab::wiring

@@ -1,5 +1,4 @@
-// The canvas's menu: what a right click or Enter offers on whatever is there, and what a wire dropped on empty ground
-// can end at. Drawn and hit by the canvas itself, as everything on it.
+// The canvas's menu: what can be done with the selection, with the empty canvas, or at the end of a dropped wire.
 #pragma once
 
 #include <string_view>
@@ -7,16 +6,16 @@
 
 #include "core/brain/edit.h"
 #include "ui/request.h"
-#include "ui/wiring/hit.h"
+#include "ui/wiring/view.h"
 
-namespace braitenlab {
+namespace braitenlab::wiring {
 
 enum class MenuCommand {
-    add,  // a neuron; MenuRow::kind says which
+    add,  // a neuron of MenuRow::kind
     edit_numbers,
-    join,  // a wire from here, by keys
+    join,  // starts a wire that is drawn with keys
     insert,
-    flip,  // excites ↔ inhibits
+    flip,  // the sign of a weight
     lesion,
     copy,
     cut,
@@ -35,44 +34,51 @@ enum class MenuCommand {
 
 struct MenuRow {
     MenuCommand command{};
-    std::string_view words;       // string key
-    std::optional<Action> key{};  // its shortcut
-    std::size_t kind = 0;         // of add: in neuron_kinds
-    bool begins_group = false;    // a line above it
+    std::string_view words;          // string key
+    std::optional<Action> action{};  // the action with the same effect, for its shortcut
+    std::size_t kind = 0;            // of add: index in neuron_kinds
+    bool begins_group = false;       // a line above it
 };
 
 struct CanvasMenu {
-    std::vector<MenuRow> rows;       // none: it is closed
-    std::string_view heading, note;  // string keys of what stands above them; empty for nothing
-    int current = -1;                // the row that the mouse or the arrow keys stand at; −1: none
-    maths::vec2 at;                  // where it was asked for, window pixels
-    maths::vec2 place;               // the same in canvas units: what is made comes to stand there
-    Hit loose;                       // the pin that a dropped wire comes from; nothing: no wire is waiting
-    Rect rect;                       // where it stands, window pixels; set by place_menu()
+    std::vector<MenuRow> rows;       // empty: the menu is closed
+    std::string_view heading, note;  // string keys; empty: none
+    int current = -1;                // row under the pointer or chosen with arrow keys; −1: none
+    maths::vec2 at;                  // window pixel where it was opened
+    maths::vec2 canvas_at;           // the same in canvas units: position of an added neuron
+    Hit loose;                       // pin that a dropped wire starts from; Part::nothing: no wire
+    Rect rect;                       // window pixels; set by place_menu()
     float ui_scale = 1;
     bool open() const { return !rows.empty(); }
 };
 
-// The string key of a row of neuron_kinds.
+// The string key of a row of neuron_kinds: "wiring.kind.hump".
 std::string_view kind_key(std::size_t kind);
 
-// What there is to do with a selection; with nothing selected, with the canvas.
-std::vector<MenuRow> menu_rows(const BrainGraph&, const Caught& selection, bool can_paste);
+// Rows for a selection; for an empty one, rows for the canvas.
+std::vector<MenuRow> menu_rows(const BrainGraph&, const Selection&, bool can_paste);
 
-// The kinds of neuron that a dropped wire can end at.
+// Rows for the end of a dropped wire: the kinds of neurons.
 std::vector<MenuRow> drop_rows();
 
-// What the rows are about, where they do not say so themselves: what is chosen from them is added.
-void head_menu(CanvasMenu&);
+// Sets heading and note of a menu of neurons.
+void set_heading(CanvasMenu&);
 
-// How high heading and note stand together, window pixels.
-float head_height(const CanvasMenu&);
+// The height of heading and note, window pixels.
+float heading_height(const CanvasMenu&);
 
-// Gives the menu its place: as wide as its widest words (window pixels), within the area.
-void place_menu(CanvasMenu&, Rect area, float ui_scale, float widest);
+// Sets the menu's rectangle within the area. `width`: window pixels.
+void place_menu(CanvasMenu&, Rect area, float ui_scale, float width);
 
-// Where a row stands, and the row under a pixel; −1 for none.
+// Window pixels.
 Rect row_rect(const CanvasMenu&, std::size_t row);
+
+// The row under a pixel; −1: none.
 int row_at(const CanvasMenu&, maths::vec2 pixel);
 
-}  // namespace braitenlab
+struct Pen;
+
+// Places the menu in the area and draws it; nothing when it is closed.
+void draw_menu(const Pen&, CanvasMenu&, Rect area);
+
+}  // namespace braitenlab::wiring

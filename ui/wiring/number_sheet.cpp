@@ -1,22 +1,121 @@
 #include "ui/wiring/number_sheet.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
+#include <utility>
 
 #include <imgui.h>
 
+#include "ui/imgui_compat.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
-#include "ui/wiring/curve_plot.h"
-#include "ui/wiring/menu.h"
 
-namespace braitenlab {
+namespace braitenlab::wiring {
+
+using maths::vec2;
+
+std::string_view Inspected::words(std::string_view key) const { return ui.strings(key); }
+
+const Node* Inspected::node() const {
+    const Selection& chosen = state.selection;
+    const bool one = chosen.nodes.size() == 1 && chosen.wires.empty();
+    return one ? find_node(graph(), *chosen.nodes.begin()) : nullptr;
+}
+
+std::optional<WireEnds> Inspected::wire() const {
+    const Selection& chosen = state.selection;
+    const bool one = chosen.wires.size() == 1 && chosen.nodes.empty();
+    return one ? std::optional(*chosen.wires.begin()) : std::nullopt;
+}
+
+float Inspected::value(NodeId id) const { return node_value(*view.now, vehicle, id); }
+
+float Inspected::learned_by(const Wire& wire) const {
+    return learns(wire) ? learned(*view.now, vehicle, wire.from, wire.to) : 0;
+}
+
+void Inspected::send(Command command, std::uint64_t gesture) {
+    ui.outbox.push_back(EditRequest{std::move(command), gesture});
+}
+
+void Inspected::send(const Edit& edit, std::uint64_t gesture) {
+    if (edit) send(SetBrain{target, keep_positions(*edit.graph, state.layout.get(brain, state.held))}, gesture);
+}
+
 namespace {
 
-constexpr float plot_side = 104, kind_width = 44, kind_height = 30, space = 16;  // layout pixels
+// A plot's rectangle and axes.
+struct CurvePlot {
+    Rect rect;  // window pixels
+    float low_x = -1, high_x = 1;
+    float low_y = -1, high_y = 1;
+    // Window pixels; clamped to the rectangle.
+    maths::vec2 at(float x, float y) const;
+};
+
+void draw_curve_line(ImDrawList& list, const CurvePlot& plot, const Curve& curve, Colour colour, float thickness) {
+    constexpr int pieces = 64;
+    std::array<ImVec2, pieces + 1> points;
+    for (int i = 0; i <= pieces; ++i) {
+        const float x = plot.low_x + (plot.high_x - plot.low_x) * static_cast<float>(i) / pieces;
+        const vec2 at = plot.at(x, respond(curve, x));
+        points[static_cast<std::size_t>(i)] = {at.x, at.y};
+    }
+    compat::polyline(list, points.data(), pieces + 1, paint(colour), false, thickness);
+}
+
+vec2 CurvePlot::at(float x, float y) const {
+    const float across = (x - low_x) / (high_x - low_x), up = (y - low_y) / (high_y - low_y);
+    return {rect.x + rect.w * std::clamp(across, 0.0f, 1.0f), rect.y + rect.h * (1 - std::clamp(up, 0.0f, 1.0f))};
+}
+
+// Shows inputs −1..1 and 0.5 beyond the peak.
+CurvePlot plot_of(const Curve& curve, Rect rect) {
+    CurvePlot plot{rect};
+    const ResponseTraits& response = traits(curve.response);
+    if (response.has_peak) {
+        plot.low_x = std::min(-1.0f, curve.peak - 0.5f);
+        plot.high_x = std::max(1.0f, curve.peak + 0.5f);
+    }
+    plot.low_y = std::min(-1.0f, response.low);
+    plot.high_y = std::max(1.0f, response.high);
+    return plot;
+}
+
+// `now`: the input and the value that a dot marks.
+void draw_plot(ImDrawList& list, const Ui& ui, const CurvePlot& plot, const Curve& curve, std::optional<vec2> now) {
+    const Palette& p = ui.palette;
+    fill_box(ui, plot.rect, mix(p.panel, p.ground, 0.6f));
+    const auto axis = [&](vec2 a, vec2 b) { list.AddLine({a.x, a.y}, {b.x, b.y}, paint(p.line), ui.px(1)); };
+    axis(plot.at(plot.low_x, 0), plot.at(plot.high_x, 0));
+    axis(plot.at(0, plot.low_y), plot.at(0, plot.high_y));
+    draw_curve_line(list, plot, curve, p.text, ui.px(2));
+    line_box(ui, plot.rect, p.line);
+    if (!now) return;
+    const vec2 dot = plot.at(now->x, now->y), foot = plot.at(now->x, 0);
+    const Colour colour = colour_of_weight(p, now->y);
+    list.AddLine({foot.x, foot.y}, {dot.x, dot.y}, paint(colour.with_alpha(0.7f)), ui.px(1.5f));
+    list.AddCircleFilled({dot.x, dot.y}, ui.px(5.5f), paint(p.panel));
+    list.AddCircleFilled({dot.x, dot.y}, ui.px(4), paint(colour));
+}
+
+}  // namespace
+
+void draw_curve(ImDrawList& list, const Ui& ui, Rect rect, const Curve& curve, Colour colour) {
+    CurvePlot plot = plot_of(curve, rect);
+    const vec2 left = plot.at(plot.low_x, 0), right = plot.at(plot.high_x, 0);
+    list.AddLine({left.x, left.y}, {right.x, right.y}, paint(ui.palette.line), ui.px(1));
+    draw_curve_line(list, plot, curve, colour, ui.px(1.8f));
+}
+
+namespace {
+
+constexpr float plot_side = 104, kind_width = 44, kind_height = 30, column_space = 16;  // layout pixels
 constexpr std::size_t curve_columns = 3;
 constexpr float curves_width = static_cast<float>(curve_columns) * kind_width + 8, room_for_plot = 680;
 
@@ -28,14 +127,14 @@ bool curve_button(Ui& ui, std::size_t index, const Curve& curve) {
     fill_box(ui, at.rect, on ? mix(p.panel, p.accent, 0.20f) : mix(p.raised, p.line, at.warmth * 0.6f));
     line_box(ui, at.rect, on ? p.accent : p.line);
     const float inset = ui.px(6);
-    draw_curve_sign(*ImGui::GetWindowDrawList(), ui,
-                    {at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset}, {response},
-                    on ? p.text : p.second_text);
+    draw_curve(*ImGui::GetWindowDrawList(), ui,
+               {at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset}, {response},
+               on ? p.text : p.second_text);
     tooltip(ui, at, ui.strings(kind_key(index)));
     return at.pressed && !on;
 }
 
-// As wide as the longest word that may stand before a slider here; layout pixels.
+// The width of the longest word before a slider, layout pixels.
 float widest_words(const Ui& ui) {
     float widest = 0;
     for (const char* key :
@@ -45,6 +144,18 @@ float widest_words(const Ui& ui) {
     return widest;
 }
 
+// The name of a curve's peak: string keys of the word and its tooltip.
+struct PeakWords {
+    std::string_view words, tooltip;
+};
+
+PeakWords peak_words(Response response, bool has_threshold) {
+    if (response == Response::step)
+        return {has_threshold ? "inspector.step_at" : "inspector.threshold", "inspector.step_how"};
+    if (response == Response::sigmoid) return {"inspector.middle", "inspector.middle_how"};
+    return {"inspector.peak", "inspector.peak_how"};
+}
+
 }  // namespace
 
 NumberSheet::NumberSheet(Inspected& in, Curve& curve, const SheetHead& head)
@@ -52,7 +163,7 @@ NumberSheet::NumberSheet(Inspected& in, Curve& curve, const SheetHead& head)
       plots_(ImGui::GetContentRegionAvail().x > in.ui.px(room_for_plot)),
       start_(ImGui::GetCursorPosX()),
       words_width_(widest_words(in.ui)) {
-    slider_width_ = (room_for_sliders() - in.ui.px(space)) / 2;
+    slider_width_ = (room_for_sliders() - in.ui.px(column_space)) / 2;
     if (plots_) plot(curve, head.input);
     choose_curve(curve, head);
     ImGui::BeginGroup();
@@ -64,7 +175,7 @@ NumberSheet::~NumberSheet() {
 }
 
 float NumberSheet::room_for_sliders() const {
-    const float taken = (plots_ ? plot_side + space : 0) + curves_width + space;
+    const float taken = (plots_ ? plot_side + column_space : 0) + curves_width + column_space;
     return ImGui::GetContentRegionAvail().x + ImGui::GetCursorPosX() - start_ - in_.ui.px(taken + 12);
 }
 
@@ -75,7 +186,7 @@ void NumberSheet::plot(const Curve& curve, float input) {
     draw_plot(*ImGui::GetWindowDrawList(), ui, plot_of(curve, {at.x, at.y, area.rect.w, area.rect.h}), curve,
               maths::vec2{input, respond(curve, input)});
     tooltip(ui, area, in_.words("inspector.plot_how"));
-    ImGui::SameLine(0, ui.px(space));
+    ImGui::SameLine(0, ui.px(column_space));
 }
 
 void NumberSheet::choose_curve(Curve& curve, const SheetHead& head) {
@@ -88,14 +199,14 @@ void NumberSheet::choose_curve(Curve& curve, const SheetHead& head) {
         curve.response = responses[i].value;
         gesture_ = in_.state.next_gesture++;
     }
-    lesion_button(in_, head.hurt, head.hurt_words);
+    lesion_button(in_, head.lesioned, head.lesion_words);
     ImGui::PopStyleVar();
     ImGui::EndGroup();
-    ImGui::SameLine(0, ui.px(space));
+    ImGui::SameLine(0, ui.px(column_space));
 }
 
 void NumberSheet::number(const Number& n, float& value) {
-    if (sliders_++ % 2 == 1) ImGui::SameLine(0, in_.ui.px(space));
+    if (sliders_++ % 2 == 1) ImGui::SameLine(0, in_.ui.px(column_space));
     const std::string id(n.id);
     SliderLook look;
     look.words = in_.words(n.words);
@@ -108,8 +219,8 @@ void NumberSheet::number(const Number& n, float& value) {
     if (edit) value = edit->value, gesture_ = edit->gesture;
 }
 
-void NumberSheet::curve_numbers(Curve& curve, bool masks) {
-    const PeakWords words = peak_words(curve.response, masks);
+void NumberSheet::curve_numbers(Curve& curve, bool has_threshold) {
+    const PeakWords words = peak_words(curve.response, has_threshold);
     if (traits(curve.response).has_peak)
         number({"inspector.peak", words.words, words.tooltip, -2, 2, 2, true}, curve.peak);
     if (traits(curve.response).has_width)
@@ -121,21 +232,15 @@ float sheet_height() {
     return 92 + rows * (kind_height + 4);
 }
 
-PeakWords peak_words(Response response, bool masks) {
-    if (response == Response::step) return {masks ? "inspector.step_at" : "inspector.threshold", "inspector.step_how"};
-    if (response == Response::sigmoid) return {"inspector.middle", "inspector.middle_how"};
-    return {"inspector.peak", "inspector.peak_how"};
-}
-
-void lesion_button(Inspected& in, bool hurt, std::string_view hurt_words) {
-    ButtonLook look{{}, in.words(hurt ? "wiring.do.heal" : hurt_words)};
-    look.on = hurt;
+void lesion_button(Inspected& in, bool lesioned, std::string_view lesion_words) {
+    ButtonLook look{{}, in.words(lesioned ? "wiring.do.heal" : lesion_words)};
+    look.on = lesioned;
     look.min_width = curves_width;
     const Item at = button(in.ui, "inspector.lesion", look);
     tooltip(in.ui, at, in.words("inspector.lesion_how"));
     if (!at.pressed) return;
-    in.state.hovered = {};  // it is for what is selected, wherever the pointer rests meanwhile
-    in.state.keys.push_back(Action::lesion);
+    in.state.hovered = {};  // the lesion is for the selection, not for the part under the pointer
+    in.state.actions.push_back(Action::lesion);
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::wiring

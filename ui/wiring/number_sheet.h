@@ -1,28 +1,56 @@
-// The numbers of one node or wire: its curve as a plot, the curves to choose from, a lesion, and sliders beside
-// them.
+// The parameters of one node or wire: its curve as a plot, the curves to choose from, a lesion, and sliders.
 #pragma once
 
-#include "ui/wiring/inspected.h"
+#include <memory>
+#include <optional>
 
-namespace braitenlab {
+#include "ui/widgets/slider.h"
+#include "ui/wiring/canvas.h"
 
-// One number, and how its slider looks.
+struct ImDrawList;
+
+namespace braitenlab::wiring {
+
+// The selection that the inspector shows, and where its edits go.
+struct Inspected {
+    const LabView& view;
+    const VehicleView& vehicle;
+    std::shared_ptr<const BrainGraph> brain;
+    CanvasState& state;
+    SliderState& sliders;
+    Ui& ui;
+    Target target;  // vehicle or kind that edits apply to
+
+    const BrainGraph& graph() const { return *brain; }
+    std::string_view words(std::string_view key) const;
+
+    // The selected node or wire when it is the only one selected.
+    const Node* node() const;
+    std::optional<WireEnds> wire() const;
+
+    // In the snapshot.
+    float value(NodeId) const;
+    float learned_by(const Wire&) const;  // 0 for a wire that does not learn
+
+    void send(Command, std::uint64_t gesture);
+    void send(const Edit&, std::uint64_t gesture);  // nothing when refused
+};
+
+// A parameter and its slider.
 struct Number {
     std::string_view id;              // its anchor
     std::string_view words, tooltip;  // string keys
-    float low, high, typed_high;      // the slider's range, and how far a typed number may go
+    float low, high, typed_high;      // the slider's range, and the largest number that can be typed
     bool is_signed = false;
 };
 
-// What the curve answers to, and whether a lesion has silenced or cut it.
 struct SheetHead {
-    float input;
-    bool hurt;
-    std::string_view hurt_words;  // string key: what the lesion does
+    float input;                    // of the curve now
+    bool lesioned;                  // silenced or cut
+    std::string_view lesion_words;  // string key of what the lesion does
 };
 
-// Draws as it is told to, from left to right and in two columns of sliders. What a hand has changed is in the values
-// that it was given.
+// Draws from left to right, the sliders in two columns. The user's changes are in the values that it gets.
 class NumberSheet {
 public:
     NumberSheet(Inspected&, Curve&, const SheetHead&);
@@ -32,11 +60,10 @@ public:
 
     void number(const Number&, float& value);
 
-    // Peak and width, as far as the curve has them. What the peak is called follows the curve: a step has a threshold;
-    // but `masks` says that another slider is called so already.
-    void curve_numbers(Curve&, bool masks);
+    // Peak and width, where the curve has them. `has_threshold`: another slider is called threshold already.
+    void curve_numbers(Curve&, bool has_threshold);
 
-    // Of what was changed; 0 where nothing was.
+    // Of the change; 0 without one.
     std::uint64_t gesture() const { return gesture_; }
 
 private:
@@ -51,16 +78,13 @@ private:
     int sliders_ = 0;
 };
 
-// The height of the card that holds the sheet, layout pixels: a heading, rows of curves and the lesion.
+// The height of a card with a sheet: heading, rows of curves, lesion button. Layout pixels.
 float sheet_height();
 
-// The button that hurts or heals what is selected.
-void lesion_button(Inspected&, bool hurt, std::string_view hurt_words);
+// The button that lesions or heals the selection.
+void lesion_button(Inspected&, bool lesioned, std::string_view lesion_words);
 
-// What a curve's peak is called: string keys of the word and of what it means.
-struct PeakWords {
-    std::string_view words, tooltip;
-};
-PeakWords peak_words(Response, bool masks);
+// A curve without axes, for a row or a button.
+void draw_curve(ImDrawList&, const Ui&, Rect, const Curve&, Colour);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::wiring

@@ -1,17 +1,26 @@
-// Where nodes stand that nobody has put anywhere: sensors left, hidden neurons in columns, motors right.
+// Arranges nodes: all of a brain automatically, or selected ones in a column, a row or at even gaps. No Dear ImGui.
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "core/brain/graph.h"
 #include "core/maths/vec.h"
 
-namespace braitenlab {
+namespace braitenlab::wiring {
 
-using Places = std::map<NodeId, maths::vec2>;  // centres of nodes, canvas units
+struct Layout;
 
-// A place for every node. The same graph gives the same places, whatever the order of its nodes and wires; a signal
-// runs rightwards, what belongs to the vehicle's left side stands above what belongs to its right.
-Places tidy(const BrainGraph&);
+using Positions = std::map<NodeId, maths::vec2>;  // centres of nodes, canvas units
 
-}  // namespace braitenlab
+// A position for every node: sensors left, neurons in columns by their distance from a sensor, motors right; names that
+// end in L above names that end in R. Deterministic, and independent of the order of nodes and wires.
+Positions tidy(const BrainGraph&);
+
+enum class Arrangement { column, row, even_down, even_across };  // one x; one y; equal vertical or horizontal gaps
+
+// New positions for these nodes. In a column or a row, cards that would overlap are moved apart. Even gaps keep the two
+// outermost nodes. Empty for fewer than two nodes, or three for even gaps.
+Positions arranged(const Layout&, const std::set<NodeId>&, Arrangement);
+
+}  // namespace braitenlab::wiring

@@ -1,61 +1,235 @@
-// How the canvas lies in the window: zoom, fit, and what it takes to see a point.
+#include "ui/wiring/view.h"
+
 #include <algorithm>
+#include <cmath>
 
-#include "ui/wiring/interaction.h"
-
-namespace braitenlab {
+namespace braitenlab::wiring {
 
 using maths::vec2;
 
-View view_of(const CanvasState& state, Rect area, float ui_scale) {
-    const float scale = state.zoom * ui_scale;
-    return {vec2{area.x + area.w / 2, area.y + area.h / 2} - state.middle * scale, scale};
+View view_of(const Camera& camera, Rect area, float ui_scale) {
+    const float scale = camera.zoom * ui_scale;
+    return {vec2{area.x + area.w / 2, area.y + area.h / 2} - camera.middle * scale, scale};
 }
 
-void zoom_at(CanvasState& state, Rect area, float ui_scale, vec2 pixel, float factor) {
-    const vec2 fixed = view_of(state, area, ui_scale).to_canvas(pixel);
-    state.zoom = std::clamp(state.zoom * factor, least_zoom, most_zoom);
-    state.middle += fixed - view_of(state, area, ui_scale).to_canvas(pixel);
-    state.own_view = true;
+void zoom_at(Camera& camera, Rect area, float ui_scale, vec2 pixel, float factor) {
+    const vec2 fixed = view_of(camera, area, ui_scale).to_canvas(pixel);
+    camera.zoom = std::clamp(camera.zoom * factor, least_zoom, most_zoom);
+    camera.middle += fixed - view_of(camera, area, ui_scale).to_canvas(pixel);
+    camera.by_user = true;
 }
 
 namespace {
 
-// Layout pixels around the fitted brain; `buttons` is the width of the canvas buttons.
-constexpr float fit_side = 28, fit_bottom = 24, fit_top = 56, fit_buttons = 212;
+// Margins of a fitted brain, layout pixels. The buttons in the upper right corner take top_margin in height and
+// button_margin in width.
+constexpr float side_margin = 28, bottom_margin = 24, top_margin = 56, button_margin = 212;
 
-float zoom_in(vec2 room, vec2 size, float ui_scale) {
+float zoom_to_show(vec2 room, vec2 size, float ui_scale) {
     const float zoom = std::min(std::max(room.x, 1.0f) / size.x, std::max(room.y, 1.0f) / size.y) / ui_scale;
     return std::clamp(zoom, least_zoom, 1.4f);
 }
 
 }  // namespace
 
-void fit(CanvasState& state, const Layout& layout, Rect area, float ui_scale) {
+void fit(Camera& camera, const Layout& layout, Rect area, float ui_scale) {
     const vec2 size = layout.high - layout.low;
-    const float below =
-        zoom_in({area.w - 2 * fit_side * ui_scale, area.h - (fit_top + fit_bottom) * ui_scale}, size, ui_scale);
-    const float beside =
-        zoom_in({area.w - (fit_side + fit_buttons) * ui_scale, area.h - 2 * fit_bottom * ui_scale}, size, ui_scale);
-    const bool stands_beside = beside > 1.1f * below;  // in a low room the buttons would cost half of it
-    state.zoom = stands_beside ? beside : below;
-    state.middle = (layout.low + layout.high) / 2;
-    state.own_view = false;
-    const float scale = view_of(state, area, ui_scale).scale;
+    const float below = zoom_to_show(
+        {area.w - 2 * side_margin * ui_scale, area.h - (top_margin + bottom_margin) * ui_scale}, size, ui_scale);
+    const float beside = zoom_to_show(
+        {area.w - (side_margin + button_margin) * ui_scale, area.h - 2 * bottom_margin * ui_scale}, size, ui_scale);
+    const bool is_beside = beside > 1.1f * below;  // in a low area the room below the buttons is too small
+    camera.zoom = is_beside ? beside : below;
+    camera.middle = (layout.low + layout.high) / 2;
+    camera.by_user = false;
+    const float scale = view_of(camera, area, ui_scale).scale;
     const float above = (area.h - size.y * scale) / 2, right = (area.w - size.x * scale) / 2;
-    if (stands_beside && right < fit_buttons * ui_scale) state.middle.x += (fit_buttons * ui_scale - right) / scale;
-    if (!stands_beside && above < fit_top * ui_scale) state.middle.y -= (fit_top * ui_scale - above) / scale;
+    if (is_beside && right < button_margin * ui_scale) camera.middle.x += (button_margin * ui_scale - right) / scale;
+    if (!is_beside && above < top_margin * ui_scale) camera.middle.y -= (top_margin * ui_scale - above) / scale;
 }
 
-void reveal(CanvasState& state, Rect area, float ui_scale, vec2 point) {
-    const View view = view_of(state, area, ui_scale);
+void reveal(Camera& camera, Rect area, float ui_scale, vec2 point) {
+    const View view = view_of(camera, area, ui_scale);
     const vec2 at = view.to_window(point);
     const vec2 rim{std::min(96 * ui_scale, area.w / 3), std::min(72 * ui_scale, area.h / 3)};
     const vec2 wanted{std::clamp(at.x, area.x + rim.x, area.x + area.w - rim.x),
                       std::clamp(at.y, area.y + rim.y, area.y + area.h - rim.y)};
     if (wanted == at) return;
-    state.middle += (at - wanted) / view.scale;
-    state.own_view = true;
+    camera.middle += (at - wanted) / view.scale;
+    camera.by_user = true;
 }
 
-}  // namespace braitenlab
+std::optional<Minimap> minimap_of(const Layout& layout, const View& view, Rect area, float ui_scale) {
+    constexpr float width = 176, height = 112, away = 12, margin = 6;  // layout pixels
+    if (layout.nodes.size() < minimap_from) return {};
+    if (area.w < 2.5f * width * ui_scale || area.h < 2.5f * height * ui_scale) return {};
+    const vec2 low = view.to_window(layout.low), high = view.to_window(layout.high);
+    if (area.contains(low.x, low.y) && area.contains(high.x, high.y)) return {};
+    Minimap map;
+    map.rect = {area.x + area.w - (width + away) * ui_scale, area.y + area.h - (height + away) * ui_scale,
+                width * ui_scale, height * ui_scale};
+    const vec2 size = layout.high - layout.low, room = vec2{width - 2 * margin, height - 2 * margin} * ui_scale;
+    map.view.scale = std::min(room.x / size.x, room.y / size.y);
+    const vec2 middle{map.rect.x + map.rect.w / 2, map.rect.y + map.rect.h / 2};
+    map.view.origin = middle - (layout.low + layout.high) / 2 * map.view.scale;
+    return map;
+}
+
+namespace {
+
+Rect rect_around(const View& view, vec2 centre, vec2 size) {
+    const vec2 low = view.to_window(centre - size / 2);
+    return {low.x, low.y, size.x * view.scale, size.y * view.scale};
+}
+
+float distance_to_segment(vec2 p, vec2 a, vec2 b) {
+    const vec2 along = b - a;
+    const float square = maths::dot(along, along);
+    const float t = square > 0 ? std::clamp(maths::dot(p - a, along) / square, 0.0f, 1.0f) : 0;
+    return maths::distance(p, a + along * t);
+}
+
+float distance_to_wire(const View& view, const WireShape& wire, vec2 pixel) {
+    float nearest = 1e9f;
+    vec2 before = view.to_window(wire.bezier[0]);
+    for (int i = 1; i <= wire_segments; ++i) {
+        const vec2 next = view.to_window(bezier_point(wire.bezier, static_cast<float>(i) / wire_segments));
+        nearest = std::min(nearest, distance_to_segment(pixel, before, next));
+        before = next;
+    }
+    return nearest;
+}
+
+Hit nearest_pin(const Layout& layout, const View& view, vec2 pixel, float reach) {
+    Hit best;
+    const auto offer = [&](float distance, Part part, NodeId node) {
+        if (distance > reach) return;
+        reach = distance;
+        best = {part, node, {}};
+    };
+    for (const NodeShape& node : layout.nodes) {
+        // An in-pin is as tall as the ends of its wires.
+        const vec2 half{0, node.in_spread / 2};
+        const vec2 top = view.to_window(node.in_pin() - half), bottom = view.to_window(node.in_pin() + half);
+        if (node.has_in) offer(distance_to_segment(pixel, top, bottom), Part::in_pin, node.id);
+        if (node.has_out) offer(maths::distance(pixel, view.to_window(node.out_pin())), Part::out_pin, node.id);
+    }
+    return best;
+}
+
+}  // namespace
+
+Hit hit(const Layout& layout, const View& view, vec2 pixel, float ui_scale) {
+    const bool map = view.scale < map_zoom * ui_scale;
+    const float reach_of_pins = std::min(pin_reach * ui_scale, 48 * view.scale);
+    if (const Hit pin = nearest_pin(layout, view, pixel, reach_of_pins); pin.part != Part::nothing) return pin;
+    for (auto node = layout.nodes.rbegin(); node != layout.nodes.rend(); ++node)
+        if (node_rect(view, *node).contains(pixel.x, pixel.y)) return {Part::node, node->id, {}};
+    for (auto wire = layout.wires.rbegin(); !map && wire != layout.wires.rend(); ++wire)
+        if (label_rect(view, *wire).contains(pixel.x, pixel.y)) return {Part::label, 0, wire->ends};
+    Hit best;
+    float reach = wire_reach * ui_scale;
+    const vec2 at = view.to_canvas(pixel), room = vec2{reach, reach} / view.scale;
+    for (const WireShape& wire : layout.wires) {
+        const bool near = at.x > wire.low.x - room.x && at.x < wire.high.x + room.x && at.y > wire.low.y - room.y &&
+                          at.y < wire.high.y + room.y;
+        if (!near) continue;
+        const float distance = distance_to_wire(view, wire, pixel);
+        if (distance > reach) continue;
+        reach = distance;
+        best = {Part::wire, 0, wire.ends};
+    }
+    return best;
+}
+
+std::optional<WireEnds> wire_through(const Layout& layout, vec2 centre, float reach) {
+    std::optional<WireEnds> best;
+    for (const WireShape& wire : layout.wires) {
+        if (wire.ghost) continue;
+        const float distance = distance_to_wire(View{}, wire, centre);
+        if (distance > reach) continue;
+        reach = distance;
+        best = wire.ends;
+    }
+    return best;
+}
+
+Selection in_box(const Layout& layout, const View& view, vec2 corner, vec2 opposite) {
+    const float left = std::min(corner.x, opposite.x), right = std::max(corner.x, opposite.x);
+    const float top = std::min(corner.y, opposite.y), bottom = std::max(corner.y, opposite.y);
+    Selection selection;
+    for (const NodeShape& node : layout.nodes) {
+        const Rect r = node_rect(view, node);
+        if (r.x < right && r.x + r.w > left && r.y < bottom && r.y + r.h > top) selection.nodes.insert(node.id);
+    }
+    for (const WireShape& wire : layout.wires) {
+        const vec2 middle = view.to_window(wire.label);
+        const bool held = middle.x > left && middle.x < right && middle.y > top && middle.y < bottom;
+        if (held && !wire.ghost) selection.wires.insert(wire.ends);
+    }
+    return selection;
+}
+
+Rect node_rect(const View& view, const NodeShape& node) { return rect_around(view, node.centre, node.size); }
+Rect label_rect(const View& view, const WireShape& wire) { return rect_around(view, wire.label, wire.label_size); }
+Rect pin_rect(const View& view, vec2 pin) { return rect_around(view, pin, {18, 18}); }
+
+bool Selection::contains(const Hit& part) const {
+    if (part.part == Part::nothing) return false;
+    return part.is_wire() ? wires.count(part.wire) > 0 : nodes.count(part.node) > 0;
+}
+
+namespace {
+
+template <class Visitor>
+void each_stop(const Layout& layout, bool nodes_only, Visitor visit) {
+    for (const NodeShape& node : layout.nodes) visit(Hit{Part::node, node.id, {}}, node.centre);
+    if (nodes_only) return;
+    for (const WireShape& wire : layout.wires) visit(Hit{Part::label, 0, wire.ends}, wire.label);
+}
+
+vec2 unit_of(Direction towards) {
+    switch (towards) {
+        case Direction::left:
+            return {-1, 0};
+        case Direction::right:
+            return {1, 0};
+        case Direction::up:
+            return {0, -1};
+        default:
+            return {0, 1};
+    }
+}
+
+}  // namespace
+
+std::optional<vec2> centre_of(const Layout& layout, const Hit& part) {
+    if (part.is_wire()) {
+        const WireShape* wire = find_shape(layout, part.wire);
+        return wire == nullptr ? std::nullopt : std::optional(wire->label);
+    }
+    const NodeShape* node = part.part == Part::nothing ? nullptr : find_shape(layout, part.node);
+    return node == nullptr ? std::nullopt : std::optional(node->centre);
+}
+
+Hit next_in(Direction towards, const Layout& layout, const Hit& from, bool nodes_only) {
+    const auto start = centre_of(layout, from);
+    Hit best = start ? from : Hit{};
+    float least = 1e30f;
+    const vec2 ahead = unit_of(towards);
+    each_stop(layout, nodes_only || !start, [&](const Hit& stop, vec2 at) {
+        float cost = at.x + at.y;
+        if (start) {
+            const float along = maths::dot(at - *start, ahead), aside = std::abs(at.x - start->x) * std::abs(ahead.y) +
+                                                                        std::abs(at.y - start->y) * std::abs(ahead.x);
+            if (along < 4) return;
+            cost = along + 2.2f * aside;
+        }
+        if (cost >= least) return;
+        least = cost;
+        best = stop;
+    });
+    return best;
+}
+
+}  // namespace braitenlab::wiring

@@ -1,4 +1,4 @@
-// The canvas with a mouse: Dear ImGui without a window, pointer and keys put in by hand.
+// The wiring canvas in Dear ImGui without a window, with pointer and keys set by the test.
 #pragma once
 
 #include <memory>
@@ -9,19 +9,20 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "core/brain/four_neurons.h"
+#include "tests/ui/large_brain.h"
 #include "ui/strings.h"
-#include "ui/wiring/canvas.h"
-#include "ui/wiring/interaction.h"
+#include "ui/wiring/input.h"
 
-namespace braitenlab::tests {
+namespace braitenlab::wiring {
 
 using maths::vec2;
 
-inline constexpr NodeId SL = 0, SR = 1, ML = 2, MR = 3;
+using namespace four_neuron_ids;
 
-// A lab with one vehicle that carries out edits of its brain as the app would, and the hand on the mouse.
-struct WiringCanvas : testing::Test {
-    WiringCanvas() {
+// A lab with one vehicle: edits of its brain are executed as the app does.
+struct CanvasFixture : testing::Test {
+    CanvasFixture() {
         ImGui::CreateContext();
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
@@ -45,7 +46,7 @@ struct WiringCanvas : testing::Test {
         view.selected = 7;
         frames(3);
     }
-    ~WiringCanvas() override { ImGui::DestroyContext(); }
+    ~CanvasFixture() override { ImGui::DestroyContext(); }
 
     void frames(int count = 1) {
         for (int i = 0; i < count; ++i) {
@@ -56,15 +57,15 @@ struct WiringCanvas : testing::Test {
             anchors.begin();
             outbox.clear();
             Ui ui{strings, palette(Theme::dark), {}, 1, anchors, outbox, {}};
-            wiring_canvas(view, state, ui, area);
+            draw_canvas(view, state, ui, area);
             ImGui::Render();
             io.MouseWheel = 0;
             const std::size_t before = edits.size();
-            for (const Request& request : outbox) carry_out(std::get<EditRequest>(request));
+            for (const Request& request : outbox) execute_edit(std::get<EditRequest>(request));
             view.undo_depth += edits.size() > before;
         }
     }
-    void carry_out(const EditRequest& request) {
+    void execute_edit(const EditRequest& request) {
         edits.push_back(request);
         auto edited = std::make_shared<BrainGraph>(*now.brains[0]);
         if (const auto* dial = std::get_if<TurnDial>(&request.command)) turn(*edited, dial->dial, dial->value);
@@ -122,6 +123,24 @@ struct WiringCanvas : testing::Test {
         ImGui::GetIO().MouseWheel = notches;
         frames();
     }
+    // Shows another brain; the vehicle keeps its id.
+    void show(const BrainGraph& graph) {
+        const VehicleId id = view.selected;
+        now = tests::snapshot_with(graph);
+        now.vehicles[0].id = id;
+        frames(3);
+    }
+    // A neuron N1 (id 4) without wires.
+    void add_neuron_at(vec2 pixel) {
+        right_click(pixel);
+        choose("linear");
+        ASSERT_EQ(edits.size(), 1u);
+    }
+    vec2 on_wire(WireEnds ends, float t) {
+        const WireShape* wire = find_shape(state.layout.get(now.brains[0], state.held), ends);
+        return view_of(state.camera, area, 1).to_window(bezier_point(wire->bezier, t));
+    }
+    const Wire* wire(NodeId from, NodeId to) const { return find_wire(brain(), from, to); }
     const BrainGraph& brain() const { return *now.brains[0]; }
     FourNeurons dials() const { return read_dials(brain()); }
 
@@ -136,4 +155,4 @@ struct WiringCanvas : testing::Test {
     std::vector<EditRequest> edits;
 };
 
-}  // namespace braitenlab::tests
+}  // namespace braitenlab::wiring

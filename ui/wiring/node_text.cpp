@@ -1,12 +1,39 @@
-#include "ui/wiring/sum.h"
+#include "ui/wiring/node_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
+#include "core/scene/scene.h"
 #include "ui/widgets/number.h"
 
-namespace braitenlab {
+namespace braitenlab::wiring {
+
+namespace {
+
+// In the order of Channel.
+constexpr std::array<std::string_view, channel_count> senses_keys{
+    "wiring.senses.light",    "wiring.senses.red",   "wiring.senses.green",   "wiring.senses.blue",
+    "wiring.senses.heat",     "wiring.senses.smell", "wiring.senses.oxygen",  "wiring.senses.obstacle",
+    "wiring.senses.predator", "wiring.senses.prey",  "wiring.senses.vehicle", "wiring.senses.memory",
+    "wiring.senses.touch",    "wiring.senses.floor", "wiring.senses.energy"};
+
+}  // namespace
+
+std::string_view description_key(const Snapshot& now, const VehicleView& vehicle, const Node& node) {
+    if (node.name == "SL") return "wiring.node.SL";
+    if (node.name == "SR") return "wiring.node.SR";
+    if (node.name == "ML") return "wiring.node.ML";
+    if (node.name == "MR") return "wiring.node.MR";
+    if (node.kind == NodeKind::motor) return "wiring.node.motor";
+    if (node.kind == NodeKind::neuron) return "wiring.node.neuron";
+    const Kind& kind = now.scene->kinds.at(static_cast<std::size_t>(vehicle.kind));
+    for (const Sensor& sensor : kind.sensors)
+        if (sensor.name == node.name) return senses_keys.at(static_cast<std::size_t>(sensor.channel));
+    return "wiring.node.sensor";
+}
+
 namespace {
 
 struct Term {
@@ -19,7 +46,7 @@ using Learned = std::function<float(const Wire&)>;
 
 float weight_now(const Wire& wire, const Learned& learned) { return wire.weight + (learned ? learned(wire) : 0.0f); }
 
-std::vector<const Wire*> arriving(const BrainGraph& graph, NodeId id, const Learned& learned) {
+std::vector<const Wire*> feeding_wires(const BrainGraph& graph, NodeId id, const Learned& learned) {
     std::vector<const Wire*> wires;
     for (const Wire& wire : graph.wires)
         if (wire.to == id && !wire.cut && weight_now(wire, learned) != 0) wires.push_back(&wire);
@@ -29,7 +56,7 @@ std::vector<const Wire*> arriving(const BrainGraph& graph, NodeId id, const Lear
 
 std::vector<Term> terms_of(const BrainGraph& graph, const Node& node, const Values& value, const Learned& learned) {
     std::vector<Term> terms;
-    for (const Wire* wire : arriving(graph, node.id, learned)) {
+    for (const Wire* wire : feeding_wires(graph, node.id, learned)) {
         const float input = let_through(*wire, value(wire->from)), weight = weight_now(*wire, learned);
         const std::string factor = input < 0 ? "(" + fixed(input, 2) + ")" : fixed(input, 2);
         terms.push_back({factor + "·" + fixed(std::abs(weight), 2), weight < 0});
@@ -60,7 +87,7 @@ float sum_of(const BrainGraph& graph, NodeId id, const Values& value, const Lear
     const Node* node = find_node(graph, id);
     if (node == nullptr) return 0;
     float sum = node->bias;
-    for (const Wire* wire : arriving(graph, id, learned))
+    for (const Wire* wire : feeding_wires(graph, id, learned))
         sum += signal(*wire, value(wire->from), learned ? learned(*wire) : 0);
     return sum;
 }
@@ -76,4 +103,4 @@ std::string sum_text(const BrainGraph& graph, NodeId id, const Values& value, co
     return text + " → " + fixed(value(id), 2);
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::wiring

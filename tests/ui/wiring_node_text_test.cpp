@@ -1,46 +1,46 @@
 #include <gtest/gtest.h>
 
 #include "core/brain/four_neurons.h"
-#include "ui/wiring/sum.h"
+#include "ui/wiring/node_text.h"
 
-namespace braitenlab::tests::wiring_sum_test {
+namespace braitenlab::wiring {
 namespace {
 
-constexpr NodeId SL = 0, ML = 2, MR = 3;
+using namespace four_neuron_ids;
 
 float seen(NodeId id) { return id == 0 ? 0.42f : id == 1 ? 0.27f : 0.44f; }
 
-TEST(SumText, WritesProductsBiasAndValue) {
+TEST(WiringNodeText, SumHasProductsBiasAndValue) {
     FourNeurons four;
     four.LL = 0.8f, four.LM = 0.1f;
     EXPECT_EQ(sum_text(make_graph(four), ML, seen), "0.42·0.80 + 0.10 → 0.44");
 }
 
-TEST(SumText, PutsTheSignBetweenTheTerms) {
+TEST(WiringNodeText, SumHasSignsBetweenItsTerms) {
     FourNeurons four;
     four.RR = -0.5f, four.RL = -1, four.RM = -0.1f;
     EXPECT_EQ(sum_text(make_graph(four), MR, seen), "−0.42·1.00 − 0.27·0.50 − 0.10 → 0.44");
 }
 
-TEST(SumText, ShowsWhatTheThresholdLetsThrough) {
+TEST(WiringNodeText, SumHasTheInputAfterTheThreshold) {
     FourNeurons four;
     four.LL = 1, four.threshold_LL = 0.9f;
     EXPECT_EQ(sum_text(make_graph(four), ML, seen), "0.00·1.00 → 0.44");
 }
 
-TEST(SumText, IsABareZeroWithoutWiresAndNothingForASensor) {
+TEST(WiringNodeText, SumIsZeroWithoutWiresAndEmptyForASensor) {
     EXPECT_EQ(sum_text(make_graph({}), ML, seen), "0.00 → 0.44");
     EXPECT_EQ(sum_text(make_graph({}), SL, seen), "");
 }
 
-TEST(SumText, ShowsTheCurveInALineOfItsOwn) {
+TEST(WiringNodeText, SumHasTheCurveInASeparateLine) {
     BrainGraph graph = make_graph({.LL = 0.5f, .LM = 0.1f});
     find_node(graph, "ML")->curve.response = Response::inverted;
     EXPECT_EQ(sum_text(graph, ML, seen), "0.42·0.50 + 0.10 = 0.31\nf(0.31) = 0.69 → 0.44");
     EXPECT_NEAR(sum_of(graph, ML, seen), 0.31f, 1e-6f);
 }
 
-TEST(SumText, LeavesCutWiresOutAndAddsWhatWasLearned) {
+TEST(WiringNodeText, SumLeavesCutWiresOutAndAddsTheLearnedPart) {
     BrainGraph graph = make_graph({.LL = 0.5f, .LR = 1});
     find_wire(graph, 1, ML)->cut = true;
     EXPECT_EQ(sum_text(graph, ML, seen), "0.42·0.50 → 0.44");
@@ -49,4 +49,4 @@ TEST(SumText, LeavesCutWiresOutAndAddsWhatWasLearned) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests::wiring_sum_test
+}  // namespace braitenlab::wiring

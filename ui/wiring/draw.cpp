@@ -1,4 +1,4 @@
-#include "ui/wiring/pen.h"
+#include "ui/wiring/draw.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::wiring {
 
 using maths::vec2;
 
@@ -22,8 +22,7 @@ struct Type {
     float pixels;
 };
 
-// The loaded font nearest to the wanted size; at its own size where that is near enough, since letters that are scaled
-// by a little look worn. A bold face stays bold.
+// The loaded font nearest to the wanted size, at its own size when that is close: slightly scaled letters are blurred.
 Type type_for(const Ui& ui, Face face, float pixels) {
     const bool bold = face == Face::strong || face == Face::title;
     const Face choices[2] = {bold ? Face::strong : Face::small, bold ? Face::title : Face::text};
@@ -36,12 +35,12 @@ Type type_for(const Ui& ui, Face face, float pixels) {
     return {font(ui, Face::title), pixels};
 }
 
-// As many of the characters as fit, and "…" for the rest.
+// As many characters as fit, then "…".
 template <class Fits>
 std::string fitted(std::string_view words, Fits fits) {
     std::string text(words);
     while (!fits(text) && !words.empty()) {
-        bool inside = true;  // a character of several bytes goes as a whole
+        bool inside = true;  // removes all bytes of a character
         while (inside && !words.empty()) {
             inside = (static_cast<unsigned char>(words.back()) & 0xC0U) == 0x80U;
             words.remove_suffix(1);
@@ -65,7 +64,7 @@ void Pen::text(vec2 unit, float height, float anchor, std::string_view words, Co
     std::string shortened;
     if (room > 0 && width > size(room)) {
         const float fitting = type.pixels * size(room) / width;
-        if (fitting < least && face == Face::small) return;  // a caption that cannot be read only dirties the card
+        if (fitting < least && face == Face::small) return;  // no captions that cannot be read
         type.pixels = std::max(fitting, ui.px(least_name));
         shortened = fitted(words, [&](std::string_view part) { return width_of(part) <= size(room) + 1; });
         words = shortened;
@@ -90,7 +89,7 @@ namespace {
 constexpr int corner_steps = 6;  // of a quarter circle
 constexpr int rim_points = 4 * (corner_steps + 1);
 
-// Directions of a rounded box's rim from its corners' middles, clockwise from the right.
+// Unit vectors from a rounded box's corner centres to its rim, clockwise from the right.
 const std::array<ImVec2, rim_points>& rim() {
     static const std::array<ImVec2, rim_points> points = [] {
         std::array<ImVec2, rim_points> made;
@@ -104,8 +103,8 @@ const std::array<ImVec2, rim_points>& rim() {
     return points;
 }
 
-// What lies inside the inner rim in one colour, out to the outer rim fading to nothing; both rims have `count` points,
-// in pairs: inner, outer, inner, outer …
+// Fills the inner rim with one colour that fades out towards the outer rim. Both rims have `count` points in pairs:
+// inner, outer, inner, outer …
 void fade_out(ImDrawList& list, const ImVec2* pairs, int count, ImU32 colour) {
     const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
     list.PrimReserve(3 * (count - 2) + 6 * count, 2 * count);
@@ -154,4 +153,84 @@ void Pen::dot(ImVec2 middle, float radius, ImU32 colour) const {
     fade_out(list, pairs, corners, colour);
 }
 
-}  // namespace braitenlab
+Detail detail_of(const Pen& pen) {
+    const float zoom = pen.view.scale / pen.ui.scale;
+    return zoom < map_zoom ? Detail::map : zoom < 0.62f ? Detail::sketch : Detail::full;
+}
+
+void draw_ground(const Pen& pen, Rect area) {
+    const Palette& p = pen.palette();
+    pen.list.AddRectFilled({area.x, area.y}, {area.x + area.w, area.y + area.h}, paint(p.ground), pen.ui.px(8));
+    float gap = 32 * pen.view.scale;
+    while (gap < pen.ui.px(18)) gap *= 2;
+    const float radius = pen.ui.px(1.1f);
+    const auto first = [gap](float origin, float low) {
+        return low + std::fmod(std::fmod(origin - low, gap) + gap, gap);
+    };
+    for (float y = first(pen.view.origin.y, area.y); y < area.y + area.h; y += gap)
+        for (float x = first(pen.view.origin.x, area.x); x < area.x + area.w; x += gap)
+            pen.list.AddRectFilled({x - radius, y - radius}, {x + radius, y + radius}, paint(p.grid));
+    compat::outline(pen.list, {area.x, area.y}, {area.x + area.w, area.y + area.h}, paint(p.line), pen.ui.px(8),
+                    pen.ui.px(1));
+}
+
+namespace {
+
+bool overlaps(Rect area, Rect r) {
+    return r.x < area.x + area.w && r.x + r.w > area.x && r.y < area.y + area.h && r.y + r.h > area.y;
+}
+
+// Records an anchor whose centre is in the area and draws the highlight around the highlighted one.
+void record_anchor(Ui& ui, Rect area, const std::string& id, Rect rect) {
+    if (!area.contains(rect.x + rect.w / 2, rect.y + rect.h / 2)) return;
+    ui.anchors.record(id, rect);
+    if (ui.highlight != id) return;
+    const float grow = ui.px(3 + 4 * ui.pulse);
+    line_box(ui, {rect.x - grow, rect.y - grow, rect.w + 2 * grow, rect.h + 2 * grow},
+             ui.palette.accent.with_alpha(0.4f + 0.6f * ui.pulse), 10, 2.5f);
+}
+
+// Parameter of a point of the curve that the label does not cover.
+float clear_of_label(const WireShape& wire) {
+    const float t = 0.7f;
+    const vec2 away = bezier_point(wire.bezier, t) - wire.label;
+    const bool covered = std::abs(away.x) < wire.label_size.x / 2 + 6 && std::abs(away.y) < wire.label_size.y / 2 + 6;
+    return covered ? 0.45f : t;
+}
+
+void record_selected(Ui& ui, const BrainGraph& graph, const Layout& layout, const View& view,
+                     const Selection& selection) {
+    for (const NodeId id : selection.nodes)
+        if (const NodeShape* node = find_shape(layout, id))
+            ui.anchors.record("selected." + graph.nodes[node->node].name, node_rect(view, *node));
+    for (const WireEnds& ends : selection.wires)
+        if (const WireShape* wire = find_shape(layout, ends))
+            ui.anchors.record("selected." + name_of(graph, layout, *wire), label_rect(view, *wire));
+}
+
+}  // namespace
+
+void record_anchors(Ui& ui, const Pen& pen, const Picture& picture, Rect area) {
+    const BrainGraph& graph = picture.graph;
+    const Layout& layout = picture.layout;
+    const View& view = pen.view;
+    record_selected(ui, graph, layout, view, picture.state.selection);
+    for (const NodeShape& node : layout.nodes) {
+        const std::string& name = graph.nodes[node.node].name;
+        if (!overlaps(area, node_rect(view, node))) continue;
+        record_anchor(ui, area, "node." + name, node_rect(view, node));
+        if (node.has_in) record_anchor(ui, area, "pin." + name + ".in", pin_rect(view, node.in_pin()));
+        if (node.has_out) record_anchor(ui, area, "pin." + name + ".out", pin_rect(view, node.out_pin()));
+    }
+    if (view.scale < map_zoom * ui.scale) return;
+    for (const WireShape& wire : layout.wires) {
+        const Rect label = label_rect(view, wire);
+        if (!overlaps(area, label)) continue;
+        const std::string name = name_of(graph, layout, wire);
+        record_anchor(ui, area, "wire." + name, label);
+        const vec2 beside = view.to_window(bezier_point(wire.bezier, clear_of_label(wire)));
+        record_anchor(ui, area, "curve." + name, {beside.x - 1, beside.y - 1, 2, 2});
+    }
+}
+
+}  // namespace braitenlab::wiring

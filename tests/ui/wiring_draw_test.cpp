@@ -1,0 +1,58 @@
+#include <cmath>
+
+#include "tests/ui/wiring_fixture.h"
+#include "ui/wiring/draw.h"
+#include "ui/wiring/draw_wires.h"
+
+namespace braitenlab::wiring {
+namespace {
+
+using tests::large_brain;
+
+using WiringDraw = CanvasFixture;
+
+int vertices() { return ImGui::GetDrawData()->TotalVtxCount; }
+
+TEST_F(WiringDraw, LeavesOutWhatIsNotVisible) {
+    show(large_brain(200, 800));
+    const int whole = vertices();
+    state.camera.by_user = true;
+    state.camera.zoom = 1;
+    state.camera.middle = {1e5f, 1e5f};
+    frames();
+    EXPECT_LT(vertices(), whole / 20);
+}
+
+TEST_F(WiringDraw, DrawsFewerVerticesPerWireInALargeBrain) {
+    show(large_brain(20, 40));
+    const int few = vertices();
+    show(large_brain(200, 800));
+    EXPECT_LT(vertices(), few * 800 / 40 / 2);
+}
+
+TEST_F(WiringDraw, DescribesANodeUnderARestingPointerWhenItsCardIsTooSmall) {
+    state.camera.zoom = 0.5f;
+    state.camera.by_user = true;
+    frames();
+    move(middle("node.SR"));
+    EXPECT_EQ(anchors.find("says.SR"), nullptr) << "not in passing";
+    frames(30);
+    EXPECT_NE(anchors.find("says.SR"), nullptr);
+    state.camera.zoom = 1;
+    frames();
+    move(middle("node.SR"));
+    frames(30);
+    EXPECT_EQ(anchors.find("says.SR"), nullptr) << "the card itself says it";
+}
+
+TEST(WiringDrawWires, DotsMoveWithEveryTickAndRestBetweenTicks) {
+    EXPECT_EQ(first_dot(100), first_dot(100));
+    for (std::uint64_t tick = 0; tick < 100; ++tick) {
+        const float moved = first_dot(tick + 1) - first_dot(tick);
+        EXPECT_GT(std::fmod(moved + dot_gap, dot_gap), 1) << tick;
+        EXPECT_LT(std::fmod(moved + dot_gap, dot_gap), dot_gap / 2) << "or they seem to run backwards";
+    }
+}
+
+}  // namespace
+}  // namespace braitenlab::wiring

@@ -1,0 +1,27 @@
+// Text about a node: what it is, and its sum in numbers.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "core/world/snapshot.h"
+
+namespace braitenlab::wiring {
+
+// A string key: SL, SR, ML and MR by their side, other sensors by their channel.
+std::string_view description_key(const Snapshot&, const VehicleView&, const Node&);
+
+// "0.42·0.80 + 0.10 → 0.44": each wire's input after threshold and curve times its weight, the bias, and the node's
+// value. A curve f has a line of its own: "0.42·0.80 = 0.34", then "f(0.34) = 0.71 → 0.70"; the value after the arrow
+// includes leaky memory and lesions. Wires of weight 0 and cut wires are left out; lines have at most three terms.
+// `value` gives a node's value, `learned` the learned part of a wire's weight.
+// Empty for a sensor and for a node that the graph does not have.
+std::string sum_text(const BrainGraph&, NodeId, const std::function<float(NodeId)>& value,
+                     const std::function<float(const Wire&)>& learned = {});
+
+// The sum before the curve. 0 for a node that the graph does not have.
+float sum_of(const BrainGraph&, NodeId, const std::function<float(NodeId)>& value,
+             const std::function<float(const Wire&)>& learned = {});
+
+}  // namespace braitenlab::wiring
