@@ -1,4 +1,4 @@
-// What a graph must be before it can think.
+// Validates a graph.
 #include <map>
 #include <set>
 #include <utility>
@@ -11,7 +11,7 @@ namespace braitenlab {
 
 namespace {
 
-// "'bias' is nan, outside -1 .. 1", or nothing. Numbers that are not finite lie outside every range.
+// "'bias' is nan, outside -1 .. 1", or nullopt. A number that is not finite is outside every range.
 std::optional<std::string> outside(const char* name, float value, float low, float high) {
     if (value >= low && value <= high) return std::nullopt;
     return fmt::format("'{}' is {:.6g}, outside {:.6g} .. {:.6g}", name, value, low, high);

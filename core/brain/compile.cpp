@@ -1,4 +1,4 @@
-// From the graph that a person edits to the flat arrays that think.
+// From the graph that is edited to flat arrays.
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -38,7 +38,7 @@ Brain::Unit unit_of(const Node* node) {
     return {0, 0, node->bias, follow_per_tick(node->time_constant), node->curve};
 }
 
-std::int32_t reads(const Node& sensor, std::span<const std::string> sensor_names) {
+std::int32_t sensor_index(const Node& sensor, std::span<const std::string> sensor_names) {
     const auto named = std::find(sensor_names.begin(), sensor_names.end(), sensor.name);
     if (sensor.silenced || named == sensor_names.end()) return -1;
     return static_cast<std::int32_t>(named - sensor_names.begin());
@@ -52,8 +52,8 @@ std::vector<std::pair<NodeId, NodeId>> learning_wires_of(const BrainGraph& graph
     return ends;
 }
 
-// Where the learned part of a wire stands; −1 where it learns nothing.
-std::int32_t learned_place(const Brain& brain, const Wire& wire) {
+// The index of a wire in Brain::learning_wires; −1 when it does not learn.
+std::int32_t learned_index(const Brain& brain, const Wire& wire) {
     if (!learns(wire)) return -1;
     const auto& all = brain.learning_wires;
     const auto at = std::lower_bound(all.begin(), all.end(), std::pair(wire.from, wire.to));
@@ -66,10 +66,10 @@ Result<Brain> compile(const BrainGraph& graph, std::span<const std::string> sens
     if (auto error = check_graph(graph)) return *error;
 
     Brain brain;
-    std::map<NodeId, std::int32_t> source_of;  // where a tap finds a node's value
+    std::map<NodeId, std::int32_t> source_of;  // index of a node's value for Tap::source
     for (const Node* sensor : by_ascending_id(graph, NodeKind::sensor)) {
         source_of[sensor->id] = static_cast<std::int32_t>(brain.sensors.size());
-        brain.sensors.push_back(reads(*sensor, sensor_names));
+        brain.sensors.push_back(sensor_index(*sensor, sensor_names));
     }
     const auto first_unit = static_cast<std::int32_t>(brain.sensors.size());
     const std::vector<const Node*> order = unit_order(graph);
@@ -80,15 +80,14 @@ Result<Brain> compile(const BrainGraph& graph, std::span<const std::string> sens
     }
     brain.learning_wires = learning_wires_of(graph);
 
-    // By the unit they feed, and there in ascending order of source whatever the order of editing: the same graph gives
-    // the same bits.
+    // Sorted by unit, then by source: sums do not depend on the order of editing.
     std::vector<std::pair<std::int32_t, Brain::Tap>> feeds;
     for (const Wire& wire : graph.wires) {
         const std::int32_t unit = source_of[wire.to] - first_unit;
         const Node* fed = order[static_cast<std::size_t>(unit)];
         if (wire.cut || fed->silenced) continue;
         feeds.push_back({unit,
-                         {source_of[wire.from], wire.weight, wire.threshold, wire.curve, learned_place(brain, wire),
+                         {source_of[wire.from], wire.weight, wire.threshold, wire.curve, learned_index(brain, wire),
                           wire.learning_rate, wire.decay}});
     }
     std::sort(feeds.begin(), feeds.end(), [](const auto& a, const auto& b) {

@@ -8,7 +8,7 @@ namespace braitenlab {
 
 namespace {
 
-// What these nodes feed, directly or by way of neurons; themselves included.
+// These nodes and the neurons that they feed, directly or through neurons.
 std::set<NodeId> fed_by(const BrainGraph& brain, std::set<NodeId> nodes) {
     for (bool grows = true; grows;) {
         grows = false;
@@ -20,8 +20,8 @@ std::set<NodeId> fed_by(const BrainGraph& brain, std::set<NodeId> nodes) {
     return nodes;
 }
 
-// The sensors that the preset does not know, and the neurons that nothing else feeds.
-std::set<NodeId> kept(const BrainGraph& brain, const BrainGraph& preset) {
+// The sensors that the preset does not have, and the neurons that only those feed.
+std::set<NodeId> kept_nodes(const BrainGraph& brain, const BrainGraph& preset) {
     std::set<NodeId> others, replaced;
     for (const Node& node : brain.nodes) {
         const bool sensor = node.kind == NodeKind::sensor, known = find_node(preset, node.name) != nullptr;
@@ -33,15 +33,15 @@ std::set<NodeId> kept(const BrainGraph& brain, const BrainGraph& preset) {
     return stay;
 }
 
-std::string free_name(const BrainGraph& brain, const std::string& wanted) {
+std::string unused_name(const BrainGraph& brain, const std::string& wanted) {
     std::string name = wanted;
     for (int i = 2; find_node(brain, name); ++i) name = wanted + "-" + std::to_string(i);
     return name;
 }
 
-// Eyes and motors stand where they stood; but neurons of the preset's have no place among those, and then all is
-// tidied.
-void put_in_place(const BrainGraph& brain, const BrainGraph& preset, BrainGraph& made) {
+// Copies the positions of the preset's nodes from the brain. Without positions when the preset has neurons: they have
+// none among the others.
+void copy_positions(const BrainGraph& brain, const BrainGraph& preset, BrainGraph& made) {
     const bool brings_neurons = std::any_of(preset.nodes.begin(), preset.nodes.end(),
                                             [](const Node& node) { return node.kind == NodeKind::neuron; });
     if (brings_neurons) return void(made = without_places(std::move(made)));
@@ -53,31 +53,31 @@ void put_in_place(const BrainGraph& brain, const BrainGraph& preset, BrainGraph&
 
 BrainGraph graft(const BrainGraph& brain, const BrainGraph& preset) {
     BrainGraph made = preset;
-    std::map<NodeId, NodeId> numbers;  // of what stays, and of the motors, in the new brain
+    std::map<NodeId, NodeId> new_ids;  // new ids of kept nodes and of motors
     NodeId next = 0;
     for (const Node& node : preset.nodes) next = std::max(next, node.id + 1);
-    const std::set<NodeId> stay = kept(brain, preset);
+    const std::set<NodeId> stay = kept_nodes(brain, preset);
     for (const Node& node : brain.nodes) {
         const Node* motor = node.kind == NodeKind::motor ? find_node(preset, node.name) : nullptr;
-        if (motor) numbers[node.id] = motor->id;
+        if (motor) new_ids[node.id] = motor->id;
         if (stay.count(node.id) == 0) continue;
         Node moved = node;
-        moved.id = numbers[node.id] = next++;
-        moved.name = free_name(made, node.name);
+        moved.id = new_ids[node.id] = next++;
+        moved.name = unused_name(made, node.name);
         made.nodes.push_back(moved);
     }
     for (const Wire& wire : brain.wires) {
-        if (stay.count(wire.from) == 0 || numbers.count(wire.to) == 0) continue;
+        if (stay.count(wire.from) == 0 || new_ids.count(wire.to) == 0) continue;
         Wire moved = wire;
-        moved.from = numbers[wire.from], moved.to = numbers[wire.to];
+        moved.from = new_ids[wire.from], moved.to = new_ids[wire.to];
         made.wires.push_back(moved);
     }
-    put_in_place(brain, preset, made);
+    copy_positions(brain, preset, made);
     return made;
 }
 
 std::vector<std::string> kept_by_graft(const BrainGraph& brain, const BrainGraph& preset) {
-    const std::set<NodeId> stay = kept(brain, preset);
+    const std::set<NodeId> stay = kept_nodes(brain, preset);
     std::vector<std::string> names;
     for (const Node& node : brain.nodes) {
         const bool wired = std::any_of(brain.wires.begin(), brain.wires.end(),

@@ -1,4 +1,4 @@
-// Putting a brain for two eyes into a vehicle that has further senses.
+// Puts a preset into the brain of a vehicle that has more sensors than the preset knows.
 #pragma once
 
 #include <string>
@@ -8,14 +8,13 @@
 
 namespace braitenlab {
 
-// The preset in place of what was wired to the sensors it knows, together with what it has no say in: sensors that it
-// does not know, their wires to the motors, and the neurons that such sensors alone feed. What it replaces are the
-// eyes' wires, the neurons they feed, and the motors' own numbers. Where nothing is to be kept the result is the
-// preset. Nodes that are kept get ids after the preset's, and another name where theirs is taken. Eyes and motors stand
-// where they stood; a preset with neurons of its own puts nobody anywhere.
+// The preset, plus these parts of the brain: sensors that the preset does not have, the neurons that only such sensors
+// feed, and the wires from both. Removed are all other neurons, wires and the motors' parameters. Equal to the preset
+// when nothing is kept. Kept nodes get ids above the preset's, and a new name where theirs is used. Nodes keep their
+// positions, except that a preset with neurons gives a brain without positions.
 BrainGraph graft(const BrainGraph& brain, const BrainGraph& preset);
 
-// Names of the sensors whose wires graft() keeps, in the brain's order; a sensor without wires is none.
+// Names of the wired sensors that graft() keeps, in the brain's order.
 std::vector<std::string> kept_by_graft(const BrainGraph& brain, const BrainGraph& preset);
 
 }  // namespace braitenlab

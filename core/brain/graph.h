@@ -1,4 +1,4 @@
-// A brain as a person edits it: sensors, neurons and motors, and the wires between them.
+// A brain as it is edited: sensors, neurons and motors, and the wires between them.
 //
 // Every brain is such a graph, cycles included. The four-neuron brain of the sliders is the special case of two
 // sensors, two motors and four wires (core/brain/four_neurons.h): the same type, not a second one.

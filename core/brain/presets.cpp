@@ -10,7 +10,7 @@ namespace braitenlab {
 
 namespace {
 
-Wire& connect(BrainGraph& graph, const char* from, const char* to, float weight) {
+Wire& add_wire(BrainGraph& graph, const char* from, const char* to, float weight) {
     return graph.wires.emplace_back(
         Wire{.from = find_node(graph, from)->id, .to = find_node(graph, to)->id, .weight = weight});
 }
@@ -21,25 +21,25 @@ void add_sensor(BrainGraph& graph, const char* name) {
     graph.nodes.push_back({.id = next_id(graph), .kind = NodeKind::sensor, .name = name});
 }
 
-// A neuron that answers at once with its sum.
-Node& add_neuron(BrainGraph& graph, const char* name) {
+// A linear neuron without memory.
+Node& add_linear(BrainGraph& graph, const char* name) {
     return graph.nodes.emplace_back(Node{.id = next_id(graph), .kind = NodeKind::neuron, .name = name});
 }
 
-// A threshold unit: 1 where what its wires deliver adds up to the threshold, else 0.
+// A threshold unit: 1 when the sum of its inputs reaches the threshold, else 0.
 void add_threshold_unit(BrainGraph& graph, const char* name, float threshold) {
-    add_neuron(graph, name).curve = {.response = Response::step, .peak = threshold};
+    add_linear(graph, name).curve = {.response = Response::step, .peak = threshold};
 }
 
-// Two eyes whose wires run to the wheels on their own side, or crossed to the other's.
+// Two sensors with wires to the motors of the same side, or of the other side when `crossed`.
 void add_pair(BrainGraph& graph, const char* left, const char* right, float weight, bool crossed) {
     add_sensor(graph, left);
     add_sensor(graph, right);
-    connect(graph, left, crossed ? "MR" : "ML", weight);
-    connect(graph, right, crossed ? "ML" : "MR", weight);
+    add_wire(graph, left, crossed ? "MR" : "ML", weight);
+    add_wire(graph, right, crossed ? "ML" : "MR", weight);
 }
 
-// Vehicle 3c: it dislikes heat, attacks light, loves smell and explores for oxygen.
+// Vehicle 3c: coward for heat, aggressor for light, love for smell, explorer for oxygen.
 BrainGraph values() {
     BrainGraph graph = make_graph({.LR = 0.8f, .RL = 0.8f, .LM = 0.4f, .RM = 0.4f});
     add_pair(graph, "HL", "HR", 1.5f, false);
@@ -48,8 +48,8 @@ BrainGraph values() {
     return graph;
 }
 
-// Vehicle 4a: the crossed wires of the aggressor, but a strong signal counts for less than a middling one. It turns
-// towards a faint lamp and away from a near one, and so it circles.
+// Vehicle 4a: an aggressor whose wires deliver most for a medium signal. It turns towards a far lamp and away from a
+// near one, so that it circles.
 BrainGraph orbit() {
     BrainGraph graph = make_graph({.LR = 0.5f, .RL = 0.5f, .LM = 0.4f, .RM = 0.4f});
     for (Wire& wire : graph.wires)
@@ -57,7 +57,7 @@ BrainGraph orbit() {
     return graph;
 }
 
-// Vehicle 4b: nothing happens below the step, and everything above it.
+// Vehicle 4b: its wires deliver nothing below the step and all above it.
 BrainGraph decision() {
     BrainGraph graph = make_graph({.LR = 1, .RL = 1, .LM = 0.3f, .RM = 0.3f});
     for (Wire& wire : graph.wires)
@@ -65,100 +65,100 @@ BrainGraph decision() {
     return graph;
 }
 
-// Vehicle 5: threshold units that count. SEEN says whether either eye sees anything (OR), WAS what SEEN said a tick
-// before, NEW whether that has just begun (SEEN and not WAS). ONE, TWO, THREE hold for good once they are on: each
-// takes the next NEW, provided the one before it was on already (AND). THREE stops the motors.
+// Vehicle 5: threshold units that count. SEEN: either sensor has a stimulus (OR). WAS: SEEN one tick before. NEW: SEEN
+// has just begun (SEEN and not WAS). ONE, TWO, THREE stay on; each is switched on by NEW when the one before it is on
+// (AND). THREE stops the motors.
 BrainGraph logic() {
     BrainGraph graph = make_graph({.LM = 0.5f, .RM = 0.5f});
     add_threshold_unit(graph, "SEEN", 0.5f);
-    add_neuron(graph, "WAS");
+    add_linear(graph, "WAS");
     add_threshold_unit(graph, "NEW", 0.5f);
     add_threshold_unit(graph, "ONE", 0.5f);
     add_threshold_unit(graph, "TWO", 1.5f);
     add_threshold_unit(graph, "THREE", 1.5f);
-    connect(graph, "SL", "SEEN", 1);
-    connect(graph, "SR", "SEEN", 1);
-    connect(graph, "SEEN", "WAS", 1);
-    connect(graph, "SEEN", "NEW", 1);
-    connect(graph, "WAS", "NEW", -1);
+    add_wire(graph, "SL", "SEEN", 1);
+    add_wire(graph, "SR", "SEEN", 1);
+    add_wire(graph, "SEEN", "WAS", 1);
+    add_wire(graph, "SEEN", "NEW", 1);
+    add_wire(graph, "WAS", "NEW", -1);
     for (const char* count : {"ONE", "TWO", "THREE"}) {
-        connect(graph, "NEW", count, 1);
-        connect(graph, count, count, 2);
+        add_wire(graph, "NEW", count, 1);
+        add_wire(graph, count, count, 2);
     }
-    connect(graph, "ONE", "TWO", 1);
-    connect(graph, "TWO", "THREE", 1);
-    connect(graph, "THREE", "ML", -0.5f);
-    connect(graph, "THREE", "MR", -0.5f);
+    add_wire(graph, "ONE", "TWO", 1);
+    add_wire(graph, "TWO", "THREE", 1);
+    add_wire(graph, "THREE", "ML", -0.5f);
+    add_wire(graph, "THREE", "MR", -0.5f);
     return graph;
 }
 
-// Vehicle 7: FEAR answers to heat by birth, and turns the vehicle away. What it SEES together with heat becomes linked
-// to FEAR, and then frightens by itself; the link fades.
+// Vehicle 7: FEAR responds to heat and turns the vehicle away. A Hebbian wire links SEES to FEAR when both are on; then
+// light alone switches FEAR on. The link fades.
 BrainGraph mnemotrix() {
     BrainGraph graph = make_graph({.LM = 0.4f, .RM = 0.4f});
     for (const char* name : {"HL", "HR"}) add_sensor(graph, name);
     add_threshold_unit(graph, "SEES", 0.4f);
     add_threshold_unit(graph, "FEAR", 0.5f);
-    for (const char* eye : {"SL", "SR"}) connect(graph, eye, "SEES", 1);
-    for (const char* skin : {"HL", "HR"}) connect(graph, skin, "FEAR", 2);
-    Wire& link = connect(graph, "SEES", "FEAR", 0);
+    for (const char* eye : {"SL", "SR"}) add_wire(graph, eye, "SEES", 1);
+    for (const char* skin : {"HL", "HR"}) add_wire(graph, skin, "FEAR", 2);
+    Wire& link = add_wire(graph, "SEES", "FEAR", 0);
     link.learning_rate = 4;
     link.decay = 0.02f;
-    connect(graph, "FEAR", "ML", 0.3f);
-    connect(graph, "FEAR", "MR", -0.7f);
+    add_wire(graph, "FEAR", "ML", 0.3f);
+    add_wire(graph, "FEAR", "MR", -0.7f);
     return graph;
 }
 
-// Light for the tortoise: a middling signal counts for most, so it CIRCLEs every lamp as vehicle 4a does. HUNGRY below
-// 0.4 of its energy and until it is full again to 0.9, it does not (2 is far beyond the hump) but SEEKs the light, and
-// rests HOME right below a bright one.
+// The tortoise's response to light. CIRCLE: a hump, as vehicle 4a. HUNGRY: on below energy 0.4 until energy 0.9; it
+// shifts CIRCLE's input beyond the hump and enables SEEK, which drives to the light. HOME stops the motors below a
+// bright lamp.
 void add_homing(BrainGraph& graph) {
     add_sensor(graph, "EN");
     add_threshold_unit(graph, "HUNGRY", -0.4f);
-    connect(graph, "EN", "HUNGRY", -1);
-    connect(graph, "HUNGRY", "HUNGRY", 0.5f);
+    add_wire(graph, "EN", "HUNGRY", -1);
+    add_wire(graph, "HUNGRY", "HUNGRY", 0.5f);
     add_sensor(graph, "UP");
     add_threshold_unit(graph, "HOME", 1.6f);
-    connect(graph, "UP", "HOME", 1);
-    connect(graph, "HUNGRY", "HOME", 1);
-    connect(graph, "HOME", "ML", -0.4f);
-    connect(graph, "HOME", "MR", -0.36f);
+    add_wire(graph, "UP", "HOME", 1);
+    add_wire(graph, "HUNGRY", "HOME", 1);
+    add_wire(graph, "HOME", "ML", -0.4f);
+    add_wire(graph, "HOME", "MR", -0.36f);
     for (const bool left : {true, false}) {
         const char *eye = left ? "SL" : "SR", *far_motor = left ? "MR" : "ML";
         const char *circle = left ? "CIRCLE_L" : "CIRCLE_R", *seek = left ? "SEEK_L" : "SEEK_R";
-        add_neuron(graph, circle).curve = {Response::hump, 0.15f, 0.12f};
-        connect(graph, eye, circle, 1);
-        connect(graph, "HUNGRY", circle, 2);
-        connect(graph, circle, far_motor, 0.5f);
-        Node& unit = add_neuron(graph, seek);
+        add_linear(graph, circle).curve = {Response::hump, 0.15f, 0.12f};
+        add_wire(graph, eye, circle, 1);
+        add_wire(graph, "HUNGRY", circle, 2);
+        add_wire(graph, circle, far_motor, 0.5f);
+        Node& unit = add_linear(graph, seek);
         unit.bias = -1;
         unit.curve.response = Response::rectified;
-        connect(graph, eye, seek, 1);
-        connect(graph, "HUNGRY", seek, 1);
-        connect(graph, "HOME", seek, -2);
-        connect(graph, seek, far_motor, 1.2f);
+        add_wire(graph, eye, seek, 1);
+        add_wire(graph, "HUNGRY", seek, 1);
+        add_wire(graph, "HOME", seek, -2);
+        add_wire(graph, seek, far_motor, 1.2f);
     }
 }
 
-// BUMPED holds itself on until LAPSE, which follows slowly, takes it away again: for about half a second it backs off,
-// turning. What it remembers to have bumped into turns it away in time.
+// The tortoise's response to contact. BUMPED stays on until LAPSE, which follows it slowly, switches it off: it backs
+// off and turns for about half a second. Remembered obstacles (QL, QR) turn it away before contact.
 void add_bumper(BrainGraph& graph) {
     add_sensor(graph, "TC");
     add_threshold_unit(graph, "BUMPED", 0.5f);
-    add_neuron(graph, "LAPSE").time_constant = 0.8f;
-    connect(graph, "TC", "BUMPED", 1);
-    connect(graph, "BUMPED", "BUMPED", 1);
-    connect(graph, "BUMPED", "LAPSE", 1);
-    connect(graph, "LAPSE", "BUMPED", -1);
-    connect(graph, "BUMPED", "ML", -1.2f);
-    connect(graph, "BUMPED", "MR", -0.7f);
+    add_linear(graph, "LAPSE").time_constant = 0.8f;
+    add_wire(graph, "TC", "BUMPED", 1);
+    add_wire(graph, "BUMPED", "BUMPED", 1);
+    add_wire(graph, "BUMPED", "LAPSE", 1);
+    add_wire(graph, "LAPSE", "BUMPED", -1);
+    add_wire(graph, "BUMPED", "ML", -1.2f);
+    add_wire(graph, "BUMPED", "MR", -0.7f);
     add_pair(graph, "QL", "QR", 0.4f, false);
-    connect(graph, "QL", "MR", -0.4f);
-    connect(graph, "QR", "ML", -0.4f);
+    add_wire(graph, "QL", "MR", -0.4f);
+    add_wire(graph, "QR", "ML", -0.4f);
 }
 
-// Grey Walter's Machina Speculatrix: explores in wide arcs, circles lights, backs off what it bumps into, and goes home
-// when it is hungry.
+// Grey Walter's Machina Speculatrix: explores in wide arcs, circles lights, backs off after contact, and drives to a
+// bright light when its energy is low.
 BrainGraph tortoise() {
     BrainGraph graph = make_graph({.LM = 0.4f, .RM = 0.36f});
     add_homing(graph);

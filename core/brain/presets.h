@@ -1,10 +1,9 @@
 // The canonical vehicles of V. Braitenberg, "Vehicles: Experiments in Synthetic Psychology" (MIT Press, 1984), and
-// W. Grey Walter's tortoise ("An Imitation of Life", Scientific American 182, 1950), as brains to look at and to take.
+// W. Grey Walter's tortoise ("An Imitation of Life", Scientific American 182, 1950), as brains.
 //
-// Every preset begins with the four neurons SL, SR, ML, MR, so that the sliders reach it. Eyes come in pairs whose
-// names end in L and R: S what the vehicle mainly looks at, H heat, N smell (a nose), A oxygen (air), Q obstacles
-// that it remembers. TC is a bumper, EN the vehicle's own energy, UP a photocell that looks all round. A vehicle that
-// lacks a sensor reads 0 there.
+// Every preset has the nodes SL, SR, ML, MR of the sliders. Sensors come in pairs whose names end in L and R: S the
+// main stimulus, H heat, N smell, A oxygen (air), Q remembered obstacles. TC is a bumper, EN the vehicle's energy, UP
+// an omnidirectional photocell. A sensor that the vehicle does not have reads 0.
 #pragma once
 
 #include <span>
@@ -17,10 +16,10 @@ namespace braitenlab {
 struct Preset {
     std::string_view name;   // "2a-coward": also the key of its title and story in the string files
     std::string_view scene;  // the shipped scene that shows it, the stem of its file
-    BrainGraph brain;        // compiles as it stands; the scene's vehicle may have feelers besides
+    BrainGraph brain;        // valid; the scene's vehicle can have more sensors
 };
 
-// In the order of the book, then the tortoise, then the hunt.
+// In the order of the book, then the tortoise, then predator and prey.
 std::span<const Preset> presets();
 
 // The preset of this name, or null.

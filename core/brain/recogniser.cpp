@@ -17,17 +17,17 @@ struct Motors {
     float drive() const { return (left + right) / 2; }
 };
 
-constexpr float dead = 0.02f;  // less than 1/50 of full speed is no answer
+constexpr float dead = 0.02f;  // of full speed; smaller responses count as none
 
 int sign(float x) { return x > dead ? 1 : x < -dead ? -1 : 0; }
 
-// A brain and what its sensors read; the eyes come first.
+// A brain and the readings of its sensors; the two that get the stimulus are first.
 struct Subject {
     Brain brain;
     std::vector<float> sensed;
 
-    // What the motors settle to when the eyes rest at these values: as soon as nothing changes any more, else the mean
-    // over the last second of four, so that a brain that oscillates counts by its average.
+    // The motors after the readings have been constant until nothing changes; for a brain that oscillates the mean of
+    // the last of four seconds.
     Motors settle(float left_eye, float right_eye) {
         constexpr int settling_ticks = 180, watched_ticks = 60;
         sensed[0] = left_eye, sensed[1] = right_eye;
@@ -46,10 +46,10 @@ struct Subject {
     }
 };
 
-// How it answers to a source on one side, strong in that eye and half as strong in the other.
+// The response to a source on one side: full strength in that sensor and half of it in the other.
 struct Answer {
-    float turn;   // positive: towards the source, whichever side it is on
-    float veer;   // to the left, whichever side the source is on; 0 for one that stands still
+    float turn;   // positive: towards the source
+    float veer;   // to the left for sources on both sides; 0 for a vehicle that does not move
     float speed;  // positive: faster than in the dark
     bool moves;
 };
@@ -64,7 +64,7 @@ Answer answer_to(Subject& subject, const Motors& dark, float strength) {
             .moves = moving};
 }
 
-// The one sign that all answers agree on, or 0 where none has any; `turned` counts how often it changes.
+// The first and last sign other than 0 of a series, and how often the sign changes.
 struct Tendency {
     int first = 0, last = 0, turned = 0;
     void add(int sign) {

@@ -1,4 +1,4 @@
-// Names what a brain does to a stimulus, judged by the brain's response alone, as an observer would.
+// Names a brain by its response to a stimulus, independent of how it is wired.
 #pragma once
 
 #include <span>
@@ -8,35 +8,36 @@
 
 namespace braitenlab {
 
-// The classic characters. `mixed` answers to a stimulus in a way that none of the others describes.
+// The classic characters. mixed: a response that none of the others describes.
 enum class Character { still, indifferent, alive, drowsy, coward, aggressor, love, explorer, orbiting, mixed };
 
 // The field's name: "coward", "aggressor", "love" …; a stable key, not a translated word.
 const char* name(Character);
 
-// The two eyes before which the stimulus is put: a brain of several senses has a character for each.
+// The two sensors that get the stimulus. A brain of several senses has a character for each pair.
 struct EyePair {
     std::string left = "SL", right = "SR";
 };
 
-// What any other sensor reads meanwhile; 0 where it is not named.
+// The constant reading of another sensor; sensors without one read 0.
 struct Reading {
     std::string sensor;
     float value = 0;
     friend bool operator==(const Reading&, const Reading&) = default;
 };
 
-// Puts steady stimuli of eight strengths before the left eye and before the right one, and looks at what the motors
-// settle to.
-//   still        never drives;           indifferent  drives the same whatever it sees
+// Applies constant stimuli of eight strengths to the left and to the right sensor and reads the motors after they have
+// settled.
+//   still        never drives;           indifferent  drives, independent of the stimulus
 //   alive        faster, does not turn;  drowsy       slower, does not turn
 //   coward       turns away and faster;  aggressor    turns towards and faster
-//   love         turns towards, slower at last;  explorer  turns away, slower
-//   orbiting     turns towards what is faint and away from what is strong
-// A brain that veers to one side more than it turns to where the stimulus is, is mixed.
+//   love         turns towards, slower near a strong one;  explorer  turns away, slower
+//   orbiting     turns towards a weak stimulus and away from a strong one
+// A brain that turns more to a fixed side than by the side of the stimulus is mixed. One that does not compile is
+// still.
 Character recognise(const BrainGraph&, const EyePair& = {}, std::span<const Reading> meanwhile = {});
 
-// +1 drawn to what it sees, −1 driven away by it, 0 neither: what makes a predator or a prey by wiring alone.
+// +1 turns towards the stimulus, −1 turns away, 0 neither. Tells predators and prey apart by wiring alone.
 int attraction(Character);
 
 }  // namespace braitenlab

@@ -24,7 +24,7 @@ std::optional<Ends> ends(const BrainGraph& brain) {
     return whole ? std::optional(e) : std::nullopt;
 }
 
-// Makes the wire from `from` to `to` like the model, or takes it away where there is no model.
+// Sets the wire from `from` to `to` to the model, or removes it when the model is null. Lesions stay.
 void copy_wire(BrainGraph& brain, const Wire* model, NodeId from, NodeId to) {
     Wire* wire = find_wire(brain, from, to);
     if (!model) {
@@ -40,7 +40,7 @@ void copy_wire(BrainGraph& brain, const Wire* model, NodeId from, NodeId to) {
         brain.wires.push_back(made);
 }
 
-// What a wire weighs goes over, the lesion stays with the place.
+// Swaps the parameters of two wires, except lesions.
 void swap_wires(BrainGraph& brain, NodeId eye, NodeId one_motor, NodeId other_motor) {
     const Wire* one = find_wire(brain, eye, one_motor);
     const Wire* other = find_wire(brain, eye, other_motor);

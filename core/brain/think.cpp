@@ -7,24 +7,24 @@ namespace braitenlab {
 
 namespace {
 
-// What stood everywhere a tick ago, what stands there now, and which of the two a unit reads.
-struct Thought {
+// The values of the previous and of this tick, and which of the two a unit reads.
+struct TickValues {
     const Brain& brain;
     std::span<const float> sensed;
-    const float* held;     // units as the previous tick left them
-    const float* learned;  // of each Hebbian wire
-    float* settled;        // units as they are now
+    const float* held;     // units of the previous tick
+    const float* learned;  // parts of the Hebbian wires
+    float* settled;        // units of this tick
 
     float sensor(std::size_t source) const {
         const std::int32_t index = brain.sensors[source];
         return index < 0 ? 0.0f : sensed[static_cast<std::size_t>(index)];
     }
-    // For a hidden neuron: others as they were.
+    // Read by hidden neurons: units of the previous tick.
     float before(std::size_t source) const {
         const std::size_t sensors = brain.sensors.size();
         return source < sensors ? sensor(source) : held[source - sensors];
     }
-    // For a motor: hidden neurons as they are now, another motor as it was.
+    // Read by motors: hidden neurons of this tick, motors of the previous one.
     float now(std::size_t source) const {
         const std::size_t sensors = brain.sensors.size();
         if (source < sensors) return sensor(source);
@@ -33,9 +33,9 @@ struct Thought {
     }
 };
 
-// One unit's new value from what its taps find now.
+// A unit's new value.
 template <bool learning, class Read>
-float settle(const Thought& t, std::size_t u, Read read) {
+float settle(const TickValues& t, std::size_t u, Read read) {
     const Brain::Unit& unit = t.brain.units[u];
     float sum = unit.bias;
     for (std::int32_t i = unit.first_tap; i < unit.end_tap; ++i) {
@@ -46,12 +46,12 @@ float settle(const Thought& t, std::size_t u, Read read) {
         sum += weight * (tap.curve.response == Response::linear ? passed : respond(tap.curve, passed));
     }
     const float target = unit.curve.response == Response::linear ? sum : respond(unit.curve, sum);
-    // Bounded, so that a growing loop of wires saturates instead of running off to infinity.
+    // Bounded, so that a loop of wires with a gain above 1 stays finite.
     return std::clamp(t.held[u] + unit.follow * (target - t.held[u]), -1e3f, 1e3f);
 }
 
 template <bool learning>
-void settle_all(const Thought& t) {
+void settle_all(const TickValues& t) {
     const std::size_t count = t.brain.units.size(), hidden = count - 2;
     for (std::size_t u = 0; u < hidden; ++u)
         t.settled[u] = settle<learning>(t, u, [&](std::size_t source) { return t.before(source); });
@@ -59,9 +59,9 @@ void settle_all(const Thought& t) {
         t.settled[u] = settle<learning>(t, u, [&](std::size_t source) { return t.now(source); });
 }
 
-// What stands at both ends together strengthens a Hebbian wire; what it learned fades.
+// Changes the learned parts of a unit's Hebbian wires: see Wire::learning_rate.
 template <class Read>
-void learn(const Thought& t, std::size_t u, float* learned, Read read) {
+void learn(const TickValues& t, std::size_t u, float* learned, Read read) {
     const Brain::Unit& unit = t.brain.units[u];
     for (std::int32_t i = unit.first_tap; i < unit.end_tap; ++i) {
         const Brain::Tap& tap = t.brain.taps[static_cast<std::size_t>(i)];
@@ -76,12 +76,12 @@ void learn(const Thought& t, std::size_t u, float* learned, Read read) {
 }  // namespace
 
 void think(const Brain& brain, std::span<const float> sensed, std::span<float> state, std::span<float, 2> motors) {
-    // All units read what the previous tick latched, so they settle into a second array and go over together.
+    // Units read the previous tick: new values go into a second array.
     constexpr std::size_t most = static_cast<std::size_t>(limits::neurons) + 2;
     float settled[most];
     const std::size_t count = brain.units.size(), hidden = count - 2;
     float* learned = state.data() + count;
-    const Thought t{brain, sensed, state.data(), learned, settled};
+    const TickValues t{brain, sensed, state.data(), learned, settled};
     if (brain.learning_wires.empty()) {
         settle_all<false>(t);
     } else {
