@@ -26,20 +26,7 @@ std::array<float, 2> drive_once(const BrainGraph& graph, float left_eye, float r
     return motors;
 }
 
-TEST(FourNeuronBrain, ComputesTheTwoMotorEquations) {
-    const FourNeurons four{.LL = 0.5f, .LR = -0.25f, .RL = 0.75f, .RR = 0.125f, .LM = 0.1f, .RM = -0.2f};
-    const auto motors = drive_once(make_graph(four), 0.4f, 0.8f);
-    EXPECT_FLOAT_EQ(motors[0], 0.4f * 0.5f + 0.8f * -0.25f + 0.1f);
-    EXPECT_FLOAT_EQ(motors[1], 0.8f * 0.125f + 0.4f * 0.75f - 0.2f);
-}
-
-TEST(FourNeuronBrain, ClampsTheSumsToFullSpeed) {
-    const auto motors = drive_once(make_graph({.LL = 2, .RR = -2}), 1, 1);
-    EXPECT_EQ(motors[0], 1);
-    EXPECT_EQ(motors[1], -1);
-}
-
-TEST(Threshold, MasksBySizeWhateverTheSign) {
+TEST(Graph, MaskedComparesSizesOfEitherSign) {
     for (const float sign : {1.0f, -1.0f}) {
         EXPECT_EQ(masked(sign * 0.5f, 0.5f), sign * 0.5f);
         EXPECT_EQ(masked(sign * 0.49f, 0.5f), 0);
@@ -47,13 +34,19 @@ TEST(Threshold, MasksBySizeWhateverTheSign) {
     }
 }
 
-TEST(Threshold, MasksInputsBelowItAndPassesThoseAtIt) {
+TEST(Brain, ClampsMotorsToFullSpeed) {
+    const auto motors = drive_once(make_graph({.LL = 2, .RR = -2}), 1, 1);
+    EXPECT_EQ(motors[0], 1);
+    EXPECT_EQ(motors[1], -1);
+}
+
+TEST(Brain, AThresholdMasksInputsBelowItAndPassesThoseAtIt) {
     const BrainGraph graph = make_graph({.LL = 1, .threshold_LL = 0.5f});
     EXPECT_EQ(drive_once(graph, 0.49f, 0)[0], 0);
     EXPECT_EQ(drive_once(graph, 0.5f, 0)[0], 0.5f);
 }
 
-TEST(Brain, GivesTheSameBitsWhateverTheOrderOfEditing) {
+TEST(Brain, GivesTheSameBitsInAnyOrderOfEditing) {
     BrainGraph graph = make_graph({.LL = 0.3f, .LR = 0.1f, .RL = 0.7f, .RR = -0.9f, .LM = 0.05f});
     for (int extra = 0; extra < 6; ++extra) {  // sums of many terms, whose last bit depends on their order
         graph.nodes.push_back(
@@ -68,7 +61,7 @@ TEST(Brain, GivesTheSameBitsWhateverTheOrderOfEditing) {
         EXPECT_EQ(drive_once(graph, input, 0.789f), drive_once(turned, input, 0.789f)) << input;
 }
 
-TEST(HiddenNeuron, ReachesTheMotorInTheSameTick) {
+TEST(Brain, ANeuronReachesTheMotorInTheSameTick) {
     BrainGraph graph = make_graph({});
     graph.nodes.push_back({.id = 7, .kind = NodeKind::neuron, .name = "N"});
     graph.wires.push_back({.from = 0, .to = 7, .weight = 0.5f});
@@ -76,7 +69,7 @@ TEST(HiddenNeuron, ReachesTheMotorInTheSameTick) {
     EXPECT_FLOAT_EQ(drive_once(graph, 0.8f, 0)[1], 0.4f);
 }
 
-TEST(HiddenNeuron, FeedingItselfHoldsWhatItHeldATickAgo) {
+TEST(Brain, ANeuronThatFeedsItselfReadsThePreviousTick) {
     BrainGraph graph = make_graph({});
     graph.nodes.push_back({.id = 7, .kind = NodeKind::neuron, .name = "N"});
     graph.wires.push_back({.from = 0, .to = 7});
@@ -89,7 +82,7 @@ TEST(HiddenNeuron, FeedingItselfHoldsWhatItHeldATickAgo) {
     EXPECT_EQ(neurons[0], 0.25f);
 }
 
-TEST(LeakyNeuron, ReachesSixtyThreePercentInItsTimeConstant) {
+TEST(Brain, ALeakyNeuronReaches63PercentInItsTimeConstant) {
     BrainGraph graph = make_graph({.LL = 1});
     find_node(graph, "ML")->time_constant = 0.5f;
     const auto brain = compile(graph, eyes);
@@ -100,86 +93,7 @@ TEST(LeakyNeuron, ReachesSixtyThreePercentInItsTimeConstant) {
     EXPECT_NEAR(motors[0], 1 - std::exp(-1.0f), 1e-3f);
 }
 
-TEST(Compile, RefusesWhatCannotThinkAndSaysWhy) {
-    BrainGraph twice = make_graph({});
-    twice.wires.push_back(twice.wires.front());
-    EXPECT_NE(compile(twice, eyes).error().what.find("two wires run from 'SL' to 'ML'"), std::string::npos);
-
-    BrainGraph into_eye = make_graph({});
-    into_eye.wires.push_back({.from = 2, .to = 0});
-    EXPECT_NE(compile(into_eye, eyes).error().what.find("sensors only send"), std::string::npos);
-
-    BrainGraph nowhere = make_graph({});
-    nowhere.wires.push_back({.from = 0, .to = 99});
-    EXPECT_FALSE(compile(nowhere, eyes));
-
-    BrainGraph not_a_number = make_graph({});
-    not_a_number.wires.front().weight = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_FALSE(compile(not_a_number, eyes));
-}
-
-TEST(Compile, RefusesEveryNumberThatIsNotFiniteOrOutsideItsRange) {
-    const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
-    const auto refused = [](auto set, float value) {
-        BrainGraph graph = make_graph({.LL = 1});
-        graph.nodes.push_back({.id = 9, .kind = NodeKind::neuron, .name = "N"});
-        graph.wires.push_back({.from = 0, .to = 9});
-        set(graph.nodes.back(), graph.wires.back(), value);
-        return !compile(graph, eyes);
-    };
-    const auto refuses = [&](auto set, float low, float high) {
-        for (const float bad : {nan, inf, -inf, low - 0.01f, high + 0.01f}) EXPECT_TRUE(refused(set, bad)) << bad;
-        for (const float good : {low, high}) EXPECT_FALSE(refused(set, good)) << good;
-    };
-    refuses([](Node& n, Wire&, float x) { n.bias = x; }, -1, 1);
-    refuses([](Node& n, Wire&, float x) { n.time_constant = x; }, 0, 600);
-    refuses([](Node& n, Wire&, float x) { n.curve.peak = x; }, -2, 2);
-    refuses([](Node& n, Wire&, float x) { n.curve.width = x; }, 0.001f, 10);
-    refuses([](Node&, Wire& w, float x) { w.weight = x; }, -2, 2);
-    refuses([](Node&, Wire& w, float x) { w.threshold = x; }, 0, 1);
-    refuses([](Node&, Wire& w, float x) { w.curve.peak = x; }, -2, 2);
-    refuses([](Node&, Wire& w, float x) { w.curve.width = x; }, 0.001f, 10);
-    refuses([](Node&, Wire& w, float x) { w.learning_rate = x; }, 0, 10);
-    refuses([](Node&, Wire& w, float x) { w.decay = x; }, 0, 10);
-}
-
-TEST(Compile, NamesTheNumberTheRangeAndThePlace) {
-    BrainGraph graph = make_graph({});
-    graph.wires[1].decay = 11;
-    EXPECT_EQ(compile(graph, eyes).error().what, "the wire from 'SR' to 'ML': 'decay' is 11, outside 0 .. 10");
-    find_node(graph, "MR")->bias = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(compile(graph, eyes).error().what, "node 'MR': 'bias' is nan, outside -1 .. 1");
-}
-
-// So many nodes of a kind, each fed by the left eye where it can be.
-BrainGraph crowded(NodeKind kind, int count) {
-    BrainGraph graph = make_graph({});
-    for (int i = 0; i < count; ++i) graph.nodes.push_back({.id = 10 + i, .kind = kind, .name = fmt::format("n{}", i)});
-    return graph;
-}
-
-TEST(Compile, HoldsTheLargestBrainAndRefusesALargerOneWithItsSize) {
-    EXPECT_TRUE(compile(crowded(NodeKind::sensor, 62), eyes));  // SL and SR make 64
-    EXPECT_NE(compile(crowded(NodeKind::sensor, 63), eyes).error().what.find("64 sensors, this one has 65"),
-              std::string::npos);
-    EXPECT_NE(compile(crowded(NodeKind::neuron, 1025), eyes).error().what.find("1024 neurons, this one has 1025"),
-              std::string::npos);
-
-    BrainGraph graph = crowded(NodeKind::neuron, 1024);
-    for (int i = 0; graph.wires.size() < 8192; ++i)
-        graph.wires.push_back({.from = 10 + i % 1024, .to = 10 + (i * 7 + i / 1024) % 1024, .weight = 2});
-    const auto largest = compile(graph, eyes);
-    ASSERT_TRUE(largest) << largest.error().what;
-    std::vector<float> state(static_cast<std::size_t>(largest->state_size()), 1.0f);
-    std::array<float, 2> motors{};
-    for (int tick = 0; tick < 100; ++tick) think(*largest, std::array{1.0f, 1.0f}, state, motors);
-    EXPECT_TRUE(std::all_of(state.begin(), state.end(), [](float x) { return std::isfinite(x); }));
-
-    graph.wires.push_back({.from = 0, .to = 10});
-    EXPECT_NE(compile(graph, eyes).error().what.find("8192 wires, this one has 8193"), std::string::npos);
-}
-
-TEST(Brain, StaysFiniteWhateverIsWiredWithinItsRanges) {
+TEST(Brain, StaysFiniteForRandomBrainsWithinTheRanges) {
     maths::Random chance{1, 1};
     const auto pick = [&](float low, float high) {  // the ends of the range as often as its middle
         const float where = chance.uniform(-1, 2);
@@ -220,22 +134,22 @@ TEST(Brain, StaysFiniteWhateverIsWiredWithinItsRanges) {
 }
 
 // SL and a neuron N of bias 0.25 both feed the left motor, the neuron through an inverted wire.
-BrainGraph to_be_hurt() {
+BrainGraph with_inverted_wire() {
     BrainGraph graph = make_graph({.LL = 0.5f, .RR = 0.5f, .LM = 0.125f});
     graph.nodes.push_back({.id = 7, .kind = NodeKind::neuron, .name = "N", .bias = 0.25f});
     graph.wires.push_back({.from = 7, .to = 2, .weight = 0.5f, .curve = {.response = Response::inverted}});
     return graph;
 }
 
-TEST(Lesion, OfAnEyeMakesItReadDarkness) {
-    BrainGraph graph = to_be_hurt();
+TEST(Brain, ASilencedSensorReadsZero) {
+    BrainGraph graph = with_inverted_wire();
     const auto whole = drive_once(graph, 0, 0.5f);
     find_node(graph, "SL")->silenced = true;
     EXPECT_EQ(drive_once(graph, 1, 0.5f), whole);
 }
 
-TEST(Lesion, OfANeuronOrMotorMakesItGiveNothingWhateverFeedsIt) {
-    BrainGraph graph = to_be_hurt();
+TEST(Brain, ASilencedNeuronOrMotorGivesZeroForAnyInput) {
+    BrainGraph graph = with_inverted_wire();
     EXPECT_FLOAT_EQ(drive_once(graph, 0.5f, 0.5f)[0], 0.5f * 0.5f + 0.5f * (1 - 0.25f) + 0.125f);
     find_node(graph, "N")->silenced = true;  // what reads it finds 0, and an inverted wire makes 1 of that
     EXPECT_FLOAT_EQ(drive_once(graph, 0.5f, 0.5f)[0], 0.5f * 0.5f + 0.5f * 1 + 0.125f);
@@ -243,14 +157,14 @@ TEST(Lesion, OfANeuronOrMotorMakesItGiveNothingWhateverFeedsIt) {
     EXPECT_EQ(drive_once(graph, 0.5f, 0.5f), (std::array{0.0f, 0.25f}));
 }
 
-TEST(Lesion, OfAWireDeliversNothingEvenWhereItsCurveWould) {
-    BrainGraph graph = to_be_hurt();
+TEST(Brain, ACutWireDeliversNothingEvenWhenItsCurveWould) {
+    BrainGraph graph = with_inverted_wire();
     graph.wires.back().cut = true;
     EXPECT_FLOAT_EQ(drive_once(graph, 0.5f, 0.5f)[0], 0.5f * 0.5f + 0.125f);
 }
 
-TEST(Lesion, HealsWithoutATrace) {
-    BrainGraph graph = to_be_hurt();
+TEST(Brain, AHealedLesionLeavesNoDifference) {
+    BrainGraph graph = with_inverted_wire();
     const auto whole = drive_once(graph, 0.3f, 0.7f);
     graph.nodes[0].silenced = graph.nodes[4].silenced = graph.wires[0].cut = true;
     EXPECT_NE(drive_once(graph, 0.3f, 0.7f), whole);
@@ -258,12 +172,12 @@ TEST(Lesion, HealsWithoutATrace) {
     EXPECT_EQ(drive_once(graph, 0.3f, 0.7f), whole);
 }
 
-// A brain and what it carries from tick to tick.
-struct Pupil {
-    explicit Pupil(const BrainGraph& graph) : brain(*compile(graph, eyes)) {
+// A compiled brain and its state.
+struct Thinker {
+    explicit Thinker(const BrainGraph& graph) : brain(*compile(graph, eyes)) {
         state.resize(static_cast<std::size_t>(brain.state_size()));
     }
-    void live(int ticks, float left_eye, float right_eye) {
+    void run(int ticks, float left_eye, float right_eye) {
         for (int t = 0; t < ticks; ++t) think(brain, std::array{left_eye, right_eye}, state, motors);
     }
     float learned() const { return state.back(); }
@@ -271,8 +185,6 @@ struct Pupil {
     std::vector<float> state;
     std::array<float, 2> motors{};
 };
-
-// ── Vehicle 5: threshold units ──────────────────────────────────────────────────────────────────────────────────────
 
 // 1 where what its wires deliver adds up to the threshold, else 0.
 void add_unit(BrainGraph& graph, const char* name, float threshold) {
@@ -288,8 +200,8 @@ void feed(BrainGraph& graph, const char* from, const char* to, float weight) {
 
 // What stands at the unit OUT after a few ticks with these inputs.
 float out(const BrainGraph& graph, bool a, bool b) {
-    Pupil thinker(graph);
-    thinker.live(4, a ? 1.0f : 0.0f, b ? 1.0f : 0.0f);
+    Thinker thinker(graph);
+    thinker.run(4, a ? 1.0f : 0.0f, b ? 1.0f : 0.0f);
     const auto& ids = thinker.brain.unit_ids;
     const auto at = std::find(ids.begin(), ids.end(), find_node(graph, std::string("OUT"))->id) - ids.begin();
     return thinker.state[static_cast<std::size_t>(at)];
@@ -307,7 +219,7 @@ BrainGraph gate(float weight, float threshold) {
     return graph;
 }
 
-TEST(ThresholdUnit, ComputesAndOrNotAndTogetherTheirExclusiveOr) {
+TEST(Brain, ThresholdUnitsComputeAndOrNotAndExclusiveOr) {
     EXPECT_EQ(truth_table(gate(1, 1.5f)), (std::array{0.0f, 0.0f, 0.0f, 1.0f}));    // AND
     EXPECT_EQ(truth_table(gate(1, 0.5f)), (std::array{0.0f, 1.0f, 1.0f, 1.0f}));    // OR
     EXPECT_EQ(truth_table(gate(-1, -0.5f)), (std::array{1.0f, 0.0f, 0.0f, 0.0f}));  // NOT, of either
@@ -320,25 +232,25 @@ TEST(ThresholdUnit, ComputesAndOrNotAndTogetherTheirExclusiveOr) {
     EXPECT_EQ(truth_table(exclusive), (std::array{0.0f, 1.0f, 1.0f, 0.0f}));
 }
 
-TEST(ThresholdUnit, FeedingItselfRemembersUntilItIsReset) {
+TEST(Brain, AThresholdUnitThatFeedsItselfStaysOnUntilItIsReset) {
     BrainGraph latch = make_graph({});
     add_unit(latch, "OUT", 0.5f);
     feed(latch, "OUT", "OUT", 1);
     feed(latch, "SL", "OUT", 1);
     feed(latch, "SR", "OUT", -1);
-    Pupil thinker(latch);
-    thinker.live(5, 0, 0);
+    Thinker thinker(latch);
+    thinker.run(5, 0, 0);
     EXPECT_EQ(thinker.state[0], 0);
-    thinker.live(1, 1, 0);
-    thinker.live(1000, 0, 0);
+    thinker.run(1, 1, 0);
+    thinker.run(1000, 0, 0);
     EXPECT_EQ(thinker.state[0], 1);
-    thinker.live(1, 0, 1);
-    thinker.live(5, 0, 0);
+    thinker.run(1, 0, 1);
+    thinker.run(5, 0, 0);
     EXPECT_EQ(thinker.state[0], 0);
 }
 
-// A motor driven by birth from SR, and by what it learns from SL.
-BrainGraph learner(float learning_rate, float decay) {
+// SR drives the left motor; the wire from SL learns to.
+BrainGraph with_hebbian_wire(float learning_rate, float decay) {
     BrainGraph graph = make_graph({.LR = 1});
     Wire& wire = *find_wire(graph, 0, 2);
     wire.learning_rate = learning_rate;
@@ -346,78 +258,57 @@ BrainGraph learner(float learning_rate, float decay) {
     return graph;
 }
 
-TEST(HebbianWire, GrowsByWhatStandsAtBothEndsTogether) {
-    Pupil pupil(learner(0.6f, 0));
-    EXPECT_EQ(pupil.brain.learning_wires, (std::vector<std::pair<NodeId, NodeId>>{{0, 2}}));
-    pupil.live(60, 0, 1);  // nothing at its start
-    EXPECT_EQ(pupil.learned(), 0);
-    pupil.live(60, 1, 0);  // nothing at its end
-    EXPECT_EQ(pupil.learned(), 0);
-    pupil.live(1, 0.5f, 0.8f);
-    EXPECT_FLOAT_EQ(pupil.learned(), 0.6f * 0.5f * 0.8f / 60);
-    pupil.live(20, 0.5f, 0.8f);
-    const float h = pupil.learned();
-    pupil.live(1, 0.5f, 0);  // what it learned drives the motor by itself now
-    EXPECT_NEAR(pupil.motors[0], 0.5f * h, 1e-6f);
+TEST(Brain, AHebbianWireGrowsByTheProductOfItsEnds) {
+    Thinker learner(with_hebbian_wire(0.6f, 0));
+    EXPECT_EQ(learner.brain.learning_wires, (std::vector<std::pair<NodeId, NodeId>>{{0, 2}}));
+    learner.run(60, 0, 1);  // nothing at its start
+    EXPECT_EQ(learner.learned(), 0);
+    learner.run(60, 1, 0);  // nothing at its end
+    EXPECT_EQ(learner.learned(), 0);
+    learner.run(1, 0.5f, 0.8f);
+    EXPECT_FLOAT_EQ(learner.learned(), 0.6f * 0.5f * 0.8f / 60);
+    learner.run(20, 0.5f, 0.8f);
+    const float h = learner.learned();
+    learner.run(1, 0.5f, 0);  // what it learned drives the motor by itself now
+    EXPECT_NEAR(learner.motors[0], 0.5f * h, 1e-6f);
 }
 
-TEST(HebbianWire, FadesToAThirdInTheTimeThatItsDecaySays) {
-    Pupil pupil(learner(2, 0.5f));
-    pupil.live(60, 1, 1);
-    const float before = pupil.learned();
+TEST(Brain, AHebbianWireFadesToOneOverEInTheTimeOfItsDecay) {
+    Thinker learner(with_hebbian_wire(2, 0.5f));
+    learner.run(60, 1, 1);
+    const float before = learner.learned();
     EXPECT_GT(before, 0.5f);
-    pupil.live(120, 0, 1);  // 2 s at 0.5/s
-    EXPECT_NEAR(pupil.learned() / before, std::exp(-1.0f), 0.01f);
+    learner.run(120, 0, 1);  // 2 s at 0.5/s
+    EXPECT_NEAR(learner.learned() / before, std::exp(-1.0f), 0.01f);
 }
 
-TEST(HebbianWire, StopsWhereItsWeightWouldLeaveTheRange) {
-    Pupil eager(learner(10, 0));
-    eager.live(600, 1, 1);
+TEST(Brain, AHebbianWireStopsAtTheRangeOfWeights) {
+    Thinker eager(with_hebbian_wire(10, 0));
+    eager.run(600, 1, 1);
     EXPECT_EQ(eager.learned(), 2);
-    BrainGraph strong = learner(10, 0);
+    BrainGraph strong = with_hebbian_wire(10, 0);
     find_wire(strong, 0, 2)->weight = 0.5f;
-    Pupil born_strong(strong);
-    born_strong.live(600, 1, 1);
-    EXPECT_EQ(born_strong.learned(), 1.5f);
-    BrainGraph against = learner(10, 0);
+    Thinker strong_learner(strong);
+    strong_learner.run(600, 1, 1);
+    EXPECT_EQ(strong_learner.learned(), 1.5f);
+    BrainGraph against = with_hebbian_wire(10, 0);
     find_wire(against, 1, 2)->weight = -1;  // the motor runs backwards: the wire is weakened
     find_wire(against, 0, 2)->weight = 0.5f;
-    Pupil contrary(against);
-    contrary.live(600, 0.5f, 1);
+    Thinker contrary(against);
+    contrary.run(600, 0.5f, 1);
     EXPECT_EQ(contrary.learned(), -2.5f);
 }
 
-TEST(HebbianWire, KeepsWhatItLearnedWhileItIsCut) {
-    BrainGraph graph = learner(2, 0.5f);
-    Pupil whole(graph);
-    whole.live(60, 1, 1);
+TEST(Brain, AHebbianWireKeepsItsLearnedPartWhileItIsCut) {
+    BrainGraph graph = with_hebbian_wire(2, 0.5f);
+    Thinker whole(graph);
+    whole.run(60, 1, 1);
     find_wire(graph, 0, 2)->cut = true;
-    Pupil hurt(graph);
+    Thinker hurt(graph);
     hurt.state = whole.state;
-    hurt.live(60, 1, 0);
+    hurt.run(60, 1, 0);
     EXPECT_EQ(hurt.motors[0], 0);
     EXPECT_EQ(hurt.learned(), whole.learned());
-}
-
-TEST(Dials, ReadBackWhatTheyWereSetToAndClamp) {
-    BrainGraph graph = make_graph({});
-    turn(graph, Dial::RL, 1.25f);
-    turn(graph, Dial::threshold_RL, 0.5f);
-    turn(graph, Dial::RM, 7);
-    turn(graph, Dial::LL, std::numeric_limits<float>::infinity());
-    const FourNeurons four = read_dials(graph);
-    EXPECT_EQ(four, (FourNeurons{.RL = 1.25f, .threshold_RL = 0.5f, .RM = 1}));
-    EXPECT_TRUE(is_four_neurons(graph));
-}
-
-TEST(Dials, ReachTheDirectWiresOfALargerGraph) {
-    BrainGraph graph = make_graph({.LL = 1});
-    graph.nodes.push_back({.id = 9, .kind = NodeKind::neuron, .name = "N"});
-    std::erase_if(graph.wires, [](const Wire& w) { return w.from == 0 && w.to == 3; });
-    EXPECT_FALSE(is_four_neurons(graph));
-    turn(graph, Dial::RL, -1);
-    EXPECT_EQ(read_dials(graph).RL, -1);
-    EXPECT_EQ(read_dials(graph).LL, 1);
 }
 
 }  // namespace
