@@ -10,7 +10,7 @@
 #include "core/brain/brain.h"
 #include "core/brain/four_neurons.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::brain_compile_test {
 namespace {
 
 const std::array<std::string, 2> two_eyes{"SL", "SR"};
@@ -95,4 +95,4 @@ TEST(Brain, CompileTakesTheLargestBrainAndRefusesALargerOneWithItsSize) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::brain_compile_test

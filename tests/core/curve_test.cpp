@@ -7,7 +7,7 @@
 
 #include "core/brain/graph.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::curve_test {
 namespace {
 
 TEST(Curve, EveryResponseHasItsOwnWord) {
@@ -65,4 +65,4 @@ TEST(Curve, StepIsOneFromItsPeakOnAndSigmoidIsHalfThere) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::curve_test

@@ -8,7 +8,7 @@
 #include "core/brain/brain.h"
 #include "core/brain/four_neurons.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::edit_test {
 namespace {
 
 using namespace four_neuron_ids;
@@ -188,4 +188,4 @@ TEST(Edit, RefusalsHaveDifferentWords) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::edit_test

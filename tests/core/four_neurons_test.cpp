@@ -7,7 +7,7 @@
 
 #include "core/brain/brain.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::four_neurons_test {
 namespace {
 
 TEST(FourNeurons, ComputeTheTwoMotorEquations) {
@@ -65,4 +65,4 @@ TEST(FourNeurons, AWireHasTheNameOfItsDialOrOfItsEnds) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::four_neurons_test

@@ -5,7 +5,7 @@
 #include "core/brain/brain.h"
 #include "core/brain/four_neurons.h"
 
-namespace braitenlab {
+namespace braitenlab::tests::fragment_test {
 namespace {
 
 using maths::vec2;
@@ -71,4 +71,4 @@ TEST(Fragment, RoundedPositionIsAWholeUnitOnTheCanvas) {
 }
 
 }  // namespace
-}  // namespace braitenlab
+}  // namespace braitenlab::tests::fragment_test

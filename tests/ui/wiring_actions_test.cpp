@@ -1,7 +1,10 @@
 #include "tests/ui/wiring_fixture.h"
 #include "ui/wiring/actions.h"
 
-namespace braitenlab::wiring {
+namespace braitenlab::tests::wiring_actions_test {
+
+using namespace wiring;
+
 namespace {
 
 using WiringActions = CanvasFixture;
@@ -161,4 +164,4 @@ TEST_F(WiringActions, ArrowKeysGoRoundAMenu) {
 }
 
 }  // namespace
-}  // namespace braitenlab::wiring
+}  // namespace braitenlab::tests::wiring_actions_test

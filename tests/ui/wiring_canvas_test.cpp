@@ -3,7 +3,10 @@
 #include "tests/ui/wiring_fixture.h"
 #include "ui/wiring/canvas.h"
 
-namespace braitenlab::wiring {
+namespace braitenlab::tests::wiring_canvas_test {
+
+using namespace wiring;
+
 namespace {
 
 using WiringCanvas = CanvasFixture;
@@ -48,7 +51,7 @@ TEST_F(WiringCanvas, StaysUnderTheMouseWhileABrainIsEditedAndACardOpensBelow) {
 TEST_F(WiringCanvas, FitsABrainFromElsewhereUnlessTheUserHasMovedTheCamera) {
     const auto give = [&](int nodes) {
         const VehicleId id = view.selected;
-        now = tests::snapshot_with(tests::large_brain(nodes, 90));
+        now = snapshot_with(large_brain(nodes, 90));
         now.vehicles[0].id = id;
         frames(2);
         return std::all_of(brain().nodes.begin(), brain().nodes.end(),
@@ -95,12 +98,12 @@ TEST_F(WiringCanvas, DrawsWithoutAVehicleAndABrainWithoutNodes) {
 }
 
 TEST(WiringReadings, EqualThoseOfTheSnapshot) {
-    BrainGraph graph = tests::large_brain(30, 100);
+    BrainGraph graph = large_brain(30, 100);
     std::reverse(graph.nodes.begin(), graph.nodes.end());
     graph.wires[5].learning_rate = graph.wires[50].learning_rate = graph.wires[7].learning_rate = 1;
     graph.wires[20].cut = true;
     graph.wires[21].threshold = 0.3f;
-    Snapshot now = tests::snapshot_with(graph);
+    Snapshot now = snapshot_with(graph);
     now.neurons.insert(now.neurons.end(), {0.11f, 0.22f, 0.33f});
     const VehicleView& vehicle = now.vehicles[0];
     const Layout layout = lay_out(graph, {});
@@ -120,4 +123,4 @@ TEST(WiringReadings, EqualThoseOfTheSnapshot) {
 }
 
 }  // namespace
-}  // namespace braitenlab::wiring
+}  // namespace braitenlab::tests::wiring_canvas_test

@@ -4,10 +4,11 @@
 #include "ui/wiring/draw.h"
 #include "ui/wiring/draw_wires.h"
 
-namespace braitenlab::wiring {
-namespace {
+namespace braitenlab::tests::wiring_draw_test {
 
-using tests::large_brain;
+using namespace wiring;
+
+namespace {
 
 using WiringDraw = CanvasFixture;
 
@@ -55,4 +56,4 @@ TEST(WiringDrawWires, DotsMoveWithEveryTickAndRestBetweenTicks) {
 }
 
 }  // namespace
-}  // namespace braitenlab::wiring
+}  // namespace braitenlab::tests::wiring_draw_test

@@ -3,7 +3,10 @@
 #include "tests/ui/wiring_fixture.h"
 #include "ui/wiring/edits.h"
 
-namespace braitenlab::wiring {
+namespace braitenlab::tests::wiring_edits_test {
+
+using namespace wiring;
+
 namespace {
 
 using WiringEdits = CanvasFixture;
@@ -257,9 +260,9 @@ TEST_F(WiringEdits, ADragOfNodesIsOneEditSentAtTheRelease) {
 }
 
 TEST_F(WiringEdits, AnEditMovesNoOtherNode) {
-    const BrainGraph crowd = tests::large_brain(9, 24);
+    const BrainGraph crowd = large_brain(9, 24);
     const VehicleId id = view.selected;
-    now = tests::snapshot_with(crowd);
+    now = snapshot_with(crowd);
     now.vehicles[0].id = id;
     frames(3);
     const Layout shown = state.layout.get(now.brains[0], {});
@@ -296,4 +299,4 @@ TEST_F(WiringEdits, AFullBrainRefusesAnotherNeuron) {
 }
 
 }  // namespace
-}  // namespace braitenlab::wiring
+}  // namespace braitenlab::tests::wiring_edits_test

@@ -1,7 +1,10 @@
 #include "tests/ui/wiring_fixture.h"
 #include "ui/wiring/input.h"
 
-namespace braitenlab::wiring {
+namespace braitenlab::tests::wiring_input_test {
+
+using namespace wiring;
+
 namespace {
 
 using WiringInput = CanvasFixture;
@@ -92,7 +95,7 @@ TEST_F(WiringInput, AMinimapStandsFromTwentyOneNodesOnAndMovesTheView) {
     EXPECT_EQ(anchors.find("canvas.minimap"), nullptr);
     const auto show = [&](int nodes, float zoom) {
         const VehicleId id = view.selected;
-        now = tests::snapshot_with(tests::large_brain(nodes, 40));
+        now = snapshot_with(large_brain(nodes, 40));
         now.vehicles[0].id = id;
         state.camera.by_user = true;
         state.camera.zoom = zoom;
@@ -127,4 +130,4 @@ TEST_F(WiringInput, PressKeyLeavesUndoAndRedoToTheLab) {
 }
 
 }  // namespace
-}  // namespace braitenlab::wiring
+}  // namespace braitenlab::tests::wiring_input_test

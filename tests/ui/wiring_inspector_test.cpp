@@ -3,11 +3,11 @@
 #include "tests/ui/desk.h"
 #include "ui/wiring/inspector.h"
 
-namespace braitenlab::wiring {
-namespace {
+namespace braitenlab::tests::wiring_inspector_test {
 
-using tests::Desk;
-using tests::turned;
+using namespace wiring;
+
+namespace {
 
 using namespace four_neuron_ids;
 
@@ -164,4 +164,4 @@ TEST_F(WiringInspector, TakesTheKeyboardWhenAskedForItsNumbers) {
 }
 
 }  // namespace
-}  // namespace braitenlab::wiring
+}  // namespace braitenlab::tests::wiring_inspector_test

@@ -7,7 +7,10 @@
 #include "core/brain/four_neurons.h"
 #include "ui/wiring/layout.h"
 
-namespace braitenlab::wiring {
+namespace braitenlab::tests::wiring_layout_test {
+
+using namespace wiring;
+
 namespace {
 
 using maths::vec2;
@@ -186,4 +189,4 @@ TEST(WiringLayout, OccupiedBoxesAgreeWithASearchOfEveryBox) {
 }
 
 }  // namespace
-}  // namespace braitenlab::wiring
+}  // namespace braitenlab::tests::wiring_layout_test

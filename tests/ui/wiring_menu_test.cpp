@@ -3,7 +3,10 @@
 #include "tests/ui/wiring_fixture.h"
 #include "ui/wiring/menu.h"
 
-namespace braitenlab::wiring {
+namespace braitenlab::tests::wiring_menu_test {
+
+using namespace wiring;
+
 namespace {
 
 using WiringMenu = CanvasFixture;
@@ -30,4 +33,4 @@ TEST_F(WiringMenu, OffersEveryKindOfNeuronAtTheEndOfADroppedWire) {
 }
 
 }  // namespace
-}  // namespace braitenlab::wiring
+}  // namespace braitenlab::tests::wiring_menu_test

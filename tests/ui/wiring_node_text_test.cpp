@@ -3,7 +3,10 @@
 #include "core/brain/four_neurons.h"
 #include "ui/wiring/node_text.h"
 
-namespace braitenlab::wiring {
+namespace braitenlab::tests::wiring_node_text_test {
+
+using namespace wiring;
+
 namespace {
 
 using namespace four_neuron_ids;
@@ -49,4 +52,4 @@ TEST(WiringNodeText, SumLeavesCutWiresOutAndAddsTheLearnedPart) {
 }
 
 }  // namespace
-}  // namespace braitenlab::wiring
+}  // namespace braitenlab::tests::wiring_node_text_test

@@ -5,7 +5,10 @@
 #include "ui/wiring/layout.h"
 #include "ui/wiring/tidy.h"
 
-namespace braitenlab::wiring {
+namespace braitenlab::tests::wiring_tidy_test {
+
+using namespace wiring;
+
 namespace {
 
 // Two eyes, two motors and `count` neurons from id 4 on.
@@ -30,4 +33,4 @@ TEST(WiringTidy, ArrangedNodesAreInLineAndApart) {
 }
 
 }  // namespace
-}  // namespace braitenlab::wiring
+}  // namespace braitenlab::tests::wiring_tidy_test

@@ -7,7 +7,10 @@
 #include "tests/ui/large_brain.h"
 #include "ui/wiring/view.h"
 
-namespace braitenlab::wiring {
+namespace braitenlab::tests::wiring_view_test {
+
+using namespace wiring;
+
 namespace {
 
 using maths::vec2;
@@ -115,12 +118,11 @@ std::size_t reached(const Layout& layout) {
 }
 
 TEST_F(WiringView, ArrowsReachEveryNodeAndLabel) {
-    for (const BrainGraph& graph :
-         {make_graph({.LR = 1, .RL = 1}), tests::large_brain(12, 24), tests::large_brain(30, 60)}) {
+    for (const BrainGraph& graph : {make_graph({.LR = 1, .RL = 1}), large_brain(12, 24), large_brain(30, 60)}) {
         const Layout shown = lay_out(graph, {});
         EXPECT_EQ(reached(shown), shown.nodes.size() + shown.wires.size());
     }
 }
 
 }  // namespace
-}  // namespace braitenlab::wiring
+}  // namespace braitenlab::tests::wiring_view_test
