@@ -1,4 +1,4 @@
-// What the wiring canvas costs a frame: from its reading of the brain to Dear ImGui's finished draw list.
+// Time of the wiring canvas per frame, from reading the brain to Dear ImGui's draw list.
 #include <benchmark/benchmark.h>
 #include <imgui.h>
 
@@ -62,7 +62,7 @@ void report(benchmark::State& state, const Easel& easel) {
     state.counters["zoom"] = static_cast<double>(easel.shown_at());
 }
 
-// All of it in sight.
+// The whole brain is visible.
 void BM_WiringCanvas(benchmark::State& state) {
     Easel easel(tests::large_brain(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
     for (int i = 0; i < 3; ++i) easel.frame();
@@ -71,7 +71,7 @@ void BM_WiringCanvas(benchmark::State& state) {
 }
 BENCHMARK(BM_WiringCanvas)->Args({4, 4})->Args({30, 100})->Args({200, 800})->Unit(benchmark::kMicrosecond);
 
-// A corner of it at full size: what is out of sight costs next to nothing.
+// A corner of the brain at zoom 1: most of it is not visible.
 void BM_WiringCanvasNear(benchmark::State& state) {
     Easel easel(tests::large_brain(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
     for (int i = 0; i < 3; ++i) easel.frame();
@@ -81,7 +81,7 @@ void BM_WiringCanvasNear(benchmark::State& state) {
 }
 BENCHMARK(BM_WiringCanvasNear)->Args({200, 800})->Unit(benchmark::kMicrosecond);
 
-// A frame in which the brain was edited, or a node moved: everything is placed anew.
+// A frame after an edit or a moved node: a new layout.
 void BM_WiringCanvasEdited(benchmark::State& state) {
     Easel easel(tests::large_brain(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
     for (int i = 0; i < 3; ++i) easel.frame();

@@ -1,4 +1,4 @@
-// Brains of a running world: what edits do to them, and what they are refused.
+// Commands that edit brains of a running world.
 #include <cmath>
 #include <limits>
 
@@ -11,7 +11,7 @@
 namespace braitenlab::tests::brain_commands_test {
 namespace {
 
-// A vehicle before a lamp that learns to drive its left motor by what it sees.
+// A vehicle in front of a lamp with a Hebbian wire from its left eye to its left motor.
 Scene learner() {
     Scene scene = tests::alone({.LM = 0.3f});
     scene.sources.push_back({.name = "lamp", .x = 2, .y = 0.5f});
@@ -81,12 +81,12 @@ TEST(HurtVehicle, ShowsNothingInItsCoveredEyeAndStandsOnStoppedMotors) {
     const Snapshot now = captured(world);
     const VehicleView& it = now.vehicles.front();
     EXPECT_EQ(node_value(now, it, 0), 0);
-    EXPECT_GT(now.sensed[0], 0.1f);  // the lamp is there all the same
+    EXPECT_GT(now.sensed[0], 0.1f);  // the sensor itself still reads the lamp
     EXPECT_EQ(it.motor, (std::array{0.0f, 0.0f}));
     EXPECT_EQ(it.x, 0);
 }
 
-// Two runs that differ in nothing but this edit of the brain must not be taken for the same.
+// Every edit that changes what a brain computes changes the hash.
 TEST(Hash, TellsBrainsApartByWhateverDecidesWhatTheyDo) {
     const std::uint64_t plain = run(tests::alone({.LL = 1, .LM = 0.2f}), 0).hash();
     const auto edited = [](auto edit) {
@@ -102,7 +102,11 @@ TEST(Hash, TellsBrainsApartByWhateverDecidesWhatTheyDo) {
     EXPECT_NE(edited([](BrainGraph& g) { g.wires[0].curve.peak = 0.1f; }), plain);
     EXPECT_NE(edited([](BrainGraph& g) { g.wires[0].curve.width = 0.1f; }), plain);
     EXPECT_NE(edited([](BrainGraph& g) { g.wires[0].decay = 1; }), plain);
-    EXPECT_EQ(edited([](BrainGraph& g) { g.nodes[0].place = {7, 7}; }), plain) << "this decides nothing";
+    EXPECT_EQ(edited([](BrainGraph& g) {
+                  g.nodes[0].place = {7, 7};
+              }),
+              plain)
+        << "positions on the canvas do not change the run";
 }
 
 TEST(Commands, RefuseEveryNumberThatIsNotFinite) {

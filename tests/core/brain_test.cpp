@@ -95,7 +95,7 @@ TEST(Brain, ALeakyNeuronReaches63PercentInItsTimeConstant) {
 
 TEST(Brain, StaysFiniteForRandomBrainsWithinTheRanges) {
     maths::Random chance{1, 1};
-    const auto pick = [&](float low, float high) {  // the ends of the range as often as its middle
+    const auto pick = [&](float low, float high) {  // a third of the values at each end of the range
         const float where = chance.uniform(-1, 2);
         return low + (high - low) * std::clamp(where, 0.0f, 1.0f);
     };
@@ -151,7 +151,7 @@ TEST(Brain, ASilencedSensorReadsZero) {
 TEST(Brain, ASilencedNeuronOrMotorGivesZeroForAnyInput) {
     BrainGraph graph = with_inverted_wire();
     EXPECT_FLOAT_EQ(drive_once(graph, 0.5f, 0.5f)[0], 0.5f * 0.5f + 0.5f * (1 - 0.25f) + 0.125f);
-    find_node(graph, "N")->silenced = true;  // what reads it finds 0, and an inverted wire makes 1 of that
+    find_node(graph, "N")->silenced = true;  // its reader gets 0, which an inverted wire turns into 1
     EXPECT_FLOAT_EQ(drive_once(graph, 0.5f, 0.5f)[0], 0.5f * 0.5f + 0.5f * 1 + 0.125f);
     find_node(graph, "ML")->silenced = true;
     EXPECT_EQ(drive_once(graph, 0.5f, 0.5f), (std::array{0.0f, 0.25f}));
@@ -186,7 +186,7 @@ struct Thinker {
     std::array<float, 2> motors{};
 };
 
-// 1 where what its wires deliver adds up to the threshold, else 0.
+// A threshold unit: 1 when the sum of its inputs reaches the threshold, else 0.
 void add_unit(BrainGraph& graph, const char* name, float threshold) {
     graph.nodes.push_back({.id = static_cast<NodeId>(graph.nodes.size()),
                            .kind = NodeKind::neuron,
@@ -198,7 +198,7 @@ void feed(BrainGraph& graph, const char* from, const char* to, float weight) {
     graph.wires.push_back({.from = find_node(graph, from)->id, .to = find_node(graph, to)->id, .weight = weight});
 }
 
-// What stands at the unit OUT after a few ticks with these inputs.
+// The value of the unit OUT after a few ticks with these inputs.
 float out(const BrainGraph& graph, bool a, bool b) {
     Thinker thinker(graph);
     thinker.run(4, a ? 1.0f : 0.0f, b ? 1.0f : 0.0f);
@@ -269,7 +269,7 @@ TEST(Brain, AHebbianWireGrowsByTheProductOfItsEnds) {
     EXPECT_FLOAT_EQ(learner.learned(), 0.6f * 0.5f * 0.8f / 60);
     learner.run(20, 0.5f, 0.8f);
     const float h = learner.learned();
-    learner.run(1, 0.5f, 0);  // what it learned drives the motor by itself now
+    learner.run(1, 0.5f, 0);  // the learned part alone drives the motor
     EXPECT_NEAR(learner.motors[0], 0.5f * h, 1e-6f);
 }
 

@@ -10,7 +10,7 @@ namespace braitenlab::tests::graft_test {
 
 namespace {
 
-// An aggressor with two feelers, one of them by way of a neuron, and an eye's neuron of its own.
+// An aggressor with two feelers, one of them wired through a neuron, and a neuron that an eye feeds.
 BrainGraph with_feelers() {
     BrainGraph brain = make_graph({.LR = 1, .RL = 1});
     brain.nodes.push_back({.id = 4, .kind = NodeKind::sensor, .name = "QL"});
@@ -32,23 +32,25 @@ float between(const BrainGraph& brain, const char* from, const char* to) {
 
 }  // namespace
 
-TEST(Graft, GivesTheEyesTheirNewWiresAndLeavesTheFeelersTheirs) {
+TEST(Graft, ReplacesTheWiresOfTheEyesAndKeepsThoseOfTheFeelers) {
     const BrainGraph& coward = find_preset("2a-coward")->brain;
     const BrainGraph made = graft(with_feelers(), coward);
     EXPECT_EQ(read_dials(made), read_dials(coward));
     EXPECT_FLOAT_EQ(between(made, "QL", "MR"), -0.5f);
     EXPECT_FLOAT_EQ(between(made, "QR", "N1"), 0.7f);
     EXPECT_FLOAT_EQ(between(made, "N1", "ML"), -0.6f);
-    EXPECT_EQ(find_node(made, std::string("N2")), nullptr) << "an eye's neuron goes with its wires";
-    BrainGraph both = with_feelers();  // N2 hears a feeler too
+    EXPECT_EQ(find_node(made, std::string("N2")), nullptr) << "a neuron fed by an eye is removed";
+    BrainGraph both = with_feelers();  // a feeler feeds N2 too
     both.wires.push_back({.from = 4, .to = 7, .weight = 1});
-    EXPECT_EQ(find_node(graft(both, coward), std::string("N2")), nullptr) << "what an eye feeds besides goes, too";
+    EXPECT_EQ(find_node(graft(both, coward), std::string("N2")), nullptr)
+        << "a neuron that an eye also feeds is removed";
     BrainGraph more = with_feelers();
     more.nodes.push_back({.id = 8, .kind = NodeKind::sensor, .name = "EN"});
-    EXPECT_EQ(kept_by_graft(more, coward), (std::vector<std::string>{"QL", "QR"})) << "one without wires is none";
+    EXPECT_EQ(kept_by_graft(more, coward), (std::vector<std::string>{"QL", "QR"}))
+        << "a sensor without wires is not listed";
 }
 
-TEST(Graft, IsThePresetWhereThereIsNothingToKeepAndChangesNothingTheSecondTime) {
+TEST(Graft, EqualsThePresetWhenNothingIsKeptAndIsIdempotent) {
     for (const Preset& preset : presets()) {
         EXPECT_EQ(graft(make_graph({.LL = 1}), preset.brain), preset.brain) << preset.name;
         const BrainGraph once = graft(with_feelers(), preset.brain);
@@ -58,7 +60,7 @@ TEST(Graft, IsThePresetWhereThereIsNothingToKeepAndChangesNothingTheSecondTime) 
     }
 }
 
-TEST(Graft, LeavesNodesWhereTheyStandUnlessThePresetBringsNeurons) {
+TEST(Graft, KeepsPositionsUnlessThePresetHasNeurons) {
     BrainGraph brain = with_feelers(), preset = make_graph({.LL = 1});
     find_node(brain, "SL")->place = {1, 2};
     find_node(brain, "QR")->place = {3, 4};
@@ -70,7 +72,7 @@ TEST(Graft, LeavesNodesWhereTheyStandUnlessThePresetBringsNeurons) {
     EXPECT_EQ(made, without_places(made));
 }
 
-TEST(Graft, GivesANameThatIsTakenAnother) {
+TEST(Graft, RenamesAKeptNodeWhoseNameIsUsed) {
     BrainGraph preset = make_graph({.LL = 1});
     preset.nodes.push_back({.id = 4, .kind = NodeKind::neuron, .name = "N1"});
     const BrainGraph made = graft(with_feelers(), preset);

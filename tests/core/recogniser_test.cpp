@@ -30,7 +30,7 @@ TEST(Recogniser, NamesTheClassicVehicles) {
     EXPECT_EQ(preset("3b-explorer"), Character::explorer);
 }
 
-TEST(Recogniser, CallsADeadBrainStillAndABlindOneIndifferent) {
+TEST(Recogniser, CallsABrainWithoutDriveStillAndOneWithoutWiresIndifferent) {
     EXPECT_EQ(of({}), Character::still);
     EXPECT_EQ(of({.LM = 0.5f, .RM = 0.5f}), Character::indifferent);
 }
@@ -48,7 +48,7 @@ TEST(Recogniser, JudgesTheResponseNotTheWires) {
     EXPECT_EQ(recognise(graph), Character::coward);
 }
 
-TEST(Recogniser, NamesThoseThatNeitherTurnNorStay) {
+TEST(Recogniser, NamesDrowsyAndOrbitingBrains) {
     EXPECT_EQ(of({.LL = -0.3f, .LR = -0.3f, .RL = -0.3f, .RR = -0.3f, .LM = 0.6f, .RM = 0.6f}), Character::drowsy);
     EXPECT_EQ(recognise(find_preset("4a-orbit")->brain), Character::orbiting);
     EXPECT_EQ(recognise(find_preset("4b-decision")->brain), Character::aggressor);
@@ -56,23 +56,24 @@ TEST(Recogniser, NamesThoseThatNeitherTurnNorStay) {
     EXPECT_EQ(of({.LL = 1.5f, .RR = 1.5f, .threshold_LL = 0.7f, .threshold_RR = 0.7f}), Character::coward);
 }
 
-TEST(Recogniser, AdmitsWhatItCannotName) {
-    EXPECT_EQ(of({.LL = 1, .LM = 0.2f, .RM = 0.2f}), Character::mixed);  // one-eyed: veers right at all it sees
+TEST(Recogniser, CallsOtherResponsesMixed) {
+    EXPECT_EQ(of({.LL = 1, .LM = 0.2f, .RM = 0.2f}), Character::mixed);  // one eye: turns right for every stimulus
     EXPECT_EQ(of({.LL = 0.7f, .LR = 0.7f, .LM = 0.2f, .RM = 0.2f}), Character::mixed);
     EXPECT_EQ(of({.LL = 0.5f, .LR = -0.5f, .RL = -0.5f, .RR = 0.5f}), Character::mixed);  // turns on the spot
-    BrainGraph fickle = make_graph({.LR = 1, .RL = 1, .LM = 0.4f, .RM = 0.4f});  // faint repels, strong attracts
-    for (Wire& wire : fickle.wires)
+    BrainGraph two_sided =
+        make_graph({.LR = 1, .RL = 1, .LM = 0.4f, .RM = 0.4f});  // away from weak stimuli, towards strong ones
+    for (Wire& wire : two_sided.wires)
         if (wire.weight != 0) wire.curve = {Response::hump, 0, 0.3f};
-    find_wire(fickle, 0, 2)->weight = find_wire(fickle, 1, 3)->weight = -0.3f;
-    EXPECT_EQ(recognise(fickle), Character::mixed);
+    find_wire(two_sided, 0, 2)->weight = find_wire(two_sided, 1, 3)->weight = -0.3f;
+    EXPECT_EQ(recognise(two_sided), Character::mixed);
 }
 
-TEST(Recogniser, IsNotFooledByUnequalWheels) {
+TEST(Recogniser, IgnoresUnequalBiases) {
     EXPECT_EQ(of({.LL = 0.5f, .RR = 0.5f, .LM = 0.5f, .RM = 0.1f}), Character::coward);
     EXPECT_EQ(of({.LR = 1, .RL = 1, .LM = 0.1f, .RM = 0.3f}), Character::aggressor);
 }
 
-TEST(Recogniser, NamesEachOfSeveralSensesByItself) {
+TEST(Recogniser, NamesEachSenseSeparately) {
     const BrainGraph& values = find_preset("3c-values")->brain;
     EXPECT_EQ(recognise(values), Character::aggressor);
     EXPECT_EQ(recognise(values, {"HL", "HR"}), Character::coward);
@@ -81,7 +82,7 @@ TEST(Recogniser, NamesEachOfSeveralSensesByItself) {
     EXPECT_EQ(recognise(values, {"XL", "XR"}), Character::indifferent);
 }
 
-TEST(Recogniser, SeesThatHungerChangesATortoise) {
+TEST(Recogniser, ReportsThatLowEnergyChangesATortoise) {
     const BrainGraph& tortoise = find_preset("tortoise")->brain;
     const std::array fed{Reading{"EN", 1}}, hungry{Reading{"EN", 0.2f}};
     const std::array at_home{Reading{"EN", 0.2f}, Reading{"UP", 1}};
@@ -90,9 +91,7 @@ TEST(Recogniser, SeesThatHungerChangesATortoise) {
     EXPECT_NE(recognise(tortoise, {}, at_home), Character::aggressor);
 }
 
-// ── The same brain, drawn differently ───────────────────────────────────────────────────────────────────────────────
-
-// Carries each wire from a sensor to a motor through two neurons, half of it each.
+// Replaces each wire from a sensor to a motor by two neurons that deliver half of it each.
 void split_direct_wires(BrainGraph& graph) {
     const std::vector<Wire> wires = std::move(graph.wires);
     graph.wires.clear();
@@ -114,7 +113,7 @@ void split_direct_wires(BrainGraph& graph) {
     }
 }
 
-// Replaces a neuron by two that get all it gets and deliver half of it each, to each other too.
+// Replaces a neuron by two with the same inputs that deliver half each, also to each other.
 void split_neuron(BrainGraph& graph, NodeId original) {
     const NodeId twin = static_cast<NodeId>(graph.nodes.size());
     graph.nodes.push_back(*find_node(graph, original));
@@ -136,7 +135,7 @@ void split_neuron(BrainGraph& graph, NodeId original) {
     }
 }
 
-// Other names, other numbers, another order, some neurons in two: the same response.
+// The same response with other names, ids and order, and some neurons split in two.
 BrainGraph redrawn(BrainGraph graph, maths::Random& chance) {
     const auto coin = [&] { return chance.uniform(0, 1) < 0.5f; };
     if (coin()) split_direct_wires(graph);
@@ -169,7 +168,7 @@ BrainGraph redrawn(BrainGraph graph, maths::Random& chance) {
     return graph;
 }
 
-TEST(Recogniser, GivesEveryPresetTheSameNameHoweverItIsDrawn) {
+TEST(Recogniser, GivesAPresetTheSameNameInAnyEquivalentWiring) {
     maths::Random chance{7, 7};
     for (const Preset& preset : presets())
         for (const EyePair& eyes : {EyePair{}, EyePair{"HL", "HR"}, EyePair{"NL", "NR"}, EyePair{"AL", "AR"}}) {
@@ -183,7 +182,7 @@ TEST(Recogniser, GivesEveryPresetTheSameNameHoweverItIsDrawn) {
         }
 }
 
-TEST(Recogniser, MakesPredatorsOfThoseDrawnAndPreyOfThoseDriven) {
+TEST(Recogniser, AttractionIsPositiveForAggressorsAndNegativeForCowards) {
     EXPECT_EQ(attraction(Character::aggressor), 1);
     EXPECT_EQ(attraction(Character::coward), -1);
     EXPECT_EQ(attraction(Character::indifferent), 0);

@@ -17,7 +17,7 @@ Wire* wire(BrainGraph& brain, const char* from, const char* to) {
 
 }  // namespace
 
-TEST(Symmetry, MakesTheRightSideTheLeftSidesMirrorImage) {
+TEST(Symmetry, MirroredMakesTheRightSideTheMirrorImageOfTheLeft) {
     const FourNeurons given{.LL = 1.5f,
                             .LR = -0.4f,
                             .RL = 0.9f,
@@ -39,12 +39,12 @@ TEST(Symmetry, MakesTheRightSideTheLeftSidesMirrorImage) {
                                  .RM = 0.25f}));
 }
 
-TEST(Symmetry, MirrorsWhatIsSymmetricToItself) {
+TEST(Symmetry, MirroredDoesNotChangeASymmetricBrain) {
     const BrainGraph brain = make_graph({.LL = 1, .RR = 1, .LM = 0.1f, .RM = 0.1f});
     EXPECT_EQ(mirrored(brain), brain);
 }
 
-TEST(Symmetry, MirrorsCurvesAndWiresThatAreNotThere) {
+TEST(Symmetry, MirroredCopiesCurvesAndMissingWires) {
     BrainGraph brain = make_graph({.LL = 1, .LR = 1, .RL = 1, .RR = 1});
     wire(brain, "SL", "ML")->curve = {Response::hump, 0.3f, 0.1f};
     std::erase_if(brain.wires, [](const Wire& w) { return w.from == 1 && w.to == 2; });  // LR
@@ -53,7 +53,7 @@ TEST(Symmetry, MirrorsCurvesAndWiresThatAreNotThere) {
     EXPECT_EQ(wire(made, "SL", "MR"), nullptr);
 }
 
-TEST(Symmetry, CrossesTheWiresOfACowardIntoAnAggressorAndBack) {
+TEST(Symmetry, CrossedTurnsACowardIntoAnAggressorAndBack) {
     const BrainGraph coward = make_graph({.LL = 1.5f, .RR = 1.2f, .threshold_RR = 0.2f, .LM = 0.1f, .RM = 0.1f});
     const BrainGraph aggressor = crossed(coward);
     EXPECT_EQ(read_dials(aggressor),
@@ -62,7 +62,7 @@ TEST(Symmetry, CrossesTheWiresOfACowardIntoAnAggressorAndBack) {
     EXPECT_EQ(crossed(aggressor), coward);
 }
 
-TEST(Symmetry, LeavesLesionsWhereTheyAre) {
+TEST(Symmetry, KeepsLesionsInPlace) {
     BrainGraph brain = make_graph({.LL = 1, .RR = 0.5f});
     wire(brain, "SL", "ML")->cut = true;
     BrainGraph both = mirrored(brain), across = crossed(brain);
@@ -72,7 +72,7 @@ TEST(Symmetry, LeavesLesionsWhereTheyAre) {
     EXPECT_FALSE(wire(across, "SL", "MR")->cut);
 }
 
-TEST(Symmetry, LeavesABrainWithoutTwoEyesAlone) {
+TEST(Symmetry, DoesNotChangeABrainWithoutTwoEyes) {
     BrainGraph brain = make_graph({.LL = 1});
     std::erase_if(brain.nodes, [](const Node& n) { return n.name == "SR"; });
     std::erase_if(brain.wires, [](const Wire& w) { return w.from == 1; });

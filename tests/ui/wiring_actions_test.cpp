@@ -61,7 +61,7 @@ TEST_F(WiringActions, LesionIsForThePartUnderThePointerBeforeTheSelection) {
     EXPECT_FALSE(find_node(brain(), SL)->silenced);
     move({470, 120});  // empty ground
     key(Action::lesion);
-    EXPECT_TRUE(find_node(brain(), SL)->silenced) << "with nothing there, it is for what is selected";
+    EXPECT_TRUE(find_node(brain(), SL)->silenced) << "no part is under the pointer: the selection is lesioned";
 }
 
 TEST_F(WiringActions, LesionsKeepTheParametersAndAreHealedByTheSameKey) {
@@ -72,12 +72,12 @@ TEST_F(WiringActions, LesionsKeepTheParametersAndAreHealedByTheSameKey) {
     key(Action::lesion);
     EXPECT_FALSE(wire(SR, ML)->cut);
     key(Action::cancel);
-    move(middle("node.SL"));  // nothing is selected: what is under the cursor
+    move(middle("node.SL"));  // nothing is selected: the part under the pointer
     key(Action::lesion);
     EXPECT_TRUE(find_node(brain(), SL)->silenced);
     click({60, 600});
     key(Action::lesion);
-    EXPECT_EQ(edits.size(), 3u) << "empty ground has nothing to cut";
+    EXPECT_EQ(edits.size(), 3u) << "there is nothing to lesion on empty ground";
 }
 
 TEST_F(WiringActions, AFreePlaceHasNothingToCut) {
@@ -120,14 +120,14 @@ TEST_F(WiringActions, AlignmentAndTidyingAreEditsToo) {
     key(Action::tidy);
     EXPECT_LT(maths::distance(middle("node.ML"), before), 1);
     EXPECT_EQ(edits.size(), 3u);
-    EXPECT_EQ(brain(), without_places(brain())) << "tidied brains need no places";
+    EXPECT_EQ(brain(), without_places(brain())) << "tidied brains have no positions";
     key(Action::tidy);
-    EXPECT_EQ(edits.size(), 3u) << "there is nothing left to tidy";
+    EXPECT_EQ(edits.size(), 3u) << "the brain is tidy already";
 }
 
 TEST_F(WiringActions, ArrowsSelectOneThingAfterTheOtherAndDelRemovesIt) {
     key(Action::step_down);
-    EXPECT_EQ(state.selection.nodes, (std::set<NodeId>{SL})) << "from nothing, the first card";
+    EXPECT_EQ(state.selection.nodes, (std::set<NodeId>{SL})) << "without a focus the first card";
     key(Action::step_right);
     ASSERT_EQ(state.selection.wires.size(), 1u);
     state.focus = {Part::label, 0, {SR, ML}};
@@ -139,7 +139,7 @@ TEST_F(WiringActions, ArrowsSelectOneThingAfterTheOtherAndDelRemovesIt) {
 }
 
 TEST_F(WiringActions, KeysAloneMakeANeuronAndAWire) {
-    key(Action::menu);  // nothing is selected: the canvas's own
+    key(Action::menu);  // nothing is selected: the menu of the canvas
     ASSERT_TRUE(state.menu.open());
     for (int i = 0; i < 4; ++i) key(Action::step_down);
     key(Action::menu);

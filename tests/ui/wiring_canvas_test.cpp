@@ -39,7 +39,7 @@ TEST_F(WiringCanvas, StaysUnderTheMouseWhileABrainIsEditedAndACardOpensBelow) {
     EXPECT_EQ(anchors.find("node.MR"), nullptr);
     click(middle("wire.RL"));
     key(Action::erase);
-    EXPECT_LT(maths::distance(middle("node.SL"), eye), 0.1f) << "even then an edit moves nothing";
+    EXPECT_LT(maths::distance(middle("node.SL"), eye), 0.1f) << "an edit while nodes are covered";
     area.h += 200;
     frames(2);
     expect_still("a card that folds");

@@ -36,14 +36,14 @@ TEST_F(WiringDraw, DescribesANodeUnderARestingPointerWhenItsCardIsTooSmall) {
     state.camera.by_user = true;
     frames();
     move(middle("node.SR"));
-    EXPECT_EQ(anchors.find("says.SR"), nullptr) << "not in passing";
+    EXPECT_EQ(anchors.find("says.SR"), nullptr) << "the pointer does not rest yet";
     frames(30);
     EXPECT_NE(anchors.find("says.SR"), nullptr);
     state.camera.zoom = 1;
     frames();
     move(middle("node.SR"));
     frames(30);
-    EXPECT_EQ(anchors.find("says.SR"), nullptr) << "the card itself says it";
+    EXPECT_EQ(anchors.find("says.SR"), nullptr) << "the card is large enough";
 }
 
 TEST(WiringDrawWires, DotsMoveWithEveryTickAndRestBetweenTicks) {
@@ -51,7 +51,7 @@ TEST(WiringDrawWires, DotsMoveWithEveryTickAndRestBetweenTicks) {
     for (std::uint64_t tick = 0; tick < 100; ++tick) {
         const float moved = first_dot(tick + 1) - first_dot(tick);
         EXPECT_GT(std::fmod(moved + dot_gap, dot_gap), 1) << tick;
-        EXPECT_LT(std::fmod(moved + dot_gap, dot_gap), dot_gap / 2) << "or they seem to run backwards";
+        EXPECT_LT(std::fmod(moved + dot_gap, dot_gap), dot_gap / 2) << "faster dots look as if they moved backwards";
     }
 }
 

@@ -45,7 +45,7 @@ TEST_F(WiringEdits, RefusesADuplicateAndSaysWhy) {
     drag(middle("pin.SL.out"), middle("pin.MR.in"));
     EXPECT_TRUE(edits.empty());
     EXPECT_EQ(state.refusal.key, "wiring.refused.duplicate");
-    EXPECT_NE(anchors.find("refused.duplicate"), nullptr) << "it stands at the cursor";
+    EXPECT_NE(anchors.find("refused.duplicate"), nullptr) << "the reason is shown at the pointer";
 }
 
 TEST_F(WiringEdits, RefusesAWireIntoASensorAndBetweenEqualPins) {
@@ -59,7 +59,7 @@ TEST_F(WiringEdits, RefusesAWireIntoASensorAndBetweenEqualPins) {
 TEST_F(WiringEdits, DropOnEmptySpaceOffersNeuronsAndMovesNothingElse) {
     const vec2 eye = middle("node.SL"), motor = middle("node.MR"), place{470, 350};
     drag(middle("pin.SL.out"), place);
-    EXPECT_TRUE(edits.empty()) << "nothing is made before a kind is chosen";
+    EXPECT_TRUE(edits.empty()) << "a kind is not chosen yet";
     choose("hump");
     ASSERT_EQ(edits.size(), 1u);
     EXPECT_EQ(weight_of(brain(), {SL, 4}), 1);
@@ -124,7 +124,7 @@ TEST_F(WiringEdits, ANeuronWithoutWiresIsInsertedIntoTheWireItIsDroppedOn) {
     EXPECT_EQ(dials().LR, 0);
     drag(middle("node.N1"), on_wire({SL, MR}, 0.6f));
     ASSERT_EQ(edits.size(), 3u);
-    EXPECT_TRUE(std::holds_alternative<PlaceNodes>(edits[2].command)) << "one that has wires is only moved";
+    EXPECT_TRUE(std::holds_alternative<PlaceNodes>(edits[2].command)) << "a neuron with wires is only moved";
 }
 
 TEST_F(WiringEdits, ANeuronThatWasAddedIsSelected) {
@@ -212,7 +212,7 @@ TEST_F(WiringEdits, CutTakesOutAndPasteBringsBack) {
 TEST_F(WiringEdits, DuplicateStandsBesideAndLeavesTheClipboardAlone) {
     add_neuron_at({470, 625});
     key(Action::duplicate);
-    ASSERT_NE(anchors.find("node.N2"), nullptr) << "the view follows it where it would be out of sight";
+    ASSERT_NE(anchors.find("node.N2"), nullptr) << "the camera follows when it would not be visible";
     EXPECT_GT(find_node(brain(), 5)->place->y, find_node(brain(), 4)->place->y);
     EXPECT_TRUE(state.clipboard.empty());
 }
@@ -236,9 +236,9 @@ TEST_F(WiringEdits, ADragOfNodesIsOneEditSentAtTheRelease) {
     button(true);
     for (int i = 1; i <= 5; ++i) move(before + vec2{8, 10} * static_cast<float>(i));
     EXPECT_TRUE(edits.empty());
-    EXPECT_LT(maths::distance(middle("node.ML"), before + vec2{40, 50}), 1.5f) << "it goes along with the hand";
+    EXPECT_LT(maths::distance(middle("node.ML"), before + vec2{40, 50}), 1.5f) << "it follows the pointer";
     button(false);
-    EXPECT_LT(maths::distance(middle("node.ML"), before + vec2{40, 50}), 1.5f) << "nor does it jump back for a frame";
+    EXPECT_LT(maths::distance(middle("node.ML"), before + vec2{40, 50}), 1.5f) << "it does not jump back for a frame";
     frames(2);
     EXPECT_LT(maths::distance(middle("node.ML"), before + vec2{40, 50}), 1.5f);
     EXPECT_LT(maths::distance(middle("node.MR"), other + vec2{40, 50}), 1.5f);
@@ -246,7 +246,7 @@ TEST_F(WiringEdits, ADragOfNodesIsOneEditSentAtTheRelease) {
     ASSERT_EQ(edits.size(), 1u);
     const auto& places = std::get<PlaceNodes>(edits[0].command);
     EXPECT_EQ(places.target, (Target{.kind = 0}));
-    EXPECT_EQ(places.places.size(), 4u) << "all stay where they are from now on";
+    EXPECT_EQ(places.places.size(), 4u) << "all other nodes get their shown positions";
     EXPECT_TRUE(is_four_neurons(brain()));
     drag(middle("node.ML"), middle("node.ML") + vec2{3, 0});
     EXPECT_EQ(edits.size(), 1u) << "a click moves nothing";
@@ -256,7 +256,7 @@ TEST_F(WiringEdits, ADragOfNodesIsOneEditSentAtTheRelease) {
     move(again + vec2{30, 0});
     move(again);
     button(false);
-    EXPECT_EQ(edits.size(), 1u) << "back where it stood";
+    EXPECT_EQ(edits.size(), 1u) << "it is back at its old position";
 }
 
 TEST_F(WiringEdits, AnEditMovesNoOtherNode) {

@@ -104,7 +104,7 @@ TEST_F(WiringInput, AMinimapStandsFromTwentyOneNodesOnAndMovesTheView) {
     show(20, 1);
     EXPECT_EQ(anchors.find("canvas.minimap"), nullptr);
     show(21, 0.2f);
-    EXPECT_EQ(anchors.find("canvas.minimap"), nullptr) << "everything is in sight";
+    EXPECT_EQ(anchors.find("canvas.minimap"), nullptr) << "all nodes are visible";
     show(21, 1);
     const Rect* map = anchors.find("canvas.minimap");
     ASSERT_NE(map, nullptr);

@@ -30,7 +30,7 @@ struct WiringInspector : testing::Test {
     Desk desk{1280, 800};
 };
 
-TEST_F(WiringInspector, ShowsNumbersOfWhatIsSelectedAlone) {
+TEST_F(WiringInspector, ShowsTheParametersOfASingleSelection) {
     EXPECT_TRUE(shows("card.inspector"));
     EXPECT_FALSE(shows("inspector.weight"));
     select({{}, {{SR, ML}}});
@@ -45,9 +45,9 @@ TEST_F(WiringInspector, ShowsNumbersOfWhatIsSelectedAlone) {
     EXPECT_TRUE(shows("inspector.column"));
 }
 
-TEST_F(WiringInspector, TurnsTheSlidersOwnNumberForADirectWireAndAMotor) {
+TEST_F(WiringInspector, SetsTheSlidersNumberForADirectWireAndAMotor) {
     select({{}, {{SR, ML}}});
-    desk.click("inspector.weight", 1);  // a right click brings 0
+    desk.click("inspector.weight", 1);  // a right click sets 0
     ASSERT_FALSE(desk.edits().empty());
     EXPECT_EQ(turned(desk.edits().back()).dial, Dial::LR);
     EXPECT_EQ(turned(desk.edits().back()).value, 0);
@@ -56,7 +56,7 @@ TEST_F(WiringInspector, TurnsTheSlidersOwnNumberForADirectWireAndAMotor) {
     EXPECT_EQ(turned(desk.edits().back()).dial, Dial::LM);
 }
 
-TEST_F(WiringInspector, GivesANodeACurveThatWasChosen) {
+TEST_F(WiringInspector, SetsAChosenCurve) {
     select({{ML}, {}});
     desk.click("inspector.kind.5");
     ASSERT_FALSE(desk.edits().empty());
@@ -73,7 +73,7 @@ TEST_F(WiringInspector, CutsAWireAndSilencesANode) {
     EXPECT_TRUE(find_node(asked(), SL)->silenced);
 }
 
-TEST_F(WiringInspector, PutsNodesInOrder) {
+TEST_F(WiringInspector, ArrangesSeveralNodes) {
     select({{ML, SL}, {}});
     desk.click("inspector.column");
     ASSERT_EQ(desk.edits().size(), 1u);
@@ -82,7 +82,7 @@ TEST_F(WiringInspector, PutsNodesInOrder) {
     EXPECT_NE(places[SL].at->x, places[SR].at->x);
 }
 
-TEST_F(WiringInspector, CallsThePeakOfACurveByWhatItIs) {
+TEST_F(WiringInspector, NamesThePeakAfterTheCurve) {
     const auto said = [&](Response response) {
         BrainGraph graph = *desk.now.brains[0];
         find_node(graph, "ML")->curve.response = response;
@@ -101,10 +101,10 @@ TEST_F(WiringInspector, CallsThePeakOfACurveByWhatItIs) {
     find_wire(graph, SR, ML)->curve.response = Response::step;
     desk.now.brains[0] = std::make_shared<BrainGraph>(graph);
     select({{}, {{SR, ML}}});
-    EXPECT_TRUE(writes("threshold") && writes("step at")) << "a wire has a threshold besides";
+    EXPECT_TRUE(writes("threshold") && writes("step at")) << "a wire also has a threshold";
 }
 
-TEST_F(WiringInspector, CountsOneAsOne) {
+TEST_F(WiringInspector, UsesTheSingularForOne) {
     BrainGraph graph = *desk.now.brains[0];
     graph.nodes.push_back({.id = 4, .name = "N1"});
     desk.now.brains[0] = std::make_shared<BrainGraph>(graph);
@@ -116,7 +116,7 @@ TEST_F(WiringInspector, CountsOneAsOne) {
     EXPECT_TRUE(writes("Selected: 2 nodes  ·  1 wire"));
 }
 
-TEST_F(WiringInspector, SaysWhatASensorSensesBesideItsName) {
+TEST_F(WiringInspector, DescribesASensorBesideItsName) {
     Scene scene = *desk.now.scene;
     scene.kinds[0].sensors[0].name = "OL";
     scene.kinds[0].sensors[0].channel = Channel::smell;
@@ -128,7 +128,7 @@ TEST_F(WiringInspector, SaysWhatASensorSensesBesideItsName) {
     EXPECT_TRUE(writes("OL  ·  smells  ·  stands at 0.40"));
 }
 
-TEST_F(WiringInspector, IsNotClickedThroughTheCanvassOpenMenu) {
+TEST_F(WiringInspector, IsNotClickedThroughAnOpenMenu) {
     const Rect canvas = desk.where("canvas");
     desk.point(canvas.x + 40, canvas.y + canvas.h - 60);
     for (const bool down : {true, false}) desk.button(1, down), desk.frame(2);
@@ -137,19 +137,19 @@ TEST_F(WiringInspector, IsNotClickedThroughTheCanvassOpenMenu) {
     desk.frame(2);
     desk.click("card.inspector.fold");
     EXPECT_FALSE(desk.panels.canvas.menu.open());
-    EXPECT_FALSE(desk.panels.canvas.inspector.folded) << "the click closed the menu and did nothing else";
+    EXPECT_FALSE(desk.panels.canvas.inspector.folded) << "the click only closed the menu";
     desk.click("card.inspector.fold");
     EXPECT_TRUE(desk.panels.canvas.inspector.folded);
 }
 
-TEST_F(WiringInspector, LeavesItsRoomToTheCanvasWhenFolded) {
+TEST_F(WiringInspector, GivesItsRoomToTheCanvasWhenFolded) {
     const float before = desk.where("canvas").h;
     desk.click("card.inspector.fold");
     desk.frame(2);
     EXPECT_GT(desk.where("canvas").h, before + 60);
 }
 
-TEST_F(WiringInspector, TakesTheKeyboardWhenAskedForItsNumbers) {
+TEST_F(WiringInspector, TakesTheKeyboardWhenItsNumbersAreToBeEdited) {
     select({{}, {{SR, ML}}});
     desk.panels.canvas.focus = {Part::label, 0, {SR, ML}};
     desk.key({key::enter});

@@ -69,7 +69,7 @@ TEST(WiringLayout, IsTheSameInWhateverOrderTheGraphWasMade) {
     for (const NodeShape& node : a.nodes) EXPECT_EQ(node.centre, find_shape(b, node.id)->centre);
     ASSERT_EQ(a.wires.size(), b.wires.size());
     for (std::size_t i = 0; i < a.wires.size(); ++i) {
-        EXPECT_EQ(a.wires[i].ends, b.wires[i].ends);  // labels give way to those before them: the order counts
+        EXPECT_EQ(a.wires[i].ends, b.wires[i].ends);  // a label avoids earlier ones: the order matters
         EXPECT_EQ(a.wires[i].label, b.wires[i].label);
     }
 }

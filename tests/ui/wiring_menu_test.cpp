@@ -21,7 +21,7 @@ TEST_F(WiringMenu, OfTheEmptyCanvasHasAHeadingForTheNeuronsItAdds) {
     EXPECT_LE(last.y + last.h, state.menu.rect.y + state.menu.rect.h);
     key(Action::cancel);
     right_click(middle("wire.LR"));
-    EXPECT_EQ(state.menu.heading, "") << "what is done to a wire needs no heading";
+    EXPECT_EQ(state.menu.heading, "") << "the menu of a wire has no heading";
 }
 
 TEST_F(WiringMenu, OffersEveryKindOfNeuronAtTheEndOfADroppedWire) {

@@ -23,7 +23,7 @@ TEST(WiringTidy, ArrangedNodesAreInLineAndApart) {
     const Positions column = arranged(layout, {4, 5, 6}, Arrangement::column);
     EXPECT_EQ(column.at(4).x, 40);
     EXPECT_EQ(column.at(5).x, 40);
-    EXPECT_GT(column.at(5).y - column.at(4).y, 80) << "they would have covered each other";
+    EXPECT_GT(column.at(5).y - column.at(4).y, 80) << "their cards would overlap";
     EXPECT_EQ(column.at(6).y, 400);
     const Positions even = arranged(layout, {4, 5, 6}, Arrangement::even_down);
     EXPECT_EQ(even.at(5).y, 200);

@@ -31,7 +31,7 @@ TEST_F(WiringView, ConvertsPixelsToUnitsAndBack) { EXPECT_EQ(view.to_canvas(view
 TEST_F(WiringView, ZoomKeepsThePointUnderThePointer) {
     const Rect area{20, 30, 900, 640};
     const vec2 cursor{830, 520};
-    Camera camera;
+    CanvasCamera camera;
     const vec2 unit = view_of(camera, area, 1).to_canvas(cursor);
     for (const float notches : {3.0f, -7.0f, 30.0f, -60.0f}) {
         zoom_at(camera, area, 1, cursor, std::pow(1.15f, notches));
@@ -42,7 +42,7 @@ TEST_F(WiringView, ZoomKeepsThePointUnderThePointer) {
 }
 
 TEST_F(WiringView, FitKeepsEveryCardClearOfTheButtonsAtAnySize) {
-    Camera camera;
+    CanvasCamera camera;
     for (const Rect room : {Rect{0, 0, 900, 640}, Rect{40, 90, 1200, 300}, Rect{10, 10, 300, 900}})
         for (const float ui_scale : {1.0f, 2.0f}) {
             fit(camera, layout, room, ui_scale);

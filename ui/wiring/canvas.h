@@ -68,7 +68,7 @@ struct Readings {
 void update(Readings&, const Snapshot&, const VehicleView&, const BrainGraph& graph, const Layout&);
 
 struct CanvasState {
-    Camera camera;
+    CanvasCamera camera;
     Positions held;  // of nodes that are dragged, and after the release until the lab has moved them
     Selection selection;
     Hit focus;                      // node or label that arrow keys start from

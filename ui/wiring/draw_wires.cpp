@@ -17,7 +17,7 @@ namespace {
 
 constexpr float dot_step = 5;    // units the dots move in a tick
 constexpr float sign_size = 13;  // of the end sign
-constexpr float end_gap = 2;     // between the end sign's tip and the pin
+constexpr float pin_gap = 2;     // between the end sign's tip and the pin
 
 vec2 corner_low(vec2 a, vec2 b) { return {std::min(a.x, b.x), std::min(a.y, b.y)}; }
 vec2 corner_high(vec2 a, vec2 b) { return {std::max(a.x, b.x), std::max(a.y, b.y)}; }
@@ -96,7 +96,7 @@ float stroke_of(float weight) { return 1.5f + 2.6f * std::min(std::abs(weight), 
 
 // The curve without its last units, which the end sign covers.
 std::array<vec2, 4> shortened(std::array<vec2, 4> curve) {
-    curve[3].x -= sign_size * 0.6f + end_gap;
+    curve[3].x -= sign_size * 0.6f + pin_gap;
     return curve;
 }
 
@@ -185,7 +185,7 @@ void draw_wire(const Pen& pen, const Picture& picture, std::size_t index) {
     const float resting = picture.view.theme == Theme::dark ? 0.55f : 0.85f;  // pale lines are hard to see on white
     stroke.line(width, mix(p.ground, colour, resting + (1 - resting) * strength));
     draw_dots(stroke, picture, look.carried, colour);
-    draw_end_sign(pen, shape.bezier[3] - vec2{end_gap, 0}, sign_size + width * 0.6f, look.weight > 0, colour);
+    draw_end_sign(pen, shape.bezier[3] - vec2{pin_gap, 0}, sign_size + width * 0.6f, look.weight > 0, colour);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ std::string refusal_key(Refusal refusal) { return "wiring.refused." + std::strin
 
 namespace {
 
-constexpr double refusal_seconds = 2.5;  // that a note is shown
+constexpr double refusal_seconds = 2.5;  // duration of a note
 
 }  // namespace
 

@@ -147,7 +147,7 @@ void show_nothing(Inspected& in) {
         counted(in, wires, "inspector.one_wire", "inspector.wires");
     paragraph(in.ui, in.words("inspector.nothing"), in.ui.palette.text, Face::text);
     paragraph(in.ui, counts, in.ui.palette.second_text, Face::small);
-    const bool room = ImGui::GetContentRegionAvail().y >= line_height(in.ui, Face::small);  // large type has none
+    const bool room = ImGui::GetContentRegionAvail().y >= line_height(in.ui, Face::small);
     if (room) paragraph(in.ui, in.words("inspector.keys"), in.ui.palette.second_text, Face::small);
 }
 

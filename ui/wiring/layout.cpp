@@ -101,7 +101,7 @@ void shape_curves(Layout& layout) {
         node.in_spread = std::min(gaps * end_gap, node.size.y - 28);
         for (std::size_t i = 0; i < ending[n].size(); ++i) {
             const float share = gaps > 0 ? static_cast<float>(i) / gaps - 0.5f : 0;
-            const vec2 end = node.in_pin() + vec2{-8, share * node.in_spread};  // 8: the pin's own radius
+            const vec2 end = node.in_pin() + vec2{-8, share * node.in_spread};  // 8: the pin's radius
             ending[n][i]->bezier = wire_curve(start(ending[n][i]), end);
         }
     }

@@ -7,12 +7,12 @@ namespace braitenlab::wiring {
 
 using maths::vec2;
 
-View view_of(const Camera& camera, Rect area, float ui_scale) {
+View view_of(const CanvasCamera& camera, Rect area, float ui_scale) {
     const float scale = camera.zoom * ui_scale;
     return {vec2{area.x + area.w / 2, area.y + area.h / 2} - camera.middle * scale, scale};
 }
 
-void zoom_at(Camera& camera, Rect area, float ui_scale, vec2 pixel, float factor) {
+void zoom_at(CanvasCamera& camera, Rect area, float ui_scale, vec2 pixel, float factor) {
     const vec2 fixed = view_of(camera, area, ui_scale).to_canvas(pixel);
     camera.zoom = std::clamp(camera.zoom * factor, least_zoom, most_zoom);
     camera.middle += fixed - view_of(camera, area, ui_scale).to_canvas(pixel);
@@ -32,7 +32,7 @@ float zoom_to_show(vec2 room, vec2 size, float ui_scale) {
 
 }  // namespace
 
-void fit(Camera& camera, const Layout& layout, Rect area, float ui_scale) {
+void fit(CanvasCamera& camera, const Layout& layout, Rect area, float ui_scale) {
     const vec2 size = layout.high - layout.low;
     const float below = zoom_to_show(
         {area.w - 2 * side_margin * ui_scale, area.h - (top_margin + bottom_margin) * ui_scale}, size, ui_scale);
@@ -48,7 +48,7 @@ void fit(Camera& camera, const Layout& layout, Rect area, float ui_scale) {
     if (!is_beside && above < top_margin * ui_scale) camera.middle.y -= (top_margin * ui_scale - above) / scale;
 }
 
-void reveal(Camera& camera, Rect area, float ui_scale, vec2 point) {
+void reveal(CanvasCamera& camera, Rect area, float ui_scale, vec2 point) {
     const View view = view_of(camera, area, ui_scale);
     const vec2 at = view.to_window(point);
     const vec2 rim{std::min(96 * ui_scale, area.w / 3), std::min(72 * ui_scale, area.h / 3)};

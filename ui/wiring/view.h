@@ -22,22 +22,22 @@ struct View {
 inline constexpr float least_zoom = 0.1f, most_zoom = 3;
 inline constexpr float map_zoom = 0.4f;  // below it labels are neither drawn nor hit
 
-struct Camera {
+struct CanvasCamera {
     maths::vec2 middle;    // canvas point in the middle of the area
     float zoom = 1;        // least_zoom..most_zoom, layout pixels per canvas unit
     bool by_user = false;  // panned or zoomed by the user: no automatic fit
 };
 
-View view_of(const Camera&, Rect area, float ui_scale);
+View view_of(const CanvasCamera&, Rect area, float ui_scale);
 
 // Multiplies the zoom within its range; the canvas point under the pixel stays there.
-void zoom_at(Camera&, Rect area, float ui_scale, maths::vec2 pixel, float factor);
+void zoom_at(CanvasCamera&, Rect area, float ui_scale, maths::vec2 pixel, float factor);
 
 // Shows all nodes, below the area's buttons or beside them, at a zoom of at most 1.4.
-void fit(Camera&, const Layout&, Rect area, float ui_scale);
+void fit(CanvasCamera&, const Layout&, Rect area, float ui_scale);
 
 // Moves the camera by the least distance that shows the canvas point away from the area's rim.
-void reveal(Camera&, Rect area, float ui_scale, maths::vec2 point);
+void reveal(CanvasCamera&, Rect area, float ui_scale, maths::vec2 point);
 
 // A small picture of the whole brain in the lower right corner of the area.
 struct Minimap {
