@@ -32,6 +32,7 @@ const std::map<std::string, std::vector<std::string>> may_include{
     {"render/text", {"core", "render/view"}},
     {"render/gl", {"core", "render/view", "render/text"}},
     {"ui", {"core", "render/view", "ui"}},
+    {"app/jobs", {"core"}},
     {"app", {"core", "render", "ui"}},
 };
 
@@ -42,6 +43,7 @@ const std::map<std::string, std::vector<std::string>> libraries{
     {"<GLFW/", {"app/window.cpp"}},
     {"<imgui", {"ui/", "app/"}},
     {"<nlohmann/", {"core/io/json.h", "app/"}},
+    {"<tbb/", {"app/jobs/jobs.cpp"}},
 };
 
 // Internal headers, and the only places that may include them. Tests and benchmarks may include all.
