@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "app/desk.h"
+#include "app/lab_requests.h"
 #include "app/platform.h"
 
 namespace braitenlab {
@@ -37,46 +38,49 @@ App::App(Options options, Lab lab, Window window, Renderer renderer, Words words
       anchors_file_(options_.anchors),
       state_file_(options_.state) {
     lab_.preferences = memory_.preferences;
-    lab_.camera.mode = options_.camera;
-    lab_.overlays.field = options_.field;
+    lab_.view.camera.mode = options_.camera;
+    lab_.view.overlays.field = options_.field;
     look_.wear(lab_.preferences.theme, wanted_scale());
-    letter_labels();
+    load_label_font();
     if (!look_.warning().empty()) std::cerr << "braitenlab: " << look_.warning() << "\n";
-    for (const Error& complaint : memory_.complaints) refuse(complaint);
+    for (const Error& complaint : memory_.complaints) show_error(complaint);
     refresh(files_, lab_);
     if (options_.play) handle(lab_, Action::play_pause);
+    began_ = last_turn_ = Clock::now();
 }
 
-int App::run() {
-    const auto began = Clock::now();
-    auto last = began;
-    while (!ends()) {
-        const auto frame_began = Clock::now();
-        double passed = std::chrono::duration<double>(frame_began - last).count();
-        last = frame_began;
-        if (repeatable()) passed = frame_seconds;
-        window_.poll(0);
-        do_what_files_ask();
-        let_time_pass(passed);
-        frame(static_cast<float>(passed));
-        if (picture_is_due(seconds_since(began))) return take_picture(options_.screenshot);
-        if (lab_.screenshot) take_picture_for_person();
-        facts_.frame_ms = seconds_since(frame_began) * 1000;
-        if (!repeatable()) window_.show();
-        write_reports();
-        keep_memory(false);
-        if (const auto error = autosave_.keep(lab_, lab_.wall_seconds)) refuse(*error);
-        if (lab_.full_screen) lab_.full_screen = false, window_.toggle_full_screen();
-        while (!repeatable() && seconds_since(frame_began) < frame_seconds)
-            window_.poll(frame_seconds - seconds_since(frame_began));
+bool App::turn() {
+    const auto turn_began = Clock::now();
+    double passed = std::chrono::duration<double>(turn_began - last_turn_).count();
+    last_turn_ = turn_began;
+    if (repeatable()) passed = frame_seconds;
+    window_.poll(0);
+    if (ends()) return close(), false;
+    handle_files();
+    let_time_pass(passed);
+    frame(static_cast<float>(passed));
+    if (picture_is_due(seconds_since(began_))) {
+        if (const auto error = write_picture(options_.screenshot)) exit_code_ = complain(*error);
+        return false;
     }
-    keep_memory(true);
+    if (lab_.screenshot) take_screenshot();
+    facts_.frame_ms = seconds_since(turn_began) * 1000;
+    if (!repeatable()) window_.show();
+    write_reports();
+    save_settings(false);
+    if (const auto error = autosave_.keep(lab_, lab_.wall_seconds)) show_error(*error);
+    if (lab_.full_screen) lab_.full_screen = false, window_.toggle_full_screen();
+    while (!repeatable() && seconds_since(turn_began) < frame_seconds)
+        window_.poll(frame_seconds - seconds_since(turn_began));
+    return true;
+}
+
+void App::close() {
+    save_settings(true);
     if (is_told_to_end())
-        autosave_.keep(lab_, lab_.wall_seconds,
-                       Autosave::Occasion::end);  // nobody could be asked: offered at next start
+        autosave_.keep(lab_, lab_.wall_seconds, Autosave::Occasion::end);  // offered at the next start
     else
         autosave_.finish();
-    return 0;
 }
 
 bool App::ends() {
@@ -97,40 +101,40 @@ void App::let_time_pass(double passed) {
     }
 }
 
-void App::do_what_files_ask() {
+void App::handle_files() {
     for (const std::string& path : window_.take_dropped_files()) lab_.files.push_back(OpenRequest{path, true});
     for (const Request& request : lab_.files)
-        if (const auto* recover = std::get_if<RecoverRequest>(&request)) do_recovery(recover->take);
+        if (const auto* recover = std::get_if<RecoverRequest>(&request)) handle_recovery(recover->take);
     if (!lab_.files.empty()) do_files(lab_, files_, memory_.remembered);
     if (!options_.screenshot.empty() || seconds_since(file_checked_) < 0.3) return;
     file_checked_ = Clock::now();
     follow_file(lab_, files_);
 }
 
-void App::do_recovery(bool take) {
+void App::handle_recovery(bool take) {
     if (!take) return autosave_.forget();
     auto recovered = autosave_.recover();
-    if (!recovered) return refuse(recovered.error());
-    recovered->work = 1;
-    replace_lab(lab_, std::move(*recovered));
+    if (!recovered) return show_error(recovered.error());
+    recovered->edits = 1;
+    replace_document(lab_, std::move(*recovered));
     refresh(files_, lab_);
     const auto error = autosave_.keep(lab_, lab_.wall_seconds, Autosave::Occasion::now);
-    error ? refuse(*error) : autosave_.forget();
+    error ? show_error(*error) : autosave_.forget();
 }
 
-void App::refuse(const Error& error) { say(lab_, {NoticeKind::failure, "", error.text()}); }
+void App::show_error(const Error& error) { say(lab_, {NoticeKind::failure, "", error.text()}); }
 
-void App::keep_memory(bool now) {
-    if (!options_.screenshot.empty() || (!now && seconds_since(memory_kept_) < 1)) return;
-    memory_kept_ = Clock::now();
-    if (const auto error = keep(memory_, desk_preferences(lab_), window_.windowed_size())) refuse(*error);
+void App::save_settings(bool now) {
+    if (!options_.screenshot.empty() || (!now && seconds_since(settings_saved_) < 1)) return;
+    settings_saved_ = Clock::now();
+    if (const auto error = keep(memory_, own_preferences(lab_), window_.windowed_size())) show_error(*error);
 }
 
 bool App::repeatable() const { return !options_.screenshot.empty() && options_.play; }
 
 bool App::picture_is_due(double wall_seconds) const {
     if (options_.screenshot.empty()) return false;
-    return (repeatable() ? lab_.session.snapshot().seconds : wall_seconds) >= options_.after - 1e-9;
+    return (repeatable() ? lab_.document.session.snapshot().seconds : wall_seconds) >= options_.after - 1e-9;
 }
 
 void App::write_reports() {

@@ -1,8 +1,9 @@
-// The window and all that lives as long as it is open: once a frame it lets time pass, draws, and carries out what the
-// person asked for.
+// The window and everything that exists while it is open. Each turn lets time pass, draws a frame and executes the
+// user's requests.
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <vector>
 
 #include "app/autosave.h"
@@ -20,7 +21,7 @@
 
 namespace braitenlab {
 
-// Says on stderr what is wrong; 2, the exit code for it.
+// Prints the error to stderr. Returns 2, the exit code for bad input.
 int complain(const Error&);
 
 // Wall seconds from `then` until now.
@@ -30,44 +31,51 @@ class App {
 public:
     App(Options, Lab, Window, Renderer, Words, Memory);
 
-    // Until the person leaves, or the picture of --screenshot is taken; the exit code.
-    int run();
+    // One iteration of the main loop. Returns false when the program has ended: the user has left it, the system has
+    // told it to end, or the picture of --screenshot has been taken. Do not call it again then.
+    bool turn();
+
+    // 0, or 2 if the picture of --screenshot could not be written. Valid once turn() has returned false.
+    int exit_code() const { return exit_code_; }
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    // ── From start to end, app.cpp ──
-    // Unsaved edits are asked about first; the answer comes back as a request.
+    // ── The main loop, app.cpp ──
+    // True if the program ends now. If there are unsaved edits, asks the user instead; the answer is a request.
     bool ends();
+    // Saves what is needed at the end of the program.
+    void close();
     void let_time_pass(double passed);
-    // What was dropped onto the window, and what was asked for in its browser.
-    void do_what_files_ask();
-    // What a crash left is forgotten only when it is on the disk again under this lab's name.
-    void do_recovery(bool take);
-    void refuse(const Error& error);
-    // Once a second, and at the end, what has changed is written; where nothing has, nothing is.
-    void keep_memory(bool now);
-    // A picture of a run is taken after so many ticks, one a frame, so that it can be repeated.
+    // Executes the requests about files: dropped files, the file browser, recovery.
+    void handle_files();
+    // Opens or discards the recovered work. The file of the crashed lab is removed once the work is saved again.
+    void handle_recovery(bool take);
+    void show_error(const Error& error);
+    // Writes settings that have changed; at most once per second unless `now`.
+    void save_settings(bool now);
+    // True for --screenshot with --play: one tick per frame, so that the picture does not depend on wall time.
     bool repeatable() const;
     bool picture_is_due(double wall_seconds) const;
     void write_reports();
 
     // ── A frame, app_frame.cpp ──
-    // Window pixels per layout pixel. --scale says it for the type size that the session begins with.
+    // Window pixels per layout pixel. --scale applies to the type size at the start of the program.
     float wanted_scale() const;
-    // Between two frames: language, theme and scale as they are wanted now.
+    // Applies language, theme and scale. Call between frames.
     void follow_preferences();
-    // Framebuffer pixels, of which a display of high density has more than one per window pixel.
+    // Framebuffer pixels per window pixel.
     float density() const;
-    // The scene's labels at the size of the window's small type.
-    void letter_labels();
-    // A shader that was saved while the lab runs is in use within half a second; a broken one is told and left.
+    // Loads the font of the scene's labels at the size of the window's small type.
+    void load_label_font();
+    // Reloads changed shaders, at most twice per second; a broken shader is reported and the old one stays.
     void follow_shaders();
     void frame(float passed);
     Arrows arrows() const;
     void draw_scene();
-    int take_picture(const std::filesystem::path& path);
-    void take_picture_for_person();
+    std::optional<Error> write_picture(const std::filesystem::path&);
+    // Writes a picture to the user's folder of pictures.
+    void take_screenshot();
 
     Options options_;
     Lab lab_;
@@ -76,7 +84,9 @@ private:
     Words words_;
     Memory memory_;
     Autosave autosave_;
-    Clock::time_point memory_kept_ = Clock::now(), file_checked_ = Clock::now();
+    Clock::time_point began_ = Clock::now(), last_turn_ = began_;  // end of the constructor; start of the last turn
+    Clock::time_point settings_saved_ = began_, file_checked_ = began_;
+    int exit_code_ = 0;
     std::vector<CatalogueEntry> catalogue_;
     Look look_;
     FilesView files_;
@@ -84,11 +94,11 @@ private:
     ViewportState viewport_;
     Anchors anchors_;
     Outbox outbox_;
-    Snapshot shown_;  // what is drawn: the moment between the last two ticks
+    Snapshot shown_;  // interpolated between the last two ticks
     FrameFacts facts_;
     KeptFile anchors_file_, state_file_;
     Clock::time_point shaders_checked_ = Clock::now();
-    bool told_of_labels_ = false;
+    bool reported_label_font_ = false;
     Clock::time_point state_written_{};
 };
 

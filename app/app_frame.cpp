@@ -6,6 +6,8 @@
 #include <imgui.h>
 
 #include "app/app.h"
+#include "app/lab_requests.h"
+#include "app/lab_selection.h"
 #include "app/lettering.h"
 #include "app/platform.h"
 #include "app/screenshot.h"
@@ -48,28 +50,28 @@ float App::wanted_scale() const {
 void App::follow_preferences() {
     if (const auto error = speak(words_, lab_.preferences.language)) {
         lab_.preferences.language = words_.language;
-        refuse(*error);
+        show_error(*error);
     }
-    if (look_.wear(lab_.preferences.theme, wanted_scale())) window_.forget_fonts(), letter_labels();
+    if (look_.wear(lab_.preferences.theme, wanted_scale())) window_.forget_fonts(), load_label_font();
 }
 
 float App::density() const {
     return static_cast<float>(window_.framebuffer_width()) / std::max(1.0f, window_.area().w);
 }
 
-void App::letter_labels() {
+void App::load_label_font() {
     constexpr float label_em = 14;  // layout pixels
     const auto pixels = static_cast<int>(std::lround(label_em * look_.scale() * density()));
     auto [lettering, warning] = label_font(find_font, pixels, *look_.fonts().small);
     renderer_.use_lettering(std::move(lettering));
-    if (!warning.empty() && !told_of_labels_) std::cerr << "braitenlab: " << warning << "\n";
-    told_of_labels_ = true;
+    if (!warning.empty() && !reported_label_font_) std::cerr << "braitenlab: " << warning << "\n";
+    reported_label_font_ = true;
 }
 
 void App::follow_shaders() {
     if (seconds_since(shaders_checked_) < 0.5) return;
     shaders_checked_ = Clock::now();
-    if (const auto error = renderer_.follow_shaders()) complain(*error), refuse(*error);
+    if (const auto error = renderer_.follow_shaders()) complain(*error), show_error(*error);
 }
 
 void App::frame(float passed) {
@@ -108,7 +110,7 @@ void App::frame(float passed) {
     const bool steers = steer_by_keys(lab_, held.turn, held.raise);
     drive_camera(lab_, viewport_, panels_.stage, steers ? Arrows{} : held, area, arena, passed);
     if (repeatable() && !picture_is_due(0))
-        renderer_.remember(lab_.session.snapshot());  // nobody looks before the picture is taken
+        renderer_.remember(lab_.document.session.snapshot());  // no frame is shown before the picture is taken
     else
         draw_scene();
     facts_.focus = panels_.keyboard.focus;
@@ -134,17 +136,13 @@ void App::draw_scene() {
     picture.sight.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
                             static_cast<float>(window_.framebuffer_height())};
     picture.theme = lab_.preferences.theme;
-    picture.selected = lab_.selected;
-    picture.thing_selected = static_cast<bool>(lab_.thing);
+    picture.settings = lab_.view;
     const Thing& hovered = panels_.stage.hovered.thing;
     picture.hovered = hovered.kind == ThingKind::vehicle ? hovered.index : no_vehicle;
-    picture.driver = lab_.camera.mode == CameraMode::driver ? lab_.selected : no_vehicle;
-    picture.sensors = lab_.sensors;
-    picture.outlines = lab_.outlines;
-    picture.overlays = lab_.overlays;
+    picture.driver = lab_.view.camera.mode == CameraMode::driver ? lab_.view.selection.vehicle : no_vehicle;
     picture.pixel_scale = density() * look_.scale();
-    shown_ = lab_.session.snapshot();
-    if (!repeatable()) stand_between(shown_, lab_.before, between_ticks(lab_));
+    shown_ = lab_.document.session.snapshot();
+    if (!repeatable()) stand_between(shown_, lab_.playback.previous, between_ticks(lab_));
     renderer_.draw(shown_, picture);
     facts_.draw_calls = renderer_.draw_calls();
     facts_.sight = viewport_.sight;
@@ -153,20 +151,17 @@ void App::draw_scene() {
     facts_.graphics_errors = window_.graphics_errors();
 }
 
-int App::take_picture(const std::filesystem::path& path) {
-    if (auto error = write_png(path, window_.framebuffer_width(), window_.framebuffer_height(), window_.pixels()))
-        return complain(*error);
-    return 0;
+std::optional<Error> App::write_picture(const std::filesystem::path& path) {
+    return write_png(path, window_.framebuffer_width(), window_.framebuffer_height(), window_.pixels());
 }
 
-void App::take_picture_for_person() {
+void App::take_screenshot() {
     lab_.screenshot = false;
     std::error_code none;  // writing will say what is wrong
     const auto folder = pictures_folder();
     std::filesystem::create_directories(folder, none);
     const auto path = next_screenshot_name(folder);
-    if (auto error = write_png(path, window_.framebuffer_width(), window_.framebuffer_height(), window_.pixels()))
-        return refuse(*error);
+    if (const auto error = write_picture(path)) return show_error(*error);
     say(lab_, {NoticeKind::done, "notice.screenshot", path.string()});
 }
 

@@ -62,9 +62,9 @@ Error cannot_keep(Error reason) {
 }  // namespace
 
 Draft draft_of(const Lab& lab) {
-    Draft draft{lab.name, lab.path, lab.session.save(), std::nullopt};
-    if (lab.lesson) {
-        const LessonView& view = lab.lesson->view;
+    Draft draft{lab.document.name, lab.document.path, lab.document.session.save(), std::nullopt};
+    if (lab.document.lesson) {
+        const LessonView& view = lab.document.lesson->view;
         draft.exercise = Draft::Progress{view.prediction, view.hints_shown, view.has_run};
     }
     return draft;
@@ -86,7 +86,7 @@ std::string write_autosave(const Draft& draft, std::string_view when, bool ended
     return out.str();
 }
 
-Result<Lab> open_autosave(std::string_view text, std::string file_name) {
+Result<Document> open_autosave(std::string_view text, std::string file_name) {
     const auto table = read_table(text, file_name);
     if (!table) return table.error();
     auto run = io::read_run((*table)["run"].value_or(std::string()), file_name);
@@ -94,23 +94,23 @@ Result<Lab> open_autosave(std::string_view text, std::string file_name) {
     const fs::path path = (*table)["path"].value_or(std::string());
     const toml::table* lesson = (*table)["exercise"].as_table();
     if (!lesson) {
-        Lab lab = resume(std::move(*run));
-        lab.path = path;
-        lab.on_disk = mark_of(path);
-        lab.name = (*table)["name"].value_or(std::string());
-        return lab;
+        Document document = resume_document(std::move(*run));
+        document.path = path;
+        document.on_disk = mark_of(path);
+        document.name = (*table)["name"].value_or(std::string());
+        return document;
     }
-    auto lab = open_lab(path, std::nullopt, {});
-    if (!lab) return lab.error();
-    lab->session = Session::resume(std::move(*run));
-    if (lab->lesson) {
-        LessonView& view = lab->lesson->view;
+    auto document = open_document(path, std::nullopt, {});
+    if (!document) return document.error();
+    document->session = Session::resume(std::move(*run));
+    if (document->lesson) {
+        LessonView& view = document->lesson->view;
+        const auto hints = static_cast<int>(document->lesson->exercise->hints.size());
         view.prediction = (*lesson)["prediction"].value_or(-1);
         view.has_run = (*lesson)["has_run"].value_or(false);
-        view.hints_shown =
-            std::clamp((*lesson)["hints_shown"].value_or(0), 0, static_cast<int>(lab->lesson->exercise->hints.size()));
+        view.hints_shown = std::clamp((*lesson)["hints_shown"].value_or(0), 0, hints);
     }
-    return lab;
+    return document;
 }
 
 Autosave::Autosave(fs::path folder, std::vector<Error>& complaints) : folder_(std::move(folder)) {
@@ -136,7 +136,7 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& complaints) : folder_(st
     }
 }
 
-Result<Lab> Autosave::recover() const {
+Result<Document> Autosave::recover() const {
     if (!leftover_) return Error{"there is nothing to recover"};
     return open_autosave(text_in(leftover_->file), leftover_->file.string());
 }
@@ -170,12 +170,12 @@ std::optional<Error> Autosave::settle() {
 std::optional<Error> Autosave::keep(const Lab& lab, double wall_seconds, Occasion occasion) {
     if (folder_.empty()) return std::nullopt;
     const bool now = occasion != Occasion::frame;
-    due_ |= std::exchange(mode_, lab.mode) != lab.mode;
+    due_ |= std::exchange(mode_, lab.playback.mode) != lab.playback.mode;
     const bool busy = writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
     if (busy && !now) return std::nullopt;
     const auto told = settle();
-    const Reached here{lab.work, lab.session.snapshot().tick};
-    if (here == Reached{lab.saved_work, lab.saved_tick}) {
+    const Reached here{lab.document.edits, lab.document.session.snapshot().tick};
+    if (here == Reached{lab.document.saved_edits, lab.document.saved_tick}) {
         finish();
         return told;
     }

@@ -34,9 +34,8 @@ Draft draft_of(const Lab&);
 // `ended`: the lab was told to end, and did so properly.
 std::string write_autosave(const Draft&, std::string_view when, bool ended = false);
 
-// A lab from such text, with an exercise from its own file. Fails, naming the line, on
-// anything else.
-Result<Lab> open_autosave(std::string_view text, std::string file_name);
+// The document from such text; an exercise is read from its own file. Fails with the line on anything else.
+Result<Document> open_autosave(std::string_view text, std::string file_name);
 
 // What a lab that crashed has left behind.
 struct Leftover {
@@ -61,7 +60,7 @@ public:
     const std::optional<Leftover>& leftover() const { return leftover_; }
 
     // The work that was left behind, or why it cannot be had. It stays on the disk until forget().
-    Result<Lab> recover() const;
+    Result<Document> recover() const;
     void forget();
 
     // Writes when there are edits or ticks that are not on the disk yet: `soon` after they began, but `period` after

@@ -69,9 +69,11 @@ int open_and_run(const Options& options) {
     if (!window) return complain(window.error());
     auto renderer = Renderer::create(*data / "shaders", options.sectors);
     if (!renderer) return complain(renderer.error());
-    return App(options, std::move(opened->lab), std::move(*window), std::move(*renderer), std::move(*words),
-               std::move(memory))
-        .run();
+    App app(options, std::move(opened->lab), std::move(*window), std::move(*renderer), std::move(*words),
+            std::move(memory));
+    while (app.turn()) {
+    }
+    return app.exit_code();
 }
 
 }  // namespace

@@ -58,13 +58,13 @@ struct Desk {
             if (const auto error = take_brain(lab, path)) return refuse(*error);
             return done(path, "files.took_brain");
         }
-        auto opened = open_lab(path, std::nullopt, {});
+        auto opened = open_document(path, std::nullopt, {});
         if (!opened) return refuse(opened.error());
         if (!surely && has_unsaved_edits(lab)) {
-            view.leaving = Leaving{lab.name, path.string()};
+            view.leaving = Leaving{lab.document.name, path.string()};
             return view.refused.clear();
         }
-        replace_lab(lab, std::move(*opened));
+        replace_document(lab, std::move(*opened));
         remember_file(remembered, path);
         done(path, {});
     }
@@ -77,7 +77,7 @@ struct Desk {
         if (answer != Leave::discard && has_unsaved_edits(lab)) return;  // it could not be written: asked again
         const std::string next = std::exchange(view.leaving, std::nullopt)->next;
         if (!next.empty()) return open(next, true);
-        lab.saved_work = lab.work;
+        lab.document.saved_edits = lab.document.edits;
         lab.exit = true;
     }
 
@@ -96,39 +96,27 @@ struct Desk {
     void save(const SaveRequest& wanted) const {
         const fs::path path = with_ending(resolved(wanted.path, folder()), wanted.kind);
         if (wanted.title) {
-            if (const auto error = lab.session.apply(Retitle{*wanted.title})) return refuse(*error);
-            ++lab.work;
+            if (const auto error = lab.document.session.apply(Retitle{*wanted.title})) return refuse(*error);
+            ++lab.document.edits;
         }
         if (const auto error = save_as(lab, path, wanted.kind)) return refuse(*error);
         if (wanted.kind == FileKind::run) remember_file(remembered, path);
         if (wanted.kind == FileKind::scene) {
-            if (!lab.lesson) lab.path = path, lab.name = path.stem().string();
+            if (!lab.document.lesson) lab.document.path = path, lab.document.name = path.stem().string();
             remember_file(remembered, path);
-            if (!lab.lesson) {
-                lab.file = std::make_shared<const Scene>(lab.session.edited_scene());
-                lab.on_disk = mark_of(path);
+            if (!lab.document.lesson) {
+                lab.document.file = std::make_shared<const Scene>(lab.document.session.edited_scene());
+                lab.document.on_disk = mark_of(path);
             }
         }
-        if (wanted.kind != FileKind::brain) lab.saved_work = lab.work;
-        if (wanted.kind == FileKind::run) lab.saved_tick = lab.session.snapshot().tick;
+        if (wanted.kind != FileKind::brain) lab.document.saved_edits = lab.document.edits;
+        if (wanted.kind == FileKind::run) lab.document.saved_tick = lab.document.session.snapshot().tick;
         if (!view.listing.folder.empty()) list(view.listing.folder);
         done(path, wanted.kind == FileKind::brain ? "files.saved_brain" : "files.saved");
     }
 };
 
 }  // namespace
-
-void replace_lab(Lab& lab, Lab next) {
-    next.preferences = lab.preferences;
-    next.before_lecture = lab.before_lecture;
-    next.sensors = lab.sensors;
-    next.outlines = lab.outlines;
-    next.overlays = lab.overlays;
-    next.overlays.field.reset();  // the next scene may have nothing on that channel
-    next.wall_seconds = lab.wall_seconds;
-    next.sitting = lab.sitting + 1;
-    lab = std::move(next);
-}
 
 void remember_file(Remembered& remembered, const fs::path& file) {
     remember_opened(remembered, file);
@@ -147,9 +135,9 @@ void do_files(Lab& lab, FilesView& view, Remembered& remembered) {
 }
 
 bool has_unsaved_edits(const Lab& lab) {
-    if (lab.lesson || lab.work == lab.saved_work) return false;
-    if (lab.session.edited_scene() != *lab.file) return true;
-    const Snapshot& now = lab.session.snapshot();
+    if (lab.document.lesson || lab.document.edits == lab.document.saved_edits) return false;
+    if (lab.document.session.edited_scene() != *lab.document.file) return true;
+    const Snapshot& now = lab.document.session.snapshot();
     return std::any_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) {  // or one has its own
         return *now.brains[static_cast<std::size_t>(v.brain)] != *now.kind_brains[static_cast<std::size_t>(v.kind)];
     });
@@ -157,34 +145,36 @@ bool has_unsaved_edits(const Lab& lab) {
 
 bool may_leave(const Lab& lab, FilesView& view) {
     if (!has_unsaved_edits(lab)) return true;
-    view.leaving = Leaving{lab.name};
+    view.leaving = Leaving{lab.document.name};
     view.refused.clear();
     return false;
 }
 
 void follow_file(Lab& lab, FilesView& view) {
-    if (lab.path.empty() || lab.path.extension() == io::run_ending) return;
-    const FileMark mark = mark_of(lab.path);
-    if (mark == lab.on_disk || mark == FileMark{}) return;
-    if (std::exchange(lab.noticed, mark) != mark) return;  // still being written, perhaps
-    lab.on_disk = mark;
-    auto opened = open_lab(lab.path, lab.session.seed(), lab.settings);
+    if (lab.document.path.empty() || lab.document.path.extension() == io::run_ending) return;
+    const FileMark mark = mark_of(lab.document.path);
+    if (mark == lab.document.on_disk || mark == FileMark{}) return;
+    if (std::exchange(lab.document.noticed, mark) != mark) return;  // still being written, perhaps
+    lab.document.on_disk = mark;
+    auto opened = open_document(lab.document.path, lab.document.session.seed(), lab.document.settings);
     if (!opened) return say(lab, {NoticeKind::failure, "", opened.error().text()});
-    const std::string name = lab.path.filename().string();
+    const std::string name = lab.document.path.filename().string();
     if (has_unsaved_edits(lab)) return say(lab, {NoticeKind::notice, "files.changed", name});
-    opened->mode = lab.mode;
-    opened->time_scale = lab.time_scale;
-    opened->camera = lab.camera;
-    opened->whole_kind = lab.whole_kind;
-    opened->toggles = lab.toggles;
-    replace_lab(lab, std::move(*opened));
+    const Playback before{
+        .mode = lab.playback.mode, .time_scale = lab.playback.time_scale, .toggles = lab.playback.toggles};
+    const Camera camera = lab.view.camera;
+    const bool whole_kind = lab.view.selection.whole_kind;
+    replace_document(lab, std::move(*opened));
+    lab.playback = before;
+    lab.view.camera = camera;
+    lab.view.selection.whole_kind = whole_kind;
     refresh(view, lab);
     say(lab, {NoticeKind::notice, "files.reloaded", name});
 }
 
 void refresh(FilesView& view, const Lab& lab) {
     view.save_to = own_file(lab).string();
-    view.suggested = lab.name;
+    view.suggested = lab.document.name;
 }
 
 }  // namespace braitenlab

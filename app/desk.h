@@ -7,9 +7,6 @@
 
 namespace braitenlab {
 
-// Puts another lab in the place of this one. What is a way of looking (preferences, fields, outlines) stays.
-void replace_lab(Lab&, Lab next);
-
 // The file is the last one opened, and unless it came with the lab, its folder is where to look for more.
 void remember_file(Remembered&, const std::filesystem::path&);
 

@@ -145,29 +145,31 @@ fs::path with_ending(fs::path path, FileKind kind) {
 }
 
 fs::path own_file(const Lab& lab) {
-    if (lab.path.empty() || lab.lesson || ships(lab.path)) return {};
-    const auto lines = lines_of(lab.path);
-    return kind_of(lab.path, lines) == FileKind::scene && !holds_comments(lines) ? lab.path : fs::path{};
+    if (lab.document.path.empty() || lab.document.lesson || ships(lab.document.path)) return {};
+    const auto lines = lines_of(lab.document.path);
+    return kind_of(lab.document.path, lines) == FileKind::scene && !holds_comments(lines) ? lab.document.path
+                                                                                          : fs::path{};
 }
 
 std::optional<Error> save_as(const Lab& lab, const fs::path& path, FileKind kind) {
-    if (kind == FileKind::scene) return write_whole(path, write_scene(lab.session.edited_scene()));
-    if (kind == FileKind::run) return write_whole(path, io::write_run(lab.session.save()));
+    if (kind == FileKind::scene) return write_whole(path, write_scene(lab.document.session.edited_scene()));
+    if (kind == FileKind::run) return write_whole(path, io::write_run(lab.document.session.save()));
     if (kind != FileKind::brain) return Error{"can be saved as a scene, a run or a brain only", path.string()};
-    const Snapshot& now = lab.session.snapshot();
-    const VehicleView* vehicle = find_vehicle(now, lab.selected);
+    const Snapshot& now = lab.document.session.snapshot();
+    const VehicleView* vehicle = find_vehicle(now, lab.view.selection.vehicle);
     if (!vehicle) return Error{"no vehicle is selected; click the one whose brain is meant"};
     return write_whole(path, write_brain(*now.brains[static_cast<std::size_t>(vehicle->brain)]));
 }
 
 std::optional<Error> take_brain(Lab& lab, const fs::path& path) {
-    const VehicleView* vehicle = find_vehicle(lab.session.snapshot(), lab.selected);
+    const VehicleView* vehicle = find_vehicle(lab.document.session.snapshot(), lab.view.selection.vehicle);
     if (!vehicle) return Error{"no vehicle is selected; click the one that is to have this brain", path.string()};
     auto brain = load_brain(path);
     if (!brain) return brain.error();
-    const Target target = lab.whole_kind ? Target{.kind = vehicle->kind} : Target{.vehicle = vehicle->id};
-    const auto error = lab.session.apply(SetBrain{target, std::move(*brain)});
-    if (!error) ++lab.work;
+    const Target target =
+        lab.view.selection.whole_kind ? Target{.kind = vehicle->kind} : Target{.vehicle = vehicle->id};
+    const auto error = lab.document.session.apply(SetBrain{target, std::move(*brain)});
+    if (!error) ++lab.document.edits;
     return error;
 }
 

@@ -1,20 +1,23 @@
-// An exercise in the lab: its judge, its hints, and the way back to its start.
+#include "app/lab_lesson.h"
+
 #include <algorithm>
 
-#include "app/lab_parts.h"
+#include "app/lab_requests.h"
+#include "app/lab_selection.h"
+#include "core/lesson/grade.h"
 
 namespace braitenlab {
 
 namespace {
 
-// What a student is asked to change, or what changes nobody's chances.
+// True for what the student is asked to change and for commands without effect on the run.
 bool is_fair(const Command& command) {
     return std::holds_alternative<TurnDial>(command) || std::holds_alternative<SetBrain>(command) ||
            std::holds_alternative<PlaceNodes>(command) || std::holds_alternative<SetSensors>(command) ||
            std::holds_alternative<Steer>(command) || std::holds_alternative<Retitle>(command);
 }
 
-// Whether all of the kind have the brain that came with the exercise.
+// True if the kind and all its vehicles have the exercise's own brain.
 bool is_as_shipped(const Snapshot& now, std::size_t kind, const BrainGraph& shipped) {
     return *now.kind_brains[kind] == shipped &&
            std::all_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) {
@@ -25,46 +28,47 @@ bool is_as_shipped(const Snapshot& now, std::size_t kind, const BrainGraph& ship
 
 }  // namespace
 
-void tell_judge(Lab& lab, const Command& command) {
-    if (!lab.lesson || is_fair(command)) return;
-    const Snapshot& now = lab.session.snapshot();
-    if (now.tick > 0) {  // before the first tick the judge sees for itself
-        lab.lesson->referee.disturb();
-        auto& judged = lab.past.judged;  // who comes back to this moment finds it disturbed
-        while (!judged.empty() && judged.back().tick >= now.tick) judged.pop_back();
-        judged.push_back({now.tick, lab.lesson->referee});
+void tell_referee(Lab& lab, const Command& command) {
+    if (!lab.document.lesson || is_fair(command)) return;
+    const Snapshot& now = lab.document.session.snapshot();
+    if (now.tick > 0) {  // before the first tick the referee compares the scene itself
+        lab.document.lesson->referee.disturb();
+        auto& referees = lab.playback.referees;  // going back to this tick finds the run disturbed
+        while (!referees.empty() && referees.back().tick >= now.tick) referees.pop_back();
+        referees.push_back({now.tick, lab.document.lesson->referee});
     }
     watch(lab);
 }
 
 void watch(Lab& lab) {
-    if (!lab.lesson) return;
-    Lesson& lesson = *lab.lesson;
-    lesson.referee.watch(lab.session.snapshot());
+    if (!lab.document.lesson) return;
+    Lesson& lesson = *lab.document.lesson;
+    lesson.referee.watch(lab.document.session.snapshot());
     lesson.view.verdicts = lesson.referee.verdicts();
     lesson.view.by_hand = lesson.referee.by_hand();
     if (!lesson.referee.passed() || lesson.view.grade) return;
-    // Every step is done in this run: now it must hold from the other starts as well.
-    lesson.view.grade = grade(*lesson.exercise, submission_of(*lesson.exercise, lab.session.snapshot()));
+    // Every step is done in this run. Now grade from all starts.
+    lesson.view.grade = grade(*lesson.exercise, submission_of(*lesson.exercise, lab.document.session.snapshot()));
 }
 
 void reset(Lab& lab) {
-    lab.session.reset(lab.lesson ? Keep::brains : Keep::edits);
-    lab.past.judged.clear();
-    lab.before.clear();
-    lab.debt = 0;
-    if (lab.lesson && !(lab.lesson->view.grade && lab.lesson->view.grade->good)) lab.lesson->view.grade.reset();
+    lab.document.session.reset(lab.document.lesson ? Keep::brains : Keep::edits);
+    lab.playback.referees.clear();
+    lab.playback.previous.clear();
+    lab.playback.debt = 0;
+    if (lab.document.lesson && !(lab.document.lesson->view.grade && lab.document.lesson->view.grade->good))
+        lab.document.lesson->view.grade.reset();
     watch(lab);
     keep_selection(lab);
 }
 
-// The exercise as it was on opening; the brain comes back by an edit, so that it can be undone.
+// The brain is replaced by an edit, so that it can be undone.
 void restart_exercise(Lab& lab) {
-    if (!lab.lesson) return reset(lab);
-    Lesson& lesson = *lab.lesson;
+    if (!lab.document.lesson) return reset(lab);
+    Lesson& lesson = *lab.document.lesson;
     set_mode(lab, Mode::paused);
     for (std::size_t k = 0; k < lesson.exercise->scene.kinds.size(); ++k)
-        if (!is_as_shipped(lab.session.snapshot(), k, lesson.exercise->scene.kinds[k].brain))
+        if (!is_as_shipped(lab.document.session.snapshot(), k, lesson.exercise->scene.kinds[k].brain))
             apply(lab, SetBrain{{.kind = static_cast<int>(k)}, lesson.exercise->scene.kinds[k].brain});
     lesson.view = {.exercise = lesson.exercise.get()};
     lesson.last_hint_at = lab.wall_seconds;
@@ -73,12 +77,12 @@ void restart_exercise(Lab& lab) {
 }
 
 void show_hint(Lab& lab) {
-    if (!lab.lesson) return;
-    LessonView& view = lab.lesson->view;
+    if (!lab.document.lesson) return;
+    LessonView& view = lab.document.lesson->view;
     if (!view.hint_ready || view.hints_shown >= static_cast<int>(view.exercise->hints.size())) return;
     ++view.hints_shown;
     view.hint_ready = false;
-    lab.lesson->last_hint_at = lab.wall_seconds;
+    lab.document.lesson->last_hint_at = lab.wall_seconds;
 }
 
 }  // namespace braitenlab

@@ -1,10 +1,13 @@
-// What requests do: each action and each request that panels, keys and the mouse can make.
+#include "app/lab_requests.h"
+
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
-#include "app/lab_parts.h"
+#include "app/lab_lesson.h"
+#include "app/lab_selection.h"
+#include "app/past.h"
 #include "core/match.h"
 #include "ui/stage/edits.h"
 
@@ -14,37 +17,36 @@ namespace {
 
 constexpr std::array<float, 8> speeds{0.125f, 0.25f, 0.5f, 1, 2, 4, 8, 16};
 constexpr float type_step = 0.125f;
-constexpr float lecture_type = 1.6f;        // times what a person has at the desk
+constexpr float lecture_type = 1.6f;        // times the type size outside a lecture
 constexpr std::int64_t rewind_ticks = 300;  // five seconds
 
-// Says what became of the time that was recorded ahead.
-void tell_of_time(Lab& lab, std::uint64_t latest_before) {
-    constexpr std::uint64_t worth_a_word = 30;  // ticks
-    const std::uint64_t now = lab.session.snapshot().tick, latest = lab.session.latest();
-    const std::string seconds = fmt::format("{:.1f}", lab.session.snapshot().seconds);
-    if (latest > latest_before && latest > now + worth_a_word)
-        say(lab, {NoticeKind::done, "notice.time_back", seconds});
-    if (latest_before <= latest + worth_a_word) return;
-    const bool can_come_back = lab.session.undo_brings_time_back();
+// Shows a notice if the recorded time after the current tick was dropped or has come back.
+void report_time_change(Lab& lab, std::uint64_t latest_before) {
+    constexpr std::uint64_t reported = 30;  // ticks
+    const std::uint64_t now = lab.document.session.snapshot().tick, latest = lab.document.session.latest();
+    const std::string seconds = fmt::format("{:.1f}", lab.document.session.snapshot().seconds);
+    if (latest > latest_before && latest > now + reported) say(lab, {NoticeKind::done, "notice.time_back", seconds});
+    if (latest_before <= latest + reported) return;
+    const bool can_come_back = lab.document.session.undo_brings_time_back();
     say(lab, {NoticeKind::notice, can_come_back ? "notice.forgotten" : "notice.forgotten_for_good", seconds});
 }
 
 // Undo or redo.
 template <class Change>
 void change(Lab& lab, const Change& make) {
-    const std::uint64_t latest = lab.session.latest();
-    lab.work += make();
+    const std::uint64_t latest = lab.document.session.latest();
+    lab.document.edits += make();
     keep_selection(lab);
     watch(lab);
-    tell_of_time(lab, latest);
+    report_time_change(lab, latest);
 }
 
 void change_speed(Lab& lab, int step) {
-    const auto here = std::lower_bound(speeds.begin(), speeds.end(), lab.time_scale - 1e-6f);
+    const auto here = std::lower_bound(speeds.begin(), speeds.end(), lab.playback.time_scale - 1e-6f);
     const auto index =
         std::clamp(static_cast<int>(here - speeds.begin()) + step, 0, static_cast<int>(speeds.size()) - 1);
-    lab.time_scale = speeds[static_cast<std::size_t>(index)];
-    lab.pace = {};
+    lab.playback.time_scale = speeds[static_cast<std::size_t>(index)];
+    lab.playback.pace = {};
 }
 
 void change_type_size(Lab& lab, float by) {
@@ -53,61 +55,59 @@ void change_type_size(Lab& lab, float by) {
                       lab.before_lecture ? lecture_type * largest_type_size : largest_type_size);
 }
 
-// As a person asked for it: what was added is what comes next under the hand.
+// Applies an edit and selects what it has added.
 void edit(Lab& lab, const Command& command, std::uint64_t gesture = 0) {
     if (!apply(lab, command, gesture)) return;
-    if (const Thing added = added_by(lab.session.snapshot(), command)) select(lab, added);
+    if (const Thing added = added_by(lab.document.session.snapshot(), command)) select(lab, added);
 }
 
 void edit_if(Lab& lab, const std::optional<Command>& command) {
-    if (command && lab.mode != Mode::wiring) edit(lab, *command);
+    if (command && lab.playback.mode != Mode::wiring) edit(lab, *command);
 }
 
-// Into a way of looking, or back to the overview when it is on already.
-void look_through(Lab& lab, CameraMode mode) {
-    lab.camera.mode = lab.camera.mode == mode ? CameraMode::overview : mode;
-    if (!rides(lab.camera.mode)) return;
-    lab.camera.zoom = 1;  // how near the overview was says nothing about how near to ride
+// Switches to a camera mode, or back to the overview if that mode is on already.
+void switch_camera(Lab& lab, CameraMode mode) {
+    lab.view.camera.mode = lab.view.camera.mode == mode ? CameraMode::overview : mode;
+    if (!rides(lab.view.camera.mode)) return;
+    lab.view.camera.zoom = 1;  // the overview's zoom does not suit a camera that rides with a vehicle
 }
 
-// From none through the channels of which there is something to feel, and back to none.
+// Shows the intensity of the next channel that has one in this scene; after the last, none.
 void show_next_field(Lab& lab) {
-    const auto channels = channels_with_intensity(lab.session.snapshot());
+    const auto channels = channels_with_intensity(lab.document.session.snapshot());
     auto next = channels.begin();
-    if (lab.overlays.field) {
-        next = std::find(channels.begin(), channels.end(), *lab.overlays.field);
+    if (lab.view.overlays.field) {
+        next = std::find(channels.begin(), channels.end(), *lab.view.overlays.field);
         if (next != channels.end()) ++next;
     }
-    lab.overlays.field = next == channels.end() ? std::nullopt : std::optional(*next);
+    lab.view.overlays.field = next == channels.end() ? std::nullopt : std::optional(*next);
 }
 
 void begin_lecture(Lab& lab) {
-    lab.before_lecture =
-        LectureBefore{lab.preferences.theme, lab.preferences.type_size, lab.camera, lab.sensors, lab.outlines};
+    lab.before_lecture = SettingsBeforeLecture{lab.preferences.theme, lab.preferences.type_size, lab.view};
     lab.preferences.theme = Theme::light;
     lab.preferences.type_size *= lecture_type;
 }
 
 void end_lecture(Lab& lab) {
-    const LectureBefore before = *lab.before_lecture;
-    lab.preferences = desk_preferences(lab);
-    lab.camera = before.camera;
-    lab.sensors = before.sensors;
-    lab.outlines = before.outlines;
+    lab.preferences = own_preferences(lab);
+    const Selection selection = lab.view.selection;
+    lab.view = lab.before_lecture->view;
+    lab.view.selection = selection;
     lab.before_lecture.reset();
 }
 
 void act(Lab& lab, Action action) {
     switch (action) {
         case Action::play_pause:
-            set_mode(lab, lab.mode == Mode::playing ? Mode::paused : Mode::playing);
+            set_mode(lab, lab.playback.mode == Mode::playing ? Mode::paused : Mode::playing);
             break;
         case Action::step:
-            if (lab.mode == Mode::playing) set_mode(lab, Mode::paused);
+            if (lab.playback.mode == Mode::playing) set_mode(lab, Mode::paused);
             tick(lab);
             break;
         case Action::step_back:
-            if (lab.mode == Mode::playing) set_mode(lab, Mode::paused);
+            if (lab.playback.mode == Mode::playing) set_mode(lab, Mode::paused);
             seek_by(lab, -1);
             break;
         case Action::rewind:
@@ -135,49 +135,49 @@ void act(Lab& lab, Action action) {
             apply(lab, NewPopulation{});
             break;
         case Action::follow:
-            look_through(lab, CameraMode::follow);
+            switch_camera(lab, CameraMode::follow);
             break;
         case Action::birds_eye:
-            look_through(lab, CameraMode::birds_eye);
+            switch_camera(lab, CameraMode::birds_eye);
             break;
         case Action::drivers_eye:
-            look_through(lab, CameraMode::driver);
+            switch_camera(lab, CameraMode::driver);
             break;
         case Action::home:
-            lab.camera = Camera{};
+            lab.view.camera = Camera{};
             break;
         case Action::sensors:
-            lab.sensors = !lab.sensors;
+            lab.view.sensors = !lab.view.sensors;
             break;
         case Action::outlines:
-            lab.outlines = !lab.outlines;
+            lab.view.outlines = !lab.view.outlines;
             break;
         case Action::trails:
-            lab.overlays.trails = !lab.overlays.trails;
+            lab.view.overlays.trails = !lab.view.overlays.trails;
             break;
         case Action::surfaces:
-            lab.overlays.surfaces = !lab.overlays.surfaces;
+            lab.view.overlays.surfaces = !lab.view.overlays.surfaces;
             break;
         case Action::memory:
-            lab.overlays.memory = !lab.overlays.memory;
+            lab.view.overlays.memory = !lab.view.overlays.memory;
             break;
         case Action::labels:
-            lab.overlays.labels = !lab.overlays.labels;
+            lab.view.overlays.labels = !lab.view.overlays.labels;
             break;
         case Action::next_field:
             show_next_field(lab);
             break;
         case Action::wiring:
-            set_mode(lab, lab.mode == Mode::wiring ? Mode::paused : Mode::wiring);
+            set_mode(lab, lab.playback.mode == Mode::wiring ? Mode::paused : Mode::wiring);
             break;
         case Action::cancel:
-            if (lab.mode == Mode::wiring) set_mode(lab, Mode::paused);
+            if (lab.playback.mode == Mode::wiring) set_mode(lab, Mode::paused);
             break;
         case Action::undo:
-            change(lab, [&] { return lab.session.undo(); });
+            change(lab, [&] { return lab.document.session.undo(); });
             break;
         case Action::redo:
-            change(lab, [&] { return lab.session.redo(); });
+            change(lab, [&] { return lab.document.session.redo(); });
             break;
         case Action::drive:
             drive(lab);
@@ -204,13 +204,13 @@ void act(Lab& lab, Action action) {
             lab.exit = true;
             break;
         case Action::erase:
-            edit_if(lab, removal_of(lab.session.snapshot(), chosen(lab)));
+            edit_if(lab, removal_of(lab.document.session.snapshot(), chosen(lab)));
             break;
         case Action::duplicate:
-            edit_if(lab, copy_of(lab.session.snapshot(), chosen(lab)));
+            edit_if(lab, copy_of(lab.document.session.snapshot(), chosen(lab)));
             break;
         case Action::save:
-            lab.files.push_back(SaveRequest{lab.path.string(), FileKind::scene});
+            lab.files.push_back(SaveRequest{lab.document.path.string(), FileKind::scene});
             break;
         case Action::screenshot:
             lab.screenshot = true;
@@ -231,43 +231,29 @@ void act(Lab& lab, Action action) {
             change_type_size(lab, -type_step);
             break;
         default:
-            break;  // the panels' own
+            break;  // handled by the panels
     }
 }
 
 }  // namespace
 
-void set_mode(Lab& lab, Mode mode) {
-    const bool was_playing = lab.mode == Mode::playing, plays = mode == Mode::playing;
-    if (was_playing != plays) ++lab.toggles;
-    if (plays) lab.debt = 0;
-    lab.pace = {};
-    lab.mode = mode;
-}
-
 bool apply(Lab& lab, const Command& command, std::uint64_t gesture) {
-    const std::uint64_t latest = lab.session.latest();
-    const auto error = lab.session.apply(command, gesture);
+    const std::uint64_t latest = lab.document.session.latest();
+    const auto error = lab.document.session.apply(command, gesture);
     if (error)
         say(lab, {NoticeKind::failure, "", error->text()});
     else
-        ++lab.work, tell_judge(lab, command), tell_of_time(lab, latest);
+        ++lab.document.edits, tell_referee(lab, command), report_time_change(lab, latest);
     keep_selection(lab);
     return !error;
-}
-
-Preferences desk_preferences(const Lab& lab) {
-    Preferences p = lab.preferences;
-    if (lab.before_lecture) p.theme = lab.before_lecture->theme, p.type_size = lab.before_lecture->type_size;
-    return p;
 }
 
 void handle(Lab& lab, const Request& request) {
     std::visit(
         Match{[&](Action action) { act(lab, action); }, [&](const EditRequest& r) { edit(lab, r.command, r.gesture); },
               [&](const SelectRequest& r) { select(lab, vehicle_thing(r.vehicle)), keep_selection(lab); },
-              [&](const TakeRequest& r) { take(lab, r.thing); },
-              [&](const ScopeRequest& r) { lab.whole_kind = r.whole_kind; },
+              [&](const TakeRequest& r) { select_object(lab, r.thing); },
+              [&](const ScopeRequest& r) { lab.view.selection.whole_kind = r.whole_kind; },
               [&](const SeekRequest& r) { seek(lab, r); }, [&](const BookmarkRequest& r) { handle_bookmark(lab, r); },
               [&](const OpenRequest& r) { lab.files.push_back(r); },
               [&](const BrowseRequest& r) { lab.files.push_back(r); },
@@ -275,12 +261,15 @@ void handle(Lab& lab, const Request& request) {
               [&](const RecoverRequest& r) { lab.files.push_back(r); },
               [&](const LeaveRequest& r) { lab.files.push_back(r); },
               [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },
-              [&](const OverlaysRequest& r) { lab.overlays = r.overlays; },
+              [&](const OverlaysRequest& r) { lab.view.overlays = r.overlays; },
               [&](const PredictRequest& r) {
-                  if (lab.lesson && !lab.lesson->view.has_run) lab.lesson->view.prediction = r.option;
+                  if (lab.document.lesson && !lab.document.lesson->view.has_run)
+                      lab.document.lesson->view.prediction = r.option;
               },
               [&](const ExportRequest& r) { lab.files.push_back(r); },
-              [&](const SpeedRequest& r) { lab.time_scale = std::clamp(r.time_scale, speeds.front(), speeds.back()); }},
+              [&](const SpeedRequest& r) {
+                  lab.playback.time_scale = std::clamp(r.time_scale, speeds.front(), speeds.back());
+              }},
         request);
 }
 

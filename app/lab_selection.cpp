@@ -1,24 +1,27 @@
-// What is selected: always a vehicle, and perhaps a lamp or an obstacle besides.
+#include "app/lab_selection.h"
+
 #include <algorithm>
 #include <string>
 
-#include "app/lab_parts.h"
+#include "app/lab_requests.h"
+#include "ui/steering.h"
 
 namespace braitenlab {
 
 namespace {
 
-// Numbers of sources and obstacles shift when others come and go; names do not.
-void keep_thing(Lab& lab) {
-    if (!lab.thing) return;
-    const Scene& scene = *lab.session.snapshot().scene;
-    lab.thing.index =
-        lab.thing.kind == ThingKind::source ? find_source(scene, lab.thing_name) : find_obstacle(scene, lab.thing_name);
-    if (lab.thing.index < 0) lab.thing = {};
+// Indices of sources and obstacles change when others come and go; names do not.
+void keep_object(Lab& lab) {
+    Thing& object = lab.view.selection.object;
+    if (!object) return;
+    const Scene& scene = *lab.document.session.snapshot().scene;
+    object.index =
+        object.kind == ThingKind::source ? find_source(scene, lab.object_name) : find_obstacle(scene, lab.object_name);
+    if (object.index < 0) object = {};
 }
 
-// Who has more energy than a few ticks take has not starved: it was bitten.
-std::string_view fate_of(const Scene& scene, const VehicleView& dead) {
+// Notice key for a death. Prey with more energy than a few ticks use has not starved: it was eaten.
+std::string_view cause_of_death(const Scene& scene, const VehicleView& dead) {
     constexpr float some_ticks = 3.0f / 60;  // s
     if (dead.role == Role::prey && dead.energy > scene.ecology.drain * some_ticks) return "notice.eaten_prey";
     return dead.role == Role::prey       ? "notice.starved_prey"
@@ -28,54 +31,87 @@ std::string_view fate_of(const Scene& scene, const VehicleView& dead) {
 
 }  // namespace
 
-const VehicleView* selected_vehicle(const Lab& lab) { return find_vehicle(lab.session.snapshot(), lab.selected); }
+const VehicleView* selected_vehicle(const Lab& lab) {
+    return find_vehicle(lab.document.session.snapshot(), lab.view.selection.vehicle);
+}
 
-void take(Lab& lab, const Thing& thing) {
-    lab.thing = {};
-    const Snapshot& now = lab.session.snapshot();
+Thing chosen(const Lab& lab) {
+    const Selection& selection = lab.view.selection;
+    return selection.object ? selection.object : vehicle_thing(selection.vehicle);
+}
+
+void select_object(Lab& lab, const Thing& thing) {
+    lab.view.selection.object = {};
+    const Snapshot& now = lab.document.session.snapshot();
     if (!place_of(now, thing) || thing.kind == ThingKind::vehicle) return;
     const auto index = static_cast<std::size_t>(thing.index);
-    lab.thing = thing;
-    lab.thing_name =
+    lab.view.selection.object = thing;
+    lab.object_name =
         thing.kind == ThingKind::source ? now.scene->sources[index].name : now.scene->obstacles[index].name;
 }
 
 void select(Lab& lab, const Thing& thing) {
-    take(lab, thing);
-    if (thing.kind == ThingKind::vehicle) lab.selected = thing.index;
+    select_object(lab, thing);
+    if (thing.kind == ThingKind::vehicle) lab.view.selection.vehicle = thing.index;
 }
 
-Thing chosen(const Lab& lab) { return lab.thing ? lab.thing : vehicle_thing(lab.selected); }
-
 void select_neighbour(Lab& lab, int step) {
-    const auto& vehicles = lab.session.snapshot().vehicles;
+    const auto& vehicles = lab.document.session.snapshot().vehicles;
     if (vehicles.empty()) return;
-    const auto here =
-        std::find_if(vehicles.begin(), vehicles.end(), [&](const auto& v) { return v.id == lab.selected; });
+    const VehicleId selected = lab.view.selection.vehicle;
+    const auto here = std::find_if(vehicles.begin(), vehicles.end(), [&](const auto& v) { return v.id == selected; });
     const auto count = static_cast<int>(vehicles.size());
     const int index = here == vehicles.end() ? 0 : static_cast<int>(here - vehicles.begin()) + step + count;
     select(lab, vehicle_thing(vehicles[static_cast<std::size_t>(index % count)].id));
 }
 
-void mourn(Lab& lab, const VehicleView& selected) {
-    const Snapshot& now = lab.session.snapshot();
+void keep_selection(Lab& lab) {
+    keep_object(lab);
+    const auto& vehicles = lab.document.session.snapshot().vehicles;
+    if (!selected_vehicle(lab)) lab.view.selection.vehicle = vehicles.empty() ? no_vehicle : vehicles.front().id;
+}
+
+void reselect_after_death(Lab& lab, const VehicleView& selected) {
+    const Snapshot& now = lab.document.session.snapshot();
     if (now.vehicles.empty() || find_vehicle(now, selected.id)) return;
-    // Ids ascend: the next one of the kind, else the first, else whoever comes first.
+    // Ids ascend. The next vehicle of the kind, else the first of the kind, else the first vehicle.
     const auto of_kind = [&](const VehicleView& v) { return v.kind == selected.kind; };
     const auto later = std::upper_bound(now.vehicles.begin(), now.vehicles.end(), selected.id,
                                         [](VehicleId id, const VehicleView& v) { return id < v.id; });
     auto next = std::find_if(later, now.vehicles.end(), of_kind);
     if (next == now.vehicles.end()) next = std::find_if(now.vehicles.begin(), now.vehicles.end(), of_kind);
-    lab.selected = next == now.vehicles.end() ? now.vehicles.front().id : next->id;
+    VehicleId& vehicle = lab.view.selection.vehicle;
+    vehicle = next == now.vehicles.end() ? now.vehicles.front().id : next->id;
     if (lab.notice.kind == NoticeKind::failure && !lab.notice.empty()) return;  // more important
-    say(lab, {NoticeKind::notice, std::string(fate_of(*now.scene, selected)), std::to_string(selected.id + 1),
-              std::to_string(lab.selected + 1)});
+    say(lab, {NoticeKind::notice, std::string(cause_of_death(*now.scene, selected)), std::to_string(selected.id + 1),
+              std::to_string(vehicle + 1)});
 }
 
-void keep_selection(Lab& lab) {
-    keep_thing(lab);
-    const auto& vehicles = lab.session.snapshot().vehicles;
-    if (!selected_vehicle(lab)) lab.selected = vehicles.empty() ? no_vehicle : vehicles.front().id;
+void drive(Lab& lab) {
+    const VehicleView* vehicle = selected_vehicle(lab);
+    if (!vehicle) return;
+    const Snapshot& now = lab.document.session.snapshot();
+    const Driver of_kind = now.scene->kinds[static_cast<std::size_t>(vehicle->kind)].driver;
+    const Driver otherwise = of_kind == Driver::manual ? Driver::brain : of_kind;
+    apply(lab, ChooseDriver{vehicle->id, vehicle->driver == Driver::manual ? otherwise : Driver::manual});
+}
+
+bool steer_by_keys(Lab& lab, float right, float ahead) {
+    Session& session = lab.document.session;
+    const VehicleView* vehicle = selected_vehicle(lab);
+    const bool drives = vehicle && vehicle->driver == Driver::manual;
+    // Stop the vehicle driven before, if it is no longer selected or no longer driven manually.
+    if (lab.steered.vehicle != no_vehicle && (!drives || vehicle->id != lab.steered.vehicle)) {
+        (void)session.apply(steer(lab.steered.vehicle, 0, 0));
+        lab.steered = {};
+    }
+    if (!drives) return false;
+    const Steer wanted = steer(vehicle->id, right, ahead);
+    const bool idle = right == 0 && ahead == 0;
+    if (idle && lab.steered.vehicle == no_vehicle) return true;  // the on-screen stick may be driving
+    if (wanted != lab.steered) (void)session.apply(wanted);
+    lab.steered = idle ? Steer{} : wanted;
+    return true;
 }
 
 }  // namespace braitenlab

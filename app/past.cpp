@@ -4,87 +4,88 @@
 
 #include <fmt/format.h>
 
-#include "app/lab_parts.h"
+#include "app/lab_lesson.h"
+#include "app/lab_selection.h"
 
 namespace braitenlab {
 
 namespace {
 
-constexpr std::uint64_t between_copies = 6;  // ticks between what is kept of the judge
+constexpr std::uint64_t between_copies = 6;  // ticks between two copies of the referee
 constexpr std::size_t most_bookmarks = 20;
-constexpr std::size_t most_for_exact_drag =
-    300;  // vehicles; with more, a dragged playhead goes from keyframe to keyframe
+constexpr std::size_t most_for_exact_drag = 300;  // vehicles; above, a dragged playhead moves between keyframes
 
-// The latest copy of the judge that is not after the moment; a new one where none is that old.
-Past::Judged judge_before(const Lab& lab, std::uint64_t tick) {
-    const auto& judged = lab.past.judged;
-    const auto after = std::find_if(judged.begin(), judged.end(), [tick](const auto& j) { return j.tick > tick; });
-    if (after != judged.begin()) return *(after - 1);
-    return {lab.session.earliest() == 0 ? 0 : tick, Referee(*lab.lesson->exercise)};
+// The latest copy of the referee at or before the tick; a new referee if there is none.
+RefereeAtTick referee_before(const Lab& lab, std::uint64_t tick) {
+    const auto& referees = lab.playback.referees;
+    const auto after = std::find_if(referees.begin(), referees.end(), [tick](const auto& r) { return r.tick > tick; });
+    if (after != referees.begin()) return *(after - 1);
+    return {lab.document.session.earliest() == 0 ? 0 : tick, Referee(*lab.document.lesson->exercise)};
 }
 
-// A picture between the tick before and this one would show a jump.
+// Clears `previous`: interpolating from it would show a jump.
 void arrive(Lab& lab) {
-    lab.before.clear();
-    lab.debt = 0;
+    lab.playback.previous.clear();
+    lab.playback.debt = 0;
     keep_selection(lab);
     watch(lab);
 }
 
-void stand_at(Lab& lab, std::uint64_t tick) {
-    tick = std::clamp(tick, lab.session.earliest(), lab.session.latest());
-    if (lab.lesson) {
-        Past::Judged judge = judge_before(lab, tick);
-        lab.session.seek(judge.tick);
-        lab.lesson->referee = std::move(judge.referee);
-        while (lab.session.snapshot().tick < tick) {
-            lab.session.step();
-            lab.lesson->referee.watch(lab.session.snapshot());
+void go_to_tick(Lab& lab, std::uint64_t tick) {
+    tick = std::clamp(tick, lab.document.session.earliest(), lab.document.session.latest());
+    if (lab.document.lesson) {
+        RefereeAtTick found = referee_before(lab, tick);
+        lab.document.session.seek(found.tick);
+        lab.document.lesson->referee = std::move(found.referee);
+        while (lab.document.session.snapshot().tick < tick) {
+            lab.document.session.step();
+            lab.document.lesson->referee.watch(lab.document.session.snapshot());
         }
     } else {
-        lab.session.seek(tick);
+        lab.document.session.seek(tick);
     }
     arrive(lab);
 }
 
 }  // namespace
 
-void remember_judge(Lab& lab) {
-    const std::uint64_t now = lab.session.snapshot().tick;
-    if (!lab.lesson || lab.session.latest() > now) return;  // in the recorded past, it is known already
-    auto& judged = lab.past.judged;
-    while (!judged.empty() && judged.back().tick >= now) judged.pop_back();
-    if (now % between_copies == 0) judged.push_back({now, lab.lesson->referee});
-    while (!judged.empty() && judged.front().tick < lab.session.earliest()) judged.pop_front();
+void record_referee(Lab& lab) {
+    const std::uint64_t now = lab.document.session.snapshot().tick;
+    if (!lab.document.lesson || lab.document.session.latest() > now) return;  // recorded already
+    auto& referees = lab.playback.referees;
+    while (!referees.empty() && referees.back().tick >= now) referees.pop_back();
+    if (now % between_copies == 0) referees.push_back({now, lab.document.lesson->referee});
+    while (!referees.empty() && referees.front().tick < lab.document.session.earliest()) referees.pop_front();
 }
 
 void seek(Lab& lab, const SeekRequest& request) {
-    lab.past.held = request.held;
-    const bool roughly = request.held && lab.session.snapshot().vehicles.size() > most_for_exact_drag && !lab.lesson;
+    lab.playback.held = request.held;
+    const bool roughly =
+        request.held && lab.document.session.snapshot().vehicles.size() > most_for_exact_drag && !lab.document.lesson;
     if (roughly) {
-        lab.session.seek_roughly(request.tick);
+        lab.document.session.seek_roughly(request.tick);
         arrive(lab);
     } else {
-        stand_at(lab, request.tick);
+        go_to_tick(lab, request.tick);
     }
 }
 
 void seek_by(Lab& lab, std::int64_t ticks) {
-    const auto now = static_cast<std::int64_t>(lab.session.snapshot().tick);
-    stand_at(lab, static_cast<std::uint64_t>(std::max<std::int64_t>(0, now + ticks)));
+    const auto now = static_cast<std::int64_t>(lab.document.session.snapshot().tick);
+    go_to_tick(lab, static_cast<std::uint64_t>(std::max<std::int64_t>(0, now + ticks)));
 }
 
 void set_bookmark(Lab& lab) {
-    auto& bookmarks = lab.past.bookmarks;
-    const std::uint64_t now = lab.session.snapshot().tick;
-    std::erase_if(bookmarks, [now](const Past::Mark& mark) { return mark.moment.tick() == now; });
+    auto& bookmarks = lab.playback.bookmarks;
+    const std::uint64_t now = lab.document.session.snapshot().tick;
+    std::erase_if(bookmarks, [now](const TimeMark& mark) { return mark.moment.tick() == now; });
     if (bookmarks.size() >= most_bookmarks) bookmarks.erase(bookmarks.begin());
-    bookmarks.push_back({lab.session.bookmark(), {}});
-    if (lab.lesson) bookmarks.back().referee = lab.lesson->referee;
+    bookmarks.push_back({lab.document.session.bookmark(), {}});
+    if (lab.document.lesson) bookmarks.back().referee = lab.document.lesson->referee;
 }
 
 void handle_bookmark(Lab& lab, const BookmarkRequest& request) {
-    auto& bookmarks = lab.past.bookmarks;
+    auto& bookmarks = lab.playback.bookmarks;
     if (request.index < 0 || static_cast<std::size_t>(request.index) >= bookmarks.size()) return;
     const auto mark = bookmarks.begin() + request.index;
     if (request.remove) {
@@ -93,14 +94,16 @@ void handle_bookmark(Lab& lab, const BookmarkRequest& request) {
         bookmarks.erase(mark);
         return;
     }
-    lab.session.go_to(mark->moment);
-    if (lab.lesson && mark->referee) {
-        lab.lesson->referee = *mark->referee;
-        std::erase_if(lab.past.judged, [&](const auto& j) { return j.tick > lab.session.latest(); });
+    lab.document.session.go_to(mark->moment);
+    if (lab.document.lesson && mark->referee) {
+        lab.document.lesson->referee = *mark->referee;
+        std::erase_if(lab.playback.referees, [&](const auto& r) { return r.tick > lab.document.session.latest(); });
     }
     arrive(lab);
 }
 
-void go_to_last_bookmark(Lab& lab) { handle_bookmark(lab, {static_cast<int>(lab.past.bookmarks.size()) - 1, false}); }
+void go_to_last_bookmark(Lab& lab) {
+    handle_bookmark(lab, {static_cast<int>(lab.playback.bookmarks.size()) - 1, false});
+}
 
 }  // namespace braitenlab

@@ -132,8 +132,8 @@ Json obstacles_json(const Snapshot& now, const Sight& sight) {
 
 void add_stage(Json& state, const Lab& lab, const StageState& stage, const FrameFacts& frame) {
     const Sight& sight = frame.sight;
-    const Snapshot& now = lab.session.snapshot();
-    state["thing"] = {{"kind", thing_word(lab.thing.kind)}, {"index", lab.thing.index}};
+    const Snapshot& now = lab.document.session.snapshot();
+    state["thing"] = {{"kind", thing_word(lab.view.selection.object.kind)}, {"index", lab.view.selection.object.index}};
     state["hovered"] = {{"kind", thing_word(stage.hovered.thing.kind)},
                         {"index", stage.hovered.thing.index},
                         {"handle", stage.hovered.handle}};
@@ -146,14 +146,14 @@ void add_stage(Json& state, const Lab& lab, const StageState& stage, const Frame
 }
 
 Json exercise_json(const Lab& lab) {
-    if (!lab.lesson) return nullptr;
+    if (!lab.document.lesson) return nullptr;
     Json steps = Json::array();
     int number = 0;
-    for (const Verdict& verdict : lab.lesson->view.verdicts)
+    for (const Verdict& verdict : lab.document.lesson->view.verdicts)
         steps.push_back({{"id", ++number}, {"done", verdict.done}});
-    return {{"id", lab.lesson->exercise->id},
+    return {{"id", lab.document.lesson->exercise->id},
             {"steps", std::move(steps)},
-            {"passed", lab.lesson->view.grade && lab.lesson->view.grade->good}};
+            {"passed", lab.document.lesson->view.grade && lab.document.lesson->view.grade->good}};
 }
 
 void add_brain(Json& state, const Snapshot& now, const VehicleView* vehicle) {
@@ -191,36 +191,40 @@ std::string anchors_json(const Anchors& anchors) {
 }
 
 std::string state_json(const Lab& lab, const StageState& stage, const FrameFacts& frame) {
-    const Snapshot& now = lab.session.snapshot();
-    Json state{{"mode", mode_word(lab.mode)},  {"tick", now.tick},
-               {"seconds", now.seconds},       {"hash", hash_text(lab.session.hash())},
-               {"time_scale", lab.time_scale}, {"selected", lab.selected}};
-    add_brain(state, now, find_vehicle(now, lab.selected));
-    state["toggles"] = lab.toggles;
-    state["undo_depth"] = lab.session.undo_depth();
-    state["redo_depth"] = lab.session.redo_depth();
-    state["earliest"] = lab.session.earliest();
-    state["latest"] = lab.session.latest();
-    state["bookmarks"] = lab.past.bookmarks.size();
+    const Snapshot& now = lab.document.session.snapshot();
+    Json state{{"mode", mode_word(lab.playback.mode)},
+               {"tick", now.tick},
+               {"seconds", now.seconds},
+               {"hash", hash_text(lab.document.session.hash())},
+               {"time_scale", lab.playback.time_scale},
+               {"selected", lab.view.selection.vehicle}};
+    add_brain(state, now, find_vehicle(now, lab.view.selection.vehicle));
+    state["toggles"] = lab.playback.toggles;
+    state["undo_depth"] = lab.document.session.undo_depth();
+    state["redo_depth"] = lab.document.session.redo_depth();
+    state["earliest"] = lab.document.session.earliest();
+    state["latest"] = lab.document.session.latest();
+    state["bookmarks"] = lab.playback.bookmarks.size();
     state["population"] = now.vehicles.size();
     state["predators"] = now.predators;
     state["prey"] = now.prey;
     state["generation"] = now.generation;
     state["overlays"] = {
-        {"trails", lab.overlays.trails},
-        {"surfaces", lab.overlays.surfaces},
-        {"memory", lab.overlays.memory},
-        {"labels", lab.overlays.labels},
-        {"field", lab.overlays.field ? channel_words[static_cast<std::size_t>(*lab.overlays.field)].word : ""}};
-    state["camera"] = camera_word(lab.camera.mode);
-    state["view"] = {{"azimuth", lab.camera.azimuth},
-                     {"elevation", lab.camera.elevation},
-                     {"zoom", lab.camera.zoom},
-                     {"pan", {lab.camera.pan.x, lab.camera.pan.y}}};
-    state["opened"] = lab.name;
+        {"trails", lab.view.overlays.trails},
+        {"surfaces", lab.view.overlays.surfaces},
+        {"memory", lab.view.overlays.memory},
+        {"labels", lab.view.overlays.labels},
+        {"field",
+         lab.view.overlays.field ? channel_words[static_cast<std::size_t>(*lab.view.overlays.field)].word : ""}};
+    state["camera"] = camera_word(lab.view.camera.mode);
+    state["view"] = {{"azimuth", lab.view.camera.azimuth},
+                     {"elevation", lab.view.camera.elevation},
+                     {"zoom", lab.view.camera.zoom},
+                     {"pan", {lab.view.camera.pan.x, lab.view.camera.pan.y}}};
+    state["opened"] = lab.document.name;
     state["notice"] = lab.notice.words;
     state["lecture"] = lab.before_lecture.has_value();
-    state["sensors"] = lab.sensors;
+    state["sensors"] = lab.view.sensors;
     state["focus"] = frame.focus;
     state["typed"] = frame.typed;
     state["language"] = lab.preferences.language;

@@ -16,19 +16,19 @@ constexpr float turn_by_pixel = 0.006f, raise_by_pixel = 0.005f;  // rad
 constexpr float notch = 0.2f;                                     // of the wheel: a fifth of doubling
 
 bool jumped(const ViewportState& state, const Lab& lab) {
-    const bool came_home = lab.camera == Camera{} && !(state.last == Camera{});
-    return lab.camera.mode != state.last.mode || lab.selected != state.last_followed || came_home;
+    const bool came_home = lab.view.camera == Camera{} && !(state.last == Camera{});
+    return lab.view.camera.mode != state.last.mode || lab.view.selection.vehicle != state.last_followed || came_home;
 }
 
 }  // namespace
 
 void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, float seconds) {
-    const Snapshot& now = lab.session.snapshot();
-    const VehicleView* followed = rides(lab.camera.mode) ? find_vehicle(now, lab.selected) : nullptr;
-    const Sight wanted = look(lab.camera, now.scene->arena, followed, window, free_area);
+    const Snapshot& now = lab.document.session.snapshot();
+    const VehicleView* followed = rides(lab.view.camera.mode) ? find_vehicle(now, lab.view.selection.vehicle) : nullptr;
+    const Sight wanted = look(lab.view.camera, now.scene->arena, followed, window, free_area);
     state.age = jumped(state, lab) ? 0 : state.age + seconds;
-    state.last = lab.camera;
-    state.last_followed = lab.selected;
+    state.last = lab.view.camera;
+    state.last_followed = lab.view.selection.vehicle;
     const bool glides = state.has_sight && state.age < glide_seconds && state.sight.window == wanted.window &&
                         !lab.preferences.reduce_motion;
     state.sight = glides ? glide(state.sight, wanted, seconds) : wanted;
@@ -39,12 +39,13 @@ void drive_camera(Lab& lab, const ViewportState& state, const StageState& stage,
                   Rect free_area, float seconds) {
     const ImGuiIO& io = ImGui::GetIO();
     const vec2 at{io.MousePos.x, io.MousePos.y}, moved = stage.drag.moved;
-    orbit(lab.camera, arrows.turn * turn_rate * seconds, arrows.raise * raise_rate * seconds);
-    if (stage.drag.phase == StagePhase::orbit && !rides(lab.camera.mode))
-        orbit(lab.camera, -moved.x * turn_by_pixel, moved.y * raise_by_pixel);
-    if (stage.drag.phase == StagePhase::pan && !rides(lab.camera.mode)) pan(lab.camera, state.sight, at - moved, at);
+    orbit(lab.view.camera, arrows.turn * turn_rate * seconds, arrows.raise * raise_rate * seconds);
+    if (stage.drag.phase == StagePhase::orbit && !rides(lab.view.camera.mode))
+        orbit(lab.view.camera, -moved.x * turn_by_pixel, moved.y * raise_by_pixel);
+    if (stage.drag.phase == StagePhase::pan && !rides(lab.view.camera.mode))
+        pan(lab.view.camera, state.sight, at - moved, at);
     if (!io.WantCaptureMouse && io.MouseWheel != 0)
-        zoom_about(lab.camera, lab.session.snapshot().scene->arena, window, free_area, at,
+        zoom_about(lab.view.camera, lab.document.session.snapshot().scene->arena, window, free_area, at,
                    std::exp2(io.MouseWheel * notch));
 }
 

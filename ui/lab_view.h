@@ -10,9 +10,8 @@
 #include "core/lesson/referee.h"
 #include "core/world/snapshot.h"
 #include "render/view/camera.h"
-#include "render/view/overlays.h"
 #include "render/view/palette.h"
-#include "render/view/pick.h"
+#include "render/view/view_settings.h"
 #include "ui/files.h"
 #include "ui/notice.h"
 #include "ui/preferences.h"
@@ -54,21 +53,16 @@ struct LabView {
     TimelineView timeline;
     float time_scale = 1;       // simulated seconds per second, 1/8 … 16
     std::optional<float> pace;  // the same, as it is reached, where that is clearly less
-    VehicleId selected = no_vehicle;
-    Thing thing;                   // the lamp or obstacle that is selected beside the vehicle
+    ViewSettings settings;
     const Sight* sight = nullptr;  // where the scene is seen from; null: it cannot be pointed at
-    bool whole_kind = true;        // edits go to every vehicle of the selected one's kind
-    bool sensors = true, outlines = false;
-    Overlays overlays;
-    CameraMode camera = CameraMode::overview;
     int undo_depth = 0, redo_depth = 0;
     const LessonView* lesson = nullptr;                      // null outside exercises
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
     const std::vector<std::string>* recent = nullptr;        // paths opened before, the newest first; null: none
     const FilesView* files = nullptr;                        // null: no disk to look at
     std::string opened;                                      // the name of what is open, as in the catalogue
-    std::uint64_t sitting = 0;  // which lab this is of those opened since the start: another run altogether
-    Notice notice;              // empty when there is nothing to say
+    std::uint64_t run_id = 0;  // another number for every document opened since the program started
+    Notice notice;             // empty when there is nothing to say
     Theme theme = Theme::dark;
     Preferences preferences;                           // as chosen; theme and reduce_motion are as shown now
     const std::vector<Language>* languages = nullptr;  // null: no choice

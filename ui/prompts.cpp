@@ -25,7 +25,7 @@ int edits(const LabView& view) { return view.undo_depth + view.redo_depth; }
 
 // Of the selected vehicle's weights the first that does something now; else the first.
 std::string_view telling_slider(const LabView& view) {
-    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (!vehicle) return {};
     const FourNeurons dials = read_dials(*view.now->brains[static_cast<std::size_t>(vehicle->brain)]);
     if (dials.LL != 0) return "slider.LL";
@@ -119,7 +119,7 @@ bool lamp_was_moved(const LabView& view) {
 Prompt of_wiring(PromptMemory& memory, const LabView& view) {
     if (memory.edits_before_wiring < 0) memory.edits_before_wiring = edits(view);
     memory.wiring.known = true;
-    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (!vehicle || edits(view) != memory.edits_before_wiring) return {};
     const auto& nodes = view.now->brains[static_cast<std::size_t>(vehicle->brain)]->nodes;
     const bool has_eye = std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.name == "SL"; });

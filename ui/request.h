@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/world/command.h"
-#include "render/view/overlays.h"
 #include "render/view/pick.h"
+#include "render/view/view_settings.h"
 #include "ui/files.h"
 #include "ui/preferences.h"
 

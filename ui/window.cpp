@@ -48,7 +48,7 @@ void draw_canvas(const LabView& view, PanelState& state, Ui& ui, const WindowLay
 // The card of the lamp or obstacle that is selected above all. The brain card on top, the information card in what is
 // left; in a low window the latter is folded, unless a person has opened it: then the brain card scrolls.
 void right_column(const LabView& view, PanelState& state, Ui& ui, WindowLayout layout) {
-    if (view.thing && view.mode != Mode::wiring) {
+    if (view.settings.selection.object && view.mode != Mode::wiring) {
         Rect thing = layout.right;
         thing.h = std::min(wanted_height(ui, state.thing), 0.6f * layout.right.h);
         thing_card(view, state, ui, thing);

@@ -192,10 +192,10 @@ struct Renderer::Parts {
     // The contours of what is felt, and their numbers; nothing where none are asked for.
     void feel(const Snapshot& now, const Picture& picture) {
         contour.clear();
-        if (!picture.overlays.field || !now.scene) return;
-        const Channel channel = *picture.overlays.field;
+        if (!picture.settings.overlays.field || !now.scene) return;
+        const Channel channel = *picture.settings.overlays.field;
         const sensing::Intensity& grid = intensity.grid();
-        if (intensity.update(intensity_input(now, channel, picture.selected)))
+        if (intensity.update(intensity_input(now, channel, picture.settings.selection.vehicle)))
             felt.fill(0, grid.columns, grid.rows, grid.values.data());
         const Palette colours = palette(picture.theme);
         const Colour c = colour_of(colours, channel);
@@ -203,7 +203,7 @@ struct Renderer::Parts {
         contour.push_back(
             {{arena.width / 2, arena.height / 2, static_cast<float>(grid.columns), static_cast<float>(grid.rows)},
              {c.r, c.g, c.b, static_cast<float>(sensing::Intensity::most_columns)}});
-        if (picture.overlays.labels) add_level_labels(list, grid, arena, colours.text);
+        if (picture.settings.overlays.labels) add_level_labels(list, grid, arena, colours.text);
     }
 
     void letter(const Picture& picture) {

@@ -40,8 +40,8 @@ std::size_t leading_eye(const Kind& kind, int side) {
 }  // namespace
 
 void add_fields(Drawing& drawing, const Subject& s) {
-    const bool fills = drawing.picture.sensors || s.driven;
-    if (!fills && !drawing.picture.outlines) return;
+    const bool fills = drawing.picture.settings.sensors || s.driven;
+    if (!fills && !drawing.picture.settings.outlines) return;
     for (std::size_t i = 0; i < s.kind.sensors.size(); ++i) {
         const Sensor& sensor = s.kind.sensors[i];
         const float seen = std::sqrt(sensed(drawing, s, i));
@@ -53,7 +53,8 @@ void add_fields(Drawing& drawing, const Subject& s) {
         const float awake = s.view.driver == Driver::parked ? 0.4f : 1.0f;
         const float fill = fills && !is_covered(s, i) ? (idle + (strong - idle) * seen) * awake : 0.0f;
         const bool leads = s.driven && (i == leading_eye(s.kind, 1) || i == leading_eye(s.kind, -1));
-        const float line = drawing.picture.outlines || leads ? (s.selected ? 0.8f : 0.28f) + 0.2f * seen : 0.0f;
+        const float line =
+            drawing.picture.settings.outlines || leads ? (s.selected ? 0.8f : 0.28f) + 0.2f * seen : 0.0f;
         const float reach = fill_reach(drawing, s, sensor), radius = visible_radius(fill, reach, sensor);
         if (radius == 0 && line == 0) continue;
         const vec2 at = s.to_world({sensor.x, sensor.y});

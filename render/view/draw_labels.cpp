@@ -71,7 +71,7 @@ void add_source_names(Drawing& drawing, const Scene& scene) {
 }
 
 void add_zone_names(Drawing& drawing, const Scene& scene) {
-    if (!drawing.picture.overlays.surfaces) return;
+    if (!drawing.picture.settings.overlays.surfaces) return;
     for (const Zone& zone : scene.zones)
         drawing.list.labels.push_back(
             {{zone.x, zone.y}, 0, {}, in_words(zone.name), drawing.colours.text.with_alpha(0.9f), rank_zone});
@@ -83,7 +83,7 @@ void add_numbers(Drawing& drawing) {
     if (drawing.now.vehicles.size() == 1) return;
     constexpr float least_pixels = 16;  // layout pixels; a smaller vehicle's number would hide it
     for (const VehicleView& v : drawing.now.vehicles) {
-        const bool chosen = v.id == drawing.picture.selected || v.id == drawing.picture.hovered;
+        const bool chosen = v.id == drawing.picture.settings.selection.vehicle || v.id == drawing.picture.hovered;
         if (v.id == drawing.picture.driver || (!chosen && drawing.now.vehicles.size() > few)) continue;
         const float pixels = pixels_per_metre(drawing.picture.sight, {v.x, v.y}) / drawing.picture.pixel_scale;
         if (!chosen && pixels < least_pixels) continue;
@@ -99,7 +99,7 @@ void add_numbers(Drawing& drawing) {
 }  // namespace
 
 void add_labels(Drawing& drawing) {
-    if (!drawing.picture.overlays.labels || !drawing.now.scene) return;
+    if (!drawing.picture.settings.overlays.labels || !drawing.now.scene) return;
     add_numbers(drawing);
     add_source_names(drawing, *drawing.now.scene);
     add_zone_names(drawing, *drawing.now.scene);

@@ -148,7 +148,7 @@ void add_lamps(Drawing& drawing, const Subject& s) {
 void add_ring(Drawing& drawing, const Subject& s) {
     if (s.driven || (!s.selected && !s.hovered)) return;
     const float radius = 0.5f * std::hypot(s.kind.body.length, s.kind.body.width) + 0.16f;
-    const bool first = s.selected && !drawing.picture.thing_selected;  // what Delete would take
+    const bool first = s.selected && !drawing.picture.settings.selection.object;  // what Delete would take
     const MarkKind kind = first ? MarkKind::ring : MarkKind::thin_ring;
     drawing.list.rings.push_back(
         {{s.place.x, s.place.y, s.ahead.x, s.ahead.y},
@@ -172,7 +172,7 @@ Subject subject_of(const Drawing& drawing, const VehicleView& view) {
             std::min(its_kind.body.length, its_kind.body.width / 0.7f),
             pixels,
             detail_of(pixels),
-            view.id == drawing.picture.selected,
+            view.id == drawing.picture.settings.selection.vehicle,
             view.id == drawing.picture.hovered,
             view.id == drawing.picture.driver};
 }
@@ -224,7 +224,7 @@ void add_vehicles(Drawing& drawing, const Trails& trails) {
         s.plan = plan_of(drawing, s);
         add_here(drawing, s);
         add_fields(drawing, s);
-        if (const Trail* trail = drawing.picture.overlays.trails ? trails.of(view.id) : nullptr)
+        if (const Trail* trail = drawing.picture.settings.overlays.trails ? trails.of(view.id) : nullptr)
             add_trail(drawing, s, *trail);
         if (drawing.now.scene && drawing.now.scene->arena.edge == Boundary::torus)
             add_beyond_edges(drawing, s, drawing.now.scene->arena);

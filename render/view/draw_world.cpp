@@ -131,10 +131,11 @@ void add_sources(Drawing& drawing) {
 
 // The marks of the selected vehicle stand out; the others' are faint.
 void add_marks(Drawing& drawing) {
-    if (!drawing.picture.overlays.memory) return;
+    if (!drawing.picture.settings.overlays.memory) return;
     const bool light = drawing.picture.theme == Theme::light;
     for (const MarkView& mark : drawing.now.marks) {
-        const float opacity = (mark.owner == drawing.picture.selected ? 1.0f : 0.35f) * std::sqrt(mark.strength);
+        const float opacity =
+            (mark.owner == drawing.picture.settings.selection.vehicle ? 1.0f : 0.35f) * std::sqrt(mark.strength);
         drawing.list.rings.push_back({{mark.x, mark.y, 1, 0},
                                       {0.22f, 0.22f, 0.035f, static_cast<float>(MarkKind::memory)},
                                       rgb_with(drawing.colours.memory, opacity * (light ? 1.0f : 0.9f))});
@@ -185,7 +186,7 @@ void add_world(Drawing& drawing) {
     add_marks(drawing);
     if (!drawing.now.scene) return;
     const Scene& scene = *drawing.now.scene;
-    if (drawing.picture.overlays.surfaces)
+    if (drawing.picture.settings.overlays.surfaces)
         for (const Zone& zone : scene.zones) add_zone(drawing, zone);
     add_walls(drawing, scene.arena);
     add_obstacles(drawing, scene);

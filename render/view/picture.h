@@ -3,21 +3,18 @@
 
 #include "core/world/snapshot.h"
 #include "render/view/camera.h"
-#include "render/view/overlays.h"
 #include "render/view/palette.h"
+#include "render/view/view_settings.h"
 
 namespace braitenlab {
 
 struct Picture {
     Sight sight;
     Theme theme = Theme::dark;
-    VehicleId selected = no_vehicle, hovered = no_vehicle;
-    bool thing_selected = false;    // a lamp or an obstacle is, above all: the vehicle's ring stands back
-    VehicleId driver = no_vehicle;  // through whose eyes one looks: its fields show whatever else is off
-    bool sensors = true;            // fill the sensor fields
-    bool outlines = false;          // draw their edges
-    Overlays overlays;
-    float pixel_scale = 1;  // display pixels per layout pixel, for line widths
+    ViewSettings settings;  // its camera is not used: `sight` has been made from it
+    VehicleId hovered = no_vehicle;
+    VehicleId driver = no_vehicle;  // the vehicle that carries the camera: its sensor fields are always drawn
+    float pixel_scale = 1;          // display pixels per layout pixel, for line widths
 };
 
 }  // namespace braitenlab

@@ -7,7 +7,7 @@
 #include <benchmark/benchmark.h>
 #include <imgui.h>
 
-#include "app/lab.h"
+#include "app/lab_requests.h"
 #include "render/gl/renderer.h"
 #include "tests/bench/own_memory.h"
 #include "tests/render/stage.h"
@@ -23,8 +23,8 @@ constexpr int width = 1280, height = 800;
 
 Result<Lab> hunt(int vehicles) {
     auto lab = open_lab(BRAITENLAB_SOURCE "/exercises/scenes/predator-prey.toml", 1, {});
-    while (lab && static_cast<int>(lab->session.snapshot().vehicles.size()) < vehicles)
-        if (lab->session.apply(AddVehicle{})) break;
+    while (lab && static_cast<int>(lab->document.session.snapshot().vehicles.size()) < vehicles)
+        if (lab->document.session.apply(AddVehicle{})) break;
     return lab;
 }
 
@@ -106,10 +106,10 @@ void BM_StepAndDraw(benchmark::State& state) {
     if (!lab || !renderer) return state.SkipWithError("the hunt or the shaders cannot be read");
     const Rect window{0, 0, width, height};
     Picture picture;
-    picture.sight = look(Camera{}, lab->session.scene().arena, nullptr, window, window);
+    picture.sight = look(Camera{}, lab->document.session.scene().arena, nullptr, window, window);
     for (auto _ : state) {
         tick(*lab);
-        renderer->draw(lab->session.snapshot(), picture);
+        renderer->draw(lab->document.session.snapshot(), picture);
         glFinish();
     }
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/data.h"
+#include "app/lab_requests.h"
 #include "tests/folder.h"
 
 namespace braitenlab::tests::autosave_test {
@@ -13,7 +14,7 @@ Lab open(const char* name) {
     return std::move(*lab);
 }
 
-FourNeurons dials(const Lab& lab) { return read_dials(*lab.session.snapshot().kind_brains[0]); }
+FourNeurons dials(const Document& document) { return read_dials(*document.session.snapshot().kind_brains[0]); }
 
 void edit(Lab& lab, float value) { handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, value}}); }
 
@@ -68,7 +69,7 @@ TEST_F(Autosaving, KeepsTheFirstEditWithinTwoSecondsAndThenWhatTwentyBring) {
     edit(lab, 0.5f);
     EXPECT_EQ(at(200), 1.75f);
     EXPECT_EQ(at(202), 0.5f) << "after a pause the next edit is a first one";
-    lab.saved_work = lab.work;
+    lab.document.saved_edits = lab.document.edits;
     EXPECT_EQ(at(203), std::nullopt);
     edit(lab, 0.75f);
     at(204);
@@ -115,7 +116,7 @@ TEST_F(Autosaving, KeepsARunThatPlaysEveryTwentySeconds) {
         const auto kept = open_autosave(text_of(files_in(folder.path)[0]), "a");
         ASSERT_TRUE(kept) << kept.error().text();
         on_disk = kept->session.snapshot().tick;
-        EXPECT_LE(lab.session.snapshot().tick, on_disk + 20 * 6) << "at second " << second;
+        EXPECT_LE(lab.document.session.snapshot().tick, on_disk + 20 * 6) << "at second " << second;
     }
     EXPECT_GT(on_disk, 200u);
 }
@@ -126,8 +127,8 @@ TEST_F(Autosaving, GoesOnWithAPlayedRunExactly) {
     EXPECT_FALSE(Autosave(folder.path, complaints).keep(lab, 0, Autosave::Occasion::now));
     auto kept = Autosave(folder.path, complaints).recover();
     ASSERT_TRUE(kept) << kept.error().text();
-    for (int i = 0; i < 400; ++i) tick(lab), tick(*kept);
-    EXPECT_EQ(kept->session.hash(), lab.session.hash());
+    for (int i = 0; i < 400; ++i) tick(lab), kept->session.step();
+    EXPECT_EQ(kept->session.hash(), lab.document.session.hash());
 }
 
 TEST_F(Autosaving, KeepsNothingOfARunThatIsBackAtItsStart) {
@@ -145,7 +146,7 @@ TEST_F(Autosaving, LeavesNothingBehindAtAProperEndOrAfterSaving) {
     edit(lab, 1);
     autosave.keep(lab, 0, Autosave::Occasion::now);
     EXPECT_EQ(files_in(folder.path).size(), 1u);
-    lab.saved_work = lab.work;
+    lab.document.saved_edits = lab.document.edits;
     autosave.keep(lab, 1);
     EXPECT_TRUE(files_in(folder.path).empty());
     edit(lab, 2);
@@ -164,8 +165,8 @@ TEST_F(Autosaving, OffersWhatACrashedLabHasLeft) {
     const auto recovered = next.recover();
     ASSERT_TRUE(recovered) << recovered.error().text();
     EXPECT_EQ(dials(*recovered).LR, 1.25f);
-    EXPECT_EQ(recovered->path, lab.path);
-    EXPECT_EQ(recovered->session.hash(), lab.session.hash());
+    EXPECT_EQ(recovered->path, lab.document.path);
+    EXPECT_EQ(recovered->session.hash(), lab.document.session.hash());
     EXPECT_TRUE(Autosave(folder.path, complaints).leftover()) << "it stays until it is taken or refused";
     next.forget();
     EXPECT_FALSE(Autosave(folder.path, complaints).leftover());

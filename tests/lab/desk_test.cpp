@@ -5,6 +5,7 @@
 
 #include "app/data.h"
 #include "app/files.h"
+#include "app/lab_requests.h"
 #include "tests/folder.h"
 
 namespace braitenlab::tests::desk_test {
@@ -29,7 +30,7 @@ struct OnTheDesk : testing::Test {
         handle(lab, request);
         do_files(lab, files, remembered);
     }
-    const FourNeurons dials() const { return read_dials(*lab.session.snapshot().kind_brains[0]); }
+    const FourNeurons dials() const { return read_dials(*lab.document.session.snapshot().kind_brains[0]); }
 };
 
 TEST_F(OnTheDesk, SavesTheSceneWithItsEditedBrainAndOpensItAgain) {
@@ -39,7 +40,7 @@ TEST_F(OnTheDesk, SavesTheSceneWithItsEditedBrainAndOpensItAgain) {
     EXPECT_EQ(files.done, 1);
     EXPECT_EQ(files.save_to, (folder / "mine.toml").string());
     ask(OpenRequest{(*find_shipped("3a-love")).string()});
-    EXPECT_EQ(lab.name, "3a-love");
+    EXPECT_EQ(lab.document.name, "3a-love");
     ask(OpenRequest{"mine.toml"});
     EXPECT_EQ(dials().LR, 1.25f);
     EXPECT_EQ(remembered.recent.front(), (folder / "mine.toml").string());
@@ -47,14 +48,14 @@ TEST_F(OnTheDesk, SavesTheSceneWithItsEditedBrainAndOpensItAgain) {
 
 TEST_F(OnTheDesk, SavesTheSceneUnderATitleOfItsOwn) {
     ask(SaveRequest{"mine", FileKind::scene, "My own coward"});
-    EXPECT_EQ(lab.session.snapshot().scene->title, "My own coward") << "the card shows it";
+    EXPECT_EQ(lab.document.session.snapshot().scene->title, "My own coward") << "the card shows it";
     EXPECT_FALSE(has_unsaved_edits(lab));
     ask(OpenRequest{(*find_shipped("3a-love")).string()});
     ask(OpenRequest{"mine.toml"});
-    EXPECT_EQ(lab.session.scene().title, "My own coward");
+    EXPECT_EQ(lab.document.session.scene().title, "My own coward");
     ask(SaveRequest{"mine", FileKind::scene, std::string(1000, 'x')});
     EXPECT_NE(files.refused, "") << "too long";
-    EXPECT_EQ(lab.session.snapshot().scene->title, "My own coward");
+    EXPECT_EQ(lab.document.session.snapshot().scene->title, "My own coward");
 }
 
 TEST_F(OnTheDesk, PutsNumbersWherePicturesGoToANewFileEachTimeAndSaysWhere) {
@@ -101,15 +102,15 @@ TEST_F(OnTheDesk, SaysWhatToDoWithAFolderThatIsDropped) {
 
 TEST_F(OnTheDesk, NeverReplacesWhatIsOpenByABrokenFile) {
     put_text(folder / "broken.toml", "format = 1\n[arena]\nwidht = 3\n");
-    const auto before = lab.session.hash();
+    const auto before = lab.document.session.hash();
     ask(OpenRequest{"broken.toml"});
-    EXPECT_EQ(lab.session.hash(), before);
-    EXPECT_EQ(lab.name, "2a-coward");
+    EXPECT_EQ(lab.document.session.hash(), before);
+    EXPECT_EQ(lab.document.name, "2a-coward");
     EXPECT_EQ(files.done, 0);
     EXPECT_NE(files.refused.find("broken.toml:3"), std::string::npos) << files.refused;
     EXPECT_NE(files.refused.find("width"), std::string::npos) << files.refused;
     ask(OpenRequest{"not there.toml"});
-    EXPECT_EQ(lab.session.hash(), before);
+    EXPECT_EQ(lab.document.session.hash(), before);
     EXPECT_NE(files.refused, "");
 }
 
@@ -128,8 +129,8 @@ TEST_F(OnTheDesk, SavesABrainAndGivesItToAnotherVehicleAsOneStepOfUndo) {
     const FourNeurons before = dials();
     ask(OpenRequest{"shy.toml"});
     EXPECT_EQ(dials().LL, 1.5f);
-    EXPECT_EQ(lab.name, "2b-aggressor");
-    EXPECT_EQ(lab.session.undo_depth(), 1);
+    EXPECT_EQ(lab.document.name, "2b-aggressor");
+    EXPECT_EQ(lab.document.session.undo_depth(), 1);
     handle(lab, Action::undo);
     EXPECT_EQ(dials(), before);
 }
@@ -137,14 +138,14 @@ TEST_F(OnTheDesk, SavesABrainAndGivesItToAnotherVehicleAsOneStepOfUndo) {
 TEST_F(OnTheDesk, SavesARunAndGoesOnWithItExactly) {
     for (int i = 0; i < 400; ++i) tick(lab);
     ask(SaveRequest{"later", FileKind::run});
-    const auto hash = lab.session.hash();
+    const auto hash = lab.document.session.hash();
     ask(OpenRequest{(*find_shipped("3a-love")).string()});
     ask(OpenRequest{"later.run"});
-    EXPECT_EQ(lab.session.hash(), hash);
-    EXPECT_EQ(lab.session.snapshot().tick, 400u);
+    EXPECT_EQ(lab.document.session.hash(), hash);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 400u);
     put_text(folder / "broken.run", text_of(folder / "later.run").substr(0, 500));
     ask(OpenRequest{"broken.run"});
-    EXPECT_EQ(lab.session.hash(), hash) << "a broken file never replaces what is open";
+    EXPECT_EQ(lab.document.session.hash(), hash) << "a broken file never replaces what is open";
     EXPECT_NE(files.refused, "");
 }
 
@@ -152,7 +153,7 @@ TEST_F(OnTheDesk, SaysWhereItCannotWrite) {
     ask(SaveRequest{"/proc/nowhere/mine", FileKind::scene});
     EXPECT_EQ(files.done, 0);
     EXPECT_NE(files.refused.find("/proc/nowhere/mine.toml"), std::string::npos) << files.refused;
-    EXPECT_EQ(lab.name, "2a-coward");
+    EXPECT_EQ(lab.document.name, "2a-coward");
 }
 
 TEST_F(OnTheDesk, ListsFoldersFirstAndOnlyWhatTheLabReads) {
@@ -186,20 +187,20 @@ TEST_F(OnTheDesk, GoesToAFolderThatIsTyped) {
 
 TEST_F(OnTheDesk, AsksBeforeUnsavedEditsAreLeftAndStaysWhenToldTo) {
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
-    const auto before = lab.session.hash();
+    const auto before = lab.document.session.hash();
     const std::string love = (*find_shipped("3a-love")).string();
     ask(OpenRequest{love});
-    EXPECT_EQ(lab.session.hash(), before);
+    EXPECT_EQ(lab.document.session.hash(), before);
     ASSERT_TRUE(files.leaving);
     EXPECT_EQ(files.leaving->name, "2a-coward");
     EXPECT_EQ(files.leaving->next, love);
     ask(LeaveRequest{Leave::stay});
     EXPECT_FALSE(files.leaving);
-    EXPECT_EQ(lab.session.hash(), before);
+    EXPECT_EQ(lab.document.session.hash(), before);
     ask(OpenRequest{love});
     ask(LeaveRequest{Leave::discard});
     EXPECT_FALSE(files.leaving);
-    EXPECT_EQ(lab.name, "3a-love");
+    EXPECT_EQ(lab.document.name, "3a-love");
 }
 
 TEST_F(OnTheDesk, SavesWhereTheSceneCameFromBeforeItLeaves) {
@@ -207,7 +208,7 @@ TEST_F(OnTheDesk, SavesWhereTheSceneCameFromBeforeItLeaves) {
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
     ask(OpenRequest{(*find_shipped("3a-love")).string()});
     ask(LeaveRequest{Leave::save});
-    EXPECT_EQ(lab.name, "3a-love");
+    EXPECT_EQ(lab.document.name, "3a-love");
     ask(OpenRequest{"mine.toml"});
     EXPECT_EQ(dials().LR, 1.25f);
 }
@@ -218,10 +219,10 @@ TEST_F(OnTheDesk, GoesOnOnceWhatWasUnsavedHasGotANameOfItsOwn) {
     ask(SaveRequest{"only the brain", FileKind::brain});
     ask(LeaveRequest{Leave::saved});
     EXPECT_TRUE(files.leaving) << "a brain is not the scene: asked again";
-    EXPECT_EQ(lab.name, "2a-coward");
+    EXPECT_EQ(lab.document.name, "2a-coward");
     ask(SaveRequest{"all of it", FileKind::scene});
     ask(LeaveRequest{Leave::saved});
-    EXPECT_EQ(lab.name, "3a-love");
+    EXPECT_EQ(lab.document.name, "3a-love");
 }
 
 TEST_F(OnTheDesk, SaysWhatWasDoneAndWhatFailedInDifferentWays) {
@@ -232,9 +233,9 @@ TEST_F(OnTheDesk, SaysWhatWasDoneAndWhatFailedInDifferentWays) {
 }
 
 TEST_F(OnTheDesk, TellsEachLabItOpensFromTheOneBefore) {
-    const auto before = lab.sitting;
+    const auto before = lab.document.run_id;
     ask(OpenRequest{(*find_shipped("3a-love")).string()});
-    EXPECT_NE(lab.sitting, before) << "what was drawn of the other run does not belong to this one";
+    EXPECT_NE(lab.document.run_id, before) << "what was drawn of the other run does not belong to this one";
 }
 
 TEST_F(OnTheDesk, LeavesOnlyWhenNothingIsUnsavedOrThePersonSaysSo) {
@@ -271,7 +272,7 @@ TEST_F(OnTheDesk, NeverAsksAboutAnExercisesBrain) {
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
     EXPECT_TRUE(may_leave(lab, files));
     ask(OpenRequest{(*find_shipped("3a-love")).string()});
-    EXPECT_EQ(lab.name, "3a-love");
+    EXPECT_EQ(lab.document.name, "3a-love");
 }
 
 struct Followed : OnTheDesk {
@@ -302,18 +303,18 @@ TEST_F(Followed, IsReadAgainWhenItIsWrittenByAnotherProgram) {
     ask(SaveRequest{"mine", FileKind::scene});
     for (int i = 0; i < 50; ++i) tick(lab);
     look(), look();
-    EXPECT_EQ(lab.session.snapshot().tick, 50u) << "what the lab wrote itself is no news";
+    EXPECT_EQ(lab.document.session.snapshot().tick, 50u) << "what the lab wrote itself is no news";
     write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
     EXPECT_EQ(dials().LL, 0.25f);
-    EXPECT_EQ(lab.mode, Mode::playing);
+    EXPECT_EQ(lab.playback.mode, Mode::playing);
     EXPECT_NE(lab.notice.words.find("mine.toml"), std::string::npos);
 }
 
 TEST_F(Followed, LeavesTheRunAloneWhereItIsBrokenAndSaysWhy) {
     for (int i = 0; i < 50; ++i) tick(lab);
-    const auto before = lab.session.hash();
+    const auto before = lab.document.session.hash();
     write(with(text_of(file), "LL = 1.5", "LL = 77"));
-    EXPECT_EQ(lab.session.hash(), before);
+    EXPECT_EQ(lab.document.session.hash(), before);
     EXPECT_NE(lab.notice.words.find("mine.toml:"), std::string::npos) << lab.notice.words;
     write(with(text_of(file), "LL = 77", "LL = 0.5"));
     EXPECT_EQ(dials().LL, 0.5f) << "mended, it counts";

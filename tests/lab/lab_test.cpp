@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "app/data.h"
+#include "app/lab_requests.h"
+#include "app/lab_selection.h"
 #include "app/safe_file.h"
 #include "core/io/run_file.h"
 #include "tests/folder.h"
@@ -22,13 +24,13 @@ Lab open(const std::string& name) {
 TEST(Time, PassesOnlyWhilePlayingAndAtTheSpeedAskedFor) {
     Lab lab = open("2a-coward");
     for (int i = 0; i < 10; ++i) advance(lab, 0.1);
-    EXPECT_EQ(lab.session.snapshot().tick, 0u);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 0u);
     handle(lab, Action::play_pause);
     for (int i = 0; i < 10; ++i) advance(lab, 0.1);
-    EXPECT_NEAR(static_cast<double>(lab.session.snapshot().tick), 60, 1);
+    EXPECT_NEAR(static_cast<double>(lab.document.session.snapshot().tick), 60, 1);
     handle(lab, SpeedRequest{0.125f});
     for (int i = 0; i < 80; ++i) advance(lab, 0.1);
-    EXPECT_NEAR(static_cast<double>(lab.session.snapshot().tick), 120, 2);
+    EXPECT_NEAR(static_cast<double>(lab.document.session.snapshot().tick), 120, 2);
 }
 
 TEST(Time, DropsWhatItCannotKeepUpWith) {
@@ -36,30 +38,30 @@ TEST(Time, DropsWhatItCannotKeepUpWith) {
     handle(lab, Action::play_pause);
     handle(lab, SpeedRequest{16});
     advance(lab, 3600);
-    EXPECT_EQ(lab.debt, 0);
-    EXPECT_LT(lab.session.snapshot().seconds, 3600);
+    EXPECT_EQ(lab.playback.debt, 0);
+    EXPECT_LT(lab.document.session.snapshot().seconds, 3600);
 }
 
 TEST(Time, GoesBackAndOnAgainExactly) {
     Lab lab = open("predator-prey");
     for (int i = 0; i < 700; ++i) tick(lab);
-    const auto hash = lab.session.hash();
+    const auto hash = lab.document.session.hash();
     handle(lab, SeekRequest{400, true});
-    EXPECT_EQ(lab.session.snapshot().tick, 400u);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 400u);
     handle(lab, Action::play_pause);
     advance(lab, 0.5);
-    EXPECT_EQ(lab.session.snapshot().tick, 400u) << "the playhead is still held";
+    EXPECT_EQ(lab.document.session.snapshot().tick, 400u) << "the playhead is still held";
     handle(lab, SeekRequest{400, false});
     for (int i = 0; i < 300; ++i) tick(lab);
-    EXPECT_EQ(lab.session.hash(), hash);
+    EXPECT_EQ(lab.document.session.hash(), hash);
     handle(lab, Action::rewind);
-    EXPECT_EQ(lab.session.snapshot().tick, 400u);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 400u);
     handle(lab, Action::step_back);
-    EXPECT_EQ(lab.session.snapshot().tick, 399u);
-    EXPECT_EQ(lab.mode, Mode::paused);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 399u);
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
     handle(lab, Action::fast_forward), handle(lab, Action::fast_forward);
-    EXPECT_EQ(lab.session.snapshot().tick, 700u) << "no farther than recorded";
-    EXPECT_EQ(lab.session.hash(), hash);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 700u) << "no farther than recorded";
+    EXPECT_EQ(lab.document.session.hash(), hash);
 }
 
 TEST(Time, SaysWhatAnEditInThePastForgetsAndWhatUndoBringsBack) {
@@ -69,10 +71,10 @@ TEST(Time, SaysWhatAnEditInThePastForgetsAndWhatUndoBringsBack) {
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LL, 1}});
     EXPECT_EQ(lab.notice.key, "notice.forgotten");
     EXPECT_EQ(lab.notice.words, "6.7");
-    EXPECT_EQ(lab.session.latest(), 400u);
+    EXPECT_EQ(lab.document.session.latest(), 400u);
     handle(lab, Action::undo);
     EXPECT_EQ(lab.notice.key, "notice.time_back");
-    EXPECT_EQ(lab.session.latest(), 700u);
+    EXPECT_EQ(lab.document.session.latest(), 700u);
     handle(lab, Action::add);
     EXPECT_EQ(lab.notice.key, "notice.forgotten");
     tick(lab);
@@ -86,8 +88,8 @@ TEST(Time, TellsHowFastItPassesWhereItFallsBehind) {
     handle(lab, Action::play_pause);
     for (int i = 0; i < 70; ++i) advance(lab, 1.0 / 60);
     EXPECT_FALSE(view_of(lab).pace) << "one vehicle is no work";
-    lab.time_scale = 1e6f;
-    lab.pace = {};
+    lab.playback.time_scale = 1e6f;
+    lab.playback.pace = {};
     for (int i = 0; i < 70; ++i) advance(lab, 1.0 / 60);
     const auto pace = view_of(lab).pace;
     ASSERT_TRUE(pace);
@@ -99,11 +101,11 @@ TEST(Time, TellsHowFastItPassesWhereItFallsBehind) {
 
 TEST(Time, TakesTheJudgeBackWithIt) {
     Lab lab = open("05-aggressor");
-    handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph(lab.lesson->exercise->solution)}});
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph(lab.document.lesson->exercise->solution)}});
     std::vector<std::vector<bool>> done;
     const auto ticks_now = [&] {
         std::vector<bool> all;
-        for (const Verdict& verdict : lab.lesson->view.verdicts) all.push_back(verdict.done);
+        for (const Verdict& verdict : lab.document.lesson->view.verdicts) all.push_back(verdict.done);
         return all;
     };
     for (int i = 0; i < 600; ++i) done.push_back(ticks_now()), tick(lab);
@@ -121,18 +123,18 @@ TEST(Time, TakesTheJudgeBackWithIt) {
 TEST(Bookmarks, BringTheirMomentBackAndCanBeRemoved) {
     Lab lab = open("predator-prey");
     for (int i = 0; i < 130; ++i) tick(lab);
-    const auto hash = lab.session.hash();
+    const auto hash = lab.document.session.hash();
     handle(lab, Action::set_bookmark);
     handle(lab, Action::set_bookmark);
-    EXPECT_EQ(lab.past.bookmarks.size(), 1u) << "one a moment";
+    EXPECT_EQ(lab.playback.bookmarks.size(), 1u) << "one a moment";
     handle(lab, Action::reset);
     for (int i = 0; i < 10; ++i) tick(lab);
     handle(lab, Action::last_bookmark);
-    EXPECT_EQ(lab.session.hash(), hash);
+    EXPECT_EQ(lab.document.session.hash(), hash);
     handle(lab, BookmarkRequest{0, true});
-    EXPECT_TRUE(lab.past.bookmarks.empty());
+    EXPECT_TRUE(lab.playback.bookmarks.empty());
     handle(lab, Action::last_bookmark);  // there is none: nothing happens
-    EXPECT_EQ(lab.session.hash(), hash);
+    EXPECT_EQ(lab.document.session.hash(), hash);
 }
 
 TEST(SavedRun, OpensWhereItStood) {
@@ -140,31 +142,31 @@ TEST(SavedRun, OpensWhereItStood) {
     for (int i = 0; i < 400; ++i) tick(lab);
     const tests::Folder folder;
     const auto file = folder / "hunt.run";
-    ASSERT_FALSE(write_whole(file, io::write_run(lab.session.save())));
+    ASSERT_FALSE(write_whole(file, io::write_run(lab.document.session.save())));
     auto again = open_lab(file, std::nullopt, {});
     ASSERT_TRUE(again) << again.error().text();
-    EXPECT_EQ(again->session.hash(), lab.session.hash());
-    EXPECT_NE(again->selected, no_vehicle);
+    EXPECT_EQ(again->document.session.hash(), lab.document.session.hash());
+    EXPECT_NE(again->view.selection.vehicle, no_vehicle);
 }
 
 TEST(Mode, CountsChangesBetweenPlayingAndNot) {
     Lab lab = open("2a-coward");
     handle(lab, Action::play_pause);
     handle(lab, Action::wiring);
-    EXPECT_EQ(lab.mode, Mode::wiring);
+    EXPECT_EQ(lab.playback.mode, Mode::wiring);
     handle(lab, Action::cancel);
-    EXPECT_EQ(lab.mode, Mode::paused);
-    EXPECT_EQ(lab.toggles, 2);
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
+    EXPECT_EQ(lab.playback.toggles, 2);
 }
 
 TEST(Camera, ComesHomeFromEverywhereWithOneKey) {
     Lab lab = open("predator-prey");
     for (const Action way : {Action::follow, Action::birds_eye, Action::drivers_eye}) {
-        lab.camera.pan = {5, 5}, lab.camera.zoom = 3, lab.camera.azimuth = 1;
+        lab.view.camera.pan = {5, 5}, lab.view.camera.zoom = 3, lab.view.camera.azimuth = 1;
         handle(lab, way);
-        EXPECT_NE(lab.camera.mode, CameraMode::overview);
+        EXPECT_NE(lab.view.camera.mode, CameraMode::overview);
         handle(lab, Action::home);
-        EXPECT_EQ(lab.camera, Camera{});
+        EXPECT_EQ(lab.view.camera, Camera{});
     }
 }
 
@@ -172,9 +174,9 @@ TEST(Camera, LeavesAWayOfLookingByTheSameKey) {
     Lab lab = open("predator-prey");
     handle(lab, Action::drivers_eye);
     handle(lab, Action::birds_eye);
-    EXPECT_EQ(lab.camera.mode, CameraMode::birds_eye);
+    EXPECT_EQ(lab.view.camera.mode, CameraMode::birds_eye);
     handle(lab, Action::birds_eye);
-    EXPECT_EQ(lab.camera.mode, CameraMode::overview);
+    EXPECT_EQ(lab.view.camera.mode, CameraMode::overview);
 }
 
 TEST(Driving, TakesTheArrowKeysToTheWheelsUntilTheyAreLetGo) {
@@ -183,7 +185,7 @@ TEST(Driving, TakesTheArrowKeysToTheWheelsUntilTheyAreLetGo) {
     handle(lab, Action::drive);
     const auto moved_in_a_second = [&] {
         for (int i = 0; i < 60; ++i) tick(lab);
-        return lab.session.snapshot().vehicles[0].motor;
+        return lab.document.session.snapshot().vehicles[0].motor;
     };
     EXPECT_TRUE(steer_by_keys(lab, 0, 1));
     EXPECT_EQ(moved_in_a_second(), (std::array{1.0f, 1.0f}));
@@ -194,7 +196,7 @@ TEST(Driving, TakesTheArrowKeysToTheWheelsUntilTheyAreLetGo) {
     steer_by_keys(lab, 0, 0);
     EXPECT_EQ(moved_in_a_second(), (std::array{0.0f, 0.0f}));
     handle(lab, Action::drive);
-    EXPECT_EQ(lab.session.snapshot().vehicles[0].driver, Driver::brain);
+    EXPECT_EQ(lab.document.session.snapshot().vehicles[0].driver, Driver::brain);
     EXPECT_NE(moved_in_a_second(), (std::array{0.0f, 0.0f})) << "and the brain goes on";
 }
 
@@ -205,68 +207,68 @@ TEST(Driving, LetsGoOfAVehicleThatIsNoLongerSelected) {
     handle(lab, Action::next_vehicle);
     EXPECT_FALSE(steer_by_keys(lab, 0, 1));
     tick(lab);
-    EXPECT_EQ(lab.session.snapshot().vehicles[0].motor, (std::array{0.0f, 0.0f}));
+    EXPECT_EQ(lab.document.session.snapshot().vehicles[0].motor, (std::array{0.0f, 0.0f}));
 }
 
 TEST(Selection, MovesOnWhenItsVehicleLeaves) {
     Lab lab = open("predator-prey");
-    EXPECT_EQ(lab.selected, 0);
+    EXPECT_EQ(lab.view.selection.vehicle, 0);
     handle(lab, EditRequest{RemoveVehicle{0}});
-    EXPECT_EQ(lab.selected, 1);
+    EXPECT_EQ(lab.view.selection.vehicle, 1);
     handle(lab, Action::previous_vehicle);
-    EXPECT_EQ(lab.selected, 9);
+    EXPECT_EQ(lab.view.selection.vehicle, 9);
     handle(lab, Action::next_vehicle);
-    EXPECT_EQ(lab.selected, 1);
+    EXPECT_EQ(lab.view.selection.vehicle, 1);
 }
 
 TEST(Selection, TakesWhatWasAddedByHandAndLeavesWhatCameByItself) {
     Lab lab = open("2a-coward");
     handle(lab, EditRequest{AddVehicle{0, Pose{1, 1, 0}}});
-    EXPECT_EQ(lab.selected, 1);
+    EXPECT_EQ(lab.view.selection.vehicle, 1);
     handle(lab, Action::add);
-    EXPECT_EQ(lab.selected, 1);
-    const auto sources = static_cast<int>(lab.session.snapshot().sources.size());
+    EXPECT_EQ(lab.view.selection.vehicle, 1);
+    const auto sources = static_cast<int>(lab.document.session.snapshot().sources.size());
     handle(lab, EditRequest{AddSource{Source{.x = 2}}});
-    EXPECT_EQ(lab.thing, (Thing{ThingKind::source, sources}));
-    EXPECT_EQ(lab.selected, 1) << "its brain stays in sight";
+    EXPECT_EQ(lab.view.selection.object, (Thing{ThingKind::source, sources}));
+    EXPECT_EQ(lab.view.selection.vehicle, 1) << "its brain stays in sight";
 }
 
 TEST(Selection, KnowsALampByItsNameWhenOthersGo) {
     Lab lab = open("2a-coward");
     handle(lab, EditRequest{AddSource{Source{.name = "mine", .x = 2}}});
-    const int index = lab.thing.index;
+    const int index = lab.view.selection.object.index;
     ASSERT_GT(index, 0);
     handle(lab, EditRequest{RemoveSource{0}});
-    EXPECT_EQ(lab.thing.index, index - 1);
+    EXPECT_EQ(lab.view.selection.object.index, index - 1);
     handle(lab, Action::erase);
-    EXPECT_FALSE(lab.thing);
-    EXPECT_EQ(find_source(*lab.session.snapshot().scene, "mine"), -1);
+    EXPECT_FALSE(lab.view.selection.object);
+    EXPECT_EQ(find_source(*lab.document.session.snapshot().scene, "mine"), -1);
 }
 
 TEST(Selection, IsWhatIsErasedAndDuplicated) {
     Lab lab = open("2a-coward");
     handle(lab, EditRequest{AddObstacle{Obstacle{.x = 2, .length = 3}}});
     handle(lab, Action::duplicate);
-    ASSERT_EQ(lab.session.snapshot().scene->obstacles.size(), 2u);
-    const Obstacle& copy = lab.session.snapshot().scene->obstacles[1];
+    ASSERT_EQ(lab.document.session.snapshot().scene->obstacles.size(), 2u);
+    const Obstacle& copy = lab.document.session.snapshot().scene->obstacles[1];
     EXPECT_EQ(copy.length, 3);
     EXPECT_NE(copy.x, 2) << "beside it, not in it";
-    EXPECT_EQ(lab.thing, (Thing{ThingKind::obstacle, 1}));
+    EXPECT_EQ(lab.view.selection.object, (Thing{ThingKind::obstacle, 1}));
     handle(lab, Action::erase);
-    EXPECT_EQ(lab.session.snapshot().scene->obstacles.size(), 1u);
-    EXPECT_EQ(lab.session.snapshot().vehicles.size(), 1u) << "the vehicle was not meant";
+    EXPECT_EQ(lab.document.session.snapshot().scene->obstacles.size(), 1u);
+    EXPECT_EQ(lab.document.session.snapshot().vehicles.size(), 1u) << "the vehicle was not meant";
     handle(lab, Action::duplicate);
-    EXPECT_EQ(lab.session.snapshot().vehicles.size(), 2u);
+    EXPECT_EQ(lab.document.session.snapshot().vehicles.size(), 2u);
     handle(lab, Action::wiring);
     handle(lab, Action::erase);
-    EXPECT_EQ(lab.session.snapshot().vehicles.size(), 2u) << "Del is the canvas's there";
+    EXPECT_EQ(lab.document.session.snapshot().vehicles.size(), 2u) << "Del is the canvas's there";
 }
 
 TEST(Selection, GivesACopyTheBrainOfTheOriginal) {
     Lab lab = open("2a-coward");
     handle(lab, EditRequest{TurnDial{{.vehicle = 0}, Dial::LR, 1.25f}});
     handle(lab, Action::duplicate);
-    const Snapshot& now = lab.session.snapshot();
+    const Snapshot& now = lab.document.session.snapshot();
     ASSERT_EQ(now.vehicles.size(), 2u);
     EXPECT_EQ(read_dials(*now.brains[static_cast<std::size_t>(now.vehicles[1].brain)]).LR, 1.25f);
 }
@@ -284,53 +286,54 @@ TEST(Refusal, IsSaidAndGoesAwayAgain) {
 TEST(Lesson, TicksItsStepsLiveAndGradesFromAllStarts) {
     Lab lab = open("05-aggressor");
     handle(lab, PredictRequest{1});
-    EXPECT_EQ(lab.lesson->view.prediction, 1);
-    handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph(lab.lesson->exercise->solution)}});
+    EXPECT_EQ(lab.document.lesson->view.prediction, 1);
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph(lab.document.lesson->exercise->solution)}});
     handle(lab, Action::play_pause);
-    for (int i = 0; i < 60 * 20 && !lab.lesson->view.grade; ++i) tick(lab);
-    ASSERT_TRUE(lab.lesson->view.grade);
-    EXPECT_TRUE(lab.lesson->view.grade->good);
-    EXPECT_EQ(lab.lesson->view.grade->passed.size(), static_cast<std::size_t>(lab.lesson->exercise->starts));
+    for (int i = 0; i < 60 * 20 && !lab.document.lesson->view.grade; ++i) tick(lab);
+    ASSERT_TRUE(lab.document.lesson->view.grade);
+    EXPECT_TRUE(lab.document.lesson->view.grade->good);
+    EXPECT_EQ(lab.document.lesson->view.grade->passed.size(),
+              static_cast<std::size_t>(lab.document.lesson->exercise->starts));
 }
 
 TEST(Lesson, AsksForThePredictionBeforeTheFirstRunOnly) {
     Lab lab = open("05-aggressor");
     handle(lab, Action::step);
     handle(lab, PredictRequest{0});
-    EXPECT_EQ(lab.lesson->view.prediction, -1);
+    EXPECT_EQ(lab.document.lesson->view.prediction, -1);
 }
 
 TEST(Lesson, OpensEachHintAfterARunOrHalfAMinute) {
     Lab lab = open("05-aggressor");
     handle(lab, Action::hint);
-    EXPECT_EQ(lab.lesson->view.hints_shown, 1);
+    EXPECT_EQ(lab.document.lesson->view.hints_shown, 1);
     handle(lab, Action::hint);
-    EXPECT_EQ(lab.lesson->view.hints_shown, 1);
+    EXPECT_EQ(lab.document.lesson->view.hints_shown, 1);
     advance(lab, 31);
     handle(lab, Action::hint);
-    EXPECT_EQ(lab.lesson->view.hints_shown, 2);
+    EXPECT_EQ(lab.document.lesson->view.hints_shown, 2);
     handle(lab, Action::reset);
     handle(lab, Action::play_pause);
     tick(lab);
     handle(lab, Action::hint);
-    EXPECT_EQ(lab.lesson->view.hints_shown, 3);
+    EXPECT_EQ(lab.document.lesson->view.hints_shown, 3);
 }
 
 TEST(Lesson, ResetBringsBackTheVeryStartAndTheShippedBrainWhichUndoTakesBack) {
     Lab lab = open("05-aggressor");
-    const auto start = lab.session.hash();
+    const auto start = lab.document.session.hash();
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
     handle(lab, Action::play_pause);
     for (int i = 0; i < 100; ++i) tick(lab);
     handle(lab, Action::exercise_reset);
-    EXPECT_EQ(lab.session.hash(), start);
-    EXPECT_EQ(lab.mode, Mode::paused);
+    EXPECT_EQ(lab.document.session.hash(), start);
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
     handle(lab, Action::undo);
-    EXPECT_EQ(read_dials(*lab.session.snapshot().kind_brains[0]).LR, 2);
+    EXPECT_EQ(read_dials(*lab.document.session.snapshot().kind_brains[0]).LR, 2);
 }
 
 bool any_done(const Lab& lab) {
-    const auto& verdicts = lab.lesson->view.verdicts;
+    const auto& verdicts = lab.document.lesson->view.verdicts;
     return std::any_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.done; });
 }
 
@@ -339,50 +342,51 @@ TEST(Lesson, IsNotPassedByCarryingTheLampToAVehicleThatDidNotChange) {
         Lab lab = open("05-aggressor");
         for (int i = 0; i < before; ++i) tick(lab);
         for (int i = 0; i < 300; ++i) {
-            const VehicleView& coward = lab.session.snapshot().vehicles[0];
+            const VehicleView& coward = lab.document.session.snapshot().vehicles[0];
             handle(lab, EditRequest{MoveSource{0, coward.x + 0.4f * std::cos(coward.heading),
                                                coward.y + 0.4f * std::sin(coward.heading)}});
             tick(lab);
         }
         EXPECT_FALSE(any_done(lab)) << before;
-        EXPECT_TRUE(lab.lesson->view.by_hand);
+        EXPECT_TRUE(lab.document.lesson->view.by_hand);
         handle(lab, Action::reset);
-        EXPECT_FALSE(lab.lesson->view.by_hand);
+        EXPECT_FALSE(lab.document.lesson->view.by_hand);
     }
 }
 
 TEST(Lesson, CountsAgainOnceWhatWasMovedBeforeTheStartIsPutBack) {
     Lab lab = open("05-aggressor");
     handle(lab, EditRequest{MoveSource{0, 1, 1}});
-    EXPECT_TRUE(lab.lesson->view.by_hand);
+    EXPECT_TRUE(lab.document.lesson->view.by_hand);
     handle(lab, Action::undo);
-    EXPECT_FALSE(lab.lesson->view.by_hand);
+    EXPECT_FALSE(lab.document.lesson->view.by_hand);
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
     tick(lab);
-    EXPECT_FALSE(lab.lesson->view.by_hand) << "to change the brain is what is asked for";
+    EXPECT_FALSE(lab.document.lesson->view.by_hand) << "to change the brain is what is asked for";
 }
 
 TEST(Lesson, CountsUpToTheMomentOfADisturbanceThatIsGoneBackTo) {
     Lab lab = open("05-aggressor");
     for (int i = 0; i < 100; ++i) tick(lab);
-    handle(lab, EditRequest{MoveVehicle{lab.selected, 0, 0, 0}});
+    handle(lab, EditRequest{MoveVehicle{lab.view.selection.vehicle, 0, 0, 0}});
     for (int i = 0; i < 100; ++i) tick(lab);
     handle(lab, SeekRequest{104});
-    EXPECT_TRUE(lab.lesson->view.by_hand);
+    EXPECT_TRUE(lab.document.lesson->view.by_hand);
     handle(lab, SeekRequest{50});
-    EXPECT_FALSE(lab.lesson->view.by_hand);
+    EXPECT_FALSE(lab.document.lesson->view.by_hand);
     handle(lab, SeekRequest{199});
-    EXPECT_TRUE(lab.lesson->view.by_hand);
+    EXPECT_TRUE(lab.document.lesson->view.by_hand);
 }
 
 TEST(Lesson, StartsOverWithTheShippedBrainInAVehicleThatHadOneOfItsOwn) {
     Lab lab = open("05-aggressor");
-    handle(lab, EditRequest{TurnDial{{.vehicle = lab.selected}, Dial::LR, 2}});
+    handle(lab, EditRequest{TurnDial{{.vehicle = lab.view.selection.vehicle}, Dial::LR, 2}});
     handle(lab, Action::exercise_reset);
-    const Snapshot& now = lab.session.snapshot();
-    EXPECT_EQ(*now.brains[static_cast<std::size_t>(now.vehicles[0].brain)], lab.lesson->exercise->scene.kinds[0].brain);
+    const Snapshot& now = lab.document.session.snapshot();
+    EXPECT_EQ(*now.brains[static_cast<std::size_t>(now.vehicles[0].brain)],
+              lab.document.lesson->exercise->scene.kinds[0].brain);
     handle(lab, Action::undo);
-    const Snapshot& then = lab.session.snapshot();
+    const Snapshot& then = lab.document.session.snapshot();
     EXPECT_EQ(read_dials(*then.brains[static_cast<std::size_t>(then.vehicles[0].brain)]).LR, 2);
 }
 
@@ -391,48 +395,48 @@ TEST(Reset, KeepsTheStudentsBrain) {
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
     for (int i = 0; i < 100; ++i) tick(lab);
     handle(lab, Action::reset);
-    EXPECT_EQ(lab.session.snapshot().tick, 0u);
-    EXPECT_EQ(read_dials(*lab.session.snapshot().kind_brains[0]).LR, 2);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 0u);
+    EXPECT_EQ(read_dials(*lab.document.session.snapshot().kind_brains[0]).LR, 2);
 }
 
 TEST(Selection, GoesToTheNextOfItsKindWhenTheSelectedOneDiesAndSaysSo) {
     Lab lab = open("predator-prey");
     const auto prey = [&] {
-        for (const VehicleView& v : lab.session.snapshot().vehicles)
+        for (const VehicleView& v : lab.document.session.snapshot().vehicles)
             if (v.role == Role::prey) return v.id;
         return no_vehicle;
     };
     handle(lab, SelectRequest{prey()});
-    const VehicleId first = lab.selected;
-    for (int i = 0; i < 60 * 120 && lab.selected == first; ++i) tick(lab);
-    ASSERT_NE(lab.selected, first) << "nobody has eaten it in two minutes";
-    EXPECT_EQ(find_vehicle(lab.session.snapshot(), lab.selected)->role, Role::prey);
+    const VehicleId first = lab.view.selection.vehicle;
+    for (int i = 0; i < 60 * 120 && lab.view.selection.vehicle == first; ++i) tick(lab);
+    ASSERT_NE(lab.view.selection.vehicle, first) << "nobody has eaten it in two minutes";
+    EXPECT_EQ(find_vehicle(lab.document.session.snapshot(), lab.view.selection.vehicle)->role, Role::prey);
     EXPECT_TRUE(lab.notice.key == "notice.eaten_prey" || lab.notice.key == "notice.starved_prey") << lab.notice.key;
     EXPECT_EQ(lab.notice.words, std::to_string(first + 1));
-    EXPECT_EQ(lab.notice.more, std::to_string(lab.selected + 1));
+    EXPECT_EQ(lab.notice.more, std::to_string(lab.view.selection.vehicle + 1));
     EXPECT_EQ(lab.notice.kind, NoticeKind::notice);
 }
 
 TEST(View, WalksThroughTheFieldsOfTheSceneAndBackToNone) {
     Lab lab = open("2b-aggressor");
-    EXPECT_FALSE(lab.overlays.field);
+    EXPECT_FALSE(lab.view.overlays.field);
     handle(lab, Action::next_field);
-    EXPECT_EQ(lab.overlays.field, Channel::light);
+    EXPECT_EQ(lab.view.overlays.field, Channel::light);
     handle(lab, Action::next_field);
-    EXPECT_FALSE(lab.overlays.field);
+    EXPECT_FALSE(lab.view.overlays.field);
     handle(lab, OverlaysRequest{{.labels = false, .field = Channel::light}});
-    EXPECT_FALSE(view_of(lab).overlays.labels);
-    EXPECT_EQ(view_of(lab).overlays.field, Channel::light);
+    EXPECT_FALSE(view_of(lab).settings.overlays.labels);
+    EXPECT_EQ(view_of(lab).settings.overlays.field, Channel::light);
 }
 
 TEST(View, SwitchesEachPictureOffAndOn) {
     Lab lab = open("2b-aggressor");
-    const Overlays before = lab.overlays;
+    const Overlays before = lab.view.overlays;
     for (const Action action : {Action::trails, Action::surfaces, Action::memory, Action::labels}) {
         handle(lab, action);
-        EXPECT_NE(lab.overlays, before);
+        EXPECT_NE(lab.view.overlays, before);
         handle(lab, action);
-        EXPECT_EQ(lab.overlays, before);
+        EXPECT_EQ(lab.view.overlays, before);
     }
 }
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/data.h"
-#include "app/lab.h"
+#include "app/lab_requests.h"
 
 namespace braitenlab::tests::lecture_test {
 namespace {
@@ -27,20 +27,43 @@ TEST_F(InALecture, TypeIsLargeAndColoursAreLight) {
 TEST_F(InALecture, LeavingBringsBackEveryWayOfLooking) {
     const Preferences mine{Theme::dark, "es", 1.25f, true};
     lab.preferences = mine;
-    lab.outlines = true;
-    lab.camera.zoom = 2;
-    const Camera camera = lab.camera;
+    lab.view.outlines = true;
+    lab.view.camera.zoom = 2;
+    const Camera camera = lab.view.camera;
     handle(lab, Action::lecture);
     for (const Action action : {Action::theme, Action::larger, Action::larger, Action::sensors, Action::outlines,
                                 Action::follow, Action::birds_eye})
         handle(lab, action);
-    EXPECT_EQ(desk_preferences(lab), mine) << "what would be written to the settings in the meantime";
+    EXPECT_EQ(own_preferences(lab), mine) << "what would be written to the settings in the meantime";
     handle(lab, Action::lecture);
     EXPECT_FALSE(view_of(lab).lecture);
     EXPECT_EQ(lab.preferences, mine);
-    EXPECT_EQ(lab.camera, camera);
-    EXPECT_TRUE(lab.sensors);
-    EXPECT_TRUE(lab.outlines);
+    EXPECT_EQ(lab.view.camera, camera);
+    EXPECT_TRUE(lab.view.sensors);
+    EXPECT_TRUE(lab.view.outlines);
+}
+
+TEST_F(InALecture, LeavingBringsBackTheWholeViewButTheSelection) {
+    const ViewSettings before = lab.view;
+    handle(lab, Action::lecture);
+    for (const Action action : {Action::trails, Action::surfaces, Action::memory, Action::labels, Action::next_field,
+                                Action::sensors, Action::outlines, Action::follow, Action::next_vehicle})
+        handle(lab, action);
+    const Selection selection = lab.view.selection;
+    ASSERT_NE(lab.view.overlays, before.overlays);
+    ASSERT_NE(selection, before.selection);
+    handle(lab, Action::lecture);
+    ViewSettings expected = before;
+    expected.selection = selection;
+    EXPECT_EQ(lab.view, expected);
+}
+
+TEST_F(InALecture, AnotherSceneKeepsNothingOfTheFirstOnesCameraOnLeaving) {
+    lab.view.camera.zoom = 3;
+    handle(lab, Action::lecture);
+    replace_document(lab, std::move(*open_document(*find_shipped("2a-coward"), std::nullopt, {})));
+    handle(lab, Action::lecture);
+    EXPECT_EQ(lab.view.camera, Camera{});
 }
 
 TEST_F(InALecture, WorkAndTimeGoOn) {
@@ -48,8 +71,8 @@ TEST_F(InALecture, WorkAndTimeGoOn) {
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1}});
     tick(lab);
     handle(lab, Action::lecture);
-    EXPECT_EQ(read_dials(*lab.session.snapshot().kind_brains[0]).LR, 1);
-    EXPECT_EQ(lab.session.snapshot().tick, 1u);
+    EXPECT_EQ(read_dials(*lab.document.session.snapshot().kind_brains[0]).LR, 1);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 1u);
 }
 
 }  // namespace

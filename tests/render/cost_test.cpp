@@ -55,7 +55,8 @@ protected:
         Rendered::SetUp();
         if (HasFatalFailure()) return;
         renderer->use_lettering(std::move(*Lettering::from_fonts(find_font, 14)));
-        picture.outlines = true, picture.selected = 0, picture.overlays.field = Channel::light;
+        picture.settings.outlines = true, picture.settings.selection.vehicle = 0,
+        picture.settings.overlays.field = Channel::light;
 
         real_gen_buffers = glGenBuffers, glGenBuffers = counted_gen_buffers;
         real_gen_arrays = glGenVertexArrays, glGenVertexArrays = counted_gen_arrays;

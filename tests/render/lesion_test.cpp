@@ -21,7 +21,7 @@ protected:
         Camera near;
         near.mode = CameraMode::birds_eye, near.zoom = 10;  // 200 pixels a vehicle
         look_from(near);
-        picture.overlays.labels = false;
+        picture.settings.overlays.labels = false;
         hand_made::add(now, 0, 0, 0, 0);
     }
 
@@ -73,7 +73,7 @@ TEST_F(LesionTest, DrawsNoFieldBeforeACoveredEye) {
     const float open = before_left();
     silence("SL");
     const float covered = before_left();
-    picture.sensors = false;
+    picture.settings.sensors = false;
     EXPECT_GT(open, before_left() + 0.05f);
     EXPECT_NEAR(covered, before_left(), 0.01f);
 }

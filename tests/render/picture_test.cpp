@@ -22,7 +22,7 @@ protected:
         Camera above;
         above.mode = CameraMode::birds_eye;
         look_from(above);
-        picture.overlays.labels = false;
+        picture.settings.overlays.labels = false;
     }
 
     Colour seen(const Snapshot& now, float x, float y, float up = 0) {
@@ -35,17 +35,17 @@ TEST_F(PictureTest, PaintsTheFieldOfAChannelWhereItIsFeltAndNowhereElse) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add_source(now, Channel::heat, -6, 0);
     const float near = brightness(seen(now, -4.7f, 1.3f)), far = brightness(seen(now, 8.3f, 8.4f));
-    picture.overlays.field = Channel::heat;
+    picture.settings.overlays.field = Channel::heat;
     EXPECT_GT(brightness(seen(now, -4.7f, 1.3f)), near + 0.05f);
     EXPECT_NEAR(brightness(seen(now, 8.3f, 8.4f)), far, 0.01f);  // beyond the range
-    picture.overlays.field = Channel::smell;
+    picture.settings.overlays.field = Channel::smell;
     EXPECT_NEAR(brightness(seen(now, -4.7f, 1.3f)), near, 0.01f);
 }
 
 TEST_F(PictureTest, DrawsContoursWhereTheFieldCrossesTenths) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add_source(now, Channel::smell, 0, 0);
-    picture.overlays.field = Channel::smell;
+    picture.settings.overlays.field = Channel::smell;
     renderer->draw(now, picture);
     // Along a ray from the source: the line at one half is brighter than the bands beside it.
     const auto felt = [](float d) { return std::pow(1 - d * d / 144, 2.0f) / (1 + d * d / 9); };
@@ -64,7 +64,7 @@ TEST_F(PictureTest, WritesLabelsInTheColourOfTheThemeOverEverything) {
     scene->zones.push_back({.name = "HHHH", .length = 4, .width = 4});
     scene->obstacles.push_back({.name = "box", .length = 6, .width = 6});
     const Snapshot now = hand_made::empty(scene);
-    picture.overlays.labels = true;
+    picture.settings.overlays.labels = true;
     const auto extremes = [&](Theme theme) {
         picture.theme = theme;
         renderer->draw(now, picture);

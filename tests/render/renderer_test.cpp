@@ -28,7 +28,7 @@ TEST_F(RendererTest, ShowsAVehicleInItsColourWhereItIs) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 1, -1.5f, 0.5f, 0.3f);
     hand_made::add(now, 2, 1.5f, -0.5f, -2);
-    picture.sensors = false;
+    picture.settings.sensors = false;
     renderer->draw(now, picture);
     const Colour predator = hull_colour(now.vehicles[0]), prey = hull_colour(now.vehicles[1]);
     EXPECT_GT(predator.r, 1.5f * predator.g);
@@ -41,7 +41,7 @@ TEST_F(RendererTest, ShowsASmallVehiclesDeckInItsColour) {
     Camera camera;
     camera.zoom = 0.9f;
     picture.sight = look(camera, Arena{}, nullptr, window, window);
-    picture.sensors = false;
+    picture.settings.sensors = false;
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 1, 0, 0, 0);
     renderer->draw(now, picture);
@@ -51,7 +51,7 @@ TEST_F(RendererTest, ShowsASmallVehiclesDeckInItsColour) {
 }
 
 TEST_F(RendererTest, RimsASmallVehicleInLightOnADarkFloorAndInDarkOnALightOne) {
-    picture.sensors = false;
+    picture.settings.sensors = false;
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 2, 0, 0, 0);
     for (const Theme theme : {Theme::dark, Theme::light}) {
@@ -75,7 +75,7 @@ TEST_F(RendererTest, HidesTheFartherBehindTheNearer) {
     Camera camera;
     camera.elevation = 0.15f, camera.zoom = 6;
     picture.sight = look(camera, Arena{}, nullptr, window, window);
-    picture.sensors = false;
+    picture.settings.sensors = false;
     // Seen flat from −y, the prey's tail end stands right behind the predator's flank; either order of drawing.
     for (const bool near_first : {true, false}) {
         now.vehicles.clear();
@@ -89,7 +89,7 @@ TEST_F(RendererTest, HidesTheFartherBehindTheNearer) {
 }
 
 TEST_F(RendererTest, NeedsNoMoreDrawCallsForFiveHundredVehiclesThanForTen) {
-    picture.outlines = true, picture.selected = 0, picture.hovered = 1;
+    picture.settings.outlines = true, picture.settings.selection.vehicle = 0, picture.hovered = 1;
     // Spread evenly over this square round the middle, however many.
     const auto calls_for = [&](int count, float half) {
         Snapshot now = hand_made::empty(hand_made::scene());
@@ -121,7 +121,7 @@ TEST_F(RendererTest, LeavesNoErrorBehind) {
         hand_made::add(now, i % 3, static_cast<float>(i % 6), static_cast<float>(i / 6), 1, 0.5f);
     for (const Channel c : {Channel::light, Channel::heat, Channel::smell, Channel::oxygen})
         hand_made::add_source(now, c, -3, -3);
-    picture.outlines = true, picture.selected = 3, picture.hovered = 4;
+    picture.settings.outlines = true, picture.settings.selection.vehicle = 3, picture.hovered = 4;
     for (int frame = 0; frame < 20; ++frame) {
         now.tick += 6;
         for (VehicleView& v : now.vehicles) v.x += 0.1f;
@@ -164,7 +164,7 @@ TEST_F(RendererTest, ShowsAStimulatedFieldBrighterAndNoFieldBehindAWall) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 8.4f, 0.5f, 0);
     const auto ahead = *project(picture.sight, {9.4f, 1.5f}), outside = *project(picture.sight, {10.6f, 1.5f});
-    picture.overlays.trails = false;
+    picture.settings.overlays.trails = false;
     renderer->draw(now, picture);
     const float idle = brightness(stage.pixel(ahead)), beyond = brightness(stage.pixel(outside));
     now.sensed = {0.8f, 0.8f};
@@ -204,8 +204,8 @@ TEST_F(RendererTest, CoversZonesAndLeavesTheRestOfTheFloorAlone) {
 
 TEST_F(RendererTest, RingsTheSelectedVehicleInYellow) {
     Snapshot now = hand_made::empty(hand_made::scene());
-    picture.selected = hand_made::add(now, 0, 0, 0, 0);
-    picture.sensors = false;
+    picture.settings.selection.vehicle = hand_made::add(now, 0, 0, 0, 0);
+    picture.settings.sensors = false;
     renderer->draw(now, picture);
     const float radius = 0.5f * std::hypot(1.0f, 0.7f) + 0.16f;
     const Colour ring = stage.pixel(*project(picture.sight, {radius, 0}));

@@ -30,7 +30,7 @@ protected:
         camera.elevation = 1.5f;
         Picture picture;
         picture.sight = look(camera, scene->arena, nullptr, {0, 0, width, height}, {0, 0, width, height});
-        picture.outlines = true, picture.selected = 0;
+        picture.settings.outlines = true, picture.settings.selection.vehicle = 0;
         sight = picture.sight;
         auto renderer = Renderer::create(BRAITENLAB_SOURCE "/shaders", path);
         EXPECT_TRUE(renderer) << renderer.error().text();

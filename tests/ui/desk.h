@@ -111,7 +111,7 @@ public:
         io.Fonts->GetTexDataAsAlpha8(&pixels, &w, &h);
         apply_theme(Theme::dark, scale);
         view.now = &now;
-        view.selected = 0;
+        view.settings.selection.vehicle = 0;
         view.reduce_motion = true;
         view.languages = &spoken;
     }

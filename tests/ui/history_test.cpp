@@ -37,7 +37,7 @@ TEST(History, BeginsAgainWithTheRunAndWithAnotherVehicle) {
     Desk desk;
     History history;
     pass(desk, history, 600);
-    desk.view.selected = 1;
+    desk.view.settings.selection.vehicle = 1;
     pass(desk, history, 700);
     EXPECT_EQ(history.signals.size(), 1u);
     EXPECT_EQ(history.population.size(), 2u);
@@ -63,7 +63,7 @@ TEST(History, BeginsAnewWithAnotherSceneThoughItsTimeIsTheSame) {
     History history;
     pass(desk, history, 0);
     desk.now = snapshot(0);  // one vehicle, neither predator nor prey
-    ++desk.view.sitting;
+    ++desk.view.run_id;
     pass(desk, history, 0);
     ASSERT_EQ(history.population.size(), 1u);
     EXPECT_EQ(history.population.back().count, (std::array{0, 0, 1}));

@@ -65,7 +65,7 @@ TEST(HintBar, NamesTheWayBackWhileAPersonDrivesOrLooksThroughTheVehiclesEyes) {
     EXPECT_EQ(said(desk).find("gives the wheel back"), std::string::npos);
     desk.now.vehicles[0].driver = Driver::manual;
     EXPECT_NE(said(desk).find("gives the wheel back"), std::string::npos) << "whatever else would be next";
-    desk.view.camera = CameraMode::driver;
+    desk.view.settings.camera.mode = CameraMode::driver;
     EXPECT_NE(said(desk).find("leaves them"), std::string::npos);
     desk.now.vehicles[0].driver = Driver::brain;
     EXPECT_NE(said(desk).find("leaves them"), std::string::npos);

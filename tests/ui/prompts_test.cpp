@@ -118,7 +118,7 @@ TEST_F(Prompts, PointToNoPinThatTheBrainLacks) {
     desk.view.mode = Mode::wiring;
     EXPECT_EQ(anchor(), "");
     EXPECT_EQ(next().hint, "") << "nothing there pulses";
-    desk.view.selected = no_vehicle;
+    desk.view.settings.selection.vehicle = no_vehicle;
     EXPECT_EQ(anchor(), "") << "there is no brain to see";
 }
 

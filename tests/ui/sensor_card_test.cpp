@@ -158,7 +158,7 @@ TEST(SensorCard, GivesNoAnswerAwayByTheNameOfALoneKind) {
 TEST(SensorCard, SaysWhenThereIsNothingToSenseWith) {
     Desk desk;
     desk.panels.sensors.folded = false;
-    desk.view.selected = no_vehicle;
+    desk.view.settings.selection.vehicle = no_vehicle;
     desk.frame(3);
     EXPECT_TRUE(desk.anchors.find("card.sensors"));
     EXPECT_FALSE(desk.anchors.find("sensor.angle"));

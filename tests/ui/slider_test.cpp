@@ -73,7 +73,7 @@ TEST(Slider, TurnsTheWholeKindOrTheOneVehicleAsTheScopeSays) {
     Desk desk;
     desk.frame(3);
     desk.click("slider.RR", 0, 0.3f);
-    desk.view.whole_kind = false;
+    desk.view.settings.selection.whole_kind = false;
     desk.rest();
     desk.click("slider.RR", 0, 0.6f);
     const auto edits = desk.edits();

@@ -68,7 +68,7 @@ struct Stage : testing::Test {
     }
     StageState& stage() { return desk.panels.stage; }
     // What the lab would do about it.
-    void take(Thing thing) { desk.view.thing = thing, desk.frame(); }
+    void take(Thing thing) { desk.view.settings.selection.object = thing, desk.frame(); }
 
     Desk desk;
     Sight sight = look(Camera{}, Arena{}, nullptr, {0, 0, 1280, 800}, {336, 64, 576, 680});
@@ -211,15 +211,15 @@ TEST_F(Stage, TurnsTheCameraWhereNothingLies) {
     hold({0, 3}, {1, 3});
     EXPECT_EQ(stage().drag.phase, StagePhase::orbit);
     release();
-    desk.view.camera = CameraMode::birds_eye;
+    desk.view.settings.camera.mode = CameraMode::birds_eye;
     hold({0, 3}, {1, 3});
     EXPECT_EQ(stage().drag.phase, StagePhase::pan);
     EXPECT_TRUE(desk.edits().empty());
 }
 
 TEST_F(Stage, DoesNotDragTheVehicleThatTheCameraRidesWith) {
-    desk.view.camera = CameraMode::follow;
-    desk.view.selected = 0;
+    desk.view.settings.camera.mode = CameraMode::follow;
+    desk.view.settings.selection.vehicle = 0;
     hold({-6, 0}, {-6, 3});
     EXPECT_TRUE(desk.edits().empty());
 }

@@ -45,7 +45,7 @@ TEST_F(ViewMenu, OffersTheFieldsOfWhatThereIsToFeel) {
     desk.click("view.smell");
     ASSERT_TRUE(wanted());
     EXPECT_EQ(wanted()->field, Channel::smell);
-    desk.view.overlays.field = Channel::smell;
+    desk.view.settings.overlays.field = Channel::smell;
     desk.frame(1);
     desk.click("view.none");
     EXPECT_EQ(wanted()->field, std::nullopt);

@@ -222,7 +222,7 @@ TEST(BrainCard, NamesTheWiringOnceABrain) {
     desk.frame(3);
     EXPECT_EQ(desk.panels.recognised.brain, desk.now.brains[0]);
     EXPECT_EQ(desk.panels.recognised.character, Character::aggressor);
-    desk.view.selected = 1;
+    desk.view.settings.selection.vehicle = 1;
     desk.frame();
     EXPECT_EQ(desk.panels.recognised.character, Character::coward);
 }
@@ -240,7 +240,7 @@ TEST(BrainCard, GivesAClassicBrainFromItsPresets) {
 
 TEST(BrainCard, StandsWithNobodySelected) {
     Desk desk;
-    desk.view.selected = no_vehicle;
+    desk.view.settings.selection.vehicle = no_vehicle;
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("slider.LL"));
     EXPECT_TRUE(desk.anchors.find("card.brain"));

@@ -50,7 +50,7 @@ TEST_F(WiringCanvas, StaysUnderTheMouseWhileABrainIsEditedAndACardOpensBelow) {
 
 TEST_F(WiringCanvas, FitsABrainFromElsewhereUnlessTheUserHasMovedTheCamera) {
     const auto give = [&](int nodes) {
-        const VehicleId id = view.selected;
+        const VehicleId id = view.settings.selection.vehicle;
         now = snapshot_with(large_brain(nodes, 90));
         now.vehicles[0].id = id;
         frames(2);
@@ -61,7 +61,7 @@ TEST_F(WiringCanvas, FitsABrainFromElsewhereUnlessTheUserHasMovedTheCamera) {
     state.camera.by_user = true;
     EXPECT_FALSE(give(200));
     now.vehicles[0].kind = 0;
-    ++view.sitting;  // another scene
+    ++view.run_id;  // another scene
     frames(2);
     EXPECT_FALSE(state.camera.by_user);
     EXPECT_NE(anchors.find("node.MR"), nullptr);
@@ -88,9 +88,9 @@ TEST_F(WiringCanvas, DropsADragWhenTheCanvasWasAway) {
 }
 
 TEST_F(WiringCanvas, DrawsWithoutAVehicleAndABrainWithoutNodes) {
-    view.selected = no_vehicle;
+    view.settings.selection.vehicle = no_vehicle;
     frames(2);
-    view.selected = 7;
+    view.settings.selection.vehicle = 7;
     now.brains[0] = std::make_shared<BrainGraph>();
     frames(2);
     click({400, 300});

@@ -43,7 +43,7 @@ struct CanvasFixture : testing::Test {
         now.brains = {std::make_shared<BrainGraph>(make_graph({.LR = 1.5f, .RL = 1.5f}))};
         view.now = &now;
         view.mode = Mode::wiring;
-        view.selected = 7;
+        view.settings.selection.vehicle = 7;
         frames(3);
     }
     ~CanvasFixture() override { ImGui::DestroyContext(); }

@@ -72,8 +72,9 @@ std::vector<Screen> screens() {
     return {
         {"hunt", [](Desk&) {}},
         {"hunt, playing", [](Desk& d) { d.view.mode = Mode::playing; }},
-        {"hunt, following", [](Desk& d) { d.view.mode = Mode::playing, d.view.camera = CameraMode::follow; }},
-        {"nobody selected", [](Desk& d) { d.view.selected = no_vehicle; }},
+        {"hunt, following",
+         [](Desk& d) { d.view.mode = Mode::playing, d.view.settings.camera.mode = CameraMode::follow; }},
+        {"nobody selected", [](Desk& d) { d.view.settings.selection.vehicle = no_vehicle; }},
         {"hunt, wiring", [](Desk& d) { d.view.mode = Mode::wiring; }},
         {"keys", [](Desk& d) { d.key({key::f1}); }},
         {"settings",
@@ -92,15 +93,15 @@ std::vector<Screen> screens() {
         {"presets", [](Desk& d) { d.click("button.presets"); }},
         {"a lamp",
          [](Desk& d) {
-             with_things(d), d.view.thing = {ThingKind::source, 0};
+             with_things(d), d.view.settings.selection.object = {ThingKind::source, 0};
          }},
         {"a box",
          [](Desk& d) {
-             with_things(d), d.view.thing = {ThingKind::obstacle, 0};
+             with_things(d), d.view.settings.selection.object = {ThingKind::obstacle, 0};
          }},
         {"a triangle",
          [](Desk& d) {
-             with_things(d), d.view.thing = {ThingKind::obstacle, 1};
+             with_things(d), d.view.settings.selection.object = {ThingKind::obstacle, 1};
          }},
         {"menu of the floor", [](Desk& d) { with_menu(d, {}, MenuPage::top); }},
         {"menu of a vehicle", [](Desk& d) { with_menu(d, vehicle_thing(0), MenuPage::top); }},

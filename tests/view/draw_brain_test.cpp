@@ -93,7 +93,7 @@ TEST(DrawBrain, PointsAnArrowPerWheelAsLongAsItsSpeedForTheSelectedVehicle) {
     now.vehicles[0].motor = {0.8f, -0.4f};
     EXPECT_TRUE(arrows(drawn(now)).empty());
     Picture picture;
-    picture.selected = chosen;
+    picture.settings.selection.vehicle = chosen;
     const auto found = arrows(drawn(now, picture));
     ASSERT_EQ(found.size(), 2U);
     const MarkInstance left = found[0].place.y > 0 ? found[0] : found[1];

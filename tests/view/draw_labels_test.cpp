@@ -78,9 +78,9 @@ TEST(DrawLabels, NameSeveralSourcesAndEveryZone) {
     hand_made::add_source(now, Channel::heat, 5, 0);
     EXPECT_TRUE(has(words(now), "north lamp") && has(words(now), "fire") && has(words(now), "ice rink"));
     Picture picture = from_above();
-    picture.overlays.surfaces = false;
+    picture.settings.overlays.surfaces = false;
     EXPECT_FALSE(has(words(now, picture), "ice rink"));
-    picture.overlays.labels = false;
+    picture.settings.overlays.labels = false;
     EXPECT_TRUE(words(now, picture).empty());
 }
 
@@ -91,7 +91,7 @@ TEST(DrawLabels, NumberFewVehiclesButOfManyTheChosenOneAlone) {
     for (int i = 3; i < 40; ++i) hand_made::add(now, 0, static_cast<float>(i % 10), 3, 0);
     EXPECT_FALSE(has(words(now), "3"));
     Picture picture = from_above();
-    picture.selected = 32;
+    picture.settings.selection.vehicle = 32;
     EXPECT_TRUE(has(words(now, picture), "33"));
 }
 

@@ -149,9 +149,9 @@ TEST(DrawList, DrawsFieldsAndOutlinesOnlyWhenAsked) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);
     Picture picture;
-    picture.sensors = false;
+    picture.settings.sensors = false;
     EXPECT_TRUE(drawn(now, picture).fields.empty());
-    picture.outlines = true;
+    picture.settings.outlines = true;
     const DrawList outlined = drawn(now, picture);
     ASSERT_EQ(outlined.fields.size(), 2U);
     EXPECT_EQ(outlined.fields[0].colour.w, 0);
@@ -164,7 +164,7 @@ TEST(DrawList, ShowsADriverBothItsFieldsAndNothingRightBeforeIt) {
     const VehicleId driver = hand_made::add(now, 0, 0, 0, 0);
     hand_made::add(now, 0, 5, 0, 0);
     Picture picture;
-    picture.sensors = picture.outlines = false, picture.driver = driver;
+    picture.settings.sensors = picture.settings.outlines = false, picture.driver = driver;
     const DrawList list = drawn(now, picture);
     ASSERT_EQ(list.fields.size(), 2U);
     for (const FieldInstance& field : list.fields) EXPECT_GT(field.line.x, 0);
@@ -199,9 +199,9 @@ TEST(DrawList, LetsIdleFieldsStepBackInACrowdButNotTheChosenOne) {
     for (int i = 0; i < 30; ++i) hand_made::add(many, 0, 0, 0, 0);
     EXPECT_LT(drawn(many).fields[0].colour.w, drawn(few).fields[0].colour.w / 2);
     Picture picture;
-    picture.selected = picture.hovered = 0;
+    picture.settings.selection.vehicle = picture.hovered = 0;
     EXPECT_EQ(drawn(many, picture).fields[0].colour.w, drawn(few, picture).fields[0].colour.w);
-    picture.selected = no_vehicle;
+    picture.settings.selection.vehicle = no_vehicle;
     EXPECT_EQ(drawn(many, picture).fields[0].colour.w, drawn(few, picture).fields[0].colour.w);
 }
 
@@ -211,7 +211,7 @@ TEST(DrawList, RingsTheSelectedVehicleAlone) {
     const VehicleId chosen = hand_made::add(now, 0, 4, 5, 0);
     EXPECT_TRUE(drawn(now).rings.empty());
     Picture picture;
-    picture.selected = chosen;
+    picture.settings.selection.vehicle = chosen;
     const DrawList list = drawn(now, picture);
     ASSERT_EQ(list.rings.size(), 1U);
     EXPECT_EQ(list.rings[0].place.x, 4);
@@ -220,9 +220,9 @@ TEST(DrawList, RingsTheSelectedVehicleAlone) {
 TEST(DrawList, RingsTheVehicleLessWhereALampIsSelectedAboveAll) {
     Snapshot now = hand_made::empty(hand_made::scene());
     Picture picture;
-    picture.selected = hand_made::add(now, 0, 4, 5, 0);
+    picture.settings.selection.vehicle = hand_made::add(now, 0, 4, 5, 0);
     const auto alone = drawn(now, picture).rings;
-    picture.thing_selected = true;
+    picture.settings.selection.object = {ThingKind::source, 0};
     const auto beside = drawn(now, picture).rings;
     ASSERT_EQ(alone.size(), 1U);
     ASSERT_EQ(beside.size(), 1U) << "its brain is still the one that is shown";

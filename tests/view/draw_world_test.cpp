@@ -91,7 +91,7 @@ TEST(DrawWorld, ShowsEachOfAZonesEffects) {
          {Pattern::ice, Pattern::recharge, Pattern::sand, Pattern::wind, Pattern::slope, Pattern::push})
         EXPECT_EQ(count(list, p), 1) << static_cast<int>(p);
     Picture picture;
-    picture.overlays.surfaces = false;
+    picture.settings.overlays.surfaces = false;
     EXPECT_TRUE(drawn(hand_made::empty(scene), picture).zones.empty());
 }
 
@@ -107,12 +107,12 @@ TEST(DrawWorld, ShowsTheSelectedVehiclesMemoryStrongerAndHidesItWhenAsked) {
     Snapshot now = hand_made::empty(bare());
     now.marks = {{0, 1, 1, 0.6f}, {1, 2, 2, 0.6f}};
     Picture picture;
-    picture.selected = 1;
+    picture.settings.selection.vehicle = 1;
     const DrawList list = drawn(now, picture);
     ASSERT_EQ(list.rings.size(), 2U);
     EXPECT_GT(list.rings[1].colour.w, 2 * list.rings[0].colour.w);
     EXPECT_EQ(list.rings[0].shape.w, static_cast<float>(MarkKind::memory));
-    picture.overlays.memory = false;
+    picture.settings.overlays.memory = false;
     EXPECT_TRUE(drawn(now, picture).rings.empty());
 }
 

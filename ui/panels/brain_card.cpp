@@ -50,7 +50,8 @@ void scope(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     if (std::count_if(view.now->vehicles.begin(), view.now->vehicles.end(), same) < 2) return;
     const std::string kind = kind_of(*view.now, vehicle).name;
     const std::array words{ui.strings("scope.one"), ui.strings.find("kind_all." + kind, ui.strings("scope.all"))};
-    const int chosen = segments(ui, "scope", words, view.whole_kind ? 1 : 0, card_width(ui), ui.strings("scope.how"));
+    const int chosen = segments(ui, "scope", words, view.settings.selection.whole_kind ? 1 : 0, card_width(ui),
+                                ui.strings("scope.how"));
     if (chosen >= 0) ui.outbox.push_back(ScopeRequest{chosen == 1});
 }
 
@@ -68,7 +69,7 @@ std::string kind_name(const LabView& view, const Ui& ui, const VehicleView& vehi
 }
 
 void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect room) {
-    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     const std::string keys = key_name(Action::drive, ui.strings);
     const bool by_hand = vehicle && vehicle->driver == Driver::manual;
     std::array buttons{

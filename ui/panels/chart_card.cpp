@@ -218,7 +218,8 @@ void bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
         fill_box(ui, bar, colour_of(ui.palette, v.role), 2);
         if (width >= ui.px(6))
             put_role(ui, {x + width / 2, inner.y + inner.h + ui.px(8)}, std::min(width, ui.px(9)), v.role);
-        if (v.id == view.selected) line_box(ui, {x, inner.y, width, inner.h}, ui.palette.text, 2, 1.5f);
+        if (v.id == view.settings.selection.vehicle)
+            line_box(ui, {x, inner.y, width, inner.h}, ui.palette.text, 2, 1.5f);
         if (!over || mouse.x < x || mouse.x >= x + width) continue;
         line_box(ui, {x, inner.y, width, inner.h}, ui.palette.second_text, 2, 1);
         ReadOut words;

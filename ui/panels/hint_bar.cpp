@@ -49,8 +49,9 @@ float hint_line(const Ui& ui, std::string_view hint, Colour colour, float x, Rec
 // While the keys mean something else, or the view is another, the way back stands first; nothing when neither is so.
 bool way_back(const LabView& view, const Ui& ui, float x, Rect bar) {
     if (view.mode == Mode::wiring) return false;
-    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
-    const bool drives = vehicle && vehicle->driver == Driver::manual, rides = view.camera == CameraMode::driver;
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    const bool drives = vehicle && vehicle->driver == Driver::manual,
+               rides = view.settings.camera.mode == CameraMode::driver;
     const Colour colour = ui.palette.text;
     if (drives) x = hint_line(ui, ui.strings("hint.driving"), colour, x, bar);
     if (drives && rides) x = hint_line(ui, "  ·  ", colour, x, bar);
@@ -61,8 +62,9 @@ bool way_back(const LabView& view, const Ui& ui, float x, Rect bar) {
 // What can be done here, when nothing in particular is next.
 std::string_view usual_hint(const LabView& view) {
     if (view.mode == Mode::wiring) return "hint.wiring";
-    if (view.mode == Mode::playing) return view.camera == CameraMode::follow ? "hint.following" : "hint.playing";
-    return view.selected == no_vehicle ? "hint.nobody" : "hint.paused";
+    if (view.mode == Mode::playing)
+        return view.settings.camera.mode == CameraMode::follow ? "hint.following" : "hint.playing";
+    return view.settings.selection.vehicle == no_vehicle ? "hint.nobody" : "hint.paused";
 }
 
 // What is next, or else what can be done.

@@ -52,15 +52,15 @@ History::Population counted(const Snapshot& now, double seconds) {
 void remember(History& history, const LabView& view) {
     const Snapshot& now = *view.now;
     const double seconds = static_cast<double>(now.tick) / 60;
-    if (history.sitting != view.sitting) history = {}, history.sitting = view.sitting;
+    if (history.run_id != view.run_id) history = {}, history.run_id = view.run_id;
     if (now.tick < history.tick) {
         forget_after(history.signals, seconds);
         forget_after(history.population, seconds);
     }
     history.tick = now.tick;
-    if (history.vehicle != view.selected) history.signals.clear();
-    history.vehicle = view.selected;
-    const VehicleView* vehicle = find_vehicle(now, view.selected);
+    if (history.vehicle != view.settings.selection.vehicle) history.signals.clear();
+    history.vehicle = view.settings.selection.vehicle;
+    const VehicleView* vehicle = find_vehicle(now, view.settings.selection.vehicle);
     if (vehicle && is_due(history.signals, seconds, History::signal_period))
         keep(history.signals,
              History::Signals{

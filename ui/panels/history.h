@@ -28,13 +28,13 @@ struct History {
     VehicleId vehicle = no_vehicle;  // whose signals they are
     std::deque<Signals> signals;     // oldest first
     std::deque<Population> population;
-    std::uint64_t tick = 0;     // of the last snapshot seen
-    std::uint64_t sitting = 0;  // whose run it is: LabView::sitting
+    std::uint64_t tick = 0;    // of the last snapshot seen
+    std::uint64_t run_id = 0;  // whose run it is: LabView::run_id
 };
 
 // Takes a sample where one is due, and takes one anew that belongs to the moment shown, which an edit may have changed;
-// samples of a time that has been taken back go, and all of them where another scene was opened. Call once a frame; at high speed
-// frames are further apart than samples, and the pictures get coarser.
+// samples of a time that has been taken back go, and all of them where another scene was opened. Call once a frame; at
+// high speed frames are further apart than samples, and the pictures get coarser.
 void remember(History&, const LabView&);
 
 }  // namespace braitenlab

@@ -34,7 +34,7 @@ void figures(const LabView& view, Ui& ui) {
     const bool hunted = now.predators + now.prey > 0;
     figure(ui, at, ui.strings("info.population"), std::to_string(now.vehicles.size()));
     figure(ui, {at.x + third, at.y}, ui.strings("info.generation"), std::to_string(now.generation));
-    const VehicleView* selected = find_vehicle(now, view.selected);
+    const VehicleView* selected = find_vehicle(now, view.settings.selection.vehicle);
     if (hunted)
         figure(ui, {at.x + 2 * third, at.y}, ui.strings("info.captures"), std::to_string(now.events.captures));
     else if (selected)
@@ -139,9 +139,9 @@ void energies(const LabView& view, PanelState& state, Ui& ui) {
         const Rect around{x - space / 2, y, bar_w + space, row_h};
         const bool over = area.hovered && around.contains(mouse.x, mouse.y);
         if (over) under = &vehicle;
-        if (vehicle.id == view.selected || over)
+        if (vehicle.id == view.settings.selection.vehicle || over)
             line_box(ui, {x - ui.px(1.5f), y - ui.px(1.5f), bar_w + ui.px(3), bar_h + ui.px(3)},
-                     vehicle.id == view.selected ? ui.palette.text : ui.palette.second_text, 3, 1.5f);
+                     vehicle.id == view.settings.selection.vehicle ? ui.palette.text : ui.palette.second_text, 3, 1.5f);
     }
     if (under) {
         tooltip(ui, area,

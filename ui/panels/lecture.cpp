@@ -39,7 +39,7 @@ std::vector<Figure> figures(const LabView& view, PanelState& state, const Ui& ui
         return {{"lecture.predators", "lecture.predators", std::to_string(now.predators), p.predator},
                 {"lecture.prey", "lecture.prey", std::to_string(now.prey), p.prey},
                 {"lecture.captures", "lecture.captures", std::to_string(now.events.captures), p.text}};
-    const VehicleView* vehicle = find_vehicle(now, view.selected);
+    const VehicleView* vehicle = find_vehicle(now, view.settings.selection.vehicle);
     if (!vehicle) return {};
     const auto wheel = [&](std::string_view name, float value) {
         return Figure{name, name, with_sign(value, 2), p.text, value, true};

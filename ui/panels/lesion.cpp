@@ -34,7 +34,7 @@ bool holds(const Anchors& anchors, std::string_view name, vec2 at) {
 // near, within a hand of it.
 std::string part_in_scene(const LabView& view, vec2 pointer) {
     constexpr float pixels = 14, metres = 0.14f, eye_height = 0.3f, wheel_height = 0.1f;
-    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (!vehicle || !view.sight) return {};
     const vec2 ahead{maths::cosine(vehicle->heading), maths::sine(vehicle->heading)};
     const vec2 place{vehicle->x, vehicle->y};
@@ -88,7 +88,7 @@ std::string lesion_under_pointer(const LabView& view, const Anchors& anchors, bo
 }
 
 void lesions_elsewhere(const LabView& view, PanelState& state, Ui& ui) {
-    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (state.lesion_under_pointer.empty() && vehicle && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
         state.lesion_under_pointer = lesion_under_pointer(view, ui.anchors, ImGui::GetIO().WantCaptureMouse);
     const std::string wanted = std::exchange(state.lesion_wanted, {});

@@ -24,7 +24,7 @@ inline const Kind* filed_kind(const LabView& view, const VehicleView& vehicle) {
 }
 
 inline Target target_of(const LabView& view, const VehicleView& vehicle) {
-    return view.whole_kind ? Target{no_vehicle, vehicle.kind} : Target{vehicle.id, -1};
+    return view.settings.selection.whole_kind ? Target{no_vehicle, vehicle.kind} : Target{vehicle.id, -1};
 }
 
 }  // namespace braitenlab

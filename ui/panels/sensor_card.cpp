@@ -200,7 +200,7 @@ private:
 
 void sensor_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const bool open = begin_card(ui, state.sensors, "card.sensors", ui.strings("sensors.heading"), place);
-    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     const bool blind = !vehicle || kind_of(*view.now, *vehicle).sensors.empty();
     if (open && blind) paragraph(ui, ui.strings("sensors.none"), ui.palette.second_text);
     if (open && !blind) Card(view, state, ui, *vehicle).draw();

@@ -101,7 +101,7 @@ private:
 
     void look(std::string anchor, std::string_view key, Action action, CameraMode mode, VehicleId id) {
         std::vector<Request> asks{SelectRequest{id}};
-        if (view_.camera != mode) asks.push_back(action);
+        if (view_.settings.camera.mode != mode) asks.push_back(action);
         add(std::move(anchor), words(key), std::move(asks), keys(action));
     }
 

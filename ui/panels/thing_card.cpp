@@ -120,13 +120,13 @@ void obstacle_values(const LabView& view, PanelState& state, Ui& ui, int index) 
 }  // namespace
 
 void thing_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
-    const bool source = view.thing.kind == ThingKind::source;
+    const bool source = view.settings.selection.object.kind == ThingKind::source;
     const auto words = ui.strings(source ? "thing.source" : "thing.obstacle");
     if (begin_card(ui, state.thing, "card.thing", words, place)) {
         if (source)
-            source_values(view, state, ui, view.thing.index);
+            source_values(view, state, ui, view.settings.selection.object.index);
         else
-            obstacle_values(view, state, ui, view.thing.index);
+            obstacle_values(view, state, ui, view.settings.selection.object.index);
         thing_buttons(ui);
     }
     end_card(state.thing);

@@ -32,16 +32,16 @@ std::string_view word(Channel channel) { return channel_words[static_cast<std::s
 ViewRow switch_row(Action action, bool on) { return {"view." + std::string(name(action)), on, action}; }
 
 std::vector<ViewRow> switches(const LabView& view) {
-    const Overlays& shown = view.overlays;
-    return {switch_row(Action::sensors, view.sensors), switch_row(Action::outlines, view.outlines),
-            switch_row(Action::trails, shown.trails),  switch_row(Action::surfaces, shown.surfaces),
-            switch_row(Action::memory, shown.memory),  switch_row(Action::labels, shown.labels)};
+    const Overlays& shown = view.settings.overlays;
+    return {switch_row(Action::sensors, view.settings.sensors), switch_row(Action::outlines, view.settings.outlines),
+            switch_row(Action::trails, shown.trails),           switch_row(Action::surfaces, shown.surfaces),
+            switch_row(Action::memory, shown.memory),           switch_row(Action::labels, shown.labels)};
 }
 
 std::vector<ViewRow> fields(const LabView& view) {
-    std::vector<ViewRow> rows{{"view.none", !view.overlays.field, std::nullopt}};
+    std::vector<ViewRow> rows{{"view.none", !view.settings.overlays.field, std::nullopt}};
     for (const Channel c : channels_with_intensity(*view.now))
-        rows.push_back({"view." + std::string(word(c)), view.overlays.field == c, std::nullopt, c});
+        rows.push_back({"view." + std::string(word(c)), view.settings.overlays.field == c, std::nullopt, c});
     return rows;
 }
 
@@ -121,7 +121,7 @@ void view_menu(const LabView& view, PanelState& state, Ui& ui, const WindowLayou
     at.y = heading(ui, at, ui.strings("view.field"), key_name(Action::next_field, ui.strings));
     for (const ViewRow& row : all_fields) {
         if (draw_row(ui, row, at)) {
-            Overlays wanted = view.overlays;
+            Overlays wanted = view.settings.overlays;
             wanted.field = row.field;
             ui.outbox.push_back(OverlaysRequest{wanted});
         }

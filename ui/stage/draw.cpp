@@ -32,10 +32,10 @@ public:
 
     void draw() {
         if (frame_.view.mode == Mode::wiring) return;
-        mark_thing(frame_.view.thing, ui_.palette.selected, 2.5f);
+        mark_thing(frame_.view.settings.selection.object, ui_.palette.selected, 2.5f);
         const Thing& hovered = state_.hovered.thing;
         const bool idle = state_.drag.phase == StagePhase::idle;
-        if (idle && !state_.hovered.handle && hovered != frame_.view.thing)
+        if (idle && !state_.hovered.handle && hovered != frame_.view.settings.selection.object)
             mark_thing(hovered, ui_.palette.second_text, 1.5f);
         if (const auto handle = handle_of(state_, frame_)) draw_handle(*handle);
         if (state_.drag.phase == StagePhase::move || state_.drag.phase == StagePhase::turn) tell_pose();

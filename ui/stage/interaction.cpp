@@ -85,10 +85,12 @@ bool moved_enough(const StageState& state, const StageFrame& frame) {
 
 StagePhase phase_for(const StageState& state, const StageFrame& frame) {
     const StageDrag& drag = state.drag;
-    const bool flat = frame.view.camera == CameraMode::birds_eye;  // turned by hand it would lose its north
+    const bool flat =
+        frame.view.settings.camera.mode == CameraMode::birds_eye;  // turned by hand it would lose its north
     if (!drag.left || (!drag.on && flat)) return StagePhase::pan;
     // Whoever the camera rides with would flee from the pointer that drags it: both move.
-    const bool ridden = rides(frame.view.camera) && drag.on.thing == vehicle_thing(frame.view.selected);
+    const bool ridden =
+        rides(frame.view.settings.camera.mode) && drag.on.thing == vehicle_thing(frame.view.settings.selection.vehicle);
     if (!drag.on || ridden) return StagePhase::orbit;
     return drag.on.handle ? StagePhase::turn : StagePhase::move;
 }
@@ -193,7 +195,7 @@ bool cancel(StageState& state, const LabView& view, Outbox& outbox) {
         state.corners.clear();
     } else if (state.tool != StageTool::hand) {
         state.tool = StageTool::hand;
-    } else if (view.thing) {
+    } else if (view.settings.selection.object) {
         outbox.push_back(TakeRequest{});
     } else {
         return false;

@@ -100,7 +100,7 @@ bool draw_by_key(const LabView& view, StageState& state, Action action, KeyPress
 
 bool takes_arrows(const LabView& view, bool ctrl) {
     if (!view.sight || view.mode == Mode::wiring) return false;
-    return view.thing || (ctrl && view.selected != no_vehicle);
+    return view.settings.selection.object || (ctrl && view.settings.selection.vehicle != no_vehicle);
 }
 
 void stage(const LabView& view, StageState& state, Ui& ui, Rect area) {

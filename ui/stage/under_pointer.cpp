@@ -16,7 +16,10 @@ constexpr float ring_gap = 16, ring_grip = 6, knob_grip = 11, handle_near = 36;
 
 }  // namespace
 
-Thing chosen(const LabView& view) { return view.thing ? view.thing : vehicle_thing(view.selected); }
+Thing chosen(const LabView& view) {
+    return view.settings.selection.object ? view.settings.selection.object
+                                          : vehicle_thing(view.settings.selection.vehicle);
+}
 
 std::optional<vec2> floor_at(const StageFrame& frame) { return unproject(frame.sight, frame.pointer.at); }
 
@@ -36,7 +39,8 @@ std::optional<Handle> handle_of(const StageState& state, const StageFrame& frame
     const auto place = place_of(*frame.view.now, thing);
     const bool turns = thing.kind == ThingKind::vehicle || thing.kind == ThingKind::obstacle;
     const bool free = state.drag.phase == StagePhase::idle || state.drag.phase == StagePhase::turn;
-    if (rides(frame.view.camera) && thing == vehicle_thing(frame.view.selected)) return std::nullopt;
+    if (rides(frame.view.settings.camera.mode) && thing == vehicle_thing(frame.view.settings.selection.vehicle))
+        return std::nullopt;
     if (!turns || !place || !free || state.tool != StageTool::hand || frame.view.mode == Mode::wiring)
         return std::nullopt;
     Handle handle;

@@ -66,9 +66,9 @@ bool has_foreign_nodes(const BrainGraph& brain, const BrainGraph& before, const 
 void follow(CanvasState& state, const LabView& lab, const VehicleView& vehicle,
             const std::shared_ptr<const BrainGraph>& brain, const Layout& layout, Rect area, float ui_scale) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    ShownBefore now{lab.sitting, vehicle.kind, brain, area, {window.x, window.y}, ui_scale};
+    ShownBefore now{lab.run_id, vehicle.kind, brain, area, {window.x, window.y}, ui_scale};
     ShownBefore& before = state.shown;
-    const bool another = before.kind != now.kind || before.sitting != now.sitting;
+    const bool another = before.kind != now.kind || before.run_id != now.run_id;
     const bool resized = before.window != now.window || before.ui_scale != now.ui_scale;
     if (another) state.selection = {}, state.drag = {}, state.menu = {}, state.joining.reset(), state.focus = {};
     if (!another && !resized && before.area != area)
@@ -159,7 +159,7 @@ void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& st
     drop_stale_selection(state, before);
 
     Target target;
-    if (view.whole_kind)
+    if (view.settings.selection.whole_kind)
         target.kind = vehicle.kind;
     else
         target.vehicle = vehicle.id;
@@ -243,7 +243,7 @@ void draw_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
     // A click on the canvas removes the keyboard focus from the cards.
     if (over && ui.keyboard && ImGui::IsMouseClicked(0)) ui.keyboard->focus.clear();
 
-    const VehicleView* vehicle = find_vehicle(*view.now, view.selected);
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     const auto brains = static_cast<int>(view.now->brains.size());
     const bool has_brain = vehicle != nullptr && vehicle->brain >= 0 && vehicle->brain < brains;
     if (has_brain) {

@@ -48,7 +48,7 @@ struct RefusalNote {
 
 // What the previous frame showed: a change of it can move the camera.
 struct ShownBefore {
-    std::uint64_t sitting = 0;
+    std::uint64_t run_id = 0;
     int kind = -1;  // the vehicle's
     std::shared_ptr<const BrainGraph> brain{};
     Rect area{};

@@ -1,0 +1,57 @@
+// An open scene, exercise or saved run: its session, its file and how much of the work has been saved.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/lesson/exercise.h"
+#include "core/lesson/referee.h"
+#include "core/scene/scene_file.h"
+#include "core/session/session.h"
+#include "ui/lab_view.h"
+
+namespace braitenlab {
+
+// Time and size of a file. A mark that differs from an earlier one means that the file has been written since.
+struct FileMark {
+    std::filesystem::file_time_type written{};
+    std::uintmax_t size = 0;
+    friend bool operator==(const FileMark&, const FileMark&) = default;
+};
+FileMark mark_of(const std::filesystem::path&);  // FileMark{} if there is no such file
+
+// An open exercise: its text, its referee and the student's progress.
+struct Lesson {
+    std::shared_ptr<const Exercise> exercise;  // never null
+    Referee referee;
+    LessonView view;
+    double last_hint_at = 0;  // wall seconds
+};
+
+struct Document {
+    Session session;
+    std::string name{};                       // of the file, without folder and extension
+    std::filesystem::path path{};             // empty: not saved yet
+    std::shared_ptr<const Scene> file{};      // the scene as it was read or saved last
+    FileMark on_disk{}, noticed{};            // the file when it was read or saved; and when it was last looked at
+    std::vector<Setting> settings{};          // values of the scene that were set when it was opened (--set)
+    std::optional<Lesson> lesson{};           // nullopt: no exercise
+    std::int64_t edits = 0, saved_edits = 0;  // edits so far, and their number when the user saved last
+    std::uint64_t saved_tick = 0;             // the run up to this tick is in its file
+    std::uint64_t run_id = 0;                 // another number for every document opened since the program started
+};
+
+// Opens a scene, an exercise or a saved run. A saved run continues from its tick. `settings` apply to scenes and, after
+// the exercise's own settings, to exercises. `seed` replaces the seed of the exercise, or 1 for a scene.
+// Fails with file and line as load_scene, load_exercise and load_run do.
+Result<Document> open_document(const std::filesystem::path&, std::optional<std::uint64_t> seed,
+                               const std::vector<Setting>& settings);
+
+// Continues a run; the document has no file.
+Document resume_document(SavedRun);
+
+}  // namespace braitenlab

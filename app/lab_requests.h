@@ -1,0 +1,16 @@
+// Executes the requests that panels, keys and the mouse make.
+#pragma once
+
+#include <cstdint>
+
+#include "app/lab.h"
+
+namespace braitenlab {
+
+void handle(Lab&, const Request&);
+
+// Applies an edit to the session, or shows why it failed. Returns true on success. Edits with the same `gesture`
+// (not 0) are one step of undo.
+bool apply(Lab&, const Command&, std::uint64_t gesture = 0);
+
+}  // namespace braitenlab

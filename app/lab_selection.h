@@ -1,0 +1,34 @@
+// The selection: a vehicle, and optionally a source or an obstacle besides it; and driving the selected vehicle by
+// hand.
+#pragma once
+
+#include "app/lab.h"
+
+namespace braitenlab {
+
+const VehicleView* selected_vehicle(const Lab&);  // null when there is none
+
+// The selected source or obstacle, else the selected vehicle: what Delete removes.
+Thing chosen(const Lab&);
+
+void select(Lab&, const Thing&);
+// Selects a source or an obstacle, or neither; the selected vehicle stays selected.
+void select_object(Lab&, const Thing&);
+// Selects the vehicle `step` places further in the order of ids.
+void select_neighbour(Lab&, int step);
+
+// Makes the selection valid again. Call after anything that may have added or removed vehicles, sources or obstacles.
+void keep_selection(Lab&);
+
+// If the selected vehicle has died in this tick, selects the next one of its kind and shows a notice. `selected` is the
+// vehicle one tick ago.
+void reselect_after_death(Lab&, const VehicleView& selected);
+
+// Switches the selected vehicle between manual driving and the driver of its kind.
+void drive(Lab&);
+
+// Drives the selected vehicle by arrow keys; `right` and `ahead` are −1, 0 or 1. Returns false if the vehicle is not
+// driven manually: then the arrow keys move the camera.
+bool steer_by_keys(Lab&, float right, float ahead);
+
+}  // namespace braitenlab

@@ -1,0 +1,84 @@
+#include "app/playback.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "app/lab.h"
+#include "app/lab_lesson.h"
+#include "app/lab_selection.h"
+#include "app/past.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr double hint_interval = 30;       // s after which the next hint is available without a run
+constexpr double tick_length = 1.0 / 60;   // s, as in core/brain/brain.h
+constexpr double stepping_budget = 0.012;  // s of wall time per frame
+
+// Measures once per second. A shortfall of less than 5 % is not reported: it is hardly visible.
+void measure_pace(Playback& playback, double wall_seconds, double simulated) {
+    constexpr double interval = 1, tolerated = 0.95;
+    Pace& pace = playback.pace;
+    pace.wall += wall_seconds, pace.simulated += simulated;
+    if (pace.wall < interval) return;
+    const double reached = pace.simulated / pace.wall;
+    pace.reached.reset();
+    if (reached < tolerated * static_cast<double>(playback.time_scale)) pace.reached = static_cast<float>(reached);
+    pace.wall = pace.simulated = 0;
+}
+
+}  // namespace
+
+void set_mode(Lab& lab, Mode mode) {
+    Playback& playback = lab.playback;
+    const bool was_playing = playback.mode == Mode::playing, plays = mode == Mode::playing;
+    if (was_playing != plays) ++playback.toggles;
+    if (plays) playback.debt = 0;
+    playback.pace = {};
+    playback.mode = mode;
+}
+
+void tick(Lab& lab) {
+    Session& session = lab.document.session;
+    lab.playback.previous = session.snapshot().vehicles;
+    const VehicleView* selected = selected_vehicle(lab);
+    const std::optional<VehicleView> before = selected ? std::optional(*selected) : std::nullopt;
+    session.step();
+    if (before) reselect_after_death(lab, *before);
+    keep_selection(lab);
+    if (auto& lesson = lab.document.lesson) {
+        lesson->view.has_run = true;
+        if (session.snapshot().tick == 1) lesson->view.hint_ready = true;  // each run makes one hint available
+    }
+    watch(lab);
+    record_referee(lab);
+}
+
+void advance(Lab& lab, double wall_seconds) {
+    lab.wall_seconds += wall_seconds;
+    if (lab.wall_seconds >= lab.notice_until) lab.notice = {};
+    if (auto& lesson = lab.document.lesson; lesson && lab.wall_seconds - lesson->last_hint_at >= hint_interval)
+        lesson->view.hint_ready = true;
+    Playback& playback = lab.playback;
+    if (playback.mode != Mode::playing || playback.held) return;
+
+    using Clock = std::chrono::steady_clock;
+    const auto began = Clock::now();
+    const auto spent = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
+    playback.debt += wall_seconds * static_cast<double>(playback.time_scale);
+    const double before = lab.document.session.snapshot().seconds;
+    while (playback.debt >= tick_length && spent() < stepping_budget) {
+        tick(lab);
+        playback.debt -= tick_length;
+    }
+    measure_pace(playback, wall_seconds, lab.document.session.snapshot().seconds - before);
+    if (playback.debt >= tick_length) playback.debt = 0;
+}
+
+float between_ticks(const Lab& lab) {
+    if (lab.playback.mode != Mode::playing || lab.playback.held) return 1;
+    return std::clamp(static_cast<float>(lab.playback.debt / tick_length), 0.0f, 1.0f);
+}
+
+}  // namespace braitenlab

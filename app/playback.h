@@ -1,0 +1,58 @@
+// How simulated time passes: mode, speed, and what is needed to go back in time.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "core/lesson/referee.h"
+#include "core/session/session.h"
+#include "ui/lab_view.h"
+
+namespace braitenlab {
+
+struct Lab;
+
+// Measured speed of simulated time while playing.
+struct Pace {
+    double wall = 0, simulated = 0;  // s, in the interval being measured
+    std::optional<float> reached;    // simulated seconds per second in the last interval; nullopt: as requested
+};
+
+// A moment of the run, with the referee of an exercise as it was then.
+struct TimeMark {
+    Bookmark moment;
+    std::optional<Referee> referee;
+};
+
+struct RefereeAtTick {
+    std::uint64_t tick = 0;
+    Referee referee;
+};
+
+struct Playback {
+    Mode mode = Mode::paused;
+    float time_scale = 1;               // simulated seconds per second
+    std::vector<VehicleView> previous;  // vehicles one tick ago, to interpolate between two ticks
+    double debt = 0;                    // simulated seconds that are due and not stepped yet
+    Pace pace;
+    std::int64_t toggles = 0;  // changes between playing and not playing
+    std::vector<TimeMark> bookmarks;
+    std::deque<RefereeAtTick> referees;  // of the recorded minute, by ascending tick
+    bool held = false;                   // true while the playhead is dragged; the simulation is paused
+};
+
+void set_mode(Lab&, Mode);
+
+// Runs one tick in any mode.
+void tick(Lab&);
+
+// Lets wall time pass: runs the ticks that are due while playing, for at most 12 ms. Ticks that do not fit are dropped,
+// so that a slow machine runs in slow motion and the debt does not grow.
+void advance(Lab&, double wall_seconds);
+
+// Position of the picture between the previous tick (0) and the last one (1); 1 while the simulation is paused.
+float between_ticks(const Lab&);
+
+}  // namespace braitenlab

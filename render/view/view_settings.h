@@ -1,0 +1,49 @@
+// How a scene is shown and what is selected in it. One value, used by the lab, the panels, the renderer and lecture
+// mode: a new view flag is a member here and nowhere else.
+#pragma once
+
+#include <optional>
+
+#include "core/scene/scene.h"
+#include "render/view/camera.h"
+#include "render/view/pick.h"
+
+namespace braitenlab {
+
+// Layers drawn over the scene, each of which can be switched off.
+struct Overlays {
+    bool trails = true;            // recent paths of the vehicles
+    bool surfaces = true;          // zones: ice, carpet, wind, …
+    bool memory = true;            // positions that vehicles remember
+    bool labels = true;            // names of things
+    std::optional<Channel> field;  // intensity of this channel over the floor, as contours; nullopt: none
+    friend bool operator==(const Overlays&, const Overlays&) = default;
+};
+
+// A vehicle, and optionally a source or an obstacle besides it: the brain cards still show the vehicle.
+struct Selection {
+    VehicleId vehicle = no_vehicle;
+    Thing object;            // a source or an obstacle; Thing{}: none
+    bool whole_kind = true;  // edits apply to every vehicle of the selected one's kind
+    friend bool operator==(const Selection&, const Selection&) = default;
+};
+
+struct ViewSettings {
+    Camera camera;
+    Overlays overlays;
+    bool sensors = true;    // fill the sensor fields
+    bool outlines = false;  // draw the edges of the sensor fields
+    Selection selection;
+    friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
+};
+
+// The settings for another scene. Layers and sensor fields stay as they are; camera, intensity field and selection
+// return to their defaults, because they depend on the scene.
+inline ViewSettings for_another_scene(ViewSettings settings) {
+    settings.camera = {};
+    settings.overlays.field.reset();
+    settings.selection = {};
+    return settings;
+}
+
+}  // namespace braitenlab
