@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <iostream>
 
-#include "app/desk.h"
+#include "app/files/file_commands.h"
+#include "app/frame_pacing.h"
 #include "app/lab_requests.h"
-#include "app/platform.h"
+#include "app/platform/platform.h"
 
 namespace braitenlab {
 
@@ -24,26 +25,27 @@ int complain(const Error& error) {
     return 2;
 }
 
-App::App(Options options, Lab lab, Window window, Renderer renderer, Words words, Memory memory)
+App::App(Options options, Lab lab, Window window, Renderer renderer, Words words, Settings settings)
     : options_(std::move(options)),
       lab_(std::move(lab)),
       window_(std::move(window)),
       renderer_(std::move(renderer)),
       words_(std::move(words)),
-      memory_(std::move(memory)),
-      autosave_(options_.screenshot.empty() && !state_folder().empty() ? state_folder() / "autosave"
+      settings_(std::move(settings)),
+      folders_(user_folders()),
+      autosave_(options_.screenshot.empty() && !folders_.state.empty() ? folders_.state / "autosave"
                                                                        : std::filesystem::path{},
-                memory_.complaints),
+                settings_.errors),
       catalogue_(read_catalogue()),
       anchors_file_(options_.anchors),
       state_file_(options_.state) {
-    lab_.preferences = memory_.preferences;
+    lab_.preferences = settings_.at_start;
     lab_.view.camera.mode = options_.camera;
     lab_.view.overlays.field = options_.field;
-    look_.wear(lab_.preferences.theme, wanted_scale());
+    theme_.apply(lab_.preferences.theme, wanted_scale());
     load_label_font();
-    if (!look_.warning().empty()) std::cerr << "braitenlab: " << look_.warning() << "\n";
-    for (const Error& complaint : memory_.complaints) show_error(complaint);
+    if (!theme_.warning().empty()) std::cerr << "braitenlab: " << theme_.warning() << "\n";
+    for (const Error& error : settings_.errors) show_error(error);
     refresh(files_, lab_);
     if (options_.play) handle(lab_, Action::play_pause);
     began_ = last_turn_ = Clock::now();
@@ -70,8 +72,9 @@ bool App::turn() {
     save_settings(false);
     if (const auto error = autosave_.keep(lab_, lab_.wall_seconds)) show_error(*error);
     if (lab_.full_screen) lab_.full_screen = false, window_.toggle_full_screen();
-    while (!repeatable() && seconds_since(turn_began) < frame_seconds)
-        window_.poll(frame_seconds - seconds_since(turn_began));
+    if (repeatable()) return true;
+    const int rate = window_.refresh_rate();
+    while (const double pause = pause_after_swap(seconds_since(turn_began), rate)) window_.poll(pause);
     return true;
 }
 
@@ -105,7 +108,7 @@ void App::handle_files() {
     for (const std::string& path : window_.take_dropped_files()) lab_.files.push_back(OpenRequest{path, true});
     for (const Request& request : lab_.files)
         if (const auto* recover = std::get_if<RecoverRequest>(&request)) handle_recovery(recover->take);
-    if (!lab_.files.empty()) do_files(lab_, files_, memory_.remembered);
+    if (!lab_.files.empty()) execute_file_requests(lab_, files_, settings_.state, folders_);
     if (!options_.screenshot.empty() || seconds_since(file_checked_) < 0.3) return;
     file_checked_ = Clock::now();
     follow_file(lab_, files_);
@@ -127,7 +130,7 @@ void App::show_error(const Error& error) { say(lab_, {NoticeKind::failure, "", e
 void App::save_settings(bool now) {
     if (!options_.screenshot.empty() || (!now && seconds_since(settings_saved_) < 1)) return;
     settings_saved_ = Clock::now();
-    if (const auto error = keep(memory_, own_preferences(lab_), window_.windowed_size())) show_error(*error);
+    if (const auto error = save(settings_, own_preferences(lab_), window_.windowed_size())) show_error(*error);
 }
 
 bool App::repeatable() const { return !options_.screenshot.empty() && options_.play; }

@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "app/autosave.h"
-#include "app/catalogue.h"
+#include "app/applied_theme.h"
+#include "app/files/autosave.h"
+#include "app/files/data.h"
+#include "app/files/settings.h"
 #include "app/lab.h"
-#include "app/look.h"
-#include "app/memory.h"
 #include "app/options.h"
 #include "app/report_state.h"
 #include "app/viewport.h"
@@ -29,7 +29,7 @@ double seconds_since(std::chrono::steady_clock::time_point then);
 
 class App {
 public:
-    App(Options, Lab, Window, Renderer, Words, Memory);
+    App(Options, Lab, Window, Renderer, Words, Settings);
 
     // One iteration of the main loop. Returns false when the program has ended: the user has left it, the system has
     // told it to end, or the picture of --screenshot has been taken. Do not call it again then.
@@ -82,13 +82,14 @@ private:
     Window window_;
     Renderer renderer_;
     Words words_;
-    Memory memory_;
+    Settings settings_;
+    UserFolders folders_;
     Autosave autosave_;
     Clock::time_point began_ = Clock::now(), last_turn_ = began_;  // end of the constructor; start of the last turn
     Clock::time_point settings_saved_ = began_, file_checked_ = began_;
     int exit_code_ = 0;
     std::vector<CatalogueEntry> catalogue_;
-    Look look_;
+    AppliedTheme theme_;
     FilesView files_;
     PanelState panels_;
     ViewportState viewport_;
@@ -96,7 +97,7 @@ private:
     Outbox outbox_;
     Snapshot shown_;  // interpolated between the last two ticks
     FrameFacts facts_;
-    KeptFile anchors_file_, state_file_;
+    ReportFile anchors_file_, state_file_;
     Clock::time_point shaders_checked_ = Clock::now();
     bool reported_label_font_ = false;
     Clock::time_point state_written_{};

@@ -1,4 +1,4 @@
-// What a frame shows, and in which look.
+// App: one frame.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -6,11 +6,11 @@
 #include <imgui.h>
 
 #include "app/app.h"
+#include "app/files/screenshot.h"
 #include "app/lab_requests.h"
 #include "app/lab_selection.h"
 #include "app/lettering.h"
-#include "app/platform.h"
-#include "app/screenshot.h"
+#include "app/platform/platform.h"
 #include "render/view/between.h"
 #include "ui/prompts.h"
 
@@ -18,15 +18,15 @@ namespace braitenlab {
 
 namespace {
 
-// No larger than leaves the toolbar and the cards their room; in steps, since each makes the letters anew.
-float fitting(float scale, Rect window) {
+// The scale, reduced until toolbar and cards fit into the window. In steps, because each change loads the fonts again.
+float fitting_scale(float scale, Rect window) {
     constexpr float least_width = 940, least_height = 570, steps = 8;  // layout pixels; a step is an eighth
     const float most = std::min(window.w / least_width, window.h / least_height);
     return scale <= most ? scale : std::max(1.0f, std::floor(most * steps) / steps);
 }
 
-// The camera leaves room at the foot for the metres outside the wall, as they are at scale 1: larger ones need more.
-Rect without_metres(Rect scene, float scale) {
+// The camera leaves room below the arena for metre labels at scale 1. This leaves the additional room at larger scales.
+Rect without_metre_labels(Rect scene, float scale) {
     constexpr float more = 16;  // layout pixels
     return {scene.x, scene.y, scene.w, std::max(0.5f * scene.h, scene.h - more * (scale - 1))};
 }
@@ -43,16 +43,16 @@ std::string typed_text(const PanelState& panels) {
 float App::wanted_scale() const {
     const float type = lab_.preferences.type_size;
     const float wanted =
-        options_.scale ? *options_.scale * type / memory_.preferences.type_size : window_.content_scale() * type;
-    return lab_.before_lecture ? wanted : fitting(wanted, window_.area());
+        options_.scale ? *options_.scale * type / settings_.at_start.type_size : window_.content_scale() * type;
+    return lab_.before_lecture ? wanted : fitting_scale(wanted, window_.area());
 }
 
 void App::follow_preferences() {
-    if (const auto error = speak(words_, lab_.preferences.language)) {
+    if (const auto error = change_language(words_, lab_.preferences.language)) {
         lab_.preferences.language = words_.language;
         show_error(*error);
     }
-    if (look_.wear(lab_.preferences.theme, wanted_scale())) window_.forget_fonts(), load_label_font();
+    if (theme_.apply(lab_.preferences.theme, wanted_scale())) window_.upload_fonts(), load_label_font();
 }
 
 float App::density() const {
@@ -61,8 +61,8 @@ float App::density() const {
 
 void App::load_label_font() {
     constexpr float label_em = 14;  // layout pixels
-    const auto pixels = static_cast<int>(std::lround(label_em * look_.scale() * density()));
-    auto [lettering, warning] = label_font(find_font, pixels, *look_.fonts().small);
+    const auto pixels = static_cast<int>(std::lround(label_em * theme_.scale() * density()));
+    auto [lettering, warning] = label_font(find_font, pixels, *theme_.fonts().small);
     renderer_.use_lettering(std::move(lettering));
     if (!warning.empty() && !reported_label_font_) std::cerr << "braitenlab: " << warning << "\n";
     reported_label_font_ = true;
@@ -82,12 +82,12 @@ void App::frame(float passed) {
     LabView view = view_of(lab_);
     view.catalogue = &catalogue_;
     view.languages = &words_.languages;
-    view.recent = &memory_.remembered.recent;
+    view.recent = &settings_.state.recent;
     view.files = &files_;
     if (autosave_.leftover()) view.recovery = &autosave_.leftover()->offer;
     const Rect area = window_.area();
-    const WindowLayout layout = lay_out(area.w, area.h, look_.scale(), view, panels_.charts_open);
-    const Rect arena = without_metres(layout.scene, look_.scale());
+    const WindowLayout layout = lay_out(area.w, area.h, theme_.scale(), view, panels_.charts_open);
+    const Rect arena = without_metre_labels(layout.scene, theme_.scale());
     aim(viewport_, lab_, area, arena, passed);
     view.sight = &viewport_.sight;
     outbox_.clear();
@@ -97,8 +97,8 @@ void App::frame(float passed) {
     anchors_.begin();
     Ui ui{.strings = words_.strings,
           .palette = palette(view.theme),
-          .fonts = look_.fonts(),
-          .scale = look_.scale(),
+          .fonts = theme_.fonts(),
+          .scale = theme_.scale(),
           .anchors = anchors_,
           .outbox = outbox_,
           .pulse = pulse(view)};
@@ -113,6 +113,10 @@ void App::frame(float passed) {
         renderer_.remember(lab_.document.session.snapshot());  // no frame is shown before the picture is taken
     else
         draw_scene();
+    const ImGuiIO& io = ImGui::GetIO();
+    ++facts_.frames;
+    facts_.pointer = ImGui::IsMousePosValid() ? maths::vec2{io.MousePos.x, io.MousePos.y} : maths::vec2{-1, -1};
+    facts_.pressed = io.MouseDown[0] ? 1 : io.MouseDown[2] ? 2 : io.MouseDown[1] ? 3 : 0;
     facts_.focus = panels_.keyboard.focus;
     facts_.typed = typed_text(panels_);
     window_.bind();
@@ -140,7 +144,7 @@ void App::draw_scene() {
     const Thing& hovered = panels_.stage.hovered.thing;
     picture.hovered = hovered.kind == ThingKind::vehicle ? hovered.index : no_vehicle;
     picture.driver = lab_.view.camera.mode == CameraMode::driver ? lab_.view.selection.vehicle : no_vehicle;
-    picture.pixel_scale = density() * look_.scale();
+    picture.pixel_scale = density() * theme_.scale();
     shown_ = lab_.document.session.snapshot();
     if (!repeatable()) stand_between(shown_, lab_.playback.previous, between_ticks(lab_));
     renderer_.draw(shown_, picture);
@@ -157,8 +161,8 @@ std::optional<Error> App::write_picture(const std::filesystem::path& path) {
 
 void App::take_screenshot() {
     lab_.screenshot = false;
-    std::error_code none;  // writing will say what is wrong
-    const auto folder = pictures_folder();
+    std::error_code none;  // write_picture() reports it
+    const auto& folder = folders_.pictures;
     std::filesystem::create_directories(folder, none);
     const auto path = next_screenshot_name(folder);
     if (const auto error = write_picture(path)) return show_error(*error);

@@ -1,10 +1,11 @@
-// The window's program: reads the command line, opens what is to be opened, and runs.
+// The program with a window: reads the command line, opens a document and a window, and runs the main loop.
 #include <string>
 #include <utility>
 
 #include "app/app.h"
-#include "app/data.h"
-#include "app/desk.h"
+#include "app/files/data.h"
+#include "app/files/file_commands.h"
+#include "app/platform/platform.h"
 
 namespace braitenlab {
 
@@ -17,12 +18,12 @@ struct Opened {
     Lab lab;
 };
 
-// What is open at the start when nothing is asked for: what was open last; else the first exercise.
-Result<Opened> open_usual(const Options& options, Memory& memory) {
-    if (const std::string& last = memory.remembered.last_opened; !last.empty()) {
+// Without a FILE: opens the last file again, else the first exercise.
+Result<Opened> open_usual(const Options& options, Settings& settings) {
+    if (const std::string& last = settings.state.last_opened; !last.empty()) {
         if (const auto found = find_shipped(last))
             if (auto lab = open_lab(*found, options.seed, options.settings)) return Opened{*found, std::move(*lab)};
-        memory.complaints.push_back({"was open last, but cannot be opened now", last});
+        settings.errors.push_back({"was open last, but cannot be opened now", last});
     }
     const auto first = find_shipped(first_exercise);
     if (!first) return first.error();
@@ -39,30 +40,41 @@ Result<Opened> open_asked(const Options& options) {
     return Opened{*path, std::move(*lab)};
 }
 
-// A file that cannot be opened is no reason to open no window: who has double-clicked it sees no terminal. But a script
-// that asked for a picture of it, or for other values in it, must not get another scene.
-Result<Opened> open_at_start(const Options& options, Memory& memory) {
-    if (options.file.empty()) return open_usual(options, memory);
+// If FILE cannot be opened, opens another document and shows the error in the window: a user who has double-clicked the
+// file sees no terminal. With --screenshot or --set, fails: a script must not get another scene.
+Result<Opened> open_at_start(const Options& options, Settings& settings) {
+    if (options.file.empty()) return open_usual(options, settings);
     auto asked = open_asked(options);
     if (asked || !options.screenshot.empty() || !options.settings.empty()) return asked;
     complain(asked.error());
-    auto instead = open_usual(options, memory);
-    memory.complaints.push_back(asked.error());  // the last one is what the window shows
+    auto instead = open_usual(options, settings);
+    settings.errors.push_back(asked.error());  // the window shows the last error
     return instead;
+}
+
+// The size on the command line, else that of the last session, else the default. Window pixels.
+std::pair<int, int> window_size(const Options& options, const StoredState& state) {
+    if (options.size_given || state.width == 0) return {options.width, options.height};
+    return {state.width, state.height};
 }
 
 int open_and_run(const Options& options) {
     const auto data = data_folder();
     if (!data) return complain(data.error());
-    Memory memory = recall(options, native_language(*data / "ui" / "strings"));
-    auto opened = open_at_start(options, memory);
+    // A picture depends on the command line alone: no settings are read for it.
+    const UserFolders folders = options.screenshot.empty() ? user_folders() : UserFolders{};
+    SettingsFiles files(folders.config, folders.state);
+    Settings settings =
+        read_settings(std::move(files), {options.theme, options.language}, native_language(*data / "ui" / "strings"));
+    auto opened = open_at_start(options, settings);
     if (!opened) return complain(opened.error());
-    remember_file(memory.remembered, opened->path);
-    auto words = words_in(*data / "ui" / "strings", memory.preferences.language);
+    add_recent_file(settings.state, opened->path);
+    auto words = load_words(*data / "ui" / "strings", settings.at_start.language);
     if (!words) return complain(words.error());
+    const auto [width, height] = window_size(options, settings.state);
     auto window = Window::open({.title = "Braitenlab",
-                                .width = size_of(options, memory.remembered).first,
-                                .height = size_of(options, memory.remembered).second,
+                                .width = width,
+                                .height = height,
                                 .full_screen = options.full_screen,
                                 .watch_graphics = options.watch_graphics,
                                 .smooth_in_software = !options.screenshot.empty()});
@@ -70,7 +82,7 @@ int open_and_run(const Options& options) {
     auto renderer = Renderer::create(*data / "shaders", options.sectors);
     if (!renderer) return complain(renderer.error());
     App app(options, std::move(opened->lab), std::move(*window), std::move(*renderer), std::move(*words),
-            std::move(memory));
+            std::move(settings));
     while (app.turn()) {
     }
     return app.exit_code();

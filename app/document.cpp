@@ -1,14 +1,13 @@
 #include "app/document.h"
 
-#include "app/data.h"
-#include "core/world/run_file.h"
+#include "core/io/run_file.h"
 
 namespace braitenlab {
 
 namespace {
 
 Result<Document> open_run(const std::filesystem::path& path) {
-    auto run = load_run(path);
+    auto run = io::load_run(path);
     if (!run) return run.error();
     Document document = resume_document(std::move(*run));
     document.name = path.stem().string();
@@ -25,35 +24,44 @@ FileMark mark_of(const std::filesystem::path& path) {
     return problem || other ? FileMark{} : mark;
 }
 
-Result<Document> open_document(const std::filesystem::path& path, std::optional<std::uint64_t> seed,
+Result<FileText> read_file(const std::filesystem::path& path) {
+    FileText file{path, detect_kind(path, {}), {}, mark_of(path)};  // marked first: a change during reading is noticed
+    if (file.kind == FileKind::run) return file;
+    auto text = read_text(path);
+    if (!text) return text.error();
+    file.text = std::move(*text);
+    file.kind = detect_kind(path, file.text);
+    return file;
+}
+
+Result<Document> open_document(const FileText& file, std::optional<std::uint64_t> seed,
                                const std::vector<Setting>& settings) {
-    if (path.extension() == run_ending) return open_run(path);
-    const FileMark mark = mark_of(path);  // before reading, so that a change during reading is noticed later
-    std::optional<Exercise> exercise;
-    std::optional<Scene> scene;
-    if (is_exercise(path)) {
-        auto loaded = load_exercise(path, settings);
-        if (!loaded) return loaded.error();
-        exercise = std::move(*loaded);
-        scene = exercise->scene;
-    } else {
-        auto loaded = load_scene(path, settings);
-        if (!loaded) return loaded.error();
-        scene = std::move(*loaded);
+    if (file.kind == FileKind::run) return open_run(file.path);
+    std::shared_ptr<const Exercise> exercise;
+    if (file.kind == FileKind::exercise) {
+        auto parsed = parse_exercise(file.text, file.path, settings);
+        if (!parsed) return parsed.error();
+        exercise = std::make_shared<const Exercise>(std::move(*parsed));
     }
+    auto scene = exercise ? Result<Scene>(exercise->scene) : parse_scene(file.text, file.path.string(), settings);
+    if (!scene) return scene.error();
     auto session = Session::open(*scene, seed.value_or(exercise ? exercise->seed : 1));
     if (!session) return session.error();
     Document document{.session = std::move(*session),
-                      .name = path.stem().string(),
-                      .path = path,
+                      .name = file.path.stem().string(),
+                      .path = file.path,
                       .file = std::make_shared<const Scene>(std::move(*scene)),
-                      .on_disk = mark,
+                      .on_disk = file.mark,
                       .settings = settings};
-    if (exercise) {
-        auto shared = std::make_shared<const Exercise>(std::move(*exercise));
-        document.lesson = Lesson{shared, Referee(*shared), {.exercise = shared.get()}};
-    }
+    if (exercise) document.lesson = Lesson{exercise, Referee(*exercise), {.exercise = exercise.get()}};
     return document;
+}
+
+Result<Document> open_document(const std::filesystem::path& path, std::optional<std::uint64_t> seed,
+                               const std::vector<Setting>& settings) {
+    const auto file = read_file(path);
+    if (!file) return file.error();
+    return open_document(*file, seed, settings);
 }
 
 Document resume_document(SavedRun run) {

@@ -10,6 +10,7 @@
 
 #include "core/lesson/exercise.h"
 #include "core/lesson/referee.h"
+#include "core/scene/file_kind.h"
 #include "core/scene/scene_file.h"
 #include "core/session/session.h"
 #include "ui/lab_view.h"
@@ -45,9 +46,22 @@ struct Document {
     std::uint64_t run_id = 0;                 // another number for every document opened since the program started
 };
 
+// A file that has been read once.
+struct FileText {
+    std::filesystem::path path;
+    FileKind kind = FileKind::scene;
+    std::string text;  // empty for a saved run, which load_run reads
+    FileMark mark;
+};
+
+// Fails as read_text does.
+Result<FileText> read_file(const std::filesystem::path&);
+
 // Opens a scene, an exercise or a saved run. A saved run continues from its tick. `settings` apply to scenes and, after
 // the exercise's own settings, to exercises. `seed` replaces the seed of the exercise, or 1 for a scene.
 // Fails with file and line as load_scene, load_exercise and load_run do.
+Result<Document> open_document(const FileText&, std::optional<std::uint64_t> seed,
+                               const std::vector<Setting>& settings);
 Result<Document> open_document(const std::filesystem::path&, std::optional<std::uint64_t> seed,
                                const std::vector<Setting>& settings);
 

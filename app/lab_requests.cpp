@@ -20,17 +20,6 @@ constexpr float type_step = 0.125f;
 constexpr float lecture_type = 1.6f;        // times the type size outside a lecture
 constexpr std::int64_t rewind_ticks = 300;  // five seconds
 
-// Shows a notice if the recorded time after the current tick was dropped or has come back.
-void report_time_change(Lab& lab, std::uint64_t latest_before) {
-    constexpr std::uint64_t reported = 30;  // ticks
-    const std::uint64_t now = lab.document.session.snapshot().tick, latest = lab.document.session.latest();
-    const std::string seconds = fmt::format("{:.1f}", lab.document.session.snapshot().seconds);
-    if (latest > latest_before && latest > now + reported) say(lab, {NoticeKind::done, "notice.time_back", seconds});
-    if (latest_before <= latest + reported) return;
-    const bool can_come_back = lab.document.session.undo_brings_time_back();
-    say(lab, {NoticeKind::notice, can_come_back ? "notice.forgotten" : "notice.forgotten_for_good", seconds});
-}
-
 // Undo or redo.
 template <class Change>
 void change(Lab& lab, const Change& make) {
@@ -236,6 +225,16 @@ void act(Lab& lab, Action action) {
 }
 
 }  // namespace
+
+void report_time_change(Lab& lab, std::uint64_t latest_before) {
+    constexpr std::uint64_t reported = 30;  // ticks
+    const std::uint64_t now = lab.document.session.snapshot().tick, latest = lab.document.session.latest();
+    const std::string seconds = fmt::format("{:.1f}", lab.document.session.snapshot().seconds);
+    if (latest > latest_before && latest > now + reported) say(lab, {NoticeKind::done, "notice.time_back", seconds});
+    if (latest_before <= latest + reported) return;
+    const bool can_come_back = lab.document.session.undo_brings_time_back();
+    say(lab, {NoticeKind::notice, can_come_back ? "notice.forgotten" : "notice.forgotten_for_good", seconds});
+}
 
 bool apply(Lab& lab, const Command& command, std::uint64_t gesture) {
     const std::uint64_t latest = lab.document.session.latest();

@@ -1,4 +1,4 @@
-// The characters of the scene's labels: from the system's fonts, else from the window's own.
+// The characters of the scene's labels, from the system's fonts, else from the window's font.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace braitenlab {
 
-// A copy of what an ImGui font has drawn into its atlas. Its atlas must have been built.
+// Copies the glyphs of an ImGui font. Precondition: its atlas has been built.
 Lettering lettering_of(ImFont&);
 
 struct LabelFont {
     Lettering lettering;
-    std::string warning;  // why the system's fonts were not used; empty when they were
+    std::string warning;  // why the system's fonts are not used; empty: they are
 };
 
-// Characters `pixels` high from a font that `find` knows; without one, the window's own.
+// Characters of `pixels` height from a font that `find` knows; from the fallback if there is none.
 LabelFont label_font(const FindFont& find, int pixels, ImFont& fallback);
 
 }  // namespace braitenlab

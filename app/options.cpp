@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "app/data.h"
+#include "app/files/data.h"
 #include "core/scene/names.h"
 #include "core/sensing/intensity.h"
 

@@ -16,7 +16,7 @@
 namespace braitenlab {
 
 struct Options {
-    std::string file;                // empty: what fits the start
+    std::string file;                // empty: the last file, else the first exercise
     int width = 1280, height = 800;  // window pixels
     bool size_given = false;
     std::optional<float> scale;  // window pixels per layout pixel; unset: the display's
@@ -27,15 +27,14 @@ struct Options {
     CameraMode camera = CameraMode::overview;
     SectorPath sectors = SectorPath::automatic;
     bool watch_graphics = false;
-    std::optional<Channel> field;  // shown on the floor at first
-    std::string language;                  // a code as in "de"; empty: as in the settings
-    std::filesystem::path screenshot;      // written after `after`, then the program ends
+    std::optional<Channel> field;          // its intensity is shown on the floor at the start
+    std::string language;                  // its code, as "de"; empty: as in the settings
+    std::filesystem::path screenshot;      // written after `after`; then the program ends
     double after = 1;                      // s: simulated with play, wall time without
-    std::filesystem::path anchors, state;  // kept up to date while running
+    std::filesystem::path anchors, state;  // updated while the program runs
 };
 
-// What the command line asks for: options; or an exit code, when --help or --version has been answered or the line was
-// wrong and a message has been printed.
+// The options; or an exit code, if --help or --version has been answered or an error has been printed.
 struct CommandLine {
     Options options;
     std::optional<int> exit_code;

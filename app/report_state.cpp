@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/report.h"
+#include "app/ctl/report.h"
+#include "app/files/safe_file.h"
 #include "core/brain/four_neurons.h"
 #include "core/scene/names.h"
 #include "core/world/character.h"
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A float as people write it: 0.8, not 0.800000011920929.
+// Rounds to six decimals: 0.8, not 0.800000011920929.
 double plain(float value) { return std::round(static_cast<double>(value) * 1e6) / 1e6; }
 
 const char* mode_word(Mode mode) {
@@ -234,23 +234,21 @@ std::string state_json(const Lab& lab, const StageState& stage, const FrameFacts
     state["graphics_watched"] = frame.graphics_watched;
     state["graphics_errors"] = frame.graphics_errors;
     state["frame_ms"] = frame.frame_ms;
+    state["frames"] = frame.frames;
+    state["pointer"] = {static_cast<int>(frame.pointer.x), static_cast<int>(frame.pointer.y)};
+    state["pressed"] = frame.pressed;
     state["exercise"] = exercise_json(lab);
     add_stage(state, lab, stage, frame);
     return state.dump(1) + "\n";
 }
 
-std::optional<Error> KeptFile::write(std::string text) {
+std::optional<Error> ReportFile::write(std::string text) {
     if (!wanted() || failed_ || text == last_) return std::nullopt;
-    const std::filesystem::path beside = path_.string() + ".new";
-    std::ofstream file(beside);
-    file << text;
-    file.close();
-    std::error_code problem;
-    if (file) std::filesystem::rename(beside, path_, problem);
-    if (!file || problem) {
+    FileWriter writer(path_, false);
+    writer.write(text);
+    if (auto error = writer.commit()) {
         failed_ = true;
-        return Error{"could not be written; check that the folder exists, may be written to and has room",
-                     path_.string()};
+        return error;
     }
     last_ = std::move(text);
     return std::nullopt;

@@ -1,4 +1,4 @@
-// What scripts and tests read of a running window: the widgets' rectangles and the lab's state, as JSON files.
+// The state of a running window for scripts and tests: widget rectangles and lab state, as JSON files.
 #pragma once
 
 #include <filesystem>
@@ -16,29 +16,32 @@ namespace braitenlab {
 std::string anchors_json(const Anchors&);
 
 struct FrameFacts {
-    std::string focus;  // the anchor that has the keyboard; empty: the viewport
-    std::string typed;  // so far, in the text field or number that has the cursor
+    std::string focus;  // anchor of the widget with the keyboard focus; empty: the viewport
+    std::string typed;  // text so far in the focused text field or number
     int draw_calls = 0;
     bool graphics_watched = false;
     int graphics_errors = 0;  // see Window
-    Sight sight;              // by which the scene was drawn
-    bool hand = false;        // the mouse cursor says that something can be taken
-    double frame_ms = 0;      // work of a frame, without waiting for the display
+    Sight sight;              // camera view of the frame
+    bool hand = false;        // the mouse cursor is a hand: a drag would move something
+    double frame_ms = 0;      // duration of a frame, without waiting for the display
+    int frames = 0;           // drawn so far
+    maths::vec2 pointer;      // as the frame saw it, window pixels; (-1, -1): outside
+    int pressed = 0;          // mouse button held: 1 left, 2 middle, 3 right; 0: none
 };
 
 // {mode, tick, seconds, hash, time_scale, selected, character, weights {LL …}, thresholds {LL …}, lesions, driver,
 // motor [left, right], sensor_ranges [..], nodes, wires, toggles, undo_depth, redo_depth, population, predators, prey,
 // generation, camera, language, focus, typed, overlays {…}, draw_calls, graphics_watched, graphics_errors, frame_ms,
-// exercise, thing {kind, index}, hovered {kind, index, handle}, cursor, tool, corners, vehicles, sources, obstacles};
-// the last three hold values and, as `at`, where each stands in the window, px, or null behind the eye. The first 64
-// alone.
+// frames, pointer [x, y], pressed, exercise, thing {kind, index}, hovered {kind, index, handle}, cursor, tool, corners,
+// vehicles, sources, obstacles}. The last three are lists of at most 64; `at` is the position in the window in pixels,
+// or null behind the camera.
 std::string state_json(const Lab&, const StageState&, const FrameFacts&);
 
-// Keeps one file up to date: writes beside it and renames, so that a reader never sees half a file; leaves it alone
-// while the text stays the same. The first failure is returned, once.
-class KeptFile {
+// A file that is replaced whenever its text changes; a reader never sees half of it. The first error is returned once,
+// and nothing is written after it.
+class ReportFile {
 public:
-    explicit KeptFile(std::filesystem::path path) : path_(std::move(path)) {}
+    explicit ReportFile(std::filesystem::path path) : path_(std::move(path)) {}
     bool wanted() const { return !path_.empty(); }
     std::optional<Error> write(std::string text);
 

@@ -13,11 +13,11 @@ namespace {
 constexpr float glide_seconds = 0.6f;
 constexpr float turn_rate = 1.2f, raise_rate = 0.8f;              // rad/s by the arrow keys
 constexpr float turn_by_pixel = 0.006f, raise_by_pixel = 0.005f;  // rad
-constexpr float notch = 0.2f;                                     // of the wheel: a fifth of doubling
+constexpr float notch = 0.2f;                                     // log2 of the zoom per notch of the wheel
 
 bool jumped(const ViewportState& state, const Lab& lab) {
-    const bool came_home = lab.view.camera == Camera{} && !(state.last == Camera{});
-    return lab.view.camera.mode != state.last.mode || lab.view.selection.vehicle != state.last_followed || came_home;
+    const bool is_home = lab.view.camera == Camera{} && !(state.last == Camera{});
+    return lab.view.camera.mode != state.last.mode || lab.view.selection.vehicle != state.last_followed || is_home;
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-// The camera: where it stands in this frame, and what mouse and arrow keys do to it. What they do to things in the
-// scene is ui/stage's.
+// The camera of a frame, and its control by mouse and arrow keys. Mouse input for objects in the scene is in ui/stage.
 #pragma once
 
 #include "app/lab.h"
@@ -11,22 +10,22 @@ namespace braitenlab {
 struct ViewportState {
     Sight sight;  // of this frame
     bool has_sight = false;
-    float age = 1e9f;  // s since the camera changed by a jump, which becomes a short glide
-    Camera last;       // last frame's camera and whom it rode with
+    float age = 1e9f;  // s since the last jump of the camera, which is shown as a short glide
+    Camera last;       // camera of the last frame, and the vehicle that it followed
     VehicleId last_followed = no_vehicle;
 };
 
-// Which arrows are held: −1, 0 or 1 each way.
+// Arrow keys that are held: −1, 0 or 1 each.
 struct Arrows {
     float turn = 0, raise = 0;
 };
 
-// Stands the camera up for this frame. Changes of mode or vehicle and the way home are short glides, everything else
-// follows at once; so does all where motion is reduced.
+// Computes the camera view of this frame. A change of mode or vehicle and Home are short glides, unless motion is
+// reduced; other changes apply at once.
 void aim(ViewportState&, const Lab&, Rect window, Rect free_area, float seconds);
 
-// The mouse over the free floor: left drag orbits (pans the bird's eye), right or middle drag pans, the wheel zooms
-// about the pointer; arrows turn and raise the overview. Reads the mouse from Dear ImGui.
+// Moves the camera by mouse and arrow keys: left drag on the floor orbits (pans in bird's eye), right or middle drag
+// pans, the wheel zooms about the pointer, arrows turn and raise the overview. Reads the mouse from Dear ImGui.
 void drive_camera(Lab&, const ViewportState&, const StageState&, Arrows, Rect window, Rect free_area, float seconds);
 
 }  // namespace braitenlab

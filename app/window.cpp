@@ -18,10 +18,10 @@ namespace braitenlab {
 
 namespace {
 
-constexpr int least_width = 940, least_height = 570;  // window pixels; below, the toolbar has no room
-constexpr int smooth_samples = 4;                     // multisampling: smooth edges
+constexpr int least_width = 940, least_height = 570;  // window pixels; the toolbar needs them
+constexpr int smooth_samples = 4;                     // of multisampling
 
-// GLFW reports errors by callback only; the last one is what explains a failed call.
+// GLFW reports errors by callback only. The last one explains a failed call.
 std::string last_error;
 
 Error no_window() {
@@ -46,7 +46,7 @@ struct Window::Native {
     GLFWwindow* window = nullptr;
     KeyQueue keys;
     std::vector<std::string> dropped;
-    int windowed[4] = {0, 0, 0, 0};  // place and size before full screen
+    int windowed[4] = {0, 0, 0, 0};  // position and size before full screen
     bool imgui = false;
     bool watches_graphics = false;
     int graphics_errors = 0;
@@ -66,8 +66,8 @@ struct Window::Native {
 
     static Native& of(GLFWwindow* w) { return *static_cast<Native*>(glfwGetWindowUserPointer(w)); }
 
-    // In the place of Dear ImGui's own callbacks: it hears of keys by our queue, unless it keeps one itself.
-    void listen_to_keys() {
+    // Replaces Dear ImGui's callbacks: it gets keys from KeyQueue, unless its version has a queue.
+    void install_key_callbacks() {
         glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
             if constexpr (compat::keeps_a_key_queue) ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, mods);
             if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
@@ -110,16 +110,16 @@ bool renders_in_software() {
     return renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos;
 }
 
-// Smooth where the machine can; plain where it cannot, or where smoothness would cost the motion.
-GLFWwindow* make_fitting_window(const WindowOptions& options) {
+// With multisampling, unless the context does not support it or the renderer is software and would become too slow.
+GLFWwindow* make_best_window(const WindowOptions& options) {
     GLFWwindow* window = make_window(options, smooth_samples);
     if (window && (options.smooth_in_software || !renders_in_software())) return window;
     if (window) glfwDestroyWindow(window);
     return make_window(options, 0);
 }
 
-// Shaders' mistakes come back as an Error by themselves, so only the API's count.
-bool listen_for_errors(int& count) {
+// Counts errors of the API only: errors in shaders are returned as an Error.
+bool count_errors(int& count) {
     if (!GLEW_KHR_debug) return false;
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
@@ -136,12 +136,12 @@ bool listen_for_errors(int& count) {
 std::optional<Error> load_opengl() {
     glewExperimental = GL_TRUE;
     const GLenum code = glewInit();
-    // Under Wayland GLEW finds no GLX display and says so, though it has loaded everything.
+    // Under Wayland GLEW reports that there is no GLX display, although it has loaded all functions.
     if (code != GLEW_OK && code != GLEW_ERROR_NO_GLX_DISPLAY)
         return Error{fmt::format("OpenGL's functions could not be loaded ({})",
                                  reinterpret_cast<const char*>(glewGetErrorString(code)))};
     while (glGetError() != GL_NO_ERROR) {
-    }  // GLEW may leave one behind
+    }  // GLEW may leave an error
     if (!GLEW_VERSION_3_3)
         return Error{
             fmt::format("OpenGL 3.3 is needed, this machine offers {}; update the graphics driver or install "
@@ -161,12 +161,12 @@ Result<Window> Window::open(const WindowOptions& options) {
     glfwSetErrorCallback([](int, const char* text) { last_error = text; });
     if (!glfwInit()) return no_window();
     auto native = std::make_unique<Native>();
-    native->window = make_fitting_window(options);
+    native->window = make_best_window(options);
     if (!native->window) return no_window();
     GLFWwindow* window = native->window;
     glfwSetWindowUserPointer(window, native.get());
     if (const auto error = load_opengl()) return *error;
-    if (options.watch_graphics) native->watches_graphics = listen_for_errors(native->graphics_errors);
+    if (options.watch_graphics) native->watches_graphics = count_errors(native->graphics_errors);
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(window, least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glEnable(GL_MULTISAMPLE);
@@ -177,11 +177,11 @@ Result<Window> Window::open(const WindowOptions& options) {
     });
 
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;  // the layout is ours
+    ImGui::GetIO().IniFilename = nullptr;  // no file of window positions
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     ImGui_ImplOpenGL3_Init("#version 330 core");
     native->imgui = true;
-    native->listen_to_keys();
+    native->install_key_callbacks();
     return Window(std::move(native));
 }
 
@@ -219,6 +219,14 @@ float Window::content_scale() const {
     return std::max({1.0f, x, y});
 }
 
+int Window::refresh_rate() const {
+    int count = 0, fastest = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i)
+        if (const GLFWvidmode* mode = glfwGetVideoMode(monitors[i])) fastest = std::max(fastest, mode->refreshRate);
+    return fastest;
+}
+
 void Window::poll(double patience) {
     if (patience > 0)
         glfwWaitEventsTimeout(patience);
@@ -249,7 +257,7 @@ void Window::end_frame() {
 
 void Window::show() { glfwSwapBuffers(native_->window); }
 
-void Window::forget_fonts() {
+void Window::upload_fonts() {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }

@@ -1,4 +1,4 @@
-// One native window with an OpenGL 3.3 context and Dear ImGui in it. With render/, the only place that knows OpenGL.
+// One native window with an OpenGL 3.3 context and Dear ImGui. With render/, the only place that uses OpenGL.
 #pragma once
 
 #include <memory>
@@ -20,54 +20,54 @@ struct WindowOptions {
     int width = 1280, height = 800;
     bool full_screen = false;
     bool visible = true;
-    bool watch_graphics = false;      // a context that checks every call, see graphics_errors()
-    bool smooth_in_software = false;  // multisampling on a software renderer too, where it triples the cost of a frame
+    bool watch_graphics = false;      // the driver checks every call, see graphics_errors()
+    bool smooth_in_software = false;  // multisampling also on a software renderer, where it triples the time of a frame
 };
 
 class Window {
 public:
-    // Fails with a sentence that says what is missing: a display, OpenGL 3.3, a driver.
+    // Fails with what is missing: a display, OpenGL 3.3, a driver.
     static Result<Window> open(const WindowOptions&);
 
     Window(Window&&) noexcept;
     Window& operator=(Window&&) noexcept;
     ~Window();
 
-    // Somebody wants it closed; refuse_close() forgets that.
+    // True once the user has closed the window; refuse_close() resets it.
     bool close_requested() const;
     void refuse_close();
 
-    // Window pixels; a display of high density may have more framebuffer pixels behind each.
+    // Window pixels. A display of high density has several framebuffer pixels per window pixel.
     Rect area() const;
-    // The size to come back to: that of the window, or what it had before full screen.
+    // The size of the window; in full screen, the size before it.
     std::pair<int, int> windowed_size() const;
     int framebuffer_width() const;
     int framebuffer_height() const;
-    // What the display asks for, at least 1.
+    // The scale that the display is set to, at least 1.
     float content_scale() const;
+    // Pictures per second of the fastest display; 0 if unknown.
+    int refresh_rate() const;
 
-    // Takes what happened since the last call: what the keyboard did, in its order, and dropped files. Waits for
-    // something to happen, but not longer than `patience` seconds; 0 does not wait.
+    // Collects events: keys in their order, dropped files. Waits up to `patience` seconds for the first event.
     void poll(double patience);
     KeysOfAFrame take_keys(TextInput);
     std::vector<std::string> take_dropped_files();
 
-    // Whether a key is held now.
+    // True while the key is held.
     bool holds(int glfw_key) const;
 
-    // Dear ImGui's frame, which hears these keys; the font atlas must be filled before the first and may be refilled
-    // between frames.
+    // Begins Dear ImGui's frame with these keys. Precondition: the font atlas is filled.
     void begin_frame(const KeysOfAFrame&);
-    void end_frame();     // draws Dear ImGui's lists over what has been drawn
+    void end_frame();     // draws Dear ImGui's lists over the scene
     void show();          // swaps the buffers
-    void forget_fonts();  // after the atlas was refilled
+    void upload_fonts();  // call after the font atlas has been filled again
 
     void toggle_full_screen();
 
-    // Whether the driver checks every call: asked for, and able to.
+    // True if the driver checks every call: requested and supported.
     bool watches_graphics() const;
 
-    // What the driver has called an error so far; always 0 unless it was asked to watch. Each has gone to stderr.
+    // Number of errors that the driver has reported so far; each is printed to stderr. 0 without watch_graphics.
     int graphics_errors() const;
 
     // Binds the window's framebuffer, sized to it.

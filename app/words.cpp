@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/data.h"
-#include "app/platform.h"
+#include "app/files/data.h"
+#include "app/platform/platform.h"
 #include "core/lesson/exercise.h"
 #include "core/scene/scene_file.h"
 #include "ui/panels/translated.h"
@@ -12,9 +12,9 @@ namespace braitenlab {
 
 namespace {
 
-// The window's words and the translated texts of shipped scenes and exercises. Texts without a translation are shown as
-// their files have them.
-Result<Strings> speaking(const std::filesystem::path& folder, const std::string& language) {
+// The strings of the window and of the shipped scenes and exercises. Without a translation, scenes and exercises are
+// shown as their files have them.
+Result<Strings> load_strings(const std::filesystem::path& folder, const std::string& language) {
     auto strings = load_language(folder, language);
     if (!strings) return strings;
     const auto shipped = folder.parent_path().parent_path() / "exercises" / "words" / (language + ".toml");
@@ -33,20 +33,20 @@ Result<Strings> speaking(const std::filesystem::path& folder, const std::string&
 
 std::string native_language(const std::filesystem::path& folder) {
     const std::string local = system_language();
-    const auto spoken = languages(folder);
+    const auto available = languages(folder);
     const auto same = [&](const Language& language) { return language.code == local; };
-    return std::any_of(spoken.begin(), spoken.end(), same) ? local : "en";
+    return std::any_of(available.begin(), available.end(), same) ? local : "en";
 }
 
-Result<Words> words_in(const std::filesystem::path& folder, const std::string& language) {
-    auto strings = speaking(folder, language);
+Result<Words> load_words(const std::filesystem::path& folder, const std::string& language) {
+    auto strings = load_strings(folder, language);
     if (!strings) return strings.error();
     return Words{folder, language, std::move(*strings), languages(folder)};
 }
 
-std::optional<Error> speak(Words& words, const std::string& language) {
+std::optional<Error> change_language(Words& words, const std::string& language) {
     if (language == words.language) return std::nullopt;
-    auto strings = speaking(words.folder, language);
+    auto strings = load_strings(words.folder, language);
     if (!strings) return strings.error();
     words.strings = std::move(*strings);
     words.language = language;

@@ -1,4 +1,4 @@
-// The language that is spoken now, and those that could be.
+// The texts in the current language, and the languages to choose from.
 #pragma once
 
 #include <filesystem>
@@ -12,18 +12,18 @@ namespace braitenlab {
 
 struct Words {
     std::filesystem::path folder;  // of the string files
-    std::string language;          // by its code
+    std::string language;          // its code
     Strings strings;
     std::vector<Language> languages;
 };
 
-// The system's language, if the lab speaks it; else English.
+// The system's language if there is a translation, else English.
 std::string native_language(const std::filesystem::path& folder);
 
 // Fails as load_language does.
-Result<Words> words_in(const std::filesystem::path& folder, const std::string& language);
+Result<Words> load_words(const std::filesystem::path& folder, const std::string& language);
 
-// Goes over to another language; on failure the words stay as they are.
-std::optional<Error> speak(Words&, const std::string& language);
+// Loads another language. On failure the words stay as they are.
+std::optional<Error> change_language(Words&, const std::string& language);
 
 }  // namespace braitenlab

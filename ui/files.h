@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace braitenlab {
+#include "core/scene/file_kind.h"
 
-enum class FileKind { scene, exercise, brain, run };
-inline constexpr int file_kinds = 4;
+namespace braitenlab {
 
 struct FileEntry {
     std::string name;  // without its folder

@@ -216,7 +216,7 @@ Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::pa
 }
 
 Result<Exercise> load_exercise(const std::filesystem::path& path, const std::vector<Setting>& more) {
-    const auto text = read_text(path.string());
+    const auto text = read_text(path);
     if (!text) return text.error();
     return parse_exercise(*text, path, more);
 }

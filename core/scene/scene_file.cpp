@@ -67,7 +67,7 @@ Result<Scene> parse_scene(std::string_view toml, std::string file_name, const st
 }
 
 Result<Scene> load_scene(const std::filesystem::path& path, const std::vector<Setting>& settings) {
-    const auto text = read_text(path.string());
+    const auto text = read_text(path);
     if (!text) return text.error();
     return parse_scene(*text, path.string(), settings);
 }
@@ -79,7 +79,8 @@ Result<BrainGraph> parse_brain(std::string_view toml, std::string file_name) {
     BrainFile content;
     TomlTable top(*file, file->root, "");
     if (!top.has("brain") && top.has("kind"))
-        return Error{"this is a whole scene; a brain alone has one [brain] table, as saving a brain writes it", file->name};
+        return Error{"this is a whole scene; a brain alone has one [brain] table, as saving a brain writes it",
+                     file->name};
     top.find("format");
     TomlReader<BrainFile> reader(top, content);
     describe(reader, Of<BrainFile>{});
@@ -92,7 +93,7 @@ Result<BrainGraph> parse_brain(std::string_view toml, std::string file_name) {
 }
 
 Result<BrainGraph> load_brain(const std::filesystem::path& path) {
-    const auto text = read_text(path.string());
+    const auto text = read_text(path);
     if (!text) return text.error();
     return parse_brain(*text, path.string());
 }

@@ -116,20 +116,6 @@ Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
     }
 }
 
-Result<std::string> read_text(const std::string& path) {
-    std::error_code trouble;
-    const auto status = std::filesystem::status(path, trouble);
-    if (!std::filesystem::exists(status)) return Error{"there is no such file", path};
-    if (!std::filesystem::is_regular_file(status)) return Error{"this is not a file; give one", path};
-    if (std::filesystem::file_size(path, trouble) > limits::file_bytes)
-        return Error{fmt::format("larger than {} MB; split it", limits::file_bytes >> 20u), path};
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in) return Error{"cannot be read; are you allowed to?", path};
-    return text.str();
-}
-
 bool put(toml::table& root, const Setting& setting) {
     std::vector<std::string> parts = split_path(setting.path);
     const std::string key = parts.back();

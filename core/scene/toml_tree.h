@@ -9,6 +9,7 @@
 #include <toml++/toml.h>
 
 #include "core/result.h"
+#include "core/scene/file_kind.h"
 #include "core/scene/scene_file.h"
 
 namespace braitenlab {
@@ -29,9 +30,6 @@ struct TomlFile {
 
 // Fails on bad syntax, on more than limits::file_bytes, and on keys nested deeper than any file of ours.
 Result<TomlFile> parse_toml(std::string_view text, std::string file_name);
-
-// The text of a file, or why it cannot be had (absent, a folder, too large).
-Result<std::string> read_text(const std::string& path);
 
 // Puts a value into the tree, making the tables on the way: what reads as TOML is taken as that, anything else as a
 // string. False when the path runs through something that is not a table.

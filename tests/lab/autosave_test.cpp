@@ -1,9 +1,10 @@
-#include "app/autosave.h"
+#include "app/files/autosave.h"
 
 #include <gtest/gtest.h>
 
-#include "app/data.h"
+#include "app/files/data.h"
 #include "app/lab_requests.h"
+#include "core/io/run_file.h"
 #include "tests/folder.h"
 
 namespace braitenlab::tests::autosave_test {
@@ -44,7 +45,7 @@ std::optional<float> kept_in(const fs::path& folder) {
     const auto files = files_in(folder);
     if (files.empty()) return std::nullopt;
     const auto kept = open_autosave(text_of(files[0]), "a");
-    if (kept) return dials(*kept).LR;
+    if (kept) return dials(kept->document).LR;
     ADD_FAILURE() << kept.error().text();
     return std::nullopt;
 }
@@ -115,7 +116,7 @@ TEST_F(Autosaving, KeepsARunThatPlaysEveryTwentySeconds) {
         if (second % 13 != 0) continue;
         const auto kept = open_autosave(text_of(files_in(folder.path)[0]), "a");
         ASSERT_TRUE(kept) << kept.error().text();
-        on_disk = kept->session.snapshot().tick;
+        on_disk = kept->document.session.snapshot().tick;
         EXPECT_LE(lab.document.session.snapshot().tick, on_disk + 20 * 6) << "at second " << second;
     }
     EXPECT_GT(on_disk, 200u);
@@ -171,6 +172,35 @@ TEST_F(Autosaving, OffersWhatACrashedLabHasLeft) {
     next.forget();
     EXPECT_FALSE(Autosave(folder.path, complaints).leftover());
     EXPECT_TRUE(fs::is_empty(folder.path));
+}
+
+TEST_F(Autosaving, WritesASavedRun) {
+    crash_with(1.25f);
+    const auto run = io::read_run(text_of(files_in(folder.path)[0]), "a");
+    ASSERT_TRUE(run) << run.error().text();
+    EXPECT_EQ(Session::resume(*run).hash(), lab.document.session.hash());
+}
+
+TEST_F(Autosaving, OpensTheOlderFormatWithTheRunAsAString) {
+    edit(lab, 1.25f);
+    const std::string run = io::write_run(lab.document.session.save());
+    const std::string older =
+        "# Kept by the lab while it runs\nended = true\nformat = 1\nname = '2a-coward'\npath = '" +
+        lab.document.path.string() + "'\nrun = '''" + run + "'''\nwhen = '2026-03-01 10:42:05'\n";
+    const auto opened = open_autosave(older, "a");
+    ASSERT_TRUE(opened) << opened.error().text();
+    EXPECT_EQ(opened->when, "2026-03-01 10:42:05");
+    EXPECT_TRUE(opened->ended);
+    EXPECT_EQ(opened->document.path, lab.document.path);
+    EXPECT_EQ(opened->document.session.hash(), lab.document.session.hash());
+}
+
+TEST(StartOrRun, RunsTheTaskItselfWhereNoThreadCanBeStarted) {
+    const auto task = []() -> std::optional<Error> { return Error{"done here"}; };
+    auto result = start_or_run(task, [](const auto&) -> std::future<std::optional<Error>> {
+        throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+    });
+    EXPECT_EQ(result.get()->what, "done here");
 }
 
 TEST_F(Autosaving, DoesNotOfferWhatARunningLabKeeps) {

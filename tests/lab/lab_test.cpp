@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/data.h"
+#include "app/files/data.h"
+#include "app/files/safe_file.h"
 #include "app/lab_requests.h"
 #include "app/lab_selection.h"
-#include "app/safe_file.h"
 #include "core/io/run_file.h"
 #include "tests/folder.h"
 

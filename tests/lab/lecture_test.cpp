@@ -1,7 +1,7 @@
 // Lecture mode in the lab: what it changes, and that leaving brings everything back.
 #include <gtest/gtest.h>
 
-#include "app/data.h"
+#include "app/files/data.h"
 #include "app/lab_requests.h"
 
 namespace braitenlab::tests::lecture_test {

@@ -1,4 +1,4 @@
-#include "app/safe_file.h"
+#include "app/files/safe_file.h"
 
 #include <csignal>
 #include <fstream>

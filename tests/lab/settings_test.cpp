@@ -1,4 +1,4 @@
-#include "app/settings.h"
+#include "app/files/settings.h"
 
 #include <gtest/gtest.h>
 
@@ -11,15 +11,15 @@ const Preferences chosen{Theme::light, "es", 1.5f, true};
 
 TEST(Settings, ComeBackAsTheyWereWritten) {
     EXPECT_EQ(*parse_preferences(write_preferences(chosen), "s"), chosen);
-    Remembered remembered{1280, 800, "/a \"b\"/c.toml", {"/x.toml", "/ünï.toml"}, "/a"};
-    EXPECT_EQ(*parse_remembered(write_remembered(remembered), "s"), remembered);
+    StoredState state{1280, 800, "/a \"b\"/c.toml", {"/x.toml", "/ünï.toml"}, "/a"};
+    EXPECT_EQ(*parse_state(write_state(state), "s"), state);
 }
 
 TEST(Settings, AreTakenToTheNearestValueInTheirRange) {
     EXPECT_EQ(parse_preferences("type_size = 99.0", "s")->type_size, largest_type_size);
     EXPECT_EQ(parse_preferences("type_size = -1.0", "s")->type_size, least_type_size);
     EXPECT_EQ(parse_preferences("type_size = nan", "s")->type_size, least_type_size);
-    EXPECT_EQ(parse_remembered("width = 3\nheight = 1000000", "s")->width, 0);
+    EXPECT_EQ(parse_state("width = 3\nheight = 1000000", "s")->width, 0);
 }
 
 TEST(Settings, NameFileAndLineOfAMistake) {
@@ -36,51 +36,51 @@ TEST(Settings, PassOverWhatALaterVersionWrote) {
 
 struct OnDisk : testing::Test {
     Folder folder;
-    fs::path settings = folder / "config" / "settings.toml", state = folder / "state" / "state.toml";
+    fs::path settings = folder / "config" / "settings.toml";
     SettingsFiles files{folder / "config", folder / "state"};
     Preferences preferences;
-    Remembered remembered;
+    StoredState state;
 };
 
 TEST_F(OnDisk, AreReadByTheNextStart) {
-    EXPECT_TRUE(files.read(preferences, remembered).empty());
-    remember_opened(remembered, folder / "scene.toml");
-    ASSERT_FALSE(files.write(chosen, remembered));
+    EXPECT_TRUE(files.read(preferences, state).empty());
+    add_recent(state, folder / "scene.toml");
+    ASSERT_FALSE(files.write(chosen, state));
     SettingsFiles next{folder / "config", folder / "state"};
-    EXPECT_TRUE(next.read(preferences, remembered).empty());
+    EXPECT_TRUE(next.read(preferences, state).empty());
     EXPECT_EQ(preferences, chosen);
-    EXPECT_EQ(remembered.last_opened, (folder / "scene.toml").string());
+    EXPECT_EQ(state.last_opened, (folder / "scene.toml").string());
 }
 
 TEST_F(OnDisk, StayUnwrittenWhileNobodyChooses) {
-    files.read(preferences, remembered);
-    ASSERT_FALSE(files.write(preferences, remembered));
+    files.read(preferences, state);
+    ASSERT_FALSE(files.write(preferences, state));
     EXPECT_FALSE(fs::exists(settings)) << "the system's language may change under them";
 }
 
 TEST_F(OnDisk, AreReportedOnceAndSetAsideWhereTheyAreBroken) {
     const std::string broken = "language = \"d\xff\x00 [[[";
     put_text(settings, broken);
-    const auto complaints = files.read(preferences, remembered);
+    const auto complaints = files.read(preferences, state);
     ASSERT_EQ(complaints.size(), 1u);
     EXPECT_EQ(complaints[0].file, settings.string());
     EXPECT_EQ(preferences, Preferences{});
     EXPECT_EQ(text_of(folder / "config" / "settings.toml.broken"), broken) << "nothing that a person wrote is lost";
     SettingsFiles next{folder / "config", folder / "state"};
-    EXPECT_TRUE(next.read(preferences, remembered).empty()) << "once is enough";
+    EXPECT_TRUE(next.read(preferences, state).empty()) << "once is enough";
 }
 
 TEST_F(OnDisk, SayOnceWhatKeepsThemFromBeingWritten) {
     put_text(folder / "config", "a file where the folder should be");
-    files.read(preferences, remembered);
-    EXPECT_TRUE(files.write(chosen, remembered));
-    EXPECT_FALSE(files.write(chosen, remembered));
+    files.read(preferences, state);
+    EXPECT_TRUE(files.write(chosen, state));
+    EXPECT_FALSE(files.write(chosen, state));
 }
 
 TEST(Recent, HoldsEachFileOnceTheNewestFirstAndNotTooMany) {
-    Remembered r;
-    for (int i = 0; i < 12; ++i) remember_opened(r, "/s/" + std::to_string(i) + ".toml");
-    remember_opened(r, "/s/../s/9.toml");
+    StoredState r;
+    for (int i = 0; i < 12; ++i) add_recent(r, "/s/" + std::to_string(i) + ".toml");
+    add_recent(r, "/s/../s/9.toml");
     EXPECT_EQ(r.recent.size(), most_recent);
     EXPECT_EQ(r.recent[0], "/s/9.toml");
     EXPECT_EQ(r.recent[1], "/s/11.toml");

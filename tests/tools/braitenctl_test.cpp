@@ -25,14 +25,15 @@ struct Ran {
     int code = -1;
     std::string out;
 };
-Ran ctl(const std::string& arguments) {
+Ran shell(const std::string& command) {
     Ran ran;
-    FILE* pipe = popen((BRAITENLAB_BINARY "/braitenctl " + arguments + " 2>&1").c_str(), "r");
+    FILE* pipe = popen(("{ " + command + "; } 2>&1").c_str(), "r");
     char buffer[4096];
     for (std::size_t n = 0; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) ran.out.append(buffer, n);
     ran.code = WEXITSTATUS(pclose(pipe));
     return ran;
 }
+Ran ctl(const std::string& arguments) { return shell(BRAITENLAB_BINARY "/braitenctl " + arguments); }
 
 std::set<std::string> keys(const Json& object) {
     std::set<std::string> all;
@@ -90,6 +91,19 @@ TEST(RunCsv, SaysWhenItCannotBeWritten) {
     if (std::filesystem::exists("/dev/full")) {
         EXPECT_EQ(ctl("run 2a-coward --seconds 1 --csv /dev/full").code, 2);
     }
+}
+
+// A limit on the size of files stands in for a full disk.
+TEST(RunCsv, LeavesTheOldFileWhereThereIsNoRoom) {
+    const std::string file = scratch("old.csv");
+    std::ofstream(file) << "old";
+    const std::string command = "run predator-prey --seconds 60 --csv " + file;
+    EXPECT_EQ(shell("trap '' XFSZ; ulimit -f 4; " BRAITENLAB_BINARY "/braitenctl " + command).code, 2);
+    std::ifstream csv(file);
+    std::string text;
+    std::getline(csv, text);
+    EXPECT_EQ(text, "old");
+    std::filesystem::remove(file);
 }
 
 TEST(BadInput, EndsWithTwoAndSaysWhatToDo) {

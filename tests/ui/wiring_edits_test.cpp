@@ -261,7 +261,7 @@ TEST_F(WiringEdits, ADragOfNodesIsOneEditSentAtTheRelease) {
 
 TEST_F(WiringEdits, AnEditMovesNoOtherNode) {
     const BrainGraph crowd = large_brain(9, 24);
-    const VehicleId id = view.selected;
+    const VehicleId id = view.settings.selection.vehicle;
     now = snapshot_with(crowd);
     now.vehicles[0].id = id;
     frames(3);

@@ -125,7 +125,7 @@ struct CanvasFixture : testing::Test {
     }
     // Shows another brain; the vehicle keeps its id.
     void show(const BrainGraph& graph) {
-        const VehicleId id = view.selected;
+        const VehicleId id = view.settings.selection.vehicle;
         now = tests::snapshot_with(graph);
         now.vehicles[0].id = id;
         frames(3);

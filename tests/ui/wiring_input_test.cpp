@@ -94,7 +94,7 @@ TEST_F(WiringInput, BoxSelectTakesInTheLeftColumn) {
 TEST_F(WiringInput, AMinimapStandsFromTwentyOneNodesOnAndMovesTheView) {
     EXPECT_EQ(anchors.find("canvas.minimap"), nullptr);
     const auto show = [&](int nodes, float zoom) {
-        const VehicleId id = view.selected;
+        const VehicleId id = view.settings.selection.vehicle;
         now = snapshot_with(large_brain(nodes, 40));
         now.vehicles[0].id = id;
         state.camera.by_user = true;

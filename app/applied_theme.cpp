@@ -1,0 +1,48 @@
+#include "app/applied_theme.h"
+
+#include <filesystem>
+#include <vector>
+
+#include <imgui.h>
+
+#include "app/files/data.h"
+
+namespace braitenlab {
+
+namespace {
+
+FontPaths installed_fonts() {
+    const auto face = [](const std::vector<std::filesystem::path>& candidates) {
+        return first_existing(candidates).string();
+    };
+    FontPaths paths;
+    paths.text =
+        face({"/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf", "/usr/share/fonts/noto/NotoSans-Regular.ttf",
+              "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/dejavu/DejaVuSans.ttf"});
+    paths.title =
+        face({"/usr/share/fonts/truetype/noto/NotoSans-Bold.ttf", "/usr/share/fonts/noto/NotoSans-Bold.ttf",
+              "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf", "/usr/share/fonts/dejavu/DejaVuSans-Bold.ttf"});
+    paths.icons = face({"/usr/share/fonts/truetype/fork-awesome/forkawesome-webfont.ttf",
+                        "/usr/share/fonts-fork-awesome/fonts/forkawesome-webfont.ttf"});
+    paths.symbols = {face({"/usr/share/fonts/truetype/noto/NotoSansMono-Regular.ttf",
+                           "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"}),
+                     face({"/usr/share/fonts/truetype/noto/NotoSansMath-Regular.ttf"}),
+                     face({"/usr/share/fonts/truetype/noto/NotoSansSymbols2-Regular.ttf"})};
+    return paths;
+}
+
+}  // namespace
+
+bool AppliedTheme::apply(Theme theme, float scale) {
+    if (theme == theme_ && scale == scale_) return false;
+    theme_ = theme;
+    apply_theme(theme, scale);
+    if (scale == scale_) return false;
+    scale_ = scale;
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
+    loaded_ = load_fonts(atlas, scale, installed_fonts());
+    return true;
+}
+
+}  // namespace braitenlab

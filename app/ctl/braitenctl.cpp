@@ -1,0 +1,91 @@
+// Braitenlab without a window. Exit codes: 0 done or passed, 1 failed, 2 bad input.
+#include <algorithm>
+#include <iostream>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/ctl/ctl.h"
+#include "app/files/data.h"
+#include "core/scene/nearest.h"
+
+namespace braitenlab {
+
+int complain(const Error& error) {
+    std::cerr << "braitenctl: " << error.text() << "\n";
+    return exit_code::bad_input;
+}
+
+namespace {
+
+int command_line(int argc, char** argv) {
+    CLI::App app{"Braitenlab without a window."};
+    app.require_subcommand(1);
+    app.set_version_flag("--version", fmt::format("braitenctl {}", version_text()));
+
+    RunOptions options;
+    CLI::App* run_command = app.add_subcommand("run", "run a scene, or go on with a saved run, and report");
+    run_command->add_option("SCENE", options.file, "a path, the bare name of a shipped scene, or a saved run (….run)")
+        ->required();
+    run_command->add_option("--seconds", options.seconds, "simulated; of a saved run: more")
+        ->check(CLI::Range(0.0, 1e6));
+    run_command->add_option("--seed", options.seed, "where chance begins; the same seed gives the same run")
+        ->check([](const std::string& text) {
+            return text.find_first_not_of("0123456789") == std::string::npos ? ""
+                                                                             : "a seed is a whole number from 0 up";
+        });
+    run_command->add_option("--set", options.settings, "one value of the scene, e.g. kind.prey.brain.LL=0.5")
+        ->type_name("PATH=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    run_command->add_flag("--json", options.json, "print the end as one JSON object");
+    run_command->add_option("--csv", options.csv, "write a row per vehicle per 0.1 s")->type_name("FILE");
+    run_command->add_flag("--hash", options.hash, "print the digest of the end's state");
+    run_command->add_option("--save", options.save, "write the run as it stands at the end, to go on with it later")
+        ->type_name("FILE.run");
+
+    std::string exercise, brain;
+    bool all = false;
+    CLI::App* check_command = app.add_subcommand("check", "is an exercise sound, or does a brain pass it?");
+    auto* name = check_command->add_option("EXERCISE", exercise, "a path, or the bare name of a shipped exercise");
+    check_command->add_option("--brain", brain, "a brain file; without it, the brain as shipped and the exercise's own solution")->type_name("FILE");
+    auto* all_flag =
+        check_command->add_flag("--all", all, "every shipped exercise: fails as shipped, passes with its solution");
+    name->excludes(all_flag);
+
+    std::vector<std::string> brains;
+    std::string csv;
+    CLI::App* grade_command = app.add_subcommand("grade", "a class's brains against an exercise, a row each");
+    grade_command->add_option("EXERCISE", exercise, "a path, or the bare name of a shipped exercise")->required();
+    grade_command->add_option("BRAIN", brains, "brain files")->required();
+    grade_command->add_option("--csv", csv, "write the rows there instead of printing them")->type_name("FILE");
+
+    std::string shown;
+    CLI::App* show_command = app.add_subcommand("show", "what a file contains, and what its brains are called");
+    show_command->add_option("FILE", shown, "a scene, an exercise, a brain or a saved run")->required();
+
+    std::vector<std::string_view> commands;
+    for (const CLI::App* command : {run_command, check_command, grade_command, show_command})
+        commands.push_back(command->get_name());
+    if (argc > 1 && argv[1][0] != '-' && std::ranges::find(commands, argv[1]) == commands.end())
+        return complain({in_quotes(argv[1]) + " is no command" + name_nearest(argv[1], commands)});
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? exit_code::done : exit_code::bad_input;
+    }
+    if (*run_command) return run(options);
+    if (*grade_command) return grade_all(exercise, brains, csv);
+    if (*show_command) return show(shown);
+    if (all) return check_all();
+    if (exercise.empty()) return complain({"check needs an EXERCISE or --all"});
+    return check(exercise, brain);
+}
+
+}  // namespace
+
+}  // namespace braitenlab
+
+int main(int argc, char** argv) { return braitenlab::command_line(argc, argv); }

@@ -1,0 +1,43 @@
+// The subcommands of braitenctl. Each prints its result and returns the exit code.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+
+namespace braitenlab {
+
+namespace exit_code {
+inline constexpr int done = 0, failed = 1, bad_input = 2;
+}
+
+// Prints the error to stderr. Returns exit_code::bad_input.
+int complain(const Error&);
+
+struct RunOptions {
+    std::string file;  // a scene or a saved run
+    double seconds = 10;
+    std::optional<std::uint64_t> seed;
+    std::vector<std::string> settings;
+    std::string csv, save;  // files; empty: none
+    bool json = false, hash = false;
+};
+int run(const RunOptions&);
+
+// Prints whether the brain of the file passes the exercise. With an empty file name: whether the exercise is sound,
+// i.e. no start passes as shipped and every start passes with its own solution.
+int check(const std::string& exercise, const std::string& brain_file);
+// Prints whether each shipped exercise is sound.
+int check_all();
+
+// Grades a class's brains, one row each, into the CSV file, or to stdout when its name is empty. A file that holds no
+// brain gets a row with the error; the other files are still graded.
+int grade_all(const std::string& exercise, const std::vector<std::string>& brain_files, const std::string& csv);
+
+// What a scene, an exercise, a saved run or a brain contains, and what the recogniser calls its brains.
+int show(const std::string& file);
+
+}  // namespace braitenlab

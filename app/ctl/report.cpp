@@ -1,0 +1,96 @@
+#include "app/ctl/report.h"
+
+#include <iterator>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/scene/names.h"
+
+namespace braitenlab {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const Kind& kind_of(const Snapshot& now, const VehicleView& v) {
+    return now.scene->kinds[static_cast<std::size_t>(v.kind)];
+}
+
+Json sources_json(const Snapshot& now) {
+    Json list = Json::array();
+    for (const SourceView& s : now.sources)
+        list.push_back({{"id", now.scene->sources[static_cast<std::size_t>(s.source)].name},
+                        {"channel", word(s.channel)},
+                        {"x", s.x},
+                        {"y", s.y}});
+    return list;
+}
+
+Json vehicles_json(const Snapshot& now) {
+    Json list = Json::array();
+    for (const VehicleView& v : now.vehicles) {
+        const Kind& kind = kind_of(now, v);
+        Json sensors = Json::array();
+        for (std::size_t i = 0; i < kind.sensors.size(); ++i)
+            sensors.push_back(now.sensed[static_cast<std::size_t>(v.first_sensed) + i]);
+        list.push_back({{"id", v.id},
+                        {"kind", kind.name},
+                        {"role", word(v.role)},
+                        {"x", v.x},
+                        {"y", v.y},
+                        {"heading", v.heading},
+                        {"speed", v.speed},
+                        {"energy", v.energy},
+                        {"left", v.motor[0]},
+                        {"right", v.motor[1]},
+                        {"sensors", std::move(sensors)}});
+    }
+    return list;
+}
+
+}  // namespace
+
+std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+std::string report_json(const Snapshot& now, std::uint64_t hash) {
+    const Json report{{"scene", now.scene->name},
+                      {"seed", now.seed},
+                      {"ticks", now.tick},
+                      {"seconds", now.seconds},
+                      {"hash", hash_text(hash)},
+                      {"generation", now.generation},
+                      {"population", now.vehicles.size()},
+                      {"predators", now.predators},
+                      {"prey", now.prey},
+                      {"events",
+                       {{"captures", now.events.captures},
+                        {"deaths", now.events.deaths},
+                        {"births", now.events.births},
+                        {"contacts", now.events.contacts}}},
+                      {"sources", sources_json(now)},
+                      {"vehicles", vehicles_json(now)}};
+    return report.dump(2) + "\n";
+}
+
+std::string report_text(const Snapshot& now, std::uint64_t hash) {
+    std::string text = fmt::format("{}, seed {}, {:.1f} s ({} ticks), hash {}\n", now.scene->name, now.seed,
+                                   now.seconds, now.tick, hash_text(hash));
+    text +=
+        fmt::format("generation {}, {} vehicles ({} predators, {} prey), {} captures, {} contacts\n", now.generation,
+                    now.vehicles.size(), now.predators, now.prey, now.events.captures, now.events.contacts);
+    return text;
+}
+
+std::string csv_header() { return "seconds,id,kind,role,x,y,heading,speed,energy,left,right\n"; }
+
+std::string csv_rows(const Snapshot& now) {
+    std::string rows;
+    for (const VehicleView& v : now.vehicles)
+        fmt::format_to(std::back_inserter(rows), "{:.4f},{},{},{},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f}\n",
+                       now.seconds, v.id, kind_of(now, v).name, word(v.role), v.x, v.y, v.heading, v.speed, v.energy,
+                       v.motor[0], v.motor[1]);
+    return rows;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,26 @@
+// A run as data for scripts: the JSON object and the CSV rows of `braitenctl run`.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/world/snapshot.h"
+
+namespace braitenlab {
+
+// Sixteen hexadecimal digits.
+std::string hash_text(std::uint64_t);
+
+// One object: scene, seed, ticks, seconds, hash, generation, population, predators, prey, events {captures, deaths,
+// births, contacts}, sources [{id, channel, x, y}], vehicles [{id, kind, role, x, y, heading, speed, energy, left,
+// right, sensors [..]}]. Speed in m/s, energy 0..1, left and right: wheel commands, −1..1.
+std::string report_json(const Snapshot&, std::uint64_t hash);
+
+// A summary of a few lines.
+std::string report_text(const Snapshot&, std::uint64_t hash);
+
+// The header line, and one row per vehicle: seconds,id,kind,role,x,y,heading,speed,energy,left,right.
+std::string csv_header();
+std::string csv_rows(const Snapshot&);
+
+}  // namespace braitenlab

@@ -1,0 +1,257 @@
+#include "app/files/autosave.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <toml++/toml.h>
+
+#include "app/files/folder_entries.h"
+#include "app/files/safe_file.h"
+#include "core/io/run_file.h"
+
+namespace braitenlab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* autosave_extension = ".autosave";
+
+std::string local_time() {
+    const std::time_t now = std::time(nullptr);
+    char text[32] = {};
+    if (const std::tm* local = std::localtime(&now)) std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", local);
+    return text;
+}
+
+std::string autosave_text(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// The values of an autosave beside its run.
+struct AutosaveKeys {
+    std::string when, name;
+    fs::path path;
+    bool ended = false;
+    std::optional<Draft::Progress> exercise;
+};
+
+// The older format: TOML, with the run as a string in it.
+Result<AutosaveKeys> read_toml_keys(std::string_view text, const std::string& file_name, std::string& run) {
+    try {
+        const toml::table table = toml::parse(text, file_name);
+        if (table["format"].value<int>() != 1) return Error{"is no autosave of this lab's", file_name, 1};
+        AutosaveKeys keys;
+        keys.when = table["when"].value_or(std::string());
+        keys.name = table["name"].value_or(std::string());
+        keys.path = table["path"].value_or(std::string());
+        keys.ended = table["ended"].value_or(false);
+        run = table["run"].value_or(std::string());
+        if (const toml::table* exercise = table["exercise"].as_table())
+            keys.exercise =
+                Draft::Progress{(*exercise)["prediction"].value_or(-1), (*exercise)["hints_shown"].value_or(0),
+                                (*exercise)["has_run"].value_or(false)};
+        return keys;
+    } catch (const toml::parse_error& error) {
+        return Error{std::string(error.description()), file_name, static_cast<int>(error.source().begin.line)};
+    }
+}
+
+Result<AutosaveKeys> read_json_keys(std::string_view text, const std::string& file_name) {
+    try {
+        const auto json = nlohmann::json::parse(text).at("autosave");
+        AutosaveKeys keys;
+        json.at("when").get_to(keys.when);
+        json.at("name").get_to(keys.name);
+        keys.path = json.at("path").get<std::string>();
+        json.at("ended").get_to(keys.ended);
+        if (const auto& exercise = json.at("exercise"); !exercise.is_null())
+            keys.exercise =
+                Draft::Progress{exercise.at("prediction"), exercise.at("hints_shown"), exercise.at("has_run")};
+        return keys;
+    } catch (const nlohmann::json::exception& problem) {
+        return Error{fmt::format("is no autosave of this lab's: {}", problem.what()), file_name};
+    }
+}
+
+Result<Document> document_of(const AutosaveKeys& keys, SavedRun run) {
+    if (!keys.exercise) {
+        Document document = resume_document(std::move(run));
+        document.name = keys.name;
+        document.path = keys.path;
+        document.on_disk = mark_of(keys.path);
+        return document;
+    }
+    auto document = open_document(keys.path, std::nullopt, {});
+    if (!document) return document.error();
+    document->session = Session::resume(std::move(run));
+    if (document->lesson) {
+        LessonView& view = document->lesson->view;
+        const auto hints = static_cast<int>(document->lesson->exercise->hints.size());
+        view.prediction = keys.exercise->prediction;
+        view.has_run = keys.exercise->has_run;
+        view.hints_shown = std::clamp(keys.exercise->hints_shown, 0, hints);
+    }
+    return document;
+}
+
+void set_aside_autosave(const fs::path& path) {
+    std::error_code none;
+    fs::path aside = path;
+    aside += ".broken";
+    fs::rename(path, aside, none);
+}
+
+fs::path lock_of(fs::path file) { return file.replace_extension(".lock"); }
+
+Error cannot_keep(Error reason) {
+    reason.what =
+        fmt::format("your work cannot be kept for the case of a crash, save it yourself (Ctrl+S): {}", reason.what);
+    return reason;
+}
+
+}  // namespace
+
+Draft draft_of(const Document& document) {
+    Draft draft{document.name, document.path, document.session.save(), std::nullopt};
+    if (document.lesson) {
+        const LessonView& view = document.lesson->view;
+        draft.exercise = Draft::Progress{view.prediction, view.hints_shown, view.has_run};
+    }
+    return draft;
+}
+
+std::string write_autosave(const Draft& draft, std::string_view when, bool ended) {
+    auto json = nlohmann::json::parse(io::write_run(draft.run));
+    auto& keys = json["autosave"] = {
+        {"when", when}, {"ended", ended}, {"name", draft.name}, {"path", draft.path.string()}, {"exercise", nullptr}};
+    if (draft.exercise)
+        keys["exercise"] = {{"prediction", draft.exercise->prediction},
+                            {"has_run", draft.exercise->has_run},
+                            {"hints_shown", draft.exercise->hints_shown}};
+    return json.dump() + "\n";
+}
+
+Result<Autosaved> open_autosave(std::string_view text, std::string file_name) {
+    const bool is_json = text.starts_with('{');
+    std::string nested;
+    const auto keys = is_json ? read_json_keys(text, file_name) : read_toml_keys(text, file_name, nested);
+    if (!keys) return keys.error();
+    auto run = io::read_run(is_json ? text : nested, file_name);
+    if (!run) return run.error();
+    auto document = document_of(*keys, std::move(*run));
+    if (!document) return document.error();
+    return Autosaved{std::move(*document), keys->when, keys->ended};
+}
+
+Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::move(folder)) {
+    if (folder_.empty()) return;
+    for_each_entry(folder_, [&](const fs::directory_entry& entry) {
+        const fs::path& file = entry.path();
+        if (file.extension() != autosave_extension || !lock_file(lock_of(file))) return;  // of a running lab
+        const auto opened = open_autosave(autosave_text(file), file.string());
+        if (!opened) {
+            Error error = opened.error();
+            error.what += "; the work that it kept cannot be recovered, the file is kept as " +
+                          file.filename().string() + ".broken";
+            errors.push_back(std::move(error));
+            set_aside_autosave(file);
+            return;
+        }
+        const RecoveryOffer offer{opened->document.name, opened->when, opened->ended};
+        if (!leftover_ || leftover_->offer.when < offer.when) leftover_ = Leftover{file, offer};
+    });
+}
+
+Result<Document> Autosave::recover() const {
+    if (!leftover_) return Error{"there is nothing to recover"};
+    auto opened = open_autosave(autosave_text(leftover_->file), leftover_->file.string());
+    if (!opened) return opened.error();
+    return std::move(opened->document);
+}
+
+void Autosave::forget() {
+    if (!leftover_) return;
+    std::error_code none;
+    fs::remove(leftover_->file, none);
+    fs::remove(lock_of(leftover_->file), none);
+    leftover_.reset();
+}
+
+bool Autosave::lock() {
+    if (lock_) return true;
+    std::error_code problem;
+    fs::create_directories(folder_, problem);
+    // Process numbers are reused; with the time, the name differs from that of an earlier leftover.
+    file_ = folder_ / fmt::format("{}-{}{}", std::time(nullptr), process_number(), autosave_extension);
+    lock_ = lock_file(lock_of(file_));
+    return lock_.has_value();
+}
+
+std::optional<Error> Autosave::settle() {
+    if (!writing_.valid()) return std::nullopt;
+    const std::optional<Error> error = writing_.get();
+    if (!error) return failed_ = false, std::nullopt;
+    written_ = {};  // try again
+    return std::exchange(failed_, true) ? std::nullopt : error;
+}
+
+std::optional<Error> Autosave::keep(const Lab& lab, double wall_seconds, Occasion occasion) {
+    if (folder_.empty()) return std::nullopt;
+    const Document& document = lab.document;
+    const bool now = occasion != Occasion::frame;
+    due_ |= std::exchange(mode_, lab.playback.mode) != lab.playback.mode;
+    const bool busy = writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+    if (busy && !now) return std::nullopt;
+    const auto error = settle();
+    const Reached here{document.edits, document.session.snapshot().tick};
+    if (here == Reached{document.saved_edits, document.saved_tick}) {
+        finish();
+        return error;
+    }
+    if (here == written_ && occasion != Occasion::end) return error;
+    if (dirty_since_ < 0) dirty_since_ = wall_seconds;
+    if (!now && !due_ && wall_seconds < std::max(dirty_since_ + soon, written_at_ + period)) return error;
+    dirty_since_ = -1;
+    written_at_ = wall_seconds;
+    due_ = false;
+    written_ = here;
+    write(document, occasion == Occasion::end);
+    return now ? settle() : error;
+}
+
+void Autosave::write(const Document& document, bool ended) {
+    if (!lock()) {
+        std::promise<std::optional<Error>> failed;
+        failed.set_value(cannot_keep({"check that the folder may be written to and has room", folder_.string()}));
+        writing_ = failed.get_future();
+        return;
+    }
+    const auto task = [file = file_, draft = draft_of(document), when = local_time(), ended]() -> std::optional<Error> {
+        if (auto error = write_whole(file, write_autosave(draft, when, ended))) return cannot_keep(*error);
+        return std::nullopt;
+    };
+    writing_ = start_or_run(task, [](const auto& job) { return std::async(std::launch::async, job); });
+}
+
+void Autosave::finish() {
+    (void)settle();
+    written_ = {};
+    dirty_since_ = -1;
+    written_at_ = -period;
+    due_ = false;
+    if (!lock_) return;
+    std::error_code none;
+    fs::remove(file_, none);
+    fs::remove(lock_of(file_), none);
+    lock_.reset();
+}
+
+}  // namespace braitenlab

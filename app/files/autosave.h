@@ -1,0 +1,121 @@
+// Autosave: the run and its edits, written every few seconds to a file that the next start offers after a crash.
+//
+// Every running lab holds a lock beside its file. A file whose lock is free belongs to a lab that has crashed or was
+// told to end.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <future>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "app/lab.h"
+#include "app/platform/platform.h"
+#include "core/result.h"
+#include "ui/files.h"
+
+namespace braitenlab {
+
+// What an autosave contains: plain values, which another thread may write while the lab continues.
+struct Draft {
+    std::string name;
+    std::filesystem::path path;
+    SavedRun run;
+    struct Progress {
+        int prediction = -1, hints_shown = 0;
+        bool has_run = false;
+    };
+    std::optional<Progress> exercise;
+};
+Draft draft_of(const Document&);
+
+// A saved run (see core/io/run_file.h) with one more key, "autosave". `ended`: the lab was told to end and has ended
+// properly.
+std::string write_autosave(const Draft&, std::string_view when, bool ended = false);
+
+struct Autosaved {
+    Document document;
+    std::string when;
+    bool ended = false;
+};
+// Also opens the older format, TOML with the run as a string. An exercise is read from its own file. Fails with the
+// file and, if known, the line.
+Result<Autosaved> open_autosave(std::string_view text, std::string file_name);
+
+// Work of a lab that has not ended properly.
+struct Leftover {
+    std::filesystem::path file;
+    RecoveryOffer offer;
+};
+
+// Starts a task by launch(task), as std::async does on another thread. If that fails because there is no thread
+// (std::system_error), runs the task before returning.
+template <class Task, class Launch>
+std::future<std::optional<Error>> start_or_run(const Task& task, const Launch& launch) {
+    try {
+        return launch(task);
+    } catch (const std::system_error&) {
+        std::promise<std::optional<Error>> done;
+        done.set_value(task());
+        return done.get_future();
+    }
+}
+
+class Autosave {
+public:
+    static constexpr double period = 19.5;  // s between two writes; a crash loses at most 20 s
+    static constexpr double soon = 1.5;     // s after the first edit
+
+    // frame: writes when due. now: the file is on the disk before keep() returns. end: the same, as the last call.
+    enum class Occasion { frame, now, end };
+
+    // Looks for leftovers in the folder and keeps the newest. A file that cannot be read is renamed to <name>.broken
+    // and reported in `errors`. With an empty folder, nothing is read or written.
+    explicit Autosave(std::filesystem::path folder, std::vector<Error>& errors);
+    Autosave(Autosave&&) = default;
+    Autosave& operator=(Autosave&&) = default;
+
+    const std::optional<Leftover>& leftover() const { return leftover_; }
+
+    // Opens the leftover. Its file stays until forget().
+    Result<Document> recover() const;
+    void forget();
+
+    // Writes if there are edits or ticks that are neither in the document's file nor in the autosave: `soon` after the
+    // first of them, at least `period` after the last write, and at once when the mode changes. Writing happens on
+    // another thread. An error is returned once until writing succeeds again; every period it is tried again.
+    std::optional<Error> keep(const Lab&, double wall_seconds, Occasion = Occasion::frame);
+
+    // Waits until the write that keep() has started is on the disk.
+    std::optional<Error> settle();
+
+    // Removes the file: the lab ends properly, or everything is saved.
+    void finish();
+
+private:
+    bool lock();  // chooses a file name and locks it
+    void write(const Document&, bool ended);
+
+    std::filesystem::path folder_, file_;
+    std::optional<FileLock> lock_;
+    std::optional<Leftover> leftover_;
+    // Progress of the lab at the last write.
+    struct Reached {
+        std::int64_t edits = -1;
+        std::uint64_t tick = 0;
+        friend bool operator==(const Reached&, const Reached&) = default;
+    };
+    Reached written_;
+    double dirty_since_ = -1;  // wall seconds; negative: nothing to write
+    double written_at_ = -period;
+    Mode mode_ = Mode::paused;
+    bool due_ = false;                           // write as soon as the current write has finished
+    std::future<std::optional<Error>> writing_;  // valid until settle() has taken its result
+    bool failed_ = false;
+};
+
+}  // namespace braitenlab

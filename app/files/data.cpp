@@ -1,0 +1,104 @@
+#include "app/files/data.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "app/files/folder_entries.h"
+#include "app/files/paths.h"
+#include "app/platform/platform.h"
+#include "core/lesson/exercise.h"
+#include "core/scene/nearest.h"
+#include "core/scene/scene_file.h"
+#include "ui/lab_view.h"
+
+namespace braitenlab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool file_exists(const fs::path& path) {
+    std::error_code none;
+    return fs::exists(path, none);
+}
+
+std::vector<fs::path> candidate_folders() {
+    std::vector<fs::path> folders;
+    if (const char* own = std::getenv("BRAITENLAB_DATA")) return {fs::path(own)};
+    if (const fs::path program = program_file(); !program.empty())
+        folders.push_back(program.parent_path().parent_path() / "share" / "braitenlab");
+    std::istringstream list{data_folders};
+    for (std::string folder; std::getline(list, folder, ';');) folders.emplace_back(folder);
+    return folders;
+}
+
+std::vector<fs::path> toml_files(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for_each_entry(folder, [&](const fs::directory_entry& entry) {
+        if (entry.path().extension() == ".toml") files.push_back(entry.path());
+    });
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+}  // namespace
+
+const char* version_text() { return version; }
+
+Result<fs::path> data_folder() {
+    std::string looked;
+    for (const fs::path& folder : candidate_folders()) {
+        if (file_exists(folder / "exercises" / "scenes")) return folder;
+        looked += (looked.empty() ? "" : ", ") + folder.string();
+    }
+    return Error{
+        fmt::format("the lab's exercises and shaders are not in {}; set BRAITENLAB_DATA to the folder that holds "
+                    "them",
+                    looked)};
+}
+
+Result<fs::path> find_shipped(const std::string& path_or_name) {
+    if (file_exists(path_or_name)) return fs::path(path_or_name);
+    const auto data = data_folder();
+    if (!data) return data.error();
+    std::vector<std::string> names;
+    for (const char* folder : {"scenes", "guided"})
+        for (const fs::path& file : toml_files(*data / "exercises" / folder)) {
+            if (file.stem() == path_or_name) return file;
+            names.push_back(file.stem().string());
+        }
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    return Error{fmt::format("there is no file and no shipped scene called '{}'{}", path_or_name,
+                             name_nearest(path_or_name, candidates))};
+}
+
+std::vector<fs::path> shipped_exercises() {
+    const auto data = data_folder();
+    return data ? toml_files(*data / "exercises" / "guided") : std::vector<fs::path>{};
+}
+
+std::vector<fs::path> shipped_scenes() {
+    const auto data = data_folder();
+    return data ? toml_files(*data / "exercises" / "scenes") : std::vector<fs::path>{};
+}
+
+std::vector<CatalogueEntry> read_catalogue() {
+    std::vector<CatalogueEntry> catalogue;
+    for (const fs::path& path : shipped_exercises())
+        if (const auto exercise = load_exercise(path))
+            catalogue.push_back({path.stem().string(), path.string(), exercise->title, "", exercise->number});
+    for (const fs::path& path : shipped_scenes())
+        if (const auto scene = load_scene(path))
+            catalogue.push_back({path.stem().string(), path.string(), scene->title, scene->story});
+    return catalogue;
+}
+
+fs::path first_existing(const std::vector<fs::path>& candidates) {
+    const auto found = std::find_if(candidates.begin(), candidates.end(), file_exists);
+    return found == candidates.end() ? fs::path{} : *found;
+}
+
+}  // namespace braitenlab

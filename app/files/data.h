@@ -1,0 +1,35 @@
+// The files that ship with the program: exercises, scenes, shaders, strings.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+
+namespace braitenlab {
+
+struct CatalogueEntry;
+
+// The program's version: "0.1.0".
+const char* version_text();
+
+// The folder that holds exercises/, shaders/ and ui/: $BRAITENLAB_DATA, the checkout of the build, or the folder of the
+// installation. Fails with the list of folders that it has tried.
+Result<std::filesystem::path> data_folder();
+
+// A path of a file, or the name of a shipped scene ("2a-coward") or exercise ("05-aggressor"). Fails with the nearest
+// shipped name.
+Result<std::filesystem::path> find_shipped(const std::string& path_or_name);
+
+// The shipped exercises and scenes, each sorted by file name.
+std::vector<std::filesystem::path> shipped_exercises();
+std::vector<std::filesystem::path> shipped_scenes();
+
+// The shipped exercises and scenes, for the menu. A broken file is left out; opening it by name reports the error.
+std::vector<CatalogueEntry> read_catalogue();
+
+// The first candidate that exists; empty if none does.
+std::filesystem::path first_existing(const std::vector<std::filesystem::path>& candidates);
+
+}  // namespace braitenlab

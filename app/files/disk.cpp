@@ -1,0 +1,166 @@
+#include "app/files/disk.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <sstream>
+
+#include <toml++/toml.h>
+
+#include "app/files/data.h"
+#include "app/files/safe_file.h"
+#include "core/io/run_file.h"
+
+namespace braitenlab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t most_entries = 2000;
+constexpr std::uintmax_t most_to_parse = 1u << 20, most_to_parse_in_all = 4u << 20;  // bytes
+
+// True if a TOML file can be parsed as its kind.
+bool parses(const FileText& file) {
+    switch (file.kind) {
+        case FileKind::brain:
+            return static_cast<bool>(parse_brain(file.text, file.path.string()));
+        case FileKind::exercise:
+            return static_cast<bool>(parse_exercise(file.text, file.path));
+        case FileKind::run:
+            return static_cast<bool>(io::load_run(file.path));
+        case FileKind::scene:
+            break;
+    }
+    return static_cast<bool>(parse_scene(file.text, file.path.string()));
+}
+
+// True for well-formed TOML, of any program.
+bool is_toml(const FileText& file) {
+    try {
+        static_cast<void>(toml::parse(file.text, file.path.string()));
+        return true;
+    } catch (const toml::parse_error&) {
+        return false;
+    }
+}
+
+bool any_line(const std::string& text, const auto& holds) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        if (holds(line)) return true;
+    return false;
+}
+
+// Every file of this program has a line "format = 1".
+bool has_format_line(const std::string& text) {
+    return any_line(text, [](const std::string& line) { return line.starts_with("format"); });
+}
+
+bool has_comments(const std::string& text) {
+    return any_line(text, [](const std::string& line) {
+        const auto first = line.find_first_not_of(" \t");
+        return first != line.npos && line[first] == '#';
+    });
+}
+
+// `budget`: bytes that may still be parsed to find broken files. Beyond it, files count as sound until they are opened.
+std::optional<FileEntry> entry_of(const fs::directory_entry& found, std::uintmax_t& budget) {
+    FileEntry entry{found.path().filename().string()};
+    if (entry.name.empty() || entry.name[0] == '.') return std::nullopt;
+    std::error_code problem;
+    entry.is_folder = found.is_directory(problem);
+    if (entry.is_folder) return entry;
+    const auto extension = found.path().extension();
+    if ((extension != ".toml" && extension != io::run_ending) || !found.is_regular_file(problem)) return std::nullopt;
+    const std::uintmax_t size = found.file_size(problem);
+    if (problem) return std::nullopt;
+    const auto file = read_file(found.path());
+    if (!file) {
+        entry.broken = true;
+        return size <= most_to_parse ? std::optional(entry) : std::nullopt;
+    }
+    const bool ours = file->kind == FileKind::run || has_format_line(file->text);
+    const bool parse = size <= std::min(most_to_parse, budget);
+    if (!ours && (!parse || is_toml(*file))) return std::nullopt;
+    entry.broken = !ours || (parse && !parses(*file));
+    if (parse) budget -= size;
+    entry.kind = ours ? file->kind : FileKind::scene;
+    entry.comments = has_comments(file->text);
+    return entry;
+}
+
+}  // namespace
+
+FolderListing list_folder(const fs::path& wanted) {
+    FolderListing listing;
+    std::error_code problem;
+    fs::path folder = fs::absolute(wanted, problem).lexically_normal();
+    if (!folder.has_filename()) folder = folder.parent_path();  // "/home/" as "/home"
+    listing.folder = folder.string();
+    fs::directory_iterator entries(folder, fs::directory_options::skip_permission_denied, problem);
+    if (problem) {
+        listing.problem = problem.message();
+        return listing;
+    }
+    std::uintmax_t budget = most_to_parse_in_all;
+    for (; entries != fs::directory_iterator() && listing.entries.size() < most_entries; entries.increment(problem)) {
+        if (problem) break;
+        if (auto entry = entry_of(*entries, budget)) listing.entries.push_back(std::move(*entry));
+    }
+    std::sort(listing.entries.begin(), listing.entries.end(), [](const FileEntry& a, const FileEntry& b) {
+        return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;
+    });
+    return listing;
+}
+
+bool ships(const fs::path& path) {
+    const auto data = data_folder();
+    if (!data) return false;
+    std::error_code problem;
+    const fs::path inside = fs::relative(path, *data / "exercises", problem);
+    return !problem && !inside.empty() && *inside.begin() != "..";
+}
+
+fs::path resolved(const std::string& typed, const fs::path& folder, const fs::path& home) {
+    if (typed == "~" || typed.starts_with("~/"))
+        return (home / typed.substr(typed.size() > 1 ? 2 : 1)).lexically_normal();
+    return (folder / typed).lexically_normal();
+}
+
+fs::path with_extension(fs::path path, FileKind kind) {
+    const char* extension = kind == FileKind::run ? ".run" : ".toml";
+    if (path.extension() != extension) path += extension;
+    return path;
+}
+
+fs::path own_file(const Document& document) {
+    if (document.path.empty() || document.lesson || ships(document.path)) return {};
+    const auto file = read_file(document.path);
+    const bool is_scene = file && file->kind == FileKind::scene && has_format_line(file->text);
+    return is_scene && !has_comments(file->text) ? document.path : fs::path{};
+}
+
+std::optional<Error> save_as(const Lab& lab, const fs::path& path, FileKind kind) {
+    if (kind == FileKind::scene) return write_whole(path, write_scene(lab.document.session.edited_scene()));
+    if (kind == FileKind::run) return write_whole(path, io::write_run(lab.document.session.save()));
+    if (kind != FileKind::brain) return Error{"can be saved as a scene, a run or a brain only", path.string()};
+    const Snapshot& now = lab.document.session.snapshot();
+    const VehicleView* vehicle = find_vehicle(now, lab.view.selection.vehicle);
+    if (!vehicle) return Error{"no vehicle is selected; click the one whose brain is meant"};
+    return write_whole(path, write_brain(*now.brains[static_cast<std::size_t>(vehicle->brain)]));
+}
+
+std::optional<Error> take_brain(Lab& lab, const FileText& file) {
+    Session& session = lab.document.session;
+    const VehicleView* vehicle = find_vehicle(session.snapshot(), lab.view.selection.vehicle);
+    if (!vehicle) return Error{"no vehicle is selected; click the one that is to have this brain", file.path.string()};
+    auto brain = parse_brain(file.text, file.path.string());
+    if (!brain) return brain.error();
+    const Target target =
+        lab.view.selection.whole_kind ? Target{.kind = vehicle->kind} : Target{.vehicle = vehicle->id};
+    const auto error = session.apply(SetBrain{target, std::move(*brain)});
+    if (!error) ++lab.document.edits;
+    return error;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,38 @@
+// Folders as the file browser shows them, and saving what is open.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/lab.h"
+#include "core/result.h"
+#include "ui/files.h"
+
+namespace braitenlab {
+
+// The subfolders and files of a folder that the program can open, at most 2000. Files that cannot be read, malformed
+// TOML included, are marked as broken. Hidden files and TOML files of other programs are left out.
+FolderListing list_folder(const std::filesystem::path&);
+
+// True for a file that ships with the program.
+bool ships(const std::filesystem::path&);
+
+// A path as the user has typed it, made absolute: "~" is the home folder, a relative path starts at `folder`.
+std::filesystem::path resolved(const std::string& typed, const std::filesystem::path& folder,
+                               const std::filesystem::path& home);
+
+// Appends the extension of the kind (.run or .toml) if the path has another one.
+std::filesystem::path with_extension(std::filesystem::path, FileKind);
+
+// The scene's own file, which Ctrl+S overwrites. Empty if there is none, if it ships with the program, or if it
+// contains comments, which writing would lose.
+std::filesystem::path own_file(const Document&);
+
+// Writes the scene, the run at its current tick, or the brain of the selected vehicle.
+std::optional<Error> save_as(const Lab&, const std::filesystem::path&, FileKind);
+
+// Gives the brain in the file to the selected vehicle, or to its whole kind. One step of undo.
+std::optional<Error> take_brain(Lab&, const FileText&);
+
+}  // namespace braitenlab

@@ -1,0 +1,189 @@
+#include "app/files/file_commands.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/files/disk.h"
+#include "app/files/safe_file.h"
+#include "app/lab_requests.h"
+#include "core/match.h"
+
+namespace braitenlab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct FileCommands {
+    Lab& lab;
+    FilesView& view;
+    StoredState& state;
+    const UserFolders& folders;
+
+    void fail(const Error& error) const {
+        view.refused = error.text();
+        say(lab, {NoticeKind::failure, "", error.text()});
+    }
+
+    void done(const fs::path& path, std::string_view said) const {
+        if (!said.empty()) say(lab, {NoticeKind::done, std::string(said), path.filename().string()});
+        view.refused.clear();
+        ++view.done;
+        refresh(view, lab);
+    }
+
+    fs::path folder() const {
+        std::error_code none;
+        if (!view.listing.folder.empty()) return view.listing.folder;
+        if (fs::is_directory(state.folder, none)) return state.folder;
+        return folders.home;
+    }
+
+    void list(const fs::path& path) const {
+        view.listing = list_folder(path);
+        view.refused.clear();
+    }
+
+    void open(const std::string& typed, bool discard = false, bool dropped = false) const {
+        const fs::path path = resolved(typed, folder(), folders.home);
+        std::error_code none;
+        if (fs::is_directory(path, none)) {
+            list(path);
+            if (dropped) say(lab, {NoticeKind::notice, "files.dropped_folder", path.filename().string()});
+            return;
+        }
+        const auto file = read_file(path);
+        if (!file) return fail(file.error());
+        if (file->kind == FileKind::brain) {
+            const std::uint64_t latest = lab.document.session.latest();
+            if (const auto error = take_brain(lab, *file)) return fail(*error);
+            done(path, "files.took_brain");
+            return report_time_change(lab, latest);
+        }
+        auto opened = open_document(*file, std::nullopt, {});
+        if (!opened) return fail(opened.error());
+        if (!discard && has_unsaved_edits(lab)) {
+            view.leaving = Leaving{lab.document.name, path.string()};
+            return view.refused.clear();
+        }
+        replace_document(lab, std::move(*opened));
+        add_recent_file(state, path);
+        done(path, {});
+    }
+
+    // The user's answer to FilesView::leaving.
+    void leave(Leave answer) const {
+        if (!view.leaving) return;
+        if (answer == Leave::stay) return view.leaving.reset();
+        if (answer == Leave::save) save({view.save_to, FileKind::scene});
+        if (answer != Leave::discard && has_unsaved_edits(lab)) return;  // not written: ask again
+        const std::string next = std::exchange(view.leaving, std::nullopt)->next;
+        if (!next.empty()) return open(next, true);
+        lab.document.saved_edits = lab.document.edits;
+        lab.exit = true;
+    }
+
+    // Writes to the folder of screenshots. The notice shows the whole path, because the user has not chosen it.
+    void save_numbers(const ExportRequest& wanted) const {
+        std::error_code none;  // write_whole() reports it
+        const fs::path& into = folders.pictures;
+        fs::create_directories(into, none);
+        fs::path path;
+        for (int i = 1; path.empty() || fs::exists(path, none); ++i)
+            path = into / fmt::format("braitenlab-{}-{:03}.csv", wanted.name, i);
+        if (const auto error = write_whole(path, wanted.text)) return fail(*error);
+        say(lab, {NoticeKind::done, "notice.numbers", path.string()});
+    }
+
+    void save(const SaveRequest& wanted) const {
+        const fs::path path = with_extension(resolved(wanted.path, folder(), folders.home), wanted.kind);
+        const std::uint64_t latest = lab.document.session.latest();
+        if (wanted.title) {
+            if (const auto error = lab.document.session.apply(Retitle{*wanted.title})) return fail(*error);
+            ++lab.document.edits;
+        }
+        if (const auto error = save_as(lab, path, wanted.kind)) return fail(*error);
+        if (wanted.kind == FileKind::run) add_recent_file(state, path);
+        if (wanted.kind == FileKind::scene) {
+            if (!lab.document.lesson) lab.document.path = path, lab.document.name = path.stem().string();
+            add_recent_file(state, path);
+            if (!lab.document.lesson) {
+                lab.document.file = std::make_shared<const Scene>(lab.document.session.edited_scene());
+                lab.document.on_disk = mark_of(path);
+            }
+        }
+        if (wanted.kind != FileKind::brain) lab.document.saved_edits = lab.document.edits;
+        if (wanted.kind == FileKind::run) lab.document.saved_tick = lab.document.session.snapshot().tick;
+        if (!view.listing.folder.empty()) list(view.listing.folder);
+        done(path, wanted.kind == FileKind::brain ? "files.saved_brain" : "files.saved");
+        report_time_change(lab, latest);
+    }
+};
+
+}  // namespace
+
+void add_recent_file(StoredState& state, const fs::path& file) {
+    add_recent(state, file);
+    if (!ships(file)) state.folder = fs::path(state.last_opened).parent_path().string();
+}
+
+void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const UserFolders& folders) {
+    const FileCommands commands{lab, view, state, folders};
+    for (const Request& request : std::exchange(lab.files, {})) {
+        if (const auto* open = std::get_if<OpenRequest>(&request)) commands.open(open->path, false, open->dropped);
+        if (const auto* save = std::get_if<SaveRequest>(&request)) commands.save(*save);
+        if (const auto* leave = std::get_if<LeaveRequest>(&request)) commands.leave(leave->answer);
+        if (const auto* numbers = std::get_if<ExportRequest>(&request)) commands.save_numbers(*numbers);
+        if (const auto* browse = std::get_if<BrowseRequest>(&request))
+            commands.list(resolved(browse->path, commands.folder(), folders.home));
+    }
+}
+
+bool has_unsaved_edits(const Lab& lab) {
+    if (lab.document.lesson || lab.document.edits == lab.document.saved_edits) return false;
+    if (lab.document.session.edited_scene() != *lab.document.file) return true;
+    const Snapshot& now = lab.document.session.snapshot();
+    return std::any_of(
+        now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) {  // or one vehicle has its own brain
+            return *now.brains[static_cast<std::size_t>(v.brain)] != *now.kind_brains[static_cast<std::size_t>(v.kind)];
+        });
+}
+
+bool may_leave(const Lab& lab, FilesView& view) {
+    if (!has_unsaved_edits(lab)) return true;
+    view.leaving = Leaving{lab.document.name};
+    view.refused.clear();
+    return false;
+}
+
+void follow_file(Lab& lab, FilesView& view) {
+    if (lab.document.path.empty() || lab.document.path.extension() == io::run_ending) return;
+    const FileMark mark = mark_of(lab.document.path);
+    if (mark == lab.document.on_disk || mark == FileMark{}) return;
+    if (std::exchange(lab.document.noticed, mark) != mark)
+        return;  // it may be incomplete: wait until it stays unchanged
+    lab.document.on_disk = mark;
+    auto opened = open_document(lab.document.path, lab.document.session.seed(), lab.document.settings);
+    if (!opened) return say(lab, {NoticeKind::failure, "", opened.error().text()});
+    const std::string name = lab.document.path.filename().string();
+    if (has_unsaved_edits(lab)) return say(lab, {NoticeKind::notice, "files.changed", name});
+    const Playback before{
+        .mode = lab.playback.mode, .time_scale = lab.playback.time_scale, .toggles = lab.playback.toggles};
+    const Camera camera = lab.view.camera;
+    const bool whole_kind = lab.view.selection.whole_kind;
+    replace_document(lab, std::move(*opened));
+    lab.playback = before;
+    lab.view.camera = camera;
+    lab.view.selection.whole_kind = whole_kind;
+    refresh(view, lab);
+    say(lab, {NoticeKind::notice, "files.reloaded", name});
+}
+
+void refresh(FilesView& view, const Lab& lab) {
+    view.save_to = own_file(lab.document).string();
+    view.suggested = lab.document.name;
+}
+
+}  // namespace braitenlab

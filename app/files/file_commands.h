@@ -1,0 +1,31 @@
+// Opening, saving and leaving the document, as the window's file browser requests it.
+#pragma once
+
+#include "app/files/settings.h"
+#include "app/lab.h"
+#include "app/platform/platform.h"
+#include "ui/files.h"
+
+namespace braitenlab {
+
+// Makes the file the last one opened. Its folder becomes the browser's folder, unless the file ships with the lab.
+void add_recent_file(StoredState&, const std::filesystem::path&);
+
+// Executes the requests in Lab::files: opens, saves, exports, lists folders. Success is shown as a notice, failure as a
+// notice and in the view.
+void execute_file_requests(Lab&, FilesView&, StoredState&, const UserFolders&);
+
+// True if the scene has edits that are in no file. False for an exercise: its brains are attempts.
+bool has_unsaved_edits(const Lab&);
+
+// True if the document can be left without losing edits. If not, asks the user (FilesView::leaving).
+bool may_leave(const Lab&, FilesView&);
+
+// Call a few times per second. Reloads the open file if another program has written it. If the new file is broken or
+// there are unsaved edits, shows a notice and keeps the document.
+void follow_file(Lab&, FilesView&);
+
+// Updates what the panels see of the document's own file. Call after the document has changed.
+void refresh(FilesView&, const Lab&);
+
+}  // namespace braitenlab

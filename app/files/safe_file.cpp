@@ -1,0 +1,103 @@
+#include "app/files/safe_file.h"
+
+#include <cerrno>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "app/platform/platform.h"
+
+namespace braitenlab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Error not_saved(const fs::path& path, int reason) {
+    std::string advice = "choose another place";
+    if (reason == ENOSPC || reason == EDQUOT || reason == EFBIG)
+        advice = "make room on the disk or choose another place";
+    if (reason == EACCES || reason == EPERM || reason == EROFS) advice = "choose a folder that you may write to";
+    return {
+        fmt::format("could not be saved: {}; {}. What was there before still stands", std::strerror(reason), advice),
+        path.string()};
+}
+
+// The file that a link leads to, so that the link itself is not replaced.
+fs::path behind_links(const fs::path& path) {
+    std::error_code problem;
+    const fs::path target = fs::weakly_canonical(path, problem);
+    return problem ? path : target;
+}
+
+}  // namespace
+
+FileWriter::FileWriter(const fs::path& path, bool flush) : wanted_(path), path_(behind_links(path)), flush_(flush) {
+    std::error_code none;
+    if (fs::is_directory(path_, none)) {
+        fail(EISDIR);
+        return;
+    }
+    if (fs::exists(path_, none) && !fs::is_regular_file(path_, none)) {
+        error_ = Error{"is no plain file and stays as it is; choose another name", wanted_.string()};
+        return;
+    }
+    beside_ = path_.parent_path() / fmt::format(".{}.{}.new", path_.filename().string(), process_number());
+    file_.reset(open_for_writing(beside_));
+    if (!file_) fail(errno);
+}
+
+FileWriter::~FileWriter() {
+    if (!file_) return;
+    file_.reset();
+    std::error_code none;
+    fs::remove(beside_, none);
+}
+
+// Gives up: removes what has been written beside the file and keeps the first error.
+void FileWriter::fail(int reason) {
+    error_ = not_saved(wanted_, reason ? reason : EIO);
+    if (!file_) return;
+    file_.reset();
+    std::error_code none;
+    fs::remove(beside_, none);
+}
+
+void FileWriter::write(std::string_view text) {
+    if (!file_) return;
+    errno = 0;
+    if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) fail(errno);
+}
+
+std::optional<Error> FileWriter::commit() {
+    if (!file_) return error_;
+    errno = 0;
+    const bool written = std::fflush(file_.get()) == 0 && (!flush_ || flush_to_disk(file_.get()));
+    const int reason = errno;
+    const bool closed = std::fclose(file_.release()) == 0;
+    std::error_code problem, none;
+    if (written && closed) {
+        if (const auto old = fs::status(path_, none); fs::exists(old))
+            fs::permissions(beside_, old.permissions(), none);
+        fs::rename(beside_, path_, problem);
+    }
+    if (!written || !closed || problem) {
+        fs::remove(beside_, none);
+        const int code = problem ? problem.value() : reason;
+        return not_saved(wanted_, code ? code : EIO);
+    }
+    if (flush_) flush_folder_to_disk(path_.parent_path());
+    return std::nullopt;
+}
+
+std::optional<Error> write_whole(const fs::path& path, std::string_view text) {
+    const fs::path folder = behind_links(path).parent_path();
+    std::error_code problem;
+    if (!folder.empty()) fs::create_directories(folder, problem);
+    if (problem) return not_saved(path, problem.value());
+    FileWriter writer(path);
+    writer.write(text);
+    return writer.commit();
+}
+
+}  // namespace braitenlab

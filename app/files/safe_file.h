@@ -1,0 +1,44 @@
+// Files that are never left half-written: at any time the file has its old or its new content.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace braitenlab {
+
+// Writes a file in pieces: beside it first, then renamed over it by commit(). Without commit(), or if anything fails,
+// the old file stays as it was. A link is followed, and the file keeps its permissions. The folder must exist.
+class FileWriter {
+public:
+    // `flush`: commit() waits until the content is on the disk, so that it survives a power failure.
+    explicit FileWriter(const std::filesystem::path&, bool flush = true);
+    FileWriter(FileWriter&&) noexcept = default;
+    FileWriter& operator=(FileWriter&&) = delete;
+    ~FileWriter();
+
+    void write(std::string_view);
+
+    // Fails with the first error of all calls: no permission, no room on the disk, no such folder, not a regular file.
+    std::optional<Error> commit();
+
+private:
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    void fail(int reason);
+
+    std::filesystem::path wanted_, path_, beside_;
+    std::unique_ptr<std::FILE, Close> file_;
+    std::optional<Error> error_;
+    bool flush_;
+};
+
+// Writes a file at once, as FileWriter does. Creates missing folders.
+std::optional<Error> write_whole(const std::filesystem::path&, std::string_view text);
+
+}  // namespace braitenlab

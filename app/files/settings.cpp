@@ -1,0 +1,197 @@
+#include "app/files/settings.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <tuple>
+#include <utility>
+
+#include <toml++/toml.h>
+
+#include "app/files/safe_file.h"
+
+namespace braitenlab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A table being read, and the first value of the wrong type in it.
+struct SettingsReader {
+    toml::table table;
+    std::string file;
+    std::optional<Error> error;
+
+    template <class T>
+    void read(const char* key, T& value, const char* what) {
+        const toml::node* node = table.get(key);
+        if (!node) return;
+        if (const auto found = node->value<T>())
+            value = *found;
+        else if (!error)
+            error =
+                Error{std::string("'") + key + "' must be " + what, file, static_cast<int>(node->source().begin.line)};
+    }
+};
+
+Result<SettingsReader> read_settings_table(std::string_view text, std::string file_name) {
+    try {
+        return SettingsReader{toml::parse(text, file_name), file_name, std::nullopt};
+    } catch (const toml::parse_error& error) {
+        return Error{std::string(error.description()), file_name, static_cast<int>(error.source().begin.line)};
+    }
+}
+
+std::string toml_text(const toml::table& table, const char* about) {
+    std::ostringstream out;
+    out << "# " << about << "\n" << table << "\n";
+    return out.str();
+}
+
+}  // namespace
+
+Result<Preferences> parse_preferences(std::string_view toml, std::string file_name, const Preferences& otherwise) {
+    auto reader = read_settings_table(toml, std::move(file_name));
+    if (!reader) return reader.error();
+    Preferences p = otherwise;
+    std::string theme = p.theme == Theme::light ? "light" : "dark";
+    reader->read("theme", theme, "\"dark\" or \"light\"");
+    reader->read("language", p.language, "a language's code, as in \"de\"");
+    reader->read("type_size", p.type_size, "a number from 1 to 2");
+    reader->read("reduce_motion", p.reduce_motion, "true or false");
+    if (reader->error) return *reader->error;
+    p.theme = theme == "light" ? Theme::light : Theme::dark;
+    p.type_size = p.type_size > least_type_size ? std::min(p.type_size, largest_type_size) : least_type_size;
+    return p;
+}
+
+std::string write_preferences(const Preferences& p) {
+    return toml_text(toml::table{{"format", 1},
+                                 {"theme", p.theme == Theme::light ? "light" : "dark"},
+                                 {"language", p.language},
+                                 {"type_size", p.type_size},
+                                 {"reduce_motion", p.reduce_motion}},
+                     "Preferences of Braitenlab.");
+}
+
+Result<StoredState> parse_state(std::string_view toml, std::string file_name) {
+    auto reader = read_settings_table(toml, std::move(file_name));
+    if (!reader) return reader.error();
+    StoredState r;
+    reader->read("width", r.width, "a whole number");
+    reader->read("height", r.height, "a whole number");
+    reader->read("last_opened", r.last_opened, "a path in quotes");
+    reader->read("folder", r.folder, "a path in quotes");
+    if (reader->error) return *reader->error;
+    if (const toml::array* recent = reader->table["recent"].as_array())
+        for (const toml::node& node : *recent)
+            if (const auto path = node.value<std::string>(); path && r.recent.size() < most_recent)
+                r.recent.push_back(*path);
+    constexpr int largest = 16384;  // as for --size
+    if (r.width < 640 || r.height < 480 || r.width > largest || r.height > largest) r.width = r.height = 0;
+    return r;
+}
+
+std::string write_state(const StoredState& r) {
+    toml::array recent;
+    for (const std::string& path : r.recent) recent.push_back(path);
+    return toml_text(toml::table{{"format", 1},
+                                 {"width", r.width},
+                                 {"height", r.height},
+                                 {"last_opened", r.last_opened},
+                                 {"folder", r.folder},
+                                 {"recent", recent}},
+                     "Stored by Braitenlab.");
+}
+
+void add_recent(StoredState& r, const fs::path& file) {
+    std::error_code problem;
+    fs::path path = fs::absolute(file, problem).lexically_normal();
+    if (problem) path = file;
+    r.last_opened = path.string();
+    std::erase(r.recent, r.last_opened);
+    r.recent.insert(r.recent.begin(), r.last_opened);
+    if (r.recent.size() > most_recent) r.recent.resize(most_recent);
+}
+
+namespace {
+
+std::optional<std::string> settings_text(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (path.empty() || !file) return std::nullopt;
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+}
+
+// Renames the file, so that it is reported once and its text is kept.
+Error set_aside_settings(const fs::path& path, Error error) {
+    fs::path aside = path;
+    aside += ".broken";
+    std::error_code problem;
+    fs::rename(path, aside, problem);
+    error.what += problem ? "; it is ignored" : "; it is ignored and kept as " + aside.filename().string();
+    return error;
+}
+
+}  // namespace
+
+SettingsFiles::SettingsFiles(fs::path config, fs::path state)
+    : settings_(config.empty() ? config : config / "settings.toml"),
+      state_(state.empty() ? state : state / "state.toml") {}
+
+std::vector<Error> SettingsFiles::read(Preferences& preferences, StoredState& state) {
+    std::vector<Error> errors;
+    const auto read_one = [&](const fs::path& path, std::string& text, auto parse, auto& value) {
+        const auto found = settings_text(path);
+        if (!found) return;
+        auto parsed = parse(*found, path.string());
+        if (!parsed) return errors.push_back(set_aside_settings(path, parsed.error()));
+        text = *found;
+        value = *parsed;
+    };
+    read_one(
+        settings_, settings_text_,
+        [&](const std::string& text, std::string file) { return parse_preferences(text, file, preferences); },
+        preferences);
+    read_one(state_, state_text_, parse_state, state);
+    start_ = preferences;
+    return errors;
+}
+
+std::optional<Error> SettingsFiles::write(const Preferences& preferences, const StoredState& state) {
+    std::optional<Error> failed;
+    const auto write_one = [&](const fs::path& path, std::string& on_disk, std::string text) {
+        if (path.empty() || text == on_disk) return;
+        on_disk = std::move(text);  // also if writing fails: the error is reported once
+        if (auto error = write_whole(path, on_disk)) failed = std::move(error);
+    };
+    // Preferences are not written before the user changes one: until then, the system's language applies.
+    if (!settings_text_.empty() || preferences != start_)
+        write_one(settings_, settings_text_, write_preferences(preferences));
+    write_one(state_, state_text_, write_state(state));
+    return failed;
+}
+
+Settings read_settings(SettingsFiles files, const PreferenceOverrides& overrides, const std::string& native_language) {
+    Settings settings{.files = std::move(files)};
+    settings.stored.language = native_language;
+    settings.errors = settings.files.read(settings.stored, settings.state);
+    settings.at_start = settings.stored;
+    if (overrides.theme) settings.at_start.theme = *overrides.theme;
+    if (!overrides.language.empty()) settings.at_start.language = overrides.language;
+    settings.last = settings.at_start;
+    return settings;
+}
+
+std::optional<Error> save(Settings& settings, const Preferences& now, std::pair<int, int> window_size) {
+    const Preferences before = std::exchange(settings.last, now);
+    Preferences& stored = settings.stored;
+    if (now.theme != before.theme) stored.theme = now.theme;
+    if (now.language != before.language) stored.language = now.language;
+    if (now.type_size != before.type_size) stored.type_size = now.type_size;
+    if (now.reduce_motion != before.reduce_motion) stored.reduce_motion = now.reduce_motion;
+    std::tie(settings.state.width, settings.state.height) = window_size;
+    return settings.files.write(stored, settings.state);
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,78 @@
+// What is kept between two starts, in two small TOML files: preferences (settings.toml in the configuration folder) and
+// what the program stores by itself (state.toml in the state folder).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/result.h"
+#include "ui/preferences.h"
+
+namespace braitenlab {
+
+// Values outside their range are clamped; unknown keys, as of a later version, are ignored. Keys that are missing keep
+// their value in `otherwise`. Fails with file and line on malformed TOML and on values of the wrong type.
+Result<Preferences> parse_preferences(std::string_view toml, std::string file_name, const Preferences& otherwise = {});
+std::string write_preferences(const Preferences&);
+
+struct StoredState {
+    int width = 0, height = 0;        // of the window; 0: never changed
+    std::string last_opened;          // a path; empty: first start
+    std::vector<std::string> recent;  // paths, the newest first
+    std::string folder;               // of the file opened or saved last
+    friend bool operator==(const StoredState&, const StoredState&) = default;
+};
+
+// Fails as parse_preferences does.
+Result<StoredState> parse_state(std::string_view toml, std::string file_name);
+std::string write_state(const StoredState&);
+
+inline constexpr std::size_t most_recent = 8;
+
+// Makes the file the last one opened and moves it to the front of the recent files.
+void add_recent(StoredState&, const std::filesystem::path&);
+
+// The two files of one user: read at the start, written when something has changed.
+class SettingsFiles {
+public:
+    // With an empty folder, its file is neither read nor written.
+    SettingsFiles(std::filesystem::path config, std::filesystem::path state);
+
+    // A malformed file is renamed to <name>.broken and reported; its value stays unchanged.
+    std::vector<Error> read(Preferences&, StoredState&);
+
+    // Writes what differs from the files. An error is returned once until something changes again.
+    std::optional<Error> write(const Preferences&, const StoredState&);
+
+private:
+    std::filesystem::path settings_, state_;
+    std::string settings_text_, state_text_;  // as in the files
+    Preferences start_;                       // as they were after reading
+};
+
+// Preferences given on the command line. They apply to this session and are not stored.
+struct PreferenceOverrides {
+    std::optional<Theme> theme;
+    std::string language;  // empty: not given
+};
+
+struct Settings {
+    SettingsFiles files;
+    Preferences stored;    // as in the file
+    Preferences at_start;  // stored, with the overrides
+    Preferences last;      // at the last call of save()
+    StoredState state;
+    std::vector<Error> errors;  // of files that could not be read
+};
+
+// `native_language` is used until the user chooses a language.
+Settings read_settings(SettingsFiles, const PreferenceOverrides&, const std::string& native_language);
+
+// Writes what has changed. Values that come from the overrides alone are not stored.
+std::optional<Error> save(Settings&, const Preferences& now, std::pair<int, int> window_size);
+
+}  // namespace braitenlab

@@ -1,0 +1,62 @@
+// What only the operating system can answer or do. Each system has one source file for this header; no other file of
+// the program calls the system.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace braitenlab {
+
+// The file of the running program; empty where the system does not tell it.
+std::filesystem::path program_file();
+
+// The user's folders. They may not exist; all are empty if there is no home folder.
+struct UserFolders {
+    std::filesystem::path home;
+    std::filesystem::path config;    // for settings: $XDG_CONFIG_HOME/braitenlab or its default
+    std::filesystem::path state;     // for what the program stores by itself: $XDG_STATE_HOME/braitenlab or its default
+    std::filesystem::path pictures;  // as the desktop configures it, else Pictures in the home folder
+};
+UserFolders user_folders();
+
+// Opens a file for writing binary data; null on failure, with the reason in errno.
+std::FILE* open_for_writing(const std::filesystem::path&);
+
+// Returns once the content of the file is on the disk. False on failure, with the reason in errno.
+bool flush_to_disk(std::FILE*);
+
+// The same for the names in a folder, on file systems that support it.
+void flush_folder_to_disk(const std::filesystem::path&);
+
+// A lock on a file, held as long as the object lives. The system releases it if the program crashes.
+class FileLock {
+public:
+    explicit FileLock(int handle) : handle_(handle) {}
+    FileLock(FileLock&& other) noexcept : handle_(std::exchange(other.handle_, -1)) {}
+    FileLock& operator=(FileLock&& other) noexcept {
+        std::swap(handle_, other.handle_);
+        return *this;
+    }
+    ~FileLock();
+
+private:
+    int handle_;
+};
+
+// Locks a file, which is created if it does not exist; nullopt if another process holds the lock.
+std::optional<FileLock> lock_file(const std::filesystem::path&);
+
+// True once the system has asked the program to end (end of the desktop session, Ctrl+C in the terminal). The first
+// call installs the handlers; before it, and after the first such request, the system ends the program at once.
+bool is_told_to_end();
+
+// Identifies this process among all running ones.
+long process_number();
+
+// The system's language by its two letters ("de" of LANG=de_AT.UTF-8); empty if none is set.
+std::string system_language();
+
+}  // namespace braitenlab

@@ -1,0 +1,40 @@
+#include "core/scene/file_kind.h"
+
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "core/scene/fields.h"
+
+namespace braitenlab {
+
+FileKind detect_kind(const std::filesystem::path& path, std::string_view text) {
+    if (path.extension() == ".run") return FileKind::run;
+    bool is_scene = false, is_brain = false;
+    while (!text.empty()) {
+        std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+        if (line.starts_with("[[step]]")) return FileKind::exercise;
+        is_scene |= line.starts_with("[kind.") || line.starts_with("[arena]") || line.starts_with("[source.");
+        is_brain |= line.starts_with("[brain");
+    }
+    return is_brain && !is_scene ? FileKind::brain : FileKind::scene;
+}
+
+Result<std::string> read_text(const std::filesystem::path& path) {
+    std::error_code problem;
+    const auto status = std::filesystem::status(path, problem);
+    if (!std::filesystem::exists(status)) return Error{"there is no such file", path.string()};
+    if (!std::filesystem::is_regular_file(status)) return Error{"this is not a file; give one", path.string()};
+    if (std::filesystem::file_size(path, problem) > limits::file_bytes)
+        return Error{fmt::format("larger than {} MB; split it", limits::file_bytes >> 20u), path.string()};
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in) return Error{"cannot be read; are you allowed to?", path.string()};
+    return text.str();
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,23 @@
+// What a file contains, and its text.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace braitenlab {
+
+enum class FileKind { scene, exercise, brain, run };
+inline constexpr int file_kinds = 4;
+
+// The kind of a file, by its extension (.run) or by the tables in its text: [[step]] makes an exercise; [kind.…],
+// [arena] or [source.…] a scene; a [brain] without these a brain. Any other text counts as a scene. The text may be
+// malformed: parsing it as this kind reports the error.
+FileKind detect_kind(const std::filesystem::path&, std::string_view text);
+
+// The text of a TOML file. Fails if it is absent, no regular file, unreadable, or larger than limits::file_bytes.
+Result<std::string> read_text(const std::filesystem::path&);
+
+}  // namespace braitenlab

@@ -1,0 +1,36 @@
+#include "core/scene/file_kind.h"
+
+#include <gtest/gtest.h>
+
+#include "core/result.h"
+#include "tests/folder.h"
+
+namespace braitenlab::tests::file_kind_test {
+namespace {
+
+TEST(FileKind, IsDetectedByTheTables) {
+    EXPECT_EQ(detect_kind("a.toml", "format = 1\n[arena]\n"), FileKind::scene);
+    EXPECT_EQ(detect_kind("a.toml", "format = 1\n[kind.one.brain]\n"), FileKind::scene);
+    EXPECT_EQ(detect_kind("a.toml", "format = 1\n[brain]\nLL = 1\n"), FileKind::brain);
+    EXPECT_EQ(detect_kind("a.toml", "format = 1\n[set]\n[[step]]\n"), FileKind::exercise);
+    EXPECT_EQ(detect_kind("a.toml", "  [[step]]\n"), FileKind::exercise) << "indented";
+    EXPECT_EQ(detect_kind("a.toml", ""), FileKind::scene);
+}
+
+TEST(FileKind, IsARunByTheExtensionAlone) { EXPECT_EQ(detect_kind("a.run", "[[step]]"), FileKind::run); }
+
+TEST(FileKind, IsDetectedInMalformedText) {
+    EXPECT_EQ(detect_kind("a.toml", "[[step]]\ngoal = \"\n"), FileKind::exercise);
+    EXPECT_EQ(detect_kind("a.toml", "[brain\nLL = "), FileKind::brain);
+}
+
+TEST(ReadText, FailsForAnAbsentFileAndForAFolder) {
+    const Folder folder;
+    put_text(folder / "a.toml", "format = 1\n");
+    EXPECT_EQ(*read_text(folder / "a.toml"), "format = 1\n");
+    EXPECT_FALSE(read_text(folder / "b.toml"));
+    EXPECT_FALSE(read_text(folder.path));
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::file_kind_test

@@ -1,0 +1,349 @@
+// Opening and saving, as the window's browser asks for it.
+#include "app/files/file_commands.h"
+
+#include <gtest/gtest.h>
+
+#include "app/files/data.h"
+#include "app/files/disk.h"
+#include "app/lab_requests.h"
+#include "tests/folder.h"
+
+namespace braitenlab::tests::file_commands_test {
+namespace {
+
+struct OnTheDesk : testing::Test {
+    Folder folder;
+    FilesView files;
+    StoredState state;
+    UserFolders folders{.home = folder.path, .pictures = folder / "Pictures"};
+    Lab lab = open("2a-coward");
+
+    static Lab open(const char* name) {
+        auto opened = open_lab(*find_shipped(name), std::nullopt, {});
+        return std::move(*opened);
+    }
+
+    OnTheDesk() {
+        state.folder = folder.path.string();
+        refresh(files, lab);
+    }
+    void ask(const Request& request) {
+        handle(lab, request);
+        execute_file_requests(lab, files, state, folders);
+    }
+    const FourNeurons dials() const { return read_dials(*lab.document.session.snapshot().kind_brains[0]); }
+};
+
+TEST_F(OnTheDesk, SavesTheSceneWithItsEditedBrainAndOpensItAgain) {
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    EXPECT_EQ(files.save_to, "") << "what ships is never written over";
+    ask(SaveRequest{"mine", FileKind::scene});
+    EXPECT_EQ(files.done, 1);
+    EXPECT_EQ(files.save_to, (folder / "mine.toml").string());
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    EXPECT_EQ(lab.document.name, "3a-love");
+    ask(OpenRequest{"mine.toml"});
+    EXPECT_EQ(dials().LR, 1.25f);
+    EXPECT_EQ(state.recent.front(), (folder / "mine.toml").string());
+}
+
+TEST_F(OnTheDesk, SavesTheSceneUnderATitleOfItsOwn) {
+    ask(SaveRequest{"mine", FileKind::scene, "My own coward"});
+    EXPECT_EQ(lab.document.session.snapshot().scene->title, "My own coward") << "the card shows it";
+    EXPECT_FALSE(has_unsaved_edits(lab));
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    ask(OpenRequest{"mine.toml"});
+    EXPECT_EQ(lab.document.session.scene().title, "My own coward");
+    ask(SaveRequest{"mine", FileKind::scene, std::string(1000, 'x')});
+    EXPECT_NE(files.refused, "") << "too long";
+    EXPECT_EQ(lab.document.session.snapshot().scene->title, "My own coward");
+}
+
+TEST_F(OnTheDesk, PutsNumbersWherePicturesGoToANewFileEachTimeAndSaysWhere) {
+    ask(ExportRequest{"signals", "seconds,SL\n"});
+    ask(ExportRequest{"signals", "seconds,SL\n0,1\n"});
+    EXPECT_EQ(text_of(folders.pictures / "braitenlab-signals-001.csv"), "seconds,SL\n");
+    EXPECT_EQ(text_of(folders.pictures / "braitenlab-signals-002.csv"), "seconds,SL\n0,1\n");
+    EXPECT_NE(lab.notice.words.find((folders.pictures / "braitenlab-signals-002.csv").string()), std::string::npos)
+        << lab.notice.words;
+}
+
+TEST_F(OnTheDesk, SaysThatABrainFromAFileDropsTheRecordedTimeAhead) {
+    ask(SaveRequest{"shy", FileKind::brain});
+    for (int i = 0; i < 400; ++i) tick(lab);
+    handle(lab, SeekRequest{100});
+    ask(OpenRequest{"shy.toml"});
+    EXPECT_EQ(lab.document.session.latest(), 100u);
+    EXPECT_EQ(lab.notice.key, "notice.forgotten");
+}
+
+TEST_F(OnTheDesk, ListsWhatItCannotReadAsBroken) {
+    ask(SaveRequest{"good scene", FileKind::scene});
+    ask(SaveRequest{"good brain", FileKind::brain});
+    ask(SaveRequest{"good run", FileKind::run});
+    const std::string run = text_of(folder / "good run.run");
+    put_text(folder / "torn.run", run.substr(0, run.size() / 2));
+    put_text(folder / "torn brain.toml", text_of(folder / "good brain.toml") + "\n[brain.nonsense]\n");
+    put_text(folder / "torn scene.toml", text_of(folder / "good scene.toml") + "\n[nonsense]\n");
+    put_text(folder / "garbage.toml", "garbage");
+    put_text(folder / "letter.txt", "not the lab's");
+    ask(BrowseRequest{folder.path.string()});
+    std::vector<std::string> good, broken;
+    for (const FileEntry& entry : files.listing.entries) (entry.broken ? broken : good).push_back(entry.name);
+    EXPECT_EQ(good, (std::vector<std::string>{"good brain.toml", "good run.run", "good scene.toml"}));
+    EXPECT_EQ(broken, (std::vector<std::string>{"garbage.toml", "torn brain.toml", "torn scene.toml", "torn.run"}));
+    ask(OpenRequest{"garbage.toml"});
+    EXPECT_NE(files.refused.find("garbage.toml:1"), std::string::npos) << files.refused;
+}
+
+TEST_F(OnTheDesk, SaysWhatToDoWithAFolderThatIsDropped) {
+    fs::create_directories(folder / "class");
+    ask(OpenRequest{(folder / "class").string(), true});
+    EXPECT_EQ(lab.notice.key, "files.dropped_folder");
+    EXPECT_EQ(lab.notice.words, "class");
+    EXPECT_EQ(files.listing.folder, (folder / "class").string()) << "as the words say";
+}
+
+TEST_F(OnTheDesk, NeverReplacesWhatIsOpenByABrokenFile) {
+    put_text(folder / "broken.toml", "format = 1\n[arena]\nwidht = 3\n");
+    const auto before = lab.document.session.hash();
+    ask(OpenRequest{"broken.toml"});
+    EXPECT_EQ(lab.document.session.hash(), before);
+    EXPECT_EQ(lab.document.name, "2a-coward");
+    EXPECT_EQ(files.done, 0);
+    EXPECT_NE(files.refused.find("broken.toml:3"), std::string::npos) << files.refused;
+    EXPECT_NE(files.refused.find("width"), std::string::npos) << files.refused;
+    ask(OpenRequest{"not there.toml"});
+    EXPECT_EQ(lab.document.session.hash(), before);
+    EXPECT_NE(files.refused, "");
+}
+
+TEST_F(OnTheDesk, DoesNotWriteOverCommentsUnasked) {
+    ask(SaveRequest{"mine", FileKind::scene});
+    put_text(folder / "mine.toml", "# by hand\n" + text_of(folder / "mine.toml"));
+    ask(OpenRequest{"mine.toml"});
+    EXPECT_EQ(files.save_to, "");
+    ASSERT_EQ(files.done, 2);
+}
+
+TEST_F(OnTheDesk, SavesABrainAndGivesItToAnotherVehicleAsOneStepOfUndo) {
+    ask(SaveRequest{"shy", FileKind::brain});
+    ASSERT_TRUE(fs::exists(folder / "shy.toml"));
+    ask(OpenRequest{(*find_shipped("2b-aggressor")).string()});
+    const FourNeurons before = dials();
+    ask(OpenRequest{"shy.toml"});
+    EXPECT_EQ(dials().LL, 1.5f);
+    EXPECT_EQ(lab.document.name, "2b-aggressor");
+    EXPECT_EQ(lab.document.session.undo_depth(), 1);
+    handle(lab, Action::undo);
+    EXPECT_EQ(dials(), before);
+}
+
+TEST_F(OnTheDesk, SavesARunAndGoesOnWithItExactly) {
+    for (int i = 0; i < 400; ++i) tick(lab);
+    ask(SaveRequest{"later", FileKind::run});
+    const auto hash = lab.document.session.hash();
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    ask(OpenRequest{"later.run"});
+    EXPECT_EQ(lab.document.session.hash(), hash);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 400u);
+    put_text(folder / "broken.run", text_of(folder / "later.run").substr(0, 500));
+    ask(OpenRequest{"broken.run"});
+    EXPECT_EQ(lab.document.session.hash(), hash) << "a broken file never replaces what is open";
+    EXPECT_NE(files.refused, "");
+}
+
+TEST_F(OnTheDesk, SaysWhereItCannotWrite) {
+    ask(SaveRequest{"/proc/nowhere/mine", FileKind::scene});
+    EXPECT_EQ(files.done, 0);
+    EXPECT_NE(files.refused.find("/proc/nowhere/mine.toml"), std::string::npos) << files.refused;
+    EXPECT_EQ(lab.document.name, "2a-coward");
+}
+
+TEST_F(OnTheDesk, ListsFoldersFirstAndOnlyWhatTheLabReads) {
+    fs::create_directories(folder / "z");
+    put_text(folder / "b.toml", "format = 1\n[brain]\nLL = 1\n");
+    put_text(folder / "a.toml", "format = 1\n# why\n[kind.x]\n");
+    put_text(folder / "e.toml", "format = 1\n[[step]]\n");
+    put_text(folder / "notes.txt", "format = 1\n");
+    put_text(folder / "alien.toml", "[package]\nname = 'x'\n");
+    put_text(folder / ".hidden.toml", "format = 1\n[kind.x]\n");
+    ask(BrowseRequest{folder.path.string()});
+    std::vector<std::string> names;
+    for (const FileEntry& entry : files.listing.entries) names.push_back(entry.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"z", "a.toml", "b.toml", "e.toml"}));
+    EXPECT_EQ(files.listing.entries[1].kind, FileKind::scene);
+    EXPECT_TRUE(files.listing.entries[1].comments);
+    EXPECT_EQ(files.listing.entries[2].kind, FileKind::brain);
+    EXPECT_EQ(files.listing.entries[3].kind, FileKind::exercise);
+    ask(BrowseRequest{"/not/there"});
+    EXPECT_NE(files.listing.problem, "");
+}
+
+TEST_F(OnTheDesk, GoesToAFolderThatIsTyped) {
+    fs::create_directories(folder / "deep");
+    ask(OpenRequest{"deep"});
+    EXPECT_EQ(files.listing.folder, (folder / "deep").string());
+    EXPECT_EQ(files.done, 0);
+    ask(OpenRequest{".."});
+    EXPECT_EQ(files.listing.folder, folder.path.string());
+}
+
+TEST_F(OnTheDesk, AsksBeforeUnsavedEditsAreLeftAndStaysWhenToldTo) {
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    const auto before = lab.document.session.hash();
+    const std::string love = (*find_shipped("3a-love")).string();
+    ask(OpenRequest{love});
+    EXPECT_EQ(lab.document.session.hash(), before);
+    ASSERT_TRUE(files.leaving);
+    EXPECT_EQ(files.leaving->name, "2a-coward");
+    EXPECT_EQ(files.leaving->next, love);
+    ask(LeaveRequest{Leave::stay});
+    EXPECT_FALSE(files.leaving);
+    EXPECT_EQ(lab.document.session.hash(), before);
+    ask(OpenRequest{love});
+    ask(LeaveRequest{Leave::discard});
+    EXPECT_FALSE(files.leaving);
+    EXPECT_EQ(lab.document.name, "3a-love");
+}
+
+TEST_F(OnTheDesk, SavesWhereTheSceneCameFromBeforeItLeaves) {
+    ask(SaveRequest{"mine", FileKind::scene});
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    ask(LeaveRequest{Leave::save});
+    EXPECT_EQ(lab.document.name, "3a-love");
+    ask(OpenRequest{"mine.toml"});
+    EXPECT_EQ(dials().LR, 1.25f);
+}
+
+TEST_F(OnTheDesk, GoesOnOnceWhatWasUnsavedHasGotANameOfItsOwn) {
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    ask(SaveRequest{"only the brain", FileKind::brain});
+    ask(LeaveRequest{Leave::saved});
+    EXPECT_TRUE(files.leaving) << "a brain is not the scene: asked again";
+    EXPECT_EQ(lab.document.name, "2a-coward");
+    ask(SaveRequest{"all of it", FileKind::scene});
+    ask(LeaveRequest{Leave::saved});
+    EXPECT_EQ(lab.document.name, "3a-love");
+}
+
+TEST_F(OnTheDesk, SaysWhatWasDoneAndWhatFailedInDifferentWays) {
+    ask(SaveRequest{"mine", FileKind::scene});
+    EXPECT_EQ(lab.notice, (Notice{NoticeKind::done, "files.saved", "mine.toml"}));
+    ask(OpenRequest{"nowhere.toml"});
+    EXPECT_EQ(lab.notice.kind, NoticeKind::failure);
+}
+
+TEST_F(OnTheDesk, TellsEachLabItOpensFromTheOneBefore) {
+    const auto before = lab.document.run_id;
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    EXPECT_NE(lab.document.run_id, before) << "what was drawn of the other run does not belong to this one";
+}
+
+TEST_F(OnTheDesk, LeavesOnlyWhenNothingIsUnsavedOrThePersonSaysSo) {
+    EXPECT_TRUE(may_leave(lab, files)) << "nothing was done";
+    for (int i = 0; i < 100; ++i) tick(lab);
+    EXPECT_TRUE(may_leave(lab, files)) << "a run is no edit";
+    handle(lab, EditRequest{TurnDial{{.vehicle = 0}, Dial::LR, 1.25f}});
+    EXPECT_FALSE(may_leave(lab, files)) << "a brain of one vehicle alone counts too";
+    ASSERT_TRUE(files.leaving);
+    EXPECT_EQ(files.leaving->next, "");
+    ask(LeaveRequest{Leave::stay});
+    EXPECT_FALSE(lab.exit);
+    handle(lab, Action::undo);
+    EXPECT_TRUE(may_leave(lab, files)) << "what was undone is no edit any more";
+    handle(lab, Action::redo);
+    EXPECT_FALSE(may_leave(lab, files));
+    ask(LeaveRequest{Leave::discard});
+    EXPECT_TRUE(lab.exit);
+    EXPECT_TRUE(may_leave(lab, files));
+}
+
+TEST_F(OnTheDesk, StaysWhereTheEditsCannotBeWritten) {
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    EXPECT_FALSE(may_leave(lab, files));
+    files.save_to = "/proc/nowhere/mine.toml";
+    ask(LeaveRequest{Leave::save});
+    EXPECT_TRUE(files.leaving);
+    EXPECT_FALSE(lab.exit);
+    EXPECT_NE(files.refused, "");
+}
+
+TEST_F(OnTheDesk, NeverAsksAboutAnExercisesBrain) {
+    lab = open("05-aggressor");
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    EXPECT_TRUE(may_leave(lab, files));
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    EXPECT_EQ(lab.document.name, "3a-love");
+}
+
+struct Followed : OnTheDesk {
+    const fs::path file = folder / "mine.toml";
+    Followed() {
+        ask(SaveRequest{"mine", FileKind::scene});
+        ask(OpenRequest{"mine.toml"});
+    }
+    // As another program does it; two looks, since the first may find it half written.
+    void write(const std::string& text) {
+        put_text(file, text);
+        fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(++written_));
+        look(), look();
+    }
+    void look() { follow_file(lab, files); }
+    static std::string with(std::string text, const std::string& old, const std::string& fresh) {
+        const auto at = text.find(old);
+        EXPECT_NE(at, text.npos) << old;
+        return at == text.npos ? text : text.replace(at, old.size(), fresh);
+    }
+
+private:
+    int written_ = 0;
+};
+
+TEST_F(Followed, IsReadAgainWhenItIsWrittenByAnotherProgram) {
+    handle(lab, Action::play_pause);
+    ask(SaveRequest{"mine", FileKind::scene});
+    for (int i = 0; i < 50; ++i) tick(lab);
+    look(), look();
+    EXPECT_EQ(lab.document.session.snapshot().tick, 50u) << "what the lab wrote itself is no news";
+    write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
+    EXPECT_EQ(dials().LL, 0.25f);
+    EXPECT_EQ(lab.playback.mode, Mode::playing);
+    EXPECT_NE(lab.notice.words.find("mine.toml"), std::string::npos);
+}
+
+TEST_F(Followed, LeavesTheRunAloneWhereItIsBrokenAndSaysWhy) {
+    for (int i = 0; i < 50; ++i) tick(lab);
+    const auto before = lab.document.session.hash();
+    write(with(text_of(file), "LL = 1.5", "LL = 77"));
+    EXPECT_EQ(lab.document.session.hash(), before);
+    EXPECT_NE(lab.notice.words.find("mine.toml:"), std::string::npos) << lab.notice.words;
+    write(with(text_of(file), "LL = 77", "LL = 0.5"));
+    EXPECT_EQ(dials().LL, 0.5f) << "mended, it counts";
+}
+
+TEST_F(Followed, NeverCostsUnsavedEdits) {
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
+    EXPECT_EQ(dials().LR, 1.25f);
+    EXPECT_EQ(dials().LL, 1.5f);
+    EXPECT_NE(lab.notice.words.find("mine.toml"), std::string::npos);
+}
+
+TEST(Resolved, StartsAtTheFolderOrAtTheHomeFolder) {
+    EXPECT_EQ(resolved("~/a.toml", "/f", "/home/me"), "/home/me/a.toml");
+    EXPECT_EQ(resolved("~", "/f", "/home/me"), "/home/me/");
+    EXPECT_EQ(resolved("a/../b.toml", "/f", "/home/me"), "/f/b.toml");
+    EXPECT_EQ(resolved("/b.toml", "/f", "/home/me"), "/b.toml");
+}
+
+TEST(WithExtension, AppendsTheExtensionOfTheKind) {
+    EXPECT_EQ(with_extension("/a", FileKind::scene), "/a.toml");
+    EXPECT_EQ(with_extension("/a.toml", FileKind::brain), "/a.toml");
+    EXPECT_EQ(with_extension("/a.b", FileKind::run), "/a.b.run");
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::file_commands_test
