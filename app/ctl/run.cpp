@@ -7,6 +7,7 @@
 #include "app/ctl/report.h"
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
+#include "core/io/run_file.h"
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
 

@@ -8,6 +8,7 @@
 #include "app/files/disk.h"
 #include "app/files/safe_file.h"
 #include "app/lab_requests.h"
+#include "core/io/run_file.h"
 #include "core/match.h"
 
 namespace braitenlab {

@@ -1,4 +1,4 @@
-// The real window, driven by a real mouse and keyboard (xdotool) and judged by what it reports about itself.
+// The real window, driven by mouse and keyboard (xdotool) and judged by the state that it reports.
 #pragma once
 
 #include <chrono>
@@ -46,46 +46,50 @@ inline Ran shell(const std::string& command) {
 
 inline std::string program(const char* name) { return std::string(BRAITENLAB_BINARY) + "/" + name; }
 
-// The home of a person who opens the lab more than once: settings, memory, files.
+// A temporary folder of a new name; removed with the object.
 class Home {
 public:
-    Home() { std::filesystem::remove_all(path), std::filesystem::create_directories(path); }
+    Home() = default;
     ~Home() { std::filesystem::remove_all(path); }
     Home(const Home&) = delete;
     Home& operator=(const Home&) = delete;
 
-    std::filesystem::path path = std::filesystem::temp_directory_path() / fmt::format("braitenlab-home-{}", getpid());
+    std::filesystem::path path = make();
+
+private:
+    static std::filesystem::path make() {
+        std::string name = (std::filesystem::temp_directory_path() / "braitenlab-XXXXXX").string();
+        EXPECT_TRUE(mkdtemp(name.data())) << name;
+        return name;
+    }
 };
 
 class LabWindow {
 public:
     explicit LabWindow(std::vector<std::string> arguments, std::filesystem::path home = {}) {
-        folder_ = std::filesystem::temp_directory_path() / fmt::format("braitenlab-test-{}", getpid());
-        std::filesystem::remove_all(folder_);
-        std::filesystem::create_directories(folder_);
-        if (home.empty()) home = folder_;
+        if (home.empty()) home = own_.path;
         arguments.insert(arguments.begin(), program("braitenlab"));
         arguments.push_back("--watch-graphics");
         for (const char* file : {"anchors", "state"}) {
             arguments.push_back(std::string("--") + file);
-            arguments.push_back((folder_ / (std::string(file) + ".json")).string());
+            arguments.push_back((own_.path / (std::string(file) + ".json")).string());
         }
         pid_ = fork();
         if (pid_ == 0) {
-            prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that crashes leaves no window behind that others wait for
+            prctl(PR_SET_PDEATHSIG, SIGKILL);  // also if the test crashes
             setenv("HOME", home.c_str(), 1);
             setenv("XDG_CONFIG_HOME", (home / "config").c_str(), 1);
             setenv("XDG_STATE_HOME", (home / "state").c_str(), 1);
             std::vector<char*> argv;
             for (std::string& a : arguments) argv.push_back(a.data());
             argv.push_back(nullptr);
-            if (!std::freopen((folder_ / "said").c_str(), "w", stderr)) _exit(126);
+            if (!std::freopen((own_.path / "said").c_str(), "w", stderr)) _exit(126);
             execv(argv[0], argv.data());
             _exit(127);
         }
         const bool came_up = eventually([this] { return !state().is_null() && !anchors().is_null(); }, 30);
         EXPECT_TRUE(came_up) << "no window came up: " << said();
-        if (!came_up) return;  // nobody to look for
+        if (!came_up) return;
         window_ = shell(fmt::format("xdotool search --sync --onlyvisible --pid {} | tail -n 1", pid_)).out;
         while (!window_.empty() && window_.back() == '\n') window_.pop_back();
         xdotool("windowfocus --sync " + window_);
@@ -96,22 +100,21 @@ public:
         const Json last = state();
         if (last.contains("graphics_errors")) {
             EXPECT_EQ(last["graphics_errors"], 0);
-            EXPECT_EQ(last["graphics_watched"], true) << "nobody would have noticed an error";
+            EXPECT_EQ(last["graphics_watched"], true) << "the driver has not been watched";
         }
         if (pid_ > 0 && waitpid(pid_, nullptr, WNOHANG) == 0) {
             kill(pid_, SIGKILL);
             waitpid(pid_, nullptr, 0);
         }
-        // The file tells also of the frames after the last state was written, and of the window's closing.
+        // Includes the frames after the last state was written, and the closing of the window.
         EXPECT_EQ(said().find("the graphics driver says"), std::string::npos) << said();
-        std::filesystem::remove_all(folder_);
     }
     LabWindow(const LabWindow&) = delete;
     LabWindow& operator=(const LabWindow&) = delete;
 
-    // What it has written to its terminal.
+    // What it has written to stderr.
     std::string said() const {
-        std::ifstream file(folder_ / "said");
+        std::ifstream file(own_.path / "said");
         return {std::istreambuf_iterator<char>(file), {}};
     }
 
@@ -125,7 +128,7 @@ public:
 
     // The middle of a widget.
     Point at(const std::string& anchor) const {
-        // Cards measure themselves in their first frame and hold their widgets from the next one on.
+        // A card measures itself in its first frame and shows its widgets from the next one.
         eventually([&] { return anchors().contains(anchor); }, 3);
         const Json all = anchors();
         if (!all.contains(anchor)) {
@@ -137,9 +140,28 @@ public:
     }
 
     void key(const std::string& name) const { xdotool("key --delay 30 " + name); }
-    void move(Point p) const { xdotool(fmt::format("mousemove --window {} {} {}", window_, p.x, p.y)), wait(0.06); }
-    void press() const { xdotool("mousedown 1"), wait(0.06); }
-    void release() const { xdotool("mouseup 1"), wait(0.06); }
+    // Each of these returns once a frame has seen the mouse there.
+    void move(Point p) const {
+        xdotool(fmt::format("mousemove --window {} {} {}", window_, p.x, p.y));
+        EXPECT_TRUE(eventually([&] {
+            return state()["pointer"] == Json{p.x, p.y};
+        })) << state()["pointer"]
+            << " instead of " << p.x << ", " << p.y;
+    }
+    void press(int button = 1) const {
+        xdotool(fmt::format("mousedown {}", button));
+        EXPECT_TRUE(eventually([&] { return state()["pressed"] == button; }));
+    }
+    void release(int button = 1) const {
+        xdotool(fmt::format("mouseup {}", button));
+        EXPECT_TRUE(eventually([&] { return state()["pressed"] == 0; }));
+        draw_frames();
+    }
+    // Returns once the window has drawn two more frames.
+    void draw_frames() const {
+        const auto wanted = state()["frames"].get<int>() + 2;
+        EXPECT_TRUE(eventually([&] { return state()["frames"].get<int>() >= wanted; }));
+    }
     void click(Point p) const { move(p), press(), release(); }
     void click(const std::string& anchor) const { click(at(anchor)); }
     void drag(Point from, Point to) const {
@@ -151,7 +173,7 @@ public:
 
     static void wait(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
-    // Asks again and again until it holds; false when it never did.
+    // Waits until the condition holds; false if it does not within `patience` seconds.
     static bool eventually(const std::function<bool()>& holds, double patience = 5) {
         const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
         while (std::chrono::steady_clock::now() < until) {
@@ -161,7 +183,7 @@ public:
         return holds();
     }
 
-    // As a crash would: no chance to say good-bye.
+    // Ends the program as a crash does.
     void kill_at_once() {
         kill(pid_, SIGKILL);
         waitpid(pid_, nullptr, 0);
@@ -170,7 +192,7 @@ public:
 
     void send(int signal) const { kill(pid_, signal); }
 
-    // The exit code once the window has gone of its own accord; −1 when it has not.
+    // The exit code once the program has ended; −1 if it does not end.
     int exit_code(double patience = 5) {
         int status = 0;
         if (!eventually([&] { return waitpid(pid_, &status, WNOHANG) == pid_; }, patience)) return -1;
@@ -180,12 +202,12 @@ public:
 
 private:
     Json read(const char* name) const {
-        std::ifstream file(folder_ / name);
+        std::ifstream file(own_.path / name);
         return file ? Json::parse(file, nullptr, false) : Json();
     }
 
     pid_t pid_ = -1;
-    std::filesystem::path folder_;
+    const Home own_;
     std::string window_;
 };
 

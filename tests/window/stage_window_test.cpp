@@ -16,29 +16,24 @@ Point place(const Json& thing) {
 Point vehicle(const LabWindow& lab, std::size_t i) { return place(lab.state()["vehicles"][i]); }
 Point source(const LabWindow& lab, std::size_t i) { return place(lab.state()["sources"][i]); }
 
-// A frame of a busy machine may take a while: what it should see must last that long.
-void settle() { LabWindow::wait(0.25); }
-
 void right_click(const LabWindow& lab, Point at) {
-    lab.move(at), settle();
-    lab.xdotool("mousedown 3"), settle();
-    lab.xdotool("mouseup 3"), settle();
+    lab.move(at);
+    lab.press(3), lab.release(3);
 }
 
 void press_at(const LabWindow& lab, Point at) {
-    lab.move(at), settle();
-    lab.press(), settle();
+    lab.move(at);
+    lab.press();
 }
 
 void drag(const LabWindow& lab, Point from, Point to) {
     press_at(lab, from);
     for (int i = 1; i <= 4; ++i) lab.move({from.x + (to.x - from.x) * i / 4, from.y + (to.y - from.y) * i / 4});
-    settle();
-    lab.release(), settle();
+    lab.release();
 }
 
 void choose_tool(const LabWindow& lab, const std::string& name) {
-    lab.move(lab.at("tool." + name)), settle();
+    lab.move(lab.at("tool." + name));
     lab.press(), lab.release();
     EXPECT_TRUE(wait_for([&] { return lab.state()["tool"] == name; }));
 }
@@ -177,14 +172,13 @@ TEST(StageWindow, PansWithTheRightButtonZoomsAboutThePointerAndComesHomeByOneKey
     const Json home = lab.state()["view"];
     const Point free = lab.at("viewport");
     const Point start = source(lab, 0);
-    lab.move({free.x - 100, free.y + 100}), settle();
-    lab.xdotool("mousedown 3"), settle();
+    lab.move({free.x - 100, free.y + 100});
+    lab.press(3);
     for (int i = 1; i <= 6; ++i) lab.move({free.x - 100 + 10 * i, free.y + 100});
-    settle();
-    lab.xdotool("mouseup 3");
+    lab.release(3);
     EXPECT_TRUE(wait_for([&] { return std::abs(source(lab, 0).x - start.x - 60) < 12; })) << "the floor follows";
     const Point lamp = source(lab, 0);
-    lab.move(lamp), settle();
+    lab.move(lamp);
     lab.xdotool("click 4"), lab.xdotool("click 4");
     EXPECT_TRUE(wait_for([&] { return lab.state()["view"]["zoom"].get<double>() > 1.2; }));
     EXPECT_NEAR(source(lab, 0).x, lamp.x, 3) << "what is under the pointer stays there";
