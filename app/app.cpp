@@ -146,7 +146,7 @@ void App::write_reports() {
     constexpr double state_period = 0.05;
     if (!state_file_.wanted() || seconds_since(state_written_) < state_period) return;
     state_written_ = Clock::now();
-    if (auto error = state_file_.write(state_json(lab_, panels_.stage, facts_))) complain(*error);
+    if (auto error = state_file_.write(state_json(lab_, panels_.scene_input, facts_))) complain(*error);
 }
 
 }  // namespace braitenlab

@@ -108,7 +108,7 @@ void App::frame(float passed) {
                                     !takes_arrows(view, ImGui::GetIO().KeyCtrl);
     const Arrows held = arrows_move_camera ? arrows() : Arrows{};
     const bool steers = steer_by_keys(lab_, held.turn, held.raise);
-    drive_camera(lab_, viewport_, panels_.stage, steers ? Arrows{} : held, area, arena, passed);
+    drive_camera(lab_, viewport_, panels_.scene_input, steers ? Arrows{} : held, area, arena, passed);
     if (repeatable() && !picture_is_due(0))
         renderer_.remember(lab_.document.session.snapshot());  // no frame is shown before the picture is taken
     else
@@ -141,8 +141,8 @@ void App::draw_scene() {
                             static_cast<float>(window_.framebuffer_height())};
     picture.theme = lab_.preferences.theme;
     picture.settings = lab_.view;
-    const Thing& hovered = panels_.stage.hovered.thing;
-    picture.hovered = hovered.kind == ThingKind::vehicle ? hovered.index : no_vehicle;
+    const SceneObject& hovered = panels_.scene_input.hovered.object;
+    picture.hovered = hovered.kind == SceneObjectKind::vehicle ? hovered.index : no_vehicle;
     picture.driver = lab_.view.camera.mode == CameraMode::driver ? lab_.view.selection.vehicle : no_vehicle;
     picture.pixel_scale = density() * theme_.scale();
     shown_ = lab_.document.session.snapshot();

@@ -9,7 +9,7 @@
 #include "app/lab_selection.h"
 #include "app/past.h"
 #include "core/match.h"
-#include "ui/stage/edits.h"
+#include "ui/scene_input/edits.h"
 
 namespace braitenlab {
 
@@ -47,7 +47,7 @@ void change_type_size(Lab& lab, float by) {
 // Applies an edit and selects what it has added.
 void edit(Lab& lab, const Command& command, std::uint64_t gesture = 0) {
     if (!apply(lab, command, gesture)) return;
-    if (const Thing added = added_by(lab.document.session.snapshot(), command)) select(lab, added);
+    if (const SceneObject added = added_by(lab.document.session.snapshot(), command)) select(lab, added);
 }
 
 void edit_if(Lab& lab, const std::optional<Command>& command) {
@@ -250,8 +250,8 @@ bool apply(Lab& lab, const Command& command, std::uint64_t gesture) {
 void handle(Lab& lab, const Request& request) {
     std::visit(
         Match{[&](Action action) { act(lab, action); }, [&](const EditRequest& r) { edit(lab, r.command, r.gesture); },
-              [&](const SelectRequest& r) { select(lab, vehicle_thing(r.vehicle)), keep_selection(lab); },
-              [&](const TakeRequest& r) { select_object(lab, r.thing); },
+              [&](const SelectRequest& r) { select(lab, vehicle_object(r.vehicle)), keep_selection(lab); },
+              [&](const TakeRequest& r) { select_object(lab, r.object); },
               [&](const ScopeRequest& r) { lab.view.selection.whole_kind = r.whole_kind; },
               [&](const SeekRequest& r) { seek(lab, r); }, [&](const BookmarkRequest& r) { handle_bookmark(lab, r); },
               [&](const OpenRequest& r) { lab.files.push_back(r); },

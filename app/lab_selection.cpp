@@ -12,11 +12,11 @@ namespace {
 
 // Indices of sources and obstacles change when others come and go; names do not.
 void keep_object(Lab& lab) {
-    Thing& object = lab.view.selection.object;
+    SceneObject& object = lab.view.selection.object;
     if (!object) return;
     const Scene& scene = *lab.document.session.snapshot().scene;
     object.index =
-        object.kind == ThingKind::source ? find_source(scene, lab.object_name) : find_obstacle(scene, lab.object_name);
+        object.kind == SceneObjectKind::source ? find_source(scene, lab.object_name) : find_obstacle(scene, lab.object_name);
     if (object.index < 0) object = {};
 }
 
@@ -35,24 +35,24 @@ const VehicleView* selected_vehicle(const Lab& lab) {
     return find_vehicle(lab.document.session.snapshot(), lab.view.selection.vehicle);
 }
 
-Thing chosen(const Lab& lab) {
+SceneObject chosen(const Lab& lab) {
     const Selection& selection = lab.view.selection;
-    return selection.object ? selection.object : vehicle_thing(selection.vehicle);
+    return selection.object ? selection.object : vehicle_object(selection.vehicle);
 }
 
-void select_object(Lab& lab, const Thing& thing) {
+void select_object(Lab& lab, const SceneObject& object) {
     lab.view.selection.object = {};
     const Snapshot& now = lab.document.session.snapshot();
-    if (!place_of(now, thing) || thing.kind == ThingKind::vehicle) return;
-    const auto index = static_cast<std::size_t>(thing.index);
-    lab.view.selection.object = thing;
+    if (!place_of(now, object) || object.kind == SceneObjectKind::vehicle) return;
+    const auto index = static_cast<std::size_t>(object.index);
+    lab.view.selection.object = object;
     lab.object_name =
-        thing.kind == ThingKind::source ? now.scene->sources[index].name : now.scene->obstacles[index].name;
+        object.kind == SceneObjectKind::source ? now.scene->sources[index].name : now.scene->obstacles[index].name;
 }
 
-void select(Lab& lab, const Thing& thing) {
-    select_object(lab, thing);
-    if (thing.kind == ThingKind::vehicle) lab.view.selection.vehicle = thing.index;
+void select(Lab& lab, const SceneObject& object) {
+    select_object(lab, object);
+    if (object.kind == SceneObjectKind::vehicle) lab.view.selection.vehicle = object.index;
 }
 
 void select_neighbour(Lab& lab, int step) {
@@ -62,7 +62,7 @@ void select_neighbour(Lab& lab, int step) {
     const auto here = std::find_if(vehicles.begin(), vehicles.end(), [&](const auto& v) { return v.id == selected; });
     const auto count = static_cast<int>(vehicles.size());
     const int index = here == vehicles.end() ? 0 : static_cast<int>(here - vehicles.begin()) + step + count;
-    select(lab, vehicle_thing(vehicles[static_cast<std::size_t>(index % count)].id));
+    select(lab, vehicle_object(vehicles[static_cast<std::size_t>(index % count)].id));
 }
 
 void keep_selection(Lab& lab) {

@@ -9,11 +9,11 @@ namespace braitenlab {
 const VehicleView* selected_vehicle(const Lab&);  // null when there is none
 
 // The selected source or obstacle, else the selected vehicle: what Delete removes.
-Thing chosen(const Lab&);
+SceneObject chosen(const Lab&);
 
-void select(Lab&, const Thing&);
+void select(Lab&, const SceneObject&);
 // Selects a source or an obstacle, or neither; the selected vehicle stays selected.
-void select_object(Lab&, const Thing&);
+void select_object(Lab&, const SceneObject&);
 // Selects the vehicle `step` places further in the order of ids.
 void select_neighbour(Lab&, int step);
 

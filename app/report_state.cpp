@@ -47,29 +47,29 @@ const char* camera_word(CameraMode mode) {
     return "";
 }
 
-const char* thing_word(ThingKind kind) {
+const char* object_word(SceneObjectKind kind) {
     switch (kind) {
-        case ThingKind::none:
+        case SceneObjectKind::none:
             return "none";
-        case ThingKind::vehicle:
+        case SceneObjectKind::vehicle:
             return "vehicle";
-        case ThingKind::source:
+        case SceneObjectKind::source:
             return "source";
-        case ThingKind::obstacle:
+        case SceneObjectKind::obstacle:
             return "obstacle";
     }
     return "";
 }
 
-const char* tool_word(StageTool tool) {
+const char* tool_word(SceneInputTool tool) {
     switch (tool) {
-        case StageTool::hand:
+        case SceneInputTool::hand:
             return "hand";
-        case StageTool::lamp:
+        case SceneInputTool::lamp:
             return "lamp";
-        case StageTool::box:
+        case SceneInputTool::box:
             return "box";
-        case StageTool::polygon:
+        case SceneInputTool::polygon:
             return "polygon";
     }
     return "";
@@ -80,11 +80,11 @@ Json pixel(const Sight& sight, float x, float y, float height = 0) {
     return at ? Json{std::round(at->x), std::round(at->y)} : Json();
 }
 
-constexpr std::size_t most_things = 64;
+constexpr std::size_t most_objects = 64;
 
 Json vehicles_json(const Snapshot& now, const Sight& sight) {
     Json all = Json::array();
-    for (std::size_t i = 0; i < std::min(most_things, now.vehicles.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(most_objects, now.vehicles.size()); ++i) {
         const VehicleView& v = now.vehicles[i];
         all.push_back({{"id", v.id},
                        {"kind", v.kind},
@@ -99,7 +99,7 @@ Json vehicles_json(const Snapshot& now, const Sight& sight) {
 
 Json sources_json(const Snapshot& now, const Sight& sight) {
     Json all = Json::array();
-    for (std::size_t i = 0; i < std::min(most_things, now.scene->sources.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(most_objects, now.scene->sources.size()); ++i) {
         const Source& s = now.scene->sources[i];
         all.push_back({{"name", s.name},
                        {"channel", word(s.channel)},
@@ -114,9 +114,9 @@ Json sources_json(const Snapshot& now, const Sight& sight) {
 
 Json obstacles_json(const Snapshot& now, const Sight& sight) {
     Json all = Json::array();
-    for (std::size_t i = 0; i < std::min(most_things, now.scene->obstacles.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(most_objects, now.scene->obstacles.size()); ++i) {
         const Obstacle& o = now.scene->obstacles[i];
-        const Pose place = *place_of(now, {ThingKind::obstacle, static_cast<int>(i)});
+        const Pose place = *place_of(now, {SceneObjectKind::obstacle, static_cast<int>(i)});
         all.push_back({{"name", o.name},
                        {"x", plain(place.x)},
                        {"y", plain(place.y)},
@@ -130,16 +130,16 @@ Json obstacles_json(const Snapshot& now, const Sight& sight) {
     return all;
 }
 
-void add_stage(Json& state, const Lab& lab, const StageState& stage, const FrameFacts& frame) {
+void add_scene_input(Json& state, const Lab& lab, const SceneInputState& scene_input, const FrameFacts& frame) {
     const Sight& sight = frame.sight;
     const Snapshot& now = lab.document.session.snapshot();
-    state["thing"] = {{"kind", thing_word(lab.view.selection.object.kind)}, {"index", lab.view.selection.object.index}};
-    state["hovered"] = {{"kind", thing_word(stage.hovered.thing.kind)},
-                        {"index", stage.hovered.thing.index},
+    state["object"] = {{"kind", thing_word(lab.view.selection.object.kind)}, {"index", lab.view.selection.object.index}};
+    state["hovered"] = {{"kind", thing_word(stage.hovered.object.kind)},
+                        {"index", stage.hovered.object.index},
                         {"handle", stage.hovered.handle}};
     state["cursor"] = frame.hand ? "hand" : "arrow";
-    state["tool"] = tool_word(stage.tool);
-    state["corners"] = stage.corners.size();
+    state["tool"] = tool_word(scene_input.tool);
+    state["corners"] = scene_input.corners.size();
     state["vehicles"] = vehicles_json(now, sight);
     state["sources"] = sources_json(now, sight);
     state["obstacles"] = obstacles_json(now, sight);
@@ -190,7 +190,7 @@ std::string anchors_json(const Anchors& anchors) {
     return all.dump(1) + "\n";
 }
 
-std::string state_json(const Lab& lab, const StageState& stage, const FrameFacts& frame) {
+std::string state_json(const Lab& lab, const SceneInputState& stage, const FrameFacts& frame) {
     const Snapshot& now = lab.document.session.snapshot();
     Json state{{"mode", mode_word(lab.playback.mode)},
                {"tick", now.tick},
@@ -238,7 +238,7 @@ std::string state_json(const Lab& lab, const StageState& stage, const FrameFacts
     state["pointer"] = {static_cast<int>(frame.pointer.x), static_cast<int>(frame.pointer.y)};
     state["pressed"] = frame.pressed;
     state["exercise"] = exercise_json(lab);
-    add_stage(state, lab, stage, frame);
+    add_scene_input(state, lab, scene_input, frame);
     return state.dump(1) + "\n";
 }
 

@@ -68,7 +68,7 @@ enum class Action {
     save_as,
     lecture,
 
-    // Of widgets, canvas and stage, never of the lab.
+    // Of widgets, canvas and scene input, never of the lab.
     slider_LL,
     slider_LR,
     slider_RL,
@@ -110,9 +110,9 @@ struct EditRequest {
 struct SelectRequest {
     VehicleId vehicle = no_vehicle;
 };
-// A lamp or an obstacle is selected beside the vehicle, which keeps its brain in sight; Thing{}: none of them.
+// A lamp or an obstacle is selected beside the vehicle, which keeps its brain in sight; SceneObject{}: none of them.
 struct TakeRequest {
-    Thing thing;
+    SceneObject object;
 };
 struct ScopeRequest {
     bool whole_kind = true;

@@ -33,9 +33,9 @@ enum class KeyPlace {
     view,    // while it is held and no widget has the focus: moves the camera
     widget,  // while a widget has the focus
     canvas,  // while wiring
-    stage,   // over the scene: while drawing, or while a lamp or an obstacle is selected (with Ctrl, vehicles too)
+    scene,   // over the scene: while drawing, or while a lamp or an obstacle is selected (with Ctrl, vehicles too)
 };
-inline constexpr KeyPlace last_place = KeyPlace::stage;
+inline constexpr KeyPlace last_place = KeyPlace::scene;
 
 struct Shortcut {
     KeyPress press;

@@ -49,11 +49,11 @@ void draw_canvas(const LabView& view, PanelState& state, Ui& ui, const WindowLay
 // left; in a low window the latter is folded, unless a person has opened it: then the brain card scrolls.
 void right_column(const LabView& view, PanelState& state, Ui& ui, WindowLayout layout) {
     if (view.settings.selection.object && view.mode != Mode::wiring) {
-        Rect thing = layout.right;
-        thing.h = std::min(wanted_height(ui, state.thing), 0.6f * layout.right.h);
-        thing_card(view, state, ui, thing);
-        layout.right.y += thing.h + ui.px(between_cards);
-        layout.right.h -= thing.h + ui.px(between_cards);
+        Rect object = layout.right;
+        object.h = std::min(wanted_height(ui, state.object), 0.6f * layout.right.h);
+        object_card(view, state, ui, object);
+        layout.right.y += object.h + ui.px(between_cards);
+        layout.right.h -= object.h + ui.px(between_cards);
     }
     Rect brain = layout.right;
     const float wanted = wanted_height(ui, state.brain);
@@ -197,7 +197,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     remember(state.history, view);
     follow_lecture(view, state);
     ui.anchors.record("viewport", layout.scene);
-    stage(view, state.stage, ui, layout.scene);
+    scene_input(view, state.scene_input, ui, layout.scene);
     point_to_lamp(view, ui);
     if (view.mode == Mode::wiring) draw_canvas(view, state, ui, layout);
     left_column(view, state, ui, layout.left);
@@ -213,7 +213,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
         hint_bar(view, ui, layout.hint_bar, prompt.hint);
         toolbar(view, state, ui, layout.toolbar);
     }
-    stage_menu(view, state, ui, layout.window);
+    scene_menu(view, state, ui, layout.window);
     recovery_sheet(view, state, ui, layout.window);
     view_menu(view, state, ui, layout);
     keys_card(view, state, ui, layout.window);
@@ -244,7 +244,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         state.view_menu = false;
         return true;
     }
-    if (press_key(view, state.stage, state.keyboard, press, outbox)) return true;
+    if (press_key(view, state.scene_input, state.keyboard, press, outbox)) return true;
     if (state.view_menu && for_view_menu(view, state, press)) return true;
     if (for_focus(state.keyboard, press)) return true;
     const bool on_a_card = action_for(press) == Action::lesion && !state.lesion_under_pointer.empty();

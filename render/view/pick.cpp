@@ -62,9 +62,9 @@ int pick_obstacle(const Snapshot& now, const Sight& sight, vec2 pixel) {
         const auto at = unproject(sight, pixel, obstacle_height * static_cast<float>(slice) / 3);
         if (!at) continue;
         for (int i = 0; i < static_cast<int>(now.scene->obstacles.size()); ++i) {
-            const auto place = place_of(now, {ThingKind::obstacle, i});
+            const auto place = place_of(now, {SceneObjectKind::obstacle, i});
             const float away = maths::distance(*at, {place->x, place->y});
-            if (away >= nearest || away > reach_of(now, {ThingKind::obstacle, i}) + 1) continue;
+            if (away >= nearest || away > reach_of(now, {SceneObjectKind::obstacle, i}) + 1) continue;
             const float scale = std::max(pixels_per_metre(sight, *at), 1.0f);
             if (inside(outline_of(now, i), *at, 3 / scale)) nearest = away, found = i;
         }
@@ -90,36 +90,37 @@ VehicleId pick(const Snapshot& now, const Sight& sight, vec2 pixel) {
     return found;
 }
 
-Thing pick_thing(const Snapshot& now, const Sight& sight, vec2 pixel) {
-    if (const VehicleId vehicle = pick(now, sight, pixel); vehicle != no_vehicle) return vehicle_thing(vehicle);
-    if (const int source = pick_source(now, sight, pixel); source >= 0) return {ThingKind::source, source};
-    if (const int obstacle = pick_obstacle(now, sight, pixel); obstacle >= 0) return {ThingKind::obstacle, obstacle};
+SceneObject pick_object(const Snapshot& now, const Sight& sight, vec2 pixel) {
+    if (const VehicleId vehicle = pick(now, sight, pixel); vehicle != no_vehicle) return vehicle_object(vehicle);
+    if (const int source = pick_source(now, sight, pixel); source >= 0) return {SceneObjectKind::source, source};
+    if (const int obstacle = pick_obstacle(now, sight, pixel); obstacle >= 0)
+        return {SceneObjectKind::obstacle, obstacle};
     return {};
 }
 
-std::optional<Pose> place_of(const Snapshot& now, const Thing& thing) {
-    if (thing.kind == ThingKind::vehicle) {
-        if (const VehicleView* v = find_vehicle(now, thing.index)) return Pose{v->x, v->y, v->heading};
-    } else if (thing.kind == ThingKind::source) {
-        if (const SourceView* s = source_at(now, thing.index)) return Pose{s->x, s->y, 0};
-    } else if (thing.kind == ThingKind::obstacle) {
+std::optional<Pose> place_of(const Snapshot& now, const SceneObject& object) {
+    if (object.kind == SceneObjectKind::vehicle) {
+        if (const VehicleView* v = find_vehicle(now, object.index)) return Pose{v->x, v->y, v->heading};
+    } else if (object.kind == SceneObjectKind::source) {
+        if (const SourceView* s = source_at(now, object.index)) return Pose{s->x, s->y, 0};
+    } else if (object.kind == SceneObjectKind::obstacle) {
         // Movable ones stand elsewhere than the scene has them.
-        const auto index = static_cast<std::size_t>(thing.index);
-        if (const Obstacle* o = obstacle_at(now, thing.index))
+        const auto index = static_cast<std::size_t>(object.index);
+        if (const Obstacle* o = obstacle_at(now, object.index))
             return index < now.obstacles.size() ? now.obstacles[index] : Pose{o->x, o->y, o->heading};
     }
     return std::nullopt;
 }
 
-float reach_of(const Snapshot& now, const Thing& thing) {
-    if (thing.kind == ThingKind::source) return source_at(now, thing.index) ? source_foot : 0;
-    if (thing.kind == ThingKind::vehicle) {
-        const VehicleView* vehicle = find_vehicle(now, thing.index);
+float reach_of(const Snapshot& now, const SceneObject& object) {
+    if (object.kind == SceneObjectKind::source) return source_at(now, object.index) ? source_foot : 0;
+    if (object.kind == SceneObjectKind::vehicle) {
+        const VehicleView* vehicle = find_vehicle(now, object.index);
         const Kind* kind = vehicle ? kind_of(now, *vehicle) : nullptr;
         return kind ? std::hypot(kind->body.length, kind->body.width) / 2 : vehicle ? 0.6f : 0;
     }
     float reach = 0;
-    if (const Obstacle* obstacle = obstacle_at(now, thing.index); obstacle && thing.kind == ThingKind::obstacle)
+    if (const Obstacle* obstacle = obstacle_at(now, object.index); obstacle && object.kind == SceneObjectKind::obstacle)
         for (const vec2 corner : corners_of(*obstacle)) reach = std::max(reach, maths::length(corner));
     return reach;
 }
@@ -127,7 +128,7 @@ float reach_of(const Snapshot& now, const Thing& thing) {
 std::vector<vec2> outline_of(const Snapshot& now, int index) {
     const Obstacle* obstacle = obstacle_at(now, index);
     if (!obstacle) return {};
-    const auto place = place_of(now, {ThingKind::obstacle, index});
+    const auto place = place_of(now, {SceneObjectKind::obstacle, index});
     const vec2 ahead = maths::direction(place->heading);
     std::vector<vec2> corners = corners_of(*obstacle);
     for (vec2& corner : corners) corner = vec2{place->x, place->y} + maths::rotate(corner, ahead);

@@ -9,29 +9,31 @@
 
 namespace braitenlab {
 
-enum class ThingKind { none, vehicle, source, obstacle };
+enum class SceneObjectKind { none, vehicle, source, obstacle };
 
 // Something in the scene that a hand can take.
-struct Thing {
-    ThingKind kind = ThingKind::none;
+struct SceneObject {
+    SceneObjectKind kind = SceneObjectKind::none;
     int index = -1;  // a vehicle's id; else the place in Scene::sources or Scene::obstacles
-    explicit operator bool() const { return kind != ThingKind::none; }
-    friend bool operator==(const Thing&, const Thing&) = default;
+    explicit operator bool() const { return kind != SceneObjectKind::none; }
+    friend bool operator==(const SceneObject&, const SceneObject&) = default;
 };
 
-inline Thing vehicle_thing(VehicleId id) { return id == no_vehicle ? Thing{} : Thing{ThingKind::vehicle, id}; }
+inline SceneObject vehicle_object(VehicleId id) {
+    return id == no_vehicle ? SceneObject{} : SceneObject{SceneObjectKind::vehicle, id};
+}
 
 // The vehicle under a pixel, or no_vehicle; generous by a few pixels, the nearest to the pixel wins.
 VehicleId pick(const Snapshot&, const Sight&, maths::vec2 pixel);
 
 // The same for everything: vehicles before sources, sources (by foot or bulb) before obstacles.
-Thing pick_thing(const Snapshot&, const Sight&, maths::vec2 pixel);
+SceneObject pick_object(const Snapshot&, const Sight&, maths::vec2 pixel);
 
 // Where it stands now; a source has no heading. Nothing when it is gone.
-std::optional<Pose> place_of(const Snapshot&, const Thing&);
+std::optional<Pose> place_of(const Snapshot&, const SceneObject&);
 
 // The radius of the circle round its place that it lies within, m; 0 when it is gone.
-float reach_of(const Snapshot&, const Thing&);
+float reach_of(const Snapshot&, const SceneObject&);
 
 // The corners of an obstacle where it stands now, counter-clockwise, m; none when it is gone.
 std::vector<maths::vec2> outline_of(const Snapshot&, int obstacle);

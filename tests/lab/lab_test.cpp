@@ -229,7 +229,7 @@ TEST(Selection, TakesWhatWasAddedByHandAndLeavesWhatCameByItself) {
     EXPECT_EQ(lab.view.selection.vehicle, 1);
     const auto sources = static_cast<int>(lab.document.session.snapshot().sources.size());
     handle(lab, EditRequest{AddSource{Source{.x = 2}}});
-    EXPECT_EQ(lab.view.selection.object, (Thing{ThingKind::source, sources}));
+    EXPECT_EQ(lab.view.selection.object, (SceneObject{SceneObjectKind::source, sources}));
     EXPECT_EQ(lab.view.selection.vehicle, 1) << "its brain stays in sight";
 }
 
@@ -253,7 +253,7 @@ TEST(Selection, IsWhatIsErasedAndDuplicated) {
     const Obstacle& copy = lab.document.session.snapshot().scene->obstacles[1];
     EXPECT_EQ(copy.length, 3);
     EXPECT_NE(copy.x, 2) << "beside it, not in it";
-    EXPECT_EQ(lab.view.selection.object, (Thing{ThingKind::obstacle, 1}));
+    EXPECT_EQ(lab.view.selection.object, (SceneObject{SceneObjectKind::obstacle, 1}));
     handle(lab, Action::erase);
     EXPECT_EQ(lab.document.session.snapshot().scene->obstacles.size(), 1u);
     EXPECT_EQ(lab.document.session.snapshot().vehicles.size(), 1u) << "the vehicle was not meant";

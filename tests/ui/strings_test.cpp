@@ -14,8 +14,8 @@
 #include "core/sensing/intensity.h"
 #include "desk.h"
 #include "tests/folder.h"
+#include "ui/scene_input/edits.h"
 #include "ui/shortcuts.h"
-#include "ui/stage/edits.h"
 
 namespace braitenlab::tests::strings_test {
 

@@ -25,7 +25,7 @@ void late_in_lesson(Desk& desk) {
 }
 
 // A lamp, a box and a triangle, in a scene that can be pointed at.
-void with_things(Desk& desk) {
+void with_objects(Desk& desk) {
     auto scene = std::make_shared<Scene>(*desk.now.scene);
     Obstacle triangle;
     triangle.corners = {{-1, -1}, {1, -1}, {0, 1}};
@@ -38,11 +38,11 @@ void with_things(Desk& desk) {
     desk.view.sight = &sight;
 }
 
-void with_menu(Desk& desk, Thing thing, MenuPage page) {
-    with_things(desk);
-    StageMenu& menu = desk.panels.stage.menu;
+void with_menu(Desk& desk, SceneObject object, MenuPage page) {
+    with_objects(desk);
+    SceneInputMenu& menu = desk.panels.scene_input.menu;
     menu.open = true;
-    menu.thing = thing;
+    menu.object = object;
     menu.page = page;
     menu.at = {9999, 9999};  // in the corner, where there is least room
 }
@@ -93,19 +93,19 @@ std::vector<Screen> screens() {
         {"presets", [](Desk& d) { d.click("button.presets"); }},
         {"a lamp",
          [](Desk& d) {
-             with_things(d), d.view.settings.selection.object = {ThingKind::source, 0};
+             with_objects(d), d.view.settings.selection.object = {SceneObjectKind::source, 0};
          }},
         {"a box",
          [](Desk& d) {
-             with_things(d), d.view.settings.selection.object = {ThingKind::obstacle, 0};
+             with_objects(d), d.view.settings.selection.object = {SceneObjectKind::obstacle, 0};
          }},
         {"a triangle",
          [](Desk& d) {
-             with_things(d), d.view.settings.selection.object = {ThingKind::obstacle, 1};
+             with_objects(d), d.view.settings.selection.object = {SceneObjectKind::obstacle, 1};
          }},
         {"menu of the floor", [](Desk& d) { with_menu(d, {}, MenuPage::top); }},
-        {"menu of a vehicle", [](Desk& d) { with_menu(d, vehicle_thing(0), MenuPage::top); }},
-        {"menu of brains", [](Desk& d) { with_menu(d, vehicle_thing(0), MenuPage::brains); }},
+        {"menu of a vehicle", [](Desk& d) { with_menu(d, vehicle_object(0), MenuPage::top); }},
+        {"menu of brains", [](Desk& d) { with_menu(d, vehicle_object(0), MenuPage::brains); }},
         {"view menu", [](Desk& d) { d.key({'E'}); }},
         {"exercise, not from every start",
          [](Desk& d) {

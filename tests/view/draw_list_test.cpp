@@ -222,7 +222,7 @@ TEST(DrawList, RingsTheVehicleLessWhereALampIsSelectedAboveAll) {
     Picture picture;
     picture.settings.selection.vehicle = hand_made::add(now, 0, 4, 5, 0);
     const auto alone = drawn(now, picture).rings;
-    picture.settings.selection.object = {ThingKind::source, 0};
+    picture.settings.selection.object = {SceneObjectKind::source, 0};
     const auto beside = drawn(now, picture).rings;
     ASSERT_EQ(alone.size(), 1U);
     ASSERT_EQ(beside.size(), 1U) << "its brain is still the one that is shown";

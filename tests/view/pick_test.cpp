@@ -45,8 +45,8 @@ TEST(Pick, FindsNothingBehindTheEye) {
     EXPECT_EQ(pick(now, sight, {640, 400}), no_vehicle);
 }
 
-Thing source(int index) { return {ThingKind::source, index}; }
-Thing obstacle(int index) { return {ThingKind::obstacle, index}; }
+SceneObject source(int index) { return {SceneObjectKind::source, index}; }
+SceneObject obstacle(int index) { return {SceneObjectKind::obstacle, index}; }
 
 // An arena with these obstacles, seen from the overview.
 struct Yard {
@@ -57,8 +57,8 @@ struct Yard {
         now.scene = scene;
         sight = look(Camera{}, scene->arena, nullptr, window, window);
     }
-    Thing at(maths::vec2 place, float height = 0) const {
-        return pick_thing(now, sight, *project(sight, place, height));
+    SceneObject at(maths::vec2 place, float height = 0) const {
+        return pick_object(now, sight, *project(sight, place, height));
     }
     Snapshot now;
     Sight sight;
@@ -70,7 +70,7 @@ Obstacle box(float x, float y, float heading, float length, float width) {
     return made;
 }
 
-TEST(PickThing, FindsASourceByItsFootAndByItsBulb) {
+TEST(PickObject, FindsASourceByItsFootAndByItsBulb) {
     Yard yard({});
     hand_made::add_source(yard.now, Channel::light, 3, 4);
     hand_made::add_source(yard.now, Channel::smell, -3, 4);
@@ -79,14 +79,14 @@ TEST(PickThing, FindsASourceByItsFootAndByItsBulb) {
     EXPECT_FALSE(yard.at({0, 4}));
 }
 
-TEST(PickThing, FindsATurnedBoxWithinItsOutlineAndByItsTop) {
+TEST(PickObject, FindsATurnedBoxWithinItsOutlineAndByItsTop) {
     const Yard yard({box(2, 1, maths::radians(45), 4, 1)});
     EXPECT_EQ(yard.at({3.2f, 2.2f}), obstacle(0)) << "along its heading";
     EXPECT_FALSE(yard.at({3.2f, -0.2f})) << "across it, as far away";
     EXPECT_EQ(yard.at({3.2f, 2.2f}, obstacle_height), obstacle(0));
 }
 
-TEST(PickThing, FindsAPolygonByItsCornersAndNotByItsBox) {
+TEST(PickObject, FindsAPolygonByItsCornersAndNotByItsBox) {
     Obstacle triangle = box(0, 0, 0, 4, 4);
     triangle.corners = {{-2, -2}, {2, -2}, {-2, 2}};
     const Yard yard({triangle});
@@ -94,7 +94,7 @@ TEST(PickThing, FindsAPolygonByItsCornersAndNotByItsBox) {
     EXPECT_FALSE(yard.at({1.5f, 1.5f}, obstacle_height));
 }
 
-TEST(PickThing, FindsWhatWasPushedWhereItIsNow) {
+TEST(PickObject, FindsWhatWasPushedWhereItIsNow) {
     Yard yard({box(0, 0, 0, 1, 1)});
     yard.now.obstacles[0] = {5, 5, 0};
     EXPECT_EQ(yard.at({5, 5}), obstacle(0));
@@ -102,24 +102,24 @@ TEST(PickThing, FindsWhatWasPushedWhereItIsNow) {
     EXPECT_EQ(place_of(yard.now, obstacle(0))->x, 5);
 }
 
-TEST(PickThing, PrefersVehiclesToSourcesAndSourcesToObstacles) {
+TEST(PickObject, PrefersVehiclesToSourcesAndSourcesToObstacles) {
     Yard yard({box(0, 0, 0, 3, 3)});
     hand_made::add_source(yard.now, Channel::light, 0, 0);
     EXPECT_EQ(yard.at({0, 0}), source(0));
     const VehicleId vehicle = hand_made::add(yard.now, 0, 0, 0, 0);
-    EXPECT_EQ(yard.at({0, 0}), vehicle_thing(vehicle));
+    EXPECT_EQ(yard.at({0, 0}), vehicle_object(vehicle));
     EXPECT_EQ(yard.at({1.2f, 1.2f}), obstacle(0));
 }
 
-TEST(PickThing, SaysNothingOfWhatIsGone) {
+TEST(PickObject, SaysNothingOfWhatIsGone) {
     const Yard yard({});
-    for (const Thing& gone : {vehicle_thing(7), source(0), obstacle(3), Thing{}}) {
+    for (const SceneObject& gone : {vehicle_object(7), source(0), obstacle(3), SceneObject{}}) {
         EXPECT_FALSE(place_of(yard.now, gone));
         EXPECT_EQ(reach_of(yard.now, gone), 0);
     }
 }
 
-TEST(PickThing, ReachesAsFarAsTheFarthestCorner) {
+TEST(PickObject, ReachesAsFarAsTheFarthestCorner) {
     Obstacle triangle = box(0, 0, 0, 1, 1);
     triangle.corners = {{-3, 0}, {1, -1}, {1, 1}};
     const Yard yard({box(0, 0, 0, 3, 4), triangle});

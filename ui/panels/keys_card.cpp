@@ -56,8 +56,8 @@ std::string_view place_key(KeyPlace place) {
             return "keys.place.widget";
         case KeyPlace::canvas:
             return "keys.place.canvas";
-        case KeyPlace::stage:
-            return "keys.place.stage";
+        case KeyPlace::scene:
+            return "keys.place.scene";
         default:
             return "keys.place.everywhere";
     }

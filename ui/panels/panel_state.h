@@ -15,7 +15,7 @@
 #include "ui/panels/recognised.h"
 #include "ui/preferences.h"
 #include "ui/prompts.h"
-#include "ui/stage/stage.h"
+#include "ui/scene_input/scene_input.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/sheet.h"
@@ -49,7 +49,7 @@ struct PanelState {
     SliderState sliders;
     Keyboard keyboard;
     wiring::CanvasState canvas;
-    StageState stage;
+    SceneInputState scene_input;
     Recognised recognised;
     History history;
     PromptMemory prompts;

@@ -21,9 +21,9 @@ void information_card(const LabView&, PanelState&, Ui&, Rect);
 void strips(const LabView&, const History&, Ui&);  // the selected vehicle's last seconds, and the population's
 void sensor_card(const LabView&, PanelState&, Ui&, Rect);
 void chart_card(const LabView&, PanelState&, Ui&, Rect);          // while PanelState::charts_open; its fold closes it
-void thing_card(const LabView&, PanelState&, Ui&, Rect);          // precondition: view.settings.selection.object
+void object_card(const LabView&, PanelState&, Ui&, Rect);          // precondition: view.settings.selection.object
 void tool_palette(const LabView&, PanelState&, Ui&, Rect scene);  // the hand, and what draws into the scene
-void stage_menu(const LabView&, PanelState&, Ui&, Rect window);   // of a thing or of the floor; closes itself
+void scene_menu(const LabView&, PanelState&, Ui&, Rect window);   // of a thing or of the floor; closes itself
 void timeline(const LabView&, PanelState&, Ui&, Rect);
 void hint_bar(const LabView&, Ui&, Rect, std::string_view hint);  // `hint`: key of a prompt's words, or empty
 void point_to_lamp(const LabView&, Ui&);                          // while it is what Ui::highlight names

@@ -20,32 +20,33 @@ namespace {
 constexpr float button_size = 32, palette_pad = 4;  // layout pixels
 
 struct ToolLook {
-    StageTool tool;
+    SceneInputTool tool;
     std::string_view anchor, words, how;
 };
 
-constexpr std::array<ToolLook, 4> looks{{{StageTool::hand, "tool.hand", "tools.hand", "tools.hand_how"},
-                                         {StageTool::lamp, "tool.lamp", "tools.lamp", "tools.lamp_how"},
-                                         {StageTool::box, "tool.box", "tools.box", "tools.box_how"},
-                                         {StageTool::polygon, "tool.polygon", "tools.polygon", "tools.polygon_how"}}};
+constexpr std::array<ToolLook, 4> looks{
+    {{SceneInputTool::hand, "tool.hand", "tools.hand", "tools.hand_how"},
+     {SceneInputTool::lamp, "tool.lamp", "tools.lamp", "tools.lamp_how"},
+     {SceneInputTool::box, "tool.box", "tools.box", "tools.box_how"},
+     {SceneInputTool::polygon, "tool.polygon", "tools.polygon", "tools.polygon_how"}}};
 
 // Drawn, not taken from a font: each is the thing itself, small.
-void draw_sign(const Ui& ui, StageTool tool, ImVec2 c, Colour colour) {
+void draw_sign(const Ui& ui, SceneInputTool tool, ImVec2 c, Colour colour) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImU32 ink = paint(colour);
     const float u = ui.px(1), thick = ui.px(1.6f);
     const auto at = [&](float x, float y) { return ImVec2{c.x + x * u, c.y + y * u}; };
-    if (tool == StageTool::hand) {
+    if (tool == SceneInputTool::hand) {
         const ImVec2 arrow[]{at(-4, -8),  at(6, 2),        at(1, 2.6f), at(3.6f, 8),
                              at(1.2f, 9), at(-1.2f, 3.6f), at(-4, 6.4f)};
         compat::polyline(list, arrow, 7, ink, true, thick);
-    } else if (tool == StageTool::lamp) {
+    } else if (tool == SceneInputTool::lamp) {
         list.AddCircle(c, 3.6f * u, ink, 24, thick);
         for (int i = 0; i < 8; ++i) {
             const maths::vec2 way = maths::direction(maths::pi / 4 * static_cast<float>(i));
             list.AddLine(at(way.x * 6, way.y * 6), at(way.x * 8.6f, way.y * 8.6f), ink, thick);
         }
-    } else if (tool == StageTool::box) {
+    } else if (tool == SceneInputTool::box) {
         compat::outline(list, at(-7, -5.5f), at(7, 5.5f), ink, u, thick);
     } else {
         const ImVec2 corners[]{at(-7.5f, 3), at(-3, -7), at(6, -5), at(7.5f, 4), at(0, 8)};
@@ -66,14 +67,14 @@ void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect scene) {
     for (const ToolLook& look : looks) {
         ImGui::SetCursorScreenPos({x, bar.y + inset});
         const Item at = item(ui, look.anchor, {size, size});
-        const bool on = state.stage.tool == look.tool;
+        const bool on = state.scene_input.tool == look.tool;
         fill_box(ui, at.rect, on ? mix(p.panel, p.accent, 0.24f) : p.line.with_alpha(0.6f * at.warmth), 5);
         if (on) line_box(ui, at.rect, p.accent, 5);
         draw_sign(ui, look.tool, {at.middle_x(), at.middle_y()}, on ? p.text : mix(p.second_text, p.text, at.warmth));
         tooltip(ui, at, ui.strings(look.words), ui.strings(look.how));
         if (at.pressed) {
-            state.stage.tool = on ? StageTool::hand : look.tool;
-            state.stage.corners.clear();
+            state.scene_input.tool = on ? SceneInputTool::hand : look.tool;
+            state.scene_input.corners.clear();
             if (!at.entered && ui.keyboard) ui.keyboard->focus.clear();  // Esc and Enter are the tool's now
         }
         x += size;

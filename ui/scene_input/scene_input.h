@@ -17,25 +17,25 @@ namespace braitenlab {
 
 // What a click into the scene does: take things, set up a lamp, draw a box from corner to corner or a polygon by its
 // corners.
-enum class StageTool { hand, lamp, box, polygon };
+enum class SceneInputTool { hand, lamp, box, polygon };
 
 // What the mouse is doing: nothing, not yet clear what, moving or turning a thing, moving the camera, drawing a box.
-enum class StagePhase { idle, pending, move, turn, orbit, pan, box };
+enum class SceneInputPhase { idle, pending, move, turn, orbit, pan, box };
 
 // What a press of the button would take hold of.
-struct StageHit {
-    Thing thing;
+struct SceneInputHit {
+    SceneObject object;
     bool handle = false;  // the ring round the chosen thing, which turns it
-    explicit operator bool() const { return handle || thing; }
-    friend bool operator==(const StageHit&, const StageHit&) = default;
+    explicit operator bool() const { return handle || object; }
+    friend bool operator==(const SceneInputHit&, const SceneInputHit&) = default;
 };
 
 // From the press of a button to its release; what it began with, so that Esc can bring it back.
-struct StageDrag {
-    StagePhase phase = StagePhase::idle;
+struct SceneInputDrag {
+    SceneInputPhase phase = SceneInputPhase::idle;
     bool left = true;  // else the right or middle button, which moves the camera
     bool right = false;
-    StageHit on;
+    SceneInputHit on;
     maths::vec2 press;  // window pixels
     maths::vec2 last;   // where the pointer was when it was last reckoned with, and how far it has come since, px
     maths::vec2 moved;
@@ -47,48 +47,48 @@ struct StageDrag {
 };
 
 // Why something was refused, shown at the pointer for a moment.
-struct StageRefusal {
+struct SceneInputRefusal {
     std::string key;   // of the reason's string; empty for none
     double until = 0;  // LabView::wall_seconds
 };
 
 enum class MenuPage { top, brains };
 
-struct StageMenu {
+struct SceneInputMenu {
     bool open = false;
     bool by_key = false;  // opened by key: the first row takes the focus
     bool placed = false;  // it has been drawn since it opened
-    Thing thing;          // what it is about; none: the floor
+    SceneObject object;   // what it is about; none: the floor
     maths::vec2 place;    // m, of the press
     maths::vec2 at;       // window pixels
     MenuPage page = MenuPage::top;
     std::vector<std::string> rows;  // anchors of last frame's rows, from top to bottom
 };
 
-struct StageState {
-    StageTool tool = StageTool::hand;
+struct SceneInputState {
+    SceneInputTool tool = SceneInputTool::hand;
     std::vector<maths::vec2> corners;  // of the polygon being drawn, m
-    StageHit hovered;
-    StageDrag drag;
-    StageRefusal refusal;
-    StageMenu menu;
+    SceneInputHit hovered;
+    SceneInputDrag drag;
+    SceneInputRefusal refusal;
+    SceneInputMenu menu;
     std::uint64_t gesture = 0;
-    Thing nudged;  // by arrow keys; quick presses are one gesture
+    SceneObject nudged;  // by arrow keys; quick presses are one gesture
     double nudged_at = 0;
 };
 
 // What Delete, Ctrl+D, the arrows and the handle act on: the lamp or obstacle that was clicked last, else the selected
 // vehicle.
-Thing chosen(const LabView&);
+SceneObject chosen(const LabView&);
 
 // One frame: what the mouse does, and rings, handles and previews below the cards; words keep to the area that no card
 // covers. Nothing without view.sight.
 // Anchor: stage.knob, by which the chosen thing is turned.
-void stage(const LabView&, StageState&, Ui&, Rect area);
+void scene_input(const LabView&, SceneInputState&, Ui&, Rect area);
 
 // Keys that mean something here: Esc, Enter and Backspace while drawing, arrows for the chosen lamp or obstacle (with
 // Ctrl for vehicles too), the menu's rows while it is open. False when the key is free.
-bool press_key(const LabView&, StageState&, Keyboard&, KeyPress, Outbox&);
+bool press_key(const LabView&, SceneInputState&, Keyboard&, KeyPress, Outbox&);
 
 // Whether the arrow keys belong to the scene's things now, and not to the camera.
 bool takes_arrows(const LabView&, bool ctrl);

@@ -3,12 +3,12 @@
 // Idle → Pending (pressed, moved less than 4 px) → Move | Turn | Orbit | Pan | Box → Idle.
 #pragma once
 
-#include "ui/stage/stage.h"
+#include "ui/scene_input/scene_input.h"
 
 namespace braitenlab {
 
 // The mouse of one frame, in window pixels.
-struct StagePointer {
+struct SceneInputPointer {
     maths::vec2 at;
     bool over = true;                                                          // nothing covers the scene here
     bool left_pressed = false, right_pressed = false, middle_pressed = false;  // in this frame
@@ -17,22 +17,22 @@ struct StagePointer {
     bool shift = false;
 };
 
-struct StageFrame {
+struct SceneInputFrame {
     const LabView& view;
     const Sight& sight;
     float scale = 1;  // window pixels per layout pixel
     Rect area;        // what no card covers
-    StagePointer pointer;
+    SceneInputPointer pointer;
 };
 
 // One frame: the mouse becomes view state and requests.
-void interact(StageState&, const StageFrame&, Outbox&);
+void interact(SceneInputState&, const SceneInputFrame&, Outbox&);
 
 // Esc in the middle of something puts it back; the drag in progress, or else the outline, or else the tool. False when
 // there was nothing to cancel.
-bool cancel(StageState&, const LabView&, Outbox&);
+bool cancel(SceneInputState&, const LabView&, Outbox&);
 
 // The menu of a thing where it stands, as by a right click on it.
-void open_menu_of(StageState&, const LabView&, const Thing&);
+void open_menu_of(SceneInputState&, const LabView&, const SceneObject&);
 
 }  // namespace braitenlab

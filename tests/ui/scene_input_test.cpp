@@ -1,11 +1,11 @@
 // The scene under the hand, without a window: Dear ImGui's mouse fed by hand over a snapshot made by hand.
-#include "ui/stage/stage.h"
+#include "ui/scene_input/scene_input.h"
 
 #include <cmath>
 
 #include "core/maths/angle.h"
 #include "desk.h"
-#include "ui/stage/edits.h"
+#include "ui/scene_input/edits.h"
 
 namespace braitenlab::tests::stage_test {
 namespace {
@@ -15,8 +15,8 @@ using maths::vec2;
 constexpr float a_pixel = 0.05f;  // m: Dear ImGui knows the mouse by whole pixels
 
 // A desk whose scene can be pointed at: four predators amid, a lamp and a box to the north.
-struct Stage : testing::Test {
-    Stage() {
+struct SceneInput : testing::Test {
+    SceneInput() {
         auto scene = std::make_shared<Scene>(*desk.now.scene);
         scene->sources.push_back({.name = "lamp", .x = -3, .y = 6});
         scene->obstacles.push_back({.name = "box", .x = 3, .y = 6, .length = 2, .width = 1});
@@ -66,45 +66,45 @@ struct Stage : testing::Test {
             if (const auto* one = std::get_if<R>(&request)) found.push_back(*one);
         return found;
     }
-    StageState& stage() { return desk.panels.stage; }
+    SceneInputState& scene_input() { return desk.panels.scene_input; }
     // What the lab would do about it.
-    void take(Thing thing) { desk.view.settings.selection.object = thing, desk.frame(); }
+    void take(SceneObject object) { desk.view.settings.selection.object = object, desk.frame(); }
 
     Desk desk;
     Sight sight = look(Camera{}, Arena{}, nullptr, {0, 0, 1280, 800}, {336, 64, 576, 680});
-    const Thing lamp{ThingKind::source, 0}, box{ThingKind::obstacle, 0};
+    const SceneObject lamp{SceneObjectKind::source, 0}, box{SceneObjectKind::obstacle, 0};
 };
 
-TEST_F(Stage, KnowsWhatLiesUnderThePointerAndShowsItByTheCursor) {
-    EXPECT_FALSE(stage().hovered);
+TEST_F(SceneInput, KnowsWhatLiesUnderThePointerAndShowsItByTheCursor) {
+    EXPECT_FALSE(scene_input().hovered);
     EXPECT_EQ(ImGui::GetMouseCursor(), ImGuiMouseCursor_Arrow);
     point({-3, 6});
-    EXPECT_EQ(stage().hovered.thing, lamp);
+    EXPECT_EQ(scene_input().hovered.object, lamp);
     EXPECT_EQ(ImGui::GetMouseCursor(), ImGuiMouseCursor_Hand);
     point({3, 6});
-    EXPECT_EQ(stage().hovered.thing, box);
+    EXPECT_EQ(scene_input().hovered.object, box);
     point({-6, 0});
-    EXPECT_EQ(stage().hovered.thing, vehicle_thing(0));
+    EXPECT_EQ(scene_input().hovered.object, vehicle_object(0));
 }
 
-TEST_F(Stage, SelectsByAClickAndMovesNothing) {
+TEST_F(SceneInput, SelectsByAClickAndMovesNothing) {
     click({-4.5f, 0});
     ASSERT_EQ(requests<SelectRequest>().size(), 1u);
     EXPECT_EQ(requests<SelectRequest>()[0].vehicle, 1);
     click({3, 6});
     ASSERT_EQ(requests<TakeRequest>().size(), 1u);
-    EXPECT_EQ(requests<TakeRequest>()[0].thing, box);
+    EXPECT_EQ(requests<TakeRequest>()[0].object, box);
     EXPECT_TRUE(desk.edits().empty());
 }
 
-TEST_F(Stage, LetsGoOfALampByAClickOnTheFloor) {
+TEST_F(SceneInput, LetsGoOfALampByAClickOnTheFloor) {
     take(lamp);
     click({0, 3});
     ASSERT_EQ(requests<TakeRequest>().size(), 1u);
-    EXPECT_FALSE(requests<TakeRequest>()[0].thing);
+    EXPECT_FALSE(requests<TakeRequest>()[0].object);
 }
 
-TEST_F(Stage, DragsAVehicleByWhereItWasTakenWithOneGesture) {
+TEST_F(SceneInput, DragsAVehicleByWhereItWasTakenWithOneGesture) {
     hold({-6.1f, 0}, {-6.1f, 3});
     const auto moves = commands<MoveVehicle>();
     ASSERT_GE(moves.size(), 2u);
@@ -119,7 +119,7 @@ TEST_F(Stage, DragsAVehicleByWhereItWasTakenWithOneGesture) {
     EXPECT_NEAR(commands<MoveSource>().back().y, 8, a_pixel);
 }
 
-TEST_F(Stage, KeepsAVehicleInTheHandWhileItsBrainPullsAway) {
+TEST_F(SceneInput, KeepsAVehicleInTheHandWhileItsBrainPullsAway) {
     hold({-6, 0}, {-6, 3});
     const auto before = commands<MoveVehicle>().size();
     desk.now.vehicles[0].x = -5.5f;  // a few ticks later
@@ -128,7 +128,7 @@ TEST_F(Stage, KeepsAVehicleInTheHandWhileItsBrainPullsAway) {
     EXPECT_NEAR(commands<MoveVehicle>().back().x, -6, a_pixel);
 }
 
-TEST_F(Stage, LetsAVehicleStartWhereItWasPutBeforeTheFirstTickOnly) {
+TEST_F(SceneInput, LetsAVehicleStartWhereItWasPutBeforeTheFirstTickOnly) {
     desk.now.vehicles[0].start = 0;
     Scene scene = *desk.now.scene;
     scene.starts = {{.name = "it", .kind = "k", .x = -6, .facing = "lamp", .place_spread = 1, .heading_spread = 1}};
@@ -149,7 +149,7 @@ TEST_F(Stage, LetsAVehicleStartWhereItWasPutBeforeTheFirstTickOnly) {
     EXPECT_EQ(commands<EditStart>().size(), 1u);
 }
 
-TEST_F(Stage, LeavesNothingOutsideTheArena) {
+TEST_F(SceneInput, LeavesNothingOutsideTheArena) {
     hold({3, 6}, {40, 6});
     EXPECT_FLOAT_EQ(commands<MoveObstacle>().back().x, 10);
     release();
@@ -158,7 +158,7 @@ TEST_F(Stage, LeavesNothingOutsideTheArena) {
     EXPECT_GT(commands<MoveVehicle>().back().x, -10) << "half its width off the wall";
 }
 
-TEST_F(Stage, PutsBackOnEscapeInMidDragAndForgetsTheRest) {
+TEST_F(SceneInput, PutsBackOnEscapeInMidDragAndForgetsTheRest) {
     hold({3, 6}, {5, 8});
     desk.now.obstacles[0] = {5, 8, 0};
     desk.key({key::escape});
@@ -172,14 +172,14 @@ TEST_F(Stage, PutsBackOnEscapeInMidDragAndForgetsTheRest) {
     EXPECT_TRUE(desk.actions().empty()) << "Esc was spent";
 }
 
-TEST_F(Stage, TurnsWhatIsSelectedByItsRing) {
+TEST_F(SceneInput, TurnsWhatIsSelectedByItsRing) {
     take(box);
     point({3.2f, 6.2f});
     desk.frame();
     ASSERT_TRUE(desk.anchors.find("stage.knob"));
     desk.point("stage.knob");
     desk.frame();
-    EXPECT_TRUE(stage().hovered.handle);
+    EXPECT_TRUE(scene_input().hovered.handle);
     press();
     point({3, 9});  // from the east to the north of it
     EXPECT_NEAR(commands<MoveObstacle>().back().heading, maths::pi / 2, 0.02f);
@@ -190,41 +190,41 @@ TEST_F(Stage, TurnsWhatIsSelectedByItsRing) {
     ImGui::GetIO().KeyShift = false;
 }
 
-TEST_F(Stage, TakesANeighbourRatherThanTheRingsKnobOverIt) {
+TEST_F(SceneInput, TakesANeighbourRatherThanTheRingsKnobOverIt) {
     point({-5.9f, 0.1f});  // the knob of vehicle 0 stands at the edge of vehicle 1
     ASSERT_TRUE(desk.anchors.find("stage.knob"));
     point({-4.5f, 0});
-    EXPECT_EQ(stage().hovered, (StageHit{vehicle_thing(1), false}));
+    EXPECT_EQ(scene_input().hovered, (SceneInputHit{vehicle_object(1), false}));
     desk.point("stage.knob");
     desk.frame();
-    EXPECT_TRUE(stage().hovered.handle);
+    EXPECT_TRUE(scene_input().hovered.handle);
 }
 
-TEST_F(Stage, HasNoRingRoundALamp) {
+TEST_F(SceneInput, HasNoRingRoundALamp) {
     take(lamp);
     point({-2.6f, 6});
     desk.frame();
     EXPECT_FALSE(desk.anchors.find("stage.knob"));
 }
 
-TEST_F(Stage, TurnsTheCameraWhereNothingLies) {
+TEST_F(SceneInput, TurnsTheCameraWhereNothingLies) {
     hold({0, 3}, {1, 3});
-    EXPECT_EQ(stage().drag.phase, StagePhase::orbit);
+    EXPECT_EQ(scene_input().drag.phase, SceneInputPhase::orbit);
     release();
     desk.view.settings.camera.mode = CameraMode::birds_eye;
     hold({0, 3}, {1, 3});
-    EXPECT_EQ(stage().drag.phase, StagePhase::pan);
+    EXPECT_EQ(scene_input().drag.phase, SceneInputPhase::pan);
     EXPECT_TRUE(desk.edits().empty());
 }
 
-TEST_F(Stage, DoesNotDragTheVehicleThatTheCameraRidesWith) {
+TEST_F(SceneInput, DoesNotDragTheVehicleThatTheCameraRidesWith) {
     desk.view.settings.camera.mode = CameraMode::follow;
     desk.view.settings.selection.vehicle = 0;
     hold({-6, 0}, {-6, 3});
     EXPECT_TRUE(desk.edits().empty());
 }
 
-TEST_F(Stage, NudgesALampAlongTheGridAndQuickPressesAreOneStep) {
+TEST_F(SceneInput, NudgesALampAlongTheGridAndQuickPressesAreOneStep) {
     take(lamp);
     desk.key({key::right});
     EXPECT_EQ(commands<MoveSource>().back(), (MoveSource{0, -2.9f, 6}));
@@ -236,7 +236,7 @@ TEST_F(Stage, NudgesALampAlongTheGridAndQuickPressesAreOneStep) {
     EXPECT_NE(desk.edits()[2].gesture, desk.edits()[0].gesture);
 }
 
-TEST_F(Stage, LeavesTheArrowsToTheCameraUnlessALampIsSelectedOrCtrlIsHeld) {
+TEST_F(SceneInput, LeavesTheArrowsToTheCameraUnlessALampIsSelectedOrCtrlIsHeld) {
     desk.key({key::right});
     EXPECT_TRUE(desk.edits().empty());
     EXPECT_FALSE(takes_arrows(desk.view, false));
@@ -246,16 +246,16 @@ TEST_F(Stage, LeavesTheArrowsToTheCameraUnlessALampIsSelectedOrCtrlIsHeld) {
     EXPECT_TRUE(takes_arrows(desk.view, false));
 }
 
-TEST_F(Stage, SetsUpALampWhereItIsClicked) {
+TEST_F(SceneInput, SetsUpALampWhereItIsClicked) {
     desk.click("tool.lamp");
-    EXPECT_EQ(stage().tool, StageTool::lamp);
+    EXPECT_EQ(scene_input().tool, SceneInputTool::lamp);
     click({1, 3});
     ASSERT_EQ(commands<AddSource>().size(), 1u);
     EXPECT_NEAR(commands<AddSource>()[0].source.x, 1, a_pixel);
-    EXPECT_EQ(stage().tool, StageTool::hand) << "one, then the hand again";
+    EXPECT_EQ(scene_input().tool, SceneInputTool::hand) << "one, then the hand again";
 }
 
-TEST_F(Stage, DrawsABoxFromCornerToCorner) {
+TEST_F(SceneInput, DrawsABoxFromCornerToCorner) {
     desk.click("tool.box");
     hold({-1, 2}, {2, 4});
     release();
@@ -264,17 +264,17 @@ TEST_F(Stage, DrawsABoxFromCornerToCorner) {
     EXPECT_NEAR(commands<AddObstacle>()[0].obstacle.width, 2, 2 * a_pixel);
 }
 
-TEST_F(Stage, DrawsAPolygonByItsCornersAndClosesItWithEnter) {
+TEST_F(SceneInput, DrawsAPolygonByItsCornersAndClosesItWithEnter) {
     desk.click("tool.polygon");
     for (const vec2 corner : {vec2{-1, 2}, vec2{2, 2}, vec2{2, 4}}) click(corner);
     EXPECT_TRUE(desk.edits().empty()) << "not before it is closed";
     desk.key({key::enter});
     ASSERT_EQ(commands<AddObstacle>().size(), 1u);
     EXPECT_EQ(commands<AddObstacle>()[0].obstacle.corners.size(), 3u);
-    EXPECT_TRUE(stage().corners.empty());
+    EXPECT_TRUE(scene_input().corners.empty());
 }
 
-TEST_F(Stage, ClosesAPolygonByItsFirstCornerOrADoubleClick) {
+TEST_F(SceneInput, ClosesAPolygonByItsFirstCornerOrADoubleClick) {
     desk.click("tool.polygon");
     for (const vec2 corner : {vec2{-1, 2}, vec2{2, 2}, vec2{2, 4}, vec2{-1, 2}}) click(corner);
     EXPECT_EQ(commands<AddObstacle>().size(), 1u);
@@ -286,34 +286,34 @@ TEST_F(Stage, ClosesAPolygonByItsFirstCornerOrADoubleClick) {
     EXPECT_EQ(commands<AddObstacle>()[1].obstacle.corners.size(), 3u) << "the second click adds none";
 }
 
-TEST_F(Stage, RefusesACornerWithAReasonAndTakesBackTheLastOne) {
+TEST_F(SceneInput, RefusesACornerWithAReasonAndTakesBackTheLastOne) {
     desk.click("tool.polygon");
     for (const vec2 corner : {vec2{0, 2}, vec2{2, 2}, vec2{2, 4}}) click(corner);
     point({1, 1}), press();
-    EXPECT_EQ(stage().refusal.key, "stage.refused.crosses");
+    EXPECT_EQ(scene_input().refusal.key, "scene_input.refused.crosses");
     release();
-    EXPECT_EQ(stage().corners.size(), 3u);
+    EXPECT_EQ(scene_input().corners.size(), 3u);
     desk.key({key::backspace});
-    EXPECT_EQ(stage().corners.size(), 2u);
+    EXPECT_EQ(scene_input().corners.size(), 2u);
     desk.key({key::enter});
-    EXPECT_EQ(stage().refusal.key, "stage.refused.too_few");
+    EXPECT_EQ(scene_input().refusal.key, "scene_input.refused.too_few");
     EXPECT_TRUE(desk.edits().empty());
 }
 
-TEST_F(Stage, LeavesDrawingByEscapeStepByStep) {
+TEST_F(SceneInput, LeavesDrawingByEscapeStepByStep) {
     desk.click("tool.polygon");
     click({0, 2});
     desk.key({key::escape});
-    EXPECT_TRUE(stage().corners.empty());
-    EXPECT_EQ(stage().tool, StageTool::polygon);
+    EXPECT_TRUE(scene_input().corners.empty());
+    EXPECT_EQ(scene_input().tool, SceneInputTool::polygon);
     desk.key({key::escape});
-    EXPECT_EQ(stage().tool, StageTool::hand);
+    EXPECT_EQ(scene_input().tool, SceneInputTool::hand);
     EXPECT_TRUE(desk.actions().empty());
     desk.key({key::escape});
     EXPECT_EQ(desk.actions().size(), 1u) << "then it is the window's";
 }
 
-TEST_F(Stage, KeepsWhatTheMenuAddsAndWhatIsDuplicatedOffTheWallAndOffOthers) {
+TEST_F(SceneInput, KeepsWhatTheMenuAddsAndWhatIsDuplicatedOffTheWallAndOffOthers) {
     const float rim = desk.now.scene->arena.width / 2;
     click({rim - 0.05f, 3}, 1);
     desk.click("menu.add.vehicle.1");
@@ -328,17 +328,17 @@ TEST_F(Stage, KeepsWhatTheMenuAddsAndWhatIsDuplicatedOffTheWallAndOffOthers) {
         return true;
     };
     EXPECT_TRUE(clear({commands<AddVehicle>()[1].at->x, commands<AddVehicle>()[1].at->y}));
-    const auto copy = copy_of(desk.now, vehicle_thing(2));
+    const auto copy = copy_of(desk.now, vehicle_object(2));
     const Pose at = *std::get<AddVehicle>(*copy).at;
     EXPECT_TRUE(clear({at.x, at.y})) << "0.8 m beside it another one stands";
 }
 
-TEST_F(Stage, LeavesTheClickThatClosesAMenuToTheMenu) {
+TEST_F(SceneInput, LeavesTheClickThatClosesAMenuToTheMenu) {
     click({0, 3}, 1);
-    ASSERT_TRUE(stage().menu.open);
+    ASSERT_TRUE(scene_input().menu.open);
     desk.all.clear();
     click({-3, 6});  // a lamp
-    EXPECT_FALSE(stage().menu.open);
+    EXPECT_FALSE(scene_input().menu.open);
     EXPECT_TRUE(desk.all.empty());
     desk.key({'E'});
     desk.frame(3);
@@ -350,26 +350,26 @@ TEST_F(Stage, LeavesTheClickThatClosesAMenuToTheMenu) {
     EXPECT_FALSE(desk.all.empty());
 }
 
-TEST_F(Stage, AddsWhatTheMenuOffersWhereItWasOpened) {
+TEST_F(SceneInput, AddsWhatTheMenuOffersWhereItWasOpened) {
     click({1, 3}, 1);
     desk.click("menu.add.vehicle.1");
     const auto added = commands<AddVehicle>();
     ASSERT_EQ(added.size(), 1u);
     EXPECT_EQ(added[0].kind, 1);
     EXPECT_NEAR(added[0].at->x, 1, a_pixel);
-    EXPECT_FALSE(stage().menu.open);
+    EXPECT_FALSE(scene_input().menu.open);
     click({1, 3}, 1);
     desk.click("menu.add.smell");
     EXPECT_EQ(commands<AddSource>().back().source.channel, Channel::smell);
     click({1, 3}, 1);
     desk.click("menu.add.polygon");
-    EXPECT_EQ(stage().tool, StageTool::polygon);
-    EXPECT_EQ(stage().corners.size(), 1u);
+    EXPECT_EQ(scene_input().tool, SceneInputTool::polygon);
+    EXPECT_EQ(scene_input().corners.size(), 1u);
 }
 
-TEST_F(Stage, DoesWithAVehicleWhatItsMenuSays) {
+TEST_F(SceneInput, DoesWithAVehicleWhatItsMenuSays) {
     click({-4.5f, 0}, 1);
-    EXPECT_EQ(stage().menu.thing, vehicle_thing(1));
+    EXPECT_EQ(scene_input().menu.object, vehicle_object(1));
     desk.click("menu.drive");
     EXPECT_EQ(requests<SelectRequest>().back().vehicle, 1);
     EXPECT_EQ(desk.actions().back(), Action::drive);
@@ -389,33 +389,33 @@ TEST_F(Stage, DoesWithAVehicleWhatItsMenuSays) {
     EXPECT_EQ(commands<SetBrain>().back().target, (Target{1, -1}));
 }
 
-TEST_F(Stage, MenuCanBeWalkedByKeysAlone) {
+TEST_F(SceneInput, MenuCanBeWalkedByKeysAlone) {
     desk.key({key::menu});
     desk.frame(3);
-    ASSERT_TRUE(stage().menu.open);
+    ASSERT_TRUE(scene_input().menu.open);
     EXPECT_EQ(desk.panels.keyboard.focus, "menu.brains");
     desk.key({key::up});
     EXPECT_EQ(desk.panels.keyboard.focus, "menu.erase");
     desk.key({key::enter});
     desk.frame(2);
     EXPECT_EQ(commands<RemoveVehicle>().size(), 1u);
-    EXPECT_FALSE(stage().menu.open);
+    EXPECT_FALSE(scene_input().menu.open);
     desk.key({key::menu});
     desk.frame(3);
     desk.key({key::escape});
     desk.frame(2);
-    EXPECT_FALSE(stage().menu.open);
+    EXPECT_FALSE(scene_input().menu.open);
 }
 
-TEST_F(Stage, RestsWhileTheWiringIsOpen) {
+TEST_F(SceneInput, RestsWhileTheWiringIsOpen) {
     desk.view.mode = Mode::wiring;
     point({-6, 0});
-    EXPECT_FALSE(stage().hovered);
+    EXPECT_FALSE(scene_input().hovered);
     desk.key({key::right, true});
     EXPECT_TRUE(desk.edits().empty());
 }
 
-TEST_F(Stage, CardChangesALampsValuesWithOneGestureADrag) {
+TEST_F(SceneInput, CardChangesALampsValuesWithOneGestureADrag) {
     take(lamp);
     desk.frame(2);
     desk.point("thing.strength", 0.5f);
@@ -437,7 +437,7 @@ TEST_F(Stage, CardChangesALampsValuesWithOneGestureADrag) {
     EXPECT_TRUE(commands<EditSource>().back().to.solid);
 }
 
-TEST_F(Stage, CardEditsAnObstacleWhereItStandsNow) {
+TEST_F(SceneInput, CardEditsAnObstacleWhereItStandsNow) {
     desk.now.obstacles[0] = {4, 5, 0};  // pushed
     take(box);
     desk.frame(2);

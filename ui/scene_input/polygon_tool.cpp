@@ -1,6 +1,6 @@
-#include "ui/stage/polygon_tool.h"
+#include "ui/scene_input/polygon_tool.h"
 
-#include "ui/stage/under_pointer.h"
+#include "ui/scene_input/under_pointer.h"
 
 namespace braitenlab {
 
@@ -11,7 +11,7 @@ namespace {
 constexpr float corner_grip = 11;  // layout pixels round the first corner, which closes
 constexpr double refusal_seconds = 3;
 
-void refuse(StageState& state, double wall_seconds, std::string_view key) {
+void refuse(SceneInputState& state, double wall_seconds, std::string_view key) {
     state.refusal = {std::string(key), wall_seconds + refusal_seconds};
 }
 
@@ -22,23 +22,23 @@ std::string_view reason(OutlineFault fault) {
         case OutlineFault::none:
             break;
         case OutlineFault::too_near:
-            return "stage.refused.too_near";
+            return "scene_input.refused.too_near";
         case OutlineFault::crosses:
-            return "stage.refused.crosses";
+            return "scene_input.refused.crosses";
         case OutlineFault::dents:
-            return "stage.refused.dents";
+            return "scene_input.refused.dents";
         case OutlineFault::too_many:
-            return "stage.refused.too_many";
+            return "scene_input.refused.too_many";
         case OutlineFault::too_few:
-            return "stage.refused.too_few";
+            return "scene_input.refused.too_few";
         case OutlineFault::too_narrow:
-            return "stage.refused.too_narrow";
+            return "scene_input.refused.too_narrow";
     }
     return {};
 }
 
-void click_corner(StageState& state, const StageFrame& frame, vec2 at, Outbox& outbox) {
-    const StagePointer& pointer = frame.pointer;
+void click_corner(SceneInputState& state, const SceneInputFrame& frame, vec2 at, Outbox& outbox) {
+    const SceneInputPointer& pointer = frame.pointer;
     const bool on_first =
         state.corners.size() >= 3 && pixels_from(frame, state.corners[0]) <= corner_grip * frame.scale;
     if (on_first || (pointer.left_double && state.corners.size() >= 3))
@@ -49,21 +49,21 @@ void click_corner(StageState& state, const StageFrame& frame, vec2 at, Outbox& o
     state.corners.push_back(at);
 }
 
-void take_back_corner(StageState& state) {
+void take_back_corner(SceneInputState& state) {
     state.refusal = {};
     if (state.corners.empty())
-        state.tool = StageTool::hand;
+        state.tool = SceneInputTool::hand;
     else
         state.corners.pop_back();
 }
 
-void close_outline(StageState& state, double wall_seconds, bool keep_tool, Outbox& outbox) {
+void close_outline(SceneInputState& state, double wall_seconds, bool keep_tool, Outbox& outbox) {
     if (const OutlineFault fault = fault_of(state.corners); fault != OutlineFault::none)
         return refuse(state, wall_seconds, reason(fault));
     outbox.push_back(EditRequest{AddObstacle{obstacle_from(state.corners)}});
     state.corners.clear();
     state.refusal = {};
-    if (!keep_tool) state.tool = StageTool::hand;
+    if (!keep_tool) state.tool = SceneInputTool::hand;
 }
 
 }  // namespace braitenlab

@@ -1,8 +1,8 @@
-#include "ui/stage/edits.h"
+#include "ui/scene_input/edits.h"
 
 #include <algorithm>
 
-#include "ui/stage/room.h"
+#include "ui/scene_input/room.h"
 
 namespace braitenlab {
 
@@ -20,35 +20,35 @@ vec2 inside(const Snapshot& now, vec2 place, float margin = 0) {
 }
 
 // A vehicle keeps off the walls by half its width, so that it can drive away.
-float margin_of(const Snapshot& now, const Thing& thing) {
-    const VehicleView* vehicle = thing.kind == ThingKind::vehicle ? find_vehicle(now, thing.index) : nullptr;
+float margin_of(const Snapshot& now, const SceneObject& object) {
+    const VehicleView* vehicle = object.kind == SceneObjectKind::vehicle ? find_vehicle(now, object.index) : nullptr;
     if (!vehicle || !now.scene || now.scene->arena.edge != Boundary::wall) return 0;
     return now.scene->kinds[static_cast<std::size_t>(vehicle->kind)].body.width / 2;
 }
 
 // Beside it, on the side where the arena has more room.
-Pose place_beside(const Snapshot& now, const Thing& thing) {
-    const Pose at = *place_of(now, thing);
-    const float step = beside + reach_of(now, thing);
+Pose place_beside(const Snapshot& now, const SceneObject& object) {
+    const Pose at = *place_of(now, object);
+    const float step = beside + reach_of(now, object);
     const vec2 there{at.x + (at.x > 0 ? -step : step), at.y};
-    const vec2 within = inside(now, there, margin_of(now, thing));
+    const vec2 within = inside(now, there, margin_of(now, object));
     return {within.x, within.y, at.heading};
 }
 
 }  // namespace
 
-std::optional<Command> removal_of(const Snapshot& now, const Thing& thing) {
-    if (!place_of(now, thing)) return std::nullopt;
-    if (thing.kind == ThingKind::vehicle) return RemoveVehicle{thing.index};
-    if (thing.kind == ThingKind::source) return RemoveSource{thing.index};
-    return RemoveObstacle{thing.index};
+std::optional<Command> removal_of(const Snapshot& now, const SceneObject& object) {
+    if (!place_of(now, object)) return std::nullopt;
+    if (object.kind == SceneObjectKind::vehicle) return RemoveVehicle{object.index};
+    if (object.kind == SceneObjectKind::source) return RemoveSource{object.index};
+    return RemoveObstacle{object.index};
 }
 
-std::optional<Command> copy_of(const Snapshot& now, const Thing& thing) {
-    if (!place_of(now, thing)) return std::nullopt;
-    const Pose at = place_beside(now, thing);
-    if (thing.kind == ThingKind::vehicle) {
-        const VehicleView& vehicle = *find_vehicle(now, thing.index);
+std::optional<Command> copy_of(const Snapshot& now, const SceneObject& object) {
+    if (!place_of(now, object)) return std::nullopt;
+    const Pose at = place_beside(now, object);
+    if (object.kind == SceneObjectKind::vehicle) {
+        const VehicleView& vehicle = *find_vehicle(now, object.index);
         const BrainGraph& own = *now.brains[static_cast<std::size_t>(vehicle.brain)];
         const auto kind = static_cast<std::size_t>(vehicle.kind);
         const bool as_its_kind = kind < now.kind_brains.size() && own == *now.kind_brains[kind];
@@ -56,22 +56,22 @@ std::optional<Command> copy_of(const Snapshot& now, const Thing& thing) {
         if (!as_its_kind) copy.brain = own;
         return with_room(now, copy);
     }
-    if (thing.kind == ThingKind::source) {
-        Source source = now.scene->sources[static_cast<std::size_t>(thing.index)];
+    if (object.kind == SceneObjectKind::source) {
+        Source source = now.scene->sources[static_cast<std::size_t>(object.index)];
         source.x = at.x, source.y = at.y;
         return with_room(now, AddSource{source});
     }
-    Obstacle obstacle = now.scene->obstacles[static_cast<std::size_t>(thing.index)];
+    Obstacle obstacle = now.scene->obstacles[static_cast<std::size_t>(object.index)];
     obstacle.x = at.x, obstacle.y = at.y, obstacle.heading = at.heading;
     return with_room(now, AddObstacle{obstacle});
 }
 
-std::optional<Command> move_of(const Snapshot& now, const Thing& thing, Pose to) {
-    if (!place_of(now, thing)) return std::nullopt;
-    const vec2 within = inside(now, {to.x, to.y}, margin_of(now, thing));
-    if (thing.kind == ThingKind::vehicle) return MoveVehicle{thing.index, within.x, within.y, to.heading};
-    if (thing.kind == ThingKind::source) return MoveSource{thing.index, within.x, within.y};
-    return MoveObstacle{thing.index, within.x, within.y, to.heading};
+std::optional<Command> move_of(const Snapshot& now, const SceneObject& object, Pose to) {
+    if (!place_of(now, object)) return std::nullopt;
+    const vec2 within = inside(now, {to.x, to.y}, margin_of(now, object));
+    if (object.kind == SceneObjectKind::vehicle) return MoveVehicle{object.index, within.x, within.y, to.heading};
+    if (object.kind == SceneObjectKind::source) return MoveSource{object.index, within.x, within.y};
+    return MoveObstacle{object.index, within.x, within.y, to.heading};
 }
 
 std::optional<Command> start_of(const Snapshot& now, const Command& move) {
@@ -85,17 +85,17 @@ std::optional<Command> start_of(const Snapshot& now, const Command& move) {
     return EditStart{v->start, start};
 }
 
-Thing added_by(const Snapshot& now, const Command& command) {
-    const auto newest = [](ThingKind kind, std::size_t count, int before) {
+SceneObject added_by(const Snapshot& now, const Command& command) {
+    const auto newest = [](SceneObjectKind kind, std::size_t count, int before) {
         const int last = static_cast<int>(count) - 1;
-        return Thing{kind, before >= 0 ? std::min(before, last) : last};
+        return SceneObject{kind, before >= 0 ? std::min(before, last) : last};
     };
     if (const auto* vehicle = std::get_if<AddVehicle>(&command); vehicle && vehicle->at && !now.vehicles.empty())
-        return vehicle_thing(now.vehicles.back().id);
+        return vehicle_object(now.vehicles.back().id);
     if (const auto* source = std::get_if<AddSource>(&command))
-        return newest(ThingKind::source, now.scene->sources.size(), source->before);
+        return newest(SceneObjectKind::source, now.scene->sources.size(), source->before);
     if (const auto* obstacle = std::get_if<AddObstacle>(&command))
-        return newest(ThingKind::obstacle, now.scene->obstacles.size(), obstacle->before);
+        return newest(SceneObjectKind::obstacle, now.scene->obstacles.size(), obstacle->before);
     return {};
 }
 

@@ -1,4 +1,4 @@
-#include "ui/stage/under_pointer.h"
+#include "ui/scene_input/under_pointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +16,14 @@ constexpr float ring_gap = 16, ring_grip = 6, knob_grip = 11, handle_near = 36;
 
 }  // namespace
 
-Thing chosen(const LabView& view) {
+SceneObject chosen(const LabView& view) {
     return view.settings.selection.object ? view.settings.selection.object
-                                          : vehicle_thing(view.settings.selection.vehicle);
+                                          : vehicle_object(view.settings.selection.vehicle);
 }
 
-std::optional<vec2> floor_at(const StageFrame& frame) { return unproject(frame.sight, frame.pointer.at); }
+std::optional<vec2> floor_at(const SceneInputFrame& frame) { return unproject(frame.sight, frame.pointer.at); }
 
-float pixels_from(const StageFrame& frame, vec2 place) {
+float pixels_from(const SceneInputFrame& frame, vec2 place) {
     const auto at = project(frame.sight, place);
     return at ? maths::distance(*at, frame.pointer.at) : 1e9f;
 }
@@ -34,39 +34,39 @@ vec2 in_arena(const LabView& view, vec2 place) {
     return {std::clamp(place.x, -x, x), std::clamp(place.y, -y, y)};
 }
 
-std::optional<Handle> handle_of(const StageState& state, const StageFrame& frame) {
-    const Thing thing = state.drag.phase == StagePhase::turn ? state.drag.on.thing : chosen(frame.view);
-    const auto place = place_of(*frame.view.now, thing);
-    const bool turns = thing.kind == ThingKind::vehicle || thing.kind == ThingKind::obstacle;
-    const bool free = state.drag.phase == StagePhase::idle || state.drag.phase == StagePhase::turn;
-    if (rides(frame.view.settings.camera.mode) && thing == vehicle_thing(frame.view.settings.selection.vehicle))
+std::optional<Handle> handle_of(const SceneInputState& state, const SceneInputFrame& frame) {
+    const SceneObject object = state.drag.phase == SceneInputPhase::turn ? state.drag.on.object : chosen(frame.view);
+    const auto place = place_of(*frame.view.now, object);
+    const bool turns = object.kind == SceneObjectKind::vehicle || object.kind == SceneObjectKind::obstacle;
+    const bool free = state.drag.phase == SceneInputPhase::idle || state.drag.phase == SceneInputPhase::turn;
+    if (rides(frame.view.settings.camera.mode) && object == vehicle_object(frame.view.settings.selection.vehicle))
         return std::nullopt;
-    if (!turns || !place || !free || state.tool != StageTool::hand || frame.view.mode == Mode::wiring)
+    if (!turns || !place || !free || state.tool != SceneInputTool::hand || frame.view.mode == Mode::wiring)
         return std::nullopt;
     Handle handle;
     handle.middle = {place->x, place->y};
     const float scale = pixels_per_metre(frame.sight, handle.middle);
     if (scale <= 0) return std::nullopt;
-    handle.radius = reach_of(*frame.view.now, thing) + ring_gap * frame.scale / scale;
+    handle.radius = reach_of(*frame.view.now, object) + ring_gap * frame.scale / scale;
     handle.knob = handle.middle + maths::from_polar(handle.radius, place->heading);
     const float near = handle.radius * scale + handle_near * frame.scale;
-    const bool shown = state.drag.phase == StagePhase::turn || pixels_from(frame, handle.middle) <= near;
+    const bool shown = state.drag.phase == SceneInputPhase::turn || pixels_from(frame, handle.middle) <= near;
     return shown ? std::optional(handle) : std::nullopt;
 }
 
-StageHit under_pointer(const StageState& state, const StageFrame& frame) {
-    if (!frame.pointer.over || frame.view.mode == Mode::wiring || state.tool != StageTool::hand) return {};
+SceneInputHit under_pointer(const SceneInputState& state, const SceneInputFrame& frame) {
+    if (!frame.pointer.over || frame.view.mode == Mode::wiring || state.tool != SceneInputTool::hand) return {};
     const auto handle = handle_of(state, frame);
     const auto floor = floor_at(frame);
-    const Thing thing = pick_thing(*frame.view.now, frame.sight, frame.pointer.at);
+    const SceneObject object = pick_object(*frame.view.now, frame.sight, frame.pointer.at);
     const float to_knob = handle ? pixels_from(frame, handle->knob) : 1e9f;
     if (to_knob <= knob_grip * frame.scale) {
         // A neighbour may stand right below the knob: whoever is nearer to the pointer.
-        const auto place = thing == chosen(frame.view) ? std::nullopt : place_of(*frame.view.now, thing);
+        const auto place = object == chosen(frame.view) ? std::nullopt : place_of(*frame.view.now, object);
         const bool neighbour = place && pixels_from(frame, {place->x, place->y}) < to_knob;
-        return neighbour ? StageHit{thing, false} : StageHit{chosen(frame.view), true};
+        return neighbour ? SceneInputHit{object, false} : SceneInputHit{chosen(frame.view), true};
     }
-    if (thing) return {thing, false};
+    if (object) return {object, false};
     if (handle && floor) {
         const float off = std::fabs(maths::distance(*floor, handle->middle) - handle->radius);
         if (off * pixels_per_metre(frame.sight, *floor) <= ring_grip * frame.scale) return {chosen(frame.view), true};

@@ -1,4 +1,4 @@
-#include "ui/stage/room.h"
+#include "ui/scene_input/room.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ struct Standing {
 
 Standing standing_in(const Snapshot& now) {
     Standing all;
-    for (const VehicleView& v : now.vehicles) all.discs.push_back({{v.x, v.y}, reach_of(now, vehicle_thing(v.id))});
+    for (const VehicleView& v : now.vehicles) all.discs.push_back({{v.x, v.y}, reach_of(now, vehicle_object(v.id))});
     for (const SourceView& source : now.sources) all.discs.push_back({{source.x, source.y}, source_reach});
     for (int i = 0; i < static_cast<int>(now.scene->obstacles.size()); ++i) all.blocks.push_back(outline_of(now, i));
     return all;

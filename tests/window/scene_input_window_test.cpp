@@ -38,7 +38,7 @@ void choose_tool(const LabWindow& lab, const std::string& name) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["tool"] == name; }));
 }
 
-TEST(StageWindow, DragsAVehicleWhilePlayingAndUndoBringsItBack) {
+TEST(SceneInputWindow, DragsAVehicleWhilePlayingAndUndoBringsItBack) {
     LabWindow lab({"2a-coward", "--size", "1280x800", "--set", "kind.coward.brain.LM=0", "--set",
                    "kind.coward.brain.RM=0", "--set", "kind.coward.brain.LL=0", "--set", "kind.coward.brain.RR=0",
                    "--play"});
@@ -55,7 +55,7 @@ TEST(StageWindow, DragsAVehicleWhilePlayingAndUndoBringsItBack) {
         [&] { return std::abs(lab.state()["vehicles"][0]["x"].get<double>() - before["x"].get<double>()) < 0.05; }));
 }
 
-TEST(StageWindow, HoldsADrivingVehicleInTheHand) {
+TEST(SceneInputWindow, HoldsADrivingVehicleInTheHand) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     const Point from = vehicle(lab, 0), to{from.x + 40, from.y + 60};
     press_at(lab, from);
@@ -69,7 +69,7 @@ TEST(StageWindow, HoldsADrivingVehicleInTheHand) {
     lab.release();
 }
 
-TEST(StageWindow, DragsALampAndEscapeInMidDragPutsItBack) {
+TEST(SceneInputWindow, DragsALampAndEscapeInMidDragPutsItBack) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     const Json before = lab.state()["sources"];
     const Point from = source(lab, 0);
@@ -92,7 +92,7 @@ TEST(StageWindow, DragsALampAndEscapeInMidDragPutsItBack) {
     EXPECT_EQ(lab.state()["undo_depth"], 0) << "nothing has happened";
 }
 
-TEST(StageWindow, ShowsByTheHoverWhatAClickWouldTake) {
+TEST(SceneInputWindow, ShowsByTheHoverWhatAClickWouldTake) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     lab.move(source(lab, 0));
     EXPECT_TRUE(wait_for([&] { return lab.state()["hovered"]["kind"] == "source"; }));
@@ -104,7 +104,7 @@ TEST(StageWindow, ShowsByTheHoverWhatAClickWouldTake) {
     EXPECT_EQ(lab.state()["cursor"], "arrow");
 }
 
-TEST(StageWindow, AddsFromTheMenuOfARightClickAndUndoTakesItAway) {
+TEST(SceneInputWindow, AddsFromTheMenuOfARightClickAndUndoTakesItAway) {
     LabWindow lab({"predator-prey", "--size", "1280x800"});
     const Point free = lab.at("viewport");
     right_click(lab, {free.x - 150, free.y - 150});
@@ -124,7 +124,7 @@ TEST(StageWindow, AddsFromTheMenuOfARightClickAndUndoTakesItAway) {
     EXPECT_EQ(lab.state()["population"], 10);
 }
 
-TEST(StageWindow, DrawsATriangleByItsCornersWhichUndoTakesAway) {
+TEST(SceneInputWindow, DrawsATriangleByItsCornersWhichUndoTakesAway) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     const Point middle = lab.at("viewport");
     choose_tool(lab, "polygon");
@@ -146,7 +146,7 @@ TEST(StageWindow, DrawsATriangleByItsCornersWhichUndoTakesAway) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["obstacles"].size() == 1; }));
 }
 
-TEST(StageWindow, TurnsABoxByItsRingAndChangesItOnItsCard) {
+TEST(SceneInputWindow, TurnsABoxByItsRingAndChangesItOnItsCard) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     const Point middle = lab.at("viewport");
     choose_tool(lab, "box");
@@ -167,7 +167,7 @@ TEST(StageWindow, TurnsABoxByItsRingAndChangesItOnItsCard) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["obstacles"][0]["mass"] == 0; }));
 }
 
-TEST(StageWindow, PansWithTheRightButtonZoomsAboutThePointerAndComesHomeByOneKey) {
+TEST(SceneInputWindow, PansWithTheRightButtonZoomsAboutThePointerAndComesHomeByOneKey) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     const Json home = lab.state()["view"];
     const Point free = lab.at("viewport");

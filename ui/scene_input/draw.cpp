@@ -1,4 +1,4 @@
-#include "ui/stage/draw.h"
+#include "ui/scene_input/draw.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include "core/maths/angle.h"
 #include "ui/imgui_compat.h"
-#include "ui/stage/polygon_tool.h"
-#include "ui/stage/under_pointer.h"
+#include "ui/scene_input/polygon_tool.h"
+#include "ui/scene_input/under_pointer.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/widgets/number.h"
@@ -27,22 +27,22 @@ constexpr int ring_segments = 64;
 
 class Overlay {
 public:
-    Overlay(const StageState& state, const StageFrame& frame, const Ui& ui)
+    Overlay(const SceneInputState& state, const SceneInputFrame& frame, const Ui& ui)
         : state_(state), frame_(frame), ui_(ui), list_(*ImGui::GetBackgroundDrawList()) {}
 
     void draw() {
         if (frame_.view.mode == Mode::wiring) return;
-        mark_thing(frame_.view.settings.selection.object, ui_.palette.selected, 2.5f);
-        const Thing& hovered = state_.hovered.thing;
-        const bool idle = state_.drag.phase == StagePhase::idle;
+        mark_object(frame_.view.settings.selection.object, ui_.palette.selected, 2.5f);
+        const SceneObject& hovered = state_.hovered.object;
+        const bool idle = state_.drag.phase == SceneInputPhase::idle;
         if (idle && !state_.hovered.handle && hovered != frame_.view.settings.selection.object)
-            mark_thing(hovered, ui_.palette.second_text, 1.5f);
+            mark_object(hovered, ui_.palette.second_text, 1.5f);
         if (const auto handle = handle_of(state_, frame_)) draw_handle(*handle);
-        if (state_.drag.phase == StagePhase::move || state_.drag.phase == StagePhase::turn) tell_pose();
-        if (state_.drag.phase == StagePhase::box) draw_box();
-        if (state_.tool == StageTool::polygon) draw_outline();
-        if (frame_.pointer.over && state_.tool == StageTool::lamp) draw_ghost_lamp();
-        if (frame_.pointer.over && state_.tool != StageTool::hand) draw_cross();
+        if (state_.drag.phase == SceneInputPhase::move || state_.drag.phase == SceneInputPhase::turn) tell_pose();
+        if (state_.drag.phase == SceneInputPhase::box) draw_box();
+        if (state_.tool == SceneInputTool::polygon) draw_outline();
+        if (frame_.pointer.over && state_.tool == SceneInputTool::lamp) draw_ghost_lamp();
+        if (frame_.pointer.over && state_.tool != SceneInputTool::hand) draw_cross();
         if (!state_.refusal.key.empty() && frame_.view.wall_seconds < state_.refusal.until)
             note(ui_.strings(state_.refusal.key), ui_.palette.warning);
     }
@@ -76,18 +76,18 @@ private:
     }
 
     // Vehicles have their ring from the renderer.
-    void mark_thing(const Thing& thing, Colour colour, float width) const {
-        const auto place = place_of(*frame_.view.now, thing);
+    void mark_object(const SceneObject& object, Colour colour, float width) const {
+        const auto place = place_of(*frame_.view.now, object);
         if (!place) return;
-        if (thing.kind == ThingKind::source) line(circle({place->x, place->y}, source_ring), colour, width);
-        if (thing.kind != ThingKind::obstacle) return;
-        const auto corners = outline_of(*frame_.view.now, thing.index);
+        if (object.kind == SceneObjectKind::source) line(circle({place->x, place->y}, source_ring), colour, width);
+        if (object.kind != SceneObjectKind::obstacle) return;
+        const auto corners = outline_of(*frame_.view.now, object.index);
         line(on_screen(corners), colour.with_alpha(0.6f * colour.a), width);
         line(on_screen(corners, obstacle_height), colour, width);
     }
 
     void draw_handle(const Handle& handle) const {
-        const bool warm = state_.hovered.handle || state_.drag.phase == StagePhase::turn;
+        const bool warm = state_.hovered.handle || state_.drag.phase == SceneInputPhase::turn;
         const Colour colour = warm ? ui_.palette.accent : ui_.palette.second_text;
         line(circle(handle.middle, handle.radius), colour.with_alpha(warm ? 1.0f : 0.55f), warm ? 2.0f : 1.25f);
         const auto knob = project(frame_.sight, handle.knob);
@@ -103,12 +103,12 @@ private:
     }
 
     void tell_pose() const {
-        const auto place = place_of(*frame_.view.now, state_.drag.on.thing);
+        const auto place = place_of(*frame_.view.now, state_.drag.on.object);
         if (!place) return;
         const Strings& words = ui_.strings;
-        note(state_.drag.phase == StagePhase::turn
-                 ? fill(words("stage.heading"), {with_sign(maths::degrees(place->heading), 0)})
-                 : fill(words("stage.place"), {with_sign(place->x, 1), with_sign(place->y, 1)}),
+        note(state_.drag.phase == SceneInputPhase::turn
+                 ? fill(words("scene_input.heading"), {with_sign(maths::degrees(place->heading), 0)})
+                 : fill(words("scene_input.place"), {with_sign(place->x, 1), with_sign(place->y, 1)}),
              ui_.palette.line);
     }
 
@@ -126,7 +126,7 @@ private:
         for (vec2& corner : corners) corner += vec2{box.x, box.y};
         area(corners, ui_.palette.accent);
         line(on_screen(corners), ui_.palette.accent, 2);
-        note(fill(ui_.strings("stage.size"), {fixed(box.length, 1), fixed(box.width, 1)}), ui_.palette.line);
+        note(fill(ui_.strings("scene_input.size"), {fixed(box.length, 1), fixed(box.width, 1)}), ui_.palette.line);
     }
 
     // The corners so far, the next one at the pointer, and why it would be refused.
@@ -148,7 +148,7 @@ private:
             if (const auto first = project(frame_.sight, state_.corners[0]))
                 list_.AddCircle({first->x, first->y}, ui_.px(closes ? 11.0f : 8.0f), paint(p.accent), 24, ui_.px(2));
         if (frame_.pointer.over && !sound && state_.refusal.key.empty()) note(ui_.strings(reason(fault)), p.warning);
-        if (frame_.pointer.over && closes) note(ui_.strings("stage.close"), p.accent);
+        if (frame_.pointer.over && closes) note(ui_.strings("scene_input.close"), p.accent);
     }
 
     bool on_first_corner() const {
@@ -189,14 +189,16 @@ private:
                       words.data(), words.data() + words.size());
     }
 
-    const StageState& state_;
-    const StageFrame& frame_;
+    const SceneInputState& state_;
+    const SceneInputFrame& frame_;
     const Ui& ui_;
     ImDrawList& list_;
 };
 
 }  // namespace
 
-void draw_stage(const StageState& state, const StageFrame& frame, const Ui& ui) { Overlay(state, frame, ui).draw(); }
+void draw_scene_input(const SceneInputState& state, const SceneInputFrame& frame, const Ui& ui) {
+    Overlay(state, frame, ui).draw();
+}
 
 }  // namespace braitenlab

@@ -1,14 +1,14 @@
-#include "ui/stage/interaction.h"
+#include "ui/scene_input/interaction.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/maths/angle.h"
-#include "ui/stage/edits.h"
-#include "ui/stage/outline.h"
-#include "ui/stage/polygon_tool.h"
-#include "ui/stage/room.h"
-#include "ui/stage/under_pointer.h"
+#include "ui/scene_input/edits.h"
+#include "ui/scene_input/outline.h"
+#include "ui/scene_input/polygon_tool.h"
+#include "ui/scene_input/room.h"
+#include "ui/scene_input/under_pointer.h"
 
 namespace braitenlab {
 
@@ -25,18 +25,18 @@ void ask(Outbox& outbox, Command command, std::uint64_t gesture = 0) {
 
 float bearing_from(Pose place, vec2 point) { return maths::arctangent2(point.y - place.y, point.x - place.x); }
 
-void begin_drag(StageState& state, const StageFrame& frame) {
-    const StagePointer& pointer = frame.pointer;
-    StageDrag& drag = state.drag;
+void begin_drag(SceneInputState& state, const SceneInputFrame& frame) {
+    const SceneInputPointer& pointer = frame.pointer;
+    SceneInputDrag& drag = state.drag;
     drag = {};
-    drag.phase = StagePhase::pending;
+    drag.phase = SceneInputPhase::pending;
     drag.left = pointer.left_pressed;
     drag.right = !drag.left && pointer.right_pressed;
     drag.press = drag.last = pointer.at;
     drag.gesture = gestures::viewport + ++state.gesture;
     if (!drag.left) return;
     drag.on = state.hovered;
-    const auto place = place_of(*frame.view.now, drag.on.thing);
+    const auto place = place_of(*frame.view.now, drag.on.object);
     if (!place) return;
     drag.began = *place;
     const vec2 floor = floor_at(frame).value_or(vec2{place->x, place->y});
@@ -44,80 +44,80 @@ void begin_drag(StageState& state, const StageFrame& frame) {
     drag.bearing = bearing_from(*place, floor);
 }
 
-void choose(const Thing& thing, const LabView& view, Outbox& outbox) {
-    if (thing == chosen(view)) return;
-    if (thing.kind == ThingKind::vehicle)
-        outbox.push_back(SelectRequest{thing.index});
+void choose(const SceneObject& object, const LabView& view, Outbox& outbox) {
+    if (object == chosen(view)) return;
+    if (object.kind == SceneObjectKind::vehicle)
+        outbox.push_back(SelectRequest{object.index});
     else
-        outbox.push_back(TakeRequest{thing});
+        outbox.push_back(TakeRequest{object});
 }
 
-void press(StageState& state, const StageFrame& frame, Outbox& outbox) {
-    const StagePointer& pointer = frame.pointer;
+void press(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox) {
+    const SceneInputPointer& pointer = frame.pointer;
     if (!pointer.over || !(pointer.left_pressed || pointer.right_pressed || pointer.middle_pressed)) return;
-    if (state.drag.phase != StagePhase::idle) return;  // a second button changes nothing
+    if (state.drag.phase != SceneInputPhase::idle) return;  // a second button changes nothing
     state.refusal = {};
-    const bool draws = pointer.left_pressed && state.tool != StageTool::hand && frame.view.mode != Mode::wiring;
+    const bool draws = pointer.left_pressed && state.tool != SceneInputTool::hand && frame.view.mode != Mode::wiring;
     const auto floor = floor_at(frame);
     if (!draws) {
         begin_drag(state, frame);
-        if (state.drag.on.thing && !state.drag.on.handle) choose(state.drag.on.thing, frame.view, outbox);
+        if (state.drag.on.object && !state.drag.on.handle) choose(state.drag.on.object, frame.view, outbox);
         return;
     }
     if (!floor) return;
     const vec2 at = in_arena(frame.view, *floor);
-    if (state.tool == StageTool::polygon) return click_corner(state, frame, at, outbox);
-    if (state.tool == StageTool::box) {
+    if (state.tool == SceneInputTool::polygon) return click_corner(state, frame, at, outbox);
+    if (state.tool == SceneInputTool::box) {
         begin_drag(state, frame);
-        state.drag.phase = StagePhase::box;
+        state.drag.phase = SceneInputPhase::box;
         state.drag.corner = at;
         return;
     }
     Source lamp;
     lamp.x = at.x, lamp.y = at.y;
     ask(outbox, with_room(*frame.view.now, AddSource{lamp}));
-    if (!pointer.shift) state.tool = StageTool::hand;
+    if (!pointer.shift) state.tool = SceneInputTool::hand;
 }
 
-bool moved_enough(const StageState& state, const StageFrame& frame) {
+bool moved_enough(const SceneInputState& state, const SceneInputFrame& frame) {
     return maths::distance(state.drag.press, frame.pointer.at) > drag_begins * frame.scale;
 }
 
-StagePhase phase_for(const StageState& state, const StageFrame& frame) {
-    const StageDrag& drag = state.drag;
+SceneInputPhase phase_for(const SceneInputState& state, const SceneInputFrame& frame) {
+    const SceneInputDrag& drag = state.drag;
     const bool flat =
         frame.view.settings.camera.mode == CameraMode::birds_eye;  // turned by hand it would lose its north
-    if (!drag.left || (!drag.on && flat)) return StagePhase::pan;
+    if (!drag.left || (!drag.on && flat)) return SceneInputPhase::pan;
     // Whoever the camera rides with would flee from the pointer that drags it: both move.
     const bool ridden =
-        rides(frame.view.settings.camera.mode) && drag.on.thing == vehicle_thing(frame.view.settings.selection.vehicle);
-    if (!drag.on || ridden) return StagePhase::orbit;
-    return drag.on.handle ? StagePhase::turn : StagePhase::move;
+        rides(frame.view.settings.camera.mode) && drag.on.object == vehicle_object(frame.view.settings.selection.vehicle);
+    if (!drag.on || ridden) return SceneInputPhase::orbit;
+    return drag.on.handle ? SceneInputPhase::turn : SceneInputPhase::move;
 }
 
 // Asks for the thing to be there, unless it is already. A vehicle that drives would drive out of the hand: it is put
 // back every frame.
-void put(StageDrag& drag, const LabView& view, Pose to, Outbox& outbox) {
+void put(SceneInputDrag& drag, const LabView& view, Pose to, Outbox& outbox) {
     drag.put = to;
-    const auto is = place_of(*view.now, drag.on.thing);
-    const auto command = move_of(*view.now, drag.on.thing, to);
+    const auto is = place_of(*view.now, drag.on.object);
+    const auto command = move_of(*view.now, drag.on.object, to);
     if (!is || !command) return;
-    const bool source = drag.on.thing.kind == ThingKind::source;
+    const bool source = drag.on.object.kind == SceneObjectKind::source;
     const bool there = std::hypot(is->x - to.x, is->y - to.y) < 1e-4f &&
                        (source || std::fabs(maths::wrap_angle(is->heading - to.heading)) < 1e-4f);
     if (!there) ask(outbox, *command, drag.gesture);
 }
 
-void go_on(StageState& state, const StageFrame& frame, Outbox& outbox) {
-    StageDrag& drag = state.drag;
+void go_on(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox) {
+    SceneInputDrag& drag = state.drag;
     const auto floor = floor_at(frame);
-    if (drag.phase == StagePhase::pending && moved_enough(state, frame)) drag.phase = phase_for(state, frame);
-    if (drag.phase == StagePhase::pending) return;
+    if (drag.phase == SceneInputPhase::pending && moved_enough(state, frame)) drag.phase = phase_for(state, frame);
+    if (drag.phase == SceneInputPhase::pending) return;
     drag.moved = frame.pointer.at - drag.last;  // from the press on: the floor stays under the pointer
     drag.last = frame.pointer.at;
-    if (drag.phase == StagePhase::move && floor)
+    if (drag.phase == SceneInputPhase::move && floor)
         put(drag, frame.view, {floor->x + drag.offset.x, floor->y + drag.offset.y, drag.began.heading}, outbox);
-    if (drag.phase == StagePhase::turn && floor) {
+    if (drag.phase == SceneInputPhase::turn && floor) {
         Pose to = drag.began;
         to.heading = maths::wrap_angle(to.heading + bearing_from(to, *floor) - drag.bearing);
         if (frame.pointer.shift) to.heading = maths::wrap_angle(std::round(to.heading / turn_step) * turn_step);
@@ -126,37 +126,37 @@ void go_on(StageState& state, const StageFrame& frame, Outbox& outbox) {
 }
 
 // The hand lets go of what it has moved.
-void leave(const StageDrag& drag, const LabView& view, Outbox& outbox) {
-    const auto move = move_of(*view.now, drag.on.thing, drag.put);
+void leave(const SceneInputDrag& drag, const LabView& view, Outbox& outbox) {
+    const auto move = move_of(*view.now, drag.on.object, drag.put);
     if (auto start = move ? start_of(*view.now, *move) : std::nullopt) ask(outbox, *start, drag.gesture);
 }
 
-void open_menu(StageState& state, const StageFrame& frame) {
+void open_menu(SceneInputState& state, const SceneInputFrame& frame) {
     state.menu = {};
     state.menu.open = true;
-    state.menu.thing = pick_thing(*frame.view.now, frame.sight, frame.pointer.at);
+    state.menu.object = pick_object(*frame.view.now, frame.sight, frame.pointer.at);
     state.menu.at = frame.pointer.at;
     state.menu.place = in_arena(frame.view, floor_at(frame).value_or(vec2{}));
 }
 
-void release(StageState& state, const StageFrame& frame, Outbox& outbox) {
-    const StageDrag drag = state.drag;
-    const StagePointer& pointer = frame.pointer;
+void release(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox) {
+    const SceneInputDrag drag = state.drag;
+    const SceneInputPointer& pointer = frame.pointer;
     if (drag.left ? pointer.left_down : drag.right ? pointer.right_down : pointer.middle_down) return;
     state.drag = {};
-    if (drag.phase == StagePhase::move || drag.phase == StagePhase::turn) leave(drag, frame.view, outbox);
-    if (drag.phase == StagePhase::box) {
+    if (drag.phase == SceneInputPhase::move || drag.phase == SceneInputPhase::turn) leave(drag, frame.view, outbox);
+    if (drag.phase == SceneInputPhase::box) {
         vec2 far = in_arena(frame.view, floor_at(frame).value_or(drag.corner));
         // A mere click sets up a box of one metre.
         const bool click = maths::distance(drag.press, pointer.at) <= drag_begins * frame.scale;
         const vec2 half{0.5f, 0.5f};
         ask(outbox, click ? with_room(*frame.view.now, AddObstacle{box_between(drag.corner - half, drag.corner + half)})
                           : AddObstacle{box_between(drag.corner, far)});
-        if (!pointer.shift) state.tool = StageTool::hand;
+        if (!pointer.shift) state.tool = SceneInputTool::hand;
     }
-    if (drag.phase != StagePhase::pending || frame.view.mode == Mode::wiring) return;
+    if (drag.phase != SceneInputPhase::pending || frame.view.mode == Mode::wiring) return;
     if (drag.left && !drag.on) choose({}, frame.view, outbox);
-    if (drag.right && state.tool != StageTool::hand)
+    if (drag.right && state.tool != SceneInputTool::hand)
         take_back_corner(state);
     else if (drag.right)
         open_menu(state, frame);
@@ -164,37 +164,37 @@ void release(StageState& state, const StageFrame& frame, Outbox& outbox) {
 
 }  // namespace
 
-void interact(StageState& state, const StageFrame& frame, Outbox& outbox) {
-    if (!place_of(*frame.view.now, state.drag.on.thing) && state.drag.on) state.drag = {};  // it has left the world
+void interact(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox) {
+    if (!place_of(*frame.view.now, state.drag.on.object) && state.drag.on) state.drag = {};  // it has left the world
     state.hovered = under_pointer(state, frame);
     press(state, frame, outbox);
-    if (state.drag.phase == StagePhase::idle) return;
+    if (state.drag.phase == SceneInputPhase::idle) return;
     go_on(state, frame, outbox);
     release(state, frame, outbox);
 }
 
-void open_menu_of(StageState& state, const LabView& view, const Thing& thing) {
-    const auto place = place_of(*view.now, thing);
+void open_menu_of(SceneInputState& state, const LabView& view, const SceneObject& object) {
+    const auto place = place_of(*view.now, object);
     if (!place) return;
     const auto at = project(*view.sight, {place->x, place->y});
     if (!at) return;
     state.menu = {};
     state.menu.open = state.menu.by_key = true;
-    state.menu.thing = thing;
+    state.menu.object = object;
     state.menu.place = {place->x, place->y};
     state.menu.at = *at;
 }
 
-bool cancel(StageState& state, const LabView& view, Outbox& outbox) {
-    StageDrag drag = state.drag;
+bool cancel(SceneInputState& state, const LabView& view, Outbox& outbox) {
+    SceneInputDrag drag = state.drag;
     state.refusal = {};
-    if (drag.phase == StagePhase::move || drag.phase == StagePhase::turn) put(drag, view, drag.began, outbox);
-    if (drag.phase != StagePhase::idle) {
+    if (drag.phase == SceneInputPhase::move || drag.phase == SceneInputPhase::turn) put(drag, view, drag.began, outbox);
+    if (drag.phase != SceneInputPhase::idle) {
         state.drag = {};
     } else if (!state.corners.empty()) {
         state.corners.clear();
-    } else if (state.tool != StageTool::hand) {
-        state.tool = StageTool::hand;
+    } else if (state.tool != SceneInputTool::hand) {
+        state.tool = SceneInputTool::hand;
     } else if (view.settings.selection.object) {
         outbox.push_back(TakeRequest{});
     } else {

@@ -1,4 +1,4 @@
-#include "ui/stage/stage.h"
+#include "ui/scene_input/scene_input.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 #include <imgui.h>
 
 #include "core/maths/angle.h"
-#include "ui/stage/draw.h"
-#include "ui/stage/edits.h"
-#include "ui/stage/interaction.h"
-#include "ui/stage/polygon_tool.h"
+#include "ui/scene_input/draw.h"
+#include "ui/scene_input/edits.h"
+#include "ui/scene_input/interaction.h"
+#include "ui/scene_input/polygon_tool.h"
 
 namespace braitenlab {
 
@@ -20,11 +20,11 @@ namespace {
 constexpr float nudge_step = 0.1f, fine_nudge = 0.01f;  // m
 constexpr double pause_between_gestures = 1;            // s without a key
 
-StagePointer pointer_now(const StageState& state) {
+SceneInputPointer pointer_now(const SceneInputState& state) {
     const ImGuiIO& io = ImGui::GetIO();
-    StagePointer pointer;
+    SceneInputPointer pointer;
     pointer.at = {io.MousePos.x, io.MousePos.y};
-    pointer.over = (!io.WantCaptureMouse || state.drag.phase != StagePhase::idle) && ImGui::IsMousePosValid();
+    pointer.over = (!io.WantCaptureMouse || state.drag.phase != SceneInputPhase::idle) && ImGui::IsMousePosValid();
     pointer.left_pressed = !io.WantCaptureMouse && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     pointer.left_double = !io.WantCaptureMouse && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     pointer.right_pressed = !io.WantCaptureMouse && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
@@ -35,9 +35,9 @@ StagePointer pointer_now(const StageState& state) {
 }
 
 // Whether a press would take something, or has. (Of the cursors for moving, GLFW 3.3 has none.)
-void show_cursor(const StageState& state) {
-    const StagePhase phase = state.drag.phase;
-    const bool busy = phase == StagePhase::move || phase == StagePhase::turn || phase == StagePhase::pan;
+void show_cursor(const SceneInputState& state) {
+    const SceneInputPhase phase = state.drag.phase;
+    const bool busy = phase == SceneInputPhase::move || phase == SceneInputPhase::turn || phase == SceneInputPhase::pan;
     if (busy || state.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
@@ -51,15 +51,15 @@ vec2 way_of(const Sight& sight, int key) {
 
 bool is_arrow(int key) { return key == key::left || key == key::right || key == key::up || key == key::down; }
 
-bool nudge(const LabView& view, StageState& state, KeyPress press, Outbox& outbox) {
-    const Thing thing = chosen(view);
-    const auto place = place_of(*view.now, thing);
-    if (!place || state.drag.phase != StagePhase::idle) return false;
+bool nudge(const LabView& view, SceneInputState& state, KeyPress press, Outbox& outbox) {
+    const SceneObject object = chosen(view);
+    const auto place = place_of(*view.now, object);
+    if (!place || state.drag.phase != SceneInputPhase::idle) return false;
     const vec2 way = way_of(*view.sight, press.key) * (press.shift ? fine_nudge : nudge_step);
-    const auto command = move_of(*view.now, thing, {place->x + way.x, place->y + way.y, place->heading});
+    const auto command = move_of(*view.now, object, {place->x + way.x, place->y + way.y, place->heading});
     if (!command) return false;
-    if (thing != state.nudged || view.wall_seconds - state.nudged_at > pause_between_gestures) ++state.gesture;
-    state.nudged = thing;
+    if (object != state.nudged || view.wall_seconds - state.nudged_at > pause_between_gestures) ++state.gesture;
+    state.nudged = object;
     state.nudged_at = view.wall_seconds;
     outbox.push_back(EditRequest{*command, gestures::viewport + state.gesture});
     if (auto start = start_of(*view.now, *command))
@@ -68,7 +68,7 @@ bool nudge(const LabView& view, StageState& state, KeyPress press, Outbox& outbo
 }
 
 // Up and Down walk the rows of the open menu; Enter reaches them through the focus; Esc and the arrow back close.
-bool for_menu(StageMenu& menu, Keyboard& keyboard, KeyPress press) {
+bool for_menu(SceneInputMenu& menu, Keyboard& keyboard, KeyPress press) {
     if (press.key == key::escape || (press.key == key::left && menu.page != MenuPage::top)) {
         if (menu.page == MenuPage::top)
             menu.open = false;
@@ -87,8 +87,8 @@ bool for_menu(StageMenu& menu, Keyboard& keyboard, KeyPress press) {
     return true;
 }
 
-bool draw_by_key(const LabView& view, StageState& state, Action action, KeyPress press, Outbox& outbox) {
-    if (state.tool != StageTool::polygon) return false;
+bool draw_by_key(const LabView& view, SceneInputState& state, Action action, KeyPress press, Outbox& outbox) {
+    if (state.tool != SceneInputTool::polygon) return false;
     if (action == Action::close_outline)
         close_outline(state, view.wall_seconds, press.shift, outbox);
     else
@@ -103,21 +103,21 @@ bool takes_arrows(const LabView& view, bool ctrl) {
     return view.settings.selection.object || (ctrl && view.settings.selection.vehicle != no_vehicle);
 }
 
-void stage(const LabView& view, StageState& state, Ui& ui, Rect area) {
+void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area) {
     if (!view.sight) return;
-    const StageFrame frame{view, *view.sight, ui.scale, area, pointer_now(state)};
+    const SceneInputFrame frame{view, *view.sight, ui.scale, area, pointer_now(state)};
     interact(state, frame, ui.outbox);
     show_cursor(state);
-    draw_stage(state, frame, ui);
+    draw_scene_input(state, frame, ui);
 }
 
-bool press_key(const LabView& view, StageState& state, Keyboard& keyboard, KeyPress press, Outbox& outbox) {
+bool press_key(const LabView& view, SceneInputState& state, Keyboard& keyboard, KeyPress press, Outbox& outbox) {
     if (!view.sight || view.mode == Mode::wiring) return false;
     if (state.menu.open && for_menu(state.menu, keyboard, press)) return true;
-    if (!keyboard.focus.empty()) return false;                               // a widget has the keyboard
-    if (press.key == key::del) return state.drag.phase != StagePhase::idle;  // not out of the hand
+    if (!keyboard.focus.empty()) return false;                                    // a widget has the keyboard
+    if (press.key == key::del) return state.drag.phase != SceneInputPhase::idle;  // not out of the hand
     // Shift is finer and Ctrl takes vehicles too, whatever the arrow.
-    const auto action = action_for(is_arrow(press.key) ? KeyPress{press.key} : press, KeyPlace::stage);
+    const auto action = action_for(is_arrow(press.key) ? KeyPress{press.key} : press, KeyPlace::scene);
     if (!action) return false;
     switch (*action) {
         case Action::cancel:

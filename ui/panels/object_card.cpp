@@ -8,8 +8,8 @@
 #include "core/maths/angle.h"
 #include "core/scene/names.h"
 #include "ui/panels/panels.h"
+#include "ui/scene_input/edits.h"
 #include "ui/shortcuts.h"
-#include "ui/stage/edits.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/widgets/button.h"
@@ -63,7 +63,7 @@ bool swatch(Ui& ui, Channel channel, bool chosen) {
     return at.pressed;
 }
 
-void thing_buttons(Ui& ui) {
+void buttons(Ui& ui) {
     gap(ui, 8);
     const Item copy = button(ui, "thing.duplicate", {{}, ui.strings("action.duplicate")});
     tooltip(ui, copy, ui.strings("action.duplicate"), key_name(Action::duplicate, ui.strings));
@@ -95,7 +95,7 @@ void source_values(const LabView& view, PanelState& state, Ui& ui, int index) {
 void obstacle_values(const LabView& view, PanelState& state, Ui& ui, int index) {
     // Movable ones stand elsewhere than the scene has them: an edit starts from where this one is.
     Obstacle now = view.now->scene->obstacles[static_cast<std::size_t>(index)];
-    const Pose place = *place_of(*view.now, {ThingKind::obstacle, index});
+    const Pose place = *place_of(*view.now, {SceneObjectKind::obstacle, index});
     now.x = place.x, now.y = place.y, now.heading = place.heading;
     std::optional<Obstacle> to;
     std::uint64_t gesture = 0;
@@ -119,17 +119,17 @@ void obstacle_values(const LabView& view, PanelState& state, Ui& ui, int index) 
 
 }  // namespace
 
-void thing_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
-    const bool source = view.settings.selection.object.kind == ThingKind::source;
+void object_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+    const bool source = view.settings.selection.object.kind == SceneObjectKind::source;
     const auto words = ui.strings(source ? "thing.source" : "thing.obstacle");
-    if (begin_card(ui, state.thing, "card.thing", words, place)) {
+    if (begin_card(ui, state.object, "card.thing", words, place)) {
         if (source)
             source_values(view, state, ui, view.settings.selection.object.index);
         else
             obstacle_values(view, state, ui, view.settings.selection.object.index);
-        thing_buttons(ui);
+        object_buttons(ui);
     }
-    end_card(state.thing);
+    end_card(state.object);
 }
 
 }  // namespace braitenlab

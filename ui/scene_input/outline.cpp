@@ -1,4 +1,4 @@
-#include "ui/stage/outline.h"
+#include "ui/scene_input/outline.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,9 +10,9 @@
 #include "core/maths/angle.h"
 #include "core/scene/names.h"
 #include "ui/panels/panels.h"
+#include "ui/scene_input/edits.h"
+#include "ui/scene_input/room.h"
 #include "ui/shortcuts.h"
-#include "ui/stage/edits.h"
-#include "ui/stage/room.h"
 #include "ui/strings.h"
 #include "ui/theme.h"
 #include "ui/widgets/card.h"
@@ -26,29 +26,29 @@ namespace {
 constexpr float menu_width = 268, pad = 6, row_height = 28, rule_height = 9;  // layout pixels
 
 // A row of the menu: what it says, what it asks for, and where it leads.
-struct StageMenuRow {
+struct Row {
     std::string anchor, words, keys;
     std::vector<Request> asks;
     std::optional<MenuPage> leads_to;
-    std::optional<StageTool> takes;  // the tool that goes on from the menu's place
-    std::optional<Role> role;        // shows the sign of a vehicle
+    std::optional<SceneInputTool> takes;  // the tool that goes on from the menu's place
+    std::optional<Role> role;             // shows the sign of a vehicle
     std::optional<Channel> channel;
     bool heading = false, rule_above = false;
 };
 
 class Rows {
 public:
-    Rows(const LabView& view, const StageMenu& menu, const Ui& ui)
+    Rows(const LabView& view, const SceneInputMenu& menu, const Ui& ui)
         : view_(view), now_(*view.now), menu_(menu), ui_(ui) {}
 
-    std::vector<StageMenuRow> of_page() {
-        const bool vehicle = menu_.thing.kind == ThingKind::vehicle;
+    std::vector<Row> of_page() {
+        const bool vehicle = menu_.object.kind == SceneObjectKind::vehicle;
         if (vehicle && menu_.page == MenuPage::brains)
             brains();
         else if (vehicle)
             of_vehicle();
-        else if (menu_.thing)
-            of_thing();
+        else if (menu_.object)
+            of_object();
         else
             of_floor();
         return std::move(rows_);
@@ -58,8 +58,8 @@ private:
     std::string words(std::string_view key) const { return std::string(ui_.strings(key)); }
     std::string keys(Action action) const { return key_name(action, ui_.strings); }
 
-    StageMenuRow& add(std::string anchor, std::string text, std::vector<Request> asks = {}, std::string shortcut = {}) {
-        StageMenuRow row;
+    Row& add(std::string anchor, std::string text, std::vector<Request> asks = {}, std::string shortcut = {}) {
+        Row row;
         row.anchor = "menu." + std::move(anchor);
         row.words = std::move(text);
         row.keys = std::move(shortcut);
@@ -72,8 +72,8 @@ private:
         if (command) add(std::move(anchor), words(key), {EditRequest{*command}}, keys(shown));
     }
     void copy_and_erase() {
-        edit("duplicate", "action.duplicate", copy_of(now_, menu_.thing), Action::duplicate);
-        edit("erase", "menu.erase", removal_of(now_, menu_.thing), Action::erase);
+        edit("duplicate", "action.duplicate", copy_of(now_, menu_.object), Action::duplicate);
+        edit("erase", "menu.erase", removal_of(now_, menu_.object), Action::erase);
         rows_.back().rule_above = true;
     }
 
@@ -87,7 +87,7 @@ private:
     }
 
     void of_vehicle() {
-        const VehicleView* v = find_vehicle(now_, menu_.thing.index);
+        const VehicleView* v = find_vehicle(now_, menu_.object.index);
         if (!v) return;
         heading(name_of(*v));
         add("brains", words("menu.brains")).leads_to = MenuPage::brains;
@@ -106,7 +106,7 @@ private:
     }
 
     void brains() {
-        const VehicleView* v = find_vehicle(now_, menu_.thing.index);
+        const VehicleView* v = find_vehicle(now_, menu_.object.index);
         if (!v) return;
         heading(name_of(*v) + "  ·  " + words("menu.brains"));
         const auto give = [&](const BrainGraph& brain) {
@@ -123,10 +123,10 @@ private:
         }
     }
 
-    void of_thing() {
-        const bool source = menu_.thing.kind == ThingKind::source;
-        const auto index = static_cast<std::size_t>(menu_.thing.index);
-        if (!place_of(now_, menu_.thing)) return;
+    void of_object() {
+        const bool source = menu_.object.kind == SceneObjectKind::source;
+        const auto index = static_cast<std::size_t>(menu_.object.index);
+        if (!place_of(now_, menu_.object)) return;
         heading(source ? words("source." + std::string(word(now_.scene->sources[index].channel)))
                        : words("thing.obstacle"));
         copy_and_erase();
@@ -144,32 +144,32 @@ private:
             Source source;
             source.channel = channel, source.x = menu_.place.x, source.y = menu_.place.y;
             const std::string name(word(channel));
-            StageMenuRow& row = add("add." + name, words("source." + name), {EditRequest{AddSource{source}}});
+            Row& row = add("add." + name, words("source." + name), {EditRequest{AddSource{source}}});
             row.channel = channel;
             row.rule_above = channel == source_channels.front();
         }
         Obstacle box;
         box.x = menu_.place.x, box.y = menu_.place.y;
         add("add.box", words("menu.box"), {EditRequest{AddObstacle{box}}}).rule_above = true;
-        add("add.polygon", words("menu.polygon")).takes = StageTool::polygon;
+        add("add.polygon", words("menu.polygon")).takes = SceneInputTool::polygon;
         add("home", words("action.home"), {Action::home}, keys(Action::home)).rule_above = true;
     }
 
     const LabView& view_;
     const Snapshot& now_;
-    const StageMenu& menu_;
+    const SceneInputMenu& menu_;
     const Ui& ui_;
-    std::vector<StageMenuRow> rows_;
+    std::vector<Row> rows_;
 };
 
-float height_of(const Ui& ui, const std::vector<StageMenuRow>& rows) {
+float height_of(const Ui& ui, const std::vector<Row>& rows) {
     float height = 2 * ui.px(pad);
-    for (const StageMenuRow& row : rows) height += ui.px(row_height) + (row.rule_above ? ui.px(rule_height) : 0);
+    for (const Row& row : rows) height += ui.px(row_height) + (row.rule_above ? ui.px(rule_height) : 0);
     return height;
 }
 
 // `indented`: others have a sign before their words.
-void draw_row(const Ui& ui, const StageMenuRow& row, const Item& at, bool indented) {
+void draw_row(const Ui& ui, const Row& row, const Item& at, bool indented) {
     const Palette& p = ui.palette;
     fill_box(ui, at.rect, p.line.with_alpha(std::max(0.6f * at.warmth, at.focused ? 0.6f : 0.0f)), 4);
     float x = at.rect.x + ui.px(10);
@@ -185,7 +185,7 @@ void draw_row(const Ui& ui, const StageMenuRow& row, const Item& at, bool indent
 }
 
 // True when it was pressed.
-bool show(Ui& ui, const StageMenuRow& row, bool indented) {
+bool show(Ui& ui, const Row& row, bool indented) {
     const float width = ui.px(menu_width - 2 * pad);
     if (row.rule_above) {
         const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -205,11 +205,11 @@ bool show(Ui& ui, const StageMenuRow& row, bool indented) {
     return at.pressed;
 }
 
-void obey(const LabView& view, PanelState& state, Ui& ui, const StageMenuRow& row) {
-    StageState& stage = state.stage;
+void obey(const LabView& view, PanelState& state, Ui& ui, const Row& row) {
+    SceneInputState& scene_input = state.scene_input;
     if (row.leads_to) {
-        stage.menu.page = *row.leads_to;
-        stage.menu.rows.clear();
+        scene_input.menu.page = *row.leads_to;
+        scene_input.menu.rows.clear();
         if (ui.keyboard) ui.keyboard->focus.clear();
         return;
     }
@@ -218,22 +218,22 @@ void obey(const LabView& view, PanelState& state, Ui& ui, const StageMenuRow& ro
         ui.outbox.push_back(std::move(request));
     }
     if (row.takes) {
-        stage.tool = *row.takes;
-        stage.corners = {stage.menu.place};
+        scene_input.tool = *row.takes;
+        scene_input.corners = {scene_input.menu.place};
     }
-    stage.menu.open = false;
+    scene_input.menu.open = false;
     if (ui.keyboard) ui.keyboard->focus.clear();
 }
 
 }  // namespace
 
-void stage_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
-    StageMenu& menu = state.stage.menu;
+void scene_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
+    SceneInputMenu& menu = state.scene_input.menu;
     if (view.mode == Mode::wiring) menu.open = false;
     if (!menu.open) return;
     const bool just_opened = !std::exchange(menu.placed, true);
-    if (just_opened) ImGui::OpenPopup("stage menu");
-    const std::vector<StageMenuRow> rows = Rows(view, menu, ui).of_page();
+    if (just_opened) ImGui::OpenPopup("scene menu");
+    const std::vector<Row> rows = Rows(view, menu, ui).of_page();
     const float w = ui.px(menu_width), most = window.h - ui.px(16), h = std::min(height_of(ui, rows), most);
     const auto within = [](float at, float low, float size, float room) {
         return std::clamp(at, low, std::max(low, low + room - size));
@@ -244,12 +244,11 @@ void stage_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     ImGui::SetNextWindowSize({w, h});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(pad), ui.px(pad)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    if (ImGui::BeginPopup("stage menu", ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav)) {
+    if (ImGui::BeginPopup("scene menu", ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav)) {
         begin_stops(ui.keyboard);
         menu.rows.clear();
-        const bool signs =
-            std::any_of(rows.begin(), rows.end(), [](const StageMenuRow& r) { return r.role || r.channel; });
-        for (const StageMenuRow& row : rows) {
+        const bool signs = std::any_of(rows.begin(), rows.end(), [](const Row& r) { return r.role || r.channel; });
+        for (const Row& row : rows) {
             if (!row.heading) menu.rows.push_back(row.anchor);
             if (show(ui, row, signs)) obey(view, state, ui, row);
         }

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render/view/pick.h"
-#include "ui/stage/room.h"
+#include "ui/scene_input/room.h"
 
 namespace braitenlab::tests::stage_room_test {
 namespace {

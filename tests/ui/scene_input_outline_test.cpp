@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/stage/outline.h"
+#include "ui/scene_input/outline.h"
 
 namespace braitenlab::tests::stage_outline_test {
 namespace {
