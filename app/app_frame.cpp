@@ -12,7 +12,7 @@
 #include "app/lettering.h"
 #include "app/platform/platform.h"
 #include "render/view/between.h"
-#include "ui/prompts.h"
+#include "ui/panels/prompts.h"
 
 namespace braitenlab {
 
@@ -77,7 +77,7 @@ void App::follow_shaders() {
 void App::frame(float passed) {
     follow_preferences();
     follow_shaders();
-    const KeysOfAFrame keys = window_.take_keys(panels_.keyboard.text);
+    const ui::KeysOfAFrame keys = window_.take_keys(panels_.keyboard.text);
     window_.begin_frame(keys);
     LabView view = view_of(lab_);
     view.catalogue = &catalogue_;

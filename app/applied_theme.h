@@ -4,7 +4,7 @@
 #include <string>
 
 #include "render/view/palette.h"
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab {
 

@@ -12,7 +12,6 @@
 #include "app/playback.h"
 #include "render/view/view_settings.h"
 #include "ui/lab_view.h"
-#include "ui/preferences.h"
 #include "ui/request.h"
 
 namespace braitenlab {

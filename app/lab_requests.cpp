@@ -47,7 +47,7 @@ void change_type_size(Lab& lab, float by) {
 // Applies an edit and selects what it has added.
 void edit(Lab& lab, const Command& command, std::uint64_t gesture = 0) {
     if (!apply(lab, command, gesture)) return;
-    if (const SceneObject added = added_by(lab.document.session.snapshot(), command)) select(lab, added);
+    if (const SceneObject added = ui::added_by(lab.document.session.snapshot(), command)) select(lab, added);
 }
 
 void edit_if(Lab& lab, const std::optional<Command>& command) {
@@ -193,10 +193,10 @@ void act(Lab& lab, Action action) {
             lab.exit = true;
             break;
         case Action::erase:
-            edit_if(lab, removal_of(lab.document.session.snapshot(), chosen(lab)));
+            edit_if(lab, ui::removal_of(lab.document.session.snapshot(), chosen(lab)));
             break;
         case Action::duplicate:
-            edit_if(lab, copy_of(lab.document.session.snapshot(), chosen(lab)));
+            edit_if(lab, ui::copy_of(lab.document.session.snapshot(), chosen(lab)));
             break;
         case Action::save:
             lab.files.push_back(SaveRequest{lab.document.path.string(), FileKind::scene});

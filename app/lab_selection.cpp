@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/lab_requests.h"
-#include "ui/steering.h"
+#include "ui/request.h"
 
 namespace braitenlab {
 

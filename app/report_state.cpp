@@ -130,13 +130,13 @@ Json obstacles_json(const Snapshot& now, const Sight& sight) {
     return all;
 }
 
-void add_scene_input(Json& state, const Lab& lab, const SceneInputState& scene_input, const FrameFacts& frame) {
+void add_scene_input(Json& state, const Lab& lab, const ui::SceneInputState& scene_input, const FrameFacts& frame) {
     const Sight& sight = frame.sight;
     const Snapshot& now = lab.document.session.snapshot();
-    state["object"] = {{"kind", thing_word(lab.view.selection.object.kind)}, {"index", lab.view.selection.object.index}};
-    state["hovered"] = {{"kind", thing_word(stage.hovered.object.kind)},
-                        {"index", stage.hovered.object.index},
-                        {"handle", stage.hovered.handle}};
+    state["object"] = {{"kind", object_word(lab.view.selection.object.kind)}, {"index", lab.view.selection.object.index}};
+    state["hovered"] = {{"kind", object_word(scene_input.hovered.object.kind)},
+                        {"index", scene_input.hovered.object.index},
+                        {"handle", scene_input.hovered.handle}};
     state["cursor"] = frame.hand ? "hand" : "arrow";
     state["tool"] = tool_word(scene_input.tool);
     state["corners"] = scene_input.corners.size();
@@ -190,7 +190,7 @@ std::string anchors_json(const Anchors& anchors) {
     return all.dump(1) + "\n";
 }
 
-std::string state_json(const Lab& lab, const SceneInputState& stage, const FrameFacts& frame) {
+std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, const FrameFacts& frame) {
     const Snapshot& now = lab.document.session.snapshot();
     Json state{{"mode", mode_word(lab.playback.mode)},
                {"tick", now.tick},

@@ -44,7 +44,7 @@ int key_of(int glfw_key, int scancode) {
 
 struct Window::Native {
     GLFWwindow* window = nullptr;
-    KeyQueue keys;
+    ui::KeyQueue keys;
     std::vector<std::string> dropped;
     int windowed[4] = {0, 0, 0, 0};  // position and size before full screen
     bool imgui = false;
@@ -234,19 +234,19 @@ void Window::poll(double patience) {
         glfwPollEvents();
 }
 
-KeysOfAFrame Window::take_keys(TextInput text) { return native_->keys.take(text); }
+ui::KeysOfAFrame Window::take_keys(ui::TextInput text) { return native_->keys.take(text); }
 std::vector<std::string> Window::take_dropped_files() { return std::exchange(native_->dropped, {}); }
 
 bool Window::holds(int glfw_key) const { return glfwGetKey(native_->window, glfw_key) == GLFW_PRESS; }
 
-void Window::begin_frame(const KeysOfAFrame& keys) {
+void Window::begin_frame(const ui::KeysOfAFrame& keys) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     const auto either = [this](int left, int right) { return holds(left) || holds(right); };
-    hand_over(keys,
-              {either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL), either(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
-               either(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)},
-              ImGui::GetIO());
+    ui::hand_over(keys,
+                  {either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+                   either(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT), either(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)},
+                  ImGui::GetIO());
     ImGui::NewFrame();
 }
 

@@ -50,14 +50,14 @@ public:
 
     // Collects events: keys in their order, dropped files. Waits up to `patience` seconds for the first event.
     void poll(double patience);
-    KeysOfAFrame take_keys(TextInput);
+    ui::KeysOfAFrame take_keys(ui::TextInput);
     std::vector<std::string> take_dropped_files();
 
     // True while the key is held.
     bool holds(int glfw_key) const;
 
     // Begins Dear ImGui's frame with these keys. Precondition: the font atlas is filled.
-    void begin_frame(const KeysOfAFrame&);
+    void begin_frame(const ui::KeysOfAFrame&);
     void end_frame();     // draws Dear ImGui's lists over the scene
     void show();          // swaps the buffers
     void upload_fonts();  // call after the font atlas has been filled again

@@ -6,7 +6,7 @@
 #include "app/platform/platform.h"
 #include "core/lesson/exercise.h"
 #include "core/scene/scene_file.h"
-#include "ui/panels/translated.h"
+#include "ui/strings.h"
 
 namespace braitenlab {
 

@@ -1,4 +1,4 @@
-// Files as the window's browser shows them; app/files.h looks at the disk.
+// Files as the file browser shows them; app/files.h reads the disk.
 #pragma once
 
 #include <optional>
@@ -13,36 +13,36 @@ struct FileEntry {
     std::string name;  // without its folder
     bool is_folder = false;
     FileKind kind = FileKind::scene;  // of a file
-    bool comments = false;            // it holds some, which writing it anew would lose
-    bool broken = false;              // the lab cannot read it; opening it says why
+    bool comments = false;            // has comments, which saving would lose
+    bool broken = false;              // cannot be read; opening it shows the error
 };
 
 struct FolderListing {
     std::string folder;              // absolute
-    std::vector<FileEntry> entries;  // folders first, each by name; files that could be the lab's
-    std::string problem;             // why it could not be listed; empty when it could
+    std::vector<FileEntry> entries;  // folders first, each by name; only files of the kinds above
+    std::string problem;             // why it could not be listed; empty: no error
 };
 
-// What a lab has left that crashed or was told to end, offered at the next start.
+// Unsaved work of the last session, offered at the next start after a crash or a signal.
 struct RecoveryOffer {
-    std::string name;    // of what was open
-    std::string when;    // it was kept, as "2026-03-01 10:42:05"
-    bool ended = false;  // it was told to end, and did so properly
+    std::string name;    // of the open file
+    std::string when;    // time of the autosave, "2026-03-01 10:42:05"
+    bool ended = false;  // ended by a signal, not by a crash
 };
 
-// Edits that are in no file yet are about to be left: the person is asked first.
+// A question about unsaved edits, before another file is opened or the program ends.
 struct Leaving {
-    std::string name;    // of what they were made to
-    std::string next{};  // the file to be opened instead; empty: the lab is to be left
+    std::string name;    // of the edited file
+    std::string next{};  // the file to open next; empty: the program ends
 };
 
-// What the panels see of files.
+// State of file operations, for the panels.
 struct FilesView {
     FolderListing listing;
-    std::string suggested;  // a name, without ending, for what is saved for the first time
-    std::string save_to;    // where Ctrl+S writes the scene without asking; empty: it has to ask
-    int done = 0;           // files opened and saved since the start: a sheet that asked for one may close
-    std::string refused;    // why the last one was neither; empty when it was
+    std::string suggested;  // name without extension for a first save
+    std::string save_to;    // file that Ctrl+S writes; empty: a name is needed
+    int done = 0;           // number of files opened and saved since the start; a waiting sheet closes when it grows
+    std::string refused;    // error of the last request; empty: none
     std::optional<Leaving> leaving;
 };
 

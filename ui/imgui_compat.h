@@ -56,10 +56,10 @@ inline void polyline(ImDrawList& draw, const ImVec2* points, int count, ImU32 co
 #endif
 }
 
-// Whether Dear ImGui keeps keys and characters in their order by itself.
+// True when Dear ImGui has its own event queue.
 inline constexpr bool keeps_a_key_queue = IMGUI_VERSION_NUM >= 18700;
 
-// Of all keys `down` alone is down in the frame that begins next, −1: none. Numbered as io.KeyMap has them.
+// Sets the only key that is down in the next frame, −1: none. Numbers as in io.KeyMap.
 inline void set_keys(ImGuiIO& io, int down, bool ctrl, bool shift, bool alt) {
 #if IMGUI_VERSION_NUM >= 18700
     (void)io, (void)down, (void)ctrl, (void)shift, (void)alt;
@@ -70,7 +70,7 @@ inline void set_keys(ImGuiIO& io, int down, bool ctrl, bool shift, bool alt) {
 #endif
 }
 
-// How long the pointer has been over the widget that it is over.
+// Time the pointer has been over the hovered widget, seconds.
 inline float hovered_seconds() { return GImGui->HoveredIdTimer; }
 
 // Glyphs by FreeType, hinted lightly, instead of stb_truetype: crisper at text sizes.
@@ -83,7 +83,7 @@ inline void use_freetype(ImFontAtlas& atlas) {
 #endif
 }
 
-// A character as a font has drawn it: rows of `pitch` bytes, and how it lies about the pen on the baseline, y down.
+// A rasterised character: rows of `pitch` bytes; `left` and `top` from the pen on the baseline, y down.
 struct GlyphPicture {
     unsigned character = 0;
     int width = 0, height = 0;
@@ -92,8 +92,7 @@ struct GlyphPicture {
     float advance = 0;
 };
 
-// Visits every character that is in the font's atlas. From 1.92 on characters are drawn when they are first shown, so
-// there are none to visit.
+// Visits every character of the font's atlas. From 1.92 on characters are rasterised on first use, so there are none.
 template <class Visit>
 void each_glyph(ImFont& font, Visit visit) {
 #if IMGUI_VERSION_NUM >= 19200

@@ -2,25 +2,25 @@
 
 #include "ui/imgui_compat.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-constexpr int longest_wait = 12;  // frames for a text field to take the cursor; then keys mean what they always mean
+constexpr int longest_wait = 12;  // frames to wait for a text field to become active
 
-// Says nothing to a text field by itself: its character follows it, or the key that it modifies.
+// Not a key stroke for a text field: its character follows, or it is a modifier.
 bool is_no_stroke(KeyPress press) {
     const bool printed = press.key < key::escape && !press.ctrl;
     return printed || (press.key >= key::first_modifier && press.key <= key::last_modifier);
 }
 
-// Text may be typed after it: the key opens a sheet, a number, or moves the focus to a field.
+// Text may follow: the key opens a sheet or a number, or moves the focus to a text field.
 bool may_lead_to_text(KeyPress press) {
     return press.ctrl || press.key == key::enter || press.key == key::tab || press.key == key::up ||
            press.key == key::down;
 }
 
-// While it is held. Play and pause and the like must not flicker.
+// Keys that repeat while held; others, such as play and pause, act once per press.
 bool may_repeat(KeyPress press) {
     return (press.key >= key::right && press.key <= key::up) || press.key == key::tab || press.key == '.' ||
            press.key == ',';
@@ -61,11 +61,11 @@ KeysOfAFrame KeyQueue::take_text() {
         } else if (event.repeats && !may_repeat_in_text(event.press)) {
             next();
         } else {
-            // It waits for the characters before it; and a key that is down has to come up before it goes down again.
+            // The characters before it come first, and the same key must go up before it goes down again.
             if (!frame.characters.empty() || event.press.key == last_stroke_.key) break;
             frame.stroke = next().press;
             frame.presses.push_back(*frame.stroke);
-            // A held key that repeats faster than frames come must not go on after it was let go.
+            // Drop repeats that come faster than frames: the key must not go on after its release.
             while (!events_.empty() && events_.front().repeats && events_.front().press == *frame.stroke) next();
             break;
         }
@@ -80,7 +80,7 @@ KeysOfAFrame KeyQueue::take_shortcuts() {
         const Event& event = events_.front();
         if (led && (event.character != 0 || event.press != *led)) break;
         const auto [press, repeats, character] = next();
-        if (character != 0 || (repeats && !may_repeat(press))) continue;  // characters: nobody reads them
+        if (character != 0 || (repeats && !may_repeat(press))) continue;
         frame.presses.push_back(press);
         if (may_lead_to_text(press)) led = press;
     }
@@ -95,4 +95,4 @@ void hand_over(const KeysOfAFrame& frame, Modifiers held, ImGuiIO& io) {
     for (const unsigned character : frame.characters) io.AddInputCharacter(character);
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,6 +1,5 @@
-// What the keyboard did, in its order, until the window has time for it. Dear ImGui 1.86 keeps no such queue: of keys
-// pressed and released within a frame it sees none, and characters overtake keys there. A frame therefore gives it
-// either characters or a single key.
+// Queue of keyboard events between GLFW's callbacks and frames. Dear ImGui 1.86 has none: it misses a key that goes
+// down and up within a frame, and gets characters before keys. So each frame gets either characters or one key stroke.
 #pragma once
 
 #include <deque>
@@ -12,49 +11,45 @@
 
 struct ImGuiIO;
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
-namespace key {
-inline constexpr int first_modifier = 340, last_modifier = 347;  // Shift, Ctrl, Alt …
-}
-
-// What one frame hears of the keyboard.
+// The keyboard events of one frame.
 struct KeysOfAFrame {
     std::vector<KeyPress> presses;     // for press_key(), in order
-    std::vector<unsigned> characters;  // for the text field that has the cursor: Unicode code points
-    std::optional<KeyPress> stroke;    // for the same, instead of characters: down in this frame, up in the next
+    std::vector<unsigned> characters;  // Unicode code points for the active text field
+    std::optional<KeyPress> stroke;    // for the same, in place of characters: down in this frame, up in the next
 };
 
 class KeyQueue {
 public:
-    // A key went down, or repeats while it is held; then the character that it types, if it types one.
+    // A key went down or repeats; then the character it types, if any.
     void press(KeyPress, bool repeats = false);
     void type(unsigned character);
 
-    // As much as a frame can hear without anything overtaking. While text is typed: a run of characters, or one key.
-    // Else: everything, but nothing beyond a key after which text may be typed. Call once a frame.
+    // The events for one frame, in order. While text is typed: a run of characters, or one key. Otherwise all events up
+    // to a key that may open a text field. Call once a frame.
     KeysOfAFrame take(TextInput);
 
 private:
     struct Event {
         KeyPress press;
         bool repeats = false;
-        unsigned character = 0;  // not 0: this was typed, and `press` says nothing
+        unsigned character = 0;  // not 0: a typed character; `press` is unused
     };
     Event next();
     KeysOfAFrame take_text();
     KeysOfAFrame take_shortcuts();
 
     std::deque<Event> events_;
-    KeyPress last_stroke_;  // handed over a frame ago; {} for none
+    KeyPress last_stroke_;  // of the last frame; {} for none
     int awaited_ = 0;       // frames
 };
 
-// Tells Dear ImGui, before its frame begins, what this frame hears. `held` are the modifiers that are down now: those
-// that a mouse goes with. Does nothing from 1.87 on, which keeps a queue of its own.
+// Passes the frame's events to Dear ImGui; call before its frame begins. `held`: modifiers that are down, for mouse
+// clicks. Does nothing from Dear ImGui 1.87 on, which has its own queue.
 struct Modifiers {
     bool ctrl = false, shift = false, alt = false;
 };
 void hand_over(const KeysOfAFrame&, Modifiers held, ImGuiIO&);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,4 +1,4 @@
-// What the panels may see of the lab: the moment, the mode and what is selected. They change nothing; see ui/request.h.
+// Read-only view of the lab for the panels: snapshot, mode, selection. Changes go through ui/request.h.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,14 @@
 #include "render/view/palette.h"
 #include "render/view/view_settings.h"
 #include "ui/files.h"
-#include "ui/notice.h"
-#include "ui/preferences.h"
+#include "ui/request.h"
 #include "ui/strings.h"
 
 namespace braitenlab {
 
-enum class Mode { playing, paused, wiring };  // wiring is a paused mode with a display of its own
+enum class Mode { playing, paused, wiring };  // wiring: paused, with the wiring canvas in place of the scene
 
-// The exercise that is open and how far the student has got.
+// The open exercise and its progress.
 struct LessonView {
     const Exercise* exercise = nullptr;  // never null
     std::vector<Verdict> verdicts;       // one per step of the exercise
@@ -30,46 +29,79 @@ struct LessonView {
     int hints_shown = 0;                 // of exercise->hints
     bool hint_ready = true;              // the next hint may be opened now
     std::optional<Grade> grade;          // of the starts, once every step has been done in a run
-    bool by_hand = false;                // something was moved: this run does not count
+    bool by_hand = false;                // the user moved an object: this run does not count
 };
 
-// A shipped scene or exercise, as the menu of what can be opened lists it.
+// A shipped scene or exercise, for the file browser.
 struct CatalogueEntry {
-    std::string name, path;  // "2a-coward", and where its file is
+    std::string name, path;  // "2a-coward", and its file
     std::string title, story;
     int number = 0;  // of an exercise; 0: a scene
 };
 
-// The part of the run that can be gone to, in ticks. The moment shown is somewhere in it.
+// The recorded part of the run, in ticks. The tick shown is in it.
 struct TimelineView {
     std::uint64_t earliest = 0, latest = 0;
-    std::vector<std::uint64_t> bookmarks;  // in the order of setting them; some may lie outside
+    std::vector<std::uint64_t> bookmarks;  // in the order of creation; some may be outside
 };
+
+// A message in the hint bar. Each kind has its own sign and colour.
+enum class NoticeKind { done, notice, failure };
+
+struct Notice {
+    NoticeKind kind = NoticeKind::notice;
+    std::string key{};    // string key; empty: show `words` as they are
+    std::string words{};  // value of the first {}
+    std::string more{};   // value of the second {}
+
+    bool empty() const { return key.empty() && words.empty(); }
+    friend bool operator==(const Notice&, const Notice&) = default;
+};
+
+inline std::string text_of(const Notice& notice, const Strings& strings) {
+    return notice.key.empty() ? notice.words : fill(strings(notice.key), {notice.words, notice.more});
+}
 
 struct LabView {
     const Snapshot* now = nullptr;  // never null
-    const Scene* file = nullptr;    // the scene as its file has it, before all edits; null: unknown
+    const Scene* file = nullptr;    // the scene as in its file, before all edits; null: unknown
     Mode mode = Mode::paused;
     TimelineView timeline;
     float time_scale = 1;       // simulated seconds per second, 1/8 … 16
-    std::optional<float> pace;  // the same, as it is reached, where that is clearly less
+    std::optional<float> pace;  // the speed reached, when clearly less than time_scale
     ViewSettings settings;
-    const Sight* sight = nullptr;  // where the scene is seen from; null: it cannot be pointed at
+    const Sight* sight = nullptr;  // the camera of the scene; null: no mouse input to the scene
     int undo_depth = 0, redo_depth = 0;
     const LessonView* lesson = nullptr;                      // null outside exercises
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
-    const std::vector<std::string>* recent = nullptr;        // paths opened before, the newest first; null: none
-    const FilesView* files = nullptr;                        // null: no disk to look at
-    std::string opened;                                      // the name of what is open, as in the catalogue
-    std::uint64_t run_id = 0;  // another number for every document opened since the program started
-    Notice notice;             // empty when there is nothing to say
+    const std::vector<std::string>* recent = nullptr;        // recently opened paths, newest first; null: none
+    const FilesView* files = nullptr;                        // null: no file access
+    std::string opened;                                      // name of the open file, as in the catalogue
+    std::uint64_t run_id = 0;  // changes with every document opened since the program started
+    Notice notice;                                           // empty: none
     Theme theme = Theme::dark;
-    Preferences preferences;                           // as chosen; theme and reduce_motion are as shown now
+    Preferences preferences;  // as stored; theme and reduce_motion above and below are those in effect
     const std::vector<Language>* languages = nullptr;  // null: no choice
     bool reduce_motion = false;
     bool lecture = false;                     // large type, a clean screen
-    const RecoveryOffer* recovery = nullptr;  // null: nothing was left behind
-    double wall_seconds = 0;                  // for easing and pulsing alone
+    const RecoveryOffer* recovery = nullptr;  // null: nothing to recover
+    double wall_seconds = 0;                  // for easing and pulsing
 };
+
+// The vehicle's kind, with all edits. Precondition: the vehicle is in the snapshot.
+inline const Kind& kind_of(const Snapshot& now, const VehicleView& vehicle) {
+    return now.scene->kinds[static_cast<std::size_t>(vehicle.kind)];
+}
+
+// The kind as the file has it, before all edits; null when the file is unknown.
+inline const Kind* filed_kind(const LabView& view, const VehicleView& vehicle) {
+    const auto kind = static_cast<std::size_t>(vehicle.kind);
+    return view.file && kind < view.file->kinds.size() ? &view.file->kinds[kind] : nullptr;
+}
+
+// What an edit of this vehicle's brain or sensors applies to: its whole kind or this vehicle alone.
+inline Target target_of(const LabView& view, const VehicleView& vehicle) {
+    return view.settings.selection.whole_kind ? Target{no_vehicle, vehicle.kind} : Target{vehicle.id, -1};
+}
 
 }  // namespace braitenlab

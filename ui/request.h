@@ -1,6 +1,7 @@
-// What panels, shortcuts and the mouse ask of the lab. The app carries requests out in order, once a frame.
+// Requests of panels, shortcuts and the mouse. The app executes them in order, once a frame.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,20 +9,21 @@
 #include <vector>
 
 #include "core/world/command.h"
+#include "render/view/view_settings.h"
+#include "render/view/palette.h"
 #include "render/view/pick.h"
 #include "render/view/view_settings.h"
 #include "ui/files.h"
-#include "ui/preferences.h"
 
 namespace braitenlab {
 
-// Requests without a value: what buttons and shortcuts do.
+// Requests without a value: buttons and shortcuts. shortcuts.cpp has the name of each.
 enum class Action {
     play_pause,
     step,
     step_back,
-    rewind,  // by a stretch, and forward again as far as the run is recorded
-    fast_forward,
+    rewind,        // by some seconds
+    fast_forward,  // up to the end of the recording
     set_bookmark,
     last_bookmark,
     reset,
@@ -34,24 +36,24 @@ enum class Action {
     outlines,
     trails,
     surfaces,
-    memory,  // the places that vehicles remember
+    memory,  // positions that vehicles remember
     labels,
-    next_field,  // of those that can be shown as contours, and none
-    view,        // the menu of all these
+    next_field,  // cycles through the fields that can be shown as contours, and none
+    view,        // opens the menu of overlays
     wiring,
     undo,
     redo,
     slower,
     faster,
-    drive,   // by hand, or no longer
-    lesion,  // of what is under the pointer: covers, cuts, stops or heals it
+    drive,   // starts or ends driving by the user
+    lesion,  // silences, cuts, stops or heals the part under the pointer
     next_vehicle,
     previous_vehicle,
     home,
     birds_eye,
     drivers_eye,
     cancel,
-    erase,      // the lamp or obstacle that is selected, else the vehicle; in the canvas what is selected there
+    erase,      // the selected lamp or obstacle, else the vehicle; in the canvas its selection
     duplicate,  // the lamp, obstacle or vehicle
     screenshot,
     full_screen,
@@ -68,7 +70,7 @@ enum class Action {
     save_as,
     lecture,
 
-    // Of widgets, canvas and scene input, never of the lab.
+    // Handled by widgets, canvas and scene input; the app never gets them.
     slider_LL,
     slider_LR,
     slider_RL,
@@ -79,13 +81,13 @@ enum class Action {
     press,
     less,
     more,
-    restore,  // what the file says
+    restore,  // the value of the file
     turn_left,
     turn_right,
     raise,
     lower,
     fit,
-    nudge,  // what is selected in the scene
+    nudge,  // the selected object
     close_outline,
     take_back,
     scene_menu,
@@ -103,6 +105,17 @@ enum class Action {
 };
 inline constexpr Action last_action = Action::step_down;
 
+// User settings that hold for every scene.
+struct Preferences {
+    Theme theme = Theme::dark;
+    std::string language = "en";  // code of the strings file
+    float type_size = 1;          // factor on the display's scale; least_type_size .. largest_type_size
+    bool reduce_motion = false;   // no easing, no pulsing
+    friend bool operator==(const Preferences&, const Preferences&) = default;
+};
+
+inline constexpr float least_type_size = 1, largest_type_size = 2;
+
 struct EditRequest {
     Command command;
     std::uint64_t gesture = 0;  // the same for all edits of one drag: one step of undo
@@ -110,7 +123,7 @@ struct EditRequest {
 struct SelectRequest {
     VehicleId vehicle = no_vehicle;
 };
-// A lamp or an obstacle is selected beside the vehicle, which keeps its brain in sight; SceneObject{}: none of them.
+// Selects a lamp or an obstacle in addition to the vehicle; SceneObject{}: none.
 struct TakeRequest {
     SceneObject object;
 };
@@ -120,7 +133,7 @@ struct ScopeRequest {
 struct PredictRequest {
     int option = 0;  // 0-based
 };
-struct ExportRequest {  // numbers for a spreadsheet, to a new file where pictures go
+struct ExportRequest {  // writes a new CSV file to the folder of pictures
     std::string name, text;
 };
 struct SpeedRequest {
@@ -128,30 +141,30 @@ struct SpeedRequest {
 };
 struct SeekRequest {
     std::uint64_t tick = 0;
-    bool held = false;  // the playhead is still in a hand: time waits, and a rough answer will do
+    bool held = false;  // true while the playhead is dragged: the simulation stays paused
 };
-struct BookmarkRequest {  // one of TimelineView::bookmarks
-    int index = 0;
-    bool remove = false;  // else go there
+struct BookmarkRequest {
+    int index = 0;        // in TimelineView::bookmarks
+    bool remove = false;  // else go to it
 };
 struct OpenRequest {
-    std::string path;      // of a scene, an exercise or a brain; as typed, so perhaps a folder or relative to one
-    bool dropped = false;  // onto the window: nothing that lists folders is in sight
+    std::string path;      // a scene, exercise, brain, run or folder; as typed, so it may be relative
+    bool dropped = false;  // onto the window; the file browser may be closed
 };
 struct BrowseRequest {
-    std::string path{};  // of the folder to list; empty: the one where a file was opened or saved last
+    std::string path{};  // the folder to list; empty: the folder of the last opened or saved file
 };
 struct SaveRequest {
     std::string path;  // as typed; its ending may be missing
     FileKind kind = FileKind::scene;
-    std::optional<std::string> title{};  // of the scene, if another than it has
+    std::optional<std::string> title{};  // new title of the scene
 };
-enum class Leave { save, discard, stay, saved };  // saved: under a name of its own, in between
+enum class Leave { save, discard, stay, saved };  // saved: already saved under a new name
 struct LeaveRequest {                             // the answer to FilesView::leaving
     Leave answer = Leave::stay;
 };
 struct RecoverRequest {
-    bool take = true;  // what was left behind; or throw it away
+    bool take = true;  // recover the unsaved work; false: discard it
 };
 struct PreferencesRequest {
     Preferences preferences;
@@ -160,13 +173,20 @@ struct OverlaysRequest {
     Overlays overlays;
 };
 
-// Gestures are numbered by the part of the window that sees them, each from its own base upwards, so that the drags of
-// two parts never become one step of undo.
+// Base numbers of gestures, one per part of the window, so that drags in two parts are separate steps of undo.
 namespace gestures {
 inline constexpr std::uint64_t panels = std::uint64_t{1} << 32;
 inline constexpr std::uint64_t canvas = std::uint64_t{1} << 40;
 inline constexpr std::uint64_t viewport = std::uint64_t{1} << 48;
 }  // namespace gestures
+
+// Wheel commands for a stick or four arrow keys; `right` and `ahead` are −1..1. Full ahead with full right still drives
+// forwards, in a curve.
+inline Steer steer(VehicleId vehicle, float right, float ahead) {
+    constexpr float turning = 0.5f;  // of full wheel speed, at full right or left
+    return {vehicle, std::clamp(ahead + turning * right, -1.0f, 1.0f),
+            std::clamp(ahead - turning * right, -1.0f, 1.0f)};
+}
 
 using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, ScopeRequest, PredictRequest,
                              ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest,

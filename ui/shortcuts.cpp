@@ -8,7 +8,7 @@ namespace braitenlab {
 
 namespace {
 
-constexpr Shortcut table[]{
+constexpr Shortcut shortcut_table[]{
     {{' '}, Action::play_pause},
     {{'.'}, Action::step},
     {{','}, Action::step_back},
@@ -37,7 +37,7 @@ constexpr Shortcut table[]{
     {{'L'}, Action::lesion},
     {{'-'}, Action::slower},
     {{'='}, Action::faster},
-    {{'+'}, Action::faster},  // where the layout has it without Shift
+    {{'+'}, Action::faster},  // layouts with + as an unshifted key
     {{'+', false, true}, Action::faster},
     {{'=', false, true}, Action::faster},
     {{key::tab}, Action::next_vehicle},
@@ -120,7 +120,8 @@ struct NamedAction {
     std::string_view name;
 };
 
-constexpr NamedAction names[]{
+// In the order of Action.
+constexpr NamedAction action_names[]{
     {Action::play_pause, "play_pause"},
     {Action::step, "step"},
     {Action::step_back, "step_back"},
@@ -148,9 +149,7 @@ constexpr NamedAction names[]{
     {Action::slower, "slower"},
     {Action::faster, "faster"},
     {Action::drive, "drive"},
-    {Action::charts, "charts"},
     {Action::lesion, "lesion"},
-    {Action::restore, "restore"},
     {Action::next_vehicle, "next_vehicle"},
     {Action::previous_vehicle, "previous_vehicle"},
     {Action::home, "home"},
@@ -165,9 +164,10 @@ constexpr NamedAction names[]{
     {Action::larger, "larger"},
     {Action::smaller, "smaller"},
     {Action::settings, "settings"},
+    {Action::charts, "charts"},
+    {Action::keys, "keys"},
     {Action::hint, "hint"},
     {Action::exercise_reset, "exercise_reset"},
-    {Action::keys, "keys"},
     {Action::open, "open"},
     {Action::save, "save"},
     {Action::save_as, "save_as"},
@@ -182,6 +182,7 @@ constexpr NamedAction names[]{
     {Action::press, "press"},
     {Action::less, "less"},
     {Action::more, "more"},
+    {Action::restore, "restore"},
     {Action::turn_left, "turn_left"},
     {Action::turn_right, "turn_right"},
     {Action::raise, "raise"},
@@ -204,6 +205,17 @@ constexpr NamedAction names[]{
     {Action::step_down, "step_down"},
 };
 
+constexpr bool names_each_action() {
+    if (std::size(action_names) != static_cast<std::size_t>(last_action) + 1) return false;
+    for (std::size_t i = 0; i < std::size(action_names); ++i)
+        if (action_names[i].action != static_cast<Action>(i)) return false;
+    return true;
+}
+static_assert(names_each_action());
+
+constexpr std::string_view place_names[]{"everywhere", "view", "widget", "canvas", "scene"};
+static_assert(std::size(place_names) == static_cast<std::size_t>(last_place) + 1);
+
 struct NamedKey {
     int key;
     std::string_view words;  // in the string files
@@ -215,7 +227,7 @@ constexpr NamedKey named_keys[]{
     {key::home, "key.home"}, {key::menu, "key.menu"},           {'-', "key.minus"},
 };
 
-std::string bare_name(int pressed, const Strings& strings) {
+std::string bare_key_name(int pressed, const Strings& strings) {
     for (const NamedKey& named : named_keys)
         if (named.key == pressed) return std::string(strings(named.words));
     switch (pressed) {
@@ -236,22 +248,20 @@ std::string bare_name(int pressed, const Strings& strings) {
 
 }  // namespace
 
-std::span<const Shortcut> shortcuts() { return table; }
+std::span<const Shortcut> shortcuts() { return shortcut_table; }
 
 std::optional<Action> action_for(KeyPress press, KeyPlace place) {
-    for (const Shortcut& shortcut : table)
+    for (const Shortcut& shortcut : shortcut_table)
         if (shortcut.press == press && shortcut.place == place) return shortcut.action;
     return std::nullopt;
 }
 
-std::string_view name(Action action) {
-    for (const NamedAction& named : names)
-        if (named.action == action) return named.name;
-    return {};
-}
+std::string_view name(KeyPlace place) { return place_names[static_cast<std::size_t>(place)]; }
+
+std::string_view name(Action action) { return action_names[static_cast<std::size_t>(action)].name; }
 
 std::optional<Action> action_named(std::string_view wanted) {
-    for (const NamedAction& named : names)
+    for (const NamedAction& named : action_names)
         if (named.name == wanted) return named.action;
     return std::nullopt;
 }
@@ -260,11 +270,11 @@ std::string key_name(KeyPress press, const Strings& strings) {
     std::string text;
     if (press.ctrl) text += std::string(strings("key.ctrl")) + "+";
     if (press.shift) text += std::string(strings("key.shift")) + "+";
-    return text + bare_name(press.key, strings);
+    return text + bare_key_name(press.key, strings);
 }
 
 std::string key_name(Action action, const Strings& strings) {
-    for (const Shortcut& shortcut : table)
+    for (const Shortcut& shortcut : shortcut_table)
         if (shortcut.action == action) return key_name(shortcut.press, strings);
     return {};
 }

@@ -56,6 +56,12 @@ std::string_view Strings::find(std::string_view key, std::string_view otherwise)
     return found == words_.end() ? otherwise : std::string_view(found->second);
 }
 
+void add_translations(Strings& strings, const std::vector<TranslatableText>& texts, const Strings& by_id) {
+    for (const TranslatableText& text : texts)
+        if (const std::string_view translation = by_id.find(text.id, {}); !translation.empty())
+            strings.add(text.text, std::string(translation));
+}
+
 std::vector<Language> languages(const std::filesystem::path& folder) {
     std::vector<Language> found;
     std::error_code none;
@@ -78,10 +84,10 @@ Result<Strings> load_language(const std::filesystem::path& folder, std::string_v
     }
     const auto file = folder / (std::string(code) + ".toml");
     std::error_code none;
-    // A name with folders in it is no language; a file that is there and broken says so itself, by line.
+    // A code with a folder in it is not a language. A broken file is loaded, for its error with a line number.
     const bool plain = file.parent_path() == folder && !code.empty();
     if (!there && !(plain && std::filesystem::exists(file, none)))
-        return Error{"the lab does not speak '" + std::string(code) + "'; it speaks " + known};
+        return Error{"language '" + std::string(code) + "' is not available; choose one of " + known};
     auto strings = Strings::load(file);
     if (!strings || code == "en") return strings;
     auto english = Strings::load(folder / "en.toml");

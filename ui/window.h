@@ -1,4 +1,4 @@
-// The whole window, once a frame: toolbar, cards, hint bar and, in Mode::wiring, the wiring canvas.
+// The whole window, once a frame: toolbar, cards, hint bar, sheets and, in Mode::wiring, the wiring canvas.
 #pragma once
 
 #include "ui/lab_view.h"
@@ -6,15 +6,15 @@
 #include "ui/widgets/ui.h"
 #include "ui/window_layout.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
-// Call between ImGui::NewFrame() and ImGui::Render(). Records anchors and fills ui.outbox; changes nothing else but the
-// panels' own state. Sets ui.keyboard and ui.still.
+// Call between ImGui::NewFrame() and ImGui::Render(). Records anchors, fills ui.outbox, changes the PanelState, and
+// sets ui.keyboard and ui.still.
 void draw_window(const LabView&, PanelState&, Ui&, const WindowLayout&);
 
-// What a key does, in the window's order: text being typed, the focused widget, the wiring canvas, then the shortcuts.
-// Call for every press and repeat (GLFW's, in order), never for releases. False when the key means nothing here: arrows
-// are then the camera's. Dear ImGui's own keyboard navigation must be off (no ImGuiConfigFlags_NavEnableKeyboard).
+// Executes a key. Order: text being typed, the open sheet or menu, the focused widget, the wiring canvas, shortcuts.
+// Call for every press and repeat in GLFW's order, not for releases. False when the key has no meaning here: arrow keys
+// then move the camera. Precondition: Dear ImGui's keyboard navigation is off (no ImGuiConfigFlags_NavEnableKeyboard).
 bool press_key(const LabView&, PanelState&, KeyPress, Outbox&);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -2,28 +2,28 @@
 
 #include <algorithm>
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-// WindowLayout pixels.
+// Layout pixels.
 constexpr float toolbar_height = 48, hint_height = 32, timeline_height = 44, above_timeline = 8;
 constexpr float lecture_bar_height = 56, figures_height = 92, lecture_inset_aspect = 1.6f;
-constexpr float narrow_window = 1200;  // below it, cards and margins are slimmer
+constexpr float narrow_window = 1200;  // a narrower window has narrower cards and margins
 constexpr float inset_height = 232;
 constexpr float charts_height = 248, tools_row = 44;
 
-struct Columns {
+struct ColumnWidths {
     float margin, left, right;
 };
 
-Columns columns(float layout_width) {
+ColumnWidths column_widths(float layout_width) {
     if (layout_width < narrow_window) return {12, 264, 316};
     return {16, 304, 336};
 }
 
-// Takes the strip for the timeline from the foot of the middle column.
-Rect below(Rect& middle, float scale) {
+// Takes the strip for the timeline from the bottom of the middle column.
+Rect take_timeline(Rect& middle, float scale) {
     const float strip = timeline_height * scale;
     middle.h = std::max(0.0f, middle.h - strip - above_timeline * scale);
     return {middle.x, middle.y + middle.h + above_timeline * scale, middle.w, strip};
@@ -38,7 +38,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     l.toolbar = {0, 0, width, toolbar_height * scale};
     l.hint_bar = {0, height - hint_height * scale, width, hint_height * scale};
 
-    const Columns c = columns(width / scale);
+    const ColumnWidths c = column_widths(width / scale);
     if (view.lecture) {
         l.toolbar.h = lecture_bar_height * scale;
         l.hint_bar = {0, height - figures_height * scale, width, figures_height * scale};
@@ -46,7 +46,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     const float margin = c.margin * scale;
     const float top = l.toolbar.h + margin, bottom = l.hint_bar.y - margin;
     const float column = std::max(0.0f, bottom - top);
-    // Never more than three eighths of the window each, so that a quarter stays free.
+    // At most three eighths of the window each, so that a quarter stays free.
     const float left = std::min(c.left * scale, width * 0.375f - 2 * margin);
     const float right = std::min(c.right * scale, width * 0.375f - margin);
     l.left = {margin, top, left, column};
@@ -60,27 +60,25 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         l.tools = l.scene;
         l.scene.y += tools_row * scale, l.scene.h -= tools_row * scale;
     }
-    // Nothing but the scene: folded cards lie over it.
+    // Folded cards lie over the scene.
     if (view.lecture) l.scene = {margin, top, width - 2 * margin, column};
 
     if (view.mode == Mode::wiring) {
-        // The canvas needs room more than words do: a card without an exercise goes, and so does a card in a narrow
-        // window.
+        // The left column is left out in a narrow window and without an exercise.
         if (!view.lesson || width / scale < narrow_window) l.left = {};
         const float from = l.left.w > 0 ? l.scene.x : margin;
         const float inset = std::min(inset_height * scale, column * 0.36f);
-        // Large letters need a large diagram: in a lecture it has the timeline's room, and what the inset can spare; an
-        // opened card lies over it.
+        // In a lecture the canvas also gets the timeline's room and a narrower inset; an open card lies over it.
         const float inset_width = view.lecture ? std::min(l.right.w, inset * lecture_inset_aspect) : l.right.w;
         l.scene = {width - margin - inset_width, bottom - inset, inset_width, inset};
         l.canvas = {from, top, l.scene.x - margin - from, column};
-        if (!view.lecture) l.timeline = below(l.canvas, scale);
+        if (!view.lecture) l.timeline = take_timeline(l.canvas, scale);
         l.right.h = column - inset - margin;
     } else if (!view.lecture) {
-        l.timeline = below(l.scene, scale);
+        l.timeline = take_timeline(l.scene, scale);
     }
     if (l.tools.w <= 0) l.tools = l.scene;
     return l;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

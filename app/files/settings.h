@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/result.h"
-#include "ui/preferences.h"
+#include "ui/request.h"
 
 namespace braitenlab {
 

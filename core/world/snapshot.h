@@ -81,6 +81,11 @@ struct Snapshot {
 // The vehicle with this id, or null.
 const VehicleView* find_vehicle(const Snapshot&, VehicleId);
 
+// The vehicle's brain. Precondition: the vehicle is in the snapshot.
+inline const std::shared_ptr<const BrainGraph>& brain_of(const Snapshot& now, const VehicleView& vehicle) {
+    return now.brains[static_cast<std::size_t>(vehicle.brain)];
+}
+
 // The value the snapshot holds for a node of a vehicle's brain: a sensor's reading, a neuron's or motor's state. 0 for
 // a node that is silenced or that the brain does not have.
 float node_value(const Snapshot&, const VehicleView&, NodeId);

@@ -11,9 +11,9 @@
 #include "render/gl/renderer.h"
 #include "tests/bench/own_memory.h"
 #include "tests/render/stage.h"
-#include "ui/prompts.h"
+#include "ui/panels/prompts.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 #include "ui/window.h"
 
 namespace braitenlab {

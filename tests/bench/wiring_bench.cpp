@@ -4,7 +4,7 @@
 
 #include "tests/ui/large_brain.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 #include "ui/wiring/canvas.h"
 
 namespace braitenlab {

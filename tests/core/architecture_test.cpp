@@ -31,7 +31,12 @@ const std::map<std::string, std::vector<std::string>> may_include{
     {"render/view", {"core"}},
     {"render/text", {"core", "render/view"}},
     {"render/gl", {"core", "render/view", "render/text"}},
-    {"ui", {"core", "render/view", "ui"}},
+    {"ui/shared", {"core", "render/view"}},
+    {"ui/widgets", {"core", "render/view", "ui/shared"}},
+    {"ui/wiring", {"core", "render/view", "ui/shared", "ui/widgets"}},
+    {"ui/scene_input", {"core", "render/view", "ui/shared", "ui/widgets"}},
+    {"ui/panels", {"core", "render/view", "ui/shared", "ui/widgets", "ui/wiring", "ui/scene_input"}},
+    {"ui", {"core", "render/view", "ui"}},  // the window
     {"app/jobs", {"core"}},
     {"app", {"core", "render", "ui"}},
 };
@@ -61,7 +66,13 @@ const std::map<std::string, std::vector<std::string>> internal_headers{
     {"core/session/undo.h", {"core/session/"}},
 };
 
+// Files right inside ui/ that every layer of ui may include; they form the layer "ui/shared".
+const std::vector<std::string> shared_in_ui{"files",     "imgui_compat", "lab_view", "request",
+                                            "shortcuts", "strings"};
+
 std::string folder_of(const std::string& file) {
+    for (const std::string& name : shared_in_ui)
+        if (file == "ui/" + name + ".h" || file == "ui/" + name + ".cpp") return "ui/shared";
     std::string best;
     for (const auto& [folder, allowed] : may_include)
         if (file.starts_with(folder + "/") && folder.size() > best.size()) best = folder;
@@ -75,10 +86,12 @@ bool any_prefix_of(const std::string& file, const std::vector<std::string>& pref
 }
 
 bool may_include_file(const std::string& folder, const std::string& target) {
-    if (folder_of(target).empty() || target.starts_with(folder + "/")) return true;
+    const std::string layer = folder_of(target);
+    if (layer.empty() || layer == folder || target.starts_with(folder + "/")) return true;
     for (const std::string& below : may_include.at(folder)) {
-        const bool inside_core = folder.starts_with("core") && below == "core";
-        if (inside_core ? folder_of(target) == "core" : target.starts_with(below + "/")) return true;
+        // "core" among core's folders means the files directly in core/; elsewhere it means all of core.
+        const bool exact = (folder.starts_with("core") && below == "core") || below.starts_with("ui/");
+        if (exact ? layer == below : target.starts_with(below + "/")) return true;
     }
     return false;
 }
@@ -132,6 +145,12 @@ TEST(Architecture, FindsAnIncludeThatRunsUpwards) {
     EXPECT_EQ(count_violations("core/brain/brain.cpp", "\"core/brain/graph.h\""), 0u);
     EXPECT_EQ(count_violations("core/brain/brain.cpp", "\"core/result.h\""), 0u);
     EXPECT_EQ(count_violations("core/brain/brain.cpp", "<vector>"), 0u);
+    EXPECT_EQ(count_violations("ui/panels/view_menu.cpp", "\"ui/window_layout.h\""), 1u);
+    EXPECT_EQ(count_violations("ui/panels/view_menu.cpp", "\"ui/widgets/ui.h\""), 0u);
+    EXPECT_EQ(count_violations("ui/widgets/item.cpp", "\"ui/panels/panels.h\""), 1u);
+    EXPECT_EQ(count_violations("ui/widgets/item.cpp", "\"ui/strings.h\""), 0u);
+    EXPECT_EQ(count_violations("ui/wiring/canvas.cpp", "\"ui/scene_input/edits.h\""), 1u);
+    EXPECT_EQ(count_violations("ui/request.h", "\"ui/widgets/ui.h\""), 1u);
 }
 
 TEST(Architecture, FindsAnInternalHeaderIncludedFromOutside) {

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "desk.h"
-#include "ui/panels/energy_order.h"
+#include "ui/panels/chart_data.h"
 
 namespace braitenlab::tests::charts_test {
 

@@ -12,9 +12,9 @@
 
 #include "core/brain/four_neurons.h"
 #include "ui/panels/panels.h"
-#include "ui/prompts.h"
+#include "ui/panels/prompts.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 #include "ui/window.h"
 
 namespace braitenlab::tests {

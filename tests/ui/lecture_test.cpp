@@ -59,7 +59,7 @@ TEST(Lecture, GivesTheDiagramTheRoomOfTheCardBelowIt) {
 TEST(Lecture, BringsEveryCardBackAsItWas) {
     Desk desk;
     desk.open_exercise();
-    desk.panels.brain.folded = true;
+    desk.panels.card(Card::brain).folded = true;
     desk.frame(3);
     desk.panels.keyboard.focus = "exercise.hint";
     desk.frame(2);
@@ -72,8 +72,8 @@ TEST(Lecture, BringsEveryCardBackAsItWas) {
     EXPECT_TRUE(desk.anchors.find("slider.LR")) << "cards can be opened in a lecture";
     desk.view.lecture = false;
     desk.frame(4);
-    EXPECT_TRUE(desk.panels.brain.folded);
-    EXPECT_FALSE(desk.panels.exercise.folded);
+    EXPECT_TRUE(desk.panels.card(Card::brain).folded);
+    EXPECT_FALSE(desk.panels.card(Card::exercise).folded);
     EXPECT_EQ(desk.panels.keyboard.focus, "exercise.hint");
     EXPECT_EQ(desk.anchors.all().size(), before.size());
     for (const auto& [id, rect] : before) {

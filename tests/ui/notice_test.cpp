@@ -1,6 +1,5 @@
-#include "ui/notice.h"
-
 #include "desk.h"
+#include "ui/panels/panels.h"
 
 namespace braitenlab::tests::notice_test {
 

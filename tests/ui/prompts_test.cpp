@@ -1,4 +1,4 @@
-#include "ui/prompts.h"
+#include "ui/panels/prompts.h"
 
 #include "desk.h"
 

@@ -21,7 +21,7 @@ public:
         sensors.push_back({.name = "TC", .channel = Channel::touch});
         now.scene = filed = scene;
         view.file = filed.get();
-        panels.sensors.folded = false;
+        panels.card(Card::sensors).folded = false;
         frame(4);
     }
 
@@ -149,7 +149,7 @@ TEST(SensorCard, GivesNoAnswerAwayByTheNameOfALoneKind) {
     auto scene = std::make_shared<Scene>(*desk.now.scene);
     scene->kinds[0].name = "aggressor";
     desk.now.scene = scene;
-    desk.panels.sensors.folded = false;
+    desk.panels.card(Card::sensors).folded = false;
     desk.frame(4);
     ASSERT_TRUE(desk.anchors.find("sensor.angle"));
     for (const Written& w : desk.written) EXPECT_EQ(w.words.find("ggressor"), std::string::npos) << w.words;
@@ -157,7 +157,7 @@ TEST(SensorCard, GivesNoAnswerAwayByTheNameOfALoneKind) {
 
 TEST(SensorCard, SaysWhenThereIsNothingToSenseWith) {
     Desk desk;
-    desk.panels.sensors.folded = false;
+    desk.panels.card(Card::sensors).folded = false;
     desk.view.settings.selection.vehicle = no_vehicle;
     desk.frame(3);
     EXPECT_TRUE(desk.anchors.find("card.sensors"));

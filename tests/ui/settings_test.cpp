@@ -45,11 +45,11 @@ TEST_F(SettingsCard, ChangesOneThingAtAClick) {
 TEST_F(SettingsCard, ResetsEverythingButTheLanguageAndTakesThatBack) {
     const Preferences mine{Theme::light, "es", 1.5f, true};
     desk.view.preferences = mine;
-    desk.panels.brain.folded = true;
+    desk.panels.card(Card::brain).folded = true;
     desk.frame(2);
     click_and_obey("settings.reset");
     EXPECT_EQ(desk.view.preferences, (Preferences{.language = "es"}));
-    EXPECT_FALSE(desk.panels.brain.folded);
+    EXPECT_FALSE(desk.panels.card(Card::brain).folded);
     desk.frame(2);
     click_and_obey("settings.restore");
     EXPECT_EQ(desk.view.preferences, mine);

@@ -5,7 +5,7 @@
 #include "core/lesson/exercise.h"
 #include "core/scene/scene_file.h"
 #include "desk.h"
-#include "ui/panels/translated.h"
+#include "ui/strings.h"
 
 namespace braitenlab::tests::shipped_words_test {
 

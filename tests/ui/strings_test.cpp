@@ -63,6 +63,8 @@ std::set<std::string> composed() {
     std::set<std::string> keys;
     for (int i = 0; i <= static_cast<int>(last_action); ++i)
         keys.insert("action." + std::string(name(static_cast<Action>(i))));
+    for (int i = 0; i <= static_cast<int>(last_place); ++i)
+        keys.insert("keys.place." + std::string(name(static_cast<KeyPlace>(i))));
     for (int i = 0; i <= static_cast<int>(Character::mixed); ++i)
         for (const char* stem : {"character.", "character_story."})
             keys.insert(stem + std::string(name(static_cast<Character>(i))));

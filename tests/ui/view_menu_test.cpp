@@ -27,8 +27,8 @@ TEST_F(ViewMenu, SwitchesWhatTheSceneShowsAndStaysOpen) {
                                       {"view.surfaces", Action::surfaces},
                                       {"view.memory", Action::memory},
                                       {"view.labels", Action::labels},
-                                      {"view.sensors", Action::sensors},
-                                      {"view.outlines", Action::outlines}}) {
+                                      {"view.settings.sensors", Action::sensors},
+                                      {"view.settings.outlines", Action::outlines}}) {
         desk.all.clear();
         desk.click(row);
         EXPECT_EQ(desk.actions(), std::vector{action}) << row;
@@ -80,7 +80,7 @@ TEST(PresetsMenu, TakesTheClickThatClosesItForItself) {
 TEST_F(ViewMenu, CanBeUsedByKeysAlone) {
     desk.key({'E'});
     desk.frame(2);
-    EXPECT_EQ(desk.panels.keyboard.focus, "view.sensors");
+    EXPECT_EQ(desk.panels.keyboard.focus, "view.settings.sensors");
     desk.key({key::down});
     desk.frame(1);
     desk.key({key::down});

@@ -13,7 +13,7 @@ struct Size {
     float width, height, scale;
 };
 
-bool inside(Rect inner, Rect outer) {
+bool lies_inside(Rect inner, Rect outer) {
     return inner.x >= outer.x && inner.y >= outer.y && inner.x + inner.w <= outer.x + outer.w + 0.5f &&
            inner.y + inner.h <= outer.y + outer.h + 0.5f;
 }
@@ -82,7 +82,7 @@ TEST_P(EverySize, HoldsEveryWidgetOfAnExerciseInsideTheWindow) {
                            "time",
                            "speed"})
         EXPECT_TRUE(desk.anchors.find(id)) << id;
-    for (const auto& [id, rect] : desk.anchors.all()) EXPECT_TRUE(inside(rect, desk.layout.window)) << id;
+    for (const auto& [id, rect] : desk.anchors.all()) EXPECT_TRUE(lies_inside(rect, desk.layout.window)) << id;
 }
 
 TEST_P(EverySize, KeepsCardsBarsAndTheFreeMiddleApart) {
@@ -195,7 +195,7 @@ TEST(Window, ListsTheKeysOnF1AndClosesThemOnEscape) {
     desk.frame(2);
     desk.key({key::f1});
     desk.frame(2);
-    EXPECT_TRUE(inside(desk.where("card.keys"), desk.layout.window));
+    EXPECT_TRUE(lies_inside(desk.where("card.keys"), desk.layout.window));
     desk.key({key::escape});
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("card.keys"));
@@ -264,7 +264,7 @@ TEST(InformationCard, HoldsAsManyVehiclesAsThereAre) {
     Desk desk(1280, 1000);
     desk.now = snapshot(700);
     desk.frame(5);
-    EXPECT_TRUE(inside(desk.where("card.information"), desk.layout.window));
+    EXPECT_TRUE(lies_inside(desk.where("card.information"), desk.layout.window));
 }
 
 }  // namespace braitenlab::tests::window_test

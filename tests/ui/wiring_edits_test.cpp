@@ -35,7 +35,7 @@ TEST_F(WiringEdits, DropOnACardMeansItsPin) {
 }
 
 TEST_F(WiringEdits, EditsTheSelectedVehicleAloneWhenAskedTo) {
-    view.whole_kind = false;
+    view.settings.selection.whole_kind = false;
     drag(middle("pin.SL.out"), middle("pin.ML.in"));
     ASSERT_EQ(edits.size(), 1u);
     EXPECT_EQ(std::get<TurnDial>(edits[0].command).target.vehicle, 7);

@@ -114,7 +114,7 @@ std::vector<Screen> screens() {
          }},
         {"exercise, on the way",
          [](Desk& d) { with_lesson(d), d.lesson.has_run = true, d.lesson.prediction = 0, d.now.seconds = 90; }},
-        {"sensors", [](Desk& d) { d.panels.sensors.folded = false, d.panels.sensor_quality_open = true; }},
+        {"sensors", [](Desk& d) { d.panels.card(Card::sensors).folded = false, d.panels.sensor_quality_open = true; }},
         {"signals", [](Desk& d) { with_chart(d, Chart::signals); }},
         {"population", [](Desk& d) { with_chart(d, Chart::population); }},
         {"energy", [](Desk& d) { with_chart(d, Chart::energy); }},

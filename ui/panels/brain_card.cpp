@@ -1,51 +1,54 @@
-// The selected vehicle's brain: who it is, what its wiring does, the sliders, and this moment's numbers.
+// The card of the selected vehicle's brain: name, recognised character, sliders, motor sums and the brain picture.
+// When the user or a script drives the vehicle, a stick or a note takes the place of the sums.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include <imgui.h>
 
 #include "core/scene/names.h"
+#include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/selected.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-constexpr float low_column = 680;  // layout pixels: below it the picture is smaller
+constexpr float low_column = 680;  // layout pixels; the picture is smaller in a lower column
+constexpr float stick_size = 88;   // layout pixels
 
-// Swatch, name, and the recogniser's word as a chip.
-void title(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
+// Role sign, name, and the recognised character as a chip.
+void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = line_height(ui, Face::title), size = ui.px(16), width = card_width(ui);
     put_role(ui, {at.x + size / 2, at.y + height / 2}, size, vehicle.role);
-    const std::string name = kind_name(view, ui, vehicle) + " " + std::to_string(vehicle.id + 1);
-    // Where its brain has no say, the chip says who drives.
+    const std::string title = kind_name(view, ui, vehicle) + " " + std::to_string(vehicle.id + 1);
+    // When the brain does not drive the vehicle, the chip names the driver.
     const bool thinks = vehicle.driver == Driver::brain;
     const std::string_view character =
-        thinks ? braitenlab::name(recognised(state.recognised, *view.now, vehicle, view.wall_seconds))
-               : word(vehicle.driver);
+        thinks ? name(recognised(state.recognised, *view.now, vehicle, view.wall_seconds)) : word(vehicle.driver);
     const std::string_view label =
         ui.strings.find((thinks ? "character." : "driver.") + std::string(character), character);
-    const float left = at.x + size + ui.px(8), name_width = text_width(ui, Face::title, name);
+    const float left = at.x + size + ui.px(8), name_width = text_width(ui, Face::title, title);
     const float word_width = chip_width(ui, label),
                 word_left = std::min(left + name_width + ui.px(10), at.x + width - word_width);
     ImGui::PushClipRect(at, {word_left - ui.px(4), at.y + height}, true);
-    put(ui, {left, at.y}, name, ui.palette.text, Face::title);
+    put(ui, {left, at.y}, title, ui.palette.text, Face::title);
     ImGui::PopClipRect();
     chip(ui, {word_left, at.y + height / 2}, label);
     const Item row = item(ui, "brain.character", {width, height}, false);
     if (row.hovered) tooltip(ui, row, ui.strings((thinks ? "character_story." : "drive.") + std::string(character)));
 }
 
-void scope(const LabView& view, Ui& ui, const VehicleView& vehicle) {
+void scope_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const auto same = [&](const VehicleView& other) { return other.kind == vehicle.kind; };
     if (std::count_if(view.now->vehicles.begin(), view.now->vehicles.end(), same) < 2) return;
     const std::string kind = kind_of(*view.now, vehicle).name;
@@ -53,6 +56,84 @@ void scope(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const int chosen = segments(ui, "scope", words, view.settings.selection.whole_kind ? 1 : 0, card_width(ui),
                                 ui.strings("scope.how"));
     if (chosen >= 0) ui.outbox.push_back(ScopeRequest{chosen == 1});
+}
+
+struct Push {
+    float right = 0, ahead = 0;  // −1..1
+};
+
+// The position of the stick that gives these wheel commands.
+Push push_of(const VehicleView& vehicle) {
+    return {std::clamp(vehicle.motor[0] - vehicle.motor[1], -1.0f, 1.0f),
+            std::clamp((vehicle.motor[0] + vehicle.motor[1]) / 2, -1.0f, 1.0f)};
+}
+
+Push pushed_by_pointer(const Item& at) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const float reach = at.rect.w / 2;
+    return {std::clamp((mouse.x - at.middle_x()) / reach, -1.0f, 1.0f),
+            std::clamp((at.middle_y() - mouse.y) / reach, -1.0f, 1.0f)};
+}
+
+void draw_stick(const Ui& ui, const Item& at, Push push) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const Palette& p = ui.palette;
+    fill_box(ui, at.rect, p.ground.with_alpha(0.45f), 10);
+    line_box(ui, at.rect, p.line, 10);
+    const ImVec2 middle{at.middle_x(), at.middle_y()};
+    const float reach = at.rect.w / 2 - ui.px(16), edge = at.rect.w / 2 - ui.px(8), half = ui.px(4);
+    for (const ImVec2 to : {ImVec2{0, -1}, ImVec2{0, 1}, ImVec2{-1, 0}, ImVec2{1, 0}}) {
+        const ImVec2 tip{middle.x + to.x * edge, middle.y + to.y * edge}, across{to.y * half, to.x * half};
+        const ImVec2 foot{tip.x - to.x * half, tip.y - to.y * half};
+        draw.AddTriangleFilled(tip, {foot.x + across.x, foot.y + across.y}, {foot.x - across.x, foot.y - across.y},
+                               paint(p.second_text));
+    }
+    const ImVec2 knob{middle.x + push.right * reach, middle.y - push.ahead * reach};
+    draw.AddLine(middle, knob, paint(p.second_text), ui.px(3));
+    draw.AddCircleFilled(knob, ui.px(11), paint(mix(p.raised, p.accent, 0.25f + 0.5f * at.warmth)));
+    draw.AddCircle(knob, ui.px(11), paint(p.accent), 0, ui.px(1.5f));
+}
+
+// Steers while it is held; released, it stops the vehicle.
+void stick(PanelState& state, Ui& ui, const VehicleView& vehicle) {
+    const Item at = item(ui, "drive.stick", {ui.px(stick_size), ui.px(stick_size)});
+    Push push = push_of(vehicle);
+    if (at.held) {
+        push = pushed_by_pointer(at);
+        const Steer wanted = steer(vehicle.id, push.right, push.ahead);
+        if (wanted != state.steered) ui.outbox.push_back(EditRequest{wanted});
+        state.steered = wanted;
+    } else if (state.stick_held) {
+        state.steered = steer(vehicle.id, 0, 0);
+        ui.outbox.push_back(EditRequest{state.steered});
+    }
+    state.stick_held = at.held;
+    draw_stick(ui, at, push);
+    tooltip(ui, at, ui.strings("drive.stick"));
+}
+
+// Names the driver, with a button that gives control back to the brain.
+void driver_note(PanelState& state, Ui& ui, const VehicleView& vehicle, float width) {
+    ImGui::BeginGroup();
+    const std::string key = "drive." + std::string(word(vehicle.driver));
+    paragraph(ui, ui.strings(key), ui.palette.text, Face::small, width);
+    const SmallButton back{"drive.back", icon::wiring, ui.strings("drive.back")};
+    const Item at = small_button(ui, back);
+    tooltip(ui, at, ui.strings("tooltip.drive_back"));
+    if (at.pressed)
+        ui.outbox.push_back(
+            EditRequest{ChooseDriver{vehicle.id, Driver::brain}, gestures::panels + ++state.sliders.gesture});
+    ImGui::EndGroup();
+}
+
+void driver_panel(PanelState& state, Ui& ui, const VehicleView& vehicle) {
+    float width = card_width(ui);
+    if (vehicle.driver == Driver::manual) {
+        stick(state, ui, vehicle);
+        ImGui::SameLine(0, ui.px(12));
+        width -= ui.px(stick_size + 12);
+    }
+    driver_note(state, ui, vehicle, width);
 }
 
 }  // namespace
@@ -68,35 +149,36 @@ std::string kind_name(const LabView& view, const Ui& ui, const VehicleView& vehi
     return lone_kind ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind_of(*view.now, vehicle));
 }
 
-void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect room) {
+void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect column) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     const std::string keys = key_name(Action::drive, ui.strings);
     const bool by_hand = vehicle && vehicle->driver == Driver::manual;
     std::array buttons{
         HeadingButton{"button.presets", ui.strings("button.presets"), ui.strings("tooltip.presets")},
         HeadingButton{"button.drive", ui.strings("button.drive"), ui.strings("tooltip.drive"), keys, by_hand}};
-    const bool open = begin_card(ui, state.brain, "card.brain", ui.strings("brain.heading"), place,
-                                 vehicle ? std::span(buttons) : std::span<HeadingButton>{});
+    const bool open =
+        open_card(state, ui, Card::brain, place, vehicle ? std::span(buttons) : std::span<HeadingButton>{});
     if (open && !vehicle) paragraph(ui, ui.strings("brain.nobody"), ui.palette.second_text);
     if (open && vehicle) {
         if (buttons[1].pressed) {
             ui.outbox.push_back(Action::drive);
-            state.keyboard.focus.clear();  // the arrow keys are to steer, not to walk the card
+            state.keyboard.focus.clear();  // so that the arrow keys steer
         }
-        title(view, state, ui, *vehicle);
-        scope(view, ui, *vehicle);
+        title_row(view, state, ui, *vehicle);
+        scope_choice(view, ui, *vehicle);
         dial_sliders(view, state, ui, *vehicle);
         gap(ui, 8);
         if (vehicle->driver == Driver::brain)
             equations(view, ui, *vehicle);
         else
             driver_panel(state, ui, *vehicle);
-        // The wiring canvas shows the same, larger.
-        if (view.mode != Mode::wiring) brain_picture(view, state, ui, *vehicle, room.h < ui.px(low_column) ? 90 : 116);
+        // The wiring canvas shows the same in large.
+        if (view.mode != Mode::wiring)
+            brain_picture(view, state, ui, *vehicle, column.h < ui.px(low_column) ? 90 : 116);
         presets_menu(view, state, ui, *vehicle, buttons[0].pressed,
                      {place.x + place.w - ui.px(16), place.y + ui.px(36)});
     }
-    end_card(state.brain);
+    end_card(state.card(Card::brain));
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,5 +1,5 @@
-// The two-eyed brain seen from above, nose up, with this moment's signals on its wires. A click on an eye covers it, on
-// a wire cuts it, on a wheel stops its motor; another heals.
+// The picture of a brain with two sensors, seen from above, with the current signals on its wires. A click on a sensor,
+// wire or wheel silences, cuts or stops it; a second click heals it.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -10,7 +10,6 @@
 #include "core/brain/four_neurons.h"
 #include "ui/panels/brain_sketch.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/selected.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
@@ -18,19 +17,19 @@
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
 constexpr float reach_of_wire = 7;  // layout pixels
 
-struct Place {
+struct PictureLayout {
     ImVec2 eye[2], wheel[2];  // left, right
     Rect chassis;
 };
 
-Place place(const Ui& ui, ImVec2 at, float width, float picture_height) {
-    Place p;
+PictureLayout picture_layout(const Ui& ui, ImVec2 at, float width, float picture_height) {
+    PictureLayout p;
     const float middle = at.x + width / 2, half = ui.px(50);
     p.chassis = {middle - half, at.y + ui.px(12), 2 * half, ui.px(picture_height - 24)};
     for (int side = 0; side < 2; ++side) {
@@ -41,25 +40,25 @@ Place place(const Ui& ui, ImVec2 at, float width, float picture_height) {
     return p;
 }
 
-// An eye or a motor as a node of the brain; the one it lacks is null.
-struct End {
+// A sensor or motor; null where the brain has no such node.
+struct PictureEnd {
     const char* name;
     const char* anchor;
     const Node* node = nullptr;
-    bool hurt() const { return node && node->silenced; }
+    bool lesioned() const { return node && node->silenced; }
 };
 
-struct Connection {
+struct PictureWire {
     std::string_view letters, anchor;
     int eye = 0, motor = 0;  // 0 left, 1 right
     const Wire* wire = nullptr;
     sketch::WirePath path{};
-    bool is_there() const { return wire && (wire->weight != 0 || wire->cut); }
+    bool exists() const { return wire && (wire->weight != 0 || wire->cut); }
 };
 
-class Picture {
+class BrainPicture {
 public:
-    Picture(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, float layout_height)
+    BrainPicture(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, float layout_height)
         : view_(view),
           state_(state),
           ui_(ui),
@@ -67,15 +66,15 @@ public:
           brain_(*brain_of(*view.now, vehicle)),
           height_(layout_height),
           at_(ImGui::GetCursorScreenPos()),
-          place_(place(ui, at_, card_width(ui), layout_height)) {
-        for (End* end : {&eyes_[0], &eyes_[1], &motors_[0], &motors_[1]})
+          layout_(picture_layout(ui, at_, card_width(ui), layout_height)) {
+        for (PictureEnd* end : {&eyes_[0], &eyes_[1], &motors_[0], &motors_[1]})
             end->node = find_node(brain_, std::string(end->name));
-        for (Connection& c : wires_) {
+        for (PictureWire& c : wires_) {
             const Node *from = eyes_[c.eye].node, *to = motors_[c.motor].node;
             c.wire = from && to ? find_wire(brain_, from->id, to->id) : nullptr;
-            // Wires end above the wheels, the straight ones further out, so that their end signs stand side by side.
+            // Wires end above the wheels, the uncrossed one further out, so that the end signs are side by side.
             const float inward = c.motor == 0 ? 1.0f : -1.0f;
-            const ImVec2 wheel = place_.wheel[c.motor], eye = place_.eye[c.eye];
+            const ImVec2 wheel = layout_.wheel[c.motor], eye = layout_.eye[c.eye];
             c.path = sketch::path({eye.x, eye.y + ui.px(9)},
                                   {wheel.x + inward * ui.px(c.eye == c.motor ? 17 : 31), wheel.y - ui.px(2)});
         }
@@ -84,8 +83,8 @@ public:
     void draw() {
         const Rect all{at_.x, at_.y, card_width(ui_), ui_.px(height_)};
         fill_box(ui_, all, ui_.palette.ground.with_alpha(0.45f));
-        fill_box(ui_, place_.chassis, mix(ui_.palette.panel, ui_.palette.chassis, 0.22f), 12);
-        line_box(ui_, place_.chassis, colour_of(ui_.palette, vehicle_.role), 12, 1.5f);
+        fill_box(ui_, layout_.chassis, mix(ui_.palette.panel, ui_.palette.chassis, 0.22f), 12);
+        line_box(ui_, layout_.chassis, colour_of(ui_.palette, vehicle_.role), 12, 1.5f);
         ends();
         connections(all);
         strokes();
@@ -101,49 +100,49 @@ private:
         return node && !node->silenced ? node_value(*view_.now, vehicle_, node->id) : 0;
     }
 
-    // What the person wants of one eye, motor or wire: by click, by Enter, or by L over it.
-    bool wanted(const Item& at, bool over) {
+    // True when a lesion of this part is requested: by a click, Enter, or L over it.
+    bool lesion_requested(const Item& at, bool over) {
         if (over) state_.lesion_under_pointer = at_anchor_;
-        const bool by_key = state_.lesion_wanted == at_anchor_;
-        if (by_key) state_.lesion_wanted.clear();
+        const bool by_key = state_.lesion_requested == at_anchor_;
+        if (by_key) state_.lesion_requested.clear();
         return at.pressed || by_key;
     }
 
-    // Eyes and motors, as widgets over what strokes() draws.
+    // Sensors and motors, as widgets over what strokes() draws.
     void ends() {
         for (int side = 0; side < 2; ++side) {
-            end(eyes_[side], place_.eye[side], {ui_.px(24), ui_.px(24)},
-                eyes_[side].hurt() ? "lesion.eye_hurt" : "lesion.eye", warmth_eye_[side]);
-            end(motors_[side], place_.wheel[side], {ui_.px(20), ui_.px(46)},
-                motors_[side].hurt() ? "lesion.motor_hurt" : "lesion.motor", warmth_motor_[side]);
+            end(eyes_[side], layout_.eye[side], {ui_.px(24), ui_.px(24)},
+                eyes_[side].lesioned() ? "lesion.eye_hurt" : "lesion.eye", warmth_eye_[side]);
+            end(motors_[side], layout_.wheel[side], {ui_.px(20), ui_.px(46)},
+                motors_[side].lesioned() ? "lesion.motor_hurt" : "lesion.motor", warmth_motor_[side]);
         }
     }
 
-    void end(const End& which, ImVec2 middle, ImVec2 size, std::string_view words, float& warmth) {
+    void end(const PictureEnd& which, ImVec2 middle, ImVec2 size, std::string_view words, float& warmth) {
         if (!which.node) return;
         ImGui::SetCursorScreenPos({middle.x - size.x / 2, middle.y - size.y / 2});
         const Item at = item(ui_, which.anchor, size);
         warmth = at.warmth;
         at_anchor_ = which.anchor;
         if (at.hovered) tooltip(ui_, at, fill(ui_.strings(words), {which.name}), ui_.strings("lesion.key"));
-        if (!wanted(at, at.hovered)) return;
+        if (!lesion_requested(at, at.hovered)) return;
         BrainGraph edited = brain_;
-        find_node(edited, std::string(which.name))->silenced = !which.hurt();
+        find_node(edited, std::string(which.name))->silenced = !which.lesioned();
         set(std::move(edited));
     }
 
-    // Wires: the widget, for the keyboard and for tests, is the sign at the end; the mouse may take them anywhere.
+    // Wires. The widget is the sign at the end, for the keyboard and for tests; the mouse takes a wire anywhere.
     void connections(const Rect& all) {
         const ImVec2 mouse = ImGui::GetIO().MousePos;
         const bool free = state_.lesion_under_pointer.empty() && all.contains(mouse.x, mouse.y) &&
                           ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
         float nearest = ui_.px(reach_of_wire);
-        for (const Connection& c : wires_) {
-            if (!free || !c.is_there()) continue;
+        for (const PictureWire& c : wires_) {
+            if (!free || !c.exists()) continue;
             if (const float d = sketch::distance(c.path, mouse); d < nearest) nearest = d, warm_ = &c;
         }
-        for (const Connection& c : wires_) {
-            if (!c.is_there()) continue;
+        for (const PictureWire& c : wires_) {
+            if (!c.exists()) continue;
             const float size = ui_.px(16);
             ImGui::SetCursorScreenPos({c.path[3].x - size / 2, c.path[3].y - size / 2});
             Item at = item(ui_, c.anchor, {size, size});
@@ -153,13 +152,13 @@ private:
                 at.pressed |= ImGui::IsMouseClicked(0) && !at.held;
                 show_tooltip(at, c);
             } else if (at.pressed && !at.entered) {
-                at.pressed = false;  // another wire runs nearer to the pointer
+                at.pressed = false;  // another wire is nearer to the pointer
             }
-            if (wanted(at, warm_ == &c)) cut_or_heal(*c.wire);
+            if (lesion_requested(at, warm_ == &c)) cut_or_heal(*c.wire);
         }
     }
 
-    void show_tooltip(const Item& at, const Connection& c) {
+    void show_tooltip(const Item& at, const PictureWire& c) {
         tooltip(ui_, at, fill(ui_.strings(c.wire->cut ? "lesion.wire_hurt" : "lesion.wire"), {c.letters}),
                 ui_.strings("lesion.key"));
     }
@@ -171,7 +170,7 @@ private:
     }
 
     void strokes() {
-        for (const Connection& c : wires_) {
+        for (const PictureWire& c : wires_) {
             sketch::WireLook look;
             look.warm = warm_ == &c;
             if (c.wire) {
@@ -184,17 +183,17 @@ private:
         for (int side = 0; side < 2; ++side) {
             const auto s = static_cast<std::size_t>(side);
             const float out = side == 0 ? -1.0f : 1.0f;
-            sketch::eye(ui_, place_.eye[side], reading(side), eyes_[side].hurt(), warmth_eye_[side]);
-            sketch::wheel(ui_, place_.wheel[side], out, vehicle_.motor[s], vehicle_.wheel_angle[s],
-                          motors_[side].hurt(), warmth_motor_[side]);
-            sketch::number(ui_, {place_.eye[side].x + out * ui_.px(44), place_.eye[side].y + ui_.px(6)}, side == 0,
-                           eyes_[side].name, eyes_[side].hurt() ? "—" : fixed(reading(side), 2));
-            sketch::number(ui_, {place_.wheel[side].x + out * ui_.px(32), place_.wheel[side].y + ui_.px(4)}, side == 0,
-                           motors_[side].name, with_sign(vehicle_.motor[s], 2));
+            sketch::eye(ui_, layout_.eye[side], reading(side), eyes_[side].lesioned(), warmth_eye_[side]);
+            sketch::wheel(ui_, layout_.wheel[side], out, vehicle_.motor[s], vehicle_.wheel_angle[s],
+                          motors_[side].lesioned(), warmth_motor_[side]);
+            sketch::number(ui_, {layout_.eye[side].x + out * ui_.px(44), layout_.eye[side].y + ui_.px(6)}, side == 0,
+                           eyes_[side].name, eyes_[side].lesioned() ? "—" : fixed(reading(side), 2));
+            sketch::number(ui_, {layout_.wheel[side].x + out * ui_.px(32), layout_.wheel[side].y + ui_.px(4)},
+                           side == 0, motors_[side].name, with_sign(vehicle_.motor[s], 2));
         }
     }
 
-    // A line that counts what is hurt anywhere in the brain, and a button that heals it all.
+    // The number of lesions in the brain, and a button that heals them all.
     void heal() {
         const auto nodes =
             std::count_if(brain_.nodes.begin(), brain_.nodes.end(), [](const Node& n) { return n.silenced; });
@@ -225,12 +224,12 @@ private:
     const BrainGraph& brain_;
     float height_;  // layout pixels
     ImVec2 at_;
-    Place place_;
-    End eyes_[2]{{"SL", "lesion.SL"}, {"SR", "lesion.SR"}};
-    End motors_[2]{{"ML", "lesion.ML"}, {"MR", "lesion.MR"}};
-    std::array<Connection, 4> wires_{
+    PictureLayout layout_;
+    PictureEnd eyes_[2]{{"SL", "lesion.SL"}, {"SR", "lesion.SR"}};
+    PictureEnd motors_[2]{{"ML", "lesion.ML"}, {"MR", "lesion.MR"}};
+    std::array<PictureWire, 4> wires_{
         {{"LR", "lesion.LR", 1, 0}, {"RL", "lesion.RL", 0, 1}, {"LL", "lesion.LL", 0, 0}, {"RR", "lesion.RR", 1, 1}}};
-    const Connection* warm_ = nullptr;  // under the pointer
+    const PictureWire* warm_ = nullptr;  // under the pointer
     std::string_view at_anchor_;
     float warmth_eye_[2]{}, warmth_motor_[2]{};
 };
@@ -238,7 +237,7 @@ private:
 }  // namespace
 
 void brain_picture(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, float layout_height) {
-    Picture(view, state, ui, vehicle, layout_height).draw();
+    BrainPicture(view, state, ui, vehicle, layout_height).draw();
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "ui/imgui_compat.h"
-#include "ui/theme.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab::sketch {
+namespace braitenlab::ui::sketch {
 
 namespace {
 
-constexpr int pieces = 24;
+constexpr int wire_pieces = 24;
 
 ImVec2 bezier(const WirePath& p, float t) {
     const float u = 1 - t, a = u * u * u, b = 3 * u * u * t, c = 3 * u * t * t, d = t * t * t;
@@ -20,7 +20,7 @@ ImVec2 bezier(const WirePath& p, float t) {
 
 void stretch(const WirePath& p, float from, float to, ImU32 colour, float width) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const int count = std::max(1, static_cast<int>(std::lround((to - from) * pieces)));
+    const int count = std::max(1, static_cast<int>(std::lround((to - from) * wire_pieces)));
     draw.PathClear();
     for (int i = 0; i <= count; ++i)
         draw.PathLineTo(bezier(p, from + (to - from) * static_cast<float>(i) / static_cast<float>(count)));
@@ -28,12 +28,12 @@ void stretch(const WirePath& p, float from, float to, ImU32 colour, float width)
 }
 
 void dashes(const WirePath& p, ImU32 colour, float width) {
-    for (int i = 0; i < pieces; i += 2)
-        stretch(p, static_cast<float>(i) / pieces, static_cast<float>(i + 1) / pieces, colour, width);
+    for (int i = 0; i < wire_pieces; i += 2)
+        stretch(p, static_cast<float>(i) / wire_pieces, static_cast<float>(i + 1) / wire_pieces, colour, width);
 }
 
-// ✕, as a knife would leave it.
-void strokes(const Ui& ui, ImVec2 c, float reach, Colour colour) {
+// ✕: the sign of a lesion.
+void lesion_cross(const Ui& ui, ImVec2 c, float reach, Colour colour) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     for (const float s : {-1.0f, 1.0f}) {
         draw.AddLine({c.x - reach, c.y - s * reach}, {c.x + reach, c.y + s * reach}, paint(ui.palette.panel), ui.px(5));
@@ -60,8 +60,8 @@ WirePath path(ImVec2 from, ImVec2 to) {
 
 float distance(const WirePath& p, ImVec2 point) {
     float nearest = 1e9f;
-    for (int i = 0; i <= pieces; ++i) {
-        const ImVec2 on = bezier(p, static_cast<float>(i) / pieces);
+    for (int i = 0; i <= wire_pieces; ++i) {
+        const ImVec2 on = bezier(p, static_cast<float>(i) / wire_pieces);
         nearest = std::min(nearest, std::hypot(on.x - point.x, on.y - point.y));
     }
     return nearest;
@@ -77,21 +77,21 @@ void wire(const Ui& ui, const WirePath& p, const WireLook& look) {
         stretch(p, 0, 0.36f, paint(dead), width);
         stretch(p, 0.64f, 1, paint(dead.with_alpha(0.5f)), width);
         end_sign(ui, p[3], look.weight, width, dead);
-        return strokes(ui, bezier(p, 0.5f), ui.px(5), ui.palette.text);
+        return lesion_cross(ui, bezier(p, 0.5f), ui.px(5), ui.palette.text);
     }
     if (strength > 0.01f) stretch(p, 0, 1, paint(colour.with_alpha(0.28f * strength)), width + ui.px(7) * strength);
     stretch(p, 0, 1, paint(colour.with_alpha(0.40f + 0.60f * (look.warm ? 1 : strength))), width);
     end_sign(ui, p[3], look.weight, width, colour);
 }
 
-void eye(const Ui& ui, ImVec2 c, float reading, bool covered, float warmth) {
+void eye(const Ui& ui, ImVec2 c, float reading, bool silenced, float warmth) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const Palette& p = ui.palette;
     const float r = ui.px(9 + warmth);
-    if (covered) {
+    if (silenced) {
         draw.AddCircleFilled(c, r, paint(p.wheel));
         draw.AddCircle(c, r, paint(p.text), 0, ui.px(1.5f));
-        return strokes(ui, c, ui.px(6), p.text);
+        return lesion_cross(ui, c, ui.px(6), p.text);
     }
     if (reading > 0.01f) draw.AddCircleFilled(c, r + ui.px(6) * reading, paint(p.lamp.with_alpha(0.30f * reading)));
     draw.AddCircleFilled(c, r, paint(mix(p.wheel, p.lamp, std::sqrt(std::clamp(reading, 0.0f, 1.0f)))));
@@ -110,7 +110,7 @@ void wheel(const Ui& ui, ImVec2 c, float outward, float motor, float angle, bool
                      ui.px(1.5f));
     draw.PopClipRect();
     compat::outline(draw, low, high, paint(mix(ui.palette.second_text, ui.palette.text, warmth)), ui.px(4), ui.px(1));
-    if (stopped) return strokes(ui, c, ui.px(6), ui.palette.text);
+    if (stopped) return lesion_cross(ui, c, ui.px(6), ui.palette.text);
     const float reach = h * std::clamp(motor, -1.0f, 1.0f), x = c.x + outward * ui.px(18);
     if (std::fabs(reach) < 1) return;
     const ImU32 colour = paint(ui.palette.text);
@@ -132,4 +132,4 @@ void number(const Ui& ui, ImVec2 at, bool left, std::string_view letters, const 
     line(at.y, value, ui.palette.text);
 }
 
-}  // namespace braitenlab::sketch
+}  // namespace braitenlab::ui::sketch

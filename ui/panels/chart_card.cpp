@@ -1,4 +1,5 @@
-// The large pictures: signals of the selected vehicle, population and energy over time, and everybody's energy as bars.
+// The card of the large charts: signals of the selected vehicle, population and mean energy over time, and the energy
+// of each vehicle as bars.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,27 +8,27 @@
 
 #include <imgui.h>
 
-#include "ui/panels/csv.h"
-#include "ui/panels/energy_order.h"
+#include "ui/panels/cards.h"
+#include "ui/panels/chart_data.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/plot.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
 constexpr std::array<std::string_view, 4> signal_names{"SL", "SR", "ML", "MR"};
-constexpr std::array roles{Role::predator, Role::prey, Role::none};
-constexpr std::array thickness{3.6f, 2.0f, 1.2f};  // drawn in this order: where lines lie on each other, all are seen
+constexpr std::array chart_roles{Role::predator, Role::prey, Role::none};
+constexpr std::array line_widths{3.6f, 2.0f, 1.2f};  // drawn in this order: lines on top of each other stay visible
 
-// The time that a picture spans: at least `least` seconds, ending with the newest sample.
+// The time axis: at least `least` seconds long, up to the newest sample.
 Axis time_axis(double first, double last, float least) {
     const float low = static_cast<float>(first), high = std::max(static_cast<float>(last), low + least);
     return {low, high, " s", 0};
@@ -35,7 +36,7 @@ Axis time_axis(double first, double last, float least) {
 
 // The sample nearest to a moment.
 template <class Samples>
-const auto& nearest(const Samples& samples, float seconds) {
+const auto& nearest_sample(const Samples& samples, float seconds) {
     const auto later = std::lower_bound(samples.begin(), samples.end(), static_cast<double>(seconds),
                                         [](const auto& s, double at) { return s.seconds < at; });
     if (later == samples.end()) return samples.back();
@@ -45,7 +46,7 @@ const auto& nearest(const Samples& samples, float seconds) {
                                                                                                          : *later;
 }
 
-// What stands beside the pointer, a line a value in the value's colour.
+// Values beside the pointer, one line each.
 class ReadOut {
 public:
     void add(std::string words, Colour colour) {
@@ -66,22 +67,22 @@ private:
     std::size_t count_ = 0;
 };
 
-Rect rest_of(Ui& ui, Rect card) {
+Rect rest_of_card(Ui& ui, Rect card) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     return {at.x, at.y, card_width(ui), std::max(ui.px(40), card.y + card.h - ui.px(12) - at.y)};
 }
 
-void nothing_yet(Ui& ui, Rect r) {
+void no_samples(Ui& ui, Rect r) {
     put_centred(ui, {r.x + r.w / 2, r.y + r.h / 2 - line_height(ui, Face::small)}, ui.strings("charts.nothing"),
                 ui.palette.second_text, Face::small);
 }
 
-// Eyes above, motors below, each pair on an axis of its own; left is drawn broad, right slim, so that both are seen
-// where they lie on each other.
+// Left and right sensor, or left and right motor. The left line is wide and the right one narrow: both are visible
+// where they overlap.
 void signal_pair(const History& history, Ui& ui, Rect r, const Axis& time, std::size_t first) {
     const bool motors = first == 2;
     const Axis value{motors ? -1.0f : 0.0f, 1, "", 1};
-    // One above the other they share the time: the numbers of the eyes, which have no minus, stand in as far.
+    // The upper chart has no minus signs beside its axis: indent it, so that both time axes are aligned.
     if (!motors) {
         const float minus = text_width(ui, Face::small, fixed(-1, 1)) - text_width(ui, Face::small, fixed(1, 1));
         r.x += minus, r.w -= minus;
@@ -97,7 +98,7 @@ void signal_pair(const History& history, Ui& ui, Rect r, const Axis& time, std::
     put(ui, {inner.x + ui.px(26), inner.y + ui.px(2)}, signal_names[first + 1], right, Face::small);
     const auto at = plot_cursor(ui, inner, time);
     if (!at) return;
-    const History::Signals& s = nearest(history.signals, *at);
+    const History::Signals& s = nearest_sample(history.signals, *at);
     ReadOut words;
     words.add(fill(ui.strings("time.seconds"), {fixed(static_cast<float>(s.seconds), 2)}), ui.palette.second_text);
     for (const std::size_t i : {first, first + 1})
@@ -106,10 +107,10 @@ void signal_pair(const History& history, Ui& ui, Rect r, const Axis& time, std::
     words.show(ui, inner, ImGui::GetIO().MousePos.x);
 }
 
-void signals(const History& history, Ui& ui, Rect r) {
-    if (history.signals.size() < 2) return nothing_yet(ui, r);
+void signal_chart(const History& history, Ui& ui, Rect r) {
+    if (history.signals.size() < 2) return no_samples(ui, r);
     const Axis time = time_axis(history.signals.front().seconds, history.signals.back().seconds, 5);
-    // The upper picture shares the lower one's numbers along the time.
+    // The upper chart shares the numbers of the lower one's time axis.
     const float line = line_height(ui, Face::small), half = (r.h - line) / 2;
     Axis bare = time;
     bare.numbers = false;
@@ -122,23 +123,23 @@ std::string_view group_name(const Ui& ui, std::size_t group) {
     return ui.strings(keys[group]);
 }
 
-// Whose lines they are, above the picture; returns how high that is.
-float groups(const Ui& ui, ImVec2 at, const std::array<bool, 3>& there) {
+// The legend above the chart. Returns its height.
+float legend_row(const Ui& ui, ImVec2 at, const std::array<bool, 3>& there) {
     const float line = line_height(ui, Face::small), sign = ui.px(9);
     float x = at.x + ui.px(24);
     for (std::size_t g = 0; g < 3; ++g) {
         if (!there[g]) continue;
-        put_role(ui, {x + sign / 2, at.y + line / 2}, sign, roles[g]);
+        put_role(ui, {x + sign / 2, at.y + line / 2}, sign, chart_roles[g]);
         x += sign + ui.px(5);
         x += put(ui, {x, at.y}, group_name(ui, g), ui.palette.text, Face::small) + ui.px(14);
     }
     return line;
 }
 
-// One line a group that anybody belongs to: how many, or how full of energy on average.
-void over_time(const History& history, Ui& ui, Rect r, bool energy) {
+// One line per group that is not empty: its number, or its mean energy.
+void population_chart(const History& history, Ui& ui, Rect r, bool energy) {
     const auto& samples = history.population;
-    if (samples.size() < 2) return nothing_yet(ui, r);
+    if (samples.size() < 2) return no_samples(ui, r);
     const Axis time = time_axis(samples.front().seconds, samples.back().seconds, 10);
     int most = 4;
     std::array<bool, 3> there{};
@@ -148,21 +149,21 @@ void over_time(const History& history, Ui& ui, Rect r, bool energy) {
             there[g] |= p.count[g] > 0;
         }
     const Axis value{0, energy ? 1.0f : static_cast<float>(most) * 1.08f, "", energy ? 1 : 0};
-    const float legend = groups(ui, {r.x, r.y}, there);
+    const float legend = legend_row(ui, {r.x, r.y}, there);
     const Rect inner = plot_ground(ui, {r.x, r.y + legend, r.w, r.h - legend}, time, value);
     for (std::size_t g = 0; g < 3; ++g) {
         if (!there[g]) continue;
-        const Colour colour = colour_of(ui.palette, roles[g]);
+        const Colour colour = colour_of(ui.palette, chart_roles[g]);
         const auto shown = [&](std::size_t k) {
             return energy ? samples[k].energy[g] : static_cast<float>(samples[k].count[g]);
         };
-        plot_line(ui, inner, time, value, samples.size(), colour, thickness[g], [&](std::size_t k) {
+        plot_line(ui, inner, time, value, samples.size(), colour, line_widths[g], [&](std::size_t k) {
             return ImVec2{static_cast<float>(samples[k].seconds), shown(k)};
         });
     }
     const auto at = plot_cursor(ui, inner, time);
     if (!at) return;
-    const History::Population& p = nearest(samples, *at);
+    const History::Population& p = nearest_sample(samples, *at);
     ReadOut words;
     words.add(fill(ui.strings("time.seconds"), {fixed(static_cast<float>(p.seconds), 0)}), ui.palette.second_text);
     for (std::size_t g = 0; g < 3; ++g)
@@ -173,7 +174,7 @@ void over_time(const History& history, Ui& ui, Rect r, bool energy) {
     words.show(ui, inner, ImGui::GetIO().MousePos.x);
 }
 
-// The headers that sort: a click sorts by it, another the other way round.
+// Headers of the bars: a click sorts by one, a second click reverses the order.
 void sort_headers(PanelState& state, Ui& ui) {
     const std::array<std::string_view, 3> words{ui.strings("charts.by_number"), ui.strings("charts.by_energy"),
                                                 ui.strings("charts.by_kind")};
@@ -192,19 +193,19 @@ void sort_headers(PanelState& state, Ui& ui) {
     }
 }
 
-// One bar a vehicle, in the chosen order; those that find no room are counted.
-void bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
+// One bar per vehicle, in the chosen order. Vehicles without room are counted.
+void energy_bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
     const float headers = ImGui::GetCursorScreenPos().y;
     sort_headers(state, ui);
-    const Rect r = rest_of(ui, card);
+    const Rect r = rest_of_card(ui, card);
     sort(*view.now, state.energy_order, state.energy_rows);
     const auto& rows = state.energy_rows;
-    if (rows.empty()) return nothing_yet(ui, r);
+    if (rows.empty()) return no_samples(ui, r);
     const float room = r.w - ui.px(40);
     const auto count = static_cast<float>(rows.size());
     const float stride = std::clamp(room / count, ui.px(3), ui.px(28));
     const std::size_t shown = std::min(rows.size(), static_cast<std::size_t>(room / stride));
-    // No numbers along the bars: everybody has one of its own, which the read-out tells.
+    // No numbers along the bars: the read-out shows the number of the vehicle.
     const Axis place{0, static_cast<float>(shown), "", 0, false}, energy{0, 1, "", 1};
     const Rect inner = plot_ground(ui, r, place, energy);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -230,7 +231,7 @@ void bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
     }
     mark(ui, "charts.bars", {inner.x, inner.y, width * static_cast<float>(shown), inner.h});
     if (shown < rows.size())
-        put_right(ui, {inner.x + inner.w, headers + ui.px(4)},  // above the bars, which may fill their place
+        put_right(ui, {inner.x + inner.w, headers + ui.px(4)},  // above the bars, which may fill the chart
                   fill(ui.strings("info.more"), {std::to_string(rows.size() - shown)}), ui.palette.second_text,
                   Face::small);
 }
@@ -254,26 +255,27 @@ void save_csv(const LabView& view, const PanelState& state, Ui& ui) {
 
 void chart_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     std::array buttons{HeadingButton{"charts.csv", ui.strings("charts.csv"), ui.strings("tooltip.csv")}};
-    const bool open = begin_card(ui, state.charts, "card.charts", ui.strings("charts.heading"), place, buttons);
+    const bool open = open_card(state, ui, Card::charts, place, buttons);
     if (open) {
         if (buttons[0].pressed) save_csv(view, state, ui);
         const std::array words{ui.strings("charts.signals"), ui.strings("charts.population"),
                                ui.strings("charts.energy"), ui.strings("charts.bars")};
         const int chosen = segments(ui, "charts.tab", words, static_cast<int>(state.chart), card_width(ui));
         if (chosen >= 0) state.chart = static_cast<Chart>(chosen);
-        const Rect picture = rest_of(ui, place);
+        const Rect picture = rest_of_card(ui, place);
         if (state.chart == Chart::bars) {
-            bars(view, state, ui, place);
+            energy_bars(view, state, ui, place);
         } else {
             const Item area = item(ui, "charts.picture", {picture.w, picture.h}, false);
             if (state.chart == Chart::signals)
-                signals(state.history, ui, area.rect);
+                signal_chart(state.history, ui, area.rect);
             else
-                over_time(state.history, ui, area.rect, state.chart == Chart::energy);
+                population_chart(state.history, ui, area.rect, state.chart == Chart::energy);
         }
     }
-    end_card(state.charts);
-    if (state.charts.folded) state.charts.folded = state.charts_open = false;  // its fold closes it
+    CardState& card = state.card(Card::charts);
+    end_card(card);
+    if (card.folded) card.folded = state.charts_open = false;  // folding closes it
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,5 +1,5 @@
-// The sliders of the four neurons: weights with their thresholds, and the biases; above them what makes both sides
-// alike and what crosses the wires.
+// The sliders of the four-neuron brain: weights with their thresholds, and biases. Two buttons mirror and cross the
+// wires.
 #include <string>
 
 #include <imgui.h>
@@ -7,14 +7,13 @@
 #include "core/brain/four_neurons.h"
 #include "core/brain/symmetry.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/selected.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
@@ -23,18 +22,18 @@ struct DialSlider {
     std::string_view anchor, tooltip;
 };
 
-constexpr DialSlider weights[]{{Dial::LL, "slider.LL", "dial.LL"},
-                               {Dial::LR, "slider.LR", "dial.LR"},
-                               {Dial::RL, "slider.RL", "dial.RL"},
-                               {Dial::RR, "slider.RR", "dial.RR"}};
+constexpr DialSlider weight_sliders[]{{Dial::LL, "slider.LL", "dial.LL"},
+                                      {Dial::LR, "slider.LR", "dial.LR"},
+                                      {Dial::RL, "slider.RL", "dial.RL"},
+                                      {Dial::RR, "slider.RR", "dial.RR"}};
 constexpr std::string_view threshold_anchors[]{"threshold.LL", "threshold.LR", "threshold.RL", "threshold.RR"};
-constexpr DialSlider biases[]{{Dial::LM, "bias.LM", "dial.LM"}, {Dial::RM, "bias.RM", "dial.RM"}};
+constexpr DialSlider bias_sliders[]{{Dial::LM, "bias.LM", "dial.LM"}, {Dial::RM, "bias.RM", "dial.RM"}};
 
-constexpr float threshold_width = 104, space = 14;  // layout pixels
+constexpr float threshold_width = 104, between_sliders = 14;  // layout pixels
 
-class Dials {
+class DialSliders {
 public:
-    Dials(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle)
+    DialSliders(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle)
         : view_(view),
           state_(state),
           ui_(ui),
@@ -45,16 +44,17 @@ public:
     }
 
     void draw() {
-        const float width = card_width(ui_), gap = ui_.px(space), weight_width = width - ui_.px(threshold_width) - gap;
+        const float width = card_width(ui_), gap = ui_.px(between_sliders),
+                    weight_width = width - ui_.px(threshold_width) - gap;
         captions(weight_width);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0});
-        for (std::size_t i = 0; i < std::size(weights); ++i) {
-            turn(weights[i].dial, weights[i].anchor, weight_width, weight_look(weights[i]));
+        for (std::size_t i = 0; i < std::size(weight_sliders); ++i) {
+            turn(weight_sliders[i].dial, weight_sliders[i].anchor, weight_width, weight_look(weight_sliders[i]));
             ImGui::SameLine();
-            turn(threshold_of(weights[i].dial), threshold_anchors[i], ui_.px(threshold_width), threshold_look());
+            turn(threshold_of(weight_sliders[i].dial), threshold_anchors[i], ui_.px(threshold_width), threshold_look());
         }
         const float half = (width - gap) / 2;
-        for (const DialSlider& bias : biases) {
+        for (const DialSlider& bias : bias_sliders) {
             turn(bias.dial, bias.anchor, half, bias_look(bias));
             if (bias.dial == Dial::LM) ImGui::SameLine();
         }
@@ -62,14 +62,14 @@ public:
     }
 
 private:
-    // The words over the columns, and at the right end of the first what edits both sides at once.
+    // The headings of the columns; at the right end of the first the buttons that edit both sides.
     void captions(float weight_width) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float height = ui_.px(22), y = at.y + (height - line_height(ui_, Face::small)) / 2;
         const std::string_view weight = ui_.strings("brain.weight");
         put(ui_, {at.x, y}, weight, ui_.palette.second_text, Face::small);
-        put(ui_, {at.x + weight_width + ui_.px(space), y}, ui_.strings("brain.threshold"), ui_.palette.second_text,
-            Face::small);
+        put(ui_, {at.x + weight_width + ui_.px(between_sliders), y}, ui_.strings("brain.threshold"),
+            ui_.palette.second_text, Face::small);
         const SmallButton mirror{"button.mirror", icon::mirror, ui_.strings("button.mirror")};
         const SmallButton cross{"button.cross", icon::cross_over, ui_.strings("button.cross")};
         const float room = weight_width - text_width(ui_, Face::small, weight) - ui_.px(8);
@@ -80,7 +80,7 @@ private:
         if (small(mirror, mirror_x, at.y, words, "tooltip.mirror")) set(mirrored(brain_));
         if (small(cross, cross_x, at.y, words, "tooltip.cross")) set(crossed(brain_));
         ImGui::SetCursorScreenPos(at);
-        ImGui::Dummy({1, height - ui_.px(2)});  // clear of the ring round a first slider in focus
+        ImGui::Dummy({1, height - ui_.px(2)});  // room for the focus ring of the first slider
     }
 
     bool small(const SmallButton& which, float x, float y, bool words, std::string_view tip) {
@@ -128,13 +128,13 @@ private:
     Ui& ui_;
     Target target_;
     const BrainGraph& brain_;
-    FourNeurons values_, homes_;  // as they are, and as they came
+    FourNeurons values_, homes_;  // current values, and those of the file
 };
 
 }  // namespace
 
 void dial_sliders(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
-    Dials(view, state, ui, vehicle).draw();
+    DialSliders(view, state, ui, vehicle).draw();
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

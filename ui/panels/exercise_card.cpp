@@ -6,16 +6,16 @@
 
 #include <imgui.h>
 
+#include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/translated.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
@@ -23,7 +23,7 @@ std::string numbered(const char* stem, std::size_t index) { return stem + std::t
 
 bool has_passed(const LessonView& lesson) { return lesson.grade && lesson.grade->good; }
 
-bool all_done(const LessonView& lesson) {
+bool all_steps_ticked(const LessonView& lesson) {
     return !lesson.verdicts.empty() &&
            std::all_of(lesson.verdicts.begin(), lesson.verdicts.end(), [](const Verdict& v) { return v.done; });
 }
@@ -250,13 +250,14 @@ void tell_outcome(const LabView& view, PanelState& state, bool rewired) {
         state.outcome_told = state.grade_seen = false;
         state.hints_seen = 0;
     }
-    const bool shown = all_done(lesson) || view.now->seconds >= 0.5 * static_cast<double>(lesson.exercise->seconds);
+    const bool shown =
+        all_steps_ticked(lesson) || view.now->seconds >= 0.5 * static_cast<double>(lesson.exercise->seconds);
     state.outcome_told = lesson.has_run && (state.outcome_told || (shown && !rewired));
 }
 
 void steps(const LessonView& lesson, Ui& ui) {
     subheading(ui, ui.strings("exercise.steps"));
-    if (lesson.by_hand && !all_done(lesson))
+    if (lesson.by_hand && !all_steps_ticked(lesson))
         paragraph(ui, ui.strings("exercise.by_hand"), colour_of(NoticeKind::notice, ui.palette), Face::small);
     for (std::size_t i = 0; i < lesson.exercise->steps.size(); ++i) step(lesson, i, ui);
     gap(ui, 12);
@@ -277,10 +278,9 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const LessonView& lesson = *view.lesson;
     const bool rewired = is_rewired(view), passed = has_passed(lesson);
     tell_outcome(view, state, rewired);
-    state.exercise.footer = ui.px(button_height + 8);
-    place.h = std::min(place.h, wanted_height(ui, state.exercise));
+    state.card(Card::exercise).footer = ui.px(button_height + 8);
     const std::string heading = fill(ui.strings("exercise.heading"), {std::to_string(lesson.exercise->number)});
-    const bool open = begin_card(ui, state.exercise, "card.exercise", heading, place);
+    const bool open = open_card(state, ui, Card::exercise, place, {}, heading);
     if (open) {
         paragraph(ui, translated(ui, lesson.exercise->title), ui.palette.text, Face::title);
         result(lesson, ui);
@@ -291,10 +291,10 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         hints(lesson, state, ui);
         if (lesson.grade && !state.grade_seen) ImGui::SetScrollY(0);
         state.grade_seen = lesson.grade.has_value();
-        begin_footer(ui, state.exercise, place);
+        begin_footer(ui, state.card(Card::exercise), place);
         exercise_buttons(view, state, ui);
     }
-    end_card(state.exercise);
+    end_card(state.card(Card::exercise));
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

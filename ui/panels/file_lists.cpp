@@ -7,20 +7,27 @@
 #include <imgui.h>
 
 #include "ui/imgui_compat.h"
-#include "ui/panels/translated.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
 constexpr float least_list = 80;  // layout pixels
 
 }  // namespace
+
+void begin_files(FilesState& files, bool saving, FileKind kind) {
+    files.saving = saving;
+    files.kind = kind;
+    files.begun = files.asked = false;
+    files.typed = files.title = {};
+    files.replacing.clear();
+}
 
 std::string_view kind_key(FileKind kind) {
     constexpr std::array<std::string_view, file_kinds> keys{"files.scene", "files.exercise", "files.brain",
@@ -30,19 +37,19 @@ std::string_view kind_key(FileKind kind) {
 
 namespace {
 
-std::string name_in_path(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+std::string without_folder(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 std::string folder_of(const std::string& path) {
     return path.substr(0, std::max<std::size_t>(1, path.find_last_of('/')));
 }
 
-// A row of the list: an icon, what it is called, what more there is to say below or at the right end.
-struct Row {
+// A row of a list: icon, name, a second line, and a note at the right end.
+struct FileRow {
     std::string id, words, below, aside;
     std::string_view icon;
     bool current = false, broken = false;
 };
 
-bool list_row(Ui& ui, const Row& row, std::string_view how) {
+bool list_row(Ui& ui, const FileRow& row, std::string_view how) {
     const float height =
         line_height(ui, Face::text) + (row.below.empty() ? 0 : line_height(ui, Face::small)) + ui.px(12);
     const Item at = item(ui, row.id, {card_width(ui), height});
@@ -64,14 +71,14 @@ bool list_row(Ui& ui, const Row& row, std::string_view how) {
     const std::string below = shortened(ui, row.below, Face::small, at.right() - ui.px(12) - x);
     put(ui, {x, y}, words, ui.palette.text, Face::strong);
     put(ui, {x, y + line_height(ui, Face::text)}, below, ui.palette.second_text, Face::small);
-    // What can be read in the row is not said again.
+    // No tooltip for words that are fully visible in the row.
     tooltip(ui, at, below != row.below ? std::string_view(row.below) : words != row.words ? row.words : how);
     return at.pressed;
 }
 
 }  // namespace
 
-void ask(const LabView& view, FilesState& files, Ui& ui, Request request) {
+void request_file(const LabView& view, FilesState& files, Ui& ui, Request request) {
     ui.outbox.push_back(std::move(request));
     files.asked = true;
     files.done = view.files ? view.files->done : 0;
@@ -79,8 +86,7 @@ void ask(const LabView& view, FilesState& files, Ui& ui, Request request) {
 
 namespace {
 
-// Down to where the sheet's buttons are, wherever it begins. `contents` names what is listed: another list starts at
-// its top.
+// A list from the cursor down to the sheet's buttons. `contents` identifies the list: a new one is scrolled to its top.
 void begin_list(FilesState& files, Ui& ui, std::string_view contents, float bottom) {
     const float height = std::max(ui.px(least_list), bottom - ImGui::GetCursorPosY());
     compat::begin_child("list", {card_width(ui), height}, ImGuiWindowFlags_NoNav);
@@ -99,15 +105,16 @@ void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) 
     begin_list(files, ui, "shipped", bottom);
     for (const bool exercises : {true, false}) {
         subheading(ui, ui.strings(exercises ? "open.exercises" : "open.scenes"));
-        gap(ui, 12);  // for the ring round the first row
+        gap(ui, 12);  // room for the focus ring of the first row
         if (view.catalogue)
             for (const CatalogueEntry& entry : *view.catalogue) {
                 if ((entry.number > 0) != exercises) continue;
                 const std::string title(translated(ui, entry.title));
                 const std::string words = exercises ? std::to_string(entry.number) + "  " + title : title;
-                const Row row{"open." + entry.name,     words, std::string(translated(ui, entry.story)), "", {},
-                              entry.name == view.opened};
-                if (list_row(ui, row, ui.strings("files.open_how"))) ask(view, files, ui, OpenRequest{entry.path});
+                const FileRow row{"open." + entry.name,     words, std::string(translated(ui, entry.story)), "", {},
+                                  entry.name == view.opened};
+                if (list_row(ui, row, ui.strings("files.open_how")))
+                    request_file(view, files, ui, OpenRequest{entry.path});
                 if (row.current && !files.begun) ImGui::SetScrollHereY();
             }
         gap(ui, 8);
@@ -121,9 +128,9 @@ void list_recent(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     if (view.recent)
         for (const std::string& path : *view.recent)
             if (list_row(ui,
-                         {"recent." + std::to_string(++number), name_in_path(path), folder_of(path), "", icon::file},
+                         {"recent." + std::to_string(++number), without_folder(path), folder_of(path), "", icon::file},
                          ui.strings("files.open_how")))
-                ask(view, files, ui, OpenRequest{path});
+                request_file(view, files, ui, OpenRequest{path});
     if (number == 0) paragraph(ui, ui.strings("files.no_recent"), ui.palette.second_text);
     end_list();
 }
@@ -135,7 +142,7 @@ bool is_shown(const FilesState& files, const FileEntry& entry) {
     return files.saving ? entry.kind == files.kind : !files.only || *files.only == entry.kind;
 }
 
-std::string_view use_of(const FilesState& files, const FileEntry& entry) {
+std::string_view tooltip_key(const FilesState& files, const FileEntry& entry) {
     if (entry.is_folder) return "files.folder_how";
     if (files.saving) return "files.take_name";
     return entry.broken ? "files.broken_how" : "files.open_how";
@@ -154,20 +161,20 @@ void list_folder(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     for (const FileEntry& entry : listing.entries) {
         if (!is_shown(files, entry)) continue;
         any = true;
-        Row row{"file." + entry.name, entry.name, "", "", entry.is_folder ? icon::folder : icon::file};
+        FileRow row{"file." + entry.name, entry.name, "", "", entry.is_folder ? icon::folder : icon::file};
         if (!entry.is_folder) row.aside = ui.strings(entry.broken ? "files.broken" : kind_key(entry.kind));
         if (entry.broken) row.icon = icon::warning, row.broken = true;
-        if (!list_row(ui, row, ui.strings(use_of(files, entry)))) continue;
+        if (!list_row(ui, row, ui.strings(tooltip_key(files, entry)))) continue;
         if (entry.is_folder)
             ui.outbox.push_back(BrowseRequest{below + entry.name});
         else if (files.saving)
             files.typed.text = entry.name;
         else
-            ask(view, files, ui, OpenRequest{below + entry.name});
+            request_file(view, files, ui, OpenRequest{below + entry.name});
     }
     if (!listing.problem.empty()) paragraph(ui, listing.problem, ui.palette.text);
     if (!any && listing.problem.empty()) paragraph(ui, ui.strings("files.nothing"), ui.palette.second_text);
     end_list();
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

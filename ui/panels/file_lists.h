@@ -1,25 +1,49 @@
-// What the window's browser lists: what ships, what was open lately, and what is in a folder.
+// Lists of the file browser: shipped files, recently opened files, and a folder.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 
+#include "ui/files.h"
 #include "ui/lab_view.h"
-#include "ui/panels/files_state.h"
 #include "ui/request.h"
+#include "ui/widgets/sheet.h"
+#include "ui/widgets/text_field.h"
 #include "ui/widgets/ui.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
-// The string that names a kind of file.
+enum class FilesPlace { shipped, recent, folder };
+
+struct FilesState {
+    SheetState sheet;
+    bool saving = false;
+    FilesPlace place = FilesPlace::shipped;  // when opening
+    std::optional<FileKind> only;            // when opening from a folder; none: every kind
+    FileKind kind = FileKind::scene;         // when saving
+    TextField typed;                         // a path, or the name to save under
+    TextField title;                         // of the scene to be saved
+    std::string listed;                      // the folder or place listed; a new one is scrolled to its top
+    bool begun = false;                      // drawn at least once since it was opened
+    bool asked = false;                      // a request is in progress: `done` tells when it has succeeded
+    int done = 0;                            // FilesView::done at that request
+    std::string replacing;                   // name of an existing file, until the user confirms
+};
+
+// Opens the browser for opening, or for saving as `kind`. The caller sets PanelState::sheet to Sheet::files.
+void begin_files(FilesState&, bool saving, FileKind kind = FileKind::scene);
+
+// The string key of a file kind's name.
 std::string_view kind_key(FileKind);
 
-// Asks the lab for something that FilesView::done and ::refused will tell of.
-void ask(const LabView&, FilesState&, Ui&, Request);
+// Sends a request whose result FilesView::done or ::refused reports.
+void request_file(const LabView&, FilesState&, Ui&, Request);
 
-// Each from the cursor down to `bottom`, a y within the window that is drawn. A row that is pressed is asked for; while
-// saving it gives its name.
+// Each list goes from the cursor down to `bottom`, a y within the window being drawn. A pressed row is opened; while
+// saving, it gives its name.
 void list_shipped(const LabView&, FilesState&, Ui&, float bottom);
 void list_recent(const LabView&, FilesState&, Ui&, float bottom);
 void list_folder(const LabView&, FilesState&, Ui&, float bottom);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

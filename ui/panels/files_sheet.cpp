@@ -1,4 +1,4 @@
-// The window's own browser of files: what ships, what was open lately, and folders; for opening and for saving.
+// The file browser, for opening and for saving: shipped files, recent files and folders.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -10,24 +10,23 @@
 #include "ui/imgui_compat.h"
 #include "ui/panels/file_lists.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/translated.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/sheet.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-// Layout pixels. `taken`: by the sheet's heading and buttons, and the least margin round it.
+// Layout pixels. `taken`: height of the sheet's heading, buttons and least margin.
 constexpr float sheet_width = 680, body_height = 490, least_body = 200, taken = 170;
 
-// "scene.toml" for "scene" as well: what would be replaced, or null.
-const FileEntry* in_the_way(const FilesState& files, const FolderListing& listing) {
+// The existing file that saving would replace, or null. "scene" also matches "scene.toml".
+const FileEntry* existing_file(const FilesState& files, const FolderListing& listing) {
     for (const FileEntry& entry : listing.entries)
         if (entry.name == files.typed.text || entry.name == files.typed.text + ".toml" ||
             entry.name == files.typed.text + ".run")
@@ -35,26 +34,26 @@ const FileEntry* in_the_way(const FilesState& files, const FolderListing& listin
     return nullptr;
 }
 
-// What the scene is to be called from now on, where a person has said so.
+// The new title of the scene, where the user has changed it.
 std::optional<std::string> new_title(const LabView& view, const FilesState& files, const Ui& ui) {
     if (files.kind != FileKind::scene || files.title.text == translated(ui, view.now->scene->title)) return {};
     return files.title.text;
 }
 
-void save(const LabView& view, FilesState& files, Ui& ui) {
+void save_file(const LabView& view, FilesState& files, Ui& ui) {
     if (files.typed.text.empty()) return;
-    const FileEntry* there = in_the_way(files, view.files->listing);
+    const FileEntry* there = existing_file(files, view.files->listing);
     if (there && there->is_folder) {
         ui.outbox.push_back(BrowseRequest{files.typed.text});
         files.typed.text.clear();
     } else if (there && files.replacing != files.typed.text) {
         files.replacing = files.typed.text;
     } else {
-        ask(view, files, ui, SaveRequest{files.typed.text, files.kind, new_title(view, files, ui)});
+        request_file(view, files, ui, SaveRequest{files.typed.text, files.kind, new_title(view, files, ui)});
     }
 }
 
-// Above the list: where from, or what to save and under which name.
+// The part above the list: the place to open from, or kind and name to save.
 void opening_head(const LabView& view, FilesState& files, Ui& ui) {
     const std::array<std::string_view, 3> places{ui.strings("files.shipped"), ui.strings("files.recent"),
                                                  ui.strings("files.folder")};
@@ -64,7 +63,7 @@ void opening_head(const LabView& view, FilesState& files, Ui& ui) {
     if (clicked == static_cast<int>(FilesPlace::folder)) ui.outbox.push_back(BrowseRequest{});
     if (files.place != FilesPlace::folder || !view.files) return;
     text_field(ui, files.typed, "files.path", card_width(ui), ui.strings("files.path"), ui.strings("files.path_how"));
-    if (files.typed.entered) ask(view, files, ui, OpenRequest{files.typed.text});
+    if (files.typed.entered) request_file(view, files, ui, OpenRequest{files.typed.text});
     std::vector<std::string_view> kinds{ui.strings("files.all")};
     for (int kind = 0; kind < file_kinds; ++kind) kinds.push_back(ui.strings(kind_key(static_cast<FileKind>(kind))));
     const int only = segments(ui, "files.only", kinds, files.only ? static_cast<int>(*files.only) + 1 : 0,
@@ -73,7 +72,7 @@ void opening_head(const LabView& view, FilesState& files, Ui& ui) {
     if (only > 0) files.only = static_cast<FileKind>(only - 1);
 }
 
-// A field with its name to the left; all by keys of the strings, but for the anchor.
+// A text field with its name to the left. All texts are string keys; `anchor` is an anchor.
 void named_field(Ui& ui, std::string_view name, TextField& field, std::string_view anchor, std::string_view what,
                  std::string_view how) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -102,21 +101,21 @@ void saving_head(const LabView& view, FilesState& files, Ui& ui) {
     else
         files.title.active = false;
     if (files.typed.text != files.replacing) files.replacing.clear();
-    if (files.typed.entered || files.title.entered) save(view, files, ui);
+    if (files.typed.entered || files.title.entered) save_file(view, files, ui);
 }
 
-// What stands in the way; empty when nothing does.
-std::string trouble(const LabView& view, const FilesState& files, const Ui& ui) {
+// Why the file cannot be opened or saved yet; empty when there is no reason.
+std::string problem(const LabView& view, const FilesState& files, const Ui& ui) {
     if (!files.replacing.empty()) {
-        const FileEntry* there = in_the_way(files, view.files->listing);
+        const FileEntry* there = existing_file(files, view.files->listing);
         return fill(ui.strings(there && there->comments ? "files.replace_comments" : "files.replace"),
                     {there ? there->name : files.replacing});
     }
     return files.asked && view.files ? view.files->refused : std::string();
 }
 
-// A paragraph of it and the gap above, window pixels.
-float height_of(const Ui& ui, const std::string& words) {
+// Height of a paragraph with the gap above it, window pixels.
+float paragraph_height(const Ui& ui, const std::string& words) {
     if (words.empty()) return 0;
     compat::push_font(font(ui, Face::text));
     const float height = ImGui::CalcTextSize(words.c_str(), nullptr, false, card_width(ui)).y;
@@ -124,7 +123,7 @@ float height_of(const Ui& ui, const std::string& words) {
     return height + ImGui::GetStyle().ItemSpacing.y;
 }
 
-void files_buttons(const LabView& view, PanelState& state, Ui& ui) {
+void file_buttons(const LabView& view, PanelState& state, Ui& ui) {
     FilesState& files = state.files;
     const bool typing = files.saving || files.place == FilesPlace::folder;
     if (typing) {
@@ -136,8 +135,8 @@ void files_buttons(const LabView& view, PanelState& state, Ui& ui) {
         const Item at = button(ui, "files.do", look);
         tooltip(ui, at, ui.strings(files.saving ? "files.save_how" : "files.open_how"),
                 key_name({key::enter}, ui.strings));
-        if (at.pressed && files.saving) save(view, files, ui);
-        if (at.pressed && !files.saving) ask(view, files, ui, OpenRequest{files.typed.text});
+        if (at.pressed && files.saving) save_file(view, files, ui);
+        if (at.pressed && !files.saving) request_file(view, files, ui, OpenRequest{files.typed.text});
         ImGui::SameLine(0, ui.px(8));
     }
     const Item cancel = button(ui, "files.cancel", {{}, ui.strings("files.cancel")});
@@ -145,7 +144,7 @@ void files_buttons(const LabView& view, PanelState& state, Ui& ui) {
     if (cancel.pressed) state.sheet = Sheet::none;
 }
 
-// The focus starts where a person will most likely go on.
+// The initial focus: the text field, or the file that is open.
 void first_focus(const LabView& view, FilesState& files, Ui& ui) {
     if (files.begun || !ui.keyboard) return;
     files.begun = true;
@@ -157,14 +156,6 @@ void first_focus(const LabView& view, FilesState& files, Ui& ui) {
 }
 
 }  // namespace
-
-void begin_files(FilesState& files, bool saving, FileKind kind) {
-    files.saving = saving;
-    files.kind = kind;
-    files.begun = files.asked = false;
-    files.typed = files.title = {};
-    files.replacing.clear();
-}
 
 void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     if (state.sheet != Sheet::files) return;
@@ -182,15 +173,15 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     const bool in_folder = files.saving || files.place == FilesPlace::folder;
     begin_sheet(ui, files.sheet, "card.open", ui.strings(files.saving ? "files.save_as" : "files.open"), sheet_width,
                 window);
-    // All that stands above the buttons is as high on every tab, whatever is refused: nothing moves under the mouse.
+    // The part above the buttons has the same height on every tab, so that the buttons do not move.
     const float body = std::clamp(window.h - ui.px(taken), ui.px(least_body), ui.px(body_height));
     float bottom = ImGui::GetCursorPosY() + body;
     if (files.saving)
         saving_head(view, files, ui);
     else
         opening_head(view, files, ui);
-    const std::string wrong = trouble(view, files, ui);
-    bottom -= height_of(ui, wrong);
+    const std::string wrong = problem(view, files, ui);
+    bottom -= paragraph_height(ui, wrong);
     if (in_folder && view.files) {
         paragraph(ui, view.files->listing.folder, ui.palette.second_text, Face::small);
         list_folder(view, files, ui, bottom);
@@ -201,9 +192,9 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     }
     if (!wrong.empty()) paragraph(ui, wrong, legible(ui.palette.warning, ui.palette.panel, ui.palette.text));
     sheet_buttons(ui, files.sheet);
-    files_buttons(view, state, ui);
+    file_buttons(view, state, ui);
     first_focus(view, files, ui);
     if (end_sheet(files.sheet)) state.sheet = Sheet::none;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

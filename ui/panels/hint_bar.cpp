@@ -1,4 +1,4 @@
-// One line at the bottom: what can be done here and now, or what was refused and why.
+// The line at the bottom: the next step, or a notice.
 #include <string>
 
 #include <imgui.h>
@@ -6,17 +6,16 @@
 #include "ui/panels/panels.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
-#include "ui/widgets/arrows.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-// A key as it looks on the keyboard. Returns its width.
+// A key cap. Returns its width.
 float key_cap(const Ui& ui, ImVec2 at, float height, std::string_view words) {
     const float w = std::max(text_width(ui, Face::small, words) + ui.px(10), ui.px(18)), h = ui.px(18);
     const Rect cap{at.x, at.y + (height - h) / 2, w, h};
@@ -27,7 +26,7 @@ float key_cap(const Ui& ui, ImVec2 at, float height, std::string_view words) {
     return w;
 }
 
-// "[play_pause] plays": the key of the action in brackets is drawn as a cap; "[F1]" stands as written.
+// "[play_pause] plays": the key of the action in brackets is drawn as a cap; "[F1]" is drawn as it is.
 std::string cap_words(const Ui& ui, std::string_view inside) {
     const auto action = action_named(inside);
     return action ? with_large_arrows(ui, key_name(*action, ui.strings)) : std::string(inside);
@@ -46,8 +45,8 @@ float hint_line(const Ui& ui, std::string_view hint, Colour colour, float x, Rec
     return x;
 }
 
-// While the keys mean something else, or the view is another, the way back stands first; nothing when neither is so.
-bool way_back(const LabView& view, const Ui& ui, float x, Rect bar) {
+// While the user drives, or looks from the driver's seat, the hint is the key that ends it. False in other modes.
+bool mode_hint(const LabView& view, const Ui& ui, float x, Rect bar) {
     if (view.mode == Mode::wiring) return false;
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     const bool drives = vehicle && vehicle->driver == Driver::manual,
@@ -59,7 +58,7 @@ bool way_back(const LabView& view, const Ui& ui, float x, Rect bar) {
     return drives || rides;
 }
 
-// What can be done here, when nothing in particular is next.
+// The hint when there is no prompt.
 std::string_view usual_hint(const LabView& view) {
     if (view.mode == Mode::wiring) return "hint.wiring";
     if (view.mode == Mode::playing)
@@ -67,9 +66,8 @@ std::string_view usual_hint(const LabView& view) {
     return view.settings.selection.vehicle == no_vehicle ? "hint.nobody" : "hint.paused";
 }
 
-// What is next, or else what can be done.
-void say_hint(const LabView& view, const Ui& ui, float x, Rect bar, std::string_view hint) {
-    if (way_back(view, ui, x, bar)) return;
+void write_hint(const LabView& view, const Ui& ui, float x, Rect bar, std::string_view hint) {
+    if (mode_hint(view, ui, x, bar)) return;
     const bool prompted = !hint.empty();
     if (prompted) {
         put_icon(ui, {x + ui.px(6), bar.y + bar.h / 2}, icon::hint, ui.palette.accent, Face::small);
@@ -79,8 +77,8 @@ void say_hint(const LabView& view, const Ui& ui, float x, Rect bar, std::string_
               x, bar);
 }
 
-// What does not fit is read under the pointer.
-void say_notice(const LabView& view, Ui& ui, float x, Rect bar) {
+// A notice that is too long is shown in full in its tooltip.
+void write_notice(const LabView& view, Ui& ui, float x, Rect bar) {
     const Colour colour = colour_of(view.notice.kind, ui.palette);
     const float middle = bar.y + bar.h / 2;
     put_icon(ui, {x + ui.px(6), middle}, sign_of(view.notice.kind), colour, Face::small);
@@ -95,12 +93,28 @@ void say_notice(const LabView& view, Ui& ui, float x, Rect bar) {
 
 }  // namespace
 
+std::string_view sign_of(NoticeKind kind) {
+    switch (kind) {
+        case NoticeKind::done:
+            return icon::check;
+        case NoticeKind::failure:
+            return icon::warning;
+        default:
+            return icon::notice;
+    }
+}
+
+Colour colour_of(NoticeKind kind, const Palette& p) {
+    const Colour wanted = kind == NoticeKind::done ? p.success : kind == NoticeKind::failure ? p.warning : p.accent;
+    return legible(wanted, p.panel, p.text);
+}
+
 void hint_bar(const LabView& view, Ui& ui, Rect bar, std::string_view hint) {
     begin_bar(ui, "hint bar", bar);
     const float x = bar.x + ui.px(16);
-    view.notice.empty() ? say_hint(view, ui, x, bar, hint) : say_notice(view, ui, x, bar);
+    view.notice.empty() ? write_hint(view, ui, x, bar, hint) : write_notice(view, ui, x, bar);
     mark(ui, "hint.bar", bar);
     end_bar();
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

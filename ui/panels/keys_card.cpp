@@ -1,4 +1,4 @@
-// All keys, over everything, from the one table of shortcuts, and what the mouse does.
+// The sheet of all shortcuts, from the table in shortcuts.cpp, and of mouse gestures.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -10,14 +10,13 @@
 #include "ui/panels/panels.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
-#include "ui/widgets/arrows.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/sheet.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
@@ -27,9 +26,9 @@ struct KeyRow {
     std::vector<std::string_view> lines{};  // of the words, as they fit beside the key
 };
 
-constexpr float between = 14, line_gap = 4;  // layout pixels
+constexpr float beside_key = 14, line_gap = 4;  // layout pixels
 
-// What the mouse does: the keys of a gesture and of what comes of it.
+// String keys of a mouse gesture and its effect.
 constexpr std::array<std::array<std::string_view, 2>, 15> gestures_of_mouse{{
     {"mouse.click", "mouse_does.click"},
     {"mouse.drag", "mouse_does.drag"},
@@ -48,26 +47,11 @@ constexpr std::array<std::array<std::string_view, 2>, 15> gestures_of_mouse{{
     {"mouse.canvas", "mouse_does.canvas"},
 }};
 
-std::string_view place_key(KeyPlace place) {
-    switch (place) {
-        case KeyPlace::view:
-            return "keys.place.view";
-        case KeyPlace::widget:
-            return "keys.place.widget";
-        case KeyPlace::canvas:
-            return "keys.place.canvas";
-        case KeyPlace::scene:
-            return "keys.place.scene";
-        default:
-            return "keys.place.everywhere";
-    }
-}
-
 bool is_bare_arrow(KeyPress press) {
     return !press.ctrl && !press.shift && press.key >= key::right && press.key <= key::up;
 }
 
-// The key to show for an action; all four arrows where they do the same in four directions.
+// The key of an action; all four arrows where the action takes a direction.
 std::string keys_of(const Shortcut& first, const Strings& strings) {
     std::string text = key_name(first.press, strings);
     for (const Shortcut& other : shortcuts())
@@ -77,9 +61,9 @@ std::string keys_of(const Shortcut& first, const Strings& strings) {
     return text;
 }
 
-// Each action of a place once.
+// One row per action of a place.
 void add_rows(std::vector<KeyRow>& list, KeyPlace place, const Strings& strings) {
-    list.push_back({"", std::string(strings(place_key(place))), true});
+    list.push_back({"", std::string(strings("keys.place." + std::string(name(place)))), true});
     std::vector<Action> listed;
     for (const Shortcut& shortcut : shortcuts()) {
         if (shortcut.place != place) continue;
@@ -90,7 +74,7 @@ void add_rows(std::vector<KeyRow>& list, KeyPlace place, const Strings& strings)
     }
 }
 
-std::vector<KeyRow> rows(const Strings& strings) {
+std::vector<KeyRow> key_rows(const Strings& strings) {
     std::vector<KeyRow> list;
     for (int place = 0; place <= static_cast<int>(last_place); ++place)
         add_rows(list, static_cast<KeyPlace>(place), strings);
@@ -100,9 +84,9 @@ std::vector<KeyRow> rows(const Strings& strings) {
     return list;
 }
 
-// Beside a long key the words take several lines.
+// Wraps the words beside their key.
 void break_into_lines(const Ui& ui, KeyRow& row, float width) {
-    const float room = width - text_width(ui, Face::strong, row.key) - ui.px(between);
+    const float room = width - text_width(ui, Face::strong, row.key) - ui.px(beside_key);
     std::string_view rest = row.words;
     while (!rest.empty()) {
         std::size_t end = rest.find(' ');
@@ -116,18 +100,18 @@ void break_into_lines(const Ui& ui, KeyRow& row, float width) {
     }
 }
 
-std::size_t height_of(const KeyRow& row) { return std::max<std::size_t>(1, row.lines.size()); }
+std::size_t lines_of(const KeyRow& row) { return std::max<std::size_t>(1, row.lines.size()); }
 
-// Where each column ends: all about as long, and no heading alone at the foot of one.
+// The end of each column: about equal lengths, and no heading at the bottom of a column.
 std::vector<std::size_t> column_ends(const std::vector<KeyRow>& list, std::size_t columns) {
     std::size_t whole = 0;
-    for (const KeyRow& row : list) whole += height_of(row);
+    for (const KeyRow& row : list) whole += lines_of(row);
     std::vector<std::size_t> ends;
     std::size_t end = 0, filled = 0;
     for (std::size_t column = 1; column <= columns; ++column) {
         const std::size_t begin = end, wanted = whole * column / columns;
-        while (end < list.size() && (filled < wanted || column == columns)) filled += height_of(list[end++]);
-        while (end < list.size() && end > begin + 1 && list[end - 1].heading) filled -= height_of(list[--end]);
+        while (end < list.size() && (filled < wanted || column == columns)) filled += lines_of(list[end++]);
+        while (end < list.size() && end > begin + 1 && list[end - 1].heading) filled -= lines_of(list[--end]);
         ends.push_back(end);
     }
     return ends;
@@ -152,7 +136,7 @@ void keys_card(const LabView&, PanelState& state, Ui& ui, Rect window) {
     if (state.sheet != Sheet::keys) return;
     constexpr float narrowest = 300, space = 36;  // layout pixels
     begin_sheet(ui, state.keys, "card.keys", ui.strings("keys.heading"), 1060, window);
-    std::vector<KeyRow> list = rows(ui.strings);
+    std::vector<KeyRow> list = key_rows(ui.strings);
     const float line = line_height(ui, Face::text) + ui.px(line_gap), width = card_width(ui);
     const auto columns =
         static_cast<std::size_t>(std::clamp((width + ui.px(space)) / ui.px(narrowest + space), 1.0f, 3.0f));
@@ -168,7 +152,7 @@ void keys_card(const LabView&, PanelState& state, Ui& ui, Rect window) {
     for (const std::size_t end : column_ends(list, columns)) {
         for (at.y = top; i < end; ++i) {
             write_row(ui, list[i], at, each, line);
-            at.y += static_cast<float>(height_of(list[i])) * line;
+            at.y += static_cast<float>(lines_of(list[i])) * line;
         }
         lowest = std::max(lowest, at.y);
         at.x += each + ui.px(space);
@@ -181,4 +165,4 @@ void keys_card(const LabView&, PanelState& state, Ui& ui, Rect window) {
     if (end_sheet(state.keys) || closed) state.sheet = Sheet::none;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

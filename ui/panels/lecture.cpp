@@ -1,4 +1,4 @@
-// The lecture's overlay: a slim bar on top, large figures below, and the keys that are pressed, for the back row.
+// A lecture: a slim bar on top, large figures below, and the keys that were pressed.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -7,24 +7,24 @@
 
 #include <imgui.h>
 
+#include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/translated.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-constexpr double key_shown = 2.5;  // s
-constexpr std::size_t most_keys = 4;
+constexpr double pressed_key_seconds = 2.5;
+constexpr std::size_t most_pressed_keys = 4;
 
-struct Figure {
+struct LectureFigure {
     std::string_view anchor, caption;  // caption: key of the string
     std::string words;
     Colour colour;
@@ -32,7 +32,7 @@ struct Figure {
     bool has_bar = false;
 };
 
-std::vector<Figure> figures(const LabView& view, PanelState& state, const Ui& ui) {
+std::vector<LectureFigure> lecture_values(const LabView& view, PanelState& state, const Ui& ui) {
     const Snapshot& now = *view.now;
     const Palette& p = ui.palette;
     if (now.predators + now.prey > 0)
@@ -42,7 +42,7 @@ std::vector<Figure> figures(const LabView& view, PanelState& state, const Ui& ui
     const VehicleView* vehicle = find_vehicle(now, view.settings.selection.vehicle);
     if (!vehicle) return {};
     const auto wheel = [&](std::string_view name, float value) {
-        return Figure{name, name, with_sign(value, 2), p.text, value, true};
+        return LectureFigure{name, name, with_sign(value, 2), p.text, value, true};
     };
     return {{"lecture.character", "lecture.character",
              std::string(ui.strings("character." +
@@ -54,7 +54,7 @@ std::vector<Figure> figures(const LabView& view, PanelState& state, const Ui& ui
             wheel("lecture.right", vehicle->motor[1])};
 }
 
-// From the middle to the right for what drives forwards, to the left for what drives backwards.
+// A bar from the middle to the right for positive values, to the left for negative ones.
 void signed_bar(const Ui& ui, Rect r, float value) {
     const float middle = r.x + r.w / 2, reach = r.w / 2 * std::clamp(value, -1.0f, 1.0f);
     fill_box(ui, r, ui.palette.line.with_alpha(0.6f), 3);
@@ -62,7 +62,7 @@ void signed_bar(const Ui& ui, Rect r, float value) {
     fill_box(ui, {middle - ui.px(1), r.y - ui.px(2), ui.px(2), r.h + ui.px(4)}, ui.palette.text, 0);
 }
 
-void figure(Ui& ui, const Figure& f, Rect r) {
+void draw_figure(Ui& ui, const LectureFigure& f, Rect r) {
     const float x = r.x + ui.px(16);
     put(ui, {x, r.y + ui.px(8)}, ui.strings(f.caption), ui.palette.second_text, Face::small);
     const float y = r.y + ui.px(8) + line_height(ui, Face::small);
@@ -72,26 +72,27 @@ void figure(Ui& ui, const Figure& f, Rect r) {
     mark(ui, f.anchor, r);
 }
 
-void pressed_keys(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
+void pressed_keys(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect window) {
     auto& keys = state.pressed;
-    std::erase_if(keys, [&](const PressedKey& k) { return view.wall_seconds - k.at > key_shown; });
-    if (keys.size() > most_keys) keys.erase(keys.begin(), keys.end() - static_cast<std::ptrdiff_t>(most_keys));
+    std::erase_if(keys, [&](const PressedKey& k) { return view.wall_seconds - k.at > pressed_key_seconds; });
+    if (keys.size() > most_pressed_keys)
+        keys.erase(keys.begin(), keys.end() - static_cast<std::ptrdiff_t>(most_pressed_keys));
     const auto words_of = [&](const PressedKey& k) { return key_name(k.press, ui.strings); };
     const float h = line_height(ui, Face::title) + ui.px(16), space = ui.px(8);
     float width = -space;
     for (const PressedKey& k : keys) width += space + std::max(h, text_width(ui, Face::title, words_of(k)) + ui.px(28));
-    float x = layout.window.x + (layout.window.w - width) / 2;
-    const float y = layout.hint_bar.y - h - ui.px(16);
+    float x = window.x + (window.w - width) / 2;
+    const float y = bar.y - h - ui.px(16);
     if (keys.empty()) return;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.PushClipRectFullScreen();  // they stand above the bar
+    draw.PushClipRectFullScreen();  // above the bar
     for (const PressedKey& k : keys) {
         const Rect cap{x, y, std::max(h, text_width(ui, Face::title, words_of(k)) + ui.px(28)), h};
         fill_box(ui, cap, ui.palette.text, 8);
         put_centred(ui, {cap.x + cap.w / 2, cap.y + ui.px(8)}, words_of(k), ui.palette.ground, Face::title);
         x += cap.w + space;
     }
-    mark(ui, "lecture.keys", {layout.window.x + (layout.window.w - width) / 2, y, width, h});
+    mark(ui, "lecture.keys", {window.x + (window.w - width) / 2, y, width, h});
     draw.PopClipRect();
 }
 
@@ -117,7 +118,7 @@ void lecture_bar(const LabView& view, Ui& ui, Rect bar) {
     const Item end = button(ui, "lecture.leave", leave);
     tooltip(ui, end, ui.strings("lecture.leave"), key_name(Action::lecture, ui.strings));
     if (end.pressed) ui.outbox.push_back(Action::lecture);
-    // What is shown, between the clock and the way out.
+    // The title, between the clock and the button that ends the lecture.
     const std::string_view title =
         view.lesson ? std::string_view(view.lesson->exercise->title) : std::string_view(view.now->scene->title);
     const float from = start.right() + ui.px(16 + 96), room = end.rect.x - ui.px(12) - from;
@@ -126,14 +127,13 @@ void lecture_bar(const LabView& view, Ui& ui, Rect bar) {
     end_bar();
 }
 
-void lecture_figures(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
-    const Rect& bar = layout.hint_bar;
+void lecture_figures(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect window) {
     begin_bar(ui, "lecture figures", bar);
     if (view.notice.empty()) {
-        const auto all = figures(view, state, ui);
+        const auto all = lecture_values(view, state, ui);
         const float each = bar.w / static_cast<float>(std::max<std::size_t>(1, all.size()));
         for (std::size_t i = 0; i < all.size(); ++i)
-            figure(ui, all[i], {bar.x + each * static_cast<float>(i), bar.y, each, bar.h});
+            draw_figure(ui, all[i], {bar.x + each * static_cast<float>(i), bar.y, each, bar.h});
     } else {
         const Colour colour = colour_of(view.notice.kind, ui.palette);
         const float x = bar.x + ui.px(16), words = x + (has_icons(ui) ? ui.px(24) : 0);
@@ -142,38 +142,28 @@ void lecture_figures(const LabView& view, PanelState& state, Ui& ui, const Windo
             shortened(ui, text_of(view.notice, ui.strings), Face::text, bar.x + bar.w - ui.px(16) - words), colour);
     }
     mark(ui, "hint.bar", bar);
-    pressed_keys(view, state, ui, layout);
+    pressed_keys(view, state, ui, bar, window);
     end_bar();
 }
 
-namespace {
-
-// The cards that people may fold and open in a lecture: it gives them back as it found them. The first four lie over
-// what is shown and are folded at its beginning.
-std::array<CardState*, 6> cards_in_lecture(PanelState& state) {
-    return {&state.exercise, &state.scene, &state.brain, &state.canvas.inspector, &state.information, &state.sensors};
-}
-constexpr std::size_t folded_at_first = 4;
-
-}  // namespace
-
 void follow_lecture(const LabView& view, PanelState& state) {
     if (view.lecture == state.before_lecture.has_value()) return;
-    const auto cards = cards_in_lecture(state);
     if (view.lecture) {
         BeforeLecture& before = state.before_lecture.emplace();
-        for (std::size_t i = 0; i < cards.size(); ++i) before.cards[i] = *cards[i];
-        before.information_opened = state.information_opened;
         before.focus = std::exchange(state.keyboard.focus, {});
-        for (std::size_t i = 0; i < folded_at_first; ++i) cards[i]->folded = true;
+        for (const CardTraits& row : cards()) {
+            CardState& card = state.card(row.card);
+            before.cards[static_cast<std::size_t>(row.card)] = card;
+            card.folded |= row.in_lecture == InLecture::folded;
+        }
         return;
     }
-    const BeforeLecture& before = *state.before_lecture;
-    for (std::size_t i = 0; i < cards.size(); ++i) *cards[i] = before.cards[i];
-    state.information_opened = before.information_opened;
-    state.keyboard.focus = before.focus;
+    for (const CardTraits& row : cards())
+        if (row.in_lecture != InLecture::unchanged)
+            state.card(row.card) = state.before_lecture->cards[static_cast<std::size_t>(row.card)];
+    state.keyboard.focus = state.before_lecture->focus;
     state.before_lecture.reset();
     state.pressed.clear();
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

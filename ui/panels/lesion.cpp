@@ -1,5 +1,4 @@
-#include "ui/panels/lesion.h"
-
+// Lesions by the key L and by clicks outside the brain picture.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -8,30 +7,30 @@
 #include <imgui.h>
 
 #include "core/maths/portable.h"
-#include "ui/panels/selected.h"
+#include "ui/panels/panels.h"
 #include "ui/request.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 using maths::vec2;
 
 namespace {
 
 struct SliderOfWire {
-    std::string_view slider, threshold, lesion, eye, motor;
+    std::string_view slider, threshold, lesion, sensor, motor;
 };
-constexpr std::array<SliderOfWire, 4> wires{{{"slider.LL", "threshold.LL", "lesion.LL", "SL", "ML"},
-                                             {"slider.LR", "threshold.LR", "lesion.LR", "SR", "ML"},
-                                             {"slider.RL", "threshold.RL", "lesion.RL", "SL", "MR"},
-                                             {"slider.RR", "threshold.RR", "lesion.RR", "SR", "MR"}}};
+constexpr std::array<SliderOfWire, 4> sliders_of_wires{{{"slider.LL", "threshold.LL", "lesion.LL", "SL", "ML"},
+                                                        {"slider.LR", "threshold.LR", "lesion.LR", "SR", "ML"},
+                                                        {"slider.RL", "threshold.RL", "lesion.RL", "SL", "MR"},
+                                                        {"slider.RR", "threshold.RR", "lesion.RR", "SR", "MR"}}};
 
-bool holds(const Anchors& anchors, std::string_view name, vec2 at) {
+bool contains(const Anchors& anchors, std::string_view name, vec2 at) {
     const Rect* rect = anchors.find(name);
     return rect && rect->contains(at.x, at.y);
 }
 
-// The eye or driven wheel of the selected vehicle that lies nearest to the pointer, within a few pixels or, seen from
-// near, within a hand of it.
+// The sensor or driven wheel of the selected vehicle that is nearest to the pointer, within `pixels` or `metres` of it,
+// whichever is more on the screen.
 std::string part_in_scene(const LabView& view, vec2 pointer) {
     constexpr float pixels = 14, metres = 0.14f, eye_height = 0.3f, wheel_height = 0.1f;
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
@@ -57,11 +56,11 @@ std::string part_in_scene(const LabView& view, vec2 pointer) {
     return nearest.empty() ? nearest : "lesion." + nearest;
 }
 
-// The brain with that part hurt, or healed where it was hurt; nothing where the brain has no such part.
+// The brain with this part lesioned, or healed if it was lesioned; nullopt when the brain has no such part.
 std::optional<BrainGraph> toggled(BrainGraph brain, std::string_view lesion) {
-    for (const SliderOfWire& each : wires) {
+    for (const SliderOfWire& each : sliders_of_wires) {
         if (each.lesion != lesion) continue;
-        const Node* from = find_node(brain, std::string(each.eye));
+        const Node* from = find_node(brain, std::string(each.sensor));
         const Node* to = find_node(brain, std::string(each.motor));
         Wire* wire = from && to ? find_wire(brain, from->id, to->id) : nullptr;
         if (!wire || (wire->weight == 0 && !learns(*wire) && !wire->cut)) return std::nullopt;
@@ -74,28 +73,30 @@ std::optional<BrainGraph> toggled(BrainGraph brain, std::string_view lesion) {
     return brain;
 }
 
-}  // namespace
-
+// Anchor of the part under the pointer, outside the brain picture: over a card the wire of a slider, else a part of the
+// selected vehicle in the scene. Empty: none.
 std::string lesion_under_pointer(const LabView& view, const Anchors& anchors, bool over_card) {
     const vec2 pointer{ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
     if (over_card) {
-        for (const SliderOfWire& wire : wires)
-            if (holds(anchors, wire.slider, pointer) || holds(anchors, wire.threshold, pointer))
+        for (const SliderOfWire& wire : sliders_of_wires)
+            if (contains(anchors, wire.slider, pointer) || contains(anchors, wire.threshold, pointer))
                 return std::string(wire.lesion);
         return {};
     }
     return view.mode == Mode::wiring ? std::string{} : part_in_scene(view, pointer);
 }
 
-void lesions_elsewhere(const LabView& view, PanelState& state, Ui& ui) {
+}  // namespace
+
+void lesions(const LabView& view, PanelState& state, Ui& ui) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (state.lesion_under_pointer.empty() && vehicle && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
         state.lesion_under_pointer = lesion_under_pointer(view, ui.anchors, ImGui::GetIO().WantCaptureMouse);
-    const std::string wanted = std::exchange(state.lesion_wanted, {});
+    const std::string wanted = std::exchange(state.lesion_requested, {});
     if (wanted.empty() || !vehicle) return;
     if (auto brain = toggled(*brain_of(*view.now, *vehicle), wanted))
         ui.outbox.push_back(EditRequest{SetBrain{target_of(view, *vehicle), std::move(*brain)},
                                         gestures::panels + ++state.sliders.gesture});
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,20 +1,16 @@
-// What the panels remember between frames: folds, drags, the focus. Nothing of it is the lab's.
+// View state of the panels: folds, drags, focus. Nothing in here is part of the simulation.
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/brain/graph.h"
 #include "core/world/command.h"
-#include "ui/panels/energy_order.h"
-#include "ui/panels/files_state.h"
-#include "ui/panels/history.h"
-#include "ui/panels/recognised.h"
-#include "ui/preferences.h"
-#include "ui/prompts.h"
+#include "ui/panels/brain_analysis.h"
+#include "ui/panels/chart_data.h"
+#include "ui/panels/file_lists.h"
+#include "ui/panels/prompts.h"
 #include "ui/scene_input/scene_input.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/keyboard.h"
@@ -22,30 +18,39 @@
 #include "ui/widgets/slider.h"
 #include "ui/wiring/canvas.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
-// The large pictures: one at a time.
+// The cards of the window. cards.cpp has one row of traits for each.
+enum class Card { exercise, scene, sensors, object, brain, information, charts, inspector };
+inline constexpr std::size_t card_count = 8;
+
+// Every card in its initial state.
+std::array<CardState, card_count> initial_cards();
+
+// The large charts; one is shown at a time.
 enum class Chart { signals, population, energy, bars };
 
-// What lies over the whole window: at most one.
+// The sheet that covers the window; at most one.
 enum class Sheet { none, keys, settings, files, recovery, leaving };
 
-// What a lecture folds away, to come back exactly.
+// State that a lecture changes and restores at its end.
 struct BeforeLecture {
-    std::array<CardState, 6> cards;  // those that it gives back as it found them (lecture.cpp)
-    bool information_opened = false;
+    std::array<CardState, card_count> cards;
     std::string focus;
 };
 
-// A key to show to the audience.
+// A key shown to the audience of a lecture.
 struct PressedKey {
     KeyPress press;
     double at = 0;  // wall seconds
 };
 
 struct PanelState {
-    CardState exercise, scene, brain, information, charts, thing;
-    CardState sensors{.folded = true};
+    CardState& card(Card which) {
+        return which == Card::inspector ? canvas.inspector : cards[static_cast<std::size_t>(which)];
+    }
+
+    std::array<CardState, card_count> cards = initial_cards();  // the inspector's is in `canvas`
     SliderState sliders;
     Keyboard keyboard;
     wiring::CanvasState canvas;
@@ -53,37 +58,35 @@ struct PanelState {
     Recognised recognised;
     History history;
     PromptMemory prompts;
-    std::string lesion_under_pointer;  // the anchor of what a click or L would hurt or heal; empty: none
-    std::string lesion_wanted;         // by key: the same, until the picture has seen it
-    Steer steered;                     // by the stick, last
+    std::string lesion_under_pointer;  // anchor of the part that a click or L would lesion or heal; empty: none
+    std::string lesion_requested;      // the same, requested by key and not yet carried out
+    Steer steered;                     // last command of the on-screen stick
     bool stick_held = false;
-    std::string sensor;                // by name: the one whose numbers the card shows
-    bool sensor_channel_open = false;  // the choice of what it senses
-    bool sensor_alone = false;         // edited without the one on the other side
-    bool sensor_quality_open = false;  // noise and delay
+    std::string sensor;                // name of the sensor whose numbers the card shows
+    bool sensor_channel_open = false;  // the list of channels is unfolded
+    bool sensor_alone = false;         // edits do not apply to the sensor on the other side
+    bool sensor_quality_open = false;  // noise and latency are unfolded
     bool charts_open = false;
     Chart chart = Chart::signals;
     EnergyOrder energy_order;
-    std::vector<std::size_t> energy_rows;  // in that order, of the snapshot's vehicles
-    bool playhead_held = false;
+    std::vector<std::size_t> energy_rows;  // indices into the snapshot's vehicles, in that order
+    bool playhead_held = false;            // true while the playhead is dragged; the simulation is paused
     bool why_open = false;
     Sheet sheet = Sheet::none;
-    SheetState keys, settings;
-    SheetState recovery, leaving;
+    SheetState keys, settings, recovery, leaving;
     bool recovery_asked = false;
     bool leaving_asked = false;
-    int leaving_done = 0;  // FilesView::done when a name was asked for to save under
+    int leaving_done = 0;  // FilesView::done when the sheet for a name was opened; −1: it was not
     FilesState files;
-    std::optional<Preferences> before_reset;          // what Reset All took away, until something is chosen anew
-    bool view_menu = false, focus_view_menu = false;  // what the scene shows, E
+    std::optional<Preferences> before_reset;  // preferences before Reset All, until one is changed
+    bool view_menu = false, focus_view_menu = false;
     bool presets_open = false, close_presets = false;
-    bool outcome_told = false;   // of the exercise below: told once, it stays
-    std::size_t hints_seen = 0;  // of the same, already scrolled to
+    bool outcome_told = false;   // the outcome of the prediction is shown
+    std::size_t hints_seen = 0;  // hints already scrolled to
     bool grade_seen = false;
-    std::string exercise_id;
-    bool information_opened = false;  // by hand: it then stays open in a low window
+    std::string exercise_id;  // of the exercise that the three values above belong to
     std::optional<BeforeLecture> before_lecture;
     std::vector<PressedKey> pressed;  // in a lecture, the newest last
 };
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,4 +1,4 @@
-// The classic brains, each with its story, one click away; and brains of one's own, from and to files.
+// The menu of preset brains, with buttons to load and save a brain file.
 #include <algorithm>
 #include <string>
 
@@ -7,26 +7,25 @@
 #include "core/brain/graft.h"
 #include "core/brain/presets.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/selected.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-constexpr float row_width = 344, row_padding = 12;  // layout pixels
+constexpr float preset_width = 344, preset_padding = 12;  // layout pixels
 
-// True when it was chosen. A bar marks the brain that the vehicle has already.
+// True when it was chosen. A bar marks the brain that the vehicle has now.
 bool preset_row(Ui& ui, const Preset& preset, bool current, ImVec2 at) {
     const std::string key(preset.name);
     ImGui::SetCursorScreenPos(at);
     const Item row =
         item(ui, "preset." + key,
-             {ui.px(row_width), line_height(ui, Face::text) + line_height(ui, Face::small) + ui.px(row_padding)});
+             {ui.px(preset_width), line_height(ui, Face::text) + line_height(ui, Face::small) + ui.px(preset_padding)});
     fill_box(ui, row.rect, ui.palette.line.with_alpha(0.6f * row.warmth));
     if (current)
         fill_box(ui, {row.rect.x, row.rect.y + ui.px(6), ui.px(3), row.rect.h - ui.px(12)}, ui.palette.accent, 2);
@@ -38,15 +37,15 @@ bool preset_row(Ui& ui, const Preset& preset, bool current, ImVec2 at) {
     return row.pressed;
 }
 
-// In two columns, so that all are in sight at once.
-void rows(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
+// In two columns.
+void preset_rows(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const BrainGraph& brain = *brain_of(*view.now, vehicle);
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    const float height = line_height(ui, Face::text) + line_height(ui, Face::small) + ui.px(row_padding + 2);
+    const float height = line_height(ui, Face::text) + line_height(ui, Face::small) + ui.px(preset_padding + 2);
     const std::size_t count = presets().size(), half = (count + 1) / 2;
     for (std::size_t i = 0; i < count; ++i) {
         const Preset& preset = presets()[i];
-        const ImVec2 at{start.x + (i < half ? 0.0f : ui.px(row_width + 8)),
+        const ImVec2 at{start.x + (i < half ? 0.0f : ui.px(preset_width + 8)),
                         start.y + height * static_cast<float>(i < half ? i : i - half)};
         BrainGraph made = graft(brain, preset.brain);
         if (!preset_row(ui, preset, same_wiring(made, brain), at)) continue;
@@ -57,8 +56,8 @@ void rows(const LabView& view, PanelState& state, Ui& ui, const VehicleView& veh
     ImGui::SetCursorScreenPos({start.x, start.y + height * static_cast<float>(half)});
 }
 
-// A preset is for two eyes; a vehicle that has more senses is told that they stay.
-void what_stays(Ui& ui, const BrainGraph& brain) {
+// A preset defines two sensors. Names the other sensors of the vehicle, which keep their wires.
+void kept_sensors(Ui& ui, const BrainGraph& brain) {
     std::string names;
     for (const std::string& name : kept_by_graft(brain, find_preset("2a-coward")->brain))
         names += (names.empty() ? "" : ", ") + name;
@@ -69,7 +68,7 @@ void what_stays(Ui& ui, const BrainGraph& brain) {
     ImGui::Dummy({1, line_height(ui, Face::small) + ui.px(8)});
 }
 
-// Brains of one's own, from and to files: the file browser does it.
+// Buttons that open the file browser to load or save a brain.
 void own_brains(PanelState& state, Ui& ui) {
     const auto wanted = [&](const SmallButton& look, std::string_view how) {
         const Item at = small_button(ui, look);
@@ -95,7 +94,7 @@ void own_brains(PanelState& state, Ui& ui) {
 void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, bool wanted,
                   ImVec2 corner) {
     if (wanted) ImGui::OpenPopup("presets");
-    // Opened by key, the focus goes in; closed, it comes back.
+    // Opened by key, the menu gets the focus; closed, it gives it back.
     if (wanted && ui.keyboard && ui.keyboard->focus == "button.presets")
         ui.keyboard->focus = "preset." + std::string(presets().front().name);
     ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});
@@ -105,8 +104,8 @@ void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleV
     state.presets_open = ImGui::BeginPopup("presets");
     if (state.presets_open) {
         if (state.close_presets) ImGui::CloseCurrentPopup();
-        rows(view, state, ui, vehicle);
-        what_stays(ui, *brain_of(*view.now, vehicle));
+        preset_rows(view, state, ui, vehicle);
+        kept_sensors(ui, *brain_of(*view.now, vehicle));
         own_brains(state, ui);
         ImGui::EndPopup();
     } else if (was_open && ui.keyboard && ui.keyboard->focus.substr(0, 7) == "preset.") {
@@ -116,4 +115,4 @@ void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleV
     ImGui::PopStyleVar(2);
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,4 +1,4 @@
-// The menu of a right click into the scene: what can be done with the thing there, or set down on the floor.
+// The menu of a right click into the scene: what can be done with the object there, or added on the floor.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -11,37 +11,36 @@
 #include "core/scene/names.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/edits.h"
-#include "ui/scene_input/room.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-constexpr float menu_width = 268, pad = 6, row_height = 28, rule_height = 9;  // layout pixels
+constexpr float scene_menu_width = 268, scene_menu_pad = 6, scene_row_height = 28, rule_height = 9;  // layout pixels
 
-// A row of the menu: what it says, what it asks for, and where it leads.
-struct Row {
+// A row of the menu: words, requests, and the page it leads to.
+struct SceneMenuRow {
     std::string anchor, words, keys;
     std::vector<Request> asks;
     std::optional<MenuPage> leads_to;
-    std::optional<SceneInputTool> takes;  // the tool that goes on from the menu's place
+    std::optional<SceneInputTool> takes;  // the tool that starts at the menu's position
     std::optional<Role> role;             // shows the sign of a vehicle
     std::optional<Channel> channel;
     bool heading = false, rule_above = false;
 };
 
-class Rows {
+class SceneMenuRows {
 public:
-    Rows(const LabView& view, const SceneInputMenu& menu, const Ui& ui)
+    SceneMenuRows(const LabView& view, const SceneInputMenu& menu, const Ui& ui)
         : view_(view), now_(*view.now), menu_(menu), ui_(ui) {}
 
-    std::vector<Row> of_page() {
+    std::vector<SceneMenuRow> of_page() {
         const bool vehicle = menu_.object.kind == SceneObjectKind::vehicle;
         if (vehicle && menu_.page == MenuPage::brains)
             brains();
@@ -58,8 +57,8 @@ private:
     std::string words(std::string_view key) const { return std::string(ui_.strings(key)); }
     std::string keys(Action action) const { return key_name(action, ui_.strings); }
 
-    Row& add(std::string anchor, std::string text, std::vector<Request> asks = {}, std::string shortcut = {}) {
-        Row row;
+    SceneMenuRow& add(std::string anchor, std::string text, std::vector<Request> asks = {}, std::string shortcut = {}) {
+        SceneMenuRow row;
         row.anchor = "menu." + std::move(anchor);
         row.words = std::move(text);
         row.keys = std::move(shortcut);
@@ -83,7 +82,7 @@ private:
     }
 
     std::string name_of(const VehicleView& v) const {
-        return name_of(now_.scene->kinds[static_cast<std::size_t>(v.kind)]) + " " + std::to_string(v.id + 1);
+        return name_of(kind_of(now_, v)) + " " + std::to_string(v.id + 1);
     }
 
     void of_vehicle() {
@@ -119,7 +118,7 @@ private:
         for (const Preset& preset : presets()) {
             const std::string key(preset.name);
             add("brain." + key, std::string(ui_.strings.find("preset." + key, key)),
-                give(graft(*now_.brains[static_cast<std::size_t>(v->brain)], preset.brain)));
+                give(graft(*brain_of(now_, *v), preset.brain)));
         }
     }
 
@@ -144,7 +143,7 @@ private:
             Source source;
             source.channel = channel, source.x = menu_.place.x, source.y = menu_.place.y;
             const std::string name(word(channel));
-            Row& row = add("add." + name, words("source." + name), {EditRequest{AddSource{source}}});
+            SceneMenuRow& row = add("add." + name, words("source." + name), {EditRequest{AddSource{source}}});
             row.channel = channel;
             row.rule_above = channel == source_channels.front();
         }
@@ -159,17 +158,17 @@ private:
     const Snapshot& now_;
     const SceneInputMenu& menu_;
     const Ui& ui_;
-    std::vector<Row> rows_;
+    std::vector<SceneMenuRow> rows_;
 };
 
-float height_of(const Ui& ui, const std::vector<Row>& rows) {
-    float height = 2 * ui.px(pad);
-    for (const Row& row : rows) height += ui.px(row_height) + (row.rule_above ? ui.px(rule_height) : 0);
+float menu_height(const Ui& ui, const std::vector<SceneMenuRow>& rows) {
+    float height = 2 * ui.px(scene_menu_pad);
+    for (const SceneMenuRow& row : rows) height += ui.px(scene_row_height) + (row.rule_above ? ui.px(rule_height) : 0);
     return height;
 }
 
-// `indented`: others have a sign before their words.
-void draw_row(const Ui& ui, const Row& row, const Item& at, bool indented) {
+// `indented`: leaves room for the signs of other rows.
+void draw_menu_row(const Ui& ui, const SceneMenuRow& row, const Item& at, bool indented) {
     const Palette& p = ui.palette;
     fill_box(ui, at.rect, p.line.with_alpha(std::max(0.6f * at.warmth, at.focused ? 0.6f : 0.0f)), 4);
     float x = at.rect.x + ui.px(10);
@@ -184,9 +183,9 @@ void draw_row(const Ui& ui, const Row& row, const Item& at, bool indented) {
     put_right(ui, {right, at.middle_y() - line_height(ui, Face::small) / 2}, row.keys, p.second_text, Face::small);
 }
 
-// True when it was pressed.
-bool show(Ui& ui, const Row& row, bool indented) {
-    const float width = ui.px(menu_width - 2 * pad);
+// Draws the row. True when it was pressed.
+bool menu_row(Ui& ui, const SceneMenuRow& row, bool indented) {
+    const float width = ui.px(scene_menu_width - 2 * scene_menu_pad);
     if (row.rule_above) {
         const ImVec2 from = ImGui::GetCursorScreenPos();
         ImGui::GetWindowDrawList()->AddLine({from.x, from.y + ui.px(4)}, {from.x + width, from.y + ui.px(4)},
@@ -195,17 +194,17 @@ bool show(Ui& ui, const Row& row, bool indented) {
     }
     if (row.heading) {
         const ImVec2 from = ImGui::GetCursorScreenPos();
-        put(ui, {from.x + ui.px(10), from.y + (ui.px(row_height) - line_height(ui, Face::small)) / 2}, row.words,
+        put(ui, {from.x + ui.px(10), from.y + (ui.px(scene_row_height) - line_height(ui, Face::small)) / 2}, row.words,
             ui.palette.second_text, Face::small);
-        ImGui::Dummy({width, ui.px(row_height)});
+        ImGui::Dummy({width, ui.px(scene_row_height)});
         return false;
     }
-    const Item at = item(ui, row.anchor, {width, ui.px(row_height)});
-    draw_row(ui, row, at, indented);
+    const Item at = item(ui, row.anchor, {width, ui.px(scene_row_height)});
+    draw_menu_row(ui, row, at, indented);
     return at.pressed;
 }
 
-void obey(const LabView& view, PanelState& state, Ui& ui, const Row& row) {
+void execute(const LabView& view, PanelState& state, Ui& ui, const SceneMenuRow& row) {
     SceneInputState& scene_input = state.scene_input;
     if (row.leads_to) {
         scene_input.menu.page = *row.leads_to;
@@ -233,8 +232,8 @@ void scene_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     if (!menu.open) return;
     const bool just_opened = !std::exchange(menu.placed, true);
     if (just_opened) ImGui::OpenPopup("scene menu");
-    const std::vector<Row> rows = Rows(view, menu, ui).of_page();
-    const float w = ui.px(menu_width), most = window.h - ui.px(16), h = std::min(height_of(ui, rows), most);
+    const std::vector<SceneMenuRow> rows = SceneMenuRows(view, menu, ui).of_page();
+    const float w = ui.px(scene_menu_width), most = window.h - ui.px(16), h = std::min(menu_height(ui, rows), most);
     const auto within = [](float at, float low, float size, float room) {
         return std::clamp(at, low, std::max(low, low + room - size));
     };
@@ -242,15 +241,16 @@ void scene_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
                     within(menu.at.y, window.y + ui.px(8), h, most)};
     ImGui::SetNextWindowPos(at);
     ImGui::SetNextWindowSize({w, h});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(pad), ui.px(pad)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(scene_menu_pad), ui.px(scene_menu_pad)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     if (ImGui::BeginPopup("scene menu", ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav)) {
         begin_stops(ui.keyboard);
         menu.rows.clear();
-        const bool signs = std::any_of(rows.begin(), rows.end(), [](const Row& r) { return r.role || r.channel; });
-        for (const Row& row : rows) {
+        const bool signs =
+            std::any_of(rows.begin(), rows.end(), [](const SceneMenuRow& r) { return r.role || r.channel; });
+        for (const SceneMenuRow& row : rows) {
             if (!row.heading) menu.rows.push_back(row.anchor);
-            if (show(ui, row, signs)) obey(view, state, ui, row);
+            if (menu_row(ui, row, signs)) execute(view, state, ui, row);
         }
         mark(ui, "menu", {at.x, at.y, w, h});
         if (menu.by_key && ui.keyboard && !menu.rows.empty() && ui.keyboard->focus.empty())
@@ -259,9 +259,9 @@ void scene_menu(const LabView& view, PanelState& state, Ui& ui, Rect window) {
         if (!menu.open) ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
     } else {
-        menu.open = false;  // a click elsewhere
+        menu.open = false;  // closed by a click beside it
     }
     ImGui::PopStyleVar(2);
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,4 +1,4 @@
-// How the selected vehicle's kind senses: where each eye sits, where it looks, how wide and how far, and how well.
+// The card of the sensors of the selected vehicle's kind: position, direction, opening angle, range, and quality.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,21 +8,21 @@
 
 #include "core/scene/fields.h"
 #include "core/scene/names.h"
+#include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/selected.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-constexpr float degrees = 57.295779513f;  // of a radian
+constexpr float degrees_per_radian = 57.295779513f;
 
-// The name of the sensor on the other side: SR for SL. Empty where the name tells no side.
+// The name of the sensor on the other side: SR for SL. Empty where the name has no side.
 std::string other_side(const std::string& name) {
     std::string other = name;
     if (name.empty() || (name.back() != 'L' && name.back() != 'R')) return {};
@@ -37,7 +37,7 @@ auto find_sensor(Sensors& sensors, const std::string& name) -> decltype(&sensors
 }
 
 // One number of a sensor as a slider shows it.
-struct Field {
+struct SensorNumber {
     std::string_view anchor, words, tooltip;  // the latter two are keys of strings
     float Sensor::*value;
     float low, high;
@@ -45,27 +45,28 @@ struct Field {
     float step = 0.01f;
     int decimals = 2;
     std::string_view unit;
-    bool sided = false;      // of the other sign on the other side
-    bool stretches = false;  // the slider grows with what is there already
+    bool sided = false;      // mirrored on the other side
+    bool stretches = false;  // the slider covers larger values that the scene has
 };
 
-constexpr Field geometry[]{
-    {"sensor.angle", "sensors.angle", "sensors.angle_how", &Sensor::angle, -180, 180, degrees, 1, 0, "°", true},
-    {"sensor.field", "sensors.field", "sensors.field_how", &Sensor::field, 1, 360, degrees, 1, 0, "°"},
+constexpr SensorNumber geometry_numbers[]{
+    {"sensor.angle", "sensors.angle", "sensors.angle_how", &Sensor::angle, -180, 180, degrees_per_radian, 1, 0, "°",
+     true},
+    {"sensor.field", "sensors.field", "sensors.field_how", &Sensor::field, 1, 360, degrees_per_radian, 1, 0, "°"},
     {"sensor.range", "sensors.range", "sensors.range_how", &Sensor::range, 0.1f, 20, 1, 0.1f, 1, " m", false, true},
     {"sensor.x", "sensors.x", "sensors.x_how", &Sensor::x, -1, 1, 1, 0.01f, 2, " m", false, true},
     {"sensor.y", "sensors.y", "sensors.y_how", &Sensor::y, -1, 1, 1, 0.01f, 2, " m", true, true},
 };
-constexpr Field quality[]{
+constexpr SensorNumber quality_numbers[]{
     {"sensor.half_distance", "sensors.half_distance", "sensors.half_distance_how", &Sensor::half_distance, 0.1f, 20, 1,
      0.1f, 1, " m", false, true},
     {"sensor.noise", "sensors.noise", "sensors.noise_how", &Sensor::noise, 0, 1},
     {"sensor.latency", "sensors.latency", "sensors.latency_how", &Sensor::latency, 0, 1, 1, 0.01f, 2, " s"},
 };
 
-class Card {
+class SensorEditor {
 public:
-    Card(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle)
+    SensorEditor(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle)
         : view_(view), state_(state), ui_(ui), vehicle_(vehicle), kind_(kind_of(*view.now, vehicle)) {
         if (!find_sensor(kind_.sensors, state.sensor)) state.sensor = kind_.sensors.front().name;
         sensor_ = find_sensor(kind_.sensors, state.sensor);
@@ -77,19 +78,19 @@ public:
         channels();
         sides();
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-        for (const Field& field : geometry) turn(field);
+        for (const SensorNumber& number : geometry_numbers) turn(number);
         ImGui::PopStyleVar();
         gap(ui_, 8);
         shape();
         response();
         if (!fold_row(ui_, "sensor.more", ui_.strings("sensors.more"), state_.sensor_quality_open)) return;
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-        for (const Field& field : quality) turn(field);
+        for (const SensorNumber& number : quality_numbers) turn(number);
         ImGui::PopStyleVar();
     }
 
 private:
-    // A button a sensor, as many in a row as fit, and below what the chosen one is for.
+    // One button per sensor, as many in a row as fit; below them what the chosen one senses.
     void names() {
         const float right = ImGui::GetCursorScreenPos().x + card_width(ui_);
         bool first = true;
@@ -112,7 +113,7 @@ private:
         return ui_.strings.find("wiring.senses." + std::string(word(sensor.channel)), word(sensor.channel));
     }
 
-    // What it senses: all channels, as many in a row as fit, while the line is open.
+    // The channel: a list of all channels, while it is unfolded.
     void channels() {
         if (!fold_row(ui_, "sensor.channel", ui_.strings("sensors.channel"), state_.sensor_channel_open)) return;
         const float right = ImGui::GetCursorScreenPos().x + card_width(ui_);
@@ -130,7 +131,7 @@ private:
         gap(ui_, 4);
     }
 
-    // Whether the other side follows, mirrored.
+    // Whether edits also apply, mirrored, to the sensor on the other side.
     void sides() {
         if (!find_sensor(kind_.sensors, other_side(sensor_->name))) return;
         const std::array words{ui_.strings("sensors.both"), ui_.strings("sensors.one")};
@@ -154,30 +155,31 @@ private:
         edit(++state_.sliders.gesture, [&](Sensor& s, bool) { s.response = static_cast<SensorResponse>(chosen); });
     }
 
-    void turn(const Field& field) {
-        const float value = sensor_->*field.value * field.factor;
+    void turn(const SensorNumber& number) {
+        const float value = sensor_->*number.value * number.factor;
         SliderLook look;
-        look.words = ui_.strings(field.words);
-        look.tooltip = ui_.strings(field.tooltip);
-        look.low = field.low, look.high = field.high;
-        if (field.stretches) {
-            const float most = std::max(field.high, std::ceil(std::fabs(value)));
+        look.words = ui_.strings(number.words);
+        look.tooltip = ui_.strings(number.tooltip);
+        look.low = number.low, look.high = number.high;
+        if (number.stretches) {
+            const float most = std::max(number.high, std::ceil(std::fabs(value)));
             look.high = most;
-            if (field.low < 0) look.low = -most;
+            if (number.low < 0) look.low = -most;
         }
-        look.home = filed_ ? filed_->*field.value * field.factor : value;
-        look.step = field.step, look.decimals = field.decimals, look.unit = field.unit;
+        look.home = filed_ ? filed_->*number.value * number.factor : value;
+        look.step = number.step, look.decimals = number.decimals, look.unit = number.unit;
         look.meaning = false;
-        look.signed_number = field.low < 0;
+        look.signed_number = number.low < 0;
         look.words_width = 84, look.number_width = 56;
-        const auto wanted = slider(ui_, state_.sliders, field.anchor, value, card_width(ui_), view_.wall_seconds, look);
+        const auto wanted =
+            slider(ui_, state_.sliders, number.anchor, value, card_width(ui_), view_.wall_seconds, look);
         if (!wanted) return;
         edit(wanted->gesture - gestures::panels, [&](Sensor& s, bool mirrored) {
-            s.*field.value = wanted->value / field.factor * (mirrored && field.sided ? -1.0f : 1.0f);
+            s.*number.value = wanted->value / number.factor * (mirrored && number.sided ? -1.0f : 1.0f);
         });
     }
 
-    // Asks for the change of the chosen sensor and, unless it is edited alone, of the one on the other side.
+    // Requests the change for the chosen sensor and, unless it is edited alone, for the one on the other side.
     template <class Change>
     void edit(std::uint64_t gesture, Change change) {
         std::vector<Sensor> sensors = kind_.sensors;
@@ -199,12 +201,12 @@ private:
 }  // namespace
 
 void sensor_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
-    const bool open = begin_card(ui, state.sensors, "card.sensors", ui.strings("sensors.heading"), place);
+    const bool open = open_card(state, ui, Card::sensors, place);
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     const bool blind = !vehicle || kind_of(*view.now, *vehicle).sensors.empty();
     if (open && blind) paragraph(ui, ui.strings("sensors.none"), ui.palette.second_text);
-    if (open && !blind) Card(view, state, ui, *vehicle).draw();
-    end_card(state.sensors);
+    if (open && !blind) SensorEditor(view, state, ui, *vehicle).draw();
+    end_card(state.card(Card::sensors));
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

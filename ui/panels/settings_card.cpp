@@ -1,10 +1,11 @@
-// What a person chooses once for every scene: language, theme, size of type, motion.
+// The sheet of preferences: language, theme, type size, motion.
 #include <array>
 #include <string>
 #include <vector>
 
 #include <imgui.h>
 
+#include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -13,13 +14,13 @@
 #include "ui/widgets/paint.h"
 #include "ui/widgets/sheet.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
 constexpr std::array<float, 4> type_sizes{1, 1.25f, 1.5f, 2};
 
-// A choice under its heading; the index chosen now, or -1.
+// A choice below its heading. The index that was clicked, or -1.
 int choose(Ui& ui, std::string_view id, std::string_view heading, std::span<const std::string_view> words, int chosen,
            std::string_view how) {
     subheading(ui, heading);
@@ -28,7 +29,7 @@ int choose(Ui& ui, std::string_view id, std::string_view heading, std::span<cons
     return clicked;
 }
 
-void language(const LabView& view, Ui& ui, Preferences& wanted) {
+void language_choice(const LabView& view, Ui& ui, Preferences& wanted) {
     if (!view.languages || view.languages->empty()) return;
     std::vector<std::string_view> names;
     int chosen = -1;
@@ -41,14 +42,14 @@ void language(const LabView& view, Ui& ui, Preferences& wanted) {
     if (clicked >= 0) wanted.language = (*view.languages)[static_cast<std::size_t>(clicked)].code;
 }
 
-void theme(Ui& ui, Preferences& wanted) {
+void theme_choice(Ui& ui, Preferences& wanted) {
     const std::array<std::string_view, 2> words{ui.strings("settings.dark"), ui.strings("settings.light")};
     const int clicked = choose(ui, "settings.theme", ui.strings("settings.theme"), words,
                                wanted.theme == Theme::light ? 1 : 0, ui.strings("settings.theme_how"));
     if (clicked >= 0) wanted.theme = clicked == 1 ? Theme::light : Theme::dark;
 }
 
-void type_size(Ui& ui, Preferences& wanted) {
+void type_size_choice(Ui& ui, Preferences& wanted) {
     constexpr std::array<std::string_view, 4> words{"100 %", "125 %", "150 %", "200 %"};
     int chosen = -1;
     for (std::size_t i = 0; i < type_sizes.size(); ++i)
@@ -58,18 +59,19 @@ void type_size(Ui& ui, Preferences& wanted) {
     if (clicked >= 0) wanted.type_size = type_sizes[static_cast<std::size_t>(clicked)];
 }
 
-void motion(Ui& ui, Preferences& wanted) {
+void motion_choice(Ui& ui, Preferences& wanted) {
     const std::array<std::string_view, 2> words{ui.strings("settings.full_motion"), ui.strings("settings.less_motion")};
     const int clicked = choose(ui, "settings.motion", ui.strings("settings.motion"), words,
                                wanted.reduce_motion ? 1 : 0, ui.strings("settings.motion_how"));
     if (clicked >= 0) wanted.reduce_motion = clicked == 1;
 }
 
-// Everything as it was at the very first start, but in words that can be read; and back again.
+// Resets preferences and cards to their initial state, except for the language. A second button restores the
+// preferences.
 void reset_all(PanelState& state, Ui& ui, Preferences& wanted) {
     Preferences fresh;
     fresh.language = wanted.language;
-    if (wanted != fresh) state.before_reset.reset();  // changed since: there is something to reset again
+    if (wanted != fresh) state.before_reset.reset();  // changed since the reset
     ImGui::SameLine(0, ui.px(8));
     if (state.before_reset) {
         const Item back = button(ui, "settings.restore", {{}, ui.strings("settings.restore")});
@@ -87,8 +89,7 @@ void reset_all(PanelState& state, Ui& ui, Preferences& wanted) {
     if (!at.pressed) return;
     state.before_reset = wanted;
     wanted = fresh;
-    state.exercise = state.scene = state.brain = state.information = {};
-    state.information_opened = false;
+    reset_cards(state);
 }
 
 }  // namespace
@@ -97,10 +98,10 @@ void settings_card(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     if (state.sheet != Sheet::settings) return;
     Preferences wanted = view.preferences;
     begin_sheet(ui, state.settings, "card.settings", ui.strings("settings.heading"), 460, window);
-    language(view, ui, wanted);
-    theme(ui, wanted);
-    type_size(ui, wanted);
-    motion(ui, wanted);
+    language_choice(view, ui, wanted);
+    theme_choice(ui, wanted);
+    type_size_choice(ui, wanted);
+    motion_choice(ui, wanted);
     sheet_buttons(ui, state.settings);
     const Item close = button(ui, "settings.close", {{}, ui.strings("keys.close"), Emphasis::primary});
     tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
@@ -110,4 +111,4 @@ void settings_card(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     if (end_sheet(state.settings) || closed) state.sheet = Sheet::none;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,4 +1,4 @@
-// The last minute of the run as a strip: drag to look back, go on from anywhere, mark moments to come back to.
+// The recorded minute of the run as a strip, with a playhead to drag and bookmarks.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -9,24 +9,24 @@
 #include "ui/panels/panels.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-constexpr float margin = 10, reading_width = 62, flag_zone = 15, groove = 4;  // layout pixels
-constexpr float roomy = 260;                  // narrower than this, the track has the strip for itself
+constexpr float timeline_margin = 10, reading_width = 62, flag_zone = 15, groove = 4;  // layout pixels
+constexpr float roomy = 260;                  // a narrower strip shows the track only
 constexpr std::uint64_t between_lines = 600;  // ticks: ten seconds
-constexpr std::uint64_t key_step = 60;        // ticks that an arrow key goes
+constexpr std::uint64_t key_step = 60;        // ticks per press of an arrow key
 
-// A minute of ticks on so many pixels; it scrolls once the run is longer than that.
-struct Track {
+// One minute on the pixels of a rectangle; it scrolls when the run is longer.
+struct TimelineTrack {
     Rect rect;
     std::uint64_t first = 0;
 
@@ -44,8 +44,8 @@ std::string seconds_text(const Ui& ui, double ticks) {
     return fill(ui.strings("time.seconds"), {fixed(static_cast<float>(ticks / 60), 1)});
 }
 
-void tool(Ui& ui, ImVec2 at, std::string_view id, std::string_view sign, std::string_view fallback, Action action,
-          bool enabled) {
+void timeline_button(Ui& ui, ImVec2 at, std::string_view id, std::string_view sign, std::string_view fallback,
+                     Action action, bool enabled) {
     ImGui::SetCursorScreenPos(at);
     ButtonLook look{sign, has_icons(ui) ? std::string_view{} : fallback, Emphasis::quiet};
     look.min_width = button_height;
@@ -56,7 +56,7 @@ void tool(Ui& ui, ImVec2 at, std::string_view id, std::string_view sign, std::st
     tooltip(ui, button_item, ui.strings("action." + std::string(name(action))), key_name(action, ui.strings));
 }
 
-void draw_track(const LabView& view, const Ui& ui, const Track& track, float middle, const Item& item) {
+void draw_track(const LabView& view, const Ui& ui, const TimelineTrack& track, float middle, const Item& item) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const Palette& p = ui.palette;
     const float half = ui.px(groove) / 2;
@@ -75,7 +75,7 @@ void draw_track(const LabView& view, const Ui& ui, const Track& track, float mid
     if (now < view.timeline.latest) draw.AddCircle({track.x(now), middle}, size, paint(p.accent), 24, ui.px(2));
 }
 
-void bookmarks(const LabView& view, Ui& ui, const Track& track, float top) {
+void bookmarks(const LabView& view, Ui& ui, const TimelineTrack& track, float top) {
     const auto& marks = view.timeline.bookmarks;
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const float x = track.x(marks[i]), w = ui.px(14), h = ui.px(flag_zone);
@@ -93,8 +93,8 @@ void bookmarks(const LabView& view, Ui& ui, const Track& track, float top) {
     }
 }
 
-// The mouse on the track, or arrows while it has the focus.
-void scrub(const LabView& view, PanelState& state, Ui& ui, const Track& track, const Item& item) {
+// Mouse on the track, or arrow keys while it has the focus.
+void scrub(const LabView& view, PanelState& state, Ui& ui, const TimelineTrack& track, const Item& item) {
     const auto within = [&](std::uint64_t tick) {
         return std::clamp(tick, std::max(view.timeline.earliest, track.first), view.timeline.latest);
     };
@@ -109,7 +109,7 @@ void scrub(const LabView& view, PanelState& state, Ui& ui, const Track& track, c
     if (take(*ui.keyboard, key::right)) ui.outbox.push_back(SeekRequest{within(now + key_step), false});
 }
 
-// How far behind the newest moment the shown one is; nothing at the front.
+// Time between the shown tick and the newest one.
 void reading(const LabView& view, Ui& ui, Rect place) {
     const auto behind = static_cast<double>(view.timeline.latest - view.now->tick);
     const bool at_front = behind == 0;
@@ -126,21 +126,21 @@ void timeline(const LabView& view, PanelState& state, Ui& ui, Rect strip) {
     begin_bar(ui, "timeline", strip, false, 6);
     const bool is_roomy = strip.w >= ui.px(roomy);
     const float button_top = strip.y + (strip.h - ui.px(button_height)) / 2;
-    float left = strip.x + ui.px(margin), right = strip.x + strip.w - ui.px(margin);
+    float left = strip.x + ui.px(timeline_margin), right = strip.x + strip.w - ui.px(timeline_margin);
     if (is_roomy) {
         left = strip.x + ui.px(4);
-        tool(ui, {left, button_top}, "timeline.rewind", icon::slower, "<<", Action::rewind,
-             view.now->tick > view.timeline.earliest);
+        timeline_button(ui, {left, button_top}, "timeline.rewind", icon::slower, "<<", Action::rewind,
+                        view.now->tick > view.timeline.earliest);
         left += ui.px(button_height + 8);
         right = strip.x + strip.w - ui.px(4 + button_height);
-        tool(ui, {right, button_top}, "timeline.bookmark", icon::bookmark, "+", Action::set_bookmark, true);
+        timeline_button(ui, {right, button_top}, "timeline.bookmark", icon::bookmark, "+", Action::set_bookmark, true);
         right -= ui.px(reading_width + 6);
         reading(view, ui, {right, strip.y, ui.px(reading_width), strip.h});
         right -= ui.px(8);
     }
     const std::uint64_t latest = view.timeline.latest;
-    const Track track{{left, strip.y + ui.px(flag_zone), right - left, strip.h - ui.px(flag_zone + 6)},
-                      latest > recorded_ticks ? latest - recorded_ticks : 0};
+    const TimelineTrack track{{left, strip.y + ui.px(flag_zone), right - left, strip.h - ui.px(flag_zone + 6)},
+                              latest > recorded_ticks ? latest - recorded_ticks : 0};
     bookmarks(view, ui, track, strip.y + ui.px(2));
     ImGui::SetCursorScreenPos({track.rect.x - ui.px(6), track.rect.y});
     const Item item_of_track = item(ui, "timeline.track", {track.rect.w + ui.px(12), track.rect.h});
@@ -153,4 +153,4 @@ void timeline(const LabView& view, PanelState& state, Ui& ui, Rect strip) {
     end_bar();
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,4 +1,4 @@
-// What a click into the scene does, chosen from a small bar over it: the hand, a lamp, a box, a polygon.
+// The bar of tools over the scene: hand, lamp, box, polygon.
 #include <array>
 #include <cmath>
 
@@ -8,30 +8,30 @@
 #include "ui/imgui_compat.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-constexpr float button_size = 32, palette_pad = 4;  // layout pixels
+constexpr float tool_size = 32, tool_pad = 4;  // layout pixels
 
 struct ToolLook {
     SceneInputTool tool;
     std::string_view anchor, words, how;
 };
 
-constexpr std::array<ToolLook, 4> looks{
+constexpr std::array<ToolLook, 4> tool_looks{
     {{SceneInputTool::hand, "tool.hand", "tools.hand", "tools.hand_how"},
      {SceneInputTool::lamp, "tool.lamp", "tools.lamp", "tools.lamp_how"},
      {SceneInputTool::box, "tool.box", "tools.box", "tools.box_how"},
      {SceneInputTool::polygon, "tool.polygon", "tools.polygon", "tools.polygon_how"}}};
 
-// Drawn, not taken from a font: each is the thing itself, small.
-void draw_sign(const Ui& ui, SceneInputTool tool, ImVec2 c, Colour colour) {
+// The sign of a tool, drawn without a font.
+void tool_sign(const Ui& ui, SceneInputTool tool, ImVec2 c, Colour colour) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImU32 ink = paint(colour);
     const float u = ui.px(1), thick = ui.px(1.6f);
@@ -59,27 +59,27 @@ void draw_sign(const Ui& ui, SceneInputTool tool, ImVec2 c, Colour colour) {
 
 void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect scene) {
     if (!view.sight || view.mode == Mode::wiring) return;
-    const float size = ui.px(button_size), inset = ui.px(palette_pad);
-    const Rect bar{scene.x, scene.y, looks.size() * size + 2 * inset, size + 2 * inset};
+    const float size = ui.px(tool_size), inset = ui.px(tool_pad);
+    const Rect bar{scene.x, scene.y, tool_looks.size() * size + 2 * inset, size + 2 * inset};
     begin_bar(ui, "tools", bar, false, 6);
     const Palette& p = ui.palette;
     float x = bar.x + inset;
-    for (const ToolLook& look : looks) {
+    for (const ToolLook& look : tool_looks) {
         ImGui::SetCursorScreenPos({x, bar.y + inset});
         const Item at = item(ui, look.anchor, {size, size});
         const bool on = state.scene_input.tool == look.tool;
         fill_box(ui, at.rect, on ? mix(p.panel, p.accent, 0.24f) : p.line.with_alpha(0.6f * at.warmth), 5);
         if (on) line_box(ui, at.rect, p.accent, 5);
-        draw_sign(ui, look.tool, {at.middle_x(), at.middle_y()}, on ? p.text : mix(p.second_text, p.text, at.warmth));
+        tool_sign(ui, look.tool, {at.middle_x(), at.middle_y()}, on ? p.text : mix(p.second_text, p.text, at.warmth));
         tooltip(ui, at, ui.strings(look.words), ui.strings(look.how));
         if (at.pressed) {
             state.scene_input.tool = on ? SceneInputTool::hand : look.tool;
             state.scene_input.corners.clear();
-            if (!at.entered && ui.keyboard) ui.keyboard->focus.clear();  // Esc and Enter are the tool's now
+            if (!at.entered && ui.keyboard) ui.keyboard->focus.clear();  // the tool gets Esc and Enter
         }
         x += size;
     }
     end_bar();
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,5 +1,5 @@
-// The slim bar on top. Where the window is narrow, type and air shrink first, then the icons beside words go, then the
-// words, group by group, the least needed first; tooltips stay.
+// The bar on top. In a narrow window the type and the gaps shrink first, then icons beside words are left out, then
+// words, the least important group first. Tooltips always show the words.
 #include <array>
 #include <string>
 #include <vector>
@@ -8,18 +8,18 @@
 
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-constexpr int compact = 1, few_icons = 2, words_alone = 3, first_words_go = 4;  // steps of narrowness
-constexpr int never = 99, narrowest = first_words_go + 6;
-constexpr float toolbar_margin = 12, tool_gap = 4, group_gap = 17;  // layout pixels
+constexpr int compact_step = 1, few_icons = 2, words_alone = 3, first_words_go = 4;  // steps of narrowness
+constexpr int never = 99, narrowest_step = first_words_go + 6;
+constexpr float toolbar_margin = 12, between_buttons = 4, toolbar_group_gap = 17;  // layout pixels
 constexpr float speed_width = 52, status_width = 204,
                 compact_status = 200;  // the pill, and the clock with the pace below
 
@@ -29,7 +29,7 @@ struct Tool {
     int loses_words;  // the step of narrowness, from first_words_go on, at which its words go; 1 is the first
     bool on = false;
     bool first_of_group = false;
-    bool for_looking = false;  // keeps its icon longer: it is known by it in other windows too
+    bool for_looking = false;  // keeps its icon longer
 };
 
 std::vector<Tool> tools(const LabView& view) {
@@ -62,31 +62,34 @@ ButtonLook look_of(const Ui& ui, const Tool& tool, int narrowness) {
     const int icons_until = tool.for_looking ? words_alone : few_icons;
     if (narrowness < icons_until || look.words.empty() || is_play) look.icon = tool.icon;
     look.emphasis = is_play ? Emphasis::primary : Emphasis::quiet;
-    if (is_play) look.min_width = 92;  // Play and Pause: nothing beside it moves
-    look.compact = narrowness >= compact;
+    if (is_play) look.min_width = 92;  // the same width for Play and Pause
+    look.compact = narrowness >= compact_step;
     look.on = tool.on;
     return look;
 }
 
-float width_of_status(int narrowness) { return narrowness < compact ? status_width : compact_status; }
+float width_of_status(int narrowness) { return narrowness < compact_step ? status_width : compact_status; }
 
 float width_of(const Ui& ui, const std::vector<Tool>& all, int narrowness) {
-    float width = 2 * ui.px(toolbar_margin) + button_width(ui, look_of(ui, exit_tool, narrowness)) + ui.px(group_gap);
+    float width =
+        2 * ui.px(toolbar_margin) + button_width(ui, look_of(ui, exit_tool, narrowness)) + ui.px(toolbar_group_gap);
     for (const Tool& tool : all)
-        width += button_width(ui, look_of(ui, tool, narrowness)) + ui.px(tool.first_of_group ? group_gap : tool_gap);
-    return width + ui.px(group_gap + 2 * 34 + speed_width + 2 * tool_gap + group_gap + width_of_status(narrowness));
+        width += button_width(ui, look_of(ui, tool, narrowness)) +
+                 ui.px(tool.first_of_group ? toolbar_group_gap : between_buttons);
+    return width + ui.px(toolbar_group_gap + 2 * 34 + speed_width + 2 * between_buttons + toolbar_group_gap +
+                         width_of_status(narrowness));
 }
 
-void press(PanelState& state, Ui& ui, const Tool& tool, int narrowness) {
+void tool_button(PanelState& state, Ui& ui, const Tool& tool, int narrowness) {
     const Item at = button(ui, tool.anchor, look_of(ui, tool, narrowness));
     if (at.pressed && tool.action == Action::open)
-        begin_files(state.files, false), state.sheet = Sheet::files;  // the panels' own
+        begin_files(state.files, false), state.sheet = Sheet::files;  // handled by the panels
     else if (at.pressed && tool.action == Action::view)
         state.view_menu = !state.view_menu;
     else if (at.pressed)
         ui.outbox.push_back(tool.action);
     if (!wants_tooltip(ui, at)) return;
-    // tooltip.play_pause and so on, word for word what the action does
+    // "tooltip.play_pause" and so on
     const std::string key = "tooltip." + std::string(name(tool.action));
     tooltip(ui, at, ui.strings.find(key, ui.strings(tool.words)), key_name(tool.action, ui.strings));
 }
@@ -106,8 +109,8 @@ std::string speed_words(float time_scale) {
     return fixed(time_scale, time_scale < 1 ? 2 : 0) + "×";
 }
 
-// Slower, the speed, faster; returns where it ends.
-float speed(const LabView& view, Ui& ui, float x, Rect bar) {
+// Slower, the speed, faster. Returns the right end.
+float speed_control(const LabView& view, Ui& ui, float x, Rect bar) {
     const float y = bar.y + (bar.h - ui.px(button_height)) / 2;
     const auto end = [&](std::string_view id, std::string_view sign, std::string_view fallback, Action action,
                          bool enabled) {
@@ -131,7 +134,7 @@ float speed(const LabView& view, Ui& ui, float x, Rect bar) {
 }
 
 // The state as a coloured word with its sign, and the simulated time.
-void status(const LabView& view, Ui& ui, float x, float layout_width, Rect bar) {
+void status_pill(const LabView& view, Ui& ui, float x, float layout_width, Rect bar) {
     const Palette& p = ui.palette;
     const bool playing = view.mode == Mode::playing, wiring = view.mode == Mode::wiring;
     const Colour colour = legible(playing ? p.accent : wiring ? p.memory : p.text, p.panel, p.text);
@@ -167,30 +170,30 @@ void toolbar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     begin_bar(ui, "toolbar", bar);
     const std::vector<Tool> all = tools(view);
     int narrowness = 0;
-    while (narrowness < narrowest && width_of(ui, all, narrowness) > bar.w) ++narrowness;
+    while (narrowness < narrowest_step && width_of(ui, all, narrowness) > bar.w) ++narrowness;
 
     const float y = bar.y + (bar.h - ui.px(button_height)) / 2;
     float x = bar.x + ui.px(toolbar_margin);
     for (const Tool& tool : all) {
         if (tool.first_of_group) {
-            x += ui.px(group_gap - tool_gap);
-            rule(ui, x - ui.px((group_gap - tool_gap) / 2 + tool_gap / 2), bar);
+            x += ui.px(toolbar_group_gap - between_buttons);
+            rule(ui, x - ui.px((toolbar_group_gap - between_buttons) / 2 + between_buttons / 2), bar);
         }
         ImGui::SetCursorScreenPos({x, y});
-        press(state, ui, tool, narrowness);
-        x += button_width(ui, look_of(ui, tool, narrowness)) + ui.px(tool_gap);
+        tool_button(state, ui, tool, narrowness);
+        x += button_width(ui, look_of(ui, tool, narrowness)) + ui.px(between_buttons);
     }
-    x += ui.px(group_gap - tool_gap);
-    rule(ui, x - ui.px((group_gap - tool_gap) / 2 + tool_gap / 2), bar);
-    x = speed(view, ui, x, bar);
+    x += ui.px(toolbar_group_gap - between_buttons);
+    rule(ui, x - ui.px((toolbar_group_gap - between_buttons) / 2 + between_buttons / 2), bar);
+    x = speed_control(view, ui, x, bar);
 
     const float exit_x = bar.x + bar.w - ui.px(toolbar_margin) - button_width(ui, look_of(ui, exit_tool, narrowness));
     const float status_width_now = width_of_status(narrowness);
-    status(view, ui, exit_x - ui.px(group_gap + status_width_now), status_width_now, bar);
-    rule(ui, exit_x - ui.px(group_gap / 2), bar);
+    status_pill(view, ui, exit_x - ui.px(toolbar_group_gap + status_width_now), status_width_now, bar);
+    rule(ui, exit_x - ui.px(toolbar_group_gap / 2), bar);
     ImGui::SetCursorScreenPos({exit_x, y});
-    press(state, ui, exit_tool, narrowness);
+    tool_button(state, ui, exit_tool, narrowness);
     end_bar();
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,5 +1,4 @@
-// What the scene shows beyond the things in it: fields, trails, floor pictures, names. Drops from the toolbar, and
-// stays open while one tries.
+// The menu of overlays: sensors, trails, floor pictures, labels, fields. It drops from the toolbar and stays open.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -14,11 +13,11 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-constexpr float view_menu_width = 300, view_menu_pad = 12, view_row_height = 32;  // layout pixels
+constexpr float view_menu_width = 300, view_pad = 12, view_row_height = 32;  // layout pixels
 
 struct ViewRow {
     std::string id;
@@ -27,7 +26,7 @@ struct ViewRow {
     std::optional<Channel> field{};  // of a choice; none: no field
 };
 
-std::string_view word(Channel channel) { return channel_words[static_cast<std::size_t>(channel)].word; }
+std::string_view channel_word(Channel channel) { return channel_words[static_cast<std::size_t>(channel)].word; }
 
 ViewRow switch_row(Action action, bool on) { return {"view." + std::string(name(action)), on, action}; }
 
@@ -41,18 +40,19 @@ std::vector<ViewRow> switches(const LabView& view) {
 std::vector<ViewRow> fields(const LabView& view) {
     std::vector<ViewRow> rows{{"view.none", !view.settings.overlays.field, std::nullopt}};
     for (const Channel c : channels_with_intensity(*view.now))
-        rows.push_back({"view." + std::string(word(c)), view.settings.overlays.field == c, std::nullopt, c});
+        rows.push_back({"view." + std::string(channel_word(c)), view.settings.overlays.field == c, std::nullopt, c});
     return rows;
 }
 
-std::string_view words_of(const Ui& ui, const ViewRow& row) {
+std::string_view view_words(const Ui& ui, const ViewRow& row) {
     if (row.action) return ui.strings("action." + std::string(name(*row.action)));
-    return row.field ? ui.strings("view.channel." + std::string(word(*row.field))) : ui.strings("view.no_field");
+    return row.field ? ui.strings("view.channel." + std::string(channel_word(*row.field)))
+                     : ui.strings("view.no_field");
 }
 
-bool draw_row(Ui& ui, const ViewRow& row, ImVec2 at) {
+bool draw_view_row(Ui& ui, const ViewRow& row, ImVec2 at) {
     ImGui::SetCursorScreenPos(at);
-    const Item here = item(ui, row.id, {ui.px(view_menu_width - 2 * view_menu_pad), ui.px(view_row_height)});
+    const Item here = item(ui, row.id, {ui.px(view_menu_width - 2 * view_pad), ui.px(view_row_height)});
     fill_box(ui, here.rect, ui.palette.line.with_alpha(std::max(0.6f * here.warmth, here.focused ? 0.6f : 0.0f)));
     const float y = here.middle_y() - line_height(ui, Face::text) / 2;
     if (row.on) {
@@ -62,17 +62,17 @@ bool draw_row(Ui& ui, const ViewRow& row, ImVec2 at) {
             fill_box(ui, {here.rect.x + ui.px(10), here.middle_y() - ui.px(5), ui.px(10), ui.px(10)},
                      ui.palette.accent);
     }
-    put(ui, {here.rect.x + ui.px(34), y}, words_of(ui, row), row.on ? ui.palette.text : ui.palette.second_text);
+    put(ui, {here.rect.x + ui.px(34), y}, view_words(ui, row), row.on ? ui.palette.text : ui.palette.second_text);
     if (row.action)
         put_right(ui, {here.right() - ui.px(10), y}, key_name(*row.action, ui.strings), ui.palette.second_text,
                   Face::small);
     return here.pressed;
 }
 
-float heading(const Ui& ui, ImVec2 at, std::string_view words, std::string_view key) {
+float view_heading(const Ui& ui, ImVec2 at, std::string_view words, std::string_view key) {
     put(ui, {at.x + ui.px(10), at.y + ui.px(4)}, words, ui.palette.second_text, Face::small);
-    put_right(ui, {at.x + ui.px(view_menu_width - 2 * view_menu_pad - 10), at.y + ui.px(4)}, key,
-              ui.palette.second_text, Face::small);
+    put_right(ui, {at.x + ui.px(view_menu_width - 2 * view_pad - 10), at.y + ui.px(4)}, key, ui.palette.second_text,
+              Face::small);
     return at.y + line_height(ui, Face::small) + ui.px(8);
 }
 
@@ -96,31 +96,31 @@ bool for_view_menu(const LabView& view, PanelState& state, KeyPress press) {
     return true;
 }
 
-void view_menu(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
+void view_menu(const LabView& view, PanelState& state, Ui& ui, Rect window, Rect toolbar) {
     const Rect* button = ui.anchors.find("button.view");
     if (!state.view_menu || !button) return;
     const Rect opener = *button;  // what follows records anchors
     const auto all_switches = switches(view), all_fields = fields(view);
     const float heads = 2 * (line_height(ui, Face::small) + ui.px(8)) + ui.px(8);
-    const float height = 2 * ui.px(view_menu_pad) + heads +
+    const float height = 2 * ui.px(view_pad) + heads +
                          ui.px(view_row_height) * static_cast<float>(all_switches.size() + all_fields.size());
-    const Rect menu{std::min(opener.x, layout.window.w - ui.px(view_menu_width + 12)),
-                    layout.toolbar.y + layout.toolbar.h + ui.px(8), ui.px(view_menu_width), height};
-    // No veil over the scene: one looks at it while choosing. But the click that closes the menu does nothing else.
-    begin_bar(ui, "view", layout.window, true);
+    const Rect menu{std::min(opener.x, window.w - ui.px(view_menu_width + 12)), toolbar.y + toolbar.h + ui.px(8),
+                    ui.px(view_menu_width), height};
+    // The bar covers the window invisibly: a click beside the menu closes it and does nothing else.
+    begin_bar(ui, "view", window, true);
     card_ground(ui, menu);
     fill_box(ui, menu, ui.palette.panel);
     line_box(ui, menu, ui.palette.line);
-    ImVec2 at{menu.x + ui.px(view_menu_pad), menu.y + ui.px(view_menu_pad)};
-    at.y = heading(ui, at, ui.strings("view.shown"), {});
+    ImVec2 at{menu.x + ui.px(view_pad), menu.y + ui.px(view_pad)};
+    at.y = view_heading(ui, at, ui.strings("view.shown"), {});
     for (const ViewRow& row : all_switches) {
-        if (draw_row(ui, row, at)) ui.outbox.push_back(*row.action);
+        if (draw_view_row(ui, row, at)) ui.outbox.push_back(*row.action);
         at.y += ui.px(view_row_height);
     }
     at.y += ui.px(8);
-    at.y = heading(ui, at, ui.strings("view.field"), key_name(Action::next_field, ui.strings));
+    at.y = view_heading(ui, at, ui.strings("view.field"), key_name(Action::next_field, ui.strings));
     for (const ViewRow& row : all_fields) {
-        if (draw_row(ui, row, at)) {
+        if (draw_view_row(ui, row, at)) {
             Overlays wanted = view.settings.overlays;
             wanted.field = row.field;
             ui.outbox.push_back(OverlaysRequest{wanted});
@@ -135,4 +135,4 @@ void view_menu(const LabView& view, PanelState& state, Ui& ui, const WindowLayou
     end_bar();
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

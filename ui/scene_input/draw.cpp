@@ -12,11 +12,11 @@
 #include "ui/scene_input/polygon_tool.h"
 #include "ui/scene_input/under_pointer.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 using maths::vec2;
 
@@ -25,9 +25,9 @@ namespace {
 constexpr float source_ring = 0.42f;  // m
 constexpr int ring_segments = 64;
 
-class Overlay {
+class SceneInputDrawing {
 public:
-    Overlay(const SceneInputState& state, const SceneInputFrame& frame, const Ui& ui)
+    SceneInputDrawing(const SceneInputState& state, const SceneInputFrame& frame, const Ui& ui)
         : state_(state), frame_(frame), ui_(ui), list_(*ImGui::GetBackgroundDrawList()) {}
 
     void draw() {
@@ -38,7 +38,7 @@ public:
         if (idle && !state_.hovered.handle && hovered != frame_.view.settings.selection.object)
             mark_object(hovered, ui_.palette.second_text, 1.5f);
         if (const auto handle = handle_of(state_, frame_)) draw_handle(*handle);
-        if (state_.drag.phase == SceneInputPhase::move || state_.drag.phase == SceneInputPhase::turn) tell_pose();
+        if (state_.drag.phase == SceneInputPhase::move || state_.drag.phase == SceneInputPhase::turn) note_pose();
         if (state_.drag.phase == SceneInputPhase::box) draw_box();
         if (state_.tool == SceneInputTool::polygon) draw_outline();
         if (frame_.pointer.over && state_.tool == SceneInputTool::lamp) draw_ghost_lamp();
@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    // A line over the scene: on a darker or lighter one, so that it shows on any floor.
+    // A line with a contrasting border, so that it is visible on any floor.
     void line(const std::vector<ImVec2>& points, Colour colour, float layout_width, bool closed = true) const {
         if (points.size() < 2) return;
         const int count = static_cast<int>(points.size());
@@ -57,7 +57,7 @@ private:
         compat::polyline(list_, points.data(), count, paint(colour), closed, ui_.px(layout_width));
     }
 
-    // Empty as soon as one of them is behind the eye.
+    // Empty when one of them is behind the camera.
     std::vector<ImVec2> on_screen(const std::vector<vec2>& places, float height = 0) const {
         std::vector<ImVec2> points;
         for (const vec2 place : places) {
@@ -75,7 +75,7 @@ private:
         return on_screen(places);
     }
 
-    // Vehicles have their ring from the renderer.
+    // The renderer draws the rings of vehicles.
     void mark_object(const SceneObject& object, Colour colour, float width) const {
         const auto place = place_of(*frame_.view.now, object);
         if (!place) return;
@@ -102,7 +102,7 @@ private:
         list_.AddCircleFilled(at, ui_.px(layout_radius), paint(colour), 24);
     }
 
-    void tell_pose() const {
+    void note_pose() const {
         const auto place = place_of(*frame_.view.now, state_.drag.on.object);
         if (!place) return;
         const Strings& words = ui_.strings;
@@ -129,7 +129,7 @@ private:
         note(fill(ui_.strings("scene_input.size"), {fixed(box.length, 1), fixed(box.width, 1)}), ui_.palette.line);
     }
 
-    // The corners so far, the next one at the pointer, and why it would be refused.
+    // The corners so far, the next one at the pointer, and the reason when it is not allowed.
     void draw_outline() const {
         const Palette& p = ui_.palette;
         std::vector<vec2> corners = state_.corners;
@@ -147,7 +147,8 @@ private:
         if (state_.corners.size() >= 3)
             if (const auto first = project(frame_.sight, state_.corners[0]))
                 list_.AddCircle({first->x, first->y}, ui_.px(closes ? 11.0f : 8.0f), paint(p.accent), 24, ui_.px(2));
-        if (frame_.pointer.over && !sound && state_.refusal.key.empty()) note(ui_.strings(reason(fault)), p.warning);
+        if (frame_.pointer.over && !sound && state_.refusal.key.empty())
+            note(ui_.strings(refusal_of(fault)), p.warning);
         if (frame_.pointer.over && closes) note(ui_.strings("scene_input.close"), p.accent);
     }
 
@@ -173,7 +174,7 @@ private:
         }
     }
 
-    // Words in a small box beside the pointer, on the side where no card hides them.
+    // A note beside the pointer, within the area free of cards.
     void note(std::string_view words, Colour edge) const {
         ImFont* face = font(ui_, Face::small);
         const float w = text_width(ui_, Face::small, words) + ui_.px(16), h = line_height(ui_, Face::small) + ui_.px(8);
@@ -198,7 +199,7 @@ private:
 }  // namespace
 
 void draw_scene_input(const SceneInputState& state, const SceneInputFrame& frame, const Ui& ui) {
-    Overlay(state, frame, ui).draw();
+    SceneInputDrawing(state, frame, ui).draw();
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

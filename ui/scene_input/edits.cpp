@@ -1,37 +1,44 @@
 #include "ui/scene_input/edits.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
 
-#include "ui/scene_input/room.h"
+#include "core/maths/geometry.h"
+#include "core/scene/scene.h"
+#include "render/view/pick.h"
+#include "ui/scene_input/edits.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 using maths::vec2;
 
 namespace {
 
-constexpr float beside = 0.8f;  // m
+constexpr float copy_distance = 0.8f;  // m
 
-vec2 inside(const Snapshot& now, vec2 place, float margin = 0) {
+vec2 clamped_to_arena(const Snapshot& now, vec2 place, float margin = 0) {
     if (!now.scene) return place;
     const float x = std::max(0.0f, now.scene->arena.width / 2 - margin);
     const float y = std::max(0.0f, now.scene->arena.height / 2 - margin);
     return {std::clamp(place.x, -x, x), std::clamp(place.y, -y, y)};
 }
 
-// A vehicle keeps off the walls by half its width, so that it can drive away.
-float margin_of(const Snapshot& now, const SceneObject& object) {
+// A vehicle keeps half its width of distance to the walls, so that it can drive away.
+float wall_margin(const Snapshot& now, const SceneObject& object) {
     const VehicleView* vehicle = object.kind == SceneObjectKind::vehicle ? find_vehicle(now, object.index) : nullptr;
     if (!vehicle || !now.scene || now.scene->arena.edge != Boundary::wall) return 0;
-    return now.scene->kinds[static_cast<std::size_t>(vehicle->kind)].body.width / 2;
+    return kind_of(now, *vehicle).body.width / 2;
 }
 
-// Beside it, on the side where the arena has more room.
-Pose place_beside(const Snapshot& now, const SceneObject& object) {
+// Beside the object, on the side where the arena has more room.
+Pose pose_beside(const Snapshot& now, const SceneObject& object) {
     const Pose at = *place_of(now, object);
-    const float step = beside + reach_of(now, object);
-    const vec2 there{at.x + (at.x > 0 ? -step : step), at.y};
-    const vec2 within = inside(now, there, margin_of(now, object));
+    const float distance = copy_distance + reach_of(now, object);
+    const vec2 there{at.x + (at.x > 0 ? -distance : distance), at.y};
+    const vec2 within = clamped_to_arena(now, there, wall_margin(now, object));
     return {within.x, within.y, at.heading};
 }
 
@@ -46,10 +53,10 @@ std::optional<Command> removal_of(const Snapshot& now, const SceneObject& object
 
 std::optional<Command> copy_of(const Snapshot& now, const SceneObject& object) {
     if (!place_of(now, object)) return std::nullopt;
-    const Pose at = place_beside(now, object);
+    const Pose at = pose_beside(now, object);
     if (object.kind == SceneObjectKind::vehicle) {
         const VehicleView& vehicle = *find_vehicle(now, object.index);
-        const BrainGraph& own = *now.brains[static_cast<std::size_t>(vehicle.brain)];
+        const BrainGraph& own = *brain_of(now, vehicle);
         const auto kind = static_cast<std::size_t>(vehicle.kind);
         const bool as_its_kind = kind < now.kind_brains.size() && own == *now.kind_brains[kind];
         AddVehicle copy{vehicle.kind, at, std::nullopt, vehicle.energy};
@@ -68,7 +75,7 @@ std::optional<Command> copy_of(const Snapshot& now, const SceneObject& object) {
 
 std::optional<Command> move_of(const Snapshot& now, const SceneObject& object, Pose to) {
     if (!place_of(now, object)) return std::nullopt;
-    const vec2 within = inside(now, {to.x, to.y}, margin_of(now, object));
+    const vec2 within = clamped_to_arena(now, {to.x, to.y}, wall_margin(now, object));
     if (object.kind == SceneObjectKind::vehicle) return MoveVehicle{object.index, within.x, within.y, to.heading};
     if (object.kind == SceneObjectKind::source) return MoveSource{object.index, within.x, within.y};
     return MoveObstacle{object.index, within.x, within.y, to.heading};
@@ -99,4 +106,111 @@ SceneObject added_by(const Snapshot& now, const Command& command) {
     return {};
 }
 
-}  // namespace braitenlab
+using maths::vec2;
+
+namespace {
+
+constexpr float search_step = 0.1f;   // m between the positions tried
+constexpr float source_reach = 0.3f;  // m, radius of the foot of a lamp
+
+struct Disc {
+    vec2 place;
+    float reach = 0;
+};
+
+// All objects of the scene.
+struct Obstructions {
+    std::vector<Disc> discs;
+    std::vector<std::vector<vec2>> blocks;  // corners, counter-clockwise
+};
+
+Obstructions obstructions_in(const Snapshot& now) {
+    Obstructions all;
+    for (const VehicleView& v : now.vehicles) all.discs.push_back({{v.x, v.y}, reach_of(now, vehicle_object(v.id))});
+    for (const SourceView& source : now.sources) all.discs.push_back({{source.x, source.y}, source_reach});
+    for (int i = 0; i < static_cast<int>(now.scene->obstacles.size()); ++i) all.blocks.push_back(outline_of(now, i));
+    return all;
+}
+
+bool overlaps(const std::vector<vec2>& block, vec2 place, float reach) {
+    bool inside = block.size() >= 3;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+        const vec2 a = block[i], b = block[(i + 1) % block.size()];
+        if (maths::distance(maths::nearest_on_segment(place, a, b), place) < reach) return true;
+        inside &= maths::cross(b - a, place - a) >= 0;
+    }
+    return inside;
+}
+
+bool is_free(const Obstructions& all, vec2 place, float reach) {
+    return std::none_of(all.discs.begin(), all.discs.end(),
+                        [&](const Disc& d) { return maths::distance(d.place, place) < d.reach + reach; }) &&
+           std::none_of(all.blocks.begin(), all.blocks.end(),
+                        [&](const auto& block) { return overlaps(block, place, reach); });
+}
+
+// Largest |x| and |y| of the middle of a disc of this radius; on a torus it may overlap the edge.
+vec2 limits_for(const Arena& arena, float reach) {
+    const float margin = arena.edge == Boundary::torus ? 0 : reach;
+    return {std::max(0.0f, arena.width / 2 - margin), std::max(0.0f, arena.height / 2 - margin)};
+}
+
+float reach_of_body(const Body& body) { return std::hypot(body.length, body.width) / 2; }
+
+float reach_of_kind(const Snapshot& now, int kind) {
+    const auto& kinds = now.scene->kinds;
+    return kind >= 0 && static_cast<std::size_t>(kind) < kinds.size()
+               ? reach_of_body(kinds[static_cast<std::size_t>(kind)].body)
+               : reach_of_body({});
+}
+
+// Radius of the largest disc within the obstacle, so that a long wall may end at the edge.
+float reach_of_shape(const Obstacle& obstacle) {
+    const vec2 middle;
+    const std::vector<vec2> corners = corners_of(obstacle);
+    float reach = std::numeric_limits<float>::max();
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        reach = std::min(reach, maths::distance(middle, maths::nearest_on_segment(middle, corners[i],
+                                                                                  corners[(i + 1) % corners.size()])));
+    return corners.empty() ? 0 : reach;
+}
+
+}  // namespace
+
+vec2 free_place(const Snapshot& now, vec2 wanted, float reach) {
+    if (!now.scene) return wanted;
+    const Obstructions all = obstructions_in(now);
+    const vec2 limit = limits_for(now.scene->arena, reach);
+    const vec2 from{std::clamp(wanted.x, -limit.x, limit.x), std::clamp(wanted.y, -limit.y, limit.y)};
+    // Rings around it, each starting on the side of the arena's middle, where there is most room.
+    const float towards_middle = std::atan2(-from.y, -from.x), farthest = 2 * std::hypot(limit.x, limit.y);
+    for (float ring = 0; ring <= farthest; ring += search_step) {
+        const int places =
+            ring == 0 ? 1 : static_cast<int>(std::ceil(2 * std::numbers::pi_v<float> * ring / search_step));
+        for (int i = 0; i < places; ++i) {
+            const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(places);
+            const vec2 at = from + ring * vec2{std::cos(towards_middle + turn), std::sin(towards_middle + turn)};
+            if (std::fabs(at.x) > limit.x || std::fabs(at.y) > limit.y) continue;
+            if (is_free(all, at, reach)) return at;
+        }
+    }
+    return from;
+}
+
+Command with_room(const Snapshot& now, Command command) {
+    if (!now.scene) return command;
+    if (auto* vehicle = std::get_if<AddVehicle>(&command); vehicle && vehicle->at) {
+        const vec2 at = free_place(now, {vehicle->at->x, vehicle->at->y}, reach_of_kind(now, vehicle->kind));
+        vehicle->at->x = at.x, vehicle->at->y = at.y;
+    } else if (auto* source = std::get_if<AddSource>(&command)) {
+        const vec2 at = free_place(now, {source->source.x, source->source.y}, source_reach);
+        source->source.x = at.x, source->source.y = at.y;
+    } else if (auto* obstacle = std::get_if<AddObstacle>(&command)) {
+        const vec2 at =
+            free_place(now, {obstacle->obstacle.x, obstacle->obstacle.y}, reach_of_shape(obstacle->obstacle));
+        obstacle->obstacle.x = at.x, obstacle->obstacle.y = at.y;
+    }
+    return command;
+}
+
+}  // namespace braitenlab::ui

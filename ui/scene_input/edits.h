@@ -1,33 +1,43 @@
-// The commands behind what a hand does to a thing of the scene, whatever kind of thing it is.
+// Commands behind the gestures on objects of the scene, and the search for a free position.
 #pragma once
 
 #include <array>
 #include <optional>
 
+#include "core/maths/vec.h"
 #include "core/world/command.h"
+#include "core/world/snapshot.h"
 #include "render/view/pick.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
-// What a source can be, in the order of menus: what exists in the world by itself.
+// The channels a source can have, in the order of menus.
 inline constexpr std::array<Channel, 7> source_channels{Channel::light, Channel::red,   Channel::green, Channel::blue,
                                                         Channel::heat,  Channel::smell, Channel::oxygen};
 
-// Nothing where the thing is gone.
+// All return nullopt when the object no longer exists.
 std::optional<Command> removal_of(const Snapshot&, const SceneObject&);
 
-// One like it, about 0.8 m beside it, where there is room in the arena; a vehicle's copy has its very brain.
+// Adds a copy about 0.8 m beside the object, at a free position. A copied vehicle has the same brain.
 std::optional<Command> copy_of(const Snapshot&, const SceneObject&);
 
-// The thing stands there instead, within the arena; a source takes no heading.
+// Moves the object to this pose, clamped to the arena. A source ignores the heading.
 std::optional<Command> move_of(const Snapshot&, const SceneObject&, Pose to);
 
-// Before a run's first tick, who is moved starts there from now on: its new start, exactly where and how it stands, to
-// be part of the same gesture. Nothing later, nor for one that starts at random, nor for other commands.
+// For a MoveVehicle before the first tick: the edit that makes the new pose the vehicle's start, as part of the same
+// gesture. nullopt after the first tick, for other commands, and for a vehicle without a start of its own.
 std::optional<Command> start_of(const Snapshot&, const Command& move);
 
-// What is added by a command, once it has been carried out and captured: the newest of its sort. SceneObject{} for
-// other commands, and for vehicles that come in anywhere.
+// The object added by a command, in a snapshot captured after it. SceneObject{} for other commands, and for a vehicle
+// added without a position.
 SceneObject added_by(const Snapshot&, const Command&);
 
-}  // namespace braitenlab
+// The nearest position within the arena where a disc of radius `reach` (m) touches nothing; the wanted position,
+// clamped to the arena, when the arena is full.
+maths::vec2 free_place(const Snapshot&, maths::vec2 wanted, float reach);
+
+// The command with the nearest free position for the object that it adds; an obstacle counts as the largest disc within
+// it. Other commands are returned unchanged.
+Command with_room(const Snapshot&, Command);
+
+}  // namespace braitenlab::ui

@@ -5,21 +5,19 @@
 
 #include "core/maths/angle.h"
 #include "ui/scene_input/edits.h"
-#include "ui/scene_input/outline.h"
 #include "ui/scene_input/polygon_tool.h"
-#include "ui/scene_input/room.h"
 #include "ui/scene_input/under_pointer.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 using maths::vec2;
 
 namespace {
 
-constexpr float drag_begins = 4;             // layout pixels
+constexpr float drag_threshold = 4;          // layout pixels
 constexpr float turn_step = maths::pi / 12;  // with Shift
 
-void ask(Outbox& outbox, Command command, std::uint64_t gesture = 0) {
+void request(Outbox& outbox, Command command, std::uint64_t gesture = 0) {
     outbox.push_back(EditRequest{std::move(command), gesture});
 }
 
@@ -75,28 +73,25 @@ void press(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox)
     }
     Source lamp;
     lamp.x = at.x, lamp.y = at.y;
-    ask(outbox, with_room(*frame.view.now, AddSource{lamp}));
+    request(outbox, with_room(*frame.view.now, AddSource{lamp}));
     if (!pointer.shift) state.tool = SceneInputTool::hand;
 }
 
 bool moved_enough(const SceneInputState& state, const SceneInputFrame& frame) {
-    return maths::distance(state.drag.press, frame.pointer.at) > drag_begins * frame.scale;
+    return maths::distance(state.drag.press, frame.pointer.at) > drag_threshold * frame.scale;
 }
 
 SceneInputPhase phase_for(const SceneInputState& state, const SceneInputFrame& frame) {
     const SceneInputDrag& drag = state.drag;
-    const bool flat =
-        frame.view.settings.camera.mode == CameraMode::birds_eye;  // turned by hand it would lose its north
+    const bool flat = frame.view.settings.camera.mode == CameraMode::birds_eye;  // it keeps north up
     if (!drag.left || (!drag.on && flat)) return SceneInputPhase::pan;
-    // Whoever the camera rides with would flee from the pointer that drags it: both move.
-    const bool ridden =
-        rides(frame.view.settings.camera.mode) && drag.on.object == vehicle_object(frame.view.settings.selection.vehicle);
+    // The vehicle that the camera follows moves away from the pointer: orbit instead.
+    const bool ridden = rides(frame.view.settings.camera.mode) && drag.on.object == vehicle_object(frame.view.settings.selection.vehicle);
     if (!drag.on || ridden) return SceneInputPhase::orbit;
     return drag.on.handle ? SceneInputPhase::turn : SceneInputPhase::move;
 }
 
-// Asks for the thing to be there, unless it is already. A vehicle that drives would drive out of the hand: it is put
-// back every frame.
+// Requests the pose, unless the object has it. A moving vehicle leaves the pose, so it is requested every frame.
 void put(SceneInputDrag& drag, const LabView& view, Pose to, Outbox& outbox) {
     drag.put = to;
     const auto is = place_of(*view.now, drag.on.object);
@@ -105,15 +100,15 @@ void put(SceneInputDrag& drag, const LabView& view, Pose to, Outbox& outbox) {
     const bool source = drag.on.object.kind == SceneObjectKind::source;
     const bool there = std::hypot(is->x - to.x, is->y - to.y) < 1e-4f &&
                        (source || std::fabs(maths::wrap_angle(is->heading - to.heading)) < 1e-4f);
-    if (!there) ask(outbox, *command, drag.gesture);
+    if (!there) request(outbox, *command, drag.gesture);
 }
 
-void go_on(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox) {
+void continue_drag(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox) {
     SceneInputDrag& drag = state.drag;
     const auto floor = floor_at(frame);
     if (drag.phase == SceneInputPhase::pending && moved_enough(state, frame)) drag.phase = phase_for(state, frame);
     if (drag.phase == SceneInputPhase::pending) return;
-    drag.moved = frame.pointer.at - drag.last;  // from the press on: the floor stays under the pointer
+    drag.moved = frame.pointer.at - drag.last;  // from the press on, so that the floor stays under the pointer
     drag.last = frame.pointer.at;
     if (drag.phase == SceneInputPhase::move && floor)
         put(drag, frame.view, {floor->x + drag.offset.x, floor->y + drag.offset.y, drag.began.heading}, outbox);
@@ -125,10 +120,10 @@ void go_on(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox)
     }
 }
 
-// The hand lets go of what it has moved.
-void leave(const SceneInputDrag& drag, const LabView& view, Outbox& outbox) {
+// The object is released: before the first tick its pose becomes its start.
+void finish_move(const SceneInputDrag& drag, const LabView& view, Outbox& outbox) {
     const auto move = move_of(*view.now, drag.on.object, drag.put);
-    if (auto start = move ? start_of(*view.now, *move) : std::nullopt) ask(outbox, *start, drag.gesture);
+    if (auto start = move ? start_of(*view.now, *move) : std::nullopt) request(outbox, *start, drag.gesture);
 }
 
 void open_menu(SceneInputState& state, const SceneInputFrame& frame) {
@@ -144,14 +139,16 @@ void release(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbo
     const SceneInputPointer& pointer = frame.pointer;
     if (drag.left ? pointer.left_down : drag.right ? pointer.right_down : pointer.middle_down) return;
     state.drag = {};
-    if (drag.phase == SceneInputPhase::move || drag.phase == SceneInputPhase::turn) leave(drag, frame.view, outbox);
+    if (drag.phase == SceneInputPhase::move || drag.phase == SceneInputPhase::turn)
+        finish_move(drag, frame.view, outbox);
     if (drag.phase == SceneInputPhase::box) {
         vec2 far = in_arena(frame.view, floor_at(frame).value_or(drag.corner));
-        // A mere click sets up a box of one metre.
-        const bool click = maths::distance(drag.press, pointer.at) <= drag_begins * frame.scale;
+        // A click without a drag adds a box of one metre.
+        const bool click = maths::distance(drag.press, pointer.at) <= drag_threshold * frame.scale;
         const vec2 half{0.5f, 0.5f};
-        ask(outbox, click ? with_room(*frame.view.now, AddObstacle{box_between(drag.corner - half, drag.corner + half)})
-                          : AddObstacle{box_between(drag.corner, far)});
+        request(outbox,
+                click ? with_room(*frame.view.now, AddObstacle{box_between(drag.corner - half, drag.corner + half)})
+                      : AddObstacle{box_between(drag.corner, far)});
         if (!pointer.shift) state.tool = SceneInputTool::hand;
     }
     if (drag.phase != SceneInputPhase::pending || frame.view.mode == Mode::wiring) return;
@@ -165,11 +162,12 @@ void release(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbo
 }  // namespace
 
 void interact(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox) {
-    if (!place_of(*frame.view.now, state.drag.on.object) && state.drag.on) state.drag = {};  // it has left the world
+    if (!place_of(*frame.view.now, state.drag.on.object) && state.drag.on)
+        state.drag = {};  // the object no longer exists
     state.hovered = under_pointer(state, frame);
     press(state, frame, outbox);
     if (state.drag.phase == SceneInputPhase::idle) return;
-    go_on(state, frame, outbox);
+    continue_drag(state, frame, outbox);
     release(state, frame, outbox);
 }
 
@@ -203,4 +201,4 @@ bool cancel(SceneInputState& state, const LabView& view, Outbox& outbox) {
     return true;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

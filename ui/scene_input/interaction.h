@@ -1,18 +1,18 @@
-// What the mouse does to the scene; knows nothing of Dear ImGui.
+// What the mouse does to the scene. Does not use Dear ImGui.
 //
-// Idle → Pending (pressed, moved less than 4 px) → Move | Turn | Orbit | Pan | Box → Idle.
+// idle → pending (pressed, moved less than 4 px) → move | turn | orbit | pan | box → idle.
 #pragma once
 
 #include "ui/scene_input/scene_input.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
-// The mouse of one frame, in window pixels.
+// The mouse in one frame, in window pixels.
 struct SceneInputPointer {
     maths::vec2 at;
-    bool over = true;                                                          // nothing covers the scene here
+    bool over = true;                                                          // no card covers the scene here
     bool left_pressed = false, right_pressed = false, middle_pressed = false;  // in this frame
-    bool left_double = false;                                                  // the second press of two quick ones
+    bool left_double = false;                                                  // the second press of a double click
     bool left_down = false, right_down = false, middle_down = false;
     bool shift = false;
 };
@@ -21,18 +21,18 @@ struct SceneInputFrame {
     const LabView& view;
     const Sight& sight;
     float scale = 1;  // window pixels per layout pixel
-    Rect area;        // what no card covers
+    Rect area;        // free of cards
     SceneInputPointer pointer;
 };
 
-// One frame: the mouse becomes view state and requests.
+// One frame: turns mouse input into view state and requests.
 void interact(SceneInputState&, const SceneInputFrame&, Outbox&);
 
-// Esc in the middle of something puts it back; the drag in progress, or else the outline, or else the tool. False when
-// there was nothing to cancel.
+// Esc: undoes the drag in progress, or else drops the outline, or else the tool, or else the selected object. False
+// when there was nothing to cancel.
 bool cancel(SceneInputState&, const LabView&, Outbox&);
 
-// The menu of a thing where it stands, as by a right click on it.
+// Opens the menu of an object at its position.
 void open_menu_of(SceneInputState&, const LabView&, const SceneObject&);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,23 +1,27 @@
 #include "ui/scene_input/polygon_tool.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/scene/fields.h"
 #include "ui/scene_input/under_pointer.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 using maths::vec2;
 
 namespace {
 
-constexpr float corner_grip = 11;  // layout pixels round the first corner, which closes
-constexpr double refusal_seconds = 3;
+constexpr float corner_grip = 11;  // layout pixels around the first corner: a click there closes the outline
+constexpr double outline_refusal_seconds = 3;
 
-void refuse(SceneInputState& state, double wall_seconds, std::string_view key) {
-    state.refusal = {std::string(key), wall_seconds + refusal_seconds};
+void show_refusal(SceneInputState& state, double wall_seconds, std::string_view key) {
+    state.refusal = {std::string(key), wall_seconds + outline_refusal_seconds};
 }
 
 }  // namespace
 
-std::string_view reason(OutlineFault fault) {
+std::string_view refusal_of(OutlineFault fault) {
     switch (fault) {
         case OutlineFault::none:
             break;
@@ -43,9 +47,9 @@ void click_corner(SceneInputState& state, const SceneInputFrame& frame, vec2 at,
         state.corners.size() >= 3 && pixels_from(frame, state.corners[0]) <= corner_grip * frame.scale;
     if (on_first || (pointer.left_double && state.corners.size() >= 3))
         return close_outline(state, frame.view.wall_seconds, pointer.shift, outbox);
-    if (pointer.left_double) return;  // the first of the two clicks has set the corner
+    if (pointer.left_double) return;  // the first click has set the corner
     if (const OutlineFault fault = fault_of_next(state.corners, at); fault != OutlineFault::none)
-        return refuse(state, frame.view.wall_seconds, reason(fault));
+        return show_refusal(state, frame.view.wall_seconds, refusal_of(fault));
     state.corners.push_back(at);
 }
 
@@ -59,11 +63,113 @@ void take_back_corner(SceneInputState& state) {
 
 void close_outline(SceneInputState& state, double wall_seconds, bool keep_tool, Outbox& outbox) {
     if (const OutlineFault fault = fault_of(state.corners); fault != OutlineFault::none)
-        return refuse(state, wall_seconds, reason(fault));
+        return show_refusal(state, wall_seconds, refusal_of(fault));
     outbox.push_back(EditRequest{AddObstacle{obstacle_from(state.corners)}});
     state.corners.clear();
     state.refusal = {};
     if (!keep_tool) state.tool = SceneInputTool::hand;
 }
 
-}  // namespace braitenlab
+using maths::vec2;
+
+namespace {
+
+constexpr float least_corner_distance = 0.1f;  // m
+constexpr float least_outline_width = 0.1f;    // m
+constexpr float shortest_side = 0.2f;          // m, of a box
+constexpr float least_turn = 1e-3f;            // m²: a smaller turn of a corner is not a dent
+
+float signed_area(const std::vector<vec2>& corners) {  // positive counter-clockwise
+    float twice = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        twice += maths::cross(corners[i], corners[(i + 1) % corners.size()]);
+    return twice / 2;
+}
+
+bool segments_cross(vec2 a, vec2 b, vec2 c, vec2 d) {
+    const auto side = [](vec2 p, vec2 q, vec2 r) { return maths::cross(q - p, r - p); };
+    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+bool crosses(const std::vector<vec2>& corners) {
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = i + 2; k < n; ++k)
+            if ((k + 1) % n != i && segments_cross(corners[i], corners[i + 1], corners[k], corners[(k + 1) % n]))
+                return true;
+    return false;
+}
+
+bool dents(const std::vector<vec2>& corners) {
+    const std::size_t n = corners.size();
+    bool left = false, right = false;
+    for (std::size_t i = 0; i < n; ++i) {
+        const vec2 a = corners[i], b = corners[(i + 1) % n], c = corners[(i + 2) % n];
+        const float turn = maths::cross(b - a, c - b);
+        left |= turn > least_turn, right |= turn < -least_turn;
+    }
+    return left && right;
+}
+
+// The smallest distance between two parallel lines with the outline between them; one of them contains an edge.
+float outline_width(const std::vector<vec2>& corners) {
+    float width = 1e9f;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const vec2 a = corners[i], along = maths::normalise(corners[(i + 1) % corners.size()] - a);
+        float across = 0;
+        for (const vec2 p : corners) across = std::max(across, std::fabs(maths::cross(along, p - a)));
+        width = std::min(width, across);
+    }
+    return width;
+}
+
+}  // namespace
+
+OutlineFault fault_of_next(const std::vector<vec2>& corners, vec2 next) {
+    if (corners.size() >= limits::corners) return OutlineFault::too_many;
+    for (const vec2 corner : corners)
+        if (maths::distance(corner, next) < least_corner_distance) return OutlineFault::too_near;
+    std::vector<vec2> all = corners;
+    all.push_back(next);
+    if (all.size() >= 4 && crosses(all)) return OutlineFault::crosses;
+    if (all.size() >= 4 && dents(all)) return OutlineFault::dents;
+    return OutlineFault::none;
+}
+
+OutlineFault fault_of(const std::vector<vec2>& corners) {
+    if (corners.size() < 3) return OutlineFault::too_few;
+    if (corners.size() > limits::corners) return OutlineFault::too_many;
+    if (crosses(corners)) return OutlineFault::crosses;
+    if (dents(corners)) return OutlineFault::dents;
+    return outline_width(corners) < least_outline_width ? OutlineFault::too_narrow : OutlineFault::none;
+}
+
+Obstacle obstacle_from(const std::vector<vec2>& given) {
+    std::vector<vec2> corners = given;
+    if (signed_area(corners) < 0) std::reverse(corners.begin(), corners.end());
+    vec2 middle{};  // centroid of the area, so that a movable one turns about its centre of mass
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const vec2 a = corners[i], b = corners[(i + 1) % corners.size()];
+        middle += (a + b) * (maths::cross(a, b) / (6 * signed_area(corners)));
+    }
+    Obstacle obstacle;
+    obstacle.x = middle.x, obstacle.y = middle.y;
+    vec2 low = corners[0], high = corners[0];
+    for (const vec2 corner : corners) {
+        obstacle.corners.push_back({corner.x - middle.x, corner.y - middle.y});
+        low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
+        high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
+    }
+    obstacle.length = high.x - low.x, obstacle.width = high.y - low.y;
+    return obstacle;
+}
+
+Obstacle box_between(vec2 a, vec2 b) {
+    Obstacle box;
+    box.x = (a.x + b.x) / 2, box.y = (a.y + b.y) / 2;
+    box.length = std::max(shortest_side, std::fabs(a.x - b.x));
+    box.width = std::max(shortest_side, std::fabs(a.y - b.y));
+    return box;
+}
+
+}  // namespace braitenlab::ui

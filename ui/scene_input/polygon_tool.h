@@ -1,24 +1,49 @@
-// An obstacle drawn corner by corner: clicks set corners, a click on the first one or a double click closes the
-// outline.
+// Drawing an obstacle: a polygon corner by corner, or a box. A click on the first corner or a double click closes the
+// polygon. Does not use Dear ImGui.
 #pragma once
 
 #include <string_view>
+#include <vector>
 
+#include "core/maths/vec.h"
+#include "core/scene/scene.h"
 #include "ui/scene_input/interaction.h"
-#include "ui/scene_input/outline.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
-// A press of the left button at this place on the floor, m.
+// Why corners do not make an obstacle.
+enum class OutlineFault {
+    none,
+    too_near,    // a corner is within 0.1 m of another one
+    crosses,     // two edges cross
+    dents,       // not convex
+    too_many,    // corners
+    too_few,     // fewer than three corners
+    too_narrow,  // less than 0.1 m wide, or all corners on a line
+};
+
+// Whether `next` may be the next corner; corners in metres, clockwise or counter-clockwise.
+OutlineFault fault_of_next(const std::vector<maths::vec2>& corners, maths::vec2 next);
+
+// Whether the outline may be closed.
+OutlineFault fault_of(const std::vector<maths::vec2>& corners);
+
+// String key of the reason; empty for none.
+std::string_view refusal_of(OutlineFault);
+
+// The obstacle with these corners; its position is their centroid. Precondition: fault_of() is none.
+Obstacle obstacle_from(const std::vector<maths::vec2>& corners);
+
+// The box between two opposite corners; each side at least 0.2 m long.
+Obstacle box_between(maths::vec2 a, maths::vec2 b);
+
+// A press of the left button at this position on the floor, m.
 void click_corner(SceneInputState&, const SceneInputFrame&, maths::vec2 at, Outbox&);
 
-// Takes back the corner drawn last; without any, back to the hand.
+// Removes the last corner; without corners, goes back to the hand.
 void take_back_corner(SceneInputState&);
 
-// Makes the outline an obstacle, or says why not. `keep_tool`: another one follows.
+// Adds the obstacle, or shows why the outline is refused. `keep_tool`: the tool stays selected.
 void close_outline(SceneInputState&, double wall_seconds, bool keep_tool, Outbox&);
 
-// The string key that says why an outline is refused; empty for none.
-std::string_view reason(OutlineFault);
-
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -11,16 +11,16 @@
 #include "ui/scene_input/interaction.h"
 #include "ui/scene_input/polygon_tool.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 using maths::vec2;
 
 namespace {
 
 constexpr float nudge_step = 0.1f, fine_nudge = 0.01f;  // m
-constexpr double pause_between_gestures = 1;            // s without a key
+constexpr double nudge_pause = 1;                       // s without a key ends a gesture
 
-SceneInputPointer pointer_now(const SceneInputState& state) {
+SceneInputPointer current_pointer(const SceneInputState& state) {
     const ImGuiIO& io = ImGui::GetIO();
     SceneInputPointer pointer;
     pointer.at = {io.MousePos.x, io.MousePos.y};
@@ -34,31 +34,31 @@ SceneInputPointer pointer_now(const SceneInputState& state) {
     return pointer;
 }
 
-// Whether a press would take something, or has. (Of the cursors for moving, GLFW 3.3 has none.)
+// The hand cursor while a press takes something or has taken it. (GLFW 3.3 has no cursor for moving.)
 void show_cursor(const SceneInputState& state) {
     const SceneInputPhase phase = state.drag.phase;
     const bool busy = phase == SceneInputPhase::move || phase == SceneInputPhase::turn || phase == SceneInputPhase::pan;
     if (busy || state.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
-// The way along an axis of the floor that comes nearest to an arrow on the screen: things stay on the grid's lines.
-vec2 way_of(const Sight& sight, int key) {
+// The axis of the floor nearest to an arrow on the screen, so that objects move along grid lines.
+vec2 floor_direction(const Sight& sight, int key) {
     const vec2 right{sight.view[0][0], -sight.view[2][0]}, up{-right.y, right.x};
     const vec2 way = key == key::right ? right : key == key::left ? -right : key == key::up ? up : -up;
     if (std::fabs(way.x) > std::fabs(way.y)) return {way.x > 0 ? 1.0f : -1.0f, 0};
     return {0, way.y > 0 ? 1.0f : -1.0f};
 }
 
-bool is_arrow(int key) { return key == key::left || key == key::right || key == key::up || key == key::down; }
+bool is_arrow_key(int key) { return key == key::left || key == key::right || key == key::up || key == key::down; }
 
 bool nudge(const LabView& view, SceneInputState& state, KeyPress press, Outbox& outbox) {
     const SceneObject object = chosen(view);
     const auto place = place_of(*view.now, object);
     if (!place || state.drag.phase != SceneInputPhase::idle) return false;
-    const vec2 way = way_of(*view.sight, press.key) * (press.shift ? fine_nudge : nudge_step);
+    const vec2 way = floor_direction(*view.sight, press.key) * (press.shift ? fine_nudge : nudge_step);
     const auto command = move_of(*view.now, object, {place->x + way.x, place->y + way.y, place->heading});
     if (!command) return false;
-    if (object != state.nudged || view.wall_seconds - state.nudged_at > pause_between_gestures) ++state.gesture;
+    if (object != state.nudged || view.wall_seconds - state.nudged_at > nudge_pause) ++state.gesture;
     state.nudged = object;
     state.nudged_at = view.wall_seconds;
     outbox.push_back(EditRequest{*command, gestures::viewport + state.gesture});
@@ -67,8 +67,8 @@ bool nudge(const LabView& view, SceneInputState& state, KeyPress press, Outbox& 
     return true;
 }
 
-// Up and Down walk the rows of the open menu; Enter reaches them through the focus; Esc and the arrow back close.
-bool for_menu(SceneInputMenu& menu, Keyboard& keyboard, KeyPress press) {
+// Up and Down move through the rows of the open menu; Esc and Left close it or go back. Enter goes to the focused row.
+bool key_for_menu(SceneInputMenu& menu, Keyboard& keyboard, KeyPress press) {
     if (press.key == key::escape || (press.key == key::left && menu.page != MenuPage::top)) {
         if (menu.page == MenuPage::top)
             menu.open = false;
@@ -87,7 +87,7 @@ bool for_menu(SceneInputMenu& menu, Keyboard& keyboard, KeyPress press) {
     return true;
 }
 
-bool draw_by_key(const LabView& view, SceneInputState& state, Action action, KeyPress press, Outbox& outbox) {
+bool key_for_polygon(const LabView& view, SceneInputState& state, Action action, KeyPress press, Outbox& outbox) {
     if (state.tool != SceneInputTool::polygon) return false;
     if (action == Action::close_outline)
         close_outline(state, view.wall_seconds, press.shift, outbox);
@@ -105,7 +105,7 @@ bool takes_arrows(const LabView& view, bool ctrl) {
 
 void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area) {
     if (!view.sight) return;
-    const SceneInputFrame frame{view, *view.sight, ui.scale, area, pointer_now(state)};
+    const SceneInputFrame frame{view, *view.sight, ui.scale, area, current_pointer(state)};
     interact(state, frame, ui.outbox);
     show_cursor(state);
     draw_scene_input(state, frame, ui);
@@ -113,11 +113,11 @@ void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area)
 
 bool press_key(const LabView& view, SceneInputState& state, Keyboard& keyboard, KeyPress press, Outbox& outbox) {
     if (!view.sight || view.mode == Mode::wiring) return false;
-    if (state.menu.open && for_menu(state.menu, keyboard, press)) return true;
+    if (state.menu.open && key_for_menu(state.menu, keyboard, press)) return true;
     if (!keyboard.focus.empty()) return false;                                    // a widget has the keyboard
-    if (press.key == key::del) return state.drag.phase != SceneInputPhase::idle;  // not out of the hand
-    // Shift is finer and Ctrl takes vehicles too, whatever the arrow.
-    const auto action = action_for(is_arrow(press.key) ? KeyPress{press.key} : press, KeyPlace::scene);
+    if (press.key == key::del) return state.drag.phase != SceneInputPhase::idle;  // a dragged object is not deleted
+    // With arrows Shift means finer steps and Ctrl includes vehicles.
+    const auto action = action_for(is_arrow_key(press.key) ? KeyPress{press.key} : press, KeyPlace::scene);
     if (!action) return false;
     switch (*action) {
         case Action::cancel:
@@ -128,8 +128,8 @@ bool press_key(const LabView& view, SceneInputState& state, Keyboard& keyboard, 
         case Action::nudge:
             return takes_arrows(view, press.ctrl) && nudge(view, state, press, outbox);
         default:
-            return draw_by_key(view, state, *action, press, outbox);
+            return key_for_polygon(view, state, *action, press, outbox);
     }
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,6 +1,6 @@
-// The scene under the hand. It reads the moment and keeps only what a person is doing: what lies under the pointer,
-// the drag in progress, the tool, the corners drawn so far. Every change leaves as an EditRequest through the outbox;
-// all edits of one drag carry one gesture.
+// Mouse and keyboard input over the 3D view. It reads the snapshot and keeps only the user's current gesture: the
+// object under the pointer, the drag in progress, the tool, the corners drawn so far. Changes leave as EditRequests;
+// all edits of one drag have the same gesture number.
 #pragma once
 
 #include <cstdint>
@@ -13,42 +13,42 @@
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/ui.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
-// What a click into the scene does: take things, set up a lamp, draw a box from corner to corner or a polygon by its
+// What a click into the scene does: takes an object, adds a lamp, draws a box from corner to corner or a polygon by its
 // corners.
 enum class SceneInputTool { hand, lamp, box, polygon };
 
-// What the mouse is doing: nothing, not yet clear what, moving or turning a thing, moving the camera, drawing a box.
+// What the mouse does. pending: a button is down and the mouse has moved less than 4 px.
 enum class SceneInputPhase { idle, pending, move, turn, orbit, pan, box };
 
-// What a press of the button would take hold of.
+// What a press of the button takes.
 struct SceneInputHit {
     SceneObject object;
-    bool handle = false;  // the ring round the chosen thing, which turns it
+    bool handle = false;  // the ring around the chosen object, which turns it
     explicit operator bool() const { return handle || object; }
     friend bool operator==(const SceneInputHit&, const SceneInputHit&) = default;
 };
 
-// From the press of a button to its release; what it began with, so that Esc can bring it back.
+// From press to release of a button, with the initial state, which Esc restores.
 struct SceneInputDrag {
     SceneInputPhase phase = SceneInputPhase::idle;
     bool left = true;  // else the right or middle button, which moves the camera
     bool right = false;
     SceneInputHit on;
-    maths::vec2 press;  // window pixels
-    maths::vec2 last;   // where the pointer was when it was last reckoned with, and how far it has come since, px
-    maths::vec2 moved;
-    Pose began, put;     // of the thing: at first, and where the hand has put it
-    maths::vec2 offset;  // m, from the pointer's place on the floor to the thing's
-    float bearing = 0;   // rad, of the pointer as seen from the thing, at the press of its handle
+    maths::vec2 press;   // window pixels
+    maths::vec2 last;    // pointer in the last frame, window pixels
+    maths::vec2 moved;   // of the pointer since then
+    Pose began, put;     // pose of the object at the press, and the last one requested
+    maths::vec2 offset;  // m, from the pointer's position on the floor to the object's
+    float bearing = 0;   // rad, from the object to the pointer, at the press of the handle
     maths::vec2 corner;  // m, of the box
     std::uint64_t gesture = 0;
 };
 
-// Why something was refused, shown at the pointer for a moment.
+// Why an input was refused, shown at the pointer for some seconds.
 struct SceneInputRefusal {
-    std::string key;   // of the reason's string; empty for none
+    std::string key;   // string key of the reason; empty: none
     double until = 0;  // LabView::wall_seconds
 };
 
@@ -56,9 +56,9 @@ enum class MenuPage { top, brains };
 
 struct SceneInputMenu {
     bool open = false;
-    bool by_key = false;  // opened by key: the first row takes the focus
-    bool placed = false;  // it has been drawn since it opened
-    SceneObject object;   // what it is about; none: the floor
+    bool by_key = false;  // opened by key: the first row gets the focus
+    bool placed = false;  // has been drawn since it was opened
+    SceneObject object;   // the object of the menu; none: the floor
     maths::vec2 place;    // m, of the press
     maths::vec2 at;       // window pixels
     MenuPage page = MenuPage::top;
@@ -73,24 +73,23 @@ struct SceneInputState {
     SceneInputRefusal refusal;
     SceneInputMenu menu;
     std::uint64_t gesture = 0;
-    SceneObject nudged;  // by arrow keys; quick presses are one gesture
+    SceneObject nudged;  // by arrow keys; presses within a second are one gesture
     double nudged_at = 0;
 };
 
-// What Delete, Ctrl+D, the arrows and the handle act on: the lamp or obstacle that was clicked last, else the selected
-// vehicle.
+// The object that Delete, Ctrl+D, the arrow keys and the handle act on: the selected lamp or obstacle, else the
+// selected vehicle.
 SceneObject chosen(const LabView&);
 
-// One frame: what the mouse does, and rings, handles and previews below the cards; words keep to the area that no card
-// covers. Nothing without view.sight.
-// Anchor: stage.knob, by which the chosen thing is turned.
+// One frame of mouse input, and rings, handles and previews below the cards. Notes stay within `area`, which no card
+// covers. Does nothing without view.sight. Anchor: stage.knob, the handle of the chosen object.
 void scene_input(const LabView&, SceneInputState&, Ui&, Rect area);
 
-// Keys that mean something here: Esc, Enter and Backspace while drawing, arrows for the chosen lamp or obstacle (with
-// Ctrl for vehicles too), the menu's rows while it is open. False when the key is free.
+// Keys: Esc, Enter and Backspace while drawing, arrows for the chosen lamp or obstacle (with Ctrl also for vehicles),
+// and the rows of the open menu. False when the key has no meaning here.
 bool press_key(const LabView&, SceneInputState&, Keyboard&, KeyPress, Outbox&);
 
-// Whether the arrow keys belong to the scene's things now, and not to the camera.
+// True when the arrow keys move an object and not the camera.
 bool takes_arrows(const LabView&, bool ctrl);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -5,7 +5,7 @@
 
 #include "core/maths/angle.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 using maths::vec2;
 
@@ -61,7 +61,7 @@ SceneInputHit under_pointer(const SceneInputState& state, const SceneInputFrame&
     const SceneObject object = pick_object(*frame.view.now, frame.sight, frame.pointer.at);
     const float to_knob = handle ? pixels_from(frame, handle->knob) : 1e9f;
     if (to_knob <= knob_grip * frame.scale) {
-        // A neighbour may stand right below the knob: whoever is nearer to the pointer.
+        // Another object may be below the knob: take the nearer one.
         const auto place = object == chosen(frame.view) ? std::nullopt : place_of(*frame.view.now, object);
         const bool neighbour = place && pixels_from(frame, {place->x, place->y}) < to_knob;
         return neighbour ? SceneInputHit{object, false} : SceneInputHit{chosen(frame.view), true};
@@ -74,4 +74,4 @@ SceneInputHit under_pointer(const SceneInputState& state, const SceneInputFrame&
     return {};
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,6 +1,5 @@
-// Where every widget stands in the window, by a stable id: "slider.LL", "exercise.step.2", "pin.SL.out".
-//
-// Tutorial highlights, keyboard help and tests that drive the real window all read it.
+// Rectangles of all widgets of the current frame, by a stable id: "slider.LL", "exercise.step.2", "pin.SL.out".
+// Highlights, the keyboard focus and tests that drive the real window use it.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +9,12 @@
 
 #include "render/view/camera.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 class Anchors {
 public:
-    // Forgets last frame's rectangles; those recorded until the next begin() are this frame's. Their names are kept, so
-    // that a frame like the last one asks for no memory.
+    // Starts a frame: rectangles of earlier frames are no longer found. Ids stay in memory, so that a frame with the
+    // same widgets allocates nothing.
     void begin() { ++frame_; }
     void record(std::string_view id, Rect window_pixels) {
         auto found = known_.find(id);
@@ -43,4 +42,4 @@ private:
     std::uint64_t frame_ = 0;
 };
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

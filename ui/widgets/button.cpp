@@ -4,17 +4,17 @@
 #include <string>
 
 #include "ui/imgui_compat.h"
-#include "ui/theme.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
 constexpr float icon_room = 16;  // layout pixels
-float side(const ButtonLook& look) { return look.compact ? 6 : 10; }
-float icon_gap(const ButtonLook& look) { return look.compact ? 3 : 6; }
+float button_padding(const ButtonLook& look) { return look.compact ? 6 : 10; }
+float button_icon_gap(const ButtonLook& look) { return look.compact ? 3 : 6; }
 
 Face face_of(const ButtonLook& look) {
     if (look.emphasis == Emphasis::primary) return Face::strong;
@@ -47,8 +47,8 @@ ButtonColours colours(const Ui& ui, const ButtonLook& look, const Item& at) {
 }  // namespace
 
 float button_width(const Ui& ui, const ButtonLook& look) {
-    float width = 2 * ui.px(side(look));
-    if (shows_icon(ui, look)) width += ui.px(icon_room) + (look.words.empty() ? 0 : ui.px(icon_gap(look)));
+    float width = 2 * ui.px(button_padding(look));
+    if (shows_icon(ui, look)) width += ui.px(icon_room) + (look.words.empty() ? 0 : ui.px(button_icon_gap(look)));
     width += text_width(ui, face_of(look), look.words);
     return std::max(width, ui.px(look.min_width));
 }
@@ -61,11 +61,11 @@ Item button(Ui& ui, std::string_view id, const ButtonLook& look) {
     const Face face = face_of(look);
     const bool with_icon = shows_icon(ui, look);
     float content = text_width(ui, face, look.words);
-    if (with_icon) content += ui.px(icon_room) + (look.words.empty() ? 0 : ui.px(icon_gap(look)));
+    if (with_icon) content += ui.px(icon_room) + (look.words.empty() ? 0 : ui.px(button_icon_gap(look)));
     float x = at.middle_x() - content / 2;
     if (with_icon) {
         put_icon(ui, {x + ui.px(icon_room) / 2, at.middle_y()}, look.icon, c.words, Face::text);
-        x += ui.px(icon_room + icon_gap(look));
+        x += ui.px(icon_room + button_icon_gap(look));
     }
     put(ui, {x, at.middle_y() - line_height(ui, face) / 2}, look.words, c.words, face);
     return at;
@@ -163,4 +163,4 @@ void chip(const Ui& ui, ImVec2 at, std::string_view words) {
     put_centred(ui, {r.x + r.w / 2, at.y - line_height(ui, Face::small) / 2}, words, ui.palette.text, Face::small);
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -7,17 +7,17 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/ui.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
-enum class Emphasis { primary, plain, quiet };  // filled with the accent; raised with a line; bare until hovered
+enum class Emphasis { primary, plain, quiet };  // filled with the accent; raised with a border; no border until hovered
 
 struct ButtonLook {
-    std::string_view icon, words;  // words may be left out when the icon font is there
+    std::string_view icon, words;  // words may be empty when the icon font is loaded
     Emphasis emphasis = Emphasis::plain;
     bool on = false;  // a toggle that is on
     bool enabled = true;
     float min_width = 0;   // layout pixels
-    bool compact = false;  // smaller words and less air, for bars that have little room
+    bool compact = false;  // smaller words and gaps
 };
 
 inline constexpr float button_height = 32;  // layout pixels
@@ -25,27 +25,28 @@ inline constexpr float button_height = 32;  // layout pixels
 float button_width(const Ui&, const ButtonLook&);
 Item button(Ui&, std::string_view id, const ButtonLook&);
 
-// A slim quiet button of one line of small words, for the captions of a card.
+// A small button with one line of small words.
 struct SmallButton {
     std::string_view id, icon, words;
     bool on = false;
 };
 inline constexpr float small_button_height = 22;                      // layout pixels
-float small_button_width(const Ui&, const SmallButton&, bool words);  // without words: the icon alone
+float small_button_width(const Ui&, const SmallButton&, bool words);  // without words: the icon only
 Item small_button(Ui&, const SmallButton&, bool words = true);
 
-// One of a few, side by side, filling `width`: the index clicked, or −1. Anchors: `id`.1, `id`.2 …
+// A choice of a few words, side by side, `width` window pixels wide. The index clicked, or −1. Anchors: `id`.1, `id`.2
+// …
 int segments(Ui&, std::string_view id, std::span<const std::string_view> words, int chosen, float width,
              std::string_view how = {});
 
-// One of a list, each a row of wrapped words. True when clicked.
+// An option of a list: a row of wrapped words. True when clicked.
 bool radio_row(Ui&, std::string_view id, std::string_view words, bool chosen, bool enabled, std::string_view how = {});
 
-// A line with an angle that opens what follows; returns whether it is open.
+// A row that folds and unfolds what follows. Returns whether it is open.
 bool fold_row(Ui&, std::string_view id, std::string_view words, bool& open, std::string_view how = {});
 
-// A word in a rounded box, with the middle of its left side at `at`.
+// A word in a rounded box; `at` is the middle of its left side.
 void chip(const Ui&, ImVec2 at, std::string_view words);
 float chip_width(const Ui&, std::string_view words);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -5,23 +5,23 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-constexpr float side_padding = 16, heading_height = 36, bottom_padding = 12;  // layout pixels
-constexpr float scrollbar_inset = 3;                                          // from the card's edge
-constexpr ImGuiWindowFlags quiet = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
-                                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoScrollWithMouse;
+constexpr float side_padding = 16, card_heading = 36, bottom_padding = 12;  // layout pixels
+constexpr float card_scrollbar_inset = 3;                                   // from the card's edge
+constexpr ImGuiWindowFlags plain_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
+                                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                          ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoScrollWithMouse;
 
-void begin_window(const char* name, Rect r, ImGuiWindowFlags flags = quiet) {
+void begin_window(const char* name, Rect r, ImGuiWindowFlags flags = plain_window) {
     ImGui::SetNextWindowPos({r.x, r.y});
     ImGui::SetNextWindowSize({r.w, r.h});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -30,7 +30,7 @@ void begin_window(const char* name, Rect r, ImGuiWindowFlags flags = quiet) {
     ImGui::PopStyleVar(2);
 }
 
-// With its right end at `right`; returns its left one.
+// A button with its right end at `right`. Returns its left end.
 float heading_button(Ui& ui, HeadingButton& extra, float right, float y) {
     const float w = text_width(ui, Face::small, extra.words) + ui.px(16);
     ImGui::SetCursorScreenPos({right - w, y + ui.px(6)});
@@ -48,14 +48,14 @@ float heading_button(Ui& ui, HeadingButton& extra, float right, float y) {
 }
 
 void heading_row(Ui& ui, CardState& state, std::string_view words, Rect r, std::span<HeadingButton> extras) {
-    // The buttons come first: of two widgets under the pointer, Dear ImGui gives it to the earlier one.
+    // Buttons first: of two widgets under the pointer Dear ImGui chooses the earlier one.
     float right = r.x + r.w - ui.px(side_padding + 16);
     if (!state.folded)
         for (HeadingButton& extra : extras) right = heading_button(ui, extra, right, r.y) - ui.px(6);
     ImGui::SetCursorScreenPos({r.x, r.y});
-    const Item row = item(ui, state.fold_id, {r.w, std::min(r.h, ui.px(heading_height))});
+    const Item row = item(ui, state.fold_id, {r.w, std::min(r.h, ui.px(card_heading))});
     const Colour colour = mix(ui.palette.second_text, ui.palette.text, row.warmth);
-    const float y = row.rect.y + ui.px(heading_height) / 2;
+    const float y = row.rect.y + ui.px(card_heading) / 2;
     put(ui, {r.x + ui.px(side_padding), y - line_height(ui, Face::small) / 2}, words, colour, Face::small);
     put_icon(ui, {r.x + r.w - ui.px(side_padding + 4), y}, state.folded ? icon::folded : icon::unfolded, colour);
     const bool on_a_button = std::any_of(extras.begin(), extras.end(), [](const auto& extra) { return extra.hovered; });
@@ -65,10 +65,10 @@ void heading_row(Ui& ui, CardState& state, std::string_view words, Rect r, std::
 
 }  // namespace
 
-float folded_height(const Ui& ui) { return ui.px(heading_height); }
+float folded_height(const Ui& ui) { return ui.px(card_heading); }
 
 float wanted_height(const Ui& ui, const CardState& state) {
-    return state.folded ? folded_height(ui) : ui.px(heading_height + bottom_padding) + state.content + state.footer;
+    return state.folded ? folded_height(ui) : ui.px(card_heading + bottom_padding) + state.content + state.footer;
 }
 
 void card_ground(const Ui& ui, Rect r, float rounding) {
@@ -93,11 +93,12 @@ bool begin_card(Ui& ui, CardState& state, std::string_view id, std::string_view 
     mark(ui, id, r);
     heading_row(ui, state, heading, r, extras);
     if (state.folded) return false;
-    const float top = ui.px(heading_height), bottom = ui.px(bottom_padding);
+    const float top = ui.px(card_heading), bottom = ui.px(bottom_padding);
     ImGui::SetCursorPos({ui.px(side_padding), top});
-    // The scrollbar stands in the right padding, so that it never pushes the content.
+    // The scrollbar is in the right padding, so that it does not move the content.
     compat::begin_child(
-        "body", {r.w - ui.px(side_padding) - ui.px(scrollbar_inset), std::max(1.0f, r.h - top - bottom - state.footer)},
+        "body",
+        {r.w - ui.px(side_padding) - ui.px(card_scrollbar_inset), std::max(1.0f, r.h - top - bottom - state.footer)},
         ImGuiWindowFlags_NoNav);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(8)});
     ImGui::BeginGroup();
@@ -131,16 +132,16 @@ void end_card(CardState& state) {
 void begin_bar(Ui& ui, const char* name, Rect r, bool covers_cards, float rounding) {
     begin_stops(ui.keyboard);
     if (covers_cards) ImGui::SetNextWindowFocus();
-    begin_window(name, r, covers_cards ? quiet & ~ImGuiWindowFlags_NoBringToFrontOnFocus : quiet);
+    begin_window(name, r, covers_cards ? plain_window & ~ImGuiWindowFlags_NoBringToFrontOnFocus : plain_window);
     if (!covers_cards) card_ground(ui, r, rounding);
 }
 
 void end_bar() { ImGui::End(); }
 
-float card_width(const Ui& ui) { return ImGui::GetWindowWidth() - ui.px(side_padding - scrollbar_inset); }
+float card_width(const Ui& ui) { return ImGui::GetWindowWidth() - ui.px(side_padding - card_scrollbar_inset); }
 
 void gap(const Ui& ui, float layout_pixels) { ImGui::Dummy({1, std::max(0.0f, ui.px(layout_pixels) - ui.px(8))}); }
 
 void subheading(Ui& ui, std::string_view words) { paragraph(ui, words, ui.palette.second_text, Face::small); }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

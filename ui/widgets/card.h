@@ -1,4 +1,4 @@
-// A quiet card over the scene: a heading that folds it, and what it holds, which scrolls where the window is too low.
+// A card over the scene: a heading that folds it, and a body that scrolls when the card is too low.
 #pragma once
 
 #include <span>
@@ -7,51 +7,51 @@
 
 #include "ui/widgets/ui.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 struct CardState {
     bool folded = false;
-    float footer = 0;  // window pixels kept at the bottom for what must stay in sight
+    bool opened_by_user = false;  // stays open when the column is too low for all cards
+    float footer = 0;             // height of the part below the body that does not scroll, window pixels
     bool in_body = false;
-    float content = 0;        // how high everything in it is, measured last frame, window pixels; 0 before the first
-    std::string id, fold_id;  // of the card and its heading, spelled once and not in every frame
+    float content = 0;        // height of the body measured in the last frame, window pixels; 0: not yet measured
+    std::string id, fold_id;  // anchors of card and heading, kept so that a frame allocates nothing
 };
 
-// The height that the card wants, heading and borders included.
+// The height of the card with all of its content, or of its heading when folded; window pixels.
 float wanted_height(const Ui&, const CardState&);
 
 // The height of a folded card.
 float folded_height(const Ui&);
 
-// A quiet button in a card's heading.
+// A small button in a card's heading.
 struct HeadingButton {
     std::string_view id, words, tooltip, shortcut{};
     bool on = false;  // a toggle that is on
     bool pressed = false, hovered = false;
 };
 
-// Opens the card in this rectangle; anchors: `id` for all of it, `id`.fold for its heading. When false, nothing may be
-// drawn in it (it is folded); end_card is called either way.
+// Begins a card in this rectangle. Anchors: `id` and `id`.fold for its heading. False when it is folded: draw nothing
+// then. Call end_card() in both cases.
 bool begin_card(Ui&, CardState&, std::string_view id, std::string_view heading, Rect,
                 std::span<HeadingButton> = {});  // from right to left
 void end_card(CardState&);
 
-// What is drawn from here on stands in the footer, below the part that scrolls. Set CardState::footer beforehand.
+// Begins the footer, below the part that scrolls. Set CardState::footer before begin_card().
 void begin_footer(Ui&, CardState&, Rect card);
 
-// The card's ground alone: panel colour at 92 %, a line around, a soft shadow.
+// The background of a card: panel colour at 92 %, border and shadow.
 void card_ground(const Ui&, Rect, float layout_rounding = 6);
 
-// A plain window without a card's heading, for bars: its cursor starts at the rectangle's corner, without padding.
-// One that covers the cards comes to the front each frame.
+// A window without heading and padding, for bars. With `covers_cards` it comes to the front in each frame.
 void begin_bar(Ui&, const char* name, Rect, bool covers_cards = false, float layout_rounding = 0);
 void end_bar();
 
-// The width between the card's paddings, where the scrollbar is not.
+// The width of the body without padding and scrollbar, window pixels.
 float card_width(const Ui&);
 
-// A little space, and a quiet heading within a card.
+// A vertical gap; a small heading within a card.
 void gap(const Ui&, float layout_pixels);
 void subheading(Ui&, std::string_view);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -4,11 +4,11 @@
 #include <string>
 
 #include "ui/imgui_compat.h"
-#include "ui/theme.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
@@ -20,7 +20,7 @@ Rect inside_clip(Rect r) {
     return {x0, y0, std::max(0.0f, x1 - x0), std::max(0.0f, y1 - y0)};
 }
 
-// A ring around a widget, reaching a little over its card's clip.
+// A ring around a widget; it may reach over the card's clip rectangle.
 void ring(const Ui& ui, Rect r, Colour colour, float gap, float thickness) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
@@ -31,8 +31,8 @@ void ring(const Ui& ui, Rect r, Colour colour, float gap, float thickness) {
     draw.PopClipRect();
 }
 
-// Beside the card, level with the widget, so that it never covers the next one; so, too, for the rows of a sheet, where
-// there is room; for the toolbar's below it.
+// Beside the card, so that it does not cover other widgets; beside the rows of a sheet where there is room; below the
+// buttons of the toolbar.
 void place_tooltip(const Ui& ui, const Item& item) {
     const ImVec2 window = ImGui::GetIO().DisplaySize, card = ImGui::GetWindowPos();
     const float card_width = ImGui::GetWindowWidth(), away = ui.px(24), half = ui.px(150);
@@ -93,12 +93,11 @@ void mark(Ui& ui, std::string_view id, Rect rect) {
 void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view shortcut) {
     if (ui.shown && item.shown >= 0) (*ui.shown)[static_cast<std::size_t>(item.shown)].has_tooltip |= !words.empty();
     if (!item.hovered || item.held || words.empty()) return;
-    // A moment of rest first: tooltips that jump up under a passing pointer hide what it is heading for. And time to
-    // read, but no more: what they lie over is of interest too. Whoever has pressed the widget knows it.
-    constexpr float rest = 0.35f, read = 9;
+    // Shown after a pause, so that a moving pointer opens none; hidden after 9 s and after a click.
+    constexpr float show_after = 0.35f, hide_after = 9;
     const float hovered = compat::hovered_seconds();
     const bool pressed_meanwhile = ImGui::GetTime() - ImGui::GetIO().MouseClickedTime[0] < static_cast<double>(hovered);
-    if (hovered < rest || hovered > read || pressed_meanwhile) return;
+    if (hovered < show_after || hovered > hide_after || pressed_meanwhile) return;
     place_tooltip(ui, item);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(6)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(2)});
@@ -119,4 +118,4 @@ float eased(const Ui& ui, std::string_view id, float target, float seconds) {
     return value;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

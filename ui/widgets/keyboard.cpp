@@ -4,18 +4,18 @@
 #include <span>
 #include <utility>
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-using Stops = std::span<const Keyboard::Stop>;
+using StopSpan = std::span<const Keyboard::Stop>;
 
-int index_of(Stops stops, std::string_view id) {
+int stop_index(StopSpan stops, std::string_view id) {
     const auto found = std::find_if(stops.begin(), stops.end(), [id](const auto& stop) { return stop.id == id; });
     return found == stops.end() ? -1 : static_cast<int>(found - stops.begin());
 }
 
-int next_card(Stops stops, int from) {
+int next_card(StopSpan stops, int from) {
     const int count = static_cast<int>(stops.size());
     if (from < 0) return 0;
     const int card = stops[static_cast<std::size_t>(from)].card;
@@ -34,10 +34,11 @@ void show_focus_for(Keyboard& keyboard, KeyPress press) {
 }
 
 void begin_keyboard(Keyboard& keyboard) {
-    const Stops stops(keyboard.last_stops.data(), keyboard.last_count);
+    const StopSpan stops(keyboard.last_stops.data(), keyboard.last_count);
     const int count = static_cast<int>(stops.size());
-    int at = index_of(stops, keyboard.focus);
-    if (at < 0 && !stops.empty() && !keyboard.revealed) keyboard.focus.clear();  // but not one asked for just now
+    int at = stop_index(stops, keyboard.focus);
+    if (at < 0 && !stops.empty() && !keyboard.revealed)
+        keyboard.focus.clear();  // but keep one set since the last frame
     while (const auto press = take(keyboard, key::tab)) {
         if (count == 0) continue;
         at = press->ctrl ? next_card(stops, at) : press->shift ? (at <= 0 ? count : at) - 1 : (at + 1) % count;
@@ -56,10 +57,10 @@ void hold_keyboard(Keyboard* keyboard) {
 }
 
 void end_keyboard(Keyboard& keyboard) {
-    const Stops stops(keyboard.stops.data(), keyboard.stop_count);
-    if (keyboard.held && index_of(stops, keyboard.focus) < 0) keyboard.focus = stops.empty() ? "" : stops.front().id;
+    const StopSpan stops(keyboard.stops.data(), keyboard.stop_count);
+    if (keyboard.held && stop_index(stops, keyboard.focus) < 0) keyboard.focus = stops.empty() ? "" : stops.front().id;
     if (keyboard.was_held && !keyboard.held) keyboard.focus = std::exchange(keyboard.focus_before, {});
-    const int at = index_of(stops, keyboard.focus);
+    const int at = stop_index(stops, keyboard.focus);
     keyboard.text = at < 0 ? TextInput::none : stops[static_cast<std::size_t>(at)].text;
     keyboard.was_held = std::exchange(keyboard.held, false);
     keyboard.presses.clear();
@@ -98,4 +99,4 @@ std::optional<KeyPress> take(Keyboard& keyboard, int wanted) {
     return press;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

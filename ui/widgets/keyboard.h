@@ -1,5 +1,5 @@
-// Who has the keyboard: one widget, by its anchor, or the viewport. Dear ImGui's own keyboard navigation stays off:
-// Space would press buttons there, and 1.86 loses keys that go down and up within a frame.
+// The keyboard focus: one widget, by its anchor, or the viewport. Dear ImGui's own keyboard navigation stays off: Space
+// would press buttons, and 1.86 loses keys that go down and up within a frame.
 #pragma once
 
 #include <optional>
@@ -9,57 +9,57 @@
 
 #include "ui/shortcuts.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
-// What is typed goes into a text field that has the cursor, or into one that is about to have it.
+// Text input: none, to a text field that becomes active in one of the next frames, or to an active one.
 enum class TextInput { none, awaited, open };
 
 struct Keyboard {
-    std::string focus;              // the anchor that has the focus; empty: the viewport has it
+    std::string focus;              // anchor of the focused widget; empty: the viewport
     std::vector<KeyPress> presses;  // for the focused widget, since the last frame
-    bool revealed = false;          // the focus moved by a key: its card scrolls to it
-    bool shown = false;             // a ring says who has it: from a key that moves or uses it to a click or Space
+    bool revealed = false;          // the focus was moved by a key: its card scrolls to it
+    bool shown = false;  // the focus ring is visible: from a key that moves or uses the focus until a click or Space
 
-    // A widget that can have the focus, in the order of drawing, and the card that it is on.
+    // A widget that can have the focus, and its card. In the order of drawing.
     struct Stop {
         std::string id;
         int card = 0;
         TextInput text = TextInput::none;
     };
-    // This frame's and the last one's; those beyond the count are spent, and keep their memory for the next frame.
+    // Of this frame and of the last one. Only the first `count` are valid; the others keep their memory.
     std::vector<Stop> stops, last_stops;
     std::size_t stop_count = 0, last_count = 0;
     int card = 0;
-    bool held = false, was_held = false;  // by a sheet, in this frame and in the last one
-    std::string focus_before;             // who had it when the sheet came
-    TextInput text = TextInput::none;     // of the focused widget, when the last frame had been drawn
+    bool held = false, was_held = false;  // a sheet has the keyboard, in this frame and in the last one
+    std::string focus_before;             // focus when the sheet was opened
+    TextInput text = TextInput::none;     // of the focused widget in the last frame
 };
 
-// Whether the focus is shown after this key.
+// Shows or hides the focus ring after a key.
 void show_focus_for(Keyboard&, KeyPress);
 
-// Moves the focus for the Tabs among the presses: to the next widget, with Shift to the previous one, with Ctrl to the
-// next card. Forgets a focus whose widget is gone. Call once before the widgets.
+// Handles Tab among the presses: focus to the next widget, with Shift to the previous one, with Ctrl to the next card.
+// Clears the focus when its widget no longer exists. Call once before the widgets.
 void begin_keyboard(Keyboard&);
 
-// Forgets the keys that no widget wanted. Call once after the widgets.
+// Drops the keys that no widget used. Call once after the widgets.
 void end_keyboard(Keyboard&);
 
-// Only widgets drawn from here on can have the focus in this frame: a sheet lies over the others. Its first widget gets
-// it, and whoever had it before gets it back when no sheet is drawn any more. `keyboard` may be null.
+// Call at the start of a sheet: only widgets drawn from here on can have the focus in this frame. The first one gets
+// it. When no sheet is drawn any more, the focus returns. `keyboard` may be null.
 void hold_keyboard(Keyboard*);
 
-// Widgets drawn from here on belong to another card.
+// Starts another card, for Ctrl+Tab.
 void begin_stops(Keyboard*);
 
-// The widget can have the focus; true when it has it. `keyboard` may be null.
+// Registers a widget that can have the focus. True when it has it. `keyboard` may be null.
 bool stop_here(Keyboard*, std::string_view id);
 
-// The widget that just became a stop takes text: it has the cursor, or will in one of the next frames. `keyboard` may
-// be null.
+// Marks the widget registered last as a text field. `has_cursor`: it is active; else it becomes active in one of the
+// next frames. `keyboard` may be null.
 void takes_text(Keyboard*, std::string_view id, bool has_cursor);
 
-// Takes the first press of this key away, with or without Shift and Ctrl. Nothing when it was not pressed.
+// Removes and returns the first press of this key, with or without Shift and Ctrl; nullopt when there is none.
 std::optional<KeyPress> take(Keyboard&, int key);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

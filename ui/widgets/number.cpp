@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-constexpr float largest = 1e6f;
+constexpr float largest_number = 1e6f;
 
-// True when it would be written with a minus: −0.001 at two decimals is 0.00.
+// True when it is written with a minus; −0.001 at two decimals is 0.00.
 bool is_negative(float value, int decimals) {
     return std::round(value * std::pow(10.0f, static_cast<float>(decimals))) < 0;
 }
@@ -19,7 +19,7 @@ bool is_negative(float value, int decimals) {
 }  // namespace
 
 std::string fixed(float value, int decimals) {
-    if (!std::isfinite(value) || std::fabs(value) > largest) return "—";
+    if (!std::isfinite(value) || std::fabs(value) > largest_number) return "—";
     return (is_negative(value, decimals) ? "−" : "") + fmt::format("{:.{}f}", std::fabs(value), decimals);
 }
 
@@ -44,11 +44,11 @@ std::optional<float> typed_number(std::string_view typed) {
             plain += typed[i] == ',' ? '.' : typed[i];
         }
     }
-    // strtof, not from_chars: libc++ lacks that for floating point. The program never leaves the C locale.
+    // strtof, since libc++ lacks from_chars for floating point. The program stays in the C locale.
     char* end = nullptr;
     const float value = std::strtof(plain.c_str(), &end);
     if (plain.empty() || end != plain.c_str() + plain.size() || !std::isfinite(value)) return std::nullopt;
     return value;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,22 +1,22 @@
-// Numbers that change: always the same number of digits, so that nothing jumps.
+// Numbers as text with a fixed number of decimals.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
-// "0.42"; a minus is the sign U+2212, as wide as a plus. "—" for what is not finite or beyond a million.
+// "0.42"; the minus is U+2212, as wide as a plus. "—" for a value that is not finite or above 1e6.
 std::string fixed(float value, int decimals);
 
-// "+0.42", "−0.42", and "0.00" for what is zero at these decimals.
+// "+0.42", "−0.42", and "0.00" for a value that rounds to zero.
 std::string with_sign(float value, int decimals);
 
 // The second factor of a product: "0.40", "(−1.00)".
 std::string as_factor(float value, int decimals);
 
-// What a person typed, with a comma or a point and any minus; nothing when it is no number.
+// The number typed, with a decimal comma or point and any kind of minus; nullopt for other text.
 std::optional<float> typed_number(std::string_view);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

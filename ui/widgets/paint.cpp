@@ -1,13 +1,15 @@
 #include "ui/widgets/paint.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ui/imgui_compat.h"
-#include "ui/theme.h"
+#include "ui/strings.h"
 #include "ui/widgets/card.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
@@ -15,7 +17,7 @@ ImVec2 snapped(ImVec2 at) { return {std::floor(at.x + 0.5f), std::floor(at.y + 0
 
 const char* end_of(std::string_view words) { return words.data() + words.size(); }
 
-void note(const Ui& ui, Rect rect, std::string_view words) {
+void record_written(const Ui& ui, Rect rect, std::string_view words) {
     const ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
     ui.written->push_back({std::string(words), rect, {low.x, low.y, high.x - low.x, high.y - low.y}, &draw});
@@ -48,7 +50,7 @@ float put(const Ui& ui, ImVec2 at, std::string_view words, Colour colour, Face f
     ImFont* f = font(ui, face);
     ImGui::GetWindowDrawList()->AddText(f, compat::size_of(f), snapped(at), paint(colour), words.data(), end_of(words));
     const float width = text_width(ui, face, words);
-    if (ui.written) note(ui, {at.x, at.y, width, line_height(ui, face)}, words);
+    if (ui.written) record_written(ui, {at.x, at.y, width, line_height(ui, face)}, words);
     return width;
 }
 
@@ -75,13 +77,25 @@ void paragraph(Ui& ui, std::string_view words, Colour colour, Face face, float w
     ImGui::PushTextWrapPos(width > 0 ? ImGui::GetCursorPosX() + width : card_width(ui));
     ImGui::TextUnformatted(words.data(), end_of(words));
     const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
-    if (ui.written) note(ui, {low.x, low.y, size.x, size.y}, words);
+    if (ui.written) record_written(ui, {low.x, low.y, size.x, size.y}, words);
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::PopFont();
 }
 
+std::string_view translated(const Ui& ui, std::string_view words) { return ui.strings.find(words, words); }
+
 bool has_icons(const Ui& ui) { return compat::has_glyph(font(ui, Face::text), 0xF04B); }
+
+std::string with_large_arrows(const Ui& ui, std::string text) {
+    if (!has_icons(ui)) return text;
+    constexpr std::array<std::array<std::string_view, 2>, 4> arrows{
+        {{"←", "\uf060"}, {"→", "\uf061"}, {"↑", "\uf062"}, {"↓", "\uf063"}}};
+    for (const auto& [small, large] : arrows)
+        for (std::size_t at = text.find(small); at != text.npos; at = text.find(small))
+            text.replace(at, small.size(), large);
+    return text;
+}
 
 void put_icon(const Ui& ui, ImVec2 middle, std::string_view name, Colour colour, Face face) {
     if (has_icons(ui)) put_centred(ui, {middle.x, middle.y - line_height(ui, face) / 2}, name, colour, face);
@@ -121,4 +135,4 @@ Colour colour_of_weight(const Palette& p, float weight) {
     return weight >= nothing ? p.excites : weight <= -nothing ? p.inhibits : p.second_text;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,4 +1,4 @@
-// What widgets are drawn with: words, shapes and icons on Dear ImGui's draw list, in the palette's colours.
+// Text, shapes and icons on Dear ImGui's draw list.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 #include "core/scene/scene.h"
 #include "ui/widgets/ui.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
-// Icons of Fork Awesome, by what they mean here.
+// Icons of Fork Awesome, by their meaning here.
 namespace icon {
 inline constexpr std::string_view play = "\uf04b", pause = "\uf04c", step = "\uf051", reset = "\uf049",
                                   new_population = "\uf074", add = "\uf067", remove = "\uf068", follow = "\uf05b",
@@ -26,40 +26,46 @@ inline constexpr std::string_view play = "\uf04b", pause = "\uf04c", step = "\uf
 
 enum class Face { text, strong, title, small, display };
 
-// The font behind a face; Dear ImGui's current one where none was loaded.
+// The font of a face; Dear ImGui's current font when none was loaded.
 ImFont* font(const Ui&, Face);
 
 // Window pixels.
 float line_height(const Ui&, Face);
 float text_width(const Ui&, Face, std::string_view);
 
-// Words with their upper left corner at `at`. Returns their width.
+// Text with its upper left corner at `at`. Returns its width.
 float put(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::text);
 
-// The same with the right end or the middle at at.x.
+// The same, with the right end or the middle at at.x.
 void put_right(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::text);
 void put_centred(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::text);
 
-// The words, or as many of them as fit into `width` window pixels and an ellipsis.
+// The text, shortened with an ellipsis to `width` window pixels.
 std::string shortened(const Ui&, std::string_view, Face, float width);
 
-// Words as an item at the cursor, wrapped at `width` (0: at the card's edge).
+// Text as an item at the cursor, wrapped at `width` window pixels (0: at the card's edge).
 void paragraph(Ui&, std::string_view, Colour, Face = Face::text, float width = 0);
 
-// True when the icon font is there; widgets write words where it is not.
+// The translation of a text of a scene or exercise, from exercises/words/*.toml; the text itself where there is none.
+std::string_view translated(const Ui&, std::string_view words);
+
+// True when the icon font is loaded; otherwise widgets show words.
 bool has_icons(const Ui&);
 
-// An icon with its middle at `middle`; nothing without the icon font.
+// An icon with its middle at `middle`; does nothing without the icon font.
 void put_icon(const Ui&, ImVec2 middle, std::string_view, Colour, Face = Face::text);
 
-// A filled and a drawn rectangle with the lab's rounded corners.
+// A filled and an outlined rectangle with rounded corners.
 void fill_box(const Ui&, Rect, Colour, float layout_rounding = 6);
 void line_box(const Ui&, Rect, Colour, float layout_rounding = 6, float layout_thickness = 1);
 
-// A vehicle's sign, nose up: predators are wedges, prey are round, the others are squares. `size` in window pixels.
+// The sign of a role: wedge for predators, disc for prey, square for others. `size` in window pixels.
 void put_role(const Ui&, ImVec2 middle, float size, Role, float alpha = 1);
 
-// Orange for what excites, blue for what inhibits, grey for neither.
+// Orange for a positive (excitatory) weight, blue for a negative one, grey for 0.
 Colour colour_of_weight(const Palette&, float weight);
 
-}  // namespace braitenlab
+// The text with the icon font's arrows, which are as large as other key names; unchanged without the icon font.
+std::string with_large_arrows(const Ui&, std::string text);
+
+}  // namespace braitenlab::ui

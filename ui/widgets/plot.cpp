@@ -4,11 +4,11 @@
 #include <cmath>
 #include <string>
 
-#include "ui/theme.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
@@ -103,4 +103,4 @@ void stroke(const Ui& ui, Colour colour, float layout_thickness) {
 
 }  // namespace detail
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

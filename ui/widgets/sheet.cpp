@@ -13,21 +13,20 @@
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
 constexpr float sheet_pad = 16, sheet_scrollbar_inset = 3, least_margin = 12;  // layout pixels
 
-float sheet_heading_height(const Ui& ui) { return line_height(ui, Face::title) + ui.px(sheet_pad); }
-float sheet_row_height(const Ui& ui) { return ui.px(button_height + sheet_pad); }
+float sheet_heading(const Ui& ui) { return line_height(ui, Face::title) + ui.px(sheet_pad); }
+float sheet_row(const Ui& ui) { return ui.px(button_height + sheet_pad); }
 
 }  // namespace
 
 void begin_sheet(Ui& ui, SheetState& state, std::string_view id, std::string_view heading, float layout_width,
                  Rect window) {
-    const float margin = ui.px(least_margin),
-                around = sheet_heading_height(ui) + sheet_row_height(ui) + 2 * ui.px(sheet_pad);
+    const float margin = ui.px(least_margin), around = sheet_heading(ui) + sheet_row(ui) + 2 * ui.px(sheet_pad);
     const float w = std::min(ui.px(layout_width), window.w - 2 * margin);
     const float h = std::min(state.content + around, window.h - 2 * margin);
     const Rect r{window.x + std::floor((window.w - w) / 2), window.y + std::floor((window.h - h) / 2), w, h};
@@ -36,12 +35,12 @@ void begin_sheet(Ui& ui, SheetState& state, std::string_view id, std::string_vie
     hold_keyboard(ui.keyboard);
     fill_box(ui, window, ui.palette.ground.with_alpha(0.55f), 0);
     card_ground(ui, r);
-    fill_box(ui, r, ui.palette.panel);  // opaque: what lies below is full of words
+    fill_box(ui, r, ui.palette.panel);  // opaque, so that words below do not show through
     line_box(ui, r, ui.palette.line);
     put(ui, {r.x + ui.px(sheet_pad), r.y + ui.px(sheet_pad)}, heading, ui.palette.text, Face::title);
     mark(ui, id, r);
     state.rect = r;
-    ImGui::SetCursorScreenPos({r.x + ui.px(sheet_pad), r.y + ui.px(sheet_pad) + sheet_heading_height(ui)});
+    ImGui::SetCursorScreenPos({r.x + ui.px(sheet_pad), r.y + ui.px(sheet_pad) + sheet_heading(ui)});
     compat::begin_child("body", {w - ui.px(sheet_pad + sheet_scrollbar_inset), std::max(1.0f, h - around)},
                         ImGuiWindowFlags_NoNav);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(8)});
@@ -64,4 +63,4 @@ bool end_sheet(const SheetState& state) {
     return beside;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,27 +1,26 @@
-// A sheet over the whole window, for what wants all the attention: a heading, a body that scrolls where the window is
-// low, and a row of buttons that stays. While it is there the keyboard belongs to it.
+// A sheet over the whole window: a heading, a body that scrolls in a low window, and a row of buttons. It has the
+// keyboard while it is open.
 #pragma once
 
 #include <string_view>
 
 #include "ui/widgets/ui.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
-// What a sheet remembers between frames.
 struct SheetState {
-    float content = 0;  // how high its body is, measured last frame, window pixels
-    Rect rect;          // where it stands in this frame
+    float content = 0;  // height of its body in the last frame, window pixels
+    Rect rect;          // in this frame
 };
 
-// Begins the body, `layout_width` wide or as wide as the window allows; draw on at the cursor, card_width() wide. The
-// anchor is `id`. Follow with sheet_buttons() and end_sheet(), always.
+// Begins the body, `layout_width` layout pixels wide or as wide as the window; its content is card_width() wide. The
+// anchor is `id`. Follow with sheet_buttons() and end_sheet().
 void begin_sheet(Ui&, SheetState&, std::string_view id, std::string_view heading, float layout_width, Rect window);
 
-// Ends the body; buttons drawn from here on stand in a row at the bottom (ImGui::SameLine between them).
+// Ends the body and begins the row of buttons at the bottom (ImGui::SameLine between them).
 void sheet_buttons(Ui&, SheetState&);
 
-// True when a click went beside the sheet, which is a way to say no.
+// True after a click beside the sheet, which cancels it.
 bool end_sheet(const SheetState&);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -6,40 +6,41 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-constexpr float knob_radius = 7, catches = 3;  // layout pixels; a drag stops at 0 so near to it, with Shift it does not
-constexpr float coarse = 5, nudged = 10;       // steps under the mouse, and at a press of an arrow key
-constexpr double pause_between_gestures = 1;   // seconds without a key
+constexpr float knob_radius = 7;
+constexpr float zero_reach = 3;  // layout pixels; a drag without Shift snaps to 0 within this distance
+constexpr float mouse_steps = 5, nudge_steps = 10;  // per movement of the mouse, and per press of an arrow key
+constexpr double gesture_pause = 1;                 // seconds without a key end a gesture
 
-struct Track {
+struct SliderTrack {
     float x0, x1, y, low, high;
     float at(float value) const { return x0 + (x1 - x0) * (std::clamp(value, low, high) - low) / (high - low); }
     float value_at(float x) const { return low + (x - x0) / (x1 - x0) * (high - low); }
 };
 
-float rounded(float value, float step) { return std::round(value / step) * step; }
+float rounded_to(float value, float step) { return std::round(value / step) * step; }
 
-std::string written(float value, const SliderLook& look) {
+std::string slider_text(float value, const SliderLook& look) {
     return look.signed_number ? with_sign(value, look.decimals) : fixed(value, look.decimals);
 }
 
 // Clamped and rounded to the step, with −0 made 0. Precondition: finite.
-float tidy(float value, const SliderLook& look) {
+float valid_value(float value, const SliderLook& look) {
     const float per_unit = std::round(1 / look.step);
     return std::clamp(std::round(value * per_unit) / per_unit, look.low, look.high) + 0.0f;
 }
 
-std::optional<float> drag(const Ui& ui, SliderState& state, const Item& at, const Track& track, std::string_view id,
-                          float value, float step) {
+std::optional<float> drag_knob(const Ui& ui, SliderState& state, const Item& at, const SliderTrack& track,
+                               std::string_view id, float value, float step) {
     if (!at.held) {
         if (state.dragged == id) state.dragged.clear();
         return std::nullopt;
@@ -61,22 +62,22 @@ std::optional<float> drag(const Ui& ui, SliderState& state, const Item& at, cons
     }
     if (io.KeyShift) {  // ten times finer: the knob lags behind the pointer
         state.grip -= 0.9f * (track.value_at(io.MousePos.x) - track.value_at(io.MousePos.x - io.MouseDelta.x));
-        return rounded(track.value_at(io.MousePos.x) + state.grip, step);
+        return rounded_to(track.value_at(io.MousePos.x) + state.grip, step);
     }
     const float wanted = track.value_at(io.MousePos.x) + state.grip;
-    const bool meets_zero = track.low < 0 && std::fabs(track.at(wanted) - track.at(0)) <= ui.px(catches);
-    return meets_zero ? 0 : rounded(wanted, coarse * step);
+    const bool meets_zero = track.low < 0 && std::fabs(track.at(wanted) - track.at(0)) <= ui.px(zero_reach);
+    return meets_zero ? 0 : rounded_to(wanted, mouse_steps * step);
 }
 
-std::optional<float> nudge(Ui& ui, SliderState& state, const Item& at, std::string_view id, float value, double now,
-                           float step) {
+std::optional<float> nudge_knob(Ui& ui, SliderState& state, const Item& at, std::string_view id, float value,
+                                double now, float step) {
     if (!at.focused) return std::nullopt;
     float change = 0;
     for (const int direction : {-1, 1})
         while (const auto press = take(*ui.keyboard, direction < 0 ? key::left : key::right))
-            change += static_cast<float>(direction) * step * (press->shift ? 1 : nudged);
+            change += static_cast<float>(direction) * step * (press->shift ? 1 : nudge_steps);
     if (change == 0) return std::nullopt;
-    if (state.nudged != id || now - state.nudged_at > pause_between_gestures) ++state.gesture;
+    if (state.nudged != id || now - state.nudged_at > gesture_pause) ++state.gesture;
     state.nudged = id;
     state.nudged_at = now;
     return value + change;
@@ -85,7 +86,7 @@ std::optional<float> nudge(Ui& ui, SliderState& state, const Item& at, std::stri
 void open_text(SliderState& state, std::string_view id, const std::string& number) {
     state.typed = id;
     state.text_opened = state.commit = state.give_up = false;
-    std::string plain = number;  // a sign that every keyboard has
+    std::string plain = number;  // with the minus of the keyboard
     if (const auto minus = plain.find("−"); minus != std::string::npos) plain.replace(minus, 3, "-");
     std::snprintf(state.text, sizeof state.text, "%s", plain[0] == '+' ? plain.c_str() + 1 : plain.c_str());
 }
@@ -96,8 +97,8 @@ int only_number(ImGuiInputTextCallbackData* data) {
     return (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '-' || c == '+' ? 0 : 1;
 }
 
-// The open number. Leaving it in any way but Esc takes what stands there, if it is a number.
-std::optional<float> type(Ui& ui, SliderState& state, std::string_view id, Rect box) {
+// The number being edited. Leaving it other than by Esc takes the text, if it is a number.
+std::optional<float> edit_number(Ui& ui, SliderState& state, std::string_view id, Rect box) {
     ImGui::SetCursorScreenPos({box.x, box.y});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(4), (box.h - line_height(ui, Face::text)) / 2});
     compat::push_font(font(ui, Face::text));
@@ -111,7 +112,7 @@ std::optional<float> type(Ui& ui, SliderState& state, std::string_view id, Rect 
     ImGui::PopFont();
     ImGui::PopStyleVar();
     line_box(ui, box, ui.palette.accent, 6, 1.5f);
-    const bool left = state.text_opened && !active;  // after Esc, Dear ImGui has put the old number back
+    const bool left = state.text_opened && !active;  // after Esc, Dear ImGui has restored the old number
     if (active) state.text_opened = true;
     takes_text(ui.keyboard, id, active);
     if (!entered && !state.commit && !state.give_up && !left) return std::nullopt;
@@ -120,7 +121,7 @@ std::optional<float> type(Ui& ui, SliderState& state, std::string_view id, Rect 
     return state.give_up ? std::nullopt : typed_number(state.text);
 }
 
-void draw(const Ui& ui, const Item& at, const Track& t, float value, const SliderLook& look) {
+void draw_slider(const Ui& ui, const Item& at, const SliderTrack& t, float value, const SliderLook& look) {
     const Palette& p = ui.palette;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float half = ui.px(2), origin = t.at(std::max(0.0f, t.low)), knob = t.at(value);
@@ -149,9 +150,9 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
     at.rect.w = width;
     mark(ui, id, at.rect);
     const float inset = ui.px(knob_radius + 1);
-    const Track track{at.rect.x + ui.px(look.words_width) + inset, at.right() - ui.px(look.number_width) - inset,
-                      at.middle_y(), look.low, look.high};
-    const std::string number = written(value, look) + std::string(look.unit);
+    const SliderTrack track{at.rect.x + ui.px(look.words_width) + inset, at.right() - ui.px(look.number_width) - inset,
+                            at.middle_y(), look.low, look.high};
+    const std::string number = slider_text(value, look) + std::string(look.unit);
     const ImGuiIO& io = ImGui::GetIO();
 
     std::optional<float> wanted;
@@ -162,42 +163,43 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
     if (typing) {
         ImGui::SameLine(0, 0);
         if (const auto typed =
-                type(ui, state, id, {at.right() - text_width_open, at.rect.y, text_width_open, at.rect.h})) {
+                edit_number(ui, state, id, {at.right() - text_width_open, at.rect.y, text_width_open, at.rect.h})) {
             ++state.gesture;
             wanted = *typed;
         }
     } else if (to_typing) {
-        // The first click of two may have moved the knob: that is taken back, under the same gesture.
+        // Undo a move of the knob by the first click of a double click, with the same gesture.
         const bool moved = twice && state.pressed == id && state.pressed_at != value;
         if (moved) wanted = state.pressed_at;
-        open_text(state, id, written(wanted.value_or(value), look));
+        open_text(state, id, slider_text(wanted.value_or(value), look));
         takes_text(ui.keyboard, id, false);
         state.dragged.clear();
     } else if ((at.hovered && ImGui::IsMouseClicked(1)) || (at.focused && take(*ui.keyboard, key::del))) {
         ++state.gesture;
         wanted = look.home;
     } else {
-        wanted = drag(ui, state, at, track, id, value, look.step);
-        if (!wanted) wanted = nudge(ui, state, at, id, value, wall_seconds, look.step);
+        wanted = drag_knob(ui, state, at, track, id, value, look.step);
+        if (!wanted) wanted = nudge_knob(ui, state, at, id, value, wall_seconds, look.step);
     }
 
     const Palette& p = ui.palette;
     put(ui, {at.rect.x, at.middle_y() - line_height(ui, Face::strong) / 2}, look.words, p.text,
         look.meaning ? Face::strong : Face::text);
-    draw(ui, at, track, value, look);
+    draw_slider(ui, at, track, value, look);
     if (!typing)
         put_right(ui, {at.right(), at.middle_y() - line_height(ui, Face::text) / 2}, number,
                   std::fabs(value) < look.step / 2 ? p.second_text : p.text);
     if (!typing && at.hovered)
-        tooltip(ui, at, look.tooltip,
-                fill(ui.strings("slider.how"), {written(tidy(look.home, look), look) + std::string(look.unit)}));
+        tooltip(
+            ui, at, look.tooltip,
+            fill(ui.strings("slider.how"), {slider_text(valid_value(look.home, look), look) + std::string(look.unit)}));
 
     if (!wanted || !std::isfinite(*wanted)) return std::nullopt;
-    const float tidied = tidy(*wanted, look);
-    const bool news = std::fabs(tidied - (state.dragged == id ? state.asked : value)) > look.step / 20;
-    if (!news) return std::nullopt;
-    state.asked = tidied;
-    return SliderEdit{tidied, gestures::panels + state.gesture};
+    const float edited = valid_value(*wanted, look);
+    const bool changed = std::fabs(edited - (state.dragged == id ? state.asked : value)) > look.step / 20;
+    if (!changed) return std::nullopt;
+    state.asked = edited;
+    return SliderEdit{edited, gestures::panels + state.gesture};
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,9 +1,8 @@
 // A slider for one number: a track filled from its zero, a knob, and the number, which can be typed.
 //
-// Dragging moves the knob (with Shift ten times finer), a right click brings back the value it came with, a double
-// click or Ctrl+click opens the number for typing; with the keyboard ← and → move it by a nudge, with Shift by the
-// smallest step, Del brings back, and Enter opens the number. What is typed is clamped; what is no number changes
-// nothing.
+// Mouse: dragging moves the knob (with Shift ten times finer); a right click restores the home value; a double click or
+// Ctrl+click edits the number. Keys: ← and → move by a nudge, with Shift by the smallest step; Del restores; Enter
+// edits the number. A typed number is clamped; other text changes nothing.
 #pragma once
 
 #include <cstdint>
@@ -13,34 +12,34 @@
 
 #include "ui/widgets/ui.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
-// What the sliders of the window remember between frames: at most one is dragged or typed into.
+// State of all sliders of the window: at most one is dragged or edited.
 struct SliderState {
-    std::string dragged;        // anchor of the one that the mouse holds
+    std::string dragged;        // anchor of the dragged slider
     float grip = 0;             // knob minus pointer at press, in units of the value
-    float asked = 0;            // last value given out in this gesture
+    float asked = 0;            // last value returned in this gesture
     float pressed_at = 0;       // the value when the mouse went down
-    std::string pressed;        // and the anchor it went down on
+    std::string pressed;        // anchor of the slider at that time
     std::uint64_t gesture = 0;  // last gesture number used
-    std::string nudged;         // anchor of the one that keys move; quick presses are one gesture
+    std::string nudged;         // anchor of the slider moved by keys; presses within a second are one gesture
     double nudged_at = 0;       // wall seconds
-    std::string typed;          // anchor of the one that is typed into
+    std::string typed;          // anchor of the slider being edited
     char text[16] = {};
-    bool text_opened = false;              // it has got the cursor
+    bool text_opened = false;              // its text field is active
     bool commit = false, give_up = false;  // Enter and Esc while typing, set by press_key
 };
 
 struct SliderLook {
     std::string_view words;  // "LL"
     std::string_view tooltip;
-    float low = -2, high = 2;  // filled from 0 when that lies between, else from `low`
-    float home = 0;            // what a right click brings back
-    float step = 0.01f;        // 1/n: every value is a multiple of it; the mouse moves in fives, a nudge is ten
-    int decimals = 2;          // shown; 10^-decimals is not above `step`
-    std::string_view unit{};   // after the number, with a space where it wants one: " m", "°"
+    float low = -2, high = 2;  // filled from 0 when 0 is between them, else from `low`
+    float home = 0;            // value restored by a right click
+    float step = 0.01f;        // 1/n; all values are multiples. The mouse moves by 5 steps, a nudge is 10
+    int decimals = 2;          // shown; 10^-decimals <= step
+    std::string_view unit{};   // after the number, with its space: " m", "°"
     bool signed_number = true;
-    bool meaning = true;                        // orange above 0, blue below; else the quiet colour
+    bool meaning = true;                        // orange above 0, blue below; else grey
     float words_width = 26, number_width = 46;  // layout pixels
 };
 
@@ -49,10 +48,10 @@ struct SliderEdit {
     std::uint64_t gesture = 0;  // the same for all edits of one drag
 };
 
-// Draws the slider at the cursor, `width` window pixels wide. Returns what the person made of the value in this frame.
+// Draws the slider at the cursor, `width` window pixels wide. Returns the edit made in this frame.
 std::optional<SliderEdit> slider(Ui&, SliderState&, std::string_view id, float value, float width, double wall_seconds,
                                  const SliderLook&);
 
 inline constexpr float slider_height = 28;  // layout pixels
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

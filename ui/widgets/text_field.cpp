@@ -10,7 +10,7 @@
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
@@ -63,4 +63,4 @@ bool for_text_field(TextField& field, KeyPress press) {
            press.key < key::f1;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,5 +1,4 @@
-// One line of text that is typed. It takes the cursor as soon as it has the focus, and while it has it, keys are
-// letters.
+// A text field of one line. It is active while it has the focus; keys are then text.
 #pragma once
 
 #include <string>
@@ -8,20 +7,20 @@
 #include "ui/shortcuts.h"
 #include "ui/widgets/ui.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 struct TextField {
     std::string text;
-    bool active = false;   // has the cursor
+    bool active = false;   // receives text
     bool entered = false;  // Enter was pressed in it; for one frame
     bool ask_enter = false;
 };
 
-// Draws it at the cursor, `width` window pixels wide; anchor `id`. Empty, it says `what` belongs into it.
+// Draws it at the cursor, `width` window pixels wide; anchor `id`. While empty it shows `what`.
 void text_field(Ui&, TextField&, std::string_view id, float width, std::string_view what, std::string_view how);
 
-// Keys while it has the cursor: Enter, Tab and arrows up and down are left to the keyboard's focus, letters come by
-// Dear ImGui. True when the key is not to go anywhere else.
+// Keys of an active field. Enter, Tab, Up and Down are left to the focus; characters come through Dear ImGui. True when
+// the key is handled.
 bool for_text_field(TextField&, KeyPress);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

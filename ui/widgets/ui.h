@@ -1,7 +1,6 @@
-// What every panel gets: how it should look, where to record its widgets and where to put what the person wants.
+// What every widget gets: palette, fonts and scale, the registry of anchors, and the outbox for requests.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,26 +13,29 @@ struct ImFont;
 
 namespace braitenlab {
 
-class Strings;    // ui/strings.h: words by key
-struct Keyboard;  // ui/widgets/keyboard.h: who has the focus
+class Strings;  // ui/strings.h
 
-// Null stands for Dear ImGui's current font.
+namespace ui {
+
+struct Keyboard;  // ui/widgets/keyboard.h
+
+// Null: Dear ImGui's current font.
 struct Fonts {
-    ImFont* text = nullptr;     // 16 px times scale
-    ImFont* title = nullptr;    // 1.35 times that, bold
-    ImFont* strong = nullptr;   // the size of text, bold
-    ImFont* display = nullptr;  // 2.6 times text, bold: letters and figures alone
-    ImFont* small = nullptr;    // captions and figures, 0.85 times text
+    ImFont* text = nullptr;     // 14 px em, times scale
+    ImFont* title = nullptr;    // 18 px, bold
+    ImFont* strong = nullptr;   // 14 px, bold
+    ImFont* display = nullptr;  // 36 px, bold; letters and digits only
+    ImFont* small = nullptr;    // 12 px: captions and figures
 };
 
-// Words as they were put on the screen, for tests that look for clipped and colliding ones.
+// A text as drawn in this frame, for tests that look for clipped and overlapping texts.
 struct Written {
     std::string words;
     Rect rect, clip;         // window pixels
-    const void* sheet = {};  // the same for words that lie on one sheet
+    const void* sheet = {};  // equal for texts on the same draw list
 };
 
-// A widget as it was drawn, for tests that look for one that does not explain itself.
+// A widget as drawn in this frame, for tests that look for a missing tooltip.
 struct Shown {
     std::string id;
     bool has_tooltip = false;
@@ -43,18 +45,22 @@ struct Ui {
     const Strings& strings;
     Palette palette;
     Fonts fonts;
-    float scale = 1;  // layout pixels to window pixels: every size in code is times this
+    float scale = 1;  // window pixels per layout pixel; every size in code is in layout pixels
     Anchors& anchors;
     Outbox& outbox;
-    std::string_view highlight;    // the anchor that pulses; empty for none
-    float pulse = 0;               // 0..1, how strong the highlight stands now; steady 1 where motion is reduced
-    Keyboard* keyboard = nullptr;  // draw_window sets it; null: widgets answer to the mouse alone
-    bool still = false;            // draw_window sets it: no easing, everything is at once where it is going
-    std::vector<Written>* written = nullptr;  // null: nobody wants to know
-    std::vector<Shown>* shown = nullptr;      // the same
+    std::string_view highlight;               // anchor of the widget that pulses; empty: none
+    float pulse = 0;                          // strength of the highlight, 0..1; 1 where motion is reduced
+    Keyboard* keyboard = nullptr;             // set by draw_window; null: widgets react to the mouse only
+    bool still = false;                       // set by draw_window; true: no easing
+    std::vector<Written>* written = nullptr;  // null: not recorded
+    std::vector<Shown>* shown = nullptr;      // null: not recorded
 
-    // px of the layout's 8 px grid in window pixels.
+    // Layout pixels to window pixels.
     float px(float layout_pixels) const { return layout_pixels * scale; }
 };
+
+}  // namespace ui
+
+using namespace ui;
 
 }  // namespace braitenlab

@@ -8,7 +8,7 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/wiring/actions.h"
 #include "ui/wiring/draw_cursor.h"

@@ -7,7 +7,7 @@
 
 #include "core/maths/portable.h"
 #include "ui/imgui_compat.h"
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::wiring {
 

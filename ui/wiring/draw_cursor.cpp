@@ -5,7 +5,7 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 #include "ui/wiring/draw_wires.h"
 #include "ui/wiring/edits.h"
 #include "ui/wiring/node_text.h"

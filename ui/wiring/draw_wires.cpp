@@ -6,7 +6,7 @@
 #include <string>
 
 #include "ui/imgui_compat.h"
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/number.h"
 
 namespace braitenlab::wiring {

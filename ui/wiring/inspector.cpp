@@ -8,7 +8,7 @@
 
 #include "core/brain/four_neurons.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/number.h"

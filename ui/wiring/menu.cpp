@@ -6,7 +6,7 @@
 
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 #include "ui/wiring/draw.h"
 #include "ui/wiring/number_sheet.h"
 

@@ -1,23 +1,24 @@
-#include "ui/panels/motor_sum.h"
+#include "ui/panels/brain_analysis.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "core/brain/four_neurons.h"
+#include "ui/panels/brain_analysis.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-constexpr float just_over = 1e-4f;    // rounding alone
-constexpr float least_push = 0.005f;  // below it, the two decimals on the screen show nothing
+constexpr float rounding_error = 1e-4f;
+constexpr float least_push = 0.005f;  // smaller contributions are 0.00 on the screen
 
-Product product(const Snapshot& now, const VehicleView& vehicle, const char* eye, const char* motor, Dial dial,
-                std::string_view letters) {
-    const BrainGraph& brain = *now.brains[static_cast<std::size_t>(vehicle.brain)];
+Product product_of(const Snapshot& now, const VehicleView& vehicle, const char* sensor, const char* motor, Dial dial,
+                   std::string_view letters) {
+    const BrainGraph& brain = *brain_of(now, vehicle);
     Product p{letters};
-    const Node* from = find_node(brain, std::string(eye));
+    const Node* from = find_node(brain, std::string(sensor));
     const Node* to = find_node(brain, std::string(motor));
     if (!from || !to) return p;
     const float reading = node_value(now, vehicle, from->id);
@@ -33,8 +34,8 @@ Product product(const Snapshot& now, const VehicleView& vehicle, const char* eye
     return p;
 }
 
-// Whether the two products and the bias are all there is: two eyes, two motors and wires from those to these, with
-// whatever curves; lesions or not.
+// True when the two products and the bias are the whole sum: two sensors, two motors and wires between them, with any
+// curves and lesions.
 bool is_plain(const BrainGraph& brain) {
     const auto plain_node = [](const Node& n) {
         const bool known = n.kind == NodeKind::sensor ? n.name == "SL" || n.name == "SR" : n.kind == NodeKind::motor;
@@ -51,10 +52,10 @@ bool is_plain(const BrainGraph& brain) {
 }  // namespace
 
 std::array<MotorSum, 2> motor_sums(const Snapshot& now, const VehicleView& vehicle) {
-    const BrainGraph& brain = *now.brains[static_cast<std::size_t>(vehicle.brain)];
+    const BrainGraph& brain = *brain_of(now, vehicle);
     const FourNeurons dials = read_dials(brain);
-    const auto make = [&](const char* eye, const char* motor, Dial dial, std::string_view letters) {
-        return product(now, vehicle, eye, motor, dial, letters);
+    const auto make = [&](const char* sensor, const char* motor, Dial dial, std::string_view letters) {
+        return product_of(now, vehicle, sensor, motor, dial, letters);
     };
     MotorSum left{"ML", "LM", {make("SL", "ML", Dial::LL, "SL·LL"), make("SR", "ML", Dial::LR, "SR·LR")}, dials.LM};
     MotorSum right{"MR", "RM", {make("SR", "MR", Dial::RR, "SR·RR"), make("SL", "MR", Dial::RL, "SL·RL")}, dials.RM};
@@ -67,9 +68,9 @@ std::array<MotorSum, 2> motor_sums(const Snapshot& now, const VehicleView& vehic
         sum.stopped = motor && motor->silenced;
         if (!motor || sum.stopped) continue;
         const float shown = sum.products[0].value + sum.products[1].value + sum.bias;
-        // From the motor's own state, which is not yet bounded to what a wheel can do.
+        // The motor's state is not limited to −1..1.
         if (!plain) sum.others = node_value(now, vehicle, motor->id) - shown;
-        sum.limited = std::fabs(shown + sum.others) > 1.0f + just_over;
+        sum.limited = std::fabs(shown + sum.others) > 1.0f + rounding_error;
     }
     both[0].more_wires = both[1].more_wires = !plain;
     return both;
@@ -97,4 +98,29 @@ Cause cause(const std::array<MotorSum, 2>& both) {
     return c;
 }
 
-}  // namespace braitenlab
+namespace {
+
+constexpr double recognition_period = 0.25;  // wall seconds
+
+std::vector<Reading> rounded_readings(std::vector<Reading> readings) {
+    for (Reading& reading : readings) reading.value = std::round(reading.value * 20) / 20;
+    return readings;
+}
+
+}  // namespace
+
+Character recognised(Recognised& known, const Snapshot& now, const VehicleView& vehicle, double wall_seconds) {
+    const auto& brain = brain_of(now, vehicle);
+    const bool same = known.brain == brain && known.vehicle == vehicle.id;
+    if (same && std::fabs(wall_seconds - known.at) < recognition_period) return known.character;
+    auto readings = rounded_readings(readings_beside_eyes(now, vehicle));
+    known.at = wall_seconds;
+    if (same && readings == known.readings) return known.character;
+    known.character = recognise(*brain, {}, readings);
+    known.brain = brain;
+    known.vehicle = vehicle.id;
+    known.readings = std::move(readings);
+    return known.character;
+}
+
+}  // namespace braitenlab::ui

@@ -1,16 +1,16 @@
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 
 #include <cmath>
 #include <filesystem>
 
 #include "ui/imgui_compat.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-// A face's ascent plus descent, which is what Dear ImGui calls its size, in units of the em (Noto Sans).
-constexpr float line_height = 1.362f;
+// Ascent plus descent of Noto Sans, in em. Dear ImGui calls it the size of a font.
+constexpr float line_height_em = 1.362f;
 constexpr float text_em = 14, title_em = 18, small_em = 12, display_em = 36;  // layout pixels
 
 constexpr ImWchar latin[]{0x0020, 0x017F,  // Latin, Latin-1, Latin Extended-A
@@ -38,33 +38,33 @@ bool readable(const std::string& file) {
     return !file.empty() && std::filesystem::is_regular_file(file, error);
 }
 
-class Loader {
+class FontLoader {
 public:
-    Loader(ImFontAtlas& atlas, float scale, const FontPaths& paths) : atlas_(atlas), scale_(scale), paths_(paths) {}
+    FontLoader(ImFontAtlas& atlas, float scale, const FontPaths& paths) : atlas_(atlas), scale_(scale), paths_(paths) {}
 
     ImFont* load(const std::string& file, float em, bool with_icons) {
-        const float pixels = std::round(em * line_height * scale_);
+        const float pixels = std::round(em * line_height_em * scale_);
         ImFont* font = nullptr;
         if (readable(file)) font = atlas_.AddFontFromFileTTF(file.c_str(), pixels, nullptr, latin);
         if (!font) {
-            miss(file, "Dear ImGui's own font stands in");
+            miss(file, "Dear ImGui's own font is used");
             ImFontConfig config;
             config.SizePixels = std::round(0.8f * pixels);
             font = atlas_.AddFontDefault(&config);
         }
         for (const std::string& symbols : paths_.symbols) merge(symbols, pixels, signs, {}, "some signs show as '?'");
-        // Fork Awesome's glyphs fill the em and more; a little smaller and lower they stand level with the words.
+        // Glyphs of Fork Awesome are larger than the em: smaller and lower they are level with words.
         if (with_icons)
             merge(paths_.icons, std::round(em * 1.16f * scale_), icon_range, {0, em * 0.08f * scale_},
                   "buttons show words only");
         return font;
     }
 
-    // Large, for a few words: without icons, and with the letters of the lab's languages only.
+    // A large face for a few words: Latin-1 and minus only, without icons.
     ImFont* load_figures(const std::string& file, float em) {
         static constexpr ImWchar letters[]{0x0020, 0x00FF, 0x2212, 0x2212, 0};
         if (!readable(file)) return nullptr;
-        return atlas_.AddFontFromFileTTF(file.c_str(), std::round(em * line_height * scale_), nullptr, letters);
+        return atlas_.AddFontFromFileTTF(file.c_str(), std::round(em * line_height_em * scale_), nullptr, letters);
     }
 
     std::string warning;
@@ -143,7 +143,7 @@ void apply_theme(Theme theme, float scale) {
 
 LoadedFonts load_fonts(ImFontAtlas& atlas, float scale, const FontPaths& paths) {
     compat::use_freetype(atlas);
-    Loader loader(atlas, scale, paths);
+    FontLoader loader(atlas, scale, paths);
     LoadedFonts loaded;
     loaded.fonts.text = loader.load(paths.text, text_em, true);
     loaded.fonts.strong = loader.load(paths.title, text_em, true);
@@ -154,4 +154,4 @@ LoadedFonts load_fonts(ImFontAtlas& atlas, float scale, const FontPaths& paths) 
     return loaded;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

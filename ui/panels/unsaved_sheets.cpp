@@ -1,45 +1,44 @@
-// Before unsaved edits are left behind: save them, let them go, or stay.
+// The two sheets about unsaved edits: before they are left, and after a crash.
 #include <string>
 
 #include <imgui.h>
 
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/sheet.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-std::string file_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
-
-// Into the file that the scene came from, or under a name that the person gives first.
-void save(const FilesView& files, PanelState& state, Ui& ui) {
+// Saves to the file of the scene, or opens the sheet that asks for a name.
+void save_before_leaving(const FilesView& files, PanelState& state, Ui& ui) {
     if (!files.save_to.empty()) return ui.outbox.push_back(LeaveRequest{Leave::save});
     state.leaving_done = files.done;
     begin_files(state.files, true);
     state.sheet = Sheet::files;
 }
 
-// The sheet for a name has come and gone: with what was asked for, or without.
+// The sheet that asks for a name was closed: after saving, or without.
 void after_naming(const FilesView& files, PanelState& state, Ui& ui) {
     const bool saved = state.leaving_done >= 0 && files.done > state.leaving_done;
     state.leaving_done = -1;
-    state.sheet = saved ? Sheet::leaving : Sheet::none;  // what is still unsaved is asked about again
+    state.sheet = saved ? Sheet::leaving : Sheet::none;  // asks again when something is still unsaved
     ui.outbox.push_back(LeaveRequest{saved ? Leave::saved : Leave::stay});
 }
 
-void words(const FilesView& files, Ui& ui) {
+void leaving_question(const FilesView& files, Ui& ui) {
     const Leaving& leaving = *files.leaving;
     const Palette& p = ui.palette;
     paragraph(ui,
               leaving.next.empty() ? fill(ui.strings("leaving.exit"), {leaving.name})
-                                   : fill(ui.strings("leaving.open"), {leaving.name, file_name(leaving.next)}),
+                                   : fill(ui.strings("leaving.open"),
+                                          {leaving.name, leaving.next.substr(leaving.next.find_last_of('/') + 1)}),
               p.text);
     if (!files.refused.empty()) paragraph(ui, files.refused, legible(p.warning, p.panel, p.text));
 }
@@ -58,7 +57,7 @@ void leaving_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     if (state.sheet != Sheet::leaving) return after_naming(files, state, ui);
 
     begin_sheet(ui, state.leaving, "card.leaving", ui.strings("leaving.heading"), 480, window);
-    words(files, ui);
+    leaving_question(files, ui);
     sheet_buttons(ui, state.leaving);
     const Item yes =
         button(ui, "leaving.save",
@@ -72,11 +71,35 @@ void leaving_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     tooltip(ui, stay, ui.strings("leaving.stay_how"), key_name({key::escape}, ui.strings));
     const bool beside = end_sheet(state.leaving);
     if (yes.pressed)
-        save(files, state, ui);
+        save_before_leaving(files, state, ui);
     else if (no.pressed)
         ui.outbox.push_back(LeaveRequest{Leave::discard});
     else if (stay.pressed || beside)
         ui.outbox.push_back(LeaveRequest{Leave::stay});
 }
 
-}  // namespace braitenlab
+void recovery_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
+    if (!view.recovery) state.recovery_asked = false;
+    if (view.recovery && !state.recovery_asked) state.recovery_asked = true, state.sheet = Sheet::recovery;
+    if (state.sheet != Sheet::recovery) return;
+    if (!view.recovery) {
+        state.sheet = Sheet::none;
+        return;
+    }
+    begin_sheet(ui, state.recovery, "card.recovery",
+                ui.strings(view.recovery->ended ? "recovery.heading_ended" : "recovery.heading"), 460, window);
+    paragraph(ui, fill(ui.strings("recovery.what"), {view.recovery->name, view.recovery->when}), ui.palette.text);
+    sheet_buttons(ui, state.recovery);
+    const Item take = button(ui, "recovery.take", {{}, ui.strings("recovery.take"), Emphasis::primary});
+    tooltip(ui, take, ui.strings("recovery.take_how"));
+    ImGui::SameLine(0, ui.px(8));
+    const Item discard = button(ui, "recovery.discard", {{}, ui.strings("recovery.discard")});
+    tooltip(ui, discard, ui.strings("recovery.discard_how"));
+    ImGui::SameLine(0, ui.px(8));
+    const Item later = button(ui, "recovery.later", {{}, ui.strings("recovery.later"), Emphasis::quiet});
+    tooltip(ui, later, ui.strings("recovery.later_how"), key_name({key::escape}, ui.strings));
+    if (take.pressed || discard.pressed) ui.outbox.push_back(RecoverRequest{take.pressed});
+    if (end_sheet(state.recovery) || later.pressed) state.sheet = Sheet::none;
+}
+
+}  // namespace braitenlab::ui

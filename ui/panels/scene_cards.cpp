@@ -1,4 +1,4 @@
-// The lamp or obstacle that is selected, with its values.
+// The card of the open scene and the card of the selected lamp or obstacle.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -7,36 +7,37 @@
 
 #include "core/maths/angle.h"
 #include "core/scene/names.h"
+#include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/edits.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
 constexpr float words_width = 84;  // layout pixels
 
-struct Value {
+struct ObjectNumber {
     std::string_view anchor, words, tooltip, unit;
     float low, high, home, step;
     int decimals;
 };
 
-constexpr Value strength{"thing.strength", "thing.strength", "thing.strength_how", "", 0, 1, 1, 0.01f, 2};
-constexpr Value length{"thing.length", "thing.length", "thing.length_how", " m", 0.2f, 10, 1, 0.01f, 2};
-constexpr Value width{"thing.width", "thing.width", "thing.width_how", " m", 0.2f, 10, 1, 0.01f, 2};
-constexpr Value heading{"thing.heading", "thing.heading", "thing.heading_how", "°", -180, 180, 0, 1, 0};
-constexpr Value mass{"thing.mass", "thing.mass", "thing.mass_how", " kg", 0, 50, 0, 0.1f, 1};
+constexpr ObjectNumber source_strength{"thing.strength", "thing.strength", "thing.strength_how", "", 0, 1, 1, 0.01f, 2};
+constexpr ObjectNumber obstacle_length{"thing.length", "thing.length", "thing.length_how", " m", 0.2f, 10, 1, 0.01f, 2};
+constexpr ObjectNumber obstacle_width{"thing.width", "thing.width", "thing.width_how", " m", 0.2f, 10, 1, 0.01f, 2};
+constexpr ObjectNumber obstacle_heading{"thing.heading", "thing.heading", "thing.heading_how", "°", -180, 180, 0, 1, 0};
+constexpr ObjectNumber obstacle_mass{"thing.mass", "thing.mass", "thing.mass_how", " kg", 0, 50, 0, 0.1f, 1};
 
-// What the slider made of the value; nothing where the hand left it alone.
-std::optional<SliderEdit> turn(const LabView& view, PanelState& state, Ui& ui, const Value& which, float value) {
+// The edit by the slider, or nullopt.
+std::optional<SliderEdit> turn(const LabView& view, PanelState& state, Ui& ui, const ObjectNumber& which, float value) {
     SliderLook look;
     look.words = ui.strings(which.words);
     look.tooltip = ui.strings(which.tooltip);
@@ -50,7 +51,7 @@ std::optional<SliderEdit> turn(const LabView& view, PanelState& state, Ui& ui, c
 }
 
 // A round spot in a channel's colour; true when it was pressed.
-bool swatch(Ui& ui, Channel channel, bool chosen) {
+bool channel_swatch(Ui& ui, Channel channel, bool chosen) {
     const float size = ui.px(28);
     const Item at = item(ui, "thing.channel." + std::string(word(channel)), {size, size});
     const ImVec2 middle{at.middle_x(), at.middle_y()};
@@ -63,7 +64,7 @@ bool swatch(Ui& ui, Channel channel, bool chosen) {
     return at.pressed;
 }
 
-void buttons(Ui& ui) {
+void object_buttons(Ui& ui) {
     gap(ui, 8);
     const Item copy = button(ui, "thing.duplicate", {{}, ui.strings("action.duplicate")});
     tooltip(ui, copy, ui.strings("action.duplicate"), key_name(Action::duplicate, ui.strings));
@@ -82,9 +83,10 @@ void source_values(const LabView& view, PanelState& state, Ui& ui, int index) {
     bool first = true;
     for (const Channel channel : source_channels) {
         if (!std::exchange(first, false)) ImGui::SameLine(0, ui.px(4));
-        if (swatch(ui, channel, channel == now.channel) && channel != now.channel) to = now, to->channel = channel;
+        if (channel_swatch(ui, channel, channel == now.channel) && channel != now.channel)
+            to = now, to->channel = channel;
     }
-    if (const auto edit = turn(view, state, ui, strength, now.strength))
+    if (const auto edit = turn(view, state, ui, source_strength, now.strength))
         to = now, to->strength = edit->value, gesture = edit->gesture;
     const std::array<std::string_view, 2> words{ui.strings("thing.light_only"), ui.strings("thing.solid")};
     const int chosen = segments(ui, "thing.solid", words, now.solid ? 1 : 0, card_width(ui));
@@ -93,13 +95,13 @@ void source_values(const LabView& view, PanelState& state, Ui& ui, int index) {
 }
 
 void obstacle_values(const LabView& view, PanelState& state, Ui& ui, int index) {
-    // Movable ones stand elsewhere than the scene has them: an edit starts from where this one is.
+    // A movable obstacle may have left its position in the scene: edit it where it is now.
     Obstacle now = view.now->scene->obstacles[static_cast<std::size_t>(index)];
     const Pose place = *place_of(*view.now, {SceneObjectKind::obstacle, index});
     now.x = place.x, now.y = place.y, now.heading = place.heading;
     std::optional<Obstacle> to;
     std::uint64_t gesture = 0;
-    const auto number = [&](const Value& which, float value, auto set) {
+    const auto number = [&](const ObjectNumber& which, float value, auto set) {
         const auto edit = turn(view, state, ui, which, value);
         if (!edit) return;
         to = now;
@@ -107,13 +109,13 @@ void obstacle_values(const LabView& view, PanelState& state, Ui& ui, int index) 
         gesture = edit->gesture;
     };
     if (now.corners.empty()) {
-        number(length, now.length, [](Obstacle& o, float v) { o.length = v; });
-        number(width, now.width, [](Obstacle& o, float v) { o.width = v; });
+        number(obstacle_length, now.length, [](Obstacle& o, float v) { o.length = v; });
+        number(obstacle_width, now.width, [](Obstacle& o, float v) { o.width = v; });
     } else {
         paragraph(ui, fill(ui.strings("thing.corners"), {std::to_string(now.corners.size())}), ui.palette.second_text);
     }
-    number(heading, maths::degrees(now.heading), [](Obstacle& o, float v) { o.heading = maths::radians(v); });
-    number(mass, now.mass, [](Obstacle& o, float v) { o.mass = v; });
+    number(obstacle_heading, maths::degrees(now.heading), [](Obstacle& o, float v) { o.heading = maths::radians(v); });
+    number(obstacle_mass, now.mass, [](Obstacle& o, float v) { o.mass = v; });
     if (to) ui.outbox.push_back(EditRequest{EditObstacle{index, *to}, gesture});
 }
 
@@ -122,14 +124,25 @@ void obstacle_values(const LabView& view, PanelState& state, Ui& ui, int index) 
 void object_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const bool source = view.settings.selection.object.kind == SceneObjectKind::source;
     const auto words = ui.strings(source ? "thing.source" : "thing.obstacle");
-    if (begin_card(ui, state.object, "card.thing", words, place)) {
+    if (open_card(state, ui, Card::object, place, {}, words)) {
         if (source)
             source_values(view, state, ui, view.settings.selection.object.index);
         else
             obstacle_values(view, state, ui, view.settings.selection.object.index);
         object_buttons(ui);
     }
-    end_card(state.object);
+    end_card(state.card(Card::object));
 }
 
-}  // namespace braitenlab
+void scene_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+    const bool open = open_card(state, ui, Card::scene, place);
+    if (open) {
+        const Scene& scene = *view.now->scene;
+        paragraph(ui, scene.title.empty() ? std::string_view(scene.name) : translated(ui, scene.title), ui.palette.text,
+                  Face::title);
+        if (!scene.story.empty()) paragraph(ui, translated(ui, scene.story), ui.palette.second_text);
+    }
+    end_card(state.card(Card::scene));
+}
+
+}  // namespace braitenlab::ui

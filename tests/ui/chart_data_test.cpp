@@ -1,9 +1,9 @@
-#include "ui/panels/history.h"
+#include "ui/panels/chart_data.h"
 
 #include <cmath>
 
 #include "desk.h"
-#include "ui/panels/csv.h"
+#include "ui/panels/chart_data.h"
 
 namespace braitenlab::tests::history_test {
 
@@ -11,7 +11,7 @@ namespace {
 
 void pass(Desk& desk, History& history, std::uint64_t tick) {
     desk.now.tick = tick;
-    remember(history, desk.view);
+    record(history, desk.view);
 }
 
 }  // namespace
@@ -21,7 +21,7 @@ TEST(History, TakesOneSampleAPeriodAndForgetsTheOldest) {
     History history;
     for (std::uint64_t tick = 0; tick < 6000; ++tick) {
         pass(desk, history, tick);
-        remember(history, desk.view);
+        record(history, desk.view);
         if (tick == 8) {
             EXPECT_EQ(history.signals.size(), 3u);
         }

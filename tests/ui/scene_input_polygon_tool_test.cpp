@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/scene_input/outline.h"
+#include "ui/scene_input/polygon_tool.h"
 
 namespace braitenlab::tests::stage_outline_test {
 namespace {

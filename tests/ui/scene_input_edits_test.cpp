@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render/view/pick.h"
-#include "ui/scene_input/room.h"
+#include "ui/scene_input/edits.h"
 
 namespace braitenlab::tests::stage_room_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/panels/motor_sum.h"
+#include "ui/panels/brain_analysis.h"
 
 #include "core/brain/presets.h"
 #include "core/scene/scene_file.h"

@@ -1,48 +1,54 @@
-#include "ui/prompts.h"
+#include "ui/panels/prompts.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/brain/four_neurons.h"
+#include <imgui.h>
 
-namespace braitenlab {
+#include "core/brain/four_neurons.h"
+#include "render/view/pick.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
+
+namespace braitenlab::ui {
 
 namespace {
 
-// Simulated seconds: first the behaviour, then the hand on it, and not for ever.
+// Simulated seconds before the first slider is suggested, and after which no slider is suggested any more.
 constexpr double watched = 3, enough = 8;
-constexpr double suggestion = 12;             // wall seconds that the later ones stay
+constexpr double suggestion = 12;             // wall seconds that a suggestion of free play is shown
 constexpr double run_worth_a_look_back = 15;  // simulated seconds
 
-constexpr float sees_nothing = 0.02f, stands_still = 0.03f;  // of a sensor, 0..1; m/s
-constexpr double lost_after = 3, stuck_after = 6;            // simulated seconds; love rests for five
+constexpr float sees_nothing = 0.02f, standstill = 0.03f;  // of a sensor, 0..1; m/s
+constexpr double lost_after = 3, stuck_after = 6;          // simulated seconds; 3a-love rests for five
 
-bool all_done(const LessonView& lesson) {
+bool all_steps_done(const LessonView& lesson) {
     return std::all_of(lesson.verdicts.begin(), lesson.verdicts.end(), [](const Verdict& v) { return v.done; });
 }
 
-int edits(const LabView& view) { return view.undo_depth + view.redo_depth; }
+int edit_count(const LabView& view) { return view.undo_depth + view.redo_depth; }
 
-// Of the selected vehicle's weights the first that does something now; else the first.
+// The slider of the selected vehicle's first weight that is not 0; else the first slider.
 std::string_view telling_slider(const LabView& view) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (!vehicle) return {};
-    const FourNeurons dials = read_dials(*view.now->brains[static_cast<std::size_t>(vehicle->brain)]);
+    const FourNeurons dials = read_dials(*brain_of(*view.now, *vehicle));
     if (dials.LL != 0) return "slider.LL";
     if (dials.LR != 0) return "slider.LR";
     if (dials.RL != 0) return "slider.RL";
     return dials.RR != 0 ? "slider.RR" : "slider.LL";
 }
 
-// ── The vehicle that gets nowhere ──
+// ── A vehicle that is stuck or sees nothing ──
 
 bool is_blind(const Snapshot& now, const VehicleView& vehicle) {
     const auto begin = now.sensed.begin() + vehicle.first_sensed;
-    const auto count =
-        static_cast<std::ptrdiff_t>(now.scene->kinds[static_cast<std::size_t>(vehicle.kind)].sensors.size());
+    const auto count = static_cast<std::ptrdiff_t>(kind_of(now, vehicle).sensors.size());
     return count > 0 && std::all_of(begin, begin + count, [](float value) { return value < sees_nothing; });
 }
 
+// `since`: the time from which on the condition holds; −1 while it does not.
 void keep_time(double& since, bool holds, double now) {
     if (!holds || now < since) since = -1;
     if (holds && since < 0) since = now;
@@ -50,13 +56,13 @@ void keep_time(double& since, bool holds, double now) {
 
 bool lasts(double since, double for_seconds, double now) { return since >= 0 && now - since >= for_seconds; }
 
-// One vehicle alone that sees nothing any more, or stands still: only a reset leads out. In a crowd both are common.
+// A single vehicle that sees nothing or does not move: only a reset helps. Among several vehicles both are common.
 void watch_vehicle(PromptMemory& memory, const LabView& view) {
     const Snapshot& now = *view.now;
     const VehicleView* vehicle = now.vehicles.size() == 1 ? &now.vehicles.front() : nullptr;
     const bool counts = vehicle && vehicle->driver == Driver::brain && now.tick > 0;
     keep_time(memory.blind_since, counts && is_blind(now, *vehicle), now.seconds);
-    keep_time(memory.still_since, counts && std::fabs(vehicle->speed) < stands_still, now.seconds);
+    keep_time(memory.still_since, counts && std::fabs(vehicle->speed) < standstill, now.seconds);
 }
 
 Prompt way_out(const PromptMemory& memory, const LabView& view) {
@@ -71,12 +77,13 @@ bool awaits_prediction(const LessonView& lesson) {
     return !lesson.has_run && lesson.prediction < 0 && !lesson.exercise->prediction.options.empty();
 }
 
-// What the newest hint points to, until a hand has followed it.
+// Anchor of the newest hint, until the next edit.
 std::string_view hinted(PromptMemory& memory, const LabView& view) {
     const LessonView& lesson = *view.lesson;
-    if (memory.hint != lesson.hints_shown) memory.hint = lesson.hints_shown, memory.edits_before_hint = edits(view);
+    if (memory.hint != lesson.hints_shown)
+        memory.hint = lesson.hints_shown, memory.edits_before_hint = edit_count(view);
     const int newest = std::min(lesson.hints_shown, static_cast<int>(lesson.exercise->hints.size())) - 1;
-    if (newest < 0 || edits(view) != memory.edits_before_hint) return {};
+    if (newest < 0 || edit_count(view) != memory.edits_before_hint) return {};
     return lesson.exercise->hints[static_cast<std::size_t>(newest)].anchor;
 }
 
@@ -92,7 +99,7 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     if (awaits_prediction(lesson)) return {"exercise.predict", "hint.predict"};
     if (!lesson.has_run) return at_start ? Prompt{"button.play", "hint.press_play"} : Prompt{};
     if (lesson.grade && lesson.grade->good) return {"exercise.next", "hint.passed"};
-    if (all_done(lesson)) return {{}, "hint.other_starts"};
+    if (all_steps_done(lesson)) return {{}, "hint.other_starts"};
     if (const auto anchor = hinted(memory, view); !anchor.empty()) return {anchor, "hint.follow_hint"};
     if (at_start) return {"button.play", "hint.press_play"};
     if (const Prompt out = way_out(memory, view); !out.anchor.empty()) return out;
@@ -102,8 +109,8 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
 
 // ── Free play ──
 
-// Whether the suggestion is to stand now; it is over once it was followed or has stood for long enough.
-bool stands(Suggested& suggested, bool followed, double wall_seconds) {
+// True while the suggestion is shown. It ends when it is followed or after `suggestion` seconds.
+bool is_shown_now(Suggested& suggested, bool followed, double wall_seconds) {
     if (suggested.known || followed) return suggested.known = true, false;
     if (suggested.since < 0) suggested.since = wall_seconds;
     suggested.known = wall_seconds - suggested.since > suggestion;
@@ -115,15 +122,15 @@ bool lamp_was_moved(const LabView& view) {
     return !view.file || now.empty() || view.file->sources != now;
 }
 
-// The left eye's pin, where there is one, until something was done there.
+// The output pin of the sensor SL, where there is one, until the first edit.
 Prompt of_wiring(PromptMemory& memory, const LabView& view) {
-    if (memory.edits_before_wiring < 0) memory.edits_before_wiring = edits(view);
+    if (memory.edits_before_wiring < 0) memory.edits_before_wiring = edit_count(view);
     memory.wiring.known = true;
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
-    if (!vehicle || edits(view) != memory.edits_before_wiring) return {};
-    const auto& nodes = view.now->brains[static_cast<std::size_t>(vehicle->brain)]->nodes;
-    const bool has_eye = std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.name == "SL"; });
-    return has_eye ? Prompt{"pin.SL.out", "hint.first_wire"} : Prompt{};
+    if (!vehicle || edit_count(view) != memory.edits_before_wiring) return {};
+    const auto& nodes = brain_of(*view.now, *vehicle)->nodes;
+    const bool has_sensor = std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.name == "SL"; });
+    return has_sensor ? Prompt{"pin.SL.out", "hint.first_wire"} : Prompt{};
 }
 
 Prompt of_free_play(PromptMemory& memory, const LabView& view) {
@@ -131,11 +138,11 @@ Prompt of_free_play(PromptMemory& memory, const LabView& view) {
     if (!memory.played) return {"button.play", "hint.press_play"};
     if (!memory.slider_known)
         return now.seconds < watched ? Prompt{} : Prompt{telling_slider(view), "hint.turn_slider"};
-    if (view.lesson) return {};  // what an exercise is about comes from its hints
-    if (stands(memory.lamp, lamp_was_moved(view), view.wall_seconds)) return {lamp_anchor, "hint.drag_lamp"};
-    if (stands(memory.wiring, false, view.wall_seconds)) return {"button.wiring", "hint.open_wiring"};
+    if (view.lesson) return {};  // an exercise has its own hints
+    if (is_shown_now(memory.lamp, lamp_was_moved(view), view.wall_seconds)) return {lamp_anchor, "hint.drag_lamp"};
+    if (is_shown_now(memory.wiring, false, view.wall_seconds)) return {"button.wiring", "hint.open_wiring"};
     if (now.seconds < run_worth_a_look_back) return {};
-    if (stands(memory.timeline, false, view.wall_seconds)) return {"timeline.track", "hint.look_back"};
+    if (is_shown_now(memory.timeline, false, view.wall_seconds)) return {"timeline.track", "hint.look_back"};
     return {};
 }
 
@@ -143,7 +150,7 @@ Prompt of_free_play(PromptMemory& memory, const LabView& view) {
 
 Prompt next_prompt(PromptMemory& memory, const LabView& view) {
     if (memory.opened != view.opened) memory = {view.opened};
-    memory.slider_known |= edits(view) > 0 || view.now->seconds > enough;
+    memory.slider_known |= edit_count(view) > 0 || view.now->seconds > enough;
     memory.timeline.known |= view.now->tick < view.timeline.latest;
     memory.played |= view.now->tick > 0 || view.mode == Mode::playing;
     watch_vehicle(memory, view);
@@ -164,4 +171,15 @@ float pulse(const LabView& view) {
     return static_cast<float>(0.5 - 0.5 * std::cos(view.wall_seconds * 2 * 3.14159265358979 / 1.5));
 }
 
-}  // namespace braitenlab
+void point_to_lamp(const LabView& view, Ui& ui) {
+    if (ui.highlight != lamp_anchor || !view.sight || view.now->sources.empty()) return;
+    const SourceView& lamp = view.now->sources.front();
+    const auto at = project(*view.sight, {lamp.x, lamp.y}, bulb_height);
+    if (!at) return;
+    const float radius = ui.px(18 + 4 * ui.pulse);
+    ImGui::GetBackgroundDrawList()->AddCircle(
+        {at->x, at->y}, radius, paint(ui.palette.accent.with_alpha(0.4f + 0.6f * ui.pulse)), 48, ui.px(2.5f));
+    ui.anchors.record(lamp_anchor, {at->x - radius, at->y - radius, 2 * radius, 2 * radius});
+}
+
+}  // namespace braitenlab::ui

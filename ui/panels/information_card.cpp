@@ -1,4 +1,4 @@
-// The population as pictures: who is there, how much energy each has, and what has happened since the run began.
+// The card of the population: numbers, energy of each vehicle, events, and the last seconds as strip charts.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -6,46 +6,48 @@
 #include <imgui.h>
 
 #include "ui/imgui_compat.h"
+#include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
-#include "ui/theme.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/plot.h"
+#include "ui/widgets/theme.h"
 
-namespace braitenlab {
+namespace braitenlab::ui {
 
 namespace {
 
-constexpr std::size_t most_bars = 120;  // more would be a texture, not bars
+constexpr std::size_t most_bars = 120;
 
 // A caption over its figure.
-void figure(const Ui& ui, ImVec2 at, std::string_view caption, std::string_view value) {
+void number_below(const Ui& ui, ImVec2 at, std::string_view caption, std::string_view value) {
     put(ui, at, caption, ui.palette.second_text, Face::small);
     put(ui, {at.x, at.y + line_height(ui, Face::small)}, value, ui.palette.text, Face::strong);
 }
 
-void figures(const LabView& view, Ui& ui) {
+void population_numbers(const LabView& view, Ui& ui) {
     const Snapshot& now = *view.now;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float third = card_width(ui) / 3;
     const bool hunted = now.predators + now.prey > 0;
-    figure(ui, at, ui.strings("info.population"), std::to_string(now.vehicles.size()));
-    figure(ui, {at.x + third, at.y}, ui.strings("info.generation"), std::to_string(now.generation));
+    number_below(ui, at, ui.strings("info.population"), std::to_string(now.vehicles.size()));
+    number_below(ui, {at.x + third, at.y}, ui.strings("info.generation"), std::to_string(now.generation));
     const VehicleView* selected = find_vehicle(now, view.settings.selection.vehicle);
     if (hunted)
-        figure(ui, {at.x + 2 * third, at.y}, ui.strings("info.captures"), std::to_string(now.events.captures));
+        number_below(ui, {at.x + 2 * third, at.y}, ui.strings("info.captures"), std::to_string(now.events.captures));
     else if (selected)
-        figure(ui, {at.x + 2 * third, at.y}, ui.strings("info.speed"),
-               fill(ui.strings("info.metres_a_second"), {fixed(selected->speed, 2)}));
+        number_below(ui, {at.x + 2 * third, at.y}, ui.strings("info.speed"),
+                     fill(ui.strings("info.metres_a_second"), {fixed(selected->speed, 2)}));
     const float height = line_height(ui, Face::small) + line_height(ui, Face::strong);
     ImGui::Dummy({card_width(ui), height});
     mark(ui, "info.figures", {at.x, at.y, card_width(ui), height});
 }
 
-// Both sides in numbers, as a ratio, and as one bar divided between them.
+// Numbers of predators and prey, their ratio, and a bar divided in that ratio.
 void ratio(const Snapshot& now, Ui& ui) {
     const int all = now.predators + now.prey;
     if (all == 0) return;
@@ -89,10 +91,10 @@ void inactivity(const Snapshot& now, Ui& ui) {
     mark(ui, "info.inactivity", {at.x, at.y, width, h + ui.px(5)});
 }
 
-// Where nothing takes energy away, its bars would only ever be full.
+// Without a drain all bars would always be full.
 bool energy_matters(const Snapshot& now) { return now.predators + now.prey > 0 || now.scene->ecology.drain > 0; }
 
-// The caption of the bars, which sorts them: by number, the fullest first, the emptiest first, by kind.
+// The caption of the bars. A click changes their order: number, falling energy, rising energy, kind.
 void energy_caption(PanelState& state, Ui& ui, ImVec2 at, std::string_view words) {
     using Order = EnergyOrder;
     constexpr std::array turns{Order{}, Order{Order::By::energy, true}, Order{Order::By::energy, false},
@@ -107,7 +109,7 @@ void energy_caption(PanelState& state, Ui& ui, ImVec2 at, std::string_view words
     state.energy_order = turns[next];
 }
 
-// One bar a vehicle, in the order chosen; a click selects it.
+// One bar per vehicle, in the chosen order; a click selects the vehicle.
 void energies(const LabView& view, PanelState& state, Ui& ui) {
     const Snapshot& now = *view.now;
     sort(now, state.energy_order, state.energy_rows);
@@ -154,24 +156,97 @@ void energies(const LabView& view, PanelState& state, Ui& ui) {
                   ui.palette.second_text, Face::small);
 }
 
+void strip_ground(const Ui& ui, Rect r) {
+    fill_box(ui, {r.x, r.y - ui.px(2), r.w, r.h + ui.px(4)}, ui.palette.ground.with_alpha(0.45f), 3);
+}
+
+constexpr double strip_seconds = 10;
+
+// Index of the first sample within the time span of the strips.
+std::size_t first_shown(const History& history) {
+    const auto& all = history.signals;
+    const double from = all.back().seconds - strip_seconds;
+    const auto first = std::lower_bound(all.begin(), all.end(), from,
+                                        [](const History::Signals& s, double at) { return s.seconds < at; });
+    return static_cast<std::size_t>(first - all.begin());
+}
+
+// One signal: its name, and a line on an axis from `low` to 1; the newest sample is at the right edge.
+void signal_strip(const Ui& ui, Rect r, std::string_view letters, const History& history, std::size_t signal,
+                  float low) {
+    const float room = ui.px(26);
+    put(ui, {r.x, r.y + (r.h - line_height(ui, Face::small)) / 2}, letters, ui.palette.second_text, Face::small);
+    const Rect plot{r.x + room, r.y, r.w - room, r.h};
+    strip_ground(ui, plot);
+    if (low < 0)
+        ImGui::GetWindowDrawList()->AddLine({plot.x, plot.y + plot.h / 2}, {plot.x + plot.w, plot.y + plot.h / 2},
+                                            paint(ui.palette.line), ui.px(1));
+    const auto newest = static_cast<float>(history.signals.back().seconds);
+    const Axis time{newest - static_cast<float>(strip_seconds), newest}, value{low, 1};
+    const std::size_t first = first_shown(history);
+    plot_line(ui, plot, time, value, history.signals.size() - first, ui.palette.text, 1.5f, [&](std::size_t i) {
+        const History::Signals& s = history.signals[first + i];
+        return ImVec2{static_cast<float>(s.seconds), s.values[signal]};
+    });
+}
+
+void signal_strips(const History& history, Ui& ui) {
+    constexpr float height = 20, row = 28;  // layout pixels
+    constexpr std::string_view letters[]{"SL", "SR", "ML", "MR"};
+    subheading(ui, fill(ui.strings("info.last_seconds"), {fixed(static_cast<float>(strip_seconds), 0)}));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float space = ui.px(12), half = (card_width(ui) - space) / 2;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Rect place{at.x + (i % 2 ? half + space : 0), at.y + ui.px(2) + ui.px(row) * (i < 2 ? 0.0f : 1.0f), half,
+                         ui.px(height)};
+        signal_strip(ui, place, letters[i], history, i, i < 2 ? 0.0f : -1.0f);
+    }
+    ImGui::Dummy({card_width(ui), ui.px(2 * row - 4)});
+    mark(ui, "info.signals", {at.x, at.y, card_width(ui), ui.px(2 * row - 4)});
+}
+
+void population_strip(const History& history, Ui& ui) {
+    subheading(ui, ui.strings("info.over_time"));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const Rect plot{at.x, at.y + ui.px(2), card_width(ui), ui.px(36)};
+    strip_ground(ui, plot);
+    constexpr std::size_t shown = 120;  // samples, one a second
+    const auto& all = history.population;
+    const std::size_t first = all.size() > shown ? all.size() - shown : 0;
+    int most = 1;
+    for (std::size_t i = first; i < all.size(); ++i) most = std::max({most, all[i].count[0], all[i].count[1]});
+    const auto newest = static_cast<float>(all.back().seconds);
+    const Axis time{newest - static_cast<float>(shown), newest}, value{0, static_cast<float>(most) * 1.1f};
+    for (const std::size_t side : {std::size_t{1}, std::size_t{0}}) {
+        const Role role = side == 0 ? Role::predator : Role::prey;
+        plot_line(ui, plot, time, value, all.size() - first, colour_of(ui.palette, role), 1.5f, [&](std::size_t i) {
+            return ImVec2{static_cast<float>(all[first + i].seconds), static_cast<float>(all[first + i].count[side])};
+        });
+        const float y = plot_point(plot, time, value, newest, static_cast<float>(all.back().count[side])).y;
+        put_role(ui, {plot.x + plot.w - ui.px(3), y}, ui.px(8), role);
+    }
+    ImGui::Dummy({plot.w, plot.h + ui.px(4)});
+    mark(ui, "info.over_time", plot);
+}
+
 }  // namespace
 
 void information_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
-    const bool was_folded = state.information.folded;
     const std::string key = key_name(Action::charts, ui.strings);
     std::array buttons{HeadingButton{"button.charts", ui.strings("button.charts"), ui.strings("tooltip.charts"), key,
                                      state.charts_open}};
-    const bool open = begin_card(ui, state.information, "card.information", ui.strings("info.heading"), place, buttons);
+    const bool open = open_card(state, ui, Card::information, place, buttons);
     if (buttons[0].pressed) state.charts_open = !state.charts_open;
-    if (state.information.folded != was_folded) state.information_opened = was_folded;
     if (open) {
-        figures(view, ui);
+        population_numbers(view, ui);
         ratio(*view.now, ui);
         if (energy_matters(*view.now)) energies(view, state, ui);
-        strips(view, state.history, ui);
+        if (!state.history.signals.empty()) signal_strips(state.history, ui);
+        if (view.now->predators + view.now->prey > 0 && !state.history.population.empty())
+            population_strip(state.history, ui);
         inactivity(*view.now, ui);
     }
-    end_card(state.information);
+    end_card(state.card(Card::information));
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::ui

@@ -1,0 +1,184 @@
+#include "ui/panels/cards.h"
+
+#include <algorithm>
+
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+constexpr float between_cards = 12, title_width = 150;  // layout pixels
+
+constexpr CardTraits card_traits[]{
+    {.card = Card::exercise,
+     .anchor = "card.exercise",
+     .column = Column::left,
+     .in_lecture = InLecture::folded,
+     .shown = [](const LabView& view) { return view.lesson != nullptr; },
+     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
+         exercise_card(view, state, ui, place);
+     }},
+    {.card = Card::scene,
+     .anchor = "card.scene",
+     .heading = "scene.heading",
+     .column = Column::left,
+     .in_lecture = InLecture::folded,
+     .shown = [](const LabView& view) { return view.lesson == nullptr; },
+     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
+         scene_card(view, state, ui, place);
+     }},
+    {.card = Card::sensors,
+     .anchor = "card.sensors",
+     .heading = "sensors.heading",
+     .column = Column::left,
+     .in_lecture = InLecture::restored,
+     .folded = true,
+     .shown = [](const LabView& view) { return !view.lecture; },
+     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
+         sensor_card(view, state, ui, place);
+     },
+     .least_share = 0.5f},
+    {.card = Card::object,
+     .anchor = "card.thing",
+     .column = Column::right,
+     .shown = [](const LabView& view) { return view.settings.selection.object && view.mode != Mode::wiring; },
+     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
+         object_card(view, state, ui, place);
+     },
+     .most = 0.6f},
+    {.card = Card::brain,
+     .anchor = "card.brain",
+     .heading = "brain.heading",
+     .column = Column::right,
+     .in_lecture = InLecture::folded,
+     .shown = [](const LabView&) { return true; },
+     .draw = brain_card},
+    {.card = Card::information,
+     .anchor = "card.information",
+     .heading = "info.heading",
+     .column = Column::right,
+     .in_lecture = InLecture::restored,
+     .shown = [](const LabView& view) { return !view.lecture && view.mode != Mode::wiring; },
+     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
+         information_card(view, state, ui, place);
+     },
+     .least = 124,
+     .folds_when_cramped = true},
+    {.card = Card::charts, .anchor = "card.charts", .heading = "charts.heading"},
+    {.card = Card::inspector, .anchor = "card.inspector", .in_lecture = InLecture::folded},
+};
+
+constexpr bool has_a_row_for_each_card() {
+    if (std::size(card_traits) != card_count) return false;
+    for (std::size_t i = 0; i < card_count; ++i)
+        if (card_traits[i].card != static_cast<Card>(i)) return false;
+    return true;
+}
+static_assert(has_a_row_for_each_card());
+
+// A folded card of a lecture lies over the scene: it is only as wide as its heading.
+Rect lecture_place(const LabView& view, const Ui& ui, const CardTraits& row, bool folded, Rect r) {
+    if (!view.lecture || !folded || row.in_lecture != InLecture::folded) return r;
+    const float w = std::min(r.w, ui.px(title_width));
+    return {row.column == Column::right ? r.x + r.w - w : r.x, r.y, w, r.h};
+}
+
+// The cards of one column that are shown now, with the heights that the table gives them.
+struct Stack {
+    const CardTraits* rows[card_count]{};
+    std::size_t count = 0;
+};
+
+Stack stack_of(Column column, const LabView& view) {
+    Stack stack;
+    for (const CardTraits& card : card_traits)
+        if (card.column == column && card.shown(view)) stack.rows[stack.count++] = &card;
+    return stack;
+}
+
+float wanted_of(const Ui& ui, PanelState& state, const CardTraits& card, Rect column) {
+    return std::min(wanted_height(ui, state.card(card.card)), card.most * column.h);
+}
+
+// The height that the cards above leave this card.
+float least_of(const Ui& ui, PanelState& state, const CardTraits& card, Rect column) {
+    const float open = std::max({folded_height(ui), ui.px(card.least), card.least_share * column.h});
+    return std::min(wanted_height(ui, state.card(card.card)), open);
+}
+
+float kept_below(const Ui& ui, PanelState& state, const Stack& stack, std::size_t i, Rect column) {
+    float kept = 0;
+    for (std::size_t k = i + 1; k < stack.count; ++k)
+        kept += ui.px(between_cards) + least_of(ui, state, *stack.rows[k], column);
+    return kept;
+}
+
+// Folds the card that gives way when the column is too low for the others, for this frame; null when there is none.
+const CardTraits* fold_when_cramped(const Ui& ui, PanelState& state, const Stack& stack, Rect column) {
+    float above = 0;
+    for (std::size_t i = 0; i < stack.count; ++i) {
+        const CardTraits& row = *stack.rows[i];
+        CardState& card = state.card(row.card);
+        const bool measured = i > 0 && state.card(stack.rows[i - 1]->card).content > 0;
+        const bool gives_way = row.folds_when_cramped && !card.folded && !card.opened_by_user && measured;
+        if (gives_way && above + least_of(ui, state, row, column) > column.h) {
+            card.folded = true;
+            return &row;
+        }
+        above += wanted_of(ui, state, row, column) + ui.px(between_cards);
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+std::array<CardState, card_count> initial_cards() {
+    std::array<CardState, card_count> states;
+    for (const CardTraits& card : card_traits) states[static_cast<std::size_t>(card.card)].folded = card.folded;
+    return states;
+}
+
+std::span<const CardTraits> cards() { return card_traits; }
+
+const CardTraits& traits(Card card) { return card_traits[static_cast<std::size_t>(card)]; }
+
+void draw_column(Column which, const LabView& view, PanelState& state, Ui& ui, Rect column) {
+    if (column.w <= 0) return;
+    const float space = ui.px(between_cards);
+    const Stack stack = stack_of(which, view);
+    const CardTraits* folded_now = fold_when_cramped(ui, state, stack, column);
+    Rect rest = column;
+    for (std::size_t i = 0; i < stack.count; ++i) {
+        const CardTraits& row = *stack.rows[i];
+        CardState& card = state.card(row.card);
+        Rect place = rest;
+        place.h = wanted_of(ui, state, row, column);
+        if (row.most == 1) place.h = std::min(place.h, rest.h - kept_below(ui, state, stack, i, column));
+        const bool was_folded = card.folded;
+        row.draw(view, state, ui, lecture_place(view, ui, row, card.folded, place), rest);
+        const bool changed = card.folded != was_folded;
+        if (changed) card.opened_by_user = was_folded;
+        if (&row == folded_now && !changed) card.folded = false;
+        rest.y += place.h + space;
+        rest.h -= place.h + space;
+    }
+}
+
+bool open_card(PanelState& state, Ui& ui, Card which, Rect place, std::span<HeadingButton> buttons,
+               std::string_view heading) {
+    const CardTraits& card = traits(which);
+    return begin_card(ui, state.card(which), card.anchor, heading.empty() ? ui.strings(card.heading) : heading, place,
+                      buttons);
+}
+
+void reset_cards(PanelState& state) {
+    for (const CardTraits& card : card_traits) {
+        CardState& shown = state.card(card.card);
+        shown.folded = card.folded;
+        shown.opened_by_user = false;
+    }
+}
+
+}  // namespace braitenlab::ui

@@ -1,0 +1,52 @@
+// One row of traits per card. Layout, folding, lectures and Reset All are derived from this table.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "ui/lab_view.h"
+#include "ui/panels/panel_state.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/ui.h"
+
+namespace braitenlab::ui {
+
+enum class Column { left, right, none };  // none: the window gives the card a rectangle of its own
+
+// What a lecture does to the state of a card. `folded`: folds it at the start, and a folded card is only as wide as its
+// heading. Both restore the state at the end.
+enum class InLecture { unchanged, restored, folded };
+
+struct CardTraits {
+    Card card;
+    std::string_view anchor;   // "card.brain"; its heading has the anchor "card.brain.fold"
+    std::string_view heading;  // string key; empty: the card writes its own heading
+    Column column = Column::none;
+    InLecture in_lecture = InLecture::unchanged;
+    bool folded = false;  // at first and after Reset All
+
+    bool (*shown)(const LabView&) = nullptr;
+    // `rest`: the column from the top of this card down.
+    void (*draw)(const LabView&, PanelState&, Ui&, Rect place, Rect rest) = nullptr;
+
+    // Heights in a column. The cards of a column share it from top to bottom, in the order of the table.
+    float most = 1;                   // at most this share of the column; below 1: not squeezed by cards below
+    float least = 0;                  // layout pixels that cards above leave it while it is open
+    float least_share = 0;            // the same as a share of the column
+    bool folds_when_cramped = false;  // folded while the column is too low, unless the user has opened it
+};
+
+// In the order of Card.
+std::span<const CardTraits> cards();
+const CardTraits& traits(Card);
+
+// Draws the cards of a column that are shown now.
+void draw_column(Column, const LabView&, PanelState&, Ui&, Rect);
+
+// begin_card() with state, anchor and heading of the table's row; `heading` replaces the row's. Follow with end_card().
+bool open_card(PanelState&, Ui&, Card, Rect place, std::span<HeadingButton> = {}, std::string_view heading = {});
+
+// Brings all cards back to their initial folds.
+void reset_cards(PanelState&);
+
+}  // namespace braitenlab::ui

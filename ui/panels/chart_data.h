@@ -1,0 +1,61 @@
+// Data of the charts: samples over time, the order of the energy bars, and both as CSV.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "core/world/snapshot.h"
+#include "ui/lab_view.h"
+
+namespace braitenlab::ui {
+
+// Samples of the run, taken from the snapshots shown. Going back in time drops those that are later.
+struct History {
+    static constexpr std::uint64_t signal_period = 3;       // ticks between samples
+    static constexpr std::size_t signal_samples = 1200;     // one minute
+    static constexpr std::uint64_t population_period = 60;  // ticks
+    static constexpr std::size_t population_samples = 600;  // ten minutes
+
+    struct Signals {
+        double seconds = 0;           // simulated
+        std::array<float, 4> values;  // SL, SR 0..1, ML, MR −1..1
+    };
+    struct Population {
+        double seconds = 0;
+        std::array<int, 3> count{};     // predators, prey, others
+        std::array<float, 3> energy{};  // mean of each, 0..1; NaN for an empty group
+    };
+
+    VehicleId vehicle = no_vehicle;  // the vehicle that `signals` are of
+    std::deque<Signals> signals;     // oldest first
+    std::deque<Population> population;
+    std::uint64_t tick = 0;     // of the last snapshot
+    std::uint64_t run_id = 0;  // LabView::run_id of the samples
+};
+
+// Adds a sample where one is due. Replaces the sample of the current tick, which an edit may have changed. Drops later
+// samples after a step back, the signals when another vehicle is selected, and all samples when another scene is
+// opened. Call once a frame; at high speed frames are further apart than the periods, and samples are fewer.
+void record(History&, const LabView&);
+
+struct EnergyOrder {
+    enum class By { number, energy, kind };
+    By by = By::number;
+    bool falling = false;
+    friend bool operator==(const EnergyOrder&, const EnergyOrder&) = default;
+};
+
+// Fills `rows` with the indices of the snapshot's vehicles in this order. Equal vehicles are in ascending number.
+void sort(const Snapshot&, const EnergyOrder&, std::vector<std::size_t>& rows);
+
+// CSV: a header line, comma-separated, decimal points. The columns are listed in chart_data.cpp.
+
+std::string signals_csv(const History&);
+std::string population_csv(const History&);  // empty fields for the mean energy of an empty group
+std::string energies_csv(const Snapshot&);   // one row per vehicle
+
+}  // namespace braitenlab::ui

@@ -1,0 +1,41 @@
+// The theme of the window: palette, fonts and the 8 px grid in Dear ImGui's terms. All colours come from here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "render/view/palette.h"
+#include "ui/widgets/ui.h"
+
+namespace braitenlab::ui {
+
+// A palette's colour for Dear ImGui's draw list.
+ImU32 paint(Colour);
+
+// Contrast ratio of two opaque colours, 1..21, by the Web Content Accessibility Guidelines 2; 4.5 is readable.
+float contrast(Colour, Colour);
+
+// `wanted`, mixed with as little `text` as needed to be readable on `ground` (contrast 4.5).
+Colour legible(Colour wanted, Colour ground, Colour text);
+
+// Sets Dear ImGui's style. Call again when the theme or the scale changes, between frames.
+void apply_theme(Theme, float scale);
+
+struct FontPaths {
+    std::string text, title;           // a regular and a bold face
+    std::string icons;                 // Fork Awesome
+    std::vector<std::string> symbols;  // faces with arrows and signs that the text face lacks, in order of preference
+};
+
+struct LoadedFonts {
+    Fonts fonts;
+    std::string warning;  // the file that could not be read and the effect; empty: no problem
+};
+
+// Adds the fonts at this scale (window pixels per layout pixel) to an empty atlas. Does not fail: a missing file is
+// replaced by Dear ImGui's own font, and icons are left out.
+LoadedFonts load_fonts(ImFontAtlas&, float scale, const FontPaths&);
+
+}  // namespace braitenlab::ui
