@@ -166,7 +166,7 @@ TEST(Camera, ComesHomeFromEverywhereWithOneKey) {
         handle(lab, way);
         EXPECT_NE(lab.view.camera.mode, CameraMode::overview);
         handle(lab, Action::home);
-        EXPECT_EQ(lab.view.camera.mode, Camera{});
+        EXPECT_EQ(lab.view.camera, Camera{});
     }
 }
 

@@ -29,7 +29,7 @@ TEST_F(InALecture, LeavingBringsBackEveryWayOfLooking) {
     lab.preferences = mine;
     lab.view.outlines = true;
     lab.view.camera.zoom = 2;
-    const Camera camera = lab.view.camera.mode;
+    const Camera camera = lab.view.camera;
     handle(lab, Action::lecture);
     for (const Action action : {Action::theme, Action::larger, Action::larger, Action::sensors, Action::outlines,
                                 Action::follow, Action::birds_eye})
@@ -38,7 +38,7 @@ TEST_F(InALecture, LeavingBringsBackEveryWayOfLooking) {
     handle(lab, Action::lecture);
     EXPECT_FALSE(view_of(lab).lecture);
     EXPECT_EQ(lab.preferences, mine);
-    EXPECT_EQ(lab.view.camera.mode, camera);
+    EXPECT_EQ(lab.view.camera, camera);
     EXPECT_TRUE(lab.view.sensors);
     EXPECT_TRUE(lab.view.outlines);
 }
@@ -63,7 +63,7 @@ TEST_F(InALecture, AnotherSceneKeepsNothingOfTheFirstOnesCameraOnLeaving) {
     handle(lab, Action::lecture);
     replace_document(lab, std::move(*open_document(*find_shipped("2a-coward"), std::nullopt, {})));
     handle(lab, Action::lecture);
-    EXPECT_EQ(lab.view.camera.mode, Camera{});
+    EXPECT_EQ(lab.view.camera, Camera{});
 }
 
 TEST_F(InALecture, WorkAndTimeGoOn) {

@@ -16,7 +16,7 @@ struct WiringInspector : testing::Test {
         desk.view.mode = Mode::wiring;
         desk.frame(4);
     }
-    void select(Selection chosen) {
+    void select(wiring::Selection chosen) {
         desk.panels.canvas.selection = std::move(chosen);
         desk.frame(3);
     }
