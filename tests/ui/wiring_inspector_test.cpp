@@ -63,6 +63,17 @@ TEST_F(WiringInspector, SetsAChosenCurve) {
     EXPECT_EQ(find_node(asked(), ML)->curve.response, Response::hump);
 }
 
+TEST_F(WiringInspector, OffersEveryResponseInsideItsCard) {
+    select({{ML}, {}});
+    const Rect card = desk.where("card.inspector"), lesion = desk.where("inspector.lesion");
+    EXPECT_LE(lesion.y + lesion.h, card.y + card.h);
+    for (std::size_t i = 0; i < responses.size(); ++i) {
+        const Rect button = desk.where("inspector.kind." + std::to_string(i + 1));
+        EXPECT_TRUE(card.contains(button.x, button.y)) << responses[i].word;
+        EXPECT_LE(button.y + button.h, lesion.y) << responses[i].word;
+    }
+}
+
 TEST_F(WiringInspector, CutsAWireAndSilencesANode) {
     select({{}, {{SR, ML}}});
     desk.click("inspector.lesion");
