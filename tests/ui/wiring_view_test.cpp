@@ -26,7 +26,10 @@ struct WiringView : testing::Test {
     View view{{200, 300}, 0.8f};
 };
 
-TEST_F(WiringView, ConvertsPixelsToUnitsAndBack) { EXPECT_EQ(view.to_canvas(view.to_window({8, -6})), (vec2{8, -6})); }
+TEST_F(WiringView, ConvertsPixelsToUnitsAndBack) {
+    view = {{120, 40}, 1.5f};
+    EXPECT_EQ(view.to_canvas(view.to_window({8, -6})), (vec2{8, -6}));
+}
 
 TEST_F(WiringView, ZoomKeepsThePointUnderThePointer) {
     const Rect area{20, 30, 900, 640};
