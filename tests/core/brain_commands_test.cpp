@@ -37,14 +37,14 @@ World run(const Scene& scene, int ticks) {
     return std::move(*world);
 }
 
-TEST(LearningVehicle, ShowsWhatItHasLearned) {
+TEST(Snapshot, ShowsTheLearnedPartOfAWire) {
     Scene dark = learner();
     dark.sources.clear();
     EXPECT_EQ(learned_by_it(run(dark, 60)), 0);
     EXPECT_GT(learned_by_it(run(learner(), 60)), 0.1f);
 }
 
-TEST(LearningVehicle, KeepsItThroughALesionAndThroughADial) {
+TEST(Command, SetBrainKeepsTheLearnedPartThroughALesionAndADial) {
     World world = run(learner(), 15);
     const float before = learned_by_it(world);
     BrainGraph hurt = learner().kinds[0].brain;
@@ -58,7 +58,7 @@ TEST(LearningVehicle, KeepsItThroughALesionAndThroughADial) {
     EXPECT_GT(learned_by_it(world), before);
 }
 
-TEST(LearningVehicle, BeginsAnewWithAnotherBrain) {
+TEST(Command, SetBrainForgetsTheLearnedPartWhenOtherWiresLearn) {
     World world = run(learner(), 60);
     BrainGraph other = learner().kinds[0].brain;
     find_wire(other, 1, 2)->learning_rate = 1;
@@ -66,7 +66,7 @@ TEST(LearningVehicle, BeginsAnewWithAnotherBrain) {
     EXPECT_EQ(learned_by_it(world), 0);
 }
 
-TEST(LearningVehicle, GoesOnFromASaveWithWhatItHadLearned) {
+TEST(World, RestoreKeepsTheLearnedPart) {
     World world = run(learner(), 90);
     World again = World::restore(world.checkpoint());
     for (int t = 0; t < 400; ++t) world.step(), again.step();
@@ -74,7 +74,7 @@ TEST(LearningVehicle, GoesOnFromASaveWithWhatItHadLearned) {
     EXPECT_EQ(learned_by_it(world), learned_by_it(again));
 }
 
-TEST(HurtVehicle, ShowsNothingInItsCoveredEyeAndStandsOnStoppedMotors) {
+TEST(Snapshot, ShowsZeroForSilencedSensorsAndMotors) {
     Scene scene = learner();
     for (Node& node : scene.kinds[0].brain.nodes) node.silenced = node.name != "SR";
     const World world = run(scene, 30);
@@ -87,7 +87,7 @@ TEST(HurtVehicle, ShowsNothingInItsCoveredEyeAndStandsOnStoppedMotors) {
 }
 
 // Every edit that changes what a brain computes changes the hash.
-TEST(Hash, TellsBrainsApartByWhateverDecidesWhatTheyDo) {
+TEST(Hash, ChangesWithEveryEditThatChangesWhatABrainComputes) {
     const std::uint64_t plain = run(tests::alone({.LL = 1, .LM = 0.2f}), 0).hash();
     const auto edited = [](auto edit) {
         Scene scene = tests::alone({.LL = 1, .LM = 0.2f});
@@ -109,7 +109,7 @@ TEST(Hash, TellsBrainsApartByWhateverDecidesWhatTheyDo) {
         << "positions on the canvas do not change the run";
 }
 
-TEST(Commands, RefuseEveryNumberThatIsNotFinite) {
+TEST(Command, RefusesEveryNumberThatIsNotFinite) {
     World world = run(learner(), 10);
     const std::uint64_t before = world.hash();
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {

@@ -8,8 +8,8 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/strings.h"
-#include "ui/widgets/theme.h"
 #include "ui/widgets/keyboard.h"
+#include "ui/widgets/theme.h"
 #include "ui/wiring/actions.h"
 #include "ui/wiring/draw_cursor.h"
 #include "ui/wiring/draw_nodes.h"

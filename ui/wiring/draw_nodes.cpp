@@ -6,8 +6,8 @@
 #include "core/maths/portable.h"
 #include "ui/imgui_compat.h"
 #include "ui/strings.h"
-#include "ui/widgets/theme.h"
 #include "ui/widgets/number.h"
+#include "ui/widgets/theme.h"
 #include "ui/wiring/node_text.h"
 
 namespace braitenlab::wiring {

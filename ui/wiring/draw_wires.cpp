@@ -6,8 +6,8 @@
 #include <string>
 
 #include "ui/imgui_compat.h"
-#include "ui/widgets/theme.h"
 #include "ui/widgets/number.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::wiring {
 

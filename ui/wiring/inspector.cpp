@@ -8,11 +8,11 @@
 
 #include "core/brain/four_neurons.h"
 #include "ui/strings.h"
-#include "ui/widgets/theme.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 #include "ui/wiring/menu.h"
 #include "ui/wiring/node_text.h"
 #include "ui/wiring/number_sheet.h"

@@ -10,10 +10,10 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/strings.h"
-#include "ui/widgets/theme.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::wiring {
 
