@@ -91,9 +91,9 @@ private:
     std::vector<CatalogueEntry> catalogue_;
     AppliedTheme theme_;
     FilesView files_;
-    PanelState panels_;
+    ui::PanelState panels_;
     ViewportState viewport_;
-    Anchors anchors_;
+    ui::Anchors anchors_;
     Outbox outbox_;
     Snapshot shown_;  // interpolated between the last two ticks
     FrameFacts facts_;

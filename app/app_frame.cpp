@@ -31,9 +31,9 @@ Rect without_metre_labels(Rect scene, float scale) {
     return {scene.x, scene.y, scene.w, std::max(0.5f * scene.h, scene.h - more * (scale - 1))};
 }
 
-std::string typed_text(const PanelState& panels) {
+std::string typed_text(const ui::PanelState& panels) {
     if (!panels.sliders.typed.empty()) return panels.sliders.text;
-    for (const TextField* field : {&panels.files.typed, &panels.files.title})
+    for (const ui::TextField* field : {&panels.files.typed, &panels.files.title})
         if (field->active) return field->text;
     return {};
 }
@@ -86,7 +86,7 @@ void App::frame(float passed) {
     view.files = &files_;
     if (autosave_.leftover()) view.recovery = &autosave_.leftover()->offer;
     const Rect area = window_.area();
-    const WindowLayout layout = lay_out(area.w, area.h, theme_.scale(), view, panels_.charts_open);
+    const ui::WindowLayout layout = ui::lay_out(area.w, area.h, theme_.scale(), view, panels_.charts_open);
     const Rect arena = without_metre_labels(layout.scene, theme_.scale());
     aim(viewport_, lab_, area, arena, passed);
     view.sight = &viewport_.sight;
@@ -95,17 +95,17 @@ void App::frame(float passed) {
     for (const KeyPress press : keys.presses) arrows_are_free &= !press_key(view, panels_, press, outbox_);
 
     anchors_.begin();
-    Ui ui{.strings = words_.strings,
-          .palette = palette(view.theme),
-          .fonts = theme_.fonts(),
-          .scale = theme_.scale(),
-          .anchors = anchors_,
-          .outbox = outbox_,
-          .pulse = pulse(view)};
-    draw_window(view, panels_, ui, layout);
+    ui::Ui ui{.strings = words_.strings,
+              .palette = palette(view.theme),
+              .fonts = theme_.fonts(),
+              .scale = theme_.scale(),
+              .anchors = anchors_,
+              .outbox = outbox_,
+              .pulse = ui::pulse(view)};
+    ui::draw_window(view, panels_, ui, layout);
 
     const bool arrows_move_camera = arrows_are_free && view.mode != Mode::wiring && panels_.keyboard.focus.empty() &&
-                                    !takes_arrows(view, ImGui::GetIO().KeyCtrl);
+                                    !ui::takes_arrows(view, ImGui::GetIO().KeyCtrl);
     const Arrows held = arrows_move_camera ? arrows() : Arrows{};
     const bool steers = steer_by_keys(lab_, held.turn, held.raise);
     drive_camera(lab_, viewport_, panels_.scene_input, steers ? Arrows{} : held, area, arena, passed);

@@ -11,11 +11,11 @@ namespace braitenlab {
 
 namespace {
 
-FontPaths installed_fonts() {
+ui::FontPaths installed_fonts() {
     const auto face = [](const std::vector<std::filesystem::path>& candidates) {
         return first_existing(candidates).string();
     };
-    FontPaths paths;
+    ui::FontPaths paths;
     paths.text =
         face({"/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf", "/usr/share/fonts/noto/NotoSans-Regular.ttf",
               "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/dejavu/DejaVuSans.ttf"});
@@ -36,12 +36,12 @@ FontPaths installed_fonts() {
 bool AppliedTheme::apply(Theme theme, float scale) {
     if (theme == theme_ && scale == scale_) return false;
     theme_ = theme;
-    apply_theme(theme, scale);
+    ui::apply_theme(theme, scale);
     if (scale == scale_) return false;
     scale_ = scale;
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
-    loaded_ = load_fonts(atlas, scale, installed_fonts());
+    loaded_ = ui::load_fonts(atlas, scale, installed_fonts());
     return true;
 }
 

@@ -14,12 +14,12 @@ public:
     // again: the window must then upload the font atlas again. Call between frames.
     bool apply(Theme, float scale);
 
-    const Fonts& fonts() const { return loaded_.fonts; }
+    const ui::Fonts& fonts() const { return loaded_.fonts; }
     const std::string& warning() const { return loaded_.warning; }  // about fonts; empty: none
     float scale() const { return scale_; }
 
 private:
-    LoadedFonts loaded_;
+    ui::LoadedFonts loaded_;
     Theme theme_ = Theme::dark;
     float scale_ = 0;  // nothing applied yet
 };

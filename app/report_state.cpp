@@ -61,15 +61,15 @@ const char* object_word(SceneObjectKind kind) {
     return "";
 }
 
-const char* tool_word(SceneInputTool tool) {
+const char* tool_word(ui::SceneInputTool tool) {
     switch (tool) {
-        case SceneInputTool::hand:
+        case ui::SceneInputTool::hand:
             return "hand";
-        case SceneInputTool::lamp:
+        case ui::SceneInputTool::lamp:
             return "lamp";
-        case SceneInputTool::box:
+        case ui::SceneInputTool::box:
             return "box";
-        case SceneInputTool::polygon:
+        case ui::SceneInputTool::polygon:
             return "polygon";
     }
     return "";
@@ -133,7 +133,8 @@ Json obstacles_json(const Snapshot& now, const Sight& sight) {
 void add_scene_input(Json& state, const Lab& lab, const ui::SceneInputState& scene_input, const FrameFacts& frame) {
     const Sight& sight = frame.sight;
     const Snapshot& now = lab.document.session.snapshot();
-    state["object"] = {{"kind", object_word(lab.view.selection.object.kind)}, {"index", lab.view.selection.object.index}};
+    state["thing"] = {{"kind", object_word(lab.view.selection.object.kind)},
+                      {"index", lab.view.selection.object.index}};
     state["hovered"] = {{"kind", object_word(scene_input.hovered.object.kind)},
                         {"index", scene_input.hovered.object.index},
                         {"handle", scene_input.hovered.handle}};
@@ -184,7 +185,7 @@ void add_brain(Json& state, const Snapshot& now, const VehicleView* vehicle) {
 
 }  // namespace
 
-std::string anchors_json(const Anchors& anchors) {
+std::string anchors_json(const ui::Anchors& anchors) {
     Json all = Json::object();
     for (const auto& [id, r] : anchors.all()) all[id] = {r.x, r.y, r.w, r.h};
     return all.dump(1) + "\n";

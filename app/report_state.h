@@ -13,7 +13,7 @@
 namespace braitenlab {
 
 // {"slider.LL": [x, y, w, h], …} in window pixels.
-std::string anchors_json(const Anchors&);
+std::string anchors_json(const ui::Anchors&);
 
 struct FrameFacts {
     std::string focus;  // anchor of the widget with the keyboard focus; empty: the viewport
@@ -32,10 +32,10 @@ struct FrameFacts {
 // {mode, tick, seconds, hash, time_scale, selected, character, weights {LL …}, thresholds {LL …}, lesions, driver,
 // motor [left, right], sensor_ranges [..], nodes, wires, toggles, undo_depth, redo_depth, population, predators, prey,
 // generation, camera, language, focus, typed, overlays {…}, draw_calls, graphics_watched, graphics_errors, frame_ms,
-// frames, pointer [x, y], pressed, exercise, object {kind, index}, hovered {kind, index, handle}, cursor, tool, corners,
+// frames, pointer [x, y], pressed, exercise, thing {kind, index}, hovered {kind, index, handle}, cursor, tool, corners,
 // vehicles, sources, obstacles}. The last three are lists of at most 64; `at` is the position in the window in pixels,
 // or null behind the camera.
-std::string state_json(const Lab&, const SceneInputState&, const FrameFacts&);
+std::string state_json(const Lab&, const ui::SceneInputState&, const FrameFacts&);
 
 // A file that is replaced whenever its text changes; a reader never sees half of it. The first error is returned once,
 // and nothing is written after it.

@@ -35,14 +35,14 @@ void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, floa
     state.has_sight = true;
 }
 
-void drive_camera(Lab& lab, const ViewportState& state, const SceneInputState& scene_input, Arrows arrows, Rect window,
-                  Rect free_area, float seconds) {
+void drive_camera(Lab& lab, const ViewportState& state, const ui::SceneInputState& scene_input, Arrows arrows,
+                  Rect window, Rect free_area, float seconds) {
     const ImGuiIO& io = ImGui::GetIO();
     const vec2 at{io.MousePos.x, io.MousePos.y}, moved = scene_input.drag.moved;
     orbit(lab.view.camera, arrows.turn * turn_rate * seconds, arrows.raise * raise_rate * seconds);
-    if (scene_input.drag.phase == SceneInputPhase::orbit && !rides(lab.view.camera.mode))
+    if (scene_input.drag.phase == ui::SceneInputPhase::orbit && !rides(lab.view.camera.mode))
         orbit(lab.view.camera, -moved.x * turn_by_pixel, moved.y * raise_by_pixel);
-    if (scene_input.drag.phase == SceneInputPhase::pan && !rides(lab.view.camera.mode))
+    if (scene_input.drag.phase == ui::SceneInputPhase::pan && !rides(lab.view.camera.mode))
         pan(lab.view.camera, state.sight, at - moved, at);
     if (!io.WantCaptureMouse && io.MouseWheel != 0)
         zoom_about(lab.view.camera, lab.document.session.snapshot().scene->arena, window, free_area, at,

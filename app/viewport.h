@@ -1,4 +1,5 @@
-// The camera of a frame, and its control by mouse and arrow keys. Mouse input for objects in the scene is in ui/scene_input.
+// The camera of a frame, and its control by mouse and arrow keys. Mouse input for objects in the scene is in
+// ui/scene_input.
 #pragma once
 
 #include "app/lab.h"
@@ -26,6 +27,7 @@ void aim(ViewportState&, const Lab&, Rect window, Rect free_area, float seconds)
 
 // Moves the camera by mouse and arrow keys: left drag on the floor orbits (pans in bird's eye), right or middle drag
 // pans, the wheel zooms about the pointer, arrows turn and raise the overview. Reads the mouse from Dear ImGui.
-void drive_camera(Lab&, const ViewportState&, const SceneInputState&, Arrows, Rect window, Rect free_area, float seconds);
+void drive_camera(Lab&, const ViewportState&, const ui::SceneInputState&, Arrows, Rect window, Rect free_area,
+                  float seconds);
 
 }  // namespace braitenlab

@@ -38,15 +38,15 @@ public:
         io.DisplaySize = {width, height};
         io.DeltaTime = 1.0f / 60;
         const std::string noto = "/usr/share/fonts/truetype/noto/";
-        loaded_ = load_fonts(*io.Fonts, 1,
-                             {noto + "NotoSans-Regular.ttf",
-                              noto + "NotoSans-Bold.ttf",
-                              "/usr/share/fonts/truetype/fork-awesome/forkawesome-webfont.ttf",
-                              {}});
+        loaded_ = ui::load_fonts(*io.Fonts, 1,
+                                 {noto + "NotoSans-Regular.ttf",
+                                  noto + "NotoSans-Bold.ttf",
+                                  "/usr/share/fonts/truetype/fork-awesome/forkawesome-webfont.ttf",
+                                  {}});
         unsigned char* pixels = nullptr;
         int w = 0, h = 0;
         io.Fonts->GetTexDataAsAlpha8(&pixels, &w, &h);
-        apply_theme(Theme::dark, 1);
+        ui::apply_theme(Theme::dark, 1);
     }
     ~Panels() { ImGui::DestroyContext(); }
 
@@ -55,21 +55,21 @@ public:
         ImGui::NewFrame();
         outbox_.clear();
         anchors_.begin();
-        Ui ui{.strings = strings,
-              .palette = palette(Theme::dark),
-              .fonts = loaded_.fonts,
-              .anchors = anchors_,
-              .outbox = outbox_,
-              .pulse = pulse(view)};
-        draw_window(view, state_, ui, lay_out(width, height, 1, view));
+        ui::Ui ui{.strings = strings,
+                  .palette = palette(Theme::dark),
+                  .fonts = loaded_.fonts,
+                  .anchors = anchors_,
+                  .outbox = outbox_,
+                  .pulse = ui::pulse(view)};
+        ui::draw_window(view, state_, ui, ui::lay_out(width, height, 1, view));
         ImGui::Render();
         return ImGui::GetDrawData()->TotalIdxCount / 3;
     }
 
 private:
-    LoadedFonts loaded_;
-    PanelState state_;
-    Anchors anchors_;
+    ui::LoadedFonts loaded_;
+    ui::PanelState state_;
+    ui::Anchors anchors_;
     Outbox outbox_;
 };
 

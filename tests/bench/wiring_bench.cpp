@@ -20,14 +20,15 @@ public:
         io.DeltaTime = 1.0f / 60;
         io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as OpenGL 3.3 has
         const std::string noto = "/usr/share/fonts/truetype/noto/";
-        fonts_ = load_fonts(*io.Fonts, 1, {noto + "NotoSans-Regular.ttf", noto + "NotoSans-Bold.ttf", "", {}}).fonts;
+        fonts_ =
+            ui::load_fonts(*io.Fonts, 1, {noto + "NotoSans-Regular.ttf", noto + "NotoSans-Bold.ttf", "", {}}).fonts;
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;
         io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
-        apply_theme(Theme::dark, 1);
+        ui::apply_theme(Theme::dark, 1);
         view_.now = &now_;
         view_.mode = Mode::wiring;
-        view_.selected = 0;
+        view_.settings.selection.vehicle = 0;
     }
     ~Easel() { ImGui::DestroyContext(); }
     Easel(const Easel&) = delete;
@@ -37,7 +38,7 @@ public:
         ImGui::NewFrame();
         anchors_.begin();
         outbox_.clear();
-        Ui ui{strings_, palette(Theme::dark), fonts_, 1, anchors_, outbox_, {}};
+        ui::Ui ui{strings_, palette(Theme::dark), fonts_, 1, anchors_, outbox_, {}};
         wiring::draw_canvas(view_, state_, ui, area_);
         ImGui::Render();
     }
@@ -50,10 +51,10 @@ private:
     const Rect area_{16, 64, 900, 600};
     Snapshot now_;
     Strings strings_;
-    Anchors anchors_;
+    ui::Anchors anchors_;
     Outbox outbox_;
     LabView view_;
-    Fonts fonts_;
+    ui::Fonts fonts_;
     wiring::CanvasState state_;
 };
 

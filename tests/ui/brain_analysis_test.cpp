@@ -7,6 +7,8 @@
 
 namespace braitenlab::tests::motor_sum_test {
 
+using namespace ui;
+
 namespace {
 
 float added_up(const MotorSum& sum) { return sum.products[0].value + sum.products[1].value + sum.bias + sum.others; }
@@ -27,7 +29,7 @@ Snapshot with_a_third_wire(float neuron, float weight) {
 
 }  // namespace
 
-TEST(MotorSums, AreProductsAndBiasWhereABrainHasFourWires) {
+TEST(BrainAnalysis, AreProductsAndBiasWhereABrainHasFourWires) {
     const Snapshot now = snapshot(0);  // a coward: SL 0.4 and SR 0.2 times 1.5, and 0.1
     const auto sums = motor_sums(now, now.vehicles[0]);
     EXPECT_FLOAT_EQ(added_up(sums[0]), 0.7f);
@@ -35,7 +37,7 @@ TEST(MotorSums, AreProductsAndBiasWhereABrainHasFourWires) {
     EXPECT_FALSE(sums[0].more_wires);
 }
 
-TEST(MotorSums, SayWhatALesionTakesAway) {
+TEST(BrainAnalysis, SayWhatALesionTakesAway) {
     Snapshot now = snapshot(0);
     BrainGraph hurt = *now.brains[0];
     find_node(hurt, "SR")->silenced = true;
@@ -55,7 +57,7 @@ TEST(MotorSums, SayWhatALesionTakesAway) {
     EXPECT_EQ(stopped[1].others, 0) << "a stopped motor is not braked by further wires";
 }
 
-TEST(MotorSums, CountWhatFurtherWiresBring) {
+TEST(BrainAnalysis, CountWhatFurtherWiresBring) {
     const Snapshot now = with_a_third_wire(0.5f, -0.8f);
     const auto sums = motor_sums(now, now.vehicles[0]);
     ASSERT_TRUE(sums[0].more_wires);
@@ -64,7 +66,7 @@ TEST(MotorSums, CountWhatFurtherWiresBring) {
     EXPECT_NEAR(sums[1].others, 0, 1e-6f);
 }
 
-TEST(MotorSums, DoNotCallTheWheelsLimitAFurtherWire) {
+TEST(BrainAnalysis, DoNotCallTheWheelsLimitAFurtherWire) {
     const Snapshot now = with_a_third_wire(1, 1);  // 1.7, of which the wheel takes 1
     const auto sums = motor_sums(now, now.vehicles[0]);
     EXPECT_NEAR(sums[0].others, 1, 1e-6f);
@@ -82,7 +84,7 @@ float brought_by_others(const Snapshot& now, const VehicleView& vehicle, const B
     return sum;
 }
 
-TEST(MotorSums, AddUpToWhatTheMotorsGetForEveryPresetInItsScene) {
+TEST(BrainAnalysis, AddUpToWhatTheMotorsGetForEveryPresetInItsScene) {
     int seen = 0, curved = 0;
     for (const Preset& preset : presets()) {
         auto scene =
@@ -121,7 +123,7 @@ TEST(MotorSums, AddUpToWhatTheMotorsGetForEveryPresetInItsScene) {
     EXPECT_GT(curved, 0) << "some wire bends";
 }
 
-TEST(MotorSums, ShowWhatThresholdAndCurveLetThrough) {
+TEST(BrainAnalysis, ShowWhatThresholdAndCurveLetThrough) {
     Snapshot now = snapshot(0);  // SL reads 0.4, SR 0.2
     BrainGraph bent = *now.brains[0];
     find_wire(bent, 0, 2)->curve = {Response::inverted};
@@ -136,7 +138,7 @@ TEST(MotorSums, ShowWhatThresholdAndCurveLetThrough) {
     EXPECT_FALSE(sums[0].more_wires) << "a bent wire is no further wire";
 }
 
-TEST(MotorSums, SayWhereTheWheelCanDoNoMore) {
+TEST(BrainAnalysis, SayWhereTheWheelCanDoNoMore) {
     Snapshot now = snapshot(0);
     now.brains[0] = std::make_shared<BrainGraph>(make_graph({.LL = 2, .RR = 2, .LM = 0.3f, .RM = 0.3f}));
     now.vehicles[0].motor = {1, 0.7f};
@@ -150,7 +152,7 @@ TEST(MotorSums, SayWhereTheWheelCanDoNoMore) {
     EXPECT_FALSE(backwards[1].limited);
 }
 
-TEST(MotorSums, NameTheLargestPushAsTheCause) {
+TEST(BrainAnalysis, NameTheLargestPushAsTheCause) {
     Snapshot now = snapshot(0);
     now.vehicles[0].motor = {0.7f, 0.4f};
     const auto coward = motor_sums(now, now.vehicles[0]);
@@ -167,7 +169,7 @@ TEST(MotorSums, NameTheLargestPushAsTheCause) {
     EXPECT_EQ(cause(pushed).product, nullptr);
 }
 
-TEST(MotorSums, NameTheBiasesWhereNothingElsePushes) {
+TEST(BrainAnalysis, NameTheBiasesWhereNothingElsePushes) {
     Snapshot now = snapshot(0);
     FourNeurons biased;
     biased.RM = 0.3f;

@@ -7,6 +7,8 @@
 
 namespace braitenlab::tests::brain_card_test {
 
+using namespace ui;
+
 namespace {
 
 BrainGraph brain_asked_for(const Desk& desk) {
@@ -44,7 +46,7 @@ TEST(BrainCard, CrossesTheWiresAndMakesBothSidesAlike) {
     EXPECT_TRUE(desk.edits().empty()) << "what is alike already is no step of undo";
 }
 
-TEST(Lesions, CoverAnEyeAndUncoverIt) {
+TEST(BrainPicture, CoverAnEyeAndUncoverIt) {
     Desk desk(1280, 1000);
     desk.frame(3);
     const BrainGraph before = *desk.now.brains[0];
@@ -58,14 +60,14 @@ TEST(Lesions, CoverAnEyeAndUncoverIt) {
     EXPECT_EQ(brain_asked_for(desk), before);
 }
 
-TEST(Lesions, StopAMotor) {
+TEST(BrainPicture, StopAMotor) {
     Desk desk(1280, 1000);
     desk.frame(3);
     desk.click("lesion.MR");
     EXPECT_TRUE(find_node(brain_asked_for(desk), "MR")->silenced);
 }
 
-TEST(Lesions, CutAWireByAClickOnItAndJoinItAgain) {
+TEST(BrainPicture, CutAWireByAClickOnItAndJoinItAgain) {
     Desk desk(1280, 1000);
     desk.frame(3);
     const BrainGraph before = *desk.now.brains[0];  // LR and RL
@@ -79,7 +81,7 @@ TEST(Lesions, CutAWireByAClickOnItAndJoinItAgain) {
     EXPECT_EQ(brain_asked_for(desk), before);
 }
 
-TEST(Lesions, TakeAWireAnywhereAlongIt) {
+TEST(BrainPicture, TakeAWireAnywhereAlongIt) {
     Desk desk(1280, 1000);
     desk.frame(3);
     // A little below the right eye, far from the sign at the end of LR.
@@ -97,7 +99,7 @@ TEST(Lesions, TakeAWireAnywhereAlongIt) {
     EXPECT_TRUE(is_cut(brain_asked_for(desk), "SR", "ML"));
 }
 
-TEST(Lesions, FollowTheKeyLOverThePictureAndEnterOnTheFocus) {
+TEST(BrainPicture, FollowTheKeyLOverThePictureAndEnterOnTheFocus) {
     Desk desk(1280, 1000);
     desk.frame(3);
     desk.point("lesion.SR");
@@ -117,7 +119,7 @@ TEST(Lesions, FollowTheKeyLOverThePictureAndEnterOnTheFocus) {
     EXPECT_TRUE(is_cut(brain_asked_for(desk), "SL", "MR"));
 }
 
-TEST(Lesions, FollowTheKeyLOverASliderToItsWire) {
+TEST(BrainPicture, FollowTheKeyLOverASliderToItsWire) {
     Desk desk(1280, 1000);
     desk.frame(3);
     for (const char* anchor : {"slider.LR", "threshold.LR"}) {
@@ -136,7 +138,7 @@ TEST(Lesions, FollowTheKeyLOverASliderToItsWire) {
     EXPECT_TRUE(desk.edits().empty()) << "where there is no wire there is nothing to cut";
 }
 
-TEST(Lesions, FollowTheKeyLInTheSceneToTheEyeOrWheelUnderIt) {
+TEST(BrainPicture, FollowTheKeyLInTheSceneToTheEyeOrWheelUnderIt) {
     Desk desk(1280, 1000);
     auto scene = std::make_shared<Scene>(*desk.now.scene);
     for (Kind& kind : scene->kinds) {
@@ -170,7 +172,7 @@ TEST(Lesions, FollowTheKeyLInTheSceneToTheEyeOrWheelUnderIt) {
     EXPECT_TRUE(find_node(turned, "SL")->silenced);
 }
 
-TEST(Lesions, HealAllAtOnce) {
+TEST(BrainPicture, HealAllAtOnce) {
     Desk desk(1280, 1000);
     desk.frame(3);
     const BrainGraph before = *desk.now.brains[0];
@@ -183,7 +185,7 @@ TEST(Lesions, HealAllAtOnce) {
     EXPECT_EQ(brain_asked_for(desk), before);
 }
 
-TEST(Driving, IsAskedForByButtonAndKey) {
+TEST(BrainCard, IsAskedForByButtonAndKey) {
     Desk desk;
     desk.frame(3);
     desk.click("button.drive");
@@ -191,11 +193,11 @@ TEST(Driving, IsAskedForByButtonAndKey) {
     EXPECT_EQ(desk.actions(), (std::vector{Action::drive, Action::drive}));
 }
 
-TEST(Driving, SteersWhileTheStickIsHeldAndStopsWhenItIsLetGo) {
+TEST(BrainCard, SteersWhileTheStickIsHeldAndStopsWhenItIsLetGo) {
     Desk desk(1280, 1000);
     desk.now.vehicles[0].driver = Driver::manual;
     desk.frame(3);
-    EXPECT_FALSE(desk.anchors.find("equations")) << "its brain has no say";
+    EXPECT_FALSE(desk.anchors.find("equations")) << "its brain is not used";
     const Rect r = desk.where("drive.stick");
     desk.point("drive.stick");
     desk.frame(2);
@@ -217,7 +219,7 @@ TEST(Driving, SteersWhileTheStickIsHeldAndStopsWhenItIsLetGo) {
     EXPECT_FLOAT_EQ(right.right, -right.left);
 }
 
-TEST(Driving, GivesTheWheelBackToTheBrain) {
+TEST(BrainCard, GivesTheWheelBackToTheBrain) {
     Desk desk(1280, 1000);
     desk.now.vehicles[0].driver = Driver::wander;
     desk.frame(3);
@@ -225,6 +227,50 @@ TEST(Driving, GivesTheWheelBackToTheBrain) {
     desk.click("drive.back");
     ASSERT_EQ(desk.edits().size(), 1u);
     EXPECT_EQ(std::get<ChooseDriver>(desk.edits()[0].command), (ChooseDriver{0, Driver::brain}));
+}
+
+TEST(BrainCard, SwitchesBetweenOneVehicleAndItsKind) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("scope.1");
+    ASSERT_EQ(desk.all.size(), 1u);
+    EXPECT_FALSE(std::get<ScopeRequest>(desk.all[0]).whole_kind);
+}
+
+TEST(BrainCard, AsksForNoScopeWhereTheKindHasOneVehicle) {
+    Desk desk;
+    desk.now = snapshot(0);
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("scope.1"));
+}
+
+TEST(BrainCard, NamesTheWiringOnceABrain) {
+    Desk desk;
+    desk.frame(3);
+    EXPECT_EQ(desk.panels.recognised.brain, desk.now.brains[0]);
+    EXPECT_EQ(desk.panels.recognised.character, Character::aggressor);
+    desk.view.settings.selection.vehicle = 1;
+    desk.frame();
+    EXPECT_EQ(desk.panels.recognised.character, Character::coward);
+}
+
+TEST(BrainCard, GivesAClassicBrainFromItsPresets) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("button.presets");
+    desk.click("preset.3a-love");
+    ASSERT_EQ(desk.edits().size(), 1u);
+    const auto set = std::get<SetBrain>(desk.edits()[0].command);
+    EXPECT_FLOAT_EQ(read_dials(set.brain).LL, -1);
+    EXPECT_NE(desk.edits()[0].gesture, 0u);
+}
+
+TEST(BrainCard, StandsWithNobodySelected) {
+    Desk desk;
+    desk.view.settings.selection.vehicle = no_vehicle;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("slider.LL"));
+    EXPECT_TRUE(desk.anchors.find("card.brain"));
 }
 
 }  // namespace braitenlab::tests::brain_card_test

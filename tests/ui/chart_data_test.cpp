@@ -7,6 +7,8 @@
 
 namespace braitenlab::tests::history_test {
 
+using namespace ui;
+
 namespace {
 
 void pass(Desk& desk, History& history, std::uint64_t tick) {
@@ -16,7 +18,7 @@ void pass(Desk& desk, History& history, std::uint64_t tick) {
 
 }  // namespace
 
-TEST(History, TakesOneSampleAPeriodAndForgetsTheOldest) {
+TEST(ChartData, TakesOneSampleAPeriodAndForgetsTheOldest) {
     Desk desk;
     History history;
     for (std::uint64_t tick = 0; tick < 6000; ++tick) {
@@ -33,7 +35,7 @@ TEST(History, TakesOneSampleAPeriodAndForgetsTheOldest) {
     EXPECT_EQ(history.population.size(), 100u);
 }
 
-TEST(History, BeginsAgainWithTheRunAndWithAnotherVehicle) {
+TEST(ChartData, BeginsAgainWithTheRunAndWithAnotherVehicle) {
     Desk desk;
     History history;
     pass(desk, history, 600);
@@ -45,7 +47,7 @@ TEST(History, BeginsAgainWithTheRunAndWithAnotherVehicle) {
     EXPECT_EQ(history.population.size(), 1u);
 }
 
-TEST(History, ForgetsOnlyWhatHasBeenTakenBack) {
+TEST(ChartData, ForgetsOnlyWhatHasBeenTakenBack) {
     Desk desk;
     History history;
     for (std::uint64_t tick = 0; tick <= 600; ++tick) pass(desk, history, tick);
@@ -58,7 +60,7 @@ TEST(History, ForgetsOnlyWhatHasBeenTakenBack) {
     EXPECT_EQ(history.signals.size(), whole) << "and goes on from there";
 }
 
-TEST(History, BeginsAnewWithAnotherSceneThoughItsTimeIsTheSame) {
+TEST(ChartData, BeginsAnewWithAnotherSceneThoughItsTimeIsTheSame) {
     Desk desk;
     History history;
     pass(desk, history, 0);
@@ -69,7 +71,7 @@ TEST(History, BeginsAnewWithAnotherSceneThoughItsTimeIsTheSame) {
     EXPECT_EQ(history.population.back().count, (std::array{0, 0, 1}));
 }
 
-TEST(History, FollowsEditsOfTheMomentThatIsShown) {
+TEST(ChartData, FollowsEditsOfTheMomentThatIsShown) {
     Desk desk;
     History history;
     pass(desk, history, 0);
@@ -82,7 +84,7 @@ TEST(History, FollowsEditsOfTheMomentThatIsShown) {
     EXPECT_FLOAT_EQ(history.signals.back().values[0], 0.7f);
 }
 
-TEST(History, KeepsNumbersAndMeanEnergiesOfEachSide) {
+TEST(ChartData, KeepsNumbersAndMeanEnergiesOfEachSide) {
     Desk desk;  // 4 predators, 8 prey
     for (VehicleView& v : desk.now.vehicles) v.energy = v.role == Role::predator ? 0.5f : 0.25f;
     desk.now.vehicles[0].energy = 0.1f;
@@ -95,7 +97,7 @@ TEST(History, KeepsNumbersAndMeanEnergiesOfEachSide) {
     EXPECT_TRUE(std::isnan(p.energy[2]));
 }
 
-TEST(Csv, HoldsARowASampleUnderItsHeader) {
+TEST(ChartData, HoldsARowASampleUnderItsHeader) {
     Desk desk;
     History history;
     pass(desk, history, 0);
@@ -107,7 +109,7 @@ TEST(Csv, HoldsARowASampleUnderItsHeader) {
               "0.000,4,8,0,1.0000,1.0000,\n1.000,4,8,0,1.0000,1.0000,\n");
 }
 
-TEST(Csv, NamesEverybodyAndQuotesWhatNeedsIt) {
+TEST(ChartData, NamesEverybodyAndQuotesWhatNeedsIt) {
     Desk desk;
     desk.now = snapshot(0);
     auto scene = std::make_shared<Scene>(*desk.now.scene);

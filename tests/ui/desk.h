@@ -109,7 +109,7 @@ public:
         unsigned char* pixels = nullptr;
         int w = 0, h = 0;
         io.Fonts->GetTexDataAsAlpha8(&pixels, &w, &h);
-        apply_theme(Theme::dark, scale);
+        ui::apply_theme(Theme::dark, scale);
         view.now = &now;
         view.settings.selection.vehicle = 0;
         view.reduce_motion = true;
@@ -132,15 +132,15 @@ public:
             view.wall_seconds += 1.0 / 60;
             asked.clear();
             anchors.begin();
-            Ui ui{strings, palette(view.theme), loaded_.fonts, scale_, anchors, asked, {}, 1};
+            ui::Ui ui{strings, palette(view.theme), loaded_.fonts, scale_, anchors, asked, {}, 1};
             written.clear();
             ui.written = &written;
             shown.clear();
             ui.shown = &shown;
             ImGui::NewFrame();
-            layout =
-                lay_out(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y, scale_, view, panels.charts_open);
-            draw_window(view, panels, ui, layout);
+            layout = ui::lay_out(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y, scale_, view,
+                                 panels.charts_open);
+            ui::draw_window(view, panels, ui, layout);
             ImGui::Render();
             all.insert(all.end(), asked.begin(), asked.end());
         }
@@ -149,11 +149,11 @@ public:
     // The hint bar alone, with these words.
     void show_hint(std::string_view key) {
         anchors.begin();
-        Ui ui{strings, palette(view.theme), loaded_.fonts, scale_, anchors, asked, {}, 1};
+        ui::Ui ui{strings, palette(view.theme), loaded_.fonts, scale_, anchors, asked, {}, 1};
         written.clear();
         ui.written = &written;
         ImGui::NewFrame();
-        hint_bar(view, ui, layout.hint_bar, key);
+        ui::hint_bar(view, ui, layout.hint_bar, key);
         ImGui::Render();
     }
 
@@ -180,7 +180,7 @@ public:
     }
     void rest() { frame(30); }  // long enough that two clicks are no double click
 
-    void key(KeyPress press) { press_key(view, panels, press, all); }
+    void key(KeyPress press) { ui::press_key(view, panels, press, all); }
     void type(const char* text) { ImGui::GetIO().AddInputCharactersUTF8(text); }
 
     std::vector<EditRequest> edits() const {
@@ -202,25 +202,25 @@ public:
     Exercise opened = exercise();
     LessonView lesson;
     LabView view;
-    PanelState panels;
-    Anchors anchors;
-    std::vector<Written> written;  // what the last frame put on the screen
-    std::vector<Shown> shown;      // and which widgets it drew
+    ui::PanelState panels;
+    ui::Anchors anchors;
+    std::vector<ui::Written> written;  // what the last frame put on the screen
+    std::vector<ui::Shown> shown;      // and which widgets it drew
     Outbox asked, all;
-    WindowLayout layout;
+    ui::WindowLayout layout;
 
 private:
     void load() {
         const std::string noto = "/usr/share/fonts/truetype/noto/";
-        loaded_ = load_fonts(*ImGui::GetIO().Fonts, scale_,
-                             {noto + "NotoSans-Regular.ttf",
-                              noto + "NotoSans-Bold.ttf",
-                              "/usr/share/fonts/truetype/fork-awesome/forkawesome-webfont.ttf",
-                              {noto + "NotoSansMath-Regular.ttf"}});
+        loaded_ = ui::load_fonts(*ImGui::GetIO().Fonts, scale_,
+                                 {noto + "NotoSans-Regular.ttf",
+                                  noto + "NotoSans-Bold.ttf",
+                                  "/usr/share/fonts/truetype/fork-awesome/forkawesome-webfont.ttf",
+                                  {noto + "NotoSansMath-Regular.ttf"}});
     }
 
     float scale_;
-    LoadedFonts loaded_;
+    ui::LoadedFonts loaded_;
 };
 
 // The one dial that an edit turns.

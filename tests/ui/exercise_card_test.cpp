@@ -3,6 +3,8 @@
 
 namespace braitenlab::tests::exercise_card_test {
 
+using namespace ui;
+
 namespace {
 
 bool inside(Rect inner, Rect outer) {

@@ -2,6 +2,8 @@
 
 namespace braitenlab::tests::files_sheet_test {
 
+using namespace ui;
+
 struct FilesSheet : testing::Test {
     Desk desk;
     std::vector<CatalogueEntry> catalogue{{"05-aggressor", "/x/05-aggressor.toml", "Aggressor", "", 5},
@@ -246,7 +248,7 @@ TEST_F(FilesSheet, SavesAtOnceWhereTheSceneHasAFileOfItsOwn) {
     EXPECT_EQ(desk.actions(), std::vector{Action::save});
 }
 
-TEST(OwnBrains, GoToAFileAndComeFromOneByTheListOfPresets) {
+TEST(PresetsMenu, GoToAFileAndComeFromOneByTheListOfPresets) {
     Desk desk;
     desk.frame(2);
     desk.click("button.presets");

@@ -5,6 +5,8 @@
 #include "desk.h"
 
 namespace braitenlab::tests::key_queue_test {
+
+using namespace ui;
 namespace {
 
 constexpr KeyPress select_all{'A', true}, save_as{'S', true, true};

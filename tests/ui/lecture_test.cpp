@@ -1,7 +1,10 @@
-// What a lecture shows.
+// What a lecture shows, and what it restores.
 #include "desk.h"
+#include "ui/panels/cards.h"
 
 namespace braitenlab::tests::lecture_test {
+
+using namespace ui;
 
 namespace {
 
@@ -109,6 +112,23 @@ TEST(Lecture, CountsTheHunt) {
     desk.frame(3);
     EXPECT_TRUE(shows(desk, "4"));
     EXPECT_TRUE(shows(desk, "8"));
+}
+
+TEST(Lecture, RestoresTheFoldOfEachCardOfTheTable) {
+    for (const bool folded : {false, true}) {
+        Desk desk;
+        for (const CardTraits& row : cards()) desk.panels.card(row.card).folded = folded;
+        desk.view.lecture = true;
+        follow_lecture(desk.view, desk.panels);
+        for (const CardTraits& row : cards()) {
+            CardState& card = desk.panels.card(row.card);
+            EXPECT_TRUE(card.folded || row.in_lecture != InLecture::folded) << row.anchor;
+            if (row.in_lecture != InLecture::unchanged) card.folded = !folded;
+        }
+        desk.view.lecture = false;
+        follow_lecture(desk.view, desk.panels);
+        for (const CardTraits& row : cards()) EXPECT_EQ(desk.panels.card(row.card).folded, folded) << row.anchor;
+    }
 }
 
 }  // namespace braitenlab::tests::lecture_test

@@ -6,32 +6,34 @@
 
 namespace braitenlab::tests::number_test {
 
-TEST(Numbers, KeepTheirDigits) {
+using namespace ui;
+
+TEST(Number, KeepTheirDigits) {
     EXPECT_EQ(fixed(0.8f, 2), "0.80");
     EXPECT_EQ(fixed(12.4f, 1), "12.4");
     EXPECT_EQ(with_sign(0.8f, 2), "+0.80");
     EXPECT_EQ(with_sign(-0.8f, 2), "−0.80");
 }
 
-TEST(Numbers, StandInBracketsAsANegativeFactor) {
+TEST(Number, StandInBracketsAsANegativeFactor) {
     EXPECT_EQ(as_factor(0.4f, 2), "0.40");
     EXPECT_EQ(as_factor(-1, 2), "(−1.00)");
     EXPECT_EQ(as_factor(-0.001f, 2), "0.00");
 }
 
-TEST(Numbers, GiveZeroNoSign) {
+TEST(Number, GiveZeroNoSign) {
     EXPECT_EQ(with_sign(-0.0f, 2), "0.00");
     EXPECT_EQ(with_sign(-0.001f, 2), "0.00");
     EXPECT_EQ(fixed(-0.001f, 2), "0.00");
 }
 
-TEST(Numbers, ShowADashForWhatIsNone) {
+TEST(Number, ShowADashForWhatIsNone) {
     EXPECT_EQ(fixed(INFINITY, 2), "—");
     EXPECT_EQ(fixed(NAN, 2), "—");
     EXPECT_EQ(with_sign(INFINITY, 2), "—");
 }
 
-TEST(Numbers, AreReadAsPeopleTypeThem) {
+TEST(Number, AreReadAsPeopleTypeThem) {
     EXPECT_FLOAT_EQ(typed_number("0,5").value(), 0.5f);
     EXPECT_FLOAT_EQ(typed_number(" −1.25 ").value(), -1.25f);
     EXPECT_FLOAT_EQ(typed_number("+.5").value(), 0.5f);

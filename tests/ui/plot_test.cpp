@@ -6,6 +6,8 @@
 
 namespace braitenlab::tests::plot_test {
 
+using namespace ui;
+
 TEST(Plot, CutsAnAxisAtRoundNumbers) {
     EXPECT_FLOAT_EQ(round_step(10, 5), 2);
     EXPECT_FLOAT_EQ(round_step(1, 4), 0.5f);

@@ -4,7 +4,7 @@
 
 namespace braitenlab::tests::prompts_test {
 
-namespace {
+using namespace ui;
 
 struct Prompts : ::testing::Test {
     Desk desk;
@@ -51,8 +51,6 @@ struct LessonPrompts : Prompts {
         for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
     }
 };
-
-}  // namespace
 
 TEST_F(Prompts, LeadFromPlayToASliderAndGoAway) {
     EXPECT_EQ(anchor(), "button.play");
@@ -203,8 +201,7 @@ TEST_F(LessonPrompts, GoOnToTheNextExerciseOnceThisOneIsPassed) {
     EXPECT_EQ(next().hint, "hint.passed");
 }
 
-TEST(Pulse, StandsStillWhereMotionIsReduced) {
-    Desk desk;
+TEST_F(Prompts, DoNotPulseWhereMotionIsReduced) {
     desk.view.reduce_motion = true;
     desk.view.wall_seconds = 0;
     EXPECT_EQ(pulse(desk.view), 1);

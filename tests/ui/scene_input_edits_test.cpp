@@ -6,16 +6,18 @@
 #include "ui/scene_input/edits.h"
 
 namespace braitenlab::tests::stage_room_test {
+
+using namespace ui;
 namespace {
 
 using maths::vec2;
 
 // An arena of 10 by 8 m with a wall, a lamp in its middle and a box to the right.
-struct Room : testing::Test {
+struct SceneInputEdits : testing::Test {
     std::shared_ptr<Scene> scene = std::make_shared<Scene>();
     Snapshot now;
 
-    Room() {
+    SceneInputEdits() {
         scene->arena = {.width = 10, .height = 8};
         scene->kinds.resize(1);
         scene->sources.resize(1);
@@ -32,13 +34,13 @@ struct Room : testing::Test {
     float reach() const { return std::hypot(scene->kinds[0].body.length, scene->kinds[0].body.width) / 2; }
 };
 
-TEST_F(Room, LeavesAFreePlaceAsItIs) {
+TEST_F(SceneInputEdits, LeavesAFreePlaceAsItIs) {
     const vec2 at = free_place(now, {-3, 2}, 0.6f);
     EXPECT_EQ(at.x, -3);
     EXPECT_EQ(at.y, 2);
 }
 
-TEST_F(Room, KeepsWhatIsAddedOffTheWalls) {
+TEST_F(SceneInputEdits, KeepsWhatIsAddedOffTheWalls) {
     for (const vec2 wanted : {vec2{9, 9}, vec2{-5, 0.5f}, vec2{0, -30}, vec2{4.9f, 3.9f}}) {
         const vec2 at = free_place(now, wanted, 0.6f);
         EXPECT_LE(std::fabs(at.x), 4.4f + 1e-4f);
@@ -48,7 +50,7 @@ TEST_F(Room, KeepsWhatIsAddedOffTheWalls) {
     EXPECT_EQ(free_place(now, {5, 3}, 0.6f).x, 5) << "over a joined edge it may stand";
 }
 
-TEST_F(Room, MovesAsideFromWhatStandsThereAndNoFartherThanItMust) {
+TEST_F(SceneInputEdits, MovesAsideFromWhatStandsThereAndNoFartherThanItMust) {
     stand(-3, 2);
     const float both = 0.6f + reach();
     const vec2 at = free_place(now, {-3, 2.1f}, 0.6f);
@@ -62,14 +64,14 @@ TEST_F(Room, MovesAsideFromWhatStandsThereAndNoFartherThanItMust) {
     EXPECT_LE(beside_box.x, 3 - 0.5f - 0.6f + 1e-4f);
 }
 
-TEST_F(Room, TakesTheWantedPlaceInsideWhereEverythingIsFull) {
+TEST_F(SceneInputEdits, TakesTheWantedPlaceInsideWhereEverythingIsFull) {
     scene->obstacles[0] = {.name = "box", .length = 30, .width = 30};
     const vec2 at = free_place(now, {9, 1}, 0.6f);
     EXPECT_NEAR(at.x, 4.4f, 1e-4f);
     EXPECT_NEAR(at.y, 1, 1e-4f);
 }
 
-TEST_F(Room, IsMadeForWhatACommandAddsAndForNothingElse) {
+TEST_F(SceneInputEdits, IsMadeForWhatACommandAddsAndForNothingElse) {
     stand(-3, 2);
     const auto vehicle = std::get<AddVehicle>(with_room(now, AddVehicle{0, Pose{-3, 2, 1}}));
     EXPECT_GE(maths::distance(vec2{vehicle.at->x, vehicle.at->y}, vec2{-3, 2}), 2 * reach() - 1e-4f);

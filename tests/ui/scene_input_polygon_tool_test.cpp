@@ -5,12 +5,14 @@
 #include "ui/scene_input/polygon_tool.h"
 
 namespace braitenlab::tests::stage_outline_test {
+
+using namespace ui;
 namespace {
 
 using maths::vec2;
 using Corners = std::vector<vec2>;
 
-TEST(Outline, TakesCornersInEitherDirection) {
+TEST(PolygonTool, TakesCornersInEitherDirection) {
     for (const Corners& drawn : {Corners{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, Corners{{0, 2}, {2, 2}, {2, 0}, {0, 0}}}) {
         Corners corners;
         for (const vec2 next : drawn) {
@@ -21,7 +23,7 @@ TEST(Outline, TakesCornersInEitherDirection) {
     }
 }
 
-TEST(Outline, RefusesTheCornerThatCrossesDentsOrCrowds) {
+TEST(PolygonTool, RefusesTheCornerThatCrossesDentsOrCrowds) {
     const Corners square{{0, 0}, {2, 0}, {2, 2}};
     EXPECT_EQ(fault_of_next(square, {1, -1}), OutlineFault::crosses);
     EXPECT_EQ(fault_of_next(square, {1.5f, 0.7f}), OutlineFault::dents);
@@ -29,7 +31,7 @@ TEST(Outline, RefusesTheCornerThatCrossesDentsOrCrowds) {
     EXPECT_EQ(fault_of_next(square, {0, 2}), OutlineFault::none);
 }
 
-TEST(Outline, RefusesAStarThatTurnsTheSameWayAllAround) {
+TEST(PolygonTool, RefusesAStarThatTurnsTheSameWayAllAround) {
     Corners star;
     for (int i = 0; i < 5; ++i) {
         const float angle = 2.5132741f * static_cast<float>(i);  // 144 degrees
@@ -38,7 +40,7 @@ TEST(Outline, RefusesAStarThatTurnsTheSameWayAllAround) {
     EXPECT_EQ(fault_of(star), OutlineFault::crosses);
 }
 
-TEST(Outline, HasThreeToEightCorners) {
+TEST(PolygonTool, HasThreeToEightCorners) {
     Corners round;
     EXPECT_EQ(fault_of({{0, 0}, {1, 0}}), OutlineFault::too_few);
     for (int i = 0; i < 8; ++i)
@@ -48,13 +50,13 @@ TEST(Outline, HasThreeToEightCorners) {
     EXPECT_EQ(fault_of_next(round, {3, -0.5f}), OutlineFault::too_many);
 }
 
-TEST(Outline, RefusesASliver) {
+TEST(PolygonTool, RefusesASliver) {
     EXPECT_EQ(fault_of({{0, 0}, {3, 0}, {1.5f, 0.05f}}), OutlineFault::too_narrow);
     EXPECT_EQ(fault_of({{0, 0}, {1, 1}, {2, 2}}), OutlineFault::too_narrow) << "all in a line";
     EXPECT_EQ(fault_of({{0, 0}, {3, 0}, {1.5f, 0.2f}}), OutlineFault::none);
 }
 
-TEST(Outline, BecomesAnObstacleAboutItsCentroidCounterClockwise) {
+TEST(PolygonTool, BecomesAnObstacleAboutItsCentroidCounterClockwise) {
     const Obstacle made = obstacle_from({{1, 4}, {4, 1}, {1, 1}});  // clockwise
     EXPECT_NEAR(made.x, 2, 1e-5f);
     EXPECT_NEAR(made.y, 2, 1e-5f);
@@ -68,7 +70,7 @@ TEST(Outline, BecomesAnObstacleAboutItsCentroidCounterClockwise) {
     EXPECT_NEAR(twice_the_area, 9, 1e-4f);
 }
 
-TEST(Outline, MakesABoxFromAnyTwoOppositeCorners) {
+TEST(PolygonTool, MakesABoxFromAnyTwoOppositeCorners) {
     const Obstacle a = box_between({1, 2}, {4, -2}), b = box_between({4, -2}, {1, 2});
     EXPECT_EQ(a, b);
     EXPECT_FLOAT_EQ(a.x, 2.5f);

@@ -8,6 +8,8 @@
 #include "ui/scene_input/edits.h"
 
 namespace braitenlab::tests::stage_test {
+
+using namespace ui;
 namespace {
 
 using maths::vec2;

@@ -6,6 +6,8 @@
 
 namespace braitenlab::tests::sensor_card_test {
 
+using namespace ui;
+
 namespace {
 
 constexpr float degree = 0.017453293f;

@@ -9,6 +9,8 @@
 
 namespace braitenlab::tests::shipped_words_test {
 
+using namespace ui;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -4,6 +4,8 @@
 
 namespace braitenlab::tests::shortcuts_test {
 
+using namespace ui;
+
 TEST(Shortcuts, HaveNoKeyTwice) {
     const auto all = shortcuts();
     for (std::size_t i = 0; i < all.size(); ++i)

@@ -6,6 +6,8 @@
 
 namespace braitenlab::tests::slider_test {
 
+using namespace ui;
+
 TEST(Slider, DraggingAsksForTheValueInEveryChangedFrameUnderOneGesture) {
     Desk desk;
     desk.frame(3);

@@ -19,6 +19,8 @@
 
 namespace braitenlab::tests::strings_test {
 
+using namespace ui;
+
 namespace {
 
 fs::path folder() { return fs::path(BRAITENLAB_SOURCE) / "ui" / "strings"; }
@@ -106,14 +108,14 @@ TEST(Strings, HaveNoWordsThatNothingAsksFor) {
         EXPECT_TRUE(quoted.count(key) || built.count(key) || is_optional(key)) << key << " = " << words;
 }
 
-TEST(Languages, AreEnglishGermanAndSpanishUnderTheirOwnNames) {
+TEST(Strings, AreEnglishGermanAndSpanishUnderTheirOwnNames) {
     std::vector<std::string> codes, names;
     for (const Language& language : languages(folder())) codes.push_back(language.code), names.push_back(language.name);
     EXPECT_EQ(codes, (std::vector<std::string>{"de", "en", "es"}));
     EXPECT_EQ(names, (std::vector<std::string>{"Deutsch", "English", "Español"}));
 }
 
-TEST(Languages, HaveTheSameKeysWithTheSameGapsAndTheSameShortcuts) {
+TEST(Strings, HaveTheSameKeysWithTheSameGapsAndTheSameShortcuts) {
     const Strings strings = english();
     for (const Language& language : languages(folder())) {
         const auto other = Strings::load(folder() / (language.code + ".toml"));
@@ -127,7 +129,7 @@ TEST(Languages, HaveTheSameKeysWithTheSameGapsAndTheSameShortcuts) {
     }
 }
 
-TEST(Languages, AreTranslated) {
+TEST(Strings, AreTranslated) {
     const Strings strings = english();
     for (const char* code : {"de", "es"}) {
         const Strings other = speaking(code);
@@ -141,14 +143,14 @@ TEST(Languages, AreTranslated) {
     }
 }
 
-TEST(Languages, SayWhichThereAreWhenAskedForAnother) {
+TEST(Strings, SayWhichThereAreWhenAskedForAnother) {
     const auto klingon = load_language(folder(), "tlh");
     ASSERT_FALSE(klingon);
     EXPECT_NE(klingon.error().text().find("de, en, es"), std::string::npos) << klingon.error().text();
     EXPECT_FALSE(load_language(folder(), "../strings/en")) << "a language is a name, no path";
 }
 
-TEST(Languages, FallBackOnEnglishWhereWordsAreMissing) {
+TEST(Strings, FallBackOnEnglishWhereWordsAreMissing) {
     const Folder own;
     const fs::path& place = own.path;
     std::ofstream(place / "en.toml") << "format = 1\n[a]\nb = \"words\"\nc = \"more\"\n";

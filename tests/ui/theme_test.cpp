@@ -4,6 +4,8 @@
 
 namespace braitenlab::tests::theme_test {
 
+using namespace ui;
+
 TEST(Theme, MeasuresContrastAsTheGuidelinesDo) {
     EXPECT_NEAR(contrast(rgb(0xFFFFFF), rgb(0x000000)), 21, 0.01f);
     EXPECT_NEAR(contrast(rgb(0x777777), rgb(0xFFFFFF)), 4.48f, 0.01f);

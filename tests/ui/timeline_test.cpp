@@ -2,6 +2,8 @@
 
 namespace braitenlab::tests::timeline_test {
 
+using namespace ui;
+
 struct Timeline : testing::Test {
     Desk desk;
 

@@ -3,6 +3,8 @@
 
 namespace braitenlab::tests::toolbar_test {
 
+using namespace ui;
+
 namespace {
 
 constexpr const char* buttons[]{"button.open", "button.play",   "button.step",   "button.reset",   "button.new",
@@ -19,18 +21,18 @@ bool has_words(const Desk& desk, const char* button) {
     return false;
 }
 
-struct InEveryLanguage : ::testing::TestWithParam<const char*> {};
-
 }  // namespace
 
-TEST_P(InEveryLanguage, HasWordsOnEveryButtonAt1280Pixels) {
+struct ToolbarInEachLanguage : ::testing::TestWithParam<const char*> {};
+
+TEST_P(ToolbarInEachLanguage, HasWordsOnEveryButtonAt1280Pixels) {
     Desk desk(1280, 800, 1, true);
     desk.strings = speaking(GetParam());
     desk.frame(3);
     for (const char* button : buttons) EXPECT_TRUE(has_words(desk, button)) << button;
 }
 
-TEST_P(InEveryLanguage, StandsInOneRowWithoutOverlapsAtAnyWidth) {
+TEST_P(ToolbarInEachLanguage, StandsInOneRowWithoutOverlapsAtAnyWidth) {
     for (int width = 1024; width <= 1920; width += 64) {
         Desk desk(static_cast<float>(width), 800, 1, true);
         desk.strings = speaking(GetParam());
@@ -56,7 +58,25 @@ TEST_P(InEveryLanguage, StandsInOneRowWithoutOverlapsAtAnyWidth) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Toolbar, InEveryLanguage, ::testing::Values("en", "de", "es"),
+INSTANTIATE_TEST_SUITE_P(Toolbar, ToolbarInEachLanguage, ::testing::Values("en", "de", "es"),
                          [](const auto& given) { return std::string(given.param); });
+
+TEST(Toolbar, RequestsTheActionOfEachButton) {
+    const std::pair<const char*, Action> expected[]{
+        {"button.play", Action::play_pause},   {"button.step", Action::step},
+        {"button.reset", Action::reset},       {"button.new", Action::new_population},
+        {"button.add", Action::add},           {"button.remove", Action::remove},
+        {"button.follow", Action::follow},     {"button.sensors", Action::sensors},
+        {"button.outlines", Action::outlines}, {"button.wiring", Action::wiring},
+        {"button.slower", Action::slower},     {"button.faster", Action::faster},
+        {"button.exit", Action::exit}};
+    Desk desk(1024, 768);
+    desk.frame(3);
+    for (const auto& [anchor, action] : expected) {
+        desk.all.clear();
+        desk.click(anchor);
+        EXPECT_EQ(desk.actions(), std::vector{action}) << anchor;
+    }
+}
 
 }  // namespace braitenlab::tests::toolbar_test

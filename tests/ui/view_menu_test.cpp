@@ -6,6 +6,8 @@
 
 namespace braitenlab::tests::view_menu_test {
 
+using namespace ui;
+
 struct ViewMenu : testing::Test {
     Desk desk;
     ViewMenu() {

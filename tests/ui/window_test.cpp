@@ -7,11 +7,13 @@
 
 namespace braitenlab::tests::window_test {
 
-namespace {
+using namespace ui;
 
 struct Size {
     float width, height, scale;
 };
+
+namespace {
 
 bool lies_inside(Rect inner, Rect outer) {
     return inner.x >= outer.x && inner.y >= outer.y && inner.x + inner.w <= outer.x + outer.w + 0.5f &&
@@ -21,24 +23,6 @@ bool lies_inside(Rect inner, Rect outer) {
 bool overlap(Rect a, Rect b) { return a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h; }
 
 }  // namespace
-
-TEST(Toolbar, EveryButtonAsksForItsAction) {
-    const std::pair<const char*, Action> buttons[]{
-        {"button.play", Action::play_pause},   {"button.step", Action::step},
-        {"button.reset", Action::reset},       {"button.new", Action::new_population},
-        {"button.add", Action::add},           {"button.remove", Action::remove},
-        {"button.follow", Action::follow},     {"button.sensors", Action::sensors},
-        {"button.outlines", Action::outlines}, {"button.wiring", Action::wiring},
-        {"button.slower", Action::slower},     {"button.faster", Action::faster},
-        {"button.exit", Action::exit}};
-    Desk desk(1024, 768);
-    desk.frame(3);
-    for (const auto& [anchor, action] : buttons) {
-        desk.all.clear();
-        desk.click(anchor);
-        EXPECT_EQ(desk.actions(), std::vector{action}) << anchor;
-    }
-}
 
 class EverySize : public ::testing::TestWithParam<Size> {};
 
@@ -200,50 +184,6 @@ TEST(Window, ListsTheKeysOnF1AndClosesThemOnEscape) {
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("card.keys"));
     EXPECT_TRUE(desk.actions().empty());
-}
-
-TEST(BrainCard, SwitchesBetweenOneVehicleAndItsKind) {
-    Desk desk;
-    desk.frame(3);
-    desk.click("scope.1");
-    ASSERT_EQ(desk.all.size(), 1u);
-    EXPECT_FALSE(std::get<ScopeRequest>(desk.all[0]).whole_kind);
-}
-
-TEST(BrainCard, AsksForNoScopeWhereTheKindHasOneVehicle) {
-    Desk desk;
-    desk.now = snapshot(0);
-    desk.frame(3);
-    EXPECT_FALSE(desk.anchors.find("scope.1"));
-}
-
-TEST(BrainCard, NamesTheWiringOnceABrain) {
-    Desk desk;
-    desk.frame(3);
-    EXPECT_EQ(desk.panels.recognised.brain, desk.now.brains[0]);
-    EXPECT_EQ(desk.panels.recognised.character, Character::aggressor);
-    desk.view.settings.selection.vehicle = 1;
-    desk.frame();
-    EXPECT_EQ(desk.panels.recognised.character, Character::coward);
-}
-
-TEST(BrainCard, GivesAClassicBrainFromItsPresets) {
-    Desk desk;
-    desk.frame(3);
-    desk.click("button.presets");
-    desk.click("preset.3a-love");
-    ASSERT_EQ(desk.edits().size(), 1u);
-    const auto set = std::get<SetBrain>(desk.edits()[0].command);
-    EXPECT_FLOAT_EQ(read_dials(set.brain).LL, -1);
-    EXPECT_NE(desk.edits()[0].gesture, 0u);
-}
-
-TEST(BrainCard, StandsWithNobodySelected) {
-    Desk desk;
-    desk.view.settings.selection.vehicle = no_vehicle;
-    desk.frame(3);
-    EXPECT_FALSE(desk.anchors.find("slider.LL"));
-    EXPECT_TRUE(desk.anchors.find("card.brain"));
 }
 
 TEST(InformationCard, SelectsTheVehicleWhoseEnergyIsClicked) {

@@ -3,6 +3,7 @@
 
 namespace braitenlab::tests::wiring_actions_test {
 
+using namespace ui;
 using namespace wiring;
 
 namespace {

@@ -5,6 +5,7 @@
 
 namespace braitenlab::tests::wiring_canvas_test {
 
+using namespace ui;
 using namespace wiring;
 
 namespace {

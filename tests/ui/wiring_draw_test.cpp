@@ -6,6 +6,7 @@
 
 namespace braitenlab::tests::wiring_draw_test {
 
+using namespace ui;
 using namespace wiring;
 
 namespace {

@@ -5,6 +5,7 @@
 
 namespace braitenlab::tests::wiring_edits_test {
 
+using namespace ui;
 using namespace wiring;
 
 namespace {

@@ -56,7 +56,7 @@ struct CanvasFixture : testing::Test {
             ImGui::NewFrame();
             anchors.begin();
             outbox.clear();
-            Ui ui{strings, palette(Theme::dark), {}, 1, anchors, outbox, {}};
+            ui::Ui ui{strings, palette(Theme::dark), {}, 1, anchors, outbox, {}};
             draw_canvas(view, state, ui, area);
             ImGui::Render();
             io.MouseWheel = 0;
@@ -146,7 +146,7 @@ struct CanvasFixture : testing::Test {
 
     Rect area{20, 30, 900, 640};
     Strings strings;
-    Anchors anchors;
+    ui::Anchors anchors;
     Outbox outbox;
     Scene scene;
     Snapshot now;

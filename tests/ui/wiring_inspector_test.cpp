@@ -5,6 +5,7 @@
 
 namespace braitenlab::tests::wiring_inspector_test {
 
+using namespace ui;
 using namespace wiring;
 
 namespace {

@@ -9,6 +9,7 @@
 
 namespace braitenlab::tests::wiring_layout_test {
 
+using namespace ui;
 using namespace wiring;
 
 namespace {

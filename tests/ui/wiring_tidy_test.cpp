@@ -7,6 +7,7 @@
 
 namespace braitenlab::tests::wiring_tidy_test {
 
+using namespace ui;
 using namespace wiring;
 
 namespace {

@@ -5,6 +5,8 @@
 
 namespace braitenlab::tests::words_fit_test {
 
+using namespace ui;
+
 namespace {
 
 struct Screen {

@@ -17,18 +17,16 @@ constexpr CardTraits card_traits[]{
      .column = Column::left,
      .in_lecture = InLecture::folded,
      .shown = [](const LabView& view) { return view.lesson != nullptr; },
-     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
-         exercise_card(view, state, ui, place);
-     }},
+     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
+                Rect) { exercise_card(view, state, ui, place); }},
     {.card = Card::scene,
      .anchor = "card.scene",
      .heading = "scene.heading",
      .column = Column::left,
      .in_lecture = InLecture::folded,
      .shown = [](const LabView& view) { return view.lesson == nullptr; },
-     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
-         scene_card(view, state, ui, place);
-     }},
+     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
+                Rect) { scene_card(view, state, ui, place); }},
     {.card = Card::sensors,
      .anchor = "card.sensors",
      .heading = "sensors.heading",
@@ -36,17 +34,15 @@ constexpr CardTraits card_traits[]{
      .in_lecture = InLecture::restored,
      .folded = true,
      .shown = [](const LabView& view) { return !view.lecture; },
-     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
-         sensor_card(view, state, ui, place);
-     },
+     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
+                Rect) { sensor_card(view, state, ui, place); },
      .least_share = 0.5f},
     {.card = Card::object,
      .anchor = "card.thing",
      .column = Column::right,
      .shown = [](const LabView& view) { return view.settings.selection.object && view.mode != Mode::wiring; },
-     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
-         object_card(view, state, ui, place);
-     },
+     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
+                Rect) { object_card(view, state, ui, place); },
      .most = 0.6f},
     {.card = Card::brain,
      .anchor = "card.brain",
@@ -61,9 +57,8 @@ constexpr CardTraits card_traits[]{
      .column = Column::right,
      .in_lecture = InLecture::restored,
      .shown = [](const LabView& view) { return !view.lecture && view.mode != Mode::wiring; },
-     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) {
-         information_card(view, state, ui, place);
-     },
+     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
+                Rect) { information_card(view, state, ui, place); },
      .least = 124,
      .folds_when_cramped = true},
     {.card = Card::charts, .anchor = "card.charts", .heading = "charts.heading"},

@@ -61,6 +61,4 @@ struct Ui {
 
 }  // namespace ui
 
-using namespace ui;
-
 }  // namespace braitenlab

@@ -90,7 +90,7 @@ struct CanvasState {
     std::uint64_t next_gesture = gestures::canvas;
     WireEnds wheel_wire;              // wheel notches over one label are one gesture
     std::uint64_t wheel_gesture = 0;  // 0: none
-    CardState inspector;
+    ui::CardState inspector;
     bool edit_numbers = false;          // the inspector takes the keyboard in the next frame
     std::vector<Action> actions;        // keys' actions, executed in the next frame
     std::optional<MenuRow> chosen_row;  // chosen with the inspector's buttons, executed in the next frame
@@ -126,6 +126,6 @@ inline View view_of(const CanvasState& state, const CanvasFrame& frame) {
 // canvas.arrange, canvas.fit, canvas.minimap, pin.<node>.out, pin.<node>.in, node.<node>, wire.LL … or wire.<from>-<to>
 // (the weight's label), curve.LL … (a point of the curve beside its label), menu and menu.<row> while a menu is open,
 // says.<node> while a note describes the node, selected.<node or wire>, refused.<reason>.
-void draw_canvas(const LabView&, CanvasState&, Ui&, Rect area);
+void draw_canvas(const LabView&, CanvasState&, ui::Ui&, Rect area);
 
 }  // namespace braitenlab::wiring

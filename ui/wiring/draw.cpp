@@ -11,6 +11,8 @@
 
 namespace braitenlab::wiring {
 
+using namespace ui;
+
 using maths::vec2;
 
 float Pen::stroke(float units) const { return std::max(size(units), ui.px(0.75f)); }

@@ -15,7 +15,7 @@ inline constexpr float least_type = 11, least_name = 8, too_small = 6;  // lette
 // Draws in canvas units on Dear ImGui's draw list.
 struct Pen {
     ImDrawList& list;
-    const Ui& ui;
+    const ui::Ui& ui;
     View view;
 
     const Palette& palette() const { return ui.palette; }
@@ -30,8 +30,8 @@ struct Pen {
 
     // Text about `height` units high, at least least_type, its point `anchor` (0..1 of its width, middle of its height)
     // at `unit`. Text wider than `room` units (0: no limit) is made smaller, down to least_name, then cut; captions
-    // (Face::small) are left out instead, and so is text below too_small.
-    void text(maths::vec2 unit, float height, float anchor, std::string_view, Colour, Face = Face::text,
+    // (ui::Face::small) are left out instead, and so is text below too_small.
+    void text(maths::vec2 unit, float height, float anchor, std::string_view, Colour, ui::Face = ui::Face::text,
               float room = 0) const;
 
     void box(maths::vec2 centre, maths::vec2 size, float rounding, Colour) const;
@@ -70,6 +70,6 @@ struct Picture {
 void draw_ground(const Pen&, Rect area);
 
 // Records the anchors of all visible nodes, pins and wires and of the selection, and draws the highlighted one.
-void record_anchors(Ui&, const Pen&, const Picture&, Rect area);
+void record_anchors(ui::Ui&, const Pen&, const Picture&, Rect area);
 
 }  // namespace braitenlab::wiring

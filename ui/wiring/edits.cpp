@@ -9,6 +9,8 @@
 
 namespace braitenlab::wiring {
 
+using namespace ui;
+
 using maths::vec2;
 
 std::string refusal_key(Refusal refusal) { return "wiring.refused." + std::string(name(refusal)); }

@@ -9,6 +9,8 @@
 
 namespace braitenlab::wiring {
 
+using namespace ui;
+
 using maths::vec2;
 
 namespace {

@@ -19,6 +19,8 @@
 
 namespace braitenlab::wiring {
 
+using namespace ui;
+
 namespace {
 
 // The parameters of a neuron or motor.

@@ -6,6 +6,8 @@
 #include "core/brain/four_neurons.h"
 
 namespace braitenlab::wiring {
+
+using namespace ui;
 namespace {
 
 using maths::vec2;

@@ -10,6 +10,8 @@
 
 namespace braitenlab::wiring {
 
+using namespace ui;
+
 namespace {
 
 // In the order of Channel.

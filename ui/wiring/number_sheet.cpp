@@ -17,6 +17,8 @@
 
 namespace braitenlab::wiring {
 
+using namespace ui;
+
 using maths::vec2;
 
 std::string_view Inspected::words(std::string_view key) const { return ui.strings(key); }

@@ -17,8 +17,8 @@ struct Inspected {
     const VehicleView& vehicle;
     std::shared_ptr<const BrainGraph> brain;
     CanvasState& state;
-    SliderState& sliders;
-    Ui& ui;
+    ui::SliderState& sliders;
+    ui::Ui& ui;
     Target target;  // vehicle or kind that edits apply to
 
     const BrainGraph& graph() const { return *brain; }
@@ -85,6 +85,6 @@ float sheet_height();
 void lesion_button(Inspected&, bool lesioned, std::string_view lesion_words);
 
 // A curve without axes, for a row or a button.
-void draw_curve(ImDrawList&, const Ui&, Rect, const Curve&, Colour);
+void draw_curve(ImDrawList&, const ui::Ui&, Rect, const Curve&, Colour);
 
 }  // namespace braitenlab::wiring

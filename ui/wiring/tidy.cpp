@@ -10,6 +10,8 @@
 #include "ui/wiring/layout.h"
 
 namespace braitenlab::wiring {
+
+using namespace ui;
 namespace {
 
 using maths::vec2;

@@ -5,6 +5,8 @@
 
 namespace braitenlab::wiring {
 
+using namespace ui;
+
 using maths::vec2;
 
 View view_of(const CanvasCamera& camera, Rect area, float ui_scale) {

@@ -4,7 +4,9 @@
 
 #include "desk.h"
 
-namespace braitenlab::tests::keys_test {
+namespace braitenlab::tests::keys_card_test {
+
+using namespace ui;
 
 namespace {
 
@@ -35,7 +37,7 @@ constexpr Where everywhere[]{
 
 }  // namespace
 
-TEST(KeysSheet, TellsWhatTheMouseDoesAndAllFourArrows) {
+TEST(KeysCard, TellsWhatTheMouseDoesAndAllFourArrows) {
     Desk desk(1280, 2400, 1, true);
     desk.key({key::f1});
     desk.frame(3);
@@ -47,7 +49,7 @@ TEST(KeysSheet, TellsWhatTheMouseDoesAndAllFourArrows) {
     EXPECT_EQ(all.find("←"), std::string::npos);
 }
 
-TEST(KeysSheet, LetsNoWordRunIntoAKeyInAnyLanguage) {
+TEST(KeysCard, LetsNoWordRunIntoAKeyInAnyLanguage) {
     for (const char* code : {"en", "de", "es"}) {
         Desk desk(1280, 2400, 1, true);
         desk.strings = speaking(code);
@@ -67,7 +69,7 @@ TEST(KeysSheet, LetsNoWordRunIntoAKeyInAnyLanguage) {
     }
 }
 
-TEST(Keys, DoNothingUnlessTheTableListsThem) {
+TEST(KeysCard, DoNothingUnlessTheTableListsThem) {
     for (const Where& where : everywhere) {
         int used = 0;
         Desk desk;
@@ -85,7 +87,7 @@ TEST(Keys, DoNothingUnlessTheTableListsThem) {
     }
 }
 
-TEST(Keys, AreAllShownByF1) {
+TEST(KeysCard, AreAllShownByF1) {
     Desk desk(1280, 1400);
     desk.frame(2);
     desk.key({key::f1});
@@ -102,7 +104,7 @@ TEST(Keys, AreAllShownByF1) {
     }
 }
 
-TEST(Focus, IsShownToTheKeyboardAndNotToTheMouse) {
+TEST(Keyboard, IsShownToTheKeyboardAndNotToTheMouse) {
     Desk desk;
     desk.frame(3);
     desk.key({'2'});
@@ -121,4 +123,4 @@ TEST(Focus, IsShownToTheKeyboardAndNotToTheMouse) {
     EXPECT_TRUE(desk.panels.keyboard.shown);
 }
 
-}  // namespace braitenlab::tests::keys_test
+}  // namespace braitenlab::tests::keys_card_test

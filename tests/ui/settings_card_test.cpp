@@ -1,7 +1,10 @@
-// The card of settings, and what a sheet does to keyboard and mouse.
+// The sheet of preferences, and what a sheet does to keyboard and mouse.
 #include "desk.h"
+#include "ui/panels/cards.h"
 
-namespace braitenlab::tests::settings_test {
+namespace braitenlab::tests::settings_card_test {
+
+using namespace ui;
 
 struct SettingsCard : testing::Test {
     Desk desk;
@@ -55,6 +58,14 @@ TEST_F(SettingsCard, ResetsEverythingButTheLanguageAndTakesThatBack) {
     EXPECT_EQ(desk.view.preferences, mine);
 }
 
+TEST_F(SettingsCard, ResetsTheFoldOfEachCardOfTheTable) {
+    desk.view.preferences.type_size = 1.5f;
+    for (const CardTraits& row : cards()) desk.panels.card(row.card).folded = !row.folded;
+    desk.frame(2);
+    click_and_obey("settings.reset");
+    for (const CardTraits& row : cards()) EXPECT_EQ(desk.panels.card(row.card).folded, row.folded) << row.anchor;
+}
+
 TEST_F(SettingsCard, KeepsTheKeyboardAndTheMouseFromWhatLiesBelow) {
     desk.all.clear();
     for (int i = 0; i < 30; ++i) {
@@ -93,4 +104,4 @@ TEST_F(SettingsCard, ClosesOnAClickBesideIt) {
     EXPECT_FALSE(desk.anchors.find("card.settings"));
 }
 
-}  // namespace braitenlab::tests::settings_test
+}  // namespace braitenlab::tests::settings_card_test

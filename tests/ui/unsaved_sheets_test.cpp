@@ -1,16 +1,16 @@
-// The sheet that asks before unsaved edits are left.
+// The sheets about unsaved edits: before they are left, and after a crash.
 #include <algorithm>
 
 #include "desk.h"
 
-namespace braitenlab::tests::leaving_sheet_test {
+namespace braitenlab::tests::unsaved_sheets_test {
 
-namespace {
+using namespace ui;
 
-struct LeavingSheet : ::testing::Test {
+struct UnsavedSheets : ::testing::Test {
     Desk desk;
     FilesView files;
-    LeavingSheet() {
+    UnsavedSheets() {
         files.suggested = "2a-coward";
         desk.view.files = &files;
         desk.frame(3);
@@ -32,9 +32,7 @@ struct LeavingSheet : ::testing::Test {
     }
 };
 
-}  // namespace
-
-TEST_F(LeavingSheet, NamesWhatIsLostAndWhatOpensInstead) {
+TEST_F(UnsavedSheets, NamesWhatIsLostAndWhatOpensInstead) {
     EXPECT_FALSE(desk.anchors.find("card.leaving"));
     ask();
     EXPECT_TRUE(desk.anchors.find("card.leaving"));
@@ -45,7 +43,7 @@ TEST_F(LeavingSheet, NamesWhatIsLostAndWhatOpensInstead) {
     EXPECT_FALSE(desk.anchors.find("card.leaving"));
 }
 
-TEST_F(LeavingSheet, SavesByEnterWhereTheSceneHasAFile) {
+TEST_F(UnsavedSheets, SavesByEnterWhereTheSceneHasAFile) {
     files.save_to = "/home/me/mine.toml";
     ask();
     desk.key({key::enter});
@@ -53,7 +51,7 @@ TEST_F(LeavingSheet, SavesByEnterWhereTheSceneHasAFile) {
     EXPECT_EQ(answers(), std::vector{Leave::save});
 }
 
-TEST_F(LeavingSheet, IsAnsweredByTheKeyboardAlone) {
+TEST_F(UnsavedSheets, IsAnsweredByTheKeyboardAlone) {
     ask("");
     desk.key({key::tab});
     desk.frame();
@@ -62,14 +60,14 @@ TEST_F(LeavingSheet, IsAnsweredByTheKeyboardAlone) {
     EXPECT_EQ(answers(), std::vector{Leave::discard});
 }
 
-TEST_F(LeavingSheet, StaysByEscape) {
+TEST_F(UnsavedSheets, StaysByEscape) {
     ask();
     desk.key({key::escape});
     desk.frame();
     EXPECT_EQ(answers(), std::vector{Leave::stay});
 }
 
-TEST_F(LeavingSheet, StaysByAClickBesideIt) {
+TEST_F(UnsavedSheets, StaysByAClickBesideIt) {
     ask();
     desk.point(20, 700);
     desk.button(0, true);
@@ -77,7 +75,7 @@ TEST_F(LeavingSheet, StaysByAClickBesideIt) {
     EXPECT_EQ(answers(), std::vector{Leave::stay});
 }
 
-TEST_F(LeavingSheet, AsksForANameWhereThereIsNoneAndGoesOnOnceItIsSaved) {
+TEST_F(UnsavedSheets, AsksForANameWhereThereIsNoneAndGoesOnOnceItIsSaved) {
     ask();
     desk.click("leaving.save");
     ASSERT_EQ(desk.panels.sheet, Sheet::files);
@@ -90,7 +88,7 @@ TEST_F(LeavingSheet, AsksForANameWhereThereIsNoneAndGoesOnOnceItIsSaved) {
     EXPECT_EQ(answers(), std::vector{Leave::saved});
 }
 
-TEST_F(LeavingSheet, StaysWhenTheNameIsCancelled) {
+TEST_F(UnsavedSheets, StaysWhenTheNameIsCancelled) {
     ask();
     desk.click("leaving.save");
     desk.frame(2);
@@ -99,7 +97,7 @@ TEST_F(LeavingSheet, StaysWhenTheNameIsCancelled) {
     EXPECT_EQ(answers(), std::vector{Leave::stay});
 }
 
-TEST_F(LeavingSheet, IsAskedForByCtrlQWhateverIsOpenOrTyped) {
+TEST_F(UnsavedSheets, IsAskedForByCtrlQWhateverIsOpenOrTyped) {
     const auto exits = [&] {
         const auto asked = desk.actions();
         return std::count(asked.begin(), asked.end(), Action::exit);
@@ -127,4 +125,20 @@ TEST_F(LeavingSheet, IsAskedForByCtrlQWhateverIsOpenOrTyped) {
     EXPECT_EQ(exits(), before + 1);
 }
 
-}  // namespace braitenlab::tests::leaving_sheet_test
+TEST(RecoverySheet, SaysWhetherTheLabCrashedOrWasEndedByASignal) {
+    for (const bool ended : {false, true}) {
+        Desk desk;
+        const RecoveryOffer offer{"2a-coward", "2026-03-01 10:42:05", ended};
+        desk.view.recovery = &offer;
+        desk.frame(3);
+        bool crashed = false, kept = false;
+        for (const Written& w : desk.written) {
+            crashed |= w.words == desk.strings("recovery.heading");
+            kept |= w.words == desk.strings("recovery.heading_ended");
+        }
+        EXPECT_EQ(crashed, !ended);
+        EXPECT_EQ(kept, ended);
+    }
+}
+
+}  // namespace braitenlab::tests::unsaved_sheets_test

@@ -4,7 +4,9 @@
 #include "desk.h"
 #include "ui/panels/chart_data.h"
 
-namespace braitenlab::tests::charts_test {
+namespace braitenlab::tests::chart_card_test {
+
+using namespace ui;
 
 namespace {
 
@@ -51,7 +53,7 @@ TEST(EnergyOrder, SortsByNumberEnergyAndKindEitherWay) {
     EXPECT_EQ(sorted({By::kind, false}), (Rows{0, 3, 1, 2, 4, 5}));
 }
 
-TEST(Charts, OpenByKeyOrButtonAndCloseByTheirHeading) {
+TEST(ChartCard, OpenByKeyOrButtonAndCloseByTheirHeading) {
     ChartDesk desk;
     EXPECT_TRUE(desk.anchors.find("card.charts"));
     desk.click("card.charts.fold", 0, 0.2f);
@@ -62,7 +64,7 @@ TEST(Charts, OpenByKeyOrButtonAndCloseByTheirHeading) {
     EXPECT_TRUE(desk.anchors.find("card.charts"));
 }
 
-TEST(Charts, StandInTheMiddleBelowTheScene) {
+TEST(ChartCard, StandInTheMiddleBelowTheScene) {
     ChartDesk desk(1024, 768);
     const Rect card = desk.where("card.charts"), scene = desk.where("viewport");
     EXPECT_GE(card.y, scene.y + scene.h);
@@ -71,7 +73,7 @@ TEST(Charts, StandInTheMiddleBelowTheScene) {
     EXPECT_FLOAT_EQ(card.w, scene.w);
 }
 
-TEST(Charts, LeaveTheCornerOfTheSceneToTheScene) {
+TEST(ChartCard, LeaveTheCornerOfTheSceneToTheScene) {
     Desk desk;
     const Sight sight = look(Camera{}, desk.now.scene->arena, nullptr, {0, 0, 1280, 800}, {300, 60, 600, 600});
     desk.view.sight = &sight;
@@ -81,7 +83,7 @@ TEST(Charts, LeaveTheCornerOfTheSceneToTheScene) {
     EXPECT_LE(tools.y + tools.h, scene.y) << "no tool over a vehicle";
 }
 
-TEST(Charts, HaveOneTooltipAtATime) {
+TEST(ChartCard, HaveOneTooltipAtATime) {
     Desk desk(1280, 800, 1, true);
     desk.panels.charts_open = true;
     desk.frame(3);
@@ -95,7 +97,7 @@ TEST(Charts, HaveOneTooltipAtATime) {
     EXPECT_TRUE(told);
 }
 
-TEST(Charts, KeepTheNumbersOfTwoPicturesApart) {
+TEST(ChartCard, KeepTheNumbersOfTwoPicturesApart) {
     Desk desk(1280, 800, 1, true);
     desk.panels.charts_open = true;
     for (std::uint64_t tick = 0; tick <= 600; tick += 3) desk.now.tick = tick, desk.frame();
@@ -108,7 +110,7 @@ TEST(Charts, KeepTheNumbersOfTwoPicturesApart) {
         for (std::size_t j = 0; j < i; ++j) EXPECT_GE(std::abs(numbers[i].y - numbers[j].y), numbers[i].h - 0.5f);
 }
 
-TEST(Charts, ExportWhatTheyShow) {
+TEST(ChartCard, ExportWhatTheyShow) {
     ChartDesk desk;
     const char* names[]{"signals", "population", "population", "energies"};
     const char* starts[]{"seconds,SL,", "seconds,predators,", "seconds,predators,", "id,kind,"};
@@ -123,7 +125,7 @@ TEST(Charts, ExportWhatTheyShow) {
     }
 }
 
-TEST(Charts, SelectTheVehicleWhoseBarIsClickedInTheOrderChosen) {
+TEST(ChartCard, SelectTheVehicleWhoseBarIsClickedInTheOrderChosen) {
     ChartDesk desk;
     desk.click("charts.tab.4");
     desk.frame(2);
@@ -149,7 +151,7 @@ TEST(Charts, SelectTheVehicleWhoseBarIsClickedInTheOrderChosen) {
     EXPECT_EQ(first_bar(), 2) << "and the emptiest";
 }
 
-TEST(Charts, ReadOutTheValueUnderThePointer) {
+TEST(ChartCard, ReadOutTheValueUnderThePointer) {
     ChartDesk desk(1280, 800, true);
     desk.click("charts.tab.3");
     desk.frame(2);
@@ -167,7 +169,7 @@ TEST(Charts, ReadOutTheValueUnderThePointer) {
     EXPECT_GT(shapes(), without + 40) << "a line and its words";
 }
 
-TEST(Charts, CountBesideTheBarsThoseThatFindNoRoom) {
+TEST(ChartCard, CountBesideTheBarsThoseThatFindNoRoom) {
     Desk desk(1280, 800, 1, true);
     desk.now = snapshot(200);
     desk.panels.charts_open = true;
@@ -184,4 +186,4 @@ TEST(Charts, CountBesideTheBarsThoseThatFindNoRoom) {
     EXPECT_EQ(counts, 1);
 }
 
-}  // namespace braitenlab::tests::charts_test
+}  // namespace braitenlab::tests::chart_card_test

@@ -1,9 +1,11 @@
 #include "desk.h"
 #include "ui/panels/panels.h"
 
-namespace braitenlab::tests::notice_test {
+namespace braitenlab::tests::hint_bar_test {
 
-TEST(Notice, HasASignAndAColourOfItsOwnForEachKind) {
+using namespace ui;
+
+TEST(HintBar, HasASignAndAColourOfItsOwnForEachKind) {
     for (const Theme theme : {Theme::dark, Theme::light}) {
         const Palette p = palette(theme);
         EXPECT_NE(colour_of(NoticeKind::done, p), colour_of(NoticeKind::failure, p));
@@ -16,14 +18,14 @@ TEST(Notice, HasASignAndAColourOfItsOwnForEachKind) {
     EXPECT_NE(sign_of(NoticeKind::notice), sign_of(NoticeKind::failure));
 }
 
-TEST(Notice, IsReadInTheLanguageThatIsShown) {
+TEST(HintBar, IsReadInTheLanguageThatIsShown) {
     const Notice saved{NoticeKind::done, "notice.screenshot", "/tmp/a.png"};
     EXPECT_EQ(text_of(saved, english()), "Picture saved to /tmp/a.png");
     EXPECT_EQ(text_of(saved, speaking("de")), "Bild gespeichert: /tmp/a.png");
     EXPECT_EQ(text_of({NoticeKind::failure, "", "no {} here"}, english()), "no {} here");
 }
 
-TEST(Notice, EndsInAnEllipsisWhereItDoesNotFit) {
+TEST(HintBar, EndsInAnEllipsisWhereItDoesNotFit) {
     Desk desk(1280, 800, 1, true);
     desk.view.notice = {NoticeKind::failure, "", std::string(400, 'w')};
     desk.frame(2);
@@ -38,7 +40,7 @@ TEST(Notice, EndsInAnEllipsisWhereItDoesNotFit) {
     EXPECT_TRUE(found);
 }
 
-TEST(Notice, IsReadWholeUnderThePointerWhereItDoesNotFit) {
+TEST(HintBar, IsReadWholeUnderThePointerWhereItDoesNotFit) {
     Desk desk(1280, 800, 1, true);
     desk.view.notice = {NoticeKind::failure, "", "begin " + std::string(400, 'w') + " end"};
     desk.frame(2);
@@ -71,4 +73,4 @@ TEST(HintBar, NamesTheWayBackWhileAPersonDrivesOrLooksThroughTheVehiclesEyes) {
     EXPECT_EQ(said(desk).find("gives the wheel back"), std::string::npos);
 }
 
-}  // namespace braitenlab::tests::notice_test
+}  // namespace braitenlab::tests::hint_bar_test

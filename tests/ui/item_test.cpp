@@ -1,10 +1,13 @@
 // Every widget says what it is when the pointer rests on it.
+#include "ui/widgets/item.h"
+
 #include <set>
 
 #include "desk.h"
-#include "ui/widgets/item.h"
 
-namespace braitenlab::tests::tooltips_test {
+namespace braitenlab::tests::item_test {
+
+using namespace ui;
 
 namespace {
 
@@ -38,7 +41,7 @@ struct Walk {
 
 }  // namespace
 
-TEST(Tooltips, AreOnEveryWidgetOfEveryScreen) {
+TEST(Item, AreOnEveryWidgetOfEveryScreen) {
     const std::vector<CatalogueEntry> catalogue{{"05-aggressor", "5.toml", "Aggressor", "", 5},
                                                 {"2a-coward", "2a.toml", "Coward", "It turns away."}};
     const std::vector<std::string> recent{"/y/mine.toml"};
@@ -81,7 +84,7 @@ TEST(Tooltips, AreOnEveryWidgetOfEveryScreen) {
     for (const std::string& id : walk.all) EXPECT_TRUE(walk.told.count(id)) << id << " has no tooltip";
 }
 
-TEST(Tooltips, GoAwayOnceTheyCanBeReadAndDoNotComeBackAfterAPress) {
+TEST(Item, GoAwayOnceTheyCanBeReadAndDoNotComeBackAfterAPress) {
     Desk desk(1280, 800, 1, true);
     desk.view.mode = Mode::playing;
     desk.frame(3);
@@ -109,7 +112,7 @@ TEST(Tooltips, GoAwayOnceTheyCanBeReadAndDoNotComeBackAfterAPress) {
     EXPECT_FALSE(shown()) << "whoever has pressed it knows it";
 }
 
-TEST(Tooltips, AreAskedForInEarnest) {
+TEST(Item, AreAskedForInEarnest) {
     Desk desk;
     desk.frame(2);
     Ui ui{desk.strings, palette(Theme::dark), {}, 1, desk.anchors, desk.asked};
@@ -126,4 +129,4 @@ TEST(Tooltips, AreAskedForInEarnest) {
     EXPECT_TRUE(shown[1].has_tooltip);
 }
 
-}  // namespace braitenlab::tests::tooltips_test
+}  // namespace braitenlab::tests::item_test
