@@ -16,8 +16,8 @@ void gather_lamps(const Emitters& e, const Seam& seam, Channel channel, std::vec
                                static_cast<std::int32_t>(row)});
 }
 
-float read_stimuli(const Environment& e, const CompiledSensor& sensor, const SensorPose& pose, std::int32_t self) {
-    const StimulusGrid& grid = e.grids[static_cast<std::size_t>(sensor.channel)];
+float read_stimuli(const Environment& e, const StimulusGrid& grid, const CompiledSensor& sensor, const SensorPose& pose,
+                   std::int32_t self) {
     if (!sensor.is_blocked || !e.outlines.any_obstacle_near(pose.position, sensor.range))
         return grid.total(sensor, pose, self);
     return grid.total_in_sight(sensor, pose, self, [&](vec2 from, vec2 to) { return e.outlines.block(from, to); });
@@ -58,12 +58,14 @@ void gather_stimuli(const Emitters& e, const Seam& seam, Channel channel, std::v
 Environment::Environment(const Scene& scene, const std::vector<mechanics::Motion>& obstacles)
     : ground(scene), outlines(scene, obstacles), seam(scene.arena), ambient(scene.arena.ambient) {}
 
-float read_environment(const Environment& e, const CompiledSensor& sensor, SensorPose pose, std::int32_t self) {
+float read_environment(const Environment& e, const StimulusGrids& grids, const CompiledSensor& sensor, SensorPose pose,
+                       std::int32_t self) {
     if (sensor.channel == Channel::obstacle) return e.outlines.total(sensor, pose);
     pose.position = e.seam.inside(pose.position);
     if (sensor.channel == Channel::floor)
         return response_to_amount(sensor, e.ground.floor_at(pose.position).reflectance);
-    return read_stimuli(e, sensor, pose, self) + (sensor.sees_ambient_light ? e.ambient : 0.0f);
+    const StimulusGrid& grid = grids[static_cast<std::size_t>(sensor.channel)];
+    return read_stimuli(e, grid, sensor, pose, self) + (sensor.sees_ambient_light ? e.ambient : 0.0f);
 }
 
 }  // namespace braitenlab::sensing

@@ -37,19 +37,20 @@ bool has_stimuli(Channel);
 // The owner of a stimulus is the vehicle's row.
 void gather_stimuli(const Emitters&, const Seam&, Channel, std::vector<Stimulus>& out);
 
+using StimulusGrids = std::array<StimulusGrid, channel_count>;  // by channel
+
 struct Environment {
     Environment(const Scene&, const std::vector<mechanics::Motion>& obstacles);
 
     Ground ground;
     Outlines outlines;
     Seam seam;
-    float ambient = 0;                              // 0..1
-    std::array<StimulusGrid, channel_count> grids;  // by channel; laid out and filled by the owner
+    float ambient = 0;  // 0..1
 };
 
 // Reading of a channel with stimuli, of `obstacle` or of `floor`, before noise, delay and clamping. Stimuli owned by
 // the vehicle in row `self` do not count. Precondition: the channel's grid is filled.
-float read_environment(const Environment&, const CompiledSensor&, SensorPose, std::int32_t self);
+float read_environment(const Environment&, const StimulusGrids&, const CompiledSensor&, SensorPose, std::int32_t self);
 
 // Reading of an amount (0..1) that is always present: a boolean sensor reads 1 from 0.5 upwards.
 inline float response_to_amount(const CompiledSensor& sensor, float amount) {

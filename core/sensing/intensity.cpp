@@ -55,8 +55,9 @@ bool IntensityMap::update(IntensityInput input) {
     if (obstacles.empty())
         for (const Obstacle& o : input_.scene->obstacles)
             obstacles.push_back(mechanics::at_rest({o.x, o.y}, o.heading));
-    Environment environment(*input_.scene, obstacles);
-    StimulusGrid& stimuli = environment.grids[static_cast<std::size_t>(sensor.channel)];
+    const Environment environment(*input_.scene, obstacles);
+    StimulusGrids grids;
+    StimulusGrid& stimuli = grids[static_cast<std::size_t>(sensor.channel)];
     stimuli.lay_out(arena, sensor.range);
     stimuli.fill(input_.stimuli);
 
@@ -68,7 +69,7 @@ bool IntensityMap::update(IntensityInput input) {
             const float x = static_cast<float>(column) / static_cast<float>(grid_.columns - 1) - 0.5f;
             const float y = static_cast<float>(row) / static_cast<float>(grid_.rows - 1) - 0.5f;
             const SensorPose pose = sensor_pose(sensor, {x * arena.width, y * arena.height}, {1, 0});
-            grid_.values[i++] = std::min(read_environment(environment, sensor, pose, no_row), 1.0f);
+            grid_.values[i++] = std::min(read_environment(environment, grids, sensor, pose, no_row), 1.0f);
         }
     return true;
 }

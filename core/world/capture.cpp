@@ -1,5 +1,6 @@
-// What others see of a world.
+// Snapshots and traces of a world.
 #include <algorithm>
+#include <optional>
 
 #include "core/maths/angle.h"
 #include "core/world/world_data.h"
@@ -8,7 +9,8 @@ namespace braitenlab::world {
 
 namespace {
 
-// Brains in use, each once. Rows that share one mostly follow each other or the first few, so a linear look is short.
+// Index of the brain in the list of brains in use; adds it when new. Compares the first 64 only: when most vehicles
+// share a few brains the search is short, and when each has its own the list holds duplicates instead of taking O(n^2).
 int index_of(const SharedBrain& brain, std::vector<std::shared_ptr<const BrainGraph>>& brains) {
     for (std::size_t i = 0; i < brains.size() && i < 64; ++i)
         if (brains[i].get() == &brain->graph) return static_cast<int>(i);
@@ -16,7 +18,7 @@ int index_of(const SharedBrain& brain, std::vector<std::shared_ptr<const BrainGr
     return static_cast<int>(brains.size()) - 1;
 }
 
-VehicleView view_of(const WorldData& s, std::size_t row, int brain) {
+VehicleView view_of(const WorldData& s, std::size_t row, int brain, const std::array<float, 2>& motor) {
     const Vehicles& v = s.vehicles;
     const mechanics::Motion& m = v.motion[row];
     VehicleView view;
@@ -30,7 +32,7 @@ VehicleView view_of(const WorldData& s, std::size_t row, int brain) {
     view.heading = maths::wrap_angle(m.heading);
     view.speed = maths::dot(m.velocity, m.ahead);
     view.energy = v.energy[row];
-    view.motor = v.motor[row];
+    view.motor = motor;
     view.wheel_angle = v.wheel_angle[row];
     view.brain = brain;
     view.first_sensed = static_cast<int>(v.first_sensed[row]);
@@ -42,6 +44,9 @@ VehicleView view_of(const WorldData& s, std::size_t row, int brain) {
 }  // namespace
 
 void capture(const WorldData& s, Snapshot& out) {
+    std::optional<Preview> next;
+    if (s.readings_are_stale) next = preview(s);
+    const std::vector<std::array<float, 2>>& motor = next ? next->motor : s.vehicles.motor;
     out.tick = s.tick;
     out.seconds = static_cast<double>(s.tick) / 60;
     out.seed = s.seed;
@@ -53,12 +58,12 @@ void capture(const WorldData& s, Snapshot& out) {
     out.vehicles.clear();
     out.brains.clear();
     for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
-        out.vehicles.push_back(view_of(s, row, index_of(s.vehicles.brain[row], out.brains)));
+        out.vehicles.push_back(view_of(s, row, index_of(s.vehicles.brain[row], out.brains), motor[row]));
         out.predators += s.role(row) == Role::predator;
         out.prey += s.role(row) == Role::prey;
     }
-    out.sensed = s.vehicles.sensed;
-    out.neurons = s.preview_neurons.empty() ? s.vehicles.neurons : s.preview_neurons;
+    out.sensed = next ? next->sensed : s.vehicles.sensed;
+    out.neurons = next ? next->neurons : s.vehicles.neurons;
     out.kind_brains.clear();
     for (const SharedBrain& brain : s.kind_brains) out.kind_brains.emplace_back(brain, &brain->graph);
     out.sources.clear();
@@ -72,6 +77,19 @@ void capture(const WorldData& s, Snapshot& out) {
     for (const Mark& mark : s.marks)
         out.marks.push_back({mark.owner, mark.position.x, mark.position.y, strength(s, mark)});
     out.scene = s.scene;
+}
+
+bool trace(const WorldData& s, VehicleId id, VehicleTrace& out) {
+    const auto row = s.row_of(id);
+    if (!row) return false;
+    const Vehicles& v = s.vehicles;
+    const mechanics::Motion& m = v.motion[*row];
+    out.tick = s.tick;
+    out.pose = {m.position.x, m.position.y, maths::wrap_angle(m.heading)};
+    out.motor = v.motor[*row];
+    const auto first = v.sensed.begin() + static_cast<std::ptrdiff_t>(v.first_sensed[*row]);
+    out.sensed.assign(first, first + static_cast<std::ptrdiff_t>(s.kinds[s.kind(*row)].sensors.size()));
+    return true;
 }
 
 }  // namespace braitenlab::world

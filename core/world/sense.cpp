@@ -18,16 +18,16 @@ sensing::Outline chassis_outline(const WorldData& s, std::size_t row) {
 }
 
 // 1 while the vehicle touches something in the bumper's field.
-float read_bumper(WorldData& s, const CompiledSensor& sensor, std::size_t row) {
+float read_bumper(const WorldData& s, SensingBuffers& buffers, const CompiledSensor& sensor, std::size_t row) {
     const VehicleId id = s.vehicles.id[row];
     const Body& body = s.scene->kinds[s.kind(row)].body;
     const mechanics::Motion& motion = s.vehicles.motion[row];
-    const auto touched = std::equal_range(s.touched.begin(), s.touched.end(), Touch{id, no_vehicle},
+    const auto touched = std::equal_range(buffers.touched.begin(), buffers.touched.end(), Touch{id, no_vehicle},
                                           [](const Touch& a, const Touch& b) { return a.one < b.one; });
     for (auto touch = touched.first; touch != touched.second; ++touch) {
         if (touch->other == no_vehicle) {
-            s.environment.outlines.find_near(motion.position, body.length + body.width, s.touched_outlines);
-            for (const sensing::Outline& outline : s.touched_outlines)
+            s.environment.outlines.find_near(motion.position, body.length + body.width, buffers.touched_outlines);
+            for (const sensing::Outline& outline : buffers.touched_outlines)
                 if (sensing::touches_field(sensor, body, motion, outline)) return 1;
         } else if (const auto other = s.row_of(touch->other)) {
             if (sensing::touches_field(sensor, body, motion, chassis_outline(s, *other))) return 1;
@@ -36,45 +36,47 @@ float read_bumper(WorldData& s, const CompiledSensor& sensor, std::size_t row) {
     return 0;
 }
 
-float read(WorldData& s, const CompiledSensor& sensor, std::size_t row) {
+float read_sensor(const WorldData& s, SensingBuffers& buffers, const CompiledSensor& sensor, std::size_t row) {
     const mechanics::Motion& m = s.vehicles.motion[row];
     const SensorPose pose = sensing::sensor_pose(sensor, m.position, m.ahead);
     switch (sensor.channel) {
         case Channel::memory:
             return read_memory(s, sensor, pose, row);
         case Channel::touch:
-            return read_bumper(s, sensor, row);
+            return read_bumper(s, buffers, sensor, row);
         case Channel::energy:
             return sensing::response_to_amount(sensor, s.vehicles.energy[row]);
         default:
-            return sensing::read_environment(s.environment, sensor, pose, static_cast<std::int32_t>(row));
+            return sensing::read_environment(s.environment, buffers.grids, sensor, pose,
+                                             static_cast<std::int32_t>(row));
     }
 }
 
 // All touches in both directions, so that the vehicle on either side finds them.
-void list_touches(WorldData& s) {
-    s.touched = s.touching;
-    for (const Touch& touch : s.touching)
-        if (touch.other != no_vehicle) s.touched.push_back({touch.other, touch.one});
-    std::sort(s.touched.begin(), s.touched.end());
+void list_touches(const std::vector<Touch>& touching, std::vector<Touch>& out) {
+    out = touching;
+    for (const Touch& touch : touching)
+        if (touch.other != no_vehicle) out.push_back({touch.other, touch.one});
+    std::sort(out.begin(), out.end());
 }
 
-void fill_grids(WorldData& s) {
-    s.point_sources.clear();
+void fill(SensingBuffers& buffers, const WorldData& s) {
+    buffers.point_sources.clear();
     for (const Source& source : s.scene->sources)
-        s.point_sources.push_back({source.channel, {source.x, source.y}, source.strength});
-    s.roles.clear();
+        buffers.point_sources.push_back({source.channel, {source.x, source.y}, source.strength});
+    buffers.roles.clear();
     const auto is_sensed = [&](Channel channel) { return s.sensed_channel[static_cast<std::size_t>(channel)]; };
     if (is_sensed(Channel::predator) || is_sensed(Channel::prey))
-        for (std::size_t row = 0; row < s.vehicles.size(); ++row) s.roles.push_back(s.role(row));
-    const sensing::Emitters emitters{s.point_sources, s.scene->kinds, s.vehicles.motion, s.vehicles.kind, s.roles};
+        for (std::size_t row = 0; row < s.vehicles.size(); ++row) buffers.roles.push_back(s.role(row));
+    const sensing::Emitters emitters{buffers.point_sources, s.scene->kinds, s.vehicles.motion, s.vehicles.kind,
+                                     buffers.roles};
     for (int c = 0; c < channel_count; ++c) {
         const auto channel = static_cast<Channel>(c);
         if (!is_sensed(channel) || !sensing::has_stimuli(channel)) continue;
-        sensing::gather_stimuli(emitters, s.environment.seam, channel, s.stimuli);
-        s.environment.grids[static_cast<std::size_t>(c)].fill(s.stimuli);
+        sensing::gather_stimuli(emitters, s.environment.seam, channel, buffers.stimuli);
+        buffers.grids[static_cast<std::size_t>(c)].fill(buffers.stimuli);
     }
-    if (is_sensed(Channel::touch)) list_touches(s);
+    if (is_sensed(Channel::touch)) list_touches(s.touching, buffers.touched);
 }
 
 // Random numbers for one vehicle's sensors in one tick; reading twice gives the same noise.
@@ -83,32 +85,28 @@ maths::Random noise_for(const WorldData& s, std::size_t row) {
     return {s.seed ^ 0x6e6f697365ULL, (s.tick << 32U) | id};
 }
 
-// Returns the reading from `delay` ticks ago and stores the present one in its slot of the ring buffer if `keep`.
-float exchange(const WorldData& s, std::vector<float>& delayed, std::size_t first, const CompiledSensor& sensor,
-               float now, bool keep) {
-    float& slot = delayed[first + s.tick % sensor.delay];
-    const float then = slot;
-    if (keep) slot = now;
-    return then;
-}
-
-void read_sensors(WorldData& s, bool keep_delayed) {
-    s.readings_are_stale = false;
-    fill_grids(s);
-    Vehicles& v = s.vehicles;
+// Reads all sensors into `sensed`. A sensor with latency takes its reading of `delay` ticks ago from its ring buffer;
+// the present one replaces it in `keep_delayed` unless that is null.
+void read_sensors(const WorldData& s, SensingBuffers& buffers, std::vector<float>& sensed,
+                  std::vector<float>* keep_delayed) {
+    fill(buffers, s);
+    const Vehicles& v = s.vehicles;
     for (std::size_t row = 0; row < v.size(); ++row) {
         const CompiledKind& kind = s.kinds[s.kind(row)];
-        float* reading = v.sensed.data() + v.first_sensed[row];
-        std::size_t first_delayed = v.first_delayed[row];
+        float* reading = sensed.data() + v.first_sensed[row];
+        std::size_t ring = v.first_delayed[row];
         maths::Random chance;
         if (kind.has_noise) chance = noise_for(s, row);
         for (const CompiledSensor& sensor : kind.sensors) {
-            float value = read(s, sensor, row);
+            float value = read_sensor(s, buffers, sensor, row);
             if (sensor.noise > 0) value += sensor.noise * chance.normal();
             value = std::clamp(value, 0.0f, 1.0f);  // signals add up and saturate
             if (sensor.delay > 0) {
-                value = exchange(s, v.delayed, first_delayed, sensor, value, keep_delayed);
-                first_delayed += sensor.delay;
+                const std::size_t slot = ring + s.tick % sensor.delay;
+                const float delayed = v.delayed[slot];
+                if (keep_delayed) (*keep_delayed)[slot] = value;
+                value = delayed;
+                ring += sensor.delay;
             }
             *reading++ = value;
         }
@@ -117,7 +115,17 @@ void read_sensors(WorldData& s, bool keep_delayed) {
 
 }  // namespace
 
-void sense(WorldData& s) { read_sensors(s, true); }
-void sense_preview(WorldData& s) { read_sensors(s, false); }
+void sense(WorldData& s) {
+    read_sensors(s, s.sensing_buffers, s.vehicles.sensed, &s.vehicles.delayed);
+    s.readings_are_stale = false;
+}
+
+std::vector<float> sense_preview(const WorldData& s) {
+    SensingBuffers buffers;
+    buffers.grids = s.sensing_buffers.grids;  // for their layout
+    std::vector<float> sensed(s.vehicles.sensed.size());
+    read_sensors(s, buffers, sensed, nullptr);
+    return sensed;
+}
 
 }  // namespace braitenlab::world

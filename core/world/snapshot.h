@@ -78,6 +78,14 @@ struct Snapshot {
     std::shared_ptr<const Scene> scene;  // the designs as edited up to now; its kinds' brains are in kind_brains
 };
 
+// One vehicle at one tick, without a full snapshot. Wheel commands and readings are those of the last tick.
+struct VehicleTrace {
+    std::uint64_t tick = 0;
+    Pose pose;                     // heading in [-pi, pi)
+    std::array<float, 2> motor{};  // commanded wheel speeds left and right, −1..1
+    std::vector<float> sensed;     // 0..1, as Kind::sensors
+};
+
 // The vehicle with this id, or null.
 const VehicleView* find_vehicle(const Snapshot&, VehicleId);
 

@@ -29,11 +29,10 @@ Wheels steer_to(const mechanics::Motion& motion, vec2 goal, float speed) {
     return steer(forward, std::clamp(aside, -0.6f, 0.6f));
 }
 
-Wheels follow_path(WorldData& s, std::size_t row) {
+Wheels follow_path(const WorldData& s, std::size_t row, std::int32_t& next) {
     constexpr float arrived = 0.6f;  // m
     const auto& path = s.scene->kinds[s.kind(row)].waypoints;
     if (path.empty()) return {};
-    std::int32_t& next = s.vehicles.waypoint[row];
     if (static_cast<std::size_t>(next) >= path.size()) next = 0;
     const Waypoint& goal = path[static_cast<std::size_t>(next)];
     if (maths::distance({goal.x, goal.y}, s.vehicles.motion[row].position) < arrived)
@@ -59,32 +58,34 @@ Wheels wander(const WorldData& s, std::size_t row) {
     return steer(0.5f, whim);
 }
 
-void think_with_brain(const WorldData& s, std::size_t row, std::vector<float>& neurons, Wheels& motor) {
+void think_with_brain(const WorldData& s, std::size_t row, const std::vector<float>& sensed,
+                      std::vector<float>& neurons, Wheels& motor) {
     const Vehicles& v = s.vehicles;
     const Brain& brain = v.brain[row]->flat;
-    think(brain, {v.sensed.data() + v.first_sensed[row], s.kinds[s.kind(row)].sensors.size()},
+    think(brain, {sensed.data() + v.first_sensed[row], s.kinds[s.kind(row)].sensors.size()},
           {neurons.data() + v.first_neuron[row], static_cast<std::size_t>(brain.state_size())}, motor);
 }
 
-// `neurons` holds all vehicles' units.
-void think_with(WorldData& s, std::vector<float>& neurons) {
-    Vehicles& v = s.vehicles;
+// All drivers. `sensed`, `neurons`, `motor` and `waypoint` are arrays of all vehicles.
+void run_drivers(const WorldData& s, const std::vector<float>& sensed, std::vector<float>& neurons,
+                 std::vector<Wheels>& motor, std::vector<std::int32_t>& waypoint) {
+    const Vehicles& v = s.vehicles;
     for (std::size_t row = 0; row < v.size(); ++row) {
         switch (v.driver[row]) {
             case Driver::brain:
-                think_with_brain(s, row, neurons, v.motor[row]);
+                think_with_brain(s, row, sensed, neurons, motor[row]);
                 break;
             case Driver::manual:
-                v.motor[row] = v.steered[row];
+                motor[row] = v.steered[row];
                 break;
             case Driver::path:
-                v.motor[row] = follow_path(s, row);
+                motor[row] = follow_path(s, row, waypoint[row]);
                 break;
             case Driver::wander:
-                v.motor[row] = wander(s, row);
+                motor[row] = wander(s, row);
                 break;
             case Driver::parked:
-                v.motor[row] = {};
+                motor[row] = {};
                 break;
         }
     }
@@ -93,16 +94,15 @@ void think_with(WorldData& s, std::vector<float>& neurons) {
 }  // namespace
 
 void think(WorldData& s) {
-    think_with(s, s.vehicles.neurons);
-    s.preview_neurons.clear();
+    Vehicles& v = s.vehicles;
+    run_drivers(s, v.sensed, v.neurons, v.motor, v.waypoint);
 }
 
-void preview(WorldData& s) {
-    sense_preview(s);
-    s.preview_neurons = s.vehicles.neurons;
-    const std::vector<std::int32_t> waypoint = s.vehicles.waypoint;
-    think_with(s, s.preview_neurons);
-    s.vehicles.waypoint = waypoint;
+Preview preview(const WorldData& s) {
+    Preview next{sense_preview(s), s.vehicles.neurons, s.vehicles.motor};
+    std::vector<std::int32_t> waypoint = s.vehicles.waypoint;
+    run_drivers(s, next.sensed, next.neurons, next.motor, waypoint);
+    return next;
 }
 
 }  // namespace braitenlab::world

@@ -44,7 +44,7 @@ WorldData::WorldData(State state)
                 if (static_cast<int>(sensor.channel) == c) longest_range = std::max(longest_range, sensor.range);
         const auto channel = static_cast<std::size_t>(c);
         sensed_channel[channel] = longest_range > 0;
-        if (longest_range > 0) environment.grids[channel].lay_out(scene->arena, longest_range);
+        if (longest_range > 0) sensing_buffers.grids[channel].lay_out(scene->arena, longest_range);
     }
     for (const std::size_t row : rows_by_position(vehicles.motion))
         physics.add(row, vehicles.id[row], scene->kinds[kind(row)].body, vehicles.motion[row]);
@@ -122,9 +122,15 @@ std::optional<Error> World::apply(const Command& command) {
     return std::nullopt;
 }
 
-void World::capture(Snapshot& out) const {
-    if (data_->readings_are_stale) preview(*data_);
-    world::capture(*data_, out);
+void World::capture(Snapshot& out) const { world::capture(*data_, out); }
+
+bool World::trace(VehicleId id, VehicleTrace& out) const { return world::trace(*data_, id, out); }
+
+World World::fork() const {
+    World copy(std::make_unique<WorldData>(State(*data_)));
+    copy.data_->readings_are_stale = data_->readings_are_stale;
+    copy.since_ = {std::make_shared<const State>(*data_), tick(), {}, tick()};
+    return copy;
 }
 
 std::uint64_t World::hash() const { return world::hash(*data_); }

@@ -64,8 +64,16 @@ public:
 
     std::uint64_t tick() const;
 
-    // Fills a snapshot and reuses its memory.
+    // Fills a snapshot and reuses its memory. After a command and before the next tick, readings, neurons and wheel
+    // commands are those that the next tick will compute.
     void capture(Snapshot&) const;
+
+    // Fills the trace of one vehicle and reuses its memory. Returns false when the vehicle is not in the world.
+    bool trace(VehicleId, VehicleTrace&) const;
+
+    // An independent copy of the run at this tick, which begins with a keyframe: it evolves as this world does after a
+    // keyframe at the same tick.
+    World fork() const;
 
     // The run at this tick, and a world that continues it exactly. A checkpoint costs almost nothing; restoring costs
     // at most keyframe_ticks steps.

@@ -13,6 +13,22 @@
 
 namespace braitenlab::world {
 
+// What sensors read from, filled anew in each tick.
+struct SensingBuffers {
+    sensing::StimulusGrids grids;
+    std::vector<Touch> touched;  // all touches in both directions, sorted; filled when there are bumpers
+    std::vector<sensing::PointSource> point_sources;
+    std::vector<Role> roles;
+    std::vector<sensing::Stimulus> stimuli;
+    std::vector<sensing::Outline> touched_outlines;
+};
+
+// Readings, neurons and wheel commands as the next tick will compute them.
+struct Preview {
+    std::vector<float> sensed, neurons;
+    std::vector<std::array<float, 2>> motor;
+};
+
 struct WorldData : State {
     // Takes the state as it is; kinds, environment and bodies are derived from it alone. After an edit of the scene and
     // at every keyframe a world is rebuilt from its own state:  s = WorldData(State(s)).
@@ -23,15 +39,9 @@ struct WorldData : State {
     std::array<bool, channel_count> sensed_channel{};  // by any kind
     bool any_memory = false;                           // any kind has a place memory
     bool readings_are_stale = true;                    // something moved since the sensors were read
-    std::vector<float> preview_neurons;                // the neurons after the next tick's think(); empty: as they are
     std::vector<Bump> bumps;                           // of this tick; filled when any_memory
     std::vector<Touch> begun;                          // contacts that began in the last step, sorted
-    std::vector<Touch> touched;  // all touches in both directions, sorted; filled when there are bumpers
-    // Scratch memory of a tick.
-    std::vector<sensing::PointSource> point_sources;
-    std::vector<Role> roles;
-    std::vector<sensing::Stimulus> stimuli;
-    std::vector<sensing::Outline> touched_outlines;
+    SensingBuffers sensing_buffers;
     Physics physics;
 
     Role role(std::size_t row) const { return vehicles.brain[row]->role; }
@@ -47,12 +57,9 @@ void keep_inside(WorldData&);     // boundary.cpp  torus and walls
 void remember(WorldData&);        // memory.cpp    marks where vehicles touch obstacles
 void touch_and_live(WorldData&);  // ecology.cpp   bites, energy, deaths and births, the inactivity timer
 
-// sense() without storing readings of sensors with latency.
-void sense_preview(WorldData&);
-
-// After a command and before the next tick: reads the sensors and computes the wheel commands and preview_neurons that
-// follow from them. The state of the brains does not change.
-void preview(WorldData&);
+// sense() and think() into a copy: what a picture shows after a command and before the next tick.
+Preview preview(const WorldData&);
+std::vector<float> sense_preview(const WorldData&);  // the readings of a preview
 
 // ── Vehicles ────────────────────────────────────────────────────────────────────────────────────────────────────────
 void spawn_population(WorldData&);  // spawn.cpp  the first generation
@@ -72,6 +79,7 @@ float strength(const State&, const Mark&);                 // memory.cpp: what i
 // Sum of a sensor's responses to its own vehicle's marks.
 float read_memory(const WorldData&, const sensing::CompiledSensor&, const sensing::SensorPose&, std::size_t row);
 void capture(const WorldData&, Snapshot&);  // capture.cpp
-std::uint64_t hash(const State&);           // hash.cpp
+bool trace(const WorldData&, VehicleId, VehicleTrace&);
+std::uint64_t hash(const State&);  // hash.cpp
 
 }  // namespace braitenlab::world

@@ -1,0 +1,82 @@
+// Forks, traces, and what a snapshot, an edit and the hash leave as it is or notice.
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "core/maths/angle.h"
+#include "core/scene/scene_file.h"
+#include "core/world/world.h"
+#include "tests/core/runs.h"
+#include "tests/core/scenes.h"
+
+namespace braitenlab::tests::world_fork_test {
+namespace {
+
+World shipped(const std::filesystem::path& path) { return make(*load_scene(path), 3); }
+
+void steps(World& world, int count) {
+    for (int i = 0; i < count; ++i) world.step();
+}
+
+TEST(World, AForkEvolvesAsTheOriginalDoesAfterAKeyframeAtTheSameTick) {
+    for (const auto& path : shipped_scenes()) {
+        World original = shipped(path);
+        steps(original, static_cast<int>(keyframe_ticks));
+        ASSERT_TRUE(original.is_at_keyframe());
+        World fork = original.fork();
+        EXPECT_TRUE(fork.is_at_keyframe());
+        for (int i = 0; i < 310; ++i) {
+            ASSERT_EQ(fork.hash(), original.hash()) << path << " at tick " << original.tick();
+            fork.step(), original.step();
+        }
+    }
+}
+
+TEST(World, AForkBetweenKeyframesIsTheRunThatItsCheckpointRestores) {
+    for (const auto& path : shipped_scenes()) {
+        World original = shipped(path), undisturbed = shipped(path);
+        steps(original, 137), steps(undisturbed, 137);
+        ASSERT_FALSE(original.apply(NewPopulation{}));
+        ASSERT_FALSE(undisturbed.apply(NewPopulation{}));
+        World fork = original.fork();
+        EXPECT_EQ(fork.hash(), original.hash()) << path;
+        World restored = World::restore(fork.checkpoint());
+        steps(fork, 200), steps(restored, 200);
+        EXPECT_EQ(fork.hash(), restored.hash()) << path;
+        steps(original, 200), steps(undisturbed, 200);
+        EXPECT_EQ(original.hash(), undisturbed.hash()) << path << ": a fork does not change the original";
+    }
+}
+
+TEST(World, ATraceHasTheValuesOfTheSnapshot) {
+    World world = make(crowd(5));
+    VehicleTrace trace;
+    for (int i = 0; i < 60; ++i) {
+        world.step();
+        const Snapshot now = look(world);
+        for (const VehicleView& v : now.vehicles) {
+            ASSERT_TRUE(world.trace(v.id, trace));
+            EXPECT_EQ(trace.tick, now.tick);
+            EXPECT_EQ(trace.pose, (Pose{v.x, v.y, v.heading}));
+            EXPECT_EQ(trace.motor, v.motor);
+            ASSERT_EQ(trace.sensed.size(), 2u);
+            for (std::size_t k = 0; k < 2; ++k)
+                EXPECT_EQ(trace.sensed[k], now.sensed[static_cast<std::size_t>(v.first_sensed) + k]);
+        }
+    }
+    EXPECT_FALSE(world.trace(99, trace));
+}
+
+// A trace shows the wheel commands of the last tick. A capture after a command must not change them.
+TEST(World, ACaptureChangesNothing) {
+    World world = make(alone({.LM = 0.5f, .RM = 0.5f}));
+    world.step();
+    ASSERT_FALSE(world.apply(TurnDial{{.kind = 0}, Dial::LM, -0.5f}));
+    EXPECT_EQ(look(world).vehicles[0].motor[0], -0.5f) << "the snapshot shows the next tick's commands";
+    VehicleTrace trace;
+    ASSERT_TRUE(world.trace(0, trace));
+    EXPECT_EQ(trace.motor[0], 0.5f);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::world_fork_test
