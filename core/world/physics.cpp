@@ -17,20 +17,20 @@ namespace {
 
 enum Category : std::uint16_t { chassis = 1, wheel = 2, environment = 4 };
 
-constexpr float wall_thickness = 0.5f;  // m; thick enough that nothing passes within a step
+constexpr float wall_thickness = 0.5f;  // m; nothing passes through within a step
 
 b2Vec2 to_box(maths::vec2 v) { return {v.x, v.y}; }
 maths::vec2 from_box(b2Vec2 v) { return {v.x, v.y}; }
 
-// Whether the chassis, seen from above, hides a wheel: then nothing can touch it that does not touch the chassis.
+// True when the chassis covers the wheel seen from above: then nothing can touch the wheel without the chassis.
 bool is_covered(const Wheel& w, const Body& body) {
     const float x = std::abs(w.x) + w.radius, y = std::abs(w.y) + w.width / 2;
     return x <= body.length / 2 + b2_linearSlop && y <= body.width / 2 + b2_linearSlop;
 }
 
-// Whether something may be so fast that one tick takes it deep into what it hits, or through it: then Box2D has to look
-// for the moment of each impact, which is a twentieth of what a crowd costs. What drives by itself gets at most about
-// twice its speed from a collision; of what is blown, pulled or pushed about nothing is known.
+// True when a body may be so fast that one tick takes it deep into an obstacle or through it. Box2D then computes the
+// time of each impact, at about 5 % of the cost of a crowd. A collision at most about doubles the speed of a vehicle
+// that drives by itself; the speed of bodies that zones or vehicles push is not bounded.
 bool may_skip_an_impact(const Scene& scene) {
     const auto pushes = [](const Zone& z) { return z.pull != 0 || z.wind_x != 0 || z.wind_y != 0 || z.slope != 0; };
     if (std::any_of(scene.zones.begin(), scene.zones.end(), pushes)) return true;
@@ -60,12 +60,12 @@ void fill(b2FixtureDef& definition, const b2Shape& shape, Category category, std
 
 }  // namespace
 
-// Box2D reports contacts in the middle of a step; they are only noted here and acted on after it.
+// Box2D reports contacts during a step; they are recorded here and evaluated after it.
 struct Physics::Impl : b2ContactListener {
     b2World world{b2Vec2(0, 0)};
     std::vector<b2Body*> bodies;
     std::vector<b2Body*> obstacles;
-    // How many pairs of fixtures touch now, by who touches whom, sorted; and what the last step changed about it.
+    // Number of touching fixture pairs per touch, sorted; and its changes in the last step.
     struct Contacts {
         Touch touch;
         int count = 0;
@@ -91,7 +91,7 @@ struct Physics::Impl : b2ContactListener {
         body.angle = motion.heading;
         body.linearVelocity = to_box(motion.velocity);
         body.angularVelocity = motion.angular_velocity;
-        // Nothing drives it: the floor brakes what was pushed.
+        // No wheels: the floor brakes a pushed obstacle by damping.
         body.linearDamping = body.angularDamping = 3;
         std::array<b2Vec2, b2_maxPolygonVertices> points;
         for (std::size_t i = 0; i < corners.size(); ++i) points[i] = to_box(corners[i]);
@@ -120,7 +120,7 @@ struct Physics::Impl : b2ContactListener {
         world.CreateBody(&body)->CreateFixture(&fixture);
     }
 
-    // Takes the noted changes over into the counts of contacts.
+    // Applies the recorded changes to the counts of contacts.
     void settle() {
         if (changes.empty()) return;
         std::sort(changes.begin(), changes.end(),
@@ -142,7 +142,7 @@ Physics::Physics(const Scene& scene, const std::vector<mechanics::Motion>& obsta
     : impl_(std::make_unique<Impl>()) {
     impl_->world.SetContactListener(impl_.get());
     impl_->world.SetContinuousPhysics(may_skip_an_impact(scene));
-    impl_->world.SetAllowSleeping(false);  // sleeping islands depend on Box2D's own lists
+    impl_->world.SetAllowSleeping(false);  // the order of islands depends on Box2D's lists
     if (scene.arena.edge == Boundary::wall) {
         const float w = scene.arena.width, h = scene.arena.height, t = wall_thickness;
         impl_->add_box({0, (h + t) / 2}, w + 2 * t, t);
@@ -232,7 +232,7 @@ mechanics::Motion Physics::motion(std::size_t row) const { return motion_of(*imp
 mechanics::Motion Physics::obstacle(std::size_t index) const { return motion_of(*impl_->obstacles[index]); }
 
 void Physics::push(std::size_t row, maths::vec2 force, float torque) {
-    // In a large crowd the next ones are far away in memory.
+    // In a large crowd the next bodies are far away in memory.
     constexpr std::size_t ahead = 6;
     if (row + ahead < impl_->bodies.size()) __builtin_prefetch(impl_->bodies[row + ahead], 1);
     impl_->bodies[row]->ApplyForceToCenter(to_box(force), true);
@@ -249,7 +249,7 @@ void Physics::find_bumps(std::vector<Bump>& bumps) const {
         for (int i = 0; i < contact->GetManifold()->pointCount; ++i)
             bumps.push_back({touch.one, from_box(points.points[i])});
     }
-    // Box2D's list has an order of its own; sums must not depend on it.
+    // Sums must not depend on the order of Box2D's list.
     const auto key = [](const Bump& b) { return std::tuple(b.vehicle, b.at.x, b.at.y); };
     std::sort(bumps.begin(), bumps.end(), [&](const Bump& a, const Bump& b) { return key(a) < key(b); });
     std::size_t merged = 0;
@@ -278,37 +278,47 @@ void Physics::step(std::vector<Touch>& touching, std::vector<Touch>& begun) {
 
 }  // namespace braitenlab::world
 
-// Box2D turns its bodies by the C library's sine and cosine, and glibc picks theirs by processor: with fused
-// multiply-add and without they differ in the last bit of a few angles in a hundred million, which is enough to part
-// two runs. Where programs are linked as ELF is, a function of the program's own stands before the library's of the
-// same name; so Box2D gets ours, and so do all others, who may: they are as exact. Elsewhere a run is the same on one
-// system only.
-#if defined(__ELF__)
+// Box2D rotates bodies by the C library's sinf and cosf. These differ in the last bit between platforms, and glibc's
+// also between processors with and without fused multiply-add: enough for two runs to diverge. So Box2D gets the
+// functions of core/maths/portable.h under these names. Where programs are linked as ELF, a function of the program
+// takes precedence over a library's function of the same name, for a shared Box2D too. Elsewhere Box2D is linked
+// statically with the linker's --wrap option (see core/CMakeLists.txt), which renames sinf to __wrap_sinf in all
+// objects.
+#if defined(BRAITENLAB_WRAP_SINE)
+#define BRAITENLAB_LIBM(name) __wrap_##name
+#elif defined(__ELF__)
+#define BRAITENLAB_LIBM(name) name
+#else
+#error "Box2D's sinf and cosf are not replaced here: link it with --wrap and define BRAITENLAB_WRAP_SINE"
+#endif
 
 namespace {
 
-// Far out, and for what is no number, the library's own of double precision will do: no body turns that far.
-bool is_near(float angle) { return std::fabs(angle) < 1e5f; }
+// core/maths is accurate up to this angle; beyond it, and for infinities and NaN, double precision is rounded.
+bool is_accurate(float angle) { return std::fabs(angle) < 1e5f; }
 
 }  // namespace
 
 extern "C" {
 
-float sinf(float angle) noexcept {
-    return is_near(angle) ? braitenlab::maths::sine(angle) : static_cast<float>(std::sin(static_cast<double>(angle)));
+float BRAITENLAB_LIBM(sinf)(float angle) noexcept {
+    return is_accurate(angle) ? braitenlab::maths::sine(angle)
+                              : static_cast<float>(std::sin(static_cast<double>(angle)));
 }
-float cosf(float angle) noexcept {
-    return is_near(angle) ? braitenlab::maths::cosine(angle) : static_cast<float>(std::cos(static_cast<double>(angle)));
+float BRAITENLAB_LIBM(cosf)(float angle) noexcept {
+    return is_accurate(angle) ? braitenlab::maths::cosine(angle)
+                              : static_cast<float>(std::cos(static_cast<double>(angle)));
 }
-void sincosf(float angle, float* sine, float* cosine) noexcept {
-    if (is_near(angle)) {
+void BRAITENLAB_LIBM(sincosf)(float angle, float* sine, float* cosine) noexcept {
+    if (is_accurate(angle)) {
         const auto both = braitenlab::maths::sine_cosine(angle);
         *sine = both.sine, *cosine = both.cosine;
     } else {
-        *sine = sinf(angle), *cosine = cosf(angle);
+        *sine = static_cast<float>(std::sin(static_cast<double>(angle)));
+        *cosine = static_cast<float>(std::cos(static_cast<double>(angle)));
     }
 }
 
 }  // extern "C"
 
-#endif
+#undef BRAITENLAB_LIBM

@@ -13,8 +13,6 @@ namespace braitenlab::tests::physics_test {
 namespace {
 
 using namespace world;
-// On other systems Box2D has the C library's sine and cosine; see core/world/physics.cpp.
-#if defined(__ELF__)
 TEST(Box2D, TurnsBodiesByOurOwnSineAndCosineSoThatNoProcessorChangesARun) {
     const Scene scene;
     maths::Random chance{5, 1};
@@ -26,7 +24,6 @@ TEST(Box2D, TurnsBodiesByOurOwnSineAndCosineSoThatNoProcessorChangesARun) {
         EXPECT_EQ(now.ahead, maths::direction(heading)) << heading;
     }
 }
-#endif
 
 TEST(Box2D, SineAndCosineOfTheWholeProgramAreExactFarOutAndForWhatIsNoNumber) {
     for (const float angle : {0.0f, 1e-7f, 3.0f, 12345.6f, 1e5f, 3e8f, 1e30f}) {
