@@ -23,23 +23,23 @@ void Recording::add_step(const World& world) {
     commands_.erase(commands_.begin(), std::lower_bound(commands_.begin(), commands_.end(), earliest(), by_tick));
 }
 
-// A keyframe in the middle of commands takes the place of those before it, and of a keyframe that they followed.
+// A keyframe created by commands replaces the commands before it and a keyframe at the same tick.
 void Recording::add_command(const World& world, const Command& command) {
     const std::uint64_t tick = world.tick();
-    if (const auto* places = std::get_if<PlaceNodes>(&command)) return add_places(tick, *places);
+    if (world::is_cosmetic(command)) return add_cosmetic(tick, command);
     if (!world.is_at_keyframe()) return commands_.push_back({tick, command});
     commands_.erase(std::lower_bound(commands_.begin(), commands_.end(), tick, by_tick), commands_.end());
     if (keyframes_.back().tick == tick) keyframes_.pop_back();
     keyframes_.push_back({tick, world.keyframe(), true});
 }
 
-// What lies ahead stays as it was but for the nodes: at every later moment, too, they stand where they were put.
-void Recording::add_places(std::uint64_t tick, const PlaceNodes& places) {
+// The recorded future stays; the edit is also executed in every later keyframe, and no later command takes it back.
+void Recording::add_cosmetic(std::uint64_t tick, const Command& edit) {
     for (Keyframe& keyframe : keyframes_)
-        if (keyframe.tick > tick) keyframe.state = world::with_places(*keyframe.state, places);
+        if (keyframe.tick > tick) keyframe.state = world::with_cosmetic(keyframe.state, edit);
     const auto later = std::lower_bound(commands_.begin(), commands_.end(), tick + 1, by_tick);
-    for (auto c = later; c != commands_.end(); ++c) c->command = world::keeping_places(std::move(c->command), places);
-    commands_.insert(later, {tick, places});
+    for (auto c = later; c != commands_.end(); ++c) c->command = world::keeping_cosmetic(std::move(c->command), edit);
+    commands_.insert(later, {tick, edit});
 }
 
 void Recording::forget_after(std::uint64_t tick) {
@@ -69,7 +69,7 @@ std::vector<Command> Recording::commands_at(std::uint64_t tick) const {
     return commands;
 }
 
-std::optional<Checkpoint> Recording::made_by_commands(std::uint64_t tick) const {
+std::optional<Checkpoint> Recording::keyframe_made_by_commands(std::uint64_t tick) const {
     const Keyframe& keyframe = last_keyframe(tick);
     if (keyframe.tick != tick || !keyframe.made_by_commands) return std::nullopt;
     return Checkpoint{keyframe.state, tick, {}, tick};

@@ -1,4 +1,4 @@
-// The last minute of a run: enough of it to stand at any of its moments again, exactly.
+// The last minute of a run, from which each of its ticks can be restored exactly.
 #pragma once
 
 #include <cstdint>
@@ -11,33 +11,35 @@
 
 namespace braitenlab {
 
-inline constexpr std::uint64_t recorded_ticks = 3600;  // one minute at least, once the run is that long
+inline constexpr std::uint64_t recorded_ticks = 3600;  // at least one minute, once the run is that long
 
 class Recording {
 public:
-    // Begins with what the save holds, from its keyframe on.
+    // Begins at the checkpoint's keyframe.
     explicit Recording(const Checkpoint& begin);
 
     std::uint64_t earliest() const { return keyframes_.front().tick; }
     std::uint64_t latest() const { return latest_; }
 
-    // Called when the world has taken a step, or a command, at a moment that is not recorded yet; a command that moves
-    // nodes may come at a recorded one.
+    // Call after each step of the world, and after each command, at a tick that is not recorded yet. A cosmetic command
+    // may come at a recorded tick.
     void add_step(const World&);
     void add_command(const World&, const Command&);
 
-    // Forgets everything after this moment: from here the run takes another way.
+    // Removes everything after this tick.
     void forget_after(std::uint64_t tick);
 
-    // The moment at `tick`, earliest() .. latest(), after the commands that were given then.
+    // The run at `tick`, earliest() .. latest(), after the commands of that tick.
     Checkpoint at(std::uint64_t tick) const;
 
-    // The commands that were given between the step to `tick` and the next. Where there were so many that they made a
-    // keyframe, those since: whoever steps there goes on from that keyframe, which this gives; else nothing.
+    // The commands executed between the step to `tick` and the next step; after a keyframe created by commands, those
+    // since that keyframe.
     std::vector<Command> commands_at(std::uint64_t tick) const;
-    std::optional<Checkpoint> made_by_commands(std::uint64_t tick) const;
 
-    // The latest moment not after `tick` to which restoring costs no steps.
+    // Keyframe created by the commands at `tick`, or nullopt. Restore from it instead of replaying them.
+    std::optional<Checkpoint> keyframe_made_by_commands(std::uint64_t tick) const;
+
+    // The latest keyframe's tick that is not after `tick`; restoring there costs no steps.
     std::uint64_t keyframe_before(std::uint64_t tick) const;
 
 private:
@@ -47,7 +49,7 @@ private:
         bool made_by_commands = false;
     };
     const Keyframe& last_keyframe(std::uint64_t tick) const;
-    void add_places(std::uint64_t tick, const PlaceNodes&);
+    void add_cosmetic(std::uint64_t tick, const Command& edit);
 
     std::deque<Keyframe> keyframes_;       // by ascending tick, never empty
     std::vector<LoggedCommand> commands_;  // in order

@@ -42,18 +42,18 @@ std::optional<Error> Session::execute(const Command& command) {
     return std::nullopt;
 }
 
-// Called whenever what can be undone has changed, so that going back in time can bring back what could be undone then.
+// Call after each change of edits_, so that seek() can restore undo and redo of each tick.
 void Session::remember_edits() {
     const std::uint64_t now = world_.tick();
     std::erase_if(edits_since_, [&](const auto& known) { return known.first == now || known.first > latest(); });
     const auto later =
         std::find_if(edits_since_.begin(), edits_since_.end(), [now](const auto& known) { return known.first > now; });
     edits_since_.emplace(later, now, edits_);
-    const auto second = edits_since_.begin() + 1;  // the first that counts is the last one not after the earliest
+    const auto second = edits_since_.begin() + 1;  // the last entry not after the earliest tick is the first in use
     while (second < edits_since_.end() && second->first <= earliest()) edits_since_.erase(edits_since_.begin());
 }
 
-// Moving nodes leaves the recorded future standing: what can be undone there loses this step, or gains that one.
+// After a cosmetic edit, which keeps the recorded future: removes or adds an undo step at all later ticks.
 void Session::change_later(const SharedStep& lost, const SharedStep& gained) {
     for (auto& [tick, edits] : edits_since_) {
         if (tick <= world_.tick()) continue;
@@ -83,10 +83,10 @@ std::optional<Error> Session::apply(const Command& command, std::uint64_t gestur
     UndoStep step = begun ? *begun : UndoStep{{}, {}, gesture};
     if (same_gesture) edits_.done.pop_back();
     if (same_gesture && supersedes(again, step.again.back())) {
-        step.again.back() = again;  // what the first one took back stays what undo brings back
+        step.again.back() = again;  // `back` stays that of the first command
     } else {
         step.again.push_back(again);
-        step.back.insert(step.back.begin(), back.begin(), back.end());  // the latest is taken back first
+        step.back.insert(step.back.begin(), back.begin(), back.end());  // undone in reverse order
     }
     const bool is_back_where_it_began = same_gesture && undoing(snapshot_, again) == step.back;
     if (!is_back_where_it_began) push(edits_.done, std::move(step));
@@ -104,7 +104,7 @@ bool Session::undo_brings_time_back() const {
            edits_.done.size() == forgotten_->edits + 1;
 }
 
-// The world stands again at the moment before the edit, with everything that lay ahead of it.
+// Restores the world before the edit, with its recorded future.
 void Session::bring_time_back() {
     recording_ = std::move(forgotten_->recording);
     edits_since_ = std::move(forgotten_->edits_since);
@@ -113,7 +113,7 @@ void Session::bring_time_back() {
     world_.capture(snapshot_);
 }
 
-// Something may have left the world since the edit; then there is nothing to bring back, and the rest still counts.
+// Commands about vehicles that have left are refused; the others still apply.
 bool Session::undo() {
     if (edits_.done.empty()) return false;
     const SharedStep undone = edits_.done.back();
@@ -129,7 +129,8 @@ bool Session::undo() {
     for (const Command& command : step.back) (void)execute(command);
     push(edits_.undone, std::move(step));
     change_later(undone, nullptr);
-    if (forgotten_ && edits_.done.size() <= forgotten_->edits) forgotten_.reset();  // from here it is another way
+    if (forgotten_ && edits_.done.size() <= forgotten_->edits)
+        forgotten_.reset();  // the removed future no longer belongs to this tick
     remember_edits();
     return true;
 }
@@ -137,7 +138,7 @@ bool Session::undo() {
 bool Session::redo() {
     if (edits_.undone.empty()) return false;
     UndoStep step = *edits_.undone.back();
-    step.gesture = 0;  // a drag that goes on is a new step
+    step.gesture = 0;  // a drag that continues is a new step
     edits_.undone.pop_back();
     for (const Command& command : step.again) (void)execute(command);
     push(edits_.done, std::move(step));
@@ -146,15 +147,34 @@ bool Session::redo() {
     return true;
 }
 
-// A step into what is not recorded yet, or again through what is.
+namespace {
+
+// Executes the recorded commands of the tick that the world has just reached.
+void apply_recorded(World& world, const Recording& recording) {
+    if (const auto made = recording.keyframe_made_by_commands(world.tick())) world = World::restore(*made);
+    for (const Command& command : recording.commands_at(world.tick())) (void)world.apply(command);
+}
+
+}  // namespace
+
+// One step, new or recorded.
 void Session::advance() {
     world_.step();
-    if (world_.tick() > recording_.latest()) {
-        forgotten_.reset();
-        return recording_.add_step(world_);
+    if (world_.tick() <= recording_.latest()) return apply_recorded(world_, recording_);
+    forgotten_.reset();
+    recording_.add_step(world_);
+}
+
+void Session::replay(std::uint64_t from, const std::function<void(const Snapshot&)>& visit) const {
+    from = std::clamp(from, earliest(), world_.tick());
+    World past = World::restore(recording_.at(recording_.keyframe_before(from)));
+    Snapshot now;
+    while (true) {
+        if (past.tick() >= from) past.capture(now), visit(now);
+        if (past.tick() >= world_.tick()) return;
+        past.step();
+        apply_recorded(past, recording_);
     }
-    if (const auto made = recording_.made_by_commands(world_.tick())) world_ = World::restore(*made);
-    for (const Command& command : recording_.commands_at(world_.tick())) (void)world_.apply(command);
 }
 
 void Session::step() {
@@ -179,7 +199,7 @@ void Session::seek_roughly(std::uint64_t tick) {
 
 void Session::go_to(const Bookmark& bookmark) {
     const std::uint64_t tick = bookmark.tick();
-    if (tick >= earliest() && tick <= latest()) {  // on the recorded way, what lies ahead of it stays
+    if (tick >= earliest() && tick <= latest()) {  // in the recording: keep its future
         const Checkpoint recorded = recording_.at(tick);
         const auto same = [](const LoggedCommand& a, const LoggedCommand& b) {
             return a.tick == b.tick && a.command == b.command;
@@ -204,15 +224,15 @@ Scene Session::edited_scene() const {
     return scene;
 }
 
-// A run numbers its vehicles anew: those with a start by it, the population behind them. What can be undone goes on
-// speaking of the same vehicles.
+// A new run numbers its vehicles again: first those with a start, then the population. Undo and redo are renumbered to
+// refer to the same vehicles.
 void Session::renumber_after_reset(const Snapshot& before, Keep keep) {
     std::map<VehicleId, VehicleId> numbers;
     const auto starts = static_cast<VehicleId>(snapshot_.scene->starts.size());
     auto next = starts;
     for (const VehicleView& v : before.vehicles) numbers[v.id] = v.start >= 0 && v.start < starts ? v.start : next++;
     const auto number = [&](VehicleId id) {
-        const auto [known, is_new] = numbers.try_emplace(id, next);  // one that has left may come back
+        const auto [known, is_new] = numbers.try_emplace(id, next);  // one that has left may be added again
         if (is_new) ++next;
         return known->second;
     };
@@ -228,9 +248,9 @@ void Session::renumber_after_reset(const Snapshot& before, Keep keep) {
             UndoStep step{{}, {}, 0};
             for (const Command& c : old->back) step.back.push_back(renumbered(c, number));
             for (const Command& c : old->again) step.again.push_back(renumbered(c, number));
-            const bool means_something =
+            const bool still_applies =
                 keep == Keep::edits || std::all_of(step.again.begin(), step.again.end(), is_about_brains);
-            if (means_something) push(kept, std::move(step));
+            if (still_applies) push(kept, std::move(step));
         }
         steps = std::move(kept);
     };
@@ -249,7 +269,7 @@ void Session::reset(Keep keep) {
         scene = std::move(opened);
     }
     auto world = World::create(scene, seed());
-    if (!world) world = World::create(opened_, seed());  // brains that need sensors which the opened scene lacks
+    if (!world) world = World::create(opened_, seed());  // a brain needs sensors that the opened scene lacks
     const Snapshot before = std::move(snapshot_);
     world_ = std::move(*world);
     recording_ = Recording(world_.checkpoint());

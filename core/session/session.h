@@ -1,7 +1,8 @@
-// One sitting with a scene: the world, the edits made to it, the way back from them, and the way back in time.
+// One session with a scene: the world, its edits with undo and redo, and the recording for moving back in time.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,11 +13,10 @@
 
 namespace braitenlab {
 
-// What of the edits a reset keeps: all of them, or those of brains alone (an exercise gives the same start to
-// everyone).
+// Edits that a reset keeps: all, or those of brains only (an exercise starts from its own scene).
 enum class Keep { edits, brains };
 
-// A moment to come back to.
+// A tick to return to.
 struct Bookmark {
     Checkpoint checkpoint;
     Edits edits;
@@ -28,59 +28,66 @@ public:
     // Fails as World::create does.
     static Result<Session> open(const Scene&, std::uint64_t seed);
 
-    // Goes on with a saved run, exactly as the saved one would have gone on.
+    // Continues a saved run exactly as it would have gone on.
     static Session resume(SavedRun);
 
-    // Does what a person asked for. Every edit can be undone; those with the same gesture (any number but 0, one per
-    // drag) are one step of undo. Given in the past, it makes another future: the recorded one is forgotten, but for a
-    // move of nodes, which changes nothing that happens.
+    // Executes a command of the user. Every edit can be undone; edits with the same gesture (not 0, one per drag) are
+    // one undo step. In the recorded past it removes the recorded future, unless it only moves nodes on the canvas or
+    // changes the title.
     std::optional<Error> apply(const Command&, std::uint64_t gesture = 0);
 
-    // One tick. In the recorded past, the commands given there are given again: the run is the same.
+    // One tick. In the recorded past the recorded commands are executed again, so the run is the same.
     void step();
 
-    // Back to the very start of the run: edits stay (see Keep), time and places start over.
+    // Restarts the run at tick 0. Edits stay (see Keep).
     void reset(Keep = Keep::edits);
 
-    // Values, never time: an undone weight is the old weight now. False when there is nothing to undo or redo. What an
-    // edit in the past made the recording forget is there again when the edit is undone before time has gone on.
+    // Undo restores values, not time. Returns false when there is nothing to undo or redo. Undoing an edit made in the
+    // past before the next step restores the recorded future that it removed.
     bool undo();
     bool redo();
     int undo_depth() const { return static_cast<int>(edits_.done.size()); }
     int redo_depth() const { return static_cast<int>(edits_.undone.size()); }
 
     // ── Time ──
-    // The ticks that can be gone to: the last minute, and what lies ahead of a moment in the past.
+    // The recorded ticks: at least the last minute, and the future of a tick in the past.
     std::uint64_t earliest() const { return recording_.earliest(); }
     std::uint64_t latest() const { return recording_.latest(); }
 
-    // Whether the next undo brings back a future that was forgotten.
+    // True when the next undo restores a removed future.
     bool undo_brings_time_back() const;
 
-    // Stands at this tick as the run did then, the nearest recorded one; what can be undone is what could be then.
-    // Costs at most keyframe_ticks steps; `roughly`, none: it goes to the keyframe before.
+    // Goes to the recorded tick nearest to `tick`; undo and redo are as they were then. Costs at most keyframe_ticks
+    // steps. seek_roughly() goes to the keyframe before it and costs none.
     void seek(std::uint64_t tick);
     void seek_roughly(std::uint64_t tick);
+
+    // The latest tick not after `tick`, earliest() .. latest(), that has a keyframe.
+    std::uint64_t keyframe_before(std::uint64_t tick) const { return recording_.keyframe_before(tick); }
+
+    // Calls visit for each recorded tick from `from` (at least earliest()) to the present one, in order; the session
+    // does not change. Costs one step per tick from the keyframe before `from`.
+    void replay(std::uint64_t from, const std::function<void(const Snapshot&)>& visit) const;
 
     Bookmark bookmark() const { return {world_.checkpoint(), edits_}; }
     void go_to(const Bookmark&);
     SavedRun save() const { return {opened_, world_.checkpoint()}; }
 
-    // The moment as it is now; stays valid and changes with the session.
+    // The present snapshot; the reference stays valid and its content changes with the session.
     const Snapshot& snapshot() const { return snapshot_; }
-    // The scene as it was opened. As it is edited, but for brains: snapshot().scene.
+    // The scene as it was opened. The edited one, without edits of brains, is snapshot().scene.
     const Scene& scene() const { return opened_; }
-    // As edited up to now, brains too: what a file of it would hold.
+    // The scene with all edits, brains included, as a file stores it.
     Scene edited_scene() const;
     std::uint64_t seed() const { return snapshot_.seed; }
     std::uint64_t hash() const { return world_.hash(); }
 
 private:
     Session(Scene opened, World);
-    // The future that an edit in the past made the recording forget, until time goes on.
+    // The recorded future that an edit in the past removed; kept until the next new tick.
     struct Forgotten {
         std::uint64_t tick = 0;  // of that edit
-        std::size_t edits = 0;   // that could be undone before it
+        std::size_t edits = 0;   // undo steps before it
         Recording recording;
         std::vector<std::pair<std::uint64_t, Edits>> edits_since;
     };
@@ -99,7 +106,7 @@ private:
     Recording recording_;
     Edits edits_;
     std::vector<std::pair<std::uint64_t, Edits>>
-        edits_since_;  // as they became at each recorded tick that changed them
+        edits_since_;  // undo and redo after each recorded tick that changed them
     std::optional<Forgotten> forgotten_;
 };
 

@@ -24,21 +24,21 @@ int place_of_new(const std::vector<Thing>& things, int before) {
     return before < 0 ? count : std::min(before, count);
 }
 
-// The commands that bring back the brains that a target has now.
+// The commands that restore the present brains of a target.
 Commands same_brains(const Snapshot& now, const Target& target) {
     if (const VehicleView* v = find_vehicle(now, target.vehicle))
         return {SetBrain{target, *now.brains[static_cast<std::size_t>(v->brain)]}};
     const auto* of_kind = at(now.kind_brains, target.kind);
     if (!of_kind) return {};
     Commands commands{SetBrain{target, **of_kind}};
-    for (const VehicleView& v : now.vehicles) {  // those of the kind that have one of their own
+    for (const VehicleView& v : now.vehicles) {  // vehicles of the kind with an individual brain
         const BrainGraph& brain = *now.brains[static_cast<std::size_t>(v.brain)];
         if (v.kind == target.kind && brain != **of_kind) commands.push_back(SetBrain{{.vehicle = v.id}, brain});
     }
     return commands;
 }
 
-// The same for where their nodes stand.
+// The same for the positions of their nodes.
 Commands same_places(const Snapshot& now, const Target& target) {
     Commands commands;
     for (Command& command : same_brains(now, target)) {
@@ -72,7 +72,7 @@ Commands bringing_back(const Snapshot& now, const RemoveSource& c) {
     const Source* source = at(now.scene->sources, c.source);
     if (!source) return {};
     Commands commands{AddSource{*source, c.source}};
-    for (std::size_t i = 0; i < now.scene->starts.size(); ++i)  // those that faced it
+    for (std::size_t i = 0; i < now.scene->starts.size(); ++i)  // starts that faced it
         if (now.scene->starts[i].facing == source->name)
             commands.push_back(EditStart{static_cast<int>(i), now.scene->starts[i]});
     return commands;
@@ -132,7 +132,7 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
                 if (!pose) return {};
                 return {MoveObstacle{c.obstacle, pose->x, pose->y, pose->heading}};
             },
-            [](const ChooseDriver&) -> Commands { return {}; },  // who drives is a mode, not an edit
+            [](const ChooseDriver&) -> Commands { return {}; },  // the driver is a mode, not an edit
             [](const Steer&) -> Commands { return {}; },
             [](const NewPopulation&) -> Commands { return {}; },
             [&](const Retitle&) -> Commands { return {Retitle{scene.title}}; },

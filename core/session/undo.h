@@ -1,4 +1,4 @@
-// What takes edits back: commands that bring the old values again. Inside core/session only.
+// Undo and redo as commands: undoing a command executes others that restore the old values.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace braitenlab {
 
-// One step of undo: the commands that take it back and those that do it again.
+// One undo step: the commands that undo it and those that repeat it.
 struct UndoStep {
     std::vector<Command> back, again;
     std::uint64_t gesture = 0;
@@ -18,25 +18,25 @@ struct UndoStep {
 
 using SharedStep = std::shared_ptr<const UndoStep>;
 
-// What can be taken back and done again, the latest last. Copies are cheap: steps are shared, never changed.
+// The steps that can be undone and redone, the latest last. Copies are cheap: steps are shared and immutable.
 struct Edits {
     std::vector<SharedStep> done, undone;
 };
 
-// What undoes a command, judged before it is carried out; empty for those that only time or another command takes back
-// (ChooseDriver, Steer, NewPopulation) and for those that would be refused.
+// The commands that undo a command, from the snapshot before it. Empty for commands without undo (ChooseDriver, Steer,
+// NewPopulation) and for those that will be refused.
 std::vector<Command> undoing(const Snapshot& before, const Command&);
 
-// The command again, made to do the very same: one that added a vehicle brings that vehicle, as it is `after`.
+// The command that repeats a command. Repeating AddVehicle adds the same vehicle as it is in the snapshot `after`.
 Command repeating(const Snapshot& after, const Command&);
 
-// Whether the later command makes the earlier one pointless: the same value, brain or pose, set again.
+// True when the later command sets the same value, brain or pose as the earlier one, which then has no effect.
 bool supersedes(const Command& later, const Command& earlier);
 
-// Whether it concerns brains alone, so that it still means something in a scene that was set back.
+// True when the command edits brains only, so that it still applies after a reset of the scene.
 bool is_about_brains(const Command&);
 
-// The command with other numbers for its vehicles.
+// The command with its vehicle ids replaced.
 Command renumbered(Command, const std::function<VehicleId(VehicleId)>&);
 
 }  // namespace braitenlab

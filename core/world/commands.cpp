@@ -1,4 +1,4 @@
-// Commands from outside, each carried out whole or refused with a reason.
+// Execution of commands: each is executed completely or refused with a reason.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace braitenlab::world {
 
 namespace {
 
-// Gives a vehicle another brain; its neurons begin anew unless the brains have the same units and learning wires.
+// Replaces a vehicle's brain. Its neurons are reset unless both brains have the same units and learning wires.
 void give_brain(WorldData& s, std::size_t row, SharedBrain brain) {
     Vehicles& v = s.vehicles;
     const Brain& old = v.brain[row]->flat;
@@ -28,10 +28,12 @@ void give_brain(WorldData& s, std::size_t row, SharedBrain brain) {
     v.brain[row] = std::move(brain);
 }
 
-Error gone(VehicleId id) { return {fmt::format("vehicle {} is no longer in the world; select another one", id)}; }
+Error unknown_vehicle(VehicleId id) {
+    return {fmt::format("vehicle {} is no longer in the world; select another one", id)};
+}
 
-// Rebuilds every brain that the target names with `edit`; vehicles that share a brain go on sharing one. Nothing
-// changes unless every new brain compiles.
+// Edits every brain of the target; vehicles that shared a brain share the new one. Nothing changes unless every new
+// brain compiles.
 template <class Edit>
 std::optional<Error> edit_brains(WorldData& s, const Target& target, Edit edit) {
     struct Change {
@@ -50,7 +52,7 @@ std::optional<Error> edit_brains(WorldData& s, const Target& target, Edit edit) 
 
     if (target.vehicle != no_vehicle) {
         const auto row = s.row_of(target.vehicle);
-        if (!row) return gone(target.vehicle);
+        if (!row) return unknown_vehicle(target.vehicle);
         const auto brain = changed(s.vehicles.brain[*row], s.vehicles.kind[*row]);
         if (!brain) return brain.error();
         give_brain(s, *row, *brain);
@@ -79,11 +81,12 @@ std::optional<Error> execute(WorldData& s, const SetBrain& c) {
     return edit_brains(s, c.target, [&](BrainGraph& graph) { graph = c.brain; });
 }
 
-std::optional<Error> execute(WorldData& s, const PlaceNodes& c) { return place_nodes(s, c); }
+std::optional<Error> execute(WorldData& s, const PlaceNodes& c) { return execute_cosmetic(s, c); }
+std::optional<Error> execute(WorldData& s, const Retitle& c) { return execute_cosmetic(s, c); }
 
 std::optional<Error> execute(WorldData& s, const MoveVehicle& c) {
     const auto row = s.row_of(c.vehicle);
-    if (!row) return gone(c.vehicle);
+    if (!row) return unknown_vehicle(c.vehicle);
     if (!is_finite({c.x, c.y, c.heading})) return not_finite();
     s.physics.set_pose(*row, {c.x, c.y, maths::wrap_angle(c.heading)});
     read_motion(s, *row);
@@ -92,7 +95,7 @@ std::optional<Error> execute(WorldData& s, const MoveVehicle& c) {
 
 std::optional<Error> execute(WorldData& s, const ChooseDriver& c) {
     const auto row = s.row_of(c.vehicle);
-    if (!row) return gone(c.vehicle);
+    if (!row) return unknown_vehicle(c.vehicle);
     s.vehicles.driver[*row] = c.driver;
     s.vehicles.steered[*row] = {};
     return std::nullopt;
@@ -100,7 +103,7 @@ std::optional<Error> execute(WorldData& s, const ChooseDriver& c) {
 
 std::optional<Error> execute(WorldData& s, const Steer& c) {
     const auto row = s.row_of(c.vehicle);
-    if (!row) return gone(c.vehicle);
+    if (!row) return unknown_vehicle(c.vehicle);
     if (!std::isfinite(c.left) || !std::isfinite(c.right)) return Error{"a wheel takes finite numbers only"};
     s.vehicles.steered[*row] = {std::clamp(c.left, -1.0f, 1.0f), std::clamp(c.right, -1.0f, 1.0f)};
     return std::nullopt;

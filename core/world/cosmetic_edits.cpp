@@ -6,28 +6,29 @@
 
 #include <fmt/format.h>
 
+#include "core/scene/scene_file.h"
 #include "core/world/state.h"
 
 namespace braitenlab::world {
 
 namespace {
 
-void put(BrainGraph& graph, const std::vector<NodePlace>& places) {
+void set_places(BrainGraph& graph, const std::vector<NodePlace>& places) {
     for (const NodePlace& place : places)
         for (Node& node : graph.nodes)
             if (node.id == place.node) node.place = place.at;
 }
 
-// BrainMaker with their nodes moved; vehicles that share one go on sharing.
-class Moved {
+// Brains with their nodes moved; vehicles that shared one share the moved one.
+class MovedBrains {
 public:
-    explicit Moved(const std::vector<NodePlace>& places) : places_(places) {}
+    explicit MovedBrains(const std::vector<NodePlace>& places) : places_(places) {}
 
     void move(SharedBrain& brain) {
         SharedBrain& moved = made_[brain];
         if (!moved) {
             CompiledBrain copy = *brain;
-            put(copy.graph, places_);
+            set_places(copy.graph, places_);
             moved = std::make_shared<const CompiledBrain>(std::move(copy));
         }
         brain = moved;
@@ -35,7 +36,7 @@ public:
 
 private:
     const std::vector<NodePlace>& places_;
-    std::map<SharedBrain, SharedBrain> made_;  // looked up in, never walked through
+    std::map<SharedBrain, SharedBrain> made_;  // never iterated: the order of pointers differs from run to run
 };
 
 bool is_on_canvas(const NodePlace& place) {
@@ -45,7 +46,7 @@ bool is_on_canvas(const NodePlace& place) {
 
 std::optional<Error> refusal(const State& m, const PlaceNodes& c) {
     if (!std::all_of(c.places.begin(), c.places.end(), is_on_canvas))
-        return Error{fmt::format("a node stands within -{0} .. {0} canvas units", limits::place)};
+        return Error{fmt::format("the position of a node is within -{0} .. {0} canvas units", limits::place)};
     const auto& ids = m.vehicles.id;
     if (c.target.vehicle != no_vehicle && !std::binary_search(ids.begin(), ids.end(), c.target.vehicle))
         return Error{fmt::format("vehicle {} is no longer in the world; select another one", c.target.vehicle)};
@@ -57,7 +58,9 @@ std::optional<Error> refusal(const State& m, const PlaceNodes& c) {
 
 }  // namespace
 
-bool is_cosmetic(const Command& command) { return std::holds_alternative<PlaceNodes>(command); }
+bool is_cosmetic(const Command& command) {
+    return std::holds_alternative<PlaceNodes>(command) || std::holds_alternative<Retitle>(command);
+}
 
 std::vector<NodePlace> places_of(const BrainGraph& graph) {
     std::vector<NodePlace> places;
@@ -65,31 +68,52 @@ std::vector<NodePlace> places_of(const BrainGraph& graph) {
     return places;
 }
 
-std::optional<Error> place_nodes(State& m, const PlaceNodes& c) {
-    if (auto error = refusal(m, c)) return error;
-    Moved moved(c.places);
+std::optional<Error> execute_cosmetic(State& s, const PlaceNodes& c) {
+    if (auto error = refusal(s, c)) return error;
+    MovedBrains moved(c.places);
     const bool one = c.target.vehicle != no_vehicle;
-    for (std::size_t row = 0; row < m.vehicles.size(); ++row)
-        if (one ? m.vehicles.id[row] == c.target.vehicle : m.vehicles.kind[row] == c.target.kind)
-            moved.move(m.vehicles.brain[row]);
-    if (!one) moved.move(m.kind_brains[static_cast<std::size_t>(c.target.kind)]);
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row)
+        if (one ? s.vehicles.id[row] == c.target.vehicle : s.vehicles.kind[row] == c.target.kind)
+            moved.move(s.vehicles.brain[row]);
+    if (!one) moved.move(s.kind_brains[static_cast<std::size_t>(c.target.kind)]);
     return std::nullopt;
 }
 
-std::shared_ptr<const State> with_places(const State& moment, const PlaceNodes& c) {
-    auto moved = std::make_shared<State>(moment);
-    (void)place_nodes(*moved, c);  // the vehicle may not be there yet
-    return moved;
+std::optional<Error> execute_cosmetic(State& s, const Retitle& c) {
+    auto scene = std::make_shared<Scene>(*s.scene);
+    scene->title = c.title;
+    if (auto error = check_scene(*scene)) return error;
+    s.scene = std::move(scene);
+    return std::nullopt;
 }
 
-Command keeping_places(Command later, const PlaceNodes& moved) {
-    if (auto* brain = std::get_if<SetBrain>(&later); brain && brain->target == moved.target)
-        put(brain->brain, moved.places);
-    if (auto* places = std::get_if<PlaceNodes>(&later); places && places->target == moved.target)
+std::shared_ptr<const State> with_cosmetic(const std::shared_ptr<const State>& state, const Command& edit) {
+    auto edited = std::make_shared<State>(*state);
+    std::optional<Error> refused;  // a vehicle may have left by then
+    if (const auto* places = std::get_if<PlaceNodes>(&edit)) refused = execute_cosmetic(*edited, *places);
+    if (const auto* title = std::get_if<Retitle>(&edit)) refused = execute_cosmetic(*edited, *title);
+    if (refused) return state;
+    return edited;
+}
+
+namespace {
+
+Command keeping_places(Command later, const PlaceNodes& edit) {
+    if (auto* brain = std::get_if<SetBrain>(&later); brain && brain->target == edit.target)
+        set_places(brain->brain, edit.places);
+    if (auto* places = std::get_if<PlaceNodes>(&later); places && places->target == edit.target)
         std::erase_if(places->places, [&](const NodePlace& place) {
-            return std::any_of(moved.places.begin(), moved.places.end(),
+            return std::any_of(edit.places.begin(), edit.places.end(),
                                [&](const NodePlace& known) { return known.node == place.node; });
         });
+    return later;
+}
+
+}  // namespace
+
+Command keeping_cosmetic(Command later, const Command& edit) {
+    if (const auto* places = std::get_if<PlaceNodes>(&edit)) return keeping_places(std::move(later), *places);
+    if (const auto* title = std::get_if<Retitle>(&edit); title && std::holds_alternative<Retitle>(later)) return *title;
     return later;
 }
 

@@ -1,5 +1,5 @@
-// Edits that change what people see and nothing that happens in the run: the positions of nodes on the wiring canvas.
-// The run and its recording stay the same, bit for bit. Inside core/world and core/session only.
+// Edits that change what people see and nothing that happens in the run: positions of nodes on the wiring canvas and
+// the scene's title. The run and its recording stay the same, bit for bit. Inside core/world and core/session only.
 #pragma once
 
 #include <memory>
@@ -14,16 +14,18 @@ namespace braitenlab::world {
 // True when the command is such an edit.
 bool is_cosmetic(const Command&);
 
+// Executes the edit. PlaceNodes: refuses a position outside the canvas, an unknown vehicle or kind. Retitle: refuses a
+// title that check_scene refuses.
+std::optional<Error> execute_cosmetic(State&, const PlaceNodes&);
+std::optional<Error> execute_cosmetic(State&, const Retitle&);
+
+// A copy of a later recorded state with the edit executed; the same state if it refuses the edit.
+std::shared_ptr<const State> with_cosmetic(const std::shared_ptr<const State>&, const Command& edit);
+
+// A later recorded command, changed so that it does not take the edit back.
+Command keeping_cosmetic(Command later, const Command& edit);
+
 // The canvas position of every node of the brain.
 std::vector<NodePlace> places_of(const BrainGraph&);
-
-// A copy of the state with the nodes moved.
-std::shared_ptr<const State> with_places(const State&, const PlaceNodes&);
-
-// A command recorded after the nodes were moved, changed so that it does not move them back.
-Command keeping_places(Command later, const PlaceNodes& moved);
-
-// Moves the nodes. Refuses a position outside the canvas, an unknown vehicle or kind.
-std::optional<Error> place_nodes(State&, const PlaceNodes&);
 
 }  // namespace braitenlab::world

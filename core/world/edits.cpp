@@ -5,6 +5,32 @@
 
 namespace braitenlab::world {
 
+namespace {
+
+std::vector<maths::vec2> posts_of(const Scene& scene) {
+    std::vector<maths::vec2> posts;
+    for (const Source& source : scene.sources)
+        if (source.solid) posts.push_back({source.x, source.y});
+    return posts;
+}
+
+// Replaces a scene whose sources were edited. Only solid sources have a body and an outline; while they stay the same
+// the world is not rebuilt, so that dragging a slider of a source costs little and does not change the contacts.
+void replace_sources(WorldData& s, Scene scene) {
+    if (posts_of(*s.scene) == posts_of(scene))
+        s.scene = std::make_shared<const Scene>(std::move(scene));
+    else
+        replace_scene(s, std::move(scene));
+}
+
+std::optional<Error> replace_sources_if_valid(WorldData& s, Scene scene) {
+    if (auto error = check_scene(scene)) return error;
+    replace_sources(s, std::move(scene));
+    return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<Error> execute(WorldData& s, const SetSensors& c) {
     if (auto error = missing(s.scene->kinds, c.kind, "kind")) return error;
     Scene scene = *s.scene;
@@ -13,7 +39,7 @@ std::optional<Error> execute(WorldData& s, const SetSensors& c) {
     kind.brain = s.kind_brains[static_cast<std::size_t>(c.kind)]->graph;
     if (auto error = check_scene(scene)) return error;
 
-    // Brains find their sensors by name; every brain of the kind is made again with the new ones.
+    // Brains refer to sensors by name; every brain of the kind is compiled again with the new ones.
     std::vector<std::pair<SharedBrain, SharedBrain>> made;
     const auto again = [&](SharedBrain& brain) {
         for (const auto& [before, after] : made)
@@ -43,21 +69,21 @@ std::optional<Error> execute(WorldData& s, const AddSource& c) {
     Source source = c.source;
     source.name = free_name(scene.sources, source.name, word(source.channel));
     scene.sources.insert(iterator_at(scene.sources, insertion_index(scene.sources, c.before)), std::move(source));
-    return replace_scene_if_valid(s, std::move(scene));
+    return replace_sources_if_valid(s, std::move(scene));
 }
 
 std::optional<Error> execute(WorldData& s, const RemoveSource& c) {
     if (auto error = missing(s.scene->sources, c.source, "source")) return error;
     Scene scene = *s.scene;
-    // Starts that face it keep the direction in which it stood.
+    // Starts that face the source keep the direction to it.
     for (Start& start : scene.starts) {
-        const Source& gone = scene.sources[static_cast<std::size_t>(c.source)];
-        if (start.facing != gone.name) continue;
-        start.heading = maths::wrap_angle(start.heading + maths::arctangent2(gone.y - start.y, gone.x - start.x));
+        const Source& removed = scene.sources[static_cast<std::size_t>(c.source)];
+        if (start.facing != removed.name) continue;
+        start.heading = maths::wrap_angle(start.heading + maths::arctangent2(removed.y - start.y, removed.x - start.x));
         start.facing.clear();
     }
     scene.sources.erase(iterator_at(scene.sources, c.source));
-    replace_scene(s, std::move(scene));
+    replace_sources(s, std::move(scene));
     return std::nullopt;
 }
 
@@ -65,10 +91,10 @@ std::optional<Error> execute(WorldData& s, const EditSource& c) {
     if (auto error = missing(s.scene->sources, c.source, "source")) return error;
     Scene scene = *s.scene;
     Source& source = *iterator_at(scene.sources, c.source);
-    const std::string name = source.name;  // starts and checks know it by this
+    const std::string name = source.name;  // starts and checks refer to it
     source = c.to;
     source.name = name;
-    return replace_scene_if_valid(s, std::move(scene));
+    return replace_sources_if_valid(s, std::move(scene));
 }
 
 std::optional<Error> execute(WorldData& s, const MoveSource& c) {
@@ -78,10 +104,7 @@ std::optional<Error> execute(WorldData& s, const MoveSource& c) {
     Source& source = *iterator_at(scene.sources, c.source);
     source.x = std::clamp(c.x, -1000.0f, 1000.0f);
     source.y = std::clamp(c.y, -1000.0f, 1000.0f);
-    if (source.solid)
-        replace_scene(s, std::move(scene));
-    else
-        s.scene = std::make_shared<const Scene>(std::move(scene));
+    replace_sources(s, std::move(scene));
     return std::nullopt;
 }
 
@@ -129,14 +152,6 @@ std::optional<Error> execute(WorldData& s, const MoveObstacle& c) {
     moved.y = std::clamp(c.y, -1000.0f, 1000.0f);
     moved.heading = maths::wrap_angle(c.heading);
     return execute(s, EditObstacle{c.obstacle, std::move(moved)});
-}
-
-std::optional<Error> execute(WorldData& s, const Retitle& c) {
-    Scene scene = *s.scene;
-    scene.title = c.title;
-    if (auto error = check_scene(scene)) return error;
-    s.scene = std::make_shared<const Scene>(std::move(scene));
-    return std::nullopt;
 }
 
 }  // namespace braitenlab::world

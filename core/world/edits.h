@@ -29,7 +29,6 @@ std::optional<Error> execute(WorldData&, const AddObstacle&);
 std::optional<Error> execute(WorldData&, const RemoveObstacle&);
 std::optional<Error> execute(WorldData&, const EditObstacle&);
 std::optional<Error> execute(WorldData&, const MoveObstacle&);
-std::optional<Error> execute(WorldData&, const Retitle&);
 
 inline bool is_finite(const Pose& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.heading); }
 inline Error not_finite() { return {"a position takes finite numbers only"}; }
@@ -39,12 +38,6 @@ inline void replace_scene(WorldData& s, Scene scene) {
     State state = std::move(static_cast<State&>(s));
     state.scene = std::make_shared<const Scene>(std::move(scene));
     s = WorldData(std::move(state));
-}
-
-inline std::optional<Error> replace_scene_if_valid(WorldData& s, Scene scene) {
-    if (auto error = check_scene(scene)) return error;
-    replace_scene(s, std::move(scene));
-    return std::nullopt;
 }
 
 template <class Element>

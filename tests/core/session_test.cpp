@@ -255,7 +255,7 @@ std::optional<maths::vec2> place_of(const Session& session, NodeId node, std::si
     return find_node(*now.brains[static_cast<std::size_t>(now.vehicles[vehicle].brain)], node)->place;
 }
 
-TEST(FreeSpace, OfNodesAreUndoneAsEverythingIs) {
+TEST(CosmeticEdits, OfNodesAreUndoneAsEverythingIs) {
     Session session = open(tests::crowd(4));
     const int kind = session.snapshot().vehicles[0].kind;
     ASSERT_FALSE(session.apply(PlaceNodes{{.vehicle = session.snapshot().vehicles[0].id}, {{1, maths::vec2{5, 6}}}}));
@@ -275,7 +275,7 @@ TEST(FreeSpace, OfNodesAreUndoneAsEverythingIs) {
     EXPECT_EQ(place_of(session, 0), (maths::vec2{1, 2})) << "a reset keeps it, as every edit";
 }
 
-TEST(FreeSpace, BeyondTheCanvasAndOfNobodyAreRefused) {
+TEST(CosmeticEdits, BeyondTheCanvasAndOfNobodyAreRefused) {
     Session session = open(tests::crowd(2));
     EXPECT_TRUE(session.apply(PlaceNodes{{.kind = 0}, {{0, maths::vec2{0, 100001}}}}));
     EXPECT_TRUE(session.apply(PlaceNodes{{.kind = 0}, {{0, maths::vec2{std::nanf(""), 0}}}}));
@@ -284,7 +284,7 @@ TEST(FreeSpace, BeyondTheCanvasAndOfNobodyAreRefused) {
     EXPECT_EQ(session.undo_depth(), 0);
 }
 
-TEST(FreeSpace, OfNodesChangeNothingThatHappens) {
+TEST(CosmeticEdits, OfNodesChangeNothingThatHappens) {
     Scene scene = furnished();
     scene.kinds[0].brain.nodes.push_back({.id = 9, .name = "N", .time_constant = 2});
     scene.kinds[0].brain.wires.push_back({.from = 0, .to = 9});
@@ -306,7 +306,7 @@ TEST(FreeSpace, OfNodesChangeNothingThatHappens) {
     EXPECT_EQ(place_of(moved, 9), (maths::vec2{2 * keyframe_commands - 1, 3}));
 }
 
-TEST(FreeSpace, ThatChangeInThePastLeaveTheFutureAsItWas) {
+TEST(CosmeticEdits, ThatChangeInThePastLeaveTheFutureAsItWas) {
     Session session = open(furnished());
     for (int i = 0; i < 500; ++i) session.step();
     BrainGraph rewired = *session.snapshot().kind_brains[0];
@@ -455,6 +455,54 @@ TEST(Reset, GivesTheVerySameStartAndKeepsTheEditedBrains) {
     session.reset();
     EXPECT_EQ(session.hash(), edited);
     EXPECT_EQ(dial(session, Dial::LL), 1);
+}
+
+TEST(CosmeticEdits, ATitleChangedInThePastLeavesTheRecordedFuture) {
+    Session session = open(furnished());
+    for (int i = 0; i < 650; ++i) session.step();
+    const auto hash = session.hash();
+    session.seek(310);
+    ASSERT_FALSE(session.apply(Retitle{"renamed"}));
+    EXPECT_EQ(session.latest(), 650u);
+    EXPECT_FALSE(session.undo_brings_time_back());
+    while (session.snapshot().tick < 650) {
+        session.step();
+        ASSERT_EQ(session.snapshot().scene->title, "renamed") << session.snapshot().tick;
+    }
+    EXPECT_EQ(session.hash(), hash);
+    session.seek(620);
+    EXPECT_EQ(session.snapshot().scene->title, "renamed");
+    EXPECT_TRUE(session.undo());
+    EXPECT_NE(session.snapshot().scene->title, "renamed");
+    EXPECT_EQ(session.latest(), 650u);
+}
+
+TEST(Session, ReplayVisitsTheRecordedTicksWithoutChangingTheSession) {
+    Session session = open(furnished());
+    std::vector<Pose> poses;
+    const auto pose_in = [](const Snapshot& now) {
+        return Pose{now.vehicles[0].x, now.vehicles[0].y, now.vehicles[0].heading};
+    };
+    for (int i = 0; i < 700; ++i) {
+        poses.push_back(pose_in(session.snapshot()));
+        session.step();
+        if (i == 320) {
+            ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 1}));
+        }
+    }
+    poses.push_back(pose_in(session.snapshot()));
+    const auto hash = session.hash();
+    for (const std::uint64_t from : {0u, 250u, 300u, 321u, 700u}) {
+        std::uint64_t tick = from;
+        session.replay(from, [&](const Snapshot& now) {
+            EXPECT_EQ(now.tick, tick);
+            EXPECT_EQ(pose_in(now), poses[tick]) << tick;
+            ++tick;
+        });
+        EXPECT_EQ(tick, 701u);
+    }
+    EXPECT_EQ(session.hash(), hash);
+    EXPECT_EQ(session.snapshot().tick, 700u);
 }
 
 }  // namespace

@@ -78,5 +78,37 @@ TEST(World, ACaptureChangesNothing) {
     EXPECT_EQ(trace.motor[0], 0.5f);
 }
 
+// Four vehicles that push against each other: rebuilding Box2D loses its contact caches and changes later bits.
+TEST(World, EditingASourceThatIsNotSolidDoesNotRebuildTheBodies) {
+    Scene scene;
+    scene.kinds = {two_eyed("pusher", {.LM = 0.9f, .RM = 0.9f})};
+    for (int i = 0; i < 4; ++i)
+        scene.starts.push_back({.name = "v" + std::to_string(i),
+                                .kind = "pusher",
+                                .x = i % 2 ? 0.9f : -0.9f,
+                                .y = 0.31f * static_cast<float>(i),
+                                .heading = i % 2 ? maths::pi : 0});
+    scene.sources = {{.name = "nose", .channel = Channel::smell, .x = 5}};
+    const auto end_of = [&](const std::vector<Command>& edits) {
+        World world = make(scene);
+        steps(world, 45);
+        for (const Command& edit : edits) EXPECT_FALSE(world.apply(edit));
+        steps(world, 60);
+        std::vector<Pose> poses;
+        for (const VehicleView& v : look(world).vehicles) poses.push_back({v.x, v.y, v.heading});
+        return poses;
+    };
+    const auto undisturbed = end_of({});
+    Source fainter = scene.sources[0];
+    fainter.strength = 0.5f;
+    EXPECT_EQ(end_of({EditSource{0, fainter}}), undisturbed);
+    EXPECT_EQ(end_of({AddSource{fainter}}), undisturbed);
+    EXPECT_EQ(end_of({RemoveSource{0}}), undisturbed);
+    Source solid = scene.sources[0];
+    solid.solid = true;
+    EXPECT_NE(end_of({EditSource{0, solid}}), undisturbed)
+        << "the poses must depend on a rebuild, else this test is void";
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::world_fork_test
