@@ -35,7 +35,7 @@ inline void from_json(const Json&, NewPopulation&) {}
 namespace {
 
 // As in Command.
-constexpr std::array<const char*, std::variant_size_v<Command>> names{
+constexpr std::array<const char*, std::variant_size_v<Command>> command_names{
     "TurnDial",    "SetBrain",       "PlaceNodes",   "AddVehicle",   "RemoveVehicle", "MoveVehicle", "ChooseDriver",
     "Steer",       "EditStart",      "SetSensors",   "AddSource",    "RemoveSource",  "EditSource",  "MoveSource",
     "AddObstacle", "RemoveObstacle", "EditObstacle", "MoveObstacle", "NewPopulation", "Retitle"};
@@ -43,14 +43,14 @@ constexpr std::array<const char*, std::variant_size_v<Command>> names{
 template <std::size_t... I>
 void read_one(const Json& json, const std::string& name, Command& command, std::index_sequence<I...>) {
     const bool known =
-        ((name == names[I] && (command = json.get<std::variant_alternative_t<I, Command>>(), true)) || ...);
+        ((name == command_names[I] && (command = json.get<std::variant_alternative_t<I, Command>>(), true)) || ...);
     if (!known) throw Json::other_error::create(501, "unknown command '" + name + "'", &json);
 }
 
 }  // namespace
 
 void to_json(Json& json, const Command& command) {
-    std::visit([&](const auto& c) { json = {{names[command.index()], c}}; }, command);
+    std::visit([&](const auto& c) { json = {{command_names[command.index()], c}}; }, command);
 }
 
 void from_json(const Json& json, Command& command) {
