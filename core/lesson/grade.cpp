@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/brain/brain.h"
-#include "core/lesson/referee.h"
-#include "core/world/world.h"
 
 namespace braitenlab {
 
@@ -49,20 +48,28 @@ Submission submission_of(const Exercise& exercise, const Snapshot& now) {
     return {brain, kind.sensors, kind.body};
 }
 
-bool passes(const Exercise& exercise, const Submission& submission, std::uint64_t seed) {
+Trial::Trial(const Exercise& exercise, const Submission& submission, std::uint64_t seed) : referee_(exercise) {
     auto world = World::create(scene_with(exercise, submission), seed);
-    if (!world) return false;
-    Referee referee(exercise);
-    Snapshot snapshot;
-    world->capture(snapshot);
-    referee.watch(snapshot);
-    const auto ticks = std::lround(exercise.seconds / tick_seconds);
-    for (long tick = 0; tick < ticks && !referee.passed(); ++tick) {
-        world->step();
-        world->capture(snapshot);
-        referee.watch(snapshot);
+    if (!world) return;
+    world_ = std::move(*world);
+    world_->capture(snapshot_);
+    referee_.watch(snapshot_);
+    ticks_left_ = std::lround(exercise.seconds / tick_seconds);
+}
+
+std::optional<bool> Trial::run(int ticks) {
+    for (; ticks > 0 && ticks_left_ > 0 && !referee_.passed(); --ticks, --ticks_left_) {
+        world_->step();
+        world_->capture(snapshot_);
+        referee_.watch(snapshot_);
     }
-    return referee.passed();
+    if (world_ && referee_.passed()) return true;
+    return ticks_left_ > 0 ? std::nullopt : std::optional(false);
+}
+
+bool passes(const Exercise& exercise, const Submission& submission, std::uint64_t seed) {
+    Trial trial(exercise, submission, seed);
+    return *trial.run(std::numeric_limits<int>::max());
 }
 
 Grade grade_of(const Exercise& exercise, std::vector<bool> passed) {

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/lesson/exercise.h"
+#include "core/lesson/referee.h"
 #include "core/world/snapshot.h"
+#include "core/world/world.h"
 
 namespace braitenlab {
 
@@ -24,9 +27,24 @@ Submission with_solution(const Exercise&);           // as shipped but for the b
 // What the first vehicle of a run of the exercise has now; when it is gone, what its kind has.
 Submission submission_of(const Exercise&, const Snapshot&);
 
-// Runs the exercise's scene from this seed with the submission; true when every step is done within
-// Exercise::seconds. Deterministic and reentrant: it uses nothing but its arguments. False when the submission is not
-// valid, e.g. its brain does not compile.
+// A run of the exercise's scene from one seed with a submission. It passes when every step is done within
+// Exercise::seconds; with a submission that is not valid, e.g. whose brain does not compile, it fails. Deterministic;
+// uses nothing but its arguments, so that several may run on several threads.
+class Trial {
+public:
+    Trial(const Exercise&, const Submission&, std::uint64_t seed);
+
+    // Runs at most `ticks` ticks and returns whether the trial passes, or nullopt while that is undecided.
+    std::optional<bool> run(int ticks);
+
+private:
+    std::optional<World> world_;  // nullopt: the submission is not valid
+    Referee referee_;
+    Snapshot snapshot_;
+    long ticks_left_ = 0;
+};
+
+// The result of a whole Trial.
 bool passes(const Exercise&, const Submission&, std::uint64_t seed);
 
 struct Grade {

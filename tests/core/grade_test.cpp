@@ -32,6 +32,22 @@ TEST(Grade, OneStartPassesByItselfAsItDoesAmongAll) {
     for (const std::uint64_t seed : {10u, 3u, 1u}) EXPECT_EQ(passes(exercise, half, seed), all.passed[seed - 1]);
 }
 
+TEST(Grade, ATrialInStepsPassesAtTheSameTickAsInOneRun) {
+    const Exercise exercise = aggressor();
+    for (const Submission& submission : {with_solution(exercise), as_shipped(exercise)}) {
+        Trial whole(exercise, submission, 1), stepped(exercise, submission, 1);
+        const int limit = static_cast<int>(exercise.seconds) * 60;
+        int ticks = 0;
+        std::optional<bool> passed;
+        for (; !passed && ticks <= limit; ++ticks) passed = stepped.run(1);
+        ASSERT_TRUE(passed);
+        EXPECT_EQ(passed, whole.run(ticks));
+        EXPECT_EQ(passed, stepped.run(1)) << "a decision stays";
+        Trial shorter(exercise, submission, 1);
+        EXPECT_FALSE(shorter.run(ticks - 1)) << "not decided one tick earlier";
+    }
+}
+
 TEST(Grade, RunsTheSensorsAndTheBodyOfTheSubmission) {
     const Exercise exercise = aggressor();
     Submission submission = with_solution(exercise);
