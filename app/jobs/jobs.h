@@ -1,4 +1,4 @@
-// Background jobs: long work on worlds of its own, outside a frame.
+// Background jobs: long work on separate worlds, outside a frame.
 //
 //     Jobs jobs;
 //     Job<int> job = jobs.submit(10, [](std::size_t part) { return simulate(part); }, sum);
@@ -232,6 +232,14 @@ public:
     template <class Begin>
     auto submit(std::size_t parts, Begin begin) {
         return submit(parts, std::move(begin), [](auto values) { return values; });
+    }
+
+    // A job of one part, which is this step. The result is the step's.
+    template <std::invocable Step>
+    auto submit(Step step) {
+        using Value = typename jobs::PartTraits<Step>::Value;
+        const auto begin = [held = std::make_shared<Step>(std::move(step))](std::size_t) { return std::move(*held); };
+        return submit(1, begin, [](std::vector<Value> values) -> Value { return std::move(values.front()); });
     }
 
     // Call once per frame. Without threads, runs steps until `budget` has passed, at least one; jobs take turns. Then

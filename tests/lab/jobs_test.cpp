@@ -94,6 +94,16 @@ TEST_P(JobsOnThreads, GiveOneResultPerPartWithoutAReduction) {
     EXPECT_FALSE(job.take()) << "a result is taken once";
 }
 
+TEST_P(JobsOnThreads, CallASingleStepUntilItHasAResult) {
+    Job<std::uint64_t> job = jobs.submit(Simulation(3));
+    Simulation expected(3);
+    std::optional<std::uint64_t> hash;
+    while (!hash) hash = expected();
+    EXPECT_EQ(*result_of(jobs, job), *hash);
+    Job<bool> answer = jobs.submit([calls = 0]() mutable { return ++calls < 3 ? std::nullopt : std::optional(true); });
+    EXPECT_TRUE(*result_of(jobs, answer));
+}
+
 TEST_P(JobsOnThreads, ReduceNothingForAJobWithoutParts) {
     Job<std::size_t> job = jobs.submit(
         0, [](std::size_t part) { return part; }, [](const std::vector<std::size_t>& parts) { return parts.size(); });
