@@ -5,6 +5,7 @@
 
 #include "app/files/file_commands.h"
 #include "app/frame_pacing.h"
+#include "app/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "app/platform/platform.h"
 
@@ -60,6 +61,7 @@ bool App::turn() {
     if (ends()) return close(), false;
     handle_files();
     let_time_pass(passed);
+    follow_jobs();
     frame(static_cast<float>(passed));
     if (picture_is_due(seconds_since(began_))) {
         if (const auto error = write_picture(options_.screenshot)) exit_code_ = complain(*error);
@@ -102,6 +104,17 @@ void App::let_time_pass(double passed) {
     } else {
         advance(lab_, std::min(passed, 0.25));
     }
+}
+
+void App::follow_jobs() {
+    constexpr std::chrono::milliseconds budget{4};  // of a frame, without threads
+    if (repeatable()) {
+        update_grading(lab_, jobs_);
+        jobs_.finish();
+    } else {
+        jobs_.deliver(budget);
+    }
+    update_grading(lab_, jobs_);
 }
 
 void App::handle_files() {

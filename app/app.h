@@ -10,6 +10,7 @@
 #include "app/files/autosave.h"
 #include "app/files/data.h"
 #include "app/files/settings.h"
+#include "app/jobs/jobs.h"
 #include "app/lab.h"
 #include "app/options.h"
 #include "app/report_state.h"
@@ -47,6 +48,8 @@ private:
     // Saves what is needed at the end of the program.
     void close();
     void let_time_pass(double passed);
+    // Delivers what background jobs have done.
+    void follow_jobs();
     // Executes the requests about files: dropped files, the file browser, recovery.
     void handle_files();
     // Opens or discards the recovered work. The file of the crashed lab is removed once the work is saved again.
@@ -78,6 +81,7 @@ private:
     void take_screenshot();
 
     Options options_;
+    Jobs jobs_;
     Lab lab_;
     Window window_;
     Renderer renderer_;

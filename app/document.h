@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "app/jobs/jobs.h"
 #include "core/lesson/exercise.h"
+#include "core/lesson/grade.h"
 #include "core/lesson/referee.h"
 #include "core/scene/file_kind.h"
 #include "core/scene/scene_file.h"
@@ -25,12 +27,20 @@ struct FileMark {
 };
 FileMark mark_of(const std::filesystem::path&);  // FileMark{} if there is no such file
 
+// A submission that is being graded in the background. It ends with the document.
+struct Grading {
+    Submission submission;
+    Job<Grade> job;              // one part per start
+    bool run_was_reset = false;  // since grading began
+};
+
 // An open exercise: its text, its referee and the student's progress.
 struct Lesson {
     std::shared_ptr<const Exercise> exercise;  // never null
     Referee referee;
     LessonView view;
     double last_hint_at = 0;  // wall seconds
+    std::optional<Grading> grading{};
 };
 
 struct Document {

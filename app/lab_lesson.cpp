@@ -46,9 +46,41 @@ void watch(Lab& lab) {
     lesson.referee.watch(lab.document.session.snapshot());
     lesson.view.verdicts = lesson.referee.verdicts();
     lesson.view.by_hand = lesson.referee.by_hand();
-    if (!lesson.referee.passed() || lesson.view.grade) return;
-    // Every step is done in this run. Now grade from all starts.
-    lesson.view.grade = grade(*lesson.exercise, submission_of(*lesson.exercise, lab.document.session.snapshot()));
+}
+
+namespace {
+
+Job<Grade> grade_in_background(Jobs& jobs, const std::shared_ptr<const Exercise>& exercise,
+                               const Submission& submission) {
+    constexpr int ticks_per_step = 60;  // about a millisecond
+    const auto begin = [exercise, submission](std::size_t start) {
+        return [trial = Trial(*exercise, submission, start + 1)]() mutable { return trial.run(ticks_per_step); };
+    };
+    return jobs.submit(static_cast<std::size_t>(exercise->starts), begin,
+                       [exercise](std::vector<bool> passed) { return grade_of(*exercise, std::move(passed)); });
+}
+
+}  // namespace
+
+void update_grading(Lab& lab, Jobs& jobs) {
+    if (!lab.document.lesson) return;
+    Lesson& lesson = *lab.document.lesson;
+    const bool is_due = lesson.referee.passed() && !lesson.view.grade;
+    if (!lesson.grading && !is_due) return;
+    Submission now = submission_of(*lesson.exercise, lab.document.session.snapshot());
+    if (lesson.grading && lesson.grading->submission != now) lesson.grading.reset();
+    if (!lesson.grading && is_due) {
+        auto job = grade_in_background(jobs, lesson.exercise, now);
+        lesson.grading = Grading{std::move(now), std::move(job)};
+    }
+    lesson.view.starts_tested.reset();
+    if (!lesson.grading) return;
+    auto result = lesson.grading->job.take();
+    if (lesson.grading->job.active()) lesson.view.starts_tested = lesson.grading->job.progress().done;
+    if (!result) return;
+    if (!*result) return say(lab, {NoticeKind::failure, "", result->error().text()});  // try again after an edit
+    if ((*result)->good || !lesson.grading->run_was_reset) lesson.view.grade = std::move(**result);
+    lesson.grading.reset();
 }
 
 void reset(Lab& lab) {
@@ -58,6 +90,7 @@ void reset(Lab& lab) {
     lab.playback.debt = 0;
     if (lab.document.lesson && !(lab.document.lesson->view.grade && lab.document.lesson->view.grade->good))
         lab.document.lesson->view.grade.reset();
+    if (lab.document.lesson && lab.document.lesson->grading) lab.document.lesson->grading->run_was_reset = true;
     watch(lab);
     keep_selection(lab);
 }
@@ -71,6 +104,7 @@ void restart_exercise(Lab& lab) {
         if (!is_as_shipped(lab.document.session.snapshot(), k, lesson.exercise->scene.kinds[k].brain))
             apply(lab, SetBrain{{.kind = static_cast<int>(k)}, lesson.exercise->scene.kinds[k].brain});
     lesson.view = {.exercise = lesson.exercise.get()};
+    lesson.grading.reset();
     lesson.last_hint_at = lab.wall_seconds;
     lesson.referee = Referee(*lesson.exercise);
     reset(lab);

@@ -22,14 +22,15 @@ enum class Mode { playing, paused, wiring };  // wiring: paused, with the wiring
 
 // The open exercise and its progress.
 struct LessonView {
-    const Exercise* exercise = nullptr;  // never null
-    std::vector<Verdict> verdicts;       // one per step of the exercise
-    int prediction = -1;                 // the option chosen, 0-based; −1: none yet
-    bool has_run = false;                // played at least once since it was opened
-    int hints_shown = 0;                 // of exercise->hints
-    bool hint_ready = true;              // the next hint may be opened now
-    std::optional<Grade> grade;          // of the starts, once every step has been done in a run
-    bool by_hand = false;                // the user moved an object: this run does not count
+    const Exercise* exercise = nullptr;        // never null
+    std::vector<Verdict> verdicts;             // one per step of the exercise
+    int prediction = -1;                       // the option chosen, 0-based; −1: none yet
+    bool has_run = false;                      // played at least once since it was opened
+    int hints_shown = 0;                       // of exercise->hints
+    bool hint_ready = true;                    // the next hint may be opened now
+    std::optional<std::size_t> starts_tested;  // so far, while the submission is graded
+    std::optional<Grade> grade;                // of the starts, once every step has been done in a run
+    bool by_hand = false;                      // the user moved an object: this run does not count
 };
 
 // A shipped scene or exercise, for the file browser.
@@ -78,7 +79,7 @@ struct LabView {
     const FilesView* files = nullptr;                        // null: no file access
     std::string opened;                                      // name of the open file, as in the catalogue
     std::uint64_t run_id = 0;  // changes with every document opened since the program started
-    Notice notice;                                           // empty: none
+    Notice notice;             // empty: none
     Theme theme = Theme::dark;
     Preferences preferences;  // as stored; theme and reduce_motion above and below are those in effect
     const std::vector<Language>* languages = nullptr;  // null: no choice

@@ -71,6 +71,21 @@ TEST(ExerciseCard, SaysWhenARunDoesNotCount) {
     EXPECT_FALSE(said()) << "nothing is left to count";
 }
 
+TEST(ExerciseCard, CountsTheTestedStartsUntilTheGradeIsThere) {
+    Desk desk;
+    pass(desk);
+    desk.lesson.grade.reset();
+    desk.lesson.starts_tested = 4;
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "Testing the starts: 4 of 10"));
+    EXPECT_FALSE(desk.anchors.find("exercise.grade"));
+    pass(desk);
+    desk.lesson.starts_tested.reset();
+    desk.frame(3);
+    EXPECT_FALSE(says(desk, "Testing"));
+    EXPECT_TRUE(desk.anchors.find("exercise.grade"));
+}
+
 TEST(ExerciseCard, KeepsItsButtonsInSightHoweverLongItGets) {
     Desk desk(1024, 768, 1, true);
     desk.open_exercise();

@@ -114,6 +114,8 @@ std::vector<Screen> screens() {
              late_in_lesson(d);
              d.lesson.grade = Grade{{true, false, false}, 1, false};
          }},
+        {"exercise, graded now",
+         [](Desk& d) { late_in_lesson(d), d.lesson.grade.reset(), d.lesson.starts_tested = 4; }},
         {"exercise, on the way",
          [](Desk& d) { with_lesson(d), d.lesson.has_run = true, d.lesson.prediction = 0, d.now.seconds = 90; }},
         {"sensors", [](Desk& d) { d.panels.card(Card::sensors).folded = false, d.panels.sensor_quality_open = true; }},

@@ -150,6 +150,11 @@ void grade_dots(const Grade& grade, Ui& ui) {
 }
 
 void result(const LessonView& lesson, Ui& ui) {
+    if (lesson.starts_tested) {
+        const std::string tested = std::to_string(*lesson.starts_tested), of = std::to_string(lesson.exercise->starts);
+        paragraph(ui, fill(ui.strings("exercise.testing"), {tested, of}), ui.palette.text, Face::strong);
+        gap(ui, 12);
+    }
     if (!lesson.grade) return;
     const Grade& grade = *lesson.grade;
     const ImVec2 start = ImGui::GetCursorScreenPos();
