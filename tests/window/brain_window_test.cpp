@@ -14,7 +14,7 @@ void type_into(const LabWindow& lab, const std::string& slider, const std::strin
     lab.press();
     lab.release();
     lab.xdotool("keyup ctrl");
-    LabWindow::wait(0.2);
+    lab.draw_frames();
     if (!number.empty()) lab.xdotool("type --delay 60 -- " + number);
     lab.key("Return");
 }
@@ -27,7 +27,7 @@ TEST(BrainWindow, ClampsWhatIsTypedAfterACtrlClickAndRefusesWhatIsNoNumber) {
     type_into(lab, "threshold.LR", "-3");
     type_into(lab, "slider.LR", "nan");  // the letters do not even get in: what was there stays
     type_into(lab, "slider.LR", "-");
-    LabWindow::wait(0.3);
+    lab.draw_frames();
     EXPECT_EQ(lab.state()["weights"]["LR"], 2);
     EXPECT_EQ(lab.state()["thresholds"]["LR"], 0);
     EXPECT_EQ(lab.state()["undo_depth"], 1);

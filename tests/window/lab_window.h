@@ -157,10 +157,13 @@ public:
         EXPECT_TRUE(eventually([&] { return state()["pressed"] == 0; }));
         draw_frames();
     }
-    // Returns once the window has drawn two more frames.
+    // Returns once the window has drawn at least two frames that began after the call. The state file may be one period
+    // old, so that its first change does not count.
     void draw_frames() const {
-        const auto wanted = state()["frames"].get<int>() + 2;
-        EXPECT_TRUE(eventually([&] { return state()["frames"].get<int>() >= wanted; }));
+        for (int change = 0; change < 3; ++change) {
+            const Json frames = state()["frames"];
+            EXPECT_TRUE(eventually([&] { return state()["frames"] != frames; }));
+        }
     }
     void click(Point p) const { move(p), press(), release(); }
     void click(const std::string& anchor) const { click(at(anchor)); }

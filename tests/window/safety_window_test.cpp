@@ -8,12 +8,22 @@ bool wait_for(const std::function<bool()>& holds, double patience = 8) {
     return LabWindow::eventually(holds, patience);
 }
 
+// When the autosave was written last; the default time if there is none.
+std::filesystem::file_time_type written(const Home& home) {
+    const auto folder = home.path / "state" / "braitenlab" / "autosave";
+    std::error_code none;
+    for (std::filesystem::directory_iterator entry(folder, none); entry != std::filesystem::directory_iterator();
+         entry.increment(none))
+        if (entry->path().extension() == ".autosave") return entry->last_write_time(none);
+    return {};
+}
+
 TEST(LectureWindow, F9AndBackRestoresEverything) {
     LabWindow lab({"predator-prey", "--size", "1280x800"});
     lab.click("card.information.fold");
     lab.key("f");
     ASSERT_TRUE(wait_for([&] { return lab.state()["camera"] == "follow"; }));
-    LabWindow::wait(0.5);
+    lab.draw_frames();
     const Json before = lab.anchors(), looked = lab.state();
     lab.key("F9");
     ASSERT_TRUE(wait_for([&] { return lab.state()["lecture"] == true && lab.anchors().contains("lecture.prey"); }));
@@ -38,7 +48,7 @@ TEST(CrashWindow, OffersTheWorkAgainAfterKillNine) {
         lab.key("2");
         for (int i = 0; i < 5; ++i) lab.key("Right");
         ASSERT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 0.5; }));
-        LabWindow::wait(2.5);  // the first edit is kept soon
+        ASSERT_TRUE(wait_for([&] { return written(home) != std::filesystem::file_time_type{}; }));
         lab.kill_at_once();
     }
     {
@@ -49,12 +59,12 @@ TEST(CrashWindow, OffersTheWorkAgainAfterKillNine) {
         EXPECT_EQ(lab.state()["opened"], "2a-coward");
         lab.key("ctrl+q");
         ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("leaving.discard"); }));
-        LabWindow::wait(0.4);  // the sheet finds its height in its first frames
+        lab.draw_frames();  // the sheet measures itself in its first frames
         lab.click("leaving.discard");
         EXPECT_EQ(lab.exit_code(), 0);
     }
     LabWindow lab({"3a-love", "--size", "1280x800"}, home.path);
-    LabWindow::wait(0.5);
+    lab.draw_frames();
     EXPECT_FALSE(lab.anchors().contains("recovery.take")) << "after a proper end there is nothing to offer";
 }
 
@@ -63,7 +73,9 @@ TEST(CrashWindow, OffersARunThatWasOnlyPlayed) {
     int reached = 0;
     {
         LabWindow lab({"predator-prey", "--size", "1280x800", "--play"}, home.path);
-        LabWindow::wait(21);
+        ASSERT_TRUE(wait_for([&] { return written(home) != std::filesystem::file_time_type{}; }));
+        const auto first = written(home);
+        ASSERT_TRUE(wait_for([&] { return written(home) != first; }, 40)) << "written every twenty seconds";
         reached = lab.state()["tick"];
         lab.kill_at_once();
     }
@@ -112,7 +124,7 @@ TEST(UnsavedWindow, AsksBeforeItLeavesAndOpensAndSavesUnderAName) {
     ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("leaving.save"); }));
     lab.key("Return");
     ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("files.path"); }));
-    LabWindow::wait(0.5);
+    lab.draw_frames();
     lab.key("ctrl+a");
     lab.xdotool("type --delay 60 " + (home.path / "mine").string());
     lab.key("Return");
@@ -165,7 +177,7 @@ protected:
     }
     void press(const std::string& key) const {
         lab.key(key);
-        LabWindow::wait(0.12);
+        lab.draw_frames();
         expect_focus_in_sight();
     }
     bool go_to(const std::string& anchor, const std::string& by) const {
@@ -182,7 +194,7 @@ protected:
         press(slider);
         ASSERT_TRUE(wait_for([&] { return lab.state()["focus"] == "slider." + anchor; }));
         press("Return");
-        LabWindow::wait(0.6);  // the field opens with the next frame, which takes its time on a busy machine
+        lab.draw_frames();  // the field opens with the next frame
         lab.xdotool("type --delay 40 " + value);
         press("Return");
         EXPECT_TRUE(wait_for([&] { return lab.state()["weights"][anchor] == std::stod(value); })) << anchor;

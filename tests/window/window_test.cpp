@@ -106,9 +106,9 @@ TEST(Window, TurnsTheOverviewWithTheArrowKeys) {
     lab.click("viewport");
     const Json before = lab.state()["view"];
     lab.xdotool("keydown Right");
-    LabWindow::wait(0.4);
-    lab.xdotool("keyup Right");
     EXPECT_TRUE(wait_for([&] { return lab.state()["view"]["azimuth"] != before["azimuth"]; }));
+    lab.xdotool("keyup Right");
+    lab.draw_frames();
     lab.key("Home");
     EXPECT_TRUE(wait_for([&] { return lab.state()["view"] == before; }));
 }

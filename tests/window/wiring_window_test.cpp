@@ -15,14 +15,14 @@ struct Wiring : testing::Test {
     void SetUp() override {
         lab.key("w");
         ASSERT_TRUE(wait_for([&] { return lab.state()["mode"] == "wiring" && lab.anchors().contains("pin.SL.out"); }));
-        LabWindow::wait(0.3);  // the view has fitted
+        lab.draw_frames();  // the view fits itself in the first frames
     }
     double weight(const char* name) const { return lab.state()["weights"][name]; }
 };
 
 TEST_F(Wiring, PausesAndEscLeavesItPaused) {
     const auto tick = lab.state()["tick"];
-    LabWindow::wait(0.3);
+    lab.draw_frames();
     EXPECT_EQ(lab.state()["tick"], tick);
     EXPECT_TRUE(lab.anchors().contains("canvas"));
     lab.key("Escape");
@@ -73,7 +73,7 @@ TEST_F(Wiring, TheWheelZoomsAndKeepsThePointUnderTheCursor) {
     lab.move(pin);
     lab.xdotool("click --repeat 3 --delay 80 5");
     ASSERT_TRUE(wait_for([&] { return width() < before * 0.8; })) << width();
-    LabWindow::wait(0.2);
+    lab.draw_frames();
     const Point after = lab.at("pin.MR.in");
     EXPECT_NEAR(after.x, pin.x, 2);
     EXPECT_NEAR(after.y, pin.y, 2);
@@ -87,11 +87,9 @@ TEST_F(Wiring, ABoxSelectsWhatCtrlCAndCtrlVMakeASecondOneOf) {
     lab.move({middle, at(0.15)});
     lab.move(lab.at("canvas.fit"));
     lab.move({middle, at(0.97)});
-    lab.xdotool("mousedown 3");
-    LabWindow::wait(0.1);
+    lab.press(3);
     for (const double share : {0.8, 0.6, 0.45}) lab.move({middle, at(share)});
-    lab.xdotool("mouseup 3");
-    LabWindow::wait(0.2);
+    lab.release(3);
     lab.drag(lab.at("pin.SR.out"), {middle, at(0.75)});
     lab.click("menu.hump");
     ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("node.N1"); }));
@@ -110,7 +108,7 @@ TEST_F(Wiring, ABoxSelectsWhatCtrlCAndCtrlVMakeASecondOneOf) {
 TEST_F(Wiring, KeysAloneSelectCutAndHealAWire) {
     for (const char* name : {"Right", "Right"}) {
         lab.key(name);
-        LabWindow::wait(0.1);
+        lab.draw_frames();
     }
     EXPECT_TRUE(wait_for([&] {
         const Json all = lab.anchors();
@@ -133,7 +131,7 @@ TEST_F(Wiring, EscInMidDragChangesNothingAndStaysInTheEditor) {
     lab.key("Escape");
     lab.move(to);
     lab.release();
-    LabWindow::wait(0.3);
+    lab.draw_frames();
     EXPECT_EQ(weight("RL"), 0);
     EXPECT_EQ(lab.state()["mode"], "wiring");
 }
@@ -145,7 +143,7 @@ TEST_F(Wiring, ADraggedNodeStandsThereUndoesInOneStepAndLeavesTheFutureAlone) {
     const auto latest = lab.state()["latest"];
     lab.key("w");
     ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("node.MR"); }));
-    LabWindow::wait(0.3);
+    lab.draw_frames();
     const Point before = lab.at("node.MR"), after{before.x - 60, before.y + 20};
     const auto stands_at = [&](Point place) {
         return wait_for([&] {
