@@ -39,9 +39,9 @@ CommandLine read_command_line(int argc, char** argv) {
            },
            "window size in pixels")
         ->type_name("WxH");
-    app.add_option("--scale", o.scale, "size of everything in the window; 1 on an ordinary display")
+    app.add_option("--scale", o.scale, "scale of the window's content; 1 on an ordinary display")
         ->check(CLI::Range(0.5f, 4.0f));
-    app.add_option("--seed", o.seed, "where chance begins; the same seed gives the same run")
+    app.add_option("--seed", o.seed, "seed of the random numbers; the same seed gives the same run")
         ->check(CLI::NonNegativeNumber);
     app.add_option_function<std::vector<std::string>>(
            "--set",
@@ -56,7 +56,7 @@ CommandLine read_command_line(int argc, char** argv) {
         ->type_name("PATH=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("--lang", o.language, "the language: de, en, es; else the one in the settings or the system's")
+    app.add_option("--lang", o.language, "language: de, en, es; default: as in the settings, else the system's")
         ->type_name("CODE");
     app.add_flag("--play", o.play, "start playing");
     app.add_flag("--fullscreen", o.full_screen, "fill the screen");
@@ -70,7 +70,7 @@ CommandLine read_command_line(int argc, char** argv) {
                           : mode == "driver"    ? CameraMode::driver
                                                 : CameraMode::overview;
            },
-           "how to look at the scene at first")
+           "camera mode at the start")
         ->type_name("MODE")
         ->check(CLI::IsMember({"overview", "follow", "birds-eye", "driver"}));
     app.add_option_function<std::string>(
@@ -91,16 +91,18 @@ CommandLine read_command_line(int argc, char** argv) {
                if (!o.field)
                    throw CLI::ValidationError("--field", "'" + word + "' is no channel with a field; try light");
            },
-           "show on the floor how strongly this channel is felt")
+           "show the intensity of this channel on the floor")
         ->type_name("CHANNEL");
     app.add_flag("--watch-graphics", o.watch_graphics,
-                 "have the driver check every call; its complaints go to the terminal and into --state");
-    app.add_option("--screenshot", o.screenshot, "write a picture (PNG) and end")->type_name("FILE");
+                 "let the graphics driver check every call; errors go to the terminal and into --state");
+    app.add_option("--screenshot", o.screenshot, "write a picture (PNG) and exit")->type_name("FILE");
     app.add_option("--after", o.after,
                    "when to take it: simulated seconds with --play (one tick a frame), else seconds since the start")
         ->check(CLI::Range(0.0, 3600.0));
-    app.add_option("--anchors", o.anchors, "keep the widgets' rectangles in this file (JSON)")->type_name("FILE");
-    app.add_option("--state", o.state, "keep the lab's state in this file (JSON)")->type_name("FILE");
+    app.add_option("--anchors", o.anchors, "write the rectangles of the widgets to this file (JSON) while running")
+        ->type_name("FILE");
+    app.add_option("--state", o.state, "write the state of the lab to this file (JSON) while running")
+        ->type_name("FILE");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

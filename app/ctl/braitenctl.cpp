@@ -26,12 +26,12 @@ int command_line(int argc, char** argv) {
     app.set_version_flag("--version", fmt::format("braitenctl {}", version_text()));
 
     RunOptions options;
-    CLI::App* run_command = app.add_subcommand("run", "run a scene, or go on with a saved run, and report");
+    CLI::App* run_command = app.add_subcommand("run", "run a scene, or continue a saved run, and print a report");
     run_command->add_option("SCENE", options.file, "a path, the bare name of a shipped scene, or a saved run (….run)")
         ->required();
-    run_command->add_option("--seconds", options.seconds, "simulated; of a saved run: more")
+    run_command->add_option("--seconds", options.seconds, "simulated time; for a saved run: additional time")
         ->check(CLI::Range(0.0, 1e6));
-    run_command->add_option("--seed", options.seed, "where chance begins; the same seed gives the same run")
+    run_command->add_option("--seed", options.seed, "seed of the random numbers; the same seed gives the same run")
         ->check([](const std::string& text) {
             return text.find_first_not_of("0123456789") == std::string::npos ? ""
                                                                              : "a seed is a whole number from 0 up";
@@ -40,37 +40,40 @@ int command_line(int argc, char** argv) {
         ->type_name("PATH=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    run_command->add_flag("--json", options.json, "print the end as one JSON object");
+    run_command->add_flag("--json", options.json, "print the final state as one JSON object");
     run_command->add_option("--csv", options.csv, "write a row per vehicle per 0.1 s")->type_name("FILE");
-    run_command->add_flag("--hash", options.hash, "print the digest of the end's state");
-    run_command->add_option("--save", options.save, "write the run as it stands at the end, to go on with it later")
+    run_command->add_flag("--hash", options.hash, "print the hash of the final state");
+    run_command->add_option("--save", options.save, "write the run at its end, to continue it later")
         ->type_name("FILE.run");
 
     std::string exercise, brain;
     bool all = false;
     CLI::App* check_command = app.add_subcommand("check", "is an exercise sound, or does a brain pass it?");
     auto* name = check_command->add_option("EXERCISE", exercise, "a path, or the bare name of a shipped exercise");
-    check_command->add_option("--brain", brain, "a brain file; without it, the brain as shipped and the exercise's own solution")->type_name("FILE");
+    check_command
+        ->add_option("--brain", brain, "a brain file; without it, the brain as shipped and the exercise's own solution")
+        ->type_name("FILE");
     auto* all_flag =
         check_command->add_flag("--all", all, "every shipped exercise: fails as shipped, passes with its solution");
     name->excludes(all_flag);
 
     std::vector<std::string> brains;
     std::string csv;
-    CLI::App* grade_command = app.add_subcommand("grade", "a class's brains against an exercise, a row each");
+    CLI::App* grade_command = app.add_subcommand("grade", "grade brains against an exercise, one row each");
     grade_command->add_option("EXERCISE", exercise, "a path, or the bare name of a shipped exercise")->required();
     grade_command->add_option("BRAIN", brains, "brain files")->required();
     grade_command->add_option("--csv", csv, "write the rows there instead of printing them")->type_name("FILE");
 
     std::string shown;
-    CLI::App* show_command = app.add_subcommand("show", "what a file contains, and what its brains are called");
+    CLI::App* show_command =
+        app.add_subcommand("show", "print what a file contains and how the recogniser names its brains");
     show_command->add_option("FILE", shown, "a scene, an exercise, a brain or a saved run")->required();
 
     std::vector<std::string_view> commands;
     for (const CLI::App* command : {run_command, check_command, grade_command, show_command})
         commands.push_back(command->get_name());
     if (argc > 1 && argv[1][0] != '-' && std::ranges::find(commands, argv[1]) == commands.end())
-        return complain({in_quotes(argv[1]) + " is no command" + name_nearest(argv[1], commands)});
+        return complain({in_quotes(argv[1]) + " is not a command" + name_nearest(argv[1], commands)});
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

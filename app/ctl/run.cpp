@@ -22,7 +22,8 @@ struct StartedRun {
 
 Result<StartedRun> continue_run(const RunOptions& options) {
     if (options.seed || !options.settings.empty())
-        return Error{"a saved run goes on as it is; leave out --seed and --set, or run its scene anew", options.file};
+        return Error{"a saved run has its own seed and values; leave out --seed and --set, or run its scene",
+                     options.file};
     auto saved = io::load_run(options.file);
     if (!saved) return saved.error();
     World world = World::restore(saved->checkpoint);

@@ -47,7 +47,7 @@ struct AutosaveKeys {
 Result<AutosaveKeys> read_toml_keys(std::string_view text, const std::string& file_name, std::string& run) {
     try {
         const toml::table table = toml::parse(text, file_name);
-        if (table["format"].value<int>() != 1) return Error{"is no autosave of this lab's", file_name, 1};
+        if (table["format"].value<int>() != 1) return Error{"is not an autosave", file_name, 1};
         AutosaveKeys keys;
         keys.when = table["when"].value_or(std::string());
         keys.name = table["name"].value_or(std::string());
@@ -77,7 +77,7 @@ Result<AutosaveKeys> read_json_keys(std::string_view text, const std::string& fi
                 Draft::Progress{exercise.at("prediction"), exercise.at("hints_shown"), exercise.at("has_run")};
         return keys;
     } catch (const nlohmann::json::exception& problem) {
-        return Error{fmt::format("is no autosave of this lab's: {}", problem.what()), file_name};
+        return Error{fmt::format("is not an autosave: {}", problem.what()), file_name};
     }
 }
 
@@ -111,9 +111,9 @@ void set_aside_autosave(const fs::path& path) {
 
 fs::path lock_of(fs::path file) { return file.replace_extension(".lock"); }
 
-Error cannot_keep(Error reason) {
+Error cannot_store(Error reason) {
     reason.what =
-        fmt::format("your work cannot be kept for the case of a crash, save it yourself (Ctrl+S): {}", reason.what);
+        fmt::format("the work cannot be stored for recovery after a crash; save it yourself (Ctrl+S): {}", reason.what);
     return reason;
 }
 
@@ -159,8 +159,8 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::m
         const auto opened = open_autosave(autosave_text(file), file.string());
         if (!opened) {
             Error error = opened.error();
-            error.what += "; the work that it kept cannot be recovered, the file is kept as " +
-                          file.filename().string() + ".broken";
+            error.what +=
+                "; its work cannot be recovered; the file is renamed to " + file.filename().string() + ".broken";
             errors.push_back(std::move(error));
             set_aside_autosave(file);
             return;
@@ -230,12 +230,12 @@ std::optional<Error> Autosave::keep(const Lab& lab, double wall_seconds, Occasio
 void Autosave::write(const Document& document, bool ended) {
     if (!lock()) {
         std::promise<std::optional<Error>> failed;
-        failed.set_value(cannot_keep({"check that the folder may be written to and has room", folder_.string()}));
+        failed.set_value(cannot_store({"check that the folder may be written to and has room", folder_.string()}));
         writing_ = failed.get_future();
         return;
     }
     const auto task = [file = file_, draft = draft_of(document), when = local_time(), ended]() -> std::optional<Error> {
-        if (auto error = write_whole(file, write_autosave(draft, when, ended))) return cannot_keep(*error);
+        if (auto error = write_whole(file, write_autosave(draft, when, ended))) return cannot_store(*error);
         return std::nullopt;
     };
     writing_ = start_or_run(task, [](const auto& job) { return std::async(std::launch::async, job); });

@@ -55,7 +55,7 @@ Result<fs::path> data_folder() {
         looked += (looked.empty() ? "" : ", ") + folder.string();
     }
     return Error{
-        fmt::format("the lab's exercises and shaders are not in {}; set BRAITENLAB_DATA to the folder that holds "
+        fmt::format("the lab's exercises and shaders are not in {}; set BRAITENLAB_DATA to the folder that contains "
                     "them",
                     looked)};
 }

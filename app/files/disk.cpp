@@ -146,14 +146,14 @@ std::optional<Error> save_as(const Lab& lab, const fs::path& path, FileKind kind
     if (kind != FileKind::brain) return Error{"can be saved as a scene, a run or a brain only", path.string()};
     const Snapshot& now = lab.document.session.snapshot();
     const VehicleView* vehicle = find_vehicle(now, lab.view.selection.vehicle);
-    if (!vehicle) return Error{"no vehicle is selected; click the one whose brain is meant"};
+    if (!vehicle) return Error{"no vehicle is selected; select the one whose brain to save"};
     return write_whole(path, write_brain(*now.brains[static_cast<std::size_t>(vehicle->brain)]));
 }
 
 std::optional<Error> take_brain(Lab& lab, const FileText& file) {
     Session& session = lab.document.session;
     const VehicleView* vehicle = find_vehicle(session.snapshot(), lab.view.selection.vehicle);
-    if (!vehicle) return Error{"no vehicle is selected; click the one that is to have this brain", file.path.string()};
+    if (!vehicle) return Error{"no vehicle is selected; select the one that gets this brain", file.path.string()};
     auto brain = parse_brain(file.text, file.path.string());
     if (!brain) return brain.error();
     const Target target =

@@ -18,9 +18,8 @@ Error not_saved(const fs::path& path, int reason) {
     if (reason == ENOSPC || reason == EDQUOT || reason == EFBIG)
         advice = "make room on the disk or choose another place";
     if (reason == EACCES || reason == EPERM || reason == EROFS) advice = "choose a folder that you may write to";
-    return {
-        fmt::format("could not be saved: {}; {}. What was there before still stands", std::strerror(reason), advice),
-        path.string()};
+    return {fmt::format("could not be saved: {}; {}. The old file is unchanged", std::strerror(reason), advice),
+            path.string()};
 }
 
 // The file that a link leads to, so that the link itself is not replaced.
@@ -39,7 +38,7 @@ FileWriter::FileWriter(const fs::path& path, bool flush) : wanted_(path), path_(
         return;
     }
     if (fs::exists(path_, none) && !fs::is_regular_file(path_, none)) {
-        error_ = Error{"is no plain file and stays as it is; choose another name", wanted_.string()};
+        error_ = Error{"is not a regular file; choose another name", wanted_.string()};
         return;
     }
     beside_ = path_.parent_path() / fmt::format(".{}.{}.new", path_.filename().string(), process_number());

@@ -129,7 +129,7 @@ Error set_aside_settings(const fs::path& path, Error error) {
     aside += ".broken";
     std::error_code problem;
     fs::rename(path, aside, problem);
-    error.what += problem ? "; it is ignored" : "; it is ignored and kept as " + aside.filename().string();
+    error.what += problem ? "; it is ignored" : "; it is ignored and renamed to " + aside.filename().string();
     return error;
 }
 
