@@ -27,12 +27,12 @@ std::vector<fs::path> files_in(const fs::path& folder) {
     return files;
 }
 
-struct Autosaving : testing::Test {
+struct AutosaveTest : testing::Test {
     Folder folder;
     std::vector<Error> complaints;
     Lab lab = open("2a-coward");
 
-    // As a crash leaves it: the file is there, and nobody holds its lock.
+    // Leaves the file with a free lock, as a crash does.
     void crash_with(float value) {
         Autosave dying(folder.path, complaints);
         edit(lab, value);
@@ -40,7 +40,7 @@ struct Autosaving : testing::Test {
     }
 };
 
-// LR as it is on the disk; nothing where there is no file.
+// LR in the autosave; nullopt if there is none.
 std::optional<float> kept_in(const fs::path& folder) {
     const auto files = files_in(folder);
     if (files.empty()) return std::nullopt;
@@ -50,34 +50,34 @@ std::optional<float> kept_in(const fs::path& folder) {
     return std::nullopt;
 }
 
-TEST_F(Autosaving, KeepsTheFirstEditWithinTwoSecondsAndThenWhatTwentyBring) {
+TEST_F(AutosaveTest, WritesTwoSecondsAfterTheFirstEditAndThenEveryTwentySeconds) {
     Autosave autosave(folder.path, complaints);
     const auto at = [&](double second) {
         EXPECT_FALSE(autosave.keep(lab, second));
         EXPECT_FALSE(autosave.settle());
         return kept_in(folder.path);
     };
-    for (double second = 0; second < 60; second += 1) EXPECT_EQ(at(second), std::nullopt) << "no work, no file";
+    for (double second = 0; second < 60; second += 1) EXPECT_EQ(at(second), std::nullopt) << "without edits, no file";
     edit(lab, 1);
-    EXPECT_EQ(at(60), std::nullopt) << "a drag may have just begun";
+    EXPECT_EQ(at(60), std::nullopt) << "a drag may have begun";
     EXPECT_EQ(at(62), 1.0f);
     edit(lab, 1.5f);
     EXPECT_EQ(at(63), 1.0f);
-    EXPECT_EQ(at(80), 1.0f) << "no disk is written to all the time";
+    EXPECT_EQ(at(80), 1.0f) << "the file is not written all the time";
     edit(lab, 1.75f);
     EXPECT_EQ(at(82), 1.75f);
     EXPECT_EQ(at(200), 1.75f);
     edit(lab, 0.5f);
     EXPECT_EQ(at(200), 1.75f);
-    EXPECT_EQ(at(202), 0.5f) << "after a pause the next edit is a first one";
+    EXPECT_EQ(at(202), 0.5f) << "after a pause, the next edit counts as the first";
     lab.document.saved_edits = lab.document.edits;
     EXPECT_EQ(at(203), std::nullopt);
     edit(lab, 0.75f);
     at(204);
-    EXPECT_EQ(at(206), 0.75f) << "and so is one after a save";
+    EXPECT_EQ(at(206), 0.75f) << "also after a save";
 }
 
-TEST_F(Autosaving, TellsWhatWasToldToEndFromWhatCrashed) {
+TEST_F(AutosaveTest, DistinguishesAProperEndFromACrash) {
     crash_with(1);
     EXPECT_FALSE(Autosave(folder.path, complaints).leftover()->offer.ended);
     Autosave(folder.path, complaints).forget();
@@ -92,7 +92,7 @@ TEST_F(Autosaving, TellsWhatWasToldToEndFromWhatCrashed) {
     EXPECT_EQ(dials(*next.recover()).LR, 1.0f);
 }
 
-TEST_F(Autosaving, WritesAtOnceWhenTheModeChanges) {
+TEST_F(AutosaveTest, WritesAtOnceWhenTheModeChanges) {
     Autosave autosave(folder.path, complaints);
     edit(lab, 1);
     autosave.keep(lab, 0);
@@ -103,7 +103,7 @@ TEST_F(Autosaving, WritesAtOnceWhenTheModeChanges) {
     EXPECT_EQ(files_in(folder.path).size(), 1u);
 }
 
-TEST_F(Autosaving, KeepsARunThatPlaysEveryTwentySeconds) {
+TEST_F(AutosaveTest, WritesAPlayingRunEveryTwentySeconds) {
     lab = open("predator-prey");
     Autosave autosave(folder.path, complaints);
     handle(lab, Action::play_pause);
@@ -112,7 +112,7 @@ TEST_F(Autosaving, KeepsARunThatPlaysEveryTwentySeconds) {
         for (int i = 0; i < 6; ++i) tick(lab);
         autosave.keep(lab, second);
         EXPECT_FALSE(autosave.settle());
-        ASSERT_EQ(files_in(folder.path).size(), 1u) << "from the moment it was begun";
+        ASSERT_EQ(files_in(folder.path).size(), 1u) << "from the first write on";
         if (second % 13 != 0) continue;
         const auto kept = open_autosave(text_of(files_in(folder.path)[0]), "a");
         ASSERT_TRUE(kept) << kept.error().text();
@@ -122,7 +122,7 @@ TEST_F(Autosaving, KeepsARunThatPlaysEveryTwentySeconds) {
     EXPECT_GT(on_disk, 200u);
 }
 
-TEST_F(Autosaving, GoesOnWithAPlayedRunExactly) {
+TEST_F(AutosaveTest, ContinuesARecoveredRunExactly) {
     lab = open("predator-prey");
     for (int i = 0; i < 500; ++i) tick(lab);
     EXPECT_FALSE(Autosave(folder.path, complaints).keep(lab, 0, Autosave::Occasion::now));
@@ -132,7 +132,7 @@ TEST_F(Autosaving, GoesOnWithAPlayedRunExactly) {
     EXPECT_EQ(kept->session.hash(), lab.document.session.hash());
 }
 
-TEST_F(Autosaving, KeepsNothingOfARunThatIsBackAtItsStart) {
+TEST_F(AutosaveTest, RemovesTheFileOfARunThatIsResetWithoutEdits) {
     Autosave autosave(folder.path, complaints);
     tick(lab);
     autosave.keep(lab, 0, Autosave::Occasion::now);
@@ -142,7 +142,7 @@ TEST_F(Autosaving, KeepsNothingOfARunThatIsBackAtItsStart) {
     EXPECT_TRUE(files_in(folder.path).empty());
 }
 
-TEST_F(Autosaving, LeavesNothingBehindAtAProperEndOrAfterSaving) {
+TEST_F(AutosaveTest, RemovesTheFileAtAProperEndAndAfterSaving) {
     Autosave autosave(folder.path, complaints);
     edit(lab, 1);
     autosave.keep(lab, 0, Autosave::Occasion::now);
@@ -156,7 +156,7 @@ TEST_F(Autosaving, LeavesNothingBehindAtAProperEndOrAfterSaving) {
     EXPECT_TRUE(fs::is_empty(folder.path));
 }
 
-TEST_F(Autosaving, OffersWhatACrashedLabHasLeft) {
+TEST_F(AutosaveTest, OffersTheWorkOfACrashedLab) {
     for (int i = 0; i < 500; ++i) tick(lab);
     crash_with(1.25f);
     Autosave next(folder.path, complaints);
@@ -168,20 +168,20 @@ TEST_F(Autosaving, OffersWhatACrashedLabHasLeft) {
     EXPECT_EQ(dials(*recovered).LR, 1.25f);
     EXPECT_EQ(recovered->path, lab.document.path);
     EXPECT_EQ(recovered->session.hash(), lab.document.session.hash());
-    EXPECT_TRUE(Autosave(folder.path, complaints).leftover()) << "it stays until it is taken or refused";
+    EXPECT_TRUE(Autosave(folder.path, complaints).leftover()) << "it stays until the user accepts or rejects it";
     next.forget();
     EXPECT_FALSE(Autosave(folder.path, complaints).leftover());
     EXPECT_TRUE(fs::is_empty(folder.path));
 }
 
-TEST_F(Autosaving, WritesASavedRun) {
+TEST_F(AutosaveTest, WritesASavedRun) {
     crash_with(1.25f);
     const auto run = io::read_run(text_of(files_in(folder.path)[0]), "a");
     ASSERT_TRUE(run) << run.error().text();
     EXPECT_EQ(Session::resume(*run).hash(), lab.document.session.hash());
 }
 
-TEST_F(Autosaving, OpensTheOlderFormatWithTheRunAsAString) {
+TEST_F(AutosaveTest, OpensTheOlderFormatWithTheRunAsAString) {
     edit(lab, 1.25f);
     const std::string run = io::write_run(lab.document.session.save());
     const std::string older =
@@ -195,7 +195,7 @@ TEST_F(Autosaving, OpensTheOlderFormatWithTheRunAsAString) {
     EXPECT_EQ(opened->document.session.hash(), lab.document.session.hash());
 }
 
-TEST(StartOrRun, RunsTheTaskItselfWhereNoThreadCanBeStarted) {
+TEST(AutosaveTest, RunsTheTaskItselfIfNoThreadCanBeStarted) {
     const auto task = []() -> std::optional<Error> { return Error{"done here"}; };
     auto result = start_or_run(task, [](const auto&) -> std::future<std::optional<Error>> {
         throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
@@ -203,14 +203,14 @@ TEST(StartOrRun, RunsTheTaskItselfWhereNoThreadCanBeStarted) {
     EXPECT_EQ(result.get()->what, "done here");
 }
 
-TEST_F(Autosaving, DoesNotOfferWhatARunningLabKeeps) {
+TEST_F(AutosaveTest, DoesNotOfferTheFileOfARunningLab) {
     Autosave running(folder.path, complaints);
     edit(lab, 1);
     running.keep(lab, 0, Autosave::Occasion::now);
     EXPECT_FALSE(Autosave(folder.path, complaints).leftover());
 }
 
-TEST_F(Autosaving, BringsAnExerciseBackToWhereItWas) {
+TEST_F(AutosaveTest, RestoresTheProgressOfAnExercise) {
     lab = open("05-aggressor");
     handle(lab, PredictRequest{2});
     tick(lab);
@@ -223,10 +223,11 @@ TEST_F(Autosaving, BringsAnExerciseBackToWhereItWas) {
     EXPECT_EQ(recovered->lesson->view.hints_shown, 1);
     EXPECT_TRUE(recovered->lesson->view.has_run);
     EXPECT_EQ(dials(*recovered).LR, 1.75f);
-    EXPECT_EQ(read_dials(recovered->lesson->exercise->scene.kinds[0].brain).LR, 0) << "reset still means as shipped";
+    EXPECT_EQ(read_dials(recovered->lesson->exercise->scene.kinds[0].brain).LR, 0)
+        << "reset still restores the shipped brain";
 }
 
-TEST_F(Autosaving, SetsABrokenFileAsideAndSaysSo) {
+TEST_F(AutosaveTest, RenamesABrokenFileAndReportsIt) {
     crash_with(1);
     const auto file = files_in(folder.path)[0];
     const std::string whole = text_of(file);
@@ -242,7 +243,7 @@ TEST_F(Autosaving, SetsABrokenFileAsideAndSaysSo) {
     }
 }
 
-TEST_F(Autosaving, SaysOnceThatItCannotWriteAndTriesAgain) {
+TEST_F(AutosaveTest, ReportsOnceThatItCannotWriteAndTriesAgain) {
     put_text(folder / "taken", "a file where the folder should be");
     Autosave autosave(folder / "taken" / "here", complaints);
     edit(lab, 1);
@@ -257,7 +258,7 @@ TEST_F(Autosaving, SaysOnceThatItCannotWriteAndTriesAgain) {
     EXPECT_EQ(kept_in(folder / "taken" / "here"), 2.0f) << "without another edit";
 }
 
-TEST_F(Autosaving, SaysWhatIsWrongWhenTheDiskTurnsBadMeanwhile) {
+TEST_F(AutosaveTest, ReportsAFolderThatBecomesUnwritable) {
     const fs::path place = folder / "kept";
     Autosave autosave(place, complaints);
     edit(lab, 1);

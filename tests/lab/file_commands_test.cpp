@@ -1,4 +1,4 @@
-// Opening and saving, as the window's browser asks for it.
+// Opening, saving and leaving by the requests of the file browser.
 #include "app/files/file_commands.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace braitenlab::tests::file_commands_test {
 namespace {
 
-struct OnTheDesk : testing::Test {
+struct FileCommands : testing::Test {
     Folder folder;
     FilesView files;
     StoredState state;
@@ -23,7 +23,7 @@ struct OnTheDesk : testing::Test {
         return std::move(*opened);
     }
 
-    OnTheDesk() {
+    FileCommands() {
         state.folder = folder.path.string();
         refresh(files, lab);
     }
@@ -34,9 +34,9 @@ struct OnTheDesk : testing::Test {
     const FourNeurons dials() const { return read_dials(*lab.document.session.snapshot().kind_brains[0]); }
 };
 
-TEST_F(OnTheDesk, SavesTheSceneWithItsEditedBrainAndOpensItAgain) {
+TEST_F(FileCommands, SavesTheSceneWithItsEditedBrainAndOpensItAgain) {
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
-    EXPECT_EQ(files.save_to, "") << "what ships is never written over";
+    EXPECT_EQ(files.save_to, "") << "shipped files are not overwritten";
     ask(SaveRequest{"mine", FileKind::scene});
     EXPECT_EQ(files.done, 1);
     EXPECT_EQ(files.save_to, (folder / "mine.toml").string());
@@ -47,7 +47,7 @@ TEST_F(OnTheDesk, SavesTheSceneWithItsEditedBrainAndOpensItAgain) {
     EXPECT_EQ(state.recent.front(), (folder / "mine.toml").string());
 }
 
-TEST_F(OnTheDesk, SavesTheSceneUnderATitleOfItsOwn) {
+TEST_F(FileCommands, SavesTheSceneUnderAnotherTitle) {
     ask(SaveRequest{"mine", FileKind::scene, "My own coward"});
     EXPECT_EQ(lab.document.session.snapshot().scene->title, "My own coward") << "the card shows it";
     EXPECT_FALSE(has_unsaved_edits(lab));
@@ -59,7 +59,7 @@ TEST_F(OnTheDesk, SavesTheSceneUnderATitleOfItsOwn) {
     EXPECT_EQ(lab.document.session.snapshot().scene->title, "My own coward");
 }
 
-TEST_F(OnTheDesk, PutsNumbersWherePicturesGoToANewFileEachTimeAndSaysWhere) {
+TEST_F(FileCommands, ExportsNumbersToANewFileInTheFolderOfPictures) {
     ask(ExportRequest{"signals", "seconds,SL\n"});
     ask(ExportRequest{"signals", "seconds,SL\n0,1\n"});
     EXPECT_EQ(text_of(folders.pictures / "braitenlab-signals-001.csv"), "seconds,SL\n");
@@ -68,7 +68,7 @@ TEST_F(OnTheDesk, PutsNumbersWherePicturesGoToANewFileEachTimeAndSaysWhere) {
         << lab.notice.words;
 }
 
-TEST_F(OnTheDesk, SaysThatABrainFromAFileDropsTheRecordedTimeAhead) {
+TEST_F(FileCommands, ReportsThatABrainFromAFileDropsTheRecordedFuture) {
     ask(SaveRequest{"shy", FileKind::brain});
     for (int i = 0; i < 400; ++i) tick(lab);
     handle(lab, SeekRequest{100});
@@ -77,7 +77,7 @@ TEST_F(OnTheDesk, SaysThatABrainFromAFileDropsTheRecordedTimeAhead) {
     EXPECT_EQ(lab.notice.key, "notice.forgotten");
 }
 
-TEST_F(OnTheDesk, ListsWhatItCannotReadAsBroken) {
+TEST_F(FileCommands, ListsUnreadableFilesAsBroken) {
     ask(SaveRequest{"good scene", FileKind::scene});
     ask(SaveRequest{"good brain", FileKind::brain});
     ask(SaveRequest{"good run", FileKind::run});
@@ -96,15 +96,15 @@ TEST_F(OnTheDesk, ListsWhatItCannotReadAsBroken) {
     EXPECT_NE(files.refused.find("garbage.toml:1"), std::string::npos) << files.refused;
 }
 
-TEST_F(OnTheDesk, SaysWhatToDoWithAFolderThatIsDropped) {
+TEST_F(FileCommands, ExplainsADroppedFolder) {
     fs::create_directories(folder / "class");
     ask(OpenRequest{(folder / "class").string(), true});
     EXPECT_EQ(lab.notice.key, "files.dropped_folder");
     EXPECT_EQ(lab.notice.words, "class");
-    EXPECT_EQ(files.listing.folder, (folder / "class").string()) << "as the words say";
+    EXPECT_EQ(files.listing.folder, (folder / "class").string()) << "as the notice says";
 }
 
-TEST_F(OnTheDesk, NeverReplacesWhatIsOpenByABrokenFile) {
+TEST_F(FileCommands, KeepsTheDocumentIfAFileIsBroken) {
     put_text(folder / "broken.toml", "format = 1\n[arena]\nwidht = 3\n");
     const auto before = lab.document.session.hash();
     ask(OpenRequest{"broken.toml"});
@@ -118,7 +118,7 @@ TEST_F(OnTheDesk, NeverReplacesWhatIsOpenByABrokenFile) {
     EXPECT_NE(files.refused, "");
 }
 
-TEST_F(OnTheDesk, DoesNotWriteOverCommentsUnasked) {
+TEST_F(FileCommands, DoesNotOverwriteAFileWithCommentsByCtrlS) {
     ask(SaveRequest{"mine", FileKind::scene});
     put_text(folder / "mine.toml", "# by hand\n" + text_of(folder / "mine.toml"));
     ask(OpenRequest{"mine.toml"});
@@ -126,7 +126,7 @@ TEST_F(OnTheDesk, DoesNotWriteOverCommentsUnasked) {
     ASSERT_EQ(files.done, 2);
 }
 
-TEST_F(OnTheDesk, SavesABrainAndGivesItToAnotherVehicleAsOneStepOfUndo) {
+TEST_F(FileCommands, SavesABrainAndGivesItToAnotherVehicleAsOneStepOfUndo) {
     ask(SaveRequest{"shy", FileKind::brain});
     ASSERT_TRUE(fs::exists(folder / "shy.toml"));
     ask(OpenRequest{(*find_shipped("2b-aggressor")).string()});
@@ -139,7 +139,7 @@ TEST_F(OnTheDesk, SavesABrainAndGivesItToAnotherVehicleAsOneStepOfUndo) {
     EXPECT_EQ(dials(), before);
 }
 
-TEST_F(OnTheDesk, SavesARunAndGoesOnWithItExactly) {
+TEST_F(FileCommands, SavesARunAndContinuesItExactly) {
     for (int i = 0; i < 400; ++i) tick(lab);
     ask(SaveRequest{"later", FileKind::run});
     const auto hash = lab.document.session.hash();
@@ -149,18 +149,18 @@ TEST_F(OnTheDesk, SavesARunAndGoesOnWithItExactly) {
     EXPECT_EQ(lab.document.session.snapshot().tick, 400u);
     put_text(folder / "broken.run", text_of(folder / "later.run").substr(0, 500));
     ask(OpenRequest{"broken.run"});
-    EXPECT_EQ(lab.document.session.hash(), hash) << "a broken file never replaces what is open";
+    EXPECT_EQ(lab.document.session.hash(), hash) << "a broken file does not replace the document";
     EXPECT_NE(files.refused, "");
 }
 
-TEST_F(OnTheDesk, SaysWhereItCannotWrite) {
+TEST_F(FileCommands, ReportsAFileThatCannotBeWritten) {
     ask(SaveRequest{"/proc/nowhere/mine", FileKind::scene});
     EXPECT_EQ(files.done, 0);
     EXPECT_NE(files.refused.find("/proc/nowhere/mine.toml"), std::string::npos) << files.refused;
     EXPECT_EQ(lab.document.name, "2a-coward");
 }
 
-TEST_F(OnTheDesk, ListsFoldersFirstAndOnlyWhatTheLabReads) {
+TEST_F(FileCommands, ListsFoldersFirstAndOnlyFilesOfTheProgram) {
     fs::create_directories(folder / "z");
     put_text(folder / "b.toml", "format = 1\n[brain]\nLL = 1\n");
     put_text(folder / "a.toml", "format = 1\n# why\n[kind.x]\n");
@@ -180,7 +180,7 @@ TEST_F(OnTheDesk, ListsFoldersFirstAndOnlyWhatTheLabReads) {
     EXPECT_NE(files.listing.problem, "");
 }
 
-TEST_F(OnTheDesk, GoesToAFolderThatIsTyped) {
+TEST_F(FileCommands, OpensAFolderThatIsTyped) {
     fs::create_directories(folder / "deep");
     ask(OpenRequest{"deep"});
     EXPECT_EQ(files.listing.folder, (folder / "deep").string());
@@ -189,7 +189,7 @@ TEST_F(OnTheDesk, GoesToAFolderThatIsTyped) {
     EXPECT_EQ(files.listing.folder, folder.path.string());
 }
 
-TEST_F(OnTheDesk, AsksBeforeUnsavedEditsAreLeftAndStaysWhenToldTo) {
+TEST_F(FileCommands, AsksBeforeItLeavesUnsavedEdits) {
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
     const auto before = lab.document.session.hash();
     const std::string love = (*find_shipped("3a-love")).string();
@@ -207,7 +207,7 @@ TEST_F(OnTheDesk, AsksBeforeUnsavedEditsAreLeftAndStaysWhenToldTo) {
     EXPECT_EQ(lab.document.name, "3a-love");
 }
 
-TEST_F(OnTheDesk, SavesWhereTheSceneCameFromBeforeItLeaves) {
+TEST_F(FileCommands, SavesToTheFileOfTheSceneBeforeItLeaves) {
     ask(SaveRequest{"mine", FileKind::scene});
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
     ask(OpenRequest{(*find_shipped("3a-love")).string()});
@@ -217,43 +217,43 @@ TEST_F(OnTheDesk, SavesWhereTheSceneCameFromBeforeItLeaves) {
     EXPECT_EQ(dials().LR, 1.25f);
 }
 
-TEST_F(OnTheDesk, GoesOnOnceWhatWasUnsavedHasGotANameOfItsOwn) {
+TEST_F(FileCommands, LeavesOnceTheEditsAreSavedUnderAnotherName) {
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
     ask(OpenRequest{(*find_shipped("3a-love")).string()});
     ask(SaveRequest{"only the brain", FileKind::brain});
     ask(LeaveRequest{Leave::saved});
-    EXPECT_TRUE(files.leaving) << "a brain is not the scene: asked again";
+    EXPECT_TRUE(files.leaving) << "a brain file does not contain the scene: asked again";
     EXPECT_EQ(lab.document.name, "2a-coward");
     ask(SaveRequest{"all of it", FileKind::scene});
     ask(LeaveRequest{Leave::saved});
     EXPECT_EQ(lab.document.name, "3a-love");
 }
 
-TEST_F(OnTheDesk, SaysWhatWasDoneAndWhatFailedInDifferentWays) {
+TEST_F(FileCommands, ShowsSuccessAndFailureAsDifferentNotices) {
     ask(SaveRequest{"mine", FileKind::scene});
     EXPECT_EQ(lab.notice, (Notice{NoticeKind::done, "files.saved", "mine.toml"}));
     ask(OpenRequest{"nowhere.toml"});
     EXPECT_EQ(lab.notice.kind, NoticeKind::failure);
 }
 
-TEST_F(OnTheDesk, TellsEachLabItOpensFromTheOneBefore) {
+TEST_F(FileCommands, GivesEachOpenedDocumentAnotherRunId) {
     const auto before = lab.document.run_id;
     ask(OpenRequest{(*find_shipped("3a-love")).string()});
-    EXPECT_NE(lab.document.run_id, before) << "what was drawn of the other run does not belong to this one";
+    EXPECT_NE(lab.document.run_id, before) << "histories of the other run are dropped";
 }
 
-TEST_F(OnTheDesk, LeavesOnlyWhenNothingIsUnsavedOrThePersonSaysSo) {
-    EXPECT_TRUE(may_leave(lab, files)) << "nothing was done";
+TEST_F(FileCommands, LeavesWithoutUnsavedEditsOrAfterTheUserDiscardsThem) {
+    EXPECT_TRUE(may_leave(lab, files)) << "no edits";
     for (int i = 0; i < 100; ++i) tick(lab);
-    EXPECT_TRUE(may_leave(lab, files)) << "a run is no edit";
+    EXPECT_TRUE(may_leave(lab, files)) << "a run is not an edit";
     handle(lab, EditRequest{TurnDial{{.vehicle = 0}, Dial::LR, 1.25f}});
-    EXPECT_FALSE(may_leave(lab, files)) << "a brain of one vehicle alone counts too";
+    EXPECT_FALSE(may_leave(lab, files)) << "the brain of a single vehicle counts too";
     ASSERT_TRUE(files.leaving);
     EXPECT_EQ(files.leaving->next, "");
     ask(LeaveRequest{Leave::stay});
     EXPECT_FALSE(lab.exit);
     handle(lab, Action::undo);
-    EXPECT_TRUE(may_leave(lab, files)) << "what was undone is no edit any more";
+    EXPECT_TRUE(may_leave(lab, files)) << "an undone edit does not count";
     handle(lab, Action::redo);
     EXPECT_FALSE(may_leave(lab, files));
     ask(LeaveRequest{Leave::discard});
@@ -261,7 +261,7 @@ TEST_F(OnTheDesk, LeavesOnlyWhenNothingIsUnsavedOrThePersonSaysSo) {
     EXPECT_TRUE(may_leave(lab, files));
 }
 
-TEST_F(OnTheDesk, StaysWhereTheEditsCannotBeWritten) {
+TEST_F(FileCommands, StaysIfTheEditsCannotBeWritten) {
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
     EXPECT_FALSE(may_leave(lab, files));
     files.save_to = "/proc/nowhere/mine.toml";
@@ -271,7 +271,7 @@ TEST_F(OnTheDesk, StaysWhereTheEditsCannotBeWritten) {
     EXPECT_NE(files.refused, "");
 }
 
-TEST_F(OnTheDesk, NeverAsksAboutAnExercisesBrain) {
+TEST_F(FileCommands, DoesNotAskAboutTheBrainOfAnExercise) {
     lab = open("05-aggressor");
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
     EXPECT_TRUE(may_leave(lab, files));
@@ -279,13 +279,13 @@ TEST_F(OnTheDesk, NeverAsksAboutAnExercisesBrain) {
     EXPECT_EQ(lab.document.name, "3a-love");
 }
 
-struct Followed : OnTheDesk {
+struct FollowFile : FileCommands {
     const fs::path file = folder / "mine.toml";
-    Followed() {
+    FollowFile() {
         ask(SaveRequest{"mine", FileKind::scene});
         ask(OpenRequest{"mine.toml"});
     }
-    // As another program does it; two looks, since the first may find it half written.
+    // Writes as another program does. Looks twice: a change counts once the file stays the same.
     void write(const std::string& text) {
         put_text(file, text);
         fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(++written_));
@@ -302,29 +302,29 @@ private:
     int written_ = 0;
 };
 
-TEST_F(Followed, IsReadAgainWhenItIsWrittenByAnotherProgram) {
+TEST_F(FollowFile, ReloadsAFileThatAnotherProgramHasWritten) {
     handle(lab, Action::play_pause);
     ask(SaveRequest{"mine", FileKind::scene});
     for (int i = 0; i < 50; ++i) tick(lab);
     look(), look();
-    EXPECT_EQ(lab.document.session.snapshot().tick, 50u) << "what the lab wrote itself is no news";
+    EXPECT_EQ(lab.document.session.snapshot().tick, 50u) << "its own writing is not a change";
     write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
     EXPECT_EQ(dials().LL, 0.25f);
     EXPECT_EQ(lab.playback.mode, Mode::playing);
     EXPECT_NE(lab.notice.words.find("mine.toml"), std::string::npos);
 }
 
-TEST_F(Followed, LeavesTheRunAloneWhereItIsBrokenAndSaysWhy) {
+TEST_F(FollowFile, KeepsTheRunIfTheFileIsBroken) {
     for (int i = 0; i < 50; ++i) tick(lab);
     const auto before = lab.document.session.hash();
     write(with(text_of(file), "LL = 1.5", "LL = 77"));
     EXPECT_EQ(lab.document.session.hash(), before);
     EXPECT_NE(lab.notice.words.find("mine.toml:"), std::string::npos) << lab.notice.words;
     write(with(text_of(file), "LL = 77", "LL = 0.5"));
-    EXPECT_EQ(dials().LL, 0.5f) << "mended, it counts";
+    EXPECT_EQ(dials().LL, 0.5f) << "reloaded once it is valid";
 }
 
-TEST_F(Followed, NeverCostsUnsavedEdits) {
+TEST_F(FollowFile, KeepsUnsavedEdits) {
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
     write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
     EXPECT_EQ(dials().LR, 1.25f);
@@ -332,14 +332,14 @@ TEST_F(Followed, NeverCostsUnsavedEdits) {
     EXPECT_NE(lab.notice.words.find("mine.toml"), std::string::npos);
 }
 
-TEST(Resolved, StartsAtTheFolderOrAtTheHomeFolder) {
+TEST(Disk, ResolvesATypedPathFromTheFolderOrTheHomeFolder) {
     EXPECT_EQ(resolved("~/a.toml", "/f", "/home/me"), "/home/me/a.toml");
     EXPECT_EQ(resolved("~", "/f", "/home/me"), "/home/me/");
     EXPECT_EQ(resolved("a/../b.toml", "/f", "/home/me"), "/f/b.toml");
     EXPECT_EQ(resolved("/b.toml", "/f", "/home/me"), "/b.toml");
 }
 
-TEST(WithExtension, AppendsTheExtensionOfTheKind) {
+TEST(Disk, AppendsTheExtensionOfTheKind) {
     EXPECT_EQ(with_extension("/a", FileKind::scene), "/a.toml");
     EXPECT_EQ(with_extension("/a.toml", FileKind::brain), "/a.toml");
     EXPECT_EQ(with_extension("/a.b", FileKind::run), "/a.b.run");

@@ -6,7 +6,7 @@
 namespace braitenlab::tests::frame_pacing_test {
 namespace {
 
-TEST(FramePacing, LeavesThePaceToADisplayThatTheSwapHasWaitedFor) {
+TEST(FramePacing, DoesNotWaitIfTheSwapHasWaited) {
     for (const int rate : {50, 60, 75, 120, 144, 240}) {
         EXPECT_EQ(pause_after_swap(1.0 / rate, rate), 0) << rate;
         EXPECT_EQ(pause_after_swap(0.97 / rate, rate), 0) << "with the jitter of a real display, " << rate;
@@ -14,7 +14,7 @@ TEST(FramePacing, LeavesThePaceToADisplayThatTheSwapHasWaitedFor) {
     }
 }
 
-TEST(FramePacing, WaitsWhereTheSwapHasNotWaited) {
+TEST(FramePacing, WaitsIfTheSwapHasNotWaited) {
     for (const int rate : {60, 144}) {
         const double worked = 0.002, pause = pause_after_swap(worked, rate);
         EXPECT_GT(worked + pause, 0.85 / rate);

@@ -1,4 +1,4 @@
-// Lecture mode in the lab: what it changes, and that leaving brings everything back.
+// Lecture mode in the lab: what it changes, and what leaving restores.
 #include <gtest/gtest.h>
 
 #include "app/files/data.h"
@@ -7,7 +7,7 @@
 namespace braitenlab::tests::lecture_test {
 namespace {
 
-struct InALecture : testing::Test {
+struct LabLecture : testing::Test {
     Lab lab = open();
 
     static Lab open() {
@@ -16,7 +16,7 @@ struct InALecture : testing::Test {
     }
 };
 
-TEST_F(InALecture, TypeIsLargeAndColoursAreLight) {
+TEST_F(LabLecture, TypeIsLargeAndColoursAreLight) {
     lab.preferences.type_size = 1.25f;
     handle(lab, Action::lecture);
     EXPECT_TRUE(view_of(lab).lecture);
@@ -24,7 +24,7 @@ TEST_F(InALecture, TypeIsLargeAndColoursAreLight) {
     EXPECT_EQ(view_of(lab).theme, Theme::light);
 }
 
-TEST_F(InALecture, LeavingBringsBackEveryWayOfLooking) {
+TEST_F(LabLecture, LeavingRestoresPreferencesAndCamera) {
     const Preferences mine{Theme::dark, "es", 1.25f, true};
     lab.preferences = mine;
     lab.view.outlines = true;
@@ -34,7 +34,7 @@ TEST_F(InALecture, LeavingBringsBackEveryWayOfLooking) {
     for (const Action action : {Action::theme, Action::larger, Action::larger, Action::sensors, Action::outlines,
                                 Action::follow, Action::birds_eye})
         handle(lab, action);
-    EXPECT_EQ(own_preferences(lab), mine) << "what would be written to the settings in the meantime";
+    EXPECT_EQ(own_preferences(lab), mine) << "the preferences that are stored meanwhile";
     handle(lab, Action::lecture);
     EXPECT_FALSE(view_of(lab).lecture);
     EXPECT_EQ(lab.preferences, mine);
@@ -43,7 +43,7 @@ TEST_F(InALecture, LeavingBringsBackEveryWayOfLooking) {
     EXPECT_TRUE(lab.view.outlines);
 }
 
-TEST_F(InALecture, LeavingBringsBackTheWholeViewButTheSelection) {
+TEST_F(LabLecture, LeavingRestoresTheViewSettingsButTheSelection) {
     const ViewSettings before = lab.view;
     handle(lab, Action::lecture);
     for (const Action action : {Action::trails, Action::surfaces, Action::memory, Action::labels, Action::next_field,
@@ -58,7 +58,7 @@ TEST_F(InALecture, LeavingBringsBackTheWholeViewButTheSelection) {
     EXPECT_EQ(lab.view, expected);
 }
 
-TEST_F(InALecture, AnotherSceneKeepsNothingOfTheFirstOnesCameraOnLeaving) {
+TEST_F(LabLecture, LeavingDoesNotRestoreTheCameraOfAnotherScene) {
     lab.view.camera.zoom = 3;
     handle(lab, Action::lecture);
     replace_document(lab, std::move(*open_document(*find_shipped("2a-coward"), std::nullopt, {})));
@@ -66,7 +66,7 @@ TEST_F(InALecture, AnotherSceneKeepsNothingOfTheFirstOnesCameraOnLeaving) {
     EXPECT_EQ(lab.view.camera, Camera{});
 }
 
-TEST_F(InALecture, WorkAndTimeGoOn) {
+TEST_F(LabLecture, KeepsEditsAndTheRun) {
     handle(lab, Action::lecture);
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1}});
     tick(lab);

@@ -15,7 +15,7 @@ struct BuiltIn {
     ImFont* font = nullptr;
 };
 
-TEST(LabelFont, FallsBackToTheWindowsOwnAndSaysSo) {
+TEST(Lettering, FallsBackToTheFontOfTheWindow) {
     BuiltIn own;
     LabelFont made = label_font([](char32_t) { return std::string{}; }, 13, *own.font);
     EXPECT_NE(made.warning.find("no font"), std::string::npos) << made.warning;
@@ -32,7 +32,7 @@ TEST(LabelFont, FallsBackToTheWindowsOwnAndSaysSo) {
     EXPECT_EQ(set_line(made.lettering, "HH").width, 2 * set_line(made.lettering, "H").width);
 }
 
-TEST(LabelFont, PrefersTheSystemsFonts) {
+TEST(Lettering, PrefersTheFontsOfTheSystem) {
     BuiltIn own;
     const LabelFont made = label_font(find_font, 20, *own.font);
     EXPECT_EQ(made.warning, "");

@@ -19,7 +19,7 @@ std::set<std::string> names_in(const fs::path& folder) {
     return names;
 }
 
-TEST(SafeFile, WritesWhatItIsGivenAndMakesTheFoldersOnTheWay) {
+TEST(SafeFile, WritesTheTextAndCreatesMissingFolders) {
     const Folder folder;
     const auto file = folder / "a" / "b" / "scene.toml";
     EXPECT_FALSE(write_whole(file, "one"));
@@ -28,7 +28,7 @@ TEST(SafeFile, WritesWhatItIsGivenAndMakesTheFoldersOnTheWay) {
     EXPECT_EQ(names_in(file.parent_path()), std::set<std::string>{"scene.toml"}) << "nothing is left beside it";
 }
 
-TEST(SafeFile, ReplacesTheFileAtOnceSoThatWhoeverReadsItKeepsTheOldText) {
+TEST(SafeFile, DoesNotChangeTheTextOfAnOpenReader) {
     const Folder folder;
     const auto file = folder / "scene.toml";
     ASSERT_FALSE(write_whole(file, "old"));
@@ -37,8 +37,8 @@ TEST(SafeFile, ReplacesTheFileAtOnceSoThatWhoeverReadsItKeepsTheOldText) {
     EXPECT_EQ((std::string{std::istreambuf_iterator<char>(reader), {}}), "old");
 }
 
-// A limit on the size of files stands in for a full disk: both refuse in the middle of writing.
-TEST(SafeFile, LeavesTheOldFileAndSaysSoWhereThereIsNoRoom) {
+// A limit on the size of files stands in for a full disk.
+TEST(SafeFile, KeepsTheOldFileIfTheDiskIsFull) {
     const Folder folder;
     const auto file = folder / "scene.toml";
     ASSERT_FALSE(write_whole(file, "old"));

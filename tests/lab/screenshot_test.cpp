@@ -25,7 +25,7 @@ TEST(Screenshot, WritesAPng) {
 }
 
 // A limit on the size of files stands in for a full disk.
-TEST(Screenshot, LeavesTheOldPictureWhereThereIsNoRoom) {
+TEST(Screenshot, KeepsTheOldPictureIfTheDiskIsFull) {
     const Folder folder;
     put_text(folder / "a.png", "old");
     rlimit before{};

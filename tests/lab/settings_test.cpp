@@ -9,13 +9,13 @@ namespace {
 
 const Preferences chosen{Theme::light, "es", 1.5f, true};
 
-TEST(Settings, ComeBackAsTheyWereWritten) {
+TEST(Settings, AreReadAsTheyWereWritten) {
     EXPECT_EQ(*parse_preferences(write_preferences(chosen), "s"), chosen);
     StoredState state{1280, 800, "/a \"b\"/c.toml", {"/x.toml", "/ünï.toml"}, "/a"};
     EXPECT_EQ(*parse_state(write_state(state), "s"), state);
 }
 
-TEST(Settings, AreTakenToTheNearestValueInTheirRange) {
+TEST(Settings, AreClampedToTheirRange) {
     EXPECT_EQ(parse_preferences("type_size = 99.0", "s")->type_size, largest_type_size);
     EXPECT_EQ(parse_preferences("type_size = -1.0", "s")->type_size, least_type_size);
     EXPECT_EQ(parse_preferences("type_size = nan", "s")->type_size, least_type_size);
@@ -30,11 +30,11 @@ TEST(Settings, NameFileAndLineOfAMistake) {
     EXPECT_FALSE(parse_preferences("theme = \"da", "settings.toml"));
 }
 
-TEST(Settings, PassOverWhatALaterVersionWrote) {
+TEST(Settings, IgnoreKeysOfALaterVersion) {
     EXPECT_TRUE(parse_preferences("format = 2\nholograms = true\n[more]\nx = 1\n", "s"));
 }
 
-struct OnDisk : testing::Test {
+struct SettingsOnDisk : testing::Test {
     Folder folder;
     fs::path settings = folder / "config" / "settings.toml";
     SettingsFiles files{folder / "config", folder / "state"};
@@ -42,7 +42,7 @@ struct OnDisk : testing::Test {
     StoredState state;
 };
 
-TEST_F(OnDisk, AreReadByTheNextStart) {
+TEST_F(SettingsOnDisk, AreReadByTheNextStart) {
     EXPECT_TRUE(files.read(preferences, state).empty());
     add_recent(state, folder / "scene.toml");
     ASSERT_FALSE(files.write(chosen, state));
@@ -52,32 +52,32 @@ TEST_F(OnDisk, AreReadByTheNextStart) {
     EXPECT_EQ(state.last_opened, (folder / "scene.toml").string());
 }
 
-TEST_F(OnDisk, StayUnwrittenWhileNobodyChooses) {
+TEST_F(SettingsOnDisk, WriteNoPreferencesBeforeTheUserChangesOne) {
     files.read(preferences, state);
     ASSERT_FALSE(files.write(preferences, state));
-    EXPECT_FALSE(fs::exists(settings)) << "the system's language may change under them";
+    EXPECT_FALSE(fs::exists(settings)) << "the system's language applies until the user chooses one";
 }
 
-TEST_F(OnDisk, AreReportedOnceAndSetAsideWhereTheyAreBroken) {
+TEST_F(SettingsOnDisk, RenameABrokenFileAndReportItOnce) {
     const std::string broken = "language = \"d\xff\x00 [[[";
     put_text(settings, broken);
     const auto complaints = files.read(preferences, state);
     ASSERT_EQ(complaints.size(), 1u);
     EXPECT_EQ(complaints[0].file, settings.string());
     EXPECT_EQ(preferences, Preferences{});
-    EXPECT_EQ(text_of(folder / "config" / "settings.toml.broken"), broken) << "nothing that a person wrote is lost";
+    EXPECT_EQ(text_of(folder / "config" / "settings.toml.broken"), broken) << "the text of the user is kept";
     SettingsFiles next{folder / "config", folder / "state"};
-    EXPECT_TRUE(next.read(preferences, state).empty()) << "once is enough";
+    EXPECT_TRUE(next.read(preferences, state).empty()) << "reported once";
 }
 
-TEST_F(OnDisk, SayOnceWhatKeepsThemFromBeingWritten) {
+TEST_F(SettingsOnDisk, ReportAWriteErrorOnce) {
     put_text(folder / "config", "a file where the folder should be");
     files.read(preferences, state);
     EXPECT_TRUE(files.write(chosen, state));
     EXPECT_FALSE(files.write(chosen, state));
 }
 
-TEST(Recent, HoldsEachFileOnceTheNewestFirstAndNotTooMany) {
+TEST(Settings, ListEachRecentFileOnceAndTheNewestFirst) {
     StoredState r;
     for (int i = 0; i < 12; ++i) add_recent(r, "/s/" + std::to_string(i) + ".toml");
     add_recent(r, "/s/../s/9.toml");

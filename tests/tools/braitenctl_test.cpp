@@ -1,4 +1,4 @@
-// The command-line tool as scripts see it.
+// The command-line tool: output, files and exit codes.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// A file of this test's own: others may run beside it.
+// A file name of this process: tests run side by side.
 std::string scratch(const std::string& name) {
     const std::string own = "braitenctl-test-" + std::to_string(getpid()) + "-" + name;
     return (std::filesystem::temp_directory_path() / own).string();
@@ -41,7 +41,7 @@ std::set<std::string> keys(const Json& object) {
     return all;
 }
 
-TEST(RunJson, HasExactlyTheShapeThatScriptsRelyOn) {
+TEST(CtlRun, PrintsJsonOfAFixedShape) {
     const Json run = Json::parse(ctl("run 2b-aggressor --seconds 2 --seed 4 --json").out);
     EXPECT_EQ(keys(run), (std::set<std::string>{"scene", "seed", "ticks", "seconds", "hash", "generation", "population",
                                                 "predators", "prey", "events", "sources", "vehicles"}));
@@ -57,7 +57,7 @@ TEST(RunJson, HasExactlyTheShapeThatScriptsRelyOn) {
     EXPECT_EQ(run["hash"].get<std::string>().size(), 16u);
 }
 
-TEST(RunSet, ChangesTheRunAndNamesTheNearestPathOfAnUnknownOne) {
+TEST(CtlRun, SetsValuesAndNamesTheNearestPathOfAnUnknownOne) {
     const Json few = Json::parse(ctl("run predator-prey --seconds 0 --set ecology.population=3 --json").out);
     EXPECT_EQ(few["population"], 3);
     const Ran wrong = ctl("run predator-prey --seconds 0 --set kind.prey.brain.LX=1");
@@ -65,13 +65,13 @@ TEST(RunSet, ChangesTheRunAndNamesTheNearestPathOfAnUnknownOne) {
     EXPECT_NE(wrong.out.find("kind.prey.brain.L"), std::string::npos) << wrong.out;
 }
 
-TEST(RunHash, RepeatsAndDependsOnTheSeed) {
+TEST(CtlRun, PrintsAHashThatDependsOnTheSeed) {
     const std::string a = ctl("run predator-prey --seconds 5 --seed 1 --hash").out;
     EXPECT_EQ(ctl("run predator-prey --seconds 5 --seed 1 --hash").out, a);
     EXPECT_NE(ctl("run predator-prey --seconds 5 --seed 2 --hash").out, a);
 }
 
-TEST(RunCsv, HasARowPerVehiclePerTenthOfASecond) {
+TEST(CtlRun, WritesACsvRowPerVehiclePerTenthOfASecond) {
     const std::filesystem::path file = scratch("run.csv");
     ASSERT_EQ(ctl("run predator-prey --seconds 2 --csv " + file.string()).code, 0);
     std::ifstream csv(file);
@@ -84,7 +84,7 @@ TEST(RunCsv, HasARowPerVehiclePerTenthOfASecond) {
     std::filesystem::remove(file);
 }
 
-TEST(RunCsv, SaysWhenItCannotBeWritten) {
+TEST(CtlRun, FailsIfTheCsvFileCannotBeWritten) {
     const Ran ran = ctl("run 2a-coward --seconds 1 --csv /nowhere/at/all.csv");
     EXPECT_EQ(ran.code, 2);
     EXPECT_NE(ran.out.find("/nowhere/at/all.csv"), std::string::npos);
@@ -94,7 +94,7 @@ TEST(RunCsv, SaysWhenItCannotBeWritten) {
 }
 
 // A limit on the size of files stands in for a full disk.
-TEST(RunCsv, LeavesTheOldFileWhereThereIsNoRoom) {
+TEST(CtlRun, KeepsTheOldCsvFileIfTheDiskIsFull) {
     const std::string file = scratch("old.csv");
     std::ofstream(file) << "old";
     const std::string command = "run predator-prey --seconds 60 --csv " + file;
@@ -106,14 +106,14 @@ TEST(RunCsv, LeavesTheOldFileWhereThereIsNoRoom) {
     std::filesystem::remove(file);
 }
 
-TEST(BadInput, EndsWithTwoAndSaysWhatToDo) {
+TEST(Braitenctl, ExitsWithTwoOnBadInput) {
     EXPECT_EQ(ctl("run no-such-scene").code, 2);
     EXPECT_EQ(ctl("run 2a-coward --seconds minus").code, 2);
     EXPECT_EQ(ctl("").code, 2);
     EXPECT_NE(ctl("run 2a-cowrad").out.find("2a-coward"), std::string::npos);
 }
 
-TEST(BadInput, NamesTheNearestCommandAndSaysWhatASeedIs) {
+TEST(Braitenctl, NamesTheNearestCommandAndExplainsASeed) {
     EXPECT_NE(ctl("chekc 05-aggressor").out.find("the nearest is 'check'"), std::string::npos);
     const Ran seed = ctl("run 2a-coward --seed -1");
     EXPECT_EQ(seed.code, 2);
@@ -121,7 +121,7 @@ TEST(BadInput, NamesTheNearestCommandAndSaysWhatASeedIs) {
     EXPECT_LT(seed.out.size(), 200u);
 }
 
-TEST(RunSave, LeavesWhatIsNoPlainFileAlone) {
+TEST(CtlRun, DoesNotSaveToAPipe) {
     const std::string pipe = scratch("pipe.run");
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     EXPECT_EQ(ctl("run 2a-coward --seconds 1 --save " + pipe).code, 2);
@@ -129,7 +129,7 @@ TEST(RunSave, LeavesWhatIsNoPlainFileAlone) {
     std::filesystem::remove(pipe);
 }
 
-TEST(Grade, SaysWhenItIsHandedASceneInsteadOfABrain) {
+TEST(CtlGrade, ExplainsASceneInPlaceOfABrain) {
     const std::string csv = scratch("scene-for-a-brain.csv");
     const std::string scene = std::string(BRAITENLAB_SOURCE) + "/exercises/scenes/2a-coward.toml";
     const Ran ran = ctl("grade 05-aggressor " + scene + " --csv " + csv);
@@ -175,7 +175,7 @@ TEST(CtlCheck, ABrainPassesOrFailsAnExercise) {
     std::filesystem::remove(brain);
 }
 
-TEST(RunSave, LetsARunGoOnAsIfItHadNeverStopped) {
+TEST(CtlRun, ContinuesASavedRunExactly) {
     const std::string file = scratch("hunt.run");
     ASSERT_EQ(ctl("run predator-prey --seconds 7 --seed 3 --save " + file).code, 0);
     const Ran on = ctl("run " + file + " --seconds 8 --hash");
@@ -187,7 +187,7 @@ TEST(RunSave, LetsARunGoOnAsIfItHadNeverStopped) {
     std::filesystem::remove(file);
 }
 
-TEST(Show, SaysWhatASceneAndABrainContain) {
+TEST(CtlShow, PrintsTheContentOfASceneAndABrain) {
     const Ran scene = ctl("show 2b-aggressor");
     EXPECT_EQ(scene.code, 0);
     for (const char* part : {"aggressor", "sensor SL: light", "SL → MR"})
@@ -201,7 +201,7 @@ TEST(Show, SaysWhatASceneAndABrainContain) {
     EXPECT_EQ(ctl("show no-such-file").code, 2);
 }
 
-TEST(Grade, GivesEveryBrainOfAClassARow) {
+TEST(CtlGrade, WritesOneRowPerBrain) {
     const std::string good = scratch("good.toml"), poor = scratch("poor.toml"), none = scratch("none.toml"),
                       csv = scratch("class.csv");
     std::ofstream(good) << "format = 1\n[brain]\nLR = 1.5\nRL = 1.5\nLM = 0.1\nRM = 0.1\n";
@@ -217,7 +217,7 @@ TEST(Grade, GivesEveryBrainOfAClassARow) {
     EXPECT_FALSE(std::getline(rows, third));
     const Ran with_a_bad_one = ctl("grade 05-aggressor " + none + " " + good);
     EXPECT_EQ(with_a_bad_one.code, 2);
-    EXPECT_NE(with_a_bad_one.out.find(good + ",yes,"), std::string::npos) << "the others are graded all the same";
+    EXPECT_NE(with_a_bad_one.out.find(good + ",yes,"), std::string::npos) << "the other brains are graded";
     for (const auto& file : {good, poor, none, csv}) std::filesystem::remove(file);
 }
 

@@ -1,4 +1,4 @@
-// The brain card, the sensors and the charts, by a real hand.
+// The brain card, the sensor card and the charts in the real window.
 #include <utility>
 
 #include "tests/window/lab_window.h"
@@ -19,13 +19,13 @@ void type_into(const LabWindow& lab, const std::string& slider, const std::strin
     lab.key("Return");
 }
 
-TEST(BrainWindow, ClampsWhatIsTypedAfterACtrlClickAndRefusesWhatIsNoNumber) {
+TEST(BrainWindow, ClampsATypedNumberAndRejectsOtherText) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     type_into(lab, "slider.LR", "7.5");
     EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 2; })) << lab.state()["weights"];
     EXPECT_EQ(lab.state()["undo_depth"], 1);
     type_into(lab, "threshold.LR", "-3");
-    type_into(lab, "slider.LR", "nan");  // the letters do not even get in: what was there stays
+    type_into(lab, "slider.LR", "nan");  // letters are not accepted: the number stays
     type_into(lab, "slider.LR", "-");
     lab.draw_frames();
     EXPECT_EQ(lab.state()["weights"]["LR"], 2);
@@ -35,7 +35,7 @@ TEST(BrainWindow, ClampsWhatIsTypedAfterACtrlClickAndRefusesWhatIsNoNumber) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 0; }));
 }
 
-TEST(BrainWindow, NamesWhatTheWiringDoesAsItIsCrossedAndBringsBackTheFilesValue) {
+TEST(BrainWindow, NamesTheCharacterAndRestoresTheValueOfTheFile) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     EXPECT_EQ(lab.state()["character"], "coward");
     const double filed = lab.state()["weights"]["LL"];
@@ -50,20 +50,20 @@ TEST(BrainWindow, NamesWhatTheWiringDoesAsItIsCrossedAndBringsBackTheFilesValue)
     EXPECT_TRUE(wait_for([&] { return lab.state()["character"] == "coward" && lab.state()["undo_depth"] == 0; }));
 }
 
-TEST(BrainWindow, CoversAnEyeByAClickAndHealsItByUndo) {
+TEST(BrainWindow, CoversAnEyeByAClickAndUndoUncoversIt) {
     LabWindow lab({"2a-coward", "--size", "1280x800", "--play"});
     ASSERT_EQ(lab.state()["lesions"], 0);
     lab.click("lesion.SL");
     EXPECT_TRUE(wait_for([&] { return lab.state()["lesions"] == 1; }));
     lab.click("lesion.RR");
     EXPECT_TRUE(wait_for([&] { return lab.state()["lesions"] == 2; }));
-    EXPECT_EQ(lab.state()["weights"]["RR"], lab.state()["weights"]["LL"]) << "no number is lost";
+    EXPECT_EQ(lab.state()["weights"]["RR"], lab.state()["weights"]["LL"]) << "numbers are exact";
     lab.key("ctrl+z");
     lab.key("ctrl+z");
     EXPECT_TRUE(wait_for([&] { return lab.state()["lesions"] == 0; }));
 }
 
-TEST(BrainWindow, IsDrivenByHandWithTheArrowKeys) {
+TEST(BrainWindow, DrivesTheVehicleWithTheArrowKeys) {
     LabWindow lab({"2a-coward", "--size", "1280x800", "--play"});
     lab.click("viewport");
     lab.key("g");
@@ -73,7 +73,7 @@ TEST(BrainWindow, IsDrivenByHandWithTheArrowKeys) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["motor"] == Json({1.0, 1.0}); })) << lab.state()["motor"];
     lab.xdotool("keyup Up");
     EXPECT_TRUE(wait_for([&] { return lab.state()["motor"] == Json({0.0, 0.0}); }));
-    EXPECT_EQ(lab.state()["view"], view) << "the keys are no longer the camera's";
+    EXPECT_EQ(lab.state()["view"], view) << "the keys do not move the camera";
     lab.key("g");
     EXPECT_TRUE(wait_for([&] { return lab.state()["driver"] == "brain"; }));
 }
@@ -97,7 +97,7 @@ TEST(BrainWindow, DragsASensorsRangeAsOneStepOfUndo) {
     EXPECT_TRUE(wait_for([&] { return ranges() == before; }));
 }
 
-TEST(BrainWindow, ShowsTheLargePicturesAndTakesThemAway) {
+TEST(BrainWindow, ShowsAndHidesTheLargeCharts) {
     LabWindow lab({"predator-prey", "--size", "1024x768", "--play"});
     lab.key("c");
     ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("card.charts"); }));

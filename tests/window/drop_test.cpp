@@ -1,4 +1,4 @@
-// What is dragged into the window, through the callback that the windowing library calls.
+// Files dropped onto the window and its close button, through the callbacks of GLFW.
 #include <GL/glew.h>
 // GLFW after GLEW: both declare OpenGL, and GLEW insists on being first.
 #include <GLFW/glfw3.h>
@@ -9,7 +9,7 @@
 namespace braitenlab::tests::drop_test {
 namespace {
 
-TEST(Drop, HandsOverEveryFileOnceInItsOrder) {
+TEST(Window, ReturnsEachDroppedFileOnceAndInOrder) {
     auto window = Window::open({.title = "drop", .width = 640, .height = 480, .visible = false});
     ASSERT_TRUE(window) << window.error().text();
     GLFWwindow* native = glfwGetCurrentContext();
@@ -25,11 +25,11 @@ TEST(Drop, HandsOverEveryFileOnceInItsOrder) {
     EXPECT_EQ(window->take_dropped_files().size(), 2u) << "two drops within a frame are two files";
 }
 
-TEST(Close, CanBeRefused) {
+TEST(Window, CanRefuseToClose) {
     auto window = Window::open({.title = "close", .width = 640, .height = 480, .visible = false});
     ASSERT_TRUE(window) << window.error().text();
     EXPECT_FALSE(window->close_requested());
-    glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE);  // as the button of its frame does
+    glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE);  // as the close button does
     EXPECT_TRUE(window->close_requested());
     window->refuse_close();
     EXPECT_FALSE(window->close_requested());

@@ -1,4 +1,4 @@
-// The watch that every window test keeps: a call that the graphics driver refuses is counted and fails the test.
+// Counting errors of the graphics driver, as every window test does.
 #include <GL/glew.h>
 // GLFW after GLEW: both declare OpenGL, and GLEW insists on being first.
 #include <GLFW/glfw3.h>
@@ -11,11 +11,11 @@ namespace {
 
 constexpr GLenum no_such_thing = 0xDEAD;
 
-TEST(GraphicsWatch, CountsWhatTheDriverRefuses) {
+TEST(Window, CountsErrorsOfTheGraphicsDriver) {
     auto window =
         Window::open({.title = "watch", .width = 640, .height = 480, .visible = false, .watch_graphics = true});
     ASSERT_TRUE(window) << window.error().text();
-    ASSERT_TRUE(window->watches_graphics()) << "this driver cannot tell; the other tests would notice no error";
+    ASSERT_TRUE(window->watches_graphics()) << "this driver cannot be watched; other tests would miss errors";
     EXPECT_EQ(window->graphics_errors(), 0);
     glEnable(no_such_thing);
     glBindTexture(no_such_thing, 1);
@@ -25,7 +25,7 @@ TEST(GraphicsWatch, CountsWhatTheDriverRefuses) {
     EXPECT_EQ(moved.graphics_errors(), 3) << "also after it has moved";
 }
 
-TEST(GraphicsWatch, SaysWhenNobodyWatches) {
+TEST(Window, ReportsThatTheDriverIsNotWatched) {
     auto window = Window::open({.title = "blind", .width = 640, .height = 480, .visible = false});
     ASSERT_TRUE(window) << window.error().text();
     EXPECT_FALSE(window->watches_graphics());

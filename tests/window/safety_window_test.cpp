@@ -1,4 +1,4 @@
-// Lecture mode, crashes and the keyboard alone, in the real window.
+// Lecture mode, crashes, unsaved edits and keyboard control in the real window.
 #include "tests/window/lab_window.h"
 
 namespace braitenlab::tests::safety_window_test {
@@ -18,7 +18,7 @@ std::filesystem::file_time_type written(const Home& home) {
     return {};
 }
 
-TEST(LectureWindow, F9AndBackRestoresEverything) {
+TEST(LectureWindow, F9TwiceRestoresEverything) {
     LabWindow lab({"predator-prey", "--size", "1280x800"});
     lab.click("card.information.fold");
     lab.key("f");
@@ -41,7 +41,7 @@ TEST(LectureWindow, F9AndBackRestoresEverything) {
         EXPECT_EQ(lab.state()[what], looked[what]) << what;
 }
 
-TEST(CrashWindow, OffersTheWorkAgainAfterKillNine) {
+TEST(CrashWindow, OffersTheWorkAfterACrash) {
     const Home home;
     {
         LabWindow lab({"2a-coward", "--size", "1280x800"}, home.path);
@@ -65,10 +65,10 @@ TEST(CrashWindow, OffersTheWorkAgainAfterKillNine) {
     }
     LabWindow lab({"3a-love", "--size", "1280x800"}, home.path);
     lab.draw_frames();
-    EXPECT_FALSE(lab.anchors().contains("recovery.take")) << "after a proper end there is nothing to offer";
+    EXPECT_FALSE(lab.anchors().contains("recovery.take")) << "nothing is offered after a proper end";
 }
 
-TEST(CrashWindow, OffersARunThatWasOnlyPlayed) {
+TEST(CrashWindow, OffersARunWithoutEdits) {
     const Home home;
     int reached = 0;
     {
@@ -83,12 +83,12 @@ TEST(CrashWindow, OffersARunThatWasOnlyPlayed) {
     ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("recovery.take"); }));
     lab.key("Return");
     ASSERT_TRUE(wait_for([&] { return lab.state()["opened"] == "predator-prey"; }));
-    EXPECT_GT(lab.state()["tick"], 60) << "the run is there, not its start alone";
-    EXPECT_GE(lab.state()["tick"], reached - 20 * 60) << "twenty seconds at most are lost";
+    EXPECT_GT(lab.state()["tick"], 60) << "the run continues, not its start";
+    EXPECT_GE(lab.state()["tick"], reached - 20 * 60) << "at most twenty seconds are lost";
     EXPECT_LE(lab.state()["tick"], reached + 60);
 }
 
-TEST(CrashWindow, EndsCleanlyWhenTheSystemSaysSoAndOffersTheWorkAgain) {
+TEST(CrashWindow, EndsOnSigtermAndOffersTheWork) {
     const Home home;
     {
         LabWindow lab({"2a-coward", "--size", "1280x800"}, home.path);
@@ -107,7 +107,7 @@ TEST(CrashWindow, EndsCleanlyWhenTheSystemSaysSoAndOffersTheWorkAgain) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 0.1; }));
 }
 
-TEST(UnsavedWindow, AsksBeforeItLeavesAndOpensAndSavesUnderAName) {
+TEST(UnsavedWindow, AsksBeforeItLeavesAndSavesUnderANewName) {
     const Home home;
     LabWindow lab({"2a-coward", "--size", "1280x800"}, home.path);
     lab.key("2");
@@ -133,10 +133,10 @@ TEST(UnsavedWindow, AsksBeforeItLeavesAndOpensAndSavesUnderAName) {
     lab.key("F1");
     ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("card.keys"); }));
     lab.key("ctrl+q");
-    EXPECT_EQ(lab.exit_code(), 0) << "nothing is unsaved now, and a sheet is in nobody's way";
+    EXPECT_EQ(lab.exit_code(), 0) << "nothing is unsaved, and an open sheet does not matter";
 }
 
-TEST(Screenshot, GoesToTheFolderForPicturesAndSaysSo) {
+TEST(ScreenshotWindow, WritesToTheFolderOfPictures) {
     const Home home;
     std::filesystem::create_directories(home.path / "config");
     std::ofstream(home.path / "config" / "user-dirs.dirs") << "XDG_PICTURES_DIR=\"$HOME/Bilder\"\n";
@@ -157,7 +157,7 @@ class KeyboardAlone : public testing::TestWithParam<Screen> {
 protected:
     LabWindow lab{{"05-aggressor", "--size", GetParam().size, "--scale", GetParam().scale}};
 
-    // Whoever has the focus is in sight, whole.
+    // The focused widget is visible as a whole.
     void expect_focus_in_sight() const {
         const std::string focus = lab.state()["focus"];
         if (focus.empty()) return;

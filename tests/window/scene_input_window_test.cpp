@@ -1,4 +1,4 @@
-// The scene under a real mouse: dragging, drawing, the menu of a right click, all of it undone again.
+// Mouse input in the scene: dragging, drawing, the context menu, and undo.
 #include <cmath>
 
 #include "tests/window/lab_window.h"
@@ -64,8 +64,8 @@ TEST(SceneInputWindow, HoldsADrivingVehicleInTheHand) {
     EXPECT_TRUE(wait_for([&] { return std::hypot(vehicle(lab, 0).x - to.x, vehicle(lab, 0).y - to.y) < 5; }));
     for (int i = 0; i < 3; ++i) lab.key("minus");  // so slow that a long frame is few ticks
     lab.key("space");
-    EXPECT_TRUE(wait_for([&] { return lab.state()["tick"].get<int>() > 12; })) << "time goes on";
-    EXPECT_LT(std::hypot(vehicle(lab, 0).x - to.x, vehicle(lab, 0).y - to.y), 25) << "and it stays where the hand is";
+    EXPECT_TRUE(wait_for([&] { return lab.state()["tick"].get<int>() > 12; })) << "time passes";
+    EXPECT_LT(std::hypot(vehicle(lab, 0).x - to.x, vehicle(lab, 0).y - to.y), 25) << "and it stays under the pointer";
     lab.release();
 }
 
@@ -89,7 +89,7 @@ TEST(SceneInputWindow, DragsALampAndEscapeInMidDragPutsItBack) {
     lab.move({from.x + 90, from.y});
     lab.release();
     EXPECT_EQ(lab.state()["sources"], before);
-    EXPECT_EQ(lab.state()["undo_depth"], 0) << "nothing has happened";
+    EXPECT_EQ(lab.state()["undo_depth"], 0) << "nothing has changed";
 }
 
 TEST(SceneInputWindow, ShowsByTheHoverWhatAClickWouldTake) {
@@ -116,7 +116,7 @@ TEST(SceneInputWindow, AddsFromTheMenuOfARightClickAndUndoTakesItAway) {
     right_click(lab, {free.x - 190, free.y + 60});
     lab.click("menu.add.vehicle.1");
     EXPECT_TRUE(wait_for([&] { return lab.state()["population"] == 11; }));
-    EXPECT_EQ(lab.state()["selected"], 10) << "what was added is under the hand";
+    EXPECT_EQ(lab.state()["selected"], 10) << "the added vehicle is selected";
     lab.key("Delete");
     EXPECT_TRUE(wait_for([&] { return lab.state()["population"] == 10; }));
     for (int i = 0; i < 3; ++i) lab.key("ctrl+z");
@@ -181,7 +181,7 @@ TEST(SceneInputWindow, PansWithTheRightButtonZoomsAboutThePointerAndComesHomeByO
     lab.move(lamp);
     lab.xdotool("click 4"), lab.xdotool("click 4");
     EXPECT_TRUE(wait_for([&] { return lab.state()["view"]["zoom"].get<double>() > 1.2; }));
-    EXPECT_NEAR(source(lab, 0).x, lamp.x, 3) << "what is under the pointer stays there";
+    EXPECT_NEAR(source(lab, 0).x, lamp.x, 3) << "the point under the pointer stays there";
     lab.key("Home");
     EXPECT_TRUE(wait_for([&] { return lab.state()["view"] == home; }));
     EXPECT_TRUE(wait_for([&] { return std::abs(source(lab, 0).x - start.x) < 2; })) << "after a short glide";

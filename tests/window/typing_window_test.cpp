@@ -1,14 +1,14 @@
-// What is typed faster than frames are drawn, in the real window.
+// Keys typed faster than frames are drawn, in the real window.
 #include "tests/window/lab_window.h"
 
 namespace braitenlab::tests::typing_window_test {
 namespace {
 
-// All of it within two or three frames. Not faster: of one key pressed twice within a millisecond, GLFW takes the
-// second for an echo of the first.
+// All keys within two or three frames. Not faster: if a key is pressed twice within a millisecond, GLFW ignores the
+// second press.
 constexpr const char* burst = "key --delay 2 ";
 
-TEST(TypingWindow, KeepsKeysAndCharactersOfABurstInTheirOrder) {
+TEST(TypingWindow, KeepsTheOrderOfKeysTypedWithinAFrame) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     lab.key("ctrl+shift+s");
     ASSERT_TRUE(LabWindow::eventually([&] { return lab.state()["typed"] == "2a-coward"; })) << lab.state().dump(1);
@@ -18,7 +18,7 @@ TEST(TypingWindow, KeepsKeysAndCharactersOfABurstInTheirOrder) {
     EXPECT_TRUE(LabWindow::eventually([&] { return lab.state()["typed"] == "abab"; })) << lab.state()["typed"];
 }
 
-TEST(TypingWindow, ReachesTheFieldThatTheFirstKeyOfABurstOpens) {
+TEST(TypingWindow, TypesIntoTheFieldThatTheFirstKeyOpens) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     lab.xdotool(burst + std::string("ctrl+shift+s ctrl+a s p a c e space 1"));
     EXPECT_TRUE(LabWindow::eventually([&] { return lab.state()["typed"] == "space 1"; })) << lab.state().dump(1);

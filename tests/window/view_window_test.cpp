@@ -1,4 +1,4 @@
-// What the scene shows, switched by a real hand in the real window.
+// Overlays and fields in the real window.
 #include "tests/window/lab_window.h"
 
 namespace braitenlab::tests::view_window_test {
@@ -6,7 +6,7 @@ namespace {
 
 bool wait_for(const std::function<bool()>& holds) { return LabWindow::eventually(holds, 8); }
 
-TEST(ViewWindow, WalksThroughFieldsByKeyAndSwitchesPicturesInTheMenu) {
+TEST(ViewWindow, CyclesFieldsByKeyAndSwitchesOverlaysInTheMenu) {
     LabWindow lab({"2b-aggressor", "--size", "1024x768"});
     const auto shows = [&](const char* what) { return lab.state()["overlays"][what]; };
     EXPECT_EQ(shows("field"), "");
@@ -20,7 +20,7 @@ TEST(ViewWindow, WalksThroughFieldsByKeyAndSwitchesPicturesInTheMenu) {
     EXPECT_TRUE(wait_for([&] { return shows("labels") == false; }));
     lab.click("view.light");
     EXPECT_TRUE(wait_for([&] { return shows("field") == "light"; }));
-    EXPECT_TRUE(lab.anchors().contains("card.view")) << "the menu stays while one tries";
+    EXPECT_TRUE(lab.anchors().contains("card.view")) << "the menu stays open";
     lab.key("Escape");
     EXPECT_TRUE(wait_for([&] { return !lab.anchors().contains("card.view"); }));
     lab.key("p");

@@ -10,7 +10,7 @@ bool wait_for(const std::function<bool()>& holds, double patience = 5) {
     return LabWindow::eventually(holds, patience);
 }
 
-TEST(Window, OpensTheFirstExercisePausedWithItsVehicleSelected) {
+TEST(LabWindow, OpensTheFirstExercisePausedWithItsVehicleSelected) {
     LabWindow lab({"--size", "1280x800"});
     const Json state = lab.state();
     EXPECT_EQ(state["mode"], "paused");
@@ -21,7 +21,7 @@ TEST(Window, OpensTheFirstExercisePausedWithItsVehicleSelected) {
     EXPECT_EQ(state["toggles"], 0);
 }
 
-TEST(Window, TogglesPlayOncePerPressOfSpaceHoweverQuick) {
+TEST(LabWindow, TogglesPlayOncePerPressOfSpace) {
     LabWindow lab({"predator-prey", "--size", "1280x800"});
     lab.xdotool("key --delay 12 " + []() {
         std::string keys;
@@ -32,7 +32,7 @@ TEST(Window, TogglesPlayOncePerPressOfSpaceHoweverQuick) {
     EXPECT_EQ(lab.state()["mode"], "paused");
 }
 
-TEST(Window, ChangesAWeightWhileItIsDraggedAndPlaying) {
+TEST(LabWindow, ChangesAWeightWhileItIsDraggedAndPlaying) {
     LabWindow lab({"predator-prey", "--size", "1280x800", "--play"});
     const double before = lab.state()["weights"]["LL"];
     const Point knob = lab.at("slider.LL");
@@ -49,7 +49,7 @@ TEST(Window, ChangesAWeightWhileItIsDraggedAndPlaying) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LL"] == before; }));
 }
 
-TEST(Window, GoesBackFiveSecondsAndOnAgainToTheSameMoment) {
+TEST(LabWindow, GoesBackFiveSecondsAndForwardAgainExactly) {
     LabWindow lab({"predator-prey", "--size", "1280x800", "--play"});
     ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] > 420; }, 40));
     lab.key("space");
@@ -70,7 +70,7 @@ TEST(Window, GoesBackFiveSecondsAndOnAgainToTheSameMoment) {
     EXPECT_EQ(lab.state()["hash"], there["hash"]);
 }
 
-TEST(Window, ScrubsWithTheMouseAndComesBackToAMark) {
+TEST(LabWindow, ScrubsWithTheMouseAndReturnsToABookmark) {
     LabWindow lab({"predator-prey", "--size", "1280x800", "--play"});
     ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] > 300; }, 40));
     lab.key("space");
@@ -88,20 +88,20 @@ TEST(Window, ScrubsWithTheMouseAndComesBackToAMark) {
     EXPECT_EQ(lab.state()["hash"], there["hash"]);
 }
 
-TEST(Window, RunsAtAnEighthOfTheSpeed) {
+TEST(LabWindow, RunsAtOneEighthOfTheSpeed) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     for (int i = 0; i < 3; ++i) lab.key("minus");
     ASSERT_TRUE(wait_for([&] { return lab.state()["time_scale"] == 0.125; }));
     lab.key("space");
     ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] > 0; }));
-    // A busy machine may be slower, but never faster. lab_test.cpp measures the speed itself.
+    // A busy machine may be slower, but never faster. playback_test.cpp measures the speed itself.
     const auto begin = std::chrono::steady_clock::now();
     const double from = lab.state()["seconds"];
     ASSERT_TRUE(wait_for([&] { return lab.state()["seconds"].get<double>() > from + 0.25; }, 40));
     EXPECT_GT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 0.25 * 8 * 0.9);
 }
 
-TEST(Window, TurnsTheOverviewWithTheArrowKeys) {
+TEST(LabWindow, TurnsTheOverviewWithTheArrowKeys) {
     LabWindow lab({"predator-prey", "--size", "1280x800"});
     lab.click("viewport");
     const Json before = lab.state()["view"];
@@ -113,10 +113,10 @@ TEST(Window, TurnsTheOverviewWithTheArrowKeys) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["view"] == before; }));
 }
 
-TEST(Window, PassesTheExerciseWithTheMouseAlone) {
+TEST(LabWindow, PassesTheExerciseWithTheMouseAlone) {
     LabWindow lab({"05-aggressor", "--size", "1280x800"});
     lab.click("exercise.predict.1");
-    // Crosses the wires: the straight ones to nothing, the crossed ones up to where most of the track lies behind.
+    // Sets the straight wires to 0 and the crossed ones to a large weight.
     const auto set = [&](const std::string& slider, double share) {
         const auto r = lab.anchors()[slider].get<std::vector<double>>();
         const Point middle = lab.at(slider);
@@ -130,8 +130,8 @@ TEST(Window, PassesTheExerciseWithTheMouseAlone) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["exercise"]["passed"] == true; }, 40)) << lab.state().dump(1);
 }
 
-// Where a vehicle of the shipped hunt stands in the window at its start: by the camera, and by the tool that runs
-// scenes.
+// Position of a vehicle of predator-prey in the window at the start, from the camera and from
+// braitenctl.
 Point start_in_window(const LabWindow& lab, std::size_t vehicle) {
     const auto free = lab.anchors()["viewport"].get<std::vector<float>>();
     const Json v =
@@ -143,7 +143,7 @@ Point start_in_window(const LabWindow& lab, std::size_t vehicle) {
     return {static_cast<int>(at->x), static_cast<int>(at->y)};
 }
 
-TEST(Window, SelectsTheVehicleThatIsClicked) {
+TEST(LabWindow, SelectsTheVehicleThatIsClicked) {
     LabWindow lab({"predator-prey", "--size", "1280x800"});
     for (const std::size_t vehicle : {std::size_t{6}, std::size_t{3}}) {
         lab.click(start_in_window(lab, vehicle));
@@ -152,7 +152,7 @@ TEST(Window, SelectsTheVehicleThatIsClicked) {
     EXPECT_EQ(lab.state()["undo_depth"], 0) << "a click moves nothing";
 }
 
-TEST(Window, DragsAVehicleToAnotherPlaceWhichUndoTakesBack) {
+TEST(LabWindow, DragsAVehicleAndUndoMovesItBack) {
     LabWindow lab({"predator-prey", "--size", "1280x800"});
     const auto before = lab.state()["hash"];
     const Point from = start_in_window(lab, 0);
@@ -163,7 +163,7 @@ TEST(Window, DragsAVehicleToAnotherPlaceWhichUndoTakesBack) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["hash"] == before; }));
 }
 
-TEST(Window, OpensAnotherSceneFromItsMenu) {
+TEST(LabWindow, OpensAnotherSceneFromItsMenu) {
     LabWindow lab({"--size", "1280x800"});
     lab.click("button.open");
     ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("open.2a-coward"); }));
@@ -173,7 +173,7 @@ TEST(Window, OpensAnotherSceneFromItsMenu) {
     EXPECT_EQ(lab.state()["mode"], "paused");
 }
 
-TEST(Window, OpensWhatWasOpenLastInTheThemeAndLanguageChosenThen) {
+TEST(LabWindow, OpensTheLastFileWithTheSavedThemeAndLanguage) {
     const Home home;
     {
         LabWindow lab({"3a-love", "--size", "1100x780"}, home.path);
@@ -193,7 +193,7 @@ TEST(Window, OpensWhatWasOpenLastInTheThemeAndLanguageChosenThen) {
     EXPECT_EQ(bar[2], 1100) << "the window is as wide as it was";
 }
 
-TEST(Window, StartsAndSaysSoWhereItsSettingsAreBroken) {
+TEST(LabWindow, StartsWithBrokenSettingsAndReportsThem) {
     const Home home;
     std::filesystem::create_directories(home.path / "config" / "braitenlab");
     std::ofstream(home.path / "config" / "braitenlab" / "settings.toml") << "theme = [[\n";
@@ -202,7 +202,7 @@ TEST(Window, StartsAndSaysSoWhereItsSettingsAreBroken) {
     EXPECT_TRUE(std::filesystem::exists(home.path / "config" / "braitenlab" / "settings.toml.broken"));
 }
 
-TEST(Window, SavesAPictureThatCanBeRepeated) {
+TEST(LabWindow, TakesTheSamePictureTwice) {
     const Home home;
     const auto shoot = [&](const char* name) {
         const auto file = home.path / name;
@@ -216,20 +216,20 @@ TEST(Window, SavesAPictureThatCanBeRepeated) {
     EXPECT_GT(std::stoi(shell(fmt::format("identify -format '%k' {}", a)).out), 200) << "colours in the picture";
 }
 
-TEST(Window, EndsWithTwoAndASentenceWithoutADisplay) {
+TEST(LabWindow, ExitsWithTwoWithoutADisplay) {
     const Ran ran = shell("env -u DISPLAY -u WAYLAND_DISPLAY " + program("braitenlab"));
     EXPECT_EQ(ran.code, 2);
     EXPECT_NE(ran.out.find("A display is needed"), std::string::npos) << ran.out;
 }
 
-TEST(Window, AnswersVersionAndHelpWithoutADisplay) {
+TEST(LabWindow, AnswersVersionAndHelpWithoutADisplay) {
     EXPECT_EQ(shell("env -u DISPLAY " + program("braitenlab") + " --version").code, 0);
     const Ran help = shell("env -u DISPLAY " + program("braitenlab") + " --help");
     EXPECT_EQ(help.code, 0);
     EXPECT_NE(help.out.find("--screenshot"), std::string::npos);
 }
 
-TEST(Window, OpensAllTheSameWithABrokenSceneAndNamesFileAndLine) {
+TEST(LabWindow, OpensWithABrokenSceneAndReportsFileAndLine) {
     const Home home;
     const auto file = home.path / "broken.toml";
     std::ofstream(file) << "format = 1\n\n[ecology]\npopulatoin = 3\n";
@@ -241,7 +241,7 @@ TEST(Window, OpensAllTheSameWithABrokenSceneAndNamesFileAndLine) {
     }
 }
 
-TEST(Window, TakesNoPictureOfAnotherSceneInsteadOfABrokenOne) {
+TEST(LabWindow, TakesNoPictureOfABrokenScene) {
     const Home home;
     const auto file = home.path / "broken.toml", picture = home.path / "picture.png";
     std::ofstream(file) << "format = 1\n\n[ecology]\npopulatoin = 3\n";
@@ -252,7 +252,7 @@ TEST(Window, TakesNoPictureOfAnotherSceneInsteadOfABrokenOne) {
     EXPECT_EQ(shell(program("braitenlab") + " 2a-coward --set kind.nobody.brain.LL=1").code, 2);
 }
 
-TEST(Window, LeavesByItsExitButton) {
+TEST(LabWindow, ExitsByTheExitButton) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     lab.click("button.exit");
     EXPECT_EQ(lab.exit_code(), 0);

@@ -8,8 +8,8 @@ bool wait_for(const std::function<bool()>& holds, double patience = 5) {
     return LabWindow::eventually(holds, patience);
 }
 
-// A window in wiring mode, showing a coward: LL and RR wired, LR and RL free places.
-struct Wiring : testing::Test {
+// A window in wiring mode, showing a coward: LL and RR wired, LR and RL not.
+struct WiringWindow : testing::Test {
     LabWindow lab{{"2a-coward", "--size", "1280x800", "--play"}};
 
     void SetUp() override {
@@ -20,7 +20,7 @@ struct Wiring : testing::Test {
     double weight(const char* name) const { return lab.state()["weights"][name]; }
 };
 
-TEST_F(Wiring, PausesAndEscLeavesItPaused) {
+TEST_F(WiringWindow, PausesAndEscLeavesItPaused) {
     const auto tick = lab.state()["tick"];
     lab.draw_frames();
     EXPECT_EQ(lab.state()["tick"], tick);
@@ -30,19 +30,19 @@ TEST_F(Wiring, PausesAndEscLeavesItPaused) {
     EXPECT_TRUE(wait_for([&] { return !lab.anchors().contains("canvas"); }));
 }
 
-TEST_F(Wiring, DraggingFromTheLeftEyeToTheRightMotorTurnsTheSliderRL) {
+TEST_F(WiringWindow, DraggingFromTheLeftEyeToTheRightMotorTurnsTheSliderRL) {
     EXPECT_EQ(weight("RL"), 0);
     lab.drag(lab.at("pin.SL.out"), lab.at("pin.MR.in"));
     EXPECT_TRUE(wait_for([&] { return weight("RL") == 1; })) << weight("RL");
     EXPECT_EQ(lab.state()["undo_depth"], 1);
 }
 
-TEST_F(Wiring, TheReverseDragMakesTheSameWire) {
+TEST_F(WiringWindow, TheReverseDragMakesTheSameWire) {
     lab.drag(lab.at("pin.ML.in"), lab.at("pin.SR.out"));
     EXPECT_TRUE(wait_for([&] { return weight("LR") == 1; })) << weight("LR");
 }
 
-TEST_F(Wiring, ASecondWireBetweenTheSamePinsIsRefused) {
+TEST_F(WiringWindow, ASecondWireBetweenTheSamePinsIsRefused) {
     const double before = weight("LL");
     lab.drag(lab.at("pin.SL.out"), lab.at("pin.ML.in"));
     EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("refused.duplicate"); }, 2)) << "and says why";
@@ -50,7 +50,7 @@ TEST_F(Wiring, ASecondWireBetweenTheSamePinsIsRefused) {
     EXPECT_EQ(lab.state()["undo_depth"], 0);
 }
 
-TEST_F(Wiring, AClickOnAWiresLabelAndDelMakeItsSliderReadZero) {
+TEST_F(WiringWindow, AClickOnAWiresLabelAndDelMakeItsSliderReadZero) {
     lab.click("wire.LL");
     lab.key("Delete");
     EXPECT_TRUE(wait_for([&] { return weight("LL") == 0; })) << weight("LL");
@@ -58,7 +58,7 @@ TEST_F(Wiring, AClickOnAWiresLabelAndDelMakeItsSliderReadZero) {
     EXPECT_TRUE(wait_for([&] { return weight("LL") == 1.5; })) << weight("LL");
 }
 
-TEST_F(Wiring, AClickOnTheCurveSelectsItsWireAndDelMakesItsSliderReadZero) {
+TEST_F(WiringWindow, AClickOnTheCurveSelectsItsWireAndDelMakesItsSliderReadZero) {
     lab.click("curve.RR");
     ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("selected.RR"); }));
     lab.key("Delete");
@@ -66,7 +66,7 @@ TEST_F(Wiring, AClickOnTheCurveSelectsItsWireAndDelMakesItsSliderReadZero) {
     EXPECT_NE(weight("LL"), 0);
 }
 
-TEST_F(Wiring, TheWheelZoomsAndKeepsThePointUnderTheCursor) {
+TEST_F(WiringWindow, TheWheelZoomsAndKeepsThePointUnderTheCursor) {
     const Point pin = lab.at("pin.MR.in");
     const auto width = [&] { return lab.anchors()["node.MR"][2].get<double>(); };
     const double before = width();
@@ -79,7 +79,7 @@ TEST_F(Wiring, TheWheelZoomsAndKeepsThePointUnderTheCursor) {
     EXPECT_NEAR(after.y, pin.y, 2);
 }
 
-TEST_F(Wiring, ABoxSelectsWhatCtrlCAndCtrlVMakeASecondOneOf) {
+TEST_F(WiringWindow, ABoxSelectsNodesThatCtrlCAndCtrlVCopy) {
     const auto canvas = lab.anchors()["canvas"].get<std::vector<double>>();
     const int middle = static_cast<int>(canvas[0] + canvas[2] / 2);
     const auto at = [&](double share) { return static_cast<int>(canvas[1] + canvas[3] * share); };
@@ -105,7 +105,7 @@ TEST_F(Wiring, ABoxSelectsWhatCtrlCAndCtrlVMakeASecondOneOf) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["undo_depth"] == depth + 1; })) << "one paste is one step of undo";
 }
 
-TEST_F(Wiring, KeysAloneSelectCutAndHealAWire) {
+TEST_F(WiringWindow, KeysSelectCutAndRestoreAWire) {
     for (const char* name : {"Right", "Right"}) {
         lab.key(name);
         lab.draw_frames();
@@ -123,7 +123,7 @@ TEST_F(Wiring, KeysAloneSelectCutAndHealAWire) {
     EXPECT_EQ(lab.state()["mode"], "wiring");
 }
 
-TEST_F(Wiring, EscInMidDragChangesNothingAndStaysInTheEditor) {
+TEST_F(WiringWindow, EscapeDuringADragChangesNothing) {
     const Point from = lab.at("pin.SL.out"), to = lab.at("pin.MR.in");
     lab.move(from);
     lab.press();
@@ -136,7 +136,7 @@ TEST_F(Wiring, EscInMidDragChangesNothingAndStaysInTheEditor) {
     EXPECT_EQ(lab.state()["mode"], "wiring");
 }
 
-TEST_F(Wiring, ADraggedNodeStandsThereUndoesInOneStepAndLeavesTheFutureAlone) {
+TEST_F(WiringWindow, ADraggedNodeIsOneStepOfUndoAndKeepsTheFuture) {
     lab.key("Escape");
     lab.key("comma");  // a step back, so that something lies ahead
     ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] < lab.state()["latest"]; }));
@@ -161,7 +161,7 @@ TEST_F(Wiring, ADraggedNodeStandsThereUndoesInOneStepAndLeavesTheFutureAlone) {
     EXPECT_TRUE(stands_at(after));
 }
 
-TEST_F(Wiring, SpaceLeavesItAndPlays) {
+TEST_F(WiringWindow, SpaceLeavesTheEditorAndPlays) {
     lab.key("space");
     EXPECT_TRUE(wait_for([&] { return lab.state()["mode"] == "playing"; }));
 }

@@ -1,0 +1,65 @@
+// What requests change in the view.
+#include "app/lab_requests.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/lab/opened_lab.h"
+
+namespace braitenlab::tests::lab_requests_test {
+namespace {
+
+TEST(LabRequests, ResetTheCameraByHome) {
+    Lab lab = opened_lab("predator-prey");
+    for (const Action way : {Action::follow, Action::birds_eye, Action::drivers_eye}) {
+        lab.view.camera.pan = {5, 5}, lab.view.camera.zoom = 3, lab.view.camera.azimuth = 1;
+        handle(lab, way);
+        EXPECT_NE(lab.view.camera.mode, CameraMode::overview);
+        handle(lab, Action::home);
+        EXPECT_EQ(lab.view.camera, Camera{});
+    }
+}
+
+TEST(LabRequests, ToggleACameraModeByTheSameAction) {
+    Lab lab = opened_lab("predator-prey");
+    handle(lab, Action::drivers_eye);
+    handle(lab, Action::birds_eye);
+    EXPECT_EQ(lab.view.camera.mode, CameraMode::birds_eye);
+    handle(lab, Action::birds_eye);
+    EXPECT_EQ(lab.view.camera.mode, CameraMode::overview);
+}
+
+TEST(LabRequests, ShowAFailureForSomeSeconds) {
+    Lab lab = opened_lab("2a-coward");
+    handle(lab, Action::remove);
+    handle(lab, Action::remove);
+    EXPECT_NE(lab.notice.words, "");
+    EXPECT_EQ(lab.notice.kind, NoticeKind::failure);
+    advance(lab, 60);
+    EXPECT_TRUE(lab.notice.empty());
+}
+
+TEST(LabRequests, CycleThroughTheIntensityFieldsOfTheScene) {
+    Lab lab = opened_lab("2b-aggressor");
+    EXPECT_FALSE(lab.view.overlays.field);
+    handle(lab, Action::next_field);
+    EXPECT_EQ(lab.view.overlays.field, Channel::light);
+    handle(lab, Action::next_field);
+    EXPECT_FALSE(lab.view.overlays.field);
+    handle(lab, OverlaysRequest{{.labels = false, .field = Channel::light}});
+    EXPECT_FALSE(view_of(lab).settings.overlays.labels);
+    EXPECT_EQ(view_of(lab).settings.overlays.field, Channel::light);
+}
+
+TEST(LabRequests, SwitchEachOverlayOffAndOn) {
+    Lab lab = opened_lab("2b-aggressor");
+    const Overlays before = lab.view.overlays;
+    for (const Action action : {Action::trails, Action::surfaces, Action::memory, Action::labels}) {
+        handle(lab, action);
+        EXPECT_NE(lab.view.overlays, before);
+        handle(lab, action);
+        EXPECT_EQ(lab.view.overlays, before);
+    }
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::lab_requests_test

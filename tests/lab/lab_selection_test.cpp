@@ -1,0 +1,125 @@
+// The selection and driving by hand.
+#include "app/lab_selection.h"
+
+#include <gtest/gtest.h>
+
+#include "app/lab_requests.h"
+#include "tests/lab/opened_lab.h"
+
+namespace braitenlab::tests::lab_selection_test {
+namespace {
+
+TEST(LabSelection, DrivesTheVehicleWhileArrowKeysAreHeld) {
+    Lab lab = opened_lab("2a-coward");
+    EXPECT_FALSE(steer_by_keys(lab, 0, 1)) << "while its brain drives, the keys move the camera";
+    handle(lab, Action::drive);
+    const auto moved_in_a_second = [&] {
+        for (int i = 0; i < 60; ++i) tick(lab);
+        return lab.document.session.snapshot().vehicles[0].motor;
+    };
+    EXPECT_TRUE(steer_by_keys(lab, 0, 1));
+    EXPECT_EQ(moved_in_a_second(), (std::array{1.0f, 1.0f}));
+    steer_by_keys(lab, 1, 0);
+    const auto turning = moved_in_a_second();
+    EXPECT_GT(turning[0], 0) << "to the right";
+    EXPECT_FLOAT_EQ(turning[1], -turning[0]);
+    steer_by_keys(lab, 0, 0);
+    EXPECT_EQ(moved_in_a_second(), (std::array{0.0f, 0.0f}));
+    handle(lab, Action::drive);
+    EXPECT_EQ(lab.document.session.snapshot().vehicles[0].driver, Driver::brain);
+    EXPECT_NE(moved_in_a_second(), (std::array{0.0f, 0.0f})) << "the brain drives again";
+}
+
+TEST(LabSelection, StopsAVehicleThatIsNoLongerSelected) {
+    Lab lab = opened_lab("predator-prey");
+    handle(lab, Action::drive);
+    steer_by_keys(lab, 0, 1);
+    handle(lab, Action::next_vehicle);
+    EXPECT_FALSE(steer_by_keys(lab, 0, 1));
+    tick(lab);
+    EXPECT_EQ(lab.document.session.snapshot().vehicles[0].motor, (std::array{0.0f, 0.0f}));
+}
+
+TEST(LabSelection, MovesToTheNextVehicleIfItsVehicleIsRemoved) {
+    Lab lab = opened_lab("predator-prey");
+    EXPECT_EQ(lab.view.selection.vehicle, 0);
+    handle(lab, EditRequest{RemoveVehicle{0}});
+    EXPECT_EQ(lab.view.selection.vehicle, 1);
+    handle(lab, Action::previous_vehicle);
+    EXPECT_EQ(lab.view.selection.vehicle, 9);
+    handle(lab, Action::next_vehicle);
+    EXPECT_EQ(lab.view.selection.vehicle, 1);
+}
+
+TEST(LabSelection, SelectsWhatTheUserAddsAtAPosition) {
+    Lab lab = opened_lab("2a-coward");
+    handle(lab, EditRequest{AddVehicle{0, Pose{1, 1, 0}}});
+    EXPECT_EQ(lab.view.selection.vehicle, 1);
+    handle(lab, Action::add);
+    EXPECT_EQ(lab.view.selection.vehicle, 1);
+    const auto sources = static_cast<int>(lab.document.session.snapshot().sources.size());
+    handle(lab, EditRequest{AddSource{Source{.x = 2}}});
+    EXPECT_EQ(lab.view.selection.object, (SceneObject{SceneObjectKind::source, sources}));
+    EXPECT_EQ(lab.view.selection.vehicle, 1) << "its brain is still shown";
+}
+
+TEST(LabSelection, KeepsASourceWhenOthersAreRemoved) {
+    Lab lab = opened_lab("2a-coward");
+    handle(lab, EditRequest{AddSource{Source{.name = "mine", .x = 2}}});
+    const int index = lab.view.selection.object.index;
+    ASSERT_GT(index, 0);
+    handle(lab, EditRequest{RemoveSource{0}});
+    EXPECT_EQ(lab.view.selection.object.index, index - 1);
+    handle(lab, Action::erase);
+    EXPECT_FALSE(lab.view.selection.object);
+    EXPECT_EQ(find_source(*lab.document.session.snapshot().scene, "mine"), -1);
+}
+
+TEST(LabSelection, IsErasedAndDuplicated) {
+    Lab lab = opened_lab("2a-coward");
+    handle(lab, EditRequest{AddObstacle{Obstacle{.x = 2, .length = 3}}});
+    handle(lab, Action::duplicate);
+    ASSERT_EQ(lab.document.session.snapshot().scene->obstacles.size(), 2u);
+    const Obstacle& copy = lab.document.session.snapshot().scene->obstacles[1];
+    EXPECT_EQ(copy.length, 3);
+    EXPECT_NE(copy.x, 2) << "beside it, not in it";
+    EXPECT_EQ(lab.view.selection.object, (SceneObject{SceneObjectKind::obstacle, 1}));
+    handle(lab, Action::erase);
+    EXPECT_EQ(lab.document.session.snapshot().scene->obstacles.size(), 1u);
+    EXPECT_EQ(lab.document.session.snapshot().vehicles.size(), 1u) << "the vehicle is not selected first";
+    handle(lab, Action::duplicate);
+    EXPECT_EQ(lab.document.session.snapshot().vehicles.size(), 2u);
+    handle(lab, Action::wiring);
+    handle(lab, Action::erase);
+    EXPECT_EQ(lab.document.session.snapshot().vehicles.size(), 2u) << "Del is the canvas's there";
+}
+
+TEST(LabSelection, CopiesTheBrainOfADuplicatedVehicle) {
+    Lab lab = opened_lab("2a-coward");
+    handle(lab, EditRequest{TurnDial{{.vehicle = 0}, Dial::LR, 1.25f}});
+    handle(lab, Action::duplicate);
+    const Snapshot& now = lab.document.session.snapshot();
+    ASSERT_EQ(now.vehicles.size(), 2u);
+    EXPECT_EQ(read_dials(*now.brains[static_cast<std::size_t>(now.vehicles[1].brain)]).LR, 1.25f);
+}
+
+TEST(LabSelection, MovesToTheNextOfTheKindIfItsVehicleDies) {
+    Lab lab = opened_lab("predator-prey");
+    const auto prey = [&] {
+        for (const VehicleView& v : lab.document.session.snapshot().vehicles)
+            if (v.role == Role::prey) return v.id;
+        return no_vehicle;
+    };
+    handle(lab, SelectRequest{prey()});
+    const VehicleId first = lab.view.selection.vehicle;
+    for (int i = 0; i < 60 * 120 && lab.view.selection.vehicle == first; ++i) tick(lab);
+    ASSERT_NE(lab.view.selection.vehicle, first) << "it survives two minutes";
+    EXPECT_EQ(find_vehicle(lab.document.session.snapshot(), lab.view.selection.vehicle)->role, Role::prey);
+    EXPECT_TRUE(lab.notice.key == "notice.eaten_prey" || lab.notice.key == "notice.starved_prey") << lab.notice.key;
+    EXPECT_EQ(lab.notice.words, std::to_string(first + 1));
+    EXPECT_EQ(lab.notice.more, std::to_string(lab.view.selection.vehicle + 1));
+    EXPECT_EQ(lab.notice.kind, NoticeKind::notice);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::lab_selection_test
