@@ -1,5 +1,6 @@
 #include "app/options.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
@@ -21,6 +22,19 @@ std::string read_size(const std::string& text, Options& options) {
         return fmt::format("'{}' is not a size; write it as 1280x800, at least 640x480", text);
     options.size_given = true;
     return {};
+}
+
+// A word as the command line writes it.
+std::string with_dashes(std::string_view word) {
+    std::string text(word);
+    std::replace(text.begin(), text.end(), '_', '-');
+    return text;
+}
+
+std::vector<std::string> camera_modes() {
+    std::vector<std::string> modes;
+    for (const std::string_view word : camera_mode_words) modes.push_back(with_dashes(word));
+    return modes;
 }
 
 }  // namespace
@@ -65,14 +79,12 @@ CommandLine read_command_line(int argc, char** argv) {
     app.add_option_function<std::string>(
            "--camera",
            [&](const std::string& mode) {
-               o.camera = mode == "follow"      ? CameraMode::follow
-                          : mode == "birds-eye" ? CameraMode::birds_eye
-                          : mode == "driver"    ? CameraMode::driver
-                                                : CameraMode::overview;
+               for (std::size_t i = 0; i < camera_mode_words.size(); ++i)
+                   if (mode == with_dashes(camera_mode_words[i])) o.camera = static_cast<CameraMode>(i);
            },
            "camera mode at the start")
         ->type_name("MODE")
-        ->check(CLI::IsMember({"overview", "follow", "birds-eye", "driver"}));
+        ->check(CLI::IsMember(camera_modes()));
     app.add_option_function<std::string>(
            "--sectors",
            [&](const std::string& way) {

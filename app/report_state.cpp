@@ -21,60 +21,6 @@ using Json = nlohmann::ordered_json;
 // Rounds to six decimals: 0.8, not 0.800000011920929.
 double plain(float value) { return std::round(static_cast<double>(value) * 1e6) / 1e6; }
 
-const char* mode_word(Mode mode) {
-    switch (mode) {
-        case Mode::playing:
-            return "playing";
-        case Mode::paused:
-            return "paused";
-        case Mode::wiring:
-            return "wiring";
-    }
-    return "";
-}
-
-const char* camera_word(CameraMode mode) {
-    switch (mode) {
-        case CameraMode::overview:
-            return "overview";
-        case CameraMode::follow:
-            return "follow";
-        case CameraMode::birds_eye:
-            return "birds_eye";
-        case CameraMode::driver:
-            return "driver";
-    }
-    return "";
-}
-
-const char* object_word(SceneObjectKind kind) {
-    switch (kind) {
-        case SceneObjectKind::none:
-            return "none";
-        case SceneObjectKind::vehicle:
-            return "vehicle";
-        case SceneObjectKind::source:
-            return "source";
-        case SceneObjectKind::obstacle:
-            return "obstacle";
-    }
-    return "";
-}
-
-const char* tool_word(ui::SceneInputTool tool) {
-    switch (tool) {
-        case ui::SceneInputTool::hand:
-            return "hand";
-        case ui::SceneInputTool::lamp:
-            return "lamp";
-        case ui::SceneInputTool::box:
-            return "box";
-        case ui::SceneInputTool::polygon:
-            return "polygon";
-    }
-    return "";
-}
-
 Json pixel(const Sight& sight, float x, float y, float height = 0) {
     const auto at = project(sight, {x, y}, height);
     return at ? Json{std::round(at->x), std::round(at->y)} : Json();
@@ -133,13 +79,12 @@ Json obstacles_json(const Snapshot& now, const Sight& sight) {
 void add_scene_input(Json& state, const Lab& lab, const ui::SceneInputState& scene_input, const FrameFacts& frame) {
     const Sight& sight = frame.sight;
     const Snapshot& now = lab.document.session.snapshot();
-    state["thing"] = {{"kind", object_word(lab.view.selection.object.kind)},
-                      {"index", lab.view.selection.object.index}};
-    state["hovered"] = {{"kind", object_word(scene_input.hovered.object.kind)},
+    state["thing"] = {{"kind", word(lab.view.selection.object.kind)}, {"index", lab.view.selection.object.index}};
+    state["hovered"] = {{"kind", word(scene_input.hovered.object.kind)},
                         {"index", scene_input.hovered.object.index},
                         {"handle", scene_input.hovered.handle}};
     state["cursor"] = frame.hand ? "hand" : "arrow";
-    state["tool"] = tool_word(scene_input.tool);
+    state["tool"] = word(scene_input.tool);
     state["corners"] = scene_input.corners.size();
     state["vehicles"] = vehicles_json(now, sight);
     state["sources"] = sources_json(now, sight);
@@ -193,7 +138,7 @@ std::string anchors_json(const ui::Anchors& anchors) {
 
 std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, const FrameFacts& frame) {
     const Snapshot& now = lab.document.session.snapshot();
-    Json state{{"mode", mode_word(lab.playback.mode)},
+    Json state{{"mode", word(lab.playback.mode)},
                {"tick", now.tick},
                {"seconds", now.seconds},
                {"hash", hash_text(lab.document.session.hash())},
@@ -217,7 +162,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
         {"labels", lab.view.overlays.labels},
         {"field",
          lab.view.overlays.field ? channel_words[static_cast<std::size_t>(*lab.view.overlays.field)].word : ""}};
-    state["camera"] = camera_word(lab.view.camera.mode);
+    state["camera"] = word(lab.view.camera.mode);
     state["view"] = {{"azimuth", lab.view.camera.azimuth},
                      {"elevation", lab.view.camera.elevation},
                      {"zoom", lab.view.camera.zoom},
@@ -229,7 +174,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
     state["focus"] = frame.focus;
     state["typed"] = frame.typed;
     state["language"] = lab.preferences.language;
-    state["theme"] = lab.preferences.theme == Theme::light ? "light" : "dark";
+    state["theme"] = word(lab.preferences.theme);
     state["type_size"] = plain(lab.preferences.type_size);
     state["draw_calls"] = frame.draw_calls;
     state["graphics_watched"] = frame.graphics_watched;

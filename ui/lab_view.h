@@ -1,8 +1,10 @@
 // Read-only view of the lab for the panels: snapshot, mode, selection. Changes go through ui/request.h.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/lesson/exercise.h"
@@ -19,6 +21,8 @@
 namespace braitenlab {
 
 enum class Mode { playing, paused, wiring };  // wiring: paused, with the wiring canvas in place of the scene
+inline constexpr std::array<std::string_view, 3> mode_words{"playing", "paused", "wiring"};
+constexpr std::string_view word(Mode mode) { return mode_words[static_cast<std::size_t>(mode)]; }
 
 // The open exercise and its progress.
 struct LessonView {

@@ -55,20 +55,20 @@ Result<Preferences> parse_preferences(std::string_view toml, std::string file_na
     auto reader = read_settings_table(toml, std::move(file_name));
     if (!reader) return reader.error();
     Preferences p = otherwise;
-    std::string theme = p.theme == Theme::light ? "light" : "dark";
+    std::string theme(word(p.theme));
     reader->read("theme", theme, "\"dark\" or \"light\"");
     reader->read("language", p.language, "a language's code, as in \"de\"");
     reader->read("type_size", p.type_size, "a number from 1 to 2");
     reader->read("reduce_motion", p.reduce_motion, "true or false");
     if (reader->error) return *reader->error;
-    p.theme = theme == "light" ? Theme::light : Theme::dark;
+    p.theme = theme == word(Theme::light) ? Theme::light : Theme::dark;
     p.type_size = p.type_size > least_type_size ? std::min(p.type_size, largest_type_size) : least_type_size;
     return p;
 }
 
 std::string write_preferences(const Preferences& p) {
     return toml_text(toml::table{{"format", 1},
-                                 {"theme", p.theme == Theme::light ? "light" : "dark"},
+                                 {"theme", word(p.theme)},
                                  {"language", p.language},
                                  {"type_size", p.type_size},
                                  {"reduce_motion", p.reduce_motion}},

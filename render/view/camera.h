@@ -3,7 +3,9 @@
 // The world's plane (x, y) is drawn at GL's (x, 0, −y) with Y up, so that left stays left.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 
 #include "core/maths/mat4.h"
 #include "core/maths/vec.h"
@@ -14,6 +16,8 @@ namespace braitenlab {
 // overview: on a ring round the arena, turned, raised, panned and zoomed freely; follow: behind and above a vehicle;
 // birds_eye: straight down without perspective; driver: through the eyes of a vehicle.
 enum class CameraMode { overview, follow, birds_eye, driver };
+inline constexpr std::array<std::string_view, 4> camera_mode_words{"overview", "follow", "birds_eye", "driver"};
+constexpr std::string_view word(CameraMode mode) { return camera_mode_words[static_cast<std::size_t>(mode)]; }
 
 // Whether the camera rides with a vehicle.
 constexpr bool rides(CameraMode mode) { return mode == CameraMode::follow || mode == CameraMode::driver; }

@@ -4,7 +4,9 @@
 // eyes. One colour has one meaning, and a shape, a sign or a word says it too.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "core/scene/scene.h"
 
@@ -28,6 +30,8 @@ constexpr Colour mix(Colour a, Colour b, float t) {
 }
 
 enum class Theme { dark, light };
+inline constexpr std::array<std::string_view, 2> theme_words{"dark", "light"};
+constexpr std::string_view word(Theme theme) { return theme_words[static_cast<std::size_t>(theme)]; }
 
 struct Palette {
     // the window

@@ -1,7 +1,9 @@
 // What in the scene lies under a pixel, and where it stands: vehicles, sources and obstacles as one kind of value.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/world/snapshot.h"
@@ -10,6 +12,8 @@
 namespace braitenlab {
 
 enum class SceneObjectKind { none, vehicle, source, obstacle };
+inline constexpr std::array<std::string_view, 4> scene_object_words{"none", "vehicle", "source", "obstacle"};
+constexpr std::string_view word(SceneObjectKind kind) { return scene_object_words[static_cast<std::size_t>(kind)]; }
 
 // Something in the scene that a hand can take.
 struct SceneObject {

@@ -195,7 +195,7 @@ TEST_F(AutosaveTest, OpensTheOlderFormatWithTheRunAsAString) {
     EXPECT_EQ(opened->document.session.hash(), lab.document.session.hash());
 }
 
-TEST(AutosaveTest, RunsTheTaskItselfIfNoThreadCanBeStarted) {
+TEST_F(AutosaveTest, RunsTheTaskItselfIfNoThreadCanBeStarted) {
     const auto task = []() -> std::optional<Error> { return Error{"done here"}; };
     auto result = start_or_run(task, [](const auto&) -> std::future<std::optional<Error>> {
         throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));

@@ -3,8 +3,10 @@
 // all edits of one drag have the same gesture number.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/view/pick.h"
@@ -18,6 +20,8 @@ namespace braitenlab::ui {
 // What a click into the scene does: takes an object, adds a lamp, draws a box from corner to corner or a polygon by its
 // corners.
 enum class SceneInputTool { hand, lamp, box, polygon };
+inline constexpr std::array<std::string_view, 4> tool_words{"hand", "lamp", "box", "polygon"};
+constexpr std::string_view word(SceneInputTool tool) { return tool_words[static_cast<std::size_t>(tool)]; }
 
 // What the mouse does. pending: a button is down and the mouse has moved less than 4 px.
 enum class SceneInputPhase { idle, pending, move, turn, orbit, pan, box };
