@@ -24,12 +24,13 @@ public:
         server_ = fork();
         if (server_ == 0) run_server(ends);
         close(ends[1]);
-        char text[16] = {};
-        const ssize_t count =
-            read(ends[0], text, sizeof text - 1);  // the display's number, once the server accepts clients
+        // The display's number, once the server accepts clients. The server writes the newline separately and ends if
+        // it cannot, so read up to it.
+        std::string number;
+        for (char c = 0; read(ends[0], &c, 1) == 1 && c != '\n';) number += c;
         close(ends[0]);
-        ASSERT_GT(count, 0) << "Xvfb does not start; install the package xvfb";
-        setenv("DISPLAY", (":" + std::to_string(std::atoi(text))).c_str(), 1);
+        ASSERT_FALSE(number.empty()) << "Xvfb does not start; install the package xvfb";
+        setenv("DISPLAY", (":" + number).c_str(), 1);
     }
 
     void TearDown() override {
