@@ -1,6 +1,4 @@
 // The brain card, the sensor card and the charts in the real window.
-#include <utility>
-
 #include "tests/window/lab_window.h"
 
 namespace braitenlab::tests::brain_window_test {
@@ -80,12 +78,7 @@ TEST(BrainWindow, DrivesTheVehicleWithTheArrowKeys) {
 
 TEST(BrainWindow, DragsASensorsRangeAsOneStepOfUndo) {
     LabWindow lab({"2a-coward", "--size", "1280x800", "--play"});
-    // Cards find their places in their first frames, by what is in them.
-    Json before_that;
-    wait_for([&] {
-        const Json now = lab.anchors()["card.sensors.fold"];
-        return now == std::exchange(before_that, now) && !now.is_null();
-    });
+    lab.draw_frames();  // the cards measure themselves in the first frames
     lab.click("card.sensors.fold");
     const Point middle = lab.at("sensor.range");
     const auto ranges = [&] { return lab.state()["sensor_ranges"]; };

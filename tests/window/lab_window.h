@@ -154,7 +154,7 @@ public:
     }
     void release(int button = 1) const {
         xdotool(fmt::format("mouseup {}", button));
-        EXPECT_TRUE(eventually([&] { return state()["pressed"] == 0; }));
+        EXPECT_TRUE(eventually([&] { return state()["pressed"] == 0 || has_ended(); }));
         draw_frames();
     }
     // Returns once the window has drawn at least two frames that began after the call. The state file may be one period
@@ -162,7 +162,7 @@ public:
     void draw_frames() const {
         for (int change = 0; change < 3; ++change) {
             const Json frames = state()["frames"];
-            EXPECT_TRUE(eventually([&] { return state()["frames"] != frames; }));
+            EXPECT_TRUE(eventually([&] { return state()["frames"] != frames || has_ended(); }));
         }
     }
     void click(Point p) const { move(p), press(), release(); }
@@ -184,6 +184,13 @@ public:
             wait(0.03);
         }
         return holds();
+    }
+
+    // True once the program has ended, as after a click on its exit button.
+    bool has_ended() const {
+        siginfo_t info{};
+        return pid_ < 0 ||
+               (waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == pid_);
     }
 
     // Ends the program as a crash does.
