@@ -68,6 +68,13 @@ TEST_F(FileCommands, ExportsNumbersToANewFileInTheFolderOfPictures) {
         << lab.notice.words;
 }
 
+TEST_F(FileCommands, KeepsTheRecordedFutureWhenItSavesUnderAnotherTitle) {
+    for (int i = 0; i < 400; ++i) tick(lab);
+    handle(lab, SeekRequest{100});
+    ask(SaveRequest{"mine", FileKind::scene, "My own coward"});
+    EXPECT_EQ(lab.document.session.latest(), 400u) << "a title does not change the run";
+}
+
 TEST_F(FileCommands, ReportsThatABrainFromAFileDropsTheRecordedFuture) {
     ask(SaveRequest{"shy", FileKind::brain});
     for (int i = 0; i < 400; ++i) tick(lab);
