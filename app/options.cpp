@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/files/data.h"
-#include "core/scene/names.h"
+#include "core/scene/enums.h"
 #include "core/sensing/intensity.h"
 
 namespace braitenlab {
@@ -98,8 +98,8 @@ CommandLine read_command_line(int argc, char** argv) {
     app.add_option_function<std::string>(
            "--field",
            [&](const std::string& word) {
-               for (const auto& channel : channel_words)
-                   if (channel.word == word && sensing::has_intensity(channel.value)) o.field = channel.value;
+               for (const ChannelTraits& channel : channel_table)
+                   if (channel.word == word && channel.is_mapped) o.field = channel.value;
                if (!o.field)
                    throw CLI::ValidationError("--field", "'" + word + "' is no channel with a field; try light");
            },

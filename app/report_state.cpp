@@ -9,7 +9,7 @@
 #include "app/ctl/report.h"
 #include "app/files/safe_file.h"
 #include "core/brain/four_neurons.h"
-#include "core/scene/names.h"
+#include "core/scene/enums.h"
 #include "core/world/character.h"
 
 namespace braitenlab {
@@ -161,7 +161,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
         {"memory", lab.view.overlays.memory},
         {"labels", lab.view.overlays.labels},
         {"field",
-         lab.view.overlays.field ? channel_words[static_cast<std::size_t>(*lab.view.overlays.field)].word : ""}};
+         lab.view.overlays.field ? word(*lab.view.overlays.field) : ""}};
     state["camera"] = word(lab.view.camera.mode);
     state["view"] = {{"azimuth", lab.view.camera.azimuth},
                      {"elevation", lab.view.camera.elevation},

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/scene/names.h"
+#include "core/scene/enums.h"
 
 namespace braitenlab {
 

@@ -11,7 +11,7 @@
 #include "core/lesson/exercise.h"
 #include "core/maths/angle.h"
 #include "core/scene/file_kind.h"
-#include "core/scene/names.h"
+#include "core/scene/enums.h"
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
 

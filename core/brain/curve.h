@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "core/enum_table.h"
 #include "core/maths/portable.h"
 
 namespace braitenlab {
@@ -50,13 +51,8 @@ inline constexpr std::array responses{
 
 constexpr const ResponseTraits& traits(Response response) { return responses[static_cast<std::size_t>(response)]; }
 
-static_assert(
-    [] {
-        for (std::size_t i = 0; i < responses.size(); ++i)
-            if (responses[i].value != static_cast<Response>(i)) return false;
-        return true;
-    }(),
-    "`responses` has one row per enumerator of Response, in the same order");
+constexpr const auto& table_of(Response) { return responses; }
+static_assert(is_complete_table<responses>());
 
 // The curve's value at x.
 inline float respond(const Curve& curve, float x) { return traits(curve.response).function(curve, x); }

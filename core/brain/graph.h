@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/brain/curve.h"
+#include "core/enum_table.h"
 #include "core/maths/vec.h"
 
 namespace braitenlab {
@@ -19,6 +20,11 @@ namespace braitenlab {
 using NodeId = std::int32_t;  // stable through edits; unique within a graph
 
 enum class NodeKind { sensor, neuron, motor };
+
+inline constexpr auto node_kind_table = std::to_array<Word<NodeKind>>(
+    {{NodeKind::sensor, "sensor"}, {NodeKind::neuron, "neuron"}, {NodeKind::motor, "motor"}});
+constexpr const auto& table_of(NodeKind) { return node_kind_table; }
+static_assert(is_complete_table<node_kind_table>());
 
 struct Node {
     NodeId id = 0;

@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/brain/four_neurons.h"
+#include "core/scene/enums.h"
 #include "core/scene/fields.h"
-#include "core/scene/names.h"
 #include "core/world/command.h"
 
 namespace braitenlab::io {
@@ -37,7 +37,7 @@ void to_json(Json& json, const Enum& value) {
 template <HasWords Enum>
 void from_json(const Json& json, Enum& value) {
     const auto& text = json.get_ref<const std::string&>();
-    for (const auto& named : words(Enum{}))
+    for (const auto& named : table_of(Enum{}))
         if (named.word == text) return void(value = named.value);
     throw Json::other_error::create(501, "unknown word '" + text + "'", &json);
 }

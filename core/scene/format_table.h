@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "core/maths/angle.h"
+#include "core/scene/enums.h"
 #include "core/scene/fields.h"
-#include "core/scene/names.h"
 
 namespace braitenlab {
 
@@ -47,7 +47,7 @@ public:
     template <class Enum>
     void word(const char* key, Enum T::*member, const char* meaning) {
         std::string all;
-        for (const auto& named : words(Enum{})) all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", named.word);
+        for (const auto& named : table_of(Enum{})) all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", named.word);
         row(key, "", all, fmt::format("\"{}\"", braitenlab::word(defaults_.*member)), meaning);
     }
     void text(const char* key, std::string T::*, std::size_t longest, const char* meaning) {

@@ -14,22 +14,10 @@ int find_named(const std::vector<Named>& all, const std::string& name) {
 
 }  // namespace
 
-// Friction in N·s/m per m² of wheel contact, grip as a factor, reflectance 0..1: chosen so that a standard vehicle let
-// go at top speed coasts for about five times as long on ice as on the plain floor, and a third as long on carpet.
 FloorConstants floor_constants(const Arena& arena, Surface surface) {
-    switch (surface) {
-        case Surface::none:
-            break;
-        case Surface::ice:
-            return {8, 0.1f, 0.95f};
-        case Surface::carpet:
-            return {120, 1.1f, 0.45f};
-        case Surface::sand:
-            return {400, 0.6f, 0.6f};
-        case Surface::tape:
-            return {arena.friction, arena.grip, 0.05f};
-    }
-    return {arena.friction, arena.grip, arena.reflectance};
+    const SurfaceTraits& traits = row_of(surface);
+    return {traits.friction.value_or(arena.friction), traits.grip.value_or(arena.grip),
+            traits.reflectance.value_or(arena.reflectance)};
 }
 
 std::vector<maths::vec2> corners_of(const Obstacle& obstacle) {
@@ -43,27 +31,11 @@ std::vector<maths::vec2> corners_of(const Obstacle& obstacle) {
 }
 
 bool is_seen_as(Channel given, Channel wanted) {
-    const auto is_light = [](Channel c) {
-        return c == Channel::light || c == Channel::red || c == Channel::green || c == Channel::blue;
-    };
     if (given == wanted) return true;
-    return is_light(given) && is_light(wanted) && (given == Channel::light || wanted == Channel::light);
+    return row_of(given).is_light && row_of(wanted).is_light && (given == Channel::light || wanted == Channel::light);
 }
 
-bool is_blocked_by_obstacles(Channel channel) {
-    switch (channel) {
-        case Channel::light:
-        case Channel::red:
-        case Channel::green:
-        case Channel::blue:
-        case Channel::predator:
-        case Channel::prey:
-        case Channel::vehicle:
-            return true;
-        default:
-            return false;
-    }
-}
+bool is_blocked_by_obstacles(Channel channel) { return row_of(channel).is_hidden; }
 
 int find_kind(const Scene& scene, const std::string& name) { return find_named(scene.kinds, name); }
 int find_source(const Scene& scene, const std::string& name) { return find_named(scene.sources, name); }

@@ -10,46 +10,9 @@
 
 #include "core/brain/graph.h"
 #include "core/maths/vec.h"
+#include "core/scene/enums.h"
 
 namespace braitenlab {
-
-// What can be sensed. A new channel is one line here and one in its table of names (core/scene/names.h).
-//
-// White light is seen by eyes for red, green and blue too, and an eye for light sees all four. `memory` are the
-// vehicle's own marks. `touch` is a bumper: 1 while the vehicle touches something in the sensor's field, whatever its
-// range. `floor` is the reflectance below the sensor, `energy` the vehicle's own; boolean sensors for these two tell
-// whether it is at least half. The vehicle's own lamps and role are for others' eyes.
-enum class Channel {
-    light,
-    red,
-    green,
-    blue,
-    heat,
-    smell,
-    oxygen,
-    obstacle,
-    predator,
-    prey,
-    vehicle,
-    memory,
-    touch,
-    floor,
-    energy
-};
-inline constexpr int channel_count = 15;
-
-// What others sense in a vehicle, and who bites whom. `wiring`: whoever is drawn to others is a predator, whoever is
-// driven away is prey (see recognise()).
-enum class Role { none, predator, prey, wiring };
-enum class SensorShape { sector, triangle, omni };
-enum class SensorResponse { graded, boolean };
-// Who drives: its brain, a person (the Steer command), the way along its waypoints, chance, or nobody.
-enum class Driver { brain, manual, path, wander, parked };
-// `open`: vehicles fall over it and enter again at their start or elsewhere. `torus`: whoever leaves on one side comes
-// back on the other.
-enum class Boundary { wall, open, torus };
-// What covers a zone of the floor; `none` is the arena's own. Constants: floor_constants().
-enum class Surface { none, ice, carpet, sand, tape };
 
 // An eye (or nose, or feeler) on a vehicle. Its frame is the vehicle's: x ahead, y left, origin amid the driven axle.
 struct Sensor {
@@ -66,9 +29,6 @@ struct Sensor {
     float latency = 0;         // s until the brain gets a reading, 0..1
     friend bool operator==(const Sensor&, const Sensor&) = default;
 };
-
-// The four wheels' motor: none for a castor, which rolls in every direction.
-enum class Motor { none, left, right };
 
 struct Wheel {
     float x = 0, y = 0;    // m, contact point

@@ -13,8 +13,8 @@
 #include "core/maths/angle.h"
 #include "core/scene/brain_text.h"
 #include "core/scene/check.h"
+#include "core/scene/enums.h"
 #include "core/scene/fields.h"
-#include "core/scene/names.h"
 #include "core/scene/nearest.h"
 #include "core/scene/toml_tree.h"
 
@@ -112,8 +112,8 @@ public:
     template <class Enum>
     void word(const char* key, Enum T::*member, const char*) {
         std::vector<std::string_view> known;
-        for (const auto& named : words(Enum{})) known.push_back(named.word);
-        if (const auto which = table_.one_of(key, known)) object_.*member = words(Enum{})[*which].value;
+        for (const auto& named : table_of(Enum{})) known.push_back(named.word);
+        if (const auto which = table_.one_of(key, known)) object_.*member = table_of(Enum{})[*which].value;
     }
     void text(const char* key, std::string T::*member, std::size_t longest, const char*) {
         if (auto value = table_.text(key, longest)) object_.*member = std::move(*value);

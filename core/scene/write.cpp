@@ -6,8 +6,8 @@
 
 #include "core/maths/angle.h"
 #include "core/scene/brain_text.h"
+#include "core/scene/enums.h"
 #include "core/scene/fields.h"
-#include "core/scene/names.h"
 #include "core/scene/scene_file.h"
 
 namespace braitenlab {

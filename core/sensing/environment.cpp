@@ -25,18 +25,7 @@ float read_stimuli(const Environment& e, const StimulusGrid& grid, const Compile
 
 }  // namespace
 
-bool has_stimuli(Channel channel) {
-    switch (channel) {
-        case Channel::obstacle:
-        case Channel::memory:
-        case Channel::touch:
-        case Channel::floor:
-        case Channel::energy:
-            return false;
-        default:
-            return true;
-    }
-}
+bool has_stimuli(Channel channel) { return row_of(channel).is_summed; }
 
 void gather_stimuli(const Emitters& e, const Seam& seam, Channel channel, std::vector<Stimulus>& out) {
     out.clear();

@@ -27,7 +27,6 @@ Sensor measuring_sensor(const Kind* kind, Channel channel) {
     return sensor;
 }
 
-bool has_intensity(Channel channel) { return channel != Channel::touch && channel != Channel::energy; }
 
 void IntensityMap::resize_grid() {
     const Channel channel = input_.sensor.channel;

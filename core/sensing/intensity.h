@@ -29,9 +29,6 @@ struct IntensityInput {
 // all directions from the vehicle's origin without noise and delay.
 Sensor measuring_sensor(const Kind* kind, Channel);
 
-// True when the channel has an intensity over the floor: false for touch and energy, which have no position.
-bool has_intensity(Channel);
-
 class IntensityMap {
 public:
     // Recomputes the grid if the input differs from the last one; returns whether it did. Each value is the reading of

@@ -1,7 +1,7 @@
 #include "core/world/edits.h"
 
 #include "core/maths/angle.h"
-#include "core/scene/names.h"
+#include "core/scene/enums.h"
 
 namespace braitenlab::world {
 

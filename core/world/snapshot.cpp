@@ -111,7 +111,7 @@ std::vector<Channel> channels_with_intensity(const Snapshot& now) {
     };
     for (int i = 0; i < channel_count; ++i) {
         const auto c = static_cast<Channel>(i);
-        if (!sensing::has_intensity(c)) continue;
+        if (!row_of(c).is_mapped) continue;
         const bool is_sensed = std::any_of(kinds.begin(), kinds.end(), [&](const Kind& kind) {
             return std::any_of(kind.sensors.begin(), kind.sensors.end(),
                                [&](const Sensor& s) { return s.channel == c; });

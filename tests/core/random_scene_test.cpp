@@ -7,8 +7,8 @@
 
 #include "core/maths/angle.h"
 #include "core/maths/random.h"
+#include "core/scene/enums.h"
 #include "core/scene/fields.h"
-#include "core/scene/names.h"
 #include "core/scene/scene_file.h"
 
 namespace braitenlab::tests::random_scene_test {
@@ -55,7 +55,7 @@ public:
     void flag(const char*, bool T::*member, const char*) { object_.*member = dice_.toss(); }
     template <class Enum>
     void word(const char*, Enum T::*member, const char*) {
-        const auto& known = words(Enum{});
+        const auto& known = table_of(Enum{});
         object_.*member = known[dice_.below(known.size())].value;
     }
     void text(const char*, std::string T::*member, std::size_t longest, const char*) {

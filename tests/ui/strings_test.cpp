@@ -10,7 +10,7 @@
 #include "core/brain/edit.h"
 #include "core/brain/presets.h"
 #include "core/brain/recogniser.h"
-#include "core/scene/names.h"
+#include "core/scene/enums.h"
 #include "core/sensing/intensity.h"
 #include "desk.h"
 #include "tests/folder.h"
@@ -70,17 +70,19 @@ std::set<std::string> composed() {
     for (int i = 0; i <= static_cast<int>(Character::mixed); ++i)
         for (const char* stem : {"character.", "character_story."})
             keys.insert(stem + std::string(name(static_cast<Character>(i))));
-    for (const auto& channel : channel_words)
+    for (const ChannelTraits& channel : channel_table)
         for (const char* stem : {"view.channel.", "wiring.senses."}) keys.insert(stem + std::string(channel.word));
     for (const NeuronKind& kind : neuron_kinds) keys.insert("wiring.kind." + std::string(kind.word));
     for (const RefusalName& refusal : refusals) keys.insert("wiring.refused." + std::string(refusal.word));
-    for (const auto& driver : driver_words) {
+    for (const auto& driver : driver_table) {
         if (driver.value == Driver::brain) continue;
         keys.insert("driver." + std::string(driver.word));
         keys.insert("drive." + std::string(driver.word));
     }
     for (const Preset& preset : presets())
         for (const char* stem : {"preset.", "preset_story."}) keys.insert(stem + std::string(preset.name));
+    for (const auto& row : sensor_shape_table) keys.insert("sensors." + std::string(row.word));
+    for (const auto& row : sensor_response_table) keys.insert("sensors." + std::string(row.word));
     for (const Channel channel : source_channels) keys.insert("source." + std::string(word(channel)));
     return keys;
 }

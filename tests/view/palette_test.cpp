@@ -62,8 +62,7 @@ float difference(Linear a, Linear b) {
 }
 
 TEST(Palette, TellsWhatStandsInTheWorldApartForColourBlindEyesToo) {
-    constexpr std::array<Channel, 7> sources{Channel::light, Channel::red,   Channel::green, Channel::blue,
-                                             Channel::heat,  Channel::smell, Channel::oxygen};
+    constexpr auto& sources = channels_with<&ChannelTraits::is_source>;
     for (const Theme theme : {Theme::dark, Theme::light}) {
         const Palette p = palette(theme);
         for (const Eyes eyes : {Eyes::all_cones, Eyes::protan, Eyes::deutan})
@@ -81,8 +80,8 @@ TEST(Palette, TellsWhatStandsInTheWorldApartForColourBlindEyesToo) {
 TEST(Palette, TellsEveryChannelFromTheFloor) {
     for (const Theme theme : {Theme::dark, Theme::light}) {
         const Palette p = palette(theme);
-        for (int i = 0; i < channel_count; ++i)
-            EXPECT_GE(contrast(colour_of(p, static_cast<Channel>(i)), p.floor), 2.0f) << i;
+        for (const ChannelTraits& row : channel_table)
+            EXPECT_GE(contrast(colour_of(p, row.value), p.floor), 2.0f) << row.word;
     }
 }
 

@@ -7,7 +7,7 @@
 
 #include <imgui.h>
 
-#include "core/scene/names.h"
+#include "core/scene/enums.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
 #include "ui/shortcuts.h"

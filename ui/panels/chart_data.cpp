@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "core/scene/names.h"
+#include "core/scene/enums.h"
 
 namespace braitenlab::ui {
 

@@ -6,7 +6,7 @@
 #include <imgui.h>
 
 #include "core/maths/angle.h"
-#include "core/scene/names.h"
+#include "core/scene/enums.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/edits.h"

@@ -8,7 +8,7 @@
 #include "core/brain/graft.h"
 #include "core/brain/presets.h"
 #include "core/maths/angle.h"
-#include "core/scene/names.h"
+#include "core/scene/enums.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/edits.h"
 #include "ui/shortcuts.h"

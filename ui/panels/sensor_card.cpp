@@ -6,8 +6,8 @@
 
 #include <imgui.h>
 
+#include "core/scene/enums.h"
 #include "core/scene/fields.h"
-#include "core/scene/names.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
@@ -81,8 +81,8 @@ public:
         for (const SensorNumber& number : geometry_numbers) turn(number);
         ImGui::PopStyleVar();
         gap(ui_, 8);
-        shape();
-        response();
+        choose("sensor.shape", &Sensor::shape);
+        choose("sensor.response", &Sensor::response);
         if (!fold_row(ui_, "sensor.more", ui_.strings("sensors.more"), state_.sensor_quality_open)) return;
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
         for (const SensorNumber& number : quality_numbers) turn(number);
@@ -118,7 +118,9 @@ private:
         if (!fold_row(ui_, "sensor.channel", ui_.strings("sensors.channel"), state_.sensor_channel_open)) return;
         const float right = ImGui::GetCursorScreenPos().x + card_width(ui_);
         bool first = true;
-        for (const auto& [channel, word] : channel_words) {
+        for (const ChannelTraits& row : channel_table) {
+            const Channel channel = row.value;
+            const std::string_view word = row.word;
             const std::string anchor = "sensor.channel." + std::string(word);
             const SmallButton look{
                 anchor, {}, ui_.strings.find("view.channel." + std::string(word), word), channel == sensor_->channel};
@@ -139,20 +141,15 @@ private:
         if (chosen >= 0) state_.sensor_alone = chosen == 1;
     }
 
-    void shape() {
-        const std::array words{ui_.strings("sensors.sector"), ui_.strings("sensors.triangle"),
-                               ui_.strings("sensors.omni")};
-        const int chosen = segments(ui_, "sensor.shape", words, static_cast<int>(sensor_->shape), card_width(ui_));
+    // One segment per row of the enumeration's table; the keys of their words are "sensors.WORD".
+    template <class Enum>
+    void choose(std::string_view anchor, Enum Sensor::*member) {
+        std::vector<std::string_view> words;
+        for (const auto& row : table_of(Enum{}))
+            words.push_back(ui_.strings.find("sensors." + std::string(row.word), row.word));
+        const int chosen = segments(ui_, anchor, words, static_cast<int>(sensor_->*member), card_width(ui_));
         if (chosen < 0) return;
-        edit(++state_.sliders.gesture, [&](Sensor& s, bool) { s.shape = static_cast<SensorShape>(chosen); });
-    }
-
-    void response() {
-        const std::array words{ui_.strings("sensors.graded"), ui_.strings("sensors.boolean")};
-        const int chosen =
-            segments(ui_, "sensor.response", words, static_cast<int>(sensor_->response), card_width(ui_));
-        if (chosen < 0) return;
-        edit(++state_.sliders.gesture, [&](Sensor& s, bool) { s.response = static_cast<SensorResponse>(chosen); });
+        edit(++state_.sliders.gesture, [=](Sensor& s, bool) { s.*member = static_cast<Enum>(chosen); });
     }
 
     void turn(const SensorNumber& number) {

@@ -6,7 +6,7 @@
 
 #include <imgui.h>
 
-#include "core/scene/names.h"
+#include "core/scene/enums.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 #include "ui/widgets/card.h"
@@ -26,8 +26,6 @@ struct ViewRow {
     std::optional<Channel> field{};  // of a choice; none: no field
 };
 
-std::string_view channel_word(Channel channel) { return channel_words[static_cast<std::size_t>(channel)].word; }
-
 ViewRow switch_row(Action action, bool on) { return {"view." + std::string(name(action)), on, action}; }
 
 std::vector<ViewRow> switches(const LabView& view) {
@@ -40,13 +38,13 @@ std::vector<ViewRow> switches(const LabView& view) {
 std::vector<ViewRow> fields(const LabView& view) {
     std::vector<ViewRow> rows{{"view.none", !view.settings.overlays.field, std::nullopt}};
     for (const Channel c : channels_with_intensity(*view.now))
-        rows.push_back({"view." + std::string(channel_word(c)), view.settings.overlays.field == c, std::nullopt, c});
+        rows.push_back({"view." + std::string(word(c)), view.settings.overlays.field == c, std::nullopt, c});
     return rows;
 }
 
 std::string_view view_words(const Ui& ui, const ViewRow& row) {
     if (row.action) return ui.strings("action." + std::string(name(*row.action)));
-    return row.field ? ui.strings("view.channel." + std::string(channel_word(*row.field)))
+    return row.field ? ui.strings("view.channel." + std::string(word(*row.field)))
                      : ui.strings("view.no_field");
 }
 

@@ -1,7 +1,6 @@
 // Commands behind the gestures on objects of the scene, and the search for a free position.
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "core/maths/vec.h"
@@ -12,8 +11,7 @@
 namespace braitenlab::ui {
 
 // The channels a source can have, in the order of menus.
-inline constexpr std::array<Channel, 7> source_channels{Channel::light, Channel::red,   Channel::green, Channel::blue,
-                                                        Channel::heat,  Channel::smell, Channel::oxygen};
+inline constexpr auto& source_channels = channels_with<&ChannelTraits::is_source>;
 
 // All return nullopt when the object no longer exists.
 std::optional<Command> removal_of(const Snapshot&, const SceneObject&);

@@ -14,12 +14,15 @@ using namespace ui;
 
 namespace {
 
-// In the order of Channel.
-constexpr std::array<std::string_view, channel_count> senses_keys{
-    "wiring.senses.light",    "wiring.senses.red",   "wiring.senses.green",   "wiring.senses.blue",
-    "wiring.senses.heat",     "wiring.senses.smell", "wiring.senses.oxygen",  "wiring.senses.obstacle",
-    "wiring.senses.predator", "wiring.senses.prey",  "wiring.senses.vehicle", "wiring.senses.memory",
-    "wiring.senses.touch",    "wiring.senses.floor", "wiring.senses.energy"};
+std::string_view senses_key(Channel channel) {
+    static const auto keys = [] {
+        std::array<std::string, channel_count> made;
+        for (const ChannelTraits& row : channel_table)
+            made[static_cast<std::size_t>(row.value)] = "wiring.senses." + std::string(row.word);
+        return made;
+    }();
+    return keys[static_cast<std::size_t>(channel)];
+}
 
 }  // namespace
 
@@ -32,7 +35,7 @@ std::string_view description_key(const Snapshot& now, const VehicleView& vehicle
     if (node.kind == NodeKind::neuron) return "wiring.node.neuron";
     const Kind& kind = now.scene->kinds.at(static_cast<std::size_t>(vehicle.kind));
     for (const Sensor& sensor : kind.sensors)
-        if (sensor.name == node.name) return senses_keys.at(static_cast<std::size_t>(sensor.channel));
+        if (sensor.name == node.name) return senses_key(sensor.channel);
     return "wiring.node.sensor";
 }
 
