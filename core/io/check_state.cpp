@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/io/state_json.h"
-#include "core/scene/fields.h"
+#include "core/scene/schema.h"
 
 namespace braitenlab::io {
 

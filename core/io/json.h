@@ -1,5 +1,5 @@
 // Scenes, brains and commands as JSON, for files that programs write and read (files that people write are TOML).
-// Structs described in core/scene/fields.h need no line here. Inside core/io only.
+// Structs described in core/scene/schema.h need no line here. Inside core/io only.
 //
 // Reading throws Json::exception for missing values and wrong types. The caller checks ranges.
 #pragma once
@@ -12,7 +12,7 @@
 
 #include "core/brain/four_neurons.h"
 #include "core/scene/enums.h"
-#include "core/scene/fields.h"
+#include "core/scene/schema.h"
 #include "core/world/command.h"
 
 namespace braitenlab::io {
@@ -65,7 +65,7 @@ inline void take_ends(const Json& json, Wire& wire) {
 void to_json(Json&, const BrainGraph&);
 void from_json(const Json&, BrainGraph&);
 
-// ── Structs described in core/scene/fields.h ────────────────────────────────────────────────────────────────────────
+// ── Structs described in core/scene/schema.h ────────────────────────────────────────────────────────────────────────
 namespace io {
 
 template <class T>

@@ -12,7 +12,7 @@ namespace limits {
 inline constexpr std::size_t steps = 32, hints = 32, options = 8;
 }
 
-// ── Every value of an exercise file, described once as core/scene/fields.h does for scenes ──
+// ── Every value of an exercise file, described once as core/scene/schema.h does for scenes ──
 
 template <class Visitor>
 void describe(Visitor& v, Of<Prediction>) {

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/scene/fields.h"
+#include "core/scene/schema.h"
 #include "core/world/snapshot.h"
 
 namespace braitenlab {

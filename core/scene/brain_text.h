@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/scene/fields.h"
+#include "core/scene/schema.h"
 
 namespace braitenlab {
 

@@ -15,7 +15,7 @@ namespace braitenlab {
 
 namespace {
 
-// The visitor that holds every value against its range; see core/scene/fields.h.
+// The visitor that holds every value against its range; see core/scene/schema.h.
 template <class T>
 class RangeCheck {
 public:
@@ -25,7 +25,8 @@ public:
     template <class Number>
     void number(const char* key, Number T::*member, const char*, Range range, const char*) {
         // A float holds an end like 0.005 only nearly.
-        if (object_.*member == static_cast<Number>(range.low) || object_.*member == static_cast<Number>(range.high)) return;
+        if (object_.*member == static_cast<Number>(range.low) || object_.*member == static_cast<Number>(range.high))
+            return;
         check(key, static_cast<double>(object_.*member), range);
     }
     void angle(const char* key, float T::*member, Range degrees, const char*) {

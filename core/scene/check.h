@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "core/scene/brain_text.h"
-#include "core/scene/fields.h"
 #include "core/scene/scene.h"
+#include "core/scene/schema.h"
 
 namespace braitenlab {
 

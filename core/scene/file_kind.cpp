@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "core/scene/fields.h"
+#include "core/scene/schema.h"
 
 namespace braitenlab {
 

@@ -9,7 +9,7 @@
 
 #include "core/maths/angle.h"
 #include "core/scene/enums.h"
-#include "core/scene/fields.h"
+#include "core/scene/schema.h"
 
 namespace braitenlab {
 
@@ -17,7 +17,7 @@ namespace braitenlab {
 std::string describe_scene_format();
 
 // The visitor that makes a table of each struct: its own keys first, then the tables within it. See
-// core/scene/fields.h.
+// core/scene/schema.h.
 template <class T>
 class FormatTable {
 public:

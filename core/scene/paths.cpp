@@ -1,12 +1,12 @@
 #include "core/scene/paths.h"
 
-#include "core/scene/fields.h"
+#include "core/scene/schema.h"
 
 namespace braitenlab {
 
 namespace {
 
-// The visitor that writes down where it has been; see core/scene/fields.h.
+// The visitor that writes down where it has been; see core/scene/schema.h.
 template <class T>
 class PathList {
 public:

@@ -1,7 +1,7 @@
 // A scene as a person edits it and a file holds it: plain values, nothing derived, nothing that a tick changes.
 //
 // SI units; plane coordinates x, y in metres with the origin in the middle of the arena; angles in radians
-// counter-clockwise from +x (files hold degrees). Ranges and defaults of every value: core/scene/fields.h.
+// counter-clockwise from +x (files hold degrees). Ranges and defaults of every value: core/scene/schema.h.
 #pragma once
 
 #include <cstdint>

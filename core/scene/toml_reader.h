@@ -1,4 +1,4 @@
-// Reads a struct from a table of a TOML file by the struct's description (core/scene/fields.h), and says what is wrong.
+// Reads a struct from a table of a TOML file by the struct's description (core/scene/schema.h), and says what is wrong.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 #include "core/scene/brain_text.h"
 #include "core/scene/check.h"
 #include "core/scene/enums.h"
-#include "core/scene/fields.h"
 #include "core/scene/nearest.h"
+#include "core/scene/schema.h"
 #include "core/scene/toml_tree.h"
 
 namespace braitenlab {
@@ -86,7 +86,7 @@ std::vector<std::string_view> key_names() {
     return keys.names;
 }
 
-// The visitor (see core/scene/fields.h); members that the scene does not use serve core/lesson.
+// The visitor (see core/scene/schema.h); members that the scene does not use serve core/lesson.
 template <class T>
 class TomlReader {
 public:

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "core/scene/fields.h"
 #include "core/scene/nearest.h"
+#include "core/scene/schema.h"
 
 namespace braitenlab {
 

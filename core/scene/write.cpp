@@ -7,8 +7,8 @@
 #include "core/maths/angle.h"
 #include "core/scene/brain_text.h"
 #include "core/scene/enums.h"
-#include "core/scene/fields.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/schema.h"
 
 namespace braitenlab {
 
@@ -52,7 +52,7 @@ std::string quote(const std::string& text) {
     return out + "\"";
 }
 
-// The visitor that writes what differs from the defaults; see core/scene/fields.h. Values of a table come before the
+// The visitor that writes what differs from the defaults; see core/scene/schema.h. Values of a table come before the
 // tables in it, so the header is written with the first value.
 template <class T>
 class TomlWriter {

@@ -1,7 +1,7 @@
 // Who is added and removed by steered: in the living world, and in the scene from which the next run begins.
 #include <cmath>
 
-#include "core/scene/fields.h"
+#include "core/scene/schema.h"
 #include "core/world/edits.h"
 
 namespace braitenlab::world {

@@ -8,8 +8,8 @@
 #include "core/maths/angle.h"
 #include "core/maths/random.h"
 #include "core/scene/enums.h"
-#include "core/scene/fields.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/schema.h"
 
 namespace braitenlab::tests::random_scene_test {
 namespace {
@@ -35,7 +35,7 @@ struct Dice {
     }
 };
 
-// The visitor (see core/scene/fields.h): gives every value one of those that its range holds.
+// The visitor (see core/scene/schema.h): gives every value one of those that its range holds.
 template <class T>
 class AtRandom {
 public:

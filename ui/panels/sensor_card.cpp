@@ -7,7 +7,7 @@
 #include <imgui.h>
 
 #include "core/scene/enums.h"
-#include "core/scene/fields.h"
+#include "core/scene/schema.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/fields.h"
+#include "core/scene/schema.h"
 #include "ui/scene_input/under_pointer.h"
 
 namespace braitenlab::ui {
