@@ -61,19 +61,19 @@ void describe(Visitor& v, Of<Exercise>) {
 namespace {
 
 // The settings of [set]: "kind.one.brain.LL" = 0.8, or kind.one.brain.LL = 0.8, which TOML nests.
-void gather_settings(TomlFile& file, const toml::table& table, const std::string& prefix, std::vector<Setting>& out) {
-    for (const auto& [key, node] : table) {
-        const std::string path = prefix + std::string(key.str());
-        Setting setting{path, "", file.name, static_cast<int>(node.source().begin.line)};
-        if (const toml::table* inner = node.as_table()) {
-            gather_settings(file, *inner, path + ".", out);
+void gather_settings(TomlFile& file, const TomlNode& table, const std::string& prefix, std::vector<Setting>& out) {
+    for (const auto& [key, key_place, node] : *table.as_table()) {
+        const std::string path = prefix + key;
+        Setting setting{path, "", file.name, static_cast<int>(node.place.line)};
+        if (node.as_table()) {
+            gather_settings(file, node, path + ".", out);
             continue;
-        } else if (node.is_integer()) {
-            setting.value = fmt::format("{}", node.ref<std::int64_t>());
-        } else if (node.is_floating_point()) {
-            setting.value = fmt::format("{}", node.ref<double>());
-        } else if (node.is_string()) {
-            setting.value = node.ref<std::string>();
+        } else if (const std::int64_t* whole = node.as_whole()) {
+            setting.value = fmt::format("{}", *whole);
+        } else if (const auto number = node.as_number()) {
+            setting.value = fmt::format("{}", *number);
+        } else if (const std::string* text = node.as_text()) {
+            setting.value = *text;
         } else {
             return file.fail("set." + path, &node, fmt::format("{} should be a number or text", in_quotes(path)));
         }
@@ -84,7 +84,7 @@ void gather_settings(TomlFile& file, const toml::table& table, const std::string
 // A part of the exercise file that is checked after reading: where it stands, and the scene that its names refer to.
 struct ExercisePart {
     TomlFile& file;
-    const toml::table& table;
+    const TomlNode& table;
     std::string path;
     const Scene& scene;
 
@@ -112,13 +112,13 @@ void check_check(const ExercisePart& part, const Check& check) {
     const auto check_goal = [&]<class G>(const G& goal) {
         if constexpr (requires { goal.source; }) part.check_name("source", goal.source, part.scene.sources, "source");
         if constexpr (requires { goal.checks; }) {
-            const toml::array* checks = part.table.get_as<toml::array>("check");
+            const TomlNode* checks = part.table.get("check");
             if (goal.checks.empty())
                 part.file.fail(part.path, &part.table,
                                fmt::format("the goal '{}' needs at least one check of its own", G::traits.word));
             for (std::size_t i = 0; i < goal.checks.size() && !part.file.error; ++i)
                 check_check(
-                    {part.file, *checks->get(i)->as_table(), fmt::format("{}.check.{}", part.path, i + 1), part.scene},
+                    {part.file, checks->as_list()->at(i), fmt::format("{}.check.{}", part.path, i + 1), part.scene},
                     goal.checks[i]);
         }
     };
@@ -126,8 +126,8 @@ void check_check(const ExercisePart& part, const Check& check) {
 }
 
 void check_prediction(TomlTable& top, const Prediction& prediction) {
-    const toml::table* table = top.content()["predict"].as_table();
-    if (!table) return;
+    const TomlNode* table = top.content().get("predict");
+    if (!table || !table->as_table()) return;
     if (prediction.question.empty() || prediction.options.size() < 2 || !table->contains("answer"))
         top.fail("predict", "a prediction needs a question, two or more options, and one of them as its answer");
 }
@@ -146,9 +146,9 @@ void check_exercise(TomlTable& top, const Exercise& exercise) {
         file.error = Error{"there is no [[step]]; add at least one check of what must happen", file.name};
     if (exercise.scene.starts.empty())
         top.fail("scene", "this scene places no vehicle; an exercise is about its first [vehicle.NAME]");
-    const toml::array* steps = top.content()["step"].as_array();
+    const TomlNode* steps = top.content().get("step");
     for (std::size_t i = 0; i < exercise.steps.size() && !file.error; ++i) {
-        const ExercisePart part{file, *steps->get(i)->as_table(), fmt::format("step.{}", i + 1), exercise.scene};
+        const ExercisePart part{file, steps->as_list()->at(i), fmt::format("step.{}", i + 1), exercise.scene};
         if (exercise.steps[i].text.empty()) file.fail(part.path, &part.table, "a step needs a text: text = \"It …\"");
         check_check(part, exercise.steps[i].check);
     }
@@ -159,7 +159,7 @@ void load_its_scene(TomlTable& top, const std::filesystem::path& path, const std
                     Exercise& exercise) {
     const auto scene_path = top.text("scene", limits::text_length);
     std::vector<Setting> settings;
-    if (const toml::table* set = top.table("set")) gather_settings(top.file(), *set, "", settings);
+    if (const TomlNode* set = top.table("set")) gather_settings(top.file(), *set, "", settings);
     settings.insert(settings.end(), more.begin(), more.end());
     TomlFile& file = top.file();
     if (!scene_path && !file.error)

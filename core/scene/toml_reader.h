@@ -20,11 +20,12 @@
 
 namespace braitenlab {
 
-// One table of a file, whose keys are asked for one after the other; then done() complains about the others.
-// Every reading returns nothing when the key is absent or wrong; what is wrong goes to the file's error.
+// Reads the keys of one table of a file. Every function returns nullopt or null when the key is absent or its value is
+// wrong; a wrong value sets the file's error.
 class TomlTable {
 public:
-    TomlTable(TomlFile& file, const toml::table& table, std::string path)
+    // Precondition: `table` is a table and outlives this object.
+    TomlTable(TomlFile& file, const TomlNode& table, std::string path)
         : file_(file), table_(table), path_(std::move(path)) {}
 
     std::optional<double> number(std::string_view key, Range);
@@ -33,16 +34,16 @@ public:
     std::optional<bool> flag(std::string_view key);
     std::optional<std::string> text(std::string_view key, std::size_t longest);
     std::optional<std::size_t> one_of(std::string_view key, const std::vector<std::string_view>& words);  // which
-    const toml::table* table(std::string_view key);
-    const toml::array* list(std::string_view key, std::size_t most);
-    const toml::array* list_of_tables(std::string_view key, std::size_t most);
-    // The tables inside table `key`, by name, in the order of the file.
-    std::vector<std::pair<std::string, const toml::table*>> named(std::string_view key, std::size_t most);
+    const TomlNode* table(std::string_view key);
+    const TomlNode::List* list(std::string_view key, std::size_t most);
+    const TomlNode::List* list_of_tables(std::string_view key, std::size_t most);
+    // The tables inside table `key` in the order of the file.
+    std::vector<const TomlMember*> named(std::string_view key, std::size_t most);
 
-    // The value itself, for what none of the above can read; null when absent. Counts as known.
-    const toml::node* find(std::string_view key);
+    // The value of any type, or null. Makes the key known, as all of the above do.
+    const TomlNode* find(std::string_view key);
 
-    // An unknown key is an error that names the nearest known one.
+    // Call it after the last key: a key that is not known is an error that names the nearest known one.
     void done();
 
     bool has(std::string_view key) const { return table_.contains(key); }
@@ -52,13 +53,13 @@ public:
     void fail(std::string_view key, std::string what) { file_.fail(path(key), table_.get(key), std::move(what)); }
     void fail_whole(std::string what) { file_.fail(path_, &table_, std::move(what)); }  // the table itself
     TomlFile& file() { return file_; }
-    const toml::table& content() const { return table_; }
+    const TomlNode& content() const { return table_; }
 
 private:
-    void wrong_type(std::string_view key, const toml::node&, std::string_view wanted);
+    void wrong_type(std::string_view key, const TomlNode&, std::string_view wanted);
 
     TomlFile& file_;
-    const toml::table& table_;
+    const TomlNode& table_;
     std::string path_;
     std::vector<std::string> known_;
 };
@@ -86,7 +87,8 @@ std::vector<std::string_view> key_names() {
     return keys.names;
 }
 
-// The visitor (see core/scene/schema.h); members that the scene does not use serve core/lesson.
+// The visitor of core/scene/schema.h that reads a struct. texts(), choice() and variant() serve the schema of
+// exercises.
 template <class T>
 class TomlReader {
 public:
@@ -125,35 +127,35 @@ public:
     }
     template <class Inner>
     void table(const char* key, Inner T::*member, const char*) {
-        if (const toml::table* inner = table_.table(key)) read(*inner, table_.path(key), object_.*member);
+        if (const TomlNode* inner = table_.table(key)) read(*inner, table_.path(key), object_.*member);
     }
     template <class Element>
     void named(const char* key, std::vector<Element> T::*member, std::size_t most, const char*) {
-        for (const auto& [name, inner] : table_.named(key, most)) {
+        for (const TomlMember* inner : table_.named(key, most)) {
             Element& element = (object_.*member).emplace_back();
-            element.name = name;
-            read(*inner, table_.path(key) + "." + name, element);
+            element.name = inner->key;
+            read(inner->value, table_.path(key) + "." + inner->key, element);
         }
     }
     template <class Element>
     void list(const char* key, std::vector<Element> T::*member, std::size_t most, const char*) {
-        const toml::array* tables = table_.list_of_tables(key, most);
+        const TomlNode::List* tables = table_.list_of_tables(key, most);
         if (!tables) return;
         (object_.*member).clear();
-        for (const toml::node& inner : *tables) {
+        for (const TomlNode& inner : *tables) {
             Element& element = (object_.*member).emplace_back();
-            read(*inner.as_table(), table_.path(key) + "." + std::to_string((object_.*member).size()), element);
+            read(inner, table_.path(key) + "." + std::to_string((object_.*member).size()), element);
         }
     }
     void brain(const char* key, BrainGraph T::*member, const char*) {
-        if (const toml::table* inner = table_.table(key)) read_brain(*inner, table_.path(key), object_.*member);
+        if (const TomlNode* inner = table_.table(key)) read_brain(*inner, table_.path(key), object_.*member);
     }
     void texts(const char* key, std::vector<std::string> T::*member, std::size_t most, std::size_t longest,
                const char*) {
-        const toml::array* values = table_.list(key, most);
+        const TomlNode::List* values = table_.list(key, most);
         if (!values) return;
-        for (const toml::node& value : *values) {
-            const auto text = value.value_exact<std::string>();
+        for (const TomlNode& value : *values) {
+            const std::string* text = value.as_text();
             if (!text || text->size() > longest)
                 return table_.fail(key, "'" + std::string(key) + "' should be a list of short texts");
             (object_.*member).push_back(*text);
@@ -192,13 +194,13 @@ private:
     }
 
     template <class Inner>
-    void read(const toml::table& inner, const std::string& path, Inner& object) {
+    void read(const TomlNode& inner, const std::string& path, Inner& object) {
         TomlTable table(table_.file(), inner, path);
         TomlReader<Inner> reader(table, object);
         describe(reader, Of<Inner>{});
         table.done();
     }
-    void read_brain(const toml::table& inner, const std::string& path, BrainGraph& graph) {
+    void read_brain(const TomlNode& inner, const std::string& path, BrainGraph& graph) {
         BrainText text;
         read(inner, path, text);
         for (const Dial dial : all_dials)

@@ -1,13 +1,11 @@
 #include "core/scene/toml_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <tuple>
 
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include "core/scene/nearest.h"
 #include "core/scene/schema.h"
@@ -55,46 +53,126 @@ int line_of_too_deep_key(std::string_view text) {
     return 0;
 }
 
-const toml::node* child(const toml::node& node, const std::string& part) {
-    if (const toml::table* table = node.as_table()) return table->get(part);
-    const toml::array* array = node.as_array();
-    if (!array || part.empty() || part.size() > 6) return nullptr;
+// The list entry or member that a part of a path names, or null.
+const TomlNode* child(const TomlNode& node, const std::string& part) {
+    if (node.as_table()) return node.get(part);
+    const TomlNode::List* list = node.as_list();
+    if (!list || part.empty() || part.size() > 6) return nullptr;
     if (!std::all_of(part.begin(), part.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) return nullptr;
-    const int index = std::stoi(part);  // people count from 1
-    return index >= 1 ? array->get(static_cast<std::size_t>(index - 1)) : nullptr;
+    const int index = std::stoi(part);
+    return index >= 1 && index <= static_cast<int>(list->size()) ? &(*list)[static_cast<std::size_t>(index - 1)]
+                                                                 : nullptr;
 }
 
-// The one value of "text" read as TOML; a string where it is none.
-toml::table value_of(const std::string& text) {
-    toml::table holder;
+TomlPlace place_of(const toml::source_region& region) { return {region.begin.line, region.begin.column}; }
+
+void take_earliest(TomlPlace& first, TomlPlace inner) {
+    if (inner.line == 0) return;
+    if (first.line == 0 || inner < first) first = inner;
+}
+
+TomlNode node_from(const toml::node& node) {
+    TomlNode made{TomlNode::Date{}, place_of(node.source())};
+    if (const toml::table* table = node.as_table()) {
+        TomlNode::Table members;
+        members.reserve(table->size());
+        for (const auto& [key, value] : *table) {  // in the order of the keys
+            members.push_back({std::string(key.str()), place_of(key.source()), node_from(value)});
+            take_earliest(made.place, members.back().value.place);
+        }
+        made.content = std::move(members);
+    } else if (const toml::array* array = node.as_array()) {
+        TomlNode::List elements;
+        elements.reserve(array->size());
+        for (const toml::node& value : *array) {
+            elements.push_back(node_from(value));
+            take_earliest(made.place, elements.back().place);
+        }
+        made.content = std::move(elements);
+    } else if (node.is_string()) {
+        made.content = node.ref<std::string>();
+    } else if (node.is_integer()) {
+        made.content = node.ref<std::int64_t>();
+    } else if (node.is_floating_point()) {
+        made.content = node.ref<double>();
+    } else if (node.is_boolean()) {
+        made.content = node.ref<bool>();
+    }
+    return made;
+}
+
+void forget_places(TomlNode& node) {
+    node.place = {};
+    if (auto* members = std::get_if<TomlNode::Table>(&node.content))
+        for (TomlMember& member : *members) member.key_place = {}, forget_places(member.value);
+    if (auto* elements = std::get_if<TomlNode::List>(&node.content))
+        for (TomlNode& element : *elements) forget_places(element);
+}
+
+// A setting's text read as one TOML value; as a string where it is none.
+TomlNode value_of(const std::string& text) {
     const bool one_line = text.find('\n') == std::string::npos && line_of_too_deep_key(text) == 0;
     if (one_line) {
         try {
-            holder = toml::parse("value = " + text);
+            const toml::table holder = toml::parse("value = " + text);
+            TomlNode value = node_from(*holder.get("value"));
+            forget_places(value);  // they are not lines of the file
+            return value;
         } catch (const toml::parse_error&) {
-            holder.clear();
+            // taken as a string
         }
     }
-    if (holder.empty()) holder.insert("value", text);
-    return holder;
+    return {text};
+}
+
+TomlNode::Table::const_iterator position(const TomlNode::Table& members, std::string_view key) {
+    return std::lower_bound(members.begin(), members.end(), key,
+                            [](const TomlMember& member, std::string_view wanted) { return member.key < wanted; });
+}
+
+// The member of a table, made where it is absent.
+TomlNode& member_of(TomlNode::Table& members, const std::string& key) {
+    auto at = members.begin() + (position(members, key) - members.cbegin());
+    if (at == members.end() || at->key != key) at = members.insert(at, TomlMember{key, {}, {TomlNode::Table{}}});
+    return at->value;
 }
 
 }  // namespace
 
-void TomlFile::fail(const std::string& path, const toml::node* node, std::string what) {
+std::optional<double> TomlNode::as_number() const {
+    if (const std::int64_t* whole = as_whole()) return static_cast<double>(*whole);
+    const double* number = std::get_if<double>(&content);
+    return number ? std::optional(*number) : std::nullopt;
+}
+
+const TomlNode* TomlNode::get(std::string_view key) const {
+    const Table* members = as_table();
+    if (!members) return nullptr;
+    const auto at = position(*members, key);
+    return at != members->end() && at->key == key ? &at->value : nullptr;
+}
+
+std::string_view TomlNode::type() const {
+    constexpr std::array<std::string_view, 7> types{"a table",  "a list",        "text",          "a whole number",
+                                                    "a number", "true or false", "a date or time"};
+    static_assert(types.size() == std::variant_size_v<decltype(content)>);
+    return types[content.index()];
+}
+
+void TomlFile::fail(const std::string& path, const TomlNode* node, std::string what) {
     if (error) return;
     for (auto setting = settings.rbegin(); setting != settings.rend(); ++setting) {
         if (setting->path != path) continue;
         error = Error{std::move(what), setting->file, setting->line};
         return;
     }
-    error = Error{std::move(what), name, node ? static_cast<int>(first_place(*node).line) : 0};
+    error = Error{std::move(what), name, node ? static_cast<int>(node->place.line) : 0};
 }
 
 Error TomlFile::fault_at(const std::string& path, std::string what) const {
-    const toml::node* node = &root;
+    const TomlNode* node = &root;
     for (const std::string& part : split_path(path)) {
-        const toml::node* next = child(*node, part);
+        const TomlNode* next = child(*node, part);
         if (!next) break;
         node = next;
     }
@@ -109,58 +187,29 @@ Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
     if (const int line = line_of_too_deep_key(text))
         return Error{"a key has too many dots; the longest is like kind.NAME.body.wheel", std::move(file_name), line};
     try {
-        return TomlFile{file_name, toml::parse(text, std::string_view(file_name)), {}, {}};
+        return TomlFile{file_name, node_from(toml::parse(text, std::string_view(file_name))), {}, {}};
     } catch (const toml::parse_error& mistake) {
         return Error{"not TOML: " + std::string(mistake.description()), std::move(file_name),
                      static_cast<int>(mistake.source().begin.line)};
     }
 }
 
-bool put(toml::table& root, const Setting& setting) {
-    std::vector<std::string> parts = split_path(setting.path);
-    const std::string key = parts.back();
-    parts.pop_back();
-    toml::table* table = &root;
-    for (const std::string& part : parts) {
-        if (!table->contains(part)) table->insert(part, toml::table{});
-        table = (*table)[part].as_table();
-        if (!table) return false;
+bool put(TomlNode& root, const Setting& setting) {
+    TomlNode* node = &root;
+    for (const std::string& part : split_path(setting.path)) {
+        auto* members = std::get_if<TomlNode::Table>(&node->content);
+        if (!members) return false;
+        node = &member_of(*members, part);
     }
-    const toml::table holder = value_of(setting.value);
-    table->insert_or_assign(key, *holder.get("value"));  // a copy, since that drops the line it had in the setting
+    *node = value_of(setting.value);
     return true;
 }
 
-Place first_place(const toml::node& node) {
-    Place first{node.source().begin.line, node.source().begin.column};
-    const auto consider = [&first](const toml::node& inner) {
-        const Place place = first_place(inner);
-        if (place.line == 0) return;
-        if (first.line == 0 || std::tie(place.line, place.column) < std::tie(first.line, first.column)) first = place;
-    };
-    if (const toml::table* table = node.as_table()) {
-        for (const auto& [key, inner] : *table) consider(inner);
-    } else if (const toml::array* array = node.as_array()) {
-        for (const toml::node& inner : *array) consider(inner);
-    }
-    return first;
-}
-
-std::string_view type_in_words(const toml::node& node) {
-    if (node.is_table()) return "a table";
-    if (node.is_array()) return "a list";
-    if (node.is_string()) return "text";
-    if (node.is_integer()) return "a whole number";
-    if (node.is_floating_point()) return "a number";
-    if (node.is_boolean()) return "true or false";
-    return "a date or time";
-}
-
 void check_format(TomlFile& file) {
-    const toml::node* format = file.root.get("format");
+    const TomlNode* format = file.root.get("format");
     if (!format) {
         if (!file.error) file.error = Error{"'format' is missing; begin the file with format = 1", file.name, 1};
-    } else if (!format->is_integer() || format->ref<std::int64_t>() != 1) {
+    } else if (!format->as_whole() || *format->as_whole() != 1) {
         file.fail("format", format, "this program reads format = 1 only; the file may be from a newer one");
     }
 }

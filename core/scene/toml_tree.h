@@ -1,12 +1,12 @@
-// A TOML text as a tree, and the place in it that an error is about. For the readers of core's own files only.
+// A TOML text as a tree of plain values, each with its line. toml++ is included in toml_tree.cpp alone.
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <variant>
 #include <vector>
-
-#include <toml++/toml.h>
 
 #include "core/result.h"
 #include "core/scene/file_kind.h"
@@ -14,37 +14,69 @@
 
 namespace braitenlab {
 
-// One file being read: where its values came from and the first mistake found in it.
+// A position in a file, 1-based; 0 for a value that is in no file.
+struct TomlPlace {
+    unsigned line = 0, column = 0;
+    friend bool operator<(const TomlPlace& a, const TomlPlace& b) {
+        return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+    }
+};
+
+struct TomlMember;
+
+// A value of any type. Each as_…() returns null when the value is of another type.
+struct TomlNode {
+    using Table = std::vector<TomlMember>;  // sorted by key
+    using List = std::vector<TomlNode>;
+    struct Date {};  // a date, a time or both: no file of the lab has one
+
+    std::variant<Table, List, std::string, std::int64_t, double, bool, Date> content;
+    TomlPlace place{};  // of the value; of the first value in it for a table or list that has no place itself
+
+    const Table* as_table() const { return std::get_if<Table>(&content); }
+    const List* as_list() const { return std::get_if<List>(&content); }
+    const std::string* as_text() const { return std::get_if<std::string>(&content); }
+    const std::int64_t* as_whole() const { return std::get_if<std::int64_t>(&content); }
+    const bool* as_flag() const { return std::get_if<bool>(&content); }
+    std::optional<double> as_number() const;  // of a whole number, too
+
+    // The member of this name; null when there is none or this is no table.
+    const TomlNode* get(std::string_view key) const;
+    bool contains(std::string_view key) const { return get(key) != nullptr; }
+
+    // The type in words for messages: "a whole number", "a table" …
+    std::string_view type() const;
+};
+
+struct TomlMember {
+    std::string key;
+    TomlPlace key_place;
+    TomlNode value;
+};
+
+// A file that is being read: its tree and the first error found in it.
 struct TomlFile {
-    std::string name;  // for messages
-    toml::table root;
-    std::vector<Setting> settings;  // those already put into the tree: they answer for their values
+    std::string name;               // for messages
+    TomlNode root;                  // a table
+    std::vector<Setting> settings;  // those already put into the tree; an error in such a value names the setting
     std::optional<Error> error;
 
-    // Keeps the first error only: later ones are often its echoes.
-    void fail(const std::string& path, const toml::node* node, std::string what);
+    // Sets the error unless there is one: later errors often follow from the first.
+    void fail(const std::string& path, const TomlNode* node, std::string what);
 
-    // The line of the value at a dotted path ("kind.prey.body.wheel.2.load"), or of the last table on the way to it.
+    // An error at the value with a dotted path ("kind.prey.body.wheel.2.load", list entries from 1), or at the last
+    // table on the way to it.
     Error fault_at(const std::string& path, std::string what) const;
 };
 
-// Fails on bad syntax, on more than limits::file_bytes, and on keys nested deeper than any file of ours.
+// Errors: syntax; more than limits::file_bytes; keys of more parts than any format of the lab has.
 Result<TomlFile> parse_toml(std::string_view text, std::string file_name);
 
-// Puts a value into the tree, making the tables on the way: what reads as TOML is taken as that, anything else as a
-// string. False when the path runs through something that is not a table.
-bool put(toml::table& root, const Setting&);
+// Sets a value in the tree and makes the tables on the way. The text is read as a TOML value, else taken as a string.
+// False when the path runs through a value that is no table.
+bool put(TomlNode& root, const Setting&);
 
-// The line where a node or anything in it first appears; 0 for one that no file holds.
-struct Place {
-    unsigned line = 0, column = 0;
-};
-Place first_place(const toml::node&);
-
-// "a whole number", "a table" …
-std::string_view type_in_words(const toml::node&);
-
-// 'format = 1' must stand at the top of every file; the error says so when it does not.
+// Sets the file's error unless `format = 1` is in it.
 void check_format(TomlFile&);
 
 // The parts of "a.b.c".
