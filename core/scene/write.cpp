@@ -1,4 +1,4 @@
-// Writes scenes and brains as TOML, in the order of their description.
+// Writes scenes and brains as TOML, in the order of the schema.
 #include <cmath>
 #include <string>
 
@@ -14,24 +14,19 @@ namespace braitenlab {
 
 namespace {
 
-// The decimal with the fewest places that `reads_back` accepts, starting from the value itself.
-template <class ReadsBack>
-std::string shortest(double value, ReadsBack reads_back) {
+// The shortest decimal that reads back as the same float. Never "-0".
+std::string number_text(float value) { return fmt::format("{}", value == 0 ? 0.0f : value); }
+
+// The decimal of fewest places, in degrees, that reads back as the same float in radians.
+std::string degrees_text(float radians) {
+    const double degrees = static_cast<double>(radians) * (180 / maths::pi_d);
     double scale = 1;
     for (int places = 0; places <= 12; ++places, scale *= 10) {
-        const double rounded = std::round(value * scale) / scale;
-        if (reads_back(rounded)) return fmt::format("{}", rounded == 0 ? 0.0 : rounded);
+        const double rounded = std::round(degrees * scale) / scale;
+        if (static_cast<float>(rounded * (maths::pi_d / 180)) == radians)
+            return fmt::format("{}", rounded == 0 ? 0.0 : rounded);
     }
-    return fmt::format("{}", value);
-}
-
-std::string number_text(float value) {
-    return shortest(static_cast<double>(value), [value](double read) { return static_cast<float>(read) == value; });
-}
-
-std::string degrees_text(float radians) {
-    return shortest(static_cast<double>(radians) * (180 / maths::pi_d),
-                    [radians](double read) { return static_cast<float>(read * (maths::pi_d / 180)) == radians; });
+    return fmt::format("{}", degrees);
 }
 
 std::string quote(const std::string& text) {
@@ -52,12 +47,12 @@ std::string quote(const std::string& text) {
     return out + "\"";
 }
 
-// The visitor that writes what differs from the defaults; see core/scene/schema.h. Values of a table come before the
-// tables in it, so the header is written with the first value.
+// The visitor of core/scene/schema.h that writes every value that differs from its default. Values of a table come
+// before its inner tables; the header is written before the first value.
 template <class T>
 class TomlWriter {
 public:
-    // `header`: "[kind.prey]", or empty at the top; `path`: "kind.prey.", before the keys of inner tables.
+    // `header`: "[kind.prey]", empty at the top; `path`: "kind.prey.", the prefix of inner tables.
     TomlWriter(const T& object, std::string header, std::string path, std::string& out)
         : object_(object), header_(std::move(header)), path_(std::move(path)), out_(out) {}
 
@@ -118,7 +113,7 @@ public:
     TomlWriter(const T& object, const T& defaults, std::string header, std::string path, std::string& out)
         : object_(object), defaults_(defaults), header_(std::move(header)), path_(std::move(path)), out_(out) {}
 
-    // Writes the header if it is still to be written.
+    // Writes the header unless it is written already.
     void begin() {
         if (!header_.empty()) out_ += fmt::format("{}{}\n", out_.empty() ? "" : "\n", header_);
         header_.clear();
@@ -142,7 +137,7 @@ private:
         if (even_if_default) inner.begin();
         describe(inner, Of<Inner>{});
     }
-    // A dial of 0 may have to stand there: it says that there are dials at all.
+    // Also writes given dials of value 0: a brain with any dial is a four-neuron brain.
     void write(const BrainText& text, const std::string& key, bool) {
         TomlWriter<BrainText> inner(text, fmt::format("[{}{}]", path_, key), path_ + key + ".", out_);
         inner.begin();
