@@ -1,6 +1,7 @@
-// What can go wrong outside our control, as a value.
+// Errors as values.
 //
-// Anything that comes from outside (files, arguments, a graphics driver) returns Result<T>; a bug in our own code asserts.
+// Functions that depend on input from outside (files, arguments, graphics driver) return Result<T>. A bug in the
+// program's own code is an assertion.
 #pragma once
 
 #include <string>
@@ -9,13 +10,13 @@
 
 namespace braitenlab {
 
-// One problem, told to a person: where it is, what is wrong, and what to do about it.
+// An error message: file, line, what is wrong and what to do.
 struct Error {
     std::string what;    // what is wrong and what to do, one sentence without a full stop
-    std::string file{};  // empty when the problem is in no file
-    int line = 0;        // 1-based; 0 when no line is to blame
+    std::string file{};  // empty when the error is in no file
+    int line = 0;        // 1-based; 0: unknown
 
-    // "file:line: what", leaving out the parts that are not known.
+    // "file:line: what", without the parts that are unknown.
     std::string text() const {
         std::string where = file;
         if (!where.empty() && line > 0) where += ":" + std::to_string(line);
@@ -23,7 +24,7 @@ struct Error {
     }
 };
 
-// A T, or the Error that kept us from making one.
+// A value of type T, or an Error.
 template <class T>
 class [[nodiscard]] Result {
 public:

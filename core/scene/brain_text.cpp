@@ -13,7 +13,7 @@ namespace braitenlab {
 
 namespace {
 
-// The four nodes that the dials belong to, and where their places stand.
+// The four nodes of the dials with the key and member of their canvas position.
 struct DialledNode {
     const char* name;
     std::optional<maths::vec2> BrainText::*place;
@@ -70,7 +70,9 @@ std::optional<Fault> put_dialled_nodes(const BrainText& text, BrainGraph& graph)
     for (const DialledNode& entry : dialled_nodes) {
         if (!(text.*entry.place)) continue;
         Node* node = find_node(graph, entry.name);
-        if (!node) return Fault{entry.key, fmt::format("the brain lacks the node {} that this belongs to", entry.name)};
+        if (!node)
+            return Fault{entry.key,
+                         fmt::format("the brain has no node {}, whose position this is; remove it", entry.name)};
         node->place = text.*entry.place;
     }
     return std::nullopt;
@@ -80,7 +82,8 @@ void take_dialled_places(const BrainGraph& graph, BrainText& text) {
     for (const DialledNode& entry : dialled_nodes) text.*entry.place = find_node(graph, entry.name)->place;
 }
 
-// The four neurons that a graph begins with, bit for bit but for where they stand, or nothing.
+// The dials of the four neurons with which the graph begins, canvas positions ignored; nullopt when it begins
+// otherwise.
 std::optional<FourNeurons> leading_four(const BrainGraph& placed) {
     const BrainGraph graph = without_places(placed);
     const FourNeurons dials = read_dials(graph);
@@ -91,7 +94,7 @@ std::optional<FourNeurons> leading_four(const BrainGraph& placed) {
     return same ? std::optional(dials) : std::nullopt;
 }
 
-// Those that differ from 0, or else the first, so that the text says that there are dials.
+// The dials other than 0; LL when all are 0, because a text without dials has no four neurons.
 std::vector<Dial> dials_to_write(const FourNeurons& dials) {
     std::vector<Dial> given;
     for (const Dial dial : all_dials)

@@ -1,4 +1,4 @@
-// Between the brain that thinks, a graph, and the brain that a file shows: four dials first, then nodes and wires.
+// Converts a brain between its graph and its text in a file: first the four-neuron dials, then nodes and wires.
 #pragma once
 
 #include <optional>
@@ -8,20 +8,20 @@
 
 namespace braitenlab {
 
-// What is wrong with one value: its dotted path within whatever is being looked at, and what to do.
+// An error in one value: its dotted path within the scene or brain, and what is wrong with what to do.
 struct Fault {
     std::string path, what;
 };
 
-// Fills the graph; says what could not be done, nothing when all went well.
+// Sets `graph` from the text; returns the first error, or nullopt.
 //
-// With any dial given, the brain begins as four neurons (nodes SL, SR, ML, MR with ids 0..3); the nodes and wires
-// beyond them follow. But where a node of the text already bears one of those four names, the given dials turn what
-// nodes and wires make. Without dials the brain is its nodes and wires alone.
+// With at least one dial given, the graph begins with the four neurons (nodes SL, SR, ML, MR with ids 0..3), followed
+// by the nodes and wires of the text. Exception: where a node of the text has one of these four names, the dials set
+// the weights and biases of the text's own nodes. Without dials the graph consists of the text's nodes and wires.
 std::optional<Fault> to_graph(const BrainText&, BrainGraph&);
 
-// The shortest text that to_graph() turns into this graph again; a four-neuron brain becomes dials alone, whatever the
-// order of its nodes and wires was.
+// The shortest text from which to_graph() makes this graph. A four-neuron brain becomes dials only; the order of its
+// nodes and wires is lost.
 BrainText to_text(const BrainGraph&);
 
 }  // namespace braitenlab

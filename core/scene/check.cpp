@@ -15,7 +15,7 @@ namespace braitenlab {
 
 namespace {
 
-// The visitor that holds every value against its range; see core/scene/schema.h.
+// The visitor of core/scene/schema.h that checks every value against its range.
 template <class T>
 class RangeCheck {
 public:
@@ -24,7 +24,7 @@ public:
 
     template <class Number>
     void number(const char* key, Number T::*member, const char*, Range range, const char*) {
-        // A float holds an end like 0.005 only nearly.
+        // A float represents an end like 0.005 only approximately.
         if (object_.*member == static_cast<Number>(range.low) || object_.*member == static_cast<Number>(range.high))
             return;
         check(key, static_cast<double>(object_.*member), range);
@@ -124,9 +124,9 @@ std::optional<Fault> triangle_fault(const Kind& kind) {
     return std::nullopt;
 }
 
-// Physics needs outlines that turn left at every corner, with no two corners in one place.
+// Physics requires outlines that turn left at every corner, with a distance between any two corners.
 std::optional<Fault> outline_fault(const Obstacle& obstacle) {
-    constexpr float least = 0.01f, least_left = 0.001f;  // m, between corners; of every corner from every edge
+    constexpr float least = 0.01f, least_left = 0.001f;  // m: between corners; of a corner from every other edge
     const std::size_t count = obstacle.corners.size();
     if (count == 0) return std::nullopt;  // a box
     const std::string path = "obstacle." + obstacle.name + ".corner";
@@ -162,7 +162,7 @@ std::optional<Fault> start_fault(const Scene& scene, const Start& start) {
     return std::nullopt;
 }
 
-// A world keeps a dozen copies of its state; a file from a stranger must not fill the memory with them.
+// A world keeps about a dozen copies of its state; the limit keeps an untrusted file from filling the memory.
 std::optional<Fault> memory_fault(const Scene& scene) {
     constexpr double most = 1 << 24;  // numbers, in all brains and all sensors' latencies
     double largest = 0;

@@ -1,5 +1,4 @@
-// What a scene must be beyond well-formed: every value in its range, every name borne by something, every brain able to
-// think.
+// Validation of a scene or brain beyond its syntax: ranges, names, references between parts, brains that compile.
 #pragma once
 
 #include <optional>
@@ -12,14 +11,14 @@
 
 namespace braitenlab {
 
-// The first fault in the order of the description, with its path ("vehicle.one.facing"), or nothing.
+// The first fault in the order of the schema, with its path ("vehicle.one.facing"), or nullopt.
 std::optional<Fault> find_fault(const Scene&);
 std::optional<Fault> find_fault(const BrainGraph&);
 
 // "'LL' is 3, outside -2 .. 2".
 std::string outside(std::string_view key, double value, Range);
 
-// Why this cannot be a name, or nothing. Names are bare TOML keys, so that every path can be typed.
+// Why the text is no valid name, or nullopt. Names are bare TOML keys, so paths need no quotes.
 std::optional<std::string> name_fault(std::string_view name);
 
 }  // namespace braitenlab

@@ -1,4 +1,4 @@
-// Turns the descriptions of fields into the tables of docs/scene-format.md and docs/exercise-format.md.
+// Prints schemas as the tables of docs/scene-format.md and docs/exercise-format.md.
 #pragma once
 
 #include <string>
@@ -13,25 +13,24 @@
 
 namespace braitenlab {
 
-// The tables for all that a scene file may hold, in Markdown.
+// The tables of the scene format, in Markdown.
 std::string describe_scene_format();
 
-// The visitor that makes a table of each struct: its own keys first, then the tables within it. See
-// core/scene/schema.h.
+// The visitor of core/scene/schema.h that prints one table per struct: its own keys, then its inner tables.
 template <class T>
 class FormatTable {
 public:
-    // `path` is the struct's table as a file shows it, e.g. "kind.NAME", or empty at the top; `title` its heading.
+    // `path`: the struct's table in a file, e.g. "kind.NAME.", empty at the top; `title`: the heading.
     FormatTable(std::string path, const std::string& title, const std::string& meaning) : path_(std::move(path)) {
         heading_ = "\n## " + title + "\n\n";
         if (!meaning.empty()) heading_ += capital(meaning) + ".\n\n";
     }
-    // Another struct's keys in the same table, with the defaults that the owner gives them.
+    // Keys of another struct in the same table, with the defaults that the outer struct gives them.
     FormatTable(std::string path, const T& defaults) : defaults_(defaults), path_(std::move(path)) {}
 
     template <class Number>
     void number(const char* key, Number T::*member, const char* unit, Range range, const char* meaning) {
-        // A default that the file could not hold means that there is none.
+        // A default outside the range stands for "no default".
         const bool has_default = range.holds(static_cast<double>(defaults_.*member));
         row(key, unit, limits_text(range), has_default ? fmt::format("{}", defaults_.*member) : "", meaning);
     }

@@ -30,7 +30,7 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
-    word = word.substr(0, 2 * longest_shown);  // a hostile key must not cost a second
+    word = word.substr(0, 2 * longest_shown);  // bounds the time for very long keys
     std::string_view nearest;
     int smallest = std::numeric_limits<int>::max();
     for (const std::string_view candidate : candidates) {
@@ -58,7 +58,7 @@ std::string in_quotes(std::string_view text) {
     std::string shown = "'";
     for (const char c : text.substr(0, longest_shown))
         shown += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
-    // Do not cut a character of several bytes in two.
+    // Do not split a UTF-8 character.
     if (text.size() > longest_shown) {
         while ((static_cast<unsigned char>(text[shown.size() - 1]) & 0xC0u) == 0x80u && shown.size() > 1)
             shown.pop_back();

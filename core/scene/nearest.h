@@ -1,4 +1,4 @@
-// Finds the word that a person most likely meant.
+// The known word nearest to a misspelt one, and quoting for messages.
 #pragma once
 
 #include <span>
@@ -7,17 +7,17 @@
 
 namespace braitenlab {
 
-// How many letters must be added, dropped or replaced to turn one word into the other (V. I. Levenshtein, 1966).
+// Number of letters to add, remove or replace to make one word from the other (V. I. Levenshtein, 1966).
 int edit_distance(std::string_view, std::string_view);
 
-// The candidate at the smallest distance (the first of several), or an empty view when there is no candidate.
+// The candidate at the smallest distance, the first of several; empty without candidates.
 std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates);
 
-// "; the nearest is 'prey'" when a candidate is about as long as the distance is small, else "; known are 'none',
-// 'predator', 'prey'", cut after a dozen; empty without candidates.
+// "; the nearest is 'prey'" when the distance is at most half the length or there is one candidate; else "; known are
+// 'none', 'predator', 'prey'", at most 12 of them. Empty without candidates.
 std::string name_nearest(std::string_view word, std::span<const std::string_view> candidates);
 
-// 'text', fit for a one-line message: cut after 60 bytes, without control characters.
+// The text in quotes for a one-line message: at most 60 bytes, control characters replaced by spaces.
 std::string in_quotes(std::string_view);
 
 }  // namespace braitenlab

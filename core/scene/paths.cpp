@@ -6,7 +6,7 @@ namespace braitenlab {
 
 namespace {
 
-// The visitor that writes down where it has been; see core/scene/schema.h.
+// The visitor of core/scene/schema.h that collects paths.
 template <class T>
 class PathList {
 public:

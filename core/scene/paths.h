@@ -1,4 +1,4 @@
-// The paths by which single values of a scene can be set: "kind.prey.brain.LL", "source.lamp.x".
+// The paths of single values of a scene: "kind.prey.brain.LL", "source.lamp.x".
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace braitenlab {
 
-// All values that are not in a list; of brains the dials, whatever else the brain holds.
+// All values outside lists; of a brain the dials only.
 std::vector<std::string> setting_paths(const Scene&);
 
 }  // namespace braitenlab

@@ -1,4 +1,4 @@
-// Reads a struct from a table of a TOML file by the struct's description (core/scene/schema.h), and says what is wrong.
+// Reads structs from TOML tables by their schema (core/scene/schema.h); errors carry file and line.
 #pragma once
 
 #include <algorithm>

@@ -16,20 +16,20 @@ namespace {
 
 constexpr int deepest_key = 8;  // dots in one key; ours need four
 
-// The end of the quoted text that begins at `at`; the text's end when it never closes.
+// The position after the quoted text that begins at `at`; the end of the text when the quote is not closed.
 std::size_t skip_quoted(std::string_view text, std::size_t at) {
     const char quote = text[at];
     const std::string closing(text.substr(at, 3) == std::string(3, quote) ? 3 : 1, quote);
     at += closing.size();
     while (at < text.size() && text.substr(at, closing.size()) != closing) {
-        if (closing.size() == 1 && text[at] == '\n') return at;  // a syntax error, which the parser will tell
+        if (closing.size() == 1 && text[at] == '\n') return at;  // a syntax error; the parser reports it
         at += quote == '"' && text[at] == '\\' ? 2 : 1;
     }
     return std::min(at + closing.size(), text.size());
 }
 
-// The line of a key of too many parts, or 0. toml++ 3.3 bounds the nesting of values but not of dotted keys, and frees
-// its tables recursively: a key of a million dots would overflow the stack.
+// The line of the first key with more than deepest_key dots, or 0. toml++ 3.3 limits the nesting of values but not of
+// dotted keys, and frees its tables recursively: a key of a million dots overflows the stack.
 int line_of_too_deep_key(std::string_view text) {
     int line = 1, dots = 0;
     for (std::size_t at = 0; at < text.size();) {
