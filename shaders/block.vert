@@ -1,16 +1,16 @@
-// Walls and obstacles: upright prisms of up to eight corners with a chamfered top, and the shadow round their feet. The
-// mesh only numbers its corners: edge of the prism, its first (0) or second (1) end, and the level.
+// Walls and obstacles: upright prisms of up to eight corners with a chamfered top, and the shadow around their feet. A
+// corner of the mesh holds numbers only: edge of the prism, its first (0) or second (1) end, level.
 layout(location = 0) in vec3 corner;
 layout(location = 4) in vec4 place;   // x, y, direction
-layout(location = 5) in vec4 corners_01;  // of the prism, anticlockwise
+layout(location = 5) in vec4 corners_01;  // of the prism, counter-clockwise
 layout(location = 6) in vec4 corners_23;
 layout(location = 7) in vec4 corners_45;
 layout(location = 8) in vec4 corners_67;
-layout(location = 9) in vec4 size;   // height, chamfer, number of corners, 1 an arena's wall
-layout(location = 10) in vec4 base;  // w: 1 can be pushed
+layout(location = 9) in vec4 size;   // height, chamfer, number of corners, 1: a wall of the arena
+layout(location = 10) in vec4 base;  // w: 1: movable
 
 out vec3 v_colour;
-out float v_far;  // of the shadow: 0 at the foot, 1 where it has gone
+out float v_far;  // across the shadow: 0 at the foot, 1 at its outer end
 
 const int level_shadow_end = -2, level_shadow = -1, level_foot = 0, level_shoulder = 1, level_chamfer = 2,
           level_inner = 3, level_top = 4;
@@ -25,7 +25,7 @@ vec2 right_of(vec2 along) { return vec2(along.y, -along.x); }
 
 void main() {
     int count = int(size.z + 0.5), edge = int(corner.x + 0.5), level = int(floor(corner.z + 0.5));
-    // A prism of fewer corners leaves the other edges empty.
+    // Edges beyond the number of corners are moved out of view.
     bool empty = edge >= count;
     int own = empty ? 0 : corner.y < 0.5 ? edge : (edge + 1) % count;
     vec2 here = prism_corner(own), before = prism_corner((own + count - 1) % count), after = prism_corner((own + 1) % count);
@@ -42,13 +42,13 @@ void main() {
 
     vec3 world = to_gl(vec3(place.xy + turn(at, place.zw), height));
     vec3 up = to_gl(normalize(vec3(turn(normal.xy, place.zw), normal.z)));
-    // The top lighter, the foot darker: the eye finds the edge at once.
+    // A lighter top and a darker foot make the edges visible.
     float foot = mix(0.62, 0.88, counts.y), side = mix(0.85, 0.97, counts.y);
     float top = mix(size.w > 0.5 ? 1.42 : 0.86, 0.98, counts.y);
     if (size.w < 0.5) foot *= 0.8, side *= mix(0.72, 0.92, counts.y);
     bool on_side = level <= level_shoulder;
     vec3 tone = base.rgb * (level == level_foot ? foot : on_side ? side : level == level_top ? top : top * 1.12);
-    // A wall's outside belongs to the ground out there.
+    // The outer side of a wall has the tone of the ground outside.
     bool outside = size.w > 0.5 && on_side && dot(turn(face, place.zw), place.xy) > 0.0;
     if (outside) tone = mix(tone, sky.rgb, 0.45);
     v_colour = tone * light_at(up, world);

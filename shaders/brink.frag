@@ -1,11 +1,10 @@
-// What ends an arena without walls, painted over the floor: an open edge, beyond which there is nothing, or the dashed line
-// of a torus.
+// The boundary of an arena without walls, drawn over the floor: the drop of an open arena, or the dashed line of a torus.
 in vec2 v_place;
 flat in float v_beyond;
 
 out vec4 colour;
 
-// Lays a colour over what is there already, as much of it as `share`.
+// Blends a colour over `colour` with the weight `share`.
 void cover(vec3 with, float share) { colour = vec4(with * share, share) + colour * (1.0 - share); }
 
 void main() {
@@ -13,12 +12,12 @@ void main() {
     float outside = length(max(over, 0.0)), to_edge = max(over.x, over.y), wide = max(pixel.x, pixel.y);
     colour = vec4(0.0);
     if (counts.w == edge_open) {
-        // A table's edge: its side falls away, and below there is nothing.
+        // Like the edge of a table: a dark side, then the sky's colour.
         float side = 1.0 - smoothstep(0.12, 0.5, outside);
         cover(sky.rgb * 0.55, (1.0 - side * side) * clamp(outside / wide, 0.0, 1.0));
         cover(sky.rgb, smoothstep(0.1, 0.9, outside));
     }
-    // A line for what is no wall: whole where one falls, dashed where one comes back on the other side.
+    // Solid line for an open arena, dashed for a torus.
     float along = over.x > over.y ? v_place.y : v_place.x;
     float dash = counts.w == edge_torus ? smoothstep(0.45, 0.55, abs(fract(along / 0.8) - 0.5) * 2.0) : 1.0;
     float line = clamp((max(0.07, 1.5 * wide) * 0.5 - abs(to_edge)) / wide + 0.5, 0.0, 1.0) * dash;

@@ -1,5 +1,5 @@
-// What every shader knows. The loader puts it before each file, after a #version line, with VERTEX_STAGE or
-// FRAGMENT_STAGE defined. Written so that GLSL 330 and ESSL 300 both take it.
+// Declarations of all shaders. The loader puts them before each file, after a #version line and a define: VERTEX_STAGE,
+// GEOMETRY_STAGE or FRAGMENT_STAGE. Valid as GLSL 330 and as ESSL 300.
 
 struct Lamp {
     vec4 place;   // GL coordinates, strength
@@ -8,50 +8,50 @@ struct Lamp {
 
 layout(std140) uniform Frame {
     mat4 view_projection;
-    vec4 eye;  // GL coordinates; w: pixels a metre where clip w is 1
+    vec4 eye;  // camera position, GL coordinates; w: pixels per metre where clip w is 1
     vec4 picture_right, picture_up;
-    vec4 sun;  // towards it
+    vec4 sun;  // unit vector to the sun
     vec4 sun_light, sky_light, ground_light;
     vec4 sky, floor_colour, grid_colour;
     vec4 ink, paper;
     vec4 shadow_colour;
-    vec4 window;  // width, height of the picture, pixels; its left lower corner in the framebuffer
-    vec4 arena;   // half the width, half the height, m; simulated seconds; display pixels a layout pixel
-    vec4 counts;  // x: lamps; y: 1 in the light theme; z: how far one sees beyond the arena, m; w: its edge
+    vec4 window;  // width, height of the picture, pixels; its lower left corner in the framebuffer
+    vec4 arena;   // half the width, half the height, m; simulated seconds; display pixels per layout pixel
+    vec4 counts;  // x: lamps; y: 1 in the light theme; z: how far sensor fields reach beyond the arena, m; w: boundary
     Lamp lamps[8];
 };
 
-// What the arena ends with, as counts.w.
+// Values of counts.w, the arena's boundary (core/scene/enums.h).
 const float edge_wall = 0.0, edge_open = 1.0, edge_torus = 2.0;
 
-// What parts are painted as (render/view/shapes.h).
+// Values of a corner's paint (Paint in render/view/shapes.h).
 const int paint_body = 0, paint_deck = 1, paint_dark = 2, paint_gauge = 3, paint_mark = 4, paint_light = 5,
           paint_inlay = 6;
 
-// The world's plane is GL's (x, 0, -y); turning keeps lengths and angles, so it serves normals too.
+// World (x, y, height) to GL (x, height, -y). A rotation, so it is valid for normals, too.
 vec3 to_gl(vec3 world) { return vec3(world.x, world.z, -world.y); }
 
 vec2 turn(vec2 v, vec2 direction) {
     return vec2(v.x * direction.x - v.y * direction.y, v.x * direction.y + v.y * direction.x);
 }
 
-// What a surface's colour is multiplied by under the sun, the sky above, the floor below and the lamps nearby. Light
-// adds up in linear colour, for which a square stands in; what comes back is for the screen again.
+// Factor on a surface's colour from sun, sky, light reflected by the floor, and lamps. Light is summed in linear colour;
+// the square root converts to screen colour (gamma 2 approximates sRGB).
 vec3 light_at(vec3 normal, vec3 place) {
     vec3 light = mix(ground_light.rgb, sky_light.rgb, normal.y * 0.5 + 0.5);
     light += max(dot(normal, sun.xyz), 0.0) * sun_light.rgb;
     for (int i = 0; i < int(counts.x); ++i) {
         vec3 towards = lamps[i].place.xyz - place;
         float squared = dot(towards, towards), reach = lamps[i].colour.w;
-        // Lamps are round and low: half of what turns away from them is still in their glow.
+        // Lamps are large and low: a surface that faces away from one still gets some of its light.
         float facing = max(dot(normal, towards) * inversesqrt(squared + 1e-4) * 0.7 + 0.3, 0.0);
         light += lamps[i].colour.rgb * (1.5 * lamps[i].place.w * facing / (1.0 + squared / (reach * reach) * 2.0));
     }
     return sqrt(light);
 }
 
-// A sensor's field as few corners: a triangle below 120 degrees, a kite up to 180, a square beyond; numbered from the
-// apex anticlockwise. `shape` is the instance's: radius that is drawn, half the field, d0, radius where the fill ends.
+// Corners of a polygon that contains a sensor's field: a triangle below 120 degrees, a kite up to 180, a square beyond;
+// counter-clockwise from the apex. `shape`: drawn radius, half the opening angle, d0, radius where the fill ends.
 const float sector_height = 0.008;  // m above the floor
 
 int sector_corner_count(float half_field) { return half_field < 1.0471976 ? 3 : 4; }
@@ -66,8 +66,8 @@ vec2 sector_corner(int i, vec4 shape) {
     return shape.x * vec2(i == 0 || i == 3 ? -1.0 : 1.0, i < 2 ? -1.0 : 1.0);
 }
 
-// Sine and cosine of half the field; 1/d0^2, negative for a boolean eye; 1/reach^2. A full circle has no arms that
-// could cut it.
+// Sine and cosine of half the opening angle; 1/d0^2, negative for a boolean sensor; 1/reach^2. A full circle has no
+// straight sides: its sine is 0 and its cosine -1.
 vec4 sector_edges(vec4 shape) {
     bool whole = shape.y >= 3.1415;
     return vec4(whole ? 0.0 : sin(shape.y), whole ? -1.0 : cos(shape.y),

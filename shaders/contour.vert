@@ -1,7 +1,7 @@
-// How strongly a channel is felt everywhere: a sheet over the arena's floor.
+// Intensity of a channel as a rectangle on the arena's floor.
 layout(location = 0) in vec3 corner;
-layout(location = 4) in vec4 place;  // half the arena's size, samples across both ways
-layout(location = 5) in vec4 base;   // w: samples of the texture each way
+layout(location = 4) in vec4 place;  // half the arena's size; samples along x and y
+layout(location = 5) in vec4 base;   // w: side of the texture, samples
 
 out vec2 v_sample;
 flat out vec3 v_base;

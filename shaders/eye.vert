@@ -1,24 +1,24 @@
-// Eyes: balls whose lens lights up with what it sees.
+// Sensors: balls whose lens brightens with the reading.
 layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 normal;
 layout(location = 4) in vec4 place;  // x, y, direction
-layout(location = 5) in vec4 size;   // radius, height, what it sees, detail
-layout(location = 6) in vec4 base;   // colour of what it looks for; w: 0 covered, 1 open
+layout(location = 5) in vec4 size;   // radius, height, reading, detail
+layout(location = 6) in vec4 base;   // colour of the channel; w: 0 covered, 1 open
 
 out vec3 v_shell, v_glass;
 out vec3 v_lens;
-out float v_facing;  // 1 where the ball faces the eye that looks at the picture
+out float v_facing;  // 1 where the ball faces the camera
 flat out vec3 v_glow;
 out vec3 v_lid;  // across the lens, -1..1; 1 covered
 
-// The lens looks half upwards, so that it can be seen from above.
+// The lens is tilted upwards, so it is visible from above.
 vec3 raised(vec3 v) { return vec3(v.x * 0.74 - v.z * 0.67, v.y, v.x * 0.67 + v.z * 0.74); }
 
 void main() {
     vec3 own = raised(corner) * size.x, facing = raised(normal);
     vec3 at = to_gl(vec3(place.xy + turn(own.xy, place.zw), own.z + size.y));
     vec3 up = to_gl(vec3(turn(facing.xy, place.zw), facing.z));
-    // The shell shines through a little, so that a bright eye shows from behind too.
+    // The shell gets part of the colour, so a high reading is visible from behind, too.
     vec3 white = mix(vec3(0.80, 0.82, 0.85), base.rgb, 0.45 * size.z);
     vec3 light = light_at(up, at);
     v_shell = mix(white * light, base.rgb, 0.25 * size.z);

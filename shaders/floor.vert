@@ -1,9 +1,9 @@
-// The floor: one large square.
+// The floor: one rectangle.
 layout(location = 0) in vec3 corner;
 layout(location = 4) in vec4 half_size;
 
 out vec2 v_place;
-flat out float v_beyond;  // metres of ground round the arena
+flat out float v_beyond;  // m, ground beyond the arena
 
 void main() {
     v_place = corner.xy * half_size.xy;

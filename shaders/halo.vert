@@ -1,4 +1,4 @@
-// The glow round a source: a disc that always faces the eye.
+// The glow of a source: a disc that faces the camera.
 layout(location = 0) in vec3 corner;
 layout(location = 4) in vec4 place;  // x, y, height, radius
 layout(location = 5) in vec4 base;
@@ -10,7 +10,7 @@ void main() {
     v_own = corner.xy;
     v_base = base;
     vec3 middle = to_gl(vec3(place.xy, place.z));
-    // Drawn nearer by its own depth, so that the floor behind does not cut it.
+    // Moved towards the camera, so that the floor behind does not cut it.
     vec3 towards = normalize(eye.xyz - middle);
     vec3 at = middle + (picture_right.xyz * corner.x + picture_up.xyz * corner.y) * place.w + towards * place.w * 0.8;
     gl_Position = view_projection * vec4(at, 1.0);

@@ -1,4 +1,4 @@
-// A vehicle's body: hull, deck with the wires' inlay, energy gauge and an arrowhead.
+// A vehicle's body: hull, deck with the inlay below the wires, energy gauge and arrowhead.
 layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float paint;
@@ -8,10 +8,10 @@ layout(location = 6) in vec4 base;    // w: 1 awake, 0 parked
 layout(location = 7) in vec4 look;    // x: detail
 
 out vec3 v_colour;
-out vec3 v_empty;             // the gauge where there is no energy
+out vec3 v_empty;             // colour of the empty part of the gauge
 out vec2 v_gauge;             // where across the gauge, -1..1; energy
 
-// Small on the screen, the arrowhead is the whole deck's sign; near by it moves to the nose, out of the wires' way.
+// At low detail the arrowhead fills the deck; at high detail it is on the nose and leaves the deck to the wires.
 vec3 arrowhead(vec3 own, float detail) {
     vec3 on_deck = vec3(mix(-0.24, 0.15, own.x), own.y * 0.23, own.z + 0.03);
     vec3 on_nose = vec3(mix(0.375, 0.455, own.x), own.y * 0.12, own.z);
@@ -23,7 +23,7 @@ void main() {
     float detail = look.x;
     vec3 own = kind == paint_mark ? arrowhead(corner, detail) : corner;
     vec3 at = to_gl(vec3(place.xy + turn(own.xy * size.xy, place.zw), own.z * size.z));
-    // A body is stretched, so its normals shrink where it grew.
+    // Normals of a stretched body: divided by the scale.
     vec3 stretched = normalize(normal / size.xyz);
     vec3 up = to_gl(vec3(turn(stretched.xy, place.zw), stretched.z));
     vec3 deck = base.rgb * mix(0.88, 0.72, detail);
@@ -31,7 +31,7 @@ void main() {
     if (kind == paint_deck) tone = deck;
     if (kind == paint_inlay) tone = mix(deck, mix(ink.rgb, base.rgb, 0.12), detail);
     if (kind == paint_gauge) tone = mix(deck, mix(paper.rgb, base.rgb, 0.15), detail);
-    // The arrowhead is pale on strong colours and dark on pale ones.
+    // The arrowhead contrasts with the body: white on dark colours, dark on bright ones.
     float brightness = dot(base.rgb, vec3(0.30, 0.59, 0.11));
     if (kind == paint_mark) tone = mix(base.rgb, brightness > 0.55 ? ink.rgb : vec3(1.0), 0.25 + 0.65 * base.w);
     vec3 light = light_at(up, at);

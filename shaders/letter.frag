@@ -5,13 +5,13 @@ uniform sampler2D sheet;
 
 out vec4 colour;
 
-// Pixel for pixel as it was drawn into the sheet, with a halo of the ground's colour that parts it from what is below.
+// The glyph pixel by pixel as in the sheet, with an outline in the sky's colour that separates it from the background.
 void main() {
     ivec2 at = ivec2(floor(v_texel));
     float ink_here = texelFetch(sheet, at, 0).r, near = 0.0;
     for (int y = -2; y <= 2; ++y)
         for (int x = -2; x <= 2; ++x) {
-            // The sheet is empty round every character; beyond its rim there is nothing.
+            // The sheet has empty pixels around every character; clamping keeps reads inside the sheet.
             ivec2 beside = clamp(at + ivec2(x, y), ivec2(0), textureSize(sheet, 0) - 1);
             near = max(near, texelFetch(sheet, beside, 0).r * (1.0 - 0.16 * float(x * x + y * y)));
         }

@@ -1,4 +1,4 @@
-// Characters of labels: boxes of the screen.
+// Characters of labels: rectangles on the screen.
 layout(location = 0) in vec3 corner;
 layout(location = 4) in vec4 box;    // x, y, width, height; pixels, y down
 layout(location = 5) in vec4 piece;  // x, y in the sheet of characters, pixels

@@ -6,7 +6,7 @@ out vec4 colour;
 const int kind_ring = 2, kind_thin_ring = 3, kind_memory = 4, kind_arrow = 5,
           kind_whole_socket = 6, kind_dashed_socket = 7, kind_dotted_socket = 8;
 
-// A remembered place: a soft disc with a cross in a ring, as one marks a map.
+// A mark of a vehicle's memory: a soft disc with a cross in a ring.
 vec4 memory(float pixel) {
     float d = length(v_own), line = max(v_shape.z, 1.2 * pixel);
     float ring = 1.0 - smoothstep(0.5 - 0.5 * pixel / line, 0.5 + 0.5 * pixel / line, abs(d - v_shape.x) / line);
@@ -18,7 +18,7 @@ vec4 memory(float pixel) {
     return vec4(v_base.rgb * alpha, alpha);
 }
 
-// An arrow along +x from the middle of its left side; it is as long as the mark.
+// An arrow along +x, as long as the mark.
 vec4 arrow(float pixel) {
     float head = min(v_shape.x * 1.4, 0.24);
     float along = v_own.x + v_shape.x, across = abs(v_own.y);
@@ -30,7 +30,7 @@ vec4 arrow(float pixel) {
     return vec4(mix(ink.rgb, v_base.rgb, body) * alpha, alpha);
 }
 
-// Round the foot of a coloured lamp, so that red, green and blue differ in more than colour.
+// A ring around the foot of a coloured source; its dash pattern tells red, green and blue apart without colour.
 vec4 socket(int kind, float d, float pixel) {
     float line = max(v_shape.z, 0.8 * pixel * arena.w);
     float ring = 1.0 - smoothstep(line - pixel * 0.5, line + pixel * 0.5, abs(d - v_shape.x));
@@ -55,7 +55,7 @@ void main() {
     float half_width = max(v_shape.z, (kind == kind_ring ? 1.1 : 0.7) * pixel * arena.w);
     float away = abs(d - v_shape.x);
     float line = 1.0 - smoothstep(half_width - pixel * 0.5, half_width + pixel * 0.5, away);
-    // The dark edge keeps yellow visible on a white floor.
+    // The dark outline keeps yellow visible on a white floor.
     float rim_width = half_width + max(0.012, 0.8 * pixel * arena.w);
     float rim = kind == kind_ring ? 1.0 - smoothstep(rim_width - pixel * 0.5, rim_width + pixel * 0.5, away) : 0.0;
     float alpha = max(line, rim * 0.6) * v_base.a;

@@ -13,7 +13,7 @@ void main() {
         colour = vec4(mix(ink.rgb, vec3(0.95), max(arms, smoothstep(0.78 - pixel, 0.78 + pixel, d))), 1.0);
         return;
     }
-    // Dark at rest, its colour when it speaks, brightest amid.
+    // Dark at 0, coloured at 1, brightest in the centre.
     vec3 rest = mix(ink.rgb, v_base.rgb, 0.30), awake = mix(v_base.rgb, vec3(1.0), 0.45 * (1.0 - d * d));
     vec3 fill = mix(rest, awake, v_base.a);
     float rim = smoothstep(0.72 - pixel, 0.72 + pixel, d);

@@ -1,7 +1,7 @@
-// Neurons on the deck: discs a little above the wires; and the sign over what a lesion has put out of work.
+// Neurons on the deck: discs above the wires; also the cross over parts with a lesion.
 layout(location = 0) in vec3 corner;
 layout(location = 4) in vec4 place;  // x, y, height, radius
-layout(location = 5) in vec4 base;   // w: size of its value 0..1; -1 crossed out
+layout(location = 5) in vec4 base;   // w: size of the value 0..1; -1: crossed out
 
 out vec2 v_own;
 out vec4 v_base;

@@ -1,7 +1,7 @@
-// A thin line round a vehicle that is small on the screen: it parts body and floor. Near by the body's own light does.
-layout(location = 0) in vec3 corner;  // z: how far the outline's corner stands out
+// A thin outline that separates a vehicle of low detail from the floor. At high detail the shading does.
+layout(location = 0) in vec3 corner;  // z: factor on the outline's distance at this corner
 layout(location = 1) in vec3 normal;  // outwards
-layout(location = 2) in float paint;  // 0 the line's foot, 1 its edge, 2 where it has faded; 3 what it encloses
+layout(location = 2) in float paint;  // 0: inner side of the line, 1: outer side, 2: end of its fade, 3: area inside
 layout(location = 4) in vec4 place;   // x, y, direction
 layout(location = 5) in vec4 size;    // length, width, height's scale, energy
 layout(location = 6) in vec4 base;    // w: 1 awake, 0 parked
@@ -12,7 +12,7 @@ out vec4 v_rim;
 void main() {
     vec3 outwards = to_gl(vec3(turn(normalize(normal.xy / size.xy), place.zw), 0.0));
     vec2 on_screen = vec2(dot(outwards, picture_right.xyz), dot(outwards, picture_up.xyz));
-    // The silhouette follows the body's upper edge on its far side and the lower one on its near side.
+    // The silhouette is the body's upper edge on the far side and the lower edge on the near side.
     float height = mix(0.06, 0.26, smoothstep(-0.2, 0.2, on_screen.y)) * size.z;
     vec3 at = to_gl(vec3(place.xy + turn(corner.xy * size.xy, place.zw), height));
     float pixel = (view_projection * vec4(at, 1.0)).w / eye.w;
@@ -26,6 +26,6 @@ void main() {
     float strength = (edge == 2 ? 0.0 : 0.9 * (1.0 - look.x)) * mix(0.6, 1.0, base.w);
     v_rim = edge == 3 ? vec4(mix(ink.rgb, base.rgb, 0.25), 1.0 - look.x) : vec4(line, strength);
     gl_Position = view_projection * vec4(at, 1.0);
-    // Behind every solid thing, its own body first; the floor leaves no depth and so cannot cut the line.
+    // Behind all solid objects, also its own body; the floor writes no depth and does not cut the line.
     gl_Position.z = gl_Position.w * 0.9999;
 }

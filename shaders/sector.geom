@@ -1,5 +1,5 @@
-// A sensor's field from its point: one triangle below 120 degrees, two up to 180, a square beyond. The arc is cut in
-// field.frag, so that a field costs three or four vertices and not a fan of them.
+// A sensor's field from one point: sector_corner_count() corners. field.frag cuts the arc out of them, so a field has three
+// or four vertices instead of a fan.
 layout(points) in;
 layout(triangle_strip, max_vertices = 4) out;
 
@@ -11,7 +11,7 @@ flat out vec4 v_shape, v_base, v_line;
 
 void main() {
     int count = sector_corner_count(g_shape[0].y);
-    // A strip's corners in the order that makes two triangles of the same four.
+    // The order of the corners in a triangle strip.
     for (int k = 0; k < count; ++k) {
         int i = count == 4 && k > 1 ? 5 - k : k;
         v_own = sector_corner(i, g_shape[0]);

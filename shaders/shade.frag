@@ -1,5 +1,5 @@
-// Contact shadows and pools of light. They cover much of the floor and a software renderer takes every branch, so they
-// are kept apart from the signs of mark.frag.
+// Contact shadows and pools of light. Separate from mark.frag because they cover much of the floor and a software
+// renderer executes every branch.
 in vec2 v_own;
 in vec4 v_shape, v_base;
 
@@ -23,7 +23,7 @@ float pool() {
 void main() {
     bool is_shadow = v_shape.w < float(kind_shadow) + 0.5;
     float alpha = v_base.a * (is_shadow ? shadow() : pool());
-    // Light on a dark floor adds; on a light floor it can only tint.
+    // Light is added on a dark floor and blended on a light one.
     float covers = is_shadow ? 1.0 : mix(0.35, 1.0, counts.y);
     colour = vec4(v_base.rgb * alpha, alpha * covers);
 }

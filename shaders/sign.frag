@@ -9,7 +9,7 @@ const vec2 wheel = vec2(0.0, 0.46), wheel_half = vec2(0.18, 0.06);
 const vec2 eye_place = vec2(0.23, 0.24), eye_half = vec2(0.07, 0.06);
 const float arrow_tail = -0.3, arrow_tip = 0.08, arrow_half = 0.2;
 
-// How much of this pixel lies within a box about `middle` and its mirror image on the other side.
+// Coverage of this pixel by a box centred on `middle` and by its mirror image at -y.
 float in_boxes(vec2 own, vec2 pixel, vec2 middle, vec2 half_size) {
     vec2 within = clamp((half_size - abs(vec2(own.x, abs(own.y)) - middle)) / pixel + 0.5, 0.0, 1.0);
     return within.x * within.y;

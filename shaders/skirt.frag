@@ -1,4 +1,4 @@
-// The shadow round the feet of what block.vert places.
+// The shadow around the feet of the prisms of block.vert.
 in float v_far;
 
 out vec4 colour;

@@ -1,9 +1,9 @@
-// Lamps, braziers, blossoms, bubbles.
+// Sources: lamp, brazier, blossom, bubbles.
 layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float paint;
 layout(location = 4) in vec4 place;  // x, y, size, strength
-layout(location = 5) in vec4 base;   // w: height of what it stands on
+layout(location = 5) in vec4 base;   // w: height of its foot
 
 out vec3 v_core, v_rim;
 out vec3 v_normal, v_towards;
@@ -13,7 +13,7 @@ void main() {
     vec3 up = to_gl(normal);
     int kind = int(paint + 0.5);
     vec3 solid = mix(ink.rgb, vec3(0.55), 0.35) * light_at(up, at);
-    // A bulb is white-hot amid and coloured towards its rim; the rim is darker on a light floor, where glow alone drowns.
+    // White in the centre, coloured towards the rim. The rim is darker in the light theme, where the glow is hardly visible.
     vec3 core = mix(base.rgb, vec3(1.0), 0.75 * place.w);
     vec3 rim = mix(base.rgb, base.rgb * 0.62, counts.y);
     v_core = kind == paint_light ? core : kind == paint_mark ? vec3(0.98, 0.93, 0.75) : solid;

@@ -1,4 +1,4 @@
-// A piece of the line behind a vehicle.
+// One segment of a vehicle's trail.
 layout(location = 0) in vec3 corner;   // along 0..1, side -1..1
 layout(location = 4) in vec4 ends;     // from, to
 layout(location = 5) in vec4 sides;    // unit normals at both ends

@@ -1,4 +1,4 @@
-// Wheels, turned by the angle they have rolled.
+// Wheels, rotated by the angle they have rolled.
 layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float paint;
@@ -7,7 +7,7 @@ layout(location = 5) in vec4 size;   // radius, width, angle, detail
 
 out vec3 v_colour;
 
-// Rolling ahead takes the top (z) towards the front (x).
+// Rolling forwards moves the top (z) towards the front (x).
 vec3 rolled(vec3 v) {
     float c = cos(size.z), s = sin(size.z);
     return vec3(v.x * c + v.z * s, v.y, v.z * c - v.x * s);

@@ -8,10 +8,10 @@ flat in float v_cut;
 out vec4 colour;
 
 void main() {
-    // A cut wire has a gap amid, wide enough to be seen from the back row, and bare ends beside it.
+    // A cut wire has a gap with pale ends.
     float from_gap = v_cut > 0.5 ? abs(v_part - 0.42) - 0.13 : 1.0;
     if (from_gap < 0.0) discard;
-    // What is carried runs along the wire in soft beads; time is the simulation's, so a pause stills them.
+    // Beads move along the wire by simulated time, brighter with the signal; a pause stops them.
     float bead = 0.5 + 0.5 * cos(6.2831853 * (v_along / 0.16 - arena.z * 2.0));
     float glow = v_signal * (0.55 + 0.45 * bead);
     vec3 idle = v_base.rgb * 0.78;

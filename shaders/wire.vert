@@ -1,7 +1,8 @@
-// Wires on the deck: ribbons from an eye to a wheel, with an arrowhead where they excite and a ball where they inhibit.
+// Wires on the deck: ribbons along a quadratic Bézier curve, with an arrowhead where they excite and a disc where they
+// inhibit.
 layout(location = 0) in vec3 corner;  // along 0..1, side -1..1
 layout(location = 4) in vec4 ends;    // from, to
-layout(location = 5) in vec4 shape;   // the bend, height, width
+layout(location = 5) in vec4 shape;   // control point, height, width
 layout(location = 6) in vec4 base;    // w: 1 excites, -1 inhibits
 layout(location = 7) in vec4 signal;  // x: 0..1; y: 1 cut
 
@@ -9,7 +10,7 @@ out float v_side;
 out float v_along;   // metres
 out vec4 v_base;
 out float v_signal;
-out float v_part;    // of the way, 0..1
+out float v_part;    // share of the length, 0..1
 flat out float v_cut;
 
 void main() {

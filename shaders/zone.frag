@@ -1,5 +1,5 @@
-// What covers a zone, each kind by a texture of its own, so that no colour has to be remembered; and what it does to
-// those on it, as chevrons, rings and plus signs. Everything is drawn in metres and fades before it would flicker.
+// Zones of the floor: each surface has its own texture, each effect its own sign (chevrons, rings, plus signs). Patterns
+// are in metres and fade before they alias.
 in vec2 v_own;
 flat in vec4 v_shape, v_base, v_flow;
 
@@ -8,7 +8,7 @@ out vec4 colour;
 const int pattern_ice = 0, pattern_carpet = 1, pattern_sand = 2, pattern_tape = 3, pattern_recharge = 4,
           pattern_wind = 5, pattern_slope = 6, pattern_pull = 7, pattern_push = 8;
 
-// Metres inside the zone's edge, negative outside.
+// Distance inside the zone's edge, m; negative outside.
 float inside_edge() {
     if (v_shape.z > 0.5) {
         float k = length(v_own / v_shape.xy);
@@ -20,12 +20,12 @@ float inside_edge() {
 
 float noise_of(vec2 cell) { return fract(sin(dot(cell, vec2(12.9898, 78.233))) * 43758.5453); }
 
-// 1 in the middle of a line that is `width` wide, where `away` metres from it.
+// Coverage by a line of `width` metres at a distance of `away` metres from its middle.
 float line_at(float away, float width, float pixel) {
     return 1.0 - smoothstep(width * 0.5 - pixel * 0.5, width * 0.5 + pixel * 0.5, abs(away));
 }
 
-// How much of a texture that repeats every `spacing` metres can still be seen.
+// Visibility 0..1 of a pattern that repeats every `spacing` metres.
 float keen(float pixel, float spacing) { return 1.0 - smoothstep(0.25, 0.6, pixel / spacing); }
 
 // Rows of chevrons that point and move along +x.
@@ -54,7 +54,7 @@ void main() {
     float alpha = v_base.a;
 
     if (pattern == pattern_ice) {
-        // Glints run slantwise and come and go along their way.
+        // Diagonal glints of varying brightness.
         float slant = v_own.x + v_own.y * 0.8, along = v_own.y - v_own.x * 0.8;
         float glint = line_at(fract(slant / 0.9) * 0.9 - 0.45, 0.05, pixel) * smoothstep(0.1, 0.7, sin(along * 1.7 + floor(slant / 0.9) * 2.4));
         tone = mix(tone, pale, max(glint * 0.8 * keen(pixel, 0.3), edge * 0.5));
@@ -69,7 +69,7 @@ void main() {
     } else if (pattern == pattern_recharge) {
         alpha *= max(max(plus_signs(v_own, pixel), edge), 0.16);
     } else if (pattern == pattern_slope) {
-        // Downhill gets darker; the chevrons stand still.
+        // Darker downhill; the chevrons do not move.
         vec2 down = vec2(dot(v_own, v_flow.xy), dot(v_own, vec2(-v_flow.y, v_flow.x)));
         alpha *= max(max(chevrons(down, 0.0, pixel), edge * 0.6), 0.10 + 0.16 * v_flow.z * down.x / max(v_shape.x, 0.1));
     } else if (pattern == pattern_wind) {

@@ -1,7 +1,7 @@
-// Pieces of floor that are different.
+// Zones of the floor.
 layout(location = 0) in vec3 corner;
 layout(location = 4) in vec4 place;  // x, y, direction
-layout(location = 5) in vec4 shape;  // half length, half width, 1 round, pattern
+layout(location = 5) in vec4 shape;  // half length, half width, 1: ellipse, pattern
 layout(location = 6) in vec4 base;   // w: opacity
 layout(location = 7) in vec4 flow;   // direction in the zone's frame, strength
 
