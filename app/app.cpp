@@ -26,7 +26,7 @@ int complain(const Error& error) {
     return 2;
 }
 
-App::App(Options options, Lab lab, Window window, Renderer renderer, Words words, Settings settings)
+App::App(Options options, Lab lab, Window window, render::Renderer renderer, Words words, Settings settings)
     : options_(std::move(options)),
       lab_(std::move(lab)),
       window_(std::move(window)),

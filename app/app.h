@@ -30,7 +30,7 @@ double seconds_since(std::chrono::steady_clock::time_point then);
 
 class App {
 public:
-    App(Options, Lab, Window, Renderer, Words, Settings);
+    App(Options, Lab, Window, render::Renderer, Words, Settings);
 
     // One iteration of the main loop. Returns false when the program has ended: the user has left it, the system has
     // told it to end, or the picture of --screenshot has been taken. Do not call it again then.
@@ -84,7 +84,7 @@ private:
     Jobs jobs_;
     Lab lab_;
     Window window_;
-    Renderer renderer_;
+    render::Renderer renderer_;
     Words words_;
     Settings settings_;
     UserFolders folders_;

@@ -62,7 +62,7 @@ float App::density() const {
 void App::load_label_font() {
     constexpr float label_em = 14;  // layout pixels
     const auto pixels = static_cast<int>(std::lround(label_em * theme_.scale() * density()));
-    auto [lettering, warning] = label_font(find_font, pixels, *theme_.fonts().small);
+    auto [lettering, warning] = label_font(render::find_font, pixels, *theme_.fonts().small);
     renderer_.use_lettering(std::move(lettering));
     if (!warning.empty() && !reported_label_font_) std::cerr << "braitenlab: " << warning << "\n";
     reported_label_font_ = true;
@@ -146,7 +146,7 @@ void App::draw_scene() {
     picture.driver = lab_.view.camera.mode == CameraMode::driver ? lab_.view.selection.vehicle : no_vehicle;
     picture.pixel_scale = density() * theme_.scale();
     shown_ = lab_.document.session.snapshot();
-    if (!repeatable()) stand_between(shown_, lab_.playback.previous, between_ticks(lab_));
+    if (!repeatable()) render::stand_between(shown_, lab_.playback.previous, between_ticks(lab_));
     renderer_.draw(shown_, picture);
     facts_.draw_calls = renderer_.draw_calls();
     facts_.sight = viewport_.sight;

@@ -79,7 +79,7 @@ int open_and_run(const Options& options) {
                                 .watch_graphics = options.watch_graphics,
                                 .smooth_in_software = !options.screenshot.empty()});
     if (!window) return complain(window.error());
-    auto renderer = Renderer::create(*data / "shaders", options.sectors);
+    auto renderer = render::Renderer::create(*data / "shaders", options.sectors);
     if (!renderer) return complain(renderer.error());
     App app(options, std::move(opened->lab), std::move(*window), std::move(*renderer), std::move(*words),
             std::move(settings));

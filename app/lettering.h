@@ -10,14 +10,14 @@
 namespace braitenlab {
 
 // Copies the glyphs of an ImGui font. Precondition: its atlas has been built.
-Lettering lettering_of(ImFont&);
+render::Lettering lettering_of(ImFont&);
 
 struct LabelFont {
-    Lettering lettering;
+    render::Lettering lettering;
     std::string warning;  // why the system's fonts are not used; empty: they are
 };
 
 // Characters of `pixels` height from a font that `find` knows; from the fallback if there is none.
-LabelFont label_font(const FindFont& find, int pixels, ImFont& fallback);
+LabelFont label_font(const render::FindFont& find, int pixels, ImFont& fallback);
 
 }  // namespace braitenlab

@@ -88,9 +88,9 @@ CommandLine read_command_line(int argc, char** argv) {
     app.add_option_function<std::string>(
            "--sectors",
            [&](const std::string& way) {
-               o.sectors = way == "geometry"    ? SectorPath::geometry
-                           : way == "instanced" ? SectorPath::instanced
-                                                : SectorPath::automatic;
+               o.sectors = way == "geometry"    ? render::SectorPath::geometry
+                           : way == "instanced" ? render::SectorPath::instanced
+                                                : render::SectorPath::automatic;
            },
            "how sensor fields are drawn: by geometry shaders or by instances")
         ->type_name("WAY")

@@ -25,7 +25,7 @@ struct Options {
     bool play = false, full_screen = false;
     std::optional<Theme> theme;  // unset: as in the settings
     CameraMode camera = CameraMode::overview;
-    SectorPath sectors = SectorPath::automatic;
+    render::SectorPath sectors = render::SectorPath::automatic;
     bool watch_graphics = false;
     std::optional<Channel> field;          // its intensity is shown on the floor at the start
     std::string language;                  // its code, as "de"; empty: as in the settings

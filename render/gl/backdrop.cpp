@@ -4,7 +4,7 @@
 
 #include <GL/glew.h>
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 namespace {
 
@@ -52,4 +52,4 @@ void Backdrop::end_painting() {
 
 void Backdrop::forget() { painted_.reset(); }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -9,7 +9,7 @@
 #include "render/gl/frame.h"
 #include "render/gl/texture.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 class Backdrop {
 public:
@@ -45,4 +45,4 @@ private:
     int bound_before_ = 0, viewport_before_[4] = {};
 };
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -5,7 +5,7 @@
 
 #include <GL/glew.h>
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 namespace {
 
@@ -106,4 +106,4 @@ int Batch::draw(const Instances& instances) const {
     return 1;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

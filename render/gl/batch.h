@@ -6,7 +6,7 @@
 
 #include "render/view/shapes.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 // The graphics side's copy of one kind of thing, uploaded anew once a frame. Several batches may draw the same copy.
 // Objects of the graphics library are made in the constructor alone; needs a current context for its whole life.
@@ -60,4 +60,4 @@ private:
     int index_count_ = 0;  // 0: points
 };
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

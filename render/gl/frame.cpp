@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 namespace {
 
@@ -38,4 +38,4 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     return block;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -5,7 +5,7 @@
 
 #include "render/view/draw_list.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 struct FrameBlock {
     maths::mat4 view_projection;
@@ -25,4 +25,4 @@ static_assert(sizeof(FrameBlock) == 64 + 16 * 16 + most_lamps * 32);
 
 FrameBlock frame_block(const Snapshot&, const Picture&, const DrawList&);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

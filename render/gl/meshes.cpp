@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 Shape quad() {
     Shape shape;
@@ -61,4 +61,4 @@ Shape skirt() {
     return shape;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -3,7 +3,7 @@
 
 #include "render/view/shapes.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 Shape quad();              // x and y −1..1
 Shape strip(int squares);  // squares in a row along x from 0 to 1, y from −1 to 1
@@ -14,4 +14,4 @@ Shape fan();               // x is the corner's number 0..3, as field.vert wants
 Shape prism();
 Shape skirt();
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -7,7 +7,7 @@
 
 #include <GL/glew.h>
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::filesystem::file_time_type newest_change(const std::filesystem::path& folde
     return newest;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -7,7 +7,7 @@
 #include "render/gl/renderer.h"
 #include "render/gl/shader.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 struct Programs {
     Program floor, brink, backdrop, zone, contour, block, skirt, hull, sign, rim, wheel, eye, wire, neuron, field,
@@ -21,4 +21,4 @@ struct Programs {
 // When a file of the folder was last written; the beginning of time for none.
 std::filesystem::file_time_type newest_change(const std::filesystem::path& folder);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

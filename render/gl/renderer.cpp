@@ -18,7 +18,7 @@
 #include "render/view/draw_list.h"
 #include "render/view/shapes.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 namespace {
 
@@ -311,4 +311,4 @@ int Renderer::draw_calls() const { return parts_->calls; }
 
 bool Renderer::sectors_from_points() const { return parts_->with.sectors_from_points; }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

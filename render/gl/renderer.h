@@ -10,7 +10,7 @@
 #include "render/text/lettering.h"
 #include "render/view/picture.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 // How sensor fields get their corners: from one point each by a geometry shader, or as instances of a mesh where there
 // are no geometry shaders (WebGL). Both give the same picture. Automatic takes geometry shaders where it can.
@@ -52,4 +52,4 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

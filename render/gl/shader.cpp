@@ -10,7 +10,7 @@
 
 #include <GL/glew.h>
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 namespace {
 
@@ -127,4 +127,4 @@ Program::~Program() {
 
 void Program::use() const { glUseProgram(id_); }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

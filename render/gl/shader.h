@@ -6,7 +6,7 @@
 
 #include "core/result.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 // A linked program; deleted with its owner. Needs a current context for its whole life.
 class Program {
@@ -37,4 +37,4 @@ struct Complaint {
 };
 Complaint first_complaint(const std::string& log);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

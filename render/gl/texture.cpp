@@ -5,7 +5,7 @@
 
 #include <GL/glew.h>
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 Texture::Texture(Kind kind, int width, int height) : kind_(kind) {
     const GLint filter = kind == Kind::numbers ? GL_LINEAR : GL_NEAREST;
@@ -55,4 +55,4 @@ void Texture::bind() const {
     glBindTexture(GL_TEXTURE_2D, id_);
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

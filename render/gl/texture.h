@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 class Texture {
 public:
@@ -34,4 +34,4 @@ private:
     unsigned id_ = 0;
 };
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -8,7 +8,7 @@
 #include <fontconfig/fontconfig.h>
 #endif
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 #ifdef BRAITENLAB_FONTCONFIG
 
@@ -46,4 +46,4 @@ std::string find_font(char32_t) {
 
 #endif
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

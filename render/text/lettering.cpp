@@ -8,7 +8,7 @@
 #include <ft2build.h>
 #include FT_FREETYPE_H
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 // FreeType's library and the faces opened so far, the usual one first.
 struct Lettering::Faces {
@@ -148,4 +148,4 @@ SetLine set_line(Lettering& lettering, std::string_view utf8) {
     return line;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

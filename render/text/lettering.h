@@ -11,7 +11,7 @@
 #include "core/result.h"
 #include "render/text/find_font.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 // Where a character stands in the sheet and how it lies about the pen, pixels, y down.
 struct Glyph {
@@ -80,4 +80,4 @@ struct SetLine {
 };
 SetLine set_line(Lettering&, std::string_view utf8);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 namespace {
 
@@ -48,4 +48,4 @@ void set_type(std::vector<LetterInstance>& letters, const std::vector<Label>& la
     }
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -8,7 +8,7 @@
 #include "render/view/draw_list.h"
 #include "render/view/picture.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 // One character: pixels of the framebuffer that show as many of the sheet.
 struct LetterInstance {
@@ -17,8 +17,9 @@ struct LetterInstance {
     maths::vec4 colour;
 };
 
-// Sets each label centred on its place, or beside it where it has a side to stand on. Of two that overlap the one of lower rank stays; what is behind the eye or
-// outside the window is left out. Boxes are grown by Lettering::room each way for the halo.
+// Sets each label centred on its place, or beside it where it has a side to stand on. Of two that overlap the one of
+// lower rank stays; what is behind the eye or outside the window is left out. Boxes are grown by Lettering::room each
+// way for the halo.
 void set_type(std::vector<LetterInstance>&, const std::vector<Label>&, Lettering&, const Picture&);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

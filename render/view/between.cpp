@@ -4,7 +4,7 @@
 
 #include "core/maths/angle.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 namespace {
 
@@ -30,4 +30,4 @@ void stand_between(Snapshot& now, const std::vector<VehicleView>& before, float 
     }
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -39,7 +39,6 @@ struct Camera {
     float elevation = 1.1f;       // rad above the floor, 0.15..1.5
     float zoom = 1;               // 0.25..8; 1 fits the arena into the free part of the window
     maths::vec2 pan{};            // m, shifts what overview and bird's eye look at
-    bool whole_pixels = false;    // bird's eye: a metre is a whole number of pixels, for measuring on the screen
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 

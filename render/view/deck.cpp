@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 using maths::vec2;
 
@@ -180,4 +180,4 @@ DeckPlan plan_deck(const BrainGraph& brain, const Kind& kind) {
     return plan;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -9,7 +9,7 @@
 #include "core/maths/vec.h"
 #include "core/scene/scene.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 struct DeckNeuron {
     NodeId id = 0;
@@ -37,4 +37,4 @@ DeckPlan plan_deck(const BrainGraph&, const Kind&);
 
 inline constexpr std::size_t most_deck_neurons = 48, most_deck_wires = 160;
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

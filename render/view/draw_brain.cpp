@@ -6,7 +6,7 @@
 #include "render/view/deck.h"
 #include "render/view/drawing.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 using maths::vec2;
 using maths::vec4;
@@ -105,4 +105,4 @@ void add_wheel_arrows(Drawing& drawing, const Subject& s) {
     }
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

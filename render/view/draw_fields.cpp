@@ -5,7 +5,7 @@
 #include "core/maths/angle.h"
 #include "render/view/drawing.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 using maths::vec2;
 using maths::vec4;
@@ -70,4 +70,4 @@ void add_fields(Drawing& drawing, const Subject& s) {
     }
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

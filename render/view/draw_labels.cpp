@@ -7,7 +7,7 @@
 #include "core/sensing/intensity.h"
 #include "render/view/drawing.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 using maths::vec2;
 
@@ -125,4 +125,4 @@ void add_level_labels(DrawList& list, const sensing::Intensity& grid, const Aren
     }
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

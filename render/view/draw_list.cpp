@@ -5,7 +5,7 @@
 
 #include "render/view/drawing.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 void DrawList::clear() {
     for (auto& of_role : hulls) of_role.clear();
@@ -35,4 +35,4 @@ void fill(DrawList& list, const Snapshot& now, const Picture& picture, const Tra
     list.decks.forget_unused();
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -16,7 +16,11 @@
 #include "render/view/picture.h"
 #include "render/view/trails.h"
 
-namespace braitenlab {
+namespace braitenlab::sensing {
+struct Intensity;
+}
+
+namespace braitenlab::render {
 
 inline constexpr int role_count = 3;
 inline constexpr int source_shape_count = 4;  // light (and whatever has no shape of its own), heat, smell, oxygen
@@ -158,12 +162,9 @@ struct DrawList {
 void fill(DrawList&, const Snapshot&, const Picture&, const Trails&);
 
 // Adds the numbers of some contours of an intensity field.
-namespace sensing {
-struct Intensity;
-}
 void add_level_labels(DrawList&, const sensing::Intensity&, const Arena&, Colour);
 
 // Which of DrawList::sources shows a channel.
 int source_shape_of(Channel);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -5,7 +5,7 @@
 #include "core/maths/angle.h"
 #include "render/view/drawing.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 using maths::vec2;
 using maths::vec4;
@@ -39,4 +39,4 @@ void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
     }
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

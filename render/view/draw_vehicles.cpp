@@ -5,7 +5,7 @@
 #include "core/maths/angle.h"
 #include "render/view/drawing.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 using maths::vec2;
 using maths::vec4;
@@ -231,4 +231,4 @@ void add_vehicles(Drawing& drawing, const Trails& trails) {
     }
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

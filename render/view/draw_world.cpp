@@ -7,7 +7,7 @@
 #include "core/maths/angle.h"
 #include "render/view/drawing.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 using maths::vec2;
 using maths::vec4;
@@ -192,4 +192,4 @@ void add_world(Drawing& drawing) {
     add_obstacles(drawing, scene);
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -5,7 +5,7 @@
 #include "render/view/draw_list.h"
 #include "render/view/palette.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 // All that is asked for again and again while one picture is made.
 struct Drawing {
@@ -67,4 +67,4 @@ void add_trail(Drawing&, const Subject&, const Trail&);
 // Adds the words: sources, zones, vehicles and the metres along the arena's edge.
 void add_labels(Drawing&);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

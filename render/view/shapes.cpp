@@ -7,7 +7,7 @@
 
 #include "core/maths/angle.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 using maths::vec2;
 using maths::vec3;
@@ -261,4 +261,4 @@ Shape source_shape(Channel channel) {
     return shape;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -10,7 +10,7 @@
 #include "core/maths/vec.h"
 #include "core/scene/scene.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 // What a part of a shape is painted as; the shaders know the same numbers.
 enum class Paint { body, deck, dark, gauge, mark, light, inlay };
@@ -29,8 +29,8 @@ struct Shape {
 // for wires and an energy gauge. The arrowhead's corners are 0..1 along it and −1..1 across: the shader gives it size.
 Shape hull_shape(Role);
 
-// A whole vehicle as a flat outline, for one that is small on the screen: 1 long and 1 wide, with a rim round that. Paint
-// says how far inside the outline a corner is; the shader draws the rim, wheels, eyes and arrowhead onto it.
+// A whole vehicle as a flat outline, for one that is small on the screen: 1 long and 1 wide, with a rim round that.
+// Paint says how far inside the outline a corner is; the shader draws the rim, wheels, eyes and arrowhead onto it.
 Shape sign_shape(Role);
 
 // A line round the silhouette of a hull with its wheels, and what it encloses. Normals point outwards, z says how far a
@@ -49,4 +49,4 @@ Shape eye_shape();
 // blossom for smell, bubbles for oxygen.
 Shape source_shape(Channel);
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

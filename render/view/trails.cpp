@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 namespace {
 
@@ -78,4 +78,4 @@ const Trail* Trails::of(VehicleId id) const {
     return found == trails_.end() ? nullptr : &found->second;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -10,7 +10,7 @@
 #include "core/maths/vec.h"
 #include "core/world/snapshot.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 // The way of one vehicle, up to the moment shown.
 class Trail {
@@ -54,4 +54,4 @@ private:
     std::string scene_;  // its name
 };
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

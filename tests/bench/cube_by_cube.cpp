@@ -76,8 +76,8 @@ void set(GLint uniform, Colour c) { glUniform4f(uniform, c.r, c.g, c.b, c.a); }
 
 CubeByCube::CubeByCube(const Snapshot& now, const Picture& picture)
     : box_program_(program(box_vertex, box_fragment)), flat_program_(program(flat_vertex, flat_fragment)) {
-    DrawList list;
-    fill(list, now, picture, Trails{});
+    render::DrawList list;
+    render::fill(list, now, picture, render::Trails{});
     fields_ = list.fields;
     std::size_t i = 0;
     for (const char* name : {"model", "view", "projection", "turned", "base"})
@@ -128,7 +128,7 @@ void CubeByCube::draw(const Snapshot& now, const Picture& picture) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glUseProgram(flat_program_);
-    for (const FieldInstance& field : fields_) {
+    for (const render::FieldInstance& field : fields_) {
         set(flat_uniforms_[0], picture.sight.projection * picture.sight.view);
         set(flat_uniforms_[1], Colour{field.colour.x, field.colour.y, field.colour.z, field.colour.w * 0.4f});
         draw_sector(field);
@@ -156,7 +156,7 @@ void CubeByCube::draw_vehicle(const Picture& picture, const VehicleView& v, cons
     }
 }
 
-void CubeByCube::draw_sector(const FieldInstance& field) {
+void CubeByCube::draw_sector(const render::FieldInstance& field) {
     constexpr int steps = 16;
     const vec2 apex{field.place.x, field.place.y}, axis{field.place.z, field.place.w};
     std::array<vec2, steps + 2> fan;

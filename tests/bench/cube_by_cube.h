@@ -26,9 +26,9 @@ public:
 private:
     void draw_box(const Picture&, maths::vec2 place, float heading, maths::vec3 size, Colour);
     void draw_vehicle(const Picture&, const VehicleView&, const Body&, Colour);
-    void draw_sector(const FieldInstance&);
+    void draw_sector(const render::FieldInstance&);
 
-    std::vector<FieldInstance> fields_;
+    std::vector<render::FieldInstance> fields_;
     std::array<GLint, 5> box_uniforms_{};   // model, view, projection, turned, base
     std::array<GLint, 2> flat_uniforms_{};  // view_projection, base
     GLuint box_program_ = 0, flat_program_ = 0, box_array_ = 0, box_buffer_ = 0, fan_array_ = 0, fan_buffer_ = 0;

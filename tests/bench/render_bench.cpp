@@ -16,6 +16,8 @@
 namespace braitenlab {
 namespace {
 
+using namespace render;
+
 constexpr int width = 1280, height = 800;
 const Rect window{0, 0, width, height};
 
@@ -101,7 +103,8 @@ void BM_FillDrawList(benchmark::State& state) {
     for (auto _ : state) fill(list, now, picture, trails);
 }
 
-#define BRAITENLAB_CROWDS Arg(50)->Arg(1000)->Arg(5000)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime()
+#define BRAITENLAB_CROWDS \
+    Arg(50)->Arg(1000)->Arg(5000)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime()
 BENCHMARK(BM_DrawOurs)->BRAITENLAB_CROWDS;
 BENCHMARK(BM_DrawOursOrbiting)->BRAITENLAB_CROWDS;
 BENCHMARK(BM_DrawOursInstanced)->BRAITENLAB_CROWDS;

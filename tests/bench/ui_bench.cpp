@@ -19,6 +19,8 @@
 namespace braitenlab {
 namespace {
 
+using namespace render;
+
 constexpr int width = 1280, height = 800;
 
 Result<Lab> hunt(int vehicles) {

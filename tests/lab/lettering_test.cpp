@@ -19,7 +19,7 @@ TEST(Lettering, FallsBackToTheFontOfTheWindow) {
     BuiltIn own;
     LabelFont made = label_font([](char32_t) { return std::string{}; }, 13, *own.font);
     EXPECT_NE(made.warning.find("no font"), std::string::npos) << made.warning;
-    const Glyph& letter = made.lettering.glyph(U'H');
+    const render::Glyph& letter = made.lettering.glyph(U'H');
     ASSERT_GT(letter.height, 4);
     EXPECT_GT(letter.advance, 3);
     EXPECT_LT(letter.top, 0);
@@ -27,7 +27,8 @@ TEST(Lettering, FallsBackToTheFontOfTheWindow) {
     for (int y = 0; y < letter.height; ++y)
         for (int x = 0; x < letter.width; ++x)
             ink +=
-                made.lettering.sheet()[static_cast<std::size_t>((letter.y + y) * Lettering::side + letter.x + x)] > 128;
+                made.lettering
+                    .sheet()[static_cast<std::size_t>((letter.y + y) * render::Lettering::side + letter.x + x)] > 128;
     EXPECT_GT(ink, 8);
     EXPECT_EQ(set_line(made.lettering, "HH").width, 2 * set_line(made.lettering, "H").width);
 }

@@ -11,6 +11,8 @@
 namespace braitenlab::tests::backdrop_test {
 namespace {
 
+using namespace render;
+
 using Pixels = std::vector<unsigned char>;
 
 // Whether two pictures are the same but for roundings, which move by one of 255 levels with the order of drawing, and

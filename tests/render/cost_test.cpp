@@ -10,6 +10,8 @@
 #include "tests/view/hand_made.h"
 
 namespace {
+
+using namespace render;
 int objects_made = 0, uploads = 0;
 }
 

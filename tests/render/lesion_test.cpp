@@ -13,6 +13,8 @@
 namespace braitenlab::tests::lesion_test {
 namespace {
 
+using namespace render;
+
 class LesionTest : public Rendered {
 protected:
     void SetUp() override {
@@ -111,7 +113,7 @@ TEST_F(LesionTest, LeavesAGapInACutWire) {
     EXPECT_GT(whole, 100);
     EXPECT_LT(painted(), whole / 4) << "cut, it is dull besides";
     DrawList list;
-    braitenlab::fill(list, now, picture, Trails{});
+    render::fill(list, now, picture, Trails{});
     ASSERT_EQ(list.wires.size(), 1U);
     // Amid the gap the deck shows; t = 0.42 of a bent line.
     const maths::vec4 ends = list.wires[0].ends, shape = list.wires[0].shape;
@@ -133,7 +135,7 @@ TEST_F(LesionTest, CrossesOutADeadNeuron) {
         brain.wires.push_back(wire);
     });
     DrawList list;
-    braitenlab::fill(list, now, picture, Trails{});
+    render::fill(list, now, picture, Trails{});
     ASSERT_EQ(list.neurons.size(), 1U);
     const maths::vec4 at = list.neurons[0].place;
     EXPECT_LT(extremes({at.x, at.y}, at.z, 0).second, 0.6f);

@@ -14,6 +14,8 @@
 namespace braitenlab::tests::picture_test {
 namespace {
 
+using namespace render;
+
 class PictureTest : public Rendered {
 protected:
     void SetUp() override {

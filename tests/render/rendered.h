@@ -9,7 +9,7 @@
 #include "render/gl/renderer.h"
 #include "tests/render/stage.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 inline constexpr int width = 640, height = 480;
 inline const Rect window{0, 0, width, height};
@@ -34,4 +34,4 @@ protected:
     Picture picture;
 };
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

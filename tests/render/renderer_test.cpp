@@ -12,6 +12,8 @@
 namespace braitenlab::tests::renderer_test {
 namespace {
 
+using namespace render;
+
 class RendererTest : public Rendered {
 protected:
     // The vehicles' deck is dark and carries wires; behind the deck the hull shows its colour.

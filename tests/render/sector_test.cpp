@@ -11,6 +11,8 @@
 namespace braitenlab::tests::sector_test {
 namespace {
 
+using namespace render;
+
 constexpr int width = 640, height = 480;
 
 class SectorTest : public testing::Test {

@@ -17,6 +17,8 @@
 namespace braitenlab::tests::shader_test {
 namespace {
 
+using namespace render;
+
 namespace fs = std::filesystem;
 
 class ShaderTest : public testing::Test {

@@ -13,7 +13,7 @@
 #include "core/maths/vec.h"
 #include "render/view/palette.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 class Stage {
 public:
@@ -93,4 +93,4 @@ private:
     std::string problem_, complaints_;
 };
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

@@ -7,6 +7,8 @@
 namespace braitenlab::tests::lettering_test {
 namespace {
 
+using namespace render;
+
 // A font with a kern table, which Noto Sans has not. Empty where it is not installed.
 std::string dejavu() {
     for (const char* file :

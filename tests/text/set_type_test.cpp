@@ -9,6 +9,8 @@
 namespace braitenlab::tests::set_type_test {
 namespace {
 
+using namespace render;
+
 class SetType : public testing::Test {
 protected:
     SetType() : lettering(std::move(*Lettering::from_fonts(find_font, 20))) {

@@ -7,6 +7,8 @@
 namespace braitenlab::tests::between_test {
 namespace {
 
+using namespace render;
+
 VehicleView at(VehicleId id, float x, float heading) {
     VehicleView v;
     v.id = id, v.x = x, v.heading = heading;

@@ -148,17 +148,6 @@ TEST(Camera, ShowsTheArenaFromStraightAboveWithoutPerspective) {
     EXPECT_NEAR(project(sight, {0, 0})->x, free_area.x + free_area.w / 2, 0.1f);
 }
 
-TEST(Camera, MeasuresInWholePixelsFromAboveOnRequest) {
-    Camera camera;
-    camera.mode = CameraMode::birds_eye, camera.whole_pixels = true;
-    const Sight sight = look(camera, Arena{}, nullptr, window, free_area);
-    const vec2 origin = *project(sight, {0, 0}), right = *project(sight, {1, 0});
-    EXPECT_NEAR(origin.x, std::round(origin.x), 1e-3);
-    EXPECT_NEAR(origin.y, std::round(origin.y), 1e-3);
-    EXPECT_NEAR(right.x - origin.x, std::round(right.x - origin.x), 1e-3);
-    EXPECT_GT(right.x - origin.x, 20);
-}
-
 TEST(Camera, LooksAheadThroughTheDriversEyes) {
     VehicleView vehicle;
     vehicle.x = 1, vehicle.y = 2, vehicle.heading = maths::pi / 2;

@@ -10,6 +10,8 @@
 namespace braitenlab::tests::deck_test {
 namespace {
 
+using namespace render;
+
 Kind two_eyed() {
     Kind kind;
     kind.sensors = hand_made::two_eyes(Channel::light);

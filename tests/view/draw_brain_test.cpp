@@ -11,6 +11,8 @@
 namespace braitenlab::tests::draw_brain_test {
 namespace {
 
+using namespace render;
+
 // One vehicle: left eye → neuron 5 → right motor, inhibiting.
 Snapshot with_neuron(float seen, float neuron) {
     auto scene = hand_made::scene();

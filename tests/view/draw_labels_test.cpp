@@ -10,6 +10,8 @@
 namespace braitenlab::tests::draw_labels_test {
 namespace {
 
+using namespace render;
+
 Picture from_above() {
     Picture picture;
     const Rect window{0, 0, 1280, 800};

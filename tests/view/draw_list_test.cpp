@@ -8,6 +8,8 @@
 namespace braitenlab::tests::draw_list_test {
 namespace {
 
+using namespace render;
+
 TEST(DrawList, SortsHullsByRole) {
     Snapshot now = hand_made::empty(hand_made::scene());
     for (const int kind : {0, 1, 1, 2, 2, 2}) hand_made::add(now, kind, 0, 0, 0);
@@ -80,7 +82,7 @@ TEST(DrawList, ShowsASmallVehicleAsItsHullAndADotASide) {
     EXPECT_TRUE(far.wires.empty());
     ASSERT_EQ(far.eyes.size(), 2U);
     EXPECT_NEAR(far.eyes[0].size.z, 0.8f, 1e-5);  // of the eye that sees most there
-    EXPECT_EQ(far.eyes[0].colour.x, palette(Theme::dark).heat.r);
+    EXPECT_EQ(far.eyes[0].colour.x, colour_of(palette(Theme::dark), Channel::heat).r);
     EXPECT_EQ(near.hulls[0][0].look.x, 1);
     EXPECT_EQ(near.wheels.size(), 4U);
     EXPECT_EQ(near.wires.size(), 2U);

@@ -11,6 +11,8 @@
 namespace braitenlab::tests::draw_world_test {
 namespace {
 
+using namespace render;
+
 std::shared_ptr<Scene> bare() {
     auto scene = hand_made::scene();
     scene->arena.edge = Boundary::open;

@@ -3,7 +3,7 @@
 
 #include "render/view/draw_list.h"
 
-namespace braitenlab {
+namespace braitenlab::render {
 
 inline DrawList drawn(const Snapshot& now, const Picture& picture = {}) {
     DrawList list;
@@ -11,4 +11,4 @@ inline DrawList drawn(const Snapshot& now, const Picture& picture = {}) {
     return list;
 }
 
-}  // namespace braitenlab
+}  // namespace braitenlab::render

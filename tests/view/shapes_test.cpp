@@ -5,6 +5,8 @@
 namespace braitenlab::tests::shapes_test {
 namespace {
 
+using namespace render;
+
 using maths::vec3;
 
 std::vector<Shape> all_shapes() {

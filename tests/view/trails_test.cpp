@@ -10,6 +10,8 @@
 namespace braitenlab::tests::trails_test {
 namespace {
 
+using namespace render;
+
 Snapshot one_vehicle() {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);
