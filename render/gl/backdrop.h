@@ -1,7 +1,7 @@
-// The picture of the ground, kept for as long as it stays the same.
+// The picture of the ground, stored while it does not change.
 //
-// The floor with its grid is most of a picture's pixels, and on a software renderer a third of its cost. While the
-// camera rests it is the same in every frame: painted once, it is then laid behind everything.
+// The floor with its grid is most of a picture's pixels and a third of its cost on a software renderer. While the
+// camera rests, the ground is drawn once into a texture and copied behind everything else in later frames.
 #pragma once
 
 #include <optional>
@@ -13,35 +13,35 @@ namespace braitenlab::render {
 
 class Backdrop {
 public:
-    // Objects of the graphics library are made here alone; needs a current context for its whole life.
+    // Creates all GL objects. Precondition until destruction: a current GL context.
     Backdrop();
     Backdrop(const Backdrop&) = delete;
     Backdrop& operator=(const Backdrop&) = delete;
     ~Backdrop();
 
     enum class Ground {
-        moves,  // another one than a frame ago: keeping it would not pay
-        rests,  // the same for two frames: worth painting into the backdrop now
-        kept,   // what the backdrop holds
+        moves,  // differs from the last frame: draw it directly
+        rests,  // same as in the last frame: draw it into the backdrop now
+        kept,   // the backdrop holds it
     };
-    // To be asked once a frame.
+    // Call it once per frame.
     Ground look(const FrameBlock&);
 
-    // What is drawn between these two goes into the backdrop, from a viewport of its own size; the framebuffer that was
-    // bound and its viewport come back at the end.
+    // Draw calls between these two draw into the backdrop, with a viewport of its size. end_painting() restores the
+    // framebuffer and the viewport.
     void begin_painting();
     void end_painting();
 
-    // As if nothing had been painted: its shaders have changed.
+    // Discards the stored picture, for example after the shaders have changed.
     void forget();
 
     void bind() const { picture_.bind(); }
 
 private:
-    std::optional<FrameBlock> last_, painted_;  // without what the ground does not show
+    std::optional<FrameBlock> last_, painted_;  // from ground_of()
     Texture picture_{Texture::Kind::picture, 1, 1};
     unsigned framebuffer_ = 0;
-    int width_ = 0, height_ = 0;  // of the picture, pixels
+    int width_ = 0, height_ = 0;  // of the picture, px
     int bound_before_ = 0, viewport_before_[4] = {};
 };
 

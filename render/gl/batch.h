@@ -1,4 +1,4 @@
-// A mesh drawn many times in one call, each time with another instance.
+// A mesh drawn once per instance in one draw call.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,11 @@
 
 namespace braitenlab::render {
 
-// The graphics side's copy of one kind of thing, uploaded anew once a frame. Several batches may draw the same copy.
-// Objects of the graphics library are made in the constructor alone; needs a current context for its whole life.
+// The instances of one type in graphics memory, uploaded once per frame. Several batches may draw the same instances.
+// Creates its GL objects in the constructor. Precondition until destruction: a current GL context.
 class Instances {
 public:
-    // `vectors` of four floats an instance.
+    // `vectors`: number of vec4 per instance.
     explicit Instances(int vectors);
     Instances(Instances&& other) noexcept;
     Instances& operator=(Instances&&) = delete;
@@ -34,22 +34,22 @@ private:
     std::size_t capacity_ = 0;  // bytes
 };
 
-// A mesh and how it reads its instances. Objects are made in the constructor alone, as above.
+// A mesh with the layout of its instances. Creates its GL objects in the constructor, as above.
 //
-// A shader finds the corner at locations 0 (place), 1 (normal) and 2 (paint), and the instance's vectors from 4 on.
+// Shader locations: 0 corner, 1 normal, 2 paint, 4 and following the instance's vectors.
 class Batch {
 public:
     Batch(const Shape&, const Instances&);
 
-    // No mesh: every instance is one point, which a geometry shader makes into a shape.
+    // Without a mesh: every instance is one point, expanded by a geometry shader.
     static Batch points(const Instances&);
 
     Batch(Batch&& other) noexcept;
     Batch& operator=(Batch&&) = delete;
     ~Batch();
 
-    // Draws the mesh once for each of the instances it was made with; nothing for none. Returns the number of draw
-    // calls: 0 or 1.
+    // Draws the mesh once per instance. Precondition: `instances` is that of the constructor. Returns the number of
+    // draw calls: 1, or 0 without instances.
     int draw(const Instances&) const;
 
 private:

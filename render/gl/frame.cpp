@@ -19,7 +19,8 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     block.view_projection = sight.projection * sight.view;
     block.eye = {sight.eye.x, sight.eye.y, sight.eye.z, sight.projection[1].y * sight.window.h / 2};
     block.right = row(0), block.up = row(1);
-    const maths::vec3 sun = maths::normalise(maths::vec3{-0.45f, 0.82f, 0.38f});  // from behind the left shoulder
+    const maths::vec3 sun =
+        maths::normalise(maths::vec3{-0.45f, 0.82f, 0.38f});  // from above, left and behind the camera's default
     block.sun = {sun.x, sun.y, sun.z, 0};
     block.sun_light = light ? maths::vec4{0.74f, 0.73f, 0.70f, 0} : maths::vec4{0.72f, 0.74f, 0.78f, 0};
     block.sky_light = light ? maths::vec4{0.42f, 0.43f, 0.45f, 0} : maths::vec4{0.30f, 0.33f, 0.38f, 0};
@@ -29,7 +30,7 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     block.shadow = four(colours.shadow);
     block.window = {sight.window.w, sight.window.h, sight.window.x, sight.window.y};
     const Arena arena = now.scene ? now.scene->arena : Arena{};
-    // Seconds wrap where every pulse does, so that a long run loses no precision.
+    // Wrapped to a common multiple of all periods in the shaders, to keep precision in long runs.
     block.arena = {arena.width / 2, arena.height / 2, static_cast<float>(std::fmod(now.seconds, 60.0)),
                    picture.pixel_scale};
     block.counts = {static_cast<float>(list.lamps.size()), light ? 1.0f : 0.0f,

@@ -1,4 +1,4 @@
-// The meshes that only number their corners: the shaders place them.
+// Meshes whose corners hold numbers; the shaders compute the positions.
 #pragma once
 
 #include "render/view/shapes.h"
@@ -7,10 +7,10 @@ namespace braitenlab::render {
 
 Shape quad();              // x and y −1..1
 Shape strip(int squares);  // squares in a row along x from 0 to 1, y from −1 to 1
-Shape fan();               // x is the corner's number 0..3, as field.vert wants it
+Shape fan();               // x: number of the corner 0..3, for field.vert
 
-// The sides, the chamfer and the top of a prism of up to eight corners, as block.vert wants them: x is the edge's
-// number, y its end, z the level; and the shadow round its feet.
+// prism(): sides, chamfer and top of a prism of up to eight corners, for block.vert: x: number of the edge, y: its end
+// 0 or 1, z: level. skirt(): the shadow around its feet.
 Shape prism();
 Shape skirt();
 

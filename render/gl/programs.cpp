@@ -11,7 +11,7 @@ namespace braitenlab::render {
 
 namespace {
 
-// Whether this context draws the sectors from points.
+// True when the current context has geometry shaders.
 bool has_geometry_shaders() {
 #ifdef __EMSCRIPTEN__
     return false;

@@ -1,4 +1,4 @@
-// Every program of the scene, each for a kind of thing.
+// The shader programs of the scene.
 #pragma once
 
 #include <filesystem>
@@ -14,11 +14,11 @@ struct Programs {
         shade, mark, source, halo, trail, letter;
     bool sectors_from_points = false;
 
-    // Compiles all of them; after an error some may be missing.
+    // Compiles all programs. After an error the set is incomplete.
     std::optional<Error> load(const std::filesystem::path& folder, SectorPath);
 };
 
-// When a file of the folder was last written; the beginning of time for none.
+// Time of the last change of any file in the folder; the minimum for an empty one.
 std::filesystem::file_time_type newest_change(const std::filesystem::path& folder);
 
 }  // namespace braitenlab::render

@@ -26,11 +26,11 @@ template <class Instance>
 constexpr int vectors = static_cast<int>(sizeof(Instance) / sizeof(maths::vec4));
 
 struct FloorInstance {
-    maths::vec4 half_size;  // z: how far beyond the arena the ground reaches, m
+    maths::vec4 half_size;  // z: ground beyond the arena, m
 };
-constexpr float floor_fade = 0.55f;  // of the arena's half size
+constexpr float floor_fade = 0.55f;  // of the arena's half size; ground visible beyond the arena
 
-// The instances of one kind of thing with the mesh that shows them.
+// The instances of one type with their mesh.
 struct Kit {
     Kit(const Shape& shape, int count) : instances(count), batch(shape, instances) {}
     Instances instances;
@@ -42,14 +42,14 @@ Kit kit(const Shape& shape) {
     return Kit(shape, vectors<Instance>);
 }
 
-// Only what is small on the screen has a rim.
+// Vehicles below full detail have a rim.
 bool has_rims(const std::vector<HullInstance>& hulls) {
     return std::any_of(hulls.begin(), hulls.end(), [](const HullInstance& hull) { return hull.look.x < 1; });
 }
 
 struct ContourInstance {
-    maths::vec4 place;   // half the arena's size, samples across both ways
-    maths::vec4 colour;  // w: samples of the texture each way
+    maths::vec4 place;   // half the arena's size; samples along x and y
+    maths::vec4 colour;  // w: side of the texture, samples
 };
 
 }  // namespace
@@ -80,7 +80,7 @@ struct Renderer::Parts {
     Kit neurons = kit<NeuronInstance>(quad());
     Kit contours = kit<ContourInstance>(quad());
     Kit letters = kit<LetterInstance>(quad());
-    Texture felt{Texture::Kind::numbers, sensing::Intensity::most_columns, sensing::Intensity::most_rows};
+    Texture intensities{Texture::Kind::numbers, sensing::Intensity::most_columns, sensing::Intensity::most_rows};
     Texture characters{Texture::Kind::bytes, Lettering::side, Lettering::side};
     Kit fields = kit<FieldInstance>(fan());
     Batch field_points = Batch::points(fields.instances);
@@ -100,7 +100,7 @@ struct Renderer::Parts {
     std::optional<Lettering> lettering;
     std::vector<LetterInstance> type;
     std::vector<FloorInstance> floor_size{1};
-    bool walled = true;  // what the arena ends with
+    bool walled = true;  // Boundary::wall
     int calls = 0;
 
     Parts() {
@@ -112,12 +112,12 @@ struct Renderer::Parts {
     Parts(const Parts&) = delete;
     Parts& operator=(const Parts&) = delete;
 
-    // Everything goes up once, whoever draws it how often.
+    // Copies the draw list and the frame block to the graphics memory, once per frame.
     void upload(const FrameBlock& frame) {
         glBindBuffer(GL_UNIFORM_BUFFER, frame_buffer);
         glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(frame), &frame);
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_buffer);
-        // Farther out the ground has melted into the sky, which is there already.
+        // Farther out the ground has faded into the sky.
         const float beyond = floor_fade * std::max(frame.arena.x, frame.arena.y);
         floor_size[0].half_size = {frame.arena.x + beyond, frame.arena.y + beyond, beyond, 0};
         floors.instances.upload(floor_size);
@@ -165,8 +165,9 @@ struct Renderer::Parts {
         glDisable(GL_BLEND);
     }
 
-    // Sees to it that the backdrop shows the ground, if that pays; whether it does now.
-    bool keep_ground(const FrameBlock& frame) {
+    // Draws the ground into the backdrop when it has not changed since the last frame. True when the backdrop holds the
+    // ground of this frame.
+    bool update_backdrop(const FrameBlock& frame) {
         const auto ground = backdrop.look(frame);
         if (ground == Backdrop::Ground::rests) {
             backdrop.begin_painting();
@@ -177,26 +178,26 @@ struct Renderer::Parts {
         return ground != Backdrop::Ground::moves;
     }
 
-    // Last of the solid things, so that what stands before it need not be painted twice. It leaves no depth behind:
-    // nothing is below it, so what lies flat on it cannot flicker and a halo that dips into it is not cut.
-    void draw_below_all(bool kept) {
+    // Draws the ground after all solid objects, so hidden parts of it are not shaded. It writes no depth: flat marks on
+    // it do not flicker and halos that reach into it are not cut.
+    void draw_ground_below(bool in_backdrop) {
         glDepthMask(GL_FALSE);
         backdrop.bind();
-        if (kept)
+        if (in_backdrop)
             draw(with.backdrop, floors);
         else
             draw_ground();
         glDepthMask(GL_TRUE);
     }
 
-    // The contours of what is felt, and their numbers; nothing where none are asked for.
-    void feel(const Snapshot& now, const Picture& picture) {
+    // Prepares the contours of overlays.field and their labels; nothing without a channel.
+    void prepare_contours(const Snapshot& now, const Picture& picture) {
         contour.clear();
         if (!picture.settings.overlays.field || !now.scene) return;
         const Channel channel = *picture.settings.overlays.field;
         const sensing::Intensity& grid = intensity.grid();
         if (intensity.update(intensity_input(now, channel, picture.settings.selection.vehicle)))
-            felt.fill(0, grid.columns, grid.rows, grid.values.data());
+            intensities.fill(0, grid.columns, grid.rows, grid.values.data());
         const Palette colours = palette(picture.theme);
         const Colour c = colour_of(colours, channel);
         const Arena& arena = now.scene->arena;
@@ -206,7 +207,8 @@ struct Renderer::Parts {
         if (picture.settings.overlays.labels) add_level_labels(list, grid, arena, colours.text);
     }
 
-    void letter(const Picture& picture) {
+    // Prepares the characters of the labels.
+    void prepare_letters(const Picture& picture) {
         type.clear();
         if (!lettering) return;
         set_type(type, list.labels, *lettering, picture);
@@ -216,12 +218,12 @@ struct Renderer::Parts {
                             lettering->sheet().data() + static_cast<std::size_t>(first) * Lettering::side);
     }
 
-    void draw_flat_things() {
+    void draw_flat() {
         glDepthMask(GL_FALSE);
         glDisable(GL_CULL_FACE);
         glEnable(GL_BLEND);
         draw(with.zone, zones);
-        felt.bind();
+        intensities.bind();
         draw(with.contour, contours);
         draw(with.skirt, skirts, blocks.instances);
         draw(with.shade, marks);
@@ -271,8 +273,8 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     remember(now);
     fill(p.list, now, picture, p.trails);
     p.walled = !now.scene || now.scene->arena.edge == Boundary::wall;
-    p.feel(now, picture);
-    p.letter(picture);
+    p.prepare_contours(now, picture);
+    p.prepare_letters(picture);
 
     const Rect& window = picture.sight.window;
     glViewport(static_cast<GLint>(window.x), static_cast<GLint>(window.y), static_cast<GLsizei>(window.w),
@@ -289,18 +291,18 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     glFrontFace(GL_CCW);
     glDisable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
-    // Colours come premultiplied: alpha 0 adds light, alpha 1 covers.
+    // Premultiplied colours: alpha 0 adds light, alpha 1 covers.
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
     const FrameBlock frame = frame_block(now, picture, p.list);
     p.upload(frame);
-    const bool kept = p.keep_ground(frame);
+    const bool in_backdrop = p.update_backdrop(frame);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     p.draw_solids();
-    p.draw_below_all(kept);
-    p.draw_flat_things();
+    p.draw_ground_below(in_backdrop);
+    p.draw_flat();
 
-    // Whoever draws next starts from a clean table.
+    // Restore default GL state for Dear ImGui.
     glBindVertexArray(0);
     glUseProgram(0);
     glDisable(GL_DEPTH_TEST);

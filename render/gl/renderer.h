@@ -1,4 +1,4 @@
-// Draws a snapshot with OpenGL 3.3 core into the framebuffer that is bound.
+// Draws a snapshot with OpenGL 3.3 core into the bound framebuffer.
 #pragma once
 
 #include <filesystem>
@@ -12,14 +12,15 @@
 
 namespace braitenlab::render {
 
-// How sensor fields get their corners: from one point each by a geometry shader, or as instances of a mesh where there
-// are no geometry shaders (WebGL). Both give the same picture. Automatic takes geometry shaders where it can.
+// How sensor fields are drawn: one point each, expanded by a geometry shader, or instances of a mesh where there are no
+// geometry shaders (WebGL). Both give the same picture. `automatic` uses geometry shaders where the driver has them.
 enum class SectorPath { automatic, geometry, instanced };
 
 class Renderer {
 public:
-    // Needs a current context of OpenGL 3.3 with its functions loaded. Reads the shaders from a folder; an error names
-    // the shader's file and line. Asking for SectorPath::geometry fails where the driver has no geometry shaders.
+    // Precondition: an OpenGL 3.3 context is current and its functions are loaded. Reads the shaders from a folder.
+    // Errors: a shader is missing or does not compile (with file and line); SectorPath::geometry without geometry
+    // shaders.
     static Result<Renderer> create(const std::filesystem::path& shader_folder,
                                    SectorPath sectors = SectorPath::automatic);
 
@@ -27,23 +28,24 @@ public:
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
 
-    // Reads the shaders again if a file of theirs has changed since the last time. Where one is broken all stay as they
-    // were, and the error names its file and line.
+    // Reloads the shaders when a file in their folder has changed since the last call. After an error (with file and
+    // line) the previous shaders stay in use; the error is returned once per change.
     std::optional<Error> follow_shaders();
 
-    // Draws labels with these characters from the next frame on; until then, none.
+    // Sets the characters of labels from the next frame on. Without it labels are not drawn.
     void use_lettering(Lettering);
 
-    // Notes where the vehicles are, for their trails. draw() does so by itself; this is for moments that nobody sees.
+    // Records the vehicles' positions for their trails. draw() includes it; call it for snapshots that are not drawn.
     void remember(const Snapshot&);
 
-    // Clears and draws everything. One draw call per kind of thing, however many there are.
+    // Clears the framebuffer and draws the snapshot. The number of draw calls does not depend on the number of
+    // vehicles.
     void draw(const Snapshot&, const Picture&);
 
-    // Of the last draw().
+    // Number of draw calls of the last draw().
     int draw_calls() const;
 
-    // Whether geometry shaders make the sensor fields.
+    // True when geometry shaders draw the sensor fields.
     bool sectors_from_points() const;
 
 private:

@@ -14,8 +14,9 @@ namespace braitenlab::render {
 
 namespace {
 
-// #line counts the shared header's lines from here, so that a log tells them from the file's own. (A second number of
-// #line is meant for that, but Mesa 22 forgets it when a name is undeclared.)
+// Line number of the first line of common.glsl minus 1, set with #line: line numbers in a log then tell common.glsl
+// from the shader's own file. (The second number of #line serves the same purpose, but Mesa 22 loses it for undeclared
+// names.)
 constexpr int common_lines = 10000;
 
 #ifdef __EMSCRIPTEN__
@@ -34,7 +35,7 @@ Error unreadable(const std::filesystem::path& file) {
     return {"cannot read the shader; install the shaders folder beside the program", file.string()};
 }
 
-// What the driver says of a shader or a program, by its own two functions for either.
+// The driver's log of a shader or program; `ask` and `read` are the GL functions for that type of object.
 std::string log_of(GLuint object, PFNGLGETSHADERIVPROC ask, PFNGLGETSHADERINFOLOGPROC read) {
     GLint length = 0;
     ask(object, GL_INFO_LOG_LENGTH, &length);
@@ -103,7 +104,7 @@ Result<Program> Program::load(const std::filesystem::path& folder, const std::st
         const auto shader = compile_stage(stage, folder, name);
         if (!shader) return shader.error();
         glAttachShader(program.id_, *shader);
-        glDeleteShader(*shader);  // when the program lets go of it
+        glDeleteShader(*shader);  // GL deletes it together with the program
     }
     glLinkProgram(program.id_);
     GLint good = GL_FALSE;

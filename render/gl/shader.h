@@ -1,4 +1,4 @@
-// Shaders: files beside the program, compiled once, their mistakes told with file and line.
+// Shader programs from files; errors carry file and line.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +8,12 @@
 
 namespace braitenlab::render {
 
-// A linked program; deleted with its owner. Needs a current context for its whole life.
+// A linked program. Precondition until destruction: a current GL context.
 class Program {
 public:
-    // Compiles and links files of the folder (no geometry shader where its name is empty), each after common.glsl of
-    // the same folder, and ties the uniform block `Frame` to binding 0. The sources have no #version line: the loader
-    // puts one before them, so that the same files serve GLSL 330 and ESSL 300. An error names the file and line that
-    // the driver's log blames.
+    // Compiles and links files of the folder, each preceded by a #version line (GLSL 330 or ESSL 300) and common.glsl;
+    // binds the uniform block `Frame` to 0. An empty name stands for no geometry shader. Errors carry the file and line
+    // of the first error in the driver's log.
     static Result<Program> load(const std::filesystem::path& folder, const std::string& vertex_file,
                                 const std::string& fragment_file, const std::string& geometry_file = {});
 
@@ -30,7 +29,7 @@ private:
     unsigned id_ = 0;
 };
 
-// The first error of a compiler's log and its line, 0 where the log does not say.
+// The first error in a compiler's log; line 0 when the log has no line.
 struct Complaint {
     int line = 0;
     std::string what;

@@ -1,4 +1,4 @@
-// A texture, made once and filled anew as often as needed.
+// A 2D texture.
 #pragma once
 
 #include <cstdint>
@@ -9,25 +9,25 @@ class Texture {
 public:
     enum class Kind {
         bytes,    // one channel of 0..1 in 8 bits
-        numbers,  // one channel of half floats, smooth between samples
-        picture,  // colours, to draw into
+        numbers,  // one channel of half floats, interpolated linearly
+        picture,  // colours; a render target
     };
 
-    // Needs a current context for its whole life.
+    // Precondition until destruction: a current GL context.
     Texture(Kind, int width, int height);
     Texture(Texture&& other) noexcept;
     Texture& operator=(Texture&&) = delete;
     ~Texture();
 
-    // Replaces the rows from `first_row` on, `width` samples of each.
+    // Replaces `rows` rows from `first_row` on, the first `width` samples of each.
     void fill(int first_row, int width, int rows, const std::uint8_t*);
     void fill(int first_row, int width, int rows, const float*);
 
-    // Forgets what is in it. Zero is taken as one.
+    // Discards the content. Sizes below 1 become 1.
     void resize(int width, int height);
 
     unsigned id() const { return id_; }
-    void bind() const;  // to unit 0, which all shaders read from
+    void bind() const;  // to texture unit 0, which all shaders use
 
 private:
     Kind kind_;

@@ -1,4 +1,4 @@
-// Where the system keeps its fonts.
+// Finds font files of the system.
 #pragma once
 
 #include <functional>
@@ -6,10 +6,10 @@
 
 namespace braitenlab::render {
 
-// A font file that has the character; for 0 the usual one for reading. Empty where there is none.
+// Path of a font file that has the character; for 0 of the default font. Empty when there is none.
 using FindFont = std::function<std::string(char32_t)>;
 
-// By fontconfig, which prefers Noto Sans and DejaVu Sans; without fontconfig by looking where systems put these two.
+// With fontconfig, preferring Noto Sans and DejaVu Sans; without it by their usual paths.
 std::string find_font(char32_t);
 
 }  // namespace braitenlab::render

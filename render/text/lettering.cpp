@@ -10,7 +10,7 @@
 
 namespace braitenlab::render {
 
-// FreeType's library and the faces opened so far, the usual one first.
+// The FreeType library and its open faces, the default font first.
 struct Lettering::Faces {
     FT_Library library = nullptr;
     FindFont find;
@@ -37,7 +37,7 @@ struct Lettering::Faces {
         return face;
     }
 
-    // The first open face that has the character, else one that the system finds for it, else the usual one.
+    // The first open face with the character, else one found by the system, else the default font.
     FT_Face face_for(char32_t c, int pixels) {
         for (const auto& [name, face] : open)
             if (FT_Get_Char_Index(face, c) != 0) return face;
@@ -71,10 +71,12 @@ Result<Lettering> Lettering::from_fonts(const FindFont& find, int pixels) {
     Lettering made(pixels);
     made.faces_ = std::make_unique<Faces>();
     made.faces_->find = find;
-    if (FT_Init_FreeType(&made.faces_->library) != 0) return Error{"FreeType does not start"};
+    if (FT_Init_FreeType(&made.faces_->library) != 0)
+        return Error{"FreeType cannot be initialised; reinstall the program"};
     const std::string usual = find(0);
     if (usual.empty()) return Error{"no font for labels was found; install fonts-noto-core or fonts-dejavu-core"};
-    if (!made.faces_->face_from(usual, pixels)) return Error{"the font cannot be read", usual};
+    if (!made.faces_->face_from(usual, pixels))
+        return Error{"this font file cannot be read; reinstall the font", usual};
     return made;
 }
 
@@ -139,7 +141,7 @@ SetLine set_line(Lettering& lettering, std::string_view utf8) {
     for (const char32_t c : decode_utf8(utf8)) {
         if (before) pen += lettering.kerning(*before, c);
         const Glyph& glyph = lettering.glyph(c);
-        // Whole pixels: a character is drawn as it was rasterised, never smeared over two.
+        // Whole pixels keep characters as sharp as they were rasterised.
         line.characters.push_back({glyph, static_cast<int>(std::lround(pen))});
         pen += glyph.advance;
         before = c;

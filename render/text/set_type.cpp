@@ -28,7 +28,7 @@ void set_type(std::vector<LetterInstance>& letters, const std::vector<Label>& la
         const maths::vec2 middle = *at + label->offset * picture.pixel_scale;
         if (!window.contains(middle.x, middle.y)) continue;
         const SetLine line = set_line(lettering, label->text);
-        // As far that way as half the words reach, so that none of them lies over their place.
+        // Half the extent of the text in the direction `away`, so that the text does not cover its position.
         const maths::vec2 half{static_cast<float>(line.width) / 2, static_cast<float>(lettering.cap_height()) / 2};
         const float reach = std::fabs(label->away.x) * half.x + std::fabs(label->away.y) * half.y;
         const maths::vec2 centre = middle + label->away * reach;

@@ -1,4 +1,4 @@
-// Labels of the scene as boxes on the screen.
+// Places the characters of labels on the screen.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,16 @@
 
 namespace braitenlab::render {
 
-// One character: pixels of the framebuffer that show as many of the sheet.
+// One character: a rectangle of the framebuffer that shows a rectangle of the same size of the sheet.
 struct LetterInstance {
     maths::vec4 box;    // x, y, width, height; pixels, y down from the top
-    maths::vec4 sheet;  // x, y of the same in the sheet; pixels
+    maths::vec4 sheet;  // x, y of the rectangle in the sheet; pixels
     maths::vec4 colour;
 };
 
-// Sets each label centred on its place, or beside it where it has a side to stand on. Of two that overlap the one of
-// lower rank stays; what is behind the eye or outside the window is left out. Boxes are grown by Lettering::room each
-// way for the halo.
+// Places each label centred on its position, or beside it in the direction Label::away. Of overlapping labels only that
+// of lowest rank is kept; labels behind the camera or outside the window are left out. Rectangles are Lettering::room
+// larger on every side, for the outline.
 void set_type(std::vector<LetterInstance>&, const std::vector<Label>&, Lettering&, const Picture&);
 
 }  // namespace braitenlab::render

@@ -1,4 +1,4 @@
-// The moment between two ticks, so that slow motion glides and a display of any rate shows an even motion.
+// Interpolates between two ticks, for smooth slow motion and for displays of any refresh rate.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,8 @@
 
 namespace braitenlab::render {
 
-// Moves every vehicle back towards where it stood a tick before: t = 1 leaves it where it is, 0 puts it where it was.
-// Vehicles that were not there before (by ascending id, as in the snapshot), or that jumped farther than any vehicle
-// drives in a tick, stay.
+// Moves every vehicle of `now` to its pose between `before` (t = 0), one tick earlier, and `now` (t = 1). Both are
+// sorted by id. Vehicles that are not in `before`, or that moved farther than 1 m, keep their pose.
 void stand_between(Snapshot& now, const std::vector<VehicleView>& before, float t);
 
 }  // namespace braitenlab::render

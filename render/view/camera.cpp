@@ -18,16 +18,16 @@ constexpr float overview_field =
     0.56f;  // rad, vertical, of the whole window: little perspective keeps distances honest
 constexpr float follow_field = 0.87f;
 constexpr float driver_field = 1.1f;
-constexpr float wall_height = 0.35f;  // m; the walls belong into the picture
+constexpr float wall_height = 0.35f;  // m; the fitted picture includes the walls
 
 float clamped_elevation(float elevation) { return std::clamp(elevation, 0.15f, 1.5f); }
 float clamped_zoom(const Camera& camera) { return std::clamp(camera.zoom, 0.25f, 8.0f); }
 
-// Where the eye is, how it is turned and through which lens it looks.
+// A perspective camera: position, direction and lens.
 struct Stand {
     vec3 eye, target;
     float focal;     // px
-    vec2 principal;  // px, where the line of sight meets the window
+    vec2 principal;  // px, the viewing direction in the window
     float near, far;
 };
 
@@ -40,7 +40,7 @@ Sight through(const Stand& stand, Rect window) {
     const float n = stand.near, f = stand.far;
     p[0] = {2 * stand.focal / window.w, 0, 0, 0};
     p[1] = {0, 2 * stand.focal / window.h, 0, 0};
-    // The eye looks along −z, so the shift of the principal point enters with its sign turned.
+    // The camera looks along −z, so the shift of the principal point changes its sign.
     p[2] = {1 - 2 * (stand.principal.x - window.x) / window.w, 2 * (stand.principal.y - window.y) / window.h - 1,
             (f + n) / (n - f), -1};
     p[3] = {0, 0, 2 * f * n / (n - f), 0};
@@ -54,7 +54,7 @@ Rect usable(Rect window, Rect free_area) {
     return x1 - x0 < 64 || y1 - y0 < 64 ? window : Rect{x0, y0, x1 - x0, y1 - y0};
 }
 
-// The picture of the arena's corners, in units of the focal length, from a distance along the line of sight.
+// Extent of the arena's corners in the picture, in focal lengths, from a distance along the viewing direction.
 struct Extent {
     float left = 1e9f, right = -1e9f, bottom = 1e9f, top = -1e9f;
     bool in_front = true;
@@ -86,20 +86,20 @@ Stand overview(const Camera& camera, const Arena& arena, Rect window, Rect area)
     }
 
     const float focal = window.h / (2 * std::tan(overview_field / 2));
-    // Room for the walls' thickness and for the metres outside them.
+    // Margin for the walls' thickness and the labels of metres outside them.
     const float margin = 0.032f * std::min(area.w, area.h) + 8;
     const float room_x = (area.w - 2 * margin) / focal, room_y = (area.h - 2 * margin) / focal;
     const auto fits = [&](float distance) {
         const Extent e = extent_from(distance, corners);
         return e.in_front && e.right - e.left <= room_x && e.top - e.bottom <= room_y;
     };
-    // The picture shrinks as the eye moves away: halve the interval between too near and far enough.
+    // The extent shrinks with distance: bisect between too near and far enough.
     float near = 0.1f, far = 10;
     while (!fits(far) && far < 1e6f) far *= 2;
     for (int i = 0; i < 40; ++i) (fits((near + far) / 2) ? far : near) = (near + far) / 2;
     const float distance = far;
 
-    // The lens shifts so that the arena's picture, not the point looked at, stands in the middle of the free area.
+    // Lens shift: the centre of the arena's picture is in the centre of the free area.
     const Extent e = extent_from(distance, corners);
     const vec2 middle{area.x + area.w / 2, area.y + area.h / 2};
     const vec2 shift{(e.left + e.right) / 2, (e.bottom + e.top) / 2};
@@ -113,10 +113,10 @@ Stand overview(const Camera& camera, const Arena& arena, Rect window, Rect area)
             distance + 12 * size + 60};
 }
 
-// Straight down and without perspective: distances on the screen are distances on the floor.
+// Straight down, orthographic: distances on the screen are proportional to distances on the floor.
 Sight birds_eye(const Camera& camera, const Arena& arena, Rect window, Rect area) {
     constexpr float high = 100, near = 1, far = 110;  // m
-    const float border = 0.5f;                        // m round the arena
+    const float border = 0.5f;                        // m, around the arena
     const vec2 back = maths::direction(camera.azimuth), right{-back.y, back.x};
     const auto extent = [&](vec2 along) {
         return std::fabs(along.x) * arena.width + std::fabs(along.y) * arena.height + 2 * border;
@@ -144,7 +144,7 @@ Stand riding(const Camera& camera, const VehicleView& vehicle, Rect window, Rect
             300};
 }
 
-// From behind the eyes of the vehicle itself, its nose at the lower edge of the picture.
+// Just behind the sensors, the front of the vehicle at the lower edge of the picture.
 Stand driving(const Camera& camera, const VehicleView& vehicle, Rect window, Rect area) {
     const vec2 ahead = maths::direction(vehicle.heading), place{vehicle.x, vehicle.y};
     return {to_gl(place - ahead * 0.12f, 0.62f),
@@ -181,7 +181,7 @@ void orbit(Camera& camera, float azimuth, float elevation) {
 void pan(Camera& camera, const Sight& sight, vec2 from, vec2 to) {
     const auto held = unproject(sight, from), there = unproject(sight, to);
     if (!held || !there) return;
-    constexpr float farthest = 500;  // m: whoever loses the arena finds it again by going home
+    constexpr float farthest = 500;  // m, limit of the shift
     camera.pan += *held - *there;
     camera.pan = {std::clamp(camera.pan.x, -farthest, farthest), std::clamp(camera.pan.y, -farthest, farthest)};
 }
@@ -204,8 +204,7 @@ Sight glide(const Sight& from, const Sight& to, float seconds) {
                          maths::length(from.projection[2] - to.projection[2]) < 1e-4f &&
                          maths::length(from.projection[0] - to.projection[0]) < 1e-4f &&
                          maths::length(from.projection[3] - to.projection[3]) < 1e-4f;
-    // Between opposite directions there is no shortest way, and a window that changed its size shows a new picture
-    // anyway.
+    // No transition between opposite directions or when the window has changed its size.
     if (arrived || turned < -0.9f || !(from.window == to.window)) return to;
 
     Sight sight = to;
@@ -230,8 +229,8 @@ float pixels_per_metre(const Sight& sight, vec2 place, float height) {
 std::optional<vec2> unproject(const Sight& sight, vec2 pixel, float height) {
     const float x = 2 * (pixel.x - sight.window.x) / sight.window.w - 1;
     const float y = 1 - 2 * (pixel.y - sight.window.y) / sight.window.h;
-    // At depth d before the eye, w is spread·d + level (1·d with perspective, 1 without, both amid a glide), so what
-    // the pixel shows there lies on a line in d.
+    // At depth d in front of the camera clip w is spread·d + level (d with perspective, 1 without, a mix in a
+    // transition); the points under the pixel form a line in d.
     const auto& p = sight.projection;
     const float spread = -p[2].w, level = p[3].w;
     const vec3 right = row(sight.view, 0), up = row(sight.view, 1), back = row(sight.view, 2);

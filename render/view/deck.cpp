@@ -11,7 +11,7 @@ using maths::vec2;
 
 namespace {
 
-// A node on the deck. Rows are counted from the eyes (0) backwards; motors stand behind all of them.
+// A node on the deck. Row 0 holds the sensors; rows count backwards, motors are behind all rows.
 struct Placed {
     vec2 place;
     int row = 0;
@@ -24,7 +24,7 @@ const Sensor* sensor_named(const Kind& kind, const std::string& name) {
     return found == kind.sensors.end() ? nullptr : &*found;
 }
 
-// Where a motor's wires end: just inside its first wheel, or nothing when no wheel has that motor.
+// End of a motor's wires: inside its first wheel; nullopt when no wheel has this motor.
 std::optional<vec2> terminal(const Body& body, const std::string& motor_name) {
     const Motor motor = motor_name == "ML" ? Motor::left : motor_name == "MR" ? Motor::right : Motor::none;
     if (motor == Motor::none) return std::nullopt;
@@ -35,7 +35,7 @@ std::optional<vec2> terminal(const Body& body, const std::string& motor_name) {
 
 bool is_shown(const Wire& wire) { return wire.weight != 0 || learns(wire); }
 
-// Sensors and motors, whose places are given.
+// Positions of sensors and motors.
 Places fixed_places(const BrainGraph& brain, const Kind& kind) {
     Places places;
     for (const Node& node : brain.nodes) {
@@ -49,7 +49,7 @@ Places fixed_places(const BrainGraph& brain, const Kind& kind) {
     return places;
 }
 
-// The neurons' rows: one behind the nearest node that they hear from.
+// Sets the neurons' rows: one behind the nearest input. Returns the number of rows.
 int set_rows(const BrainGraph& brain, Places& places) {
     std::size_t kept = 0;
     for (const Node& node : brain.nodes)
@@ -66,13 +66,13 @@ int set_rows(const BrainGraph& brain, Places& places) {
         }
         rows += found;
     }
-    for (auto& [id, placed] : places)  // what hears from nobody stands right behind the eyes
+    for (auto& [id, placed] : places)  // neurons without input: first row
         if (!placed.is_set) placed.row = 1, placed.is_set = true, rows = std::max(rows, 1);
     return rows;
 }
 
-// A neuron stands amid those that it hears from in the rows before, left ones on the left.
-float side_heard_from(const BrainGraph& brain, const Places& places, NodeId id, int row) {
+// Mean lateral position, m, of a neuron's inputs in the rows before it.
+float mean_input_side(const BrainGraph& brain, const Places& places, NodeId id, int row) {
     float sum = 0;
     int count = 0;
     for (const Wire& wire : brain.wires) {
@@ -83,13 +83,13 @@ float side_heard_from(const BrainGraph& brain, const Places& places, NodeId id, 
     return count > 0 ? sum / static_cast<float>(count) : 0;
 }
 
-// Stands the neurons of one row side by side across the deck; returns how far apart.
-float stand_row(const BrainGraph& brain, Places& places, int row, float x, float half_width) {
+// Spreads the neurons of one row across the deck; returns their distance, m.
+float spread_row(const BrainGraph& brain, Places& places, int row, float x, float half_width) {
     std::vector<std::pair<float, NodeId>> across;
     for (const Node& node : brain.nodes) {
         const auto found = places.find(node.id);
         if (node.kind == NodeKind::neuron && found != places.end() && found->second.row == row)
-            across.push_back({side_heard_from(brain, places, node.id, row), node.id});
+            across.push_back({mean_input_side(brain, places, node.id, row), node.id});
     }
     std::stable_sort(across.begin(), across.end(), [](auto& a, auto& b) { return a.first < b.first; });
     const float apart = std::min(0.14f, 2 * half_width / static_cast<float>(std::max<std::size_t>(across.size(), 1)));
@@ -110,12 +110,12 @@ float stand_row(const BrainGraph& brain, Places& places, int row, float x, float
 vec2 bend_of(vec2 from, vec2 to, bool direct, float width) {
     const vec2 middle = (from + to) / 2;
     if (direct) {
-        // A straight wire hugs its side, a crossed one goes diagonally: the two never look alike.
+        // An uncrossed wire runs along its side, a crossed one diagonally.
         const bool crossed = from.y * to.y < 0;
         return crossed ? middle + vec2{0.03f, 0} : vec2{middle.x, to.y * 1.12f};
     }
     const vec2 along = to - from;
-    // Backwards wires swing wide, so that they are not taken for the forward ones.
+    // Wires towards the front bend wider, to differ from those towards the axle.
     const float swing = along.x > 0 ? 0.45f : 0.10f;
     const float outwards = middle.y < 0 ? -1.0f : 1.0f;
     return {middle.x, std::clamp(middle.y + outwards * swing * std::fabs(along.x), -width, width)};
@@ -126,14 +126,14 @@ DeckWire run(const BrainGraph& brain, const Places& places, std::size_t i, const
     const vec2 from = places.at(wire.from).place, to = places.at(wire.to).place;
     const float r = plan.neuron_radius;
     if (wire.from == wire.to) {
-        // Round a loop beside its neuron, on the outer side.
+        // A loop beside its neuron, on the outer side.
         const float out = from.y < 0 ? -1.0f : 1.0f;
         return {i, from + vec2{r, out * r * 0.4f}, from + vec2{-r, out * r * 0.4f}, from + vec2{0, out * r * 5}};
     }
     const bool direct =
         find_node(brain, wire.from)->kind == NodeKind::sensor && find_node(brain, wire.to)->kind == NodeKind::motor;
     const vec2 bend = bend_of(from, to, direct, width);
-    // The tip stands at a neuron's rim, not below it.
+    // The tip is at the neuron's rim, not below it.
     const bool ends_at_neuron = find_node(brain, wire.to)->kind == NodeKind::neuron;
     const vec2 tip = ends_at_neuron ? to + maths::normalise(bend - to) * r : to;
     return {i, from, tip, bend};
@@ -157,7 +157,7 @@ DeckPlan plan_deck(const BrainGraph& brain, const Kind& kind) {
     float closest = 0.14f;
     for (int row = 1; row <= rows; ++row) {
         const float t = rows > 1 ? static_cast<float>(row - 1) / static_cast<float>(rows - 1) : 0.4f;
-        closest = std::min(closest, stand_row(brain, places, row, front + (back - front) * t, half_width));
+        closest = std::min(closest, spread_row(brain, places, row, front + (back - front) * t, half_width));
     }
     if (rows > 1) closest = std::min(closest, (front - back) / static_cast<float>(rows - 1));
     plan.neuron_radius = std::clamp(0.36f * closest, 0.008f, 0.042f);

@@ -1,5 +1,4 @@
-// How a brain is laid out on its vehicle's deck: where its nodes stand and how its wires run. Metres in the vehicle's
-// frame.
+// Layout of a brain on its vehicle's deck: positions of nodes and curves of wires; m, in the vehicle's frame.
 #pragma once
 
 #include <array>
@@ -18,7 +17,7 @@ struct DeckNeuron {
 };
 
 struct DeckWire {
-    std::size_t wire = 0;  // in BrainGraph::wires
+    std::size_t wire = 0;  // index in BrainGraph::wires
     maths::vec2 from, to, bend;
 };
 
@@ -26,13 +25,13 @@ struct DeckPlan {
     std::vector<DeckNeuron> neurons;
     std::vector<DeckWire> wires;
     float neuron_radius = 0.04f;    // m
-    std::vector<bool> covered;      // a lid over the eye; as Kind::sensors
-    std::array<bool, 2> stopped{};  // the motors, left and right
+    std::vector<bool> covered;      // silenced sensors; index as in Kind::sensors
+    std::array<bool, 2> stopped{};  // silenced motors, left and right
 };
 
-// Eyes stand where they are mounted and motors beside their wheels; what is between stands in rows from the eyes back
-// to the axle, by how few wires lead there, each neuron on the side that it hears from. Wires of weight 0 that learn
-// nothing are left out. Of a large brain the first neurons and the strongest wires are kept: what a deck has room for.
+// Sensors are at their mounts and motors beside their wheels. Neurons are in rows from the sensors back to the axle, by
+// their least number of wires from a sensor, each on the side of its inputs. Wires of weight 0 that do not learn are
+// left out. A large brain is cut to its first most_deck_neurons neurons and its most_deck_wires strongest wires.
 DeckPlan plan_deck(const BrainGraph&, const Kind&);
 
 inline constexpr std::size_t most_deck_neurons = 48, most_deck_wires = 160;

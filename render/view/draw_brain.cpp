@@ -1,4 +1,4 @@
-// The brain on the deck, and what it makes of the wheels.
+// The brain on the deck, and the wheel speeds.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ using maths::vec4;
 
 namespace {
 
-constexpr float crossed_out = -1;  // as a neuron's value
+constexpr float crossed_out = -1;  // in place of a neuron's value
 
 void add_wire(Drawing& drawing, const Subject& s, const DeckWire& run, int layer, float thin) {
     const Wire& wire = s.brain->wires[run.wire];
@@ -21,7 +21,7 @@ void add_wire(Drawing& drawing, const Subject& s, const DeckWire& run, int layer
     const float weight = std::clamp(wire.weight + more, -limits::weight, limits::weight);
     const float now = std::min(1.0f, std::fabs(signal(wire, node_value(drawing.now, s.view, wire.from), more)));
     const vec2 a = s.to_world(run.from), b = s.to_world(run.to), c = s.to_world(run.bend);
-    // Each wire lies a little above the one before it, so that crossings are crossings and nothing flickers.
+    // Different heights keep crossing wires from flickering.
     const float height = (deck_height + 0.010f) * s.height_scale + 0.003f * static_cast<float>(layer % 8);
     const bool excites = weight > 0;
     const Colour colour = excites ? drawing.colours.excites : drawing.colours.inhibits;
@@ -44,21 +44,17 @@ void add_neuron(Drawing& drawing, const Subject& s, const DeckNeuron& neuron, fl
 }  // namespace
 
 const DeckPlan& DeckPlans::of(const std::shared_ptr<const BrainGraph>& brain, std::size_t kind, const Kind& design) {
-    for (Entry& entry : entries_)
-        // What was looked at in this picture already is not compared again: a crowd shares few brains.
-        if (entry.brain == brain && entry.kind == kind &&
-            (entry.used || (entry.sensors == design.sensors && entry.body == design.body))) {
-            entry.used = true;
-            return *entry.plan;
-        }
-    entries_.push_back(
-        {brain, kind, design.sensors, design.body, std::make_unique<DeckPlan>(plan_deck(*brain, design)), true});
-    return *entries_.back().plan;
+    Entry& entry = entries_[{brain, kind}];
+    // A plan used before in this picture is valid: sensors and body do not change within a picture.
+    if (!entry.used && !(entry.planned && entry.sensors == design.sensors && entry.body == design.body))
+        entry = {design.sensors, design.body, plan_deck(*brain, design), true};
+    entry.used = true;
+    return entry.plan;
 }
 
 void DeckPlans::forget_unused() {
-    std::erase_if(entries_, [](const Entry& entry) { return !entry.used; });
-    for (Entry& entry : entries_) entry.used = false;
+    std::erase_if(entries_, [](const auto& entry) { return !entry.second.used; });
+    for (auto& [brain, entry] : entries_) entry.used = false;
 }
 
 const DeckPlan* plan_of(Drawing& drawing, const Subject& s) {
@@ -70,7 +66,7 @@ const DeckPlan* plan_of(Drawing& drawing, const Subject& s) {
 void add_wires(Drawing& drawing, const Subject& s) {
     if (!s.plan || s.detail == 0 || s.driven) return;
     const DeckPlan& plan = *s.plan;
-    // Many wires share the deck, so each is thinner.
+    // Wires get thinner with their number.
     const float thin =
         std::clamp(std::sqrt(8.0f / static_cast<float>(std::max<std::size_t>(plan.wires.size(), 1))), 0.3f, 1.0f);
     int layer = 0;
@@ -82,7 +78,7 @@ void add_stopped_wheels(Drawing& drawing, const Subject& s) {
     if (!s.plan) return;
     for (const Wheel& wheel : s.kind.body.wheels) {
         if (wheel.motor == Motor::none || !s.plan->stopped[wheel.motor == Motor::right]) continue;
-        // Above the wheel and a little outside, where the hull leaves it free.
+        // Above the wheel and slightly outside, beside the hull.
         const vec2 at = s.to_world({wheel.x, wheel.y + (wheel.y < 0 ? -0.04f : 0.04f)});
         drawing.list.neurons.push_back({{at.x, at.y, 2 * wheel.radius + 0.02f, 0.15f * s.height_scale},
                                         rgb_with(drawing.colours.excites, crossed_out)});
@@ -91,7 +87,7 @@ void add_stopped_wheels(Drawing& drawing, const Subject& s) {
 
 void add_wheel_arrows(Drawing& drawing, const Subject& s) {
     if (!s.selected || s.driven) return;
-    constexpr float longest = 0.9f, least = 0.03f;  // m at full speed; below it the wheel rests
+    constexpr float longest = 0.9f, least = 0.03f;  // m, arrow at full speed; speeds below `least` have none
     for (const Wheel& wheel : s.kind.body.wheels) {
         if (wheel.motor == Motor::none) continue;
         const float speed = std::clamp(s.view.motor[wheel.motor == Motor::right], -1.0f, 1.0f);

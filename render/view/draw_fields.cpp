@@ -1,4 +1,4 @@
-// What eyes can see, drawn on the floor.
+// Sensor fields on the floor.
 #include <algorithm>
 #include <cmath>
 
@@ -12,14 +12,14 @@ using maths::vec4;
 
 namespace {
 
-// Few vehicles show their whole field; in a crowd only the near part, where the eye is keenest, so that the floor stays
-// readable and the picture's cost bounded.
+// Radius of the fill. With many vehicles only the near part of a field is filled, which keeps the floor visible and
+// bounds the cost of the picture.
 float fill_reach(const Drawing& drawing, const Subject& s, const Sensor& sensor) {
     if (s.selected || s.hovered) return sensor.range;
     return std::min(sensor.range, std::max(1.2f, sensor.range * drawing.crowd * (0.85f + 0.15f * drawing.crowd)));
 }
 
-// Where a fill of this strength has faded below what a screen can show: nothing is painted farther out.
+// Distance at which a fill of this strength is no longer visible; the drawn polygon ends there.
 float visible_radius(float fill, float reach, const Sensor& sensor) {
     constexpr float least = 0.010f;  // two or three of 255 levels
     if (sensor.response == SensorResponse::boolean) return reach;
@@ -30,8 +30,8 @@ float visible_radius(float fill, float reach, const Sensor& sensor) {
     return 0;
 }
 
-// The first eye on a side (1 left, −1 right): of the pair that a driver looks through. The number of eyes when none.
-std::size_t leading_eye(const Kind& kind, int side) {
+// Index of the first sensor on a side (1 left, −1 right), or the number of sensors.
+std::size_t first_sensor_on(const Kind& kind, int side) {
     std::size_t i = 0;
     while (i < kind.sensors.size() && side_of(kind.sensors[i]) != side) ++i;
     return i;
@@ -46,13 +46,13 @@ void add_fields(Drawing& drawing, const Subject& s) {
         const Sensor& sensor = s.kind.sensors[i];
         const float seen = std::sqrt(sensed(drawing, s, i));
         const bool light = drawing.picture.theme == Theme::light;
-        // In a crowd idle fields step back: where many overlap, their colours would only mix to mud.
+        // With many vehicles idle fields are fainter, because many overlapping colours turn grey.
         const bool chosen = s.selected || s.hovered;
         const float idle = chosen ? 0.20f : 0.09f * std::max(0.3f, drawing.crowd * drawing.crowd);
         const float strong = (chosen ? 0.60f : 0.42f) - (light ? 0.10f : 0.0f);
         const float awake = s.view.driver == Driver::parked ? 0.4f : 1.0f;
         const float fill = fills && !is_covered(s, i) ? (idle + (strong - idle) * seen) * awake : 0.0f;
-        const bool leads = s.driven && (i == leading_eye(s.kind, 1) || i == leading_eye(s.kind, -1));
+        const bool leads = s.driven && (i == first_sensor_on(s.kind, 1) || i == first_sensor_on(s.kind, -1));
         const float line =
             drawing.picture.settings.outlines || leads ? (s.selected ? 0.8f : 0.28f) + 0.2f * seen : 0.0f;
         const float reach = fill_reach(drawing, s, sensor), radius = visible_radius(fill, reach, sensor);

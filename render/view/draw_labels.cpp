@@ -1,4 +1,4 @@
-// The words of the scene.
+// Labels of the scene.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -27,7 +27,7 @@ std::string metres(int n, bool with_unit) {
     return (n < 0 ? "−" : "") + std::to_string(std::abs(n)) + (with_unit ? " m" : "");
 }
 
-// Seen from low down, words along the arena's edge would float before and behind its walls.
+// False for low elevations, where labels along the boundary would overlap the walls.
 bool looks_down(const Sight& sight) { return sight.view[1][2] > 0.5f; }
 
 void add_metres(Drawing& drawing, const Arena& arena) {
@@ -40,7 +40,7 @@ void add_metres(Drawing& drawing, const Arena& arena) {
         for (int i = -most; i <= most; ++i) {
             const int n = i * static_cast<int>(metres_between);
             const auto [place, outwards] = place_of(static_cast<float>(n));
-            // Beyond the wall's outer edge, at its foot or its top, whichever is farther out in the picture.
+            // Outside the wall, at its foot or its top, whichever is farther out in the picture.
             const vec2 edge = place + outwards * (walled ? wall_thickness : 0.0f);
             const auto foot = project(sight, edge), beyond = project(sight, edge + outwards * 0.5f);
             const auto top = project(sight, edge, wall_height);
@@ -61,7 +61,7 @@ void add_metres(Drawing& drawing, const Arena& arena) {
 }
 
 void add_source_names(Drawing& drawing, const Scene& scene) {
-    if (drawing.now.sources.size() < 2) return;  // a single one needs no name
+    if (drawing.now.sources.size() < 2) return;  // a single source has no label
     for (const SourceView& source : drawing.now.sources) {
         const auto i = static_cast<std::size_t>(source.source);
         if (i < scene.sources.size())
@@ -77,11 +77,11 @@ void add_zone_names(Drawing& drawing, const Scene& scene) {
             {{zone.x, zone.y}, 0, {}, in_words(zone.name), drawing.colours.text.with_alpha(0.9f), rank_zone});
 }
 
-// Few vehicles all carry their number, of many the chosen ones alone.
+// Up to `few` vehicles all have their number; of more only the selected and the hovered one.
 void add_numbers(Drawing& drawing) {
     constexpr std::size_t few = 12;
     if (drawing.now.vehicles.size() == 1) return;
-    constexpr float least_pixels = 16;  // layout pixels; a smaller vehicle's number would hide it
+    constexpr float least_pixels = 16;  // layout pixels; the number would hide a smaller vehicle
     for (const VehicleView& v : drawing.now.vehicles) {
         const bool chosen = v.id == drawing.picture.settings.selection.vehicle || v.id == drawing.picture.hovered;
         if (v.id == drawing.picture.driver || (!chosen && drawing.now.vehicles.size() > few)) continue;
@@ -111,7 +111,7 @@ void add_level_labels(DrawList& list, const sensing::Intensity& grid, const Aren
     const auto peak = std::max_element(grid.values.begin(), grid.values.end()) - grid.values.begin();
     const int row = static_cast<int>(peak) / grid.columns, first = static_cast<int>(peak) % grid.columns;
     const auto value = [&](int column) { return grid.values[static_cast<std::size_t>(row * grid.columns + column)]; };
-    // Along the longer way from the peak.
+    // Along the row of the maximum, towards the farther side.
     const int way = first > grid.columns / 2 ? -1 : 1;
     for (int column = first; column + way >= 0 && column + way < grid.columns; column += way) {
         const float here = value(column), next = value(column + way);

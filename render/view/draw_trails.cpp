@@ -1,4 +1,4 @@
-// Where vehicles came from.
+// Trails of vehicles.
 #include <algorithm>
 #include <cmath>
 
@@ -11,17 +11,17 @@ using maths::vec2;
 using maths::vec4;
 
 void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
-    if (s.pixels < 10 && !s.selected) return;  // a speck's is a scratch
-    // The more vehicles, the shorter their trails: a crowd's would be a carpet.
+    if (s.pixels < 10 && !s.selected) return;  // too small for a trail
+    // Trails get shorter with the number of vehicles.
     constexpr std::size_t most_points = 64 * Trail::capacity;
     const std::size_t longest =
         s.selected ? Trail::capacity
                    : std::clamp<std::size_t>(most_points / drawing.now.vehicles.size(), 6, Trail::capacity);
-    const std::size_t count = std::min(trail.count(), longest) + 1;  // the place right now is the newest point
+    const std::size_t count = std::min(trail.count(), longest) + 1;  // + 1: the current position
     const auto point = [&](std::size_t i) { return i == 0 ? s.place : trail.at(i - 1); };
     const auto side = [&](std::size_t i) {
         const vec2 along = maths::normalise(point(i == 0 ? 0 : i - 1) - point(std::min(i + 1, count - 1)));
-        return vec2{along.y, -along.x};  // left of the way back, which is the way it is drawn
+        return vec2{along.y, -along.x};  // left of the direction back, in which the trail is drawn
     };
     const Colour colour = colour_of(drawing.colours, s.view.role);
     const float most = s.selected ? 0.75f : 0.4f;

@@ -27,7 +27,7 @@ bool in_sight(const Drawing& drawing, vec2 place, float radius) {
     const maths::vec3 p = to_gl(place);
     const vec4 clip = drawing.to_clip * vec4{p.x, p.y, p.z, 1};
     const auto& lens = drawing.picture.sight.projection;
-    // How far the radius can reach in clip coordinates, whichever way it points.
+    // Largest extent of the radius in clip coordinates.
     const float w = clip.w + radius * std::fabs(lens[2].w);
     return w > 0 && std::fabs(clip.x) <= w + radius * (lens[0].x + std::fabs(lens[2].x)) &&
            std::fabs(clip.y) <= w + radius * (lens[1].y + std::fabs(lens[2].y));
@@ -35,9 +35,9 @@ bool in_sight(const Drawing& drawing, vec2 place, float radius) {
 
 namespace {
 
-constexpr float sign_below = 18;  // layout pixels: a smaller vehicle is a flat sign of few corners
+constexpr float sign_below = 18;  // layout pixels: a smaller vehicle is drawn as a flat sign
 
-// How large a body appears decides what is shown of it: small parts of a small body are noise, so they fade out.
+// Detail by length on the screen; small parts of a small vehicle fade out.
 float detail_of(float pixels) {
     constexpr float none_below = 38, all_above = 54;  // layout pixels
     const float t = std::clamp((pixels - none_below) / (all_above - none_below), 0.0f, 1.0f);
@@ -47,7 +47,7 @@ float detail_of(float pixels) {
 Colour body_colour(const Drawing& drawing, const Subject& s) {
     Colour colour = colour_of(drawing.colours, s.view.role);
     if (s.view.driver == Driver::parked) colour = mix(colour, drawing.colours.wall, 0.6f);
-    // Tired vehicles pale a little; the gauge on the tail says how much is left.
+    // Paler at low energy.
     return mix(mix(colour, drawing.colours.wall, 0.45f), colour, 0.3f + 0.7f * std::min(1.0f, s.view.energy * 2));
 }
 
@@ -80,27 +80,27 @@ void add_wheels(Drawing& drawing, const Subject& s) {
         if (castor && s.detail == 0) continue;  // hidden below the hull
         const vec2 at = s.to_world({wheel.x, wheel.y});
         const float turned = castor ? 0 : s.view.wheel_angle[wheel.motor == Motor::right];
-        // The mesh shows its left side: a wheel on the right is turned about, and then rolls the other way.
+        // The mesh is closed on its left side: a wheel on the right is rotated by 180°, which reverses its rolling.
         const float side = wheel.y < 0 ? -1.0f : 1.0f;
         drawing.list.wheels.push_back(
             {{at.x, at.y, side * s.ahead.x, side * s.ahead.y}, {wheel.radius, wheel.width, side * turned, s.detail}});
     }
 }
 
-// A small vehicle shows one dot a side (left, right, middle) for all eyes there: the first, with the glow of the one
-// that sees most. Which eye glows at the dot of eye i, or nothing when i is not the first.
-std::optional<std::size_t> keenest_beside(const Drawing& drawing, const Subject& s, std::size_t i) {
+// At low detail all sensors of a side (left, right, middle) are one dot at the first of them, with the largest reading.
+// The index of the sensor with the largest reading on the side of sensor i; nullopt when i is not the first there.
+std::optional<std::size_t> strongest_beside(const Drawing& drawing, const Subject& s, std::size_t i) {
     const auto& sensors = s.kind.sensors;
-    std::size_t keenest = i;
+    std::size_t strongest = i;
     for (std::size_t k = 0; k < sensors.size(); ++k) {
         if (side_of(sensors[k]) != side_of(sensors[i])) continue;
         if (k < i) return std::nullopt;
-        if (sensed(drawing, s, k) > sensed(drawing, s, keenest)) keenest = k;
+        if (sensed(drawing, s, k) > sensed(drawing, s, strongest)) strongest = k;
     }
-    return keenest;
+    return strongest;
 }
 
-// Eyes that crowd each other shrink, so that each can be told from the next; metres of the standard vehicle.
+// Radius of a sensor, m on the standard vehicle; smaller where sensors are close together.
 float eye_radius(const Kind& kind, std::size_t i) {
     float radius = 0.095f;
     for (std::size_t k = 0; k < kind.sensors.size(); ++k) {
@@ -111,14 +111,14 @@ float eye_radius(const Kind& kind, std::size_t i) {
 }
 
 void add_eyes(Drawing& drawing, const Subject& s) {
-    if (s.driven) return;  // right before one's own, they would fill the picture, as wires would
+    if (s.driven) return;  // at the camera they would fill the picture
     for (std::size_t i = 0; i < s.kind.sensors.size(); ++i) {
         const Sensor& sensor = s.kind.sensors[i];
-        const auto dot = s.detail < 1 ? keenest_beside(drawing, s, i) : std::nullopt;
+        const auto dot = s.detail < 1 ? strongest_beside(drawing, s, i) : std::nullopt;
         const std::size_t glowing = s.detail < 0.5f ? dot.value_or(i) : i;
         const float size = dot ? 1.4f - 0.4f * s.detail : s.detail;
         if (size == 0) continue;
-        // Dots stand a little inside the hull, whose outline then says what it is.
+        // Dots are slightly inside the hull and leave its outline visible.
         const vec2 own{sensor.x, sensor.y}, inside{sensor.x - 0.04f * s.kind.body.length, sensor.y * 0.74f};
         const vec2 at = s.to_world(inside + (own - inside) * s.detail);
         const vec2 towards = maths::rotate(maths::direction(sensor.angle), s.ahead);
@@ -200,7 +200,7 @@ float farthest_eye(const Kind& kind) {
     return range;
 }
 
-// What reaches over one edge of a torus shows at the other.
+// Repeats what reaches over an edge of a torus at the opposite edge.
 void add_beyond_edges(Drawing& drawing, Subject s, const Arena& arena) {
     const float body = s.kind.body.length, eye = farthest_eye(s.kind);
     const vec2 home = s.place;

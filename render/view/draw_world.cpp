@@ -1,4 +1,4 @@
-// What stands and lies in the arena: zones of the floor, walls, obstacles, sources; and what vehicles remember of it.
+// Zones, walls, obstacles, sources and memory marks.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_corners = 8;
 
-// A block of these corners, in its own frame and anticlockwise.
+// A prism with these corners, in its own frame, counter-clockwise.
 BlockInstance block(vec4 place, const std::vector<vec2>& corners, float height, float chamfer, vec4 colour,
                     bool wall = false) {
     BlockInstance made{place, {}, {height, chamfer, 0, wall ? 1.0f : 0.0f}, colour};
@@ -87,7 +87,7 @@ void add_surface(Drawing& drawing, const Zone& zone) {
     }
 }
 
-// A zone may cover the floor and push what stands on it: a layer for each of its effects.
+// One layer for the surface and one for each effect.
 void add_zone(Drawing& drawing, const Zone& zone) {
     const vec2 ahead = maths::direction(zone.heading);
     const vec4 ink = rgb_with(drawing.colours.second_text, 0.55f);
@@ -129,7 +129,7 @@ void add_sources(Drawing& drawing) {
     }
 }
 
-// The marks of the selected vehicle stand out; the others' are faint.
+// Marks of the selected vehicle are opaque, others faint.
 void add_marks(Drawing& drawing) {
     if (!drawing.picture.settings.overlays.memory) return;
     const bool light = drawing.picture.theme == Theme::light;
@@ -142,7 +142,7 @@ void add_marks(Drawing& drawing) {
     }
 }
 
-// Coloured lamps are alike but for their colour: a ring at the foot says it too.
+// A ring at the foot of a red, green or blue source; its dashes tell the colours apart.
 void add_socket(Drawing& drawing, Channel channel, vec2 at, float size) {
     const MarkKind kind = channel == Channel::red     ? MarkKind::whole_socket
                           : channel == Channel::green ? MarkKind::dashed_socket
@@ -160,7 +160,7 @@ void add_source(Drawing& drawing, Channel channel, vec2 at, float foot, float st
     const bool dark = drawing.picture.theme == Theme::dark;
     const Colour colour = colour_of(drawing.colours, channel);
     const float bulb = foot + 0.52f * size;
-    // A small lamp on a vehicle shines less far than one on the floor.
+    // A source on a vehicle lights a smaller area than one on the floor.
     const float reach = foot > 0 ? 0.5f * std::max(0.4f, drawing.crowd) : 1;
     if (!in_sight(drawing, at, 4)) return;
     drawing.list.sources[static_cast<std::size_t>(source_shape_of(channel))].push_back(

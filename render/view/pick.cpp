@@ -12,8 +12,8 @@ using maths::vec2;
 
 namespace {
 
-constexpr float generous = 5;        // px beyond a body, and at least the size of a fingertip's tremble
-constexpr float source_reach = 18;   // px round a source's foot and its bulb
+constexpr float generous = 5;        // px, margin around a body
+constexpr float source_reach = 18;   // px, around the foot and the bulb of a source
 constexpr float source_foot = 0.3f;  // m
 
 const Kind* kind_of(const Snapshot& now, const VehicleView& vehicle) {
@@ -44,7 +44,7 @@ int pick_source(const Snapshot& now, const Sight& sight, vec2 pixel) {
     return found;
 }
 
-// Left of every edge, or outside by no more than `slack` metres.
+// True inside a convex polygon or at most `slack` metres outside.
 bool inside(const std::vector<vec2>& corners, vec2 p, float slack) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const vec2 along = maths::normalise(corners[(i + 1) % corners.size()] - corners[i]);
@@ -57,7 +57,7 @@ int pick_obstacle(const Snapshot& now, const Sight& sight, vec2 pixel) {
     if (!now.scene) return -1;
     int found = -1;
     float nearest = std::numeric_limits<float>::max();
-    // An upright prism is under the pixel when the line of sight enters it at its top, its foot or in between.
+    // Test the polygon at several heights between foot and top.
     for (int slice = 0; slice <= 3; ++slice) {
         const auto at = unproject(sight, pixel, obstacle_height * static_cast<float>(slice) / 3);
         if (!at) continue;
@@ -104,7 +104,7 @@ std::optional<Pose> place_of(const Snapshot& now, const SceneObject& object) {
     } else if (object.kind == SceneObjectKind::source) {
         if (const SourceView* s = source_at(now, object.index)) return Pose{s->x, s->y, 0};
     } else if (object.kind == SceneObjectKind::obstacle) {
-        // Movable ones stand elsewhere than the scene has them.
+        // Movable obstacles have moved since the start.
         const auto index = static_cast<std::size_t>(object.index);
         if (const Obstacle* o = obstacle_at(now, object.index))
             return index < now.obstacles.size() ? now.obstacles[index] : Pose{o->x, o->y, o->heading};

@@ -16,7 +16,7 @@ namespace {
 
 void add_triangle(Shape& shape, vec3 a, vec3 b, vec3 c, Paint paint) {
     const vec3 normal = maths::cross(b - a, c - a);
-    if (maths::length(normal) < 1e-9f) return;  // where two outline points stand above each other
+    if (maths::length(normal) < 1e-9f) return;  // two outline points above each other
     const auto first = static_cast<std::uint16_t>(shape.corners.size());
     for (const vec3& p : {a, b, c}) shape.corners.push_back({p, maths::normalise(normal), static_cast<float>(paint)});
     for (int i = 0; i < 3; ++i) shape.indices.push_back(static_cast<std::uint16_t>(first + i));
@@ -32,7 +32,7 @@ void add_quad(Shape& shape, vec3 a, vec3 b, vec3 c, vec3 d, Paint paint) {
 
 vec3 at(vec2 p, float z) { return {p.x, p.y, z}; }
 
-// The anticlockwise outline of which `left` is the left half, from the tail to the nose.
+// The counter-clockwise outline; `left`: its left half from the rear to the front.
 std::vector<vec2> mirrored(std::span<const vec2> left) {
     std::vector<vec2> outline;
     for (const vec2& p : left) outline.push_back({p.x, -p.y});
@@ -40,7 +40,7 @@ std::vector<vec2> mirrored(std::span<const vec2> left) {
     return outline;
 }
 
-// The outline moved inwards by `by`, corners mitred.
+// The outline offset inwards by `by`, with mitred corners.
 std::vector<vec2> inset(const std::vector<vec2>& outline, float by) {
     const std::size_t count = outline.size();
     std::vector<vec2> inner(count);
@@ -53,7 +53,7 @@ std::vector<vec2> inset(const std::vector<vec2>& outline, float by) {
     return inner;
 }
 
-// What a mirrored outline encloses, at one height: a strip between right point i and left point count−1−i.
+// The area of a mirrored outline at one height: strips between right point i and left point count−1−i.
 void add_top(Shape& shape, const std::vector<vec2>& outline, float z, Paint paint) {
     const std::size_t count = outline.size();
     for (std::size_t i = 0; i + 1 < count / 2; ++i)
@@ -75,7 +75,7 @@ void add_plate(Shape& shape, std::span<const vec2> left, float z0, float z1, flo
     add_top(shape, inner, z1, paint);
 }
 
-// A ball about `middle`, squashed by `radius`, its poles on the z axis; `paint` by height over −1..1.
+// An ellipsoid about `middle` with its poles on the z axis; `paint`: as a function of height −1..1.
 template <class PaintAt>
 void add_ball(Shape& shape, vec3 middle, vec3 radius, int slices, int stacks, PaintAt paint_at) {
     const auto first = shape.corners.size();
@@ -106,7 +106,7 @@ void add_ball(Shape& shape, vec3 middle, float radius, int slices, int stacks, P
     add_ball(shape, middle, {radius, radius, radius}, slices, stacks, [paint](float) { return paint; });
 }
 
-// A round post from z0 to z1 about the z axis, closed above.
+// A round post from z0 to z1 about the z axis, closed at the top.
 void add_post(Shape& shape, float r0, float r1, float z0, float z1, int sides, Paint paint) {
     for (int i = 0; i < sides; ++i) {
         const vec2 a = maths::direction(2 * maths::pi * static_cast<float>(i) / static_cast<float>(sides));
@@ -148,7 +148,7 @@ Shape hull_shape(Role role) {
     add_top(shape, inset(mirrored(deck), 0.035f), 0.271f, Paint::inlay);
     const std::array<vec2, 2> gauge{{{-0.42f, 0.32f}, {-0.33f, 0.32f}}};
     add_plate(shape, gauge, 0.25f, 0.262f, 0.012f, Paint::gauge);
-    // An arrowhead: which end is the front must be seen from the back row.
+    // The arrowhead shows the front.
     add_triangle(shape, {0, -1, 0.254f}, {1, 0, 0.254f}, {0, 1, 0.254f}, Paint::mark);
     return shape;
 }
@@ -203,7 +203,7 @@ Shape rim_shape(Role role) {
 
 Shape wheel_shape() {
     constexpr int facets = 12;
-    // Round in the x-z plane, turning ahead from the top (about the +y axis).
+    // A circle in the x-z plane; index 0 at the top, then forwards.
     const auto rim = [](int i, float radius, float y) {
         const vec2 p = maths::direction(2 * maths::pi * static_cast<float>(i) / facets) * radius;
         return vec3{p.y, y, p.x};
@@ -224,7 +224,7 @@ Shape wheel_shape() {
 Shape eye_shape() {
     Shape shape;
     add_ball(shape, {0, 0, 0}, {1, 1, 1}, 10, 5, [](float) { return Paint::light; });
-    for (Corner& c : shape.corners) {  // the pole looks along +x
+    for (Corner& c : shape.corners) {  // pole along +x
         c.place = {c.place.z, c.place.x, c.place.y};
         c.normal = {c.normal.z, c.normal.x, c.normal.y};
     }

@@ -1,7 +1,7 @@
-// The few solid things of the scene as small meshes: corners, directions, and which of its colours each part wears.
+// Meshes of the scene's objects: corners with normal and paint.
 //
-// World axes: x ahead, y left, z up; anticlockwise seen from outside. A hull is 1 long and 1 wide and in metres high,
-// so that a body of any size scales it.
+// Axes: x ahead, y left, z up; triangles are counter-clockwise from outside. A hull has length 1 and width 1, scaled by
+// the body; its height is in metres.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace braitenlab::render {
 
-// What a part of a shape is painted as; the shaders know the same numbers.
+// The colour of a part. Same numbers in shaders/common.glsl.
 enum class Paint { body, deck, dark, gauge, mark, light, inlay };
 
 struct Corner {
@@ -22,31 +22,31 @@ struct Corner {
 
 struct Shape {
     std::vector<Corner> corners;
-    std::vector<std::uint16_t> indices;  // three a triangle
+    std::vector<std::uint16_t> indices;  // three per triangle
 };
 
-// Wedge-shaped nose for a predator, round at both ends for prey, square for others; wheel arches, a deck with an inlay
-// for wires and an energy gauge. The arrowhead's corners are 0..1 along it and −1..1 across: the shader gives it size.
+// A hull: wedge-shaped front for predators, round ends for prey, square for others; wheel arches, deck with an inlay
+// below the wires, energy gauge. The arrowhead's corners are 0..1 along and −1..1 across; the shader scales it.
 Shape hull_shape(Role);
 
-// A whole vehicle as a flat outline, for one that is small on the screen: 1 long and 1 wide, with a rim round that.
-// Paint says how far inside the outline a corner is; the shader draws the rim, wheels, eyes and arrowhead onto it.
+// A flat outline of length 1 and width 1 with a rim, for a vehicle that is small on the screen. Paint: distance inside
+// the outline; the shader draws rim, wheels, sensors and arrowhead.
 Shape sign_shape(Role);
 
-// A line round the silhouette of a hull with its wheels, and what it encloses. Normals point outwards, z says how far a
-// corner of the outline stands out (1 on a straight side) and paint what a corner belongs to: 0 the line's foot, 1 its
-// edge, 2 where it has faded, 3 the ground below the vehicle.
+// A line around the silhouette of a hull with its wheels, and the area inside. Normals point outwards; z: mitre factor
+// of the corner (1 on a straight side); paint: 0 inner side of the line, 1 outer side, 2 end of its fade, 3 area
+// inside.
 Shape rim_shape(Role);
 
-// Radius 1, axis along y, from y = −0.5 to 0.5, open on its right, where the hull hides it. Some lugs of the tread and
-// the spokes are lighter, so that turning shows.
+// A wheel of radius 1, axis along y from −0.5 to 0.5, open on its right side, which the hull hides. Lighter lugs and
+// spokes make rotation visible.
 Shape wheel_shape();
 
-// A ball of radius 1 whose lens looks along +x.
+// A ball of radius 1 with its lens along +x.
 Shape eye_shape();
 
-// What stands for a source of a channel, in metres, on the floor's origin: a lamp for light, a brazier for heat, a
-// blossom for smell, bubbles for oxygen.
+// A source of a channel, m, foot at the origin: brazier for heat, blossom for smell, bubbles for oxygen, lamp for all
+// others.
 Shape source_shape(Channel);
 
 }  // namespace braitenlab::render

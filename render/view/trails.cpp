@@ -8,19 +8,19 @@ namespace braitenlab::render {
 namespace {
 
 constexpr std::uint64_t ticks_between = 6;  // a tenth of a second
-constexpr float still = 0.04f;              // m between two places
-constexpr float beside = 0.2f;              // m: farther than this from the way that is known is another way
-constexpr std::size_t recorded = 600;       // places: the minute that can be gone back
-constexpr std::size_t crowd = 1000;         // vehicles; with more, what is drawn is all that is remembered
+constexpr float still = 0.04f;              // m, least distance between two points
+constexpr float beside = 0.2f;         // m: largest distance from the recorded path of a vehicle that still follows it
+constexpr std::size_t recorded = 600;  // points: the minute that can be rewound
+constexpr std::size_t crowd = 1000;    // vehicles; with more, only the drawn points are recorded
 
-// Whether a vehicle that jumped from one place to the other went over the edge of a torus.
+// True when a jump between two points is a step over the edge of a torus.
 bool went_round(const Arena& arena, maths::vec2 from, maths::vec2 to) {
     const auto around = [](float way, float side) { return std::min(std::fabs(way), side - std::fabs(way)); };
     return arena.edge == Boundary::torus &&
            std::hypot(around(to.x - from.x, arena.width), around(to.y - from.y, arena.height)) <= Trail::jump;
 }
 
-// How far a place is from the straight way between two others.
+// Distance from a point to a segment, m.
 float distance_to_way(maths::vec2 place, maths::vec2 from, maths::vec2 to) {
     const maths::vec2 way = to - from;
     const float length = maths::dot(way, way);
@@ -32,7 +32,7 @@ float distance_to_way(maths::vec2 place, maths::vec2 from, maths::vec2 to) {
 
 std::size_t Trail::count() const { return std::min(places_.size() - later_, capacity); }
 
-// Between the place before this moment and the one after it.
+// Compares with the segment between the recorded points before and after the current tick.
 bool Trail::is_on_the_known_way(maths::vec2 place) const {
     const std::size_t next = places_.size() - later_;
     const maths::vec2 after = places_[next].at, before = next > 0 ? places_[next - 1].at : after;
@@ -40,7 +40,7 @@ bool Trail::is_on_the_known_way(maths::vec2 place) const {
 }
 
 void Trail::extend(std::uint64_t tick, maths::vec2 place, const Arena& arena, std::size_t most) {
-    if (tick != tick_) {  // the places after this moment
+    if (tick != tick_) {  // count the points after this tick
         while (later_ < places_.size() && places_[places_.size() - 1 - later_].tick > tick) ++later_;
         while (later_ > 0 && places_[places_.size() - later_].tick <= tick) --later_;
     }
@@ -61,7 +61,7 @@ void Trail::extend(std::uint64_t tick, maths::vec2 place, const Arena& arena, st
 }
 
 void Trails::record(const Snapshot& now) {
-    // Edits make a new scene of the same name: the run goes on.
+    // Edits make a new scene of the same name: the run continues.
     const std::string name = now.scene ? now.scene->name : std::string{};
     const Arena arena = now.scene ? now.scene->arena : Arena{};
     if (now.seed != seed_ || now.generation != generation_ || name != scene_) trails_.clear();

@@ -1,5 +1,5 @@
-// Where vehicles were a moment ago: a short pen line behind each. More of the way is remembered than is drawn, so that
-// it is there, too, after going back in time.
+// Trails: the recent path of every vehicle. More points are recorded than drawn, so that trails exist after a rewind,
+// too.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@
 
 namespace braitenlab::render {
 
-// The way of one vehicle, up to the moment shown.
+// The path of one vehicle up to the shown tick.
 class Trail {
 public:
-    static constexpr std::size_t capacity = 48;  // places that are drawn
-    static constexpr float jump = 2.5f;          // m: what lies farther apart was not driven, or went round a torus
+    static constexpr std::size_t capacity = 48;  // points that are drawn
+    static constexpr float jump = 2.5f;          // m: points farther apart are not joined
 
     std::size_t count() const;
-    // i = 0 is the newest, count() − 1 the oldest.
+    // i = 0: the newest, count() − 1: the oldest.
     maths::vec2 at(std::size_t i) const { return places_[places_.size() - later_ - 1 - i].at; }
 
-    // The vehicle is here at this tick. `most` places are remembered.
+    // Adds the vehicle's position at a tick. `most`: number of recorded points.
     void extend(std::uint64_t tick, maths::vec2 place, const Arena&, std::size_t most);
 
 private:
@@ -33,15 +33,14 @@ private:
     bool is_on_the_known_way(maths::vec2 place) const;
 
     std::deque<Place> places_;  // oldest first
-    std::size_t later_ = 0;     // of them, how many at the end are later than the moment shown
-    std::uint64_t tick_ = 0;    // the moment shown
+    std::size_t later_ = 0;     // number of points at the end that are later than the shown tick
+    std::uint64_t tick_ = 0;    // the shown tick
 };
 
 class Trails {
 public:
-    // Notes where the vehicles are. When time went back, each trail ends where its vehicle is then; what came later
-    // counts again as time goes on, until the vehicle takes another way. Forgets everything when another run began, and
-    // a vehicle's trail when it jumped.
+    // Records the positions of all vehicles. After a rewind a trail ends at the vehicle's position; later points are
+    // used again while the vehicle follows the same path. A new run clears all trails, a jump that of the vehicle.
     void record(const Snapshot&);
 
     // The vehicle's trail, or null.

@@ -23,7 +23,7 @@ struct Overlays {
 // A vehicle, and optionally a source or an obstacle besides it: the brain cards still show the vehicle.
 struct Selection {
     VehicleId vehicle = no_vehicle;
-    SceneObject object;            // a source or an obstacle; SceneObject{}: none
+    SceneObject object;      // a source or an obstacle; SceneObject{}: none
     bool whole_kind = true;  // edits apply to every vehicle of the selected one's kind
     friend bool operator==(const Selection&, const Selection&) = default;
 };
