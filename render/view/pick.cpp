@@ -16,7 +16,7 @@ constexpr float generous = 5;        // px, margin around a body
 constexpr float source_reach = 18;   // px, around the foot and the bulb of a source
 constexpr float source_foot = 0.3f;  // m
 
-const Kind* kind_of(const Snapshot& now, const VehicleView& vehicle) {
+const Kind* kind_or_null(const Snapshot& now, const VehicleView& vehicle) {
     const auto kind = static_cast<std::size_t>(vehicle.kind);
     return now.scene && kind < now.scene->kinds.size() ? &now.scene->kinds[kind] : nullptr;
 }
@@ -81,7 +81,7 @@ VehicleId pick(const Snapshot& now, const Sight& sight, vec2 pixel) {
     for (const VehicleView& vehicle : now.vehicles) {
         const auto centre = project(sight, {vehicle.x, vehicle.y}, middle);
         if (!centre) continue;
-        const Kind* kind = kind_of(now, vehicle);
+        const Kind* kind = kind_or_null(now, vehicle);
         const float radius = kind ? std::max(kind->body.length, kind->body.width) / 2 : 0.5f;
         const float reach = radius * pixels_per_metre(sight, {vehicle.x, vehicle.y}, middle) + generous;
         const float away = maths::distance(*centre, pixel);
@@ -116,7 +116,7 @@ float reach_of(const Snapshot& now, const SceneObject& object) {
     if (object.kind == SceneObjectKind::source) return source_at(now, object.index) ? source_foot : 0;
     if (object.kind == SceneObjectKind::vehicle) {
         const VehicleView* vehicle = find_vehicle(now, object.index);
-        const Kind* kind = vehicle ? kind_of(now, *vehicle) : nullptr;
+        const Kind* kind = vehicle ? kind_or_null(now, *vehicle) : nullptr;
         return kind ? std::hypot(kind->body.length, kind->body.width) / 2 : vehicle ? 0.6f : 0;
     }
     float reach = 0;
