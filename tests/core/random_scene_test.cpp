@@ -155,7 +155,7 @@ void make_sound(Scene& scene, Dice& dice) {
     }
 }
 
-TEST(SceneFile, ReadsWhatItWroteForAnySceneThatChanceCanMake) {
+TEST(SceneFile, ReadsWhatItWroteForRandomScenes) {
     Dice dice{maths::Random(2026, 3)};
     std::size_t wires = 0, starts = 0;
     for (int i = 0; i < 400; ++i) {

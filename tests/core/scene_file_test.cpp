@@ -149,7 +149,7 @@ TEST(SceneFile, ReadsWhatItWroteForAnyFloatAndAnyAngle) {
     }
 }
 
-TEST(SceneFile, WritesDegreesAsAPersonWouldAndLeavesDefaultsOut) {
+TEST(SceneFile, WritesShortDegreesAndLeavesDefaultsOut) {
     Scene scene;
     scene.name = "s";
     scene.obstacles.push_back({"wall", 1.1f, 0, maths::radians(35), 1, 1});
@@ -174,7 +174,7 @@ TEST(SceneFile, KeepsTheShortFormOfABrainWhoseNodesWereMoved) {
     EXPECT_EQ(*again, brain);
 }
 
-TEST(SceneFile, PutsANodeThatItDeclaresItselfByEitherKey) {
+TEST(SceneFile, SetsThePositionOfADeclaredNodeByEitherKey) {
     const auto brain = parse_brain(
         "format = 1\n[brain]\nLL = 1\nplace_SL = [1, 2]\n"
         "[[brain.node]]\nname = 'SL'\nkind = 'sensor'\n[[brain.node]]\nname = 'ML'\nkind = 'motor'\nplace = [3.5, "
@@ -185,7 +185,7 @@ TEST(SceneFile, PutsANodeThatItDeclaresItselfByEitherKey) {
     EXPECT_EQ(find_node(*brain, std::string("ML"))->place, (maths::vec2{3.5f, -4}));
 }
 
-TEST(SceneFile, RefusesPlacesThatAreNone) {
+TEST(SceneFile, RefusesPositionsThatAreNotTwoNumbers) {
     const auto refusal = [](const std::string& line) {
         return parse_brain("format = 1\n[brain]\nLL = 1\n" + line, "brain.toml").error().text();
     };
@@ -227,7 +227,7 @@ struct Mistake {
     std::vector<std::string> told;  // parts that the message must have
 };
 
-TEST(SceneFile, NamesTheLineAndTheNearestWordForEveryKindOfMistake) {
+TEST(SceneFile, NamesTheLineAndTheNearestWordForEveryKindOfError) {
     const std::vector<Mistake> mistakes{
         {"title = \"x\"\n", {"test.toml:1: ", "format = 1"}},
         {"\nformat = 2\n", {"test.toml:2: ", "format = 1 only"}},
@@ -278,12 +278,12 @@ TEST(SceneFile, NamesTheLineAndTheNearestWordForEveryKindOfMistake) {
     }
 }
 
-TEST(SceneFile, SaysThatAFileIsAbsentOrAFolder) {
+TEST(SceneFile, ReportsAnAbsentFileAndAFolder) {
     expect_in("no such file", load_scene("/nowhere/at/all.toml").error().text());
     expect_in("not a file", load_scene(source).error().text());
 }
 
-TEST(Settings, SplitAtTheFirstEqualsSign) {
+TEST(SceneFile, SplitsASettingAtTheFirstEqualsSign) {
     const auto setting = parse_setting(" source.lamp.x = 3=4");
     ASSERT_TRUE(setting);
     EXPECT_EQ(setting->path, "source.lamp.x");
@@ -295,7 +295,7 @@ TEST(Settings, SplitAtTheFirstEqualsSign) {
 const char* const small_scene =
     "format = 1\n[kind.prey.sensor.SL]\n[kind.prey.brain]\nLL = 1\n[source.lamp]\n[vehicle.one]\nkind = \"prey\"\n";
 
-TEST(Settings, ChangeNumbersWordsAndTextsByTheirPath) {
+TEST(SceneFile, SetsNumbersWordsAndTextsByTheirPath) {
     const Scene scene = read(small_scene, {{"kind.prey.brain.LL", "0.5"},
                                            {"kind.prey.role", "prey"},
                                            {"kind.prey.body.mass", "3"},
@@ -314,12 +314,12 @@ TEST(Settings, ChangeNumbersWordsAndTextsByTheirPath) {
     EXPECT_EQ(scene.title, "in quotes");
 }
 
-TEST(Settings, LeaveTheOrderOfTablesAlone) {
+TEST(SceneFile, KeepsTheOrderOfTablesWithSettings) {
     const Scene scene = read("format = 1\n[source.b]\n[source.a]\n", {{"source.a.x", "1"}});
     EXPECT_EQ(scene.sources[0].name, "b");
 }
 
-TEST(Settings, TurnTheDialsOfALongBrainToo) {
+TEST(SceneFile, SetsTheDialsOfABrainWithFurtherNodes) {
     const Scene before = everything();
     const auto scene = parse_scene(write_scene(before), "t", {{"kind.fourth.brain.LR", "0.9"}});
     ASSERT_TRUE(scene) << scene.error().text();
@@ -329,7 +329,7 @@ TEST(Settings, TurnTheDialsOfALongBrainToo) {
     expect_in("lacks the node", parse_scene(write_scene(before), "t", {{"kind.z-first.brain.RR", "1"}}).error().text());
 }
 
-TEST(Settings, NameTheNearestFullPathWhenTheyMiss) {
+TEST(SceneFile, NamesTheNearestPathForAnUnknownSetting) {
     expect_in("--set: no such value 'kind.prey.brain.LX'; the nearest is 'kind.prey.brain.LL'",
               complaint(small_scene, {{"kind.prey.brain.LX", "1"}}));
     expect_in("the nearest is 'source.lamp.x'", complaint(small_scene, {{"source.lump.x", "1"}}));
@@ -338,7 +338,7 @@ TEST(Settings, NameTheNearestFullPathWhenTheyMiss) {
     complaint(small_scene, {{"...", "1"}});
 }
 
-TEST(Settings, AnswerForTheirOwnValues) {
+TEST(SceneFile, NamesTheSettingWhoseValueIsWrong) {
     expect_in("--set: 'LL' is 3, outside", complaint(small_scene, {{"kind.prey.brain.LL", "3"}}));
     expect_in("--set: 'LL' should be a number", complaint(small_scene, {{"kind.prey.brain.LL", "much"}}));
     expect_in("--set: 'LL' should be a number, not a list", complaint(small_scene, {{"kind.prey.brain.LL", "[1]"}}));
@@ -347,7 +347,7 @@ TEST(Settings, AnswerForTheirOwnValues) {
     expect_in("other.toml:7: ", complaint(small_scene, {{"kind.prey.brain.LL", "3", "other.toml", 7}}));
 }
 
-TEST(BrainFile, ReadsWhatItWroteAndRefusesWhatIsNone) {
+TEST(SceneFile, ReadsABrainFileThatItWroteAndRefusesOthers) {
     for (const Kind& kind : everything().kinds) {
         const auto brain = parse_brain(write_brain(kind.brain), "brain.toml");
         ASSERT_TRUE(brain) << brain.error().text();
@@ -358,7 +358,7 @@ TEST(BrainFile, ReadsWhatItWroteAndRefusesWhatIsNone) {
     expect_in("'brian'", parse_brain("format = 1\n[brian]\n", "brain.toml").error().text());
 }
 
-TEST(CheckScene, FindsInAnEditedSceneWhatAFileCouldNotHold) {
+TEST(Check, FindsTheFaultsOfAnEditedScene) {
     EXPECT_FALSE(check_scene(everything()));
     Scene scene = everything();
     scene.kinds[1].name = scene.kinds[0].name;
@@ -387,7 +387,7 @@ TEST(CheckScene, FindsInAnEditedSceneWhatAFileCouldNotHold) {
     expect_in("ecology.population: 20002 vehicles", check_scene(scene)->text());
 }
 
-TEST(NearestWord, CountsLettersAddedDroppedAndReplaced) {
+TEST(Nearest, CountsLettersAddedDroppedAndReplaced) {
     EXPECT_EQ(edit_distance("prey", "pray"), 1);
     EXPECT_EQ(edit_distance("", "abc"), 3);
     EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
@@ -406,14 +406,14 @@ void survive(const std::string& text) {
     EXPECT_EQ(*again, *scene);
 }
 
-TEST(HostileFiles, CutAnywhereDoNoHarm) {
+TEST(SceneFile, SurvivesAFileCutAtAnyByte) {
     for (const fs::path& path : tests::shipped_scenes()) {
         const std::string text = content(path);
         for (std::size_t end = 0; end < text.size(); end += 13) survive(text.substr(0, end));
     }
 }
 
-TEST(HostileFiles, ChangedAnywhereDoNoHarm) {
+TEST(SceneFile, SurvivesAFileChangedAtAnyByte) {
     const std::string bits = "\"'[]{}=.,#\\\n-+0919eE_xyzLR\x01\xff\xc3 \t";
     maths::Random chance(7, 7);
     for (const fs::path& path : tests::shipped_scenes()) {
@@ -435,7 +435,7 @@ TEST(HostileFiles, ChangedAnywhereDoNoHarm) {
     }
 }
 
-TEST(HostileFiles, AreRefusedWhenTooDeepTooLargeOrTooMany) {
+TEST(SceneFile, RefusesFilesThatAreTooDeepOrTooLarge) {
     std::string dots = "format = 1\na";
     for (int i = 0; i < 500000; ++i) dots += ".a";
     expect_in("test.toml:2: a key has too many dots", complaint(dots + " = 1\n"));
@@ -454,7 +454,7 @@ TEST(HostileFiles, AreRefusedWhenTooDeepTooLargeOrTooMany) {
 }
 
 // Set BRAITENLAB_WRITE_DOCS=1 to write the tables anew after a change of the fields.
-TEST(SceneFormatPage, HoldsTheTablesOfTheFieldsAsTheyAre) {
+TEST(FormatTable, IsUpToDateInTheSceneFormatPage) {
     const fs::path page = source / "docs" / "scene-format.md";
     std::string text = content(page);
     if (std::getenv("BRAITENLAB_WRITE_DOCS")) {
@@ -464,7 +464,7 @@ TEST(SceneFormatPage, HoldsTheTablesOfTheFieldsAsTheyAre) {
     expect_in(describe_scene_format(), text);
 }
 
-TEST(SceneFormatPage, ShowsASceneThatCanBeRead) {
+TEST(FormatTable, HasAnExampleThatReadsInTheSceneFormatPage) {
     std::istringstream lines(content(source / "docs" / "scene-format.md"));
     std::string example;
     for (std::string line; std::getline(lines, line);)

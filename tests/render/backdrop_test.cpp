@@ -50,7 +50,7 @@ protected:
     }
 };
 
-TEST_F(BackdropTest, ShowsTheGroundAsItWouldBePaintedAnew) {
+TEST_F(BackdropTest, ShowsTheSameGroundAsDirectDrawing) {
     for (const Boundary edge : {Boundary::wall, Boundary::open, Boundary::torus})
         for (const Theme theme : {Theme::dark, Theme::light}) {
             const Snapshot now = arena_with(edge);
@@ -61,7 +61,7 @@ TEST_F(BackdropTest, ShowsTheGroundAsItWouldBePaintedAnew) {
         }
 }
 
-TEST_F(BackdropTest, FollowsTheCameraThatSetsOffAgain) {
+TEST_F(BackdropTest, FollowsACameraThatMovesAgain) {
     const Snapshot now = arena_with(Boundary::wall);
     for (int frame = 0; frame < 3; ++frame) drawn(now);
     Camera camera;
@@ -78,7 +78,7 @@ TEST_F(BackdropTest, FillsAPictureThatIsOnlyPartOfTheFramebuffer) {
     for (int frame = 0; frame < 3; ++frame) EXPECT_TRUE(alike(drawn(now), moving)) << frame;
 }
 
-TEST_F(BackdropTest, LetsTheCameraRestForAFrameBeforeItKeepsAnything) {
+TEST_F(BackdropTest, StoresTheGroundAfterTwoEqualFrames) {
     const Snapshot now = arena_with(Boundary::wall);
     Backdrop backdrop;
     const auto ground = [&] { return backdrop.look(frame_block(now, picture, DrawList{})); };
@@ -95,7 +95,7 @@ TEST_F(BackdropTest, LetsTheCameraRestForAFrameBeforeItKeepsAnything) {
     EXPECT_EQ(ground(), Backdrop::Ground::rests);
 }
 
-TEST_F(BackdropTest, KeepsTheGroundWhileTimeGoesOnAndLampsMove) {
+TEST_F(BackdropTest, KeepsTheGroundWhileTimePassesAndLampsMove) {
     Snapshot now = arena_with(Boundary::wall);
     Backdrop backdrop;
     DrawList list;

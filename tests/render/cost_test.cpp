@@ -13,7 +13,7 @@ namespace {
 
 using namespace render;
 int objects_made = 0, uploads = 0;
-}
+}  // namespace
 
 // Textures are older than the pointers below: their calls are linked by name, and the program's own name comes first.
 extern "C" void GLAPIENTRY glGenTextures(GLsizei n, GLuint* names) {
@@ -98,7 +98,7 @@ protected:
     }
 };
 
-TEST_F(CostTest, MakesNoObjectInAFrame) {
+TEST_F(CostTest, CreatesNoGlObjectInAFrame) {
     Snapshot now = busy(10);
     for (int frame = 0; frame < 12; ++frame) {
         now.tick += 6;
@@ -112,7 +112,7 @@ TEST_F(CostTest, MakesNoObjectInAFrame) {
 }
 
 // Else the test above would be blind.
-TEST_F(CostTest, CountsEveryKindOfObjectThatIsMade) {
+TEST_F(CostTest, CountsEveryTypeOfGlObject) {
     int expected = 0;
     const auto count = [&](const char* kind) { EXPECT_EQ(objects_made, ++expected) << kind; };
     GLuint id = 0;
@@ -129,7 +129,7 @@ TEST_F(CostTest, CountsEveryKindOfObjectThatIsMade) {
     count("fence"), glDeleteSync(fence);
 }
 
-TEST_F(CostTest, UploadsEachKindOfThingOnce) {
+TEST_F(CostTest, UploadsEachTypeOfInstanceOnce) {
     const auto uploads_for = [&](int count) {
         const Snapshot now = busy(count);
         uploads = 0;

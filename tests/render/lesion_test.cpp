@@ -54,7 +54,7 @@ protected:
     Snapshot now = hand_made::empty(hand_made::scene());
 };
 
-TEST_F(LesionTest, PutsADarkLidWithACrossOverACoveredEye) {
+TEST_F(LesionTest, DrawsADarkCapWithACrossOnASilencedSensor) {
     // Amid the lens, which looks half upwards and 35 degrees outwards.
     constexpr maths::vec2 left{0.3575f, 0.280f}, right{0.3575f, -0.280f};
     constexpr float up = 0.37f;
@@ -69,7 +69,7 @@ TEST_F(LesionTest, PutsADarkLidWithACrossOverACoveredEye) {
     EXPECT_NEAR(other.r, lamp.r, 0.2f);
 }
 
-TEST_F(LesionTest, DrawsNoFieldBeforeACoveredEye) {
+TEST_F(LesionTest, DrawsNoFieldOfASilencedSensor) {
     now.sensed = {0.9f, 0.9f};
     const auto before_left = [&] { return extremes({1.4f, 1.0f}, 0, 2).second; };
     const float open = before_left();
@@ -80,7 +80,7 @@ TEST_F(LesionTest, DrawsNoFieldBeforeACoveredEye) {
     EXPECT_NEAR(covered, before_left(), 0.01f);
 }
 
-TEST_F(LesionTest, CrossesOutAWheelWhoseMotorIsStopped) {
+TEST_F(LesionTest, CrossesOutAWheelWithASilencedMotor) {
     const Wheel& wheel = now.scene->kinds[0].body.wheels[0];
     const maths::vec2 at{wheel.x, wheel.y + (wheel.y < 0 ? -0.04f : 0.04f)};
     EXPECT_LT(extremes(at, 0.3f, 1).second, 0.6f);
@@ -91,7 +91,7 @@ TEST_F(LesionTest, CrossesOutAWheelWhoseMotorIsStopped) {
     EXPECT_GT(arms, 0.8f);
 }
 
-TEST_F(LesionTest, LeavesAGapInACutWire) {
+TEST_F(LesionTest, DrawsAGapInACutWire) {
     hurt([](BrainGraph& brain) {
         brain.wires.resize(1);
         brain.wires[0].weight = 2;  // straight, left eye to left wheel
@@ -124,7 +124,7 @@ TEST_F(LesionTest, LeavesAGapInACutWire) {
     EXPECT_LT(gap.r, 1.2f * gap.b) << "no orange there";
 }
 
-TEST_F(LesionTest, CrossesOutADeadNeuron) {
+TEST_F(LesionTest, CrossesOutASilencedNeuron) {
     hurt([](BrainGraph& brain) {
         Node neuron;
         neuron.id = 5, neuron.name = "N";

@@ -33,7 +33,7 @@ protected:
     }
 };
 
-TEST_F(PictureTest, PaintsTheFieldOfAChannelWhereItIsFeltAndNowhereElse) {
+TEST_F(PictureTest, DrawsTheIntensityOfAChannelOnlyWhereItIsAboveZero) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add_source(now, Channel::heat, -6, 0);
     const float near = brightness(seen(now, -4.7f, 1.3f)), far = brightness(seen(now, 8.3f, 8.4f));
@@ -61,7 +61,7 @@ TEST_F(PictureTest, DrawsContoursWhereTheFieldCrossesTenths) {
     EXPECT_GT(peak, beside + 0.08f);
 }
 
-TEST_F(PictureTest, WritesLabelsInTheColourOfTheThemeOverEverything) {
+TEST_F(PictureTest, DrawsLabelsInTheColourOfTheThemeOverEverything) {
     auto scene = hand_made::scene();
     scene->zones.push_back({.name = "HHHH", .length = 4, .width = 4});
     scene->obstacles.push_back({.name = "box", .length = 6, .width = 6});
@@ -93,7 +93,7 @@ void look_east(Scene& scene, int kind, Channel channel) {
     scene.kinds[static_cast<std::size_t>(kind)].sensors = {eye};
 }
 
-TEST_F(PictureTest, AddsSectorsUpOnADarkFloorAndLaysThemOverEachOtherInOrderOnALightOne) {
+TEST_F(PictureTest, AddsSectorsOnADarkFloorAndBlendsThemInOrderOnALightOne) {
     auto scene = hand_made::scene();
     look_east(*scene, 0, Channel::heat), look_east(*scene, 1, Channel::smell);
     const auto crossing = [&](bool first, bool second, bool swapped) {
@@ -113,7 +113,7 @@ TEST_F(PictureTest, AddsSectorsUpOnADarkFloorAndLaysThemOverEachOtherInOrderOnAL
     EXPECT_GT(heat_above.r - heat_above.b, heat_below.r - heat_below.b + 0.004f);
 }
 
-TEST_F(PictureTest, LaysFieldsUnderVehiclesAndObstacles) {
+TEST_F(PictureTest, DrawsFieldsBelowVehiclesAndObstacles) {
     auto scene = hand_made::scene();
     look_east(*scene, 0, Channel::heat);
     scene->obstacles.push_back({.name = "box", .x = 0, .length = 2, .width = 2});
@@ -125,7 +125,7 @@ TEST_F(PictureTest, LaysFieldsUnderVehiclesAndObstacles) {
     EXPECT_NEAR(lit.b, bare.b, 0.01f);
 }
 
-TEST_F(PictureTest, EndsAnArenaWithoutWallsByALineAndAnOpenOneInNothing) {
+TEST_F(PictureTest, EndsAnArenaWithoutWallsWithALineAndAnOpenOneWithADrop) {
     // The brightest near the left edge at this height, and the ground a metre and a half beyond it.
     const auto at_edge = [&](Boundary edge) {
         auto scene = hand_made::scene();
@@ -149,7 +149,7 @@ TEST_F(PictureTest, EndsAnArenaWithoutWallsByALineAndAnOpenOneInNothing) {
     EXPECT_GT(ground.b, sky.b + 0.02f) << "round a torus the ground goes on";
 }
 
-TEST_F(PictureTest, LaysARingAtTheFootOfColouredLampsEachBrokenInItsOwnWay) {
+TEST_F(PictureTest, DrawsARingOfItsOwnPatternAtTheFootOfEachColouredSource) {
     Camera near;
     near.mode = CameraMode::birds_eye, near.zoom = 12;
     picture.sight = look(near, Arena{}, nullptr, window, window);
@@ -177,7 +177,7 @@ TEST_F(PictureTest, LaysARingAtTheFootOfColouredLampsEachBrokenInItsOwnWay) {
     EXPECT_NEAR(ring(Channel::blue).first, 12, 1);
 }
 
-TEST_F(PictureTest, WearsThePalettesColoursInBothThemes) {
+TEST_F(PictureTest, UsesThePalettesColoursInBothThemes) {
     const Snapshot now = hand_made::empty(hand_made::scene());
     for (const Theme theme : {Theme::dark, Theme::light}) {
         picture.theme = theme;

@@ -1,4 +1,4 @@
-// What the tests of rendered pictures begin with: a hidden window of 640 by 480, our renderer, and a picture of it all.
+// Fixture for tests of rendered pictures: a hidden window of 640 x 480, a renderer and a picture of the whole arena.
 #pragma once
 
 #include <optional>
@@ -26,6 +26,17 @@ protected:
         look_from({});
     }
     void TearDown() override { renderer.reset(); }
+
+    // The mean colour of 3 x 3 pixels, which single pixels of lines and edges hardly change.
+    Colour patch(maths::vec2 middle) {
+        Colour mean{0, 0, 0, 1};
+        for (const float y : {-1.0f, 0.0f, 1.0f})
+            for (const float x : {-1.0f, 0.0f, 1.0f}) {
+                const Colour c = stage.pixel({middle.x + x, middle.y + y});
+                mean.r += c.r / 9, mean.g += c.g / 9, mean.b += c.b / 9;
+            }
+        return mean;
+    }
 
     void look_from(const Camera& camera) { picture.sight = look(camera, Arena{}, nullptr, window, window); }
 

@@ -54,7 +54,7 @@ const Case cases[] = {{30, SensorShape::sector},  {100, SensorShape::sector},  {
                       {121, SensorShape::sector}, {170, SensorShape::sector},  {181, SensorShape::sector},
                       {300, SensorShape::sector}, {80, SensorShape::triangle}, {360, SensorShape::omni}};
 
-TEST_F(SectorTest, LooksTheSameFromGeometryShadersAndFromInstances) {
+TEST_F(SectorTest, LooksTheSameWithGeometryShadersAndWithInstances) {
     for (const auto& [field, shape] : cases) {
         const auto a = picture_of(SectorPath::geometry, field, shape),
                    b = picture_of(SectorPath::instanced, field, shape);
@@ -65,7 +65,7 @@ TEST_F(SectorTest, LooksTheSameFromGeometryShadersAndFromInstances) {
     }
 }
 
-TEST_F(SectorTest, ShowsTheFieldInsideItsArmsAndRangeAndNowhereElse) {
+TEST_F(SectorTest, ShowsTheFieldOnlyInsideItsSidesAndRange) {
     for (const SectorPath path : {SectorPath::geometry, SectorPath::instanced})
         for (const float field : {60.0f, 100.0f, 140.0f, 270.0f}) {
             picture_of(path, field, SensorShape::sector);
@@ -82,7 +82,7 @@ TEST_F(SectorTest, ShowsTheFieldInsideItsArmsAndRangeAndNowhereElse) {
         }
 }
 
-TEST_F(SectorTest, TakesGeometryShadersWhereThereAreSome) {
+TEST_F(SectorTest, UsesGeometryShadersWhereTheDriverHasThem) {
     const auto renderer = Renderer::create(BRAITENLAB_SOURCE "/shaders");
     ASSERT_TRUE(renderer) << renderer.error().text();
     EXPECT_TRUE(renderer->sectors_from_points());

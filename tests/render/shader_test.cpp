@@ -37,7 +37,7 @@ protected:
     fs::path folder;
 };
 
-TEST_F(ShaderTest, TellsFileAndLineOfAMistake) {
+TEST_F(ShaderTest, ReportsFileAndLineOfAnError) {
     write("floor.frag", "out vec4 colour;\n\nvoid main() {\n    colour = vec4(nonsense);\n}\n");
     const auto renderer = Renderer::create(folder);
     ASSERT_FALSE(renderer);
@@ -46,7 +46,7 @@ TEST_F(ShaderTest, TellsFileAndLineOfAMistake) {
     EXPECT_NE(renderer.error().what.find("nonsense"), std::string::npos) << renderer.error().text();
 }
 
-TEST_F(ShaderTest, BlamesTheSharedHeaderForItsOwnMistakes) {
+TEST_F(ShaderTest, NamesTheSharedHeaderForItsOwnErrors) {
     std::ifstream in(folder / "common.glsl");
     const std::string common(std::istreambuf_iterator<char>(in), {});
     write("common.glsl", "// one line more\nfloat broken() { return nothing; }\n" + common);
@@ -56,14 +56,14 @@ TEST_F(ShaderTest, BlamesTheSharedHeaderForItsOwnMistakes) {
     EXPECT_EQ(program.error().line, 2);
 }
 
-TEST_F(ShaderTest, SaysWhichFileIsMissing) {
+TEST_F(ShaderTest, ReportsAMissingFile) {
     fs::remove(folder / "wire.vert");
     const auto renderer = Renderer::create(folder);
     ASSERT_FALSE(renderer);
     EXPECT_EQ(fs::path(renderer.error().file).filename().string(), "wire.vert");
 }
 
-TEST_F(ShaderTest, SaysWhichPairDoesNotLink) {
+TEST_F(ShaderTest, ReportsThePairThatDoesNotLink) {
     write("floor.frag", "in vec3 v_place;\nout vec4 colour;\nvoid main() { colour = vec4(v_place, 1.0); }\n");
     const auto program = Program::load(folder, "floor.vert", "floor.frag");
     ASSERT_FALSE(program);
@@ -102,7 +102,7 @@ protected:
 constexpr const char* red_floor =
     "in vec2 v_place;\nflat in float v_beyond;\nout vec4 colour;\nvoid main() { colour = vec4(1.0, 0.0, 0.0, 1.0); }\n";
 
-TEST_F(FollowShaders, TakesAShaderIntoUseWhenItIsSaved) {
+TEST_F(FollowShaders, UsesAShaderWhenItIsSaved) {
     EXPECT_LT(middle().r, 0.5f);
     EXPECT_FALSE(renderer->follow_shaders());
     save("floor.frag", red_floor);
@@ -110,7 +110,7 @@ TEST_F(FollowShaders, TakesAShaderIntoUseWhenItIsSaved) {
     EXPECT_GT(middle().r, 0.9f);
 }
 
-TEST_F(FollowShaders, KeepsTheLastGoodOneAndTellsFileAndLineOfABrokenOneOnce) {
+TEST_F(FollowShaders, KeepsTheLastValidShadersAndReportsAnErrorOnce) {
     save("floor.frag", red_floor);
     EXPECT_FALSE(renderer->follow_shaders());
     save("floor.frag", "out vec4 colour;\nvoid main() {\n    colour = rubbish;\n}\n");
@@ -133,11 +133,11 @@ TEST(FirstComplaint, ReadsTheLogsOfSeveralDrivers) {
     EXPECT_EQ(amd.line, 31);
 }
 
-TEST(FirstComplaint, PassesWarningsOver) {
+TEST(FirstComplaint, SkipsWarnings) {
     EXPECT_EQ(first_complaint("0:2(1): warning: unused\n0:9(3): error: bad\n").line, 9);
 }
 
-TEST(FirstComplaint, KeepsALogItDoesNotUnderstand) {
+TEST(FirstComplaint, KeepsALogOfUnknownForm) {
     EXPECT_EQ(first_complaint("it broke").what, "it broke");
     EXPECT_EQ(first_complaint("it broke").line, 0);
 }

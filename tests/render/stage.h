@@ -17,7 +17,7 @@ namespace braitenlab::render {
 
 class Stage {
 public:
-    // Without a display ready() is false and problem() says why; run under xvfb-run then.
+    // Without a display ready() is false and problem() has the reason; run under xvfb-run then.
     Stage(int width, int height, int samples = 0) : width_(width), height_(height) {
         if (!glfwInit()) {
             problem_ = "no display: run the tests under xvfb-run";
@@ -38,7 +38,7 @@ public:
         glfwSwapInterval(0);
         glewExperimental = GL_TRUE;
         if (glewInit() != GLEW_OK) problem_ = "GLEW finds no functions";
-        glGetError();  // GLEW asks an old question of a core context, which complains
+        glGetError();  // GLEW calls a function that core contexts do not have; clear the error
         listen();
     }
     Stage(const Stage&) = delete;
@@ -52,10 +52,10 @@ public:
     const std::string& problem() const { return problem_; }
     GLFWwindow* window() const { return window_; }
 
-    // What the driver has called an error since the last call, a line each; empty when all is well.
+    // Errors reported by the driver since the last call, one per line.
     std::string complaints() { return std::exchange(complaints_, {}); }
 
-    // Rows from the top, three bytes a pixel.
+    // Rows from the top, three bytes per pixel.
     std::vector<unsigned char> pixels() const {
         const auto row = static_cast<std::size_t>(width_) * 3;
         std::vector<unsigned char> up(row * static_cast<std::size_t>(height_)), down(up.size());
@@ -81,7 +81,7 @@ private:
         glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
         glDebugMessageCallback(
             [](GLenum source, GLenum type, GLuint, GLenum, GLsizei, const GLchar* text, const void* self) {
-                if (source != GL_DEBUG_SOURCE_API) return;  // a shader's mistakes come back as an Error
+                if (source != GL_DEBUG_SOURCE_API) return;  // errors in shaders are returned as Error
                 if (type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR)
                     const_cast<Stage*>(static_cast<const Stage*>(self))->complaints_ += std::string(text) + "\n";
             },

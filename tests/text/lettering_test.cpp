@@ -24,12 +24,12 @@ Lettering from(const FindFont& find, int pixels) {
     return std::move(*made);
 }
 
-TEST(DecodeUtf8, ReadsOneToFourBytes) {
+TEST(Lettering, ReadsOneToFourBytes) {
     EXPECT_EQ(decode_utf8("Aé→😀"), U"Aé→😀");
     EXPECT_EQ(decode_utf8(""), U"");
 }
 
-TEST(DecodeUtf8, PutsASignWhereBytesAreBroken) {
+TEST(Lettering, ReplacesMalformedBytes) {
     EXPECT_EQ(decode_utf8("a\xFF"
                           "b"),
               U"a\xFFFD"
@@ -40,7 +40,7 @@ TEST(DecodeUtf8, PutsASignWhereBytesAreBroken) {
     EXPECT_EQ(decode_utf8("\xE2\x86z"), U"\xFFFDz");      // cut short
 }
 
-TEST(Lettering, DrawsACharacterOnceAndLeavesRoomRoundIt) {
+TEST(Lettering, RasterisesACharacterOnceWithAMargin) {
     Lettering lettering = from(find_font, 24);
     const Glyph h = lettering.glyph(U'H');
     EXPECT_GT(h.height, 12);
@@ -56,7 +56,7 @@ TEST(Lettering, DrawsACharacterOnceAndLeavesRoomRoundIt) {
         EXPECT_EQ(lettering.sheet()[static_cast<std::size_t>((h.y - 1) * Lettering::side + x)], 0);
 }
 
-TEST(Lettering, FindsCharactersThatTheUsualFontLacks) {
+TEST(Lettering, FindsCharactersThatTheDefaultFontLacks) {
     // Thai and Georgian come with fonts-noto-core, each in a font of its own.
     ASSERT_NE(find_font(U'ก'), find_font(0)) << "install fonts-noto-core";
     ASSERT_NE(find_font(U'ა'), find_font(U'ก')) << "install fonts-noto-core";
@@ -86,14 +86,14 @@ TEST(Lettering, KernsWhereTheFontHasAKernTable) {
     EXPECT_LT(set_line(lettering, "AV").width, apart);
 }
 
-TEST(Lettering, StandsOnWholePixels) {
+TEST(Lettering, PlacesCharactersOnWholePixels) {
     Lettering lettering = from(find_font, 17);
     const SetLine line = set_line(lettering, "vehicle");
     ASSERT_EQ(line.characters.size(), 7U);
     for (std::size_t i = 1; i < line.characters.size(); ++i) EXPECT_GT(line.characters[i].x, line.characters[i - 1].x);
 }
 
-TEST(Lettering, SaysWhatIsMissingWhereThereIsNoFont) {
+TEST(Lettering, ReportsAMissingFont) {
     const auto none = Lettering::from_fonts([](char32_t) { return std::string{}; }, 16);
     ASSERT_FALSE(none);
     EXPECT_NE(none.error().text().find("install"), std::string::npos);
@@ -102,7 +102,7 @@ TEST(Lettering, SaysWhatIsMissingWhereThereIsNoFont) {
     EXPECT_EQ(broken.error().file, __FILE__);
 }
 
-TEST(Lettering, EndsQuietlyWhenTheSheetIsFull) {
+TEST(Lettering, ReturnsAnEmptyGlyphWhenTheSheetIsFull) {
     Lettering lettering(16);
     const std::vector<std::uint8_t> grey(200 * 200, 255);
     char32_t next = 1;

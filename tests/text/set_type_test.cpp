@@ -38,7 +38,7 @@ protected:
     Picture picture;
 };
 
-TEST_F(SetType, CentresALabelOnItsPlace) {
+TEST_F(SetType, CentresALabelOnItsPosition) {
     for (const char* text : {"H", "HOXOH", "MMMMMMMMMM"}) {
         const Rect box = around(set({{{2, 3}, 0, {}, text, {}, 0}}));
         const maths::vec2 at = *project(picture.sight, {2, 3});
@@ -72,7 +72,7 @@ TEST_F(SetType, LeavesOutWhatIsOutsideTheWindow) {
     EXPECT_TRUE(set({{{0, -500}, 0, {}, "behind", {}, 0}}).empty());
 }
 
-TEST_F(SetType, StandsWhollyOnTheSideThatALabelKeepsTo) {
+TEST_F(SetType, PlacesALabelWhollyOnItsSide) {
     for (const char* text : {"5 m", "−5", "a long label"}) {
         const auto beside = [&](maths::vec2 away) {
             return around(set({{.place = {2, 3}, .text = text, .away = away}}));

@@ -15,7 +15,7 @@ VehicleView at(VehicleId id, float x, float heading) {
     return v;
 }
 
-TEST(BetweenTicks, StandsHalfWayAndTurnsTheShortWayRound) {
+TEST(Between, InterpolatesPositionAndTurnsTheShortWay) {
     Snapshot now;
     now.vehicles = {at(3, 0.2f, -3.1f)};
     stand_between(now, {at(1, 9, 9), at(3, 0.1f, 3.1f)}, 0.5f);
@@ -23,7 +23,7 @@ TEST(BetweenTicks, StandsHalfWayAndTurnsTheShortWayRound) {
     EXPECT_NEAR(std::fabs(now.vehicles[0].heading), maths::pi, 1e-5f);
 }
 
-TEST(BetweenTicks, LeavesNewcomersAndThoseThatWereMovedByHand) {
+TEST(Between, KeepsThePosesOfNewAndMovedVehicles) {
     Snapshot now;
     now.vehicles = {at(3, 5, 0), at(4, 1, 0)};
     stand_between(now, {at(3, 0, 0)}, 0);

@@ -60,7 +60,7 @@ TEST(Camera, ShowsLeftOnTheLeftAndFarAtTheTop) {
     EXPECT_LT(project(sight, {0, 0}, 1)->y, project(sight, {0, 0})->y);
 }
 
-TEST(Camera, FindsThePlaceOnTheFloorThatAPixelShows) {
+TEST(Camera, FindsTheFloorPointThatAPixelShows) {
     for (const float azimuth : {-1.57f, 0.4f, 2.5f})
         for (const vec2 place : {vec2{0, 0}, {7, -3}, {-9.5f, 8}}) {
             const Sight sight = overview(azimuth);
@@ -81,7 +81,7 @@ TEST(Camera, FindsNoFloorAboveTheHorizon) {
     EXPECT_TRUE(unproject(sight, {640, 700}));
 }
 
-TEST(Camera, ProjectsNothingBehindTheEye) {
+TEST(Camera, ProjectsNothingBehindTheCamera) {
     VehicleView vehicle;
     Camera camera;
     camera.mode = CameraMode::follow;
@@ -100,13 +100,13 @@ TEST(Camera, RidesBehindAndAboveTheVehicleItFollows) {
     EXPECT_NEAR(project(sight, {2, 3})->x, free_area.x + free_area.w / 2, 0.5f);
 }
 
-TEST(Camera, WithoutAVehicleToFollowShowsTheOverview) {
+TEST(Camera, ShowsTheOverviewWithoutAVehicleToFollow) {
     Camera camera;
     camera.mode = CameraMode::follow;
     EXPECT_LT(maths::distance(look(camera, Arena{}, nullptr, window, free_area).eye, overview().eye), 1e-3f);
 }
 
-TEST(Camera, ZoomKeepsTheMiddleOfTheFreeAreaInPlace) {
+TEST(Camera, KeepsTheCentreOfTheFreeAreaWhileZooming) {
     Camera camera;
     const vec2 middle{free_area.x + free_area.w / 2, free_area.y + free_area.h / 2};
     const vec2 before = *unproject(look(camera, Arena{}, nullptr, window, free_area), middle);
@@ -117,7 +117,7 @@ TEST(Camera, ZoomKeepsTheMiddleOfTheFreeAreaInPlace) {
               3.5f * (project(overview(), {1, 0})->x - project(overview(), {0, 0})->x));
 }
 
-TEST(Camera, PanMovesThePictureByThatManyMetres) {
+TEST(Camera, PansByMetres) {
     Camera camera;
     camera.pan = {3, -2};
     const auto moved = project(look(camera, Arena{}, nullptr, window, free_area), {4, 1});
@@ -148,7 +148,7 @@ TEST(Camera, ShowsTheArenaFromStraightAboveWithoutPerspective) {
     EXPECT_NEAR(project(sight, {0, 0})->x, free_area.x + free_area.w / 2, 0.1f);
 }
 
-TEST(Camera, LooksAheadThroughTheDriversEyes) {
+TEST(Camera, LooksAheadInDriverMode) {
     VehicleView vehicle;
     vehicle.x = 1, vehicle.y = 2, vehicle.heading = maths::pi / 2;
     const Sight sight = in_mode(CameraMode::driver, &vehicle);
@@ -169,7 +169,7 @@ TEST(Camera, FindsTheFloorUnderAPixelInEveryMode) {
     }
 }
 
-TEST(Camera, FindsTheFloorUnderAPixelAmidAGlide) {
+TEST(Camera, FindsTheFloorUnderAPixelDuringAGlide) {
     const Sight half = glide(in_mode(CameraMode::overview), in_mode(CameraMode::birds_eye), 0.03f);
     for (const vec2 place : {vec2{0, 0}, {6, -3}, {-7, 8}}) {
         const auto back = unproject(half, *project(half, place));
@@ -178,7 +178,7 @@ TEST(Camera, FindsTheFloorUnderAPixelAmidAGlide) {
     }
 }
 
-TEST(Camera, SaysHowLargeAMetreAppears) {
+TEST(Camera, GivesPixelsPerMetre) {
     for (const CameraMode mode : {CameraMode::overview, CameraMode::birds_eye}) {
         const Sight sight = in_mode(mode);
         // Across the line of sight: along x, as the camera stands behind −y.
@@ -189,7 +189,7 @@ TEST(Camera, SaysHowLargeAMetreAppears) {
     EXPECT_EQ(pixels_per_metre(in_mode(CameraMode::follow, &vehicle), {-8, 0}), 0);
 }
 
-TEST(Camera, KeepsWhatIsUnderThePointerWhileZooming) {
+TEST(Camera, KeepsThePointUnderThePointerWhileZooming) {
     for (const CameraMode mode : {CameraMode::overview, CameraMode::birds_eye}) {
         Camera camera;
         camera.mode = mode, camera.azimuth = 0.4f, camera.elevation = 0.7f;
@@ -203,7 +203,7 @@ TEST(Camera, KeepsWhatIsUnderThePointerWhileZooming) {
     }
 }
 
-TEST(Camera, PansWithTheHandOnTheFloor) {
+TEST(Camera, PansWithTheFloorPointUnderThePointer) {
     Camera camera;
     camera.azimuth = 2;
     const Sight sight = look(camera, Arena{}, nullptr, window, free_area);
@@ -212,7 +212,7 @@ TEST(Camera, PansWithTheHandOnTheFloor) {
     EXPECT_LT(maths::distance(*unproject(look(camera, Arena{}, nullptr, window, free_area), {620, 300}), held), 0.05f);
 }
 
-TEST(Camera, OrbitsWithoutEverLookingFromBelow) {
+TEST(Camera, OrbitsOnlyAboveTheFloor) {
     Camera camera;
     orbit(camera, 100, -9);
     EXPECT_GT(camera.elevation, 0);
@@ -221,7 +221,7 @@ TEST(Camera, OrbitsWithoutEverLookingFromBelow) {
     EXPECT_LT(camera.elevation, maths::pi / 2);
 }
 
-TEST(Glide, GoesFromPerspectiveToNoneAndArrives) {
+TEST(Camera, GlidesFromPerspectiveToOrthographicAndArrives) {
     const Sight to = in_mode(CameraMode::birds_eye);
     Sight now = in_mode(CameraMode::overview);
     for (int frame = 0; frame < 120; ++frame) {
@@ -233,7 +233,7 @@ TEST(Glide, GoesFromPerspectiveToNoneAndArrives) {
     EXPECT_EQ(now.projection, to.projection);
 }
 
-TEST(Glide, ComesMostOfTheWayInAFifthOfASecondAndArrives) {
+TEST(Camera, GlidesMostOfTheWayInAFifthOfASecondAndArrives) {
     const Sight from = overview(-1.57f), to = overview(-0.6f, 0.7f);
     Sight now = from;
     for (int frame = 0; frame < 12; ++frame) now = glide(now, to, 1.0f / 60);
@@ -244,7 +244,7 @@ TEST(Glide, ComesMostOfTheWayInAFifthOfASecondAndArrives) {
     EXPECT_EQ(now.projection, to.projection);
 }
 
-TEST(Glide, KeepsTheViewARotationOnTheWay) {
+TEST(Camera, KeepsTheViewARotationDuringAGlide) {
     const Sight half = glide(overview(-1.57f), overview(0.3f, 1.4f), 0.04f);
     const maths::vec3 x{half.view[0].x, half.view[1].x, half.view[2].x},
         y{half.view[0].y, half.view[1].y, half.view[2].y};
@@ -253,7 +253,7 @@ TEST(Glide, KeepsTheViewARotationOnTheWay) {
     EXPECT_NEAR(maths::dot(x, y), 0, 1e-5);
 }
 
-TEST(Glide, DoesNotLagBehindAWindowThatChangesItsSize) {
+TEST(Camera, DoesNotGlideWhenTheWindowChangesItsSize) {
     const Sight to = look(Camera{}, Arena{}, nullptr, {0, 0, 800, 600}, {0, 0, 800, 600});
     EXPECT_EQ(glide(overview(), to, 0.01f).projection, to.projection);
 }

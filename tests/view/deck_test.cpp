@@ -37,7 +37,7 @@ const DeckNeuron& neuron(const DeckPlan& plan, NodeId id) {
 }
 
 // Sensors 1 and 2, motors 3 and 4.
-TEST(Deck, StandsNeuronsBetweenEyesAndWheelsInTheOrderOfTheirSignals) {
+TEST(Deck, PlacesNeuronsBetweenSensorsAndWheelsInSignalOrder) {
     BrainGraph brain = hand_made::wired(0, 0, 0, 0);
     const NodeId near = add_neuron(brain), far = add_neuron(brain);
     join(brain, 1, near), join(brain, near, far), join(brain, far, 4);
@@ -49,7 +49,7 @@ TEST(Deck, StandsNeuronsBetweenEyesAndWheelsInTheOrderOfTheirSignals) {
     EXPECT_GT(neuron(plan, far).place.x, -0.2f);
 }
 
-TEST(Deck, KnowsWhichEyesAreCoveredAndWhichMotorsStopped) {
+TEST(Deck, ReportsSilencedSensorsAndMotors) {
     BrainGraph brain = hand_made::wired(1, 0, 0, 1);
     EXPECT_EQ(plan_deck(brain, two_eyed()).covered, (std::vector<bool>{false, false}));
     brain.nodes[1].silenced = true, brain.nodes[2].silenced = true;  // SR, ML
@@ -58,7 +58,7 @@ TEST(Deck, KnowsWhichEyesAreCoveredAndWhichMotorsStopped) {
     EXPECT_EQ(plan.stopped, (std::array{true, false}));
 }
 
-TEST(Deck, KeepsNeuronsOnTheSideTheyHearFrom) {
+TEST(Deck, KeepsNeuronsOnTheSideOfTheirInputs) {
     BrainGraph brain = hand_made::wired(0, 0, 0, 0);
     const NodeId left = add_neuron(brain), right = add_neuron(brain);
     join(brain, 2, right), join(brain, 1, left), join(brain, left, 3), join(brain, right, 4);
@@ -81,7 +81,7 @@ TEST(Deck, KeepsNeuronsApartAndOnTheDeck) {
     }
 }
 
-TEST(Deck, TakesCyclesSelfLoopsAndNeuronsThatNobodyFeeds) {
+TEST(Deck, AcceptsCyclesSelfLoopsAndNeuronsWithoutInput) {
     BrainGraph brain = hand_made::wired(0, 0, 0, 0);
     const NodeId a = add_neuron(brain), b = add_neuron(brain), alone = add_neuron(brain);
     join(brain, a, b), join(brain, b, a), join(brain, a, a), join(brain, alone, 3);
@@ -113,7 +113,7 @@ TEST(Deck, KeepsTheStrongestWiresOfALargeBrain) {
     EXPECT_EQ(strong, 30);
 }
 
-TEST(Deck, HasRoomForTheLargestBrainThereMayBe) {
+TEST(Deck, PlacesTheLargestBrain) {
     BrainGraph brain = hand_made::wired(1, 1, 1, 1);
     NodeId last = 1;
     for (int i = 0; i < 1000; ++i) {

@@ -34,7 +34,7 @@ Snapshot with_neuron(float seen, float neuron) {
     return now;
 }
 
-TEST(DrawBrain, RunsWiresThroughNeuronsWithWhatTheyCarry) {
+TEST(DrawBrain, DrawsWiresThroughNeuronsWithTheirSignals) {
     const DrawList list = drawn(with_neuron(0.6f, 0.8f));
     ASSERT_EQ(list.wires.size(), 2U);
     ASSERT_EQ(list.neurons.size(), 1U);
@@ -76,7 +76,7 @@ TEST(DrawBrain, FollowsAnEditOfTheBrain) {
     EXPECT_EQ(list.wires.size(), 1U);
 }
 
-TEST(DrawBrain, ShowsNoWiresOfAVehicleThatIsDrivenByHand) {
+TEST(DrawBrain, ShowsNoWiresOfAManuallyDrivenVehicle) {
     Snapshot now = with_neuron(0.6f, 0.8f);
     now.vehicles[0].driver = Driver::manual;
     EXPECT_TRUE(drawn(now).wires.empty());

@@ -31,12 +31,12 @@ bool has(const std::vector<std::string>& texts, const std::string& text) {
     return std::find(texts.begin(), texts.end(), text) != texts.end();
 }
 
-TEST(DrawLabels, CountTheMetresAlongTheArena) {
+TEST(DrawLabels, LabelMetresAlongTheArena) {
     const auto texts = words(hand_made::empty(hand_made::scene()));
     for (const char* text : {"−10", "−5", "0", "5", "10 m"}) EXPECT_TRUE(has(texts, text)) << text;
 }
 
-TEST(DrawLabels, StandClearOfTheWallsHoweverOneLooks) {
+TEST(DrawLabels, DoNotOverlapTheWallsFromAnyAzimuth) {
     const Snapshot now = hand_made::empty(hand_made::scene());
     for (const float azimuth : {-1.57f, -1.2f, 0.4f, 2.0f})
         for (const float zoom : {0.5f, 1.0f, 3.0f}) {
@@ -62,7 +62,7 @@ TEST(DrawLabels, StandClearOfTheWallsHoweverOneLooks) {
         }
 }
 
-TEST(DrawLabels, LeaveTheMetresOutWhenOneLooksAlongTheFloor) {
+TEST(DrawLabels, LeaveMetresOutAtLowElevations) {
     Picture picture = from_above();
     Camera camera;
     camera.elevation = 0.2f;
@@ -86,7 +86,7 @@ TEST(DrawLabels, NameSeveralSourcesAndEveryZone) {
     EXPECT_TRUE(words(now, picture).empty());
 }
 
-TEST(DrawLabels, NumberFewVehiclesButOfManyTheChosenOneAlone) {
+TEST(DrawLabels, NumberAllOfFewVehiclesAndTheSelectedOneOfMany) {
     Snapshot now = hand_made::empty(hand_made::scene());
     for (int i = 0; i < 3; ++i) hand_made::add(now, 0, static_cast<float>(i), 2, 0);
     EXPECT_TRUE(has(words(now), "1") && has(words(now), "3"));
@@ -97,7 +97,7 @@ TEST(DrawLabels, NumberFewVehiclesButOfManyTheChosenOneAlone) {
     EXPECT_TRUE(has(words(now, picture), "33"));
 }
 
-TEST(DrawLabels, SayWhatTheContoursStandFor) {
+TEST(DrawLabels, LabelContoursWithTheirValue) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add_source(now, Channel::light, -5, 0);
     sensing::IntensityMap map;

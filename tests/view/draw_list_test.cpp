@@ -36,7 +36,7 @@ TEST(DrawList, DrawsNoWireOfWeightZero) {
     EXPECT_EQ(drawn(now).wires.size(), 2U);
 }
 
-TEST(DrawList, LetsCrossedWiresCrossAndStraightOnesStayOnTheirSide) {
+TEST(DrawList, CrossesCrossedWiresAndKeepsStraightOnesOnTheirSide) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);
     for (const WireInstance& wire : drawn(now).wires) EXPECT_LT(wire.ends.y * wire.ends.w, 0);
@@ -89,7 +89,7 @@ TEST(DrawList, ShowsASmallVehicleAsItsHullAndADotASide) {
     EXPECT_EQ(near.eyes.size(), 3U);
 }
 
-TEST(DrawList, ShowsASpeckAsASignWithTheRolesShapeAndWhatBothSidesSee) {
+TEST(DrawList, ShowsATinyVehicleAsASignWithRoleAndReadings) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 2, 1, 2, maths::pi / 2, 0.25f, 0.81f);
     const DrawList list = drawn(now, seen_at_zoom(0.3f));
@@ -113,7 +113,7 @@ TEST(DrawList, LeavesOutWhatIsOutOfThePicture) {
     EXPECT_EQ(drawn(now, seen_at_zoom(6)).wheels.size(), 4U);
 }
 
-TEST(DrawList, LetsSmallPartsGrowAsAVehicleComesNearer) {
+TEST(DrawList, GrowsSmallPartsWithTheVehiclesSizeOnTheScreen) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);
     float detail = 0, width = 0, largest_step = 0;
@@ -161,7 +161,7 @@ TEST(DrawList, DrawsFieldsAndOutlinesOnlyWhenAsked) {
     EXPECT_GE(outlined.fields[0].shape.x, 12);  // the whole range
 }
 
-TEST(DrawList, ShowsADriverBothItsFieldsAndNothingRightBeforeIt) {
+TEST(DrawList, ShowsADrivenVehicleItsFieldsAndNoParts) {
     Snapshot now = hand_made::empty(hand_made::scene());
     const VehicleId driver = hand_made::add(now, 0, 0, 0, 0);
     hand_made::add(now, 0, 5, 0, 0);
@@ -177,7 +177,7 @@ TEST(DrawList, ShowsADriverBothItsFieldsAndNothingRightBeforeIt) {
     EXPECT_FALSE(list.wires.empty());
 }
 
-TEST(DrawList, ShrinksEyesThatCrowdEachOther) {
+TEST(DrawList, ShrinksSensorsThatAreCloseTogether) {
     auto scene = hand_made::scene();
     Snapshot now = hand_made::empty(scene);
     hand_made::add(now, 0, 0, 0, 0);
@@ -188,14 +188,14 @@ TEST(DrawList, ShrinksEyesThatCrowdEachOther) {
     EXPECT_EQ(drawn(now).eyes[1].size.x, alone);
 }
 
-TEST(DrawList, ShortensFieldsInACrowd) {
+TEST(DrawList, ShortensFieldsOfManyVehicles) {
     Snapshot few = hand_made::empty(hand_made::scene()), many = few;
     hand_made::add(few, 0, 0, 0, 0);
     for (int i = 0; i < 300; ++i) hand_made::add(many, 0, 0, 0, 0);
     EXPECT_LT(drawn(many).fields[0].shape.x, drawn(few).fields[0].shape.x / 2);
 }
 
-TEST(DrawList, LetsIdleFieldsStepBackInACrowdButNotTheChosenOne) {
+TEST(DrawList, FadesIdleFieldsOfManyVehiclesExceptTheSelectedOne) {
     Snapshot few = hand_made::empty(hand_made::scene()), many = few;
     hand_made::add(few, 0, 0, 0, 0);
     for (int i = 0; i < 30; ++i) hand_made::add(many, 0, 0, 0, 0);
@@ -219,7 +219,7 @@ TEST(DrawList, RingsTheSelectedVehicleAlone) {
     EXPECT_EQ(list.rings[0].place.x, 4);
 }
 
-TEST(DrawList, RingsTheVehicleLessWhereALampIsSelectedAboveAll) {
+TEST(DrawList, DrawsAThinRingWhenAnObjectIsSelectedToo) {
     Snapshot now = hand_made::empty(hand_made::scene());
     Picture picture;
     picture.settings.selection.vehicle = hand_made::add(now, 0, 4, 5, 0);
@@ -254,7 +254,7 @@ TEST(DrawList, GivesEveryChannelWithAShapeItsOwn) {
     for (const auto& sources : drawn(now).sources) EXPECT_EQ(sources.size(), 1U);
 }
 
-TEST(DrawList, StartsAnewWithEveryFill) {
+TEST(DrawList, ReplacesItsContentWithEveryFill) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 1, 0, 0, 0);
     DrawList list;

@@ -25,7 +25,7 @@ int count(const DrawList& list, Pattern pattern) {
     }));
 }
 
-TEST(DrawWorld, StandsAnObstacleWhereItWasPushedTo) {
+TEST(DrawWorld, DrawsAnObstacleWhereItWasPushedTo) {
     auto scene = bare();
     scene->obstacles.push_back({.name = "crate", .x = 1, .y = 2, .mass = 5});
     Snapshot now = hand_made::empty(scene);
@@ -52,7 +52,7 @@ TEST(DrawWorld, GivesAnObstacleItsOwnCorners) {
     EXPECT_EQ(list.blocks[0].colour.w, 0);
 }
 
-TEST(DrawWorld, StandsASolidSourceOnAPost) {
+TEST(DrawWorld, DrawsASolidSourceOnAPost) {
     auto scene = bare();
     scene->sources.push_back({.name = "ghost", .x = 0});
     scene->sources.push_back({.name = "post", .x = 5, .solid = true});
@@ -97,7 +97,7 @@ TEST(DrawWorld, ShowsEachOfAZonesEffects) {
     EXPECT_TRUE(drawn(hand_made::empty(scene), picture).zones.empty());
 }
 
-TEST(DrawWorld, BlowsTheWindInTheWorldsDirectionHoweverTheZoneIsTurned) {
+TEST(DrawWorld, DrawsWindInWorldDirectionForARotatedZone) {
     auto scene = bare();
     scene->zones.push_back({.name = "a", .heading = maths::pi / 2, .wind_x = 2});
     const ZoneInstance zone = drawn(hand_made::empty(scene)).zones.at(0);
@@ -125,7 +125,7 @@ TEST(DrawWorld, FadesMemoryWithItsStrength) {
     EXPECT_GT(list.rings[0].colour.w, list.rings[1].colour.w);
 }
 
-TEST(DrawWorld, ShowsAtTheOtherEdgeOfATorusWhatReachesOverOne) {
+TEST(DrawWorld, RepeatsObjectsAtTheOppositeEdgeOfATorus) {
     auto scene = bare();
     scene->arena.edge = Boundary::torus;
     for (Sensor& eye : scene->kinds[0].sensors) eye.range = 3;

@@ -61,7 +61,7 @@ float difference(Linear a, Linear b) {
     return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
-TEST(Palette, TellsWhatStandsInTheWorldApartForColourBlindEyesToo) {
+TEST(Palette, HasSourceColoursThatColourBlindPeopleTellApart) {
     constexpr auto& sources = channels_with<&ChannelTraits::is_source>;
     for (const Theme theme : {Theme::dark, Theme::light}) {
         const Palette p = palette(theme);
@@ -77,7 +77,7 @@ TEST(Palette, TellsWhatStandsInTheWorldApartForColourBlindEyesToo) {
     }
 }
 
-TEST(Palette, TellsEveryChannelFromTheFloor) {
+TEST(Palette, HasChannelColoursThatContrastWithTheFloor) {
     for (const Theme theme : {Theme::dark, Theme::light}) {
         const Palette p = palette(theme);
         for (const ChannelTraits& row : channel_table)
@@ -85,7 +85,7 @@ TEST(Palette, TellsEveryChannelFromTheFloor) {
     }
 }
 
-TEST(Palette, GivesOneColourOneMeaning) {
+TEST(Palette, UsesTheColourOfARoleForItsChannel) {
     const Palette p = palette(Theme::dark);
     EXPECT_EQ(colour_of(p, Channel::predator), p.predator);
     EXPECT_EQ(colour_of(p, Channel::prey), colour_of(p, Role::prey));

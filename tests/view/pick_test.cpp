@@ -26,7 +26,7 @@ TEST(Pick, TakesTheNearestToThePixelOfTwoThatTouch) {
     EXPECT_EQ(pick(now, sight, *project(sight, {0.5f, 0}, 0.15f)), b);
 }
 
-TEST(Pick, IsGenerousByAFewPixelsAndNoMore) {
+TEST(Pick, HasAMarginOfAFewPixels) {
     Snapshot now = hand_made::empty(hand_made::scene());
     const VehicleId only = hand_made::add(now, 0, 0, 0, 0);
     const Sight sight = look(Camera{}, now.scene->arena, nullptr, window, window);
@@ -35,7 +35,7 @@ TEST(Pick, IsGenerousByAFewPixelsAndNoMore) {
     EXPECT_EQ(pick(now, sight, {side.x + 12, centre.y}), no_vehicle);
 }
 
-TEST(Pick, FindsNothingBehindTheEye) {
+TEST(Pick, FindsNothingBehindTheCamera) {
     Snapshot now = hand_made::empty(hand_made::scene());
     VehicleView rider;
     hand_made::add(now, 0, -9, 0, 0);
@@ -70,7 +70,7 @@ Obstacle box(float x, float y, float heading, float length, float width) {
     return made;
 }
 
-TEST(PickObject, FindsASourceByItsFootAndByItsBulb) {
+TEST(Pick, FindsASourceByItsFootAndByItsBulb) {
     Yard yard({});
     hand_made::add_source(yard.now, Channel::light, 3, 4);
     hand_made::add_source(yard.now, Channel::smell, -3, 4);
@@ -79,14 +79,14 @@ TEST(PickObject, FindsASourceByItsFootAndByItsBulb) {
     EXPECT_FALSE(yard.at({0, 4}));
 }
 
-TEST(PickObject, FindsATurnedBoxWithinItsOutlineAndByItsTop) {
+TEST(Pick, FindsATurnedBoxWithinItsOutlineAndByItsTop) {
     const Yard yard({box(2, 1, maths::radians(45), 4, 1)});
     EXPECT_EQ(yard.at({3.2f, 2.2f}), obstacle(0)) << "along its heading";
     EXPECT_FALSE(yard.at({3.2f, -0.2f})) << "across it, as far away";
     EXPECT_EQ(yard.at({3.2f, 2.2f}, obstacle_height), obstacle(0));
 }
 
-TEST(PickObject, FindsAPolygonByItsCornersAndNotByItsBox) {
+TEST(Pick, FindsAPolygonByItsCornersAndNotByItsBox) {
     Obstacle triangle = box(0, 0, 0, 4, 4);
     triangle.corners = {{-2, -2}, {2, -2}, {-2, 2}};
     const Yard yard({triangle});
@@ -94,7 +94,7 @@ TEST(PickObject, FindsAPolygonByItsCornersAndNotByItsBox) {
     EXPECT_FALSE(yard.at({1.5f, 1.5f}, obstacle_height));
 }
 
-TEST(PickObject, FindsWhatWasPushedWhereItIsNow) {
+TEST(Pick, FindsAPushedObstacleWhereItIsNow) {
     Yard yard({box(0, 0, 0, 1, 1)});
     yard.now.obstacles[0] = {5, 5, 0};
     EXPECT_EQ(yard.at({5, 5}), obstacle(0));
@@ -102,7 +102,7 @@ TEST(PickObject, FindsWhatWasPushedWhereItIsNow) {
     EXPECT_EQ(place_of(yard.now, obstacle(0))->x, 5);
 }
 
-TEST(PickObject, PrefersVehiclesToSourcesAndSourcesToObstacles) {
+TEST(Pick, PrefersVehiclesToSourcesAndSourcesToObstacles) {
     Yard yard({box(0, 0, 0, 3, 3)});
     hand_made::add_source(yard.now, Channel::light, 0, 0);
     EXPECT_EQ(yard.at({0, 0}), source(0));
@@ -111,7 +111,7 @@ TEST(PickObject, PrefersVehiclesToSourcesAndSourcesToObstacles) {
     EXPECT_EQ(yard.at({1.2f, 1.2f}), obstacle(0));
 }
 
-TEST(PickObject, SaysNothingOfWhatIsGone) {
+TEST(Pick, FindsNothingThatIsGone) {
     const Yard yard({});
     for (const SceneObject& gone : {vehicle_object(7), source(0), obstacle(3), SceneObject{}}) {
         EXPECT_FALSE(place_of(yard.now, gone));
@@ -119,7 +119,7 @@ TEST(PickObject, SaysNothingOfWhatIsGone) {
     }
 }
 
-TEST(PickObject, ReachesAsFarAsTheFarthestCorner) {
+TEST(Pick, ReachesAsFarAsTheFarthestCorner) {
     Obstacle triangle = box(0, 0, 0, 1, 1);
     triangle.corners = {{-3, 0}, {1, -1}, {1, 1}};
     const Yard yard({box(0, 0, 0, 3, 4), triangle});

@@ -20,7 +20,7 @@ std::vector<Shape> all_shapes() {
     return shapes;
 }
 
-TEST(Shapes, WindAnticlockwiseSeenFromWhereTheirNormalsPoint) {
+TEST(Shapes, WindCounterClockwiseSeenAgainstTheirNormals) {
     for (const Shape& shape : all_shapes())
         for (std::size_t i = 0; i < shape.indices.size(); i += 3) {
             const Corner &a = shape.corners[shape.indices[i]], &b = shape.corners[shape.indices[i + 1]],
@@ -58,7 +58,7 @@ TEST(Shapes, GivePredatorsAWedgePreyARoundAndOthersASquareNose) {
     EXPECT_GT(width_at_the_nose(Role::none), width_at_the_nose(Role::prey));
 }
 
-TEST(Shapes, DrawRimsOutwardsRoundTheWholeBody) {
+TEST(Shapes, HaveRimsAroundTheWholeBody) {
     for (const Role role : {Role::none, Role::predator, Role::prey}) {
         float widest = 0, longest = 0;
         for (const Corner& c : rim_shape(role).corners) {

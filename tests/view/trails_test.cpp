@@ -26,7 +26,7 @@ void drive(Snapshot& now, Trails& trails, int ticks) {
     }
 }
 
-TEST(Trails, GrowWithTheWayAndForgetItsBeginning) {
+TEST(Trails, GrowWithThePathAndForgetItsBeginning) {
     Snapshot now = one_vehicle();
     Trails trails;
     drive(now, trails, 60);
@@ -38,7 +38,7 @@ TEST(Trails, GrowWithTheWayAndForgetItsBeginning) {
     EXPECT_GT(trails.of(0)->at(0).x, trails.of(0)->at(1).x);
 }
 
-TEST(Trails, EndWhereTheVehicleWasWhenTimeGoesBackAndGoOnFromThere) {
+TEST(Trails, EndAtTheVehicleAfterARewindAndContinueFromThere) {
     Snapshot now = one_vehicle();
     Trails trails;
     drive(now, trails, 1200);
@@ -55,7 +55,7 @@ TEST(Trails, EndWhereTheVehicleWasWhenTimeGoesBackAndGoOnFromThere) {
     EXPECT_LE(trails.of(0)->count(), 1U);
 }
 
-TEST(Trails, ForgetWhatCameLaterWhereTheVehicleTakesAnotherWay) {
+TEST(Trails, ForgetLaterPointsWhenTheVehicleTakesAnotherPath) {
     Snapshot now = one_vehicle();
     Trails trails;
     drive(now, trails, 600);
@@ -73,7 +73,7 @@ TEST(Trails, ForgetWhatCameLaterWhereTheVehicleTakesAnotherWay) {
     for (std::size_t i = 0; i < trails.of(0)->count(); ++i) EXPECT_LT(trails.of(0)->at(i).x, 6.2f);
 }
 
-TEST(Trails, DoNotGrowWhileAVehicleStands) {
+TEST(Trails, DoNotGrowWhileAVehicleStandsStill) {
     Snapshot now = one_vehicle();
     Trails trails;
     for (int i = 0; i < 600; ++i) {
@@ -83,7 +83,7 @@ TEST(Trails, DoNotGrowWhileAVehicleStands) {
     EXPECT_EQ(trails.of(0)->count(), 1U);
 }
 
-TEST(Trails, BreakWhereAVehicleWasPutElsewhere) {
+TEST(Trails, BreakAtAJump) {
     Snapshot now = one_vehicle();
     Trails trails;
     drive(now, trails, 60);
@@ -92,7 +92,7 @@ TEST(Trails, BreakWhereAVehicleWasPutElsewhere) {
     EXPECT_LE(trails.of(0)->count(), 2U);
 }
 
-TEST(Trails, GoOnOverTheEdgeOfATorus) {
+TEST(Trails, ContinueOverTheEdgeOfATorus) {
     auto scene = hand_made::scene();
     scene->arena.edge = Boundary::torus;
     Snapshot now = hand_made::empty(scene);
@@ -119,7 +119,7 @@ TEST(Trails, SurviveAnEditOfTheScene) {
     EXPECT_GE(trails.of(0)->count(), before);
 }
 
-TEST(Trails, OfVehiclesThatLeftAreForgotten) {
+TEST(Trails, ForgetVehiclesThatAreGone) {
     Snapshot now = one_vehicle();
     hand_made::add(now, 0, 5, 5, 0);
     Trails trails;
