@@ -35,7 +35,7 @@ TEST(Lettering, FallsBackToTheFontOfTheWindow) {
 
 TEST(Lettering, PrefersTheFontsOfTheSystem) {
     BuiltIn own;
-    const LabelFont made = label_font(find_font, 20, *own.font);
+    const LabelFont made = label_font(render::find_font, 20, *own.font);
     EXPECT_EQ(made.warning, "");
     EXPECT_EQ(made.lettering.pixels(), 20);
 }
