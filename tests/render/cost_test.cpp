@@ -10,8 +10,6 @@
 #include "tests/view/hand_made.h"
 
 namespace {
-
-using namespace render;
 int objects_made = 0, uploads = 0;
 }  // namespace
 
@@ -23,6 +21,8 @@ extern "C" void GLAPIENTRY glGenTextures(GLsizei n, GLuint* names) {
 
 namespace braitenlab::tests::cost_test {
 namespace {
+
+using namespace render;
 
 // GLEW calls through pointers, which a test can point elsewhere: each replacement counts and goes on.
 PFNGLGENBUFFERSPROC real_gen_buffers;
