@@ -27,7 +27,7 @@ using io::Json;
 // ── Words ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 template <class Enum>
 concept HasWords = requires(Enum e) {
-    words(e);
+    table_of(e);
 };
 
 template <HasWords Enum>

@@ -29,8 +29,8 @@ TEST_F(ViewMenu, SwitchesWhatTheSceneShowsAndStaysOpen) {
                                       {"view.surfaces", Action::surfaces},
                                       {"view.memory", Action::memory},
                                       {"view.labels", Action::labels},
-                                      {"view.settings.sensors", Action::sensors},
-                                      {"view.settings.outlines", Action::outlines}}) {
+                                      {"view.sensors", Action::sensors},
+                                      {"view.outlines", Action::outlines}}) {
         desk.all.clear();
         desk.click(row);
         EXPECT_EQ(desk.actions(), std::vector{action}) << row;
@@ -82,7 +82,7 @@ TEST(PresetsMenu, TakesTheClickThatClosesItForItself) {
 TEST_F(ViewMenu, CanBeUsedByKeysAlone) {
     desk.key({'E'});
     desk.frame(2);
-    EXPECT_EQ(desk.panels.keyboard.focus, "view.settings.sensors");
+    EXPECT_EQ(desk.panels.keyboard.focus, "view.sensors");
     desk.key({key::down});
     desk.frame(1);
     desk.key({key::down});
