@@ -9,7 +9,7 @@
 namespace braitenlab::tests::lab_test {
 namespace {
 
-TEST(LabLesson, ChecksStepsLiveAndGradesFromAllStarts) {
+TEST(LabLesson, ChecksStepsLive) {
     Lab lab = opened_lab("05-aggressor");
     handle(lab, PredictRequest{1});
     EXPECT_EQ(lab.document.lesson->view.prediction, 1);
