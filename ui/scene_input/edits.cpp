@@ -9,7 +9,7 @@
 #include "core/maths/geometry.h"
 #include "core/scene/scene.h"
 #include "render/view/pick.h"
-#include "ui/scene_input/edits.h"
+#include "ui/lab_view.h"
 
 namespace braitenlab::ui {
 

@@ -7,7 +7,6 @@
 
 namespace braitenlab::wiring {
 
-using namespace ui;
 namespace {
 
 using maths::vec2;

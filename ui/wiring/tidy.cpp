@@ -11,7 +11,6 @@
 
 namespace braitenlab::wiring {
 
-using namespace ui;
 namespace {
 
 using maths::vec2;
