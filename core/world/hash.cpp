@@ -1,14 +1,15 @@
-// A digest of everything that decides the future of a run. Readings and wheel commands are not part of it: every tick
-// makes them anew.
+// A digest of everything that decides the future of a run. Not included: readings and wheel commands, which every tick
+// computes anew; names and texts that only people read; positions of nodes on the canvas.
 #include <cstring>
 
+#include "core/scene/schema.h"
 #include "core/world/world_data.h"
 
 namespace braitenlab::world {
 
 namespace {
 
-// FNV-1a over 64 bits (G. Fowler, L. C. Noll, K.-P. Vo), a word at a time.
+// FNV-1a over 64 bits (G. Fowler, L. C. Noll, K.-P. Vo), one word at a time.
 struct Digest {
     std::uint64_t value = 14695981039346656037ULL;
     void add(std::uint64_t word) { value = (value ^ word) * 1099511628211ULL; }
@@ -20,22 +21,78 @@ struct Digest {
     void add(maths::vec2 v) { add(v.x), add(v.y); }
     void add(std::int64_t number) { add(static_cast<std::uint64_t>(number)); }
     void add(std::int32_t number) { add(static_cast<std::uint64_t>(static_cast<std::uint32_t>(number))); }
+    void add(const std::string& text) {
+        add(static_cast<std::uint64_t>(text.size()));
+        for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+    }
 };
 
-void add(Digest& digest, const Curve& curve) {
-    digest.add(static_cast<std::int32_t>(curve.response)), digest.add(curve.peak), digest.add(curve.width);
+// A visitor of core/scene/schema.h: adds every value of a struct. Brains are added separately, because those of the
+// scene's kinds are not up to date in a running world.
+template <class T>
+struct StructDigest {
+    const T& object;
+    Digest& digest;
+
+    template <class Number>
+    void number(const char*, Number T::*member, const char*, Range, const char*) {
+        digest.add(object.*member);
+    }
+    void angle(const char*, float T::*member, Range, const char*) { digest.add(object.*member); }
+    void place(const char*, std::optional<maths::vec2> T::*, Range, const char*) {}
+    void flag(const char*, bool T::*member, const char*) { digest.add(static_cast<std::int32_t>(object.*member)); }
+    template <class Enum>
+    void word(const char*, Enum T::*member, const char*) {
+        digest.add(static_cast<std::int32_t>(object.*member));
+    }
+    void text(const char*, std::string T::*member, std::size_t, const char*) { digest.add(object.*member); }
+    template <class Part>
+    void part(Part T::*member) {
+        add_described(digest, object.*member);
+    }
+    template <class Inner>
+    void table(const char*, Inner T::*member, const char*) {
+        add_described(digest, object.*member);
+    }
+    template <class Element>
+    void named(const char*, std::vector<Element> T::*member, std::size_t, const char*) {
+        add_all(digest, object.*member);
+    }
+    template <class Element>
+    void list(const char*, std::vector<Element> T::*member, std::size_t, const char*) {
+        add_all(digest, object.*member);
+    }
+    void brain(const char*, BrainGraph T::*, const char*) {}
+};
+
+template <class T>
+void add_described(Digest& digest, const T& object) {
+    if constexpr (requires { object.name; }) digest.add(object.name);
+    StructDigest<T> visitor{object, digest};
+    describe(visitor, Of<T>{});
+}
+
+template <class Element>
+void add_all(Digest& digest, const std::vector<Element>& elements) {
+    digest.add(static_cast<std::uint64_t>(elements.size()));
+    for (const Element& element : elements) add_described(digest, element);
+}
+
+void add(Digest& digest, const Scene& scene) {  // without its name, title and story
+    add_described(digest, scene.arena);
+    add_described(digest, scene.ecology);
+    add_all(digest, scene.kinds);
+    add_all(digest, scene.starts);
+    add_all(digest, scene.sources);
+    add_all(digest, scene.obstacles);
+    add_all(digest, scene.zones);
 }
 
 void add(Digest& digest, const BrainGraph& graph) {
-    for (const Node& n : graph.nodes) {
-        digest.add(n.id), digest.add(n.bias), digest.add(n.time_constant);
-        digest.add(static_cast<std::int32_t>(n.silenced));
-        add(digest, n.curve);
-    }
+    for (const Node& n : graph.nodes) add_described(digest, n);
     for (const Wire& w : graph.wires) {
-        digest.add(w.from), digest.add(w.to), digest.add(w.weight), digest.add(w.threshold);
-        digest.add(static_cast<std::int32_t>(w.cut)), digest.add(w.learning_rate), digest.add(w.decay);
-        add(digest, w.curve);
+        digest.add(w.from), digest.add(w.to);
+        add_described(digest, w);
     }
 }
 
@@ -47,10 +104,25 @@ void add(Digest& digest, const mechanics::Motion& motion) {
     digest.add(motion.heading);
 }
 
+void add_vehicle(Digest& digest, const Vehicles& v, std::size_t row) {
+    digest.add(v.id[row]);
+    digest.add(v.kind[row]);
+    digest.add(v.start[row]);
+    add(digest, v.motion[row]);
+    digest.add(static_cast<std::int32_t>(v.driver[row]));
+    digest.add(v.steered[row][0]), digest.add(v.steered[row][1]);
+    digest.add(v.gain[row][0]), digest.add(v.gain[row][1]);
+    digest.add(v.waypoint[row]);
+    digest.add(v.energy[row]);
+    add(digest, v.brain[row]->graph);
+}
+
 }  // namespace
 
 std::uint64_t hash(const State& s) {
     Digest digest;
+    add(digest, *s.scene);
+    for (const SharedBrain& brain : s.kind_brains) add(digest, brain->graph);
     digest.add(s.seed);
     digest.add(s.tick);
     digest.add(s.generation);
@@ -60,23 +132,12 @@ std::uint64_t hash(const State& s) {
          {s.events.captures, s.events.deaths, s.events.births, s.events.contacts, s.events.falls})
         digest.add(count);
     for (const Bite& bite : s.bites) digest.add(bite.pair.one), digest.add(bite.pair.other), digest.add(bite.tick);
-    for (const Source& source : s.scene->sources) digest.add(source.x), digest.add(source.y);
     for (const mechanics::Motion& obstacle : s.obstacles) add(digest, obstacle);
     for (const Touch& touch : s.touching) digest.add(touch.one), digest.add(touch.other);
     for (const Mark& mark : s.marks) digest.add(mark.owner), digest.add(mark.position), digest.add(mark.tick);
-    const Vehicles& v = s.vehicles;
-    for (std::size_t row = 0; row < v.size(); ++row) {
-        digest.add(v.id[row]);
-        digest.add(v.kind[row]);
-        add(digest, v.motion[row]);
-        digest.add(static_cast<std::int32_t>(v.driver[row]));
-        digest.add(v.steered[row][0]), digest.add(v.steered[row][1]);
-        digest.add(v.waypoint[row]);
-        digest.add(v.energy[row]);
-        add(digest, v.brain[row]->graph);
-    }
-    for (const float neuron : v.neurons) digest.add(neuron);
-    for (const float reading : v.delayed) digest.add(reading);
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row) add_vehicle(digest, s.vehicles, row);
+    for (const float neuron : s.vehicles.neurons) digest.add(neuron);
+    for (const float reading : s.vehicles.delayed) digest.add(reading);
     return digest.value;
 }
 

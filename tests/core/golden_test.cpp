@@ -16,11 +16,11 @@ namespace braitenlab::tests::golden_test {
 namespace {
 
 const std::map<std::string, std::string> golden{
-    {"tortoise", "a6ff708ad87b1e25"},      {"1-alive", "51836c1c63014715"},   {"2a-coward", "dce8087333897ab6"},
-    {"2b-aggressor", "a6f9d571aef16750"},  {"2c", "b90856b781b723fc"},        {"3a-love", "240ac4b43cf3ad47"},
-    {"3b-explorer", "248f2cab65bcefa9"},   {"3c-values", "d742ec79ad66cec4"}, {"4a-orbit", "7f8fc0f90c8354a0"},
-    {"4b-decision", "7a283553062e3973"},   {"5-logic", "f2ef241eb6c18ef9"},   {"7-mnemotrix", "e6a9c4fd3cace470"},
-    {"predator-prey", "45f4001c9edc40fa"},
+    {"tortoise", "390a296e76f54fd8"},      {"1-alive", "c559d170c05add93"},   {"2a-coward", "b022473893468258"},
+    {"2b-aggressor", "78f2469699485857"},  {"2c", "41c5e7cc91422fec"},        {"3a-love", "9187934c6f5877c5"},
+    {"3b-explorer", "ba5a0277dd638143"},   {"3c-values", "5b3b1a00e6068563"}, {"4a-orbit", "203521625d0deb08"},
+    {"4b-decision", "7ddca9f7b2cfc2b4"},   {"5-logic", "0690bbf597662507"},   {"7-mnemotrix", "428d3374187eb4b6"},
+    {"predator-prey", "654db4f825d1ee92"},
 };
 
 const std::filesystem::path scenes = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "scenes";

@@ -110,5 +110,52 @@ TEST(World, EditingASourceThatIsNotSolidDoesNotRebuildTheBodies) {
         << "the poses must depend on a rebuild, else this test is void";
 }
 
+TEST(World, TheHashDependsOnEverythingThatDecidesTheFuture) {
+    Scene scene = crowd(3);
+    scene.sources = {{.name = "lamp", .x = 2}};
+    scene.obstacles = {{.name = "box", .x = 4}};
+    scene.zones = {{.name = "zone", .x = -4}};
+    scene.starts = {{.name = "first", .kind = "hunter", .x = 1}};
+    const std::vector<std::function<void(Scene&)>> edits{
+        [](Scene& s) { s.sources[0].strength = 0.5f; },
+        [](Scene& s) { s.sources[0].channel = Channel::smell; },
+        [](Scene& s) { s.sources[0].solid = true; },
+        [](Scene& s) { s.obstacles[0].length = 2; },
+        [](Scene& s) { s.obstacles[0].mass = 2; },
+        [](Scene& s) {
+            s.obstacles[0].corners = {{0, 0}, {1, 0}, {0, 1}};
+        },
+        [](Scene& s) { s.zones[0].wind_x = 1; },
+        [](Scene& s) { s.zones[0].surface = Surface::ice; },
+        [](Scene& s) { s.kinds[0].sensors[0].range = 3; },
+        [](Scene& s) {
+            s.kinds[0].sensors[0].latency = 0;
+            s.kinds[0].sensors[0].noise = 0.1f;
+        },
+        [](Scene& s) { s.kinds[0].body.mass = 11; },
+        [](Scene& s) { s.kinds[0].lamps = {{.name = "tail"}}; },
+        [](Scene& s) { s.kinds[0].memory.marks = 3; },
+        [](Scene& s) {
+            s.kinds[1].waypoints = {{1, 1}};
+        },
+        [](Scene& s) {
+            s.starts[0].heading_spread = 0;
+            s.starts[0].facing = "lamp";
+            s.starts[0].heading = -maths::pi;
+        },
+        [](Scene& s) { s.arena.ambient = 0.2f; },
+        [](Scene& s) { s.ecology.bite = 0.3f; },
+    };
+    const std::uint64_t hash = make(scene).hash();
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+        Scene edited = scene;
+        edits[i](edited);
+        EXPECT_NE(make(edited).hash(), hash) << "edit " << i;
+    }
+    Scene renamed = scene;
+    renamed.name = "other", renamed.title = "Other", renamed.story = "Once.";
+    EXPECT_EQ(make(renamed).hash(), hash) << "the title changes nothing that happens";
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::world_fork_test
