@@ -13,6 +13,9 @@
 
 namespace braitenlab::bench {
 
+using namespace sensing;
+using namespace world;
+
 inline constexpr float eye_range = 6;
 inline constexpr FourNeurons hunter{.LR = 1.5f, .RL = 1.5f, .LM = 0.3f, .RM = 0.25f};
 inline constexpr FourNeurons hunted{.LL = 1.0f, .RR = 1.0f, .LM = 0.2f, .RM = 0.25f};
@@ -30,8 +33,8 @@ inline Scene dense(int n) {
 }
 
 // Where everybody stands and how they move, and who hunts.
-struct FreeSpace {
-    std::vector<Motion> motion;
+struct CrowdState {
+    std::vector<mechanics::Motion> motion;
     std::vector<char> hunts;
 };
 
@@ -39,30 +42,30 @@ struct FreeSpace {
 class CrowdEyes {
 public:
     CrowdEyes(const Scene& scene, float farthest) {
-        for (const Sensor& sensor : scene.kinds[0].sensors) eyes_.emplace_back(sensor);
-        for (StimulusGrid& field : fields_) field.lay_out(scene.arena, farthest);
+        for (const Sensor& sensor : scene.kinds[0].sensors) sensors_.emplace_back(sensor);
+        for (StimulusGrid& grid : grids_) grid.lay_out(scene.arena, farthest);
     }
 
-    void look(const std::vector<Motion>& motion, const std::vector<char>& hunts,
+    void look(const std::vector<mechanics::Motion>& motion, const std::vector<char>& hunts,
               std::vector<std::array<float, 2>>& sensed) {
         for (int side = 0; side < 2; ++side) {
             stimuli_.clear();
             for (std::size_t row = 0; row < motion.size(); ++row)
                 if (hunts[row] == side) stimuli_.push_back({motion[row].position, 1, static_cast<std::int32_t>(row)});
-            fields_[static_cast<std::size_t>(side)].fill(stimuli_);
+            grids_[static_cast<std::size_t>(side)].fill(stimuli_);
         }
         sensed.resize(motion.size());
         for (std::size_t row = 0; row < motion.size(); ++row)
             for (std::size_t k = 0; k < 2; ++k) {
-                const StimulusGrid& others = fields_[hunts[row] ? 0 : 1];
-                const SensorPose gaze = sensor_pose(eyes_[k], motion[row].position, motion[row].ahead);
-                sensed[row][k] = std::min(1.0f, others.total(eyes_[k], gaze, static_cast<std::int32_t>(row)));
+                const StimulusGrid& others = grids_[hunts[row] ? 0 : 1];
+                const SensorPose pose = sensor_pose(sensors_[k], motion[row].position, motion[row].ahead);
+                sensed[row][k] = std::min(1.0f, others.total(sensors_[k], pose, static_cast<std::int32_t>(row)));
             }
     }
 
 private:
-    std::vector<CompiledSensor> eyes_;
-    std::array<StimulusGrid, 2> fields_;
+    std::vector<CompiledSensor> sensors_;
+    std::array<StimulusGrid, 2> grids_;
     std::vector<Stimulus> stimuli_;
 };
 

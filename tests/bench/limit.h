@@ -16,20 +16,20 @@ namespace braitenlab::bench {
 
 class Limit {
 public:
-    Limit(const Scene& scene, const FreeSpace& places) : hunts_(places.hunts), eyes_(scene, eye_range) {
+    Limit(const Scene& scene, const CrowdState& crowd) : hunts_(crowd.hunts), sensors_(scene, eye_range) {
         world_.SetAllowSleeping(false);
         world_.SetContinuousPhysics(false);
         const float w = scene.arena.width, h = scene.arena.height, t = 0.5f;
         add_wall({0, (h + t) / 2}, w + 2 * t, t), add_wall({0, -(h + t) / 2}, w + 2 * t, t);
         add_wall({(w + t) / 2, 0}, t, h), add_wall({-(w + t) / 2, 0}, t, h);
-        for (const Motion& motion : places.motion) add(scene.kinds[0].body, motion);
+        for (const mechanics::Motion& motion : crowd.motion) add(scene.kinds[0].body, motion);
         for (const Wheel& wheel : scene.kinds[0].body.wheels) drag_ += wheel.area * scene.arena.friction;
     }
 
     void step() {
         motion_.resize(bodies_.size());
         for (std::size_t row = 0; row < bodies_.size(); ++row) motion_[row] = motion_of(*bodies_[row]);
-        eyes_.look(motion_, hunts_, sensed_);
+        sensors_.look(motion_, hunts_, sensed_);
         for (std::size_t row = 0; row < bodies_.size(); ++row) drive(row);
         world_.Step(tick_seconds, 6, 2);
     }
@@ -37,7 +37,7 @@ public:
 private:
     enum Category : std::uint16_t { chassis = 1, wheels = 2, environment = 4 };
 
-    static Motion motion_of(const b2Body& body) {
+    static mechanics::Motion motion_of(const b2Body& body) {
         const b2Rot& turn = body.GetTransform().q;
         const b2Vec2 place = body.GetPosition(), velocity = body.GetLinearVelocity();
         return {{place.x, place.y}, {turn.c, turn.s}, {velocity.x, velocity.y}, body.GetAngularVelocity(), 0};
@@ -47,7 +47,7 @@ private:
     // towards the commanded speed and of a grip that stops sliding.
     void drive(std::size_t row) {
         constexpr float aside = 0.3f, mass = 10, top_speed = 3, strongest = 24, limit = 0.9f * 0.4f * mass * 9.81f;
-        const Motion& m = motion_[row];
+        const mechanics::Motion& m = motion_[row];
         const auto told = motors(hunts_[row] ? hunter : hunted, sensed_[row]);
         const float along = maths::dot(m.velocity, m.ahead), across = maths::cross(m.ahead, m.velocity);
         float force_along = -drag_ * along, force_across = -drag_ * across, torque = 0;
@@ -80,7 +80,7 @@ private:
         attach(*world_.CreateBody(&definition), box, environment, chassis | wheels | environment);
     }
 
-    void add(const Body& design, const Motion& motion) {
+    void add(const Body& design, const mechanics::Motion& motion) {
         b2BodyDef definition;
         definition.type = b2_dynamicBody;
         definition.position = {motion.position.x, motion.position.y};
@@ -103,8 +103,8 @@ private:
     float drag_ = 0;
     std::vector<b2Body*> bodies_;
     std::vector<char> hunts_;
-    CrowdEyes eyes_;
-    std::vector<Motion> motion_;
+    CrowdEyes sensors_;
+    std::vector<mechanics::Motion> motion_;
     std::vector<std::array<float, 2>> sensed_;
 };
 

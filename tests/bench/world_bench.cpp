@@ -18,14 +18,14 @@ namespace {
 
 constexpr int warm_ticks = 120;  // past the start, into the crowd
 
-// A crowd past its start, made once. It begins on a grid: looking for free places takes longer than all the ticks.
+// A crowd past its start, made once. It begins on a grid: looking for free crowd takes longer than all the ticks.
 const Checkpoint& crowd_of(int n) {
     static std::map<int, Checkpoint> made;
     Checkpoint& save = made[n];
     if (save.keyframe) return save;
     Scene scene = dense(n);
     scene.ecology.population = 0;
-    WorldData s{State(*World::create(scene, 1)->save().keyframe)};
+    WorldData s{State(*World::create(scene, 1)->checkpoint().keyframe)};
     maths::Random chance{1, 1};
     const int side = static_cast<int>(std::ceil(std::sqrt(static_cast<float>(n))));
     const float spacing = scene.arena.width / static_cast<float>(side);
@@ -41,12 +41,12 @@ const Checkpoint& crowd_of(int n) {
     return save;
 }
 
-FreeSpace places_in(const Checkpoint& save) {
-    const State& moment = *save.keyframe;
-    FreeSpace places;
-    places.motion = moment.vehicles.motion;
-    for (const SharedBrain& design : moment.vehicles.design) places.hunts.push_back(design->role == Role::predator);
-    return places;
+CrowdState state_in(const Checkpoint& save) {
+    const State& state = *save.keyframe;
+    CrowdState crowd;
+    crowd.motion = state.vehicles.motion;
+    for (const SharedBrain& brain : state.vehicles.brain) crowd.hunts.push_back(brain->role == Role::predator);
+    return crowd;
 }
 
 // A crowd changes as it goes on: everybody is measured over the same stretch of its time, again and again.
@@ -103,13 +103,13 @@ BENCHMARK(BM_WorldStep)->Apply(sizes)->Arg(10000);  // whom a second of processo
 void BM_Limit(benchmark::State& state) {
     const int n = static_cast<int>(state.range(0));
     const Scene scene = dense(n);
-    const FreeSpace places = places_in(crowd_of(n));
-    auto limit = std::make_unique<Limit>(scene, places);
+    const CrowdState crowd = state_in(crowd_of(n));
+    auto limit = std::make_unique<Limit>(scene, crowd);
     int ticks = 0;
     for (auto _ : state) {
         if (++ticks % stretch == 0) {
             state.PauseTiming();
-            limit = std::make_unique<Limit>(scene, places);
+            limit = std::make_unique<Limit>(scene, crowd);
             state.ResumeTiming();
         }
         limit->step();
@@ -120,11 +120,11 @@ BENCHMARK(BM_Limit)->Apply(sizes);
 
 void look(benchmark::State& state, float farthest) {
     const Scene scene = dense(static_cast<int>(state.range(0)));
-    const FreeSpace places = places_in(crowd_of(static_cast<int>(state.range(0))));
+    const CrowdState crowd = state_in(crowd_of(static_cast<int>(state.range(0))));
     std::vector<std::array<float, 2>> sensed;
     CrowdEyes eyes(scene, farthest);
     for (auto _ : state) {
-        eyes.look(places.motion, places.hunts, sensed);
+        eyes.look(crowd.motion, crowd.hunts, sensed);
         benchmark::DoNotOptimize(sensed.data());
     }
     count(state);
@@ -141,27 +141,28 @@ BENCHMARK(BM_AllPairsSense)->Apply(sizes);
 void BM_FiveBodies(benchmark::State& state) {
     const int n = static_cast<int>(state.range(0));
     const Scene scene = dense(n);
-    const FreeSpace places = places_in(crowd_of(n));
-    const auto crowd = [&] {
+    const CrowdState crowd = state_in(crowd_of(n));
+    const auto make_bodies = [&] {
         auto made = std::make_unique<tests::FiveBodies>(scene.arena);
-        for (const Motion& m : places.motion) made->add(scene.kinds[0].body, {m.position.x, m.position.y, m.heading});
+        for (const mechanics::Motion& m : crowd.motion)
+            made->add(scene.kinds[0].body, {m.position.x, m.position.y, m.heading});
         return made;
     };
-    auto bodies = crowd();
+    auto bodies = make_bodies();
     CrowdEyes eyes(scene, eye_range);
-    std::vector<Motion> motion(places.motion.size());
+    std::vector<mechanics::Motion> motion(crowd.motion.size());
     std::vector<std::array<float, 2>> sensed;
     int ticks = 0;
     for (auto _ : state) {
         if (++ticks % stretch == 0) {
             state.PauseTiming();
-            bodies = crowd();
+            bodies = make_bodies();
             state.ResumeTiming();
         }
         for (std::size_t row = 0; row < motion.size(); ++row) motion[row] = bodies->motion(row);
-        eyes.look(motion, places.hunts, sensed);
+        eyes.look(motion, crowd.hunts, sensed);
         for (std::size_t row = 0; row < motion.size(); ++row) {
-            const auto told = motors(places.hunts[row] ? hunter : hunted, sensed[row]);
+            const auto told = motors(crowd.hunts[row] ? hunter : hunted, sensed[row]);
             bodies->command(row, told[0], told[1]);
         }
         bodies->step();
@@ -171,12 +172,21 @@ void BM_FiveBodies(benchmark::State& state) {
 BENCHMARK(BM_FiveBodies)->Apply(sizes);
 
 void BM_Capture(benchmark::State& state) {
-    const World world = World::restore(crowd_of(static_cast<int>(state.range(0))));
+    World world = World::restore(crowd_of(static_cast<int>(state.range(0))));
+    world.step();
     Snapshot now;
     for (auto _ : state) world.capture(now);
     count(state);
 }
 BENCHMARK(BM_Capture)->Arg(50)->Arg(1000)->Unit(benchmark::kMicrosecond);
+
+void BM_Fork(benchmark::State& state) {
+    World world = World::restore(crowd_of(static_cast<int>(state.range(0))));
+    world.step();
+    for (auto _ : state) benchmark::DoNotOptimize(world.fork());
+    count(state);
+}
+BENCHMARK(BM_Fork)->Arg(50)->Arg(1000)->Unit(benchmark::kMicrosecond);
 
 void BM_Think(benchmark::State& state) {
     const std::array<std::string, 2> eyes{"SL", "SR"};
