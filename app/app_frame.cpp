@@ -89,7 +89,7 @@ void App::frame(float passed) {
     const ui::WindowLayout layout = ui::lay_out(area.w, area.h, theme_.scale(), view, panels_.charts_open);
     const Rect arena = without_metre_labels(layout.scene, theme_.scale());
     aim(viewport_, lab_, area, arena, passed);
-    view.sight = &viewport_.sight;
+    view.camera_view = &viewport_.camera_view;
     outbox_.clear();
     bool arrows_are_free = true;
     for (const KeyPress press : keys.presses) arrows_are_free &= !press_key(view, panels_, press, outbox_);
@@ -136,9 +136,9 @@ Arrows App::arrows() const {
 
 void App::draw_scene() {
     Picture picture;
-    picture.sight = viewport_.sight;
-    picture.sight.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
-                            static_cast<float>(window_.framebuffer_height())};
+    picture.camera_view = viewport_.camera_view;
+    picture.camera_view.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
+                                  static_cast<float>(window_.framebuffer_height())};
     picture.theme = lab_.preferences.theme;
     picture.settings = lab_.view;
     const SceneObject& hovered = panels_.scene_input.hovered.object;
@@ -149,7 +149,7 @@ void App::draw_scene() {
     if (!repeatable()) render::stand_between(shown_, lab_.playback.previous, between_ticks(lab_));
     renderer_.draw(shown_, picture);
     facts_.draw_calls = renderer_.draw_calls();
-    facts_.sight = viewport_.sight;
+    facts_.camera_view = viewport_.camera_view;
     facts_.hand = ImGui::GetMouseCursor() == ImGuiMouseCursor_Hand;
     facts_.graphics_watched = window_.watches_graphics();
     facts_.graphics_errors = window_.graphics_errors();

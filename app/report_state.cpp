@@ -21,14 +21,14 @@ using Json = nlohmann::ordered_json;
 // Rounds to six decimals: 0.8, not 0.800000011920929.
 double plain(float value) { return std::round(static_cast<double>(value) * 1e6) / 1e6; }
 
-Json pixel(const Sight& sight, float x, float y, float height = 0) {
-    const auto at = project(sight, {x, y}, height);
+Json pixel(const CameraView& camera_view, float x, float y, float height = 0) {
+    const auto at = project(camera_view, {x, y}, height);
     return at ? Json{std::round(at->x), std::round(at->y)} : Json();
 }
 
 constexpr std::size_t most_objects = 64;
 
-Json vehicles_json(const Snapshot& now, const Sight& sight) {
+Json vehicles_json(const Snapshot& now, const CameraView& camera_view) {
     Json all = Json::array();
     for (std::size_t i = 0; i < std::min(most_objects, now.vehicles.size()); ++i) {
         const VehicleView& v = now.vehicles[i];
@@ -38,12 +38,12 @@ Json vehicles_json(const Snapshot& now, const Sight& sight) {
                        {"x", plain(v.x)},
                        {"y", plain(v.y)},
                        {"heading", plain(v.heading)},
-                       {"at", pixel(sight, v.x, v.y, 0.15f)}});
+                       {"at", pixel(camera_view, v.x, v.y, 0.15f)}});
     }
     return all;
 }
 
-Json sources_json(const Snapshot& now, const Sight& sight) {
+Json sources_json(const Snapshot& now, const CameraView& camera_view) {
     Json all = Json::array();
     for (std::size_t i = 0; i < std::min(most_objects, now.scene->sources.size()); ++i) {
         const Source& s = now.scene->sources[i];
@@ -53,12 +53,12 @@ Json sources_json(const Snapshot& now, const Sight& sight) {
                        {"y", plain(s.y)},
                        {"strength", plain(s.strength)},
                        {"solid", s.solid},
-                       {"at", pixel(sight, s.x, s.y)}});
+                       {"at", pixel(camera_view, s.x, s.y)}});
     }
     return all;
 }
 
-Json obstacles_json(const Snapshot& now, const Sight& sight) {
+Json obstacles_json(const Snapshot& now, const CameraView& camera_view) {
     Json all = Json::array();
     for (std::size_t i = 0; i < std::min(most_objects, now.scene->obstacles.size()); ++i) {
         const Obstacle& o = now.scene->obstacles[i];
@@ -71,13 +71,13 @@ Json obstacles_json(const Snapshot& now, const Sight& sight) {
                        {"width", plain(o.width)},
                        {"mass", plain(o.mass)},
                        {"corners", o.corners.size()},
-                       {"at", pixel(sight, place.x, place.y, obstacle_height)}});
+                       {"at", pixel(camera_view, place.x, place.y, obstacle_height)}});
     }
     return all;
 }
 
 void add_scene_input(Json& state, const Lab& lab, const ui::SceneInputState& scene_input, const FrameFacts& frame) {
-    const Sight& sight = frame.sight;
+    const CameraView& camera_view = frame.camera_view;
     const Snapshot& now = lab.document.session.snapshot();
     state["thing"] = {{"kind", word(lab.view.selection.object.kind)}, {"index", lab.view.selection.object.index}};
     state["hovered"] = {{"kind", word(scene_input.hovered.object.kind)},
@@ -86,9 +86,9 @@ void add_scene_input(Json& state, const Lab& lab, const ui::SceneInputState& sce
     state["cursor"] = frame.hand ? "hand" : "arrow";
     state["tool"] = word(scene_input.tool);
     state["corners"] = scene_input.corners.size();
-    state["vehicles"] = vehicles_json(now, sight);
-    state["sources"] = sources_json(now, sight);
-    state["obstacles"] = obstacles_json(now, sight);
+    state["vehicles"] = vehicles_json(now, camera_view);
+    state["sources"] = sources_json(now, camera_view);
+    state["obstacles"] = obstacles_json(now, camera_view);
 }
 
 Json exercise_json(const Lab& lab) {
@@ -155,13 +155,11 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
     state["predators"] = now.predators;
     state["prey"] = now.prey;
     state["generation"] = now.generation;
-    state["overlays"] = {
-        {"trails", lab.view.overlays.trails},
-        {"surfaces", lab.view.overlays.surfaces},
-        {"memory", lab.view.overlays.memory},
-        {"labels", lab.view.overlays.labels},
-        {"field",
-         lab.view.overlays.field ? word(*lab.view.overlays.field) : ""}};
+    state["overlays"] = {{"trails", lab.view.overlays.trails},
+                         {"surfaces", lab.view.overlays.surfaces},
+                         {"memory", lab.view.overlays.memory},
+                         {"labels", lab.view.overlays.labels},
+                         {"field", lab.view.overlays.field ? word(*lab.view.overlays.field) : ""}};
     state["camera"] = word(lab.view.camera.mode);
     state["view"] = {{"azimuth", lab.view.camera.azimuth},
                      {"elevation", lab.view.camera.elevation},

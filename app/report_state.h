@@ -21,7 +21,7 @@ struct FrameFacts {
     int draw_calls = 0;
     bool graphics_watched = false;
     int graphics_errors = 0;  // see Window
-    Sight sight;              // camera view of the frame
+    CameraView camera_view;   // camera view of the frame
     bool hand = false;        // the mouse cursor is a hand: a drag would move something
     double frame_ms = 0;      // duration of a frame, without waiting for the display
     int frames = 0;           // drawn so far

@@ -25,13 +25,13 @@ bool jumped(const ViewportState& state, const Lab& lab) {
 void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, float seconds) {
     const Snapshot& now = lab.document.session.snapshot();
     const VehicleView* followed = rides(lab.view.camera.mode) ? find_vehicle(now, lab.view.selection.vehicle) : nullptr;
-    const Sight wanted = look(lab.view.camera, now.scene->arena, followed, window, free_area);
+    const CameraView wanted = look(lab.view.camera, now.scene->arena, followed, window, free_area);
     state.age = jumped(state, lab) ? 0 : state.age + seconds;
     state.last = lab.view.camera;
     state.last_followed = lab.view.selection.vehicle;
-    const bool glides = state.has_sight && state.age < glide_seconds && state.sight.window == wanted.window &&
+    const bool glides = state.has_sight && state.age < glide_seconds && state.camera_view.window == wanted.window &&
                         !lab.preferences.reduce_motion;
-    state.sight = glides ? glide(state.sight, wanted, seconds) : wanted;
+    state.camera_view = glides ? glide(state.camera_view, wanted, seconds) : wanted;
     state.has_sight = true;
 }
 
@@ -43,7 +43,7 @@ void drive_camera(Lab& lab, const ViewportState& state, const ui::SceneInputStat
     if (scene_input.drag.phase == ui::SceneInputPhase::orbit && !rides(lab.view.camera.mode))
         orbit(lab.view.camera, -moved.x * turn_by_pixel, moved.y * raise_by_pixel);
     if (scene_input.drag.phase == ui::SceneInputPhase::pan && !rides(lab.view.camera.mode))
-        pan(lab.view.camera, state.sight, at - moved, at);
+        pan(lab.view.camera, state.camera_view, at - moved, at);
     if (!io.WantCaptureMouse && io.MouseWheel != 0)
         zoom_about(lab.view.camera, lab.document.session.snapshot().scene->arena, window, free_area, at,
                    std::exp2(io.MouseWheel * notch));

@@ -9,7 +9,7 @@
 namespace braitenlab {
 
 struct ViewportState {
-    Sight sight;  // of this frame
+    CameraView camera_view;  // of this frame
     bool has_sight = false;
     float age = 1e9f;  // s since the last jump of the camera, which is shown as a short glide
     Camera last;       // camera of the last frame, and the vehicle that it followed

@@ -75,7 +75,7 @@ struct LabView {
     float time_scale = 1;       // simulated seconds per second, 1/8 … 16
     std::optional<float> pace;  // the speed reached, when clearly less than time_scale
     ViewSettings settings;
-    const Sight* sight = nullptr;  // the camera of the scene; null: no mouse input to the scene
+    const CameraView* camera_view = nullptr;  // the camera of the scene; null: no mouse input to the scene
     int undo_depth = 0, redo_depth = 0;
     const LessonView* lesson = nullptr;                      // null outside exercises
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open

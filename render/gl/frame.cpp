@@ -13,11 +13,14 @@ maths::vec4 four(Colour c) { return {c.r, c.g, c.b, c.a}; }
 FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawList& list) {
     const Palette colours = palette(picture.theme);
     const bool light = picture.theme == Theme::light;
-    const Sight& sight = picture.sight;
-    const auto row = [&](int i) { return maths::vec4{sight.view[0][i], sight.view[1][i], sight.view[2][i], 0}; };
+    const CameraView& camera_view = picture.camera_view;
+    const auto row = [&](int i) {
+        return maths::vec4{camera_view.view[0][i], camera_view.view[1][i], camera_view.view[2][i], 0};
+    };
     FrameBlock block;
-    block.view_projection = sight.projection * sight.view;
-    block.eye = {sight.eye.x, sight.eye.y, sight.eye.z, sight.projection[1].y * sight.window.h / 2};
+    block.view_projection = camera_view.projection * camera_view.view;
+    block.eye = {camera_view.eye.x, camera_view.eye.y, camera_view.eye.z,
+                 camera_view.projection[1].y * camera_view.window.h / 2};
     block.right = row(0), block.up = row(1);
     const maths::vec3 sun =
         maths::normalise(maths::vec3{-0.45f, 0.82f, 0.38f});  // from above, left and behind the camera's default
@@ -28,7 +31,7 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     block.sky = four(colours.sky), block.floor_colour = four(colours.floor), block.grid_colour = four(colours.grid);
     block.ink = four(colours.wheel), block.paper = light ? four(colours.raised) : four(colours.text);
     block.shadow = four(colours.shadow);
-    block.window = {sight.window.w, sight.window.h, sight.window.x, sight.window.y};
+    block.window = {camera_view.window.w, camera_view.window.h, camera_view.window.x, camera_view.window.y};
     const Arena arena = now.scene ? now.scene->arena : Arena{};
     // Wrapped to a common multiple of all periods in the shaders, to keep precision in long runs.
     block.arena = {arena.width / 2, arena.height / 2, static_cast<float>(std::fmod(now.seconds, 60.0)),

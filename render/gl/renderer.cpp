@@ -276,7 +276,7 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     p.prepare_contours(now, picture);
     p.prepare_letters(picture);
 
-    const Rect& window = picture.sight.window;
+    const Rect& window = picture.camera_view.window;
     glViewport(static_cast<GLint>(window.x), static_cast<GLint>(window.y), static_cast<GLsizei>(window.w),
                static_cast<GLsizei>(window.h));
     glDisable(GL_SCISSOR_TEST);

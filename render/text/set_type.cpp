@@ -21,9 +21,9 @@ void set_type(std::vector<LetterInstance>& letters, const std::vector<Label>& la
     for (const Label& label : labels) in_order.push_back(&label);
     std::stable_sort(in_order.begin(), in_order.end(), [](auto* a, auto* b) { return a->rank < b->rank; });
     std::vector<Rect> taken;
-    const Rect& window = picture.sight.window;
+    const Rect& window = picture.camera_view.window;
     for (const Label* label : in_order) {
-        const auto at = project(picture.sight, label->place, label->height);
+        const auto at = project(picture.camera_view, label->place, label->height);
         if (!at) continue;
         const maths::vec2 middle = *at + label->offset * picture.pixel_scale;
         if (!window.contains(middle.x, middle.y)) continue;

@@ -31,12 +31,12 @@ struct Stand {
     float near, far;
 };
 
-Sight through(const Stand& stand, Rect window) {
-    Sight sight;
-    sight.window = window;
-    sight.eye = stand.eye;
-    sight.view = maths::look_at(stand.eye, stand.target, {0, 1, 0});
-    auto& p = sight.projection;
+CameraView through(const Stand& stand, Rect window) {
+    CameraView camera_view;
+    camera_view.window = window;
+    camera_view.eye = stand.eye;
+    camera_view.view = maths::look_at(stand.eye, stand.target, {0, 1, 0});
+    auto& p = camera_view.projection;
     const float n = stand.near, f = stand.far;
     p[0] = {2 * stand.focal / window.w, 0, 0, 0};
     p[1] = {0, 2 * stand.focal / window.h, 0, 0};
@@ -44,7 +44,7 @@ Sight through(const Stand& stand, Rect window) {
     p[2] = {1 - 2 * (stand.principal.x - window.x) / window.w, 2 * (stand.principal.y - window.y) / window.h - 1,
             (f + n) / (n - f), -1};
     p[3] = {0, 0, 2 * f * n / (n - f), 0};
-    return sight;
+    return camera_view;
 }
 
 Rect usable(Rect window, Rect free_area) {
@@ -114,7 +114,7 @@ Stand overview(const Camera& camera, const Arena& arena, Rect window, Rect area)
 }
 
 // Straight down, orthographic: distances on the screen are proportional to distances on the floor.
-Sight birds_eye(const Camera& camera, const Arena& arena, Rect window, Rect area) {
+CameraView birds_eye(const Camera& camera, const Arena& arena, Rect window, Rect area) {
     constexpr float high = 100, near = 1, far = 110;  // m
     const float border = 0.5f;                        // m, around the arena
     const vec2 back = maths::direction(camera.azimuth), right{-back.y, back.x};
@@ -123,13 +123,13 @@ Sight birds_eye(const Camera& camera, const Arena& arena, Rect window, Rect area
     };
     const float scale = std::min(area.w / extent(right), area.h / extent(back)) * clamped_zoom(camera);  // px a metre
     const vec2 middle{area.x + area.w / 2, area.y + area.h / 2};
-    Sight sight;
-    sight.window = window;
-    sight.eye = to_gl(camera.pan, high);
-    sight.view = maths::look_at(sight.eye, to_gl(camera.pan), to_gl(-back));
+    CameraView camera_view;
+    camera_view.window = window;
+    camera_view.eye = to_gl(camera.pan, high);
+    camera_view.view = maths::look_at(camera_view.eye, to_gl(camera.pan), to_gl(-back));
     const float left = (window.x - middle.x) / scale, top = (middle.y - window.y) / scale;
-    sight.projection = maths::orthographic(left, left + window.w / scale, top - window.h / scale, top, near, far);
-    return sight;
+    camera_view.projection = maths::orthographic(left, left + window.w / scale, top - window.h / scale, top, near, far);
+    return camera_view;
 }
 
 Stand riding(const Camera& camera, const VehicleView& vehicle, Rect window, Rect area) {
@@ -157,14 +157,14 @@ Stand driving(const Camera& camera, const VehicleView& vehicle, Rect window, Rec
 
 vec3 row(const maths::mat4& m, int i) { return {m[0][i], m[1][i], m[2][i]}; }
 
-vec4 clip_place(const Sight& sight, vec2 place, float height) {
+vec4 clip_place(const CameraView& camera_view, vec2 place, float height) {
     const vec3 p = to_gl(place, height);
-    return sight.projection * (sight.view * vec4{p.x, p.y, p.z, 1});
+    return camera_view.projection * (camera_view.view * vec4{p.x, p.y, p.z, 1});
 }
 
 }  // namespace
 
-Sight look(const Camera& camera, const Arena& arena, const VehicleView* follow, Rect window, Rect free_area) {
+CameraView look(const Camera& camera, const Arena& arena, const VehicleView* follow, Rect window, Rect free_area) {
     window.w = std::max(window.w, 1.0f), window.h = std::max(window.h, 1.0f);
     const Rect area = usable(window, free_area);
     if (camera.mode == CameraMode::follow && follow) return through(riding(camera, *follow, window, area), window);
@@ -178,8 +178,8 @@ void orbit(Camera& camera, float azimuth, float elevation) {
     camera.elevation = clamped_elevation(camera.elevation + elevation);
 }
 
-void pan(Camera& camera, const Sight& sight, vec2 from, vec2 to) {
-    const auto held = unproject(sight, from), there = unproject(sight, to);
+void pan(Camera& camera, const CameraView& camera_view, vec2 from, vec2 to) {
+    const auto held = unproject(camera_view, from), there = unproject(camera_view, to);
     if (!held || !there) return;
     constexpr float farthest = 500;  // m, limit of the shift
     camera.pan += *held - *there;
@@ -194,7 +194,7 @@ void zoom_about(Camera& camera, const Arena& arena, Rect window, Rect free_area,
     if (before && after && !rides(camera.mode)) camera.pan += *before - *after;
 }
 
-Sight glide(const Sight& from, const Sight& to, float seconds) {
+CameraView glide(const CameraView& from, const CameraView& to, float seconds) {
     constexpr float time_constant = 0.06f;  // s; 96 % of the way after 0.2 s
     const float t = 1 - std::exp(-std::max(seconds, 0.0f) / time_constant);
     const vec3 back = row(from.view, 2) * (1 - t) + row(to.view, 2) * t;
@@ -207,34 +207,34 @@ Sight glide(const Sight& from, const Sight& to, float seconds) {
     // No transition between opposite directions or when the window has changed its size.
     if (arrived || turned < -0.9f || !(from.window == to.window)) return to;
 
-    Sight sight = to;
-    sight.eye = from.eye * (1 - t) + to.eye * t;
-    sight.view = maths::look_at(sight.eye, sight.eye - back, up);
-    for (int i = 0; i < 4; ++i) sight.projection[i] = from.projection[i] * (1 - t) + to.projection[i] * t;
-    return sight;
+    CameraView camera_view = to;
+    camera_view.eye = from.eye * (1 - t) + to.eye * t;
+    camera_view.view = maths::look_at(camera_view.eye, camera_view.eye - back, up);
+    for (int i = 0; i < 4; ++i) camera_view.projection[i] = from.projection[i] * (1 - t) + to.projection[i] * t;
+    return camera_view;
 }
 
-std::optional<vec2> project(const Sight& sight, vec2 place, float height) {
-    const vec4 clip = clip_place(sight, place, height);
+std::optional<vec2> project(const CameraView& camera_view, vec2 place, float height) {
+    const vec4 clip = clip_place(camera_view, place, height);
     if (clip.w < 1e-4f) return std::nullopt;
-    return vec2{sight.window.x + (clip.x / clip.w + 1) / 2 * sight.window.w,
-                sight.window.y + (1 - clip.y / clip.w) / 2 * sight.window.h};
+    return vec2{camera_view.window.x + (clip.x / clip.w + 1) / 2 * camera_view.window.w,
+                camera_view.window.y + (1 - clip.y / clip.w) / 2 * camera_view.window.h};
 }
 
-float pixels_per_metre(const Sight& sight, vec2 place, float height) {
-    const float depth = clip_place(sight, place, height).w;
-    return depth < 1e-4f ? 0 : sight.projection[1].y * sight.window.h / (2 * depth);
+float pixels_per_metre(const CameraView& camera_view, vec2 place, float height) {
+    const float depth = clip_place(camera_view, place, height).w;
+    return depth < 1e-4f ? 0 : camera_view.projection[1].y * camera_view.window.h / (2 * depth);
 }
 
-std::optional<vec2> unproject(const Sight& sight, vec2 pixel, float height) {
-    const float x = 2 * (pixel.x - sight.window.x) / sight.window.w - 1;
-    const float y = 1 - 2 * (pixel.y - sight.window.y) / sight.window.h;
+std::optional<vec2> unproject(const CameraView& camera_view, vec2 pixel, float height) {
+    const float x = 2 * (pixel.x - camera_view.window.x) / camera_view.window.w - 1;
+    const float y = 1 - 2 * (pixel.y - camera_view.window.y) / camera_view.window.h;
     // At depth d in front of the camera clip w is spread·d + level (d with perspective, 1 without, a mix in a
     // transition); the points under the pixel form a line in d.
-    const auto& p = sight.projection;
+    const auto& p = camera_view.projection;
     const float spread = -p[2].w, level = p[3].w;
-    const vec3 right = row(sight.view, 0), up = row(sight.view, 1), back = row(sight.view, 2);
-    const vec3 start = sight.eye + right * ((x * level - p[3].x) / p[0].x) + up * ((y * level - p[3].y) / p[1].y);
+    const vec3 right = row(camera_view.view, 0), up = row(camera_view.view, 1), back = row(camera_view.view, 2);
+    const vec3 start = camera_view.eye + right * ((x * level - p[3].x) / p[0].x) + up * ((y * level - p[3].y) / p[1].y);
     const vec3 ray = right * ((x * spread + p[2].x) / p[0].x) + up * ((y * spread + p[2].y) / p[1].y) - back;
     if (ray.y > -1e-5f) return std::nullopt;
     const float reach = (height - start.y) / ray.y;

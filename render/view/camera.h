@@ -43,7 +43,7 @@ struct Camera {
 };
 
 // A camera in a window: matrices and position, for drawing and picking.
-struct Sight {
+struct CameraView {
     maths::mat4 view, projection;  // GL conventions
     maths::vec3 eye;               // position, GL coordinates
     Rect window;                   // the whole framebuffer, px
@@ -51,27 +51,27 @@ struct Sight {
 
 // The view of a camera. `free_area`: the part of the window that no card covers; the arena is centred and fitted there.
 // `follow`: the vehicle for the modes follow and driver; without it they give the overview.
-Sight look(const Camera&, const Arena&, const VehicleView* follow, Rect window, Rect free_area);
+CameraView look(const Camera&, const Arena&, const VehicleView* follow, Rect window, Rect free_area);
 
 // Adds to azimuth and elevation, rad.
 void orbit(Camera&, float azimuth, float elevation);
 
 // Moves the camera so that the floor point under pixel `from` is under pixel `to`.
-void pan(Camera&, const Sight&, maths::vec2 from, maths::vec2 to);
+void pan(Camera&, const CameraView&, maths::vec2 from, maths::vec2 to);
 
 // Multiplies the zoom; the floor point under the pixel stays there, except in modes that ride. Other arguments: look().
 void zoom_about(Camera&, const Arena&, Rect window, Rect free_area, maths::vec2 pixel, float factor);
 
 // A view between two, for a short transition of about 0.2 s; `seconds`: wall time since `from`.
-Sight glide(const Sight& from, const Sight& to, float seconds);
+CameraView glide(const CameraView& from, const CameraView& to, float seconds);
 
 // The pixel of a world point (m; height above the floor), or nullopt behind the camera.
-std::optional<maths::vec2> project(const Sight&, maths::vec2 place, float height = 0);
+std::optional<maths::vec2> project(const CameraView&, maths::vec2 place, float height = 0);
 
 // Pixels per metre across the viewing direction at a point; 0 behind the camera.
-float pixels_per_metre(const Sight&, maths::vec2 place, float height = 0);
+float pixels_per_metre(const CameraView&, maths::vec2 place, float height = 0);
 
 // The point under a pixel on the floor, or on the plane at this height; nullopt above the horizon.
-std::optional<maths::vec2> unproject(const Sight&, maths::vec2 pixel, float height = 0);
+std::optional<maths::vec2> unproject(const CameraView&, maths::vec2 pixel, float height = 0);
 
 }  // namespace braitenlab

@@ -28,11 +28,11 @@ std::string metres(int n, bool with_unit) {
 }
 
 // False for low elevations, where labels along the boundary would overlap the walls.
-bool looks_down(const Sight& sight) { return sight.view[1][2] > 0.5f; }
+bool looks_down(const CameraView& camera_view) { return camera_view.view[1][2] > 0.5f; }
 
 void add_metres(Drawing& drawing, const Arena& arena) {
-    if (!looks_down(drawing.picture.sight)) return;
-    const Sight& sight = drawing.picture.sight;
+    if (!looks_down(drawing.picture.camera_view)) return;
+    const CameraView& camera_view = drawing.picture.camera_view;
     const bool walled = arena.edge == Boundary::wall;
     const Colour quiet = drawing.colours.second_text.with_alpha(0.75f);
     const auto along = [&](float length, auto place_of) {
@@ -42,8 +42,8 @@ void add_metres(Drawing& drawing, const Arena& arena) {
             const auto [place, outwards] = place_of(static_cast<float>(n));
             // Outside the wall, at its foot or its top, whichever is farther out in the picture.
             const vec2 edge = place + outwards * (walled ? wall_thickness : 0.0f);
-            const auto foot = project(sight, edge), beyond = project(sight, edge + outwards * 0.5f);
-            const auto top = project(sight, edge, wall_height);
+            const auto foot = project(camera_view, edge), beyond = project(camera_view, edge + outwards * 0.5f);
+            const auto top = project(camera_view, edge, wall_height);
             if (!foot || !beyond || !top) continue;
             const vec2 away = maths::normalise(*beyond - *foot);
             const bool leans_out = walled && maths::dot(*top - *foot, away) > 0;
@@ -85,7 +85,7 @@ void add_numbers(Drawing& drawing) {
     for (const VehicleView& v : drawing.now.vehicles) {
         const bool chosen = v.id == drawing.picture.settings.selection.vehicle || v.id == drawing.picture.hovered;
         if (v.id == drawing.picture.driver || (!chosen && drawing.now.vehicles.size() > few)) continue;
-        const float pixels = pixels_per_metre(drawing.picture.sight, {v.x, v.y}) / drawing.picture.pixel_scale;
+        const float pixels = pixels_per_metre(drawing.picture.camera_view, {v.x, v.y}) / drawing.picture.pixel_scale;
         if (!chosen && pixels < least_pixels) continue;
         drawing.list.labels.push_back({{v.x, v.y},
                                        0.45f,

@@ -27,7 +27,7 @@ void fill(DrawList& list, const Snapshot& now, const Picture& picture, const Tra
                     now,
                     picture,
                     palette(picture.theme),
-                    picture.sight.projection * picture.sight.view,
+                    picture.camera_view.projection * picture.camera_view.view,
                     std::min(1.0f, std::sqrt(8 / std::max(count, 1.0f)))};
     add_world(drawing);
     add_vehicles(drawing, trails);

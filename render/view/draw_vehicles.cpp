@@ -23,10 +23,10 @@ float sensed(const Drawing& drawing, const Subject& s, std::size_t sensor) {
 int side_of(const Sensor& sensor) { return (sensor.y > 0.01f) - (sensor.y < -0.01f); }
 
 bool in_sight(const Drawing& drawing, vec2 place, float radius) {
-    if (drawing.picture.sight.window.w <= 0) return true;
+    if (drawing.picture.camera_view.window.w <= 0) return true;
     const maths::vec3 p = to_gl(place);
     const vec4 clip = drawing.to_clip * vec4{p.x, p.y, p.z, 1};
-    const auto& lens = drawing.picture.sight.projection;
+    const auto& lens = drawing.picture.camera_view.projection;
     // Largest extent of the radius in clip coordinates.
     const float w = clip.w + radius * std::fabs(lens[2].w);
     return w > 0 && std::fabs(clip.x) <= w + radius * (lens[0].x + std::fabs(lens[2].x)) &&
@@ -162,7 +162,7 @@ Subject subject_of(const Drawing& drawing, const VehicleView& view) {
     const bool known = drawing.now.scene && kind < drawing.now.scene->kinds.size();
     const Kind& its_kind = known ? drawing.now.scene->kinds[kind] : plain;
     const vec2 place{view.x, view.y};
-    const float scale = pixels_per_metre(drawing.picture.sight, place);
+    const float scale = pixels_per_metre(drawing.picture.camera_view, place);
     const float pixels = scale > 0 ? its_kind.body.length * scale / drawing.picture.pixel_scale : 1e3f;
     return {view,
             its_kind,

@@ -32,12 +32,12 @@ const SourceView* source_at(const Snapshot& now, int index) {
     return found == now.sources.end() ? nullptr : &*found;
 }
 
-int pick_source(const Snapshot& now, const Sight& sight, vec2 pixel) {
+int pick_source(const Snapshot& now, const CameraView& camera_view, vec2 pixel) {
     int found = -1;
     float best = source_reach;
     for (const SourceView& source : now.sources) {
         for (const float height : {0.0f, bulb_height}) {
-            const auto at = project(sight, {source.x, source.y}, height);
+            const auto at = project(camera_view, {source.x, source.y}, height);
             if (at && maths::distance(*at, pixel) < best) best = maths::distance(*at, pixel), found = source.source;
         }
     }
@@ -53,19 +53,19 @@ bool inside(const std::vector<vec2>& corners, vec2 p, float slack) {
     return corners.size() >= 3;
 }
 
-int pick_obstacle(const Snapshot& now, const Sight& sight, vec2 pixel) {
+int pick_obstacle(const Snapshot& now, const CameraView& camera_view, vec2 pixel) {
     if (!now.scene) return -1;
     int found = -1;
     float nearest = std::numeric_limits<float>::max();
     // Test the polygon at several heights between foot and top.
     for (int slice = 0; slice <= 3; ++slice) {
-        const auto at = unproject(sight, pixel, obstacle_height * static_cast<float>(slice) / 3);
+        const auto at = unproject(camera_view, pixel, obstacle_height * static_cast<float>(slice) / 3);
         if (!at) continue;
         for (int i = 0; i < static_cast<int>(now.scene->obstacles.size()); ++i) {
             const auto place = place_of(now, {SceneObjectKind::obstacle, i});
             const float away = maths::distance(*at, {place->x, place->y});
             if (away >= nearest || away > reach_of(now, {SceneObjectKind::obstacle, i}) + 1) continue;
-            const float scale = std::max(pixels_per_metre(sight, *at), 1.0f);
+            const float scale = std::max(pixels_per_metre(camera_view, *at), 1.0f);
             if (inside(outline_of(now, i), *at, 3 / scale)) nearest = away, found = i;
         }
     }
@@ -74,26 +74,26 @@ int pick_obstacle(const Snapshot& now, const Sight& sight, vec2 pixel) {
 
 }  // namespace
 
-VehicleId pick(const Snapshot& now, const Sight& sight, vec2 pixel) {
+VehicleId pick(const Snapshot& now, const CameraView& camera_view, vec2 pixel) {
     constexpr float middle = 0.15f;  // m, half a vehicle's height
     VehicleId found = no_vehicle;
     float best = std::numeric_limits<float>::max();
     for (const VehicleView& vehicle : now.vehicles) {
-        const auto centre = project(sight, {vehicle.x, vehicle.y}, middle);
+        const auto centre = project(camera_view, {vehicle.x, vehicle.y}, middle);
         if (!centre) continue;
         const Kind* kind = kind_or_null(now, vehicle);
         const float radius = kind ? std::max(kind->body.length, kind->body.width) / 2 : 0.5f;
-        const float reach = radius * pixels_per_metre(sight, {vehicle.x, vehicle.y}, middle) + generous;
+        const float reach = radius * pixels_per_metre(camera_view, {vehicle.x, vehicle.y}, middle) + generous;
         const float away = maths::distance(*centre, pixel);
         if (away <= reach && away < best) best = away, found = vehicle.id;
     }
     return found;
 }
 
-SceneObject pick_object(const Snapshot& now, const Sight& sight, vec2 pixel) {
-    if (const VehicleId vehicle = pick(now, sight, pixel); vehicle != no_vehicle) return vehicle_object(vehicle);
-    if (const int source = pick_source(now, sight, pixel); source >= 0) return {SceneObjectKind::source, source};
-    if (const int obstacle = pick_obstacle(now, sight, pixel); obstacle >= 0)
+SceneObject pick_object(const Snapshot& now, const CameraView& camera_view, vec2 pixel) {
+    if (const VehicleId vehicle = pick(now, camera_view, pixel); vehicle != no_vehicle) return vehicle_object(vehicle);
+    if (const int source = pick_source(now, camera_view, pixel); source >= 0) return {SceneObjectKind::source, source};
+    if (const int obstacle = pick_obstacle(now, camera_view, pixel); obstacle >= 0)
         return {SceneObjectKind::obstacle, obstacle};
     return {};
 }

@@ -28,10 +28,10 @@ inline SceneObject vehicle_object(VehicleId id) {
 }
 
 // The vehicle under a pixel, or no_vehicle; generous by a few pixels, the nearest to the pixel wins.
-VehicleId pick(const Snapshot&, const Sight&, maths::vec2 pixel);
+VehicleId pick(const Snapshot&, const CameraView&, maths::vec2 pixel);
 
 // The same for everything: vehicles before sources, sources (by foot or bulb) before obstacles.
-SceneObject pick_object(const Snapshot&, const Sight&, maths::vec2 pixel);
+SceneObject pick_object(const Snapshot&, const CameraView&, maths::vec2 pixel);
 
 // Where it stands now; a source has no heading. Nothing when it is gone.
 std::optional<Pose> place_of(const Snapshot&, const SceneObject&);

@@ -9,9 +9,9 @@
 namespace braitenlab {
 
 struct Picture {
-    Sight sight;
+    CameraView camera_view;
     Theme theme = Theme::dark;
-    ViewSettings settings;  // its camera is not used: `sight` has been made from it
+    ViewSettings settings;  // its camera is not used: `camera_view` has been made from it
     VehicleId hovered = no_vehicle;
     VehicleId driver = no_vehicle;  // the vehicle that carries the camera: its sensor fields are always drawn
     float pixel_scale = 1;          // display pixels per layout pixel, for line widths

@@ -115,7 +115,7 @@ CubeByCube::~CubeByCube() {
 void CubeByCube::draw(const Snapshot& now, const Picture& picture) {
     calls_ = 0;
     const Palette colours = palette(picture.theme);
-    const Rect& window = picture.sight.window;
+    const Rect& window = picture.camera_view.window;
     glViewport(0, 0, static_cast<GLsizei>(window.w), static_cast<GLsizei>(window.h));
     glClearColor(colours.sky.r, colours.sky.g, colours.sky.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -129,7 +129,7 @@ void CubeByCube::draw(const Snapshot& now, const Picture& picture) {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glUseProgram(flat_program_);
     for (const render::FieldInstance& field : fields_) {
-        set(flat_uniforms_[0], picture.sight.projection * picture.sight.view);
+        set(flat_uniforms_[0], picture.camera_view.projection * picture.camera_view.view);
         set(flat_uniforms_[1], Colour{field.colour.x, field.colour.y, field.colour.z, field.colour.w * 0.4f});
         draw_sector(field);
     }
@@ -139,8 +139,8 @@ void CubeByCube::draw(const Snapshot& now, const Picture& picture) {
 void CubeByCube::draw_box(const Picture& picture, vec2 place, float heading, vec3 size, Colour colour) {
     const mat4 turned = maths::rotation(heading, {0, 1, 0});
     set(box_uniforms_[0], maths::translation(to_gl(place, size.y / 2)) * turned * maths::scaling(size));
-    set(box_uniforms_[1], picture.sight.view);
-    set(box_uniforms_[2], picture.sight.projection);
+    set(box_uniforms_[1], picture.camera_view.view);
+    set(box_uniforms_[2], picture.camera_view.projection);
     set(box_uniforms_[3], turned);
     set(box_uniforms_[4], colour);
     glBindVertexArray(box_array_);

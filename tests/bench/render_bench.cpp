@@ -40,7 +40,7 @@ Snapshot dense(int n) {
 
 Picture seen_from_the_ring(const Snapshot& now) {
     Picture picture;
-    picture.sight = look(Camera{}, now.scene->arena, nullptr, window, window);
+    picture.camera_view = look(Camera{}, now.scene->arena, nullptr, window, window);
     return picture;
 }
 
@@ -67,7 +67,7 @@ void draw_ours(benchmark::State& state, SectorPath sectors, Look eye = Look::res
         drive_on(now);
         if (eye == Look::moves) {
             orbit(camera, 0.002f, 0);
-            picture.sight = look(camera, now.scene->arena, nullptr, window, window);
+            picture.camera_view = look(camera, now.scene->arena, nullptr, window, window);
         }
         renderer->draw(now, picture);
         glFinish();

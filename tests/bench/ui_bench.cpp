@@ -108,7 +108,7 @@ void BM_StepAndDraw(benchmark::State& state) {
     if (!lab || !renderer) return state.SkipWithError("the hunt or the shaders cannot be read");
     const Rect window{0, 0, width, height};
     Picture picture;
-    picture.sight = look(Camera{}, lab->document.session.scene().arena, nullptr, window, window);
+    picture.camera_view = look(Camera{}, lab->document.session.scene().arena, nullptr, window, window);
     for (auto _ : state) {
         tick(*lab);
         renderer->draw(lab->document.session.snapshot(), picture);

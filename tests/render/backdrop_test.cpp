@@ -73,7 +73,7 @@ TEST_F(BackdropTest, FollowsACameraThatMovesAgain) {
 TEST_F(BackdropTest, FillsAPictureThatIsOnlyPartOfTheFramebuffer) {
     const Snapshot now = arena_with(Boundary::wall);
     const Rect part{160, 120, 320, 240};
-    picture.sight = look(Camera{}, Arena{}, nullptr, part, part);
+    picture.camera_view = look(Camera{}, Arena{}, nullptr, part, part);
     const auto moving = drawn_afresh(now);
     for (int frame = 0; frame < 3; ++frame) EXPECT_TRUE(alike(drawn(now), moving)) << frame;
 }

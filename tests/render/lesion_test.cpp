@@ -41,7 +41,7 @@ protected:
     // The darkest and the brightest pixel of a square about a place of the vehicle.
     std::pair<float, float> extremes(maths::vec2 own, float up, float half) {
         renderer->draw(now, picture);
-        const maths::vec2 middle = *project(picture.sight, own, up);
+        const maths::vec2 middle = *project(picture.camera_view, own, up);
         float darkest = 1, brightest = 0;
         for (float y = -half; y <= half; ++y)
             for (float x = -half; x <= half; ++x) {
@@ -64,7 +64,7 @@ TEST_F(LesionTest, DrawsADarkCapWithACrossOnASilencedSensor) {
     silence("SL");
     EXPECT_GT(extremes(left, up, 1).second, 0.8f) << "the arms of the cross meet amid the lid";
     EXPECT_LT(extremes(left, up, 9).first, 0.12f) << "on dark ground";
-    const Colour other = stage.pixel(*project(picture.sight, right, up)), lamp = palette(picture.theme).lamp;
+    const Colour other = stage.pixel(*project(picture.camera_view, right, up)), lamp = palette(picture.theme).lamp;
     EXPECT_LT(other.b, other.r) << "the other eye goes on seeing light";
     EXPECT_NEAR(other.r, lamp.r, 0.2f);
 }
@@ -120,7 +120,7 @@ TEST_F(LesionTest, DrawsAGapInACutWire) {
     const float t = 0.42f, u = 1 - t;
     const maths::vec2 amid = maths::vec2{ends.x, ends.y} * (u * u) + maths::vec2{shape.x, shape.y} * (2 * t * u) +
                              maths::vec2{ends.z, ends.w} * (t * t);
-    const Colour gap = stage.pixel(*project(picture.sight, amid, shape.z));
+    const Colour gap = stage.pixel(*project(picture.camera_view, amid, shape.z));
     EXPECT_LT(gap.r, 1.2f * gap.b) << "no orange there";
 }
 

@@ -29,7 +29,7 @@ protected:
 
     Colour seen(const Snapshot& now, float x, float y, float up = 0) {
         renderer->draw(now, picture);
-        return stage.pixel(*project(picture.sight, {x, y}, up));
+        return stage.pixel(*project(picture.camera_view, {x, y}, up));
     }
 };
 
@@ -55,9 +55,9 @@ TEST_F(PictureTest, DrawsContoursWhereTheFieldCrossesTenths) {
     while (felt(half) > 0.5f) half += 0.01f;
     float peak = 0;
     for (float d = half - 0.06f; d <= half + 0.06f; d += 0.01f)
-        peak = std::max(peak, brightness(stage.pixel(*project(picture.sight, {0.33f * d, 0.944f * d}))));
+        peak = std::max(peak, brightness(stage.pixel(*project(picture.camera_view, {0.33f * d, 0.944f * d}))));
     const float beside =
-        brightness(stage.pixel(*project(picture.sight, {0.33f * (half + 0.18f), 0.944f * (half + 0.18f)})));
+        brightness(stage.pixel(*project(picture.camera_view, {0.33f * (half + 0.18f), 0.944f * (half + 0.18f)})));
     EXPECT_GT(peak, beside + 0.08f);
 }
 
@@ -70,7 +70,7 @@ TEST_F(PictureTest, DrawsLabelsInTheColourOfTheThemeOverEverything) {
     const auto extremes = [&](Theme theme) {
         picture.theme = theme;
         renderer->draw(now, picture);
-        const maths::vec2 middle = *project(picture.sight, {0, 0});
+        const maths::vec2 middle = *project(picture.camera_view, {0, 0});
         float darkest = 1, brightest = 0;
         for (float y = -8; y <= 8; ++y)
             for (float x = -20; x <= 20; ++x) {
@@ -135,11 +135,11 @@ TEST_F(PictureTest, EndsAnArenaWithoutWallsWithALineAndAnOpenOneWithADrop) {
         for (float y = -8.2f; y < 8.2f; y += 0.1f) {
             float most = 0;
             for (float x = -10.1f; x <= -9.9f; x += 0.02f)
-                most = std::max(most, brightness(stage.pixel(*project(picture.sight, {x, y}))));
+                most = std::max(most, brightness(stage.pixel(*project(picture.camera_view, {x, y}))));
             (most > 0.4f ? bright : dim) += 1;
         }
         return std::pair{static_cast<float>(bright) / static_cast<float>(bright + dim),
-                         stage.pixel(*project(picture.sight, {-11.5f, 0.5f}))};
+                         stage.pixel(*project(picture.camera_view, {-11.5f, 0.5f}))};
     };
     EXPECT_GT(at_edge(Boundary::open).first, 0.95f) << "whole";
     EXPECT_NEAR(at_edge(Boundary::torus).first, 0.5f, 0.2f) << "dashed";
@@ -152,14 +152,14 @@ TEST_F(PictureTest, EndsAnArenaWithoutWallsWithALineAndAnOpenOneWithADrop) {
 TEST_F(PictureTest, DrawsARingOfItsOwnPatternAtTheFootOfEachColouredSource) {
     Camera near;
     near.mode = CameraMode::birds_eye, near.zoom = 12;
-    picture.sight = look(near, Arena{}, nullptr, window, window);
+    picture.camera_view = look(near, Arena{}, nullptr, window, window);
     // How often the ring begins on a way round it, and how much of the way it covers.
     const auto ring = [&](Channel channel) {
         Snapshot now = hand_made::empty(hand_made::scene());
         hand_made::add_source(now, channel, 0, 0);
         renderer->draw(now, picture);
         const auto lit = [&](float turn, float radius) {
-            return brightness(stage.pixel(*project(picture.sight, maths::direction(turn) * radius)));
+            return brightness(stage.pixel(*project(picture.camera_view, maths::direction(turn) * radius)));
         };
         int begins = 0, covered = 0;
         bool before = true;

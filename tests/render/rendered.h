@@ -38,7 +38,7 @@ protected:
         return mean;
     }
 
-    void look_from(const Camera& camera) { picture.sight = look(camera, Arena{}, nullptr, window, window); }
+    void look_from(const Camera& camera) { picture.camera_view = look(camera, Arena{}, nullptr, window, window); }
 
     Stage stage{width, height};
     std::optional<Renderer> renderer;

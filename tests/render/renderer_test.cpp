@@ -19,14 +19,14 @@ protected:
     // The vehicles' deck is dark and carries wires; behind the deck the hull shows its colour.
     Colour hull_colour(const VehicleView& v) const {
         const auto place = maths::vec2{v.x, v.y} + maths::rotate({-0.275f, 0}, maths::direction(v.heading));
-        return stage.pixel(*project(picture.sight, place, 0.25f));
+        return stage.pixel(*project(picture.camera_view, place, 0.25f));
     }
 };
 
 TEST_F(RendererTest, ShowsAVehicleInItsColourWhereItIs) {
     Camera camera;
     camera.zoom = 4;
-    picture.sight = look(camera, Arena{}, nullptr, window, window);
+    picture.camera_view = look(camera, Arena{}, nullptr, window, window);
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 1, -1.5f, 0.5f, 0.3f);
     hand_made::add(now, 2, 1.5f, -0.5f, -2);
@@ -42,12 +42,12 @@ TEST_F(RendererTest, ShowsAVehicleInItsColourWhereItIs) {
 TEST_F(RendererTest, ShowsASmallVehiclesDeckInItsColour) {
     Camera camera;
     camera.zoom = 0.9f;
-    picture.sight = look(camera, Arena{}, nullptr, window, window);
+    picture.camera_view = look(camera, Arena{}, nullptr, window, window);
     picture.settings.sensors = false;
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 1, 0, 0, 0);
     renderer->draw(now, picture);
-    const Colour deck = stage.pixel(*project(picture.sight, {0, 0.12f}, 0.27f));
+    const Colour deck = stage.pixel(*project(picture.camera_view, {0, 0.12f}, 0.27f));
     EXPECT_GT(deck.r, 0.55f);
     EXPECT_GT(deck.r, 1.5f * deck.g);
 }
@@ -59,7 +59,7 @@ TEST_F(RendererTest, DrawsALightRimOnADarkFloorAndADarkOneOnALightFloor) {
     for (const Theme theme : {Theme::dark, Theme::light}) {
         picture.theme = theme;
         renderer->draw(now, picture);
-        const maths::vec2 tail = *project(picture.sight, {-0.5f, 0}, 0.16f);
+        const maths::vec2 tail = *project(picture.camera_view, {-0.5f, 0}, 0.16f);
         float brightest = 0, darkest = 1;
         for (float x = -4; x <= 1; ++x) {
             const float b = brightness(stage.pixel({tail.x + x, tail.y}));
@@ -76,7 +76,7 @@ TEST_F(RendererTest, HidesFartherVehiclesBehindNearerOnes) {
     Snapshot now = hand_made::empty(hand_made::scene());
     Camera camera;
     camera.elevation = 0.15f, camera.zoom = 6;
-    picture.sight = look(camera, Arena{}, nullptr, window, window);
+    picture.camera_view = look(camera, Arena{}, nullptr, window, window);
     picture.settings.sensors = false;
     // Seen flat from −y, the prey's tail end stands right behind the predator's flank; either order of drawing.
     for (const bool near_first : {true, false}) {
@@ -85,7 +85,7 @@ TEST_F(RendererTest, HidesFartherVehiclesBehindNearerOnes) {
         hand_made::add(now, near_first ? 1 : 2, 0, near_first ? -0.6f : 0.6f, 0);
         hand_made::add(now, near_first ? 2 : 1, 0, near_first ? 0.6f : -0.6f, 0);
         renderer->draw(now, picture);
-        const Colour seen = stage.pixel(*project(picture.sight, {-0.35f, -0.6f - 0.33f}, 0.15f));
+        const Colour seen = stage.pixel(*project(picture.camera_view, {-0.35f, -0.6f - 0.33f}, 0.15f));
         EXPECT_GT(seen.r, seen.g) << near_first;
     }
 }
@@ -109,7 +109,7 @@ TEST_F(RendererTest, NeedsNoMoreDrawCallsForFiveHundredVehiclesThanForTen) {
     for (const auto& [zoom, elevation] : {std::pair{0.4f, 1.1f}, {0.9f, 0.3f}, {1.0f, 1.1f}, {2.5f, 1.1f}}) {
         Camera camera;
         camera.zoom = zoom, camera.elevation = elevation;
-        picture.sight = look(camera, Arena{}, nullptr, window, window);
+        picture.camera_view = look(camera, Arena{}, nullptr, window, window);
         const float half = std::min(9.0f, 7 / zoom);
         const int few = calls_for(1, half), many = calls_for(50, half);
         EXPECT_EQ(many, few) << zoom;
@@ -146,11 +146,11 @@ TEST_F(RendererTest, ShowsTheFloorAndTheSkyInTheThemesColours) {
     for (const Theme theme : {Theme::dark, Theme::light}) {
         const Palette colours = palette(theme);
         picture.theme = theme;
-        picture.sight = look({}, Arena{}, nullptr, window, window);
+        picture.camera_view = look({}, Arena{}, nullptr, window, window);
         renderer->draw(now, picture);
         // In the middle of a square of the grid. The centre of the arena is a little brighter in the dark theme.
-        EXPECT_NEAR(brightness(patch(*project(picture.sight, {8.5f, -8.5f}))), brightness(colours.floor), 0.02f);
-        picture.sight = look(camera, Arena{}, nullptr, window, window);
+        EXPECT_NEAR(brightness(patch(*project(picture.camera_view, {8.5f, -8.5f}))), brightness(colours.floor), 0.02f);
+        picture.camera_view = look(camera, Arena{}, nullptr, window, window);
         renderer->draw(now, picture);
         EXPECT_NEAR(brightness(patch({3, 3})), brightness(colours.sky), 0.004f);
     }
@@ -158,7 +158,7 @@ TEST_F(RendererTest, ShowsTheFloorAndTheSkyInTheThemesColours) {
 
 TEST_F(RendererTest, LightsTheFloorUnderALamp) {
     Snapshot now = hand_made::empty(hand_made::scene());
-    const auto beside = *project(picture.sight, {4.5f, 3.4f});
+    const auto beside = *project(picture.camera_view, {4.5f, 3.4f});
     renderer->draw(now, picture);
     const float before = brightness(patch(beside));
     hand_made::add_source(now, Channel::light, 4.5f, 4.5f);
@@ -169,7 +169,8 @@ TEST_F(RendererTest, LightsTheFloorUnderALamp) {
 TEST_F(RendererTest, ShowsAStimulatedFieldBrighterAndNoFieldBehindAWall) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 8.4f, 0.5f, 0);
-    const auto ahead = *project(picture.sight, {9.4f, 1.5f}), outside = *project(picture.sight, {10.6f, 1.5f});
+    const auto ahead = *project(picture.camera_view, {9.4f, 1.5f}),
+               outside = *project(picture.camera_view, {10.6f, 1.5f});
     picture.settings.overlays.trails = false;
     renderer->draw(now, picture);
     const float idle = brightness(patch(ahead)), beyond = brightness(patch(outside));
@@ -185,7 +186,7 @@ TEST_F(RendererTest, ShowsAnObstaclesOwnOutline) {
     Snapshot now = hand_made::empty(hand_made::scene());
     const auto at = [&](float x, float y) {
         renderer->draw(now, picture);
-        return brightness(patch(*project(picture.sight, {x, y}, 0.42f)));
+        return brightness(patch(*project(picture.camera_view, {x, y}, 0.42f)));
     };
     const float floor_inside = at(-1, -1), floor_outside = at(2, 2);
     now = hand_made::empty(scene);
@@ -201,7 +202,7 @@ TEST_F(RendererTest, CoversZonesAndLeavesTheRestOfTheFloorAlone) {
     const Snapshot now = hand_made::empty(scene);
     const auto at = [&](const Snapshot& moment, float x, float y) {
         renderer->draw(moment, picture);
-        return patch(*project(picture.sight, {x, y}));
+        return patch(*project(picture.camera_view, {x, y}));
     };
     EXPECT_GT(at(now, 0.3f, 0.6f).b, at(plain, 0.3f, 0.6f).b + 0.1f);
     EXPECT_NEAR(at(now, 1.8f, 1.8f).b, at(plain, 1.8f, 1.8f).b, 0.01f);  // round: not the corner of its box
@@ -214,7 +215,7 @@ TEST_F(RendererTest, RingsTheSelectedVehicleInYellow) {
     picture.settings.sensors = false;
     renderer->draw(now, picture);
     const float radius = 0.5f * std::hypot(1.0f, 0.7f) + 0.16f;
-    const Colour ring = stage.pixel(*project(picture.sight, {radius, 0}));
+    const Colour ring = stage.pixel(*project(picture.camera_view, {radius, 0}));
     EXPECT_GT(ring.r, 0.7f);
     EXPECT_GT(ring.g, 0.7f);
     EXPECT_LT(ring.b, 0.5f);

@@ -31,9 +31,9 @@ protected:
         Camera camera;
         camera.elevation = 1.5f;
         Picture picture;
-        picture.sight = look(camera, scene->arena, nullptr, {0, 0, width, height}, {0, 0, width, height});
+        picture.camera_view = look(camera, scene->arena, nullptr, {0, 0, width, height}, {0, 0, width, height});
         picture.settings.outlines = true, picture.settings.selection.vehicle = 0;
-        sight = picture.sight;
+        camera_view = picture.camera_view;
         auto renderer = Renderer::create(BRAITENLAB_SOURCE "/shaders", path);
         EXPECT_TRUE(renderer) << renderer.error().text();
         renderer->draw(now, picture);
@@ -43,7 +43,7 @@ protected:
     }
 
     Stage stage{width, height};
-    Sight sight;
+    CameraView camera_view;
 };
 
 struct Case {
@@ -70,7 +70,7 @@ TEST_F(SectorTest, ShowsTheFieldOnlyInsideItsSidesAndRange) {
         for (const float field : {60.0f, 100.0f, 140.0f, 270.0f}) {
             picture_of(path, field, SensorShape::sector);
             const auto yellowness = [&](float angle, float distance) {
-                const Colour c = stage.pixel(*project(sight, maths::direction(maths::radians(angle)) * distance));
+                const Colour c = stage.pixel(*project(camera_view, maths::direction(maths::radians(angle)) * distance));
                 return c.r - c.b;
             };
             for (const float side : {-1.0f, 1.0f}) {

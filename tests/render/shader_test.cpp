@@ -89,7 +89,7 @@ protected:
     Colour middle() {
         Picture picture;
         const Rect window{0, 0, 64, 64};
-        picture.sight = look(Camera{}, Arena{}, nullptr, window, window);
+        picture.camera_view = look(Camera{}, Arena{}, nullptr, window, window);
         // Often enough that the ground is kept from one frame to the next.
         for (int frame = 0; frame < 3; ++frame) renderer->draw(hand_made::empty(hand_made::scene()), picture);
         return stage.pixel({32, 32});

@@ -15,7 +15,7 @@ class SetType : public testing::Test {
 protected:
     SetType() : lettering(std::move(*Lettering::from_fonts(find_font, 20))) {
         const Rect window{0, 0, 1280, 800};
-        picture.sight = look(Camera{}, Arena{}, nullptr, window, window);
+        picture.camera_view = look(Camera{}, Arena{}, nullptr, window, window);
     }
 
     std::vector<LetterInstance> set(const std::vector<Label>& labels) {
@@ -41,7 +41,7 @@ protected:
 TEST_F(SetType, CentresALabelOnItsPosition) {
     for (const char* text : {"H", "HOXOH", "MMMMMMMMMM"}) {
         const Rect box = around(set({{{2, 3}, 0, {}, text, {}, 0}}));
-        const maths::vec2 at = *project(picture.sight, {2, 3});
+        const maths::vec2 at = *project(picture.camera_view, {2, 3});
         EXPECT_NEAR(box.x + box.w / 2, at.x, 2) << text;
         EXPECT_NEAR(box.y + box.h / 2, at.y, 2) << text;
     }
@@ -51,7 +51,7 @@ TEST_F(SetType, PutsCharactersOnWholePixelsAtAnyZoom) {
     for (const float zoom : {0.5f, 1.0f, 1.37f, 4.0f}) {
         Camera camera;
         camera.zoom = zoom;
-        picture.sight = look(camera, Arena{}, nullptr, picture.sight.window, picture.sight.window);
+        picture.camera_view = look(camera, Arena{}, nullptr, picture.camera_view.window, picture.camera_view.window);
         const auto letters = set({{{0.13f, 0.37f}, 0, {}, "lamp", {}, 0}});
         ASSERT_EQ(letters.size(), 4U);
         for (const auto& letter : letters) {
@@ -77,7 +77,7 @@ TEST_F(SetType, PlacesALabelWhollyOnItsSide) {
         const auto beside = [&](maths::vec2 away) {
             return around(set({{.place = {2, 3}, .text = text, .away = away}}));
         };
-        const maths::vec2 at = *project(picture.sight, {2, 3});
+        const maths::vec2 at = *project(picture.camera_view, {2, 3});
         constexpr float halo = Lettering::room + 2;
         EXPECT_LE(beside({-1, 0}).x + beside({-1, 0}).w, at.x + halo) << text;
         EXPECT_GE(beside({1, 0}).x, at.x - halo) << text;

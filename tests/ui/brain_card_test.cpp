@@ -146,11 +146,11 @@ TEST(BrainPicture, FollowTheKeyLInTheSceneToTheEyeOrWheelUnderIt) {
         kind.sensors[0].y = 0.24f, kind.sensors[1].y = -0.24f;
     }
     desk.now.scene = scene;
-    const Sight sight = look(Camera{}, Arena{}, nullptr, {0, 0, 1280, 1000}, {336, 64, 576, 880});
-    desk.view.sight = &sight;
+    const CameraView camera_view = look(Camera{}, Arena{}, nullptr, {0, 0, 1280, 1000}, {336, 64, 576, 880});
+    desk.view.camera_view = &camera_view;
     desk.frame(3);
     const auto over = [&](float x, float y) {
-        const auto at = *project(sight, {x, y}, 0.2f);
+        const auto at = *project(camera_view, {x, y}, 0.2f);
         desk.all.clear();
         desk.point(at.x, at.y);
         desk.frame(2);

@@ -75,8 +75,9 @@ TEST(ChartCard, StandInTheMiddleBelowTheScene) {
 
 TEST(ChartCard, LeaveTheCornerOfTheSceneToTheScene) {
     Desk desk;
-    const Sight sight = look(Camera{}, desk.now.scene->arena, nullptr, {0, 0, 1280, 800}, {300, 60, 600, 600});
-    desk.view.sight = &sight;
+    const CameraView camera_view =
+        look(Camera{}, desk.now.scene->arena, nullptr, {0, 0, 1280, 800}, {300, 60, 600, 600});
+    desk.view.camera_view = &camera_view;
     desk.panels.charts_open = true;
     desk.frame(3);
     const Rect tools = desk.where("tool.hand"), scene = desk.where("viewport");

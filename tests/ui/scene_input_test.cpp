@@ -30,13 +30,13 @@ struct SceneInput : testing::Test {
             desk.now.vehicles[i].x = -6 + 1.5f * static_cast<float>(i % 8);
             desk.now.vehicles[i].y = i < 8 ? 0.0f : -4.0f;
         }
-        desk.view.sight = &sight;
+        desk.view.camera_view = &camera_view;
         desk.frame(2);  // cards measure themselves
-        sight = look(Camera{}, scene->arena, nullptr, {0, 0, 1280, 800}, desk.layout.scene);
+        camera_view = look(Camera{}, scene->arena, nullptr, {0, 0, 1280, 800}, desk.layout.scene);
         rest_pointer();
     }
 
-    vec2 pixel(vec2 place) const { return *project(sight, place); }
+    vec2 pixel(vec2 place) const { return *project(camera_view, place); }
     void point(vec2 place) {
         desk.point(pixel(place).x, pixel(place).y);
         desk.frame();
@@ -73,7 +73,7 @@ struct SceneInput : testing::Test {
     void take(SceneObject object) { desk.view.settings.selection.object = object, desk.frame(); }
 
     Desk desk;
-    Sight sight = look(Camera{}, Arena{}, nullptr, {0, 0, 1280, 800}, {336, 64, 576, 680});
+    CameraView camera_view = look(Camera{}, Arena{}, nullptr, {0, 0, 1280, 800}, {336, 64, 576, 680});
     const SceneObject lamp{SceneObjectKind::source, 0}, box{SceneObjectKind::obstacle, 0};
 };
 

@@ -35,9 +35,9 @@ void with_objects(Desk& desk) {
     desk.now.scene = scene;
     desk.now.sources.resize(1);
     for (const Kind& kind : scene->kinds) desk.now.kind_brains.push_back(std::make_shared<BrainGraph>(kind.brain));
-    static Sight sight;
-    sight = look(Camera{}, scene->arena, nullptr, desk.layout.window, desk.layout.scene);
-    desk.view.sight = &sight;
+    static CameraView camera_view;
+    camera_view = look(Camera{}, scene->arena, nullptr, desk.layout.window, desk.layout.scene);
+    desk.view.camera_view = &camera_view;
 }
 
 void with_menu(Desk& desk, SceneObject object, MenuPage page) {

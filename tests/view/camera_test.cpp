@@ -15,7 +15,7 @@ using maths::vec2;
 const Rect window{0, 0, 1280, 800};
 const Rect free_area{300, 44, 640, 640};
 
-Sight overview(float azimuth = -maths::pi / 2, float elevation = Camera{}.elevation) {
+CameraView overview(float azimuth = -maths::pi / 2, float elevation = Camera{}.elevation) {
     Camera camera;
     camera.azimuth = azimuth, camera.elevation = elevation;
     return look(camera, Arena{}, nullptr, window, free_area);
@@ -31,9 +31,9 @@ TEST(Camera, ShowsEveryCornerOfTheArenaInTheFreeArea) {
                     camera.azimuth = azimuth, camera.elevation = elevation;
                     Arena arena;
                     arena.height = 12;
-                    const Sight sight = look(camera, arena, nullptr, w, area);
+                    const CameraView camera_view = look(camera, arena, nullptr, w, area);
                     for (const vec2 corner : {vec2{-10, -6}, {10, -6}, {10, 6}, {-10, 6}}) {
-                        const auto at = project(sight, corner);
+                        const auto at = project(camera_view, corner);
                         ASSERT_TRUE(at);
                         EXPECT_TRUE(area.contains(at->x, at->y)) << *at << " azimuth " << azimuth;
                     }
@@ -41,10 +41,10 @@ TEST(Camera, ShowsEveryCornerOfTheArenaInTheFreeArea) {
 }
 
 TEST(Camera, FillsTheFreeAreaInOneDirection) {
-    const Sight sight = overview();
+    const CameraView camera_view = overview();
     float left = 1e9f, right = 0, top = 1e9f, bottom = 0;
     for (const vec2 corner : {vec2{-10, -10}, {10, -10}, {10, 10}, {-10, 10}}) {
-        const auto at = project(sight, corner);
+        const auto at = project(camera_view, corner);
         ASSERT_TRUE(at);
         left = std::min(left, at->x), right = std::max(right, at->x);
         top = std::min(top, at->y), bottom = std::max(bottom, at->y);
@@ -54,19 +54,19 @@ TEST(Camera, FillsTheFreeAreaInOneDirection) {
 }
 
 TEST(Camera, ShowsLeftOnTheLeftAndFarAtTheTop) {
-    const Sight sight = overview();
-    EXPECT_LT(project(sight, {-3, 0})->x, project(sight, {3, 0})->x);
-    EXPECT_LT(project(sight, {0, 3})->y, project(sight, {0, -3})->y);
-    EXPECT_LT(project(sight, {0, 0}, 1)->y, project(sight, {0, 0})->y);
+    const CameraView camera_view = overview();
+    EXPECT_LT(project(camera_view, {-3, 0})->x, project(camera_view, {3, 0})->x);
+    EXPECT_LT(project(camera_view, {0, 3})->y, project(camera_view, {0, -3})->y);
+    EXPECT_LT(project(camera_view, {0, 0}, 1)->y, project(camera_view, {0, 0})->y);
 }
 
 TEST(Camera, FindsTheFloorPointThatAPixelShows) {
     for (const float azimuth : {-1.57f, 0.4f, 2.5f})
         for (const vec2 place : {vec2{0, 0}, {7, -3}, {-9.5f, 8}}) {
-            const Sight sight = overview(azimuth);
-            const auto pixel = project(sight, place);
+            const CameraView camera_view = overview(azimuth);
+            const auto pixel = project(camera_view, place);
             ASSERT_TRUE(pixel);
-            const auto back = unproject(sight, *pixel);
+            const auto back = unproject(camera_view, *pixel);
             ASSERT_TRUE(back);
             EXPECT_LT(maths::distance(*back, place), 0.01f);
         }
@@ -76,9 +76,9 @@ TEST(Camera, FindsNoFloorAboveTheHorizon) {
     VehicleView vehicle;
     Camera camera;
     camera.mode = CameraMode::follow;
-    const Sight sight = look(camera, Arena{}, &vehicle, window, window);
-    EXPECT_FALSE(unproject(sight, {640, 2}));
-    EXPECT_TRUE(unproject(sight, {640, 700}));
+    const CameraView camera_view = look(camera, Arena{}, &vehicle, window, window);
+    EXPECT_FALSE(unproject(camera_view, {640, 2}));
+    EXPECT_TRUE(unproject(camera_view, {640, 700}));
 }
 
 TEST(Camera, ProjectsNothingBehindTheCamera) {
@@ -93,11 +93,11 @@ TEST(Camera, RidesBehindAndAboveTheVehicleItFollows) {
     vehicle.x = 2, vehicle.y = 3, vehicle.heading = maths::pi / 2;
     Camera camera;
     camera.mode = CameraMode::follow;
-    const Sight sight = look(camera, Arena{}, &vehicle, window, free_area);
-    EXPECT_NEAR(sight.eye.x, 2, 1e-4);
-    EXPECT_NEAR(-sight.eye.z, 3 - 4, 1e-4);
-    EXPECT_NEAR(sight.eye.y, 2.6f, 1e-4);
-    EXPECT_NEAR(project(sight, {2, 3})->x, free_area.x + free_area.w / 2, 0.5f);
+    const CameraView camera_view = look(camera, Arena{}, &vehicle, window, free_area);
+    EXPECT_NEAR(camera_view.eye.x, 2, 1e-4);
+    EXPECT_NEAR(-camera_view.eye.z, 3 - 4, 1e-4);
+    EXPECT_NEAR(camera_view.eye.y, 2.6f, 1e-4);
+    EXPECT_NEAR(project(camera_view, {2, 3})->x, free_area.x + free_area.w / 2, 0.5f);
 }
 
 TEST(Camera, ShowsTheOverviewWithoutAVehicleToFollow) {
@@ -111,7 +111,7 @@ TEST(Camera, KeepsTheCentreOfTheFreeAreaWhileZooming) {
     const vec2 middle{free_area.x + free_area.w / 2, free_area.y + free_area.h / 2};
     const vec2 before = *unproject(look(camera, Arena{}, nullptr, window, free_area), middle);
     camera.zoom = 4;
-    const Sight near = look(camera, Arena{}, nullptr, window, free_area);
+    const CameraView near = look(camera, Arena{}, nullptr, window, free_area);
     EXPECT_LT(maths::distance(*unproject(near, middle), before), 0.01f);
     EXPECT_GT(project(near, {1, 0})->x - project(near, {0, 0})->x,
               3.5f * (project(overview(), {1, 0})->x - project(overview(), {0, 0})->x));
@@ -126,51 +126,51 @@ TEST(Camera, PansByMetres) {
 }
 
 TEST(Camera, FitsIntoTheWholeWindowWhenCardsLeaveNoRoom) {
-    const Sight sight = look(Camera{}, Arena{}, nullptr, window, Rect{600, 300, 10, 10});
-    EXPECT_NEAR(project(sight, {0, 0})->x, 640, 2);
+    const CameraView camera_view = look(Camera{}, Arena{}, nullptr, window, Rect{600, 300, 10, 10});
+    EXPECT_NEAR(project(camera_view, {0, 0})->x, 640, 2);
 }
 
-Sight in_mode(CameraMode mode, const VehicleView* vehicle = nullptr) {
+CameraView in_mode(CameraMode mode, const VehicleView* vehicle = nullptr) {
     Camera camera;
     camera.mode = mode;
     return look(camera, Arena{}, vehicle, window, free_area);
 }
 
 TEST(Camera, ShowsTheArenaFromStraightAboveWithoutPerspective) {
-    const Sight sight = in_mode(CameraMode::birds_eye);
-    const vec2 a = *project(sight, {-9, -9}), b = *project(sight, {-8, -9}), c = *project(sight, {8, 9}),
-               d = *project(sight, {8, 8});
+    const CameraView camera_view = in_mode(CameraMode::birds_eye);
+    const vec2 a = *project(camera_view, {-9, -9}), b = *project(camera_view, {-8, -9}),
+               c = *project(camera_view, {8, 9}), d = *project(camera_view, {8, 8});
     EXPECT_NEAR(b.x - a.x, d.y - c.y, 1e-2);  // a metre is a metre everywhere, x to the right, y up
     EXPECT_NEAR(a.y, b.y, 1e-3);
-    EXPECT_NEAR(maths::distance(*project(sight, {3, 4}, 0), *project(sight, {3, 4}, 1)), 0, 1e-2);
+    EXPECT_NEAR(maths::distance(*project(camera_view, {3, 4}, 0), *project(camera_view, {3, 4}, 1)), 0, 1e-2);
     for (const vec2 corner : {vec2{-10, -10}, {10, -10}, {10, 10}, {-10, 10}})
-        EXPECT_TRUE(free_area.contains(project(sight, corner)->x, project(sight, corner)->y));
-    EXPECT_NEAR(project(sight, {0, 0})->x, free_area.x + free_area.w / 2, 0.1f);
+        EXPECT_TRUE(free_area.contains(project(camera_view, corner)->x, project(camera_view, corner)->y));
+    EXPECT_NEAR(project(camera_view, {0, 0})->x, free_area.x + free_area.w / 2, 0.1f);
 }
 
 TEST(Camera, LooksAheadInDriverMode) {
     VehicleView vehicle;
     vehicle.x = 1, vehicle.y = 2, vehicle.heading = maths::pi / 2;
-    const Sight sight = in_mode(CameraMode::driver, &vehicle);
-    EXPECT_LT(maths::distance(maths::vec2{sight.eye.x, -sight.eye.z}, {1, 2}), 0.3f);
-    EXPECT_NEAR(project(sight, {1, 8})->x, free_area.x + free_area.w / 2, 0.5f);
-    EXPECT_LT(project(sight, {0, 6})->x, project(sight, {2, 6})->x);  // its left is on the left
-    EXPECT_FALSE(project(sight, {1, -3}));
+    const CameraView camera_view = in_mode(CameraMode::driver, &vehicle);
+    EXPECT_LT(maths::distance(maths::vec2{camera_view.eye.x, -camera_view.eye.z}, {1, 2}), 0.3f);
+    EXPECT_NEAR(project(camera_view, {1, 8})->x, free_area.x + free_area.w / 2, 0.5f);
+    EXPECT_LT(project(camera_view, {0, 6})->x, project(camera_view, {2, 6})->x);  // its left is on the left
+    EXPECT_FALSE(project(camera_view, {1, -3}));
 }
 
 TEST(Camera, FindsTheFloorUnderAPixelInEveryMode) {
     VehicleView vehicle;
     for (const CameraMode mode :
          {CameraMode::overview, CameraMode::follow, CameraMode::birds_eye, CameraMode::driver}) {
-        const Sight sight = in_mode(mode, &vehicle);
-        const auto back = unproject(sight, *project(sight, {4, 0.5f}));
+        const CameraView camera_view = in_mode(mode, &vehicle);
+        const auto back = unproject(camera_view, *project(camera_view, {4, 0.5f}));
         ASSERT_TRUE(back);
         EXPECT_LT(maths::distance(*back, {4, 0.5f}), 0.01f) << static_cast<int>(mode);
     }
 }
 
 TEST(Camera, FindsTheFloorUnderAPixelDuringAGlide) {
-    const Sight half = glide(in_mode(CameraMode::overview), in_mode(CameraMode::birds_eye), 0.03f);
+    const CameraView half = glide(in_mode(CameraMode::overview), in_mode(CameraMode::birds_eye), 0.03f);
     for (const vec2 place : {vec2{0, 0}, {6, -3}, {-7, 8}}) {
         const auto back = unproject(half, *project(half, place));
         ASSERT_TRUE(back);
@@ -180,10 +180,10 @@ TEST(Camera, FindsTheFloorUnderAPixelDuringAGlide) {
 
 TEST(Camera, GivesPixelsPerMetre) {
     for (const CameraMode mode : {CameraMode::overview, CameraMode::birds_eye}) {
-        const Sight sight = in_mode(mode);
+        const CameraView camera_view = in_mode(mode);
         // Across the line of sight: along x, as the camera stands behind −y.
-        const float apart = project(sight, {2.5f, 1})->x - project(sight, {1.5f, 1})->x;
-        EXPECT_NEAR(pixels_per_metre(sight, {2, 1}), apart, 0.01f * apart);
+        const float apart = project(camera_view, {2.5f, 1})->x - project(camera_view, {1.5f, 1})->x;
+        EXPECT_NEAR(pixels_per_metre(camera_view, {2, 1}), apart, 0.01f * apart);
     }
     VehicleView vehicle;
     EXPECT_EQ(pixels_per_metre(in_mode(CameraMode::follow, &vehicle), {-8, 0}), 0);
@@ -206,9 +206,9 @@ TEST(Camera, KeepsThePointUnderThePointerWhileZooming) {
 TEST(Camera, PansWithTheFloorPointUnderThePointer) {
     Camera camera;
     camera.azimuth = 2;
-    const Sight sight = look(camera, Arena{}, nullptr, window, free_area);
-    const vec2 held = *unproject(sight, {500, 400});
-    pan(camera, sight, {500, 400}, {620, 300});
+    const CameraView camera_view = look(camera, Arena{}, nullptr, window, free_area);
+    const vec2 held = *unproject(camera_view, {500, 400});
+    pan(camera, camera_view, {500, 400}, {620, 300});
     EXPECT_LT(maths::distance(*unproject(look(camera, Arena{}, nullptr, window, free_area), {620, 300}), held), 0.05f);
 }
 
@@ -222,8 +222,8 @@ TEST(Camera, OrbitsOnlyAboveTheFloor) {
 }
 
 TEST(Camera, GlidesFromPerspectiveToOrthographicAndArrives) {
-    const Sight to = in_mode(CameraMode::birds_eye);
-    Sight now = in_mode(CameraMode::overview);
+    const CameraView to = in_mode(CameraMode::birds_eye);
+    CameraView now = in_mode(CameraMode::overview);
     for (int frame = 0; frame < 120; ++frame) {
         now = glide(now, to, 1.0f / 60);
         ASSERT_TRUE(project(now, {0, 0}));
@@ -234,8 +234,8 @@ TEST(Camera, GlidesFromPerspectiveToOrthographicAndArrives) {
 }
 
 TEST(Camera, GlidesMostOfTheWayInAFifthOfASecondAndArrives) {
-    const Sight from = overview(-1.57f), to = overview(-0.6f, 0.7f);
-    Sight now = from;
+    const CameraView from = overview(-1.57f), to = overview(-0.6f, 0.7f);
+    CameraView now = from;
     for (int frame = 0; frame < 12; ++frame) now = glide(now, to, 1.0f / 60);
     EXPECT_LT(maths::distance(now.eye, to.eye), 0.06f * maths::distance(from.eye, to.eye));
     EXPECT_GT(maths::distance(now.eye, to.eye), 0);
@@ -245,7 +245,7 @@ TEST(Camera, GlidesMostOfTheWayInAFifthOfASecondAndArrives) {
 }
 
 TEST(Camera, KeepsTheViewARotationDuringAGlide) {
-    const Sight half = glide(overview(-1.57f), overview(0.3f, 1.4f), 0.04f);
+    const CameraView half = glide(overview(-1.57f), overview(0.3f, 1.4f), 0.04f);
     const maths::vec3 x{half.view[0].x, half.view[1].x, half.view[2].x},
         y{half.view[0].y, half.view[1].y, half.view[2].y};
     EXPECT_NEAR(maths::length(x), 1, 1e-5);
@@ -254,7 +254,7 @@ TEST(Camera, KeepsTheViewARotationDuringAGlide) {
 }
 
 TEST(Camera, DoesNotGlideWhenTheWindowChangesItsSize) {
-    const Sight to = look(Camera{}, Arena{}, nullptr, {0, 0, 800, 600}, {0, 0, 800, 600});
+    const CameraView to = look(Camera{}, Arena{}, nullptr, {0, 0, 800, 600}, {0, 0, 800, 600});
     EXPECT_EQ(glide(overview(), to, 0.01f).projection, to.projection);
 }
 

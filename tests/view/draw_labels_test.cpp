@@ -15,7 +15,7 @@ using namespace render;
 Picture from_above() {
     Picture picture;
     const Rect window{0, 0, 1280, 800};
-    picture.sight = look(Camera{}, Arena{}, nullptr, window, window);
+    picture.camera_view = look(Camera{}, Arena{}, nullptr, window, window);
     return picture;
 }
 
@@ -44,19 +44,21 @@ TEST(DrawLabels, DoNotOverlapTheWallsFromAnyAzimuth) {
             picture.pixel_scale = 2;
             Camera camera;
             camera.azimuth = azimuth, camera.zoom = zoom;
-            picture.sight = look(camera, Arena{}, nullptr, picture.sight.window, picture.sight.window);
+            picture.camera_view =
+                look(camera, Arena{}, nullptr, picture.camera_view.window, picture.camera_view.window);
             DrawList list;
             fill(list, now, picture, Trails{});
             EXPECT_FALSE(list.labels.empty());
             for (const Label& label : list.labels) {
                 // Nothing of the wall, foot or top, inner or outer edge, reaches beyond the side that the words keep
                 // to.
-                const auto at = *project(picture.sight, label.place, label.height) + label.offset * picture.pixel_scale;
+                const auto at =
+                    *project(picture.camera_view, label.place, label.height) + label.offset * picture.pixel_scale;
                 EXPECT_NEAR(maths::length(label.away), 1, 1e-3);
                 const maths::vec2 inside = label.place * (10 / (10 + 0.22f));
                 for (const maths::vec2 edge : {label.place, inside})
                     for (const float height : {0.0f, 0.35f})
-                        EXPECT_GE(maths::dot(at - *project(picture.sight, edge, height), label.away), 16)
+                        EXPECT_GE(maths::dot(at - *project(picture.camera_view, edge, height), label.away), 16)
                             << label.text << " from " << azimuth << " at " << zoom;
             }
         }
@@ -66,7 +68,7 @@ TEST(DrawLabels, LeaveMetresOutAtLowElevations) {
     Picture picture = from_above();
     Camera camera;
     camera.elevation = 0.2f;
-    picture.sight = look(camera, Arena{}, nullptr, picture.sight.window, picture.sight.window);
+    picture.camera_view = look(camera, Arena{}, nullptr, picture.camera_view.window, picture.camera_view.window);
     EXPECT_TRUE(words(hand_made::empty(hand_made::scene()), picture).empty());
 }
 

@@ -64,7 +64,7 @@ Picture seen_at_zoom(float zoom) {
     camera.zoom = zoom;
     const Rect window{0, 0, 1280, 800};
     Picture picture;
-    picture.sight = look(camera, Arena{}, nullptr, window, window);
+    picture.camera_view = look(camera, Arena{}, nullptr, window, window);
     return picture;
 }
 

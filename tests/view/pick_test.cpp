@@ -12,27 +12,27 @@ const Rect window{0, 0, 1280, 800};
 TEST(Pick, FindsTheVehicleWhereItIsDrawn) {
     Snapshot now = hand_made::empty(hand_made::scene());
     const VehicleId left = hand_made::add(now, 1, -5, 2, 0), right = hand_made::add(now, 2, 6, -7, 1);
-    const Sight sight = look(Camera{}, now.scene->arena, nullptr, window, window);
-    EXPECT_EQ(pick(now, sight, *project(sight, {-5, 2}, 0.15f)), left);
-    EXPECT_EQ(pick(now, sight, *project(sight, {6, -7}, 0.15f)), right);
-    EXPECT_EQ(pick(now, sight, *project(sight, {0, 0})), no_vehicle);
+    const CameraView camera_view = look(Camera{}, now.scene->arena, nullptr, window, window);
+    EXPECT_EQ(pick(now, camera_view, *project(camera_view, {-5, 2}, 0.15f)), left);
+    EXPECT_EQ(pick(now, camera_view, *project(camera_view, {6, -7}, 0.15f)), right);
+    EXPECT_EQ(pick(now, camera_view, *project(camera_view, {0, 0})), no_vehicle);
 }
 
 TEST(Pick, TakesTheNearestToThePixelOfTwoThatTouch) {
     Snapshot now = hand_made::empty(hand_made::scene());
     const VehicleId a = hand_made::add(now, 1, 0, 0, 0), b = hand_made::add(now, 1, 0.7f, 0, 0);
-    const Sight sight = look(Camera{}, now.scene->arena, nullptr, window, window);
-    EXPECT_EQ(pick(now, sight, *project(sight, {0.2f, 0}, 0.15f)), a);
-    EXPECT_EQ(pick(now, sight, *project(sight, {0.5f, 0}, 0.15f)), b);
+    const CameraView camera_view = look(Camera{}, now.scene->arena, nullptr, window, window);
+    EXPECT_EQ(pick(now, camera_view, *project(camera_view, {0.2f, 0}, 0.15f)), a);
+    EXPECT_EQ(pick(now, camera_view, *project(camera_view, {0.5f, 0}, 0.15f)), b);
 }
 
 TEST(Pick, HasAMarginOfAFewPixels) {
     Snapshot now = hand_made::empty(hand_made::scene());
     const VehicleId only = hand_made::add(now, 0, 0, 0, 0);
-    const Sight sight = look(Camera{}, now.scene->arena, nullptr, window, window);
-    const auto centre = *project(sight, {0, 0}, 0.15f), side = *project(sight, {0.5f, 0}, 0.15f);
-    EXPECT_EQ(pick(now, sight, {side.x + 3, centre.y}), only);
-    EXPECT_EQ(pick(now, sight, {side.x + 12, centre.y}), no_vehicle);
+    const CameraView camera_view = look(Camera{}, now.scene->arena, nullptr, window, window);
+    const auto centre = *project(camera_view, {0, 0}, 0.15f), side = *project(camera_view, {0.5f, 0}, 0.15f);
+    EXPECT_EQ(pick(now, camera_view, {side.x + 3, centre.y}), only);
+    EXPECT_EQ(pick(now, camera_view, {side.x + 12, centre.y}), no_vehicle);
 }
 
 TEST(Pick, FindsNothingBehindTheCamera) {
@@ -41,8 +41,8 @@ TEST(Pick, FindsNothingBehindTheCamera) {
     hand_made::add(now, 0, -9, 0, 0);
     Camera camera;
     camera.mode = CameraMode::follow;
-    const Sight sight = look(camera, now.scene->arena, &rider, window, window);
-    EXPECT_EQ(pick(now, sight, {640, 400}), no_vehicle);
+    const CameraView camera_view = look(camera, now.scene->arena, &rider, window, window);
+    EXPECT_EQ(pick(now, camera_view, {640, 400}), no_vehicle);
 }
 
 SceneObject source(int index) { return {SceneObjectKind::source, index}; }
@@ -55,13 +55,13 @@ struct Yard {
         scene->obstacles = std::move(obstacles);
         for (const Obstacle& o : scene->obstacles) now.obstacles.push_back({o.x, o.y, o.heading});
         now.scene = scene;
-        sight = look(Camera{}, scene->arena, nullptr, window, window);
+        camera_view = look(Camera{}, scene->arena, nullptr, window, window);
     }
     SceneObject at(maths::vec2 place, float height = 0) const {
-        return pick_object(now, sight, *project(sight, place, height));
+        return pick_object(now, camera_view, *project(camera_view, place, height));
     }
     Snapshot now;
-    Sight sight;
+    CameraView camera_view;
 };
 
 Obstacle box(float x, float y, float heading, float length, float width) {

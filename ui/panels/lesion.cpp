@@ -34,15 +34,15 @@ bool contains(const Anchors& anchors, std::string_view name, vec2 at) {
 std::string part_in_scene(const LabView& view, vec2 pointer) {
     constexpr float pixels = 14, metres = 0.14f, eye_height = 0.3f, wheel_height = 0.1f;
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
-    if (!vehicle || !view.sight) return {};
+    if (!vehicle || !view.camera_view) return {};
     const vec2 ahead{maths::cosine(vehicle->heading), maths::sine(vehicle->heading)};
     const vec2 place{vehicle->x, vehicle->y};
     std::string nearest;
     float least = 1e9f;
     const auto offer = [&](float x, float y, float height, const std::string& name) {
         const vec2 at = place + ahead * x + vec2{-ahead.y, ahead.x} * y;
-        const auto middle = project(*view.sight, at, height);
-        const auto beside = project(*view.sight, at + ahead * metres, height);
+        const auto middle = project(*view.camera_view, at, height);
+        const auto beside = project(*view.camera_view, at + ahead * metres, height);
         if (!middle || !beside) return;
         const float far = maths::distance(*middle, pointer);
         if (far > std::max(pixels, maths::distance(*middle, *beside)) || far >= least) return;

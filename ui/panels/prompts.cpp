@@ -172,9 +172,9 @@ float pulse(const LabView& view) {
 }
 
 void point_to_lamp(const LabView& view, Ui& ui) {
-    if (ui.highlight != lamp_anchor || !view.sight || view.now->sources.empty()) return;
+    if (ui.highlight != lamp_anchor || !view.camera_view || view.now->sources.empty()) return;
     const SourceView& lamp = view.now->sources.front();
-    const auto at = project(*view.sight, {lamp.x, lamp.y}, bulb_height);
+    const auto at = project(*view.camera_view, {lamp.x, lamp.y}, bulb_height);
     if (!at) return;
     const float radius = ui.px(18 + 4 * ui.pulse);
     ImGui::GetBackgroundDrawList()->AddCircle(

@@ -58,7 +58,7 @@ void tool_sign(const Ui& ui, SceneInputTool tool, ImVec2 c, Colour colour) {
 }  // namespace
 
 void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect scene) {
-    if (!view.sight || view.mode == Mode::wiring) return;
+    if (!view.camera_view || view.mode == Mode::wiring) return;
     const float size = ui.px(tool_size), inset = ui.px(tool_pad);
     const Rect bar{scene.x, scene.y, tool_looks.size() * size + 2 * inset, size + 2 * inset};
     begin_bar(ui, "tools", bar, false, 6);

@@ -61,7 +61,7 @@ private:
     std::vector<ImVec2> on_screen(const std::vector<vec2>& places, float height = 0) const {
         std::vector<ImVec2> points;
         for (const vec2 place : places) {
-            const auto at = project(frame_.sight, place, height);
+            const auto at = project(frame_.camera_view, place, height);
             if (!at) return {};
             points.push_back({at->x, at->y});
         }
@@ -90,7 +90,7 @@ private:
         const bool warm = state_.hovered.handle || state_.drag.phase == SceneInputPhase::turn;
         const Colour colour = warm ? ui_.palette.accent : ui_.palette.second_text;
         line(circle(handle.middle, handle.radius), colour.with_alpha(warm ? 1.0f : 0.55f), warm ? 2.0f : 1.25f);
-        const auto knob = project(frame_.sight, handle.knob);
+        const auto knob = project(frame_.camera_view, handle.knob);
         if (!knob) return;
         dot({knob->x, knob->y}, warm ? 8.0f : 6.0f, colour);
         const float size = ui_.px(16);
@@ -119,7 +119,7 @@ private:
     }
 
     void draw_box() const {
-        const auto floor = unproject(frame_.sight, frame_.pointer.at);
+        const auto floor = unproject(frame_.camera_view, frame_.pointer.at);
         if (!floor) return;
         const Obstacle box = box_between(state_.drag.corner, *floor);
         std::vector<vec2> corners = corners_of(box);
@@ -133,7 +133,7 @@ private:
     void draw_outline() const {
         const Palette& p = ui_.palette;
         std::vector<vec2> corners = state_.corners;
-        const auto floor = unproject(frame_.sight, frame_.pointer.at);
+        const auto floor = unproject(frame_.camera_view, frame_.pointer.at);
         const bool closes = floor && on_first_corner();
         const OutlineFault fault = floor && !closes ? fault_of_next(corners, *floor) : OutlineFault::none;
         const bool sound = fault == OutlineFault::none || fault == OutlineFault::too_near;
@@ -143,9 +143,9 @@ private:
         if (floor && !sound && !state_.corners.empty())
             line(on_screen({state_.corners.back(), *floor, state_.corners.front()}), p.warning, 2, false);
         for (const vec2 corner : state_.corners)
-            if (const auto at = project(frame_.sight, corner)) dot({at->x, at->y}, 4, p.accent);
+            if (const auto at = project(frame_.camera_view, corner)) dot({at->x, at->y}, 4, p.accent);
         if (state_.corners.size() >= 3)
-            if (const auto first = project(frame_.sight, state_.corners[0]))
+            if (const auto first = project(frame_.camera_view, state_.corners[0]))
                 list_.AddCircle({first->x, first->y}, ui_.px(closes ? 11.0f : 8.0f), paint(p.accent), 24, ui_.px(2));
         if (frame_.pointer.over && !sound && state_.refusal.key.empty())
             note(ui_.strings(refusal_of(fault)), p.warning);
@@ -154,15 +154,16 @@ private:
 
     bool on_first_corner() const {
         if (state_.corners.size() < 3) return false;
-        const auto first = project(frame_.sight, state_.corners[0]);
+        const auto first = project(frame_.camera_view, state_.corners[0]);
         return first && maths::distance(*first, frame_.pointer.at) <= ui_.px(11);
     }
 
     void draw_ghost_lamp() const {
-        const auto floor = unproject(frame_.sight, frame_.pointer.at);
+        const auto floor = unproject(frame_.camera_view, frame_.pointer.at);
         if (!floor) return;
         line(circle(*floor, source_ring), ui_.palette.lamp, 2);
-        if (const auto bulb = project(frame_.sight, *floor, bulb_height)) dot({bulb->x, bulb->y}, 6, ui_.palette.lamp);
+        if (const auto bulb = project(frame_.camera_view, *floor, bulb_height))
+            dot({bulb->x, bulb->y}, 6, ui_.palette.lamp);
     }
 
     void draw_cross() const {

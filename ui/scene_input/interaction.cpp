@@ -86,7 +86,8 @@ SceneInputPhase phase_for(const SceneInputState& state, const SceneInputFrame& f
     const bool flat = frame.view.settings.camera.mode == CameraMode::birds_eye;  // it keeps north up
     if (!drag.left || (!drag.on && flat)) return SceneInputPhase::pan;
     // The vehicle that the camera follows moves away from the pointer: orbit instead.
-    const bool ridden = rides(frame.view.settings.camera.mode) && drag.on.object == vehicle_object(frame.view.settings.selection.vehicle);
+    const bool ridden = rides(frame.view.settings.camera.mode) &&
+                        drag.on.object == vehicle_object(frame.view.settings.selection.vehicle);
     if (!drag.on || ridden) return SceneInputPhase::orbit;
     return drag.on.handle ? SceneInputPhase::turn : SceneInputPhase::move;
 }
@@ -129,7 +130,7 @@ void finish_move(const SceneInputDrag& drag, const LabView& view, Outbox& outbox
 void open_menu(SceneInputState& state, const SceneInputFrame& frame) {
     state.menu = {};
     state.menu.open = true;
-    state.menu.object = pick_object(*frame.view.now, frame.sight, frame.pointer.at);
+    state.menu.object = pick_object(*frame.view.now, frame.camera_view, frame.pointer.at);
     state.menu.at = frame.pointer.at;
     state.menu.place = in_arena(frame.view, floor_at(frame).value_or(vec2{}));
 }
@@ -174,7 +175,7 @@ void interact(SceneInputState& state, const SceneInputFrame& frame, Outbox& outb
 void open_menu_of(SceneInputState& state, const LabView& view, const SceneObject& object) {
     const auto place = place_of(*view.now, object);
     if (!place) return;
-    const auto at = project(*view.sight, {place->x, place->y});
+    const auto at = project(*view.camera_view, {place->x, place->y});
     if (!at) return;
     state.menu = {};
     state.menu.open = state.menu.by_key = true;

@@ -19,7 +19,7 @@ struct SceneInputPointer {
 
 struct SceneInputFrame {
     const LabView& view;
-    const Sight& sight;
+    const CameraView& camera_view;
     float scale = 1;  // window pixels per layout pixel
     Rect area;        // free of cards
     SceneInputPointer pointer;

@@ -42,8 +42,8 @@ void show_cursor(const SceneInputState& state) {
 }
 
 // The axis of the floor nearest to an arrow on the screen, so that objects move along grid lines.
-vec2 floor_direction(const Sight& sight, int key) {
-    const vec2 right{sight.view[0][0], -sight.view[2][0]}, up{-right.y, right.x};
+vec2 floor_direction(const CameraView& camera_view, int key) {
+    const vec2 right{camera_view.view[0][0], -camera_view.view[2][0]}, up{-right.y, right.x};
     const vec2 way = key == key::right ? right : key == key::left ? -right : key == key::up ? up : -up;
     if (std::fabs(way.x) > std::fabs(way.y)) return {way.x > 0 ? 1.0f : -1.0f, 0};
     return {0, way.y > 0 ? 1.0f : -1.0f};
@@ -55,7 +55,7 @@ bool nudge(const LabView& view, SceneInputState& state, KeyPress press, Outbox& 
     const SceneObject object = chosen(view);
     const auto place = place_of(*view.now, object);
     if (!place || state.drag.phase != SceneInputPhase::idle) return false;
-    const vec2 way = floor_direction(*view.sight, press.key) * (press.shift ? fine_nudge : nudge_step);
+    const vec2 way = floor_direction(*view.camera_view, press.key) * (press.shift ? fine_nudge : nudge_step);
     const auto command = move_of(*view.now, object, {place->x + way.x, place->y + way.y, place->heading});
     if (!command) return false;
     if (object != state.nudged || view.wall_seconds - state.nudged_at > nudge_pause) ++state.gesture;
@@ -99,20 +99,20 @@ bool key_for_polygon(const LabView& view, SceneInputState& state, Action action,
 }  // namespace
 
 bool takes_arrows(const LabView& view, bool ctrl) {
-    if (!view.sight || view.mode == Mode::wiring) return false;
+    if (!view.camera_view || view.mode == Mode::wiring) return false;
     return view.settings.selection.object || (ctrl && view.settings.selection.vehicle != no_vehicle);
 }
 
 void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area) {
-    if (!view.sight) return;
-    const SceneInputFrame frame{view, *view.sight, ui.scale, area, current_pointer(state)};
+    if (!view.camera_view) return;
+    const SceneInputFrame frame{view, *view.camera_view, ui.scale, area, current_pointer(state)};
     interact(state, frame, ui.outbox);
     show_cursor(state);
     draw_scene_input(state, frame, ui);
 }
 
 bool press_key(const LabView& view, SceneInputState& state, Keyboard& keyboard, KeyPress press, Outbox& outbox) {
-    if (!view.sight || view.mode == Mode::wiring) return false;
+    if (!view.camera_view || view.mode == Mode::wiring) return false;
     if (state.menu.open && key_for_menu(state.menu, keyboard, press)) return true;
     if (!keyboard.focus.empty()) return false;                                    // a widget has the keyboard
     if (press.key == key::del) return state.drag.phase != SceneInputPhase::idle;  // a dragged object is not deleted

@@ -21,10 +21,10 @@ SceneObject chosen(const LabView& view) {
                                           : vehicle_object(view.settings.selection.vehicle);
 }
 
-std::optional<vec2> floor_at(const SceneInputFrame& frame) { return unproject(frame.sight, frame.pointer.at); }
+std::optional<vec2> floor_at(const SceneInputFrame& frame) { return unproject(frame.camera_view, frame.pointer.at); }
 
 float pixels_from(const SceneInputFrame& frame, vec2 place) {
-    const auto at = project(frame.sight, place);
+    const auto at = project(frame.camera_view, place);
     return at ? maths::distance(*at, frame.pointer.at) : 1e9f;
 }
 
@@ -45,7 +45,7 @@ std::optional<Handle> handle_of(const SceneInputState& state, const SceneInputFr
         return std::nullopt;
     Handle handle;
     handle.middle = {place->x, place->y};
-    const float scale = pixels_per_metre(frame.sight, handle.middle);
+    const float scale = pixels_per_metre(frame.camera_view, handle.middle);
     if (scale <= 0) return std::nullopt;
     handle.radius = reach_of(*frame.view.now, object) + ring_gap * frame.scale / scale;
     handle.knob = handle.middle + maths::from_polar(handle.radius, place->heading);
@@ -58,7 +58,7 @@ SceneInputHit under_pointer(const SceneInputState& state, const SceneInputFrame&
     if (!frame.pointer.over || frame.view.mode == Mode::wiring || state.tool != SceneInputTool::hand) return {};
     const auto handle = handle_of(state, frame);
     const auto floor = floor_at(frame);
-    const SceneObject object = pick_object(*frame.view.now, frame.sight, frame.pointer.at);
+    const SceneObject object = pick_object(*frame.view.now, frame.camera_view, frame.pointer.at);
     const float to_knob = handle ? pixels_from(frame, handle->knob) : 1e9f;
     if (to_knob <= knob_grip * frame.scale) {
         // Another object may be below the knob: take the nearer one.
@@ -69,7 +69,8 @@ SceneInputHit under_pointer(const SceneInputState& state, const SceneInputFrame&
     if (object) return {object, false};
     if (handle && floor) {
         const float off = std::fabs(maths::distance(*floor, handle->middle) - handle->radius);
-        if (off * pixels_per_metre(frame.sight, *floor) <= ring_grip * frame.scale) return {chosen(frame.view), true};
+        if (off * pixels_per_metre(frame.camera_view, *floor) <= ring_grip * frame.scale)
+            return {chosen(frame.view), true};
     }
     return {};
 }
