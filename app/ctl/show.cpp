@@ -10,8 +10,8 @@
 #include "core/io/run_file.h"
 #include "core/lesson/exercise.h"
 #include "core/maths/angle.h"
-#include "core/scene/file_kind.h"
 #include "core/scene/enums.h"
+#include "core/scene/file_kind.h"
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
 
@@ -47,7 +47,7 @@ void show_kind(const Kind& kind) {
     std::cout << fmt::format("kind {}: role {}, driver {}\n", kind.name, word(kind.role), word(kind.driver));
     for (const Sensor& s : kind.sensors)
         std::cout << fmt::format("  sensor {}: {}, {}, at {:.0f}°, {:.0f}° wide, {:g} m\n", s.name, word(s.channel),
-                                 word(s.shape), maths::degrees(s.angle), maths::degrees(s.field), s.range);
+                                 word(s.shape), maths::degrees(s.angle), maths::degrees(s.fov), s.range);
     show_brain(kind.brain, "  ");
 }
 

@@ -118,7 +118,7 @@ std::optional<Fault> wheels_fault(const Kind& kind) {
 std::optional<Fault> triangle_fault(const Kind& kind) {
     constexpr float widest = maths::radians(179);
     for (const Sensor& s : kind.sensors)
-        if (s.shape == SensorShape::triangle && s.field > widest + 1e-3f)
+        if (s.shape == SensorShape::triangle && s.fov > widest + 1e-3f)
             return Fault{"kind." + kind.name + ".sensor." + s.name + ".field",
                          "a triangle opens by 179 degrees at most; make it narrower or its shape a sector"};
     return std::nullopt;

@@ -21,13 +21,13 @@ struct Sensor {
     Channel channel = Channel::light;
     SensorShape shape = SensorShape::sector;
     SensorResponse response = SensorResponse::graded;
-    float x = 0.30f, y = 0;    // m
-    float angle = 0;           // of the axis, relative to the vehicle's heading
-    float field = 1.7453293f;  // full opening angle of sector or triangle, (0, 2 pi]; of a triangle below pi
-    float range = 12;          // m; the reading is 0 beyond. Of a triangle: length of its two sides
-    float half_distance = 3;   // m; the d0 of 1/(1 + (d/d0)^2)
-    float noise = 0;           // standard deviation of the noise added to a reading; the sum is clamped to 0..1
-    float latency = 0;         // s between a reading and the brain's input, 0..1
+    float x = 0.30f, y = 0;   // m
+    float angle = 0;          // of the axis, relative to the vehicle's heading
+    float fov = 1.7453293f;   // full opening angle of sector or triangle, (0, 2 pi]; of a triangle below pi
+    float range = 12;         // m; the reading is 0 beyond. Of a triangle: length of its two sides
+    float half_distance = 3;  // m; the d0 of 1/(1 + (d/d0)^2)
+    float noise = 0;          // standard deviation of the noise added to a reading; the sum is clamped to 0..1
+    float latency = 0;        // s between a reading and the brain's input, 0..1
     friend bool operator==(const Sensor&, const Sensor&) = default;
 };
 

@@ -102,7 +102,7 @@ void describe(Visitor& v, Of<Sensor>) {
     v.number("x", &Sensor::x, "m", mount_range, "ahead of the origin");
     v.number("y", &Sensor::y, "m", mount_range, "left of the origin");
     v.angle("angle", &Sensor::angle, {-180, 180}, "of its axis, to the left of straight ahead");
-    v.angle("field", &Sensor::field, {1, 360}, "full opening angle");
+    v.angle("field", &Sensor::fov, {1, 360}, "full opening angle");
     v.number("range", &Sensor::range, "m", {0.05, 100}, "the reading is 0 beyond");
     v.number("half_distance", &Sensor::half_distance, "m", {0.01, 100}, "d₀ in 1/(1+(d/d₀)²)");
     v.number("noise", &Sensor::noise, "", {0, 1}, "standard deviation of the noise added to a reading");

@@ -12,7 +12,7 @@ namespace {
 
 float reach_of(const Sensor& s) {
     if (s.shape != SensorShape::triangle) return std::numeric_limits<float>::max();
-    return s.range * std::max(0.0f, maths::cosine(s.field / 2));
+    return s.range * std::max(0.0f, maths::cosine(s.fov / 2));
 }
 
 }  // namespace
@@ -23,9 +23,9 @@ CompiledSensor::CompiledSensor(const Sensor& s)
       response(s.response),
       mount{s.x, s.y},
       axis(maths::direction(s.angle)),
-      left_arm(maths::direction(s.angle + s.field / 2)),
-      right_arm(maths::direction(s.angle - s.field / 2)),
-      cos_half_field(s.shape == SensorShape::omni ? -2.0f : maths::cosine(s.field / 2)),
+      left_arm(maths::direction(s.angle + s.fov / 2)),
+      right_arm(maths::direction(s.angle - s.fov / 2)),
+      cos_half_field(s.shape == SensorShape::omni ? -2.0f : maths::cosine(s.fov / 2)),
       reach(reach_of(s)),
       least_cosine(s.shape == SensorShape::omni ? 1.0f : 0.0f),
       range(s.range),

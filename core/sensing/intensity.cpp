@@ -22,11 +22,10 @@ Sensor measuring_sensor(const Kind* kind, Channel channel) {
     sensor.name.clear();
     sensor.channel = channel;
     sensor.x = sensor.y = sensor.angle = sensor.noise = sensor.latency = 0;
-    sensor.field = 2 * maths::pi, sensor.shape = SensorShape::omni;
+    sensor.fov = 2 * maths::pi, sensor.shape = SensorShape::omni;
     if (channel == Channel::floor) sensor.response = SensorResponse::graded;
     return sensor;
 }
-
 
 void IntensityMap::resize_grid() {
     const Channel channel = input_.sensor.channel;

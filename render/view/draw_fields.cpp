@@ -60,7 +60,7 @@ void add_fields(Drawing& drawing, const Subject& s) {
         const vec2 at = s.to_world({sensor.x, sensor.y});
         if (!in_sight(drawing, at, line > 0 ? sensor.range : radius)) continue;
         const vec2 towards = maths::rotate(maths::direction(sensor.angle), s.ahead);
-        const float half = sensor.shape == SensorShape::omni ? maths::pi : sensor.field / 2;
+        const float half = sensor.shape == SensorShape::omni ? maths::pi : sensor.fov / 2;
         const bool chord = sensor.shape == SensorShape::triangle && half < maths::pi / 2;
         drawing.list.fields.push_back({{at.x, at.y, towards.x, towards.y},
                                        {line > 0 ? sensor.range * 1.01f : radius, half,

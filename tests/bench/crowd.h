@@ -28,7 +28,7 @@ inline Scene dense(int n) {
     scene.kinds[0].brain = make_graph(hunter);
     scene.kinds[1].brain = make_graph(hunted);
     for (Kind& kind : scene.kinds)
-        for (Sensor& eye : kind.sensors) eye.range = eye_range, eye.field = maths::radians(60);
+        for (Sensor& eye : kind.sensors) eye.range = eye_range, eye.fov = maths::radians(60);
     return scene;
 }
 

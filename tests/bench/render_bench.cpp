@@ -26,7 +26,7 @@ Snapshot dense(int n) {
     auto scene = hand_made::scene();
     scene->arena.width = scene->arena.height = 2 * std::sqrt(static_cast<float>(n));
     for (Kind& kind : scene->kinds)
-        for (Sensor& eye : kind.sensors) eye.range = 6, eye.field = maths::radians(60);
+        for (Sensor& eye : kind.sensors) eye.range = 6, eye.fov = maths::radians(60);
     Snapshot now = hand_made::empty(scene);
     maths::Random random(1, 1);
     const float half = scene->arena.width / 2;

@@ -29,7 +29,7 @@ public:
         s.response = static_cast<SensorResponse>(below(2));
         s.x = number(-1, 1), s.y = number(-1, 1);
         s.angle = number(-3, 3);
-        s.field = number(0.05f, s.shape == SensorShape::triangle ? 3.1f : 2 * maths::pi);
+        s.fov = number(0.05f, s.shape == SensorShape::triangle ? 3.1f : 2 * maths::pi);
         s.range = number(1, 10);
         s.half_distance = number(0.5f, 6);
         return s;

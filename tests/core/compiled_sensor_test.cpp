@@ -37,9 +37,9 @@ TEST(CompiledSensor, SeesOfASectorOrTheWholeCircleWhatAnglesAndDistancesSayItSho
         const Polar at = seen_from(sensor, pose, point);
         const bool omni = sensor.shape == SensorShape::omni;
         const double to_rim =
-            std::min(std::fabs(at.distance - sensor.range), omni ? 1 : std::fabs(at.off_axis - sensor.field / 2));
+            std::min(std::fabs(at.distance - sensor.range), omni ? 1 : std::fabs(at.off_axis - sensor.fov / 2));
         if (to_rim < 1e-4) continue;  // a rounding either way
-        const bool expected = at.distance < sensor.range && (omni || at.off_axis < sensor.field / 2);
+        const bool expected = at.distance < sensor.range && (omni || at.off_axis < sensor.fov / 2);
         const CompiledSensor compiled(sensor);
         ASSERT_EQ(in_field(compiled, sensor_pose(compiled, {pose.x, pose.y}, maths::direction(pose.heading)), point),
                   expected)
@@ -56,7 +56,7 @@ TEST(CompiledSensor, SeesOfATriangleWhatBarycentricCoordinatesSayItShould) {
     for (int i = 0; i < 20000; ++i) {
         Sensor sensor = chance.sensor();
         sensor.shape = SensorShape::triangle;
-        sensor.field = chance.number(0.05f, 3.1f);
+        sensor.fov = chance.number(0.05f, 3.1f);
         const Pose pose = chance.pose();
         const CompiledSensor compiled(sensor);
         const SensorPose placed = sensor_pose(compiled, {pose.x, pose.y}, maths::direction(pose.heading));
@@ -117,7 +117,7 @@ TEST(CompiledSensor, HasItsWholeFieldWithinItsBounds) {
 }
 
 TEST(CompiledSensor, HasBoundsNoWiderThanItsField) {
-    const CompiledSensor compiled({.x = 0, .field = maths::radians(60), .range = 6});
+    const CompiledSensor compiled({.x = 0, .fov = maths::radians(60), .range = 6});
     const Bounds bounds = bounds_of(compiled, sensor_pose(compiled, {0, 0}, {1, 0}));
     EXPECT_NEAR(bounds.low.x, 0, 1e-3);
     EXPECT_NEAR(bounds.high.x, 6, 1e-2);

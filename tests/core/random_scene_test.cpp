@@ -135,7 +135,7 @@ void make_sound(Scene& scene, Dice& dice) {
     for (Kind& kind : scene.kinds) {
         for (Wheel& wheel : kind.body.wheels) wheel.load = 1.0f / static_cast<float>(kind.body.wheels.size());
         for (Sensor& sensor : kind.sensors)
-            if (sensor.shape == SensorShape::triangle) sensor.field = std::min(sensor.field, maths::radians(179));
+            if (sensor.shape == SensorShape::triangle) sensor.fov = std::min(sensor.fov, maths::radians(179));
         kind.brain = any_brain(dice, kind);
     }
     for (Start& start : scene.starts) {

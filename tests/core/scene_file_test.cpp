@@ -219,7 +219,7 @@ TEST(SceneFile, TakesItsNameFromTheFileUnlessItSaysOtherwise) {
 TEST(SceneFile, ReadsAnglesAsDegrees) {
     const Scene scene = read("format = 1\n[obstacle.o]\nheading = 90\n");
     EXPECT_FLOAT_EQ(scene.obstacles[0].heading, maths::pi / 2);
-    EXPECT_EQ(Sensor{}.field, read("format=1\n[kind.k.sensor.S]\nfield = 100\n").kinds[0].sensors[0].field);
+    EXPECT_EQ(Sensor{}.fov, read("format=1\n[kind.k.sensor.S]\nfield = 100\n").kinds[0].sensors[0].fov);
 }
 
 struct Mistake {

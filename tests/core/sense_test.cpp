@@ -285,9 +285,9 @@ TEST(Latency, HoldsEveryReadingBackByAsManyTicks) {
 }
 
 TEST(Triangle, OfHalfATurnOrMoreIsRefused) {
-    Scene scene = watcher({.shape = SensorShape::triangle, .field = maths::radians(200)});
+    Scene scene = watcher({.shape = SensorShape::triangle, .fov = maths::radians(200)});
     EXPECT_FALSE(World::create(scene, 1));
-    scene.kinds[0].sensors[0].field = maths::radians(120);
+    scene.kinds[0].sensors[0].fov = maths::radians(120);
     EXPECT_TRUE(World::create(scene, 1));
 }
 

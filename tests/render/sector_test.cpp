@@ -24,7 +24,7 @@ protected:
         auto scene = hand_made::scene();
         Sensor eye = scene->kinds[0].sensors[0];
         eye.x = eye.y = eye.angle = 0, eye.range = 7, eye.half_distance = 20;
-        eye.field = maths::radians(field_degrees), eye.shape = shape;
+        eye.fov = maths::radians(field_degrees), eye.shape = shape;
         scene->kinds[0].sensors = {eye};
         Snapshot now = hand_made::empty(scene);
         hand_made::add(now, 0, 0, 0, 0, 0.9f);

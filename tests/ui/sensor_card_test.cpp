@@ -67,8 +67,8 @@ TEST(SensorCard, TurnsBothEyesAsMirrorImages) {
     EXPECT_EQ(std::get<SetSensors>(desk.edits().back().command).kind, 0);
     desk.all.clear();
     desk.type_into("sensor.field", "90");
-    EXPECT_NEAR(desk.asked_for()[0].field, 90 * degree, 1e-4f);
-    EXPECT_NEAR(desk.asked_for()[1].field, 90 * degree, 1e-4f);
+    EXPECT_NEAR(desk.asked_for()[0].fov, 90 * degree, 1e-4f);
+    EXPECT_NEAR(desk.asked_for()[1].fov, 90 * degree, 1e-4f);
 }
 
 TEST(SensorCard, EditsOneEyeAloneWhenAsked) {

@@ -52,7 +52,7 @@ struct SensorNumber {
 constexpr SensorNumber geometry_numbers[]{
     {"sensor.angle", "sensors.angle", "sensors.angle_how", &Sensor::angle, -180, 180, degrees_per_radian, 1, 0, "°",
      true},
-    {"sensor.field", "sensors.field", "sensors.field_how", &Sensor::field, 1, 360, degrees_per_radian, 1, 0, "°"},
+    {"sensor.field", "sensors.field", "sensors.field_how", &Sensor::fov, 1, 360, degrees_per_radian, 1, 0, "°"},
     {"sensor.range", "sensors.range", "sensors.range_how", &Sensor::range, 0.1f, 20, 1, 0.1f, 1, " m", false, true},
     {"sensor.x", "sensors.x", "sensors.x_how", &Sensor::x, -1, 1, 1, 0.01f, 2, " m", false, true},
     {"sensor.y", "sensors.y", "sensors.y_how", &Sensor::y, -1, 1, 1, 0.01f, 2, " m", true, true},
