@@ -17,7 +17,7 @@ struct WiringInspector : testing::Test {
         desk.view.mode = Mode::wiring;
         desk.frame(4);
     }
-    void select(wiring::Selection chosen) {
+    void select(CanvasSelection chosen) {
         desk.panels.canvas.selection = std::move(chosen);
         desk.frame(3);
     }

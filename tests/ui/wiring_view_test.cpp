@@ -102,7 +102,7 @@ TEST_F(WiringView, FindsLabelsAndThenWiresWithinEightPixels) {
 
 TEST_F(WiringView, BoxTakesInWhatItTouchesAndNoGhosts) {
     const vec2 low = view.to_window(layout.low - vec2{5, 5}), high = view.to_window(layout.high + vec2{5, 5});
-    const wiring::Selection all = in_box(layout, view, high, low);
+    const CanvasSelection all = in_box(layout, view, high, low);
     EXPECT_EQ(all.nodes, (std::set<NodeId>{SL, SR, ML, MR}));
     EXPECT_EQ(all.wires, (std::set<WireEnds>{{SL, MR}, {SR, ML}}));
     const vec2 eye = view.to_window(find_shape(layout, SL)->centre);

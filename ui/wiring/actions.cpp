@@ -25,10 +25,10 @@ void tidy_up(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
 
 void toggle_lesion(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     // The part under the pointer, unless it is selected: then the whole selection.
-    Selection chosen = state.selection;
+    CanvasSelection chosen = state.selection;
     const Hit& under = state.hovered;
     if (under.part != Part::nothing && !chosen.contains(under))
-        chosen = under.is_wire() ? Selection{{}, {under.wire}} : Selection{{under.node}, {}};
+        chosen = under.is_wire() ? CanvasSelection{{}, {under.wire}} : CanvasSelection{{under.node}, {}};
     if (chosen.empty()) return;
     const bool lesioned = all_lesioned(frame.graph, chosen.nodes, chosen.wires);
     send_edit(state, frame, set_lesion(frame.graph, chosen.nodes, chosen.wires, !lesioned), state.next_gesture++,

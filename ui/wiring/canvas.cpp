@@ -55,7 +55,7 @@ bool shows_all(const Layout& layout, const View& view, Rect area) {
 }
 
 // True when the brain has new nodes that the user has not just added: added ones are selected.
-bool has_foreign_nodes(const BrainGraph& brain, const BrainGraph& before, const Selection& selection) {
+bool has_foreign_nodes(const BrainGraph& brain, const BrainGraph& before, const CanvasSelection& selection) {
     return std::any_of(brain.nodes.begin(), brain.nodes.end(), [&](const Node& node) {
         const Node* known = find_node(before, node.id);
         return (known == nullptr || known->name != node.name) && selection.nodes.count(node.id) == 0;

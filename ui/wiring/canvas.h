@@ -31,7 +31,7 @@ struct Drag {
     maths::vec2 press, last;          // window pixels
     BrainGraph graph;
     Positions positions;  // of move_nodes: of the moved nodes
-    Selection selection;
+    CanvasSelection selection;
     float weight = 0, travel = 0, sent = 0;  // of drag_weight: at the press, dragged since then, last one sent
     NodeId fixed = 0;                        // of drag_wire: the node that the wire keeps
     bool outwards = true;                    // of drag_wire: whether the wire starts at `fixed`
@@ -70,7 +70,7 @@ void update(Readings&, const Snapshot&, const VehicleView&, const BrainGraph& gr
 struct CanvasState {
     CanvasCamera camera;
     Positions held;  // of nodes that are dragged, and after the release until the lab has moved them
-    Selection selection;
+    CanvasSelection selection;
     Hit focus;                      // node or label that arrow keys start from
     std::optional<NodeId> joining;  // start of a wire that is drawn with keys, to the node in focus
     Drag drag;

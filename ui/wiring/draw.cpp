@@ -201,7 +201,7 @@ float clear_of_label(const WireShape& wire) {
 }
 
 void record_selected(Ui& ui, const BrainGraph& graph, const Layout& layout, const View& view,
-                     const Selection& selection) {
+                     const CanvasSelection& selection) {
     for (const NodeId id : selection.nodes)
         if (const NodeShape* node = find_shape(layout, id))
             ui.anchors.record("selected." + graph.nodes[node->node].name, node_rect(view, *node));

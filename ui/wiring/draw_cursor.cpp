@@ -82,7 +82,7 @@ std::string refusal_text(const Ui& ui, std::string_view key) {
 
 // At the selected node.
 void draw_sum(const Pen& pen, const Picture& picture, Rect area) {
-    const Selection& selection = picture.state.selection;
+    const CanvasSelection& selection = picture.state.selection;
     if (selection.nodes.size() != 1 || !selection.wires.empty()) return;
     const NodeShape* shape = find_shape(picture.layout, *selection.nodes.begin());
     if (shape == nullptr) return;

@@ -128,8 +128,8 @@ void drag_weight(CanvasState& state, const CanvasFrame& frame, vec2 moved, Outbo
 }
 
 void select_box(CanvasState& state, const CanvasFrame& frame) {
-    const Selection boxed = in_box(frame.layout, view_of(state, frame), state.drag.press, frame.pointer.at);
-    state.selection = frame.pointer.shift ? state.drag.selection : Selection{};
+    const CanvasSelection boxed = in_box(frame.layout, view_of(state, frame), state.drag.press, frame.pointer.at);
+    state.selection = frame.pointer.shift ? state.drag.selection : CanvasSelection{};
     state.selection.nodes.insert(boxed.nodes.begin(), boxed.nodes.end());
     state.selection.wires.insert(boxed.wires.begin(), boxed.wires.end());
 }

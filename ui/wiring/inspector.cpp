@@ -114,7 +114,7 @@ std::string counted(const Inspected& in, std::ptrdiff_t number, std::string_view
 
 void show_many(Inspected& in) {
     Ui& ui = in.ui;
-    const Selection& chosen = in.state.selection;
+    const CanvasSelection& chosen = in.state.selection;
     const auto nodes = std::ssize(chosen.nodes), wires = std::ssize(chosen.wires);
     paragraph(ui,
               fill(in.words("inspector.many"), {counted(in, nodes, "inspector.one_node", "inspector.nodes"),

@@ -34,7 +34,7 @@ void add_canvas_rows(std::vector<MenuRow>& rows, bool can_paste) {
     rows.push_back({MenuCommand::fit, "wiring.do.fit", Action::fit});
 }
 
-void add_wire_rows(std::vector<MenuRow>& rows, const BrainGraph& graph, const Selection& selection) {
+void add_wire_rows(std::vector<MenuRow>& rows, const BrainGraph& graph, const CanvasSelection& selection) {
     const Wire* wire = find_wire(graph, selection.wires.begin()->from, selection.wires.begin()->to);
     rows.push_back({MenuCommand::edit_numbers, "wiring.do.edit_numbers"});
     if (wire == nullptr || wire->weight == 0) return;
@@ -69,7 +69,7 @@ std::string_view kind_key(std::size_t kind) {
     return keys.at(kind);
 }
 
-std::vector<MenuRow> menu_rows(const BrainGraph& graph, const Selection& selection, bool can_paste) {
+std::vector<MenuRow> menu_rows(const BrainGraph& graph, const CanvasSelection& selection, bool can_paste) {
     std::vector<MenuRow> rows;
     const std::size_t nodes = selection.nodes.size(), wires = selection.wires.size();
     if (nodes + wires == 0) {

@@ -56,7 +56,7 @@ struct CanvasMenu {
 std::string_view kind_key(std::size_t kind);
 
 // Rows for a selection; for an empty one, rows for the canvas.
-std::vector<MenuRow> menu_rows(const BrainGraph&, const Selection&, bool can_paste);
+std::vector<MenuRow> menu_rows(const BrainGraph&, const CanvasSelection&, bool can_paste);
 
 // Rows for the end of a dropped wire: the kinds of neurons.
 std::vector<MenuRow> drop_rows();

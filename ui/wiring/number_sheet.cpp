@@ -24,13 +24,13 @@ using maths::vec2;
 std::string_view Inspected::words(std::string_view key) const { return ui.strings(key); }
 
 const Node* Inspected::node() const {
-    const Selection& chosen = state.selection;
+    const CanvasSelection& chosen = state.selection;
     const bool one = chosen.nodes.size() == 1 && chosen.wires.empty();
     return one ? find_node(graph(), *chosen.nodes.begin()) : nullptr;
 }
 
 std::optional<WireEnds> Inspected::wire() const {
-    const Selection& chosen = state.selection;
+    const CanvasSelection& chosen = state.selection;
     const bool one = chosen.wires.size() == 1 && chosen.nodes.empty();
     return one ? std::optional(*chosen.wires.begin()) : std::nullopt;
 }

@@ -154,10 +154,10 @@ std::optional<WireEnds> wire_through(const Layout& layout, vec2 centre, float re
     return best;
 }
 
-Selection in_box(const Layout& layout, const View& view, vec2 corner, vec2 opposite) {
+CanvasSelection in_box(const Layout& layout, const View& view, vec2 corner, vec2 opposite) {
     const float left = std::min(corner.x, opposite.x), right = std::max(corner.x, opposite.x);
     const float top = std::min(corner.y, opposite.y), bottom = std::max(corner.y, opposite.y);
-    Selection selection;
+    CanvasSelection selection;
     for (const NodeShape& node : layout.nodes) {
         const Rect r = node_rect(view, node);
         if (r.x < right && r.x + r.w > left && r.y < bottom && r.y + r.h > top) selection.nodes.insert(node.id);
@@ -174,7 +174,7 @@ Rect node_rect(const View& view, const NodeShape& node) { return rect_around(vie
 Rect label_rect(const View& view, const WireShape& wire) { return rect_around(view, wire.label, wire.label_size); }
 Rect pin_rect(const View& view, vec2 pin) { return rect_around(view, pin, {18, 18}); }
 
-bool Selection::contains(const Hit& part) const {
+bool CanvasSelection::contains(const Hit& part) const {
     if (part.part == Part::nothing) return false;
     return part.is_wire() ? wires.count(part.wire) > 0 : nodes.count(part.node) > 0;
 }

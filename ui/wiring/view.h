@@ -71,7 +71,7 @@ Hit hit(const Layout&, const View&, maths::vec2 pixel, float ui_scale);
 // The wire nearest to a point (canvas units) within `reach` units, wires of weight 0 excluded.
 std::optional<WireEnds> wire_through(const Layout&, maths::vec2 centre, float reach);
 
-struct Selection {
+struct CanvasSelection {
     std::set<NodeId> nodes;
     std::set<WireEnds> wires;
     bool empty() const { return nodes.empty() && wires.empty(); }
@@ -80,7 +80,7 @@ struct Selection {
 
 // The nodes that a box between two corners (window pixels) touches and the wires with the centre of their label in it,
 // wires of weight 0 excluded.
-Selection in_box(const Layout&, const View&, maths::vec2 corner, maths::vec2 opposite);
+CanvasSelection in_box(const Layout&, const View&, maths::vec2 corner, maths::vec2 opposite);
 
 // Window pixels.
 Rect node_rect(const View&, const NodeShape&);
