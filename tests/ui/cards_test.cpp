@@ -62,7 +62,7 @@ TEST(Cards, StandInTheColumnOfTheirRowInTheOrderOfTheTable) {
 }
 
 TEST(Cards, GiveWayInALowColumnUntilTheUserOpensThem) {
-    Desk desk(1280, 760, 1, true);
+    Desk desk(1280, 700, 1, true);
     desk.frame(5);
     ASSERT_TRUE(traits(Card::information).folds_when_cramped);
     ASSERT_LT(desk.where("card.information").h, 60) << "there is no room for both cards";
