@@ -70,9 +70,7 @@ std::optional<Fault> put_dialled_nodes(const BrainText& text, BrainGraph& graph)
     for (const DialledNode& entry : dialled_nodes) {
         if (!(text.*entry.place)) continue;
         Node* node = find_node(graph, entry.name);
-        if (!node)
-            return Fault{entry.key,
-                         fmt::format("the brain has no node {}, whose position this is; remove it", entry.name)};
+        if (!node) return Fault{entry.key, fmt::format("the brain lacks the node {} that this belongs to", entry.name)};
         node->place = text.*entry.place;
     }
     return std::nullopt;
