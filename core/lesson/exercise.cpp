@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/lesson/anchors.h"
 #include "core/scene/format_table.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/toml_reader.h"
@@ -132,6 +133,18 @@ void check_prediction(TomlTable& top, const Prediction& prediction) {
         top.fail("predict", "a prediction needs a question, two or more options, and one of them as its answer");
 }
 
+void check_anchors(TomlTable& top, const Exercise& exercise) {
+    const std::vector<std::string> anchors = anchors_of(exercise);
+    const std::vector<std::string_view> known(anchors.begin(), anchors.end());
+    const toml::array* hints = top.content()["hint"].as_array();
+    for (std::size_t i = 0; i < exercise.hints.size(); ++i) {
+        const std::string& anchor = exercise.hints[i].anchor;
+        if (anchor.empty() || std::find(known.begin(), known.end(), anchor) != known.end()) continue;
+        top.file().fail(fmt::format("hint.{}.anchor", i + 1), hints->get(i)->as_table()->get("anchor"),
+                        fmt::format("the window has no widget {}{}", in_quotes(anchor), name_nearest(anchor, known)));
+    }
+}
+
 void check_exercise(TomlTable& top, const Exercise& exercise) {
     TomlFile& file = top.file();
     for (const char* key : {"title", "goal"})
@@ -152,6 +165,7 @@ void check_exercise(TomlTable& top, const Exercise& exercise) {
         if (exercise.steps[i].text.empty()) file.fail(part.path, &part.table, "a step needs a text: text = \"It …\"");
         check_check(part, exercise.steps[i].check);
     }
+    if (!file.error) check_anchors(top, exercise);
 }
 
 // The scene that the exercise names, with the exercise's settings and then the given ones.
@@ -224,7 +238,7 @@ Result<Exercise> load_exercise(const std::filesystem::path& path, const std::vec
 std::string describe_exercise_format() {
     FormatTable<Exercise> table("", "The top of the file", "");
     describe(table, Of<Exercise>{});
-    return table.text() + describe_goals(Goal{});
+    return table.text() + describe_goals(Goal{}) + describe_anchors();
 }
 
 std::vector<TranslatableText> texts_of(const Exercise& exercise) {

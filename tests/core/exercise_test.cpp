@@ -211,6 +211,7 @@ TEST(Exercise, NamesTheLineAndTheNearestWordForEveryKindOfMistake) {
         {"degrees = 10", "degrees = 200", "degrees = 200", {"outside 0.5 .. 180"}},
         {"needed = 8", "needed = 11", "needed = 11", {"more than the 10 starts"}},
         {"anchor = \"slider.LR\"", "anker = \"slider.LR\"", "anker", {"nearest is 'anchor'"}},
+        {"anchor = \"slider.LR\"", "anchor = \"slider.LM\"", "slider.LM", {"no widget 'slider.LM'", "nearest is"}},
         {"[solution]\nLR = 1.5", "[solution]\nLR = 3", "LR = 3", {"outside -2 .. 2"}},
     };
     for (const Mistake& mistake : mistakes) {

@@ -1,0 +1,66 @@
+#include "core/lesson/anchors.h"
+
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace braitenlab {
+
+namespace {
+
+constexpr std::string_view fixed_anchors[]{
+    // the brain's sliders
+    "slider.LL", "slider.LR", "slider.RL", "slider.RR", "threshold.LL", "threshold.LR", "threshold.RL", "threshold.RR",
+    "bias.LM", "bias.RM", "button.mirror", "button.cross", "button.presets", "button.drive",
+    // its picture, with what a lesion can be set to
+    "brain.character", "brain.picture", "equations", "lesion.SL", "lesion.SR", "lesion.ML", "lesion.MR", "lesion.LL",
+    "lesion.LR", "lesion.RL", "lesion.RR",
+    // the wiring editor
+    "canvas", "canvas.arrange", "canvas.fit", "wire.LL", "wire.LR", "wire.RL", "wire.RR", "curve.LL", "curve.LR",
+    "curve.RL", "curve.RR",
+    // the toolbar
+    "button.play", "button.step", "button.reset", "button.slower", "button.faster", "button.add", "button.remove",
+    "button.new", "button.follow", "button.sensors", "button.outlines", "button.view", "button.wiring", "button.open",
+    "button.exit", "button.charts", "mode", "speed", "time",
+    // the timeline
+    "timeline.track", "timeline.rewind", "timeline.bookmark", "timeline.behind",
+    // the exercise
+    "exercise.predict", "exercise.hint", "exercise.reset", "exercise.why",
+    // cards and the arena
+    "card.exercise", "card.exercise.fold", "card.brain", "card.brain.fold", "card.information", "card.information.fold",
+    "card.sensors", "card.sensors.fold", "card.inspector", "card.inspector.fold", "info.figures", "info.signals",
+    "hint.bar", "viewport"};
+
+}  // namespace
+
+std::vector<std::string> anchors_of(const Exercise& exercise) {
+    std::vector<std::string> anchors(std::begin(fixed_anchors), std::end(fixed_anchors));
+    for (std::size_t i = 0; i < exercise.steps.size(); ++i) anchors.push_back(fmt::format("exercise.step.{}", i + 1));
+    for (std::size_t i = 0; i < exercise.prediction.options.size(); ++i)
+        anchors.push_back(fmt::format("exercise.predict.{}", i + 1));
+    if (exercise.scene.starts.empty()) return anchors;
+    for (const Node& node : exercise.scene.kinds[static_cast<std::size_t>(subject_kind(exercise.scene))].brain.nodes) {
+        anchors.push_back("node." + node.name);
+        if (node.kind != NodeKind::sensor) anchors.push_back("pin." + node.name + ".in");
+        if (node.kind != NodeKind::motor) anchors.push_back("pin." + node.name + ".out");
+    }
+    return anchors;
+}
+
+std::string describe_anchors() {
+    std::string text =
+        "\n## Anchors\n\nA hint's `anchor` is one of these ids. NODE is the name of a node of the vehicle's brain, N a "
+        "number "
+        "from 1.\n\n";
+    std::string line;
+    const auto add = [&](std::string_view anchor) {
+        if (line.size() + anchor.size() > 110) text += line + "\n", line.clear();
+        line += fmt::format("{}`{}`", line.empty() ? "" : " ", anchor);
+    };
+    for (const std::string_view anchor : fixed_anchors) add(anchor);
+    for (const char* anchor : {"exercise.step.N", "exercise.predict.N", "node.NODE", "pin.NODE.in", "pin.NODE.out"})
+        add(anchor);
+    return text + line + "\n";
+}
+
+}  // namespace braitenlab

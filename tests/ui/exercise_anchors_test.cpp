@@ -1,0 +1,36 @@
+#include <set>
+
+#include "core/lesson/anchors.h"
+#include "desk.h"
+
+namespace braitenlab::tests::exercise_anchors_test {
+
+// A window with an exercise whose brain has all four wires.
+std::set<std::string> recorded_anchors(const Exercise& exercise) {
+    std::set<std::string> ids;
+    for (const Mode mode : {Mode::paused, Mode::wiring}) {
+        Desk desk(1920, 1200, 1, true);
+        desk.opened = exercise;
+        desk.open_exercise();
+        desk.now.brains = {std::make_shared<BrainGraph>(exercise.scene.kinds[0].brain)};
+        desk.now.kind_brains = desk.now.brains;
+        desk.view.mode = mode;
+        desk.frame(4);
+        for (const auto& [id, rect] : desk.anchors.all()) ids.insert(id);
+    }
+    return ids;
+}
+
+TEST(ExerciseAnchors, AreThoseThatTheWindowRecords) {
+    Exercise opened = exercise();
+    opened.scene = *snapshot(0).scene;
+    opened.scene.starts.emplace_back().kind = opened.scene.kinds[0].name;
+    opened.scene.kinds[0].brain = make_graph({.LL = 1, .LR = 0.5f, .RL = 0.5f, .RR = 1, .LM = 0.1f, .RM = 0.1f});
+    const auto anchors = anchors_of(opened);
+    const std::set<std::string> known(anchors.begin(), anchors.end()), recorded = recorded_anchors(opened);
+    EXPECT_EQ(known.size(), anchors.size()) << "an anchor is listed twice";
+    for (const std::string& id : known) EXPECT_TRUE(recorded.count(id)) << "the window has no " << id;
+    for (const std::string& id : recorded) EXPECT_TRUE(known.count(id)) << "core/lesson/anchors.cpp lacks " << id;
+}
+
+}  // namespace braitenlab::tests::exercise_anchors_test
