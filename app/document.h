@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -34,6 +35,12 @@ struct Grading {
     bool run_was_reset = false;  // since grading began
 };
 
+// The state of an exercise's referee beside a keyframe of the session.
+struct RefereeAtKeyframe {
+    std::uint64_t tick = 0;
+    RefereeState state;
+};
+
 // An open exercise: its text, its referee and the student's progress.
 struct Lesson {
     std::shared_ptr<const Exercise> exercise;  // never null
@@ -41,6 +48,7 @@ struct Lesson {
     LessonView view;
     double last_hint_at = 0;  // wall seconds
     std::optional<Grading> grading{};
+    std::deque<RefereeAtKeyframe> states{};  // of the recorded keyframes but the start of the run, by ascending tick
 };
 
 struct Document {

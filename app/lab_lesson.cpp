@@ -10,13 +10,6 @@ namespace braitenlab {
 
 namespace {
 
-// True for what the student is asked to change and for commands without effect on the run.
-bool is_fair(const Command& command) {
-    return std::holds_alternative<TurnDial>(command) || std::holds_alternative<SetBrain>(command) ||
-           std::holds_alternative<PlaceNodes>(command) || std::holds_alternative<SetSensors>(command) ||
-           std::holds_alternative<Steer>(command) || std::holds_alternative<Retitle>(command);
-}
-
 // True if the kind and all its vehicles have the exercise's own brain.
 bool is_as_shipped(const Snapshot& now, std::size_t kind, const BrainGraph& shipped) {
     return *now.kind_brains[kind] == shipped &&
@@ -26,17 +19,73 @@ bool is_as_shipped(const Snapshot& now, std::size_t kind, const BrainGraph& ship
            });
 }
 
+// Shows a run to the referee. At keyframes it takes the state that is stored there.
+RunVisitor referee_visitor(Document& document) {
+    return {
+        [&document](const Snapshot& now) {
+            const auto& states = document.lesson->states;
+            const auto stored =
+                std::find_if(states.begin(), states.end(), [&](const auto& each) { return each.tick == now.tick; });
+            const bool is_keyframe = document.session.keyframe_before(now.tick) == now.tick;
+            if (is_keyframe && stored != states.end())
+                document.lesson->referee.restore(stored->state);
+            else
+                document.lesson->referee.watch(now);
+        },
+        [&document](const Snapshot& after, const Command& command) { document.lesson->referee.watch(after, command); }};
+}
+
+void store(std::deque<RefereeAtKeyframe>& states, std::uint64_t tick, const RefereeState& state) {
+    std::erase_if(states, [tick](const auto& each) { return each.tick == tick; });
+    const auto later =
+        std::find_if(states.begin(), states.end(), [tick](const auto& each) { return each.tick > tick; });
+    states.insert(later, {tick, state});
+}
+
 }  // namespace
 
+void step_session(Document& document) {
+    const bool is_recorded = document.session.snapshot().tick < document.session.latest();
+    document.session.step(document.lesson && is_recorded ? referee_visitor(document) : RunVisitor{});
+}
+
+// A replay repeats the commands given at a keyframe's tick, so the state before them is stored. It does not repeat
+// commands that made a keyframe, so the state after them is stored.
+void record_referee(Document& document) {
+    const Session& session = document.session;
+    const std::uint64_t now = session.snapshot().tick;
+    if (!document.lesson || now == 0 || session.latest() > now) return;
+    if (session.keyframe_before(now) != now || session.replays_commands()) return;
+    auto& states = document.lesson->states;
+    std::erase_if(states, [&](const auto& each) { return each.tick < session.earliest() || each.tick > now; });
+    store(states, now, document.lesson->referee.state());
+}
+
+const RefereeState* referee_at_keyframe(const Document& document) {
+    if (!document.lesson) return nullptr;
+    const std::uint64_t keyframe = document.session.keyframe_before(document.session.snapshot().tick);
+    for (const RefereeAtKeyframe& each : document.lesson->states)
+        if (each.tick == keyframe) return &each.state;
+    return nullptr;
+}
+
+void recompute_referee(Document& document) {
+    const Session& session = document.session;
+    if (document.lesson) session.replay(session.keyframe_before(session.snapshot().tick), referee_visitor(document));
+}
+
+void restore_referee(Document& document, const std::optional<RefereeState>& state) {
+    if (!document.lesson) return;
+    const Session& session = document.session;
+    std::erase_if(document.lesson->states, [&](const auto& each) { return each.tick > session.latest(); });
+    if (state) store(document.lesson->states, session.keyframe_before(session.snapshot().tick), *state);
+    recompute_referee(document);
+}
+
 void tell_referee(Lab& lab, const Command& command) {
-    if (!lab.document.lesson || is_fair(command)) return;
-    const Snapshot& now = lab.document.session.snapshot();
-    if (now.tick > 0) {  // before the first tick the referee compares the scene itself
-        lab.document.lesson->referee.disturb();
-        auto& referees = lab.playback.referees;  // going back to this tick finds the run disturbed
-        while (!referees.empty() && referees.back().tick >= now.tick) referees.pop_back();
-        referees.push_back({now.tick, lab.document.lesson->referee});
-    }
+    if (!lab.document.lesson) return;
+    lab.document.lesson->referee.watch(lab.document.session.snapshot(), command);
+    record_referee(lab.document);
     watch(lab);
 }
 
@@ -85,7 +134,7 @@ void update_grading(Lab& lab, Jobs& jobs) {
 
 void reset(Lab& lab) {
     lab.document.session.reset(lab.document.lesson ? Keep::brains : Keep::edits);
-    lab.playback.referees.clear();
+    if (lab.document.lesson) lab.document.lesson->states.clear();
     lab.playback.previous.clear();
     lab.playback.debt = 0;
     if (lab.document.lesson && !(lab.document.lesson->view.grade && lab.document.lesson->view.grade->good))

@@ -17,6 +17,24 @@ void tell_referee(Lab&, const Command&);
 // again while every step is done.
 void update_grading(Lab&, Jobs&);
 
+// ── The referee in time. Its state is stored beside each keyframe of the session and recomputed from there. ──
+
+// Steps the session. In the recorded past the referee sees the commands that the recording holds.
+void step_session(Document&);
+
+// Stores the referee's state when the present tick is that of a keyframe. Call after each tick and each command.
+void record_referee(Document&);
+
+// The state stored beside the last keyframe; null at the start of the run and when it is not known.
+const RefereeState* referee_at_keyframe(const Document&);
+
+// Takes the referee through the run from the last keyframe to the present moment. Call when the session has gone to
+// another tick.
+void recompute_referee(Document&);
+
+// recompute_referee() with this state beside the last keyframe. Call when the session has gone to another run.
+void restore_referee(Document&, const std::optional<RefereeState>&);
+
 void show_hint(Lab&);
 
 // Resets the run; see Session::reset. Works for every document.

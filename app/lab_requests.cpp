@@ -26,6 +26,7 @@ void change(Lab& lab, const Change& make) {
     const std::uint64_t latest = lab.document.session.latest();
     lab.document.edits += make();
     keep_selection(lab);
+    recompute_referee(lab.document);
     watch(lab);
     report_time_change(lab, latest);
 }

@@ -11,17 +11,8 @@ namespace braitenlab {
 
 namespace {
 
-constexpr std::uint64_t between_copies = 6;  // ticks between two copies of the referee
 constexpr std::size_t most_bookmarks = 20;
 constexpr std::size_t most_for_exact_drag = 300;  // vehicles; above, a dragged playhead moves between keyframes
-
-// The latest copy of the referee at or before the tick; a new referee if there is none.
-RefereeAtTick referee_before(const Lab& lab, std::uint64_t tick) {
-    const auto& referees = lab.playback.referees;
-    const auto after = std::find_if(referees.begin(), referees.end(), [tick](const auto& r) { return r.tick > tick; });
-    if (after != referees.begin()) return *(after - 1);
-    return {lab.document.session.earliest() == 0 ? 0 : tick, Referee(*lab.document.lesson->exercise)};
-}
 
 // Clears `previous`: interpolating from it would show a jump.
 void arrive(Lab& lab) {
@@ -32,31 +23,12 @@ void arrive(Lab& lab) {
 }
 
 void go_to_tick(Lab& lab, std::uint64_t tick) {
-    tick = std::clamp(tick, lab.document.session.earliest(), lab.document.session.latest());
-    if (lab.document.lesson) {
-        RefereeAtTick found = referee_before(lab, tick);
-        lab.document.session.seek(found.tick);
-        lab.document.lesson->referee = std::move(found.referee);
-        while (lab.document.session.snapshot().tick < tick) {
-            lab.document.session.step();
-            lab.document.lesson->referee.watch(lab.document.session.snapshot());
-        }
-    } else {
-        lab.document.session.seek(tick);
-    }
+    lab.document.session.seek(tick);
+    recompute_referee(lab.document);
     arrive(lab);
 }
 
 }  // namespace
-
-void record_referee(Lab& lab) {
-    const std::uint64_t now = lab.document.session.snapshot().tick;
-    if (!lab.document.lesson || lab.document.session.latest() > now) return;  // recorded already
-    auto& referees = lab.playback.referees;
-    while (!referees.empty() && referees.back().tick >= now) referees.pop_back();
-    if (now % between_copies == 0) referees.push_back({now, lab.document.lesson->referee});
-    while (!referees.empty() && referees.front().tick < lab.document.session.earliest()) referees.pop_front();
-}
 
 void seek(Lab& lab, const SeekRequest& request) {
     lab.playback.held = request.held;
@@ -81,7 +53,7 @@ void set_bookmark(Lab& lab) {
     std::erase_if(bookmarks, [now](const TimeMark& mark) { return mark.moment.tick() == now; });
     if (bookmarks.size() >= most_bookmarks) bookmarks.erase(bookmarks.begin());
     bookmarks.push_back({lab.document.session.bookmark(), {}});
-    if (lab.document.lesson) bookmarks.back().referee = lab.document.lesson->referee;
+    if (const RefereeState* state = referee_at_keyframe(lab.document)) bookmarks.back().referee = *state;
 }
 
 void handle_bookmark(Lab& lab, const BookmarkRequest& request) {
@@ -95,10 +67,7 @@ void handle_bookmark(Lab& lab, const BookmarkRequest& request) {
         return;
     }
     lab.document.session.go_to(mark->moment);
-    if (lab.document.lesson && mark->referee) {
-        lab.document.lesson->referee = *mark->referee;
-        std::erase_if(lab.playback.referees, [&](const auto& r) { return r.tick > lab.document.session.latest(); });
-    }
+    restore_referee(lab.document, mark->referee);
     arrive(lab);
 }
 

@@ -7,9 +7,6 @@
 
 namespace braitenlab {
 
-// Records the referee's state. Call after each tick.
-void record_referee(Lab&);
-
 void seek(Lab&, const SeekRequest&);
 void seek_by(Lab&, std::int64_t ticks);
 

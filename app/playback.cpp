@@ -44,7 +44,7 @@ void tick(Lab& lab) {
     lab.playback.previous = session.snapshot().vehicles;
     const VehicleView* selected = selected_vehicle(lab);
     const std::optional<VehicleView> before = selected ? std::optional(*selected) : std::nullopt;
-    session.step();
+    step_session(lab.document);
     if (before) reselect_after_death(lab, *before);
     keep_selection(lab);
     if (auto& lesson = lab.document.lesson) {
@@ -52,7 +52,7 @@ void tick(Lab& lab) {
         if (session.snapshot().tick == 1) lesson->view.hint_ready = true;  // each run makes one hint available
     }
     watch(lab);
-    record_referee(lab);
+    record_referee(lab.document);
 }
 
 void advance(Lab& lab, double wall_seconds) {

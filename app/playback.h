@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -20,15 +19,10 @@ struct Pace {
     std::optional<float> reached;    // simulated seconds per second in the last interval; nullopt: as requested
 };
 
-// A moment of the run, with the referee of an exercise as it was then.
+// A moment of the run, with the state of an exercise's referee at the last keyframe before it.
 struct TimeMark {
     Bookmark moment;
-    std::optional<Referee> referee;
-};
-
-struct RefereeAtTick {
-    std::uint64_t tick = 0;
-    Referee referee;
+    std::optional<RefereeState> referee;  // nullopt: no exercise, or the keyframe is the start of the run
 };
 
 struct Playback {
@@ -39,8 +33,7 @@ struct Playback {
     Pace pace;
     std::int64_t toggles = 0;  // changes between playing and not playing
     std::vector<TimeMark> bookmarks;
-    std::deque<RefereeAtTick> referees;  // of the recorded minute, by ascending tick
-    bool held = false;                   // true while the playhead is dragged; the simulation is paused
+    bool held = false;  // true while the playhead is dragged; the simulation is paused
 };
 
 void set_mode(Lab&, Mode);

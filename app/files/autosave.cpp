@@ -13,6 +13,7 @@
 
 #include "app/files/folder_entries.h"
 #include "app/files/safe_file.h"
+#include "app/lab_lesson.h"
 #include "core/io/run_file.h"
 
 namespace braitenlab {
@@ -74,7 +75,8 @@ Result<AutosaveKeys> read_json_keys(std::string_view text, const std::string& fi
         json.at("ended").get_to(keys.ended);
         if (const auto& exercise = json.at("exercise"); !exercise.is_null())
             keys.exercise =
-                Draft::Progress{exercise.at("prediction"), exercise.at("hints_shown"), exercise.at("has_run")};
+                Draft::Progress{exercise.at("prediction"), exercise.at("hints_shown"), exercise.at("has_run"),
+                                exercise.contains("referee") ? exercise.at("referee").dump() : std::string()};
         return keys;
     } catch (const nlohmann::json::exception& problem) {
         return Error{fmt::format("is not an autosave: {}", problem.what()), file_name};
@@ -98,6 +100,7 @@ Result<Document> document_of(const AutosaveKeys& keys, SavedRun run) {
         view.prediction = keys.exercise->prediction;
         view.has_run = keys.exercise->has_run;
         view.hints_shown = std::clamp(keys.exercise->hints_shown, 0, hints);
+        restore_referee(*document, read_referee_state(keys.exercise->referee, *document->lesson->exercise));
     }
     return document;
 }
@@ -124,6 +127,8 @@ Draft draft_of(const Document& document) {
     if (document.lesson) {
         const LessonView& view = document.lesson->view;
         draft.exercise = Draft::Progress{view.prediction, view.hints_shown, view.has_run};
+        if (const RefereeState* state = referee_at_keyframe(document))
+            draft.exercise->referee = write_referee_state(*state);
     }
     return draft;
 }
@@ -136,6 +141,8 @@ std::string write_autosave(const Draft& draft, std::string_view when, bool ended
         keys["exercise"] = {{"prediction", draft.exercise->prediction},
                             {"has_run", draft.exercise->has_run},
                             {"hints_shown", draft.exercise->hints_shown}};
+    if (draft.exercise && !draft.exercise->referee.empty())
+        keys["exercise"]["referee"] = nlohmann::json::parse(draft.exercise->referee);
     return json.dump() + "\n";
 }
 

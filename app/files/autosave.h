@@ -28,6 +28,8 @@ struct Draft {
     struct Progress {
         int prediction = -1, hints_shown = 0;
         bool has_run = false;
+        std::string
+            referee{};  // state beside the last keyframe, from write_referee_state; empty: see referee_at_keyframe
     };
     std::optional<Progress> exercise;
 };

@@ -1,6 +1,10 @@
 #include "core/lesson/referee.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "core/match.h"
+#include "core/world/json.h"
 
 namespace braitenlab {
 
@@ -16,6 +20,25 @@ bool same_but_for_submission(Kind a, const Kind& b) {
     a.sensors = b.sensors;
     a.body = b.body;
     return same_but_for_brain(std::move(a), b);
+}
+
+// The kind whose brain a command changes, or −1.
+int kind_of(const Snapshot& now, const Target& target) {
+    if (target.vehicle == no_vehicle) return target.kind;
+    const VehicleView* vehicle = find_vehicle(now, target.vehicle);
+    return vehicle ? vehicle->kind : -1;
+}
+
+// True unless a command changes only what the student may change, or nothing that a run depends on.
+bool is_help(const Scene& given, const Snapshot& after, const Command& command) {
+    const int subject = given.starts.empty() ? -1 : subject_kind(given);
+    const auto changes_other_kind = [&](int kind) { return subject >= 0 && kind != subject; };
+    return std::visit(Match{[&](const TurnDial& c) { return changes_other_kind(kind_of(after, c.target)); },
+                            [&](const SetBrain& c) { return changes_other_kind(kind_of(after, c.target)); },
+                            [&](const SetSensors& c) { return changes_other_kind(c.kind); },
+                            [](const PlaceNodes&) { return false; }, [](const Steer&) { return false; },
+                            [](const Retitle&) { return false; }, [](const auto&) { return true; }},
+                      command);
 }
 
 }  // namespace
@@ -57,12 +80,19 @@ void Referee::watch(const Snapshot& now) {
     state_.tick = now.tick;
     const Subjects subjects{exercise_->scene.starts, state_.subjects};
     if (!find_vehicle(now, subjects.id({}))) return;
-    state_.by_hand = state_.disturbed || !is_undisturbed(now);
+    const bool is_given = is_undisturbed(now);
+    if (!is_given && now.tick > 0) state_.disturbed = true;  // before the first tick it can be put right
+    state_.by_hand = state_.disturbed || !is_given;
     if (state_.by_hand) return;
     for (std::size_t i = 0; i < state_.steps.size(); ++i) {
         RefereeState::Judged& step = state_.steps[i];
         if (!step.done) step.done = update(exercise_->steps[i].check, step.check, now, subjects);
     }
+}
+
+void Referee::watch(const Snapshot& after, const Command& command) {
+    if (after.tick > 0 && is_help(exercise_->scene, after, command)) state_.disturbed = state_.by_hand = true;
+    watch(after);
 }
 
 // The scene, the brains of other kinds, and who drives.
@@ -93,6 +123,77 @@ std::vector<Verdict> Referee::verdicts() const {
 
 bool Referee::passed() const {
     return std::all_of(state_.steps.begin(), state_.steps.end(), [](const auto& step) { return step.done; });
+}
+
+namespace {
+
+Json state_json(const CheckState& state) {
+    Json json{{"met_since", state.met_since}, {"held", state.held}};
+    if (std::isfinite(state.value)) json["value"] = state.value;
+    std::visit(
+        [&]<class Own>(const Own& own) {
+            Json& goal = json["goal"] = Json::object();
+            if constexpr (requires { own.checks; }) {
+                goal = Json::array();
+                for (const CheckState& each : own.checks) goal.push_back(state_json(each));
+            } else {
+                JsonWriter<Own> writer(own, goal);
+                describe(writer, Of<Own>{});
+            }
+        },
+        state.goal);
+    return json;
+}
+
+// `state` has the shape of its check. Throws Json::exception when the JSON has not.
+void read_state(const Json& json, CheckState& state) {
+    json.at("met_since").get_to(state.met_since);
+    json.at("held").get_to(state.held);
+    if (json.contains("value")) json.at("value").get_to(state.value);
+    const Json& goal = json.at("goal");
+    std::visit(
+        [&]<class Own>(Own& own) {
+            if constexpr (requires { own.checks; }) {
+                for (std::size_t i = 0; i < own.checks.size(); ++i) read_state(goal.at(i), own.checks[i]);
+            } else {
+                JsonReader<Own> reader(goal, own);
+                describe(reader, Of<Own>{});
+            }
+        },
+        state.goal);
+}
+
+}  // namespace
+
+std::string write_referee_state(const RefereeState& state) {
+    Json json{{"tick", state.tick},       {"begun", state.begun},       {"disturbed", state.disturbed},
+              {"by_hand", state.by_hand}, {"subjects", state.subjects}, {"steps", Json::array()}};
+    for (const RefereeState::Judged& step : state.steps) {
+        Json& judged = json["steps"].emplace_back(state_json(step.check));
+        judged["done"] = step.done;
+    }
+    return json.dump();
+}
+
+std::optional<RefereeState> read_referee_state(std::string_view text, const Exercise& exercise) {
+    RefereeState state = Referee(exercise).state();
+    try {
+        const Json json = Json::parse(text);
+        json.at("tick").get_to(state.tick);
+        json.at("begun").get_to(state.begun);
+        json.at("disturbed").get_to(state.disturbed);
+        json.at("by_hand").get_to(state.by_hand);
+        json.at("subjects").get_to(state.subjects);
+        const Json& steps = json.at("steps");
+        if (steps.size() != state.steps.size()) return std::nullopt;
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            read_state(steps[i], state.steps[i].check);
+            steps[i].at("done").get_to(state.steps[i].done);
+        }
+    } catch (const Json::exception&) {
+        return std::nullopt;
+    }
+    return state;
 }
 
 }  // namespace braitenlab

@@ -3,9 +3,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/lesson/exercise.h"
+#include "core/world/command.h"
 #include "core/world/snapshot.h"
 
 namespace braitenlab {
@@ -26,7 +30,7 @@ struct RefereeState {
     std::vector<VehicleId> subjects;  // as Scene::starts; see Subjects
     std::uint64_t tick = 0;           // of the last snapshot
     bool begun = false;               // a snapshot was seen
-    bool disturbed = false;           // see Referee::disturb
+    bool disturbed = false;           // something was changed by hand after the first tick
     bool by_hand = false;             // see Referee::by_hand
 };
 
@@ -38,11 +42,12 @@ public:
     // new run; the same tick again changes nothing.
     void watch(const Snapshot&);
 
-    // Call when the scene was changed by hand in the middle of the run: from now on the run does not count.
-    void disturb() { state_.disturbed = state_.by_hand = true; }
+    // Call after a command, with the moment after it. From now on the run does not count when it has begun and the
+    // command changes something else than the student may change (see Submission).
+    void watch(const Snapshot&, const Command&);
 
-    // True when this run does not count: it was disturbed, or the scene is not the exercise's (see is_as_given), or a
-    // subject is driven by hand. Steps that were done before stay done.
+    // True when this run does not count: it was disturbed by a command, or at some tick after the first the scene was
+    // not the exercise's (see is_as_given) or a vehicle was not driven as in the exercise. Steps done before stay done.
     bool by_hand() const { return state_.by_hand; }
 
     std::vector<Verdict> verdicts() const;  // one per step
@@ -61,6 +66,10 @@ private:
     std::shared_ptr<const Scene> compared_;  // with the exercise's scene, last
     bool as_given_ = true;                   // the result
 };
+
+// The state as JSON, and back. nullopt when the text is no state of a referee of this exercise.
+std::string write_referee_state(const RefereeState&);
+std::optional<RefereeState> read_referee_state(std::string_view json, const Exercise&);
 
 // Whether a scene offers what the exercise's scene offers. The subject's kind may have another brain, other sensors and
 // another body, as these are what the student changes; sources may be missing, as that makes nothing easier.

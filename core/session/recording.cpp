@@ -75,6 +75,11 @@ std::optional<Checkpoint> Recording::keyframe_made_by_commands(std::uint64_t tic
     return Checkpoint{keyframe.state, tick, {}, tick};
 }
 
+Checkpoint Recording::keyframe_at(std::uint64_t tick) const {
+    const Keyframe& keyframe = last_keyframe(tick);
+    return {keyframe.state, keyframe.tick, {}, keyframe.tick};
+}
+
 std::uint64_t Recording::keyframe_before(std::uint64_t tick) const { return last_keyframe(tick).tick; }
 
 }  // namespace braitenlab

@@ -39,6 +39,9 @@ public:
     // Keyframe created by the commands at `tick`, or nullopt. Restore from it instead of replaying them.
     std::optional<Checkpoint> keyframe_made_by_commands(std::uint64_t tick) const;
 
+    // The last keyframe at or before `tick`, without the commands executed at its tick since.
+    Checkpoint keyframe_at(std::uint64_t tick) const;
+
     // The latest keyframe's tick that is not after `tick`; restoring there costs no steps.
     std::uint64_t keyframe_before(std::uint64_t tick) const;
 

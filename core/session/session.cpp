@@ -149,37 +149,57 @@ bool Session::redo() {
 
 namespace {
 
-// Executes the recorded commands of the tick that the world has just reached.
-void apply_recorded(World& world, const Recording& recording) {
+void visit_tick(const World& world, Snapshot& snapshot, const RunVisitor& visitor) {
+    if (!visitor.tick) return;
+    world.capture(snapshot);
+    visitor.tick(snapshot);
+}
+
+// Executes the commands recorded since the last keyframe at the world's tick.
+void repeat_commands(World& world, const Recording& recording, Snapshot& snapshot, const RunVisitor& visitor) {
+    for (const Command& command : recording.commands_at(world.tick())) {
+        (void)world.apply(command);
+        if (!visitor.command) continue;
+        world.capture(snapshot);
+        visitor.command(snapshot, command);
+    }
+}
+
+// Visits the recorded tick that the world has just reached and executes its commands.
+void repeat_tick(World& world, const Recording& recording, Snapshot& snapshot, const RunVisitor& visitor) {
+    visit_tick(world, snapshot, visitor);
     if (const auto made = recording.keyframe_made_by_commands(world.tick())) world = World::restore(*made);
-    for (const Command& command : recording.commands_at(world.tick())) (void)world.apply(command);
+    repeat_commands(world, recording, snapshot, visitor);
 }
 
 }  // namespace
 
 // One step, new or recorded.
-void Session::advance() {
+void Session::advance(const RunVisitor& visitor) {
     world_.step();
-    if (world_.tick() <= recording_.latest()) return apply_recorded(world_, recording_);
+    if (world_.tick() <= recording_.latest()) return repeat_tick(world_, recording_, snapshot_, visitor);
+    visit_tick(world_, snapshot_, visitor);
     forgotten_.reset();
     recording_.add_step(world_);
 }
 
-void Session::replay(std::uint64_t from, const std::function<void(const Snapshot&)>& visit) const {
+void Session::replay(std::uint64_t from, const RunVisitor& visitor) const {
     from = std::clamp(from, earliest(), world_.tick());
-    World past = World::restore(recording_.at(recording_.keyframe_before(from)));
-    Snapshot now;
-    while (true) {
-        if (past.tick() >= from) past.capture(now), visit(now);
-        if (past.tick() >= world_.tick()) return;
+    World past = World::restore(recording_.keyframe_at(from));
+    Snapshot snapshot;
+    const RunVisitor none;
+    const auto due = [&]() -> const RunVisitor& { return past.tick() >= from ? visitor : none; };
+    visit_tick(past, snapshot, due());
+    repeat_commands(past, recording_, snapshot, due());
+    while (past.tick() < world_.tick()) {
         past.step();
-        apply_recorded(past, recording_);
+        repeat_tick(past, recording_, snapshot, due());
     }
 }
 
-void Session::step() {
+void Session::step(const RunVisitor& visitor) {
     const bool in_the_past = world_.tick() < latest();
-    advance();
+    advance(visitor);
     if (in_the_past) take_edits_of(world_.tick());
     world_.capture(snapshot_);
 }
@@ -188,7 +208,7 @@ void Session::seek(std::uint64_t tick) {
     tick = std::clamp(tick, earliest(), latest());
     if (tick < world_.tick() || recording_.keyframe_before(tick) > world_.tick())
         world_ = World::restore(recording_.at(recording_.keyframe_before(tick)));
-    while (world_.tick() < tick) advance();
+    while (world_.tick() < tick) advance({});
     take_edits_of(tick);
     world_.capture(snapshot_);
 }

@@ -23,6 +23,13 @@ struct Bookmark {
     std::uint64_t tick() const { return checkpoint.tick; }
 };
 
+// Receives what happens in a run, in order: `tick` after each step, before the commands that the recording holds for
+// that tick, and `command` after each of these commands. Each may be empty.
+struct RunVisitor {
+    std::function<void(const Snapshot&)> tick;
+    std::function<void(const Snapshot&, const Command&)> command;
+};
+
 class Session {
 public:
     // Fails as World::create does.
@@ -36,8 +43,9 @@ public:
     // changes the title.
     std::optional<Error> apply(const Command&, std::uint64_t gesture = 0);
 
-    // One tick. In the recorded past the recorded commands are executed again, so the run is the same.
-    void step();
+    // One tick. In the recorded past the recorded commands are executed again, so the run is the same; the visitor
+    // receives them.
+    void step(const RunVisitor& = {});
 
     // Restarts the run at tick 0. Edits stay (see Keep).
     void reset(Keep = Keep::edits);
@@ -65,9 +73,13 @@ public:
     // The latest tick not after `tick`, earliest() .. latest(), that has a keyframe.
     std::uint64_t keyframe_before(std::uint64_t tick) const { return recording_.keyframe_before(tick); }
 
-    // Calls visit for each recorded tick from `from` (at least earliest()) to the present one, in order; the session
-    // does not change. Costs one step per tick from the keyframe before `from`.
-    void replay(std::uint64_t from, const std::function<void(const Snapshot&)>& visit) const;
+    // Repeats the run from `from` (at least earliest()) to the present tick for the visitor; the session does not
+    // change. Costs one step per tick from the keyframe before `from`.
+    void replay(std::uint64_t from, const RunVisitor&) const;
+
+    // True when replay() visits the commands executed at the present tick. False when there are none, or when they
+    // created a keyframe, which holds their effect.
+    bool replays_commands() const { return !recording_.commands_at(world_.tick()).empty(); }
 
     Bookmark bookmark() const { return {world_.checkpoint(), edits_}; }
     void go_to(const Bookmark&);
@@ -94,7 +106,7 @@ private:
 
     std::optional<Error> execute(const Command&);
     void bring_time_back();
-    void advance();
+    void advance(const RunVisitor&);
     void remember_edits();
     void change_later(const SharedStep& lost, const SharedStep& gained);
     void take_edits_of(std::uint64_t tick);

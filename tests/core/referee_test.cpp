@@ -159,7 +159,7 @@ TEST(Referee, ADisturbedRunCountsNoFurtherSteps) {
     Referee referee(with({turn, touch}));
     referee.watch(moment(0, 3, 90));
     referee.watch(moment(1, 3, 180));
-    referee.disturb();
+    referee.watch(moment(1, 3, 180), MoveVehicle{4, 0.1f, 0, 0});
     EXPECT_TRUE(referee.by_hand());
     referee.watch(moment(2, 0.1f));
     EXPECT_TRUE(referee.verdicts()[0].done);
@@ -286,6 +286,29 @@ TEST(Referee, AnotherKindsChangedBrainMakesARunByHand) {
     EXPECT_TRUE(by_hand(1));
 }
 
+TEST(Referee, AStateOfAnotherExerciseIsRefused) {
+    const std::string state = write_referee_state(Referee(with({turn})).state());
+    EXPECT_TRUE(read_referee_state(state, with({turn})));
+    EXPECT_FALSE(read_referee_state(state, with({turn, touch})));
+    EXPECT_FALSE(read_referee_state(state, with({faster})));
+    EXPECT_FALSE(read_referee_state("", with({turn})));
+    EXPECT_FALSE(read_referee_state("{}", with({turn})));
+    EXPECT_FALSE(read_referee_state("[1", with({turn})));
+}
+
+TEST(Referee, TheStateOfACombinationIsWrittenAndReadBack) {
+    const Exercise exercise = with({{goals::AllOf{{touch, {goals::AnyOf{{turn, faster}}}}}, "", 3}});
+    Referee referee(exercise);
+    for (std::uint64_t tick = 0; tick <= 70; ++tick) referee.watch(moment(tick, 0.3f, tick < 30 ? 90 : 180));
+    const std::string text = write_referee_state(referee.state());
+    const auto state = read_referee_state(text, exercise);
+    ASSERT_TRUE(state) << text;
+    EXPECT_EQ(write_referee_state(*state), text);
+    Referee other(exercise);
+    other.restore(*state);
+    EXPECT_EQ(other.verdicts()[0].measures, referee.verdicts()[0].measures);
+}
+
 TEST(Referee, ContinuesFromAStateOfItsOwnAsIfItHadSeenTheRun) {
     const Exercise exercise = with({turn, faster, last});
     Referee referee(exercise);
@@ -295,7 +318,9 @@ TEST(Referee, ContinuesFromAStateOfItsOwnAsIfItHadSeenTheRun) {
     };
     for (std::uint64_t tick = 0; tick <= 70; ++tick) watch(referee, tick);
     Referee other(exercise);
-    other.restore(referee.state());
+    const auto state = read_referee_state(write_referee_state(referee.state()), exercise);
+    ASSERT_TRUE(state);
+    other.restore(*state);
     for (std::uint64_t tick = 71; tick <= 200; ++tick) watch(referee, tick), watch(other, tick);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_TRUE(referee.verdicts()[i].done) << i;

@@ -494,12 +494,15 @@ TEST(Session, ReplayVisitsTheRecordedTicksWithoutChangingTheSession) {
     const auto hash = session.hash();
     for (const std::uint64_t from : {0u, 250u, 300u, 321u, 700u}) {
         std::uint64_t tick = from;
-        session.replay(from, [&](const Snapshot& now) {
-            EXPECT_EQ(now.tick, tick);
-            EXPECT_EQ(pose_in(now), poses[tick]) << tick;
-            ++tick;
-        });
+        std::vector<std::uint64_t> commands;
+        session.replay(from, {[&](const Snapshot& now) {
+                                  EXPECT_EQ(now.tick, tick);
+                                  EXPECT_EQ(pose_in(now), poses[tick]) << tick;
+                                  ++tick;
+                              },
+                              [&](const Snapshot& now, const Command&) { commands.push_back(now.tick); }});
         EXPECT_EQ(tick, 701u);
+        EXPECT_EQ(commands, from <= 321 ? std::vector<std::uint64_t>{321} : std::vector<std::uint64_t>{});
     }
     EXPECT_EQ(session.hash(), hash);
     EXPECT_EQ(session.snapshot().tick, 700u);

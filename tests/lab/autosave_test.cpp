@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/data.h"
+#include "app/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "core/io/run_file.h"
 #include "tests/folder.h"
@@ -225,6 +226,33 @@ TEST_F(AutosaveTest, RestoresTheProgressOfAnExercise) {
     EXPECT_EQ(dials(*recovered).LR, 1.75f);
     EXPECT_EQ(read_dials(recovered->lesson->exercise->scene.kinds[0].brain).LR, 0)
         << "reset still restores the shipped brain";
+}
+
+TEST_F(AutosaveTest, TheRefereeOfARecoveredExerciseContinuesAsIfTheLabHadNotCrashed) {
+    lab = open("05-aggressor");
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph(lab.document.lesson->exercise->solution)}});
+    while (!lab.document.lesson->view.verdicts[0].done || lab.document.session.snapshot().tick % 300 < 20) tick(lab);
+    ASSERT_LT(lab.document.session.snapshot().tick, 1200u);
+    const Draft draft = draft_of(lab.document);
+    auto recovered = open_autosave(write_autosave(draft, "now"), "x.autosave");
+    ASSERT_TRUE(recovered) << recovered.error().text();
+    Lab again = make_lab(std::move(recovered->document));
+    const auto compare = [&](const char* when) {
+        EXPECT_EQ(again.document.session.hash(), lab.document.session.hash()) << when;
+        const auto &ours = again.document.lesson->view.verdicts, &theirs = lab.document.lesson->view.verdicts;
+        ASSERT_EQ(ours.size(), theirs.size()) << when;
+        for (std::size_t i = 0; i < ours.size(); ++i) {
+            EXPECT_EQ(ours[i].done, theirs[i].done) << when << ", step " << i;
+            EXPECT_EQ(ours[i].measures, theirs[i].measures) << when << ", step " << i;
+        }
+    };
+    watch(again);
+    compare("at once");
+    for (int i = 0; i < 200; ++i) tick(lab), tick(again);
+    compare("later");
+    handle(lab, SeekRequest{draft.run.checkpoint.keyframe_tick});
+    handle(again, SeekRequest{draft.run.checkpoint.keyframe_tick});
+    compare("back in time");
 }
 
 TEST_F(AutosaveTest, RenamesABrokenFileAndReportsIt) {

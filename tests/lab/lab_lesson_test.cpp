@@ -1,4 +1,4 @@
-// Grading of an open exercise in the background.
+// The referee of an open exercise in time, and grading in the background.
 #include "app/lab_lesson.h"
 
 #include <chrono>
@@ -17,6 +17,12 @@ using namespace std::chrono_literals;
 constexpr int ticks_per_step = 60;  // of a trial; see lab_lesson.cpp
 
 BrainGraph solution(const Lab& lab) { return make_graph(lab.document.lesson->exercise->solution); }
+
+Lab aggressor() {
+    auto lab = open_lab(*find_shipped("05-aggressor"), std::nullopt, {});
+    EXPECT_TRUE(lab) << lab.error().text();
+    return std::move(*lab);
+}
 
 // Exercise 5 with its solution.
 Lab solved_exercise() {
@@ -151,6 +157,131 @@ TEST(LabLesson, DropsAPoorGradeThatComesAfterAReset) {
     update_grading(lab, jobs);
     EXPECT_FALSE(lesson_of(lab).grade);
     EXPECT_FALSE(lesson_of(lab).starts_tested);
+}
+
+void run(Lab& lab, int ticks) {
+    for (int i = 0; i < ticks; ++i) tick(lab);
+}
+
+std::vector<bool> done(const Lab& lab) {
+    std::vector<bool> all;
+    for (const Verdict& verdict : lab.document.lesson->view.verdicts) all.push_back(verdict.done);
+    return all;
+}
+
+bool by_hand(const Lab& lab) { return lab.document.lesson->view.by_hand; }
+
+TEST(LabLesson, GradingRunsTheSensorsThatTheStudentTurned) {
+    Jobs jobs(0);
+    Lab lab = aggressor();
+    std::vector<Sensor> sensors = lab.document.session.snapshot().scene->kinds[0].sensors;
+    ASSERT_EQ(sensors.size(), 2u);
+    for (Sensor& sensor : sensors) sensor.y = -sensor.y, sensor.angle = -sensor.angle;
+    handle(lab, EditRequest{SetSensors{0, sensors}});  // the shipped brain with crossed eyes is the solution
+    run_until_every_step_is_done(lab);
+    grade_to_the_end(lab, jobs);
+    ASSERT_TRUE(lesson_of(lab).grade);
+    EXPECT_EQ(lesson_of(lab).grade->count, 10);
+}
+
+TEST(LabLesson, AnObstacleOrAVehicleAddedBeforeTheFirstTickMakesARunByHand) {
+    for (const Command& help :
+         {Command(AddObstacle{}), Command(AddVehicle{}), Command(AddVehicle{0, Pose{-6, -6, 0}})}) {
+        Lab lab = aggressor();
+        ASSERT_TRUE(apply(lab, help));
+        EXPECT_TRUE(by_hand(lab)) << help.index();
+        handle(lab, Action::undo);
+        EXPECT_FALSE(by_hand(lab)) << help.index();
+        handle(lab, Action::redo);
+        run(lab, 10);
+        EXPECT_TRUE(by_hand(lab)) << help.index();
+        handle(lab, Action::undo);
+        run(lab, 10);
+        EXPECT_TRUE(by_hand(lab)) << help.index() << ": it stood there for ten ticks";
+    }
+}
+
+TEST(LabLesson, TheRefereeGoesBackInTimeFromOneStatePerKeyframe) {
+    Lab lab = solved_exercise();
+    std::vector<std::vector<Verdict>> then;
+    for (int i = 0; i < 700; ++i) then.push_back(lab.document.lesson->view.verdicts), tick(lab);
+    EXPECT_EQ(lab.document.lesson->states.size(), 2u) << "at ticks 300 and 600";
+    for (const std::uint64_t at : {650u, 600u, 599u, 301u, 300u, 299u, 2u, 699u}) {
+        handle(lab, SeekRequest{at});
+        const auto& now = lab.document.lesson->view.verdicts;
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            EXPECT_EQ(now[i].done, then[at][i].done) << at;
+            EXPECT_EQ(now[i].measures, then[at][i].measures) << at;
+        }
+    }
+}
+
+TEST(LabLesson, AStepThatWasDoneBeforeTheRecordedMinuteStaysDone) {
+    Lab lab = solved_exercise();
+    run(lab, 1200);
+    ASSERT_EQ(done(lab), std::vector<bool>(3, true));
+    run(lab, 5000);
+    ASSERT_GT(lab.document.session.earliest(), 1200u);
+    handle(lab, SeekRequest{lab.document.session.earliest()});
+    EXPECT_EQ(done(lab), std::vector<bool>(3, true));
+    EXPECT_LE(lab.document.lesson->states.size(), 14u);
+}
+
+TEST(LabLesson, HelpInTheRecordedPastIsSeenAgainWhenTheRunIsPlayedAgain) {
+    Lab lab = aggressor();
+    run(lab, 100);
+    handle(lab, EditRequest{MoveVehicle{lab.view.selection.vehicle, 0, 0, 0}});
+    run(lab, 100);
+    handle(lab, SeekRequest{50});
+    EXPECT_FALSE(by_hand(lab));
+    run(lab, 49);
+    EXPECT_FALSE(by_hand(lab));
+    run(lab, 1);
+    EXPECT_TRUE(by_hand(lab));
+    run(lab, 30);
+    EXPECT_TRUE(by_hand(lab));
+}
+
+TEST(LabLesson, HelpInThePastIsForgottenWhenItsUndoBringsTheFutureBack) {
+    Lab lab = solved_exercise();
+    run(lab, 700);
+    ASSERT_TRUE(done(lab)[0]);
+    handle(lab, SeekRequest{20});
+    handle(lab, EditRequest{MoveSource{0, 5, 5}});
+    EXPECT_TRUE(by_hand(lab));
+    handle(lab, Action::undo);
+    EXPECT_FALSE(by_hand(lab));
+    handle(lab, SeekRequest{699});
+    EXPECT_TRUE(done(lab)[0]);
+}
+
+TEST(LabLesson, ABookmarkOfAnotherRunBringsItsDoneStepsBack) {
+    Lab lab = solved_exercise();
+    run(lab, 1000);
+    const auto then = done(lab);
+    ASSERT_TRUE(then[0]);
+    handle(lab, Action::set_bookmark);
+    handle(lab, Action::reset);
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, lab.document.lesson->exercise->scene.kinds[0].brain}});
+    run(lab, 1100);
+    ASSERT_FALSE(done(lab)[0]);
+    handle(lab, Action::last_bookmark);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 1000u);
+    EXPECT_EQ(done(lab), then);
+}
+
+// A drag of a lamp in a paused run gives more commands than a keyframe holds.
+TEST(LabLesson, HelpWhoseCommandsMadeAKeyframeIsStillHelpAfterGoingBack) {
+    Lab lab = aggressor();
+    run(lab, 100);
+    for (int i = 0; i < 600; ++i) handle(lab, EditRequest{MoveSource{0, 1 + 0.001f * static_cast<float>(i), 1}, 7});
+    run(lab, 100);
+    for (const std::uint64_t at : {150u, 100u}) {
+        handle(lab, SeekRequest{at});
+        EXPECT_TRUE(by_hand(lab)) << at;
+    }
+    handle(lab, SeekRequest{99});
+    EXPECT_FALSE(by_hand(lab));
 }
 
 }  // namespace
