@@ -51,7 +51,7 @@ int line_of(const std::string& text, const std::string& part) {
                    std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find(part)), '\n'));
 }
 
-TEST(Exercise, ShippedFilesRead) {
+TEST(Exercise, EveryShippedFileIsRead) {
     ASSERT_FALSE(shipped_exercises().empty());
     for (const fs::path& path : shipped_exercises()) {
         const auto exercise = load_exercise(path);
@@ -63,7 +63,7 @@ TEST(Exercise, ShippedFilesRead) {
     }
 }
 
-TEST(Exercise, ShippedOnesFailAsShippedAndPassWithTheirSolutionOnEverySeed) {
+TEST(Exercise, EveryShippedOneFailsAsShippedAndPassesWithItsSolutionOnEverySeed) {
     for (const fs::path& path : shipped_exercises()) {
         const auto exercise = load_exercise(path);
         ASSERT_TRUE(exercise) << exercise.error().text();
@@ -80,14 +80,14 @@ TEST(Exercise, TheAggressorIsNotPassedByAnyOtherOfTheClassicVehicles) {
         {.LL = 1.5f, .RR = 1.5f, .LM = 0.1f, .RM = 0.1f},                              // coward
         {.LL = -1, .RR = -1, .LM = 0.5f, .RM = 0.5f},                                  // love
         {.LR = -1, .RL = -1, .LM = 0.6f, .RM = 0.6f},                                  // explorer
-        {.LL = 0.75f, .LR = 0.75f, .RL = 0.75f, .RR = 0.75f, .LM = 0.1f, .RM = 0.1f},  // all four alike
-        {.LM = 1, .RM = 1},                                                            // blind
+        {.LL = 0.75f, .LR = 0.75f, .RL = 0.75f, .RR = 0.75f, .LM = 0.1f, .RM = 0.1f},  // four equal weights
+        {.LM = 1, .RM = 1},                                                            // without wires
     };
     for (const FourNeurons& other : others)
         EXPECT_FALSE(grade(*exercise, with_brain(*exercise, make_graph(other))).good);
 }
 
-TEST(Exercise, AppliesItsOwnSettingsAndThenThoseGivenFromOutside) {
+TEST(Exercise, ItsOwnSettingsAreAppliedBeforeTheGivenOnes) {
     const auto own = load_exercise(guided / "05-aggressor.toml");
     ASSERT_TRUE(own) << own.error().text();
     EXPECT_EQ(read_dials(own->scene.kinds[0].brain).LL, 1.5f);
@@ -99,7 +99,7 @@ TEST(Exercise, AppliesItsOwnSettingsAndThenThoseGivenFromOutside) {
     EXPECT_TRUE(std::holds_alternative<goals::TurnsTo>(own->steps[0].check.goal));
 }
 
-TEST(Exercise, TakesSettingsWithOrWithoutQuotes) {
+TEST(Exercise, SettingsAreReadWithAndWithoutQuotes) {
     const auto text = changed(aggressor(), "\"kind.aggressor.brain.LR\" = 0", "kind.aggressor.brain.LR = 0.25");
     const auto exercise = parse_exercise(text, guided / "x.toml");
     ASSERT_TRUE(exercise) << exercise.error().text();
@@ -173,11 +173,11 @@ TEST(Exercise, EveryGoalNeedsAllItsKeysAndNoKeyOfAnother) {
 
 struct Mistake {
     std::string from, to;
-    std::string at;  // a part of the line that is to blame, after the change; empty: any
+    std::string at;  // a part of the line that the error must name, after the change; empty: any line
     std::vector<std::string> told;
 };
 
-TEST(Exercise, NamesTheLineAndTheNearestWordForEveryKindOfMistake) {
+TEST(Exercise, AnErrorNamesTheLineAndTheNearestWord) {
     const std::vector<Mistake> mistakes{
         {"format = 1", "", "", {"format = 1"}},
         {"title = \"Aggressor\"", "", "", {"'title' is missing"}},
@@ -228,7 +228,7 @@ TEST(Exercise, NamesTheLineAndTheNearestWordForEveryKindOfMistake) {
     }
 }
 
-TEST(Exercise, NeedsASceneWithAVehicleStepsAndASolution) {
+TEST(Exercise, ASceneWithAVehicleStepsAndASolutionAreRequired) {
     const std::string head = "format = 1\ntitle = \"t\"\ngoal = \"g\"\nscene = \"../scenes/";
     const auto told = [](const std::string& text) {
         const auto exercise = parse_exercise(text, guided / "x.toml");
@@ -246,7 +246,7 @@ void survive(const std::string& text) {
     EXPECT_TRUE(exercise || !exercise.error().what.empty());
 }
 
-TEST(Exercise, CutOrChangedAnywhereDoesNoHarm) {
+TEST(Exercise, AFileThatIsCutOrChangedAnywhereGivesAnErrorOrAnExercise) {
     maths::Random chance(3, 3);
     const std::string bits = "\"'[]{}=.,#\\\n-+09eLR\xff";
     for (std::size_t i = 0; i < 300; ++i) {
@@ -258,8 +258,8 @@ TEST(Exercise, CutOrChangedAnywhereDoesNoHarm) {
     }
 }
 
-// Set BRAITENLAB_WRITE_DOCS=1 to write the tables anew after a change of the fields.
-TEST(ExerciseFormatPage, HoldsTheTablesOfTheFieldsAsTheyAre) {
+// Set BRAITENLAB_WRITE_DOCS=1 to write the tables into the page after a change of the fields.
+TEST(Exercise, TheFormatPageHasTheGeneratedTables) {
     const fs::path page = source / "docs" / "exercise-format.md";
     std::string text = content(page);
     if (std::getenv("BRAITENLAB_WRITE_DOCS")) {

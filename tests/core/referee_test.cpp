@@ -69,7 +69,7 @@ TEST(Referee, ASourceIsFoundByItsNameAfterOthersAreRemoved) {
     later.scene = std::make_shared<const Scene>();
     later.sources.clear();
     later.tick = 2;
-    referee.watch(later);  // the lamp itself is gone: nothing to judge by, nothing to crash on
+    referee.watch(later);  // without the lamp there is nothing to judge
 }
 
 TEST(Referee, ADistanceIsTheSmallestSoFar) {
@@ -82,11 +82,11 @@ TEST(Referee, ADistanceIsTheSmallestSoFar) {
 
 TEST(Referee, ATurnCountsOnlyWhenTheSourceWasOutsideBefore) {
     Referee referee(with({turn}));
-    referee.watch(moment(0, 3, 180));  // already looks at it
+    referee.watch(moment(0, 3, 180));  // faces it already
     EXPECT_FALSE(referee.passed());
     referee.watch(moment(1, 3, 150));
     EXPECT_FALSE(referee.passed());
-    referee.watch(moment(2, 3, -165));  // across the cut of the angles
+    referee.watch(moment(2, 3, -165));  // across the discontinuity of angles at 180°
     EXPECT_TRUE(referee.passed());
     EXPECT_NEAR(measure(referee).needed, 20, 1e-4);
 }
@@ -96,7 +96,7 @@ TEST(Referee, TheSpeedAtTheFirstArrivalIsComparedWithThatAfterOneSecond) {
         Referee referee(with({faster}));
         referee.watch(moment(0, 3, 180, 0));
         referee.watch(moment(60, 3, 180, 1));
-        referee.watch(moment(61, 2, 180, 3));  // fast, but not there
+        referee.watch(moment(61, 2, 180, 3));  // fast, but too far away
         EXPECT_FALSE(referee.passed());
         EXPECT_FLOAT_EQ(measure(referee).value, 3);
         referee.watch(moment(62, 0.5f, 180, speed));
@@ -142,7 +142,7 @@ TEST(Referee, ANewRunBeginsAtTickZeroOrAnEarlierTickAndNotAtTheSameTick) {
     EXPECT_FALSE(referee.passed());
     EXPECT_FLOAT_EQ(measure(referee).value, 3);
     referee.watch(moment(50, 0.1f));
-    referee.watch(moment(20, 3));  // stepped back
+    referee.watch(moment(20, 3));  // back in time
     EXPECT_FALSE(referee.passed());
 }
 
@@ -150,7 +150,7 @@ TEST(Referee, StepsAreAboutTheVehicleThatWasFirstAtTheStart) {
     Referee referee(with({touch}));
     referee.watch(moment(0, 3));
     Snapshot other = moment(1, 0.1f);
-    other.vehicles[0].id = 9;  // the first one is gone
+    other.vehicles[0].id = 9;  // the first vehicle is removed
     referee.watch(other);
     EXPECT_FALSE(referee.passed());
 }
@@ -180,7 +180,7 @@ TEST(Referee, AMovedOrAddedLampMakesARunByHand) {
         referee.watch(snapshot);
         EXPECT_TRUE(referee.by_hand());
         EXPECT_FALSE(referee.passed());
-        referee.watch(moment(0, 0.1f));  // put back
+        referee.watch(moment(0, 0.1f));  // moved back
         EXPECT_FALSE(referee.by_hand());
         EXPECT_TRUE(referee.passed());
     }

@@ -18,7 +18,7 @@ bool says(const Desk& desk, std::string_view words) {
     return all.find(words) != std::string::npos;
 }
 
-// An exercise in which everything has been done, from this start and from the others.
+// An exercise that is passed: every step is done, and every start passes.
 void pass(Desk& desk) {
     desk.open_exercise();
     desk.lesson.prediction = 1;
@@ -29,7 +29,7 @@ void pass(Desk& desk) {
 
 }  // namespace
 
-TEST(ExerciseCard, TakesThePredictionBeforeTheRun) {
+TEST(ExerciseCard, APredictionIsMadeBeforeTheRun) {
     Desk desk;
     desk.open_exercise();
     desk.frame(3);
@@ -42,7 +42,7 @@ TEST(ExerciseCard, TakesThePredictionBeforeTheRun) {
     EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "what was predicted stands";
 }
 
-TEST(ExerciseCard, OpensHintsAndStartsOver) {
+TEST(ExerciseCard, ItsButtonsRequestAHintAndAReset) {
     Desk desk;
     desk.open_exercise();
     desk.frame(3);
@@ -55,7 +55,7 @@ TEST(ExerciseCard, OpensHintsAndStartsOver) {
     EXPECT_TRUE(desk.all.empty());
 }
 
-TEST(ExerciseCard, SaysWhenARunDoesNotCount) {
+TEST(ExerciseCard, ANoteIsShownWhenARunDoesNotCount) {
     Desk desk;
     desk.open_exercise();
     const auto said = [&] {
@@ -86,7 +86,7 @@ TEST(ExerciseCard, CountsTheTestedStartsUntilTheGradeIsThere) {
     EXPECT_TRUE(desk.anchors.find("exercise.grade"));
 }
 
-TEST(ExerciseCard, KeepsItsButtonsInSightHoweverLongItGets) {
+TEST(ExerciseCard, ItsButtonsStayVisibleWhenTheCardIsLong) {
     Desk desk(1024, 768, 1, true);
     desk.open_exercise();
     desk.lesson.has_run = true;
@@ -99,7 +99,7 @@ TEST(ExerciseCard, KeepsItsButtonsInSightHoweverLongItGets) {
     EXPECT_TRUE(desk.anchors.find("exercise.grade"));
 }
 
-TEST(ExerciseCard, WritesAsManyDigitsAsItTakesToSeeWhyAStepIsTickedOrNot) {
+TEST(ExerciseCard, ValuesHaveEnoughDigitsToShowWhyAStepIsDoneOrNot) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
     desk.lesson.has_run = true;
@@ -115,7 +115,17 @@ TEST(ExerciseCard, WritesAsManyDigitsAsItTakesToSeeWhyAStepIsTickedOrNot) {
     EXPECT_TRUE(says(desk, "reached 9° (≤ 10°)"));
 }
 
-TEST(ExerciseCard, TellsTheOutcomeOfTheBrainAsItCameAndOfNoOther) {
+TEST(ExerciseCard, AHeldStepShowsItsPresentValueAndItsTime) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    desk.lesson.verdicts[0] = {false, {{1.25f, 1, "m", true, false}, {2, 5, "s"}}};
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "now 1.25 m, need ≤ 1.00 m"));
+    EXPECT_TRUE(says(desk, "now 2.0 s, need ≥ 5.0 s"));
+}
+
+TEST(ExerciseCard, TheOutcomeIsThatOfTheShippedBrain) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
     desk.now.kind_brains = {desk.now.brains[0]};
@@ -128,7 +138,7 @@ TEST(ExerciseCard, TellsTheOutcomeOfTheBrainAsItCameAndOfNoOther) {
     };
     desk.now.seconds = desk.opened.seconds;
     rewire({.LL = 0.3f});
-    EXPECT_FALSE(says(desk, "It turned away.")) << "rewired before the first run: nobody has seen that";
+    EXPECT_FALSE(says(desk, "It turned away.")) << "rewired before the first run: no run has shown that";
     desk.now.kind_brains = {desk.now.brains[0]};
     desk.frame(3);
     EXPECT_TRUE(says(desk, "What happened: It turned away."));
@@ -136,7 +146,7 @@ TEST(ExerciseCard, TellsTheOutcomeOfTheBrainAsItCameAndOfNoOther) {
     EXPECT_TRUE(says(desk, "Before your changes: It turned away."));
 }
 
-TEST(ExerciseCard, ShowsEveryStepAndTheWayOnOnceItIsPassedWithoutScrolling) {
+TEST(ExerciseCard, EveryStepAndTheNextButtonAreVisibleOnceItIsPassed) {
     for (const char* language : {"en", "de", "es"}) {
         Desk desk(1024, 768, 1, true);
         desk.strings = speaking(language);
@@ -154,7 +164,7 @@ TEST(ExerciseCard, ShowsEveryStepAndTheWayOnOnceItIsPassedWithoutScrolling) {
     }
 }
 
-TEST(ExerciseCard, LeadsToTheNextExerciseOrToEverythingThereIs) {
+TEST(ExerciseCard, ItsNextButtonOpensTheNextExerciseOrTheListOfFiles) {
     Desk desk;
     const std::vector<CatalogueEntry> more{{"05-aggressor", "5.toml", "Aggressor", "", 5},
                                            {"08-overrun", "8.toml", "Overrun", "", 8},
@@ -163,7 +173,7 @@ TEST(ExerciseCard, LeadsToTheNextExerciseOrToEverythingThereIs) {
     pass(desk);
     desk.view.catalogue = &more;
     desk.frame(3);
-    EXPECT_FALSE(desk.anchors.find("exercise.hint")) << "nobody needs one any more";
+    EXPECT_FALSE(desk.anchors.find("exercise.hint")) << "a passed exercise needs no hint";
     desk.click("exercise.next");
     ASSERT_EQ(desk.all.size(), 1u);
     EXPECT_EQ(std::get<OpenRequest>(desk.all[0]).path, "6.toml");

@@ -1,4 +1,4 @@
-// The open exercise: goal, why, a prediction, steps that tick while the run lasts, hints in stages, and how it went.
+// The card of the open exercise: goal, reason, prediction, steps with live check marks, hints in stages and the grade.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -28,7 +28,7 @@ bool all_steps_ticked(const LessonView& lesson) {
            std::all_of(lesson.verdicts.begin(), lesson.verdicts.end(), [](const Verdict& v) { return v.done; });
 }
 
-// A tick in a filled circle when done, an empty circle before: the shape says it, not the colour alone.
+// A check mark in a filled circle when done, an empty circle before: the shape differs, not only the colour.
 void check_mark(const Ui& ui, ImVec2 c, float radius, bool done, float arrived) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     if (!done) {
@@ -48,7 +48,7 @@ std::string with_unit(float value, std::string_view unit, int digits) {
     return fixed(value, digits) + (unit == "°" ? "" : " ") + std::string(unit);
 }
 
-// With as many digits as it takes to see which of the two is larger: 10.4° is no 10°.
+// Enough digits to show which of the two values is larger: 10.4° against 10.0°.
 int telling_decimals(const Measure& measure) {
     int digits = decimals(measure.unit);
     const bool differ = measure.value != measure.needed;
@@ -74,7 +74,7 @@ void prediction(const LessonView& lesson, const PanelState& state, bool rewired,
     const ImVec2 start = ImGui::GetCursorScreenPos();
     subheading(ui, ui.strings("exercise.predict"));
     if (lesson.has_run && lesson.prediction >= 0) {
-        // After the run the choice stands beside the outcome; neither right nor wrong is said.
+        // After the run the choice is shown beside the outcome, without a judgement.
         const auto chosen = static_cast<std::size_t>(lesson.prediction);
         if (chosen < asked.options.size())
             paragraph(ui, fill(ui.strings("exercise.you_predicted"), {translated(ui, asked.options[chosen])}),
@@ -125,7 +125,7 @@ void step(const LessonView& lesson, std::size_t index, Ui& ui) {
     mark(ui, id, {start.x, start.y, card_width(ui), height});
 }
 
-// One dot a start: a tick for a pass, a cross in a ring for a fail.
+// One dot per start: a check mark for a pass, a cross in a ring for a fail.
 void grade_dots(const Grade& grade, Ui& ui) {
     const float radius = ui.px(8), stride = ui.px(22);
     const ImVec2 start = ImGui::GetCursorScreenPos();
@@ -188,7 +188,7 @@ void hints(const LessonView& lesson, PanelState& state, Ui& ui) {
         ImGui::GetWindowDrawList()->AddRectFilled({start.x, start.y}, {start.x + ui.px(3), start.y + height},
                                                   paint(ui.palette.accent), ui.px(1.5f));
     }
-    if (std::exchange(state.hints_seen, shown) < shown) ImGui::SetScrollHereY(1);  // a new hint comes into sight
+    if (std::exchange(state.hints_seen, shown) < shown) ImGui::SetScrollHereY(1);  // scroll to a new hint
 }
 
 void hint_button(const LessonView& lesson, Ui& ui) {
@@ -215,7 +215,7 @@ const CatalogueEntry* next_exercise(const LabView& view) {
     return next;
 }
 
-// Done: on to the next one, or to everything there is.
+// Opens the next exercise, or the list of files after the last one.
 void next_button(const LabView& view, PanelState& state, Ui& ui) {
     const CatalogueEntry* next = next_exercise(view);
     const Item at =
@@ -247,7 +247,7 @@ bool is_rewired(const LabView& view) {
     return false;
 }
 
-// What the brain as it came does is told once a run with that brain has shown it, and then stays.
+// The outcome is that of the shipped brain: it is shown once a run with that brain has shown it, and from then on.
 void tell_outcome(const LabView& view, PanelState& state, bool rewired) {
     const LessonView& lesson = *view.lesson;
     if (state.exercise_id != lesson.exercise->id) {
@@ -278,7 +278,7 @@ void task(const LessonView& lesson, PanelState& state, Ui& ui) {
 
 }  // namespace
 
-// Once it is passed, the result and the steps come first: in a low window the rest can be scrolled to.
+// Once the exercise is passed, the result and the steps come first; in a low window the rest is reached by scrolling.
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const LessonView& lesson = *view.lesson;
     const bool rewired = is_rewired(view), passed = has_passed(lesson);
