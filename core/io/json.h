@@ -1,5 +1,5 @@
 // Scenes, brains and commands as JSON, for files that programs write and read (files that people write are TOML).
-// Structs described in core/scene/schema.h need no line here. Inside core/io only.
+// Structs described in core/scene/schema.h need no line here. Inside core/io and core/lesson only.
 //
 // Reading throws Json::exception for missing values and wrong types. The caller checks ranges.
 #pragma once

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/match.h"
-#include "core/world/json.h"
+#include "core/io/json.h"
 
 namespace braitenlab {
 
@@ -137,7 +137,7 @@ Json state_json(const CheckState& state) {
                 goal = Json::array();
                 for (const CheckState& each : own.checks) goal.push_back(state_json(each));
             } else {
-                JsonWriter<Own> writer(own, goal);
+                io::JsonWriter<Own> writer(own, goal);
                 describe(writer, Of<Own>{});
             }
         },
@@ -156,7 +156,7 @@ void read_state(const Json& json, CheckState& state) {
             if constexpr (requires { own.checks; }) {
                 for (std::size_t i = 0; i < own.checks.size(); ++i) read_state(goal.at(i), own.checks[i]);
             } else {
-                JsonReader<Own> reader(goal, own);
+                io::JsonReader<Own> reader(goal, own);
                 describe(reader, Of<Own>{});
             }
         },

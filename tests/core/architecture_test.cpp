@@ -26,7 +26,7 @@ const std::map<std::string, std::vector<std::string>> may_include{
     {"core/world", {"core/maths", "core/mechanics", "core/brain", "core/scene", "core/sensing", "core"}},
     {"core/io", {"core/maths", "core/mechanics", "core/brain", "core/scene", "core/sensing", "core/world", "core"}},
     {"core/session", {"core/maths", "core/brain", "core/scene", "core/world", "core"}},
-    {"core/lesson", {"core/maths", "core/brain", "core/scene", "core/world", "core"}},
+    {"core/lesson", {"core/maths", "core/brain", "core/scene", "core/world", "core/io", "core"}},
     {"core", {}},
     {"render/view", {"core"}},
     {"render/text", {"core", "render/view"}},
@@ -61,7 +61,7 @@ const std::map<std::string, std::vector<std::string>> internal_headers{
     {"core/world/free_space.h", {"core/world/"}},
     {"core/world/edits.h", {"core/world/"}},
     {"core/world/cosmetic_edits.h", {"core/world/", "core/session/"}},
-    {"core/io/json.h", {"core/io/"}},
+    {"core/io/json.h", {"core/io/", "core/lesson/"}},
     {"core/io/state_json.h", {"core/io/"}},
     {"core/session/undo.h", {"core/session/"}},
 };
