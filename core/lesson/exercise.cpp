@@ -136,11 +136,11 @@ void check_prediction(TomlTable& top, const Prediction& prediction) {
 void check_anchors(TomlTable& top, const Exercise& exercise) {
     const std::vector<std::string> anchors = anchors_of(exercise);
     const std::vector<std::string_view> known(anchors.begin(), anchors.end());
-    const toml::array* hints = top.content()["hint"].as_array();
+    const TomlNode* hints = top.content().get("hint");
     for (std::size_t i = 0; i < exercise.hints.size(); ++i) {
         const std::string& anchor = exercise.hints[i].anchor;
         if (anchor.empty() || std::find(known.begin(), known.end(), anchor) != known.end()) continue;
-        top.file().fail(fmt::format("hint.{}.anchor", i + 1), hints->get(i)->as_table()->get("anchor"),
+        top.file().fail(fmt::format("hint.{}.anchor", i + 1), hints->as_list()->at(i).get("anchor"),
                         fmt::format("the window has no widget {}{}", in_quotes(anchor), name_nearest(anchor, known)));
     }
 }
