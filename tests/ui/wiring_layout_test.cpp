@@ -9,7 +9,6 @@
 
 namespace braitenlab::tests::wiring_layout_test {
 
-using namespace ui;
 using namespace wiring;
 
 namespace {

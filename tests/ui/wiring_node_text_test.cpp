@@ -5,7 +5,6 @@
 
 namespace braitenlab::tests::wiring_node_text_test {
 
-using namespace ui;
 using namespace wiring;
 
 namespace {

@@ -7,7 +7,6 @@
 
 namespace braitenlab::tests::wiring_tidy_test {
 
-using namespace ui;
 using namespace wiring;
 
 namespace {
