@@ -15,8 +15,8 @@ void keep_object(Lab& lab) {
     SceneObject& object = lab.view.selection.object;
     if (!object) return;
     const Scene& scene = *lab.document.session.snapshot().scene;
-    object.index =
-        object.kind == SceneObjectKind::source ? find_source(scene, lab.object_name) : find_obstacle(scene, lab.object_name);
+    object.index = object.kind == SceneObjectKind::source ? find_source(scene, lab.object_name)
+                                                          : find_obstacle(scene, lab.object_name);
     if (object.index < 0) object = {};
 }
 

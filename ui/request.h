@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/world/command.h"
-#include "render/view/view_settings.h"
 #include "render/view/palette.h"
 #include "render/view/pick.h"
 #include "render/view/view_settings.h"

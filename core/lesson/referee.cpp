@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/match.h"
 #include "core/io/json.h"
+#include "core/match.h"
 
 namespace braitenlab {
 

@@ -2,7 +2,8 @@
 //
 // The C library's own differ in the last bit from one platform to the next, and a simulation amplifies that bit until
 // two runs no longer look alike. These use only +, -, *, /, square roots and whole numbers on doubles, which IEEE 754
-// fixes; the result is rounded to float once. Errors stay below one unit in the last place of a float for |angle| up to 10^5.
+// fixes; the result is rounded to float once. Errors stay below one unit in the last place of a float for |angle| up to
+// 10^5.
 #pragma once
 
 #include <cmath>

@@ -69,8 +69,8 @@ Result<GLuint> compile_stage(GLenum stage, const std::filesystem::path& folder, 
     const Complaint complaint = first_complaint(log_of_shader(shader));
     glDeleteShader(shader);
     const bool in_common = complaint.line > common_lines;
-    return Error{"the shader does not compile; correct this line or reinstall the shaders: " + complaint.what, (in_common ? common_file : file).string(),
-                 in_common ? complaint.line - common_lines : complaint.line};
+    return Error{"the shader does not compile; correct this line or reinstall the shaders: " + complaint.what,
+                 (in_common ? common_file : file).string(), in_common ? complaint.line - common_lines : complaint.line};
 }
 
 }  // namespace
@@ -110,7 +110,9 @@ Result<Program> Program::load(const std::filesystem::path& folder, const std::st
     GLint good = GL_FALSE;
     glGetProgramiv(program.id_, GL_LINK_STATUS, &good);
     if (!good)
-        return Error{"does not link with " + fragment_file + "; make the outputs of one match the inputs of the other: " + first_complaint(log_of_program(program.id_)).what,
+        return Error{"does not link with " + fragment_file +
+                         "; make the outputs of one match the inputs of the other: " +
+                         first_complaint(log_of_program(program.id_)).what,
                      (folder / vertex_file).string()};
     const GLuint frame = glGetUniformBlockIndex(program.id_, "Frame");
     if (frame != GL_INVALID_INDEX) glUniformBlockBinding(program.id_, frame, 0);

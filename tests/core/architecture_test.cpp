@@ -67,8 +67,7 @@ const std::map<std::string, std::vector<std::string>> internal_headers{
 };
 
 // Files right inside ui/ that every layer of ui may include; they form the layer "ui/shared".
-const std::vector<std::string> shared_in_ui{"files",     "imgui_compat", "lab_view", "request",
-                                            "shortcuts", "strings"};
+const std::vector<std::string> shared_in_ui{"files", "imgui_compat", "lab_view", "request", "shortcuts", "strings"};
 
 std::string folder_of(const std::string& file) {
     for (const std::string& name : shared_in_ui)

@@ -1,8 +1,7 @@
 // An open exercise: steps, hints, grading and reset.
-#include "app/lab_lesson.h"
-
 #include <gtest/gtest.h>
 
+#include "app/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "tests/lab/opened_lab.h"
 

@@ -33,7 +33,7 @@ struct History {
     VehicleId vehicle = no_vehicle;  // the vehicle that `signals` are of
     std::deque<Signals> signals;     // oldest first
     std::deque<Population> population;
-    std::uint64_t tick = 0;     // of the last snapshot
+    std::uint64_t tick = 0;    // of the last snapshot
     std::uint64_t run_id = 0;  // LabView::run_id of the samples
 };
 

@@ -44,8 +44,7 @@ std::vector<ViewRow> fields(const LabView& view) {
 
 std::string_view view_words(const Ui& ui, const ViewRow& row) {
     if (row.action) return ui.strings("action." + std::string(name(*row.action)));
-    return row.field ? ui.strings("view.channel." + std::string(word(*row.field)))
-                     : ui.strings("view.no_field");
+    return row.field ? ui.strings("view.channel." + std::string(word(*row.field))) : ui.strings("view.no_field");
 }
 
 bool draw_view_row(Ui& ui, const ViewRow& row, ImVec2 at) {
