@@ -76,7 +76,7 @@ bool App::turn() {
     if (lab_.full_screen) lab_.full_screen = false, window_.toggle_full_screen();
     if (repeatable()) return true;
     const int rate = window_.refresh_rate();
-    while (const double pause = pause_after_swap(seconds_since(turn_began), rate)) window_.poll(pause);
+    for (double pause = 0; (pause = pause_after_swap(seconds_since(turn_began), rate)) > 0;) window_.poll(pause);
     return true;
 }
 

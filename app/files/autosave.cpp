@@ -217,7 +217,7 @@ std::optional<Error> Autosave::keep(const Lab& lab, double wall_seconds, Occasio
     due_ |= std::exchange(mode_, lab.playback.mode) != lab.playback.mode;
     const bool busy = writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
     if (busy && !now) return std::nullopt;
-    const auto error = settle();
+    auto error = settle();
     const Reached here{document.edits, document.session.snapshot().tick};
     if (here == Reached{document.saved_edits, document.saved_tick}) {
         finish();

@@ -158,7 +158,7 @@ std::optional<Error> take_brain(Lab& lab, const FileText& file) {
     if (!brain) return brain.error();
     const Target target =
         lab.view.selection.whole_kind ? Target{.kind = vehicle->kind} : Target{.vehicle = vehicle->id};
-    const auto error = session.apply(SetBrain{target, std::move(*brain)});
+    auto error = session.apply(SetBrain{target, std::move(*brain)});
     if (!error) ++lab.document.edits;
     return error;
 }

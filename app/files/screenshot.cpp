@@ -21,7 +21,7 @@ std::optional<Error> write_png(const std::filesystem::path& path, int width, int
 std::filesystem::path next_screenshot_name(const std::filesystem::path& folder) {
     std::error_code none;
     for (int i = 1;; ++i) {
-        const auto path = folder / fmt::format("braitenlab-{:03}.png", i);
+        auto path = folder / fmt::format("braitenlab-{:03}.png", i);
         if (!std::filesystem::exists(path, none)) return path;
     }
 }

@@ -173,7 +173,7 @@ public:
         const auto which = table_.one_of(key, known);
         if (!which) return;
         std::size_t index = 0;
-        ((index++ == *which && (read_alternative<Types>(key, object_.*member), true)) || ...);
+        (void)((index++ == *which && (read_alternative<Types>(key, object_.*member), true)) || ...);
         const std::vector<std::string_view> own = std::vector{key_names<Types>()...}[*which];
         for (const auto& keys : {key_names<Types>()...})
             for (const std::string_view other : keys)

@@ -86,7 +86,7 @@ Complaint first_complaint(const std::string& log) {
         if (first.empty()) first = line;
         std::smatch m;
         if (!std::regex_search(line, m, shapes)) continue;
-        const Complaint found{std::stoi(m[2].matched ? m[2] : m[3]), m[4]};
+        Complaint found{std::stoi(m[2].matched ? m[2] : m[3]), m[4]};
         const bool is_error = std::regex_search(line, std::regex("error", std::regex::icase));
         if (is_error) return found;
         if (!any) any = found;

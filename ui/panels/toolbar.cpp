@@ -185,7 +185,7 @@ void toolbar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     }
     x += ui.px(toolbar_group_gap - between_buttons);
     rule(ui, x - ui.px((toolbar_group_gap - between_buttons) / 2 + between_buttons / 2), bar);
-    x = speed_control(view, ui, x, bar);
+    (void)speed_control(view, ui, x, bar);
 
     const float exit_x = bar.x + bar.w - ui.px(toolbar_margin) - button_width(ui, look_of(ui, exit_tool, narrowness));
     const float status_width_now = width_of_status(narrowness);
