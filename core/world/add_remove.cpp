@@ -1,4 +1,4 @@
-// Who is added and removed by steered: in the living world, and in the scene from which the next run begins.
+// Commands that add and remove vehicles and edit starts, in the running world and in its scene.
 #include <cmath>
 
 #include "core/scene/schema.h"
@@ -23,7 +23,7 @@ std::optional<Error> refusal(const WorldData& s, const AddVehicle& c) {
     return std::nullopt;
 }
 
-// Writes the newcomer into the scene; gives the index of its start, −1 when it is one more of the population.
+// Adds the vehicle to the scene. Returns the index of its start; −1 if it counts towards the population.
 Result<int> add_to_scene(WorldData& s, const AddVehicle& c, int kind) {
     Scene scene = *s.scene;
     const bool returns_to_population = c.id != no_vehicle && !c.start;
@@ -54,7 +54,7 @@ void remove_from_scene(WorldData& s, std::int32_t start) {
     s.scene = std::make_shared<const Scene>(std::move(scene));
 }
 
-// Rows stand by ascending id: one that comes back goes from the last row to where it was.
+// Moves the last row to its place in the order of ascending ids, for a vehicle that is restored under its old id.
 void sort_in_last_row(WorldData& s) {
     State m = std::move(static_cast<State&>(s));
     Vehicles& v = m.vehicles;

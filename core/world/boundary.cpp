@@ -1,4 +1,4 @@
-// The rim of the arena: a torus closes upon itself, and walls hold whatever happens.
+// Edges of the arena: a torus wraps positions, walls put vehicles outside back inside.
 #include <algorithm>
 #include <cmath>
 
@@ -10,10 +10,10 @@ using maths::vec2;
 
 namespace {
 
-// Into the half-open stretch of this length about 0.
+// Wraps x into [-length / 2, length / 2).
 float wrapped(float x, float length) {
     const float inside = x - length * std::floor((x + length / 2) / length);
-    return inside < length / 2 ? inside : -length / 2;  // rounding may end on the far rim
+    return inside < length / 2 ? inside : -length / 2;  // rounding can give length / 2
 }
 
 void close_the_torus(WorldData& s) {
@@ -32,7 +32,8 @@ void close_the_torus(WorldData& s) {
     }
 }
 
-// Who started or was put outside, or was pressed through a wall by a crowd, stands inside again.
+// Moves vehicles outside the walls to a position inside and stops them: vehicles that started or were moved there, and
+// vehicles that others pushed through a wall.
 void hold_behind_walls(WorldData& s) {
     const Arena& arena = s.scene->arena;
     const float x = std::max(arena.width / 2 - 0.5f, 0.0f), y = std::max(arena.height / 2 - 0.5f, 0.0f);

@@ -1,4 +1,4 @@
-// What a vehicle's brain does to what its eyes see, as things stand with it at this moment.
+// Character of a vehicle: how its brain responds to the stimuli of its eyes, given its other readings at this tick.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace braitenlab {
 
-// What the sensors beside its eyes read now: its energy, its bumper, a photocell that looks all round. Eyes that come
-// in pairs (names ending in L and R) are left out: they look at other stimuli, each with a character of its own, and
-// one that is met on one side would make every brain seem crooked. Precondition: the vehicle is in the snapshot.
+// Current readings of the sensors that are not eyes: energy, bumper, omnidirectional photocell. Paired eyes (names that
+// end in L and R) are omitted: a stimulus on one side would make the response of every brain asymmetric.
+// Precondition: the vehicle is in the snapshot.
 std::vector<Reading> readings_beside_eyes(const Snapshot&, const VehicleView&);
 
-// The recogniser's word for the vehicle's brain with those readings: a fed tortoise is another than a hungry one.
+// The recogniser's result for the vehicle's brain with those readings. It can change with them, e.g. with the energy.
 Character character_of(const Snapshot&, const VehicleView&);
 
 }  // namespace braitenlab

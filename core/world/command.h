@@ -1,4 +1,4 @@
-// Everything that can be done to a running world from outside: the only way in.
+// Commands: the only way to change a running world from outside. Indices that the world does not have are refused.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,14 @@
 
 namespace braitenlab {
 
-// Whose brain is meant: one vehicle's, or that of every vehicle of a kind, those born later included.
+// The brain that a command changes: that of one vehicle, or that of all present and future vehicles of a kind.
 struct Target {
     VehicleId vehicle = no_vehicle;
     int kind = -1;  // used when vehicle is no_vehicle
     friend bool operator==(const Target&, const Target&) = default;
 };
 
-struct TurnDial {  // values are clamped to the dial's range
+struct TurnDial {  // sets a dial; the value is clamped to the dial's range
     Target target;
     Dial dial = Dial::LL;
     float value = 0;
@@ -30,36 +30,36 @@ struct SetBrain {
     BrainGraph brain;
     friend bool operator==(const SetBrain&, const SetBrain&) = default;
 };
-// Where nodes stand on the wiring canvas (Node::place); nothing that the run does is touched by it.
+// The position of a node on the wiring canvas (Node::place). The run does not depend on it.
 struct NodePlace {
     NodeId node = 0;
-    std::optional<maths::vec2> at{};  // none: where it is tidied to
+    std::optional<maths::vec2> at{};  // none: automatic layout
     friend bool operator==(const NodePlace&, const NodePlace&) = default;
 };
-struct PlaceNodes {  // a node that a brain lacks is passed over
+struct PlaceNodes {  // nodes that a brain does not have are ignored
     Target target;
     std::vector<NodePlace> places;
     friend bool operator==(const PlaceNodes&, const PlaceNodes&) = default;
 };
-// Vehicles that people add and remove are added to and removed from the scene as well: one with a place of its own is a
-// start (Scene::starts), any other is one more of the population (Ecology::population).
+// AddVehicle and RemoveVehicle change the scene, too: a vehicle with a given pose is a start (Scene::starts), any other
+// vehicle counts towards the population (Ecology::population).
 struct AddVehicle {
-    int kind = -1;                      // −1: the kind that the shares ask for next
-    std::optional<Pose> at{};           // else somewhere free, at random
-    std::optional<BrainGraph> brain{};  // else what newcomers of the kind get
+    int kind = -1;                      // −1: the kind that the shares require next
+    std::optional<Pose> at{};           // none: a random free pose
+    std::optional<BrainGraph> brain{};  // none: the brain of the kind
     float energy = 1;                   // 0..1
-    std::optional<Driver> driver{};     // else its kind's
-    // For one that comes back: who it was, and its start if it had one, with its index.
+    std::optional<Driver> driver{};     // none: the driver of the kind
+    // To restore a removed vehicle: its id, its start if it had one, and the index of that start.
     VehicleId id = no_vehicle;
     std::optional<Start> start{};
     int before = -1;
     friend bool operator==(const AddVehicle&, const AddVehicle&) = default;
 };
 struct RemoveVehicle {
-    VehicleId vehicle = no_vehicle;  // no_vehicle: the one added last
+    VehicleId vehicle = no_vehicle;  // no_vehicle: the vehicle with the largest id
     friend bool operator==(const RemoveVehicle&, const RemoveVehicle&) = default;
 };
-struct MoveVehicle {  // it stands still there
+struct MoveVehicle {  // sets the pose (m, m, rad) and zero velocity
     VehicleId vehicle = no_vehicle;
     float x = 0, y = 0, heading = 0;
     friend bool operator==(const MoveVehicle&, const MoveVehicle&) = default;
@@ -69,24 +69,24 @@ struct ChooseDriver {
     Driver driver = Driver::brain;
     friend bool operator==(const ChooseDriver&, const ChooseDriver&) = default;
 };
-struct Steer {  // a vehicle driven by hand: its wheels' commands, −1..1, until the next
+struct Steer {  // wheel commands, clamped to −1..1, of a manually driven vehicle; held until the next Steer
     VehicleId vehicle = no_vehicle;
     float left = 0, right = 0;
     friend bool operator==(const Steer&, const Steer&) = default;
 };
-struct EditStart {  // for the next run; nobody moves now
+struct EditStart {  // takes effect when a vehicle next enters at the start; no vehicle moves now
     int start = 0;
     Start to;
     friend bool operator==(const EditStart&, const EditStart&) = default;
 };
-struct SetSensors {  // of a kind; readings begin anew
+struct SetSensors {  // replaces the sensors of a kind; all readings are reset to 0
     int kind = 0;
     std::vector<Sensor> sensors;
     friend bool operator==(const SetSensors&, const SetSensors&) = default;
 };
 
-// Sources and obstacles are known by their place in Scene::sources and Scene::obstacles as they are at the moment: one
-// removed closes the gap, one added goes to the end or before the one at `before`.
+// Sources and obstacles are identified by their current index in Scene::sources and Scene::obstacles. A removal
+// decrements the later indices. An addition is inserted at index `before`, or at the end for −1.
 struct AddSource {
     Source source;
     int before = -1;
@@ -125,11 +125,11 @@ struct MoveObstacle {
     float x = 0, y = 0, heading = 0;
     friend bool operator==(const MoveObstacle&, const MoveObstacle&) = default;
 };
-struct Retitle {  // the scene, for people
+struct Retitle {  // sets the scene's title; the run does not depend on it
     std::string title;
     friend bool operator==(const Retitle&, const Retitle&) = default;
 };
-struct NewPopulation {  // the next generation: the same numbers at new random places
+struct NewPopulation {  // starts the next generation: the same number of vehicles at new random poses
     friend bool operator==(const NewPopulation&, const NewPopulation&) = default;
 };
 

@@ -1,4 +1,4 @@
-// Execution of commands: each is executed completely or refused with a reason.
+// Execution of commands. A command is executed completely, or returns an error and changes nothing.
 #include <algorithm>
 #include <cmath>
 
@@ -32,8 +32,8 @@ Error unknown_vehicle(VehicleId id) {
     return {fmt::format("vehicle {} is no longer in the world; select another one", id)};
 }
 
-// Edits every brain of the target; vehicles that shared a brain share the new one. Nothing changes unless every new
-// brain compiles.
+// Edits all brains of the target. Vehicles that share a brain share the edited one. Changes nothing when an edited
+// brain does not compile.
 template <class Edit>
 std::optional<Error> edit_brains(WorldData& s, const Target& target, Edit edit) {
     struct Change {

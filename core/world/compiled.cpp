@@ -11,7 +11,7 @@ namespace braitenlab::world {
 
 namespace {
 
-// Whoever is drawn to others hunts them, whoever is driven away by them is hunted.
+// Attraction to other vehicles gives a predator, avoidance gives prey.
 Role role_by_wiring(const BrainGraph& graph) {
     const int drawn = attraction(recognise(graph));
     return drawn > 0 ? Role::predator : drawn < 0 ? Role::prey : Role::none;
@@ -28,15 +28,15 @@ Result<SharedBrain> compile_brain(const BrainGraph& graph, const Kind& kind) {
 
 namespace {
 
-// How far wheels that each stop the mass they carry would stop the whole body within one tick: 1 to a standstill, above
-// 1 too far, above 2 throwing it back faster than it came. The largest eigenvalue of what the wheels' impulses do to
-// the body's three speeds (ahead, aside, turning), found by iteration; `along` and `across` are the masses a wheel
-// stops.
+// Largest fraction of the body's motion that the wheels cancel within one tick if each wheel stops its masses `along`
+// and `across`. 1: the body stops. Above 1: the motion reverses. Above 2: it grows. Computed as the largest eigenvalue
+// of the map from the body's velocity (forward, sideways, angular) to the change by the wheels' impulses, by power
+// iteration.
 float overshoot(const Body& body, const std::vector<CompiledWheel>& wheels, float CompiledWheel::*along,
                 float CompiledWheel::*across) {
     const float inertia = mechanics::plate_inertia(body.mass, body.length, body.width);
     const maths::vec3 share{1 / std::sqrt(body.mass), 1 / std::sqrt(body.mass), 1 / std::sqrt(inertia)};
-    maths::vec3 speeds{0.6f, 0.64f, 0.48f};  // of length 1, along no axis
+    maths::vec3 speeds{0.6f, 0.64f, 0.48f};  // a unit vector along no axis
     float largest = 0;
     for (int i = 0; i < 64; ++i) {
         const maths::vec3 own{speeds.x * share.x, speeds.y * share.y, speeds.z * share.z};
@@ -52,7 +52,8 @@ float overshoot(const Body& body, const std::vector<CompiledWheel>& wheels, floa
     return largest;
 }
 
-// Wheels far from the middle of a small body would shake it to pieces: they stop no more than leaves it steady.
+// Scales the masses down so that the overshoot is at most 1. Otherwise wheels far from the centre of a small body would
+// make it oscillate.
 void limit_overshoot(const Body& body, std::vector<CompiledWheel>& wheels, float CompiledWheel::*along,
                      float CompiledWheel::*across) {
     const float too_far = overshoot(body, wheels, along, across);
@@ -79,7 +80,7 @@ CompiledKind compile_kind(const Kind& kind) {
         compiled.has_noise = compiled.has_noise || made.noise > 0;
     }
     compiled.delayed_readings = delayed_readings(kind);
-    float driven = 0, gripping = 0;  // shares of the load on wheels with a motor, with grip
+    float driven = 0, gripping = 0;  // shares of the load on wheels with a motor and on wheels with grip
     for (const Wheel& w : body.wheels) {
         if (w.motor != Motor::none) driven += w.load;
         if (w.grip > 0) gripping += w.load;

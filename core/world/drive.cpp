@@ -1,5 +1,5 @@
-// Wheels push bodies: each wheel's motor, grip and drag at its contact point, and what the zones do, summed into one
-// force and one torque.
+// Wheel forces: sums motor force, grip and drag of each wheel at its contact point and the push of zones into one force
+// and one torque per vehicle.
 #include "core/maths/angle.h"
 #include "core/mechanics/wheel.h"
 #include "core/world/world_data.h"
@@ -10,11 +10,11 @@ using maths::vec2;
 
 namespace {
 
-// The force of one wheel in the vehicle's frame. All wheels roll straight ahead, so the frames have the same axes.
+// Force of one wheel in N, in the vehicle's frame, whose axes are those of every wheel: wheels do not steer.
 vec2 wheel_force(const CompiledKind& kind, const CompiledWheel& wheel, const FloorConstants& floor, vec2 velocity,
                  float command) {
     const vec2 drag = mechanics::rolling_drag(velocity, floor.friction, wheel.area, wheel.carried_mass, tick_seconds);
-    if (wheel.friction_limit == 0) return drag;  // a castor: rolls whichever way it is pulled
+    if (wheel.friction_limit == 0) return drag;  // a castor rolls in every direction
     vec2 tyre{0, mechanics::lateral_grip(velocity.y, wheel.lateral_mass, tick_seconds)};
     if (wheel.motor != Motor::none)
         tyre.x = mechanics::motor_force(command * kind.top_speed, velocity.x, wheel.drive_mass, kind.motor_force,
@@ -32,7 +32,7 @@ void drive_vehicle(WorldData& s, std::size_t row) {
     const CompiledKind& kind = s.kinds[s.kind(row)];
     const mechanics::Motion& m = v.motion[row];
     const std::array<float, 2> command = commands_of(v, row, kind.dead_band);
-    // Wheels hold against what pushes the vehicle: they see the speed that this push alone would give it.
+    // Wheels resist the push of a zone: their forces are computed for the velocity after one tick of the push alone.
     const vec2 push = s.environment.ground.push_at(m.position, kind.mass);
     const vec2 pushed = m.velocity + push * (tick_seconds / kind.mass);
     const vec2 velocity = maths::rotate(pushed, {m.ahead.x, -m.ahead.y});  // in the vehicle's frame

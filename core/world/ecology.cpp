@@ -1,4 +1,4 @@
-// What happens between bodies and over time: bites, energy, falls, deaths and births, and the timer of an idle world.
+// Ecology: bites, energy, falls, deaths, births and the inactivity timer.
 #include <algorithm>
 #include <cmath>
 
@@ -9,8 +9,8 @@ namespace braitenlab::world {
 
 namespace {
 
-constexpr std::uint64_t bite_ticks = 60;  // one bite a second and pair
-constexpr float moving_speed = 0.05f;     // m/s; slower counts as standing still
+constexpr std::uint64_t bite_ticks = 60;  // between two bites of one pair: 1 s
+constexpr float moving_speed = 0.05f;     // m/s; a slower vehicle counts as still
 
 void bite(WorldData& s, std::size_t predator, std::size_t prey) {
     const float taken = std::min(s.scene->ecology.bite, s.vehicles.energy[prey]);
@@ -37,8 +37,8 @@ void bite_prey(WorldData& s) {
     std::inplace_merge(s.bites.begin(), s.bites.begin() + before, s.bites.end(), by_pair);
 }
 
-// The first kind of the opposite role, else the kind itself. What a role follows from, the kind or its wiring, does not
-// matter.
+// The first kind of the opposite role, or the vehicle's kind if there is none. Roles that follow from the wiring count
+// like roles set in the scene.
 int successor_kind(const WorldData& s, std::size_t row) {
     const Role role = s.role(row);
     const Role opposite = role == Role::predator ? Role::prey : role == Role::prey ? Role::predator : Role::none;
@@ -59,7 +59,7 @@ void spend_energy(WorldData& s) {
     }
 }
 
-// Whoever fell over an open edge enters again, under its own number, so that what is selected stays selected.
+// Respawns each vehicle that is beyond an open edge. It keeps its id, so that a selection in the window stays valid.
 void fall(WorldData& s) {
     if (s.scene->arena.edge != Boundary::open) return;
     for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
@@ -69,7 +69,7 @@ void fall(WorldData& s) {
     }
 }
 
-// Whoever has no energy left leaves, and one of the opposite role enters elsewhere.
+// Replaces each vehicle without energy by a new one of the opposite role at a random pose.
 void replace_starved(WorldData& s) {
     std::vector<std::size_t> starved;
     std::vector<int> successors;
@@ -86,8 +86,8 @@ void replace_starved(WorldData& s) {
         add_vehicle(s, kind, -1, id, s.kind_brains[static_cast<std::size_t>(kind)], free_pose(s, free_space, kind, id));
         ++s.events.deaths, ++s.events.births;
     }
-    // So many newcomers at random free_space would cost Box2D's tree dearly; made again, the world enters them in good
-    // order.
+    // Many bodies added at random positions make Box2D's tree slow; a rebuilt world adds all bodies in order of
+    // position.
     constexpr std::size_t many = 256;
     if (starved.size() > many) s = WorldData(std::move(static_cast<State&>(s)));
 }

@@ -14,8 +14,8 @@ std::vector<maths::vec2> posts_of(const Scene& scene) {
     return posts;
 }
 
-// Replaces a scene whose sources were edited. Only solid sources have a body and an outline; while they stay the same
-// the world is not rebuilt, so that dragging a slider of a source costs little and does not change the contacts.
+// Replaces the scene after an edit of its sources. Only solid sources have a body and an outline; if they do not
+// change, the world is not rebuilt, so that an edit of a source's values is cheap and does not change the contacts.
 void replace_sources(WorldData& s, Scene scene) {
     if (posts_of(*s.scene) == posts_of(scene))
         s.scene = std::make_shared<const Scene>(std::move(scene));
@@ -39,7 +39,7 @@ std::optional<Error> execute(WorldData& s, const SetSensors& c) {
     kind.brain = s.kind_brains[static_cast<std::size_t>(c.kind)]->graph;
     if (auto error = check_scene(scene)) return error;
 
-    // Brains refer to sensors by name; every brain of the kind is compiled again with the new ones.
+    // Brains refer to sensors by name; compile every brain of the kind again for the new sensors.
     std::vector<std::pair<SharedBrain, SharedBrain>> made;
     const auto again = [&](SharedBrain& brain) {
         for (const auto& [before, after] : made)
@@ -75,7 +75,7 @@ std::optional<Error> execute(WorldData& s, const AddSource& c) {
 std::optional<Error> execute(WorldData& s, const RemoveSource& c) {
     if (auto error = missing(s.scene->sources, c.source, "source")) return error;
     Scene scene = *s.scene;
-    // Starts that face the source keep the direction to it.
+    // Starts that face the source keep their heading.
     for (Start& start : scene.starts) {
         const Source& removed = scene.sources[static_cast<std::size_t>(c.source)];
         if (start.facing != removed.name) continue;

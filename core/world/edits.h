@@ -1,4 +1,4 @@
-// Commands that edit the scene of a running world, and what they share. Inside core/world only.
+// Commands that edit the scene of a running world, and their helpers. Inside core/world only.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace braitenlab::world {
 
-// Each refuses what would make the scene invalid (see check_scene) and then changes nothing. An empty name or one that
-// is in use is replaced by a free one.
+// Each returns an error and changes nothing when the scene would become invalid (see check_scene). A name that is empty
+// or in use is replaced by a free one.
 std::optional<Error> execute(WorldData&, const AddVehicle&);  // add_remove.cpp
 std::optional<Error> execute(WorldData&, const RemoveVehicle&);
 std::optional<Error> execute(WorldData&, const EditStart&);
@@ -51,7 +51,7 @@ auto iterator_at(std::vector<Element>& elements, int index) {
     return elements.begin() + static_cast<std::ptrdiff_t>(index);
 }
 
-// Index of a new element: before the given one, else at the end.
+// Index at which to insert a new element: `before`, or the end for −1.
 template <class Element>
 int insertion_index(const std::vector<Element>& elements, int before) {
     const auto count = static_cast<int>(elements.size());

@@ -12,7 +12,7 @@ using maths::vec2;
 
 namespace {
 
-constexpr float source_reach = 0.65f;  // m, that a newcomer keeps from lamps, solid or not
+constexpr float source_reach = 0.65f;  // m, radius kept free round each source, solid or not
 constexpr int most_cells_a_block = 256;
 
 }  // namespace
@@ -39,7 +39,7 @@ FreeSpace::FreeSpace(const WorldData& s) {
     }
 }
 
-// Clamped before they are whole numbers: who was dragged far outside belongs to the rim.
+// Clamped before the conversion to int, which would overflow; a position outside belongs to the nearest edge cell.
 int FreeSpace::column(float x) const {
     return static_cast<int>(std::clamp((x - origin_.x) / side_, 0.0f, static_cast<float>(columns_ - 1)));
 }

@@ -1,4 +1,4 @@
-// Place memory: vehicles lay marks where they touch walls, posts and obstacles, and sense their own like lamps.
+// Place memory: a vehicle stores a mark where it touches a wall, post or obstacle, and senses its own marks like lamps.
 #include <algorithm>
 
 #include "core/maths/portable.h"
@@ -8,13 +8,13 @@ namespace braitenlab::world {
 
 namespace {
 
-constexpr float apart = 0.5f;                // m between one vehicle's marks
-constexpr float halvings = 7;                // after which a mark is forgotten
-constexpr std::uint64_t ticks_a_sweep = 60;  // how often it is looked for what is forgotten
+constexpr float apart = 0.5f;                // m, minimum distance between marks of one vehicle
+constexpr float halvings = 7;                // of its strength; then a mark is removed
+constexpr std::uint64_t ticks_a_sweep = 60;  // between two removals of old marks
 
 using MarkAt = std::vector<Mark>::iterator;
 
-// Makes a vehicle's mark its newest: the others keep their order.
+// Makes a mark the newest of its vehicle; `end` is the end of the vehicle's marks. The others keep their order.
 void renew(MarkAt mark, MarkAt end, std::uint64_t tick) {
     mark->tick = tick;
     std::rotate(mark, mark + 1, end);
@@ -49,14 +49,14 @@ void remember(WorldData& s) {
             first, last, [&](const Mark& mark) { return maths::distance(mark.position, bump.at) < apart; });
         if (near != last) {
             renew(near, last, s.tick);
-        } else if (last - first >= most) {  // the oldest makes room
+        } else if (last - first >= most) {  // replaces the oldest mark
             first->position = bump.at;
             renew(first, last, s.tick);
         } else {
             s.marks.push_back({bump.vehicle, bump.at, s.tick});
         }
     }
-    // The new ones stand at the end, by owner; each comes after its owner's older ones.
+    // New marks are at the end, by owner. The merge puts each after the older marks of its owner.
     std::inplace_merge(s.marks.begin(), s.marks.begin() + static_cast<std::ptrdiff_t>(before), s.marks.end(),
                        [](const Mark& a, const Mark& b) { return a.owner < b.owner; });
 }

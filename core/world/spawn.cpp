@@ -1,4 +1,4 @@
-// Who enters the world, and where.
+// Spawning: kinds and poses of vehicles that enter the world, and their removal.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -13,10 +13,12 @@ using maths::vec2;
 
 namespace {
 
-constexpr int tries = 64;  // then a crowded place will do; the bodies push each other apart
+constexpr int tries =
+    64;  // attempts to find a free position; then overlap is accepted, and contacts separate the bodies
 
-// Chance for one vehicle's place in one generation: what another vehicle draws does not change it. Who falls over the
-// edge does not enter where it would fall in the same way for ever.
+// Random numbers for the pose of one vehicle in one generation, independent of those of other vehicles. The number of
+// falls is part of the seed, so that a vehicle that fell over the edge does not respawn at the same pose and fall
+// again.
 maths::Random chance_for(const WorldData& s, VehicleId id) {
     const auto stream = (static_cast<std::uint64_t>(s.generation) << 32U) | static_cast<std::uint32_t>(id);
     return {s.seed ^ (static_cast<std::uint64_t>(s.events.falls) * 0x9e3779b97f4a7c15ULL), stream};
@@ -36,7 +38,7 @@ Pose start_pose(const WorldData& s, const Start& start, VehicleId id) {
     return pose;
 }
 
-// The kind whose count lags farthest behind its share; ties go to the kind written first.
+// The kind whose count is farthest below its share; of equal kinds, the first in the scene.
 int most_wanted(const Scene& scene, const std::vector<int>& counts) {
     int total = 1, wanted = 0;
     float all_shares = 0, largest_lack = -INFINITY;
@@ -58,7 +60,7 @@ std::vector<int> random_counts(const WorldData& s) {
     return counts;
 }
 
-// Takes the elements of these rows, which ascend, out of a column.
+// Removes the elements of these rows from a column. Precondition: the rows ascend.
 template <class Column>
 void drop_rows(Column& column, const std::vector<std::size_t>& rows) {
     auto gone = rows.begin();
@@ -72,7 +74,8 @@ void drop_rows(Column& column, const std::vector<std::size_t>& rows) {
     column.resize(kept);
 }
 
-// Takes the rows' stretches out of a flat array and closes the gaps; `first` keeps its rows for now.
+// Removes the ranges of these rows from a flat array. Updates the values of `first` but keeps its size. Precondition:
+// the rows ascend.
 void drop_stretches(std::vector<float>& flat, std::vector<std::uint32_t>& first, const std::vector<std::size_t>& rows) {
     auto gone = rows.begin();
     std::size_t kept = 0;
@@ -88,8 +91,8 @@ void drop_stretches(std::vector<float>& flat, std::vector<std::uint32_t>& first,
     flat.resize(kept);
 }
 
-// A vehicle's two motors, each a little stronger or weaker than it should be. Chance that belongs to the vehicle alone:
-// it keeps its motors from generation to generation.
+// Gains of the left and right motor: 1 ± Body::mismatch, uniformly distributed. They depend on the seed and the id
+// only, so that a vehicle has the same gains in every generation.
 std::array<float, 2> motor_gains(const WorldData& s, int kind, VehicleId id) {
     const float mismatch = s.scene->kinds[static_cast<std::size_t>(kind)].body.mismatch;
     maths::Random chance{s.seed, (std::uint64_t{0x6d6f746f} << 32U) | static_cast<std::uint32_t>(id)};
@@ -103,7 +106,8 @@ int next_kind(const WorldData& s) { return most_wanted(*s.scene, random_counts(s
 
 Pose free_pose(const WorldData& s, FreeSpace& free_space, int kind, VehicleId id) {
     maths::Random chance = chance_for(s, id);
-    const float reach = s.kinds[static_cast<std::size_t>(kind)].reach, margin = 1.5f * reach;  // from walls
+    const float reach = s.kinds[static_cast<std::size_t>(kind)].reach,
+                margin = 1.5f * reach;  // m; margin: from the walls
     const float half_width = std::max(0.0f, s.scene->arena.width / 2 - margin);
     const float half_height = std::max(0.0f, s.scene->arena.height / 2 - margin);
     Pose pose;
@@ -203,9 +207,9 @@ void spawn_population(WorldData& s) {
     }
 }
 
-// Everyone leaves and as many enter again under the same ids, so that what is selected stays selected. Those placed by
-// steered return to their starts; the others' kinds are dealt anew by the shares, so that a population which bit itself
-// out of balance begins in balance again. A vehicle whose kind is the same keeps its brain.
+// Replaces all vehicles by the same number of vehicles with the same ids, so that a selection in the window stays
+// valid. Vehicles with a start return to it. The kinds of the others are chosen again by the shares, which restores the
+// balance of the population. A vehicle whose kind does not change keeps its brain.
 void new_generation(WorldData& s) {
     const Vehicles before = std::move(s.vehicles);
     s.vehicles = {};
@@ -231,7 +235,7 @@ void new_generation(WorldData& s) {
         add_vehicle(s, kind, start, id, brain, pose);
     }
     s.touching.clear();
-    s = WorldData(std::move(static_cast<State&>(s)));  // all that was worked out begins anew, too
+    s = WorldData(std::move(static_cast<State&>(s)));  // recomputes all derived data
 }
 
 }  // namespace braitenlab::world

@@ -1,4 +1,5 @@
-// Everything that a tick changes, as plain values that can be copied and stored. Inside core/world and core/io only.
+// State: everything that a tick changes, as plain values that can be copied and stored. Inside core/world and core/io
+// only.
 //
 // A running world is a state and what is derived from it (core/world/world_data.h): two worlds made from the same state
 // evolve identically, bit for bit.
@@ -41,19 +42,20 @@ struct Mark {
 struct Vehicles {
     std::vector<VehicleId> id;
     std::vector<std::int32_t> kind;
-    std::vector<std::int32_t> start;  // in Scene::starts, −1: one of the population
+    std::vector<std::int32_t> start;  // in Scene::starts; −1: part of the population
     std::vector<Driver> driver;
     std::vector<mechanics::Motion> motion;
     std::vector<float> energy;
     std::vector<std::array<float, 2>> steered;      // wheel commands of the manual driver, −1..1
-    std::vector<std::int32_t> waypoint;             // index of the next one
+    std::vector<std::int32_t> waypoint;             // index of the next waypoint
     std::vector<std::array<float, 2>> gain;         // of each motor, 1 without mismatch
     std::vector<std::array<float, 2>> motor;        // wheel commands, −1..1
     std::vector<std::array<float, 2>> wheel_angle;  // rad, for display only
     std::vector<SharedBrain> brain;
     std::vector<std::uint32_t> first_sensed, first_neuron, first_delayed;  // into the three arrays below
     std::vector<float> sensed, neurons;
-    std::vector<float> delayed;  // readings of sensors with latency that the brain has not received: one ring each
+    std::vector<float>
+        delayed;  // one ring buffer per sensor with latency: readings that the brain has not received yet
 
     std::size_t size() const { return id.size(); }
 
@@ -66,15 +68,15 @@ struct Vehicles {
 };
 
 struct State {
-    std::shared_ptr<const Scene> scene;    // as edited up to now
+    std::shared_ptr<const Scene> scene;    // with all edits
     std::vector<SharedBrain> kind_brains;  // by kind: the brain of vehicles that enter
     std::uint64_t seed = 0, tick = 0;
     std::int32_t generation = 1;
-    std::uint32_t still_ticks = 0;  // since any vehicle moved
+    std::uint32_t still_ticks = 0;  // ticks since any vehicle moved
     VehicleId next_id = 0;
     EventCounts events;
     std::vector<Bite> bites;  // of the last second, sorted by pair
-    std::vector<Mark> marks;  // by owner, the oldest first
+    std::vector<Mark> marks;  // by owner, then oldest first
     Vehicles vehicles;
     std::vector<mechanics::Motion> obstacles;  // as Scene::obstacles
     std::vector<Touch> touching;               // sorted

@@ -10,7 +10,7 @@ namespace braitenlab::world {
 
 enum class TickPart { sense, think, drive, physics, other };
 
-// One whole tick. Calls done(TickPart) after each part.
+// Computes one tick. Calls done(TickPart) after each part.
 template <class Done>
 void tick(WorldData& s, Done done) {
     sense(s);

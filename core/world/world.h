@@ -18,12 +18,12 @@ struct State;      // core/world/state.h
 struct WorldData;  // core/world/world_data.h: inside core/world only
 }  // namespace world
 
-// Box2D keeps caches that cannot be restored. A running world therefore rebuilds itself from its own state every
-// keyframe_ticks; a run restored from that state is then the same run.
+// Ticks between two keyframes. Box2D keeps caches that cannot be restored; at a keyframe the world is therefore rebuilt
+// from its state, so that a run restored from that state is identical.
 inline constexpr std::uint64_t keyframe_ticks = 300;
 
-// This number of commands since a keyframe creates another one between two ticks, so that dragging for a long time in a
-// paused run cannot grow the log without limit. Cosmetic commands do not count.
+// Number of commands since a keyframe that creates the next keyframe between two ticks. It limits the size of the log
+// during a long drag in a paused run. Cosmetic commands do not count.
 inline constexpr std::size_t keyframe_commands = 512;
 
 // A command and the tick before which it was executed.
@@ -32,7 +32,7 @@ struct LoggedCommand {
     Command command;
 };
 
-// A run at one tick, complete: the last keyframe and what was done since. Restoring repeats that.
+// A complete run at one tick: the last keyframe and the commands since. Restoring repeats the ticks and commands.
 struct Checkpoint {
     std::shared_ptr<const world::State> keyframe;
     std::uint64_t keyframe_tick = 0;
@@ -40,7 +40,7 @@ struct Checkpoint {
     std::uint64_t tick = 0;               // at most keyframe_ticks after the keyframe
 };
 
-// A run that can be stored and continued: the scene as it was opened, and the checkpoint.
+// A run that can be stored and continued: the scene without edits, and the checkpoint.
 struct SavedRun {
     Scene opened;
     Checkpoint checkpoint;
@@ -55,11 +55,11 @@ public:
     World& operator=(World&&) noexcept;
     ~World();
 
-    // Executes a command before the next tick. Refuses it and changes nothing when it cannot be done: an unknown
-    // vehicle, a brain that does not compile, a full arena.
+    // Executes a command before the next tick. Returns an error and changes nothing when the command is invalid: an
+    // unknown vehicle, a brain that does not compile, too many vehicles.
     std::optional<Error> apply(const Command&);
 
-    // One tick of 1/60 s: sense, think, drive, physics, remember, live.
+    // Computes one tick of 1/60 s: sense, think, drive, physics, boundary, memory, ecology.
     void step();
 
     std::uint64_t tick() const;
@@ -71,28 +71,28 @@ public:
     // Fills the trace of one vehicle and reuses its memory. Returns false when the vehicle is not in the world.
     bool trace(VehicleId, VehicleTrace&) const;
 
-    // An independent copy of the run at this tick, which begins with a keyframe: it evolves as this world does after a
+    // An independent copy of the run at this tick. It starts with a keyframe, so it evolves as this world does after a
     // keyframe at the same tick.
     World fork() const;
 
-    // The run at this tick, and a world that continues it exactly. A checkpoint costs almost nothing; restoring costs
-    // at most keyframe_ticks steps.
+    // checkpoint() returns the run at this tick and is cheap. restore() returns a world that continues the run exactly;
+    // it costs at most keyframe_ticks steps.
     Checkpoint checkpoint() const;
     static World restore(const Checkpoint&);
 
-    // The last keyframe, its tick, and whether nothing was done since.
+    // The last keyframe, its tick, and whether there is no tick and no command since.
     const std::shared_ptr<const world::State>& keyframe() const { return since_.keyframe; }
     std::uint64_t keyframe_tick() const { return since_.keyframe_tick; }
     bool is_at_keyframe() const { return since_.commands.empty() && tick() == since_.keyframe_tick; }
 
-    // A digest of everything that decides the future of the run.
+    // Digest of all values that determine the further run.
     std::uint64_t hash() const;
 
 private:
     explicit World(std::unique_ptr<world::WorldData>);
     void begin_keyframe();
     std::unique_ptr<world::WorldData> data_;
-    Checkpoint since_;  // the last keyframe and what was done since; `tick` is not kept up to date
+    Checkpoint since_;  // the last keyframe and the commands since; `tick` is not kept up to date
 };
 
 }  // namespace braitenlab

@@ -13,7 +13,7 @@
 
 namespace braitenlab::world {
 
-// What sensors read from, filled anew in each tick.
+// Input of the sensors, refilled in each tick.
 struct SensingBuffers {
     sensing::StimulusGrids grids;
     std::vector<Touch> touched;  // all touches in both directions, sorted; filled when there are bumpers
@@ -30,8 +30,8 @@ struct Preview {
 };
 
 struct WorldData : State {
-    // Takes the state as it is; kinds, environment and bodies are derived from it alone. After an edit of the scene and
-    // at every keyframe a world is rebuilt from its own state:  s = WorldData(State(s)).
+    // Keeps the state unchanged and derives kinds, environment and bodies from it alone. After an edit of the scene and
+    // at every keyframe, a world is rebuilt from its own state:  s = WorldData(State(s)).
     explicit WorldData(State);
 
     std::vector<CompiledKind> kinds;
@@ -39,7 +39,7 @@ struct WorldData : State {
     std::array<bool, channel_count> sensed_channel{};  // by any kind
     bool any_memory = false;                           // any kind has a place memory
     bool readings_are_stale = true;                    // something moved since the sensors were read
-    std::vector<Bump> bumps;                           // of this tick; filled when any_memory
+    std::vector<Bump> bumps;                           // of this tick; filled if any_memory
     std::vector<Touch> begun;                          // contacts that began in the last step, sorted
     SensingBuffers sensing_buffers;
     Physics physics;
@@ -57,7 +57,7 @@ void keep_inside(WorldData&);     // boundary.cpp  torus and walls
 void remember(WorldData&);        // memory.cpp    marks where vehicles touch obstacles
 void touch_and_live(WorldData&);  // ecology.cpp   bites, energy, deaths and births, the inactivity timer
 
-// sense() and think() into a copy: what a picture shows after a command and before the next tick.
+// Results of sense() and think() without changing the world, for a snapshot between a command and the next tick.
 Preview preview(const WorldData&);
 std::vector<float> sense_preview(const WorldData&);  // the readings of a preview
 
