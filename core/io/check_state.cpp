@@ -17,7 +17,7 @@ using world::Vehicles;
 namespace {
 
 constexpr auto most_vehicles = static_cast<std::size_t>(limits::vehicles);
-constexpr float farthest = 1e5f;  // m, of anything from the middle; also the fastest, in m/s and rad/s
+constexpr float farthest = 1e5f;  // limit of coordinates (m), speeds (m/s) and angular velocities (rad/s)
 constexpr std::uint64_t last_tick = std::uint64_t{1} << 53U;
 
 bool within(float value, float low, float high) { return value >= low && value <= high; }  // false for NaN
@@ -77,11 +77,13 @@ std::optional<Error> vehicles_fault(const State& m) {
 }  // namespace
 
 std::optional<Error> check_state(const State& m) {
-    if (m.kind_brains.size() != m.scene->kinds.size()) return Error{"not every kind has a brain for kind_brains"};
+    if (m.kind_brains.size() != m.scene->kinds.size()) return Error{"not every kind has a brain for new vehicles"};
     if (m.tick > last_tick || m.generation < 1 || m.next_id < 0) return Error{"its clock is outside its range"};
     if (auto error = vehicles_fault(m)) return error;
     const auto lives = [&](VehicleId id) { return std::binary_search(m.vehicles.id.begin(), m.vehicles.id.end(), id); };
-    const auto has_lived = [&](VehicleId id) { return id >= 0 && id < m.next_id; };  // who left may be touched yet
+    const auto has_lived = [&](VehicleId id) {
+        return id >= 0 && id < m.next_id;
+    };  // contacts can refer to removed vehicles
     const auto touch_is_sound = [&](const Touch& t) {
         return has_lived(t.one) && (t.other == no_vehicle || (has_lived(t.other) && t.one < t.other));
     };

@@ -34,7 +34,7 @@ inline void from_json(const Json&, NewPopulation&) {}
 
 namespace {
 
-// As in Command.
+// In the order of Command's alternatives.
 constexpr std::array<const char*, std::variant_size_v<Command>> command_names{
     "TurnDial",    "SetBrain",       "PlaceNodes",   "AddVehicle",   "RemoveVehicle", "MoveVehicle", "ChooseDriver",
     "Steer",       "EditStart",      "SetSensors",   "AddSource",    "RemoveSource",  "EditSource",  "MoveSource",

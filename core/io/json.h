@@ -1,5 +1,5 @@
-// Scenes, brains and commands as JSON, for files that programs write and read (files that people write are TOML).
-// Structs described in core/scene/schema.h need no line here. Inside core/io and core/lesson only.
+// Conversion of scenes, brains and commands to and from JSON, for run files (scene files are TOML). Structs that
+// core/scene/schema.h describes need no code here. Inside core/io and core/lesson only.
 //
 // Reading throws Json::exception for missing values and wrong types. The caller checks ranges.
 #pragma once
@@ -19,7 +19,8 @@ namespace braitenlab::io {
 using Json = nlohmann::json;
 }  // namespace braitenlab::io
 
-// to_json and from_json are in the namespaces of their types, where the library looks for them.
+// to_json and from_json are in the namespaces of their types, because the library finds them by argument-dependent
+// lookup.
 namespace braitenlab {
 
 using io::Json;
@@ -56,7 +57,7 @@ inline void to_json(Json& json, const vec2& v) { json = {v.x, v.y}; }
 inline void from_json(const Json& json, vec2& v) { json.at(0).get_to(v.x), json.at(1).get_to(v.y); }
 }  // namespace maths
 
-// Node ids of a wire's ends.
+// Node ids of a wire's two ends.
 inline void add_ends(Json& json, const Wire& wire) { json["from"] = wire.from, json["to"] = wire.to; }
 inline void take_ends(const Json& json, Wire& wire) {
     json.at("from").get_to(wire.from), json.at("to").get_to(wire.to);
@@ -191,7 +192,7 @@ void from_json(const Json&, Command&);
 
 }  // namespace braitenlab
 
-// The form that the library requires for types of other namespaces.
+// The library requires this specialization for types of other namespaces.
 template <class T>
 struct nlohmann::adl_serializer<std::optional<T>> {
     static void to_json(braitenlab::Json& json, const std::optional<T>& value) {

@@ -20,14 +20,14 @@ namespace {
 
 constexpr int version = 1;
 constexpr std::size_t most_bytes = std::size_t{256} << 20U, most_commands = 100000;
-constexpr int deepest = 32;       // of lists within lists
-constexpr double largest = 1e30;  // far inside what a float can hold
+constexpr int deepest = 32;       // nesting depth of arrays and objects
+constexpr double largest = 1e30;  // absolute value of a number; fits in a float
 
 Error refused(std::string what, const std::string& file) {
     return {"is no saved run that can be gone on with: " + std::move(what), file};
 }
 
-// Rejects numbers and nesting that no run file contains.
+// Parser callback that rejects numbers and nesting depths beyond the limits.
 struct Guard {
     std::string objection;
     bool operator()(int depth, Json::parse_event_t, const Json& value) {

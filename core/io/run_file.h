@@ -1,7 +1,7 @@
-// Run files: a run can be stored and continued later exactly as it would have gone on.
+// Run files: store a run and continue it later, identical to the uninterrupted run.
 //
-// The file is JSON: the scene as it was opened, the last keyframe, and the commands and ticks since. Its extension is
-// `.run`.
+// The file is JSON with the extension `.run`. It contains the scene without edits, the last keyframe, and the commands
+// and the number of ticks since.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +17,8 @@ inline constexpr std::string_view run_ending = ".run";
 
 std::string write_run(const SavedRun&);
 
-// Fails with the reason unless write_run() could have written the file. Values that older versions did not write get
-// their defaults.
+// Returns an error with the reason for a file that write_run() cannot have written. Values that older versions did not
+// write get their defaults.
 Result<SavedRun> read_run(std::string_view text, std::string file_name);
 Result<SavedRun> load_run(const std::filesystem::path&);
 

@@ -49,7 +49,7 @@ using world::Vehicles;
 
 namespace {
 
-// Vehicles share brains; each graph is written once and referred to by its index.
+// Numbers the brains of a state. Vehicles share brains: each graph is written once and referred to by its index.
 struct BrainTable {
     std::map<const CompiledBrain*, int> number;
     Json graphs = Json::array();
@@ -61,7 +61,7 @@ struct BrainTable {
     }
 };
 
-// Compiles the graphs of a file, each once per kind that uses it.
+// Compiles the graphs of a file, each graph once per kind that uses it.
 class BrainMaker {
 public:
     BrainMaker(const Json& graphs, const Scene& scene)
