@@ -17,8 +17,7 @@ inline constexpr std::string_view run_ending = ".run";
 
 std::string write_run(const SavedRun&);
 
-// Returns an error with the reason for a file that write_run() cannot have written. Values that older versions did not
-// write get their defaults.
+// Returns an error with the reason for a file that write_run() cannot have written. A missing value is an error.
 Result<SavedRun> read_run(std::string_view text, std::string file_name);
 Result<SavedRun> load_run(const std::filesystem::path&);
 

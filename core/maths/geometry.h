@@ -1,4 +1,4 @@
-// Points in plane figures.
+// Tests of points against plane figures.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,8 @@
 
 namespace braitenlab::maths {
 
-// Weights of a, b and c that add up to p and to 1 (barycentric coordinates). A degenerate triangle gives infinities.
+// Barycentric coordinates of p: weights of a, b and c whose weighted sum is p and whose sum is 1. Infinite for a
+// degenerate triangle.
 inline vec3 barycentric(vec2 p, vec2 a, vec2 b, vec2 c) {
     const float area = cross(b - a, c - a);
     const float u = cross(c - b, p - b) / area;
@@ -15,19 +16,19 @@ inline vec3 barycentric(vec2 p, vec2 a, vec2 b, vec2 c) {
     return {u, v, 1 - u - v};
 }
 
-// Edges belong to the triangle; either winding.
+// True inside the triangle and on its edges, for either winding.
 inline bool in_triangle(vec2 p, vec2 a, vec2 b, vec2 c) {
     const vec3 w = barycentric(p, a, b, c);
     return w.x >= 0 && w.y >= 0 && w.z >= 0;
 }
 
-// A convex quad with its corners in order, either winding; edges belong to it.
+// True inside the convex quadrilateral and on its edges. Corners in order, either winding.
 inline bool in_quad(vec2 p, vec2 a, vec2 b, vec2 c, vec2 d) {
     return in_triangle(p, a, b, c) || in_triangle(p, a, c, d);
 }
 
-// Within the radius of the apex, clockwise of the left arm and counter-clockwise of the right one. The arms are
-// directions of any length; `reflex` says that the sector is the large side (more than 180 degrees).
+// True within the radius of the apex, clockwise of the left arm and counter-clockwise of the right arm. The arms are
+// vectors of any length. `reflex`: the sector is larger than 180 degrees.
 inline bool in_sector(vec2 p, vec2 apex, vec2 right_arm, vec2 left_arm, float radius, bool reflex) {
     const vec2 d = p - apex;
     if (dot(d, d) > radius * radius) return false;

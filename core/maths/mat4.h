@@ -1,4 +1,4 @@
-// Four-by-four matrices in OpenGL's conventions: column vectors, stored column after column, clip volume -1..1.
+// 4x4 matrices in OpenGL's conventions: column vectors, column-major storage, clip volume -1..1.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ constexpr mat4 operator*(const mat4& a, const mat4& b) {
 }
 constexpr mat4& operator*=(mat4& a, const mat4& b) { return a = a * b; }
 
-// Element by element.
+// Elementwise.
 constexpr mat4& operator+=(mat4& a, const mat4& b) {
     for (int i = 0; i < 4; ++i) a[i] += b[i];
     return a;
@@ -55,13 +55,13 @@ inline bool almost_equal(const mat4& a, const mat4& b, float tolerance) {
     return true;
 }
 
-// Its columns, each as a vector.
+// Writes the columns as vectors.
 inline std::ostream& operator<<(std::ostream& out, const mat4& m) {
     return out << '(' << m[0] << ", " << m[1] << ", " << m[2] << ", " << m[3] << ')';
 }
 
-// Model matrices: move, grow along the axes, turn by an angle (radians) about a unit axis, counter-clockwise when the
-// axis points at the viewer (Rodrigues' formula).
+// Model matrices: translation, scaling along the axes, and rotation by an angle (rad) about a unit axis,
+// counter-clockwise when the axis points at the viewer (Rodrigues' formula).
 constexpr mat4 translation(vec3 by) {
     mat4 m;
     m[3] = {by.x, by.y, by.z, 1};
@@ -88,8 +88,7 @@ constexpr mat4 transpose(const mat4& m) {
     return t;
 }
 
-// A point at the eye's place looking at the target; up need not be perpendicular to the line of sight, only not along
-// it.
+// View matrix of an eye that looks at the target. `up` must not be parallel to the line of sight.
 inline mat4 look_at(vec3 eye, vec3 target, vec3 up) {
     const vec3 back = normalise(eye - target);
     const vec3 right = normalise(cross(up, back));
@@ -102,7 +101,7 @@ inline mat4 look_at(vec3 eye, vec3 target, vec3 up) {
     return view;
 }
 
-// vertical_field in radians in (0, pi); aspect = width / height > 0; 0 < near < far, all along the line of sight.
+// vertical_field: rad in (0, pi); aspect: width / height > 0; 0 < near < far: distances along the line of sight.
 inline mat4 perspective(float vertical_field, float aspect, float near, float far) {
     const float focal = 1.0f / std::tan(vertical_field / 2);
     mat4 m;
@@ -113,7 +112,7 @@ inline mat4 perspective(float vertical_field, float aspect, float near, float fa
     return m;
 }
 
-// The box left..right, bottom..top, near..far (distances before the eye) onto the clip volume.
+// Maps the box left..right, bottom..top, near..far (distances in front of the eye) to the clip volume.
 constexpr mat4 orthographic(float left, float right, float bottom, float top, float near, float far) {
     mat4 m;
     m[0] = {2 / (right - left), 0, 0, 0};
@@ -145,7 +144,7 @@ struct Minors {
 
 constexpr float determinant(const mat4& m) { return detail::Minors(m).determinant(); }
 
-// The inverse of any invertible matrix (by cofactors); of a singular one, a matrix of infinities or NaNs.
+// Inverse by cofactors. Contains infinities or NaNs for a singular matrix.
 inline mat4 inverse(const mat4& m) {
     const detail::Minors minors(m);
     const auto &s = minors.s, &c = minors.c;

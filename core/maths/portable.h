@@ -1,9 +1,9 @@
-// sine, cosine, arc tangent and exponential that give the same bits on every platform.
+// Sine, cosine, arc tangent and exponential function with the same bits on every platform.
 //
-// The C library's own differ in the last bit from one platform to the next, and a simulation amplifies that bit until
-// two runs no longer look alike. These use only +, -, *, /, square roots and whole numbers on doubles, which IEEE 754
-// fixes; the result is rounded to float once. Errors stay below one unit in the last place of a float for |angle| up to
-// 10^5.
+// The functions of the C library differ in the last bit between platforms, and a simulation amplifies such differences
+// until two runs diverge. The functions here use only +, -, *, / and square roots of doubles, which IEEE 754 defines
+// exactly, and integers; the result is rounded to float once. The error is below one unit in the last place of a float
+// for |angle| up to 10^5.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@ inline constexpr float pi = static_cast<float>(pi_d);
 
 namespace detail {
 
-// Taylor polynomials on |x| <= pi/4; the first term left out is below 3e-12 there.
+// Taylor polynomials for |x| <= pi/4; the first omitted term is below 3e-12.
 constexpr double sine_core(double x) {
     const double s = x * x;
     return x * (1 + s * (-1.0 / 6 + s * (1.0 / 120 + s * (-1.0 / 5040 + s * (1.0 / 362880 + s * (-1.0 / 39916800))))));
@@ -32,8 +32,8 @@ struct SineCosine {
     float sine, cosine;
 };
 
-// Of one angle in radians, up to 10^9 either way. Nothing in it branches: which quarter a turning body looks into is
-// beyond what a processor can guess.
+// Sine and cosine of an angle in -10^9..10^9 rad. Without branches, because the quadrant of a rotating body is hard to
+// predict.
 inline SineCosine sine_cosine(float angle) {
     const double turns = static_cast<double>(angle) * (2 / pi_d) + 0.5;
     const auto towards_zero = static_cast<long long>(turns);
@@ -48,12 +48,13 @@ inline SineCosine sine_cosine(float angle) {
 inline float sine(float angle) { return sine_cosine(angle).sine; }
 inline float cosine(float angle) { return sine_cosine(angle).cosine; }
 
-// The angle of the point (x, y), in [-pi, pi]; 0 at the origin.
+// Angle of the point (x, y) in rad, in [-pi, pi]; 0 at the origin.
 inline float arctangent2(float y, float x) {
     const double ax = std::fabs(static_cast<double>(x)), ay = std::fabs(static_cast<double>(y));
     if (ax == 0 && ay == 0) return 0;
     double t = ax > ay ? ay / ax : ax / ay;  // in [0, 1]
-    // atan t = 2 atan(t / (1 + sqrt(1 + t^2))), twice: the argument falls below 0.2 and the series below 1e-12.
+    // atan t = 2 atan(t / (1 + sqrt(1 + t^2))), applied twice: the argument is then below 0.2 and the series error
+    // below 1e-12.
     t = t / (1 + std::sqrt(1 + t * t));
     t = t / (1 + std::sqrt(1 + t * t));
     const double s = t * t;
@@ -65,7 +66,7 @@ inline float arctangent2(float y, float x) {
     return static_cast<float>(y < 0 ? -a : a);
 }
 
-// e to the x; 0 below -87 and 6e37 above 87, so that no infinity enters a run.
+// e^x; 0 for x below -87 and 6e37 for x above 87, so that the result is finite.
 inline float exponential(float x) {
     if (x < -87.0f) return 0;
     double y = x > 87.0f ? 87.0 : static_cast<double>(x);

@@ -1,4 +1,4 @@
-// A small random number generator of our own: the same numbers on every platform and standard library.
+// Random number generator with the same numbers on every platform and standard library.
 //
 // PCG-XSH-RR 64/32 (M. E. O'Neill, "PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms for
 // Random Number Generation", HMC-CS-2014-0905). Streams with different names are independent, so a new use of chance
@@ -11,7 +11,7 @@ namespace braitenlab::maths {
 
 struct Random {
     std::uint64_t state = 0;
-    std::uint64_t increment = 1;  // odd; picks the stream
+    std::uint64_t increment = 1;  // odd; selects the stream
 
     Random() = default;
     Random(std::uint64_t seed, std::uint64_t stream) : increment(stream * 2 + 1) {
@@ -32,7 +32,7 @@ struct Random {
     // Uniform in [low, high), from 24 bits.
     float uniform(float low, float high) { return low + (high - low) * (static_cast<float>(next() >> 8U) * 0x1p-24f); }
 
-    // Normally distributed about 0 with a standard deviation of 1: the sum of twelve uniform numbers, so within ±6.
+    // Approximately normal with mean 0 and standard deviation 1: the sum of twelve uniform numbers minus 6, within ±6.
     float normal() {
         float sum = -6;
         for (int i = 0; i < 12; ++i) sum += uniform(0, 1);

@@ -1,6 +1,6 @@
-// Vectors of two, three and four floats: plain values with the usual arithmetic.
+// Vectors of two, three and four floats.
 //
-// Every operation works component by component unless its comment says otherwise. Sizes are those of plain floats.
+// Operations are componentwise unless a comment states otherwise.
 #pragma once
 
 #include <cmath>
@@ -66,7 +66,7 @@ constexpr float dot(vec2 a, vec2 b) { return a.x * b.x + a.y * b.y; }
 constexpr float dot(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 constexpr float dot(vec4 a, vec4 b) { return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w; }
 
-// The z component of the 3D cross product: positive when b lies counter-clockwise of a.
+// The z component of the 3D cross product: positive when b is counter-clockwise of a.
 constexpr float cross(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 constexpr vec3 cross(vec3 a, vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 
@@ -78,12 +78,12 @@ inline float distance(vec2 a, vec2 b) { return length(b - a); }
 inline float distance(vec3 a, vec3 b) { return length(b - a); }
 inline float distance(vec4 a, vec4 b) { return length(b - a); }
 
-// The unit vector along a; the zero vector stays the zero vector.
+// Unit vector along a; the zero vector for the zero vector.
 inline vec2 normalise(vec2 a) { return length(a) > 0 ? a / length(a) : a; }
 inline vec3 normalise(vec3 a) { return length(a) > 0 ? a / length(a) : a; }
 inline vec4 normalise(vec4 a) { return length(a) > 0 ? a / length(a) : a; }
 
-// Whether two numbers, or all components, differ by at most `tolerance`. False for NaN.
+// True when two numbers, or all components, differ by at most `tolerance`. False for NaN.
 inline bool almost_equal(float a, float b, float tolerance) { return std::fabs(a - b) <= tolerance; }
 inline bool almost_equal(vec2 a, vec2 b, float tolerance) {
     return almost_equal(a.x, b.x, tolerance) && almost_equal(a.y, b.y, tolerance);

@@ -1,4 +1,4 @@
-// A vehicle's body as a whole: its inertia, and what pushes it from outside. N, kg, m, rad; world axes.
+// Inertia of a vehicle's body and the external forces on it. Units N, kg, m, rad; world axes.
 #pragma once
 
 #include <algorithm>
@@ -8,18 +8,18 @@
 
 namespace braitenlab::mechanics {
 
-// kg·m^2, of a uniform plate about its middle.
+// Moment of inertia (kg·m^2) of a uniform plate about its centre.
 constexpr float plate_inertia(float mass, float length, float width) {
     return mass * (length * length + width * width) / 12;
 }
 
-// What gravity does along a slope, given the sine of its angle; `downhill` is a unit vector.
+// Force of gravity along a slope, from the sine of its angle; `downhill` is a unit vector.
 constexpr maths::vec2 slope_force(maths::vec2 downhill, float sine_of_slope, float mass) {
     return downhill * (sine_of_slope * mass * gravity);
 }
 
-// Draws from one point towards another; a negative strength pushes away. The same at every distance, but for the last
-// half metre, where it fades: a force that turned round at full strength would shake what has arrived.
+// Force from one point towards another; a negative strength (N) pushes away. Its size is |strength| at every distance
+// from 0.5 m. Nearer, it falls linearly to 0, so that a body at the target does not oscillate.
 inline maths::vec2 pull_force(maths::vec2 from, maths::vec2 to, float strength) {
     constexpr float fading = 0.5f;  // m
     const maths::vec2 way = to - from;

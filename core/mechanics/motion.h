@@ -18,7 +18,7 @@ inline Motion at_rest(maths::vec2 position, float heading) {
     return {position, maths::direction(heading), {}, 0, heading};
 }
 
-// A point (m) of the body's own frame in world coordinates.
+// Converts a point (m) from the body's frame to world coordinates.
 inline maths::vec2 to_world(const Motion& motion, maths::vec2 point) {
     return motion.position + maths::rotate(point, motion.ahead);
 }

@@ -1,4 +1,4 @@
-// Brains and kinds of a scene with everything precomputed that no tick changes. Inside core/world and core/io only.
+// Brains and kinds of a scene with precomputed constants. Inside core/world and core/io only.
 #pragma once
 
 #include <array>
@@ -48,7 +48,7 @@ Result<SharedBrain> compile_brain(const BrainGraph&, const Kind&);
 // Number of readings that the ring buffers of one vehicle of the kind hold.
 std::uint32_t delayed_readings(const Kind&);
 
-// Everything but the brain.
+// Compiles a kind without its brain.
 CompiledKind compile_kind(const Kind&);
 
 }  // namespace braitenlab::world

@@ -19,7 +19,7 @@ void set_places(BrainGraph& graph, const std::vector<NodePlace>& places) {
             if (node.id == place.node) node.place = place.at;
 }
 
-// Brains with their nodes moved; vehicles that shared one share the moved one.
+// Copies of brains with moved nodes; vehicles that share a brain share its copy.
 class MovedBrains {
 public:
     explicit MovedBrains(const std::vector<NodePlace>& places) : places_(places) {}
@@ -89,7 +89,7 @@ std::optional<Error> execute_cosmetic(State& s, const Retitle& c) {
 
 std::shared_ptr<const State> with_cosmetic(const std::shared_ptr<const State>& state, const Command& edit) {
     auto edited = std::make_shared<State>(*state);
-    std::optional<Error> refused;  // a vehicle may have left by then
+    std::optional<Error> refused;  // the vehicle may be absent from a later state
     if (const auto* places = std::get_if<PlaceNodes>(&edit)) refused = execute_cosmetic(*edited, *places);
     if (const auto* title = std::get_if<Retitle>(&edit)) refused = execute_cosmetic(*edited, *title);
     if (refused) return state;

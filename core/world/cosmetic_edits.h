@@ -1,5 +1,5 @@
-// Edits that change what people see and nothing that happens in the run: positions of nodes on the wiring canvas and
-// the scene's title. The run and its recording stay the same, bit for bit. Inside core/world and core/session only.
+// Cosmetic edits: positions of nodes on the wiring canvas and the scene's title. They change the display only; the run
+// and its recording stay the same, bit for bit. Inside core/world and core/session only.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace braitenlab::world {
 
-// True when the command is such an edit.
+// True for a cosmetic edit.
 bool is_cosmetic(const Command&);
 
 // Executes the edit. PlaceNodes: refuses a position outside the canvas, an unknown vehicle or kind. Retitle: refuses a

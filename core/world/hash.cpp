@@ -1,5 +1,5 @@
-// A digest of everything that decides the future of a run. Not included: readings and wheel commands, which every tick
-// computes anew; names and texts that only people read; positions of nodes on the canvas.
+// Digest of all values that determine the further run. Excluded: readings and wheel commands, which every tick computes
+// again; names and texts; positions of nodes on the canvas.
 #include <cstring>
 
 #include "core/scene/schema.h"

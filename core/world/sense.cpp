@@ -17,7 +17,7 @@ sensing::Outline chassis_outline(const WorldData& s, std::size_t row) {
     return sensing::outline_of({{-l, -w}, {l, -w}, {l, w}, {-l, w}}, s.vehicles.motion[row]);
 }
 
-// 1 while the vehicle touches something in the bumper's field.
+// 1 while a contact of the vehicle is in the bumper's field, else 0.
 float read_bumper(const WorldData& s, SensingBuffers& buffers, const CompiledSensor& sensor, std::size_t row) {
     const VehicleId id = s.vehicles.id[row];
     const Body& body = s.scene->kinds[s.kind(row)].body;
@@ -85,8 +85,8 @@ maths::Random noise_for(const WorldData& s, std::size_t row) {
     return {s.seed ^ 0x6e6f697365ULL, (s.tick << 32U) | id};
 }
 
-// Reads all sensors into `sensed`. A sensor with latency takes its reading of `delay` ticks ago from its ring buffer;
-// the present one replaces it in `keep_delayed` unless that is null.
+// Reads all sensors into `sensed`. A sensor with latency returns its reading of `delay` ticks ago from its ring buffer;
+// the new reading replaces it in `keep_delayed` unless that is null.
 void read_sensors(const WorldData& s, SensingBuffers& buffers, std::vector<float>& sensed,
                   std::vector<float>* keep_delayed) {
     fill(buffers, s);

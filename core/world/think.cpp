@@ -1,4 +1,4 @@
-// Drivers turn what a vehicle knows into wheel commands: a brain, a person, a path, chance, or nobody.
+// Drivers compute wheel commands: a brain, manual control, a path, random motion, or none.
 #include <algorithm>
 #include <cmath>
 
@@ -14,14 +14,14 @@ namespace {
 
 using Wheels = std::array<float, 2>;
 
-// Wheel commands that drive on while turning, left for positive `turn`; the faster wheel never runs above 1.
+// Wheel commands for forward motion with a turn, to the left for positive `turn`. Scaled so that no command exceeds ±1.
 Wheels steer(float forward, float turn) {
     Wheels wheels{forward - turn, forward + turn};
     const float fastest = std::max({1.0f, std::fabs(wheels[0]), std::fabs(wheels[1])});
     return {wheels[0] / fastest, wheels[1] / fastest};
 }
 
-// Towards a point: ahead as far as it lies ahead, turning as far as it lies aside.
+// Wheel commands towards a point. Speed falls with the cosine of the angle to it, 0 beyond 90 degrees.
 Wheels steer_to(const mechanics::Motion& motion, vec2 goal, float speed) {
     const vec2 way = goal - motion.position;
     const float aside = maths::wrap_angle(maths::arctangent2(way.y, way.x) - motion.heading);
@@ -40,7 +40,8 @@ Wheels follow_path(const WorldData& s, std::size_t row, std::int32_t& next) {
     return steer_to(s.vehicles.motion[row], {goal.x, goal.y}, 0.6f);
 }
 
-// A new direction every so often, back inwards near the rim, and a turn on the spot where something is in the way.
+// Random motion: a new turn every 45 ticks, towards the middle near an edge, backwards with a turn at a wall or
+// obstacle.
 Wheels wander(const WorldData& s, std::size_t row) {
     constexpr std::uint64_t ticks_a_whim = 45;
     constexpr float rim = 1.5f;  // m

@@ -16,8 +16,8 @@ using world::WorldData;
 
 namespace {
 
-// Rows ordered by strips of the floor. Box2D builds a good tree when neighbours enter one after the other; entered by
-// id beside long walls, 20,000 vehicles make its first step take seconds.
+// Rows ordered by strips of the floor. Box2D builds a balanced tree when neighbouring bodies are added one after the
+// other. Added by id beside long walls, 20,000 vehicles make its first step take seconds.
 std::vector<std::size_t> rows_by_position(const std::vector<mechanics::Motion>& motion) {
     constexpr float strip = 4;  // m
     std::vector<std::size_t> rows(motion.size());
