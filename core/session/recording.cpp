@@ -33,7 +33,8 @@ void Recording::add_command(const World& world, const Command& command) {
     keyframes_.push_back({tick, world.keyframe(), true});
 }
 
-// The recorded future stays; the edit is also executed in every later keyframe, and no later command takes it back.
+// Keeps the later recorded ticks: executes the edit in every later keyframe and changes later commands so that they do
+// not revert it.
 void Recording::add_cosmetic(std::uint64_t tick, const Command& edit) {
     for (Keyframe& keyframe : keyframes_)
         if (keyframe.tick > tick) keyframe.state = world::with_cosmetic(keyframe.state, edit);

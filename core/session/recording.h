@@ -1,4 +1,4 @@
-// The last minute of a run, from which each of its ticks can be restored exactly.
+// Recording: the last minute of a run. Each of its ticks can be restored exactly.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@
 
 namespace braitenlab {
 
-inline constexpr std::uint64_t recorded_ticks = 3600;  // at least one minute, once the run is that long
+inline constexpr std::uint64_t recorded_ticks = 3600;  // minimum number of recorded ticks in a longer run: 1 min
 
 class Recording {
 public:
-    // Begins at the checkpoint's keyframe.
+    // Starts at the checkpoint's keyframe.
     explicit Recording(const Checkpoint& begin);
 
     std::uint64_t earliest() const { return keyframes_.front().tick; }
     std::uint64_t latest() const { return latest_; }
 
-    // Call after each step of the world, and after each command, at a tick that is not recorded yet. A cosmetic command
-    // may come at a recorded tick.
+    // Call add_step() after each step of the world and add_command() after each command. Precondition: latest() is not
+    // after the world's tick, except for cosmetic commands.
     void add_step(const World&);
     void add_command(const World&, const Command&);
 
@@ -42,7 +42,7 @@ public:
     // The last keyframe at or before `tick`, without the commands executed at its tick since.
     Checkpoint keyframe_at(std::uint64_t tick) const;
 
-    // The latest keyframe's tick that is not after `tick`; restoring there costs no steps.
+    // Tick of the last keyframe at or before `tick`. Restoring it costs no steps.
     std::uint64_t keyframe_before(std::uint64_t tick) const;
 
 private:

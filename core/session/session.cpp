@@ -9,7 +9,7 @@ namespace braitenlab {
 
 namespace {
 
-constexpr std::size_t most_edits = 500;  // undo reaches this far back
+constexpr std::size_t most_edits = 500;  // maximum number of undo steps
 
 using Steps = std::vector<SharedStep>;
 
@@ -53,7 +53,7 @@ void Session::remember_edits() {
     while (second < edits_since_.end() && second->first <= earliest()) edits_since_.erase(edits_since_.begin());
 }
 
-// After a cosmetic edit, which keeps the recorded future: removes or adds an undo step at all later ticks.
+// Removes or adds an undo step at all later ticks, after a cosmetic edit, which keeps the later recorded ticks.
 void Session::change_later(const SharedStep& lost, const SharedStep& gained) {
     for (auto& [tick, edits] : edits_since_) {
         if (tick <= world_.tick()) continue;
@@ -104,7 +104,7 @@ bool Session::undo_brings_time_back() const {
            edits_.done.size() == forgotten_->edits + 1;
 }
 
-// Restores the world before the edit, with its recorded future.
+// Restores the world before the edit and the recorded ticks that the edit removed.
 void Session::bring_time_back() {
     recording_ = std::move(forgotten_->recording);
     edits_since_ = std::move(forgotten_->edits_since);
@@ -113,7 +113,7 @@ void Session::bring_time_back() {
     world_.capture(snapshot_);
 }
 
-// Commands about vehicles that have left are refused; the others still apply.
+// Commands for removed vehicles are refused; the others are executed.
 bool Session::undo() {
     if (edits_.done.empty()) return false;
     const SharedStep undone = edits_.done.back();
@@ -130,7 +130,7 @@ bool Session::undo() {
     push(edits_.undone, std::move(step));
     change_later(undone, nullptr);
     if (forgotten_ && edits_.done.size() <= forgotten_->edits)
-        forgotten_.reset();  // the removed future no longer belongs to this tick
+        forgotten_.reset();  // the removed ticks do not follow from this state
     remember_edits();
     return true;
 }
@@ -219,7 +219,7 @@ void Session::seek_roughly(std::uint64_t tick) {
 
 void Session::go_to(const Bookmark& bookmark) {
     const std::uint64_t tick = bookmark.tick();
-    if (tick >= earliest() && tick <= latest()) {  // in the recording: keep its future
+    if (tick >= earliest() && tick <= latest()) {  // a recorded tick: keep the ticks after it
         const Checkpoint recorded = recording_.at(tick);
         const auto same = [](const LoggedCommand& a, const LoggedCommand& b) {
             return a.tick == b.tick && a.command == b.command;
@@ -244,15 +244,15 @@ Scene Session::edited_scene() const {
     return scene;
 }
 
-// A new run numbers its vehicles again: first those with a start, then the population. Undo and redo are renumbered to
-// refer to the same vehicles.
+// A new run assigns new vehicle ids: first to vehicles with a start, then to the population. Renumbers undo and redo so
+// that they refer to the same vehicles.
 void Session::renumber_after_reset(const Snapshot& before, Keep keep) {
     std::map<VehicleId, VehicleId> numbers;
     const auto starts = static_cast<VehicleId>(snapshot_.scene->starts.size());
     auto next = starts;
     for (const VehicleView& v : before.vehicles) numbers[v.id] = v.start >= 0 && v.start < starts ? v.start : next++;
     const auto number = [&](VehicleId id) {
-        const auto [known, is_new] = numbers.try_emplace(id, next);  // one that has left may be added again
+        const auto [known, is_new] = numbers.try_emplace(id, next);  // a removed vehicle can be added again
         if (is_new) ++next;
         return known->second;
     };
@@ -289,7 +289,7 @@ void Session::reset(Keep keep) {
         scene = std::move(opened);
     }
     auto world = World::create(scene, seed());
-    if (!world) world = World::create(opened_, seed());  // a brain needs sensors that the opened scene lacks
+    if (!world) world = World::create(opened_, seed());  // a brain needs sensors that the opened scene does not have
     const Snapshot before = std::move(snapshot_);
     world_ = std::move(*world);
     recording_ = Recording(world_.checkpoint());

@@ -1,4 +1,4 @@
-// One session with a scene: the world, its edits with undo and redo, and the recording for moving back in time.
+// Session: a world, its edits with undo and redo, and a recording to return to earlier ticks.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@ struct Bookmark {
     std::uint64_t tick() const { return checkpoint.tick; }
 };
 
-// Receives what happens in a run, in order: `tick` after each step, before the commands that the recording holds for
-// that tick, and `command` after each of these commands. Each may be empty.
+// Callbacks for the events of a run, in order: `tick` after each step and before the recorded commands of that tick,
+// `command` after each of these commands. Each can be empty.
 struct RunVisitor {
     std::function<void(const Snapshot&)> tick;
     std::function<void(const Snapshot&, const Command&)> command;
@@ -35,42 +35,42 @@ public:
     // Fails as World::create does.
     static Result<Session> open(const Scene&, std::uint64_t seed);
 
-    // Continues a saved run exactly as it would have gone on.
+    // Continues a saved run, identical to the uninterrupted run.
     static Session resume(SavedRun);
 
-    // Executes a command of the user. Every edit can be undone; edits with the same gesture (not 0, one per drag) are
-    // one undo step. In the recorded past it removes the recorded future, unless it only moves nodes on the canvas or
-    // changes the title.
+    // Executes a command of the user. Every edit can be undone; edits with the same gesture (not 0, one number per
+    // drag) are one undo step. At a tick before latest(), a command removes the later recorded ticks unless it is
+    // cosmetic.
     std::optional<Error> apply(const Command&, std::uint64_t gesture = 0);
 
-    // One tick. In the recorded past the recorded commands are executed again, so the run is the same; the visitor
-    // receives them.
+    // Computes one tick. Before latest() it also executes the recorded commands of that tick, so that the run is the
+    // same; the visitor receives them.
     void step(const RunVisitor& = {});
 
-    // Restarts the run at tick 0. Edits stay (see Keep).
+    // Restarts the run at tick 0 and keeps edits (see Keep).
     void reset(Keep = Keep::edits);
 
-    // Undo restores values, not time. Returns false when there is nothing to undo or redo. Undoing an edit made in the
-    // past before the next step restores the recorded future that it removed.
+    // Undo restores values, not the tick. Returns false when there is nothing to undo or redo. If an edit removed later
+    // recorded ticks, its undo before the next step restores them.
     bool undo();
     bool redo();
     int undo_depth() const { return static_cast<int>(edits_.done.size()); }
     int redo_depth() const { return static_cast<int>(edits_.undone.size()); }
 
     // ── Time ──
-    // The recorded ticks: at least the last minute, and the future of a tick in the past.
+    // First and last recorded tick. latest() is after the present tick when the session returned to an earlier one.
     std::uint64_t earliest() const { return recording_.earliest(); }
     std::uint64_t latest() const { return recording_.latest(); }
 
-    // True when the next undo restores a removed future.
+    // True when the next undo restores removed ticks.
     bool undo_brings_time_back() const;
 
-    // Goes to the recorded tick nearest to `tick`; undo and redo are as they were then. Costs at most keyframe_ticks
-    // steps. seek_roughly() goes to the keyframe before it and costs none.
+    // seek() goes to the recorded tick nearest to `tick` and restores undo and redo of that tick. It costs at most
+    // keyframe_ticks steps. seek_roughly() goes to the last keyframe at or before it and costs no steps.
     void seek(std::uint64_t tick);
     void seek_roughly(std::uint64_t tick);
 
-    // The latest tick not after `tick`, earliest() .. latest(), that has a keyframe.
+    // Tick of the last keyframe at or before `tick`, which is in earliest() .. latest().
     std::uint64_t keyframe_before(std::uint64_t tick) const { return recording_.keyframe_before(tick); }
 
     // Repeats the run from `from` (at least earliest()) to the present tick for the visitor; the session does not
@@ -87,7 +87,7 @@ public:
 
     // The present snapshot; the reference stays valid and its content changes with the session.
     const Snapshot& snapshot() const { return snapshot_; }
-    // The scene as it was opened. The edited one, without edits of brains, is snapshot().scene.
+    // The scene without edits. snapshot().scene has all edits except those of brains.
     const Scene& scene() const { return opened_; }
     // The scene with all edits, brains included, as a file stores it.
     Scene edited_scene() const;
@@ -96,7 +96,7 @@ public:
 
 private:
     Session(Scene opened, World);
-    // The recorded future that an edit in the past removed; kept until the next new tick.
+    // The recorded ticks that an edit at an earlier tick removed; kept until the next new tick.
     struct Forgotten {
         std::uint64_t tick = 0;  // of that edit
         std::size_t edits = 0;   // undo steps before it

@@ -38,7 +38,7 @@ Commands same_brains(const Snapshot& now, const Target& target) {
     return commands;
 }
 
-// The same for the positions of their nodes.
+// The commands that restore the node positions of these brains.
 Commands same_places(const Snapshot& now, const Target& target) {
     Commands commands;
     for (Command& command : same_brains(now, target)) {

@@ -1,4 +1,4 @@
-// Undo and redo as commands: undoing a command executes others that restore the old values.
+// Undo and redo by commands: to undo a command, execute the commands that restore the old values.
 #pragma once
 
 #include <functional>
