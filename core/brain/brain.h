@@ -16,9 +16,9 @@ namespace braitenlab {
 inline constexpr float tick_seconds = 1.0f / 60;  // simulated time of one tick of bodies and brains
 
 struct Brain {
-    // One wire, stored with the node it feeds.
+    // A wire, stored with the unit that it feeds.
     struct Tap {
-        std::int32_t source;  // below sensors.size(): a sensor, else the unit source - sensors.size()
+        std::int32_t source;  // a sensor if below sensors.size(), else the unit source - sensors.size()
         float weight, threshold;
         Curve curve;
         std::int32_t learned = -1;  // index in learning_wires; −1: does not learn
@@ -45,9 +45,9 @@ struct Brain {
     int state_size() const { return static_cast<int>(units.size() + learning_wires.size()); }
 };
 
-// Why this graph cannot be compiled, or nullopt: two nodes of one id or name, a motor other than ML and MR, a wire to a
-// missing node or into a sensor, two wires with the same ends, a number that is not finite or outside its range, more
-// nodes or wires than `limits` allows.
+// Returns the reason why the graph cannot be compiled, or nullopt: two nodes with one id or name, a motor other than ML
+// and MR, a wire to a missing node or into a sensor, two wires with the same ends, a number that is not finite or
+// outside its range, more nodes or wires than `limits` allows.
 std::optional<Error> check_graph(const BrainGraph&);
 
 // Flattens a graph for a vehicle with these sensors (names in the vehicle's order). The result does not depend on the
@@ -56,9 +56,10 @@ std::optional<Error> check_graph(const BrainGraph&);
 // Fails as check_graph() does.
 Result<Brain> compile(const BrainGraph&, std::span<const std::string> sensor_names);
 
-// One tick. `sensed`: the vehicle's sensors, each 0..1. `state`: state_size() values, those of the previous tick in and
-// those of this tick out. Hidden neurons read this tick's sensors and the previous tick's units; motors read this
-// tick's neurons. Cycles therefore need no special case. `motors`: the left and the right value, clamped to −1..1.
+// Computes one tick. `sensed`: the vehicle's sensors, each 0..1. `state`: state_size() values, those of the previous
+// tick in and those of this tick out. Hidden neurons read this tick's sensors and the previous tick's units; motors
+// read this tick's neurons. Cycles therefore need no special case. `motors`: the left and the right value, clamped to
+// −1..1.
 void think(const Brain&, std::span<const float> sensed, std::span<float> state, std::span<float, 2> motors);
 
 }  // namespace braitenlab

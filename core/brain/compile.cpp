@@ -1,4 +1,4 @@
-// From the graph that is edited to flat arrays.
+// Compiles a graph to flat arrays.
 #include <algorithm>
 #include <map>
 #include <tuple>

@@ -1,4 +1,4 @@
-// Response curves: how a node answers to its sum and a wire to its input.
+// Response curves: functions of a node's sum or of a wire's input.
 //
 // To add a curve: an enumerator at the end of Response, a row in `responses`, and its name under "wiring.kind.<word>"
 // in the string files. Reading, writing, menus, plots and tests loop over the table.
@@ -22,7 +22,7 @@ struct Curve {
     friend bool operator==(const Curve&, const Curve&) = default;
 };
 
-// What the program knows about one response.
+// Properties of one response.
 struct ResponseTraits {
     Response value;
     std::string_view word;     // in files; also the end of the string key "wiring.kind.<word>"
@@ -40,7 +40,7 @@ inline constexpr std::array responses{
                    [](const Curve& c, float x) { return x >= c.peak ? 1.0f : 0.0f; }},
     ResponseTraits{Response::sigmoid, "sigmoid", true, true, 0, 1,
                    [](const Curve& c, float x) { return 1.0f / (1.0f + maths::exponential(-(x - c.peak) / c.width)); }},
-    // Vehicle 4: a strong enough signal slows the wheel down again.
+    // Vehicle 4: the response decreases again for inputs above the peak.
     ResponseTraits{Response::hump, "hump", true, true, 0, 1,
                    [](const Curve& c, float x) {
                        const float t = (x - c.peak) / c.width;

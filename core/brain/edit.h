@@ -1,6 +1,6 @@
-// Edits of a brain's graph as pure functions: a graph in, the edited graph or the reason of a refusal out.
+// Edits of a brain's graph as pure functions: each returns the edited graph or the reason of a refusal.
 //
-// Used by the wiring canvas; free of any user interface. Every result passes check_graph() when the input does.
+// A result passes check_graph() when the input does.
 #pragma once
 
 #include <array>
@@ -17,11 +17,11 @@ namespace braitenlab {
 enum class Refusal {
     missing,            // a node or wire that the graph does not have
     into_sensor,        // a wire that would end at a sensor
-    duplicate,          // a wire that exists already
+    duplicate,          // a wire that the graph already has
     too_many_neurons,   // more than limits::neurons
     too_many_wires,     // more than limits::wires
     own_wire,           // a neuron cannot be inserted into a wire that it is an end of
-    no_wires,           // nodes without wires have none to detach
+    no_wires,           // the nodes have no wires to detach
     nothing_to_lesion,  // the lesion would change nothing
     empty_fragment,     // nothing to paste
     nothing_to_remove,  // no neuron and no wire with a weight
@@ -47,7 +47,7 @@ inline constexpr std::array refusals{RefusalName{Refusal::missing, "gone"},
 // The refusal's word in `refusals`.
 std::string_view name(Refusal);
 
-// The edited graph, or the reason why there is none.
+// The edited graph, or the reason of the refusal.
 struct [[nodiscard]] Edit {
     std::optional<BrainGraph> graph{};
     Refusal refusal{};  // valid only without a graph

@@ -1,4 +1,4 @@
-// A part of a brain, copied to be pasted into any brain.
+// Copy and paste of a part of a brain.
 #pragma once
 
 #include <set>

@@ -1,4 +1,4 @@
-// Puts a preset into the brain of a vehicle that has more sensors than the preset knows.
+// Replaces a brain by a preset and keeps the sensors that the preset does not have.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 namespace braitenlab {
 
 // The preset, plus these parts of the brain: sensors that the preset does not have, the neurons that only such sensors
-// feed, and the wires from both. Removed are all other neurons, wires and the motors' parameters. Equal to the preset
-// when nothing is kept. Kept nodes get ids above the preset's, and a new name where theirs is used. Nodes keep their
-// positions, except that a preset with neurons gives a brain without positions.
+// feed, and the wires from both. All other neurons and wires and the motors' parameters are removed. Equal to the
+// preset when nothing is kept. Kept nodes get ids above the preset's, and a new name where theirs is used. Nodes keep
+// their positions, except that a preset with neurons gives a brain without positions.
 BrainGraph graft(const BrainGraph& brain, const BrainGraph& preset);
 
 // Names of the wired sensors that graft() keeps, in the brain's order.

@@ -1,7 +1,7 @@
-// A brain as it is edited: sensors, neurons and motors, and the wires between them.
+// Graph of a brain, the form that is edited: sensors, neurons and motors, and the wires between them.
 //
-// Every brain is such a graph, cycles included. The four-neuron brain of the sliders is the special case of two
-// sensors, two motors and four wires (core/brain/four_neurons.h): the same type, not a second one.
+// Cycles are allowed. The four-neuron brain of the sliders (core/brain/four_neurons.h) is the special case of two
+// sensors, two motors and four wires.
 #pragma once
 
 #include <cmath>
@@ -29,10 +29,10 @@ static_assert(is_complete_table<node_kind_table>());
 struct Node {
     NodeId id = 0;
     NodeKind kind = NodeKind::neuron;
-    std::string name;         // unique; sensors and motors are looked up by it: "SL", "SR", "ML", "MR"
+    std::string name;         // unique; identifies sensors and motors: "SL", "SR", "ML", "MR"
     Curve curve{};            // of the sum; a sensor has none
     float bias = 0;           // added to the sum, -1..1; a sensor has none
-    float time_constant = 0;  // seconds of leaky memory; 0 answers at once
+    float time_constant = 0;  // s, of leaky memory; 0: none
     bool silenced = false;    // a lesion (covered eye, stopped motor, dead neuron): gives 0, keeps its parameters
     // Centre of its card on the wiring canvas, in canvas units (a layout pixel at zoom 1), x to the right, y down, each
     // -100000..100000. nullopt: the canvas arranges it. It does not affect what the brain computes.
@@ -43,7 +43,7 @@ struct Node {
 struct Wire {
     NodeId from = 0, to = 0;
     float weight = 1;     // -2..2: amplifies, attenuates, inverts
-    float threshold = 0;  // 0..1: an input whose size is below it counts as 0
+    float threshold = 0;  // 0..1: an input of a smaller absolute value counts as 0
     Curve curve{};        // of the input, before the weight
     bool cut = false;     // a lesion: delivers 0, keeps its parameters
     // Hebbian wires (vehicle 7): activity at both ends at once strengthens the wire; the learned part fades. The
@@ -66,12 +66,12 @@ struct BrainGraph {
 };
 
 namespace limits {
-inline constexpr float weight = 2, bias = 1, threshold = 1;         // largest sizes
+inline constexpr float weight = 2, bias = 1, threshold = 1;         // largest absolute values
 inline constexpr float peak = 2, least_width = 0.001f, width = 10;  // of a curve
 inline constexpr float time_constant = 600;                         // s
 inline constexpr float learning_rate = 10, decay = 10;              // 1/s
 inline constexpr float place = 100000;                              // canvas units
-inline constexpr int sensors = 64, neurons = 1024, wires = 8192;    // of one brain; the two motors come on top
+inline constexpr int sensors = 64, neurons = 1024, wires = 8192;    // of one brain; motors are not counted
 }  // namespace limits
 
 // The brain without canvas positions (Node::place).
@@ -83,14 +83,14 @@ bool same_wiring(const BrainGraph&, const BrainGraph&);
 // True for a Hebbian wire.
 inline bool learns(const Wire& wire) { return wire.learning_rate > 0; }
 
-// The input, or 0 when its size is below the threshold.
+// The input, or 0 when its absolute value is below the threshold.
 inline float masked(float input, float threshold) { return std::fabs(input) < threshold ? 0.0f : input; }
 
 // The input after the wire's threshold and curve, before its weight.
 float let_through(const Wire&, float input);
 
-// What the wire delivers to its end for an `input` at its start: threshold, curve, then weight + `learned`, the learned
-// part of a Hebbian wire. 0 for a cut wire.
+// Output of the wire for an `input`: applies the threshold and the curve, then multiplies by weight + `learned`, the
+// learned part of a Hebbian wire. 0 for a cut wire.
 float signal(const Wire&, float input, float learned = 0);
 
 // The node with this id or name, or null. Linear search.

@@ -48,8 +48,8 @@ BrainGraph values() {
     return graph;
 }
 
-// Vehicle 4a: an aggressor whose wires deliver most for a medium signal. It turns towards a far lamp and away from a
-// near one, so that it circles.
+// Vehicle 4a: an aggressor whose wires have their largest output for a medium signal. It turns towards a far lamp and
+// away from a near one, so that it circles.
 BrainGraph orbit() {
     BrainGraph graph = make_graph({.LR = 0.5f, .RL = 0.5f, .LM = 0.4f, .RM = 0.4f});
     for (Wire& wire : graph.wires)
@@ -57,7 +57,7 @@ BrainGraph orbit() {
     return graph;
 }
 
-// Vehicle 4b: its wires deliver nothing below the step and all above it.
+// Vehicle 4b: the output of its wires is 0 below the step and full above it.
 BrainGraph decision() {
     BrainGraph graph = make_graph({.LR = 1, .RL = 1, .LM = 0.3f, .RM = 0.3f});
     for (Wire& wire : graph.wires)

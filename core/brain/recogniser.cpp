@@ -26,8 +26,8 @@ struct Subject {
     Brain brain;
     std::vector<float> sensed;
 
-    // The motors after the readings have been constant until nothing changes; for a brain that oscillates the mean of
-    // the last of four seconds.
+    // Motor values for constant readings: the values at which the state no longer changes; for a brain that oscillates,
+    // the mean over the last of 4 s.
     Motors settle(float left_eye, float right_eye) {
         constexpr int settling_ticks = 180, watched_ticks = 60;
         sensed[0] = left_eye, sensed[1] = right_eye;
