@@ -1,8 +1,8 @@
 // Random number generator with the same numbers on every platform and standard library.
 //
 // PCG-XSH-RR 64/32 (M. E. O'Neill, "PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms for
-// Random Number Generation", HMC-CS-2014-0905). Streams with different names are independent, so a new use of chance
-// does not change what an older one draws.
+// Random Number Generation", HMC-CS-2014-0905). Streams with different numbers are independent, so that a new use
+// of random numbers does not change the results of another.
 #pragma once
 
 #include <cstdint>

@@ -54,7 +54,7 @@ void sense(WorldData&);           // sense.cpp     sensors read their channels
 void think(WorldData&);           // think.cpp     drivers turn readings into wheel commands
 void drive(WorldData&);           // drive.cpp     wheels push bodies
 void keep_inside(WorldData&);     // boundary.cpp  torus and walls
-void remember(WorldData&);        // memory.cpp    marks where vehicles touch obstacles
+void remember(WorldData&);        // memory.cpp    marks at contacts with walls, posts and obstacles
 void touch_and_live(WorldData&);  // ecology.cpp   bites, energy, deaths and births, the inactivity timer
 
 // Results of sense() and think() without changing the world, for a snapshot between a command and the next tick.
