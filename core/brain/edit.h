@@ -82,11 +82,11 @@ NodeId fresh_id(const BrainGraph&);
 // free name of N1, N2 …. Refused: too_many_neurons.
 Edit add_neuron(const BrainGraph&, const Node& model = {});
 
-// Joins two nodes with weight 1. A wire of weight 0 that does not learn gets that weight and keeps its threshold and
-// curve. Refused: missing, into_sensor, duplicate, too_many_wires.
+// Adds a wire of weight 1. If there is a wire of weight 0 that does not learn, sets its weight to 1 and keeps its
+// threshold and curve. Refused: missing, into_sensor, duplicate, too_many_wires.
 Edit connect(const BrainGraph&, WireEnds);
 
-// Sets a wire's weight, adding the wire where there is none. Clamps to -2..2; a weight that is not finite changes
+// Sets a wire's weight, or adds a wire with this weight. Clamps to -2..2; a weight that is not finite changes
 // nothing. Refused: missing, into_sensor, too_many_wires.
 Edit set_weight(const BrainGraph&, WireEnds, float weight);
 
@@ -109,7 +109,7 @@ Edit remove(const BrainGraph&, const std::set<NodeId>& nodes, const std::set<Wir
 // Removes all wires of these nodes. Refused: no_wires, nothing_to_remove.
 Edit detach(const BrainGraph&, const std::set<NodeId>&);
 
-// Silences nodes and cuts wires, or heals them; they keep their parameters. Refused: nothing_to_lesion.
+// Silences nodes and cuts wires, or restores them; they keep their parameters. Refused: nothing_to_lesion.
 Edit set_lesion(const BrainGraph&, const std::set<NodeId>&, const std::set<WireEnds>&, bool lesioned);
 
 // True when there is at least one of these nodes and wires and all of them are silenced or cut.
@@ -118,7 +118,7 @@ bool all_lesioned(const BrainGraph&, const std::set<NodeId>&, const std::set<Wir
 // True when a wire with a weight other than 0 begins or ends at the node.
 bool is_wired(const BrainGraph&, NodeId);
 
-// The wire's weight; 0 where there is no wire.
+// The wire's weight; 0 without a wire.
 float weight_of(const BrainGraph&, WireEnds);
 
 }  // namespace braitenlab

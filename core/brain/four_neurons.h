@@ -72,7 +72,7 @@ std::string wire_name(const BrainGraph&, WireEnds);
 FourNeurons read_dials(const BrainGraph&);
 
 // Sets one dial, adding the wire where the graph has none. Clamps to the dial's range; a value that is not finite
-// changes nothing, nor does a dial whose sensor or motor the graph does not have.
+// changes nothing. A dial whose sensor or motor the graph does not have changes nothing.
 void turn(BrainGraph&, Dial, float value);
 
 }  // namespace braitenlab

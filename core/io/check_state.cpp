@@ -81,9 +81,8 @@ std::optional<Error> check_state(const State& m) {
     if (m.tick > last_tick || m.generation < 1 || m.next_id < 0) return Error{"its clock is outside its range"};
     if (auto error = vehicles_fault(m)) return error;
     const auto lives = [&](VehicleId id) { return std::binary_search(m.vehicles.id.begin(), m.vehicles.id.end(), id); };
-    const auto has_lived = [&](VehicleId id) {
-        return id >= 0 && id < m.next_id;
-    };  // contacts can refer to removed vehicles
+    // Contacts can refer to removed vehicles.
+    const auto has_lived = [&](VehicleId id) { return id >= 0 && id < m.next_id; };
     const auto touch_is_sound = [&](const Touch& t) {
         return has_lived(t.one) && (t.other == no_vehicle || (has_lived(t.other) && t.one < t.other));
     };

@@ -1,4 +1,4 @@
-// Edges of the arena: a torus wraps positions, walls put vehicles outside back inside.
+// Edges of the arena: a torus wraps positions, walls keep vehicles inside.
 #include <algorithm>
 #include <cmath>
 

@@ -42,7 +42,7 @@ struct PlaceNodes {  // nodes that a brain does not have are ignored
     friend bool operator==(const PlaceNodes&, const PlaceNodes&) = default;
 };
 // AddVehicle and RemoveVehicle change the scene, too: a vehicle with a given pose is a start (Scene::starts), any other
-// vehicle counts towards the population (Ecology::population).
+// vehicle and a restored one without a start count towards the population (Ecology::population).
 struct AddVehicle {
     int kind = -1;                      // −1: the kind that the shares require next
     std::optional<Pose> at{};           // none: a random free pose

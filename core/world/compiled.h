@@ -33,12 +33,12 @@ struct CompiledWheel {
 struct CompiledKind {
     std::vector<sensing::CompiledSensor> sensors;
     std::vector<CompiledWheel> wheels;
-    std::array<float, 2> driven_radius{1, 1};  // m, of the left and the right driven wheel
-    float top_speed = 0, motor_force = 0, dead_band = 0;
-    float mass = 0;
+    std::array<float, 2> driven_radius{1, 1};             // m, of the left and the right driven wheel
+    float top_speed = 0, motor_force = 0, dead_band = 0;  // m/s, N, share of the full command
+    float mass = 0;                                       // kg
     bool has_noise = false;
     std::uint32_t delayed_readings = 0;
-    float reach = 0;  // m of free space round the origin: a little more than half the diagonal
+    float reach = 0;  // m, radius of free space round the origin: slightly more than half the diagonal
     std::vector<std::string> sensor_names;
 };
 

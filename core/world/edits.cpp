@@ -75,7 +75,7 @@ std::optional<Error> execute(WorldData& s, const AddSource& c) {
 std::optional<Error> execute(WorldData& s, const RemoveSource& c) {
     if (auto error = missing(s.scene->sources, c.source, "source")) return error;
     Scene scene = *s.scene;
-    // Starts that face the source keep their heading.
+    // Starts that face the source get a fixed heading in its direction.
     for (Start& start : scene.starts) {
         const Source& removed = scene.sources[static_cast<std::size_t>(c.source)];
         if (start.facing != removed.name) continue;

@@ -10,13 +10,14 @@ namespace braitenlab::world {
 
 struct WorldData;
 
-// All vehicles, sources and obstacles sorted into square cells: the cost of a query does not grow with their number.
-// Holds the positions at the time of construction; later motion is not followed.
+// A grid of square cells with all vehicles, sources and obstacles. The cost of a query does not grow with their number.
+// Holds the positions at construction and does not follow later motion.
 class FreeSpace {
 public:
     explicit FreeSpace(const WorldData&);
 
-    // True when nothing is nearer to the position than `reach` (m) plus its own reach.
+    // True when the distance to every vehicle and source is at least `reach` (m) plus its reach, and that to every
+    // obstacle at least `reach`.
     bool is_free(maths::vec2 position, float reach) const;
     void occupy(maths::vec2 position, float reach);
 
@@ -39,13 +40,13 @@ private:
     static bool is_near(const Block&, maths::vec2 position, float reach);
 
     maths::vec2 origin_;
-    float side_ = 1;  // m, of a cell; discs that are too near lie in the same cell or in neighbouring ones
+    float side_ = 1;  // m, of a cell; overlapping discs are in the same or in neighbouring cells
     int columns_ = 1, rows_ = 1;
     std::vector<Disc> discs_;
     std::vector<Block> blocks_;
     std::vector<BlockAt> blocks_at_;
     std::vector<std::int32_t> first_disc_, first_block_;
-    std::vector<std::int32_t> wide_;  // blocks over too many cells to be listed in each of them
+    std::vector<std::int32_t> wide_;  // blocks that cover too many cells to be listed in each
 };
 
 }  // namespace braitenlab::world

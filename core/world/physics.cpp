@@ -17,7 +17,7 @@ namespace {
 
 enum Category : std::uint16_t { chassis = 1, wheel = 2, environment = 4 };
 
-constexpr float wall_thickness = 0.5f;  // m; nothing passes through within a step
+constexpr float wall_thickness = 0.5f;  // m; bodies do not pass through it in one step
 
 b2Vec2 to_box(maths::vec2 v) { return {v.x, v.y}; }
 maths::vec2 from_box(b2Vec2 v) { return {v.x, v.y}; }
@@ -28,9 +28,9 @@ bool is_covered(const Wheel& w, const Body& body) {
     return x <= body.length / 2 + b2_linearSlop && y <= body.width / 2 + b2_linearSlop;
 }
 
-// True when a body may be so fast that one tick takes it deep into an obstacle or through it. Box2D then computes the
-// time of each impact, at about 5 % of the cost of a crowd. A collision at most about doubles the speed of a vehicle
-// that drives by itself; the speed of bodies that zones or vehicles push is not bounded.
+// True when a body can be so fast that it moves deep into an obstacle or through it in one tick. Box2D then computes
+// the time of each impact, at about 5 % of the cost of a crowd. A collision at most about doubles the speed that a
+// vehicle reaches by its motors; the speed of bodies that zones or vehicles push is not bounded.
 bool may_skip_an_impact(const Scene& scene) {
     const auto pushes = [](const Zone& z) { return z.pull != 0 || z.wind_x != 0 || z.wind_y != 0 || z.slope != 0; };
     if (std::any_of(scene.zones.begin(), scene.zones.end(), pushes)) return true;

@@ -1,9 +1,9 @@
 // Rigid bodies. Only physics.cpp includes Box2D. Inside core/world only.
 //
-// One body per vehicle, with a fixture for the chassis and one for each wheel that sticks out of it: the rigid limit of
-// five bodies joined by locked joints, at a fraction of their cost. A wheel inside the chassis needs no fixture,
-// because nothing can touch it alone, and it would cost as much in Box2D's tree as the chassis. Gravity is off: the
-// plane is seen from above.
+// Each vehicle is one body with a fixture for the chassis and one for each wheel that extends beyond it. This is
+// equivalent to five bodies with locked joints and much cheaper. A wheel inside the chassis has no fixture: it cannot
+// have a contact alone, and it would cost as much in Box2D's tree as the chassis. Gravity is 0: the plane is
+// horizontal.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ public:
     Physics(Physics&&) noexcept;
     Physics& operator=(Physics&&) noexcept;
 
-    // Bodies are in rows, as the vehicles are; removing one closes the gap. Rows may be added in any order.
+    // Rows of bodies are those of the vehicles. A removal decrements the later rows. Rows can be added in any order.
     void add(std::size_t row, VehicleId, const Body&, const mechanics::Motion&);
     void remove(const std::vector<std::size_t>& rows);  // ascending
     void set_pose(std::size_t row, const Pose&);        // at rest

@@ -16,7 +16,8 @@ namespace sensing {
 struct IntensityInput;  // core/sensing/intensity.h
 }
 
-using VehicleId = std::int32_t;  // unique in a run, never reused; a vehicle that enters later has a larger id
+// Unique in a run and never reused for another vehicle. New vehicles get ascending ids.
+using VehicleId = std::int32_t;
 inline constexpr VehicleId no_vehicle = -1;
 
 struct Pose {
@@ -37,10 +38,10 @@ struct VehicleView {
     std::array<float, 2> wheel_angle{};  // rad the driven wheels have turned
     int brain = 0;                       // in Snapshot::brains
     int first_sensed = 0;                // readings: sensed[first_sensed + i], i as in Kind::sensors
-    int first_neuron =
-        0;  // unit states: neurons[first_neuron + i], hidden neurons by ascending id, left motor, right motor
-    int neuron_count =
-        0;  // number of units; learned weights of Hebbian wires: neurons[first_neuron + neuron_count + i]
+    // Unit states: neurons[first_neuron + i], i < neuron_count: hidden neurons by ascending id, left motor, right
+    // motor. Learned parts of the Hebbian wires: neurons[first_neuron + neuron_count + i].
+    int first_neuron = 0;
+    int neuron_count = 0;
 };
 
 struct SourceView {
@@ -78,7 +79,7 @@ struct Snapshot {
     std::vector<SourceView> sources;     // as Scene::sources; without the lamps of vehicles, which are in Scene::kinds
     std::vector<Pose> obstacles;         // current poses, as Scene::obstacles
     std::vector<MarkView> marks;         // by owner, then oldest first
-    std::shared_ptr<const Scene> scene;  // with all edits, except the brains of its kinds: kind_brains
+    std::shared_ptr<const Scene> scene;  // with all edits except those of brains, see kind_brains
 };
 
 // One vehicle at one tick, cheaper than a full snapshot. Wheel commands and readings are those of the last tick.

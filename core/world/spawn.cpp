@@ -13,8 +13,8 @@ using maths::vec2;
 
 namespace {
 
-constexpr int tries =
-    64;  // attempts to find a free position; then overlap is accepted, and contacts separate the bodies
+// Attempts to find a free position. After the last one overlap is accepted, and contacts separate the bodies.
+constexpr int tries = 64;
 
 // Random numbers for the pose of one vehicle in one generation, independent of those of other vehicles. The number of
 // falls is part of the seed, so that a vehicle that fell over the edge does not respawn at the same pose and fall
@@ -106,8 +106,7 @@ int next_kind(const WorldData& s) { return most_wanted(*s.scene, random_counts(s
 
 Pose free_pose(const WorldData& s, FreeSpace& free_space, int kind, VehicleId id) {
     maths::Random chance = chance_for(s, id);
-    const float reach = s.kinds[static_cast<std::size_t>(kind)].reach,
-                margin = 1.5f * reach;  // m; margin: from the walls
+    const float reach = s.kinds[static_cast<std::size_t>(kind)].reach, margin = 1.5f * reach;  // m
     const float half_width = std::max(0.0f, s.scene->arena.width / 2 - margin);
     const float half_height = std::max(0.0f, s.scene->arena.height / 2 - margin);
     Pose pose;

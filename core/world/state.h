@@ -54,8 +54,7 @@ struct Vehicles {
     std::vector<SharedBrain> brain;
     std::vector<std::uint32_t> first_sensed, first_neuron, first_delayed;  // into the three arrays below
     std::vector<float> sensed, neurons;
-    std::vector<float>
-        delayed;  // one ring buffer per sensor with latency: readings that the brain has not received yet
+    std::vector<float> delayed;  // readings not yet received by the brain: a ring buffer per sensor with latency
 
     std::size_t size() const { return id.size(); }
 
