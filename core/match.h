@@ -1,4 +1,4 @@
-// std::visit with a lambda per alternative: std::visit(Match{[](A a) {…}, [](B b) {…}}, variant).
+// Visitor for std::visit with one lambda per alternative: std::visit(Match{[](A a) {…}, [](B b) {…}}, variant).
 #pragma once
 
 namespace braitenlab {

@@ -32,7 +32,7 @@ float follow_per_tick(float time_constant) {
     return time_constant > 0 ? 1 - maths::exponential(-tick_seconds / time_constant) : 1.0f;
 }
 
-// A node that is missing or silenced gives 0.
+// The value of a missing or silenced node is always 0.
 Brain::Unit unit_of(const Node* node) {
     if (!node || node->silenced) return {0, 0, 0, 1, {}};
     return {0, 0, node->bias, follow_per_tick(node->time_constant), node->curve};

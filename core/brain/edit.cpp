@@ -24,7 +24,7 @@ std::string free_neuron_name(const BrainGraph& graph) {
     }
 }
 
-// `wanted` clamped to its range; `before` where it is not finite.
+// `wanted` clamped to its range, or `before` if it is not finite.
 float ranged(float wanted, float before, float low, float high) {
     return std::isfinite(wanted) ? std::clamp(wanted, low, high) : before;
 }

@@ -9,7 +9,7 @@ namespace {
 
 using maths::vec2;
 
-// The node as an end within the fragment; nullopt for a node outside it.
+// The end of a connection that refers to the node; nullopt for a node that is not part of the fragment.
 std::optional<BrainFragment::End> end_within(const BrainGraph& graph, const BrainFragment& fragment,
                                              const std::set<NodeId>& chosen, NodeId id) {
     for (std::size_t i = 0; i < fragment.neurons.size(); ++i)
@@ -19,7 +19,7 @@ std::optional<BrainFragment::End> end_within(const BrainGraph& graph, const Brai
     return BrainFragment::End{-1, node->name};
 }
 
-// The node of the graph that an end of a fragment means; nullopt where the graph does not have it.
+// The node of the graph that an end of a fragment refers to; nullopt if the graph does not have it.
 std::optional<NodeId> id_of(const BrainGraph& graph, const std::vector<NodeId>& added, const BrainFragment::End& end) {
     if (end.neuron >= 0) return added[static_cast<std::size_t>(end.neuron)];
     const Node* node = find_node(graph, end.outer_name);

@@ -16,9 +16,9 @@ struct BrainFragment {
     };
     struct Connection {
         End from, to;
-        Wire parameters;  // its own ends are not used
+        Wire parameters;  // Wire::from and Wire::to are not used
     };
-    std::vector<Node> neurons;  // Node::place is relative to the mean of all of them
+    std::vector<Node> neurons;  // Node::place is relative to the mean position
     std::vector<Connection> connections;
     bool empty() const { return neurons.empty(); }
 };
@@ -38,7 +38,7 @@ struct Pasted {
 // Refused: empty_fragment, too_many_neurons, too_many_wires.
 Pasted paste_fragment(const BrainGraph&, const BrainFragment&, maths::vec2 middle);
 
-// The nearest position that a node can have: whole units, which keep files short, within limits::place.
+// Rounds to whole canvas units, which keep files short, and clamps to limits::place.
 maths::vec2 rounded_position(maths::vec2);
 
 }  // namespace braitenlab

@@ -39,8 +39,8 @@ std::string unused_name(const BrainGraph& brain, const std::string& wanted) {
     return name;
 }
 
-// Copies the positions of the preset's nodes from the brain. Without positions when the preset has neurons: they have
-// none among the others.
+// Copies the positions of the preset's nodes from the brain. Removes all positions when the preset has neurons, because
+// the brain has no positions for them.
 void copy_positions(const BrainGraph& brain, const BrainGraph& preset, BrainGraph& made) {
     const bool brings_neurons = std::any_of(preset.nodes.begin(), preset.nodes.end(),
                                             [](const Node& node) { return node.kind == NodeKind::neuron; });

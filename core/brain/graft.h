@@ -10,8 +10,8 @@ namespace braitenlab {
 
 // The preset, plus these parts of the brain: sensors that the preset does not have, the neurons that only such sensors
 // feed, and the wires from both. All other neurons and wires and the motors' parameters are removed. Equal to the
-// preset when nothing is kept. Kept nodes get ids above the preset's, and a new name where theirs is used. Nodes keep
-// their positions, except that a preset with neurons gives a brain without positions.
+// preset when nothing is kept. Kept nodes get ids above the preset's, and a new name if the preset uses
+// theirs. Nodes keep their positions, but if the preset has neurons, no node of the result has a position.
 BrainGraph graft(const BrainGraph& brain, const BrainGraph& preset);
 
 // Names of the wired sensors that graft() keeps, in the brain's order.

@@ -65,9 +65,9 @@ BrainGraph decision() {
     return graph;
 }
 
-// Vehicle 5: threshold units that count. SEEN: either sensor has a stimulus (OR). WAS: SEEN one tick before. NEW: SEEN
-// has just begun (SEEN and not WAS). ONE, TWO, THREE stay on; each is switched on by NEW when the one before it is on
-// (AND). THREE stops the motors.
+// Vehicle 5: a counter of threshold units. SEEN: a sensor has a stimulus (OR). WAS: SEEN one tick earlier. NEW: SEEN
+// starts (SEEN and not WAS). ONE, TWO, THREE stay on; NEW switches each on when the previous one is on (AND). THREE
+// stops the motors.
 BrainGraph logic() {
     BrainGraph graph = make_graph({.LM = 0.5f, .RM = 0.5f});
     add_threshold_unit(graph, "SEEN", 0.5f);

@@ -1,4 +1,4 @@
-// Names a brain by its response to a stimulus, independent of how it is wired.
+// Recogniser: classifies a brain by its response to a stimulus, independent of its wiring.
 #pragma once
 
 #include <span>
@@ -8,13 +8,13 @@
 
 namespace braitenlab {
 
-// The classic characters. mixed: a response that none of the others describes.
+// The characters. mixed: a response that none of the others describes.
 enum class Character { still, indifferent, alive, drowsy, coward, aggressor, love, explorer, orbiting, mixed };
 
 // The field's name: "coward", "aggressor", "love" …; a stable key, not a translated word.
 const char* name(Character);
 
-// The two sensors that get the stimulus. A brain of several senses has a character for each pair.
+// The two sensors that get the stimulus. A brain with several pairs of sensors has a character for each pair.
 struct EyePair {
     std::string left = "SL", right = "SR";
 };
@@ -33,11 +33,11 @@ struct Reading {
 //   coward       turns away and faster;  aggressor    turns towards and faster
 //   love         turns towards, slower near a strong one;  explorer  turns away, slower
 //   orbiting     turns towards a weak stimulus and away from a strong one
-// A brain that turns more to a fixed side than by the side of the stimulus is mixed. One that does not compile is
-// still.
+// A brain whose turn depends less on the side of the stimulus than on a fixed bias to one side is mixed. A brain that
+// does not compile is still.
 Character recognise(const BrainGraph&, const EyePair& = {}, std::span<const Reading> meanwhile = {});
 
-// +1 turns towards the stimulus, −1 turns away, 0 neither. Tells predators and prey apart by wiring alone.
+// +1: turns towards the stimulus; −1: turns away; 0: neither. Gives the role of a vehicle for Role::wiring.
 int attraction(Character);
 
 }  // namespace braitenlab

@@ -165,7 +165,7 @@ void repeat_commands(World& world, const Recording& recording, Snapshot& snapsho
     }
 }
 
-// Visits the recorded tick that the world has just reached and executes its commands.
+// Visits the recorded tick of the world and executes its commands.
 void repeat_tick(World& world, const Recording& recording, Snapshot& snapshot, const RunVisitor& visitor) {
     visit_tick(world, snapshot, visitor);
     if (const auto made = recording.keyframe_made_by_commands(world.tick())) world = World::restore(*made);

@@ -22,7 +22,7 @@ constexpr float wall_thickness = 0.5f;  // m; bodies do not pass through it in o
 b2Vec2 to_box(maths::vec2 v) { return {v.x, v.y}; }
 maths::vec2 from_box(b2Vec2 v) { return {v.x, v.y}; }
 
-// True when the chassis covers the wheel seen from above: then nothing can touch the wheel without the chassis.
+// True when the chassis covers the wheel seen from above: then every contact of the wheel is also one of the chassis.
 bool is_covered(const Wheel& w, const Body& body) {
     const float x = std::abs(w.x) + w.radius, y = std::abs(w.y) + w.width / 2;
     return x <= body.length / 2 + b2_linearSlop && y <= body.width / 2 + b2_linearSlop;

@@ -79,7 +79,7 @@ void fill(SensingBuffers& buffers, const WorldData& s) {
     if (is_sensed(Channel::touch)) list_touches(s.touching, buffers.touched);
 }
 
-// Random numbers for one vehicle's sensors in one tick; reading twice gives the same noise.
+// Random numbers for one vehicle's sensors in one tick; a repeated reading has the same noise.
 maths::Random noise_for(const WorldData& s, std::size_t row) {
     const auto id = static_cast<std::uint32_t>(s.vehicles.id[row]);
     return {s.seed ^ 0x6e6f697365ULL, (s.tick << 32U) | id};

@@ -51,7 +51,7 @@ WorldData::WorldData(State state)
 }
 
 std::optional<std::size_t> WorldData::row_of(VehicleId id) const {
-    // Ids ascend. While no vehicle has left, the id gives its row.
+    // Ids ascend. Until a vehicle is removed, the row is the difference to the first id.
     if (vehicles.size() == 0 || id < vehicles.id.front()) return std::nullopt;
     const auto guess = static_cast<std::size_t>(id - vehicles.id.front());
     if (guess < vehicles.size() && vehicles.id[guess] == id) return guess;
