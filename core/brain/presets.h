@@ -15,7 +15,7 @@ namespace braitenlab {
 
 struct Preset {
     std::string_view name;   // "2a-coward": also the key of its title and story in the string files
-    std::string_view scene;  // file stem of the built-in scene of this vehicle
+    std::string_view scene;  // file stem of the shipped scene with this brain
     BrainGraph brain;        // valid; the scene's vehicle can have more sensors
 };
 
