@@ -8,7 +8,7 @@ namespace braitenlab::render {
 
 namespace {
 
-// The frame without what the ground does not depend on: time and lamps.
+// The frame block with the values cleared that the ground does not depend on: time and lamps.
 FrameBlock ground_of(FrameBlock frame) {
     frame.arena.z = 0;
     frame.counts.x = 0;

@@ -1,7 +1,8 @@
-// The picture of the ground, stored while it does not change.
+// Cache of the picture of the ground.
 //
-// The floor with its grid is most of a picture's pixels and a third of its cost on a software renderer. While the
-// camera rests, the ground is drawn once into a texture and copied behind everything else in later frames.
+// The floor with its grid covers most pixels of a picture and takes a third of its time on a software renderer. While
+// the camera does not move, the ground is drawn once into a texture; later frames copy the texture behind all other
+// objects.
 #pragma once
 
 #include <optional>
@@ -20,15 +21,15 @@ public:
     ~Backdrop();
 
     enum class Ground {
-        moves,  // differs from the last frame: draw it directly
-        rests,  // same as in the last frame: draw it into the backdrop now
-        kept,   // the backdrop holds it
+        moves,  // the ground differs from that of the last frame: draw it directly
+        rests,  // the ground is that of the last frame: draw it into the backdrop now
+        kept,   // the backdrop contains the ground of this frame
     };
-    // Call it once per frame.
+    // The state of the ground in this frame. Call once per frame.
     Ground look(const FrameBlock&);
 
-    // Draw calls between these two draw into the backdrop, with a viewport of its size. end_painting() restores the
-    // framebuffer and the viewport.
+    // Draw calls between begin_painting() and end_painting() draw into the backdrop, with a viewport of its size.
+    // end_painting() restores the framebuffer and the viewport.
     void begin_painting();
     void end_painting();
 

@@ -32,8 +32,8 @@ void Instances::upload(const void* data, std::size_t count, std::size_t size) {
     count_ = static_cast<int>(count);
     if (count == 0) return;
     glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-    // Capacity for half as many more, so a growing population does not reallocate every time. Discarding the old
-    // storage lets the driver return new memory instead of waiting for the previous frame.
+    // The capacity is 1.5 times the need, so that a growing population reallocates rarely. Discarding the old storage
+    // lets the driver return new memory instead of waiting for the previous frame.
     if (count * size > capacity_) capacity_ = count * size * 3 / 2;
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(capacity_), nullptr, GL_STREAM_DRAW);
     glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(count * size), data);

@@ -117,7 +117,7 @@ struct Renderer::Parts {
         glBindBuffer(GL_UNIFORM_BUFFER, frame_buffer);
         glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(frame), &frame);
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, frame_buffer);
-        // Farther out the ground has faded into the sky.
+        // Beyond this distance the ground has faded into the sky.
         const float beyond = floor_fade * std::max(frame.arena.x, frame.arena.y);
         floor_size[0].half_size = {frame.arena.x + beyond, frame.arena.y + beyond, beyond, 0};
         floors.instances.upload(floor_size);
@@ -190,7 +190,7 @@ struct Renderer::Parts {
         glDepthMask(GL_TRUE);
     }
 
-    // Prepares the contours of overlays.field and their labels; nothing without a channel.
+    // Prepares the contours of overlays.field and their labels. Does nothing without a channel.
     void prepare_contours(const Snapshot& now, const Picture& picture) {
         contour.clear();
         if (!picture.settings.overlays.field || !now.scene) return;

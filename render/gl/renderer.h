@@ -32,10 +32,11 @@ public:
     // line) the previous shaders stay in use; the error is returned once per change.
     std::optional<Error> follow_shaders();
 
-    // Sets the characters of labels from the next frame on. Without it labels are not drawn.
+    // Sets the characters of labels, from the next frame on. Labels are not drawn before the first call.
     void use_lettering(Lettering);
 
-    // Records the vehicles' positions for their trails. draw() includes it; call it for snapshots that are not drawn.
+    // Records the positions of the vehicles for their trails. draw() calls it; call it for snapshots that are not
+    // drawn.
     void remember(const Snapshot&);
 
     // Clears the framebuffer and draws the snapshot. The number of draw calls does not depend on the number of

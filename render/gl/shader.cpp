@@ -35,7 +35,7 @@ Error unreadable(const std::filesystem::path& file) {
     return {"cannot read the shader; install the shaders folder beside the program", file.string()};
 }
 
-// The driver's log of a shader or program; `ask` and `read` are the GL functions for that type of object.
+// The driver's log of a shader or program. `ask` and `read` are the GL functions for that type of object.
 std::string log_of(GLuint object, PFNGLGETSHADERIVPROC ask, PFNGLGETSHADERINFOLOGPROC read) {
     GLint length = 0;
     ask(object, GL_INFO_LOG_LENGTH, &length);

@@ -12,8 +12,8 @@ namespace braitenlab::render {
 class Program {
 public:
     // Compiles and links files of the folder, each preceded by a #version line (GLSL 330 or ESSL 300) and common.glsl;
-    // binds the uniform block `Frame` to 0. An empty name stands for no geometry shader. Errors carry the file and line
-    // of the first error in the driver's log.
+    // binds the uniform block `Frame` to 0. An empty name means no geometry shader. Errors carry the file and line of
+    // the first error in the driver's log.
     static Result<Program> load(const std::filesystem::path& folder, const std::string& vertex_file,
                                 const std::string& fragment_file, const std::string& geometry_file = {});
 

@@ -6,10 +6,11 @@
 
 namespace braitenlab::render {
 
-// Path of a font file that has the character; for 0 of the default font. Empty when there is none.
+// Path of a font file that contains the character; the default font for the character 0. Empty if there is none.
 using FindFont = std::function<std::string(char32_t)>;
 
-// With fontconfig, preferring Noto Sans and DejaVu Sans; without it by their usual paths.
+// Searches with fontconfig and prefers Noto Sans and DejaVu Sans. Without fontconfig, searches the usual paths of these
+// fonts.
 std::string find_font(char32_t);
 
 }  // namespace braitenlab::render

@@ -28,8 +28,8 @@ public:
     static constexpr int side = 1024;  // px, side of the square sheet
     static constexpr int room = 2;     // px, empty margin around every character
 
-    // Uses the default font of `find` at a size of `pixels`, and fonts found for characters it lacks. Error: no font
-    // found or the default font cannot be read.
+    // Uses the default font of `find` at a size of `pixels`, and other fonts of `find` for characters that it lacks.
+    // Error: no font is found, or the default font cannot be read.
     static Result<Lettering> from_fonts(const FindFont& find, int pixels);
 
     // Without fonts: only characters from add().
@@ -41,7 +41,8 @@ public:
     // Adds a rasterised character: rows of `pitch` bytes, 0 background, 255 ink. False when the sheet is full.
     bool add(char32_t, int width, int height, const std::uint8_t* grey, int pitch, int left, int top, float advance);
 
-    // The character, rasterised at its first use. One that no font has becomes the font's replacement box or is empty.
+    // The character, rasterised at its first use. A character that no font contains gives the font's replacement box or
+    // an empty rectangle.
     const Glyph& glyph(char32_t);
 
     // Kerning between two characters, px; 0 without a kern table.
@@ -50,10 +51,10 @@ public:
     int pixels() const { return pixels_; }
     int cap_height();  // px, of a capital letter
 
-    // The sheet, row by row from the top; take_changes(): the rows changed since its last call.
+    // The sheet, row by row from the top. take_changes() returns the rows changed since its last call.
     const std::vector<std::uint8_t>& sheet() const { return sheet_; }
     struct Rows {
-        int first = 0, end = 0;  // equal: none
+        int first = 0, end = 0;  // rows first ≤ row < end
     };
     Rows take_changes();
 

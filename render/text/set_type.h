@@ -17,9 +17,9 @@ struct LetterInstance {
     maths::vec4 colour;
 };
 
-// Places each label centred on its position, or beside it in the direction Label::away. Of overlapping labels only that
-// of lowest rank is kept; labels behind the camera or outside the window are left out. Rectangles are Lettering::room
-// larger on every side, for the outline.
+// Places each label centred on its position, or beside it in the direction Label::away. Of overlapping labels only the
+// one of lowest rank is kept. Labels behind the camera or outside the window are omitted. Rectangles are
+// Lettering::room larger on every side, for the outline.
 void set_type(std::vector<LetterInstance>&, const std::vector<Label>&, Lettering&, const Picture&);
 
 }  // namespace braitenlab::render

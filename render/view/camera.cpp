@@ -15,10 +15,10 @@ using maths::vec4;
 namespace {
 
 constexpr float overview_field =
-    0.56f;  // rad, vertical, of the whole window: little perspective keeps distances honest
+    0.56f;  // rad, vertical, of the whole window; a small angle keeps distances in the picture comparable
 constexpr float follow_field = 0.87f;
 constexpr float driver_field = 1.1f;
-constexpr float wall_height = 0.35f;  // m; the fitted picture includes the walls
+constexpr float wall_height = 0.35f;  // m; the walls are part of the fitted picture
 
 float clamped_elevation(float elevation) { return std::clamp(elevation, 0.15f, 1.5f); }
 float clamped_zoom(const Camera& camera) { return std::clamp(camera.zoom, 0.25f, 8.0f); }

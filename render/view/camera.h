@@ -13,13 +13,13 @@
 
 namespace braitenlab {
 
-// overview: on a ring around the arena; follow: behind and above a vehicle; birds_eye: straight down, orthographic;
-// driver: at the front of a vehicle.
+// overview: the camera is on a ring around the arena; follow: behind and above a vehicle; birds_eye: straight down,
+// orthographic; driver: at the front of a vehicle.
 enum class CameraMode { overview, follow, birds_eye, driver };
 inline constexpr std::array<std::string_view, 4> camera_mode_words{"overview", "follow", "birds_eye", "driver"};
 constexpr std::string_view word(CameraMode mode) { return camera_mode_words[static_cast<std::size_t>(mode)]; }
 
-// True when the camera moves with a vehicle.
+// True if the camera moves with a vehicle.
 constexpr bool rides(CameraMode mode) { return mode == CameraMode::follow || mode == CameraMode::driver; }
 
 // World coordinates, m, to GL coordinates.
@@ -49,8 +49,8 @@ struct CameraView {
     Rect window;                   // the whole framebuffer, px
 };
 
-// The view of a camera. `free_area`: the part of the window that no card covers; the arena is centred and fitted there.
-// `follow`: the vehicle for the modes follow and driver; without it they give the overview.
+// Computes the view of a camera. `free_area`: the part of the window that no card covers; the arena is centred and
+// fitted there. `follow`: the vehicle for the modes follow and driver; if it is null, these modes give the overview.
 CameraView look(const Camera&, const Arena&, const VehicleView* follow, Rect window, Rect free_area);
 
 // Adds to azimuth and elevation, rad.
@@ -59,19 +59,20 @@ void orbit(Camera&, float azimuth, float elevation);
 // Moves the camera so that the floor point under pixel `from` is under pixel `to`.
 void pan(Camera&, const CameraView&, maths::vec2 from, maths::vec2 to);
 
-// Multiplies the zoom; the floor point under the pixel stays there, except in modes that ride. Other arguments: look().
+// Multiplies the zoom. The floor point under the pixel stays under it, except in the modes follow and driver. The arena,
+// `window` and `free_area` are those of look().
 void zoom_about(Camera&, const Arena&, Rect window, Rect free_area, maths::vec2 pixel, float factor);
 
-// A view between two, for a short transition of about 0.2 s; `seconds`: wall time since `from`.
+// Interpolates between two views for a transition of about 0.2 s. `seconds`: wall time since `from`.
 CameraView glide(const CameraView& from, const CameraView& to, float seconds);
 
-// The pixel of a world point (m; height above the floor), or nullopt behind the camera.
+// The pixel of a world point, `height` metres above the floor. nullopt if the point is behind the camera.
 std::optional<maths::vec2> project(const CameraView&, maths::vec2 place, float height = 0);
 
 // Pixels per metre across the viewing direction at a point; 0 behind the camera.
 float pixels_per_metre(const CameraView&, maths::vec2 place, float height = 0);
 
-// The point under a pixel on the floor, or on the plane at this height; nullopt above the horizon.
+// The point under a pixel on the plane `height` metres above the floor, m. nullopt if the pixel is above the horizon.
 std::optional<maths::vec2> unproject(const CameraView&, maths::vec2 pixel, float height = 0);
 
 }  // namespace braitenlab

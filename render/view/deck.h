@@ -1,4 +1,4 @@
-// Layout of a brain on its vehicle's deck: positions of nodes and curves of wires; m, in the vehicle's frame.
+// Layout of a brain on the deck of its vehicle: positions of nodes and curves of wires, m, in the vehicle's frame.
 #pragma once
 
 #include <array>
@@ -29,9 +29,10 @@ struct DeckPlan {
     std::array<bool, 2> stopped{};  // silenced motors, left and right
 };
 
-// Sensors are at their mounts and motors beside their wheels. Neurons are in rows from the sensors back to the axle, by
-// their least number of wires from a sensor, each on the side of its inputs. Wires of weight 0 that do not learn are
-// left out. A large brain is cut to its first most_deck_neurons neurons and its most_deck_wires strongest wires.
+// Sensors are at their mounts and motors beside their wheels. Neurons are in rows from the sensors back to the axle.
+// The row of a neuron is its least number of wires from a sensor; its side is that of its inputs. Wires of weight 0
+// that do not learn are omitted. A large brain is reduced to its first most_deck_neurons neurons and its
+// most_deck_wires strongest wires.
 DeckPlan plan_deck(const BrainGraph&, const Kind&);
 
 inline constexpr std::size_t most_deck_neurons = 48, most_deck_wires = 160;

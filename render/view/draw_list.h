@@ -64,7 +64,7 @@ struct FieldInstance {
     maths::vec4 colour;  // w: strength of the fill, 0..1
     maths::vec4 line;    // x: strength of the outline 0..1; y: radius of the arc m, or minus the distance of the chord
 };
-// An upright prism with a chamfered top.
+// A wall or an obstacle: an upright prism with a chamfered top.
 struct BlockInstance {
     maths::vec4 place;
     std::array<maths::vec4, 4> corners;  // two corners each, up to eight, counter-clockwise, in its own frame; m
@@ -108,7 +108,7 @@ struct Lamp {
 };
 inline constexpr std::size_t most_lamps = 8;
 
-// Deck plans, computed once per brain and kind instead of once per picture.
+// Cache of deck plans, one per brain and kind.
 class DeckPlans {
 public:
     // The reference is valid until forget_unused(). `kind`: index of the kind.
@@ -117,7 +117,7 @@ public:
 
 private:
     struct Entry {
-        std::vector<Sensor> sensors;  // that the plan was made for, as the body
+        std::vector<Sensor> sensors;  // sensors and body that the plan was computed for
         Body body;
         DeckPlan plan;
         bool planned = false;
@@ -126,7 +126,7 @@ private:
     std::map<std::pair<std::shared_ptr<const BrainGraph>, std::size_t>, Entry> entries_;  // by brain and kind
 };
 
-// A text in the picture, upright and of constant size on the screen.
+// A text in the picture, upright and with a constant size on the screen.
 struct Label {
     maths::vec2 place;
     float height = 0;      // m above the floor
@@ -159,10 +159,10 @@ struct DrawList {
     void clear();
 };
 
-// Replaces the content of the list; keeps its memory.
+// Replaces the content of the list. The memory of the list is reused.
 void fill(DrawList&, const Snapshot&, const Picture&, const Trails&);
 
-// Adds labels to contours of an intensity map.
+// Adds the labels of the contours of an intensity map.
 void add_level_labels(DrawList&, const sensing::Intensity&, const Arena&, Colour);
 
 // Index in DrawList::sources for a channel.

@@ -7,7 +7,7 @@
 
 namespace braitenlab::render {
 
-// The inputs of one picture.
+// The input of one picture.
 struct Drawing {
     DrawList& list;
     const Snapshot& now;
@@ -43,26 +43,27 @@ bool is_covered(const Subject&, std::size_t sensor);
 // The reading of a sensor, 0..1; 0 for a silenced one.
 float sensed(const Drawing&, const Subject&, std::size_t sensor);
 
-// 1 left, −1 right, 0 in the middle.
+// The side of the vehicle: 1 left, −1 right, 0 in the middle.
 int side_of(const Sensor&);
 
-// False when nothing within `radius` metres of the position is in the picture. May be true for points just outside.
+// False if nothing within `radius` metres of the position is in the picture. Conservative: true for some points just
+// outside it.
 bool in_sight(const Drawing&, maths::vec2 place, float radius);
 
 // Adds walls, obstacles, zones, sources and memory marks.
 void add_world(Drawing&);
-// Adds a source with its light; `foot`: height of its foot, m.
+// Adds a source and its light. `foot`: height of the source's foot, m.
 void add_source(Drawing&, Channel, maths::vec2 place, float foot, float strength, float size);
 
 // Adds all vehicles.
 void add_vehicles(Drawing&, const Trails&);
-// Adds the fields of its sensors.
+// Adds the sensor fields of a vehicle.
 void add_fields(Drawing&, const Subject&);
-// Adds wires and neurons, and crosses over silenced neurons.
+// Adds the wires and neurons of a vehicle, and crosses over silenced neurons.
 void add_wires(Drawing&, const Subject&);
-// Adds crosses over wheels whose motor is silenced.
+// Adds crosses over the wheels whose motor is silenced.
 void add_stopped_wheels(Drawing&, const Subject&);
-// The deck plan of its brain; null unless the brain drives it.
+// The deck plan of the vehicle's brain; null unless the brain drives the vehicle.
 const DeckPlan* plan_of(Drawing&, const Subject&);
 // Adds arrows for the wheel speeds of the selected vehicle.
 void add_wheel_arrows(Drawing&, const Subject&);

@@ -104,7 +104,7 @@ std::optional<Pose> place_of(const Snapshot& now, const SceneObject& object) {
     } else if (object.kind == SceneObjectKind::source) {
         if (const SourceView* s = source_at(now, object.index)) return Pose{s->x, s->y, 0};
     } else if (object.kind == SceneObjectKind::obstacle) {
-        // Movable obstacles have moved since the start.
+        // A movable obstacle can have moved since the start of the run.
         const auto index = static_cast<std::size_t>(object.index);
         if (const Obstacle* o = obstacle_at(now, object.index))
             return index < now.obstacles.size() ? now.obstacles[index] : Pose{o->x, o->y, o->heading};

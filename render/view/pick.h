@@ -1,4 +1,4 @@
-// What in the scene lies under a pixel, and where it stands: vehicles, sources and obstacles as one kind of value.
+// Picking: the vehicle, source or obstacle under a pixel, and the pose and extent of such an object.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@ enum class SceneObjectKind { none, vehicle, source, obstacle };
 inline constexpr std::array<std::string_view, 4> scene_object_words{"none", "vehicle", "source", "obstacle"};
 constexpr std::string_view word(SceneObjectKind kind) { return scene_object_words[static_cast<std::size_t>(kind)]; }
 
-// Something in the scene that a hand can take.
+// Identifies an object of the scene that the user can select and move.
 struct SceneObject {
     SceneObjectKind kind = SceneObjectKind::none;
-    int index = -1;  // a vehicle's id; else the place in Scene::sources or Scene::obstacles
+    int index = -1;  // VehicleId of a vehicle; else the index in Scene::sources or Scene::obstacles
     explicit operator bool() const { return kind != SceneObjectKind::none; }
     friend bool operator==(const SceneObject&, const SceneObject&) = default;
 };
@@ -27,22 +27,24 @@ inline SceneObject vehicle_object(VehicleId id) {
     return id == no_vehicle ? SceneObject{} : SceneObject{SceneObjectKind::vehicle, id};
 }
 
-// The vehicle under a pixel, or no_vehicle; generous by a few pixels, the nearest to the pixel wins.
+// The vehicle under a pixel, with a margin of a few pixels around the body. Of several vehicles, the one whose centre
+// is nearest to the pixel. no_vehicle if there is none.
 VehicleId pick(const Snapshot&, const CameraView&, maths::vec2 pixel);
 
-// The same for everything: vehicles before sources, sources (by foot or bulb) before obstacles.
+// The object under a pixel: a vehicle; if there is none, a source (near its foot or its bulb); else an obstacle.
+// SceneObject{} if there is none.
 SceneObject pick_object(const Snapshot&, const CameraView&, maths::vec2 pixel);
 
-// Where it stands now; a source has no heading. Nothing when it is gone.
+// The current pose of an object. The heading of a source is 0. nullopt if the object does not exist.
 std::optional<Pose> place_of(const Snapshot&, const SceneObject&);
 
-// The radius of the circle round its place that it lies within, m; 0 when it is gone.
+// The radius of a circle around the object's position that contains the object, m; 0 if the object does not exist.
 float reach_of(const Snapshot&, const SceneObject&);
 
-// The corners of an obstacle where it stands now, counter-clockwise, m; none when it is gone.
+// The corners of an obstacle in its current pose, world coordinates, m, counter-clockwise; empty if it does not exist.
 std::vector<maths::vec2> outline_of(const Snapshot&, int obstacle);
 
-inline constexpr float obstacle_height = 0.42f;  // m, as drawn
-inline constexpr float bulb_height = 0.4f;       // m, of a source's light
+inline constexpr float obstacle_height = 0.42f;  // m, in the picture
+inline constexpr float bulb_height = 0.4f;       // m, height of a source's light above the floor
 
 }  // namespace braitenlab

@@ -25,28 +25,29 @@ struct Shape {
     std::vector<std::uint16_t> indices;  // three per triangle
 };
 
-// A hull: wedge-shaped front for predators, round ends for prey, square for others; wheel arches, deck with an inlay
-// below the wires, energy gauge. The arrowhead's corners are 0..1 along and −1..1 across; the shader scales it.
+// A hull: a wedge-shaped front for predators, round ends for prey, square ends for other roles. It has wheel arches, a
+// deck with an inlay below the wires, an energy gauge and an arrowhead. The corners of the arrowhead are 0..1 along and
+// −1..1 across; the shader scales them.
 Shape hull_shape(Role);
 
-// A flat outline of length 1 and width 1 with a rim, for a vehicle that is small on the screen. Paint: distance inside
-// the outline; the shader draws rim, wheels, sensors and arrowhead.
+// A flat outline of length 1 and width 1 with a rim, for a vehicle that is small on the screen. `paint` is the distance
+// inside the outline. The shader draws rim, wheels, sensors and arrowhead.
 Shape sign_shape(Role);
 
-// A line around the silhouette of a hull with its wheels, and the area inside. Normals point outwards; z: mitre factor
-// of the corner (1 on a straight side); paint: 0 inner side of the line, 1 outer side, 2 end of its fade, 3 area
-// inside.
+// A line around the silhouette of a hull with its wheels, and the area inside it. Normals point outwards. z is the
+// mitre factor of the corner (1 on a straight side). `paint`: 0 inner side of the line, 1 outer side, 2 end of its
+// fade, 3 area inside.
 Shape rim_shape(Role);
 
-// A wheel of radius 1, axis along y from −0.5 to 0.5, open on its right side, which the hull hides. Lighter lugs and
-// spokes make rotation visible.
+// A wheel of radius 1 with its axis along y from −0.5 to 0.5. The right side is open, because the hull hides it.
+// Lighter lugs and spokes make the rotation visible.
 Shape wheel_shape();
 
 // A ball of radius 1 with its lens along +x.
 Shape eye_shape();
 
-// A source of a channel, m, foot at the origin: brazier for heat, blossom for smell, bubbles for oxygen, lamp for all
-// others.
+// A source of a channel, m, with its foot at the origin: a brazier for heat, a blossom for smell, bubbles for oxygen, a
+// lamp for all other channels.
 Shape source_shape(Channel);
 
 }  // namespace braitenlab::render
