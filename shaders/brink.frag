@@ -1,4 +1,5 @@
-// The boundary of an arena without walls, drawn over the floor: the drop of an open arena, or the dashed line of a torus.
+// The boundary of an arena without walls, drawn over the floor: the drop of an open arena, or the dashed line of a
+// torus.
 in vec2 v_place;
 flat in float v_beyond;
 
@@ -12,7 +13,7 @@ void main() {
     float outside = length(max(over, 0.0)), to_edge = max(over.x, over.y), wide = max(pixel.x, pixel.y);
     colour = vec4(0.0);
     if (counts.w == edge_open) {
-        // Like the edge of a table: a dark side, then the sky's colour.
+        // The drop: a dark side face, then the colour of the sky.
         float side = 1.0 - smoothstep(0.12, 0.5, outside);
         cover(sky.rgb * 0.55, (1.0 - side * side) * clamp(outside / wide, 0.0, 1.0));
         cover(sky.rgb, smoothstep(0.1, 0.9, outside));

@@ -28,22 +28,22 @@ const float edge_wall = 0.0, edge_open = 1.0, edge_torus = 2.0;
 const int paint_body = 0, paint_deck = 1, paint_dark = 2, paint_gauge = 3, paint_mark = 4, paint_light = 5,
           paint_inlay = 6;
 
-// World (x, y, height) to GL (x, height, -y). A rotation, so it is valid for normals, too.
+// World (x, y, height) to GL (x, height, -y). It is a rotation, so it is also valid for normals.
 vec3 to_gl(vec3 world) { return vec3(world.x, world.z, -world.y); }
 
 vec2 turn(vec2 v, vec2 direction) {
     return vec2(v.x * direction.x - v.y * direction.y, v.x * direction.y + v.y * direction.x);
 }
 
-// Factor on a surface's colour from sun, sky, light reflected by the floor, and lamps. Light is summed in linear colour;
-// the square root converts to screen colour (gamma 2 approximates sRGB).
+// Factor on a surface's colour from sun, sky, light reflected by the floor, and lamps. Light is summed in linear
+// colour; the square root converts to screen colour (gamma 2 approximates sRGB).
 vec3 light_at(vec3 normal, vec3 place) {
     vec3 light = mix(ground_light.rgb, sky_light.rgb, normal.y * 0.5 + 0.5);
     light += max(dot(normal, sun.xyz), 0.0) * sun_light.rgb;
     for (int i = 0; i < int(counts.x); ++i) {
         vec3 towards = lamps[i].place.xyz - place;
         float squared = dot(towards, towards), reach = lamps[i].colour.w;
-        // Lamps are large and low: a surface that faces away from one still gets some of its light.
+        // Lamps are large and low: a surface that faces away from a lamp still gets part of its light.
         float facing = max(dot(normal, towards) * inversesqrt(squared + 1e-4) * 0.7 + 0.3, 0.0);
         light += lamps[i].colour.rgb * (1.5 * lamps[i].place.w * facing / (1.0 + squared / (reach * reach) * 2.0));
     }

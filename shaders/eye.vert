@@ -18,7 +18,7 @@ void main() {
     vec3 own = raised(corner) * size.x, facing = raised(normal);
     vec3 at = to_gl(vec3(place.xy + turn(own.xy, place.zw), own.z + size.y));
     vec3 up = to_gl(vec3(turn(facing.xy, place.zw), facing.z));
-    // The shell gets part of the colour, so a high reading is visible from behind, too.
+    // The shell gets part of the colour, so that a high reading is also visible from behind.
     vec3 white = mix(vec3(0.80, 0.82, 0.85), base.rgb, 0.45 * size.z);
     vec3 light = light_at(up, at);
     v_shell = mix(white * light, base.rgb, 0.25 * size.z);

@@ -21,9 +21,9 @@ void main() {
         float edge = 1.0 - smoothstep(pixel * 0.4, pixel * 1.2, abs(within - pixel));
         alpha = max(alpha * step(0.0, far), v_line.x * edge);
     }
-    // Walls end the field.
+    // The field ends at the walls.
     vec2 inside = step(abs(v_place), arena.xy + counts.z);
     alpha *= inside.x * inside.y;
-    // On a dark floor the colours of overlapping fields are added; blended, they turn grey.
+    // On a dark floor the colours of overlapping fields are added, because blended colours become grey.
     colour = vec4(v_base.rgb * alpha, alpha * mix(0.45, 1.0, counts.y));
 }

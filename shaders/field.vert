@@ -1,10 +1,10 @@
-// A sensor's field without geometry shaders (else sector.vert, sector.geom): four corners per instance; a narrow field
-// leaves one of them at its apex.
+// A sensor field without geometry shaders (else sector.vert, sector.geom): four corners per instance. For a narrow
+// field, which has three corners, the fourth is at the apex.
 layout(location = 0) in vec3 corner;  // x: number of the corner, 0..3
 layout(location = 4) in vec4 place;   // x, y, direction
 layout(location = 5) in vec4 shape;   // drawn radius, half the opening angle, d0, radius where the fill ends
 layout(location = 6) in vec4 base;    // w: strength of the fill
-layout(location = 7) in vec4 line;    // x: strength of the outline; y: radius of the arc, or minus the distance of the chord
+layout(location = 7) in vec4 line;    // x: strength of the outline; y: radius of the arc, or minus the chord's distance
 
 out vec2 v_own;    // metres, the sensor's axis along x
 out vec2 v_place;  // the world's plane

@@ -1,5 +1,5 @@
 // The floor: a grid of metres that fades before it aliases, and ground outside the arena that fades into the sky. Most
-// pixels of a picture are floor, so this shader is short; brink.frag adds what only arenas without walls have.
+// pixels of a picture are floor, so this shader is short. brink.frag draws the boundary of arenas without walls.
 in vec2 v_place;
 flat in float v_beyond;
 
@@ -7,8 +7,8 @@ out vec4 colour;
 
 const float wall_width = 0.22;  // m, as in render/view/drawing.h
 
-// Coverage of this pixel by lines every `spacing` metres, `width` metres wide. Lines narrower than a pixel are drawn one
-// pixel wide and fainter. `many`: pixels per metre.
+// Coverage of this pixel by lines every `spacing` metres, `width` metres wide. Lines narrower than a pixel are drawn
+// one pixel wide and fainter. `many`: pixels per metre.
 float lines(vec2 place, vec2 pixel, vec2 many, float spacing, float width) {
     vec2 away = abs(fract(place * (1.0 / spacing) - 0.5) - 0.5) * spacing;
     vec2 cover = clamp((max(vec2(width), pixel) * 0.5 - away) * many + 0.5, 0.0, 1.0) * min(width * many, 1.0);

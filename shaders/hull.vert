@@ -9,7 +9,7 @@ layout(location = 7) in vec4 look;    // x: detail
 
 out vec3 v_colour;
 out vec3 v_empty;             // colour of the empty part of the gauge
-out vec2 v_gauge;             // where across the gauge, -1..1; energy
+out vec2 v_gauge;             // position across the gauge, -1..1; energy
 
 // At low detail the arrowhead fills the deck; at high detail it is on the nose and leaves the deck to the wires.
 vec3 arrowhead(vec3 own, float detail) {
@@ -23,7 +23,7 @@ void main() {
     float detail = look.x;
     vec3 own = kind == paint_mark ? arrowhead(corner, detail) : corner;
     vec3 at = to_gl(vec3(place.xy + turn(own.xy * size.xy, place.zw), own.z * size.z));
-    // Normals of a stretched body: divided by the scale.
+    // The body is stretched, so the normals are divided by the scale.
     vec3 stretched = normalize(normal / size.xyz);
     vec3 up = to_gl(vec3(turn(stretched.xy, place.zw), stretched.z));
     vec3 deck = base.rgb * mix(0.88, 0.72, detail);

@@ -11,7 +11,7 @@ void main() {
     float ink_here = texelFetch(sheet, at, 0).r, near = 0.0;
     for (int y = -2; y <= 2; ++y)
         for (int x = -2; x <= 2; ++x) {
-            // The sheet has empty pixels around every character; clamping keeps reads inside the sheet.
+            // The sheet has empty pixels around every character. Clamping keeps reads inside the sheet.
             ivec2 beside = clamp(at + ivec2(x, y), ivec2(0), textureSize(sheet, 0) - 1);
             near = max(near, texelFetch(sheet, beside, 0).r * (1.0 - 0.16 * float(x * x + y * y)));
         }

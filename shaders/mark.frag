@@ -30,7 +30,8 @@ vec4 arrow(float pixel) {
     return vec4(mix(ink.rgb, v_base.rgb, body) * alpha, alpha);
 }
 
-// A ring around the foot of a coloured source; its dash pattern tells red, green and blue apart without colour.
+// A ring around the foot of a coloured source. Red, green and blue have different dash patterns, so that they can be
+// distinguished without colour.
 vec4 socket(int kind, float d, float pixel) {
     float line = max(v_shape.z, 0.8 * pixel * arena.w);
     float ring = 1.0 - smoothstep(line - pixel * 0.5, line + pixel * 0.5, abs(d - v_shape.x));

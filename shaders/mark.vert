@@ -1,5 +1,5 @@
-// Flat marks on the floor: contact shadows and pools of light (shade.frag); rings, memory marks, arrows and the rings of
-// coloured sources (mark.frag).
+// Flat marks on the floor: contact shadows and pools of light (shade.frag); rings, memory marks, arrows and the rings
+// of coloured sources (mark.frag).
 layout(location = 0) in vec3 corner;
 layout(location = 4) in vec4 place;  // x, y, direction
 layout(location = 5) in vec4 shape;  // half length, half width, softness or line width, kind
@@ -9,7 +9,8 @@ out vec2 v_own;
 out vec4 v_shape, v_base;
 
 void main() {
-    // The quad is larger than the mark: a shadow by its softness, lines by their width and a margin; a pool not at all.
+    // The quad is larger than the mark: by the softness of a shadow, by the width of a line and a margin. The quad of a
+    // pool has the size of the pool.
     const float kind_pool = 1.0;
     float beyond = shape.w < kind_pool - 0.5 ? shape.z : shape.w < kind_pool + 0.5 ? 0.0 : 2.0 * shape.z + 0.12;
     v_own = corner.xy * (shape.xy + beyond);

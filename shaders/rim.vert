@@ -1,4 +1,4 @@
-// A thin outline that separates a vehicle of low detail from the floor. At high detail the shading does.
+// A thin outline that separates a vehicle of low detail from the floor. At high detail the shading separates them.
 layout(location = 0) in vec3 corner;  // z: factor on the outline's distance at this corner
 layout(location = 1) in vec3 normal;  // outwards
 layout(location = 2) in float paint;  // 0: inner side of the line, 1: outer side, 2: end of its fade, 3: area inside
@@ -26,6 +26,7 @@ void main() {
     float strength = (edge == 2 ? 0.0 : 0.9 * (1.0 - look.x)) * mix(0.6, 1.0, base.w);
     v_rim = edge == 3 ? vec4(mix(ink.rgb, base.rgb, 0.25), 1.0 - look.x) : vec4(line, strength);
     gl_Position = view_projection * vec4(at, 1.0);
-    // Behind all solid objects, also its own body; the floor writes no depth and does not cut the line.
+    // The line is behind all solid objects, including the body of the vehicle. The floor writes no depth and does not
+    // cut the line.
     gl_Position.z = gl_Position.w * 0.9999;
 }

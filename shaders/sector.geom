@@ -1,5 +1,5 @@
-// A sensor's field from one point: sector_corner_count() corners. field.frag cuts the arc out of them, so a field has three
-// or four vertices instead of a fan.
+// Expands one point to a sensor field with sector_corner_count() corners. field.frag clips the polygon to the arc, so
+// that a field has three or four vertices instead of a fan.
 layout(points) in;
 layout(triangle_strip, max_vertices = 4) out;
 

@@ -1,4 +1,4 @@
-// A sensor's field as one point, passed on to sector.geom.
+// A sensor field as one point; sector.geom expands it.
 layout(location = 4) in vec4 place;
 layout(location = 5) in vec4 shape;
 layout(location = 6) in vec4 base;

@@ -13,7 +13,7 @@ void main() {
     vec3 up = to_gl(normal);
     int kind = int(paint + 0.5);
     vec3 solid = mix(ink.rgb, vec3(0.55), 0.35) * light_at(up, at);
-    // White in the centre, coloured towards the rim. The rim is darker in the light theme, where the glow is hardly visible.
+    // White in the centre, coloured towards the rim. In the light theme, where the glow is weak, the rim is darker.
     vec3 core = mix(base.rgb, vec3(1.0), 0.75 * place.w);
     vec3 rim = mix(base.rgb, base.rgb * 0.62, counts.y);
     v_core = kind == paint_light ? core : kind == paint_mark ? vec3(0.98, 0.93, 0.75) : solid;

@@ -11,7 +11,7 @@ void main() {
     // A cut wire has a gap with pale ends.
     float from_gap = v_cut > 0.5 ? abs(v_part - 0.42) - 0.13 : 1.0;
     if (from_gap < 0.0) discard;
-    // Beads move along the wire by simulated time, brighter with the signal; a pause stops them.
+    // Beads move along the wire with simulated time and stop in a pause. Their brightness is the size of the signal.
     float bead = 0.5 + 0.5 * cos(6.2831853 * (v_along / 0.16 - arena.z * 2.0));
     float glow = v_signal * (0.55 + 0.45 * bead);
     vec3 idle = v_base.rgb * 0.78;

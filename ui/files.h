@@ -1,4 +1,4 @@
-// Files as the file browser shows them; app/files.h reads the disk.
+// Files as the file browser shows them; app/files/disk.h reads the disk.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ struct FileEntry {
     std::string name;  // without its folder
     bool is_folder = false;
     FileKind kind = FileKind::scene;  // of a file
-    bool comments = false;            // has comments, which saving would lose
-    bool broken = false;              // cannot be read; opening it shows the error
+    bool comments = false;            // contains comments, which saving would remove
+    bool broken = false;              // cannot be read; opening the file shows the error
 };
 
 struct FolderListing {
@@ -41,8 +41,8 @@ struct FilesView {
     FolderListing listing;
     std::string suggested;  // name without extension for a first save
     std::string save_to;    // file that Ctrl+S writes; empty: a name is needed
-    int done = 0;           // number of files opened and saved since the start; a waiting sheet closes when it grows
-    std::string refused;    // error of the last request; empty: none
+    int done = 0;         // number of files opened and saved since the start; a waiting sheet closes when it increases
+    std::string refused;  // error of the last request; empty: none
     std::optional<Leaving> leaving;
 };
 

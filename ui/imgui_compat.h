@@ -1,4 +1,4 @@
-// Every call that differs between Dear ImGui 1.86 (Debian 12) and 1.92, wrapped once.
+// Wrappers for all calls that differ between Dear ImGui 1.86 (Debian 12) and 1.92.
 #pragma once
 
 #include <imgui.h>
@@ -70,10 +70,10 @@ inline void set_keys(ImGuiIO& io, int down, bool ctrl, bool shift, bool alt) {
 #endif
 }
 
-// Time the pointer has been over the hovered widget, seconds.
+// Time since the pointer entered the hovered widget, s.
 inline float hovered_seconds() { return GImGui->HoveredIdTimer; }
 
-// Glyphs by FreeType, hinted lightly, instead of stb_truetype: crisper at text sizes.
+// Rasterises with FreeType and light hinting instead of stb_truetype, which is less sharp at text sizes.
 inline void use_freetype(ImFontAtlas& atlas) {
 #if IMGUI_VERSION_NUM >= 19200
     atlas.SetFontLoader(ImGuiFreeType::GetFontLoader());
@@ -92,7 +92,8 @@ struct GlyphPicture {
     float advance = 0;
 };
 
-// Visits every character of the font's atlas. From 1.92 on characters are rasterised on first use, so there are none.
+// Visits every character of the font's atlas. From 1.92 on it visits none, because characters are rasterised at their
+// first use.
 template <class Visit>
 void each_glyph(ImFont& font, Visit visit) {
 #if IMGUI_VERSION_NUM >= 19200

@@ -8,13 +8,13 @@ namespace {
 
 constexpr int longest_wait = 12;  // frames to wait for a text field to become active
 
-// Not a key stroke for a text field: its character follows, or it is a modifier.
+// True for a key that is no key stroke for a text field: its character follows, or it is a modifier.
 bool is_no_stroke(KeyPress press) {
     const bool printed = press.key < key::escape && !press.ctrl;
     return printed || (press.key >= key::first_modifier && press.key <= key::last_modifier);
 }
 
-// Text may follow: the key opens a sheet or a number, or moves the focus to a text field.
+// True if text may follow: the key opens a sheet or a number, or moves the focus to a text field.
 bool may_lead_to_text(KeyPress press) {
     return press.ctrl || press.key == key::enter || press.key == key::tab || press.key == key::up ||
            press.key == key::down;
@@ -61,11 +61,12 @@ KeysOfAFrame KeyQueue::take_text() {
         } else if (event.repeats && !may_repeat_in_text(event.press)) {
             next();
         } else {
-            // The characters before it come first, and the same key must go up before it goes down again.
+            // The characters before this key are delivered first, and a key must be released before it is pressed
+            // again.
             if (!frame.characters.empty() || event.press.key == last_stroke_.key) break;
             frame.stroke = next().press;
             frame.presses.push_back(*frame.stroke);
-            // Drop repeats that come faster than frames: the key must not go on after its release.
+            // Drop repeats that are faster than frames, so that the key has no effect after its release.
             while (!events_.empty() && events_.front().repeats && events_.front().press == *frame.stroke) next();
             break;
         }
@@ -90,7 +91,7 @@ KeysOfAFrame KeyQueue::take_shortcuts() {
 void hand_over(const KeysOfAFrame& frame, Modifiers held, ImGuiIO& io) {
     if constexpr (compat::keeps_a_key_queue) return;
     if (frame.stroke) held = {frame.stroke->ctrl, frame.stroke->shift, false};
-    if (!frame.characters.empty()) held = {};  // with Ctrl they would count as a shortcut
+    if (!frame.characters.empty()) held = {};  // Dear ImGui reads characters with Ctrl as a shortcut
     compat::set_keys(io, frame.stroke ? frame.stroke->key : -1, held.ctrl, held.shift, held.alt);
     for (const unsigned character : frame.characters) io.AddInputCharacter(character);
 }

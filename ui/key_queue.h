@@ -1,5 +1,6 @@
-// Queue of keyboard events between GLFW's callbacks and frames. Dear ImGui 1.86 has none: it misses a key that goes
-// down and up within a frame, and gets characters before keys. So each frame gets either characters or one key stroke.
+// Queue of keyboard events between GLFW's callbacks and frames. Dear ImGui 1.86 has no such queue: it misses a key that
+// is pressed and released within a frame, and it receives characters before keys. Therefore each frame gets either
+// characters or one key stroke.
 #pragma once
 
 #include <deque>
@@ -17,17 +18,17 @@ namespace braitenlab::ui {
 struct KeysOfAFrame {
     std::vector<KeyPress> presses;     // for press_key(), in order
     std::vector<unsigned> characters;  // Unicode code points for the active text field
-    std::optional<KeyPress> stroke;    // for the same, in place of characters: down in this frame, up in the next
+    std::optional<KeyPress> stroke;    // for the text field, instead of characters: down in this frame, up in the next
 };
 
 class KeyQueue {
 public:
-    // A key went down or repeats; then the character it types, if any.
+    // Adds a press or a repeat of a key, and then the character that the key types, if there is one.
     void press(KeyPress, bool repeats = false);
     void type(unsigned character);
 
-    // The events for one frame, in order. While text is typed: a run of characters, or one key. Otherwise all events up
-    // to a key that may open a text field. Call once a frame.
+    // Removes and returns the events for one frame, in order. While text is typed: a run of characters, or one key.
+    // Otherwise: all events up to a key that may open a text field. Call once per frame.
     KeysOfAFrame take(TextInput);
 
 private:

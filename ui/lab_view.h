@@ -34,10 +34,10 @@ struct LessonView {
     bool hint_ready = true;                    // the next hint may be opened now
     std::optional<std::size_t> starts_tested;  // so far, while the submission is graded
     std::optional<Grade> grade;                // of the starts, once every step has been done in a run
-    bool by_hand = false;                      // the user moved an object: this run does not count
+    bool by_hand = false;                      // the user has moved an object: this run is not judged
 };
 
-// A shipped scene or exercise, for the file browser.
+// A shipped scene or exercise in the file browser.
 struct CatalogueEntry {
     std::string name, path;  // "2a-coward", and its file
     std::string title, story;
@@ -50,7 +50,7 @@ struct TimelineView {
     std::vector<std::uint64_t> bookmarks;  // in the order of creation; some may be outside
 };
 
-// A message in the hint bar. Each kind has its own sign and colour.
+// A message in the hint bar. Each kind has a different sign and colour.
 enum class NoticeKind { done, notice, failure };
 
 struct Notice {
@@ -88,7 +88,7 @@ struct LabView {
     Preferences preferences;  // as stored; theme and reduce_motion above and below are those in effect
     const std::vector<Language>* languages = nullptr;  // null: no choice
     bool reduce_motion = false;
-    bool lecture = false;                     // large type, a clean screen
+    bool lecture = false;                     // large type, few controls
     const RecoveryOffer* recovery = nullptr;  // null: nothing to recover
     double wall_seconds = 0;                  // for easing and pulsing
 };

@@ -80,7 +80,7 @@ enum class Action {
     press,
     less,
     more,
-    restore,  // the value of the file
+    restore,  // the value in the file
     turn_left,
     turn_right,
     raise,
@@ -104,7 +104,7 @@ enum class Action {
 };
 inline constexpr Action last_action = Action::step_down;
 
-// User settings that hold for every scene.
+// User settings that do not depend on the scene.
 struct Preferences {
     Theme theme = Theme::dark;
     std::string language = "en";  // code of the strings file
@@ -147,14 +147,14 @@ struct BookmarkRequest {
     bool remove = false;  // else go to it
 };
 struct OpenRequest {
-    std::string path;      // a scene, exercise, brain, run or folder; as typed, so it may be relative
-    bool dropped = false;  // onto the window; the file browser may be closed
+    std::string path;      // a scene, exercise, brain, run or folder, as typed; may be relative
+    bool dropped = false;  // dropped onto the window, not chosen in the file browser
 };
 struct BrowseRequest {
     std::string path{};  // the folder to list; empty: the folder of the last opened or saved file
 };
 struct SaveRequest {
-    std::string path;  // as typed; its ending may be missing
+    std::string path;  // as typed; the extension may be missing
     FileKind kind = FileKind::scene;
     std::optional<std::string> title{};  // new title of the scene
 };
@@ -179,8 +179,8 @@ inline constexpr std::uint64_t canvas = std::uint64_t{1} << 40;
 inline constexpr std::uint64_t viewport = std::uint64_t{1} << 48;
 }  // namespace gestures
 
-// Wheel commands for a stick or four arrow keys; `right` and `ahead` are −1..1. Full ahead with full right still drives
-// forwards, in a curve.
+// Wheel commands for a stick or for four arrow keys; `right` and `ahead` are −1..1. Full ahead with full right gives a
+// curve forwards.
 inline Steer steer(VehicleId vehicle, float right, float ahead) {
     constexpr float turning = 0.5f;  // of full wheel speed, at full right or left
     return {vehicle, std::clamp(ahead + turning * right, -1.0f, 1.0f),

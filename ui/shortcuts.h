@@ -27,7 +27,7 @@ struct KeyPress {
     friend bool operator==(const KeyPress&, const KeyPress&) = default;
 };
 
-// Where a shortcut applies. If several places have a key, the order is: focused widget, canvas or scene, everywhere.
+// Where a shortcut applies. If several places use a key, the order is: focused widget, canvas or scene, everywhere.
 enum class KeyPlace {
     everywhere,
     view,    // while held and no widget has the focus: moves the camera
@@ -55,7 +55,7 @@ std::optional<Action> action_for(KeyPress, KeyPlace = KeyPlace::everywhere);
 std::string_view name(Action);
 std::optional<Action> action_named(std::string_view);
 
-// "Space", "Ctrl+Q", "−", in the language of the strings.
+// The name of a key in the language of the strings: "Space", "Ctrl+Q", "−".
 std::string key_name(KeyPress, const Strings&);
 
 // The key to show for an action; empty when it has none.

@@ -84,7 +84,7 @@ Result<Strings> load_language(const std::filesystem::path& folder, std::string_v
     }
     const auto file = folder / (std::string(code) + ".toml");
     std::error_code none;
-    // A code with a folder in it is not a language. A broken file is loaded, for its error with a line number.
+    // A code that contains a folder is not a language. A broken file is loaded to report its error with the line.
     const bool plain = file.parent_path() == folder && !code.empty();
     if (!there && !(plain && std::filesystem::exists(file, none)))
         return Error{"language '" + std::string(code) + "' is not available; choose one of " + known};

@@ -14,8 +14,8 @@ namespace braitenlab {
 
 class Strings {
 public:
-    // Reads a file whose tables nest: play under [button] is "button.play". Fails with file and line on bad TOML, a
-    // missing `format = 1`, or a value that is no text.
+    // Reads a file with nested tables: play under [button] has the key "button.play". Fails with file and line on
+    // malformed TOML, a missing `format = 1`, or a value that is no text.
     static Result<Strings> load(const std::filesystem::path&);
     static Result<Strings> parse(std::string_view toml, std::string file_name);
 
@@ -38,8 +38,8 @@ private:
     std::map<std::string, std::string, std::less<>> words_;
 };
 
-// Adds the translation of each text that has one, with the text itself as the key: a text that the user has changed is
-// shown as it is. `by_id`: a file of exercises/words; ids are those of texts_of() in core/lesson/exercise.h.
+// Adds the translation of each text that has one. The key is the text, so a text that the user has changed has no
+// translation. `by_id`: a file of exercises/words; ids are those of texts_of() in core/lesson/exercise.h.
 void add_translations(Strings&, const std::vector<TranslatableText>&, const Strings& by_id);
 
 // A language, by its file: de.toml has the code "de" and its name in the key language.name.
@@ -50,10 +50,10 @@ struct Language {
 // The languages with a readable file in the folder, sorted by code.
 std::vector<Language> languages(const std::filesystem::path& folder);
 
-// The texts of a language, completed with English ones. An error names the available languages, or the wrong line.
+// The texts of a language; missing texts are in English. An error names the available languages, or the wrong line.
 Result<Strings> load_language(const std::filesystem::path& folder, std::string_view code);
 
-// Puts the values into the pattern's {}s in order: fill("Passed {} of {}", {"8", "10"}). Extra {}s are kept.
+// Replaces the {} of the pattern by the values, in order: fill("Passed {} of {}", {"8", "10"}). Surplus {} are kept.
 std::string fill(std::string_view pattern, std::initializer_list<std::string_view> values);
 
 }  // namespace braitenlab

@@ -19,7 +19,7 @@ namespace {
 
 constexpr float above_inspector = 12;  // layout pixels
 
-// The wiring canvas with the inspector below it. The background leaves the inset with the scene free.
+// The wiring canvas with the inspector below it. The background does not cover the inset with the scene.
 void draw_canvas(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const Rect& w = layout.window;
@@ -157,7 +157,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
 
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     show_focus_for(state.keyboard, press);
-    if (action_for(press) == Action::exit) {  // in every state; the app asks about unsaved edits
+    if (action_for(press) == Action::exit) {  // in every state; the app shows the sheet about unsaved edits
         outbox.push_back(Action::exit);
         return true;
     }

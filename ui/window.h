@@ -1,4 +1,4 @@
-// The whole window, once a frame: toolbar, cards, hint bar, sheets and, in Mode::wiring, the wiring canvas.
+// One frame of the whole window: toolbar, cards, hint bar, sheets and, in Mode::wiring, the wiring canvas.
 #pragma once
 
 #include "ui/lab_view.h"

@@ -60,15 +60,16 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
         l.tools = l.scene;
         l.scene.y += tools_row * scale, l.scene.h -= tools_row * scale;
     }
-    // Folded cards lie over the scene.
+    // Folded cards cover part of the scene.
     if (view.lecture) l.scene = {margin, top, width - 2 * margin, column};
 
     if (view.mode == Mode::wiring) {
-        // The left column is left out in a narrow window and without an exercise.
+        // There is no left column in a narrow window and without an exercise.
         if (!view.lesson || width / scale < narrow_window) l.left = {};
         const float from = l.left.w > 0 ? l.scene.x : margin;
         const float inset = std::min(inset_height * scale, column * 0.36f);
-        // In a lecture the canvas also gets the timeline's room and a narrower inset; an open card lies over it.
+        // In a lecture the canvas also covers the area of the timeline, and the inset is narrower. An open card covers
+        // the canvas.
         const float inset_width = view.lecture ? std::min(l.right.w, inset * lecture_inset_aspect) : l.right.w;
         l.scene = {width - margin - inset_width, bottom - inset, inset_width, inset};
         l.canvas = {from, top, l.scene.x - margin - from, column};

@@ -13,13 +13,13 @@ struct WindowLayout {
     Rect charts;       // the chart card, below the scene, while it is open
     Rect timeline;     // below canvas or scene
     Rect canvas;       // the wiring canvas; in Mode::wiring only
-    Rect scene;        // free of cards: the camera frames the arena here; anchor `viewport`. In Mode::wiring an inset
-    Rect tools;        // the tool palette is in its upper left corner: in the scene, or above it beside the chart card
+    Rect scene;  // no card covers it: the camera fits the arena into it; anchor `viewport`. In Mode::wiring an inset
+    Rect tools;  // the tool palette is in its upper left corner: in the scene, or above it beside the chart card
     float scale = 1;
 };
 
-// `scale`: window pixels per layout pixel, at least 1. The layout fits windows of at least 1024 × 768 layout pixels; in
-// smaller ones the scene shrinks, to no less than a quarter of the width.
+// `scale`: window pixels per layout pixel, at least 1. The layout fits windows of at least 1024 × 768 layout pixels. In
+// smaller windows the scene is narrower, but at least a quarter of the width.
 WindowLayout lay_out(float window_width, float window_height, float scale, const LabView&, bool charts = false);
 
 }  // namespace braitenlab::ui

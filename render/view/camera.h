@@ -59,8 +59,8 @@ void orbit(Camera&, float azimuth, float elevation);
 // Moves the camera so that the floor point under pixel `from` is under pixel `to`.
 void pan(Camera&, const CameraView&, maths::vec2 from, maths::vec2 to);
 
-// Multiplies the zoom. The floor point under the pixel stays under it, except in the modes follow and driver. The arena,
-// `window` and `free_area` are those of look().
+// Multiplies the zoom. The floor point under the pixel stays under it, except in the modes follow and driver. The
+// arena, `window` and `free_area` are those of look().
 void zoom_about(Camera&, const Arena&, Rect window, Rect free_area, maths::vec2 pixel, float factor);
 
 // Interpolates between two views for a transition of about 0.2 s. `seconds`: wall time since `from`.

@@ -23,19 +23,19 @@ std::optional<Command> copy_of(const Snapshot&, const SceneObject&);
 std::optional<Command> move_of(const Snapshot&, const SceneObject&, Pose to);
 
 // For a MoveVehicle before the first tick: the edit that makes the new pose the vehicle's start, as part of the same
-// gesture. nullopt after the first tick, for other commands, and for a vehicle without a start of its own.
+// gesture. nullopt after the first tick, for other commands, and for a vehicle without an entry in Scene::starts.
 std::optional<Command> start_of(const Snapshot&, const Command& move);
 
 // The object added by a command, in a snapshot captured after it. SceneObject{} for other commands, and for a vehicle
 // added without a position.
 SceneObject added_by(const Snapshot&, const Command&);
 
-// The nearest position within the arena where a disc of radius `reach` (m) touches nothing; the wanted position,
-// clamped to the arena, when the arena is full.
+// The position nearest to `wanted`, within the arena, where a disc of radius `reach` (m) overlaps no object. If the
+// arena is full: `wanted`, clamped to the arena.
 maths::vec2 free_place(const Snapshot&, maths::vec2 wanted, float reach);
 
-// The command with the nearest free position for the object that it adds; an obstacle counts as the largest disc within
-// it. Other commands are returned unchanged.
+// For a command that adds an object: the command with the nearest free position. An obstacle is treated as the largest
+// disc within it. Other commands are returned unchanged.
 Command with_room(const Snapshot&, Command);
 
 }  // namespace braitenlab::ui

@@ -83,7 +83,7 @@ bool moved_enough(const SceneInputState& state, const SceneInputFrame& frame) {
 
 SceneInputPhase phase_for(const SceneInputState& state, const SceneInputFrame& frame) {
     const SceneInputDrag& drag = state.drag;
-    const bool flat = frame.view.settings.camera.mode == CameraMode::birds_eye;  // it keeps north up
+    const bool flat = frame.view.settings.camera.mode == CameraMode::birds_eye;  // north is always up
     if (!drag.left || (!drag.on && flat)) return SceneInputPhase::pan;
     // The vehicle that the camera follows moves away from the pointer: orbit instead.
     const bool ridden = rides(frame.view.settings.camera.mode) &&

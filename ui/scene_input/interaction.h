@@ -1,4 +1,4 @@
-// What the mouse does to the scene. Does not use Dear ImGui.
+// Converts mouse input to view state and requests. Does not use Dear ImGui.
 //
 // idle → pending (pressed, moved less than 4 px) → move | turn | orbit | pan | box → idle.
 #pragma once
@@ -28,8 +28,8 @@ struct SceneInputFrame {
 // One frame: turns mouse input into view state and requests.
 void interact(SceneInputState&, const SceneInputFrame&, Outbox&);
 
-// Esc: undoes the drag in progress, or else drops the outline, or else the tool, or else the selected object. False
-// when there was nothing to cancel.
+// Executes Esc: cancels the drag in progress; if there is none, discards the outline; else deselects the tool; else
+// deselects the object. Returns false if there is nothing to cancel.
 bool cancel(SceneInputState&, const LabView&, Outbox&);
 
 // Opens the menu of an object at its position.

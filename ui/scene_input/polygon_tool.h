@@ -11,21 +11,21 @@
 
 namespace braitenlab::ui {
 
-// Why corners do not make an obstacle.
+// Why corners do not define a valid obstacle.
 enum class OutlineFault {
     none,
     too_near,    // a corner is within 0.1 m of another one
     crosses,     // two edges cross
     dents,       // not convex
-    too_many,    // corners
+    too_many,    // more corners than an obstacle can have
     too_few,     // fewer than three corners
     too_narrow,  // less than 0.1 m wide, or all corners on a line
 };
 
-// Whether `next` may be the next corner; corners in metres, clockwise or counter-clockwise.
+// Checks `next` as the next corner. Corners are in metres, clockwise or counter-clockwise.
 OutlineFault fault_of_next(const std::vector<maths::vec2>& corners, maths::vec2 next);
 
-// Whether the outline may be closed.
+// Checks a closed outline.
 OutlineFault fault_of(const std::vector<maths::vec2>& corners);
 
 // String key of the reason; empty for none.
@@ -40,7 +40,7 @@ Obstacle box_between(maths::vec2 a, maths::vec2 b);
 // A press of the left button at this position on the floor, m.
 void click_corner(SceneInputState&, const SceneInputFrame&, maths::vec2 at, Outbox&);
 
-// Removes the last corner; without corners, goes back to the hand.
+// Removes the last corner. Without corners, selects the hand.
 void take_back_corner(SceneInputState&);
 
 // Adds the obstacle, or shows why the outline is refused. `keep_tool`: the tool stays selected.

@@ -34,14 +34,14 @@ SceneInputPointer current_pointer(const SceneInputState& state) {
     return pointer;
 }
 
-// The hand cursor while a press takes something or has taken it. (GLFW 3.3 has no cursor for moving.)
+// Shows the hand cursor over an object that a press would take, and during a drag. (GLFW 3.3 has no cursor for moving.)
 void show_cursor(const SceneInputState& state) {
     const SceneInputPhase phase = state.drag.phase;
     const bool busy = phase == SceneInputPhase::move || phase == SceneInputPhase::turn || phase == SceneInputPhase::pan;
     if (busy || state.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
-// The axis of the floor nearest to an arrow on the screen, so that objects move along grid lines.
+// The axis of the floor nearest to a direction on the screen, so that arrow keys move objects along grid lines.
 vec2 floor_direction(const CameraView& camera_view, int key) {
     const vec2 right{camera_view.view[0][0], -camera_view.view[2][0]}, up{-right.y, right.x};
     const vec2 way = key == key::right ? right : key == key::left ? -right : key == key::up ? up : -up;

@@ -1,5 +1,5 @@
-// Mouse and keyboard input over the 3D view. It reads the snapshot and keeps only the user's current gesture: the
-// object under the pointer, the drag in progress, the tool, the corners drawn so far. Changes leave as EditRequests;
+// Mouse and keyboard input over the 3D view. It reads the snapshot and stores only the user's current gesture: the
+// object under the pointer, the drag in progress, the tool, the corners drawn so far. Changes are sent as EditRequests;
 // all edits of one drag have the same gesture number.
 #pragma once
 
@@ -17,16 +17,16 @@
 
 namespace braitenlab::ui {
 
-// What a click into the scene does: takes an object, adds a lamp, draws a box from corner to corner or a polygon by its
-// corners.
+// The effect of a click into the scene: hand takes an object, lamp adds a lamp, box draws a box from corner to corner,
+// polygon draws a polygon by its corners.
 enum class SceneInputTool { hand, lamp, box, polygon };
 inline constexpr std::array<std::string_view, 4> tool_words{"hand", "lamp", "box", "polygon"};
 constexpr std::string_view word(SceneInputTool tool) { return tool_words[static_cast<std::size_t>(tool)]; }
 
-// What the mouse does. pending: a button is down and the mouse has moved less than 4 px.
+// The current effect of the mouse. pending: a button is down and the mouse has moved less than 4 px.
 enum class SceneInputPhase { idle, pending, move, turn, orbit, pan, box };
 
-// What a press of the button takes.
+// The object or the handle that a press of the button takes.
 struct SceneInputHit {
     SceneObject object;
     bool handle = false;  // the ring around the chosen object, which turns it
@@ -50,7 +50,7 @@ struct SceneInputDrag {
     std::uint64_t gesture = 0;
 };
 
-// Why an input was refused, shown at the pointer for some seconds.
+// The reason why an input was refused, shown at the pointer for some seconds.
 struct SceneInputRefusal {
     std::string key;   // string key of the reason; empty: none
     double until = 0;  // LabView::wall_seconds
@@ -85,15 +85,15 @@ struct SceneInputState {
 // selected vehicle.
 SceneObject chosen(const LabView&);
 
-// One frame of mouse input, and rings, handles and previews below the cards. Notes stay within `area`, which no card
-// covers. Does nothing without view.sight. Anchor: stage.knob, the handle of the chosen object.
+// Handles one frame of mouse input, and draws rings, handles and previews below the cards. Notes are within `area`,
+// which no card covers. Does nothing without view.camera_view. Anchor: stage.knob, the handle of the chosen object.
 void scene_input(const LabView&, SceneInputState&, Ui&, Rect area);
 
-// Keys: Esc, Enter and Backspace while drawing, arrows for the chosen lamp or obstacle (with Ctrl also for vehicles),
-// and the rows of the open menu. False when the key has no meaning here.
+// Handles a key: Esc, Enter and Backspace while drawing, arrows for the chosen lamp or obstacle (with Ctrl also for
+// vehicles), and keys of the open menu. Returns false if the key is not used.
 bool press_key(const LabView&, SceneInputState&, Keyboard&, KeyPress, Outbox&);
 
-// True when the arrow keys move an object and not the camera.
+// True if the arrow keys move an object and not the camera.
 bool takes_arrows(const LabView&, bool ctrl);
 
 }  // namespace braitenlab::ui

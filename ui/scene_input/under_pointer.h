@@ -1,4 +1,4 @@
-// What is under the pointer in the scene, and what a press takes.
+// The object under the pointer in the scene, and the object or handle that a press takes.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ float pixels_from(const SceneInputFrame&, maths::vec2 place);
 // The nearest position within the arena.
 maths::vec2 in_arena(const LabView&, maths::vec2 place);
 
-// Nothing while a tool draws, in Mode::wiring, and under a card.
+// The object or handle that a press takes. None while a tool draws, in Mode::wiring, and under a card.
 SceneInputHit under_pointer(const SceneInputState&, const SceneInputFrame&);
 
 // The ring around an object, by which it is turned.

@@ -1,5 +1,5 @@
-// Rectangles of all widgets of the current frame, by a stable id: "slider.LL", "exercise.step.2", "pin.SL.out".
-// Highlights, the keyboard focus and tests that drive the real window use it.
+// Anchors: the rectangles of all widgets of the current frame, by a stable id ("slider.LL", "exercise.step.2",
+// "pin.SL.out"). Used by highlights, the keyboard focus and tests that control the real window.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace braitenlab::ui {
 
 class Anchors {
 public:
-    // Starts a frame: rectangles of earlier frames are no longer found. Ids stay in memory, so that a frame with the
-    // same widgets allocates nothing.
+    // Starts a frame: find() and all() no longer return rectangles of earlier frames. Ids stay in memory, so that a
+    // frame with the same widgets allocates no memory.
     void begin() { ++frame_; }
     void record(std::string_view id, Rect window_pixels) {
         auto found = known_.find(id);

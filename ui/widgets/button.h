@@ -42,7 +42,7 @@ int segments(Ui&, std::string_view id, std::span<const std::string_view> words, 
 // An option of a list: a row of wrapped words. True when clicked.
 bool radio_row(Ui&, std::string_view id, std::string_view words, bool chosen, bool enabled, std::string_view how = {});
 
-// A row that folds and unfolds what follows. Returns whether it is open.
+// A row that folds and unfolds the part below it. Returns true if the part is open.
 bool fold_row(Ui&, std::string_view id, std::string_view words, bool& open, std::string_view how = {});
 
 // A word in a rounded box; `at` is the middle of its left side.

@@ -95,7 +95,7 @@ bool begin_card(Ui& ui, CardState& state, std::string_view id, std::string_view 
     if (state.folded) return false;
     const float top = ui.px(card_heading), bottom = ui.px(bottom_padding);
     ImGui::SetCursorPos({ui.px(side_padding), top});
-    // The scrollbar is in the right padding, so that it does not move the content.
+    // The scrollbar is in the right padding; it does not move the content.
     compat::begin_child(
         "body",
         {r.w - ui.px(side_padding) - ui.px(card_scrollbar_inset), std::max(1.0f, r.h - top - bottom - state.footer)},

@@ -1,4 +1,4 @@
-// A card over the scene: a heading that folds it, and a body that scrolls when the card is too low.
+// A card over the scene: a heading that folds the card, and a body that scrolls when the card is too low for it.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ struct CardState {
     float footer = 0;             // height of the part below the body that does not scroll, window pixels
     bool in_body = false;
     float content = 0;        // height of the body measured in the last frame, window pixels; 0: not yet measured
-    std::string id, fold_id;  // anchors of card and heading, kept so that a frame allocates nothing
+    std::string id, fold_id;  // anchors of card and heading, stored so that a frame allocates no memory
 };
 
 // The height of the card with all of its content, or of its heading when folded; window pixels.

@@ -20,7 +20,7 @@ Rect inside_clip(Rect r) {
     return {x0, y0, std::max(0.0f, x1 - x0), std::max(0.0f, y1 - y0)};
 }
 
-// A ring around a widget; it may reach over the card's clip rectangle.
+// A ring around a widget; it may extend beyond the card's clip rectangle.
 void ring(const Ui& ui, Rect r, Colour colour, float gap, float thickness) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
@@ -93,7 +93,7 @@ void mark(Ui& ui, std::string_view id, Rect rect) {
 void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view shortcut) {
     if (ui.shown && item.shown >= 0) (*ui.shown)[static_cast<std::size_t>(item.shown)].has_tooltip |= !words.empty();
     if (!item.hovered || item.held || words.empty()) return;
-    // Shown after a pause, so that a moving pointer opens none; hidden after 9 s and after a click.
+    // Shown after a delay, so that a moving pointer opens no tooltip; hidden after 9 s and after a click.
     constexpr float show_after = 0.35f, hide_after = 9;
     const float hovered = compat::hovered_seconds();
     const bool pressed_meanwhile = ImGui::GetTime() - ImGui::GetIO().MouseClickedTime[0] < static_cast<double>(hovered);

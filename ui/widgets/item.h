@@ -1,5 +1,5 @@
-// The base of every widget: an invisible item that records its anchor and reads mouse and keyboard. Widgets draw over
-// it.
+// The base of every widget: an invisible item that records its anchor and reads mouse and keyboard. The widget draws
+// over it.
 #pragma once
 
 #include <string_view>
@@ -30,16 +30,16 @@ struct Item {
 // A widget at the cursor. A disabled one only shows its tooltip; a picture is a disabled widget.
 Item item(Ui&, std::string_view id, ImVec2 size, bool enabled = true);
 
-// Records the anchor of something that is not a widget, and lets it pulse. The anchor is clipped to the card.
+// Records the anchor of a part that is not a widget, and highlights it. The anchor is clipped to the card.
 void mark(Ui&, std::string_view id, Rect);
 
-// False when a tooltip would not be shown in this frame, so that its text need not be built.
+// False if no tooltip is shown in this frame; its text need not be built then.
 inline bool wants_tooltip(const Ui& ui, const Item& item) { return (item.hovered && !item.held) || ui.shown; }
 
 // Words and shortcut, shown after 0.35 s of hovering.
 void tooltip(Ui&, const Item&, std::string_view words, std::string_view shortcut = {});
 
-// A value stored by Dear ImGui under the id that moves to `target` (0..1) within `seconds`.
+// An eased value that moves to `target` (0..1) within `seconds`. Dear ImGui stores it under the id.
 float eased(const Ui&, std::string_view id, float target, float seconds = 0.15f);
 
 }  // namespace braitenlab::ui

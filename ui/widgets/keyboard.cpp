@@ -38,7 +38,7 @@ void begin_keyboard(Keyboard& keyboard) {
     const int count = static_cast<int>(stops.size());
     int at = stop_index(stops, keyboard.focus);
     if (at < 0 && !stops.empty() && !keyboard.revealed)
-        keyboard.focus.clear();  // but keep one set since the last frame
+        keyboard.focus.clear();  // a focus set since the last frame is kept
     while (const auto press = take(keyboard, key::tab)) {
         if (count == 0) continue;
         at = press->ctrl ? next_card(stops, at) : press->shift ? (at <= 0 ? count : at) - 1 : (at + 1) % count;

@@ -17,7 +17,7 @@ enum class TextInput { none, awaited, open };
 struct Keyboard {
     std::string focus;              // anchor of the focused widget; empty: the viewport
     std::vector<KeyPress> presses;  // for the focused widget, since the last frame
-    bool revealed = false;          // the focus was moved by a key: its card scrolls to it
+    bool revealed = false;          // a key has moved the focus: the card scrolls to the focused widget
     bool shown = false;  // the focus ring is visible: from a key that moves or uses the focus until a click or Space
 
     // A widget that can have the focus, and its card. In the order of drawing.
@@ -30,7 +30,7 @@ struct Keyboard {
     std::vector<Stop> stops, last_stops;
     std::size_t stop_count = 0, last_count = 0;
     int card = 0;
-    bool held = false, was_held = false;  // a sheet has the keyboard, in this frame and in the last one
+    bool held = false, was_held = false;  // a sheet is drawn, in this frame and in the last one
     std::string focus_before;             // focus when the sheet was opened
     TextInput text = TextInput::none;     // of the focused widget in the last frame
 };
@@ -42,14 +42,14 @@ void show_focus_for(Keyboard&, KeyPress);
 // Clears the focus when its widget no longer exists. Call once before the widgets.
 void begin_keyboard(Keyboard&);
 
-// Drops the keys that no widget used. Call once after the widgets.
+// Discards the keys that no widget has used. Call once after the widgets.
 void end_keyboard(Keyboard&);
 
-// Call at the start of a sheet: only widgets drawn from here on can have the focus in this frame. The first one gets
-// it. When no sheet is drawn any more, the focus returns. `keyboard` may be null.
+// Call at the start of a sheet: only widgets drawn after the call can have the focus in this frame; the first of them
+// gets it. After the last frame with a sheet, the focus before the sheet is restored. `keyboard` may be null.
 void hold_keyboard(Keyboard*);
 
-// Starts another card, for Ctrl+Tab.
+// Begins the next card in the order of Ctrl+Tab.
 void begin_stops(Keyboard*);
 
 // Registers a widget that can have the focus. True when it has it. `keyboard` may be null.

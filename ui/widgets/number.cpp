@@ -44,7 +44,7 @@ std::optional<float> typed_number(std::string_view typed) {
             plain += typed[i] == ',' ? '.' : typed[i];
         }
     }
-    // strtof, since libc++ lacks from_chars for floating point. The program stays in the C locale.
+    // strtof, because libc++ has no from_chars for floating point. The program uses the C locale only.
     char* end = nullptr;
     const float value = std::strtof(plain.c_str(), &end);
     if (plain.empty() || end != plain.c_str() + plain.size() || !std::isfinite(value)) return std::nullopt;

@@ -36,7 +36,7 @@ float text_width(const Ui&, Face, std::string_view);
 // Text with its upper left corner at `at`. Returns its width.
 float put(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::text);
 
-// The same, with the right end or the middle at at.x.
+// As put(), with the right end or the middle at at.x.
 void put_right(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::text);
 void put_centred(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::text);
 
@@ -65,7 +65,8 @@ void put_role(const Ui&, ImVec2 middle, float size, Role, float alpha = 1);
 // Orange for a positive (excitatory) weight, blue for a negative one, grey for 0.
 Colour colour_of_weight(const Palette&, float weight);
 
-// The text with the icon font's arrows, which are as large as other key names; unchanged without the icon font.
+// The text with its arrows replaced by those of the icon font, which have the size of other key names. Unchanged
+// without the icon font.
 std::string with_large_arrows(const Ui&, std::string text);
 
 }  // namespace braitenlab::ui

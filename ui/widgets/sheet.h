@@ -1,5 +1,5 @@
-// A sheet over the whole window: a heading, a body that scrolls in a low window, and a row of buttons. It has the
-// keyboard while it is open.
+// A sheet over the whole window: a heading, a body that scrolls in a low window, and a row of buttons. While it is
+// open, only its widgets can have the keyboard focus.
 #pragma once
 
 #include <string_view>
@@ -20,7 +20,7 @@ void begin_sheet(Ui&, SheetState&, std::string_view id, std::string_view heading
 // Ends the body and begins the row of buttons at the bottom (ImGui::SameLine between them).
 void sheet_buttons(Ui&, SheetState&);
 
-// True after a click beside the sheet, which cancels it.
+// True after a click beside the sheet; the caller then cancels the sheet.
 bool end_sheet(const SheetState&);
 
 }  // namespace braitenlab::ui

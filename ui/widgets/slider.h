@@ -1,4 +1,4 @@
-// A slider for one number: a track filled from its zero, a knob, and the number, which can be typed.
+// A slider for one number: a track filled from 0, a knob, and the number, which can be typed.
 //
 // Mouse: dragging moves the knob (with Shift ten times finer); a right click restores the home value; a double click or
 // Ctrl+click edits the number. Keys: ← and → move by a nudge, with Shift by the smallest step; Del restores; Enter
@@ -14,7 +14,7 @@
 
 namespace braitenlab::ui {
 
-// State of all sliders of the window: at most one is dragged or edited.
+// State of all sliders of the window. At most one slider is dragged or edited at a time.
 struct SliderState {
     std::string dragged;        // anchor of the dragged slider
     float grip = 0;             // knob minus pointer at press, in units of the value

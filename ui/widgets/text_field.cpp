@@ -32,7 +32,7 @@ void text_field(Ui& ui, TextField& field, std::string_view id, float width, std:
     compat::push_font(font(ui, Face::text));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(10), (height - line_height(ui, Face::text)) / 2});
     ImGui::SetNextItemWidth(width);
-    // Not under a mouse button: what it is pressing now would lose it.
+    // Not while a mouse button is down: the widget under the pointer would lose the press.
     if (focused && !field.active && !ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(0)) ImGui::SetKeyboardFocusHere();
     ImGui::PushID(id.data(), id.data() + id.size());
     ImGui::InputText("##text", field.text.data(), field.text.capacity() + 1, ImGuiInputTextFlags_CallbackResize, grow,

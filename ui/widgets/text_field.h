@@ -1,4 +1,4 @@
-// A text field of one line. It is active while it has the focus; keys are then text.
+// A text field of one line. It is active while it has the focus: then keys type text.
 #pragma once
 
 #include <string>
@@ -16,11 +16,11 @@ struct TextField {
     bool ask_enter = false;
 };
 
-// Draws it at the cursor, `width` window pixels wide; anchor `id`. While empty it shows `what`.
+// Draws the field at the cursor, `width` window pixels wide; anchor `id`. An empty field shows `what`.
 void text_field(Ui&, TextField&, std::string_view id, float width, std::string_view what, std::string_view how);
 
-// Keys of an active field. Enter, Tab, Up and Down are left to the focus; characters come through Dear ImGui. True when
-// the key is handled.
+// Handles a key of an active field. Returns true if the key is handled. Enter, Tab, Up and Down are not handled here
+// but by the keyboard focus; characters are received through Dear ImGui.
 bool for_text_field(TextField&, KeyPress);
 
 }  // namespace braitenlab::ui

@@ -53,7 +53,7 @@ public:
             font = atlas_.AddFontDefault(&config);
         }
         for (const std::string& symbols : paths_.symbols) merge(symbols, pixels, signs, {}, "some signs show as '?'");
-        // Glyphs of Fork Awesome are larger than the em: smaller and lower they are level with words.
+        // Glyphs of Fork Awesome are larger than the em. They are scaled down and moved down to be level with words.
         if (with_icons)
             merge(paths_.icons, std::round(em * 1.16f * scale_), icon_range, {0, em * 0.08f * scale_},
                   "buttons show words only");

@@ -1,4 +1,4 @@
-// The theme of the window: palette, fonts and the 8 px grid in Dear ImGui's terms. All colours come from here.
+// The theme of the window: applies palette, fonts and the 8 px grid to Dear ImGui.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ ImU32 paint(Colour);
 // Contrast ratio of two opaque colours, 1..21, by the Web Content Accessibility Guidelines 2; 4.5 is readable.
 float contrast(Colour, Colour);
 
-// `wanted`, mixed with as little `text` as needed to be readable on `ground` (contrast 4.5).
+// `wanted`, mixed with the least share of `text` that makes it readable on `ground` (contrast 4.5).
 Colour legible(Colour wanted, Colour ground, Colour text);
 
 // Sets Dear ImGui's style. Call again when the theme or the scale changes, between frames.

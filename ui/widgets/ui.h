@@ -1,4 +1,4 @@
-// What every widget gets: palette, fonts and scale, the registry of anchors, and the outbox for requests.
+// The context of every widget: palette, fonts and scale, the anchors, and the outbox for requests.
 #pragma once
 
 #include <string>
@@ -28,14 +28,14 @@ struct Fonts {
     ImFont* small = nullptr;    // 12 px: captions and figures
 };
 
-// A text as drawn in this frame, for tests that look for clipped and overlapping texts.
+// A text as drawn in this frame, for tests that find clipped and overlapping texts.
 struct Written {
     std::string words;
     Rect rect, clip;         // window pixels
     const void* sheet = {};  // equal for texts on the same draw list
 };
 
-// A widget as drawn in this frame, for tests that look for a missing tooltip.
+// A widget as drawn in this frame, for tests that find missing tooltips.
 struct Shown {
     std::string id;
     bool has_tooltip = false;
