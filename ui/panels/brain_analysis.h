@@ -1,4 +1,4 @@
-// What the brain card computes: the sums of both motors, the cause of a turn, and the recognised character.
+// Computations of the brain card: the sums of both motors, the cause of a turn, and the recognised character.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ struct Product {
     std::string_view letters;  // "SL·LL"
     float input = 0;           // reading after threshold and curve of the wire; 0 for a silenced sensor
     float weight = 0;          // includes what a Hebbian wire has learned
-    float value = 0;           // what reaches the motor
+    float value = 0;           // contribution to the motor's sum
     bool masked = false;       // the reading is below the threshold and counts as 0
     bool cut = false;          // lesion: delivers 0
 };
@@ -25,10 +25,10 @@ struct MotorSum {
     std::string_view motor, bias_letters;  // "ML", "LM"
     std::array<Product, 2> products;       // the uncrossed wire, then the crossed one
     float bias = 0;
-    bool more_wires = false;  // the brain has more than the sliders show
+    bool more_wires = false;  // the brain has more wires than the sliders show
     float others = 0;         // with more_wires: further wires and the motor's memory and curve; else 0
     bool stopped = false;     // lesion of the motor: the total is 0
-    bool limited = false;     // the sum exceeds what a wheel can do: the total is −1 or 1
+    bool limited = false;     // the sum is outside −1..1: the total is −1 or 1
     float total = 0;          // the wheel command, −1..1
 };
 

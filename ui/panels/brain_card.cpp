@@ -94,7 +94,7 @@ void draw_stick(const Ui& ui, const Item& at, Push push) {
     draw.AddCircle(knob, ui.px(11), paint(p.accent), 0, ui.px(1.5f));
 }
 
-// Steers while it is held; released, it stops the vehicle.
+// The stick drives the vehicle while it is held and stops the vehicle when it is released.
 void stick(PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const Item at = item(ui, "drive.stick", {ui.px(stick_size), ui.px(stick_size)});
     Push push = push_of(vehicle);
@@ -112,7 +112,7 @@ void stick(PanelState& state, Ui& ui, const VehicleView& vehicle) {
     tooltip(ui, at, ui.strings("drive.stick"));
 }
 
-// Names the driver, with a button that gives control back to the brain.
+// The name of the driver, and a button that lets the brain drive again.
 void driver_note(PanelState& state, Ui& ui, const VehicleView& vehicle, float width) {
     ImGui::BeginGroup();
     const std::string key = "drive." + std::string(word(vehicle.driver));
@@ -162,7 +162,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
     if (open && vehicle) {
         if (buttons[1].pressed) {
             ui.outbox.push_back(Action::drive);
-            state.keyboard.focus.clear();  // so that the arrow keys steer
+            state.keyboard.focus.clear();  // the arrow keys then drive the vehicle
         }
         title_row(view, state, ui, *vehicle);
         scope_choice(view, ui, *vehicle);
@@ -172,7 +172,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
             equations(view, ui, *vehicle);
         else
             driver_panel(state, ui, *vehicle);
-        // The wiring canvas shows the same in large.
+        // The wiring canvas shows the same brain larger.
         if (view.mode != Mode::wiring)
             brain_picture(view, state, ui, *vehicle, column.h < ui.px(low_column) ? 90 : 116);
         presets_menu(view, state, ui, *vehicle, buttons[0].pressed,

@@ -73,7 +73,7 @@ constexpr bool has_a_row_for_each_card() {
 }
 static_assert(has_a_row_for_each_card());
 
-// A folded card of a lecture lies over the scene: it is only as wide as its heading.
+// A folded card of a lecture covers part of the scene: it is only as wide as its heading.
 Rect lecture_place(const LabView& view, const Ui& ui, const CardTraits& row, bool folded, Rect r) {
     if (!view.lecture || !folded || row.in_lecture != InLecture::folded) return r;
     const float w = std::min(r.w, ui.px(title_width));
@@ -97,7 +97,7 @@ float wanted_of(const Ui& ui, PanelState& state, const CardTraits& card, Rect co
     return std::min(wanted_height(ui, state.card(card.card)), card.most * column.h);
 }
 
-// The height that the cards above leave this card.
+// The height that remains for this card below the cards above it.
 float least_of(const Ui& ui, PanelState& state, const CardTraits& card, Rect column) {
     const float open = std::max({folded_height(ui), ui.px(card.least), card.least_share * column.h});
     return std::min(wanted_height(ui, state.card(card.card)), open);
@@ -110,7 +110,7 @@ float kept_below(const Ui& ui, PanelState& state, const Stack& stack, std::size_
     return kept;
 }
 
-// Folds the card that gives way when the column is too low for the others, for this frame; null when there is none.
+// Folds the card with folds_when_cramped for this frame, if the column is too low for all cards. Null if there is none.
 const CardTraits* fold_when_cramped(const Ui& ui, PanelState& state, const Stack& stack, Rect column) {
     float above = 0;
     for (std::size_t i = 0; i < stack.count; ++i) {

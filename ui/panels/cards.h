@@ -11,16 +11,16 @@
 
 namespace braitenlab::ui {
 
-enum class Column { left, right, none };  // none: the window gives the card a rectangle of its own
+enum class Column { left, right, none };  // none: the window sets the rectangle of the card
 
-// What a lecture does to the state of a card. `folded`: folds it at the start, and a folded card is only as wide as its
-// heading. Both restore the state at the end.
+// The effect of a lecture on the state of a card. restored: the state at the start is restored at the end. folded: as
+// restored, and the card is folded at the start; a folded card is then only as wide as its heading.
 enum class InLecture { unchanged, restored, folded };
 
 struct CardTraits {
     Card card;
     std::string_view anchor;   // "card.brain"; its heading has the anchor "card.brain.fold"
-    std::string_view heading;  // string key; empty: the card writes its own heading
+    std::string_view heading;  // string key; empty: the card draws its heading
     Column column = Column::none;
     InLecture in_lecture = InLecture::unchanged;
     bool folded = false;  // at first and after Reset All
@@ -40,13 +40,13 @@ struct CardTraits {
 std::span<const CardTraits> cards();
 const CardTraits& traits(Card);
 
-// Draws the cards of a column that are shown now.
+// Draws the visible cards of a column.
 void draw_column(Column, const LabView&, PanelState&, Ui&, Rect);
 
 // begin_card() with state, anchor and heading of the table's row; `heading` replaces the row's. Follow with end_card().
 bool open_card(PanelState&, Ui&, Card, Rect place, std::span<HeadingButton> = {}, std::string_view heading = {});
 
-// Brings all cards back to their initial folds.
+// Resets the folds of all cards to their initial state.
 void reset_cards(PanelState&);
 
 }  // namespace braitenlab::ui

@@ -33,7 +33,7 @@ void add_sample(Samples& samples, const Sample& sample, std::size_t most) {
     if (samples.size() > most) samples.pop_front();
 }
 
-// The reading of a sensor as the brain gets it: 0 for a silenced one.
+// The reading of a sensor as input of the brain: 0 for a silenced sensor.
 float sensor_reading(const Snapshot& now, const VehicleView& vehicle, const char* name) {
     const Node* node = find_node(*brain_of(now, vehicle), std::string(name));
     return node && !node->silenced ? node_value(now, vehicle, node->id) : 0;

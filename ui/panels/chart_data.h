@@ -13,7 +13,7 @@
 
 namespace braitenlab::ui {
 
-// Samples of the run, taken from the snapshots shown. Going back in time drops those that are later.
+// Samples of the run, taken from the displayed snapshots. A step back in time removes the later samples.
 struct History {
     static constexpr std::uint64_t signal_period = 3;       // ticks between samples
     static constexpr std::size_t signal_samples = 1200;     // one minute
@@ -37,9 +37,9 @@ struct History {
     std::uint64_t run_id = 0;  // LabView::run_id of the samples
 };
 
-// Adds a sample where one is due. Replaces the sample of the current tick, which an edit may have changed. Drops later
-// samples after a step back, the signals when another vehicle is selected, and all samples when another scene is
-// opened. Call once a frame; at high speed frames are further apart than the periods, and samples are fewer.
+// Adds a sample when one is due. Replaces the sample of the current tick, which an edit may have changed. Removes the
+// later samples after a step back, the signals when another vehicle is selected, and all samples when another scene is
+// opened. Call once per frame. At high speed the time between frames exceeds the periods, so there are fewer samples.
 void record(History&, const LabView&);
 
 struct EnergyOrder {

@@ -92,7 +92,7 @@ void equation(const Ui& ui, const MotorSum& sum, const EquationColumns& x, ImVec
     one_product(ui, x.second, at.y, sum.products[1], &sum.products[1] == strongest);
     signed_term(ui, x.bias, at.y, sum.bias_letters, sum.bias);
     if (sum.more_wires) signed_term(ui, x.others, at.y, ui.strings("sums.others"), sum.others);
-    sign(x.result, sum.limited ? "→" : "=");  // limited to what a wheel can do
+    sign(x.result, sum.limited ? "→" : "=");  // → when the sum is limited to −1..1
     put_right(ui, {x.total, large}, with_sign(sum.total, 2), sum.stopped ? c.second_text : c.text, Face::strong);
 }
 
@@ -125,7 +125,7 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     equation(ui, both[1], x, {at.x, at.y + row}, strongest);
     const Item area = item(ui, "equations", {card_width(ui), 2 * row}, false);
     tooltip(ui, area, ui.strings(both[0].more_wires ? "sums.more_wires" : "sums.how"));
-    // The wheels are driven and the vehicle does not move: something blocks it. Not known in the first half second.
+    // The wheels are driven and the vehicle does not move: it is blocked. Not known in the first half second.
     const bool is_stuck = view.mode == Mode::playing && view.now->tick > 30 && std::fabs(vehicle.speed) < 0.02f;
     paragraph(ui, explanation(ui, both, why, is_stuck), ui.palette.text, Face::small);
 }

@@ -48,7 +48,7 @@ std::string with_unit(float value, std::string_view unit, int digits) {
     return fixed(value, digits) + (unit == "°" ? "" : " ") + std::string(unit);
 }
 
-// Enough digits to show which of the two values is larger: 10.4° against 10.0°.
+// The number of digits that shows which of two values is larger: 10.4° and 10.0°.
 int telling_decimals(const Measure& measure) {
     int digits = decimals(measure.unit);
     const bool differ = measure.value != measure.needed;
@@ -74,7 +74,7 @@ void prediction(const LessonView& lesson, const PanelState& state, bool rewired,
     const ImVec2 start = ImGui::GetCursorScreenPos();
     subheading(ui, ui.strings("exercise.predict"));
     if (lesson.has_run && lesson.prediction >= 0) {
-        // After the run the choice is shown beside the outcome, without a judgement.
+        // After the run the choice is shown beside the outcome. It is not graded.
         const auto chosen = static_cast<std::size_t>(lesson.prediction);
         if (chosen < asked.options.size())
             paragraph(ui, fill(ui.strings("exercise.you_predicted"), {translated(ui, asked.options[chosen])}),
@@ -247,7 +247,8 @@ bool is_rewired(const LabView& view) {
     return false;
 }
 
-// The outcome is that of the shipped brain: it is shown once a run with that brain has shown it, and from then on.
+// The outcome is that of the shipped brain. It is shown as soon as a run with that brain has reached it, and stays
+// shown.
 void tell_outcome(const LabView& view, PanelState& state, bool rewired) {
     const LessonView& lesson = *view.lesson;
     if (state.exercise_id != lesson.exercise->id) {
@@ -278,7 +279,7 @@ void task(const LessonView& lesson, PanelState& state, Ui& ui) {
 
 }  // namespace
 
-// Once the exercise is passed, the result and the steps come first; in a low window the rest is reached by scrolling.
+// When the exercise is passed, the result and the steps are at the top. In a low window the rest scrolls.
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const LessonView& lesson = *view.lesson;
     const bool rewired = is_rewired(view), passed = has_passed(lesson);

@@ -37,11 +37,11 @@ void begin_files(FilesState&, bool saving, FileKind kind = FileKind::scene);
 // The string key of a file kind's name.
 std::string_view kind_key(FileKind);
 
-// Sends a request whose result FilesView::done or ::refused reports.
+// Sends a request. FilesView::done or FilesView::refused reports its result.
 void request_file(const LabView&, FilesState&, Ui&, Request);
 
-// Each list goes from the cursor down to `bottom`, a y within the window being drawn. A pressed row is opened; while
-// saving, it gives its name.
+// Each list extends from the cursor down to `bottom`, a y within the window being drawn. A press on a row opens the
+// file; while saving, it sets the name to that of the file.
 void list_shipped(const LabView&, FilesState&, Ui&, float bottom);
 void list_recent(const LabView&, FilesState&, Ui&, float bottom);
 void list_folder(const LabView&, FilesState&, Ui&, float bottom);

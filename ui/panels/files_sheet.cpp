@@ -104,7 +104,7 @@ void saving_head(const LabView& view, FilesState& files, Ui& ui) {
     if (files.typed.entered || files.title.entered) save_file(view, files, ui);
 }
 
-// Why the file cannot be opened or saved yet; empty when there is no reason.
+// The reason why the file cannot be opened or saved yet; empty if it can.
 std::string problem(const LabView& view, const FilesState& files, const Ui& ui) {
     if (!files.replacing.empty()) {
         const FileEntry* there = existing_file(files, view.files->listing);
@@ -144,7 +144,7 @@ void file_buttons(const LabView& view, PanelState& state, Ui& ui) {
     if (cancel.pressed) state.sheet = Sheet::none;
 }
 
-// The initial focus: the text field, or the file that is open.
+// The initial focus: the text field, or the row of the open file.
 void first_focus(const LabView& view, FilesState& files, Ui& ui) {
     if (files.begun || !ui.keyboard) return;
     files.begun = true;

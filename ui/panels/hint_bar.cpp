@@ -45,7 +45,7 @@ float hint_line(const Ui& ui, std::string_view hint, Colour colour, float x, Rec
     return x;
 }
 
-// While the user drives, or looks from the driver's seat, the hint is the key that ends it. False in other modes.
+// While the user drives, or the camera mode is driver, the hint is the key that ends this. False in other modes.
 bool mode_hint(const LabView& view, const Ui& ui, float x, Rect bar) {
     if (view.mode == Mode::wiring) return false;
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);

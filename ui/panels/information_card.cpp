@@ -91,7 +91,7 @@ void inactivity(const Snapshot& now, Ui& ui) {
     mark(ui, "info.inactivity", {at.x, at.y, width, h + ui.px(5)});
 }
 
-// Without a drain all bars would always be full.
+// Without an energy drain all bars are always full.
 bool energy_matters(const Snapshot& now) { return now.predators + now.prey > 0 || now.scene->ecology.drain > 0; }
 
 // The caption of the bars. A click changes their order: number, falling energy, rising energy, kind.
@@ -118,7 +118,7 @@ void energies(const LabView& view, PanelState& state, Ui& ui) {
     const std::string_view caption = ui.strings("info.energy");
     const float aside = text_width(ui, Face::small, caption) + ui.px(12);
     const float width = card_width(ui) - aside, bar_h = ui.px(18), space = ui.px(3);
-    // Few vehicles get broad bars, many slim ones.
+    // The width of a bar falls with the number of vehicles.
     const float bar_w = ui.px(shown <= 24 ? 9.0f : 5.0f);
     const int per_row = std::max(1, static_cast<int>((width + space - ui.px(2)) / (bar_w + space)));
     const ImVec2 cursor = ImGui::GetCursorScreenPos(), at{cursor.x + aside, cursor.y + ui.px(2)};

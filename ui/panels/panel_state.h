@@ -1,4 +1,4 @@
-// View state of the panels: folds, drags, focus. Nothing in here is part of the simulation.
+// View state of the panels: folds, drags, focus. It is not part of the simulation.
 #pragma once
 
 #include <array>
@@ -76,7 +76,7 @@ struct PanelState {
     SheetState keys, settings, recovery, leaving;
     bool recovery_asked = false;
     bool leaving_asked = false;
-    int leaving_done = 0;  // FilesView::done when the sheet for a name was opened; −1: it was not
+    int leaving_done = 0;  // FilesView::done when the sheet for a name was opened; −1: the sheet is not open
     FilesState files;
     std::optional<Preferences> before_reset;  // preferences before Reset All, until one is changed
     bool view_menu = false, focus_view_menu = false;

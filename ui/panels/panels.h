@@ -1,6 +1,6 @@
-// The panels, each a free function: it reads the view, keeps its view state in PanelState, and puts requests into
-// ui.outbox. ui/window.cpp and cards.cpp call them. Each is defined in the file of its name, unless a heading says
-// else.
+// The panels. Each is a free function that reads the view, stores its view state in PanelState and adds requests to
+// ui.outbox. ui/window.cpp and cards.cpp call them. A panel is defined in the file of its name, unless a comment names
+// another file.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ namespace braitenlab::ui {
 // Cards; cards.h says when and where they are shown.
 void exercise_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.lesson
 void sensor_card(const LabView&, PanelState&, Ui&, Rect);
-void brain_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // `column`: the room it could have
+void brain_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // `column`: the largest available rectangle
 void information_card(const LabView&, PanelState&, Ui&, Rect);
 void chart_card(const LabView&, PanelState&, Ui&, Rect);  // while PanelState::charts_open; folding closes it
 
@@ -38,14 +38,15 @@ void lecture_bar(const LabView&, Ui&, Rect);
 void lecture_figures(const LabView&, PanelState&, Ui&, Rect bar, Rect window);
 void follow_lecture(const LabView&, PanelState&);  // saves and restores the cards; call once a frame, before them
 
-// Sheets over the whole window; each draws itself while PanelState::sheet names it, and closes itself.
+// Sheets over the whole window. Each is drawn only while PanelState::sheet names it, and resets PanelState::sheet to
+// close.
 void keys_card(const LabView&, PanelState&, Ui&, Rect window);      // all shortcuts
 void files_sheet(const LabView&, PanelState&, Ui&, Rect window);    // open and save
 void settings_card(const LabView&, PanelState&, Ui&, Rect window);  // language, theme, type size, motion
 
 // unsaved_sheets.cpp
-void recovery_sheet(const LabView&, PanelState&, Ui&, Rect window);  // after a crash, while the view offers something
-void leaving_sheet(const LabView&, PanelState&, Ui&, Rect window);   // while the view asks about unsaved edits
+void recovery_sheet(const LabView&, PanelState&, Ui&, Rect window);  // after a crash, while LabView::recovery is set
+void leaving_sheet(const LabView&, PanelState&, Ui&, Rect window);   // while FilesView::leaving is set
 
 // Parts of the brain card. Precondition of all: the vehicle is in the snapshot.
 void dial_sliders(const LabView&, PanelState&, Ui&, const VehicleView&);
@@ -53,8 +54,8 @@ void equations(const LabView&, Ui&, const VehicleView&);
 void presets_menu(const LabView&, PanelState&, Ui&, const VehicleView&, bool wanted, ImVec2 corner);
 void brain_picture(const LabView&, PanelState&, Ui&, const VehicleView&, float layout_height);
 
-// Lesions outside the brain picture: completes state.lesion_under_pointer with the sensor or motor that lies under the
-// pointer in the scene, or the wire of the slider there, and carries out state.lesion_requested. Call after the cards.
+// Lesions outside the brain picture: sets state.lesion_under_pointer to the sensor or motor under the pointer in the
+// scene, or to the wire of the slider under the pointer, and executes state.lesion_requested. Call after the cards.
 void lesions(const LabView&, PanelState&, Ui&);
 
 // Sign and colour of a notice; readable on the panel colour. In hint_bar.cpp.
@@ -64,7 +65,8 @@ Colour colour_of(NoticeKind, const Palette&);
 // brain_card.cpp: "Predator", "Lamp seeker": the kind's name in the language of the strings, or as its file has it.
 std::string kind_name(const Ui&, const Kind&);
 
-// The name of the vehicle's kind; "Vehicle" where the scene has one kind only, whose name would give the answer away.
+// The name of the vehicle's kind; "Vehicle" if the scene has one kind only, because its name could reveal the
+// behaviour.
 std::string kind_name(const LabView&, const Ui&, const VehicleView&);
 
 }  // namespace braitenlab::ui

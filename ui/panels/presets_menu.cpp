@@ -19,7 +19,7 @@ namespace {
 
 constexpr float preset_width = 344, preset_padding = 12;  // layout pixels
 
-// True when it was chosen. A bar marks the brain that the vehicle has now.
+// Draws a preset. True if the user has chosen it. A bar marks the current brain of the vehicle.
 bool preset_row(Ui& ui, const Preset& preset, bool current, ImVec2 at) {
     const std::string key(preset.name);
     ImGui::SetCursorScreenPos(at);
@@ -94,7 +94,7 @@ void own_brains(PanelState& state, Ui& ui) {
 void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, bool wanted,
                   ImVec2 corner) {
     if (wanted) ImGui::OpenPopup("presets");
-    // Opened by key, the menu gets the focus; closed, it gives it back.
+    // A menu that is opened by key gets the focus. When it is closed, the focus before it is restored.
     if (wanted && ui.keyboard && ui.keyboard->focus == "button.presets")
         ui.keyboard->focus = "preset." + std::string(presets().front().name);
     ImGui::SetNextWindowPos(corner, ImGuiCond_Always, {1, 0});

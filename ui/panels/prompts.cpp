@@ -40,7 +40,7 @@ std::string_view telling_slider(const LabView& view) {
     return dials.RR != 0 ? "slider.RR" : "slider.LL";
 }
 
-// ── A vehicle that is stuck or sees nothing ──
+// ── A vehicle that is blocked or senses nothing ──
 
 bool is_blind(const Snapshot& now, const VehicleView& vehicle) {
     const auto begin = now.sensed.begin() + vehicle.first_sensed;
@@ -56,7 +56,7 @@ void keep_time(double& since, bool holds, double now) {
 
 bool lasts(double since, double for_seconds, double now) { return since >= 0 && now - since >= for_seconds; }
 
-// A single vehicle that sees nothing or does not move: only a reset helps. Among several vehicles both are common.
+// A single vehicle that senses nothing or does not move needs a reset. In scenes with several vehicles both are common.
 void watch_vehicle(PromptMemory& memory, const LabView& view) {
     const Snapshot& now = *view.now;
     const VehicleView* vehicle = now.vehicles.size() == 1 ? &now.vehicles.front() : nullptr;
@@ -122,7 +122,7 @@ bool lamp_was_moved(const LabView& view) {
     return !view.file || now.empty() || view.file->sources != now;
 }
 
-// The output pin of the sensor SL, where there is one, until the first edit.
+// The output pin of the sensor SL, if the brain has one, until the first edit.
 Prompt of_wiring(PromptMemory& memory, const LabView& view) {
     if (memory.edits_before_wiring < 0) memory.edits_before_wiring = edit_count(view);
     memory.wiring.known = true;
@@ -138,7 +138,7 @@ Prompt of_free_play(PromptMemory& memory, const LabView& view) {
     if (!memory.played) return {"button.play", "hint.press_play"};
     if (!memory.slider_known)
         return now.seconds < watched ? Prompt{} : Prompt{telling_slider(view), "hint.turn_slider"};
-    if (view.lesson) return {};  // an exercise has its own hints
+    if (view.lesson) return {};  // the exercise gives the hints
     if (is_shown_now(memory.lamp, lamp_was_moved(view), view.wall_seconds)) return {lamp_anchor, "hint.drag_lamp"};
     if (is_shown_now(memory.wiring, false, view.wall_seconds)) return {"button.wiring", "hint.open_wiring"};
     if (now.seconds < run_worth_a_look_back) return {};

@@ -1,4 +1,4 @@
-// Prompts: the widget that pulses and the hint for a beginner's next step. A prompt ends when the step is done.
+// Prompts: the highlighted widget and the hint for a beginner's next step. A prompt ends when the step is done.
 #pragma once
 
 #include <string>
@@ -28,7 +28,7 @@ struct PromptMemory {
     Suggested lamp, wiring, timeline;           // of free play, in this order
     int edits_before_wiring = -1;               // number of edits when the wiring was opened; −1: it is closed
     int hint = 0, edits_before_hint = 0;        // number of hints shown, and of edits when the last one came
-    double blind_since = -1, still_since = -1;  // simulated seconds; negative: it sees something, it moves
+    double blind_since = -1, still_since = -1;  // simulated seconds; negative: the vehicle sees a stimulus; it moves
 };
 
 // Anchor of the first lamp, recorded by point_to_lamp().

@@ -46,7 +46,7 @@ struct SensorNumber {
     int decimals = 2;
     std::string_view unit;
     bool sided = false;      // mirrored on the other side
-    bool stretches = false;  // the slider covers larger values that the scene has
+    bool stretches = false;  // the slider's range includes larger values that are in the scene
 };
 
 constexpr SensorNumber geometry_numbers[]{

@@ -1,4 +1,4 @@
-// The recorded minute of the run as a strip, with a playhead to drag and bookmarks.
+// The recorded minute of the run as a strip, with bookmarks and a playhead that can be dragged.
 #include <algorithm>
 #include <cmath>
 #include <string>

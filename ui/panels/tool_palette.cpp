@@ -75,7 +75,7 @@ void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect scene) {
         if (at.pressed) {
             state.scene_input.tool = on ? SceneInputTool::hand : look.tool;
             state.scene_input.corners.clear();
-            if (!at.entered && ui.keyboard) ui.keyboard->focus.clear();  // the tool gets Esc and Enter
+            if (!at.entered && ui.keyboard) ui.keyboard->focus.clear();  // Esc and Enter then apply to the tool
         }
         x += size;
     }

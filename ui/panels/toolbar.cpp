@@ -1,5 +1,5 @@
-// The bar on top. In a narrow window the type and the gaps shrink first, then icons beside words are left out, then
-// words, the least important group first. Tooltips always show the words.
+// The bar at the top. In a narrow window, first the type and the gaps are smaller, then icons beside words are left
+// out, then words, the least important group first. Tooltips always show the words.
 #include <array>
 #include <string>
 #include <vector>
@@ -26,7 +26,7 @@ constexpr float speed_width = 52, status_width = 204,
 struct Tool {
     std::string_view anchor, words, icon;  // words: key of the string
     Action action;
-    int loses_words;  // the step of narrowness, from first_words_go on, at which its words go; 1 is the first
+    int loses_words;  // step of narrowness at which its words are left out; 1: first_words_go, 2: the next step …
     bool on = false;
     bool first_of_group = false;
     bool for_looking = false;  // keeps its icon longer
@@ -155,7 +155,7 @@ void status_pill(const LabView& view, Ui& ui, float x, float layout_width, Rect 
     const Rect clock{pill.x + pill.w + ui.px(8), pill.y, ui.px(layout_width - 112), pill.h};
     const float raised = view.pace ? line_height(ui, Face::small) / 2 : 0;
     put_right(ui, {clock.x + clock.w, middle - line_height(ui, Face::text) / 2 - raised}, time, p.text);
-    if (view.pace) {  // the machine cannot keep up
+    if (view.pace) {  // the computer is too slow for the requested speed
         const std::string pace = fill(ui.strings("time.pace"), {fixed(*view.pace, *view.pace < 0.095f ? 2 : 1)});
         put_right(ui, {clock.x + clock.w, middle + line_height(ui, Face::text) / 2 - raised}, pace,
                   colour_of(NoticeKind::failure, p), Face::small);

@@ -1,4 +1,4 @@
-// The two sheets about unsaved edits: before they are left, and after a crash.
+// The two sheets about unsaved edits: before the scene is closed, and after a crash.
 #include <string>
 
 #include <imgui.h>
@@ -16,7 +16,7 @@ namespace braitenlab::ui {
 
 namespace {
 
-// Saves to the file of the scene, or opens the sheet that asks for a name.
+// Saves to the file of the scene. If there is none, opens the file browser for a name.
 void save_before_leaving(const FilesView& files, PanelState& state, Ui& ui) {
     if (!files.save_to.empty()) return ui.outbox.push_back(LeaveRequest{Leave::save});
     state.leaving_done = files.done;
@@ -24,11 +24,11 @@ void save_before_leaving(const FilesView& files, PanelState& state, Ui& ui) {
     state.sheet = Sheet::files;
 }
 
-// The sheet that asks for a name was closed: after saving, or without.
+// Handles the end of the file browser, with or without a saved file.
 void after_naming(const FilesView& files, PanelState& state, Ui& ui) {
     const bool saved = state.leaving_done >= 0 && files.done > state.leaving_done;
     state.leaving_done = -1;
-    state.sheet = saved ? Sheet::leaving : Sheet::none;  // asks again when something is still unsaved
+    state.sheet = saved ? Sheet::leaving : Sheet::none;  // the sheet opens again if edits are still unsaved
     ui.outbox.push_back(LeaveRequest{saved ? Leave::saved : Leave::stay});
 }
 

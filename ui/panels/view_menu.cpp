@@ -1,4 +1,5 @@
-// The menu of overlays: sensors, trails, floor pictures, labels, fields. It drops from the toolbar and stays open.
+// The menu of overlays: sensors, trails, floor pictures, labels, fields. It is below its button in the toolbar and
+// stays open after a choice.
 #include <algorithm>
 #include <optional>
 #include <string>
