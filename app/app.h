@@ -1,5 +1,4 @@
-// The window and everything that exists while it is open. Each turn lets time pass, draws a frame and executes the
-// user's requests.
+// The program with a window. Each turn advances time, draws a frame and executes the user's requests.
 #pragma once
 
 #include <chrono>
@@ -32,27 +31,28 @@ class App {
 public:
     App(Options, Lab, Window, render::Renderer, Words, Settings);
 
-    // One iteration of the main loop. Returns false when the program has ended: the user has left it, the system has
-    // told it to end, or the picture of --screenshot has been taken. Do not call it again then.
+    // One iteration of the main loop. Returns false when the program has ended: the user has closed it, the system has
+    // told it to end, or the picture of --screenshot is written. Precondition: turn() has not returned false before.
     bool turn();
 
-    // 0, or 2 if the picture of --screenshot could not be written. Valid once turn() has returned false.
+    // The exit code: 0, or 2 if the picture of --screenshot could not be written. Valid after turn() has returned
+    // false.
     int exit_code() const { return exit_code_; }
 
 private:
     using Clock = std::chrono::steady_clock;
 
     // ── The main loop, app.cpp ──
-    // True if the program ends now. If there are unsaved edits, asks the user instead; the answer is a request.
+    // True if the program can end now. If there are unsaved edits, opens the sheet about them; the answer is a request.
     bool ends();
     // Saves what is needed at the end of the program.
     void close();
     void let_time_pass(double passed);
-    // Delivers what background jobs have done.
+    // Delivers the results of background jobs.
     void follow_jobs();
-    // Executes the requests about files: dropped files, the file browser, recovery.
+    // Executes the requests from dropped files, the file browser and recovery.
     void handle_files();
-    // Opens or discards the recovered work. The file of the crashed lab is removed once the work is saved again.
+    // Opens or discards the recovered work. The file of the crashed lab is removed after the work is saved again.
     void handle_recovery(bool take);
     void show_error(const Error& error);
     // Writes settings that have changed; at most once per second unless `now`.
@@ -71,7 +71,8 @@ private:
     float density() const;
     // Loads the font of the scene's labels at the size of the window's small type.
     void load_label_font();
-    // Reloads changed shaders, at most twice per second; a broken shader is reported and the old one stays.
+    // Reloads changed shaders, at most twice per second. A broken shader is reported, and the previous one stays in
+    // use.
     void follow_shaders();
     void frame(float passed);
     Arrows arrows() const;

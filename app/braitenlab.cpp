@@ -40,8 +40,8 @@ Result<Opened> open_asked(const Options& options) {
     return Opened{*path, std::move(*lab)};
 }
 
-// If FILE cannot be opened, opens another document and shows the error in the window: a user who has double-clicked the
-// file sees no terminal. With --screenshot or --set, fails: a script must not get another scene.
+// If FILE cannot be opened, opens another document and shows the error in the window, because there is no terminal
+// after a double click on the file. With --screenshot or --set it fails, because a script must not get another scene.
 Result<Opened> open_at_start(const Options& options, Settings& settings) {
     if (options.file.empty()) return open_usual(options, settings);
     auto asked = open_asked(options);

@@ -1,4 +1,4 @@
-// An open scene, exercise or saved run: its session, its file and how much of the work has been saved.
+// An open document (scene, exercise or saved run): its session, its file and which edits are saved.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@
 
 namespace braitenlab {
 
-// Time and size of a file. A mark that differs from an earlier one means that the file has been written since.
+// Time and size of a file. Marks taken at two times differ if the file has been written in between.
 struct FileMark {
     std::filesystem::file_time_type written{};
     std::uintmax_t size = 0;
@@ -56,12 +56,12 @@ struct Document {
     std::string name{};                       // of the file, without folder and extension
     std::filesystem::path path{};             // empty: not saved yet
     std::shared_ptr<const Scene> file{};      // the scene as it was read or saved last
-    FileMark on_disk{}, noticed{};            // the file when it was read or saved; and when it was last looked at
+    FileMark on_disk{}, noticed{};            // the file when it was read or saved; and at the last check for changes
     std::vector<Setting> settings{};          // values of the scene that were set when it was opened (--set)
     std::optional<Lesson> lesson{};           // nullopt: no exercise
     std::int64_t edits = 0, saved_edits = 0;  // edits so far, and their number when the user saved last
     std::uint64_t saved_tick = 0;             // the run up to this tick is in its file
-    std::uint64_t run_id = 0;                 // another number for every document opened since the program started
+    std::uint64_t run_id = 0;                 // unique among the documents opened since the program started
 };
 
 // A file that has been read once.

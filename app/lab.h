@@ -1,5 +1,5 @@
-// The lab without its window: an open document, its playback and how it is shown. Panels and keys send a Request, which
-// app/lab_requests.h executes. No graphics and no clock: tests call it directly.
+// The lab without its window: an open document, its playback and its view settings. Panels and keys send a Request,
+// which app/lab_requests.h executes. It uses no graphics and no clock; tests call it directly.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +16,18 @@
 
 namespace braitenlab {
 
-// The values that lecture mode changes, as they were before it.
+// The values that lecture mode changes, saved when it starts.
 struct SettingsBeforeLecture {
     Theme theme = Theme::dark;
     float type_size = 1;
-    ViewSettings view;  // leaving restores all of it but the selection, which belongs to the run
+    ViewSettings view;  // restored at the end, except for the selection, which belongs to the run
 };
 
 struct Lab {
     Document document;
     Playback playback{};
     ViewSettings view{};
-    std::string object_name{};  // of view.selection.object: its index changes when others come or go
+    std::string object_name{};  // of view.selection.object, whose index changes when objects are added or removed
     Steer steered{};            // last command given by the arrow keys
     Preferences preferences{};  // as shown now
     std::optional<SettingsBeforeLecture> before_lecture{};  // set in lecture mode
@@ -35,29 +35,30 @@ struct Lab {
     double notice_until = 0;  // wall seconds
     double wall_seconds = 0;
 
-    // Requests to the window, which executes and clears them.
+    // Requests that the window executes and clears.
     bool exit = false, screenshot = false, full_screen = false;
     std::vector<Request> files{};  // to open, to save, to export, to list a folder
 };
 
-// A lab that shows this document, paused.
+// A lab with this document, paused.
 Lab make_lab(Document);
 
 // open_document() and make_lab().
 Result<Lab> open_lab(const std::filesystem::path&, std::optional<std::uint64_t> seed,
                      const std::vector<Setting>& settings);
 
-// Replaces the open document. Playback starts anew; preferences and what does not depend on the scene in the view
-// settings stay.
+// Replaces the open document and resets the playback. Preferences, and the view settings that do not depend on the
+// scene, stay unchanged.
 void replace_document(Lab&, Document);
 
 // The preferences without the changes that lecture mode makes.
 Preferences own_preferences(const Lab&);
 
-// Shows a notice at the bottom of the window, for as long as reading it takes; failures stay longest.
+// Shows a notice at the bottom of the window. Its duration depends on the length of the text; failures are shown
+// longest.
 void say(Lab&, Notice);
 
-// What panels see. Points into the lab: valid until the lab changes.
+// The view of the lab for the panels. Points into the lab: valid until the lab changes.
 LabView view_of(const Lab&);
 
 }  // namespace braitenlab

@@ -10,7 +10,7 @@ namespace braitenlab {
 
 namespace {
 
-// True if the kind and all its vehicles have the exercise's own brain.
+// True if the kind and all its vehicles have the brain of the exercise's file.
 bool is_as_shipped(const Snapshot& now, std::size_t kind, const BrainGraph& shipped) {
     return *now.kind_brains[kind] == shipped &&
            std::all_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) {
@@ -19,7 +19,7 @@ bool is_as_shipped(const Snapshot& now, std::size_t kind, const BrainGraph& ship
            });
 }
 
-// Shows a run to the referee. At keyframes it takes the state that is stored there.
+// Passes a run to the referee. At keyframes uses the stored state.
 RunVisitor referee_visitor(Document& document) {
     return {
         [&document](const Snapshot& now) {
@@ -49,8 +49,8 @@ void step_session(Document& document) {
     document.session.step(document.lesson && is_recorded ? referee_visitor(document) : RunVisitor{});
 }
 
-// A replay repeats the commands given at a keyframe's tick, so the state before them is stored. It does not repeat
-// commands that made a keyframe, so the state after them is stored.
+// A replay repeats the commands at a keyframe's tick, so the state before these commands is stored. It does not repeat
+// commands that have created a keyframe, so the state after these is stored.
 void record_referee(Document& document) {
     const Session& session = document.session;
     const std::uint64_t now = session.snapshot().tick;

@@ -1,38 +1,38 @@
-// The open exercise: its referee, its hints, and its reset. Each function does nothing where no exercise is open,
-// except where it says otherwise.
+// The open exercise: its referee, its hints and its reset. Without an open exercise a function does nothing, unless its
+// comment says otherwise.
 #pragma once
 
 #include "app/lab.h"
 
 namespace braitenlab {
 
-// Shows the current moment to the referee and its verdicts to the panels.
+// Passes the current snapshot to the referee, and its verdicts to the lesson's view.
 void watch(Lab&);
 
-// Tells the referee that the user has applied this command.
+// Notifies the referee of a command of the user.
 void tell_referee(Lab&, const Command&);
 
-// Call once per turn, after Jobs::deliver. Once every step is done, grades the submission from all starts in the
-// background; shows progress and grade in the lesson's view. An edit of the submission cancels grading, and starts it
-// again while every step is done.
+// Call once per turn, after Jobs::deliver. When every step is done, grades the submission from all starts in the
+// background and writes progress and grade to the lesson's view. An edit of the submission cancels grading; if every
+// step is still done, grading starts again.
 void update_grading(Lab&, Jobs&);
 
-// ── The referee in time. Its state is stored beside each keyframe of the session and recomputed from there. ──
+// ── The referee and time travel. Its state is stored with each keyframe of the session and recomputed from there. ──
 
-// Steps the session. In the recorded past the referee sees the commands that the recording holds.
+// Steps the session. In the recorded past the referee is notified of the recorded commands.
 void step_session(Document&);
 
-// Stores the referee's state when the present tick is that of a keyframe. Call after each tick and each command.
+// Stores the referee's state if the current tick is that of a keyframe. Call after each tick and each command.
 void record_referee(Document&);
 
-// The state stored beside the last keyframe; null at the start of the run and when it is not known.
+// The state stored with the last keyframe; null at the start of the run, and if it is not known.
 const RefereeState* referee_at_keyframe(const Document&);
 
-// Takes the referee through the run from the last keyframe to the present moment. Call when the session has gone to
+// Recomputes the referee's state from the last keyframe to the current tick. Call after the session has moved to
 // another tick.
 void recompute_referee(Document&);
 
-// recompute_referee() with this state beside the last keyframe. Call when the session has gone to another run.
+// As recompute_referee(), with this state at the last keyframe. Call after the session has changed to another run.
 void restore_referee(Document&, const std::optional<RefereeState>&);
 
 void show_hint(Lab&);

@@ -59,7 +59,7 @@ void edit_if(Lab& lab, const std::optional<Command>& command) {
 void switch_camera(Lab& lab, CameraMode mode) {
     lab.view.camera.mode = lab.view.camera.mode == mode ? CameraMode::overview : mode;
     if (!rides(lab.view.camera.mode)) return;
-    lab.view.camera.zoom = 1;  // the overview's zoom does not suit a camera that rides with a vehicle
+    lab.view.camera.zoom = 1;  // the overview's zoom is wrong for a camera that moves with a vehicle
 }
 
 // Shows the intensity of the next channel that has one in this scene; after the last, none.

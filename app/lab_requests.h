@@ -13,7 +13,7 @@ void handle(Lab&, const Request&);
 // (not 0) are one step of undo.
 bool apply(Lab&, const Command&, std::uint64_t gesture = 0);
 
-// Shows a notice if an edit has dropped the recorded time after the current tick, or brought it back. `latest_before`:
+// Shows a notice if an edit has removed or restored the recorded time after the current tick. `latest_before`:
 // Session::latest() before the edit.
 void report_time_change(Lab&, std::uint64_t latest_before);
 

@@ -10,7 +10,7 @@ namespace braitenlab {
 
 namespace {
 
-// Indices of sources and obstacles change when others come and go; names do not.
+// Adding or removing objects changes the indices of sources and obstacles, but not their names.
 void keep_object(Lab& lab) {
     SceneObject& object = lab.view.selection.object;
     if (!object) return;
@@ -20,7 +20,7 @@ void keep_object(Lab& lab) {
     if (object.index < 0) object = {};
 }
 
-// Notice key for a death. Prey with more energy than a few ticks use has not starved: it was eaten.
+// Notice key for a death. Prey whose energy exceeds the use of a few ticks has been eaten; other vehicles have starved.
 std::string_view cause_of_death(const Scene& scene, const VehicleView& dead) {
     constexpr float some_ticks = 3.0f / 60;  // s
     if (dead.role == Role::prey && dead.energy > scene.ecology.drain * some_ticks) return "notice.eaten_prey";

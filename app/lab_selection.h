@@ -1,5 +1,4 @@
-// The selection: a vehicle, and optionally a source or an obstacle besides it; and driving the selected vehicle by
-// hand.
+// The selection: a vehicle, and optionally a source or an obstacle in addition. Manual driving of the selected vehicle.
 #pragma once
 
 #include "app/lab.h"
@@ -8,7 +7,7 @@ namespace braitenlab {
 
 const VehicleView* selected_vehicle(const Lab&);  // null when there is none
 
-// The selected source or obstacle, else the selected vehicle: what Delete removes.
+// The object that Delete removes: the selected source or obstacle, else the selected vehicle.
 SceneObject chosen(const Lab&);
 
 void select(Lab&, const SceneObject&);

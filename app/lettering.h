@@ -1,4 +1,4 @@
-// The characters of the scene's labels, from the system's fonts, else from the window's font.
+// The characters of the scene's labels, from a font of the system, else from the font of the window.
 #pragma once
 
 #include <string>

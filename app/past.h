@@ -1,4 +1,4 @@
-// Going back in time: the world, the undo history and the referee of an exercise as they were at a tick.
+// Going back in time: restores the world, the undo history and the referee of an exercise at an earlier tick.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// How simulated time passes: mode, speed, and what is needed to go back in time.
+// Playback of simulated time: mode, speed, and the data for going back in time.
 #pragma once
 
 #include <cstdint>
@@ -41,8 +41,8 @@ void set_mode(Lab&, Mode);
 // Runs one tick in any mode.
 void tick(Lab&);
 
-// Lets wall time pass: runs the ticks that are due while playing, for at most 12 ms. Ticks that do not fit are dropped,
-// so that a slow machine runs in slow motion and the debt does not grow.
+// Advances by wall time: runs the ticks that are due while playing, for at most 12 ms. Ticks that exceed this time are
+// dropped, so that a slow computer runs in slow motion and the debt does not grow.
 void advance(Lab&, double wall_seconds);
 
 // Position of the picture between the previous tick (0) and the last one (1); 1 while the simulation is paused.

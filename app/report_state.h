@@ -22,7 +22,7 @@ struct FrameFacts {
     bool graphics_watched = false;
     int graphics_errors = 0;  // see Window
     CameraView camera_view;   // camera view of the frame
-    bool hand = false;        // the mouse cursor is a hand: a drag would move something
+    bool hand = false;        // the mouse cursor is a hand: a drag would move an object
     double frame_ms = 0;      // duration of a frame, without waiting for the display
     int frames = 0;           // drawn so far
     maths::vec2 pointer;      // as the frame saw it, window pixels; (-1, -1): outside
@@ -37,8 +37,8 @@ struct FrameFacts {
 // or null behind the camera.
 std::string state_json(const Lab&, const ui::SceneInputState&, const FrameFacts&);
 
-// A file that is replaced whenever its text changes; a reader never sees half of it. The first error is returned once,
-// and nothing is written after it.
+// A file that is replaced as a whole when its text changes, so that a reader always gets a complete file. The first
+// error is returned once; nothing is written after it.
 class ReportFile {
 public:
     explicit ReportFile(std::filesystem::path path) : path_(std::move(path)) {}

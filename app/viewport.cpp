@@ -11,8 +11,8 @@ using maths::vec2;
 namespace {
 
 constexpr float glide_seconds = 0.6f;
-constexpr float turn_rate = 1.2f, raise_rate = 0.8f;              // rad/s by the arrow keys
-constexpr float turn_by_pixel = 0.006f, raise_by_pixel = 0.005f;  // rad
+constexpr float turn_rate = 1.2f, raise_rate = 0.8f;              // rad/s, arrow keys
+constexpr float turn_by_pixel = 0.006f, raise_by_pixel = 0.005f;  // rad per pixel
 constexpr float notch = 0.2f;                                     // log2 of the zoom per notch of the wheel
 
 bool jumped(const ViewportState& state, const Lab& lab) {

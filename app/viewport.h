@@ -11,7 +11,7 @@ namespace braitenlab {
 struct ViewportState {
     CameraView camera_view;  // of this frame
     bool has_sight = false;
-    float age = 1e9f;  // s since the last jump of the camera, which is shown as a short glide
+    float age = 1e9f;  // s since the last change that is shown as a glide
     Camera last;       // camera of the last frame, and the vehicle that it followed
     VehicleId last_followed = no_vehicle;
 };
@@ -21,8 +21,8 @@ struct Arrows {
     float turn = 0, raise = 0;
 };
 
-// Computes the camera view of this frame. A change of mode or vehicle and Home are short glides, unless motion is
-// reduced; other changes apply at once.
+// Computes the camera view of this frame. A change of mode or vehicle, and Home, are shown as short glides, unless
+// motion is reduced. Other changes apply at once.
 void aim(ViewportState&, const Lab&, Rect window, Rect free_area, float seconds);
 
 // Moves the camera by mouse and arrow keys: left drag on the floor orbits (pans in bird's eye), right or middle drag

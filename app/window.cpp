@@ -6,7 +6,7 @@
 
 #include <GL/glew.h>
 #include <fmt/format.h>
-// GLFW after GLEW: both declare OpenGL, and GLEW insists on being first.
+// GLFW after GLEW: both declare OpenGL, and GLEW must be included first.
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
@@ -141,7 +141,7 @@ std::optional<Error> load_opengl() {
         return Error{fmt::format("OpenGL's functions could not be loaded ({})",
                                  reinterpret_cast<const char*>(glewGetErrorString(code)))};
     while (glGetError() != GL_NO_ERROR) {
-    }  // GLEW may leave an error
+    }  // GLEW may leave a GL error
     if (!GLEW_VERSION_3_3)
         return Error{
             fmt::format("OpenGL 3.3 is needed, this machine offers {}; update the graphics driver or install "

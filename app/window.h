@@ -1,4 +1,4 @@
-// One native window with an OpenGL 3.3 context and Dear ImGui. With render/, the only place that uses OpenGL.
+// One native window with an OpenGL 3.3 context and Dear ImGui. Only this class and render/gl use OpenGL.
 #pragma once
 
 #include <memory>

@@ -12,8 +12,8 @@ namespace braitenlab {
 
 namespace {
 
-// The strings of the window and of the shipped scenes and exercises. Without a translation, scenes and exercises are
-// shown as their files have them.
+// The strings of the window and of the shipped scenes and exercises. Texts without a translation are shown as in their
+// files.
 Result<Strings> load_strings(const std::filesystem::path& folder, const std::string& language) {
     auto strings = load_language(folder, language);
     if (!strings) return strings;

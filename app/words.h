@@ -23,7 +23,7 @@ std::string native_language(const std::filesystem::path& folder);
 // Fails as load_language does.
 Result<Words> load_words(const std::filesystem::path& folder, const std::string& language);
 
-// Loads another language. On failure the words stay as they are.
+// Loads another language. On failure the words do not change.
 std::optional<Error> change_language(Words&, const std::string& language);
 
 }  // namespace braitenlab

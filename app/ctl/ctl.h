@@ -37,7 +37,7 @@ int check_all();
 // brain gets a row with the error; the other files are still graded.
 int grade_all(const std::string& exercise, const std::vector<std::string>& brain_files, const std::string& csv);
 
-// What a scene, an exercise, a saved run or a brain contains, and what the recogniser calls its brains.
+// Prints the content of a scene, an exercise, a saved run or a brain, and the recognised characters of its brains.
 int show(const std::string& file);
 
 }  // namespace braitenlab

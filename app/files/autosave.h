@@ -1,7 +1,7 @@
 // Autosave: the run and its edits, written every few seconds to a file that the next start offers after a crash.
 //
-// Every running lab holds a lock beside its file. A file whose lock is free belongs to a lab that has crashed or was
-// told to end.
+// Every running lab holds a lock beside its file. If the lock of a file is free, its lab has crashed or was told to
+// end.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@
 
 namespace braitenlab {
 
-// What an autosave contains: plain values, which another thread may write while the lab continues.
+// The content of an autosave: plain values, which another thread may write while the lab runs.
 struct Draft {
     std::string name;
     std::filesystem::path path;
@@ -36,7 +36,7 @@ struct Draft {
 Draft draft_of(const Document&);
 
 // A saved run (see core/io/run_file.h) with one more key, "autosave". `ended`: the lab was told to end and has ended
-// properly.
+// without a crash.
 std::string write_autosave(const Draft&, std::string_view when, bool ended = false);
 
 struct Autosaved {
@@ -75,8 +75,8 @@ public:
     // frame: writes when due. now: the file is on the disk before keep() returns. end: the same, as the last call.
     enum class Occasion { frame, now, end };
 
-    // Looks for leftovers in the folder and keeps the newest. A file that cannot be read is renamed to <name>.broken
-    // and reported in `errors`. With an empty folder, nothing is read or written.
+    // Searches the folder for leftovers and keeps the newest. A file that cannot be read is renamed to <name>.broken
+    // and reported in `errors`. If `folder` is empty, nothing is read or written.
     explicit Autosave(std::filesystem::path folder, std::vector<Error>& errors);
     Autosave(Autosave&&) = default;
     Autosave& operator=(Autosave&&) = default;

@@ -1,4 +1,4 @@
-// Folders as the file browser shows them, and saving what is open.
+// Folders for the file browser, and saving of the open document.
 #pragma once
 
 #include <filesystem>

@@ -79,7 +79,7 @@ struct FileCommands {
         if (!view.leaving) return;
         if (answer == Leave::stay) return view.leaving.reset();
         if (answer == Leave::save) save({view.save_to, FileKind::scene});
-        if (answer != Leave::discard && has_unsaved_edits(lab)) return;  // not written: ask again
+        if (answer != Leave::discard && has_unsaved_edits(lab)) return;  // not written: the sheet stays open
         const std::string next = std::exchange(view.leaving, std::nullopt)->next;
         if (!next.empty()) return open(next, true);
         lab.document.saved_edits = lab.document.edits;

@@ -18,14 +18,14 @@ void execute_file_requests(Lab&, FilesView&, StoredState&, const UserFolders&);
 // True if the scene has edits that are in no file. False for an exercise: its brains are attempts.
 bool has_unsaved_edits(const Lab&);
 
-// True if the document can be left without losing edits. If not, asks the user (FilesView::leaving).
+// True if the document can be closed without losing edits. If not, sets FilesView::leaving, which opens a sheet.
 bool may_leave(const Lab&, FilesView&);
 
 // Call a few times per second. Reloads the open file if another program has written it. If the new file is broken or
 // there are unsaved edits, shows a notice and keeps the document.
 void follow_file(Lab&, FilesView&);
 
-// Updates what the panels see of the document's own file. Call after the document has changed.
+// Updates FilesView for the file of the document. Call after the document has changed.
 void refresh(FilesView&, const Lab&);
 
 }  // namespace braitenlab

@@ -22,7 +22,7 @@ Error not_saved(const fs::path& path, int reason) {
             path.string()};
 }
 
-// The file that a link leads to, so that the link itself is not replaced.
+// The target of a link, so that the link itself is not replaced.
 fs::path behind_links(const fs::path& path) {
     std::error_code problem;
     const fs::path target = fs::weakly_canonical(path, problem);
@@ -53,7 +53,7 @@ FileWriter::~FileWriter() {
     fs::remove(beside_, none);
 }
 
-// Gives up: removes what has been written beside the file and keeps the first error.
+// Aborts: removes the temporary file and stores the first error.
 void FileWriter::fail(int reason) {
     error_ = not_saved(wanted_, reason ? reason : EIO);
     if (!file_) return;

@@ -1,4 +1,4 @@
-// Files that are never left half-written: at any time the file has its old or its new content.
+// Safe writing of files: at any time a file has its complete old or its complete new content.
 #pragma once
 
 #include <cstdio>

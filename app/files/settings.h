@@ -1,5 +1,5 @@
-// What is kept between two starts, in two small TOML files: preferences (settings.toml in the configuration folder) and
-// what the program stores by itself (state.toml in the state folder).
+// The values stored between two starts, in two TOML files: the user's preferences (settings.toml in the configuration
+// folder) and values that the program stores (state.toml in the state folder).
 #pragma once
 
 #include <filesystem>

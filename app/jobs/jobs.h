@@ -34,7 +34,7 @@ struct JobProgress {
     float fraction = 0;               // 0..1, with the progress inside parts
 };
 
-// How jobs.h and jobs.cpp share the work; not for use elsewhere.
+// Implementation of jobs.h, shared with jobs.cpp; not for use elsewhere.
 namespace jobs {
 
 // A job without its types. Each part is stepped by one thread at a time.
@@ -158,7 +158,7 @@ private:
 
 }  // namespace jobs
 
-// Handle of a submitted job. Destruction cancels the job, and so does assigning another. May outlive its Jobs.
+// Handle of a submitted job. Destruction and assignment cancel the job. May outlive its Jobs.
 template <class T>
 class Job {
 public:
@@ -183,7 +183,7 @@ public:
         return std::exchange(std::exchange(work_, nullptr)->result, std::nullopt);
     }
 
-    // Does not wait: a step that runs at this moment still ends. No further step begins, no result is delivered.
+    // Does not wait: a running step is completed. No further step begins, no result is delivered.
     void cancel() {
         if (work_) work_->cancelled.store(true, std::memory_order_relaxed);
         work_.reset();

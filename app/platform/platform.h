@@ -1,5 +1,5 @@
-// What only the operating system can answer or do. Each system has one source file for this header; no other file of
-// the program calls the system.
+// Functions of the operating system. Each system has one source file for this header; no other file of the program
+// calls the system.
 #pragma once
 
 #include <cstdio>
@@ -10,7 +10,7 @@
 
 namespace braitenlab {
 
-// The file of the running program; empty where the system does not tell it.
+// The path of the running program; empty if the system does not provide it.
 std::filesystem::path program_file();
 
 // The user's folders. They may not exist; all are empty if there is no home folder.
@@ -28,10 +28,10 @@ std::FILE* open_for_writing(const std::filesystem::path&);
 // Returns once the content of the file is on the disk. False on failure, with the reason in errno.
 bool flush_to_disk(std::FILE*);
 
-// The same for the names in a folder, on file systems that support it.
+// Returns once the names in the folder are on the disk, on file systems that support it.
 void flush_folder_to_disk(const std::filesystem::path&);
 
-// A lock on a file, held as long as the object lives. The system releases it if the program crashes.
+// A lock on a file, from construction to destruction. The system releases it if the program crashes.
 class FileLock {
 public:
     explicit FileLock(int handle) : handle_(handle) {}
@@ -46,14 +46,14 @@ private:
     int handle_;
 };
 
-// Locks a file, which is created if it does not exist; nullopt if another process holds the lock.
+// Locks a file. Creates the file if it does not exist. nullopt if another process has the lock.
 std::optional<FileLock> lock_file(const std::filesystem::path&);
 
 // True once the system has asked the program to end (end of the desktop session, Ctrl+C in the terminal). The first
 // call installs the handlers; before it, and after the first such request, the system ends the program at once.
 bool is_told_to_end();
 
-// Identifies this process among all running ones.
+// The number of this process, unique among all running processes.
 long process_number();
 
 // The system's language by its two letters ("de" of LANG=de_AT.UTF-8); empty if none is set.
