@@ -11,7 +11,7 @@ void open_menu(CanvasState&, const CanvasFrame&, maths::vec2 at);
 // Opens the menu of neurons at the pointer, for a wire that was dropped there. `pin`: the pin that it starts from.
 void open_drop_menu(CanvasState&, const CanvasFrame&, Hit pin);
 
-// Ends a drag and restores everything as it was at the press.
+// Cancels a drag and restores the state at the press.
 void cancel_drag(CanvasState&, const CanvasFrame&, Outbox&);
 
 void execute(CanvasState&, const CanvasFrame&, Action, Outbox&);

@@ -85,7 +85,7 @@ void follow(CanvasState& state, const LabView& lab, const VehicleView& vehicle,
     before = std::move(now);
 }
 
-// Deselects what the brain does not have any more, for example after an undo.
+// Deselects parts that are no longer in the brain, for example after an undo.
 void drop_stale_selection(CanvasState& state, const Layout& layout) {
     std::erase_if(state.selection.nodes, [&](NodeId id) { return find_shape(layout, id) == nullptr; });
     std::erase_if(state.selection.wires, [&](WireEnds ends) { return find_shape(layout, ends) == nullptr; });

@@ -1,9 +1,9 @@
-// The wiring canvas: a brain as a diagram that is rewired with the mouse or with keys alone.
+// The wiring canvas: a brain as a diagram that the user edits with the mouse or with keys alone.
 //
-// The canvas keeps no graph. It reads the selected vehicle's brain from the snapshot in every frame and keeps view
-// state only: camera, selection, the drag in progress. Every edit leaves as an EditRequest through the outbox: TurnDial
-// for the weights LL, LR, RL, RR (the sliders' numbers), PlaceNodes for node positions, SetBrain for all other edits.
-// All edits of one drag have the same gesture.
+// The canvas stores no graph. It reads the selected vehicle's brain from the snapshot in every frame and stores view
+// state only: camera, selection, the drag in progress. Every edit is sent as an EditRequest through the outbox:
+// TurnDial for the weights LL, LR, RL, RR (the sliders' numbers), PlaceNodes for node positions, SetBrain for all other
+// edits. All edits of one drag have the same gesture.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ namespace braitenlab::wiring {
 
 enum class DragPhase { idle, pending, pan, map, box, move_nodes, drag_wire, drag_weight };
 
-// From a button's press to its release, with the state at the press, which Esc restores.
+// A drag, from a button's press to its release, with the state at the press, which Esc restores.
 struct Drag {
     DragPhase phase = DragPhase::idle;
     Hit pressed;
@@ -33,7 +33,7 @@ struct Drag {
     Positions positions;  // of move_nodes: of the moved nodes
     CanvasSelection selection;
     float weight = 0, travel = 0, sent = 0;  // of drag_weight: at the press, dragged since then, last one sent
-    NodeId fixed = 0;                        // of drag_wire: the node that the wire keeps
+    NodeId fixed = 0;                        // of drag_wire: the node at the other end of the wire
     bool outwards = true;                    // of drag_wire: whether the wire starts at `fixed`
     std::optional<WireEnds> taken;           // of drag_wire: the wire whose end is dragged; nullopt: a new wire
     std::uint64_t gesture = 0;
@@ -46,7 +46,7 @@ struct RefusalNote {
     double until = 0;  // LabView::wall_seconds
 };
 
-// What the previous frame showed: a change of it can move the camera.
+// The view of the previous frame. A change of it can move the camera.
 struct ShownBefore {
     std::uint64_t run_id = 0;
     int kind = -1;  // the vehicle's
@@ -56,11 +56,11 @@ struct ShownBefore {
     float ui_scale = 1;
 };
 
-// What nodes and wires carry in the snapshot, in the order of the layout.
+// The values and signals of nodes and wires in the snapshot, in the order of the layout.
 struct Readings {
     std::vector<float> nodes;    // as Layout::nodes: a sensor's reading, a neuron's or a motor's value
     std::vector<float> learned;  // as Layout::wires: the learned part of a Hebbian wire's weight, else 0
-    std::vector<float> carried;  // as Layout::wires: what the wire delivers
+    std::vector<float> carried;  // as Layout::wires: the signal that the wire delivers
 };
 
 // Equals node_value(), learned() and signal() of each node and wire. Precondition: the layout is of the vehicle's brain
@@ -69,7 +69,7 @@ void update(Readings&, const Snapshot&, const VehicleView&, const BrainGraph& gr
 
 struct CanvasState {
     CanvasCamera camera;
-    Positions held;  // of nodes that are dragged, and after the release until the lab has moved them
+    Positions held;  // of dragged nodes, until the snapshot has their new positions after the release
     CanvasSelection selection;
     Hit focus;                      // node or label that arrow keys start from
     std::optional<NodeId> joining;  // start of a wire that is drawn with keys, to the node in focus
@@ -78,7 +78,7 @@ struct CanvasState {
     BrainFragment clipboard;
     RefusalNote refusal;
     Hit hovered;               // part under the pointer
-    Hit rested;                // part that the pointer is on since `rested_since`
+    Hit rested;                // part under the pointer since `rested_since`
     double rested_since = 0;   // LabView::wall_seconds
     maths::vec2 last_pointer;  // window pixels, in the previous frame
     LayoutCache layout;
@@ -107,7 +107,7 @@ struct Pointer {
     bool shift = false;
 };
 
-// What one frame of input works on.
+// The input of one frame.
 struct CanvasFrame {
     const BrainGraph& graph;  // the vehicle's brain
     const Layout& layout;

@@ -66,7 +66,7 @@ void Pen::text(vec2 unit, float height, float anchor, std::string_view words, Co
     std::string shortened;
     if (room > 0 && width > size(room)) {
         const float fitting = type.pixels * size(room) / width;
-        if (fitting < least && face == Face::small) return;  // no captions that cannot be read
+        if (fitting < least && face == Face::small) return;  // an unreadable caption is left out
         type.pixels = std::max(fitting, ui.px(least_name));
         shortened = fitted(words, [&](std::string_view part) { return width_of(part) <= size(room) + 1; });
         words = shortened;

@@ -1,4 +1,4 @@
-// What all parts of the canvas's picture are drawn with: a pen in canvas units and the state to show.
+// Shared by all parts of the canvas's picture: a pen in canvas units, and the state to draw.
 #pragma once
 
 #include <string_view>
@@ -45,11 +45,11 @@ struct Pen {
     void dot(ImVec2 middle, float radius, ImU32 colour) const;
 };
 
-// How much is drawn at the pen's zoom.
+// The level of detail at the pen's zoom.
 enum class Detail { map, sketch, full };  // boxes and lines; with text as large as it fits; everything
 Detail detail_of(const Pen&);
 
-// What is drawn.
+// The state to draw.
 struct Picture {
     const LabView& view;
     const VehicleView& vehicle;

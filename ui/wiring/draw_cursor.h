@@ -1,4 +1,4 @@
-// Draws what lies over wires and nodes: the minimap, the wire or box being dragged, and notes at the pointer.
+// Draws the parts over wires and nodes: the minimap, the wire or box being dragged, and notes at the pointer.
 #pragma once
 
 #include "ui/wiring/draw.h"

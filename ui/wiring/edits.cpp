@@ -173,13 +173,14 @@ WireDrop drop_of(const CanvasState& state, const CanvasFrame& frame) {
     const Hit under = hit(frame.layout, view_of(state, frame), pointer.at, frame.ui_scale);
     const bool on_pin = under.is_pin();
     if (!on_pin && under.part != Part::node) {
-        if (drag.taken && under.wire == *drag.taken && under.part != Part::nothing) return {};  // back at its old end
+        if (drag.taken && under.wire == *drag.taken && under.part != Part::nothing)
+            return {};  // released on the same wire
         return {drag.taken ? WireDrop::What::take_off : WireDrop::What::new_neuron, {}, {}};
     }
     const Part own = drag.outwards ? Part::out_pin : Part::in_pin;
-    // A card counts as its pin; the card that the wire starts from cancels.
+    // A card is treated as its pin. A release on the card at the fixed end cancels.
     if (under.node == drag.fixed && (!on_pin || under.part == own)) return {};
-    // A sensor has no in-pin: its out-pin then counts as the sensor, and connect() gives the reason.
+    // A sensor has no in-pin: its out-pin is then treated as the sensor, and connect() gives the reason.
     const NodeShape* shape = find_shape(frame.layout, under.node);
     const bool has_no_pin = !drag.outwards && !shape->has_out;  // a motor in a brain without neurons
     if (has_no_pin || (on_pin && under.part == own && shape->has_in))

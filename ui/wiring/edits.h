@@ -16,20 +16,20 @@ std::string refusal_key(Refusal);
 void show_refusal(CanvasState&, const CanvasFrame&, const std::string& key);
 void show_refusal(CanvasState&, const CanvasFrame&, Refusal);
 
-// Sends the edited brain with its nodes where they are shown, or shows the refusal. True when sent.
+// Sends the edited brain with the displayed positions of its nodes, or shows the refusal. Returns true if sent.
 bool send_edit(CanvasState&, const CanvasFrame&, const Edit&, std::uint64_t gesture, Outbox&);
 
 // Sends a wire's weight: as TurnDial where the wire has a dial, so that slider and wire give the same command.
 void send_weight(const CanvasFrame&, const BrainGraph&, WireEnds, float weight, std::uint64_t gesture, Outbox&);
 
-// Sends new positions of these nodes, together with the shown positions of all others: after the first one that is
-// moved by hand no node is tidied.
+// Sends new positions of these nodes, together with the displayed positions of all others: after the user has moved a
+// node, no node is tidied.
 void send_positions(const CanvasFrame&, const Positions& moved, std::uint64_t gesture, Outbox&);
 
 // Selects the part alone; with `add` adds it to the selection, or removes it if it is selected.
 void select(CanvasState&, const Hit&, bool add);
 
-// Removes what is selected.
+// Removes the selected parts.
 void erase_selected(CanvasState&, const CanvasFrame&, Outbox&);
 
 // Copies the selected neurons to the clipboard. False, with a refusal, when there are none.
@@ -47,7 +47,7 @@ void add_chosen(CanvasState&, const CanvasFrame&, const CanvasMenu&, std::size_t
 // Adds a neuron in the middle of a wire.
 void insert_new(CanvasState&, const CanvasFrame&, WireEnds, Outbox&);
 
-// What the release of a dragged wire's end would do.
+// The effect of a release of a dragged wire's end.
 struct WireDrop {
     enum class What { nothing, connect, new_neuron, take_off, refused } what = What::nothing;
     WireEnds ends{};       // of connect

@@ -72,7 +72,7 @@ void inspect_wire(Inspected& in, WireEnds ends) {
 std::string node_heading(const Inspected& in, const Node& node) {
     const float value = in.value(node.id);
     const std::string now = node.kind == NodeKind::sensor ? fixed(value, 2) : with_sign(value, 2);
-    const bool outer = node.kind != NodeKind::neuron;  // its description on the card is small
+    const bool outer = node.kind != NodeKind::neuron;  // the description on the card is small
     return node.name + "  ·  " +
            (outer ? std::string(in.words(description_key(*in.view.now, in.vehicle, node))) + "  ·  " : "") +
            fill(in.words(node.silenced ? "inspector.silenced" : "inspector.stands_at"), {now});
@@ -95,7 +95,7 @@ std::string heading(const Inspected& in) {
     return std::string(in.words("inspector.heading"));
 }
 
-// Moves the keyboard to the first number when the menu or Enter has asked for it.
+// Moves the keyboard focus to the first number after the menu row or Enter that edits the numbers.
 void take_keyboard(Inspected& in) {
     if (!std::exchange(in.state.edit_numbers, false) || in.ui.keyboard == nullptr) return;
     in.ui.keyboard->focus = in.wire() ? "inspector.weight" : "inspector.bias";

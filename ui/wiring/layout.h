@@ -49,17 +49,17 @@ struct Layout {
     bool has_neurons = false;
 };
 
-// Deterministic in graph and `held`. A node is at its position in `held`, else at its own (Node::place), else where
-// tidy() puts it.
+// Depends on the graph and `held` only. The position of a node is that in `held`, else Node::place, else that of
+// tidy().
 Layout lay_out(const BrainGraph&, const Positions& held);
 
-// Keeps the last layout until the graph or the held positions change.
+// Caches the last layout until the graph or the held positions change.
 class LayoutCache {
 public:
     const Layout& get(const std::shared_ptr<const BrainGraph>&, const Positions& held);
 
 private:
-    std::shared_ptr<const BrainGraph> graph_;  // owned, so that no other graph gets its address
+    std::shared_ptr<const BrainGraph> graph_;  // shared ownership, so that no other graph can have the same address
     Positions held_;
     Layout layout_;
 };
@@ -67,7 +67,7 @@ private:
 // The brain with every node at its position in the layout.
 BrainGraph with_positions(BrainGraph, const Layout&);
 
-// An edited brain whose nodes stay where `shown` has them. Positions are written only where tidy() would move a node.
+// An edited brain whose nodes keep their positions in `shown`. Positions are written only if tidy() would move a node.
 BrainGraph keep_positions(BrainGraph edited, const Layout& shown);
 
 // The position nearest to `wanted` where a box of this size covers no card and no label; `wanted` itself when none is

@@ -1,4 +1,4 @@
-// The canvas's menu: what can be done with the selection, with the empty canvas, or at the end of a dropped wire.
+// The canvas's menu: the actions for the selection, for the empty canvas, or at the end of a dropped wire.
 #pragma once
 
 #include <string_view>
@@ -13,7 +13,7 @@ namespace braitenlab::wiring {
 enum class MenuCommand {
     add,  // a neuron of MenuRow::kind
     edit_numbers,
-    join,  // starts a wire that is drawn with keys
+    join,  // begins a wire that is drawn with keys
     insert,
     flip,  // the sign of a weight
     lesion,

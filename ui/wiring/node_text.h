@@ -1,4 +1,4 @@
-// Text about a node: what it is, and its sum in numbers.
+// Text about a node: its description, and its sum in numbers.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace braitenlab::wiring {
 std::string_view description_key(const Snapshot&, const VehicleView&, const Node&);
 
 // "0.42·0.80 + 0.10 → 0.44": each wire's input after threshold and curve times its weight, the bias, and the node's
-// value. A curve f has a line of its own: "0.42·0.80 = 0.34", then "f(0.34) = 0.71 → 0.70"; the value after the arrow
+// value. A curve f is on a separate line: "0.42·0.80 = 0.34", then "f(0.34) = 0.71 → 0.70"; the value after the arrow
 // includes leaky memory and lesions. Wires of weight 0 and cut wires are left out; lines have at most three terms.
 // `value` gives a node's value, `learned` the learned part of a wire's weight.
 // Empty for a sensor and for a node that the graph does not have.

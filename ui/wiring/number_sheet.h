@@ -50,7 +50,7 @@ struct SheetHead {
     std::string_view lesion_words;  // string key of what the lesion does
 };
 
-// Draws from left to right, the sliders in two columns. The user's changes are in the values that it gets.
+// Draws from left to right, the sliders in two columns. The user's changes are written to the values passed to it.
 class NumberSheet {
 public:
     NumberSheet(Inspected&, Curve&, const SheetHead&);

@@ -141,7 +141,7 @@ Positions tidy(const BrainGraph& graph) {
         order_by_sources(feeds, placed, column);
         place_column(placed, column, x, height_of(column.size()));
     }
-    // Tall brains are wide: steep wires and their labels would be too close together.
+    // The width increases with the height, because steep wires and their labels are too close together.
     place_column(placed, motors, std::max({x + column_gap + outer_room, direct_gap, outer * slope}), outer);
     Positions positions;
     for (Index i = 0; i < placed.size(); ++i) positions[graph.nodes[i].id] = *placed[i];

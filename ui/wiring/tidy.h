@@ -19,8 +19,8 @@ Positions tidy(const BrainGraph&);
 
 enum class Arrangement { column, row, even_down, even_across };  // one x; one y; equal vertical or horizontal gaps
 
-// New positions for these nodes. In a column or a row, cards that would overlap are moved apart. Even gaps keep the two
-// outermost nodes. Empty for fewer than two nodes, or three for even gaps.
+// New positions for these nodes. In a column or a row, cards that would overlap are moved apart. With even gaps, the
+// two outermost nodes do not move. Empty for fewer than two nodes, or for fewer than three with even gaps.
 Positions arranged(const Layout&, const std::set<NodeId>&, Arrangement);
 
 }  // namespace braitenlab::wiring

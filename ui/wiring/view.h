@@ -1,4 +1,4 @@
-// How the canvas lies in the window: camera and minimap, and what lies under a pixel, in a box or beside a node.
+// The canvas in the window: camera and minimap, and the parts under a pixel, in a box or beside a node.
 //
 // No Dear ImGui. `area` is the canvas in window pixels, `ui_scale` is window pixels per layout pixel.
 #pragma once
@@ -89,7 +89,7 @@ Rect pin_rect(const View&, maths::vec2 pin);
 
 enum class Direction { left, right, up, down };
 
-// The nearest node or label in a direction; distance across counts 2.2 times. `from` itself when there is none. From
+// The nearest node or label in a direction; distance across it has the weight 2.2. `from` if there is none. From
 // Part::nothing: the node nearest to the upper left corner.
 Hit next_in(Direction, const Layout&, const Hit& from, bool nodes_only = false);
 
