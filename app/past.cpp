@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_bookmarks = 20;
 constexpr std::size_t most_for_exact_drag = 300;  // vehicles; above, a dragged playhead moves between keyframes
 
-// Clears `previous`: interpolating from it would show a jump.
+// Clears `previous`, because an interpolation from it would show a jump.
 void arrive(Lab& lab) {
     lab.playback.previous.clear();
     lab.playback.debt = 0;

@@ -16,7 +16,7 @@ constexpr double hint_interval = 30;       // s after which the next hint is ava
 constexpr double tick_length = 1.0 / 60;   // s, as in core/brain/brain.h
 constexpr double stepping_budget = 0.012;  // s of wall time per frame
 
-// Measures once per second. A shortfall of less than 5 % is not reported: it is hardly visible.
+// Measures once per second. A shortfall of less than 5 % is not reported, because it is not visible.
 void measure_pace(Playback& playback, double wall_seconds, double simulated) {
     constexpr double interval = 1, tolerated = 0.95;
     Pace& pace = playback.pace;

@@ -69,7 +69,7 @@ enum class Action {
     save_as,
     lecture,
 
-    // Handled by widgets, canvas and scene input; the app never gets them.
+    // Handled by widgets, canvas and scene input; not sent to the app.
     slider_LL,
     slider_LR,
     slider_RL,

@@ -196,7 +196,7 @@ bool Autosave::lock() {
     if (lock_) return true;
     std::error_code problem;
     fs::create_directories(folder_, problem);
-    // Process numbers are reused; with the time, the name differs from that of an earlier leftover.
+    // Process numbers are reused. With the time, the name differs from that of an earlier leftover.
     file_ = folder_ / fmt::format("{}-{}{}", std::time(nullptr), process_number(), autosave_extension);
     lock_ = lock_file(lock_of(file_));
     return lock_.has_value();

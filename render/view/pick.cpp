@@ -12,9 +12,9 @@ using maths::vec2;
 
 namespace {
 
-constexpr float generous = 5;        // px, margin around a body
-constexpr float source_reach = 18;   // px, around the foot and the bulb of a source
-constexpr float source_foot = 0.3f;  // m
+constexpr float generous = 5;        // px, margin around a vehicle's body
+constexpr float source_reach = 18;   // px, radius around the foot and the bulb of a source
+constexpr float source_foot = 0.3f;  // m, radius of a source's foot
 
 const Kind* kind_or_null(const Snapshot& now, const VehicleView& vehicle) {
     const auto kind = static_cast<std::size_t>(vehicle.kind);

@@ -31,7 +31,7 @@ struct CardTraits {
 
     // Heights in a column. The cards of a column share it from top to bottom, in the order of the table.
     float most = 1;                   // at most this share of the column; below 1: not squeezed by cards below
-    float least = 0;                  // layout pixels that cards above leave it while it is open
+    float least = 0;                  // layout pixels; minimum height below the cards above, while it is open
     float least_share = 0;            // the same as a share of the column
     bool folds_when_cramped = false;  // folded while the column is too low, unless the user has opened it
 };

@@ -26,9 +26,9 @@ struct FilesState {
     TextField title;                         // of the scene to be saved
     std::string listed;                      // the folder or place listed; a new one is scrolled to its top
     bool begun = false;                      // drawn at least once since it was opened
-    bool asked = false;                      // a request is in progress: `done` tells when it has succeeded
-    int done = 0;                            // FilesView::done at that request
-    std::string replacing;                   // name of an existing file, until the user confirms
+    bool asked = false;     // a request is in progress; it has succeeded when FilesView::done exceeds `done`
+    int done = 0;           // FilesView::done at that request
+    std::string replacing;  // name of an existing file, until the user confirms
 };
 
 // Opens the browser for opening, or for saving as `kind`. The caller sets PanelState::sheet to Sheet::files.

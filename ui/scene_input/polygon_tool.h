@@ -1,5 +1,5 @@
-// Drawing an obstacle: a polygon corner by corner, or a box. A click on the first corner or a double click closes the
-// polygon. Does not use Dear ImGui.
+// Drawing of an obstacle: a polygon corner by corner, or a box. A click on the first corner or a double click closes
+// the polygon. Does not use Dear ImGui.
 #pragma once
 
 #include <string_view>

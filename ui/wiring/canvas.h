@@ -91,7 +91,7 @@ struct CanvasState {
     WireEnds wheel_wire;              // wheel notches over one label are one gesture
     std::uint64_t wheel_gesture = 0;  // 0: none
     ui::CardState inspector;
-    bool edit_numbers = false;          // the inspector takes the keyboard in the next frame
+    bool edit_numbers = false;          // the keyboard focus moves to the inspector in the next frame
     std::vector<Action> actions;        // keys' actions, executed in the next frame
     std::optional<MenuRow> chosen_row;  // chosen with the inspector's buttons, executed in the next frame
 };

@@ -59,7 +59,7 @@ struct Picture {
     const CanvasState& state;
     maths::vec2 low, high;  // corners of the visible canvas, canvas units
 
-    // True when part of a box between two corners is visible, with room for a card's glow around it.
+    // True when part of a box between two corners, with the margin of a card's glow around it, is visible.
     bool is_visible(maths::vec2 from, maths::vec2 to) const {
         constexpr float glow = 24;
         return to.x + glow > low.x && from.x - glow < high.x && to.y + glow > low.y && from.y - glow < high.y;

@@ -142,8 +142,8 @@ void draw_ghost(const Pen& pen, const Picture& picture, const WireShape& shape, 
          look.hovered || look.selected ? p.text : p.second_text.with_alpha(alpha));
 }
 
-// The signal as dots, brighter and larger for a stronger one. In brains of many wires they have no rims and glows,
-// which would take most of a frame's time.
+// The signal as dots, which are brighter and larger for a stronger signal. In brains with many wires they have no rims
+// and glows, because these take most of a frame's time.
 void draw_dots(const Stroke& stroke, const Picture& picture, float carried, Colour colour) {
     constexpr std::size_t many_wires = 60;
     const float strength = std::min(std::abs(carried), 1.0f);

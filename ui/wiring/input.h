@@ -11,7 +11,7 @@ namespace braitenlab::wiring {
 void handle_input(CanvasState&, const CanvasFrame&, Outbox&);
 
 // Queues a key's action for the next frame. False when the canvas does not use the action now: an Esc with nothing to
-// cancel may leave the wiring mode.
+// cancel can end the wiring mode.
 bool press_key(CanvasState&, Action);
 
 }  // namespace braitenlab::wiring
