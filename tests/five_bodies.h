@@ -1,8 +1,8 @@
-// The reference that the one rigid body of a vehicle is held to: a chassis and its wheels as bodies of their own,
+// The reference for the single rigid body of a vehicle: a chassis and its wheels as separate bodies,
 // joined by revolute joints that are locked at 0, with the same wheel laws applied to each wheel's body.
 //
-// For tests and benchmarks only. The constants of the laws are worked out here again from the vehicle's data, so that a
-// mistake in the simulation's own shows.
+// For tests and benchmarks only. The constants of the laws are computed here again from the vehicle's data, so that a
+// mistake in the simulation is detected.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ public:
 
     std::size_t size() const { return vehicles_.size(); }
 
-    // Vehicles stand in rows, in the order of entering.
+    // Vehicles are placed in rows, in the order of their addition.
     void add(const Body& design, const Pose& pose) {
         float on_wheels = 0, driven = 0, gripping = 0;
         for (const Wheel& w : design.wheels) {
@@ -48,7 +48,7 @@ public:
         b2PolygonShape plate;
         plate.SetAsBox(design.length / 2, design.width / 2);
         attach(*made.chassis, plate, chassis, chassis | environment);
-        // The whole has its middle at the origin and turns like the uniform plate that it stands for.
+        // The whole has its middle at the origin and turns like the uniform plate that it represents.
         float inertia = design.mass * (design.length * design.length + design.width * design.width) / 12;
         maths::vec2 moment;
         for (const Wheel& w : design.wheels) {
@@ -75,7 +75,7 @@ public:
         vehicles_.push_back(made);
     }
 
-    // What the two motors are told, −1..1, until the next time.
+    // The commands of the two motors, −1..1, until the next call.
     void command(std::size_t row, float left, float right) { vehicles_[row].command = {left, right}; }
 
     // One tick: every wheel's law, then the physics.
@@ -120,7 +120,7 @@ private:
         b2MassData data;
         data.mass = mass.mass;
         data.center = middle;
-        data.I = mass.inertia + mass.mass * middle.LengthSquared();  // Box2D wants it about the body's own origin
+        data.I = mass.inertia + mass.mass * middle.LengthSquared();  // Box2D expects it about the origin of the body
         body.SetMassData(&data);
     }
 
@@ -144,7 +144,7 @@ private:
         attach(*world_.CreateBody(&definition), box, environment, chassis | wheels);
     }
 
-    // Without density: masses are set as data, and Box2D leaves them alone.
+    // Without density: masses are set as data, and Box2D does not change them.
     static void attach(b2Body& body, const b2Shape& shape, Category category, std::uint16_t collides_with) {
         b2MassData before;
         body.GetMassData(&before);

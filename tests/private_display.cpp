@@ -1,4 +1,4 @@
-// Gives each test process an X display of its own (Xvfb), so that tests of the real window can run side by side: each
+// Gives each test process a separate X display (Xvfb), so that tests of the real window can run side by side: each
 // has its own pointer, keyboard and input focus. BRAITENLAB_TEST_DISPLAY=:N uses an existing display instead.
 #include <csignal>
 #include <cstdlib>

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Each folder and the folders that it may include besides itself. "core" names the files directly in it when asked from
-// within core, and all of core from above.
+// Each folder and the folders that it may include besides itself. "core" names the files directly in it when included
+// from within core, and all of core from above.
 const std::map<std::string, std::vector<std::string>> may_include{
     {"core/maths", {}},
     {"core/mechanics", {"core/maths"}},
@@ -66,7 +66,7 @@ const std::map<std::string, std::vector<std::string>> internal_headers{
     {"core/session/undo.h", {"core/session/"}},
 };
 
-// Files right inside ui/ that every layer of ui may include; they form the layer "ui/shared".
+// Files directly in ui/ that every layer of ui may include; they form the layer "ui/shared".
 const std::vector<std::string> shared_in_ui{"files", "imgui_compat", "lab_view", "request", "shortcuts", "strings"};
 
 std::string folder_of(const std::string& file) {

@@ -1,4 +1,4 @@
-// The rim of the arena, and what stands in the way.
+// The edge of the arena, and obstacles.
 #include <cmath>
 
 #include "tests/core/runs.h"
@@ -81,12 +81,12 @@ TEST(Walls, HoldWhateverStartedOrWasPutBehindThem) {
     EXPECT_LT(std::fabs(now.y), 3);
 }
 
-// A vehicle 2 m left of the middle drives at what stands there.
+// A vehicle 2 m left of the middle drives against the obstacle there.
 Scene at_the_middle(float speed = 0.5f) { return alone({.LM = speed, .RM = speed}, -2, 0, 0); }
 
 TEST(Obstacles, OfAnyShapeStopAVehicleAtTheirSide) {
     Scene wedge = at_the_middle();
-    // A triangle whose left side stands at x = −0.5 from its middle.
+    // A triangle whose left side is at x = −0.5 from its middle.
     wedge.obstacles.push_back({.name = "wedge", .corners = {{-0.5f, -1}, {1, 0}, {-0.5f, 1}}});
     World world = make(wedge);
     EXPECT_NEAR(after(world, 5).vehicles[0].x, -1, 0.03f);  // its front is half a metre ahead
@@ -97,7 +97,7 @@ TEST(Obstacles, OfAnyShapeStopAVehicleAtTheirSide) {
     Scene ghost = at_the_middle();
     ghost.sources.push_back({.name = "lamp"});
     World third = make(ghost);
-    EXPECT_GT(after(third, 5).vehicles[0].x, 2) << "a lamp that is not solid stands in nobody's way";
+    EXPECT_GT(after(third, 5).vehicles[0].x, 2) << "a vehicle passes through a lamp that is not solid";
 }
 
 TEST(Obstacles, WithAMassArePushedAndComeToRest) {
@@ -108,7 +108,7 @@ TEST(Obstacles, WithAMassArePushedAndComeToRest) {
     EXPECT_GT(pushed, 0.5f);
     ASSERT_FALSE(world.apply(ChooseDriver{0, Driver::parked}));
     const float then = after(world, 3).obstacles[0].x;
-    EXPECT_NEAR(after(world, 1).obstacles[0].x, then, 1e-3f) << "the floor brakes what nobody pushes";
+    EXPECT_NEAR(after(world, 1).obstacles[0].x, then, 1e-3f) << "the floor brakes an obstacle that is not pushed";
     Scene heavy = scene;
     heavy.obstacles[0].mass = 5000;
     World slow = make(heavy);
@@ -122,7 +122,7 @@ TEST(Obstacles, ThatMoveGoRoundATorusToo) {
     const float there = after(world, 0.8).obstacles[0].x;
     EXPECT_LT(there, -3.8f);
     EXPECT_GE(there, -5);
-    EXPECT_LT(after(world, 1.2).obstacles[0].x, -4.4f) << "the vehicle pushes it where it is now";
+    EXPECT_LT(after(world, 1.2).obstacles[0].x, -4.4f) << "the vehicle pushes it at its present position";
 }
 
 }  // namespace

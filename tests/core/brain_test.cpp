@@ -261,9 +261,9 @@ BrainGraph with_hebbian_wire(float learning_rate, float decay) {
 TEST(Brain, AHebbianWireGrowsByTheProductOfItsEnds) {
     Thinker learner(with_hebbian_wire(0.6f, 0));
     EXPECT_EQ(learner.brain.learning_wires, (std::vector<std::pair<NodeId, NodeId>>{{0, 2}}));
-    learner.run(60, 0, 1);  // nothing at its start
+    learner.run(60, 0, 1);  // no signal at the start of the wire
     EXPECT_EQ(learner.learned(), 0);
-    learner.run(60, 1, 0);  // nothing at its end
+    learner.run(60, 1, 0);  // no signal at the end of the wire
     EXPECT_EQ(learner.learned(), 0);
     learner.run(1, 0.5f, 0.8f);
     EXPECT_FLOAT_EQ(learner.learned(), 0.6f * 0.5f * 0.8f / 60);

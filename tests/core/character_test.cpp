@@ -15,7 +15,7 @@ Scene shipped(const std::string& name) {
     return *scene;
 }
 
-// The tortoise in its scene, as full as that.
+// The tortoise in its scene with this energy.
 Snapshot tortoise(float energy) {
     Snapshot now = look(make(shipped("tortoise")));
     const Kind& kind = now.scene->kinds[static_cast<std::size_t>(now.vehicles[0].kind)];

@@ -23,7 +23,7 @@ void steps(World& world, int count) {
     for (int i = 0; i < count; ++i) world.step();
 }
 
-TEST(Checkpoint, GoesOnExactlyAsTheSavedRunDoesInEveryShippedSceneFromAnyMoment) {
+TEST(Checkpoint, ContinuesTheSavedRunExactlyFromAnyTickOfEveryShippedScene) {
     maths::Random chance{7, 1};
     for (const auto& path : tests::shipped_scenes()) {
         World world = world_of(path, 3);
@@ -36,13 +36,13 @@ TEST(Checkpoint, GoesOnExactlyAsTheSavedRunDoesInEveryShippedSceneFromAnyMoment)
             steps(restored, more);
             steps(world, more);
             EXPECT_EQ(restored.hash(), world.hash()) << path << " at tick " << world.tick();
-            steps(ahead, 1);  // a third world disturbs nobody
+            steps(ahead, 1);  // a third world does not change the other two
         }
     }
 }
 
-// A prediction may look ahead in a thread of its own: worlds share brains and keyframes, and nothing that changes.
-TEST(Checkpoint, GoesOnTheSameInTwoThreadsAtOnceAsInOne) {
+// A prediction may run in another thread: worlds share brains and keyframes, but no mutable state.
+TEST(Checkpoint, ContinuesInTwoThreadsAsInOne) {
     for (const auto& path : tests::shipped_scenes()) {
         World alone = world_of(path, 3);
         steps(alone, 130);
@@ -61,7 +61,7 @@ TEST(Checkpoint, GoesOnTheSameInTwoThreadsAtOnceAsInOne) {
     }
 }
 
-TEST(Checkpoint, HoldsTheCommandsSinceTheKeyframe) {
+TEST(Checkpoint, StoresTheCommandsSinceTheKeyframe) {
     World world = std::move(*World::create(tests::crowd(12), 5));
     steps(world, 130);
     ASSERT_FALSE(world.apply(TurnDial{{.kind = 0}, Dial::LL, 1.5f}));
@@ -78,7 +78,7 @@ TEST(Checkpoint, HoldsTheCommandsSinceTheKeyframe) {
     EXPECT_EQ(restored.hash(), world.hash());
 }
 
-TEST(Checkpoint, StaysSmallHoweverLongSomebodyDragsWhileTimeStandsStill) {
+TEST(Checkpoint, StaysSmallDuringALongDragInAPausedRun) {
     World world = std::move(*World::create(tests::crowd(12), 5));
     steps(world, 130);
     for (int i = 0; i < 5000; ++i) {
@@ -94,12 +94,12 @@ TEST(Checkpoint, StaysSmallHoweverLongSomebodyDragsWhileTimeStandsStill) {
     EXPECT_EQ(restored.hash(), world.hash());
 }
 
-TEST(Checkpoint, CountsNoContactTwiceWhenTheWorldIsMadeAnew) {
+TEST(Checkpoint, CountsNoContactTwiceWhenTheWorldIsRebuilt) {
     World world = std::move(*World::create(tests::crowd(40), 2));
     Snapshot before, after;
     while (world.tick() % keyframe_ticks != keyframe_ticks - 1 || world.tick() < 3 * keyframe_ticks) world.step();
     world.capture(before);
-    steps(world, 3);  // over the keyframe: a crowd of 40 touches all the time, but little begins in three ticks
+    steps(world, 3);  // past the keyframe: 40 vehicles have many contacts, but few new ones in three ticks
     world.capture(after);
     EXPECT_LE(after.events.contacts - before.events.contacts, 6);
 }

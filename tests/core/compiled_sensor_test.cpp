@@ -15,7 +15,7 @@ using namespace sensing;
 using maths::vec2;
 using tests::Chance;
 
-// How far off the axis a point lies, in rad, and how far away, in m: worked out in another way than the compiled does.
+// The angle of a point from the axis in rad and its distance in m, computed independently of CompiledSensor.
 struct Polar {
     double off_axis, distance;
 };
@@ -26,7 +26,7 @@ Polar seen_from(const Sensor& sensor, const Pose& pose, vec2 point) {
     return {std::fabs(std::remainder(std::atan2(dy, dx) - h - sensor.angle, 2 * maths::pi_d)), std::hypot(dx, dy)};
 }
 
-TEST(CompiledSensor, SeesOfASectorOrTheWholeCircleWhatAnglesAndDistancesSayItShould) {
+TEST(CompiledSensor, AgreesWithAnglesAndDistancesForASectorAndACircle) {
     Chance chance(1);
     int inside = 0, asked = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -38,7 +38,7 @@ TEST(CompiledSensor, SeesOfASectorOrTheWholeCircleWhatAnglesAndDistancesSayItSho
         const bool omni = sensor.shape == SensorShape::omni;
         const double to_rim =
             std::min(std::fabs(at.distance - sensor.range), omni ? 1 : std::fabs(at.off_axis - sensor.fov / 2));
-        if (to_rim < 1e-4) continue;  // a rounding either way
+        if (to_rim < 1e-4) continue;  // rounding decides here
         const bool expected = at.distance < sensor.range && (omni || at.off_axis < sensor.fov / 2);
         const CompiledSensor compiled(sensor);
         ASSERT_EQ(in_field(compiled, sensor_pose(compiled, {pose.x, pose.y}, maths::direction(pose.heading)), point),
@@ -50,7 +50,7 @@ TEST(CompiledSensor, SeesOfASectorOrTheWholeCircleWhatAnglesAndDistancesSayItSho
     EXPECT_LT(inside, asked * 9 / 10);
 }
 
-TEST(CompiledSensor, SeesOfATriangleWhatBarycentricCoordinatesSayItShould) {
+TEST(CompiledSensor, AgreesWithBarycentricCoordinatesForATriangle) {
     Chance chance(2);
     int inside = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -72,7 +72,7 @@ TEST(CompiledSensor, SeesOfATriangleWhatBarycentricCoordinatesSayItShould) {
     EXPECT_GT(inside, 1000);
 }
 
-TEST(CompiledSensor, AnswersByTheGradedFormulaInsideItsFieldAndNotAtAllOutside) {
+TEST(CompiledSensor, FollowsTheGradedFormulaInsideItsFieldAndReadsZeroOutside) {
     Chance chance(3);
     for (int i = 0; i < 20000; ++i) {
         const Sensor sensor = chance.sensor();
@@ -93,14 +93,14 @@ TEST(CompiledSensor, AnswersByTheGradedFormulaInsideItsFieldAndNotAtAllOutside) 
     }
 }
 
-TEST(CompiledSensor, AnswersInFullToWhatSitsOnIt) {
+TEST(CompiledSensor, ReadsOneAtItsPosition) {
     for (const SensorShape shape : {SensorShape::sector, SensorShape::triangle, SensorShape::omni}) {
         const CompiledSensor compiled({.shape = shape, .x = 0});
         EXPECT_EQ(response_to(compiled, sensor_pose(compiled, {2, 1}, {1, 0}), {2, 1}, 0.7f), 0.7f);
     }
 }
 
-TEST(CompiledSensor, HasItsWholeFieldWithinItsBounds) {
+TEST(CompiledSensor, HasBoundsThatContainItsField) {
     Chance chance(4);
     int inside = 0;
     for (int i = 0; i < 20000; ++i) {

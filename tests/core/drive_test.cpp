@@ -1,4 +1,4 @@
-// Wheels on real ground: what a vehicle does against the formulas.
+// Motion of a vehicle on several surfaces, compared with the formulas.
 #include <array>
 #include <cmath>
 
@@ -20,7 +20,7 @@ using tests::make;
 
 const std::array<Surface, 4> surfaces{Surface::none, Surface::ice, Surface::carpet, Surface::sand};
 
-// All of an arena covered with one surface.
+// An arena with one surface.
 Scene on(Surface surface, Scene scene) {
     scene.zones.push_back(
         {.name = "all", .length = scene.arena.width, .width = scene.arena.height, .surface = surface});
@@ -34,7 +34,7 @@ float whole_drag(const FloorConstants& floor) {
     return floor.friction * area;
 }
 
-// Nothing but rolling and grip: a vehicle without motors, set in motion.
+// Only rolling and grip: a vehicle without motors and with an initial velocity.
 Scene motorless() {
     Scene scene = alone({});
     scene.arena.width = scene.arena.height = 2000;
@@ -49,7 +49,7 @@ World set_in_motion(const Scene& scene, vec2 velocity, float turning = 0) {
     });
 }
 
-TEST(Coasting, EndsAfterTheFormulasDistanceOnEverySurface) {
+TEST(Coasting, EndsAtTheDistanceOfTheFormulaOnEverySurface) {
     for (const Surface surface : surfaces) {
         const float speed = 3, drag = whole_drag(floor_constants({}, surface));
         World world = set_in_motion(on(surface, motorless()), {speed, 0});
@@ -60,36 +60,36 @@ TEST(Coasting, EndsAfterTheFormulasDistanceOnEverySurface) {
     }
 }
 
-TEST(Coasting, GoesFiveTimesAsFarOnIceAsOnThePlainFloorAndAThirdAsFarOnCarpet) {
+TEST(Coasting, IsFiveTimesAsLongOnIceAndAThirdAsLongOnCarpet) {
     const auto floor = [](Surface surface) { return whole_drag(floor_constants({}, surface)); };
     EXPECT_FLOAT_EQ(floor(Surface::none) / floor(Surface::ice), 5);
     EXPECT_FLOAT_EQ(floor(Surface::carpet) / floor(Surface::none), 3);
 }
 
-TEST(TopSpeed, IsWhatTheMotorsHoldAgainstTheDragOfEverySurface) {
+TEST(TopSpeed, IsReachedAgainstTheDragOfEverySurface) {
     const Body body;
     for (const Surface surface : surfaces) {
         const FloorConstants floor = floor_constants({}, surface);
         Scene scene = on(surface, alone({.LM = 1, .RM = 1}));
         const float grip = floor.grip * 0.9f * 0.8f * body.mass * mechanics::gravity;
         const float strongest = std::min(2 * body.motor_force, grip), drag = whole_drag(floor);
-        // Motors see how far they are from their speed once a tick, so that they hold it but for the drag of one tick.
+        // Motors correct their speed once per tick, so the error is at most the drag of one tick.
         const float reached = std::min(body.top_speed / (1 + drag / body.mass / 60), strongest / drag);
         World world = make(scene);
         EXPECT_NEAR(after(world, 20).vehicles[0].speed, reached, 0.01f * reached) << static_cast<int>(surface);
     }
 }
 
-TEST(TopSpeed, OfAWeakMotorIsWhereDragEatsItsForce) {
+TEST(TopSpeed, OfAWeakMotorIsWhereDragEqualsItsForce) {
     Scene scene = on(Surface::sand, alone({.LM = 1, .RM = 1}));
     scene.kinds[0].body.motor_force = 8;
     World world = make(scene);
     const float drag = whole_drag(floor_constants({}, Surface::sand));
-    const float reached = 16 / drag * (1 + drag / Body{}.mass / 60);  // the drag is a tick behind the motor
+    const float reached = 16 / drag * (1 + drag / Body{}.mass / 60);  // the drag acts one tick after the motor
     EXPECT_NEAR(after(world, 15).vehicles[0].speed, reached, 0.01f * reached);
 }
 
-TEST(TurningRadius, MeasuredAtTheOriginIsThatOfADifferentialDrive) {
+TEST(TurningRadius, IsThatOfADifferentialDriveAtTheOrigin) {
     for (const auto& [left, right] : {std::pair{0.2f, 0.4f}, {0.4f, 0.3f}, {0.1f, 0.3f}, {-0.1f, 0.3f}}) {
         World world = make(alone({.LM = left, .RM = right}));
         after(world, 3);
@@ -109,7 +109,7 @@ float kinetic_energy(const Body& body, const mechanics::Motion& m) {
     return body.mass / 2 * maths::dot(m.velocity, m.velocity) + inertia / 2 * m.angular_velocity * m.angular_velocity;
 }
 
-// A body with every value anywhere in its range: none of them may shake itself to pieces.
+// A body with random values in their ranges. The simulation must be stable for all of them.
 Body any_body(maths::Random& chance) {
     Body body;
     const auto log_uniform = [&](float low, float high) {
@@ -134,18 +134,18 @@ Body any_body(maths::Random& chance) {
     return body;
 }
 
-TEST(Friction, NeverAddsEnergyWhateverTheBodyTheFloorAndTheMotion) {
+TEST(Friction, NeverAddsEnergyForAnyBodyFloorOrMotion) {
     maths::Random chance{11, 3};
     for (int round = 0; round < 200; ++round) {
         Scene scene = motorless();
         scene.arena.friction = round % 3 == 0 ? 1000 : chance.uniform(0, 100);
         scene.arena.grip = chance.uniform(0, 2);
-        // Motors that are told to stand brake; they are friction, too.
+        // Motors with the command 0 brake; this is friction too.
         if (round % 4 != 0) scene.kinds[0].body = any_body(chance);
         const vec2 velocity{chance.uniform(-5, 5), chance.uniform(-5, 5)};
         World world = set_in_motion(on(surfaces[chance.next() % 4], scene), velocity, chance.uniform(-6, 6));
         Snapshot before = look(world);
-        // The snapshot rounds nothing, so energy is taken from the run itself, tick by tick.
+        // Snapshot values are not rounded: the energy is computed from every tick.
         float energy = INFINITY;
         for (int tick = 0; tick < 120; ++tick) {
             const Snapshot now = after(world, 1.0 / 60);
@@ -162,7 +162,7 @@ TEST(Friction, NeverAddsEnergyWhateverTheBodyTheFloorAndTheMotion) {
     }
 }
 
-TEST(MotorMismatch, PullsAVehicleAsideTheSameWayInEveryRunAndNotAtAllByDefault) {
+TEST(MotorMismatch, TurnsAVehicleTheSameWayInEveryRunAndIsZeroByDefault) {
     Scene scene = alone({.LM = 0.6f, .RM = 0.6f});
     scene.kinds[0].body.mismatch = 0.1f;
     World one = make(scene, 4), same = make(scene, 4), other = make(scene, 5);
@@ -172,13 +172,13 @@ TEST(MotorMismatch, PullsAVehicleAsideTheSameWayInEveryRunAndNotAtAllByDefault) 
     EXPECT_NE(after(other, 5).vehicles[0].y, aside);
 }
 
-TEST(DeadBand, LeavesAMotorStillBelowItAndAloneAbove) {
+TEST(DeadBand, StopsAMotorBelowItAndHasNoEffectAboveIt) {
     Scene scene = alone({.LM = 0.19f, .RM = -0.19f});
     scene.kinds[0].body.dead_band = 0.2f;
     World still = make(scene);
     const Snapshot now = after(still, 2);
     EXPECT_EQ(now.vehicles[0].heading, 0);
-    EXPECT_EQ(now.vehicles[0].motor[0], 0.19f);  // the command is shown as it was given
+    EXPECT_EQ(now.vehicles[0].motor[0], 0.19f);  // the command is unchanged
     scene.kinds[0].brain = make_graph({.LM = 0.21f, .RM = 0.21f});
     World moving = make(scene);
     EXPECT_NEAR(after(moving, 3).vehicles[0].speed, 0.21f * 3, 0.01f);
@@ -193,7 +193,7 @@ Scene under(Zone zone, const Scene& base) {
     return scene;
 }
 
-TEST(Wind, PushesWhatRollsFreelyAndIsHeldByBrakedWheels) {
+TEST(Wind, PushesARollingVehicleButNotABrakedOne) {
     Scene rolling = motorless();
     World free = make(under({.wind_x = 3}, rolling));
     // The speed of a body under a constant force and a drag that grows with speed.
@@ -205,12 +205,12 @@ TEST(Wind, PushesWhatRollsFreelyAndIsHeldByBrakedWheels) {
     EXPECT_NEAR(std::hypot(stands.x, stands.y), 0, 0.01f);
 }
 
-TEST(Wind, CarriesAwayWhatItsGripCannotHold) {
+TEST(Wind, PushesAVehicleWithoutEnoughGrip) {
     World world = make(under({.surface = Surface::ice, .wind_x = 50}, alone({})));
     EXPECT_GT(after(world, 3).vehicles[0].x, 5);
 }
 
-TEST(Slope, DrawsDownhillAsGravityDoes) {
+TEST(Slope, PullsDownhillLikeGravity) {
     const float angle = maths::radians(10);
     World world = make(under({.heading = maths::pi / 2, .slope = angle}, [] {
         Scene scene = motorless();
@@ -223,9 +223,9 @@ TEST(Slope, DrawsDownhillAsGravityDoes) {
     EXPECT_NEAR(after(world, 2).vehicles[0].speed, wanted, 0.01f * wanted);
 }
 
-TEST(Pull, DrawsToItsMiddleAndHoldsThereAndANegativeOneDrivesAway) {
+TEST(Pull, PullsToItsCentreAndANegativePullRepels) {
     Scene scene = motorless();
-    for (Wheel& wheel : scene.kinds[0].body.wheels) wheel.grip = 0;  // slides every way
+    for (Wheel& wheel : scene.kinds[0].body.wheels) wheel.grip = 0;  // slides in every direction
     scene.starts[0].x = 3;
     scene.starts[0].y = -2;
     scene.arena.friction = 400;

@@ -1,4 +1,4 @@
-// Ecology: energy, recharging, roles that follow from the wiring, what is counted.
+// Ecology: energy, recharging, roles by wiring, and counted events.
 #include <cmath>
 
 #include "tests/core/runs.h"
@@ -14,7 +14,7 @@ using tests::begin_with;
 using tests::look;
 using tests::make;
 
-TEST(Recharging, GivesEnergyOnItsZoneOnlyAndNeverMoreThanAll) {
+TEST(Recharging, GivesEnergyOnlyInItsZoneAndAtMostOne) {
     Scene scene = alone({});
     scene.kinds[0].driver = Driver::parked;
     scene.starts.push_back({.name = "beside", .kind = "tester", .x = 3});
@@ -28,7 +28,7 @@ TEST(Recharging, GivesEnergyOnItsZoneOnlyAndNeverMoreThanAll) {
     EXPECT_EQ(now.vehicles[0].energy, 1);
 }
 
-// Hunters and hunted that no file calls so: crossed eyes for others are drawn to them, uncrossed ones driven away.
+// Predators and prey by wiring only: crossed wires approach other vehicles, uncrossed wires avoid them.
 Scene by_wiring() {
     Scene scene = alone({});
     scene.kinds.clear();
@@ -40,7 +40,7 @@ Scene by_wiring() {
     return scene;
 }
 
-TEST(RoleByWiring, MakesWhoeverIsDrawnToOthersAPredatorAndBitesFollow) {
+TEST(RoleByWiring, MakesAVehicleThatApproachesOthersAPredatorThatBites) {
     World world = make(by_wiring());
     Snapshot now = look(world);
     EXPECT_EQ(now.vehicles[0].role, Role::predator);
@@ -50,7 +50,7 @@ TEST(RoleByWiring, MakesWhoeverIsDrawnToOthersAPredatorAndBitesFollow) {
     EXPECT_LT(now.vehicles[1].energy, 1);
 }
 
-TEST(RoleByWiring, FollowsTheWiringWhenItIsChanged) {
+TEST(RoleByWiring, ChangesWithTheWiring) {
     World world = make(by_wiring());
     ASSERT_FALSE(world.apply(SetBrain{{.vehicle = 0}, make_graph({.LL = 1, .RR = 1})}));
     EXPECT_EQ(look(world).vehicles[0].role, Role::prey);
@@ -58,31 +58,31 @@ TEST(RoleByWiring, FollowsTheWiringWhenItIsChanged) {
     EXPECT_EQ(look(world).vehicles[0].role, Role::none);
 }
 
-TEST(RoleByWiring, DecidesWhoComesAfterTheStarved) {
+TEST(RoleByWiring, DeterminesTheKindThatReplacesAStarvedVehicle) {
     World world = begin_with(by_wiring(), [](State& m) { m.vehicles.energy = {0, 1}; });
     const Snapshot now = after(world, 1.0 / 60);
     ASSERT_EQ(now.vehicles.size(), 2u);
     EXPECT_EQ(now.events.deaths, 1);
     EXPECT_EQ(now.events.births, 1);
-    EXPECT_EQ(now.vehicles[1].kind, 1) << "a predator starved, so prey enters";
+    EXPECT_EQ(now.vehicles[1].kind, 1) << "a predator has starved, so prey is added";
     EXPECT_EQ(now.vehicles[1].energy, 1);
 }
 
-TEST(Events, CountAContactOnceForAsLongAsItLasts) {
+TEST(Events, CountALongContactOnce) {
     Scene scene = alone({.LM = 0.5f, .RM = 0.5f});
     scene.arena.width = scene.arena.height = 6;
     World world = make(scene);
     const std::int64_t met = after(world, 4).events.contacts;
     EXPECT_GE(met, 1);
-    EXPECT_LE(met, 3) << "it may bounce";
-    EXPECT_EQ(after(world, 10).events.contacts, met) << "across keyframes, too";
+    EXPECT_LE(met, 3) << "the vehicle may bounce";
+    EXPECT_EQ(after(world, 10).events.contacts, met) << "also across keyframes";
 }
 
-TEST(Events, CountABiteOnceASecondAndPairHoweverManyBiteAtOnce) {
+TEST(Events, CountOneBitePerSecondAndPairForAnyNumberOfPredators) {
     Scene scene = tests::crowd(0);
     scene.ecology.bite = 0.001f;
     for (Kind& kind : scene.kinds) kind.driver = Driver::parked;
-    // Prey in the middle of four hunters that touch it from all sides.
+    // Prey between four predators that touch it from all sides.
     scene.starts.push_back({.name = "prey", .kind = "hunted"});
     for (int i = 0; i < 4; ++i) {
         const maths::vec2 at = maths::direction(maths::pi / 2 * static_cast<float>(i));
@@ -94,7 +94,7 @@ TEST(Events, CountABiteOnceASecondAndPairHoweverManyBiteAtOnce) {
                                 .heading = maths::pi / 2 * static_cast<float>(i)});
     }
     World world = make(scene);
-    ASSERT_FALSE(world.apply(MoveVehicle{1, 4, 4, 0}));  // the first of them comes later than the others
+    ASSERT_FALSE(world.apply(MoveVehicle{1, 4, 4, 0}));  // the first predator arrives later than the others
     EXPECT_EQ(after(world, 0.5).events.captures, 3);
     ASSERT_FALSE(world.apply(MoveVehicle{1, 0.999f, 0, 0}));
     EXPECT_EQ(after(world, 0.4).events.captures, 4);

@@ -49,7 +49,7 @@ TEST(Edit, ConnectRefusesAnExistingWireAWireIntoASensorAndAMissingNode) {
     EXPECT_EQ(connect(aggressor(), {SL, 99}).refusal, Refusal::missing);
 }
 
-TEST(Edit, SetWeightClampsToTheRangeAndIgnoresWhatIsNotFinite) {
+TEST(Edit, SetWeightClampsToTheRangeAndIgnoresNonFiniteValues) {
     EXPECT_EQ(weight_of(*set_weight(aggressor(), {SL, MR}, 9).graph, {SL, MR}), 2);
     EXPECT_EQ(weight_of(*set_weight(aggressor(), {SL, MR}, -9).graph, {SL, MR}), -2);
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -75,13 +75,13 @@ TEST(Edit, RemoveLeavesADirectWireWithoutParameters) {
     EXPECT_TRUE(is_four_neurons(*edit.graph));
 }
 
-TEST(Edit, RemoveTakesANeuronWithItsWires) {
+TEST(Edit, RemoveErasesANeuronAndItsWires) {
     const Edit edit = remove(with_hidden(), {4}, {});
     ASSERT_TRUE(edit);
     EXPECT_EQ(*edit.graph, aggressor());
 }
 
-TEST(Edit, RemoveTakesOutAWireThatIsNotDirect) {
+TEST(Edit, RemoveErasesAWireThatIsNotDirect) {
     const Edit edit = remove(with_hidden(), {}, {{SL, 4}});
     ASSERT_TRUE(edit);
     EXPECT_EQ(find_wire(*edit.graph, SL, 4), nullptr);
@@ -140,7 +140,7 @@ TEST(Edit, SetLesionSilencesCutsAndHealsWithoutLosingParameters) {
     EXPECT_FALSE(all_lesioned(aggressor(), {}, {}));
 }
 
-TEST(Edit, SetParametersClampsANodeAndKeepsWhatIsNotFinite) {
+TEST(Edit, SetParametersClampsANodeAndIgnoresNonFiniteValues) {
     const BrainGraph graph = with_neurons(1);
     Node node = *find_node(graph, 4);
     node.bias = 7, node.time_constant = -1, node.curve.width = 0, node.name = "other";
@@ -153,7 +153,7 @@ TEST(Edit, SetParametersClampsANodeAndKeepsWhatIsNotFinite) {
     EXPECT_EQ(made.name, "N1");
 }
 
-TEST(Edit, SetParametersClampsAWireAndKeepsWhatIsNotFinite) {
+TEST(Edit, SetParametersClampsAWireAndIgnoresNonFiniteValues) {
     const BrainGraph graph = with_neurons(1);
     Wire wire = *find_wire(graph, SL, MR);
     wire.weight = 9, wire.learning_rate = -3, wire.decay = std::numeric_limits<float>::infinity();

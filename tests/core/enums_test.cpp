@@ -19,7 +19,7 @@ static_assert(is_complete_table<complete>());
 static_assert(!is_complete_table<without_green>());
 static_assert(!is_complete_table<in_wrong_order>());
 
-TEST(Enums, GiveEveryEnumeratorAWordThatNoOtherHas) {
+TEST(Enums, GiveEveryEnumeratorAUniqueWord) {
     const auto check = [](const auto& table) {
         std::set<std::string_view> words;
         for (const auto& row : table) {
@@ -32,7 +32,7 @@ TEST(Enums, GiveEveryEnumeratorAWordThatNoOtherHas) {
     check(node_kind_table), check(responses);
 }
 
-TEST(Enums, GiveNoWordToAValueThatIsNoEnumerator) { EXPECT_EQ(word(static_cast<Channel>(channel_count)), ""); }
+TEST(Enums, GiveNoWordToAnInvalidValue) { EXPECT_EQ(word(static_cast<Channel>(channel_count)), ""); }
 
 // A vehicle with one sensor for the channel, 3 m before a source of the same channel.
 std::string scene_with(std::string_view channel) {
@@ -42,7 +42,7 @@ std::string scene_with(std::string_view channel) {
            "\"\nx = 3\n";
 }
 
-TEST(Enums, LetASensorOfEverySourceChannelReadASourceBeforeIt) {
+TEST(Enums, LetASensorOfEverySourceChannelReadASourceInFrontOfIt) {
     for (const ChannelTraits& row : channel_table) {
         if (!row.is_source) continue;
         const auto scene = parse_scene(scene_with(row.word), "scene.toml");
@@ -55,7 +55,7 @@ TEST(Enums, LetASensorOfEverySourceChannelReadASourceBeforeIt) {
     }
 }
 
-TEST(Enums, WriteEveryChannelSoThatItReadsBack) {
+TEST(Enums, WriteAndReadBackEveryChannel) {
     for (const ChannelTraits& row : channel_table) {
         const auto scene = parse_scene(scene_with(row.word), "scene.toml");
         ASSERT_TRUE(scene) << scene.error().text();

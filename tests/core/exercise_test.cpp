@@ -63,7 +63,7 @@ TEST(Exercise, EveryShippedFileIsRead) {
     }
 }
 
-TEST(Exercise, EveryShippedOneFailsAsShippedAndPassesWithItsSolutionOnEverySeed) {
+TEST(Exercise, EveryShippedExerciseFailsAsShippedAndPassesWithItsSolutionForEverySeed) {
     for (const fs::path& path : shipped_exercises()) {
         const auto exercise = load_exercise(path);
         ASSERT_TRUE(exercise) << exercise.error().text();
@@ -73,7 +73,7 @@ TEST(Exercise, EveryShippedOneFailsAsShippedAndPassesWithItsSolutionOnEverySeed)
     }
 }
 
-TEST(Exercise, TheAggressorIsNotPassedByAnyOtherOfTheClassicVehicles) {
+TEST(Exercise, NoOtherClassicVehiclePassesTheAggressorExercise) {
     const auto exercise = load_exercise(guided / "05-aggressor.toml");
     ASSERT_TRUE(exercise) << exercise.error().text();
     const std::vector<FourNeurons> others{
@@ -87,7 +87,7 @@ TEST(Exercise, TheAggressorIsNotPassedByAnyOtherOfTheClassicVehicles) {
         EXPECT_FALSE(grade(*exercise, with_brain(*exercise, make_graph(other))).good);
 }
 
-TEST(Exercise, ItsOwnSettingsAreAppliedBeforeTheGivenOnes) {
+TEST(Exercise, SettingsOfTheFileAreAppliedBeforeTheGivenOnes) {
     const auto own = load_exercise(guided / "05-aggressor.toml");
     ASSERT_TRUE(own) << own.error().text();
     EXPECT_EQ(read_dials(own->scene.kinds[0].brain).LL, 1.5f);
@@ -134,7 +134,7 @@ TEST(Exercise, AStepCombinesChecks) {
     EXPECT_EQ(exercise->steps[1].check.hold, 2);
 }
 
-TEST(Exercise, EveryGoalNeedsAllItsKeysAndNoKeyOfAnother) {
+TEST(Exercise, EveryGoalRequiresItsKeysAndRefusesOtherKeys) {
     const auto error_of = [](const std::string& check) {
         const auto exercise = parse_exercise(with_check(check), guided / "x.toml");
         return exercise ? std::string("accepted") : exercise.error().text();
@@ -224,7 +224,7 @@ TEST(Exercise, AnErrorNamesTheLineAndTheNearestWord) {
             EXPECT_EQ(exercise.error().line, line_of(text, mistake.at)) << told;
         }
         for (const std::string& part : mistake.told)
-            EXPECT_NE(told.find(part), std::string::npos) << told << "\nwanted: " << part;
+            EXPECT_NE(told.find(part), std::string::npos) << told << "\nexpected: " << part;
     }
 }
 
@@ -246,7 +246,7 @@ void survive(const std::string& text) {
     EXPECT_TRUE(exercise || !exercise.error().what.empty());
 }
 
-TEST(Exercise, AFileThatIsCutOrChangedAnywhereGivesAnErrorOrAnExercise) {
+TEST(Exercise, ATruncatedOrChangedFileGivesAnErrorOrAnExercise) {
     maths::Random chance(3, 3);
     const std::string bits = "\"'[]{}=.,#\\\n-+09eLR\xff";
     for (std::size_t i = 0; i < 300; ++i) {

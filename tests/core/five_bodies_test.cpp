@@ -1,4 +1,4 @@
-// The one rigid body of a vehicle against the five that it stands for.
+// The single rigid body of a vehicle, compared with a chassis and four wheels as five bodies.
 #include "tests/five_bodies.h"
 
 #include <array>
@@ -13,7 +13,7 @@ namespace braitenlab::tests::five_bodies_test {
 namespace {
 
 using namespace world;
-// What the motors are told, a second and a quarter each: five seconds in all.
+// Motor commands, 1.25 s each: five seconds in total.
 using Drive = std::array<std::array<float, 2>, 4>;
 
 const std::array<Drive, 10> drives{{
@@ -30,7 +30,7 @@ const std::array<Drive, 10> drives{{
 }};
 constexpr int ticks_a_leg = 75;
 
-// How far apart one body and five end after the same commands.
+// The differences between one body and five bodies after the same commands.
 struct Gap {
     float position = 0, heading = 0, path = 0;  // m, rad, m
 };
@@ -74,11 +74,11 @@ void expect_the_same_drives(const Arena& arena) {
     }
 }
 
-TEST(FiveBodies, EndTenDrivesWhereTheOneBodyDoes) { expect_the_same_drives(floor_with(40, 1)); }
-TEST(FiveBodies, EndTenDrivesWhereTheOneBodyDoesOnIce) { expect_the_same_drives(floor_with(8, 0.1f)); }
-TEST(FiveBodies, EndTenDrivesWhereTheOneBodyDoesInSand) { expect_the_same_drives(floor_with(400, 0.6f)); }
+TEST(FiveBodies, EndTenDrivesAtThePoseOfOneBody) { expect_the_same_drives(floor_with(40, 1)); }
+TEST(FiveBodies, EndTenDrivesAtThePoseOfOneBodyOnIce) { expect_the_same_drives(floor_with(8, 0.1f)); }
+TEST(FiveBodies, EndTenDrivesAtThePoseOfOneBodyInSand) { expect_the_same_drives(floor_with(400, 0.6f)); }
 
-TEST(FiveBodies, RestAtTheWallWhereTheOneBodyDoes) {
+TEST(FiveBodies, StopAtAWallAtThePoseOfOneBody) {
     Arena arena = floor_with(40, 1);
     arena.width = arena.height = 8;
     const Gap gap = gap_after(drives[1], arena);  // at full speed into the wall

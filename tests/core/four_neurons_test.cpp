@@ -22,7 +22,7 @@ TEST(FourNeurons, ComputeTheTwoMotorEquations) {
     EXPECT_FLOAT_EQ(motors[1], 0.8f * 0.125f + 0.4f * 0.75f - 0.2f);
 }
 
-TEST(FourNeurons, DialsReadBackTheirValueAndClamp) {
+TEST(FourNeurons, DialsReturnTheirValueAndClamp) {
     BrainGraph graph = make_graph({});
     turn(graph, Dial::RL, 1.25f);
     turn(graph, Dial::threshold_RL, 0.5f);
@@ -33,7 +33,7 @@ TEST(FourNeurons, DialsReadBackTheirValueAndClamp) {
     EXPECT_TRUE(is_four_neurons(graph));
 }
 
-TEST(FourNeurons, DialsReachTheDirectWiresOfALargerGraph) {
+TEST(FourNeurons, DialsSetTheDirectWiresOfALargerGraph) {
     BrainGraph graph = make_graph({.LL = 1});
     graph.nodes.push_back({.id = 9, .kind = NodeKind::neuron, .name = "N"});
     std::erase_if(graph.wires, [](const Wire& w) { return w.from == 0 && w.to == 3; });
@@ -43,7 +43,7 @@ TEST(FourNeurons, DialsReachTheDirectWiresOfALargerGraph) {
     EXPECT_EQ(read_dials(graph).LL, 1);
 }
 
-TEST(FourNeurons, DirectDialKnowsTheWiresOfTheFourWeights) {
+TEST(FourNeurons, DirectDialReturnsTheDialOfEachOfTheFourWires) {
     using namespace four_neuron_ids;
     BrainGraph graph = make_graph({});
     graph.nodes.push_back({.id = 4, .kind = NodeKind::neuron, .name = "N1"});

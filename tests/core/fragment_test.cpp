@@ -40,7 +40,7 @@ TEST(Fragment, PasteGivesNewIdsAndFreeNamesAndKeepsTheWiresAmongThem) {
     EXPECT_TRUE(compile(made, eyes));
 }
 
-TEST(Fragment, PasteKeepsTheNeuronsArrangementAroundTheWantedMiddle) {
+TEST(Fragment, PasteKeepsTheArrangementAroundTheGivenCentre) {
     const BrainGraph graph = row_of_neurons(2);
     const Pasted pasted = paste_fragment(graph, copy_fragment(graph, {4, 5}), {100.4f, 50});
     ASSERT_TRUE(pasted.edit);
@@ -48,7 +48,7 @@ TEST(Fragment, PasteKeepsTheNeuronsArrangementAroundTheWantedMiddle) {
     EXPECT_EQ(find_node(*pasted.edit.graph, 7)->place, (vec2{200, 50}));
 }
 
-TEST(Fragment, PasteLeavesOutWiresToNodesThatTheOtherBrainDoesNotHave) {
+TEST(Fragment, PasteOmitsWiresToNodesThatTheOtherBrainLacks) {
     const BrainGraph graph = *connect(row_of_neurons(1), {SL, 4}).graph;
     const Pasted pasted = paste_fragment(BrainGraph{}, copy_fragment(graph, {4, SL}), {});
     ASSERT_TRUE(pasted.edit);

@@ -49,7 +49,7 @@ bool done_by(const Exercise& exercise, const std::vector<std::pair<float, float>
 
 const Goal near_lamp = goals::Touches{"lamp", 1}, near_fire = goals::Touches{"fire", 1};
 
-TEST(Goals, EveryGoalHasAWordOfItsOwn) {
+TEST(Goals, EveryGoalHasAUniqueWord) {
     std::set<std::string_view> words;
     const auto insert = [&]<class... Goals>(const std::variant<Goals...>&) {
         (words.insert(Goals::traits.word), ...);
@@ -66,14 +66,14 @@ TEST(Goals, TheStateOfAGoalHasTheIndexOfTheGoal) {
     expect(Goal{});
 }
 
-TEST(Goals, ACheckIsAboutTheVehicleThatItNamesAndElseAboutTheFirst) {
+TEST(Goals, ACheckAppliesToTheNamedVehicleOrToTheFirst) {
     EXPECT_TRUE(done_by(with({near_lamp}), {{0, 5}}));
     EXPECT_FALSE(done_by(with({near_lamp}), {{5, 0}}));
     EXPECT_TRUE(done_by(with({near_lamp, "two"}), {{5, 0}}));
     EXPECT_FALSE(done_by(with({near_lamp, "two"}), {{0, 5}}));
 }
 
-TEST(Goals, AGoalIsHeldWithoutABreak) {
+TEST(Goals, AHeldGoalRequiresContinuousTime) {
     const Exercise exercise = with({near_lamp, "", 0.1f});  // 6 ticks
     const auto positions = [](int near, int away, int again) {
         std::vector<std::pair<float, float>> all(static_cast<std::size_t>(near), {0, 50});
@@ -87,7 +87,7 @@ TEST(Goals, AGoalIsHeldWithoutABreak) {
     EXPECT_TRUE(done_by(exercise, positions(6, 1, 7)));
 }
 
-TEST(Goals, AHeldGoalShowsItsPresentValueAndHowLongItHasBeenMet) {
+TEST(Goals, AHeldGoalShowsItsPresentValueAndItsTime) {
     const Exercise exercise = with({near_lamp, "", 0.5f});
     Referee referee(exercise);
     for (std::uint64_t tick = 0; tick < 13; ++tick) referee.watch(at(exercise, tick, 0.25f));
@@ -98,13 +98,13 @@ TEST(Goals, AHeldGoalShowsItsPresentValueAndHowLongItHasBeenMet) {
               (std::vector<Measure>{{2, 1, "m", true, false}, {0, 0.5f, "s", false, false}}));
 }
 
-TEST(Goals, AllOfNeedsItsChecksAtTheSameTime) {
+TEST(Goals, AllOfRequiresItsChecksAtTheSameTick) {
     const Exercise exercise = with({goals::AllOf{{{near_lamp}, {near_fire, "two"}}}});
     EXPECT_FALSE(done_by(exercise, {{0, 5}, {5, 10}}));
     EXPECT_TRUE(done_by(exercise, {{0, 5}, {0, 10}}));
 }
 
-TEST(Goals, AnyOfNeedsOneOfItsChecks) {
+TEST(Goals, AnyOfRequiresOneOfItsChecks) {
     const Exercise exercise = with({goals::AnyOf{{{near_lamp}, {near_fire}}}});
     EXPECT_FALSE(done_by(exercise, {{5, 0}}));
     EXPECT_TRUE(done_by(exercise, {{0, 0}}));
@@ -117,7 +117,7 @@ TEST(Goals, ACombinationIsHeldAsAWhole) {
     EXPECT_FALSE(done_by(exercise, {{0, 0}, {5, 0}, {0, 0}}));
 }
 
-TEST(Goals, ACombinationNamesTheVehicleOfTheChecksThatNameNone) {
+TEST(Goals, ACombinationGivesItsVehicleToChecksWithoutOne) {
     const Exercise exercise = with({goals::AllOf{{{near_lamp}, {near_fire, "one"}}}, "two"});
     EXPECT_TRUE(done_by(exercise, {{10, 0}}));
     EXPECT_FALSE(done_by(exercise, {{0, 10}}));

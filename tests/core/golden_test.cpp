@@ -1,6 +1,6 @@
-// The golden hashes: every shipped scene, seed 1, 30 s. They guard determinism, in debug and in release alike.
+// The golden hashes: every shipped scene, seed 1, 30 s. They check determinism in debug and release builds.
 //
-// A hash that changes is a decision: the tick, a scene or a law has changed, and the commit says which and why.
+// A hash changes only with the tick, a scene or a physical law. The commit message says which and why.
 #include <filesystem>
 #include <map>
 #include <set>
@@ -25,7 +25,7 @@ const std::map<std::string, std::string> golden{
 
 const std::filesystem::path scenes = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "scenes";
 
-TEST(GoldenHash, OfEveryShippedSceneIsAsItWas) {
+TEST(GoldenHash, OfEveryShippedSceneIsUnchanged) {
     for (const auto& [name, hash] : golden) {
         const auto scene = load_scene(scenes / (name + ".toml"));
         ASSERT_TRUE(scene) << scene.error().text();
@@ -36,7 +36,7 @@ TEST(GoldenHash, OfEveryShippedSceneIsAsItWas) {
     }
 }
 
-TEST(GoldenHash, IsThereForEveryShippedScene) {
+TEST(GoldenHash, ExistsForEveryShippedScene) {
     for (const auto& entry : std::filesystem::directory_iterator(scenes))
         EXPECT_TRUE(golden.contains(entry.path().stem().string())) << entry.path();
 }

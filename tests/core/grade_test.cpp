@@ -11,7 +11,7 @@ Exercise aggressor() {
     return *exercise;
 }
 
-TEST(Grade, IsTheSameEveryTimeAndCountsThePassedStarts) {
+TEST(Grade, IsRepeatableAndCountsThePassedStarts) {
     const Exercise exercise = aggressor();
     const Submission half = with_brain(exercise, make_graph({.LR = 0.4f, .RL = 0.4f, .LM = 0.3f, .RM = 0.3f}));
     const Grade one = grade(exercise, half), two = grade(exercise, half);
@@ -25,7 +25,7 @@ TEST(Grade, ABrainThatDoesNotCompilePassesNoStart) {
     EXPECT_EQ(grade(exercise, with_brain(exercise, BrainGraph{})).count, 0);
 }
 
-TEST(Grade, OneStartPassesByItselfAsItDoesAmongAll) {
+TEST(Grade, OneStartPassesAloneAsItDoesAmongAll) {
     const Exercise exercise = aggressor();
     const Submission half = with_brain(exercise, make_graph({.LR = 0.4f, .RL = 0.4f, .LM = 0.3f, .RM = 0.3f}));
     const Grade all = grade(exercise, half);

@@ -11,7 +11,7 @@ namespace braitenlab::tests::ground_test {
 namespace {
 
 using namespace sensing;
-// Worked out from the zone itself, without cells.
+// Computed directly from the zone, without cells.
 bool covers(const Zone& zone, maths::vec2 place) {
     const maths::vec2 ahead = maths::direction(zone.heading);
     const maths::vec2 p = maths::rotate(place - maths::vec2{zone.x, zone.y}, {ahead.x, -ahead.y});
@@ -22,7 +22,7 @@ bool covers(const Zone& zone, maths::vec2 place) {
 
 using maths::vec2;
 
-TEST(Ground, IsThePlainFloorWhereThereIsNoZone) {
+TEST(Ground, IsThePlainFloorOutsideZones) {
     Scene scene;
     scene.arena.friction = 17;
     const Ground ground(scene);
@@ -32,7 +32,7 @@ TEST(Ground, IsThePlainFloorWhereThereIsNoZone) {
     EXPECT_FALSE(ground.has_surfaces || ground.pushes || ground.recharges);
 }
 
-TEST(Ground, OfOverlappingZonesTakesTheLastSurfaceAndAddsUpTheRest) {
+TEST(Ground, UsesTheLastSurfaceOfOverlappingZonesAndAddsTheOtherEffects) {
     Scene scene;
     scene.zones = {{.name = "a", .length = 4, .width = 4, .surface = Surface::ice, .recharge = 0.5f, .wind_x = 1},
                    {.name = "b", .length = 2, .width = 2, .surface = Surface::sand, .wind_x = 2, .wind_y = 3},
@@ -45,7 +45,7 @@ TEST(Ground, OfOverlappingZonesTakesTheLastSurfaceAndAddsUpTheRest) {
     EXPECT_EQ(ground.recharge_at({0, 0}), 0.75f);
 }
 
-TEST(Ground, FindsTheZonesOfEveryPlaceAsLookingAtAllOfThemWould) {
+TEST(Ground, FindsTheSameZonesAsASearchOfAllZones) {
     maths::Random chance{3, 1};
     Scene scene;
     scene.arena.width = 37, scene.arena.height = 9;

@@ -1,4 +1,4 @@
-// Scenes from strangers that pass every check are run: no number in range may crash or hang a world.
+// Mutated scenes that pass every check are run: no number in range may crash or hang a world.
 #include <gtest/gtest.h>
 
 #include "core/maths/random.h"
@@ -24,7 +24,7 @@ std::string changed(std::string text, maths::Random& chance) {
     return text;
 }
 
-TEST(HostileWorlds, RunWhateverPassesTheChecks) {
+TEST(HostileWorlds, RunEverySceneThatPassesTheChecks) {
     maths::Random chance{11, 3};
     int ran = 0;
     for (const auto& path : tests::shipped_scenes()) {
@@ -35,7 +35,7 @@ TEST(HostileWorlds, RunWhateverPassesTheChecks) {
         for (int i = 0; i < 60; ++i) {
             auto scene = parse_scene(changed(text, chance), "stranger.toml");
             if (!scene) continue;
-            scene->ecology.population = std::min(scene->ecology.population, 100);  // for the test's own patience
+            scene->ecology.population = std::min(scene->ecology.population, 100);  // limits the time of the test
             auto world = World::create(*scene, 3);
             ASSERT_TRUE(world) << world.error().text();
             for (int tick = 0; tick < 5; ++tick) world->step();

@@ -12,7 +12,7 @@
 namespace braitenlab::tests::intensity_test {
 namespace {
 
-// The value of the sample nearest to a place.
+// The value of the nearest sample to a position.
 float at(const sensing::IntensityMap& map, const Arena& arena, float x, float y) {
     const sensing::Intensity& grid = map.grid();
     const auto index = [](float across, int count) {

@@ -1,4 +1,4 @@
-// Our mathematics against GLM, an independent library, operation by operation on random input.
+// core/maths compared with GLM, an independent library, for each operation on random input.
 #define GLM_FORCE_RADIANS
 #include <cmath>
 #include <sstream>
@@ -44,7 +44,7 @@ void expect_same(const mat4& a, const glm::mat4& b, float scale = 1) {
     for (int c = 0; c < 4; ++c) expect_same(a[c], b[c], scale);
 }
 
-// What vectors and matrices have in common.
+// Operations that vectors and matrices share.
 template <class V>
 void check_sums(V a, V b, float s) {
     const auto ga = to_glm(a), gb = to_glm(b);

@@ -11,7 +11,7 @@
 namespace braitenlab::maths {
 namespace {
 
-TEST(PortableSine, AgreesWithTheLibraryToAFloatsPrecision) {
+TEST(PortableSine, AgreesWithTheLibraryInFloatPrecision) {
     for (float a = -50; a < 50; a += 0.0137f) {
         EXPECT_NEAR(sine(a), std::sin(static_cast<double>(a)), 6e-8) << a;
         EXPECT_NEAR(cosine(a), std::cos(static_cast<double>(a)), 6e-8) << a;
@@ -43,7 +43,7 @@ TEST(WrapAngle, KeepsTheDirection) {
     }
 }
 
-TEST(Sector, IsRightBeyondAHalfCircle) {
+TEST(Sector, IsCorrectBeyondAHalfCircle) {
     const vec2 right = direction(radians(-135)), left = direction(radians(135));
     EXPECT_TRUE(in_sector({1, 0}, {}, right, left, 2, true));
     EXPECT_TRUE(in_sector({-0.5f, 1}, {}, right, left, 2, true));
@@ -58,7 +58,7 @@ TEST(Inverse, UndoesAProjection) {
         for (int r = 0; r < 4; ++r) EXPECT_NEAR(identity[c][r], c == r ? 1 : 0, 2e-3f);
 }
 
-TEST(Random, RepeatsWithItsSeedAndDiffersBetweenStreams) {
+TEST(Random, RepeatsForEqualSeedsAndDiffersBetweenStreams) {
     Random a(7, 1), b(7, 1), c(7, 2);
     const auto first = a.next();
     EXPECT_EQ(first, b.next());

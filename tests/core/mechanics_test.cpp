@@ -32,7 +32,7 @@ TEST(Friction, LimitsTheSizeOfAForceAndKeepsItsDirection) {
     EXPECT_EQ(limit_to_friction({3, 4}, 10), (maths::vec2{3, 4}));
 }
 
-TEST(RollingDrag, OnlyEverTakesEnergyAway) {
+TEST(RollingDrag, NeverAddsEnergy) {
     maths::Random chance{1, 1};
     for (int i = 0; i < 1000; ++i) {
         const maths::vec2 v{chance.uniform(-5, 5), chance.uniform(-5, 5)};

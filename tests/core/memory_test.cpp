@@ -1,4 +1,4 @@
-// Place memory: where the marks are laid, how many, and for how long.
+// Place memory: position, number and lifetime of the marks.
 #include <cmath>
 
 #include "tests/core/runs.h"
@@ -21,23 +21,23 @@ Scene at_the_wall(PlaceMemory memory) {
     return scene;
 }
 
-TEST(PlaceMemory, LaysAMarkWhereAVehicleMeetsAWall) {
+TEST(PlaceMemory, AddsAMarkWhereAVehicleTouchesAWall) {
     World world = make(at_the_wall({.marks = 5, .fade = 20, .strength = 0.7f}));
     EXPECT_TRUE(look(world).marks.empty());
     const Snapshot now = after(world, 3);
-    ASSERT_EQ(now.marks.size(), 1u) << "one touch that lasts is one mark";
+    ASSERT_EQ(now.marks.size(), 1u) << "one long contact is one mark";
     EXPECT_EQ(now.marks[0].owner, now.vehicles[0].id);
     EXPECT_NEAR(now.marks[0].x, 3, 0.05f);
     EXPECT_NEAR(now.marks[0].y, 0.25f, 0.4f);
-    EXPECT_NEAR(now.marks[0].strength, 0.7f, 1e-2f) << "it is fresh for as long as it is touched";
+    EXPECT_NEAR(now.marks[0].strength, 0.7f, 1e-2f) << "a mark keeps its strength during the contact";
 }
 
-TEST(PlaceMemory, IsNothingUnlessAKindHasIt) {
+TEST(PlaceMemory, HasNoMarksForAKindWithoutMemory) {
     World world = make(at_the_wall({.marks = 0}));
     EXPECT_TRUE(after(world, 3).marks.empty());
 }
 
-TEST(PlaceMemory, FadesByHalvesAndIsForgottenAfterSevenOfThem) {
+TEST(PlaceMemory, HalvesAMarkPerHalfLifeAndRemovesItAfterSeven) {
     World world = make(at_the_wall({.marks = 5, .fade = 2, .strength = 0.8f}));
     after(world, 3);
     ASSERT_FALSE(world.apply(MoveVehicle{0, 0, 0, 0}));
@@ -62,8 +62,8 @@ TEST(PlaceMemory, KeepsTheNewestMarksHalfAMetreApart) {
     }
     Snapshot now = look(world);
     ASSERT_EQ(now.marks.size(), 3u);
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(now.marks[i].y, met[3 + i], 0.4f) << "the oldest first";
-    // Back at the oldest of them: it is renewed, and comes last.
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(now.marks[i].y, met[3 + i], 0.4f) << "sorted from the oldest";
+    // Back at the oldest mark: it is renewed and moves to the end.
     ASSERT_FALSE(world.apply(MoveVehicle{0, 2.3f, met[3], 0}));
     now = after(world, 1);
     ASSERT_EQ(now.marks.size(), 3u);
@@ -71,7 +71,7 @@ TEST(PlaceMemory, KeepsTheNewestMarksHalfAMetreApart) {
     EXPECT_NEAR(now.marks[0].y, met[4], 0.4f);
 }
 
-TEST(PlaceMemory, OfAVehicleLeavesWithIt) {
+TEST(PlaceMemory, IsRemovedWithItsVehicle) {
     Scene scene = at_the_wall({.marks = 3});
     scene.starts.push_back({.name = "other", .kind = "tester", .x = 1, .y = -1.5f});
     scene.starts.push_back({.name = "third", .kind = "tester", .x = 1, .y = 1.75f});
@@ -84,7 +84,7 @@ TEST(PlaceMemory, OfAVehicleLeavesWithIt) {
     EXPECT_EQ(now.marks[1].owner, 2);
 }
 
-TEST(PlaceMemory, GoesOnExactlyInARestoredRun) {
+TEST(PlaceMemory, ContinuesExactlyInARestoredRun) {
     Scene scene = tests::crowd(30);
     scene.arena.width = scene.arena.height = 14;
     for (Kind& kind : scene.kinds) kind.memory = {.marks = 6, .fade = 3};

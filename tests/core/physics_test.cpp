@@ -13,7 +13,7 @@ namespace braitenlab::tests::physics_test {
 namespace {
 
 using namespace world;
-TEST(Box2D, TurnsBodiesByOurOwnSineAndCosineSoThatNoProcessorChangesARun) {
+TEST(Box2D, UsesThePortableSineAndCosineOnEveryProcessor) {
     const Scene scene;
     maths::Random chance{5, 1};
     for (int i = 0; i < 2000; ++i) {
@@ -25,7 +25,7 @@ TEST(Box2D, TurnsBodiesByOurOwnSineAndCosineSoThatNoProcessorChangesARun) {
     }
 }
 
-TEST(Box2D, SineAndCosineOfTheWholeProgramAreExactFarOutAndForWhatIsNoNumber) {
+TEST(Box2D, LeavesSineAndCosineOfTheProgramExactForLargeAndNonFiniteArguments) {
     for (const float angle : {0.0f, 1e-7f, 3.0f, 12345.6f, 1e5f, 3e8f, 1e30f}) {
         EXPECT_FLOAT_EQ(std::sin(angle), static_cast<float>(std::sin(static_cast<double>(angle)))) << angle;
         EXPECT_FLOAT_EQ(std::cos(-angle), static_cast<float>(std::cos(static_cast<double>(angle)))) << angle;
@@ -35,8 +35,8 @@ TEST(Box2D, SineAndCosineOfTheWholeProgramAreExactFarOutAndForWhatIsNoNumber) {
     EXPECT_TRUE(std::signbit(std::sin(-0.0f)));
 }
 
-// How far a vehicle gets in a second that hits a thin fixed board at x = 1 with the top speed of its kind. Begins at
-// several places: where the ticks fall decides what they jump over.
+// The position after one second of a vehicle that hits a thin fixed board at x = 1 at top speed. Starts at
+// several positions, because a tick can skip an obstacle from some of them.
 float farthest_at_full_speed(const Body& body, float board) {
     Scene scene;
     Kind kind;
@@ -58,18 +58,16 @@ float farthest_at_full_speed(const Body& body, float board) {
     return farthest;
 }
 
-TEST(Impacts, AreNotSkippedByTheSmallestVehicleAtItsHighestSpeed) {
+TEST(Impacts, AreDetectedForTheSmallestVehicleAtTopSpeed) {
     Body racer;
     racer.length = racer.width = 0.05f, racer.mass = 0.05f, racer.top_speed = 10;
     racer.wheels.clear();
     EXPECT_LT(farthest_at_full_speed(racer, 0.02f), 1);
 }
 
-TEST(Impacts, StopAnOrdinaryVehicleBeforeAThinBoard) {
-    EXPECT_LT(farthest_at_full_speed(Body{}, 0.02f), 1 - 0.5f + 0.02f);
-}
+TEST(Impacts, StopAStandardVehicleAtAThinBoard) { EXPECT_LT(farthest_at_full_speed(Body{}, 0.02f), 1 - 0.5f + 0.02f); }
 
-// Where a vehicle comes to rest that is pushed sideways against the wall at y = 2.
+// The position at which a vehicle pushed sideways against the wall at y = 2 stops.
 float pushed_to_the_wall(const Body& body) {
     Scene scene;
     scene.arena.width = scene.arena.height = 4;
@@ -84,13 +82,11 @@ float pushed_to_the_wall(const Body& body) {
     return physics.motion(0).position.y;
 }
 
-TEST(Wheels, ThatTheChassisCoversAreStoppedByWallsWhereTheChassisIs) {
-    EXPECT_NEAR(pushed_to_the_wall(Body{}), 2 - 0.35f, 0.02f);
-}
+TEST(Wheels, InsideTheChassisStopAtAWallWithTheChassis) { EXPECT_NEAR(pushed_to_the_wall(Body{}), 2 - 0.35f, 0.02f); }
 
-TEST(Wheels, ThatStickOutMeetWallsBeforeTheChassisDoes) {
+TEST(Wheels, OutsideTheChassisTouchAWallBeforeTheChassis) {
     Body body;
-    for (Wheel& wheel : body.wheels) wheel.y *= 2;  // ±0.6 m, with 0.05 m of width beyond
+    for (Wheel& wheel : body.wheels) wheel.y *= 2;  // ±0.6 m, plus 0.05 m of wheel width
     EXPECT_NEAR(pushed_to_the_wall(body), 2 - 0.65f, 0.02f);
 }
 

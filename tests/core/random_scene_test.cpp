@@ -1,4 +1,4 @@
-// Scenes made of nothing but chance, within what the descriptions of the fields allow: each is written and read again.
+// Random scenes within the ranges of the fields: each is written and read again.
 #include <cmath>
 #include <string>
 
@@ -19,7 +19,7 @@ struct Dice {
 
     bool toss() { return random.next() % 2 == 0; }
     std::size_t below(std::size_t count) { return random.next() % count; }
-    // Now and then one of the ends, which belong to the range.
+    // Sometimes an end of the range, which is a valid value.
     double in(Range range) {
         const std::size_t side = below(12);
         if (side < 2) return side == 0 ? range.low : range.high;
@@ -35,7 +35,7 @@ struct Dice {
     }
 };
 
-// The visitor (see core/scene/schema.h): gives every value one of those that its range holds.
+// The visitor (see core/scene/schema.h): sets every value to a random value in its range.
 template <class T>
 class AtRandom {
 public:
@@ -108,7 +108,7 @@ BrainGraph any_brain(Dice& dice, const Kind& kind) {
     if (dice.toss()) return make_graph(any<FourNeurons>(dice));
     BrainGraph brain;
     const auto add = [&](NodeKind of, const std::string& name) {
-        Node node = of == NodeKind::sensor ? Node{} : any<Node>(dice);  // nothing leads to a sensor
+        Node node = of == NodeKind::sensor ? Node{} : any<Node>(dice);  // a sensor has no input
         node.id = static_cast<int>(brain.nodes.size()) * 3 + 5;
         node.kind = of;
         node.name = name;
@@ -128,7 +128,7 @@ BrainGraph any_brain(Dice& dice, const Kind& kind) {
     return brain;
 }
 
-// What a value may be depends on others here and there.
+// The range of some values depends on other values.
 void make_sound(Scene& scene, Dice& dice) {
     scene.name = "by-chance";
     if (scene.kinds.empty()) scene.ecology.population = 0, scene.starts.clear();
@@ -155,7 +155,7 @@ void make_sound(Scene& scene, Dice& dice) {
     }
 }
 
-TEST(SceneFile, ReadsWhatItWroteForRandomScenes) {
+TEST(SceneFile, ReadsBackRandomScenes) {
     Dice dice{maths::Random(2026, 3)};
     std::size_t wires = 0, starts = 0;
     for (int i = 0; i < 400; ++i) {
@@ -166,7 +166,7 @@ TEST(SceneFile, ReadsWhatItWroteForRandomScenes) {
         const std::string text = write_scene(scene);
         const auto again = parse_scene(text, "by-chance.toml");
         ASSERT_TRUE(again) << again.error().text() << "\n" << text;
-        ASSERT_EQ(*again, scene) << text << "\n── and again ──\n" << write_scene(*again);
+        ASSERT_EQ(*again, scene) << text << "\n── written again ──\n" << write_scene(*again);
         for (const Kind& kind : scene.kinds) wires += kind.brain.wires.size();
         starts += scene.starts.size();
     }

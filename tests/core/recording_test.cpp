@@ -14,7 +14,7 @@ Session open() {
     return std::move(*session);
 }
 
-// As a hand does that takes a vehicle round and round: one command a frame, all of them one step of undo.
+// A vehicle is dragged in circles: one command per frame, all in one step of undo.
 void drag(Session& session, int frames) {
     for (int i = 0; i < frames; ++i) {
         const float along = static_cast<float>(i % 89) * 0.05f;
@@ -22,7 +22,7 @@ void drag(Session& session, int frames) {
     }
 }
 
-TEST(Recording, StaysSmallHoweverLongSomebodyDragsWhileTimeStandsStill) {
+TEST(Recording, StaysSmallDuringALongDragInAPausedRun) {
     Session session = open();
     for (int i = 0; i < 130; ++i) session.step();
     drag(session, 4000);
@@ -33,7 +33,7 @@ TEST(Recording, StaysSmallHoweverLongSomebodyDragsWhileTimeStandsStill) {
     EXPECT_LT(session.bookmark().checkpoint.commands.size(), keyframe_commands);
 }
 
-TEST(Recording, GoesThroughALongDragAgainExactly) {
+TEST(Recording, ReplaysALongDragExactly) {
     Session session = open();
     std::vector<std::uint64_t> hashes;
     for (int tick = 0; tick < 700; ++tick) {

@@ -80,9 +80,9 @@ TEST(Referee, ADistanceIsTheSmallestSoFar) {
     EXPECT_FLOAT_EQ(measure(referee).value, 1);
 }
 
-TEST(Referee, ATurnCountsOnlyWhenTheSourceWasOutsideBefore) {
+TEST(Referee, ATurnCountsOnlyIfTheSourceWasOutsideBefore) {
     Referee referee(with({turn}));
-    referee.watch(moment(0, 3, 180));  // faces it already
+    referee.watch(moment(0, 3, 180));  // faces the source already
     EXPECT_FALSE(referee.passed());
     referee.watch(moment(1, 3, 150));
     EXPECT_FALSE(referee.passed());
@@ -91,7 +91,7 @@ TEST(Referee, ATurnCountsOnlyWhenTheSourceWasOutsideBefore) {
     EXPECT_NEAR(measure(referee).needed, 20, 1e-4);
 }
 
-TEST(Referee, TheSpeedAtTheFirstArrivalIsComparedWithThatAfterOneSecond) {
+TEST(Referee, ASpeedUpComparesTheFirstArrivalWithOneSecond) {
     for (const float speed : {1.4f, 1.6f}) {
         Referee referee(with({faster}));
         referee.watch(moment(0, 3, 180, 0));
@@ -107,7 +107,7 @@ TEST(Referee, TheSpeedAtTheFirstArrivalIsComparedWithThatAfterOneSecond) {
     }
 }
 
-TEST(Referee, AStandingStartDoesNotCountAsASpeedUp) {
+TEST(Referee, AStartFromRestDoesNotCountAsASpeedUp) {
     Referee referee(with({faster}));
     referee.watch(moment(0, 3, 180, 0));
     referee.watch(moment(60, 3, 180, 0));
@@ -115,7 +115,7 @@ TEST(Referee, AStandingStartDoesNotCountAsASpeedUp) {
     EXPECT_FALSE(referee.passed());
 }
 
-TEST(Referee, ARunLastsForItsSeconds) {
+TEST(Referee, ARunEndsAfterItsSeconds) {
     Referee referee(with({last}));
     referee.watch(moment(0, 3));
     referee.watch(moment(119, 3));
@@ -146,7 +146,7 @@ TEST(Referee, ANewRunBeginsAtTickZeroOrAnEarlierTickAndNotAtTheSameTick) {
     EXPECT_FALSE(referee.passed());
 }
 
-TEST(Referee, StepsAreAboutTheVehicleThatWasFirstAtTheStart) {
+TEST(Referee, StepsApplyToTheFirstVehicleAtTheStart) {
     Referee referee(with({touch}));
     referee.watch(moment(0, 3));
     Snapshot other = moment(1, 0.1f);
@@ -165,7 +165,7 @@ TEST(Referee, ADisturbedRunCountsNoFurtherSteps) {
     EXPECT_TRUE(referee.verdicts()[0].done);
     EXPECT_FALSE(referee.verdicts()[1].done);
     referee.watch(moment(0, 3));
-    EXPECT_FALSE(referee.by_hand()) << "the next run is another";
+    EXPECT_FALSE(referee.by_hand()) << "the next run starts without help";
     referee.watch(moment(1, 0.1f));
     EXPECT_TRUE(referee.verdicts()[1].done);
 }
@@ -251,7 +251,7 @@ TEST(Referee, EverythingAddedRemovedOrMovedInTheSceneBeforeTheFirstTickMakesARun
     }
 }
 
-TEST(Referee, TheSubjectsBrainSensorsAndBodyTheTitleAndMissingSourcesAreNotHelp) {
+TEST(Referee, EditsOfTheSubjectAndTheTitleAndMissingSourcesAreNotHelp) {
     const Exercise exercise = furnished();
     const std::vector<std::pair<const char*, void (*)(Scene&)>> changes{
         {"nothing", [](Scene&) {}},
@@ -309,7 +309,7 @@ TEST(Referee, TheStateOfACombinationIsWrittenAndReadBack) {
     EXPECT_EQ(other.verdicts()[0].measures, referee.verdicts()[0].measures);
 }
 
-TEST(Referee, ContinuesFromAStateOfItsOwnAsIfItHadSeenTheRun) {
+TEST(Referee, ContinuesExactlyFromASavedState) {
     const Exercise exercise = with({turn, faster, last});
     Referee referee(exercise);
     const auto watch = [](Referee& each, std::uint64_t tick) {

@@ -15,7 +15,7 @@ void steps(World& world, int count) {
     for (int i = 0; i < count; ++i) world.step();
 }
 
-// A run in which something of everything has been done.
+// A run with every type of command.
 Session busy_session(const Scene& scene, int ticks) {
     Session session = std::move(*Session::open(scene, 3));
     for (int i = 0; i < ticks; ++i) session.step();
@@ -46,7 +46,7 @@ Session busy_session(const Scene& scene, int ticks) {
     return session;
 }
 
-TEST(RunFile, GoesOnExactlyAsTheSavedRunDoesInEveryShippedScene) {
+TEST(RunFile, ContinuesTheSavedRunExactlyInEveryShippedScene) {
     for (const auto& path : tests::shipped_scenes()) {
         for (const int ticks : {10, 290, 777}) {
             Session session = busy_session(*load_scene(path), ticks);
@@ -63,7 +63,7 @@ TEST(RunFile, GoesOnExactlyAsTheSavedRunDoesInEveryShippedScene) {
     }
 }
 
-TEST(RunFile, KeepsWhatSlowSensorsHoldBack) {
+TEST(RunFile, KeepsTheBuffersOfSlowSensors) {
     Scene scene = tests::crowd(12);
     for (Kind& kind : scene.kinds) kind.sensors[0].latency = 0.5f, kind.sensors[1].noise = 0.1f;
     Session session = std::move(*Session::open(scene, 3));
@@ -80,7 +80,7 @@ TEST(RunFile, WritesTheSameTextAgain) {
     EXPECT_EQ(io::write_run(*io::read_run(text, "a.run")), text);
 }
 
-TEST(RunFile, SaysOfAnotherFileThatItIsNone) {
+TEST(RunFile, RefusesAFileOfAnotherKind) {
     for (const char* text :
          {"", "format = 1", "{}", "[]", "{\"braitenlab_run\": 2}", "{\"braitenlab_run\": 1}", "\xff"}) {
         const auto run = io::read_run(text, "a.run");
@@ -90,13 +90,13 @@ TEST(RunFile, SaysOfAnotherFileThatItIsNone) {
     EXPECT_FALSE(io::load_run("/nowhere/a.run"));
 }
 
-TEST(RunFile, RefusesDeepNestingAndGiantNumbers) {
+TEST(RunFile, RefusesDeepNestingAndLargeNumbers) {
     EXPECT_FALSE(io::read_run(std::string(1000000, '['), "a.run"));
     EXPECT_FALSE(io::read_run("{\"braitenlab_run\": 1, \"tick\": 1e300}", "a.run"));
 }
 
-// Swaps, drops and repeats stretches and digits of a good file: whatever comes of it is refused or runs.
-TEST(RunFile, FromAStrangerCannotCrash) {
+// Swaps, removes and repeats parts and digits of a valid file: the reader refuses the result, or it runs.
+TEST(RunFile, RefusesOrAcceptsMutatedFilesWithoutACrash) {
     const std::string good = io::write_run(busy_session(tests::crowd(4), 20).save());
     maths::Random chance{5, 1};
     const auto below = [&](std::size_t n) { return static_cast<std::size_t>(chance.next()) % n; };

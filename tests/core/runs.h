@@ -1,4 +1,4 @@
-// Worlds that tests start in the middle of things, and let run.
+// Helpers that start a world in a given state and run it.
 #pragma once
 
 #include <cmath>
@@ -30,7 +30,7 @@ inline Snapshot after(World& world, double seconds) {
     return look(world);
 }
 
-// A world that begins with its state edited: set in motion, starved, anything that commands cannot do.
+// A world with an edited start state, for values that commands cannot set, such as velocity and energy.
 template <class Edit>
 World begin_with(const Scene& scene, Edit edit) {
     Checkpoint checkpoint = make(scene).checkpoint();

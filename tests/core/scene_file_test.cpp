@@ -38,7 +38,7 @@ Scene read(const std::string& text, const std::vector<Setting>& settings = {}) {
 
 std::string complaint(const std::string& text, const std::vector<Setting>& settings = {}) {
     const auto scene = parse_scene(text, "test.toml", settings);
-    EXPECT_FALSE(scene) << "this was accepted:\n" << text;
+    EXPECT_FALSE(scene) << "accepted:\n" << text;
     return scene ? "" : scene.error().text();
 }
 
@@ -46,7 +46,7 @@ void expect_in(const std::string& part, const std::string& whole) {
     EXPECT_NE(whole.find(part), std::string::npos) << "expected \"" << part << "\" in \"" << whole << '"';
 }
 
-// One of everything, no value at its default.
+// A scene with one object of each type. No value has its default.
 Scene everything() {
     Scene scene;
     scene.name = "all-of_it";
@@ -100,7 +100,7 @@ Scene everything() {
     zeros.name = "m-third";
     zeros.brain = make_graph({});
     scene.kinds.push_back(zeros);
-    Kind more = plain;  // four neurons and something beyond them
+    Kind more = plain;  // four neurons and further nodes
     more.name = "fourth";
     more.brain.nodes.push_back({.id = 20, .kind = NodeKind::neuron, .name = "N"});
     more.brain.nodes.push_back({.id = 21, .kind = NodeKind::neuron, .name = "M"});
@@ -114,7 +114,7 @@ Scene everything() {
     return scene;
 }
 
-TEST(SceneFile, ReadsWhatItWroteForEveryShippedScene) {
+TEST(SceneFile, ReadsBackEveryShippedScene) {
     ASSERT_FALSE(tests::shipped_scenes().empty());
     for (const fs::path& path : tests::shipped_scenes()) {
         const auto scene = load_scene(path);
@@ -128,14 +128,14 @@ TEST(SceneFile, ReadsWhatItWroteForEveryShippedScene) {
     }
 }
 
-TEST(SceneFile, ReadsWhatItWroteWithEveryValueSet) {
+TEST(SceneFile, ReadsBackASceneWithEveryValueSet) {
     const Scene scene = everything();
     const auto fault = check_scene(scene);
     ASSERT_FALSE(fault) << fault->text();
     EXPECT_EQ(read(write_scene(scene)), scene) << write_scene(scene);
 }
 
-TEST(SceneFile, ReadsWhatItWroteForAnyFloatAndAnyAngle) {
+TEST(SceneFile, ReadsBackAnyFloatAndAnyAngle) {
     maths::Random chance(1, 1);
     Scene scene;
     scene.name = "numbers";
@@ -149,14 +149,14 @@ TEST(SceneFile, ReadsWhatItWroteForAnyFloatAndAnyAngle) {
     }
 }
 
-TEST(SceneFile, WritesShortDegreesAndLeavesDefaultsOut) {
+TEST(SceneFile, WritesShortDegreesAndOmitsDefaults) {
     Scene scene;
     scene.name = "s";
     scene.obstacles.push_back({"wall", 1.1f, 0, maths::radians(35), 1, 1});
     EXPECT_EQ(write_scene(scene), "format = 1\nname = \"s\"\n\n[obstacle.wall]\nx = 1.1\nheading = 35\n");
 }
 
-TEST(SceneFile, WritesAFourNeuronBrainInItsShortFormWhateverItsOrder) {
+TEST(SceneFile, WritesAFourNeuronBrainInItsShortFormForAnyOrder) {
     Scene scene;
     scene.kinds.emplace_back().name = "k";
     scene.kinds[0].brain = make_graph({.LR = 1.5f, .RM = 0.1f});
@@ -211,7 +211,7 @@ TEST(SceneFile, KeepsTheOrderOfTheFileNotOfTheAlphabet) {
     EXPECT_EQ(scene.kinds[1].name, "b");
 }
 
-TEST(SceneFile, TakesItsNameFromTheFileUnlessItSaysOtherwise) {
+TEST(SceneFile, TakesItsNameFromTheFileUnlessItHasATitle) {
     EXPECT_EQ(parse_scene("format = 1", "some/where/garden.toml")->name, "garden");
     EXPECT_EQ(parse_scene("format = 1\nname = \"other\"", "garden.toml")->name, "other");
 }
@@ -347,7 +347,7 @@ TEST(SceneFile, NamesTheSettingWhoseValueIsWrong) {
     expect_in("other.toml:7: ", complaint(small_scene, {{"kind.prey.brain.LL", "3", "other.toml", 7}}));
 }
 
-TEST(SceneFile, ReadsABrainFileThatItWroteAndRefusesOthers) {
+TEST(SceneFile, ReadsBackABrainFileAndRefusesOtherFiles) {
     for (const Kind& kind : everything().kinds) {
         const auto brain = parse_brain(write_brain(kind.brain), "brain.toml");
         ASSERT_TRUE(brain) << brain.error().text();
@@ -358,7 +358,7 @@ TEST(SceneFile, ReadsABrainFileThatItWroteAndRefusesOthers) {
     expect_in("'brian'", parse_brain("format = 1\n[brian]\n", "brain.toml").error().text());
 }
 
-TEST(Check, FindsTheFaultsOfAnEditedScene) {
+TEST(Check, FindsTheErrorsOfAnEditedScene) {
     EXPECT_FALSE(check_scene(everything()));
     Scene scene = everything();
     scene.kinds[1].name = scene.kinds[0].name;
@@ -387,13 +387,13 @@ TEST(Check, FindsTheFaultsOfAnEditedScene) {
     expect_in("ecology.population: 20002 vehicles", check_scene(scene)->text());
 }
 
-TEST(Nearest, CountsLettersAddedDroppedAndReplaced) {
+TEST(Nearest, CountsAddedRemovedAndReplacedLetters) {
     EXPECT_EQ(edit_distance("prey", "pray"), 1);
     EXPECT_EQ(edit_distance("", "abc"), 3);
     EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
 }
 
-// A test of robustness only: whatever the bytes, there is an answer, and what is accepted can be written and read
+// Robustness only: for any bytes, the reader returns a scene or an error, and an accepted scene can be written and read
 // again.
 void survive(const std::string& text) {
     const auto scene = parse_scene(text, "hostile.toml");
@@ -406,14 +406,14 @@ void survive(const std::string& text) {
     EXPECT_EQ(*again, *scene);
 }
 
-TEST(SceneFile, SurvivesAFileCutAtAnyByte) {
+TEST(SceneFile, RefusesOrAcceptsAFileTruncatedAtAnyByteWithoutACrash) {
     for (const fs::path& path : tests::shipped_scenes()) {
         const std::string text = content(path);
         for (std::size_t end = 0; end < text.size(); end += 13) survive(text.substr(0, end));
     }
 }
 
-TEST(SceneFile, SurvivesAFileChangedAtAnyByte) {
+TEST(SceneFile, RefusesOrAcceptsAFileChangedAtAnyByteWithoutACrash) {
     const std::string bits = "\"'[]{}=.,#\\\n-+0919eE_xyzLR\x01\xff\xc3 \t";
     maths::Random chance(7, 7);
     for (const fs::path& path : tests::shipped_scenes()) {
@@ -453,7 +453,7 @@ TEST(SceneFile, RefusesFilesThatAreTooDeepOrTooLarge) {
     read("format = 1\nstory = '''\n" + std::string(100, '.') + "\"'''\n");
 }
 
-// Set BRAITENLAB_WRITE_DOCS=1 to write the tables anew after a change of the fields.
+// Set BRAITENLAB_WRITE_DOCS=1 to write the tables again after a change of the fields.
 TEST(FormatTable, IsUpToDateInTheSceneFormatPage) {
     const fs::path page = source / "docs" / "scene-format.md";
     std::string text = content(page);

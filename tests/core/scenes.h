@@ -12,7 +12,7 @@
 
 namespace braitenlab::tests {
 
-// The files of every scene that ships, in a fixed order.
+// The files of all shipped scenes, in a fixed order.
 inline std::vector<std::filesystem::path> shipped_scenes() {
     std::vector<std::filesystem::path> paths;
     const std::filesystem::path folder = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "scenes";
@@ -21,7 +21,7 @@ inline std::vector<std::filesystem::path> shipped_scenes() {
     return paths;
 }
 
-// A kind with two eyes for a channel, as the standard vehicle carries them.
+// A kind with two eyes for a channel, placed as on the standard vehicle.
 inline Kind two_eyed(std::string name, const FourNeurons& brain, Channel channel = Channel::light) {
     Kind kind;
     kind.name = std::move(name);
@@ -38,7 +38,7 @@ inline Kind two_eyed(std::string name, const FourNeurons& brain, Channel channel
     return kind;
 }
 
-// One vehicle at a pose in an arena large enough not to matter.
+// One vehicle at a pose in an arena whose walls are far away.
 inline Scene alone(const FourNeurons& brain, float x = 0, float y = 0, float heading = 0) {
     Scene scene;
     scene.name = "alone";

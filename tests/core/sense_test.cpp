@@ -1,4 +1,4 @@
-// What sensors of every channel read in a running world.
+// Readings of the sensors of every channel in a running world.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace braitenlab::tests::sense_test {
 namespace {
 
 using namespace sensing;
-// Somebody in the middle who stands still and looks ahead with one sensor.
+// A vehicle at rest in the middle, with one sensor that points ahead.
 Scene watcher(const Sensor& sensor) {
     Scene scene = tests::alone({});
     scene.arena.width = scene.arena.height = 40;
@@ -45,7 +45,7 @@ Scene with(Scene scene, const Source& source) {
     return scene;
 }
 
-TEST(Colours, AreSeenByTheirOwnEyesAndByThoseForWhite) {
+TEST(Colours, AreSensedByEyesForTheSameColourAndForWhite) {
     const std::array<Channel, 4> lights{Channel::light, Channel::red, Channel::green, Channel::blue};
     for (const Channel eye : lights)
         for (const Channel lamp : lights) {
@@ -61,7 +61,7 @@ TEST(Sources, OfHeatSmellAndOxygenAreSensedOnTheirOwnChannelOnly) {
             EXPECT_EQ(reading(with(watcher(nose), {.channel = source, .x = 3})) > 0, nose == source);
 }
 
-TEST(Obstacles, HideLightAndVehiclesButNeitherHeatNorSmell) {
+TEST(Obstacles, BlockLightAndVehiclesButNotHeatAndSmell) {
     for (const Channel channel : {Channel::light, Channel::blue, Channel::heat, Channel::smell, Channel::oxygen}) {
         Scene scene = with(watcher(channel), {.channel = channel, .x = 5});
         const float open = reading(scene);
@@ -78,7 +78,7 @@ TEST(Obstacles, HideLightAndVehiclesButNeitherHeatNorSmell) {
     EXPECT_EQ(reading(scene), 0);
 }
 
-TEST(Obstacles, ThatArePushedAwayHideNoLonger) {
+TEST(Obstacles, DoNotBlockLightOnceTheyArePushedAway) {
     Scene scene = with(watcher(Channel::light), {.x = 8});
     scene.obstacles.push_back({.name = "crate", .x = 4, .length = 0.8f, .width = 0.8f, .mass = 3});
     Kind pusher = tests::two_eyed("pusher", {.LM = 1, .RM = 1});
@@ -90,17 +90,17 @@ TEST(Obstacles, ThatArePushedAwayHideNoLonger) {
     EXPECT_GT(reading(world), 0);
 }
 
-TEST(Vehicles, SenseAllOthersButNotThemselves) {
+TEST(Vehicles, SenseAllOtherVehiclesButNotThemselves) {
     Scene scene = watcher({.channel = Channel::vehicle, .shape = SensorShape::omni});
     EXPECT_EQ(reading(scene), 0);
     scene.starts.push_back({.name = "other", .kind = "tester", .x = -4});
     EXPECT_GT(reading(scene), 0);
 }
 
-TEST(CarriedLamps, ShineForOthersWhereverTheyAreCarried) {
+TEST(CarriedLamps, AreSensedByOtherVehiclesAtTheirPresentPosition) {
     Scene scene = watcher({.channel = Channel::red, .shape = SensorShape::omni});
     scene.kinds[0].lamps.push_back({.name = "lamp", .channel = Channel::red, .x = 0.2f, .strength = 0.8f});
-    EXPECT_EQ(reading(scene), 0);  // not for the one who carries it
+    EXPECT_EQ(reading(scene), 0);  // a vehicle does not sense the lamp that it carries
     Kind bearer = tests::two_eyed("bearer", {.LM = 0.5f, .RM = 0.5f});
     bearer.lamps = {{.name = "lamp", .channel = Channel::light, .x = 0.5f, .y = 0.25f, .strength = 0.5f}};
     scene.kinds.push_back(bearer);
@@ -110,10 +110,10 @@ TEST(CarriedLamps, ShineForOthersWhereverTheyAreCarried) {
     Scene lamp_alone = with(watcher(scene.kinds[0].sensors[0]), {.x = 3 - 0.25f, .y = -2 + 0.5f, .strength = 0.5f});
     EXPECT_NEAR(before, reading(lamp_alone), 1e-5f);
     steps(world, 45);
-    EXPECT_GT(reading(world), before * 1.05f);  // it came nearer
+    EXPECT_GT(reading(world), before * 1.05f);  // the lamp is nearer
 }
 
-TEST(Bumper, TellsWhichSideTouches) {
+TEST(Bumper, ReportsTheSideOfAContact) {
     Scene scene = watcher({.channel = Channel::touch});
     Kind& kind = scene.kinds[0];
     kind.sensors.push_back({.name = "rear", .channel = Channel::touch, .x = -0.3f, .angle = maths::pi});
@@ -127,7 +127,7 @@ TEST(Bumper, TellsWhichSideTouches) {
     EXPECT_EQ(reading(world, 1), 0);
 }
 
-TEST(Bumper, FeelsOtherVehicles) {
+TEST(Bumper, SensesOtherVehicles) {
     Scene scene = watcher({.channel = Channel::touch});
     scene.kinds.push_back(tests::two_eyed("rammer", {.LM = 0.6f, .RM = 0.6f}));
     scene.starts.push_back({.name = "r", .kind = "rammer", .x = 4, .heading = maths::pi});
@@ -138,7 +138,7 @@ TEST(Bumper, FeelsOtherVehicles) {
     EXPECT_TRUE(felt);
 }
 
-TEST(FloorSensor, ReadsHowLightTheFloorBelowItIs) {
+TEST(FloorSensor, ReadsTheBrightnessOfTheFloorBelowIt) {
     Scene scene = watcher(Sensor{.channel = Channel::floor, .x = 0.5f});
     EXPECT_FLOAT_EQ(reading(scene), scene.arena.reflectance);
     scene.zones.push_back({.name = "line", .x = 0.5f, .length = 0.1f, .width = 4, .surface = Surface::tape});
@@ -151,7 +151,7 @@ TEST(FloorSensor, ReadsHowLightTheFloorBelowItIs) {
     EXPECT_EQ(reading(scene), 0);
 }
 
-TEST(EnergySensor, ReadsTheVehiclesOwn) {
+TEST(EnergySensor, ReadsTheEnergyOfItsVehicle) {
     Scene scene = watcher(Channel::energy);
     scene.ecology.drain = 0.1f;
     World world = make(scene);
@@ -164,7 +164,7 @@ TEST(EnergySensor, ReadsTheVehiclesOwn) {
     EXPECT_NEAR(reading(world), 0.7f, 0.01f);
 }
 
-TEST(PlaceMemory, MarksWhereAVehicleMetAnObstacleAndLetsItFade) {
+TEST(PlaceMemory, MarksContactsWithObstaclesAndFadesTheMarks) {
     Scene scene = watcher({.channel = Channel::memory, .shape = SensorShape::omni});
     scene.kinds[0].memory = {.marks = 3, .fade = 2, .strength = 0.8f};
     scene.kinds[0].brain = make_graph({.LM = 0.6f, .RM = 0.6f});
@@ -178,13 +178,13 @@ TEST(PlaceMemory, MarksWhereAVehicleMetAnObstacleAndLetsItFade) {
     EXPECT_EQ(now.sensed[0], 0);
     steps(world, 300);
     world.capture(now);
-    ASSERT_EQ(now.marks.size(), 2u);  // one each, though they push on
+    ASSERT_EQ(now.marks.size(), 2u);  // one mark each during a long contact
     EXPECT_NEAR(now.marks[0].x, 3, 0.05f);
     EXPECT_EQ(now.marks[0].owner, now.vehicles[0].id);
     EXPECT_NEAR(now.marks[0].strength, 0.8f, 0.02f);
     const float fresh = now.sensed[0];
     EXPECT_GT(fresh, 0.3f);
-    // Pulled away from the wall, and standing still, it forgets by halves.
+    // Away from the wall and at rest: the mark fades by half-lives.
     ASSERT_FALSE(world.apply(ChooseDriver{now.vehicles[0].id, Driver::parked}));
     ASSERT_FALSE(world.apply(MoveVehicle{now.vehicles[0].id, 1, 0, 0}));
     const float away = reading(world);
@@ -193,10 +193,10 @@ TEST(PlaceMemory, MarksWhereAVehicleMetAnObstacleAndLetsItFade) {
     steps(world, 60 * 25);
     world.capture(now);
     EXPECT_EQ(now.marks.size(), 1u);
-    EXPECT_EQ(now.sensed[0], 0);  // it never senses the other one's
+    EXPECT_EQ(now.sensed[0], 0);  // a vehicle does not sense the marks of another
 }
 
-TEST(PlaceMemory, HoldsNoMoreMarksThanItHasAndDropsTheOldest) {
+TEST(PlaceMemory, DropsTheOldestMarkBeyondItsCapacity) {
     Scene scene = watcher({.channel = Channel::memory, .shape = SensorShape::omni});
     scene.kinds[0].memory = {.marks = 2, .fade = 1000};
     scene.arena.width = 6;
@@ -212,7 +212,7 @@ TEST(PlaceMemory, HoldsNoMoreMarksThanItHasAndDropsTheOldest) {
     EXPECT_NEAR(now.marks[1].y, 8, 0.1f);
 }
 
-TEST(Ambient, BrightensEveryEyeForLightAndNoOtherSense) {
+TEST(Ambient, RaisesTheReadingOfLightSensorsOnly) {
     for (const auto& [channel, lit] : {std::pair{Channel::light, true},
                                        {Channel::green, true},
                                        {Channel::heat, false},
@@ -228,7 +228,7 @@ TEST(Ambient, BrightensEveryEyeForLightAndNoOtherSense) {
     EXPECT_EQ(reading(scene), 1);  // saturated
 }
 
-TEST(Noise, HasTheSpreadThatItSaysAndNoMemory) {
+TEST(Noise, HasTheGivenSpreadAndNoCorrelation) {
     Scene scene = watcher({.channel = Channel::light, .noise = 0.1f});
     scene.kinds[0].sensors.push_back(scene.kinds[0].sensors[0]);
     scene.kinds[0].sensors[1].name = "second";
@@ -250,7 +250,7 @@ TEST(Noise, HasTheSpreadThatItSaysAndNoMemory) {
     EXPECT_NEAR(with_other / squares, 0, 0.05);
 }
 
-TEST(Noise, ComesFromTheSeedAndLeavesReadingsBetween0And1) {
+TEST(Noise, DependsOnTheSeedAndKeepsReadingsBetween0And1) {
     Scene scene = watcher({.channel = Channel::light, .noise = 1});
     World a = make(scene, 5), b = make(scene, 5), c = make(scene, 6);
     int different = 0;
@@ -264,13 +264,13 @@ TEST(Noise, ComesFromTheSeedAndLeavesReadingsBetween0And1) {
     EXPECT_GT(different, 30);
 }
 
-TEST(Latency, HoldsEveryReadingBackByAsManyTicks) {
+TEST(Latency, DelaysEveryReadingByItsTicks) {
     Scene scene = with(watcher({.channel = Channel::light, .latency = 0.25f}), {.x = 4});
     World world = make(scene);
     const float prompt = reading(with(watcher(Channel::light), {.x = 4}));
     for (int i = 0; i < 15; ++i) {
         EXPECT_EQ(reading(world), 0) << i;
-        EXPECT_EQ(reading(world), 0) << i;  // looking changes nothing
+        EXPECT_EQ(reading(world), 0) << i;  // a reading does not change the world
         world.step();
     }
     world.step();
@@ -284,14 +284,14 @@ TEST(Latency, HoldsEveryReadingBackByAsManyTicks) {
     EXPECT_EQ(reading(world), 0);
 }
 
-TEST(Triangle, OfHalfATurnOrMoreIsRefused) {
+TEST(Triangle, IsRefusedAt180DegreesOrMore) {
     Scene scene = watcher({.shape = SensorShape::triangle, .fov = maths::radians(200)});
     EXPECT_FALSE(World::create(scene, 1));
     scene.kinds[0].sensors[0].fov = maths::radians(120);
     EXPECT_TRUE(World::create(scene, 1));
 }
 
-TEST(Torus, IsSensedAcrossItsSeam) {
+TEST(Torus, LetsSensorsReadAcrossTheSeam) {
     for (const Channel channel : {Channel::light, Channel::vehicle, Channel::obstacle}) {
         Scene scene = watcher(Sensor{.channel = channel});
         scene.arena.width = 20;
@@ -306,7 +306,7 @@ TEST(Torus, IsSensedAcrossItsSeam) {
     }
 }
 
-// Everything that sensing keeps from tick to tick, in one crowd.
+// A crowd with every type of sensor state that lasts for several ticks.
 Scene crowd_with_every_sense() {
     Scene scene = tests::crowd(20);
     scene.arena.ambient = 0.05f;
@@ -328,7 +328,7 @@ Scene crowd_with_every_sense() {
     return scene;
 }
 
-TEST(Checkpoint, HoldsWhatSlowAndNoisySensorsAndMemoriesKeep) {
+TEST(Checkpoint, StoresTheStateOfSlowSensorsNoisySensorsAndMemories) {
     World world = make(crowd_with_every_sense(), 3);
     for (const int more : {137, 290, 41, 333}) {
         steps(world, more);
@@ -347,7 +347,7 @@ TEST(Checkpoint, HoldsWhatSlowAndNoisySensorsAndMemoriesKeep) {
     }
 }
 
-TEST(SetSensors, GivesSlowSensorsANewRing) {
+TEST(SetSensors, ResetsTheBuffersOfSlowSensors) {
     World world = make(crowd_with_every_sense(), 3);
     steps(world, 50);
     Snapshot now;

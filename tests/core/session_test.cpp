@@ -21,7 +21,7 @@ float dial(const Session& session, Dial which, std::size_t vehicle = 0) {
     return at(read_dials(*now.brains[static_cast<std::size_t>(now.vehicles[vehicle].brain)]), which);
 }
 
-TEST(Undo, TakesAWholeDragBackInOneStep) {
+TEST(Undo, RevertsAWholeDragInOneStep) {
     Session session = open(tests::crowd(4));
     for (const float value : {0.1f, 0.4f, 0.9f}) ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, value}, 5));
     EXPECT_EQ(session.undo_depth(), 1);
@@ -32,17 +32,17 @@ TEST(Undo, TakesAWholeDragBackInOneStep) {
     EXPECT_FALSE(session.redo());
 }
 
-TEST(Undo, KnowsNoStepForADragThatEndedWhereItBegan) {
+TEST(Undo, HasNoStepForADragThatEndsWhereItBegan) {
     Session session = open(tests::crowd(4));
     for (const float value : {0.5f, 1.0f, 0.0f}) ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, value}, 5));
     EXPECT_EQ(session.undo_depth(), 0);
-    ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 0.25f}, 5)) << "and it may go on";
+    ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 0.25f}, 5)) << "the gesture may continue";
     EXPECT_EQ(session.undo_depth(), 1);
     session.undo();
     EXPECT_EQ(dial(session, Dial::LL), 0);
 }
 
-TEST(Undo, RestoresEachVehiclesOwnBrain) {
+TEST(Undo, RestoresTheBrainOfEachVehicle) {
     Session session = open(tests::crowd(4));
     const VehicleId own = session.snapshot().vehicles[0].id;
     ASSERT_FALSE(session.apply(TurnDial{{.vehicle = own}, Dial::LL, -1}));
@@ -53,7 +53,7 @@ TEST(Undo, RestoresEachVehiclesOwnBrain) {
     EXPECT_EQ(dial(session, Dial::LL, 2), 0);
 }
 
-TEST(Undo, LeavesTheWheelToWhoHasIt) {
+TEST(Undo, DoesNotChangeTheDriver) {
     Session session = open(tests::crowd(4));
     ASSERT_FALSE(session.apply(ChooseDriver{0, Driver::manual}));
     ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 2}));
@@ -64,7 +64,7 @@ TEST(Undo, LeavesTheWheelToWhoHasIt) {
     EXPECT_EQ(session.snapshot().vehicles[0].driver, Driver::brain);
 }
 
-TEST(Undo, LeavesTimeAlone) {
+TEST(Undo, DoesNotChangeTheTime) {
     Session session = open(tests::crowd(4));
     session.apply(TurnDial{{.kind = 0}, Dial::LL, 2});
     for (int i = 0; i < 10; ++i) session.step();
@@ -72,7 +72,7 @@ TEST(Undo, LeavesTimeAlone) {
     EXPECT_EQ(session.snapshot().tick, 10u);
 }
 
-TEST(Undo, OfAMoveBringsThePoseBack) {
+TEST(Undo, OfAMoveRestoresThePose) {
     Session session = open(tests::alone({}, 1, 2, 0.5f));
     ASSERT_FALSE(session.apply(MoveVehicle{0, 5, 6, 1}));
     session.undo();
@@ -80,7 +80,7 @@ TEST(Undo, OfAMoveBringsThePoseBack) {
     EXPECT_FLOAT_EQ(session.snapshot().vehicles[0].heading, 0.5f);
 }
 
-TEST(Undo, OfAStartMovedInOneGestureBringsBothPoseAndStartBack) {
+TEST(Undo, OfAStartMovedInOneGestureRestoresPoseAndStart) {
     Session session = open(tests::alone({}, 1, 2, 0.5f));
     const Start before = session.snapshot().scene->starts[0];
     Start after = before;
@@ -89,7 +89,7 @@ TEST(Undo, OfAStartMovedInOneGestureBringsBothPoseAndStartBack) {
     ASSERT_FALSE(session.apply(EditStart{0, after}, 7));
     EXPECT_EQ(session.undo_depth(), 1);
     session.reset();
-    EXPECT_FLOAT_EQ(session.snapshot().vehicles[0].x, 5) << "a new run begins there";
+    EXPECT_FLOAT_EQ(session.snapshot().vehicles[0].x, 5) << "a new run begins at this position";
     session.undo();
     EXPECT_EQ(session.snapshot().scene->starts[0], before);
     EXPECT_FLOAT_EQ(session.snapshot().vehicles[0].x, 1);
@@ -98,7 +98,7 @@ TEST(Undo, OfAStartMovedInOneGestureBringsBothPoseAndStartBack) {
     EXPECT_FLOAT_EQ(session.snapshot().vehicles[0].x, 5);
 }
 
-TEST(Undo, ForgetsTheFutureOnANewEdit) {
+TEST(Undo, DropsRedoStepsOnANewEdit) {
     Session session = open(tests::crowd(2));
     session.apply(TurnDial{{.kind = 0}, Dial::LL, 1});
     session.undo();
@@ -106,7 +106,7 @@ TEST(Undo, ForgetsTheFutureOnANewEdit) {
     EXPECT_EQ(session.redo_depth(), 0);
 }
 
-// What a person has made of the scene and where everyone stands, without what only time changes.
+// The edited state of the scene and the poses, without the values that only time changes.
 void expect_same(const Session& session, const Scene& scene, const Snapshot& then) {
     EXPECT_EQ(session.edited_scene(), scene);
     const Snapshot& now = session.snapshot();
@@ -126,7 +126,7 @@ void expect_same(const Session& session, const Scene& scene, const Snapshot& the
     for (std::size_t i = 0; i < then.obstacles.size(); ++i) EXPECT_EQ(now.obstacles[i], then.obstacles[i]);
 }
 
-// Any one of the edits that a hand can make, with numbers by chance.
+// A random edit with random numbers.
 Command any_edit(const Session& session, maths::Random& chance) {
     const Snapshot& now = session.snapshot();
     const auto below = [&](std::size_t n) { return n == 0 ? 0 : static_cast<int>(chance.next() % n); };
@@ -190,7 +190,7 @@ Scene furnished() {
     return scene;
 }
 
-TEST(Undo, TakesBackWhateverAHandCanDoAndDoesItAgain) {
+TEST(Undo, RevertsAndRepeatsEveryCommand) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Session session = open(furnished());
         maths::Random chance{seed, 4};
@@ -210,7 +210,7 @@ TEST(Undo, TakesBackWhateverAHandCanDoAndDoesItAgain) {
     }
 }
 
-TEST(Time, GoesBackToAnyMomentOfTheLastMinuteAndOnAgainInTheSameWay) {
+TEST(Time, GoesBackToAnyTickOfTheLastMinuteAndReplaysExactly) {
     Session session = open(furnished());
     maths::Random chance{3, 4};
     std::vector<std::uint64_t> hashes;
@@ -239,7 +239,7 @@ TEST(Time, GoesBackToAnyMomentOfTheLastMinuteAndOnAgainInTheSameWay) {
     }
 }
 
-TEST(Time, TakesAnotherWayFromAnEditInThePast) {
+TEST(Time, ChangesTheRunAfterAnEditInThePast) {
     Session session = open(furnished());
     for (int i = 0; i < 700; ++i) session.step();
     const auto hash = session.hash();
@@ -255,14 +255,14 @@ std::optional<maths::vec2> place_of(const Session& session, NodeId node, std::si
     return find_node(*now.brains[static_cast<std::size_t>(now.vehicles[vehicle].brain)], node)->place;
 }
 
-TEST(CosmeticEdits, OfNodesAreUndoneAsEverythingIs) {
+TEST(CosmeticEdits, OfNodesAreUndoneLikeOtherEdits) {
     Session session = open(tests::crowd(4));
     const int kind = session.snapshot().vehicles[0].kind;
     ASSERT_FALSE(session.apply(PlaceNodes{{.vehicle = session.snapshot().vehicles[0].id}, {{1, maths::vec2{5, 6}}}}));
     ASSERT_FALSE(session.apply(PlaceNodes{{.kind = kind}, {{0, maths::vec2{1, 2}}, {99, maths::vec2{}}}}));
     EXPECT_EQ(session.undo_depth(), 2);
     EXPECT_EQ(place_of(session, 0), (maths::vec2{1, 2}));
-    EXPECT_EQ(place_of(session, 1), (maths::vec2{5, 6})) << "its own stays";
+    EXPECT_EQ(place_of(session, 1), (maths::vec2{5, 6})) << "the position in the vehicle's own brain is kept";
     EXPECT_EQ(session.edited_scene().kinds[static_cast<std::size_t>(kind)].brain.nodes[0].place, (maths::vec2{1, 2}));
     session.undo();
     EXPECT_EQ(place_of(session, 0), std::nullopt);
@@ -272,10 +272,10 @@ TEST(CosmeticEdits, OfNodesAreUndoneAsEverythingIs) {
     session.redo(), session.redo();
     EXPECT_EQ(place_of(session, 0), (maths::vec2{1, 2}));
     session.reset();
-    EXPECT_EQ(place_of(session, 0), (maths::vec2{1, 2})) << "a reset keeps it, as every edit";
+    EXPECT_EQ(place_of(session, 0), (maths::vec2{1, 2})) << "a reset keeps it like every edit";
 }
 
-TEST(CosmeticEdits, BeyondTheCanvasAndOfNobodyAreRefused) {
+TEST(CosmeticEdits, OutsideTheCanvasAndForAMissingVehicleAreRefused) {
     Session session = open(tests::crowd(2));
     EXPECT_TRUE(session.apply(PlaceNodes{{.kind = 0}, {{0, maths::vec2{0, 100001}}}}));
     EXPECT_TRUE(session.apply(PlaceNodes{{.kind = 0}, {{0, maths::vec2{std::nanf(""), 0}}}}));
@@ -284,7 +284,7 @@ TEST(CosmeticEdits, BeyondTheCanvasAndOfNobodyAreRefused) {
     EXPECT_EQ(session.undo_depth(), 0);
 }
 
-TEST(CosmeticEdits, OfNodesChangeNothingThatHappens) {
+TEST(CosmeticEdits, OfNodesDoNotChangeTheRun) {
     Scene scene = furnished();
     scene.kinds[0].brain.nodes.push_back({.id = 9, .name = "N", .time_constant = 2});
     scene.kinds[0].brain.wires.push_back({.from = 0, .to = 9});
@@ -299,14 +299,14 @@ TEST(CosmeticEdits, OfNodesChangeNothingThatHappens) {
     EXPECT_EQ(moved.hash(), plain.hash());
     EXPECT_EQ(moved.snapshot().neurons.size(), neurons.size());
     for (Session* session : {&plain, &moved}) ASSERT_FALSE(session->apply(TurnDial{{.kind = 0}, Dial::LL, 1}));
-    EXPECT_EQ(moved.bookmark().checkpoint.keyframe_tick, 0u) << "they make no keyframe: the world is not made anew";
+    EXPECT_EQ(moved.bookmark().checkpoint.keyframe_tick, 0u) << "the edits make no keyframe: the world is not rebuilt";
     run(500);
     EXPECT_EQ(moved.hash(), plain.hash());
     moved.seek(200);
     EXPECT_EQ(place_of(moved, 9), (maths::vec2{2 * keyframe_commands - 1, 3}));
 }
 
-TEST(CosmeticEdits, ThatChangeInThePastLeaveTheFutureAsItWas) {
+TEST(CosmeticEdits, InThePastKeepTheRecordedFuture) {
     Session session = open(furnished());
     for (int i = 0; i < 500; ++i) session.step();
     BrainGraph rewired = *session.snapshot().kind_brains[0];
@@ -329,7 +329,7 @@ TEST(CosmeticEdits, ThatChangeInThePastLeaveTheFutureAsItWas) {
     EXPECT_EQ(place_of(session, 2), std::nullopt);
     EXPECT_EQ(session.undo_depth(), 0);
     session.seek(650);
-    EXPECT_EQ(place_of(session, 2), (maths::vec2{70, 80})) << "keyframes ahead have it too";
+    EXPECT_EQ(place_of(session, 2), (maths::vec2{70, 80})) << "later keyframes have it too";
     session.seek(350);
     EXPECT_EQ(session.undo_depth(), 1);
     session.undo();
@@ -345,7 +345,7 @@ TEST(CosmeticEdits, ThatChangeInThePastLeaveTheFutureAsItWas) {
     EXPECT_EQ(session.undo_depth(), 2);
 }
 
-TEST(Time, ThatAnEditInThePastForgotIsBackWhenTheEditIsUndone) {
+TEST(Time, DroppedByAnEditInThePastIsRestoredByUndo) {
     Session session = open(furnished());
     for (int i = 0; i < 200; ++i) session.step();
     session.apply(TurnDial{{.kind = 0}, Dial::RR, 1});
@@ -356,39 +356,39 @@ TEST(Time, ThatAnEditInThePastForgotIsBackWhenTheEditIsUndone) {
     for (const float value : {0.5f, 1.0f, 2.0f}) ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, value}, 9));
     EXPECT_TRUE(session.undo_brings_time_back());
     ASSERT_FALSE(session.apply(RemoveVehicle{}));
-    EXPECT_FALSE(session.undo_brings_time_back()) << "this one took nothing away";
+    EXPECT_FALSE(session.undo_brings_time_back()) << "this edit has dropped no recorded time";
     session.undo(), session.undo();
     EXPECT_EQ(session.latest(), 700u);
     EXPECT_EQ(session.snapshot().tick, 350u);
     EXPECT_EQ(session.hash(), then);
     while (session.snapshot().tick < 700) session.step();
-    EXPECT_EQ(session.hash(), hash) << "to the very bit";
+    EXPECT_EQ(session.hash(), hash) << "bit for bit";
     session.seek(350);
     EXPECT_EQ(session.undo_depth(), 1);
 }
 
-TEST(Time, ThatWasForgottenStaysSoOnceTheRunHasGoneOn) {
+TEST(Time, DroppedByAnEditInThePastStaysDroppedOnceTheRunContinues) {
     Session session = open(furnished());
     session.apply(TurnDial{{.kind = 0}, Dial::RR, 1});
     for (int i = 0; i < 700; ++i) session.step();
     session.seek(350);
     session.undo();
     session.apply(TurnDial{{.kind = 0}, Dial::LL, 1});
-    EXPECT_FALSE(session.undo_brings_time_back()) << "the run that was recorded had another RR";
+    EXPECT_FALSE(session.undo_brings_time_back()) << "the recorded run has another RR";
     session.undo();
     EXPECT_EQ(session.latest(), 350u);
     session.step();
     session.seek(350);
     session.apply(TurnDial{{.kind = 0}, Dial::LL, 1});
     session.undo();
-    EXPECT_EQ(session.latest(), 351u) << "one tick was recorded, and is back";
+    EXPECT_EQ(session.latest(), 351u) << "the one recorded tick is restored";
     session.apply(TurnDial{{.kind = 0}, Dial::LL, 1});
     session.step(), session.step();
     session.undo();
     EXPECT_EQ(session.latest(), 352u);
 }
 
-TEST(Bookmark, BringsItsMomentBackFromAnyOtherRun) {
+TEST(Bookmark, RestoresItsTickFromAnyOtherRun) {
     Session session = open(furnished());
     session.apply(TurnDial{{.kind = 0}, Dial::LL, 1});
     for (int i = 0; i < 450; ++i) session.step();
@@ -397,7 +397,7 @@ TEST(Bookmark, BringsItsMomentBackFromAnyOtherRun) {
     for (int i = 0; i < 100; ++i) session.step();
     session.go_to(here);
     EXPECT_EQ(session.hash(), hash);
-    EXPECT_EQ(session.latest(), 550u) << "what lay ahead is still there";
+    EXPECT_EQ(session.latest(), 550u) << "the recorded future is kept";
     session.apply(TurnDial{{.kind = 0}, Dial::LL, -1});
     session.reset();
     for (int i = 0; i < 30; ++i) session.step();
@@ -407,7 +407,7 @@ TEST(Bookmark, BringsItsMomentBackFromAnyOtherRun) {
     EXPECT_EQ(dial(session, Dial::LL), 1);
 }
 
-TEST(Reset, KeepsWhatWasAddedMovedAndTakenAway) {
+TEST(Reset, KeepsAddedMovedAndRemovedObjects) {
     Session session = open(furnished());
     for (int i = 0; i < 20; ++i) session.step();
     ASSERT_FALSE(session.apply(RemoveVehicle{0}));
@@ -423,13 +423,13 @@ TEST(Reset, KeepsWhatWasAddedMovedAndTakenAway) {
     EXPECT_EQ(now.sources.size(), 1u);
     EXPECT_FLOAT_EQ(now.vehicles[1].x, 3);
     EXPECT_FLOAT_EQ(now.vehicles[1].y, -2);
-    EXPECT_EQ(dial(session, Dial::LL, 1), 1.25f) << "the brain follows its vehicle to its new number";
+    EXPECT_EQ(dial(session, Dial::LL, 1), 1.25f) << "the brain stays with its vehicle under its new number";
     while (session.undo()) {
     }
     EXPECT_EQ(session.edited_scene(), furnished());
 }
 
-TEST(Reset, OfAnExerciseKeepsTheBrainsAlone) {
+TEST(Reset, OfAnExerciseKeepsOnlyTheBrains) {
     Session session = open(furnished());
     ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 1.25f}));
     ASSERT_FALSE(session.apply(MoveSource{0, 4, 4}));
@@ -439,10 +439,10 @@ TEST(Reset, OfAnExerciseKeepsTheBrainsAlone) {
     expected.kinds[0].brain = *session.snapshot().kind_brains[0];
     EXPECT_EQ(session.edited_scene(), expected);
     EXPECT_EQ(dial(session, Dial::LL), 1.25f);
-    EXPECT_EQ(session.undo_depth(), 1) << "only the brain's edit still means something";
+    EXPECT_EQ(session.undo_depth(), 1) << "only the edit of the brain still applies";
 }
 
-TEST(Reset, GivesTheVerySameStartAndKeepsTheEditedBrains) {
+TEST(Reset, RestoresTheExactStartAndKeepsTheEditedBrains) {
     Session session = open(tests::crowd(6)), fresh = open(tests::crowd(6));
     for (int i = 0; i < 300; ++i) session.step();
     session.reset();
@@ -457,7 +457,7 @@ TEST(Reset, GivesTheVerySameStartAndKeepsTheEditedBrains) {
     EXPECT_EQ(dial(session, Dial::LL), 1);
 }
 
-TEST(CosmeticEdits, ATitleChangedInThePastLeavesTheRecordedFuture) {
+TEST(CosmeticEdits, OfATitleInThePastKeepTheRecordedFuture) {
     Session session = open(furnished());
     for (int i = 0; i < 650; ++i) session.step();
     const auto hash = session.hash();

@@ -1,4 +1,4 @@
-// The shipped scenes show what their stories say, on the real physics and from many starts.
+// The shipped scenes behave as their stories say, in the full simulation and from many starts.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -22,9 +22,9 @@ Scene shipped(const std::string& name) {
     return scene ? *scene : Scene{};
 }
 
-// What the first vehicle and the first lamp went through.
+// The recorded distances, speeds and angles of the first vehicle and the first lamp.
 struct Story {
-    std::vector<float> distance, speed, off;  // m, m/s, degrees; one a tick
+    std::vector<float> distance, speed, off;  // m, m/s, degrees; one per tick
     float nearest() const { return *std::min_element(distance.begin(), distance.end()); }
     std::size_t when_within(float metres) const {
         return static_cast<std::size_t>(
@@ -135,7 +135,7 @@ TEST(ShippedScenes, AMothCirclesTheLampAtOneDistance) {
     }
 }
 
-// How near the first vehicle came to each source.
+// The smallest distance of the first vehicle to each source.
 std::vector<float> nearest_to_each(const World& world, std::vector<float> before = {}) {
     static Snapshot now;
     world.capture(now);
@@ -186,7 +186,7 @@ TEST(ShippedScenes, ACounterStopsAtTheThirdLamp) {
     }
     Scene two_lamps = scene;
     two_lamps.sources.resize(2);
-    EXPECT_GT(watch(two_lamps, 1, 6).speed.back(), 1.2f) << "with two lamps it has no reason to stop";
+    EXPECT_GT(watch(two_lamps, 1, 6).speed.back(), 1.2f) << "it does not stop at two lamps";
 }
 
 TEST(ShippedScenes, ACreatureOfFourSensesAvoidsHeatAndEndsBesideWhatItLoves) {
@@ -201,7 +201,7 @@ TEST(ShippedScenes, ACreatureOfFourSensesAvoidsHeatAndEndsBesideWhatItLoves) {
         world->capture(now);
         const VehicleView& it = now.vehicles.front();
         struck_the_lamp += nearest[0] < 0.8f;
-        EXPECT_GT(nearest[1], 2.5f) << seed << " came near the heat";
+        EXPECT_GT(nearest[1], 2.5f) << seed << " approached the heat";
         const float dx = now.sources[2].x - it.x, dy = now.sources[2].y - it.y;
         EXPECT_LT(std::hypot(dx, dy), 3) << seed;
         EXPECT_LT(std::fabs(maths::wrap_angle(maths::arctangent2(dy, dx) - it.heading)), maths::radians(15)) << seed;
@@ -221,8 +221,8 @@ TEST(ShippedScenes, APupilLearnsToFearRedAndForgets) {
             for (int tick = 0; tick < seconds * 60; ++tick, world->step()) nearest = nearest_to_each(*world, nearest);
             return nearest[0];
         };
-        EXPECT_LT(nearest_to_toy(4), 0.6f) << seed << " minds red before it has learned to";
-        (void)nearest_to_toy(30);  // it has met heat and red together
+        EXPECT_LT(nearest_to_toy(4), 0.6f) << seed << " avoids red before it has learned";
+        (void)nearest_to_toy(30);  // heat and red occur together
         ASSERT_FALSE(world->apply(MoveVehicle{0, -6.5f, 0, 0}));
         EXPECT_GT(nearest_to_toy(4), 1.5f) << seed << " has learned nothing";
 
@@ -262,7 +262,7 @@ TEST(ShippedScenes, TheTortoiseGoesHomeWhenItIsHungryAndLeavesWhenItIsFull) {
 
 // ── Presets and scenes are the same vehicles ────────────────────────────────────────────────────────────────────────
 
-// A brain by what it does: names for numbers, no feelers, no wires that deliver nothing, in one order.
+// A brain in a normal form: names instead of ids, no feelers, no wires without effect, in a fixed order.
 struct Drawing {
     std::vector<Node> nodes;
     std::vector<std::pair<std::pair<std::string, std::string>, Wire>> wires;

@@ -1,4 +1,4 @@
-// Who enters, where, and that nothing stays behind of those who left.
+// Kind and position of new vehicles, and the memory that removed vehicles release.
 #include <cmath>
 
 #if defined(__GLIBC__)
@@ -21,7 +21,7 @@ using tests::crowd;
 using tests::look;
 using tests::make;
 
-TEST(FreeSpace, AreFreeWhereLookingAtEverythingSaysSo) {
+TEST(FreeSpace, AgreesWithASearchOfAllObjects) {
     Scene scene = crowd(40);
     scene.arena.width = 60, scene.arena.height = 24;
     scene.kinds[0].body.length = 2.5f;
@@ -61,7 +61,7 @@ TEST(FreeSpace, AreFreeWhereLookingAtEverythingSaysSo) {
     EXPECT_LT(free, 18000);
 }
 
-TEST(Population, OfSmallRobotsFindsRoomOnASmallTable) {
+TEST(Population, OfSmallRobotsFitsOnASmallTable) {
     Scene scene = crowd(12);
     scene.arena.width = scene.arena.height = 2;
     for (Kind& kind : scene.kinds) kind.body.length = 0.2f, kind.body.width = 0.14f;
@@ -79,10 +79,10 @@ Scene large_crowd(int population) {
     return scene;
 }
 
-TEST(Population, OfTwentyThousandLoadsRunsStarvesAndIsBornAgain) {
+TEST(Population, OfTwentyThousandLoadsRunsStarvesAndIsReplaced) {
     Scene scene = large_crowd(20000);
     scene.ecology.bite = 0;
-    // All of them starve in the same tick.
+    // All vehicles starve in the same tick.
     World world = tests::begin_with(scene, [](State& m) { m.vehicles.energy.assign(20000, 0); });
     Snapshot now = after(world, 2.0 / 60);
     EXPECT_EQ(now.vehicles.size(), 20000u);
@@ -95,13 +95,13 @@ TEST(Population, OfTwentyThousandLoadsRunsStarvesAndIsBornAgain) {
 }
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
-// What the C library has given out and not got back, in bytes.
+// Allocated memory of the C library, in bytes.
 std::size_t in_use() {
     const auto all = mallinfo2();
     return all.uordblks + all.hblkhd;
 }
 
-TEST(Population, ThatComesAndGoesTenThousandTimesLeavesNothingBehind) {
+TEST(Population, LeaksNoMemoryInTenThousandAdditionsAndRemovals) {
     Scene scene = crowd(20);
     scene.arena.width = scene.arena.height = 60;
     World world = make(scene);
@@ -111,7 +111,7 @@ TEST(Population, ThatComesAndGoesTenThousandTimesLeavesNothingBehind) {
             if (i % 3 == 0) world.step();
             EXPECT_FALSE(world.apply(RemoveVehicle{i % 2 == 0 ? no_vehicle : look(world).vehicles.back().id}));
         }
-        after(world, 6);  // past the next keyframe, which forgets the commands
+        after(world, 6);  // past the next keyframe, which drops the commands
     };
     come_and_go(1000);
     const std::size_t before = in_use();

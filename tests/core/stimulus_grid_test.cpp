@@ -12,7 +12,7 @@ using namespace sensing;
 using maths::vec2;
 using tests::Chance;
 
-// The image of a place across the seams that is nearest to `from`, found by trying them all.
+// The image of a position across the seams that is nearest to `from`, by a search of all images.
 vec2 nearest_image(const Arena& arena, vec2 from, vec2 place) {
     vec2 nearest = place;
     if (arena.edge != Boundary::torus) return nearest;

@@ -1,4 +1,4 @@
-// Forks, traces, and what a snapshot, an edit and the hash leave as it is or notice.
+// Forks, traces, snapshots, edits and the hash.
 #include <functional>
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ void steps(World& world, int count) {
     for (int i = 0; i < count; ++i) world.step();
 }
 
-TEST(World, AForkEvolvesAsTheOriginalDoesAfterAKeyframeAtTheSameTick) {
+TEST(World, AForkEqualsTheOriginalAfterAKeyframeAtTheSameTick) {
     for (const auto& path : shipped_scenes()) {
         World original = shipped(path);
         steps(original, static_cast<int>(keyframe_ticks));
@@ -32,7 +32,7 @@ TEST(World, AForkEvolvesAsTheOriginalDoesAfterAKeyframeAtTheSameTick) {
     }
 }
 
-TEST(World, AForkBetweenKeyframesIsTheRunThatItsCheckpointRestores) {
+TEST(World, AForkBetweenKeyframesEqualsTheRunFromItsCheckpoint) {
     for (const auto& path : shipped_scenes()) {
         World original = shipped(path), undisturbed = shipped(path);
         steps(original, 137), steps(undisturbed, 137);
@@ -110,7 +110,7 @@ TEST(World, EditingASourceThatIsNotSolidDoesNotRebuildTheBodies) {
         << "the poses must depend on a rebuild, else this test is void";
 }
 
-TEST(World, TheHashDependsOnEverythingThatDecidesTheFuture) {
+TEST(World, TheHashDependsOnAllStateThatAffectsTheRun) {
     Scene scene = crowd(3);
     scene.sources = {{.name = "lamp", .x = 2}};
     scene.obstacles = {{.name = "box", .x = 4}};
@@ -154,7 +154,7 @@ TEST(World, TheHashDependsOnEverythingThatDecidesTheFuture) {
     }
     Scene renamed = scene;
     renamed.name = "other", renamed.title = "Other", renamed.story = "Once.";
-    EXPECT_EQ(make(renamed).hash(), hash) << "the title changes nothing that happens";
+    EXPECT_EQ(make(renamed).hash(), hash) << "the title does not change the run";
 }
 
 }  // namespace

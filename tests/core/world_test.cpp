@@ -35,7 +35,7 @@ TEST(World, RepeatsARunBitForBit) {
     EXPECT_NE(a.hash(), other.hash());
 }
 
-TEST(World, HashesTellAWeightApart) {
+TEST(World, HashesDifferForDifferentWeights) {
     World a = make(crowd(2)), b = make(crowd(2));
     ASSERT_FALSE(b.apply(TurnDial{{.kind = 0}, Dial::LL, 0.001f}));
     EXPECT_NE(a.hash(), b.hash());
@@ -49,7 +49,7 @@ TEST(Wheels, DriveStraightAheadOnEqualCommands) {
     EXPECT_GT(now.vehicles[0].x, 6);
 }
 
-TEST(Wheels, TurnOnTheCircleOfADifferentialDrive) {
+TEST(Wheels, FollowTheCircleOfADifferentialDrive) {
     for (const auto& [left, right] : {std::pair{0.2f, 0.5f}, {0.5f, 0.3f}, {-0.2f, 0.2f}, {0.1f, 0.6f}}) {
         World world = make(alone({.LM = left, .RM = right}));
         const Snapshot a = after(world, 3), b = after(world, 1);
@@ -61,7 +61,7 @@ TEST(Wheels, TurnOnTheCircleOfADifferentialDrive) {
     }
 }
 
-TEST(Wheels, DoNotChatterAboutACommandedSpeed) {
+TEST(Wheels, DoNotOscillateAroundACommandedSpeed) {
     World world = make(alone({.LM = 0.4f, .RM = 0.4f}));
     after(world, 4);
     float slowest = 1e9f, fastest = -1e9f;
@@ -73,7 +73,7 @@ TEST(Wheels, DoNotChatterAboutACommandedSpeed) {
     EXPECT_LT(fastest - slowest, 1e-3f);
 }
 
-TEST(Wheels, AccelerateNoFasterThanMotorsAndFrictionAllow) {
+TEST(Wheels, AccelerateWithinTheLimitsOfMotorsAndFriction) {
     Scene scene = alone({.LM = 1, .RM = 1});
     scene.arena.grip = 0.1f;  // ice
     World world = make(scene);
@@ -90,11 +90,11 @@ TEST(Walls, KeepVehiclesInTheArena) {
     World world = make(scene);
     const Snapshot now = after(world, 10);
     EXPECT_LT(now.vehicles[0].x, 5);
-    EXPECT_NEAR(now.vehicles[0].x, 4.5f, 0.05f);  // the chassis' front, half a metre ahead, rests at the wall
+    EXPECT_NEAR(now.vehicles[0].x, 4.5f, 0.05f);  // the front of the chassis, 0.5 m ahead, touches the wall
     EXPECT_GT(now.events.contacts, 0);
 }
 
-TEST(Eyes, SeeALampOnTheirOwnSideStronger) {
+TEST(Eyes, ReadMoreForALampOnTheirSide) {
     Scene scene = alone({}, 0, 0, 0);
     scene.sources.push_back({.name = "lamp", .x = 4, .y = 0.3f});
     World world = make(scene);
@@ -104,7 +104,7 @@ TEST(Eyes, SeeALampOnTheirOwnSideStronger) {
     EXPECT_GT(now.sensed[1], 0);
 }
 
-TEST(Eyes, GiveTheGradedFormula) {
+TEST(Eyes, FollowTheGradedFormula) {
     Scene scene = alone({});
     scene.kinds[0].sensors.resize(1);
     scene.kinds[0].sensors[0].x = scene.kinds[0].sensors[0].y = scene.kinds[0].sensors[0].angle = 0;
@@ -149,11 +149,11 @@ TEST(Roles, LetPredatorsSenseOnlyPreyAndPreyOnlyPredators) {
     World world = make(scene);
     Snapshot now;
     world.capture(now);
-    for (const float s : now.sensed) EXPECT_EQ(s, 0);  // a looks at b, c looks at d: nothing to see
+    for (const float s : now.sensed) EXPECT_EQ(s, 0);  // a points at b, c points at d: no vehicle of the sensed role
     ASSERT_FALSE(world.apply(MoveVehicle{now.vehicles[2].id, 3, 3, 0}));
     ASSERT_FALSE(world.apply(MoveVehicle{now.vehicles[1].id, 3, -8, 0}));
     world.capture(now);
-    EXPECT_GT(now.sensed[0], 0);  // now a's left eye has prey before it
+    EXPECT_GT(now.sensed[0], 0);  // prey is in the field of a's left eye
 }
 
 TEST(Predator, BitesPreyOnceASecondWhileTheyTouch) {
@@ -171,7 +171,7 @@ TEST(Predator, BitesPreyOnceASecondWhileTheyTouch) {
     EXPECT_NEAR(now.vehicles[1].energy, 1 - 0.1f * static_cast<float>(now.events.captures), 1e-5f);
 }
 
-TEST(Energy, ReachingZeroMakesRoomForTheOppositeRole) {
+TEST(Energy, AtZeroReplacesTheVehicleByOneOfTheOppositeRole) {
     Scene scene = crowd(4);
     scene.kinds[1].share = 0;  // predators only at first
     scene.ecology.drain = 0.5f;
@@ -184,10 +184,10 @@ TEST(Energy, ReachingZeroMakesRoomForTheOppositeRole) {
     EXPECT_EQ(before.predators, 4);
     EXPECT_EQ(now.prey, 4);
     EXPECT_EQ(now.vehicles.size(), 4u);
-    EXPECT_GT(now.vehicles.front().id, before.vehicles.back().id);  // ids are never used again
+    EXPECT_GT(now.vehicles.front().id, before.vehicles.back().id);  // ids are never reused
 }
 
-TEST(Generation, RisesWhenNothingHasMovedForAsLongAsTheSceneSays) {
+TEST(Generation, IncreasesAfterTheIdleTimeOfTheScene) {
     Scene scene = crowd(4);
     for (Kind& kind : scene.kinds) kind.driver = Driver::parked;
     scene.ecology.inactivity = 2;
@@ -198,7 +198,7 @@ TEST(Generation, RisesWhenNothingHasMovedForAsLongAsTheSceneSays) {
     EXPECT_EQ(now.vehicles.size(), 4u);
 }
 
-TEST(Population, KeepsAddedAndRemovedVehiclesAcrossNew) {
+TEST(Population, KeepsAddedAndRemovedVehiclesInANewWorld) {
     World world = make(crowd(6));
     ASSERT_FALSE(world.apply(AddVehicle{}));
     ASSERT_FALSE(world.apply(AddVehicle{}));
@@ -220,18 +220,18 @@ TEST(Population, StartsWithoutOverlap) {
             EXPECT_GT(std::hypot(now.vehicles[i].x - now.vehicles[j].x, now.vehicles[i].y - now.vehicles[j].y), 1.2f);
 }
 
-TEST(Population, OfTwoThousandCanComeAndGo) {
+TEST(Population, OfTwoThousandCanBeAddedAndRemoved) {
     Scene scene = crowd(0);
     scene.arena.width = scene.arena.height = 120;
     World world = make(scene);
     for (int i = 0; i < 2000; ++i) ASSERT_FALSE(world.apply(AddVehicle{}));
     after(world, 0.5);
     for (int i = 0; i < 2000; ++i) ASSERT_FALSE(world.apply(RemoveVehicle{}));
-    EXPECT_TRUE(world.apply(RemoveVehicle{}));  // nobody left to remove
+    EXPECT_TRUE(world.apply(RemoveVehicle{}));  // no vehicle is left
     EXPECT_EQ(after(world, 0.1).vehicles.size(), 0u);
 }
 
-TEST(Commands, ForAKindReachItsVehiclesAndNewcomersAlike) {
+TEST(Commands, ForAKindApplyToItsPresentAndLaterVehicles) {
     World world = make(crowd(4));
     ASSERT_FALSE(world.apply(TurnDial{{.kind = 1}, Dial::LL, -2}));
     ASSERT_FALSE(world.apply(AddVehicle{1}));
@@ -242,7 +242,7 @@ TEST(Commands, ForAKindReachItsVehiclesAndNewcomersAlike) {
     EXPECT_EQ(now.brains.size(), 2u);  // vehicles that shared a brain still share one
 }
 
-TEST(Commands, ForOneVehicleLeaveTheOthersAlone) {
+TEST(Commands, ForOneVehicleDoNotChangeOtherVehicles) {
     World world = make(crowd(4));
     Snapshot now;
     world.capture(now);
@@ -253,7 +253,7 @@ TEST(Commands, ForOneVehicleLeaveTheOthersAlone) {
         EXPECT_EQ(read_dials(*now.brains[static_cast<std::size_t>(v.brain)]).RM == -0.5f, v.id == chosen);
 }
 
-TEST(Commands, ThatCannotBeDoneAreRefusedAndChangeNothing) {
+TEST(Commands, ThatAreInvalidAreRefusedAndChangeNothing) {
     World world = make(crowd(4));
     const auto before = world.hash();
     BrainGraph broken = make_graph({});
@@ -265,9 +265,10 @@ TEST(Commands, ThatCannotBeDoneAreRefusedAndChangeNothing) {
     EXPECT_EQ(world.hash(), before);
 }
 
-TEST(Snapshot, OfAPausedWorldShowsWhatTheBrainMakesOfACommandAtOnceWithoutThinkingAhead) {
+TEST(Snapshot, OfAPausedWorldShowsTheEffectOfACommandOnTheBrainWithoutATick) {
     Scene scene = alone({});
-    find_node(scene.kinds[0].brain, "MR")->time_constant = 0.5f;  // a leaky motor: thinking twice would show
+    find_node(scene.kinds[0].brain, "MR")->time_constant =
+        0.5f;  // a leaky motor: a second update of the brain would change its value
     World world = make(scene);
     const auto before = world.hash();
     Snapshot now;
@@ -282,7 +283,7 @@ TEST(Snapshot, OfAPausedWorldShowsWhatTheBrainMakesOfACommandAtOnceWithoutThinki
     EXPECT_EQ(after(world, 1.0 / 60).vehicles[0].motor[1], foreseen);
 }
 
-TEST(Snapshot, TellsTheValueOfEveryNode) {
+TEST(Snapshot, HasTheValueOfEveryNode) {
     Scene scene = alone({.LL = 0.5f, .LM = 0.25f});
     scene.sources.push_back({.name = "lamp", .x = 2, .y = 0});
     World world = make(scene);
