@@ -13,7 +13,7 @@ namespace {
 
 float added_up(const MotorSum& sum) { return sum.products[0].value + sum.products[1].value + sum.bias + sum.others; }
 
-// One vehicle whose left motor has a third wire, from a neuron that stands at `neuron`.
+// One vehicle whose left motor has a third wire, from a neuron with the value `neuron`.
 Snapshot with_a_third_wire(float neuron, float weight) {
     Snapshot now = snapshot(0);
     auto brain = std::make_shared<BrainGraph>(*now.brains[0]);
@@ -29,7 +29,7 @@ Snapshot with_a_third_wire(float neuron, float weight) {
 
 }  // namespace
 
-TEST(BrainAnalysis, AreProductsAndBiasWhereABrainHasFourWires) {
+TEST(BrainAnalysis, GivesProductsAndBiasForABrainWithFourWires) {
     const Snapshot now = snapshot(0);  // a coward: SL 0.4 and SR 0.2 times 1.5, and 0.1
     const auto sums = motor_sums(now, now.vehicles[0]);
     EXPECT_FLOAT_EQ(added_up(sums[0]), 0.7f);
@@ -37,7 +37,7 @@ TEST(BrainAnalysis, AreProductsAndBiasWhereABrainHasFourWires) {
     EXPECT_FALSE(sums[0].more_wires);
 }
 
-TEST(BrainAnalysis, SayWhatALesionTakesAway) {
+TEST(BrainAnalysis, ReportsTheEffectOfALesion) {
     Snapshot now = snapshot(0);
     BrainGraph hurt = *now.brains[0];
     find_node(hurt, "SR")->silenced = true;
@@ -47,7 +47,7 @@ TEST(BrainAnalysis, SayWhatALesionTakesAway) {
     EXPECT_TRUE(sums[0].products[0].cut);
     EXPECT_EQ(sums[0].products[0].value, 0);
     EXPECT_EQ(sums[1].products[0].input, 0) << "a covered eye reads nothing";
-    EXPECT_FALSE(sums[0].more_wires) << "a lesion is no further wire";
+    EXPECT_FALSE(sums[0].more_wires) << "a lesion is not a further wire";
 
     find_node(hurt, "MR")->silenced = true;
     now.brains[0] = std::make_shared<BrainGraph>(hurt);
@@ -57,7 +57,7 @@ TEST(BrainAnalysis, SayWhatALesionTakesAway) {
     EXPECT_EQ(stopped[1].others, 0) << "a stopped motor is not braked by further wires";
 }
 
-TEST(BrainAnalysis, CountWhatFurtherWiresBring) {
+TEST(BrainAnalysis, AddsTheSignalsOfFurtherWires) {
     const Snapshot now = with_a_third_wire(0.5f, -0.8f);
     const auto sums = motor_sums(now, now.vehicles[0]);
     ASSERT_TRUE(sums[0].more_wires);
@@ -66,14 +66,14 @@ TEST(BrainAnalysis, CountWhatFurtherWiresBring) {
     EXPECT_NEAR(sums[1].others, 0, 1e-6f);
 }
 
-TEST(BrainAnalysis, DoNotCallTheWheelsLimitAFurtherWire) {
-    const Snapshot now = with_a_third_wire(1, 1);  // 1.7, of which the wheel takes 1
+TEST(BrainAnalysis, DoesNotReportTheLimitOfAWheelAsAFurtherWire) {
+    const Snapshot now = with_a_third_wire(1, 1);  // 1.7, which the wheel clamps to 1
     const auto sums = motor_sums(now, now.vehicles[0]);
     EXPECT_NEAR(sums[0].others, 1, 1e-6f);
     EXPECT_FLOAT_EQ(sums[0].total, 1);
 }
 
-// What further wires bring to a motor without a curve or memory of its own, wire by wire.
+// The sum of the further wires of a motor without curve and memory, wire by wire.
 float brought_by_others(const Snapshot& now, const VehicleView& vehicle, const BrainGraph& brain, const Node& motor) {
     float sum = 0;
     for (const Wire& wire : brain.wires) {
@@ -84,7 +84,7 @@ float brought_by_others(const Snapshot& now, const VehicleView& vehicle, const B
     return sum;
 }
 
-TEST(BrainAnalysis, AddUpToWhatTheMotorsGetForEveryPresetInItsScene) {
+TEST(BrainAnalysis, HasSumsEqualToTheMotorInputsForEveryPreset) {
     int seen = 0, curved = 0;
     for (const Preset& preset : presets()) {
         auto scene =
@@ -113,17 +113,17 @@ TEST(BrainAnalysis, AddUpToWhatTheMotorsGetForEveryPresetInItsScene) {
                     for (const Wire& wire : brain.wires) curved += wire.curve != Curve{};
                     if (motor->curve == Curve{} && motor->time_constant == 0) {
                         EXPECT_NEAR(sum.others, brought_by_others(now, vehicle, brain, *motor), 1e-4f)
-                            << preset.name << ' ' << sum.motor << ": not one number for whatever is left over";
+                            << preset.name << ' ' << sum.motor << ": the remainder is listed wire by wire";
                     }
                 }
             }
         }
     }
     EXPECT_GT(seen, 1000);
-    EXPECT_GT(curved, 0) << "some wire bends";
+    EXPECT_GT(curved, 0) << "a preset has a wire with a curve";
 }
 
-TEST(BrainAnalysis, ShowWhatThresholdAndCurveLetThrough) {
+TEST(BrainAnalysis, ShowsTheOutputOfThresholdAndCurve) {
     Snapshot now = snapshot(0);  // SL reads 0.4, SR 0.2
     BrainGraph bent = *now.brains[0];
     find_wire(bent, 0, 2)->curve = {Response::inverted};
@@ -135,10 +135,10 @@ TEST(BrainAnalysis, ShowWhatThresholdAndCurveLetThrough) {
     EXPECT_EQ(sums[1].products[0].input, 0);
     EXPECT_TRUE(sums[1].products[0].masked);
     EXPECT_FALSE(sums[0].products[0].masked || sums[0].products[1].masked || sums[1].products[1].masked);
-    EXPECT_FALSE(sums[0].more_wires) << "a bent wire is no further wire";
+    EXPECT_FALSE(sums[0].more_wires) << "a wire with a curve is not a further wire";
 }
 
-TEST(BrainAnalysis, SayWhereTheWheelCanDoNoMore) {
+TEST(BrainAnalysis, ReportsAWheelAtItsLimit) {
     Snapshot now = snapshot(0);
     now.brains[0] = std::make_shared<BrainGraph>(make_graph({.LL = 2, .RR = 2, .LM = 0.3f, .RM = 0.3f}));
     now.vehicles[0].motor = {1, 0.7f};
@@ -152,7 +152,7 @@ TEST(BrainAnalysis, SayWhereTheWheelCanDoNoMore) {
     EXPECT_FALSE(backwards[1].limited);
 }
 
-TEST(BrainAnalysis, NameTheLargestPushAsTheCause) {
+TEST(BrainAnalysis, NamesTheLargestTermAsTheCause) {
     Snapshot now = snapshot(0);
     now.vehicles[0].motor = {0.7f, 0.4f};
     const auto coward = motor_sums(now, now.vehicles[0]);
@@ -162,14 +162,14 @@ TEST(BrainAnalysis, NameTheLargestPushAsTheCause) {
 
     now = with_a_third_wire(1, -0.9f);  // braked so much that the right wheel is faster
     const auto braked = motor_sums(now, now.vehicles[0]);
-    EXPECT_EQ(cause(braked).by, Cause::By::others) << "0.9 towards the right, more than SR·RR's 0.3";
+    EXPECT_EQ(cause(braked).by, Cause::By::others) << "0.9 towards the right, more than the 0.3 of SR·RR";
     now = with_a_third_wire(1, 0.9f);
     const auto pushed = motor_sums(now, now.vehicles[0]);
     EXPECT_EQ(cause(pushed).by, Cause::By::others);
     EXPECT_EQ(cause(pushed).product, nullptr);
 }
 
-TEST(BrainAnalysis, NameTheBiasesWhereNothingElsePushes) {
+TEST(BrainAnalysis, NamesTheBiasesIfAllOtherTermsAreZero) {
     Snapshot now = snapshot(0);
     FourNeurons biased;
     biased.RM = 0.3f;

@@ -1,4 +1,4 @@
-// What the brain card does beyond its sliders: both sides at once, lesions, and driving by hand.
+// The brain card except its sliders: edits of both sides, lesions, and manual driving.
 #include <cmath>
 
 #include "core/brain/symmetry.h"
@@ -14,11 +14,11 @@ namespace {
 BrainGraph brain_asked_for(const Desk& desk) {
     const auto edits = desk.edits();
     if (edits.size() != 1) throw std::runtime_error("not one edit but " + std::to_string(edits.size()));
-    EXPECT_NE(edits[0].gesture, 0u) << "a step of undo of its own";
+    EXPECT_NE(edits[0].gesture, 0u) << "a separate step of undo";
     return std::get<SetBrain>(edits[0].command).brain;
 }
 
-// As if the app had carried out what was asked for.
+// Applies the requested edits, as the app does.
 void give(Desk& desk, const BrainGraph& brain) {
     desk.now.brains[0] = std::make_shared<BrainGraph>(brain);
     desk.all.clear();
@@ -31,7 +31,7 @@ bool is_cut(const BrainGraph& brain, const char* from, const char* to) {
 
 }  // namespace
 
-TEST(BrainCard, CrossesTheWiresAndMakesBothSidesAlike) {
+TEST(BrainCard, CrossesTheWiresAndMirrorsTheSides) {
     Desk desk;
     desk.now = snapshot(0);
     give(desk, make_graph({.LL = 1.5f, .RR = 0.5f, .LM = 0.1f}));
@@ -43,10 +43,10 @@ TEST(BrainCard, CrossesTheWiresAndMakesBothSidesAlike) {
     EXPECT_EQ(brain_asked_for(desk), mirrored(before));
     give(desk, mirrored(before));
     desk.click("button.mirror");
-    EXPECT_TRUE(desk.edits().empty()) << "what is alike already is no step of undo";
+    EXPECT_TRUE(desk.edits().empty()) << "no step of undo for equal sides";
 }
 
-TEST(BrainPicture, CoverAnEyeAndUncoverIt) {
+TEST(BrainPicture, CoversAndUncoversAnEye) {
     Desk desk(1280, 1000);
     desk.frame(3);
     const BrainGraph before = *desk.now.brains[0];
@@ -54,24 +54,24 @@ TEST(BrainPicture, CoverAnEyeAndUncoverIt) {
     const BrainGraph covered = brain_asked_for(desk);
     EXPECT_TRUE(find_node(covered, "SL")->silenced);
     EXPECT_FALSE(find_node(covered, "SR")->silenced);
-    EXPECT_EQ(read_dials(covered), read_dials(before)) << "it keeps its numbers";
+    EXPECT_EQ(read_dials(covered), read_dials(before)) << "the weights are unchanged";
     give(desk, covered);
     desk.click("lesion.SL");
     EXPECT_EQ(brain_asked_for(desk), before);
 }
 
-TEST(BrainPicture, StopAMotor) {
+TEST(BrainPicture, StopsAMotor) {
     Desk desk(1280, 1000);
     desk.frame(3);
     desk.click("lesion.MR");
     EXPECT_TRUE(find_node(brain_asked_for(desk), "MR")->silenced);
 }
 
-TEST(BrainPicture, CutAWireByAClickOnItAndJoinItAgain) {
+TEST(BrainPicture, CutsAndRestoresAWireByAClick) {
     Desk desk(1280, 1000);
     desk.frame(3);
     const BrainGraph before = *desk.now.brains[0];  // LR and RL
-    ASSERT_FALSE(desk.anchors.find("lesion.LL")) << "where there is no wire there is nothing to cut";
+    ASSERT_FALSE(desk.anchors.find("lesion.LL")) << "a missing wire cannot be cut";
     desk.click("lesion.LR");
     const BrainGraph cut = brain_asked_for(desk);
     EXPECT_TRUE(is_cut(cut, "SR", "ML"));
@@ -81,7 +81,7 @@ TEST(BrainPicture, CutAWireByAClickOnItAndJoinItAgain) {
     EXPECT_EQ(brain_asked_for(desk), before);
 }
 
-TEST(BrainPicture, TakeAWireAnywhereAlongIt) {
+TEST(BrainPicture, AcceptsAClickAnywhereOnAWire) {
     Desk desk(1280, 1000);
     desk.frame(3);
     // A little below the right eye, far from the sign at the end of LR.
@@ -99,7 +99,7 @@ TEST(BrainPicture, TakeAWireAnywhereAlongIt) {
     EXPECT_TRUE(is_cut(brain_asked_for(desk), "SR", "ML"));
 }
 
-TEST(BrainPicture, FollowTheKeyLOverThePictureAndEnterOnTheFocus) {
+TEST(BrainPicture, CutsWithTheKeyLUnderThePointerAndWithEnterOnTheFocus) {
     Desk desk(1280, 1000);
     desk.frame(3);
     desk.point("lesion.SR");
@@ -112,14 +112,14 @@ TEST(BrainPicture, FollowTheKeyLOverThePictureAndEnterOnTheFocus) {
     desk.frame(2);
     desk.key({'L'});
     desk.frame(2);
-    EXPECT_TRUE(desk.edits().empty()) << "nothing is under the pointer";
+    EXPECT_TRUE(desk.edits().empty()) << "no part is under the pointer";
     desk.panels.keyboard.focus = "lesion.RL";
     desk.key({key::enter});
     desk.frame();
     EXPECT_TRUE(is_cut(brain_asked_for(desk), "SL", "MR"));
 }
 
-TEST(BrainPicture, FollowTheKeyLOverASliderToItsWire) {
+TEST(BrainPicture, CutsTheWireOfASliderUnderThePointerWithTheKeyL) {
     Desk desk(1280, 1000);
     desk.frame(3);
     for (const char* anchor : {"slider.LR", "threshold.LR"}) {
@@ -135,10 +135,10 @@ TEST(BrainPicture, FollowTheKeyLOverASliderToItsWire) {
     desk.frame(2);
     desk.key({'L'});
     desk.frame(2);
-    EXPECT_TRUE(desk.edits().empty()) << "where there is no wire there is nothing to cut";
+    EXPECT_TRUE(desk.edits().empty()) << "a missing wire cannot be cut";
 }
 
-TEST(BrainPicture, FollowTheKeyLInTheSceneToTheEyeOrWheelUnderIt) {
+TEST(BrainPicture, SilencesTheEyeOrWheelUnderThePointerInTheSceneWithTheKeyL) {
     Desk desk(1280, 1000);
     auto scene = std::make_shared<Scene>(*desk.now.scene);
     for (Kind& kind : scene->kinds) {
@@ -158,21 +158,21 @@ TEST(BrainPicture, FollowTheKeyLInTheSceneToTheEyeOrWheelUnderIt) {
         desk.frame(2);
         return desk.edits().empty() ? BrainGraph{} : brain_asked_for(desk);
     };
-    const BrainGraph eye = over(0.3f, 0.24f);  // the selected vehicle stands at the origin and looks along x
+    const BrainGraph eye = over(0.3f, 0.24f);  // the selected vehicle is at the origin and faces +x
     ASSERT_TRUE(find_node(eye, "SL"));
     EXPECT_TRUE(find_node(eye, "SL")->silenced);
     const BrainGraph wheel = over(0, -0.3f);
     ASSERT_TRUE(find_node(wheel, "MR"));
     EXPECT_TRUE(find_node(wheel, "MR")->silenced);
-    EXPECT_TRUE(over(4, 4).nodes.empty()) << "the bare floor cannot be hurt";
-    desk.now.vehicles[0].heading = 1.5707964f;  // now it looks along y
+    EXPECT_TRUE(over(4, 4).nodes.empty()) << "no lesion on the empty floor";
+    desk.now.vehicles[0].heading = 1.5707964f;  // now it faces +y
     desk.frame(2);
     const BrainGraph turned = over(-0.24f, 0.3f);
     ASSERT_TRUE(find_node(turned, "SL"));
     EXPECT_TRUE(find_node(turned, "SL")->silenced);
 }
 
-TEST(BrainPicture, HealAllAtOnce) {
+TEST(BrainPicture, HealsAllLesionsInOneStep) {
     Desk desk(1280, 1000);
     desk.frame(3);
     const BrainGraph before = *desk.now.brains[0];
@@ -185,7 +185,7 @@ TEST(BrainPicture, HealAllAtOnce) {
     EXPECT_EQ(brain_asked_for(desk), before);
 }
 
-TEST(BrainCard, IsAskedForByButtonAndKey) {
+TEST(BrainCard, RequestsManualDrivingByButtonAndKey) {
     Desk desk;
     desk.frame(3);
     desk.click("button.drive");
@@ -193,7 +193,7 @@ TEST(BrainCard, IsAskedForByButtonAndKey) {
     EXPECT_EQ(desk.actions(), (std::vector{Action::drive, Action::drive}));
 }
 
-TEST(BrainCard, SteersWhileTheStickIsHeldAndStopsWhenItIsLetGo) {
+TEST(BrainCard, SteersWhileTheStickIsHeldAndStopsWhenItIsReleased) {
     Desk desk(1280, 1000);
     desk.now.vehicles[0].driver = Driver::manual;
     desk.frame(3);
@@ -215,11 +215,11 @@ TEST(BrainCard, SteersWhileTheStickIsHeldAndStopsWhenItIsLetGo) {
     EXPECT_EQ(steered.back(), (Steer{0, 0, 0}));
     EXPECT_EQ(steered[steered.size() - 3], (Steer{0, 1, 1})) << "up is straight ahead";
     const Steer right = steered[steered.size() - 2];
-    EXPECT_GT(right.left, 0) << "to the right the left wheel pushes";
+    EXPECT_GT(right.left, 0) << "a turn to the right drives the left wheel";
     EXPECT_FLOAT_EQ(right.right, -right.left);
 }
 
-TEST(BrainCard, GivesTheWheelBackToTheBrain) {
+TEST(BrainCard, ReturnsTheControlToTheBrain) {
     Desk desk(1280, 1000);
     desk.now.vehicles[0].driver = Driver::wander;
     desk.frame(3);
@@ -237,14 +237,14 @@ TEST(BrainCard, SwitchesBetweenOneVehicleAndItsKind) {
     EXPECT_FALSE(std::get<ScopeRequest>(desk.all[0]).whole_kind);
 }
 
-TEST(BrainCard, AsksForNoScopeWhereTheKindHasOneVehicle) {
+TEST(BrainCard, ShowsNoScopeIfTheKindHasOneVehicle) {
     Desk desk;
     desk.now = snapshot(0);
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("scope.1"));
 }
 
-TEST(BrainCard, NamesTheWiringOnceABrain) {
+TEST(BrainCard, ShowsTheNameOfTheWiringOncePerBrain) {
     Desk desk;
     desk.frame(3);
     EXPECT_EQ(desk.panels.recognised.brain, desk.now.brains[0]);
@@ -254,7 +254,7 @@ TEST(BrainCard, NamesTheWiringOnceABrain) {
     EXPECT_EQ(desk.panels.recognised.character, Character::coward);
 }
 
-TEST(BrainCard, GivesAClassicBrainFromItsPresets) {
+TEST(BrainCard, SetsAClassicBrainFromItsPresets) {
     Desk desk;
     desk.frame(3);
     desk.click("button.presets");
@@ -265,7 +265,7 @@ TEST(BrainCard, GivesAClassicBrainFromItsPresets) {
     EXPECT_NE(desk.edits()[0].gesture, 0u);
 }
 
-TEST(BrainCard, StandsWithNobodySelected) {
+TEST(BrainCard, HasNoSlidersWithoutASelectedVehicle) {
     Desk desk;
     desk.view.settings.selection.vehicle = no_vehicle;
     desk.frame(3);

@@ -8,7 +8,7 @@ namespace braitenlab::tests::cards_test {
 
 using namespace ui;
 
-TEST(Cards, HaveOneRowForEachCardWithItsOwnAnchor) {
+TEST(Cards, HaveOneRowWithAUniqueAnchorPerCard) {
     std::set<std::string_view> anchors;
     for (const CardTraits& row : cards()) {
         EXPECT_EQ(&traits(row.card), &row);
@@ -43,7 +43,7 @@ TEST(Cards, AreDrawnWithTheAnchorOfTheirRow) {
     for (const CardTraits& row : cards()) EXPECT_TRUE(drawn.count(row.anchor)) << row.anchor;
 }
 
-TEST(Cards, StandInTheColumnOfTheirRowInTheOrderOfTheTable) {
+TEST(Cards, AreInTheColumnOfTheirRowInTheOrderOfTheTable) {
     Desk desk(1280, 1400);
     desk.frame(3);
     for (const Column column : {Column::left, Column::right}) {
@@ -61,7 +61,7 @@ TEST(Cards, StandInTheColumnOfTheirRowInTheOrderOfTheTable) {
     }
 }
 
-TEST(Cards, GiveWayInALowColumnUntilTheUserOpensThem) {
+TEST(Cards, FoldInALowColumnUntilTheUserOpensThem) {
     Desk desk(1280, 700, 1, true);
     desk.frame(5);
     ASSERT_TRUE(traits(Card::information).folds_when_cramped);

@@ -1,4 +1,4 @@
-// The large pictures: opened when wanted, sorted by a click, exported as text.
+// The large charts: opening, sorting by a click, and export as text.
 #include <algorithm>
 
 #include "desk.h"
@@ -23,7 +23,7 @@ std::vector<std::size_t> sorted(EnergyOrder order) {
     return rows;
 }
 
-// With the charts open and ten seconds of run behind it.
+// A desk with open charts and ten recorded seconds.
 class ChartDesk : public Desk {
 public:
     explicit ChartDesk(float width = 1280, float height = 800, bool fonts = false) : Desk(width, height, 1, fonts) {
@@ -43,7 +43,7 @@ ExportRequest exported(const Desk& desk) {
 
 }  // namespace
 
-TEST(EnergyOrder, SortsByNumberEnergyAndKindEitherWay) {
+TEST(EnergyOrder, SortsByNumberEnergyAndKindInBothDirections) {
     using By = EnergyOrder::By;
     using Rows = std::vector<std::size_t>;
     EXPECT_EQ(sorted({By::number, false}), (Rows{0, 1, 2, 3, 4, 5}));
@@ -53,7 +53,7 @@ TEST(EnergyOrder, SortsByNumberEnergyAndKindEitherWay) {
     EXPECT_EQ(sorted({By::kind, false}), (Rows{0, 3, 1, 2, 4, 5}));
 }
 
-TEST(ChartCard, OpenByKeyOrButtonAndCloseByTheirHeading) {
+TEST(ChartCard, OpensByKeyOrButtonAndClosesByItsHeading) {
     ChartDesk desk;
     EXPECT_TRUE(desk.anchors.find("card.charts"));
     desk.click("card.charts.fold", 0, 0.2f);
@@ -64,7 +64,7 @@ TEST(ChartCard, OpenByKeyOrButtonAndCloseByTheirHeading) {
     EXPECT_TRUE(desk.anchors.find("card.charts"));
 }
 
-TEST(ChartCard, StandInTheMiddleBelowTheScene) {
+TEST(ChartCard, LiesBelowTheScene) {
     ChartDesk desk(1024, 768);
     const Rect card = desk.where("card.charts"), scene = desk.where("viewport");
     EXPECT_GE(card.y, scene.y + scene.h);
@@ -73,7 +73,7 @@ TEST(ChartCard, StandInTheMiddleBelowTheScene) {
     EXPECT_FLOAT_EQ(card.w, scene.w);
 }
 
-TEST(ChartCard, LeaveTheCornerOfTheSceneToTheScene) {
+TEST(ChartCard, KeepsTheToolsAboveTheScene) {
     Desk desk;
     const CameraView camera_view =
         look(Camera{}, desk.now.scene->arena, nullptr, {0, 0, 1280, 800}, {300, 60, 600, 600});
@@ -81,10 +81,10 @@ TEST(ChartCard, LeaveTheCornerOfTheSceneToTheScene) {
     desk.panels.charts_open = true;
     desk.frame(3);
     const Rect tools = desk.where("tool.hand"), scene = desk.where("viewport");
-    EXPECT_LE(tools.y + tools.h, scene.y) << "no tool over a vehicle";
+    EXPECT_LE(tools.y + tools.h, scene.y) << "the tools do not cover a vehicle";
 }
 
-TEST(ChartCard, HaveOneTooltipAtATime) {
+TEST(ChartCard, ShowsOneTooltipAtATime) {
     Desk desk(1280, 800, 1, true);
     desk.panels.charts_open = true;
     desk.frame(3);
@@ -98,7 +98,7 @@ TEST(ChartCard, HaveOneTooltipAtATime) {
     EXPECT_TRUE(told);
 }
 
-TEST(ChartCard, KeepTheNumbersOfTwoPicturesApart) {
+TEST(ChartCard, KeepsTheNumbersOfTwoChartsApart) {
     Desk desk(1280, 800, 1, true);
     desk.panels.charts_open = true;
     for (std::uint64_t tick = 0; tick <= 600; tick += 3) desk.now.tick = tick, desk.frame();
@@ -111,7 +111,7 @@ TEST(ChartCard, KeepTheNumbersOfTwoPicturesApart) {
         for (std::size_t j = 0; j < i; ++j) EXPECT_GE(std::abs(numbers[i].y - numbers[j].y), numbers[i].h - 0.5f);
 }
 
-TEST(ChartCard, ExportWhatTheyShow) {
+TEST(ChartCard, ExportsTheShownValues) {
     ChartDesk desk;
     const char* names[]{"signals", "population", "population", "energies"};
     const char* starts[]{"seconds,SL,", "seconds,predators,", "seconds,predators,", "id,kind,"};
@@ -126,7 +126,7 @@ TEST(ChartCard, ExportWhatTheyShow) {
     }
 }
 
-TEST(ChartCard, SelectTheVehicleWhoseBarIsClickedInTheOrderChosen) {
+TEST(ChartCard, SelectsTheVehicleOfTheClickedBarInAnyOrder) {
     ChartDesk desk;
     desk.click("charts.tab.4");
     desk.frame(2);
@@ -146,13 +146,13 @@ TEST(ChartCard, SelectTheVehicleWhoseBarIsClickedInTheOrderChosen) {
     };
     EXPECT_EQ(first_bar(), 0);
     desk.click("charts.sort.energy");
-    EXPECT_EQ(first_bar(), 1) << "the fullest first";
+    EXPECT_EQ(first_bar(), 1) << "the highest energy first";
     desk.rest();
     desk.click("charts.sort.energy");
-    EXPECT_EQ(first_bar(), 2) << "and the emptiest";
+    EXPECT_EQ(first_bar(), 2) << "the lowest energy first";
 }
 
-TEST(ChartCard, ReadOutTheValueUnderThePointer) {
+TEST(ChartCard, ShowsTheValueUnderThePointer) {
     ChartDesk desk(1280, 800, true);
     desk.click("charts.tab.3");
     desk.frame(2);
@@ -167,10 +167,10 @@ TEST(ChartCard, ReadOutTheValueUnderThePointer) {
     desk.point(5, 5);
     const int without = shapes();
     desk.point(r.x + r.w / 2, r.y + r.h / 2);
-    EXPECT_GT(shapes(), without + 40) << "a line and its words";
+    EXPECT_GT(shapes(), without + 40) << "a line and its text";
 }
 
-TEST(ChartCard, CountBesideTheBarsThoseThatFindNoRoom) {
+TEST(ChartCard, ShowsTheNumberOfBarsThatDoNotFit) {
     Desk desk(1280, 800, 1, true);
     desk.now = snapshot(200);
     desk.panels.charts_open = true;
@@ -180,9 +180,9 @@ TEST(ChartCard, CountBesideTheBarsThoseThatFindNoRoom) {
     int counts = 0;
     for (const Written& w : desk.written) {
         if (w.words.find(" more") == std::string::npos) continue;
-        if (!desk.where("card.charts").contains(w.rect.x, w.rect.y)) continue;  // the small bars count too
+        if (!desk.where("card.charts").contains(w.rect.x, w.rect.y)) continue;  // the small bars have text too
         ++counts;
-        EXPECT_LE(w.rect.y + w.rect.h, bars.y) << "no bar fills its place";
+        EXPECT_LE(w.rect.y + w.rect.h, bars.y) << "no bar covers it";
     }
     EXPECT_EQ(counts, 1);
 }

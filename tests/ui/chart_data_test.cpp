@@ -18,7 +18,7 @@ void pass(Desk& desk, History& history, std::uint64_t tick) {
 
 }  // namespace
 
-TEST(ChartData, TakesOneSampleAPeriodAndForgetsTheOldest) {
+TEST(ChartData, TakesOneSamplePerPeriodAndDropsTheOldest) {
     Desk desk;
     History history;
     for (std::uint64_t tick = 0; tick < 6000; ++tick) {
@@ -35,7 +35,7 @@ TEST(ChartData, TakesOneSampleAPeriodAndForgetsTheOldest) {
     EXPECT_EQ(history.population.size(), 100u);
 }
 
-TEST(ChartData, BeginsAgainWithTheRunAndWithAnotherVehicle) {
+TEST(ChartData, RestartsForANewRunAndForAnotherVehicle) {
     Desk desk;
     History history;
     pass(desk, history, 600);
@@ -47,7 +47,7 @@ TEST(ChartData, BeginsAgainWithTheRunAndWithAnotherVehicle) {
     EXPECT_EQ(history.population.size(), 1u);
 }
 
-TEST(ChartData, ForgetsOnlyWhatHasBeenTakenBack) {
+TEST(ChartData, DropsOnlySamplesAfterTheNewTime) {
     Desk desk;
     History history;
     for (std::uint64_t tick = 0; tick <= 600; ++tick) pass(desk, history, tick);
@@ -57,10 +57,10 @@ TEST(ChartData, ForgetsOnlyWhatHasBeenTakenBack) {
     EXPECT_EQ(history.signals.size(), (whole - 1) / 2 + 1);
     EXPECT_EQ(history.signals.front().seconds, 0);
     for (std::uint64_t tick = 300; tick <= 600; ++tick) pass(desk, history, tick);
-    EXPECT_EQ(history.signals.size(), whole) << "and goes on from there";
+    EXPECT_EQ(history.signals.size(), whole) << "recording continues from this time";
 }
 
-TEST(ChartData, BeginsAnewWithAnotherSceneThoughItsTimeIsTheSame) {
+TEST(ChartData, RestartsForAnotherSceneAtTheSameTime) {
     Desk desk;
     History history;
     pass(desk, history, 0);
@@ -71,7 +71,7 @@ TEST(ChartData, BeginsAnewWithAnotherSceneThoughItsTimeIsTheSame) {
     EXPECT_EQ(history.population.back().count, (std::array{0, 0, 1}));
 }
 
-TEST(ChartData, FollowsEditsOfTheMomentThatIsShown) {
+TEST(ChartData, FollowsEditsAtThePresentTick) {
     Desk desk;
     History history;
     pass(desk, history, 0);
@@ -97,7 +97,7 @@ TEST(ChartData, KeepsNumbersAndMeanEnergiesOfEachSide) {
     EXPECT_TRUE(std::isnan(p.energy[2]));
 }
 
-TEST(ChartData, HoldsARowASampleUnderItsHeader) {
+TEST(ChartData, ExportsOneRowPerSampleBelowTheHeader) {
     Desk desk;
     History history;
     pass(desk, history, 0);
@@ -109,7 +109,7 @@ TEST(ChartData, HoldsARowASampleUnderItsHeader) {
               "0.000,4,8,0,1.0000,1.0000,\n1.000,4,8,0,1.0000,1.0000,\n");
 }
 
-TEST(ChartData, NamesEverybodyAndQuotesWhatNeedsIt) {
+TEST(ChartData, NamesEveryVehicleAndQuotesSpecialCharacters) {
     Desk desk;
     desk.now = snapshot(0);
     auto scene = std::make_shared<Scene>(*desk.now.scene);

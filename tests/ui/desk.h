@@ -1,4 +1,4 @@
-// A window without a window: Dear ImGui with its input fed by hand, over a snapshot made by hand.
+// The user interface without a window: Dear ImGui with synthetic input over a hand-made snapshot.
 #pragma once
 
 #include <memory>
@@ -204,8 +204,8 @@ public:
     LabView view;
     ui::PanelState panels;
     ui::Anchors anchors;
-    std::vector<ui::Written> written;  // what the last frame put on the screen
-    std::vector<ui::Shown> shown;      // and which widgets it drew
+    std::vector<ui::Written> written;  // the texts of the last frame
+    std::vector<ui::Shown> shown;      // the widgets of the last frame
     Outbox asked, all;
     ui::WindowLayout layout;
 
@@ -223,7 +223,7 @@ private:
     ui::LoadedFonts loaded_;
 };
 
-// The one dial that an edit turns.
+// The dial that an edit changes.
 inline TurnDial turned(const EditRequest& edit) { return std::get<TurnDial>(edit.command); }
 
 }  // namespace braitenlab::tests

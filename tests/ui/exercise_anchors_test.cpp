@@ -21,7 +21,7 @@ std::set<std::string> recorded_anchors(const Exercise& exercise) {
     return ids;
 }
 
-TEST(ExerciseAnchors, AreThoseThatTheWindowRecords) {
+TEST(ExerciseAnchors, EqualTheAnchorsThatTheWindowRecords) {
     Exercise opened = exercise();
     opened.scene = *snapshot(0).scene;
     opened.scene.starts.emplace_back().kind = opened.scene.kinds[0].name;

@@ -39,7 +39,7 @@ TEST(ExerciseCard, APredictionIsMadeBeforeTheRun) {
     desk.lesson.prediction = 1;
     desk.lesson.has_run = true;
     desk.frame(3);
-    EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "what was predicted stands";
+    EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "a prediction cannot be changed";
 }
 
 TEST(ExerciseCard, ItsButtonsRequestAHintAndAReset) {
@@ -68,10 +68,10 @@ TEST(ExerciseCard, ANoteIsShownWhenARunDoesNotCount) {
     desk.lesson.by_hand = true;
     EXPECT_TRUE(said());
     for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
-    EXPECT_FALSE(said()) << "nothing is left to count";
+    EXPECT_FALSE(said()) << "no start is left to test";
 }
 
-TEST(ExerciseCard, CountsTheTestedStartsUntilTheGradeIsThere) {
+TEST(ExerciseCard, CountsTheTestedStartsUntilTheGradeIsComplete) {
     Desk desk;
     pass(desk);
     desk.lesson.grade.reset();
@@ -99,7 +99,7 @@ TEST(ExerciseCard, ItsButtonsStayVisibleWhenTheCardIsLong) {
     EXPECT_TRUE(desk.anchors.find("exercise.grade"));
 }
 
-TEST(ExerciseCard, ValuesHaveEnoughDigitsToShowWhyAStepIsDoneOrNot) {
+TEST(ExerciseCard, ValuesHaveEnoughDigitsToShowIfAStepIsDone) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
     desk.lesson.has_run = true;
@@ -109,7 +109,7 @@ TEST(ExerciseCard, ValuesHaveEnoughDigitsToShowWhyAStepIsDoneOrNot) {
     desk.frame(3);
     EXPECT_TRUE(says(desk, "best 10.4°, need ≤ 10.0°"));
     EXPECT_TRUE(says(desk, "reached 0.597 m (≤ 0.600 m)"));
-    EXPECT_TRUE(says(desk, "now 1.20 ×, need ≥ 1.50 ×")) << "what changes all the time is not the best so far";
+    EXPECT_TRUE(says(desk, "now 1.20 ×, need ≥ 1.50 ×")) << "the present value, not the best so far";
     desk.lesson.verdicts[0] = {true, {{9, 10, "°", true, true}}};
     desk.frame(3);
     EXPECT_TRUE(says(desk, "reached 9° (≤ 10°)"));
@@ -125,7 +125,7 @@ TEST(ExerciseCard, AHeldStepShowsItsPresentValueAndItsTime) {
     EXPECT_TRUE(says(desk, "now 2.0 s, need ≥ 5.0 s"));
 }
 
-TEST(ExerciseCard, TheOutcomeIsThatOfTheShippedBrain) {
+TEST(ExerciseCard, TheOutcomeBelongsToTheShippedBrain) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
     desk.now.kind_brains = {desk.now.brains[0]};

@@ -33,7 +33,7 @@ struct FilesSheet : testing::Test {
         return paths;
     }
     std::vector<std::string> opened() const { return asked<OpenRequest>(); }
-    // How often the last frame has said it.
+    // The number of times the last frame shows the text.
     int said(std::string_view words) const {
         int count = 0;
         for (const Written& w : desk.written) count += w.words.find(words) != std::string::npos;
@@ -49,30 +49,30 @@ struct FilesSheet : testing::Test {
     }
 };
 
-TEST_F(FilesSheet, OpensWhatIsClickedAndClosesWhenItIsOpen) {
+TEST_F(FilesSheet, OpensTheClickedFileAndClosesAfterwards) {
     desk.click("button.open");
     desk.frame(2);
     desk.click("open.2a-coward");
     EXPECT_EQ(opened(), std::vector<std::string>{"/x/2a-coward.toml"});
-    EXPECT_TRUE(desk.anchors.find("card.open")) << "it may fail";
+    EXPECT_TRUE(desk.anchors.find("card.open")) << "open until the file is loaded";
     files.done = 1;
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("card.open"));
 }
 
-TEST_F(FilesSheet, SaysWhyAFileWasRefusedAndStaysOpen) {
+TEST_F(FilesSheet, ShowsTheReasonForARefusedFileAndStaysOpen) {
     press({'O', true});
     desk.click("open.2a-coward");
     desk.frame(4);
     const Rect sheet = desk.where("card.open"), row = desk.where("open.2a-coward");
     files.refused = "2a-coward.toml:3: what is this";
     desk.frame(4);
-    EXPECT_NEAR(desk.where("card.open").h, sheet.h, 1) << "nothing moves under the mouse";
+    EXPECT_NEAR(desk.where("card.open").h, sheet.h, 1) << "the sheet keeps its size";
     EXPECT_NEAR(desk.where("open.2a-coward").y, row.y, 1);
     EXPECT_EQ(said(files.refused), 1);
 }
 
-TEST_F(FilesSheet, StartsAtWhatIsOpenAndIsWalkedByKeysAlone) {
+TEST_F(FilesSheet, SelectsTheOpenFileAndCanBeUsedByKeysAlone) {
     press({'O', true});
     EXPECT_EQ(desk.panels.keyboard.focus, "open.05-aggressor");
     press({key::down});
@@ -86,7 +86,7 @@ TEST_F(FilesSheet, StartsAtWhatIsOpenAndIsWalkedByKeysAlone) {
     }
 }
 
-TEST_F(FilesSheet, ClosesOnEscAndOnAClickElsewhereAndOpensNothing) {
+TEST_F(FilesSheet, ClosesOnEscAndOnAClickBesideItWithoutOpeningAFile) {
     press({'O', true});
     press({key::escape});
     EXPECT_FALSE(desk.anchors.find("card.open"));
@@ -102,7 +102,7 @@ TEST_F(FilesSheet, ClosesOnEscAndOnAClickElsewhereAndOpensNothing) {
     EXPECT_TRUE(opened().empty());
 }
 
-TEST_F(FilesSheet, ListsWhatWasOpenLately) {
+TEST_F(FilesSheet, ListsRecentFiles) {
     press({'O', true});
     desk.click("files.place.2");
     desk.frame(2);
@@ -110,7 +110,7 @@ TEST_F(FilesSheet, ListsWhatWasOpenLately) {
     EXPECT_EQ(opened(), std::vector<std::string>{"/y/mine.toml"});
 }
 
-TEST_F(FilesSheet, KeepsItsTabsUnderTheMouseWhicheverIsChosen) {
+TEST_F(FilesSheet, KeepsThePositionOfItsTabsForEachTab) {
     press({'O', true});
     desk.frame(4);
     const Rect tabs = desk.where("files.place.1"), sheet = desk.where("card.open");
@@ -142,7 +142,7 @@ TEST_F(FilesSheet, StartsEachListAtItsTop) {
     EXPECT_EQ(desk.where("open.2a-coward").y, row);
 }
 
-TEST_F(FilesSheet, SaysWhatBelongsIntoItsEmptyField) {
+TEST_F(FilesSheet, ExplainsItsEmptyField) {
     press({'O', true});
     desk.click("files.place.3");
     desk.frame(2);
@@ -152,14 +152,14 @@ TEST_F(FilesSheet, SaysWhatBelongsIntoItsEmptyField) {
     EXPECT_EQ(said(desk.strings("files.path")), 0);
 }
 
-TEST_F(FilesSheet, DoesNotSayAgainInATooltipWhatCanBeRead) {
+TEST_F(FilesSheet, DoesNotRepeatVisibleTextInATooltip) {
     press({'O', true});
     desk.point("open.2a-coward");
     desk.frame(60);
     EXPECT_EQ(said("It turns away."), 1);
 }
 
-TEST_F(FilesSheet, GoesThroughFoldersAndShowsOneKindWhenAsked) {
+TEST_F(FilesSheet, OpensFoldersAndFiltersByKind) {
     press({'O', true});
     desk.click("files.place.3");
     desk.frame(2);
@@ -175,7 +175,7 @@ TEST_F(FilesSheet, GoesThroughFoldersAndShowsOneKindWhenAsked) {
     EXPECT_EQ(opened(), std::vector<std::string>{"/home/me/brain.toml"});
 }
 
-TEST_F(FilesSheet, MarksWhatCannotBeReadAndOpensItToLearnWhy) {
+TEST_F(FilesSheet, MarksUnreadableFilesAndReportsTheReasonOnOpening) {
     files.listing.entries.push_back({"torn.toml", false, FileKind::scene, false, true});
     press({'O', true});
     desk.click("files.place.3");
@@ -185,12 +185,12 @@ TEST_F(FilesSheet, MarksWhatCannotBeReadAndOpensItToLearnWhy) {
     EXPECT_EQ(opened(), std::vector<std::string>{"/home/me/torn.toml"});
 }
 
-TEST_F(FilesSheet, TakesATypedPathWithItsSpacesAndDots) {
+TEST_F(FilesSheet, AcceptsATypedPathWithSpacesAndDots) {
     press({'O', true});
     desk.click("files.place.3");
     desk.click("files.path");
     type("~/my ");
-    press({' '});  // a letter here, not Play
+    press({' '});  // a character here, not Play
     type("scene.toml");
     press({key::enter});
     EXPECT_EQ(opened(), std::vector<std::string>{"~/my scene.toml"});
@@ -204,7 +204,7 @@ TEST_F(FilesSheet, SavesUnderTheSuggestedOrATypedName) {
     EXPECT_EQ(asked<SaveRequest>(), std::vector<std::string>{"Coward"});
 }
 
-TEST_F(FilesSheet, AsksForATitleOfASceneAndSendsItOnlyWhereItIsNew) {
+TEST_F(FilesSheet, RequestsATitleOfASceneAndSendsOnlyAChangedTitle) {
     const auto titles = [&] {
         std::vector<std::optional<std::string>> found;
         for (const Request& request : desk.all)
@@ -218,19 +218,19 @@ TEST_F(FilesSheet, AsksForATitleOfASceneAndSendsItOnlyWhereItIsNew) {
     press({key::tab});
     EXPECT_EQ(desk.panels.keyboard.focus, "files.title");
     type(" of my own");
-    press({' '});  // a letter here, not Play
+    press({' '});  // a character here, not Play
     press({key::enter});
     ASSERT_TRUE(titles().back());
     EXPECT_NE(titles().back()->find("of my own"), std::string::npos) << *titles().back();
     EXPECT_TRUE(desk.actions().empty());
     desk.click("files.kind.2");
     desk.click("files.path");
-    EXPECT_FALSE(desk.anchors.find("files.title")) << "runs have none";
+    EXPECT_FALSE(desk.anchors.find("files.title")) << "runs have no title";
     press({key::enter});
     EXPECT_EQ(titles().back(), std::nullopt);
 }
 
-TEST_F(FilesSheet, AsksBeforeItReplacesAndNamesCommentsThatWouldBeLost) {
+TEST_F(FilesSheet, AsksBeforeItReplacesAFileAndReportsCommentsThatWouldBeLost) {
     press({'S', true, true});
     desk.click("file.mine.toml");
     desk.click("files.do");
@@ -241,14 +241,14 @@ TEST_F(FilesSheet, AsksBeforeItReplacesAndNamesCommentsThatWouldBeLost) {
     EXPECT_EQ(asked<SaveRequest>(), std::vector<std::string>{"mine.toml"});
 }
 
-TEST_F(FilesSheet, SavesAtOnceWhereTheSceneHasAFileOfItsOwn) {
+TEST_F(FilesSheet, SavesWithoutAQuestionIfTheSceneHasAFile) {
     files.save_to = "/home/me/mine.toml";
     press({'S', true});
     EXPECT_FALSE(desk.anchors.find("card.open"));
     EXPECT_EQ(desk.actions(), std::vector{Action::save});
 }
 
-TEST(PresetsMenu, GoToAFileAndComeFromOneByTheListOfPresets) {
+TEST(PresetsMenu, OpensTheFilesSheetToSaveAndOpenABrain) {
     Desk desk;
     desk.frame(2);
     desk.click("button.presets");

@@ -5,7 +5,7 @@ namespace braitenlab::tests::hint_bar_test {
 
 using namespace ui;
 
-TEST(HintBar, HasASignAndAColourOfItsOwnForEachKind) {
+TEST(HintBar, HasADifferentIconAndColourForEachKind) {
     for (const Theme theme : {Theme::dark, Theme::light}) {
         const Palette p = palette(theme);
         EXPECT_NE(colour_of(NoticeKind::done, p), colour_of(NoticeKind::failure, p));
@@ -18,14 +18,14 @@ TEST(HintBar, HasASignAndAColourOfItsOwnForEachKind) {
     EXPECT_NE(sign_of(NoticeKind::notice), sign_of(NoticeKind::failure));
 }
 
-TEST(HintBar, IsReadInTheLanguageThatIsShown) {
+TEST(HintBar, UsesTheChosenLanguage) {
     const Notice saved{NoticeKind::done, "notice.screenshot", "/tmp/a.png"};
     EXPECT_EQ(text_of(saved, english()), "Picture saved to /tmp/a.png");
     EXPECT_EQ(text_of(saved, speaking("de")), "Bild gespeichert: /tmp/a.png");
     EXPECT_EQ(text_of({NoticeKind::failure, "", "no {} here"}, english()), "no {} here");
 }
 
-TEST(HintBar, EndsInAnEllipsisWhereItDoesNotFit) {
+TEST(HintBar, EndsInAnEllipsisIfItDoesNotFit) {
     Desk desk(1280, 800, 1, true);
     desk.view.notice = {NoticeKind::failure, "", std::string(400, 'w')};
     desk.frame(2);
@@ -40,7 +40,7 @@ TEST(HintBar, EndsInAnEllipsisWhereItDoesNotFit) {
     EXPECT_TRUE(found);
 }
 
-TEST(HintBar, IsReadWholeUnderThePointerWhereItDoesNotFit) {
+TEST(HintBar, ShowsTheWholeTextUnderThePointerIfItDoesNotFit) {
     Desk desk(1280, 800, 1, true);
     desk.view.notice = {NoticeKind::failure, "", "begin " + std::string(400, 'w') + " end"};
     desk.frame(2);
@@ -55,7 +55,7 @@ TEST(HintBar, IsReadWholeUnderThePointerWhereItDoesNotFit) {
     EXPECT_TRUE(reads_end());
 }
 
-TEST(HintBar, NamesTheWayBackWhileAPersonDrivesOrLooksThroughTheVehiclesEyes) {
+TEST(HintBar, NamesTheKeyThatEndsManualDrivingAndDriverView) {
     const auto said = [](Desk& desk) {
         desk.frame(2);
         std::string all;
@@ -65,7 +65,7 @@ TEST(HintBar, NamesTheWayBackWhileAPersonDrivesOrLooksThroughTheVehiclesEyes) {
     Desk desk(1280, 800, 1, true);
     EXPECT_EQ(said(desk).find("gives the wheel back"), std::string::npos);
     desk.now.vehicles[0].driver = Driver::manual;
-    EXPECT_NE(said(desk).find("gives the wheel back"), std::string::npos) << "whatever else would be next";
+    EXPECT_NE(said(desk).find("gives the wheel back"), std::string::npos) << "before any other hint";
     desk.view.settings.camera.mode = CameraMode::driver;
     EXPECT_NE(said(desk).find("leaves them"), std::string::npos);
     desk.now.vehicles[0].driver = Driver::brain;

@@ -1,4 +1,4 @@
-// Every widget says what it is when the pointer rests on it.
+// Every widget has a tooltip for a resting pointer.
 #include "ui/widgets/item.h"
 
 #include <set>
@@ -11,7 +11,7 @@ using namespace ui;
 
 namespace {
 
-// Walks every screen of the lab and rests the pointer on every widget of it.
+// Opens every screen of the lab and rests the pointer on every widget.
 struct Walk {
     std::set<std::string> all, told;
 
@@ -25,7 +25,7 @@ struct Walk {
         desk.frame(2);
     }
 
-    // Here and there: a part of it may lie under another, or say nothing.
+    // At several points: another widget may cover a part, or a part may have no tooltip.
     void rest_on(Desk& desk, const std::string& id) {
         for (const float across : {0.5f, 0.1f, 0.3f, 0.9f})
             for (const float down : {0.5f, 0.15f}) {
@@ -41,7 +41,7 @@ struct Walk {
 
 }  // namespace
 
-TEST(Item, AreOnEveryWidgetOfEveryScreen) {
+TEST(Item, HasATooltipOnEveryWidgetOfEveryScreen) {
     const std::vector<CatalogueEntry> catalogue{{"05-aggressor", "5.toml", "Aggressor", "", 5},
                                                 {"2a-coward", "2a.toml", "Coward", "It turns away."}};
     const std::vector<std::string> recent{"/y/mine.toml"};
@@ -80,11 +80,11 @@ TEST(Item, AreOnEveryWidgetOfEveryScreen) {
         desk.view.lecture = true;
         walk.look(desk);
     }
-    EXPECT_GT(walk.all.size(), 60u) << "widgets are looked at at all";
+    EXPECT_GT(walk.all.size(), 60u) << "the walk finds widgets";
     for (const std::string& id : walk.all) EXPECT_TRUE(walk.told.count(id)) << id << " has no tooltip";
 }
 
-TEST(Item, GoAwayOnceTheyCanBeReadAndDoNotComeBackAfterAPress) {
+TEST(Item, HidesItsTooltipAfterTheReadingTimeAndAfterAPress) {
     Desk desk(1280, 800, 1, true);
     desk.view.mode = Mode::playing;
     desk.frame(3);
@@ -95,24 +95,24 @@ TEST(Item, GoAwayOnceTheyCanBeReadAndDoNotComeBackAfterAPress) {
     };
     desk.point("button.follow");
     desk.frame(10);
-    EXPECT_FALSE(shown()) << "not under a pointer that passes";
+    EXPECT_FALSE(shown()) << "no tooltip under a moving pointer";
     desk.frame(50);
     EXPECT_TRUE(shown());
     desk.frame(600);
-    EXPECT_FALSE(shown()) << "what it lies over is of interest too";
+    EXPECT_FALSE(shown()) << "it uncovers the widgets below after some time";
     desk.point(640, 400);
     desk.frame(5);
     desk.point("button.follow");
     desk.frame(60);
-    EXPECT_TRUE(shown()) << "for another look";
+    EXPECT_TRUE(shown()) << "shown again after the pointer returns";
     desk.button(0, true);
     desk.frame(3);
     desk.button(0, false);
     desk.frame(90);
-    EXPECT_FALSE(shown()) << "whoever has pressed it knows it";
+    EXPECT_FALSE(shown()) << "no tooltip after a press";
 }
 
-TEST(Item, AreAskedForInEarnest) {
+TEST(Item, IsRecordedWithAndWithoutATooltip) {
     Desk desk;
     desk.frame(2);
     Ui ui{desk.strings, palette(Theme::dark), {}, 1, desk.anchors, desk.asked};

@@ -20,17 +20,17 @@ void strike(KeyQueue& queue, const std::string& letters) {
 }
 std::string text(const KeysOfAFrame& frame) { return {frame.characters.begin(), frame.characters.end()}; }
 
-TEST(KeyQueue, HandsEveryShortcutOverAtOnceHoweverManyThereAre) {
+TEST(KeyQueue, ReturnsAllShortcutsInOneFrame) {
     KeyQueue queue;
     for (int i = 0; i < 20; ++i) strike(queue, ' ');
     const KeysOfAFrame frame = queue.take(TextInput::none);
     EXPECT_EQ(frame.presses, std::vector<KeyPress>(20, KeyPress{' '}));
-    EXPECT_TRUE(frame.characters.empty()) << "nobody reads them";
+    EXPECT_TRUE(frame.characters.empty()) << "no text field is open";
     EXPECT_FALSE(frame.stroke);
     EXPECT_TRUE(queue.take(TextInput::none).presses.empty());
 }
 
-TEST(KeyQueue, LetsNothingPassAKeyAfterWhichTextMayBeTyped) {
+TEST(KeyQueue, StopsAfterAKeyThatMayOpenATextField) {
     KeyQueue queue;
     queue.press(save_as);
     strike(queue, "hi");
@@ -40,7 +40,7 @@ TEST(KeyQueue, LetsNothingPassAKeyAfterWhichTextMayBeTyped) {
     EXPECT_EQ(text(queue.take(TextInput::open)), "hi");
 }
 
-TEST(KeyQueue, TakesShortcutsAgainWhenNoTextIsTypedAfterAll) {
+TEST(KeyQueue, ReturnsShortcutsAgainIfNoTextFieldOpens) {
     KeyQueue queue;
     queue.press({key::enter});
     strike(queue, ' ');
@@ -48,7 +48,7 @@ TEST(KeyQueue, TakesShortcutsAgainWhenNoTextIsTypedAfterAll) {
     EXPECT_EQ(queue.take(TextInput::none).presses, std::vector{KeyPress{' '}});
 }
 
-TEST(KeyQueue, DoesNotWaitForeverForAFieldThatNeverTakesTheCursor) {
+TEST(KeyQueue, WaitsForALimitedTimeForATextField) {
     KeyQueue queue;
     strike(queue, ' ');
     int frames = 0;
@@ -56,13 +56,13 @@ TEST(KeyQueue, DoesNotWaitForeverForAFieldThatNeverTakesTheCursor) {
     EXPECT_LT(frames, 30);
 }
 
-TEST(KeyQueue, GivesTextEitherCharactersOrOneKey) {
+TEST(KeyQueue, ReturnsCharactersOrOneKeyToATextField) {
     KeyQueue queue;
     strike(queue, "hello");
     queue.press(select_all);
     strike(queue, "x");
     queue.press({key::home});
-    queue.press({key::first_modifier});  // for a capital Y: no frame of its own
+    queue.press({key::first_modifier});  // for a capital Y: no separate frame
     strike(queue, "y");
     std::vector<std::string> heard;
     for (int i = 0; i < 5; ++i) {
@@ -73,7 +73,7 @@ TEST(KeyQueue, GivesTextEitherCharactersOrOneKey) {
     EXPECT_EQ(heard, (std::vector<std::string>{"hello", "65", "x", "268", "y"}));
 }
 
-TEST(KeyQueue, LetsAKeyComeUpBeforeItGoesDownAgain) {
+TEST(KeyQueue, ReleasesAKeyBeforeItIsPressedAgain) {
     KeyQueue queue;
     queue.press({key::left});
     queue.press({key::left});
@@ -82,18 +82,18 @@ TEST(KeyQueue, LetsAKeyComeUpBeforeItGoesDownAgain) {
     EXPECT_TRUE(queue.take(TextInput::open).stroke);
 }
 
-TEST(KeyQueue, RepeatsHeldKeysWhereThatHelpsAndNowhereElse) {
+TEST(KeyQueue, RepeatsHeldKeysOnlyForActionsThatCanRepeat) {
     KeyQueue queue;
     queue.press({' '}, true);
     queue.press({key::left}, true);
     queue.press({key::backspace}, true);
-    EXPECT_EQ(queue.take(TextInput::none).presses, std::vector{KeyPress{key::left}}) << "Space would flicker";
+    EXPECT_EQ(queue.take(TextInput::none).presses, std::vector{KeyPress{key::left}}) << "Space does not repeat";
     queue.press({key::enter}, true);
     queue.press({key::backspace}, true);
     EXPECT_EQ(queue.take(TextInput::open).stroke, KeyPress{key::backspace});
 }
 
-TEST(KeyQueue, StopsRepeatingInTextAsSoonAsTheKeyIsLetGoHoweverSlowTheFrames) {
+TEST(KeyQueue, StopsRepeatingInTextOnReleaseAtAnyFrameRate) {
     KeyQueue queue;
     queue.press({key::backspace});
     for (int i = 0; i < 50; ++i) queue.press({key::backspace}, true);
@@ -107,7 +107,7 @@ TEST(KeyQueue, StopsRepeatingInTextAsSoonAsTheKeyIsLetGoHoweverSlowTheFrames) {
     EXPECT_LE(strokes, 2);
 }
 
-// The same, heard by a text field.
+// The same queue with a text field.
 struct TypedQuickly : testing::Test {
     Desk desk;
     FilesView files;
@@ -161,7 +161,7 @@ TEST_F(TypedQuickly, KeepsCharactersAndKeysInTheirOrder) {
     EXPECT_EQ(name(), "1 2bcd!");
 }
 
-TEST_F(TypedQuickly, SavesUnderWhatWasTypedBeforeEnterAndPlaysAfterEscape) {
+TEST_F(TypedQuickly, SavesUnderTheNameTypedBeforeEnterAndPlaysAfterEscape) {
     queue.press(save_as);
     queue.press(select_all);
     strike(queue, "new one");

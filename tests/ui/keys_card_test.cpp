@@ -1,4 +1,4 @@
-// The one table of keys: what it does not list does nothing, and F1 shows all that it lists.
+// The table of keys: a key that it does not list has no effect, and F1 shows the whole table.
 #include <algorithm>
 #include <set>
 
@@ -37,7 +37,7 @@ constexpr Where everywhere[]{
 
 }  // namespace
 
-TEST(KeysCard, TellsWhatTheMouseDoesAndAllFourArrows) {
+TEST(KeysCard, ListsMouseActionsAndAllFourArrowKeys) {
     Desk desk(1280, 2400, 1, true);
     desk.key({key::f1});
     desk.frame(3);
@@ -45,11 +45,12 @@ TEST(KeysCard, TellsWhatTheMouseDoesAndAllFourArrows) {
     for (const Written& w : desk.written) all += w.words + "\n";
     EXPECT_NE(all.find(std::string(desk.strings("mouse_does.wheel"))), std::string::npos);
     EXPECT_NE(all.find(std::string(desk.strings("mouse_does.drag"))), std::string::npos);
-    EXPECT_NE(all.find("\uf060 \uf061 \uf062 \uf063"), std::string::npos) << "as large as other keys: icons";
+    EXPECT_NE(all.find("\uf060 \uf061 \uf062 \uf063"), std::string::npos)
+        << "arrow keys are icons, as large as other keys";
     EXPECT_EQ(all.find("←"), std::string::npos);
 }
 
-TEST(KeysCard, LetsNoWordRunIntoAKeyInAnyLanguage) {
+TEST(KeysCard, KeepsWordsAndKeysApartInEveryLanguage) {
     for (const char* code : {"en", "de", "es"}) {
         Desk desk(1280, 2400, 1, true);
         desk.strings = speaking(code);
@@ -69,7 +70,7 @@ TEST(KeysCard, LetsNoWordRunIntoAKeyInAnyLanguage) {
     }
 }
 
-TEST(KeysCard, DoNothingUnlessTheTableListsThem) {
+TEST(KeysCard, ListsEveryKeyThatHasAnEffect) {
     for (const Where& where : everywhere) {
         int used = 0;
         Desk desk;
@@ -80,14 +81,14 @@ TEST(KeysCard, DoNothingUnlessTheTableListsThem) {
             Outbox asked;
             const bool taken = press_key(desk.view, desk.panels, press, asked);
             used += taken;
-            if (press.key == key::del && where.place == KeyPlace::canvas) continue;  // nothing is selected there
+            if (press.key == key::del && where.place == KeyPlace::canvas) continue;  // no selection to delete
             EXPECT_EQ(taken, listed) << key_name(press, desk.strings) << " " << where.name;
         }
         EXPECT_GT(used, 30);
     }
 }
 
-TEST(KeysCard, AreAllShownByF1) {
+TEST(KeysCard, ShowsAllKeysOnF1) {
     Desk desk(1280, 1400);
     desk.frame(2);
     desk.key({key::f1});
@@ -97,14 +98,14 @@ TEST(KeysCard, AreAllShownByF1) {
     for (const Written& w : desk.written) words.insert(w.words), all += w.words + " ";
     std::set<std::pair<KeyPlace, Action>> seen;
     for (const Shortcut& shortcut : shortcuts()) {
-        if (!seen.insert({shortcut.place, shortcut.action}).second) continue;  // further keys of the same
+        if (!seen.insert({shortcut.place, shortcut.action}).second) continue;  // further keys of the same action
         EXPECT_TRUE(words.count(key_name(shortcut.press, desk.strings))) << key_name(shortcut.press, desk.strings);
         const std::string_view sentence = desk.strings("action." + std::string(name(shortcut.action)));
         EXPECT_NE(all.find(std::string(sentence) + " "), std::string::npos) << name(shortcut.action);
     }
 }
 
-TEST(Keyboard, IsShownToTheKeyboardAndNotToTheMouse) {
+TEST(Keyboard, ShowsTheFocusRingOnlyAfterAKeyPress) {
     Desk desk;
     desk.frame(3);
     desk.key({'2'});
@@ -112,7 +113,7 @@ TEST(Keyboard, IsShownToTheKeyboardAndNotToTheMouse) {
     EXPECT_TRUE(ring_round(desk, "slider.LR"));
     desk.key({' '});
     desk.frame(2);
-    EXPECT_FALSE(ring_round(desk, "slider.LR")) << "it plays now: the ring would point at nothing";
+    EXPECT_FALSE(ring_round(desk, "slider.LR")) << "the run plays now: no focus ring";
     desk.key({key::right});
     desk.frame(2);
     EXPECT_TRUE(ring_round(desk, "slider.LR"));

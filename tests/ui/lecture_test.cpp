@@ -1,4 +1,4 @@
-// What a lecture shows, and what it restores.
+// Lecture mode: shown widgets and restored settings.
 #include "desk.h"
 #include "ui/panels/cards.h"
 
@@ -29,7 +29,7 @@ TEST(Lecture, ClearsTheScreenAndFoldsTheCards) {
     EXPECT_TRUE(shows(desk, "+0.30")) << "the left wheel's command, large";
 }
 
-TEST(Lecture, KeepsFoldedCardsOutOfTheScenesWay) {
+TEST(Lecture, LeavesTheSpaceOfFoldedCardsToTheScene) {
     Desk desk(1280, 800, 1.6f, true);
     desk.frame(3);
     desk.view.lecture = true;
@@ -40,11 +40,11 @@ TEST(Lecture, KeepsFoldedCardsOutOfTheScenesWay) {
     EXPECT_GT(right.x, 0.75f * width);
     desk.click("card.brain.fold");
     desk.frame(3);
-    EXPECT_GT(desk.where("card.brain").w, right.w) << "opened, it has its room";
+    EXPECT_GT(desk.where("card.brain").w, right.w) << "an open card takes its space";
     EXPECT_TRUE(desk.anchors.find("slider.LR"));
 }
 
-TEST(Lecture, GivesTheDiagramTheRoomOfTheCardBelowIt) {
+TEST(Lecture, ExtendsTheDiagramOverTheCardBelowIt) {
     Desk desk(1280, 800, 1.6f, true);
     desk.view.mode = Mode::wiring;
     desk.frame(3);
@@ -59,7 +59,7 @@ TEST(Lecture, GivesTheDiagramTheRoomOfTheCardBelowIt) {
     EXPECT_FLOAT_EQ(desk.where("card.inspector").h, open);
 }
 
-TEST(Lecture, BringsEveryCardBackAsItWas) {
+TEST(Lecture, RestoresEveryCard) {
     Desk desk;
     desk.open_exercise();
     desk.panels.card(Card::brain).folded = true;
@@ -88,12 +88,12 @@ TEST(Lecture, BringsEveryCardBackAsItWas) {
     }
 }
 
-TEST(Lecture, ShowsThePressedKeysForAWhile) {
+TEST(Lecture, ShowsPressedKeysForSomeSeconds) {
     Desk desk;
     desk.frame(2);
     desk.key({'S'});
     desk.frame(2);
-    EXPECT_FALSE(shows(desk, "S")) << "at the desk nobody needs them";
+    EXPECT_FALSE(shows(desk, "S")) << "pressed keys are shown only in a lecture";
     desk.view.lecture = true;
     desk.frame(2);
     desk.key({' '});
@@ -106,7 +106,7 @@ TEST(Lecture, ShowsThePressedKeysForAWhile) {
     EXPECT_FALSE(shows(desk, "Space"));
 }
 
-TEST(Lecture, CountsTheHunt) {
+TEST(Lecture, CountsPredatorsAndPrey) {
     Desk desk;
     desk.view.lecture = true;
     desk.frame(3);

@@ -8,7 +8,7 @@ namespace braitenlab::tests::plot_test {
 
 using namespace ui;
 
-TEST(Plot, CutsAnAxisAtRoundNumbers) {
+TEST(Plot, DividesAnAxisAtRoundNumbers) {
     EXPECT_FLOAT_EQ(round_step(10, 5), 2);
     EXPECT_FLOAT_EQ(round_step(1, 4), 0.5f);
     EXPECT_FLOAT_EQ(round_step(60, 6), 10);
@@ -26,7 +26,7 @@ TEST(Plot, PutsLowAtTheBottomLeftAndHighAtTheTopRight) {
     EXPECT_FLOAT_EQ(plot_point(r, x, y, 10, -1).y, 130);
     EXPECT_FLOAT_EQ(plot_point(r, x, y, 20, 1).x, 300);
     EXPECT_FLOAT_EQ(plot_point(r, x, y, 20, 1).y, 50);
-    EXPECT_FLOAT_EQ(plot_point(r, x, y, 15, 7).y, 50) << "what is too high stays in the picture";
+    EXPECT_FLOAT_EQ(plot_point(r, x, y, 15, 7).y, 50) << "a value above the range is clamped";
 }
 
 }  // namespace braitenlab::tests::plot_test

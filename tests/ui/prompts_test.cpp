@@ -18,7 +18,7 @@ struct Prompts : ::testing::Test {
         desk.view.timeline.latest = desk.now.tick == 0 ? 0 : std::max(desk.view.timeline.latest, desk.now.tick);
         desk.view.mode = mode;
     }
-    // One vehicle and one lamp, as most scenes of the book have them.
+    // One vehicle and one lamp, as in most scenes of the book.
     void alone() {
         desk.now = snapshot(0);
         auto scene = std::make_shared<Scene>(*desk.now.scene);
@@ -52,27 +52,27 @@ struct LessonPrompts : Prompts {
     }
 };
 
-TEST_F(Prompts, LeadFromPlayToASliderAndGoAway) {
+TEST_F(Prompts, PointToPlayThenToASliderThenDisappear) {
     EXPECT_EQ(anchor(), "button.play");
     EXPECT_EQ(next().hint, "hint.press_play");
     at(1);
-    EXPECT_EQ(anchor(), "") << "first the behaviour";
+    EXPECT_EQ(anchor(), "") << "no prompt while the student watches the behaviour";
     at(5);
-    EXPECT_EQ(anchor(), "slider.LR") << "the selected predator's LL does nothing";
+    EXPECT_EQ(anchor(), "slider.LR") << "LL of the selected predator has no effect";
     desk.view.undo_depth = 1;
     EXPECT_NE(anchor(), "slider.LR");
     desk.view.undo_depth = 0;
-    EXPECT_NE(anchor(), "slider.LR") << "once is enough";
+    EXPECT_NE(anchor(), "slider.LR") << "not shown a second time";
     at(0, Mode::paused);
-    EXPECT_NE(anchor(), "button.play") << "after a reset too";
+    EXPECT_NE(anchor(), "button.play") << "also after a reset";
 }
 
-TEST_F(Prompts, WantAnEditToBeSeenAtWork) {
+TEST_F(Prompts, PointToPlayAfterAnEdit) {
     desk.view.undo_depth = 1;
     EXPECT_EQ(anchor(), "button.play");
 }
 
-TEST_F(Prompts, ForgetTheSliderForGoodOnceItWasWatched) {
+TEST_F(Prompts, DoNotRepeatTheSliderInTheSameScene) {
     at(5);
     EXPECT_EQ(anchor(), "slider.LR");
     at(9);
@@ -83,7 +83,7 @@ TEST_F(Prompts, ForgetTheSliderForGoodOnceItWasWatched) {
     EXPECT_EQ(anchor(), "slider.LR");
 }
 
-TEST_F(Prompts, LeadFreePlayFromTheSliderToTheLampToTheWiringAndBackInTime) {
+TEST_F(Prompts, PointInFreePlayToSliderLampWiringAndTimeline) {
     alone();
     at(5);
     EXPECT_EQ(anchor(), "slider.LL");
@@ -97,17 +97,17 @@ TEST_F(Prompts, LeadFreePlayFromTheSliderToTheLampToTheWiringAndBackInTime) {
     desk.view.undo_depth = 2;
     EXPECT_EQ(anchor(), "") << "a wire was drawn";
     at(10);
-    EXPECT_EQ(anchor(), "") << "the wiring is known now, and there is little to look back on";
+    EXPECT_EQ(anchor(), "") << "the wiring is known, and the recording is short";
     at(20);
     EXPECT_EQ(anchor(), "timeline.track");
     at(12, Mode::paused);
     EXPECT_EQ(anchor(), "");
     EXPECT_EQ(next().hint, "hint.in_the_past");
     at(20);
-    EXPECT_EQ(next().hint, "") << "all is known";
+    EXPECT_EQ(next().hint, "") << "all controls are known";
 }
 
-TEST_F(Prompts, PointToNoPinThatTheBrainLacks) {
+TEST_F(Prompts, PointOnlyToPinsOfTheBrain) {
     alone();
     auto brain = std::make_shared<BrainGraph>(*desk.now.brains[0]);
     for (Node& node : brain->nodes)
@@ -115,12 +115,12 @@ TEST_F(Prompts, PointToNoPinThatTheBrainLacks) {
     desk.now.brains[0] = brain;
     desk.view.mode = Mode::wiring;
     EXPECT_EQ(anchor(), "");
-    EXPECT_EQ(next().hint, "") << "nothing there pulses";
+    EXPECT_EQ(next().hint, "") << "no anchor pulses in this mode";
     desk.view.settings.selection.vehicle = no_vehicle;
-    EXPECT_EQ(anchor(), "") << "there is no brain to see";
+    EXPECT_EQ(anchor(), "") << "no brain is visible";
 }
 
-TEST_F(Prompts, DoNotStayForEver) {
+TEST_F(Prompts, EndAfterATimeLimit) {
     alone();
     at(9);
     EXPECT_EQ(anchor(), lamp_anchor);
@@ -130,13 +130,13 @@ TEST_F(Prompts, DoNotStayForEver) {
     EXPECT_EQ(anchor(), "");
 }
 
-TEST_F(Prompts, ShowTheWayOutToOneThatSeesNothingAnyMore) {
+TEST_F(Prompts, PointToResetIfTheVehicleSensesNothing) {
     alone();
     desk.view.undo_depth = 1;
     at(5), see(0);
     EXPECT_NE(anchor(), "button.reset");
     at(7);
-    EXPECT_NE(anchor(), "button.reset") << "it may be about to turn";
+    EXPECT_NE(anchor(), "button.reset") << "the vehicle may still turn";
     at(8.5);
     EXPECT_EQ(anchor(), "button.reset");
     EXPECT_EQ(next().hint, "hint.lost");
@@ -144,10 +144,10 @@ TEST_F(Prompts, ShowTheWayOutToOneThatSeesNothingAnyMore) {
     EXPECT_NE(anchor(), "button.reset");
     see(0);
     at(0, Mode::paused);
-    EXPECT_NE(anchor(), "button.reset") << "it is back";
+    EXPECT_NE(anchor(), "button.reset") << "the vehicle senses the lamp again";
 }
 
-TEST_F(Prompts, ShowTheWayOutToOneThatIsStuckButNotInACrowd) {
+TEST_F(Prompts, PointToResetIfASingleVehicleIsStuck) {
     alone();
     desk.now.vehicles[0].speed = 0;
     at(5), next(), at(10.5), next(), at(11.5);
@@ -158,7 +158,7 @@ TEST_F(Prompts, ShowTheWayOutToOneThatIsStuckButNotInACrowd) {
     EXPECT_NE(anchor(), "button.reset");
 }
 
-TEST_F(LessonPrompts, AskForAPredictionBeforeTheFirstPlay) {
+TEST_F(LessonPrompts, RequestAPredictionBeforeTheFirstPlay) {
     desk.lesson.has_run = false;
     desk.lesson.prediction = -1;
     EXPECT_EQ(anchor(), "exercise.predict");
@@ -167,21 +167,21 @@ TEST_F(LessonPrompts, AskForAPredictionBeforeTheFirstPlay) {
     EXPECT_EQ(anchor(), "button.play");
 }
 
-TEST_F(LessonPrompts, PointWhereTheNewestHintPointsUntilItIsFollowed) {
+TEST_F(LessonPrompts, PointToTheAnchorOfTheNewestHintUntilItIsUsed) {
     at(5), see(0);
     desk.lesson.hints_shown = 3;
     EXPECT_EQ(anchor(), "slider.LR");
     at(9);
-    EXPECT_EQ(anchor(), "slider.LR") << "before the way out";
+    EXPECT_EQ(anchor(), "slider.LR") << "before the prompt to reset";
     desk.view.undo_depth = 1;
-    EXPECT_EQ(anchor(), "button.reset") << "its back is to the lamp: only a new start shows the change";
+    EXPECT_EQ(anchor(), "button.reset") << "it faces away from the lamp: only a new start shows the change";
     at(0, Mode::paused);
     EXPECT_EQ(anchor(), "button.play");
     at(0);
     EXPECT_EQ(anchor(), "");
 }
 
-TEST_F(LessonPrompts, OfferAHintOnceTheRunHasComeToNothing) {
+TEST_F(LessonPrompts, OfferAHintAfterAFailedRun) {
     desk.opened.seconds = 40;
     desk.view.undo_depth = 1;
     at(15);
@@ -192,7 +192,7 @@ TEST_F(LessonPrompts, OfferAHintOnceTheRunHasComeToNothing) {
     EXPECT_NE(anchor(), "exercise.hint");
 }
 
-TEST_F(LessonPrompts, GoOnToTheNextExerciseOnceThisOneIsPassed) {
+TEST_F(LessonPrompts, PointToTheNextExerciseAfterAPass) {
     at(9);
     all_done();
     EXPECT_EQ(next().hint, "hint.other_starts");
@@ -201,7 +201,7 @@ TEST_F(LessonPrompts, GoOnToTheNextExerciseOnceThisOneIsPassed) {
     EXPECT_EQ(next().hint, "hint.passed");
 }
 
-TEST_F(Prompts, DoNotPulseWhereMotionIsReduced) {
+TEST_F(Prompts, DoNotPulseWithReducedMotion) {
     desk.view.reduce_motion = true;
     desk.view.wall_seconds = 0;
     EXPECT_EQ(pulse(desk.view), 1);

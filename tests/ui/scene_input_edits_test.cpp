@@ -34,23 +34,23 @@ struct SceneInputEdits : testing::Test {
     float reach() const { return std::hypot(scene->kinds[0].body.length, scene->kinds[0].body.width) / 2; }
 };
 
-TEST_F(SceneInputEdits, LeavesAFreePlaceAsItIs) {
+TEST_F(SceneInputEdits, KeepsAFreePosition) {
     const vec2 at = free_place(now, {-3, 2}, 0.6f);
     EXPECT_EQ(at.x, -3);
     EXPECT_EQ(at.y, 2);
 }
 
-TEST_F(SceneInputEdits, KeepsWhatIsAddedOffTheWalls) {
+TEST_F(SceneInputEdits, KeepsAddedObjectsOffTheWalls) {
     for (const vec2 wanted : {vec2{9, 9}, vec2{-5, 0.5f}, vec2{0, -30}, vec2{4.9f, 3.9f}}) {
         const vec2 at = free_place(now, wanted, 0.6f);
         EXPECT_LE(std::fabs(at.x), 4.4f + 1e-4f);
         EXPECT_LE(std::fabs(at.y), 3.4f + 1e-4f);
     }
     scene->arena.edge = Boundary::torus;
-    EXPECT_EQ(free_place(now, {5, 3}, 0.6f).x, 5) << "over a joined edge it may stand";
+    EXPECT_EQ(free_place(now, {5, 3}, 0.6f).x, 5) << "a position on a joined edge is free";
 }
 
-TEST_F(SceneInputEdits, MovesAsideFromWhatStandsThereAndNoFartherThanItMust) {
+TEST_F(SceneInputEdits, MovesAsideFromOtherObjectsAsLittleAsNecessary) {
     stand(-3, 2);
     const float both = 0.6f + reach();
     const vec2 at = free_place(now, {-3, 2.1f}, 0.6f);
@@ -64,14 +64,14 @@ TEST_F(SceneInputEdits, MovesAsideFromWhatStandsThereAndNoFartherThanItMust) {
     EXPECT_LE(beside_box.x, 3 - 0.5f - 0.6f + 1e-4f);
 }
 
-TEST_F(SceneInputEdits, TakesTheWantedPlaceInsideWhereEverythingIsFull) {
+TEST_F(SceneInputEdits, UsesTheGivenPositionInAFullArena) {
     scene->obstacles[0] = {.name = "box", .length = 30, .width = 30};
     const vec2 at = free_place(now, {9, 1}, 0.6f);
     EXPECT_NEAR(at.x, 4.4f, 1e-4f);
     EXPECT_NEAR(at.y, 1, 1e-4f);
 }
 
-TEST_F(SceneInputEdits, IsMadeForWhatACommandAddsAndForNothingElse) {
+TEST_F(SceneInputEdits, FindsAPositionOnlyForAddedObjects) {
     stand(-3, 2);
     const auto vehicle = std::get<AddVehicle>(with_room(now, AddVehicle{0, Pose{-3, 2, 1}}));
     EXPECT_GE(maths::distance(vec2{vehicle.at->x, vehicle.at->y}, vec2{-3, 2}), 2 * reach() - 1e-4f);
@@ -80,9 +80,9 @@ TEST_F(SceneInputEdits, IsMadeForWhatACommandAddsAndForNothingElse) {
     EXPECT_LT(lamp.source.x, 5);
     const auto box = std::get<AddObstacle>(with_room(now, AddObstacle{{.x = 3.2f, .y = 0.2f}}));
     EXPECT_GE(maths::distance(vec2{box.obstacle.x, box.obstacle.y}, vec2{3, 0}), 0.99f);
-    EXPECT_EQ(with_room(now, Command(AddVehicle{})), Command(AddVehicle{})) << "somewhere free, as the world finds it";
+    EXPECT_EQ(with_room(now, Command(AddVehicle{})), Command(AddVehicle{})) << "the world chooses a free position";
     const Command move = MoveVehicle{0, 3, 0, 0};
-    EXPECT_EQ(with_room(now, move), move) << "a hand knows where it puts something";
+    EXPECT_EQ(with_room(now, move), move) << "a move keeps the position of the user";
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 using maths::vec2;
 using Corners = std::vector<vec2>;
 
-TEST(PolygonTool, TakesCornersInEitherDirection) {
+TEST(PolygonTool, AcceptsCornersInBothDirections) {
     for (const Corners& drawn : {Corners{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, Corners{{0, 2}, {2, 2}, {2, 0}, {0, 0}}}) {
         Corners corners;
         for (const vec2 next : drawn) {
@@ -23,7 +23,7 @@ TEST(PolygonTool, TakesCornersInEitherDirection) {
     }
 }
 
-TEST(PolygonTool, RefusesTheCornerThatCrossesDentsOrCrowds) {
+TEST(PolygonTool, RefusesACornerThatMakesTheOutlineCrossedConcaveOrTooNarrow) {
     const Corners square{{0, 0}, {2, 0}, {2, 2}};
     EXPECT_EQ(fault_of_next(square, {1, -1}), OutlineFault::crosses);
     EXPECT_EQ(fault_of_next(square, {1.5f, 0.7f}), OutlineFault::dents);
@@ -31,7 +31,7 @@ TEST(PolygonTool, RefusesTheCornerThatCrossesDentsOrCrowds) {
     EXPECT_EQ(fault_of_next(square, {0, 2}), OutlineFault::none);
 }
 
-TEST(PolygonTool, RefusesAStarThatTurnsTheSameWayAllAround) {
+TEST(PolygonTool, RefusesAStarWhoseCornersTurnInOneDirection) {
     Corners star;
     for (int i = 0; i < 5; ++i) {
         const float angle = 2.5132741f * static_cast<float>(i);  // 144 degrees
@@ -50,13 +50,13 @@ TEST(PolygonTool, HasThreeToEightCorners) {
     EXPECT_EQ(fault_of_next(round, {3, -0.5f}), OutlineFault::too_many);
 }
 
-TEST(PolygonTool, RefusesASliver) {
+TEST(PolygonTool, RefusesANarrowOutline) {
     EXPECT_EQ(fault_of({{0, 0}, {3, 0}, {1.5f, 0.05f}}), OutlineFault::too_narrow);
     EXPECT_EQ(fault_of({{0, 0}, {1, 1}, {2, 2}}), OutlineFault::too_narrow) << "all in a line";
     EXPECT_EQ(fault_of({{0, 0}, {3, 0}, {1.5f, 0.2f}}), OutlineFault::none);
 }
 
-TEST(PolygonTool, BecomesAnObstacleAboutItsCentroidCounterClockwise) {
+TEST(PolygonTool, MakesACounterClockwiseObstacleAroundItsCentroid) {
     const Obstacle made = obstacle_from({{1, 4}, {4, 1}, {1, 1}});  // clockwise
     EXPECT_NEAR(made.x, 2, 1e-5f);
     EXPECT_NEAR(made.y, 2, 1e-5f);
@@ -76,7 +76,7 @@ TEST(PolygonTool, MakesABoxFromAnyTwoOppositeCorners) {
     EXPECT_FLOAT_EQ(a.x, 2.5f);
     EXPECT_FLOAT_EQ(a.length, 3);
     EXPECT_FLOAT_EQ(a.width, 4);
-    EXPECT_FLOAT_EQ(box_between({0, 0}, {0, 0}).length, 0.2f) << "never thinner than what can be grasped";
+    EXPECT_FLOAT_EQ(box_between({0, 0}, {0, 0}).length, 0.2f) << "at least the smallest size that can be picked";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The scene under the hand, without a window: Dear ImGui's mouse fed by hand over a snapshot made by hand.
+// Mouse input in the scene without a window: synthetic Dear ImGui mouse events over a hand-made snapshot.
 #include "ui/scene_input/scene_input.h"
 
 #include <cmath>
@@ -14,9 +14,9 @@ namespace {
 
 using maths::vec2;
 
-constexpr float a_pixel = 0.05f;  // m: Dear ImGui knows the mouse by whole pixels
+constexpr float a_pixel = 0.05f;  // m: Dear ImGui rounds the mouse to whole pixels
 
-// A desk whose scene can be pointed at: four predators amid, a lamp and a box to the north.
+// A desk with a scene for the mouse: four predators in the middle, a lamp and a box to the north.
 struct SceneInput : testing::Test {
     SceneInput() {
         auto scene = std::make_shared<Scene>(*desk.now.scene);
@@ -31,7 +31,7 @@ struct SceneInput : testing::Test {
             desk.now.vehicles[i].y = i < 8 ? 0.0f : -4.0f;
         }
         desk.view.camera_view = &camera_view;
-        desk.frame(2);  // cards measure themselves
+        desk.frame(2);  // cards are measured in the first frames
         camera_view = look(Camera{}, scene->arena, nullptr, {0, 0, 1280, 800}, desk.layout.scene);
         rest_pointer();
     }
@@ -48,7 +48,7 @@ struct SceneInput : testing::Test {
         point(place), press(button), release(button);
         desk.rest();
     }
-    // Down at one place, in steps to another.
+    // Presses at one place and moves to another in steps.
     void hold(vec2 from, vec2 to) {
         point(from), press();
         for (int i = 1; i <= 4; ++i) point(from + (to - from) * (static_cast<float>(i) / 4));
@@ -69,7 +69,7 @@ struct SceneInput : testing::Test {
         return found;
     }
     SceneInputState& scene_input() { return desk.panels.scene_input; }
-    // What the lab would do about it.
+    // Applies the requests, as the lab does.
     void take(SceneObject object) { desk.view.settings.selection.object = object, desk.frame(); }
 
     Desk desk;
@@ -77,7 +77,7 @@ struct SceneInput : testing::Test {
     const SceneObject lamp{SceneObjectKind::source, 0}, box{SceneObjectKind::obstacle, 0};
 };
 
-TEST_F(SceneInput, KnowsWhatLiesUnderThePointerAndShowsItByTheCursor) {
+TEST_F(SceneInput, FindsTheObjectUnderThePointerAndSetsTheCursor) {
     EXPECT_FALSE(scene_input().hovered);
     EXPECT_EQ(ImGui::GetMouseCursor(), ImGuiMouseCursor_Arrow);
     point({-3, 6});
@@ -99,14 +99,14 @@ TEST_F(SceneInput, SelectsByAClickAndMovesNothing) {
     EXPECT_TRUE(desk.edits().empty());
 }
 
-TEST_F(SceneInput, LetsGoOfALampByAClickOnTheFloor) {
+TEST_F(SceneInput, DeselectsALampOnAClickOnTheFloor) {
     take(lamp);
     click({0, 3});
     ASSERT_EQ(requests<TakeRequest>().size(), 1u);
     EXPECT_FALSE(requests<TakeRequest>()[0].object);
 }
 
-TEST_F(SceneInput, DragsAVehicleByWhereItWasTakenWithOneGesture) {
+TEST_F(SceneInput, DragsAVehicleByTheGrabbedPointInOneGesture) {
     hold({-6.1f, 0}, {-6.1f, 3});
     const auto moves = commands<MoveVehicle>();
     ASSERT_GE(moves.size(), 2u);
@@ -117,11 +117,11 @@ TEST_F(SceneInput, DragsAVehicleByWhereItWasTakenWithOneGesture) {
     release();
     const auto first = desk.edits().back().gesture;
     hold({-3, 6}, {-3, 8});
-    EXPECT_NE(desk.edits().back().gesture, first) << "another drag is another step";
+    EXPECT_NE(desk.edits().back().gesture, first) << "a second drag is a second step";
     EXPECT_NEAR(commands<MoveSource>().back().y, 8, a_pixel);
 }
 
-TEST_F(SceneInput, KeepsAVehicleInTheHandWhileItsBrainPullsAway) {
+TEST_F(SceneInput, HoldsADraggedVehicleAgainstItsBrain) {
     hold({-6, 0}, {-6, 3});
     const auto before = commands<MoveVehicle>().size();
     desk.now.vehicles[0].x = -5.5f;  // a few ticks later
@@ -130,51 +130,51 @@ TEST_F(SceneInput, KeepsAVehicleInTheHandWhileItsBrainPullsAway) {
     EXPECT_NEAR(commands<MoveVehicle>().back().x, -6, a_pixel);
 }
 
-TEST_F(SceneInput, LetsAVehicleStartWhereItWasPutBeforeTheFirstTickOnly) {
+TEST_F(SceneInput, MovesTheStartOfAVehicleOnlyBeforeTheFirstTick) {
     desk.now.vehicles[0].start = 0;
     Scene scene = *desk.now.scene;
     scene.starts = {{.name = "it", .kind = "k", .x = -6, .facing = "lamp", .place_spread = 1, .heading_spread = 1}};
     desk.now.scene = std::make_shared<const Scene>(scene);
     desk.now.tick = 0;
     hold({-6, 0}, {-6, 3});
-    EXPECT_TRUE(commands<EditStart>().empty()) << "not while it is in the hand: Esc puts it back";
+    EXPECT_TRUE(commands<EditStart>().empty()) << "no new start during a drag: Esc can still cancel it";
     release();
     ASSERT_EQ(commands<EditStart>().size(), 1u);
     const Start start = commands<EditStart>()[0].to;
     EXPECT_NEAR(start.y, 3, a_pixel);
     EXPECT_EQ(start.facing, "");
     EXPECT_EQ(start.place_spread + start.heading_spread, 0);
-    EXPECT_EQ(desk.edits().front().gesture, desk.edits().back().gesture) << "one step to undo";
+    EXPECT_EQ(desk.edits().front().gesture, desk.edits().back().gesture) << "one step of undo";
     desk.now.tick = 1;
     hold({-6, 0}, {-6, 3});
     release();
     EXPECT_EQ(commands<EditStart>().size(), 1u);
 }
 
-TEST_F(SceneInput, LeavesNothingOutsideTheArena) {
+TEST_F(SceneInput, KeepsObjectsInsideTheArena) {
     hold({3, 6}, {40, 6});
     EXPECT_FLOAT_EQ(commands<MoveObstacle>().back().x, 10);
     release();
     hold({-6, 0}, {-30, 0});
     EXPECT_LT(commands<MoveVehicle>().back().x, -9);
-    EXPECT_GT(commands<MoveVehicle>().back().x, -10) << "half its width off the wall";
+    EXPECT_GT(commands<MoveVehicle>().back().x, -10) << "at least half its width from the wall";
 }
 
-TEST_F(SceneInput, PutsBackOnEscapeInMidDragAndForgetsTheRest) {
+TEST_F(SceneInput, RestoresThePositionOnEscapeDuringADrag) {
     hold({3, 6}, {5, 8});
     desk.now.obstacles[0] = {5, 8, 0};
     desk.key({key::escape});
     const MoveObstacle back = commands<MoveObstacle>().back();
     EXPECT_EQ(back, (MoveObstacle{0, 3, 6, 0}));
-    EXPECT_EQ(desk.edits().back().gesture, desk.edits().front().gesture) << "the same step, which is then none";
+    EXPECT_EQ(desk.edits().back().gesture, desk.edits().front().gesture) << "the same gesture, so that no step is left";
     const auto count = desk.edits().size();
     point({7, 8});
     release();
     EXPECT_EQ(desk.edits().size(), count);
-    EXPECT_TRUE(desk.actions().empty()) << "Esc was spent";
+    EXPECT_TRUE(desk.actions().empty()) << "the scene has used Esc";
 }
 
-TEST_F(SceneInput, TurnsWhatIsSelectedByItsRing) {
+TEST_F(SceneInput, RotatesTheSelectionByItsRing) {
     take(box);
     point({3.2f, 6.2f});
     desk.frame();
@@ -192,8 +192,8 @@ TEST_F(SceneInput, TurnsWhatIsSelectedByItsRing) {
     ImGui::GetIO().KeyShift = false;
 }
 
-TEST_F(SceneInput, TakesANeighbourRatherThanTheRingsKnobOverIt) {
-    point({-5.9f, 0.1f});  // the knob of vehicle 0 stands at the edge of vehicle 1
+TEST_F(SceneInput, PrefersAVehicleToTheRingKnobOverIt) {
+    point({-5.9f, 0.1f});  // the knob of vehicle 0 is at the edge of vehicle 1
     ASSERT_TRUE(desk.anchors.find("stage.knob"));
     point({-4.5f, 0});
     EXPECT_EQ(scene_input().hovered, (SceneInputHit{vehicle_object(1), false}));
@@ -202,14 +202,14 @@ TEST_F(SceneInput, TakesANeighbourRatherThanTheRingsKnobOverIt) {
     EXPECT_TRUE(scene_input().hovered.handle);
 }
 
-TEST_F(SceneInput, HasNoRingRoundALamp) {
+TEST_F(SceneInput, HasNoRingAroundALamp) {
     take(lamp);
     point({-2.6f, 6});
     desk.frame();
     EXPECT_FALSE(desk.anchors.find("stage.knob"));
 }
 
-TEST_F(SceneInput, TurnsTheCameraWhereNothingLies) {
+TEST_F(SceneInput, RotatesTheCameraOnAFreePlace) {
     hold({0, 3}, {1, 3});
     EXPECT_EQ(scene_input().drag.phase, SceneInputPhase::orbit);
     release();
@@ -219,14 +219,14 @@ TEST_F(SceneInput, TurnsTheCameraWhereNothingLies) {
     EXPECT_TRUE(desk.edits().empty());
 }
 
-TEST_F(SceneInput, DoesNotDragTheVehicleThatTheCameraRidesWith) {
+TEST_F(SceneInput, DoesNotDragTheVehicleThatTheCameraFollows) {
     desk.view.settings.camera.mode = CameraMode::follow;
     desk.view.settings.selection.vehicle = 0;
     hold({-6, 0}, {-6, 3});
     EXPECT_TRUE(desk.edits().empty());
 }
 
-TEST_F(SceneInput, NudgesALampAlongTheGridAndQuickPressesAreOneStep) {
+TEST_F(SceneInput, MovesALampByArrowKeysAlongTheGridAndMergesQuickPresses) {
     take(lamp);
     desk.key({key::right});
     EXPECT_EQ(commands<MoveSource>().back(), (MoveSource{0, -2.9f, 6}));
@@ -238,7 +238,7 @@ TEST_F(SceneInput, NudgesALampAlongTheGridAndQuickPressesAreOneStep) {
     EXPECT_NE(desk.edits()[2].gesture, desk.edits()[0].gesture);
 }
 
-TEST_F(SceneInput, LeavesTheArrowsToTheCameraUnlessALampIsSelectedOrCtrlIsHeld) {
+TEST_F(SceneInput, MovesTheCameraByArrowKeysUnlessALampIsSelectedOrCtrlIsHeld) {
     desk.key({key::right});
     EXPECT_TRUE(desk.edits().empty());
     EXPECT_FALSE(takes_arrows(desk.view, false));
@@ -248,13 +248,13 @@ TEST_F(SceneInput, LeavesTheArrowsToTheCameraUnlessALampIsSelectedOrCtrlIsHeld) 
     EXPECT_TRUE(takes_arrows(desk.view, false));
 }
 
-TEST_F(SceneInput, SetsUpALampWhereItIsClicked) {
+TEST_F(SceneInput, AddsALampAtTheClick) {
     desk.click("tool.lamp");
     EXPECT_EQ(scene_input().tool, SceneInputTool::lamp);
     click({1, 3});
     ASSERT_EQ(commands<AddSource>().size(), 1u);
     EXPECT_NEAR(commands<AddSource>()[0].source.x, 1, a_pixel);
-    EXPECT_EQ(scene_input().tool, SceneInputTool::hand) << "one, then the hand again";
+    EXPECT_EQ(scene_input().tool, SceneInputTool::hand) << "one object, then the hand tool again";
 }
 
 TEST_F(SceneInput, DrawsABoxFromCornerToCorner) {
@@ -269,7 +269,7 @@ TEST_F(SceneInput, DrawsABoxFromCornerToCorner) {
 TEST_F(SceneInput, DrawsAPolygonByItsCornersAndClosesItWithEnter) {
     desk.click("tool.polygon");
     for (const vec2 corner : {vec2{-1, 2}, vec2{2, 2}, vec2{2, 4}}) click(corner);
-    EXPECT_TRUE(desk.edits().empty()) << "not before it is closed";
+    EXPECT_TRUE(desk.edits().empty()) << "no obstacle before the outline is closed";
     desk.key({key::enter});
     ASSERT_EQ(commands<AddObstacle>().size(), 1u);
     EXPECT_EQ(commands<AddObstacle>()[0].obstacle.corners.size(), 3u);
@@ -285,10 +285,10 @@ TEST_F(SceneInput, ClosesAPolygonByItsFirstCornerOrADoubleClick) {
     for (const vec2 corner : {vec2{-1, 2}, vec2{2, 2}}) click(corner);
     point({2, 4}), press(), release(), press(), release();
     ASSERT_EQ(commands<AddObstacle>().size(), 2u);
-    EXPECT_EQ(commands<AddObstacle>()[1].obstacle.corners.size(), 3u) << "the second click adds none";
+    EXPECT_EQ(commands<AddObstacle>()[1].obstacle.corners.size(), 3u) << "the second click adds no corner";
 }
 
-TEST_F(SceneInput, RefusesACornerWithAReasonAndTakesBackTheLastOne) {
+TEST_F(SceneInput, RefusesACornerWithAReasonAndRemovesTheLastOne) {
     desk.click("tool.polygon");
     for (const vec2 corner : {vec2{0, 2}, vec2{2, 2}, vec2{2, 4}}) click(corner);
     point({1, 1}), press();
@@ -302,7 +302,7 @@ TEST_F(SceneInput, RefusesACornerWithAReasonAndTakesBackTheLastOne) {
     EXPECT_TRUE(desk.edits().empty());
 }
 
-TEST_F(SceneInput, LeavesDrawingByEscapeStepByStep) {
+TEST_F(SceneInput, CancelsDrawingByEscapeStepByStep) {
     desk.click("tool.polygon");
     click({0, 2});
     desk.key({key::escape});
@@ -312,10 +312,10 @@ TEST_F(SceneInput, LeavesDrawingByEscapeStepByStep) {
     EXPECT_EQ(scene_input().tool, SceneInputTool::hand);
     EXPECT_TRUE(desk.actions().empty());
     desk.key({key::escape});
-    EXPECT_EQ(desk.actions().size(), 1u) << "then it is the window's";
+    EXPECT_EQ(desk.actions().size(), 1u) << "the next Esc goes to the window";
 }
 
-TEST_F(SceneInput, KeepsWhatTheMenuAddsAndWhatIsDuplicatedOffTheWallAndOffOthers) {
+TEST_F(SceneInput, KeepsAddedAndDuplicatedObjectsOffTheWallsAndOtherObjects) {
     const float rim = desk.now.scene->arena.width / 2;
     click({rim - 0.05f, 3}, 1);
     desk.click("menu.add.vehicle.1");
@@ -332,10 +332,10 @@ TEST_F(SceneInput, KeepsWhatTheMenuAddsAndWhatIsDuplicatedOffTheWallAndOffOthers
     EXPECT_TRUE(clear({commands<AddVehicle>()[1].at->x, commands<AddVehicle>()[1].at->y}));
     const auto copy = copy_of(desk.now, vehicle_object(2));
     const Pose at = *std::get<AddVehicle>(*copy).at;
-    EXPECT_TRUE(clear({at.x, at.y})) << "0.8 m beside it another one stands";
+    EXPECT_TRUE(clear({at.x, at.y})) << "another vehicle is 0.8 m beside it";
 }
 
-TEST_F(SceneInput, LeavesTheClickThatClosesAMenuToTheMenu) {
+TEST_F(SceneInput, IgnoresTheClickThatClosesAMenu) {
     click({0, 3}, 1);
     ASSERT_TRUE(scene_input().menu.open);
     desk.all.clear();
@@ -352,7 +352,7 @@ TEST_F(SceneInput, LeavesTheClickThatClosesAMenuToTheMenu) {
     EXPECT_FALSE(desk.all.empty());
 }
 
-TEST_F(SceneInput, AddsWhatTheMenuOffersWhereItWasOpened) {
+TEST_F(SceneInput, AddsObjectsAtThePositionOfTheMenu) {
     click({1, 3}, 1);
     desk.click("menu.add.vehicle.1");
     const auto added = commands<AddVehicle>();
@@ -369,7 +369,7 @@ TEST_F(SceneInput, AddsWhatTheMenuOffersWhereItWasOpened) {
     EXPECT_EQ(scene_input().corners.size(), 1u);
 }
 
-TEST_F(SceneInput, DoesWithAVehicleWhatItsMenuSays) {
+TEST_F(SceneInput, ExecutesTheMenuOfAVehicle) {
     click({-4.5f, 0}, 1);
     EXPECT_EQ(scene_input().menu.object, vehicle_object(1));
     desk.click("menu.drive");
@@ -391,7 +391,7 @@ TEST_F(SceneInput, DoesWithAVehicleWhatItsMenuSays) {
     EXPECT_EQ(commands<SetBrain>().back().target, (Target{1, -1}));
 }
 
-TEST_F(SceneInput, MenuCanBeWalkedByKeysAlone) {
+TEST_F(SceneInput, MenuCanBeUsedByKeysAlone) {
     desk.key({key::menu});
     desk.frame(3);
     ASSERT_TRUE(scene_input().menu.open);
@@ -409,7 +409,7 @@ TEST_F(SceneInput, MenuCanBeWalkedByKeysAlone) {
     EXPECT_FALSE(scene_input().menu.open);
 }
 
-TEST_F(SceneInput, RestsWhileTheWiringIsOpen) {
+TEST_F(SceneInput, IsInactiveWhileTheWiringIsOpen) {
     desk.view.mode = Mode::wiring;
     point({-6, 0});
     EXPECT_FALSE(scene_input().hovered);
@@ -417,7 +417,7 @@ TEST_F(SceneInput, RestsWhileTheWiringIsOpen) {
     EXPECT_TRUE(desk.edits().empty());
 }
 
-TEST_F(SceneInput, CardChangesALampsValuesWithOneGestureADrag) {
+TEST_F(SceneInput, CardChangesTheValuesOfALampWithOneGesturePerDrag) {
     take(lamp);
     desk.frame(2);
     desk.point("thing.strength", 0.5f);
@@ -432,14 +432,14 @@ TEST_F(SceneInput, CardChangesALampsValuesWithOneGestureADrag) {
     ASSERT_GE(edits.size(), 2u);
     EXPECT_LT(edits.back().to.strength, edits.front().to.strength);
     EXPECT_EQ(desk.edits().front().gesture, desk.edits().back().gesture);
-    EXPECT_EQ(edits.back().to.x, -3) << "all else stays";
+    EXPECT_EQ(edits.back().to.x, -3) << "other values are unchanged";
     desk.click("thing.channel.heat");
     EXPECT_EQ(commands<EditSource>().back().to.channel, Channel::heat);
     desk.click("thing.solid.2");
     EXPECT_TRUE(commands<EditSource>().back().to.solid);
 }
 
-TEST_F(SceneInput, CardEditsAnObstacleWhereItStandsNow) {
+TEST_F(SceneInput, CardEditsAnObstacleAtItsPresentPosition) {
     desk.now.obstacles[0] = {4, 5, 0};  // pushed
     take(box);
     desk.frame(2);

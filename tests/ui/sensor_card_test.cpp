@@ -1,4 +1,4 @@
-// Sensors of a kind, edited beside its brain.
+// Editing the sensors of a kind.
 #include <cmath>
 #include <set>
 
@@ -47,7 +47,7 @@ public:
 
 }  // namespace
 
-TEST(SensorCard, IsFoldedUntilItIsWanted) {
+TEST(SensorCard, IsFoldedUntilItIsOpened) {
     Desk desk;
     desk.frame(3);
     EXPECT_TRUE(desk.anchors.find("card.sensors"));
@@ -63,7 +63,7 @@ TEST(SensorCard, TurnsBothEyesAsMirrorImages) {
     const auto sensors = desk.asked_for();
     EXPECT_NEAR(sensors[0].angle, 60 * degree, 1e-4f);
     EXPECT_NEAR(sensors[1].angle, -60 * degree, 1e-4f);
-    EXPECT_EQ(sensors[2], desk.now.scene->kinds[0].sensors[2]) << "the bumper stays as it is";
+    EXPECT_EQ(sensors[2], desk.now.scene->kinds[0].sensors[2]) << "the bumper is unchanged";
     EXPECT_EQ(std::get<SetSensors>(desk.edits().back().command).kind, 0);
     desk.all.clear();
     desk.type_into("sensor.field", "90");
@@ -71,7 +71,7 @@ TEST(SensorCard, TurnsBothEyesAsMirrorImages) {
     EXPECT_NEAR(desk.asked_for()[1].fov, 90 * degree, 1e-4f);
 }
 
-TEST(SensorCard, EditsOneEyeAloneWhenAsked) {
+TEST(SensorCard, EditsASingleEye) {
     SensorDesk desk;
     desk.click("sensor.SR");
     desk.click("sensor.sides.2");
@@ -109,7 +109,7 @@ TEST(SensorCard, ChangesShapeAndResponse) {
     EXPECT_EQ(desk.asked_for()[1].response, SensorResponse::boolean);
 }
 
-TEST(SensorCard, ChoosesWhatBothEyesSense) {
+TEST(SensorCard, SetsTheChannelOfBothEyes) {
     SensorDesk desk;
     EXPECT_FALSE(desk.anchors.find("sensor.channel.heat"));
     desk.click("sensor.channel");
@@ -117,8 +117,8 @@ TEST(SensorCard, ChoosesWhatBothEyesSense) {
     const auto sensors = desk.asked_for();
     EXPECT_EQ(sensors[0].channel, Channel::heat);
     EXPECT_EQ(sensors[1].channel, Channel::heat);
-    EXPECT_EQ(sensors[2].channel, Channel::touch) << "the bumper goes on feeling";
-    EXPECT_NE(desk.edits().back().gesture, 0u) << "a step of undo of its own";
+    EXPECT_EQ(sensors[2].channel, Channel::touch) << "the bumper keeps its channel";
+    EXPECT_NE(desk.edits().back().gesture, 0u) << "a separate step of undo";
     desk.all.clear();
     desk.click("sensor.channel.light");
     EXPECT_TRUE(desk.edits().empty()) << "it senses light already";
@@ -135,7 +135,7 @@ TEST(SensorCard, KeepsNoiseAndDelayFoldedAndClampsThem) {
     EXPECT_FLOAT_EQ(desk.asked_for()[1].noise, 0.25f);
 }
 
-TEST(SensorCard, RightClickBringsBackTheFilesAngle) {
+TEST(SensorCard, RightClickRestoresTheAngleOfTheFile) {
     SensorDesk desk;
     auto turned = std::make_shared<Scene>(*desk.now.scene);
     turned->kinds[0].sensors[0].angle = 1;
@@ -145,7 +145,7 @@ TEST(SensorCard, RightClickBringsBackTheFilesAngle) {
     EXPECT_NEAR(desk.asked_for()[0].angle, 35 * degree, 1e-4f);
 }
 
-TEST(SensorCard, GivesNoAnswerAwayByTheNameOfALoneKind) {
+TEST(SensorCard, HidesTheNameOfASingleKind) {
     Desk desk(1280, 1000);
     desk.now = snapshot(0);
     auto scene = std::make_shared<Scene>(*desk.now.scene);
@@ -157,7 +157,7 @@ TEST(SensorCard, GivesNoAnswerAwayByTheNameOfALoneKind) {
     for (const Written& w : desk.written) EXPECT_EQ(w.words.find("ggressor"), std::string::npos) << w.words;
 }
 
-TEST(SensorCard, SaysWhenThereIsNothingToSenseWith) {
+TEST(SensorCard, ReportsAVehicleWithoutSensors) {
     Desk desk;
     desk.panels.card(Card::sensors).folded = false;
     desk.view.settings.selection.vehicle = no_vehicle;

@@ -1,4 +1,4 @@
-// The sheet of preferences, and what a sheet does to keyboard and mouse.
+// The sheet of preferences, and how a sheet blocks keyboard and mouse.
 #include "desk.h"
 #include "ui/panels/cards.h"
 
@@ -13,7 +13,7 @@ struct SettingsCard : testing::Test {
         desk.key({',', true});
         desk.frame(3);
     }
-    // The lab does what was asked for before the next frame.
+    // Applies the requests before the next frame, as the lab does.
     void click_and_obey(std::string_view anchor) {
         desk.point(anchor);
         desk.frame(2);
@@ -32,7 +32,7 @@ struct SettingsCard : testing::Test {
     }
 };
 
-TEST_F(SettingsCard, ChangesOneThingAtAClick) {
+TEST_F(SettingsCard, ChangesOneSettingPerClick) {
     desk.click("settings.theme.2");
     EXPECT_EQ(wanted(), (Preferences{.theme = Theme::light}));
     desk.click("settings.type.3");
@@ -42,10 +42,10 @@ TEST_F(SettingsCard, ChangesOneThingAtAClick) {
     desk.click("settings.language.3");
     EXPECT_EQ(wanted().language, desk.spoken[2].code);
     desk.click("settings.language.3");
-    EXPECT_TRUE(desk.all.empty()) << "what is chosen already is no request";
+    EXPECT_TRUE(desk.all.empty()) << "the chosen value gives no request";
 }
 
-TEST_F(SettingsCard, ResetsEverythingButTheLanguageAndTakesThatBack) {
+TEST_F(SettingsCard, ResetsEverythingExceptTheLanguageAndCanUndoIt) {
     const Preferences mine{Theme::light, "es", 1.5f, true};
     desk.view.preferences = mine;
     desk.panels.card(Card::brain).folded = true;
@@ -66,7 +66,7 @@ TEST_F(SettingsCard, ResetsTheFoldOfEachCardOfTheTable) {
     for (const CardTraits& row : cards()) EXPECT_EQ(desk.panels.card(row.card).folded, row.folded) << row.anchor;
 }
 
-TEST_F(SettingsCard, KeepsTheKeyboardAndTheMouseFromWhatLiesBelow) {
+TEST_F(SettingsCard, BlocksKeyboardAndMouseForTheWindowBelow) {
     desk.all.clear();
     for (int i = 0; i < 30; ++i) {
         desk.key({key::tab});
@@ -78,10 +78,10 @@ TEST_F(SettingsCard, KeepsTheKeyboardAndTheMouseFromWhatLiesBelow) {
     desk.frame(2);
     EXPECT_TRUE(desk.actions().empty());
     desk.key({' '});
-    EXPECT_EQ(desk.actions(), std::vector{Action::play_pause}) << "Space plays, always";
+    EXPECT_EQ(desk.actions(), std::vector{Action::play_pause}) << "Space always plays";
 }
 
-TEST_F(SettingsCard, GivesTheFocusBackWhenItCloses) {
+TEST_F(SettingsCard, ReturnsTheFocusWhenItCloses) {
     desk.key({key::escape});
     desk.frame(2);
     desk.panels.keyboard.focus = "button.step";

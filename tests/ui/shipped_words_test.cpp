@@ -53,7 +53,7 @@ std::vector<std::string> other_languages() {
 TEST(ShippedWords, EveryTextHasATranslationAndEveryTranslationATextInEveryLanguage) {
     std::set<std::string> ids;
     for (const TranslatableText& text : all_texts()) EXPECT_TRUE(ids.insert(text.id).second) << text.id << " twice";
-    EXPECT_GT(ids.size(), 40u) << "scenes and exercises are read at all";
+    EXPECT_GT(ids.size(), 40u) << "scenes and exercises are found";
     EXPECT_TRUE(ids.count("05-aggressor.step.1.text"));
     EXPECT_TRUE(ids.count("scene.2a-coward.story"));
     for (const std::string& code : other_languages()) {

@@ -14,7 +14,7 @@ TEST(Shortcuts, HaveNoKeyTwice) {
                 << key_name(all[i].press, english());
 }
 
-TEST(Shortcuts, FindTheActionOfAKey) {
+TEST(Shortcuts, ReturnTheActionOfAKey) {
     EXPECT_EQ(action_for({' '}), Action::play_pause);
     EXPECT_EQ(action_for({'A'}), Action::add);
     EXPECT_EQ(action_for({'A', false, true}), Action::remove);
@@ -30,7 +30,7 @@ TEST(Shortcuts, NameEveryActionBothWays) {
     }
 }
 
-TEST(Shortcuts, AreWrittenAsOnTheKeyboard) {
+TEST(Shortcuts, AreNamedAsOnTheKeyboard) {
     const Strings strings = english();
     EXPECT_EQ(key_name(Action::exit, strings), "Ctrl+Q");
     EXPECT_EQ(key_name(Action::redo, strings), "Ctrl+Shift+Z");
@@ -39,7 +39,7 @@ TEST(Shortcuts, AreWrittenAsOnTheKeyboard) {
     EXPECT_EQ(key_name(Action::hint, strings), "");
 }
 
-TEST(Shortcuts, InTheHintBarAreOnesThatWork) {
+TEST(Shortcuts, InTheHintBarHaveAnAction) {
     const Strings strings = english();
     for (const auto& [key, words] : strings.all()) {
         if (!key.starts_with("hint.")) continue;

@@ -8,11 +8,11 @@ namespace braitenlab::tests::slider_test {
 
 using namespace ui;
 
-TEST(Slider, DraggingAsksForTheValueInEveryChangedFrameUnderOneGesture) {
+TEST(Slider, DraggingRequestsTheValueInEveryChangedFrameInOneGesture) {
     Desk desk;
     desk.frame(3);
     const Rect r = desk.where("slider.LL");
-    // LL is 0: its knob stands in the middle of the track, which lies between the letters and the number.
+    // LL is 0: its knob is in the middle of the track, which lies between the letters and the number.
     const float zero = r.x + 26 + 8 + (r.w - 26 - 46 - 16) / 2;
     desk.point(zero, r.y + r.h / 2);
     desk.frame(2);
@@ -41,7 +41,7 @@ TEST(Slider, DraggingAsksForTheValueInEveryChangedFrameUnderOneGesture) {
     EXPECT_NEAR(last, 30 / ((r.w - 26 - 46 - 16) / 4), 0.06f);
 }
 
-TEST(Slider, CatchesAtNought) {
+TEST(Slider, SnapsToZero) {
     Desk desk;
     desk.frame(2);
     const Rect r = desk.where("slider.LR");
@@ -49,14 +49,14 @@ TEST(Slider, CatchesAtNought) {
     desk.frame(2);
     desk.button(0, true);
     desk.frame(2);
-    int noughts = 0;
+    int zeros = 0;
     for (float x = r.x + r.w * 0.6f; x > r.x + r.w * 0.2f; x -= 1) {
         desk.point(x, r.y + r.h / 2);
         desk.frame();
-        noughts += !desk.edits().empty() && turned(desk.edits().back()).value == 0;
+        zeros += !desk.edits().empty() && turned(desk.edits().back()).value == 0;
     }
-    EXPECT_GE(noughts, 5) << "a hand that is a pixel off meets it all the same";
-    EXPECT_LE(noughts, 8);
+    EXPECT_GE(zeros, 5) << "zero covers several pixels of the track";
+    EXPECT_LE(zeros, 8);
     desk.button(0, false);
 }
 
@@ -71,7 +71,7 @@ TEST(Slider, TwoDragsAreTwoGestures) {
     EXPECT_NE(edits[0].gesture, edits[1].gesture);
 }
 
-TEST(Slider, TurnsTheWholeKindOrTheOneVehicleAsTheScopeSays) {
+TEST(Slider, ChangesTheKindOrTheVehicleByTheScope) {
     Desk desk;
     desk.frame(3);
     desk.click("slider.RR", 0, 0.3f);
@@ -85,7 +85,7 @@ TEST(Slider, TurnsTheWholeKindOrTheOneVehicleAsTheScopeSays) {
     EXPECT_EQ(turned(edits[1]).target.vehicle, 0);
 }
 
-TEST(Slider, RightClickBringsBackTheFilesValue) {
+TEST(Slider, RightClickRestoresTheValueOfTheFile) {
     Desk desk;
     const auto file = desk.now.scene;  // where LR is 1.5
     desk.view.file = file.get();
@@ -104,7 +104,7 @@ TEST(Slider, RightClickBringsBackTheFilesValue) {
     EXPECT_FLOAT_EQ(turned(desk.edits()[0]).value, 1.5f);
 }
 
-TEST(Slider, RightClickSetsZeroWhereThereIsNoFile) {
+TEST(Slider, RightClickSetsZeroWithoutAFile) {
     Desk desk;
     desk.frame(3);
     desk.click("slider.LR", 1);
@@ -113,9 +113,9 @@ TEST(Slider, RightClickSetsZeroWhereThereIsNoFile) {
     EXPECT_EQ(turned(desk.edits()[0]).value, 0);
 }
 
-class Typing : public ::testing::TestWithParam<std::pair<const char*, float>> {};
+class TypedNumber : public ::testing::TestWithParam<std::pair<const char*, float>> {};
 
-TEST_P(Typing, ClampsToTheRange) {
+TEST_P(TypedNumber, ClampsToTheRange) {
     Desk desk;
     desk.frame(3);
     desk.click("slider.LL", 0, 0.95f);  // on the number
@@ -129,13 +129,13 @@ TEST_P(Typing, ClampsToTheRange) {
     EXPECT_TRUE(desk.panels.sliders.typed.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Numbers, Typing,
+INSTANTIATE_TEST_SUITE_P(Numbers, TypedNumber,
                          ::testing::Values(std::pair{"0.75", 0.75f}, std::pair{"9", 2.0f}, std::pair{"-7.5", -2.0f},
                                            std::pair{"0,5", 0.5f}));
 
-class Nonsense : public ::testing::TestWithParam<const char*> {};
+class InvalidText : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(Nonsense, IsRefused) {
+TEST_P(InvalidText, IsRefused) {
     Desk desk;
     desk.frame(3);
     desk.click("slider.LR", 0, 0.95f);
@@ -147,15 +147,15 @@ TEST_P(Nonsense, IsRefused) {
     EXPECT_TRUE(desk.panels.sliders.typed.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Words, Nonsense, ::testing::Values("-", "1.2.3", "+-", "nan", "inf"));
+INSTANTIATE_TEST_SUITE_P(Words, InvalidText, ::testing::Values("-", "1.2.3", "+-", "nan", "inf"));
 
-TEST(Slider, DoubleClickOnTheTrackOpensTheNumberAndLeavesTheValueAlone) {
+TEST(Slider, DoubleClickOnTheTrackOpensTheNumberAndKeepsTheValue) {
     Desk desk;
     desk.frame(3);
     const auto press = [&] {
         desk.button(0, true);
         desk.frame();
-        // What the app would do between two frames.
+        // Applies the edit between two frames, as the app does.
         for (const EditRequest& edit : desk.edits()) {
             BrainGraph brain = *desk.now.brains[0];
             turn(brain, turned(edit).dial, turned(edit).value);
@@ -167,16 +167,16 @@ TEST(Slider, DoubleClickOnTheTrackOpensTheNumberAndLeavesTheValueAlone) {
     desk.point("slider.LL", 0.6f);
     desk.frame(2);
     press();
-    EXPECT_NE(read_dials(*desk.now.brains[0]).LL, 0) << "one click takes the knob there";
+    EXPECT_NE(read_dials(*desk.now.brains[0]).LL, 0) << "a click on the track moves the knob";
     press();
     EXPECT_EQ(desk.panels.sliders.typed, "slider.LL");
     EXPECT_STREQ(desk.panels.sliders.text, "0.00");
     const auto edits = desk.edits();
     EXPECT_EQ(turned(edits.back()).value, 0);
-    EXPECT_EQ(edits.back().gesture, edits.front().gesture) << "one step, which ends where it began";
+    EXPECT_EQ(edits.back().gesture, edits.front().gesture) << "one step, which ends at the first value";
 }
 
-TEST(Slider, EscapeLeavesTheNumberAsItWas) {
+TEST(Slider, EscapeKeepsTheNumber) {
     Desk desk;
     desk.frame(3);
     desk.click("threshold.RL", 0, 0.95f);
@@ -189,7 +189,7 @@ TEST(Slider, EscapeLeavesTheNumberAsItWas) {
     EXPECT_TRUE(desk.actions().empty()) << "Esc must not reach the lab while a number is typed";
 }
 
-TEST(Slider, KeepsShortcutsQuietWhileANumberIsTyped) {
+TEST(Slider, BlocksShortcutsWhileANumberIsTyped) {
     Desk desk;
     desk.frame(3);
     desk.click("slider.LL", 0, 0.95f);
@@ -198,7 +198,7 @@ TEST(Slider, KeepsShortcutsQuietWhileANumberIsTyped) {
     EXPECT_TRUE(desk.actions().empty());
 }
 
-TEST(Slider, KeysMoveTheFocusedOneByATenthAndWithShiftByAHundredth) {
+TEST(Slider, KeysChangeTheFocusedSliderByATenthAndWithShiftByAHundredth) {
     Desk desk;
     desk.frame(3);
     desk.key({'3'});
@@ -214,7 +214,7 @@ TEST(Slider, KeysMoveTheFocusedOneByATenthAndWithShiftByAHundredth) {
     EXPECT_EQ(edits[0].gesture, edits[1].gesture) << "quick presses are one step of undo";
 }
 
-TEST(Slider, EveryDialHasOne) {
+TEST(Slider, EveryDialHasASlider) {
     Desk desk;
     desk.frame(3);
     for (const char* id : {"slider.LL", "slider.LR", "slider.RL", "slider.RR", "threshold.LL", "threshold.LR",

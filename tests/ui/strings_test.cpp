@@ -25,7 +25,7 @@ namespace {
 
 fs::path folder() { return fs::path(BRAITENLAB_SOURCE) / "ui" / "strings"; }
 
-// The gaps and the keys in brackets, sorted: a translation may order them anew.
+// The gaps and the keys in brackets, sorted: a translation may change their order.
 std::multiset<std::string> marks(const std::string& words) {
     std::multiset<std::string> found;
     const std::regex mark("\\{\\}|\\[[A-Za-z0-9_]+\\]");
@@ -49,18 +49,18 @@ std::set<std::string> found_in_sources(const std::regex& expression, std::initia
     return found;
 }
 
-// Every text in quotes that looks like a key.
+// Every quoted text in the form of a key.
 std::set<std::string> quoted_in_sources() {
     return found_in_sources(std::regex("\"([a-z_]+(\\.[A-Za-z0-9_-]+)+)\""), {1});
 }
 
-// Keys given to ui.strings(…) as they stand.
+// Keys given to ui.strings(…) as literals.
 std::set<std::string> asked_in_sources() {
     return found_in_sources(
         std::regex("strings_?\\(\\s*(?:[^()\"]*\\?\\s*)?\"([^\"]+)\"(?:\\s*:\\s*\"([^\"]+)\")?\\s*\\)"), {1, 2});
 }
 
-// Keys put together from a stem and a name that the program knows.
+// Keys composed of a stem and a name of the program.
 std::set<std::string> composed() {
     std::set<std::string> keys;
     for (int i = 0; i <= static_cast<int>(last_action); ++i)
@@ -87,22 +87,22 @@ std::set<std::string> composed() {
     return keys;
 }
 
-// Sections whose keys need not exist: a kind may have any name, a button's tooltip may be its words.
+// Sections whose keys need not exist: a kind may have any name, the tooltip of a button may be its label.
 bool is_optional(const std::string& key) {
     return key.starts_with("kind.") || key.starts_with("kind_all.") || key.starts_with("tooltip.");
 }
 
 }  // namespace
 
-TEST(Strings, HaveWordsForEveryKeyThatTheSourcesAskFor) {
+TEST(Strings, HaveWordsForEveryKeyInTheSources) {
     const Strings strings = english();
     const auto asked = asked_in_sources();
-    EXPECT_GT(asked.size(), 40u) << "the search itself must work";
+    EXPECT_GT(asked.size(), 40u) << "the search finds keys";
     for (const std::string& key : asked) EXPECT_TRUE(strings.all().count(key)) << key;
     for (const std::string& key : composed()) EXPECT_TRUE(strings.all().count(key)) << key;
 }
 
-TEST(Strings, HaveNoWordsThatNothingAsksFor) {
+TEST(Strings, HaveNoUnusedWords) {
     const auto quoted = quoted_in_sources();
     const auto built = composed();
     const Strings strings = english();
@@ -110,14 +110,14 @@ TEST(Strings, HaveNoWordsThatNothingAsksFor) {
         EXPECT_TRUE(quoted.count(key) || built.count(key) || is_optional(key)) << key << " = " << words;
 }
 
-TEST(Strings, AreEnglishGermanAndSpanishUnderTheirOwnNames) {
+TEST(Strings, ListEnglishGermanAndSpanishByTheirNativeNames) {
     std::vector<std::string> codes, names;
     for (const Language& language : languages(folder())) codes.push_back(language.code), names.push_back(language.name);
     EXPECT_EQ(codes, (std::vector<std::string>{"de", "en", "es"}));
     EXPECT_EQ(names, (std::vector<std::string>{"Deutsch", "English", "Español"}));
 }
 
-TEST(Strings, HaveTheSameKeysWithTheSameGapsAndTheSameShortcuts) {
+TEST(Strings, HaveTheSameKeysGapsAndShortcutsInEveryLanguage) {
     const Strings strings = english();
     for (const Language& language : languages(folder())) {
         const auto other = Strings::load(folder() / (language.code + ".toml"));
@@ -145,14 +145,14 @@ TEST(Strings, AreTranslated) {
     }
 }
 
-TEST(Strings, SayWhichThereAreWhenAskedForAnother) {
+TEST(Strings, ListTheLanguagesForAnUnknownOne) {
     const auto klingon = load_language(folder(), "tlh");
     ASSERT_FALSE(klingon);
     EXPECT_NE(klingon.error().text().find("de, en, es"), std::string::npos) << klingon.error().text();
-    EXPECT_FALSE(load_language(folder(), "../strings/en")) << "a language is a name, no path";
+    EXPECT_FALSE(load_language(folder(), "../strings/en")) << "a language is a name, not a path";
 }
 
-TEST(Strings, FallBackOnEnglishWhereWordsAreMissing) {
+TEST(Strings, UseEnglishForMissingWords) {
     const Folder own;
     const fs::path& place = own.path;
     std::ofstream(place / "en.toml") << "format = 1\n[a]\nb = \"words\"\nc = \"more\"\n";
@@ -167,7 +167,7 @@ TEST(Strings, FallBackOnEnglishWhereWordsAreMissing) {
     EXPECT_EQ(broken.error().line, 3);
 }
 
-TEST(Strings, ShowTheKeyWhereWordsAreMissing) {
+TEST(Strings, ShowTheKeyForWordsMissingInEveryLanguage) {
     const auto strings = Strings::parse("format = 1\n[a]\nb = \"words\"", "test.toml");
     ASSERT_TRUE(strings);
     EXPECT_EQ((*strings)("a.b"), "words");
@@ -175,7 +175,7 @@ TEST(Strings, ShowTheKeyWhereWordsAreMissing) {
     EXPECT_EQ(strings->find("a.c", "else"), "else");
 }
 
-TEST(Strings, SayWhereAFileIsWrong) {
+TEST(Strings, ReportTheLineOfAnErrorInAFile) {
     const auto number = Strings::parse("format = 1\n[a]\nb = 3", "test.toml");
     ASSERT_FALSE(number);
     EXPECT_EQ(number.error().line, 3);

@@ -6,12 +6,12 @@ namespace braitenlab::tests::theme_test {
 
 using namespace ui;
 
-TEST(Theme, MeasuresContrastAsTheGuidelinesDo) {
+TEST(Theme, MeasuresContrastByTheGuidelines) {
     EXPECT_NEAR(contrast(rgb(0xFFFFFF), rgb(0x000000)), 21, 0.01f);
     EXPECT_NEAR(contrast(rgb(0x777777), rgb(0xFFFFFF)), 4.48f, 0.01f);
 }
 
-TEST(Theme, IsReadableEverywhereItWrites) {
+TEST(Theme, HasReadableTextEverywhere) {
     for (const Theme theme : {Theme::dark, Theme::light}) {
         const Palette p = palette(theme);
         for (const Colour ground : {p.ground, p.panel, p.raised}) {
@@ -25,7 +25,7 @@ TEST(Theme, IsReadableEverywhereItWrites) {
     }
 }
 
-TEST(Theme, MovesAColourTowardsTheTextOnlyAsFarAsItMust) {
+TEST(Theme, MovesAColourTowardsTheTextAsLittleAsNecessary) {
     const Palette p = palette(Theme::light);
     EXPECT_EQ(legible(p.text, p.panel, p.text), p.text);
     const Colour moved = legible(p.memory, p.panel, p.text);
@@ -33,7 +33,7 @@ TEST(Theme, MovesAColourTowardsTheTextOnlyAsFarAsItMust) {
     EXPECT_LT(contrast(moved, p.panel), 6);
 }
 
-TEST(Theme, StandsInForFontsThatAreMissing) {
+TEST(Theme, ReplacesMissingFonts) {
     ImFontAtlas atlas;
     const LoadedFonts loaded = load_fonts(atlas, 1, {"/nowhere/a.ttf", "", "", {}});
     EXPECT_NE(loaded.warning.find("/nowhere/a.ttf"), std::string::npos);

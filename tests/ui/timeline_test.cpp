@@ -21,7 +21,7 @@ struct Timeline : testing::Test {
     }
 };
 
-TEST_F(Timeline, GoesWhereTheMouseDragsThePlayhead) {
+TEST_F(Timeline, SeeksToTheDraggedPlayhead) {
     desk.point("timeline.track", 0.25f);
     desk.frame(2);
     desk.button(0, true);
@@ -37,10 +37,10 @@ TEST_F(Timeline, GoesWhereTheMouseDragsThePlayhead) {
     EXPECT_FALSE(asked<SeekRequest>().back().held);
     const std::size_t count = asked<SeekRequest>().size();
     desk.frame(5);
-    EXPECT_EQ(asked<SeekRequest>().size(), count) << "let go once";
+    EXPECT_EQ(asked<SeekRequest>().size(), count) << "released once";
 }
 
-TEST_F(Timeline, StaysWithinWhatIsRecorded) {
+TEST_F(Timeline, SeeksOnlyWithinTheRecording) {
     desk.view.timeline = {1200, 2400, {}};
     desk.click("timeline.track", 0, 0.05f);
     EXPECT_EQ(asked<SeekRequest>().back().tick, 1200u);
@@ -48,7 +48,7 @@ TEST_F(Timeline, StaysWithinWhatIsRecorded) {
     EXPECT_EQ(asked<SeekRequest>().back().tick, 2400u);
 }
 
-TEST_F(Timeline, GoesToABookmarkByClickAndRemovesItByRightClick) {
+TEST_F(Timeline, SeeksToABookmarkOnAClickAndRemovesItOnARightClick) {
     desk.click("bookmark.2");
     ASSERT_EQ(asked<BookmarkRequest>().size(), 1u);
     EXPECT_EQ(asked<BookmarkRequest>()[0].index, 1);
@@ -60,7 +60,7 @@ TEST_F(Timeline, GoesToABookmarkByClickAndRemovesItByRightClick) {
     EXPECT_TRUE(asked<SeekRequest>().empty());
 }
 
-TEST_F(Timeline, MovesByArrowsWhileItHasTheFocus) {
+TEST_F(Timeline, SeeksByArrowKeysWhileItHasTheFocus) {
     desk.panels.keyboard.focus = "timeline.track";
     desk.frame(2);
     desk.key({key::left});

@@ -1,4 +1,4 @@
-// The bar on top, in windows of every width.
+// The toolbar in windows of several widths.
 #include "desk.h"
 
 namespace braitenlab::tests::toolbar_test {
@@ -32,7 +32,7 @@ TEST_P(ToolbarInEachLanguage, HasWordsOnEveryButtonAt1280Pixels) {
     for (const char* button : buttons) EXPECT_TRUE(has_words(desk, button)) << button;
 }
 
-TEST_P(ToolbarInEachLanguage, StandsInOneRowWithoutOverlapsAtAnyWidth) {
+TEST_P(ToolbarInEachLanguage, HasOneRowWithoutOverlapsAtAnyWidth) {
     for (int width = 1024; width <= 1920; width += 64) {
         Desk desk(static_cast<float>(width), 800, 1, true);
         desk.strings = speaking(GetParam());

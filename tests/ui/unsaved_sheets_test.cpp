@@ -1,4 +1,4 @@
-// The sheets about unsaved edits: before they are left, and after a crash.
+// The sheets for unsaved edits before closing, and for recovery after a crash.
 #include <algorithm>
 
 #include "desk.h"
@@ -32,7 +32,7 @@ struct UnsavedSheets : ::testing::Test {
     }
 };
 
-TEST_F(UnsavedSheets, NamesWhatIsLostAndWhatOpensInstead) {
+TEST_F(UnsavedSheets, NamesTheUnsavedDocumentAndTheNextOne) {
     EXPECT_FALSE(desk.anchors.find("card.leaving"));
     ask();
     EXPECT_TRUE(desk.anchors.find("card.leaving"));
@@ -43,7 +43,7 @@ TEST_F(UnsavedSheets, NamesWhatIsLostAndWhatOpensInstead) {
     EXPECT_FALSE(desk.anchors.find("card.leaving"));
 }
 
-TEST_F(UnsavedSheets, SavesByEnterWhereTheSceneHasAFile) {
+TEST_F(UnsavedSheets, SavesOnEnterIfTheSceneHasAFile) {
     files.save_to = "/home/me/mine.toml";
     ask();
     desk.key({key::enter});
@@ -51,7 +51,7 @@ TEST_F(UnsavedSheets, SavesByEnterWhereTheSceneHasAFile) {
     EXPECT_EQ(answers(), std::vector{Leave::save});
 }
 
-TEST_F(UnsavedSheets, IsAnsweredByTheKeyboardAlone) {
+TEST_F(UnsavedSheets, CanBeUsedByKeysAlone) {
     ask("");
     desk.key({key::tab});
     desk.frame();
@@ -60,14 +60,14 @@ TEST_F(UnsavedSheets, IsAnsweredByTheKeyboardAlone) {
     EXPECT_EQ(answers(), std::vector{Leave::discard});
 }
 
-TEST_F(UnsavedSheets, StaysByEscape) {
+TEST_F(UnsavedSheets, KeepsTheDocumentOnEscape) {
     ask();
     desk.key({key::escape});
     desk.frame();
     EXPECT_EQ(answers(), std::vector{Leave::stay});
 }
 
-TEST_F(UnsavedSheets, StaysByAClickBesideIt) {
+TEST_F(UnsavedSheets, KeepsTheDocumentOnAClickBesideIt) {
     ask();
     desk.point(20, 700);
     desk.button(0, true);
@@ -75,7 +75,7 @@ TEST_F(UnsavedSheets, StaysByAClickBesideIt) {
     EXPECT_EQ(answers(), std::vector{Leave::stay});
 }
 
-TEST_F(UnsavedSheets, AsksForANameWhereThereIsNoneAndGoesOnOnceItIsSaved) {
+TEST_F(UnsavedSheets, RequestsAMissingNameAndContinuesAfterSaving) {
     ask();
     desk.click("leaving.save");
     ASSERT_EQ(desk.panels.sheet, Sheet::files);
@@ -88,7 +88,7 @@ TEST_F(UnsavedSheets, AsksForANameWhereThereIsNoneAndGoesOnOnceItIsSaved) {
     EXPECT_EQ(answers(), std::vector{Leave::saved});
 }
 
-TEST_F(UnsavedSheets, StaysWhenTheNameIsCancelled) {
+TEST_F(UnsavedSheets, KeepsTheDocumentIfTheNameIsCancelled) {
     ask();
     desk.click("leaving.save");
     desk.frame(2);
@@ -97,7 +97,7 @@ TEST_F(UnsavedSheets, StaysWhenTheNameIsCancelled) {
     EXPECT_EQ(answers(), std::vector{Leave::stay});
 }
 
-TEST_F(UnsavedSheets, IsAskedForByCtrlQWhateverIsOpenOrTyped) {
+TEST_F(UnsavedSheets, OpensOnCtrlQWithAnySheetOrTextFieldOpen) {
     const auto exits = [&] {
         const auto asked = desk.actions();
         return std::count(asked.begin(), asked.end(), Action::exit);
@@ -125,7 +125,7 @@ TEST_F(UnsavedSheets, IsAskedForByCtrlQWhateverIsOpenOrTyped) {
     EXPECT_EQ(exits(), before + 1);
 }
 
-TEST(RecoverySheet, SaysWhetherTheLabCrashedOrWasEndedByASignal) {
+TEST(RecoverySheet, DistinguishesACrashFromASignal) {
     for (const bool ended : {false, true}) {
         Desk desk;
         const RecoveryOffer offer{"2a-coward", "2026-03-01 10:42:05", ended};

@@ -22,7 +22,7 @@ struct ViewMenu : testing::Test {
     }
 };
 
-TEST_F(ViewMenu, SwitchesWhatTheSceneShowsAndStaysOpen) {
+TEST_F(ViewMenu, SwitchesOverlaysAndStaysOpen) {
     desk.click("button.view");
     desk.frame(2);
     for (const auto& [row, action] : {std::pair{"view.trails", Action::trails},
@@ -39,7 +39,7 @@ TEST_F(ViewMenu, SwitchesWhatTheSceneShowsAndStaysOpen) {
     EXPECT_TRUE(desk.anchors.find("card.view"));
 }
 
-TEST_F(ViewMenu, OffersTheFieldsOfWhatThereIsToFeel) {
+TEST_F(ViewMenu, OffersTheFieldsOfTheChannelsInTheScene) {
     desk.click("button.view");
     desk.frame(2);
     EXPECT_TRUE(desk.anchors.find("view.smell"));
@@ -53,7 +53,7 @@ TEST_F(ViewMenu, OffersTheFieldsOfWhatThereIsToFeel) {
     EXPECT_EQ(wanted()->field, std::nullopt);
 }
 
-TEST_F(ViewMenu, TakesTheClickThatClosesItForItself) {
+TEST_F(ViewMenu, ConsumesTheClickThatClosesIt) {
     desk.click("button.view");
     desk.frame(2);
     ASSERT_TRUE(desk.anchors.find("card.view"));
@@ -65,10 +65,10 @@ TEST_F(ViewMenu, TakesTheClickThatClosesItForItself) {
     desk.click("button.view");
     desk.frame(2);
     desk.click("button.view");
-    EXPECT_FALSE(desk.anchors.find("card.view")) << "its own button closes it, too";
+    EXPECT_FALSE(desk.anchors.find("card.view")) << "its button closes it too";
 }
 
-TEST(PresetsMenu, TakesTheClickThatClosesItForItself) {
+TEST(PresetsMenu, ConsumesTheClickThatClosesIt) {
     Desk desk;
     desk.frame(2);
     desk.click("button.presets");

@@ -69,7 +69,7 @@ TEST_P(EverySize, HoldsEveryWidgetOfAnExerciseInsideTheWindow) {
     for (const auto& [id, rect] : desk.anchors.all()) EXPECT_TRUE(lies_inside(rect, desk.layout.window)) << id;
 }
 
-TEST_P(EverySize, KeepsCardsBarsAndTheFreeMiddleApart) {
+TEST_P(EverySize, KeepsCardsBarsAndTheSceneApart) {
     Desk desk(GetParam().width, GetParam().height, GetParam().scale, true);
     for (const bool with_exercise : {false, true}) {
         if (with_exercise) desk.open_exercise();
@@ -112,7 +112,7 @@ TEST(Window, FramesTheSceneInAnInsetWhileWiring) {
     EXPECT_FALSE(desk.anchors.find("card.information"));
 }
 
-TEST(Window, GivesSpaceToPlayAndPauseWhateverHasTheFocus) {
+TEST(Window, PlaysAndPausesOnSpaceWithAnyFocus) {
     Desk desk;
     desk.frame(3);
     desk.key({'1'});
@@ -132,7 +132,7 @@ TEST(Window, PressesTheFocusedButtonWithEnter) {
     EXPECT_EQ(desk.actions(), std::vector{Action::step});
 }
 
-TEST(Window, WalksThroughTheWidgetsWithTab) {
+TEST(Window, MovesTheFocusWithTab) {
     Desk desk;
     desk.frame(3);
     desk.panels.keyboard.focus = "slider.LL";
@@ -145,10 +145,10 @@ TEST(Window, WalksThroughTheWidgetsWithTab) {
     desk.key({key::escape});
     EXPECT_TRUE(desk.panels.keyboard.focus.empty());
     desk.key({key::tab});
-    EXPECT_EQ(desk.actions(), std::vector{Action::next_vehicle}) << "in the viewport Tab goes to the next vehicle";
+    EXPECT_EQ(desk.actions(), std::vector{Action::next_vehicle}) << "in the viewport Tab selects the next vehicle";
 }
 
-TEST(Window, GoesFromCardToCardWithControlTab) {
+TEST(Window, MovesTheFocusFromCardToCardWithControlTab) {
     Desk desk;
     desk.frame(3);
     std::set<std::string> cards;
@@ -169,7 +169,7 @@ TEST(Window, FoldsACardToItsHeading) {
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("slider.LL"));
     EXPECT_LT(desk.where("card.brain").h, 40);
-    desk.key({'2'});  // asking for a slider opens its card
+    desk.key({'2'});  // the key of a slider opens its card
     desk.frame(3);
     EXPECT_TRUE(desk.anchors.find("slider.LR"));
 }
@@ -186,7 +186,7 @@ TEST(Window, ListsTheKeysOnF1AndClosesThemOnEscape) {
     EXPECT_TRUE(desk.actions().empty());
 }
 
-TEST(InformationCard, SelectsTheVehicleWhoseEnergyIsClicked) {
+TEST(InformationCard, SelectsTheVehicleOfTheClickedEnergyBar) {
     Desk desk(1280, 1000);
     desk.frame(3);
     const Rect r = desk.where("info.energy");
@@ -200,7 +200,7 @@ TEST(InformationCard, SelectsTheVehicleWhoseEnergyIsClicked) {
     EXPECT_GE(std::get<SelectRequest>(desk.all[0]).vehicle, 0);
 }
 
-TEST(InformationCard, HoldsAsManyVehiclesAsThereAre) {
+TEST(InformationCard, ShowsAnyNumberOfVehicles) {
     Desk desk(1280, 1000);
     desk.now = snapshot(700);
     desk.frame(5);

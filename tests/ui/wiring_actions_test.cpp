@@ -21,7 +21,7 @@ TEST_F(WiringActions, EscCancelsAWireBeingDragged) {
     EXPECT_EQ(state.drag.phase, DragPhase::idle);
 }
 
-TEST_F(WiringActions, EscPutsADraggedWireBack) {
+TEST_F(WiringActions, EscRestoresADraggedWire) {
     move(on_wire({SR, ML}, 0.8f));
     button(true);
     move({470, 120});
@@ -31,7 +31,7 @@ TEST_F(WiringActions, EscPutsADraggedWireBack) {
     EXPECT_TRUE(edits.empty());
 }
 
-TEST_F(WiringActions, EscBringsAMovedNodeBack) {
+TEST_F(WiringActions, EscRestoresAMovedNode) {
     const vec2 before = middle("node.ML");
     move(before);
     button(true);
@@ -54,7 +54,7 @@ TEST_F(WiringActions, EscRestoresADraggedWeight) {
     EXPECT_EQ(edits.front().gesture, edits.back().gesture);
 }
 
-TEST_F(WiringActions, LesionIsForThePartUnderThePointerBeforeTheSelection) {
+TEST_F(WiringActions, LesionPrefersThePartUnderThePointerToTheSelection) {
     click(middle("node.SL"));
     move(middle("wire.LR"));
     key(Action::lesion);
@@ -81,7 +81,7 @@ TEST_F(WiringActions, LesionsKeepTheParametersAndAreHealedByTheSameKey) {
     EXPECT_EQ(edits.size(), 3u) << "there is nothing to lesion on empty ground";
 }
 
-TEST_F(WiringActions, AFreePlaceHasNothingToCut) {
+TEST_F(WiringActions, EmptySpaceHasNothingToCut) {
     auto graph = *now.brains[0];
     std::erase_if(graph.wires, [](const Wire& w) { return w.from == SL && w.to == ML; });
     now.brains[0] = std::make_shared<BrainGraph>(graph);
@@ -109,7 +109,7 @@ TEST_F(WiringActions, TheMenuFlipsASignAndDetachesWires) {
     EXPECT_EQ(dials().LR, 1.5f) << "the other eye keeps its wire";
 }
 
-TEST_F(WiringActions, AlignmentAndTidyingAreEditsToo) {
+TEST_F(WiringActions, AlignmentAndTidyingAreEdits) {
     const vec2 before = middle("node.ML");
     drag(middle("node.ML"), before + vec2{-60, 30});
     key(Action::select_all);
@@ -126,7 +126,7 @@ TEST_F(WiringActions, AlignmentAndTidyingAreEditsToo) {
     EXPECT_EQ(edits.size(), 3u) << "the brain is tidy already";
 }
 
-TEST_F(WiringActions, ArrowsSelectOneThingAfterTheOtherAndDelRemovesIt) {
+TEST_F(WiringActions, ArrowKeysMoveTheSelectionAndDelRemovesIt) {
     key(Action::step_down);
     EXPECT_EQ(state.selection.nodes, (std::set<NodeId>{SL})) << "without a focus the first card";
     key(Action::step_right);
@@ -139,7 +139,7 @@ TEST_F(WiringActions, ArrowsSelectOneThingAfterTheOtherAndDelRemovesIt) {
     EXPECT_EQ(dials().LR, 0);
 }
 
-TEST_F(WiringActions, KeysAloneMakeANeuronAndAWire) {
+TEST_F(WiringActions, ANeuronAndAWireCanBeMadeByKeysAlone) {
     key(Action::menu);  // nothing is selected: the menu of the canvas
     ASSERT_TRUE(state.menu.open());
     for (int i = 0; i < 4; ++i) key(Action::step_down);
@@ -156,7 +156,7 @@ TEST_F(WiringActions, KeysAloneMakeANeuronAndAWire) {
     EXPECT_FALSE(state.joining);
 }
 
-TEST_F(WiringActions, ArrowKeysGoRoundAMenu) {
+TEST_F(WiringActions, ArrowKeysWrapAroundInAMenu) {
     key(Action::menu);
     key(Action::step_up);
     EXPECT_EQ(state.menu.current, static_cast<int>(state.menu.rows.size()) - 1);

@@ -23,7 +23,7 @@ TEST_F(WiringCanvas, RecordsPinsAndLabelsInsideItsArea) {
     EXPECT_EQ(anchors.find("pin.SL.in"), nullptr);
 }
 
-TEST_F(WiringCanvas, StaysUnderTheMouseWhileABrainIsEditedAndACardOpensBelow) {
+TEST_F(WiringCanvas, KeepsItsViewWhileABrainIsEditedAndACardOpensBelow) {
     const vec2 eye = middle("node.SL"), motor = middle("node.MR");
     const auto expect_still = [&](const char* after) {
         EXPECT_LT(maths::distance(middle("node.SL"), eye), 0.1f) << after;
@@ -49,7 +49,7 @@ TEST_F(WiringCanvas, StaysUnderTheMouseWhileABrainIsEditedAndACardOpensBelow) {
     EXPECT_LT(maths::distance(middle("node.SL"), eye), 0.1f) << "an undo";
 }
 
-TEST_F(WiringCanvas, FitsABrainFromElsewhereUnlessTheUserHasMovedTheCamera) {
+TEST_F(WiringCanvas, FitsANewBrainUnlessTheUserHasMovedTheCamera) {
     const auto give = [&](int nodes) {
         const VehicleId id = view.settings.selection.vehicle;
         now = snapshot_with(large_brain(nodes, 90));
@@ -77,7 +77,7 @@ TEST_F(WiringCanvas, FitsAgainWhenTheWindowChangesItsSize) {
     EXPECT_GE(eye.x, area.x);
 }
 
-TEST_F(WiringCanvas, DropsADragWhenTheCanvasWasAway) {
+TEST_F(WiringCanvas, CancelsADragWhenTheCanvasIsHidden) {
     move(middle("pin.SL.out"));
     button(true);
     move(middle("pin.ML.in"));

@@ -15,7 +15,7 @@ using WiringDraw = CanvasFixture;
 
 int vertices() { return ImGui::GetDrawData()->TotalVtxCount; }
 
-TEST_F(WiringDraw, LeavesOutWhatIsNotVisible) {
+TEST_F(WiringDraw, OmitsInvisibleParts) {
     show(large_brain(200, 800));
     const int whole = vertices();
     state.camera.by_user = true;
@@ -32,7 +32,7 @@ TEST_F(WiringDraw, DrawsFewerVerticesPerWireInALargeBrain) {
     EXPECT_LT(vertices(), few * 800 / 40 / 2);
 }
 
-TEST_F(WiringDraw, DescribesANodeUnderARestingPointerWhenItsCardIsTooSmall) {
+TEST_F(WiringDraw, DescribesANodeUnderARestingPointerIfItsCardIsTooSmall) {
     state.camera.zoom = 0.5f;
     state.camera.by_user = true;
     frames();
@@ -47,7 +47,7 @@ TEST_F(WiringDraw, DescribesANodeUnderARestingPointerWhenItsCardIsTooSmall) {
     EXPECT_EQ(anchors.find("says.SR"), nullptr) << "the card is large enough";
 }
 
-TEST(WiringDrawWires, DotsMoveWithEveryTickAndRestBetweenTicks) {
+TEST(WiringDrawWires, DotsMoveOnlyWithTicks) {
     EXPECT_EQ(first_dot(100), first_dot(100));
     for (std::uint64_t tick = 0; tick < 100; ++tick) {
         const float moved = first_dot(tick + 1) - first_dot(tick);

@@ -35,7 +35,7 @@ TEST_F(WiringEdits, DropOnACardMeansItsPin) {
     EXPECT_EQ(dials().RR, 1);
 }
 
-TEST_F(WiringEdits, EditsTheSelectedVehicleAloneWhenAskedTo) {
+TEST_F(WiringEdits, EditsOnlyTheSelectedVehicleInTheScopeOfOneVehicle) {
     view.settings.selection.whole_kind = false;
     drag(middle("pin.SL.out"), middle("pin.ML.in"));
     ASSERT_EQ(edits.size(), 1u);
@@ -60,7 +60,7 @@ TEST_F(WiringEdits, RefusesAWireIntoASensorAndBetweenEqualPins) {
 TEST_F(WiringEdits, DropOnEmptySpaceOffersNeuronsAndMovesNothingElse) {
     const vec2 eye = middle("node.SL"), motor = middle("node.MR"), place{470, 350};
     drag(middle("pin.SL.out"), place);
-    EXPECT_TRUE(edits.empty()) << "a kind is not chosen yet";
+    EXPECT_TRUE(edits.empty()) << "no kind of neuron is chosen yet";
     choose("hump");
     ASSERT_EQ(edits.size(), 1u);
     EXPECT_EQ(weight_of(brain(), {SL, 4}), 1);
@@ -80,7 +80,7 @@ TEST_F(WiringEdits, ADropFromAnInputMakesANeuronThatFeedsIt) {
     EXPECT_GT(find_node(brain(), 4)->time_constant, 0);
 }
 
-TEST_F(WiringEdits, ADropMenuThatIsLeftMakesNothing) {
+TEST_F(WiringEdits, ACancelledDropMenuMakesNothing) {
     drag(middle("pin.SL.out"), {470, 350});
     ASSERT_TRUE(state.menu.open());
     key(Action::cancel);
@@ -109,7 +109,7 @@ TEST_F(WiringEdits, AWireDraggedByItsStartGetsAnotherSource) {
     EXPECT_EQ(dials().LL, 1.5f);
 }
 
-TEST_F(WiringEdits, AWireDroppedOnEmptyGroundIsRemoved) {
+TEST_F(WiringEdits, AWireDroppedOnEmptySpaceIsRemoved) {
     drag(on_wire({SR, ML}, 0.8f), {470, 120});
     EXPECT_EQ(dials().LR, 0);
     EXPECT_FALSE(state.menu.open());
@@ -144,7 +144,7 @@ TEST_F(WiringEdits, DeletedWireReadsZero) {
     EXPECT_TRUE(is_four_neurons(brain()));
 }
 
-TEST_F(WiringEdits, DeleteLeavesSensorsAndMotors) {
+TEST_F(WiringEdits, DeleteKeepsSensorsAndMotors) {
     click(middle("node.SL"));
     key(Action::erase);
     EXPECT_TRUE(edits.empty());
@@ -169,7 +169,7 @@ TEST_F(WiringEdits, CopyAndPasteMakeANeuronOfTheSameKindAtTheMouse) {
     EXPECT_GT(maths::distance(middle("node.N3"), middle("node.N2")), 20) << "a second copy does not hide the first";
 }
 
-TEST_F(WiringEdits, APastedNeuronCoversNothing) {
+TEST_F(WiringEdits, APastedNeuronDoesNotOverlapOtherNodes) {
     add_neuron_at({470, 625});
     click(middle("node.N1"));
     key(Action::copy);
@@ -190,7 +190,7 @@ TEST_F(WiringEdits, APastedNeuronCoversNothing) {
     }
 }
 
-TEST_F(WiringEdits, WiresToSelectedEyesAreCopiedAlong) {
+TEST_F(WiringEdits, WiresToSelectedEyesAreCopied) {
     drag(middle("pin.SL.out"), {470, 330});
     choose("linear");
     click(middle("node.N1"));
@@ -202,7 +202,7 @@ TEST_F(WiringEdits, WiresToSelectedEyesAreCopiedAlong) {
     EXPECT_EQ(weight_of(brain(), {SL, 5}), 1);
 }
 
-TEST_F(WiringEdits, CutTakesOutAndPasteBringsBack) {
+TEST_F(WiringEdits, CutRemovesAndPasteRestores) {
     add_neuron_at({470, 625});
     key(Action::cut);
     EXPECT_EQ(find_node(brain(), 4), nullptr);
@@ -210,7 +210,7 @@ TEST_F(WiringEdits, CutTakesOutAndPasteBringsBack) {
     EXPECT_NE(find_node(brain(), 4), nullptr);
 }
 
-TEST_F(WiringEdits, DuplicateStandsBesideAndLeavesTheClipboardAlone) {
+TEST_F(WiringEdits, DuplicateIsPlacedBesideTheOriginalAndKeepsTheClipboard) {
     add_neuron_at({470, 625});
     key(Action::duplicate);
     ASSERT_NE(anchors.find("node.N2"), nullptr) << "the camera follows when it would not be visible";

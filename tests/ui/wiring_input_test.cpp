@@ -10,7 +10,7 @@ namespace {
 
 using WiringInput = CanvasFixture;
 
-TEST_F(WiringInput, AMovedNodeStaysWhereItWasPut) {
+TEST_F(WiringInput, AMovedNodeKeepsItsPosition) {
     const vec2 before = middle("node.ML");
     drag(before, before + vec2{40, 50});
     EXPECT_LT(maths::distance(middle("node.ML"), before + vec2{40, 50}), 1);
@@ -20,7 +20,7 @@ TEST_F(WiringInput, AMovedNodeStaysWhereItWasPut) {
     EXPECT_LT(maths::distance(middle("node.ML"), before), 1);
 }
 
-TEST_F(WiringInput, DragOnALabelTurnsItsWeightInTenthsAsOneGesture) {
+TEST_F(WiringInput, DragOnALabelChangesItsWeightInTenthsAsOneGesture) {
     const vec2 label = middle("wire.RL");
     drag(label, label + vec2{-24, 0});
     EXPECT_NEAR(dials().RL, 1.2f, 1e-5f);
@@ -28,7 +28,7 @@ TEST_F(WiringInput, DragOnALabelTurnsItsWeightInTenthsAsOneGesture) {
     for (const EditRequest& edit : edits) EXPECT_EQ(edit.gesture, edits[0].gesture);
 }
 
-TEST_F(WiringInput, AWeightStopsAtItsRangeAndComesBackAtOnce) {
+TEST_F(WiringInput, ADraggedWeightStopsAtItsRangeAndReversesWithoutADelay) {
     const vec2 label = middle("wire.RL");
     move(label);
     button(true);
@@ -38,7 +38,7 @@ TEST_F(WiringInput, AWeightStopsAtItsRangeAndComesBackAtOnce) {
     EXPECT_NEAR(dials().RL, 1.9f, 1e-5f);
 }
 
-TEST_F(WiringInput, WheelOverALabelTurnsItsWeightAndElsewhereZooms) {
+TEST_F(WiringInput, WheelOverALabelChangesItsWeightAndElsewhereZooms) {
     move(middle("wire.LL"));
     wheel(1);
     EXPECT_NEAR(dials().LL, 0.1f, 1e-6f);
@@ -84,7 +84,7 @@ TEST_F(WiringInput, ClickSelectsAndShiftAdds) {
     EXPECT_TRUE(state.selection.nodes.empty() && state.selection.wires.empty());
 }
 
-TEST_F(WiringInput, BoxSelectTakesInTheLeftColumn) {
+TEST_F(WiringInput, BoxSelectSelectsTheLeftColumn) {
     const Rect* top = anchors.find("node.SL");
     const Rect* bottom = anchors.find("node.SR");
     drag({top->x - 12, top->y - 12}, {top->x + top->w / 2, bottom->y + bottom->h + 12});
@@ -92,7 +92,7 @@ TEST_F(WiringInput, BoxSelectTakesInTheLeftColumn) {
     EXPECT_TRUE(edits.empty());
 }
 
-TEST_F(WiringInput, AMinimapStandsFromTwentyOneNodesOnAndMovesTheView) {
+TEST_F(WiringInput, AMinimapIsShownFromTwentyOneNodesAndMovesTheView) {
     EXPECT_EQ(anchors.find("canvas.minimap"), nullptr);
     const auto show = [&](int nodes, float zoom) {
         const VehicleId id = view.settings.selection.vehicle;
@@ -116,7 +116,7 @@ TEST_F(WiringInput, AMinimapStandsFromTwentyOneNodesOnAndMovesTheView) {
     EXPECT_TRUE(state.selection.nodes.empty());
 }
 
-TEST_F(WiringInput, PressKeyLeavesEscAloneWhenThereIsNothingToCancel) {
+TEST_F(WiringInput, PressKeyIgnoresEscWithoutAnActionToCancel) {
     EXPECT_FALSE(press_key(state, Action::cancel));
     click(middle("node.SL"));
     EXPECT_TRUE(press_key(state, Action::cancel));
@@ -124,7 +124,7 @@ TEST_F(WiringInput, PressKeyLeavesEscAloneWhenThereIsNothingToCancel) {
     EXPECT_TRUE(state.selection.nodes.empty());
 }
 
-TEST_F(WiringInput, PressKeyLeavesUndoAndRedoToTheLab) {
+TEST_F(WiringInput, PressKeyIgnoresUndoAndRedo) {
     drag(middle("node.ML"), middle("node.ML") + vec2{40, 50});
     EXPECT_FALSE(press_key(state, Action::undo));
     EXPECT_FALSE(press_key(state, Action::redo));

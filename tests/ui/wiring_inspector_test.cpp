@@ -46,7 +46,7 @@ TEST_F(WiringInspector, ShowsTheParametersOfASingleSelection) {
     EXPECT_TRUE(shows("inspector.column"));
 }
 
-TEST_F(WiringInspector, SetsTheSlidersNumberForADirectWireAndAMotor) {
+TEST_F(WiringInspector, SetsTheNumberOfTheSliderForADirectWireAndAMotor) {
     select({{}, {{SR, ML}}});
     desk.click("inspector.weight", 1);  // a right click sets 0
     ASSERT_FALSE(desk.edits().empty());
@@ -140,7 +140,7 @@ TEST_F(WiringInspector, DescribesASensorBesideItsName) {
     EXPECT_TRUE(writes("OL  ·  smells  ·  stands at 0.40"));
 }
 
-TEST_F(WiringInspector, IsNotClickedThroughAnOpenMenu) {
+TEST_F(WiringInspector, IgnoresClicksOnAnOpenMenu) {
     const Rect canvas = desk.where("canvas");
     desk.point(canvas.x + 40, canvas.y + canvas.h - 60);
     for (const bool down : {true, false}) desk.button(1, down), desk.frame(2);
@@ -154,14 +154,14 @@ TEST_F(WiringInspector, IsNotClickedThroughAnOpenMenu) {
     EXPECT_TRUE(desk.panels.canvas.inspector.folded);
 }
 
-TEST_F(WiringInspector, GivesItsRoomToTheCanvasWhenFolded) {
+TEST_F(WiringInspector, LeavesItsSpaceToTheCanvasWhenFolded) {
     const float before = desk.where("canvas").h;
     desk.click("card.inspector.fold");
     desk.frame(2);
     EXPECT_GT(desk.where("canvas").h, before + 60);
 }
 
-TEST_F(WiringInspector, TakesTheKeyboardWhenItsNumbersAreToBeEdited) {
+TEST_F(WiringInspector, TakesTheFocusForEditingItsNumbers) {
     select({{}, {{SR, ML}}});
     desk.panels.canvas.focus = {Part::label, 0, {SR, ML}};
     desk.key({key::enter});

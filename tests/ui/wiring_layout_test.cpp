@@ -61,7 +61,7 @@ TEST(WiringLayout, HasNoCardsThatOverlap) {
             EXPECT_FALSE(a.id < b.id && overlap(a.centre, a.size, b.centre, b.size)) << a.id << " " << b.id;
 }
 
-TEST(WiringLayout, IsTheSameInWhateverOrderTheGraphWasMade) {
+TEST(WiringLayout, DoesNotDependOnTheOrderOfTheGraph) {
     BrainGraph graph = chain(3), turned = graph;
     std::reverse(turned.nodes.begin(), turned.nodes.end());
     std::reverse(turned.wires.begin(), turned.wires.end());
@@ -74,12 +74,12 @@ TEST(WiringLayout, IsTheSameInWhateverOrderTheGraphWasMade) {
     }
 }
 
-TEST(WiringLayout, KeepsAMovedNodeWhereItWasPut) {
+TEST(WiringLayout, KeepsThePositionOfAMovedNode) {
     const Layout layout = lay_out(chain(1), {{4, {17, -230}}});
     EXPECT_EQ(find_shape(layout, 4)->centre, (vec2{17, -230}));
 }
 
-TEST(WiringLayout, HasAPlaceForAllFourDirectWiresEvenWhereNoneIs) {
+TEST(WiringLayout, HasAPlaceForAllFourDirectWires) {
     BrainGraph bare = aggressor();
     bare.wires.clear();
     const Layout layout = lay_out(bare, {});
@@ -110,7 +110,7 @@ TEST(WiringLayout, KeepsLabelsClearOfCards) {
     EXPECT_FALSE(overlap(wire.label, wire.label_size, card.centre, card.size));
 }
 
-TEST(WiringLayout, EndsWiresOfOnePinOneBelowTheOther) {
+TEST(WiringLayout, EndsTheWiresOfAPinBelowEachOther) {
     const Layout layout = lay_out(aggressor(), {});
     EXPECT_LT(find_shape(layout, WireEnds{SL, ML})->bezier[3].y, find_shape(layout, WireEnds{SR, ML})->bezier[3].y);
 }
@@ -144,7 +144,7 @@ TEST(WiringLayout, KeepPositionsWritesThemOnlyWhereTidyWouldMoveANode) {
     for (const NodeShape& node : shown.nodes) EXPECT_EQ(find_shape(still, node.id)->centre, node.centre);
 }
 
-TEST(WiringLayout, FreePositionIsTheWantedOneOrTheNearestThatCoversNothing) {
+TEST(WiringLayout, FreePositionIsTheGivenOneOrTheNearestWithoutOverlap) {
     const Layout layout = lay_out(aggressor(), {});
     const vec2 size{150, 80}, far{2000, 2000};
     EXPECT_EQ(free_position(layout, far, size), far);
@@ -155,7 +155,7 @@ TEST(WiringLayout, FreePositionIsTheWantedOneOrTheNearestThatCoversNothing) {
     }
 }
 
-TEST(WiringLayout, CacheLaysOutAgainOnlyForAnotherGraphOrOtherPositions) {
+TEST(WiringLayout, CacheIsRebuiltOnlyForAnotherGraphOrOtherPositions) {
     LayoutCache kept;
     const auto graph = std::make_shared<BrainGraph>(chain(2)), longer = std::make_shared<BrainGraph>(chain(3));
     const NodeShape* first = kept.get(graph, {}).nodes.data();

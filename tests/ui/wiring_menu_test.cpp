@@ -12,7 +12,7 @@ namespace {
 
 using WiringMenu = CanvasFixture;
 
-TEST_F(WiringMenu, OfTheEmptyCanvasHasAHeadingForTheNeuronsItAdds) {
+TEST_F(WiringMenu, OfTheEmptyCanvasHasAHeadingForItsNeurons) {
     right_click({470, 600});
     EXPECT_EQ(state.menu.heading, "wiring.add_neuron");
     EXPECT_EQ(state.menu.note, "wiring.add_how");

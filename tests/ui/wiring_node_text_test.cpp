@@ -43,7 +43,7 @@ TEST(WiringNodeText, SumHasTheCurveInASeparateLine) {
     EXPECT_NEAR(sum_of(graph, ML, seen), 0.31f, 1e-6f);
 }
 
-TEST(WiringNodeText, SumLeavesCutWiresOutAndAddsTheLearnedPart) {
+TEST(WiringNodeText, SumOmitsCutWiresAndAddsTheLearnedPart) {
     BrainGraph graph = make_graph({.LL = 0.5f, .LR = 1});
     find_wire(graph, 1, ML)->cut = true;
     EXPECT_EQ(sum_text(graph, ML, seen), "0.42·0.50 → 0.44");

@@ -18,7 +18,7 @@ BrainGraph with_neurons(int count) {
     return graph;
 }
 
-TEST(WiringTidy, ArrangedNodesAreInLineAndApart) {
+TEST(WiringTidy, ArrangedNodesAreAlignedAndDoNotOverlap) {
     const Layout layout = lay_out(with_neurons(3), {{4, {0, 0}}, {5, {90, 10}}, {6, {30, 400}}});
     const Positions column = arranged(layout, {4, 5, 6}, Arrangement::column);
     EXPECT_EQ(column.at(4).x, 40);

@@ -63,13 +63,13 @@ TEST_F(WiringView, FitKeepsEveryCardClearOfTheButtonsAtAnySize) {
         }
 }
 
-TEST_F(WiringView, FindsPinsBeforeTheCardsTheyStandOn) {
+TEST_F(WiringView, PrefersPinsToTheirCards) {
     EXPECT_EQ(at(out(SL)), (Hit{Part::out_pin, SL, {}}));
     EXPECT_EQ(at(out(SL) - vec2{10, 0}).part, Part::out_pin);
     EXPECT_EQ(at(find_shape(layout, MR)->in_pin()), (Hit{Part::in_pin, MR, {}}));
 }
 
-TEST_F(WiringView, ReachesPinsFourteenPixelsFarAtAnyZoom) {
+TEST_F(WiringView, FindsPinsWithinFourteenPixelsAtAnyZoom) {
     for (const float zoom : {0.3f, 1.0f, 3.0f})
         for (const float ui_scale : {1.0f, 2.0f}) {
             view.scale = zoom * ui_scale;
@@ -79,7 +79,7 @@ TEST_F(WiringView, ReachesPinsFourteenPixelsFarAtAnyZoom) {
         }
 }
 
-TEST_F(WiringView, LeavesACardSeenFromFarAwayMoreThanItsPins) {
+TEST_F(WiringView, KeepsTheMiddleOfASmallCardFreeOfItsPins) {
     view.scale = 0.15f;
     EXPECT_EQ(at(find_shape(layout, SL)->centre).part, Part::node);
 }
@@ -100,7 +100,7 @@ TEST_F(WiringView, FindsLabelsAndThenWiresWithinEightPixels) {
     EXPECT_EQ(hit(layout, view, on + vec2{40, 0}, 1).part, Part::nothing);
 }
 
-TEST_F(WiringView, BoxTakesInWhatItTouchesAndNoGhosts) {
+TEST_F(WiringView, BoxSelectsWhatItTouchesExceptGhosts) {
     const vec2 low = view.to_window(layout.low - vec2{5, 5}), high = view.to_window(layout.high + vec2{5, 5});
     const CanvasSelection all = in_box(layout, view, high, low);
     EXPECT_EQ(all.nodes, (std::set<NodeId>{SL, SR, ML, MR}));

@@ -1,4 +1,4 @@
-// No word of any language is clipped, runs out of the window or into another word, at the smallest window we promise.
+// In the smallest supported window, no text of any language is clipped, leaves the window or overlaps other text.
 #include <functional>
 
 #include "desk.h"
@@ -26,7 +26,7 @@ void late_in_lesson(Desk& desk) {
     for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
 }
 
-// A lamp, a box and a triangle, in a scene that can be pointed at.
+// A lamp, a box and a triangle in a scene for the mouse.
 void with_objects(Desk& desk) {
     auto scene = std::make_shared<Scene>(*desk.now.scene);
     Obstacle triangle;
@@ -46,7 +46,7 @@ void with_menu(Desk& desk, SceneObject object, MenuPage page) {
     menu.open = true;
     menu.object = object;
     menu.page = page;
-    menu.at = {9999, 9999};  // in the corner, where there is least room
+    menu.at = {9999, 9999};  // in the corner with the least space
 }
 
 const CatalogueEntry catalogue_entries[]{
@@ -160,7 +160,7 @@ float overlap_along(float a, float a_size, float b, float b_size) {
     return std::min(a + a_size, b + b_size) - std::max(a, b);
 }
 
-// Letters stand within the middle of their line: lines may touch, letters may not.
+// Letters use the middle of their line: lines may touch, letters may not.
 bool collide(const Written& a, const Written& b) {
     if (a.sheet != b.sheet) return false;
     const float across = overlap_along(a.rect.x, a.rect.w, b.rect.x, b.rect.w);
@@ -182,7 +182,7 @@ void expect_words_to_fit(const Desk& desk, const std::string& where) {
         for (std::size_t j = 0; j < i; ++j) {
             if (is_icon(desk.written[j].words)) continue;
             EXPECT_FALSE(collide(w, desk.written[j]))
-                << where << ": '" << w.words << "' runs into '" << desk.written[j].words << "'";
+                << where << ": '" << w.words << "' overlaps '" << desk.written[j].words << "'";
         }
     }
 }
@@ -198,7 +198,7 @@ TEST_P(EveryLanguage, FitsTheSmallestWindow) {
         desk.frame(3);
         screen.set(desk);
         desk.frame(5);
-        EXPECT_GT(desk.written.size(), 8u) << "words are looked at at all";
+        EXPECT_GT(desk.written.size(), 8u) << "the frame has text";
         expect_words_to_fit(desk, screen.name);
     }
 }
@@ -214,8 +214,8 @@ TEST_P(EveryLanguage, FitsAtTwiceTheSize) {
     }
 }
 
-// All that prompts and modes may say in the hint bar, which is one line.
-TEST_P(EveryLanguage, SaysEveryHintInOneLine) {
+// All texts of prompts and modes in the hint bar, which has one line.
+TEST_P(EveryLanguage, ShowsEveryHintInOneLine) {
     Desk desk(1024, 768, 1, true);
     desk.strings = speaking(GetParam());
     desk.frame(3);
@@ -232,7 +232,7 @@ TEST_P(EveryLanguage, SaysEveryHintInOneLine) {
 INSTANTIATE_TEST_SUITE_P(Languages, EveryLanguage, ::testing::Values("en", "de", "es"),
                          [](const auto& given) { return std::string(given.param); });
 
-TEST(WordsFit, IsAQuestionThatCanBeAnsweredWithNo) {
+TEST(WordsFit, DetectsTextThatDoesNotFit) {
     Desk desk(1024, 768, 1, true);
     auto endless = Strings::parse("format = 1\n[hint]\npress_play = \"" + std::string(300, 'W') + "\"\n", "test.toml");
     ASSERT_TRUE(endless);
