@@ -1,5 +1,5 @@
-// The crowd that the benchmarks of the world, of its parts and of its limit share: N vehicles at constant density, half
-// attracted, half repelled, so that contacts are many.
+// The crowd of the benchmarks of the world, its parts and its lower limit: N vehicles at constant density, half
+// attracted, half repelled, with many contacts.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ inline Scene dense(int n) {
     Scene scene = tests::crowd(n);
     scene.arena.width = scene.arena.height = 2 * std::sqrt(static_cast<float>(n));
     scene.ecology.inactivity = 0;
-    scene.ecology.bite = 0;  // nobody dies: the same load from first tick to last
+    scene.ecology.bite = 0;  // no vehicle dies: the same load in every tick
     scene.kinds[0].brain = make_graph(hunter);
     scene.kinds[1].brain = make_graph(hunted);
     for (Kind& kind : scene.kinds)
@@ -32,13 +32,13 @@ inline Scene dense(int n) {
     return scene;
 }
 
-// Where everybody stands and how they move, and who hunts.
+// Poses, motions and roles of all vehicles.
 struct CrowdState {
     std::vector<mechanics::Motion> motion;
     std::vector<char> hunts;
 };
 
-// What the crowd's eyes read, by two fields. `farthest` sets how large their cells are.
+// Readings of the eyes of the crowd from two fields. `farthest` sets the size of their cells.
 class CrowdEyes {
 public:
     CrowdEyes(const Scene& scene, float farthest) {
@@ -69,7 +69,7 @@ private:
     std::vector<Stimulus> stimuli_;
 };
 
-// What a four-neuron brain makes of two eyes.
+// Motor commands of a four-neuron brain with two eyes.
 inline std::array<float, 2> motors(const FourNeurons& b, const std::array<float, 2>& sensed) {
     return {std::clamp(b.LM + b.LL * sensed[0] + b.LR * sensed[1], -1.0f, 1.0f),
             std::clamp(b.RM + b.RL * sensed[0] + b.RR * sensed[1], -1.0f, 1.0f)};

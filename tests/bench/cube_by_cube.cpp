@@ -52,7 +52,7 @@ GLuint program(const char* vertex, const char* fragment) {
     return made;
 }
 
-// Six faces of two triangles, place and normal a corner.
+// Six faces of two triangles; position and normal per corner.
 std::vector<vec3> cube() {
     std::vector<vec3> corners;
     for (int axis = 0; axis < 3; ++axis)

@@ -1,6 +1,6 @@
-// How simple simulators draw, for comparison: one draw call and five uniforms a box (chassis and four wheels), and
-// every sensor sector's vertices worked out and uploaded again for each. Fields are as long and as strong as ours draws
-// them.
+// The drawing of simple simulators, for comparison: one draw call and five uniforms per box (chassis and four wheels),
+// and the vertices of each sensor sector computed and uploaded again for each. Fields have the length and strength of
+// the renderer.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace braitenlab::bench {
 
 class CubeByCube {
 public:
-    // Asks ours once how long and how strong each field is drawn: that is no part of the comparison.
+    // Reads length and strength of each field from the renderer once, outside the measured time.
     CubeByCube(const Snapshot&, const Picture&);
     ~CubeByCube();
     CubeByCube(const CubeByCube&) = delete;

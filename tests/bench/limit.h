@@ -1,6 +1,6 @@
-// The smallest honest loop: the same bodies on bare Box2D, wheel forces summed per vehicle, sensing by a grid over flat
-// arrays, and nothing else. No kinds, no brains as graphs, no events, no snapshots: what it costs is what any
-// simulation of this crowd with Box2D costs, and the world is measured against it.
+// The lower limit: the same bodies on bare Box2D, wheel forces summed per vehicle, sensing by a grid over flat
+// arrays. No kinds, no brains as graphs, no events, no snapshots. Any simulation of this crowd with Box2D takes at
+// least this time; the world is compared with it.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// What a picture costs, to glFinish: ours, and one draw call a box as simple simulators draw. Compare figures of one
-// run only. Needs a display (xvfb-run); without one these are skipped.
+// The time of a picture, to glFinish: the renderer, and one draw call per box as in simple simulators. Compare figures
+// of one run only. Needs a display (xvfb-run); without one the benchmarks are skipped.
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -44,7 +44,7 @@ Picture seen_from_the_ring(const Snapshot& now) {
     return picture;
 }
 
-// Drivers translate shaders when something is first drawn with them, which takes longer than many frames.
+// Drivers compile shaders at their first use, which takes longer than many frames.
 constexpr int warm_up_frames = 4;
 
 void drive_on(Snapshot& now) {
@@ -94,7 +94,7 @@ void BM_DrawCubeByCube(benchmark::State& state) {
     state.counters["draw_calls"] = naive.draw_calls();
 }
 
-// What fills the arrays that go to the graphics card, without drawing them.
+// Filling the arrays for the graphics card, without drawing.
 void BM_FillDrawList(benchmark::State& state) {
     const Snapshot now = dense(static_cast<int>(state.range(0)));
     const Picture picture = seen_from_the_ring(now);

@@ -1,5 +1,5 @@
-// What a frame of the window's panels costs beside a tick and a picture of the same 50 vehicles, and how often our own
-// code asks for memory. Dear ImGui has an allocator of its own, which is not counted.
+// The time of a frame of the window's panels, compared with a tick and a picture of the same 50 vehicles, and the
+// number of allocations. Dear ImGui uses another allocator, which is not counted.
 #include <cstdint>
 #include <optional>
 
@@ -52,7 +52,7 @@ public:
     }
     ~Panels() { ImGui::DestroyContext(); }
 
-    // One pass over everything; returns how many triangles it makes.
+    // One pass over all panels; returns the number of triangles.
     int frame(const LabView& view, const Strings& strings) {
         ImGui::NewFrame();
         outbox_.clear();
@@ -99,7 +99,7 @@ void BM_UiPass(benchmark::State& state) {
     state.counters["allocations_a_frame"] = static_cast<double>(asked) / static_cast<double>(frames);
 }
 
-// What the pass above has to stay below: one tick and one picture, to glFinish.
+// The limit for the pass above: one tick and one picture, to glFinish.
 void BM_StepAndDraw(benchmark::State& state) {
     auto lab = hunt(static_cast<int>(state.range(0)));
     Stage stage(width, height);

@@ -1,4 +1,5 @@
-// What a tick costs. Compare figures of one run only: machines differ, and so does one machine from minute to minute.
+// The time of a tick. Compare only figures of one run: they differ between machines, and on one machine from minute to
+// minute.
 #include <array>
 #include <ctime>
 #include <map>
@@ -16,9 +17,9 @@
 namespace braitenlab::bench {
 namespace {
 
-constexpr int warm_ticks = 120;  // past the start, into the crowd
+constexpr int warm_ticks = 120;  // after the start, in a dense crowd
 
-// A crowd past its start, made once. It begins on a grid: looking for free crowd takes longer than all the ticks.
+// A crowd after its start, made once. It starts on a grid: a search for free positions takes longer than all the ticks.
 const Checkpoint& crowd_of(int n) {
     static std::map<int, Checkpoint> made;
     Checkpoint& save = made[n];
@@ -49,10 +50,10 @@ CrowdState state_in(const Checkpoint& save) {
     return crowd;
 }
 
-// A crowd changes as it goes on: everybody is measured over the same stretch of its time, again and again.
+// A crowd changes during a run: every benchmark repeats the same interval of simulated time.
 constexpr int stretch = static_cast<int>(keyframe_ticks);
 
-// Processor time, which other programs on the machine do not stretch.
+// Processor time, which does not depend on other programs on the machine.
 double nanoseconds() { return static_cast<double>(std::clock()) * (1e9 / CLOCKS_PER_SEC); }
 
 void sizes(benchmark::internal::Benchmark* b) {
@@ -68,8 +69,8 @@ void BM_WorldStep(benchmark::State& state) {
     WorldData world{State(*save.keyframe)};
     auto keyframe = begin_keyframe(world);
     tick(world, [](TickPart) {});
-    const std::int64_t bytes = bytes_in_use() - before - static_cast<std::int64_t>(sizeof(b2World));  // our own
-    // Reading the clock costs as much as a vehicle or two, so the parts are timed in some of the ticks only.
+    const std::int64_t bytes = bytes_in_use() - before - static_cast<std::int64_t>(sizeof(b2World));  // without Box2D
+    // Reading the clock takes as long as one or two vehicles, so the parts are timed only in some of the ticks.
     constexpr int timed_of = 8;
     std::array<double, 5> spent{};
     int ticks = 0, timed = 0;
@@ -98,7 +99,7 @@ void BM_WorldStep(benchmark::State& state) {
     state.counters["bytes_per_vehicle"] = static_cast<double>(bytes) / static_cast<double>(state.range(0));
     count(state);
 }
-BENCHMARK(BM_WorldStep)->Apply(sizes)->Arg(10000);  // whom a second of processor time must serve 60 times
+BENCHMARK(BM_WorldStep)->Apply(sizes)->Arg(10000);  // must run 60 ticks per second of processor time
 
 void BM_Limit(benchmark::State& state) {
     const int n = static_cast<int>(state.range(0));
@@ -133,11 +134,11 @@ void look(benchmark::State& state, float farthest) {
 void BM_GridSense(benchmark::State& state) { look(state, eye_range); }
 BENCHMARK(BM_GridSense)->Apply(sizes);
 
-// The same eyes and the same sums, but one cell as large as the arena: everybody looks at everybody.
+// The same eyes and sums, but one cell as large as the arena: every vehicle is compared with every other.
 void BM_AllPairsSense(benchmark::State& state) { look(state, 1e6f); }
 BENCHMARK(BM_AllPairsSense)->Apply(sizes);
 
-// The same crowd with five bodies a vehicle, joined by locked joints.
+// The same crowd with five bodies per vehicle, joined by locked joints.
 void BM_FiveBodies(benchmark::State& state) {
     const int n = static_cast<int>(state.range(0));
     const Scene scene = dense(n);
@@ -199,7 +200,7 @@ void BM_Think(benchmark::State& state) {
 }
 BENCHMARK(BM_Think);
 
-// One vehicle, 300 ticks, from a moment that was kept: what looking five seconds ahead costs.
+// One vehicle, 300 ticks from a checkpoint: the time of a prediction of five seconds.
 void BM_Rollout(benchmark::State& state) {
     Scene scene = tests::alone(hunter);
     scene.sources.push_back({.name = "lamp", .x = 8, .y = 2});

@@ -93,7 +93,7 @@ TEST_F(AutosaveTest, DistinguishesAProperEndFromACrash) {
     EXPECT_EQ(dials(*next.recover()).LR, 1.0f);
 }
 
-TEST_F(AutosaveTest, WritesAtOnceWhenTheModeChanges) {
+TEST_F(AutosaveTest, WritesWithoutADelayWhenTheModeChanges) {
     Autosave autosave(folder.path, complaints);
     edit(lab, 1);
     autosave.keep(lab, 0);

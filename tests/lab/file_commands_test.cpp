@@ -229,7 +229,7 @@ TEST_F(FileCommands, LeavesOnceTheEditsAreSavedUnderAnotherName) {
     ask(OpenRequest{(*find_shipped("3a-love")).string()});
     ask(SaveRequest{"only the brain", FileKind::brain});
     ask(LeaveRequest{Leave::saved});
-    EXPECT_TRUE(files.leaving) << "a brain file does not contain the scene: asked again";
+    EXPECT_TRUE(files.leaving) << "a brain file does not contain the scene: the question opens again";
     EXPECT_EQ(lab.document.name, "2a-coward");
     ask(SaveRequest{"all of it", FileKind::scene});
     ask(LeaveRequest{Leave::saved});

@@ -114,7 +114,7 @@ TEST_P(JobsOnThreads, ReduceNothingForAJobWithoutParts) {
     EXPECT_EQ(**result, 0u);
 }
 
-TEST_P(JobsOnThreads, TellTheFirstExceptionInTheOrderOfTheParts) {
+TEST_P(JobsOnThreads, ReportTheFirstExceptionInTheOrderOfTheParts) {
     Job<std::vector<std::size_t>> job = jobs.submit(6, [](std::size_t part) -> std::size_t {
         if (part < 2) return part;
         std::this_thread::sleep_for(std::chrono::milliseconds(6 - part));
@@ -125,7 +125,7 @@ TEST_P(JobsOnThreads, TellTheFirstExceptionInTheOrderOfTheParts) {
     EXPECT_EQ(result.error().text(), "a background job failed: part 2");
 }
 
-TEST_P(JobsOnThreads, TellAnExceptionInTheReduction) {
+TEST_P(JobsOnThreads, ReportAnExceptionInTheReduction) {
     Job<int> job = jobs.submit(
         2, [](std::size_t) { return 1; }, [](const std::vector<int>&) -> int { throw 1; });
     const auto result = result_of(jobs, job);
@@ -218,7 +218,7 @@ TEST_P(JobsOnThreads, CountCompletePartsAndTheProgressInsideParts) {
     EXPECT_EQ(job.progress().fraction, 1.0f);
 }
 
-TEST(Jobs, RunAsManyPartsAtOnceAsThereAreThreads) {
+TEST(Jobs, RunAsManyPartsInParallelAsThereAreThreads) {
     if (Jobs::default_threads() == 0) GTEST_SKIP() << "a build without threads";
     Jobs jobs(4);
     EXPECT_EQ(jobs.threads(), 4);

@@ -197,7 +197,7 @@ TEST(LabLesson, AnObstacleOrAVehicleAddedBeforeTheFirstTickMakesARunByHand) {
         EXPECT_TRUE(by_hand(lab)) << help.index();
         handle(lab, Action::undo);
         run(lab, 10);
-        EXPECT_TRUE(by_hand(lab)) << help.index() << ": it stood there for ten ticks";
+        EXPECT_TRUE(by_hand(lab)) << help.index() << ": it was in the scene for ten ticks";
     }
 }
 
@@ -227,7 +227,7 @@ TEST(LabLesson, AStepThatWasDoneBeforeTheRecordedMinuteStaysDone) {
     EXPECT_LE(lab.document.lesson->states.size(), 14u);
 }
 
-TEST(LabLesson, HelpInTheRecordedPastIsSeenAgainWhenTheRunIsPlayedAgain) {
+TEST(LabLesson, HelpInTheRecordedPastIsDetectedAgainInAReplay) {
     Lab lab = aggressor();
     run(lab, 100);
     handle(lab, EditRequest{MoveVehicle{lab.view.selection.vehicle, 0, 0, 0}});
@@ -242,7 +242,7 @@ TEST(LabLesson, HelpInTheRecordedPastIsSeenAgainWhenTheRunIsPlayedAgain) {
     EXPECT_TRUE(by_hand(lab));
 }
 
-TEST(LabLesson, HelpInThePastIsForgottenWhenItsUndoBringsTheFutureBack) {
+TEST(LabLesson, HelpInThePastIsDroppedWhenItsUndoRestoresTheFuture) {
     Lab lab = solved_exercise();
     run(lab, 700);
     ASSERT_TRUE(done(lab)[0]);
@@ -255,7 +255,7 @@ TEST(LabLesson, HelpInThePastIsForgottenWhenItsUndoBringsTheFutureBack) {
     EXPECT_TRUE(done(lab)[0]);
 }
 
-TEST(LabLesson, ABookmarkOfAnotherRunBringsItsDoneStepsBack) {
+TEST(LabLesson, ABookmarkOfAnotherRunRestoresItsDoneSteps) {
     Lab lab = solved_exercise();
     run(lab, 1000);
     const auto then = done(lab);

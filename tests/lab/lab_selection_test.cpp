@@ -91,7 +91,7 @@ TEST(LabSelection, IsErasedAndDuplicated) {
     EXPECT_EQ(lab.document.session.snapshot().vehicles.size(), 2u);
     handle(lab, Action::wiring);
     handle(lab, Action::erase);
-    EXPECT_EQ(lab.document.session.snapshot().vehicles.size(), 2u) << "Del is the canvas's there";
+    EXPECT_EQ(lab.document.session.snapshot().vehicles.size(), 2u) << "Del belongs to the canvas in wiring mode";
 }
 
 TEST(LabSelection, CopiesTheBrainOfADuplicatedVehicle) {

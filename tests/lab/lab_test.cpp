@@ -84,7 +84,7 @@ TEST(LabLesson, CountsAgainOnceAMoveBeforeTheStartIsUndone) {
     EXPECT_FALSE(lab.document.lesson->view.by_hand);
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
     tick(lab);
-    EXPECT_FALSE(lab.document.lesson->view.by_hand) << "the exercise asks for another brain";
+    EXPECT_FALSE(lab.document.lesson->view.by_hand) << "the exercise requires a change of the brain";
 }
 
 TEST(LabLesson, CountsBeforeADisturbanceAfterGoingBack) {

@@ -37,7 +37,7 @@ TEST(SafeFile, DoesNotChangeTheTextOfAnOpenReader) {
     EXPECT_EQ((std::string{std::istreambuf_iterator<char>(reader), {}}), "old");
 }
 
-// A limit on the size of files stands in for a full disk.
+// A limit on the size of files simulates a full disk.
 TEST(SafeFile, KeepsTheOldFileIfTheDiskIsFull) {
     const Folder folder;
     const auto file = folder / "scene.toml";

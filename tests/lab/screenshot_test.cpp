@@ -24,7 +24,7 @@ TEST(Screenshot, WritesAPng) {
     EXPECT_EQ(text_of(folder / "a.png").substr(1, 3), "PNG");
 }
 
-// A limit on the size of files stands in for a full disk.
+// A limit on the size of files simulates a full disk.
 TEST(Screenshot, KeepsTheOldPictureIfTheDiskIsFull) {
     const Folder folder;
     put_text(folder / "a.png", "old");

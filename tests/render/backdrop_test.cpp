@@ -15,8 +15,8 @@ using namespace render;
 
 using Pixels = std::vector<unsigned char>;
 
-// Whether two pictures are the same but for roundings, which move by one of 255 levels with the order of drawing, and
-// for two pixels at most where a wall's foot and the floor are equally far away.
+// Whether two pictures are equal except for rounding: one of 255 levels, because of the order of drawing, and more
+// for at most two pixels, where the foot of a wall and the floor have the same depth.
 testing::AssertionResult alike(const Pixels& a, const Pixels& b) {
     if (a.size() != b.size() || a.empty()) return testing::AssertionFailure() << "of different sizes";
     int odd = 0;
@@ -32,7 +32,7 @@ protected:
         return stage.pixels();
     }
 
-    // By a renderer that has nothing kept yet.
+    // Drawn by a new renderer without a stored ground.
     Pixels drawn_afresh(const Snapshot& now) {
         auto created = Renderer::create(BRAITENLAB_SOURCE "/shaders");
         if (!created) return {};
@@ -90,7 +90,7 @@ TEST_F(BackdropTest, StoresTheGroundAfterTwoEqualFrames) {
     picture.theme = Theme::light;
     EXPECT_EQ(ground(), Backdrop::Ground::moves);
     picture.theme = Theme::dark;
-    EXPECT_EQ(ground(), Backdrop::Ground::kept) << "what it holds is right again";
+    EXPECT_EQ(ground(), Backdrop::Ground::kept) << "the stored ground is valid again";
     backdrop.forget();
     EXPECT_EQ(ground(), Backdrop::Ground::rests);
 }

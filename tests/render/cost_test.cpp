@@ -1,4 +1,4 @@
-// What a frame may ask of the graphics library: no new objects, one upload a kind of thing.
+// Limits for a frame: no new OpenGL objects, and one upload per type of instance.
 #include <optional>
 #include <utility>
 
@@ -24,7 +24,7 @@ namespace {
 
 using namespace render;
 
-// GLEW calls through pointers, which a test can point elsewhere: each replacement counts and goes on.
+// GLEW calls through pointers, which a test can replace: each replacement counts the call and forwards it.
 PFNGLGENBUFFERSPROC real_gen_buffers;
 PFNGLGENVERTEXARRAYSPROC real_gen_arrays;
 PFNGLCREATESHADERPROC real_create_shader;
@@ -82,7 +82,7 @@ protected:
         renderer.reset();
     }
 
-    // Everything there is, and this many vehicles.
+    // A scene with every type of object and this many vehicles.
     Snapshot busy(int count) {
         auto scene = hand_made::scene();
         scene->zones.push_back({.name = "ice", .surface = Surface::ice});
@@ -111,7 +111,7 @@ TEST_F(CostTest, CreatesNoGlObjectInAFrame) {
     EXPECT_EQ(objects_made, 0);
 }
 
-// Else the test above would be blind.
+// Checks the counter of the test above.
 TEST_F(CostTest, CountsEveryTypeOfGlObject) {
     int expected = 0;
     const auto count = [&](const char* kind) { EXPECT_EQ(objects_made, ++expected) << kind; };
@@ -137,7 +137,7 @@ TEST_F(CostTest, UploadsEachTypeOfInstanceOnce) {
         return uploads;
     };
     const int few = uploads_for(10), many = uploads_for(500);
-    // A kind of thing may be drawn by several calls, as hulls with their rims, but goes up once.
+    // Several calls may draw a type of instance, as for hulls and rims, but it is uploaded once.
     EXPECT_LE(few, renderer->draw_calls() + 1);
     EXPECT_LE(many, few + 4);
     EXPECT_GT(few, 8);

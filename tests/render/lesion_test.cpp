@@ -1,4 +1,4 @@
-// How a hurt brain looks on its vehicle: a lid over an eye, a cross over a wheel or a neuron, a gap in a wire.
+// The picture of a brain with lesions: a lid over an eye, a cross over a wheel or a neuron, a gap in a wire.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -21,13 +21,13 @@ protected:
         Rendered::SetUp();
         if (HasFatalFailure()) return;
         Camera near;
-        near.mode = CameraMode::birds_eye, near.zoom = 10;  // 200 pixels a vehicle
+        near.mode = CameraMode::birds_eye, near.zoom = 10;  // 200 pixels per vehicle
         look_from(near);
         picture.settings.overlays.labels = false;
         hand_made::add(now, 0, 0, 0, 0);
     }
 
-    // A change of the one vehicle's brain.
+    // Changes the brain of the vehicle.
     template <class Change>
     void hurt(Change change) {
         BrainGraph brain = *now.brains[0];
@@ -38,7 +38,7 @@ protected:
         hurt([&](BrainGraph& brain) { find_node(brain, std::string(name))->silenced = true; });
     }
 
-    // The darkest and the brightest pixel of a square about a place of the vehicle.
+    // The darkest and the brightest pixel of a square around a point of the vehicle.
     std::pair<float, float> extremes(maths::vec2 own, float up, float half) {
         renderer->draw(now, picture);
         const maths::vec2 middle = *project(picture.camera_view, own, up);
@@ -55,17 +55,17 @@ protected:
 };
 
 TEST_F(LesionTest, DrawsADarkCapWithACrossOnASilencedSensor) {
-    // Amid the lens, which looks half upwards and 35 degrees outwards.
+    // In the middle of the lens, which points 45 degrees upwards and 35 degrees outwards.
     constexpr maths::vec2 left{0.3575f, 0.280f}, right{0.3575f, -0.280f};
     constexpr float up = 0.37f;
-    EXPECT_LT(extremes(left, up, 1).second, 0.35f) << "the lens of an eye that sees nothing is dark";
+    EXPECT_LT(extremes(left, up, 1).second, 0.35f) << "the lens is dark at the reading 0";
     now.sensed = {0.9f, 0.9f};
-    EXPECT_GT(extremes(left, up, 1).first, 0.6f) << "and of one that sees bright";
+    EXPECT_GT(extremes(left, up, 1).first, 0.6f) << "the lens is bright at a high reading";
     silence("SL");
-    EXPECT_GT(extremes(left, up, 1).second, 0.8f) << "the arms of the cross meet amid the lid";
+    EXPECT_GT(extremes(left, up, 1).second, 0.8f) << "the arms of the cross meet in the middle of the lid";
     EXPECT_LT(extremes(left, up, 9).first, 0.12f) << "on dark ground";
     const Colour other = stage.pixel(*project(picture.camera_view, right, up)), lamp = palette(picture.theme).lamp;
-    EXPECT_LT(other.b, other.r) << "the other eye goes on seeing light";
+    EXPECT_LT(other.b, other.r) << "the other eye still senses light";
     EXPECT_NEAR(other.r, lamp.r, 0.2f);
 }
 
@@ -85,7 +85,7 @@ TEST_F(LesionTest, CrossesOutAWheelWithASilencedMotor) {
     const maths::vec2 at{wheel.x, wheel.y + (wheel.y < 0 ? -0.04f : 0.04f)};
     EXPECT_LT(extremes(at, 0.3f, 1).second, 0.6f);
     silence(wheel.motor == Motor::left ? "ML" : "MR");
-    EXPECT_GT(extremes(at, 0.3f, 1).first, 0.8f) << "the arms of the cross meet amid";
+    EXPECT_GT(extremes(at, 0.3f, 1).first, 0.8f) << "the arms of the cross meet in the middle";
     const auto [between, arms] = extremes(at, 0.3f, 14);
     EXPECT_LT(between, 0.12f);
     EXPECT_GT(arms, 0.8f);
@@ -111,17 +111,17 @@ TEST_F(LesionTest, DrawsAGapInACutWire) {
     hurt([](BrainGraph& brain) { brain.wires[0].cut = true; });
     renderer->draw(now, picture);
     EXPECT_GT(whole, 100);
-    EXPECT_LT(painted(), whole / 4) << "cut, it is dull besides";
+    EXPECT_LT(painted(), whole / 4) << "a cut wire also has a duller colour";
     DrawList list;
     render::fill(list, now, picture, Trails{});
     ASSERT_EQ(list.wires.size(), 1U);
-    // Amid the gap the deck shows; t = 0.42 of a bent line.
+    // The deck is visible in the gap; t = 0.42 of a bent line.
     const maths::vec4 ends = list.wires[0].ends, shape = list.wires[0].shape;
     const float t = 0.42f, u = 1 - t;
     const maths::vec2 amid = maths::vec2{ends.x, ends.y} * (u * u) + maths::vec2{shape.x, shape.y} * (2 * t * u) +
                              maths::vec2{ends.z, ends.w} * (t * t);
     const Colour gap = stage.pixel(*project(picture.camera_view, amid, shape.z));
-    EXPECT_LT(gap.r, 1.2f * gap.b) << "no orange there";
+    EXPECT_LT(gap.r, 1.2f * gap.b) << "no orange in the gap";
 }
 
 TEST_F(LesionTest, CrossesOutASilencedNeuron) {

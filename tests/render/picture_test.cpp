@@ -1,4 +1,4 @@
-// What lies on the floor and over the scene: contours, labels, sectors over each other.
+// Contours, labels and overlapping sectors.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -86,7 +86,7 @@ TEST_F(PictureTest, DrawsLabelsInTheColourOfTheThemeOverEverything) {
     EXPECT_EQ(stage.complaints(), "");
 }
 
-// A boolean eye that looks along +x from a vehicle at x.
+// A boolean eye that points along +x, on a vehicle at x.
 void look_east(Scene& scene, int kind, Channel channel) {
     Sensor eye = scene.kinds[static_cast<std::size_t>(kind)].sensors[0];
     eye.x = eye.y = eye.angle = 0, eye.range = 6, eye.channel = channel, eye.response = SensorResponse::boolean;
@@ -141,19 +141,19 @@ TEST_F(PictureTest, EndsAnArenaWithoutWallsWithALineAndAnOpenOneWithADrop) {
         return std::pair{static_cast<float>(bright) / static_cast<float>(bright + dim),
                          stage.pixel(*project(picture.camera_view, {-11.5f, 0.5f}))};
     };
-    EXPECT_GT(at_edge(Boundary::open).first, 0.95f) << "whole";
-    EXPECT_NEAR(at_edge(Boundary::torus).first, 0.5f, 0.2f) << "dashed";
+    EXPECT_GT(at_edge(Boundary::open).first, 0.95f) << "solid line";
+    EXPECT_NEAR(at_edge(Boundary::torus).first, 0.5f, 0.2f) << "dashed line";
     const Colour sky = palette(picture.theme).sky, nothing = at_edge(Boundary::open).second,
                  ground = at_edge(Boundary::torus).second;
     EXPECT_NEAR(nothing.b, sky.b, 0.01f);
-    EXPECT_GT(ground.b, sky.b + 0.02f) << "round a torus the ground goes on";
+    EXPECT_GT(ground.b, sky.b + 0.02f) << "the ground continues beyond the edge of a torus";
 }
 
-TEST_F(PictureTest, DrawsARingOfItsOwnPatternAtTheFootOfEachColouredSource) {
+TEST_F(PictureTest, DrawsARingWithADifferentPatternForEachColouredSource) {
     Camera near;
     near.mode = CameraMode::birds_eye, near.zoom = 12;
     picture.camera_view = look(near, Arena{}, nullptr, window, window);
-    // How often the ring begins on a way round it, and how much of the way it covers.
+    // The number of dashes of the ring, and the covered fraction of the circle.
     const auto ring = [&](Channel channel) {
         Snapshot now = hand_made::empty(hand_made::scene());
         hand_made::add_source(now, channel, 0, 0);
@@ -182,11 +182,11 @@ TEST_F(PictureTest, UsesThePalettesColoursInBothThemes) {
     for (const Theme theme : {Theme::dark, Theme::light}) {
         picture.theme = theme;
         const Palette p = palette(theme);
-        const Colour floor = seen(now, 7.52f, 8.47f);  // amid a square of the grid, far from the walls
+        const Colour floor = seen(now, 7.52f, 8.47f);  // in the middle of a square of the grid, far from the walls
         EXPECT_NEAR(floor.r, p.floor.r, 0.03f);
         EXPECT_NEAR(floor.b, p.floor.b, 0.03f);
         const Colour sky = stage.pixel({2, 2});
-        EXPECT_NEAR(sky.g, p.sky.g, 0.02f);  // the ground has all but melted into it
+        EXPECT_NEAR(sky.g, p.sky.g, 0.02f);  // the ground has nearly the colour of the sky here
     }
 }
 

@@ -16,7 +16,7 @@ using namespace render;
 
 class RendererTest : public Rendered {
 protected:
-    // The vehicles' deck is dark and carries wires; behind the deck the hull shows its colour.
+    // The deck is dark and has wires on it; the colour of the hull is visible behind the deck.
     Colour hull_colour(const VehicleView& v) const {
         const auto place = maths::vec2{v.x, v.y} + maths::rotate({-0.275f, 0}, maths::direction(v.heading));
         return stage.pixel(*project(picture.camera_view, place, 0.25f));
@@ -78,7 +78,7 @@ TEST_F(RendererTest, HidesFartherVehiclesBehindNearerOnes) {
     camera.elevation = 0.15f, camera.zoom = 6;
     picture.camera_view = look(camera, Arena{}, nullptr, window, window);
     picture.settings.sensors = false;
-    // Seen flat from −y, the prey's tail end stands right behind the predator's flank; either order of drawing.
+    // Seen from −y at a low angle, the tail of the prey is directly behind the side of the predator; in both orders.
     for (const bool near_first : {true, false}) {
         now.vehicles.clear();
         now.sensed.clear();
@@ -92,7 +92,7 @@ TEST_F(RendererTest, HidesFartherVehiclesBehindNearerOnes) {
 
 TEST_F(RendererTest, NeedsNoMoreDrawCallsForFiveHundredVehiclesThanForTen) {
     picture.settings.outlines = true, picture.settings.selection.vehicle = 0, picture.hovered = 1;
-    // Ten poses, each with this many vehicles: the same roles at the same levels of detail, whatever their number.
+    // Ten poses, each with this many vehicles: the same roles and levels of detail for any number.
     const auto calls_for = [&](int copies, float half) {
         constexpr int poses = 10;
         Snapshot now = hand_made::empty(hand_made::scene());
@@ -106,7 +106,7 @@ TEST_F(RendererTest, NeedsNoMoreDrawCallsForFiveHundredVehiclesThanForTen) {
         for (int frame = 0; frame < 3; ++frame) renderer->draw(now, picture);
         return renderer->draw_calls();
     };
-    // All as hulls, all as signs, and both at once.
+    // All as hulls, all as signs, and a mixture.
     for (const auto& [zoom, elevation] : {std::pair{0.4f, 1.1f}, {0.9f, 0.3f}, {1.0f, 1.1f}, {2.5f, 1.1f}}) {
         Camera camera;
         camera.zoom = zoom, camera.elevation = elevation;
@@ -181,7 +181,7 @@ TEST_F(RendererTest, ShowsAStimulatedFieldBrighterAndNoFieldBehindAWall) {
     EXPECT_NEAR(brightness(patch(outside)), beyond, 0.004f);
 }
 
-TEST_F(RendererTest, ShowsAnObstaclesOwnOutline) {
+TEST_F(RendererTest, ShowsTheOutlineOfAnObstacle) {
     auto scene = hand_made::scene();
     scene->obstacles.push_back({.name = "wedge", .corners = {{-3, -3}, {3, -3}, {-3, 3}}});
     Snapshot now = hand_made::empty(hand_made::scene());
@@ -195,7 +195,7 @@ TEST_F(RendererTest, ShowsAnObstaclesOwnOutline) {
     EXPECT_NEAR(at(2, 2), floor_outside, 0.02f);  // a box of its length and width would cover this
 }
 
-TEST_F(RendererTest, CoversZonesAndLeavesTheRestOfTheFloorAlone) {
+TEST_F(RendererTest, DrawsZonesOnlyWithinTheirArea) {
     Snapshot plain = hand_made::empty(hand_made::scene());
     auto scene = hand_made::scene();
     scene->zones.push_back({.name = "ice", .length = 4, .width = 4, .round = true, .surface = Surface::ice});
@@ -210,7 +210,7 @@ TEST_F(RendererTest, CoversZonesAndLeavesTheRestOfTheFloorAlone) {
     EXPECT_LT(brightness(at(now, 5.05f, 1.3f)), 0.06f);
 }
 
-TEST_F(RendererTest, RingsTheSelectedVehicleInYellow) {
+TEST_F(RendererTest, DrawsAYellowRingAroundTheSelectedVehicle) {
     Snapshot now = hand_made::empty(hand_made::scene());
     picture.settings.selection.vehicle = hand_made::add(now, 0, 0, 0, 0);
     picture.settings.sensors = false;

@@ -19,7 +19,7 @@ class SectorTest : public testing::Test {
 protected:
     void SetUp() override { ASSERT_TRUE(stage.ready()) << stage.problem(); }
 
-    // One vehicle with one eye of this field amid the arena, seen from above, heading along +x.
+    // One vehicle with one eye of this field in the middle of the arena, seen from above, heading along +x.
     std::vector<unsigned char> picture_of(SectorPath path, float field_degrees, SensorShape shape) {
         auto scene = hand_made::scene();
         Sensor eye = scene->kinds[0].sensors[0];
@@ -60,7 +60,7 @@ TEST_F(SectorTest, LooksTheSameWithGeometryShadersAndWithInstances) {
                    b = picture_of(SectorPath::instanced, field, shape);
         int differing = 0;
         for (std::size_t i = 0; i < a.size(); ++i) differing += std::abs(a[i] - b[i]) > 3;
-        // A pixel on an edge may fall either way when the same corner is rounded another way.
+        // A pixel on an edge may differ, because the corner is rounded differently.
         EXPECT_LE(differing, 30) << field;
     }
 }

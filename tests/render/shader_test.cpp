@@ -46,7 +46,7 @@ TEST_F(ShaderTest, ReportsFileAndLineOfAnError) {
     EXPECT_NE(renderer.error().what.find("nonsense"), std::string::npos) << renderer.error().text();
 }
 
-TEST_F(ShaderTest, NamesTheSharedHeaderForItsOwnErrors) {
+TEST_F(ShaderTest, NamesTheSharedHeaderForItsErrors) {
     std::ifstream in(folder / "common.glsl");
     const std::string common(std::istreambuf_iterator<char>(in), {});
     write("common.glsl", "// one line more\nfloat broken() { return nothing; }\n" + common);
@@ -70,7 +70,7 @@ TEST_F(ShaderTest, ReportsThePairThatDoesNotLink) {
     EXPECT_NE(program.error().text().find("floor.frag"), std::string::npos);
 }
 
-// Writes a shader a little later than all others, whatever the file system's clock can tell apart.
+// Writes a shader with a later time than all others, for any resolution of the file system's clock.
 class FollowShaders : public ShaderTest {
 protected:
     void SetUp() override {
@@ -90,7 +90,7 @@ protected:
         Picture picture;
         const Rect window{0, 0, 64, 64};
         picture.camera_view = look(Camera{}, Arena{}, nullptr, window, window);
-        // Often enough that the ground is kept from one frame to the next.
+        // Often enough that the backdrop stores the ground.
         for (int frame = 0; frame < 3; ++frame) renderer->draw(hand_made::empty(hand_made::scene()), picture);
         return stage.pixel({32, 32});
     }
@@ -119,7 +119,7 @@ TEST_F(FollowShaders, KeepsTheLastValidShadersAndReportsAnErrorOnce) {
     EXPECT_EQ(fs::path(error->file).filename().string(), "floor.frag");
     EXPECT_EQ(error->line, 3);
     EXPECT_GT(middle().r, 0.9f);
-    EXPECT_FALSE(renderer->follow_shaders()) << "told once";
+    EXPECT_FALSE(renderer->follow_shaders()) << "reported once";
     EXPECT_EQ(stage.complaints(), "");
 }
 

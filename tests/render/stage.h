@@ -44,7 +44,7 @@ public:
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
     ~Stage() {
-        if (!complaints_.empty()) ADD_FAILURE() << "OpenGL complains: " << complaints_;
+        if (!complaints_.empty()) ADD_FAILURE() << "OpenGL error: " << complaints_;
         if (window_) glfwDestroyWindow(window_);
     }
 

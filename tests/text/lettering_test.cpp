@@ -9,7 +9,7 @@ namespace {
 
 using namespace render;
 
-// A font with a kern table, which Noto Sans has not. Empty where it is not installed.
+// A font with a kern table, which Noto Sans does not have. Empty if it is not installed.
 std::string dejavu() {
     for (const char* file :
          {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/dejavu/DejaVuSans.ttf",
@@ -45,7 +45,7 @@ TEST(Lettering, RasterisesACharacterOnceWithAMargin) {
     const Glyph h = lettering.glyph(U'H');
     EXPECT_GT(h.height, 12);
     EXPECT_LT(h.height, 24);
-    EXPECT_EQ(h.top, -h.height);  // it stands on the line
+    EXPECT_EQ(h.top, -h.height);  // it is on the baseline
     EXPECT_GE(h.x, Lettering::room);
     const auto drawn = lettering.take_changes();
     EXPECT_LT(drawn.first, drawn.end);
@@ -57,7 +57,7 @@ TEST(Lettering, RasterisesACharacterOnceWithAMargin) {
 }
 
 TEST(Lettering, FindsCharactersThatTheDefaultFontLacks) {
-    // Thai and Georgian come with fonts-noto-core, each in a font of its own.
+    // Thai and Georgian come with fonts-noto-core, each in a separate font.
     ASSERT_NE(find_font(U'ก'), find_font(0)) << "install fonts-noto-core";
     ASSERT_NE(find_font(U'ა'), find_font(U'ก')) << "install fonts-noto-core";
     Lettering lettering = from(find_font, 24);
@@ -69,10 +69,10 @@ TEST(Lettering, FindsCharactersThatTheDefaultFontLacks) {
                 grey.push_back(lettering.sheet()[static_cast<std::size_t>(y * Lettering::side + x)]);
         return grey;
     };
-    const auto nobody_has = picture(U'\U0010FFFD');  // the empty box of what no font has
+    const auto missing = picture(U'\U0010FFFD');  // the empty box for a character that no font has
     for (const char32_t c : {U'ก', U'ა', U'θ', U'→'}) {
         EXPECT_GT(lettering.glyph(c).width, 4);
-        EXPECT_NE(picture(c), nobody_has) << static_cast<std::uint32_t>(c);
+        EXPECT_NE(picture(c), missing) << static_cast<std::uint32_t>(c);
     }
     EXPECT_NE(picture(U'ก'), picture(U'ა'));
 }

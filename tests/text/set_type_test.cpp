@@ -61,13 +61,13 @@ TEST_F(SetType, PutsCharactersOnWholePixelsAtAnyZoom) {
     }
 }
 
-TEST_F(SetType, LeavesOutTheLessImportantOfTwoThatOverlap) {
+TEST_F(SetType, OmitsTheLessImportantOfTwoOverlappingLabels) {
     const std::vector<Label> labels{{{0, 0}, 0, {}, "metres", {}, 5}, {{0.1f, 0}, 0, {}, "x", {}, 0}};
     EXPECT_EQ(set(labels).size(), 1U);
     EXPECT_EQ(set({{{0, 0}, 0, {}, "far", {}, 5}, {{5, 0}, 0, {}, "x", {}, 0}}).size(), 4U);
 }
 
-TEST_F(SetType, LeavesOutWhatIsOutsideTheWindow) {
+TEST_F(SetType, OmitsLabelsOutsideTheWindow) {
     EXPECT_TRUE(set({{{500, 0}, 0, {}, "far", {}, 0}}).empty());
     EXPECT_TRUE(set({{{0, -500}, 0, {}, "behind", {}, 0}}).empty());
 }
@@ -82,7 +82,7 @@ TEST_F(SetType, PlacesALabelWhollyOnItsSide) {
         EXPECT_LE(beside({-1, 0}).x + beside({-1, 0}).w, at.x + halo) << text;
         EXPECT_GE(beside({1, 0}).x, at.x - halo) << text;
         EXPECT_GE(beside({0, 1}).y, at.y - halo) << text;
-        EXPECT_NEAR(beside({-1, 0}).x + beside({-1, 0}).w, at.x, 2 * halo) << text << ": and no farther";
+        EXPECT_NEAR(beside({-1, 0}).x + beside({-1, 0}).w, at.x, 2 * halo) << text << ": not farther away";
     }
 }
 

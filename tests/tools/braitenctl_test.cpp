@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// A file name of this process: tests run side by side.
+// A file name for this process: tests run in parallel.
 std::string scratch(const std::string& name) {
     const std::string own = "braitenctl-test-" + std::to_string(getpid()) + "-" + name;
     return (std::filesystem::temp_directory_path() / own).string();
@@ -93,7 +93,7 @@ TEST(CtlRun, FailsIfTheCsvFileCannotBeWritten) {
     }
 }
 
-// A limit on the size of files stands in for a full disk.
+// A limit on the size of files simulates a full disk.
 TEST(CtlRun, KeepsTheOldCsvFileIfTheDiskIsFull) {
     const std::string file = scratch("old.csv");
     std::ofstream(file) << "old";
@@ -143,7 +143,7 @@ TEST(CtlCheck, EveryShippedExerciseIsSound) {
     EXPECT_EQ(all.code, 0) << all.out;
     const Ran one = ctl("check 05-aggressor");
     EXPECT_EQ(one.code, 0) << one.out;
-    EXPECT_EQ(one.out, all.out) << "the only one so far";
+    EXPECT_EQ(one.out, all.out) << "exercise 5 is the only shipped exercise";
 }
 
 TEST(CtlCheck, AnExerciseWhoseSolutionDoesNotPassIsNotSound) {
@@ -206,7 +206,7 @@ TEST(CtlGrade, WritesOneRowPerBrain) {
                       csv = scratch("class.csv");
     std::ofstream(good) << "format = 1\n[brain]\nLR = 1.5\nRL = 1.5\nLM = 0.1\nRM = 0.1\n";
     std::ofstream(poor) << "format = 1\n[brain]\nLM = 0.2\n";
-    std::ofstream(none) << "nonsense";
+    std::ofstream(none) << "invalid";
     EXPECT_EQ(ctl("grade 05-aggressor " + good + " " + poor + " --csv " + csv).code, 0);
     std::ifstream rows(csv);
     std::string header, first, second, third;

@@ -181,7 +181,7 @@ TEST(Camera, FindsTheFloorUnderAPixelDuringAGlide) {
 TEST(Camera, GivesPixelsPerMetre) {
     for (const CameraMode mode : {CameraMode::overview, CameraMode::birds_eye}) {
         const CameraView camera_view = in_mode(mode);
-        // Across the line of sight: along x, as the camera stands behind −y.
+        // Across the line of sight: along x, as the camera is on the side of −y.
         const float apart = project(camera_view, {2.5f, 1})->x - project(camera_view, {1.5f, 1})->x;
         EXPECT_NEAR(pixels_per_metre(camera_view, {2, 1}), apart, 0.01f * apart);
     }

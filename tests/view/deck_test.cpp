@@ -94,7 +94,7 @@ TEST(Deck, AcceptsCyclesSelfLoopsAndNeuronsWithoutInput) {
     }
 }
 
-TEST(Deck, LeavesOutWiresOfWeightZeroUnlessTheyLearn) {
+TEST(Deck, OmitsWiresOfWeightZeroUnlessTheyLearn) {
     BrainGraph brain = hand_made::wired(0, 1, 0, 0);  // leaves weights of 0 in
     EXPECT_EQ(plan_deck(brain, two_eyed()).wires.size(), 1U);
     brain.wires[0].learning_rate = 1;

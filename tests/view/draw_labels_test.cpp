@@ -1,4 +1,4 @@
-// Which words stand in the scene, in the draw list.
+// Labels of the scene in the draw list.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -50,8 +50,8 @@ TEST(DrawLabels, DoNotOverlapTheWallsFromAnyAzimuth) {
             fill(list, now, picture, Trails{});
             EXPECT_FALSE(list.labels.empty());
             for (const Label& label : list.labels) {
-                // Nothing of the wall, foot or top, inner or outer edge, reaches beyond the side that the words keep
-                // to.
+                // No edge of the wall (foot or top, inner or outer) extends past the anchor of the
+                // label in the direction of the label.
                 const auto at =
                     *project(picture.camera_view, label.place, label.height) + label.offset * picture.pixel_scale;
                 EXPECT_NEAR(maths::length(label.away), 1, 1e-3);
@@ -64,7 +64,7 @@ TEST(DrawLabels, DoNotOverlapTheWallsFromAnyAzimuth) {
         }
 }
 
-TEST(DrawLabels, LeaveMetresOutAtLowElevations) {
+TEST(DrawLabels, OmitMetresAtLowElevations) {
     Picture picture = from_above();
     Camera camera;
     camera.elevation = 0.2f;
@@ -78,7 +78,7 @@ TEST(DrawLabels, NameSeveralSourcesAndEveryZone) {
     scene->zones = {{.name = "ice_rink", .surface = Surface::ice}};
     Snapshot now = hand_made::empty(scene);
     hand_made::add_source(now, Channel::light, 0, 0);
-    EXPECT_FALSE(has(words(now), "north lamp"));  // alone it needs no name
+    EXPECT_FALSE(has(words(now), "north lamp"));  // a single lamp has no name
     hand_made::add_source(now, Channel::heat, 5, 0);
     EXPECT_TRUE(has(words(now), "north lamp") && has(words(now), "fire") && has(words(now), "ice rink"));
     Picture picture = from_above();

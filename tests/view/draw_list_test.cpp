@@ -23,11 +23,11 @@ TEST(DrawList, SortsHullsByRole) {
 
 TEST(DrawList, PutsTheLeftEyeOnTheLeft) {
     Snapshot now = hand_made::empty(hand_made::scene());
-    hand_made::add(now, 0, 2, 3, maths::pi / 2);  // looks along +y, so its left is −x
+    hand_made::add(now, 0, 2, 3, maths::pi / 2);  // faces +y, so its left is −x
     const DrawList list = drawn(now);
     EXPECT_NEAR(list.eyes[0].place.x, 2 - 0.24f, 1e-5);
     EXPECT_NEAR(list.eyes[0].place.y, 3 + 0.30f, 1e-5);
-    EXPECT_LT(list.eyes[0].place.z, 0);  // and looks outwards
+    EXPECT_LT(list.eyes[0].place.z, 0);  // and points outwards
 }
 
 TEST(DrawList, DrawsNoWireOfWeightZero) {
@@ -45,7 +45,7 @@ TEST(DrawList, CrossesCrossedWiresAndKeepsStraightOnesOnTheirSide) {
     for (const WireInstance& wire : drawn(now).wires) EXPECT_GT(wire.ends.y * wire.ends.w, 0);
 }
 
-TEST(DrawList, TellsExcitingWiresFromInhibitingOnesAndShowsWhatTheyCarry) {
+TEST(DrawList, DistinguishesExcitingFromInhibitingWiresAndShowsTheirSignals) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 1, 0, 0, 0, 0.5f, 0);
     const DrawList list = drawn(now);
@@ -53,7 +53,7 @@ TEST(DrawList, TellsExcitingWiresFromInhibitingOnesAndShowsWhatTheyCarry) {
     int exciting = 0;
     for (const WireInstance& wire : list.wires) exciting += wire.colour.w > 0;
     EXPECT_EQ(exciting, 2);
-    EXPECT_NEAR(list.wires[0].signal.x, 0.2f, 1e-5);   // 0.5 seen left, weight −0.4
+    EXPECT_NEAR(list.wires[0].signal.x, 0.2f, 1e-5);   // reading 0.5 on the left, weight −0.4
     EXPECT_NEAR(list.wires[2].signal.x, 0.75f, 1e-5);  // weight 1.5
     EXPECT_EQ(list.wires[1].signal.x, 0);
     EXPECT_GT(list.wires[2].shape.w, list.wires[0].shape.w);
@@ -81,7 +81,7 @@ TEST(DrawList, ShowsASmallVehicleAsItsHullAndADotASide) {
     EXPECT_EQ(far.wheels.size(), 2U);
     EXPECT_TRUE(far.wires.empty());
     ASSERT_EQ(far.eyes.size(), 2U);
-    EXPECT_NEAR(far.eyes[0].size.z, 0.8f, 1e-5);  // of the eye that sees most there
+    EXPECT_NEAR(far.eyes[0].size.z, 0.8f, 1e-5);  // of the eye with the highest reading
     EXPECT_EQ(far.eyes[0].colour.x, colour_of(palette(Theme::dark), Channel::heat).r);
     EXPECT_EQ(near.hulls[0][0].look.x, 1);
     EXPECT_EQ(near.wheels.size(), 4U);
@@ -105,7 +105,7 @@ TEST(DrawList, ShowsATinyVehicleAsASignWithRoleAndReadings) {
     EXPECT_TRUE(drawn(now, seen_at_zoom(2)).signs[2].empty());
 }
 
-TEST(DrawList, LeavesOutWhatIsOutOfThePicture) {
+TEST(DrawList, OmitsVehiclesOutsideThePicture) {
     Snapshot now = hand_made::empty(hand_made::scene());
     for (const float x : {0.0f, 9.5f}) hand_made::add(now, 0, x, 0, 0);
     EXPECT_EQ(drawn(now, seen_at_zoom(1)).hulls[0].size(), 2U);
@@ -147,7 +147,7 @@ TEST(DrawList, ShowsAStimulatedFieldStronger) {
     EXPECT_GT(list.fields[0].colour.w, 2 * list.fields[1].colour.w);
 }
 
-TEST(DrawList, DrawsFieldsAndOutlinesOnlyWhenAsked) {
+TEST(DrawList, DrawsFieldsAndOutlinesOnlyIfTheyAreSwitchedOn) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);
     Picture picture;
@@ -161,7 +161,7 @@ TEST(DrawList, DrawsFieldsAndOutlinesOnlyWhenAsked) {
     EXPECT_GE(outlined.fields[0].shape.x, 12);  // the whole range
 }
 
-TEST(DrawList, ShowsADrivenVehicleItsFieldsAndNoParts) {
+TEST(DrawList, OmitsThePartsOfTheVehicleInDriverMode) {
     Snapshot now = hand_made::empty(hand_made::scene());
     const VehicleId driver = hand_made::add(now, 0, 0, 0, 0);
     hand_made::add(now, 0, 5, 0, 0);
@@ -170,7 +170,7 @@ TEST(DrawList, ShowsADrivenVehicleItsFieldsAndNoParts) {
     const DrawList list = drawn(now, picture);
     ASSERT_EQ(list.fields.size(), 2U);
     for (const FieldInstance& field : list.fields) EXPECT_GT(field.line.x, 0);
-    // The other's: one's own would fill the picture.
+    // Only the eyes of the other vehicle: those of the driver would cover the picture.
     EXPECT_EQ(list.eyes.size(), 2U);
     picture.driver = no_vehicle;
     EXPECT_EQ(2 * list.wires.size(), drawn(now, picture).wires.size());
@@ -207,7 +207,7 @@ TEST(DrawList, FadesIdleFieldsOfManyVehiclesExceptTheSelectedOne) {
     EXPECT_EQ(drawn(many, picture).fields[0].colour.w, drawn(few, picture).fields[0].colour.w);
 }
 
-TEST(DrawList, RingsTheSelectedVehicleAlone) {
+TEST(DrawList, DrawsARingOnlyAroundTheSelectedVehicle) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);
     const VehicleId chosen = hand_made::add(now, 0, 4, 5, 0);
@@ -247,7 +247,7 @@ TEST(DrawList, LightsTheSceneWithAtMostEightLamps) {
     EXPECT_EQ(list.sources[0].size(), 12U);
 }
 
-TEST(DrawList, GivesEveryChannelWithAShapeItsOwn) {
+TEST(DrawList, GivesEveryChannelAUniqueShape) {
     Snapshot now = hand_made::empty(hand_made::scene());
     for (const Channel c : {Channel::light, Channel::heat, Channel::smell, Channel::oxygen})
         hand_made::add_source(now, c, 0, 0);

@@ -1,4 +1,4 @@
-// What stands and lies in the arena, in the draw list.
+// Objects and zones of the arena in the draw list.
 #include <algorithm>
 #include <cmath>
 
@@ -86,7 +86,7 @@ TEST(DrawWorld, ShowsEachOfAZonesEffects) {
     auto scene = bare();
     scene->zones.push_back({.name = "a", .surface = Surface::ice, .recharge = 0.1f});
     scene->zones.push_back({.name = "b", .surface = Surface::sand, .wind_x = 2, .slope = 0.1f, .pull = -3});
-    scene->zones.push_back({.name = "c"});  // nothing is different
+    scene->zones.push_back({.name = "c"});  // a zone without effects
     const DrawList list = drawn(hand_made::empty(scene));
     EXPECT_EQ(list.zones.size(), 6U);
     for (const Pattern p :
@@ -105,7 +105,7 @@ TEST(DrawWorld, DrawsWindInWorldDirectionForARotatedZone) {
     EXPECT_NEAR(zone.flow.y, -1, 1e-5);
 }
 
-TEST(DrawWorld, ShowsTheSelectedVehiclesMemoryStrongerAndHidesItWhenAsked) {
+TEST(DrawWorld, ShowsTheMemoryOfTheSelectedVehicleStrongerAndCanHideIt) {
     Snapshot now = hand_made::empty(bare());
     now.marks = {{0, 1, 1, 0.6f}, {1, 2, 2, 0.6f}};
     Picture picture;
@@ -135,7 +135,7 @@ TEST(DrawWorld, RepeatsObjectsAtTheOppositeEdgeOfATorus) {
     ASSERT_EQ(list.hulls[0].size(), 2U);
     EXPECT_NEAR(list.hulls[0][1].place.x, -10.2f, 1e-4);
     EXPECT_EQ(list.fields.size(), 4U);
-    now.vehicles[0].x = 8;  // the body is inside, its fields reach over
+    now.vehicles[0].x = 8;  // the body is inside, but its fields cross the edge
     list = drawn(now);
     EXPECT_EQ(list.hulls[0].size(), 1U);
     EXPECT_EQ(list.fields.size(), 4U);

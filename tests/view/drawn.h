@@ -1,4 +1,4 @@
-// What a picture of a snapshot is made of, before any graphics library sees it.
+// The draw list of a snapshot, without a graphics library.
 #pragma once
 
 #include "render/view/draw_list.h"

@@ -1,4 +1,4 @@
-// Snapshots made by hand, for looking at: no world has to run for a picture to be judged.
+// Hand-made snapshots: tests of pictures need no running world.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace braitenlab::hand_made {
 
-// Two eyes that look 35 degrees outwards, for one channel.
+// Two eyes for one channel that point 35 degrees outwards.
 inline std::vector<Sensor> two_eyes(Channel channel) {
     Sensor left, right;
     left.name = "SL", left.y = 0.24f, left.angle = maths::radians(35);
@@ -37,7 +37,7 @@ inline BrainGraph wired(float LL, float LR, float RL, float RR) {
     return brain;
 }
 
-// Three kinds: 0 plain (crossed, light), 1 predator (crossed, sees prey), 2 prey (straight, sees predators).
+// Three kinds: 0 plain (crossed, light), 1 predator (crossed, senses prey), 2 prey (straight, senses predators).
 inline std::shared_ptr<Scene> scene() {
     auto scene = std::make_shared<Scene>();
     const auto kind = [&](const char* name, Role role, Channel channel, const BrainGraph& brain) {

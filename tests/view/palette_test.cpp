@@ -37,8 +37,8 @@ Linear linear(Colour c) {
     return {one(c.r), one(c.g), one(c.b)};
 }
 
-// What eyes without long-wave (protan) or middle-wave cones (deutan) see; F. Viénot, H. Brettel and J. Mollon, "Digital
-// video colourmaps for checking the legibility of displays by dichromats" (1999).
+// Simulated vision without long-wave (protan) or middle-wave cones (deutan); F. Viénot, H. Brettel and J. Mollon,
+// "Digital video colourmaps for checking the legibility of displays by dichromats" (1999).
 enum class Eyes { all_cones, protan, deutan };
 Linear seen_by(Eyes eyes, Linear c) {
     if (eyes == Eyes::all_cones) return c;
@@ -48,7 +48,7 @@ Linear seen_by(Eyes eyes, Linear c) {
     return {yellow, yellow, std::clamp(blue, 0.0f, 1.0f)};
 }
 
-// Distance in CIE 1976 L*a*b*: about 2 can just be told apart side by side.
+// Distance in CIE 1976 L*a*b*: about 2 is the smallest visible difference side by side.
 float difference(Linear a, Linear b) {
     const auto lab = [](Linear c) {
         const auto f = [](float t) { return t > 0.008856f ? std::cbrt(t) : 7.787f * t + 16.0f / 116; };
@@ -61,7 +61,7 @@ float difference(Linear a, Linear b) {
     return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
-TEST(Palette, HasSourceColoursThatColourBlindPeopleTellApart) {
+TEST(Palette, HasSourceColoursThatColourBlindPeopleDistinguish) {
     constexpr auto& sources = channels_with<&ChannelTraits::is_source>;
     for (const Theme theme : {Theme::dark, Theme::light}) {
         const Palette p = palette(theme);

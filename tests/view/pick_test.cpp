@@ -18,7 +18,7 @@ TEST(Pick, FindsTheVehicleWhereItIsDrawn) {
     EXPECT_EQ(pick(now, camera_view, *project(camera_view, {0, 0})), no_vehicle);
 }
 
-TEST(Pick, TakesTheNearestToThePixelOfTwoThatTouch) {
+TEST(Pick, PrefersTheNearestToThePixelOfTwoTouchingVehicles) {
     Snapshot now = hand_made::empty(hand_made::scene());
     const VehicleId a = hand_made::add(now, 1, 0, 0, 0), b = hand_made::add(now, 1, 0.7f, 0, 0);
     const CameraView camera_view = look(Camera{}, now.scene->arena, nullptr, window, window);
@@ -82,7 +82,7 @@ TEST(Pick, FindsASourceByItsFootAndByItsBulb) {
 TEST(Pick, FindsATurnedBoxWithinItsOutlineAndByItsTop) {
     const Yard yard({box(2, 1, maths::radians(45), 4, 1)});
     EXPECT_EQ(yard.at({3.2f, 2.2f}), obstacle(0)) << "along its heading";
-    EXPECT_FALSE(yard.at({3.2f, -0.2f})) << "across it, as far away";
+    EXPECT_FALSE(yard.at({3.2f, -0.2f})) << "at the same distance across its heading";
     EXPECT_EQ(yard.at({3.2f, 2.2f}, obstacle_height), obstacle(0));
 }
 
@@ -111,7 +111,7 @@ TEST(Pick, PrefersVehiclesToSourcesAndSourcesToObstacles) {
     EXPECT_EQ(yard.at({1.2f, 1.2f}), obstacle(0));
 }
 
-TEST(Pick, FindsNothingThatIsGone) {
+TEST(Pick, IgnoresRemovedObjects) {
     const Yard yard({});
     for (const SceneObject& gone : {vehicle_object(7), source(0), obstacle(3), SceneObject{}}) {
         EXPECT_FALSE(place_of(yard.now, gone));

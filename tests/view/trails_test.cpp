@@ -26,7 +26,7 @@ void drive(Snapshot& now, Trails& trails, int ticks) {
     }
 }
 
-TEST(Trails, GrowWithThePathAndForgetItsBeginning) {
+TEST(Trails, GrowWithThePathAndDropItsBeginning) {
     Snapshot now = one_vehicle();
     Trails trails;
     drive(now, trails, 60);
@@ -45,17 +45,17 @@ TEST(Trails, EndAtTheVehicleAfterARewindAndContinueFromThere) {
     const Snapshot later = now;
     now.tick = 600, now.vehicles[0].x = 12;
     trails.record(now);
-    EXPECT_EQ(trails.of(0)->count(), Trail::capacity) << "ten seconds back there is a way behind it, too";
+    EXPECT_EQ(trails.of(0)->count(), Trail::capacity) << "ten seconds back there is also an earlier path";
     EXPECT_NEAR(trails.of(0)->at(0).x, 12, 0.13f);
     EXPECT_LT(trails.of(0)->at(1).x, trails.of(0)->at(0).x);
     trails.record(later);
-    EXPECT_NEAR(trails.of(0)->at(0).x, later.vehicles[0].x, 0.13f) << "what lies ahead was not forgotten";
+    EXPECT_NEAR(trails.of(0)->at(0).x, later.vehicles[0].x, 0.13f) << "later points are kept";
     now.tick = 0, now.vehicles[0].x = 0;
     trails.record(now);
     EXPECT_LE(trails.of(0)->count(), 1U);
 }
 
-TEST(Trails, ForgetLaterPointsWhenTheVehicleTakesAnotherPath) {
+TEST(Trails, DropLaterPointsWhenThePathChanges) {
     Snapshot now = one_vehicle();
     Trails trails;
     drive(now, trails, 600);
@@ -73,7 +73,7 @@ TEST(Trails, ForgetLaterPointsWhenTheVehicleTakesAnotherPath) {
     for (std::size_t i = 0; i < trails.of(0)->count(); ++i) EXPECT_LT(trails.of(0)->at(i).x, 6.2f);
 }
 
-TEST(Trails, DoNotGrowWhileAVehicleStandsStill) {
+TEST(Trails, DoNotGrowWhileAVehicleIsAtRest) {
     Snapshot now = one_vehicle();
     Trails trails;
     for (int i = 0; i < 600; ++i) {
@@ -109,7 +109,7 @@ TEST(Trails, ContinueOverTheEdgeOfATorus) {
     for (const TrailInstance& piece : list.trails) EXPECT_LT(std::fabs(piece.ends.x - piece.ends.z), 1);
 }
 
-TEST(Trails, SurviveAnEditOfTheScene) {
+TEST(Trails, AreKeptThroughAnEditOfTheScene) {
     Snapshot now = one_vehicle();
     Trails trails;
     drive(now, trails, 60);
@@ -119,7 +119,7 @@ TEST(Trails, SurviveAnEditOfTheScene) {
     EXPECT_GE(trails.of(0)->count(), before);
 }
 
-TEST(Trails, ForgetVehiclesThatAreGone) {
+TEST(Trails, DropRemovedVehicles) {
     Snapshot now = one_vehicle();
     hand_made::add(now, 0, 5, 5, 0);
     Trails trails;

@@ -17,7 +17,7 @@ void type_into(const LabWindow& lab, const std::string& slider, const std::strin
     lab.key("Return");
 }
 
-TEST(BrainWindow, ClampsATypedNumberAndRejectsOtherText) {
+TEST(BrainWindow, ClampsATypedNumberAndRefusesOtherText) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     type_into(lab, "slider.LR", "7.5");
     EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 2; })) << lab.state()["weights"];

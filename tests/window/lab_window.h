@@ -112,7 +112,7 @@ public:
     LabWindow(const LabWindow&) = delete;
     LabWindow& operator=(const LabWindow&) = delete;
 
-    // What it has written to stderr.
+    // The text written to stderr.
     std::string said() const {
         std::ifstream file(own_.path / "said");
         return {std::istreambuf_iterator<char>(file), {}};

@@ -166,7 +166,7 @@ protected:
             const Json all = lab.anchors();
             return all.contains(focus) && all[focus][3] >= least;
         })) << focus
-            << " is not there or clipped";
+            << " is missing or clipped";
         const auto r = lab.anchors()[focus].get<std::vector<double>>();
         int width = 0, height = 0;
         std::sscanf(GetParam().size, "%dx%d", &width, &height);

@@ -38,7 +38,7 @@ void choose_tool(const LabWindow& lab, const std::string& name) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["tool"] == name; }));
 }
 
-TEST(SceneInputWindow, DragsAVehicleWhilePlayingAndUndoBringsItBack) {
+TEST(SceneInputWindow, DragsAVehicleWhilePlayingAndUndoRestoresIt) {
     LabWindow lab({"2a-coward", "--size", "1280x800", "--set", "kind.coward.brain.LM=0", "--set",
                    "kind.coward.brain.RM=0", "--set", "kind.coward.brain.LL=0", "--set", "kind.coward.brain.RR=0",
                    "--play"});
@@ -55,21 +55,21 @@ TEST(SceneInputWindow, DragsAVehicleWhilePlayingAndUndoBringsItBack) {
         [&] { return std::abs(lab.state()["vehicles"][0]["x"].get<double>() - before["x"].get<double>()) < 0.05; }));
 }
 
-TEST(SceneInputWindow, HoldsADrivingVehicleInTheHand) {
+TEST(SceneInputWindow, HoldsADraggedVehicleWhilePlaying) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     const Point from = vehicle(lab, 0), to{from.x + 40, from.y + 60};
     press_at(lab, from);
     lab.move({from.x + 20, from.y + 30});
     lab.move(to);
     EXPECT_TRUE(wait_for([&] { return std::hypot(vehicle(lab, 0).x - to.x, vehicle(lab, 0).y - to.y) < 5; }));
-    for (int i = 0; i < 3; ++i) lab.key("minus");  // so slow that a long frame is few ticks
+    for (int i = 0; i < 3; ++i) lab.key("minus");  // slow, so that a long frame has few ticks
     lab.key("space");
     EXPECT_TRUE(wait_for([&] { return lab.state()["tick"].get<int>() > 12; })) << "time passes";
     EXPECT_LT(std::hypot(vehicle(lab, 0).x - to.x, vehicle(lab, 0).y - to.y), 25) << "and it stays under the pointer";
     lab.release();
 }
 
-TEST(SceneInputWindow, DragsALampAndEscapeInMidDragPutsItBack) {
+TEST(SceneInputWindow, DragsALampAndRestoresItOnEscape) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     const Json before = lab.state()["sources"];
     const Point from = source(lab, 0);
@@ -92,7 +92,7 @@ TEST(SceneInputWindow, DragsALampAndEscapeInMidDragPutsItBack) {
     EXPECT_EQ(lab.state()["undo_depth"], 0) << "nothing has changed";
 }
 
-TEST(SceneInputWindow, ShowsByTheHoverWhatAClickWouldTake) {
+TEST(SceneInputWindow, HighlightsTheObjectThatAClickSelects) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     lab.move(source(lab, 0));
     EXPECT_TRUE(wait_for([&] { return lab.state()["hovered"]["kind"] == "source"; }));
@@ -104,7 +104,7 @@ TEST(SceneInputWindow, ShowsByTheHoverWhatAClickWouldTake) {
     EXPECT_EQ(lab.state()["cursor"], "arrow");
 }
 
-TEST(SceneInputWindow, AddsFromTheMenuOfARightClickAndUndoTakesItAway) {
+TEST(SceneInputWindow, AddsFromTheContextMenuAndUndoRemovesIt) {
     LabWindow lab({"predator-prey", "--size", "1280x800"});
     const Point free = lab.at("viewport");
     right_click(lab, {free.x - 150, free.y - 150});
@@ -124,7 +124,7 @@ TEST(SceneInputWindow, AddsFromTheMenuOfARightClickAndUndoTakesItAway) {
     EXPECT_EQ(lab.state()["population"], 10);
 }
 
-TEST(SceneInputWindow, DrawsATriangleByItsCornersWhichUndoTakesAway) {
+TEST(SceneInputWindow, DrawsATriangleByItsCornersAndUndoRemovesIt) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     const Point middle = lab.at("viewport");
     choose_tool(lab, "polygon");
@@ -146,7 +146,7 @@ TEST(SceneInputWindow, DrawsATriangleByItsCornersWhichUndoTakesAway) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["obstacles"].size() == 1; }));
 }
 
-TEST(SceneInputWindow, TurnsABoxByItsRingAndChangesItOnItsCard) {
+TEST(SceneInputWindow, RotatesABoxByItsRingAndEditsItOnItsCard) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     const Point middle = lab.at("viewport");
     choose_tool(lab, "box");
@@ -167,7 +167,7 @@ TEST(SceneInputWindow, TurnsABoxByItsRingAndChangesItOnItsCard) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["obstacles"][0]["mass"] == 0; }));
 }
 
-TEST(SceneInputWindow, PansWithTheRightButtonZoomsAboutThePointerAndComesHomeByOneKey) {
+TEST(SceneInputWindow, PansZoomsAtThePointerAndResetsTheView) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     const Json home = lab.state()["view"];
     const Point free = lab.at("viewport");

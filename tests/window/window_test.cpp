@@ -44,7 +44,7 @@ TEST(LabWindow, ChangesAWeightWhileItIsDraggedAndPlaying) {
     const auto tick = lab.state()["tick"].get<int>();
     lab.release();
     EXPECT_TRUE(wait_for([&] { return lab.state()["undo_depth"] == 1; })) << "a drag is one step of undo";
-    EXPECT_TRUE(wait_for([&] { return lab.state()["tick"].get<int>() > tick; })) << "the run goes on";
+    EXPECT_TRUE(wait_for([&] { return lab.state()["tick"].get<int>() > tick; })) << "the run continues";
     lab.key("ctrl+z");
     EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LL"] == before; }));
 }
@@ -59,7 +59,7 @@ TEST(LabWindow, GoesBackFiveSecondsAndForwardAgainExactly) {
     ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] == there["tick"].get<int>() - 300; })) << lab.state()["tick"];
     EXPECT_EQ(lab.state()["latest"], there["tick"]);
     lab.key("space");
-    ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] > there["tick"]; }, 40)) << "and beyond";
+    ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] > there["tick"]; }, 40)) << "also past the recorded tick";
     lab.key("space");
     ASSERT_TRUE(wait_for([&] { return lab.state()["mode"] == "paused"; }));
     while (lab.state()["tick"] > there["tick"]) {

@@ -45,7 +45,7 @@ TEST_F(WiringWindow, TheReverseDragMakesTheSameWire) {
 TEST_F(WiringWindow, ASecondWireBetweenTheSamePinsIsRefused) {
     const double before = weight("LL");
     lab.drag(lab.at("pin.SL.out"), lab.at("pin.ML.in"));
-    EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("refused.duplicate"); }, 2)) << "and says why";
+    EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("refused.duplicate"); }, 2)) << "the reason is shown";
     EXPECT_EQ(weight("LL"), before);
     EXPECT_EQ(lab.state()["undo_depth"], 0);
 }
