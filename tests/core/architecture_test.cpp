@@ -122,7 +122,7 @@ std::size_t count_violations(const std::string& file, const std::string& include
     return violations(file, text).size();
 }
 
-TEST(Architecture, IncludesRunDownwardsOnly) {
+TEST(Architecture, IncludesGoOnlyToLowerLayers) {
     int files = 0;
     for (const char* top : {"core", "render", "ui", "app"})
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(BRAITENLAB_SOURCE) / top)) {
@@ -136,7 +136,7 @@ TEST(Architecture, IncludesRunDownwardsOnly) {
     EXPECT_GT(files, 50);
 }
 
-TEST(Architecture, FindsAnIncludeThatRunsUpwards) {
+TEST(Architecture, FindsAnIncludeOfAHigherLayer) {
     EXPECT_EQ(count_violations("core/brain/brain.cpp", "\"core/world/world.h\""), 1u);
     EXPECT_EQ(count_violations("core/sensing/outline.cpp", "\"core/world/snapshot.h\""), 1u);
     EXPECT_EQ(count_violations("core/world/world.cpp", "\"core/io/run_file.h\""), 1u);

@@ -58,7 +58,7 @@ TEST(Command, SetBrainKeepsTheLearnedPartThroughALesionAndADial) {
     EXPECT_GT(learned_by_it(world), before);
 }
 
-TEST(Command, SetBrainForgetsTheLearnedPartWhenOtherWiresLearn) {
+TEST(Command, SetBrainDropsTheLearnedPartWhenOtherWiresLearn) {
     World world = run(learner(), 60);
     BrainGraph other = learner().kinds[0].brain;
     find_wire(other, 1, 2)->learning_rate = 1;

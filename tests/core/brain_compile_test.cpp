@@ -73,7 +73,7 @@ BrainGraph crowded(NodeKind kind, int count) {
     return graph;
 }
 
-TEST(Brain, CompileTakesTheLargestBrainAndRefusesALargerOneWithItsSize) {
+TEST(Brain, CompileAcceptsTheLargestBrainAndRefusesALargerOneWithItsSize) {
     EXPECT_TRUE(compile(crowded(NodeKind::sensor, 62), two_eyes));  // SL and SR make 64
     EXPECT_NE(compile(crowded(NodeKind::sensor, 63), two_eyes).error().what.find("64 sensors, this one has 65"),
               std::string::npos);

@@ -163,7 +163,7 @@ TEST(Brain, ACutWireDeliversNothingEvenWhenItsCurveWould) {
     EXPECT_FLOAT_EQ(drive_once(graph, 0.5f, 0.5f)[0], 0.5f * 0.5f + 0.125f);
 }
 
-TEST(Brain, AHealedLesionLeavesNoDifference) {
+TEST(Brain, AHealedLesionHasNoEffect) {
     BrainGraph graph = with_inverted_wire();
     const auto whole = drive_once(graph, 0.3f, 0.7f);
     graph.nodes[0].silenced = graph.nodes[4].silenced = graph.wires[0].cut = true;

@@ -10,7 +10,7 @@
 namespace braitenlab::tests::curve_test {
 namespace {
 
-TEST(Curve, EveryResponseHasItsOwnWord) {
+TEST(Curve, EveryResponseHasAUniqueWord) {
     std::set<std::string_view> seen;
     for (const ResponseTraits& row : responses) {
         EXPECT_FALSE(row.word.empty());
@@ -36,7 +36,7 @@ bool differ(const Curve& one, const Curve& other) {
     return false;
 }
 
-TEST(Curve, PeakAndWidthChangeExactlyTheResponsesThatHaveThem) {
+TEST(Curve, PeakAndWidthChangeOnlyTheResponsesThatHaveThem) {
     for (const ResponseTraits& row : responses) {
         EXPECT_EQ(differ({row.value, 0.5f, 0.2f}, {row.value, -0.25f, 0.2f}), row.has_peak) << row.word;
         EXPECT_EQ(differ({row.value, 0.5f, 0.2f}, {row.value, 0.5f, 0.7f}), row.has_width) << row.word;
@@ -51,14 +51,14 @@ TEST(Curve, EveryResponseIsFiniteAtTheEndsOfItsParameters) {
                     EXPECT_TRUE(std::isfinite(respond({row.value, peak, width}, x))) << row.word << " at " << x;
 }
 
-TEST(Curve, HumpFallsOffOnBothSidesOfItsPeak) {
+TEST(Curve, HumpDecreasesOnBothSidesOfItsPeak) {
     const Curve hump{Response::hump, 0.5f, 0.2f};
     EXPECT_EQ(respond(hump, 0.5f), 1);
     EXPECT_NEAR(respond(hump, 0.7f), std::exp(-1.0f), 1e-6f);
     EXPECT_FLOAT_EQ(respond(hump, 0.3f), respond(hump, 0.7f));
 }
 
-TEST(Curve, StepIsOneFromItsPeakOnAndSigmoidIsHalfThere) {
+TEST(Curve, StepIsOneAndSigmoidIsHalfAtThePeak) {
     EXPECT_EQ(respond({Response::step, 0.5f}, 0.49f), 0);
     EXPECT_EQ(respond({Response::step, 0.5f}, 0.5f), 1);
     EXPECT_FLOAT_EQ(respond({Response::sigmoid, 0.5f}, 0.5f), 0.5f);

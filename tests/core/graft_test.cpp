@@ -50,7 +50,7 @@ TEST(Graft, ReplacesTheWiresOfTheEyesAndKeepsThoseOfTheFeelers) {
         << "a sensor without wires is not listed";
 }
 
-TEST(Graft, EqualsThePresetWhenNothingIsKeptAndIsIdempotent) {
+TEST(Graft, EqualsThePresetWithoutKeptNodesAndIsIdempotent) {
     for (const Preset& preset : presets()) {
         EXPECT_EQ(graft(make_graph({.LL = 1}), preset.brain), preset.brain) << preset.name;
         const BrainGraph once = graft(with_feelers(), preset.brain);

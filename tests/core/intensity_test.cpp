@@ -28,7 +28,7 @@ float felt(const Snapshot& now, Channel channel, float x, float y, VehicleId ask
     return at(map, now.scene->arena, x, y);
 }
 
-TEST(Intensity, IsWhatAnEyeReadsThereThatFacesTheSource) {
+TEST(Intensity, EqualsTheReadingOfAnEyeThatFacesTheSource) {
     auto scene = hand_made::scene();
     scene->sources.push_back({.name = "lamp", .x = 3, .y = 1, .strength = 0.9f});
     Sensor eye = scene->kinds[0].sensors[0];
@@ -70,7 +70,7 @@ TEST(Intensity, IsDarkBehindAnObstacleForLightButNotForSmell) {
     EXPECT_GT(felt(now, Channel::light, 3, 0), 0);
 }
 
-TEST(Intensity, LeavesTheAskingVehicleOutOfWhatItSenses) {
+TEST(Intensity, ExcludesTheSensingVehicle) {
     Snapshot now = hand_made::empty(hand_made::scene());
     const VehicleId self = hand_made::add(now, 2, 0, 0, 0), other = hand_made::add(now, 2, 4, 0, 0);
     EXPECT_LT(felt(now, Channel::prey, 0, 0, self), 0.5f);
@@ -78,14 +78,14 @@ TEST(Intensity, LeavesTheAskingVehicleOutOfWhatItSenses) {
     EXPECT_EQ(felt(now, Channel::predator, 0, 0), 0);
 }
 
-TEST(Intensity, OfMemoryIsTheAskersOwn) {
+TEST(Intensity, OfMemoryUsesOnlyTheMarksOfTheSensingVehicle) {
     Snapshot now = hand_made::empty(hand_made::scene());
     now.marks = {{7, 2, 2, 0.6f}};
     EXPECT_GT(felt(now, Channel::memory, 2, 2, 7), 0.5f);
     EXPECT_EQ(felt(now, Channel::memory, 2, 2, 8), 0);
 }
 
-TEST(Intensity, OfObstaclesRisesTowardsWallsAndBoxes) {
+TEST(Intensity, OfObstaclesIncreasesTowardsWallsAndBoxes) {
     auto scene = hand_made::scene();
     scene->obstacles.push_back({.name = "box", .x = 4, .length = 1, .width = 1});
     const Snapshot now = hand_made::empty(scene);
@@ -101,7 +101,7 @@ TEST(Intensity, OfTheFloorIsItsReflectance) {
     EXPECT_NEAR(felt(now, Channel::floor, 5, 5), scene->arena.reflectance, 1e-5);
 }
 
-TEST(Intensity, GoesRoundATorus) {
+TEST(Intensity, ContinuesAcrossTheSeamOfATorus) {
     auto scene = hand_made::scene();
     Snapshot walled = hand_made::empty(scene);
     hand_made::add_source(walled, Channel::heat, 9.5f, 0);
@@ -113,7 +113,7 @@ TEST(Intensity, GoesRoundATorus) {
     EXPECT_LT(felt(walled, Channel::heat, -9, 0), 0.1f);
 }
 
-TEST(Intensity, IsWorkedOutAnewOnlyWhenSomethingChanged) {
+TEST(Intensity, IsComputedAgainOnlyAfterAChange) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add_source(now, Channel::light, 0, 0);
     sensing::IntensityMap map;
@@ -125,7 +125,7 @@ TEST(Intensity, IsWorkedOutAnewOnlyWhenSomethingChanged) {
     EXPECT_TRUE(map.update(intensity_input(now, Channel::heat, no_vehicle)));
 }
 
-TEST(Intensity, GrowsCoarserWhereThereIsMuchToSense) {
+TEST(Intensity, HasACoarserGridForManyStimuli) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add_source(now, Channel::light, 0, 0);
     sensing::IntensityMap map;
@@ -136,7 +136,7 @@ TEST(Intensity, GrowsCoarserWhereThereIsMuchToSense) {
     EXPECT_LE(map.grid().columns * map.grid().rows * 500, 400000);
 }
 
-TEST(Intensity, IsOfferedForWhatThereIsToFeel) {
+TEST(Intensity, IsOfferedForTheChannelsInTheScene) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add_source(now, Channel::smell, 0, 0);
     const auto offered = channels_with_intensity(now);

@@ -122,7 +122,7 @@ TEST_F(Oracle, AgreesOnModelViewAndProjection) {
     EXPECT_FLOAT_EQ(perspective(1, 1, near, far)[3].z, 2 * far * near / (near - far));
 }
 
-TEST_F(Oracle, FindsPointsThatWereMadeToLieInsideOrOutside) {
+TEST_F(Oracle, FindsIfAPointIsInsideOrOutside) {
     for (int i = 0; i < rounds; ++i) {
         const vec2 a = two(), b = two(), c = two();
         if (std::fabs(cross(b - a, c - a)) < 1) continue;
@@ -140,7 +140,7 @@ TEST_F(Oracle, FindsPointsThatWereMadeToLieInsideOrOutside) {
     }
 }
 
-TEST_F(Oracle, FindsPolarPointsInTheSectorThatTheyWereMadeFor) {
+TEST_F(Oracle, FindsPolarPointsInTheirSector) {
     for (int i = 0; i < rounds; ++i) {
         const vec2 apex = two();
         const float axis = number(3), half = chance.uniform(0.1f, 3.0f), radius = chance.uniform(1, 5);
@@ -159,7 +159,7 @@ TEST_F(Oracle, FindsPolarPointsInTheSectorThatTheyWereMadeFor) {
     }
 }
 
-TEST(Vectors, AreAsLargeAsTheirFloatsAndCanBeRead) {
+TEST(Vectors, HaveTheSizeOfTheirFloatsAndCanBePrinted) {
     EXPECT_EQ(sizeof(vec2), 2 * sizeof(float));
     EXPECT_EQ(sizeof(vec3), 3 * sizeof(float));
     EXPECT_EQ(sizeof(vec4), 4 * sizeof(float));

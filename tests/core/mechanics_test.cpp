@@ -9,7 +9,7 @@ namespace {
 
 constexpr float dt = 1.0f / 60;
 
-TEST(MotorForce, BringsAWheelToItsSpeedInOneTickAndNeverOvershoots) {
+TEST(MotorForce, AcceleratesAWheelToItsSpeedInOneTickWithoutOvershoot) {
     const float mass = 5, wanted = 2;
     float speed = 1.9f;
     speed += motor_force(wanted, speed, mass, 1000, dt) / mass * dt;
@@ -40,7 +40,7 @@ TEST(RollingDrag, NeverAddsEnergy) {
     }
 }
 
-TEST(DifferentialDrive, GoesBothWays) {
+TEST(DifferentialDrive, ConvertsInBothDirections) {
     maths::Random chance{2, 1};
     for (int i = 0; i < 1000; ++i) {
         const float left = chance.uniform(-3, 3), right = chance.uniform(-3, 3), track = chance.uniform(0.1f, 2);
@@ -51,13 +51,13 @@ TEST(DifferentialDrive, GoesBothWays) {
     EXPECT_GT(drive_of_wheels(1, 2, 0.5f).turning, 0) << "a faster right wheel turns left, counter-clockwise";
 }
 
-TEST(SemiImplicitEuler, KeepsASpringsEnergyWhereExplicitEulerWouldNot) {
+TEST(SemiImplicitEuler, KeepsTheEnergyOfASpring) {
     float place = 1, speed = 0;
     for (int i = 0; i < 60 * 60; ++i) integrate(place, speed, -10 * place, dt);
     EXPECT_NEAR(0.5f * speed * speed + 5 * place * place, 5, 0.8f);
 }
 
-TEST(SemiImplicitEuler, FallsAsFarAsTheFormulaSays) {
+TEST(SemiImplicitEuler, AgreesWithTheFormulaOfAFreeFall) {
     float place = 0, speed = 0;
     for (int i = 0; i < 60; ++i) integrate(place, speed, gravity, dt);
     EXPECT_NEAR(speed, gravity, 1e-3f);

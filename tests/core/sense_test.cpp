@@ -54,7 +54,7 @@ TEST(Colours, AreSensedByEyesForTheSameColourAndForWhite) {
         }
 }
 
-TEST(Sources, OfHeatSmellAndOxygenAreSensedOnTheirOwnChannelOnly) {
+TEST(Sources, OfHeatSmellAndOxygenAreSensedOnlyOnTheirChannel) {
     const std::array<Channel, 4> all{Channel::heat, Channel::smell, Channel::oxygen, Channel::light};
     for (const Channel nose : all)
         for (const Channel source : all)

@@ -50,7 +50,7 @@ Story watch(const Scene& scene, std::uint64_t seed, int seconds) {
     return story;
 }
 
-TEST(ShippedScenes, ACowardNeverComesNear) {
+TEST(ShippedScenes, ACowardKeepsItsDistance) {
     const Scene scene = shipped("2a-coward");
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         const Story story = watch(scene, seed, 25);
@@ -59,7 +59,7 @@ TEST(ShippedScenes, ACowardNeverComesNear) {
     }
 }
 
-TEST(ShippedScenes, AnAggressorHitsTheLampFasterAndFaster) {
+TEST(ShippedScenes, AnAggressorAcceleratesAndHitsTheLamp) {
     const Scene scene = shipped("2b-aggressor");
     int hits = 0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -72,7 +72,7 @@ TEST(ShippedScenes, AnAggressorHitsTheLampFasterAndFaster) {
     EXPECT_GE(hits, 18);
 }
 
-TEST(ShippedScenes, LoveComesToRestFacingTheLamp) {
+TEST(ShippedScenes, LoveStopsFacingTheLamp) {
     const Scene scene = shipped("3a-love");
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         const Story story = watch(scene, seed, 25);
@@ -83,7 +83,7 @@ TEST(ShippedScenes, LoveComesToRestFacingTheLamp) {
     }
 }
 
-TEST(ShippedScenes, AnExplorerComesNearerSlowsDownVeersOffAndNeverStops) {
+TEST(ShippedScenes, AnExplorerApproachesSlowsDownTurnsAwayAndNeverStops) {
     const Scene scene = shipped("3b-explorer");
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         const Story story = watch(scene, seed, 25);
@@ -146,7 +146,7 @@ std::vector<float> nearest_to_each(const World& world, std::vector<float> before
     return before;
 }
 
-TEST(ShippedScenes, ADoubterGoesSlowlyBetweenTwoLampsThenStrikesOneOfThem) {
+TEST(ShippedScenes, ADoubterDrivesSlowlyBetweenTwoLampsThenHitsOneOfThem) {
     const Scene scene = shipped("4b-decision");
     int left = 0, right = 0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -189,7 +189,7 @@ TEST(ShippedScenes, ACounterStopsAtTheThirdLamp) {
     EXPECT_GT(watch(two_lamps, 1, 6).speed.back(), 1.2f) << "it does not stop at two lamps";
 }
 
-TEST(ShippedScenes, ACreatureOfFourSensesAvoidsHeatAndEndsBesideWhatItLoves) {
+TEST(ShippedScenes, AVehicleWithFourSensesAvoidsHeatAndStopsFacingItsSource) {
     const Scene scene = shipped("3c-values");
     int struck_the_lamp = 0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -211,7 +211,7 @@ TEST(ShippedScenes, ACreatureOfFourSensesAvoidsHeatAndEndsBesideWhatItLoves) {
 }
 
 // Pavlov's experiment, in the shipped scene.
-TEST(ShippedScenes, APupilLearnsToFearRedAndForgets) {
+TEST(ShippedScenes, AVehicleLearnsToAvoidRedAndForgetsIt) {
     const Scene scene = shipped("7-mnemotrix");
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         auto world = World::create(scene, seed);
@@ -234,7 +234,7 @@ TEST(ShippedScenes, APupilLearnsToFearRedAndForgets) {
     }
 }
 
-TEST(ShippedScenes, TheTortoiseGoesHomeWhenItIsHungryAndLeavesWhenItIsFull) {
+TEST(ShippedScenes, TheTortoiseEntersItsHutchAtLowEnergyAndLeavesAtFullEnergy) {
     const Scene scene = shipped("tortoise");
     const Zone& hutch = scene.zones.front();
     int starved = 0, remembered = 0;
@@ -290,7 +290,7 @@ Drawing drawing(const BrainGraph& graph) {
     return it;
 }
 
-TEST(Presets, AreTheBrainsOfTheScenesThatShowThem) {
+TEST(Presets, EqualTheBrainsOfTheirScenes) {
     for (const Preset& preset : presets()) {
         const Scene scene = shipped(std::string(preset.scene));
         const int named = find_kind(scene, std::string(preset.name));
@@ -300,7 +300,7 @@ TEST(Presets, AreTheBrainsOfTheScenesThatShowThem) {
     }
 }
 
-TEST(ShippedScenes, PredatorsCatchPreyAndNobodyIsStuckForLong) {
+TEST(ShippedScenes, PredatorsCatchPreyAndNoVehicleIsStuckForLong) {
     const Scene scene = shipped("predator-prey");
     std::int64_t captures = 0;
     int worst = 0;

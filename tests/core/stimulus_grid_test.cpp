@@ -72,10 +72,10 @@ void agrees_with_all_pairs(Boundary edge, std::uint64_t seed) {
     EXPECT_GT(seen, 1000);
 }
 
-TEST(StimulusGrid, AddsUpWhatAllPairsAddUpToWithinWalls) { agrees_with_all_pairs(Boundary::wall, 1); }
-TEST(StimulusGrid, AddsUpWhatAllPairsAddUpToAcrossASeam) { agrees_with_all_pairs(Boundary::torus, 2); }
+TEST(StimulusGrid, AgreesWithTheSumOfAllPairsWithinWalls) { agrees_with_all_pairs(Boundary::wall, 1); }
+TEST(StimulusGrid, AgreesWithTheSumOfAllPairsAcrossASeam) { agrees_with_all_pairs(Boundary::torus, 2); }
 
-TEST(StimulusGrid, KeepsWhatStandsOutsideTheArena) {
+TEST(StimulusGrid, IncludesStimuliOutsideTheArena) {
     Arena arena;
     arena.edge = Boundary::open;
     const CompiledSensor compiled({.x = 0, .range = 5});
@@ -85,7 +85,7 @@ TEST(StimulusGrid, KeepsWhatStandsOutsideTheArena) {
     EXPECT_GT(grid.total(compiled, sensor_pose(compiled, {12, 0}, {1, 0}), -2), 0);
 }
 
-TEST(StimulusGrid, LeavesOutWhatIsHidden) {
+TEST(StimulusGrid, OmitsHiddenStimuli) {
     const CompiledSensor compiled({.response = SensorResponse::boolean, .x = 0});
     StimulusGrid grid;
     grid.lay_out({}, 12);

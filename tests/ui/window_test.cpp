@@ -26,7 +26,7 @@ bool overlap(Rect a, Rect b) { return a.x < b.x + b.w && b.x < a.x + a.w && a.y 
 
 class EverySize : public ::testing::TestWithParam<Size> {};
 
-TEST_P(EverySize, HoldsEveryWidgetOfAnExerciseInsideTheWindow) {
+TEST_P(EverySize, KeepsEveryWidgetOfAnExerciseInsideTheWindow) {
     Desk desk(GetParam().width, GetParam().height, GetParam().scale, true);
     desk.open_exercise();
     desk.frame(5);

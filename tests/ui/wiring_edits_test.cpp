@@ -42,7 +42,7 @@ TEST_F(WiringEdits, EditsOnlyTheSelectedVehicleInTheScopeOfOneVehicle) {
     EXPECT_EQ(std::get<TurnDial>(edits[0].command).target.vehicle, 7);
 }
 
-TEST_F(WiringEdits, RefusesADuplicateAndSaysWhy) {
+TEST_F(WiringEdits, RefusesADuplicateWithAReason) {
     drag(middle("pin.SL.out"), middle("pin.MR.in"));
     EXPECT_TRUE(edits.empty());
     EXPECT_EQ(state.refusal.key, "wiring.refused.duplicate");

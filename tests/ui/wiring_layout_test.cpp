@@ -127,7 +127,7 @@ TEST(WiringLayout, IsWideForManySensorsSoThatWiresAreNotSteep) {
     EXPECT_GE(across.x, across.y);
 }
 
-TEST(WiringLayout, HasANodeAtItsOwnPositionUnlessItIsHeld) {
+TEST(WiringLayout, UsesThePositionOfANodeUnlessItIsDragged) {
     BrainGraph graph = chain(1);
     graph.nodes.back().place = {17, -230};
     const NodeId id = graph.nodes.back().id;

@@ -37,7 +37,7 @@ TEST(DrawWorld, DrawsAnObstacleWhereItWasPushedTo) {
     EXPECT_EQ(block.colour.w, 1);  // can be pushed
 }
 
-TEST(DrawWorld, GivesAnObstacleItsOwnCorners) {
+TEST(DrawWorld, UsesTheCornersOfAnObstacle) {
     auto scene = bare();
     scene->obstacles.push_back({.name = "box", .length = 4, .width = 2});
     scene->obstacles.push_back({.name = "wedge", .corners = {{-1, -1}, {1.5f, 0}, {-1, 1}}});
