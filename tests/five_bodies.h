@@ -170,9 +170,9 @@ private:
     }
 
     void drive(const Vehicle& vehicle, const WheelBody& wheel) const {
-        // A wheel slides as fast as the place of the chassis where it sits. Its body's own velocity still points the
+        // A wheel slides with the velocity of its point of the chassis. The velocity of its body still points the
         // way of the tick before, outwards by turning² · arm · dt, and a grip that stops the vehicle's mass, not the
-        // wheel's alone, would take that for a slide.
+        // wheel's mass only, would treat that as a slide.
         const b2Vec2 at_axle = vehicle.chassis->GetLinearVelocityFromWorldPoint(wheel.body->GetPosition());
         const b2Vec2 in_frame = wheel.body->GetLocalVector(at_axle);
         const maths::vec2 velocity{in_frame.x, in_frame.y};

@@ -269,7 +269,7 @@ TEST(Brain, AHebbianWireGrowsByTheProductOfItsEnds) {
     EXPECT_FLOAT_EQ(learner.learned(), 0.6f * 0.5f * 0.8f / 60);
     learner.run(20, 0.5f, 0.8f);
     const float h = learner.learned();
-    learner.run(1, 0.5f, 0);  // the learned part alone drives the motor
+    learner.run(1, 0.5f, 0);  // only the learned part drives the motor
     EXPECT_NEAR(learner.motors[0], 0.5f * h, 1e-6f);
 }
 

@@ -69,7 +69,7 @@ TEST(Referee, ASourceIsFoundByItsNameAfterOthersAreRemoved) {
     later.scene = std::make_shared<const Scene>();
     later.sources.clear();
     later.tick = 2;
-    referee.watch(later);  // without the lamp there is nothing to judge
+    referee.watch(later);  // without the lamp no step can be checked
 }
 
 TEST(Referee, ADistanceIsTheSmallestSoFar) {

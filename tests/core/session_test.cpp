@@ -262,7 +262,7 @@ TEST(CosmeticEdits, OfNodesAreUndoneLikeOtherEdits) {
     ASSERT_FALSE(session.apply(PlaceNodes{{.kind = kind}, {{0, maths::vec2{1, 2}}, {99, maths::vec2{}}}}));
     EXPECT_EQ(session.undo_depth(), 2);
     EXPECT_EQ(place_of(session, 0), (maths::vec2{1, 2}));
-    EXPECT_EQ(place_of(session, 1), (maths::vec2{5, 6})) << "the position in the vehicle's own brain is kept";
+    EXPECT_EQ(place_of(session, 1), (maths::vec2{5, 6})) << "the position in the brain of the vehicle is kept";
     EXPECT_EQ(session.edited_scene().kinds[static_cast<std::size_t>(kind)].brain.nodes[0].place, (maths::vec2{1, 2}));
     session.undo();
     EXPECT_EQ(place_of(session, 0), std::nullopt);

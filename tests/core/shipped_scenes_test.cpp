@@ -224,7 +224,7 @@ TEST(ShippedScenes, AVehicleLearnsToAvoidRedAndForgetsIt) {
         EXPECT_LT(nearest_to_toy(4), 0.6f) << seed << " avoids red before it has learned";
         (void)nearest_to_toy(30);  // heat and red occur together
         ASSERT_FALSE(world->apply(MoveVehicle{0, -6.5f, 0, 0}));
-        EXPECT_GT(nearest_to_toy(4), 1.5f) << seed << " has learned nothing";
+        EXPECT_GT(nearest_to_toy(4), 1.5f) << seed << " has not learned";
 
         for (const int source : {0, 1, 2}) ASSERT_FALSE(world->apply(MoveSource{source, 500, 500}));
         (void)nearest_to_toy(100);

@@ -267,8 +267,7 @@ TEST(Commands, ThatAreInvalidAreRefusedAndChangeNothing) {
 
 TEST(Snapshot, OfAPausedWorldShowsTheEffectOfACommandOnTheBrainWithoutATick) {
     Scene scene = alone({});
-    find_node(scene.kinds[0].brain, "MR")->time_constant =
-        0.5f;  // a leaky motor: a second update of the brain would change its value
+    find_node(scene.kinds[0].brain, "MR")->time_constant = 0.5f;  // a leaky motor: a second update would change it
     World world = make(scene);
     const auto before = world.hash();
     Snapshot now;

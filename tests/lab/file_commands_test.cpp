@@ -314,7 +314,7 @@ TEST_F(FollowFile, ReloadsAFileThatAnotherProgramHasWritten) {
     ask(SaveRequest{"mine", FileKind::scene});
     for (int i = 0; i < 50; ++i) tick(lab);
     look(), look();
-    EXPECT_EQ(lab.document.session.snapshot().tick, 50u) << "its own writing is not a change";
+    EXPECT_EQ(lab.document.session.snapshot().tick, 50u) << "a save by the lab is not a change";
     write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
     EXPECT_EQ(dials().LL, 0.25f);
     EXPECT_EQ(lab.playback.mode, Mode::playing);

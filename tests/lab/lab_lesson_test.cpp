@@ -83,7 +83,7 @@ TEST(LabLesson, RunsAtMostOneStepOfOneTrialPerTurnWithoutThreads) {
         steps += ticks / ticks_per_step + 1;
     }
     run_until_every_step_is_done(lab);
-    EXPECT_FALSE(lesson_of(lab).grade) << "a tick does not grade";
+    EXPECT_FALSE(lesson_of(lab).grade) << "a tick does not start grading";
     const int turns_to_begin = 1;
     EXPECT_EQ(grade_to_the_end(lab, jobs), turns_to_begin + steps);
     EXPECT_GT(steps, exercise.starts);

@@ -47,7 +47,7 @@ TEST(Past, ReportsTheFutureThatAnEditDropsAndUndoRestores) {
     tick(lab);
     lab.notice = {};
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LL, 1}});
-    EXPECT_TRUE(lab.notice.empty()) << "no recorded time lies ahead";
+    EXPECT_TRUE(lab.notice.empty()) << "no recorded future exists";
 }
 
 TEST(Past, RestoresTheRefereeAtEachTick) {

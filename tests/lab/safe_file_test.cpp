@@ -25,7 +25,7 @@ TEST(SafeFile, WritesTheTextAndCreatesMissingFolders) {
     EXPECT_FALSE(write_whole(file, "one"));
     EXPECT_FALSE(write_whole(file, "two"));
     EXPECT_EQ(text_of(file), "two");
-    EXPECT_EQ(names_in(file.parent_path()), std::set<std::string>{"scene.toml"}) << "nothing is left beside it";
+    EXPECT_EQ(names_in(file.parent_path()), std::set<std::string>{"scene.toml"}) << "no temporary file is left";
 }
 
 TEST(SafeFile, DoesNotChangeTheTextOfAnOpenReader) {

@@ -13,7 +13,7 @@ namespace {
 int objects_made = 0, uploads = 0;
 }  // namespace
 
-// Textures are older than the pointers below: their calls are linked by name, and the program's own name comes first.
+// Texture calls belong to OpenGL 1.1 and are linked by name: a definition in the program replaces the library's.
 extern "C" void GLAPIENTRY glGenTextures(GLsizei n, GLuint* names) {
     static const auto real = reinterpret_cast<void(GLAPIENTRY*)(GLsizei, GLuint*)>(glfwGetProcAddress("glGenTextures"));
     ++objects_made, real(n, names);

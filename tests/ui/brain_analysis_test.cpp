@@ -46,7 +46,7 @@ TEST(BrainAnalysis, ReportsTheEffectOfALesion) {
     const auto sums = motor_sums(now, now.vehicles[0]);
     EXPECT_TRUE(sums[0].products[0].cut);
     EXPECT_EQ(sums[0].products[0].value, 0);
-    EXPECT_EQ(sums[1].products[0].input, 0) << "a covered eye reads nothing";
+    EXPECT_EQ(sums[1].products[0].input, 0) << "a covered eye reads zero";
     EXPECT_FALSE(sums[0].more_wires) << "a lesion is not a further wire";
 
     find_node(hurt, "MR")->silenced = true;

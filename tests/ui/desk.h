@@ -146,7 +146,7 @@ public:
         }
     }
 
-    // The hint bar alone, with these words.
+    // Draws only the hint bar, with this text.
     void show_hint(std::string_view key) {
         anchors.begin();
         ui::Ui ui{strings, palette(view.theme), loaded_.fonts, scale_, anchors, asked, {}, 1};

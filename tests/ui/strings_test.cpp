@@ -127,7 +127,7 @@ TEST(Strings, HaveTheSameKeysGapsAndShortcutsInEveryLanguage) {
             EXPECT_EQ(marks(other->all().at(key)), marks(words)) << language.code << ": " << key;
         }
         for (const auto& [key, words] : other->all())
-            EXPECT_TRUE(strings.all().count(key)) << language.code << " alone has " << key;
+            EXPECT_TRUE(strings.all().count(key)) << language.code << " only has " << key;
     }
 }
 

@@ -60,7 +60,7 @@ TEST_F(WiringActions, LesionPrefersThePartUnderThePointerToTheSelection) {
     key(Action::lesion);
     EXPECT_TRUE(wire(SR, ML)->cut);
     EXPECT_FALSE(find_node(brain(), SL)->silenced);
-    move({470, 120});  // empty ground
+    move({470, 120});  // empty space
     key(Action::lesion);
     EXPECT_TRUE(find_node(brain(), SL)->silenced) << "no part is under the pointer: the selection is lesioned";
 }
@@ -73,12 +73,12 @@ TEST_F(WiringActions, LesionsKeepTheParametersAndAreHealedByTheSameKey) {
     key(Action::lesion);
     EXPECT_FALSE(wire(SR, ML)->cut);
     key(Action::cancel);
-    move(middle("node.SL"));  // nothing is selected: the part under the pointer
+    move(middle("node.SL"));  // no selection: the part under the pointer
     key(Action::lesion);
     EXPECT_TRUE(find_node(brain(), SL)->silenced);
     click({60, 600});
     key(Action::lesion);
-    EXPECT_EQ(edits.size(), 3u) << "there is nothing to lesion on empty ground";
+    EXPECT_EQ(edits.size(), 3u) << "no lesion on empty space";
 }
 
 TEST_F(WiringActions, EmptySpaceHasNothingToCut) {
@@ -140,7 +140,7 @@ TEST_F(WiringActions, ArrowKeysMoveTheSelectionAndDelRemovesIt) {
 }
 
 TEST_F(WiringActions, ANeuronAndAWireCanBeMadeByKeysAlone) {
-    key(Action::menu);  // nothing is selected: the menu of the canvas
+    key(Action::menu);  // no selection: the menu of the canvas
     ASSERT_TRUE(state.menu.open());
     for (int i = 0; i < 4; ++i) key(Action::step_down);
     key(Action::menu);

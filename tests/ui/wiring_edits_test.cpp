@@ -250,7 +250,7 @@ TEST_F(WiringEdits, ADragOfNodesIsOneEditSentAtTheRelease) {
     EXPECT_EQ(places.places.size(), 4u) << "all other nodes get their shown positions";
     EXPECT_TRUE(is_four_neurons(brain()));
     drag(middle("node.ML"), middle("node.ML") + vec2{3, 0});
-    EXPECT_EQ(edits.size(), 1u) << "a click moves nothing";
+    EXPECT_EQ(edits.size(), 1u) << "a click does not move a node";
     const vec2 again = middle("node.ML");
     move(again);
     button(true);

@@ -101,7 +101,7 @@ TEST(DrawWorld, DrawsWindInWorldDirectionForARotatedZone) {
     auto scene = bare();
     scene->zones.push_back({.name = "a", .heading = maths::pi / 2, .wind_x = 2});
     const ZoneInstance zone = drawn(hand_made::empty(scene)).zones.at(0);
-    EXPECT_NEAR(zone.flow.x, 0, 1e-5);  // in its own frame
+    EXPECT_NEAR(zone.flow.x, 0, 1e-5);  // in the frame of the zone
     EXPECT_NEAR(zone.flow.y, -1, 1e-5);
 }
 

@@ -65,7 +65,7 @@ TEST(CrashWindow, OffersTheWorkAfterACrash) {
     }
     LabWindow lab({"3a-love", "--size", "1280x800"}, home.path);
     lab.draw_frames();
-    EXPECT_FALSE(lab.anchors().contains("recovery.take")) << "nothing is offered after a proper end";
+    EXPECT_FALSE(lab.anchors().contains("recovery.take")) << "no recovery is offered after a normal end";
 }
 
 TEST(CrashWindow, OffersARunWithoutEdits) {

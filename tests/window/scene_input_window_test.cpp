@@ -89,7 +89,7 @@ TEST(SceneInputWindow, DragsALampAndRestoresItOnEscape) {
     lab.move({from.x + 90, from.y});
     lab.release();
     EXPECT_EQ(lab.state()["sources"], before);
-    EXPECT_EQ(lab.state()["undo_depth"], 0) << "nothing has changed";
+    EXPECT_EQ(lab.state()["undo_depth"], 0) << "no edit was made";
 }
 
 TEST(SceneInputWindow, HighlightsTheObjectThatAClickSelects) {
@@ -100,7 +100,7 @@ TEST(SceneInputWindow, HighlightsTheObjectThatAClickSelects) {
     lab.move(vehicle(lab, 0));
     EXPECT_TRUE(wait_for([&] { return lab.state()["hovered"]["kind"] == "vehicle"; }));
     lab.move(lab.at("card.brain"));
-    EXPECT_TRUE(wait_for([&] { return lab.state()["hovered"]["kind"] == "none"; })) << "a card lies over the scene";
+    EXPECT_TRUE(wait_for([&] { return lab.state()["hovered"]["kind"] == "none"; })) << "a card covers the scene";
     EXPECT_EQ(lab.state()["cursor"], "arrow");
 }
 

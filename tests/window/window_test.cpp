@@ -150,7 +150,7 @@ TEST(LabWindow, SelectsTheVehicleThatIsClicked) {
         lab.click(start_in_window(lab, vehicle));
         EXPECT_TRUE(wait_for([&] { return lab.state()["selected"] == vehicle; })) << lab.state()["selected"];
     }
-    EXPECT_EQ(lab.state()["undo_depth"], 0) << "a click moves nothing";
+    EXPECT_EQ(lab.state()["undo_depth"], 0) << "a click does not move a vehicle";
 }
 
 TEST(LabWindow, DragsAVehicleAndUndoMovesItBack) {

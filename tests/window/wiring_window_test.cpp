@@ -93,7 +93,7 @@ TEST_F(WiringWindow, ABoxSelectsNodesThatCtrlCAndCtrlVCopy) {
     lab.drag(lab.at("pin.SR.out"), {middle, at(0.75)});
     lab.click("menu.hump");
     ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("node.N1"); }));
-    lab.key("Escape");  // nothing is selected now
+    lab.key("Escape");  // clears the selection
     ASSERT_TRUE(wait_for([&] { return !lab.anchors().contains("selected.N1"); }));
     const auto card = lab.anchors()["node.N1"].get<std::vector<double>>();
     lab.drag({static_cast<int>(card[0] + card[2] + 60), static_cast<int>(card[1] + card[3] + 20)}, lab.at("node.N1"));
@@ -138,7 +138,7 @@ TEST_F(WiringWindow, EscapeDuringADragChangesNothing) {
 
 TEST_F(WiringWindow, ADraggedNodeIsOneStepOfUndoAndKeepsTheFuture) {
     lab.key("Escape");
-    lab.key("comma");  // a step back, so that something lies ahead
+    lab.key("comma");  // a step back, so that a recorded future exists
     ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] < lab.state()["latest"]; }));
     const auto latest = lab.state()["latest"];
     lab.key("w");
