@@ -1,6 +1,7 @@
 // The user interface without a window: Dear ImGui with synthetic input over a hand-made snapshot.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -20,15 +21,42 @@
 namespace braitenlab::tests {
 
 inline Strings english() {
-    auto strings = Strings::load(std::string(BRAITENLAB_SOURCE) + "/ui/strings/en.toml");
+    static const auto strings = Strings::load(std::string(BRAITENLAB_SOURCE) + "/ui/strings/en.toml");
     if (!strings) throw std::runtime_error(strings.error().text());
     return *strings;
 }
 
 inline Strings speaking(const std::string& code) {
+    static std::map<std::string, Strings> known;
+    const auto found = known.find(code);
+    if (found != known.end()) return found->second;
     auto strings = load_language(std::string(BRAITENLAB_SOURCE) + "/ui/strings", code);
     if (!strings) throw std::runtime_error(strings.error().text());
-    return *strings;
+    return known[code] = *strings;
+}
+
+inline const std::vector<Language>& shipped_languages() {
+    static const std::vector<Language> known = languages(std::string(BRAITENLAB_SOURCE) + "/ui/strings");
+    return known;
+}
+
+// The fonts of the window at one scale. Loaded once per process, because it takes longer than a test.
+struct TestFonts {
+    ImFontAtlas atlas;
+    ui::LoadedFonts loaded;
+};
+inline TestFonts& test_fonts(float scale) {
+    static std::map<float, std::unique_ptr<TestFonts>> known;
+    auto& fonts = known[scale];
+    if (fonts) return *fonts;
+    fonts = std::make_unique<TestFonts>();
+    const std::string noto = "/usr/share/fonts/truetype/noto/";
+    fonts->loaded = ui::load_fonts(fonts->atlas, scale,
+                                   {noto + "NotoSans-Regular.ttf",
+                                    noto + "NotoSans-Bold.ttf",
+                                    "/usr/share/fonts/truetype/fork-awesome/forkawesome-webfont.ttf",
+                                    {noto + "NotoSansMath-Regular.ttf"}});
+    return *fonts;
 }
 
 inline Kind kind(const char* name, Role role, const FourNeurons& dials) {
@@ -100,12 +128,12 @@ inline Exercise exercise() {
 class Desk {
 public:
     explicit Desk(float width = 1280, float height = 800, float scale = 1, bool fonts = false) : scale_(scale) {
-        ImGui::CreateContext();
+        if (fonts) fonts_ = test_fonts(scale).loaded.fonts;
+        ImGui::CreateContext(fonts ? &test_fonts(scale).atlas : nullptr);
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
         io.DisplaySize = {width, height};
         io.DeltaTime = 1.0f / 60;
-        if (fonts) load();
         unsigned char* pixels = nullptr;
         int w = 0, h = 0;
         io.Fonts->GetTexDataAsAlpha8(&pixels, &w, &h);
@@ -132,7 +160,7 @@ public:
             view.wall_seconds += 1.0 / 60;
             asked.clear();
             anchors.begin();
-            ui::Ui ui{strings, palette(view.theme), loaded_.fonts, scale_, anchors, asked, {}, 1};
+            ui::Ui ui{strings, palette(view.theme), fonts_, scale_, anchors, asked, {}, 1};
             written.clear();
             ui.written = &written;
             shown.clear();
@@ -149,7 +177,7 @@ public:
     // Draws only the hint bar, with this text.
     void show_hint(std::string_view key) {
         anchors.begin();
-        ui::Ui ui{strings, palette(view.theme), loaded_.fonts, scale_, anchors, asked, {}, 1};
+        ui::Ui ui{strings, palette(view.theme), fonts_, scale_, anchors, asked, {}, 1};
         written.clear();
         ui.written = &written;
         ImGui::NewFrame();
@@ -197,7 +225,7 @@ public:
     }
 
     Strings strings = english();
-    std::vector<Language> spoken = languages(std::string(BRAITENLAB_SOURCE) + "/ui/strings");
+    std::vector<Language> spoken = shipped_languages();
     Snapshot now = snapshot(4);
     Exercise opened = exercise();
     LessonView lesson;
@@ -210,17 +238,8 @@ public:
     ui::WindowLayout layout;
 
 private:
-    void load() {
-        const std::string noto = "/usr/share/fonts/truetype/noto/";
-        loaded_ = ui::load_fonts(*ImGui::GetIO().Fonts, scale_,
-                                 {noto + "NotoSans-Regular.ttf",
-                                  noto + "NotoSans-Bold.ttf",
-                                  "/usr/share/fonts/truetype/fork-awesome/forkawesome-webfont.ttf",
-                                  {noto + "NotoSansMath-Regular.ttf"}});
-    }
-
     float scale_;
-    ui::LoadedFonts loaded_;
+    ui::Fonts fonts_;
 };
 
 // The dial that an edit changes.
