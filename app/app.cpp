@@ -77,6 +77,8 @@ bool App::turn() {
     if (repeatable()) return true;
     const int rate = window_.refresh_rate();
     for (double pause = 0; (pause = pause_after_swap(seconds_since(turn_began), rate)) > 0;) window_.poll(pause);
+    if (moves()) last_change_ = Clock::now();
+    if (options_.screenshot.empty()) window_.poll(idle_wait(seconds_since(last_change_)));
     return true;
 }
 
@@ -146,6 +148,11 @@ void App::save_settings(bool now) {
     if (const auto error = save(settings_, own_preferences(lab_), window_.windowed_size())) show_error(*error);
 }
 
+bool App::moves() const {
+    const auto& lesson = lab_.document.lesson;
+    return got_input_ || lab_.playback.mode == Mode::playing || (lesson && lesson->grading) || !lab_.files.empty();
+}
+
 bool App::repeatable() const { return !options_.screenshot.empty() && options_.play; }
 
 bool App::picture_is_due(double wall_seconds) const {
@@ -156,7 +163,7 @@ bool App::picture_is_due(double wall_seconds) const {
 void App::write_reports() {
     if (anchors_file_.wanted())
         if (auto error = anchors_file_.write(anchors_json(anchors_))) complain(*error);
-    constexpr double state_period = 0.05;
+    constexpr double state_period = 0.02;
     if (!state_file_.wanted() || seconds_since(state_written_) < state_period) return;
     state_written_ = Clock::now();
     if (auto error = state_file_.write(state_json(lab_, panels_.scene_input, facts_))) complain(*error);

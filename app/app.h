@@ -57,6 +57,8 @@ private:
     void show_error(const Error& error);
     // Writes settings that have changed; at most once per second unless `now`.
     void save_settings(bool now);
+    // True if the picture changes without input, or if there was input in this turn.
+    bool moves() const;
     // True for --screenshot with --play: one tick per frame, so that the picture does not depend on wall time.
     bool repeatable() const;
     bool picture_is_due(double wall_seconds) const;
@@ -92,6 +94,8 @@ private:
     Autosave autosave_;
     Clock::time_point began_ = Clock::now(), last_turn_ = began_;  // end of the constructor; start of the last turn
     Clock::time_point settings_saved_ = began_, file_checked_ = began_;
+    Clock::time_point last_change_ = began_;  // see idle_wait()
+    bool got_input_ = false;                  // in the last frame
     int exit_code_ = 0;
     std::vector<CatalogueEntry> catalogue_;
     AppliedTheme theme_;

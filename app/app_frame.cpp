@@ -31,6 +31,13 @@ Rect without_metre_labels(Rect scene, float scale) {
     return {scene.x, scene.y, scene.w, std::max(0.5f * scene.h, scene.h - more * (scale - 1))};
 }
 
+// True if the user does something in this frame with the keyboard or the mouse. Call between ImGui's NewFrame and Render.
+bool has_input(const ui::KeysOfAFrame& keys, const ImGuiIO& io) {
+    if (!keys.presses.empty() || !keys.characters.empty() || keys.stroke) return true;
+    if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || io.MouseWheelH != 0) return true;
+    return std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown), [](bool down) { return down; });
+}
+
 std::string typed_text(const ui::PanelState& panels) {
     if (!panels.sliders.typed.empty()) return panels.sliders.text;
     for (const ui::TextField* field : {&panels.files.typed, &panels.files.title})
@@ -114,6 +121,7 @@ void App::frame(float passed) {
     else
         draw_scene();
     const ImGuiIO& io = ImGui::GetIO();
+    got_input_ = has_input(keys, io) || held.turn != 0 || held.raise != 0;
     ++facts_.frames;
     facts_.pointer = ImGui::IsMousePosValid() ? maths::vec2{io.MousePos.x, io.MousePos.y} : maths::vec2{-1, -1};
     facts_.pressed = io.MouseDown[0] ? 1 : io.MouseDown[2] ? 2 : io.MouseDown[1] ? 3 : 0;

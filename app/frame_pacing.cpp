@@ -10,4 +10,9 @@ double pause_after_swap(double turn_seconds, int refresh_rate) {
     return std::max(0.0, least - turn_seconds);
 }
 
+double idle_wait(double seconds_since_change) {
+    constexpr double settling = 1, period = 0.1;
+    return seconds_since_change < settling ? 0 : period;
+}
+
 }  // namespace braitenlab

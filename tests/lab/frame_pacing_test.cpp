@@ -27,5 +27,11 @@ TEST(FramePacing, RunsAtSixtyPicturesPerSecondOnADisplayOfUnknownRate) {
     EXPECT_EQ(pause_after_swap(0.02, 0), 0);
 }
 
+TEST(FramePacing, DrawsTenFramesPerSecondOnceNothingMoves) {
+    EXPECT_EQ(idle_wait(0), 0);
+    EXPECT_EQ(idle_wait(0.9), 0) << "the camera may still ease";
+    EXPECT_DOUBLE_EQ(idle_wait(1.1), 0.1);
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::frame_pacing_test

@@ -181,7 +181,7 @@ public:
         const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
         while (std::chrono::steady_clock::now() < until) {
             if (holds()) return true;
-            wait(0.03);
+            wait(0.01);
         }
         return holds();
     }
