@@ -31,7 +31,8 @@ Rect without_metre_labels(Rect scene, float scale) {
     return {scene.x, scene.y, scene.w, std::max(0.5f * scene.h, scene.h - more * (scale - 1))};
 }
 
-// True if the user does something in this frame with the keyboard or the mouse. Call between ImGui's NewFrame and Render.
+// True if the user does something in this frame with the keyboard or the mouse. Call between ImGui's NewFrame and
+// Render.
 bool has_input(const ui::KeysOfAFrame& keys, const ImGuiIO& io) {
     if (!keys.presses.empty() || !keys.characters.empty() || keys.stroke) return true;
     if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || io.MouseWheelH != 0) return true;

@@ -12,8 +12,8 @@ namespace braitenlab {
 double pause_after_swap(double turn_seconds, int refresh_rate);
 
 // Seconds to wait for the next event if nothing in the window moves; 0 for the first second after a change, in which
-// the camera eases and highlights fade. Afterwards the window draws ten frames per second, enough for a text cursor and a pulsing
-// hint, and an event ends the wait, so that the window reacts without delay.
+// the camera eases and highlights fade. Afterwards the window draws ten frames per second, enough for a text cursor and
+// a pulsing hint, and an event ends the wait, so that the window reacts without delay.
 double idle_wait(double seconds_since_change);
 
 }  // namespace braitenlab
