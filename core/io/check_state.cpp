@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 
 #include <fmt/format.h>
 
@@ -40,7 +41,11 @@ bool ascend(const Values& values) {
            values.end();
 }
 
-bool pair_is_within(const std::array<float, 2>& pair, float low, float high) {
+template <std::floating_point Number>
+bool components_within(Number value, Number low, Number high) {
+    return within(value, low, high);
+}
+bool components_within(const std::array<float, 2>& pair, float low, float high) {
     return within(pair[0], low, high) && within(pair[1], low, high);
 }
 
@@ -60,16 +65,16 @@ std::optional<Error> vehicles_fault(const State& m) {
         if (v.waypoint[row] < 0 || (v.waypoint[row] > 0 && static_cast<std::size_t>(v.waypoint[row]) >= waypoints))
             return Error{fmt::format("vehicle {} drives to a waypoint that it does not have", v.id[row])};
     }
-    const auto pairs_within = [](const auto& pairs, float low, float high) {
-        return all_of(pairs, [&](const auto& pair) { return pair_is_within(pair, low, high); });
-    };
-    const bool values_are_sound =
-        all_of(v.motion, is_sound) && all_of(v.energy, [](float e) { return within(e, 0, 1); }) &&
-        pairs_within(v.steered, -1, 1) && pairs_within(v.motor, -1, 1) && pairs_within(v.gain, 0.5f, 1.5f) &&
-        all_of(v.wheel_angle, [](const auto& pair) { return std::isfinite(pair[0]) && std::isfinite(pair[1]); }) &&
-        all_of(v.sensed, [](float s) { return within(s, 0, 1); }) &&
-        all_of(v.delayed, [](float s) { return within(s, 0, 1); }) &&
-        all_of(v.neurons, [](float n) { return is_bounded(n); });
+    bool values_are_sound = all_of(v.motion, is_sound) && all_of(v.sensed, [](float s) { return within(s, 0, 1); }) &&
+                            all_of(v.delayed, [](float s) { return within(s, 0, 1); }) &&
+                            all_of(v.neurons, [](float n) { return is_bounded(n); });
+    world::each_vehicle_value([&](const auto& value) {
+        if constexpr (requires { components_within((v.*value.column)[0], 0.0f, 0.0f); })
+            if (value.limits)
+                values_are_sound &= all_of(v.*value.column, [&](const auto& each) {
+                    return components_within(each, (*value.limits)[0], (*value.limits)[1]);
+                });
+    });
     if (!values_are_sound) return Error{"a value of a vehicle is outside its range"};
     return std::nullopt;
 }

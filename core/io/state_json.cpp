@@ -86,35 +86,13 @@ private:
 Json vehicles_json(const Vehicles& v, BrainTable& brains) {
     Json brain = Json::array();
     for (const SharedBrain& one : v.brain) brain.push_back(brains.add(one));
-    return {{"id", v.id},
-            {"kind", v.kind},
-            {"start", v.start},
-            {"driver", v.driver},
-            {"motion", v.motion},
-            {"energy", v.energy},
-            {"hand", v.steered},
-            {"waypoint", v.waypoint},
-            {"gain", v.gain},
-            {"motor", v.motor},
-            {"wheel_angle", v.wheel_angle},
-            {"design", brain},
-            {"sensed", v.sensed},
-            {"neurons", v.neurons},
-            {"late", v.delayed}};
+    Json json{{"design", brain}, {"sensed", v.sensed}, {"neurons", v.neurons}, {"late", v.delayed}};
+    world::each_vehicle_value([&](const auto& value) { json[std::string(value.word)] = v.*value.column; });
+    return json;
 }
 
 std::optional<Error> read_vehicles(const Json& json, const Scene& scene, BrainMaker& brains, Vehicles& v) {
-    json.at("id").get_to(v.id);
-    json.at("kind").get_to(v.kind);
-    json.at("start").get_to(v.start);
-    json.at("driver").get_to(v.driver);
-    json.at("motion").get_to(v.motion);
-    json.at("energy").get_to(v.energy);
-    json.at("hand").get_to(v.steered);
-    json.at("waypoint").get_to(v.waypoint);
-    json.at("gain").get_to(v.gain);
-    json.at("motor").get_to(v.motor);
-    json.at("wheel_angle").get_to(v.wheel_angle);
+    world::each_vehicle_value([&](const auto& value) { json.at(std::string(value.word)).get_to(v.*value.column); });
     json.at("sensed").get_to(v.sensed);
     json.at("neurons").get_to(v.neurons);
     json.at("late").get_to(v.delayed);

@@ -104,16 +104,17 @@ void add(Digest& digest, const mechanics::Motion& motion) {
     digest.add(motion.heading);
 }
 
+void add(Digest& digest, const std::array<float, 2>& pair) { digest.add(pair[0]), digest.add(pair[1]); }
+void add(Digest& digest, Driver driver) { digest.add(static_cast<std::int32_t>(driver)); }
+template <class Number>
+void add(Digest& digest, Number number) {
+    digest.add(number);
+}
+
 void add_vehicle(Digest& digest, const Vehicles& v, std::size_t row) {
-    digest.add(v.id[row]);
-    digest.add(v.kind[row]);
-    digest.add(v.start[row]);
-    add(digest, v.motion[row]);
-    digest.add(static_cast<std::int32_t>(v.driver[row]));
-    digest.add(v.steered[row][0]), digest.add(v.steered[row][1]);
-    digest.add(v.gain[row][0]), digest.add(v.gain[row][1]);
-    digest.add(v.waypoint[row]);
-    digest.add(v.energy[row]);
+    each_vehicle_value([&](const auto& value) {
+        if (value.hashed) add(digest, (v.*value.column)[row]);
+    });
     add(digest, v.brain[row]->graph);
 }
 

@@ -125,16 +125,12 @@ void read_motion(WorldData& s, std::size_t row) { s.vehicles.motion[row] = s.phy
 void add_vehicle(WorldData& s, int kind, int start, VehicleId id, SharedBrain brain, const Pose& pose) {
     const CompiledKind& compiled = s.kinds[static_cast<std::size_t>(kind)];
     Vehicles& v = s.vehicles;
-    v.id.push_back(id);
-    v.kind.push_back(kind);
-    v.start.push_back(start);
-    v.driver.push_back(s.scene->kinds[static_cast<std::size_t>(kind)].driver);
-    v.energy.push_back(1);
-    v.steered.push_back({});
-    v.waypoint.push_back(0);
-    v.gain.push_back(motor_gains(s, kind, id));
-    v.motor.push_back({});
-    v.wheel_angle.push_back({});
+    each_vehicle_value([&v](const auto& value) { (v.*value.column).push_back(value.initial); });
+    v.id.back() = id;
+    v.kind.back() = kind;
+    v.start.back() = start;
+    v.driver.back() = s.scene->kinds[static_cast<std::size_t>(kind)].driver;
+    v.gain.back() = motor_gains(s, kind, id);
     v.first_sensed.push_back(static_cast<std::uint32_t>(v.sensed.size()));
     v.sensed.resize(v.sensed.size() + compiled.sensors.size(), 0.0f);
     v.first_neuron.push_back(static_cast<std::uint32_t>(v.neurons.size()));
@@ -144,7 +140,7 @@ void add_vehicle(WorldData& s, int kind, int start, VehicleId id, SharedBrain br
     v.brain.push_back(std::move(brain));
     s.physics.add(v.id.size() - 1, id, s.scene->kinds[static_cast<std::size_t>(kind)].body,
                   mechanics::at_rest({pose.x, pose.y}, pose.heading));
-    v.motion.push_back(s.physics.motion(v.id.size() - 1));
+    v.motion.back() = s.physics.motion(v.id.size() - 1);
     s.readings_are_stale = true;
 }
 
@@ -166,9 +162,9 @@ void respawn(WorldData& s, std::size_t row) {
         start >= 0 ? start_pose(s, s.scene->starts[static_cast<std::size_t>(start)], id) : elsewhere(s, row);
     s.physics.set_pose(row, pose);
     read_motion(s, row);
-    v.energy[row] = 1;
-    v.waypoint[row] = 0;
-    v.motor[row] = v.wheel_angle[row] = {};
+    each_vehicle_value([&](const auto& value) {
+        if (value.reset) (v.*value.column)[row] = value.initial;
+    });
     const std::size_t first = v.first_neuron[row];
     std::fill_n(v.neurons.begin() + static_cast<std::ptrdiff_t>(first), v.brain[row]->flat.state_size(), 0.0f);
     std::fill_n(v.delayed.begin() + static_cast<std::ptrdiff_t>(v.first_delayed[row]),

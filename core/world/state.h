@@ -11,7 +11,11 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "core/mechanics/motion.h"
@@ -60,11 +64,50 @@ struct Vehicles {
 
     // Calls f with every array that has one element per vehicle.
     template <class Self, class F>
-    static void each_column(Self& v, F f) {
-        f(v.id), f(v.kind), f(v.start), f(v.driver), f(v.motion), f(v.energy), f(v.steered), f(v.waypoint), f(v.gain);
-        f(v.motor), f(v.wheel_angle), f(v.brain), f(v.first_sensed), f(v.first_neuron), f(v.first_delayed);
-    }
+    static void each_column(Self& vehicles, F f);
 };
+
+// A value that each vehicle has once, and its traits. Run files, the hash, loading and spawning are derived from the
+// table of these values, so that a new one needs a member of Vehicles, a row of the table, and the law that changes it.
+template <class T>
+struct VehicleValue {
+    std::string_view word;  // key in run files
+    std::vector<T> Vehicles::*column;
+    T initial{};                                   // of a vehicle that is added
+    std::optional<std::array<float, 2>> limits{};  // inclusive, of each component; nullopt: io::check_state has a rule
+    bool reset = false;                            // a vehicle that respawns has the initial value again
+    bool hashed = true;                            // false: every tick computes it again, or it is only displayed
+};
+
+inline constexpr float any_finite = std::numeric_limits<float>::max();
+
+// In the order of the hash.
+inline constexpr std::tuple vehicle_values{
+    VehicleValue<VehicleId>{"id", &Vehicles::id},
+    VehicleValue<std::int32_t>{"kind", &Vehicles::kind},
+    VehicleValue<std::int32_t>{"start", &Vehicles::start, -1},
+    VehicleValue<mechanics::Motion>{"motion", &Vehicles::motion},
+    VehicleValue<Driver>{"driver", &Vehicles::driver},
+    VehicleValue<std::array<float, 2>>{"hand", &Vehicles::steered, {}, {{-1, 1}}},
+    VehicleValue<std::array<float, 2>>{"gain", &Vehicles::gain, {1, 1}, {{0.5f, 1.5f}}},
+    VehicleValue<std::int32_t>{.word = "waypoint", .column = &Vehicles::waypoint, .reset = true},
+    VehicleValue<float>{.word = "energy", .column = &Vehicles::energy, .initial = 1, .limits = {{0, 1}}, .reset = true},
+    VehicleValue<std::array<float, 2>>{"motor", &Vehicles::motor, {}, {{-1, 1}}, true, false},
+    VehicleValue<std::array<float, 2>>{
+        "wheel_angle", &Vehicles::wheel_angle, {}, {{-any_finite, any_finite}}, true, false},
+};
+
+// Calls f with every VehicleValue.
+template <class F>
+void each_vehicle_value(F f) {
+    std::apply([&f](const auto&... value) { (f(value), ...); }, vehicle_values);
+}
+
+template <class Self, class F>
+void Vehicles::each_column(Self& vehicles, F f) {
+    each_vehicle_value([&](const auto& value) { f(vehicles.*value.column); });
+    f(vehicles.brain), f(vehicles.first_sensed), f(vehicles.first_neuron), f(vehicles.first_delayed);
+}
 
 struct State {
     std::shared_ptr<const Scene> scene;    // with all edits
