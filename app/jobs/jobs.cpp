@@ -11,8 +11,6 @@
 #include <tbb/task_arena.h>
 #endif
 
-#include "core/world/world.h"
-
 namespace braitenlab {
 
 namespace jobs {
@@ -84,16 +82,6 @@ Error error_of(std::exception_ptr exception) {
 
 namespace {
 
-// Box2D 2.4.1 fills a static table when a process creates its first contact, without a lock. Creates one, so that no
-// two threads do it at once.
-void create_first_contact() {
-    Scene scene;
-    scene.kinds.emplace_back().name = "kind";
-    for (const char* name : {"a", "b"}) scene.starts.push_back({.name = name, .kind = "kind"});  // in one position
-    World world = std::move(*World::create(scene, 1));
-    world.step();
-}
-
 // Marks a part as complete and reduces after the last one.
 void complete(Work& work, std::size_t part) {
     work.set_fraction(part, 1);
@@ -115,7 +103,6 @@ struct Jobs::Impl {
 
     explicit Impl(int worker_threads) : threads(worker_threads) {
         if (threads == 0) return;
-        jobs::create_first_contact();
         workers.emplace(threads);
     }
 

@@ -44,6 +44,22 @@ bool may_skip_an_impact(const Scene& scene) {
     return 2 * fastest * tick_seconds > thinnest / 4;
 }
 
+// Box2D 2.4.1 fills a static table when a process creates its first contact, without a lock. This creates one, so that
+// worlds can be stepped on several threads. Thread-safe: the static below is initialised once.
+void fill_contact_table() {
+    static const int contacts = [] {
+        b2World world({0, 0});
+        b2CircleShape shape;
+        shape.m_radius = 1;
+        b2BodyDef definition;
+        definition.type = b2_dynamicBody;
+        for (int body = 0; body < 2; ++body) world.CreateBody(&definition)->CreateFixture(&shape, 1);
+        world.Step(tick_seconds, 1, 1);
+        return world.GetContactCount();
+    }();
+    static_cast<void>(contacts);
+}
+
 VehicleId vehicle_of(b2Fixture* fixture) {
     const std::uintptr_t stored = fixture->GetBody()->GetUserData().pointer;
     return stored == 0 ? no_vehicle : static_cast<VehicleId>(stored - 1);
@@ -140,6 +156,7 @@ struct Physics::Impl : b2ContactListener {
 
 Physics::Physics(const Scene& scene, const std::vector<mechanics::Motion>& obstacles)
     : impl_(std::make_unique<Impl>()) {
+    fill_contact_table();
     impl_->world.SetContactListener(impl_.get());
     impl_->world.SetContinuousPhysics(may_skip_an_impact(scene));
     impl_->world.SetAllowSleeping(false);  // the order of islands depends on Box2D's lists

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include <box2d/box2d.h>
 #include <gtest/gtest.h>
 
 #include "core/maths/random.h"
@@ -88,6 +89,17 @@ TEST(Wheels, OutsideTheChassisTouchAWallBeforeTheChassis) {
     Body body;
     for (Wheel& wheel : body.wheels) wheel.y *= 2;  // ±0.6 m, plus 0.05 m of wheel width
     EXPECT_NEAR(pushed_to_the_wall(body), 2 - 0.65f, 0.02f);
+}
+
+// Access to a protected static member.
+struct ContactTable : b2Contact {
+    static bool is_filled() { return s_initialized; }
+};
+
+// ctest runs each test in a process of its own, so that this is the first world of the process.
+TEST(Physics, FillsTheContactTableBeforeItsFirstStepSoThatThreadsCanStepWorlds) {
+    const Physics physics(Scene{}, {});
+    EXPECT_TRUE(ContactTable::is_filled());
 }
 
 }  // namespace
