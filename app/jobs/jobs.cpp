@@ -15,8 +15,6 @@ namespace braitenlab {
 
 namespace jobs {
 
-namespace {
-
 #if BRAITENLAB_TBB
 
 constexpr bool has_threads = true;
@@ -57,8 +55,6 @@ public:
 };
 
 #endif
-
-}  // namespace
 
 Work::Work(std::size_t parts) : parts_(parts), fractions_(new std::atomic<float>[parts] {}) { shown.parts = parts; }
 
