@@ -144,12 +144,7 @@ void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const 
 
 bool has_unsaved_edits(const Lab& lab) {
     if (lab.document.lesson || lab.document.edits == lab.document.saved_edits) return false;
-    if (lab.document.session.edited_scene() != *lab.document.file) return true;
-    const Snapshot& now = lab.document.session.snapshot();
-    return std::any_of(
-        now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) {  // or one vehicle has its own brain
-            return *now.brains[static_cast<std::size_t>(v.brain)] != *now.kind_brains[static_cast<std::size_t>(v.kind)];
-        });
+    return lab.document.session.edited_scene() != *lab.document.file;
 }
 
 bool may_leave(const Lab& lab, FilesView& view) {

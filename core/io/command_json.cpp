@@ -19,6 +19,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveVehicle, vehicle, x, y, heading)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChooseDriver, vehicle, driver)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Steer, vehicle, left, right)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditStart, start, to)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditMember, member, to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetSensors, kind, sensors)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddSource, source, before)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveSource, source)
@@ -38,7 +39,7 @@ namespace {
 constexpr std::array<const char*, std::variant_size_v<Command>> command_names{
     "TurnDial",    "SetBrain",       "PlaceNodes",   "AddVehicle",   "RemoveVehicle", "MoveVehicle", "ChooseDriver",
     "Steer",       "EditStart",      "SetSensors",   "AddSource",    "RemoveSource",  "EditSource",  "MoveSource",
-    "AddObstacle", "RemoveObstacle", "EditObstacle", "MoveObstacle", "NewPopulation", "Retitle"};
+    "AddObstacle", "RemoveObstacle", "EditObstacle", "MoveObstacle", "NewPopulation", "Retitle",     "EditMember"};
 
 template <std::size_t... I>
 void read_one(const Json& json, const std::string& name, Command& command, std::index_sequence<I...>) {

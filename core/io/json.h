@@ -87,6 +87,10 @@ public:
     void word(const char* key, Enum T::*member, const char*) {
         json_[key] = object_.*member;
     }
+    template <class Enum>
+    void word(const char* key, std::optional<Enum> T::*member, const char*) {
+        if (object_.*member) json_[key] = *(object_.*member);
+    }
     void text(const char* key, std::string T::*member, std::size_t, const char*) { json_[key] = object_.*member; }
     template <class Part>
     void part(Part T::*member) {
@@ -106,6 +110,9 @@ public:
         json_[key] = object_.*member;
     }
     void brain(const char* key, BrainGraph T::*member, const char*) { json_[key] = object_.*member; }
+    void brain(const char* key, std::optional<BrainGraph> T::*member, const char*) {
+        if (object_.*member) json_[key] = *(object_.*member);
+    }
 
 private:
     const T& object_;
@@ -130,6 +137,10 @@ public:
     void word(const char* key, Enum T::*member, const char*) {
         json_.at(key).get_to(object_.*member);
     }
+    template <class Enum>
+    void word(const char* key, std::optional<Enum> T::*member, const char*) {
+        if (json_.contains(key)) object_.*member = json_.at(key).get<Enum>();
+    }
     void text(const char* key, std::string T::*member, std::size_t, const char*) {
         json_.at(key).get_to(object_.*member);
     }
@@ -144,13 +155,16 @@ public:
     }
     template <class Element>
     void named(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
-        json_.at(key).get_to(object_.*member);
+        if (json_.contains(key)) json_.at(key).get_to(object_.*member);  // files of earlier versions lack later lists
     }
     template <class Element>
     void list(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
         json_.at(key).get_to(object_.*member);
     }
     void brain(const char* key, BrainGraph T::*member, const char*) { json_.at(key).get_to(object_.*member); }
+    void brain(const char* key, std::optional<BrainGraph> T::*member, const char*) {
+        if (json_.contains(key)) object_.*member = json_.at(key).get<BrainGraph>();
+    }
 
 private:
     const Json& json_;

@@ -73,7 +73,8 @@ public:
             describe(inner, Of<Element>{});
         }
     }
-    void brain(const char*, BrainGraph T::*, const char*) {}  // checked as a whole, below
+    template <class Graph>
+    void brain(const char*, Graph T::*, const char*) {}  // checked as a whole, below
 
 private:
     void check(const char* key, double value, Range range) {
@@ -148,6 +149,13 @@ std::optional<Fault> outline_fault(const Obstacle& obstacle) {
     return std::nullopt;
 }
 
+std::optional<Fault> own_brain_fault(const std::optional<BrainGraph>& brain, const std::string& path) {
+    if (!brain) return std::nullopt;
+    auto fault = find_fault(*brain);
+    if (fault) fault->path = path + ".brain";
+    return fault;
+}
+
 std::optional<Fault> start_fault(const Scene& scene, const Start& start) {
     const std::string path = "vehicle." + start.name;
     if (start.kind.empty()) return Fault{path, "a vehicle needs a kind: kind = \"NAME\" of a [kind.NAME]"};
@@ -159,7 +167,24 @@ std::optional<Fault> start_fault(const Scene& scene, const Start& start) {
                                            name_nearest(start.facing, names_of(scene.sources))};
     if (std::fabs(start.x) > scene.arena.width / 2) return Fault{path + ".x", "it starts outside the arena"};
     if (std::fabs(start.y) > scene.arena.height / 2) return Fault{path + ".y", "it starts outside the arena"};
-    return std::nullopt;
+    return own_brain_fault(start.brain, path);
+}
+
+std::optional<Fault> member_fault(const Scene& scene, const Member& member) {
+    const std::string path = "member." + member.name;
+    const int number = number_of(member);
+    if (number < 0)
+        return Fault{path, "the name of a member is its number in the population, from 0, without leading zeros"};
+    if (number >= scene.ecology.population)
+        return Fault{path, fmt::format("the population has {} vehicles, numbered from 0; raise ecology.population or "
+                                       "remove this member",
+                                       scene.ecology.population)};
+    if (!member.kind.empty() && find_kind(scene, member.kind) < 0)
+        return Fault{path + ".kind",
+                     "no kind is called " + in_quotes(member.kind) + name_nearest(member.kind, names_of(scene.kinds))};
+    if (member.placed && (std::fabs(member.x) > scene.arena.width / 2 || std::fabs(member.y) > scene.arena.height / 2))
+        return Fault{path, "it starts outside the arena"};
+    return own_brain_fault(member.brain, path);
 }
 
 // A world keeps about a dozen copies of its state; the limit keeps an untrusted file from filling the memory.
@@ -171,6 +196,11 @@ std::optional<Fault> memory_fault(const Scene& scene) {
         for (const Sensor& sensor : kind.sensors) numbers += 1 + static_cast<double>(sensor.latency) / tick_seconds;
         largest = std::max(largest, numbers);
     }
+    const auto count_own = [&](const std::optional<BrainGraph>& brain) {
+        if (brain) largest = std::max(largest, static_cast<double>(brain->nodes.size() + brain->wires.size()));
+    };
+    for (const Start& start : scene.starts) count_own(start.brain);
+    for (const Member& member : scene.members) count_own(member.brain);
     const double vehicles = static_cast<double>(scene.starts.size()) + scene.ecology.population;
     if (vehicles * largest <= most) return std::nullopt;
     return Fault{"ecology.population",
@@ -199,6 +229,8 @@ std::optional<Fault> find_fault(const Scene& scene) {
         if (auto fault = outline_fault(obstacle)) return fault;
     for (const Start& start : scene.starts)
         if (auto fault = start_fault(scene, start)) return fault;
+    for (const Member& member : scene.members)
+        if (auto fault = member_fault(scene, member)) return fault;
     if (scene.ecology.population > 0 && scene.kinds.empty())
         return Fault{"ecology.population", "there is no [kind.NAME] to populate the arena with"};
     return memory_fault(scene);

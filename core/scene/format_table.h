@@ -49,6 +49,12 @@ public:
         for (const auto& named : table_of(Enum{})) all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", named.word);
         row(key, "", all, fmt::format("\"{}\"", braitenlab::word(defaults_.*member)), meaning);
     }
+    template <class Enum>
+    void word(const char* key, std::optional<Enum> T::*, const char* meaning) {
+        std::string all;
+        for (const auto& named : table_of(Enum{})) all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", named.word);
+        row(key, "", all, "", meaning);
+    }
     void text(const char* key, std::string T::*, std::size_t longest, const char* meaning) {
         row(key, "", fmt::format("text, up to {}", longest), "", meaning);
     }
@@ -83,7 +89,8 @@ public:
     void list(const char* key, std::vector<Element> T::*, std::size_t most, const char* meaning) {
         add<Element>("[[", path_ + key, "]]", fmt::format("{}; up to {}", meaning, most));
     }
-    void brain(const char* key, BrainGraph T::*, const char* meaning) {
+    template <class Graph>  // BrainGraph or an optional one
+    void brain(const char* key, Graph T::*, const char* meaning) {
         add<BrainText>("[", path_ + key, "]", meaning);
     }
 

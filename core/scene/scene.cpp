@@ -1,6 +1,7 @@
 #include "core/scene/scene.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace braitenlab {
 
@@ -40,6 +41,14 @@ bool is_blocked_by_obstacles(Channel channel) { return row_of(channel).is_hidden
 int find_kind(const Scene& scene, const std::string& name) { return find_named(scene.kinds, name); }
 int find_source(const Scene& scene, const std::string& name) { return find_named(scene.sources, name); }
 int find_obstacle(const Scene& scene, const std::string& name) { return find_named(scene.obstacles, name); }
+
+int number_of(const Member& member) {
+    int number = -1;
+    const char* end = member.name.data() + member.name.size();
+    const auto read = std::from_chars(member.name.data(), end, number);
+    const bool is_number = read.ptr == end && read.ec == std::errc{} && member.name == std::to_string(number);
+    return is_number ? number : -1;
+}
 
 std::vector<std::string> sensor_names(const Kind& kind) {
     std::vector<std::string> names;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -104,10 +105,23 @@ struct Start {
     std::string name;
     std::string kind;
     float x = 0, y = 0, heading = 0;
-    std::string facing;        // name of a source: heading is then relative to the direction to it
-    float place_spread = 0;    // m; x and y each vary by up to ± this
-    float heading_spread = 0;  // the heading varies by up to ± this
+    std::string facing;                 // name of a source: heading is then relative to the direction to it
+    float place_spread = 0;             // m; x and y each vary by up to ± this
+    float heading_spread = 0;           // the heading varies by up to ± this
+    std::optional<Driver> driver{};     // nullopt: that of its kind
+    std::optional<BrainGraph> brain{};  // nullopt: that of its kind
     friend bool operator==(const Start&, const Start&) = default;
+};
+
+// A vehicle of the random population with values of its own.
+struct Member {
+    std::string name;  // its number in the population, from 0, as a decimal
+    std::string kind;  // empty: chosen by the shares
+    bool placed = false;
+    float x = 0, y = 0, heading = 0;    // its start pose if `placed`, else a random one
+    std::optional<Driver> driver{};     // nullopt: that of its kind
+    std::optional<BrainGraph> brain{};  // nullopt: that of its kind
+    friend bool operator==(const Member&, const Member&) = default;
 };
 
 // A stimulus at a fixed point of the world.
@@ -179,6 +193,7 @@ struct Scene {
     Ecology ecology;
     std::vector<Kind> kinds;
     std::vector<Start> starts;
+    std::vector<Member> members;
     std::vector<Source> sources;
     std::vector<Obstacle> obstacles;
     std::vector<Zone> zones;
@@ -205,6 +220,9 @@ bool is_blocked_by_obstacles(Channel);
 int find_kind(const Scene&, const std::string& name);
 int find_source(const Scene&, const std::string& name);
 int find_obstacle(const Scene&, const std::string& name);
+
+// Number of the member in the population, from 0; −1 if its name is no such number.
+int number_of(const Member&);
 
 // The names of a kind's sensors in their order, as compile() takes them.
 std::vector<std::string> sensor_names(const Kind&);

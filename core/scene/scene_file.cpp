@@ -39,6 +39,9 @@ public:
     template <class Element>
     void list(const char*, std::vector<Element> T::*, std::size_t, const char*) {}
     void brain(const char* key, BrainGraph T::*, const char*) { walk(FourNeurons{}, prefix_ + key + "."); }
+    void brain(const char* key, std::optional<BrainGraph> T::*member, const char*) {
+        if (object_.*member) walk(FourNeurons{}, prefix_ + key + ".");
+    }
 
 private:
     template <class Inner>

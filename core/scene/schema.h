@@ -10,6 +10,8 @@
 //     named(key, vector T::*, most, meaning)   [key.NAME] …        list(key, vector T::*, most, meaning)   [[key]] …
 //     brain(key, BrainGraph T::*, meaning)                         place(key, optional<vec2> T::*, range, meaning)
 //
+// word() and brain() also take an optional member: without the key it is nullopt.
+//
 // Values come before tables, as TOML requires. Defaults are those of the structs. Unit and meaning are used in docs
 // only.
 #pragma once
@@ -154,6 +156,19 @@ void describe(Visitor& v, Of<Start>) {
     v.text("facing", &Start::facing, limits::name_length, "name of a source that heading 0 points to");
     v.number("place_spread", &Start::place_spread, "m", {0, 1000}, "x and y vary with the seed by up to ± this");
     v.angle("heading_spread", &Start::heading_spread, {0, 180}, "the heading varies with the seed by up to ± this");
+    v.word("driver", &Start::driver, "what commands its motors; default: as its kind");
+    v.brain("brain", &Start::brain, "its own brain; default: that of its kind");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Member>) {
+    v.text("kind", &Member::kind, limits::name_length, "name of its kind; default: chosen by the shares");
+    v.flag("placed", &Member::placed, "it starts at the pose below instead of a random one");
+    v.number("x", &Member::x, "m", place_range, "start position");
+    v.number("y", &Member::y, "m", place_range, "start position");
+    v.angle("heading", &Member::heading, {-360, 360}, "counter-clockwise from +x");
+    v.word("driver", &Member::driver, "what commands its motors; default: as its kind");
+    v.brain("brain", &Member::brain, "its own brain; default: that of its kind");
 }
 
 template <class Visitor>
@@ -207,6 +222,8 @@ void describe(Visitor& v, Of<Scene>) {
     v.table("ecology", &Scene::ecology, "population and energy");
     v.named("kind", &Scene::kinds, limits::kinds, "a design that many vehicles share");
     v.named("vehicle", &Scene::starts, limits::starts, "a vehicle with a given start pose");
+    v.named("member", &Scene::members, limits::vehicles,
+            "a vehicle of the random population with values of its own; its name is its number, from 0");
     v.named("source", &Scene::sources, limits::sources, "a stimulus at a fixed point");
     v.named("obstacle", &Scene::obstacles, limits::obstacles, "a box or convex polygon");
     v.named("zone", &Scene::zones, limits::zones, "an area of the floor with its own properties");

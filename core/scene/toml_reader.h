@@ -113,9 +113,11 @@ public:
     }
     template <class Enum>
     void word(const char* key, Enum T::*member, const char*) {
-        std::vector<std::string_view> known;
-        for (const auto& named : table_of(Enum{})) known.push_back(named.word);
-        if (const auto which = table_.one_of(key, known)) object_.*member = table_of(Enum{})[*which].value;
+        if (const auto value = read_word<Enum>(key)) object_.*member = *value;
+    }
+    template <class Enum>
+    void word(const char* key, std::optional<Enum> T::*member, const char*) {
+        if (const auto value = read_word<Enum>(key)) object_.*member = *value;
     }
     void text(const char* key, std::string T::*member, std::size_t longest, const char*) {
         if (auto value = table_.text(key, longest)) object_.*member = std::move(*value);
@@ -150,6 +152,10 @@ public:
     void brain(const char* key, BrainGraph T::*member, const char*) {
         if (const TomlNode* inner = table_.table(key)) read_brain(*inner, table_.path(key), object_.*member);
     }
+    void brain(const char* key, std::optional<BrainGraph> T::*member, const char*) {
+        if (const TomlNode* inner = table_.table(key))
+            read_brain(*inner, table_.path(key), (object_.*member).emplace());
+    }
     void texts(const char* key, std::vector<std::string> T::*member, std::size_t most, std::size_t longest,
                const char*) {
         const TomlNode::List* values = table_.list(key, most);
@@ -183,6 +189,13 @@ public:
     }
 
 private:
+    template <class Enum>
+    std::optional<Enum> read_word(const char* key) {
+        std::vector<std::string_view> known;
+        for (const auto& named : table_of(Enum{})) known.push_back(named.word);
+        const auto which = table_.one_of(key, known);
+        return which ? std::optional(table_of(Enum{})[*which].value) : std::nullopt;
+    }
     template <class Type, class Variant>
     void read_alternative(const char* key, Variant& variant) {
         for (const std::string_view needed : key_names<Type>())

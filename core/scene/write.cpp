@@ -77,6 +77,10 @@ public:
     void word(const char* key, Enum T::*member, const char*) {
         if (differs(member)) line(key, fmt::format("\"{}\"", braitenlab::word(object_.*member)));
     }
+    template <class Enum>
+    void word(const char* key, std::optional<Enum> T::*member, const char*) {
+        if (const auto& value = object_.*member) line(key, fmt::format("\"{}\"", braitenlab::word(*value)));
+    }
     void text(const char* key, std::string T::*member, std::size_t, const char*) {
         if (differs(member)) line(key, quote(object_.*member));
     }
@@ -108,6 +112,9 @@ public:
     }
     void brain(const char* key, BrainGraph T::*member, const char*) {
         if (differs(member)) write(to_text(object_.*member), key, true);
+    }
+    void brain(const char* key, std::optional<BrainGraph> T::*member, const char*) {
+        if (const auto& graph = object_.*member) write(to_text(*graph), key, true);
     }
 
     TomlWriter(const T& object, const T& defaults, std::string header, std::string path, std::string& out)

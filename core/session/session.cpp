@@ -13,6 +13,39 @@ constexpr std::size_t most_edits = 500;  // maximum number of undo steps
 
 using Steps = std::vector<SharedStep>;
 
+// The brain of a vehicle if it differs from that of its kind.
+std::optional<BrainGraph> own_brain(const Snapshot& now, const VehicleView& vehicle) {
+    const auto& brain = now.brains[static_cast<std::size_t>(vehicle.brain)];
+    const auto& of_kind = now.kind_brains[static_cast<std::size_t>(vehicle.kind)];
+    if (brain == of_kind || *brain == *of_kind) return std::nullopt;
+    return *brain;
+}
+
+// Writes the brains and drivers of single vehicles to the scene's starts and members.
+void add_own_values(Scene& scene, const Snapshot& now) {
+    std::map<int, Member> members;
+    for (Member& member : scene.members) {
+        member.brain.reset(), member.driver.reset();
+        members[number_of(member)] = std::move(member);
+    }
+    int number = 0;  // in the population
+    for (const VehicleView& v : now.vehicles) {
+        const Kind& kind = scene.kinds[static_cast<std::size_t>(v.kind)];
+        auto brain = own_brain(now, v);
+        const auto driver = v.driver != kind.driver ? std::optional(v.driver) : std::nullopt;
+        if (v.start >= 0) {
+            Start& start = scene.starts[static_cast<std::size_t>(v.start)];
+            start.brain = std::move(brain), start.driver = driver;
+        } else if (const int own = number++; brain || driver) {
+            Member& member = members[own];
+            member.name = std::to_string(own), member.kind = kind.name;
+            member.brain = std::move(brain), member.driver = driver;
+        }
+    }
+    scene.members.clear();
+    for (auto& [_, member] : members) scene.members.push_back(std::move(member));
+}
+
 void push(Steps& steps, UndoStep step) { steps.push_back(std::make_shared<const UndoStep>(std::move(step))); }
 
 }  // namespace
@@ -241,6 +274,7 @@ void Session::go_to(const Bookmark& bookmark) {
 Scene Session::edited_scene() const {
     Scene scene = *snapshot_.scene;
     for (std::size_t k = 0; k < scene.kinds.size(); ++k) scene.kinds[k].brain = *snapshot_.kind_brains[k];
+    add_own_values(scene, snapshot_);
     return scene;
 }
 
@@ -259,7 +293,7 @@ void Session::renumber_after_reset(const Snapshot& before, Keep keep) {
     for (const VehicleView& v : before.vehicles) {
         const BrainGraph& brain = *before.brains[static_cast<std::size_t>(v.brain)];
         const VehicleView* now = find_vehicle(snapshot_, number(v.id));
-        if (now && now->kind == v.kind && brain != *snapshot_.kind_brains[static_cast<std::size_t>(v.kind)])
+        if (now && now->kind == v.kind && brain != *snapshot_.brains[static_cast<std::size_t>(now->brain)])
             (void)execute(SetBrain{{.vehicle = now->id}, brain});
     }
     const auto renumber = [&](Steps& steps) {

@@ -89,7 +89,8 @@ public:
     const Snapshot& snapshot() const { return snapshot_; }
     // The scene without edits. snapshot().scene has all edits except those of brains.
     const Scene& scene() const { return opened_; }
-    // The scene with all edits, brains included, as a file stores it.
+    // The scene with all edits as a file stores it: brains and drivers of kinds and of single vehicles included. A
+    // session opened from it starts as this one does after reset().
     Scene edited_scene() const;
     std::uint64_t seed() const { return snapshot_.seed; }
     std::uint64_t hash() const { return world_.hash(); }

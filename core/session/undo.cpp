@@ -61,11 +61,21 @@ AddVehicle bringing_back(const Snapshot& now, const VehicleView& v) {
     return add;
 }
 
+EditMember same_member(const Scene& scene, int number) {
+    for (const Member& member : scene.members)
+        if (number_of(member) == number) return {number, member};
+    return {number, std::nullopt};
+}
+
 Commands bringing_back(const Snapshot& now, const RemoveVehicle& c) {
     const VehicleView* v =
         c.vehicle == no_vehicle && !now.vehicles.empty() ? &now.vehicles.back() : find_vehicle(now, c.vehicle);
     if (!v) return {};
-    return {bringing_back(now, *v)};
+    Commands commands{bringing_back(now, *v)};
+    if (v->start >= 0) return commands;
+    const EditMember member = same_member(*now.scene, number_in_population(now, v->id));
+    if (member.to) commands.push_back(member);
+    return commands;
 }
 
 Commands bringing_back(const Snapshot& now, const RemoveSource& c) {
@@ -99,6 +109,7 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
                 if (!start) return {};
                 return {EditStart{c.start, *start}};
             },
+            [&](const EditMember& c) -> Commands { return {same_member(scene, c.member)}; },
             [&](const SetSensors& c) -> Commands {
                 const Kind* kind = at(scene.kinds, c.kind);
                 if (!kind) return {};
@@ -157,6 +168,7 @@ bool supersedes(const Command& later, const Command& earlier) {
               [&](const SetBrain& c) { return c.target == std::get<SetBrain>(earlier).target; },
               [&](const MoveVehicle& c) { return c.vehicle == std::get<MoveVehicle>(earlier).vehicle; },
               [&](const EditStart& c) { return c.start == std::get<EditStart>(earlier).start; },
+              [&](const EditMember& c) { return c.member == std::get<EditMember>(earlier).member; },
               [&](const SetSensors& c) { return c.kind == std::get<SetSensors>(earlier).kind; },
               [&](const EditSource& c) { return c.source == std::get<EditSource>(earlier).source; },
               [&](const MoveSource& c) { return c.source == std::get<MoveSource>(earlier).source; },

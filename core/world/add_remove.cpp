@@ -1,4 +1,4 @@
-// Commands that add and remove vehicles and edit starts, in the running world and in its scene.
+// Commands that add, remove and move vehicles and edit starts, in the running world and in its scene.
 #include <cmath>
 
 #include "core/scene/schema.h"
@@ -23,12 +23,26 @@ std::optional<Error> refusal(const WorldData& s, const AddVehicle& c) {
     return std::nullopt;
 }
 
+// Number in the population that the vehicle with this id has or would have.
+int number_in_population(const WorldData& s, VehicleId id) {
+    int number = 0;
+    for (std::size_t row = 0; row < s.vehicles.size() && s.vehicles.id[row] < id; ++row)
+        number += s.vehicles.start[row] < 0;
+    return number;
+}
+
+void renumber_members(Scene& scene, int from, int by) {
+    for (Member& member : scene.members)
+        if (const int number = number_of(member); number >= from) member.name = std::to_string(number + by);
+}
+
 // Adds the vehicle to the scene. Returns the index of its start; −1 if it counts towards the population.
 Result<int> add_to_scene(WorldData& s, const AddVehicle& c, int kind) {
     Scene scene = *s.scene;
     const bool returns_to_population = c.id != no_vehicle && !c.start;
     if (!c.at || returns_to_population) {
         ++scene.ecology.population;
+        if (returns_to_population) renumber_members(scene, number_in_population(s, c.id), 1);
         s.scene = std::make_shared<const Scene>(std::move(scene));
         return -1;
     }
@@ -43,12 +57,17 @@ Result<int> add_to_scene(WorldData& s, const AddVehicle& c, int kind) {
     return index;
 }
 
-void remove_from_scene(WorldData& s, std::int32_t start) {
+// Call before the vehicle is removed from the world.
+void remove_from_scene(WorldData& s, std::size_t row) {
+    const std::int32_t start = s.vehicles.start[row];
     Scene scene = *s.scene;
     if (start >= 0) {
         scene.starts.erase(iterator_at(scene.starts, start));
         for (std::int32_t& other : s.vehicles.start) other -= other > start;
     } else {
+        const int number = number_in_population(s, s.vehicles.id[row]);
+        std::erase_if(scene.members, [number](const Member& member) { return number_of(member) == number; });
+        renumber_members(scene, number, -1);
         scene.ecology.population = std::max(0, scene.ecology.population - 1);
     }
     s.scene = std::make_shared<const Scene>(std::move(scene));
@@ -105,10 +124,18 @@ std::optional<Error> execute(WorldData& s, const AddVehicle& c) {
 std::optional<Error> execute(WorldData& s, const RemoveVehicle& c) {
     if (s.vehicles.size() == 0) return Error{"there is no vehicle left to remove"};
     const auto row = c.vehicle == no_vehicle ? std::optional(s.vehicles.size() - 1) : s.row_of(c.vehicle);
-    if (!row) return Error{fmt::format("vehicle {} is no longer in the world; select another one", c.vehicle)};
-    const std::int32_t start = s.vehicles.start[*row];
+    if (!row) return unknown_vehicle(c.vehicle);
+    remove_from_scene(s, *row);
     remove_vehicles(s, {*row});
-    remove_from_scene(s, start);
+    return std::nullopt;
+}
+
+std::optional<Error> execute(WorldData& s, const MoveVehicle& c) {
+    const auto row = s.row_of(c.vehicle);
+    if (!row) return unknown_vehicle(c.vehicle);
+    if (!is_finite({c.x, c.y, c.heading})) return not_finite();
+    s.physics.set_pose(*row, {c.x, c.y, maths::wrap_angle(c.heading)});
+    read_motion(s, *row);
     return std::nullopt;
 }
 
@@ -119,6 +146,18 @@ std::optional<Error> execute(WorldData& s, const EditStart& c) {
     const std::string name = start.name;
     start = c.to;
     start.name = name;
+    if (auto error = check_scene(scene)) return error;
+    s.scene = std::make_shared<const Scene>(std::move(scene));
+    return std::nullopt;
+}
+
+std::optional<Error> execute(WorldData& s, const EditMember& c) {
+    Scene scene = *s.scene;
+    std::erase_if(scene.members, [&](const Member& member) { return number_of(member) == c.member; });
+    if (c.to) {
+        scene.members.push_back(*c.to);
+        scene.members.back().name = std::to_string(c.member);
+    }
     if (auto error = check_scene(scene)) return error;
     s.scene = std::make_shared<const Scene>(std::move(scene));
     return std::nullopt;

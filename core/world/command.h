@@ -79,6 +79,13 @@ struct EditStart {  // takes effect when a vehicle next enters at the start; no 
     Start to;
     friend bool operator==(const EditStart&, const EditStart&) = default;
 };
+// Replaces or removes the entry of Scene::members for this vehicle of the population, numbered from 0. Takes effect in
+// a world that is created from the scene; no vehicle changes now.
+struct EditMember {
+    int member = 0;
+    std::optional<Member> to{};  // nullopt: none
+    friend bool operator==(const EditMember&, const EditMember&) = default;
+};
 struct SetSensors {  // replaces the sensors of a kind; all readings are reset to 0
     int kind = 0;
     std::vector<Sensor> sensors;
@@ -135,6 +142,6 @@ struct NewPopulation {  // starts the next generation: the same number of vehicl
 
 using Command = std::variant<TurnDial, SetBrain, PlaceNodes, AddVehicle, RemoveVehicle, MoveVehicle, ChooseDriver,
                              Steer, EditStart, SetSensors, AddSource, RemoveSource, EditSource, MoveSource, AddObstacle,
-                             RemoveObstacle, EditObstacle, MoveObstacle, NewPopulation, Retitle>;
+                             RemoveObstacle, EditObstacle, MoveObstacle, NewPopulation, Retitle, EditMember>;
 
 }  // namespace braitenlab

@@ -28,10 +28,6 @@ void give_brain(WorldData& s, std::size_t row, SharedBrain brain) {
     v.brain[row] = std::move(brain);
 }
 
-Error unknown_vehicle(VehicleId id) {
-    return {fmt::format("vehicle {} is no longer in the world; select another one", id)};
-}
-
 // Edits all brains of the target. Vehicles that share a brain share the edited one. Changes nothing when an edited
 // brain does not compile.
 template <class Edit>
@@ -83,15 +79,6 @@ std::optional<Error> execute(WorldData& s, const SetBrain& c) {
 
 std::optional<Error> execute(WorldData& s, const PlaceNodes& c) { return execute_cosmetic(s, c); }
 std::optional<Error> execute(WorldData& s, const Retitle& c) { return execute_cosmetic(s, c); }
-
-std::optional<Error> execute(WorldData& s, const MoveVehicle& c) {
-    const auto row = s.row_of(c.vehicle);
-    if (!row) return unknown_vehicle(c.vehicle);
-    if (!is_finite({c.x, c.y, c.heading})) return not_finite();
-    s.physics.set_pose(*row, {c.x, c.y, maths::wrap_angle(c.heading)});
-    read_motion(s, *row);
-    return std::nullopt;
-}
 
 std::optional<Error> execute(WorldData& s, const ChooseDriver& c) {
     const auto row = s.row_of(c.vehicle);

@@ -19,7 +19,9 @@ namespace braitenlab::world {
 // or in use is replaced by a free one.
 std::optional<Error> execute(WorldData&, const AddVehicle&);  // add_remove.cpp
 std::optional<Error> execute(WorldData&, const RemoveVehicle&);
+std::optional<Error> execute(WorldData&, const MoveVehicle&);
 std::optional<Error> execute(WorldData&, const EditStart&);
+std::optional<Error> execute(WorldData&, const EditMember&);
 std::optional<Error> execute(WorldData&, const SetSensors&);  // edits.cpp
 std::optional<Error> execute(WorldData&, const AddSource&);
 std::optional<Error> execute(WorldData&, const RemoveSource&);
@@ -31,6 +33,9 @@ std::optional<Error> execute(WorldData&, const EditObstacle&);
 std::optional<Error> execute(WorldData&, const MoveObstacle&);
 
 inline bool is_finite(const Pose& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.heading); }
+inline Error unknown_vehicle(VehicleId id) {
+    return {fmt::format("vehicle {} is no longer in the world; select another one", id)};
+}
 inline Error not_finite() { return {"a position takes finite numbers only"}; }
 
 // Replaces the scene by an edited one and rebuilds the world from it.

@@ -45,6 +45,10 @@ struct StructDigest {
     void word(const char*, Enum T::*member, const char*) {
         digest.add(static_cast<std::int32_t>(object.*member));
     }
+    template <class Enum>
+    void word(const char*, std::optional<Enum> T::*member, const char*) {
+        if (object.*member) digest.add(static_cast<std::int32_t>(*(object.*member)));
+    }
     void text(const char*, std::string T::*member, std::size_t, const char*) { digest.add(object.*member); }
     template <class Part>
     void part(Part T::*member) {
@@ -62,7 +66,8 @@ struct StructDigest {
     void list(const char*, std::vector<Element> T::*member, std::size_t, const char*) {
         add_all(digest, object.*member);
     }
-    void brain(const char*, BrainGraph T::*, const char*) {}
+    template <class Graph>
+    void brain(const char*, Graph T::*, const char*) {}
 };
 
 template <class T>

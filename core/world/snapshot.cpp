@@ -13,6 +13,12 @@ const VehicleView* find_vehicle(const Snapshot& now, VehicleId id) {
     return found != now.vehicles.end() && found->id == id ? &*found : nullptr;
 }
 
+int number_in_population(const Snapshot& now, VehicleId id) {
+    int number = 0;
+    for (const VehicleView& v : now.vehicles) number += v.id < id && v.start < 0;
+    return number;
+}
+
 namespace {
 
 float sensor_value(const Snapshot& now, const VehicleView& vehicle, const std::string& name) {

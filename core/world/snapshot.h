@@ -93,6 +93,9 @@ struct VehicleTrace {
 // The vehicle with this id, or null.
 const VehicleView* find_vehicle(const Snapshot&, VehicleId);
 
+// Number in the random population, from 0, that the vehicle with this id has or would have (see Member).
+int number_in_population(const Snapshot&, VehicleId);
+
 // Brain of the vehicle. Precondition: the vehicle is in the snapshot.
 inline const std::shared_ptr<const BrainGraph>& brain_of(const Snapshot& now, const VehicleView& vehicle) {
     return now.brains[static_cast<std::size_t>(vehicle.brain)];

@@ -186,19 +186,29 @@ void remove_vehicles(WorldData& s, const std::vector<std::size_t>& rows) {
 
 void spawn_population(WorldData& s) {
     const Scene& scene = *s.scene;
+    // `own`: an entry of Scene::starts or Scene::members, or nullptr.
+    const auto add = [&s](int kind, int start, VehicleId id, const Pose& pose, const auto* own) {
+        SharedBrain brain = s.kind_brains[static_cast<std::size_t>(kind)];
+        if (own && own->brain)  // check_scene has checked it
+            if (auto made = compile_brain(*own->brain, s.scene->kinds[static_cast<std::size_t>(kind)])) brain = *made;
+        add_vehicle(s, kind, start, id, std::move(brain), pose);
+        if (own && own->driver) s.vehicles.driver.back() = *own->driver;
+    };
     for (std::size_t i = 0; i < scene.starts.size(); ++i) {
-        const int kind = find_kind(scene, scene.starts[i].kind);
         const VehicleId id = s.next_id++;
-        add_vehicle(s, kind, static_cast<int>(i), id, s.kind_brains[static_cast<std::size_t>(kind)],
-                    start_pose(s, scene.starts[i], id));
+        add(find_kind(scene, scene.starts[i].kind), static_cast<int>(i), id, start_pose(s, scene.starts[i], id),
+            &scene.starts[i]);
     }
+    std::vector<const Member*> members(static_cast<std::size_t>(scene.ecology.population));
+    for (const Member& member : scene.members) members[static_cast<std::size_t>(number_of(member))] = &member;
     std::vector<int> counts(s.kinds.size(), 0);
     FreeSpace free_space(s);
-    for (int i = 0; i < scene.ecology.population; ++i) {
-        const int kind = most_wanted(scene, counts);
+    for (const Member* member : members) {
+        const int kind = member && !member->kind.empty() ? find_kind(scene, member->kind) : most_wanted(scene, counts);
         ++counts[static_cast<std::size_t>(kind)];
         const VehicleId id = s.next_id++;
-        add_vehicle(s, kind, -1, id, s.kind_brains[static_cast<std::size_t>(kind)], free_pose(s, free_space, kind, id));
+        const Pose random = free_pose(s, free_space, kind, id);
+        add(kind, -1, id, member && member->placed ? Pose{member->x, member->y, member->heading} : random, member);
     }
 }
 

@@ -58,6 +58,11 @@ public:
         const auto& known = table_of(Enum{});
         object_.*member = known[dice_.below(known.size())].value;
     }
+    template <class Enum>
+    void word(const char*, std::optional<Enum> T::*member, const char*) {
+        const auto& known = table_of(Enum{});
+        if (dice_.toss()) object_.*member = known[dice_.below(known.size())].value;
+    }
     void text(const char*, std::string T::*member, std::size_t longest, const char*) {
         object_.*member = dice_.text(longest);
     }
@@ -83,7 +88,8 @@ public:
         (object_.*member).resize(1 + dice_.below(4));
         for (Element& element : object_.*member) fill(element);
     }
-    void brain(const char*, BrainGraph T::*, const char*) {}  // below
+    template <class Graph>
+    void brain(const char*, Graph T::*, const char*) {}  // below
 
 private:
     template <class Inner>
@@ -142,6 +148,15 @@ void make_sound(Scene& scene, Dice& dice) {
         start.kind = scene.kinds[dice.below(scene.kinds.size())].name;
         start.facing = scene.sources.empty() || dice.toss() ? "" : scene.sources[dice.below(scene.sources.size())].name;
         start.x = std::fmod(start.x, scene.arena.width / 2), start.y = std::fmod(start.y, scene.arena.height / 2);
+        if (dice.toss()) start.brain = any_brain(dice, scene.kinds.front());
+    }
+    scene.members.resize(std::min(scene.members.size(), static_cast<std::size_t>(scene.ecology.population)));
+    for (std::size_t i = 0; i < scene.members.size(); ++i) {
+        Member& member = scene.members[i];
+        member.name = std::to_string(i);
+        member.kind = dice.toss() ? scene.kinds.front().name : "";
+        member.x = std::fmod(member.x, scene.arena.width / 2), member.y = std::fmod(member.y, scene.arena.height / 2);
+        if (dice.toss()) member.brain = any_brain(dice, scene.kinds.front());
     }
     for (Obstacle& obstacle : scene.obstacles) {
         const std::size_t corners = obstacle.corners.size() < 3 ? 0 : obstacle.corners.size();

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/brain/four_neurons.h"
 #include "core/maths/random.h"
+#include "core/scene/scene_file.h"
 #include "tests/core/scenes.h"
 
 namespace braitenlab::tests::session_test {
@@ -135,7 +137,13 @@ Command any_edit(const Session& session, maths::Random& chance) {
         now.vehicles.empty() ? 0 : now.vehicles[static_cast<std::size_t>(below(now.vehicles.size()))].id;
     const int source = below(now.sources.size()), obstacle = below(now.obstacles.size());
     const int kind = below(now.scene->kinds.size());
-    switch (below(18)) {
+    switch (below(19)) {
+        case 18: {
+            const int population = now.scene->ecology.population;
+            if (population == 0) return AddVehicle{};
+            return EditMember{below(static_cast<std::size_t>(population)),
+                              Member{.placed = true, .x = metres(), .y = metres()}};
+        }
         case 0:
             return TurnDial{{.vehicle = vehicle}, Dial::LR, chance.uniform(-2, 2)};
         case 1:
@@ -188,6 +196,65 @@ Scene furnished() {
     scene.obstacles = {{"box", 4, -4, 0.5f, 1, 2}};
     scene.starts = {{"first", scene.kinds[0].name, -5, -5, 0, "lamp"}, {"second", scene.kinds[1].name, 5, 5, 1, ""}};
     return scene;
+}
+
+// What a scene says about a vehicle at its start.
+struct Begin {
+    VehicleId id;
+    std::string kind;
+    Pose pose;
+    Driver driver;
+    BrainGraph brain;
+    friend bool operator==(const Begin&, const Begin&) = default;
+};
+std::vector<Begin> begins(const Snapshot& now) {
+    std::vector<Begin> all;
+    for (const VehicleView& v : now.vehicles)
+        all.push_back({v.id,
+                       now.scene->kinds[static_cast<std::size_t>(v.kind)].name,
+                       {v.x, v.y, v.heading},
+                       v.driver,
+                       *brain_of(now, v)});
+    return all;
+}
+
+TEST(Session, OpensTheSavedSceneAsARestartBeginsIt) {
+    int own_brains = 0, own_drivers = 0, placed = 0;
+    for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+        Session session = open(furnished());
+        maths::Random chance{seed, 9};
+        if (seed % 2 == 0) session.step();
+        for (int i = 0; i < 12; ++i) (void)session.apply(any_edit(session, chance));
+        if (const auto& all = session.snapshot().vehicles; !all.empty()) {  // no edit: it cannot be undone
+            ASSERT_FALSE(session.apply(ChooseDriver{all[chance.next() % all.size()].id, Driver::wander}));
+        }
+        const std::string text = write_scene(session.edited_scene());
+        const auto saved = parse_scene(text, "saved.toml");
+        ASSERT_TRUE(saved) << saved.error().text() << "\n" << text;
+        Session opened = open(*saved);
+        session.reset();
+        ASSERT_EQ(begins(opened.snapshot()), begins(session.snapshot())) << text;
+        ASSERT_EQ(opened.hash(), session.hash()) << text;
+        EXPECT_EQ(opened.edited_scene(), *saved) << "opening is no edit\n" << text;
+        for (const Start& start : saved->starts)
+            own_brains += start.brain.has_value(), own_drivers += start.driver.has_value();
+        for (const Member& member : saved->members)
+            own_brains += member.brain.has_value(), own_drivers += member.driver.has_value(), placed += member.placed;
+    }
+    EXPECT_GT(own_brains, 300);
+    EXPECT_GT(own_drivers, 100);
+    EXPECT_GT(placed, 100);
+}
+
+TEST(Session, SavesTheBrainOfOneVehicle) {
+    Session session = open(furnished());
+    const VehicleId one = session.snapshot().vehicles.back().id, other = session.snapshot().vehicles.front().id;
+    ASSERT_FALSE(session.apply(TurnDial{{.vehicle = one}, Dial::LR, 1.25f}));
+    ASSERT_FALSE(session.apply(TurnDial{{.vehicle = other}, Dial::LR, -0.75f}));
+    const Session opened = open(*parse_scene(write_scene(session.edited_scene()), "saved.toml"));
+    const Snapshot& now = opened.snapshot();
+    EXPECT_EQ(read_dials(*brain_of(now, *find_vehicle(now, one))).LR, 1.25f);
+    EXPECT_EQ(read_dials(*brain_of(now, *find_vehicle(now, other))).LR, -0.75f);
 }
 
 TEST(Undo, RevertsAndRepeatsEveryCommand) {

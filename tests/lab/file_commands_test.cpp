@@ -47,6 +47,22 @@ TEST_F(FileCommands, SavesTheSceneWithItsEditedBrainAndOpensItAgain) {
     EXPECT_EQ(state.recent.front(), (folder / "mine.toml").string());
 }
 
+TEST_F(FileCommands, SavesTheBrainOfOneVehicleOfThePopulation) {
+    lab = open("predator-prey");
+    const auto LL_of = [this](VehicleId id) {
+        const Snapshot& now = lab.document.session.snapshot();
+        return read_dials(*brain_of(now, *find_vehicle(now, id))).LL;
+    };
+    const float shipped = LL_of(4);
+    handle(lab, EditRequest{TurnDial{{.vehicle = 3}, Dial::LL, -1.25f}});
+    ASSERT_TRUE(has_unsaved_edits(lab));
+    ask(SaveRequest{"mine", FileKind::scene});
+    EXPECT_FALSE(has_unsaved_edits(lab));
+    ask(OpenRequest{"mine.toml"});
+    EXPECT_EQ(LL_of(3), -1.25f);
+    EXPECT_EQ(LL_of(4), shipped);
+}
+
 TEST_F(FileCommands, SavesTheSceneUnderAnotherTitle) {
     ask(SaveRequest{"mine", FileKind::scene, "My own coward"});
     EXPECT_EQ(lab.document.session.snapshot().scene->title, "My own coward") << "the card shows it";

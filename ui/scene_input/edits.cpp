@@ -84,7 +84,15 @@ std::optional<Command> move_of(const Snapshot& now, const SceneObject& object, P
 std::optional<Command> start_of(const Snapshot& now, const Command& move) {
     const auto* to = std::get_if<MoveVehicle>(&move);
     const VehicleView* v = to && now.tick == 0 ? find_vehicle(now, to->vehicle) : nullptr;
-    if (!v || v->start < 0) return std::nullopt;
+    if (!v) return std::nullopt;
+    if (v->start < 0) {
+        const int number = number_in_population(now, v->id);
+        Member member;
+        for (const Member& known : now.scene->members)
+            if (number_of(known) == number) member = known;
+        member.placed = true, member.x = to->x, member.y = to->y, member.heading = to->heading;
+        return EditMember{number, member};
+    }
     Start start = now.scene->starts[static_cast<std::size_t>(v->start)];
     start.x = to->x, start.y = to->y, start.heading = to->heading;
     start.facing.clear();
