@@ -13,24 +13,28 @@ namespace {
 struct DialEntry {
     std::string_view word;
     float FourNeurons::*value;
-    const char* sensor;  // null for a bias
+    std::string SensorPair::*sensor;  // null for a bias
     const char* motor;
 };
 
 constexpr std::array<DialEntry, all_dials.size()> entries{{
-    {"LL", &FourNeurons::LL, "SL", "ML"},
-    {"LR", &FourNeurons::LR, "SR", "ML"},
-    {"RL", &FourNeurons::RL, "SL", "MR"},
-    {"RR", &FourNeurons::RR, "SR", "MR"},
-    {"threshold_LL", &FourNeurons::threshold_LL, "SL", "ML"},
-    {"threshold_LR", &FourNeurons::threshold_LR, "SR", "ML"},
-    {"threshold_RL", &FourNeurons::threshold_RL, "SL", "MR"},
-    {"threshold_RR", &FourNeurons::threshold_RR, "SR", "MR"},
+    {"LL", &FourNeurons::LL, &SensorPair::left, "ML"},
+    {"LR", &FourNeurons::LR, &SensorPair::right, "ML"},
+    {"RL", &FourNeurons::RL, &SensorPair::left, "MR"},
+    {"RR", &FourNeurons::RR, &SensorPair::right, "MR"},
+    {"threshold_LL", &FourNeurons::threshold_LL, &SensorPair::left, "ML"},
+    {"threshold_LR", &FourNeurons::threshold_LR, &SensorPair::right, "ML"},
+    {"threshold_RL", &FourNeurons::threshold_RL, &SensorPair::left, "MR"},
+    {"threshold_RR", &FourNeurons::threshold_RR, &SensorPair::right, "MR"},
     {"LM", &FourNeurons::LM, nullptr, "ML"},
     {"RM", &FourNeurons::RM, nullptr, "MR"},
 }};
 
 const DialEntry& entry(Dial dial) { return entries[static_cast<std::size_t>(dial)]; }
+
+const Node* sensor_of(const BrainGraph& graph, Dial dial, const SensorPair& pair) {
+    return find_node(graph, pair.*entry(dial).sensor);
+}
 
 bool is_bias(Dial dial) { return entry(dial).sensor == nullptr; }
 bool is_weight(Dial dial) { return dial <= Dial::RR; }
@@ -67,7 +71,7 @@ BrainGraph make_graph(const FourNeurons& four) {
                    {.id = ML, .kind = NodeKind::motor, .name = "ML", .bias = four.LM},
                    {.id = MR, .kind = NodeKind::motor, .name = "MR", .bias = four.RM}};
     for (const Dial dial : weight_dials)
-        graph.wires.push_back({.from = find_node(graph, entry(dial).sensor)->id,
+        graph.wires.push_back({.from = sensor_of(graph, dial, {})->id,
                                .to = find_node(graph, entry(dial).motor)->id,
                                .weight = at(four, dial),
                                .threshold = at(four, threshold_of(dial))});
@@ -85,10 +89,10 @@ bool is_four_neurons(const BrainGraph& graph) {
     return given == made;
 }
 
-FourNeurons read_dials(const BrainGraph& graph) {
+FourNeurons read_dials(const BrainGraph& graph, const SensorPair& pair) {
     FourNeurons four;
     for (const Dial dial : weight_dials) {
-        const Node* sensor = find_node(graph, entry(dial).sensor);
+        const Node* sensor = sensor_of(graph, dial, pair);
         const Node* motor = find_node(graph, entry(dial).motor);
         const Wire* wire = sensor && motor ? find_wire(graph, sensor->id, motor->id) : nullptr;
         if (!wire) continue;
@@ -100,15 +104,15 @@ FourNeurons read_dials(const BrainGraph& graph) {
     return four;
 }
 
-std::optional<Dial> direct_dial(const BrainGraph& graph, WireEnds ends) {
+std::optional<Dial> direct_dial(const BrainGraph& graph, WireEnds ends, const SensorPair& pair) {
     for (const Dial dial : weight_dials)
-        if (direct_ends(graph, dial) == ends) return dial;
+        if (direct_ends(graph, dial, pair) == ends) return dial;
     return std::nullopt;
 }
 
-std::optional<WireEnds> direct_ends(const BrainGraph& graph, Dial weight) {
+std::optional<WireEnds> direct_ends(const BrainGraph& graph, Dial weight, const SensorPair& pair) {
     assert(is_weight(weight));
-    const Node* sensor = find_node(graph, entry(weight).sensor);
+    const Node* sensor = sensor_of(graph, weight, pair);
     const Node* motor = find_node(graph, entry(weight).motor);
     if (sensor == nullptr || sensor->kind != NodeKind::sensor) return std::nullopt;
     if (motor == nullptr || motor->kind != NodeKind::motor) return std::nullopt;
@@ -122,7 +126,7 @@ std::string wire_name(const BrainGraph& graph, WireEnds ends) {
     return (from == nullptr ? "?" : from->name) + "-" + (to == nullptr ? "?" : to->name);
 }
 
-void turn(BrainGraph& graph, Dial dial, float value) {
+void turn(BrainGraph& graph, Dial dial, float value, const SensorPair& pair) {
     if (!std::isfinite(value)) return;
     value = std::clamp(value, range(dial).low, range(dial).high);
     Node* motor = find_node(graph, entry(dial).motor);
@@ -131,7 +135,7 @@ void turn(BrainGraph& graph, Dial dial, float value) {
         motor->bias = value;
         return;
     }
-    const Node* sensor = find_node(graph, entry(dial).sensor);
+    const Node* sensor = sensor_of(graph, dial, pair);
     if (!sensor) return;
     Wire* wire = find_wire(graph, sensor->id, motor->id);
     if (!wire) wire = &graph.wires.emplace_back(Wire{.from = sensor->id, .to = motor->id, .weight = 0});

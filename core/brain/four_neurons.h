@@ -36,6 +36,13 @@ DialRange range(Dial);
 // The threshold of the wire that has this weight. Precondition: one of weight_dials.
 Dial threshold_of(Dial weight);
 
+// Names of the two sensors whose wires the weights are. A vehicle can have several pairs (core/scene/sensor_pairs.h);
+// the dials of one pair do not depend on the others, but the biases are common to all.
+struct SensorPair {
+    std::string left = "SL", right = "SR";
+    friend bool operator==(const SensorPair&, const SensorPair&) = default;
+};
+
 struct FourNeurons {
     float LL = 0, LR = 0, RL = 0, RR = 0;
     float threshold_LL = 0, threshold_LR = 0, threshold_RL = 0, threshold_RR = 0;
@@ -57,22 +64,21 @@ BrainGraph make_graph(const FourNeurons&);
 // True when the graph equals make_graph() of some FourNeurons, apart from order and canvas positions.
 bool is_four_neurons(const BrainGraph&);
 
-// The dial that holds the weight of this wire; nullopt unless it joins SL or SR to ML or MR.
-std::optional<Dial> direct_dial(const BrainGraph&, WireEnds);
+// The dial that holds the weight of this wire; nullopt unless it joins a sensor of the pair to ML or MR.
+std::optional<Dial> direct_dial(const BrainGraph&, WireEnds, const SensorPair& = {});
 
 // The ends of a dial's wire; nullopt when the graph does not have the sensor or the motor. Precondition: one of
 // weight_dials.
-std::optional<WireEnds> direct_ends(const BrainGraph&, Dial weight);
+std::optional<WireEnds> direct_ends(const BrainGraph&, Dial weight, const SensorPair& = {});
 
 // "LR" for a direct wire, else the names of both ends: "N1-ML". An end that the graph does not have is "?".
 std::string wire_name(const BrainGraph&, WireEnds);
 
-// The dials of any graph: its direct wires from SL and SR to ML and MR and those motors' biases; 0 where one is
-// missing.
-FourNeurons read_dials(const BrainGraph&);
+// The dials of any graph: its direct wires from the pair to ML and MR and those motors' biases; 0 where one is missing.
+FourNeurons read_dials(const BrainGraph&, const SensorPair& = {});
 
 // Sets one dial, adding the wire where the graph has none. Clamps to the dial's range; a value that is not finite
 // changes nothing. A dial whose sensor or motor the graph does not have changes nothing.
-void turn(BrainGraph&, Dial, float value);
+void turn(BrainGraph&, Dial, float value, const SensorPair& = {});
 
 }  // namespace braitenlab

@@ -103,8 +103,8 @@ const char* name(Character character) {
     return "";
 }
 
-Character recognise(const BrainGraph& graph, const EyePair& eyes, std::span<const Reading> meanwhile) {
-    std::vector<std::string> sensors{eyes.left, eyes.right};
+Character recognise(const BrainGraph& graph, const SensorPair& pair, std::span<const Reading> meanwhile) {
+    std::vector<std::string> sensors{pair.left, pair.right};
     std::vector<float> sensed{0, 0};
     for (const Reading& reading : meanwhile) {
         if (std::find(sensors.begin(), sensors.end(), reading.sensor) != sensors.end()) continue;

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "core/brain/graph.h"
+#include "core/brain/four_neurons.h"
 
 namespace braitenlab {
 
@@ -14,11 +14,6 @@ enum class Character { still, indifferent, alive, drowsy, coward, aggressor, lov
 // The field's name: "coward", "aggressor", "love" …; a stable key, not a translated word.
 const char* name(Character);
 
-// The two sensors that get the stimulus. A brain with several pairs of sensors has a character for each pair.
-struct EyePair {
-    std::string left = "SL", right = "SR";
-};
-
 // The constant reading of another sensor; sensors without one read 0.
 struct Reading {
     std::string sensor;
@@ -26,8 +21,8 @@ struct Reading {
     friend bool operator==(const Reading&, const Reading&) = default;
 };
 
-// Applies constant stimuli of eight strengths to the left and to the right sensor and reads the motors after they have
-// settled.
+// Applies constant stimuli of eight strengths to the left and to the right sensor of the pair and reads the motors
+// after they have settled.
 //   still        never drives;           indifferent  drives, independent of the stimulus
 //   alive        faster, does not turn;  drowsy       slower, does not turn
 //   coward       turns away and faster;  aggressor    turns towards and faster
@@ -35,7 +30,7 @@ struct Reading {
 //   orbiting     turns towards a weak stimulus and away from a strong one
 // A brain whose turn depends less on the side of the stimulus than on a fixed bias to one side is mixed. A brain that
 // does not compile is still.
-Character recognise(const BrainGraph&, const EyePair& = {}, std::span<const Reading> meanwhile = {});
+Character recognise(const BrainGraph&, const SensorPair& = {}, std::span<const Reading> meanwhile = {});
 
 // +1: turns towards the stimulus; −1: turns away; 0: neither. Gives the role of a vehicle for Role::wiring.
 int attraction(Character);

@@ -13,12 +13,12 @@ struct Ends {
     NodeId left_eye, right_eye, left_motor, right_motor;
 };
 
-std::optional<Ends> ends(const BrainGraph& brain) {
-    const auto id = [&](const char* name, NodeKind kind) {
-        const Node* node = find_node(brain, std::string(name));
+std::optional<Ends> ends(const BrainGraph& brain, const SensorPair& pair) {
+    const auto id = [&](const std::string& name, NodeKind kind) {
+        const Node* node = find_node(brain, name);
         return node && node->kind == kind ? node->id : NodeId{-1};
     };
-    const Ends e{id("SL", NodeKind::sensor), id("SR", NodeKind::sensor), id("ML", NodeKind::motor),
+    const Ends e{id(pair.left, NodeKind::sensor), id(pair.right, NodeKind::sensor), id("ML", NodeKind::motor),
                  id("MR", NodeKind::motor)};
     const bool whole = e.left_eye >= 0 && e.right_eye >= 0 && e.left_motor >= 0 && e.right_motor >= 0;
     return whole ? std::optional(e) : std::nullopt;
@@ -52,8 +52,8 @@ void swap_wires(BrainGraph& brain, NodeId eye, NodeId one_motor, NodeId other_mo
 
 }  // namespace
 
-BrainGraph mirrored(BrainGraph brain) {
-    const auto e = ends(brain);
+BrainGraph mirrored(BrainGraph brain, const SensorPair& pair) {
+    const auto e = ends(brain, pair);
     if (!e) return brain;
     const auto wire = [&](NodeId from, NodeId to) {
         const Wire* found = find_wire(brain, from, to);
@@ -70,8 +70,8 @@ BrainGraph mirrored(BrainGraph brain) {
     return brain;
 }
 
-BrainGraph crossed(BrainGraph brain) {
-    const auto e = ends(brain);
+BrainGraph crossed(BrainGraph brain, const SensorPair& pair) {
+    const auto e = ends(brain, pair);
     if (!e) return brain;
     swap_wires(brain, e->left_eye, e->left_motor, e->right_motor);
     swap_wires(brain, e->right_eye, e->right_motor, e->left_motor);

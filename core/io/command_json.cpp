@@ -9,7 +9,17 @@ namespace braitenlab {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Pose, x, y, heading)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Target, vehicle, kind)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TurnDial, target, dial, value)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SensorPair, left, right)
+inline void to_json(Json& json, const TurnDial& c) {
+    json = {{"target", c.target}, {"dial", c.dial}, {"value", c.value}};
+    if (c.pair != SensorPair{}) json["pair"] = c.pair;
+}
+inline void from_json(const Json& json, TurnDial& c) {
+    json.at("target").get_to(c.target);
+    json.at("dial").get_to(c.dial);
+    json.at("value").get_to(c.value);
+    if (json.contains("pair")) json.at("pair").get_to(c.pair);
+}
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetBrain, target, brain)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NodePlace, node, at)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlaceNodes, target, places)

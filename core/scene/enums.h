@@ -92,8 +92,8 @@ inline constexpr auto channels_with = [] {
     return found;
 }();
 
-// How a vehicle appears to others. Predators bite prey. `wiring`: the brain decides; a vehicle drawn to others is a
-// predator, one driven away is prey (recognise()).
+// How a vehicle appears to others. Predators bite prey. `wiring`: the brain decides by the pair of sensors that senses
+// vehicles, predators or prey; a vehicle drawn to others is a predator, one driven away is prey (recognise()).
 enum class Role { none, predator, prey, wiring };
 
 inline constexpr auto role_table = std::to_array<Word<Role>>(

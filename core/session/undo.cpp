@@ -163,7 +163,7 @@ bool supersedes(const Command& later, const Command& earlier) {
     return std::visit(
         Match{[&](const TurnDial& c) {
                   const auto& e = std::get<TurnDial>(earlier);
-                  return c.target == e.target && c.dial == e.dial;
+                  return c.target == e.target && c.dial == e.dial && c.pair == e.pair;
               },
               [&](const SetBrain& c) { return c.target == std::get<SetBrain>(earlier).target; },
               [&](const MoveVehicle& c) { return c.vehicle == std::get<MoveVehicle>(earlier).vehicle; },

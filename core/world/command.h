@@ -23,6 +23,7 @@ struct TurnDial {  // sets a dial; the value is clamped to the dial's range
     Target target;
     Dial dial = Dial::LL;
     float value = 0;
+    SensorPair pair{};
     friend bool operator==(const TurnDial&, const TurnDial&) = default;
 };
 struct SetBrain {

@@ -70,7 +70,7 @@ std::optional<Error> edit_brains(WorldData& s, const Target& target, Edit edit) 
 
 std::optional<Error> execute(WorldData& s, const TurnDial& c) {
     if (!std::isfinite(c.value)) return Error{"a dial takes finite numbers only"};
-    return edit_brains(s, c.target, [&](BrainGraph& graph) { turn(graph, c.dial, c.value); });
+    return edit_brains(s, c.target, [&](BrainGraph& graph) { turn(graph, c.dial, c.value, c.pair); });
 }
 
 std::optional<Error> execute(WorldData& s, const SetBrain& c) {

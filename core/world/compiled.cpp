@@ -6,15 +6,19 @@
 #include "core/maths/angle.h"
 #include "core/mechanics/body.h"
 #include "core/mechanics/wheel.h"
+#include "core/scene/sensor_pairs.h"
 
 namespace braitenlab::world {
 
 namespace {
 
-// Attraction to other vehicles gives a predator, avoidance gives prey.
-Role role_by_wiring(const BrainGraph& graph) {
-    const int drawn = attraction(recognise(graph));
-    return drawn > 0 ? Role::predator : drawn < 0 ? Role::prey : Role::none;
+// Attraction to other vehicles gives a predator, avoidance gives prey. Pairs that do not sense vehicles do not count.
+Role role_by_wiring(const BrainGraph& graph, const Kind& kind) {
+    for (const KindPair& pair : sensor_pairs(kind)) {
+        const int drawn = senses_vehicles(pair.channel) ? attraction(recognise(graph, pair.sensors)) : 0;
+        if (drawn != 0) return drawn > 0 ? Role::predator : Role::prey;
+    }
+    return Role::none;
 }
 
 }  // namespace
@@ -22,7 +26,7 @@ Role role_by_wiring(const BrainGraph& graph) {
 Result<SharedBrain> compile_brain(const BrainGraph& graph, const Kind& kind) {
     auto brain = compile(graph, sensor_names(kind));
     if (!brain) return brain.error();
-    const Role role = kind.role == Role::wiring ? role_by_wiring(graph) : kind.role;
+    const Role role = kind.role == Role::wiring ? role_by_wiring(graph, kind) : kind.role;
     return std::make_shared<const CompiledBrain>(CompiledBrain{graph, std::move(*brain), role});
 }
 

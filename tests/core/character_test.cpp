@@ -35,12 +35,38 @@ TEST(CharacterOf, DiffersForAFedAndAHungryTortoise) {
 
 TEST(CharacterOf, UsesTheReadingsOfSingleSensorsAndOmitsPairs) {
     const Snapshot now = tortoise(0.75f);
-    const auto readings = readings_beside_eyes(now, now.vehicles[0]);
+    const auto readings = readings_beside_pairs(now, now.vehicles[0]);
     EXPECT_NE(std::find(readings.begin(), readings.end(), Reading{"EN", 0.75f}), readings.end());
     const auto pairs = {"SL", "SR", "QL", "QR"};
     for (const Reading& reading : readings)
         EXPECT_EQ(std::find(pairs.begin(), pairs.end(), reading.sensor), pairs.end()) << reading.sensor;
-    EXPECT_TRUE(readings_beside_eyes(look(make(shipped("2a-coward"))), VehicleView{}).empty());
+    EXPECT_TRUE(readings_beside_pairs(look(make(shipped("2a-coward"))), VehicleView{}).empty());
+}
+
+TEST(CharactersOf, NamesTheResponseToEachPairOfSensors) {
+    const Scene scene = shipped("3c-values");
+    const auto characters = characters_of(scene.kinds[0].brain, scene.kinds[0]);
+    ASSERT_EQ(characters.size(), 5u);
+    const std::vector<std::pair<std::string, Character>> expected{{"light", Character::aggressor},
+                                                                  {"heat", Character::coward},
+                                                                  {"smell", Character::love},
+                                                                  {"oxygen", Character::explorer}};
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_EQ(characters[i].pair.name, expected[i].first);
+        EXPECT_EQ(characters[i].character, expected[i].second) << name(characters[i].character);
+        EXPECT_TRUE(characters[i].is_wired);
+    }
+    const BrainGraph four = make_graph({.LL = 1, .RR = 1});
+    EXPECT_TRUE(characters_of(four, scene.kinds[0])[0].is_wired);
+    EXPECT_FALSE(characters_of(four, scene.kinds[0])[1].is_wired) << "the heat sensors are not in this brain";
+}
+
+TEST(MissingSensors, AreThoseThatTheBrainReadsAndTheVehicleLacks) {
+    const Scene values = shipped("3c-values"), coward = shipped("2a-coward");
+    const std::vector<std::string> missing = missing_sensors(values.kinds[0].brain, coward.kinds[0]);
+    EXPECT_NE(std::find(missing.begin(), missing.end(), "HL"), missing.end());
+    EXPECT_EQ(std::find(missing.begin(), missing.end(), "SL"), missing.end());
+    EXPECT_TRUE(missing_sensors(values.kinds[0].brain, values.kinds[0]).empty());
 }
 
 }  // namespace braitenlab::tests::character_test

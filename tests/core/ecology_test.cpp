@@ -50,6 +50,25 @@ TEST(RoleByWiring, MakesAVehicleThatApproachesOthersAPredatorThatBites) {
     EXPECT_LT(now.vehicles[1].energy, 1);
 }
 
+TEST(RoleByWiring, IsNoneForAVehicleThatSensesLightOnly) {
+    Scene scene = by_wiring();
+    for (Sensor& sensor : scene.kinds[0].sensors) sensor.channel = Channel::light;
+    EXPECT_EQ(look(make(scene)).vehicles[0].role, Role::none);
+}
+
+TEST(RoleByWiring, FollowsFromThePairThatSensesVehicles) {
+    Scene scene = by_wiring();
+    Kind& kind = scene.kinds[0];  // approaches others, and flees light by another pair
+    for (const char* name : {"EL", "ER"}) {
+        Sensor eye = kind.sensors[name[1] == 'L' ? 0 : 1];
+        eye.name = name, eye.channel = Channel::light;
+        kind.sensors.insert(kind.sensors.begin(), eye);
+        kind.brain.nodes.push_back({.id = name[1] == 'L' ? 10 : 11, .kind = NodeKind::sensor, .name = name});
+    }
+    for (const Dial dial : {Dial::LL, Dial::RR}) turn(kind.brain, dial, 1, {"EL", "ER"});
+    EXPECT_EQ(look(make(scene)).vehicles[0].role, Role::predator);
+}
+
 TEST(RoleByWiring, ChangesWithTheWiring) {
     World world = make(by_wiring());
     ASSERT_FALSE(world.apply(SetBrain{{.vehicle = 0}, make_graph({.LL = 1, .RR = 1})}));

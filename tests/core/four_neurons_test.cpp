@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/brain/brain.h"
+#include "core/brain/symmetry.h"
 
 namespace braitenlab::tests::four_neurons_test {
 namespace {
@@ -53,6 +54,23 @@ TEST(FourNeurons, DirectDialReturnsTheDialOfEachOfTheFourWires) {
     EXPECT_EQ(direct_dial(graph, {SR, MR}), Dial::RR);
     EXPECT_FALSE(direct_dial(graph, {SL, 4}));
     EXPECT_FALSE(direct_ends(BrainGraph{}, Dial::LL));
+}
+
+TEST(FourNeurons, TurnsTheDialsOfAnotherPairWithoutTheFirst) {
+    BrainGraph graph = make_graph({.LR = 0.5f});
+    const SensorPair heat{"HL", "HR"};
+    turn(graph, Dial::LR, 1, heat);
+    EXPECT_EQ(read_dials(graph, heat), FourNeurons{}) << "the brain has no sensor HR";
+    graph.nodes.push_back({.id = 7, .kind = NodeKind::sensor, .name = "HL"});
+    graph.nodes.push_back({.id = 8, .kind = NodeKind::sensor, .name = "HR"});
+    turn(graph, Dial::LR, 1.5f, heat);
+    turn(graph, Dial::threshold_LR, 0.25f, heat);
+    EXPECT_EQ(read_dials(graph, heat), (FourNeurons{.LR = 1.5f, .threshold_LR = 0.25f}));
+    EXPECT_EQ(read_dials(graph), FourNeurons{.LR = 0.5f});
+    EXPECT_EQ(direct_dial(graph, {8, four_neuron_ids::ML}, heat), Dial::LR);
+    EXPECT_EQ(read_dials(crossed(graph, heat), heat).RR, 1.5f);
+    EXPECT_EQ(read_dials(crossed(graph, heat)), FourNeurons{.LR = 0.5f});
+    EXPECT_EQ(read_dials(mirrored(graph, heat), heat).RL, 1.5f);
 }
 
 TEST(FourNeurons, AWireHasTheNameOfItsDialOrOfItsEnds) {

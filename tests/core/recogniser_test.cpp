@@ -171,7 +171,8 @@ BrainGraph redrawn(BrainGraph graph, maths::Random& chance) {
 TEST(Recogniser, GivesAPresetTheSameNameInAnyEquivalentWiring) {
     maths::Random chance{7, 7};
     for (const Preset& preset : presets())
-        for (const EyePair& eyes : {EyePair{}, EyePair{"HL", "HR"}, EyePair{"NL", "NR"}, EyePair{"AL", "AR"}}) {
+        for (const SensorPair& eyes :
+             {SensorPair{}, SensorPair{"HL", "HR"}, SensorPair{"NL", "NR"}, SensorPair{"AL", "AR"}}) {
             if (!find_node(preset.brain, eyes.left)) continue;
             const Character original = recognise(preset.brain, eyes);
             for (int trial = 0; trial < 20; ++trial) {

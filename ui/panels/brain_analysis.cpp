@@ -113,7 +113,7 @@ Character recognised(Recognised& known, const Snapshot& now, const VehicleView& 
     const auto& brain = brain_of(now, vehicle);
     const bool same = known.brain == brain && known.vehicle == vehicle.id;
     if (same && std::fabs(wall_seconds - known.at) < recognition_period) return known.character;
-    auto readings = rounded_readings(readings_beside_eyes(now, vehicle));
+    auto readings = rounded_readings(readings_beside_pairs(now, vehicle));
     known.at = wall_seconds;
     if (same && readings == known.readings) return known.character;
     known.character = recognise(*brain, {}, readings);
