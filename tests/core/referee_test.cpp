@@ -309,6 +309,35 @@ TEST(Referee, TheStateOfACombinationIsWrittenAndReadBack) {
     EXPECT_EQ(other.verdicts()[0].measures, referee.verdicts()[0].measures);
 }
 
+TEST(Referee, EveryValueOfAStateIsWrittenAndReadBack) {
+    const Exercise exercise = with({turn, faster});
+    RefereeState state = Referee(exercise).state();
+    state.tick = 7;
+    state.subjects = {4, 5};
+    state.begun = state.disturbed = state.by_hand = true;
+    state.steps[0] = {{goals::TurnsTo::State{true}, 12, 5, 2}, true};
+    state.steps[1] = {{goals::SpeedsUp::State{0.5f, 1.25f, true}, 1.25f, 3, 4}, true};
+    const auto read = read_referee_state(write_referee_state(state), exercise);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->tick, 7u);
+    EXPECT_EQ(read->subjects, state.subjects);
+    EXPECT_TRUE(read->begun);
+    EXPECT_TRUE(read->disturbed);
+    EXPECT_TRUE(read->by_hand);
+    ASSERT_EQ(read->steps.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_TRUE(read->steps[i].done);
+        EXPECT_EQ(read->steps[i].check.value, state.steps[i].check.value);
+        EXPECT_EQ(read->steps[i].check.met_since, state.steps[i].check.met_since);
+        EXPECT_EQ(read->steps[i].check.held, state.steps[i].check.held);
+    }
+    EXPECT_TRUE(std::get<goals::TurnsTo::State>(read->steps[0].check.goal).was_outside);
+    const auto& speeds = std::get<goals::SpeedsUp::State>(read->steps[1].check.goal);
+    EXPECT_EQ(speeds.first_speed, 0.5f);
+    EXPECT_EQ(speeds.ratio, 1.25f);
+    EXPECT_TRUE(speeds.decided);
+}
+
 TEST(Referee, ContinuesExactlyFromASavedState) {
     const Exercise exercise = with({turn, faster, last});
     Referee referee(exercise);
