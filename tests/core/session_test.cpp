@@ -544,6 +544,17 @@ TEST(CosmeticEdits, OfATitleInThePastKeepTheRecordedFuture) {
     EXPECT_EQ(session.latest(), 650u);
 }
 
+TEST(CosmeticEdits, OfATitleInThePastReplaceALaterTitle) {
+    Session session = open(furnished());
+    for (int i = 0; i < 100; ++i) session.step();
+    ASSERT_FALSE(session.apply(Retitle{"later"}));
+    for (int i = 0; i < 100; ++i) session.step();
+    session.seek(50);
+    ASSERT_FALSE(session.apply(Retitle{"renamed"}));
+    session.seek(200);
+    EXPECT_EQ(session.snapshot().scene->title, "renamed");
+}
+
 TEST(Session, ReplayVisitsTheRecordedTicksWithoutChangingTheSession) {
     Session session = open(furnished());
     std::vector<Pose> poses;
