@@ -4,6 +4,8 @@
 #include <fstream>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -146,7 +148,8 @@ TEST(CtlCheck, EveryShippedExerciseIsSound) {
     EXPECT_EQ(one.out, all.out) << "exercise 5 is the only shipped exercise";
 }
 
-TEST(CtlCheck, AnExerciseWhoseSolutionDoesNotPassIsNotSound) {
+// What `check` says of the shipped exercise with changed words.
+Ran check_changed(const std::vector<std::pair<std::string, std::string>>& changes) {
     std::ifstream shipped(std::string(BRAITENLAB_SOURCE) + "/exercises/guided/05-aggressor.toml");
     std::string text{std::istreambuf_iterator<char>(shipped), {}};
     const auto change = [&](const std::string& from, const std::string& to) {
@@ -154,14 +157,35 @@ TEST(CtlCheck, AnExerciseWhoseSolutionDoesNotPassIsNotSound) {
         text.replace(text.find(from), from.size(), to);
     };
     change("../scenes/", std::string(BRAITENLAB_SOURCE) + "/exercises/scenes/");
-    change("[solution]\nLR = 1.5", "[solution]\nLR = 0");
-    const std::string file = scratch("unsound.toml");
+    for (const auto& [from, to] : changes) change(from, to);
+    const std::string file = scratch("changed.toml");
     std::ofstream(file) << text;
     const Ran ran = ctl("check " + file);
+    std::filesystem::remove(file);
+    return ran;
+}
+
+TEST(CtlCheck, AnExerciseWhoseSolutionDoesNotPassIsNotSound) {
+    const Ran ran = check_changed({{"[solution]\nLR = 1.5", "[solution]\nLR = 0"}});
     EXPECT_EQ(ran.code, 1) << ran.out;
     EXPECT_NE(ran.out.find("as shipped 0 of 10 starts pass (none should), with its solution 0"), std::string::npos)
         << ran.out;
-    std::filesystem::remove(file);
+}
+
+TEST(CtlCheck, AnExerciseThatPassesAsShippedIsNotSound) {
+    const Ran ran = check_changed({{"brain.LL\" = 1.5", "brain.LL\" = 0"},
+                                   {"brain.LR\" = 0", "brain.LR\" = 1.5"},
+                                   {"brain.RL\" = 0", "brain.RL\" = 1.5"},
+                                   {"brain.RR\" = 1.5", "brain.RR\" = 0"}});
+    EXPECT_EQ(ran.code, 1) << ran.out;
+    EXPECT_NE(ran.out.find("as shipped 10 of 10 starts pass (none should), with its solution 10"), std::string::npos)
+        << ran.out;
+}
+
+TEST(CtlCheck, AHintForAWidgetThatDoesNotExistIsAnError) {
+    const Ran ran = check_changed({{"anchor = \"slider.LR\"", "anchor = \"slider.LM\""}});
+    EXPECT_EQ(ran.code, 2) << ran.out;
+    EXPECT_NE(ran.out.find("changed.toml:57: the window has no widget 'slider.LM'"), std::string::npos) << ran.out;
 }
 
 TEST(CtlCheck, ABrainPassesOrFailsAnExercise) {
