@@ -49,6 +49,7 @@ struct Lesson {
     double last_hint_at = 0;  // wall seconds
     std::optional<Grading> grading{};
     std::deque<RefereeAtKeyframe> states{};  // of the recorded keyframes but the start of the run, by ascending tick
+    std::deque<RefereeAtKeyframe> states_before_edit{};  // before the last edit that removed recorded ticks
 };
 
 struct Document {

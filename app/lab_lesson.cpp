@@ -1,6 +1,7 @@
 #include "app/lab_lesson.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/lab_requests.h"
 #include "app/lab_selection.h"
@@ -59,6 +60,14 @@ void record_referee(Document& document) {
     auto& states = document.lesson->states;
     std::erase_if(states, [&](const auto& each) { return each.tick < session.earliest() || each.tick > now; });
     store(states, now, document.lesson->referee.state());
+}
+
+void follow_removed_ticks(Document& document, std::uint64_t latest_before) {
+    if (!document.lesson) return;
+    Lesson& lesson = *document.lesson;
+    const std::uint64_t latest = document.session.latest();
+    if (latest < latest_before) lesson.states_before_edit = lesson.states;
+    if (latest > latest_before) lesson.states = std::exchange(lesson.states_before_edit, {});
 }
 
 const RefereeState* referee_at_keyframe(const Document& document) {

@@ -22,8 +22,14 @@ void update_grading(Lab&, Jobs&);
 // Steps the session. In the recorded past the referee is notified of the recorded commands.
 void step_session(Document&);
 
-// Stores the referee's state if the current tick is that of a keyframe. Call after each tick and each command.
+// Stores the referee's state if the current tick is that of a keyframe. Call after each tick, command, undo
+// and redo.
 void record_referee(Document&);
+
+// Keeps the stored states when an edit in the past removes recorded ticks, and restores them when its undo restores
+// these ticks. Call after each command, undo and redo, with Session::latest() before it, and before the referee is
+// notified.
+void follow_removed_ticks(Document&, std::uint64_t latest_before);
 
 // The state stored with the last keyframe; null at the start of the run, and if it is not known.
 const RefereeState* referee_at_keyframe(const Document&);

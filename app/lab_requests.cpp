@@ -26,7 +26,9 @@ void change(Lab& lab, const Change& make) {
     const std::uint64_t latest = lab.document.session.latest();
     lab.document.edits += make();
     keep_selection(lab);
+    follow_removed_ticks(lab.document, latest);
     recompute_referee(lab.document);
+    record_referee(lab.document);
     watch(lab);
     report_time_change(lab, latest);
 }
@@ -240,10 +242,14 @@ void report_time_change(Lab& lab, std::uint64_t latest_before) {
 bool apply(Lab& lab, const Command& command, std::uint64_t gesture) {
     const std::uint64_t latest = lab.document.session.latest();
     const auto error = lab.document.session.apply(command, gesture);
-    if (error)
+    if (error) {
         say(lab, {NoticeKind::failure, "", error->text()});
-    else
-        ++lab.document.edits, tell_referee(lab, command), report_time_change(lab, latest);
+    } else {
+        ++lab.document.edits;
+        follow_removed_ticks(lab.document, latest);
+        tell_referee(lab, command);
+        report_time_change(lab, latest);
+    }
     keep_selection(lab);
     return !error;
 }

@@ -7,6 +7,7 @@
 
 #include "app/files/disk.h"
 #include "app/files/safe_file.h"
+#include "app/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "core/io/run_file.h"
 #include "core/match.h"
@@ -60,6 +61,7 @@ struct FileCommands {
         if (file->kind == FileKind::brain) {
             const std::uint64_t latest = lab.document.session.latest();
             if (const auto error = take_brain(lab, *file)) return fail(*error);
+            follow_removed_ticks(lab.document, latest);
             done(path, "files.took_brain");
             return report_time_change(lab, latest);
         }

@@ -100,6 +100,26 @@ TEST_F(FileCommands, ReportsThatABrainFromAFileDropsTheRecordedFuture) {
     EXPECT_EQ(lab.notice.key, "notice.forgotten");
 }
 
+TEST_F(FileCommands, UndoOfABrainFromAFileInThePastRestoresTheDoneStepsOfAnExercise) {
+    ask(SaveRequest{"shy", FileKind::brain});
+    lab = open("05-aggressor");
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph(lab.document.lesson->exercise->solution)}});
+    for (int i = 0; i < 700; ++i) tick(lab);
+    const auto then = lab.document.lesson->view.verdicts;
+    handle(lab, SeekRequest{20});
+    ask(OpenRequest{"shy.toml"});
+    for (int i = 0; i < 600; ++i)  // more than a keyframe holds
+        handle(lab, EditRequest{MoveSource{0, 5 + 0.001f * static_cast<float>(i), 5}, 7});
+    handle(lab, Action::undo);
+    handle(lab, Action::undo);
+    handle(lab, SeekRequest{700});
+    ASSERT_EQ(lab.document.session.snapshot().tick, 700u);
+    for (std::size_t i = 0; i < then.size(); ++i) {
+        EXPECT_EQ(lab.document.lesson->view.verdicts[i].done, then[i].done) << i;
+        EXPECT_EQ(lab.document.lesson->view.verdicts[i].measures, then[i].measures) << i;
+    }
+}
+
 TEST_F(FileCommands, ListsUnreadableFilesAsBroken) {
     ask(SaveRequest{"good scene", FileKind::scene});
     ask(SaveRequest{"good brain", FileKind::brain});

@@ -247,16 +247,44 @@ TEST(LabLesson, HelpInTheRecordedPastIsDetectedAgainInAReplay) {
 }
 
 TEST(LabLesson, HelpInThePastIsDroppedWhenItsUndoRestoresTheFuture) {
+    for (const std::uint64_t at : {20u, 300u}) {  // 300: a keyframe
+        for (const int moves : {1, 600}) {        // 600: more commands than a keyframe holds
+            Lab lab = solved_exercise();
+            run(lab, 700);
+            const auto then = lab.document.lesson->view.verdicts;
+            ASSERT_TRUE(then[0].done);
+            handle(lab, SeekRequest{at});
+            for (int i = 0; i < moves; ++i)
+                handle(lab, EditRequest{MoveSource{0, 5 + 0.001f * static_cast<float>(i), 5}, 7});
+            EXPECT_TRUE(by_hand(lab));
+            handle(lab, Action::undo);
+            ASSERT_EQ(lab.document.session.latest(), 700u);
+            EXPECT_FALSE(by_hand(lab)) << moves << " moves at tick " << at;
+            handle(lab, SeekRequest{700});
+            for (std::size_t i = 0; i < then.size(); ++i) {
+                const Verdict& now = lab.document.lesson->view.verdicts[i];
+                EXPECT_EQ(now.done, then[i].done) << moves << " moves at tick " << at << ", step " << i;
+                EXPECT_EQ(now.measures, then[i].measures) << moves << " moves at tick " << at << ", step " << i;
+            }
+        }
+    }
+}
+
+TEST(LabLesson, AStepThatWasDoneStaysDoneAfterAnUndoThatMadeAKeyframe) {
     Lab lab = solved_exercise();
-    run(lab, 700);
-    ASSERT_TRUE(done(lab)[0]);
-    handle(lab, SeekRequest{20});
-    handle(lab, EditRequest{MoveSource{0, 5, 5}});
-    EXPECT_TRUE(by_hand(lab));
+    run(lab, 310);
+    for (int i = 0; i < 511; ++i)
+        handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LL, 0.001f * static_cast<float>(i)}, 7});
     handle(lab, Action::undo);
-    EXPECT_FALSE(by_hand(lab));
-    handle(lab, SeekRequest{699});
-    EXPECT_TRUE(done(lab)[0]);
+    ASSERT_EQ(lab.document.session.keyframe_before(310), 310u);
+    const auto then = lab.document.lesson->view.verdicts;
+    ASSERT_TRUE(then[0].done);
+    run(lab, 100);
+    handle(lab, SeekRequest{310});
+    for (std::size_t i = 0; i < then.size(); ++i) {
+        EXPECT_EQ(lab.document.lesson->view.verdicts[i].done, then[i].done) << i;
+        EXPECT_EQ(lab.document.lesson->view.verdicts[i].measures, then[i].measures) << i;
+    }
 }
 
 TEST(LabLesson, ABookmarkOfAnotherRunRestoresItsDoneSteps) {
