@@ -93,11 +93,6 @@ struct LabView {
     double wall_seconds = 0;                  // for easing and pulsing
 };
 
-// The vehicle's kind, with all edits. Precondition: the vehicle is in the snapshot.
-inline const Kind& kind_of(const Snapshot& now, const VehicleView& vehicle) {
-    return now.scene->kinds[static_cast<std::size_t>(vehicle.kind)];
-}
-
 // The kind as the file has it, before all edits; null when the file is unknown.
 inline const Kind* filed_kind(const LabView& view, const VehicleView& vehicle) {
     const auto kind = static_cast<std::size_t>(vehicle.kind);

@@ -1,4 +1,4 @@
-// Braitenlab without a window. Exit codes: 0 done or passed, 1 failed, 2 bad input.
+// Braitenlab without a window. Exit codes: 0 done or passed, 1 failed, 2 bad input, 130 interrupted.
 #include <algorithm>
 #include <iostream>
 #include <string_view>
@@ -9,6 +9,7 @@
 
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
+#include "core/io/vehicle_table.h"
 #include "core/scene/nearest.h"
 
 namespace braitenlab {
@@ -18,7 +19,18 @@ int complain(const Error& error) {
     return exit_code::bad_input;
 }
 
+int interrupted() {
+    std::cerr << "braitenctl: interrupted; no file has changed\n";
+    return exit_code::interrupted;
+}
+
 namespace {
+
+std::string column_words() {
+    std::string words;
+    for (const auto& row : io::column_group_table) words += (words.empty() ? "" : ", ") + std::string(row.word);
+    return words;
+}
 
 int command_line(int argc, char** argv) {
     CLI::App app{"Braitenlab without a window."};
@@ -42,6 +54,11 @@ int command_line(int argc, char** argv) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     run_command->add_flag("--json", options.json, "print the final state as one JSON object");
     run_command->add_option("--csv", options.csv, "write a row per vehicle per 0.1 s")->type_name("FILE");
+    run_command->add_option("--columns", options.columns, "further columns of the CSV file: " + column_words())
+        ->type_name("WORD,…")
+        ->delimiter(',')
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     run_command->add_flag("--hash", options.hash, "print the hash of the final state");
     run_command->add_option("--save", options.save, "write the run at its end, to continue it later")
         ->type_name("FILE.run");

@@ -12,17 +12,22 @@ namespace braitenlab {
 
 namespace exit_code {
 inline constexpr int done = 0, failed = 1, bad_input = 2;
-}
+inline constexpr int interrupted = 130;  // as a shell counts the end by Ctrl+C
+}  // namespace exit_code
 
 // Prints the error to stderr. Returns exit_code::bad_input.
 int complain(const Error&);
+
+// Prints to stderr that the program was interrupted and that no file has changed. Returns exit_code::interrupted.
+int interrupted();
 
 struct RunOptions {
     std::string file;  // a scene or a saved run
     double seconds = 10;
     std::optional<std::uint64_t> seed;
     std::vector<std::string> settings;
-    std::string csv, save;  // files; empty: none
+    std::string csv, save;             // files; empty: none
+    std::vector<std::string> columns;  // words of io::ColumnGroup: further columns of the CSV file
     bool json = false, hash = false;
 };
 int run(const RunOptions&);

@@ -1,7 +1,5 @@
 #include "app/ctl/report.h"
 
-#include <iterator>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -12,10 +10,6 @@ namespace braitenlab {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const Kind& kind_of(const Snapshot& now, const VehicleView& v) {
-    return now.scene->kinds[static_cast<std::size_t>(v.kind)];
-}
 
 Json sources_json(const Snapshot& now) {
     Json list = Json::array();
@@ -80,17 +74,6 @@ std::string report_text(const Snapshot& now, std::uint64_t hash) {
         fmt::format("generation {}, {} vehicles ({} predators, {} prey), {} captures, {} contacts\n", now.generation,
                     now.vehicles.size(), now.predators, now.prey, now.events.captures, now.events.contacts);
     return text;
-}
-
-std::string csv_header() { return "seconds,id,kind,role,x,y,heading,speed,energy,left,right\n"; }
-
-std::string csv_rows(const Snapshot& now) {
-    std::string rows;
-    for (const VehicleView& v : now.vehicles)
-        fmt::format_to(std::back_inserter(rows), "{:.4f},{},{},{},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f},{:.5f}\n",
-                       now.seconds, v.id, kind_of(now, v).name, word(v.role), v.x, v.y, v.heading, v.speed, v.energy,
-                       v.motor[0], v.motor[1]);
-    return rows;
 }
 
 }  // namespace braitenlab

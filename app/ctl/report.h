@@ -1,4 +1,4 @@
-// A run as data for scripts: the JSON object and the CSV rows of `braitenctl run`.
+// The final state of a run: the JSON object and the summary of `braitenctl run`.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,5 @@ std::string report_json(const Snapshot&, std::uint64_t hash);
 
 // A summary of a few lines.
 std::string report_text(const Snapshot&, std::uint64_t hash);
-
-// The header line, and one row per vehicle: seconds,id,kind,role,x,y,heading,speed,energy,left,right.
-std::string csv_header();
-std::string csv_rows(const Snapshot&);
 
 }  // namespace braitenlab

@@ -1,13 +1,16 @@
 // braitenctl run: runs a scene or a saved run for a number of seconds.
-#include <cmath>
-#include <fstream>
+#include <algorithm>
 #include <iostream>
+#include <set>
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/report.h"
+#include "app/ctl/simulate.h"
+#include "app/ctl/table_file.h"
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
 #include "core/io/run_file.h"
+#include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
 
@@ -47,67 +50,62 @@ Result<StartedRun> start(const RunOptions& options) {
     return StartedRun{std::move(*scene), std::move(*world)};
 }
 
-// The rows of --csv. A regular file is replaced as a whole at the end; a pipe or a device is written directly.
-class CsvFile {
-public:
-    explicit CsvFile(const std::string& path) {
-        std::error_code none;
-        if (path.empty()) return;
-        if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none))
-            stream_.emplace(path);
-        else
-            file_.emplace(path);
-        name_ = path;
-        write(csv_header());
-    }
-    void add(const Snapshot& now) {
-        if (!name_.empty()) write(csv_rows(now));
-    }
-    std::optional<Error> close() {
-        if (file_) return file_->commit();
-        if (!stream_) return std::nullopt;
-        stream_->close();
-        if (*stream_) return std::nullopt;
-        return Error{"could not be written; check that the folder exists, may be written to and has room", name_};
-    }
+void print_state(const RunOptions& options, const Snapshot& now, std::uint64_t hash) {
+    if (options.json) std::cout << report_json(now, hash);
+    if (options.hash) std::cout << hash_text(hash) << "\n";
+    if (!options.json && !options.hash) std::cout << report_text(now, hash);
+}
 
-private:
-    void write(const std::string& rows) { file_ ? file_->write(rows) : void(*stream_ << rows); }
+std::optional<Error> check_options(const RunOptions& options) {
+    if (options.csv.empty() && !options.columns.empty())
+        return Error{"needs --csv FILE, which has these columns", "--columns"};
+    return std::nullopt;
+}
 
-    std::string name_;  // empty: no file
-    std::optional<FileWriter> file_;
-    std::optional<std::ofstream> stream_;
-};
+Result<std::set<io::ColumnGroup>> column_groups(const std::vector<std::string>& words) {
+    std::vector<std::string_view> known;
+    for (const auto& row : io::column_group_table) known.push_back(row.word);
+    std::set<io::ColumnGroup> groups;
+    for (const std::string& given : words) {
+        const auto found = std::find(known.begin(), known.end(), given);
+        if (found == known.end())
+            return Error{"there are no columns " + in_quotes(given) + name_nearest(given, known), "--columns"};
+        groups.insert(static_cast<io::ColumnGroup>(found - known.begin()));
+    }
+    return groups;
+}
+
+int run_one(const RunOptions& options, const std::set<io::ColumnGroup>& groups) {
+    auto started = start(options);
+    if (!started) return complain(started.error());
+    World& world = started->world;
+    Snapshot now;
+    world.capture(now);
+    if (options.csv.empty()) {
+        if (!simulate(world, options.seconds)) return interrupted();
+    } else {
+        const std::vector<io::VehicleColumn> columns = io::vehicle_columns(now, groups);
+        TableFile table(options.csv);
+        table.write(io::csv_header(columns));
+        if (!simulate(world, options.seconds, [&](const Snapshot& at) { table.write(table_rows(columns, at)); }))
+            return interrupted();
+        if (const auto error = table.close()) return complain(*error);
+    }
+    if (!options.save.empty())
+        if (const auto error = write_whole(options.save, io::write_run({started->opened, world.checkpoint()})))
+            return complain(*error);
+    world.capture(now);
+    print_state(options, now, world.hash());
+    return exit_code::done;
+}
 
 }  // namespace
 
 int run(const RunOptions& options) {
-    constexpr std::uint64_t ticks_a_row = 6;  // one row per vehicle per 0.1 s
-    auto started = start(options);
-    if (!started) return complain(started.error());
-    World& world = started->world;
-
-    CsvFile csv(options.csv);
-    Snapshot now;
-    world.capture(now);
-    csv.add(now);
-    const auto end = world.tick() + static_cast<std::uint64_t>(std::llround(options.seconds * 60));
-    while (world.tick() < end) {
-        world.step();
-        if (options.csv.empty() || world.tick() % ticks_a_row != 0) continue;
-        world.capture(now);
-        csv.add(now);
-    }
-    if (const auto error = csv.close()) return complain(*error);
-    if (!options.save.empty())
-        if (const auto error = write_whole(options.save, io::write_run({started->opened, world.checkpoint()})))
-            return complain(*error);
-
-    world.capture(now);
-    if (options.json) std::cout << report_json(now, world.hash());
-    if (options.hash) std::cout << hash_text(world.hash()) << "\n";
-    if (!options.json && !options.hash) std::cout << report_text(now, world.hash());
-    return exit_code::done;
+    if (const auto error = check_options(options)) return complain(*error);
+    const auto groups = column_groups(options.columns);
+    if (!groups) return complain(groups.error());
+    return run_one(options, *groups);
 }
 
 }  // namespace braitenlab

@@ -1,4 +1,5 @@
 // The command-line tool: output, files and exit codes.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -79,11 +80,43 @@ TEST(CtlRun, WritesACsvRowPerVehiclePerTenthOfASecond) {
     std::ifstream csv(file);
     std::string line;
     std::getline(csv, line);
-    EXPECT_EQ(line, "seconds,id,kind,role,x,y,heading,speed,energy,left,right");
+    EXPECT_EQ(line, "seconds,id,kind,role,x_m,y_m,heading_rad,speed_m_s,energy,left,right");
     int rows = 0;
     while (std::getline(csv, line)) ++rows;
     EXPECT_EQ(rows, 21 * 10);
     std::filesystem::remove(file);
+}
+
+TEST(CtlRun, AddsTheColumnsThatAreAskedFor) {
+    const std::filesystem::path file = scratch("columns.csv");
+    ASSERT_EQ(ctl("run 7-mnemotrix --seconds 1 --columns learned,sensors --csv " + file.string()).code, 0);
+    std::ifstream csv(file);
+    std::string header, row;
+    std::getline(csv, header), std::getline(csv, row);
+    EXPECT_NE(header.find(",right,sensor_SL,"), std::string::npos) << header;
+    EXPECT_TRUE(header.ends_with(",learned_SEES>FEAR")) << header;
+    EXPECT_EQ(std::ranges::count(row, ','), std::ranges::count(header, ','));
+    std::filesystem::remove(file);
+}
+
+TEST(CtlRun, NamesTheNearestWordOfUnknownColumns) {
+    const Ran wrong = ctl("run 2a-coward --seconds 0 --columns sensor --csv /dev/null");
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_NE(wrong.out.find("--columns: there are no columns 'sensor'; the nearest is 'sensors'"), std::string::npos)
+        << wrong.out;
+    EXPECT_EQ(ctl("run 2a-coward --seconds 0 --columns sensors").code, 2) << "there is no table";
+}
+
+// The program is interrupted once it has written the beginning of its temporary file.
+TEST(CtlRun, LeavesNoFileIfItIsInterrupted) {
+    const std::filesystem::path folder = scratch("interrupted");
+    std::filesystem::create_directory(folder);
+    const Ran ran = shell(BRAITENLAB_BINARY "/braitenctl run predator-prey --seconds 100000 --csv " +
+                          (folder / "a.csv").string() + " & ran=$!; until [ -n \"$(find " + folder.string() +
+                          " -size +0 -type f)\" ]; do sleep 0.1; done; kill -TERM $ran; wait $ran");
+    EXPECT_EQ(ran.code, 130) << ran.out;
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
+    std::filesystem::remove_all(folder);
 }
 
 TEST(CtlRun, FailsIfTheCsvFileCannotBeWritten) {

@@ -114,7 +114,7 @@ TEST(ChartCard, KeepsTheNumbersOfTwoChartsApart) {
 TEST(ChartCard, ExportsTheShownValues) {
     ChartDesk desk;
     const char* names[]{"signals", "population", "population", "energies"};
-    const char* starts[]{"seconds,SL,", "seconds,predators,", "seconds,predators,", "id,kind,"};
+    const char* starts[]{"seconds,sensor_SL,", "seconds,predators,", "seconds,predators,", "id,kind,"};
     for (int i = 0; i < 4; ++i) {
         if (i > 0) desk.click("charts.tab." + std::to_string(i + 1));
         desk.all.clear();

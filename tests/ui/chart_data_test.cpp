@@ -103,10 +103,11 @@ TEST(ChartData, ExportsOneRowPerSampleBelowTheHeader) {
     pass(desk, history, 0);
     pass(desk, history, 60);
     EXPECT_EQ(signals_csv(history),
-              "seconds,SL,SR,ML,MR\n0.000,0.4000,0.2000,0.3000,0.5000\n1.000,0.4000,0.2000,0.3000,0.5000\n");
+              "seconds,sensor_SL,sensor_SR,left,right\n"
+              "0.00000,0.40000,0.20000,0.30000,0.50000\n1.00000,0.40000,0.20000,0.30000,0.50000\n");
     EXPECT_EQ(population_csv(history),
               "seconds,predators,prey,others,energy_predators,energy_prey,energy_others\n"
-              "0.000,4,8,0,1.0000,1.0000,\n1.000,4,8,0,1.0000,1.0000,\n");
+              "0.00000,4,8,0,1.00000,1.00000,\n1.00000,4,8,0,1.00000,1.00000,\n");
 }
 
 TEST(ChartData, NamesEveryVehicleAndQuotesSpecialCharacters) {
@@ -116,7 +117,7 @@ TEST(ChartData, NamesEveryVehicleAndQuotesSpecialCharacters) {
     scene->kinds[0].name = "a \"shy\", slow one";
     desk.now.scene = scene;
     desk.now.vehicles[0].energy = 0.5f;
-    EXPECT_EQ(energies_csv(desk.now), "id,kind,role,energy\n0,\"a \"\"shy\"\", slow one\",none,0.5000\n");
+    EXPECT_EQ(energies_csv(desk.now), "id,kind,role,energy\n0,\"a \"\"shy\"\", slow one\",none,0.50000\n");
 }
 
 }  // namespace braitenlab::tests::history_test

@@ -6,9 +6,7 @@
 #include <numeric>
 #include <string>
 
-#include <fmt/format.h>
-
-#include "core/scene/enums.h"
+#include "core/io/vehicle_table.h"
 
 namespace braitenlab::ui {
 
@@ -33,10 +31,20 @@ void add_sample(Samples& samples, const Sample& sample, std::size_t most) {
     if (samples.size() > most) samples.pop_front();
 }
 
-// The reading of a sensor as input of the brain: 0 for a silenced sensor.
-float sensor_reading(const Snapshot& now, const VehicleView& vehicle, const char* name) {
-    const Node* node = find_node(*brain_of(now, vehicle), std::string(name));
-    return node && !node->silenced ? node_value(now, vehicle, node->id) : 0;
+// Name and value of each of History::Signals::values.
+const auto& signal_values() {
+    static const std::array<io::VehicleColumn, 4> columns{io::sensor_column("SL"), io::sensor_column("SR"),
+                                                          io::vehicle_column("left"), io::vehicle_column("right")};
+    return columns;
+}
+
+History::Signals signals_of(const Snapshot& now, const VehicleView& vehicle, double seconds) {
+    History::Signals sample{seconds, {}};
+    for (std::size_t i = 0; i < sample.values.size(); ++i) {
+        const double value = std::get<double>(signal_values()[i].value({now, vehicle}));
+        sample.values[i] = std::isnan(value) ? 0 : static_cast<float>(value);
+    }
+    return sample;
 }
 
 std::size_t group_of(Role role) { return role == Role::predator ? 0 : role == Role::prey ? 1 : 2; }
@@ -68,11 +76,7 @@ void record(History& history, const LabView& view) {
     history.vehicle = view.settings.selection.vehicle;
     const VehicleView* vehicle = find_vehicle(now, view.settings.selection.vehicle);
     if (vehicle && is_due(history.signals, seconds, History::signal_period))
-        add_sample(history.signals,
-                   History::Signals{seconds,
-                                    {sensor_reading(now, *vehicle, "SL"), sensor_reading(now, *vehicle, "SR"),
-                                     vehicle->motor[0], vehicle->motor[1]}},
-                   History::signal_samples);
+        add_sample(history.signals, signals_of(now, *vehicle, seconds), History::signal_samples);
     if (is_due(history.population, seconds, History::population_period))
         add_sample(history.population, counted(now, seconds), History::population_samples);
 }
@@ -96,79 +100,49 @@ void sort(const Snapshot& now, const EnergyOrder& order, std::vector<std::size_t
 
 namespace {
 
-// A column: its name in the header line, and the text of its value in a row.
-template <class Row>
-struct CsvColumn {
-    std::string_view name;
-    std::string (*text)(const Row&);
-};
+using io::CsvValue;
+using SignalRow = History::Signals;
+using PopulationRow = History::Population;
 
-template <class Row, std::size_t Count, class Rows>
-std::string csv(const CsvColumn<Row> (&columns)[Count], const Rows& rows) {
-    std::string text;
-    const auto end_of_field = [&](const CsvColumn<Row>& column) {
-        text += &column == &columns[Count - 1] ? '\n' : ',';
-    };
-    for (const auto& column : columns) text += column.name, end_of_field(column);
-    for (const Row& row : rows)
-        for (const auto& column : columns) text += column.text(row), end_of_field(column);
+std::vector<io::CsvColumn<SignalRow>> signal_columns() {
+    std::vector<io::CsvColumn<SignalRow>> columns{
+        {io::vehicle_column("seconds").name, [](const SignalRow& s) -> CsvValue { return s.seconds; }}};
+    for (std::size_t i = 0; i < signal_values().size(); ++i)
+        columns.push_back({signal_values()[i].name, [i](const SignalRow& s) -> CsvValue { return s.values[i]; }});
+    return columns;
+}
+
+std::vector<io::CsvColumn<PopulationRow>> population_columns() {
+    constexpr std::array groups{"predators", "prey", "others"};
+    std::vector<io::CsvColumn<PopulationRow>> columns{
+        {io::vehicle_column("seconds").name, [](const PopulationRow& p) -> CsvValue { return p.seconds; }}};
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        columns.push_back({groups[i], [i](const PopulationRow& p) -> CsvValue { return std::int64_t{p.count[i]}; }});
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        columns.push_back(
+            {std::string("energy_") + groups[i], [i](const PopulationRow& p) -> CsvValue { return p.energy[i]; }});
+    return columns;
+}
+
+template <class Columns, class Samples>
+std::string csv_of(const Columns& columns, const Samples& samples) {
+    std::string text = io::csv_header(columns);
+    for (const auto& sample : samples) io::add_csv_row(text, columns, sample);
     return text;
 }
 
-std::string csv_seconds(double seconds) { return fmt::format("{:.3f}", seconds); }
-
-// Empty for NaN.
-std::string csv_value(float value) { return std::isfinite(value) ? fmt::format("{:.4f}", value) : std::string(); }
-
-// In quotes where the text holds a separator.
-std::string csv_text(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return result + "\"";
-}
-
-using SignalRow = History::Signals;
-constexpr CsvColumn<SignalRow> signal_columns[]{
-    {"seconds", [](const SignalRow& s) { return csv_seconds(s.seconds); }},
-    {"SL", [](const SignalRow& s) { return csv_value(s.values[0]); }},
-    {"SR", [](const SignalRow& s) { return csv_value(s.values[1]); }},
-    {"ML", [](const SignalRow& s) { return csv_value(s.values[2]); }},
-    {"MR", [](const SignalRow& s) { return csv_value(s.values[3]); }},
-};
-
-using PopulationRow = History::Population;
-constexpr CsvColumn<PopulationRow> population_columns[]{
-    {"seconds", [](const PopulationRow& p) { return csv_seconds(p.seconds); }},
-    {"predators", [](const PopulationRow& p) { return std::to_string(p.count[0]); }},
-    {"prey", [](const PopulationRow& p) { return std::to_string(p.count[1]); }},
-    {"others", [](const PopulationRow& p) { return std::to_string(p.count[2]); }},
-    {"energy_predators", [](const PopulationRow& p) { return csv_value(p.energy[0]); }},
-    {"energy_prey", [](const PopulationRow& p) { return csv_value(p.energy[1]); }},
-    {"energy_others", [](const PopulationRow& p) { return csv_value(p.energy[2]); }},
-};
-
-struct VehicleRow {
-    const VehicleView& vehicle;
-    const Kind& kind;
-};
-constexpr CsvColumn<VehicleRow> energy_columns[]{
-    {"id", [](const VehicleRow& row) { return std::to_string(row.vehicle.id); }},
-    {"kind", [](const VehicleRow& row) { return csv_text(row.kind.name); }},
-    {"role", [](const VehicleRow& row) { return std::string(word(row.vehicle.role)); }},
-    {"energy", [](const VehicleRow& row) { return csv_value(row.vehicle.energy); }},
-};
-
 }  // namespace
 
-std::string signals_csv(const History& history) { return csv(signal_columns, history.signals); }
+std::string signals_csv(const History& history) { return csv_of(signal_columns(), history.signals); }
 
-std::string population_csv(const History& history) { return csv(population_columns, history.population); }
+std::string population_csv(const History& history) { return csv_of(population_columns(), history.population); }
 
 std::string energies_csv(const Snapshot& now) {
-    std::vector<VehicleRow> rows;
-    for (const VehicleView& vehicle : now.vehicles) rows.push_back({vehicle, kind_of(now, vehicle)});
-    return csv(energy_columns, rows);
+    const std::array columns{io::vehicle_column("id"), io::vehicle_column("kind"), io::vehicle_column("role"),
+                             io::vehicle_column("energy")};
+    std::string text = io::csv_header(columns);
+    for (const VehicleView& vehicle : now.vehicles) io::add_csv_row(text, columns, io::VehicleRow{now, vehicle});
+    return text;
 }
 
 }  // namespace braitenlab::ui

@@ -22,7 +22,7 @@ struct History {
 
     struct Signals {
         double seconds = 0;           // simulated
-        std::array<float, 4> values;  // SL, SR 0..1, ML, MR −1..1
+        std::array<float, 4> values;  // sensors SL, SR 0..1; commands of the left and right wheel, −1..1
     };
     struct Population {
         double seconds = 0;
@@ -52,7 +52,7 @@ struct EnergyOrder {
 // Fills `rows` with the indices of the snapshot's vehicles in this order. Equal vehicles are in ascending number.
 void sort(const Snapshot&, const EnergyOrder&, std::vector<std::size_t>& rows);
 
-// CSV: a header line, comma-separated, decimal points. The columns are listed in chart_data.cpp.
+// Tables as core/io/csv.h writes them. docs/command-line.md lists the columns.
 
 std::string signals_csv(const History&);
 std::string population_csv(const History&);  // empty fields for the mean energy of an empty group

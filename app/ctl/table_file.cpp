@@ -1,0 +1,29 @@
+#include "app/ctl/table_file.h"
+
+#include <filesystem>
+
+namespace braitenlab {
+
+TableFile::TableFile(const std::string& path) : path_(path) {
+    std::error_code none;
+    if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none))
+        stream_.emplace(path);
+    else
+        file_.emplace(path);
+}
+
+void TableFile::write(std::string_view text) {
+    if (file_)
+        file_->write(text);
+    else
+        *stream_ << text;
+}
+
+std::optional<Error> TableFile::close() {
+    if (file_) return file_->commit();
+    stream_->close();
+    if (*stream_) return std::nullopt;
+    return Error{"could not be written; check that the folder exists, may be written to and has room", path_};
+}
+
+}  // namespace braitenlab

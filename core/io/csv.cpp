@@ -1,0 +1,39 @@
+#include "core/io/csv.h"
+
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "core/match.h"
+
+namespace braitenlab::io {
+
+namespace {
+
+void add_quoted(std::string& line, std::string_view text) {
+    line += '"';
+    for (const char c : text) {
+        if (c == '"') line += '"';
+        line += c;
+    }
+    line += '"';
+}
+
+}  // namespace
+
+void add_csv_cell(std::string& line, const CsvValue& value) {
+    std::visit(Match{[&](double number) {
+                         if (!std::isnan(number)) fmt::format_to(std::back_inserter(line), "{:.5f}", number);
+                     },
+                     [&](std::int64_t number) { fmt::format_to(std::back_inserter(line), "{}", number); },
+                     [&](std::string_view text) {
+                         if (text.find_first_of(",\"\n\r") == std::string_view::npos)
+                             line += text;
+                         else
+                             add_quoted(line, text);
+                     }},
+               value);
+}
+
+}  // namespace braitenlab::io
