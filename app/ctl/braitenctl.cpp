@@ -53,7 +53,8 @@ int command_line(int argc, char** argv) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     run_command->add_flag("--json", options.json, "print the final state as one JSON object");
-    run_command->add_option("--csv", options.csv, "write a row per vehicle per 0.1 s")->type_name("FILE");
+    run_command->add_option("--csv", options.csv, "write a row per vehicle per 0.1 s; -: to standard output")
+        ->type_name("FILE");
     run_command->add_option("--columns", options.columns, "further columns of the CSV file: " + column_words())
         ->type_name("WORD,…")
         ->delimiter(',')

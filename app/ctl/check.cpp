@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "app/ctl/ctl.h"
+#include "app/ctl/table_file.h"
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
 #include "core/brain/recogniser.h"
@@ -98,7 +99,7 @@ int grade_all(const std::string& name, const std::vector<std::string>& brain_fil
         for (const bool passed : result.passed) rows << (passed ? ",yes" : ",no");
         rows << "\n";
     }
-    if (csv.empty())
+    if (csv.empty() || csv == standard_output)
         std::cout << rows.str();
     else if (const auto error = write_whole(csv, rows.str()))
         return complain(*error);

@@ -26,7 +26,8 @@ struct RunOptions {
     double seconds = 10;
     std::optional<std::uint64_t> seed;
     std::vector<std::string> settings;
-    std::string csv, save;             // files; empty: none
+    std::string csv;                   // file of the table; "-": standard output; empty: none
+    std::string save;                  // file; empty: none
     std::vector<std::string> columns;  // words of io::ColumnGroup: further columns of the CSV file
     bool json = false, hash = false;
 };
@@ -38,8 +39,8 @@ int check(const std::string& exercise, const std::string& brain_file);
 // Prints whether each shipped exercise is sound.
 int check_all();
 
-// Grades a class's brains, one row each, into the CSV file, or to stdout when its name is empty. A file that holds no
-// brain gets a row with the error; the other files are still graded.
+// Grades a class's brains, one row each, into the CSV file, or to stdout when its name is empty or "-". A file that
+// holds no brain gets a row with the error; the other files are still graded.
 int grade_all(const std::string& exercise, const std::vector<std::string>& brain_files, const std::string& csv);
 
 // Prints the content of a scene, an exercise, a saved run or a brain, and the recognised characters of its brains.

@@ -50,7 +50,9 @@ Result<StartedRun> start(const RunOptions& options) {
     return StartedRun{std::move(*scene), std::move(*world)};
 }
 
+// Prints the final state, unless standard output has the table.
 void print_state(const RunOptions& options, const Snapshot& now, std::uint64_t hash) {
+    if (options.csv == standard_output) return;
     if (options.json) std::cout << report_json(now, hash);
     if (options.hash) std::cout << hash_text(hash) << "\n";
     if (!options.json && !options.hash) std::cout << report_text(now, hash);
@@ -59,6 +61,9 @@ void print_state(const RunOptions& options, const Snapshot& now, std::uint64_t h
 std::optional<Error> check_options(const RunOptions& options) {
     if (options.csv.empty() && !options.columns.empty())
         return Error{"needs --csv FILE, which has these columns", "--columns"};
+    if (options.csv == standard_output && (options.json || options.hash))
+        return Error{"leaves no room for --json and --hash on standard output; leave them out, or give --csv a file",
+                     "--csv -"};
     return std::nullopt;
 }
 

@@ -1,13 +1,16 @@
 #include "app/ctl/table_file.h"
 
 #include <filesystem>
+#include <iostream>
 
 namespace braitenlab {
 
 TableFile::TableFile(const std::string& path) : path_(path) {
     std::error_code none;
-    if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none))
-        stream_.emplace(path);
+    if (path == standard_output)
+        stream_ = &std::cout;
+    else if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none))
+        stream_ = &device_.emplace(path);
     else
         file_.emplace(path);
 }
@@ -21,8 +24,10 @@ void TableFile::write(std::string_view text) {
 
 std::optional<Error> TableFile::close() {
     if (file_) return file_->commit();
-    stream_->close();
+    stream_->flush();
     if (*stream_) return std::nullopt;
+    if (path_ == standard_output)
+        return Error{"standard output could not be written; check that it has room", "--csv -"};
     return Error{"could not be written; check that the folder exists, may be written to and has room", path_};
 }
 

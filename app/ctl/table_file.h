@@ -1,8 +1,9 @@
-// The destination of a table: a file, a pipe or a device.
+// The destination of a table: a file, a pipe, a device, or standard output.
 #pragma once
 
 #include <fstream>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <string_view>
 
@@ -11,11 +12,16 @@
 
 namespace braitenlab {
 
+// The path that stands for standard output.
+inline constexpr std::string_view standard_output = "-";
+
 // Takes a table in pieces. A regular file is replaced as a whole by close(); without close(), or if anything fails, the
-// old file stays as it was. A pipe or a device is written directly.
+// old file stays as it was. A pipe, a device and standard output are written directly.
 class TableFile {
 public:
     explicit TableFile(const std::string& path);
+    TableFile(const TableFile&) = delete;
+    TableFile& operator=(const TableFile&) = delete;
 
     void write(std::string_view text);
 
@@ -25,7 +31,8 @@ public:
 private:
     std::string path_;
     std::optional<FileWriter> file_;
-    std::optional<std::ofstream> stream_;
+    std::optional<std::ofstream> device_;
+    std::ostream* stream_ = nullptr;  // standard output or `device_`; null for a regular file
 };
 
 }  // namespace braitenlab

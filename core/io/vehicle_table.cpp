@@ -46,8 +46,9 @@ VehicleColumn learned_column(const WireName& name) {
 VehicleColumn distance_column(const std::string& name, int source) {
     return {"distance_" + name + "_m", [source](const VehicleRow& row) -> CsvValue {
                 const auto& sources = row.now.sources;
-                const auto found = std::find_if(sources.begin(), sources.end(),
-                                                [&](const SourceView& candidate) { return candidate.source == source; });
+                const auto found = std::find_if(sources.begin(), sources.end(), [&](const SourceView& candidate) {
+                    return candidate.source == source;
+                });
                 if (found == sources.end()) return no_value;
                 const maths::vec2 way{found->x - row.vehicle.x, found->y - row.vehicle.y};
                 return maths::length(sensing::Seam(row.now.scene->arena).shortest(way));
@@ -119,9 +120,8 @@ const VehicleColumn& vehicle_column(std::string_view name) {
 
 VehicleColumn sensor_column(std::string sensor) {
     std::string name = "sensor_" + sensor;
-    return {std::move(name), [sensor = std::move(sensor)](const VehicleRow& row) -> CsvValue {
-                return sensor_input(row, sensor);
-            }};
+    return {std::move(name),
+            [sensor = std::move(sensor)](const VehicleRow& row) -> CsvValue { return sensor_input(row, sensor); }};
 }
 
 std::vector<VehicleColumn> vehicle_columns(const Snapshot& now, const std::set<ColumnGroup>& groups) {

@@ -107,6 +107,27 @@ TEST(CtlRun, NamesTheNearestWordOfUnknownColumns) {
     EXPECT_EQ(ctl("run 2a-coward --seconds 0 --columns sensors").code, 2) << "there is no table";
 }
 
+TEST(CtlRun, WritesTheTableAloneToStandardOutput) {
+    const std::filesystem::path file = scratch("same.csv");
+    ASSERT_EQ(ctl("run predator-prey --seconds 1 --csv " + file.string()).code, 0);
+    std::ifstream csv(file);
+    const std::string text{std::istreambuf_iterator<char>(csv), {}};
+    const Ran ran = ctl("run predator-prey --seconds 1 --csv -");
+    EXPECT_EQ(ran.code, 0);
+    EXPECT_EQ(ran.out, text);
+    EXPECT_EQ(ctl("run 2a-coward --seconds 1 --csv - --json").code, 2);
+    EXPECT_EQ(ctl("run 2a-coward --seconds 1 --csv - --hash").code, 2);
+    EXPECT_FALSE(std::filesystem::exists("-"));
+    std::filesystem::remove(file);
+}
+
+TEST(CtlRun, FailsIfStandardOutputCannotBeWritten) {
+    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
+    const Ran ran = ctl("run 2a-coward --seconds 1 --csv - > /dev/full");
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.out.find("--csv -: standard output could not be written"), std::string::npos) << ran.out;
+}
+
 // The program is interrupted once it has written the beginning of its temporary file.
 TEST(CtlRun, LeavesNoFileIfItIsInterrupted) {
     const std::filesystem::path folder = scratch("interrupted");
