@@ -14,6 +14,11 @@ namespace {
 
 std::string number(float value, const Axis& axis) { return fixed(value, axis.decimals) + std::string(axis.unit); }
 
+// The distance between the numbers of an axis. The decimals of the axis show it, so that no two numbers are equal.
+float step_of(const Axis& axis, int most) {
+    return std::max(round_step(axis.high - axis.low, most), std::pow(10.0f, static_cast<float>(-axis.decimals)));
+}
+
 // The first multiple of the step that is not below the axis.
 float first_on(const Axis& axis, float step) { return std::ceil(axis.low / step - 1e-4f) * step; }
 
@@ -43,7 +48,7 @@ Rect plot_ground(const Ui& ui, Rect outer, const Axis& x, const Axis& y) {
     const Rect inner{outer.x + aside, outer.y + line / 2, outer.w - aside - ui.px(6), outer.h - 1.5f * line - ui.px(3)};
     fill_box(ui, inner, ui.palette.ground.with_alpha(0.45f), 3);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float y_step = round_step(y.high - y.low, std::max(2, static_cast<int>(inner.h / (1.6f * line))));
+    const float y_step = step_of(y, std::max(2, static_cast<int>(inner.h / (1.6f * line))));
     for (float v = first_on(y, y_step); v <= y.high + y_step * 1e-3f; v += y_step) {
         const float at = plot_point(inner, x, y, x.low, v).y;
         draw.AddLine({inner.x, at}, {inner.x + inner.w, at}, paint(grid(ui, std::fabs(v) < y_step * 1e-3f)), ui.px(1));
@@ -51,7 +56,7 @@ Rect plot_ground(const Ui& ui, Rect outer, const Axis& x, const Axis& y) {
     }
     if (!x.numbers) return inner;
     const float widest = text_width(ui, Face::small, number(x.high, x)) + ui.px(44);
-    const float x_step = round_step(x.high - x.low, std::max(1, static_cast<int>(inner.w / widest)));
+    const float x_step = step_of(x, std::max(1, static_cast<int>(inner.w / widest)));
     for (float v = first_on(x, x_step); v <= x.high + x_step * 1e-3f; v += x_step) {
         const float at = plot_point(inner, x, y, v, y.low).x;
         draw.AddLine({at, inner.y}, {at, inner.y + inner.h}, paint(grid(ui, false)), ui.px(1));
@@ -91,14 +96,35 @@ void plot_words(const Ui& ui, Rect inner, float pixel_x, const std::string_view*
 
 namespace detail {
 
-void path_to(ImVec2 point) { ImGui::GetWindowDrawList()->PathLineTo(point); }
+void path_to(ImVec2 point) { ImGui::GetWindowDrawList()->PathLineToMergeDuplicate(point); }
 
+namespace {
+
+// True where the line turns by more than 60°.
+bool is_sharp(ImVec2 before, ImVec2 corner, ImVec2 after) {
+    const ImVec2 in{corner.x - before.x, corner.y - before.y}, out{after.x - corner.x, after.y - corner.y};
+    const float lengths = std::hypot(in.x, in.y) * std::hypot(out.x, out.y);
+    return in.x * out.x + in.y * out.y < 0.5f * lengths;
+}
+
+}  // namespace
+
+// Dear ImGui's mitred joins extend up to five times the line's width beyond a sharp corner. The line is therefore drawn
+// in pieces that end at sharp corners, with a disc over each of these corners.
 void stroke(const Ui& ui, Colour colour, float layout_thickness) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    if (draw._Path.Size > 1)
-        draw.PathStroke(paint(colour), 0, ui.px(layout_thickness));
-    else
-        draw.PathClear();
+    const float thickness = ui.px(layout_thickness);
+    ImVector<ImVec2> path;
+    path.swap(draw._Path);  // the discs use the path of the draw list
+    for (int first = 0, i = 1; i < path.Size; ++i) {
+        const bool is_last = i + 1 == path.Size;
+        if (!is_last && !is_sharp(path[i - 1], path[i], path[i + 1])) continue;
+        draw.AddPolyline(&path[first], i - first + 1, paint(colour), 0, thickness);
+        if (!is_last) draw.AddCircleFilled(path[i], thickness / 2, paint(colour));
+        first = i;
+    }
+    path.resize(0);
+    path.swap(draw._Path);  // keeps its memory
 }
 
 }  // namespace detail
