@@ -4,6 +4,7 @@
 #include <set>
 
 #include "desk.h"
+#include "ui/widgets/card.h"
 
 namespace braitenlab::tests::item_test {
 
@@ -127,6 +128,39 @@ TEST(Item, IsRecordedWithAndWithoutATooltip) {
     ASSERT_EQ(shown.size(), 2u);
     EXPECT_FALSE(shown[0].has_tooltip);
     EXPECT_TRUE(shown[1].has_tooltip);
+}
+
+TEST(Item, KeepsItsTooltipInsideTheWindow) {
+    constexpr float width = 700, height = 500;
+    const std::string words = "A tooltip that is long enough to be wrapped into several lines of small type.";
+    const Rect cards[]{{0, 0, 200, 500},   {100, 0, 200, 500}, {250, 0, 200, 500}, {500, 0, 200, 500},
+                       {260, 0, 440, 500}, {0, 0, 700, 40},    {0, 460, 700, 40}};
+    for (const Rect& card : cards)
+        for (const float across : {0.0f, 0.5f, 1.0f})
+            for (const float down : {0.0f, 0.5f, 1.0f}) {
+                Desk desk(width, height, 1, true);
+                for (int i = 0; i < 40; ++i) {
+                    desk.anchors.begin();
+                    desk.written.clear();
+                    Ui ui{desk.strings, palette(Theme::dark), test_fonts(1).loaded.fonts, 1, desk.anchors, desk.asked};
+                    ui.written = &desk.written;
+                    const ImVec2 at{card.x + across * (card.w - 20), card.y + down * (card.h - 20)};
+                    desk.point(at.x + 10, at.y + 10);
+                    ImGui::NewFrame();
+                    begin_bar(ui, "bar", card);
+                    ImGui::SetCursorScreenPos(at);
+                    tooltip(ui, item(ui, "told", {20, 20}), words, "Ctrl+T");
+                    end_bar();
+                    ImGui::Render();
+                }
+                ASSERT_EQ(desk.written.size(), 2u) << "words and shortcut";
+                for (const Written& w : desk.written) {
+                    EXPECT_GE(w.rect.x, 10) << card.x << " " << across << " " << down;
+                    EXPECT_GE(w.rect.y, 6) << card.x << " " << across << " " << down;
+                    EXPECT_LE(w.rect.x + w.rect.w, width - 10) << card.x << " " << across << " " << down;
+                    EXPECT_LE(w.rect.y + w.rect.h, height - 6) << card.x << " " << across << " " << down;
+                }
+            }
 }
 
 }  // namespace braitenlab::tests::item_test

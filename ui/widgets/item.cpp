@@ -1,6 +1,8 @@
 #include "ui/widgets/item.h"
 
 #include <algorithm>
+#include <cfloat>
+#include <cmath>
 #include <string>
 
 #include "ui/imgui_compat.h"
@@ -31,23 +33,34 @@ void ring(const Ui& ui, Rect r, Colour colour, float gap, float thickness) {
     draw.PopClipRect();
 }
 
-// Beside the card, so that it does not cover other widgets; beside the rows of a sheet where there is room; below the
-// buttons of the toolbar.
-void place_tooltip(const Ui& ui, const Item& item) {
+// The upper left corner of a tooltip: beside the card, so that it does not cover other widgets; beside the rows of a
+// sheet where there is room; below or above the buttons of the toolbar. Always inside the window if it fits into it.
+ImVec2 tooltip_place(const Ui& ui, const Item& item, ImVec2 size) {
     const ImVec2 window = ImGui::GetIO().DisplaySize, card = ImGui::GetWindowPos();
-    const float card_width = ImGui::GetWindowWidth(), away = ui.px(24), half = ui.px(150);
-    if (card_width > window.x / 2 && item.rect.w > half && item.right() + 2 * half + away < window.x) {
-        ImGui::SetNextWindowPos({item.right() + away, item.middle_y()}, ImGuiCond_Always, {0, 0.5f});
-    } else if (card_width > window.x / 2) {
-        const float x = std::clamp(item.middle_x(), half, std::max(half, window.x - half));
+    const float card_width = ImGui::GetWindowWidth(), away = ui.px(24), edge = ui.px(4);
+    const float left = card.x - away - size.x, right = card.x + card_width + away / 2;
+    const bool is_row = card_width > window.x / 2 && item.rect.w > ui.px(150);
+    const bool fits_beside_row = is_row && item.right() + away + size.x + edge < window.x;
+    const bool fits_left = card.x + card_width / 2 > window.x / 2 && left >= edge;
+    const bool fits_right = card.x + card_width / 2 <= window.x / 2 && right + size.x + edge <= window.x;
+    ImVec2 at{item.right() + away, item.middle_y() - size.y / 2};
+    if (!fits_beside_row && card_width <= window.x / 2 && (fits_left || fits_right)) {
+        at.x = fits_left ? left : right;
+    } else if (!fits_beside_row) {
         const bool above = item.rect.y > window.y / 2;
-        ImGui::SetNextWindowPos({x, above ? item.rect.y - ui.px(10) : item.bottom() + ui.px(10)}, ImGuiCond_Always,
-                                {0.5f, above ? 1.0f : 0.0f});
-    } else if (card.x + card_width / 2 > window.x / 2) {
-        ImGui::SetNextWindowPos({card.x - away, item.middle_y()}, ImGuiCond_Always, {1, 0.5f});
-    } else {
-        ImGui::SetNextWindowPos({card.x + card_width + away / 2, item.middle_y()}, ImGuiCond_Always, {0, 0.5f});
+        at = {item.middle_x() - size.x / 2, above ? item.rect.y - ui.px(10) - size.y : item.bottom() + ui.px(10)};
     }
+    const auto inside = [edge](float low, float length, float room) {
+        return std::max(edge, std::min(low, room - edge - length));
+    };
+    return {std::floor(inside(at.x, size.x, window.x)), std::floor(inside(at.y, size.y, window.y))};
+}
+
+// Size of the words of a tooltip, wrapped at `width`.
+ImVec2 size_of_words(const Ui& ui, std::string_view words, float width) {
+    if (words.empty()) return {};
+    ImFont* face = font(ui, Face::small);
+    return face->CalcTextSizeA(compat::size_of(face), FLT_MAX, width, words.data(), words.data() + words.size());
 }
 
 bool is_visible(Rect r) { return r.w >= 1 && r.h >= 1; }
@@ -98,12 +111,17 @@ void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view 
     const float hovered = compat::hovered_seconds();
     const bool pressed_meanwhile = ImGui::GetTime() - ImGui::GetIO().MouseClickedTime[0] < static_cast<double>(hovered);
     if (hovered < show_after || hovered > hide_after || pressed_meanwhile) return;
-    place_tooltip(ui, item);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(6)});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(2)});
-    ImGui::BeginTooltip();
+    const ImVec2 padding{ui.px(10), ui.px(6)};
+    const float space = ui.px(2);
     const float widest = std::max(text_width(ui, Face::small, words), text_width(ui, Face::small, shortcut));
     const float width = std::min(ui.px(280), widest) + 1;
+    const ImVec2 main = size_of_words(ui, words, width), extra = size_of_words(ui, shortcut, width);
+    const float height = main.y + (shortcut.empty() ? 0 : space + extra.y);
+    ImGui::SetNextWindowPos(
+        tooltip_place(ui, item, {std::max(main.x, extra.x) + 2 * padding.x + 1, height + 2 * padding.y + 1}));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, space});
+    ImGui::BeginTooltip();
     paragraph(ui, words, ui.palette.text, Face::small, width);
     if (!shortcut.empty()) paragraph(ui, shortcut, ui.palette.second_text, Face::small, width);
     ImGui::EndTooltip();
