@@ -19,6 +19,22 @@ namespace {
 
 constexpr float above_inspector = 12;  // layout pixels
 
+// A click on the button of a menu while another menu is open closes that one, which covers the button, and opens this
+// one. Call after the menus are drawn.
+struct OpenMenus {
+    bool view = false, presets = false, scene = false;  // open at the start of the frame
+};
+void switch_menus(PanelState& state, const Ui& ui, OpenMenus open) {
+    if (!ImGui::IsMouseClicked(0)) return;
+    const auto is_over = [&](std::string_view anchor) {
+        const Rect* rect = ui.anchors.find(anchor);
+        return rect && rect->contains(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+    };
+    if (open.scene && is_over("menu")) return;
+    if ((open.presets || open.scene) && is_over("button.view")) state.view_menu = true;
+    if ((open.view || open.scene) && !is_over("card.view") && is_over("button.presets")) state.open_presets = true;
+}
+
 // The wiring canvas with the inspector below it. The background does not cover the inset with the scene.
 void draw_canvas(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
@@ -125,6 +141,8 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     if (ImGui::IsMouseClicked(0) && !ImGui::GetIO().WantCaptureMouse) state.keyboard.focus.clear();
     if (ImGui::IsMouseClicked(0)) state.keyboard.shown = false;
 
+    const OpenMenus open_menus{state.view_menu, state.presets_open, state.scene_input.menu.open};
+    state.scene_input.below_menu = state.view_menu;
     state.lesion_under_pointer.clear();
     record(state.history, view);
     follow_lecture(view, state);
@@ -148,6 +166,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     scene_menu(view, state, ui, layout.window);
     recovery_sheet(view, state, ui, layout.window);
     view_menu(view, state, ui, layout.window, layout.toolbar);
+    switch_menus(state, ui, open_menus);
     keys_card(view, state, ui, layout.window);
     files_sheet(view, state, ui, layout.window);
     settings_card(view, state, ui, layout.window);

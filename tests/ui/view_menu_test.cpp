@@ -79,6 +79,49 @@ TEST(PresetsMenu, ConsumesTheClickThatClosesIt) {
     EXPECT_TRUE(desk.actions().empty());
 }
 
+TEST_F(ViewMenu, OpensByOneClickWhileThePresetsAreOpenAndTheReverse) {
+    desk.click("button.presets");
+    ASSERT_TRUE(desk.panels.presets_open);
+    desk.click("button.view");
+    EXPECT_FALSE(desk.panels.presets_open);
+    EXPECT_TRUE(desk.anchors.find("card.view"));
+    desk.rest();
+    desk.click("button.presets");
+    EXPECT_TRUE(desk.panels.presets_open);
+    EXPECT_FALSE(desk.anchors.find("card.view"));
+    EXPECT_TRUE(desk.all.empty()) << "the clicks do nothing else";
+}
+
+TEST_F(ViewMenu, GivesWayToTheMenuOfTheSceneOnARightClick) {
+    const CameraView camera_view =
+        look(Camera{}, desk.now.scene->arena, nullptr, {0, 0, 1280, 800}, {300, 60, 600, 600});
+    desk.view.camera_view = &camera_view;
+    const auto right_click = [&] {
+        desk.point(640, 640);
+        desk.frame(2);
+        desk.button(1, true);
+        desk.frame(2);
+        desk.button(1, false);
+        desk.frame(3);
+    };
+    desk.click("button.view");
+    ASSERT_TRUE(desk.anchors.find("card.view"));
+    right_click();
+    EXPECT_FALSE(desk.anchors.find("card.view"));
+    EXPECT_TRUE(desk.panels.scene_input.menu.open);
+    desk.rest();
+    desk.click("button.presets");
+    EXPECT_TRUE(desk.panels.presets_open);
+    EXPECT_FALSE(desk.panels.scene_input.menu.open);
+    right_click();
+    EXPECT_FALSE(desk.panels.presets_open);
+    EXPECT_TRUE(desk.panels.scene_input.menu.open);
+    desk.rest();
+    desk.click("button.view");
+    EXPECT_FALSE(desk.panels.scene_input.menu.open);
+    EXPECT_TRUE(desk.anchors.find("card.view"));
+}
+
 TEST_F(ViewMenu, CanBeUsedByKeysAlone) {
     desk.key({'E'});
     desk.frame(2);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <imgui.h>
 
@@ -175,8 +176,8 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         // The wiring canvas shows the same brain larger.
         if (view.mode != Mode::wiring)
             brain_picture(view, state, ui, *vehicle, column.h < ui.px(low_column) ? 90 : 116);
-        presets_menu(view, state, ui, *vehicle, buttons[0].pressed,
-                     {place.x + place.w - ui.px(16), place.y + ui.px(36)});
+        const bool wanted = std::exchange(state.open_presets, false) || buttons[0].pressed;
+        presets_menu(view, state, ui, *vehicle, wanted, {place.x + place.w - ui.px(16), place.y + ui.px(36)});
     }
     end_card(state.card(Card::brain));
 }

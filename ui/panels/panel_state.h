@@ -81,6 +81,7 @@ struct PanelState {
     std::optional<Preferences> before_reset;  // preferences before Reset All, until one is changed
     bool view_menu = false, focus_view_menu = false;
     bool presets_open = false, close_presets = false;
+    bool open_presets = false;   // requested by a click on their button while another menu covered it
     bool outcome_told = false;   // the outcome of the prediction is shown
     std::size_t hints_seen = 0;  // hints already scrolled to
     bool grade_seen = false;

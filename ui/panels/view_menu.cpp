@@ -104,7 +104,8 @@ void view_menu(const LabView& view, PanelState& state, Ui& ui, Rect window, Rect
                          ui.px(view_row_height) * static_cast<float>(all_switches.size() + all_fields.size());
     const Rect menu{std::min(opener.x, window.w - ui.px(view_menu_width + 12)), toolbar.y + toolbar.h + ui.px(8),
                     ui.px(view_menu_width), height};
-    // The bar covers the window invisibly: a click beside the menu closes it and does nothing else.
+    // The bar covers the window invisibly: a click beside the menu closes it. It opens another menu (switch_menus())
+    // and does nothing else.
     begin_bar(ui, "view", window, true);
     card_ground(ui, menu);
     fill_box(ui, menu, ui.palette.panel);
@@ -129,7 +130,8 @@ void view_menu(const LabView& view, PanelState& state, Ui& ui, Rect window, Rect
     if (state.focus_view_menu && ui.keyboard) ui.keyboard->focus = all_switches.front().id;
     state.focus_view_menu = false;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    if (ImGui::IsMouseClicked(0) && !menu.contains(mouse.x, mouse.y)) state.view_menu = false;
+    const bool click = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1);
+    if (click && !menu.contains(mouse.x, mouse.y)) state.view_menu = false;
     end_bar();
 }
 

@@ -20,14 +20,23 @@ namespace {
 constexpr float nudge_step = 0.1f, fine_nudge = 0.01f;  // m
 constexpr double nudge_pause = 1;                       // s without a key ends a gesture
 
-SceneInputPointer current_pointer(const SceneInputState& state) {
+// True if the right button opens the menu of the scene: also where another menu is open, which the press closes.
+bool right_press(const SceneInputState& state, Rect area) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool reaches =
+        !io.WantCaptureMouseUnlessPopupClose || (state.below_menu && area.contains(io.MousePos.x, io.MousePos.y));
+    return ImGui::IsMouseClicked(ImGuiMouseButton_Right) && reaches;
+}
+
+SceneInputPointer current_pointer(const SceneInputState& state, Rect area) {
     const ImGuiIO& io = ImGui::GetIO();
     SceneInputPointer pointer;
     pointer.at = {io.MousePos.x, io.MousePos.y};
-    pointer.over = (!io.WantCaptureMouse || state.drag.phase != SceneInputPhase::idle) && ImGui::IsMousePosValid();
+    pointer.right_pressed = right_press(state, area);
+    pointer.over = (!io.WantCaptureMouse || pointer.right_pressed || state.drag.phase != SceneInputPhase::idle) &&
+                   ImGui::IsMousePosValid();
     pointer.left_pressed = !io.WantCaptureMouse && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     pointer.left_double = !io.WantCaptureMouse && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-    pointer.right_pressed = !io.WantCaptureMouse && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
     pointer.middle_pressed = !io.WantCaptureMouse && ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
     pointer.left_down = io.MouseDown[0], pointer.right_down = io.MouseDown[1], pointer.middle_down = io.MouseDown[2];
     pointer.shift = io.KeyShift;
@@ -105,7 +114,7 @@ bool takes_arrows(const LabView& view, bool ctrl) {
 
 void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area) {
     if (!view.camera_view) return;
-    const SceneInputFrame frame{view, *view.camera_view, ui.scale, area, current_pointer(state)};
+    const SceneInputFrame frame{view, *view.camera_view, ui.scale, area, current_pointer(state, area)};
     interact(state, frame, ui.outbox);
     show_cursor(state);
     draw_scene_input(state, frame, ui);

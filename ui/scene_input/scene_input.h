@@ -76,6 +76,7 @@ struct SceneInputState {
     SceneInputDrag drag;
     SceneInputRefusal refusal;
     SceneInputMenu menu;
+    bool below_menu = false;  // the view menu is open over the whole window; a right click into the scene closes it
     std::uint64_t gesture = 0;
     SceneObject nudged;  // by arrow keys; presses within a second are one gesture
     double nudged_at = 0;
