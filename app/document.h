@@ -35,6 +35,12 @@ struct Grading {
     bool run_was_reset = false;  // since grading began
 };
 
+// A grade belongs to the submission that got it.
+struct GradedSubmission {
+    Submission submission;
+    Grade grade;
+};
+
 // The state of an exercise's referee beside a keyframe of the session.
 struct RefereeAtKeyframe {
     std::uint64_t tick = 0;
@@ -48,7 +54,8 @@ struct Lesson {
     LessonView view;
     double last_hint_at = 0;  // wall seconds
     std::optional<Grading> grading{};
-    std::deque<RefereeAtKeyframe> states{};  // of the recorded keyframes but the start of the run, by ascending tick
+    std::optional<GradedSubmission> graded{};  // view.grade is its grade while the vehicle has this submission
+    std::deque<RefereeAtKeyframe> states{};    // of the recorded keyframes but the start of the run, by ascending tick
     std::deque<RefereeAtKeyframe> states_before_edit{};  // before the last edit that removed recorded ticks
 };
 

@@ -118,18 +118,25 @@ Job<Grade> grade_in_background(Jobs& jobs, const std::shared_ptr<const Exercise>
                        [exercise](std::vector<bool> passed) { return grade_of(*exercise, std::move(passed)); });
 }
 
+// Shows the grade of the present submission.
+void show_grade(Lesson& lesson, const Submission& now) {
+    lesson.view.grade.reset();
+    if (lesson.graded && lesson.graded->submission == now) lesson.view.grade = lesson.graded->grade;
+}
+
 }  // namespace
 
 void update_grading(Lab& lab, Jobs& jobs) {
     if (!lab.document.lesson) return;
     Lesson& lesson = *lab.document.lesson;
-    const bool is_due = lesson.referee.passed() && !lesson.view.grade;
-    if (!lesson.grading && !is_due) return;
+    if (!lesson.grading && !lesson.graded && !lesson.referee.passed()) return;
     Submission now = submission_of(*lesson.exercise, lab.document.session.snapshot());
+    show_grade(lesson, now);
+    const bool is_due = lesson.referee.passed() && !lesson.view.grade;
     if (lesson.grading && lesson.grading->submission != now) lesson.grading.reset();
     if (!lesson.grading && is_due) {
         auto job = grade_in_background(jobs, lesson.exercise, now);
-        lesson.grading = Grading{std::move(now), std::move(job)};
+        lesson.grading = Grading{now, std::move(job)};
     }
     lesson.view.starts_tested.reset();
     if (!lesson.grading) return;
@@ -137,7 +144,10 @@ void update_grading(Lab& lab, Jobs& jobs) {
     if (lesson.grading->job.active()) lesson.view.starts_tested = lesson.grading->job.progress().done;
     if (!result) return;
     if (!*result) return say(lab, {NoticeKind::failure, "", result->error().text()});  // try again after an edit
-    if ((*result)->good || !lesson.grading->run_was_reset) lesson.view.grade = std::move(**result);
+    if ((*result)->good || !lesson.grading->run_was_reset) {
+        lesson.graded = GradedSubmission{std::move(now), std::move(**result)};
+        lesson.view.grade = lesson.graded->grade;
+    }
     lesson.grading.reset();
 }
 
@@ -147,7 +157,7 @@ void reset(Lab& lab) {
     lab.playback.previous.clear();
     lab.playback.debt = 0;
     if (lab.document.lesson && !(lab.document.lesson->view.grade && lab.document.lesson->view.grade->good))
-        lab.document.lesson->view.grade.reset();
+        lab.document.lesson->view.grade.reset(), lab.document.lesson->graded.reset();
     if (lab.document.lesson && lab.document.lesson->grading) lab.document.lesson->grading->run_was_reset = true;
     watch(lab);
     keep_selection(lab);
@@ -163,6 +173,7 @@ void restart_exercise(Lab& lab) {
             apply(lab, SetBrain{{.kind = static_cast<int>(k)}, lesson.exercise->scene.kinds[k].brain});
     lesson.view = {.exercise = lesson.exercise.get()};
     lesson.grading.reset();
+    lesson.graded.reset();
     lesson.last_hint_at = lab.wall_seconds;
     lesson.referee = Referee(*lesson.exercise);
     reset(lab);

@@ -13,8 +13,9 @@ void watch(Lab&);
 void tell_referee(Lab&, const Command&);
 
 // Call once per turn, after Jobs::deliver. When every step is done, grades the submission from all starts in the
-// background and writes progress and grade to the lesson's view. An edit of the submission cancels grading; if every
-// step is still done, grading starts again.
+// background and writes progress and grade to the lesson's view. An edit of the submission cancels grading and hides
+// the grade of the earlier submission; if every step is still done, grading starts again. If the graded submission
+// comes back, for example by undo, so does its grade.
 void update_grading(Lab&, Jobs&);
 
 // ── The referee and time travel. Its state is stored with each keyframe of the session and recomputed from there. ──

@@ -95,6 +95,7 @@ const VehicleView* find_vehicle(const Snapshot&, VehicleId);
 
 // Number in the random population, from 0, that the vehicle with this id has or would have (see Member).
 int number_in_population(const Snapshot&, VehicleId);
+
 // The vehicle's kind, with all edits. Precondition: the vehicle is in the snapshot.
 inline const Kind& kind_of(const Snapshot& now, const VehicleView& vehicle) {
     return now.scene->kinds[static_cast<std::size_t>(vehicle.kind)];

@@ -259,6 +259,29 @@ TEST(LabLesson, KeepsAGoodGradeThatComesAfterAReset) {
     EXPECT_TRUE(lesson_of(lab).grade->good);
 }
 
+TEST(LabLesson, ShowsAGradeOnlyForTheSubmissionThatGotIt) {
+    Jobs jobs(0);
+    Lab lab = solved_exercise();
+    run_until_every_step_is_done(lab);
+    grade_to_the_end(lab, jobs);
+    ASSERT_TRUE(lesson_of(lab).grade);
+    handle(lab, Action::reset);
+    turn(lab, jobs);
+    EXPECT_TRUE(lesson_of(lab).grade) << "a reset keeps the brain";
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LL, 0.3f}});
+    turn(lab, jobs);
+    EXPECT_FALSE(lesson_of(lab).grade) << "another brain";
+    handle(lab, Action::undo);
+    turn(lab, jobs);
+    ASSERT_TRUE(lesson_of(lab).grade) << "the same brain again";
+    EXPECT_TRUE(lesson_of(lab).grade->good);
+    restart_exercise(lab);
+    turn(lab, jobs);
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, solution(lab)}});
+    turn(lab, jobs);
+    EXPECT_FALSE(lesson_of(lab).grade) << "Start over forgets the grade";
+}
+
 TEST(LabLesson, DropsAPoorGradeThatComesAfterAReset) {
     Jobs jobs(0);
     Lab lab = solved_exercise();
