@@ -1,6 +1,7 @@
 #include "ui/panels/prompts.h"
 
 #include "desk.h"
+#include "render/view/pick.h"
 
 namespace braitenlab::tests::prompts_test {
 
@@ -65,6 +66,50 @@ TEST_F(Prompts, PointToPlayThenToASliderThenDisappear) {
     EXPECT_NE(anchor(), "slider.LR") << "not shown a second time";
     at(0, Mode::paused);
     EXPECT_NE(anchor(), "button.play") << "also after a reset";
+}
+
+TEST_F(Prompts, PointToASliderWhoseSensorReadsSomething) {
+    alone();
+    at(5);
+    desk.now.sensed = {0, 0.4f};
+    EXPECT_EQ(anchor(), "slider.RR") << "LL and RR are wires; SL reads 0";
+    EXPECT_EQ(next().hint, "hint.turn_slider");
+    at(5, Mode::paused);
+    EXPECT_EQ(next().hint, "hint.turn_slider_paused") << "it does not drive";
+}
+
+TEST_F(Prompts, PointToTheLampIfBothEyesReadNothing) {
+    alone();
+    at(5), see(0);
+    EXPECT_EQ(anchor(), lamp_anchor) << "no slider has an effect";
+    EXPECT_EQ(next().hint, "hint.lamp_nearer");
+    desk.now.sources[0].channel = Channel::heat;
+    EXPECT_EQ(anchor(), "") << "the vehicle does not sense heat";
+}
+
+TEST_F(Prompts, PointToTheFirstLampThatTheVehicleSenses) {
+    alone();
+    desk.now.sources.resize(2);
+    desk.now.sources[0].channel = Channel::heat;
+    desk.now.sources[1].x = 2;
+    const CameraView camera_view =
+        look(Camera{}, desk.now.scene->arena, nullptr, {0, 0, 1280, 800}, {300, 60, 600, 600});
+    desk.view.camera_view = &camera_view;
+    at(5), see(0);
+    desk.frame(2);
+    const auto lamp = project(camera_view, {2, 0}, bulb_height);
+    ASSERT_TRUE(lamp);
+    const Rect ring = desk.where(lamp_anchor);
+    EXPECT_NEAR(ring.x + ring.w / 2, lamp->x, 1);
+}
+
+TEST_F(Prompts, DoNotCallAVehicleLostThatHasStopped) {
+    alone();
+    desk.now.vehicles[0].speed = 0;
+    desk.view.undo_depth = 1;
+    at(5), see(0), next();
+    at(9);
+    EXPECT_NE(next().hint, "hint.lost") << "its brain may have stopped it, as that of scene Logic does";
 }
 
 TEST_F(Prompts, PointToPlayAfterAnEdit) {
@@ -195,6 +240,8 @@ TEST_F(LessonPrompts, OfferAHintAfterAFailedRun) {
 TEST_F(LessonPrompts, PointToTheNextExerciseAfterAPass) {
     at(9);
     all_done();
+    EXPECT_EQ(next().hint, "hint.steps_done") << "the other starts have no dots yet";
+    desk.lesson.grade = Grade{{true, false}, 1, false};
     EXPECT_EQ(next().hint, "hint.other_starts");
     desk.lesson.grade = Grade{{true, true}, 2, true};
     EXPECT_EQ(anchor(), "exercise.next");

@@ -29,24 +29,58 @@ bool all_steps_done(const LessonView& lesson) {
 
 int edit_count(const LabView& view) { return view.undo_depth + view.redo_depth; }
 
-// The slider of the selected vehicle's first weight that is not 0; else the first slider.
-std::string_view telling_slider(const LabView& view) {
-    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
-    if (!vehicle) return {};
-    const FourNeurons dials = read_dials(*brain_of(*view.now, *vehicle));
-    if (dials.LL != 0) return "slider.LL";
-    if (dials.LR != 0) return "slider.LR";
-    if (dials.RL != 0) return "slider.RL";
-    return dials.RR != 0 ? "slider.RR" : "slider.LL";
-}
-
-// ── A vehicle that is blocked or senses nothing ──
-
 bool is_blind(const Snapshot& now, const VehicleView& vehicle) {
     const auto begin = now.sensed.begin() + vehicle.first_sensed;
     const auto count = static_cast<std::ptrdiff_t>(kind_of(now, vehicle).sensors.size());
     return count > 0 && std::all_of(begin, begin + count, [](float value) { return value < sees_nothing; });
 }
+
+// The reading of the vehicle's sensor; 0 if it has no sensor of this name.
+float reading(const Snapshot& now, const VehicleView& vehicle, std::string_view sensor) {
+    const auto& sensors = kind_of(now, vehicle).sensors;
+    for (std::size_t i = 0; i < sensors.size(); ++i)
+        if (sensors[i].name == sensor) return now.sensed[static_cast<std::size_t>(vehicle.first_sensed) + i];
+    return 0;
+}
+
+// The slider of a weight whose sensor reads something, so that turning it has an effect: preferably of a wire, that is
+// of a weight that is not 0. Empty if there is none.
+std::string_view telling_slider(const Snapshot& now, const VehicleView& vehicle) {
+    const FourNeurons dials = read_dials(*brain_of(now, vehicle));
+    const bool left = reading(now, vehicle, "SL") >= sees_nothing, right = reading(now, vehicle, "SR") >= sees_nothing;
+    for (const bool is_wire : {true, false}) {
+        if (left && (dials.LL != 0) == is_wire) return "slider.LL";
+        if (right && (dials.LR != 0) == is_wire) return "slider.LR";
+        if (left && (dials.RL != 0) == is_wire) return "slider.RL";
+        if (right && (dials.RR != 0) == is_wire) return "slider.RR";
+    }
+    return {};
+}
+
+// The first lamp that a sensor of the selected vehicle measures; null if there is none.
+const SourceView* telling_lamp(const LabView& view) {
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    if (!vehicle) return nullptr;
+    const auto& sensors = kind_of(*view.now, *vehicle).sensors;
+    for (const SourceView& lamp : view.now->sources)
+        for (const Sensor& sensor : sensors)
+            if (is_seen_as(lamp.channel, sensor.channel)) return &lamp;
+    return nullptr;
+}
+
+// A change that the user sees at once: of a weight, or of the stimulus if the sensors read nothing.
+// (In an exercise a run with a moved lamp does not count.)
+Prompt first_change(const LabView& view) {
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    if (!vehicle) return {};
+    const bool plays = view.mode == Mode::playing;
+    if (const auto slider = telling_slider(*view.now, *vehicle); !slider.empty())
+        return {slider, plays ? "hint.turn_slider" : "hint.turn_slider_paused"};
+    if (!view.lesson && is_blind(*view.now, *vehicle) && telling_lamp(view)) return {lamp_anchor, "hint.lamp_nearer"};
+    return {};
+}
+
+// ── A vehicle that is blocked or senses nothing ──
 
 // `since`: the time from which on the condition holds; −1 while it does not.
 void keep_time(double& since, bool holds, double now) {
@@ -61,8 +95,9 @@ void watch_vehicle(PromptMemory& memory, const LabView& view) {
     const Snapshot& now = *view.now;
     const VehicleView* vehicle = now.vehicles.size() == 1 ? &now.vehicles.front() : nullptr;
     const bool counts = vehicle && vehicle->driver == Driver::brain && now.tick > 0;
-    keep_time(memory.blind_since, counts && is_blind(now, *vehicle), now.seconds);
-    keep_time(memory.still_since, counts && std::fabs(vehicle->speed) < standstill, now.seconds);
+    const bool stands = vehicle && std::fabs(vehicle->speed) < standstill;
+    keep_time(memory.blind_since, counts && !stands && is_blind(now, *vehicle), now.seconds);
+    keep_time(memory.still_since, counts && stands, now.seconds);
 }
 
 Prompt way_out(const PromptMemory& memory, const LabView& view) {
@@ -99,7 +134,7 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     if (awaits_prediction(lesson)) return {"exercise.predict", "hint.predict"};
     if (!lesson.has_run) return at_start ? Prompt{"button.play", "hint.press_play"} : Prompt{};
     if (lesson.grade && lesson.grade->good) return {"exercise.next", "hint.passed"};
-    if (all_steps_done(lesson)) return {{}, "hint.other_starts"};
+    if (all_steps_done(lesson)) return {{}, lesson.grade ? "hint.other_starts" : "hint.steps_done"};
     if (const auto anchor = hinted(memory, view); !anchor.empty()) return {anchor, "hint.follow_hint"};
     if (at_start) return {"button.play", "hint.press_play"};
     if (const Prompt out = way_out(memory, view); !out.anchor.empty()) return out;
@@ -136,10 +171,10 @@ Prompt of_wiring(PromptMemory& memory, const LabView& view) {
 Prompt of_free_play(PromptMemory& memory, const LabView& view) {
     const Snapshot& now = *view.now;
     if (!memory.played) return {"button.play", "hint.press_play"};
-    if (!memory.slider_known)
-        return now.seconds < watched ? Prompt{} : Prompt{telling_slider(view), "hint.turn_slider"};
+    if (!memory.slider_known) return now.seconds < watched ? Prompt{} : first_change(view);
     if (view.lesson) return {};  // the exercise gives the hints
-    if (is_shown_now(memory.lamp, lamp_was_moved(view), view.wall_seconds)) return {lamp_anchor, "hint.drag_lamp"};
+    const bool lamp_is_known = lamp_was_moved(view) || !telling_lamp(view);
+    if (is_shown_now(memory.lamp, lamp_is_known, view.wall_seconds)) return {lamp_anchor, "hint.drag_lamp"};
     if (is_shown_now(memory.wiring, false, view.wall_seconds)) return {"button.wiring", "hint.open_wiring"};
     if (now.seconds < run_worth_a_look_back) return {};
     if (is_shown_now(memory.timeline, false, view.wall_seconds)) return {"timeline.track", "hint.look_back"};
@@ -172,9 +207,9 @@ float pulse(const LabView& view) {
 }
 
 void point_to_lamp(const LabView& view, Ui& ui) {
-    if (ui.highlight != lamp_anchor || !view.camera_view || view.now->sources.empty()) return;
-    const SourceView& lamp = view.now->sources.front();
-    const auto at = project(*view.camera_view, {lamp.x, lamp.y}, bulb_height);
+    const SourceView* lamp = ui.highlight == lamp_anchor && view.camera_view ? telling_lamp(view) : nullptr;
+    if (!lamp) return;
+    const auto at = project(*view.camera_view, {lamp->x, lamp->y}, bulb_height);
     if (!at) return;
     const float radius = ui.px(18 + 4 * ui.pulse);
     ImGui::GetBackgroundDrawList()->AddCircle(

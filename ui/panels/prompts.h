@@ -28,10 +28,10 @@ struct PromptMemory {
     Suggested lamp, wiring, timeline;           // of free play, in this order
     int edits_before_wiring = -1;               // number of edits when the wiring was opened; −1: it is closed
     int hint = 0, edits_before_hint = 0;        // number of hints shown, and of edits when the last one came
-    double blind_since = -1, still_since = -1;  // simulated seconds; negative: the vehicle sees a stimulus; it moves
+    double blind_since = -1, still_since = -1;  // simulated seconds; negative: it sees a stimulus or stands; it moves
 };
 
-// Anchor of the first lamp, recorded by point_to_lamp().
+// Anchor of the first lamp that the selected vehicle senses, recorded by point_to_lamp().
 inline constexpr std::string_view lamp_anchor = "stage.lamp";
 
 // Call once a frame.
@@ -40,7 +40,7 @@ Prompt next_prompt(PromptMemory&, const LabView&);
 // For Ui::pulse: 0..1 with a period of 1.5 s; 1 where motion is reduced.
 float pulse(const LabView&);
 
-// Draws a pulsing ring around the first lamp while Ui::highlight names it.
+// Draws a pulsing ring around that lamp while Ui::highlight names it.
 void point_to_lamp(const LabView&, Ui&);
 
 }  // namespace braitenlab::ui
