@@ -58,7 +58,10 @@ void edit_if(Lab& lab, const std::optional<Command>& command) {
 }
 
 // Switches to a camera mode, or back to the overview if that mode is on already.
+// A mode that rides with a vehicle is refused without a selected vehicle.
 void switch_camera(Lab& lab, CameraMode mode) {
+    if (rides(mode) && lab.view.camera.mode != mode && !selected_vehicle(lab))
+        return say(lab, {NoticeKind::failure, "notice.no_vehicle"});
     lab.view.camera.mode = lab.view.camera.mode == mode ? CameraMode::overview : mode;
     if (!rides(lab.view.camera.mode)) return;
     lab.view.camera.zoom = 1;  // the overview's zoom is wrong for a camera that moves with a vehicle

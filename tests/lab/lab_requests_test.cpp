@@ -28,6 +28,20 @@ TEST(LabRequests, ToggleACameraModeByTheSameAction) {
     EXPECT_EQ(lab.view.camera.mode, CameraMode::overview);
 }
 
+TEST(LabRequests, RefuseACameraThatRidesWithoutAVehicle) {
+    for (const Action way : {Action::follow, Action::drivers_eye}) {
+        Lab lab = opened_lab("2a-coward");
+        handle(lab, EditRequest{RemoveVehicle{0}});
+        handle(lab, way);
+        EXPECT_EQ(lab.notice.key, "notice.no_vehicle");
+        handle(lab, Action::undo);
+        ASSERT_EQ(lab.view.selection.vehicle, 0);
+        EXPECT_EQ(lab.view.camera.mode, CameraMode::overview) << "the key does not act later";
+        handle(lab, way);
+        EXPECT_NE(lab.view.camera.mode, CameraMode::overview);
+    }
+}
+
 TEST(LabRequests, ShowAFailureForSomeSeconds) {
     Lab lab = opened_lab("2a-coward");
     handle(lab, Action::remove);
