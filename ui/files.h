@@ -43,6 +43,7 @@ struct FilesView {
     std::string save_to;    // file that Ctrl+S writes; empty: a name is needed
     int done = 0;         // number of files opened and saved since the start; a waiting sheet closes when it increases
     std::string refused;  // error of the last request; empty: none
+    std::string new_folder;  // the last save was refused because this folder does not exist; empty: it was not
     std::optional<Leaving> leaving;
 };
 

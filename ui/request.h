@@ -157,6 +157,7 @@ struct SaveRequest {
     std::string path;  // as typed; the extension may be missing
     FileKind kind = FileKind::scene;
     std::optional<std::string> title{};  // new title of the scene
+    bool create_folder = false;          // else saving into a folder that does not exist is refused
 };
 enum class Leave { save, discard, stay, saved };  // saved: already saved under a new name
 struct LeaveRequest {                             // the answer to FilesView::leaving

@@ -26,12 +26,14 @@ struct FileCommands {
 
     void fail(const Error& error) const {
         view.refused = error.text();
+        view.new_folder.clear();
         say(lab, {NoticeKind::failure, "", error.text()});
     }
 
     void done(const fs::path& path, std::string_view said) const {
         if (!said.empty()) say(lab, {NoticeKind::done, std::string(said), path.filename().string()});
         view.refused.clear();
+        view.new_folder.clear();
         ++view.done;
         refresh(view, lab);
     }
@@ -100,8 +102,18 @@ struct FileCommands {
         say(lab, {NoticeKind::done, "notice.numbers", path.string()});
     }
 
+    // False if the folder of the file does not exist, and the user has not agreed that it is created.
+    bool has_folder(const fs::path& path, const SaveRequest& wanted) const {
+        std::error_code none;
+        if (wanted.create_folder || fs::exists(path.parent_path(), none)) return true;
+        fail({"cannot be saved there: its folder does not exist", path.string()});
+        view.new_folder = path.parent_path().string();
+        return false;
+    }
+
     void save(const SaveRequest& wanted) const {
         const fs::path path = with_extension(resolved(wanted.path, folder(), folders.home), wanted.kind);
+        if (!has_folder(path, wanted)) return;
         const std::uint64_t latest = lab.document.session.latest();
         if (wanted.title) {
             if (const auto error = lab.document.session.apply(Retitle{*wanted.title})) return fail(*error);

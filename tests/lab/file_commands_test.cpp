@@ -139,6 +139,23 @@ TEST_F(FileCommands, ListsUnreadableFilesAsBroken) {
     EXPECT_NE(files.refused.find("garbage.toml:1"), std::string::npos) << files.refused;
 }
 
+TEST_F(FileCommands, CreatesAFolderOnlyIfTheUserAgrees) {
+    const fs::path file = folder / "new" / "deep" / "mine.toml";
+    ask(SaveRequest{file.string(), FileKind::scene});
+    EXPECT_FALSE(fs::exists(folder / "new"));
+    EXPECT_EQ(files.new_folder, file.parent_path().string());
+    EXPECT_NE(files.refused.find("does not exist"), std::string::npos) << files.refused;
+    EXPECT_EQ(files.done, 0);
+    ask(SaveRequest{file.string(), FileKind::scene, {}, true});
+    EXPECT_TRUE(fs::exists(file));
+    EXPECT_EQ(files.new_folder, "");
+    EXPECT_EQ(files.done, 1);
+    ask(SaveRequest{"/proc/nowhere/mine", FileKind::scene, {}, true});
+    EXPECT_EQ(files.new_folder, "");
+    EXPECT_NE(files.refused, "") << "a folder that cannot be created";
+    EXPECT_EQ(files.done, 1);
+}
+
 TEST_F(FileCommands, ExplainsADroppedFolder) {
     fs::create_directories(folder / "class");
     ask(OpenRequest{(folder / "class").string(), true});

@@ -241,6 +241,32 @@ TEST_F(FilesSheet, AsksBeforeItReplacesAFileAndReportsCommentsThatWouldBeLost) {
     EXPECT_EQ(asked<SaveRequest>(), std::vector<std::string>{"mine.toml"});
 }
 
+TEST_F(FilesSheet, AsksBeforeItCreatesAFolder) {
+    const auto creates = [&] {
+        std::vector<bool> found;
+        for (const Request& request : desk.all)
+            if (const auto* save = std::get_if<SaveRequest>(&request)) found.push_back(save->create_folder);
+        return found;
+    };
+    press({'S', true, true});
+    type("/new/");
+    desk.click("files.do");
+    EXPECT_EQ(creates(), std::vector{false});
+    files.refused = "refused", files.new_folder = "/home/me/Coward/new";
+    desk.frame(3);
+    EXPECT_EQ(said("/home/me/Coward/new"), 1) << "the question names the folder";
+    EXPECT_EQ(said("refused"), 0);
+    EXPECT_EQ(said(desk.strings("files.create_it")), 1);
+    desk.rest();
+    desk.click("files.do");
+    EXPECT_EQ(creates(), (std::vector{false, true}));
+    desk.click("files.path");
+    type("x");
+    desk.rest();
+    desk.click("files.do");
+    EXPECT_EQ(creates(), (std::vector{false, true, false})) << "another name, another folder";
+}
+
 TEST_F(FilesSheet, SavesWithoutAQuestionIfTheSceneHasAFile) {
     files.save_to = "/home/me/mine.toml";
     press({'S', true});

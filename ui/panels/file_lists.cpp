@@ -27,6 +27,7 @@ void begin_files(FilesState& files, bool saving, FileKind kind) {
     files.begun = files.asked = false;
     files.typed = files.title = {};
     files.replacing.clear();
+    files.creating.clear();
 }
 
 std::string_view kind_key(FileKind kind) {

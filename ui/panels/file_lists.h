@@ -29,6 +29,7 @@ struct FilesState {
     bool asked = false;     // a request is in progress; it has succeeded when FilesView::done exceeds `done`
     int done = 0;           // FilesView::done at that request
     std::string replacing;  // name of an existing file, until the user confirms
+    std::string creating;   // name of the last save; if its folder does not exist, a second save creates it
 };
 
 // Opens the browser for opening, or for saving as `kind`. The caller sets PanelState::sheet to Sheet::files.

@@ -40,6 +40,11 @@ std::optional<std::string> new_title(const LabView& view, const FilesState& file
     return files.title.text;
 }
 
+// True if the last save was refused because the folder in the name does not exist; the next one creates it.
+bool asks_for_folder(const LabView& view, const FilesState& files) {
+    return view.files && files.asked && !view.files->new_folder.empty() && files.creating == files.typed.text;
+}
+
 void save_file(const LabView& view, FilesState& files, Ui& ui) {
     if (files.typed.text.empty()) return;
     const FileEntry* there = existing_file(files, view.files->listing);
@@ -49,7 +54,9 @@ void save_file(const LabView& view, FilesState& files, Ui& ui) {
     } else if (there && files.replacing != files.typed.text) {
         files.replacing = files.typed.text;
     } else {
-        request_file(view, files, ui, SaveRequest{files.typed.text, files.kind, new_title(view, files, ui)});
+        const bool create = asks_for_folder(view, files);
+        files.creating = files.typed.text;
+        request_file(view, files, ui, SaveRequest{files.typed.text, files.kind, new_title(view, files, ui), create});
     }
 }
 
@@ -111,6 +118,7 @@ std::string problem(const LabView& view, const FilesState& files, const Ui& ui) 
         return fill(ui.strings(there && there->comments ? "files.replace_comments" : "files.replace"),
                     {there ? there->name : files.replacing});
     }
+    if (asks_for_folder(view, files)) return fill(ui.strings("files.no_folder"), {view.files->new_folder});
     return files.asked && view.files ? view.files->refused : std::string();
 }
 
@@ -127,9 +135,10 @@ void file_buttons(const LabView& view, PanelState& state, Ui& ui) {
     FilesState& files = state.files;
     const bool typing = files.saving || files.place == FilesPlace::folder;
     if (typing) {
-        const std::string_view words = ui.strings(!files.saving             ? "files.open"
-                                                  : files.replacing.empty() ? "files.save"
-                                                                            : "files.replace_it");
+        const std::string_view words = ui.strings(!files.saving                  ? "files.open"
+                                                  : !files.replacing.empty()     ? "files.replace_it"
+                                                  : asks_for_folder(view, files) ? "files.create_it"
+                                                                                 : "files.save");
         ButtonLook look{{}, words, Emphasis::primary};
         look.enabled = !files.typed.text.empty();
         const Item at = button(ui, "files.do", look);
