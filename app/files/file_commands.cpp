@@ -129,7 +129,7 @@ struct FileCommands {
                 lab.document.on_disk = mark_of(path);
             }
         }
-        if (wanted.kind != FileKind::brain) lab.document.saved_edits = lab.document.edits;
+        if (wanted.kind != FileKind::brain || lab.document.lesson) lab.document.saved_edits = lab.document.edits;
         if (wanted.kind == FileKind::run) lab.document.saved_tick = lab.document.session.snapshot().tick;
         if (!view.listing.folder.empty()) list(view.listing.folder);
         done(path, wanted.kind == FileKind::brain ? "files.saved_brain" : "files.saved");
@@ -157,7 +157,9 @@ void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const 
 }
 
 bool has_unsaved_edits(const Lab& lab) {
-    if (lab.document.lesson || lab.document.edits == lab.document.saved_edits) return false;
+    if (lab.document.edits == lab.document.saved_edits) return false;
+    if (const auto& lesson = lab.document.lesson)
+        return submission_of(*lesson->exercise, lab.document.session.snapshot()) != as_shipped(*lesson->exercise);
     return lab.document.session.edited_scene() != *lab.document.file;
 }
 

@@ -15,7 +15,7 @@ void add_recent_file(StoredState&, const std::filesystem::path&);
 // notice and in the view.
 void execute_file_requests(Lab&, FilesView&, StoredState&, const UserFolders&);
 
-// True if the scene has edits that are in no file. False for an exercise: its brains are attempts.
+// True if the scene has edits that are in no file; of an exercise, if its submission has.
 bool has_unsaved_edits(const Lab&);
 
 // True if the document can be closed without losing edits. If not, sets FilesView::leaving, which opens a sheet.

@@ -331,12 +331,23 @@ TEST_F(FileCommands, StaysIfTheEditsCannotBeWritten) {
     EXPECT_NE(files.refused, "");
 }
 
-TEST_F(FileCommands, DoesNotAskAboutTheBrainOfAnExercise) {
+TEST_F(FileCommands, AsksBeforeTheEditedBrainOfAnExerciseIsLost) {
+    const std::string next = find_shipped("3a-love")->string();
+    lab = open("05-aggressor");
+    EXPECT_TRUE(may_leave(lab, files));
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    EXPECT_FALSE(may_leave(lab, files));
+    ask(OpenRequest{next});
+    EXPECT_EQ(lab.document.name, "05-aggressor");
+    ASSERT_TRUE(files.leaving);
+    EXPECT_EQ(files.leaving->next, next);
+    ask(SaveRequest{"mine", FileKind::brain});
+    ask(LeaveRequest{Leave::saved});
+    EXPECT_EQ(lab.document.name, "3a-love") << "a brain in a file is not lost";
     lab = open("05-aggressor");
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
-    EXPECT_TRUE(may_leave(lab, files));
-    ask(OpenRequest{(*find_shipped("3a-love")).string()});
-    EXPECT_EQ(lab.document.name, "3a-love");
+    handle(lab, Action::exercise_reset);
+    EXPECT_TRUE(may_leave(lab, files)) << "the brain is as shipped again";
 }
 
 struct FollowFile : FileCommands {

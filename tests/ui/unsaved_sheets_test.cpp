@@ -88,6 +88,14 @@ TEST_F(UnsavedSheets, RequestsAMissingNameAndContinuesAfterSaving) {
     EXPECT_EQ(answers(), std::vector{Leave::saved});
 }
 
+TEST_F(UnsavedSheets, SavesTheBrainOfAnExercise) {
+    desk.open_exercise();
+    ask();
+    desk.click("leaving.save");
+    ASSERT_EQ(desk.panels.sheet, Sheet::files);
+    EXPECT_EQ(desk.panels.files.kind, FileKind::brain);
+}
+
 TEST_F(UnsavedSheets, KeepsTheDocumentIfTheNameIsCancelled) {
     ask();
     desk.click("leaving.save");

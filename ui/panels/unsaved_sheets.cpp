@@ -16,11 +16,13 @@ namespace braitenlab::ui {
 
 namespace {
 
-// Saves to the file of the scene. If there is none, opens the file browser for a name.
-void save_before_leaving(const FilesView& files, PanelState& state, Ui& ui) {
+// Saves to the file of the scene. If there is none, opens the file browser for a name; of an exercise its brain is
+// saved.
+void save_before_leaving(const LabView& view, PanelState& state, Ui& ui) {
+    const FilesView& files = *view.files;
     if (!files.save_to.empty()) return ui.outbox.push_back(LeaveRequest{Leave::save});
     state.leaving_done = files.done;
-    begin_files(state.files, true);
+    begin_files(state.files, true, view.lesson ? FileKind::brain : FileKind::scene);
     state.sheet = Sheet::files;
 }
 
@@ -71,7 +73,7 @@ void leaving_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     tooltip(ui, stay, ui.strings("leaving.stay_how"), key_name({key::escape}, ui.strings));
     const bool beside = end_sheet(state.leaving);
     if (yes.pressed)
-        save_before_leaving(files, state, ui);
+        save_before_leaving(view, state, ui);
     else if (no.pressed)
         ui.outbox.push_back(LeaveRequest{Leave::discard});
     else if (stay.pressed || beside)
