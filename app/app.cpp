@@ -60,6 +60,7 @@ bool App::turn() {
     window_.poll(0);
     if (ends()) return close(), false;
     handle_files();
+    lab_.dragging = ui::drags_vehicle(panels_, lab_.view.selection.vehicle);
     let_time_pass(passed);
     follow_jobs();
     frame(static_cast<float>(passed));

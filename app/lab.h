@@ -28,6 +28,8 @@ struct Lab {
     Playback playback{};
     ViewSettings view{};
     std::string object_name{};  // of view.selection.object, whose index changes when objects are added or removed
+    bool dragging = false;      // the user drags the selected vehicle or one of its values; see reselect_after_death()
+    bool deselected = false;    // no vehicle is selected, and none is selected in place of a dead one
     Steer steered{};            // last command given by the arrow keys
     Preferences preferences{};  // as shown now
     std::optional<SettingsBeforeLecture> before_lecture{};  // set in lecture mode

@@ -1,7 +1,9 @@
 #include "app/lab_selection.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <string_view>
 
 #include "app/lab_requests.h"
 #include "ui/request.h"
@@ -20,13 +22,30 @@ void keep_object(Lab& lab) {
     if (object.index < 0) object = {};
 }
 
-// Notice key for a death. Prey whose energy exceeds the use of a few ticks has been eaten; other vehicles have starved.
-std::string_view cause_of_death(const Scene& scene, const VehicleView& dead) {
+// Notice keys for a death: where another vehicle is selected now, and where none is.
+struct DeathKeys {
+    std::string_view selected, alone;
+};
+
+// Prey whose energy exceeds the use of a few ticks has been eaten; other vehicles have starved.
+DeathKeys cause_of_death(const Scene& scene, const VehicleView& dead) {
     constexpr float some_ticks = 3.0f / 60;  // s
-    if (dead.role == Role::prey && dead.energy > scene.ecology.drain * some_ticks) return "notice.eaten_prey";
-    return dead.role == Role::prey       ? "notice.starved_prey"
-           : dead.role == Role::predator ? "notice.starved_predator"
-                                         : "notice.starved_none";
+    if (dead.role == Role::prey && dead.energy > scene.ecology.drain * some_ticks)
+        return {"notice.eaten_prey", "notice.eaten_prey_alone"};
+    if (dead.role == Role::prey) return {"notice.starved_prey", "notice.starved_prey_alone"};
+    if (dead.role == Role::predator) return {"notice.starved_predator", "notice.starved_predator_alone"};
+    return {"notice.starved_none", "notice.starved_none_alone"};
+}
+
+// The nearest vehicle of the kind of `dead`; null if there is none.
+const VehicleView* nearest_of_kind(const Snapshot& now, const VehicleView& dead) {
+    const VehicleView* nearest = nullptr;
+    float least = 0;
+    for (const VehicleView& v : now.vehicles) {
+        const float away = std::hypot(v.x - dead.x, v.y - dead.y);
+        if (v.kind == dead.kind && (!nearest || away < least)) nearest = &v, least = away;
+    }
+    return nearest;
 }
 
 }  // namespace
@@ -68,23 +87,21 @@ void select_neighbour(Lab& lab, int step) {
 void keep_selection(Lab& lab) {
     keep_object(lab);
     const auto& vehicles = lab.document.session.snapshot().vehicles;
-    if (!selected_vehicle(lab)) lab.view.selection.vehicle = vehicles.empty() ? no_vehicle : vehicles.front().id;
+    if (selected_vehicle(lab) || vehicles.empty()) lab.deselected = false;
+    if (!selected_vehicle(lab))
+        lab.view.selection.vehicle = vehicles.empty() || lab.deselected ? no_vehicle : vehicles.front().id;
 }
 
 void reselect_after_death(Lab& lab, const VehicleView& selected) {
     const Snapshot& now = lab.document.session.snapshot();
     if (now.vehicles.empty() || find_vehicle(now, selected.id)) return;
-    // Ids ascend. The next vehicle of the kind, else the first of the kind, else the first vehicle.
-    const auto of_kind = [&](const VehicleView& v) { return v.kind == selected.kind; };
-    const auto later = std::upper_bound(now.vehicles.begin(), now.vehicles.end(), selected.id,
-                                        [](VehicleId id, const VehicleView& v) { return id < v.id; });
-    auto next = std::find_if(later, now.vehicles.end(), of_kind);
-    if (next == now.vehicles.end()) next = std::find_if(now.vehicles.begin(), now.vehicles.end(), of_kind);
-    VehicleId& vehicle = lab.view.selection.vehicle;
-    vehicle = next == now.vehicles.end() ? now.vehicles.front().id : next->id;
+    const VehicleView* next = lab.dragging ? nullptr : nearest_of_kind(now, selected);
+    lab.deselected = !next;
+    lab.view.selection.vehicle = next ? next->id : no_vehicle;
     if (lab.notice.kind == NoticeKind::failure && !lab.notice.empty()) return;  // more important
-    say(lab, {NoticeKind::notice, std::string(cause_of_death(*now.scene, selected)), std::to_string(selected.id + 1),
-              std::to_string(vehicle + 1)});
+    const DeathKeys keys = cause_of_death(*now.scene, selected);
+    say(lab, {NoticeKind::notice, std::string(next ? keys.selected : keys.alone), std::to_string(selected.id + 1),
+              next ? std::to_string(next->id + 1) : ""});
 }
 
 void drive(Lab& lab) {

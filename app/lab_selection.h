@@ -16,11 +16,12 @@ void select_object(Lab&, const SceneObject&);
 // Selects the vehicle `step` places further in the order of ids.
 void select_neighbour(Lab&, int step);
 
-// Makes the selection valid again. Call after anything that may have added or removed vehicles, sources or obstacles.
+// Makes the selection valid again: selects the first vehicle in place of one that no longer exists, unless
+// Lab::deselected. Call after anything that may have added or removed vehicles, sources or obstacles.
 void keep_selection(Lab&);
 
-// If the selected vehicle has died in this tick, selects the next one of its kind and shows a notice. `selected` is the
-// vehicle one tick ago.
+// If the selected vehicle has died in this tick, selects the nearest one of its kind and shows a notice. Selects none
+// if there is none of its kind, or during a drag, which then ends. `selected` is the vehicle one tick ago.
 void reselect_after_death(Lab&, const VehicleView& selected);
 
 // Switches the selected vehicle between manual driving and the driver of its kind.

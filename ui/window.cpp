@@ -174,6 +174,11 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     end_keyboard(state.keyboard);
 }
 
+bool drags_vehicle(const PanelState& state, VehicleId vehicle) {
+    if (!state.sliders.dragged.empty() || state.stick_held) return true;
+    return vehicle != no_vehicle && state.scene_input.drag.on.object == vehicle_object(vehicle);
+}
+
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     show_focus_for(state.keyboard, press);
     if (action_for(press) == Action::exit) {  // in every state; the app shows the sheet about unsaved edits

@@ -17,4 +17,7 @@ void draw_window(const LabView&, PanelState&, Ui&, const WindowLayout&);
 // then move the camera. Precondition: Dear ImGui's keyboard navigation is off (no ImGuiConfigFlags_NavEnableKeyboard).
 bool press_key(const LabView&, PanelState&, KeyPress, Outbox&);
 
+// True while the user drags the vehicle, one of its sliders or its stick. Precondition: it is the selected one.
+bool drags_vehicle(const PanelState&, VehicleId);
+
 }  // namespace braitenlab::ui

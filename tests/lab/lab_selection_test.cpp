@@ -1,6 +1,9 @@
 // The selection and driving by hand.
 #include "app/lab_selection.h"
 
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "app/lab_requests.h"
@@ -119,6 +122,68 @@ TEST(LabSelection, MovesToTheNextOfTheKindIfItsVehicleDies) {
     EXPECT_EQ(lab.notice.words, std::to_string(first + 1));
     EXPECT_EQ(lab.notice.more, std::to_string(lab.view.selection.vehicle + 1));
     EXPECT_EQ(lab.notice.kind, NoticeKind::notice);
+}
+
+std::vector<VehicleId> all_of(const Lab& lab, Role role) {
+    std::vector<VehicleId> ids;
+    for (const VehicleView& v : lab.document.session.snapshot().vehicles)
+        if (v.role == role) ids.push_back(v.id);
+    return ids;
+}
+
+// A lab whose selected vehicle is prey.
+struct LabWithDyingPrey {
+    Lab lab = opened_lab("predator-prey");
+    VehicleView dead;
+    LabWithDyingPrey() {
+        handle(lab, SelectRequest{all_of(lab, Role::prey).front()});
+        dead = *selected_vehicle(lab);
+    }
+    void die() {
+        EXPECT_FALSE(lab.document.session.apply(RemoveVehicle{dead.id}));  // as a death: the lab does not request it
+        reselect_after_death(lab, dead);
+        keep_selection(lab);
+    }
+};
+
+TEST(LabSelection, MovesToTheNearestOfTheKind) {
+    LabWithDyingPrey given;
+    Lab& lab = given.lab;
+    const VehicleId last = all_of(lab, Role::prey).back(), predator = all_of(lab, Role::predator).front();
+    EXPECT_TRUE(apply(lab, MoveVehicle{last, given.dead.x, given.dead.y + 1, 0}));
+    EXPECT_TRUE(apply(lab, MoveVehicle{predator, given.dead.x, given.dead.y - 0.6f, 0})) << "nearer, of another kind";
+    given.die();
+    EXPECT_EQ(lab.view.selection.vehicle, last);
+    EXPECT_EQ(lab.notice.more, std::to_string(last + 1));
+}
+
+TEST(LabSelection, SelectsNoVehicleIfItsVehicleDiesDuringADrag) {
+    LabWithDyingPrey given;
+    Lab& lab = given.lab;
+    lab.dragging = true;
+    given.die();
+    EXPECT_EQ(lab.view.selection.vehicle, no_vehicle);
+    EXPECT_TRUE(lab.notice.key.ends_with("_prey_alone")) << lab.notice.key;
+    lab.dragging = false;
+    tick(lab);
+    EXPECT_EQ(lab.view.selection.vehicle, no_vehicle) << "nothing is selected by force";
+    const VehicleId first = lab.document.session.snapshot().vehicles[0].id;
+    handle(lab, SelectRequest{first});
+    EXPECT_EQ(lab.view.selection.vehicle, first);
+    handle(lab, EditRequest{RemoveVehicle{first}});
+    EXPECT_EQ(lab.view.selection.vehicle, lab.document.session.snapshot().vehicles[0].id)
+        << "after a removal as before";
+}
+
+TEST(LabSelection, SelectsNoVehicleOfAnotherRole) {
+    LabWithDyingPrey given;
+    Lab& lab = given.lab;
+    for (const VehicleId id : all_of(lab, Role::prey))
+        if (id != given.dead.id) apply(lab, RemoveVehicle{id});
+    given.die();
+    EXPECT_FALSE(lab.document.session.snapshot().vehicles.empty());
+    EXPECT_EQ(lab.view.selection.vehicle, no_vehicle);
+    EXPECT_TRUE(lab.notice.key.ends_with("_prey_alone")) << lab.notice.key;
 }
 
 }  // namespace
