@@ -67,6 +67,10 @@ private:
     // ── A frame, app_frame.cpp ──
     // Window pixels per layout pixel. --scale applies to the type size at the start of the program.
     float wanted_scale() const;
+    // The same before it is reduced for a small window.
+    float preferred_scale() const;
+    // The type size in effect, if the window is too small for the preferred one; else 0.
+    float reduced_type_size() const;
     // Applies language, theme and scale. Call between frames.
     void follow_preferences();
     // Framebuffer pixels per window pixel.

@@ -48,11 +48,18 @@ std::string typed_text(const ui::PanelState& panels) {
 
 }  // namespace
 
-float App::wanted_scale() const {
+float App::preferred_scale() const {
     const float type = lab_.preferences.type_size;
-    const float wanted =
-        options_.scale ? *options_.scale * type / settings_.at_start.type_size : window_.content_scale() * type;
-    return lab_.before_lecture ? wanted : fitting_scale(wanted, window_.area());
+    return options_.scale ? *options_.scale * type / settings_.at_start.type_size : window_.content_scale() * type;
+}
+
+float App::wanted_scale() const {
+    return lab_.before_lecture ? preferred_scale() : fitting_scale(preferred_scale(), window_.area());
+}
+
+float App::reduced_type_size() const {
+    const float preferred = preferred_scale();
+    return theme_.scale() < preferred ? lab_.preferences.type_size * theme_.scale() / preferred : 0;
 }
 
 void App::follow_preferences() {
@@ -90,6 +97,7 @@ void App::frame(float passed) {
     LabView view = view_of(lab_);
     view.catalogue = &catalogue_;
     view.languages = &words_.languages;
+    view.type_size = reduced_type_size();
     view.recent = &settings_.state.recent;
     view.files = &files_;
     if (autosave_.leftover()) view.recovery = &autosave_.leftover()->offer;

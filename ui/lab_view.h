@@ -86,6 +86,7 @@ struct LabView {
     Notice notice;             // empty: none
     Theme theme = Theme::dark;
     Preferences preferences;  // as stored; theme and reduce_motion above and below are those in effect
+    float type_size = 0;      // in effect where the window is too small for preferences.type_size; 0: as preferred
     const std::vector<Language>* languages = nullptr;  // null: no choice
     bool reduce_motion = false;
     bool lecture = false;                     // large type, few controls

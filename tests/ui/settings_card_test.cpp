@@ -45,6 +45,28 @@ TEST_F(SettingsCard, ChangesOneSettingPerClick) {
     EXPECT_TRUE(desk.all.empty()) << "the chosen value gives no request";
 }
 
+TEST(SettingsCardWithFonts, ShowsTheTypeSizeInEffectWhereTheWindowIsTooSmallForTheChosenOne) {
+    for (const char* code : {"en", "de", "es"}) {
+        Desk desk(1024, 768, 1, true);
+        desk.strings = speaking(code);
+        desk.view.preferences.type_size = 1.5f;
+        desk.frame(2);
+        desk.key({',', true});
+        desk.frame(3);
+        const auto shown = [&](std::string_view words) {
+            for (const Written& w : desk.written)
+                if (w.words == words) return true;
+            return false;
+        };
+        const std::string words = fill(desk.strings("settings.type_reduced"), {"125", "150"});
+        EXPECT_NE(words.find("125 %"), std::string::npos);
+        EXPECT_FALSE(shown(words));
+        desk.view.type_size = 1.25f;
+        desk.frame(3);
+        EXPECT_TRUE(shown(words)) << code;
+    }
+}
+
 TEST_F(SettingsCard, ResetsEverythingExceptTheLanguageAndCanUndoIt) {
     const Preferences mine{Theme::light, "es", 1.5f, true};
     desk.view.preferences = mine;

@@ -1,5 +1,6 @@
 // The sheet of preferences: language, theme, type size, motion.
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -49,13 +50,20 @@ void theme_choice(Ui& ui, Preferences& wanted) {
     if (clicked >= 0) wanted.theme = clicked == 1 ? Theme::light : Theme::dark;
 }
 
-void type_size_choice(Ui& ui, Preferences& wanted) {
+std::string percent(float share) { return std::to_string(std::lround(100 * share)); }
+
+void type_size_choice(const LabView& view, Ui& ui, Preferences& wanted) {
     constexpr std::array<std::string_view, 4> words{"100 %", "125 %", "150 %", "200 %"};
     int chosen = -1;
     for (std::size_t i = 0; i < type_sizes.size(); ++i)
         if (wanted.type_size == type_sizes[i]) chosen = static_cast<int>(i);
     const int clicked =
         choose(ui, "settings.type", ui.strings("settings.type"), words, chosen, ui.strings("settings.type_how"));
+    if (view.type_size > 0) {
+        paragraph(ui, fill(ui.strings("settings.type_reduced"), {percent(view.type_size), percent(wanted.type_size)}),
+                  colour_of(NoticeKind::notice, ui.palette), Face::small);
+        gap(ui, 12);
+    }
     if (clicked >= 0) wanted.type_size = type_sizes[static_cast<std::size_t>(clicked)];
 }
 
@@ -100,7 +108,7 @@ void settings_card(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     begin_sheet(ui, state.settings, "card.settings", ui.strings("settings.heading"), 460, window);
     language_choice(view, ui, wanted);
     theme_choice(ui, wanted);
-    type_size_choice(ui, wanted);
+    type_size_choice(view, ui, wanted);
     motion_choice(ui, wanted);
     sheet_buttons(ui, state.settings);
     const Item close = button(ui, "settings.close", {{}, ui.strings("keys.close"), Emphasis::primary});
