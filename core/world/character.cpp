@@ -6,10 +6,6 @@ namespace braitenlab {
 
 namespace {
 
-const Kind& kind_of_vehicle(const Snapshot& now, const VehicleView& vehicle) {
-    return now.scene->kinds[static_cast<std::size_t>(vehicle.kind)];
-}
-
 bool is_wired_sensor(const BrainGraph& brain, const Node& node) {
     return node.kind == NodeKind::sensor &&
            std::any_of(brain.wires.begin(), brain.wires.end(), [&](const Wire& w) { return w.from == node.id; });
@@ -24,7 +20,7 @@ bool is_wired(const BrainGraph& brain, const SensorPair& pair) {
 }  // namespace
 
 std::vector<Reading> readings_beside_pairs(const Snapshot& now, const VehicleView& vehicle) {
-    const Kind& kind = kind_of_vehicle(now, vehicle);
+    const Kind& kind = kind_of(now, vehicle);
     const std::vector<KindPair> pairs = sensor_pairs(kind);
     std::vector<Reading> readings;
     for (std::size_t i = 0; i < kind.sensors.size(); ++i) {
@@ -48,7 +44,7 @@ std::vector<PairCharacter> characters_of(const BrainGraph& brain, const Kind& ki
 Character character_of(const Snapshot& now, const VehicleView& vehicle) {
     const BrainGraph& brain = *brain_of(now, vehicle);
     const std::vector<Reading> meanwhile = readings_beside_pairs(now, vehicle);
-    for (const PairCharacter& each : characters_of(brain, kind_of_vehicle(now, vehicle), meanwhile))
+    for (const PairCharacter& each : characters_of(brain, kind_of(now, vehicle), meanwhile))
         if (each.is_wired) return each.character;
     return recognise(brain, {}, meanwhile);
 }
