@@ -22,7 +22,7 @@ Scene small_arena(Boundary edge, float x, float y, float heading) {
     return scene;
 }
 
-TEST(Torus, MovesAVehicleToTheOppositeEdgeAndKeepsItsSpeed) {
+TEST(World, ATorusMovesAVehicleToTheOppositeEdgeAndKeepsItsSpeed) {
     World world = make(small_arena(Boundary::torus, 0, 1, 0));
     const double lap = 10 / 1.5;
     after(world, 3 * lap);
@@ -39,14 +39,14 @@ TEST(Torus, MovesAVehicleToTheOppositeEdgeAndKeepsItsSpeed) {
     EXPECT_EQ(look(world).events, EventCounts{});
 }
 
-TEST(Torus, ConnectsTheUpperAndLowerEdges) {
+TEST(World, ATorusConnectsTheUpperAndLowerEdges) {
     World world = make(small_arena(Boundary::torus, 2, 2, maths::pi / 2));
     const VehicleView now = after(world, 1.5).vehicles[0];
     EXPECT_LT(now.y, -1);
     EXPECT_NEAR(now.x, 2, 1e-3f);
 }
 
-TEST(OpenEdge, LetsAVehicleFallAndReturnsItToItsStartWithItsId) {
+TEST(World, AnOpenEdgeLetsAVehicleFallAndReturnsItToItsStartWithItsId) {
     World world = make(small_arena(Boundary::open, 4, 0.5f, 0));
     const VehicleId id = look(world).vehicles[0].id;
     Snapshot now = look(world);
@@ -61,7 +61,7 @@ TEST(OpenEdge, LetsAVehicleFallAndReturnsItToItsStartWithItsId) {
     EXPECT_EQ(now.vehicles[0].speed, 0);
 }
 
-TEST(OpenEdge, ReplacesFallenVehiclesOfThePopulation) {
+TEST(World, AnOpenEdgeReplacesFallenVehiclesOfThePopulation) {
     Scene scene = small_arena(Boundary::open, 0, 0, 0);
     scene.starts.clear();
     scene.kinds[0].share = 1;
@@ -73,7 +73,7 @@ TEST(OpenEdge, ReplacesFallenVehiclesOfThePopulation) {
     EXPECT_EQ(now.vehicles.size(), 3u);
 }
 
-TEST(Walls, KeepVehiclesThatAreMovedBehindThemInside) {
+TEST(World, WallsKeepVehiclesThatAreMovedBehindThemInside) {
     World world = make(small_arena(Boundary::wall, 0, 0, 0));
     ASSERT_FALSE(world.apply(MoveVehicle{0, 700, -3.1f, 1}));
     const VehicleView now = after(world, 1).vehicles[0];
@@ -84,7 +84,7 @@ TEST(Walls, KeepVehiclesThatAreMovedBehindThemInside) {
 // A vehicle 2 m left of the middle drives against the obstacle there.
 Scene at_the_middle(float speed = 0.5f) { return alone({.LM = speed, .RM = speed}, -2, 0, 0); }
 
-TEST(Obstacles, StopAVehicleAtTheirSideForAnyShape) {
+TEST(World, ObstaclesStopAVehicleAtTheirSideForAnyShape) {
     Scene wedge = at_the_middle();
     // A triangle whose left side is at x = −0.5 from its middle.
     wedge.obstacles.push_back({.name = "wedge", .corners = {{-0.5f, -1}, {1, 0}, {-0.5f, 1}}});
@@ -100,7 +100,7 @@ TEST(Obstacles, StopAVehicleAtTheirSideForAnyShape) {
     EXPECT_GT(after(third, 5).vehicles[0].x, 2) << "a vehicle passes through a lamp that is not solid";
 }
 
-TEST(Obstacles, WithAMassArePushedAndStopAgain) {
+TEST(World, ObstaclesWithAMassArePushedAndStopAgain) {
     Scene scene = at_the_middle();
     scene.obstacles.push_back({.name = "box", .length = 0.5f, .width = 0.5f, .mass = 2});
     World world = make(scene);
@@ -115,7 +115,7 @@ TEST(Obstacles, WithAMassArePushedAndStopAgain) {
     EXPECT_LT(after(slow, 4).obstacles[0].x, 0.25f);
 }
 
-TEST(Obstacles, CrossTheSeamOfATorus) {
+TEST(World, ObstaclesCrossTheSeamOfATorus) {
     Scene scene = small_arena(Boundary::torus, -1, 0, maths::pi);
     scene.obstacles.push_back({.name = "box", .x = 4, .length = 0.5f, .width = 0.5f, .mass = 1});
     World world = begin_with(scene, [](State& m) { m.obstacles[0].velocity = {6, 0}; });

@@ -87,7 +87,7 @@ TEST(Snapshot, ShowsZeroForSilencedSensorsAndMotors) {
 }
 
 // Every edit that changes what a brain computes changes the hash.
-TEST(Hash, ChangesWithEveryEditThatChangesWhatABrainComputes) {
+TEST(World, TheHashChangesWithEveryEditThatChangesWhatABrainComputes) {
     const std::uint64_t plain = run(tests::alone({.LL = 1, .LM = 0.2f}), 0).hash();
     const auto edited = [](auto edit) {
         Scene scene = tests::alone({.LL = 1, .LM = 0.2f});

@@ -27,13 +27,13 @@ Snapshot tortoise(float energy) {
 
 }  // namespace
 
-TEST(CharacterOf, DiffersForAFedAndAHungryTortoise) {
+TEST(Character, DiffersForAFedAndAHungryTortoise) {
     const Snapshot fed = tortoise(1), hungry = tortoise(0.1f);
     EXPECT_EQ(character_of(fed, fed.vehicles[0]), Character::orbiting);
     EXPECT_EQ(character_of(hungry, hungry.vehicles[0]), Character::aggressor);
 }
 
-TEST(CharacterOf, UsesTheReadingsOfSingleSensorsAndOmitsPairs) {
+TEST(Character, UsesTheReadingsOfSingleSensorsAndOmitsPairs) {
     const Snapshot now = tortoise(0.75f);
     const auto readings = readings_beside_pairs(now, now.vehicles[0]);
     EXPECT_NE(std::find(readings.begin(), readings.end(), Reading{"EN", 0.75f}), readings.end());

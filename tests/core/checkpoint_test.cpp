@@ -23,7 +23,7 @@ void steps(World& world, int count) {
     for (int i = 0; i < count; ++i) world.step();
 }
 
-TEST(Checkpoint, ContinuesTheSavedRunExactlyFromAnyTickOfEveryShippedScene) {
+TEST(World, ACheckpointContinuesTheSavedRunExactlyFromAnyTickOfEveryShippedScene) {
     maths::Random chance{7, 1};
     for (const auto& path : tests::shipped_scenes()) {
         World world = world_of(path, 3);
@@ -42,7 +42,7 @@ TEST(Checkpoint, ContinuesTheSavedRunExactlyFromAnyTickOfEveryShippedScene) {
 }
 
 // A prediction may run in another thread: worlds share brains and keyframes, but no mutable state.
-TEST(Checkpoint, ContinuesInTwoThreadsAsInOne) {
+TEST(World, ACheckpointContinuesInTwoThreadsAsInOne) {
     for (const auto& path : tests::shipped_scenes()) {
         World alone = world_of(path, 3);
         steps(alone, 130);
@@ -61,7 +61,7 @@ TEST(Checkpoint, ContinuesInTwoThreadsAsInOne) {
     }
 }
 
-TEST(Checkpoint, StoresTheCommandsSinceTheKeyframe) {
+TEST(World, ACheckpointStoresTheCommandsSinceTheKeyframe) {
     World world = std::move(*World::create(tests::crowd(12), 5));
     steps(world, 130);
     ASSERT_FALSE(world.apply(TurnDial{{.kind = 0}, Dial::LL, 1.5f}));
@@ -78,7 +78,7 @@ TEST(Checkpoint, StoresTheCommandsSinceTheKeyframe) {
     EXPECT_EQ(restored.hash(), world.hash());
 }
 
-TEST(Checkpoint, StaysSmallDuringALongDragInAPausedRun) {
+TEST(World, ACheckpointStaysSmallDuringALongDragInAPausedRun) {
     World world = std::move(*World::create(tests::crowd(12), 5));
     steps(world, 130);
     for (int i = 0; i < 5000; ++i) {
@@ -94,7 +94,7 @@ TEST(Checkpoint, StaysSmallDuringALongDragInAPausedRun) {
     EXPECT_EQ(restored.hash(), world.hash());
 }
 
-TEST(Checkpoint, CountsNoContactTwiceWhenTheWorldIsRebuilt) {
+TEST(World, CountsNoContactTwiceWhenItIsRebuilt) {
     World world = std::move(*World::create(tests::crowd(40), 2));
     Snapshot before, after;
     while (world.tick() % keyframe_ticks != keyframe_ticks - 1 || world.tick() < 3 * keyframe_ticks) world.step();

@@ -49,7 +49,7 @@ World set_in_motion(const Scene& scene, vec2 velocity, float turning = 0) {
     });
 }
 
-TEST(Coasting, EndsAtTheDistanceOfTheFormulaOnEverySurface) {
+TEST(World, CoastingEndsAtTheDistanceOfTheFormulaOnEverySurface) {
     for (const Surface surface : surfaces) {
         const float speed = 3, drag = whole_drag(floor_constants({}, surface));
         World world = set_in_motion(on(surface, motorless()), {speed, 0});
@@ -60,13 +60,13 @@ TEST(Coasting, EndsAtTheDistanceOfTheFormulaOnEverySurface) {
     }
 }
 
-TEST(Coasting, IsFiveTimesAsLongOnIceAndAThirdAsLongOnCarpet) {
+TEST(World, CoastingIsFiveTimesAsLongOnIceAndAThirdAsLongOnCarpet) {
     const auto floor = [](Surface surface) { return whole_drag(floor_constants({}, surface)); };
     EXPECT_FLOAT_EQ(floor(Surface::none) / floor(Surface::ice), 5);
     EXPECT_FLOAT_EQ(floor(Surface::carpet) / floor(Surface::none), 3);
 }
 
-TEST(TopSpeed, IsReachedAgainstTheDragOfEverySurface) {
+TEST(World, TheTopSpeedIsReachedAgainstTheDragOfEverySurface) {
     const Body body;
     for (const Surface surface : surfaces) {
         const FloorConstants floor = floor_constants({}, surface);
@@ -80,7 +80,7 @@ TEST(TopSpeed, IsReachedAgainstTheDragOfEverySurface) {
     }
 }
 
-TEST(TopSpeed, OfAWeakMotorIsWhereDragEqualsItsForce) {
+TEST(World, TheTopSpeedOfAWeakMotorIsWhereDragEqualsItsForce) {
     Scene scene = on(Surface::sand, alone({.LM = 1, .RM = 1}));
     scene.kinds[0].body.motor_force = 8;
     World world = make(scene);
@@ -89,7 +89,7 @@ TEST(TopSpeed, OfAWeakMotorIsWhereDragEqualsItsForce) {
     EXPECT_NEAR(after(world, 15).vehicles[0].speed, reached, 0.01f * reached);
 }
 
-TEST(TurningRadius, IsThatOfADifferentialDriveAtTheOrigin) {
+TEST(World, TheTurningRadiusIsThatOfADifferentialDriveAtTheOrigin) {
     for (const auto& [left, right] : {std::pair{0.2f, 0.4f}, {0.4f, 0.3f}, {0.1f, 0.3f}, {-0.1f, 0.3f}}) {
         World world = make(alone({.LM = left, .RM = right}));
         after(world, 3);
@@ -134,7 +134,7 @@ Body any_body(maths::Random& chance) {
     return body;
 }
 
-TEST(Friction, NeverAddsEnergyForAnyBodyFloorOrMotion) {
+TEST(World, FrictionNeverAddsEnergyForAnyBodyFloorOrMotion) {
     maths::Random chance{11, 3};
     for (int round = 0; round < 200; ++round) {
         Scene scene = motorless();
@@ -162,7 +162,7 @@ TEST(Friction, NeverAddsEnergyForAnyBodyFloorOrMotion) {
     }
 }
 
-TEST(MotorMismatch, TurnsAVehicleTheSameWayInEveryRunAndIsZeroByDefault) {
+TEST(World, AMotorMismatchTurnsAVehicleTheSameWayInEveryRunAndIsZeroByDefault) {
     Scene scene = alone({.LM = 0.6f, .RM = 0.6f});
     scene.kinds[0].body.mismatch = 0.1f;
     World one = make(scene, 4), same = make(scene, 4), other = make(scene, 5);
@@ -172,7 +172,7 @@ TEST(MotorMismatch, TurnsAVehicleTheSameWayInEveryRunAndIsZeroByDefault) {
     EXPECT_NE(after(other, 5).vehicles[0].y, aside);
 }
 
-TEST(DeadBand, StopsAMotorBelowItAndHasNoEffectAboveIt) {
+TEST(World, ADeadBandStopsAMotorBelowItAndHasNoEffectAboveIt) {
     Scene scene = alone({.LM = 0.19f, .RM = -0.19f});
     scene.kinds[0].body.dead_band = 0.2f;
     World still = make(scene);
@@ -193,7 +193,7 @@ Scene under(Zone zone, const Scene& base) {
     return scene;
 }
 
-TEST(Wind, PushesARollingVehicleButNotABrakedOne) {
+TEST(World, WindPushesARollingVehicleButNotABrakedOne) {
     Scene rolling = motorless();
     World free = make(under({.wind_x = 3}, rolling));
     // The speed of a body under a constant force and a drag that grows with speed.
@@ -205,12 +205,12 @@ TEST(Wind, PushesARollingVehicleButNotABrakedOne) {
     EXPECT_NEAR(std::hypot(stands.x, stands.y), 0, 0.01f);
 }
 
-TEST(Wind, PushesAVehicleWithoutEnoughGrip) {
+TEST(World, WindPushesAVehicleWithoutEnoughGrip) {
     World world = make(under({.surface = Surface::ice, .wind_x = 50}, alone({})));
     EXPECT_GT(after(world, 3).vehicles[0].x, 5);
 }
 
-TEST(Slope, PullsDownhillLikeGravity) {
+TEST(World, ASlopePullsDownhillLikeGravity) {
     const float angle = maths::radians(10);
     World world = make(under({.heading = maths::pi / 2, .slope = angle}, [] {
         Scene scene = motorless();
@@ -223,7 +223,7 @@ TEST(Slope, PullsDownhillLikeGravity) {
     EXPECT_NEAR(after(world, 2).vehicles[0].speed, wanted, 0.01f * wanted);
 }
 
-TEST(Pull, PullsToItsCentreAndANegativePullRepels) {
+TEST(World, APullActsTowardsItsCentreAndANegativePullRepels) {
     Scene scene = motorless();
     for (Wheel& wheel : scene.kinds[0].body.wheels) wheel.grip = 0;  // slides in every direction
     scene.starts[0].x = 3;

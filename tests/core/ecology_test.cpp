@@ -14,7 +14,7 @@ using tests::begin_with;
 using tests::look;
 using tests::make;
 
-TEST(Recharging, GivesEnergyOnlyInItsZoneAndAtMostOne) {
+TEST(World, RechargingGivesEnergyOnlyInItsZoneAndAtMostOne) {
     Scene scene = alone({});
     scene.kinds[0].driver = Driver::parked;
     scene.starts.push_back({.name = "beside", .kind = "tester", .x = 3});
@@ -40,7 +40,7 @@ Scene by_wiring() {
     return scene;
 }
 
-TEST(RoleByWiring, MakesAVehicleThatApproachesOthersAPredatorThatBites) {
+TEST(World, ARoleByWiringMakesAVehicleThatApproachesOthersAPredatorThatBites) {
     World world = make(by_wiring());
     Snapshot now = look(world);
     EXPECT_EQ(now.vehicles[0].role, Role::predator);
@@ -50,13 +50,13 @@ TEST(RoleByWiring, MakesAVehicleThatApproachesOthersAPredatorThatBites) {
     EXPECT_LT(now.vehicles[1].energy, 1);
 }
 
-TEST(RoleByWiring, IsNoneForAVehicleThatSensesLightOnly) {
+TEST(World, ARoleByWiringIsNoneForAVehicleThatSensesLightOnly) {
     Scene scene = by_wiring();
     for (Sensor& sensor : scene.kinds[0].sensors) sensor.channel = Channel::light;
     EXPECT_EQ(look(make(scene)).vehicles[0].role, Role::none);
 }
 
-TEST(RoleByWiring, FollowsFromThePairThatSensesVehicles) {
+TEST(World, ARoleByWiringFollowsFromThePairThatSensesVehicles) {
     Scene scene = by_wiring();
     Kind& kind = scene.kinds[0];  // approaches others, and flees light by another pair
     for (const char* name : {"EL", "ER"}) {
@@ -69,7 +69,7 @@ TEST(RoleByWiring, FollowsFromThePairThatSensesVehicles) {
     EXPECT_EQ(look(make(scene)).vehicles[0].role, Role::predator);
 }
 
-TEST(RoleByWiring, ChangesWithTheWiring) {
+TEST(World, ARoleByWiringChangesWithTheWiring) {
     World world = make(by_wiring());
     ASSERT_FALSE(world.apply(SetBrain{{.vehicle = 0}, make_graph({.LL = 1, .RR = 1})}));
     EXPECT_EQ(look(world).vehicles[0].role, Role::prey);
@@ -77,7 +77,7 @@ TEST(RoleByWiring, ChangesWithTheWiring) {
     EXPECT_EQ(look(world).vehicles[0].role, Role::none);
 }
 
-TEST(RoleByWiring, DeterminesTheKindThatReplacesAStarvedVehicle) {
+TEST(World, ARoleByWiringDeterminesTheKindThatReplacesAStarvedVehicle) {
     World world = begin_with(by_wiring(), [](State& m) { m.vehicles.energy = {0, 1}; });
     const Snapshot now = after(world, 1.0 / 60);
     ASSERT_EQ(now.vehicles.size(), 2u);
@@ -87,7 +87,7 @@ TEST(RoleByWiring, DeterminesTheKindThatReplacesAStarvedVehicle) {
     EXPECT_EQ(now.vehicles[1].energy, 1);
 }
 
-TEST(Events, CountALongContactOnce) {
+TEST(World, EventsCountALongContactOnce) {
     Scene scene = alone({.LM = 0.5f, .RM = 0.5f});
     scene.arena.width = scene.arena.height = 6;
     World world = make(scene);
@@ -97,7 +97,7 @@ TEST(Events, CountALongContactOnce) {
     EXPECT_EQ(after(world, 10).events.contacts, met) << "also across keyframes";
 }
 
-TEST(Events, CountOneBitePerSecondAndPairForAnyNumberOfPredators) {
+TEST(World, EventsCountOneBitePerSecondAndPairForAnyNumberOfPredators) {
     Scene scene = tests::crowd(0);
     scene.ecology.bite = 0.001f;
     for (Kind& kind : scene.kinds) kind.driver = Driver::parked;

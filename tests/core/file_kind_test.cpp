@@ -24,7 +24,7 @@ TEST(FileKind, IsDetectedInMalformedText) {
     EXPECT_EQ(detect_kind("a.toml", "[brain\nLL = "), FileKind::brain);
 }
 
-TEST(ReadText, FailsForAnAbsentFileAndForAFolder) {
+TEST(FileKind, ReadTextFailsForAnAbsentFileAndForAFolder) {
     const Folder folder;
     put_text(folder / "a.toml", "format = 1\n");
     EXPECT_EQ(*read_text(folder / "a.toml"), "format = 1\n");

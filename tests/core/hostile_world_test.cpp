@@ -24,7 +24,7 @@ std::string changed(std::string text, maths::Random& chance) {
     return text;
 }
 
-TEST(HostileWorlds, RunEverySceneThatPassesTheChecks) {
+TEST(World, RunsEverySceneThatPassesTheChecks) {
     maths::Random chance{11, 3};
     int ran = 0;
     for (const auto& path : tests::shipped_scenes()) {

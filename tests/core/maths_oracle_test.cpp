@@ -159,7 +159,7 @@ TEST_F(Oracle, FindsPolarPointsInTheirSector) {
     }
 }
 
-TEST(Vectors, HaveTheSizeOfTheirFloatsAndCanBePrinted) {
+TEST(Vec, VectorsHaveTheSizeOfTheirFloatsAndCanBePrinted) {
     EXPECT_EQ(sizeof(vec2), 2 * sizeof(float));
     EXPECT_EQ(sizeof(vec3), 3 * sizeof(float));
     EXPECT_EQ(sizeof(vec4), 4 * sizeof(float));

@@ -11,14 +11,14 @@
 namespace braitenlab::maths {
 namespace {
 
-TEST(PortableSine, AgreesWithTheLibraryInFloatPrecision) {
+TEST(Portable, SineAgreesWithTheLibraryInFloatPrecision) {
     for (float a = -50; a < 50; a += 0.0137f) {
         EXPECT_NEAR(sine(a), std::sin(static_cast<double>(a)), 6e-8) << a;
         EXPECT_NEAR(cosine(a), std::cos(static_cast<double>(a)), 6e-8) << a;
     }
 }
 
-TEST(PortableArcTangent, AgreesWithTheLibraryInAllQuadrants) {
+TEST(Portable, ArcTangentAgreesWithTheLibraryInAllQuadrants) {
     for (float a = -3.14f; a < 3.14f; a += 0.0113f)
         for (const float r : {1e-3f, 1.0f, 250.0f}) {
             const float x = r * std::cos(a), y = r * std::sin(a);
@@ -27,14 +27,14 @@ TEST(PortableArcTangent, AgreesWithTheLibraryInAllQuadrants) {
     EXPECT_EQ(arctangent2(0, 0), 0);
 }
 
-TEST(PortableExponential, AgreesWithTheLibraryAndNeverOverflows) {
+TEST(Portable, ExponentialAgreesWithTheLibraryAndNeverOverflows) {
     for (float x = -80; x < 80; x += 0.37f)
         EXPECT_NEAR(exponential(x) / std::exp(static_cast<double>(x)), 1, 2e-7) << x;
     EXPECT_TRUE(std::isfinite(exponential(1e9f)));
     EXPECT_EQ(exponential(-1e9f), 0);
 }
 
-TEST(WrapAngle, KeepsTheDirection) {
+TEST(Angle, WrapAngleKeepsTheDirection) {
     for (float a = -20; a < 20; a += 0.31f) {
         const float wrapped = wrap_angle(a);
         EXPECT_GE(wrapped, -pi);
@@ -43,7 +43,7 @@ TEST(WrapAngle, KeepsTheDirection) {
     }
 }
 
-TEST(Sector, IsCorrectBeyondAHalfCircle) {
+TEST(Geometry, ASectorIsCorrectBeyondAHalfCircle) {
     const vec2 right = direction(radians(-135)), left = direction(radians(135));
     EXPECT_TRUE(in_sector({1, 0}, {}, right, left, 2, true));
     EXPECT_TRUE(in_sector({-0.5f, 1}, {}, right, left, 2, true));
@@ -51,7 +51,7 @@ TEST(Sector, IsCorrectBeyondAHalfCircle) {
     EXPECT_FALSE(in_sector({3, 0}, {}, right, left, 2, true));
 }
 
-TEST(Inverse, UndoesAProjection) {
+TEST(Mat4, TheInverseUndoesAProjection) {
     const mat4 m = perspective(0.9f, 1.6f, 0.1f, 100) * look_at({3, 4, 5}, {0, 0, 0}, {0, 1, 0});
     const mat4 identity = m * inverse(m);
     for (int c = 0; c < 4; ++c)

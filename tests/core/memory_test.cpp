@@ -21,7 +21,7 @@ Scene at_the_wall(PlaceMemory memory) {
     return scene;
 }
 
-TEST(PlaceMemory, AddsAMarkWhereAVehicleTouchesAWall) {
+TEST(World, PlaceMemoryAddsAMarkWhereAVehicleTouchesAWall) {
     World world = make(at_the_wall({.marks = 5, .fade = 20, .strength = 0.7f}));
     EXPECT_TRUE(look(world).marks.empty());
     const Snapshot now = after(world, 3);
@@ -32,12 +32,12 @@ TEST(PlaceMemory, AddsAMarkWhereAVehicleTouchesAWall) {
     EXPECT_NEAR(now.marks[0].strength, 0.7f, 1e-2f) << "a mark keeps its strength during the contact";
 }
 
-TEST(PlaceMemory, HasNoMarksForAKindWithoutMemory) {
+TEST(World, PlaceMemoryHasNoMarksForAKindWithoutMemory) {
     World world = make(at_the_wall({.marks = 0}));
     EXPECT_TRUE(after(world, 3).marks.empty());
 }
 
-TEST(PlaceMemory, HalvesAMarkPerHalfLifeAndRemovesItAfterSeven) {
+TEST(World, PlaceMemoryHalvesAMarkPerHalfLifeAndRemovesItAfterSeven) {
     World world = make(at_the_wall({.marks = 5, .fade = 2, .strength = 0.8f}));
     after(world, 3);
     ASSERT_FALSE(world.apply(MoveVehicle{0, 0, 0, 0}));
@@ -49,7 +49,7 @@ TEST(PlaceMemory, HalvesAMarkPerHalfLifeAndRemovesItAfterSeven) {
     EXPECT_EQ(after(world, 3).marks.size(), 0u);
 }
 
-TEST(PlaceMemory, KeepsTheNewestMarksHalfAMetreApart) {
+TEST(World, PlaceMemoryKeepsTheNewestMarksHalfAMetreApart) {
     Scene scene = at_the_wall({.marks = 3, .fade = 1000});
     scene.arena.height = 40;
     World world = make(scene);
@@ -71,7 +71,7 @@ TEST(PlaceMemory, KeepsTheNewestMarksHalfAMetreApart) {
     EXPECT_NEAR(now.marks[0].y, met[4], 0.4f);
 }
 
-TEST(PlaceMemory, IsRemovedWithItsVehicle) {
+TEST(World, PlaceMemoryIsRemovedWithItsVehicle) {
     Scene scene = at_the_wall({.marks = 3});
     scene.starts.push_back({.name = "other", .kind = "tester", .x = 1, .y = -1.5f});
     scene.starts.push_back({.name = "third", .kind = "tester", .x = 1, .y = 1.75f});
@@ -84,7 +84,7 @@ TEST(PlaceMemory, IsRemovedWithItsVehicle) {
     EXPECT_EQ(now.marks[1].owner, 2);
 }
 
-TEST(PlaceMemory, ContinuesExactlyInARestoredRun) {
+TEST(World, PlaceMemoryContinuesExactlyInARestoredRun) {
     Scene scene = tests::crowd(30);
     scene.arena.width = scene.arena.height = 14;
     for (Kind& kind : scene.kinds) kind.memory = {.marks = 6, .fade = 3};

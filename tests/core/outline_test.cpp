@@ -28,7 +28,7 @@ void walk(const Outline& outline, Visit visit) {
         }
 }
 
-TEST(Outline, IsSensedAtItsNearestPointInTheField) {
+TEST(Outline, AnOutlineIsSensedAtItsNearestPointInTheField) {
     Chance chance(5);
     int felt = 0;
     for (int i = 0; i < 400; ++i) {
@@ -50,7 +50,7 @@ TEST(Outline, IsSensedAtItsNearestPointInTheField) {
     EXPECT_GT(felt, 100);
 }
 
-TEST(Outline, HidesObjectsBehindIt) {
+TEST(Outline, AnOutlineHidesObjectsBehindIt) {
     Chance chance(6);
     int hidden = 0;
     for (int i = 0; i < 400; ++i) {
@@ -82,7 +82,7 @@ Outlines outlines_of(const Scene& scene) {
     return {scene, motions};
 }
 
-TEST(Outlines, AreHiddenByObstaclesButNotByPosts) {
+TEST(Outline, OutlinesAreHiddenByObstaclesButNotByPosts) {
     Scene scene = with_obstacle({.name = "box", .x = 2});
     scene.sources.push_back({.name = "post", .x = -2, .solid = true});
     const Outlines outlines = outlines_of(scene);
@@ -95,7 +95,7 @@ TEST(Outlines, AreHiddenByObstaclesButNotByPosts) {
     EXPECT_FALSE(outlines.any_obstacle_near({0, 0}, 1.0f));
 }
 
-TEST(Outlines, SenseObstaclesAndPostsAcrossASeamOnceEach) {
+TEST(Outline, OutlinesSenseObstaclesAndPostsAcrossASeamOnceEach) {
     Scene scene = with_obstacle({.name = "box", .x = 9, .y = 0});
     scene.arena.edge = Boundary::torus;
     const CompiledSensor compiled({.shape = SensorShape::omni, .x = 0, .range = 4});
@@ -110,7 +110,7 @@ TEST(Outlines, SenseObstaclesAndPostsAcrossASeamOnceEach) {
     EXPECT_GT(outlines_of(scene).total(compiled, sensor_pose(compiled, {-9.5f, 0}, {1, 0})), 0.5f);
 }
 
-TEST(Outlines, MoveWithPushedObstacles) {
+TEST(Outline, OutlinesMoveWithPushedObstacles) {
     Scene scene = with_obstacle({.name = "box", .x = 2, .mass = 5});
     Outlines outlines = outlines_of(scene);
     outlines.move(scene, {mechanics::at_rest({0, 3}, 0)});
@@ -118,7 +118,7 @@ TEST(Outlines, MoveWithPushedObstacles) {
     EXPECT_TRUE(outlines.block({0, 0}, {0, 5}));
 }
 
-TEST(Bumper, SensesOnlyOnItsSide) {
+TEST(Outline, ABumperSensesOnlyOnItsSide) {
     const Body body;
     const mechanics::Motion motion = mechanics::at_rest({1, 2}, maths::radians(90));
     const Outline ahead{{{-5, 2.52f}, {5, 2.52f}}}, far_ahead{{{-5, 2.7f}, {5, 2.7f}}},

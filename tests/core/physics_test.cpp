@@ -14,7 +14,7 @@ namespace braitenlab::tests::physics_test {
 namespace {
 
 using namespace world;
-TEST(Box2D, UsesThePortableSineAndCosineOnEveryProcessor) {
+TEST(Physics, Box2DUsesThePortableSineAndCosineOnEveryProcessor) {
     const Scene scene;
     maths::Random chance{5, 1};
     for (int i = 0; i < 2000; ++i) {
@@ -26,7 +26,7 @@ TEST(Box2D, UsesThePortableSineAndCosineOnEveryProcessor) {
     }
 }
 
-TEST(Box2D, LeavesSineAndCosineOfTheProgramExactForLargeAndNonFiniteArguments) {
+TEST(Physics, Box2DLeavesSineAndCosineOfTheProgramExactForLargeAndNonFiniteArguments) {
     for (const float angle : {0.0f, 1e-7f, 3.0f, 12345.6f, 1e5f, 3e8f, 1e30f}) {
         EXPECT_FLOAT_EQ(std::sin(angle), static_cast<float>(std::sin(static_cast<double>(angle)))) << angle;
         EXPECT_FLOAT_EQ(std::cos(-angle), static_cast<float>(std::cos(static_cast<double>(angle)))) << angle;
@@ -59,14 +59,16 @@ float farthest_at_full_speed(const Body& body, float board) {
     return farthest;
 }
 
-TEST(Impacts, AreDetectedForTheSmallestVehicleAtTopSpeed) {
+TEST(Physics, ImpactsAreDetectedForTheSmallestVehicleAtTopSpeed) {
     Body racer;
     racer.length = racer.width = 0.05f, racer.mass = 0.05f, racer.top_speed = 10;
     racer.wheels.clear();
     EXPECT_LT(farthest_at_full_speed(racer, 0.02f), 1);
 }
 
-TEST(Impacts, StopAStandardVehicleAtAThinBoard) { EXPECT_LT(farthest_at_full_speed(Body{}, 0.02f), 1 - 0.5f + 0.02f); }
+TEST(Physics, ImpactsStopAStandardVehicleAtAThinBoard) {
+    EXPECT_LT(farthest_at_full_speed(Body{}, 0.02f), 1 - 0.5f + 0.02f);
+}
 
 // The position at which a vehicle pushed sideways against the wall at y = 2 stops.
 float pushed_to_the_wall(const Body& body) {
@@ -83,9 +85,11 @@ float pushed_to_the_wall(const Body& body) {
     return physics.motion(0).position.y;
 }
 
-TEST(Wheels, InsideTheChassisStopAtAWallWithTheChassis) { EXPECT_NEAR(pushed_to_the_wall(Body{}), 2 - 0.35f, 0.02f); }
+TEST(Physics, WheelsInsideTheChassisStopAtAWallWithTheChassis) {
+    EXPECT_NEAR(pushed_to_the_wall(Body{}), 2 - 0.35f, 0.02f);
+}
 
-TEST(Wheels, OutsideTheChassisTouchAWallBeforeTheChassis) {
+TEST(Physics, WheelsOutsideTheChassisTouchAWallBeforeTheChassis) {
     Body body;
     for (Wheel& wheel : body.wheels) wheel.y *= 2;  // ±0.6 m, plus 0.05 m of wheel width
     EXPECT_NEAR(pushed_to_the_wall(body), 2 - 0.65f, 0.02f);

@@ -45,7 +45,7 @@ Scene with(Scene scene, const Source& source) {
     return scene;
 }
 
-TEST(Colours, AreSensedByEyesForTheSameColourAndForWhite) {
+TEST(World, ColoursAreSensedByEyesForTheSameColourAndForWhite) {
     const std::array<Channel, 4> lights{Channel::light, Channel::red, Channel::green, Channel::blue};
     for (const Channel eye : lights)
         for (const Channel lamp : lights) {
@@ -54,14 +54,14 @@ TEST(Colours, AreSensedByEyesForTheSameColourAndForWhite) {
         }
 }
 
-TEST(Sources, OfHeatSmellAndOxygenAreSensedOnlyOnTheirChannel) {
+TEST(World, SourcesOfHeatSmellAndOxygenAreSensedOnlyOnTheirChannel) {
     const std::array<Channel, 4> all{Channel::heat, Channel::smell, Channel::oxygen, Channel::light};
     for (const Channel nose : all)
         for (const Channel source : all)
             EXPECT_EQ(reading(with(watcher(nose), {.channel = source, .x = 3})) > 0, nose == source);
 }
 
-TEST(Obstacles, BlockLightAndVehiclesButNotHeatAndSmell) {
+TEST(World, ObstaclesBlockLightAndVehiclesButNotHeatAndSmell) {
     for (const Channel channel : {Channel::light, Channel::blue, Channel::heat, Channel::smell, Channel::oxygen}) {
         Scene scene = with(watcher(channel), {.channel = channel, .x = 5});
         const float open = reading(scene);
@@ -78,7 +78,7 @@ TEST(Obstacles, BlockLightAndVehiclesButNotHeatAndSmell) {
     EXPECT_EQ(reading(scene), 0);
 }
 
-TEST(Obstacles, DoNotBlockLightOnceTheyArePushedAway) {
+TEST(World, ObstaclesDoNotBlockLightOnceTheyArePushedAway) {
     Scene scene = with(watcher(Channel::light), {.x = 8});
     scene.obstacles.push_back({.name = "crate", .x = 4, .length = 0.8f, .width = 0.8f, .mass = 3});
     Kind pusher = tests::two_eyed("pusher", {.LM = 1, .RM = 1});
@@ -90,14 +90,14 @@ TEST(Obstacles, DoNotBlockLightOnceTheyArePushedAway) {
     EXPECT_GT(reading(world), 0);
 }
 
-TEST(Vehicles, SenseAllOtherVehiclesButNotThemselves) {
+TEST(World, VehiclesSenseAllOtherVehiclesButNotThemselves) {
     Scene scene = watcher({.channel = Channel::vehicle, .shape = SensorShape::omni});
     EXPECT_EQ(reading(scene), 0);
     scene.starts.push_back({.name = "other", .kind = "tester", .x = -4});
     EXPECT_GT(reading(scene), 0);
 }
 
-TEST(CarriedLamps, AreSensedByOtherVehiclesAtTheirPresentPosition) {
+TEST(World, CarriedLampsAreSensedByOtherVehiclesAtTheirPresentPosition) {
     Scene scene = watcher({.channel = Channel::red, .shape = SensorShape::omni});
     scene.kinds[0].lamps.push_back({.name = "lamp", .channel = Channel::red, .x = 0.2f, .strength = 0.8f});
     EXPECT_EQ(reading(scene), 0);  // a vehicle does not sense the lamp that it carries
@@ -113,7 +113,7 @@ TEST(CarriedLamps, AreSensedByOtherVehiclesAtTheirPresentPosition) {
     EXPECT_GT(reading(world), before * 1.05f);  // the lamp is nearer
 }
 
-TEST(Bumper, ReportsTheSideOfAContact) {
+TEST(World, ABumperReportsTheSideOfAContact) {
     Scene scene = watcher({.channel = Channel::touch});
     Kind& kind = scene.kinds[0];
     kind.sensors.push_back({.name = "rear", .channel = Channel::touch, .x = -0.3f, .angle = maths::pi});
@@ -127,7 +127,7 @@ TEST(Bumper, ReportsTheSideOfAContact) {
     EXPECT_EQ(reading(world, 1), 0);
 }
 
-TEST(Bumper, SensesOtherVehicles) {
+TEST(World, ABumperSensesOtherVehicles) {
     Scene scene = watcher({.channel = Channel::touch});
     scene.kinds.push_back(tests::two_eyed("rammer", {.LM = 0.6f, .RM = 0.6f}));
     scene.starts.push_back({.name = "r", .kind = "rammer", .x = 4, .heading = maths::pi});
@@ -138,7 +138,7 @@ TEST(Bumper, SensesOtherVehicles) {
     EXPECT_TRUE(felt);
 }
 
-TEST(FloorSensor, ReadsTheBrightnessOfTheFloorBelowIt) {
+TEST(World, AFloorSensorReadsTheBrightnessOfTheFloorBelowIt) {
     Scene scene = watcher(Sensor{.channel = Channel::floor, .x = 0.5f});
     EXPECT_FLOAT_EQ(reading(scene), scene.arena.reflectance);
     scene.zones.push_back({.name = "line", .x = 0.5f, .length = 0.1f, .width = 4, .surface = Surface::tape});
@@ -151,7 +151,7 @@ TEST(FloorSensor, ReadsTheBrightnessOfTheFloorBelowIt) {
     EXPECT_EQ(reading(scene), 0);
 }
 
-TEST(EnergySensor, ReadsTheEnergyOfItsVehicle) {
+TEST(World, AnEnergySensorReadsTheEnergyOfItsVehicle) {
     Scene scene = watcher(Channel::energy);
     scene.ecology.drain = 0.1f;
     World world = make(scene);
@@ -164,7 +164,7 @@ TEST(EnergySensor, ReadsTheEnergyOfItsVehicle) {
     EXPECT_NEAR(reading(world), 0.7f, 0.01f);
 }
 
-TEST(PlaceMemory, MarksContactsWithObstaclesAndFadesTheMarks) {
+TEST(World, PlaceMemoryMarksContactsWithObstaclesAndFadesTheMarks) {
     Scene scene = watcher({.channel = Channel::memory, .shape = SensorShape::omni});
     scene.kinds[0].memory = {.marks = 3, .fade = 2, .strength = 0.8f};
     scene.kinds[0].brain = make_graph({.LM = 0.6f, .RM = 0.6f});
@@ -196,7 +196,7 @@ TEST(PlaceMemory, MarksContactsWithObstaclesAndFadesTheMarks) {
     EXPECT_EQ(now.sensed[0], 0);  // a vehicle does not sense the marks of another
 }
 
-TEST(PlaceMemory, DropsTheOldestMarkBeyondItsCapacity) {
+TEST(World, PlaceMemoryDropsTheOldestMarkBeyondItsCapacity) {
     Scene scene = watcher({.channel = Channel::memory, .shape = SensorShape::omni});
     scene.kinds[0].memory = {.marks = 2, .fade = 1000};
     scene.arena.width = 6;
@@ -212,7 +212,7 @@ TEST(PlaceMemory, DropsTheOldestMarkBeyondItsCapacity) {
     EXPECT_NEAR(now.marks[1].y, 8, 0.1f);
 }
 
-TEST(Ambient, RaisesTheReadingOfLightSensorsOnly) {
+TEST(World, AmbientLightRaisesTheReadingOfLightSensorsOnly) {
     for (const auto& [channel, lit] : {std::pair{Channel::light, true},
                                        {Channel::green, true},
                                        {Channel::heat, false},
@@ -228,7 +228,7 @@ TEST(Ambient, RaisesTheReadingOfLightSensorsOnly) {
     EXPECT_EQ(reading(scene), 1);  // saturated
 }
 
-TEST(Noise, HasTheGivenSpreadAndNoCorrelation) {
+TEST(World, NoiseHasTheGivenSpreadAndNoCorrelation) {
     Scene scene = watcher({.channel = Channel::light, .noise = 0.1f});
     scene.kinds[0].sensors.push_back(scene.kinds[0].sensors[0]);
     scene.kinds[0].sensors[1].name = "second";
@@ -250,7 +250,7 @@ TEST(Noise, HasTheGivenSpreadAndNoCorrelation) {
     EXPECT_NEAR(with_other / squares, 0, 0.05);
 }
 
-TEST(Noise, DependsOnTheSeedAndKeepsReadingsBetween0And1) {
+TEST(World, NoiseDependsOnTheSeedAndKeepsReadingsBetween0And1) {
     Scene scene = watcher({.channel = Channel::light, .noise = 1});
     World a = make(scene, 5), b = make(scene, 5), c = make(scene, 6);
     int different = 0;
@@ -264,7 +264,7 @@ TEST(Noise, DependsOnTheSeedAndKeepsReadingsBetween0And1) {
     EXPECT_GT(different, 30);
 }
 
-TEST(Latency, DelaysEveryReadingByItsTicks) {
+TEST(World, LatencyDelaysEveryReadingByItsTicks) {
     Scene scene = with(watcher({.channel = Channel::light, .latency = 0.25f}), {.x = 4});
     World world = make(scene);
     const float prompt = reading(with(watcher(Channel::light), {.x = 4}));
@@ -284,14 +284,14 @@ TEST(Latency, DelaysEveryReadingByItsTicks) {
     EXPECT_EQ(reading(world), 0);
 }
 
-TEST(Triangle, IsRefusedAt180DegreesOrMore) {
+TEST(World, ATriangularFieldIsRefusedAt180DegreesOrMore) {
     Scene scene = watcher({.shape = SensorShape::triangle, .fov = maths::radians(200)});
     EXPECT_FALSE(World::create(scene, 1));
     scene.kinds[0].sensors[0].fov = maths::radians(120);
     EXPECT_TRUE(World::create(scene, 1));
 }
 
-TEST(Torus, LetsSensorsReadAcrossTheSeam) {
+TEST(World, ATorusLetsSensorsReadAcrossTheSeam) {
     for (const Channel channel : {Channel::light, Channel::vehicle, Channel::obstacle}) {
         Scene scene = watcher(Sensor{.channel = channel});
         scene.arena.width = 20;
@@ -328,7 +328,7 @@ Scene crowd_with_every_sense() {
     return scene;
 }
 
-TEST(Checkpoint, StoresTheStateOfSlowSensorsNoisySensorsAndMemories) {
+TEST(World, ACheckpointStoresTheStateOfSlowSensorsNoisySensorsAndMemories) {
     World world = make(crowd_with_every_sense(), 3);
     for (const int more : {137, 290, 41, 333}) {
         steps(world, more);
@@ -347,7 +347,7 @@ TEST(Checkpoint, StoresTheStateOfSlowSensorsNoisySensorsAndMemories) {
     }
 }
 
-TEST(SetSensors, ResetsTheBuffersOfSlowSensors) {
+TEST(World, SetSensorsResetsTheBuffersOfSlowSensors) {
     World world = make(crowd_with_every_sense(), 3);
     steps(world, 50);
     Snapshot now;

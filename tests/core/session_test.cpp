@@ -277,7 +277,7 @@ TEST(Undo, RevertsAndRepeatsEveryCommand) {
     }
 }
 
-TEST(Time, GoesBackToAnyTickOfTheLastMinuteAndReplaysExactly) {
+TEST(Session, GoesBackToAnyTickOfTheLastMinuteAndReplaysExactly) {
     Session session = open(furnished());
     maths::Random chance{3, 4};
     std::vector<std::uint64_t> hashes;
@@ -306,7 +306,7 @@ TEST(Time, GoesBackToAnyTickOfTheLastMinuteAndReplaysExactly) {
     }
 }
 
-TEST(Time, ChangesTheRunAfterAnEditInThePast) {
+TEST(Session, AnEditInThePastChangesTheRun) {
     Session session = open(furnished());
     for (int i = 0; i < 700; ++i) session.step();
     const auto hash = session.hash();
@@ -412,7 +412,7 @@ TEST(CosmeticEdits, InThePastKeepTheRecordedFuture) {
     EXPECT_EQ(session.undo_depth(), 2);
 }
 
-TEST(Time, DroppedByAnEditInThePastIsRestoredByUndo) {
+TEST(Session, TimeDroppedByAnEditInThePastIsRestoredByUndo) {
     Session session = open(furnished());
     for (int i = 0; i < 200; ++i) session.step();
     session.apply(TurnDial{{.kind = 0}, Dial::RR, 1});
@@ -434,7 +434,7 @@ TEST(Time, DroppedByAnEditInThePastIsRestoredByUndo) {
     EXPECT_EQ(session.undo_depth(), 1);
 }
 
-TEST(Time, DroppedByAnEditInThePastStaysDroppedOnceTheRunContinues) {
+TEST(Session, TimeDroppedByAnEditInThePastStaysDroppedOnceTheRunContinues) {
     Session session = open(furnished());
     session.apply(TurnDial{{.kind = 0}, Dial::RR, 1});
     for (int i = 0; i < 700; ++i) session.step();
@@ -455,7 +455,7 @@ TEST(Time, DroppedByAnEditInThePastStaysDroppedOnceTheRunContinues) {
     EXPECT_EQ(session.latest(), 352u);
 }
 
-TEST(Bookmark, RestoresItsTickFromAnyOtherRun) {
+TEST(Session, ABookmarkRestoresItsTickFromAnyOtherRun) {
     Session session = open(furnished());
     session.apply(TurnDial{{.kind = 0}, Dial::LL, 1});
     for (int i = 0; i < 450; ++i) session.step();
@@ -474,7 +474,7 @@ TEST(Bookmark, RestoresItsTickFromAnyOtherRun) {
     EXPECT_EQ(dial(session, Dial::LL), 1);
 }
 
-TEST(Reset, KeepsAddedMovedAndRemovedObjects) {
+TEST(Session, ResetKeepsAddedMovedAndRemovedObjects) {
     Session session = open(furnished());
     for (int i = 0; i < 20; ++i) session.step();
     ASSERT_FALSE(session.apply(RemoveVehicle{0}));
@@ -496,7 +496,7 @@ TEST(Reset, KeepsAddedMovedAndRemovedObjects) {
     EXPECT_EQ(session.edited_scene(), furnished());
 }
 
-TEST(Reset, OfAnExerciseKeepsOnlyTheBrains) {
+TEST(Session, ResetOfAnExerciseKeepsOnlyTheBrains) {
     Session session = open(furnished());
     ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 1.25f}));
     ASSERT_FALSE(session.apply(MoveSource{0, 4, 4}));
@@ -509,7 +509,7 @@ TEST(Reset, OfAnExerciseKeepsOnlyTheBrains) {
     EXPECT_EQ(session.undo_depth(), 1) << "only the edit of the brain still applies";
 }
 
-TEST(Reset, RestoresTheExactStartAndKeepsTheEditedBrains) {
+TEST(Session, ResetRestoresTheExactStartAndKeepsTheEditedBrains) {
     Session session = open(tests::crowd(6)), fresh = open(tests::crowd(6));
     for (int i = 0; i < 300; ++i) session.step();
     session.reset();

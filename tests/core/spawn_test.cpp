@@ -61,7 +61,7 @@ TEST(FreeSpace, AgreesWithASearchOfAllObjects) {
     EXPECT_LT(free, 18000);
 }
 
-TEST(Population, OfSmallRobotsFitsOnASmallTable) {
+TEST(World, APopulationOfSmallRobotsFitsOnASmallTable) {
     Scene scene = crowd(12);
     scene.arena.width = scene.arena.height = 2;
     for (Kind& kind : scene.kinds) kind.body.length = 0.2f, kind.body.width = 0.14f;
@@ -79,7 +79,7 @@ Scene large_crowd(int population) {
     return scene;
 }
 
-TEST(Population, OfTwentyThousandLoadsRunsStarvesAndIsReplaced) {
+TEST(World, APopulationOfTwentyThousandLoadsRunsStarvesAndIsReplaced) {
     Scene scene = large_crowd(20000);
     scene.ecology.bite = 0;
     // All vehicles starve in the same tick.
@@ -101,7 +101,7 @@ std::size_t in_use() {
     return all.uordblks + all.hblkhd;
 }
 
-TEST(Population, LeaksNoMemoryInTenThousandAdditionsAndRemovals) {
+TEST(World, APopulationLeaksNoMemoryInTenThousandAdditionsAndRemovals) {
     Scene scene = crowd(20);
     scene.arena.width = scene.arena.height = 60;
     World world = make(scene);

@@ -41,7 +41,7 @@ TEST(World, HashesDifferForDifferentWeights) {
     EXPECT_NE(a.hash(), b.hash());
 }
 
-TEST(Wheels, DriveStraightAheadOnEqualCommands) {
+TEST(World, WheelsDriveStraightAheadOnEqualCommands) {
     World world = make(alone({.LM = 0.5f, .RM = 0.5f}));
     const Snapshot now = after(world, 5);
     EXPECT_NEAR(now.vehicles[0].speed, 1.5f, 0.05f);
@@ -49,7 +49,7 @@ TEST(Wheels, DriveStraightAheadOnEqualCommands) {
     EXPECT_GT(now.vehicles[0].x, 6);
 }
 
-TEST(Wheels, FollowTheCircleOfADifferentialDrive) {
+TEST(World, WheelsFollowTheCircleOfADifferentialDrive) {
     for (const auto& [left, right] : {std::pair{0.2f, 0.5f}, {0.5f, 0.3f}, {-0.2f, 0.2f}, {0.1f, 0.6f}}) {
         World world = make(alone({.LM = left, .RM = right}));
         const Snapshot a = after(world, 3), b = after(world, 1);
@@ -61,7 +61,7 @@ TEST(Wheels, FollowTheCircleOfADifferentialDrive) {
     }
 }
 
-TEST(Wheels, DoNotOscillateAroundACommandedSpeed) {
+TEST(World, WheelsDoNotOscillateAroundACommandedSpeed) {
     World world = make(alone({.LM = 0.4f, .RM = 0.4f}));
     after(world, 4);
     float slowest = 1e9f, fastest = -1e9f;
@@ -73,7 +73,7 @@ TEST(Wheels, DoNotOscillateAroundACommandedSpeed) {
     EXPECT_LT(fastest - slowest, 1e-3f);
 }
 
-TEST(Wheels, AccelerateWithinTheLimitsOfMotorsAndFriction) {
+TEST(World, WheelsAccelerateWithinTheLimitsOfMotorsAndFriction) {
     Scene scene = alone({.LM = 1, .RM = 1});
     scene.arena.grip = 0.1f;  // ice
     World world = make(scene);
@@ -84,7 +84,7 @@ TEST(Wheels, AccelerateWithinTheLimitsOfMotorsAndFriction) {
     EXPECT_GT(now.vehicles[0].speed, 0.5f * friction / body.mass * 0.9f);
 }
 
-TEST(Walls, KeepVehiclesInTheArena) {
+TEST(World, WallsKeepVehiclesInTheArena) {
     Scene scene = alone({.LM = 1, .RM = 1});
     scene.arena.width = scene.arena.height = 10;
     World world = make(scene);
@@ -94,7 +94,7 @@ TEST(Walls, KeepVehiclesInTheArena) {
     EXPECT_GT(now.events.contacts, 0);
 }
 
-TEST(Eyes, ReadMoreForALampOnTheirSide) {
+TEST(World, EyesReadMoreForALampOnTheirSide) {
     Scene scene = alone({}, 0, 0, 0);
     scene.sources.push_back({.name = "lamp", .x = 4, .y = 0.3f});
     World world = make(scene);
@@ -104,7 +104,7 @@ TEST(Eyes, ReadMoreForALampOnTheirSide) {
     EXPECT_GT(now.sensed[1], 0);
 }
 
-TEST(Eyes, FollowTheGradedFormula) {
+TEST(World, EyesFollowTheGradedFormula) {
     Scene scene = alone({});
     scene.kinds[0].sensors.resize(1);
     scene.kinds[0].sensors[0].x = scene.kinds[0].sensors[0].y = scene.kinds[0].sensors[0].angle = 0;
@@ -116,7 +116,7 @@ TEST(Eyes, FollowTheGradedFormula) {
     EXPECT_NEAR(now.sensed[0], 0.8f * std::cos(0.3f) / (1 + (d / d0) * (d / d0)) * fade * fade, 1e-5f);
 }
 
-TEST(Eyes, AddUpSeveralLampsAndSaturate) {
+TEST(World, EyesAddUpSeveralLampsAndSaturate) {
     Scene scene = alone({});
     for (int i = 0; i < 9; ++i)
         scene.sources.push_back({.name = std::string(1, static_cast<char>('a' + i)), .x = 3, .y = 0});
@@ -126,7 +126,7 @@ TEST(Eyes, AddUpSeveralLampsAndSaturate) {
     EXPECT_EQ(now.sensed[0], 1);
 }
 
-TEST(Eyes, SenseAWallByItsNearestVisiblePoint) {
+TEST(World, EyesSenseAWallByItsNearestVisiblePoint) {
     Scene scene = alone({}, 0, 0, 0);
     scene.arena.width = 20;
     auto& sensor = scene.kinds[0].sensors[0];
@@ -140,7 +140,7 @@ TEST(Eyes, SenseAWallByItsNearestVisiblePoint) {
     EXPECT_NEAR(now.sensed[0], fade * fade / (1 + (d / 3) * (d / 3)), 1e-5f);
 }
 
-TEST(Roles, LetPredatorsSenseOnlyPreyAndPreyOnlyPredators) {
+TEST(World, RolesLetPredatorsSenseOnlyPreyAndPreyOnlyPredators) {
     Scene scene = crowd(0);
     scene.starts = {{.name = "a", .kind = "hunter", .x = 0, .y = 0},
                     {.name = "b", .kind = "hunter", .x = 3, .y = 0},
@@ -156,7 +156,7 @@ TEST(Roles, LetPredatorsSenseOnlyPreyAndPreyOnlyPredators) {
     EXPECT_GT(now.sensed[0], 0);  // prey is in the field of a's left eye
 }
 
-TEST(Predator, BitesPreyOnceASecondWhileTheyTouch) {
+TEST(World, APredatorBitesPreyOnceASecondWhileTheyTouch) {
     Scene scene = crowd(0);
     scene.arena.width = scene.arena.height = 20;
     scene.kinds[0].brain = make_graph({.LM = 0.5f, .RM = 0.5f});
@@ -171,7 +171,7 @@ TEST(Predator, BitesPreyOnceASecondWhileTheyTouch) {
     EXPECT_NEAR(now.vehicles[1].energy, 1 - 0.1f * static_cast<float>(now.events.captures), 1e-5f);
 }
 
-TEST(Energy, AtZeroReplacesTheVehicleByOneOfTheOppositeRole) {
+TEST(World, EnergyAtZeroReplacesTheVehicleByOneOfTheOppositeRole) {
     Scene scene = crowd(4);
     scene.kinds[1].share = 0;  // predators only at first
     scene.ecology.drain = 0.5f;
@@ -187,7 +187,7 @@ TEST(Energy, AtZeroReplacesTheVehicleByOneOfTheOppositeRole) {
     EXPECT_GT(now.vehicles.front().id, before.vehicles.back().id);  // ids are never reused
 }
 
-TEST(Generation, IncreasesAfterTheIdleTimeOfTheScene) {
+TEST(World, TheGenerationIncreasesAfterTheIdleTimeOfTheScene) {
     Scene scene = crowd(4);
     for (Kind& kind : scene.kinds) kind.driver = Driver::parked;
     scene.ecology.inactivity = 2;
@@ -198,7 +198,7 @@ TEST(Generation, IncreasesAfterTheIdleTimeOfTheScene) {
     EXPECT_EQ(now.vehicles.size(), 4u);
 }
 
-TEST(Population, KeepsAddedAndRemovedVehiclesInANewWorld) {
+TEST(World, APopulationKeepsAddedAndRemovedVehiclesInANewWorld) {
     World world = make(crowd(6));
     ASSERT_FALSE(world.apply(AddVehicle{}));
     ASSERT_FALSE(world.apply(AddVehicle{}));
@@ -211,7 +211,7 @@ TEST(Population, KeepsAddedAndRemovedVehiclesInANewWorld) {
     EXPECT_LE(std::abs(now.predators - now.prey), 1);
 }
 
-TEST(Population, StartsWithoutOverlap) {
+TEST(World, APopulationStartsWithoutOverlap) {
     World world = make(crowd(50));
     Snapshot now;
     world.capture(now);
@@ -220,7 +220,7 @@ TEST(Population, StartsWithoutOverlap) {
             EXPECT_GT(std::hypot(now.vehicles[i].x - now.vehicles[j].x, now.vehicles[i].y - now.vehicles[j].y), 1.2f);
 }
 
-TEST(Population, OfTwoThousandCanBeAddedAndRemoved) {
+TEST(World, APopulationOfTwoThousandCanBeAddedAndRemoved) {
     Scene scene = crowd(0);
     scene.arena.width = scene.arena.height = 120;
     World world = make(scene);
@@ -231,7 +231,7 @@ TEST(Population, OfTwoThousandCanBeAddedAndRemoved) {
     EXPECT_EQ(after(world, 0.1).vehicles.size(), 0u);
 }
 
-TEST(Commands, ForAKindApplyToItsPresentAndLaterVehicles) {
+TEST(World, CommandsForAKindApplyToItsPresentAndLaterVehicles) {
     World world = make(crowd(4));
     ASSERT_FALSE(world.apply(TurnDial{{.kind = 1}, Dial::LL, -2}));
     ASSERT_FALSE(world.apply(AddVehicle{1}));
@@ -242,7 +242,7 @@ TEST(Commands, ForAKindApplyToItsPresentAndLaterVehicles) {
     EXPECT_EQ(now.brains.size(), 2u);  // vehicles that shared a brain still share one
 }
 
-TEST(Commands, ForOneVehicleDoNotChangeOtherVehicles) {
+TEST(World, CommandsForOneVehicleDoNotChangeOtherVehicles) {
     World world = make(crowd(4));
     Snapshot now;
     world.capture(now);
@@ -253,7 +253,7 @@ TEST(Commands, ForOneVehicleDoNotChangeOtherVehicles) {
         EXPECT_EQ(read_dials(*now.brains[static_cast<std::size_t>(v.brain)]).RM == -0.5f, v.id == chosen);
 }
 
-TEST(Commands, ThatAreInvalidAreRefusedAndChangeNothing) {
+TEST(World, CommandsThatAreInvalidAreRefusedAndChangeNothing) {
     World world = make(crowd(4));
     const auto before = world.hash();
     BrainGraph broken = make_graph({});
