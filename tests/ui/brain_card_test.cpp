@@ -46,7 +46,7 @@ TEST(BrainCard, CrossesTheWiresAndMirrorsTheSides) {
     EXPECT_TRUE(desk.edits().empty()) << "no step of undo for equal sides";
 }
 
-TEST(BrainPicture, CoversAndUncoversAnEye) {
+TEST(BrainCard, CoversAndUncoversAnEye) {
     Desk desk(1280, 1000);
     desk.frame(3);
     const BrainGraph before = *desk.now.brains[0];
@@ -60,14 +60,14 @@ TEST(BrainPicture, CoversAndUncoversAnEye) {
     EXPECT_EQ(brain_asked_for(desk), before);
 }
 
-TEST(BrainPicture, StopsAMotor) {
+TEST(BrainCard, StopsAMotor) {
     Desk desk(1280, 1000);
     desk.frame(3);
     desk.click("lesion.MR");
     EXPECT_TRUE(find_node(brain_asked_for(desk), "MR")->silenced);
 }
 
-TEST(BrainPicture, CutsAndRestoresAWireByAClick) {
+TEST(BrainCard, CutsAndRestoresAWireByAClick) {
     Desk desk(1280, 1000);
     desk.frame(3);
     const BrainGraph before = *desk.now.brains[0];  // LR and RL
@@ -81,7 +81,7 @@ TEST(BrainPicture, CutsAndRestoresAWireByAClick) {
     EXPECT_EQ(brain_asked_for(desk), before);
 }
 
-TEST(BrainPicture, AcceptsAClickAnywhereOnAWire) {
+TEST(BrainCard, AcceptsAClickAnywhereOnAWire) {
     Desk desk(1280, 1000);
     desk.frame(3);
     // A little below the right eye, far from the sign at the end of LR.
@@ -99,7 +99,7 @@ TEST(BrainPicture, AcceptsAClickAnywhereOnAWire) {
     EXPECT_TRUE(is_cut(brain_asked_for(desk), "SR", "ML"));
 }
 
-TEST(BrainPicture, CutsWithTheKeyLUnderThePointerAndWithEnterOnTheFocus) {
+TEST(BrainCard, CutsWithTheKeyLUnderThePointerAndWithEnterOnTheFocus) {
     Desk desk(1280, 1000);
     desk.frame(3);
     desk.point("lesion.SR");
@@ -119,7 +119,7 @@ TEST(BrainPicture, CutsWithTheKeyLUnderThePointerAndWithEnterOnTheFocus) {
     EXPECT_TRUE(is_cut(brain_asked_for(desk), "SL", "MR"));
 }
 
-TEST(BrainPicture, CutsTheWireOfASliderUnderThePointerWithTheKeyL) {
+TEST(BrainCard, CutsTheWireOfASliderUnderThePointerWithTheKeyL) {
     Desk desk(1280, 1000);
     desk.frame(3);
     for (const char* anchor : {"slider.LR", "threshold.LR"}) {
@@ -138,7 +138,7 @@ TEST(BrainPicture, CutsTheWireOfASliderUnderThePointerWithTheKeyL) {
     EXPECT_TRUE(desk.edits().empty()) << "a missing wire cannot be cut";
 }
 
-TEST(BrainPicture, SilencesTheEyeOrWheelUnderThePointerInTheSceneWithTheKeyL) {
+TEST(BrainCard, SilencesTheEyeOrWheelUnderThePointerInTheSceneWithTheKeyL) {
     Desk desk(1280, 1000);
     auto scene = std::make_shared<Scene>(*desk.now.scene);
     for (Kind& kind : scene->kinds) {
@@ -172,7 +172,7 @@ TEST(BrainPicture, SilencesTheEyeOrWheelUnderThePointerInTheSceneWithTheKeyL) {
     EXPECT_TRUE(find_node(turned, "SL")->silenced);
 }
 
-TEST(BrainPicture, HealsAllLesionsInOneStep) {
+TEST(BrainCard, HealsAllLesionsInOneStep) {
     Desk desk(1280, 1000);
     desk.frame(3);
     const BrainGraph before = *desk.now.brains[0];

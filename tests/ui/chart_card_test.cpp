@@ -43,7 +43,7 @@ ExportRequest exported(const Desk& desk) {
 
 }  // namespace
 
-TEST(EnergyOrder, SortsByNumberEnergyAndKindInBothDirections) {
+TEST(ChartData, EnergyOrderSortsByNumberEnergyAndKindInBothDirections) {
     using By = EnergyOrder::By;
     using Rows = std::vector<std::size_t>;
     EXPECT_EQ(sorted({By::number, false}), (Rows{0, 1, 2, 3, 4, 5}));

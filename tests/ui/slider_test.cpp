@@ -113,9 +113,9 @@ TEST(Slider, RightClickSetsZeroWithoutAFile) {
     EXPECT_EQ(turned(desk.edits()[0]).value, 0);
 }
 
-class TypedNumber : public ::testing::TestWithParam<std::pair<const char*, float>> {};
+class SliderWithTypedNumber : public ::testing::TestWithParam<std::pair<const char*, float>> {};
 
-TEST_P(TypedNumber, ClampsToTheRange) {
+TEST_P(SliderWithTypedNumber, ClampsToTheRange) {
     Desk desk;
     desk.frame(3);
     desk.click("slider.LL", 0, 0.95f);  // on the number
@@ -129,13 +129,13 @@ TEST_P(TypedNumber, ClampsToTheRange) {
     EXPECT_TRUE(desk.panels.sliders.typed.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Numbers, TypedNumber,
+INSTANTIATE_TEST_SUITE_P(Numbers, SliderWithTypedNumber,
                          ::testing::Values(std::pair{"0.75", 0.75f}, std::pair{"9", 2.0f}, std::pair{"-7.5", -2.0f},
                                            std::pair{"0,5", 0.5f}));
 
-class InvalidText : public ::testing::TestWithParam<const char*> {};
+class SliderWithInvalidText : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(InvalidText, IsRefused) {
+TEST_P(SliderWithInvalidText, KeepsItsValue) {
     Desk desk;
     desk.frame(3);
     desk.click("slider.LR", 0, 0.95f);
@@ -147,7 +147,7 @@ TEST_P(InvalidText, IsRefused) {
     EXPECT_TRUE(desk.panels.sliders.typed.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Words, InvalidText, ::testing::Values("-", "1.2.3", "+-", "nan", "inf"));
+INSTANTIATE_TEST_SUITE_P(Words, SliderWithInvalidText, ::testing::Values("-", "1.2.3", "+-", "nan", "inf"));
 
 TEST(Slider, DoubleClickOnTheTrackOpensTheNumberAndKeepsTheValue) {
     Desk desk;

@@ -24,9 +24,9 @@ bool overlap(Rect a, Rect b) { return a.x < b.x + b.w && b.x < a.x + a.w && a.y 
 
 }  // namespace
 
-class EverySize : public ::testing::TestWithParam<Size> {};
+class WindowAtEverySize : public ::testing::TestWithParam<Size> {};
 
-TEST_P(EverySize, KeepsEveryWidgetOfAnExerciseInsideTheWindow) {
+TEST_P(WindowAtEverySize, KeepsEveryWidgetOfAnExerciseInsideTheWindow) {
     Desk desk(GetParam().width, GetParam().height, GetParam().scale, true);
     desk.open_exercise();
     desk.frame(5);
@@ -69,7 +69,7 @@ TEST_P(EverySize, KeepsEveryWidgetOfAnExerciseInsideTheWindow) {
     for (const auto& [id, rect] : desk.anchors.all()) EXPECT_TRUE(lies_inside(rect, desk.layout.window)) << id;
 }
 
-TEST_P(EverySize, KeepsCardsBarsAndTheSceneApart) {
+TEST_P(WindowAtEverySize, KeepsCardsBarsAndTheSceneApart) {
     Desk desk(GetParam().width, GetParam().height, GetParam().scale, true);
     for (const bool with_exercise : {false, true}) {
         if (with_exercise) desk.open_exercise();
@@ -86,7 +86,7 @@ TEST_P(EverySize, KeepsCardsBarsAndTheSceneApart) {
     }
 }
 
-TEST_P(EverySize, KeepsTheButtonsOfTheToolbarApart) {
+TEST_P(WindowAtEverySize, KeepsTheButtonsOfTheToolbarApart) {
     Desk desk(GetParam().width, GetParam().height, GetParam().scale, true);
     desk.frame(3);
     std::vector<std::pair<std::string, Rect>> row;
@@ -98,7 +98,7 @@ TEST_P(EverySize, KeepsTheButtonsOfTheToolbarApart) {
             EXPECT_FALSE(overlap(row[i].second, row[j].second)) << row[i].first << " and " << row[j].first;
 }
 
-INSTANTIATE_TEST_SUITE_P(Windows, EverySize,
+INSTANTIATE_TEST_SUITE_P(Windows, WindowAtEverySize,
                          ::testing::Values(Size{1024, 768, 1}, Size{1280, 800, 1}, Size{2048, 1536, 2},
                                            Size{1920, 1080, 1}));
 
