@@ -123,7 +123,7 @@ TEST_F(FollowShaders, KeepsTheLastValidShadersAndReportsAnErrorOnce) {
     EXPECT_EQ(stage.complaints(), "");
 }
 
-TEST(FirstComplaint, ReadsTheLogsOfSeveralDrivers) {
+TEST(Shader, FirstComplaintReadsTheLogsOfSeveralDrivers) {
     const auto mesa = first_complaint("0:12(5): error: `x' undeclared\n");
     EXPECT_EQ(mesa.line, 12);
     EXPECT_EQ(mesa.what, "error: `x' undeclared");
@@ -133,11 +133,11 @@ TEST(FirstComplaint, ReadsTheLogsOfSeveralDrivers) {
     EXPECT_EQ(amd.line, 31);
 }
 
-TEST(FirstComplaint, SkipsWarnings) {
+TEST(Shader, FirstComplaintSkipsWarnings) {
     EXPECT_EQ(first_complaint("0:2(1): warning: unused\n0:9(3): error: bad\n").line, 9);
 }
 
-TEST(FirstComplaint, KeepsALogOfUnknownForm) {
+TEST(Shader, FirstComplaintKeepsALogOfUnknownForm) {
     EXPECT_EQ(first_complaint("it broke").what, "it broke");
     EXPECT_EQ(first_complaint("it broke").line, 0);
 }
