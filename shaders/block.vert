@@ -25,7 +25,8 @@ vec2 right_of(vec2 along) { return vec2(along.y, -along.x); }
 
 void main() {
     int count = int(size.z + 0.5), edge = int(corner.x + 0.5), level = int(floor(corner.z + 0.5));
-    // Edges beyond the number of corners are moved out of view.
+    // Edges beyond the number of corners are moved out of view; their corners of the top face coincide with corner 0, because
+    // the last triangle of the face joins corners of used and unused edges.
     bool empty = edge >= count;
     int own = empty ? 0 : corner.y < 0.5 ? edge : (edge + 1) % count;
     vec2 here = prism_corner(own), before = prism_corner((own + count - 1) % count), after = prism_corner((own + 1) % count);
@@ -54,5 +55,5 @@ void main() {
     v_colour = tone * light_at(up, world);
     v_far = level == level_shadow_end ? 1.0 : 0.0;
     gl_Position = view_projection * vec4(world, 1.0);
-    if (empty || (shadow && size.w > 0.5)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    if ((empty && level != level_top) || (shadow && size.w > 0.5)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -195,6 +195,30 @@ TEST_F(RendererTest, ShowsTheOutlineOfAnObstacle) {
     EXPECT_NEAR(at(2, 2), floor_outside, 0.02f);  // a box of its length and width would cover this
 }
 
+TEST_F(RendererTest, DrawsNothingOfAnObstacleBeyondItsOutline) {
+    const Snapshot empty = hand_made::empty(hand_made::scene());
+    const auto around = [&](const Snapshot& now) {
+        renderer->draw(now, picture);
+        std::vector<float> seen;
+        for (float x = -8; x <= 8; x += 0.5f)
+            for (float y = -8; y <= 8; y += 0.5f)
+                if (std::hypot(x, y) > 3) seen.push_back(brightness(patch(*project(picture.camera_view, {x, y}))));
+        return seen;
+    };
+    const std::vector<float> bare = around(empty);
+    for (int count = 3; count <= 8; ++count) {
+        auto scene = hand_made::scene();
+        Obstacle prism{.name = "prism"};
+        for (int i = 0; i < count; ++i) {
+            const maths::vec2 at = maths::direction(2 * maths::pi * static_cast<float>(i) / static_cast<float>(count));
+            prism.corners.push_back({at.x, at.y});
+        }
+        scene->obstacles.push_back(prism);
+        const std::vector<float> seen = around(hand_made::empty(scene));
+        for (std::size_t i = 0; i < bare.size(); ++i) ASSERT_NEAR(seen[i], bare[i], 0.02f) << count << " corners";
+    }
+}
+
 TEST_F(RendererTest, DrawsZonesOnlyWithinTheirArea) {
     Snapshot plain = hand_made::empty(hand_made::scene());
     auto scene = hand_made::scene();
