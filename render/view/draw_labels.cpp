@@ -70,11 +70,19 @@ void add_source_names(Drawing& drawing, const Scene& scene) {
     }
 }
 
+// True for a zone that is tape and has no other effect. A line on the floor is made of many of them.
+bool is_only_tape(const Zone& zone) {
+    return zone.surface == Surface::tape && zone.recharge == 0 && zone.wind_x == 0 && zone.wind_y == 0 &&
+           zone.slope == 0 && zone.pull == 0;
+}
+
 void add_zone_names(Drawing& drawing, const Scene& scene) {
     if (!drawing.picture.settings.overlays.surfaces) return;
-    for (const Zone& zone : scene.zones)
+    for (const Zone& zone : scene.zones) {
+        if (is_only_tape(zone)) continue;
         drawing.list.labels.push_back(
             {{zone.x, zone.y}, 0, {}, in_words(zone.name), drawing.colours.text.with_alpha(0.9f), rank_zone});
+    }
 }
 
 // Up to `few` vehicles all have their number; of more only the selected and the hovered one.

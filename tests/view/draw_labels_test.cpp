@@ -72,15 +72,19 @@ TEST(DrawLabels, OmitMetresAtLowElevations) {
     EXPECT_TRUE(words(hand_made::empty(hand_made::scene()), picture).empty());
 }
 
-TEST(DrawLabels, NameSeveralSourcesAndEveryZone) {
+TEST(DrawLabels, NameSeveralSourcesAndEveryZoneExceptTape) {
     auto scene = hand_made::scene();
     scene->sources = {{.name = "north_lamp"}, {.name = "fire"}};
-    scene->zones = {{.name = "ice_rink", .surface = Surface::ice}};
+    scene->zones = {{.name = "ice_rink", .surface = Surface::ice},
+                    {.name = "line1", .x = 3, .surface = Surface::tape},
+                    {.name = "breeze", .y = 3, .surface = Surface::tape, .wind_x = 1}};
     Snapshot now = hand_made::empty(scene);
     hand_made::add_source(now, Channel::light, 0, 0);
     EXPECT_FALSE(has(words(now), "north lamp"));  // a single lamp has no name
     hand_made::add_source(now, Channel::heat, 5, 0);
     EXPECT_TRUE(has(words(now), "north lamp") && has(words(now), "fire") && has(words(now), "ice rink"));
+    EXPECT_FALSE(has(words(now), "line1")) << "a line is made of many pieces";
+    EXPECT_TRUE(has(words(now), "breeze"));
     Picture picture = from_above();
     picture.settings.overlays.surfaces = false;
     EXPECT_FALSE(has(words(now, picture), "ice rink"));
