@@ -2,22 +2,15 @@
 
 #include <algorithm>
 
-#include "core/scene/scene_file.h"
 #include "runs.h"
 
 namespace braitenlab::tests::character_test {
 
 namespace {
 
-Scene shipped(const std::string& name) {
-    auto scene = load_scene(std::string(BRAITENLAB_SOURCE) + "/exercises/scenes/" + name + ".toml");
-    EXPECT_TRUE(scene) << scene.error().text();
-    return *scene;
-}
-
 // The tortoise in its scene with this energy.
 Snapshot tortoise(float energy) {
-    Snapshot now = look(make(shipped("tortoise")));
+    Snapshot now = look(make(shipped_scene("tortoise")));
     const Kind& kind = now.scene->kinds[static_cast<std::size_t>(now.vehicles[0].kind)];
     for (std::size_t i = 0; i < kind.sensors.size(); ++i)
         if (kind.sensors[i].name == "EN")
@@ -40,11 +33,11 @@ TEST(Character, UsesTheReadingsOfSingleSensorsAndOmitsPairs) {
     const auto pairs = {"SL", "SR", "QL", "QR"};
     for (const Reading& reading : readings)
         EXPECT_EQ(std::find(pairs.begin(), pairs.end(), reading.sensor), pairs.end()) << reading.sensor;
-    EXPECT_TRUE(readings_beside_pairs(look(make(shipped("2a-coward"))), VehicleView{}).empty());
+    EXPECT_TRUE(readings_beside_pairs(look(make(shipped_scene("2a-coward"))), VehicleView{}).empty());
 }
 
-TEST(CharactersOf, NamesTheResponseToEachPairOfSensors) {
-    const Scene scene = shipped("3c-values");
+TEST(Character, NamesTheResponseToEachPairOfSensors) {
+    const Scene scene = shipped_scene("3c-values");
     const auto characters = characters_of(scene.kinds[0].brain, scene.kinds[0]);
     ASSERT_EQ(characters.size(), 5u);
     const std::vector<std::pair<std::string, Character>> expected{{"light", Character::aggressor},
@@ -61,8 +54,8 @@ TEST(CharactersOf, NamesTheResponseToEachPairOfSensors) {
     EXPECT_FALSE(characters_of(four, scene.kinds[0])[1].is_wired) << "the heat sensors are not in this brain";
 }
 
-TEST(MissingSensors, AreThoseThatTheBrainReadsAndTheVehicleLacks) {
-    const Scene values = shipped("3c-values"), coward = shipped("2a-coward");
+TEST(Character, TheMissingSensorsAreThoseThatTheBrainReadsAndTheVehicleLacks) {
+    const Scene values = shipped_scene("3c-values"), coward = shipped_scene("2a-coward");
     const std::vector<std::string> missing = missing_sensors(values.kinds[0].brain, coward.kinds[0]);
     EXPECT_NE(std::find(missing.begin(), missing.end(), "HL"), missing.end());
     EXPECT_EQ(std::find(missing.begin(), missing.end(), "SL"), missing.end());

@@ -1,26 +1,18 @@
 // The shipped scenes behave as their stories say, in the full simulation and from many starts.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 #include <gtest/gtest.h>
 
 #include "core/brain/presets.h"
 #include "core/maths/angle.h"
-#include "core/scene/scene_file.h"
-#include "core/world/world.h"
+#include "tests/core/runs.h"
 
 namespace braitenlab::tests::shipped_scenes_test {
 namespace {
 
 constexpr std::uint64_t seeds = 20;
-
-Scene shipped(const std::string& name) {
-    auto scene = load_scene(std::filesystem::path(BRAITENLAB_SOURCE) / "exercises/scenes" / (name + ".toml"));
-    EXPECT_TRUE(scene) << scene.error().text();
-    return scene ? *scene : Scene{};
-}
 
 // The recorded distances, speeds and angles of the first vehicle and the first lamp.
 struct Story {
@@ -51,7 +43,7 @@ Story watch(const Scene& scene, std::uint64_t seed, int seconds) {
 }
 
 TEST(ShippedScenes, ACowardKeepsItsDistance) {
-    const Scene scene = shipped("2a-coward");
+    const Scene scene = shipped_scene("2a-coward");
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         const Story story = watch(scene, seed, 25);
         EXPECT_GT(story.nearest(), 2.5f) << seed;
@@ -60,7 +52,7 @@ TEST(ShippedScenes, ACowardKeepsItsDistance) {
 }
 
 TEST(ShippedScenes, AnAggressorAcceleratesAndHitsTheLamp) {
-    const Scene scene = shipped("2b-aggressor");
+    const Scene scene = shipped_scene("2b-aggressor");
     int hits = 0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         const Story story = watch(scene, seed, 25);
@@ -73,7 +65,7 @@ TEST(ShippedScenes, AnAggressorAcceleratesAndHitsTheLamp) {
 }
 
 TEST(ShippedScenes, LoveStopsFacingTheLamp) {
-    const Scene scene = shipped("3a-love");
+    const Scene scene = shipped_scene("3a-love");
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         const Story story = watch(scene, seed, 25);
         EXPECT_GT(story.distance.back(), 1) << seed;
@@ -84,7 +76,7 @@ TEST(ShippedScenes, LoveStopsFacingTheLamp) {
 }
 
 TEST(ShippedScenes, AnExplorerApproachesSlowsDownTurnsAwayAndNeverStops) {
-    const Scene scene = shipped("3b-explorer");
+    const Scene scene = shipped_scene("3b-explorer");
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         const Story story = watch(scene, seed, 25);
         const auto at = std::min_element(story.distance.begin(), story.distance.begin() + 15 * 60);
@@ -96,7 +88,7 @@ TEST(ShippedScenes, AnExplorerApproachesSlowsDownTurnsAwayAndNeverStops) {
 }
 
 TEST(ShippedScenes, TheLivingVehicleIsFastestNearTheLamp) {
-    const Scene scene = shipped("1-alive");
+    const Scene scene = shipped_scene("1-alive");
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         const Story story = watch(scene, seed, 25);
         const auto fastest = std::max_element(story.speed.begin(), story.speed.end()) - story.speed.begin();
@@ -105,7 +97,7 @@ TEST(ShippedScenes, TheLivingVehicleIsFastestNearTheLamp) {
 }
 
 TEST(ShippedScenes, VehicleTwoCNeitherTurnsTowardsTheLampNorAway) {
-    const Scene scene = shipped("2c");
+    const Scene scene = shipped_scene("2c");
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         auto world = World::create(scene, seed);
         ASSERT_TRUE(world);
@@ -123,7 +115,7 @@ TEST(ShippedScenes, VehicleTwoCNeitherTurnsTowardsTheLampNorAway) {
 }
 
 TEST(ShippedScenes, AMothCirclesTheLampAtOneDistance) {
-    const Scene scene = shipped("4a-orbit");
+    const Scene scene = shipped_scene("4a-orbit");
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         const Story story = watch(scene, seed, 45);
         const auto late = story.distance.end() - 20 * 60;
@@ -147,7 +139,7 @@ std::vector<float> nearest_to_each(const World& world, std::vector<float> before
 }
 
 TEST(ShippedScenes, ADoubterDrivesSlowlyBetweenTwoLampsThenHitsOneOfThem) {
-    const Scene scene = shipped("4b-decision");
+    const Scene scene = shipped_scene("4b-decision");
     int left = 0, right = 0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         auto world = World::create(scene, seed);
@@ -169,7 +161,7 @@ TEST(ShippedScenes, ADoubterDrivesSlowlyBetweenTwoLampsThenHitsOneOfThem) {
 }
 
 TEST(ShippedScenes, ACounterStopsAtTheThirdLamp) {
-    const Scene scene = shipped("5-logic");
+    const Scene scene = shipped_scene("5-logic");
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         auto world = World::create(scene, seed);
         ASSERT_TRUE(world);
@@ -190,7 +182,7 @@ TEST(ShippedScenes, ACounterStopsAtTheThirdLamp) {
 }
 
 TEST(ShippedScenes, AVehicleWithFourSensesAvoidsHeatAndStopsFacingItsSource) {
-    const Scene scene = shipped("3c-values");
+    const Scene scene = shipped_scene("3c-values");
     int struck_the_lamp = 0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         auto world = World::create(scene, seed);
@@ -212,7 +204,7 @@ TEST(ShippedScenes, AVehicleWithFourSensesAvoidsHeatAndStopsFacingItsSource) {
 
 // Pavlov's experiment, in the shipped scene.
 TEST(ShippedScenes, AVehicleLearnsToAvoidRedAndForgetsIt) {
-    const Scene scene = shipped("7-mnemotrix");
+    const Scene scene = shipped_scene("7-mnemotrix");
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         auto world = World::create(scene, seed);
         ASSERT_TRUE(world);
@@ -235,7 +227,7 @@ TEST(ShippedScenes, AVehicleLearnsToAvoidRedAndForgetsIt) {
 }
 
 TEST(ShippedScenes, TheTortoiseEntersItsHutchAtLowEnergyAndLeavesAtFullEnergy) {
-    const Scene scene = shipped("tortoise");
+    const Scene scene = shipped_scene("tortoise");
     const Zone& hutch = scene.zones.front();
     int starved = 0, remembered = 0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -292,7 +284,7 @@ Drawing drawing(const BrainGraph& graph) {
 
 TEST(Presets, EqualTheBrainsOfTheirScenes) {
     for (const Preset& preset : presets()) {
-        const Scene scene = shipped(std::string(preset.scene));
+        const Scene scene = shipped_scene(std::string(preset.scene));
         const int named = find_kind(scene, std::string(preset.name));
         ASSERT_FALSE(scene.kinds.empty()) << preset.name;
         const Kind& kind = scene.kinds[static_cast<std::size_t>(std::max(named, 0))];
@@ -301,7 +293,7 @@ TEST(Presets, EqualTheBrainsOfTheirScenes) {
 }
 
 TEST(ShippedScenes, PredatorsCatchPreyAndNoVehicleIsStuckForLong) {
-    const Scene scene = shipped("predator-prey");
+    const Scene scene = shipped_scene("predator-prey");
     std::int64_t captures = 0;
     int worst = 0;
     double still_share = 0;
