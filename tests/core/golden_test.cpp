@@ -21,6 +21,11 @@ const std::map<std::string, std::string> golden{
     {"3b-explorer", "ba5a0277dd638143"},   {"3c-values", "5b3b1a00e6068563"}, {"4a-orbit", "203521625d0deb08"},
     {"4b-decision", "7ddca9f7b2cfc2b4"},   {"5-logic", "0690bbf597662507"},   {"7-mnemotrix", "428d3374187eb4b6"},
     {"predator-prey", "654db4f825d1ee92"},
+    {"line-follower", "2fc6f29ccaefde19"},
+    {"ice-rink", "23dcd4afdf785919"},
+    {"wind-tunnel", "2db0be34c3320185"},
+    {"table-edge", "fbd51a05f5a1e7f6"},
+    {"torus", "77289864a8bed2eb"},
 };
 
 const std::filesystem::path scenes = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "scenes";
