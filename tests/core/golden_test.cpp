@@ -26,6 +26,10 @@ const std::map<std::string, std::string> golden{
     {"wind-tunnel", "2db0be34c3320185"},
     {"table-edge", "fbd51a05f5a1e7f6"},
     {"torus", "77289864a8bed2eb"},
+    {"dance", "8174fb63a231d2ce"},
+    {"convoy", "96a674f794bac338"},
+    {"moth-and-hunter", "c9e75e4de41af54c"},
+    {"drivers", "510170fa8c9f9c34"},
 };
 
 const std::filesystem::path scenes = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "scenes";
