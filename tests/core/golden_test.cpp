@@ -30,6 +30,8 @@ const std::map<std::string, std::string> golden{
     {"convoy", "96a674f794bac338"},
     {"moth-and-hunter", "c9e75e4de41af54c"},
     {"drivers", "510170fa8c9f9c34"},
+    {"obstacle-course", "5a58a1e9ce5a91ac"},
+    {"pushing", "fe69334a7e83ad57"},
 };
 
 const std::filesystem::path scenes = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "scenes";
