@@ -294,6 +294,7 @@ TEST(Presets, EqualTheBrainsOfTheirScenes) {
 
 TEST(ShippedScenes, PredatorsCatchPreyAndNoVehicleIsStuckForLong) {
     const Scene scene = shipped_scene("predator-prey");
+    const auto population = static_cast<std::size_t>(scene.ecology.population);
     std::int64_t captures = 0;
     int worst = 0;
     double still_share = 0;
@@ -308,10 +309,10 @@ TEST(ShippedScenes, PredatorsCatchPreyAndNoVehicleIsStuckForLong) {
                 int& ticks = still[it.id];
                 ticks = std::fabs(it.speed) < 0.05f ? ticks + 1 : 0;
                 worst = std::max(worst, ticks);
-                still_share += ticks > 60 ? 1.0 / (seeds * 120 * 60 * 10) : 0;
+                still_share += ticks > 60 ? 1.0 / static_cast<double>(seeds * 120 * 60 * population) : 0;
             }
         }
-        EXPECT_EQ(now.vehicles.size(), 10u);
+        EXPECT_EQ(now.vehicles.size(), population);
         EXPECT_EQ(now.generation, 1);
         captures += now.events.captures;
         EXPECT_GT(now.events.captures, 0) << seed;
@@ -319,6 +320,23 @@ TEST(ShippedScenes, PredatorsCatchPreyAndNoVehicleIsStuckForLong) {
     EXPECT_GT(captures, 5 * static_cast<std::int64_t>(seeds));
     EXPECT_LT(worst, 30 * 60);
     EXPECT_LT(still_share, 0.02);
+}
+
+TEST(ShippedScenes, PredatorsAndPreyAreEachAQuarterOrMoreOfThePopulationMostOfTheTime) {
+    constexpr int seconds = 180;
+    constexpr std::uint64_t few_seeds = 6;  // limits the time of the test
+    const Scene scene = shipped_scene("predator-prey");
+    for (std::uint64_t seed = 1; seed <= few_seeds; ++seed) {
+        World world = make(scene, seed);
+        int balanced = 0;
+        for (int second = 0; second < seconds; ++second) {
+            const Snapshot now = after(world, 1);
+            const auto all = static_cast<int>(now.vehicles.size());
+            ASSERT_EQ(now.predators + now.prey, all) << seed;
+            balanced += 4 * std::min(now.predators, now.prey) >= all;
+        }
+        EXPECT_GE(balanced, 0.8 * seconds) << seed;
+    }
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST(LabSelection, MovesToTheNextVehicleIfItsVehicleIsRemoved) {
     handle(lab, EditRequest{RemoveVehicle{0}});
     EXPECT_EQ(lab.view.selection.vehicle, 1);
     handle(lab, Action::previous_vehicle);
-    EXPECT_EQ(lab.view.selection.vehicle, 9);
+    EXPECT_EQ(lab.view.selection.vehicle, 19);
     handle(lab, Action::next_vehicle);
     EXPECT_EQ(lab.view.selection.vehicle, 1);
 }

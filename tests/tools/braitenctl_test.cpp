@@ -83,7 +83,7 @@ TEST(CtlRun, WritesACsvRowPerVehiclePerTenthOfASecond) {
     EXPECT_EQ(line, "seconds,id,kind,role,x_m,y_m,heading_rad,speed_m_s,energy,left,right");
     int rows = 0;
     while (std::getline(csv, line)) ++rows;
-    EXPECT_EQ(rows, 21 * 10);
+    EXPECT_EQ(rows, 21 * 20);
     std::filesystem::remove(file);
 }
 

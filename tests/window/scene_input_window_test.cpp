@@ -115,13 +115,13 @@ TEST(SceneInputWindow, AddsFromTheContextMenuAndUndoRemovesIt) {
     EXPECT_NEAR(lamp.y, free.y - 150, 3);
     right_click(lab, {free.x - 190, free.y + 60});
     lab.click("menu.add.vehicle.1");
-    EXPECT_TRUE(wait_for([&] { return lab.state()["population"] == 11; }));
-    EXPECT_EQ(lab.state()["selected"], 10) << "the added vehicle is selected";
+    EXPECT_TRUE(wait_for([&] { return lab.state()["population"] == 21; }));
+    EXPECT_EQ(lab.state()["selected"], 20) << "the added vehicle is selected";
     lab.key("Delete");
-    EXPECT_TRUE(wait_for([&] { return lab.state()["population"] == 10; }));
+    EXPECT_TRUE(wait_for([&] { return lab.state()["population"] == 20; }));
     for (int i = 0; i < 3; ++i) lab.key("ctrl+z");
     EXPECT_TRUE(wait_for([&] { return lab.state()["sources"].empty(); }));
-    EXPECT_EQ(lab.state()["population"], 10);
+    EXPECT_EQ(lab.state()["population"], 20);
 }
 
 TEST(SceneInputWindow, DrawsATriangleByItsCornersAndUndoRemovesIt) {

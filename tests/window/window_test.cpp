@@ -137,7 +137,7 @@ Point start_in_window(const LabWindow& lab, std::size_t vehicle) {
     const Json v =
         Json::parse(shell(program("braitenctl") + " run predator-prey --seconds 0 --json").out)["vehicles"][vehicle];
     Arena arena;
-    arena.width = arena.height = 18;
+    arena.width = arena.height = 24;
     const CameraView camera_view =
         look(Camera{}, arena, nullptr, {0, 0, 1280, 800}, {free[0], free[1], free[2], free[3]});
     const auto at = project(camera_view, {v["x"], v["y"]}, 0.1f);
