@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iostream>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -24,6 +25,10 @@ int interrupted() {
     return exit_code::interrupted;
 }
 
+int threads_for(int wanted) {
+    return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 namespace {
 
 std::string column_words() {
@@ -43,12 +48,13 @@ int command_line(int argc, char** argv) {
         ->required();
     run_command->add_option("--seconds", options.seconds, "simulated time; for a saved run: additional time")
         ->check(CLI::Range(0.0, 1e6));
-    run_command->add_option("--seed", options.seed, "seed of the random numbers; the same seed gives the same run")
-        ->check([](const std::string& text) {
-            return text.find_first_not_of("0123456789") == std::string::npos ? ""
-                                                                             : "a seed is a whole number from 0 up";
-        });
-    run_command->add_option("--set", options.settings, "one value of the scene, e.g. kind.prey.brain.LL=0.5")
+    run_command
+        ->add_option("--seed", options.seed,
+                     "seed of the random numbers, 1 without it; the same seed gives the same run; A:B: a run per seed")
+        ->type_name("SEED");
+    run_command
+        ->add_option("--set", options.settings,
+                     "one value of the scene, e.g. kind.prey.brain.LL=0.5; A:B:STEP or V1,V2,…: a run per value")
         ->type_name("PATH=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -60,6 +66,8 @@ int command_line(int argc, char** argv) {
         ->delimiter(',')
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    run_command->add_option("--threads", options.threads, "threads for several runs; without it, one per processor")
+        ->check(CLI::Range(1, 256));
     run_command->add_flag("--hash", options.hash, "print the hash of the final state");
     run_command->add_option("--save", options.save, "write the run at its end, to continue it later")
         ->type_name("FILE.run");

@@ -1,8 +1,6 @@
 // The subcommands of braitenctl. Each prints its result and returns the exit code.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,14 +22,18 @@ int interrupted();
 struct RunOptions {
     std::string file;  // a scene or a saved run
     double seconds = 10;
-    std::optional<std::uint64_t> seed;
-    std::vector<std::string> settings;
-    std::string csv;                   // file of the table; "-": standard output; empty: none
-    std::string save;                  // file; empty: none
-    std::vector<std::string> columns;  // words of io::ColumnGroup: further columns of the CSV file
+    std::string seed;                   // as parse_sweep() reads it
+    std::vector<std::string> settings;  // as parse_sweep() reads them
+    int threads = 0;                    // of a sweep; 0: one per processor
+    std::string csv;                    // file of the table; "-": standard output; empty: none
+    std::string save;                   // file; empty: none
+    std::vector<std::string> columns;   // words of io::ColumnGroup: further columns of the CSV file
     bool json = false, hash = false;
 };
 int run(const RunOptions&);
+
+// The number of worker threads of Jobs: `wanted`, or one per processor if that is 0.
+int threads_for(int wanted);
 
 // Prints whether the brain of the file passes the exercise. With an empty file name: whether the exercise is sound,
 // i.e. no start passes as shipped and every start passes with its own solution.

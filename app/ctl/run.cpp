@@ -3,8 +3,11 @@
 #include <iostream>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "app/ctl/ctl.h"
 #include "app/ctl/report.h"
+#include "app/ctl/run_sweep.h"
 #include "app/ctl/simulate.h"
 #include "app/ctl/table_file.h"
 #include "app/files/data.h"
@@ -24,28 +27,19 @@ struct StartedRun {
 };
 
 Result<StartedRun> continue_run(const RunOptions& options) {
-    if (options.seed || !options.settings.empty())
-        return Error{"a saved run has its own seed and values; leave out --seed and --set, or run its scene",
-                     options.file};
     auto saved = io::load_run(options.file);
     if (!saved) return saved.error();
     World world = World::restore(saved->checkpoint);
     return StartedRun{std::move(saved->opened), std::move(world)};
 }
 
-Result<StartedRun> start(const RunOptions& options) {
+Result<StartedRun> start(const RunOptions& options, const Sweep& single) {
     if (options.file.ends_with(io::run_ending)) return continue_run(options);
-    std::vector<Setting> settings;
-    for (const std::string& text : options.settings) {
-        auto setting = parse_setting(text);
-        if (!setting) return setting.error();
-        settings.push_back(*setting);
-    }
     const auto path = find_shipped(options.file);
     if (!path) return path.error();
-    auto scene = load_scene(*path, settings);
+    auto scene = load_scene(*path, combination(single, 0));
     if (!scene) return scene.error();
-    auto world = World::create(*scene, options.seed.value_or(1));
+    auto world = World::create(*scene, single.first_seed);
     if (!world) return world.error();
     return StartedRun{std::move(*scene), std::move(*world)};
 }
@@ -58,12 +52,24 @@ void print_state(const RunOptions& options, const Snapshot& now, std::uint64_t h
     if (!options.json && !options.hash) std::cout << report_text(now, hash);
 }
 
-std::optional<Error> check_options(const RunOptions& options) {
+std::optional<Error> check_options(const RunOptions& options, const Sweep& sweep) {
+    if (options.file.ends_with(io::run_ending) && !(options.seed.empty() && options.settings.empty()))
+        return Error{"a saved run has its own seed and values; leave out --seed and --set, or run its scene",
+                     options.file};
     if (options.csv.empty() && !options.columns.empty())
         return Error{"needs --csv FILE, which has these columns", "--columns"};
     if (options.csv == standard_output && (options.json || options.hash))
         return Error{"leaves no room for --json and --hash on standard output; leave them out, or give --csv a file",
                      "--csv -"};
+    if (!sweep.is_sweep) return std::nullopt;
+    const std::string given = "--set and --seed";
+    if (options.csv.empty())
+        return Error{fmt::format("these are {} runs; add --csv FILE for their table, and put text with a comma or a "
+                                 "colon in quotes",
+                                 sweep.runs()),
+                     given};
+    if (options.json || options.hash || !options.save.empty())
+        return Error{"several runs have no single final state; leave out --json, --hash and --save", given};
     return std::nullopt;
 }
 
@@ -80,8 +86,8 @@ Result<std::set<io::ColumnGroup>> column_groups(const std::vector<std::string>& 
     return groups;
 }
 
-int run_one(const RunOptions& options, const std::set<io::ColumnGroup>& groups) {
-    auto started = start(options);
+int run_one(const RunOptions& options, const Sweep& single, const std::set<io::ColumnGroup>& groups) {
+    auto started = start(options, single);
     if (!started) return complain(started.error());
     World& world = started->world;
     Snapshot now;
@@ -107,10 +113,12 @@ int run_one(const RunOptions& options, const std::set<io::ColumnGroup>& groups) 
 }  // namespace
 
 int run(const RunOptions& options) {
-    if (const auto error = check_options(options)) return complain(*error);
+    const auto sweep = parse_sweep(options.settings, options.seed);
+    if (!sweep) return complain(sweep.error());
+    if (const auto error = check_options(options, *sweep)) return complain(*error);
     const auto groups = column_groups(options.columns);
     if (!groups) return complain(groups.error());
-    return run_one(options, *groups);
+    return sweep->is_sweep ? run_sweep(options, *sweep, *groups) : run_one(options, *sweep, *groups);
 }
 
 }  // namespace braitenlab
