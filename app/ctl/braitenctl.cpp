@@ -37,6 +37,16 @@ std::string column_words() {
     return words;
 }
 
+void add_choice(CLI::App& command, BrainChoice& choice) {
+    auto* kind = command.add_option("--kind", choice.kind,
+                                    "the kind whose brain is taken from a scene or a saved run; "
+                                    "without it, the first vehicle's");
+    command
+        .add_option("--vehicle", choice.vehicle,
+                    "the vehicle whose brain is taken, by its name in the scene; in a saved run also by its id")
+        ->excludes(kind);
+}
+
 int command_line(int argc, char** argv) {
     CLI::App app{"Braitenlab without a window."};
     app.require_subcommand(1);
@@ -73,12 +83,16 @@ int command_line(int argc, char** argv) {
         ->type_name("FILE.run");
 
     std::string exercise, brain;
+    BrainChoice choice;
     bool all = false;
     CLI::App* check_command = app.add_subcommand("check", "is an exercise sound, or does a brain pass it?");
     auto* name = check_command->add_option("EXERCISE", exercise, "a path, or the bare name of a shipped exercise");
     check_command
-        ->add_option("--brain", brain, "a brain file; without it, the brain as shipped and the exercise's own solution")
+        ->add_option(
+            "--brain", brain,
+            "a brain, a scene or a saved run; without it, the brain as shipped and the exercise's own solution")
         ->type_name("FILE");
+    add_choice(*check_command, choice);
     auto* all_flag =
         check_command->add_flag("--all", all, "every shipped exercise: fails as shipped, passes with its solution");
     name->excludes(all_flag);
@@ -87,7 +101,8 @@ int command_line(int argc, char** argv) {
     std::string csv;
     CLI::App* grade_command = app.add_subcommand("grade", "grade brains against an exercise, one row each");
     grade_command->add_option("EXERCISE", exercise, "a path, or the bare name of a shipped exercise")->required();
-    grade_command->add_option("BRAIN", brains, "brain files")->required();
+    grade_command->add_option("FILE", brains, "brains, scenes or saved runs")->required();
+    add_choice(*grade_command, choice);
     grade_command->add_option("--csv", csv, "write the rows there instead of printing them")->type_name("FILE");
 
     std::string shown;
@@ -106,11 +121,11 @@ int command_line(int argc, char** argv) {
         return app.exit(error) == 0 ? exit_code::done : exit_code::bad_input;
     }
     if (*run_command) return run(options);
-    if (*grade_command) return grade_all(exercise, brains, csv);
+    if (*grade_command) return grade_all(exercise, brains, choice, csv);
     if (*show_command) return show(shown);
     if (all) return check_all();
     if (exercise.empty()) return complain({"check needs an EXERCISE or --all"});
-    return check(exercise, brain);
+    return check(exercise, brain, choice);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // braitenctl check and grade: whether exercises are sound and whether brains pass them.
 #include <iostream>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -9,9 +8,9 @@
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
 #include "core/brain/recogniser.h"
+#include "core/io/csv.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/grade.h"
-#include "core/scene/scene_file.h"
 
 namespace braitenlab {
 
@@ -41,26 +40,43 @@ bool is_sound(const Exercise& exercise) {
     return sound;
 }
 
-// A cell of a CSV file (RFC 4180).
-std::string cell(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"') quoted += '"';
-        quoted += c;
-    }
-    return quoted + "\"";
+// What a row of `grade` says about a file.
+struct GradedFile {
+    std::string file;
+    std::string owner;      // of the brain
+    std::string character;  // of the brain; empty with an error
+    Grade grade;
+    std::string error;  // empty: none
+};
+
+std::string graded_row(const Exercise& exercise, const GradedFile& graded) {
+    std::string row;
+    const auto add = [&](const io::CsvValue& value) {
+        io::add_csv_cell(row, value);
+        row += ',';
+    };
+    add(std::string_view(graded.file));
+    add(std::string_view(graded.grade.good ? "yes" : "no"));
+    for (const int number : {graded.grade.count, exercise.starts, exercise.needed}) add(std::int64_t{number});
+    for (const std::string& text : {graded.character, graded.owner, graded.error}) add(std::string_view(text));
+    for (std::size_t start = 0; start < static_cast<std::size_t>(exercise.starts); ++start)
+        add(std::string_view(!graded.error.empty() ? "" : graded.grade.passed[start] ? "yes" : "no"));
+    row.back() = '\n';
+    return row;
 }
 
 }  // namespace
 
-int check(const std::string& name, const std::string& brain_file) {
+int check(const std::string& name, const std::string& brain_file, const BrainChoice& choice) {
     const auto exercise = find_exercise(name);
     if (!exercise) return complain(exercise.error());
+    if (brain_file.empty() && !(choice.kind.empty() && choice.vehicle.empty()))
+        return complain({"--kind and --vehicle need --brain FILE, from which the brain is taken"});
     if (brain_file.empty()) return is_sound(*exercise) ? exit_code::done : exit_code::failed;
-    auto brain = load_brain(brain_file);
-    if (!brain) return complain(brain.error());
-    const Grade result = grade(*exercise, with_brain(*exercise, std::move(*brain)));
+    auto found = brain_of_file(brain_file, choice);
+    if (!found) return complain(found.error());
+    const Grade result = grade(*exercise, with_brain(*exercise, std::move(found->brain)));
+    if (!found->owner.empty()) std::cout << fmt::format("brain of {} in {}\n", found->owner, brain_file);
     print_grade(*exercise, result);
     return result.good ? exit_code::done : exit_code::failed;
 }
@@ -75,33 +91,31 @@ int check_all() {
     return wrong == 0 ? exit_code::done : exit_code::failed;
 }
 
-int grade_all(const std::string& name, const std::vector<std::string>& brain_files, const std::string& csv) {
+int grade_all(const std::string& name, const std::vector<std::string>& brain_files, const BrainChoice& choice,
+              const std::string& csv) {
     const auto exercise = find_exercise(name);
     if (!exercise) return complain(exercise.error());
-    std::ostringstream rows;
-    rows << "brain,passed,starts_passed,starts,needed,character,error";
-    for (int start = 1; start <= exercise->starts; ++start) rows << ",start_" << start;
-    rows << "\n";
+    std::string rows = "brain,passed,starts_passed,starts,needed,character,brain_of,error";
+    for (int start = 1; start <= exercise->starts; ++start) rows += fmt::format(",start_{}", start);
+    rows += "\n";
     bool all_read = true;
     for (const std::string& file : brain_files) {
-        const auto brain = load_brain(file);
-        rows << cell(file) << ",";
-        if (!brain) {
+        auto found = brain_of_file(file, choice);
+        GradedFile graded{.file = file};
+        if (found) {
+            graded.owner = found->owner;
+            graded.character = braitenlab::name(recognise(found->brain));
+            graded.grade = grade(*exercise, with_brain(*exercise, std::move(found->brain)));
+        } else {
             all_read = false;
-            if (!csv.empty()) complain(brain.error());
-            rows << fmt::format("no,0,{},{},,{}", exercise->starts, exercise->needed, cell(brain.error().text()))
-                 << std::string(static_cast<std::size_t>(exercise->starts), ',') << "\n";
-            continue;
+            graded.error = found.error().text();
+            if (!csv.empty()) complain(found.error());
         }
-        const Grade result = grade(*exercise, with_brain(*exercise, *brain));
-        rows << fmt::format("{},{},{},{},{},", result.good ? "yes" : "no", result.count, exercise->starts,
-                            exercise->needed, braitenlab::name(recognise(*brain)));
-        for (const bool passed : result.passed) rows << (passed ? ",yes" : ",no");
-        rows << "\n";
+        rows += graded_row(*exercise, graded);
     }
     if (csv.empty() || csv == standard_output)
-        std::cout << rows.str();
-    else if (const auto error = write_whole(csv, rows.str()))
+        std::cout << rows;
+    else if (const auto error = write_whole(csv, rows))
         return complain(*error);
     return all_read ? exit_code::done : exit_code::bad_input;
 }

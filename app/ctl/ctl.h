@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/ctl/brain_of_file.h"
 #include "core/result.h"
 
 namespace braitenlab {
@@ -35,15 +36,16 @@ int run(const RunOptions&);
 // The number of worker threads of Jobs: `wanted`, or one per processor if that is 0.
 int threads_for(int wanted);
 
-// Prints whether the brain of the file passes the exercise. With an empty file name: whether the exercise is sound,
-// i.e. no start passes as shipped and every start passes with its own solution.
-int check(const std::string& exercise, const std::string& brain_file);
+// Prints whether the brain of the file (see brain_of_file) passes the exercise. With an empty file name: whether the
+// exercise is sound, i.e. no start passes as shipped and every start passes with its own solution.
+int check(const std::string& exercise, const std::string& brain_file, const BrainChoice&);
 // Prints whether each shipped exercise is sound.
 int check_all();
 
 // Grades a class's brains, one row each, into the CSV file, or to stdout when its name is empty or "-". A file that
 // holds no brain gets a row with the error; the other files are still graded.
-int grade_all(const std::string& exercise, const std::vector<std::string>& brain_files, const std::string& csv);
+int grade_all(const std::string& exercise, const std::vector<std::string>& brain_files, const BrainChoice&,
+              const std::string& csv);
 
 // Prints the content of a scene, an exercise, a saved run or a brain, and the recognised characters of its brains.
 int show(const std::string& file);

@@ -145,10 +145,4 @@ Result<BrainGraph> parse_brain(std::string_view toml, std::string file_name) {
     return content.brain;
 }
 
-Result<BrainGraph> load_brain(const std::filesystem::path& path) {
-    const auto text = read_text(path);
-    if (!text) return text.error();
-    return parse_brain(*text, path.string());
-}
-
 }  // namespace braitenlab

@@ -34,7 +34,6 @@ std::string write_scene(const Scene&);
 
 // A brain file: format = 1 and a [brain] table as in a kind.
 Result<BrainGraph> parse_brain(std::string_view toml, std::string file_name);
-Result<BrainGraph> load_brain(const std::filesystem::path&);
 std::string write_brain(const BrainGraph&);
 
 // The first fault of a scene (value out of range, unknown kind of a start, two kinds of one name, brain that does not

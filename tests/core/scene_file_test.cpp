@@ -355,6 +355,7 @@ TEST(SceneFile, ReadsBackABrainFileAndRefusesOtherFiles) {
     }
     expect_in("brain.toml:3: 'LL' is 3", parse_brain("format = 1\n[brain]\nLL = 3", "brain.toml").error().text());
     expect_in("no [brain]", parse_brain("format = 1\n", "brain.toml").error().text());
+    expect_in("this is a whole scene", parse_brain("format = 1\n[kind.one]\n", "brain.toml").error().text());
     expect_in("'brian'", parse_brain("format = 1\n[brian]\n", "brain.toml").error().text());
 }
 

@@ -14,6 +14,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/io/run_file.h"
+#include "core/scene/scene_file.h"
+#include "core/world/world.h"
+
 namespace braitenlab::tests::braitenctl_test {
 namespace {
 
@@ -262,13 +266,83 @@ TEST(CtlRun, DoesNotSaveToAPipe) {
     std::filesystem::remove(pipe);
 }
 
-TEST(CtlGrade, ExplainsASceneInPlaceOfABrain) {
-    const std::string csv = scratch("scene-for-a-brain.csv");
-    const std::string scene = std::string(BRAITENLAB_SOURCE) + "/exercises/scenes/2a-coward.toml";
-    const Ran ran = ctl("grade 05-aggressor " + scene + " --csv " + csv);
-    EXPECT_EQ(ran.code, 2);
-    EXPECT_NE(ran.out.find("this is a whole scene"), std::string::npos) << ran.out;
-    std::filesystem::remove(csv);
+// A scene with two kinds: only the second one passes exercise 5. `first` is the kind of its first vehicle.
+std::string two_kinds(const std::string& first) {
+    const std::string brains = "brain]\n";
+    return "format = 1\n[kind.slow." + brains + "LM = 0.2\n[kind.striker." + brains +
+           "LR = 1.5\nRL = 1.5\nLM = 0.1\nRM = 0.1\n[vehicle.one]\nkind = \"" + first + "\"\n[vehicle.two]\nkind = \"" +
+           (first == "slow" ? "striker" : "slow") + "\"\nx = 3\n";
+}
+
+// The row of the only graded file, without the file's name.
+std::string graded(const std::string& file, const std::string& options = "") {
+    const Ran ran = ctl("grade 05-aggressor " + file + " " + options);
+    const std::size_t row = ran.out.find("\n" + file + ",");
+    return row == std::string::npos ? ran.out : ran.out.substr(row + file.size() + 2);
+}
+
+TEST(CtlGrade, TakesTheBrainOfTheFirstVehiclesKindFromAScene) {
+    const std::string scene = scratch("two-kinds.toml");
+    std::ofstream(scene) << two_kinds("striker");
+    EXPECT_TRUE(graded(scene).starts_with("yes,10,10,8,aggressor,kind striker,,yes,")) << graded(scene);
+    std::ofstream(scene) << two_kinds("slow");
+    EXPECT_TRUE(graded(scene).starts_with("no,0,10,8,")) << graded(scene);
+    EXPECT_NE(graded(scene).find(",kind slow,,no,"), std::string::npos) << graded(scene);
+    std::filesystem::remove(scene);
+}
+
+TEST(CtlGrade, TakesTheBrainOfTheNamedKindOrVehicle) {
+    const std::string scene = scratch("named.toml");
+    std::ofstream(scene) << two_kinds("slow");
+    EXPECT_TRUE(graded(scene, "--kind striker").starts_with("yes,10,10,8,aggressor,kind striker,,yes,"));
+    EXPECT_TRUE(graded(scene, "--vehicle two").starts_with("yes,10,10,8,aggressor,vehicle two,,yes,"));
+    EXPECT_NE(graded(scene, "--kind striken").find("there is no kind 'striken'; the nearest is 'striker'"),
+              std::string::npos);
+    EXPECT_NE(graded(scene, "--vehicle tow").find("there is no vehicle 'tow'; known are 'one', 'two'"),
+              std::string::npos);
+    EXPECT_EQ(ctl("grade 05-aggressor " + scene + " --kind slow --vehicle two").code, 2);
+    std::filesystem::remove(scene);
+}
+
+// In the run the first vehicle has another brain than its kind.
+TEST(CtlGrade, TakesTheBrainThatTheFirstVehicleHasFromASavedRun) {
+    const auto scene = parse_scene(two_kinds("slow"), "two-kinds.toml");
+    ASSERT_TRUE(scene);
+    auto world = World::create(*scene, 1);
+    ASSERT_TRUE(world);
+    ASSERT_FALSE(world->apply(SetBrain{{.vehicle = 0}, scene->kinds[1].brain}));
+    const std::string file = scratch("edited.run");
+    std::ofstream(file) << io::write_run({*scene, world->checkpoint()});
+    EXPECT_TRUE(graded(file).starts_with("yes,10,10,8,aggressor,vehicle one,,yes,")) << graded(file);
+    EXPECT_TRUE(graded(file, "--vehicle 0").starts_with("yes,10,10,8,aggressor,vehicle 0,,yes,"));
+    EXPECT_NE(graded(file, "--kind slow").find(",kind slow,,no,"), std::string::npos) << graded(file, "--kind slow");
+    EXPECT_NE(graded(file, "--vehicle 7").find("there is no vehicle '7'"), std::string::npos);
+    std::filesystem::remove(file);
+}
+
+TEST(CtlGrade, TakesTheKindOfAVehicleThatIsGoneFromASavedRun) {
+    const std::string scene = scratch("starving.toml"), run = scratch("starving.run");
+    std::ofstream(scene) << two_kinds("striker") << "[ecology]\ndrain = 1\n";
+    ASSERT_EQ(ctl("run " + scene + " --seconds 2 --save " + run).code, 0);
+    EXPECT_TRUE(graded(run).starts_with("yes,10,10,8,aggressor,kind striker,,yes,")) << graded(run);
+    EXPECT_NE(graded(run, "--vehicle one").find("the vehicle 'one' is gone; choose another"), std::string::npos);
+    std::filesystem::remove(scene), std::filesystem::remove(run);
+}
+
+TEST(CtlGrade, TakesTheFirstKindOfAPopulation) {
+    EXPECT_NE(graded("predator-prey").find(",kind predator,,"), std::string::npos) << graded("predator-prey");
+}
+
+TEST(CtlGrade, RefusesAnExercise) {
+    EXPECT_NE(graded("05-aggressor").find("this is an exercise; give a brain, a scene or a saved run"),
+              std::string::npos);
+}
+
+TEST(CtlCheck, NamesTheBrainOfAScene) {
+    const Ran ran = ctl("check 05-aggressor --brain 2b-aggressor");
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    EXPECT_TRUE(ran.out.starts_with("brain of kind aggressor in 2b-aggressor\n")) << ran.out;
+    EXPECT_EQ(ctl("check 05-aggressor --kind aggressor").code, 2) << "there is no file to take it from";
 }
 
 TEST(CtlCheck, EveryShippedExerciseIsSound) {
@@ -366,7 +440,7 @@ TEST(CtlGrade, WritesOneRowPerBrain) {
     std::ifstream rows(csv);
     std::string header, first, second, third;
     std::getline(rows, header), std::getline(rows, first), std::getline(rows, second);
-    EXPECT_EQ(header.rfind("brain,passed,starts_passed,starts,needed,character,error,start_1,", 0), 0u);
+    EXPECT_EQ(header.rfind("brain,passed,starts_passed,starts,needed,character,brain_of,error,start_1,", 0), 0u);
     EXPECT_EQ(first.rfind(good + ",yes,", 0), 0u) << first;
     EXPECT_EQ(second.rfind(poor + ",no,0,", 0), 0u) << second;
     EXPECT_FALSE(std::getline(rows, third));

@@ -1,0 +1,116 @@
+#include "app/ctl/brain_of_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "app/files/data.h"
+#include "core/io/run_file.h"
+#include "core/scene/file_kind.h"
+#include "core/scene/nearest.h"
+#include "core/scene/scene_file.h"
+#include "core/world/world.h"
+
+namespace braitenlab {
+
+namespace {
+
+// The index of the element with this name, or an Error that says so.
+template <class Named>
+Result<std::size_t> index_of(const std::vector<Named>& all, const std::string& name, const std::string& what,
+                             const std::string& file) {
+    std::vector<std::string_view> names;
+    for (const Named& one : all) names.emplace_back(one.name);
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    return Error{"there is no " + what + " " + in_quotes(name) + name_nearest(name, names), file};
+}
+
+// The kind that is chosen, or the one taken without a choice.
+Result<std::size_t> kind_index(const Scene& scene, const std::string& chosen, const std::string& file) {
+    if (!chosen.empty()) return index_of(scene.kinds, chosen, "kind", file);
+    if (scene.kinds.empty()) return Error{"there is no kind, so there is no brain; add a [kind.NAME]", file};
+    return scene.starts.empty() ? std::size_t{0} : index_of(scene.kinds, scene.starts.front().kind, "kind", file);
+}
+
+Result<BrainOfFile> brain_of_scene(const Scene& scene, const BrainChoice& choice, const std::string& file) {
+    if (!choice.vehicle.empty()) {
+        const auto start = index_of(scene.starts, choice.vehicle, "vehicle", file);
+        if (!start) return start.error();
+        const auto kind = index_of(scene.kinds, scene.starts[*start].kind, "kind", file);
+        if (!kind) return kind.error();
+        return BrainOfFile{scene.kinds[*kind].brain, "vehicle " + choice.vehicle};
+    }
+    const auto kind = kind_index(scene, choice.kind, file);
+    if (!kind) return kind.error();
+    return BrainOfFile{scene.kinds[*kind].brain, "kind " + scene.kinds[*kind].name};
+}
+
+// The vehicle with this start; null when it is gone.
+const VehicleView* vehicle_of_start(const Snapshot& now, std::size_t start) {
+    const auto found = std::find_if(now.vehicles.begin(), now.vehicles.end(),
+                                    [&](const VehicleView& v) { return v.start == static_cast<int>(start); });
+    return found == now.vehicles.end() ? nullptr : &*found;
+}
+
+const VehicleView* vehicle_of_id(const Snapshot& now, const std::string& text) {
+    VehicleId id = no_vehicle;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), id);
+    return problem == std::errc() && end == text.data() + text.size() ? find_vehicle(now, id) : nullptr;
+}
+
+Result<BrainOfFile> brain_of_vehicle(const Snapshot& now, const std::string& name, const std::string& file) {
+    const VehicleView* vehicle = nullptr;
+    if (const auto start = index_of(now.scene->starts, name, "vehicle", file)) {
+        vehicle = vehicle_of_start(now, *start);
+        if (!vehicle) return Error{"the vehicle " + in_quotes(name) + " is gone; choose another, or a kind", file};
+    } else {
+        vehicle = vehicle_of_id(now, name);
+        if (!vehicle) return start.error();
+    }
+    return BrainOfFile{*brain_of(now, *vehicle), "vehicle " + name};
+}
+
+Result<BrainOfFile> brain_of_run(const Snapshot& now, const BrainChoice& choice, const std::string& file) {
+    if (!choice.vehicle.empty()) return brain_of_vehicle(now, choice.vehicle, file);
+    const auto& starts = now.scene->starts;
+    if (choice.kind.empty() && !starts.empty())
+        if (const VehicleView* first = vehicle_of_start(now, 0))
+            return BrainOfFile{*brain_of(now, *first), "vehicle " + starts.front().name};
+    const auto kind = kind_index(*now.scene, choice.kind, file);
+    if (!kind) return kind.error();
+    return BrainOfFile{*now.kind_brains[*kind], "kind " + now.scene->kinds[*kind].name};
+}
+
+Result<BrainOfFile> load_run_brain(const std::filesystem::path& path, const BrainChoice& choice) {
+    const auto saved = io::load_run(path);
+    if (!saved) return saved.error();
+    Snapshot now;
+    World::restore(saved->checkpoint).capture(now);
+    return brain_of_run(now, choice, path.string());
+}
+
+}  // namespace
+
+Result<BrainOfFile> brain_of_file(const std::string& file, const BrainChoice& choice) {
+    const auto path = find_shipped(file);
+    if (!path) return path.error();
+    if (detect_kind(*path, "") == FileKind::run) return load_run_brain(*path, choice);
+    const auto text = read_text(*path);
+    if (!text) return text.error();
+    const FileKind kind = detect_kind(*path, *text);
+    if (kind == FileKind::exercise)
+        return Error{"this is an exercise; give a brain, a scene or a saved run", path->string()};
+    if (kind == FileKind::brain) {
+        auto brain = parse_brain(*text, path->string());
+        if (!brain) return brain.error();
+        return BrainOfFile{std::move(*brain), ""};
+    }
+    const auto scene = parse_scene(*text, path->string());
+    if (!scene) return scene.error();
+    return brain_of_scene(*scene, choice, path->string());
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,29 @@
+// The brain of a file that holds one or several: a brain file, a scene or a saved run.
+#pragma once
+
+#include <string>
+
+#include "core/brain/graph.h"
+#include "core/result.h"
+
+namespace braitenlab {
+
+// Which brain of a scene or a saved run; at most one of the two is given. A brain file has one brain, whatever they
+// say.
+struct BrainChoice {
+    std::string kind;     // name of a kind
+    std::string vehicle;  // name of a placed vehicle; in a saved run also the id of any vehicle
+};
+
+struct BrainOfFile {
+    BrainGraph brain;
+    std::string owner;  // "kind coward", "vehicle one"; empty for a brain file
+};
+
+// Reads the brain of a file, which is a path or the name of a shipped scene. Without a choice: of a scene, the brain of
+// the first vehicle's kind; of a saved run, the brain that the first vehicle has, or its kind's when it is gone.
+// Without placed vehicles: the brain of the first kind. Fails for an exercise, a file that cannot be read, and an
+// unknown choice, with the nearest name.
+Result<BrainOfFile> brain_of_file(const std::string& file, const BrainChoice&);
+
+}  // namespace braitenlab
