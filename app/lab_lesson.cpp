@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/jobs/grading.h"
 #include "app/lab_requests.h"
 #include "app/lab_selection.h"
 #include "core/lesson/grade.h"
@@ -108,16 +109,6 @@ void watch(Lab& lab) {
 
 namespace {
 
-Job<Grade> grade_in_background(Jobs& jobs, const std::shared_ptr<const Exercise>& exercise,
-                               const Submission& submission) {
-    constexpr int ticks_per_step = 60;  // about a millisecond
-    const auto begin = [exercise, submission](std::size_t start) {
-        return [trial = Trial(*exercise, submission, start + 1)]() mutable { return trial.run(ticks_per_step); };
-    };
-    return jobs.submit(static_cast<std::size_t>(exercise->starts), begin,
-                       [exercise](std::vector<bool> passed) { return grade_of(*exercise, std::move(passed)); });
-}
-
 // Shows the grade of the present submission.
 void show_grade(Lesson& lesson, const Submission& now) {
     lesson.view.grade.reset();
@@ -135,7 +126,7 @@ void update_grading(Lab& lab, Jobs& jobs) {
     const bool is_due = lesson.referee.passed() && !lesson.view.grade;
     if (lesson.grading && lesson.grading->submission != now) lesson.grading.reset();
     if (!lesson.grading && is_due) {
-        auto job = grade_in_background(jobs, lesson.exercise, now);
+        auto job = submit_grading(jobs, lesson.exercise, now);
         lesson.grading = Grading{now, std::move(job)};
     }
     lesson.view.starts_tested.reset();
