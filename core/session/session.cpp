@@ -121,6 +121,7 @@ std::optional<Error> Session::apply(const Command& command, std::uint64_t gestur
         step.again.push_back(again);
         step.back.insert(step.back.begin(), back.begin(), back.end());  // undone in reverse order
     }
+    step.tick = snapshot_.tick, step.generation = snapshot_.generation;
     const bool is_back_where_it_began = same_gesture && undoing(snapshot_, again) == step.back;
     if (!is_back_where_it_began) push(edits_.done, std::move(step));
     change_later(begun, is_back_where_it_began ? nullptr : edits_.done.back());
@@ -159,7 +160,13 @@ bool Session::undo() {
         bring_time_back();
         return true;
     }
-    for (const Command& command : step.back) (void)execute(command);
+    const bool is_at_the_edit = step.tick == snapshot_.tick && step.generation == snapshot_.generation;
+    for (Command command : step.back) {
+        auto* restored = std::get_if<AddVehicle>(&command);
+        if (restored && restored->at && !is_at_the_edit)
+            restored->at = world_.nearest_free_pose(restored->kind, *restored->at);
+        (void)execute(command);
+    }
     push(edits_.undone, std::move(step));
     change_later(undone, nullptr);
     if (forgotten_ && edits_.done.size() <= forgotten_->edits)

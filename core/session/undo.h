@@ -14,6 +14,10 @@ namespace braitenlab {
 struct UndoStep {
     std::vector<Command> back, again;
     std::uint64_t gesture = 0;
+    // Tick and generation after its last command. In that state `back` restores a removed vehicle exactly; later
+    // another vehicle may have moved to its pose.
+    std::uint64_t tick = 0;
+    int generation = 0;  // 0: unknown
 };
 
 using SharedStep = std::shared_ptr<const UndoStep>;

@@ -126,6 +126,8 @@ void World::capture(Snapshot& out) const { world::capture(*data_, out); }
 
 bool World::trace(VehicleId id, VehicleTrace& out) const { return world::trace(*data_, id, out); }
 
+Pose World::nearest_free_pose(int kind, const Pose& pose) const { return world::nearest_free_pose(*data_, kind, pose); }
+
 World World::fork() const {
     World copy(std::make_unique<WorldData>(State(*data_)));
     copy.data_->readings_are_stale = data_->readings_are_stale;

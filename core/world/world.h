@@ -71,6 +71,10 @@ public:
     // Fills the trace of one vehicle and reuses its memory. Returns false when the vehicle is not in the world.
     bool trace(VehicleId, VehicleTrace&) const;
 
+    // The pose if no vehicle and no obstacle is there, else the nearest free position on a grid around it with the same
+    // heading. Precondition: the scene has this kind.
+    Pose nearest_free_pose(int kind, const Pose&) const;
+
     // An independent copy of the run at this tick. It starts with a keyframe, so it evolves as this world does after a
     // keyframe at the same tick.
     World fork() const;

@@ -69,8 +69,11 @@ void remove_vehicles(WorldData&, const std::vector<std::size_t>& rows);  // asce
 void respawn(WorldData&, std::size_t row);  // at its start, or at a random pose; energy, brain and marks are reset
 // A random pose, clear of others where there is room; the position is occupied afterwards.
 Pose free_pose(const WorldData&, FreeSpace&, int kind, VehicleId);
-int next_kind(const WorldData&);                // the kind that the shares require next
-bool is_outside(const Arena&, maths::vec2);     // boundary.cpp
+// The pose if it is inside no vehicle and no obstacle, else the nearest free position on a grid around it with the same
+// heading. The pose itself if there is none within twenty times the vehicle's reach.
+Pose nearest_free_pose(const WorldData&, int kind, const Pose&);  // free_space.cpp
+int next_kind(const WorldData&);                                  // the kind that the shares require next
+bool is_outside(const Arena&, maths::vec2);                       // boundary.cpp
 void read_motion(WorldData&, std::size_t row);  // copies the body's motion from the physics to the state
 
 // ── Commands, display, hash ─────────────────────────────────────────────────────────────────────────────────────────

@@ -55,6 +55,55 @@ TEST(Undo, RestoresTheBrainOfEachVehicle) {
     EXPECT_EQ(dial(session, Dial::LL, 2), 0);
 }
 
+// Two vehicles in a row: the rear one drives ahead, the front one stands.
+Scene rear_and_front() {
+    Scene scene = tests::crowd(0);
+    scene.kinds.resize(1);
+    scene.kinds[0].brain = make_graph({});
+    scene.starts = {{.name = "rear", .kind = scene.kinds[0].name, .x = -3},
+                    {.name = "front", .kind = scene.kinds[0].name}};
+    return scene;
+}
+
+TEST(Undo, PutsARemovedVehicleBesideOneThatHasMovedToItsPose) {
+    Session session = open(rear_and_front());
+    ASSERT_FALSE(session.apply(RemoveVehicle{1}));
+    ASSERT_FALSE(session.apply(TurnDial{{.vehicle = 0}, Dial::LM, 1}));
+    ASSERT_FALSE(session.apply(TurnDial{{.vehicle = 0}, Dial::RM, 1}));
+    for (int i = 0; i < 600 && session.snapshot().vehicles[0].x < -0.1f; ++i) session.step();
+    ASSERT_GE(session.snapshot().vehicles[0].x, -0.1f) << "it is where the other one was";
+    const Bookmark before = session.bookmark();
+    for (int i = 0; i < 3; ++i) session.undo();
+    const auto apart = [&] {
+        const auto& v = session.snapshot().vehicles;
+        return maths::distance(maths::vec2{v[0].x, v[0].y}, maths::vec2{v[1].x, v[1].y});
+    };
+    ASSERT_EQ(session.snapshot().vehicles.size(), 2u);
+    EXPECT_GT(apart(), 0.6f);
+    EXPECT_LT(apart(), 3.0f) << "the nearest free pose";
+    const VehicleView restored = session.snapshot().vehicles[1];
+    EXPECT_EQ(restored.heading, 0);
+    const auto hash = session.hash();
+    EXPECT_EQ(World::restore(session.save().checkpoint).hash(), hash);
+    session.go_to(before);
+    for (int i = 0; i < 3; ++i) session.undo();
+    EXPECT_EQ(session.hash(), hash) << "the same pose each time";
+}
+
+TEST(Undo, PutsARemovedVehicleBackToItsPoseIfThatIsFree) {
+    Session session = open(rear_and_front());
+    ASSERT_FALSE(session.apply(RemoveVehicle{1}));
+    for (int i = 0; i < 60; ++i) session.step();
+    session.undo();
+    const VehicleView& restored = session.snapshot().vehicles[1];
+    EXPECT_EQ(restored.x, 0);
+    EXPECT_EQ(restored.y, 0);
+    ASSERT_FALSE(session.apply(MoveVehicle{0, -0.3f, 0.1f, 0}));
+    ASSERT_FALSE(session.apply(RemoveVehicle{1}));
+    session.undo();
+    EXPECT_EQ(session.snapshot().vehicles[1].x, 0) << "in the state of the edit the undo is exact, overlap included";
+}
+
 TEST(Undo, DoesNotChangeTheDriver) {
     Session session = open(tests::crowd(4));
     ASSERT_FALSE(session.apply(ChooseDriver{0, Driver::manual}));
