@@ -161,6 +161,7 @@ void App::draw_scene() {
     const SceneObject& hovered = panels_.scene_input.hovered.object;
     picture.hovered = hovered.kind == SceneObjectKind::vehicle ? hovered.index : no_vehicle;
     picture.driver = lab_.view.camera.mode == CameraMode::driver ? lab_.view.selection.vehicle : no_vehicle;
+    picture.reduce_motion = lab_.preferences.reduce_motion;
     picture.pixel_scale = density() * theme_.scale();
     shown_ = lab_.document.session.snapshot();
     if (!repeatable()) render::stand_between(shown_, lab_.playback.previous, between_ticks(lab_));

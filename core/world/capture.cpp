@@ -76,6 +76,9 @@ void capture(const WorldData& s, Snapshot& out) {
     out.marks.clear();
     for (const Mark& mark : s.marks)
         out.marks.push_back({mark.owner, mark.position.x, mark.position.y, strength(s, mark)});
+    out.bites.clear();
+    for (const Bite& bite : s.bites)
+        out.bites.push_back({bite.pair.one, bite.pair.other, static_cast<float>(s.tick - bite.tick) * tick_seconds});
     out.scene = s.scene;
 }
 

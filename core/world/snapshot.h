@@ -56,6 +56,12 @@ struct MarkView {
     float x = 0, y = 0, strength = 0;  // m, m, 0..1
 };
 
+// A bite of a predator and prey.
+struct BiteView {
+    VehicleId one = no_vehicle, other = no_vehicle;  // one < other
+    float age = 0;                                   // s
+};
+
 // Numbers of events since the start of the run. A fall over an open edge counts as a fall and a death; the respawn that
 // follows it counts as a birth.
 struct EventCounts {
@@ -79,6 +85,7 @@ struct Snapshot {
     std::vector<SourceView> sources;     // as Scene::sources; without the lamps of vehicles, which are in Scene::kinds
     std::vector<Pose> obstacles;         // current poses, as Scene::obstacles
     std::vector<MarkView> marks;         // by owner, then oldest first
+    std::vector<BiteView> bites;         // of the last second, by pair
     std::shared_ptr<const Scene> scene;  // with all edits except those of brains, see kind_brains
 };
 

@@ -156,6 +156,18 @@ void add_ring(Drawing& drawing, const Subject& s) {
          first ? rgb_with(drawing.colours.selected, 1) : rgb_with(drawing.colours.second_text, 0.9f)});
 }
 
+// Seconds for which a bite is shown, fewer than Snapshot::bites holds.
+constexpr float bite_seconds = 0.6f;
+
+// A ring around a vehicle that has bitten or was bitten. It grows and fades; with reduced motion it only ends.
+void add_bite(Drawing& drawing, const Subject& s, float age) {
+    const float shown = std::clamp(age / bite_seconds, 0.0f, 1.0f), grown = drawing.picture.reduce_motion ? 0 : shown;
+    const float radius = 0.5f * std::hypot(s.kind.body.length, s.kind.body.width) + 0.24f + 0.3f * grown;
+    drawing.list.rings.push_back({{s.place.x, s.place.y, s.ahead.x, s.ahead.y},
+                                  {radius, radius, 0.04f, static_cast<float>(MarkKind::ring)},
+                                  rgb_with(drawing.colours.predator, 1 - grown * grown)});
+}
+
 Subject subject_of(const Drawing& drawing, const VehicleView& view) {
     static const Kind plain;
     const auto kind = static_cast<std::size_t>(view.kind), brain = static_cast<std::size_t>(view.brain);
@@ -216,6 +228,13 @@ void add_beyond_edges(Drawing& drawing, Subject s, const Arena& arena) {
         }
 }
 
+void add_bites(Drawing& drawing) {
+    for (const BiteView& bite : drawing.now.bites)
+        for (const VehicleId id : {bite.one, bite.other})
+            if (const VehicleView* view = find_vehicle(drawing.now, id); view && bite.age < bite_seconds)
+                add_bite(drawing, subject_of(drawing, *view), bite.age);
+}
+
 }  // namespace
 
 void add_vehicles(Drawing& drawing, const Trails& trails) {
@@ -229,6 +248,7 @@ void add_vehicles(Drawing& drawing, const Trails& trails) {
         if (drawing.now.scene && drawing.now.scene->arena.edge == Boundary::torus)
             add_beyond_edges(drawing, s, drawing.now.scene->arena);
     }
+    add_bites(drawing);
 }
 
 }  // namespace braitenlab::render

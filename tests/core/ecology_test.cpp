@@ -113,8 +113,15 @@ TEST(World, EventsCountOneBitePerSecondAndPairForAnyNumberOfPredators) {
                                 .heading = maths::pi / 2 * static_cast<float>(i)});
     }
     World world = make(scene);
+    EXPECT_TRUE(look(world).bites.empty());
     ASSERT_FALSE(world.apply(MoveVehicle{1, 4, 4, 0}));  // the first predator arrives later than the others
     EXPECT_EQ(after(world, 0.5).events.captures, 3);
+    const auto bites = look(world).bites;
+    ASSERT_EQ(bites.size(), 3u);
+    EXPECT_EQ(bites[0].one, 0) << "the prey";
+    EXPECT_EQ(bites[0].other, 2);
+    EXPECT_GT(bites[0].age, 0.3f);
+    EXPECT_LE(bites[0].age, 0.5f);
     ASSERT_FALSE(world.apply(MoveVehicle{1, 0.999f, 0, 0}));
     EXPECT_EQ(after(world, 0.4).events.captures, 4);
     EXPECT_EQ(after(world, 0.4).events.captures, 7);

@@ -30,6 +30,30 @@ TEST(DrawList, PutsTheLeftEyeOnTheLeft) {
     EXPECT_LT(list.eyes[0].place.z, 0);  // and points outwards
 }
 
+TEST(DrawList, ShowsABiteAsARingAroundBothVehiclesThatGrowsUnlessMotionIsReduced) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 1, 2, 3, 0), hand_made::add(now, 2, 2.5f, 3, 0), hand_made::add(now, 2, 9, 9, 0);
+    EXPECT_TRUE(drawn(now).rings.empty());
+    const auto rings_at = [&](float age, bool reduce_motion) {
+        now.bites = {{0, 1, age}};
+        Picture picture;
+        picture.reduce_motion = reduce_motion;
+        return drawn(now, picture).rings;
+    };
+    const auto early = rings_at(0.05f, false), late = rings_at(0.4f, false);
+    ASSERT_EQ(early.size(), 2U);
+    EXPECT_EQ(early[0].place.x, 2);
+    EXPECT_EQ(early[1].place.x, 2.5f);
+    EXPECT_LT(early[0].shape.x, late[0].shape.x);
+    EXPECT_GT(early[0].colour.w, late[0].colour.w) << "it fades";
+    EXPECT_EQ(rings_at(0.05f, true)[0].shape.x, rings_at(0.4f, true)[0].shape.x);
+    EXPECT_EQ(rings_at(0.4f, true)[0].colour.w, 1);
+    EXPECT_TRUE(rings_at(0.9f, false).empty());
+    EXPECT_TRUE(rings_at(0.9f, true).empty());
+    now.vehicles.pop_back(), now.vehicles.pop_back();
+    EXPECT_EQ(rings_at(0.1f, false).size(), 1U) << "the other one has died";
+}
+
 TEST(DrawList, DrawsNoWireOfWeightZero) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);  // two crossed wires, two of weight 0
