@@ -18,6 +18,12 @@ Result<Document> open_run(const std::filesystem::path& path) {
 
 }  // namespace
 
+std::string title_of(const Document& document) {
+    const std::string& title =
+        document.lesson ? document.lesson->exercise->title : document.session.snapshot().scene->title;
+    return title.empty() ? document.name : title;
+}
+
 FileMark mark_of(const std::filesystem::path& path) {
     std::error_code problem, other;
     const FileMark mark{std::filesystem::last_write_time(path, problem), std::filesystem::file_size(path, other)};

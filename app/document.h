@@ -72,6 +72,9 @@ struct Document {
     std::uint64_t run_id = 0;                 // unique among the documents opened since the program started
 };
 
+// The title of the exercise, else of the scene with all edits; the name of the file if there is no title.
+std::string title_of(const Document&);
+
 // A file that has been read once.
 struct FileText {
     std::filesystem::path path;

@@ -25,15 +25,16 @@ struct FolderListing {
 
 // Unsaved work of the last session, offered at the next start after a crash or a signal.
 struct RecoveryOffer {
-    std::string name;    // of the open file
+    std::string title;   // of the scene or exercise
     std::string when;    // time of the autosave, "2026-03-01 10:42:05"
     bool ended = false;  // ended by a signal, not by a crash
 };
 
 // A question about unsaved edits, before another file is opened or the program ends.
 struct Leaving {
-    std::string name;    // of the edited file
-    std::string next{};  // the file to open next; empty: the program ends
+    std::string title;         // of the edited scene or exercise
+    std::string next{};        // the file to open next; empty: the program ends
+    std::string next_title{};  // of the scene or exercise in it
 };
 
 // State of file operations, for the panels.

@@ -63,8 +63,10 @@ struct Notice {
     friend bool operator==(const Notice&, const Notice&) = default;
 };
 
+// A value that is the title of a shipped scene is translated.
 inline std::string text_of(const Notice& notice, const Strings& strings) {
-    return notice.key.empty() ? notice.words : fill(strings(notice.key), {notice.words, notice.more});
+    if (notice.key.empty()) return notice.words;
+    return fill(strings(notice.key), {strings.find(notice.words, notice.words), notice.more});
 }
 
 struct LabView {

@@ -172,7 +172,7 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::m
             set_aside_autosave(file);
             return;
         }
-        const RecoveryOffer offer{opened->document.name, opened->when, opened->ended};
+        const RecoveryOffer offer{title_of(opened->document), opened->when, opened->ended};
         if (!leftover_ || leftover_->offer.when < offer.when) leftover_ = Leftover{file, offer};
     });
 }

@@ -70,7 +70,7 @@ struct FileCommands {
         auto opened = open_document(*file, std::nullopt, {});
         if (!opened) return fail(opened.error());
         if (!discard && has_unsaved_edits(lab)) {
-            view.leaving = Leaving{lab.document.name, path.string()};
+            view.leaving = Leaving{title_of(lab.document), path.string(), title_of(*opened)};
             return view.refused.clear();
         }
         replace_document(lab, std::move(*opened));
@@ -165,7 +165,7 @@ bool has_unsaved_edits(const Lab& lab) {
 
 bool may_leave(const Lab& lab, FilesView& view) {
     if (!has_unsaved_edits(lab)) return true;
-    view.leaving = Leaving{lab.document.name};
+    view.leaving = Leaving{title_of(lab.document)};
     view.refused.clear();
     return false;
 }
@@ -179,8 +179,7 @@ void follow_file(Lab& lab, FilesView& view) {
     lab.document.on_disk = mark;
     auto opened = open_document(lab.document.path, lab.document.session.seed(), lab.document.settings);
     if (!opened) return say(lab, {NoticeKind::failure, "", opened.error().text()});
-    const std::string name = lab.document.path.filename().string();
-    if (has_unsaved_edits(lab)) return say(lab, {NoticeKind::notice, "files.changed", name});
+    if (has_unsaved_edits(lab)) return say(lab, {NoticeKind::notice, "files.changed", title_of(lab.document)});
     const Playback before{
         .mode = lab.playback.mode, .time_scale = lab.playback.time_scale, .toggles = lab.playback.toggles};
     const Camera camera = lab.view.camera;
@@ -190,7 +189,7 @@ void follow_file(Lab& lab, FilesView& view) {
     lab.view.camera = camera;
     lab.view.selection.whole_kind = whole_kind;
     refresh(view, lab);
-    say(lab, {NoticeKind::notice, "files.reloaded", name});
+    say(lab, {NoticeKind::notice, "files.reloaded", title_of(lab.document)});
 }
 
 void refresh(FilesView& view, const Lab& lab) {

@@ -162,7 +162,7 @@ TEST_F(AutosaveTest, OffersTheWorkOfACrashedLab) {
     crash_with(1.25f);
     Autosave next(folder.path, complaints);
     ASSERT_TRUE(next.leftover());
-    EXPECT_EQ(next.leftover()->offer.name, "2a-coward");
+    EXPECT_EQ(next.leftover()->offer.title, "Vehicle 2a: Coward");
     EXPECT_EQ(next.leftover()->offer.when.size(), 19u);
     const auto recovered = next.recover();
     ASSERT_TRUE(recovered) << recovered.error().text();

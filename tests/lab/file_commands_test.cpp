@@ -256,7 +256,7 @@ TEST_F(FileCommands, AsksBeforeItLeavesUnsavedEdits) {
     ask(OpenRequest{love});
     EXPECT_EQ(lab.document.session.hash(), before);
     ASSERT_TRUE(files.leaving);
-    EXPECT_EQ(files.leaving->name, "2a-coward");
+    EXPECT_EQ(files.leaving->title, "Vehicle 2a: Coward");
     EXPECT_EQ(files.leaving->next, love);
     ask(LeaveRequest{Leave::stay});
     EXPECT_FALSE(files.leaving);
@@ -382,7 +382,7 @@ TEST_F(FollowFile, ReloadsAFileThatAnotherProgramHasWritten) {
     write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
     EXPECT_EQ(dials().LL, 0.25f);
     EXPECT_EQ(lab.playback.mode, Mode::playing);
-    EXPECT_NE(lab.notice.words.find("mine.toml"), std::string::npos);
+    EXPECT_EQ(lab.notice.words, "Vehicle 2a: Coward");
 }
 
 TEST_F(FollowFile, KeepsTheRunIfTheFileIsBroken) {
@@ -400,7 +400,7 @@ TEST_F(FollowFile, KeepsUnsavedEdits) {
     write(with(text_of(file), "LL = 1.5", "LL = 0.25"));
     EXPECT_EQ(dials().LR, 1.25f);
     EXPECT_EQ(dials().LL, 1.5f);
-    EXPECT_NE(lab.notice.words.find("mine.toml"), std::string::npos);
+    EXPECT_EQ(lab.notice.words, "Vehicle 2a: Coward");
 }
 
 TEST(Disk, ResolvesATypedPathFromTheFolderOrTheHomeFolder) {

@@ -16,7 +16,7 @@ struct UnsavedSheets : ::testing::Test {
         desk.frame(3);
     }
     void ask(const char* next = "/home/me/other.toml") {
-        files.leaving = Leaving{"2a-coward", next};
+        files.leaving = Leaving{"Coward", next, "Values"};
         desk.frame(3);
     }
     std::vector<Leave> answers() const {
@@ -36,8 +36,9 @@ TEST_F(UnsavedSheets, NamesTheUnsavedDocumentAndTheNextOne) {
     EXPECT_FALSE(desk.anchors.find("card.leaving"));
     ask();
     EXPECT_TRUE(desk.anchors.find("card.leaving"));
-    EXPECT_TRUE(says("2a-coward"));
-    EXPECT_TRUE(says("other.toml"));
+    EXPECT_TRUE(says("Coward"));
+    EXPECT_TRUE(says("Values"));
+    EXPECT_FALSE(says("other.toml")) << "a title, not the name of a file";
     files.leaving.reset();
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("card.leaving"));

@@ -38,9 +38,9 @@ void leaving_question(const FilesView& files, Ui& ui) {
     const Leaving& leaving = *files.leaving;
     const Palette& p = ui.palette;
     paragraph(ui,
-              leaving.next.empty() ? fill(ui.strings("leaving.exit"), {leaving.name})
+              leaving.next.empty() ? fill(ui.strings("leaving.exit"), {translated(ui, leaving.title)})
                                    : fill(ui.strings("leaving.open"),
-                                          {leaving.name, leaving.next.substr(leaving.next.find_last_of('/') + 1)}),
+                                          {translated(ui, leaving.title), translated(ui, leaving.next_title)}),
               p.text);
     if (!files.refused.empty()) paragraph(ui, files.refused, legible(p.warning, p.panel, p.text));
 }
@@ -90,7 +90,8 @@ void recovery_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
     }
     begin_sheet(ui, state.recovery, "card.recovery",
                 ui.strings(view.recovery->ended ? "recovery.heading_ended" : "recovery.heading"), 460, window);
-    paragraph(ui, fill(ui.strings("recovery.what"), {view.recovery->name, view.recovery->when}), ui.palette.text);
+    paragraph(ui, fill(ui.strings("recovery.what"), {translated(ui, view.recovery->title), view.recovery->when}),
+              ui.palette.text);
     sheet_buttons(ui, state.recovery);
     const Item take = button(ui, "recovery.take", {{}, ui.strings("recovery.take"), Emphasis::primary});
     tooltip(ui, take, ui.strings("recovery.take_how"));
