@@ -110,6 +110,52 @@ TEST(WiringLayout, KeepsLabelsClearOfCards) {
     EXPECT_FALSE(overlap(wire.label, wire.label_size, card.centre, card.size));
 }
 
+// The box around the curve of a wire.
+std::pair<vec2, vec2> extent(const WireShape& wire) {
+    std::pair<vec2, vec2> box{wire.bezier[0], wire.bezier[0]};
+    for (int i = 0; i <= 50; ++i) {
+        const vec2 at = bezier_point(wire.bezier, static_cast<float>(i) / 50);
+        box.first = {std::min(box.first.x, at.x), std::min(box.first.y, at.y)};
+        box.second = {std::max(box.second.x, at.x), std::max(box.second.y, at.y)};
+    }
+    return box;
+}
+
+TEST(WiringLayout, LeadsAWireToANodeBelowDownwardsBetweenTheCards) {
+    BrainGraph graph = chain(2);
+    graph = *connect(graph, {5, 4}).graph;
+    for (const vec2 below : {vec2{0, 150}, vec2{-40, 150}, vec2{0, 300}, vec2{-200, 150}}) {
+        const vec2 above{300, -60};
+        for (const bool upwards : {false, true}) {
+            const vec2 from = upwards ? above + below : above, to = upwards ? above : above + below;
+            const Layout layout = lay_out(graph, {{5, from}, {4, to}});
+            const WireShape& wire = *find_shape(layout, WireEnds{5, 4});
+            const auto [low, high] = extent(wire);
+            EXPECT_GE(low.y, above.y - 20) << below.x << " " << below.y;
+            EXPECT_LE(high.y, above.y + below.y + 20) << below.x << " " << below.y;
+            const vec2 middle = bezier_point(wire.bezier, 0.5f);
+            EXPECT_NEAR(middle.y, above.y + below.y / 2, 20) << "between the two rows";
+        }
+    }
+}
+
+TEST(WiringLayout, HasNoLabelsThatOverlapInASmallBrain) {
+    BrainGraph graph = chain(3);
+    for (const WireEnds ends : {WireEnds{5, 4}, WireEnds{6, 5}, WireEnds{6, 4}, WireEnds{4, 4}, WireEnds{5, 5},
+                                WireEnds{6, 6}, WireEnds{SR, 4}, WireEnds{SR, 5}})
+        graph = *connect(graph, ends).graph;
+    for (const float apart : {90.0f, 110.0f, 150.0f, 240.0f})
+        for (const float aside : {-160.0f, 0.0f, 60.0f}) {
+            const Layout layout =
+                lay_out(graph, {{4, {400, -apart}}, {5, {400 + aside, 0}}, {6, {400 + 2 * aside, apart}}});
+            for (const WireShape& a : layout.wires)
+                for (const WireShape& b : layout.wires)
+                    EXPECT_FALSE(a.ends < b.ends && overlap(a.label, a.label_size, b.label, b.label_size))
+                        << apart << " " << aside << ": " << a.ends.from << "-" << a.ends.to << " and " << b.ends.from
+                        << "-" << b.ends.to;
+        }
+}
+
 TEST(WiringLayout, EndsTheWiresOfAPinBelowEachOther) {
     const Layout layout = lay_out(aggressor(), {});
     EXPECT_LT(find_shape(layout, WireEnds{SL, ML})->bezier[3].y, find_shape(layout, WireEnds{SR, ML})->bezier[3].y);

@@ -11,7 +11,9 @@ namespace {
 
 using maths::vec2;
 
-constexpr float end_gap = 18;  // between wires that end at one pin
+constexpr float end_gap = 18;      // between wires that end at one pin
+constexpr float one_column = 380;  // a wire that runs farther back would cross the cards in between
+constexpr float rows_apart = 110;  // from one node to another with room for a wire between their cards
 
 vec2 lower(vec2 a, vec2 b) { return {std::min(a.x, b.x), std::min(a.y, b.y)}; }
 vec2 upper(vec2 a, vec2 b) { return {std::max(a.x, b.x), std::max(a.y, b.y)}; }
@@ -108,9 +110,23 @@ void shape_curves(Layout& layout) {
     }
 }
 
+// The position nearest to `wanted` where a label covers no card and no earlier label; `wanted` if there is none.
+vec2 place_beside(const OccupiedBoxes& taken, vec2 wanted, vec2 size) {
+    constexpr float step = 12;
+    constexpr int rings = 20;
+    for (int ring = 1; ring <= rings; ++ring)
+        for (int i = -ring; i <= ring; ++i)
+            for (const vec2 cell : {vec2{0, -1}, vec2{0, 1}, vec2{-1, 0}, vec2{1, 0}}) {
+                const auto far = static_cast<float>(ring), aside = static_cast<float>(i);
+                const vec2 at = wanted + (cell * far + vec2{cell.y, cell.x} * aside) * step;
+                if (!taken.overlaps(at, size)) return at;
+            }
+    return wanted;
+}
+
 // At the middle, or at 0.3 of a steep wire because crossing wires meet at the middle; from there the nearest point
-// along the wire where the label covers no card and no earlier label.
-void place_label(const OccupiedBoxes& taken, WireShape& wire) {
+// along the wire where the label covers no card and no earlier label. If there is none on the wire, beside it.
+void place_label(const OccupiedBoxes& taken, WireShape& wire, bool may_leave_wire) {
     const bool climbs = std::abs(wire.bezier[3].y - wire.bezier[0].y) > 80;
     const float wanted = climbs ? 0.3f : 0.5f;
     wire.label = bezier_point(wire.bezier, wanted);
@@ -122,13 +138,15 @@ void place_label(const OccupiedBoxes& taken, WireShape& wire) {
         wire.label = at;
         return;
     }
+    if (may_leave_wire) wire.label = place_beside(taken, wire.label, wire.label_size + vec2{8, 6});
 }
 
 void place_labels(Layout& layout) {
+    constexpr std::size_t many_wires = 200;  // the search beside so many wires takes too long for a drag
     OccupiedBoxes taken;
     for (const NodeShape& node : layout.nodes) taken.add(node.centre, node.size);
     for (WireShape& wire : layout.wires) {
-        place_label(taken, wire);
+        place_label(taken, wire, layout.wires.size() <= many_wires);
         taken.add(wire.label, wire.label_size);
         wire.low = wire.label - wire.label_size / 2, wire.high = wire.label + wire.label_size / 2;
         for (const vec2 corner : wire.bezier) wire.low = lower(wire.low, corner), wire.high = upper(wire.high, corner);
@@ -218,7 +236,12 @@ std::array<vec2, 4> wire_curve(vec2 from, vec2 to) {
         const float reach = std::max(60.0f, along.x / 2);
         return {from, from + vec2{reach, 0}, to - vec2{reach, 0}, to};
     }
-    const float reach = 110, rise = -150 - std::abs(along.x) * 0.1f;
+    const float reach = 110;
+    if (std::abs(along.y) > rows_apart && along.x > -one_column) {  // turns at half the height, between the cards
+        const vec2 out{reach, along.y * 0.75f};
+        return {from, from + out, to - out, to};
+    }
+    const float rise = -150 - std::abs(along.x) * 0.1f;
     return {from, from + vec2{reach, rise}, to + vec2{-reach, rise}, to};
 }
 

@@ -83,7 +83,8 @@ const WireShape* find_shape(const Layout&, WireEnds);
 // wire_name() of a wire of the layout, without searching its nodes.
 std::string name_of(const BrainGraph&, const Layout&, const WireShape&);
 
-// The curve from an out-pin to an in-pin. A wire that runs backwards or to its own node arches over the cards.
+// The curve from an out-pin to an in-pin. A wire that runs backwards or to its own node arches over the cards;
+// between two nodes one above the other it passes between their cards.
 std::array<maths::vec2, 4> wire_curve(maths::vec2 from, maths::vec2 to);
 
 // The point of a cubic bezier at t in 0..1.
