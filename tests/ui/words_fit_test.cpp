@@ -59,7 +59,7 @@ void with_chart(Desk& desk, Chart chart) {
     desk.panels.chart = chart;
 }
 
-const RecoveryOffer offer{"predator-prey", "2026-03-01 10:42:05"};
+const RecoveryOffer offer{"Predator and prey", "2026-03-01 10:42:05"};
 
 FilesView files;
 void with_files(Desk& desk) {
@@ -138,6 +138,25 @@ std::vector<Screen> screens() {
              with_files(d), d.key({'S', true, true}), d.frame(2);
              d.panels.files.typed.text = d.panels.files.replacing = "a hunt of mine.toml";
          }},
+        {"creating a folder",
+         [](Desk& d) {
+             with_files(d), d.key({'S', true, true}), d.frame(2);
+             d.panels.files.typed.text = d.panels.files.creating = "new/mine.toml";
+             d.panels.files.asked = true, files.new_folder = "/home/somebody/braitenlab/experiments/new";
+         }},
+        {"settings in a small window",
+         [](Desk& d) {
+             d.view.preferences.type_size = 2, d.view.type_size = 1.125f;
+             d.key({',', true});
+         }},
+        {"no vehicle to follow",
+         [](Desk& d) {
+             d.view.notice = {NoticeKind::failure, "notice.no_vehicle"};
+         }},
+        {"a death without a successor",
+         [](Desk& d) {
+             d.view.notice = {NoticeKind::notice, "notice.starved_none_alone", "20000"};
+         }},
         {"a folder",
          [](Desk& d) {
              with_files(d), d.key({'O', true}), d.panels.files.place = FilesPlace::folder;
@@ -148,9 +167,9 @@ std::vector<Screen> screens() {
          }},
         {"unsaved, opening",
          [](Desk& d) {
-             with_files(d), files.leaving = Leaving{"2a-coward", "/y/mine.toml"};
+             with_files(d), files.leaving = Leaving{"Vehicle 2a: Coward", "/y/mine.toml", "Predator and prey"};
          }},
-        {"unsaved, leaving", [](Desk& d) { with_files(d), files.leaving = Leaving{"2a-coward"}; }},
+        {"unsaved, leaving", [](Desk& d) { with_files(d), files.leaving = Leaving{"Vehicle 2a: Coward"}; }},
     };
 }
 
