@@ -175,8 +175,9 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
 }
 
 bool drags_vehicle(const PanelState& state, VehicleId vehicle) {
-    if (!state.sliders.dragged.empty() || state.stick_held) return true;
-    return vehicle != no_vehicle && state.scene_input.drag.on.object == vehicle_object(vehicle);
+    if (vehicle == no_vehicle || !ImGui::GetIO().MouseDown[0]) return false;
+    return !state.sliders.dragged.empty() || state.stick_held ||
+           state.scene_input.drag.on.object == vehicle_object(vehicle);
 }
 
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {

@@ -46,6 +46,32 @@ TEST(BrainCard, CrossesTheWiresAndMirrorsTheSides) {
     EXPECT_TRUE(desk.edits().empty()) << "no step of undo for equal sides";
 }
 
+TEST(BrainCard, EndsTheDragOfASliderWhenItsVehicleIsGone) {
+    Desk desk;
+    desk.frame(3);
+    EXPECT_FALSE(drags_vehicle(desk.panels, 0));
+    desk.point("slider.LL");
+    desk.frame(2);
+    desk.button(0, true);
+    desk.frame(2);
+    desk.point("slider.LL", 0.55f);
+    desk.frame(2);
+    EXPECT_FALSE(desk.edits().empty());
+    EXPECT_TRUE(drags_vehicle(desk.panels, 0));
+    EXPECT_FALSE(drags_vehicle(desk.panels, no_vehicle));
+    desk.view.settings.selection.vehicle = no_vehicle;
+    desk.frame(3);
+    desk.all.clear();
+    desk.view.settings.selection.vehicle = 1;  // another one is selected while the button is down
+    desk.point(900, 400);
+    desk.frame(4);
+    EXPECT_TRUE(desk.edits().empty());
+    EXPECT_FALSE(drags_vehicle(desk.panels, 1));
+    desk.button(0, false);
+    desk.frame(2);
+    EXPECT_TRUE(desk.edits().empty());
+}
+
 TEST(BrainCard, CoversAndUncoversAnEye) {
     Desk desk(1280, 1000);
     desk.frame(3);
