@@ -167,7 +167,7 @@ TEST(CtlRun, TheTableOfASweepDoesNotDependOnTheNumberOfThreads) {
     const std::string sweep = "run predator-prey --seconds 1 --seed 1:30 --csv - --threads ";
     const Ran one = ctl(sweep + "1");
     EXPECT_EQ(one.code, 0);
-    EXPECT_EQ(std::ranges::count(one.out, '\n'), 1 + 30 * 11 * 10);
+    EXPECT_EQ(std::ranges::count(one.out, '\n'), 1 + 30 * 11 * 20);
     EXPECT_EQ(ctl(sweep + "2").out, one.out);
     EXPECT_EQ(ctl(sweep + "5").out, one.out);
 }
