@@ -262,6 +262,7 @@ void handle(Lab& lab, const Request& request) {
         Match{[&](Action action) { act(lab, action); }, [&](const EditRequest& r) { edit(lab, r.command, r.gesture); },
               [&](const SelectRequest& r) { select(lab, vehicle_object(r.vehicle)), keep_selection(lab); },
               [&](const TakeRequest& r) { select_object(lab, r.object); },
+              [&](const PairRequest& r) { lab.view.selection.pair = r.name; },
               [&](const ScopeRequest& r) { lab.view.selection.whole_kind = r.whole_kind; },
               [&](const SeekRequest& r) { seek(lab, r); }, [&](const BookmarkRequest& r) { handle_bookmark(lab, r); },
               [&](const OpenRequest& r) { lab.files.push_back(r); },

@@ -102,10 +102,26 @@ Json exercise_json(const Lab& lab) {
             {"passed", lab.document.lesson->view.grade && lab.document.lesson->view.grade->good}};
 }
 
-void add_brain(Json& state, const Snapshot& now, const VehicleView* vehicle) {
+// The pair that the sliders set, and all pairs of the vehicle.
+void add_pairs(Json& state, const Snapshot& now, const VehicleView* vehicle, const SensorPair& shown) {
+    state["pair"] = "";
+    state["pairs"] = Json::array();
+    if (!vehicle) return;
+    for (const PairCharacter& each :
+         characters_of(*brain_of(now, *vehicle), kind_of(now, *vehicle), readings_beside_pairs(now, *vehicle))) {
+        if (each.pair.sensors == shown) state["pair"] = each.pair.name;
+        state["pairs"].push_back({{"name", each.pair.name},
+                                  {"channel", word(each.pair.channel)},
+                                  {"character", each.is_wired ? name(each.character) : ""}});
+    }
+}
+
+void add_brain(Json& state, const Snapshot& now, const VehicleView* vehicle, const std::string& pair_name) {
     const BrainGraph none;
     const BrainGraph& brain = vehicle ? *now.brains[static_cast<std::size_t>(vehicle->brain)] : none;
-    const FourNeurons four = read_dials(brain);
+    const SensorPair pair = vehicle ? chosen_pair(kind_of(now, *vehicle), pair_name) : SensorPair{};
+    const FourNeurons four = read_dials(brain, pair);
+    add_pairs(state, now, vehicle, pair);
     Json weights, thresholds;
     for (const Dial dial : weight_dials) {
         weights[std::string(name(dial))] = plain(at(four, dial));
@@ -144,7 +160,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
                {"hash", hash_text(lab.document.session.hash())},
                {"time_scale", lab.playback.time_scale},
                {"selected", lab.view.selection.vehicle}};
-    add_brain(state, now, find_vehicle(now, lab.view.selection.vehicle));
+    add_brain(state, now, find_vehicle(now, lab.view.selection.vehicle), lab.view.selection.pair);
     state["toggles"] = lab.playback.toggles;
     state["undo_depth"] = lab.document.session.undo_depth();
     state["redo_depth"] = lab.document.session.redo_depth();

@@ -10,6 +10,7 @@
 #include "core/lesson/exercise.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/referee.h"
+#include "core/scene/sensor_pairs.h"
 #include "core/world/snapshot.h"
 #include "render/view/camera.h"
 #include "render/view/palette.h"
@@ -100,6 +101,11 @@ struct LabView {
 inline const Kind* filed_kind(const LabView& view, const VehicleView& vehicle) {
     const auto kind = static_cast<std::size_t>(vehicle.kind);
     return view.file && kind < view.file->kinds.size() ? &view.file->kinds[kind] : nullptr;
+}
+
+// The pair of sensors whose wires the sliders set.
+inline SensorPair shown_pair(const LabView& view, const VehicleView& vehicle) {
+    return chosen_pair(kind_of(*view.now, vehicle), view.settings.selection.pair);
 }
 
 // What an edit of this vehicle's brain or sensors applies to: its whole kind or this vehicle alone.

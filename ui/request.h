@@ -129,6 +129,9 @@ struct TakeRequest {
 struct ScopeRequest {
     bool whole_kind = true;
 };
+struct PairRequest {
+    std::string name;  // KindPair::name
+};
 struct PredictRequest {
     int option = 0;  // 0-based
 };
@@ -188,7 +191,7 @@ inline Steer steer(VehicleId vehicle, float right, float ahead) {
             std::clamp(ahead - turning * right, -1.0f, 1.0f)};
 }
 
-using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, ScopeRequest, PredictRequest,
+using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, ScopeRequest, PairRequest, PredictRequest,
                              ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest,
                              BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest>;
 using Outbox = std::vector<Request>;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "core/scene/scene.h"
 #include "render/view/camera.h"
@@ -25,6 +26,7 @@ struct Selection {
     VehicleId vehicle = no_vehicle;
     SceneObject object;      // a source or an obstacle; SceneObject{}: none
     bool whole_kind = true;  // edits apply to every vehicle of the selected one's kind
+    std::string pair;        // KindPair::name of the pair whose wires the sliders set; "": the default one
     friend bool operator==(const Selection&, const Selection&) = default;
 };
 

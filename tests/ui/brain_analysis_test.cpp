@@ -11,7 +11,13 @@ using namespace ui;
 
 namespace {
 
-float added_up(const MotorSum& sum) { return sum.products[0].value + sum.products[1].value + sum.bias + sum.others; }
+// What wires beside the pair bring.
+float further(const MotorSum& sum) {
+    float all = sum.rest;
+    for (const Term& term : sum.terms) all += term.value;
+    return all;
+}
+float added_up(const MotorSum& sum) { return sum.products[0].value + sum.products[1].value + sum.bias + further(sum); }
 
 // One vehicle whose left motor has a third wire, from a neuron with the value `neuron`.
 Snapshot with_a_third_wire(float neuron, float weight) {
@@ -54,22 +60,70 @@ TEST(BrainAnalysis, ReportsTheEffectOfALesion) {
     now.vehicles[0].motor[1] = 0;
     const auto stopped = motor_sums(now, now.vehicles[0]);
     EXPECT_TRUE(stopped[1].stopped);
-    EXPECT_EQ(stopped[1].others, 0) << "a stopped motor is not braked by further wires";
+    EXPECT_EQ(stopped[1].rest, 0) << "a stopped motor is not braked by further wires";
 }
 
 TEST(BrainAnalysis, AddsTheSignalsOfFurtherWires) {
     const Snapshot now = with_a_third_wire(0.5f, -0.8f);
     const auto sums = motor_sums(now, now.vehicles[0]);
     ASSERT_TRUE(sums[0].more_wires);
-    EXPECT_NEAR(sums[0].others, -0.4f, 1e-6f);
+    EXPECT_NEAR(further(sums[0]), -0.4f, 1e-6f);
     EXPECT_NEAR(added_up(sums[0]), sums[0].total, 1e-6f);
-    EXPECT_NEAR(sums[1].others, 0, 1e-6f);
+    EXPECT_NEAR(further(sums[1]), 0, 1e-6f);
+}
+
+TEST(BrainAnalysis, NamesTheLargestContributionsAndSumsTheRest) {
+    Snapshot now = with_a_third_wire(0.5f, -0.8f);
+    auto brain = std::make_shared<BrainGraph>(*now.brains[0]);
+    const NodeId motor = find_node(*brain, "ML")->id;
+    for (const auto& [id, name, weight] :
+         {std::tuple{11, "A", 0.2f}, std::tuple{12, "B", 1.5f}, std::tuple{13, "C", 0.1f}}) {
+        brain->nodes.push_back({.id = id, .kind = NodeKind::neuron, .name = name});
+        brain->wires.push_back({.from = id, .to = motor, .weight = weight});
+    }
+    now.brains[0] = brain;
+    now.neurons = {0.5f, 0.5f, 0.5f, 0.5f, 0.6f + 0.1f - 0.4f + 0.1f + 0.75f + 0.05f, 0.4f};
+    now.vehicles[0].neuron_count = 6;
+    now.vehicles[0].motor = {1, 0.4f};
+    const auto sums = motor_sums(now, now.vehicles[0]);
+    ASSERT_EQ(sums[0].terms.size(), 2u);
+    EXPECT_EQ(sums[0].terms[0].name, "B");
+    EXPECT_EQ(sums[0].terms[1].name, "N");
+    EXPECT_FLOAT_EQ(sums[0].terms[0].value, 0.75f);
+    EXPECT_NEAR(sums[0].rest, 0.15f, 1e-5f) << "A and C";
+    EXPECT_EQ(cause(sums).name, "B") << "the largest push to the right";
+}
+
+TEST(BrainAnalysis, ShowsTheWiresOfTheChosenPairAsProducts) {
+    auto scene = load_scene(std::string(BRAITENLAB_SOURCE) + "/exercises/scenes/3c-values.toml");
+    ASSERT_TRUE(scene);
+    auto world = World::create(*scene, 1);
+    Snapshot now;
+    for (int tick = 0; tick < 200; ++tick) world->step();
+    world->capture(now);
+    const auto sums = motor_sums(now, now.vehicles[0], {"HL", "HR"});
+    EXPECT_EQ(sums[0].products[0].letters, "HL·LL");
+    EXPECT_EQ(sums[0].products[0].weight, read_dials(*now.brains[0], {"HL", "HR"}).LL);
+    EXPECT_NE(sums[0].products[0].weight, 0);
+    EXPECT_NEAR(std::clamp(added_up(sums[0]), -1.0f, 1.0f), sums[0].total, 1e-4f);
+}
+
+TEST(BrainAnalysis, DescribesABrainWithNeuronsByItsPartsIfItsResponseSaysLittle) {
+    Snapshot now = with_a_third_wire(0.5f, 0.8f);
+    Recognised known;
+    known.single = Character::indifferent;
+    EXPECT_FALSE(shown_character(known, now, now.vehicles[0], {}));
+    known.single = Character::orbiting;
+    EXPECT_EQ(shown_character(known, now, now.vehicles[0], {}), Character::orbiting);
+    now = snapshot(0);
+    known.single = Character::indifferent;
+    EXPECT_EQ(shown_character(known, now, now.vehicles[0], {}), Character::indifferent) << "it has no neuron";
 }
 
 TEST(BrainAnalysis, DoesNotReportTheLimitOfAWheelAsAFurtherWire) {
     const Snapshot now = with_a_third_wire(1, 1);  // 1.7, which the wheel clamps to 1
     const auto sums = motor_sums(now, now.vehicles[0]);
-    EXPECT_NEAR(sums[0].others, 1, 1e-6f);
+    EXPECT_NEAR(further(sums[0]), 1, 1e-6f);
     EXPECT_FLOAT_EQ(sums[0].total, 1);
 }
 
@@ -101,7 +155,7 @@ TEST(BrainAnalysis, HasSumsEqualToTheMotorInputsForEveryPreset) {
                 if (vehicle.driver != Driver::brain) continue;
                 const BrainGraph& brain = *now.brains[static_cast<std::size_t>(vehicle.brain)];
                 for (const MotorSum& sum : motor_sums(now, vehicle)) {
-                    float shown = sum.bias + sum.others;
+                    float shown = sum.bias + further(sum);
                     for (const Product& p : sum.products) {
                         EXPECT_NEAR(p.value, p.input * p.weight, 1e-5f) << preset.name << ' ' << p.letters;
                         shown += p.input * p.weight;
@@ -112,7 +166,7 @@ TEST(BrainAnalysis, HasSumsEqualToTheMotorInputsForEveryPreset) {
                     const Node* motor = find_node(brain, std::string(sum.motor));
                     for (const Wire& wire : brain.wires) curved += wire.curve != Curve{};
                     if (motor->curve == Curve{} && motor->time_constant == 0) {
-                        EXPECT_NEAR(sum.others, brought_by_others(now, vehicle, brain, *motor), 1e-4f)
+                        EXPECT_NEAR(further(sum), brought_by_others(now, vehicle, brain, *motor), 1e-4f)
                             << preset.name << ' ' << sum.motor << ": the remainder is listed wire by wire";
                     }
                 }
@@ -162,10 +216,10 @@ TEST(BrainAnalysis, NamesTheLargestTermAsTheCause) {
 
     now = with_a_third_wire(1, -0.9f);  // braked so much that the right wheel is faster
     const auto braked = motor_sums(now, now.vehicles[0]);
-    EXPECT_EQ(cause(braked).by, Cause::By::others) << "0.9 towards the right, more than the 0.3 of SR·RR";
+    EXPECT_EQ(cause(braked).by, Cause::By::term) << "0.9 towards the right, more than the 0.3 of SR·RR";
     now = with_a_third_wire(1, 0.9f);
     const auto pushed = motor_sums(now, now.vehicles[0]);
-    EXPECT_EQ(cause(pushed).by, Cause::By::others);
+    EXPECT_EQ(cause(pushed).by, Cause::By::term);
     EXPECT_EQ(cause(pushed).product, nullptr);
 }
 

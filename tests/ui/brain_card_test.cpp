@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "core/brain/symmetry.h"
+#include "core/scene/scene_file.h"
+#include "core/world/world.h"
 #include "desk.h"
 #include "ui/panels/brain_sketch.h"
 
@@ -70,6 +72,71 @@ TEST(BrainCard, EndsTheDragOfASliderWhenItsVehicleIsGone) {
     desk.button(0, false);
     desk.frame(2);
     EXPECT_TRUE(desk.edits().empty());
+}
+
+Snapshot shipped_scene(const char* name) {
+    auto scene = load_scene(std::string(BRAITENLAB_SOURCE) + "/exercises/scenes/" + name + ".toml");
+    EXPECT_TRUE(scene);
+    Snapshot now;
+    World::create(*scene, 1)->capture(now);
+    return now;
+}
+
+bool writes(const Desk& desk, std::string_view words) {
+    return std::any_of(desk.written.begin(), desk.written.end(),
+                       [&](const Written& text) { return text.words.find(words) != text.words.npos; });
+}
+
+TEST(BrainCard, SetsTheWiresOfTheChosenPair) {
+    Desk desk(1280, 1000);
+    desk.now = shipped_scene("3c-values");
+    desk.rest();
+    EXPECT_TRUE(writes(desk, "attacks light, flees heat, loves smell, explores oxygen"));
+    desk.click("pair.heat");
+    const auto chosen = std::find_if(desk.all.begin(), desk.all.end(),
+                                     [](const Request& r) { return std::holds_alternative<PairRequest>(r); });
+    ASSERT_NE(chosen, desk.all.end());
+    EXPECT_EQ(std::get<PairRequest>(*chosen).name, "heat");
+    desk.view.settings.selection.pair = "heat";
+    desk.all.clear();
+    desk.rest();
+    desk.click("button.cross");
+    const SensorPair heat{"HL", "HR"};
+    EXPECT_EQ(read_dials(brain_asked_for(desk), heat).RL, read_dials(*desk.now.brains[0], heat).LL);
+    EXPECT_EQ(read_dials(brain_asked_for(desk)), read_dials(*desk.now.brains[0])) << "the eyes keep their wires";
+    desk.all.clear();
+    desk.point("slider.LR", 0.55f);
+    desk.frame(2);
+    desk.button(0, true);
+    desk.frame(2);
+    ASSERT_FALSE(desk.edits().empty());
+    EXPECT_EQ(turned(desk.edits()[0]).pair, heat);
+}
+
+TEST(BrainCard, HasNoChoiceOfPairsForTwoSensors) {
+    Desk desk;
+    desk.now = shipped_scene("2a-coward");
+    desk.rest();
+    EXPECT_FALSE(desk.anchors.find("pair.light"));
+    EXPECT_TRUE(writes(desk, "coward"));
+}
+
+TEST(BrainCard, NamesTheSensorsThatTheVehicleLacks) {
+    Desk desk;
+    desk.now = shipped_scene("2a-coward");
+    desk.rest();
+    EXPECT_FALSE(writes(desk, "does not have"));
+    give(desk, *shipped_scene("3c-values").brains[0]);
+    EXPECT_TRUE(writes(desk, "Reads HL"));
+    EXPECT_TRUE(writes(desk, "does not have"));
+}
+
+TEST(BrainCard, DescribesABrainOfLogicByItsParts) {
+    Desk desk;
+    desk.now = shipped_scene("5-logic");
+    desk.rest();
+    EXPECT_TRUE(writes(desk, " neurons, "));
+    EXPECT_FALSE(writes(desk, "indifferent"));
 }
 
 TEST(BrainCard, CoversAndUncoversAnEye) {
@@ -274,10 +341,10 @@ TEST(BrainCard, ShowsTheNameOfTheWiringOncePerBrain) {
     Desk desk;
     desk.frame(3);
     EXPECT_EQ(desk.panels.recognised.brain, desk.now.brains[0]);
-    EXPECT_EQ(desk.panels.recognised.character, Character::aggressor);
+    EXPECT_EQ(desk.panels.recognised.single, Character::aggressor);
     desk.view.settings.selection.vehicle = 1;
     desk.frame();
-    EXPECT_EQ(desk.panels.recognised.character, Character::coward);
+    EXPECT_EQ(desk.panels.recognised.single, Character::coward);
 }
 
 TEST(BrainCard, SetsAClassicBrainFromItsPresets) {

@@ -68,10 +68,12 @@ std::set<std::string> composed() {
     for (int i = 0; i <= static_cast<int>(last_place); ++i)
         keys.insert("keys.place." + std::string(name(static_cast<KeyPlace>(i))));
     for (int i = 0; i <= static_cast<int>(Character::mixed); ++i)
-        for (const char* stem : {"character.", "character_story."})
+        for (const char* stem : {"character.", "character_story.", "response."})
             keys.insert(stem + std::string(name(static_cast<Character>(i))));
     for (const ChannelTraits& channel : channel_table)
-        for (const char* stem : {"view.channel.", "wiring.senses."}) keys.insert(stem + std::string(channel.word));
+        for (const char* stem : {"view.channel.", "wiring.senses.", "sense."})
+            keys.insert(stem + std::string(channel.word));
+    for (const char* stem : {"character.", "character_story."}) keys.insert(stem + std::string("parts"));
     for (const NeuronKind& kind : neuron_kinds) keys.insert("wiring.kind." + std::string(kind.word));
     for (const RefusalName& refusal : refusals) keys.insert("wiring.refused." + std::string(refusal.word));
     for (const auto& driver : driver_table) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 
 #include "core/brain/four_neurons.h"
 #include "ui/panels/brain_analysis.h"
@@ -14,19 +15,18 @@ namespace {
 constexpr float rounding_error = 1e-4f;
 constexpr float least_push = 0.005f;  // smaller contributions are 0.00 on the screen
 
-Product product_of(const Snapshot& now, const VehicleView& vehicle, const char* sensor, const char* motor, Dial dial,
-                   std::string_view letters) {
+Product product_of(const Snapshot& now, const VehicleView& vehicle, const SensorPair& pair, Dial dial) {
     const BrainGraph& brain = *brain_of(now, vehicle);
-    Product p{letters};
-    const Node* from = find_node(brain, std::string(sensor));
-    const Node* to = find_node(brain, std::string(motor));
-    if (!from || !to) return p;
-    const float reading = node_value(now, vehicle, from->id);
+    const bool is_left = dial == Dial::LL || dial == Dial::RL;
+    Product p{(is_left ? pair.left : pair.right) + "·" + std::string(name(dial))};
+    const auto ends = direct_ends(brain, dial, pair);
+    if (!ends) return p;
+    const float reading = node_value(now, vehicle, ends->from);
     p.input = reading;
-    p.weight = at(read_dials(brain), dial);
-    if (const Wire* wire = find_wire(brain, from->id, to->id)) {
+    p.weight = at(read_dials(brain, pair), dial);
+    if (const Wire* wire = find_wire(brain, ends->from, ends->to)) {
         p.input = let_through(*wire, reading);
-        p.weight += learned(now, vehicle, from->id, to->id);
+        p.weight += learned(now, vehicle, ends->from, ends->to);
         p.cut = wire->cut;
         p.masked = std::fabs(reading) < wire->threshold;
         p.value = p.cut ? 0.0f : p.input * p.weight;
@@ -34,11 +34,37 @@ Product product_of(const Snapshot& now, const VehicleView& vehicle, const char* 
     return p;
 }
 
+// The wires to the motor from other nodes than the pair. The largest contributions first, in steps of a tenth so that
+// the order seldom changes; then the largest weights.
+std::vector<Term> terms_of(const Snapshot& now, const VehicleView& vehicle, const SensorPair& pair, NodeId motor) {
+    struct Candidate {
+        Term term;
+        float tenths, weight;  // size of the contribution, rounded; size of the weight
+    };
+    const BrainGraph& brain = *brain_of(now, vehicle);
+    std::vector<Candidate> candidates;
+    for (const Wire& wire : brain.wires) {
+        const Node* from = find_node(brain, wire.from);
+        if (wire.to != motor || !from || from->name == pair.left || from->name == pair.right) continue;
+        if (wire.weight == 0 && wire.learning_rate == 0) continue;
+        const float value =
+            signal(wire, node_value(now, vehicle, wire.from), learned(now, vehicle, wire.from, wire.to));
+        candidates.push_back({{from->name, value}, std::round(std::fabs(value) * 10), std::fabs(wire.weight)});
+    }
+    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+        return std::tie(a.tenths, a.weight) > std::tie(b.tenths, b.weight);
+    });
+    std::vector<Term> terms;
+    for (std::size_t i = 0; i < std::min(most_terms, candidates.size()); ++i) terms.push_back(candidates[i].term);
+    return terms;
+}
+
 // True when the two products and the bias are the whole sum: two sensors, two motors and wires between them, with any
 // curves and lesions.
-bool is_plain(const BrainGraph& brain) {
-    const auto plain_node = [](const Node& n) {
-        const bool known = n.kind == NodeKind::sensor ? n.name == "SL" || n.name == "SR" : n.kind == NodeKind::motor;
+bool is_plain(const BrainGraph& brain, const SensorPair& pair) {
+    const auto plain_node = [&](const Node& n) {
+        const bool known =
+            n.kind == NodeKind::sensor ? n.name == pair.left || n.name == pair.right : n.kind == NodeKind::motor;
         return known && n.curve == Curve{} && n.time_constant == 0;
     };
     const auto plain_wire = [&](const Wire& w) {
@@ -51,28 +77,28 @@ bool is_plain(const BrainGraph& brain) {
 
 }  // namespace
 
-std::array<MotorSum, 2> motor_sums(const Snapshot& now, const VehicleView& vehicle) {
+std::array<MotorSum, 2> motor_sums(const Snapshot& now, const VehicleView& vehicle, const SensorPair& pair) {
     const BrainGraph& brain = *brain_of(now, vehicle);
-    const FourNeurons dials = read_dials(brain);
-    const auto make = [&](const char* sensor, const char* motor, Dial dial, std::string_view letters) {
-        return product_of(now, vehicle, sensor, motor, dial, letters);
-    };
-    MotorSum left{"ML", "LM", {make("SL", "ML", Dial::LL, "SL·LL"), make("SR", "ML", Dial::LR, "SR·LR")}, dials.LM};
-    MotorSum right{"MR", "RM", {make("SR", "MR", Dial::RR, "SR·RR"), make("SL", "MR", Dial::RL, "SL·RL")}, dials.RM};
-    left.total = vehicle.motor[0];
-    right.total = vehicle.motor[1];
-    std::array<MotorSum, 2> both{left, right};
-    const bool plain = is_plain(brain);
-    for (MotorSum& sum : both) {
+    const FourNeurons dials = read_dials(brain, pair);
+    const auto product = [&](Dial dial) { return product_of(now, vehicle, pair, dial); };
+    std::array<MotorSum, 2> both{MotorSum{"ML", "LM", {product(Dial::LL), product(Dial::LR)}, {}, dials.LM},
+                                 MotorSum{"MR", "RM", {product(Dial::RR), product(Dial::RL)}, {}, dials.RM}};
+    const bool plain = is_plain(brain, pair);
+    for (std::size_t side = 0; side < both.size(); ++side) {
+        MotorSum& sum = both[side];
+        sum.total = vehicle.motor[side];
+        sum.more_wires = !plain;
         const Node* motor = find_node(brain, std::string(sum.motor));
         sum.stopped = motor && motor->silenced;
-        if (!motor || sum.stopped) continue;
-        const float shown = sum.products[0].value + sum.products[1].value + sum.bias;
+        if (!motor) continue;
+        if (!plain) sum.terms = terms_of(now, vehicle, pair, motor->id);
+        if (sum.stopped) continue;
+        float shown = sum.products[0].value + sum.products[1].value + sum.bias;
+        for (const Term& term : sum.terms) shown += term.value;
         // The motor's state is not limited to −1..1.
-        if (!plain) sum.others = node_value(now, vehicle, motor->id) - shown;
-        sum.limited = std::fabs(shown + sum.others) > 1.0f + rounding_error;
+        if (!plain) sum.rest = node_value(now, vehicle, motor->id) - shown;
+        sum.limited = std::fabs(shown + sum.rest) > 1.0f + rounding_error;
     }
-    both[0].more_wires = both[1].more_wires = !plain;
     return both;
 }
 
@@ -88,19 +114,25 @@ Cause cause(const std::array<MotorSum, 2>& both) {
         return true;
     };
     claim(Cause::By::biases, (both[1].bias - both[0].bias) * towards);
-    claim(Cause::By::others, (both[1].others - both[0].others) * towards);
-    for (const float side : {-1.0f, 1.0f})
-        for (const Product& p : both[side > 0 ? 1 : 0].products)
-            if (claim(Cause::By::product, p.value * side * towards)) {
-                c.product = &p;
-                c.holds_back = p.value < 0;
-            }
+    claim(Cause::By::rest, (both[1].rest - both[0].rest) * towards);
+    const auto claim_named = [&](Cause::By by, const Product* product, const std::string& name, float value,
+                                 float side) {
+        if (claim(by, value * side * towards))
+            c.product = product, c.name = name, c.value = value, c.holds_back = value < 0;
+    };
+    for (const float side : {-1.0f, 1.0f}) {
+        const MotorSum& sum = both[side > 0 ? 1 : 0];
+        for (const Product& p : sum.products) claim_named(Cause::By::product, &p, p.letters, p.value, side);
+        for (const Term& term : sum.terms) claim_named(Cause::By::term, nullptr, term.name, term.value, side);
+    }
     return c;
 }
 
 namespace {
 
 constexpr double recognition_period = 0.25;  // wall seconds
+
+bool is_eye(const Sensor& sensor) { return sensor.name == "SL" || sensor.name == "SR"; }
 
 std::vector<Reading> rounded_readings(std::vector<Reading> readings) {
     for (Reading& reading : readings) reading.value = std::round(reading.value * 20) / 20;
@@ -109,18 +141,36 @@ std::vector<Reading> rounded_readings(std::vector<Reading> readings) {
 
 }  // namespace
 
-Character recognised(Recognised& known, const Snapshot& now, const VehicleView& vehicle, double wall_seconds) {
+const Recognised& recognised(Recognised& known, const Snapshot& now, const VehicleView& vehicle, double wall_seconds) {
     const auto& brain = brain_of(now, vehicle);
-    const bool same = known.brain == brain && known.vehicle == vehicle.id;
-    if (same && std::fabs(wall_seconds - known.at) < recognition_period) return known.character;
+    const bool same = known.brain == brain && known.vehicle == vehicle.id && known.scene == now.scene;
+    if (same && std::fabs(wall_seconds - known.at) < recognition_period) return known;
     auto readings = rounded_readings(readings_beside_pairs(now, vehicle));
     known.at = wall_seconds;
-    if (same && readings == known.readings) return known.character;
-    known.character = recognise(*brain, {}, readings);
+    if (same && readings == known.readings) return known;
+    known.pairs = characters_of(*brain, kind_of(now, vehicle), readings);
+    known.single.reset();
+    const auto& sensors = kind_of(now, vehicle).sensors;
+    if (known.pairs.empty() && std::any_of(sensors.begin(), sensors.end(), is_eye))
+        known.single = recognise(*brain, {}, readings);
     known.brain = brain;
     known.vehicle = vehicle.id;
+    known.scene = now.scene;
     known.readings = std::move(readings);
-    return known.character;
+    return known;
+}
+
+std::optional<Character> shown_character(const Recognised& known, const Snapshot& now, const VehicleView& vehicle,
+                                         const SensorPair& pair) {
+    std::optional<Character> character = known.single;
+    for (const PairCharacter& each : known.pairs)
+        if (each.pair.sensors == pair && each.is_wired) character = each.character;
+    const bool says_little =
+        character == Character::still || character == Character::indifferent || character == Character::mixed;
+    const auto& nodes = brain_of(now, vehicle)->nodes;
+    const auto is_neuron = [](const Node& node) { return node.kind == NodeKind::neuron; };
+    if (says_little && std::any_of(nodes.begin(), nodes.end(), is_neuron)) return std::nullopt;
+    return character;
 }
 
 }  // namespace braitenlab::ui

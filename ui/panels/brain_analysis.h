@@ -3,6 +3,8 @@
 
 #include <array>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,34 +15,45 @@ namespace braitenlab::ui {
 
 // The wire of one sensor to the motor: value = input · weight, or 0 when the wire is cut.
 struct Product {
-    std::string_view letters;  // "SL·LL"
-    float input = 0;           // reading after threshold and curve of the wire; 0 for a silenced sensor
-    float weight = 0;          // includes what a Hebbian wire has learned
-    float value = 0;           // contribution to the motor's sum
-    bool masked = false;       // the reading is below the threshold and counts as 0
-    bool cut = false;          // lesion: delivers 0
+    std::string letters;  // "SL·LL"
+    float input = 0;      // reading after threshold and curve of the wire; 0 for a silenced sensor
+    float weight = 0;     // includes what a Hebbian wire has learned
+    float value = 0;      // contribution to the motor's sum
+    bool masked = false;  // the reading is below the threshold and counts as 0
+    bool cut = false;     // lesion: delivers 0
 };
+
+// The contribution of a node that is not in the shown pair: another sensor or a neuron.
+struct Term {
+    std::string name;  // of the node
+    float value = 0;
+};
+
+inline constexpr std::size_t most_terms = 2;  // of each motor; the card has no room for more
 
 struct MotorSum {
     std::string_view motor, bias_letters;  // "ML", "LM"
-    std::array<Product, 2> products;       // the uncrossed wire, then the crossed one
+    std::array<Product, 2> products;       // the uncrossed wire of the shown pair, then the crossed one
+    std::vector<Term> terms;               // the largest contributions of further wires, at most most_terms
     float bias = 0;
     bool more_wires = false;  // the brain has more wires than the sliders show
-    float others = 0;         // with more_wires: further wires and the motor's memory and curve; else 0
+    float rest = 0;           // with more_wires: the remaining wires and the motor's memory and curve; else 0
     bool stopped = false;     // lesion of the motor: the total is 0
     bool limited = false;     // the sum is outside −1..1: the total is −1 or 1
     float total = 0;          // the wheel command, −1..1
 };
 
-// Left and right motor. Precondition: the vehicle is in the snapshot.
-std::array<MotorSum, 2> motor_sums(const Snapshot&, const VehicleView&);
+// Left and right motor, with the wires of this pair as products. Precondition: the vehicle is in the snapshot.
+std::array<MotorSum, 2> motor_sums(const Snapshot&, const VehicleView&, const SensorPair& = {});
 
 // The cause of the difference between the wheels: the largest contribution towards it, from either wheel.
 struct Cause {
-    enum class By { nothing, product, biases, others };
+    enum class By { nothing, product, term, biases, rest };
     float difference = 0;  // right − left
     By by = By::nothing;
     const Product* product = nullptr;  // points into the sums; null unless by product
+    std::string name;                  // by product: its letters; by term: the node's name
+    float value = 0;                   // of that contribution
     bool holds_back = false;           // it slows the other wheel instead of driving the faster one
 };
 Cause cause(const std::array<MotorSum, 2>&);
@@ -48,13 +61,19 @@ Cause cause(const std::array<MotorSum, 2>&);
 // Cached result of the recogniser for the selected vehicle.
 struct Recognised {
     std::shared_ptr<const BrainGraph> brain;
+    std::shared_ptr<const Scene> scene;
     VehicleId vehicle = no_vehicle;
     std::vector<Reading> readings;  // rounded to 0.05, so that noise does not change the result
     double at = 0;                  // wall seconds
-    Character character = Character::still;
+    std::vector<PairCharacter> pairs;
+    std::optional<Character> single;  // response to SL and SR, for a vehicle that has one of them and no pairs
 };
 
 // Recomputed at once for another brain or vehicle, and at most four times a second for changed readings.
-Character recognised(Recognised&, const Snapshot&, const VehicleView&, double wall_seconds);
+const Recognised& recognised(Recognised&, const Snapshot&, const VehicleView&, double wall_seconds);
+
+// The character for this pair, `single` for a vehicle without pairs. nullopt: the brain does not read the pair, or it
+// has neurons and its response to the pair says little about it.
+std::optional<Character> shown_character(const Recognised&, const Snapshot&, const VehicleView&, const SensorPair&);
 
 }  // namespace braitenlab::ui

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <imgui.h>
 
@@ -34,8 +36,9 @@ void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView
     const std::string title = kind_name(view, ui, vehicle) + " " + std::to_string(vehicle.id + 1);
     // When the brain does not drive the vehicle, the chip names the driver.
     const bool thinks = vehicle.driver == Driver::brain;
-    const std::string_view character =
-        thinks ? name(recognised(state.recognised, *view.now, vehicle, view.wall_seconds)) : word(vehicle.driver);
+    const Recognised& known = recognised(state.recognised, *view.now, vehicle, view.wall_seconds);
+    const auto shown = shown_character(known, *view.now, vehicle, shown_pair(view, vehicle));
+    const std::string_view character = !thinks ? word(vehicle.driver) : shown ? name(*shown) : "parts";
     const std::string_view label =
         ui.strings.find((thinks ? "character." : "driver.") + std::string(character), character);
     const float left = at.x + size + ui.px(8), name_width = text_width(ui, Face::title, title);
@@ -47,6 +50,65 @@ void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView
     chip(ui, {word_left, at.y + height / 2}, label);
     const Item row = item(ui, "brain.character", {width, height}, false);
     if (row.hovered) tooltip(ui, row, ui.strings((thinks ? "character_story." : "drive.") + std::string(character)));
+}
+
+// "3 sensors, 2 neurons, 5 wires"
+std::string parts_of(const Ui& ui, const BrainGraph& brain) {
+    const auto count = [&](NodeKind kind) {
+        return std::to_string(std::count_if(brain.nodes.begin(), brain.nodes.end(),
+                                            [kind](const Node& node) { return node.kind == kind; }));
+    };
+    const auto wires =
+        std::count_if(brain.wires.begin(), brain.wires.end(), [](const Wire& wire) { return wire.weight != 0; });
+    return fill(ui.strings("brain.parts"), {count(NodeKind::sensor), count(NodeKind::neuron), std::to_string(wires)});
+}
+
+// What the brain does with each pair ("attacks light, flees heat"), or its parts. Nothing for one pair, whose character
+// is in the title row.
+std::string description(const LabView& view, const Ui& ui, const Recognised& known, const VehicleView& vehicle) {
+    const BrainGraph& brain = *brain_of(*view.now, vehicle);
+    const auto wired =
+        std::count_if(known.pairs.begin(), known.pairs.end(), [](const PairCharacter& each) { return each.is_wired; });
+    if (wired < 2)
+        return shown_character(known, *view.now, vehicle, shown_pair(view, vehicle)) ? "" : parts_of(ui, brain);
+    std::string all;
+    for (const PairCharacter& each : known.pairs) {
+        if (!each.is_wired) continue;
+        const std::string_view channel = ui.strings("sense." + std::string(word(each.pair.channel)));
+        all += (all.empty() ? "" : ", ") +
+               fill(ui.strings("response." + std::string(name(each.character))), {std::string(channel)});
+    }
+    return all;
+}
+
+// A button for each pair of sensors; the sliders set the wires of the chosen one.
+void pair_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
+    const std::vector<KindPair> pairs = sensor_pairs(kind_of(*view.now, vehicle));
+    if (pairs.size() < 2) return;
+    const SensorPair shown = shown_pair(view, vehicle);
+    const float space = ui.px(4), right = ImGui::GetCursorScreenPos().x + card_width(ui);
+    bool is_first = true;
+    for (const KindPair& pair : pairs) {
+        std::string words(ui.strings("sense." + std::string(word(pair.channel))));
+        if (const auto number = pair.name.find(' '); number != std::string::npos) words += pair.name.substr(number);
+        const std::string id = "pair." + pair.name;
+        const SmallButton look{id, {}, words, pair.sensors == shown};
+        if (!is_first && ImGui::GetItemRectMax().x + space + small_button_width(ui, look, true) <= right)
+            ImGui::SameLine(0, space);
+        is_first = false;
+        const Item at = small_button(ui, look);
+        tooltip(ui, at, fill(ui.strings("tooltip.pair"), {pair.sensors.left, pair.sensors.right}));
+        if (at.pressed) ui.outbox.push_back(PairRequest{pair.name});
+    }
+}
+
+// A brain from another vehicle or file can read sensors that this vehicle does not have.
+void missing_sensors_note(const LabView& view, Ui& ui, const VehicleView& vehicle) {
+    std::string names;
+    for (const std::string& sensor : missing_sensors(*brain_of(*view.now, vehicle), kind_of(*view.now, vehicle)))
+        names += (names.empty() ? "" : ", ") + sensor;
+    if (!names.empty())
+        paragraph(ui, fill(ui.strings("brain.missing_sensors"), {names}), ui.palette.second_text, Face::small);
 }
 
 void scope_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
@@ -166,7 +228,12 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
             state.keyboard.focus.clear();  // the arrow keys then drive the vehicle
         }
         title_row(view, state, ui, *vehicle);
+        if (vehicle->driver == Driver::brain)
+            if (const std::string words = description(view, ui, state.recognised, *vehicle); !words.empty())
+                paragraph(ui, words, ui.palette.second_text, Face::small);
+        missing_sensors_note(view, ui, *vehicle);
         scope_choice(view, ui, *vehicle);
+        pair_choice(view, ui, *vehicle);
         dial_sliders(view, state, ui, *vehicle);
         gap(ui, 8);
         if (vehicle->driver == Driver::brain)

@@ -42,8 +42,8 @@ PictureLayout picture_layout(const Ui& ui, ImVec2 at, float width, float picture
 
 // A sensor or motor; null where the brain has no such node.
 struct PictureEnd {
-    const char* name;
-    const char* anchor;
+    std::string name;
+    std::string anchor = "lesion." + name;
     const Node* node = nullptr;
     bool lesioned() const { return node && node->silenced; }
 };
@@ -65,10 +65,11 @@ public:
           vehicle_(vehicle),
           brain_(*brain_of(*view.now, vehicle)),
           height_(layout_height),
+          eyes_{{shown_pair(view, vehicle).left}, {shown_pair(view, vehicle).right}},
           at_(ImGui::GetCursorScreenPos()),
           layout_(picture_layout(ui, at_, card_width(ui), layout_height)) {
         for (PictureEnd* end : {&eyes_[0], &eyes_[1], &motors_[0], &motors_[1]})
-            end->node = find_node(brain_, std::string(end->name));
+            end->node = find_node(brain_, end->name);
         for (PictureWire& c : wires_) {
             const Node *from = eyes_[c.eye].node, *to = motors_[c.motor].node;
             c.wire = from && to ? find_wire(brain_, from->id, to->id) : nullptr;
@@ -127,7 +128,7 @@ private:
         if (at.hovered) tooltip(ui_, at, fill(ui_.strings(words), {which.name}), ui_.strings("lesion.key"));
         if (!lesion_requested(at, at.hovered)) return;
         BrainGraph edited = brain_;
-        find_node(edited, std::string(which.name))->silenced = !which.lesioned();
+        find_node(edited, which.name)->silenced = !which.lesioned();
         set(std::move(edited));
     }
 
@@ -222,11 +223,11 @@ private:
     Ui& ui_;
     const VehicleView& vehicle_;
     const BrainGraph& brain_;
-    float height_;  // layout pixels
+    float height_;        // layout pixels
+    PictureEnd eyes_[2];  // of the chosen pair
     ImVec2 at_;
     PictureLayout layout_;
-    PictureEnd eyes_[2]{{"SL", "lesion.SL"}, {"SR", "lesion.SR"}};
-    PictureEnd motors_[2]{{"ML", "lesion.ML"}, {"MR", "lesion.MR"}};
+    PictureEnd motors_[2]{{"ML"}, {"MR"}};
     std::array<PictureWire, 4> wires_{
         {{"LR", "lesion.LR", 1, 0}, {"RL", "lesion.RL", 0, 1}, {"LL", "lesion.LL", 0, 0}, {"RR", "lesion.RR", 1, 1}}};
     const PictureWire* warm_ = nullptr;  // under the pointer

@@ -39,8 +39,9 @@ public:
           ui_(ui),
           target_(target_of(view, vehicle)),
           brain_(*brain_of(*view.now, vehicle)),
-          values_(read_dials(brain_)) {
-        if (const Kind* filed = filed_kind(view, vehicle)) homes_ = read_dials(filed->brain);
+          pair_(shown_pair(view, vehicle)),
+          values_(read_dials(brain_, pair_)) {
+        if (const Kind* filed = filed_kind(view, vehicle)) homes_ = read_dials(filed->brain, pair_);
     }
 
     void draw() {
@@ -77,8 +78,8 @@ private:
             small_button_width(ui_, mirror, true) + small_button_width(ui_, cross, true) + ui_.px(4) <= room;
         const float cross_x = at.x + weight_width - small_button_width(ui_, cross, words);
         const float mirror_x = cross_x - ui_.px(4) - small_button_width(ui_, mirror, words);
-        if (small(mirror, mirror_x, at.y, words, "tooltip.mirror")) set(mirrored(brain_));
-        if (small(cross, cross_x, at.y, words, "tooltip.cross")) set(crossed(brain_));
+        if (small(mirror, mirror_x, at.y, words, "tooltip.mirror")) set(mirrored(brain_, pair_));
+        if (small(cross, cross_x, at.y, words, "tooltip.cross")) set(crossed(brain_, pair_));
         ImGui::SetCursorScreenPos(at);
         ImGui::Dummy({1, height - ui_.px(2)});  // room for the focus ring of the first slider
     }
@@ -120,7 +121,7 @@ private:
     void turn(Dial dial, std::string_view anchor, float width, SliderLook look) {
         look.home = at(homes_, dial);
         const auto edit = slider(ui_, state_.sliders, anchor, at(values_, dial), width, view_.wall_seconds, look);
-        if (edit) ui_.outbox.push_back(EditRequest{TurnDial{target_, dial, edit->value}, edit->gesture});
+        if (edit) ui_.outbox.push_back(EditRequest{TurnDial{target_, dial, edit->value, pair_}, edit->gesture});
     }
 
     const LabView& view_;
@@ -128,6 +129,7 @@ private:
     Ui& ui_;
     Target target_;
     const BrainGraph& brain_;
+    SensorPair pair_;
     FourNeurons values_, homes_;  // current values, and those of the file
 };
 

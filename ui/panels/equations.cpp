@@ -19,6 +19,7 @@ namespace braitenlab::ui {
 
 namespace {
 
+constexpr float least_space = 4;         // layout pixels between two parts of an equation
 constexpr float equal_commands = 0.02f;  // a smaller difference of wheel commands makes no visible turn
 
 std::string numbers_of(const Ui& ui, const Product& p) {
@@ -26,49 +27,84 @@ std::string numbers_of(const Ui& ui, const Product& p) {
     return input + (p.cut ? std::string(ui.strings("sums.cut")) : as_factor(p.weight, 2));
 }
 
-// x of the parts of both equations, from left to right; window pixels. Each part is as wide as its widest number, so
-// that only a change of a weight moves them.
+// The parts of both equations between "=" and the result, from left to right. A brain with more wires than the products
+// has a column for each contribution, without factors.
+std::size_t term_columns(const std::array<MotorSum, 2>& both) {
+    return std::max(both[0].terms.size(), both[1].terms.size());
+}
+
+// Adds the terms of the last column to the rest.
+void drop_last_column(std::array<MotorSum, 2>& both) {
+    const std::size_t columns = term_columns(both);
+    for (MotorSum& sum : both) {
+        if (sum.terms.size() < columns) continue;
+        sum.rest += sum.terms.back().value;
+        sum.terms.pop_back();
+    }
+}
+
+// x of the parts, window pixels. Each part is as wide as its widest number, so that only a change of a weight moves
+// them.
 struct EquationColumns {
-    float equals, first, plus, second, bias, others, result, total;  // middles of signs, else right ends
+    float equals, first, plus, second;      // middles of signs, else right ends
+    std::array<float, most_terms> terms{};  // right ends
+    float bias, rest, result, total;
+    float space;  // between two parts
 };
 
 EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& both, float left, float width) {
-    const auto product = [&](std::size_t i) {
-        return std::max(text_width(ui, Face::small, numbers_of(ui, both[0].products[i])),
-                        text_width(ui, Face::small, numbers_of(ui, both[1].products[i])));
-    };
-    const float sign = text_width(ui, Face::small, "="), number = text_width(ui, Face::small, with_sign(1, 2));
     const bool more = both[0].more_wires;
-    const float others = more ? std::max(number, text_width(ui, Face::small, ui.strings("sums.others"))) : 0;
+    const float sign = text_width(ui, Face::small, "="), number = text_width(ui, Face::small, with_sign(1, 2));
+    const auto product = [&](std::size_t i) {
+        float widest = 0;
+        for (const MotorSum& sum : both)
+            widest = std::max(widest, more ? std::max(number, text_width(ui, Face::small, sum.products[i].letters))
+                                           : text_width(ui, Face::small, numbers_of(ui, sum.products[i])));
+        return widest;
+    };
+    const auto term = [&](std::size_t i) {
+        float widest = number;
+        for (const MotorSum& sum : both)
+            if (i < sum.terms.size()) widest = std::max(widest, text_width(ui, Face::small, sum.terms[i].name));
+        return widest;
+    };
+    const float rest = more ? std::max(number, text_width(ui, Face::small, ui.strings("sums.rest"))) : 0;
     const float total = text_width(ui, Face::strong, with_sign(1, 2)), name = text_width(ui, Face::strong, "MR");
-    const float taken = name + 3 * sign + product(0) + product(1) + number + others + total;
-    const float space = std::max(0.0f, (width - taken) / (more ? 8 : 7));
+    const std::size_t terms = term_columns(both);
+    float taken = name + (more ? 2 : 3) * sign + product(0) + product(1) + number + rest + total;
+    for (std::size_t i = 0; i < terms; ++i) taken += term(i);
+    const float space = std::max(0.0f, (width - taken) / static_cast<float>(more ? 7 + terms : 7));
     EquationColumns c{};
+    c.space = space;
     float x = left + name;
     const auto right_end = [&](float w) { return x += space + w; };
     c.equals = right_end(sign) - sign / 2;
     c.first = right_end(product(0));
-    c.plus = right_end(sign) - sign / 2;
+    if (!more) c.plus = right_end(sign) - sign / 2;
     c.second = right_end(product(1));
+    for (std::size_t i = 0; i < terms; ++i) c.terms[i] = right_end(term(i));
     c.bias = right_end(number);
-    c.others = more ? right_end(others) : x;
+    c.rest = more ? right_end(rest) : x;
     c.result = right_end(sign) - sign / 2;
     c.total = left + width;
     return c;
 }
 
-void one_product(const Ui& ui, float right, float y, const Product& p, bool strongest) {
-    const Palette& c = ui.palette;
+// The cause of a turn is marked by a box in the colour of its sign.
+void mark_cause(const Ui& ui, float right, float y, const std::string& numbers, float value) {
+    const float w = text_width(ui, Face::small, numbers), h = line_height(ui, Face::small);
+    const Colour meaning = colour_of_weight(ui.palette, value);
+    const Rect mark{right - w - ui.px(3), y + h + ui.px(1), w + ui.px(6), h + ui.px(3)};
+    fill_box(ui, mark, meaning.with_alpha(0.22f), 4);
+    line_box(ui, mark, meaning, 4);
+}
+
+void one_product(const Ui& ui, float right, float y, const Product& p) {
     const std::string numbers = numbers_of(ui, p);
     const float w = text_width(ui, Face::small, numbers), h = line_height(ui, Face::small);
-    if (strongest) {
-        const Colour meaning = colour_of_weight(c, p.value);
-        const Rect mark{right - w - ui.px(3), y + h + ui.px(1), w + ui.px(6), h + ui.px(3)};
-        fill_box(ui, mark, meaning.with_alpha(0.22f), 4);
-        line_box(ui, mark, meaning, 4);
-    }
-    put_centred(ui, {right - w / 2, y}, p.letters, c.second_text, Face::small);
-    put_right(ui, {right, y + h + ui.px(2)}, numbers, p.masked || p.cut ? c.second_text : c.text, Face::small);
+    put_centred(ui, {right - w / 2, y}, p.letters, ui.palette.second_text, Face::small);
+    put_right(ui, {right, y + h + ui.px(2)}, numbers, p.masked || p.cut ? ui.palette.second_text : ui.palette.text,
+              Face::small);
 }
 
 // A signed number below its name.
@@ -78,23 +114,50 @@ void signed_term(const Ui& ui, float right, float y, std::string_view letters, f
               Face::small);
 }
 
-void equation(const Ui& ui, const MotorSum& sum, const EquationColumns& x, ImVec2 at, const Product* strongest) {
-    const Palette& c = ui.palette;
-    const float h = line_height(ui, Face::small), numbers = at.y + h + ui.px(2);
-    const float large = numbers - (line_height(ui, Face::text) - h) / 2;
-    const auto sign = [&](float middle, std::string_view words) {
-        put_centred(ui, {middle, numbers}, words, c.second_text, Face::small);
-    };
-    put(ui, {at.x, large}, sum.motor, c.text, Face::strong);
-    sign(x.equals, "=");
-    one_product(ui, x.first, at.y, sum.products[0], &sum.products[0] == strongest);
-    sign(x.plus, "+");
-    one_product(ui, x.second, at.y, sum.products[1], &sum.products[1] == strongest);
-    signed_term(ui, x.bias, at.y, sum.bias_letters, sum.bias);
-    if (sum.more_wires) signed_term(ui, x.others, at.y, ui.strings("sums.others"), sum.others);
-    sign(x.result, sum.limited ? "→" : "=");  // → when the sum is limited to −1..1
-    put_right(ui, {x.total, large}, with_sign(sum.total, 2), sum.stopped ? c.second_text : c.text, Face::strong);
-}
+class Equation {
+public:
+    Equation(const Ui& ui, const MotorSum& sum, const EquationColumns& x, ImVec2 at, const Cause* why)
+        : ui_(ui), sum_(sum), x_(x), at_(at), why_(why) {}
+
+    void draw() const {
+        const Palette& c = ui_.palette;
+        const float h = line_height(ui_, Face::small), numbers = at_.y + h + ui_.px(2);
+        const float large = numbers - (line_height(ui_, Face::text) - h) / 2;
+        const auto sign = [&](float middle, std::string_view words) {
+            put_centred(ui_, {middle, numbers}, words, c.second_text, Face::small);
+        };
+        put(ui_, {at_.x, large}, sum_.motor, c.text, Face::strong);
+        sign(x_.equals, "=");
+        product(x_.first, sum_.products[0]);
+        if (!sum_.more_wires) sign(x_.plus, "+");
+        product(x_.second, sum_.products[1]);
+        for (std::size_t i = 0; i < sum_.terms.size(); ++i)
+            contribution(x_.terms[i], sum_.terms[i].name, sum_.terms[i].value);
+        signed_term(ui_, x_.bias, at_.y, sum_.bias_letters, sum_.bias);
+        if (sum_.more_wires) signed_term(ui_, x_.rest, at_.y, ui_.strings("sums.rest"), sum_.rest);
+        sign(x_.result, sum_.limited ? "→" : "=");  // → when the sum is limited to −1..1
+        put_right(ui_, {x_.total, large}, with_sign(sum_.total, 2), sum_.stopped ? c.second_text : c.text,
+                  Face::strong);
+    }
+
+private:
+    void product(float right, const Product& p) const {
+        if (sum_.more_wires) return contribution(right, p.letters, p.value);
+        if (why_ && why_->product == &p) mark_cause(ui_, right, at_.y, numbers_of(ui_, p), p.value);
+        one_product(ui_, right, at_.y, p);
+    }
+    void contribution(float right, std::string_view name, float value) const {
+        const bool is_cause = why_ && why_->name == name && why_->value == value;
+        if (is_cause) mark_cause(ui_, right, at_.y, with_sign(value, 2), value);
+        signed_term(ui_, right, at_.y, name, value);
+    }
+
+    const Ui& ui_;
+    const MotorSum& sum_;
+    const EquationColumns& x_;
+    ImVec2 at_;
+    const Cause* why_;  // null: no cause is marked
+};
 
 std::string explanation(const Ui& ui, const std::array<MotorSum, 2>& both, const Cause& why, bool is_stuck) {
     if (both[0].stopped && both[1].stopped) return std::string(ui.strings("sums.both_stopped"));
@@ -105,24 +168,26 @@ std::string explanation(const Ui& ui, const std::array<MotorSum, 2>& both, const
     if (std::fabs(why.difference) < equal_commands)
         return std::string(ui.strings(is_stuck ? "sums.stuck" : "sums.straight"));
     const std::string_view wheel = ui.strings(why.difference > 0 ? "sums.right_faster" : "sums.left_faster");
-    if (why.by == Cause::By::product)
+    if (why.by == Cause::By::product || why.by == Cause::By::term)
         return fill(ui.strings(why.holds_back ? "sums.because_held" : "sums.because"),
-                    {wheel, why.product->letters, with_sign(why.product->value, 2)});
-    return fill(ui.strings(why.by == Cause::By::others ? "sums.because_others" : "sums.because_bias"), {wheel});
+                    {wheel, why.name, with_sign(why.value, 2)});
+    return fill(ui.strings(why.by == Cause::By::rest ? "sums.because_rest" : "sums.because_bias"), {wheel});
 }
 
 }  // namespace
 
 void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
-    const std::array<MotorSum, 2> both = motor_sums(*view.now, vehicle);
-    const Cause why = cause(both);
+    std::array<MotorSum, 2> both = motor_sums(*view.now, vehicle, shown_pair(view, vehicle));
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const EquationColumns x = equation_columns(ui, both, at.x, card_width(ui));
+    EquationColumns x = equation_columns(ui, both, at.x, card_width(ui));
+    for (; x.space < ui.px(least_space) && term_columns(both) > 0; x = equation_columns(ui, both, at.x, card_width(ui)))
+        drop_last_column(both);
+    const Cause why = cause(both);
     const float row = 2 * line_height(ui, Face::small) + ui.px(8);
     const bool stopped = both[0].stopped || both[1].stopped;
-    const Product* strongest = stopped || std::fabs(why.difference) < equal_commands ? nullptr : why.product;
-    equation(ui, both[0], x, at, strongest);
-    equation(ui, both[1], x, {at.x, at.y + row}, strongest);
+    const Cause* shown = stopped || std::fabs(why.difference) < equal_commands ? nullptr : &why;
+    Equation(ui, both[0], x, at, shown).draw();
+    Equation(ui, both[1], x, {at.x, at.y + row}, shown).draw();
     const Item area = item(ui, "equations", {card_width(ui), 2 * row}, false);
     tooltip(ui, area, ui.strings(both[0].more_wires ? "sums.more_wires" : "sums.how"));
     // The wheels are driven and the vehicle does not move: it is blocked. Not known in the first half second.

@@ -44,10 +44,10 @@ std::vector<LectureFigure> lecture_values(const LabView& view, PanelState& state
     const auto wheel = [&](std::string_view name, float value) {
         return LectureFigure{name, name, with_sign(value, 2), p.text, value, true};
     };
+    const Recognised& known = recognised(state.recognised, now, *vehicle, view.wall_seconds);
+    const auto character = shown_character(known, now, *vehicle, shown_pair(view, *vehicle));
     return {{"lecture.character", "lecture.character",
-             std::string(ui.strings("character." +
-                                    std::string(name(recognised(state.recognised, now, *vehicle, view.wall_seconds))))),
-             p.text},
+             std::string(ui.strings("character." + std::string(character ? name(*character) : "parts"))), p.text},
             {"lecture.speed", "lecture.speed", fill(ui.strings("info.metres_a_second"), {fixed(vehicle->speed, 2)}),
              p.text},
             wheel("lecture.left", vehicle->motor[0]),
