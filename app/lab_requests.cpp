@@ -53,6 +53,13 @@ void edit(Lab& lab, const Command& command, std::uint64_t gesture = 0) {
     if (const SceneObject added = ui::added_by(lab.document.session.snapshot(), command)) select(lab, added);
 }
 
+// An edit in the wiring diagram pauses, so that the brain can be edited further without its vehicle running away.
+void edit_by_request(Lab& lab, const EditRequest& r) {
+    const bool from_diagram = r.gesture >= gestures::canvas && r.gesture < gestures::viewport;
+    if (from_diagram && lab.playback.mode == Mode::playing) set_mode(lab, Mode::paused);
+    edit(lab, r.command, r.gesture);
+}
+
 void edit_if(Lab& lab, const std::optional<Command>& command) {
     if (command && lab.playback.mode != Mode::wiring) edit(lab, *command);
 }
@@ -162,6 +169,10 @@ void act(Lab& lab, Action action) {
         case Action::next_field:
             show_next_field(lab);
             break;
+        case Action::watch:
+            if (lab.playback.mode == Mode::wiring) set_mode(lab, Mode::paused), lab.view.watching = false;
+            lab.view.watching = !lab.view.watching;
+            break;
         case Action::wiring:
             set_mode(lab, lab.playback.mode == Mode::wiring ? Mode::paused : Mode::wiring);
             break;
@@ -259,9 +270,12 @@ bool apply(Lab& lab, const Command& command, std::uint64_t gesture) {
 
 void handle(Lab& lab, const Request& request) {
     std::visit(
-        Match{[&](Action action) { act(lab, action); }, [&](const EditRequest& r) { edit(lab, r.command, r.gesture); },
+        Match{[&](Action action) { act(lab, action); }, [&](const EditRequest& r) { edit_by_request(lab, r); },
               [&](const SelectRequest& r) { select(lab, vehicle_object(r.vehicle)), keep_selection(lab); },
               [&](const TakeRequest& r) { select_object(lab, r.object); },
+              [&](const CanvasShareRequest& r) {
+                  lab.view.canvas_share = std::clamp(r.share, least_canvas_share, largest_canvas_share);
+              },
               [&](const PairRequest& r) { lab.view.selection.pair = r.name; },
               [&](const ScopeRequest& r) { lab.view.selection.whole_kind = r.whole_kind; },
               [&](const SeekRequest& r) { seek(lab, r); }, [&](const BookmarkRequest& r) { handle_bookmark(lab, r); },

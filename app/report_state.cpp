@@ -161,6 +161,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
                {"time_scale", lab.playback.time_scale},
                {"selected", lab.view.selection.vehicle}};
     add_brain(state, now, find_vehicle(now, lab.view.selection.vehicle), lab.view.selection.pair);
+    state["watching"] = lab.view.watching;
     state["toggles"] = lab.playback.toggles;
     state["undo_depth"] = lab.document.session.undo_depth();
     state["redo_depth"] = lab.document.session.redo_depth();

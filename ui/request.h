@@ -40,6 +40,7 @@ enum class Action {
     next_field,  // cycles through the fields that can be shown as contours, and none
     view,        // opens the menu of overlays
     wiring,
+    watch,  // shows or hides the wiring diagram beside the scene
     undo,
     redo,
     slower,
@@ -132,6 +133,9 @@ struct ScopeRequest {
 struct PairRequest {
     std::string name;  // KindPair::name
 };
+struct CanvasShareRequest {
+    float share = 0.45f;  // ViewSettings::canvas_share
+};
 struct PredictRequest {
     int option = 0;  // 0-based
 };
@@ -191,9 +195,10 @@ inline Steer steer(VehicleId vehicle, float right, float ahead) {
             std::clamp(ahead - turning * right, -1.0f, 1.0f)};
 }
 
-using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, ScopeRequest, PairRequest, PredictRequest,
-                             ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest,
-                             BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest>;
+using Request =
+    std::variant<Action, EditRequest, SelectRequest, TakeRequest, ScopeRequest, PairRequest, CanvasShareRequest,
+                 PredictRequest, ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest,
+                 SeekRequest, BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -53,6 +53,40 @@ void draw_canvas(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     wiring::draw_inspector(view, state.canvas, state.sliders, ui, below);
 }
 
+// The canvas's share of the space when the border is at the pointer.
+float share_at_pointer(const WindowLayout& layout) {
+    const Rect &s = layout.scene, &b = layout.border, &c = layout.canvas;
+    const ImVec2 pointer = ImGui::GetIO().MousePos;
+    if (b.w > b.h) return (c.y + c.h - pointer.y - b.h / 2) / std::max(1.0f, s.h + c.h);
+    return (c.x + c.w - pointer.x - b.w / 2) / std::max(1.0f, s.w + c.w);
+}
+
+// The wiring canvas beside the scene, and the border between them, which the pointer drags.
+void draw_watched(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const Rect &b = layout.border, &c = layout.canvas;
+    const bool is_below = b.w > b.h;
+    draw.AddRectFilled({b.x, b.y}, {c.x + c.w, c.y + c.h}, paint(ui.palette.ground));
+    ImGui::SetNextWindowPos({b.x, b.y});
+    ImGui::SetNextWindowSize({b.w, b.h});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::Begin("canvas border", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav);
+    ImGui::PopStyleVar(2);
+    const Item border = item(ui, "canvas.border", {b.w, b.h});
+    if (border.hovered || border.held)
+        ImGui::SetMouseCursor(is_below ? ImGuiMouseCursor_ResizeNS : ImGuiMouseCursor_ResizeEW);
+    const float length = ui.px(48), thickness = ui.px(4);
+    const float w = is_below ? length : thickness, h = is_below ? thickness : length;
+    fill_box(ui, {b.x + (b.w - w) / 2, b.y + (b.h - h) / 2, w, h},
+             mix(ui.palette.line, ui.palette.accent, border.held ? 1.0f : border.warmth), 2);
+    if (border.held) ui.outbox.push_back(CanvasShareRequest{share_at_pointer(layout)});
+    ImGui::End();
+    wiring::draw_canvas(view, state.canvas, ui, layout.canvas);
+}
+
 std::optional<std::string_view> slider_of(Action action) {
     constexpr std::array<std::string_view, 4> sliders{"slider.LL", "slider.LR", "slider.RL", "slider.RR"};
     if (action < Action::slider_LL || action > Action::slider_RR) return std::nullopt;
@@ -149,7 +183,10 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     ui.anchors.record("viewport", layout.scene);
     scene_input(view, state.scene_input, ui, layout.scene);
     point_to_lamp(view, ui);
-    if (view.mode == Mode::wiring) draw_canvas(view, state, ui, layout);
+    if (view.mode == Mode::wiring)
+        draw_canvas(view, state, ui, layout);
+    else if (layout.canvas.w > 0)
+        draw_watched(view, state, ui, layout);
     draw_column(Column::left, view, state, ui, layout.left);
     draw_column(Column::right, view, state, ui, layout.right);
     lesions(view, state, ui);

@@ -9,6 +9,8 @@ namespace {
 // Layout pixels.
 constexpr float toolbar_height = 48, hint_height = 32, timeline_height = 44, above_timeline = 8;
 constexpr float lecture_bar_height = 56, figures_height = 92, lecture_inset_aspect = 1.6f;
+constexpr float metre_labels = 16;     // below the arena
+constexpr float wide_window = 1600;    // has room for both columns and a watched canvas
 constexpr float narrow_window = 1200;  // a narrower window has narrower cards and margins
 constexpr float inset_height = 232;
 constexpr float charts_height = 248, tools_row = 44;
@@ -27,6 +29,26 @@ Rect take_timeline(Rect& middle, float scale) {
     const float strip = timeline_height * scale;
     middle.h = std::max(0.0f, middle.h - strip - above_timeline * scale);
     return {middle.x, middle.y + middle.h + above_timeline * scale, middle.w, strip};
+}
+
+// Gives a part of the scene to the canvas: the right part of a wide scene, else the lower part, because a diagram is
+// wider than high.
+void split_for_canvas(WindowLayout& l, const LabView& view, float border) {
+    constexpr float wide = 1.9f;  // width by height
+    if (view.lecture) l.scene.w = l.right.x - border - l.scene.x;
+    const float share = std::clamp(view.settings.canvas_share, least_canvas_share, largest_canvas_share);
+    if (l.scene.w > wide * l.scene.h) {
+        const float canvas = (l.scene.w - border) * share;
+        l.scene.w -= canvas + border;
+        l.border = {l.scene.x + l.scene.w, l.scene.y, border, l.scene.h};
+        l.canvas = {l.border.x + border, l.scene.y, canvas, l.scene.h};
+    } else {
+        const float canvas = (l.scene.h - border) * share;
+        l.scene.h -= canvas + border;
+        l.border = {l.scene.x, l.scene.y + l.scene.h, l.scene.w, border};
+        l.scene.h = std::max(0.0f, l.scene.h - metre_labels * l.scale);
+        l.canvas = {l.scene.x, l.border.y + border, l.scene.w, canvas};
+    }
 }
 
 }  // namespace
@@ -51,7 +73,10 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     const float right = std::min(c.right * scale, width * 0.375f - margin);
     l.left = {margin, top, left, column};
     l.right = {width - margin - right, top, right, column};
-    l.scene = {2 * margin + left, top, width - 4 * margin - left - right, column};
+    const bool watches = view.settings.watching && view.mode != Mode::wiring;
+    if (watches && width / scale < (view.lesson ? narrow_window : wide_window)) l.left = {};  // room for the canvas
+    const float from_left = l.left.w > 0 ? 2 * margin + left : margin;
+    l.scene = {from_left, top, width - 2 * margin - right - from_left, column};
 
     if (charts && view.mode != Mode::wiring && !view.lecture) {
         const float strip = std::min(charts_height * scale, column * 0.45f);
@@ -78,6 +103,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     } else if (!view.lecture) {
         l.timeline = take_timeline(l.scene, scale);
     }
+    if (watches) split_for_canvas(l, view, margin);
     if (l.tools.w <= 0) l.tools = l.scene;
     return l;
 }

@@ -20,8 +20,8 @@ constexpr std::string_view fixed_anchors[]{
     "curve.RL", "curve.RR",
     // the toolbar
     "button.play", "button.step", "button.reset", "button.slower", "button.faster", "button.add", "button.remove",
-    "button.new", "button.follow", "button.sensors", "button.outlines", "button.view", "button.wiring", "button.open",
-    "button.exit", "button.charts", "mode", "speed", "time",
+    "button.new", "button.follow", "button.sensors", "button.outlines", "button.view", "button.watch", "button.wiring",
+    "button.open", "button.exit", "button.charts", "mode", "speed", "time",
     // the timeline
     "timeline.track", "timeline.rewind", "timeline.bookmark", "timeline.behind",
     // the exercise

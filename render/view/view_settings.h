@@ -30,11 +30,15 @@ struct Selection {
     friend bool operator==(const Selection&, const Selection&) = default;
 };
 
+inline constexpr float least_canvas_share = 0.25f, largest_canvas_share = 0.75f;
+
 struct ViewSettings {
     Camera camera;
     Overlays overlays;
-    bool sensors = true;    // fill the sensor fields
-    bool outlines = false;  // draw the edges of the sensor fields
+    bool watching = false;       // the wiring diagram is shown beside the scene, also while playing
+    float canvas_share = 0.45f;  // of the width of both; least_canvas_share .. largest_canvas_share
+    bool sensors = true;         // fill the sensor fields
+    bool outlines = false;       // draw the edges of the sensor fields
     Selection selection;
     friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
 };

@@ -8,6 +8,33 @@
 namespace braitenlab::tests::lab_requests_test {
 namespace {
 
+TEST(LabRequests, WatchTheWiringWhilePlaying) {
+    Lab lab = opened_lab("5-logic");
+    handle(lab, Action::play_pause);
+    handle(lab, Action::watch);
+    EXPECT_TRUE(lab.view.watching);
+    EXPECT_EQ(lab.playback.mode, Mode::playing);
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LL, 0.5f}, gestures::panels + 1});
+    EXPECT_EQ(lab.playback.mode, Mode::playing) << "a slider does not pause";
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LL, 0.7f}, gestures::canvas + 1});
+    EXPECT_EQ(lab.playback.mode, Mode::paused) << "an edit in the diagram does";
+    EXPECT_TRUE(lab.view.watching);
+    handle(lab, Action::wiring);
+    handle(lab, Action::watch);
+    EXPECT_EQ(lab.playback.mode, Mode::paused) << "from the editor to the watched diagram";
+    EXPECT_TRUE(lab.view.watching);
+    handle(lab, Action::watch);
+    EXPECT_FALSE(lab.view.watching);
+}
+
+TEST(LabRequests, LimitTheShareOfTheWatchedWiring) {
+    Lab lab = opened_lab("2a-coward");
+    handle(lab, CanvasShareRequest{2});
+    EXPECT_EQ(lab.view.canvas_share, largest_canvas_share);
+    handle(lab, CanvasShareRequest{-1});
+    EXPECT_EQ(lab.view.canvas_share, least_canvas_share);
+}
+
 TEST(LabRequests, ResetTheCameraByHome) {
     Lab lab = opened_lab("predator-prey");
     for (const Action way : {Action::follow, Action::birds_eye, Action::drivers_eye}) {

@@ -112,6 +112,50 @@ TEST(Window, FramesTheSceneInAnInsetWhileWiring) {
     EXPECT_FALSE(desk.anchors.find("card.information"));
 }
 
+TEST(Window, ShowsTheWiringBesideThePlayingSceneWhileItIsWatched) {
+    for (const float width : {1024.0f, 1280.0f, 2560.0f}) {
+        Desk desk(width, 1000);
+        desk.view.mode = Mode::playing;
+        desk.rest();
+        EXPECT_FALSE(desk.anchors.find("canvas"));
+        desk.click("button.watch");
+        EXPECT_NE(std::find_if(desk.all.begin(), desk.all.end(),
+                               [](const Request& r) {
+                                   const auto* action = std::get_if<Action>(&r);
+                                   return action && *action == Action::watch;
+                               }),
+                  desk.all.end());
+        desk.view.settings.watching = true;
+        desk.rest();
+        const Rect canvas = *desk.anchors.find("canvas"), scene = *desk.anchors.find("viewport");
+        const bool is_below = scene.y + scene.h <= canvas.y, is_beside = scene.x + scene.w <= canvas.x;
+        EXPECT_NE(is_below, is_beside) << width;
+        EXPECT_GT(scene.w, 300) << width;
+        EXPECT_GT(scene.h, 200) << width;
+        EXPECT_GT(canvas.w, 300) << width;
+        EXPECT_GT(canvas.h, 200) << width;
+        EXPECT_FALSE(overlap(canvas, desk.where("card.brain"))) << width;
+    }
+}
+
+TEST(Window, MovesTheBorderOfTheWatchedWiringWithThePointer) {
+    Desk desk;
+    desk.view.settings.watching = true;
+    desk.rest();
+    const Rect canvas = *desk.anchors.find("canvas");
+    desk.point("canvas.border");
+    desk.frame(2);
+    desk.button(0, true);
+    desk.frame(2);
+    desk.point(canvas.x + canvas.w / 2, canvas.y + canvas.h / 2);
+    desk.frame(2);
+    ASSERT_TRUE(!desk.asked.empty() && std::holds_alternative<CanvasShareRequest>(desk.asked.back()));
+    EXPECT_LT(std::get<CanvasShareRequest>(desk.asked.back()).share, desk.view.settings.canvas_share - 0.1f);
+    desk.button(0, false);
+    desk.frame(2);
+    EXPECT_TRUE(desk.asked.empty());
+}
+
 TEST(Window, PlaysAndPausesOnSpaceWithAnyFocus) {
     Desk desk;
     desk.frame(3);

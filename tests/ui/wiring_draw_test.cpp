@@ -2,6 +2,7 @@
 
 #include "tests/ui/wiring_fixture.h"
 #include "ui/wiring/draw.h"
+#include "ui/wiring/draw_nodes.h"
 #include "ui/wiring/draw_wires.h"
 
 namespace braitenlab::tests::wiring_draw_test {
@@ -14,6 +15,15 @@ namespace {
 using WiringDraw = CanvasFixture;
 
 int vertices() { return ImGui::GetDrawData()->TotalVtxCount; }
+
+TEST_F(WiringDraw, KeepsTheStepOrThePeakInsideTheGlyph) {
+    for (const ResponseTraits& row : responses)
+        for (const float peak : {-2.0f, -0.5f, 0.0f, 0.8f, 1.5f, 2.0f}) {
+            const float reach = glyph_reach({row.value, peak});
+            EXPECT_GE(reach, 1);
+            EXPECT_TRUE(!row.has_peak || std::fabs(peak) < 0.9f * reach) << row.word << peak;
+        }
+}
 
 TEST_F(WiringDraw, OmitsInvisibleParts) {
     show(large_brain(200, 800));

@@ -102,6 +102,15 @@ TEST(WiringLayout, HasTheLabelsOfCrossingWiresSideBySideAsMirrorImages) {
     EXPECT_NEAR(down.y, -up.y, 0.5f);
 }
 
+TEST(WiringLayout, HasWiderLabelsForLearningWires) {
+    BrainGraph graph = chain(2);
+    const Layout before = lay_out(graph, {});
+    const WireEnds ends{graph.wires.back().from, graph.wires.back().to};
+    graph.wires.back().learning_rate = 0.1f;
+    const Layout after = lay_out(graph, {});
+    EXPECT_GT(find_shape(after, ends)->label_size.x, find_shape(before, ends)->label_size.x + 40);
+}
+
 TEST(WiringLayout, KeepsLabelsClearOfCards) {
     const vec2 in_the_way = find_shape(lay_out(chain(1), {}), WireEnds{SL, ML})->label;
     const Layout layout = lay_out(chain(1), {{4, in_the_way + vec2{70, 0}}});

@@ -43,6 +43,14 @@ TEST(WiringNodeText, SumHasTheCurveInASeparateLine) {
     EXPECT_NEAR(sum_of(graph, ML, seen), 0.31f, 1e-6f);
 }
 
+TEST(WiringNodeText, SumOfAStepIsComparedWithItsThreshold) {
+    BrainGraph graph = make_graph({.LL = 0.5f, .LM = 0.1f});
+    find_node(graph, "ML")->curve = {Response::step, 1.5f};
+    EXPECT_EQ(sum_text(graph, ML, seen), "0.42·0.50 + 0.10 = 0.31 < 1.50 → 0.44");
+    find_node(graph, "ML")->curve.peak = 0.25f;
+    EXPECT_EQ(sum_text(graph, ML, seen), "0.42·0.50 + 0.10 = 0.31 ≥ 0.25 → 0.44");
+}
+
 TEST(WiringNodeText, SumOmitsCutWiresAndAddsTheLearnedPart) {
     BrainGraph graph = make_graph({.LL = 0.5f, .LR = 1});
     find_wire(graph, 1, ML)->cut = true;

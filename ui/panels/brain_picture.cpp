@@ -10,6 +10,7 @@
 #include "core/brain/four_neurons.h"
 #include "ui/panels/brain_sketch.h"
 #include "ui/panels/panels.h"
+#include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
@@ -89,6 +90,7 @@ public:
         ends();
         connections(all);
         strokes();
+        watch_button(all);
         ImGui::SetCursorScreenPos(at_);
         const Item area = item(ui_, "brain.picture", {all.w, all.h}, false);
         if (state_.lesion_under_pointer.empty()) tooltip(ui_, area, ui_.strings("brain.picture"));
@@ -192,6 +194,16 @@ private:
             sketch::number(ui_, {layout_.wheel[side].x + out * ui_.px(32), layout_.wheel[side].y + ui_.px(4)},
                            side == 0, motors_[side].name, with_sign(vehicle_.motor[s], 2));
         }
+    }
+
+    // Shows the whole brain beside the scene, or hides it.
+    void watch_button(const Rect& all) {
+        const SmallButton look{"button.watch", icon::wiring, ui_.strings("button.watch"), view_.settings.watching};
+        const float width = small_button_width(ui_, look, false);
+        ImGui::SetCursorScreenPos({all.x + all.w - width - ui_.px(4), all.y + ui_.px(4)});
+        const Item at = small_button(ui_, look, false);
+        tooltip(ui_, at, ui_.strings("tooltip.watch"), key_name(Action::watch, ui_.strings));
+        if (at.pressed) ui_.outbox.push_back(Action::watch);
     }
 
     // The number of lesions in the brain, and a button that heals them all.

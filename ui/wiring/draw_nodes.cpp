@@ -58,22 +58,37 @@ void draw_wheel(const Pen& pen, vec2 c, float angle, float value, bool stopped) 
         pen.list.AddLine(pen.at(c + vec2{-14, 14}), pen.at(c + vec2{14, -14}), paint(p.warning), pen.stroke(4));
 }
 
-// A neuron: its response curve with a dot at its value.
-void draw_response(const Pen& pen, vec2 c, const Curve& curve, float value) {
+// A neuron: its response curve as a gauge of its input sum. A mark is at the threshold or peak, a dot at the sum and
+// the value.
+void draw_response(const Pen& pen, vec2 c, const Curve& curve, float sum, float value) {
     const Palette& p = pen.palette();
     constexpr float half = 17;
     pen.box(c, {2 * half + 6, 2 * half + 6}, 8, mix(p.panel, p.ground, 0.6f));
     pen.list.AddLine(pen.at(c - vec2{half, 0}), pen.at(c + vec2{half, 0}), paint(p.line), pen.stroke(1));
     pen.list.AddLine(pen.at(c - vec2{0, half}), pen.at(c + vec2{0, half}), paint(p.line), pen.stroke(1));
-    constexpr int pieces = 24;
+    const float reach = glyph_reach(curve);
+    if (row_of(curve.response).has_peak) {
+        const float x = curve.peak / reach * half;
+        pen.list.AddLine(pen.at(c + vec2{x, -half}), pen.at(c + vec2{x, half}), paint(p.accent.with_alpha(0.7f)),
+                         pen.stroke(1.6f));
+    }
+    constexpr int pieces = 32;
     ImVec2 points[pieces + 1];
     for (int i = 0; i <= pieces; ++i) {
         const float x = 2 * static_cast<float>(i) / pieces - 1;
-        points[i] = pen.at(c + vec2{x, -std::clamp(respond(curve, x), -1.0f, 1.0f)} * half);
+        points[i] = pen.at(c + vec2{x, -std::clamp(respond(curve, x * reach), -1.0f, 1.0f)} * half);
     }
     compat::polyline(pen.list, points, pieces + 1, paint(p.text), false, pen.stroke(2));
-    const float height = std::clamp(value, -1.0f, 1.0f);
-    pen.list.AddCircleFilled(pen.at(c + vec2{half, -height * half}), pen.size(3.5f), paint(colour_of_weight(p, value)));
+    const vec2 dot{std::clamp(sum / reach, -1.0f, 1.0f), -std::clamp(value, -1.0f, 1.0f)};
+    pen.list.AddCircleFilled(pen.at(c + dot * half), pen.size(4), paint(colour_of_weight(p, value)));
+}
+
+// The input sum of a node: what its wires carry, and its bias.
+float sum_into(const Picture& picture, std::size_t node) {
+    float sum = picture.graph.nodes[picture.layout.nodes[node].node].bias;
+    for (std::size_t i = 0; i < picture.layout.wires.size(); ++i)
+        if (picture.layout.wires[i].to == node) sum += picture.readings.carried[i];
+    return sum;
 }
 
 // A bar from 0 to the value: to the right for positive values. A sensor has no negative side.
@@ -141,7 +156,9 @@ void draw_contents(const Pen& pen, const Picture& picture, const NodeShape& shap
     const vec2 icon = shape.centre + vec2{-half.x + (neuron ? 38.0f : 44.0f), neuron ? 0.0f : far ? -13.0f : -9.0f};
     if (node.kind == NodeKind::sensor) draw_eye(pen, icon, value, node.silenced);
     if (node.kind == NodeKind::motor) draw_wheel(pen, icon, wheel_angle(picture, node), value, node.silenced);
-    if (neuron) draw_response(pen, icon, node.curve, value);
+    if (neuron)
+        draw_response(pen, icon, node.curve,
+                      sum_into(picture, static_cast<std::size_t>(&shape - picture.layout.nodes.data())), value);
     const float left = icon.x + (neuron ? 28.0f : 34.0f);
     draw_words(pen, picture, node, value, {left, shape.centre.y - half.y},
                shape.centre + half - vec2{neuron ? 14.0f : 18.0f, 0});
@@ -199,6 +216,11 @@ bool invites(const Picture& picture, const NodeShape& shape, bool out) {
 }
 
 }  // namespace
+
+float glyph_reach(const Curve& curve) {
+    constexpr float beyond = 1.4f;  // of the peak
+    return row_of(curve.response).has_peak ? std::max(1.0f, beyond * std::fabs(curve.peak)) : 1.0f;
+}
 
 void draw_nodes(const Pen& pen, const Picture& picture) {
     const Hit& over = picture.state.hovered;

@@ -238,10 +238,13 @@ void draw_label(const Pen& pen, const Picture& picture, std::size_t index) {
     if (!shape.ghost) pen.halo(at + vec2{0, 1}, extent, extent.y / 2, 4, p.shadow.with_alpha(p.shadow.a * 0.3f));
     pen.box(at, extent, extent.y / 2, shape.ghost || cut ? p.panel : p.raised);
     if (selected) pen.frame(at, extent + vec2{6, 6}, extent.y / 2 + 3, 3, p.selected);
-    const Colour rim = cut ? p.warning : shape.ghost ? p.line : colour_of_weight(p, value);
+    const float gained = wire != nullptr && learns(*wire) ? picture.readings.learned[index] : 0;
+    const Colour rim = cut ? p.warning : shape.ghost ? p.line : colour_of_weight(p, value + gained);
     pen.frame(at, extent, extent.y / 2, hovered || !shape.ghost ? 2 : 1.2f, hovered ? p.text : rim);
     if (cut) draw_cut(pen, at + vec2{extent.x / 2, 0}, extent.y * 0.42f);
-    const std::string weight = shape.ghost ? fixed(0, 2) : with_sign(value, 2);
+    std::string weight = shape.ghost ? fixed(0, 2) : with_sign(value, 2);
+    if (wire != nullptr && learns(*wire))
+        weight = fixed(value, 2) + (gained < 0 ? " − " : " + ") + fixed(std::fabs(gained), 2);
     const Colour ink = shape.ghost || cut ? p.second_text : p.text;
     if (!shape.direct) return pen.text(at, letters + 2, 0.5f, weight, ink);
     const float pad = (sketch ? 9.0f : 13.0f) * grow;

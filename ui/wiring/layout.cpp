@@ -86,7 +86,10 @@ void add_wires(Layout& layout, const BrainGraph& graph) {
         if (from == nullptr || to == nullptr) continue;
         shape.from = static_cast<std::size_t>(from - layout.nodes.data());
         shape.to = static_cast<std::size_t>(to - layout.nodes.data());
-        shape.label_size = shape.direct ? vec2{108, 34} : vec2{72, 28};
+        // The label of a learning wire also shows what it has learned.
+        const bool has_learned = shape.wire >= 0 && learns(graph.wires[static_cast<std::size_t>(shape.wire)]);
+        shape.label_size = vec2{shape.direct ? 108.0f : 72.0f, shape.direct ? 34.0f : 28.0f};
+        if (has_learned) shape.label_size.x += 60;
         layout.wires.push_back(shape);
     }
 }

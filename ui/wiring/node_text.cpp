@@ -103,6 +103,9 @@ std::string sum_text(const BrainGraph& graph, NodeId id, const Values& value, co
     std::string text = joined(terms_of(graph, *node, value, learned));
     if (node->curve.response != Response::linear) {
         const float sum = sum_of(graph, id, value, learned);
+        if (node->curve.response == Response::step)
+            return text + " = " + fixed(sum, 2) + (sum >= node->curve.peak ? " ≥ " : " < ") +
+                   fixed(node->curve.peak, 2) + " → " + fixed(value(id), 2);
         text += " = " + fixed(sum, 2) + "\nf(" + fixed(sum, 2) + ") = " + fixed(respond(node->curve, sum), 2);
     }
     return text + " → " + fixed(value(id), 2);
