@@ -61,6 +61,7 @@ bool App::turn() {
     if (ends()) return close(), false;
     handle_files();
     lab_.dragging = ui::drags_vehicle(panels_, lab_.view.selection.vehicle);
+    lab_.sheet_open = panels_.sheet != ui::Sheet::none;
     let_time_pass(passed);
     follow_jobs();
     frame(static_cast<float>(passed));
@@ -151,7 +152,8 @@ void App::save_settings(bool now) {
 
 bool App::moves() const {
     const auto& lesson = lab_.document.lesson;
-    return got_input_ || lab_.playback.mode == Mode::playing || (lesson && lesson->grading) || !lab_.files.empty();
+    const bool plays = lab_.playback.mode == Mode::playing && !lab_.sheet_open;
+    return got_input_ || plays || (lesson && lesson->grading) || !lab_.files.empty();
 }
 
 bool App::repeatable() const { return !options_.screenshot.empty() && options_.play; }

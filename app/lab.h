@@ -29,6 +29,7 @@ struct Lab {
     ViewSettings view{};
     std::string object_name{};  // of view.selection.object, whose index changes when objects are added or removed
     bool dragging = false;      // the user drags the selected vehicle or one of its values; see reselect_after_death()
+    bool sheet_open = false;    // a sheet covers the window: simulated time is paused, the mode stays unchanged
     bool deselected = false;    // no vehicle is selected, and none is selected in place of a dead one
     Steer steered{};            // last command given by the arrow keys
     Preferences preferences{};  // as shown now

@@ -61,7 +61,7 @@ void advance(Lab& lab, double wall_seconds) {
     if (auto& lesson = lab.document.lesson; lesson && lab.wall_seconds - lesson->last_hint_at >= hint_interval)
         lesson->view.hint_ready = true;
     Playback& playback = lab.playback;
-    if (playback.mode != Mode::playing || playback.held) return;
+    if (playback.mode != Mode::playing || playback.held || lab.sheet_open) return;
 
     using Clock = std::chrono::steady_clock;
     const auto began = Clock::now();

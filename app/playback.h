@@ -41,8 +41,8 @@ void set_mode(Lab&, Mode);
 // Runs one tick in any mode.
 void tick(Lab&);
 
-// Advances by wall time: runs the ticks that are due while playing, for at most 12 ms. Ticks that exceed this time are
-// dropped, so that a slow computer runs in slow motion and the debt does not grow.
+// Advances by wall time: runs the ticks that are due while playing and no sheet is open, for at most 12 ms. Ticks that
+// exceed this time are dropped, so that a slow computer runs in slow motion and the debt does not grow.
 void advance(Lab&, double wall_seconds);
 
 // Position of the picture between the previous tick (0) and the last one (1); 1 while the simulation is paused.

@@ -117,12 +117,11 @@ bool key_for_canvas(wiring::CanvasState& canvas, KeyPress press) {
     return action && wiring::press_key(canvas, *action);
 }
 
-// Keys that work while a sheet is open: those that no widget of a sheet uses.
+// Keys that work while a sheet is open: those of the window. Keys of the lab do nothing.
 bool works_under_a_sheet(KeyPress press) {
     const auto action = action_for(press);
-    return action &&
-           (*action == Action::play_pause || *action == Action::full_screen || *action == Action::screenshot ||
-            *action == Action::larger || *action == Action::smaller || *action == Action::keys);
+    return action && (*action == Action::full_screen || *action == Action::screenshot || *action == Action::larger ||
+                      *action == Action::smaller || *action == Action::keys);
 }
 
 // On a sheet Down and Up are Tab and Shift+Tab. Other keys do nothing.

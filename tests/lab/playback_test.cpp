@@ -5,6 +5,7 @@
 
 #include "app/lab_requests.h"
 #include "tests/lab/opened_lab.h"
+#include "ui/window.h"
 
 namespace braitenlab::tests::playback_test {
 namespace {
@@ -44,6 +45,43 @@ TEST(Playback, ReportsThePaceThatItReaches) {
     EXPECT_LT(*pace, 1e5f) << "the pace that is reached";
     handle(lab, Action::slower);
     EXPECT_FALSE(view_of(lab).pace) << "measured again";
+}
+
+TEST(Playback, WaitsWhileASheetIsOpenAndThenContinuesInTheSameMode) {
+    Lab lab = opened_lab("2a-coward");
+    ui::PanelState panels;
+    const auto tick_after = [&](int frames) {
+        for (int i = 0; i < frames; ++i) {
+            lab.sheet_open = panels.sheet != ui::Sheet::none;
+            advance(lab, 0.1);
+        }
+        return lab.document.session.snapshot().tick;
+    };
+    const auto press = [&](KeyPress key) {
+        Outbox outbox;
+        ui::press_key(view_of(lab), panels, key, outbox);
+        for (const Request& request : outbox) handle(lab, request);
+    };
+    press({' '});
+    const auto before = tick_after(5);
+    ASSERT_GT(before, 0u);
+    const float between = between_ticks(lab);
+    press({key::f1});
+    ASSERT_EQ(panels.sheet, ui::Sheet::keys);
+    EXPECT_EQ(tick_after(5), before);
+    EXPECT_EQ(between_ticks(lab), between) << "the picture does not move";
+    for (const int key : {' ', int{'.'}, int{','}, int{'R'}, int{'N'}, int{'A'}, int{'G'}}) press({key});
+    EXPECT_EQ(tick_after(5), before) << "keys of the lab do nothing";
+    EXPECT_EQ(lab.document.edits, 0);
+    press({key::escape});
+    ASSERT_EQ(panels.sheet, ui::Sheet::none);
+    EXPECT_NEAR(static_cast<double>(tick_after(10) - before), 60, 1) << "without the ticks of the time in between";
+    press({' '});
+    const auto paused = tick_after(1);
+    press({key::f1});
+    press({' '});
+    press({key::escape});
+    EXPECT_EQ(tick_after(5), paused) << "a paused run stays paused";
 }
 
 TEST(Playback, CountsChangesBetweenPlayingAndNotPlaying) {

@@ -41,6 +41,21 @@ TEST(LectureWindow, F9TwiceRestoresEverything) {
         EXPECT_EQ(lab.state()[what], looked[what]) << what;
 }
 
+TEST(SheetWindow, PausesTheRunWhileItIsOpen) {
+    LabWindow lab({"predator-prey", "--size", "1280x800", "--play"});
+    ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] > 0; }));
+    lab.key("F1");
+    ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("card.keys"); }));
+    lab.draw_frames();
+    const Json tick = lab.state()["tick"];
+    lab.key("space");
+    lab.draw_frames();
+    EXPECT_EQ(lab.state()["tick"], tick);
+    EXPECT_EQ(lab.state()["mode"], "playing");
+    lab.key("Escape");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["tick"] > tick; }));
+}
+
 TEST(CrashWindow, OffersTheWorkAfterACrash) {
     const Home home;
     {
