@@ -41,7 +41,7 @@ bool has_input(const ui::KeysOfAFrame& keys, const ImGuiIO& io) {
 
 std::string typed_text(const ui::PanelState& panels) {
     if (!panels.sliders.typed.empty()) return panels.sliders.text;
-    for (const ui::TextField* field : {&panels.files.typed, &panels.files.title})
+    for (const ui::TextField* field : {&panels.files.typed, &panels.files.title, &panels.files.story})
         if (field->active) return field->text;
     return {};
 }

@@ -165,6 +165,7 @@ struct SaveRequest {
     FileKind kind = FileKind::scene;
     std::optional<std::string> title{};  // new title of the scene
     bool create_folder = false;          // else saving into a folder that does not exist is refused
+    std::optional<std::string> story{};  // new story of the scene
 };
 enum class Leave { save, discard, stay, saved };  // saved: already saved under a new name
 struct LeaveRequest {                             // the answer to FilesView::leaving

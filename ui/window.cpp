@@ -226,7 +226,8 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     if (view.lecture && state.sheet == Sheet::none && press.key != key::f9)
         state.pressed.push_back({press, view.wall_seconds});
     if (state.sheet == Sheet::files &&
-        (for_text_field(state.files.typed, press) || for_text_field(state.files.title, press)))
+        (for_text_field(state.files.typed, press) || for_text_field(state.files.title, press) ||
+         for_text_field(state.files.story, press)))
         return true;
     if (state.sheet != Sheet::none && !works_under_a_sheet(press)) return key_for_sheet(state, press);
     if (state.presets_open && press.key == key::escape) {

@@ -115,8 +115,8 @@ struct FileCommands {
         const fs::path path = with_extension(resolved(wanted.path, folder(), folders.home), wanted.kind);
         if (!has_folder(path, wanted)) return;
         const std::uint64_t latest = lab.document.session.latest();
-        if (wanted.title) {
-            if (const auto error = lab.document.session.apply(Retitle{*wanted.title})) return fail(*error);
+        if (wanted.title || wanted.story) {
+            if (const auto error = lab.document.session.apply(Retitle{wanted.title, wanted.story})) return fail(*error);
             ++lab.document.edits;
         }
         if (const auto error = save_as(lab, path, wanted.kind)) return fail(*error);

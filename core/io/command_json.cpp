@@ -39,7 +39,15 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddObstacle, obstacle, before)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveObstacle, obstacle)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditObstacle, obstacle, to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveObstacle, obstacle, x, y, heading)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Retitle, title)
+inline void to_json(Json& json, const Retitle& c) {
+    json = Json::object();
+    if (c.title) json["title"] = *c.title;
+    if (c.story) json["story"] = *c.story;
+}
+inline void from_json(const Json& json, Retitle& c) {
+    if (json.contains("title")) c.title = json.at("title").get<std::string>();
+    if (json.contains("story")) c.story = json.at("story").get<std::string>();
+}
 inline void to_json(Json& json, const NewPopulation&) { json = Json::object(); }
 inline void from_json(const Json&, NewPopulation&) {}
 

@@ -146,7 +146,12 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
             [](const ChooseDriver&) -> Commands { return {}; },  // the driver is a mode, not an edit
             [](const Steer&) -> Commands { return {}; },
             [](const NewPopulation&) -> Commands { return {}; },
-            [&](const Retitle&) -> Commands { return {Retitle{scene.title}}; },
+            [&](const Retitle& c) -> Commands {
+                Retitle back;
+                if (c.title) back.title = scene.title;
+                if (c.story) back.story = scene.story;
+                return {back};
+            },
         },
         command);
 }
@@ -174,7 +179,11 @@ bool supersedes(const Command& later, const Command& earlier) {
               [&](const MoveSource& c) { return c.source == std::get<MoveSource>(earlier).source; },
               [&](const EditObstacle& c) { return c.obstacle == std::get<EditObstacle>(earlier).obstacle; },
               [&](const MoveObstacle& c) { return c.obstacle == std::get<MoveObstacle>(earlier).obstacle; },
-              [](const Retitle&) { return true; }, [](const auto&) { return false; }},
+              [&](const Retitle& c) {
+                  const auto& e = std::get<Retitle>(earlier);
+                  return (c.title || !e.title) && (c.story || !e.story);
+              },
+              [](const auto&) { return false; }},
         later);
 }
 

@@ -133,8 +133,8 @@ struct MoveObstacle {
     float x = 0, y = 0, heading = 0;
     friend bool operator==(const MoveObstacle&, const MoveObstacle&) = default;
 };
-struct Retitle {  // sets the scene's title; the run does not depend on it
-    std::string title;
+struct Retitle {  // sets the scene's title and story; nullopt: unchanged. The run does not depend on them
+    std::optional<std::string> title{}, story{};
     friend bool operator==(const Retitle&, const Retitle&) = default;
 };
 struct NewPopulation {  // starts the next generation: the same number of vehicles at new random poses

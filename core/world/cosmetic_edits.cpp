@@ -81,7 +81,8 @@ std::optional<Error> execute_cosmetic(State& s, const PlaceNodes& c) {
 
 std::optional<Error> execute_cosmetic(State& s, const Retitle& c) {
     auto scene = std::make_shared<Scene>(*s.scene);
-    scene->title = c.title;
+    if (c.title) scene->title = *c.title;
+    if (c.story) scene->story = *c.story;
     if (auto error = check_scene(*scene)) return error;
     s.scene = std::move(scene);
     return std::nullopt;
@@ -91,7 +92,7 @@ std::shared_ptr<const State> with_cosmetic(const std::shared_ptr<const State>& s
     auto edited = std::make_shared<State>(*state);
     std::optional<Error> refused;  // the vehicle may be absent from a later state
     if (const auto* places = std::get_if<PlaceNodes>(&edit)) refused = execute_cosmetic(*edited, *places);
-    if (const auto* title = std::get_if<Retitle>(&edit)) refused = execute_cosmetic(*edited, *title);
+    if (const auto* texts = std::get_if<Retitle>(&edit)) refused = execute_cosmetic(*edited, *texts);
     if (refused) return state;
     return edited;
 }
@@ -109,11 +110,19 @@ Command keeping_places(Command later, const PlaceNodes& edit) {
     return later;
 }
 
+Command keeping_texts(Command later, const Retitle& edit) {
+    if (auto* texts = std::get_if<Retitle>(&later)) {
+        if (edit.title) texts->title.reset();
+        if (edit.story) texts->story.reset();
+    }
+    return later;
+}
+
 }  // namespace
 
 Command keeping_cosmetic(Command later, const Command& edit) {
     if (const auto* places = std::get_if<PlaceNodes>(&edit)) return keeping_places(std::move(later), *places);
-    if (const auto* title = std::get_if<Retitle>(&edit); title && std::holds_alternative<Retitle>(later)) return *title;
+    if (const auto* texts = std::get_if<Retitle>(&edit)) return keeping_texts(std::move(later), *texts);
     return later;
 }
 

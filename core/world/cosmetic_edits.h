@@ -1,5 +1,5 @@
-// Cosmetic edits: positions of nodes on the wiring canvas and the scene's title. They change the display only; the run
-// and its recording stay the same, bit for bit. Inside core/world and core/session only.
+// Cosmetic edits: positions of nodes on the wiring canvas, and the scene's title and story. They change the display
+// only; the run and its recording stay the same, bit for bit. Inside core/world and core/session only.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ namespace braitenlab::world {
 bool is_cosmetic(const Command&);
 
 // Executes the edit. PlaceNodes: refuses a position outside the canvas, an unknown vehicle or kind. Retitle: refuses a
-// title that check_scene refuses.
+// title or story that check_scene refuses.
 std::optional<Error> execute_cosmetic(State&, const PlaceNodes&);
 std::optional<Error> execute_cosmetic(State&, const Retitle&);
 

@@ -46,6 +46,19 @@ Session busy_session(const Scene& scene, int ticks) {
     return session;
 }
 
+TEST(RunFile, KeepsCommandsThatChangeOnlyTheTitleOrOnlyTheStory) {
+    Session session = std::move(*Session::open(*load_scene(tests::shipped_scenes().front()), 3));
+    const Scene before = session.scene();
+    for (const Retitle& texts : {Retitle{"Mine"}, Retitle{.story = "It turns."}}) {
+        ASSERT_FALSE(session.apply(texts));
+        const auto run = io::read_run(io::write_run(session.save()), "a.run");
+        ASSERT_TRUE(run) << run.error().text();
+        const Scene after = *Session::resume(*run).snapshot().scene;
+        EXPECT_EQ(after.title, "Mine");
+        EXPECT_EQ(after.story, texts.story.value_or(before.story));
+    }
+}
+
 TEST(RunFile, ContinuesTheSavedRunExactlyInEveryShippedScene) {
     for (const auto& path : tests::shipped_scenes()) {
         for (const int ticks : {10, 290, 777}) {

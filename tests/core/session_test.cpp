@@ -604,6 +604,50 @@ TEST(CosmeticEdits, OfATitleInThePastReplaceALaterTitle) {
     EXPECT_EQ(session.snapshot().scene->title, "renamed");
 }
 
+TEST(CosmeticEdits, OfAStoryKeepTheTitleAndTheRecordedFuture) {
+    Session session = open(furnished());
+    const auto texts = [&] { return Retitle{session.snapshot().scene->title, session.snapshot().scene->story}; };
+    const Retitle first = texts();
+    for (int i = 0; i < 650; ++i) session.step();
+    const auto hash = session.hash();
+    session.seek(310);
+    ASSERT_FALSE(session.apply(Retitle{.story = "It turns."}));
+    const Retitle told{first.title, "It turns."};
+    EXPECT_EQ(texts(), told);
+    EXPECT_EQ(session.latest(), 650u);
+    session.seek(640);
+    EXPECT_EQ(texts(), told);
+    EXPECT_EQ(session.hash(), hash);
+    EXPECT_TRUE(session.undo());
+    EXPECT_EQ(texts(), first);
+    EXPECT_TRUE(session.redo());
+    EXPECT_EQ(texts(), told);
+}
+
+TEST(CosmeticEdits, OfAStoryInThePastReplaceALaterStoryButNoLaterTitle) {
+    Session session = open(furnished());
+    for (int i = 0; i < 100; ++i) session.step();
+    ASSERT_FALSE(session.apply(Retitle{"later", "Later."}));
+    for (int i = 0; i < 10; ++i) session.step();
+    session.seek(50);
+    ASSERT_FALSE(session.apply(Retitle{.story = "It turns."}));
+    session.seek(110);
+    EXPECT_EQ(session.snapshot().scene->story, "It turns.");
+    EXPECT_EQ(session.snapshot().scene->title, "later");
+}
+
+TEST(CosmeticEdits, OfTitleAndStoryInOneGestureAreUndoneTogether) {
+    Session session = open(furnished());
+    const Scene before = *session.snapshot().scene;
+    ASSERT_FALSE(session.apply(Retitle{"renamed"}, 7));
+    ASSERT_FALSE(session.apply(Retitle{.story = "It turns."}, 7));
+    EXPECT_TRUE(session.undo());
+    EXPECT_EQ(*session.snapshot().scene, before);
+    EXPECT_TRUE(session.redo());
+    EXPECT_EQ(session.snapshot().scene->title, "renamed");
+    EXPECT_EQ(session.snapshot().scene->story, "It turns.");
+}
+
 TEST(Session, ReplayVisitsTheRecordedTicksWithoutChangingTheSession) {
     Session session = open(furnished());
     std::vector<Pose> poses;

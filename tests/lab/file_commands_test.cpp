@@ -6,6 +6,7 @@
 #include "app/files/data.h"
 #include "app/files/disk.h"
 #include "app/lab_requests.h"
+#include "core/scene/schema.h"
 #include "tests/folder.h"
 
 namespace braitenlab::tests::file_commands_test {
@@ -73,6 +74,29 @@ TEST_F(FileCommands, SavesTheSceneUnderAnotherTitle) {
     ask(SaveRequest{"mine", FileKind::scene, std::string(1000, 'x')});
     EXPECT_NE(files.refused, "") << "too long";
     EXPECT_EQ(lab.document.session.snapshot().scene->title, "My own coward");
+}
+
+TEST_F(FileCommands, SavesTheSceneWithAnotherStory) {
+    const std::string title = lab.document.session.scene().title, story(limits::text_length, 'x');
+    ask(SaveRequest{.path = "mine", .story = story});
+    EXPECT_EQ(lab.document.session.snapshot().scene->story, story) << "the card shows it";
+    EXPECT_FALSE(has_unsaved_edits(lab));
+    ask(OpenRequest{(*find_shipped("3a-love")).string()});
+    ask(OpenRequest{"mine.toml"});
+    EXPECT_EQ(lab.document.session.scene().story, story);
+    EXPECT_EQ(lab.document.session.scene().title, title);
+    ask(SaveRequest{.path = "mine", .story = story + 'x'});
+    EXPECT_NE(files.refused.find("story"), std::string::npos) << files.refused;
+    EXPECT_EQ(lab.document.session.snapshot().scene->story, story);
+}
+
+TEST_F(FileCommands, RestoresTitleAndStoryAsOneStepOfUndo) {
+    const Scene before = *lab.document.session.snapshot().scene;
+    ask(SaveRequest{.path = "mine", .title = "Mine", .story = "It turns."});
+    EXPECT_EQ(lab.document.session.undo_depth(), 1);
+    handle(lab, Action::undo);
+    EXPECT_EQ(*lab.document.session.snapshot().scene, before);
+    EXPECT_TRUE(has_unsaved_edits(lab)) << "the file has the other texts";
 }
 
 TEST_F(FileCommands, ExportsNumbersToANewFileInTheFolderOfPictures) {

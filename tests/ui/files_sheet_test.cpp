@@ -230,6 +230,33 @@ TEST_F(FilesSheet, RequestsATitleOfASceneAndSendsOnlyAChangedTitle) {
     EXPECT_EQ(titles().back(), std::nullopt);
 }
 
+TEST_F(FilesSheet, RequestsAStoryOfASceneAndSendsOnlyAChangedStory) {
+    const auto last = [&] {
+        SaveRequest found;
+        for (const Request& request : desk.all)
+            if (const auto* save = std::get_if<SaveRequest>(&request)) found = *save;
+        return found;
+    };
+    press({'S', true});
+    EXPECT_EQ(desk.panels.files.story.text, desk.now.scene->story);
+    press({key::enter});
+    EXPECT_EQ(last().story, std::nullopt);
+    press({key::tab}), press({key::tab});
+    EXPECT_EQ(desk.panels.keyboard.focus, "files.story");
+    type(" It turns,");
+    press({' '});  // a character here, not Play
+    press({key::enter});
+    ASSERT_TRUE(last().story);
+    EXPECT_NE(last().story->find("It turns,"), std::string::npos) << *last().story;
+    EXPECT_EQ(last().title, std::nullopt);
+    EXPECT_TRUE(desk.actions().empty());
+    desk.click("files.kind.3");
+    EXPECT_FALSE(desk.anchors.find("files.story")) << "brains have no story";
+    desk.click("files.path");
+    press({key::enter});
+    EXPECT_EQ(last().story, std::nullopt);
+}
+
 TEST_F(FilesSheet, AsksBeforeItReplacesAFileAndReportsCommentsThatWouldBeLost) {
     press({'S', true, true});
     desk.click("file.mine.toml");

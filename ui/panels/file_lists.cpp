@@ -25,7 +25,7 @@ void begin_files(FilesState& files, bool saving, FileKind kind) {
     files.saving = saving;
     files.kind = kind;
     files.begun = files.asked = false;
-    files.typed = files.title = {};
+    files.typed = files.title = files.story = {};
     files.replacing.clear();
     files.creating.clear();
 }

@@ -23,7 +23,7 @@ struct FilesState {
     std::optional<FileKind> only;            // when opening from a folder; none: every kind
     FileKind kind = FileKind::scene;         // when saving
     TextField typed;                         // a path, or the name to save under
-    TextField title;                         // of the scene to be saved
+    TextField title, story;                  // of the scene to be saved
     std::string listed;                      // the folder or place listed; a new one is scrolled to its top
     bool begun = false;                      // drawn at least once since it was opened
     bool asked = false;     // a request is in progress; it has succeeded when FilesView::done exceeds `done`

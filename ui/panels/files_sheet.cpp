@@ -34,10 +34,10 @@ const FileEntry* existing_file(const FilesState& files, const FolderListing& lis
     return nullptr;
 }
 
-// The new title of the scene, where the user has changed it.
-std::optional<std::string> new_title(const LabView& view, const FilesState& files, const Ui& ui) {
-    if (files.kind != FileKind::scene || files.title.text == translated(ui, view.now->scene->title)) return {};
-    return files.title.text;
+// The text of a field of a scene where it differs from the text shown in the lab.
+std::optional<std::string> changed_text(const FilesState& files, const TextField& field, std::string_view shown) {
+    if (files.kind != FileKind::scene || field.text == shown) return {};
+    return field.text;
 }
 
 // True if the last save was refused because the folder in the name does not exist; the next one creates it.
@@ -56,7 +56,11 @@ void save_file(const LabView& view, FilesState& files, Ui& ui) {
     } else {
         const bool create = asks_for_folder(view, files);
         files.creating = files.typed.text;
-        request_file(view, files, ui, SaveRequest{files.typed.text, files.kind, new_title(view, files, ui), create});
+        const Scene& scene = *view.now->scene;
+        request_file(
+            view, files, ui,
+            SaveRequest{files.typed.text, files.kind, changed_text(files, files.title, translated(ui, scene.title)),
+                        create, changed_text(files, files.story, translated(ui, scene.story))});
     }
 }
 
@@ -83,9 +87,9 @@ void opening_head(const LabView& view, FilesState& files, Ui& ui) {
 void named_field(Ui& ui, std::string_view name, TextField& field, std::string_view anchor, std::string_view what,
                  std::string_view how) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float aside = std::max(text_width(ui, Face::text, ui.strings("files.name_label")),
-                                 text_width(ui, Face::text, ui.strings("files.title"))) +
-                        ui.px(12);
+    float aside = 0;
+    for (const char* each : {"files.name_label", "files.title", "files.story"})
+        aside = std::max(aside, text_width(ui, Face::text, ui.strings(each)) + ui.px(12));
     put(ui, {at.x, at.y + (ui.px(button_height) - line_height(ui, Face::text)) / 2}, ui.strings(name),
         ui.palette.second_text);
     ImGui::SetCursorScreenPos({at.x + aside, at.y});
@@ -103,12 +107,14 @@ void saving_head(const LabView& view, FilesState& files, Ui& ui) {
     const int clicked = segments(ui, "files.kind", words, chosen, card_width(ui), ui.strings("files.kind_how"));
     if (clicked >= 0) files.kind = savable[static_cast<std::size_t>(clicked)];
     named_field(ui, "files.name_label", files.typed, "files.path", "files.name", "files.path_how");
-    if (files.kind == FileKind::scene)
+    if (files.kind == FileKind::scene) {
         named_field(ui, "files.title", files.title, "files.title", "files.title_empty", "files.title_how");
-    else
-        files.title.active = false;
+        named_field(ui, "files.story", files.story, "files.story", "files.story_empty", "files.story_how");
+    } else {
+        files.title.active = files.story.active = false;
+    }
     if (files.typed.text != files.replacing) files.replacing.clear();
-    if (files.typed.entered || files.title.entered) save_file(view, files, ui);
+    if (files.typed.entered || files.title.entered || files.story.entered) save_file(view, files, ui);
 }
 
 // The reason why the file cannot be opened or saved yet; empty if it can.
@@ -177,6 +183,7 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     if (!files.begun && files.saving) {
         files.typed.text = view.files->suggested;
         files.title.text = translated(ui, view.now->scene->title);
+        files.story.text = translated(ui, view.now->scene->story);
         ui.outbox.push_back(BrowseRequest{});
     }
     const bool in_folder = files.saving || files.place == FilesPlace::folder;
