@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <utility>
 
 #include "app/files/file_commands.h"
 #include "app/frame_pacing.h"
@@ -126,6 +127,7 @@ void App::handle_files() {
     for (const Request& request : lab_.files)
         if (const auto* recover = std::get_if<RecoverRequest>(&request)) handle_recovery(recover->take);
     if (!lab_.files.empty()) execute_file_requests(lab_, files_, settings_.state, folders_);
+    for (const auto& file : std::exchange(lab_.saved, {})) autosave_.forget_work_on(file);
     if (!options_.screenshot.empty() || seconds_since(file_checked_) < 0.3) return;
     file_checked_ = Clock::now();
     follow_file(lab_, files_);

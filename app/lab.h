@@ -40,7 +40,8 @@ struct Lab {
 
     // Requests that the window executes and clears.
     bool exit = false, screenshot = false, full_screen = false;
-    std::vector<Request> files{};  // to open, to save, to export, to list a folder
+    std::vector<Request> files{};                // to open, to save, to export, to list a folder
+    std::vector<std::filesystem::path> saved{};  // scene files written: leftovers of earlier work on them are removed
 };
 
 // A lab with this document, paused.

@@ -26,6 +26,7 @@ struct FolderListing {
 // Unsaved work of the last session, offered at the next start after a crash or a signal.
 struct RecoveryOffer {
     std::string title;   // of the scene or exercise
+    std::string file;    // path; empty: it has no file
     std::string when;    // time of the autosave, "2026-03-01 10:42:05"
     bool ended = false;  // ended by a signal, not by a crash
 };

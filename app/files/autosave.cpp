@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <toml++/toml.h>
 
+#include "app/files/file_commands.h"
 #include "app/files/folder_entries.h"
 #include "app/files/safe_file.h"
 #include "app/lab_lesson.h"
@@ -23,6 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* autosave_extension = ".autosave";
+constexpr const char* broken_extension = ".broken";
 
 std::string local_time() {
     const std::time_t now = std::time(nullptr);
@@ -83,12 +85,18 @@ Result<AutosaveKeys> read_json_keys(std::string_view text, const std::string& fi
     }
 }
 
+// `run` gets the run as a string of the older format, else it stays empty.
+Result<AutosaveKeys> read_keys(std::string_view text, const std::string& file_name, std::string& run) {
+    return text.starts_with('{') ? read_json_keys(text, file_name) : read_toml_keys(text, file_name, run);
+}
+
 Result<Document> document_of(const AutosaveKeys& keys, SavedRun run) {
     if (!keys.exercise) {
         Document document = resume_document(std::move(run));
         document.name = keys.name;
         document.path = keys.path;
         document.on_disk = mark_of(keys.path);
+        if (auto scene = load_scene(keys.path)) document.file = std::make_shared<const Scene>(std::move(*scene));
         return document;
     }
     auto document = open_document(keys.path, std::nullopt, {});
@@ -108,11 +116,39 @@ Result<Document> document_of(const AutosaveKeys& keys, SavedRun run) {
 void set_aside_autosave(const fs::path& path) {
     std::error_code none;
     fs::path aside = path;
-    aside += ".broken";
+    aside += broken_extension;
     fs::rename(path, aside, none);
 }
 
 fs::path lock_of(fs::path file) { return file.replace_extension(".lock"); }
+
+// Does not depend on the folder in which the lab was started. Empty if the path is empty.
+fs::path whole_path(const fs::path& path) {
+    std::error_code problem;
+    const fs::path whole = path.empty() ? path : fs::absolute(path, problem).lexically_normal();
+    return problem ? path : whole;
+}
+
+void remove_with_lock(const fs::path& file) {
+    std::error_code none;
+    fs::remove(file, none);
+    fs::remove(lock_of(file), none);
+}
+
+bool is_too_old(const fs::path& file) {
+    std::error_code problem;
+    const auto written = fs::last_write_time(file, problem);
+    return !problem && fs::file_time_type::clock::now() - written > Autosave::kept_for;
+}
+
+// Calls visit(path) for each autosave of a lab that has ended.
+template <class Visit>
+void for_each_leftover(const fs::path& folder, const Visit& visit) {
+    for_each_entry(folder, [&](const fs::directory_entry& entry) {
+        const fs::path& file = entry.path();
+        if (file.extension() == autosave_extension && lock_file(lock_of(file))) visit(file);
+    });
+}
 
 Error cannot_store(Error reason) {
     reason.what =
@@ -123,7 +159,7 @@ Error cannot_store(Error reason) {
 }  // namespace
 
 Draft draft_of(const Document& document) {
-    Draft draft{document.name, document.path, document.session.save(), std::nullopt};
+    Draft draft{document.name, whole_path(document.path), document.session.save(), std::nullopt};
     if (document.lesson) {
         const LessonView& view = document.lesson->view;
         draft.exercise = Draft::Progress{view.prediction, view.hints_shown, view.has_run};
@@ -147,11 +183,10 @@ std::string write_autosave(const Draft& draft, std::string_view when, bool ended
 }
 
 Result<Autosaved> open_autosave(std::string_view text, std::string file_name) {
-    const bool is_json = text.starts_with('{');
     std::string nested;
-    const auto keys = is_json ? read_json_keys(text, file_name) : read_toml_keys(text, file_name, nested);
+    const auto keys = read_keys(text, file_name, nested);
     if (!keys) return keys.error();
-    auto run = io::read_run(is_json ? text : nested, file_name);
+    auto run = io::read_run(text.starts_with('{') ? text : nested, file_name);
     if (!run) return run.error();
     auto document = document_of(*keys, std::move(*run));
     if (!document) return document.error();
@@ -160,9 +195,12 @@ Result<Autosaved> open_autosave(std::string_view text, std::string file_name) {
 
 Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::move(folder)) {
     if (folder_.empty()) return;
-    for_each_entry(folder_, [&](const fs::directory_entry& entry) {
-        const fs::path& file = entry.path();
-        if (file.extension() != autosave_extension || !lock_file(lock_of(file))) return;  // of a running lab
+    for_each_entry(folder_, [](const fs::directory_entry& entry) {
+        std::error_code none;
+        if (entry.path().extension() == broken_extension && is_too_old(entry.path())) fs::remove(entry.path(), none);
+    });
+    for_each_leftover(folder_, [&](const fs::path& file) {
+        if (is_too_old(file)) return remove_with_lock(file);
         const auto opened = open_autosave(autosave_text(file), file.string());
         if (!opened) {
             Error error = opened.error();
@@ -172,7 +210,8 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::m
             set_aside_autosave(file);
             return;
         }
-        const RecoveryOffer offer{title_of(opened->document), opened->when, opened->ended};
+        const RecoveryOffer offer{title_of(opened->document), opened->document.path.string(), opened->when,
+                                  opened->ended};
         if (!leftover_ || leftover_->offer.when < offer.when) leftover_ = Leftover{file, offer};
     });
 }
@@ -186,10 +225,19 @@ Result<Document> Autosave::recover() const {
 
 void Autosave::forget() {
     if (!leftover_) return;
-    std::error_code none;
-    fs::remove(leftover_->file, none);
-    fs::remove(lock_of(leftover_->file), none);
+    remove_with_lock(leftover_->file);
     leftover_.reset();
+}
+
+void Autosave::forget_work_on(const fs::path& saved) {
+    if (folder_.empty()) return;
+    for_each_leftover(folder_, [&](const fs::path& file) {
+        std::string nested;
+        const auto keys = read_keys(autosave_text(file), file.string(), nested);
+        if (!keys || keys->path != whole_path(saved)) return;
+        if (leftover_ && leftover_->file == file) leftover_.reset();
+        remove_with_lock(file);
+    });
 }
 
 bool Autosave::lock() {
@@ -226,6 +274,11 @@ std::optional<Error> Autosave::keep(const Lab& lab, double wall_seconds, Occasio
     if (here == written_ && occasion != Occasion::end) return error;
     if (dirty_since_ < 0) dirty_since_ = wall_seconds;
     if (!now && !due_ && wall_seconds < std::max(dirty_since_ + soon, written_at_ + period)) return error;
+    if (here.tick == document.saved_tick && !has_unsaved_edits(lab)) {
+        finish();
+        written_ = here;
+        return error;
+    }
     dirty_since_ = -1;
     written_at_ = wall_seconds;
     due_ = false;
@@ -255,9 +308,7 @@ void Autosave::finish() {
     written_at_ = -period;
     due_ = false;
     if (!lock_) return;
-    std::error_code none;
-    fs::remove(file_, none);
-    fs::remove(lock_of(file_), none);
+    remove_with_lock(file_);
     lock_.reset();
 }
 

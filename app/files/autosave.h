@@ -4,6 +4,7 @@
 // end.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <future>
@@ -23,7 +24,7 @@ namespace braitenlab {
 // The content of an autosave: plain values, which another thread may write while the lab runs.
 struct Draft {
     std::string name;
-    std::filesystem::path path;
+    std::filesystem::path path;  // absolute; empty: not saved yet
     SavedRun run;
     struct Progress {
         int prediction = -1, hints_shown = 0;
@@ -75,8 +76,11 @@ public:
     // frame: writes when due. now: the file is on the disk before keep() returns. end: the same, as the last call.
     enum class Occasion { frame, now, end };
 
-    // Searches the folder for leftovers and keeps the newest. A file that cannot be read is renamed to <name>.broken
-    // and reported in `errors`. If `folder` is empty, nothing is read or written.
+    static constexpr std::chrono::hours kept_for{30 * 24};  // since the last write; older leftovers are removed
+
+    // Searches the folder for leftovers, removes those that are too old (broken ones, too) and offers the newest. A
+    // file that cannot be read is renamed to <name>.broken and reported in `errors`. If `folder` is empty, nothing is
+    // read or written.
     explicit Autosave(std::filesystem::path folder, std::vector<Error>& errors);
     Autosave(Autosave&&) = default;
     Autosave& operator=(Autosave&&) = default;
@@ -87,9 +91,13 @@ public:
     Result<Document> recover() const;
     void forget();
 
+    // Removes leftovers of a scene file that has been saved: the file has newer work.
+    void forget_work_on(const std::filesystem::path& saved);
+
     // Writes if there are edits or ticks that are neither in the document's file nor in the autosave: `soon` after the
-    // first of them, at least `period` after the last write, and at once when the mode changes. Writing happens on
-    // another thread. An error is returned once until writing succeeds again; every period it is tried again.
+    // first of them, at least `period` after the last write, and at once when the mode changes. Edits that are undone
+    // do not count; their autosave is removed when the next write is due. Writing happens on another thread. An error
+    // is returned once until writing succeeds again; every period it is tried again.
     std::optional<Error> keep(const Lab&, double wall_seconds, Occasion = Occasion::frame);
 
     // Waits until the write that keep() has started is on the disk.

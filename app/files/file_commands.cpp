@@ -127,6 +127,7 @@ struct FileCommands {
             if (!lab.document.lesson) {
                 lab.document.file = std::make_shared<const Scene>(lab.document.session.edited_scene());
                 lab.document.on_disk = mark_of(path);
+                lab.saved.push_back(path);
             }
         }
         if (wanted.kind != FileKind::brain || lab.document.lesson) lab.document.saved_edits = lab.document.edits;

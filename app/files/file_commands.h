@@ -12,7 +12,7 @@ namespace braitenlab {
 void add_recent_file(StoredState&, const std::filesystem::path&);
 
 // Executes the requests in Lab::files: opens, saves, exports, lists folders. Success is shown as a notice, failure as a
-// notice and in the view.
+// notice and in the view. Scene files written are added to Lab::saved.
 void execute_file_requests(Lab&, FilesView&, StoredState&, const UserFolders&);
 
 // True if the scene has edits that are in no file; of an exercise, if its submission has.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/data.h"
+#include "app/files/file_commands.h"
 #include "app/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "core/io/run_file.h"
@@ -173,6 +174,85 @@ TEST_F(AutosaveTest, OffersTheWorkOfACrashedLab) {
     next.forget();
     EXPECT_FALSE(Autosave(folder.path, complaints).leftover());
     EXPECT_TRUE(fs::is_empty(folder.path));
+}
+
+TEST_F(AutosaveTest, KeepsNoFileForEditsThatAreUndone) {
+    Autosave autosave(folder.path, complaints);
+    const auto at = [&](double second) {
+        EXPECT_FALSE(autosave.keep(lab, second));
+        EXPECT_FALSE(autosave.settle());
+        return files_in(folder.path).size();
+    };
+    edit(lab, 1);
+    EXPECT_EQ(at(0) + at(2), 1u);
+    handle(lab, Action::undo);
+    EXPECT_EQ(at(3) + at(25), 1u) << "removed when the next write is due";
+    EXPECT_EQ(at(60), 0u);
+    edit(lab, 1.5f);
+    EXPECT_EQ(at(61) + at(63), 1u);
+    handle(lab, Action::undo);
+    EXPECT_FALSE(autosave.keep(lab, 64, Autosave::Occasion::end));
+    EXPECT_FALSE(Autosave(folder.path, complaints).leftover());
+}
+
+TEST_F(AutosaveTest, NamesTheFileByItsAbsolutePath) {
+    const fs::path shipped = lab.document.path;
+    lab.document.path = fs::relative(shipped);
+    ASSERT_NE(lab.document.path, shipped);
+    crash_with(1);
+    const Autosave next(folder.path, complaints);
+    ASSERT_TRUE(next.leftover());
+    EXPECT_EQ(next.leftover()->offer.file, shipped.string());
+    EXPECT_EQ(next.recover()->path, shipped) << "the next lab may start in another folder";
+}
+
+TEST_F(AutosaveTest, RemovesLeftoversOlderThanThirtyDays) {
+    const auto age = [](const fs::path& file, int days) {
+        fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(24 * days));
+    };
+    crash_with(1);
+    age(files_in(folder.path)[0], 29);
+    EXPECT_TRUE(Autosave(folder.path, complaints).leftover());
+    age(files_in(folder.path)[0], 31);
+    put_text(folder / "1-2.autosave.broken", "{");
+    put_text(folder / "1-3.autosave.broken", "{");
+    age(folder / "1-2.autosave.broken", 31);
+    EXPECT_FALSE(Autosave(folder.path, complaints).leftover());
+    EXPECT_TRUE(files_in(folder.path).empty());
+    EXPECT_FALSE(fs::exists(folder / "1-2.autosave.broken"));
+    EXPECT_TRUE(fs::exists(folder / "1-3.autosave.broken"));
+    Autosave running(folder.path, complaints);
+    running.keep(lab, 0, Autosave::Occasion::now);
+    age(files_in(folder.path)[0], 31);
+    EXPECT_FALSE(Autosave(folder.path, complaints).leftover());
+    EXPECT_EQ(files_in(folder.path).size(), 1u) << "of a running lab";
+}
+
+TEST_F(AutosaveTest, RemovesLeftoversOfASceneThatIsSaved) {
+    lab.document.path = folder / "mine.toml";
+    crash_with(1);
+    Autosave next(folder.path, complaints);
+    next.forget_work_on(folder / "other.toml");
+    EXPECT_TRUE(next.leftover());
+    EXPECT_EQ(files_in(folder.path).size(), 1u);
+    next.keep(lab, 0, Autosave::Occasion::now);
+    next.forget_work_on(folder / "mine.toml");
+    EXPECT_FALSE(next.leftover());
+    EXPECT_EQ(files_in(folder.path).size(), 1u) << "the file of this lab stays";
+}
+
+TEST_F(AutosaveTest, ComparesRecoveredWorkWithTheFileOnTheDisk) {
+    const Scene opened = lab.document.session.edited_scene();
+    edit(lab, 1);
+    lab.document.path = folder / "mine.toml";
+    put_text(lab.document.path, write_scene(lab.document.session.edited_scene()));
+    handle(lab, Action::undo);
+    tick(lab);
+    crash_with(FourNeurons{read_dials(opened.kinds[0].brain)}.LR);
+    auto recovered = Autosave(folder.path, complaints).recover();
+    ASSERT_TRUE(recovered) << recovered.error().text();
+    recovered->edits = 1;
+    EXPECT_TRUE(has_unsaved_edits(make_lab(std::move(*recovered)))) << "the scene as opened differs from the file";
 }
 
 TEST_F(AutosaveTest, WritesASavedRun) {

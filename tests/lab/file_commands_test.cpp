@@ -48,6 +48,15 @@ TEST_F(FileCommands, SavesTheSceneWithItsEditedBrainAndOpensItAgain) {
     EXPECT_EQ(state.recent.front(), (folder / "mine.toml").string());
 }
 
+TEST_F(FileCommands, ListsTheSceneFilesThatItHasWritten) {
+    ask(SaveRequest{"brain", FileKind::brain});
+    ask(SaveRequest{"run", FileKind::run});
+    ask(SaveRequest{"/proc/nowhere/mine", FileKind::scene});
+    EXPECT_TRUE(lab.saved.empty());
+    ask(SaveRequest{"mine", FileKind::scene});
+    EXPECT_EQ(lab.saved, std::vector{folder / "mine.toml"});
+}
+
 TEST_F(FileCommands, SavesTheBrainOfOneVehicleOfThePopulation) {
     lab = open("predator-prey");
     const auto LL_of = [this](VehicleId id) {

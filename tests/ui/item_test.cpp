@@ -48,7 +48,7 @@ TEST(Item, HasATooltipOnEveryWidgetOfEveryScreen) {
     const std::vector<std::string> recent{"/y/mine.toml"};
     FilesView files;
     files.listing = {"/home/me", {{"pictures", true}, {"mine.toml", false, FileKind::scene}}, ""};
-    const RecoveryOffer offer{"Coward", "2026-03-01 10:42:05"};
+    const RecoveryOffer offer{"Coward", "", "2026-03-01 10:42:05"};
     Walk walk;
     for (const bool exercise : {false, true}) {
         Desk desk(1280, 1400);

@@ -137,7 +137,7 @@ TEST_F(UnsavedSheets, OpensOnCtrlQWithAnySheetOrTextFieldOpen) {
 TEST(RecoverySheet, DistinguishesACrashFromASignal) {
     for (const bool ended : {false, true}) {
         Desk desk;
-        const RecoveryOffer offer{"2a-coward", "2026-03-01 10:42:05", ended};
+        const RecoveryOffer offer{"2a-coward", "/home/me/mine.toml", "2026-03-01 10:42:05", ended};
         desk.view.recovery = &offer;
         desk.frame(3);
         bool crashed = false, kept = false;
@@ -148,6 +148,17 @@ TEST(RecoverySheet, DistinguishesACrashFromASignal) {
         EXPECT_EQ(crashed, !ended);
         EXPECT_EQ(kept, ended);
     }
+}
+
+TEST(RecoverySheet, NamesTitleFileAndTime) {
+    Desk desk;
+    const RecoveryOffer offer{"Coward", "/home/me/mine.toml", "2026-03-01 10:42:05"};
+    desk.view.recovery = &offer;
+    desk.frame(3);
+    std::string all;
+    for (const Written& w : desk.written) all += w.words + "\n";
+    for (const std::string& words : {offer.title, offer.file, offer.when})
+        EXPECT_NE(all.find(words), std::string::npos) << words;
 }
 
 }  // namespace braitenlab::tests::unsaved_sheets_test

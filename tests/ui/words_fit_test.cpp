@@ -59,7 +59,9 @@ void with_chart(Desk& desk, Chart chart) {
     desk.panels.chart = chart;
 }
 
-const RecoveryOffer offer{"Predator and prey", "2026-03-01 10:42:05"};
+const RecoveryOffer offer{"Predator and prey",
+                          "/home/somebody/Documents/braitenlab/experiments/of/a/long/winter/predator-prey-second.toml",
+                          "2026-03-01 10:42:05"};
 
 FilesView files;
 void with_files(Desk& desk) {

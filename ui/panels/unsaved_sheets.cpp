@@ -92,6 +92,7 @@ void recovery_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
                 ui.strings(view.recovery->ended ? "recovery.heading_ended" : "recovery.heading"), 460, window);
     paragraph(ui, fill(ui.strings("recovery.what"), {translated(ui, view.recovery->title), view.recovery->when}),
               ui.palette.text);
+    if (!view.recovery->file.empty()) paragraph(ui, view.recovery->file, ui.palette.second_text, Face::small);
     sheet_buttons(ui, state.recovery);
     const Item take = button(ui, "recovery.take", {{}, ui.strings("recovery.take"), Emphasis::primary});
     tooltip(ui, take, ui.strings("recovery.take_how"));
