@@ -154,8 +154,9 @@ struct BookmarkRequest {
     bool remove = false;  // else go to it
 };
 struct OpenRequest {
-    std::string path;      // a scene, exercise, brain, run or folder, as typed; may be relative
-    bool dropped = false;  // dropped onto the window, not chosen in the file browser
+    std::string path;            // a scene, exercise, brain, run or folder, as typed; may be relative
+    bool dropped = false;        // dropped onto the window, not chosen in the file browser
+    bool next_exercise = false;  // requested by the button of a passed exercise, whose edited brain may be lost
 };
 struct BrowseRequest {
     std::string path{};  // the folder to list; empty: the folder of the last opened or saved file

@@ -18,6 +18,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// True if the open exercise is passed with the present brain.
+bool has_passed(const Lab& lab) {
+    const auto& lesson = lab.document.lesson;
+    return lesson && lesson->view.grade && lesson->view.grade->good;
+}
+
 struct FileCommands {
     Lab& lab;
     FilesView& view;
@@ -148,7 +154,8 @@ void add_recent_file(StoredState& state, const fs::path& file) {
 void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const UserFolders& folders) {
     const FileCommands commands{lab, view, state, folders};
     for (const Request& request : std::exchange(lab.files, {})) {
-        if (const auto* open = std::get_if<OpenRequest>(&request)) commands.open(open->path, false, open->dropped);
+        if (const auto* open = std::get_if<OpenRequest>(&request))
+            commands.open(open->path, open->next_exercise && has_passed(lab), open->dropped);
         if (const auto* save = std::get_if<SaveRequest>(&request)) commands.save(*save);
         if (const auto* leave = std::get_if<LeaveRequest>(&request)) commands.leave(leave->answer);
         if (const auto* numbers = std::get_if<ExportRequest>(&request)) commands.save_numbers(*numbers);

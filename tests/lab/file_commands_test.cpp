@@ -5,6 +5,7 @@
 
 #include "app/files/data.h"
 #include "app/files/disk.h"
+#include "app/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "core/scene/schema.h"
 #include "tests/folder.h"
@@ -381,6 +382,26 @@ TEST_F(FileCommands, AsksBeforeTheEditedBrainOfAnExerciseIsLost) {
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
     handle(lab, Action::exercise_reset);
     EXPECT_TRUE(may_leave(lab, files)) << "the brain is as shipped again";
+}
+
+TEST_F(FileCommands, OpensTheNextExerciseWithoutAQuestionOnceThisOneIsPassed) {
+    const OpenRequest next{.path = find_shipped("3a-love")->string(), .next_exercise = true};
+    lab = open("05-aggressor");
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph(lab.document.lesson->exercise->solution)}});
+    ask(next);
+    EXPECT_TRUE(files.leaving) << "not passed yet";
+    ask(LeaveRequest{Leave::stay});
+    Jobs jobs;
+    const auto grade_is_known = [&] { return lab.document.lesson->view.grade.has_value(); };
+    for (int i = 0; i < 60 * 60 && !grade_is_known(); ++i) tick(lab), update_grading(lab, jobs), jobs.finish();
+    ASSERT_TRUE(grade_is_known());
+    ASSERT_TRUE(lab.document.lesson->view.grade->good);
+    ask(OpenRequest{next.path});
+    EXPECT_TRUE(files.leaving) << "opened in another way";
+    ask(LeaveRequest{Leave::stay});
+    ask(next);
+    EXPECT_FALSE(files.leaving);
+    EXPECT_EQ(lab.document.name, "3a-love");
 }
 
 struct FollowFile : FileCommands {

@@ -177,6 +177,7 @@ TEST(ExerciseCard, ItsNextButtonOpensTheNextExerciseOrTheListOfFiles) {
     desk.click("exercise.next");
     ASSERT_EQ(desk.all.size(), 1u);
     EXPECT_EQ(std::get<OpenRequest>(desk.all[0]).path, "6.toml");
+    EXPECT_TRUE(std::get<OpenRequest>(desk.all[0]).next_exercise);
     const std::vector<CatalogueEntry> last{more[0], more[3]};
     desk.view.catalogue = &last;
     desk.click("exercise.next");

@@ -223,7 +223,7 @@ void next_button(const LabView& view, PanelState& state, Ui& ui) {
     tooltip(ui, at, next ? translated(ui, next->title) : ui.strings("exercise.more_how"));
     ImGui::SameLine();
     if (!at.pressed) return;
-    if (next) return ui.outbox.push_back(OpenRequest{next->path});
+    if (next) return ui.outbox.push_back(OpenRequest{.path = next->path, .next_exercise = true});
     begin_files(state.files, false);
     state.sheet = Sheet::files;
 }
