@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include "app/app.h"
+#include "app/files/data.h"
 #include "app/files/screenshot.h"
 #include "app/lab_requests.h"
 #include "app/lab_selection.h"
@@ -100,6 +101,7 @@ void App::frame(float passed) {
     view.type_size = reduced_type_size();
     view.recent = &settings_.state.recent;
     view.files = &files_;
+    view.version = version_text();
     if (autosave_.leftover()) view.recovery = &autosave_.leftover()->offer;
     const Rect area = window_.area();
     const ui::WindowLayout layout = ui::lay_out(area.w, area.h, theme_.scale(), view, panels_.charts_open);
@@ -135,6 +137,7 @@ void App::frame(float passed) {
     facts_.pointer = ImGui::IsMousePosValid() ? maths::vec2{io.MousePos.x, io.MousePos.y} : maths::vec2{-1, -1};
     facts_.pressed = io.MouseDown[0] ? 1 : io.MouseDown[2] ? 2 : io.MouseDown[1] ? 3 : 0;
     facts_.focus = panels_.keyboard.focus;
+    facts_.menu = panels_.menu_bar.open;
     facts_.typed = typed_text(panels_);
     window_.bind();
     window_.end_frame();

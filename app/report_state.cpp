@@ -187,6 +187,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
     state["lecture"] = lab.before_lecture.has_value();
     state["sensors"] = lab.view.sensors;
     state["focus"] = frame.focus;
+    state["menu"] = frame.menu;
     state["typed"] = frame.typed;
     state["language"] = lab.preferences.language;
     state["theme"] = word(lab.preferences.theme);

@@ -1,7 +1,9 @@
 #include "app/window.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 #include <GL/glew.h>
@@ -47,6 +49,8 @@ struct Window::Native {
     ui::KeyQueue keys;
     std::vector<std::string> dropped;
     int windowed[4] = {0, 0, 0, 0};  // position and size before full screen
+    // Position of the window when Alt was pressed; nullopt: it is not held, or another key has been pressed since.
+    std::optional<std::array<int, 2>> alt_pressed_at;
     bool imgui = false;
     bool watches_graphics = false;
     int graphics_errors = 0;
@@ -66,10 +70,24 @@ struct Window::Native {
 
     static Native& of(GLFWwindow* w) { return *static_cast<Native*>(glfwGetWindowUserPointer(w)); }
 
+    // Alt counts when it is released without another key since its press, and the window has kept focus and position:
+    // Alt+Tab and Alt with a drag are of the window manager. GLFW releases all keys of a window that loses the focus.
+    void follow_alt(int key, int action) {
+        if (key != GLFW_KEY_LEFT_ALT) return alt_pressed_at.reset();
+        std::array<int, 2> at{};
+        glfwGetWindowPos(window, &at[0], &at[1]);
+        if (action == GLFW_PRESS) alt_pressed_at = at;
+        if (action != GLFW_RELEASE) return;
+        if (std::exchange(alt_pressed_at, {}) == at && glfwGetWindowAttrib(window, GLFW_FOCUSED))
+            keys.press({braitenlab::key::alt}, false);
+    }
+
     // Replaces Dear ImGui's callbacks: it gets keys from KeyQueue, unless its version has a queue.
     void install_key_callbacks() {
         glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
             if constexpr (compat::keeps_a_key_queue) ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, mods);
+            of(w).follow_alt(key, action);
+            if (key == GLFW_KEY_LEFT_ALT) return;
             if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
             const bool ctrl = (mods & GLFW_MOD_CONTROL) != 0, shift = (mods & GLFW_MOD_SHIFT) != 0;
             of(w).keys.press({key_of(key, scancode), ctrl, shift}, action == GLFW_REPEAT);

@@ -94,6 +94,7 @@ struct LabView {
     bool reduce_motion = false;
     bool lecture = false;                     // large type, few controls
     const RecoveryOffer* recovery = nullptr;  // null: nothing to recover
+    std::string_view version;                 // of the program: "0.1.0"
     double wall_seconds = 0;                  // for easing and pulsing
 };
 

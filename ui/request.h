@@ -38,7 +38,7 @@ enum class Action {
     memory,  // positions that vehicles remember
     labels,
     next_field,  // cycles through the fields that can be shown as contours, and none
-    view,        // opens the menu of overlays
+    view,        // opens the View menu
     wiring,
     watch,  // shows or hides the wiring diagram beside the scene
     undo,
@@ -70,7 +70,12 @@ enum class Action {
     save_as,
     lecture,
 
-    // Handled by widgets, canvas and scene input; not sent to the app.
+    // Handled by panels, widgets, canvas and scene input; not sent to the app.
+    menu_bar,  // opens or closes the first menu
+    save_run,
+    save_brain,
+    export_csv,  // the chart that the chart card shows
+    about,
     slider_LL,
     slider_LR,
     slider_RL,

@@ -65,6 +65,8 @@ constexpr Shortcut shortcut_table[]{
     {{'S', true, true}, Action::save_as},
     {{'Q', true, false}, Action::exit},
     {{key::f1}, Action::keys},
+    {{key::f10}, Action::menu_bar},
+    {{key::alt}, Action::menu_bar},
 
     {{key::left}, Action::turn_left, KeyPlace::view},
     {{key::right}, Action::turn_right, KeyPlace::view},
@@ -174,6 +176,11 @@ constexpr NamedAction action_names[]{
     {Action::save, "save"},
     {Action::save_as, "save_as"},
     {Action::lecture, "lecture"},
+    {Action::menu_bar, "menu_bar"},
+    {Action::save_run, "save_run"},
+    {Action::save_brain, "save_brain"},
+    {Action::export_csv, "export_csv"},
+    {Action::about, "about"},
     {Action::slider_LL, "slider_LL"},
     {Action::slider_LR, "slider_LR"},
     {Action::slider_RL, "slider_RL"},
@@ -227,6 +234,7 @@ constexpr NamedKey named_keys[]{
     {' ', "key.space"},      {key::escape, "key.escape"},       {key::enter, "key.enter"},
     {key::tab, "key.tab"},   {key::backspace, "key.backspace"}, {key::del, "key.delete"},
     {key::home, "key.home"}, {key::menu, "key.menu"},           {'-', "key.minus"},
+    {key::alt, "key.alt"},
 };
 
 std::string bare_key_name(int pressed, const Strings& strings) {

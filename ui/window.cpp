@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <imgui.h>
 
 #include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/item.h"
+#include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/input.h"
@@ -19,20 +21,22 @@ namespace {
 
 constexpr float above_inspector = 12;  // layout pixels
 
-// A click on the button of a menu while another menu is open closes that one, which covers the button, and opens this
-// one. Call after the menus are drawn.
+// A click on the button or title of a menu while another menu is open closes that one, which covers the button, and
+// opens this one. Call after the menus are drawn.
 struct OpenMenus {
-    bool view = false, presets = false, scene = false;  // open at the start of the frame
+    bool bar = false, presets = false, scene = false;  // open at the start of the frame
 };
 void switch_menus(PanelState& state, const Ui& ui, OpenMenus open) {
     if (!ImGui::IsMouseClicked(0)) return;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
     const auto is_over = [&](std::string_view anchor) {
         const Rect* rect = ui.anchors.find(anchor);
-        return rect && rect->contains(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+        return rect && rect->contains(mouse.x, mouse.y);
     };
     if (open.scene && is_over("menu")) return;
-    if ((open.presets || open.scene) && is_over("button.view")) state.view_menu = true;
-    if ((open.view || open.scene) && !is_over("card.view") && is_over("button.presets")) state.open_presets = true;
+    const std::string_view title = menu_title_at(ui, mouse.x, mouse.y);
+    if ((open.presets || open.scene) && !title.empty()) state.menu_bar.open = title;
+    if ((open.bar || open.scene) && !is_over("menu.rows") && is_over("button.presets")) state.open_presets = true;
 }
 
 // The wiring canvas with the inspector below it. The background does not cover the inset with the scene.
@@ -137,6 +141,30 @@ bool key_for_sheet(PanelState& state, KeyPress press) {
 // True when Ctrl+S needs no name.
 bool saves_at_once(const LabView& view) { return view.files && !view.files->save_to.empty(); }
 
+void toggle_menu(PanelState& state, std::string_view menu) {
+    state.menu_bar.open = state.menu_bar.open == menu ? std::string_view{} : menu;
+}
+
+// Keys while a menu of the menu bar is open: Up and Down are Tab and Shift+Tab. False for keys that also work now.
+bool key_for_menus(PanelState& state, KeyPress press) {
+    const auto action = action_for(press);
+    if (press.key == key::escape || action == Action::menu_bar)
+        state.menu_bar.open.clear();
+    else if (press.key == key::left || press.key == key::right)
+        switch_menu(state.menu_bar, press.key == key::left ? -1 : 1);
+    else if (action == Action::view)
+        toggle_menu(state, "view");
+    else if (press.key == key::down)
+        state.keyboard.presses.push_back({key::tab});
+    else if (press.key == key::up)
+        state.keyboard.presses.push_back({key::tab, false, true});
+    else if (press.key == key::tab || press.key == key::enter)
+        state.keyboard.presses.push_back(press);
+    else if (works_under_a_sheet(press))
+        return false;
+    return true;
+}
+
 // Actions that open a panel or move the focus. False for actions of the lab.
 bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPress press) {
     if (const auto slider = slider_of(action)) {
@@ -149,10 +177,15 @@ bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPre
         state.sheet = state.sheet == Sheet::keys ? Sheet::none : Sheet::keys;
     else if (action == Action::open || action == Action::save_as || (action == Action::save && !saves_at_once(view)))
         begin_files(state.files, action != Action::open), state.sheet = Sheet::files;
-    else if (action == Action::view)
-        state.view_menu = state.focus_view_menu = !state.view_menu;
+    else if (action == Action::save_run || action == Action::save_brain)
+        begin_files(state.files, true, action == Action::save_run ? FileKind::run : FileKind::brain),
+            state.sheet = Sheet::files;
+    else if (action == Action::menu_bar || action == Action::view)
+        toggle_menu(state, view.lecture ? "" : action == Action::view ? "view" : "file");
     else if (action == Action::settings)
         state.sheet = Sheet::settings;
+    else if (action == Action::about)
+        state.sheet = Sheet::about;
     else if (action == Action::charts)
         state.charts_open = !state.charts_open;
     else if (action == Action::lesion && !state.lesion_under_pointer.empty())
@@ -160,6 +193,32 @@ bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPre
     else
         return false;
     return true;
+}
+
+// Executes an action that was chosen with the pointer or in a menu.
+void execute_chosen(const LabView& view, PanelState& state, Action action, Outbox& outbox) {
+    const auto has_place = [&](KeyPlace place) {
+        return std::any_of(shortcuts().begin(), shortcuts().end(),
+                           [&](const Shortcut& s) { return s.action == action && s.place == place; });
+    };
+    if (view.mode == Mode::wiring && has_place(KeyPlace::canvas)) {
+        wiring::press_key(state.canvas, action);
+    } else if (has_place(KeyPlace::scene)) {
+        for (const Shortcut& s : shortcuts())
+            if (s.action == action && s.place == KeyPlace::scene)
+                return void(press_key(view, state.scene_input, state.keyboard, s.press, outbox));
+    } else if (action == Action::export_csv) {
+        export_csv(view, state, outbox);
+    } else if (!act_on_panels(view, state, action, {})) {
+        outbox.push_back(action);
+    }
+}
+
+// The keyboard focus returns from the rows of a menu first: an action may move it.
+void execute_chosen(const LabView& view, PanelState& state, Outbox& outbox) {
+    if (state.chosen.empty()) return;
+    if (state.menu_bar.open.empty()) release_keyboard(state.keyboard);
+    for (const Action action : std::exchange(state.chosen, {})) execute_chosen(view, state, action, outbox);
 }
 
 }  // namespace
@@ -174,8 +233,11 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     if (ImGui::IsMouseClicked(0) && !ImGui::GetIO().WantCaptureMouse) state.keyboard.focus.clear();
     if (ImGui::IsMouseClicked(0)) state.keyboard.shown = false;
 
-    const OpenMenus open_menus{state.view_menu, state.presets_open, state.scene_input.menu.open};
-    state.scene_input.below_menu = state.view_menu;
+    MenuBarState& menus = state.menu_bar;
+    if (view.lecture || state.sheet != Sheet::none) menus.open.clear();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const OpenMenus open_menus{!menus.open.empty(), state.presets_open, state.scene_input.menu.open};
+    state.scene_input.below_menu = open_menus.bar && !menus.panel.contains(mouse.x, mouse.y);
     state.lesion_under_pointer.clear();
     record(state.history, view);
     follow_lecture(view, state);
@@ -198,16 +260,19 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
         timeline(view, state, ui, layout.timeline);
         hint_bar(view, ui, layout.hint_bar, prompt.hint);
         toolbar(view, state, ui, layout.toolbar);
+        menu_bar(state, ui, layout.menu_bar);
     }
     scene_menu(view, state, ui, layout.window);
     recovery_sheet(view, state, ui, layout.window);
-    view_menu(view, state, ui, layout.window, layout.toolbar);
+    if (!view.lecture) lab_menu(view, state, ui, layout.menu_bar, layout.window);
     switch_menus(state, ui, open_menus);
     keys_card(view, state, ui, layout.window);
     files_sheet(view, state, ui, layout.window);
     settings_card(view, state, ui, layout.window);
+    about_card(view, state, ui, layout.window);
     leaving_sheet(view, state, ui, layout.window);
     end_keyboard(state.keyboard);
+    execute_chosen(view, state, ui.outbox);
 }
 
 bool drags_vehicle(const PanelState& state, VehicleId vehicle) {
@@ -230,16 +295,12 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
          for_text_field(state.files.story, press)))
         return true;
     if (state.sheet != Sheet::none && !works_under_a_sheet(press)) return key_for_sheet(state, press);
+    if (!state.menu_bar.open.empty() && key_for_menus(state, press)) return true;
     if (state.presets_open && press.key == key::escape) {
         state.close_presets = true;
         return true;
     }
-    if (state.view_menu && press.key == key::escape) {
-        state.view_menu = false;
-        return true;
-    }
     if (press_key(view, state.scene_input, state.keyboard, press, outbox)) return true;
-    if (state.view_menu && for_view_menu(view, state, press)) return true;
     if (key_for_focus(state.keyboard, press)) return true;
     const bool on_a_card = action_for(press) == Action::lesion && !state.lesion_under_pointer.empty();
     if (view.mode == Mode::wiring && !on_a_card && key_for_canvas(state.canvas, press)) return true;

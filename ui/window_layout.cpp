@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "ui/widgets/menu_bar.h"
+
 namespace braitenlab::ui {
 
 namespace {
 
 // Layout pixels.
-constexpr float toolbar_height = 48, hint_height = 32, timeline_height = 44, above_timeline = 8;
+constexpr float toolbar_height = 42, hint_height = 32, timeline_height = 44, above_timeline = 8;
 constexpr float lecture_bar_height = 56, figures_height = 92, lecture_inset_aspect = 1.6f;
 constexpr float metre_labels = 16;     // below the arena
 constexpr float wide_window = 1600;    // has room for both columns and a watched canvas
@@ -57,16 +59,18 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     WindowLayout l;
     l.scale = scale;
     l.window = {0, 0, width, height};
-    l.toolbar = {0, 0, width, toolbar_height * scale};
+    l.menu_bar = {0, 0, width, menu_bar_height * scale};
+    l.toolbar = {0, l.menu_bar.h, width, toolbar_height * scale};
     l.hint_bar = {0, height - hint_height * scale, width, hint_height * scale};
 
     const ColumnWidths c = column_widths(width / scale);
     if (view.lecture) {
-        l.toolbar.h = lecture_bar_height * scale;
+        l.menu_bar = {};
+        l.toolbar = {0, 0, width, lecture_bar_height * scale};
         l.hint_bar = {0, height - figures_height * scale, width, figures_height * scale};
     }
     const float margin = c.margin * scale;
-    const float top = l.toolbar.h + margin, bottom = l.hint_bar.y - margin;
+    const float top = l.toolbar.y + l.toolbar.h + margin, bottom = l.hint_bar.y - margin;
     const float column = std::max(0.0f, bottom - top);
     // At most three eighths of the window each, so that a quarter stays free.
     const float left = std::min(c.left * scale, width * 0.375f - 2 * margin);

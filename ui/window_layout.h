@@ -8,12 +8,12 @@ namespace braitenlab::ui {
 
 // In window pixels. A rectangle of width 0 is not shown.
 struct WindowLayout {
-    Rect window, toolbar, hint_bar;
-    Rect left, right;  // columns of cards
-    Rect charts;       // the chart card, below the scene, while it is open
-    Rect timeline;     // below canvas or scene
-    Rect canvas;       // the wiring canvas; in Mode::wiring, or beside or below the scene while it is watched
-    Rect border;       // between canvas and scene while it is watched; can be dragged
+    Rect window, menu_bar, toolbar, hint_bar;  // no menu bar in a lecture
+    Rect left, right;                          // columns of cards
+    Rect charts;                               // the chart card, below the scene, while it is open
+    Rect timeline;                             // below canvas or scene
+    Rect canvas;  // the wiring canvas; in Mode::wiring, or beside or below the scene while it is watched
+    Rect border;  // between canvas and scene while it is watched; can be dragged
     Rect scene;  // no card covers it: the camera fits the arena into it; anchor `viewport`. In Mode::wiring an inset
     Rect tools;  // the tool palette is in its upper left corner: in the scene, or above it beside the chart card
     float scale = 1;

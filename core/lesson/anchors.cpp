@@ -19,9 +19,10 @@ constexpr std::string_view fixed_anchors[]{
     "canvas", "canvas.arrange", "canvas.fit", "wire.LL", "wire.LR", "wire.RL", "wire.RR", "curve.LL", "curve.LR",
     "curve.RL", "curve.RR",
     // the toolbar
-    "button.play", "button.step", "button.reset", "button.slower", "button.faster", "button.add", "button.remove",
-    "button.new", "button.follow", "button.sensors", "button.outlines", "button.view", "button.watch", "button.wiring",
-    "button.open", "button.exit", "button.charts", "mode", "speed", "time",
+    "button.play", "button.step", "button.reset", "button.slower", "button.faster", "button.follow", "button.wiring", "button.watch",
+    "button.undo", "button.save", "button.charts", "mode", "speed", "time",
+    // the menu bar
+    "menu.file", "menu.edit", "menu.view", "menu.simulation", "menu.exercises", "menu.lecture", "menu.help",
     // the timeline
     "timeline.track", "timeline.rewind", "timeline.bookmark", "timeline.behind",
     // the exercise

@@ -206,6 +206,11 @@ public:
         button(which, false);
         frame(2);
     }
+    // Clicks a row of the menu bar: choose("file", "open").
+    void choose(const std::string& menu, const std::string& row) {
+        click("menu." + menu);
+        click("menu." + menu + "." + row);
+    }
     void rest() { frame(30); }  // long enough that two clicks are no double click
 
     void key(KeyPress press) { ui::press_key(view, panels, press, all); }

@@ -50,7 +50,7 @@ struct FilesSheet : testing::Test {
 };
 
 TEST_F(FilesSheet, OpensTheClickedFileAndClosesAfterwards) {
-    desk.click("button.open");
+    desk.choose("file", "open");
     desk.frame(2);
     desk.click("open.2a-coward");
     EXPECT_EQ(opened(), std::vector<std::string>{"/x/2a-coward.toml"});
@@ -90,7 +90,7 @@ TEST_F(FilesSheet, ClosesOnEscAndOnAClickBesideItWithoutOpeningAFile) {
     press({'O', true});
     press({key::escape});
     EXPECT_FALSE(desk.anchors.find("card.open"));
-    desk.click("button.open");
+    desk.choose("file", "open");
     desk.frame(2);
     desk.point(8, 400);
     desk.frame(2);

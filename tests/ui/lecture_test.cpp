@@ -22,7 +22,7 @@ TEST(Lecture, ClearsTheScreenAndFoldsTheCards) {
     desk.frame(3);
     desk.view.lecture = true;
     desk.frame(3);
-    for (const char* gone : {"card.information", "slider.LL", "exercise.hint", "button.add"})
+    for (const char* gone : {"card.information", "slider.LL", "exercise.hint", "button.undo", "menu.file"})
         EXPECT_FALSE(desk.anchors.find(gone)) << gone;
     EXPECT_GT(desk.layout.scene.w, 0.9f * desk.layout.window.w);
     EXPECT_TRUE(desk.anchors.find("lecture.left"));

@@ -344,9 +344,9 @@ TEST_F(SceneInput, IgnoresTheClickThatClosesAMenu) {
     EXPECT_TRUE(desk.all.empty());
     desk.key({'E'});
     desk.frame(3);
-    ASSERT_TRUE(desk.panels.view_menu);
+    ASSERT_EQ(desk.panels.menu_bar.open, "view");
     click({-3, 6});
-    EXPECT_FALSE(desk.panels.view_menu);
+    EXPECT_EQ(desk.panels.menu_bar.open, "");
     EXPECT_TRUE(desk.all.empty());
     click({-3, 6});
     EXPECT_FALSE(desk.all.empty());

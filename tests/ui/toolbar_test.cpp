@@ -1,4 +1,6 @@
 // The toolbar in windows of several widths.
+#include <algorithm>
+
 #include "desk.h"
 
 namespace braitenlab::tests::toolbar_test {
@@ -7,18 +9,24 @@ using namespace ui;
 
 namespace {
 
-constexpr const char* buttons[]{"button.open", "button.play",   "button.step",   "button.reset",   "button.new",
-                                "button.add",  "button.remove", "button.follow", "button.sensors", "button.outlines",
-                                "button.view", "button.wiring", "button.exit"};
+constexpr const char* buttons[]{"button.play",   "button.step",   "button.reset", "button.slower", "button.faster",
+                                "button.follow", "button.wiring", "button.undo",  "button.save"};
+
+bool is_icon(const Written& w) { return !w.words.empty() && static_cast<unsigned char>(w.words[0]) == 0xEF; }
+
+bool lies_in(const Written& w, Rect r) { return r.contains(w.rect.x + w.rect.w / 2, w.rect.y + w.rect.h / 2); }
+
+bool has_icon(const Desk& desk, const char* button) {
+    const Rect r = desk.where(button);
+    return std::any_of(desk.written.begin(), desk.written.end(),
+                       [&](const Written& w) { return is_icon(w) && lies_in(w, r); });
+}
 
 // Words within the button, other than its icon.
 bool has_words(const Desk& desk, const char* button) {
     const Rect r = desk.where(button);
-    for (const Written& w : desk.written) {
-        const bool is_icon = !w.words.empty() && static_cast<unsigned char>(w.words[0]) == 0xEF;
-        if (!is_icon && r.contains(w.rect.x + w.rect.w / 2, w.rect.y + w.rect.h / 2)) return true;
-    }
-    return false;
+    return std::any_of(desk.written.begin(), desk.written.end(),
+                       [&](const Written& w) { return !is_icon(w) && lies_in(w, r); });
 }
 
 }  // namespace
@@ -29,11 +37,14 @@ TEST_P(ToolbarInEachLanguage, HasWordsOnEveryButtonAt1280Pixels) {
     Desk desk(1280, 800, 1, true);
     desk.strings = speaking(GetParam());
     desk.frame(3);
-    for (const char* button : buttons) EXPECT_TRUE(has_words(desk, button)) << button;
+    for (const std::string button : buttons) {
+        if (button == "button.slower" || button == "button.faster") continue;
+        EXPECT_TRUE(has_words(desk, button.c_str())) << button;
+    }
 }
 
 TEST_P(ToolbarInEachLanguage, HasOneRowWithoutOverlapsAtAnyWidth) {
-    for (int width = 1024; width <= 1920; width += 64) {
+    for (int width = 940; width <= 1920; width += 64) {
         Desk desk(static_cast<float>(width), 800, 1, true);
         desk.strings = speaking(GetParam());
         desk.view.pace = 0.8f;
@@ -51,10 +62,12 @@ TEST_P(ToolbarInEachLanguage, HasOneRowWithoutOverlapsAtAnyWidth) {
         for (const char* button : buttons) {
             const Rect r = desk.where(button);
             EXPECT_GE(r.x, end) << button << " at " << width;
+            EXPECT_TRUE(has_icon(desk, button)) << button << " at " << width;
             end = r.x + r.w;
         }
         EXPECT_LE(end, static_cast<float>(width)) << width;
-        EXPECT_GE(desk.where("mode").x, desk.where("button.faster").x + desk.where("button.faster").w) << width;
+        EXPECT_GE(desk.where("mode").x, end) << width;
+        EXPECT_LE(desk.where("time").x + desk.where("time").w, static_cast<float>(width)) << width;
     }
 }
 
@@ -63,20 +76,37 @@ INSTANTIATE_TEST_SUITE_P(Toolbar, ToolbarInEachLanguage, ::testing::Values("en",
 
 TEST(Toolbar, RequestsTheActionOfEachButton) {
     const std::pair<const char*, Action> expected[]{
-        {"button.play", Action::play_pause},   {"button.step", Action::step},
-        {"button.reset", Action::reset},       {"button.new", Action::new_population},
-        {"button.add", Action::add},           {"button.remove", Action::remove},
-        {"button.follow", Action::follow},     {"button.sensors", Action::sensors},
-        {"button.outlines", Action::outlines}, {"button.wiring", Action::wiring},
-        {"button.slower", Action::slower},     {"button.faster", Action::faster},
-        {"button.exit", Action::exit}};
+        {"button.play", Action::play_pause}, {"button.step", Action::step},     {"button.reset", Action::reset},
+        {"button.follow", Action::follow},   {"button.wiring", Action::wiring}, {"button.slower", Action::slower},
+        {"button.faster", Action::faster},   {"button.undo", Action::undo},     {"button.save", Action::save}};
+    FilesView files;
+    files.save_to = "/home/me/mine.toml";
     Desk desk(1024, 768);
+    desk.view.files = &files;
+    desk.view.undo_depth = 1;
     desk.frame(3);
     for (const auto& [anchor, action] : expected) {
         desk.all.clear();
         desk.click(anchor);
         EXPECT_EQ(desk.actions(), std::vector{action}) << anchor;
     }
+}
+
+TEST(Toolbar, AsksForANameWhereTheFileHasNone) {
+    FilesView files;
+    Desk desk(1024, 768);
+    desk.view.files = &files;
+    desk.frame(3);
+    desk.click("button.save");
+    EXPECT_EQ(desk.panels.sheet, Sheet::files);
+    EXPECT_TRUE(desk.panels.files.saving);
+}
+
+TEST(Toolbar, UndoesOnlyWhereThereIsAnEdit) {
+    Desk desk(1024, 768);
+    desk.frame(3);
+    desk.click("button.undo");
+    EXPECT_TRUE(desk.actions().empty());
 }
 
 }  // namespace braitenlab::tests::toolbar_test

@@ -33,14 +33,17 @@ TEST_P(WindowAtEverySize, KeepsEveryWidgetOfAnExerciseInsideTheWindow) {
     for (const char* id : {"button.play",
                            "button.step",
                            "button.reset",
-                           "button.add",
-                           "button.remove",
                            "button.follow",
-                           "button.new",
-                           "button.exit",
-                           "button.sensors",
-                           "button.outlines",
                            "button.wiring",
+                           "button.undo",
+                           "button.save",
+                           "menu.file",
+                           "menu.edit",
+                           "menu.view",
+                           "menu.simulation",
+                           "menu.exercises",
+                           "menu.lecture",
+                           "menu.help",
                            "slider.LL",
                            "slider.LR",
                            "slider.RL",
@@ -74,8 +77,8 @@ TEST_P(WindowAtEverySize, KeepsCardsBarsAndTheSceneApart) {
     for (const bool with_exercise : {false, true}) {
         if (with_exercise) desk.open_exercise();
         desk.frame(5);
-        std::vector<std::pair<std::string, Rect>> parts{{"toolbar", desk.layout.toolbar},
-                                                        {"hint bar", desk.layout.hint_bar}};
+        std::vector<std::pair<std::string, Rect>> parts{
+            {"menu bar", desk.layout.menu_bar}, {"toolbar", desk.layout.toolbar}, {"hint bar", desk.layout.hint_bar}};
         for (const char* id :
              {"card.brain", "card.information", with_exercise ? "card.exercise" : "card.scene", "viewport"})
             parts.emplace_back(id, desk.where(id));
@@ -202,7 +205,7 @@ TEST(Window, MovesTheFocusFromCardToCardWithControlTab) {
         cards.insert(desk.panels.keyboard.focus);
     }
     EXPECT_TRUE(cards.count("card.scene.fold"));
-    EXPECT_TRUE(cards.count("button.open"));
+    EXPECT_TRUE(cards.count("button.play"));
     EXPECT_TRUE(cards.count("button.presets"));
 }
 

@@ -110,7 +110,19 @@ std::vector<Screen> screens() {
         {"menu of the floor", [](Desk& d) { with_menu(d, {}, MenuPage::top); }},
         {"menu of a vehicle", [](Desk& d) { with_menu(d, vehicle_object(0), MenuPage::top); }},
         {"menu of brains", [](Desk& d) { with_menu(d, vehicle_object(0), MenuPage::brains); }},
+        {"file menu", [](Desk& d) { with_files(d), d.panels.menu_bar.open = "file"; }},
+        {"edit menu", [](Desk& d) { d.panels.menu_bar.open = "edit"; }},
         {"view menu", [](Desk& d) { d.key({'E'}); }},
+        {"simulation menu", [](Desk& d) { d.panels.menu_bar.open = "simulation"; }},
+        {"exercises menu",
+         [](Desk& d) {
+             static const std::vector<CatalogueEntry> catalogue(std::begin(catalogue_entries),
+                                                                std::end(catalogue_entries));
+             d.view.catalogue = &catalogue, d.panels.menu_bar.open = "exercises";
+         }},
+        {"lecture menu", [](Desk& d) { d.panels.menu_bar.open = "lecture"; }},
+        {"help menu", [](Desk& d) { d.panels.menu_bar.open = "help"; }},
+        {"about", [](Desk& d) { d.view.version = "0.1.0", d.panels.sheet = Sheet::about; }},
         {"exercise, not from every start",
          [](Desk& d) {
              late_in_lesson(d);

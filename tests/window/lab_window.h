@@ -167,6 +167,12 @@ public:
     }
     void click(Point p) const { move(p), press(), release(); }
     void click(const std::string& anchor) const { click(at(anchor)); }
+    // Clicks a row of the menu bar: choose("file", "open").
+    void choose(const std::string& menu, const std::string& row) const {
+        click("menu." + menu);
+        EXPECT_TRUE(eventually([&] { return state()["menu"] == menu; })) << menu;
+        click("menu." + menu + "." + row);
+    }
     void drag(Point from, Point to) const {
         move(from);
         press();

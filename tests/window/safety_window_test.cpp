@@ -134,7 +134,7 @@ TEST(UnsavedWindow, AsksBeforeItLeavesAndSavesUnderANewName) {
     lab.key("Escape");
     ASSERT_TRUE(wait_for([&] { return !lab.anchors().contains("leaving.save"); }));
     EXPECT_EQ(lab.state()["weights"]["LR"], 0.1);
-    lab.click("button.open");
+    lab.choose("file", "open");
     lab.click("open.3a-love");
     ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("leaving.save"); }));
     lab.key("Return");

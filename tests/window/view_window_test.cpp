@@ -14,18 +14,47 @@ TEST(ViewWindow, CyclesFieldsByKeyAndSwitchesOverlaysInTheMenu) {
     EXPECT_TRUE(wait_for([&] { return shows("field") == "light"; }));
     lab.key("i");
     EXPECT_TRUE(wait_for([&] { return shows("field") == ""; }));
-    lab.click("button.view");
-    EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("card.view"); }));
-    lab.click("view.labels");
+    lab.click("menu.view");
+    EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("menu.rows"); }));
+    lab.click("menu.view.labels");
     EXPECT_TRUE(wait_for([&] { return shows("labels") == false; }));
-    lab.click("view.light");
+    lab.click("menu.view.field.light");
     EXPECT_TRUE(wait_for([&] { return shows("field") == "light"; }));
-    EXPECT_TRUE(lab.anchors().contains("card.view")) << "the menu stays open";
+    EXPECT_TRUE(lab.anchors().contains("menu.rows")) << "the menu stays open";
     lab.key("Escape");
-    EXPECT_TRUE(wait_for([&] { return !lab.anchors().contains("card.view"); }));
+    EXPECT_TRUE(wait_for([&] { return !lab.anchors().contains("menu.rows"); }));
     lab.key("p");
     EXPECT_TRUE(wait_for([&] { return shows("trails") == false; }));
     EXPECT_EQ(lab.state()["graphics_errors"], 0);
+}
+
+TEST(MenuWindow, OpensByF10AndByAltAloneAndIsUsedByKeys) {
+    LabWindow lab({"2a-coward", "--size", "1024x768"});
+    const auto open = [&](const char* menu) { return wait_for([&] { return lab.state()["menu"] == menu; }); };
+    EXPECT_EQ(lab.state()["menu"], "");
+    lab.key("Alt_L");
+    EXPECT_TRUE(open("file"));
+    lab.key("Alt_L");
+    EXPECT_TRUE(open(""));
+    lab.key("alt+Shift_L");
+    lab.draw_frames();
+    EXPECT_EQ(lab.state()["menu"], "") << "Alt with another key opens no menu";
+    lab.key("F10");
+    EXPECT_TRUE(open("file"));
+    for (const char* menu : {"edit", "view", "simulation"}) {
+        lab.key("Right");
+        EXPECT_TRUE(open(menu));
+    }
+    lab.key("Down");
+    lab.key("Return");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["tick"] == 1; })) << "the second row is one step";
+    EXPECT_TRUE(open(""));
+    lab.click("menu.file");
+    EXPECT_TRUE(open("file"));
+    lab.move(lab.at("menu.help"));
+    EXPECT_TRUE(open("help"));
+    lab.click("menu.help.about");
+    EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("card.about"); }));
 }
 
 }  // namespace

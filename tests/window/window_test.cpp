@@ -166,7 +166,7 @@ TEST(LabWindow, DragsAVehicleAndUndoMovesItBack) {
 
 TEST(LabWindow, OpensAnotherSceneFromItsMenu) {
     LabWindow lab({"--size", "1280x800"});
-    lab.click("button.open");
+    lab.choose("file", "open");
     ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("open.2a-coward"); }));
     lab.click("open.2a-coward");
     EXPECT_TRUE(wait_for([&] { return lab.state()["opened"] == "2a-coward"; }));
@@ -253,9 +253,9 @@ TEST(LabWindow, TakesNoPictureOfABrokenScene) {
     EXPECT_EQ(shell(program("braitenlab") + " 2a-coward --set kind.nobody.brain.LL=1").code, 2);
 }
 
-TEST(LabWindow, ExitsByTheExitButton) {
+TEST(LabWindow, ExitsByTheFileMenu) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
-    lab.click("button.exit");
+    lab.choose("file", "exit");
     EXPECT_EQ(lab.exit_code(), 0);
 }
 

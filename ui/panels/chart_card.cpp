@@ -236,28 +236,28 @@ void energy_bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
                   Face::small);
 }
 
-void save_csv(const LabView& view, const PanelState& state, Ui& ui) {
+}  // namespace
+
+void export_csv(const LabView& view, const PanelState& state, Outbox& outbox) {
     switch (state.chart) {
         case Chart::signals:
-            ui.outbox.push_back(ExportRequest{"signals", signals_csv(state.history)});
+            outbox.push_back(ExportRequest{"signals", signals_csv(state.history)});
             break;
         case Chart::population:
         case Chart::energy:
-            ui.outbox.push_back(ExportRequest{"population", population_csv(state.history)});
+            outbox.push_back(ExportRequest{"population", population_csv(state.history)});
             break;
         case Chart::bars:
-            ui.outbox.push_back(ExportRequest{"energies", energies_csv(*view.now)});
+            outbox.push_back(ExportRequest{"energies", energies_csv(*view.now)});
             break;
     }
 }
-
-}  // namespace
 
 void chart_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     std::array buttons{HeadingButton{"charts.csv", ui.strings("charts.csv"), ui.strings("tooltip.csv")}};
     const bool open = open_card(state, ui, Card::charts, place, buttons);
     if (open) {
-        if (buttons[0].pressed) save_csv(view, state, ui);
+        if (buttons[0].pressed) export_csv(view, state, ui.outbox);
         const std::array words{ui.strings("charts.signals"), ui.strings("charts.population"),
                                ui.strings("charts.energy"), ui.strings("charts.bars")};
         const int chosen = segments(ui, "charts.tab", words, static_cast<int>(state.chart), card_width(ui));

@@ -14,6 +14,7 @@
 #include "ui/scene_input/scene_input.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/keyboard.h"
+#include "ui/widgets/menu_bar.h"
 #include "ui/widgets/sheet.h"
 #include "ui/widgets/slider.h"
 #include "ui/wiring/canvas.h"
@@ -31,7 +32,7 @@ std::array<CardState, card_count> initial_cards();
 enum class Chart { signals, population, energy, bars };
 
 // The sheet that covers the window; at most one.
-enum class Sheet { none, keys, settings, files, recovery, leaving };
+enum class Sheet { none, keys, settings, files, about, recovery, leaving };
 
 // State that a lecture changes and restores at its end.
 struct BeforeLecture {
@@ -73,13 +74,14 @@ struct PanelState {
     bool playhead_held = false;            // true while the playhead is dragged; the simulation is paused
     bool why_open = false;
     Sheet sheet = Sheet::none;
-    SheetState keys, settings, recovery, leaving;
+    SheetState keys, settings, about, recovery, leaving;
     bool recovery_asked = false;
     bool leaving_asked = false;
     int leaving_done = 0;  // FilesView::done when the sheet for a name was opened; −1: the sheet is not open
     FilesState files;
     std::optional<Preferences> before_reset;  // preferences before Reset All, until one is changed
-    bool view_menu = false, focus_view_menu = false;
+    MenuBarState menu_bar;
+    std::vector<Action> chosen;  // with toolbar and menus, executed at the end of the frame
     bool presets_open = false, close_presets = false;
     bool open_presets = false;   // requested by a click on their button while another menu covered it
     bool outcome_told = false;   // the outcome of the prediction is shown

@@ -18,7 +18,8 @@ void exercise_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: vi
 void sensor_card(const LabView&, PanelState&, Ui&, Rect);
 void brain_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // `column`: the largest available rectangle
 void information_card(const LabView&, PanelState&, Ui&, Rect);
-void chart_card(const LabView&, PanelState&, Ui&, Rect);  // while PanelState::charts_open; folding closes it
+void chart_card(const LabView&, PanelState&, Ui&, Rect);      // while PanelState::charts_open; folding closes it
+void export_csv(const LabView&, const PanelState&, Outbox&);  // the chart that the chart card shows; chart_card.cpp
 
 // scene_cards.cpp
 void scene_card(const LabView&, PanelState&, Ui&, Rect);
@@ -30,8 +31,15 @@ void timeline(const LabView&, PanelState&, Ui&, Rect);
 void hint_bar(const LabView&, Ui&, Rect, std::string_view hint);  // `hint`: key of a prompt's words, or empty
 void tool_palette(const LabView&, PanelState&, Ui&, Rect scene);  // in the upper left corner of the scene
 void scene_menu(const LabView&, PanelState&, Ui&, Rect window);   // menu of an object or of the floor
-void view_menu(const LabView&, PanelState&, Ui&, Rect window, Rect toolbar);  // overlays; below its button
-bool for_view_menu(const LabView&, PanelState&, KeyPress);
+
+// menu_bar.cpp: the menu bar. A chosen action is added to PanelState::chosen.
+void menu_bar(PanelState&, Ui&, Rect bar);                               // the titles
+void lab_menu(const LabView&, PanelState&, Ui&, Rect bar, Rect window);  // the open menu
+std::string_view menu_title_at(const Ui&, float x, float y);             // name of its menu, or empty; window pixels
+void switch_menu(MenuBarState&, int step);  // opens the menu `step` titles to the right of the open one, or the first
+
+// The string key of the reason why the action cannot be executed now; empty if it can.
+std::string_view why_unavailable(const LabView&, const PanelState&, Action);
 
 // lecture.cpp: shown during a lecture in place of toolbar and hint bar.
 void lecture_bar(const LabView&, Ui&, Rect);
@@ -43,6 +51,7 @@ void follow_lecture(const LabView&, PanelState&);  // saves and restores the car
 void keys_card(const LabView&, PanelState&, Ui&, Rect window);      // all shortcuts
 void files_sheet(const LabView&, PanelState&, Ui&, Rect window);    // open and save
 void settings_card(const LabView&, PanelState&, Ui&, Rect window);  // language, theme, type size, motion
+void about_card(const LabView&, PanelState&, Ui&, Rect window);     // version, and licences of the libraries
 
 // unsaved_sheets.cpp
 void recovery_sheet(const LabView&, PanelState&, Ui&, Rect window);  // after a crash, while LabView::recovery is set

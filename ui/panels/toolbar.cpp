@@ -1,5 +1,5 @@
-// The bar at the top. In a narrow window, first the type and the gaps are smaller, then icons beside words are left
-// out, then words, the least important group first. Tooltips always show the words.
+// The bar of buttons below the menu bar. In a narrow window, first the type and the gaps are smaller, then words are
+// left out, the least important group first; icons stay. Tooltips always show the words.
 #include <array>
 #include <string>
 #include <vector>
@@ -17,8 +17,8 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr int compact_step = 1, few_icons = 2, words_alone = 3, first_words_go = 4;  // steps of narrowness
-constexpr int never = 99, narrowest_step = first_words_go + 6;
+constexpr int compact_step = 1, first_words_go = 2, narrowest_step = first_words_go + 2;  // steps of narrowness
+constexpr int never = 99;
 constexpr float toolbar_margin = 12, between_buttons = 4, toolbar_group_gap = 17;  // layout pixels
 constexpr float speed_width = 52, status_width = 204,
                 compact_status = 200;  // the pill, and the clock with the pace below
@@ -26,53 +26,47 @@ constexpr float speed_width = 52, status_width = 204,
 struct Tool {
     std::string_view anchor, words, icon;  // words: key of the string
     Action action;
-    int loses_words;  // step of narrowness at which its words are left out; 1: first_words_go, 2: the next step …
+    int loses_words;  // step of narrowness at which its words are left out
     bool on = false;
     bool first_of_group = false;
-    bool for_looking = false;  // keeps its icon longer
+    bool enabled = true;
 };
 
-std::vector<Tool> tools(const LabView& view) {
+std::vector<Tool> tools(const LabView& view, const PanelState& state) {
     const bool playing = view.mode == Mode::playing;
-    return {
-        {"button.open", "button.open", icon::open, Action::open, 6},
+    std::vector<Tool> all{
         {"button.play", playing ? "button.pause" : "button.play", playing ? icon::pause : icon::play,
-         Action::play_pause, never, false, true},
-        {"button.step", "button.step", icon::step, Action::step, 6},
-        {"button.reset", "button.reset", icon::reset, Action::reset, 6},
-        {"button.new", "button.new", icon::new_population, Action::new_population, 5},
-        {"button.add", "button.add", icon::add, Action::add, 4, false, true},
-        {"button.remove", "button.remove", icon::remove, Action::remove, 4},
-        {"button.follow", "button.follow", icon::follow, Action::follow, 3,
-         view.settings.camera.mode == CameraMode::follow, true, true},
-        {"button.sensors", "button.sensors", icon::sensors, Action::sensors, 2, view.settings.sensors, false, true},
-        {"button.outlines", "button.outlines", icon::outlines, Action::outlines, 2, view.settings.outlines, false,
-         true},
-        {"button.view", "button.view", icon::view, Action::view, 2, false, false, true},
-        {"button.wiring", "button.wiring", icon::wiring, Action::wiring, 7, view.mode == Mode::wiring, false, true},
+         Action::play_pause, never},
+        {"button.step", "button.step", icon::step, Action::step, first_words_go + 2},
+        {"button.reset", "button.reset", icon::reset, Action::reset, first_words_go + 2},
+        {"button.follow", "button.follow", icon::follow, Action::follow, first_words_go + 1,
+         view.settings.camera.mode == CameraMode::follow, true},
+        {"button.wiring", "button.wiring", icon::wiring, Action::wiring, first_words_go + 1, view.mode == Mode::wiring},
+        {"button.undo", "button.undo", icon::undo, Action::undo, first_words_go, false, true},
+        {"button.save", "button.save", icon::save, Action::save, first_words_go},
     };
+    for (Tool& tool : all)
+        tool.enabled = tool.action == Action::follow || why_unavailable(view, state, tool.action).empty();
+    return all;
 }
-
-const Tool exit_tool{"button.exit", "button.exit", icon::exit, Action::exit, 1};
 
 ButtonLook look_of(const Ui& ui, const Tool& tool, int narrowness) {
     const bool is_play = tool.action == Action::play_pause;
     ButtonLook look;
-    if (narrowness < first_words_go - 1 + tool.loses_words || !has_icons(ui)) look.words = ui.strings(tool.words);
-    const int icons_until = tool.for_looking ? words_alone : few_icons;
-    if (narrowness < icons_until || look.words.empty() || is_play) look.icon = tool.icon;
+    look.icon = tool.icon;
+    if (narrowness < tool.loses_words || !has_icons(ui)) look.words = ui.strings(tool.words);
     look.emphasis = is_play ? Emphasis::primary : Emphasis::quiet;
     if (is_play) look.min_width = 92;  // the same width for Play and Pause
     look.compact = narrowness >= compact_step;
     look.on = tool.on;
+    look.enabled = tool.enabled;
     return look;
 }
 
 float width_of_status(int narrowness) { return narrowness < compact_step ? status_width : compact_status; }
 
 float width_of(const Ui& ui, const std::vector<Tool>& all, int narrowness) {
-    float width =
-        2 * ui.px(toolbar_margin) + button_width(ui, look_of(ui, exit_tool, narrowness)) + ui.px(toolbar_group_gap);
+    float width = 2 * ui.px(toolbar_margin);
     for (const Tool& tool : all)
         width += button_width(ui, look_of(ui, tool, narrowness)) +
                  ui.px(tool.first_of_group ? toolbar_group_gap : between_buttons);
@@ -80,22 +74,21 @@ float width_of(const Ui& ui, const std::vector<Tool>& all, int narrowness) {
                          width_of_status(narrowness));
 }
 
-void tool_button(PanelState& state, Ui& ui, const Tool& tool, int narrowness) {
+void tool_button(const LabView& view, PanelState& state, Ui& ui, const Tool& tool, int narrowness) {
     const Item at = button(ui, tool.anchor, look_of(ui, tool, narrowness));
-    if (at.pressed && tool.action == Action::open)
-        begin_files(state.files, false), state.sheet = Sheet::files;  // handled by the panels
-    else if (at.pressed && tool.action == Action::view)
-        state.view_menu = !state.view_menu;
-    else if (at.pressed)
-        ui.outbox.push_back(tool.action);
+    if (at.pressed) state.chosen.push_back(tool.action);
     if (!wants_tooltip(ui, at)) return;
     // "tooltip.play_pause" and so on
     const std::string key = "tooltip." + std::string(name(tool.action));
-    tooltip(ui, at, ui.strings.find(key, ui.strings(tool.words)), key_name(tool.action, ui.strings));
+    const std::string_view why = tool.enabled ? std::string_view{} : why_unavailable(view, state, tool.action);
+    tooltip(
+        ui, at,
+        why.empty() ? ui.strings.find(key, ui.strings("action." + std::string(name(tool.action)))) : ui.strings(why),
+        key_name(tool.action, ui.strings));
 }
 
 void rule(Ui& ui, float x, Rect bar) {
-    ImGui::GetWindowDrawList()->AddLine({x, bar.y + ui.px(14)}, {x, bar.y + bar.h - ui.px(14)}, paint(ui.palette.line),
+    ImGui::GetWindowDrawList()->AddLine({x, bar.y + ui.px(12)}, {x, bar.y + bar.h - ui.px(12)}, paint(ui.palette.line),
                                         ui.px(1));
 }
 
@@ -168,31 +161,28 @@ void status_pill(const LabView& view, Ui& ui, float x, float layout_width, Rect 
 
 void toolbar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     begin_bar(ui, "toolbar", bar);
-    const std::vector<Tool> all = tools(view);
+    const std::vector<Tool> all = tools(view, state);
     int narrowness = 0;
     while (narrowness < narrowest_step && width_of(ui, all, narrowness) > bar.w) ++narrowness;
 
     const float y = bar.y + (bar.h - ui.px(button_height)) / 2;
     float x = bar.x + ui.px(toolbar_margin);
+    const auto next_group = [&] {
+        x += ui.px(toolbar_group_gap - between_buttons);
+        rule(ui, x - ui.px((toolbar_group_gap - between_buttons) / 2 + between_buttons / 2), bar);
+    };
     for (const Tool& tool : all) {
-        if (tool.first_of_group) {
-            x += ui.px(toolbar_group_gap - between_buttons);
-            rule(ui, x - ui.px((toolbar_group_gap - between_buttons) / 2 + between_buttons / 2), bar);
+        if (tool.action == Action::follow) {
+            next_group();
+            x = speed_control(view, ui, x, bar) + ui.px(between_buttons);
         }
+        if (tool.first_of_group) next_group();
         ImGui::SetCursorScreenPos({x, y});
-        tool_button(state, ui, tool, narrowness);
+        tool_button(view, state, ui, tool, narrowness);
         x += button_width(ui, look_of(ui, tool, narrowness)) + ui.px(between_buttons);
     }
-    x += ui.px(toolbar_group_gap - between_buttons);
-    rule(ui, x - ui.px((toolbar_group_gap - between_buttons) / 2 + between_buttons / 2), bar);
-    (void)speed_control(view, ui, x, bar);
-
-    const float exit_x = bar.x + bar.w - ui.px(toolbar_margin) - button_width(ui, look_of(ui, exit_tool, narrowness));
-    const float status_width_now = width_of_status(narrowness);
-    status_pill(view, ui, exit_x - ui.px(toolbar_group_gap + status_width_now), status_width_now, bar);
-    rule(ui, exit_x - ui.px(toolbar_group_gap / 2), bar);
-    ImGui::SetCursorScreenPos({exit_x, y});
-    tool_button(state, ui, exit_tool, narrowness);
+    const float status = width_of_status(narrowness);
+    status_pill(view, ui, bar.x + bar.w - ui.px(toolbar_margin + status), status, bar);
     end_bar();
 }
 

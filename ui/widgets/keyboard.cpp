@@ -69,6 +69,12 @@ void end_keyboard(Keyboard& keyboard) {
     std::swap(keyboard.last_count, keyboard.stop_count);
 }
 
+void release_keyboard(Keyboard& keyboard) {
+    if (!std::exchange(keyboard.was_held, false)) return;
+    keyboard.focus = std::exchange(keyboard.focus_before, {});
+    keyboard.revealed = !keyboard.focus.empty();  // the widget is drawn again in the next frame
+}
+
 void begin_stops(Keyboard* keyboard) {
     if (keyboard) ++keyboard->card;
 }

@@ -49,6 +49,10 @@ void end_keyboard(Keyboard&);
 // gets it. After the last frame with a sheet, the focus before the sheet is restored. `keyboard` may be null.
 void hold_keyboard(Keyboard*);
 
+// Restores the focus before the sheet at once, for an action that then moves it. Call after end_keyboard(), when the
+// sheet has closed. Does nothing if there was none.
+void release_keyboard(Keyboard&);
+
 // Begins the next card in the order of Ctrl+Tab.
 void begin_stops(Keyboard*);
 

@@ -21,7 +21,8 @@ inline constexpr std::string_view play = "\uf04b", pause = "\uf04c", step = "\uf
                                   cross = "\uf00d", presets = "\uf02d", open = "\uf07c", clock = "\uf017",
                                   mirror = "\uf042", cross_over = "\uf0ec", drive = "\uf11b", save = "\uf0c7",
                                   load = "\uf115", chart = "\uf201", heal = "\uf0fa", enlarge = "\uf065",
-                                  bookmark = "\uf02e", folder = "\uf07b", file = "\uf15b", notice = "\uf05a";
+                                  bookmark = "\uf02e", folder = "\uf07b", file = "\uf15b", notice = "\uf05a",
+                                  undo = "\uf0e2";
 }  // namespace icon
 
 enum class Face { text, strong, title, small, display };

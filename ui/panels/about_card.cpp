@@ -1,0 +1,68 @@
+// The sheet about the program: its version, and the licences of the libraries and fonts that it uses.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include <imgui.h>
+
+#include "ui/panels/panels.h"
+#include "ui/shortcuts.h"
+#include "ui/strings.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/sheet.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+struct UsedWork {
+    std::string_view name, licence;
+};
+
+// As their sources and their Debian packages (/usr/share/doc/PACKAGE/copyright) state.
+constexpr std::array<UsedWork, 14> used_works{{{"Box2D", "MIT"},
+                                               {"CLI11", "BSD-3-Clause"},
+                                               {"Dear ImGui", "MIT"},
+                                               {"fmt", "MIT"},
+                                               {"Fontconfig", "HPND"},
+                                               {"FreeType", "FreeType Licence"},
+                                               {"GLEW", "BSD-3-Clause, MIT"},
+                                               {"GLFW", "zlib"},
+                                               {"JSON for Modern C++", "MIT"},
+                                               {"oneTBB", "Apache 2.0"},
+                                               {"stb", "MIT"},
+                                               {"toml++", "MIT"},
+                                               {"Fork Awesome", "OFL 1.1"},
+                                               {"Noto Sans", "OFL 1.1"}}};
+
+}  // namespace
+
+void about_card(const LabView& view, PanelState& state, Ui& ui, Rect window) {
+    if (state.sheet != Sheet::about) return;
+    begin_sheet(ui, state.about, "card.about", "Braitenlab", 460, window);
+    paragraph(ui, fill(ui.strings("about.version"), {view.version}), ui.palette.text);
+    paragraph(ui, ui.strings("about.what"), ui.palette.text);
+    paragraph(ui, ui.strings("about.licence"), ui.palette.text);
+    gap(ui, 12);
+    subheading(ui, ui.strings("about.libraries"));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = card_width(ui), line = line_height(ui, Face::text) + ui.px(4);
+    float y = at.y;
+    for (const UsedWork& work : used_works) {
+        put(ui, {at.x, y}, work.name, ui.palette.text);
+        put_right(ui, {at.x + width, y}, work.licence, ui.palette.second_text);
+        y += line;
+    }
+    ImGui::Dummy({width, y - at.y});
+    sheet_buttons(ui, state.about);
+    const Item close = button(ui, "about.close", {{}, ui.strings("keys.close"), Emphasis::primary});
+    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
+    const bool closed = close.pressed;
+    if (end_sheet(state.about) || closed) state.sheet = Sheet::none;
+}
+
+}  // namespace braitenlab::ui

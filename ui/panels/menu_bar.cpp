@@ -1,0 +1,384 @@
+// The menu bar: which menu has which rows, and why a row cannot be chosen now.
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene/enums.h"
+#include "ui/panels/panels.h"
+#include "ui/scene_input/edits.h"
+#include "ui/strings.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+constexpr std::size_t most_recent = 5;
+constexpr float longest_name = 260;  // of a recent file, layout pixels
+
+struct MenuNames {
+    std::string_view name, words;  // words: key of the string
+};
+constexpr std::array<MenuNames, 7> menu_names{{{"file", "menus.file"},
+                                               {"edit", "menus.edit"},
+                                               {"view", "menus.view"},
+                                               {"simulation", "menus.simulation"},
+                                               {"exercises", "menus.exercises"},
+                                               {"lecture", "menus.lecture"},
+                                               {"help", "menus.help"}}};
+
+// The menu of each action, in the order of the rows.
+struct MenuPlace {
+    std::string_view menu;
+    Action action;
+    bool rule_above = false;
+};
+constexpr MenuPlace menu_places[]{
+    {"file", Action::open},
+    {"file", Action::save, true},
+    {"file", Action::save_as},
+    {"file", Action::save_run},
+    {"file", Action::save_brain},
+    {"file", Action::export_csv, true},
+    {"file", Action::screenshot},
+    {"file", Action::exit, true},
+
+    {"edit", Action::undo},
+    {"edit", Action::redo},
+    {"edit", Action::cut, true},
+    {"edit", Action::copy},
+    {"edit", Action::paste},
+    {"edit", Action::duplicate},
+    {"edit", Action::erase},
+    {"edit", Action::select_all},
+    {"edit", Action::next_vehicle, true},
+    {"edit", Action::previous_vehicle},
+    {"edit", Action::add},
+    {"edit", Action::remove},
+    {"edit", Action::scene_menu},
+    {"edit", Action::close_outline},
+    {"edit", Action::take_back},
+    {"edit", Action::menu, true},
+    {"edit", Action::join},
+    {"edit", Action::lesion},
+    {"edit", Action::tidy},
+    {"edit", Action::settings, true},
+
+    {"view", Action::sensors},
+    {"view", Action::outlines},
+    {"view", Action::trails},
+    {"view", Action::surfaces},
+    {"view", Action::memory},
+    {"view", Action::labels},
+    {"view", Action::next_field},
+    {"view", Action::home, true},
+    {"view", Action::follow},
+    {"view", Action::birds_eye},
+    {"view", Action::drivers_eye},
+    {"view", Action::wiring, true},
+    {"view", Action::fit},
+    {"view", Action::charts},
+    {"view", Action::full_screen, true},
+    {"view", Action::theme},
+    {"view", Action::larger},
+    {"view", Action::smaller},
+
+    {"simulation", Action::play_pause},
+    {"simulation", Action::step},
+    {"simulation", Action::step_back},
+    {"simulation", Action::rewind},
+    {"simulation", Action::fast_forward},
+    {"simulation", Action::reset, true},
+    {"simulation", Action::new_population},
+    {"simulation", Action::slower, true},
+    {"simulation", Action::faster},
+    {"simulation", Action::set_bookmark, true},
+    {"simulation", Action::last_bookmark},
+    {"simulation", Action::drive, true},
+
+    {"exercises", Action::hint},
+    {"exercises", Action::exercise_reset},
+
+    {"lecture", Action::lecture},
+
+    {"help", Action::keys},
+    {"help", Action::about},
+};
+
+// A row and its effect: an action or a request.
+struct LabMenuRow {
+    MenuEntry entry;
+    std::optional<Action> action{};
+    std::optional<Request> request{};
+};
+
+bool is_overlay(Action action) { return action >= Action::sensors && action <= Action::next_field; }
+
+// Whether a switch is on; nullopt for other actions.
+std::optional<bool> switched_on(const LabView& view, const PanelState& state, Action action) {
+    const Overlays& shown = view.settings.overlays;
+    switch (action) {
+        case Action::sensors:
+            return view.settings.sensors;
+        case Action::outlines:
+            return view.settings.outlines;
+        case Action::trails:
+            return shown.trails;
+        case Action::surfaces:
+            return shown.surfaces;
+        case Action::memory:
+            return shown.memory;
+        case Action::labels:
+            return shown.labels;
+        case Action::follow:
+            return view.settings.camera.mode == CameraMode::follow;
+        case Action::birds_eye:
+            return view.settings.camera.mode == CameraMode::birds_eye;
+        case Action::drivers_eye:
+            return view.settings.camera.mode == CameraMode::driver;
+        case Action::wiring:
+            return view.mode == Mode::wiring;
+        case Action::charts:
+            return state.charts_open;
+        default:
+            return std::nullopt;
+    }
+}
+
+LabMenuRow action_row(const LabView& view, const PanelState& state, const Ui& ui, const MenuPlace& place) {
+    const std::string word(name(place.action));
+    LabMenuRow row{.action = place.action};
+    MenuEntry& e = row.entry;
+    e.anchor = "menu." + std::string(place.menu) + "." + word;
+    e.words = ui.strings("action." + word);
+    e.keys = key_name(place.action, ui.strings);
+    const std::string_view why = why_unavailable(view, state, place.action);
+    e.enabled = why.empty();
+    e.how = e.enabled ? ui.strings.find("tooltip." + word, "") : ui.strings(why);
+    e.on = switched_on(view, state, place.action);
+    e.rule_above = place.rule_above;
+    e.stays_open = is_overlay(place.action);
+    return row;
+}
+
+LabMenuRow menu_heading(std::string_view words) {
+    LabMenuRow row;
+    row.entry.words = words;
+    row.entry.heading = row.entry.rule_above = true;
+    return row;
+}
+
+void add_recent_files(std::vector<LabMenuRow>& rows, const LabView& view, const Ui& ui) {
+    if (!view.recent || view.recent->empty()) return;
+    rows.push_back(menu_heading(ui.strings("menus.recent")));
+    for (std::size_t i = 0; i < std::min(most_recent, view.recent->size()); ++i) {
+        const std::string& path = (*view.recent)[i];
+        LabMenuRow row{.request = OpenRequest{path}};
+        row.entry.anchor = "menu.file.recent." + std::to_string(i + 1);
+        row.entry.words = shortened(ui, path.substr(path.find_last_of('/') + 1), Face::text, ui.px(longest_name));
+        row.entry.how = path;
+        rows.push_back(std::move(row));
+    }
+}
+
+// The fields of the channels in the scene, and none.
+void add_fields(std::vector<LabMenuRow>& rows, const LabView& view, const Ui& ui) {
+    rows.push_back(menu_heading(ui.strings("view.field")));
+    const auto add = [&](std::string anchor, std::string_view words, std::optional<Channel> field) {
+        Overlays wanted = view.settings.overlays;
+        LabMenuRow row;
+        row.entry.anchor = "menu.view.field." + std::move(anchor);
+        row.entry.words = words;
+        row.entry.on = wanted.field == field;
+        row.entry.stays_open = true;
+        wanted.field = field;
+        row.request = OverlaysRequest{wanted};
+        rows.push_back(std::move(row));
+    };
+    add("none", ui.strings("view.no_field"), std::nullopt);
+    for (const Channel c : channels_with_intensity(*view.now))
+        add(std::string(word(c)), ui.strings("view.channel." + std::string(word(c))), c);
+}
+
+void add_catalogue(std::vector<LabMenuRow>& rows, const LabView& view, const Ui& ui) {
+    if (!view.catalogue) return;
+    for (const bool exercises : {true, false}) {
+        rows.push_back(menu_heading(ui.strings(exercises ? "open.exercises" : "open.scenes")));
+        for (const CatalogueEntry& shipped : *view.catalogue) {
+            if ((shipped.number > 0) != exercises) continue;
+            LabMenuRow row{.request = OpenRequest{shipped.path}};
+            const std::string title(translated(ui, shipped.title));
+            row.entry.anchor = "menu.exercises." + shipped.name;
+            row.entry.words = exercises ? std::to_string(shipped.number) + "  " + title : title;
+            row.entry.how = translated(ui, shipped.story);
+            row.entry.on = shipped.name == view.opened;
+            rows.push_back(std::move(row));
+        }
+    }
+}
+
+std::vector<LabMenuRow> rows_of(const LabView& view, const PanelState& state, const Ui& ui, std::string_view menu) {
+    std::vector<LabMenuRow> rows;
+    for (const MenuPlace& place : menu_places) {
+        if (place.menu != menu) continue;
+        rows.push_back(action_row(view, state, ui, place));
+        if (place.action == Action::open) add_recent_files(rows, view, ui);
+        if (place.action == Action::next_field) add_fields(rows, view, ui);
+        if (place.action == Action::exercise_reset) add_catalogue(rows, view, ui);
+    }
+    return rows;
+}
+
+std::array<MenuTitle, menu_names.size()> lab_menu_titles(const Ui& ui) {
+    std::array<MenuTitle, menu_names.size()> titles;
+    for (std::size_t i = 0; i < titles.size(); ++i) {
+        const bool is_view = menu_names[i].name == "view";
+        titles[i] = {menu_names[i].name, ui.strings(menu_names[i].words),
+                     ui.strings(is_view ? "tooltip.view" : "action.menu_bar"),
+                     key_name(is_view ? Action::view : Action::menu_bar, ui.strings)};
+    }
+    return titles;
+}
+
+std::string_view why_not_on_canvas(const LabView& view, const PanelState& state, Action action) {
+    if (view.mode != Mode::wiring) return "unavailable.wiring_only";
+    const wiring::CanvasState& canvas = state.canvas;
+    if (action == Action::paste) return canvas.clipboard.neurons.empty() ? "wiring.refused.nothing_copied" : "";
+    if (action == Action::cut || action == Action::copy)
+        return canvas.selection.nodes.empty() ? "wiring.refused.nothing_to_copy" : "";
+    if (action == Action::join) return canvas.selection.nodes.size() == 1 ? "" : "wiring.refused.join_one";
+    return "";
+}
+
+// Duplicate, delete, lesion and the context menu: of the canvas's selection while wiring, else of the scene's.
+std::string_view why_not_on_selection(const LabView& view, const PanelState& state, Action action) {
+    constexpr std::string_view nothing = "unavailable.nothing_selected";
+    if (view.mode == Mode::wiring) {
+        if (action == Action::scene_menu) return "unavailable.scene_only";
+        return state.canvas.selection.empty() ? nothing : "";
+    }
+    if (action == Action::lesion) return "unavailable.lesion";
+    if (action == Action::duplicate) return copy_of(*view.now, chosen(view)) ? "" : nothing;
+    return removal_of(*view.now, chosen(view)) ? "" : nothing;
+}
+
+std::string_view why_not_in_time(const LabView& view, Action action) {
+    const TimelineView& time = view.timeline;
+    if (action == Action::last_bookmark) return time.bookmarks.empty() ? "unavailable.no_bookmark" : "";
+    if (action == Action::fast_forward) return time.latest > view.now->tick ? "" : "unavailable.latest";
+    return time.earliest < view.now->tick ? "" : "unavailable.earliest";
+}
+
+std::string_view why_not_in_exercise(const LabView& view, Action action) {
+    if (!view.lesson) return "unavailable.no_exercise";
+    if (action == Action::exercise_reset) return "";
+    if (view.lesson->hints_shown >= static_cast<int>(view.lesson->exercise->hints.size())) return "exercise.hint_none";
+    return view.lesson->hint_ready ? "" : "exercise.hint_wait";
+}
+
+std::string_view why_not_with_vehicle(const LabView& view, const PanelState& state, Action action) {
+    const VehicleId selected = view.settings.selection.vehicle;
+    if (selected != no_vehicle && find_vehicle(*view.now, selected)) return "";
+    return switched_on(view, state, action).value_or(false) ? "" : "unavailable.no_vehicle";
+}
+
+std::string_view why_no_csv(const LabView& view, const PanelState& state) {
+    const bool empty = state.chart == Chart::signals ? state.history.signals.empty()
+                       : state.chart == Chart::bars  ? view.now->vehicles.empty()
+                                                     : state.history.population.empty();
+    return empty ? "charts.nothing" : "";
+}
+
+}  // namespace
+
+std::string_view why_unavailable(const LabView& view, const PanelState& state, Action action) {
+    switch (action) {
+        case Action::undo:
+            return view.undo_depth > 0 ? "" : "unavailable.undo";
+        case Action::redo:
+            return view.redo_depth > 0 ? "" : "unavailable.redo";
+        case Action::cut:
+        case Action::copy:
+        case Action::paste:
+        case Action::select_all:
+        case Action::menu:
+        case Action::join:
+        case Action::tidy:
+        case Action::fit:
+            return why_not_on_canvas(view, state, action);
+        case Action::duplicate:
+        case Action::erase:
+        case Action::lesion:
+        case Action::scene_menu:
+            return why_not_on_selection(view, state, action);
+        case Action::close_outline:
+        case Action::take_back:
+            return view.mode != Mode::wiring && !state.scene_input.corners.empty() ? "" : "unavailable.no_polygon";
+        case Action::next_vehicle:
+        case Action::previous_vehicle:
+        case Action::remove:
+            return view.now->vehicles.empty() ? "unavailable.no_vehicles" : "";
+        case Action::follow:
+        case Action::drivers_eye:
+        case Action::drive:
+        case Action::save_brain:
+            return why_not_with_vehicle(view, state, action);
+        case Action::charts:
+            return view.mode == Mode::wiring ? "unavailable.scene_only" : "";
+        case Action::larger:
+            return view.preferences.type_size < largest_type_size ? "" : "unavailable.largest";
+        case Action::smaller:
+            return view.preferences.type_size > least_type_size ? "" : "unavailable.smallest";
+        case Action::step_back:
+        case Action::rewind:
+        case Action::fast_forward:
+        case Action::last_bookmark:
+            return why_not_in_time(view, action);
+        case Action::slower:
+            return view.time_scale > 0.126f ? "" : "unavailable.slowest";
+        case Action::faster:
+            return view.time_scale < 15.9f ? "" : "unavailable.fastest";
+        case Action::hint:
+        case Action::exercise_reset:
+            return why_not_in_exercise(view, action);
+        case Action::export_csv:
+            return why_no_csv(view, state);
+        default:
+            return "";
+    }
+}
+
+void menu_bar(PanelState& state, Ui& ui, Rect bar) {
+    menu_titles(ui, state.menu_bar, lab_menu_titles(ui), bar);
+}
+
+void lab_menu(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect window) {
+    const std::vector<LabMenuRow> rows = rows_of(view, state, ui, state.menu_bar.open);
+    std::vector<MenuEntry> entries;
+    for (const LabMenuRow& row : rows) entries.push_back(row.entry);
+    const int chosen = menu_panel(ui, state.menu_bar, lab_menu_titles(ui), entries, bar, window);
+    if (chosen < 0) return;
+    const LabMenuRow& row = rows[static_cast<std::size_t>(chosen)];
+    if (row.action) state.chosen.push_back(*row.action);
+    if (row.request) ui.outbox.push_back(*row.request);
+}
+
+std::string_view menu_title_at(const Ui& ui, float x, float y) {
+    for (const MenuNames& menu : menu_names) {
+        const Rect* at = ui.anchors.find("menu." + std::string(menu.name));
+        if (at && at->contains(x, y)) return menu.name;
+    }
+    return {};
+}
+
+void switch_menu(MenuBarState& menus, int step) {
+    const auto count = static_cast<int>(menu_names.size());
+    int at = 0;
+    while (at < count - 1 && menu_names[static_cast<std::size_t>(at)].name != menus.open) ++at;
+    if (menus.open.empty()) at = step = 0;
+    menus.open = menu_names[static_cast<std::size_t>((at + step + count) % count)].name;
+}
+
+}  // namespace braitenlab::ui
