@@ -71,7 +71,8 @@ enum class Action {
     lecture,
 
     // Handled by panels, widgets, canvas and scene input; not sent to the app.
-    menu_bar,  // opens or closes the first menu
+    new_scene,  // opens the shipped empty scene
+    menu_bar,   // opens or closes the first menu
     save_run,
     save_brain,
     export_csv,  // the chart that the chart card shows

@@ -165,8 +165,8 @@ bool key_for_menus(PanelState& state, KeyPress press) {
     return true;
 }
 
-// Actions that open a panel or move the focus. False for actions of the lab.
-bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPress press) {
+// Actions that open a panel, move the focus or need the state of a panel. False for actions of the lab.
+bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPress press, Outbox& outbox) {
     if (const auto slider = slider_of(action)) {
         state.card(Card::brain).folded = false;
         state.keyboard.focus = *slider;
@@ -182,7 +182,11 @@ bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPre
             state.sheet = Sheet::files;
     else if (action == Action::menu_bar || action == Action::view)
         toggle_menu(state, view.lecture ? "" : action == Action::view ? "view" : "file");
-    else if (action == Action::settings)
+    else if (action == Action::export_csv)
+        export_csv(view, state, outbox);
+    else if (action == Action::new_scene) {
+        if (const CatalogueEntry* scene = empty_scene(view)) outbox.push_back(OpenRequest{scene->path});
+    } else if (action == Action::settings)
         state.sheet = Sheet::settings;
     else if (action == Action::about)
         state.sheet = Sheet::about;
@@ -207,9 +211,7 @@ void execute_chosen(const LabView& view, PanelState& state, Action action, Outbo
         for (const Shortcut& s : shortcuts())
             if (s.action == action && s.place == KeyPlace::scene)
                 return void(press_key(view, state.scene_input, state.keyboard, s.press, outbox));
-    } else if (action == Action::export_csv) {
-        export_csv(view, state, outbox);
-    } else if (!act_on_panels(view, state, action, {})) {
+    } else if (!act_on_panels(view, state, action, {}, outbox)) {
         outbox.push_back(action);
     }
 }
@@ -305,7 +307,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     const bool on_a_card = action_for(press) == Action::lesion && !state.lesion_under_pointer.empty();
     if (view.mode == Mode::wiring && !on_a_card && key_for_canvas(state.canvas, press)) return true;
     if (const auto action = action_for(press)) {
-        if (!act_on_panels(view, state, *action, press)) outbox.push_back(*action);
+        if (!act_on_panels(view, state, *action, press, outbox)) outbox.push_back(*action);
         return true;
     }
     return false;

@@ -190,10 +190,12 @@ TEST_F(MenuBar, OpensTheSheetsOfItsRows) {
 TEST_F(MenuBar, OpensRecentFilesAndTheCatalogue) {
     const std::vector<std::string> recent{"/y/mine.toml", "/y/old.run"};
     const std::vector<CatalogueEntry> catalogue{{"05-aggressor", "/x/5.toml", "Aggressor", "", 5},
-                                                {"2a-coward", "/x/2a.toml", "Coward", "It turns away."}};
+                                                {"2a-coward", "/x/2a.toml", "Coward", "It turns away."},
+                                                {"empty", "/x/empty.toml", "Empty scene", ""}};
     desk.view.recent = &recent;
     desk.view.catalogue = &catalogue;
     for (const auto& [menu, row, path] : {std::tuple{"file", "recent.2", "/y/old.run"},
+                                          {"file", "new_scene", "/x/empty.toml"},
                                           {"exercises", "05-aggressor", "/x/5.toml"},
                                           {"exercises", "2a-coward", "/x/2a.toml"}}) {
         desk.all.clear();
@@ -249,7 +251,7 @@ TEST_F(MenuBar, CanBeUsedByKeysAlone) {
     ASSERT_EQ(desk.panels.keyboard.focus, "slider.LR");
     press({key::f10});
     EXPECT_EQ(opened(), "file");
-    EXPECT_EQ(desk.panels.keyboard.focus, "menu.file.open");
+    EXPECT_EQ(desk.panels.keyboard.focus, "menu.file.open") << "no shipped scene is empty";
     press({key::left});
     EXPECT_EQ(opened(), "help");
     press({key::right});

@@ -174,6 +174,17 @@ TEST(LabWindow, OpensAnotherSceneFromItsMenu) {
     EXPECT_EQ(lab.state()["mode"], "paused");
 }
 
+TEST(LabWindow, OpensAnEmptySceneForANewOne) {
+    LabWindow lab({"predator-prey", "--size", "1280x800"});
+    lab.choose("file", "new_scene");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["opened"] == "empty"; }));
+    EXPECT_EQ(lab.state()["population"], 1);
+    EXPECT_EQ(lab.state()["wires"], 0);
+    EXPECT_TRUE(lab.state()["sources"].empty());
+    lab.key("ctrl+s");
+    EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("files.path"); })) << "what ships is not written over";
+}
+
 TEST(LabWindow, OpensTheLastFileWithTheSavedThemeAndLanguage) {
     const Home home;
     {

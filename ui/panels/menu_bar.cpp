@@ -36,6 +36,7 @@ struct MenuPlace {
     bool rule_above = false;
 };
 constexpr MenuPlace menu_places[]{
+    {"file", Action::new_scene},
     {"file", Action::open},
     {"file", Action::save, true},
     {"file", Action::save_as},
@@ -78,6 +79,7 @@ constexpr MenuPlace menu_places[]{
     {"view", Action::birds_eye},
     {"view", Action::drivers_eye},
     {"view", Action::wiring, true},
+    {"view", Action::watch},
     {"view", Action::fit},
     {"view", Action::charts},
     {"view", Action::full_screen, true},
@@ -293,6 +295,13 @@ std::string_view why_no_csv(const LabView& view, const PanelState& state) {
 
 }  // namespace
 
+const CatalogueEntry* empty_scene(const LabView& view) {
+    if (!view.catalogue) return nullptr;
+    const auto is_empty_scene = [](const CatalogueEntry& entry) { return entry.name == "empty"; };
+    const auto found = std::find_if(view.catalogue->begin(), view.catalogue->end(), is_empty_scene);
+    return found == view.catalogue->end() ? nullptr : &*found;
+}
+
 std::string_view why_unavailable(const LabView& view, const PanelState& state, Action action) {
     switch (action) {
         case Action::undo:
@@ -343,6 +352,8 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
         case Action::hint:
         case Action::exercise_reset:
             return why_not_in_exercise(view, action);
+        case Action::new_scene:
+            return empty_scene(view) ? "" : "unavailable.no_empty_scene";
         case Action::export_csv:
             return why_no_csv(view, state);
         default:
@@ -350,9 +361,7 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
     }
 }
 
-void menu_bar(PanelState& state, Ui& ui, Rect bar) {
-    menu_titles(ui, state.menu_bar, lab_menu_titles(ui), bar);
-}
+void menu_bar(PanelState& state, Ui& ui, Rect bar) { menu_titles(ui, state.menu_bar, lab_menu_titles(ui), bar); }
 
 void lab_menu(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect window) {
     const std::vector<LabMenuRow> rows = rows_of(view, state, ui, state.menu_bar.open);

@@ -38,6 +38,9 @@ void lab_menu(const LabView&, PanelState&, Ui&, Rect bar, Rect window);  // the 
 std::string_view menu_title_at(const Ui&, float x, float y);             // name of its menu, or empty; window pixels
 void switch_menu(MenuBarState&, int step);  // opens the menu `step` titles to the right of the open one, or the first
 
+// The shipped scene that Action::new_scene opens; null when it is missing.
+const CatalogueEntry* empty_scene(const LabView&);
+
 // The string key of the reason why the action cannot be executed now; empty if it can.
 std::string_view why_unavailable(const LabView&, const PanelState&, Action);
 
