@@ -141,28 +141,68 @@ bool key_for_sheet(PanelState& state, KeyPress press) {
 // True when Ctrl+S needs no name.
 bool saves_at_once(const LabView& view) { return view.files && !view.files->save_to.empty(); }
 
+// Opens the menu, or closes it if it is open.
 void toggle_menu(PanelState& state, std::string_view menu) {
+    state.menu_bar.presses.clear();
     state.menu_bar.open = state.menu_bar.open == menu ? std::string_view{} : menu;
 }
 
 // Keys while a menu of the menu bar is open: Up and Down are Tab and Shift+Tab. False for keys that also work now.
 bool key_for_menus(PanelState& state, KeyPress press) {
+    MenuBarState& menus = state.menu_bar;
     const auto action = action_for(press);
+    const auto for_row = [&](KeyPress key) { menus.presses.push_back(key); };
     if (press.key == key::escape || action == Action::menu_bar)
-        state.menu_bar.open.clear();
+        toggle_menu(state, menus.open);
     else if (press.key == key::left || press.key == key::right)
-        switch_menu(state.menu_bar, press.key == key::left ? -1 : 1);
+        switch_menu(menus, press.key == key::left ? -1 : 1);
     else if (action == Action::view)
         toggle_menu(state, "view");
     else if (press.key == key::down)
-        state.keyboard.presses.push_back({key::tab});
+        for_row({key::tab});
     else if (press.key == key::up)
-        state.keyboard.presses.push_back({key::tab, false, true});
+        for_row({key::tab, false, true});
     else if (press.key == key::tab || press.key == key::enter)
-        state.keyboard.presses.push_back(press);
+        for_row(press);
     else if (works_under_a_sheet(press))
         return false;
     return true;
+}
+
+// Passes the keys of the rows on, once the menu that they are for has been drawn. Call before begin_keyboard().
+void pass_keys_to_rows(PanelState& state) {
+    MenuBarState& menus = state.menu_bar;
+    if (menus.open.empty()) menus.presses.clear();
+    if (menus.drawn != menus.open) return;
+    auto& presses = state.keyboard.presses;
+    presses.insert(presses.end(), menus.presses.begin(), menus.presses.end());
+    menus.presses.clear();
+}
+
+// Actions that open a file or the sheet of files.
+bool act_on_files(const LabView& view, PanelState& state, Action action, Outbox& outbox) {
+    const auto open_sheet = [&](bool saving, FileKind kind = FileKind::scene) {
+        begin_files(state.files, saving, kind);
+        state.sheet = Sheet::files;
+        return true;
+    };
+    switch (action) {
+        case Action::new_scene:
+            if (const CatalogueEntry* scene = empty_scene(view)) outbox.push_back(OpenRequest{scene->path});
+            return true;
+        case Action::open:
+            return open_sheet(false);
+        case Action::save:
+            return !saves_at_once(view) && open_sheet(true);
+        case Action::save_as:
+            return open_sheet(true);
+        case Action::save_run:
+            return open_sheet(true, FileKind::run);
+        case Action::save_brain:
+            return open_sheet(true, FileKind::brain);
+        default:
+            return false;
+    }
 }
 
 // Actions that open a panel, move the focus or need the state of a panel. False for actions of the lab.
@@ -175,18 +215,11 @@ bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPre
         state.keyboard.presses.push_back(press);
     else if (action == Action::keys)
         state.sheet = state.sheet == Sheet::keys ? Sheet::none : Sheet::keys;
-    else if (action == Action::open || action == Action::save_as || (action == Action::save && !saves_at_once(view)))
-        begin_files(state.files, action != Action::open), state.sheet = Sheet::files;
-    else if (action == Action::save_run || action == Action::save_brain)
-        begin_files(state.files, true, action == Action::save_run ? FileKind::run : FileKind::brain),
-            state.sheet = Sheet::files;
     else if (action == Action::menu_bar || action == Action::view)
         toggle_menu(state, view.lecture ? "" : action == Action::view ? "view" : "file");
     else if (action == Action::export_csv)
         export_csv(view, state, outbox);
-    else if (action == Action::new_scene) {
-        if (const CatalogueEntry* scene = empty_scene(view)) outbox.push_back(OpenRequest{scene->path});
-    } else if (action == Action::settings)
+    else if (action == Action::settings)
         state.sheet = Sheet::settings;
     else if (action == Action::about)
         state.sheet = Sheet::about;
@@ -195,7 +228,7 @@ bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPre
     else if (action == Action::lesion && !state.lesion_under_pointer.empty())
         state.lesion_requested = state.lesion_under_pointer;
     else
-        return false;
+        return act_on_files(view, state, action, outbox);
     return true;
 }
 
@@ -230,6 +263,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     ui.still = view.reduce_motion;
     const Prompt prompt = next_prompt(state.prompts, view);
     ui.highlight = prompt.anchor;
+    pass_keys_to_rows(state);
     begin_keyboard(state.keyboard);
     // A click into the scene removes the focus from the cards.
     if (ImGui::IsMouseClicked(0) && !ImGui::GetIO().WantCaptureMouse) state.keyboard.focus.clear();

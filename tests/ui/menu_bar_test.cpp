@@ -277,6 +277,25 @@ TEST_F(MenuBar, CanBeUsedByKeysAlone) {
     EXPECT_EQ(desk.actions(), std::vector{Action::redo});
 }
 
+TEST_F(MenuBar, UsesKeysThatArriveInOneFrame) {
+    for (const KeyPress key :
+         {KeyPress{key::f10}, KeyPress{key::right}, KeyPress{key::right}, KeyPress{key::right}, KeyPress{key::down}})
+        desk.key(key);
+    desk.frame(3);
+    EXPECT_EQ(opened(), "simulation");
+    EXPECT_EQ(desk.panels.keyboard.focus, "menu.simulation.step");
+    press({key::escape});
+    EXPECT_EQ(desk.panels.keyboard.focus, "");
+}
+
+TEST_F(MenuBar, ExportsTheChart) {
+    desk.now.tick = 600, desk.now.seconds = 10;
+    desk.frame(2);
+    desk.choose("file", "export_csv");
+    ASSERT_EQ(desk.all.size(), 1u);
+    EXPECT_EQ(std::get<ExportRequest>(desk.all[0]).name, "signals");
+}
+
 TEST_F(MenuBar, PlaysAndListsTheKeysWhileAMenuIsOpen) {
     press({key::f10});
     press({' '});

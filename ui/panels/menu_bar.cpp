@@ -364,6 +364,7 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
 void menu_bar(PanelState& state, Ui& ui, Rect bar) { menu_titles(ui, state.menu_bar, lab_menu_titles(ui), bar); }
 
 void lab_menu(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect window) {
+    if (state.menu_bar.open.empty()) return state.menu_bar.drawn.clear();
     const std::vector<LabMenuRow> rows = rows_of(view, state, ui, state.menu_bar.open);
     std::vector<MenuEntry> entries;
     for (const LabMenuRow& row : rows) entries.push_back(row.entry);
@@ -387,6 +388,7 @@ void switch_menu(MenuBarState& menus, int step) {
     int at = 0;
     while (at < count - 1 && menu_names[static_cast<std::size_t>(at)].name != menus.open) ++at;
     if (menus.open.empty()) at = step = 0;
+    menus.presses.clear();
     menus.open = menu_names[static_cast<std::size_t>((at + step + count) % count)].name;
 }
 

@@ -5,7 +5,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "ui/shortcuts.h"
 #include "ui/widgets/ui.h"
 
 namespace braitenlab::ui {
@@ -28,9 +30,10 @@ struct MenuEntry {
 };
 
 struct MenuBarState {
-    std::string open;   // name of the open menu; empty: none
-    std::string drawn;  // name of the menu drawn in the last frame
-    Rect panel;         // of the open menu, window pixels
+    std::string open;               // name of the open menu; empty: none
+    std::string drawn;              // name of the menu drawn in the last frame
+    Rect panel;                     // of the open menu, window pixels
+    std::vector<KeyPress> presses;  // for the rows of the open menu
 };
 
 // The height of the bar, layout pixels.
