@@ -164,7 +164,7 @@ bool key_for_menus(PanelState& state, KeyPress press) {
         for_row({key::tab, false, true});
     else if (press.key == key::tab || press.key == key::enter)
         for_row(press);
-    else if (works_under_a_sheet(press))
+    else if (works_under_a_sheet(press) || action_for(press) == Action::play_pause)
         return false;
     return true;
 }

@@ -615,7 +615,7 @@ TEST(CosmeticEdits, OfAStoryKeepTheTitleAndTheRecordedFuture) {
     const Retitle told{first.title, "It turns."};
     EXPECT_EQ(texts(), told);
     EXPECT_EQ(session.latest(), 650u);
-    session.seek(640);
+    session.seek(650);
     EXPECT_EQ(texts(), told);
     EXPECT_EQ(session.hash(), hash);
     EXPECT_TRUE(session.undo());

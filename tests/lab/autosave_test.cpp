@@ -231,6 +231,7 @@ TEST_F(AutosaveTest, RemovesLeftoversOlderThanThirtyDays) {
 TEST_F(AutosaveTest, RemovesLeftoversOfASceneThatIsSaved) {
     lab.document.path = folder / "mine.toml";
     crash_with(1);
+    fs::rename(files_in(folder.path)[0], folder / "1-2.autosave");  // of another process
     Autosave next(folder.path, complaints);
     next.forget_work_on(folder / "other.toml");
     EXPECT_TRUE(next.leftover());

@@ -70,7 +70,7 @@ TEST(Playback, WaitsWhileASheetIsOpenAndThenContinuesInTheSameMode) {
     ASSERT_EQ(panels.sheet, ui::Sheet::keys);
     EXPECT_EQ(tick_after(5), before);
     EXPECT_EQ(between_ticks(lab), between) << "the picture does not move";
-    for (const int key : {int{' '}, int{'.'}, int{','}, int{'R'}, int{'N'}, int{'A'}, int{'G'}}) press({key});
+    for (const char key : {' ', '.', ',', 'R', 'N', 'A', 'G'}) press({key});
     EXPECT_EQ(tick_after(5), before) << "keys of the lab do nothing";
     EXPECT_EQ(lab.document.edits, 0);
     press({key::escape});
