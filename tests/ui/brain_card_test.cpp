@@ -113,6 +113,20 @@ TEST(BrainCard, SetsTheWiresOfTheChosenPair) {
     EXPECT_EQ(turned(desk.edits()[0]).pair, heat);
 }
 
+TEST(BrainCard, SaysThatAVehicleHasABrainOfItsOwn) {
+    Desk desk;
+    desk.now = shipped_scene("predator-prey");
+    desk.rest();
+    EXPECT_FALSE(writes(desk, "brain of its own"));
+    desk.now.brains.push_back(std::make_shared<BrainGraph>(make_graph({.LL = 1})));
+    desk.now.vehicles[0].brain = static_cast<int>(desk.now.brains.size()) - 1;
+    desk.rest();
+    EXPECT_TRUE(writes(desk, "brain of its own"));
+    desk.view.settings.selection.vehicle = 1;
+    desk.rest();
+    EXPECT_FALSE(writes(desk, "brain of its own"));
+}
+
 TEST(BrainCard, HasNoChoiceOfPairsForTwoSensors) {
     Desk desk;
     desk.now = shipped_scene("2a-coward");
@@ -135,7 +149,7 @@ TEST(BrainCard, DescribesABrainOfLogicByItsParts) {
     Desk desk;
     desk.now = shipped_scene("5-logic");
     desk.rest();
-    EXPECT_TRUE(writes(desk, " neurons, "));
+    EXPECT_TRUE(writes(desk, "· neurons "));
     EXPECT_FALSE(writes(desk, "indifferent"));
 }
 

@@ -204,6 +204,17 @@ TEST_F(FilesSheet, SavesUnderTheSuggestedOrATypedName) {
     EXPECT_EQ(asked<SaveRequest>(), std::vector<std::string>{"Coward"});
 }
 
+TEST_F(FilesSheet, ReplacesTheSuggestedNameByTypingEachTimeItIsOpened) {
+    for (int time = 0; time < 3; ++time) {
+        press({'S', true});
+        type("foo");
+        press({key::enter});
+        EXPECT_EQ(asked<SaveRequest>().back(), "foo") << time;
+        press({key::escape});
+        ASSERT_EQ(desk.panels.sheet, Sheet::none);
+    }
+}
+
 TEST_F(FilesSheet, RequestsATitleOfASceneAndSendsOnlyAChangedTitle) {
     const auto titles = [&] {
         std::vector<std::optional<std::string>> found;

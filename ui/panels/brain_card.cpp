@@ -52,7 +52,7 @@ void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView
     if (row.hovered) tooltip(ui, row, ui.strings((thinks ? "character_story." : "drive.") + std::string(character)));
 }
 
-// "3 sensors, 2 neurons, 5 wires"
+// "Sensors 3 · neurons 2 · wires 5"
 std::string parts_of(const Ui& ui, const BrainGraph& brain) {
     const auto count = [&](NodeKind kind) {
         return std::to_string(std::count_if(brain.nodes.begin(), brain.nodes.end(),
@@ -119,6 +119,10 @@ void scope_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const int chosen = segments(ui, "scope", words, view.settings.selection.whole_kind ? 1 : 0, card_width(ui),
                                 ui.strings("scope.how"));
     if (chosen >= 0) ui.outbox.push_back(ScopeRequest{chosen == 1});
+    const auto& of_kind = view.now->kind_brains;
+    const auto number = static_cast<std::size_t>(vehicle.kind);
+    if (number < of_kind.size() && *brain_of(*view.now, vehicle) != *of_kind[number])
+        paragraph(ui, ui.strings("brain.own"), ui.palette.second_text, Face::small);
 }
 
 struct Push {

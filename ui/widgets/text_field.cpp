@@ -35,8 +35,8 @@ void text_field(Ui& ui, TextField& field, std::string_view id, float width, std:
     // Not while a mouse button is down: the widget under the pointer would lose the press.
     if (focused && !field.active && !ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(0)) ImGui::SetKeyboardFocusHere();
     ImGui::PushID(id.data(), id.data() + id.size());
-    ImGui::InputText("##text", field.text.data(), field.text.capacity() + 1, ImGuiInputTextFlags_CallbackResize, grow,
-                     &field.text);
+    ImGui::InputText("##text", field.text.data(), field.text.capacity() + 1,
+                     ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_AutoSelectAll, grow, &field.text);
     ImGui::PopID();
     const bool clicked = ImGui::IsItemClicked();
     field.active = ImGui::IsItemActive();

@@ -1,4 +1,5 @@
-// A text field of one line. It is active while it has the focus: then keys type text.
+// A text field of one line. It is active while it has the focus: then keys type text. All of its text is selected when
+// it becomes active, so that typing replaces a suggestion.
 #pragma once
 
 #include <string>
