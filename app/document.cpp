@@ -11,7 +11,7 @@ Result<Document> open_run(const std::filesystem::path& path) {
     if (!run) return run.error();
     Document document = resume_document(std::move(*run));
     document.name = path.stem().string();
-    document.path = path;
+    document.path = absolute_path(path);
     document.saved_tick = document.session.snapshot().tick;
     return document;
 }
@@ -22,6 +22,12 @@ std::string title_of(const Document& document) {
     const std::string& title =
         document.lesson ? document.lesson->exercise->title : document.session.snapshot().scene->title;
     return title.empty() ? document.name : title;
+}
+
+std::filesystem::path absolute_path(const std::filesystem::path& path) {
+    std::error_code problem;
+    const auto whole = path.empty() ? path : std::filesystem::absolute(path, problem).lexically_normal();
+    return problem ? path : whole;
 }
 
 FileMark mark_of(const std::filesystem::path& path) {
@@ -55,7 +61,7 @@ Result<Document> open_document(const FileText& file, std::optional<std::uint64_t
     if (!session) return session.error();
     Document document{.session = std::move(*session),
                       .name = file.path.stem().string(),
-                      .path = file.path,
+                      .path = absolute_path(file.path),
                       .file = std::make_shared<const Scene>(std::move(*scene)),
                       .on_disk = file.mark,
                       .settings = settings};

@@ -62,7 +62,7 @@ struct Lesson {
 struct Document {
     Session session;
     std::string name{};                       // of the file, without folder and extension
-    std::filesystem::path path{};             // empty: not saved yet
+    std::filesystem::path path{};             // absolute; empty: not saved yet
     std::shared_ptr<const Scene> file{};      // the scene as it was read or saved last
     FileMark on_disk{}, noticed{};            // the file when it was read or saved; and at the last check for changes
     std::vector<Setting> settings{};          // values of the scene that were set when it was opened (--set)
@@ -74,6 +74,9 @@ struct Document {
 
 // The title of the exercise, else of the scene with all edits; the name of the file if there is no title.
 std::string title_of(const Document&);
+
+// The absolute path without "." and "..". An empty path stays empty.
+std::filesystem::path absolute_path(const std::filesystem::path&);
 
 // A file that has been read once.
 struct FileText {

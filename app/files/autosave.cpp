@@ -122,13 +122,6 @@ void set_aside_autosave(const fs::path& path) {
 
 fs::path lock_of(fs::path file) { return file.replace_extension(".lock"); }
 
-// Does not depend on the folder in which the lab was started. Empty if the path is empty.
-fs::path whole_path(const fs::path& path) {
-    std::error_code problem;
-    const fs::path whole = path.empty() ? path : fs::absolute(path, problem).lexically_normal();
-    return problem ? path : whole;
-}
-
 void remove_with_lock(const fs::path& file) {
     std::error_code none;
     fs::remove(file, none);
@@ -159,7 +152,7 @@ Error cannot_store(Error reason) {
 }  // namespace
 
 Draft draft_of(const Document& document) {
-    Draft draft{document.name, whole_path(document.path), document.session.save(), std::nullopt};
+    Draft draft{document.name, document.path, document.session.save(), std::nullopt};
     if (document.lesson) {
         const LessonView& view = document.lesson->view;
         draft.exercise = Draft::Progress{view.prediction, view.hints_shown, view.has_run};
@@ -234,7 +227,7 @@ void Autosave::forget_work_on(const fs::path& saved) {
     for_each_leftover(folder_, [&](const fs::path& file) {
         std::string nested;
         const auto keys = read_keys(autosave_text(file), file.string(), nested);
-        if (!keys || keys->path != whole_path(saved)) return;
+        if (!keys || keys->path != absolute_path(saved)) return;
         if (leftover_ && leftover_->file == file) leftover_.reset();
         remove_with_lock(file);
     });

@@ -74,6 +74,21 @@ TEST_F(FileCommands, SavesTheBrainOfOneVehicleOfThePopulation) {
     EXPECT_EQ(LL_of(4), shipped);
 }
 
+TEST_F(FileCommands, SavesToTheFileThatWasOpenedByARelativePath) {
+    ask(SaveRequest{"below/mine", FileKind::scene, std::nullopt, true});
+    const fs::path file = folder / "below" / "mine.toml";
+    ASSERT_TRUE(fs::exists(file));
+    lab = open(fs::relative(file).c_str());
+    add_recent_file(state, file);
+    files = {};
+    refresh(files, lab);
+    EXPECT_EQ(files.save_to, file.string());
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
+    ask(Action::save);
+    EXPECT_FALSE(has_unsaved_edits(lab)) << files.refused;
+    EXPECT_EQ(open(file.c_str()).document.session.edited_scene(), lab.document.session.edited_scene());
+}
+
 TEST_F(FileCommands, SavesTheSceneUnderAnotherTitle) {
     ask(SaveRequest{"mine", FileKind::scene, "My own coward"});
     EXPECT_EQ(lab.document.session.snapshot().scene->title, "My own coward") << "the card shows it";
