@@ -19,8 +19,8 @@ constexpr std::string_view fixed_anchors[]{
     "canvas", "canvas.arrange", "canvas.fit", "wire.LL", "wire.LR", "wire.RL", "wire.RR", "curve.LL", "curve.LR",
     "curve.RL", "curve.RR",
     // the toolbar
-    "button.play", "button.step", "button.reset", "button.slower", "button.faster", "button.follow", "button.wiring", "button.watch",
-    "button.undo", "button.save", "button.charts", "mode", "speed", "time",
+    "button.play", "button.step", "button.reset", "button.slower", "button.faster", "button.follow", "button.wiring",
+    "button.watch", "button.undo", "button.save", "button.charts", "mode", "speed", "time",
     // the menu bar
     "menu.file", "menu.edit", "menu.view", "menu.simulation", "menu.exercises", "menu.lecture", "menu.help",
     // the timeline

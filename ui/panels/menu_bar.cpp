@@ -142,6 +142,8 @@ std::optional<bool> switched_on(const LabView& view, const PanelState& state, Ac
             return view.settings.camera.mode == CameraMode::driver;
         case Action::wiring:
             return view.mode == Mode::wiring;
+        case Action::watch:
+            return view.settings.watching;
         case Action::charts:
             return state.charts_open;
         default:
