@@ -17,6 +17,20 @@ void type_into(const LabWindow& lab, const std::string& slider, const std::strin
     lab.key("Return");
 }
 
+TEST(PairWindow, SetsTheWiresOfTheChosenPair) {
+    LabWindow lab({"3c-values", "--size", "1280x800"});
+    ASSERT_TRUE(wait_for([&] { return lab.state()["pair"] == "light"; }));
+    EXPECT_EQ(lab.state()["pairs"].size(), 5u);
+    EXPECT_EQ(lab.state()["pairs"][1]["character"], "coward");
+    lab.click("pair.heat");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["pair"] == "heat"; }));
+    const Json before = lab.state()["weights"];
+    lab.click("button.cross");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["weights"]["RL"] == before["LL"]; }));
+    EXPECT_EQ(lab.state()["pairs"][1]["character"], "aggressor") << "from fleeing to attacking";
+    EXPECT_EQ(lab.state()["pairs"][0]["character"], "aggressor") << "the light sensors keep their wires";
+}
+
 TEST(BrainWindow, ClampsATypedNumberAndRefusesOtherText) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     type_into(lab, "slider.LR", "7.5");

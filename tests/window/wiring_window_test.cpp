@@ -20,6 +20,21 @@ struct WiringWindow : testing::Test {
     double weight(const char* name) const { return lab.state()["weights"][name]; }
 };
 
+TEST(WatchWindow, ShowsTheWiringBelowThePlayingSceneWithABorderThatCanBeDragged) {
+    LabWindow lab({"5-logic", "--size", "1280x800", "--play"});
+    lab.key("shift+w");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["watching"] == true && lab.anchors().contains("canvas"); }));
+    const double before = lab.anchors()["canvas"][3];
+    const Point border = lab.at("canvas.border");
+    lab.drag(border, {border.x, border.y - 100});
+    EXPECT_TRUE(wait_for([&] { return lab.anchors()["canvas"][3].get<double>() > before + 80; }));
+    EXPECT_EQ(lab.state()["mode"], "playing");
+    const int tick = lab.state()["tick"];
+    EXPECT_TRUE(wait_for([&] { return lab.state()["tick"] > tick + 10; }));
+    lab.key("shift+w");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["watching"] == false && !lab.anchors().contains("canvas"); }));
+}
+
 TEST_F(WiringWindow, PausesAndEscLeavesItPaused) {
     const auto tick = lab.state()["tick"];
     lab.draw_frames();
