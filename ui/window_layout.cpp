@@ -34,12 +34,11 @@ Rect take_timeline(Rect& middle, float scale) {
 }
 
 // Gives a part of the scene to the canvas: the right part of a wide scene, else the lower part, because a diagram is
-// wider than high.
+// wider than high. In a lecture the lower part, because folded cards are in the upper right corner.
 void split_for_canvas(WindowLayout& l, const LabView& view, float border) {
     constexpr float wide = 1.9f;  // width by height
-    if (view.lecture) l.scene.w = l.right.x - border - l.scene.x;
     const float share = std::clamp(view.settings.canvas_share, least_canvas_share, largest_canvas_share);
-    if (l.scene.w > wide * l.scene.h) {
+    if (!view.lecture && l.scene.w > wide * l.scene.h) {
         const float canvas = (l.scene.w - border) * share;
         l.scene.w -= canvas + border;
         l.border = {l.scene.x + l.scene.w, l.scene.y, border, l.scene.h};
