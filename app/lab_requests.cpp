@@ -53,7 +53,7 @@ void edit(Lab& lab, const Command& command, std::uint64_t gesture = 0) {
     if (const SceneObject added = ui::added_by(lab.document.session.snapshot(), command)) select(lab, added);
 }
 
-// An edit in the wiring diagram pauses, so that the brain can be edited further without its vehicle running away.
+// An edit in the wiring diagram pauses, so that the vehicle stays where it is while the brain is edited further.
 void edit_by_request(Lab& lab, const EditRequest& r) {
     const bool from_diagram = r.gesture >= gestures::canvas && r.gesture < gestures::viewport;
     if (from_diagram && lab.playback.mode == Mode::playing) set_mode(lab, Mode::paused);

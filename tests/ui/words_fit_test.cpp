@@ -59,15 +59,16 @@ void with_chart(Desk& desk, Chart chart) {
     desk.panels.chart = chart;
 }
 
-const RecoveryOffer offer{"Predator and prey",
-                          "/home/somebody/Documents/braitenlab/experiments/of/a/long/winter/predator-prey-second.toml",
-                          "2026-03-01 10:42:05"};
+const RecoveryOffer offer{
+    "Predator and prey",
+    "/home/student/Documents/braitenlab/experiments/second-series/winter/predator-prey-second.toml",
+    "2026-03-01 10:42:05"};
 
 FilesView files;
 void with_files(Desk& desk) {
     files = {};
     files.listing = {
-        "/home/somebody/Braitenberg", {{"pictures", true}, {"a hunt of mine.toml", false, FileKind::scene, true}}, ""};
+        "/home/student/Braitenberg", {{"pictures", true}, {"a hunt of mine.toml", false, FileKind::scene, true}}, ""};
     files.suggested = "2a-coward";
     desk.view.files = &files;
 }
@@ -78,7 +79,7 @@ std::vector<Screen> screens() {
         {"hunt, playing", [](Desk& d) { d.view.mode = Mode::playing; }},
         {"hunt, following",
          [](Desk& d) { d.view.mode = Mode::playing, d.view.settings.camera.mode = CameraMode::follow; }},
-        {"nobody selected", [](Desk& d) { d.view.settings.selection.vehicle = no_vehicle; }},
+        {"no vehicle selected", [](Desk& d) { d.view.settings.selection.vehicle = no_vehicle; }},
         {"hunt, wiring", [](Desk& d) { d.view.mode = Mode::wiring; }},
         {"keys", [](Desk& d) { d.key({key::f1}); }},
         {"settings",
@@ -156,7 +157,7 @@ std::vector<Screen> screens() {
          [](Desk& d) {
              with_files(d), d.key({'S', true, true}), d.frame(2);
              d.panels.files.typed.text = d.panels.files.creating = "new/mine.toml";
-             d.panels.files.asked = true, files.new_folder = "/home/somebody/braitenlab/experiments/new";
+             d.panels.files.asked = true, files.new_folder = "/home/student/braitenlab/experiments/new";
          }},
         {"settings in a small window",
          [](Desk& d) {

@@ -261,7 +261,7 @@ TEST(LabWindow, TakesNoPictureOfABrokenScene) {
     EXPECT_EQ(ran.code, 2);
     EXPECT_NE(ran.out.find("broken.toml:4:"), std::string::npos) << ran.out;
     EXPECT_FALSE(std::filesystem::exists(picture));
-    EXPECT_EQ(shell(program("braitenlab") + " 2a-coward --set kind.nobody.brain.LL=1").code, 2);
+    EXPECT_EQ(shell(program("braitenlab") + " 2a-coward --set kind.unknown.brain.LL=1").code, 2);
 }
 
 TEST(LabWindow, ExitsByTheFileMenu) {

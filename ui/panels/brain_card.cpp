@@ -225,7 +225,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         HeadingButton{"button.drive", ui.strings("button.drive"), ui.strings("tooltip.drive"), keys, by_hand}};
     const bool open =
         open_card(state, ui, Card::brain, place, vehicle ? std::span(buttons) : std::span<HeadingButton>{});
-    if (open && !vehicle) paragraph(ui, ui.strings("brain.nobody"), ui.palette.second_text);
+    if (open && !vehicle) paragraph(ui, ui.strings("brain.no_vehicle"), ui.palette.second_text);
     if (open && vehicle) {
         if (buttons[1].pressed) {
             ui.outbox.push_back(Action::drive);

@@ -63,7 +63,7 @@ std::string_view usual_hint(const LabView& view) {
     if (view.mode == Mode::wiring) return "hint.wiring";
     if (view.mode == Mode::playing)
         return view.settings.camera.mode == CameraMode::follow ? "hint.following" : "hint.playing";
-    return view.settings.selection.vehicle == no_vehicle ? "hint.nobody" : "hint.paused";
+    return view.settings.selection.vehicle == no_vehicle ? "hint.no_vehicle" : "hint.paused";
 }
 
 void write_hint(const LabView& view, const Ui& ui, float x, Rect bar, std::string_view hint) {

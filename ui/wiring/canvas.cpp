@@ -149,7 +149,8 @@ bool cover_window() {
 }
 
 void draw_no_vehicle(const Ui& ui, Rect area) {
-    put_centred(ui, {area.x + area.w / 2, area.y + area.h / 2}, ui.strings("wiring.nobody"), ui.palette.second_text);
+    put_centred(ui, {area.x + area.w / 2, area.y + area.h / 2}, ui.strings("wiring.no_vehicle"),
+                ui.palette.second_text);
 }
 
 void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& state, Ui& ui, Rect area, bool over) {
