@@ -119,8 +119,8 @@ std::optional<WireEnds> direct_ends(const BrainGraph& graph, Dial weight, const 
     return WireEnds{sensor->id, motor->id};
 }
 
-std::string wire_name(const BrainGraph& graph, WireEnds ends) {
-    if (const auto dial = direct_dial(graph, ends)) return std::string(name(*dial));
+std::string wire_name(const BrainGraph& graph, WireEnds ends, const SensorPair& pair) {
+    if (const auto dial = direct_dial(graph, ends, pair)) return std::string(name(*dial));
     const Node* from = find_node(graph, ends.from);
     const Node* to = find_node(graph, ends.to);
     return (from == nullptr ? "?" : from->name) + "-" + (to == nullptr ? "?" : to->name);

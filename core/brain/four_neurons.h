@@ -71,8 +71,8 @@ std::optional<Dial> direct_dial(const BrainGraph&, WireEnds, const SensorPair& =
 // weight_dials.
 std::optional<WireEnds> direct_ends(const BrainGraph&, Dial weight, const SensorPair& = {});
 
-// "LR" for a direct wire, else the names of both ends: "N1-ML". An end that the graph does not have is "?".
-std::string wire_name(const BrainGraph&, WireEnds);
+// "LR" for a direct wire of the pair, else the names of both ends: "N1-ML". An end that the graph does not have is "?".
+std::string wire_name(const BrainGraph&, WireEnds, const SensorPair& = {});
 
 // The dials of any graph: its direct wires from the pair to ML and MR and those motors' biases; 0 where one is missing.
 FourNeurons read_dials(const BrainGraph&, const SensorPair& = {});

@@ -146,12 +146,13 @@ bool is_silenced(const BrainGraph& brain, NodeKind kind, const std::string& name
 
 }  // namespace
 
-DeckPlan plan_deck(const BrainGraph& brain, const Kind& kind) {
+DeckRows rows_on(const Body& body) { return {0.16f * body.length, -0.04f * body.length, 0.30f * body.width}; }
+
+DeckPlan plan_deck(const BrainGraph& brain, const Kind& kind, const DeckRows& area) {
+    const auto [front, back, half_width] = area;
     DeckPlan plan;
     for (const Sensor& sensor : kind.sensors) plan.covered.push_back(is_silenced(brain, NodeKind::sensor, sensor.name));
     plan.stopped = {is_silenced(brain, NodeKind::motor, "ML"), is_silenced(brain, NodeKind::motor, "MR")};
-    const float front = 0.16f * kind.body.length, back = -0.04f * kind.body.length,
-                half_width = 0.30f * kind.body.width;
     Places places = fixed_places(brain, kind);
     const int rows = set_rows(brain, places);
     float closest = 0.14f;

@@ -226,6 +226,66 @@ TEST(BrainCard, CutsWithTheKeyLUnderThePointerAndWithEnterOnTheFocus) {
     EXPECT_TRUE(is_cut(brain_asked_for(desk), "SL", "MR"));
 }
 
+TEST(BrainCard, ShowsAllNeuronsAndWiresInItsPicture) {
+    Desk desk(1280, 1000);
+    desk.now = shipped_scene("5-logic");
+    desk.rest();
+    const BrainGraph& brain = *desk.now.brains[0];
+    const Rect picture = desk.where("brain.picture");
+    for (const Node& node : brain.nodes) {
+        ASSERT_TRUE(desk.anchors.find("lesion." + node.name)) << node.name;
+        const Rect part = desk.where("lesion." + node.name);
+        EXPECT_TRUE(picture.contains(part.x, part.y) && picture.contains(part.x + part.w, part.y + part.h))
+            << node.name;
+    }
+    for (const Wire& wire : brain.wires) {
+        if (wire.weight == 0) continue;
+        const std::string name = wire_name(brain, {wire.from, wire.to});
+        EXPECT_TRUE(desk.anchors.find("lesion." + name)) << name;
+    }
+}
+
+TEST(BrainCard, SilencesANeuronByAClickInItsPicture) {
+    Desk desk(1280, 1000);
+    desk.now = shipped_scene("5-logic");
+    desk.rest();
+    const auto& nodes = desk.now.brains[0]->nodes;
+    const auto neuron =
+        std::find_if(nodes.begin(), nodes.end(), [](const Node& node) { return node.kind == NodeKind::neuron; });
+    ASSERT_NE(neuron, nodes.end());
+    desk.click("lesion." + neuron->name);
+    EXPECT_TRUE(find_node(brain_asked_for(desk), neuron->name)->silenced);
+}
+
+TEST(BrainCard, NamesTheWiresOfTheOtherPairsByTheirEnds) {
+    Desk desk(1280, 1000);
+    desk.now = shipped_scene("3c-values");
+    desk.view.settings.selection.pair = "heat";
+    desk.rest();
+    const BrainGraph& brain = *desk.now.brains[0];
+    ASSERT_NE(read_dials(brain, {"HL", "HR"}).LL, 0);
+    ASSERT_NE(read_dials(brain).LR, 0);
+    desk.click("lesion.LL");
+    EXPECT_TRUE(is_cut(brain_asked_for(desk), "HL", "ML"));
+    desk.all.clear();
+    desk.rest();
+    desk.click("lesion.SR-ML");
+    EXPECT_TRUE(is_cut(brain_asked_for(desk), "SR", "ML"));
+}
+
+TEST(BrainCard, CutsTheWireOfTheChosenPairWithTheKeyLWhileWiring) {
+    Desk desk(1280, 1000);
+    desk.now = shipped_scene("3c-values");
+    desk.view.mode = Mode::wiring;  // without the picture
+    desk.view.settings.selection.pair = "heat";
+    desk.rest();
+    desk.point("slider.LL");
+    desk.frame(2);
+    desk.key({'L'});
+    desk.frame(2);
+    EXPECT_TRUE(is_cut(brain_asked_for(desk), "HL", "ML"));
+}
+
 TEST(BrainCard, CutsTheWireOfASliderUnderThePointerWithTheKeyL) {
     Desk desk(1280, 1000);
     desk.frame(3);

@@ -1,14 +1,14 @@
-// The picture of a brain with two sensors, seen from above, with the current signals on its wires. A click on a sensor,
-// wire or wheel silences, cuts or stops it; a second click heals it.
+// The picture of a brain, seen from above, with the current signals on its wires: the four wires of the chosen pair, or
+// the whole graph if there are more. A click on a sensor, neuron, wire or wheel silences, cuts or stops it; a second
+// click heals it.
 #include <algorithm>
-#include <array>
-#include <optional>
+#include <map>
 #include <string>
 
 #include <imgui.h>
 
 #include "core/brain/four_neurons.h"
-#include "ui/panels/brain_sketch.h"
+#include "ui/panels/brain_layout.h"
 #include "ui/panels/panels.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
@@ -22,40 +22,10 @@ namespace braitenlab::ui {
 
 namespace {
 
+using sketch::NodeMark;
+using sketch::WireMark;
+
 constexpr float reach_of_wire = 7;  // layout pixels
-
-struct PictureLayout {
-    ImVec2 eye[2], wheel[2];  // left, right
-    Rect chassis;
-};
-
-PictureLayout picture_layout(const Ui& ui, ImVec2 at, float width, float picture_height) {
-    PictureLayout p;
-    const float middle = at.x + width / 2, half = ui.px(50);
-    p.chassis = {middle - half, at.y + ui.px(12), 2 * half, ui.px(picture_height - 24)};
-    for (int side = 0; side < 2; ++side) {
-        const float s = side == 0 ? -1.0f : 1.0f;
-        p.eye[side] = {middle + s * ui.px(30), at.y + ui.px(16)};
-        p.wheel[side] = {middle + s * ui.px(54), at.y + ui.px(picture_height - 32)};
-    }
-    return p;
-}
-
-// A sensor or motor; null where the brain has no such node.
-struct PictureEnd {
-    std::string name;
-    std::string anchor = "lesion." + name;
-    const Node* node = nullptr;
-    bool lesioned() const { return node && node->silenced; }
-};
-
-struct PictureWire {
-    std::string_view letters, anchor;
-    int eye = 0, motor = 0;  // 0 left, 1 right
-    const Wire* wire = nullptr;
-    sketch::WirePath path{};
-    bool exists() const { return wire && (wire->weight != 0 || wire->cut); }
-};
 
 class BrainPicture {
 public:
@@ -65,105 +35,103 @@ public:
           ui_(ui),
           vehicle_(vehicle),
           brain_(*brain_of(*view.now, vehicle)),
-          height_(layout_height),
-          eyes_{{shown_pair(view, vehicle).left}, {shown_pair(view, vehicle).right}},
-          at_(ImGui::GetCursorScreenPos()),
-          layout_(picture_layout(ui, at_, card_width(ui), layout_height)) {
-        for (PictureEnd* end : {&eyes_[0], &eyes_[1], &motors_[0], &motors_[1]})
-            end->node = find_node(brain_, end->name);
-        for (PictureWire& c : wires_) {
-            const Node *from = eyes_[c.eye].node, *to = motors_[c.motor].node;
-            c.wire = from && to ? find_wire(brain_, from->id, to->id) : nullptr;
-            // Wires end above the wheels, the uncrossed one further out, so that the end signs are side by side.
-            const float inward = c.motor == 0 ? 1.0f : -1.0f;
-            const ImVec2 wheel = layout_.wheel[c.motor], eye = layout_.eye[c.eye];
-            c.path = sketch::path({eye.x, eye.y + ui.px(9)},
-                                  {wheel.x + inward * ui.px(c.eye == c.motor ? 17 : 31), wheel.y - ui.px(2)});
-        }
+          pair_(shown_pair(view, vehicle)),
+          is_graph_(!sketch::is_four_wires(brain_, pair_)) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        all_ = {at.x, at.y, card_width(ui), ui.px(layout_height + (is_graph_ ? sketch::graph_height : 0))};
+        parts_ = is_graph_ ? sketch::lay_out_graph(brain_, kind_of(*view.now, vehicle), pair_, all_, ui.px(1))
+                           : sketch::lay_out_pair(brain_, pair_, all_, ui.px(1));
     }
 
     void draw() {
-        const Rect all{at_.x, at_.y, card_width(ui_), ui_.px(height_)};
-        fill_box(ui_, all, ui_.palette.ground.with_alpha(0.45f));
-        fill_box(ui_, layout_.chassis, mix(ui_.palette.panel, ui_.palette.chassis, 0.22f), 12);
-        line_box(ui_, layout_.chassis, colour_of(ui_.palette, vehicle_.role), 12, 1.5f);
-        ends();
-        connections(all);
+        fill_box(ui_, all_, ui_.palette.ground.with_alpha(0.45f));
+        fill_box(ui_, parts_.chassis, mix(ui_.palette.panel, ui_.palette.chassis, 0.22f), 12);
+        line_box(ui_, parts_.chassis, colour_of(ui_.palette, vehicle_.role), 12, 1.5f);
+        for (const NodeMark& sensor : parts_.sensors)
+            node(sensor, {ui_.px(24), ui_.px(24)}, "lesion.eye", "lesion.eye_hurt");
+        for (const NodeMark& motor : parts_.motors)
+            node(motor, {ui_.px(20), ui_.px(46)}, "lesion.motor", "lesion.motor_hurt");
+        for (const NodeMark& neuron : parts_.neurons)
+            node(neuron, neuron_size(), "lesion.neuron", "lesion.neuron_hurt");
+        wires();
         strokes();
-        watch_button(all);
-        ImGui::SetCursorScreenPos(at_);
-        const Item area = item(ui_, "brain.picture", {all.w, all.h}, false);
+        watch_button();
+        ImGui::SetCursorScreenPos({all_.x, all_.y});
+        const Item area = item(ui_, "brain.picture", {all_.w, all_.h}, false);
         if (state_.lesion_under_pointer.empty()) tooltip(ui_, area, ui_.strings("brain.picture"));
         heal();
     }
 
 private:
-    float reading(int side) const {
-        const Node* node = eyes_[side].node;
+    // The value of a node; 0 for a silenced one and for a node that the brain does not have.
+    float reading(const Node* node) const {
         return node && !node->silenced ? node_value(*view_.now, vehicle_, node->id) : 0;
     }
 
+    ImVec2 neuron_size() const {
+        const float apart = parts_.neuron_radius / 0.36f;  // from one neuron to the next
+        const float side = std::clamp(apart, ui_.px(10), ui_.px(24));
+        return {side, side};
+    }
+
     // True when a lesion of this part is requested: by a click, Enter, or L over it.
-    bool lesion_requested(const Item& at, bool over) {
-        if (over) state_.lesion_under_pointer = at_anchor_;
-        const bool by_key = state_.lesion_requested == at_anchor_;
+    bool lesion_requested(const Item& at, bool over, const std::string& anchor) {
+        if (over) state_.lesion_under_pointer = anchor;
+        const bool by_key = state_.lesion_requested == anchor;
         if (by_key) state_.lesion_requested.clear();
         return at.pressed || by_key;
     }
 
-    // Sensors and motors, as widgets over what strokes() draws.
-    void ends() {
-        for (int side = 0; side < 2; ++side) {
-            end(eyes_[side], layout_.eye[side], {ui_.px(24), ui_.px(24)},
-                eyes_[side].lesioned() ? "lesion.eye_hurt" : "lesion.eye", warmth_eye_[side]);
-            end(motors_[side], layout_.wheel[side], {ui_.px(20), ui_.px(46)},
-                motors_[side].lesioned() ? "lesion.motor_hurt" : "lesion.motor", warmth_motor_[side]);
-        }
-    }
-
-    void end(const PictureEnd& which, ImVec2 middle, ImVec2 size, std::string_view words, float& warmth) {
+    // A node as a widget over what strokes() draws. `words`, `words_hurt`: string keys of its tooltip.
+    void node(const NodeMark& which, ImVec2 size, std::string_view words, std::string_view words_hurt) {
         if (!which.node) return;
-        ImGui::SetCursorScreenPos({middle.x - size.x / 2, middle.y - size.y / 2});
+        ImGui::SetCursorScreenPos({which.at.x - size.x / 2, which.at.y - size.y / 2});
         const Item at = item(ui_, which.anchor, size);
-        warmth = at.warmth;
-        at_anchor_ = which.anchor;
-        if (at.hovered) tooltip(ui_, at, fill(ui_.strings(words), {which.name}), ui_.strings("lesion.key"));
-        if (!lesion_requested(at, at.hovered)) return;
+        if (at.warmth > 0) warmth_[which.node->id] = at.warmth;
+        if (at.hovered) {
+            const std::string value = which.node->silenced ? "" : "  " + fixed(reading(which.node), 2);
+            tooltip(ui_, at, fill(ui_.strings(which.node->silenced ? words_hurt : words), {which.name + value}),
+                    ui_.strings("lesion.key"));
+        }
+        if (!lesion_requested(at, at.hovered, which.anchor)) return;
         BrainGraph edited = brain_;
-        find_node(edited, which.name)->silenced = !which.lesioned();
+        find_node(edited, which.name)->silenced = !which.node->silenced;
         set(std::move(edited));
     }
 
+    // The wire in the brain; null for a place without one, or with weight 0.
+    const Wire* wire_of(const WireMark& mark) const {
+        if (mark.wire < 0) return nullptr;
+        const Wire& wire = brain_.wires[static_cast<std::size_t>(mark.wire)];
+        return wire.weight != 0 || wire.cut || learns(wire) ? &wire : nullptr;
+    }
+
     // Wires. The widget is the sign at the end, for the keyboard and for tests; the mouse takes a wire anywhere.
-    void connections(const Rect& all) {
+    void wires() {
         const ImVec2 mouse = ImGui::GetIO().MousePos;
-        const bool free = state_.lesion_under_pointer.empty() && all.contains(mouse.x, mouse.y) &&
+        const bool free = state_.lesion_under_pointer.empty() && all_.contains(mouse.x, mouse.y) &&
                           ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
         float nearest = ui_.px(reach_of_wire);
-        for (const PictureWire& c : wires_) {
-            if (!free || !c.exists()) continue;
-            if (const float d = sketch::distance(c.path, mouse); d < nearest) nearest = d, warm_ = &c;
+        for (const WireMark& mark : parts_.wires) {
+            if (!free || !wire_of(mark)) continue;
+            if (const float d = sketch::distance(mark.path, mouse); d < nearest) nearest = d, warm_ = &mark;
         }
-        for (const PictureWire& c : wires_) {
-            if (!c.exists()) continue;
+        for (const WireMark& mark : parts_.wires) {
+            const Wire* wire = wire_of(mark);
+            if (!wire) continue;
             const float size = ui_.px(16);
-            ImGui::SetCursorScreenPos({c.path[3].x - size / 2, c.path[3].y - size / 2});
-            Item at = item(ui_, c.anchor, {size, size});
-            at_anchor_ = c.anchor;
-            if (warm_ == &c) {
+            ImGui::SetCursorScreenPos({mark.path[3].x - size / 2, mark.path[3].y - size / 2});
+            Item at = item(ui_, mark.anchor, {size, size});
+            if (warm_ == &mark) {
                 at.hovered = true;
                 at.pressed |= ImGui::IsMouseClicked(0) && !at.held;
-                show_tooltip(at, c);
+                tooltip(ui_, at, fill(ui_.strings(wire->cut ? "lesion.wire_hurt" : "lesion.wire"), {mark.letters}),
+                        ui_.strings("lesion.key"));
             } else if (at.pressed && !at.entered) {
                 at.pressed = false;  // another wire is nearer to the pointer
             }
-            if (lesion_requested(at, warm_ == &c)) cut_or_heal(*c.wire);
+            if (lesion_requested(at, warm_ == &mark, mark.anchor)) cut_or_heal(*wire);
         }
-    }
-
-    void show_tooltip(const Item& at, const PictureWire& c) {
-        tooltip(ui_, at, fill(ui_.strings(c.wire->cut ? "lesion.wire_hurt" : "lesion.wire"), {c.letters}),
-                ui_.strings("lesion.key"));
     }
 
     void cut_or_heal(const Wire& wire) {
@@ -173,34 +141,59 @@ private:
     }
 
     void strokes() {
-        for (const PictureWire& c : wires_) {
+        for (const WireMark& mark : parts_.wires) {
             sketch::WireLook look;
-            look.warm = warm_ == &c;
-            if (c.wire) {
-                look.weight = c.wire->weight;
-                look.cut = c.wire->cut;
-                look.carried = signal(*c.wire, reading(c.eye), learned(*view_.now, vehicle_, c.wire->from, c.wire->to));
+            look.warm = warm_ == &mark;
+            look.thin = is_graph_;
+            if (const Wire* wire = wire_of(mark)) {
+                const float plus = learned(*view_.now, vehicle_, wire->from, wire->to);
+                look.weight = wire->weight + plus;
+                look.cut = wire->cut;
+                look.carried = signal(*wire, reading(find_node(brain_, wire->from)), plus);
             }
-            sketch::wire(ui_, c.path, look);
+            sketch::wire(ui_, mark.path, look);
         }
-        for (int side = 0; side < 2; ++side) {
-            const auto s = static_cast<std::size_t>(side);
-            const float out = side == 0 ? -1.0f : 1.0f;
-            sketch::eye(ui_, layout_.eye[side], reading(side), eyes_[side].lesioned(), warmth_eye_[side]);
-            sketch::wheel(ui_, layout_.wheel[side], out, vehicle_.motor[s], vehicle_.wheel_angle[s],
-                          motors_[side].lesioned(), warmth_motor_[side]);
-            sketch::number(ui_, {layout_.eye[side].x + out * ui_.px(44), layout_.eye[side].y + ui_.px(6)}, side == 0,
-                           eyes_[side].name, eyes_[side].lesioned() ? "—" : fixed(reading(side), 2));
-            sketch::number(ui_, {layout_.wheel[side].x + out * ui_.px(32), layout_.wheel[side].y + ui_.px(4)},
-                           side == 0, motors_[side].name, with_sign(vehicle_.motor[s], 2));
+        for (const NodeMark& neuron : parts_.neurons)
+            sketch::neuron(ui_, neuron.at, parts_.neuron_radius, reading(neuron.node), neuron.node->silenced,
+                           warmth(neuron));
+        for (std::size_t i = 0; i < parts_.sensors.size(); ++i) sensor(parts_.sensors[i], i == 0);
+        for (std::size_t side = 0; side < 2; ++side) motor(side);
+    }
+
+    void sensor(const NodeMark& which, bool is_first) {
+        const bool covered = which.node && which.node->silenced;
+        sketch::eye(ui_, which.at, parts_.sensor_radius, reading(which.node), covered, warmth(which));
+        if (!is_graph_) {
+            const float out = is_first ? -1.0f : 1.0f;
+            sketch::number(ui_, {which.at.x + out * ui_.px(44), which.at.y + ui_.px(6)}, is_first, which.name,
+                           covered ? "—" : fixed(reading(which.node), 2));
+            return;
         }
+        // Names of a crowded row would overlap.
+        const float width = text_width(ui_, Face::small, which.name), apart = parts_.sensor_radius / 0.36f;
+        if (width < ui_.px(apart))
+            put(ui_, {which.at.x - width / 2, all_.y + ui_.px(1)}, which.name, ui_.palette.second_text, Face::small);
+    }
+
+    void motor(std::size_t side) {
+        const NodeMark& which = parts_.motors[side];
+        const bool stopped = which.node && which.node->silenced;
+        const float out = side == 0 ? -1.0f : 1.0f;
+        sketch::wheel(ui_, which.at, out, vehicle_.motor[side], vehicle_.wheel_angle[side], stopped, warmth(which));
+        sketch::number(ui_, {which.at.x + out * ui_.px(32), which.at.y + ui_.px(4)}, side == 0, which.name,
+                       with_sign(vehicle_.motor[side], 2));
+    }
+
+    float warmth(const NodeMark& which) const {
+        const auto found = which.node ? warmth_.find(which.node->id) : warmth_.end();
+        return found == warmth_.end() ? 0 : found->second;
     }
 
     // Shows the whole brain beside the scene, or hides it.
-    void watch_button(const Rect& all) {
+    void watch_button() {
         const SmallButton look{"button.watch", icon::wiring, ui_.strings("button.watch"), view_.settings.watching};
         const float width = small_button_width(ui_, look, false);
-        ImGui::SetCursorScreenPos({all.x + all.w - width - ui_.px(4), all.y + ui_.px(4)});
+        ImGui::SetCursorScreenPos({all_.x + all_.w - width - ui_.px(4), all_.y + ui_.px(4)});
         const Item at = small_button(ui_, look, false);
         tooltip(ui_, at, ui_.strings("tooltip.watch"), key_name(Action::watch, ui_.strings));
         if (at.pressed) ui_.outbox.push_back(Action::watch);
@@ -215,7 +208,7 @@ private:
         const SmallButton look{"lesion.heal", icon::heal, ui_.strings("lesion.heal")};
         const Item at = small_button(ui_, look);
         tooltip(ui_, at, ui_.strings("tooltip.heal"));
-        put_right(ui_, {at_.x + card_width(ui_), at.middle_y() - line_height(ui_, Face::small) / 2},
+        put_right(ui_, {all_.x + all_.w, at.middle_y() - line_height(ui_, Face::small) / 2},
                   fill(ui_.strings("lesion.count"), {std::to_string(nodes + wires)}), ui_.palette.second_text,
                   Face::small);
         if (!at.pressed) return;
@@ -235,16 +228,12 @@ private:
     Ui& ui_;
     const VehicleView& vehicle_;
     const BrainGraph& brain_;
-    float height_;        // layout pixels
-    PictureEnd eyes_[2];  // of the chosen pair
-    ImVec2 at_;
-    PictureLayout layout_;
-    PictureEnd motors_[2]{{"ML"}, {"MR"}};
-    std::array<PictureWire, 4> wires_{
-        {{"LR", "lesion.LR", 1, 0}, {"RL", "lesion.RL", 0, 1}, {"LL", "lesion.LL", 0, 0}, {"RR", "lesion.RR", 1, 1}}};
-    const PictureWire* warm_ = nullptr;  // under the pointer
-    std::string_view at_anchor_;
-    float warmth_eye_[2]{}, warmth_motor_[2]{};
+    SensorPair pair_;
+    bool is_graph_;  // the whole brain is shown, not only the wires of the pair
+    Rect all_;
+    sketch::BrainLayout parts_;
+    const WireMark* warm_ = nullptr;  // under the pointer
+    std::map<NodeId, float> warmth_;  // of the widgets of nodes
 };
 
 }  // namespace

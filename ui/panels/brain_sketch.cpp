@@ -41,13 +41,20 @@ void lesion_cross(const Ui& ui, ImVec2 c, float reach, Colour colour) {
     }
 }
 
-void end_sign(const Ui& ui, ImVec2 to, float weight, float width, Colour colour) {
+// At the end of the path, in its direction.
+void end_sign(const Ui& ui, const WirePath& p, const WireLook& look, float width, Colour colour) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    if (weight > 0) {
-        const float r = ui.px(5) + width / 3;
-        draw.AddTriangleFilled({to.x - r, to.y - r}, {to.x + r, to.y - r}, {to.x, to.y + r * 0.7f}, paint(colour));
+    const ImVec2 to = p[3];
+    const maths::vec2 along = maths::normalise(maths::vec2{to.x - p[2].x, to.y - p[2].y});
+    const float size = look.thin ? 0.6f : 1.0f;
+    if (look.weight > 0) {
+        const float r = size * ui.px(5) + width / 3;
+        const ImVec2 back{to.x - along.x * r, to.y - along.y * r}, across{along.y * r, -along.x * r};
+        draw.AddTriangleFilled({back.x + across.x, back.y + across.y}, {back.x - across.x, back.y - across.y},
+                               {to.x + along.x * r * 0.7f, to.y + along.y * r * 0.7f}, paint(colour));
     } else {
-        draw.AddCircleFilled({to.x, to.y - ui.px(1)}, ui.px(4) + width / 3, paint(colour));
+        draw.AddCircleFilled({to.x - along.x * ui.px(1), to.y - along.y * ui.px(1)}, size * ui.px(4) + width / 3,
+                             paint(colour));
     }
 }
 
@@ -71,31 +78,44 @@ void wire(const Ui& ui, const WirePath& p, const WireLook& look) {
     if (std::fabs(look.weight) < 0.005f) return dashes(p, paint(ui.palette.second_text.with_alpha(0.55f)), ui.px(1));
     const Colour colour = colour_of_weight(ui.palette, look.weight);
     const float strength = std::min(1.0f, std::fabs(look.carried));
-    const float width = ui.px(1.5f + 1.6f * std::min(2.0f, std::fabs(look.weight)) + (look.warm ? 1.0f : 0.0f));
+    const float slope = look.thin ? 0.8f : 1.6f;
+    const float width = ui.px(1.5f + slope * std::min(2.0f, std::fabs(look.weight)) + (look.warm ? 1.0f : 0.0f));
     if (look.cut) {
         const Colour dead = mix(colour, ui.palette.second_text, 0.6f);
         stretch(p, 0, 0.36f, paint(dead), width);
         stretch(p, 0.64f, 1, paint(dead.with_alpha(0.5f)), width);
-        end_sign(ui, p[3], look.weight, width, dead);
+        end_sign(ui, p, look, width, dead);
         return lesion_cross(ui, bezier(p, 0.5f), ui.px(5), ui.palette.text);
     }
     if (strength > 0.01f) stretch(p, 0, 1, paint(colour.with_alpha(0.28f * strength)), width + ui.px(7) * strength);
     stretch(p, 0, 1, paint(colour.with_alpha(0.40f + 0.60f * (look.warm ? 1 : strength))), width);
-    end_sign(ui, p[3], look.weight, width, colour);
+    end_sign(ui, p, look, width, colour);
 }
 
-void eye(const Ui& ui, ImVec2 c, float reading, bool silenced, float warmth) {
+void eye(const Ui& ui, ImVec2 c, float radius, float reading, bool silenced, float warmth) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const Palette& p = ui.palette;
-    const float r = ui.px(9 + warmth);
+    const float r = ui.px(radius + warmth);
     if (silenced) {
         draw.AddCircleFilled(c, r, paint(p.wheel));
         draw.AddCircle(c, r, paint(p.text), 0, ui.px(1.5f));
-        return lesion_cross(ui, c, ui.px(6), p.text);
+        return lesion_cross(ui, c, 0.6f * r, p.text);
     }
     if (reading > 0.01f) draw.AddCircleFilled(c, r + ui.px(6) * reading, paint(p.lamp.with_alpha(0.30f * reading)));
     draw.AddCircleFilled(c, r, paint(mix(p.wheel, p.lamp, std::sqrt(std::clamp(reading, 0.0f, 1.0f)))));
     draw.AddCircle(c, r, paint(mix(p.second_text, p.text, warmth)), 0, ui.px(1.5f));
+}
+
+void neuron(const Ui& ui, ImVec2 c, float radius, float value, bool silenced, float warmth) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const Palette& p = ui.palette;
+    const float r = radius + ui.px(warmth), strength = std::min(1.0f, std::fabs(value));
+    const Colour colour = colour_of_weight(p, value);
+    if (!silenced && strength > 0.01f)
+        draw.AddCircleFilled(c, r + ui.px(5) * strength, paint(colour.with_alpha(0.30f * strength)));
+    draw.AddCircleFilled(c, r, paint(silenced ? p.wheel : mix(p.panel, colour, strength)));
+    draw.AddCircle(c, r, paint(mix(p.second_text, p.text, warmth)), 0, ui.px(1.5f));
+    if (silenced) lesion_cross(ui, c, 0.6f * r, p.text);
 }
 
 void wheel(const Ui& ui, ImVec2 c, float outward, float motor, float angle, bool stopped, float warmth) {

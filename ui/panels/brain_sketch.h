@@ -22,12 +22,16 @@ float distance(const WirePath&, ImVec2);
 // with a cross.
 struct WireLook {
     float weight = 0, carried = 0;
-    bool cut = false, warm = false;  // under the pointer
+    bool cut = false, warm = false;  // warm: under the pointer
+    bool thin = false;               // for a picture with many wires
 };
 void wire(const Ui&, const WirePath&, const WireLook&);
 
-// A silenced sensor is dark with a cross.
-void eye(const Ui&, ImVec2 middle, float reading, bool silenced, float warmth);
+// A silenced sensor is dark with a cross. `radius`: layout pixels.
+void eye(const Ui&, ImVec2 middle, float radius, float reading, bool silenced, float warmth);
+
+// Filled in the colour of its sign, brighter with |value|. A silenced neuron has a cross. `radius`: window pixels.
+void neuron(const Ui&, ImVec2 middle, float radius, float value, bool silenced, float warmth);
 
 // The tread moves as the wheel turns. An arrow on the side `outward` (−1 or 1) shows the wheel command. A stopped wheel
 // has a cross.

@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "core/brain/four_neurons.h"
 #include "core/maths/portable.h"
 #include "ui/panels/panels.h"
 #include "ui/request.h"
@@ -17,12 +18,13 @@ using maths::vec2;
 namespace {
 
 struct SliderOfWire {
-    std::string_view slider, threshold, lesion, sensor, motor;
+    Dial weight;
+    std::string_view slider, threshold, lesion;
 };
-constexpr std::array<SliderOfWire, 4> sliders_of_wires{{{"slider.LL", "threshold.LL", "lesion.LL", "SL", "ML"},
-                                                        {"slider.LR", "threshold.LR", "lesion.LR", "SR", "ML"},
-                                                        {"slider.RL", "threshold.RL", "lesion.RL", "SL", "MR"},
-                                                        {"slider.RR", "threshold.RR", "lesion.RR", "SR", "MR"}}};
+constexpr std::array<SliderOfWire, 4> sliders_of_wires{{{Dial::LL, "slider.LL", "threshold.LL", "lesion.LL"},
+                                                        {Dial::LR, "slider.LR", "threshold.LR", "lesion.LR"},
+                                                        {Dial::RL, "slider.RL", "threshold.RL", "lesion.RL"},
+                                                        {Dial::RR, "slider.RR", "threshold.RR", "lesion.RR"}}};
 
 bool contains(const Anchors& anchors, std::string_view name, vec2 at) {
     const Rect* rect = anchors.find(name);
@@ -56,13 +58,13 @@ std::string part_in_scene(const LabView& view, vec2 pointer) {
     return nearest.empty() ? nearest : "lesion." + nearest;
 }
 
-// The brain with this part lesioned, or healed if it was lesioned; nullopt when the brain has no such part.
-std::optional<BrainGraph> toggled(BrainGraph brain, std::string_view lesion) {
+// The brain with this part lesioned, or healed if it was lesioned; nullopt when the brain has no such part. The sliders
+// set the wires of `pair`.
+std::optional<BrainGraph> toggled(BrainGraph brain, std::string_view lesion, const SensorPair& pair) {
     for (const SliderOfWire& each : sliders_of_wires) {
         if (each.lesion != lesion) continue;
-        const Node* from = find_node(brain, std::string(each.sensor));
-        const Node* to = find_node(brain, std::string(each.motor));
-        Wire* wire = from && to ? find_wire(brain, from->id, to->id) : nullptr;
+        const auto ends = direct_ends(brain, each.weight, pair);
+        Wire* wire = ends ? find_wire(brain, ends->from, ends->to) : nullptr;
         if (!wire || (wire->weight == 0 && !learns(*wire) && !wire->cut)) return std::nullopt;
         wire->cut = !wire->cut;
         return brain;
@@ -94,7 +96,7 @@ void lesions(const LabView& view, PanelState& state, Ui& ui) {
         state.lesion_under_pointer = lesion_under_pointer(view, ui.anchors, ImGui::GetIO().WantCaptureMouse);
     const std::string wanted = std::exchange(state.lesion_requested, {});
     if (wanted.empty() || !vehicle) return;
-    if (auto brain = toggled(*brain_of(*view.now, *vehicle), wanted))
+    if (auto brain = toggled(*brain_of(*view.now, *vehicle), wanted, shown_pair(view, *vehicle)))
         ui.outbox.push_back(EditRequest{SetBrain{target_of(view, *vehicle), std::move(*brain)},
                                         gestures::panels + ++state.sliders.gesture});
 }
