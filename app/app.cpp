@@ -79,7 +79,8 @@ bool App::turn() {
     if (lab_.full_screen) lab_.full_screen = false, window_.toggle_full_screen();
     if (repeatable()) return true;
     const int rate = window_.refresh_rate();
-    for (double pause = 0; (pause = pause_after_swap(seconds_since(turn_began), rate)) > 0;) window_.poll(pause);
+    for (double pause = 0; (pause = pause_after_swap(seconds_since(turn_began), rate, options_.frame_rate)) > 0;)
+        window_.poll(pause);
     if (moves()) last_change_ = Clock::now();
     if (options_.screenshot.empty()) window_.poll(idle_wait(seconds_since(last_change_)));
     return true;

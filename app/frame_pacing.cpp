@@ -4,9 +4,10 @@
 
 namespace braitenlab {
 
-double pause_after_swap(double turn_seconds, int refresh_rate) {
+double pause_after_swap(double turn_seconds, int refresh_rate, int frame_rate) {
     constexpr double usual_rate = 60, part_of_interval = 0.9;
-    const double least = refresh_rate > 0 ? part_of_interval / refresh_rate : 1 / usual_rate;
+    double least = refresh_rate > 0 ? part_of_interval / refresh_rate : 1 / usual_rate;
+    if (frame_rate > 0) least = std::max(least, 1.0 / frame_rate);
     return std::max(0.0, least - turn_seconds);
 }
 

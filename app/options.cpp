@@ -105,6 +105,9 @@ CommandLine read_command_line(int argc, char** argv) {
            },
            "show the intensity of this channel on the floor")
         ->type_name("CHANNEL");
+    app.add_option("--frame-rate", o.frame_rate, "most pictures per second, for a slow or remote display")
+        ->type_name("N")
+        ->check(CLI::Range(5, 1000));
     app.add_flag("--watch-graphics", o.watch_graphics,
                  "let the graphics driver check every call; errors go to the terminal and into --state");
     app.add_option("--screenshot", o.screenshot, "write a picture (PNG) and exit")->type_name("FILE");

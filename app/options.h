@@ -27,6 +27,7 @@ struct Options {
     CameraMode camera = CameraMode::overview;
     render::SectorPath sectors = render::SectorPath::automatic;
     bool watch_graphics = false;
+    int frame_rate = 0;                    // most pictures per second; 0: those of the display
     std::optional<Channel> field;          // its intensity is shown on the floor at the start
     std::string language;                  // its code, as "de"; empty: as in the settings
     std::filesystem::path screenshot;      // written after `after`; then the program ends

@@ -27,6 +27,13 @@ TEST(FramePacing, RunsAtSixtyPicturesPerSecondOnADisplayOfUnknownRate) {
     EXPECT_EQ(pause_after_swap(0.02, 0), 0);
 }
 
+TEST(FramePacing, DrawsNoMorePicturesThanTheUserAllows) {
+    EXPECT_DOUBLE_EQ(pause_after_swap(0.004, 60, 20), 0.05 - 0.004);
+    EXPECT_DOUBLE_EQ(pause_after_swap(0.004, 0, 20), 0.05 - 0.004);
+    EXPECT_EQ(pause_after_swap(0.06, 60, 20), 0);
+    EXPECT_EQ(pause_after_swap(0.004, 60, 1000), pause_after_swap(0.004, 60)) << "the display is slower than the limit";
+}
+
 TEST(FramePacing, DrawsTenFramesPerSecondOnceNothingMoves) {
     EXPECT_EQ(idle_wait(0), 0);
     EXPECT_EQ(idle_wait(0.9), 0) << "the camera may still ease";

@@ -70,6 +70,8 @@ public:
         if (home.empty()) home = own_.path;
         arguments.insert(arguments.begin(), program("braitenlab"));
         arguments.push_back("--watch-graphics");
+        // Drawing in software takes most of the time of these tests.
+        arguments.insert(arguments.end(), {"--frame-rate", "20"});
         for (const char* file : {"anchors", "state"}) {
             arguments.push_back(std::string("--") + file);
             arguments.push_back((own_.path / (std::string(file) + ".json")).string());
