@@ -7,6 +7,7 @@
 #include "core/maths/angle.h"
 #include "core/maths/geometry.h"
 #include "tests/core/chance.h"
+#include "tests/response_law.h"
 
 namespace braitenlab::tests::compiled_sensor_test {
 namespace {
@@ -84,9 +85,8 @@ TEST(CompiledSensor, FollowsTheGradedFormulaInsideItsFieldAndReadsZeroOutside) {
         const Polar at = seen_from(sensor, pose, point);
         double expected = strength;
         if (sensor.response == SensorResponse::graded) {
-            const double d0 = at.distance / sensor.half_distance, r = at.distance / sensor.range;
             const double cosine = sensor.shape == SensorShape::omni ? 1 : std::max(0.0, std::cos(at.off_axis));
-            expected = strength * cosine / (1 + d0 * d0) * (1 - r * r) * (1 - r * r);
+            expected = strength * cosine * reading_at(at.distance, sensor.half_distance, sensor.range);
         }
         if (!in_field(compiled, placed, point)) expected = 0;
         ASSERT_NEAR(response_to(compiled, placed, point, strength), expected, 1e-5) << i;

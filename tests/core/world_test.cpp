@@ -7,6 +7,7 @@
 
 #include "core/mechanics/wheel.h"
 #include "tests/core/scenes.h"
+#include "tests/response_law.h"
 
 namespace braitenlab::tests::world_test {
 namespace {
@@ -112,8 +113,7 @@ TEST(World, EyesFollowTheGradedFormula) {
     World world = make(scene);
     Snapshot now;
     world.capture(now);
-    const float d = 4, d0 = 3, range = 12, fade = 1 - (d / range) * (d / range);
-    EXPECT_NEAR(now.sensed[0], 0.8f * std::cos(0.3f) / (1 + (d / d0) * (d / d0)) * fade * fade, 1e-5f);
+    EXPECT_NEAR(now.sensed[0], 0.8 * std::cos(0.3) * reading_at(4), 1e-5);
 }
 
 TEST(World, EyesAddUpSeveralLampsAndSaturate) {
@@ -136,8 +136,7 @@ TEST(World, EyesSenseAWallByItsNearestVisiblePoint) {
     World world = make(scene);
     Snapshot now;
     world.capture(now);
-    const float d = 10, fade = 1 - (d / 12) * (d / 12);
-    EXPECT_NEAR(now.sensed[0], fade * fade / (1 + (d / 3) * (d / 3)), 1e-5f);
+    EXPECT_NEAR(now.sensed[0], reading_at(10), 1e-5);
 }
 
 TEST(World, RolesLetPredatorsSenseOnlyPreyAndPreyOnlyPredators) {

@@ -9,6 +9,7 @@
 #include "core/sensing/intensity.h"
 #include "render/gl/renderer.h"
 #include "tests/render/rendered.h"
+#include "tests/response_law.h"
 #include "tests/view/hand_made.h"
 
 namespace braitenlab::tests::picture_test {
@@ -50,9 +51,8 @@ TEST_F(PictureTest, DrawsContoursWhereTheFieldCrossesTenths) {
     picture.settings.overlays.field = Channel::smell;
     renderer->draw(now, picture);
     // Along a ray from the source: the line at one half is brighter than the bands beside it.
-    const auto felt = [](float d) { return std::pow(1 - d * d / 144, 2.0f) / (1 + d * d / 9); };
     float half = 0;
-    while (felt(half) > 0.5f) half += 0.01f;
+    while (reading_at(half) > 0.5) half += 0.01f;
     float peak = 0;
     for (float d = half - 0.06f; d <= half + 0.06f; d += 0.01f)
         peak = std::max(peak, brightness(stage.pixel(*project(picture.camera_view, {0.33f * d, 0.944f * d}))));

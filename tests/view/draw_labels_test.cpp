@@ -5,6 +5,7 @@
 
 #include "core/sensing/intensity.h"
 #include "render/view/draw_list.h"
+#include "tests/response_law.h"
 #include "tests/view/hand_made.h"
 
 namespace braitenlab::tests::draw_labels_test {
@@ -115,8 +116,7 @@ TEST(DrawLabels, LabelContoursWithTheirValue) {
     for (std::size_t i = 0; i < 4; ++i) {
         EXPECT_EQ(list.labels[i].text, expected[i]);
         EXPECT_GT(list.labels[i].place.x, i > 0 ? list.labels[i - 1].place.x : -5);
-        const float d = list.labels[i].place.x + 5, rest = 1 - d * d / 144;
-        EXPECT_NEAR(rest * rest / (1 + d * d / 9), std::stof(expected[i]), 0.02f);
+        EXPECT_NEAR(reading_at(list.labels[i].place.x + 5), std::stof(expected[i]), 0.02);
     }
 }
 
