@@ -39,6 +39,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddObstacle, obstacle, before)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveObstacle, obstacle)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditObstacle, obstacle, to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveObstacle, obstacle, x, y, heading)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddZone, zone, before)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveZone, zone)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditZone, zone, to)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveZone, zone, x, y, heading)
 inline void to_json(Json& json, const Retitle& c) {
     json = Json::object();
     if (c.title) json["title"] = *c.title;
@@ -57,7 +61,8 @@ namespace {
 constexpr std::array<const char*, std::variant_size_v<Command>> command_names{
     "TurnDial",    "SetBrain",       "PlaceNodes",   "AddVehicle",   "RemoveVehicle", "MoveVehicle", "ChooseDriver",
     "Steer",       "EditStart",      "SetSensors",   "AddSource",    "RemoveSource",  "EditSource",  "MoveSource",
-    "AddObstacle", "RemoveObstacle", "EditObstacle", "MoveObstacle", "NewPopulation", "Retitle",     "EditMember"};
+    "AddObstacle", "RemoveObstacle", "EditObstacle", "MoveObstacle", "NewPopulation", "Retitle",     "EditMember",
+    "AddZone",     "RemoveZone",     "EditZone",     "MoveZone"};
 
 template <std::size_t... I>
 void read_one(const Json& json, const std::string& name, Command& command, std::index_sequence<I...>) {

@@ -126,13 +126,15 @@ std::optional<Fault> triangle_fault(const Kind& kind) {
 }
 
 // Physics requires outlines that turn left at every corner, with a distance between any two corners.
-std::optional<Fault> outline_fault(const Obstacle& obstacle) {
+// `path`: of the corners; `without`: the shape of an object without corners.
+template <class Outlined>
+std::optional<Fault> outline_fault(const Outlined& object, const std::string& path, const char* without) {
     constexpr float least = 0.01f, least_left = 0.001f;  // m: between corners; of a corner from every other edge
-    const std::size_t count = obstacle.corners.size();
-    if (count == 0) return std::nullopt;  // a box
-    const std::string path = "obstacle." + obstacle.name + ".corner";
-    if (count < 3) return Fault{path, "an outline needs at least 3 corners; leave them out for a box"};
-    const std::vector<maths::vec2> corners = corners_of(obstacle);
+    const std::size_t count = object.corners.size();
+    if (count == 0) return std::nullopt;
+    if (count < 3)
+        return Fault{path, fmt::format("an outline needs at least 3 corners; leave them out for {}", without)};
+    const std::vector<maths::vec2> corners = corners_of(object);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t next = (i + 1) % count;
         const maths::vec2 edge = corners[next] - corners[i];
@@ -226,7 +228,9 @@ std::optional<Fault> find_fault(const Scene& scene) {
         if (auto fault = find_fault(kind.brain)) return Fault{"kind." + kind.name + ".brain", std::move(fault->what)};
     }
     for (const Obstacle& obstacle : scene.obstacles)
-        if (auto fault = outline_fault(obstacle)) return fault;
+        if (auto fault = outline_fault(obstacle, "obstacle." + obstacle.name + ".corner", "a box")) return fault;
+    for (const Zone& zone : scene.zones)
+        if (auto fault = outline_fault(zone, "zone." + zone.name + ".corner", "a rectangle")) return fault;
     for (const Start& start : scene.starts)
         if (auto fault = start_fault(scene, start)) return fault;
     for (const Member& member : scene.members)

@@ -13,6 +13,18 @@ int find_named(const std::vector<Named>& all, const std::string& name) {
     return found == all.end() ? -1 : static_cast<int>(found - all.begin());
 }
 
+// Of an obstacle or a zone.
+template <class Outlined>
+std::vector<maths::vec2> outline_corners(const Outlined& object) {
+    if (object.corners.empty()) {
+        const float l = object.length / 2, w = object.width / 2;
+        return {{-l, -w}, {l, -w}, {l, w}, {-l, w}};
+    }
+    std::vector<maths::vec2> corners;
+    for (const PolygonCorner& corner : object.corners) corners.push_back({corner.x, corner.y});
+    return corners;
+}
+
 }  // namespace
 
 FloorConstants floor_constants(const Arena& arena, Surface surface) {
@@ -21,15 +33,8 @@ FloorConstants floor_constants(const Arena& arena, Surface surface) {
             traits.reflectance.value_or(arena.reflectance)};
 }
 
-std::vector<maths::vec2> corners_of(const Obstacle& obstacle) {
-    if (obstacle.corners.empty()) {
-        const float l = obstacle.length / 2, w = obstacle.width / 2;
-        return {{-l, -w}, {l, -w}, {l, w}, {-l, w}};
-    }
-    std::vector<maths::vec2> corners;
-    for (const PolygonCorner& corner : obstacle.corners) corners.push_back({corner.x, corner.y});
-    return corners;
-}
+std::vector<maths::vec2> corners_of(const Obstacle& obstacle) { return outline_corners(obstacle); }
+std::vector<maths::vec2> corners_of(const Zone& zone) { return outline_corners(zone); }
 
 bool is_seen_as(Channel given, Channel wanted) {
     if (given == wanted) return true;
@@ -41,6 +46,7 @@ bool is_blocked_by_obstacles(Channel channel) { return row_of(channel).is_hidden
 int find_kind(const Scene& scene, const std::string& name) { return find_named(scene.kinds, name); }
 int find_source(const Scene& scene, const std::string& name) { return find_named(scene.sources, name); }
 int find_obstacle(const Scene& scene, const std::string& name) { return find_named(scene.obstacles, name); }
+int find_zone(const Scene& scene, const std::string& name) { return find_named(scene.zones, name); }
 
 int number_of(const Member& member) {
     int number = -1;

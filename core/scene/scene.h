@@ -136,7 +136,7 @@ struct Source {
 
 inline constexpr float solid_source_radius = 0.15f;  // m
 
-// A corner of an obstacle, in the obstacle's own frame.
+// A corner of an obstacle or a zone, in the object's own frame.
 struct PolygonCorner {
     float x = 0, y = 0;  // m
     friend bool operator==(const PolygonCorner&, const PolygonCorner&) = default;
@@ -152,18 +152,19 @@ struct Obstacle {
     friend bool operator==(const Obstacle&, const Obstacle&) = default;
 };
 
-// An area of the floor with its own properties. Where zones overlap, the surface is that of the last one in the list;
-// the effects of the others add up.
+// An area of the floor with its own properties: a rectangle, an ellipse, or a convex polygon where corners are given.
+// Where zones overlap, the surface is that of the last one in the list; the effects of the others add up.
 struct Zone {
     std::string name;
     float x = 0, y = 0, heading = 0;
     float length = 1, width = 1;  // m, along and across its heading
-    bool round = false;           // an ellipse with these axes instead of a rectangle
+    bool round = false;           // an ellipse with these axes instead of a rectangle; not used with corners
     Surface surface = Surface::none;
-    float recharge = 0;            // energy per second for every vehicle in it
-    float wind_x = 0, wind_y = 0;  // N on every vehicle in it, along the world's axes
-    float slope = 0;               // rad; downhill is along the heading
-    float pull = 0;                // N towards its centre; negative: away from it
+    float recharge = 0;                    // energy per second for every vehicle in it
+    float wind_x = 0, wind_y = 0;          // N on every vehicle in it, along the world's axes
+    float slope = 0;                       // rad; downhill is along the heading
+    float pull = 0;                        // N towards its centre; negative: away from it
+    std::vector<PolygonCorner> corners{};  // empty: a rectangle or an ellipse; else 3..8, counter-clockwise, convex
     friend bool operator==(const Zone&, const Zone&) = default;
 };
 
@@ -209,6 +210,8 @@ FloorConstants floor_constants(const Arena&, Surface);
 
 // The corners of an obstacle in its own frame, counter-clockwise; four for a box.
 std::vector<maths::vec2> corners_of(const Obstacle&);
+// Those of a zone; four for a rectangle and for an ellipse, whose bounding rectangle they are.
+std::vector<maths::vec2> corners_of(const Zone&);
 
 // True when a sensor for `wanted` senses a source of `given`.
 bool is_seen_as(Channel given, Channel wanted);
@@ -216,10 +219,11 @@ bool is_seen_as(Channel given, Channel wanted);
 // True when obstacles hide stimuli of this channel (ChannelTraits::is_hidden).
 bool is_blocked_by_obstacles(Channel);
 
-// Index of the kind, source or obstacle with this name, or −1.
+// Index of the kind, source, obstacle or zone with this name, or −1.
 int find_kind(const Scene&, const std::string& name);
 int find_source(const Scene&, const std::string& name);
 int find_obstacle(const Scene&, const std::string& name);
+int find_zone(const Scene&, const std::string& name);
 
 // Number of the member in the population, from 0; −1 if its name is no such number.
 int number_of(const Member&);

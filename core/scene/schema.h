@@ -182,8 +182,8 @@ void describe(Visitor& v, Of<Source>) {
 
 template <class Visitor>
 void describe(Visitor& v, Of<PolygonCorner>) {
-    v.number("x", &PolygonCorner::x, "m", place_range, "relative to the obstacle's centre, along its heading");
-    v.number("y", &PolygonCorner::y, "m", place_range, "relative to the obstacle's centre, to the left of its heading");
+    v.number("x", &PolygonCorner::x, "m", place_range, "relative to the object's centre, along its heading");
+    v.number("y", &PolygonCorner::y, "m", place_range, "relative to the object's centre, to the left of its heading");
 }
 
 template <class Visitor>
@@ -211,6 +211,7 @@ void describe(Visitor& v, Of<Zone>) {
     v.number("wind_y", &Zone::wind_y, "N", {-200, 200}, "force on every vehicle in it, along y");
     v.angle("slope", &Zone::slope, {0, 45}, "downhill is along its heading");
     v.number("pull", &Zone::pull, "N", {-200, 200}, "force towards its centre; negative: away from it");
+    v.list("corner", &Zone::corners, limits::corners, "of a convex polygon instead of a rectangle; counter-clockwise");
 }
 
 template <class Visitor>

@@ -18,6 +18,11 @@ constexpr float cells_a_side = 64;
 
 bool Ground::Patch::covers(vec2 position) const {
     const vec2 d = maths::rotate(position - middle, {ahead.x, -ahead.y});
+    if (!corners.empty()) {
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            if (maths::cross(corners[(i + 1) % corners.size()] - corners[i], d - corners[i]) < 0) return false;
+        return true;
+    }
     if (!round) return std::fabs(d.x) <= half_length && std::fabs(d.y) <= half_width;
     const float x = d.x / half_length, y = d.y / half_width;
     return x * x + y * y <= 1;
@@ -30,6 +35,14 @@ Ground::Patch Ground::patch_of(const Zone& zone, const Arena& arena) {
     patch.half_length = zone.length / 2;
     patch.half_width = zone.width / 2;
     patch.round = zone.round;
+    if (!zone.corners.empty()) {
+        patch.corners = corners_of(zone);
+        patch.half_length = patch.half_width = 0;
+        for (const vec2 corner : patch.corners) {
+            patch.half_length = std::max(patch.half_length, std::fabs(corner.x));
+            patch.half_width = std::max(patch.half_width, std::fabs(corner.y));
+        }
+    }
     patch.has_surface = zone.surface != Surface::none;
     patch.floor = floor_constants(arena, zone.surface);
     patch.recharge = zone.recharge;

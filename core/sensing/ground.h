@@ -27,7 +27,8 @@ private:
     // A zone with all constants precomputed.
     struct Patch {
         maths::vec2 middle, ahead;
-        float half_length = 0, half_width = 0;
+        float half_length = 0, half_width = 0;  // m, of a rectangle around the middle that contains the zone
+        std::vector<maths::vec2> corners;       // of a polygon, else empty
         bool round = false, has_surface = false;
         FloorConstants floor{};
         float recharge = 0;

@@ -18,6 +18,22 @@ const Thing* at(const std::vector<Thing>& things, int index) {
                                                                          : nullptr;
 }
 
+// The command that restores the present value of an element, or none.
+template <class Edit, class Thing>
+Commands same(const std::vector<Thing>& things, int index) {
+    const Thing* thing = at(things, index);
+    if (!thing) return {};
+    return {Edit{index, *thing}};
+}
+
+// The command that adds a removed element again at its index, or none.
+template <class Add, class Thing>
+Commands added_again(const std::vector<Thing>& things, int index) {
+    const Thing* thing = at(things, index);
+    if (!thing) return {};
+    return {Add{*thing, index}};
+}
+
 template <class Thing>
 int place_of_new(const std::vector<Thing>& things, int before) {
     const auto count = static_cast<int>(things.size());
@@ -104,11 +120,7 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
                 if (!v) return {};
                 return {MoveVehicle{v->id, v->x, v->y, v->heading}};
             },
-            [&](const EditStart& c) -> Commands {
-                const Start* start = at(scene.starts, c.start);
-                if (!start) return {};
-                return {EditStart{c.start, *start}};
-            },
+            [&](const EditStart& c) { return same<EditStart>(scene.starts, c.start); },
             [&](const EditMember& c) -> Commands { return {same_member(scene, c.member)}; },
             [&](const SetSensors& c) -> Commands {
                 const Kind* kind = at(scene.kinds, c.kind);
@@ -117,31 +129,27 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
             },
             [&](const AddSource& c) -> Commands { return {RemoveSource{place_of_new(scene.sources, c.before)}}; },
             [&](const RemoveSource& c) { return bringing_back(now, c); },
-            [&](const EditSource& c) -> Commands {
-                const Source* source = at(scene.sources, c.source);
-                if (!source) return {};
-                return {EditSource{c.source, *source}};
-            },
+            [&](const EditSource& c) { return same<EditSource>(scene.sources, c.source); },
             [&](const MoveSource& c) -> Commands {
                 const Source* source = at(scene.sources, c.source);
                 if (!source) return {};
                 return {MoveSource{c.source, source->x, source->y}};
             },
             [&](const AddObstacle& c) -> Commands { return {RemoveObstacle{place_of_new(scene.obstacles, c.before)}}; },
-            [&](const RemoveObstacle& c) -> Commands {
-                const Obstacle* obstacle = at(scene.obstacles, c.obstacle);
-                if (!obstacle) return {};
-                return {AddObstacle{*obstacle, c.obstacle}};
-            },
-            [&](const EditObstacle& c) -> Commands {
-                const Obstacle* obstacle = at(scene.obstacles, c.obstacle);
-                if (!obstacle) return {};
-                return {EditObstacle{c.obstacle, *obstacle}};
-            },
+            [&](const RemoveObstacle& c) { return added_again<AddObstacle>(scene.obstacles, c.obstacle); },
+            [&](const EditObstacle& c) { return same<EditObstacle>(scene.obstacles, c.obstacle); },
             [&](const MoveObstacle& c) -> Commands {
                 const Pose* pose = at(now.obstacles, c.obstacle);
                 if (!pose) return {};
                 return {MoveObstacle{c.obstacle, pose->x, pose->y, pose->heading}};
+            },
+            [&](const AddZone& c) -> Commands { return {RemoveZone{place_of_new(scene.zones, c.before)}}; },
+            [&](const RemoveZone& c) { return added_again<AddZone>(scene.zones, c.zone); },
+            [&](const EditZone& c) { return same<EditZone>(scene.zones, c.zone); },
+            [&](const MoveZone& c) -> Commands {
+                const Zone* zone = at(scene.zones, c.zone);
+                if (!zone) return {};
+                return {MoveZone{c.zone, zone->x, zone->y, zone->heading}};
             },
             [](const ChooseDriver&) -> Commands { return {}; },  // the driver is a mode, not an edit
             [](const Steer&) -> Commands { return {}; },
@@ -179,6 +187,8 @@ bool supersedes(const Command& later, const Command& earlier) {
               [&](const MoveSource& c) { return c.source == std::get<MoveSource>(earlier).source; },
               [&](const EditObstacle& c) { return c.obstacle == std::get<EditObstacle>(earlier).obstacle; },
               [&](const MoveObstacle& c) { return c.obstacle == std::get<MoveObstacle>(earlier).obstacle; },
+              [&](const EditZone& c) { return c.zone == std::get<EditZone>(earlier).zone; },
+              [&](const MoveZone& c) { return c.zone == std::get<MoveZone>(earlier).zone; },
               [&](const Retitle& c) {
                   const auto& e = std::get<Retitle>(earlier);
                   return (c.title || !e.title) && (c.story || !e.story);

@@ -93,8 +93,9 @@ struct SetSensors {  // replaces the sensors of a kind; all readings are reset t
     friend bool operator==(const SetSensors&, const SetSensors&) = default;
 };
 
-// Sources and obstacles are identified by their current index in Scene::sources and Scene::obstacles. A removal
-// decrements the later indices. An addition is inserted at index `before`, or at the end for −1.
+// Sources, obstacles and zones are identified by their current index in Scene::sources, Scene::obstacles and
+// Scene::zones. A removal decrements the later indices. An addition is inserted at index `before`, or at the end for
+// −1.
 struct AddSource {
     Source source;
     int before = -1;
@@ -133,6 +134,25 @@ struct MoveObstacle {
     float x = 0, y = 0, heading = 0;
     friend bool operator==(const MoveObstacle&, const MoveObstacle&) = default;
 };
+struct AddZone {
+    Zone zone;
+    int before = -1;
+    friend bool operator==(const AddZone&, const AddZone&) = default;
+};
+struct RemoveZone {
+    int zone = 0;
+    friend bool operator==(const RemoveZone&, const RemoveZone&) = default;
+};
+struct EditZone {
+    int zone = 0;
+    Zone to;
+    friend bool operator==(const EditZone&, const EditZone&) = default;
+};
+struct MoveZone {
+    int zone = 0;
+    float x = 0, y = 0, heading = 0;
+    friend bool operator==(const MoveZone&, const MoveZone&) = default;
+};
 struct Retitle {  // sets the scene's title and story; nullopt: unchanged. The run does not depend on them
     std::optional<std::string> title{}, story{};
     friend bool operator==(const Retitle&, const Retitle&) = default;
@@ -141,8 +161,9 @@ struct NewPopulation {  // starts the next generation: the same number of vehicl
     friend bool operator==(const NewPopulation&, const NewPopulation&) = default;
 };
 
-using Command = std::variant<TurnDial, SetBrain, PlaceNodes, AddVehicle, RemoveVehicle, MoveVehicle, ChooseDriver,
-                             Steer, EditStart, SetSensors, AddSource, RemoveSource, EditSource, MoveSource, AddObstacle,
-                             RemoveObstacle, EditObstacle, MoveObstacle, NewPopulation, Retitle, EditMember>;
+using Command =
+    std::variant<TurnDial, SetBrain, PlaceNodes, AddVehicle, RemoveVehicle, MoveVehicle, ChooseDriver, Steer, EditStart,
+                 SetSensors, AddSource, RemoveSource, EditSource, MoveSource, AddObstacle, RemoveObstacle, EditObstacle,
+                 MoveObstacle, NewPopulation, Retitle, EditMember, AddZone, RemoveZone, EditZone, MoveZone>;
 
 }  // namespace braitenlab

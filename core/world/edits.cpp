@@ -23,9 +23,18 @@ void replace_sources(WorldData& s, Scene scene) {
         replace_scene(s, std::move(scene));
 }
 
-std::optional<Error> replace_sources_if_valid(WorldData& s, Scene scene) {
-    if (auto error = check_scene(scene)) return error;
-    replace_sources(s, std::move(scene));
+// Replaces the scene after an edit of its zones. The world is rebuilt only if physics depends on the edit.
+void replace_zones(WorldData& s, Scene scene) {
+    if (may_skip_an_impact(*s.scene) != may_skip_an_impact(scene)) return replace_scene(s, std::move(scene));
+    s.scene = std::make_shared<const Scene>(std::move(scene));
+    s.environment.ground = sensing::Ground(*s.scene);
+}
+
+// Replaces the scene by an edited one, or returns why there is none.
+template <class Replace>
+std::optional<Error> replace_if_valid(WorldData& s, Result<Scene> edited, Replace replace) {
+    if (!edited) return edited.error();
+    replace(s, std::move(*edited));
     return std::nullopt;
 }
 
@@ -65,11 +74,8 @@ std::optional<Error> execute(WorldData& s, const SetSensors& c) {
 }
 
 std::optional<Error> execute(WorldData& s, const AddSource& c) {
-    Scene scene = *s.scene;
-    Source source = c.source;
-    source.name = free_name(scene.sources, source.name, word(source.channel));
-    scene.sources.insert(iterator_at(scene.sources, insertion_index(scene.sources, c.before)), std::move(source));
-    return replace_sources_if_valid(s, std::move(scene));
+    return replace_if_valid(s, with_added(*s.scene, &Scene::sources, c.source, c.before, word(c.source.channel)),
+                            replace_sources);
 }
 
 std::optional<Error> execute(WorldData& s, const RemoveSource& c) {
@@ -82,76 +88,66 @@ std::optional<Error> execute(WorldData& s, const RemoveSource& c) {
         start.heading = maths::wrap_angle(start.heading + maths::arctangent2(removed.y - start.y, removed.x - start.x));
         start.facing.clear();
     }
-    scene.sources.erase(iterator_at(scene.sources, c.source));
-    replace_sources(s, std::move(scene));
-    return std::nullopt;
+    return replace_if_valid(s, without(std::move(scene), &Scene::sources, c.source, "source"), replace_sources);
 }
 
 std::optional<Error> execute(WorldData& s, const EditSource& c) {
-    if (auto error = missing(s.scene->sources, c.source, "source")) return error;
-    Scene scene = *s.scene;
-    Source& source = *iterator_at(scene.sources, c.source);
-    const std::string name = source.name;  // starts and checks refer to it
-    source = c.to;
-    source.name = name;
-    return replace_sources_if_valid(s, std::move(scene));
+    return replace_if_valid(s, with_edited(*s.scene, &Scene::sources, c.source, c.to, "source"), replace_sources);
 }
 
 std::optional<Error> execute(WorldData& s, const MoveSource& c) {
-    if (auto error = missing(s.scene->sources, c.source, "source")) return error;
-    if (!is_finite({c.x, c.y})) return not_finite();
-    Scene scene = *s.scene;
-    Source& source = *iterator_at(scene.sources, c.source);
-    source.x = std::clamp(c.x, -1000.0f, 1000.0f);
-    source.y = std::clamp(c.y, -1000.0f, 1000.0f);
-    replace_sources(s, std::move(scene));
-    return std::nullopt;
+    auto to = moved(s.scene->sources, c.source, {c.x, c.y}, "source");
+    if (!to) return to.error();
+    return execute(s, EditSource{c.source, std::move(*to)});
 }
 
 std::optional<Error> execute(WorldData& s, const AddObstacle& c) {
-    Scene scene = *s.scene;
-    Obstacle obstacle = c.obstacle;
-    obstacle.name = free_name(scene.obstacles, obstacle.name, "obstacle");
-    const int index = insertion_index(scene.obstacles, c.before);
-    const mechanics::Motion motion = mechanics::at_rest({obstacle.x, obstacle.y}, obstacle.heading);
-    scene.obstacles.insert(iterator_at(scene.obstacles, index), std::move(obstacle));
-    if (auto error = check_scene(scene)) return error;
-    s.obstacles.insert(iterator_at(s.obstacles, index), motion);
-    replace_scene(s, std::move(scene));
+    auto scene = with_added(*s.scene, &Scene::obstacles, c.obstacle, c.before, "obstacle");
+    if (!scene) return scene.error();
+    s.obstacles.insert(iterator_at(s.obstacles, insertion_index(s.obstacles, c.before)),
+                       mechanics::at_rest({c.obstacle.x, c.obstacle.y}, c.obstacle.heading));
+    replace_scene(s, std::move(*scene));
     return std::nullopt;
 }
 
 std::optional<Error> execute(WorldData& s, const RemoveObstacle& c) {
-    if (auto error = missing(s.scene->obstacles, c.obstacle, "obstacle")) return error;
-    Scene scene = *s.scene;
-    scene.obstacles.erase(iterator_at(scene.obstacles, c.obstacle));
+    auto scene = without(*s.scene, &Scene::obstacles, c.obstacle, "obstacle");
+    if (!scene) return scene.error();
     s.obstacles.erase(iterator_at(s.obstacles, c.obstacle));
-    replace_scene(s, std::move(scene));
+    replace_scene(s, std::move(*scene));
     return std::nullopt;
 }
 
 std::optional<Error> execute(WorldData& s, const EditObstacle& c) {
-    if (auto error = missing(s.scene->obstacles, c.obstacle, "obstacle")) return error;
-    Scene scene = *s.scene;
-    Obstacle& obstacle = *iterator_at(scene.obstacles, c.obstacle);
-    const std::string name = obstacle.name;
-    obstacle = c.to;
-    obstacle.name = name;
-    const mechanics::Motion motion = mechanics::at_rest({obstacle.x, obstacle.y}, obstacle.heading);
-    if (auto error = check_scene(scene)) return error;
-    *iterator_at(s.obstacles, c.obstacle) = motion;
-    replace_scene(s, std::move(scene));
+    auto scene = with_edited(*s.scene, &Scene::obstacles, c.obstacle, c.to, "obstacle");
+    if (!scene) return scene.error();
+    *iterator_at(s.obstacles, c.obstacle) = mechanics::at_rest({c.to.x, c.to.y}, c.to.heading);
+    replace_scene(s, std::move(*scene));
     return std::nullopt;
 }
 
 std::optional<Error> execute(WorldData& s, const MoveObstacle& c) {
-    if (auto error = missing(s.scene->obstacles, c.obstacle, "obstacle")) return error;
-    if (!is_finite({c.x, c.y, c.heading})) return not_finite();
-    Obstacle moved = s.scene->obstacles[static_cast<std::size_t>(c.obstacle)];
-    moved.x = std::clamp(c.x, -1000.0f, 1000.0f);
-    moved.y = std::clamp(c.y, -1000.0f, 1000.0f);
-    moved.heading = maths::wrap_angle(c.heading);
-    return execute(s, EditObstacle{c.obstacle, std::move(moved)});
+    auto to = moved(s.scene->obstacles, c.obstacle, {c.x, c.y, c.heading}, "obstacle");
+    if (!to) return to.error();
+    return execute(s, EditObstacle{c.obstacle, std::move(*to)});
+}
+
+std::optional<Error> execute(WorldData& s, const AddZone& c) {
+    return replace_if_valid(s, with_added(*s.scene, &Scene::zones, c.zone, c.before, "zone"), replace_zones);
+}
+
+std::optional<Error> execute(WorldData& s, const RemoveZone& c) {
+    return replace_if_valid(s, without(*s.scene, &Scene::zones, c.zone, "zone"), replace_zones);
+}
+
+std::optional<Error> execute(WorldData& s, const EditZone& c) {
+    return replace_if_valid(s, with_edited(*s.scene, &Scene::zones, c.zone, c.to, "zone"), replace_zones);
+}
+
+std::optional<Error> execute(WorldData& s, const MoveZone& c) {
+    auto to = moved(s.scene->zones, c.zone, {c.x, c.y, c.heading}, "zone");
+    if (!to) return to.error();
+    return execute(s, EditZone{c.zone, std::move(*to)});
 }
 
 }  // namespace braitenlab::world

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "core/maths/angle.h"
 #include "core/scene/scene_file.h"
 #include "core/world/world_data.h"
 
@@ -31,6 +32,10 @@ std::optional<Error> execute(WorldData&, const AddObstacle&);
 std::optional<Error> execute(WorldData&, const RemoveObstacle&);
 std::optional<Error> execute(WorldData&, const EditObstacle&);
 std::optional<Error> execute(WorldData&, const MoveObstacle&);
+std::optional<Error> execute(WorldData&, const AddZone&);
+std::optional<Error> execute(WorldData&, const RemoveZone&);
+std::optional<Error> execute(WorldData&, const EditZone&);
+std::optional<Error> execute(WorldData&, const MoveZone&);
 
 inline bool is_finite(const Pose& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.heading); }
 inline Error unknown_vehicle(VehicleId id) {
@@ -73,6 +78,48 @@ std::string free_name(const std::vector<Element>& elements, const std::string& r
     std::string name(word);
     for (int number = 2; is_used(name); ++number) name = fmt::format("{}-{}", word, number);
     return name;
+}
+
+// The scene with one more, one edited or one removed source, obstacle or zone (`of`: the list of the scene). An error
+// if it has no element with this index or would become invalid. An edited element keeps its name, because starts and
+// checks refer to it.
+template <class Element>
+Result<Scene> with_added(Scene scene, std::vector<Element> Scene::*of, Element element, int before,
+                         std::string_view word) {
+    std::vector<Element>& all = scene.*of;
+    element.name = free_name(all, element.name, word);
+    all.insert(iterator_at(all, insertion_index(all, before)), std::move(element));
+    if (auto error = check_scene(scene)) return *error;
+    return scene;
+}
+
+template <class Element>
+Result<Scene> with_edited(Scene scene, std::vector<Element> Scene::*of, int index, Element to, const char* what) {
+    if (auto error = missing(scene.*of, index, what)) return *error;
+    Element& element = *iterator_at(scene.*of, index);
+    to.name = element.name;
+    element = std::move(to);
+    if (auto error = check_scene(scene)) return *error;
+    return scene;
+}
+
+template <class Element>
+Result<Scene> without(Scene scene, std::vector<Element> Scene::*of, int index, const char* what) {
+    if (auto error = missing(scene.*of, index, what)) return *error;
+    (scene.*of).erase(iterator_at(scene.*of, index));
+    return scene;
+}
+
+// The element at this pose, clamped to the range of a position.
+template <class Element>
+Result<Element> moved(const std::vector<Element>& elements, int index, const Pose& to, const char* what) {
+    if (auto error = missing(elements, index, what)) return *error;
+    if (!is_finite(to)) return not_finite();
+    Element element = elements[static_cast<std::size_t>(index)];
+    element.x = std::clamp(to.x, -1000.0f, 1000.0f);
+    element.y = std::clamp(to.y, -1000.0f, 1000.0f);
+    if constexpr (requires { element.heading; }) element.heading = maths::wrap_angle(to.heading);
+    return element;
 }
 
 }  // namespace braitenlab::world

@@ -28,22 +28,6 @@ bool is_covered(const Wheel& w, const Body& body) {
     return x <= body.length / 2 + b2_linearSlop && y <= body.width / 2 + b2_linearSlop;
 }
 
-// True when a body can be so fast that it moves deep into an obstacle or through it in one tick. Box2D then computes
-// the time of each impact, at about 5 % of the cost of a crowd. A collision at most about doubles the speed that a
-// vehicle reaches by its motors; the speed of bodies that zones or vehicles push is not bounded.
-bool may_skip_an_impact(const Scene& scene) {
-    const auto pushes = [](const Zone& z) { return z.pull != 0 || z.wind_x != 0 || z.wind_y != 0 || z.slope != 0; };
-    if (std::any_of(scene.zones.begin(), scene.zones.end(), pushes)) return true;
-    if (std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [](const Obstacle& o) { return o.mass > 0; }))
-        return true;
-    float fastest = 0, thinnest = wall_thickness;
-    for (const Kind& kind : scene.kinds) {
-        fastest = std::max(fastest, kind.body.top_speed);
-        thinnest = std::min({thinnest, kind.body.length, kind.body.width});
-    }
-    return 2 * fastest * tick_seconds > thinnest / 4;
-}
-
 // Box2D 2.4.1 fills a static table when a process creates its first contact, without a lock. This creates one, so that
 // worlds can be stepped on several threads. Thread-safe: the static below is initialised once.
 void fill_contact_table() {
@@ -75,6 +59,21 @@ void fill(b2FixtureDef& definition, const b2Shape& shape, Category category, std
 }
 
 }  // namespace
+
+// The search for the time of each impact costs about 5 % of a crowd's tick. A collision at most about doubles the speed
+// that a vehicle reaches by its motors; the speed of bodies that zones or vehicles push is not bounded.
+bool may_skip_an_impact(const Scene& scene) {
+    const auto pushes = [](const Zone& z) { return z.pull != 0 || z.wind_x != 0 || z.wind_y != 0 || z.slope != 0; };
+    if (std::any_of(scene.zones.begin(), scene.zones.end(), pushes)) return true;
+    if (std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [](const Obstacle& o) { return o.mass > 0; }))
+        return true;
+    float fastest = 0, thinnest = wall_thickness;
+    for (const Kind& kind : scene.kinds) {
+        fastest = std::max(fastest, kind.body.top_speed);
+        thinnest = std::min({thinnest, kind.body.length, kind.body.width});
+    }
+    return 2 * fastest * tick_seconds > thinnest / 4;
+}
 
 // Box2D reports contacts during a step; they are recorded here and evaluated after it.
 struct Physics::Impl : b2ContactListener {

@@ -20,6 +20,10 @@ struct Bump {
     maths::vec2 at;
 };
 
+// True when a body can be so fast that it moves deep into an obstacle or through it in one tick; Physics then computes
+// the time of each impact.
+bool may_skip_an_impact(const Scene&);
+
 class Physics {
 public:
     // Builds walls, posts and obstacles; `obstacles` are the motions of Scene::obstacles.

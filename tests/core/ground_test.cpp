@@ -15,6 +15,11 @@ using namespace sensing;
 bool covers(const Zone& zone, maths::vec2 place) {
     const maths::vec2 ahead = maths::direction(zone.heading);
     const maths::vec2 p = maths::rotate(place - maths::vec2{zone.x, zone.y}, {ahead.x, -ahead.y});
+    for (std::size_t i = 0; i < zone.corners.size(); ++i) {
+        const PolygonCorner &a = zone.corners[i], &b = zone.corners[(i + 1) % zone.corners.size()];
+        if ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) < 0) return false;
+    }
+    if (!zone.corners.empty()) return true;
     const float along = p.x / (zone.length / 2), across = p.y / (zone.width / 2);
     if (zone.round) return along * along + across * across <= 1;
     return std::fabs(along) <= 1 && std::fabs(across) <= 1;
@@ -45,6 +50,22 @@ TEST(Ground, UsesTheLastSurfaceOfOverlappingZonesAndAddsTheOtherEffects) {
     EXPECT_EQ(ground.recharge_at({0, 0}), 0.75f);
 }
 
+TEST(Ground, UsesTheCornersOfAPolygonInsteadOfItsLengthAndWidth) {
+    Scene scene;
+    scene.zones = {{.name = "a",
+                    .x = 2,
+                    .heading = maths::pi / 2,
+                    .length = 0.1f,
+                    .width = 0.1f,
+                    .round = true,
+                    .recharge = 1,
+                    .corners = {{-1, -1}, {3, -1}, {-1, 1}}}};
+    const Ground ground(scene);
+    EXPECT_EQ(ground.recharge_at({2.9f, 2}), 1) << "2 m along its heading, 0.9 m to the right of it";
+    EXPECT_EQ(ground.recharge_at({1.1f, 2}), 0) << "beyond the longest edge";
+    EXPECT_EQ(ground.recharge_at({2, -1.1f}), 0);
+}
+
 TEST(Ground, FindsTheSameZonesAsASearchOfAllZones) {
     maths::Random chance{3, 1};
     Scene scene;
@@ -54,6 +75,11 @@ TEST(Ground, FindsTheSameZonesAsASearchOfAllZones) {
         zone.length = chance.uniform(0.02f, 12);
         zone.width = chance.uniform(0.02f, 6);
         zone.round = chance.next() % 2 == 0;
+        const std::size_t corners = i % 3 == 0 ? 3 + chance.next() % 6 : 0;
+        for (std::size_t c = 0; c < corners; ++c) {
+            const vec2 at = maths::from_polar(4, 2 * maths::pi * static_cast<float>(c) / static_cast<float>(corners));
+            zone.corners.push_back({at.x + 1, at.y});
+        }
         zone.recharge = 1;
         scene.zones.push_back(zone);
     }

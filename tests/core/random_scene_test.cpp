@@ -158,16 +158,18 @@ void make_sound(Scene& scene, Dice& dice) {
         member.x = std::fmod(member.x, scene.arena.width / 2), member.y = std::fmod(member.y, scene.arena.height / 2);
         if (dice.toss()) member.brain = any_brain(dice, scene.kinds.front());
     }
-    for (Obstacle& obstacle : scene.obstacles) {
-        const std::size_t corners = obstacle.corners.size() < 3 ? 0 : obstacle.corners.size();
-        obstacle.corners.resize(corners);
+    const auto make_convex = [&](std::vector<PolygonCorner>& outline) {
+        const std::size_t corners = outline.size() < 3 ? 0 : outline.size();
+        outline.resize(corners);
         for (std::size_t i = 0; i < corners; ++i) {
             const maths::vec2 at =
                 maths::from_polar(2, maths::pi * 2 * (static_cast<float>(i) + dice.random.uniform(0, 0.5f)) /
                                          static_cast<float>(corners));
-            obstacle.corners[i].x = at.x, obstacle.corners[i].y = at.y;
+            outline[i].x = at.x, outline[i].y = at.y;
         }
-    }
+    };
+    for (Obstacle& obstacle : scene.obstacles) make_convex(obstacle.corners);
+    for (Zone& zone : scene.zones) make_convex(zone.corners);
 }
 
 TEST(SceneFile, ReadsBackRandomScenes) {

@@ -35,6 +35,12 @@ Session busy_session(const Scene& scene, int ticks) {
     (void)session.apply(AddObstacle{{"", -2, -2, 0.3f, 2, 1}});
     (void)session.apply(MoveObstacle{0, -3, -2, 0.3f});
     (void)session.apply(EditObstacle{0, {"", -3, -2, 0, 1, 1, {{-1, -1}, {1, -1}, {0, 1}}, 5}});
+    const Zone pond{.x = 2, .surface = Surface::ice, .wind_x = 3, .corners = {{-1, -1}, {1, -1}, {0, 1}}};
+    (void)session.apply(AddZone{pond});
+    (void)session.apply(AddZone{{.length = 9}, 0});
+    (void)session.apply(MoveZone{1, 1, 2, 0.5f});
+    (void)session.apply(EditZone{1, pond});
+    (void)session.apply(RemoveZone{0});
     (void)session.apply(SetSensors{0, session.snapshot().scene->kinds[0].sensors});
     (void)session.apply(SetBrain{{.kind = 0}, *session.snapshot().kind_brains[0]});
     (void)session.apply(PlaceNodes{{.kind = 0}, {{0, maths::vec2{1, 2.5f}}, {1, {}}}});

@@ -110,7 +110,8 @@ Scene everything() {
     scene.starts = {{"two", "a-second", 1, 2, -3.1f, "lamp", 0.5f, 0.25f}, {"one", "z-first", 0, 0, 0, "", 0, 0}};
     scene.obstacles = {{"wall", 3, 4, 0.7853982f, 5, 0.25f},
                        {"wedge", -3, 4, 0.1f, 1, 1, {{-0.5f, -0.5f}, {0.75f, 0}, {0, 0.6f}}, 2.5f}};
-    scene.zones = {{"pond", 1, -2, 0.5f, 3, 2, true, Surface::ice, 0.1f, 2, -3, 0.1f, 4}};
+    scene.zones = {{"pond", 1, -2, 0.5f, 3, 2, true, Surface::ice, 0.1f, 2, -3, 0.1f, 4},
+                   {.name = "ramp", .slope = 0.2f, .corners = {{-0.5f, -0.5f}, {0.75f, 0}, {0, 0.6f}}}};
     return scene;
 }
 
@@ -267,6 +268,10 @@ TEST(SceneFile, NamesTheLineAndTheNearestWordForEveryKindOfError) {
         {"format = 1\n[obstacle.o]\ncorner = [{ x = 1 }, { x = 1 }, { y = 1 }]\n",
          {"test.toml:3: ", "corners 1 and 2 stand less than"}},
         {"format = 1\n[obstacle.o]\ncorner = [{ x = 1 }, { y = -1 }, { y = 1 }]\n",
+         {"test.toml:3: ", "does not lie left", "counter-clockwise"}},
+        {"format = 1\n[zone.z]\ncorner = [{ x = 1 }, { y = 1 }]\n",
+         {"test.toml:3: ", "at least 3 corners", "a rectangle"}},
+        {"format = 1\n[zone.z]\ncorner = [{ x = 1 }, { y = -1 }, { y = 1 }]\n",
          {"test.toml:3: ", "does not lie left", "counter-clockwise"}},
         {"format = 1\n[arena]\nwidth = 2\nwidth = 3\n", {"test.toml:4: ", "not TOML"}},
     };

@@ -185,8 +185,16 @@ Command any_edit(const Session& session, maths::Random& chance) {
     const VehicleId vehicle =
         now.vehicles.empty() ? 0 : now.vehicles[static_cast<std::size_t>(below(now.vehicles.size()))].id;
     const int source = below(now.sources.size()), obstacle = below(now.obstacles.size());
-    const int kind = below(now.scene->kinds.size());
-    switch (below(19)) {
+    const int kind = below(now.scene->kinds.size()), zone = below(now.scene->zones.size());
+    switch (below(23)) {
+        case 19:
+            return AddZone{{.x = metres(), .length = 2, .surface = Surface::ice, .wind_y = metres()}, below(3) - 1};
+        case 20:
+            return RemoveZone{zone};
+        case 21:
+            return MoveZone{zone, metres(), metres(), 1};
+        case 22:
+            return EditZone{zone, {.x = metres(), .width = 3, .slope = 0.1f}};
         case 18: {
             const int population = now.scene->ecology.population;
             if (population == 0) return AddVehicle{};
@@ -243,6 +251,7 @@ Scene furnished() {
     Scene scene = tests::crowd(5);
     scene.sources = {{"lamp", Channel::light, 1, 1, 1, false}, {"stove", Channel::heat, -3, 2, 1, true}};
     scene.obstacles = {{"box", 4, -4, 0.5f, 1, 2}};
+    scene.zones = {{.name = "pond", .x = -2, .surface = Surface::ice}};
     scene.starts = {{"first", scene.kinds[0].name, -5, -5, 0, "lamp"}, {"second", scene.kinds[1].name, 5, 5, 1, ""}};
     return scene;
 }

@@ -104,6 +104,10 @@ TEST(World, EditingASourceThatIsNotSolidDoesNotRebuildTheBodies) {
     EXPECT_EQ(end_of({EditSource{0, fainter}}), undisturbed);
     EXPECT_EQ(end_of({AddSource{fainter}}), undisturbed);
     EXPECT_EQ(end_of({RemoveSource{0}}), undisturbed);
+    Zone far_away{.x = 40, .surface = Surface::ice};
+    EXPECT_EQ(end_of({AddZone{far_away}, MoveZone{0, 41, 0, 1}}), undisturbed);
+    far_away.surface = Surface::sand;
+    EXPECT_EQ(end_of({AddZone{far_away}, EditZone{0, far_away}, RemoveZone{0}}), undisturbed);
     Source solid = scene.sources[0];
     solid.solid = true;
     EXPECT_NE(end_of({EditSource{0, solid}}), undisturbed)
@@ -127,6 +131,9 @@ TEST(World, TheHashDependsOnAllStateThatAffectsTheRun) {
         },
         [](Scene& s) { s.zones[0].wind_x = 1; },
         [](Scene& s) { s.zones[0].surface = Surface::ice; },
+        [](Scene& s) {
+            s.zones[0].corners = {{0, 0}, {1, 0}, {0, 1}};
+        },
         [](Scene& s) { s.kinds[0].sensors[0].range = 3; },
         [](Scene& s) {
             s.kinds[0].sensors[0].latency = 0;
