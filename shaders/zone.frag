@@ -1,15 +1,29 @@
 // Zones of the floor: each surface has its own texture, each effect its own sign (chevrons, rings, plus signs). Patterns
 // are in metres and fade before they alias.
 in vec2 v_own;
-flat in vec4 v_shape, v_base, v_flow;
+flat in vec4 v_shape, v_base, v_flow, v_corners_01, v_corners_23, v_corners_45, v_corners_67;
 
 out vec4 colour;
 
 const int pattern_ice = 0, pattern_carpet = 1, pattern_sand = 2, pattern_tape = 3, pattern_recharge = 4,
           pattern_wind = 5, pattern_slope = 6, pattern_pull = 7, pattern_push = 8;
 
+vec2 zone_corner(int i) {
+    vec4 two = i < 2 ? v_corners_01 : i < 4 ? v_corners_23 : i < 6 ? v_corners_45 : v_corners_67;
+    return (i & 1) == 0 ? two.xy : two.zw;
+}
+
 // Distance inside the zone's edge, m; negative outside.
 float inside_edge() {
+    int count = int(v_shape.z + 0.5);
+    if (count > 2) {
+        float within = 1e9;
+        for (int i = 0; i < count; ++i) {
+            vec2 here = zone_corner(i), along = normalize(zone_corner((i + 1) % count) - here), to = v_own - here;
+            within = min(within, along.x * to.y - along.y * to.x);
+        }
+        return within;
+    }
     if (v_shape.z > 0.5) {
         float k = length(v_own / v_shape.xy);
         return (1.0 - k) * k / max(length(v_own / (v_shape.xy * v_shape.xy)), 1e-4);

@@ -73,11 +73,13 @@ struct BlockInstance {
 };
 // The pattern of a zone. Same numbers in shaders/zone.frag.
 enum class Pattern { ice, carpet, sand, tape, recharge, wind, slope, pull, push };
+// Its shape.z is 0 for a rectangle, 1 for an ellipse, else the number of corners.
 struct ZoneInstance {
     maths::vec4 place;
-    maths::vec4 shape;   // half the length, half the width, 1: ellipse, Pattern
-    maths::vec4 colour;  // w: opacity
-    maths::vec4 flow;    // x, y: direction of the force in the zone's frame; z: strength 0..1
+    maths::vec4 shape;                   // half the length, half the width, ellipse or number of corners, Pattern
+    maths::vec4 colour;                  // w: opacity
+    maths::vec4 flow;                    // x, y: direction of the force in the zone's frame; z: strength 0..1
+    std::array<maths::vec4, 4> corners;  // of a polygon: two each, up to eight, counter-clockwise, in its own frame; m
 };
 // Marks on the floor. Same numbers in shaders/mark.frag and shade.frag.
 enum class MarkKind { shadow, pool, ring, thin_ring, memory, arrow, whole_socket, dashed_socket, dotted_socket };

@@ -16,18 +16,22 @@ namespace {
 
 constexpr std::size_t most_corners = 8;
 
-// A prism with these corners, in its own frame, counter-clockwise.
-BlockInstance block(vec4 place, const std::vector<vec2>& corners, float height, float chamfer, vec4 colour,
-                    bool wall = false) {
-    BlockInstance made{place, {}, {height, chamfer, 0, wall ? 1.0f : 0.0f}, colour};
-    const std::size_t count = std::min(corners.size(), most_corners);
-    for (std::size_t i = 0; i < count; ++i) {
-        vec4& two = made.corners[i / 2];
+// Up to most_corners corners, two in each element.
+std::array<vec4, 4> packed(const std::vector<vec2>& corners) {
+    std::array<vec4, 4> pairs{};
+    for (std::size_t i = 0; i < std::min(corners.size(), most_corners); ++i) {
+        vec4& two = pairs[i / 2];
         (i % 2 == 0 ? two.x : two.z) = corners[i].x;
         (i % 2 == 0 ? two.y : two.w) = corners[i].y;
     }
-    made.size.z = static_cast<float>(count);
-    return made;
+    return pairs;
+}
+
+// A prism with these corners, in its own frame, counter-clockwise.
+BlockInstance block(vec4 place, const std::vector<vec2>& corners, float height, float chamfer, vec4 colour,
+                    bool wall = false) {
+    const auto count = static_cast<float>(std::min(corners.size(), most_corners));
+    return {place, packed(corners), {height, chamfer, count, wall ? 1.0f : 0.0f}, colour};
 }
 
 std::vector<vec2> rectangle(float half_length, float half_width) {
@@ -64,11 +68,22 @@ void add_obstacles(Drawing& drawing, const Scene& scene) {
 
 void add_zone(Drawing& drawing, const Zone& zone, Pattern pattern, vec4 colour, vec2 flow = {}, float amount = 0) {
     const vec2 ahead = maths::direction(zone.heading);
-    drawing.list.zones.push_back(
-        {{zone.x, zone.y, ahead.x, ahead.y},
-         {zone.length / 2, zone.width / 2, zone.round ? 1.0f : 0.0f, static_cast<float>(pattern)},
-         colour,
-         {flow.x, flow.y, amount, 0}});
+    vec2 half{zone.length / 2, zone.width / 2};
+    float form = zone.round ? 1.0f : 0.0f;
+    std::array<vec4, 4> corners{};
+    if (!zone.corners.empty()) {
+        const std::vector<vec2> own = corners_of(zone);
+        half = {};
+        for (const vec2 corner : own)
+            half = {std::max(half.x, std::fabs(corner.x)), std::max(half.y, std::fabs(corner.y))};
+        form = static_cast<float>(own.size());
+        corners = packed(own);
+    }
+    drawing.list.zones.push_back({{zone.x, zone.y, ahead.x, ahead.y},
+                                  {half.x, half.y, form, static_cast<float>(pattern)},
+                                  colour,
+                                  {flow.x, flow.y, amount, 0},
+                                  corners});
 }
 
 void add_surface(Drawing& drawing, const Zone& zone) {

@@ -81,6 +81,23 @@ struct Palette {
 constexpr Colour colour_of(const Palette& p, Channel channel) { return p.channels[static_cast<std::size_t>(channel)]; }
 
 // The colour of a vehicle's role.
+// The colour of a surface; of the plain floor for `none`.
+constexpr Colour colour_of(const Palette& p, Surface surface) {
+    switch (surface) {
+        case Surface::ice:
+            return p.ice;
+        case Surface::carpet:
+            return p.carpet;
+        case Surface::sand:
+            return p.sand;
+        case Surface::tape:
+            return p.tape;
+        case Surface::none:
+            break;
+    }
+    return p.floor;
+}
+
 constexpr Colour colour_of(const Palette& p, Role role) {
     return role == Role::predator ? p.predator : role == Role::prey ? p.prey : p.neutral;
 }

@@ -21,9 +21,38 @@ const Kind* kind_or_null(const Snapshot& now, const VehicleView& vehicle) {
     return now.scene && kind < now.scene->kinds.size() ? &now.scene->kinds[kind] : nullptr;
 }
 
+template <class Element>
+const Element* element_at(const std::vector<Element>& all, int index) {
+    return index >= 0 && static_cast<std::size_t>(index) < all.size() ? &all[static_cast<std::size_t>(index)] : nullptr;
+}
+
 const Obstacle* obstacle_at(const Snapshot& now, int index) {
-    const bool known = now.scene && index >= 0 && static_cast<std::size_t>(index) < now.scene->obstacles.size();
-    return known ? &now.scene->obstacles[static_cast<std::size_t>(index)] : nullptr;
+    return now.scene ? element_at(now.scene->obstacles, index) : nullptr;
+}
+
+const Zone* zone_at(const Snapshot& now, int index) {
+    return now.scene ? element_at(now.scene->zones, index) : nullptr;
+}
+
+// The boundary of a zone in its own frame; an ellipse as a polygon.
+std::vector<vec2> boundary_of(const Zone& zone) {
+    constexpr int ellipse_corners = 48;
+    if (!zone.round || !zone.corners.empty()) return corners_of(zone);
+    std::vector<vec2> points;
+    for (int i = 0; i < ellipse_corners; ++i) {
+        const vec2 way = maths::direction(2 * maths::pi * static_cast<float>(i) / ellipse_corners);
+        points.push_back({way.x * zone.length / 2, way.y * zone.width / 2});
+    }
+    return points;
+}
+
+// The corners of an obstacle or zone in its own frame; empty for other objects.
+std::vector<vec2> own_outline_of(const Snapshot& now, const SceneObject& object) {
+    if (object.kind == SceneObjectKind::obstacle)
+        if (const Obstacle* obstacle = obstacle_at(now, object.index)) return corners_of(*obstacle);
+    if (object.kind == SceneObjectKind::zone)
+        if (const Zone* zone = zone_at(now, object.index)) return boundary_of(*zone);
+    return {};
 }
 
 const SourceView* source_at(const Snapshot& now, int index) {
@@ -62,14 +91,25 @@ int pick_obstacle(const Snapshot& now, const CameraView& camera_view, vec2 pixel
         const auto at = unproject(camera_view, pixel, obstacle_height * static_cast<float>(slice) / 3);
         if (!at) continue;
         for (int i = 0; i < static_cast<int>(now.scene->obstacles.size()); ++i) {
-            const auto place = place_of(now, {SceneObjectKind::obstacle, i});
+            const SceneObject obstacle{SceneObjectKind::obstacle, i};
+            const auto place = place_of(now, obstacle);
             const float away = maths::distance(*at, {place->x, place->y});
-            if (away >= nearest || away > reach_of(now, {SceneObjectKind::obstacle, i}) + 1) continue;
+            if (away >= nearest || away > reach_of(now, obstacle) + 1) continue;
             const float scale = std::max(pixels_per_metre(camera_view, *at), 1.0f);
-            if (inside(outline_of(now, i), *at, 3 / scale)) nearest = away, found = i;
+            if (inside(outline_of(now, obstacle), *at, 3 / scale)) nearest = away, found = i;
         }
     }
     return found;
+}
+
+// The last one of the zones there: it is drawn over the others.
+int pick_zone(const Snapshot& now, const CameraView& camera_view, vec2 pixel) {
+    const auto at = unproject(camera_view, pixel);
+    if (!at || !now.scene) return -1;
+    const float slack = 3 / std::max(pixels_per_metre(camera_view, *at), 1.0f);
+    for (int i = static_cast<int>(now.scene->zones.size()) - 1; i >= 0; --i)
+        if (inside(outline_of(now, {SceneObjectKind::zone, i}), *at, slack)) return i;
+    return -1;
 }
 
 }  // namespace
@@ -90,11 +130,13 @@ VehicleId pick(const Snapshot& now, const CameraView& camera_view, vec2 pixel) {
     return found;
 }
 
-SceneObject pick_object(const Snapshot& now, const CameraView& camera_view, vec2 pixel) {
+SceneObject pick_object(const Snapshot& now, const CameraView& camera_view, vec2 pixel, bool zones) {
     if (const VehicleId vehicle = pick(now, camera_view, pixel); vehicle != no_vehicle) return vehicle_object(vehicle);
     if (const int source = pick_source(now, camera_view, pixel); source >= 0) return {SceneObjectKind::source, source};
     if (const int obstacle = pick_obstacle(now, camera_view, pixel); obstacle >= 0)
         return {SceneObjectKind::obstacle, obstacle};
+    if (const int zone = zones ? pick_zone(now, camera_view, pixel) : -1; zone >= 0)
+        return {SceneObjectKind::zone, zone};
     return {};
 }
 
@@ -108,6 +150,8 @@ std::optional<Pose> place_of(const Snapshot& now, const SceneObject& object) {
         const auto index = static_cast<std::size_t>(object.index);
         if (const Obstacle* o = obstacle_at(now, object.index))
             return index < now.obstacles.size() ? now.obstacles[index] : Pose{o->x, o->y, o->heading};
+    } else if (object.kind == SceneObjectKind::zone) {
+        if (const Zone* z = zone_at(now, object.index)) return Pose{z->x, z->y, z->heading};
     }
     return std::nullopt;
 }
@@ -120,19 +164,35 @@ float reach_of(const Snapshot& now, const SceneObject& object) {
         return kind ? std::hypot(kind->body.length, kind->body.width) / 2 : vehicle ? 0.6f : 0;
     }
     float reach = 0;
-    if (const Obstacle* obstacle = obstacle_at(now, object.index); obstacle && object.kind == SceneObjectKind::obstacle)
-        for (const vec2 corner : corners_of(*obstacle)) reach = std::max(reach, maths::length(corner));
+    for (const vec2 corner : own_outline_of(now, object)) reach = std::max(reach, maths::length(corner));
     return reach;
 }
 
-std::vector<vec2> outline_of(const Snapshot& now, int index) {
-    const Obstacle* obstacle = obstacle_at(now, index);
-    if (!obstacle) return {};
-    const auto place = place_of(now, {SceneObjectKind::obstacle, index});
+std::vector<vec2> outline_of(const Snapshot& now, const SceneObject& object) {
+    std::vector<vec2> corners = own_outline_of(now, object);
+    if (corners.empty()) return corners;
+    const auto place = place_of(now, object);
     const vec2 ahead = maths::direction(place->heading);
-    std::vector<vec2> corners = corners_of(*obstacle);
     for (vec2& corner : corners) corner = vec2{place->x, place->y} + maths::rotate(corner, ahead);
     return corners;
+}
+
+std::string name_of(const Scene& scene, const SceneObject& object) {
+    const auto name = [&](const auto& all) {
+        const auto* element = element_at(all, object.index);
+        return element ? element->name : std::string();
+    };
+    if (object.kind == SceneObjectKind::source) return name(scene.sources);
+    if (object.kind == SceneObjectKind::obstacle) return name(scene.obstacles);
+    return object.kind == SceneObjectKind::zone ? name(scene.zones) : std::string();
+}
+
+SceneObject object_named(const Scene& scene, SceneObjectKind kind, const std::string& name) {
+    const int index = kind == SceneObjectKind::source     ? find_source(scene, name)
+                      : kind == SceneObjectKind::obstacle ? find_obstacle(scene, name)
+                      : kind == SceneObjectKind::zone     ? find_zone(scene, name)
+                                                          : -1;
+    return index < 0 ? SceneObject{} : SceneObject{kind, index};
 }
 
 }  // namespace braitenlab

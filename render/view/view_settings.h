@@ -21,10 +21,10 @@ struct Overlays {
     friend bool operator==(const Overlays&, const Overlays&) = default;
 };
 
-// A vehicle, and optionally a source or an obstacle besides it: the brain cards still show the vehicle.
+// A vehicle, and optionally a source, an obstacle or a zone besides it: the brain cards still show the vehicle.
 struct Selection {
     VehicleId vehicle = no_vehicle;
-    SceneObject object;      // a source or an obstacle; SceneObject{}: none
+    SceneObject object;      // a source, an obstacle or a zone; SceneObject{}: none
     bool whole_kind = true;  // edits apply to every vehicle of the selected one's kind
     std::string pair;        // KindPair::name of the pair whose wires the sliders set; "": the default one
     friend bool operator==(const Selection&, const Selection&) = default;

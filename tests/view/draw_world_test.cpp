@@ -97,6 +97,20 @@ TEST(DrawWorld, ShowsEachOfAZonesEffects) {
     EXPECT_TRUE(drawn(hand_made::empty(scene), picture).zones.empty());
 }
 
+TEST(DrawWorld, DrawsAPolygonWithinARectangleThatContainsItsCorners) {
+    auto scene = bare();
+    scene->zones.push_back({.name = "a", .surface = Surface::ice, .corners = {{-1, -2}, {3, 0}, {0, 1}}});
+    scene->zones.push_back({.name = "b", .length = 2, .round = true, .surface = Surface::ice});
+    const DrawList list = drawn(hand_made::empty(scene));
+    const ZoneInstance& polygon = list.zones.at(0);
+    EXPECT_EQ(polygon.shape.x, 3);
+    EXPECT_EQ(polygon.shape.y, 2);
+    EXPECT_EQ(polygon.shape.z, 3) << "the number of corners";
+    EXPECT_EQ(polygon.corners[0], (maths::vec4{-1, -2, 3, 0}));
+    EXPECT_EQ(polygon.corners[1].y, 1);
+    EXPECT_EQ(list.zones.at(1).shape.z, 1) << "an ellipse";
+}
+
 TEST(DrawWorld, DrawsWindInWorldDirectionForARotatedZone) {
     auto scene = bare();
     scene->zones.push_back({.name = "a", .heading = maths::pi / 2, .wind_x = 2});

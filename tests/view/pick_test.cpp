@@ -47,6 +47,7 @@ TEST(Pick, FindsNothingBehindTheCamera) {
 
 SceneObject source(int index) { return {SceneObjectKind::source, index}; }
 SceneObject obstacle(int index) { return {SceneObjectKind::obstacle, index}; }
+SceneObject zone(int index) { return {SceneObjectKind::zone, index}; }
 
 // An arena with these obstacles, seen from the overview.
 struct Yard {
@@ -111,9 +112,50 @@ TEST(Pick, PrefersVehiclesToSourcesAndSourcesToObstacles) {
     EXPECT_EQ(yard.at({1.2f, 1.2f}), obstacle(0));
 }
 
+// A yard with a box in the middle and these zones.
+Yard with_zones(std::vector<Zone> zones) {
+    Yard yard({box(0, 0, 0, 1, 1)});
+    auto scene = std::make_shared<Scene>(*yard.now.scene);
+    scene->zones = std::move(zones);
+    yard.now.scene = scene;
+    return yard;
+}
+
+TEST(Pick, FindsTheTopmostZoneBelowAllOtherObjects) {
+    Yard yard = with_zones({{.name = "a", .length = 6, .width = 6}, {.name = "b", .x = 2, .length = 3, .width = 1}});
+    EXPECT_EQ(yard.at({-2, 2}), zone(0));
+    EXPECT_EQ(yard.at({2, 0}), zone(1)) << "of two the last one, which is drawn over the other";
+    EXPECT_EQ(yard.at({0, 0}), obstacle(0));
+    EXPECT_FALSE(yard.at({-4, 2}));
+    EXPECT_FALSE(pick_object(yard.now, yard.camera_view, *project(yard.camera_view, {-2, 2}), false))
+        << "zones are not shown";
+    hand_made::add_source(yard.now, Channel::light, 2, 0);
+    EXPECT_EQ(yard.at({2, 0}), source(0));
+}
+
+TEST(Pick, FindsAZoneWithinItsEllipseOrPolygon) {
+    const Yard yard = with_zones({{.name = "a", .x = -5, .length = 6, .width = 4, .round = true},
+                                  {.name = "b", .x = 5, .corners = {{-2, -2}, {2, -2}, {-2, 2}}}});
+    EXPECT_EQ(yard.at({-5, 1.9f}), zone(0));
+    EXPECT_FALSE(yard.at({-7.8f, 1.8f})) << "a corner of its rectangle";
+    EXPECT_EQ(yard.at({4, -1}), zone(1));
+    EXPECT_FALSE(yard.at({6.5f, 1.5f}));
+    EXPECT_FLOAT_EQ(reach_of(yard.now, zone(0)), 3);
+    EXPECT_EQ(outline_of(yard.now, zone(1)).size(), 3u);
+}
+
+TEST(Pick, NamesObjectsAndFindsThemByTheirName) {
+    const Yard yard = with_zones({{.name = "a"}, {.name = "b"}});
+    EXPECT_EQ(name_of(*yard.now.scene, zone(1)), "b");
+    EXPECT_EQ(object_named(*yard.now.scene, SceneObjectKind::zone, "b"), zone(1));
+    EXPECT_EQ(object_named(*yard.now.scene, SceneObjectKind::zone, "c"), SceneObject{});
+    EXPECT_EQ(object_named(*yard.now.scene, SceneObjectKind::source, "b"), SceneObject{});
+    EXPECT_EQ(name_of(*yard.now.scene, zone(2)), "");
+}
+
 TEST(Pick, IgnoresRemovedObjects) {
     const Yard yard({});
-    for (const SceneObject& gone : {vehicle_object(7), source(0), obstacle(3), SceneObject{}}) {
+    for (const SceneObject& gone : {vehicle_object(7), source(0), obstacle(3), zone(0), SceneObject{}}) {
         EXPECT_FALSE(place_of(yard.now, gone));
         EXPECT_EQ(reach_of(yard.now, gone), 0);
     }
