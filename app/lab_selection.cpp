@@ -12,14 +12,10 @@ namespace braitenlab {
 
 namespace {
 
-// Adding or removing objects changes the indices of sources and obstacles, but not their names.
+// Adding or removing objects changes the indices of sources, obstacles and zones, but not their names.
 void keep_object(Lab& lab) {
     SceneObject& object = lab.view.selection.object;
-    if (!object) return;
-    const Scene& scene = *lab.document.session.snapshot().scene;
-    object.index = object.kind == SceneObjectKind::source ? find_source(scene, lab.object_name)
-                                                          : find_obstacle(scene, lab.object_name);
-    if (object.index < 0) object = {};
+    object = object_named(*lab.document.session.snapshot().scene, object.kind, lab.object_name);
 }
 
 // Notice keys for a death: where another vehicle is selected now, and where none is.
@@ -63,10 +59,8 @@ void select_object(Lab& lab, const SceneObject& object) {
     lab.view.selection.object = {};
     const Snapshot& now = lab.document.session.snapshot();
     if (!place_of(now, object) || object.kind == SceneObjectKind::vehicle) return;
-    const auto index = static_cast<std::size_t>(object.index);
     lab.view.selection.object = object;
-    lab.object_name =
-        object.kind == SceneObjectKind::source ? now.scene->sources[index].name : now.scene->obstacles[index].name;
+    lab.object_name = name_of(*now.scene, object);
 }
 
 void select(Lab& lab, const SceneObject& object) {

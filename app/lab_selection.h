@@ -1,4 +1,5 @@
-// The selection: a vehicle, and optionally a source or an obstacle in addition. Manual driving of the selected vehicle.
+// The selection: a vehicle, and optionally a source, an obstacle or a zone in addition. Manual driving of the selected
+// vehicle.
 #pragma once
 
 #include "app/lab.h"
@@ -7,17 +8,17 @@ namespace braitenlab {
 
 const VehicleView* selected_vehicle(const Lab&);  // null when there is none
 
-// The object that Delete removes: the selected source or obstacle, else the selected vehicle.
+// The object that Delete removes: the selected source, obstacle or zone, else the selected vehicle.
 SceneObject chosen(const Lab&);
 
 void select(Lab&, const SceneObject&);
-// Selects a source or an obstacle, or neither; the selected vehicle stays selected.
+// Selects a source, an obstacle or a zone, or none; the selected vehicle stays selected.
 void select_object(Lab&, const SceneObject&);
 // Selects the vehicle `step` places further in the order of ids.
 void select_neighbour(Lab&, int step);
 
 // Makes the selection valid again: selects the first vehicle in place of one that no longer exists, unless
-// Lab::deselected. Call after anything that may have added or removed vehicles, sources or obstacles.
+// Lab::deselected. Call after anything that may have added or removed vehicles, sources, obstacles or zones.
 void keep_selection(Lab&);
 
 // If the selected vehicle has died in this tick, selects the nearest one of its kind and shows a notice. Selects none

@@ -76,6 +76,23 @@ Json obstacles_json(const Snapshot& now, const CameraView& camera_view) {
     return all;
 }
 
+Json zones_json(const Snapshot& now, const CameraView& camera_view) {
+    Json all = Json::array();
+    for (std::size_t i = 0; i < std::min(most_objects, now.scene->zones.size()); ++i) {
+        const Zone& z = now.scene->zones[i];
+        all.push_back({{"name", z.name},
+                       {"x", plain(z.x)},
+                       {"y", plain(z.y)},
+                       {"heading", plain(z.heading)},
+                       {"length", plain(z.length)},
+                       {"width", plain(z.width)},
+                       {"round", z.round},
+                       {"surface", word(z.surface)},
+                       {"at", pixel(camera_view, z.x, z.y)}});
+    }
+    return all;
+}
+
 void add_scene_input(Json& state, const Lab& lab, const ui::SceneInputState& scene_input, const FrameFacts& frame) {
     const CameraView& camera_view = frame.camera_view;
     const Snapshot& now = lab.document.session.snapshot();
@@ -89,6 +106,7 @@ void add_scene_input(Json& state, const Lab& lab, const ui::SceneInputState& sce
     state["vehicles"] = vehicles_json(now, camera_view);
     state["sources"] = sources_json(now, camera_view);
     state["obstacles"] = obstacles_json(now, camera_view);
+    state["zones"] = zones_json(now, camera_view);
 }
 
 Json exercise_json(const Lab& lab) {

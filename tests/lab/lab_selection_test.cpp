@@ -78,6 +78,26 @@ TEST(LabSelection, KeepsASourceWhenOthersAreRemoved) {
     EXPECT_EQ(find_source(*lab.document.session.snapshot().scene, "mine"), -1);
 }
 
+TEST(LabSelection, SelectsDuplicatesAndErasesAZone) {
+    Lab lab = opened_lab("2a-coward");
+    handle(lab, EditRequest{AddZone{{.name = "pond", .x = 2, .length = 3, .surface = Surface::ice}}});
+    EXPECT_EQ(lab.view.selection.object, (SceneObject{SceneObjectKind::zone, 0}));
+    handle(lab, Action::duplicate);
+    const std::vector<Zone>& zones = lab.document.session.snapshot().scene->zones;
+    ASSERT_EQ(zones.size(), 2u);
+    EXPECT_EQ(zones[1].surface, Surface::ice);
+    EXPECT_NE(zones[1].x, 2);
+    handle(lab, TakeRequest{{SceneObjectKind::zone, 1}});
+    handle(lab, EditRequest{RemoveZone{0}});
+    EXPECT_EQ(lab.view.selection.object, (SceneObject{SceneObjectKind::zone, 0})) << "its index has changed";
+    handle(lab, Action::erase);
+    EXPECT_TRUE(lab.document.session.snapshot().scene->zones.empty());
+    EXPECT_FALSE(lab.view.selection.object);
+    for (int i = 0; i < 4; ++i) handle(lab, Action::undo);
+    EXPECT_TRUE(lab.document.session.snapshot().scene->zones.empty());
+    EXPECT_EQ(lab.document.session.undo_depth(), 0);
+}
+
 TEST(LabSelection, IsErasedAndDuplicated) {
     Lab lab = opened_lab("2a-coward");
     handle(lab, EditRequest{AddObstacle{Obstacle{.x = 2, .length = 3}}});

@@ -34,6 +34,22 @@ struct SceneInputEdits : testing::Test {
     float reach() const { return std::hypot(scene->kinds[0].body.length, scene->kinds[0].body.width) / 2; }
 };
 
+TEST_F(SceneInputEdits, AddsRemovesMovesAndCopiesAZone) {
+    scene->zones = {{.name = "pond", .x = 1, .heading = 0.5f, .length = 2, .surface = Surface::ice}};
+    const SceneObject pond{SceneObjectKind::zone, 0};
+    EXPECT_EQ(removal_of(now, pond), Command(RemoveZone{0}));
+    EXPECT_EQ(move_of(now, pond, {9, 1, 2}), Command(MoveZone{0, 5, 1, 2})) << "clamped to the arena";
+    const auto copy = copy_of(now, pond);
+    ASSERT_TRUE(copy);
+    const Zone& zone = std::get<AddZone>(*copy).zone;
+    EXPECT_EQ(zone.surface, Surface::ice);
+    EXPECT_EQ(zone.heading, 0.5f);
+    EXPECT_NE(zone.x, 1);
+    EXPECT_EQ(added_by(now, *copy), pond) << "the last one of a snapshot captured after it";
+    EXPECT_EQ(with_room(now, AddZone{{.x = 3}}), Command(AddZone{{.x = 3}})) << "a zone may lie below an obstacle";
+    EXPECT_FALSE(removal_of(now, {SceneObjectKind::zone, 1}));
+}
+
 TEST_F(SceneInputEdits, KeepsAFreePosition) {
     const vec2 at = free_place(now, {-3, 2}, 0.6f);
     EXPECT_EQ(at.x, -3);

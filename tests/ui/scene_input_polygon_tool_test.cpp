@@ -70,6 +70,25 @@ TEST(PolygonTool, MakesACounterClockwiseObstacleAroundItsCentroid) {
     EXPECT_NEAR(twice_the_area, 9, 1e-4f);
 }
 
+TEST(PolygonTool, GivesAZoneAnOutlineAndKeepsItsHeading) {
+    const Obstacle outline = obstacle_from({{0, 0}, {3, 0}, {0, 3}});
+    const Zone zone = with_outline({.heading = 1.5707963f, .round = true, .slope = 0.2f}, outline);
+    EXPECT_NEAR(zone.x, 1, 1e-5f);
+    EXPECT_NEAR(zone.heading, 1.5707963f, 1e-5f) << "a slope falls along it";
+    EXPECT_EQ(zone.slope, 0.2f);
+    EXPECT_FALSE(zone.round);
+    ASSERT_EQ(zone.corners.size(), 3u);
+    EXPECT_NEAR(zone.corners[1].x, -1, 1e-4f) << "2 m to the east and 1 m to the south, seen to the north";
+    EXPECT_NEAR(zone.corners[1].y, -2, 1e-4f);
+}
+
+TEST(PolygonTool, MakesAZoneOfTwoMetresFromOnePoint) {
+    const Zone zone = zone_between({1, 2}, {1, 2});
+    EXPECT_EQ(zone.x, 1);
+    EXPECT_EQ(zone.length, 2);
+    EXPECT_EQ(zone_between({0, 0}, {4, -1}).length, 4);
+}
+
 TEST(PolygonTool, MakesABoxFromAnyTwoOppositeCorners) {
     const Obstacle a = box_between({1, 2}, {4, -2}), b = box_between({4, -2}, {1, 2});
     EXPECT_EQ(a, b);

@@ -22,6 +22,7 @@ struct SceneInput : testing::Test {
         auto scene = std::make_shared<Scene>(*desk.now.scene);
         scene->sources.push_back({.name = "lamp", .x = -3, .y = 6});
         scene->obstacles.push_back({.name = "box", .x = 3, .y = 6, .length = 2, .width = 1});
+        scene->zones.push_back({.name = "pond", .x = 6, .y = -7, .length = 3, .width = 2, .surface = Surface::ice});
         desk.now.scene = scene;
         desk.now.sources.push_back({0, Channel::light, -3, 6, 1});
         desk.now.obstacles.push_back({3, 6, 0});
@@ -74,7 +75,8 @@ struct SceneInput : testing::Test {
 
     Desk desk;
     CameraView camera_view = look(Camera{}, Arena{}, nullptr, {0, 0, 1280, 800}, {336, 64, 576, 680});
-    const SceneObject lamp{SceneObjectKind::source, 0}, box{SceneObjectKind::obstacle, 0};
+    const SceneObject lamp{SceneObjectKind::source, 0}, box{SceneObjectKind::obstacle, 0},
+        pond{SceneObjectKind::zone, 0};
 };
 
 TEST_F(SceneInput, FindsTheObjectUnderThePointerAndSetsTheCursor) {
@@ -200,6 +202,92 @@ TEST_F(SceneInput, PrefersAVehicleToTheRingKnobOverIt) {
     desk.point("stage.knob");
     desk.frame();
     EXPECT_TRUE(scene_input().hovered.handle);
+}
+
+TEST_F(SceneInput, SelectsAZoneByAClickAndTurnsTheViewByADragOfAnUnselectedOne) {
+    hold({6, -7}, {7, -7});
+    EXPECT_EQ(scene_input().drag.phase, SceneInputPhase::orbit);
+    release();
+    EXPECT_TRUE(requests<TakeRequest>().empty());
+    desk.rest();
+    click({6, -7});
+    ASSERT_EQ(requests<TakeRequest>().size(), 1u);
+    EXPECT_EQ(requests<TakeRequest>()[0].object, pond);
+    EXPECT_TRUE(desk.edits().empty());
+}
+
+TEST_F(SceneInput, DragsTheSelectedZoneInOneGestureAndEscapeRestoresIt) {
+    take(pond);
+    hold({6, -7}, {4, -6});
+    const auto moves = commands<MoveZone>();
+    ASSERT_GE(moves.size(), 2u);
+    EXPECT_NEAR(moves.back().x, 4, a_pixel);
+    EXPECT_NEAR(moves.back().y, -6, a_pixel);
+    EXPECT_EQ(desk.edits().front().gesture, desk.edits().back().gesture);
+    Scene scene = *desk.now.scene;
+    scene.zones[0].x = 4, scene.zones[0].y = -6;
+    desk.now.scene = std::make_shared<const Scene>(scene);
+    desk.key({key::escape});
+    EXPECT_EQ(commands<MoveZone>().back(), (MoveZone{0, 6, -7, 0}));
+}
+
+TEST_F(SceneInput, TurnsAZoneByItsRingAndMovesItByArrowKeys) {
+    take(pond);
+    point({6.2f, -7});
+    desk.frame();
+    ASSERT_TRUE(desk.anchors.find("stage.knob"));
+    desk.point("stage.knob");
+    desk.frame();
+    press();
+    point({6, -4});
+    EXPECT_NEAR(commands<MoveZone>().back().heading, maths::pi / 2, 0.02f);
+    release();
+    desk.key({key::left});
+    EXPECT_NEAR(commands<MoveZone>().back().x, 5.9f, 1e-4f);
+}
+
+TEST_F(SceneInput, IgnoresZonesThatAreNotShown) {
+    desk.view.settings.overlays.surfaces = false;
+    point({6, -7});
+    EXPECT_FALSE(scene_input().hovered);
+}
+
+TEST_F(SceneInput, OffersAZoneItsOwnMenuAndWhatCanBeAddedOnIt) {
+    click({6, -7}, 1);
+    EXPECT_EQ(scene_input().menu.object, pond);
+    desk.click("menu.add.light");
+    EXPECT_NEAR(commands<AddSource>().back().source.x, 6, a_pixel);
+    click({6, -7}, 1);
+    desk.click("menu.erase");
+    EXPECT_EQ(commands<RemoveZone>().size(), 1u);
+    click({6, -7}, 1);
+    desk.click("menu.duplicate");
+    EXPECT_EQ(commands<AddZone>().back().zone.surface, Surface::ice);
+    click({0, 3}, 1);
+    desk.click("menu.add.zone");
+    EXPECT_NEAR(commands<AddZone>().back().zone.y, 3, a_pixel);
+}
+
+TEST_F(SceneInput, EditsAZoneOnItsCard) {
+    take(pond);
+    desk.frame(2);
+    desk.click("thing.surface.sand");
+    EXPECT_EQ(commands<EditZone>().back().to.surface, Surface::sand);
+    EXPECT_EQ(commands<EditZone>().back().to.length, 3);
+    desk.click("thing.shape.2");
+    EXPECT_TRUE(commands<EditZone>().back().to.round);
+    const auto edits = commands<EditZone>().size();
+    for (const char* slider : {"thing.length", "thing.width", "thing.heading", "thing.recharge", "thing.wind_x",
+                               "thing.wind_y", "thing.slope", "thing.pull"})
+        EXPECT_TRUE(desk.anchors.find(slider)) << slider;
+    desk.click("thing.shape.3");
+    EXPECT_EQ(scene_input().tool, SceneInputTool::polygon);
+    for (const vec2 corner : {vec2{-1, 2}, vec2{2, 2}, vec2{2, 4}}) click(corner);
+    desk.key({key::enter});
+    ASSERT_EQ(commands<EditZone>().size(), edits + 1);
+    EXPECT_EQ(commands<EditZone>().back().zone, 0);
+    EXPECT_EQ(commands<EditZone>().back().to.corners.size(), 3u);
+    EXPECT_TRUE(commands<AddObstacle>().empty()) << "the outline is that of the zone";
 }
 
 TEST_F(SceneInput, HasNoRingAroundALamp) {

@@ -32,6 +32,7 @@ void with_objects(Desk& desk) {
     Obstacle triangle;
     triangle.corners = {{-1, -1}, {1, -1}, {0, 1}};
     scene->sources.resize(1), scene->obstacles = {Obstacle{}, triangle};
+    scene->zones = {Zone{.surface = Surface::tape}, Zone{.corners = triangle.corners}};
     desk.now.scene = scene;
     desk.now.sources.resize(1);
     for (const Kind& kind : scene->kinds) desk.now.kind_brains.push_back(std::make_shared<BrainGraph>(kind.brain));
@@ -107,6 +108,18 @@ std::vector<Screen> screens() {
         {"a triangle",
          [](Desk& d) {
              with_objects(d), d.view.settings.selection.object = {SceneObjectKind::obstacle, 1};
+         }},
+        {"a zone",
+         [](Desk& d) {
+             with_objects(d), d.view.settings.selection.object = {SceneObjectKind::zone, 0};
+         }},
+        {"a polygon of a zone",
+         [](Desk& d) {
+             with_objects(d), d.view.settings.selection.object = {SceneObjectKind::zone, 1};
+         }},
+        {"menu of a zone",
+         [](Desk& d) {
+             with_menu(d, {SceneObjectKind::zone, 0}, MenuPage::top);
          }},
         {"menu of the floor", [](Desk& d) { with_menu(d, {}, MenuPage::top); }},
         {"menu of a vehicle", [](Desk& d) { with_menu(d, vehicle_object(0), MenuPage::top); }},

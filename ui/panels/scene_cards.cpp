@@ -1,4 +1,4 @@
-// The card of the open scene and the card of the selected lamp or obstacle.
+// The card of the open scene and the card of the selected lamp, obstacle or zone.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -33,8 +33,16 @@ struct ObjectNumber {
 constexpr ObjectNumber source_strength{"thing.strength", "thing.strength", "thing.strength_how", "", 0, 1, 1, 0.01f, 2};
 constexpr ObjectNumber obstacle_length{"thing.length", "thing.length", "thing.length_how", " m", 0.2f, 10, 1, 0.01f, 2};
 constexpr ObjectNumber obstacle_width{"thing.width", "thing.width", "thing.width_how", " m", 0.2f, 10, 1, 0.01f, 2};
-constexpr ObjectNumber obstacle_heading{"thing.heading", "thing.heading", "thing.heading_how", "°", -180, 180, 0, 1, 0};
+constexpr ObjectNumber object_heading{"thing.heading", "thing.heading", "thing.heading_how", "°", -180, 180, 0, 1, 0};
 constexpr ObjectNumber obstacle_mass{"thing.mass", "thing.mass", "thing.mass_how", " kg", 0, 50, 0, 0.1f, 1};
+constexpr ObjectNumber zone_length{"thing.length", "thing.length", "thing.length_how", " m", 0.1f, 20, 2, 0.01f, 2};
+constexpr ObjectNumber zone_width{"thing.width", "thing.width", "thing.width_how", " m", 0.1f, 20, 2, 0.01f, 2};
+constexpr ObjectNumber zone_recharge{
+    "thing.recharge", "thing.recharge", "thing.recharge_how", " /s", 0, 1, 0, 0.01f, 2};
+constexpr ObjectNumber zone_wind_x{"thing.wind_x", "thing.wind_x", "thing.wind_x_how", " N", -60, 60, 0, 0.5f, 1};
+constexpr ObjectNumber zone_wind_y{"thing.wind_y", "thing.wind_y", "thing.wind_y_how", " N", -60, 60, 0, 0.5f, 1};
+constexpr ObjectNumber zone_slope{"thing.slope", "thing.slope", "thing.slope_how", "°", 0, 45, 0, 1, 0};
+constexpr ObjectNumber zone_pull{"thing.pull", "thing.pull", "thing.pull_how", " N", -60, 60, 0, 0.5f, 1};
 
 // The edit by the slider, or nullopt.
 std::optional<SliderEdit> turn(const LabView& view, PanelState& state, Ui& ui, const ObjectNumber& which, float value) {
@@ -94,41 +102,117 @@ void source_values(const LabView& view, PanelState& state, Ui& ui, int index) {
     if (to) ui.outbox.push_back(EditRequest{EditSource{index, *to}, gesture});
 }
 
-void obstacle_values(const LabView& view, PanelState& state, Ui& ui, int index) {
-    // A movable obstacle may have left its position in the scene: edit it where it is now.
-    Obstacle now = view.now->scene->obstacles[static_cast<std::size_t>(index)];
-    const Pose place = *place_of(*view.now, {SceneObjectKind::obstacle, index});
-    now.x = place.x, now.y = place.y, now.heading = place.heading;
-    std::optional<Obstacle> to;
-    std::uint64_t gesture = 0;
-    const auto number = [&](const ObjectNumber& which, float value, auto set) {
-        const auto edit = turn(view, state, ui, which, value);
+// The sliders of an object of type Thing: collects the edit of this frame.
+template <class Thing>
+class ThingSliders {
+public:
+    ThingSliders(const LabView& view, PanelState& state, Ui& ui, Thing now)
+        : now(std::move(now)), view_(view), state_(state), ui_(ui) {}
+
+    template <class Set>
+    void number(const ObjectNumber& which, float value, Set set) {
+        const auto edit = turn(view_, state_, ui_, which, value);
         if (!edit) return;
         to = now;
         set(*to, edit->value);
         gesture = edit->gesture;
-    };
+    }
+
+    const Thing now;
+    std::optional<Thing> to;
+    std::uint64_t gesture = 0;
+
+private:
+    const LabView& view_;
+    PanelState& state_;
+    Ui& ui_;
+};
+
+void obstacle_values(const LabView& view, PanelState& state, Ui& ui, int index) {
+    // A movable obstacle may have left its position in the scene: edit it where it is now.
+    Obstacle here = view.now->scene->obstacles[static_cast<std::size_t>(index)];
+    const Pose place = *place_of(*view.now, {SceneObjectKind::obstacle, index});
+    here.x = place.x, here.y = place.y, here.heading = place.heading;
+    ThingSliders<Obstacle> rows(view, state, ui, std::move(here));
+    const Obstacle& now = rows.now;
     if (now.corners.empty()) {
-        number(obstacle_length, now.length, [](Obstacle& o, float v) { o.length = v; });
-        number(obstacle_width, now.width, [](Obstacle& o, float v) { o.width = v; });
+        rows.number(obstacle_length, now.length, [](Obstacle& o, float v) { o.length = v; });
+        rows.number(obstacle_width, now.width, [](Obstacle& o, float v) { o.width = v; });
     } else {
         paragraph(ui, fill(ui.strings("thing.corners"), {std::to_string(now.corners.size())}), ui.palette.second_text);
     }
-    number(obstacle_heading, maths::degrees(now.heading), [](Obstacle& o, float v) { o.heading = maths::radians(v); });
-    number(obstacle_mass, now.mass, [](Obstacle& o, float v) { o.mass = v; });
-    if (to) ui.outbox.push_back(EditRequest{EditObstacle{index, *to}, gesture});
+    rows.number(object_heading, maths::degrees(now.heading),
+                [](Obstacle& o, float v) { o.heading = maths::radians(v); });
+    rows.number(obstacle_mass, now.mass, [](Obstacle& o, float v) { o.mass = v; });
+    if (rows.to) ui.outbox.push_back(EditRequest{EditObstacle{index, *rows.to}, rows.gesture});
+}
+
+// A square in a surface's colour; true when it was pressed.
+bool surface_swatch(Ui& ui, Surface surface, bool chosen) {
+    const float size = ui.px(28), half = ui.px(8), frame = ui.px(12);
+    const std::string name(word(surface));
+    const Item at = item(ui, "thing.surface." + name, {size, size});
+    const auto square = [&](float reach) {
+        return Rect{at.middle_x() - reach, at.middle_y() - reach, 2 * reach, 2 * reach};
+    };
+    if (chosen || at.warmth > 0)
+        line_box(ui, square(frame), chosen ? ui.palette.text : ui.palette.second_text.with_alpha(at.warmth), 5);
+    if (surface != Surface::none) fill_box(ui, square(half), colour_of(ui.palette, surface), 3);
+    line_box(ui, square(half), ui.palette.second_text, 3);
+    tooltip(ui, at, ui.strings("surface." + name));
+    return at.pressed;
+}
+
+// Rectangle, ellipse or polygon. A press of polygon starts to draw its corners.
+void zone_shape(PanelState& state, Ui& ui, int index, ThingSliders<Zone>& rows) {
+    const std::array<std::string_view, 3> words{ui.strings("thing.rectangle"), ui.strings("thing.ellipse"),
+                                                ui.strings("thing.polygon")};
+    const int now = !rows.now.corners.empty() ? 2 : rows.now.round ? 1 : 0;
+    const int pressed = segments(ui, "thing.shape", words, now, card_width(ui), ui.strings("thing.shape_how"));
+    if (pressed == 2) {
+        choose_tool(state.scene_input, SceneInputTool::polygon);
+        state.scene_input.redrawn = {SceneObjectKind::zone, index};
+    } else if (pressed >= 0 && pressed != now) {
+        rows.to = rows.now;
+        rows.to->corners.clear();
+        rows.to->round = pressed == 1;
+    }
+}
+
+void zone_values(const LabView& view, PanelState& state, Ui& ui, int index) {
+    ThingSliders<Zone> rows(view, state, ui, view.now->scene->zones[static_cast<std::size_t>(index)]);
+    const Zone& now = rows.now;
+    paragraph(ui, ui.strings("surface." + std::string(word(now.surface))), ui.palette.text, Face::strong);
+    for (const SurfaceTraits& surface : surface_table) {
+        if (surface.value != Surface::none) ImGui::SameLine(0, ui.px(4));
+        if (surface_swatch(ui, surface.value, surface.value == now.surface) && surface.value != now.surface)
+            rows.to = now, rows.to->surface = surface.value;
+    }
+    zone_shape(state, ui, index, rows);
+    if (now.corners.empty()) {
+        rows.number(zone_length, now.length, [](Zone& z, float v) { z.length = v; });
+        rows.number(zone_width, now.width, [](Zone& z, float v) { z.width = v; });
+    }
+    rows.number(object_heading, maths::degrees(now.heading), [](Zone& z, float v) { z.heading = maths::radians(v); });
+    rows.number(zone_recharge, now.recharge, [](Zone& z, float v) { z.recharge = v; });
+    rows.number(zone_wind_x, now.wind_x, [](Zone& z, float v) { z.wind_x = v; });
+    rows.number(zone_wind_y, now.wind_y, [](Zone& z, float v) { z.wind_y = v; });
+    rows.number(zone_slope, maths::degrees(now.slope), [](Zone& z, float v) { z.slope = maths::radians(v); });
+    rows.number(zone_pull, now.pull, [](Zone& z, float v) { z.pull = v; });
+    if (rows.to) ui.outbox.push_back(EditRequest{EditZone{index, *rows.to}, rows.gesture});
 }
 
 }  // namespace
 
 void object_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
-    const bool source = view.settings.selection.object.kind == SceneObjectKind::source;
-    const auto words = ui.strings(source ? "thing.source" : "thing.obstacle");
-    if (open_card(state, ui, Card::object, place, {}, words)) {
-        if (source)
-            source_values(view, state, ui, view.settings.selection.object.index);
+    const SceneObject object = view.settings.selection.object;
+    if (open_card(state, ui, Card::object, place, {}, ui.strings("thing." + std::string(word(object.kind))))) {
+        if (object.kind == SceneObjectKind::source)
+            source_values(view, state, ui, object.index);
+        else if (object.kind == SceneObjectKind::zone)
+            zone_values(view, state, ui, object.index);
         else
-            obstacle_values(view, state, ui, view.settings.selection.object.index);
+            obstacle_values(view, state, ui, object.index);
         object_buttons(ui);
     }
     end_card(state.card(Card::object));

@@ -11,6 +11,7 @@
 #include "core/scene/enums.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/edits.h"
+#include "ui/scene_input/polygon_tool.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/card.h"
@@ -48,8 +49,7 @@ public:
             of_vehicle();
         else if (menu_.object)
             of_object();
-        else
-            of_floor();
+        if (!menu_.object || menu_.object.kind == SceneObjectKind::zone) of_floor();
         return std::move(rows_);
     }
 
@@ -127,7 +127,7 @@ private:
         const auto index = static_cast<std::size_t>(menu_.object.index);
         if (!place_of(now_, menu_.object)) return;
         heading(source ? words("source." + std::string(word(now_.scene->sources[index].channel)))
-                       : words("thing.obstacle"));
+                       : words("thing." + std::string(word(menu_.object.kind))));
         copy_and_erase();
     }
 
@@ -151,6 +151,7 @@ private:
         box.x = menu_.place.x, box.y = menu_.place.y;
         add("add.box", words("menu.box"), {EditRequest{AddObstacle{box}}}).rule_above = true;
         add("add.polygon", words("menu.polygon")).takes = SceneInputTool::polygon;
+        add("add.zone", words("menu.zone"), {EditRequest{AddZone{zone_between(menu_.place, menu_.place)}}});
         add("home", words("action.home"), {Action::home}, keys(Action::home)).rule_above = true;
     }
 
@@ -217,7 +218,7 @@ void execute(const LabView& view, PanelState& state, Ui& ui, const SceneMenuRow&
         ui.outbox.push_back(std::move(request));
     }
     if (row.takes) {
-        scene_input.tool = *row.takes;
+        choose_tool(scene_input, *row.takes);
         scene_input.corners = {scene_input.menu.place};
     }
     scene_input.menu.open = false;

@@ -73,8 +73,7 @@ void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect scene) {
         tool_sign(ui, look.tool, {at.middle_x(), at.middle_y()}, on ? p.text : mix(p.second_text, p.text, at.warmth));
         tooltip(ui, at, ui.strings(look.words), ui.strings(look.how));
         if (at.pressed) {
-            state.scene_input.tool = on ? SceneInputTool::hand : look.tool;
-            state.scene_input.corners.clear();
+            choose_tool(state.scene_input, on ? SceneInputTool::hand : look.tool);
             if (!at.entered && ui.keyboard) ui.keyboard->focus.clear();  // Esc and Enter then apply to the tool
         }
         x += size;

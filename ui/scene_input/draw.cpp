@@ -80,10 +80,11 @@ private:
         const auto place = place_of(*frame_.view.now, object);
         if (!place) return;
         if (object.kind == SceneObjectKind::source) line(circle({place->x, place->y}, source_ring), colour, width);
-        if (object.kind != SceneObjectKind::obstacle) return;
-        const auto corners = outline_of(*frame_.view.now, object.index);
-        line(on_screen(corners), colour.with_alpha(0.6f * colour.a), width);
-        line(on_screen(corners, obstacle_height), colour, width);
+        const bool obstacle = object.kind == SceneObjectKind::obstacle;
+        if (!obstacle && object.kind != SceneObjectKind::zone) return;
+        const auto corners = outline_of(*frame_.view.now, object);
+        line(on_screen(corners), obstacle ? colour.with_alpha(0.6f * colour.a) : colour, width);
+        if (obstacle) line(on_screen(corners, obstacle_height), colour, width);
     }
 
     void draw_handle(const Handle& handle) const {

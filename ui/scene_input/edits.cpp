@@ -48,6 +48,7 @@ std::optional<Command> removal_of(const Snapshot& now, const SceneObject& object
     if (!place_of(now, object)) return std::nullopt;
     if (object.kind == SceneObjectKind::vehicle) return RemoveVehicle{object.index};
     if (object.kind == SceneObjectKind::source) return RemoveSource{object.index};
+    if (object.kind == SceneObjectKind::zone) return RemoveZone{object.index};
     return RemoveObstacle{object.index};
 }
 
@@ -68,6 +69,11 @@ std::optional<Command> copy_of(const Snapshot& now, const SceneObject& object) {
         source.x = at.x, source.y = at.y;
         return with_room(now, AddSource{source});
     }
+    if (object.kind == SceneObjectKind::zone) {
+        Zone zone = now.scene->zones[static_cast<std::size_t>(object.index)];
+        zone.x = at.x, zone.y = at.y;
+        return AddZone{zone};
+    }
     Obstacle obstacle = now.scene->obstacles[static_cast<std::size_t>(object.index)];
     obstacle.x = at.x, obstacle.y = at.y, obstacle.heading = at.heading;
     return with_room(now, AddObstacle{obstacle});
@@ -78,6 +84,7 @@ std::optional<Command> move_of(const Snapshot& now, const SceneObject& object, P
     const vec2 within = clamped_to_arena(now, {to.x, to.y}, wall_margin(now, object));
     if (object.kind == SceneObjectKind::vehicle) return MoveVehicle{object.index, within.x, within.y, to.heading};
     if (object.kind == SceneObjectKind::source) return MoveSource{object.index, within.x, within.y};
+    if (object.kind == SceneObjectKind::zone) return MoveZone{object.index, within.x, within.y, to.heading};
     return MoveObstacle{object.index, within.x, within.y, to.heading};
 }
 
@@ -111,6 +118,8 @@ SceneObject added_by(const Snapshot& now, const Command& command) {
         return newest(SceneObjectKind::source, now.scene->sources.size(), source->before);
     if (const auto* obstacle = std::get_if<AddObstacle>(&command))
         return newest(SceneObjectKind::obstacle, now.scene->obstacles.size(), obstacle->before);
+    if (const auto* zone = std::get_if<AddZone>(&command))
+        return newest(SceneObjectKind::zone, now.scene->zones.size(), zone->before);
     return {};
 }
 
@@ -126,7 +135,7 @@ struct Disc {
     float reach = 0;
 };
 
-// All objects of the scene.
+// All objects that take room: vehicles, sources and obstacles.
 struct Obstructions {
     std::vector<Disc> discs;
     std::vector<std::vector<vec2>> blocks;  // corners, counter-clockwise
@@ -136,7 +145,8 @@ Obstructions obstructions_in(const Snapshot& now) {
     Obstructions all;
     for (const VehicleView& v : now.vehicles) all.discs.push_back({{v.x, v.y}, reach_of(now, vehicle_object(v.id))});
     for (const SourceView& source : now.sources) all.discs.push_back({{source.x, source.y}, source_reach});
-    for (int i = 0; i < static_cast<int>(now.scene->obstacles.size()); ++i) all.blocks.push_back(outline_of(now, i));
+    for (int i = 0; i < static_cast<int>(now.scene->obstacles.size()); ++i)
+        all.blocks.push_back(outline_of(now, {SceneObjectKind::obstacle, i}));
     return all;
 }
 

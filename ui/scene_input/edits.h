@@ -35,7 +35,7 @@ SceneObject added_by(const Snapshot&, const Command&);
 maths::vec2 free_place(const Snapshot&, maths::vec2 wanted, float reach);
 
 // For a command that adds an object: the command with the nearest free position. An obstacle is treated as the largest
-// disc within it. Other commands are returned unchanged.
+// disc within it; a zone needs no free position. Other commands are returned unchanged.
 Command with_room(const Snapshot&, Command);
 
 }  // namespace braitenlab::ui

@@ -34,6 +34,12 @@ void begin_drag(SceneInputState& state, const SceneInputFrame& frame) {
     drag.gesture = gestures::viewport + ++state.gesture;
     if (!drag.left) return;
     drag.on = state.hovered;
+    // A zone may cover most of the floor: the first click selects it, and a drag of an unselected one turns the view.
+    const bool zone = drag.on.object.kind == SceneObjectKind::zone && !drag.on.handle;
+    if (zone && drag.on.object != chosen(frame.view)) {
+        drag.click = drag.on.object;
+        drag.on = {};
+    }
     const auto place = place_of(*frame.view.now, drag.on.object);
     if (!place) return;
     drag.began = *place;
@@ -130,7 +136,7 @@ void finish_move(const SceneInputDrag& drag, const LabView& view, Outbox& outbox
 void open_menu(SceneInputState& state, const SceneInputFrame& frame) {
     state.menu = {};
     state.menu.open = true;
-    state.menu.object = pick_object(*frame.view.now, frame.camera_view, frame.pointer.at);
+    state.menu.object = object_at_pointer(frame);
     state.menu.at = frame.pointer.at;
     state.menu.place = in_arena(frame.view, floor_at(frame).value_or(vec2{}));
 }
@@ -153,7 +159,7 @@ void release(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbo
         if (!pointer.shift) state.tool = SceneInputTool::hand;
     }
     if (drag.phase != SceneInputPhase::pending || frame.view.mode == Mode::wiring) return;
-    if (drag.left && !drag.on) choose({}, frame.view, outbox);
+    if (drag.left && !drag.on) choose(drag.click, frame.view, outbox);
     if (drag.right && state.tool != SceneInputTool::hand)
         take_back_corner(state);
     else if (drag.right)
@@ -193,7 +199,7 @@ bool cancel(SceneInputState& state, const LabView& view, Outbox& outbox) {
     } else if (!state.corners.empty()) {
         state.corners.clear();
     } else if (state.tool != SceneInputTool::hand) {
-        state.tool = SceneInputTool::hand;
+        choose_tool(state, SceneInputTool::hand);
     } else if (view.settings.selection.object) {
         outbox.push_back(TakeRequest{});
     } else {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/maths/angle.h"
 #include "core/scene/schema.h"
 #include "ui/scene_input/under_pointer.h"
 
@@ -46,7 +47,7 @@ void click_corner(SceneInputState& state, const SceneInputFrame& frame, vec2 at,
     const bool on_first =
         state.corners.size() >= 3 && pixels_from(frame, state.corners[0]) <= corner_grip * frame.scale;
     if (on_first || (pointer.left_double && state.corners.size() >= 3))
-        return close_outline(state, frame.view.wall_seconds, pointer.shift, outbox);
+        return close_outline(state, frame.view, pointer.shift, outbox);
     if (pointer.left_double) return;  // the first click has set the corner
     if (const OutlineFault fault = fault_of_next(state.corners, at); fault != OutlineFault::none)
         return show_refusal(state, frame.view.wall_seconds, refusal_of(fault));
@@ -61,10 +62,18 @@ void take_back_corner(SceneInputState& state) {
         state.corners.pop_back();
 }
 
-void close_outline(SceneInputState& state, double wall_seconds, bool keep_tool, Outbox& outbox) {
+void close_outline(SceneInputState& state, const LabView& view, bool keep_tool, Outbox& outbox) {
     if (const OutlineFault fault = fault_of(state.corners); fault != OutlineFault::none)
-        return show_refusal(state, wall_seconds, refusal_of(fault));
-    outbox.push_back(EditRequest{AddObstacle{obstacle_from(state.corners)}});
+        return show_refusal(state, view.wall_seconds, refusal_of(fault));
+    const Obstacle drawn = obstacle_from(state.corners);
+    if (place_of(*view.now, state.redrawn)) {
+        const Zone& zone = view.now->scene->zones[static_cast<std::size_t>(state.redrawn.index)];
+        outbox.push_back(EditRequest{EditZone{state.redrawn.index, with_outline(zone, drawn)}});
+        keep_tool = false;
+    } else {
+        outbox.push_back(EditRequest{AddObstacle{drawn}});
+    }
+    state.redrawn = {};
     state.corners.clear();
     state.refusal = {};
     if (!keep_tool) state.tool = SceneInputTool::hand;
@@ -162,6 +171,28 @@ Obstacle obstacle_from(const std::vector<vec2>& given) {
     }
     obstacle.length = high.x - low.x, obstacle.width = high.y - low.y;
     return obstacle;
+}
+
+Zone with_outline(Zone zone, const Obstacle& outline) {
+    zone.x = outline.x, zone.y = outline.y;
+    zone.length = outline.length, zone.width = outline.width;
+    zone.round = false;
+    zone.corners.clear();
+    const vec2 ahead = maths::direction(zone.heading);  // kept: a slope falls along it
+    for (const vec2 corner : corners_of(outline)) {
+        const vec2 own = maths::rotate(corner, {ahead.x, -ahead.y});
+        zone.corners.push_back({own.x, own.y});
+    }
+    return zone;
+}
+
+Zone zone_between(vec2 a, vec2 b) {
+    constexpr vec2 half{1, 1};  // m
+    const Obstacle box = a == b ? box_between(a - half, b + half) : box_between(a, b);
+    Zone zone;
+    zone.surface = Surface::ice;
+    zone.x = box.x, zone.y = box.y, zone.length = box.length, zone.width = box.width;
+    return zone;
 }
 
 Obstacle box_between(vec2 a, vec2 b) {

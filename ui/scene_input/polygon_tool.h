@@ -1,5 +1,5 @@
-// Drawing of an obstacle: a polygon corner by corner, or a box. A click on the first corner or a double click closes
-// the polygon. Does not use Dear ImGui.
+// Drawing of an obstacle or a zone: a polygon corner by corner, or a rectangle. A click on the first corner or a double
+// click closes the polygon. Does not use Dear ImGui.
 #pragma once
 
 #include <string_view>
@@ -34,8 +34,14 @@ std::string_view refusal_of(OutlineFault);
 // The obstacle with these corners; its position is their centroid. Precondition: fault_of() is none.
 Obstacle obstacle_from(const std::vector<maths::vec2>& corners);
 
+// The zone with this outline, which has heading 0, instead of its own. Its heading does not change.
+Zone with_outline(Zone, const Obstacle& outline);
+
 // The box between two opposite corners; each side at least 0.2 m long.
 Obstacle box_between(maths::vec2 a, maths::vec2 b);
+
+// A zone of ice between two opposite corners; of 2 by 2 m around them if they are the same point.
+Zone zone_between(maths::vec2 a, maths::vec2 b);
 
 // A press of the left button at this position on the floor, m.
 void click_corner(SceneInputState&, const SceneInputFrame&, maths::vec2 at, Outbox&);
@@ -43,7 +49,8 @@ void click_corner(SceneInputState&, const SceneInputFrame&, maths::vec2 at, Outb
 // Removes the last corner. Without corners, selects the hand.
 void take_back_corner(SceneInputState&);
 
-// Adds the obstacle, or shows why the outline is refused. `keep_tool`: the tool stays selected.
-void close_outline(SceneInputState&, double wall_seconds, bool keep_tool, Outbox&);
+// Adds the obstacle, or gives the outline to the zone SceneInputState::redrawn, or shows why the outline is refused.
+// `keep_tool`: the tool stays selected.
+void close_outline(SceneInputState&, const LabView&, bool keep_tool, Outbox&);
 
 }  // namespace braitenlab::ui

@@ -99,7 +99,7 @@ bool key_for_menu(SceneInputMenu& menu, Keyboard& keyboard, KeyPress press) {
 bool key_for_polygon(const LabView& view, SceneInputState& state, Action action, KeyPress press, Outbox& outbox) {
     if (state.tool != SceneInputTool::polygon) return false;
     if (action == Action::close_outline)
-        close_outline(state, view.wall_seconds, press.shift, outbox);
+        close_outline(state, view, press.shift, outbox);
     else
         take_back_corner(state);
     return true;

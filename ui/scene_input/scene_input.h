@@ -40,6 +40,7 @@ struct SceneInputDrag {
     bool left = true;  // else the right or middle button, which moves the camera
     bool right = false;
     SceneInputHit on;
+    SceneObject click;   // the object that a click selects: the pressed zone, which a drag moves only if it is selected
     maths::vec2 press;   // window pixels
     maths::vec2 last;    // pointer in the last frame, window pixels
     maths::vec2 moved;   // of the pointer since then
@@ -72,6 +73,7 @@ struct SceneInputMenu {
 struct SceneInputState {
     SceneInputTool tool = SceneInputTool::hand;
     std::vector<maths::vec2> corners;  // of the polygon being drawn, m
+    SceneObject redrawn;               // the zone that gets the drawn polygon; none: the polygon is a new obstacle
     SceneInputHit hovered;
     SceneInputDrag drag;
     SceneInputRefusal refusal;
@@ -82,7 +84,14 @@ struct SceneInputState {
     double nudged_at = 0;
 };
 
-// The object that Delete, Ctrl+D, the arrow keys and the handle act on: the selected lamp or obstacle, else the
+// Takes a tool, and discards what another one has begun.
+inline void choose_tool(SceneInputState& state, SceneInputTool tool) {
+    state.tool = tool;
+    state.corners.clear();
+    state.redrawn = {};
+}
+
+// The object that Delete, Ctrl+D, the arrow keys and the handle act on: the selected lamp, obstacle or zone, else the
 // selected vehicle.
 SceneObject chosen(const LabView&);
 
@@ -90,8 +99,8 @@ SceneObject chosen(const LabView&);
 // which no card covers. Does nothing without view.camera_view. Anchor: stage.knob, the handle of the chosen object.
 void scene_input(const LabView&, SceneInputState&, Ui&, Rect area);
 
-// Handles a key: Esc, Enter and Backspace while drawing, arrows for the chosen lamp or obstacle (with Ctrl also for
-// vehicles), and keys of the open menu. Returns false if the key is not used.
+// Handles a key: Esc, Enter and Backspace while drawing, arrows for the chosen lamp, obstacle or zone (with Ctrl also
+// for vehicles), and keys of the open menu. Returns false if the key is not used.
 bool press_key(const LabView&, SceneInputState&, Keyboard&, KeyPress, Outbox&);
 
 // True if the arrow keys move an object and not the camera.

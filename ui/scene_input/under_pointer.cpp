@@ -21,6 +21,10 @@ SceneObject chosen(const LabView& view) {
                                           : vehicle_object(view.settings.selection.vehicle);
 }
 
+SceneObject object_at_pointer(const SceneInputFrame& frame) {
+    return pick_object(*frame.view.now, frame.camera_view, frame.pointer.at, frame.view.settings.overlays.surfaces);
+}
+
 std::optional<vec2> floor_at(const SceneInputFrame& frame) { return unproject(frame.camera_view, frame.pointer.at); }
 
 float pixels_from(const SceneInputFrame& frame, vec2 place) {
@@ -37,7 +41,7 @@ vec2 in_arena(const LabView& view, vec2 place) {
 std::optional<Handle> handle_of(const SceneInputState& state, const SceneInputFrame& frame) {
     const SceneObject object = state.drag.phase == SceneInputPhase::turn ? state.drag.on.object : chosen(frame.view);
     const auto place = place_of(*frame.view.now, object);
-    const bool turns = object.kind == SceneObjectKind::vehicle || object.kind == SceneObjectKind::obstacle;
+    const bool turns = object && object.kind != SceneObjectKind::source;
     const bool free = state.drag.phase == SceneInputPhase::idle || state.drag.phase == SceneInputPhase::turn;
     if (rides(frame.view.settings.camera.mode) && object == vehicle_object(frame.view.settings.selection.vehicle))
         return std::nullopt;
@@ -58,7 +62,7 @@ SceneInputHit under_pointer(const SceneInputState& state, const SceneInputFrame&
     if (!frame.pointer.over || frame.view.mode == Mode::wiring || state.tool != SceneInputTool::hand) return {};
     const auto handle = handle_of(state, frame);
     const auto floor = floor_at(frame);
-    const SceneObject object = pick_object(*frame.view.now, frame.camera_view, frame.pointer.at);
+    const SceneObject object = object_at_pointer(frame);
     const float to_knob = handle ? pixels_from(frame, handle->knob) : 1e9f;
     if (to_knob <= knob_grip * frame.scale) {
         // Another object may be below the knob: take the nearer one.
@@ -66,13 +70,14 @@ SceneInputHit under_pointer(const SceneInputState& state, const SceneInputFrame&
         const bool neighbour = place && pixels_from(frame, {place->x, place->y}) < to_knob;
         return neighbour ? SceneInputHit{object, false} : SceneInputHit{chosen(frame.view), true};
     }
-    if (object) return {object, false};
+    const bool lies_below = object.kind == SceneObjectKind::zone;  // the ring is drawn over zones
+    if (object && !lies_below) return {object, false};
     if (handle && floor) {
         const float off = std::fabs(maths::distance(*floor, handle->middle) - handle->radius);
         if (off * pixels_per_metre(frame.camera_view, *floor) <= ring_grip * frame.scale)
             return {chosen(frame.view), true};
     }
-    return {};
+    return {object, false};
 }
 
 }  // namespace braitenlab::ui

@@ -16,6 +16,9 @@ float pixels_from(const SceneInputFrame&, maths::vec2 place);
 // The nearest position within the arena.
 maths::vec2 in_arena(const LabView&, maths::vec2 place);
 
+// The object under the pointer; zones only while they are shown.
+SceneObject object_at_pointer(const SceneInputFrame&);
+
 // The object or handle that a press takes. None while a tool draws, in Mode::wiring, and under a card.
 SceneInputHit under_pointer(const SceneInputState&, const SceneInputFrame&);
 
