@@ -123,7 +123,7 @@ void App::frame(float passed) {
     ui::draw_window(view, panels_, ui, layout);
 
     const bool arrows_move_camera = arrows_are_free && view.mode != Mode::wiring && panels_.keyboard.focus.empty() &&
-                                    !ui::takes_arrows(view, ImGui::GetIO().KeyCtrl);
+                                    !ui::takes_arrows(view, panels_.scene_input, ImGui::GetIO().KeyCtrl);
     const Arrows held = arrows_move_camera ? arrows() : Arrows{};
     const bool steers = steer_by_keys(lab_, held.turn, held.raise);
     drive_camera(lab_, viewport_, panels_.scene_input, steers ? Arrows{} : held, area, arena, passed);

@@ -33,7 +33,8 @@ enum class KeyPlace {
     view,    // while held and no widget has the focus: moves the camera
     widget,  // while a widget has the focus
     canvas,  // while wiring
-    scene,   // over the scene: while drawing, or while a lamp or an obstacle is selected (with Ctrl, vehicles too)
+    scene,   // over the scene: while a tool draws, or while a lamp, an obstacle or a zone is selected (with Ctrl,
+             // vehicles)
 };
 inline constexpr KeyPlace last_place = KeyPlace::scene;
 

@@ -329,11 +329,11 @@ TEST_F(SceneInput, MovesALampByArrowKeysAlongTheGridAndMergesQuickPresses) {
 TEST_F(SceneInput, MovesTheCameraByArrowKeysUnlessALampIsSelectedOrCtrlIsHeld) {
     desk.key({key::right});
     EXPECT_TRUE(desk.edits().empty());
-    EXPECT_FALSE(takes_arrows(desk.view, false));
+    EXPECT_FALSE(takes_arrows(desk.view, scene_input(), false));
     desk.key({key::right, true});
     EXPECT_NEAR(commands<MoveVehicle>().back().x, -5.9f, 1e-4f);
     take(lamp);
-    EXPECT_TRUE(takes_arrows(desk.view, false));
+    EXPECT_TRUE(takes_arrows(desk.view, scene_input(), false));
 }
 
 TEST_F(SceneInput, AddsALampAtTheClick) {

@@ -152,6 +152,7 @@ private:
         add("add.box", words("menu.box"), {EditRequest{AddObstacle{box}}}).rule_above = true;
         add("add.polygon", words("menu.polygon")).takes = SceneInputTool::polygon;
         add("add.zone", words("menu.zone"), {EditRequest{AddZone{zone_between(menu_.place, menu_.place)}}});
+        add("add.tape", words("menu.tape")).takes = SceneInputTool::tape;
         add("home", words("action.home"), {Action::home}, keys(Action::home)).rule_above = true;
     }
 

@@ -1,4 +1,4 @@
-// The bar of tools over the scene: hand, lamp, box, polygon.
+// The bar of tools over the scene: hand, lamp, box, polygon, zone, tape, ruler.
 #include <array>
 #include <cmath>
 
@@ -24,11 +24,14 @@ struct ToolLook {
     std::string_view anchor, words, how;
 };
 
-constexpr std::array<ToolLook, 4> tool_looks{
+constexpr std::array<ToolLook, tool_words.size()> tool_looks{
     {{SceneInputTool::hand, "tool.hand", "tools.hand", "tools.hand_how"},
      {SceneInputTool::lamp, "tool.lamp", "tools.lamp", "tools.lamp_how"},
      {SceneInputTool::box, "tool.box", "tools.box", "tools.box_how"},
-     {SceneInputTool::polygon, "tool.polygon", "tools.polygon", "tools.polygon_how"}}};
+     {SceneInputTool::polygon, "tool.polygon", "tools.polygon", "tools.polygon_how"},
+     {SceneInputTool::zone, "tool.zone", "tools.zone", "tools.zone_how"},
+     {SceneInputTool::tape, "tool.tape", "tools.tape", "tools.tape_how"},
+     {SceneInputTool::ruler, "tool.ruler", "tools.ruler", "tools.ruler_how"}}};
 
 // The sign of a tool, drawn without a font.
 void tool_sign(const Ui& ui, SceneInputTool tool, ImVec2 c, Colour colour) {
@@ -48,6 +51,19 @@ void tool_sign(const Ui& ui, SceneInputTool tool, ImVec2 c, Colour colour) {
         }
     } else if (tool == SceneInputTool::box) {
         compat::outline(list, at(-7, -5.5f), at(7, 5.5f), ink, u, thick);
+    } else if (tool == SceneInputTool::zone) {
+        compat::outline(list, at(-7.5f, -6), at(7.5f, 6), ink, u, thick);
+        for (const float x : {-4.0f, 1.0f, 6.0f})  // hatched: a piece of the floor
+            list.AddLine(at(std::max(-7.5f, x - 6), std::min(6.0f, x + 7.5f)), at(std::min(7.5f, x + 5), -3.5f), ink,
+                         u);
+    } else if (tool == SceneInputTool::tape) {
+        const ImVec2 line[]{at(-8, 6), at(-2, -4), at(3, 2), at(8, -6)};
+        compat::polyline(list, line, 4, ink, false, 2.2f * thick);
+    } else if (tool == SceneInputTool::ruler) {
+        compat::outline(list, at(-8.5f, -4), at(8.5f, 4), ink, u, thick);
+        for (int i = 0; i < 4; ++i)
+            list.AddLine(at(-5.1f + 3.4f * static_cast<float>(i), -4),
+                         at(-5.1f + 3.4f * static_cast<float>(i), i % 2 == 0 ? 1.2f : -0.8f), ink, u);
     } else {
         const ImVec2 corners[]{at(-7.5f, 3), at(-3, -7), at(6, -5), at(7.5f, 4), at(0, 8)};
         compat::polyline(list, corners, 5, ink, true, thick);
@@ -74,7 +90,8 @@ void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect scene) {
         tooltip(ui, at, ui.strings(look.words), ui.strings(look.how));
         if (at.pressed) {
             choose_tool(state.scene_input, on ? SceneInputTool::hand : look.tool);
-            if (!at.entered && ui.keyboard) ui.keyboard->focus.clear();  // Esc and Enter then apply to the tool
+            const bool draws = state.scene_input.tool != SceneInputTool::hand;
+            if ((draws || !at.entered) && ui.keyboard) ui.keyboard->focus.clear();  // keys then apply to the tool
         }
         x += size;
     }

@@ -10,6 +10,7 @@
 #include "core/maths/angle.h"
 #include "ui/imgui_compat.h"
 #include "ui/scene_input/polygon_tool.h"
+#include "ui/scene_input/tools.h"
 #include "ui/scene_input/under_pointer.h"
 #include "ui/strings.h"
 #include "ui/widgets/number.h"
@@ -39,10 +40,7 @@ public:
             mark_object(hovered, ui_.palette.second_text, 1.5f);
         if (const auto handle = handle_of(state_, frame_)) draw_handle(*handle);
         if (state_.drag.phase == SceneInputPhase::move || state_.drag.phase == SceneInputPhase::turn) note_pose();
-        if (state_.drag.phase == SceneInputPhase::box) draw_box();
-        if (state_.tool == SceneInputTool::polygon) draw_outline();
-        if (frame_.pointer.over && state_.tool == SceneInputTool::lamp) draw_ghost_lamp();
-        if (frame_.pointer.over && state_.tool != SceneInputTool::hand) draw_cross();
+        if (state_.tool != SceneInputTool::hand) draw_tool();
         if (!state_.refusal.key.empty() && frame_.view.wall_seconds < state_.refusal.until)
             note(ui_.strings(state_.refusal.key), ui_.palette.warning);
     }
@@ -119,10 +117,32 @@ private:
             list_.AddConvexPolyFilled(points.data(), static_cast<int>(points.size()), paint(colour.with_alpha(0.22f)));
     }
 
-    void draw_box() const {
-        const auto floor = unproject(frame_.camera_view, frame_.pointer.at);
-        if (!floor) return;
-        const Obstacle box = box_between(state_.drag.corner, *floor);
+    // The position of the next corner; nullopt while the mouse is over a card and the keyboard has no crosshair.
+    std::optional<vec2> next_corner() const {
+        const bool points = state_.crosshair || frame_.pointer.over;
+        return points ? aim(state_, frame_.view, frame_.pointer.at) : std::nullopt;
+    }
+
+    void draw_tool() const {
+        const auto next = next_corner();
+        if (state_.tool == SceneInputTool::polygon) draw_outline();
+        if (state_.tool == SceneInputTool::tape) draw_line(next);
+        if (spans(state_.tool) && !state_.corners.empty()) draw_span(next);
+        if (next && state_.tool == SceneInputTool::lamp) draw_ghost_lamp(*next);
+        if (!next) return;
+        const auto pixel = state_.crosshair ? project(frame_.camera_view, *state_.crosshair) : frame_.pointer.at;
+        if (!pixel) return;
+        draw_cross(*pixel);
+        const float size = ui_.px(16);
+        ui_.anchors.record("stage.crosshair", {pixel->x - size / 2, pixel->y - size / 2, size, size});
+    }
+
+    void draw_span(const std::optional<vec2>& next) const {
+        const vec2 from = state_.corners[0];
+        const std::optional<vec2> to = state_.corners.size() > 1 ? std::optional(state_.corners[1]) : next;
+        if (!to) return;
+        if (state_.tool == SceneInputTool::ruler) return draw_measurement(from, *to);
+        const Obstacle box = box_between(from, *to);
         std::vector<vec2> corners = corners_of(box);
         for (vec2& corner : corners) corner += vec2{box.x, box.y};
         area(corners, ui_.palette.accent);
@@ -130,15 +150,45 @@ private:
         note(fill(ui_.strings("scene_input.size"), {fixed(box.length, 1), fixed(box.width, 1)}), ui_.palette.line);
     }
 
+    // A line with a dot at each end, and its length and direction beside its second end.
+    void draw_measurement(vec2 from, vec2 to) const {
+        line(on_screen({from, to}), ui_.palette.accent, 2, false);
+        for (const vec2 end : {from, to})
+            if (const auto at = project(frame_.camera_view, end)) dot({at->x, at->y}, 4, ui_.palette.accent);
+        const maths::Polar of = maths::to_polar(to - from);
+        const auto at = project(frame_.camera_view, to);
+        if (!at) return;
+        note(fill(ui_.strings("scene_input.measured"), {fixed(of.distance, 2), fixed(maths::degrees(of.angle), 1)}),
+             ui_.palette.accent, *at);
+    }
+
+    // The segments of tape so far, and the next one.
+    void draw_line(const std::optional<vec2>& next) const {
+        std::vector<vec2> points = state_.corners;
+        if (next) points.push_back(*next);
+        for (const Zone& segment : tape_along(points, tape_width(*frame_.view.now->scene))) {
+            std::vector<vec2> corners = corners_of(segment);
+            const vec2 ahead = maths::direction(segment.heading);
+            for (vec2& corner : corners) corner = vec2{segment.x, segment.y} + maths::rotate(corner, ahead);
+            area(corners, ui_.palette.accent);
+            line(on_screen(corners), ui_.palette.accent, 1.5f);
+        }
+        for (const vec2 point : state_.corners)
+            if (const auto at = project(frame_.camera_view, point)) dot({at->x, at->y}, 3.5f, ui_.palette.accent);
+        if (state_.corners.empty() || !next) return;
+        note(fill(ui_.strings("scene_input.segment"), {fixed(maths::distance(state_.corners.back(), *next), 2)}),
+             ui_.palette.line);
+    }
+
     // The corners so far, the next one at the pointer, and the reason when it is not allowed.
     void draw_outline() const {
         const Palette& p = ui_.palette;
         std::vector<vec2> corners = state_.corners;
-        const auto floor = unproject(frame_.camera_view, frame_.pointer.at);
+        const auto floor = next_corner();
         const bool closes = floor && on_first_corner();
         const OutlineFault fault = floor && !closes ? fault_of_next(corners, *floor) : OutlineFault::none;
         const bool sound = fault == OutlineFault::none || fault == OutlineFault::too_near;
-        if (floor && frame_.pointer.over && !closes && sound) corners.push_back(*floor);
+        if (floor && !closes && sound) corners.push_back(*floor);
         area(corners, p.accent);
         line(on_screen(corners), p.accent, 2, corners.size() >= 3);
         if (floor && !sound && !state_.corners.empty())
@@ -148,27 +198,23 @@ private:
         if (state_.corners.size() >= 3)
             if (const auto first = project(frame_.camera_view, state_.corners[0]))
                 list_.AddCircle({first->x, first->y}, ui_.px(closes ? 11.0f : 8.0f), paint(p.accent), 24, ui_.px(2));
-        if (frame_.pointer.over && !sound && state_.refusal.key.empty())
-            note(ui_.strings(refusal_of(fault)), p.warning);
-        if (frame_.pointer.over && closes) note(ui_.strings("scene_input.close"), p.accent);
+        if (floor && !sound && state_.refusal.key.empty()) note(ui_.strings(refusal_of(fault)), p.warning);
+        if (floor && closes) note(ui_.strings("scene_input.close"), p.accent);
     }
 
     bool on_first_corner() const {
         if (state_.corners.size() < 3) return false;
         const auto first = project(frame_.camera_view, state_.corners[0]);
-        return first && maths::distance(*first, frame_.pointer.at) <= ui_.px(11);
+        return first && maths::distance(*first, note_place()) <= ui_.px(11);
     }
 
-    void draw_ghost_lamp() const {
-        const auto floor = unproject(frame_.camera_view, frame_.pointer.at);
-        if (!floor) return;
-        line(circle(*floor, source_ring), ui_.palette.lamp, 2);
-        if (const auto bulb = project(frame_.camera_view, *floor, bulb_height))
+    void draw_ghost_lamp(vec2 floor) const {
+        line(circle(floor, source_ring), ui_.palette.lamp, 2);
+        if (const auto bulb = project(frame_.camera_view, floor, bulb_height))
             dot({bulb->x, bulb->y}, 6, ui_.palette.lamp);
     }
 
-    void draw_cross() const {
-        const vec2 at = frame_.pointer.at;
+    void draw_cross(vec2 at) const {
         const float from = ui_.px(4), to = ui_.px(12);
         for (const vec2 way : {vec2{1, 0}, vec2{-1, 0}, vec2{0, 1}, vec2{0, -1}}) {
             const vec2 a = at + way * from, b = at + way * to;
@@ -176,13 +222,20 @@ private:
         }
     }
 
-    // A note beside the pointer, within the area free of cards.
-    void note(std::string_view words, Colour edge) const {
+    // The pointer or the crosshair, window pixels.
+    vec2 note_place() const {
+        const auto crosshair = state_.crosshair ? project(frame_.camera_view, *state_.crosshair) : std::nullopt;
+        return crosshair.value_or(frame_.pointer.at);
+    }
+
+    void note(std::string_view words, Colour edge) const { note(words, edge, note_place()); }
+
+    // A note beside a position on the screen, within the area free of cards.
+    void note(std::string_view words, Colour edge, vec2 pointer) const {
         ImFont* face = font(ui_, Face::small);
         const float w = text_width(ui_, Face::small, words) + ui_.px(16), h = line_height(ui_, Face::small) + ui_.px(8);
         const Rect& room = frame_.area;
         const float gap = ui_.px(18);
-        const maths::vec2 pointer = frame_.pointer.at;
         const bool left = pointer.x + gap + w > room.x + room.w, above = pointer.y + gap + h > room.y + room.h;
         const ImVec2 at{std::floor(std::max(room.x, left ? pointer.x - gap - w : pointer.x + gap)),
                         std::floor(std::max(room.y, above ? pointer.y - gap - h : pointer.y + gap))};

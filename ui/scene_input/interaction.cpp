@@ -6,6 +6,7 @@
 #include "core/maths/angle.h"
 #include "ui/scene_input/edits.h"
 #include "ui/scene_input/polygon_tool.h"
+#include "ui/scene_input/tools.h"
 #include "ui/scene_input/under_pointer.h"
 
 namespace braitenlab::ui {
@@ -56,31 +57,42 @@ void choose(const SceneObject& object, const LabView& view, Outbox& outbox) {
         outbox.push_back(TakeRequest{object});
 }
 
+void press_with_tool(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox) {
+    const auto at = aim(state, frame.view, frame.pointer.at);
+    if (!at) return;
+    if (state.tool == SceneInputTool::polygon) return click_corner(state, frame, *at, outbox);
+    if (state.tool == SceneInputTool::tape && frame.pointer.left_double)
+        return end_line(state, frame.view, frame.pointer.shift, outbox);
+    if (state.tool == SceneInputTool::ruler && state.corners.size() > 1) state.corners.clear();
+    const bool begins = spans(state.tool) && state.corners.empty();
+    set_corner(state, frame.view, *at, frame.pointer.shift, outbox);
+    if (!begins) return;
+    begin_drag(state, frame);
+    state.drag.phase = SceneInputPhase::span;
+}
+
+// The second end of a span. A press without a drag measures nothing yet: the next click is the second end.
+void release_span(SceneInputState& state, const SceneInputDrag& drag, const SceneInputFrame& frame, Outbox& outbox) {
+    const bool click = maths::distance(drag.press, frame.pointer.at) <= drag_threshold * frame.scale;
+    if (click && state.tool == SceneInputTool::ruler) return;
+    if (state.corners.size() != 1) return;
+    const vec2 from = state.corners[0];
+    const vec2 to = click ? from : aim(state, frame.view, frame.pointer.at).value_or(from);
+    complete_span(state, frame.view, to, frame.pointer.shift, outbox);
+}
+
 void press(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox) {
     const SceneInputPointer& pointer = frame.pointer;
     if (!pointer.over || !(pointer.left_pressed || pointer.right_pressed || pointer.middle_pressed)) return;
     if (state.drag.phase != SceneInputPhase::idle) return;  // a second button changes nothing
     state.refusal = {};
     const bool draws = pointer.left_pressed && state.tool != SceneInputTool::hand && frame.view.mode != Mode::wiring;
-    const auto floor = floor_at(frame);
     if (!draws) {
         begin_drag(state, frame);
         if (state.drag.on.object && !state.drag.on.handle) choose(state.drag.on.object, frame.view, outbox);
         return;
     }
-    if (!floor) return;
-    const vec2 at = in_arena(frame.view, *floor);
-    if (state.tool == SceneInputTool::polygon) return click_corner(state, frame, at, outbox);
-    if (state.tool == SceneInputTool::box) {
-        begin_drag(state, frame);
-        state.drag.phase = SceneInputPhase::box;
-        state.drag.corner = at;
-        return;
-    }
-    Source lamp;
-    lamp.x = at.x, lamp.y = at.y;
-    request(outbox, with_room(*frame.view.now, AddSource{lamp}));
-    if (!pointer.shift) state.tool = SceneInputTool::hand;
+    press_with_tool(state, frame, outbox);
 }
 
 bool moved_enough(const SceneInputState& state, const SceneInputFrame& frame) {
@@ -148,16 +160,7 @@ void release(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbo
     state.drag = {};
     if (drag.phase == SceneInputPhase::move || drag.phase == SceneInputPhase::turn)
         finish_move(drag, frame.view, outbox);
-    if (drag.phase == SceneInputPhase::box) {
-        vec2 far = in_arena(frame.view, floor_at(frame).value_or(drag.corner));
-        // A click without a drag adds a box of one metre.
-        const bool click = maths::distance(drag.press, pointer.at) <= drag_threshold * frame.scale;
-        const vec2 half{0.5f, 0.5f};
-        request(outbox,
-                click ? with_room(*frame.view.now, AddObstacle{box_between(drag.corner - half, drag.corner + half)})
-                      : AddObstacle{box_between(drag.corner, far)});
-        if (!pointer.shift) state.tool = SceneInputTool::hand;
-    }
+    if (drag.phase == SceneInputPhase::span) release_span(state, drag, frame, outbox);
     if (drag.phase != SceneInputPhase::pending || frame.view.mode == Mode::wiring) return;
     if (drag.left && !drag.on) choose(drag.click, frame.view, outbox);
     if (drag.right && state.tool != SceneInputTool::hand)
@@ -170,7 +173,10 @@ void release(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbo
 
 void interact(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox) {
     if (!place_of(*frame.view.now, state.drag.on.object) && state.drag.on)
-        state.drag = {};  // the object no longer exists
+        state.drag = {};                                                                // the object no longer exists
+    if (maths::distance(state.pointer, frame.pointer.at) > 1) state.crosshair.reset();  // the mouse points again
+    state.pointer = frame.pointer.at;
+    state.middle = {frame.area.x + frame.area.w / 2, frame.area.y + frame.area.h / 2};
     state.hovered = under_pointer(state, frame);
     press(state, frame, outbox);
     if (state.drag.phase == SceneInputPhase::idle) return;
@@ -190,12 +196,23 @@ void open_menu_of(SceneInputState& state, const LabView& view, const SceneObject
     state.menu.at = *at;
 }
 
+void open_menu_of_floor(SceneInputState& state, const LabView& view) {
+    const auto middle = state.crosshair ? state.crosshair : unproject(*view.camera_view, state.middle);
+    state.menu = {};
+    state.menu.open = state.menu.by_key = true;
+    state.menu.place = in_arena(view, middle.value_or(vec2{}));
+    state.menu.at = project(*view.camera_view, state.menu.place).value_or(state.middle);
+}
+
 bool cancel(SceneInputState& state, const LabView& view, Outbox& outbox) {
     SceneInputDrag drag = state.drag;
     state.refusal = {};
     if (drag.phase == SceneInputPhase::move || drag.phase == SceneInputPhase::turn) put(drag, view, drag.began, outbox);
     if (drag.phase != SceneInputPhase::idle) {
         state.drag = {};
+        if (drag.phase == SceneInputPhase::span) state.corners.clear();
+    } else if (state.tool == SceneInputTool::tape && state.corners.size() > 1) {
+        end_line(state, view, false, outbox);
     } else if (!state.corners.empty()) {
         state.corners.clear();
     } else if (state.tool != SceneInputTool::hand) {

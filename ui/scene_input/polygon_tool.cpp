@@ -14,10 +14,17 @@ using maths::vec2;
 namespace {
 
 constexpr float corner_grip = 11;  // layout pixels around the first corner: a click there closes the outline
+constexpr float least_corner_distance = 0.1f;  // m
 constexpr double outline_refusal_seconds = 3;
 
 void show_refusal(SceneInputState& state, double wall_seconds, std::string_view key) {
     state.refusal = {std::string(key), wall_seconds + outline_refusal_seconds};
+}
+
+void add_corner(SceneInputState& state, const LabView& view, vec2 at) {
+    if (const OutlineFault fault = fault_of_next(state.corners, at); fault != OutlineFault::none)
+        return show_refusal(state, view.wall_seconds, refusal_of(fault));
+    state.corners.push_back(at);
 }
 
 }  // namespace
@@ -49,15 +56,20 @@ void click_corner(SceneInputState& state, const SceneInputFrame& frame, vec2 at,
     if (on_first || (pointer.left_double && state.corners.size() >= 3))
         return close_outline(state, frame.view, pointer.shift, outbox);
     if (pointer.left_double) return;  // the first click has set the corner
-    if (const OutlineFault fault = fault_of_next(state.corners, at); fault != OutlineFault::none)
-        return show_refusal(state, frame.view.wall_seconds, refusal_of(fault));
-    state.corners.push_back(at);
+    add_corner(state, frame.view, at);
+}
+
+void set_polygon_corner(SceneInputState& state, const LabView& view, vec2 at, bool keep_tool, Outbox& outbox) {
+    const auto is_at = [at](vec2 corner) { return maths::distance(corner, at) < least_corner_distance; };
+    if (state.corners.size() >= 3 && (is_at(state.corners.front()) || is_at(state.corners.back())))
+        return close_outline(state, view, keep_tool, outbox);
+    add_corner(state, view, at);
 }
 
 void take_back_corner(SceneInputState& state) {
     state.refusal = {};
     if (state.corners.empty())
-        state.tool = SceneInputTool::hand;
+        choose_tool(state, SceneInputTool::hand);
     else
         state.corners.pop_back();
 }
@@ -76,17 +88,14 @@ void close_outline(SceneInputState& state, const LabView& view, bool keep_tool, 
     state.redrawn = {};
     state.corners.clear();
     state.refusal = {};
-    if (!keep_tool) state.tool = SceneInputTool::hand;
+    if (!keep_tool) choose_tool(state, SceneInputTool::hand);
 }
-
-using maths::vec2;
 
 namespace {
 
-constexpr float least_corner_distance = 0.1f;  // m
-constexpr float least_outline_width = 0.1f;    // m
-constexpr float shortest_side = 0.2f;          // m, of a box
-constexpr float least_turn = 1e-3f;            // m²: a smaller turn of a corner is not a dent
+constexpr float least_outline_width = 0.1f;  // m
+constexpr float shortest_side = 0.2f;        // m, of a box
+constexpr float least_turn = 1e-3f;          // m²: a smaller turn of a corner is not a dent
 
 float signed_area(const std::vector<vec2>& corners) {  // positive counter-clockwise
     float twice = 0;

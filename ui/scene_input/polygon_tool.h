@@ -43,10 +43,13 @@ Obstacle box_between(maths::vec2 a, maths::vec2 b);
 // A zone of ice between two opposite corners; of 2 by 2 m around them if they are the same point.
 Zone zone_between(maths::vec2 a, maths::vec2 b);
 
+// Adds a corner, or shows why it is refused. A corner at the position of the first or the last one closes the polygon.
+void set_polygon_corner(SceneInputState&, const LabView&, maths::vec2 at, bool keep_tool, Outbox&);
+
 // A press of the left button at this position on the floor, m.
 void click_corner(SceneInputState&, const SceneInputFrame&, maths::vec2 at, Outbox&);
 
-// Removes the last corner. Without corners, selects the hand.
+// Removes the last corner of what a tool draws. Without corners, selects the hand.
 void take_back_corner(SceneInputState&);
 
 // Adds the obstacle, or gives the outline to the zone SceneInputState::redrawn, or shows why the outline is refused.

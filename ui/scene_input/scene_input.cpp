@@ -10,6 +10,7 @@
 #include "ui/scene_input/edits.h"
 #include "ui/scene_input/interaction.h"
 #include "ui/scene_input/polygon_tool.h"
+#include "ui/scene_input/tools.h"
 
 namespace braitenlab::ui {
 
@@ -17,8 +18,9 @@ using maths::vec2;
 
 namespace {
 
-constexpr float nudge_step = 0.1f, fine_nudge = 0.01f;  // m
-constexpr double nudge_pause = 1;                       // s without a key ends a gesture
+constexpr float nudge_step = 0.1f, fine_nudge = 0.01f;         // m
+constexpr float crosshair_step = 0.5f, fine_crosshair = 0.1f;  // m
+constexpr double nudge_pause = 1;                              // s without a key ends a gesture
 
 // True if the right button opens the menu of the scene: also where another menu is open, which the press closes.
 bool right_press(const SceneInputState& state, Rect area) {
@@ -96,19 +98,36 @@ bool key_for_menu(SceneInputMenu& menu, Keyboard& keyboard, KeyPress press) {
     return true;
 }
 
-bool key_for_polygon(const LabView& view, SceneInputState& state, Action action, KeyPress press, Outbox& outbox) {
-    if (state.tool != SceneInputTool::polygon) return false;
-    if (action == Action::close_outline)
-        close_outline(state, view, press.shift, outbox);
-    else
-        take_back_corner(state);
+// Enter with the mouse ends what the tool draws; with the crosshair it sets a corner.
+bool enter_for_tool(const LabView& view, SceneInputState& state, bool keep_tool, Outbox& outbox) {
+    if (state.crosshair) {
+        if (state.tool == SceneInputTool::ruler && state.corners.size() > 1) state.corners.clear();
+        if (const auto at = aim(state, view, state.pointer)) set_corner(state, view, *at, keep_tool, outbox);
+    } else if (state.tool == SceneInputTool::polygon) {
+        close_outline(state, view, keep_tool, outbox);
+    } else if (state.tool == SceneInputTool::tape) {
+        end_line(state, view, keep_tool, outbox);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool key_for_tool(const LabView& view, SceneInputState& state, Action action, KeyPress press, Outbox& outbox) {
+    if (state.tool == SceneInputTool::hand) return false;
+    if (action == Action::close_outline) return enter_for_tool(view, state, press.shift, outbox);
+    if (action == Action::take_back) return take_back_corner(state), true;
+    if (action != Action::nudge || state.drag.phase != SceneInputPhase::idle) return false;
+    const float step = press.shift ? fine_crosshair : crosshair_step;
+    move_crosshair(state, view, floor_direction(*view.camera_view, press.key) * step);
     return true;
 }
 
 }  // namespace
 
-bool takes_arrows(const LabView& view, bool ctrl) {
+bool takes_arrows(const LabView& view, const SceneInputState& state, bool ctrl) {
     if (!view.camera_view || view.mode == Mode::wiring) return false;
+    if (state.tool != SceneInputTool::hand) return true;
     return view.settings.selection.object || (ctrl && view.settings.selection.vehicle != no_vehicle);
 }
 
@@ -128,6 +147,7 @@ bool press_key(const LabView& view, SceneInputState& state, Keyboard& keyboard, 
     // With arrows Shift means finer steps and Ctrl includes vehicles.
     const auto action = action_for(is_arrow_key(press.key) ? KeyPress{press.key} : press, KeyPlace::scene);
     if (!action) return false;
+    if (key_for_tool(view, state, *action, press, outbox)) return true;
     switch (*action) {
         case Action::cancel:
             return cancel(state, view, outbox);
@@ -135,9 +155,9 @@ bool press_key(const LabView& view, SceneInputState& state, Keyboard& keyboard, 
             open_menu_of(state, view, chosen(view));
             return true;
         case Action::nudge:
-            return takes_arrows(view, press.ctrl) && nudge(view, state, press, outbox);
+            return takes_arrows(view, state, press.ctrl) && nudge(view, state, press, outbox);
         default:
-            return key_for_polygon(view, state, *action, press, outbox);
+            return false;
     }
 }
 

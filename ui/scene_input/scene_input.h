@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,14 +18,15 @@
 
 namespace braitenlab::ui {
 
-// The effect of a click into the scene: hand takes an object, lamp adds a lamp, box draws a box from corner to corner,
-// polygon draws a polygon by its corners.
-enum class SceneInputTool { hand, lamp, box, polygon };
-inline constexpr std::array<std::string_view, 4> tool_words{"hand", "lamp", "box", "polygon"};
+// The effect of a click into the scene: hand takes an object, lamp adds a lamp, box and zone draw a rectangle from
+// corner to corner, polygon draws a polygon by its corners, tape draws a line of tape, ruler measures.
+enum class SceneInputTool { hand, lamp, box, polygon, zone, tape, ruler };
+inline constexpr std::array<std::string_view, 7> tool_words{"hand", "lamp", "box", "polygon", "zone", "tape", "ruler"};
 constexpr std::string_view word(SceneInputTool tool) { return tool_words[static_cast<std::size_t>(tool)]; }
 
-// The current effect of the mouse. pending: a button is down and the mouse has moved less than 4 px.
-enum class SceneInputPhase { idle, pending, move, turn, orbit, pan, box };
+// The current effect of the mouse. pending: a button is down and the mouse has moved less than 4 px. span: a tool draws
+// from the press to the pointer.
+enum class SceneInputPhase { idle, pending, move, turn, orbit, pan, span };
 
 // The object or the handle that a press of the button takes.
 struct SceneInputHit {
@@ -47,7 +49,6 @@ struct SceneInputDrag {
     Pose began, put;     // pose of the object at the press, and the last one requested
     maths::vec2 offset;  // m, from the pointer's position on the floor to the object's
     float bearing = 0;   // rad, from the object to the pointer, at the press of the handle
-    maths::vec2 corner;  // m, of the box
     std::uint64_t gesture = 0;
 };
 
@@ -72,8 +73,13 @@ struct SceneInputMenu {
 
 struct SceneInputState {
     SceneInputTool tool = SceneInputTool::hand;
-    std::vector<maths::vec2> corners;  // of the polygon being drawn, m
-    SceneObject redrawn;               // the zone that gets the drawn polygon; none: the polygon is a new obstacle
+    // Set with the tool so far, m: corners of a polygon, points of a line, the first corner of a box or zone; one or
+    // both ends of a measurement.
+    std::vector<maths::vec2> corners;
+    SceneObject redrawn;                   // the zone that gets the drawn polygon; none: the polygon is a new obstacle
+    std::optional<maths::vec2> crosshair;  // m, moved by arrow keys while a tool draws; none: the mouse points
+    maths::vec2 pointer;                   // of the last frame, window pixels
+    maths::vec2 middle;                    // of the area free of cards in the last frame, window pixels
     SceneInputHit hovered;
     SceneInputDrag drag;
     SceneInputRefusal refusal;
@@ -89,6 +95,7 @@ inline void choose_tool(SceneInputState& state, SceneInputTool tool) {
     state.tool = tool;
     state.corners.clear();
     state.redrawn = {};
+    state.crosshair.reset();
 }
 
 // The object that Delete, Ctrl+D, the arrow keys and the handle act on: the selected lamp, obstacle or zone, else the
@@ -99,11 +106,11 @@ SceneObject chosen(const LabView&);
 // which no card covers. Does nothing without view.camera_view. Anchor: stage.knob, the handle of the chosen object.
 void scene_input(const LabView&, SceneInputState&, Ui&, Rect area);
 
-// Handles a key: Esc, Enter and Backspace while drawing, arrows for the chosen lamp, obstacle or zone (with Ctrl also
-// for vehicles), and keys of the open menu. Returns false if the key is not used.
+// Handles a key: Esc, Enter, Backspace and arrows while a tool draws, arrows for the chosen lamp, obstacle or zone
+// (with Ctrl also for vehicles), and keys of the open menu. Returns false if the key is not used.
 bool press_key(const LabView&, SceneInputState&, Keyboard&, KeyPress, Outbox&);
 
-// True if the arrow keys move an object and not the camera.
-bool takes_arrows(const LabView&, bool ctrl);
+// True if the arrow keys move an object or the crosshair of a tool and not the camera.
+bool takes_arrows(const LabView&, const SceneInputState&, bool ctrl);
 
 }  // namespace braitenlab::ui
