@@ -16,6 +16,7 @@
 #include "tests/folder.h"
 #include "ui/scene_input/edits.h"
 #include "ui/shortcuts.h"
+#include "ui/widgets/record_fields.h"
 
 namespace braitenlab::tests::strings_test {
 
@@ -60,6 +61,41 @@ std::set<std::string> asked_in_sources() {
         std::regex("strings_?\\(\\s*(?:[^()\"]*\\?\\s*)?\"([^\"]+)\"(?:\\s*:\\s*\"([^\"]+)\")?\\s*\\)"), {1, 2});
 }
 
+// The visitor of core/scene/schema.h that collects the keys of the rows of a record.
+template <class T>
+struct FieldKeys {
+    std::set<std::string>& keys;
+
+    void add(const char* key) {
+        const std::string stem = "field." + std::string(record_word(Of<T>{})) + "." + key;
+        keys.insert(stem), keys.insert(stem + "_how");
+    }
+    template <class Number>
+    void number(const char* key, Number T::*, const char*, Range, const char*) {
+        add(key);
+    }
+    void angle(const char* key, float T::*, Range, const char*) { add(key); }
+    void flag(const char* key, bool T::*, const char*) { add(key); }
+    template <class Enum>
+    void word(const char* key, Enum T::*, const char*) {
+        add(key);
+        for (const auto& row : table_of(Enum{})) {
+            if constexpr (requires { row.is_source; })
+                if (!row.is_source) continue;
+            keys.insert(std::string(word_stem(Enum{})) + std::string(row.word));
+        }
+    }
+    void text(const char* key, std::string T::*, std::size_t, const char*) { add(key); }
+    template <class Inner>
+    void table(const char*, Inner T::*, const char*) {}
+    template <class Element>
+    void named(const char*, std::vector<Element> T::*, std::size_t, const char*) {}
+    template <class Element>
+    void list(const char*, std::vector<Element> T::*, std::size_t, const char*) {}
+    template <class Graph>
+    void brain(const char*, Graph T::*, const char*) {}
+};
+
 // Keys composed of a stem and a name of the program.
 std::set<std::string> composed() {
     std::set<std::string> keys;
@@ -88,6 +124,10 @@ std::set<std::string> composed() {
     for (const SurfaceTraits& surface : surface_table) keys.insert("surface." + std::string(surface.word));
     for (const std::string_view object : scene_object_words)
         if (object != "none" && object != "vehicle") keys.insert("thing." + std::string(object));
+    each_record([&]<class T>(Of<T> record) {
+        FieldKeys<T> fields{keys};
+        describe(fields, record);
+    });
     for (const Channel channel : source_channels) keys.insert("source." + std::string(word(channel)));
     return keys;
 }

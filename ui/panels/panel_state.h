@@ -15,6 +15,7 @@
 #include "ui/widgets/card.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/menu_bar.h"
+#include "ui/widgets/record_fields.h"
 #include "ui/widgets/sheet.h"
 #include "ui/widgets/slider.h"
 #include "ui/wiring/canvas.h"
@@ -53,6 +54,7 @@ struct PanelState {
 
     std::array<CardState, card_count> cards = initial_cards();  // the inspector's is in `canvas`
     SliderState sliders;
+    FieldsState fields;
     Keyboard keyboard;
     wiring::CanvasState canvas;
     SceneInputState scene_input;

@@ -23,24 +23,48 @@ constexpr double gesture_pause = 1;                 // seconds without a key end
 
 struct SliderTrack {
     float x0, x1, y, low, high;
-    float at(float value) const { return x0 + (x1 - x0) * (std::clamp(value, low, high) - low) / (high - low); }
-    float value_at(float x) const { return low + (x - x0) / (x1 - x0) * (high - low); }
+    float knee = 0;  // of a wide track; 0: linear
+    float bent(float value) const { return knee > 0 ? std::asinh(value / knee) : value; }
+    float at(float value) const {
+        return x0 + (x1 - x0) * (bent(std::clamp(value, low, high)) - bent(low)) / (bent(high) - bent(low));
+    }
+    float value_at(float x) const {
+        const float along = bent(low) + (x - x0) / (x1 - x0) * (bent(high) - bent(low));
+        return knee > 0 ? knee * std::sinh(along) : along;
+    }
 };
 
-float rounded_to(float value, float step) { return std::round(value / step) * step; }
+float rounded_to(float value, float step) {
+    if (step >= 1) return std::round(value / step) * step;
+    const float per_unit = std::round(1 / step);  // exact, so that 0.3 is the float nearest to 0.3
+    return std::round(value * per_unit) / per_unit;
+}
+
+// The step of mouse and arrow keys at this value: on a wide track a hundredth to a thousandth of it.
+float step_at(float value, const SliderLook& look) {
+    if (!look.wide || value == 0) return look.step;
+    return std::max(look.step, std::pow(10.0f, std::floor(std::log10(std::fabs(value))) - 2));
+}
+
+std::string without_trailing_zeros(std::string number) {
+    if (number.find('.') == std::string::npos) return number;
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.back() == '.') number.pop_back();
+    return number;
+}
 
 std::string slider_text(float value, const SliderLook& look) {
-    return look.signed_number ? with_sign(value, look.decimals) : fixed(value, look.decimals);
+    std::string number = look.signed_number ? with_sign(value, look.decimals) : fixed(value, look.decimals);
+    return look.trimmed ? without_trailing_zeros(std::move(number)) : number;
 }
 
 // Clamped and rounded to the step, with −0 made 0. Precondition: finite.
 float valid_value(float value, const SliderLook& look) {
-    const float per_unit = std::round(1 / look.step);
-    return std::clamp(std::round(value * per_unit) / per_unit, look.low, look.high) + 0.0f;
+    return std::clamp(rounded_to(value, look.step), look.low, look.high) + 0.0f;
 }
 
 std::optional<float> drag_knob(const Ui& ui, SliderState& state, const Item& at, const SliderTrack& track,
-                               std::string_view id, float value, float step) {
+                               std::string_view id, float value, const SliderLook& look) {
     if (!at.held) {
         if (state.dragged == id) state.dragged.clear();
         return std::nullopt;
@@ -55,27 +79,28 @@ std::optional<float> drag_knob(const Ui& ui, SliderState& state, const Item& at,
         state.asked = state.pressed_at = value;
         state.pressed = id;
         const bool on_knob = std::fabs(io.MousePos.x - track.at(value)) <= ui.px(knob_radius + 3);
-        state.grip = on_knob ? value - track.value_at(io.MousePos.x) : 0;
+        state.grip = on_knob ? track.at(value) - io.MousePos.x : 0;
         if (on_knob) return std::nullopt;
     } else if (io.MouseDelta.x == 0) {
         return std::nullopt;
     }
     if (io.KeyShift) {  // ten times finer: the knob lags behind the pointer
-        state.grip -= 0.9f * (track.value_at(io.MousePos.x) - track.value_at(io.MousePos.x - io.MouseDelta.x));
-        return rounded_to(track.value_at(io.MousePos.x) + state.grip, step);
+        state.grip -= 0.9f * io.MouseDelta.x;
+        const float fine = track.value_at(io.MousePos.x + state.grip);
+        return rounded_to(fine, step_at(fine, look));
     }
-    const float wanted = track.value_at(io.MousePos.x) + state.grip;
+    const float wanted = track.value_at(io.MousePos.x + state.grip);
     const bool meets_zero = track.low < 0 && std::fabs(track.at(wanted) - track.at(0)) <= ui.px(zero_reach);
-    return meets_zero ? 0 : rounded_to(wanted, mouse_steps * step);
+    return meets_zero ? 0 : rounded_to(wanted, look.wide ? step_at(wanted, look) : mouse_steps * look.step);
 }
 
 std::optional<float> nudge_knob(Ui& ui, SliderState& state, const Item& at, std::string_view id, float value,
-                                double now, float step) {
+                                double now, const SliderLook& look) {
     if (!at.focused) return std::nullopt;
     float change = 0;
     for (const int direction : {-1, 1})
         while (const auto press = take(*ui.keyboard, direction < 0 ? key::left : key::right))
-            change += static_cast<float>(direction) * step * (press->shift ? 1 : nudge_steps);
+            change += static_cast<float>(direction) * step_at(value, look) * (press->shift ? 1 : nudge_steps);
     if (change == 0) return std::nullopt;
     if (state.nudged != id || now - state.nudged_at > gesture_pause) ++state.gesture;
     state.nudged = id;
@@ -150,8 +175,12 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
     at.rect.w = width;
     mark(ui, id, at.rect);
     const float inset = ui.px(knob_radius + 1);
-    const SliderTrack track{at.rect.x + ui.px(look.words_width) + inset, at.right() - ui.px(look.number_width) - inset,
-                            at.middle_y(), look.low, look.high};
+    const SliderTrack track{at.rect.x + ui.px(look.words_width) + inset,
+                            at.right() - ui.px(look.number_width) - inset,
+                            at.middle_y(),
+                            look.low,
+                            look.high,
+                            look.wide ? look.knee : 0};
     const std::string number = slider_text(value, look) + std::string(look.unit);
     const ImGuiIO& io = ImGui::GetIO();
 
@@ -178,8 +207,8 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
         ++state.gesture;
         wanted = look.home;
     } else {
-        wanted = drag_knob(ui, state, at, track, id, value, look.step);
-        if (!wanted) wanted = nudge_knob(ui, state, at, id, value, wall_seconds, look.step);
+        wanted = drag_knob(ui, state, at, track, id, value, look);
+        if (!wanted) wanted = nudge_knob(ui, state, at, id, value, wall_seconds, look);
     }
 
     const Palette& p = ui.palette;

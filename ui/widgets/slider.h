@@ -3,6 +3,10 @@
 // Mouse: dragging moves the knob (with Shift ten times finer); a right click restores the home value; a double click or
 // Ctrl+click edits the number. Keys: ← and → move by a nudge, with Shift by the smallest step; Del restores; Enter
 // edits the number. A typed number is clamped; other text changes nothing.
+//
+// A wide track serves a range of several powers of ten, such as 0.05 .. 1000: it is linear within ± SliderLook::knee
+// and logarithmic beyond. The mouse and the arrow keys then give numbers of three digits, in steps that grow with the
+// value.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +21,7 @@ namespace braitenlab::ui {
 // State of all sliders of the window. At most one slider is dragged or edited at a time.
 struct SliderState {
     std::string dragged;        // anchor of the dragged slider
-    float grip = 0;             // knob minus pointer at press, in units of the value
+    float grip = 0;             // knob minus pointer, window pixels
     float asked = 0;            // last value returned in this gesture
     float pressed_at = 0;       // the value when the mouse went down
     std::string pressed;        // anchor of the slider at that time
@@ -25,7 +29,7 @@ struct SliderState {
     std::string nudged;         // anchor of the slider moved by keys; presses within a second are one gesture
     double nudged_at = 0;       // wall seconds
     std::string typed;          // anchor of the slider being edited
-    char text[16] = {};
+    char text[24] = {};
     bool text_opened = false;              // its text field is active
     bool commit = false, give_up = false;  // Enter and Esc while typing, set by press_key
 };
@@ -39,6 +43,9 @@ struct SliderLook {
     int decimals = 2;          // shown; 10^-decimals <= step
     std::string_view unit{};   // after the number, with its space: " m", "°"
     bool signed_number = true;
+    bool wide = false;                          // the track is logarithmic beyond ± knee
+    float knee = 1;                             // above 0
+    bool trimmed = false;                       // the number is shown without trailing zeros
     bool meaning = true;                        // orange above 0, blue below; else grey
     float words_width = 26, number_width = 46;  // layout pixels
 };
