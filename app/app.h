@@ -81,7 +81,7 @@ private:
     // use.
     void follow_shaders();
     void frame(float passed);
-    Arrows arrows() const;
+    CameraKeys camera_keys(bool arrows_are_free) const;
     void draw_scene();
     std::optional<Error> write_picture(const std::filesystem::path&);
     // Writes a picture to the user's folder of pictures.

@@ -122,17 +122,18 @@ void App::frame(float passed) {
               .pulse = ui::pulse(view)};
     ui::draw_window(view, panels_, ui, layout);
 
-    const bool arrows_move_camera = arrows_are_free && view.mode != Mode::wiring && panels_.keyboard.focus.empty() &&
-                                    !ui::takes_arrows(view, panels_.scene_input, ImGui::GetIO().KeyCtrl);
-    const Arrows held = arrows_move_camera ? arrows() : Arrows{};
-    const bool steers = steer_by_keys(lab_, held.turn, held.raise);
-    drive_camera(lab_, viewport_, panels_.scene_input, steers ? Arrows{} : held, area, arena, passed);
+    const bool keys_move_camera = view.mode != Mode::wiring && panels_.keyboard.focus.empty();
+    const bool arrows_move_camera =
+        arrows_are_free && !ui::takes_arrows(view, panels_.scene_input, ImGui::GetIO().KeyCtrl);
+    CameraKeys held = keys_move_camera ? camera_keys(arrows_move_camera) : CameraKeys{};
+    if (steer_by_keys(lab_, held.turn, held.raise)) held.turn = held.raise = 0;
+    drive_camera(lab_, viewport_, panels_.scene_input, held, area, arena, passed);
     if (repeatable() && !picture_is_due(0))
         renderer_.remember(lab_.document.session.snapshot());  // no frame is shown before the picture is taken
     else
         draw_scene();
     const ImGuiIO& io = ImGui::GetIO();
-    got_input_ = has_input(keys, io) || held.turn != 0 || held.raise != 0;
+    got_input_ = has_input(keys, io) || held;
     ++facts_.frames;
     facts_.pointer = ImGui::IsMousePosValid() ? maths::vec2{io.MousePos.x, io.MousePos.y} : maths::vec2{-1, -1};
     facts_.pressed = io.MouseDown[0] ? 1 : io.MouseDown[2] ? 2 : io.MouseDown[1] ? 3 : 0;
@@ -144,14 +145,21 @@ void App::frame(float passed) {
     for (const Request& request : outbox_) handle(lab_, request);
 }
 
-Arrows App::arrows() const {
+CameraKeys App::camera_keys(bool arrows_are_free) const {
     if (ImGui::GetIO().WantTextInput) return {};
     const auto held = [this](Action action) {
         for (const Shortcut& shortcut : shortcuts())
-            if (shortcut.action == action && window_.holds(shortcut.press.key)) return 1.0f;
+            if (shortcut.action == action && shortcut.press.shift == ImGui::GetIO().KeyShift &&
+                window_.holds(shortcut.press.key))
+                return 1.0f;
         return 0.0f;
     };
-    return {held(Action::turn_right) - held(Action::turn_left), held(Action::raise) - held(Action::lower)};
+    CameraKeys keys{.zoom = held(Action::zoom_in) - held(Action::zoom_out)};
+    if (!arrows_are_free) return keys;
+    keys.turn = held(Action::turn_right) - held(Action::turn_left);
+    keys.raise = held(Action::raise) - held(Action::lower);
+    keys.pan = {held(Action::pan_right) - held(Action::pan_left), held(Action::pan_up) - held(Action::pan_down)};
+    return keys;
 }
 
 void App::draw_scene() {

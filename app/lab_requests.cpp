@@ -200,6 +200,12 @@ void act(Lab& lab, Action action) {
         case Action::previous_vehicle:
             select_neighbour(lab, -1);
             break;
+        case Action::next_object:
+            select_next_object(lab, +1);
+            break;
+        case Action::previous_object:
+            select_next_object(lab, -1);
+            break;
         case Action::hint:
             show_hint(lab);
             break;

@@ -78,6 +78,15 @@ void select_neighbour(Lab& lab, int step) {
     select(lab, vehicle_object(vehicles[static_cast<std::size_t>(index % count)].id));
 }
 
+void select_next_object(Lab& lab, int step) {
+    const std::vector<SceneObject> all = objects_beside_vehicles(*lab.document.session.snapshot().scene);
+    if (all.empty()) return;
+    const auto here = std::find(all.begin(), all.end(), lab.view.selection.object);
+    const auto count = static_cast<int>(all.size());
+    const int index = here == all.end() ? (step > 0 ? 0 : count - 1) : static_cast<int>(here - all.begin()) + step;
+    select_object(lab, all[static_cast<std::size_t>((index + count) % count)]);
+}
+
 void keep_selection(Lab& lab) {
     keep_object(lab);
     const auto& vehicles = lab.document.session.snapshot().vehicles;

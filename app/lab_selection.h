@@ -17,6 +17,9 @@ void select_object(Lab&, const SceneObject&);
 // Selects the vehicle `step` places further in the order of ids.
 void select_neighbour(Lab&, int step);
 
+// Selects the lamp, obstacle or zone `step` places further in the order of the scene; the vehicle stays selected.
+void select_next_object(Lab&, int step);
+
 // Makes the selection valid again: selects the first vehicle in place of one that no longer exists, unless
 // Lab::deselected. Call after anything that may have added or removed vehicles, sources, obstacles or zones.
 void keep_selection(Lab&);

@@ -12,6 +12,8 @@ namespace {
 
 constexpr float glide_seconds = 0.6f;
 constexpr float turn_rate = 1.2f, raise_rate = 0.8f;              // rad/s, arrow keys
+constexpr float zoom_rate = 1.5f;                                 // log2 of the zoom per second
+constexpr float pan_rate = 0.5f;                                  // of the width of the free area per second
 constexpr float turn_by_pixel = 0.006f, raise_by_pixel = 0.005f;  // rad per pixel
 constexpr float notch = 0.2f;                                     // log2 of the zoom per notch of the wheel
 
@@ -35,11 +37,19 @@ void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, floa
     state.has_sight = true;
 }
 
-void drive_camera(Lab& lab, const ViewportState& state, const ui::SceneInputState& scene_input, Arrows arrows,
+void drive_camera(Lab& lab, const ViewportState& state, const ui::SceneInputState& scene_input, CameraKeys keys,
                   Rect window, Rect free_area, float seconds) {
     const ImGuiIO& io = ImGui::GetIO();
     const vec2 at{io.MousePos.x, io.MousePos.y}, moved = scene_input.drag.moved;
-    orbit(lab.view.camera, arrows.turn * turn_rate * seconds, arrows.raise * raise_rate * seconds);
+    const vec2 middle{free_area.x + free_area.w / 2, free_area.y + free_area.h / 2};
+    orbit(lab.view.camera, keys.turn * turn_rate * seconds, keys.raise * raise_rate * seconds);
+    if (keys.zoom != 0)
+        zoom_about(lab.view.camera, lab.document.session.snapshot().scene->arena, window, free_area, middle,
+                   std::exp2(keys.zoom * zoom_rate * seconds));
+    if ((keys.pan.x != 0 || keys.pan.y != 0) && !rides(lab.view.camera.mode)) {
+        const float step = pan_rate * free_area.w * seconds;
+        pan(lab.view.camera, state.camera_view, middle + vec2{keys.pan.x, -keys.pan.y} * step, middle);
+    }
     if (scene_input.drag.phase == ui::SceneInputPhase::orbit && !rides(lab.view.camera.mode))
         orbit(lab.view.camera, -moved.x * turn_by_pixel, moved.y * raise_by_pixel);
     if (scene_input.drag.phase == ui::SceneInputPhase::pan && !rides(lab.view.camera.mode))

@@ -16,9 +16,11 @@ struct ViewportState {
     VehicleId last_followed = no_vehicle;
 };
 
-// Arrow keys that are held: −1, 0 or 1 each.
-struct Arrows {
-    float turn = 0, raise = 0;
+// Keys of the camera that are held: −1, 0 or 1 each.
+struct CameraKeys {
+    float turn = 0, raise = 0, zoom = 0;
+    maths::vec2 pan;  // to the right, up
+    explicit operator bool() const { return turn != 0 || raise != 0 || zoom != 0 || pan.x != 0 || pan.y != 0; }
 };
 
 // Computes the camera view of this frame. A change of mode or vehicle, and Home, are shown as short glides, unless
@@ -26,8 +28,8 @@ struct Arrows {
 void aim(ViewportState&, const Lab&, Rect window, Rect free_area, float seconds);
 
 // Moves the camera by mouse and arrow keys: left drag on the floor orbits (pans in bird's eye), right or middle drag
-// pans, the wheel zooms about the pointer, arrows turn and raise the overview. Reads the mouse from Dear ImGui.
-void drive_camera(Lab&, const ViewportState&, const ui::SceneInputState&, Arrows, Rect window, Rect free_area,
+// pans, the wheel zooms about the pointer, keys turn, raise, zoom and pan. Reads the mouse from Dear ImGui.
+void drive_camera(Lab&, const ViewportState&, const ui::SceneInputState&, CameraKeys, Rect window, Rect free_area,
                   float seconds);
 
 }  // namespace braitenlab

@@ -49,6 +49,8 @@ enum class Action {
     lesion,  // silences, cuts, stops or heals the part under the pointer
     next_vehicle,
     previous_vehicle,
+    next_object,  // the next lamp, obstacle or zone
+    previous_object,
     home,
     birds_eye,
     drivers_eye,
@@ -92,11 +94,20 @@ enum class Action {
     turn_right,
     raise,
     lower,
+    zoom_in,
+    zoom_out,
+    pan_left,
+    pan_right,
+    pan_up,
+    pan_down,
     fit,
     nudge,  // the selected object
+    rotate_left,
+    rotate_right,
     close_outline,
     take_back,
     scene_menu,
+    add_here,  // opens the menu of what can be added in the middle of the view
     copy,
     cut,
     paste,

@@ -177,6 +177,17 @@ std::vector<vec2> outline_of(const Snapshot& now, const SceneObject& object) {
     return corners;
 }
 
+std::vector<SceneObject> objects_beside_vehicles(const Scene& scene) {
+    std::vector<SceneObject> all;
+    const auto add = [&](SceneObjectKind kind, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) all.push_back({kind, static_cast<int>(i)});
+    };
+    add(SceneObjectKind::source, scene.sources.size());
+    add(SceneObjectKind::obstacle, scene.obstacles.size());
+    add(SceneObjectKind::zone, scene.zones.size());
+    return all;
+}
+
 std::string name_of(const Scene& scene, const SceneObject& object) {
     const auto name = [&](const auto& all) {
         const auto* element = element_at(all, object.index);

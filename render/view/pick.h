@@ -46,6 +46,9 @@ float reach_of(const Snapshot&, const SceneObject&);
 // boundary of an ellipse. Empty for other objects and if it does not exist.
 std::vector<maths::vec2> outline_of(const Snapshot&, const SceneObject&);
 
+// All sources, then all obstacles, then all zones.
+std::vector<SceneObject> objects_beside_vehicles(const Scene&);
+
 // The name of a source, obstacle or zone in the scene; empty for other objects and if it does not exist.
 std::string name_of(const Scene&, const SceneObject&);
 

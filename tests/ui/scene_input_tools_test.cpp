@@ -1,10 +1,9 @@
 // The tools that draw on the floor, with mouse and keyboard.
-#include "ui/scene_input/tools.h"
-
 #include <cmath>
 
 #include "core/maths/angle.h"
 #include "desk.h"
+#include "ui/scene_input/tools.h"
 
 namespace braitenlab::tests::scene_input_tools_test {
 

@@ -121,7 +121,6 @@ std::set<std::string> composed() {
         for (const char* stem : {"preset.", "preset_story."}) keys.insert(stem + std::string(preset.name));
     for (const auto& row : sensor_shape_table) keys.insert("sensors." + std::string(row.word));
     for (const auto& row : sensor_response_table) keys.insert("sensors." + std::string(row.word));
-    for (const SurfaceTraits& surface : surface_table) keys.insert("surface." + std::string(surface.word));
     for (const std::string_view object : scene_object_words)
         if (object != "none" && object != "vehicle") keys.insert("thing." + std::string(object));
     each_record([&]<class T>(Of<T> record) {

@@ -56,8 +56,11 @@ constexpr MenuPlace menu_places[]{
     {"edit", Action::select_all},
     {"edit", Action::next_vehicle, true},
     {"edit", Action::previous_vehicle},
+    {"edit", Action::next_object},
+    {"edit", Action::previous_object},
     {"edit", Action::add},
     {"edit", Action::remove},
+    {"edit", Action::add_here},
     {"edit", Action::scene_menu},
     {"edit", Action::close_outline},
     {"edit", Action::take_back},
@@ -331,6 +334,11 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
         case Action::previous_vehicle:
         case Action::remove:
             return view.now->vehicles.empty() ? "unavailable.no_vehicles" : "";
+        case Action::next_object:
+        case Action::previous_object:
+            return objects_beside_vehicles(*view.now->scene).empty() ? "unavailable.no_objects" : "";
+        case Action::add_here:
+            return view.mode == Mode::wiring ? "unavailable.scene_only" : "";
         case Action::follow:
         case Action::drivers_eye:
         case Action::drive:

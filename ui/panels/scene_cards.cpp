@@ -16,6 +16,7 @@
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/record_fields.h"
 #include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
@@ -33,16 +34,10 @@ struct ObjectNumber {
 constexpr ObjectNumber source_strength{"thing.strength", "thing.strength", "thing.strength_how", "", 0, 1, 1, 0.01f, 2};
 constexpr ObjectNumber obstacle_length{"thing.length", "thing.length", "thing.length_how", " m", 0.2f, 10, 1, 0.01f, 2};
 constexpr ObjectNumber obstacle_width{"thing.width", "thing.width", "thing.width_how", " m", 0.2f, 10, 1, 0.01f, 2};
-constexpr ObjectNumber object_heading{"thing.heading", "thing.heading", "thing.heading_how", "°", -180, 180, 0, 1, 0};
+constexpr ObjectNumber obstacle_heading{"thing.heading", "thing.heading", "thing.heading_how", "°", -180, 180, 0, 1, 0};
 constexpr ObjectNumber obstacle_mass{"thing.mass", "thing.mass", "thing.mass_how", " kg", 0, 50, 0, 0.1f, 1};
-constexpr ObjectNumber zone_length{"thing.length", "thing.length", "thing.length_how", " m", 0.1f, 20, 2, 0.01f, 2};
-constexpr ObjectNumber zone_width{"thing.width", "thing.width", "thing.width_how", " m", 0.1f, 20, 2, 0.01f, 2};
-constexpr ObjectNumber zone_recharge{
-    "thing.recharge", "thing.recharge", "thing.recharge_how", " /s", 0, 1, 0, 0.01f, 2};
-constexpr ObjectNumber zone_wind_x{"thing.wind_x", "thing.wind_x", "thing.wind_x_how", " N", -60, 60, 0, 0.5f, 1};
-constexpr ObjectNumber zone_wind_y{"thing.wind_y", "thing.wind_y", "thing.wind_y_how", " N", -60, 60, 0, 0.5f, 1};
-constexpr ObjectNumber zone_slope{"thing.slope", "thing.slope", "thing.slope_how", "°", 0, 45, 0, 1, 0};
-constexpr ObjectNumber zone_pull{"thing.pull", "thing.pull", "thing.pull_how", " N", -60, 60, 0, 0.5f, 1};
+constexpr std::array<std::string_view, 8> zone_fields{"heading", "length", "width", "recharge",
+                                                      "wind_x",  "wind_y", "slope", "pull"};
 
 // The edit by the slider, or nullopt.
 std::optional<SliderEdit> turn(const LabView& view, PanelState& state, Ui& ui, const ObjectNumber& which, float value) {
@@ -102,49 +97,29 @@ void source_values(const LabView& view, PanelState& state, Ui& ui, int index) {
     if (to) ui.outbox.push_back(EditRequest{EditSource{index, *to}, gesture});
 }
 
-// The sliders of an object of type Thing: collects the edit of this frame.
-template <class Thing>
-class ThingSliders {
-public:
-    ThingSliders(const LabView& view, PanelState& state, Ui& ui, Thing now)
-        : now(std::move(now)), view_(view), state_(state), ui_(ui) {}
-
-    template <class Set>
-    void number(const ObjectNumber& which, float value, Set set) {
-        const auto edit = turn(view_, state_, ui_, which, value);
+void obstacle_values(const LabView& view, PanelState& state, Ui& ui, int index) {
+    // A movable obstacle may have left its position in the scene: edit it where it is now.
+    Obstacle now = view.now->scene->obstacles[static_cast<std::size_t>(index)];
+    const Pose place = *place_of(*view.now, {SceneObjectKind::obstacle, index});
+    now.x = place.x, now.y = place.y, now.heading = place.heading;
+    std::optional<Obstacle> to;
+    std::uint64_t gesture = 0;
+    const auto number = [&](const ObjectNumber& which, float value, auto set) {
+        const auto edit = turn(view, state, ui, which, value);
         if (!edit) return;
         to = now;
         set(*to, edit->value);
         gesture = edit->gesture;
-    }
-
-    const Thing now;
-    std::optional<Thing> to;
-    std::uint64_t gesture = 0;
-
-private:
-    const LabView& view_;
-    PanelState& state_;
-    Ui& ui_;
-};
-
-void obstacle_values(const LabView& view, PanelState& state, Ui& ui, int index) {
-    // A movable obstacle may have left its position in the scene: edit it where it is now.
-    Obstacle here = view.now->scene->obstacles[static_cast<std::size_t>(index)];
-    const Pose place = *place_of(*view.now, {SceneObjectKind::obstacle, index});
-    here.x = place.x, here.y = place.y, here.heading = place.heading;
-    ThingSliders<Obstacle> rows(view, state, ui, std::move(here));
-    const Obstacle& now = rows.now;
+    };
     if (now.corners.empty()) {
-        rows.number(obstacle_length, now.length, [](Obstacle& o, float v) { o.length = v; });
-        rows.number(obstacle_width, now.width, [](Obstacle& o, float v) { o.width = v; });
+        number(obstacle_length, now.length, [](Obstacle& o, float v) { o.length = v; });
+        number(obstacle_width, now.width, [](Obstacle& o, float v) { o.width = v; });
     } else {
         paragraph(ui, fill(ui.strings("thing.corners"), {std::to_string(now.corners.size())}), ui.palette.second_text);
     }
-    rows.number(object_heading, maths::degrees(now.heading),
-                [](Obstacle& o, float v) { o.heading = maths::radians(v); });
-    rows.number(obstacle_mass, now.mass, [](Obstacle& o, float v) { o.mass = v; });
-    if (rows.to) ui.outbox.push_back(EditRequest{EditObstacle{index, *rows.to}, rows.gesture});
+    number(obstacle_heading, maths::degrees(now.heading), [](Obstacle& o, float v) { o.heading = maths::radians(v); });
+    number(obstacle_mass, now.mass, [](Obstacle& o, float v) { o.mass = v; });
+    if (to) ui.outbox.push_back(EditRequest{EditObstacle{index, *to}, gesture});
 }
 
 // A square in a surface's colour; true when it was pressed.
@@ -159,47 +134,51 @@ bool surface_swatch(Ui& ui, Surface surface, bool chosen) {
         line_box(ui, square(frame), chosen ? ui.palette.text : ui.palette.second_text.with_alpha(at.warmth), 5);
     if (surface != Surface::none) fill_box(ui, square(half), colour_of(ui.palette, surface), 3);
     line_box(ui, square(half), ui.palette.second_text, 3);
-    tooltip(ui, at, ui.strings("surface." + name));
+    tooltip(ui, at, ui.strings("field.surface." + name));
     return at.pressed;
 }
 
-// Rectangle, ellipse or polygon. A press of polygon starts to draw its corners.
-void zone_shape(PanelState& state, Ui& ui, int index, ThingSliders<Zone>& rows) {
+// Rectangle, ellipse or polygon. A press of polygon starts to draw its corners; the others are the edit.
+std::optional<Zone> zone_shape(PanelState& state, Ui& ui, int index, const Zone& zone) {
     const std::array<std::string_view, 3> words{ui.strings("thing.rectangle"), ui.strings("thing.ellipse"),
                                                 ui.strings("thing.polygon")};
-    const int now = !rows.now.corners.empty() ? 2 : rows.now.round ? 1 : 0;
+    const int now = !zone.corners.empty() ? 2 : zone.round ? 1 : 0;
     const int pressed = segments(ui, "thing.shape", words, now, card_width(ui), ui.strings("thing.shape_how"));
     if (pressed == 2) {
         choose_tool(state.scene_input, SceneInputTool::polygon);
         state.scene_input.redrawn = {SceneObjectKind::zone, index};
-    } else if (pressed >= 0 && pressed != now) {
-        rows.to = rows.now;
-        rows.to->corners.clear();
-        rows.to->round = pressed == 1;
     }
+    if (pressed < 0 || pressed == 2 || pressed == now) return std::nullopt;
+    Zone to = zone;
+    to.corners.clear();
+    to.round = pressed == 1;
+    return to;
 }
 
 void zone_values(const LabView& view, PanelState& state, Ui& ui, int index) {
-    ThingSliders<Zone> rows(view, state, ui, view.now->scene->zones[static_cast<std::size_t>(index)]);
-    const Zone& now = rows.now;
-    paragraph(ui, ui.strings("surface." + std::string(word(now.surface))), ui.palette.text, Face::strong);
+    const Zone& now = view.now->scene->zones[static_cast<std::size_t>(index)];
+    std::optional<Zone> to;
+    std::uint64_t gesture = 0;
+    const std::string surface_words = std::string(ui.strings("field.zone.surface")) + ": " +
+                                      std::string(ui.strings("field.surface." + std::string(word(now.surface))));
+    paragraph(ui, surface_words, ui.palette.text, Face::strong);
     for (const SurfaceTraits& surface : surface_table) {
         if (surface.value != Surface::none) ImGui::SameLine(0, ui.px(4));
         if (surface_swatch(ui, surface.value, surface.value == now.surface) && surface.value != now.surface)
-            rows.to = now, rows.to->surface = surface.value;
+            to = now, to->surface = surface.value;
     }
-    zone_shape(state, ui, index, rows);
-    if (now.corners.empty()) {
-        rows.number(zone_length, now.length, [](Zone& z, float v) { z.length = v; });
-        rows.number(zone_width, now.width, [](Zone& z, float v) { z.width = v; });
-    }
-    rows.number(object_heading, maths::degrees(now.heading), [](Zone& z, float v) { z.heading = maths::radians(v); });
-    rows.number(zone_recharge, now.recharge, [](Zone& z, float v) { z.recharge = v; });
-    rows.number(zone_wind_x, now.wind_x, [](Zone& z, float v) { z.wind_x = v; });
-    rows.number(zone_wind_y, now.wind_y, [](Zone& z, float v) { z.wind_y = v; });
-    rows.number(zone_slope, maths::degrees(now.slope), [](Zone& z, float v) { z.slope = maths::radians(v); });
-    rows.number(zone_pull, now.pull, [](Zone& z, float v) { z.pull = v; });
-    if (rows.to) ui.outbox.push_back(EditRequest{EditZone{index, *rows.to}, rows.gesture});
+    if (auto shaped = zone_shape(state, ui, index, now)) to = std::move(shaped);
+    std::vector<std::string_view> shown(zone_fields.begin(), zone_fields.end());
+    if (!now.corners.empty())
+        std::erase_if(shown, [](std::string_view key) { return key == "length" || key == "width"; });
+    const FieldRows rows{.ui = ui,
+                         .state = state.fields,
+                         .sliders = state.sliders,
+                         .wall_seconds = view.wall_seconds,
+                         .anchor = "thing",
+                         .words_width = words_width};
+    if (auto edit = record_fields(rows, now, Zone{}, shown)) to = std::move(edit->to), gesture = edit->gesture;
+    if (to) ui.outbox.push_back(EditRequest{EditZone{index, *to}, gesture});
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ namespace {
 
 constexpr float nudge_step = 0.1f, fine_nudge = 0.01f;         // m
 constexpr float crosshair_step = 0.5f, fine_crosshair = 0.1f;  // m
-constexpr double nudge_pause = 1;                              // s without a key ends a gesture
+constexpr float key_turn = maths::radians(5);
+constexpr double nudge_pause = 1;  // s without a key ends a gesture
 
 // True if the right button opens the menu of the scene: also where another menu is open, which the press closes.
 bool right_press(const SceneInputState& state, Rect area) {
@@ -62,13 +63,11 @@ vec2 floor_direction(const CameraView& camera_view, int key) {
 
 bool is_arrow_key(int key) { return key == key::left || key == key::right || key == key::up || key == key::down; }
 
-bool nudge(const LabView& view, SceneInputState& state, KeyPress press, Outbox& outbox) {
+// Moves the chosen object to a pose. Quick presses are one gesture.
+bool put_by_key(const LabView& view, SceneInputState& state, Pose to, Outbox& outbox) {
     const SceneObject object = chosen(view);
-    const auto place = place_of(*view.now, object);
-    if (!place || state.drag.phase != SceneInputPhase::idle) return false;
-    const vec2 way = floor_direction(*view.camera_view, press.key) * (press.shift ? fine_nudge : nudge_step);
-    const auto command = move_of(*view.now, object, {place->x + way.x, place->y + way.y, place->heading});
-    if (!command) return false;
+    const auto command = move_of(*view.now, object, to);
+    if (!command || state.drag.phase != SceneInputPhase::idle) return false;
     if (object != state.nudged || view.wall_seconds - state.nudged_at > nudge_pause) ++state.gesture;
     state.nudged = object;
     state.nudged_at = view.wall_seconds;
@@ -76,6 +75,20 @@ bool nudge(const LabView& view, SceneInputState& state, KeyPress press, Outbox& 
     if (auto start = start_of(*view.now, *command))
         outbox.push_back(EditRequest{*start, gestures::viewport + state.gesture});
     return true;
+}
+
+bool nudge(const LabView& view, SceneInputState& state, KeyPress press, Outbox& outbox) {
+    const auto place = place_of(*view.now, chosen(view));
+    if (!place) return false;
+    const vec2 way = floor_direction(*view.camera_view, press.key) * (press.shift ? fine_nudge : nudge_step);
+    return put_by_key(view, state, {place->x + way.x, place->y + way.y, place->heading}, outbox);
+}
+
+// A source has no heading: the key has no effect on it.
+bool turn_by_key(const LabView& view, SceneInputState& state, float by, Outbox& outbox) {
+    const auto place = place_of(*view.now, chosen(view));
+    if (!place || chosen(view).kind == SceneObjectKind::source) return false;
+    return put_by_key(view, state, {place->x, place->y, maths::wrap_angle(place->heading + by)}, outbox);
 }
 
 // Up and Down move through the rows of the open menu; Esc and Left close it or go back. Enter goes to the focused row.
@@ -154,6 +167,13 @@ bool press_key(const LabView& view, SceneInputState& state, Keyboard& keyboard, 
         case Action::scene_menu:
             open_menu_of(state, view, chosen(view));
             return true;
+        case Action::add_here:
+            open_menu_of_floor(state, view);
+            return true;
+        case Action::rotate_left:
+            return turn_by_key(view, state, key_turn, outbox);
+        case Action::rotate_right:
+            return turn_by_key(view, state, -key_turn, outbox);
         case Action::nudge:
             return takes_arrows(view, state, press.ctrl) && nudge(view, state, press, outbox);
         default:

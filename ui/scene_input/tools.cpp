@@ -21,27 +21,17 @@ constexpr float standard_tape = 0.1f;     // m
 constexpr float standard_vehicle = 0.7f;  // m, width of the standard vehicle
 constexpr float least_tape = 0.02f;       // m, of Zone::width
 
-// All objects with a position that a ruler can take.
-std::vector<SceneObject> objects_of(const Snapshot& now) {
-    std::vector<SceneObject> all;
-    for (const VehicleView& v : now.vehicles) all.push_back(vehicle_object(v.id));
-    const auto add = [&](SceneObjectKind kind, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) all.push_back({kind, static_cast<int>(i)});
-    };
-    add(SceneObjectKind::source, now.scene->sources.size());
-    add(SceneObjectKind::obstacle, now.scene->obstacles.size());
-    add(SceneObjectKind::zone, now.scene->zones.size());
-    return all;
-}
-
 vec2 snapped(const LabView& view, vec2 at) {
     const float reach = snap_pixels / std::max(pixels_per_metre(*view.camera_view, at), 1e-3f);
     vec2 nearest = at;
     float least = reach;
-    for (const SceneObject& object : objects_of(*view.now)) {
+    const auto compare = [&](vec2 place) {
+        if (maths::distance(at, place) < least) least = maths::distance(at, place), nearest = place;
+    };
+    for (const VehicleView& v : view.now->vehicles) compare({v.x, v.y});
+    for (const SceneObject& object : objects_beside_vehicles(*view.now->scene)) {
         const auto place = place_of(*view.now, object);
-        const float away = maths::distance(at, {place->x, place->y});
-        if (away < least) least = away, nearest = {place->x, place->y};
+        if (place) compare({place->x, place->y});
     }
     return nearest;
 }

@@ -1,6 +1,6 @@
-// The tools that draw on the floor: lamp, box, zone, tape, ruler. A corner is set by a press of the left button or, with
-// the keyboard's crosshair, by Enter; so a press and Enter have the same effect. Polygon: polygon_tool.h. Does not use
-// Dear ImGui.
+// The tools that draw on the floor: lamp, box, zone, tape, ruler. A corner is set by a press of the left button or,
+// with the keyboard's crosshair, by Enter; so a press and Enter have the same effect. Polygon: polygon_tool.h. Does not
+// use Dear ImGui.
 #pragma once
 
 #include <optional>

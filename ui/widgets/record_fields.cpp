@@ -39,9 +39,8 @@ void field_label(const Ui& ui, std::string_view words, float width, float height
 // True if each choice fits its share of the width.
 bool fit_side_by_side(const Ui& ui, std::span<const std::string_view> choices, float width) {
     const float each = width / static_cast<float>(choices.size());
-    return std::all_of(choices.begin(), choices.end(), [&](std::string_view choice) {
-        return text_width(ui, Face::small, choice) < each - ui.px(8);
-    });
+    return std::all_of(choices.begin(), choices.end(),
+                       [&](std::string_view choice) { return text_width(ui, Face::small, choice) < each - ui.px(8); });
 }
 
 // The choices as buttons, as many in a row as fit. The one clicked, or −1.

@@ -1,8 +1,8 @@
 // Rows that edit any record of core/scene/schema.h: one row per number, angle, word, flag and text, in the order of the
 // schema. Label and tooltip are the strings field.RECORD.KEY and field.RECORD.KEY_how; unit and range are the schema's.
 //
-// Numbers and angles are sliders (ui/widgets/slider.h), words and flags are choices, texts are text fields. Lists, inner
-// tables, brains and optional values have no row.
+// Numbers and angles are sliders (ui/widgets/slider.h), words and flags are choices, texts are text fields. Lists,
+// inner tables, brains and optional values have no row.
 #pragma once
 
 #include <algorithm>
@@ -105,8 +105,8 @@ public:
     }
     template <class Whole>
     void number(const char* key, Whole T::*member, const char* unit, Range range, const char*) {
-        const NumberField field{
-            key, unit, range, static_cast<float>(now_.*member), static_cast<float>(home_.*member), true};
+        const NumberField field{key, unit, range, static_cast<float>(now_.*member), static_cast<float>(home_.*member),
+                                true};
         turn(field, [&](T& to, float value) { to.*member = static_cast<Whole>(std::lround(value)); });
     }
     void angle(const char* key, float T::*member, Range degrees, const char*) {
@@ -139,7 +139,8 @@ public:
     void word(const char*, std::optional<Enum> T::*, const char*) {}
     void text(const char* key, std::string T::*member, std::size_t longest, const char*) {
         if (!is_shown(key)) return;
-        if (auto typed = rows_.text(key, now_.*member, longest)) begin(rows_.next_gesture()).*member = std::move(*typed);
+        if (auto typed = rows_.text(key, now_.*member, longest))
+            begin(rows_.next_gesture()).*member = std::move(*typed);
     }
     template <class Part>
     void part(Part T::*) {}
