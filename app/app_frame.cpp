@@ -98,6 +98,7 @@ void App::frame(float passed) {
     LabView view = view_of(lab_);
     view.catalogue = &catalogue_;
     view.languages = &words_.languages;
+    view.native_language = settings_.native_language;
     view.type_size = reduced_type_size();
     view.recent = &settings_.state.recent;
     view.files = &files_;
@@ -174,6 +175,7 @@ void App::draw_scene() {
     picture.driver = lab_.view.camera.mode == CameraMode::driver ? lab_.view.selection.vehicle : no_vehicle;
     picture.reduce_motion = lab_.preferences.reduce_motion;
     picture.pixel_scale = density() * theme_.scale();
+    picture.decimal_mark = decimal_mark(words_.strings);
     shown_ = lab_.document.session.snapshot();
     if (!repeatable()) render::stand_between(shown_, lab_.playback.previous, between_ticks(lab_));
     renderer_.draw(shown_, picture);

@@ -68,7 +68,7 @@ int open_and_run(const Options& options) {
         read_settings(std::move(files), {options.theme, options.language}, native_language(*data / "ui" / "strings"));
     auto opened = open_at_start(options, settings);
     if (!opened) return complain(opened.error());
-    add_recent_file(settings.state, opened->path);
+    add_recent_file(settings.state, opened->path, opened->lab.document);
     auto words = load_words(*data / "ui" / "strings", settings.at_start.language);
     if (!words) return complain(words.error());
     const auto [width, height] = window_size(options, settings.state);

@@ -21,6 +21,19 @@ bool is_as_shipped(const Snapshot& now, std::size_t kind, const BrainGraph& ship
            });
 }
 
+bool is_as_shipped(const Snapshot& now, const Scene& shipped) {
+    for (std::size_t k = 0; k < shipped.kinds.size(); ++k)
+        if (!is_as_shipped(now, k, shipped.kinds[k].brain)) return false;
+    return true;
+}
+
+// True if this moment of a run shows what the prediction asks for: what the shipped brain does, with nothing moved.
+bool shows_outcome(const Lesson& lesson, const Snapshot& now) {
+    const Prediction& asked = lesson.exercise->prediction;
+    return now.tick > 0 && now.seconds >= static_cast<double>(asked.after) && !lesson.referee.by_hand() &&
+           is_as_shipped(now, lesson.exercise->scene);
+}
+
 // Passes a run to the referee. At keyframes uses the stored state.
 RunVisitor referee_visitor(Document& document) {
     return {
@@ -105,6 +118,7 @@ void watch(Lab& lab) {
     lesson.referee.watch(lab.document.session.snapshot());
     lesson.view.verdicts = lesson.referee.verdicts();
     lesson.view.by_hand = lesson.referee.by_hand();
+    if (!lesson.view.outcome_known) lesson.view.outcome_known = shows_outcome(lesson, lab.document.session.snapshot());
 }
 
 namespace {

@@ -253,10 +253,11 @@ void report_time_change(Lab& lab, std::uint64_t latest_before) {
     constexpr std::uint64_t reported = 30;  // ticks
     const std::uint64_t now = lab.document.session.snapshot().tick, latest = lab.document.session.latest();
     const std::string seconds = fmt::format("{:.1f}", lab.document.session.snapshot().seconds);
-    if (latest > latest_before && latest > now + reported) say(lab, {NoticeKind::done, "notice.time_back", seconds});
+    if (latest > latest_before && latest > now + reported)
+        say(lab, {NoticeKind::done, "notice.time_back", seconds, "", true});
     if (latest_before <= latest + reported) return;
     const bool can_come_back = lab.document.session.undo_brings_time_back();
-    say(lab, {NoticeKind::notice, can_come_back ? "notice.forgotten" : "notice.forgotten_for_good", seconds});
+    say(lab, {NoticeKind::notice, can_come_back ? "notice.forgotten" : "notice.forgotten_for_good", seconds, "", true});
 }
 
 bool apply(Lab& lab, const Command& command, std::uint64_t gesture) {
@@ -293,7 +294,7 @@ void handle(Lab& lab, const Request& request) {
               [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },
               [&](const OverlaysRequest& r) { lab.view.overlays = r.overlays; },
               [&](const PredictRequest& r) {
-                  if (lab.document.lesson && !lab.document.lesson->view.has_run)
+                  if (lab.document.lesson && !lab.document.lesson->view.outcome_known)
                       lab.document.lesson->view.prediction = r.option;
               },
               [&](const ExportRequest& r) { lab.files.push_back(r); },

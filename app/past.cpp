@@ -62,7 +62,7 @@ void handle_bookmark(Lab& lab, const BookmarkRequest& request) {
     const auto mark = bookmarks.begin() + request.index;
     if (request.remove) {
         say(lab, {NoticeKind::done, "notice.mark_removed",
-                  fmt::format("{:.1f}", static_cast<double>(mark->moment.tick()) / 60)});
+                  fmt::format("{:.1f}", static_cast<double>(mark->moment.tick()) / 60), "", true});
         bookmarks.erase(mark);
         return;
     }

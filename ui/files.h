@@ -17,6 +17,13 @@ struct FileEntry {
     bool broken = false;              // cannot be read; opening the file shows the error
 };
 
+// A file that was opened or saved.
+struct RecentFile {
+    std::string path;
+    std::string title{};  // of the scene or exercise in it; empty: unknown
+    friend bool operator==(const RecentFile&, const RecentFile&) = default;
+};
+
 struct FolderListing {
     std::string folder;              // absolute
     std::vector<FileEntry> entries;  // folders first, each by name; only files of the kinds above

@@ -1,6 +1,7 @@
 // Read-only view of the lab for the panels: snapshot, mode, selection. Changes go through ui/request.h.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -31,6 +32,7 @@ struct LessonView {
     std::vector<Verdict> verdicts;             // one per step of the exercise
     int prediction = -1;                       // the option chosen, 0-based; −1: none yet
     bool has_run = false;                      // played at least once since it was opened
+    bool outcome_known = false;                // a run with the shipped brain has shown what was to be predicted
     int hints_shown = 0;                       // of exercise->hints
     bool hint_ready = true;                    // the next hint may be opened now
     std::optional<std::size_t> starts_tested;  // so far, while the submission is graded
@@ -59,6 +61,7 @@ struct Notice {
     std::string key{};    // string key; empty: show `words` as they are
     std::string words{};  // value of the first {}
     std::string more{};   // value of the second {}
+    bool number = false;  // `words` is a number, shown with the decimal mark of the language
 
     bool empty() const { return key.empty() && words.empty(); }
     friend bool operator==(const Notice&, const Notice&) = default;
@@ -67,7 +70,9 @@ struct Notice {
 // A value that is the title of a shipped scene is translated.
 inline std::string text_of(const Notice& notice, const Strings& strings) {
     if (notice.key.empty()) return notice.words;
-    return fill(strings(notice.key), {strings.find(notice.words, notice.words), notice.more});
+    std::string words(strings.find(notice.words, notice.words));
+    if (notice.number) std::replace(words.begin(), words.end(), '.', decimal_mark(strings));
+    return fill(strings(notice.key), {words, notice.more});
 }
 
 struct LabView {
@@ -82,7 +87,7 @@ struct LabView {
     int undo_depth = 0, redo_depth = 0;
     const LessonView* lesson = nullptr;                      // null outside exercises
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
-    const std::vector<std::string>* recent = nullptr;        // recently opened paths, newest first; null: none
+    const std::vector<RecentFile>* recent = nullptr;         // recently opened files, newest first; null: none
     const FilesView* files = nullptr;                        // null: no file access
     std::string opened;                                      // name of the open file, as in the catalogue
     std::uint64_t run_id = 0;  // changes with every document opened since the program started
@@ -91,6 +96,7 @@ struct LabView {
     Preferences preferences;  // as stored; theme and reduce_motion above and below are those in effect
     float type_size = 0;      // in effect where the window is too small for preferences.type_size; 0: as preferred
     const std::vector<Language>* languages = nullptr;  // null: no choice
+    std::string native_language = "en";                // of the first start; Reset All chooses it
     bool reduce_motion = false;
     bool lecture = false;                     // large type, few controls
     const RecoveryOffer* recovery = nullptr;  // null: nothing to recover

@@ -56,6 +56,11 @@ std::string_view Strings::find(std::string_view key, std::string_view otherwise)
     return found == words_.end() ? otherwise : std::string_view(found->second);
 }
 
+char decimal_mark(const Strings& strings) {
+    const std::string_view mark = strings.find("number.decimal_mark", ".");
+    return mark.empty() ? '.' : mark.front();
+}
+
 void add_translations(Strings& strings, const std::vector<TranslatableText>& texts, const Strings& by_id) {
     for (const TranslatableText& text : texts)
         if (const std::string_view translation = by_id.find(text.id, {}); !translation.empty())

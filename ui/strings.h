@@ -38,6 +38,9 @@ private:
     std::map<std::string, std::string, std::less<>> words_;
 };
 
+// The mark between the ones and the tenths of a number in this language.
+char decimal_mark(const Strings&);
+
 // Adds the translation of each text that has one. The key is the text, so a text that the user has changed has no
 // translation. `by_id`: a file of exercises/words; ids are those of texts_of() in core/lesson/exercise.h.
 void add_translations(Strings&, const std::vector<TranslatableText>&, const Strings& by_id);

@@ -261,6 +261,7 @@ void execute_chosen(const LabView& view, PanelState& state, Outbox& outbox) {
 void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
     ui.keyboard = &state.keyboard;
     ui.still = view.reduce_motion;
+    ui.decimal_mark = decimal_mark(ui.strings);
     const Prompt prompt = next_prompt(state.prompts, view);
     ui.highlight = prompt.anchor;
     pass_keys_to_rows(state);

@@ -60,7 +60,7 @@ Result<AutosaveKeys> read_toml_keys(std::string_view text, const std::string& fi
         if (const toml::table* exercise = table["exercise"].as_table())
             keys.exercise =
                 Draft::Progress{(*exercise)["prediction"].value_or(-1), (*exercise)["hints_shown"].value_or(0),
-                                (*exercise)["has_run"].value_or(false)};
+                                (*exercise)["has_run"].value_or(false), false};
         return keys;
     } catch (const toml::parse_error& error) {
         return Error{std::string(error.description()), file_name, static_cast<int>(error.source().begin.line)};
@@ -78,6 +78,7 @@ Result<AutosaveKeys> read_json_keys(std::string_view text, const std::string& fi
         if (const auto& exercise = json.at("exercise"); !exercise.is_null())
             keys.exercise =
                 Draft::Progress{exercise.at("prediction"), exercise.at("hints_shown"), exercise.at("has_run"),
+                                exercise.value("outcome_known", false),
                                 exercise.contains("referee") ? exercise.at("referee").dump() : std::string()};
         return keys;
     } catch (const nlohmann::json::exception& problem) {
@@ -107,6 +108,7 @@ Result<Document> document_of(const AutosaveKeys& keys, SavedRun run) {
         const auto hints = static_cast<int>(document->lesson->exercise->hints.size());
         view.prediction = keys.exercise->prediction;
         view.has_run = keys.exercise->has_run;
+        view.outcome_known = keys.exercise->outcome_known;
         view.hints_shown = std::clamp(keys.exercise->hints_shown, 0, hints);
         restore_referee(*document, read_referee_state(keys.exercise->referee, *document->lesson->exercise));
     }
@@ -155,7 +157,7 @@ Draft draft_of(const Document& document) {
     Draft draft{document.name, document.path, document.session.save(), std::nullopt};
     if (document.lesson) {
         const LessonView& view = document.lesson->view;
-        draft.exercise = Draft::Progress{view.prediction, view.hints_shown, view.has_run};
+        draft.exercise = Draft::Progress{view.prediction, view.hints_shown, view.has_run, view.outcome_known};
         if (const RefereeState* state = referee_at_keyframe(document))
             draft.exercise->referee = write_referee_state(*state);
     }
@@ -169,6 +171,7 @@ std::string write_autosave(const Draft& draft, std::string_view when, bool ended
     if (draft.exercise)
         keys["exercise"] = {{"prediction", draft.exercise->prediction},
                             {"has_run", draft.exercise->has_run},
+                            {"outcome_known", draft.exercise->outcome_known},
                             {"hints_shown", draft.exercise->hints_shown}};
     if (draft.exercise && !draft.exercise->referee.empty())
         keys["exercise"]["referee"] = nlohmann::json::parse(draft.exercise->referee);

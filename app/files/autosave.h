@@ -28,7 +28,7 @@ struct Draft {
     SavedRun run;
     struct Progress {
         int prediction = -1, hints_shown = 0;
-        bool has_run = false;
+        bool has_run = false, outcome_known = false;
         std::string
             referee{};  // state beside the last keyframe, from write_referee_state; empty: see referee_at_keyframe
     };

@@ -80,7 +80,7 @@ struct FileCommands {
             return view.refused.clear();
         }
         replace_document(lab, std::move(*opened));
-        add_recent_file(state, path);
+        add_recent_file(state, path, lab.document);
         done(path, {});
     }
 
@@ -126,10 +126,10 @@ struct FileCommands {
             ++lab.document.edits;
         }
         if (const auto error = save_as(lab, path, wanted.kind)) return fail(*error);
-        if (wanted.kind == FileKind::run) add_recent_file(state, path);
+        if (wanted.kind == FileKind::run) add_recent_file(state, path, lab.document);
         if (wanted.kind == FileKind::scene) {
             if (!lab.document.lesson) lab.document.path = path, lab.document.name = path.stem().string();
-            add_recent_file(state, path);
+            add_recent_file(state, path, lab.document);
             if (!lab.document.lesson) {
                 lab.document.file = std::make_shared<const Scene>(lab.document.session.edited_scene());
                 lab.document.on_disk = mark_of(path);
@@ -146,8 +146,8 @@ struct FileCommands {
 
 }  // namespace
 
-void add_recent_file(StoredState& state, const fs::path& file) {
-    add_recent(state, file);
+void add_recent_file(StoredState& state, const fs::path& file, const Document& document) {
+    add_recent(state, file, title_of(document));
     if (!ships(file)) state.folder = fs::path(state.last_opened).parent_path().string();
 }
 

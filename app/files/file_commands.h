@@ -8,8 +8,9 @@
 
 namespace braitenlab {
 
-// Makes the file the last one opened. Its folder becomes the browser's folder, unless the file ships with the lab.
-void add_recent_file(StoredState&, const std::filesystem::path&);
+// Makes the file of the document the last one opened. Its folder becomes the browser's folder, unless the file ships
+// with the lab.
+void add_recent_file(StoredState&, const std::filesystem::path&, const Document&);
 
 // Executes the requests in Lab::files: opens, saves, exports, lists folders. Success is shown as a notice, failure as a
 // notice and in the view. Scene files written are added to Lab::saved.

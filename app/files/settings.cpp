@@ -75,6 +75,18 @@ std::string write_preferences(const Preferences& p) {
                      "Preferences of Braitenlab.");
 }
 
+namespace {
+
+// A table, or a path alone as written by version 0.1.
+std::optional<RecentFile> recent_file(const toml::node& node) {
+    if (const auto path = node.value<std::string>()) return RecentFile{*path};
+    const toml::table* table = node.as_table();
+    if (!table || !(*table)["path"].is_string()) return std::nullopt;
+    return RecentFile{(*table)["path"].value_or(std::string()), (*table)["title"].value_or(std::string())};
+}
+
+}  // namespace
+
 Result<StoredState> parse_state(std::string_view toml, std::string file_name) {
     auto reader = read_settings_table(toml, std::move(file_name));
     if (!reader) return reader.error();
@@ -86,8 +98,7 @@ Result<StoredState> parse_state(std::string_view toml, std::string file_name) {
     if (reader->error) return *reader->error;
     if (const toml::array* recent = reader->table["recent"].as_array())
         for (const toml::node& node : *recent)
-            if (const auto path = node.value<std::string>(); path && r.recent.size() < most_recent)
-                r.recent.push_back(*path);
+            if (const auto file = recent_file(node); file && r.recent.size() < most_recent) r.recent.push_back(*file);
     constexpr int largest = 16384;  // as for --size
     if (r.width < 640 || r.height < 480 || r.width > largest || r.height > largest) r.width = r.height = 0;
     return r;
@@ -95,7 +106,7 @@ Result<StoredState> parse_state(std::string_view toml, std::string file_name) {
 
 std::string write_state(const StoredState& r) {
     toml::array recent;
-    for (const std::string& path : r.recent) recent.push_back(path);
+    for (const RecentFile& file : r.recent) recent.push_back(toml::table{{"path", file.path}, {"title", file.title}});
     return toml_text(toml::table{{"format", 1},
                                  {"width", r.width},
                                  {"height", r.height},
@@ -105,13 +116,13 @@ std::string write_state(const StoredState& r) {
                      "Stored by Braitenlab.");
 }
 
-void add_recent(StoredState& r, const fs::path& file) {
+void add_recent(StoredState& r, const fs::path& file, std::string title) {
     std::error_code problem;
     fs::path path = fs::absolute(file, problem).lexically_normal();
     if (problem) path = file;
     r.last_opened = path.string();
-    std::erase(r.recent, r.last_opened);
-    r.recent.insert(r.recent.begin(), r.last_opened);
+    std::erase_if(r.recent, [&](const RecentFile& each) { return each.path == r.last_opened; });
+    r.recent.insert(r.recent.begin(), {r.last_opened, std::move(title)});
     if (r.recent.size() > most_recent) r.recent.resize(most_recent);
 }
 
@@ -174,7 +185,7 @@ std::optional<Error> SettingsFiles::write(const Preferences& preferences, const 
 
 Settings read_settings(SettingsFiles files, const PreferenceOverrides& overrides, const std::string& native_language) {
     Settings settings{.files = std::move(files)};
-    settings.stored.language = native_language;
+    settings.stored.language = settings.native_language = native_language;
     settings.errors = settings.files.read(settings.stored, settings.state);
     settings.at_start = settings.stored;
     if (overrides.theme) settings.at_start.theme = *overrides.theme;

@@ -20,10 +20,10 @@ Result<Preferences> parse_preferences(std::string_view toml, std::string file_na
 std::string write_preferences(const Preferences&);
 
 struct StoredState {
-    int width = 0, height = 0;        // of the window; 0: never changed
-    std::string last_opened;          // a path; empty: first start
-    std::vector<std::string> recent;  // paths, the newest first
-    std::string folder;               // of the file opened or saved last
+    int width = 0, height = 0;       // of the window; 0: never changed
+    std::string last_opened;         // a path; empty: first start
+    std::vector<RecentFile> recent;  // the newest first
+    std::string folder;              // of the file opened or saved last
     friend bool operator==(const StoredState&, const StoredState&) = default;
 };
 
@@ -33,8 +33,8 @@ std::string write_state(const StoredState&);
 
 inline constexpr std::size_t most_recent = 8;
 
-// Makes the file the last one opened and moves it to the front of the recent files.
-void add_recent(StoredState&, const std::filesystem::path&);
+// Makes the file the last one opened and moves it to the front of the recent files. `title`: of the scene or exercise.
+void add_recent(StoredState&, const std::filesystem::path&, std::string title = {});
 
 // The two files of one user: read at the start, written when something has changed.
 class SettingsFiles {
@@ -65,6 +65,7 @@ struct Settings {
     Preferences stored;    // as in the file
     Preferences at_start;  // stored, with the overrides
     Preferences last;      // at the last call of save()
+    std::string native_language;
     StoredState state;
     std::vector<Error> errors;  // of files that could not be read
 };

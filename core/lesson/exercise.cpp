@@ -17,10 +17,13 @@ inline constexpr std::size_t steps = 32, hints = 32, options = 8;
 
 template <class Visitor>
 void describe(Visitor& v, Of<Prediction>) {
-    v.text("question", &Prediction::question, limits::text_length, "asked before the first run, never graded");
+    v.text("question", &Prediction::question, limits::text_length, "asked before the outcome is visible, never graded");
     v.texts("options", &Prediction::options, limits::options, limits::text_length, "two or more to choose from");
     v.choice("answer", &Prediction::answer, &Prediction::options, "the option that the run shows");
-    v.text("outcome", &Prediction::outcome, limits::text_length, "shown after the run, beside the student's choice");
+    v.text("outcome", &Prediction::outcome, limits::text_length,
+           "shown once a run has shown it, beside the student's choice");
+    v.number("after", &Prediction::after, "s", {0, 600},
+             "of a run with the shipped brain, after which the outcome is visible");
 }
 
 template <class Visitor>
@@ -53,7 +56,7 @@ void describe(Visitor& v, Of<Exercise>) {
     v.number("seconds", &Exercise::seconds, "s", {1, 600}, "duration of a graded run");
     v.number("starts", &Exercise::starts, "", {1, 100}, "number of seeds, from 1 on, that are graded");
     v.number("needed", &Exercise::needed, "", {1, 100}, "number of them that must pass every step");
-    v.table("predict", &Exercise::prediction, "a prediction before the first run");
+    v.table("predict", &Exercise::prediction, "a prediction, to be made before the outcome is visible");
     v.list("step", &Exercise::steps, limits::steps, "what must happen; at least one");
     v.list("hint", &Exercise::hints, limits::hints, "help, in stages");
     v.table("solution", &Exercise::solution, "a brain that passes; must be given");

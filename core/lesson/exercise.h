@@ -20,12 +20,13 @@ struct Step {
     Check check;
 };
 
-// Asked before the first run, never graded. There is none when the question is empty.
+// Asked before the outcome is visible, never graded. There is none when the question is empty.
 struct Prediction {
     std::string question;
     std::vector<std::string> options;
     int answer = 0;       // index of the option that the run shows; in the file, the option's text
-    std::string outcome;  // shown after the run, next to the student's own choice
+    std::string outcome;  // shown next to the student's own choice once a run has shown it
+    float after = 3;      // simulated seconds of a run with the shipped brain after which the outcome is visible
 };
 
 struct Hint {

@@ -204,7 +204,7 @@ struct Renderer::Parts {
         contour.push_back(
             {{arena.width / 2, arena.height / 2, static_cast<float>(grid.columns), static_cast<float>(grid.rows)},
              {c.r, c.g, c.b, static_cast<float>(sensing::Intensity::most_columns)}});
-        if (picture.settings.overlays.labels) add_level_labels(list, grid, arena, colours.text);
+        if (picture.settings.overlays.labels) add_level_labels(list, grid, arena, colours.text, picture.decimal_mark);
     }
 
     // Prepares the characters of the labels.

@@ -114,7 +114,8 @@ void add_labels(Drawing& drawing) {
     add_metres(drawing, drawing.now.scene->arena);
 }
 
-void add_level_labels(DrawList& list, const sensing::Intensity& grid, const Arena& arena, Colour colour) {
+void add_level_labels(DrawList& list, const sensing::Intensity& grid, const Arena& arena, Colour colour,
+                      char decimal_mark) {
     if (grid.columns < 2) return;
     const auto peak = std::max_element(grid.values.begin(), grid.values.end()) - grid.values.begin();
     const int row = static_cast<int>(peak) / grid.columns, first = static_cast<int>(peak) % grid.columns;
@@ -128,8 +129,9 @@ void add_level_labels(DrawList& list, const sensing::Intensity& grid, const Aren
         const float t = static_cast<float>(column) + static_cast<float>(way) * (here - level) / (here - next);
         const vec2 place{(t / static_cast<float>(grid.columns - 1) - 0.5f) * arena.width,
                          (static_cast<float>(row) / static_cast<float>(grid.rows - 1) - 0.5f) * arena.height};
-        const std::string tenths = std::to_string(static_cast<int>(std::lround(level * 10)));
-        list.labels.push_back({place, 0, {}, tenths == "10" ? "1.0" : "0." + tenths, colour, rank_level});
+        const auto tenths = static_cast<int>(std::lround(level * 10));
+        const std::string words = std::to_string(tenths / 10) + decimal_mark + std::to_string(tenths % 10);
+        list.labels.push_back({place, 0, {}, words, colour, rank_level});
     }
 }
 

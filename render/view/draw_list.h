@@ -165,7 +165,7 @@ struct DrawList {
 void fill(DrawList&, const Snapshot&, const Picture&, const Trails&);
 
 // Adds the labels of the contours of an intensity map.
-void add_level_labels(DrawList&, const sensing::Intensity&, const Arena&, Colour);
+void add_level_labels(DrawList&, const sensing::Intensity&, const Arena&, Colour, char decimal_mark = '.');
 
 // Index in DrawList::sources for a channel.
 int source_shape_of(Channel);

@@ -16,6 +16,7 @@ struct Picture {
     VehicleId driver = no_vehicle;  // the vehicle that carries the camera: its sensor fields are always drawn
     bool reduce_motion = false;     // no mark grows or fades
     float pixel_scale = 1;          // display pixels per layout pixel, for line widths
+    char decimal_mark = '.';        // of the language, for the numbers at contour lines
 };
 
 }  // namespace braitenlab

@@ -46,7 +46,7 @@ TEST_F(FileCommands, SavesTheSceneWithItsEditedBrainAndOpensItAgain) {
     EXPECT_EQ(lab.document.name, "3a-love");
     ask(OpenRequest{"mine.toml"});
     EXPECT_EQ(dials().LR, 1.25f);
-    EXPECT_EQ(state.recent.front(), (folder / "mine.toml").string());
+    EXPECT_EQ(state.recent.front(), (RecentFile{(folder / "mine.toml").string(), title_of(lab.document)}));
 }
 
 TEST_F(FileCommands, ListsTheSceneFilesThatItHasWritten) {
@@ -79,7 +79,7 @@ TEST_F(FileCommands, SavesToTheFileThatWasOpenedByARelativePath) {
     const fs::path file = folder / "below" / "mine.toml";
     ASSERT_TRUE(fs::exists(file));
     lab = open(fs::relative(file).c_str());
-    add_recent_file(state, file);
+    add_recent_file(state, file, lab.document);
     files = {};
     refresh(files, lab);
     EXPECT_EQ(files.save_to, file.string());

@@ -41,11 +41,35 @@ TEST(LabLesson, ChecksStepsLive) {
     for (const Verdict& verdict : lab.document.lesson->view.verdicts) EXPECT_TRUE(verdict.done);
 }
 
-TEST(LabLesson, TakesAPredictionBeforeTheFirstRunOnly) {
+TEST(LabLesson, TakesAPredictionUntilARunHasShownTheOutcome) {
     Lab lab = aggressor();
     handle(lab, Action::step);
     handle(lab, PredictRequest{0});
-    EXPECT_EQ(lab.document.lesson->view.prediction, -1);
+    EXPECT_EQ(lesson_of(lab).prediction, 0);
+    const auto after = static_cast<int>(60 * lab.document.lesson->exercise->prediction.after);
+    while (!lesson_of(lab).outcome_known && lab.document.session.snapshot().tick < 1000) tick(lab);
+    EXPECT_NEAR(static_cast<double>(lab.document.session.snapshot().tick), after, 1);
+    handle(lab, PredictRequest{1});
+    EXPECT_EQ(lesson_of(lab).prediction, 0);
+    handle(lab, Action::exercise_reset);
+    EXPECT_FALSE(lesson_of(lab).outcome_known);
+    handle(lab, PredictRequest{1});
+    EXPECT_EQ(lesson_of(lab).prediction, 1);
+}
+
+TEST(LabLesson, KnowsTheOutcomeOfTheShippedBrainAndLampOnly) {
+    Lab rewired = aggressor();
+    handle(rewired, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
+    Lab moved = aggressor();
+    handle(moved, EditRequest{MoveSource{0, 1, 1}});
+    for (Lab* lab : {&rewired, &moved}) {
+        for (int i = 0; i < 600; ++i) tick(*lab);
+        EXPECT_FALSE(lesson_of(*lab).outcome_known);
+    }
+    handle(rewired, EditRequest{SetBrain{{.kind = 0}, rewired.document.lesson->exercise->scene.kinds[0].brain}});
+    handle(rewired, Action::reset);
+    for (int i = 0; i < 600; ++i) tick(rewired);
+    EXPECT_TRUE(lesson_of(rewired).outcome_known);
 }
 
 TEST(LabLesson, OffersAHintAfterARunOrHalfAMinute) {

@@ -11,7 +11,7 @@ const Preferences chosen{Theme::light, "es", 1.5f, true};
 
 TEST(Settings, AreReadAsTheyWereWritten) {
     EXPECT_EQ(*parse_preferences(write_preferences(chosen), "s"), chosen);
-    StoredState state{1280, 800, "/a \"b\"/c.toml", {"/x.toml", "/ünï.toml"}, "/a"};
+    StoredState state{1280, 800, "/a \"b\"/c.toml", {{"/x.toml", "A scene"}, {"/ünï.toml"}}, "/a"};
     EXPECT_EQ(*parse_state(write_state(state), "s"), state);
 }
 
@@ -82,9 +82,16 @@ TEST(Settings, ListEachRecentFileOnceAndTheNewestFirst) {
     for (int i = 0; i < 12; ++i) add_recent(r, "/s/" + std::to_string(i) + ".toml");
     add_recent(r, "/s/../s/9.toml");
     EXPECT_EQ(r.recent.size(), most_recent);
-    EXPECT_EQ(r.recent[0], "/s/9.toml");
-    EXPECT_EQ(r.recent[1], "/s/11.toml");
-    EXPECT_EQ(std::count(r.recent.begin(), r.recent.end(), "/s/9.toml"), 1);
+    EXPECT_EQ(r.recent[0].path, "/s/9.toml");
+    EXPECT_EQ(r.recent[1].path, "/s/11.toml");
+    EXPECT_EQ(std::count(r.recent.begin(), r.recent.end(), RecentFile{"/s/9.toml"}), 1);
+}
+
+TEST(Settings, ReadTheRecentFilesOfAnEarlierVersionWithoutTitles) {
+    const auto state =
+        parse_state(R"(recent = ["/a.toml", {path = "/b.toml", title = "B"}, 7, {title = "no path"}])", "s");
+    ASSERT_TRUE(state);
+    EXPECT_EQ(state->recent, (std::vector<RecentFile>{{"/a.toml"}, {"/b.toml", "B"}}));
 }
 
 }  // namespace

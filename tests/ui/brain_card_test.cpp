@@ -145,6 +145,45 @@ TEST(BrainCard, NamesTheSensorsThatTheVehicleLacks) {
     EXPECT_TRUE(writes(desk, "does not have"));
 }
 
+TEST(BrainCard, CallsTheWheelsAlikeOnlyIfTheirNumbersAreEqual) {
+    Desk desk(1280, 900, 1, true);
+    desk.now = snapshot(0);
+    const auto said = [&](std::string_view words) {
+        desk.frame(3);
+        for (const Written& w : desk.written)
+            if (w.words.find(words) != std::string::npos) return true;
+        return false;
+    };
+    desk.now.vehicles[0].motor = {0.21f, 0.19f};
+    EXPECT_FALSE(said("Both wheels alike"));
+    EXPECT_TRUE(said("Left wheel faster"));
+    desk.now.vehicles[0].motor = {0.2001f, 0.1999f};
+    EXPECT_TRUE(said("Both wheels alike"));
+}
+
+TEST(BrainCard, ExplainsTheSensorThatDecides) {
+    Desk desk(1280, 900, 1, true);
+    desk.now = snapshot(0);
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    Sensor obstacle;
+    obstacle.name = "OL", obstacle.channel = Channel::obstacle;
+    scene->kinds[0].sensors.push_back(obstacle);
+    BrainGraph brain = make_graph({});
+    Node node;
+    node.id = 20, node.name = "OL", node.kind = NodeKind::sensor;
+    brain.nodes.push_back(node);
+    brain.wires.push_back({.from = 20, .to = find_node(brain, "ML")->id, .weight = 1});
+    desk.now.scene = scene;
+    desk.now.brains[0] = std::make_shared<BrainGraph>(brain);
+    desk.now.sensed = {0, 0, 0.5f};
+    desk.now.neurons = {0.5f, 0};
+    desk.now.vehicles[0].motor = {0.5f, 0};
+    desk.frame(3);
+    bool said = false;
+    for (const Written& w : desk.written) said |= w.words.find("OL (sees obstacles) = +0.50") != std::string::npos;
+    EXPECT_TRUE(said);
+}
+
 TEST(BrainCard, DescribesABrainOfLogicByItsParts) {
     Desk desk;
     desk.now = shipped_scene("5-logic");

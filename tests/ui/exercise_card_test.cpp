@@ -29,17 +29,25 @@ void pass(Desk& desk) {
 
 }  // namespace
 
-TEST(ExerciseCard, APredictionIsMadeBeforeTheRun) {
+TEST(ExerciseCard, APredictionIsMadeUntilTheOutcomeIsKnown) {
     Desk desk;
     desk.open_exercise();
     desk.frame(3);
     desk.click("exercise.predict.2");
     ASSERT_EQ(desk.all.size(), 1u);
     EXPECT_EQ(std::get<PredictRequest>(desk.all[0]).option, 1);
-    desk.lesson.prediction = 1;
     desk.lesson.has_run = true;
     desk.frame(3);
+    desk.click("exercise.predict.1");
+    ASSERT_EQ(desk.all.size(), 2u);
+    EXPECT_EQ(std::get<PredictRequest>(desk.all[1]).option, 0) << "Space alone does not end it";
+    desk.lesson.prediction = 1;
+    desk.lesson.outcome_known = true;
+    desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "a prediction cannot be changed";
+    desk.lesson.prediction = -1;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "and not be made";
 }
 
 TEST(ExerciseCard, ItsButtonsRequestAHintAndAReset) {
@@ -125,7 +133,26 @@ TEST(ExerciseCard, AHeldStepShowsItsPresentValueAndItsTime) {
     EXPECT_TRUE(says(desk, "now 2.0 s, need ≥ 5.0 s"));
 }
 
-TEST(ExerciseCard, TheOutcomeBelongsToTheShippedBrain) {
+TEST(ExerciseCard, TheOutcomeIsShownAsSoonAsItIsKnownAndInTheVisiblePartOfTheCard) {
+    for (const bool passed : {false, true}) {
+        Desk desk(1024, 768, 1, true);
+        desk.open_exercise();
+        desk.panels.why_open = true;
+        desk.lesson.hints_shown = 3;
+        if (passed) pass(desk);
+        desk.lesson.prediction = 0;
+        desk.frame(4);
+        EXPECT_FALSE(says(desk, "What happened"));
+        desk.lesson.outcome_known = true;
+        desk.frame(4);
+        bool visible = false;
+        for (const Written& w : desk.written)
+            visible |= w.words.starts_with("What happened: It turned away") && inside(w.rect, w.clip);
+        EXPECT_TRUE(visible) << passed;
+    }
+}
+
+TEST(ExerciseCard, SaysThatTheOutcomeIsOlderThanTheChangesOfTheBrain) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
     desk.now.kind_brains = {desk.now.brains[0]};
@@ -136,10 +163,7 @@ TEST(ExerciseCard, TheOutcomeBelongsToTheShippedBrain) {
         desk.now.kind_brains = {std::make_shared<BrainGraph>(make_graph(dials))};
         desk.frame(3);
     };
-    desk.now.seconds = desk.opened.seconds;
-    rewire({.LL = 0.3f});
-    EXPECT_FALSE(says(desk, "It turned away.")) << "rewired before the first run: no run has shown that";
-    desk.now.kind_brains = {desk.now.brains[0]};
+    desk.lesson.outcome_known = true;
     desk.frame(3);
     EXPECT_TRUE(says(desk, "What happened: It turned away."));
     rewire({.LL = 0.3f});

@@ -8,7 +8,7 @@ struct FilesSheet : testing::Test {
     Desk desk;
     std::vector<CatalogueEntry> catalogue{{"05-aggressor", "/x/05-aggressor.toml", "Aggressor", "", 5},
                                           {"2a-coward", "/x/2a-coward.toml", "Coward", "It turns away."}};
-    std::vector<std::string> recent{"/y/mine.toml", "/x/2a-coward.toml"};
+    std::vector<RecentFile> recent{{"/y/mine.toml"}, {"/x/2a-coward.toml", "Coward"}};
     FilesView files;
 
     FilesSheet() {
@@ -110,6 +110,16 @@ TEST_F(FilesSheet, ListsRecentFiles) {
     EXPECT_EQ(opened(), std::vector<std::string>{"/y/mine.toml"});
 }
 
+TEST_F(FilesSheet, ListsRecentFilesByTheirTitle) {
+    recent = {{"/y/mine.toml"}, {"/x/2a-coward.toml", "Coward"}, {"/x/a.toml", "Twice"}, {"/x/b.toml", "Twice"}};
+    press({'O', true});
+    desk.click("files.place.2");
+    desk.frame(2);
+    EXPECT_EQ(said("Coward"), 1);
+    EXPECT_EQ(said("Twice (a.toml)"), 1);
+    EXPECT_EQ(said("Twice (b.toml)"), 1);
+}
+
 TEST_F(FilesSheet, KeepsThePositionOfItsTabsForEachTab) {
     press({'O', true});
     desk.frame(4);
@@ -123,7 +133,7 @@ TEST_F(FilesSheet, KeepsThePositionOfItsTabsForEachTab) {
 }
 
 TEST_F(FilesSheet, StartsEachListAtItsTop) {
-    for (int i = 0; i < 40; ++i) recent.push_back("/y/" + std::to_string(i) + ".toml");
+    for (int i = 0; i < 40; ++i) recent.push_back({"/y/" + std::to_string(i) + ".toml"});
     for (int i = 0; i < 40; ++i) {
         const std::string name = "s" + std::to_string(i);
         catalogue.push_back({name, "/x/" + name + ".toml", name, "A story."});

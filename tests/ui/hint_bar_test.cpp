@@ -21,8 +21,14 @@ TEST(HintBar, HasADifferentIconAndColourForEachKind) {
 TEST(HintBar, UsesTheChosenLanguage) {
     const Notice saved{NoticeKind::done, "notice.screenshot", "/tmp/a.png"};
     EXPECT_EQ(text_of(saved, english()), "Picture saved to /tmp/a.png");
-    EXPECT_EQ(text_of(saved, speaking("de")), "Bild gespeichert: /tmp/a.png");
+    EXPECT_EQ(text_of(saved, speaking("de")), "Bildschirmfoto gespeichert: /tmp/a.png");
     EXPECT_EQ(text_of({NoticeKind::failure, "", "no {} here"}, english()), "no {} here");
+}
+
+TEST(HintBar, ShowsSecondsWithTheDecimalMarkOfTheLanguage) {
+    const Notice notice{NoticeKind::done, "notice.time_back", "12.5", "", true};
+    EXPECT_EQ(text_of(notice, english()), "What came after 12.5 s is there again.");
+    EXPECT_EQ(text_of(notice, speaking("de")), "Was nach 12,5 s kam, ist wieder da.");
 }
 
 TEST(HintBar, EndsInAnEllipsisIfItDoesNotFit) {

@@ -45,7 +45,7 @@ struct Walk {
 TEST(Item, HasATooltipOnEveryWidgetOfEveryScreen) {
     const std::vector<CatalogueEntry> catalogue{{"05-aggressor", "5.toml", "Aggressor", "", 5},
                                                 {"2a-coward", "2a.toml", "Coward", "It turns away."}};
-    const std::vector<std::string> recent{"/y/mine.toml"};
+    const std::vector<RecentFile> recent{{"/y/mine.toml"}};
     FilesView files;
     files.listing = {"/home/me", {{"pictures", true}, {"mine.toml", false, FileKind::scene}}, ""};
     const RecoveryOffer offer{"Coward", "", "2026-03-01 10:42:05"};

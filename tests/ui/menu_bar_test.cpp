@@ -190,7 +190,7 @@ TEST_F(MenuBar, OpensTheSheetsOfItsRows) {
 }
 
 TEST_F(MenuBar, OpensRecentFilesAndTheCatalogue) {
-    const std::vector<std::string> recent{"/y/mine.toml", "/y/old.run"};
+    const std::vector<RecentFile> recent{{"/y/mine.toml"}, {"/y/old.run"}};
     const std::vector<CatalogueEntry> catalogue{{"05-aggressor", "/x/5.toml", "Aggressor", "", 5},
                                                 {"2a-coward", "/x/2a.toml", "Coward", "It turns away."},
                                                 {"empty", "/x/empty.toml", "Empty scene", ""}};
@@ -345,7 +345,8 @@ TEST(MenuBarInEachWindow, KeepsEveryRowInsideTheWindow) {
         const std::string number = std::to_string(i);
         catalogue.push_back({"scene-" + number, number + ".toml", "A scene of that number " + number, ""});
     }
-    const std::vector<std::string> recent(9, "/y/a-file-with-a-name-that-is-much-longer-than-a-menu-is-wide-2026.toml");
+    const std::vector<RecentFile> recent(9,
+                                         {"/y/a-file-with-a-name-that-is-much-longer-than-a-menu-is-wide-2026.toml"});
     for (const char* code : {"en", "de", "es"})
         for (const Size size : {Size{940, 570, 1}, {1024, 768, 1}, {2048, 1536, 2}, {1880, 1140, 2}}) {
             Desk small(size.width, size.height, size.scale, true);

@@ -15,6 +15,13 @@ TEST(Number, KeepTheirDigits) {
     EXPECT_EQ(with_sign(-0.8f, 2), "−0.80");
 }
 
+TEST(Number, HaveTheDecimalMarkOfTheLanguage) {
+    EXPECT_EQ(fixed(0.8f, 2, ','), "0,80");
+    EXPECT_EQ(with_sign(-12.5f, 1, ','), "−12,5");
+    EXPECT_EQ(with_sign(-0.001f, 2, ','), "0,00");
+    EXPECT_EQ(as_factor(-1, 2, ','), "(−1,00)");
+}
+
 TEST(Number, AreInBracketsAsANegativeFactor) {
     EXPECT_EQ(as_factor(0.4f, 2), "0.40");
     EXPECT_EQ(as_factor(-1, 2), "(−1.00)");

@@ -234,4 +234,75 @@ TEST(Strings, FillTheirGapsInOrder) {
     EXPECT_EQ(fill("{}", {"{}"}), "{}");
 }
 
+namespace {
+
+// A line of ui/strings/unwanted_words.txt.
+struct UnwantedWord {
+    std::string language, word, instead;
+};
+
+std::vector<UnwantedWord> unwanted_words() {
+    std::ifstream in(folder() / "unwanted_words.txt");
+    std::vector<UnwantedWord> words;
+    const std::regex row("(\\w+) \\| (.+) \\| (.+)");
+    std::smatch parts;
+    for (std::string line; std::getline(in, line);) {
+        if (line.starts_with('#')) continue;
+        EXPECT_TRUE(std::regex_match(line, parts, row)) << "unwanted_words.txt: " << line;
+        words.push_back({parts[1], parts[2], parts[3]});
+    }
+    return words;
+}
+
+std::string in_small_letters(std::string text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] >= 'A' && text[i] <= 'Z') text[i] = static_cast<char>(text[i] - 'A' + 'a');
+        const bool is_capital = text[i] == '\xC3' && i + 1 < text.size() && text[i + 1] < '\x9F';  // Ä, É, Ñ …
+        if (is_capital) text[i + 1] = static_cast<char>(text[i + 1] + 0x20), ++i;
+    }
+    return text;
+}
+
+bool has_word(const std::string& text, const std::string& word) {
+    const std::string small = in_small_letters(text);
+    for (std::size_t at = small.find(word); at != small.npos; at = small.find(word, at + 1)) {
+        const auto before = static_cast<unsigned char>(at == 0 ? ' ' : small[at - 1]);
+        if (!(before >= 'a' && before <= 'z') && before < 0x80) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST(Strings, HaveOneWordForOneConcept) {
+    EXPECT_TRUE(has_word("Die Drähte", "drähte"));
+    EXPECT_TRUE(has_word("ÄNDERN", "ändern"));
+    EXPECT_FALSE(has_word("ausgewählte", "gewählte"));
+    const auto unwanted = unwanted_words();
+    EXPECT_GT(unwanted.size(), 20u);
+    for (const auto& [language, word, instead] : unwanted)
+        for (const fs::path& file : {folder() / (language + ".toml"),
+                                     fs::path(BRAITENLAB_SOURCE) / "exercises" / "words" / (language + ".toml")}) {
+            const auto strings = fs::exists(file) ? Strings::load(file) : Result<Strings>(Strings{});
+            ASSERT_TRUE(strings) << strings.error().text();
+            for (const auto& [key, text] : strings->all())
+                EXPECT_FALSE(has_word(text, word))
+                    << file.filename() << ": " << key << " has '" << word << "'; use '" << instead << "'";
+        }
+}
+
+TEST(Strings, HaveTheEllipsisAndMarksOfTheLanguage) {
+    const Strings spanish = speaking("es");
+    for (const auto& [key, text] : spanish.all()) {
+        EXPECT_EQ(text.find(" …"), std::string::npos) << key << ": no space before the ellipsis";
+        const auto count = [&](std::string_view mark) {
+            std::size_t found = 0;
+            for (std::size_t at = text.find(mark); at != text.npos; at = text.find(mark, at + 1)) ++found;
+            return found;
+        };
+        EXPECT_EQ(count("?"), count("¿")) << key << ": " << text;
+        EXPECT_EQ(count("!"), count("¡")) << key << ": " << text;
+    }
+}
+
 }  // namespace braitenlab::tests::strings_test

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "desk.h"
+#include "ui/widgets/number.h"
 
 namespace braitenlab::tests::toolbar_test {
 
@@ -49,7 +50,7 @@ TEST_P(ToolbarInEachLanguage, HasOneRowWithoutOverlapsAtAnyWidth) {
         desk.strings = speaking(GetParam());
         desk.view.pace = 0.8f;
         desk.frame(3);
-        const std::string pace = fill(desk.strings("time.pace"), {"0.8"});
+        const std::string pace = fill(desk.strings("time.pace"), {fixed(0.8f, 1, decimal_mark(desk.strings))});
         const Rect mode = desk.where("mode");
         int paces = 0;
         for (const Written& w : desk.written) {

@@ -137,7 +137,7 @@ TEST_F(WiringInspector, DescribesASensorBesideItsName) {
     graph.nodes[0].name = "OL";
     desk.now.brains[0] = std::make_shared<BrainGraph>(graph);
     select({{SL}, {}});
-    EXPECT_TRUE(writes("OL  ·  smells  ·  stands at 0.40"));
+    EXPECT_TRUE(writes("OL  ·  smells  ·  value 0.40"));
 }
 
 TEST_F(WiringInspector, IgnoresClicksOnAnOpenMenu) {

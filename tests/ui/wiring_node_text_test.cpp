@@ -19,6 +19,15 @@ TEST(WiringNodeText, SumHasProductsBiasAndValue) {
     EXPECT_EQ(sum_text(make_graph(four), ML, seen), "0.42·0.80 + 0.10 → 0.44");
 }
 
+TEST(WiringNodeText, SumOfAMotorShowsThatItIsLimited) {
+    const auto over = [](NodeId id) { return id == SL ? 0.5f : 1.1f; };
+    const BrainGraph graph = make_graph({.LL = 2, .LM = 0.1f});
+    EXPECT_EQ(sum_text(graph, ML, over), "0.50·2.00 + 0.10 = 1.10 → 1.00");
+    EXPECT_EQ(sum_text(graph, ML, over, {}, ','), "0,50·2,00 + 0,10 = 1,10 → 1,00");
+    EXPECT_EQ(shown_value(*find_node(graph, "ML"), -1.1f), -1);
+    EXPECT_EQ(shown_value(*find_node(graph, "SL"), 1.1f), 1.1f);
+}
+
 TEST(WiringNodeText, SumHasSignsBetweenItsTerms) {
     FourNeurons four;
     four.RR = -0.5f, four.RL = -1, four.RM = -0.1f;

@@ -1,5 +1,6 @@
 // In the smallest supported window, no text of any language is clipped, leaves the window or overlaps other text.
 #include <functional>
+#include <regex>
 
 #include "desk.h"
 
@@ -259,6 +260,29 @@ TEST_P(EveryLanguage, FitsAtTwiceTheSize) {
         desk.frame(5);
         expect_words_to_fit(desk, screen.name);
     }
+}
+
+// Numbers have the decimal mark of the language. Names of files and the version are no numbers.
+TEST_P(EveryLanguage, ShowsNumbersWithItsDecimalMark) {
+    const bool has_comma = std::string(GetParam()) != "en";
+    const std::regex with_point("[0-9]\\.[0-9]"), with_comma("[0-9],[0-9]");
+    int numbers = 0;
+    for (const Screen& screen : screens()) {
+        Desk desk(1280, 1200, 1, true);
+        desk.strings = speaking(GetParam());
+        desk.frame(3);
+        screen.set(desk);
+        desk.view.version = {};
+        desk.now.inactivity_left = 12.5f;
+        desk.frame(5);
+        for (const Written& w : desk.written) {
+            if (screen.name == std::string("about")) continue;
+            EXPECT_FALSE(std::regex_search(w.words, has_comma ? with_point : with_comma))
+                << screen.name << ": " << w.words;
+            numbers += std::regex_search(w.words, has_comma ? with_comma : with_point);
+        }
+    }
+    EXPECT_GT(numbers, 200);
 }
 
 // All texts of prompts and modes in the hint bar, which has one line.

@@ -89,7 +89,7 @@ void pair_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const float space = ui.px(4), right = ImGui::GetCursorScreenPos().x + card_width(ui);
     bool is_first = true;
     for (const KindPair& pair : pairs) {
-        std::string words(ui.strings("sense." + std::string(word(pair.channel))));
+        std::string words(ui.strings("view.channel." + std::string(word(pair.channel))));
         if (const auto number = pair.name.find(' '); number != std::string::npos) words += pair.name.substr(number);
         const std::string id = "pair." + pair.name;
         const SmallButton look{id, {}, words, pair.sensors == shown};

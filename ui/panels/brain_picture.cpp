@@ -89,7 +89,7 @@ private:
         const Item at = item(ui_, which.anchor, size);
         if (at.warmth > 0) warmth_[which.node->id] = at.warmth;
         if (at.hovered) {
-            const std::string value = which.node->silenced ? "" : "  " + fixed(reading(which.node), 2);
+            const std::string value = which.node->silenced ? "" : "  " + fixed(ui_, reading(which.node), 2);
             tooltip(ui_, at, fill(ui_.strings(which.node->silenced ? words_hurt : words), {which.name + value}),
                     ui_.strings("lesion.key"));
         }
@@ -166,7 +166,7 @@ private:
         if (!is_graph_) {
             const float out = is_first ? -1.0f : 1.0f;
             sketch::number(ui_, {which.at.x + out * ui_.px(44), which.at.y + ui_.px(6)}, is_first, which.name,
-                           covered ? "—" : fixed(reading(which.node), 2));
+                           covered ? "—" : fixed(ui_, reading(which.node), 2));
             return;
         }
         // Names of a crowded row would overlap.
@@ -181,7 +181,7 @@ private:
         const float out = side == 0 ? -1.0f : 1.0f;
         sketch::wheel(ui_, which.at, out, vehicle_.motor[side], vehicle_.wheel_angle[side], stopped, warmth(which));
         sketch::number(ui_, {which.at.x + out * ui_.px(32), which.at.y + ui_.px(4)}, side == 0, which.name,
-                       with_sign(vehicle_.motor[side], 2));
+                       with_sign(ui_, vehicle_.motor[side], 2));
     }
 
     float warmth(const NodeMark& which) const {

@@ -84,7 +84,8 @@ void signal_pair(const History& history, Ui& ui, Rect r, const Axis& time, std::
     const Axis value{motors ? -1.0f : 0.0f, 1, "", 1};
     // The upper chart has no minus signs beside its axis: indent it, so that both time axes are aligned.
     if (!motors) {
-        const float minus = text_width(ui, Face::small, fixed(-1, 1)) - text_width(ui, Face::small, fixed(1, 1));
+        const float minus =
+            text_width(ui, Face::small, fixed(ui, -1, 1)) - text_width(ui, Face::small, fixed(ui, 1, 1));
         r.x += minus, r.w -= minus;
     }
     const Rect inner = plot_ground(ui, r, time, value);
@@ -100,10 +101,11 @@ void signal_pair(const History& history, Ui& ui, Rect r, const Axis& time, std::
     if (!at) return;
     const History::Signals& s = nearest_sample(history.signals, *at);
     ReadOut words;
-    words.add(fill(ui.strings("time.seconds"), {fixed(static_cast<float>(s.seconds), 2)}), ui.palette.second_text);
+    words.add(fill(ui.strings("time.seconds"), {fixed(ui, static_cast<float>(s.seconds), 2)}), ui.palette.second_text);
     for (const std::size_t i : {first, first + 1})
-        words.add(std::string(signal_names[i]) + " " + (motors ? with_sign(s.values[i], 2) : fixed(s.values[i], 2)),
-                  i == first ? left : right);
+        words.add(
+            std::string(signal_names[i]) + " " + (motors ? with_sign(ui, s.values[i], 2) : fixed(ui, s.values[i], 2)),
+            i == first ? left : right);
     words.show(ui, inner, ImGui::GetIO().MousePos.x);
 }
 
@@ -165,12 +167,12 @@ void population_chart(const History& history, Ui& ui, Rect r, bool energy) {
     if (!at) return;
     const History::Population& p = nearest_sample(samples, *at);
     ReadOut words;
-    words.add(fill(ui.strings("time.seconds"), {fixed(static_cast<float>(p.seconds), 0)}), ui.palette.second_text);
+    words.add(fill(ui.strings("time.seconds"), {fixed(ui, static_cast<float>(p.seconds), 0)}), ui.palette.second_text);
     for (std::size_t g = 0; g < 3; ++g)
         if (there[g])
-            words.add(
-                (energy ? fixed(p.energy[g], 2) : std::to_string(p.count[g])) + " " + std::string(group_name(ui, g)),
-                ui.palette.text);
+            words.add((energy ? fixed(ui, p.energy[g], 2) : std::to_string(p.count[g])) + " " +
+                          std::string(group_name(ui, g)),
+                      ui.palette.text);
     words.show(ui, inner, ImGui::GetIO().MousePos.x);
 }
 
@@ -224,8 +226,9 @@ void energy_bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
         if (!over || mouse.x < x || mouse.x >= x + width) continue;
         line_box(ui, {x, inner.y, width, inner.h}, ui.palette.second_text, 2, 1);
         ReadOut words;
-        words.add(fill(ui.strings("info.one"), {kind_name(view, ui, v), std::to_string(v.id + 1), fixed(v.energy, 2)}),
-                  ui.palette.text);
+        words.add(
+            fill(ui.strings("info.one"), {kind_name(view, ui, v), std::to_string(v.id + 1), fixed(ui, v.energy, 2)}),
+            ui.palette.text);
         words.show(ui, inner, x + width);
         if (ImGui::IsMouseClicked(0)) ui.outbox.push_back(SelectRequest{v.id});
     }

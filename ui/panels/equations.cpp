@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <imgui.h>
 
@@ -14,17 +15,20 @@
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/wiring/node_text.h"
 
 namespace braitenlab::ui {
 
 namespace {
 
-constexpr float least_space = 4;         // layout pixels between two parts of an equation
-constexpr float equal_commands = 0.02f;  // a smaller difference of wheel commands makes no visible turn
+constexpr float least_space = 4;  // layout pixels between two parts of an equation
+
+// Two wheel commands are alike if they are shown as the same number.
+bool are_alike(float left, float right) { return std::lround(left * 100) == std::lround(right * 100); }
 
 std::string numbers_of(const Ui& ui, const Product& p) {
-    const std::string input = fixed(p.input, 2) + "·";
-    return input + (p.cut ? std::string(ui.strings("sums.cut")) : as_factor(p.weight, 2));
+    const std::string input = fixed(ui, p.input, 2) + "·";
+    return input + (p.cut ? std::string(ui.strings("sums.cut")) : as_factor(ui, p.weight, 2));
 }
 
 // The parts of both equations between "=" and the result, from left to right. A brain with more wires than the products
@@ -54,7 +58,7 @@ struct EquationColumns {
 
 EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& both, float left, float width) {
     const bool more = both[0].more_wires;
-    const float sign = text_width(ui, Face::small, "="), number = text_width(ui, Face::small, with_sign(1, 2));
+    const float sign = text_width(ui, Face::small, "="), number = text_width(ui, Face::small, with_sign(ui, 1, 2));
     const auto product = [&](std::size_t i) {
         float widest = 0;
         for (const MotorSum& sum : both)
@@ -69,7 +73,7 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
         return widest;
     };
     const float rest = more ? std::max(number, text_width(ui, Face::small, ui.strings("sums.rest"))) : 0;
-    const float total = text_width(ui, Face::strong, with_sign(1, 2)), name = text_width(ui, Face::strong, "MR");
+    const float total = text_width(ui, Face::strong, with_sign(ui, 1, 2)), name = text_width(ui, Face::strong, "MR");
     const std::size_t terms = term_columns(both);
     float taken = name + (more ? 2 : 3) * sign + product(0) + product(1) + number + rest + total;
     for (std::size_t i = 0; i < terms; ++i) taken += term(i);
@@ -110,7 +114,7 @@ void one_product(const Ui& ui, float right, float y, const Product& p) {
 // A signed number below its name.
 void signed_term(const Ui& ui, float right, float y, std::string_view letters, float value) {
     put_right(ui, {right, y}, letters, ui.palette.second_text, Face::small);
-    put_right(ui, {right, y + line_height(ui, Face::small) + ui.px(2)}, with_sign(value, 2), ui.palette.text,
+    put_right(ui, {right, y + line_height(ui, Face::small) + ui.px(2)}, with_sign(ui, value, 2), ui.palette.text,
               Face::small);
 }
 
@@ -136,7 +140,7 @@ public:
         signed_term(ui_, x_.bias, at_.y, sum_.bias_letters, sum_.bias);
         if (sum_.more_wires) signed_term(ui_, x_.rest, at_.y, ui_.strings("sums.rest"), sum_.rest);
         sign(x_.result, sum_.limited ? "→" : "=");  // → when the sum is limited to −1..1
-        put_right(ui_, {x_.total, large}, with_sign(sum_.total, 2), sum_.stopped ? c.second_text : c.text,
+        put_right(ui_, {x_.total, large}, with_sign(ui_, sum_.total, 2), sum_.stopped ? c.second_text : c.text,
                   Face::strong);
     }
 
@@ -148,7 +152,7 @@ private:
     }
     void contribution(float right, std::string_view name, float value) const {
         const bool is_cause = why_ && why_->name == name && why_->value == value;
-        if (is_cause) mark_cause(ui_, right, at_.y, with_sign(value, 2), value);
+        if (is_cause) mark_cause(ui_, right, at_.y, with_sign(ui_, value, 2), value);
         signed_term(ui_, right, at_.y, name, value);
     }
 
@@ -159,18 +163,53 @@ private:
     const Cause* why_;  // null: no cause is marked
 };
 
-std::string explanation(const Ui& ui, const std::array<MotorSum, 2>& both, const Cause& why, bool is_stuck) {
+// The name of a node that feeds a motor, with what it is: "OL (sees obstacles)". Names that the card explains elsewhere
+// stay as they are.
+std::string with_meaning(const LabView& view, const Ui& ui, const VehicleView& vehicle, const std::string& name) {
+    for (const Node& node : brain_of(*view.now, vehicle)->nodes)
+        if (node.name == name) {
+            const std::string_view key = wiring::description_key(*view.now, vehicle, node);
+            return name + " (" + std::string(ui.strings(key)) + ")";
+        }
+    return name;
+}
+
+// The sensors and neurons of the columns, each once, in a line of its own.
+std::string legend(const LabView& view, const Ui& ui, const VehicleView& vehicle, const std::array<MotorSum, 2>& both) {
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& letters) {
+        const std::string name = letters.substr(0, letters.find("·"));
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    for (const MotorSum& sum : both) {
+        for (const Product& product : sum.products) add(product.letters);
+        for (const Term& term : sum.terms) add(term.name);
+    }
+    std::string lines;
+    for (const std::string& name : names) lines += "\n" + with_meaning(view, ui, vehicle, name);
+    return lines;
+}
+
+struct Explained {
+    const LabView& view;
+    const VehicleView& vehicle;
+    const std::array<MotorSum, 2>& both;
+    const Cause& why;
+};
+
+std::string explanation(const Ui& ui, const Explained& given, bool is_stuck) {
+    const auto& [view, vehicle, both, why] = given;
     if (both[0].stopped && both[1].stopped) return std::string(ui.strings("sums.both_stopped"));
     if (both[0].stopped || both[1].stopped)
         return std::string(ui.strings(both[0].stopped ? "sums.left_stopped" : "sums.right_stopped"));
-    if (std::fabs(both[0].total) < equal_commands && std::fabs(both[1].total) < equal_commands)
-        return std::string(ui.strings("sums.still"));
-    if (std::fabs(why.difference) < equal_commands)
+    if (are_alike(both[0].total, 0) && are_alike(both[1].total, 0)) return std::string(ui.strings("sums.still"));
+    if (are_alike(both[0].total, both[1].total))
         return std::string(ui.strings(is_stuck ? "sums.stuck" : "sums.straight"));
     const std::string_view wheel = ui.strings(why.difference > 0 ? "sums.right_faster" : "sums.left_faster");
     if (why.by == Cause::By::product || why.by == Cause::By::term)
         return fill(ui.strings(why.holds_back ? "sums.because_held" : "sums.because"),
-                    {wheel, why.name, with_sign(why.value, 2)});
+                    {wheel, with_meaning(view, ui, vehicle, why.name), with_sign(ui, why.value, 2)});
+    if (why.by == Cause::By::nothing) return std::string(wheel);
     return fill(ui.strings(why.by == Cause::By::rest ? "sums.because_rest" : "sums.because_bias"), {wheel});
 }
 
@@ -185,14 +224,17 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const Cause why = cause(both);
     const float row = 2 * line_height(ui, Face::small) + ui.px(8);
     const bool stopped = both[0].stopped || both[1].stopped;
-    const Cause* shown = stopped || std::fabs(why.difference) < equal_commands ? nullptr : &why;
+    const Cause* shown = stopped || are_alike(both[0].total, both[1].total) ? nullptr : &why;
     Equation(ui, both[0], x, at, shown).draw();
     Equation(ui, both[1], x, {at.x, at.y + row}, shown).draw();
     const Item area = item(ui, "equations", {card_width(ui), 2 * row}, false);
-    tooltip(ui, area, ui.strings(both[0].more_wires ? "sums.more_wires" : "sums.how"));
+    if (!both[0].more_wires)
+        tooltip(ui, area, ui.strings("sums.how"));
+    else if (wants_tooltip(ui, area))
+        tooltip(ui, area, std::string(ui.strings("sums.more_wires")) + legend(view, ui, vehicle, both));
     // The wheels are driven and the vehicle does not move: it is blocked. Not known in the first half second.
     const bool is_stuck = view.mode == Mode::playing && view.now->tick > 30 && std::fabs(vehicle.speed) < 0.02f;
-    paragraph(ui, explanation(ui, both, why, is_stuck), ui.palette.text, Face::small);
+    paragraph(ui, explanation(ui, {view, vehicle, both, why}, is_stuck), ui.palette.text, Face::small);
 }
 
 }  // namespace braitenlab::ui

@@ -44,8 +44,8 @@ void check_mark(const Ui& ui, ImVec2 c, float radius, bool done, float arrived) 
 
 int decimals(std::string_view unit) { return unit == "m" || unit == "×" ? 2 : unit == "s" ? 1 : 0; }
 
-std::string with_unit(float value, std::string_view unit, int digits) {
-    return fixed(value, digits) + (unit == "°" ? "" : " ") + std::string(unit);
+std::string with_unit(const Ui& ui, float value, std::string_view unit, int digits) {
+    return fixed(ui, value, digits) + (unit == "°" ? "" : " ") + std::string(unit);
 }
 
 // The number of digits that shows which of two values is larger: 10.4° and 10.0°.
@@ -64,22 +64,23 @@ std::string measured(const Ui& ui, const Measure& measure, bool done) {
                                  : measure.best ? "exercise.best_at_most"
                                  : measure.at_most ? "exercise.now_at_most"
                                                    : "exercise.now_at_least";
-    return fill(ui.strings(key),
-                {with_unit(measure.value, measure.unit, digits), with_unit(measure.needed, measure.unit, digits)});
+    return fill(ui.strings(key), {with_unit(ui, measure.value, measure.unit, digits),
+                                  with_unit(ui, measure.needed, measure.unit, digits)});
 }
 
-void prediction(const LessonView& lesson, const PanelState& state, bool rewired, Ui& ui) {
+void prediction(const LessonView& lesson, PanelState& state, bool rewired, Ui& ui) {
     const Prediction& asked = lesson.exercise->prediction;
-    if (asked.options.empty()) return;
+    const bool is_open = !lesson.outcome_known && !has_passed(lesson);
+    if (asked.options.empty() || (!is_open && lesson.prediction < 0 && !lesson.outcome_known)) return;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     subheading(ui, ui.strings("exercise.predict"));
-    if (lesson.has_run && lesson.prediction >= 0) {
-        // After the run the choice is shown beside the outcome. It is not graded.
+    if (!is_open && lesson.prediction >= 0) {
+        // The choice is shown beside the outcome. It is not graded.
         const auto chosen = static_cast<std::size_t>(lesson.prediction);
         if (chosen < asked.options.size())
             paragraph(ui, fill(ui.strings("exercise.you_predicted"), {translated(ui, asked.options[chosen])}),
                       ui.palette.second_text);
-    } else {
+    } else if (is_open) {
         paragraph(ui, translated(ui, asked.question), ui.palette.text);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(4)});
         for (std::size_t i = 0; i < asked.options.size(); ++i) {
@@ -91,13 +92,14 @@ void prediction(const LessonView& lesson, const PanelState& state, bool rewired,
         }
         ImGui::PopStyleVar();
     }
-    if (state.outcome_told && !asked.outcome.empty())
+    if (lesson.outcome_known && !asked.outcome.empty())
         paragraph(
             ui,
             fill(ui.strings(rewired ? "exercise.outcome_before" : "exercise.outcome"), {translated(ui, asked.outcome)}),
             rewired ? ui.palette.second_text : ui.palette.text);
     const ImVec2 end = ImGui::GetCursorScreenPos();
     mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});
+    if (!std::exchange(state.outcome_seen, lesson.outcome_known) && lesson.outcome_known) ImGui::SetScrollHereY(1);
     gap(ui, 12);
 }
 
@@ -247,18 +249,12 @@ bool is_rewired(const LabView& view) {
     return false;
 }
 
-// The outcome is that of the shipped brain. It is shown as soon as a run with that brain has reached it, and stays
-// shown.
-void tell_outcome(const LabView& view, PanelState& state, bool rewired) {
-    const LessonView& lesson = *view.lesson;
-    if (state.exercise_id != lesson.exercise->id) {
-        state.exercise_id = lesson.exercise->id;
-        state.outcome_told = state.grade_seen = false;
-        state.hints_seen = 0;
-    }
-    const bool shown =
-        all_steps_ticked(lesson) || view.now->seconds >= 0.5 * static_cast<double>(lesson.exercise->seconds);
-    state.outcome_told = lesson.has_run && (state.outcome_told || (shown && !rewired));
+// Forgets what the card of another exercise has scrolled to.
+void follow_exercise(const LessonView& lesson, PanelState& state) {
+    if (state.exercise_id == lesson.exercise->id) return;
+    state.exercise_id = lesson.exercise->id;
+    state.outcome_seen = state.grade_seen = false;
+    state.hints_seen = 0;
 }
 
 void steps(const LessonView& lesson, Ui& ui) {
@@ -283,7 +279,7 @@ void task(const LessonView& lesson, PanelState& state, Ui& ui) {
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const LessonView& lesson = *view.lesson;
     const bool rewired = is_rewired(view), passed = has_passed(lesson);
-    tell_outcome(view, state, rewired);
+    follow_exercise(lesson, state);
     state.card(Card::exercise).footer = ui.px(button_height + 8);
     const std::string heading = fill(ui.strings("exercise.heading"), {std::to_string(lesson.exercise->number)});
     const bool open = open_card(state, ui, Card::exercise, place, {}, heading);

@@ -43,6 +43,18 @@ std::string folder_of(const std::string& path) {
     return path.substr(0, std::max<std::size_t>(1, path.find_last_of('/')));
 }
 
+}  // namespace
+
+std::string recent_words(const Ui& ui, const std::vector<RecentFile>& all, const RecentFile& file) {
+    const std::string name = without_folder(file.path);
+    if (file.title.empty()) return name;
+    const auto same = [&](const RecentFile& other) { return other.title == file.title; };
+    const std::string title(translated(ui, file.title));
+    return std::count_if(all.begin(), all.end(), same) > 1 ? title + " (" + name + ")" : title;
+}
+
+namespace {
+
 // A row of a list: icon, name, a second line, and a note at the right end.
 struct FileRow {
     std::string id, words, below, aside;
@@ -127,11 +139,12 @@ void list_recent(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     begin_list(files, ui, "recent", bottom);
     int number = 0;
     if (view.recent)
-        for (const std::string& path : *view.recent)
+        for (const RecentFile& file : *view.recent)
             if (list_row(ui,
-                         {"recent." + std::to_string(++number), without_folder(path), folder_of(path), "", icon::file},
+                         {"recent." + std::to_string(++number), recent_words(ui, *view.recent, file), file.path, "",
+                          icon::file},
                          ui.strings("files.open_how")))
-                request_file(view, files, ui, OpenRequest{path});
+                request_file(view, files, ui, OpenRequest{file.path});
     if (number == 0) paragraph(ui, ui.strings("files.no_recent"), ui.palette.second_text);
     end_list();
 }

@@ -36,6 +36,10 @@ struct FilesState {
 void begin_files(FilesState&, bool saving, FileKind kind = FileKind::scene);
 
 // The string key of a file kind's name.
+// The title of a recent file in the language of the strings, or its name without a title; with both if another recent
+// file has the same title.
+std::string recent_words(const Ui&, const std::vector<RecentFile>&, const RecentFile&);
+
 std::string_view kind_key(FileKind);
 
 // Sends a request. FilesView::done or FilesView::refused reports its result.

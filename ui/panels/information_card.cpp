@@ -41,7 +41,7 @@ void population_numbers(const LabView& view, Ui& ui) {
         number_below(ui, {at.x + 2 * third, at.y}, ui.strings("info.captures"), std::to_string(now.events.captures));
     else if (selected)
         number_below(ui, {at.x + 2 * third, at.y}, ui.strings("info.speed"),
-                     fill(ui.strings("info.metres_a_second"), {fixed(selected->speed, 2)}));
+                     fill(ui.strings("info.metres_a_second"), {fixed(ui, selected->speed, 2)}));
     const float height = line_height(ui, Face::small) + line_height(ui, Face::strong);
     ImGui::Dummy({card_width(ui), height});
     mark(ui, "info.figures", {at.x, at.y, card_width(ui), height});
@@ -62,9 +62,11 @@ void ratio(const Snapshot& now, Ui& ui) {
     const float free_to = at.x + width - text_width(ui, Face::text, prey) - ui.px(6) - sign;
     put_role(ui, {free_to + sign / 2, at.y + h / 2}, sign, Role::prey);
     if (now.prey > 0 && now.predators > 0) {
-        const std::string words = "1 : " + fixed(static_cast<float>(now.prey) / static_cast<float>(now.predators), 1);
-        put_centred(ui, {(free_from + free_to) / 2, at.y + (h - line_height(ui, Face::small)) / 2}, words,
-                    ui.palette.second_text, Face::small);
+        const float each = static_cast<float>(now.prey) / static_cast<float>(now.predators);
+        const std::string words = fill(ui.strings("info.prey_each"), {fixed(ui, each, 1)});
+        if (text_width(ui, Face::small, words) + ui.px(12) <= free_to - free_from)
+            put_centred(ui, {(free_from + free_to) / 2, at.y + (h - line_height(ui, Face::small)) / 2}, words,
+                        ui.palette.second_text, Face::small);
     }
     const float y = at.y + h + ui.px(4), bar = ui.px(6);
     const float cut = width * static_cast<float>(now.predators) / static_cast<float>(all);
@@ -81,7 +83,7 @@ void inactivity(const Snapshot& now, Ui& ui) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = card_width(ui), h = line_height(ui, Face::small);
     put(ui, at, ui.strings("info.inactivity"), ui.palette.second_text, Face::small);
-    put_right(ui, {at.x + width, at.y}, fill(ui.strings("time.seconds"), {fixed(now.inactivity_left, 1)}),
+    put_right(ui, {at.x + width, at.y}, fill(ui.strings("time.seconds"), {fixed(ui, now.inactivity_left, 1)}),
               ui.palette.text, Face::small);
     const float y = at.y + h + ui.px(2), bar = ui.px(3);
     fill_box(ui, {at.x, y, width, bar}, ui.palette.line, 1.5f);
@@ -148,7 +150,7 @@ void energies(const LabView& view, PanelState& state, Ui& ui) {
     if (under) {
         tooltip(ui, area,
                 fill(ui.strings("info.one"),
-                     {kind_name(view, ui, *under), std::to_string(under->id + 1), fixed(under->energy, 2)}));
+                     {kind_name(view, ui, *under), std::to_string(under->id + 1), fixed(ui, under->energy, 2)}));
         if (ImGui::IsMouseClicked(0)) ui.outbox.push_back(SelectRequest{under->id});
     }
     if (now.vehicles.size() > shown)
@@ -193,7 +195,7 @@ void signal_strip(const Ui& ui, Rect r, std::string_view letters, const History&
 void signal_strips(const History& history, Ui& ui) {
     constexpr float height = 20, row = 28;  // layout pixels
     constexpr std::string_view letters[]{"SL", "SR", "ML", "MR"};
-    subheading(ui, fill(ui.strings("info.last_seconds"), {fixed(static_cast<float>(strip_seconds), 0)}));
+    subheading(ui, fill(ui.strings("info.last_seconds"), {fixed(ui, static_cast<float>(strip_seconds), 0)}));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float space = ui.px(12), half = (card_width(ui) - space) / 2;
     for (std::size_t i = 0; i < 4; ++i) {

@@ -42,13 +42,13 @@ std::vector<LectureFigure> lecture_values(const LabView& view, PanelState& state
     const VehicleView* vehicle = find_vehicle(now, view.settings.selection.vehicle);
     if (!vehicle) return {};
     const auto wheel = [&](std::string_view name, float value) {
-        return LectureFigure{name, name, with_sign(value, 2), p.text, value, true};
+        return LectureFigure{name, name, with_sign(ui, value, 2), p.text, value, true};
     };
     const Recognised& known = recognised(state.recognised, now, *vehicle, view.wall_seconds);
     const auto character = shown_character(known, now, *vehicle, shown_pair(view, *vehicle));
     return {{"lecture.character", "lecture.character",
              std::string(ui.strings("character." + std::string(character ? name(*character) : "parts"))), p.text},
-            {"lecture.speed", "lecture.speed", fill(ui.strings("info.metres_a_second"), {fixed(vehicle->speed, 2)}),
+            {"lecture.speed", "lecture.speed", fill(ui.strings("info.metres_a_second"), {fixed(ui, vehicle->speed, 2)}),
              p.text},
             wheel("lecture.left", vehicle->motor[0]),
             wheel("lecture.right", vehicle->motor[1])};
@@ -109,7 +109,7 @@ void lecture_bar(const LabView& view, Ui& ui, Rect bar) {
     const Item start = button(ui, "button.play", play);
     tooltip(ui, start, ui.strings("tooltip.play_pause"), key_name(Action::play_pause, ui.strings));
     if (start.pressed) ui.outbox.push_back(Action::play_pause);
-    const std::string time = fill(ui.strings("time.seconds"), {fixed(static_cast<float>(view.now->seconds), 1)});
+    const std::string time = fill(ui.strings("time.seconds"), {fixed(ui, static_cast<float>(view.now->seconds), 1)});
     put(ui, {start.right() + ui.px(16), bar.y + (bar.h - line_height(ui, Face::title)) / 2}, time, ui.palette.text,
         Face::title);
     ButtonLook leave{icon::cross, has_icons(ui) ? std::string_view{} : ui.strings("lecture.leave"), Emphasis::quiet};

@@ -181,11 +181,11 @@ void add_recent_files(std::vector<LabMenuRow>& rows, const LabView& view, const 
     if (!view.recent || view.recent->empty()) return;
     rows.push_back(menu_heading(ui.strings("menus.recent")));
     for (std::size_t i = 0; i < std::min(most_recent, view.recent->size()); ++i) {
-        const std::string& path = (*view.recent)[i];
-        LabMenuRow row{.request = OpenRequest{path}};
+        const RecentFile& file = (*view.recent)[i];
+        LabMenuRow row{.request = OpenRequest{file.path}};
         row.entry.anchor = "menu.file.recent." + std::to_string(i + 1);
-        row.entry.words = shortened(ui, path.substr(path.find_last_of('/') + 1), Face::text, ui.px(longest_name));
-        row.entry.how = path;
+        row.entry.words = shortened(ui, recent_words(ui, *view.recent, file), Face::text, ui.px(longest_name));
+        row.entry.how = file.path;
         rows.push_back(std::move(row));
     }
 }

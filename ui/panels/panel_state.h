@@ -86,7 +86,7 @@ struct PanelState {
     std::vector<Action> chosen;  // with toolbar and menus, executed at the end of the frame
     bool presets_open = false, close_presets = false;
     bool open_presets = false;   // requested by a click on their button while another menu covered it
-    bool outcome_told = false;   // the outcome of the prediction is shown
+    bool outcome_seen = false;   // the outcome of the prediction has been scrolled to
     std::size_t hints_seen = 0;  // hints already scrolled to
     bool grade_seen = false;
     std::string exercise_id;  // of the exercise that the three values above belong to

@@ -74,11 +74,10 @@ void motion_choice(Ui& ui, Preferences& wanted) {
     if (clicked >= 0) wanted.reduce_motion = clicked == 1;
 }
 
-// Resets preferences and cards to their initial state, except for the language. A second button restores the
-// preferences.
-void reset_all(PanelState& state, Ui& ui, Preferences& wanted) {
+// Resets preferences and cards to their state at the first start. A second button restores the preferences.
+void reset_all(const LabView& view, PanelState& state, Ui& ui, Preferences& wanted) {
     Preferences fresh;
-    fresh.language = wanted.language;
+    fresh.language = view.native_language;
     if (wanted != fresh) state.before_reset.reset();  // changed since the reset
     ImGui::SameLine(0, ui.px(8));
     if (state.before_reset) {
@@ -114,7 +113,7 @@ void settings_card(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     const Item close = button(ui, "settings.close", {{}, ui.strings("keys.close"), Emphasis::primary});
     tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
     const bool closed = close.pressed;
-    reset_all(state, ui, wanted);
+    reset_all(view, state, ui, wanted);
     if (wanted != view.preferences) ui.outbox.push_back(PreferencesRequest{wanted});
     if (end_sheet(state.settings) || closed) state.sheet = Sheet::none;
 }

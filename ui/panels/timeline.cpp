@@ -41,7 +41,7 @@ struct TimelineTrack {
 };
 
 std::string seconds_text(const Ui& ui, double ticks) {
-    return fill(ui.strings("time.seconds"), {fixed(static_cast<float>(ticks / 60), 1)});
+    return fill(ui.strings("time.seconds"), {fixed(ui, static_cast<float>(ticks / 60), 1)});
 }
 
 void timeline_button(Ui& ui, ImVec2 at, std::string_view id, std::string_view sign, std::string_view fallback,

@@ -92,14 +92,14 @@ void rule(Ui& ui, float x, Rect bar) {
                                         ui.px(1));
 }
 
-std::string speed_words(float time_scale) {
+std::string speed_words(const Ui& ui, float time_scale) {
     struct Fraction {
         float value;
         const char* words;
     };
     for (const Fraction f : {Fraction{0.125f, "1/8×"}, Fraction{0.25f, "1/4×"}, Fraction{0.5f, "1/2×"}})
         if (time_scale < f.value * 1.01f && time_scale > f.value * 0.99f) return f.words;
-    return fixed(time_scale, time_scale < 1 ? 2 : 0) + "×";
+    return fixed(ui, time_scale, time_scale < 1 ? 2 : 0) + "×";
 }
 
 // Slower, the speed, faster. Returns the right end.
@@ -119,7 +119,7 @@ float speed_control(const LabView& view, Ui& ui, float x, Rect bar) {
     end("button.slower", icon::slower, "−", Action::slower, view.time_scale > 0.126f);
     const Rect value{x, y, ui.px(speed_width), ui.px(button_height)};
     put_centred(ui, {x + value.w / 2, bar.y + bar.h / 2 - line_height(ui, Face::text) / 2},
-                speed_words(view.time_scale), ui.palette.text);
+                speed_words(ui, view.time_scale), ui.palette.text);
     mark(ui, "speed", value);
     x += value.w;
     end("button.faster", icon::faster, "+", Action::faster, view.time_scale < 15.9f);
@@ -144,12 +144,12 @@ void status_pill(const LabView& view, Ui& ui, float x, float layout_width, Rect 
              colour, Face::small);
     put(ui, {left + icon_room, middle - line_height(ui, Face::small) / 2}, words, colour, Face::small);
     mark(ui, "mode", pill);
-    const std::string time = fill(ui.strings("time.seconds"), {fixed(static_cast<float>(view.now->seconds), 1)});
+    const std::string time = fill(ui.strings("time.seconds"), {fixed(ui, static_cast<float>(view.now->seconds), 1)});
     const Rect clock{pill.x + pill.w + ui.px(8), pill.y, ui.px(layout_width - 112), pill.h};
     const float raised = view.pace ? line_height(ui, Face::small) / 2 : 0;
     put_right(ui, {clock.x + clock.w, middle - line_height(ui, Face::text) / 2 - raised}, time, p.text);
     if (view.pace) {  // the computer is too slow for the requested speed
-        const std::string pace = fill(ui.strings("time.pace"), {fixed(*view.pace, *view.pace < 0.095f ? 2 : 1)});
+        const std::string pace = fill(ui.strings("time.pace"), {fixed(ui, *view.pace, *view.pace < 0.095f ? 2 : 1)});
         put_right(ui, {clock.x + clock.w, middle + line_height(ui, Face::text) / 2 - raised}, pace,
                   colour_of(NoticeKind::failure, p), Face::small);
         mark(ui, "pace", clock);

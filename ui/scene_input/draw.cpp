@@ -106,8 +106,8 @@ private:
         if (!place) return;
         const Strings& words = ui_.strings;
         note(state_.drag.phase == SceneInputPhase::turn
-                 ? fill(words("scene_input.heading"), {with_sign(maths::degrees(place->heading), 0)})
-                 : fill(words("scene_input.place"), {with_sign(place->x, 1), with_sign(place->y, 1)}),
+                 ? fill(words("scene_input.heading"), {with_sign(ui_, maths::degrees(place->heading), 0)})
+                 : fill(words("scene_input.place"), {with_sign(ui_, place->x, 1), with_sign(ui_, place->y, 1)}),
              ui_.palette.line);
     }
 
@@ -147,7 +147,8 @@ private:
         for (vec2& corner : corners) corner += vec2{box.x, box.y};
         area(corners, ui_.palette.accent);
         line(on_screen(corners), ui_.palette.accent, 2);
-        note(fill(ui_.strings("scene_input.size"), {fixed(box.length, 1), fixed(box.width, 1)}), ui_.palette.line);
+        note(fill(ui_.strings("scene_input.size"), {fixed(ui_, box.length, 1), fixed(ui_, box.width, 1)}),
+             ui_.palette.line);
     }
 
     // A line with a dot at each end, and its length and direction beside its second end.
@@ -158,7 +159,7 @@ private:
         const maths::Polar of = maths::to_polar(to - from);
         const auto at = project(frame_.camera_view, to);
         if (!at) return;
-        note(fill(ui_.strings("scene_input.measured"), {fixed(of.distance, 2), fixed(maths::degrees(of.angle), 1)}),
+        note(fill(ui_.strings("scene_input.measured"), {fixed(ui_, of.distance, 2), fixed(ui_, maths::degrees(of.angle), 1)}),
              ui_.palette.accent, *at);
     }
 
@@ -176,7 +177,7 @@ private:
         for (const vec2 point : state_.corners)
             if (const auto at = project(frame_.camera_view, point)) dot({at->x, at->y}, 3.5f, ui_.palette.accent);
         if (state_.corners.empty() || !next) return;
-        note(fill(ui_.strings("scene_input.segment"), {fixed(maths::distance(state_.corners.back(), *next), 2)}),
+        note(fill(ui_.strings("scene_input.segment"), {fixed(ui_, maths::distance(state_.corners.back(), *next), 2)}),
              ui_.palette.line);
     }
 

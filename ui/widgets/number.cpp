@@ -1,5 +1,6 @@
 #include "ui/widgets/number.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -18,19 +19,21 @@ bool is_negative(float value, int decimals) {
 
 }  // namespace
 
-std::string fixed(float value, int decimals) {
+std::string fixed(float value, int decimals, char decimal_mark) {
     if (!std::isfinite(value) || std::fabs(value) > largest_number) return "—";
-    return (is_negative(value, decimals) ? "−" : "") + fmt::format("{:.{}f}", std::fabs(value), decimals);
+    std::string digits = fmt::format("{:.{}f}", std::fabs(value), decimals);
+    std::replace(digits.begin(), digits.end(), '.', decimal_mark);
+    return (is_negative(value, decimals) ? "−" : "") + digits;
 }
 
-std::string with_sign(float value, int decimals) {
-    const std::string bare = fixed(value, decimals);
-    const bool is_zero = bare == fixed(0, decimals);
+std::string with_sign(float value, int decimals, char decimal_mark) {
+    const std::string bare = fixed(value, decimals, decimal_mark);
+    const bool is_zero = bare == fixed(0, decimals, decimal_mark);
     return std::isfinite(value) && !is_zero && !is_negative(value, decimals) ? "+" + bare : bare;
 }
 
-std::string as_factor(float value, int decimals) {
-    const std::string bare = fixed(value, decimals);
+std::string as_factor(float value, int decimals, char decimal_mark) {
+    const std::string bare = fixed(value, decimals, decimal_mark);
     return is_negative(value, decimals) ? "(" + bare + ")" : bare;
 }
 

@@ -12,7 +12,9 @@ namespace braitenlab::ui {
 
 namespace {
 
-std::string number(float value, const Axis& axis) { return fixed(value, axis.decimals) + std::string(axis.unit); }
+std::string number(const Ui& ui, float value, const Axis& axis) {
+    return fixed(ui, value, axis.decimals) + std::string(axis.unit);
+}
 
 // The distance between the numbers of an axis. The decimals of the axis show it, so that no two numbers are equal.
 float step_of(const Axis& axis, int most) {
@@ -42,9 +44,9 @@ ImVec2 plot_point(Rect r, const Axis& x, const Axis& y, float at_x, float at_y) 
 
 Rect plot_ground(const Ui& ui, Rect outer, const Axis& x, const Axis& y) {
     const float line = line_height(ui, Face::small);
-    const float aside =
-        std::max(text_width(ui, Face::small, number(y.high, y)), text_width(ui, Face::small, number(y.low, y))) +
-        ui.px(6);
+    const float aside = std::max(text_width(ui, Face::small, number(ui, y.high, y)),
+                                 text_width(ui, Face::small, number(ui, y.low, y))) +
+                        ui.px(6);
     const Rect inner{outer.x + aside, outer.y + line / 2, outer.w - aside - ui.px(6), outer.h - 1.5f * line - ui.px(3)};
     fill_box(ui, inner, ui.palette.ground.with_alpha(0.45f), 3);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -52,15 +54,15 @@ Rect plot_ground(const Ui& ui, Rect outer, const Axis& x, const Axis& y) {
     for (float v = first_on(y, y_step); v <= y.high + y_step * 1e-3f; v += y_step) {
         const float at = plot_point(inner, x, y, x.low, v).y;
         draw.AddLine({inner.x, at}, {inner.x + inner.w, at}, paint(grid(ui, std::fabs(v) < y_step * 1e-3f)), ui.px(1));
-        put_right(ui, {inner.x - ui.px(6), at - line / 2}, number(v, y), ui.palette.second_text, Face::small);
+        put_right(ui, {inner.x - ui.px(6), at - line / 2}, number(ui, v, y), ui.palette.second_text, Face::small);
     }
     if (!x.numbers) return inner;
-    const float widest = text_width(ui, Face::small, number(x.high, x)) + ui.px(44);
+    const float widest = text_width(ui, Face::small, number(ui, x.high, x)) + ui.px(44);
     const float x_step = step_of(x, std::max(1, static_cast<int>(inner.w / widest)));
     for (float v = first_on(x, x_step); v <= x.high + x_step * 1e-3f; v += x_step) {
         const float at = plot_point(inner, x, y, v, y.low).x;
         draw.AddLine({at, inner.y}, {at, inner.y + inner.h}, paint(grid(ui, false)), ui.px(1));
-        const std::string words = number(v, x);
+        const std::string words = number(ui, v, x);
         const float half = text_width(ui, Face::small, words) / 2;
         const float middle = std::clamp(at, outer.x + half, outer.x + outer.w - half);
         put_centred(ui, {middle, inner.y + inner.h + ui.px(3)}, words, ui.palette.second_text, Face::small);

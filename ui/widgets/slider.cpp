@@ -46,16 +46,16 @@ float step_at(float value, const SliderLook& look) {
     return std::max(look.step, std::pow(10.0f, std::floor(std::log10(std::fabs(value))) - 2));
 }
 
-std::string without_trailing_zeros(std::string number) {
-    if (number.find('.') == std::string::npos) return number;
+std::string without_trailing_zeros(std::string number, char decimal_mark) {
+    if (number.find(decimal_mark) == std::string::npos) return number;
     number.erase(number.find_last_not_of('0') + 1);
-    if (number.back() == '.') number.pop_back();
+    if (number.back() == decimal_mark) number.pop_back();
     return number;
 }
 
-std::string slider_text(float value, const SliderLook& look) {
-    std::string number = look.signed_number ? with_sign(value, look.decimals) : fixed(value, look.decimals);
-    return look.trimmed ? without_trailing_zeros(std::move(number)) : number;
+std::string slider_text(const Ui& ui, float value, const SliderLook& look) {
+    std::string number = look.signed_number ? with_sign(ui, value, look.decimals) : fixed(ui, value, look.decimals);
+    return look.trimmed ? without_trailing_zeros(std::move(number), ui.decimal_mark) : number;
 }
 
 // Clamped and rounded to the step, with −0 made 0. Precondition: finite.
@@ -118,7 +118,6 @@ void open_text(SliderState& state, std::string_view id, const std::string& numbe
 
 int only_number(ImGuiInputTextCallbackData* data) {
     const ImWchar c = data->EventChar;
-    if (c == ',') data->EventChar = '.';
     return (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '-' || c == '+' ? 0 : 1;
 }
 
@@ -181,7 +180,7 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
                             look.low,
                             look.high,
                             look.wide ? look.knee : 0};
-    const std::string number = slider_text(value, look) + std::string(look.unit);
+    const std::string number = slider_text(ui, value, look) + std::string(look.unit);
     const ImGuiIO& io = ImGui::GetIO();
 
     std::optional<float> wanted;
@@ -200,7 +199,7 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
         // Undo a move of the knob by the first click of a double click, with the same gesture.
         const bool moved = twice && state.pressed == id && state.pressed_at != value;
         if (moved) wanted = state.pressed_at;
-        open_text(state, id, slider_text(wanted.value_or(value), look));
+        open_text(state, id, slider_text(ui, wanted.value_or(value), look));
         takes_text(ui.keyboard, id, false);
         state.dragged.clear();
     } else if ((at.hovered && ImGui::IsMouseClicked(1)) || (at.focused && take(*ui.keyboard, key::del))) {
@@ -219,9 +218,9 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
         put_right(ui, {at.right(), at.middle_y() - line_height(ui, Face::text) / 2}, number,
                   std::fabs(value) < look.step / 2 ? p.second_text : p.text);
     if (!typing && at.hovered)
-        tooltip(
-            ui, at, look.tooltip,
-            fill(ui.strings("slider.how"), {slider_text(valid_value(look.home, look), look) + std::string(look.unit)}));
+        tooltip(ui, at, look.tooltip,
+                fill(ui.strings("slider.how"),
+                     {slider_text(ui, valid_value(look.home, look), look) + std::string(look.unit)}));
 
     if (!wanted || !std::isfinite(*wanted)) return std::nullopt;
     const float edited = valid_value(*wanted, look);

@@ -52,6 +52,7 @@ struct Ui {
     float pulse = 0;                          // strength of the highlight, 0..1; 1 where motion is reduced
     Keyboard* keyboard = nullptr;             // set by draw_window; null: widgets react to the mouse only
     bool still = false;                       // set by draw_window; true: no easing
+    char decimal_mark = '.';                  // set by draw_window; of the language
     std::vector<Written>* written = nullptr;  // null: not recorded
     std::vector<Shown>* shown = nullptr;      // null: not recorded
 

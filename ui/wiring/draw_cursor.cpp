@@ -89,7 +89,7 @@ void draw_sum(const Pen& pen, const Picture& picture, Rect area) {
     const Snapshot& now = *picture.view.now;
     const std::string sum = sum_text(
         picture.graph, shape->id, [&](NodeId id) { return node_value(now, picture.vehicle, id); },
-        [&](const Wire& wire) { return learned_now(picture, wire); });
+        [&](const Wire& wire) { return learned_now(picture, wire); }, pen.ui.decimal_mark);
     if (sum.empty()) return;
     const ImVec2 at = beside_card(pen, picture.layout, *shape, note_size(pen.ui, sum), area);
     draw_note(pen, at, sum, area, pen.palette().second_text);

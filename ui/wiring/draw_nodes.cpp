@@ -128,7 +128,8 @@ float wheel_angle(const Picture& picture, const Node& node) {
 void draw_words(const Pen& pen, const Picture& picture, const Node& node, float value, vec2 low, vec2 high) {
     const Palette& p = pen.palette();
     const bool neuron = node.kind == NodeKind::neuron, far = detail_of(pen) != Detail::full;
-    const std::string number = node.kind == NodeKind::sensor ? fixed(value, 2) : with_sign(value, 2);
+    const float shown = shown_value(node, value);
+    const std::string number = node.kind == NodeKind::sensor ? fixed(pen.ui, shown, 2) : with_sign(pen.ui, shown, 2);
     const float room = high.x - low.x;
     const std::string_view caption = pen.ui.strings(description_key(*picture.view.now, picture.vehicle, node));
     if (far && !neuron) {

@@ -242,9 +242,9 @@ void draw_label(const Pen& pen, const Picture& picture, std::size_t index) {
     const Colour rim = cut ? p.warning : shape.ghost ? p.line : colour_of_weight(p, value + gained);
     pen.frame(at, extent, extent.y / 2, hovered || !shape.ghost ? 2 : 1.2f, hovered ? p.text : rim);
     if (cut) draw_cut(pen, at + vec2{extent.x / 2, 0}, extent.y * 0.42f);
-    std::string weight = shape.ghost ? fixed(0, 2) : with_sign(value, 2);
+    std::string weight = shape.ghost ? fixed(pen.ui, 0, 2) : with_sign(pen.ui, value, 2);
     if (wire != nullptr && learns(*wire))
-        weight = fixed(value, 2) + (gained < 0 ? " − " : " + ") + fixed(std::fabs(gained), 2);
+        weight = fixed(pen.ui, value, 2) + (gained < 0 ? " − " : " + ") + fixed(pen.ui, std::fabs(gained), 2);
     const Colour ink = shape.ghost || cut ? p.second_text : p.text;
     if (!shape.direct) return pen.text(at, letters + 2, 0.5f, weight, ink);
     const float pad = (sketch ? 9.0f : 13.0f) * grow;

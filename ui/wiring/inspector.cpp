@@ -70,8 +70,8 @@ void inspect_wire(Inspected& in, WireEnds ends) {
 }
 
 std::string node_heading(const Inspected& in, const Node& node) {
-    const float value = in.value(node.id);
-    const std::string now = node.kind == NodeKind::sensor ? fixed(value, 2) : with_sign(value, 2);
+    const float value = shown_value(node, in.value(node.id));
+    const std::string now = node.kind == NodeKind::sensor ? fixed(in.ui, value, 2) : with_sign(in.ui, value, 2);
     const bool outer = node.kind != NodeKind::neuron;  // the description on the card is small
     return node.name + "  ·  " +
            (outer ? std::string(in.words(description_key(*in.view.now, in.vehicle, node))) + "  ·  " : "") +
@@ -84,8 +84,9 @@ std::string wire_heading(const Inspected& in, WireEnds ends) {
     if (wire != nullptr && wire->cut) return name + std::string(in.words("inspector.severed"));
     const float learnt = wire == nullptr ? 0 : in.learned_by(*wire);
     const float carried = wire == nullptr ? 0 : signal(*wire, in.value(ends.from), learnt);
-    std::string text = name + fill(in.words("inspector.carries"), {with_sign(carried, 2)});
-    if (wire != nullptr && learns(*wire)) text += "  ·  " + fill(in.words("inspector.learned"), {with_sign(learnt, 2)});
+    std::string text = name + fill(in.words("inspector.carries"), {with_sign(in.ui, carried, 2)});
+    if (wire != nullptr && learns(*wire))
+        text += "  ·  " + fill(in.words("inspector.learned"), {with_sign(in.ui, learnt, 2)});
     return text;
 }
 

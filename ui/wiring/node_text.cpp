@@ -49,6 +49,12 @@ struct Term {
 using Values = std::function<float(NodeId)>;
 using Learned = std::function<float(const Wire&)>;
 
+// A number with the decimal mark of the language.
+struct Decimals {
+    char mark;
+    std::string operator()(float value) const { return fixed(value, 2, mark); }
+};
+
 float weight_now(const Wire& wire, const Learned& learned) { return wire.weight + (learned ? learned(wire) : 0.0f); }
 
 std::vector<const Wire*> feeding_wires(const BrainGraph& graph, NodeId id, const Learned& learned) {
@@ -59,14 +65,15 @@ std::vector<const Wire*> feeding_wires(const BrainGraph& graph, NodeId id, const
     return wires;
 }
 
-std::vector<Term> terms_of(const BrainGraph& graph, const Node& node, const Values& value, const Learned& learned) {
+std::vector<Term> terms_of(const BrainGraph& graph, const Node& node, const Values& value, const Learned& learned,
+                           Decimals number) {
     std::vector<Term> terms;
     for (const Wire* wire : feeding_wires(graph, node.id, learned)) {
         const float input = let_through(*wire, value(wire->from)), weight = weight_now(*wire, learned);
-        const std::string factor = input < 0 ? "(" + fixed(input, 2) + ")" : fixed(input, 2);
-        terms.push_back({factor + "·" + fixed(std::abs(weight), 2), weight < 0});
+        const std::string factor = input < 0 ? "(" + number(input) + ")" : number(input);
+        terms.push_back({factor + "·" + number(std::abs(weight)), weight < 0});
     }
-    if (node.bias != 0 || terms.empty()) terms.push_back({fixed(std::abs(node.bias), 2), node.bias < 0});
+    if (node.bias != 0 || terms.empty()) terms.push_back({number(std::abs(node.bias)), node.bias < 0});
     return terms;
 }
 
@@ -97,18 +104,25 @@ float sum_of(const BrainGraph& graph, NodeId id, const Values& value, const Lear
     return sum;
 }
 
-std::string sum_text(const BrainGraph& graph, NodeId id, const Values& value, const Learned& learned) {
+float shown_value(const Node& node, float value) {
+    return node.kind == NodeKind::motor ? std::clamp(value, -1.0f, 1.0f) : value;
+}
+
+std::string sum_text(const BrainGraph& graph, NodeId id, const Values& value, const Learned& learned,
+                     char decimal_mark) {
     const Node* node = find_node(graph, id);
     if (node == nullptr || node->kind == NodeKind::sensor) return {};
-    std::string text = joined(terms_of(graph, *node, value, learned));
-    if (node->curve.response != Response::linear) {
-        const float sum = sum_of(graph, id, value, learned);
-        if (node->curve.response == Response::step)
-            return text + " = " + fixed(sum, 2) + (sum >= node->curve.peak ? " ≥ " : " < ") +
-                   fixed(node->curve.peak, 2) + " → " + fixed(value(id), 2);
-        text += " = " + fixed(sum, 2) + "\nf(" + fixed(sum, 2) + ") = " + fixed(respond(node->curve, sum), 2);
-    }
-    return text + " → " + fixed(value(id), 2);
+    const Decimals number{decimal_mark};
+    const std::string result = " → " + number(shown_value(*node, value(id)));
+    const float sum = sum_of(graph, id, value, learned);
+    std::string text = joined(terms_of(graph, *node, value, learned, number));
+    if (node->curve.response == Response::step)
+        return text + " = " + number(sum) + (sum >= node->curve.peak ? " ≥ " : " < ") + number(node->curve.peak) +
+               result;
+    const bool has_curve = node->curve.response != Response::linear;
+    if (has_curve || shown_value(*node, value(id)) != value(id)) text += " = " + number(sum);
+    if (has_curve) text += "\nf(" + number(sum) + ") = " + number(respond(node->curve, sum));
+    return text + result;
 }
 
 }  // namespace braitenlab::wiring

@@ -15,10 +15,14 @@ std::string_view description_key(const Snapshot&, const VehicleView&, const Node
 // "0.42·0.80 + 0.10 → 0.44": each wire's input after threshold and curve times its weight, the bias, and the node's
 // value. A curve f is on a separate line: "0.42·0.80 = 0.34", then "f(0.34) = 0.71 → 0.70"; the value after the arrow
 // includes leaky memory and lesions. Wires of weight 0 and cut wires are left out; lines have at most three terms.
+// The sum of a motor is limited: "0.55·2.00 = 1.10 → 1.00".
 // `value` gives a node's value, `learned` the learned part of a wire's weight.
 // Empty for a sensor and for a node that the graph does not have.
 std::string sum_text(const BrainGraph&, NodeId, const std::function<float(NodeId)>& value,
-                     const std::function<float(const Wire&)>& learned = {});
+                     const std::function<float(const Wire&)>& learned = {}, char decimal_mark = '.');
+
+// The value that is shown for a node: of a motor the wheel command, which is limited to −1..1.
+float shown_value(const Node&, float value);
 
 // The sum before the curve. 0 for a node that the graph does not have.
 float sum_of(const BrainGraph&, NodeId, const std::function<float(NodeId)>& value,
