@@ -145,7 +145,7 @@ void App::handle_recovery(bool take) {
     error ? show_error(*error) : autosave_.forget();
 }
 
-void App::show_error(const Error& error) { say(lab_, {NoticeKind::failure, "", error.text()}); }
+void App::show_error(const Error& error) { say(lab_, error); }
 
 void App::save_settings(bool now) {
     if (!options_.screenshot.empty() || (!now && seconds_since(settings_saved_) < 1)) return;

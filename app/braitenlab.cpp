@@ -6,6 +6,7 @@
 #include "app/files/data.h"
 #include "app/files/file_commands.h"
 #include "app/platform/platform.h"
+#include "core/messages.h"
 
 namespace braitenlab {
 
@@ -23,7 +24,7 @@ Result<Opened> open_usual(const Options& options, Settings& settings) {
     if (const std::string& last = settings.state.last_opened; !last.empty()) {
         if (const auto found = find_shipped(last))
             if (auto lab = open_lab(*found, options.seed, options.settings)) return Opened{*found, std::move(*lab)};
-        settings.errors.push_back({"was open last, but cannot be opened now", last});
+        settings.errors.push_back(error_of(message_of("was_open_last"), last));
     }
     const auto first = find_shipped(first_exercise);
     if (!first) return first.error();

@@ -53,6 +53,12 @@ void say(Lab& lab, Notice notice) {
     lab.notice_until = lab.wall_seconds + seconds;
 }
 
+void say(Lab& lab, const Error& error) {
+    Notice notice{NoticeKind::failure, "", error.text()};
+    notice.error = error;
+    say(lab, std::move(notice));
+}
+
 LabView view_of(const Lab& lab) {
     const Document& document = lab.document;
     const Playback& playback = lab.playback;

@@ -61,6 +61,7 @@ Preferences own_preferences(const Lab&);
 // Shows a notice at the bottom of the window. Its duration depends on the length of the text; failures are shown
 // longest.
 void say(Lab&, Notice);
+void say(Lab&, const Error&);
 
 // The view of the lab for the panels. Points into the lab: valid until the lab changes.
 LabView view_of(const Lab&);

@@ -148,7 +148,7 @@ void update_grading(Lab& lab, Jobs& jobs) {
     auto result = lesson.grading->job.take();
     if (lesson.grading->job.active()) lesson.view.starts_tested = lesson.grading->job.progress().done;
     if (!result) return;
-    if (!*result) return say(lab, {NoticeKind::failure, "", result->error().text()});  // try again after an edit
+    if (!*result) return say(lab, result->error());  // try again after an edit
     if ((*result)->good || !lesson.grading->run_was_reset) {
         lesson.graded = GradedSubmission{std::move(now), std::move(**result)};
         lesson.view.grade = lesson.graded->grade;

@@ -264,7 +264,7 @@ bool apply(Lab& lab, const Command& command, std::uint64_t gesture) {
     const std::uint64_t latest = lab.document.session.latest();
     const auto error = lab.document.session.apply(command, gesture);
     if (error) {
-        say(lab, {NoticeKind::failure, "", error->text()});
+        say(lab, *error);
     } else {
         ++lab.document.edits;
         follow_removed_ticks(lab.document, latest);

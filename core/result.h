@@ -5,16 +5,28 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace braitenlab {
 
+// A part of a message: the id of its text in core/messages.h and the values of its {}. Without an id the first value is
+// an English text that has no translation.
+struct Phrase {
+    std::string_view id;
+    std::vector<std::string> values{};
+    friend bool operator==(const Phrase&, const Phrase&) = default;
+};
+
 // An error message: file, line, what is wrong and what to do.
 struct Error {
-    std::string what;    // what is wrong and what to do, one sentence without a full stop
-    std::string file{};  // empty when the error is in no file
-    int line = 0;        // 1-based; 0: unknown
+    std::string what;               // what is wrong and what to do, one sentence without a full stop, in English
+    std::string file{};             // empty when the error is in no file
+    int line = 0;                   // 1-based; 0: unknown
+    std::vector<Phrase> phrases{};  // the parts of `what`, for its translation; empty: it has none
+    friend bool operator==(const Error&, const Error&) = default;
 
     // "file:line: what", without the parts that are unknown.
     std::string text() const {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/result.h"
 #include "core/scene/file_kind.h"
 
 namespace braitenlab {
@@ -51,7 +52,7 @@ struct FilesView {
     std::string suggested;  // name without extension for a first save
     std::string save_to;    // file that Ctrl+S writes; empty: a name is needed
     int done = 0;         // number of files opened and saved since the start; a waiting sheet closes when it increases
-    std::string refused;  // error of the last request; empty: none
+    std::optional<Error> refused;  // of the last request
     std::string new_folder;  // the last save was refused because this folder does not exist; empty: it was not
     std::optional<Leaving> leaving;
 };

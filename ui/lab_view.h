@@ -62,6 +62,7 @@ struct Notice {
     std::string words{};  // value of the first {}
     std::string more{};   // value of the second {}
     bool number = false;  // `words` is a number, shown with the decimal mark of the language
+    std::optional<Error> error{};  // with an empty key: `words` is its text in English
 
     bool empty() const { return key.empty() && words.empty(); }
     friend bool operator==(const Notice&, const Notice&) = default;
@@ -69,6 +70,7 @@ struct Notice {
 
 // A value that is the title of a shipped scene is translated.
 inline std::string text_of(const Notice& notice, const Strings& strings) {
+    if (notice.error) return text_of(*notice.error, strings);
     if (notice.key.empty()) return notice.words;
     std::string words(strings.find(notice.words, notice.words));
     if (notice.number) std::replace(words.begin(), words.end(), '.', decimal_mark(strings));

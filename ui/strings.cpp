@@ -7,6 +7,8 @@
 
 #include <toml++/toml.h>
 
+#include "core/messages.h"
+
 namespace braitenlab {
 
 namespace {
@@ -56,6 +58,22 @@ std::string_view Strings::find(std::string_view key, std::string_view otherwise)
     return found == words_.end() ? otherwise : std::string_view(found->second);
 }
 
+std::string text_of(const Error& error, const Strings& strings) {
+    Error shown = error;
+    const bool has_translation = std::any_of(error.phrases.begin(), error.phrases.end(),
+                                             [](const Phrase& phrase) { return !phrase.id.empty(); });
+    if (has_translation) shown.what.clear();
+    if (has_translation)
+        for (const Phrase& phrase : error.phrases)
+            shown.what += phrase.id.empty() ? phrase.values.front()
+                                            : filled(strings("error." + std::string(phrase.id)), phrase.values);
+    else
+        shown.what = fill(strings("error.english"), {error.what});
+    std::string text = shown.text();
+    if (text[0] >= 'a' && text[0] <= 'z' && shown.file.empty()) text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
 char decimal_mark(const Strings& strings) {
     const std::string_view mark = strings.find("number.decimal_mark", ".");
     return mark.empty() ? '.' : mark.front();
@@ -102,17 +120,7 @@ Result<Strings> load_language(const std::filesystem::path& folder, std::string_v
 }
 
 std::string fill(std::string_view pattern, std::initializer_list<std::string_view> values) {
-    std::string filled;
-    auto value = values.begin();
-    for (std::size_t i = 0; i < pattern.size(); ++i) {
-        if (pattern.substr(i, 2) == "{}" && value != values.end()) {
-            filled += *value++;
-            ++i;
-        } else {
-            filled += pattern[i];
-        }
-    }
-    return filled;
+    return filled(pattern, values);
 }
 
 }  // namespace braitenlab

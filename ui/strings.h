@@ -38,6 +38,10 @@ private:
     std::map<std::string, std::string, std::less<>> words_;
 };
 
+// The error in the language of the strings, "file:line: what"; a message without a translation in English after a
+// lead-in in that language.
+std::string text_of(const Error&, const Strings&);
+
 // The mark between the ones and the tenths of a number in this language.
 char decimal_mark(const Strings&);
 

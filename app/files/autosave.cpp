@@ -145,10 +145,8 @@ void for_each_leftover(const fs::path& folder, const Visit& visit) {
     });
 }
 
-Error cannot_store(Error reason) {
-    reason.what =
-        fmt::format("the work cannot be stored for recovery after a crash; save it yourself (Ctrl+S): {}", reason.what);
-    return reason;
+Error cannot_store(const Error& reason) {
+    return error_of(message_of("no_recovery") + message_of(reason), reason.file, reason.line);
 }
 
 }  // namespace
@@ -199,10 +197,10 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::m
         if (is_too_old(file)) return remove_with_lock(file);
         const auto opened = open_autosave(autosave_text(file), file.string());
         if (!opened) {
-            Error error = opened.error();
-            error.what +=
-                "; its work cannot be recovered; the file is renamed to " + file.filename().string() + ".broken";
-            errors.push_back(std::move(error));
+            const Error& error = opened.error();
+            errors.push_back(error_of(message_of(error) + Message("; its work cannot be recovered; the file is renamed to " +
+                                                                  file.filename().string() + ".broken"),
+                                      error.file, error.line));
             set_aside_autosave(file);
             return;
         }

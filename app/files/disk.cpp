@@ -9,6 +9,7 @@
 #include "app/files/data.h"
 #include "app/files/safe_file.h"
 #include "core/io/run_file.h"
+#include "core/messages.h"
 
 namespace braitenlab {
 
@@ -143,17 +144,17 @@ fs::path own_file(const Document& document) {
 std::optional<Error> save_as(const Lab& lab, const fs::path& path, FileKind kind) {
     if (kind == FileKind::scene) return write_whole(path, write_scene(lab.document.session.edited_scene()));
     if (kind == FileKind::run) return write_whole(path, io::write_run(lab.document.session.save()));
-    if (kind != FileKind::brain) return Error{"can be saved as a scene, a run or a brain only", path.string()};
+    if (kind != FileKind::brain) return error_of(message_of("not_savable"), path.string());
     const Snapshot& now = lab.document.session.snapshot();
     const VehicleView* vehicle = find_vehicle(now, lab.view.selection.vehicle);
-    if (!vehicle) return Error{"no vehicle is selected; select the one whose brain to save"};
+    if (!vehicle) return error_of(message_of("no_brain_to_save"));
     return write_whole(path, write_brain(*now.brains[static_cast<std::size_t>(vehicle->brain)]));
 }
 
 std::optional<Error> take_brain(Lab& lab, const FileText& file) {
     Session& session = lab.document.session;
     const VehicleView* vehicle = find_vehicle(session.snapshot(), lab.view.selection.vehicle);
-    if (!vehicle) return Error{"no vehicle is selected; select the one that gets this brain", file.path.string()};
+    if (!vehicle) return error_of(message_of("no_vehicle_for_brain"), file.path.string());
     auto brain = parse_brain(file.text, file.path.string());
     if (!brain) return brain.error();
     const Target target =

@@ -11,6 +11,7 @@
 #include "app/lab_requests.h"
 #include "core/io/run_file.h"
 #include "core/match.h"
+#include "core/messages.h"
 
 namespace braitenlab {
 
@@ -31,14 +32,14 @@ struct FileCommands {
     const UserFolders& folders;
 
     void fail(const Error& error) const {
-        view.refused = error.text();
+        view.refused = error;
         view.new_folder.clear();
-        say(lab, {NoticeKind::failure, "", error.text()});
+        say(lab, error);
     }
 
     void done(const fs::path& path, std::string_view said) const {
         if (!said.empty()) say(lab, {NoticeKind::done, std::string(said), path.filename().string()});
-        view.refused.clear();
+        view.refused.reset();
         view.new_folder.clear();
         ++view.done;
         refresh(view, lab);
@@ -53,7 +54,7 @@ struct FileCommands {
 
     void list(const fs::path& path) const {
         view.listing = list_folder(path);
-        view.refused.clear();
+        view.refused.reset();
     }
 
     void open(const std::string& typed, bool discard = false, bool dropped = false) const {
@@ -77,7 +78,7 @@ struct FileCommands {
         if (!opened) return fail(opened.error());
         if (!discard && has_unsaved_edits(lab)) {
             view.leaving = Leaving{title_of(lab.document), path.string(), title_of(*opened)};
-            return view.refused.clear();
+            return view.refused.reset();
         }
         replace_document(lab, std::move(*opened));
         add_recent_file(state, path, lab.document);
@@ -112,7 +113,7 @@ struct FileCommands {
     bool has_folder(const fs::path& path, const SaveRequest& wanted) const {
         std::error_code none;
         if (wanted.create_folder || fs::exists(path.parent_path(), none)) return true;
-        fail({"cannot be saved there: its folder does not exist", path.string()});
+        fail(error_of(message_of("no_such_folder"), path.string()));
         view.new_folder = path.parent_path().string();
         return false;
     }
@@ -174,7 +175,7 @@ bool has_unsaved_edits(const Lab& lab) {
 bool may_leave(const Lab& lab, FilesView& view) {
     if (!has_unsaved_edits(lab)) return true;
     view.leaving = Leaving{title_of(lab.document)};
-    view.refused.clear();
+    view.refused.reset();
     return false;
 }
 
@@ -186,7 +187,7 @@ void follow_file(Lab& lab, FilesView& view) {
         return;  // it may be incomplete: wait until it stays unchanged
     lab.document.on_disk = mark;
     auto opened = open_document(lab.document.path, lab.document.session.seed(), lab.document.settings);
-    if (!opened) return say(lab, {NoticeKind::failure, "", opened.error().text()});
+    if (!opened) return say(lab, opened.error());
     if (has_unsaved_edits(lab)) return say(lab, {NoticeKind::notice, "files.changed", title_of(lab.document)});
     const Playback before{
         .mode = lab.playback.mode, .time_scale = lab.playback.time_scale, .toggles = lab.playback.toggles};

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/platform/platform.h"
+#include "core/messages.h"
 
 namespace braitenlab {
 
@@ -14,12 +15,12 @@ namespace fs = std::filesystem;
 namespace {
 
 Error not_saved(const fs::path& path, int reason) {
-    std::string advice = "choose another place";
+    const std::string cause = std::strerror(reason);
     if (reason == ENOSPC || reason == EDQUOT || reason == EFBIG)
-        advice = "make room on the disk or choose another place";
-    if (reason == EACCES || reason == EPERM || reason == EROFS) advice = "choose a folder that you may write to";
-    return {fmt::format("could not be saved: {}; {}. The old file is unchanged", std::strerror(reason), advice),
-            path.string()};
+        return error_of(message_of("disk_full", cause), path.string());
+    if (reason == EACCES || reason == EPERM || reason == EROFS)
+        return error_of(message_of("no_permission", cause), path.string());
+    return error_of(message_of("not_saved", cause), path.string());
 }
 
 // The target of a link, so that the link itself is not replaced.
@@ -38,7 +39,7 @@ FileWriter::FileWriter(const fs::path& path, bool flush) : wanted_(path), path_(
         return;
     }
     if (fs::exists(path_, none) && !fs::is_regular_file(path_, none)) {
-        error_ = Error{"is not a regular file; choose another name", wanted_.string()};
+        error_ = error_of(message_of("special_file"), wanted_.string());
         return;
     }
     beside_ = path_.parent_path() / fmt::format(".{}.{}.new", path_.filename().string(), process_number());

@@ -6,18 +6,20 @@
 #include <fmt/format.h>
 
 #include "core/brain/brain.h"
+#include "core/messages.h"
 
 namespace braitenlab {
 
 namespace {
 
 // "'bias' is nan, outside -1 .. 1", or nullopt. A number that is not finite is outside every range.
-std::optional<std::string> outside(const char* name, float value, float low, float high) {
+std::optional<Message> outside(const char* name, float value, float low, float high) {
     if (value >= low && value <= high) return std::nullopt;
-    return fmt::format("'{}' is {:.6g}, outside {:.6g} .. {:.6g}", name, value, low, high);
+    const auto shown = [](float number) { return fmt::format("{:.6g}", number); };
+    return message_of("out_of_range", name, shown(value), shown(low), shown(high));
 }
 
-using Fault = std::optional<std::string>;
+using Fault = std::optional<Message>;
 
 Fault fault_in(const Curve& curve) {
     if (auto fault = outside("peak", curve.peak, -limits::peak, limits::peak)) return fault;
@@ -41,9 +43,9 @@ Fault fault_in(const Wire& wire) {
     return fault_in(wire.curve);
 }
 
-std::optional<Error> too_many(const char* what, std::size_t count, int most) {
+std::optional<Error> too_many(std::string_view message, std::size_t count, int most) {
     if (count <= static_cast<std::size_t>(most)) return std::nullopt;
-    return Error{fmt::format("a brain may have {} {}, this one has {}; take some away", most, what, count)};
+    return error_of(message_of(message, most, count));
 }
 
 std::optional<Error> check_counts(const BrainGraph& graph) {
@@ -52,9 +54,9 @@ std::optional<Error> check_counts(const BrainGraph& graph) {
         sensors += node.kind == NodeKind::sensor;
         neurons += node.kind == NodeKind::neuron;
     }
-    if (auto error = too_many("sensors", sensors, limits::sensors)) return error;
-    if (auto error = too_many("neurons", neurons, limits::neurons)) return error;
-    return too_many("wires", graph.wires.size(), limits::wires);
+    if (auto error = too_many("too_many_sensors", sensors, limits::sensors)) return error;
+    if (auto error = too_many("too_many_neurons", neurons, limits::neurons)) return error;
+    return too_many("too_many_wires", graph.wires.size(), limits::wires);
 }
 
 std::optional<Error> check_nodes(const BrainGraph& graph) {
@@ -65,10 +67,10 @@ std::optional<Error> check_nodes(const BrainGraph& graph) {
         if (!ids.insert(node.id).second)
             return Error{fmt::format("two nodes have the id {}; give each its own", node.id)};
         if (!names.insert(node.name).second)
-            return Error{fmt::format("two nodes are called '{}'; give each its own name", node.name)};
+            return error_of(message_of("same_node_name", node.name));
         if (node.kind == NodeKind::motor && node.name != "ML" && node.name != "MR")
-            return Error{fmt::format("motor '{}' is unknown; a vehicle has the motors ML and MR", node.name)};
-        if (const auto fault = fault_in(node)) return Error{fmt::format("node '{}': {}", node.name, *fault)};
+            return error_of(message_of("unknown_motor", node.name));
+        if (const auto fault = fault_in(node)) return error_of(message_of("in_node", node.name) + *fault);
     }
     return std::nullopt;
 }
@@ -80,15 +82,14 @@ std::optional<Error> check_wires(const BrainGraph& graph) {
     for (const Wire& wire : graph.wires) {
         const auto from = nodes.find(wire.from), to = nodes.find(wire.to);
         if (from == nodes.end() || to == nodes.end())
-            return Error{
-                fmt::format("a wire runs from node {} to node {}, and one of them does not exist", wire.from, wire.to)};
+            return error_of(message_of("wire_without_end", wire.from, wire.to));
         const std::string &start = from->second->name, &end = to->second->name;
         if (to->second->kind == NodeKind::sensor)
-            return Error{fmt::format("a wire runs into the sensor '{}'; sensors only send", end)};
+            return error_of(message_of("wire_into_sensor", end));
         if (!ends.insert({wire.from, wire.to}).second)
-            return Error{fmt::format("two wires run from '{}' to '{}'; make them one", start, end)};
+            return error_of(message_of("same_wire", start, end));
         if (const auto fault = fault_in(wire))
-            return Error{fmt::format("the wire from '{}' to '{}': {}", start, end, *fault)};
+            return error_of(message_of("in_wire", start, end) + *fault);
     }
     return std::nullopt;
 }

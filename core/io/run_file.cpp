@@ -8,6 +8,7 @@
 
 #include "core/io/json.h"
 #include "core/io/state_json.h"
+#include "core/messages.h"
 #include "core/scene/scene_file.h"
 
 namespace braitenlab {
@@ -23,8 +24,7 @@ constexpr std::size_t most_bytes = std::size_t{256} << 20U, most_commands = 1000
 constexpr int deepest = 32;       // nesting depth of arrays and objects
 constexpr double largest = 1e30;  // absolute value of a number; fits in a float
 
-Error refused(std::string what, const std::string& file) {
-    return {"is no saved run that can be gone on with: " + std::move(what), file};
+Error refused(const Message& what, const std::string& file) { return error_of(message_of("no_run") + what, file);
 }
 
 // Parser callback that rejects numbers and nesting depths beyond the limits.
@@ -58,9 +58,9 @@ Result<SavedRun> from(const Json& json, const std::string& file) {
                        file);
     SavedRun run;
     json.at("opened").get_to(run.opened);
-    if (const auto error = check_scene(run.opened)) return refused(error->what, file);
+    if (const auto error = check_scene(run.opened)) return refused(message_of(*error), file);
     auto state = read_state(json.at("keyframe"));
-    if (!state) return refused(state.error().what, file);
+    if (!state) return refused(message_of(state.error()), file);
     run.checkpoint.keyframe_tick = state->tick;
     run.checkpoint.keyframe = std::make_shared<const world::State>(std::move(*state));
     json.at("commands").get_to(run.checkpoint.commands);
@@ -95,12 +95,12 @@ Result<SavedRun> read_run(std::string_view text, std::string file) {
 Result<SavedRun> load_run(const std::filesystem::path& path) {
     std::error_code problem;
     const auto bytes = std::filesystem::file_size(path, problem);
-    if (problem) return Error{"cannot be opened: " + problem.message(), path.string()};
+    if (problem) return error_of(message_of("cannot_open", problem.message()), path.string());
     if (bytes > most_bytes) return refused(fmt::format("it is larger than {} MiB", most_bytes >> 20U), path.string());
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();
-    if (!file) return Error{"cannot be read; check its permissions", path.string()};
+    if (!file) return error_of(message_of("unreadable_run"), path.string());
     return read_run(text.str(), path.string());
 }
 

@@ -186,7 +186,7 @@ void load_its_scene(TomlTable& top, const std::filesystem::path& path, const std
     std::error_code problem;
     if (!std::filesystem::is_regular_file(scene_file, problem))
         return top.fail("scene",
-                        "there is no scene " + in_quotes(scene_file.string()) + "; its path is relative to this file");
+                        message_of("no_scene_of_exercise", in_quotes(scene_file.string())));
     auto scene = load_scene(scene_file, settings);
     if (scene)
         exercise.scene = std::move(*scene);

@@ -57,8 +57,8 @@ std::optional<Fault> append_wires(const std::vector<WireText>& wires, BrainGraph
                                          end.empty() ? ""
                                          : start     ? ".from"
                                                      : ".to"),
-                             end.empty() ? "a wire needs from = and to =, each a node's name"
-                                         : "no node is called " + in_quotes(end) + name_nearest(end, names)};
+                             end.empty() ? Message("a wire needs from = and to =, each a node's name")
+                                         : message_of("no_node_called", in_quotes(end)) + nearest_of(end, names)};
             (start ? wire.from : wire.to) = found->second;
         }
         graph.wires.push_back(wire);

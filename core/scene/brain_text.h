@@ -4,13 +4,15 @@
 #include <optional>
 #include <string>
 
+#include "core/messages.h"
 #include "core/scene/schema.h"
 
 namespace braitenlab {
 
 // An error in one value: its dotted path within the scene or brain, and what is wrong with what to do.
 struct Fault {
-    std::string path, what;
+    std::string path;
+    Message what;
 };
 
 // Sets `graph` from the text; returns the first error, or nullopt.

@@ -39,7 +39,7 @@ public:
     template <class Enum>
     void word(const char*, Enum T::*, const char*) {}
     void text(const char* key, std::string T::*member, std::size_t longest, const char*) {
-        if ((object_.*member).size() > longest) fail(key, fmt::format("'{}' is longer than {} bytes", key, longest));
+        if ((object_.*member).size() > longest) fail(key, message_of("longer_than", key, longest));
     }
     template <class Part>
     void part(Part T::*member) {
@@ -84,7 +84,7 @@ private:
         if (number > most) fail(key, fmt::format("{} times [{}{}.…]; the most is {}", number, path_, key, most));
         return number <= most;
     }
-    void fail(const std::string& key, std::string what) {
+    void fail(const std::string& key, Message what) {
         if (!fault_) fault_ = Fault{path_ + key, std::move(what)};
     }
 
@@ -163,12 +163,13 @@ std::optional<Fault> start_fault(const Scene& scene, const Start& start) {
     if (start.kind.empty()) return Fault{path, "a vehicle needs a kind: kind = \"NAME\" of a [kind.NAME]"};
     if (find_kind(scene, start.kind) < 0)
         return Fault{path + ".kind",
-                     "no kind is called " + in_quotes(start.kind) + name_nearest(start.kind, names_of(scene.kinds))};
+                     message_of("no_kind_called", in_quotes(start.kind)) +
+                         nearest_of(start.kind, names_of(scene.kinds))};
     if (!start.facing.empty() && find_source(scene, start.facing) < 0)
-        return Fault{path + ".facing", "no source is called " + in_quotes(start.facing) +
-                                           name_nearest(start.facing, names_of(scene.sources))};
-    if (std::fabs(start.x) > scene.arena.width / 2) return Fault{path + ".x", "it starts outside the arena"};
-    if (std::fabs(start.y) > scene.arena.height / 2) return Fault{path + ".y", "it starts outside the arena"};
+        return Fault{path + ".facing", message_of("no_source_called", in_quotes(start.facing)) +
+                                           nearest_of(start.facing, names_of(scene.sources))};
+    if (std::fabs(start.x) > scene.arena.width / 2) return Fault{path + ".x", message_of("starts_outside")};
+    if (std::fabs(start.y) > scene.arena.height / 2) return Fault{path + ".y", message_of("starts_outside")};
     return own_brain_fault(start.brain, path);
 }
 
@@ -183,9 +184,10 @@ std::optional<Fault> member_fault(const Scene& scene, const Member& member) {
                                        scene.ecology.population)};
     if (!member.kind.empty() && find_kind(scene, member.kind) < 0)
         return Fault{path + ".kind",
-                     "no kind is called " + in_quotes(member.kind) + name_nearest(member.kind, names_of(scene.kinds))};
+                     message_of("no_kind_called", in_quotes(member.kind)) +
+                         nearest_of(member.kind, names_of(scene.kinds))};
     if (member.placed && (std::fabs(member.x) > scene.arena.width / 2 || std::fabs(member.y) > scene.arena.height / 2))
-        return Fault{path, "it starts outside the arena"};
+        return Fault{path, message_of("starts_outside")};
     return own_brain_fault(member.brain, path);
 }
 
@@ -216,7 +218,7 @@ std::optional<Fault> memory_fault(const Scene& scene) {
 std::optional<Fault> find_fault(const BrainGraph& graph) {
     for (const Node& node : graph.nodes)
         if (const auto fault = name_fault(node.name)) return Fault{"", *fault};
-    if (const auto error = check_graph(graph)) return Fault{"", error->what};
+    if (const auto error = check_graph(graph)) return Fault{"", message_of(*error)};
     return std::nullopt;
 }
 
@@ -243,21 +245,20 @@ std::optional<Fault> find_fault(const Scene& scene) {
 std::optional<Error> check_scene(const Scene& scene) {
     const auto fault = find_fault(scene);
     if (!fault) return std::nullopt;
-    return Error{(fault->path.empty() ? "" : fault->path + ": ") + fault->what};
+    return error_of(fault->path.empty() ? fault->what : Message(fault->path + ": ") + fault->what);
 }
 
-std::string outside(std::string_view key, double value, Range range) {
-    return fmt::format("'{}' is {:.6g}, outside {} .. {}", key, value, range.low, range.high);
+Message outside(std::string_view key, double value, Range range) {
+    return message_of("out_of_range", key, fmt::format("{:.6g}", value), range.low, range.high);
 }
 
-std::optional<std::string> name_fault(std::string_view name) {
+std::optional<Message> name_fault(std::string_view name) {
     const auto allowed = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
     };
     if (!name.empty() && name.size() <= limits::name_length && std::all_of(name.begin(), name.end(), allowed))
         return std::nullopt;
-    return fmt::format("{} cannot be a name; use up to {} of the letters a-z A-Z 0-9 _ -", in_quotes(name),
-                       limits::name_length);
+    return message_of("bad_name", in_quotes(name), limits::name_length);
 }
 
 }  // namespace braitenlab

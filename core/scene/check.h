@@ -16,9 +16,9 @@ std::optional<Fault> find_fault(const Scene&);
 std::optional<Fault> find_fault(const BrainGraph&);
 
 // "'LL' is 3, outside -2 .. 2".
-std::string outside(std::string_view key, double value, Range);
+Message outside(std::string_view key, double value, Range);
 
 // Why the text is no valid name, or nullopt. Names are bare TOML keys, so paths need no quotes.
-std::optional<std::string> name_fault(std::string_view name);
+std::optional<Message> name_fault(std::string_view name);
 
 }  // namespace braitenlab

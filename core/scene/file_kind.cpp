@@ -3,8 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include <fmt/format.h>
-
+#include "core/messages.h"
 #include "core/scene/schema.h"
 
 namespace braitenlab {
@@ -26,14 +25,14 @@ FileKind detect_kind(const std::filesystem::path& path, std::string_view text) {
 Result<std::string> read_text(const std::filesystem::path& path) {
     std::error_code problem;
     const auto status = std::filesystem::status(path, problem);
-    if (!std::filesystem::exists(status)) return Error{"there is no such file", path.string()};
-    if (!std::filesystem::is_regular_file(status)) return Error{"this is not a file; give one", path.string()};
+    if (!std::filesystem::exists(status)) return error_of(message_of("no_file"), path.string());
+    if (!std::filesystem::is_regular_file(status)) return error_of(message_of("not_a_file"), path.string());
     if (std::filesystem::file_size(path, problem) > limits::file_bytes)
-        return Error{fmt::format("larger than {} MB; split it", limits::file_bytes >> 20u), path.string()};
+        return error_of(message_of("too_large", limits::file_bytes >> 20u), path.string());
     std::ifstream in(path, std::ios::binary);
     std::ostringstream text;
     text << in.rdbuf();
-    if (!in) return Error{"cannot be read; are you allowed to?", path.string()};
+    if (!in) return error_of(message_of("unreadable"), path.string());
     return text.str();
 }
 

@@ -43,15 +43,19 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
 }
 
 std::string name_nearest(std::string_view word, std::span<const std::string_view> candidates) {
+    return nearest_of(word, candidates).text;
+}
+
+Message nearest_of(std::string_view word, std::span<const std::string_view> candidates) {
     const std::string_view nearest = nearest_word(word, candidates);
     if (candidates.empty()) return {};
     const auto letters = static_cast<int>(std::max(word.size(), nearest.size()));
     if (candidates.size() == 1 || edit_distance(word.substr(0, 2 * longest_shown), nearest) * 2 <= letters)
-        return "; the nearest is " + in_quotes(nearest);
-    std::string listed = "; known are ";
+        return message_of("nearest", in_quotes(nearest));
+    std::string listed;
     for (std::size_t i = 0; i < std::min(candidates.size(), most_listed); ++i)
         listed += (i > 0 ? ", " : "") + in_quotes(candidates[i]);
-    return listed + (candidates.size() > most_listed ? " …" : "");
+    return message_of("known", listed + (candidates.size() > most_listed ? " …" : ""));
 }
 
 std::string in_quotes(std::string_view text) {

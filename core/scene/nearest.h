@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/messages.h"
+
 namespace braitenlab {
 
 // Number of letters to add, remove or replace to make one word from the other (V. I. Levenshtein, 1966).
@@ -16,6 +18,9 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
 // "; the nearest is 'prey'" when the distance is at most half the length or there is one candidate; else "; known are
 // 'none', 'predator', 'prey'", at most 12 of them. Empty without candidates.
 std::string name_nearest(std::string_view word, std::span<const std::string_view> candidates);
+
+// name_nearest() as a message.
+Message nearest_of(std::string_view word, std::span<const std::string_view> candidates);
 
 // The text in quotes for a one-line message: at most 60 bytes, control characters replaced by spaces.
 std::string in_quotes(std::string_view);

@@ -132,14 +132,13 @@ Result<BrainGraph> parse_brain(std::string_view toml, std::string file_name) {
     BrainFile content;
     TomlTable top(*file, file->root, "");
     if (!top.has("brain") && top.has("kind"))
-        return Error{"this is a whole scene; a brain alone has one [brain] table, as saving a brain writes it",
-                     file->name};
+        return error_of(message_of("scene_not_brain"), file->name);
     top.find("format");
     TomlReader<BrainFile> reader(top, content);
     describe(reader, Of<BrainFile>{});
     top.done();
     if (!top.has("brain") && !file->error)
-        file->error = Error{"there is no [brain] table; see the brain of any kind in a scene", file->name};
+        file->error = error_of(message_of("no_brain_table"), file->name);
     if (file->error) return *file->error;
     if (const auto fault = find_fault(content.brain)) return file->fault_at("brain", fault->what);
     return content.brain;

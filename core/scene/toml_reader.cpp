@@ -4,8 +4,8 @@
 
 namespace braitenlab {
 
-void TomlTable::wrong_type(std::string_view key, const TomlNode& found, std::string_view wanted) {
-    fail(key, fmt::format("'{}' should be {}, not {}", key, wanted, found.type()));
+void TomlTable::wrong_type(std::string_view key, const TomlNode& found, const Message& wanted) {
+    fail(key, message_of("type_wanted", key) + wanted + message_of("type_found") + message_of(found.type()));
 }
 
 const TomlNode* TomlTable::find(std::string_view key) {
@@ -17,7 +17,7 @@ std::optional<double> TomlTable::number(std::string_view key, Range range) {
     const TomlNode* node = find(key);
     if (!node) return std::nullopt;
     const auto value = node->as_number();
-    if (!value) return wrong_type(key, *node, "a number"), std::nullopt;
+    if (!value) return wrong_type(key, *node, message_of("a_number")), std::nullopt;
     if (!range.holds(*value)) return fail(key, outside(key, *value, range)), std::nullopt;
     return value;
 }
@@ -27,7 +27,7 @@ std::optional<maths::vec2> TomlTable::pair(std::string_view key, Range range) {
     if (!node) return std::nullopt;
     const TomlNode::List* both = node->as_list();
     const bool is_pair = both && both->size() == 2 && (*both)[0].as_number() && (*both)[1].as_number();
-    if (!is_pair) return fail(key, fmt::format("'{}' should be two numbers, [x, y]", key)), std::nullopt;
+    if (!is_pair) return fail(key, message_of("type_wanted", key) + message_of("two_numbers")), std::nullopt;
     for (const TomlNode& one : *both)
         if (!range.holds(*one.as_number())) return fail(key, outside(key, *one.as_number(), range)), std::nullopt;
     return maths::vec2{static_cast<float>(*(*both)[0].as_number()), static_cast<float>(*(*both)[1].as_number())};
@@ -36,7 +36,7 @@ std::optional<maths::vec2> TomlTable::pair(std::string_view key, Range range) {
 std::optional<std::int64_t> TomlTable::whole(std::string_view key, Range range) {
     const TomlNode* node = find(key);
     if (!node) return std::nullopt;
-    if (!node->as_whole()) return wrong_type(key, *node, "a whole number"), std::nullopt;
+    if (!node->as_whole()) return wrong_type(key, *node, message_of("a_whole_number")), std::nullopt;
     const std::int64_t value = *node->as_whole();
     if (!range.holds(static_cast<double>(value)))
         return fail(key, outside(key, static_cast<double>(value), range)), std::nullopt;
@@ -46,35 +46,35 @@ std::optional<std::int64_t> TomlTable::whole(std::string_view key, Range range) 
 std::optional<bool> TomlTable::flag(std::string_view key) {
     const TomlNode* node = find(key);
     if (!node) return std::nullopt;
-    if (!node->as_flag()) return wrong_type(key, *node, "true or false"), std::nullopt;
+    if (!node->as_flag()) return wrong_type(key, *node, message_of("true_or_false")), std::nullopt;
     return *node->as_flag();
 }
 
 std::optional<std::string> TomlTable::text(std::string_view key, std::size_t longest) {
     const TomlNode* node = find(key);
     if (!node) return std::nullopt;
-    if (!node->as_text()) return wrong_type(key, *node, "text in quotes"), std::nullopt;
+    if (!node->as_text()) return wrong_type(key, *node, message_of("text_in_quotes")), std::nullopt;
     const std::string& value = *node->as_text();
     if (value.size() <= longest) return value;
-    fail(key, fmt::format("'{}' has {} bytes, the most is {}; shorten it", key, value.size(), longest));
+    fail(key, message_of("too_long", key, value.size(), longest));
     return std::nullopt;
 }
 
 std::optional<std::size_t> TomlTable::one_of(std::string_view key, const std::vector<std::string_view>& words) {
     const TomlNode* node = find(key);
     if (!node) return std::nullopt;
-    if (!node->as_text()) return wrong_type(key, *node, "a word in quotes"), std::nullopt;
+    if (!node->as_text()) return wrong_type(key, *node, message_of("a_word_in_quotes")), std::nullopt;
     const std::string& value = *node->as_text();
     for (std::size_t i = 0; i < words.size(); ++i)
         if (words[i] == value) return i;
-    fail(key, fmt::format("'{}' cannot be {}{}", key, in_quotes(value), name_nearest(value, words)));
+    fail(key, message_of("not_one_of", key, in_quotes(value)) + nearest_of(value, words));
     return std::nullopt;
 }
 
 const TomlNode* TomlTable::table(std::string_view key) {
     const TomlNode* node = find(key);
     if (!node) return nullptr;
-    if (!node->as_table()) return wrong_type(key, *node, fmt::format("a table, [{}]", path(key))), nullptr;
+    if (!node->as_table()) return wrong_type(key, *node, message_of("a_table_like", path(key))), nullptr;
     return node;
 }
 
@@ -82,9 +82,9 @@ const TomlNode::List* TomlTable::list(std::string_view key, std::size_t most) {
     const TomlNode* node = find(key);
     if (!node) return nullptr;
     const TomlNode::List* list = node->as_list();
-    if (!list) return wrong_type(key, *node, "a list"), nullptr;
+    if (!list) return wrong_type(key, *node, message_of("a_list")), nullptr;
     if (list->size() <= most) return list;
-    fail(key, fmt::format("'{}' has {} entries, the most is {}", key, list->size(), most));
+    fail(key, message_of("too_many_entries", key, list->size(), most));
     return nullptr;
 }
 
@@ -93,7 +93,7 @@ const TomlNode::List* TomlTable::list_of_tables(std::string_view key, std::size_
     if (!tables) return nullptr;
     for (const TomlNode& node : *tables) {
         if (node.as_table()) continue;
-        file_.fail(path(key), &node, fmt::format("'{}' should be a list of tables, [[{}]]", key, path(key)));
+        file_.fail(path(key), &node, message_of("type_wanted", key) + message_of("tables_like", path(key)));
         return nullptr;
     }
     return tables;
@@ -104,15 +104,16 @@ std::vector<const TomlMember*> TomlTable::named(std::string_view key, std::size_
     if (!tables) return {};
     const TomlNode::Table& members = *tables->as_table();
     if (members.size() > most) {
-        fail(key, fmt::format("{} tables [{}.…], the most is {}", members.size(), path(key), most));
+        fail(key, message_of("too_many_tables", members.size(), path(key), most));
         return {};
     }
     std::vector<const TomlMember*> sorted;
     for (const TomlMember& member : members) {
-        std::optional<std::string> fault = name_fault(member.key);
+        std::optional<Message> fault = name_fault(member.key);
         if (!member.value.as_table())
-            fault = fmt::format("[{0}] holds named tables like [{0}.one], and {1} is {2}", path(key),
-                                in_quotes(member.key), member.value.type());
+            fault = Message(fmt::format("[{0}] holds named tables like [{0}.one], and {1} is ", path(key),
+                                        in_quotes(member.key))) +
+                    message_of(member.value.type());
         if (fault) {
             file_.fail(path(key) + "." + member.key, &member.value, *fault);
             return {};
@@ -131,8 +132,8 @@ void TomlTable::done() {
     }
     if (!first) return;
     const std::vector<std::string_view> candidates(known_.begin(), known_.end());
-    const std::string where = path_.empty() ? "at the top of the file" : "in [" + path_ + "]";
-    fail(first->key, fmt::format("no key {} {}{}", in_quotes(first->key), where, name_nearest(first->key, candidates)));
+    const Message where = path_.empty() ? message_of("at_the_top") : message_of("in_table", path_);
+    fail(first->key, message_of("unknown_key", in_quotes(first->key)) + where + nearest_of(first->key, candidates));
 }
 
 }  // namespace braitenlab

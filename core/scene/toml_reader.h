@@ -50,13 +50,13 @@ public:
     std::string path(std::string_view key) const {
         return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
     }
-    void fail(std::string_view key, std::string what) { file_.fail(path(key), table_.get(key), std::move(what)); }
-    void fail_whole(std::string what) { file_.fail(path_, &table_, std::move(what)); }  // the table itself
+    void fail(std::string_view key, Message what) { file_.fail(path(key), table_.get(key), std::move(what)); }
+    void fail_whole(Message what) { file_.fail(path_, &table_, std::move(what)); }  // the table itself
     TomlFile& file() { return file_; }
     const TomlNode& content() const { return table_; }
 
 private:
-    void wrong_type(std::string_view key, const TomlNode&, std::string_view wanted);
+    void wrong_type(std::string_view key, const TomlNode&, const Message& wanted);
 
     TomlFile& file_;
     const TomlNode& table_;

@@ -153,23 +153,23 @@ const TomlNode* TomlNode::get(std::string_view key) const {
 }
 
 std::string_view TomlNode::type() const {
-    constexpr std::array<std::string_view, 7> types{"a table",  "a list",        "text",          "a whole number",
-                                                    "a number", "true or false", "a date or time"};
+    constexpr std::array<std::string_view, 7> types{"a_table",  "a_list",        "a_text", "a_whole_number",
+                                                    "a_number", "true_or_false", "a_date"};
     static_assert(types.size() == std::variant_size_v<decltype(content)>);
     return types[content.index()];
 }
 
-void TomlFile::fail(const std::string& path, const TomlNode* node, std::string what) {
+void TomlFile::fail(const std::string& path, const TomlNode* node, Message what) {
     if (error) return;
     for (auto setting = settings.rbegin(); setting != settings.rend(); ++setting) {
         if (setting->path != path) continue;
-        error = Error{std::move(what), setting->file, setting->line};
+        error = error_of(std::move(what), setting->file, setting->line);
         return;
     }
-    error = Error{std::move(what), name, node ? static_cast<int>(node->place.line) : 0};
+    error = error_of(std::move(what), name, node ? static_cast<int>(node->place.line) : 0);
 }
 
-Error TomlFile::fault_at(const std::string& path, std::string what) const {
+Error TomlFile::fault_at(const std::string& path, Message what) const {
     const TomlNode* node = &root;
     for (const std::string& part : split_path(path)) {
         const TomlNode* next = child(*node, part);
@@ -183,14 +183,14 @@ Error TomlFile::fault_at(const std::string& path, std::string what) const {
 
 Result<TomlFile> parse_toml(std::string_view text, std::string file_name) {
     if (text.size() > limits::file_bytes)
-        return Error{fmt::format("larger than {} MB; split it", limits::file_bytes >> 20u), std::move(file_name)};
+        return error_of(message_of("too_large", limits::file_bytes >> 20u), std::move(file_name));
     if (const int line = line_of_too_deep_key(text))
-        return Error{"a key has too many dots; the longest is like kind.NAME.body.wheel", std::move(file_name), line};
+        return error_of(message_of("too_deep_key"), std::move(file_name), line);
     try {
         return TomlFile{file_name, node_from(toml::parse(text, std::string_view(file_name))), {}, {}};
     } catch (const toml::parse_error& mistake) {
-        return Error{"not TOML: " + std::string(mistake.description()), std::move(file_name),
-                     static_cast<int>(mistake.source().begin.line)};
+        return error_of(message_of("not_toml", mistake.description()), std::move(file_name),
+                        static_cast<int>(mistake.source().begin.line));
     }
 }
 
@@ -208,9 +208,9 @@ bool put(TomlNode& root, const Setting& setting) {
 void check_format(TomlFile& file) {
     const TomlNode* format = file.root.get("format");
     if (!format) {
-        if (!file.error) file.error = Error{"'format' is missing; begin the file with format = 1", file.name, 1};
+        if (!file.error) file.error = error_of(message_of("no_format"), file.name, 1);
     } else if (!format->as_whole() || *format->as_whole() != 1) {
-        file.fail("format", format, "this program reads format = 1 only; the file may be from a newer one");
+        file.fail("format", format, message_of("other_format"));
     }
 }
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/result.h"
+#include "core/messages.h"
 #include "core/scene/file_kind.h"
 #include "core/scene/scene_file.h"
 
@@ -44,7 +44,7 @@ struct TomlNode {
     const TomlNode* get(std::string_view key) const;
     bool contains(std::string_view key) const { return get(key) != nullptr; }
 
-    // The type in words for messages: "a whole number", "a table" …
+    // The id of the message of its type: "a_whole_number", "a_table" …
     std::string_view type() const;
 };
 
@@ -62,11 +62,11 @@ struct TomlFile {
     std::optional<Error> error;
 
     // Sets the error unless there is one: later errors often follow from the first.
-    void fail(const std::string& path, const TomlNode* node, std::string what);
+    void fail(const std::string& path, const TomlNode* node, Message what);
 
     // An error at the value with a dotted path ("kind.prey.body.wheel.2.load", list entries from 1), or at the last
     // table on the way to it.
-    Error fault_at(const std::string& path, std::string what) const;
+    Error fault_at(const std::string& path, Message what) const;
 };
 
 // Errors: syntax; more than limits::file_bytes; keys of more parts than any format of the lab has.

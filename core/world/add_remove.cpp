@@ -11,11 +11,11 @@ namespace {
 constexpr VehicleId largest_id = 1'000'000'000;
 
 std::optional<Error> refusal(const WorldData& s, const AddVehicle& c) {
-    if (s.kinds.empty()) return Error{"the scene has no kind of vehicle to add; write one into its file"};
+    if (s.kinds.empty()) return error_of(message_of("no_kinds"));
     if (c.kind >= static_cast<int>(s.kinds.size()))
         return Error{fmt::format("the scene has no kind number {}", c.kind)};
     if (s.vehicles.size() >= static_cast<std::size_t>(limits::vehicles))
-        return Error{fmt::format("{} vehicles are the most a world holds; remove some first", limits::vehicles)};
+        return error_of(message_of("full_world", limits::vehicles));
     if (c.at && !is_finite(*c.at)) return not_finite();
     if (!(c.energy >= 0 && c.energy <= 1)) return Error{"energy is a number from 0 to 1"};
     if (c.id != no_vehicle && s.row_of(c.id)) return Error{fmt::format("vehicle {} is in the world already", c.id)};
@@ -122,7 +122,7 @@ std::optional<Error> execute(WorldData& s, const AddVehicle& c) {
 }
 
 std::optional<Error> execute(WorldData& s, const RemoveVehicle& c) {
-    if (s.vehicles.size() == 0) return Error{"there is no vehicle left to remove"};
+    if (s.vehicles.size() == 0) return error_of(message_of("no_vehicle_left"));
     const auto row = c.vehicle == no_vehicle ? std::optional(s.vehicles.size() - 1) : s.row_of(c.vehicle);
     if (!row) return unknown_vehicle(c.vehicle);
     remove_from_scene(s, *row);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/messages.h"
 #include "core/scene/scene_file.h"
 #include "core/world/state.h"
 
@@ -49,7 +50,7 @@ std::optional<Error> refusal(const State& m, const PlaceNodes& c) {
         return Error{fmt::format("the position of a node is within -{0} .. {0} canvas units", limits::place)};
     const auto& ids = m.vehicles.id;
     if (c.target.vehicle != no_vehicle && !std::binary_search(ids.begin(), ids.end(), c.target.vehicle))
-        return Error{fmt::format("vehicle {} is no longer in the world; select another one", c.target.vehicle)};
+        return error_of(message_of("vehicle_is_gone", c.target.vehicle));
     const bool has_kind = c.target.kind >= 0 && static_cast<std::size_t>(c.target.kind) < m.kind_brains.size();
     if (c.target.vehicle == no_vehicle && !has_kind)
         return Error{fmt::format("the scene has no kind number {}", c.target.kind)};

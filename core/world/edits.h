@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/angle.h"
+#include "core/messages.h"
 #include "core/scene/scene_file.h"
 #include "core/world/world_data.h"
 
@@ -39,7 +40,7 @@ std::optional<Error> execute(WorldData&, const MoveZone&);
 
 inline bool is_finite(const Pose& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.heading); }
 inline Error unknown_vehicle(VehicleId id) {
-    return {fmt::format("vehicle {} is no longer in the world; select another one", id)};
+    return error_of(message_of("vehicle_is_gone", id));
 }
 inline Error not_finite() { return {"a position takes finite numbers only"}; }
 

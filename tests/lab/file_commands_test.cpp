@@ -85,7 +85,7 @@ TEST_F(FileCommands, SavesToTheFileThatWasOpenedByARelativePath) {
     EXPECT_EQ(files.save_to, file.string());
     handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1.25f}});
     ask(Action::save);
-    EXPECT_FALSE(has_unsaved_edits(lab)) << files.refused;
+    EXPECT_FALSE(has_unsaved_edits(lab)) << files.refused.value_or(Error{}).text();
     EXPECT_EQ(open(file.c_str()).document.session.edited_scene(), lab.document.session.edited_scene());
 }
 
@@ -97,7 +97,7 @@ TEST_F(FileCommands, SavesTheSceneUnderAnotherTitle) {
     ask(OpenRequest{"mine.toml"});
     EXPECT_EQ(lab.document.session.scene().title, "My own coward");
     ask(SaveRequest{"mine", FileKind::scene, std::string(1000, 'x')});
-    EXPECT_NE(files.refused, "") << "too long";
+    EXPECT_TRUE(files.refused) << "too long";
     EXPECT_EQ(lab.document.session.snapshot().scene->title, "My own coward");
 }
 
@@ -111,7 +111,8 @@ TEST_F(FileCommands, SavesTheSceneWithAnotherStory) {
     EXPECT_EQ(lab.document.session.scene().story, story);
     EXPECT_EQ(lab.document.session.scene().title, title);
     ask(SaveRequest{.path = "mine", .story = story + 'x'});
-    EXPECT_NE(files.refused.find("story"), std::string::npos) << files.refused;
+    ASSERT_TRUE(files.refused);
+    EXPECT_NE(files.refused->text().find("story"), std::string::npos) << files.refused->text();
     EXPECT_EQ(lab.document.session.snapshot().scene->story, story);
 }
 
@@ -185,7 +186,8 @@ TEST_F(FileCommands, ListsUnreadableFilesAsBroken) {
     EXPECT_EQ(good, (std::vector<std::string>{"good brain.toml", "good run.run", "good scene.toml"}));
     EXPECT_EQ(broken, (std::vector<std::string>{"garbage.toml", "torn brain.toml", "torn scene.toml", "torn.run"}));
     ask(OpenRequest{"garbage.toml"});
-    EXPECT_NE(files.refused.find("garbage.toml:1"), std::string::npos) << files.refused;
+    ASSERT_TRUE(files.refused);
+    EXPECT_NE(files.refused->text().find("garbage.toml:1"), std::string::npos) << files.refused->text();
 }
 
 TEST_F(FileCommands, CreatesAFolderOnlyIfTheUserAgrees) {
@@ -193,7 +195,8 @@ TEST_F(FileCommands, CreatesAFolderOnlyIfTheUserAgrees) {
     ask(SaveRequest{file.string(), FileKind::scene});
     EXPECT_FALSE(fs::exists(folder / "new"));
     EXPECT_EQ(files.new_folder, file.parent_path().string());
-    EXPECT_NE(files.refused.find("does not exist"), std::string::npos) << files.refused;
+    ASSERT_TRUE(files.refused);
+    EXPECT_NE(files.refused->text().find("does not exist"), std::string::npos) << files.refused->text();
     EXPECT_EQ(files.done, 0);
     ask(SaveRequest{file.string(), FileKind::scene, {}, true});
     EXPECT_TRUE(fs::exists(file));
@@ -201,7 +204,7 @@ TEST_F(FileCommands, CreatesAFolderOnlyIfTheUserAgrees) {
     EXPECT_EQ(files.done, 1);
     ask(SaveRequest{"/proc/nowhere/mine", FileKind::scene, {}, true});
     EXPECT_EQ(files.new_folder, "");
-    EXPECT_NE(files.refused, "") << "a folder that cannot be created";
+    EXPECT_TRUE(files.refused) << "a folder that cannot be created";
     EXPECT_EQ(files.done, 1);
 }
 
@@ -220,11 +223,13 @@ TEST_F(FileCommands, KeepsTheDocumentIfAFileIsBroken) {
     EXPECT_EQ(lab.document.session.hash(), before);
     EXPECT_EQ(lab.document.name, "2a-coward");
     EXPECT_EQ(files.done, 0);
-    EXPECT_NE(files.refused.find("broken.toml:3"), std::string::npos) << files.refused;
-    EXPECT_NE(files.refused.find("width"), std::string::npos) << files.refused;
+    ASSERT_TRUE(files.refused);
+    EXPECT_NE(files.refused->text().find("broken.toml:3"), std::string::npos) << files.refused->text();
+    ASSERT_TRUE(files.refused);
+    EXPECT_NE(files.refused->text().find("width"), std::string::npos) << files.refused->text();
     ask(OpenRequest{"not there.toml"});
     EXPECT_EQ(lab.document.session.hash(), before);
-    EXPECT_NE(files.refused, "");
+    EXPECT_TRUE(files.refused);
 }
 
 TEST_F(FileCommands, DoesNotOverwriteAFileWithCommentsByCtrlS) {
@@ -259,13 +264,14 @@ TEST_F(FileCommands, SavesARunAndContinuesItExactly) {
     put_text(folder / "broken.run", text_of(folder / "later.run").substr(0, 500));
     ask(OpenRequest{"broken.run"});
     EXPECT_EQ(lab.document.session.hash(), hash) << "a broken file does not replace the document";
-    EXPECT_NE(files.refused, "");
+    EXPECT_TRUE(files.refused);
 }
 
 TEST_F(FileCommands, ReportsAFileThatCannotBeWritten) {
     ask(SaveRequest{"/proc/nowhere/mine", FileKind::scene});
     EXPECT_EQ(files.done, 0);
-    EXPECT_NE(files.refused.find("/proc/nowhere/mine.toml"), std::string::npos) << files.refused;
+    ASSERT_TRUE(files.refused);
+    EXPECT_NE(files.refused->text().find("/proc/nowhere/mine.toml"), std::string::npos) << files.refused->text();
     EXPECT_EQ(lab.document.name, "2a-coward");
 }
 
@@ -377,7 +383,7 @@ TEST_F(FileCommands, StaysIfTheEditsCannotBeWritten) {
     ask(LeaveRequest{Leave::save});
     EXPECT_TRUE(files.leaving);
     EXPECT_FALSE(lab.exit);
-    EXPECT_NE(files.refused, "");
+    EXPECT_TRUE(files.refused);
 }
 
 TEST_F(FileCommands, AsksBeforeTheEditedBrainOfAnExerciseIsLost) {

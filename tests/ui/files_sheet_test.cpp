@@ -65,11 +65,11 @@ TEST_F(FilesSheet, ShowsTheReasonForARefusedFileAndStaysOpen) {
     desk.click("open.2a-coward");
     desk.frame(4);
     const Rect sheet = desk.where("card.open"), row = desk.where("open.2a-coward");
-    files.refused = "2a-coward.toml:3: what is this";
+    files.refused = Error{"what is this", "2a-coward.toml", 3};
     desk.frame(4);
     EXPECT_NEAR(desk.where("card.open").h, sheet.h, 1) << "the sheet keeps its size";
     EXPECT_NEAR(desk.where("open.2a-coward").y, row.y, 1);
-    EXPECT_EQ(said(files.refused), 1);
+    EXPECT_EQ(said(files.refused->text()), 1);
 }
 
 TEST_F(FilesSheet, SelectsTheOpenFileAndCanBeUsedByKeysAlone) {
@@ -300,7 +300,7 @@ TEST_F(FilesSheet, AsksBeforeItCreatesAFolder) {
     type("/new/");
     desk.click("files.do");
     EXPECT_EQ(creates(), std::vector{false});
-    files.refused = "refused", files.new_folder = "/home/me/Coward/new";
+    files.refused = Error{"refused"}, files.new_folder = "/home/me/Coward/new";
     desk.frame(3);
     EXPECT_EQ(said("/home/me/Coward/new"), 1) << "the question names the folder";
     EXPECT_EQ(said("refused"), 0);

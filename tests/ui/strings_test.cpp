@@ -10,7 +10,9 @@
 #include "core/brain/edit.h"
 #include "core/brain/presets.h"
 #include "core/brain/recogniser.h"
+#include "core/messages.h"
 #include "core/scene/enums.h"
+#include "core/scene/scene_file.h"
 #include "core/sensing/intensity.h"
 #include "desk.h"
 #include "tests/folder.h"
@@ -127,6 +129,7 @@ std::set<std::string> composed() {
         FieldKeys<T> fields{keys};
         describe(fields, record);
     });
+    for (const MessageText& message : message_table) keys.insert("error." + std::string(message.id));
     for (const Channel channel : source_channels) keys.insert("source." + std::string(word(channel)));
     return keys;
 }
@@ -303,6 +306,32 @@ TEST(Strings, HaveTheEllipsisAndMarksOfTheLanguage) {
         EXPECT_EQ(count("?"), count("¿")) << key << ": " << text;
         EXPECT_EQ(count("!"), count("¡")) << key << ": " << text;
     }
+}
+
+TEST(Strings, HaveATranslationOfEachErrorMessage) {
+    const Strings words = english();
+    std::set<std::string> ids;
+    for (const MessageText& row : message_table) {
+        const std::string key = "error." + std::string(row.id);
+        EXPECT_EQ(words.find(key, ""), row.english) << "as in core/messages.h";
+        EXPECT_TRUE(ids.insert(key).second) << key << " twice";
+    }
+    const auto is_message = [&](const auto& each) { return ids.count(each.first) > 0 || each.first == "error.english"; };
+    for (const auto& each : words.all())
+        if (each.first.starts_with("error.")) EXPECT_TRUE(is_message(each)) << each.first << " is no id of core/messages.h";
+}
+
+TEST(Strings, TranslateAnErrorOfSeveralParts) {
+    const auto scene = parse_scene("format = 1\n[arena]\nwidht = 4\n", "mine.toml");
+    ASSERT_FALSE(scene);
+    EXPECT_EQ(text_of(scene.error(), english()), scene.error().text());
+    EXPECT_EQ(text_of(scene.error(), speaking("de")),
+              "mine.toml:3: es gibt keinen Schlüssel 'widht' in [arena]; am nächsten kommt 'width'");
+    const auto number = parse_scene("format = 1\n[arena]\nwidth = \"wide\"\n", "mine.toml");
+    ASSERT_FALSE(number);
+    EXPECT_EQ(text_of(number.error(), speaking("es")), "mine.toml:3: width: hace falta un número, pero hay un texto");
+    EXPECT_EQ(number.error().text(), "mine.toml:3: 'width' should be a number, not text");
+    EXPECT_EQ(text_of(Error{"odd", "a.toml", 2}, speaking("de")), "a.toml:2: Meldung auf Englisch: odd");
 }
 
 }  // namespace braitenlab::tests::strings_test

@@ -125,7 +125,8 @@ std::string problem(const LabView& view, const FilesState& files, const Ui& ui) 
                     {there ? there->name : files.replacing});
     }
     if (asks_for_folder(view, files)) return fill(ui.strings("files.no_folder"), {view.files->new_folder});
-    return files.asked && view.files ? view.files->refused : std::string();
+    const bool is_refused = files.asked && view.files && view.files->refused;
+    return is_refused ? text_of(*view.files->refused, ui.strings) : std::string();
 }
 
 // Height of a paragraph with the gap above it, window pixels.

@@ -42,7 +42,7 @@ void leaving_question(const FilesView& files, Ui& ui) {
                                    : fill(ui.strings("leaving.open"),
                                           {translated(ui, leaving.title), translated(ui, leaving.next_title)}),
               p.text);
-    if (!files.refused.empty()) paragraph(ui, files.refused, legible(p.warning, p.panel, p.text));
+    if (files.refused) paragraph(ui, text_of(*files.refused, ui.strings), legible(p.warning, p.panel, p.text));
 }
 
 }  // namespace

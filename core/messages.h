@@ -1,0 +1,150 @@
+// The texts of error messages that the window shows in the chosen language: English here, translations under [error] in
+// ui/strings/*.toml.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/result.h"
+
+namespace braitenlab {
+
+struct MessageText {
+    std::string_view id, english;  // each {} is a value
+};
+inline constexpr auto message_table = std::to_array<MessageText>({
+    {"no_file", "there is no such file"},
+    {"not_a_file", "this is not a file; give one"},
+    {"too_large", "larger than {} MB; split it"},
+    {"unreadable", "cannot be read; are you allowed to?"},
+    {"not_toml", "not TOML: {}"},
+    {"too_deep_key", "a key has too many dots; the longest is like kind.NAME.body.wheel"},
+    {"no_format", "'format' is missing; begin the file with format = 1"},
+    {"other_format", "this program reads format = 1 only; the file may be from a newer one"},
+    {"type_wanted", "'{}' should be "},
+    {"type_found", ", not "},
+    {"a_number", "a number"},
+    {"a_whole_number", "a whole number"},
+    {"true_or_false", "true or false"},
+    {"text_in_quotes", "text in quotes"},
+    {"a_word_in_quotes", "a word in quotes"},
+    {"a_list", "a list"},
+    {"a_table", "a table"},
+    {"a_table_like", "a table, [{}]"},
+    {"a_text", "text"},
+    {"a_date", "a date or time"},
+    {"two_numbers", "two numbers, [x, y]"},
+    {"tables_like", "a list of tables, [[{}]]"},
+    {"out_of_range", "'{}' is {}, outside {} .. {}"},
+    {"too_long", "'{}' has {} bytes, the most is {}; shorten it"},
+    {"longer_than", "'{}' is longer than {} bytes"},
+    {"not_one_of", "'{}' cannot be {}"},
+    {"nearest", "; the nearest is {}"},
+    {"known", "; known are {}"},
+    {"too_many_entries", "'{}' has {} entries, the most is {}"},
+    {"too_many_tables", "{} tables [{}.…], the most is {}"},
+    {"unknown_key", "no key {} "},
+    {"at_the_top", "at the top of the file"},
+    {"in_table", "in [{}]"},
+    {"bad_name", "{} cannot be a name; use up to {} of the letters a-z A-Z 0-9 _ -"},
+    {"no_kind_called", "no kind is called {}"},
+    {"no_source_called", "no source is called {}"},
+    {"no_node_called", "no node is called {}"},
+    {"starts_outside", "it starts outside the arena"},
+    {"scene_not_brain", "this is a whole scene; a brain alone has one [brain] table, as saving a brain writes it"},
+    {"no_brain_table", "there is no [brain] table; see the brain of any kind in a scene"},
+    {"too_many_sensors", "a brain may have {} sensors, this one has {}; take some away"},
+    {"too_many_neurons", "a brain may have {} neurons, this one has {}; take some away"},
+    {"too_many_wires", "a brain may have {} wires, this one has {}; take some away"},
+    {"same_node_name", "two nodes are called '{}'; give each its own name"},
+    {"unknown_motor", "motor '{}' is unknown; a vehicle has the motors ML and MR"},
+    {"in_node", "node '{}': "},
+    {"in_wire", "the wire from '{}' to '{}': "},
+    {"wire_without_end", "a wire runs from node {} to node {}, and one of them does not exist"},
+    {"wire_into_sensor", "a wire runs into the sensor '{}'; sensors only send"},
+    {"same_wire", "two wires run from '{}' to '{}'; make them one"},
+    {"no_kinds", "the scene has no kind of vehicle to add; write one into its file"},
+    {"full_world", "{} vehicles are the most a world holds; remove some first"},
+    {"vehicle_is_gone", "vehicle {} is no longer in the world; select another one"},
+    {"no_vehicle_left", "there is no vehicle left to remove"},
+    {"no_run", "is no saved run that can be gone on with: "},
+    {"cannot_open", "cannot be opened: {}"},
+    {"unreadable_run", "cannot be read; check its permissions"},
+    {"not_saved", "could not be saved: {}; choose another place. The old file is unchanged"},
+    {"disk_full", "could not be saved: {}; make room on the disk or choose another place. The old file is unchanged"},
+    {"no_permission", "could not be saved: {}; choose a folder that you may write to. The old file is unchanged"},
+    {"special_file", "is not a regular file; choose another name"},
+    {"no_such_folder", "cannot be saved there: its folder does not exist"},
+    {"not_savable", "can be saved as a scene, a run or a brain only"},
+    {"no_brain_to_save", "no vehicle is selected; select the one whose brain to save"},
+    {"no_vehicle_for_brain", "no vehicle is selected; select the one that gets this brain"},
+    {"was_open_last", "was open last, but cannot be opened now"},
+    {"no_recovery", "the work cannot be stored for recovery after a crash; save it yourself (Ctrl+S): "},
+    {"no_scene_of_exercise", "there is no scene {}; its path is relative to this file"},
+});
+
+// Replaces the {} of the pattern by the values, in order. Surplus {} are kept.
+template <class Values>
+std::string filled(std::string_view pattern, const Values& values) {
+    std::string text;
+    auto value = values.begin();
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+        if (pattern.substr(i, 2) == "{}" && value != values.end()) {
+            text += *value++;
+            ++i;
+        } else {
+            text += pattern[i];
+        }
+    }
+    return text;
+}
+
+// A message in English and its parts.
+struct Message {
+    std::string text;
+    std::vector<Phrase> phrases;
+
+    Message() = default;
+    Message(std::string english) : text(std::move(english)), phrases{{{}, {text}}} {}
+    Message(const char* english) : Message(std::string(english)) {}
+
+    Message& operator+=(const Message& next) {
+        text += next.text;
+        phrases.insert(phrases.end(), next.phrases.begin(), next.phrases.end());
+        return *this;
+    }
+};
+inline Message operator+(Message first, const Message& next) { return std::move(first += next); }
+
+// The message of this id with its values. Precondition: the id is in message_table.
+template <class... Values>
+Message message_of(std::string_view id, const Values&... values) {
+    const auto row = std::find_if(message_table.begin(), message_table.end(),
+                                  [id](const MessageText& each) { return each.id == id; });
+    assert(row != message_table.end());
+    Message made;
+    made.phrases.push_back({row->id, {fmt::format("{}", values)...}});
+    made.text = filled(row->english, made.phrases.front().values);
+    return made;
+}
+
+inline Error error_of(Message message, std::string file = {}, int line = 0) {
+    return {std::move(message.text), std::move(file), line, std::move(message.phrases)};
+}
+
+// The error's message without its place.
+inline Message message_of(const Error& error) {
+    if (error.phrases.empty()) return error.what;
+    Message message;
+    message.text = error.what, message.phrases = error.phrases;
+    return message;
+}
+
+}  // namespace braitenlab
