@@ -155,8 +155,7 @@ void add_brain(Json& state, const Snapshot& now, const VehicleView* vehicle, con
     state["motor"] = vehicle ? Json{plain(vehicle->motor[0]), plain(vehicle->motor[1])} : Json(nullptr);
     Json ranges = Json::array();
     if (vehicle)
-        for (const Sensor& sensor : now.scene->kinds[static_cast<std::size_t>(vehicle->kind)].sensors)
-            ranges.push_back(plain(sensor.range));
+        for (const Sensor& sensor : kind_of(now, *vehicle).sensors) ranges.push_back(plain(sensor.range));
     state["sensor_ranges"] = std::move(ranges);
     state["nodes"] = brain.nodes.size();
     state["wires"] = std::count_if(brain.wires.begin(), brain.wires.end(), [](const Wire& w) { return w.weight != 0; });

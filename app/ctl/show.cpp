@@ -43,11 +43,15 @@ void show_brain(const BrainGraph& brain, const std::string& indent) {
         if (node.bias != 0) std::cout << fmt::format("{}  {} has a bias of {:+.3g}\n", indent, node.name, node.bias);
 }
 
-void show_kind(const Kind& kind) {
-    std::cout << fmt::format("kind {}: role {}, driver {}\n", kind.name, word(kind.role), word(kind.driver));
-    for (const Sensor& s : kind.sensors)
+void show_sensors(const std::vector<Sensor>& sensors) {
+    for (const Sensor& s : sensors)
         std::cout << fmt::format("  sensor {}: {}, {}, at {:.0f}°, {:.0f}° wide, {:g} m\n", s.name, word(s.channel),
                                  word(s.shape), maths::degrees(s.angle), maths::degrees(s.fov), s.range);
+}
+
+void show_kind(const Kind& kind) {
+    std::cout << fmt::format("kind {}: role {}, driver {}\n", kind.name, word(kind.role), word(kind.driver));
+    show_sensors(kind.sensors);
     show_brain(kind.brain, "  ");
 }
 
@@ -60,6 +64,11 @@ void show_scene(const Scene& scene) {
                              scene.starts.size(), scene.ecology.population, scene.sources.size(),
                              scene.obstacles.size(), scene.zones.size());
     for (const Kind& kind : scene.kinds) show_kind(kind);
+    for (const Start& start : scene.starts)
+        if (start.sensors) {
+            std::cout << fmt::format("vehicle {}: {} sensors of its own\n", start.name, start.sensors->size());
+            show_sensors(*start.sensors);
+        }
 }
 
 void show_exercise(const Exercise& exercise) {

@@ -23,14 +23,36 @@ inline void from_json(const Json& json, TurnDial& c) {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetBrain, target, brain)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NodePlace, node, at)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlaceNodes, target, places)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddVehicle, kind, at, brain, energy, driver, id, start, before)
+inline void to_json(Json& json, const AddVehicle& c) {
+    json = {{"kind", c.kind},     {"at", c.at}, {"brain", c.brain}, {"energy", c.energy},
+            {"driver", c.driver}, {"id", c.id}, {"start", c.start}, {"before", c.before}};
+    if (c.sensors) json["sensors"] = *c.sensors;
+}
+inline void from_json(const Json& json, AddVehicle& c) {
+    json.at("kind").get_to(c.kind);
+    json.at("at").get_to(c.at);
+    json.at("brain").get_to(c.brain);
+    json.at("energy").get_to(c.energy);
+    json.at("driver").get_to(c.driver);
+    json.at("id").get_to(c.id);
+    json.at("start").get_to(c.start);
+    json.at("before").get_to(c.before);
+    if (json.contains("sensors")) c.sensors = json.at("sensors").get<std::vector<Sensor>>();
+}
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveVehicle, vehicle)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveVehicle, vehicle, x, y, heading)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChooseDriver, vehicle, driver)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Steer, vehicle, left, right)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditStart, start, to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditMember, member, to)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetSensors, kind, sensors)
+inline void to_json(Json& json, const SetSensors& c) { json = {{"target", c.target}, {"sensors", c.sensors}}; }
+inline void from_json(const Json& json, SetSensors& c) {
+    if (json.contains("target"))
+        json.at("target").get_to(c.target);
+    else
+        json.at("kind").get_to(c.target.kind);  // earlier files set the sensors of kinds only
+    json.at("sensors").get_to(c.sensors);
+}
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddSource, source, before)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveSource, source)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditSource, source, to)

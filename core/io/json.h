@@ -106,6 +106,10 @@ public:
         json_[key] = object_.*member;
     }
     template <class Element>
+    void named(const char* key, std::optional<std::vector<Element>> T::*member, std::size_t, const char*) {
+        if (object_.*member) json_[key] = *(object_.*member);
+    }
+    template <class Element>
     void list(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
         json_[key] = object_.*member;
     }
@@ -156,6 +160,10 @@ public:
     template <class Element>
     void named(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
         if (json_.contains(key)) json_.at(key).get_to(object_.*member);  // files of earlier versions lack later lists
+    }
+    template <class Element>
+    void named(const char* key, std::optional<std::vector<Element>> T::*member, std::size_t, const char*) {
+        if (json_.contains(key)) object_.*member = json_.at(key).get<std::vector<Element>>();
     }
     template <class Element>
     void list(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -43,7 +44,9 @@ void from_json(const io::Json& json, Mark& m) {
 namespace io {
 
 using world::CompiledBrain;
+using world::OwnDesign;
 using world::SharedBrain;
+using world::SharedDesign;
 using world::State;
 using world::Vehicles;
 
@@ -61,18 +64,19 @@ struct BrainTable {
     }
 };
 
-// Compiles the graphs of a file, each graph once per kind that uses it.
+// Compiles the graphs of a file, each graph once per kind or own design that uses it.
 class BrainMaker {
 public:
     BrainMaker(const Json& graphs, const Scene& scene)
         : graphs_(graphs.get<std::vector<BrainGraph>>()), scene_(scene) {}
 
-    Result<SharedBrain> make(std::size_t number, std::size_t kind) {
+    // `design`: that of a vehicle with sensors of its own, or null.
+    Result<SharedBrain> make(std::size_t number, std::size_t kind, const OwnDesign* design = nullptr) {
         if (number >= graphs_.size()) return Error{fmt::format("there is no brain number {}", number)};
         if (kind >= scene_.kinds.size()) return Error{fmt::format("there is no kind number {}", kind)};
-        SharedBrain& brain = made_[{number, kind}];
+        SharedBrain& brain = made_[{number, kind, design}];
         if (brain) return brain;
-        auto made = world::compile_brain(graphs_[number], scene_.kinds[kind]);
+        auto made = world::compile_brain(graphs_[number], design ? design->kind : scene_.kinds[kind]);
         if (made) brain = *made;
         return made;
     }
@@ -80,13 +84,66 @@ public:
 private:
     std::vector<BrainGraph> graphs_;
     const Scene& scene_;
-    std::map<std::pair<std::size_t, std::size_t>, SharedBrain> made_;
+    std::map<std::tuple<std::size_t, std::size_t, const OwnDesign*>, SharedBrain> made_;
 };
+
+// The sensor lists of vehicles that have their own, each list once, and the index of each vehicle's list, −1 without
+// one. Absent when no vehicle has its own.
+void add_own_sensors(Json& json, const Vehicles& v) {
+    std::map<const OwnDesign*, int> number;
+    Json lists = Json::array(), of_vehicle = Json::array();
+    for (const SharedDesign& design : v.design) {
+        int index = -1;
+        if (design) {
+            const auto [known, is_new] = number.try_emplace(design.get(), static_cast<int>(number.size()));
+            if (is_new) lists.push_back(design->kind.sensors);
+            index = known->second;
+        }
+        of_vehicle.push_back(index);
+    }
+    if (number.empty()) return;
+    json["sensor_lists"] = lists;
+    json["own_sensors"] = of_vehicle;
+}
+
+// The design of a vehicle of the kind with sensors from a file.
+Result<SharedDesign> read_design(const Kind& kind, const std::vector<Sensor>& sensors) {
+    Scene alone;
+    alone.kinds = {kind};
+    alone.kinds.front().sensors = sensors;
+    if (auto error = check_scene(alone)) return *error;
+    return world::own_design(kind, sensors);
+}
+
+std::optional<Error> read_own_sensors(const Json& json, const Scene& scene, Vehicles& v) {
+    v.design.resize(v.size());
+    if (!json.contains("own_sensors")) return std::nullopt;
+    const auto lists = json.at("sensor_lists").get<std::vector<std::vector<Sensor>>>();
+    const auto of_vehicle = json.at("own_sensors").get<std::vector<int>>();
+    if (of_vehicle.size() != v.size()) return Error{"not every vehicle has sensors"};
+    std::map<std::pair<int, std::int32_t>, SharedDesign> made;  // by list and kind
+    for (std::size_t row = 0; row < v.size(); ++row) {
+        const int list = of_vehicle[row];
+        if (list < 0) continue;
+        if (static_cast<std::size_t>(list) >= lists.size())
+            return Error{fmt::format("there is no list of sensors number {}", list)};
+        const auto [known, is_new] = made.try_emplace({list, v.kind[row]});
+        if (is_new) {
+            auto design =
+                read_design(scene.kinds[static_cast<std::size_t>(v.kind[row])], lists[static_cast<std::size_t>(list)]);
+            if (!design) return design.error();
+            known->second = *design;
+        }
+        v.design[row] = known->second;
+    }
+    return std::nullopt;
+}
 
 Json vehicles_json(const Vehicles& v, BrainTable& brains) {
     Json brain = Json::array();
     for (const SharedBrain& one : v.brain) brain.push_back(brains.add(one));
     Json json{{"design", brain}, {"sensed", v.sensed}, {"neurons", v.neurons}, {"late", v.delayed}};
+    add_own_sensors(json, v);
     world::each_vehicle_value([&](const auto& value) { json[std::string(value.word)] = v.*value.column; });
     return json;
 }
@@ -98,16 +155,22 @@ std::optional<Error> read_vehicles(const Json& json, const Scene& scene, BrainMa
     json.at("late").get_to(v.delayed);
     const auto brain = json.at("design").get<std::vector<std::size_t>>();
     if (brain.size() != v.size() || v.kind.size() != v.size()) return Error{"not every vehicle has a kind and a brain"};
+    const auto count = static_cast<std::int32_t>(scene.kinds.size());
+    for (const std::int32_t kind : v.kind)
+        if (kind < 0 || kind >= count) return Error{fmt::format("there is no kind number {}", kind)};
+    if (auto error = read_own_sensors(json, scene, v)) return error;
     std::uint32_t sensed = 0, neurons = 0, late = 0;
     for (std::size_t row = 0; row < v.size(); ++row) {
         const auto kind = static_cast<std::size_t>(v.kind[row]);
-        auto made = brains.make(brain[row], kind);
+        const OwnDesign* own = v.design[row].get();
+        auto made = brains.make(brain[row], kind, own);
         if (!made) return made.error();
+        const Kind& design = own ? own->kind : scene.kinds[kind];
         v.first_sensed.push_back(sensed);
         v.first_neuron.push_back(neurons);
         v.first_delayed.push_back(late);
-        sensed += static_cast<std::uint32_t>(scene.kinds[kind].sensors.size());
-        late += world::delayed_readings(scene.kinds[kind]);
+        sensed += static_cast<std::uint32_t>(design.sensors.size());
+        late += world::delayed_readings(design);
         neurons += static_cast<std::uint32_t>((*made)->flat.state_size());
         v.brain.push_back(*made);
     }

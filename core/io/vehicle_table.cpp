@@ -71,6 +71,8 @@ std::vector<std::string> names_of_sensors(const Snapshot& now) {
     std::vector<std::string> names;
     for (const Kind& kind : now.scene->kinds)
         for (const Sensor& sensor : kind.sensors) add_once(names, sensor.name);
+    for (const auto& design : now.designs)
+        for (const Sensor& sensor : design->sensors) add_once(names, sensor.name);
     return names;
 }
 

@@ -20,6 +20,7 @@ Scene scene_with(const Exercise& exercise, const Submission& submission) {
     kind.brain = submission.brain;
     kind.sensors = submission.sensors;
     kind.body = submission.body;
+    if (!scene.starts.empty()) scene.starts.front().sensors.reset();
     return scene;
 }
 
@@ -27,7 +28,9 @@ Scene scene_with(const Exercise& exercise, const Submission& submission) {
 
 Submission as_shipped(const Exercise& exercise) {
     const Kind& kind = shipped_kind(exercise);
-    return {kind.brain, kind.sensors, kind.body};
+    const std::vector<Start>& starts = exercise.scene.starts;
+    const bool has_own_sensors = !starts.empty() && starts.front().sensors;
+    return {kind.brain, has_own_sensors ? *starts.front().sensors : kind.sensors, kind.body};
 }
 
 Submission with_brain(const Exercise& exercise, BrainGraph brain) {
@@ -40,11 +43,11 @@ Submission with_solution(const Exercise& exercise) { return with_brain(exercise,
 
 Submission submission_of(const Exercise& exercise, const Snapshot& now) {
     const auto index = static_cast<std::size_t>(subject_kind(exercise.scene));
-    const Kind& kind = now.scene->kinds[index];
     const auto subject = std::find_if(now.vehicles.begin(), now.vehicles.end(),
                                       [](const VehicleView& vehicle) { return vehicle.start == 0; });
     const BrainGraph& brain =
         subject == now.vehicles.end() ? *now.kind_brains[index] : *now.brains[static_cast<std::size_t>(subject->brain)];
+    const Kind& kind = subject == now.vehicles.end() ? now.scene->kinds[index] : kind_of(now, *subject);
     return {brain, kind.sensors, kind.body};
 }
 

@@ -22,7 +22,7 @@ bool same_but_for_submission(Kind a, const Kind& b) {
     return same_but_for_brain(std::move(a), b);
 }
 
-// The kind whose brain a command changes, or −1.
+// The kind whose brain or sensors a command changes, or −1.
 int kind_of(const Snapshot& now, const Target& target) {
     if (target.vehicle == no_vehicle) return target.kind;
     const VehicleView* vehicle = find_vehicle(now, target.vehicle);
@@ -35,10 +35,20 @@ bool is_help(const Scene& given, const Snapshot& after, const Command& command) 
     const auto changes_other_kind = [&](int kind) { return subject >= 0 && kind != subject; };
     return std::visit(Match{[&](const TurnDial& c) { return changes_other_kind(kind_of(after, c.target)); },
                             [&](const SetBrain& c) { return changes_other_kind(kind_of(after, c.target)); },
-                            [&](const SetSensors& c) { return changes_other_kind(c.kind); },
+                            [&](const SetSensors& c) { return changes_other_kind(kind_of(after, c.target)); },
                             [](const PlaceNodes&) { return false; }, [](const Steer&) { return false; },
                             [](const Retitle&) { return false; }, [](const auto&) { return true; }},
                       command);
+}
+
+// True if the vehicle has the sensors that the exercise gives it.
+bool has_given_sensors(const Scene& given, const Snapshot& now, const VehicleView& vehicle) {
+    const auto start = static_cast<std::size_t>(vehicle.start);
+    const bool is_given = vehicle.start >= 0 && start < given.starts.size() && given.starts[start].sensors;
+    if (is_given) return kind_of(now, vehicle).sensors == *given.starts[start].sensors;
+    return vehicle.design < 0 || std::any_of(given.members.begin(), given.members.end(), [&](const Member& member) {
+               return member.sensors == kind_of(now, vehicle).sensors;
+           });
 }
 
 }  // namespace
@@ -95,7 +105,7 @@ void Referee::watch(const Snapshot& after, const Command& command) {
     watch(after);
 }
 
-// The scene, the brains of other kinds, and who drives.
+// The scene, the brains and sensors of other kinds, and who drives.
 bool Referee::is_undisturbed(const Snapshot& now) {
     const Scene& given = exercise_->scene;
     if (compared_ != now.scene) {
@@ -106,6 +116,8 @@ bool Referee::is_undisturbed(const Snapshot& now) {
     const int subject = given.starts.empty() ? -1 : subject_kind(given);
     for (std::size_t k = 0; k < std::min(given.kinds.size(), now.kind_brains.size()); ++k)
         if (static_cast<int>(k) != subject && *now.kind_brains[k] != given.kinds[k].brain) return false;
+    for (const VehicleView& vehicle : now.vehicles)
+        if (subject >= 0 && vehicle.kind != subject && !has_given_sensors(given, now, vehicle)) return false;
     for (std::size_t i = 0; i < std::min(given.starts.size(), state_.subjects.size()); ++i) {
         const VehicleView* vehicle = find_vehicle(now, state_.subjects[i]);
         const int kind = find_kind(given, given.starts[i].kind);

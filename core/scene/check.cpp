@@ -53,17 +53,11 @@ public:
     }
     template <class Element>
     void named(const char* key, std::vector<Element> T::*member, std::size_t most, const char*) {
-        if (!count(key, (object_.*member).size(), most)) return;
-        std::set<std::string_view> names;
-        for (const Element& element : object_.*member) {
-            const std::string at = fmt::format("{}.{}", key, element.name);
-            if (const auto fault = name_fault(element.name)) return fail(at, *fault);
-            if (!names.insert(element.name).second)
-                return fail(at, fmt::format("two of [{}{}.…] are called {}; give each its own name", path_, key,
-                                            in_quotes(element.name)));
-            RangeCheck<Element> inner(element, path_ + at + ".", fault_);
-            describe(inner, Of<Element>{});
-        }
+        check_named(key, object_.*member, most);
+    }
+    template <class Element>
+    void named(const char* key, std::optional<std::vector<Element>> T::*member, std::size_t most, const char*) {
+        if (object_.*member) check_named(key, *(object_.*member), most);
     }
     template <class Element>
     void list(const char* key, std::vector<Element> T::*member, std::size_t most, const char*) {
@@ -77,6 +71,20 @@ public:
     void brain(const char*, Graph T::*, const char*) {}  // checked as a whole, below
 
 private:
+    template <class Element>
+    void check_named(const char* key, const std::vector<Element>& elements, std::size_t most) {
+        if (!count(key, elements.size(), most)) return;
+        std::set<std::string_view> names;
+        for (const Element& element : elements) {
+            const std::string at = fmt::format("{}.{}", key, element.name);
+            if (const auto fault = name_fault(element.name)) return fail(at, *fault);
+            if (!names.insert(element.name).second)
+                return fail(at, fmt::format("two of [{}{}.…] are called {}; give each its own name", path_, key,
+                                            in_quotes(element.name)));
+            RangeCheck<Element> inner(element, path_ + at + ".", fault_);
+            describe(inner, Of<Element>{});
+        }
+    }
     void check(const char* key, double value, Range range) {
         if (!range.holds(value)) fail(key, outside(key, value, range));
     }
@@ -116,11 +124,12 @@ std::optional<Fault> wheels_fault(const Kind& kind) {
                  fmt::format("the wheels' loads add up to {:.3g}; make it 1, the whole weight", load)};
 }
 
-std::optional<Fault> triangle_fault(const Kind& kind) {
+// `path`: of the owner of the sensors.
+std::optional<Fault> triangle_fault(const std::vector<Sensor>& sensors, const std::string& path) {
     constexpr float widest = maths::radians(179);
-    for (const Sensor& s : kind.sensors)
+    for (const Sensor& s : sensors)
         if (s.shape == SensorShape::triangle && s.fov > widest + 1e-3f)
-            return Fault{"kind." + kind.name + ".sensor." + s.name + ".field",
+            return Fault{path + ".sensor." + s.name + ".field",
                          "a triangle opens by 179 degrees at most; make it narrower or its shape a sector"};
     return std::nullopt;
 }
@@ -151,9 +160,13 @@ std::optional<Fault> outline_fault(const Outlined& object, const std::string& pa
     return std::nullopt;
 }
 
-std::optional<Fault> own_brain_fault(const std::optional<BrainGraph>& brain, const std::string& path) {
-    if (!brain) return std::nullopt;
-    auto fault = find_fault(*brain);
+// Of the brain and the sensors of a Start or Member.
+template <class Own>
+std::optional<Fault> own_values_fault(const Own& own, const std::string& path) {
+    if (own.sensors)
+        if (auto fault = triangle_fault(*own.sensors, path)) return fault;
+    if (!own.brain) return std::nullopt;
+    auto fault = find_fault(*own.brain);
     if (fault) fault->path = path + ".brain";
     return fault;
 }
@@ -170,7 +183,7 @@ std::optional<Fault> start_fault(const Scene& scene, const Start& start) {
                                            nearest_of(start.facing, names_of(scene.sources))};
     if (std::fabs(start.x) > scene.arena.width / 2) return Fault{path + ".x", message_of("starts_outside")};
     if (std::fabs(start.y) > scene.arena.height / 2) return Fault{path + ".y", message_of("starts_outside")};
-    return own_brain_fault(start.brain, path);
+    return own_values_fault(start, path);
 }
 
 std::optional<Fault> member_fault(const Scene& scene, const Member& member) {
@@ -188,23 +201,26 @@ std::optional<Fault> member_fault(const Scene& scene, const Member& member) {
                          nearest_of(member.kind, names_of(scene.kinds))};
     if (member.placed && (std::fabs(member.x) > scene.arena.width / 2 || std::fabs(member.y) > scene.arena.height / 2))
         return Fault{path, message_of("starts_outside")};
-    return own_brain_fault(member.brain, path);
+    return own_values_fault(member, path);
 }
 
 // A world keeps about a dozen copies of its state; the limit keeps an untrusted file from filling the memory.
 std::optional<Fault> memory_fault(const Scene& scene) {
     constexpr double most = 1 << 24;  // numbers, in all brains and all sensors' latencies
     double largest = 0;
-    for (const Kind& kind : scene.kinds) {
-        double numbers = static_cast<double>(kind.brain.nodes.size() + kind.brain.wires.size());
-        for (const Sensor& sensor : kind.sensors) numbers += 1 + static_cast<double>(sensor.latency) / tick_seconds;
-        largest = std::max(largest, numbers);
-    }
-    const auto count_own = [&](const std::optional<BrainGraph>& brain) {
-        if (brain) largest = std::max(largest, static_cast<double>(brain->nodes.size() + brain->wires.size()));
+    const auto numbers_of = [](const BrainGraph* brain, const std::vector<Sensor>* sensors) {
+        double numbers = brain ? static_cast<double>(brain->nodes.size() + brain->wires.size()) : 0;
+        if (sensors)
+            for (const Sensor& sensor : *sensors) numbers += 1 + static_cast<double>(sensor.latency) / tick_seconds;
+        return numbers;
     };
-    for (const Start& start : scene.starts) count_own(start.brain);
-    for (const Member& member : scene.members) count_own(member.brain);
+    for (const Kind& kind : scene.kinds) largest = std::max(largest, numbers_of(&kind.brain, &kind.sensors));
+    const auto count_own = [&](const auto& own) {
+        largest =
+            std::max(largest, numbers_of(own.brain ? &*own.brain : nullptr, own.sensors ? &*own.sensors : nullptr));
+    };
+    for (const Start& start : scene.starts) count_own(start);
+    for (const Member& member : scene.members) count_own(member);
     const double vehicles = static_cast<double>(scene.starts.size()) + scene.ecology.population;
     if (vehicles * largest <= most) return std::nullopt;
     return Fault{"ecology.population",
@@ -226,7 +242,7 @@ std::optional<Fault> find_fault(const Scene& scene) {
     if (auto fault = range_fault(scene)) return fault;
     for (const Kind& kind : scene.kinds) {
         if (auto fault = wheels_fault(kind)) return fault;
-        if (auto fault = triangle_fault(kind)) return fault;
+        if (auto fault = triangle_fault(kind.sensors, "kind." + kind.name)) return fault;
         if (auto fault = find_fault(kind.brain)) return Fault{"kind." + kind.name + ".brain", std::move(fault->what)};
     }
     for (const Obstacle& obstacle : scene.obstacles)

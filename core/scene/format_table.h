@@ -86,6 +86,10 @@ public:
         add<Element>("[", path_ + key + ".NAME", "]", fmt::format("{}; up to {}", meaning, most));
     }
     template <class Element>
+    void named(const char* key, std::optional<std::vector<Element>> T::*, std::size_t most, const char* meaning) {
+        add<Element>("[", path_ + key + ".NAME", "]", fmt::format("{}; up to {}", meaning, most));
+    }
+    template <class Element>
     void list(const char* key, std::vector<Element> T::*, std::size_t most, const char* meaning) {
         add<Element>("[[", path_ + key, "]]", fmt::format("{}; up to {}", meaning, most));
     }

@@ -105,11 +105,12 @@ struct Start {
     std::string name;
     std::string kind;
     float x = 0, y = 0, heading = 0;
-    std::string facing;                 // name of a source: heading is then relative to the direction to it
-    float place_spread = 0;             // m; x and y each vary by up to ± this
-    float heading_spread = 0;           // the heading varies by up to ± this
-    std::optional<Driver> driver{};     // nullopt: that of its kind
-    std::optional<BrainGraph> brain{};  // nullopt: that of its kind
+    std::string facing;                            // name of a source: heading is then relative to the direction to it
+    float place_spread = 0;                        // m; x and y each vary by up to ± this
+    float heading_spread = 0;                      // the heading varies by up to ± this
+    std::optional<Driver> driver{};                // nullopt: that of its kind
+    std::optional<BrainGraph> brain{};             // nullopt: that of its kind
+    std::optional<std::vector<Sensor>> sensors{};  // nullopt: those of its kind
     friend bool operator==(const Start&, const Start&) = default;
 };
 
@@ -118,9 +119,10 @@ struct Member {
     std::string name;  // its number in the population, from 0, as a decimal
     std::string kind;  // empty: chosen by the shares
     bool placed = false;
-    float x = 0, y = 0, heading = 0;    // its start pose if `placed`, else a random one
-    std::optional<Driver> driver{};     // nullopt: that of its kind
-    std::optional<BrainGraph> brain{};  // nullopt: that of its kind
+    float x = 0, y = 0, heading = 0;               // its start pose if `placed`, else a random one
+    std::optional<Driver> driver{};                // nullopt: that of its kind
+    std::optional<BrainGraph> brain{};             // nullopt: that of its kind
+    std::optional<std::vector<Sensor>> sensors{};  // nullopt: those of its kind
     friend bool operator==(const Member&, const Member&) = default;
 };
 

@@ -37,6 +37,11 @@ public:
         for (const Element& element : object_.*member) walk(element, prefix_ + key + "." + element.name + ".");
     }
     template <class Element>
+    void named(const char* key, std::optional<std::vector<Element>> T::*member, std::size_t, const char*) {
+        if (!(object_.*member)) return;
+        for (const Element& element : *(object_.*member)) walk(element, prefix_ + key + "." + element.name + ".");
+    }
+    template <class Element>
     void list(const char*, std::vector<Element> T::*, std::size_t, const char*) {}
     void brain(const char* key, BrainGraph T::*, const char*) { walk(FourNeurons{}, prefix_ + key + "."); }
     void brain(const char* key, std::optional<BrainGraph> T::*member, const char*) {

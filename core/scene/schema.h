@@ -10,7 +10,7 @@
 //     named(key, vector T::*, most, meaning)   [key.NAME] …        list(key, vector T::*, most, meaning)   [[key]] …
 //     brain(key, BrainGraph T::*, meaning)                         place(key, optional<vec2> T::*, range, meaning)
 //
-// word() and brain() also take an optional member: without the key it is nullopt.
+// word(), named() and brain() also take an optional member: without the key it is nullopt.
 //
 // Values come before tables, as TOML requires. Defaults are those of the structs. Unit and meaning are used in docs
 // only.
@@ -157,6 +157,7 @@ void describe(Visitor& v, Of<Start>) {
     v.number("place_spread", &Start::place_spread, "m", {0, 1000}, "x and y vary with the seed by up to ± this");
     v.angle("heading_spread", &Start::heading_spread, {0, 180}, "the heading varies with the seed by up to ± this");
     v.word("driver", &Start::driver, "what commands its motors; default: as its kind");
+    v.named("sensor", &Start::sensors, limits::sensors, "a sensor of its own; then it has none of its kind's");
     v.brain("brain", &Start::brain, "its own brain; default: that of its kind");
 }
 
@@ -168,6 +169,7 @@ void describe(Visitor& v, Of<Member>) {
     v.number("y", &Member::y, "m", place_range, "start position");
     v.angle("heading", &Member::heading, {-360, 360}, "counter-clockwise from +x");
     v.word("driver", &Member::driver, "what commands its motors; default: as its kind");
+    v.named("sensor", &Member::sensors, limits::sensors, "a sensor of its own; then it has none of its kind's");
     v.brain("brain", &Member::brain, "its own brain; default: that of its kind");
 }
 

@@ -133,11 +133,11 @@ public:
     }
     template <class Element>
     void named(const char* key, std::vector<Element> T::*member, std::size_t most, const char*) {
-        for (const TomlMember* inner : table_.named(key, most)) {
-            Element& element = (object_.*member).emplace_back();
-            element.name = inner->key;
-            read(inner->value, table_.path(key) + "." + inner->key, element);
-        }
+        read_named(key, most, object_.*member);
+    }
+    template <class Element>
+    void named(const char* key, std::optional<std::vector<Element>> T::*member, std::size_t most, const char*) {
+        if (table_.has(key)) read_named(key, most, (object_.*member).emplace());
     }
     template <class Element>
     void list(const char* key, std::vector<Element> T::*member, std::size_t most, const char*) {
@@ -206,6 +206,14 @@ private:
         describe(reader, Of<Type>{});
     }
 
+    template <class Element>
+    void read_named(const char* key, std::size_t most, std::vector<Element>& elements) {
+        for (const TomlMember* inner : table_.named(key, most)) {
+            Element& element = elements.emplace_back();
+            element.name = inner->key;
+            read(inner->value, table_.path(key) + "." + inner->key, element);
+        }
+    }
     template <class Inner>
     void read(const TomlNode& inner, const std::string& path, Inner& object) {
         TomlTable table(table_.file(), inner, path);

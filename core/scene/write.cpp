@@ -96,7 +96,14 @@ public:
     }
     template <class Element>
     void named(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
-        for (const Element& element : object_.*member) write(element, fmt::format("{}.{}", key, element.name), true);
+        write_named(key, object_.*member);
+    }
+    // An empty list is a table without content.
+    template <class Element>
+    void named(const char* key, std::optional<std::vector<Element>> T::*member, std::size_t, const char*) {
+        if (!(object_.*member)) return;
+        if ((object_.*member)->empty()) out_ += fmt::format("{}[{}{}]\n", out_.empty() ? "" : "\n", path_, key);
+        write_named(key, *(object_.*member));
     }
     template <class Element>
     void list(const char* key, std::vector<Element> T::*member, std::size_t, const char*) {
@@ -138,6 +145,10 @@ private:
         out_ += fmt::format("{} = {}\n", key, value);
     }
 
+    template <class Element>
+    void write_named(const char* key, const std::vector<Element>& elements) {
+        for (const Element& element : elements) write(element, fmt::format("{}.{}", key, element.name), true);
+    }
     template <class Inner>
     void write(const Inner& object, const std::string& key, bool even_if_default) {
         TomlWriter<Inner> inner(object, fmt::format("[{}{}]", path_, key), path_ + key + ".", out_);

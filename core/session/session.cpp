@@ -21,25 +21,32 @@ std::optional<BrainGraph> own_brain(const Snapshot& now, const VehicleView& vehi
     return *brain;
 }
 
-// Writes the brains and drivers of single vehicles to the scene's starts and members.
+// The sensors of a vehicle if they differ from those of its kind.
+std::optional<std::vector<Sensor>> own_sensors(const Snapshot& now, const VehicleView& vehicle) {
+    if (vehicle.design < 0) return std::nullopt;
+    return kind_of(now, vehicle).sensors;
+}
+
+// Writes the brains, sensors and drivers of single vehicles to the scene's starts and members.
 void add_own_values(Scene& scene, const Snapshot& now) {
     std::map<int, Member> members;
     for (Member& member : scene.members) {
-        member.brain.reset(), member.driver.reset();
+        member.brain.reset(), member.sensors.reset(), member.driver.reset();
         members[number_of(member)] = std::move(member);
     }
     int number = 0;  // in the population
     for (const VehicleView& v : now.vehicles) {
         const Kind& kind = scene.kinds[static_cast<std::size_t>(v.kind)];
         auto brain = own_brain(now, v);
+        auto sensors = own_sensors(now, v);
         const auto driver = v.driver != kind.driver ? std::optional(v.driver) : std::nullopt;
         if (v.start >= 0) {
             Start& start = scene.starts[static_cast<std::size_t>(v.start)];
-            start.brain = std::move(brain), start.driver = driver;
-        } else if (const int own = number++; brain || driver) {
+            start.brain = std::move(brain), start.sensors = std::move(sensors), start.driver = driver;
+        } else if (const int own = number++; brain || sensors || driver) {
             Member& member = members[own];
             member.name = std::to_string(own), member.kind = kind.name;
-            member.brain = std::move(brain), member.driver = driver;
+            member.brain = std::move(brain), member.sensors = std::move(sensors), member.driver = driver;
         }
     }
     scene.members.clear();

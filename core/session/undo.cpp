@@ -54,6 +54,18 @@ Commands same_brains(const Snapshot& now, const Target& target) {
     return commands;
 }
 
+// The commands that restore the present sensors of a target.
+Commands same_sensors(const Snapshot& now, const Target& target) {
+    if (const VehicleView* v = find_vehicle(now, target.vehicle)) return {SetSensors{target, kind_of(now, *v).sensors}};
+    const Kind* of_kind = at(now.scene->kinds, target.kind);
+    if (!of_kind) return {};
+    Commands commands{SetSensors{target, of_kind->sensors}};
+    for (const VehicleView& v : now.vehicles)
+        if (v.kind == target.kind && v.design >= 0)
+            commands.push_back(SetSensors{{.vehicle = v.id}, kind_of(now, v).sensors});
+    return commands;
+}
+
 // The commands that restore the node positions of these brains.
 Commands same_places(const Snapshot& now, const Target& target) {
     Commands commands;
@@ -74,6 +86,7 @@ AddVehicle bringing_back(const Snapshot& now, const VehicleView& v) {
     add.id = v.id;
     if (const Start* start = at(now.scene->starts, v.start)) add.start = *start;
     add.before = v.start;
+    if (v.design >= 0) add.sensors = kind_of(now, v).sensors;
     return add;
 }
 
@@ -122,11 +135,7 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
             },
             [&](const EditStart& c) { return same<EditStart>(scene.starts, c.start); },
             [&](const EditMember& c) -> Commands { return {same_member(scene, c.member)}; },
-            [&](const SetSensors& c) -> Commands {
-                const Kind* kind = at(scene.kinds, c.kind);
-                if (!kind) return {};
-                return {SetSensors{c.kind, kind->sensors}};
-            },
+            [&](const SetSensors& c) { return same_sensors(now, c.target); },
             [&](const AddSource& c) -> Commands { return {RemoveSource{place_of_new(scene.sources, c.before)}}; },
             [&](const RemoveSource& c) { return bringing_back(now, c); },
             [&](const EditSource& c) { return same<EditSource>(scene.sources, c.source); },
@@ -182,7 +191,7 @@ bool supersedes(const Command& later, const Command& earlier) {
               [&](const MoveVehicle& c) { return c.vehicle == std::get<MoveVehicle>(earlier).vehicle; },
               [&](const EditStart& c) { return c.start == std::get<EditStart>(earlier).start; },
               [&](const EditMember& c) { return c.member == std::get<EditMember>(earlier).member; },
-              [&](const SetSensors& c) { return c.kind == std::get<SetSensors>(earlier).kind; },
+              [&](const SetSensors& c) { return c.target == std::get<SetSensors>(earlier).target; },
               [&](const EditSource& c) { return c.source == std::get<EditSource>(earlier).source; },
               [&](const MoveSource& c) { return c.source == std::get<MoveSource>(earlier).source; },
               [&](const EditObstacle& c) { return c.obstacle == std::get<EditObstacle>(earlier).obstacle; },

@@ -99,9 +99,13 @@ void sort_in_last_row(WorldData& s) {
 std::optional<Error> execute(WorldData& s, const AddVehicle& c) {
     if (auto error = refusal(s, c)) return error;
     const int kind = c.kind >= 0 ? c.kind : next_kind(s);
+    const Kind& of_kind = s.scene->kinds[static_cast<std::size_t>(kind)];
+    if (c.sensors)
+        if (auto error = check_sensors(s, static_cast<std::size_t>(kind), *c.sensors)) return error;
+    SharedDesign design = c.sensors ? own_design(of_kind, *c.sensors) : nullptr;
     SharedBrain brain = s.kind_brains[static_cast<std::size_t>(kind)];
-    if (c.brain && *c.brain != brain->graph) {
-        auto own = compile_brain(*c.brain, s.scene->kinds[static_cast<std::size_t>(kind)]);
+    if (design || (c.brain && *c.brain != brain->graph)) {
+        auto own = compile_brain(c.brain ? *c.brain : brain->graph, design ? design->kind : of_kind);
         if (!own) return own.error();
         brain = *own;
     }
@@ -114,7 +118,9 @@ std::optional<Error> execute(WorldData& s, const AddVehicle& c) {
         FreeSpace free_space(s);
         return free_pose(s, free_space, kind, id);
     };
-    add_vehicle(s, kind, *start, id, std::move(brain), c.at ? *c.at : somewhere());
+    const bool has_own_sensors = design != nullptr;
+    add_vehicle(s, kind, *start, id, std::move(brain), c.at ? *c.at : somewhere(), std::move(design));
+    if (has_own_sensors) s.lay_out_grids();
     s.vehicles.energy.back() = c.energy;
     if (c.driver) s.vehicles.driver.back() = *c.driver;
     if (!comes_last) sort_in_last_row(s);

@@ -9,16 +9,18 @@ namespace braitenlab::world {
 
 namespace {
 
-// Index of the brain in the list of brains in use; adds it when new. Compares the first 64 only: when most vehicles
-// share a few brains the search is short, and when each has its own the list holds duplicates instead of taking O(n^2).
-int index_of(const SharedBrain& brain, std::vector<std::shared_ptr<const BrainGraph>>& brains) {
-    for (std::size_t i = 0; i < brains.size() && i < 64; ++i)
-        if (brains[i].get() == &brain->graph) return static_cast<int>(i);
-    brains.push_back(std::shared_ptr<const BrainGraph>(brain, &brain->graph));
-    return static_cast<int>(brains.size()) - 1;
+// Index of the value `part`, which `owner` owns, in the list of values in use; adds it when new. Compares the first 64
+// only: when most vehicles share a few the search is short, and when each has its own the list holds duplicates instead
+// of taking O(n^2).
+template <class Owner, class Part>
+int index_of(const std::shared_ptr<Owner>& owner, const Part& part, std::vector<std::shared_ptr<const Part>>& used) {
+    for (std::size_t i = 0; i < used.size() && i < 64; ++i)
+        if (used[i].get() == &part) return static_cast<int>(i);
+    used.push_back(std::shared_ptr<const Part>(owner, &part));
+    return static_cast<int>(used.size()) - 1;
 }
 
-VehicleView view_of(const WorldData& s, std::size_t row, int brain, const std::array<float, 2>& motor) {
+VehicleView view_of(const WorldData& s, std::size_t row, const std::array<float, 2>& motor) {
     const Vehicles& v = s.vehicles;
     const mechanics::Motion& m = v.motion[row];
     VehicleView view;
@@ -34,7 +36,6 @@ VehicleView view_of(const WorldData& s, std::size_t row, int brain, const std::a
     view.energy = v.energy[row];
     view.motor = motor;
     view.wheel_angle = v.wheel_angle[row];
-    view.brain = brain;
     view.first_sensed = static_cast<int>(v.first_sensed[row]);
     view.first_neuron = static_cast<int>(v.first_neuron[row]);
     view.neuron_count = v.brain[row]->flat.neuron_count();
@@ -57,8 +58,12 @@ void capture(const WorldData& s, Snapshot& out) {
     out.predators = out.prey = 0;
     out.vehicles.clear();
     out.brains.clear();
+    out.designs.clear();
     for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
-        out.vehicles.push_back(view_of(s, row, index_of(s.vehicles.brain[row], out.brains), motor[row]));
+        VehicleView& view = out.vehicles.emplace_back(view_of(s, row, motor[row]));
+        const SharedBrain& brain = s.vehicles.brain[row];
+        view.brain = index_of(brain, brain->graph, out.brains);
+        if (const SharedDesign& own = s.vehicles.design[row]) view.design = index_of(own, own->kind, out.designs);
         out.predators += s.role(row) == Role::predator;
         out.prey += s.role(row) == Role::prey;
     }
@@ -91,7 +96,7 @@ bool trace(const WorldData& s, VehicleId id, VehicleTrace& out) {
     out.pose = {m.position.x, m.position.y, maths::wrap_angle(m.heading)};
     out.motor = v.motor[*row];
     const auto first = v.sensed.begin() + static_cast<std::ptrdiff_t>(v.first_sensed[*row]);
-    out.sensed.assign(first, first + static_cast<std::ptrdiff_t>(s.kinds[s.kind(*row)].sensors.size()));
+    out.sensed.assign(first, first + static_cast<std::ptrdiff_t>(s.compiled(*row).sensors.size()));
     return true;
 }
 

@@ -12,7 +12,7 @@
 
 namespace braitenlab {
 
-// The brain that a command changes: that of one vehicle, or that of all present and future vehicles of a kind.
+// Whose brain or sensors a command changes: of one vehicle, or of all present and future vehicles of a kind.
 struct Target {
     VehicleId vehicle = no_vehicle;
     int kind = -1;  // used when vehicle is no_vehicle
@@ -54,6 +54,7 @@ struct AddVehicle {
     VehicleId id = no_vehicle;
     std::optional<Start> start{};
     int before = -1;
+    std::optional<std::vector<Sensor>> sensors{};  // none: the sensors of the kind
     friend bool operator==(const AddVehicle&, const AddVehicle&) = default;
 };
 struct RemoveVehicle {
@@ -87,8 +88,10 @@ struct EditMember {
     std::optional<Member> to{};  // nullopt: none
     friend bool operator==(const EditMember&, const EditMember&) = default;
 };
-struct SetSensors {  // replaces the sensors of a kind; all readings are reset to 0
-    int kind = 0;
+// Replaces the sensors of the target. A sensor that keeps its name keeps its reading, with the same latency also the
+// readings that its brain has not received yet; a new sensor begins with 0.
+struct SetSensors {
+    Target target;
     std::vector<Sensor> sensors;
     friend bool operator==(const SetSensors&, const SetSensors&) = default;
 };

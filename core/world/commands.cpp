@@ -36,12 +36,12 @@ std::optional<Error> edit_brains(WorldData& s, const Target& target, Edit edit) 
         SharedBrain before, after;
     };
     std::vector<Change> changes;
-    const auto changed = [&](const SharedBrain& before, int kind) -> Result<SharedBrain> {
+    const auto changed = [&](const SharedBrain& before, const Kind& design) -> Result<SharedBrain> {
         for (const Change& c : changes)
             if (c.before == before) return c.after;
         BrainGraph graph = before->graph;
         edit(graph);
-        auto after = compile_brain(graph, s.scene->kinds[static_cast<std::size_t>(kind)]);
+        auto after = compile_brain(graph, design);
         if (after) changes.push_back({before, *after});
         return after;
     };
@@ -49,7 +49,7 @@ std::optional<Error> edit_brains(WorldData& s, const Target& target, Edit edit) 
     if (target.vehicle != no_vehicle) {
         const auto row = s.row_of(target.vehicle);
         if (!row) return unknown_vehicle(target.vehicle);
-        const auto brain = changed(s.vehicles.brain[*row], s.vehicles.kind[*row]);
+        const auto brain = changed(s.vehicles.brain[*row], s.design(*row));
         if (!brain) return brain.error();
         give_brain(s, *row, *brain);
         return std::nullopt;
@@ -57,13 +57,13 @@ std::optional<Error> edit_brains(WorldData& s, const Target& target, Edit edit) 
     if (target.kind < 0 || target.kind >= static_cast<int>(s.kinds.size()))
         return Error{fmt::format("the scene has no kind number {}", target.kind)};
     SharedBrain& kind_brains = s.kind_brains[static_cast<std::size_t>(target.kind)];
-    const auto of_kind = changed(kind_brains, target.kind);
+    const auto of_kind = changed(kind_brains, s.scene->kinds[static_cast<std::size_t>(target.kind)]);
     if (!of_kind) return of_kind.error();
     for (std::size_t row = 0; row < s.vehicles.size(); ++row)
         if (s.vehicles.kind[row] == target.kind)
-            if (auto brain = changed(s.vehicles.brain[row], target.kind); !brain) return brain.error();
+            if (auto brain = changed(s.vehicles.brain[row], s.design(row)); !brain) return brain.error();
     for (std::size_t row = 0; row < s.vehicles.size(); ++row)
-        if (s.vehicles.kind[row] == target.kind) give_brain(s, row, *changed(s.vehicles.brain[row], target.kind));
+        if (s.vehicles.kind[row] == target.kind) give_brain(s, row, *changed(s.vehicles.brain[row], s.design(row)));
     kind_brains = *of_kind;
     return std::nullopt;
 }

@@ -112,4 +112,12 @@ CompiledKind compile_kind(const Kind& kind) {
     return compiled;
 }
 
+SharedDesign own_design(const Kind& kind, const std::vector<Sensor>& sensors) {
+    if (sensors == kind.sensors) return nullptr;
+    Kind own = kind;
+    own.sensors = sensors;
+    CompiledKind compiled = compile_kind(own);
+    return std::make_shared<const OwnDesign>(OwnDesign{std::move(own), std::move(compiled)});
+}
+
 }  // namespace braitenlab::world

@@ -42,6 +42,16 @@ struct CompiledKind {
     std::vector<std::string> sensor_names;
 };
 
+// A kind with the sensors of a vehicle that has its own. Immutable: an edit creates a new one.
+struct OwnDesign {
+    Kind kind;
+    CompiledKind compiled;
+};
+using SharedDesign = std::shared_ptr<const OwnDesign>;
+
+// Null if the sensors are those of the kind.
+SharedDesign own_design(const Kind&, const std::vector<Sensor>&);
+
 // Fails as compile() does.
 Result<SharedBrain> compile_brain(const BrainGraph&, const Kind&);
 

@@ -40,39 +40,6 @@ std::optional<Error> replace_if_valid(WorldData& s, Result<Scene> edited, Replac
 
 }  // namespace
 
-std::optional<Error> execute(WorldData& s, const SetSensors& c) {
-    if (auto error = missing(s.scene->kinds, c.kind, "kind")) return error;
-    Scene scene = *s.scene;
-    Kind& kind = scene.kinds[static_cast<std::size_t>(c.kind)];
-    kind.sensors = c.sensors;
-    kind.brain = s.kind_brains[static_cast<std::size_t>(c.kind)]->graph;
-    if (auto error = check_scene(scene)) return error;
-
-    // Brains refer to sensors by name; compile every brain of the kind again for the new sensors.
-    std::vector<std::pair<SharedBrain, SharedBrain>> made;
-    const auto again = [&](SharedBrain& brain) {
-        for (const auto& [before, after] : made)
-            if (before == brain) return void(brain = after);
-        made.emplace_back(brain, *compile_brain(brain->graph, kind));
-        brain = made.back().second;
-    };
-    again(s.kind_brains[static_cast<std::size_t>(c.kind)]);
-    Vehicles& v = s.vehicles;
-    for (std::size_t row = 0; row < v.size(); ++row)
-        if (v.kind[row] == c.kind) again(v.brain[row]);
-    v.sensed.clear();
-    v.delayed.clear();
-    for (std::size_t row = 0; row < v.size(); ++row) {
-        const Kind& of_row = scene.kinds[s.kind(row)];
-        v.first_sensed[row] = static_cast<std::uint32_t>(v.sensed.size());
-        v.sensed.resize(v.sensed.size() + of_row.sensors.size(), 0.0f);
-        v.first_delayed[row] = static_cast<std::uint32_t>(v.delayed.size());
-        v.delayed.resize(v.delayed.size() + delayed_readings(of_row), 0.0f);
-    }
-    replace_scene(s, std::move(scene));
-    return std::nullopt;
-}
-
 std::optional<Error> execute(WorldData& s, const AddSource& c) {
     return replace_if_valid(s, with_added(*s.scene, &Scene::sources, c.source, c.before, word(c.source.channel)),
                             replace_sources);

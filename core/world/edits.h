@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,8 +25,8 @@ std::optional<Error> execute(WorldData&, const RemoveVehicle&);
 std::optional<Error> execute(WorldData&, const MoveVehicle&);
 std::optional<Error> execute(WorldData&, const EditStart&);
 std::optional<Error> execute(WorldData&, const EditMember&);
-std::optional<Error> execute(WorldData&, const SetSensors&);  // edits.cpp
-std::optional<Error> execute(WorldData&, const AddSource&);
+std::optional<Error> execute(WorldData&, const SetSensors&);  // sensor_edits.cpp
+std::optional<Error> execute(WorldData&, const AddSource&);   // edits.cpp
 std::optional<Error> execute(WorldData&, const RemoveSource&);
 std::optional<Error> execute(WorldData&, const EditSource&);
 std::optional<Error> execute(WorldData&, const MoveSource&);
@@ -44,10 +45,27 @@ inline Error unknown_vehicle(VehicleId id) {
 }
 inline Error not_finite() { return {"a position takes finite numbers only"}; }
 
+// Derives the designs of vehicles with sensors of their own again from the kinds of the scene.
+inline void renew_designs(State& s) {
+    std::map<const OwnDesign*, SharedDesign> made;  // by the earlier one
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
+        SharedDesign& design = s.vehicles.design[row];
+        if (!design) continue;
+        const Kind& kind = s.scene->kinds[static_cast<std::size_t>(s.vehicles.kind[row])];
+        const auto [known, is_new] = made.try_emplace(design.get());
+        if (is_new) known->second = own_design(kind, design->kind.sensors);
+        design = known->second;
+    }
+}
+
+// The error that the scene would have if these were the sensors of the kind.
+std::optional<Error> check_sensors(const WorldData&, std::size_t kind, const std::vector<Sensor>&);  // sensor_edits.cpp
+
 // Replaces the scene by an edited one and rebuilds the world from it.
 inline void replace_scene(WorldData& s, Scene scene) {
     State state = std::move(static_cast<State&>(s));
     state.scene = std::make_shared<const Scene>(std::move(scene));
+    renew_designs(state);
     s = WorldData(std::move(state));
 }
 

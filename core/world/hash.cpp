@@ -27,8 +27,8 @@ struct Digest {
     }
 };
 
-// A visitor of core/scene/schema.h: adds every value of a struct. Brains are added separately, because those of the
-// scene's kinds are not up to date in a running world.
+// A visitor of core/scene/schema.h: adds every value of a struct. Brains and the sensors of single vehicles are added
+// separately, because those of the scene are not up to date in a running world.
 template <class T>
 struct StructDigest {
     const T& object;
@@ -62,6 +62,8 @@ struct StructDigest {
     void named(const char*, std::vector<Element> T::*member, std::size_t, const char*) {
         add_all(digest, object.*member);
     }
+    template <class Element>
+    void named(const char*, std::optional<std::vector<Element>> T::*, std::size_t, const char*) {}
     template <class Element>
     void list(const char*, std::vector<Element> T::*member, std::size_t, const char*) {
         // A zone without corners has the digest of a zone of earlier versions, which had none.
@@ -123,6 +125,7 @@ void add_vehicle(Digest& digest, const Vehicles& v, std::size_t row) {
         if (value.hashed) add(digest, (v.*value.column)[row]);
     });
     add(digest, v.brain[row]->graph);
+    if (v.design[row]) add_all(digest, v.design[row]->kind.sensors);
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ void read_sensors(const WorldData& s, SensingBuffers& buffers, std::vector<float
     fill(buffers, s);
     const Vehicles& v = s.vehicles;
     for (std::size_t row = 0; row < v.size(); ++row) {
-        const CompiledKind& kind = s.kinds[s.kind(row)];
+        const CompiledKind& kind = s.compiled(row);
         float* reading = sensed.data() + v.first_sensed[row];
         std::size_t ring = v.first_delayed[row];
         maths::Random chance;

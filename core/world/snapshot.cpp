@@ -22,7 +22,7 @@ int number_in_population(const Snapshot& now, VehicleId id) {
 namespace {
 
 float sensor_value(const Snapshot& now, const VehicleView& vehicle, const std::string& name) {
-    const auto& sensors = now.scene->kinds[static_cast<std::size_t>(vehicle.kind)].sensors;
+    const auto& sensors = kind_of(now, vehicle).sensors;
     for (std::size_t i = 0; i < sensors.size(); ++i)
         if (sensors[i].name == name) return now.sensed[static_cast<std::size_t>(vehicle.first_sensed) + i];
     return 0;
@@ -99,7 +99,7 @@ std::vector<sensing::Stimulus> stimuli_beside(const Snapshot& now, Channel chann
 sensing::IntensityInput intensity_input(const Snapshot& now, Channel channel, VehicleId asking) {
     sensing::IntensityInput input;
     const VehicleView* vehicle = find_vehicle(now, asking);
-    const Kind* kind = now.scene && vehicle ? &now.scene->kinds[static_cast<std::size_t>(vehicle->kind)] : nullptr;
+    const Kind* kind = now.scene && vehicle ? &kind_of(now, *vehicle) : nullptr;
     input.sensor = sensing::measuring_sensor(kind, channel);
     input.scene = now.scene;
     if (!now.scene) return input;
@@ -118,10 +118,13 @@ std::vector<Channel> channels_with_intensity(const Snapshot& now) {
     for (int i = 0; i < channel_count; ++i) {
         const auto c = static_cast<Channel>(i);
         if (!row_of(c).is_mapped) continue;
-        const bool is_sensed = std::any_of(kinds.begin(), kinds.end(), [&](const Kind& kind) {
+        const auto senses = [&](const Kind& kind) {
             return std::any_of(kind.sensors.begin(), kind.sensors.end(),
                                [&](const Sensor& s) { return s.channel == c; });
-        });
+        };
+        const bool is_sensed =
+            std::any_of(kinds.begin(), kinds.end(), senses) ||
+            std::any_of(now.designs.begin(), now.designs.end(), [&](const auto& design) { return senses(*design); });
         const bool is_carried =
             std::any_of(kinds.begin(), kinds.end(), [&](const Kind& kind) { return any_seen_as(kind.lamps, c); });
         const bool is_given = any_seen_as(now.sources, c) || is_carried;

@@ -37,7 +37,8 @@ struct VehicleView {
     std::array<float, 2> motor{};        // commanded wheel speeds left and right, −1..1
     std::array<float, 2> wheel_angle{};  // rad the driven wheels have turned
     int brain = 0;                       // in Snapshot::brains
-    int first_sensed = 0;                // readings: sensed[first_sensed + i], i as in Kind::sensors
+    int design = -1;                     // in Snapshot::designs; −1: its sensors are those of its kind
+    int first_sensed = 0;                // readings: sensed[first_sensed + i], i as in kind_of().sensors
     // Unit states: neurons[first_neuron + i], i < neuron_count: hidden neurons by ascending id, left motor, right
     // motor. Learned parts of the Hebbian wires: neurons[first_neuron + neuron_count + i].
     int first_neuron = 0;
@@ -82,6 +83,7 @@ struct Snapshot {
     std::vector<float> neurons;
     std::vector<std::shared_ptr<const BrainGraph>> brains;       // all brains in use, with edits
     std::vector<std::shared_ptr<const BrainGraph>> kind_brains;  // brains of new vehicles, as Scene::kinds
+    std::vector<std::shared_ptr<const Kind>> designs;  // kinds with the sensors of vehicles that have their own
     std::vector<SourceView> sources;     // as Scene::sources; without the lamps of vehicles, which are in Scene::kinds
     std::vector<Pose> obstacles;         // current poses, as Scene::obstacles
     std::vector<MarkView> marks;         // by owner, then oldest first
@@ -94,7 +96,7 @@ struct VehicleTrace {
     std::uint64_t tick = 0;
     Pose pose;                     // heading in [-pi, pi)
     std::array<float, 2> motor{};  // commanded wheel speeds left and right, −1..1
-    std::vector<float> sensed;     // 0..1, as Kind::sensors
+    std::vector<float> sensed;     // 0..1, as kind_of().sensors
 };
 
 // The vehicle with this id, or null.
@@ -103,8 +105,10 @@ const VehicleView* find_vehicle(const Snapshot&, VehicleId);
 // Number in the random population, from 0, that the vehicle with this id has or would have (see Member).
 int number_in_population(const Snapshot&, VehicleId);
 
-// The vehicle's kind, with all edits. Precondition: the vehicle is in the snapshot.
+// The vehicle's kind, with all edits and with the vehicle's own sensors if it has any. Precondition: the vehicle is in
+// the snapshot.
 inline const Kind& kind_of(const Snapshot& now, const VehicleView& vehicle) {
+    if (vehicle.design >= 0) return *now.designs[static_cast<std::size_t>(vehicle.design)];
     return now.scene->kinds[static_cast<std::size_t>(vehicle.kind)];
 }
 

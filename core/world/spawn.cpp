@@ -122,8 +122,9 @@ Pose free_pose(const WorldData& s, FreeSpace& free_space, int kind, VehicleId id
 
 void read_motion(WorldData& s, std::size_t row) { s.vehicles.motion[row] = s.physics.motion(row); }
 
-void add_vehicle(WorldData& s, int kind, int start, VehicleId id, SharedBrain brain, const Pose& pose) {
-    const CompiledKind& compiled = s.kinds[static_cast<std::size_t>(kind)];
+void add_vehicle(WorldData& s, int kind, int start, VehicleId id, SharedBrain brain, const Pose& pose,
+                 SharedDesign design) {
+    const CompiledKind& compiled = design ? design->compiled : s.kinds[static_cast<std::size_t>(kind)];
     Vehicles& v = s.vehicles;
     each_vehicle_value([&v](const auto& value) { (v.*value.column).push_back(value.initial); });
     v.id.back() = id;
@@ -138,6 +139,7 @@ void add_vehicle(WorldData& s, int kind, int start, VehicleId id, SharedBrain br
     v.first_delayed.push_back(static_cast<std::uint32_t>(v.delayed.size()));
     v.delayed.resize(v.delayed.size() + compiled.delayed_readings, 0.0f);
     v.brain.push_back(std::move(brain));
+    v.design.push_back(std::move(design));
     s.physics.add(v.id.size() - 1, id, s.scene->kinds[static_cast<std::size_t>(kind)].body,
                   mechanics::at_rest({pose.x, pose.y}, pose.heading));
     v.motion.back() = s.physics.motion(v.id.size() - 1);
@@ -167,8 +169,8 @@ void respawn(WorldData& s, std::size_t row) {
     });
     const std::size_t first = v.first_neuron[row];
     std::fill_n(v.neurons.begin() + static_cast<std::ptrdiff_t>(first), v.brain[row]->flat.state_size(), 0.0f);
-    std::fill_n(v.delayed.begin() + static_cast<std::ptrdiff_t>(v.first_delayed[row]),
-                s.kinds[s.kind(row)].delayed_readings, 0.0f);
+    std::fill_n(v.delayed.begin() + static_cast<std::ptrdiff_t>(v.first_delayed[row]), s.compiled(row).delayed_readings,
+                0.0f);
     s.readings_are_stale = true;
 }
 
@@ -188,10 +190,14 @@ void spawn_population(WorldData& s) {
     const Scene& scene = *s.scene;
     // `own`: an entry of Scene::starts or Scene::members, or nullptr.
     const auto add = [&s](int kind, int start, VehicleId id, const Pose& pose, const auto* own) {
+        const Kind& of_kind = s.scene->kinds[static_cast<std::size_t>(kind)];
         SharedBrain brain = s.kind_brains[static_cast<std::size_t>(kind)];
-        if (own && own->brain)  // check_scene has checked it
-            if (auto made = compile_brain(*own->brain, s.scene->kinds[static_cast<std::size_t>(kind)])) brain = *made;
-        add_vehicle(s, kind, start, id, std::move(brain), pose);
+        SharedDesign design = own && own->sensors ? own_design(of_kind, *own->sensors) : nullptr;
+        if (design || (own && own->brain)) {  // check_scene has checked them
+            const BrainGraph& graph = own->brain ? *own->brain : brain->graph;
+            if (auto made = compile_brain(graph, design ? design->kind : of_kind)) brain = *made;
+        }
+        add_vehicle(s, kind, start, id, std::move(brain), pose, std::move(design));
         if (own && own->driver) s.vehicles.driver.back() = *own->driver;
     };
     for (std::size_t i = 0; i < scene.starts.size(); ++i) {
@@ -210,11 +216,12 @@ void spawn_population(WorldData& s) {
         const Pose random = free_pose(s, free_space, kind, id);
         add(kind, -1, id, member && member->placed ? Pose{member->x, member->y, member->heading} : random, member);
     }
+    s.lay_out_grids();
 }
 
 // Replaces all vehicles by the same number of vehicles with the same ids, so that a selection in the window stays
 // valid. Vehicles with a start return to it. The kinds of the others are chosen again by the shares, which restores the
-// balance of the population. A vehicle whose kind does not change keeps its brain.
+// balance of the population. A vehicle whose kind does not change keeps its brain and sensors.
 void new_generation(WorldData& s) {
     const Vehicles before = std::move(s.vehicles);
     s.vehicles = {};
@@ -232,12 +239,12 @@ void new_generation(WorldData& s) {
         const int kind = start >= 0 ? before.kind[row] : most_wanted(*s.scene, counts);
         if (start < 0) ++counts[static_cast<std::size_t>(kind)];
         const VehicleId id = before.id[row];
-        const SharedBrain& brain =
-            kind == before.kind[row] ? before.brain[row] : s.kind_brains[static_cast<std::size_t>(kind)];
+        const bool is_as_before = kind == before.kind[row];
+        const SharedBrain& brain = is_as_before ? before.brain[row] : s.kind_brains[static_cast<std::size_t>(kind)];
         const Pose pose = start >= 0 ? start_pose(s, s.scene->starts[static_cast<std::size_t>(start)], id)
                                      : free_pose(s, free_space, kind, id);
         if (start >= 0) free_space.occupy({pose.x, pose.y}, s.kinds[static_cast<std::size_t>(kind)].reach);
-        add_vehicle(s, kind, start, id, brain, pose);
+        add_vehicle(s, kind, start, id, brain, pose, is_as_before ? before.design[row] : nullptr);
     }
     s.touching.clear();
     s = WorldData(std::move(static_cast<State&>(s)));  // recomputes all derived data

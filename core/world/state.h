@@ -55,7 +55,8 @@ struct Vehicles {
     std::vector<std::array<float, 2>> gain;         // of each motor, 1 without mismatch
     std::vector<std::array<float, 2>> motor;        // wheel commands, −1..1
     std::vector<std::array<float, 2>> wheel_angle;  // rad, for display only
-    std::vector<SharedBrain> brain;
+    std::vector<SharedBrain> brain;                 // compiled for the vehicle's sensors
+    std::vector<SharedDesign> design;               // of a vehicle with sensors of its own; null: those of its kind
     std::vector<std::uint32_t> first_sensed, first_neuron, first_delayed;  // into the three arrays below
     std::vector<float> sensed, neurons;
     std::vector<float> delayed;  // readings not yet received by the brain: a ring buffer per sensor with latency
@@ -106,7 +107,8 @@ void each_vehicle_value(F f) {
 template <class Self, class F>
 void Vehicles::each_column(Self& vehicles, F f) {
     each_vehicle_value([&](const auto& value) { f(vehicles.*value.column); });
-    f(vehicles.brain), f(vehicles.first_sensed), f(vehicles.first_neuron), f(vehicles.first_delayed);
+    f(vehicles.brain), f(vehicles.design), f(vehicles.first_sensed), f(vehicles.first_neuron),
+        f(vehicles.first_delayed);
 }
 
 struct State {

@@ -63,7 +63,7 @@ void think_with_brain(const WorldData& s, std::size_t row, const std::vector<flo
                       std::vector<float>& neurons, Wheels& motor) {
     const Vehicles& v = s.vehicles;
     const Brain& brain = v.brain[row]->flat;
-    think(brain, {sensed.data() + v.first_sensed[row], s.kinds[s.kind(row)].sensors.size()},
+    think(brain, {sensed.data() + v.first_sensed[row], s.compiled(row).sensors.size()},
           {neurons.data() + v.first_neuron[row], static_cast<std::size_t>(brain.state_size())}, motor);
 }
 

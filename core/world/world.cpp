@@ -37,17 +37,26 @@ WorldData::WorldData(State state)
         kinds.push_back(compile_kind(kind_of_scene));
         any_memory |= kind_of_scene.memory.marks > 0;
     }
-    for (int c = 0; c < channel_count; ++c) {
-        float longest_range = 0;
-        for (const CompiledKind& compiled : kinds)
-            for (const sensing::CompiledSensor& sensor : compiled.sensors)
-                if (static_cast<int>(sensor.channel) == c) longest_range = std::max(longest_range, sensor.range);
-        const auto channel = static_cast<std::size_t>(c);
-        sensed_channel[channel] = longest_range > 0;
-        if (longest_range > 0) sensing_buffers.grids[channel].lay_out(scene->arena, longest_range);
-    }
+    lay_out_grids();
     for (const std::size_t row : rows_by_position(vehicles.motion))
         physics.add(row, vehicles.id[row], scene->kinds[kind(row)].body, vehicles.motion[row]);
+}
+
+void WorldData::lay_out_grids() {
+    std::array<float, channel_count> longest_range{};
+    const auto add = [&](const CompiledKind& of) {
+        for (const sensing::CompiledSensor& sensor : of.sensors) {
+            float& longest = longest_range[static_cast<std::size_t>(sensor.channel)];
+            longest = std::max(longest, sensor.range);
+        }
+    };
+    for (const CompiledKind& of_kind : kinds) add(of_kind);
+    for (const SharedDesign& own : vehicles.design)
+        if (own) add(own->compiled);
+    for (std::size_t channel = 0; channel < longest_range.size(); ++channel) {
+        sensed_channel[channel] = longest_range[channel] > 0;
+        if (sensed_channel[channel]) sensing_buffers.grids[channel].lay_out(scene->arena, longest_range[channel]);
+    }
 }
 
 std::optional<std::size_t> WorldData::row_of(VehicleId id) const {

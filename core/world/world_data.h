@@ -36,7 +36,7 @@ struct WorldData : State {
 
     std::vector<CompiledKind> kinds;
     sensing::Environment environment;
-    std::array<bool, channel_count> sensed_channel{};  // by any kind
+    std::array<bool, channel_count> sensed_channel{};  // by any kind or vehicle
     bool any_memory = false;                           // any kind has a place memory
     bool readings_are_stale = true;                    // something moved since the sensors were read
     std::vector<Bump> bumps;                           // of this tick; filled if any_memory
@@ -46,6 +46,15 @@ struct WorldData : State {
 
     Role role(std::size_t row) const { return vehicles.brain[row]->role; }
     std::size_t kind(std::size_t row) const { return static_cast<std::size_t>(vehicles.kind[row]); }
+    // The vehicle's kind with the vehicle's sensors, as edited and as compiled.
+    const Kind& design(std::size_t row) const {
+        return vehicles.design[row] ? vehicles.design[row]->kind : scene->kinds[kind(row)];
+    }
+    const CompiledKind& compiled(std::size_t row) const {
+        return vehicles.design[row] ? vehicles.design[row]->compiled : kinds[kind(row)];
+    }
+    // Lays out the grids for the sensors of all kinds and vehicles. Call after a vehicle gets sensors of its own.
+    void lay_out_grids();
     std::optional<std::size_t> row_of(VehicleId) const;
 };
 
@@ -64,7 +73,8 @@ std::vector<float> sense_preview(const WorldData&);  // the readings of a previe
 // ── Vehicles ────────────────────────────────────────────────────────────────────────────────────────────────────────
 void spawn_population(WorldData&);  // spawn.cpp  the first generation
 void new_generation(WorldData&);    //            the same numbers at new random poses
-void add_vehicle(WorldData&, int kind, int start, VehicleId, SharedBrain, const Pose&);
+// `design`: null for the sensors of the kind; else call lay_out_grids() afterwards.
+void add_vehicle(WorldData&, int kind, int start, VehicleId, SharedBrain, const Pose&, SharedDesign design = nullptr);
 void remove_vehicles(WorldData&, const std::vector<std::size_t>& rows);  // ascending rows
 void respawn(WorldData&, std::size_t row);  // at its start, or at a random pose; energy, brain and marks are reset
 // A random pose, clear of others where there is room; the position is occupied afterwards.

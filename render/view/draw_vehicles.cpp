@@ -172,7 +172,7 @@ Subject subject_of(const Drawing& drawing, const VehicleView& view) {
     static const Kind plain;
     const auto kind = static_cast<std::size_t>(view.kind), brain = static_cast<std::size_t>(view.brain);
     const bool known = drawing.now.scene && kind < drawing.now.scene->kinds.size();
-    const Kind& its_kind = known ? drawing.now.scene->kinds[kind] : plain;
+    const Kind& its_kind = known ? kind_of(drawing.now, view) : plain;
     const vec2 place{view.x, view.y};
     const float scale = pixels_per_metre(drawing.picture.camera_view, place);
     const float pixels = scale > 0 ? its_kind.body.length * scale / drawing.picture.pixel_scale : 1e3f;

@@ -18,7 +18,7 @@ constexpr float source_foot = 0.3f;  // m, radius of a source's foot
 
 const Kind* kind_or_null(const Snapshot& now, const VehicleView& vehicle) {
     const auto kind = static_cast<std::size_t>(vehicle.kind);
-    return now.scene && kind < now.scene->kinds.size() ? &now.scene->kinds[kind] : nullptr;
+    return now.scene && kind < now.scene->kinds.size() ? &kind_of(now, vehicle) : nullptr;
 }
 
 template <class Element>

@@ -129,7 +129,7 @@ TEST(Command, RefusesEveryNumberThatIsNotFinite) {
         }
         Sensor eye = learner().kinds[0].sensors[0];
         eye.range = bad;
-        EXPECT_TRUE(world.apply(SetSensors{0, {eye}}));
+        EXPECT_TRUE(world.apply(SetSensors{{.kind = 0}, {eye}}));
     }
     EXPECT_EQ(world.hash(), before);
 }

@@ -83,6 +83,16 @@ public:
         }
     }
     template <class Element>
+    void named(const char* key, std::optional<std::vector<Element>> T::*member, std::size_t, const char*) {
+        if (dice_.toss()) return;
+        (object_.*member).emplace();
+        for (std::size_t i = 0, count = dice_.below(4); i < count; ++i) {
+            Element& element = (object_.*member)->emplace_back();
+            element.name = fmt::format("{}_{}", key, i);
+            fill(element);
+        }
+    }
+    template <class Element>
     void list(const char*, std::vector<Element> T::*member, std::size_t, const char*) {
         if (dice_.toss()) return;
         (object_.*member).resize(1 + dice_.below(4));
@@ -134,14 +144,18 @@ BrainGraph any_brain(Dice& dice, const Kind& kind) {
     return brain;
 }
 
+void limit_triangles(std::vector<Sensor>& sensors) {
+    for (Sensor& sensor : sensors)
+        if (sensor.shape == SensorShape::triangle) sensor.fov = std::min(sensor.fov, maths::radians(179));
+}
+
 // The range of some values depends on other values.
 void make_sound(Scene& scene, Dice& dice) {
     scene.name = "by-chance";
     if (scene.kinds.empty()) scene.ecology.population = 0, scene.starts.clear();
     for (Kind& kind : scene.kinds) {
         for (Wheel& wheel : kind.body.wheels) wheel.load = 1.0f / static_cast<float>(kind.body.wheels.size());
-        for (Sensor& sensor : kind.sensors)
-            if (sensor.shape == SensorShape::triangle) sensor.fov = std::min(sensor.fov, maths::radians(179));
+        limit_triangles(kind.sensors);
         kind.brain = any_brain(dice, kind);
     }
     for (Start& start : scene.starts) {
@@ -149,6 +163,7 @@ void make_sound(Scene& scene, Dice& dice) {
         start.facing = scene.sources.empty() || dice.toss() ? "" : scene.sources[dice.below(scene.sources.size())].name;
         start.x = std::fmod(start.x, scene.arena.width / 2), start.y = std::fmod(start.y, scene.arena.height / 2);
         if (dice.toss()) start.brain = any_brain(dice, scene.kinds.front());
+        if (start.sensors) limit_triangles(*start.sensors);
     }
     scene.members.resize(std::min(scene.members.size(), static_cast<std::size_t>(scene.ecology.population)));
     for (std::size_t i = 0; i < scene.members.size(); ++i) {
@@ -157,6 +172,7 @@ void make_sound(Scene& scene, Dice& dice) {
         member.kind = dice.toss() ? scene.kinds.front().name : "";
         member.x = std::fmod(member.x, scene.arena.width / 2), member.y = std::fmod(member.y, scene.arena.height / 2);
         if (dice.toss()) member.brain = any_brain(dice, scene.kinds.front());
+        if (member.sensors) limit_triangles(*member.sensors);
     }
     const auto make_convex = [&](std::vector<PolygonCorner>& outline) {
         const std::size_t corners = outline.size() < 3 ? 0 : outline.size();

@@ -41,7 +41,8 @@ Session busy_session(const Scene& scene, int ticks) {
     (void)session.apply(MoveZone{1, 1, 2, 0.5f});
     (void)session.apply(EditZone{1, pond});
     (void)session.apply(RemoveZone{0});
-    (void)session.apply(SetSensors{0, session.snapshot().scene->kinds[0].sensors});
+    (void)session.apply(SetSensors{{.kind = 0}, session.snapshot().scene->kinds[0].sensors});
+    (void)session.apply(SetSensors{{.vehicle = 1}, {{.name = "own", .channel = Channel::heat, .latency = 0.1f}}});
     (void)session.apply(SetBrain{{.kind = 0}, *session.snapshot().kind_brains[0]});
     (void)session.apply(PlaceNodes{{.kind = 0}, {{0, maths::vec2{1, 2.5f}}, {1, {}}}});
     for (int i = 0; i < 40; ++i) session.step();

@@ -354,7 +354,7 @@ TEST(World, SetSensorsResetsTheBuffersOfSlowSensors) {
     world.capture(now);
     std::vector<Sensor> sensors = now.scene->kinds[0].sensors;
     for (Sensor& s : sensors) s.latency = s.latency > 0 ? 0 : 0.5f;
-    ASSERT_FALSE(world.apply(SetSensors{0, sensors}));
+    ASSERT_FALSE(world.apply(SetSensors{{.kind = 0}, sensors}));
     steps(world, 50);
     ASSERT_FALSE(world.apply(RemoveVehicle{}));
     steps(world, 50);

@@ -173,6 +173,7 @@ void expect_same(const Session& session, const Scene& scene, const Snapshot& the
         EXPECT_NEAR(a.y, b.y, 1e-5);
         EXPECT_NEAR(a.heading, b.heading, 1e-5);
         EXPECT_EQ(*now.brains[static_cast<std::size_t>(a.brain)], *then.brains[static_cast<std::size_t>(b.brain)]);
+        EXPECT_EQ(kind_of(now, a).sensors, kind_of(then, b).sensors);
     }
     for (std::size_t i = 0; i < then.obstacles.size(); ++i) EXPECT_EQ(now.obstacles[i], then.obstacles[i]);
 }
@@ -186,14 +187,14 @@ Command any_edit(const Session& session, maths::Random& chance) {
         now.vehicles.empty() ? 0 : now.vehicles[static_cast<std::size_t>(below(now.vehicles.size()))].id;
     const int source = below(now.sources.size()), obstacle = below(now.obstacles.size());
     const int kind = below(now.scene->kinds.size()), zone = below(now.scene->zones.size());
-    switch (below(23)) {
-        case 19:
-            return AddZone{{.x = metres(), .length = 2, .surface = Surface::ice, .wind_y = metres()}, below(3) - 1};
-        case 20:
-            return RemoveZone{zone};
+    switch (below(25)) {
         case 21:
-            return MoveZone{zone, metres(), metres(), 1};
+            return AddZone{{.x = metres(), .length = 2, .surface = Surface::ice, .wind_y = metres()}, below(3) - 1};
         case 22:
+            return RemoveZone{zone};
+        case 23:
+            return MoveZone{zone, metres(), metres(), 1};
+        case 24:
             return EditZone{zone, {.x = metres(), .width = 3, .slope = 0.1f}};
         case 18: {
             const int population = now.scene->ecology.population;
@@ -201,6 +202,18 @@ Command any_edit(const Session& session, maths::Random& chance) {
             return EditMember{below(static_cast<std::size_t>(population)),
                               Member{.placed = true, .x = metres(), .y = metres()}};
         }
+        case 19: {
+            if (now.vehicles.empty()) return AddVehicle{};
+            auto sensors = kind_of(now, *find_vehicle(now, vehicle)).sensors;
+            sensors.push_back({.name = "own" + std::to_string(sensors.size()),
+                               .channel = Channel::heat,
+                               .angle = chance.uniform(-1, 1),
+                               .latency = below(2) == 0 ? 0 : 0.2f});
+            return SetSensors{{.vehicle = vehicle}, sensors};
+        }
+        case 20:
+            if (below(2) == 0) return SetSensors{{.vehicle = vehicle}, {}};
+            return SetSensors{{.vehicle = vehicle}, now.scene->kinds[static_cast<std::size_t>(kind)].sensors};
         case 0:
             return TurnDial{{.vehicle = vehicle}, Dial::LR, chance.uniform(-2, 2)};
         case 1:
@@ -218,7 +231,7 @@ Command any_edit(const Session& session, maths::Random& chance) {
         case 7: {
             auto sensors = now.scene->kinds[static_cast<std::size_t>(kind)].sensors;
             if (!sensors.empty()) sensors[0].range = chance.uniform(1, 9);
-            return SetSensors{kind, sensors};
+            return SetSensors{{.kind = kind}, sensors};
         }
         case 8:
             return AddSource{{"", Channel::heat, metres(), metres(), 0.5f, below(2) == 0}, below(3) - 1};
@@ -263,6 +276,7 @@ struct Begin {
     Pose pose;
     Driver driver;
     BrainGraph brain;
+    std::vector<Sensor> sensors;
     friend bool operator==(const Begin&, const Begin&) = default;
 };
 std::vector<Begin> begins(const Snapshot& now) {
@@ -272,12 +286,13 @@ std::vector<Begin> begins(const Snapshot& now) {
                        now.scene->kinds[static_cast<std::size_t>(v.kind)].name,
                        {v.x, v.y, v.heading},
                        v.driver,
-                       *brain_of(now, v)});
+                       *brain_of(now, v),
+                       kind_of(now, v).sensors});
     return all;
 }
 
 TEST(Session, OpensTheSavedSceneAsARestartBeginsIt) {
-    int own_brains = 0, own_drivers = 0, placed = 0;
+    int own_brains = 0, own_sensors = 0, no_sensors = 0, own_drivers = 0, placed = 0;
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {
         Session session = open(furnished());
         maths::Random chance{seed, 9};
@@ -294,6 +309,12 @@ TEST(Session, OpensTheSavedSceneAsARestartBeginsIt) {
         ASSERT_EQ(begins(opened.snapshot()), begins(session.snapshot())) << text;
         ASSERT_EQ(opened.hash(), session.hash()) << text;
         EXPECT_EQ(opened.edited_scene(), *saved) << "opening is no edit\n" << text;
+        const auto count_sensors = [&](const auto& own) {
+            own_sensors += own.sensors && !own.sensors->empty();
+            no_sensors += own.sensors && own.sensors->empty();
+        };
+        for (const Start& start : saved->starts) count_sensors(start);
+        for (const Member& member : saved->members) count_sensors(member);
         for (const Start& start : saved->starts)
             own_brains += start.brain.has_value(), own_drivers += start.driver.has_value();
         for (const Member& member : saved->members)
@@ -302,6 +323,8 @@ TEST(Session, OpensTheSavedSceneAsARestartBeginsIt) {
     EXPECT_GT(own_brains, 300);
     EXPECT_GT(own_drivers, 100);
     EXPECT_GT(placed, 100);
+    EXPECT_GT(own_sensors, 100);
+    EXPECT_GT(no_sensors, 30);
 }
 
 TEST(Session, SavesTheBrainOfOneVehicle) {

@@ -240,7 +240,7 @@ TEST(LabLesson, GradesTheEditedSubmissionWhenItIsEditedMeanwhile) {
     std::vector<Sensor> blind = aggressor().document.session.snapshot().scene->kinds[0].sensors;
     for (Sensor& sensor : blind) sensor.range = 0.1f;
     const BrainGraph weak = make_graph({.LM = 0.1f, .RM = 0.1f});
-    for (const Command& edit : {Command(SetBrain{{.kind = 0}, weak}), Command(SetSensors{0, blind})}) {
+    for (const Command& edit : {Command(SetBrain{{.kind = 0}, weak}), Command(SetSensors{{.kind = 0}, blind})}) {
         Jobs jobs(0);
         Lab lab = solved_exercise();
         run_until_every_step_is_done(lab);
@@ -338,7 +338,7 @@ TEST(LabLesson, GradingRunsTheSensorsThatTheStudentTurned) {
     std::vector<Sensor> sensors = lab.document.session.snapshot().scene->kinds[0].sensors;
     ASSERT_EQ(sensors.size(), 2u);
     for (Sensor& sensor : sensors) sensor.y = -sensor.y, sensor.angle = -sensor.angle;
-    handle(lab, EditRequest{SetSensors{0, sensors}});  // the shipped brain with crossed eyes is the solution
+    handle(lab, EditRequest{SetSensors{{.kind = 0}, sensors}});  // the shipped brain with crossed eyes is the solution
     run_until_every_step_is_done(lab);
     grade_to_the_end(lab, jobs);
     ASSERT_TRUE(lesson_of(lab).grade);

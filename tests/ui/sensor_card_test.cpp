@@ -64,7 +64,7 @@ TEST(SensorCard, TurnsBothEyesAsMirrorImages) {
     EXPECT_NEAR(sensors[0].angle, 60 * degree, 1e-4f);
     EXPECT_NEAR(sensors[1].angle, -60 * degree, 1e-4f);
     EXPECT_EQ(sensors[2], desk.now.scene->kinds[0].sensors[2]) << "the bumper is unchanged";
-    EXPECT_EQ(std::get<SetSensors>(desk.edits().back().command).kind, 0);
+    EXPECT_EQ(std::get<SetSensors>(desk.edits().back().command).target.kind, 0);
     desk.all.clear();
     desk.type_into("sensor.field", "90");
     EXPECT_NEAR(desk.asked_for()[0].fov, 90 * degree, 1e-4f);

@@ -183,7 +183,8 @@ private:
         change(*find_sensor(sensors, sensor_->name), false);
         if (!state_.sensor_alone)
             if (Sensor* other = find_sensor(sensors, other_side(sensor_->name))) change(*other, true);
-        ui_.outbox.push_back(EditRequest{SetSensors{vehicle_.kind, std::move(sensors)}, gestures::panels + gesture});
+        ui_.outbox.push_back(
+            EditRequest{SetSensors{target_of(view_, vehicle_), std::move(sensors)}, gestures::panels + gesture});
     }
 
     const LabView& view_;

@@ -62,6 +62,7 @@ std::optional<Command> copy_of(const Snapshot& now, const SceneObject& object) {
         const bool as_its_kind = kind < now.kind_brains.size() && own == *now.kind_brains[kind];
         AddVehicle copy{vehicle.kind, at, std::nullopt, vehicle.energy};
         if (!as_its_kind) copy.brain = own;
+        if (vehicle.design >= 0) copy.sensors = kind_of(now, vehicle).sensors;
         return with_room(now, copy);
     }
     if (object.kind == SceneObjectKind::source) {

@@ -33,8 +33,7 @@ std::string_view description_key(const Snapshot& now, const VehicleView& vehicle
     if (node.name == "MR") return "wiring.node.MR";
     if (node.kind == NodeKind::motor) return "wiring.node.motor";
     if (node.kind == NodeKind::neuron) return "wiring.node.neuron";
-    const Kind& kind = now.scene->kinds.at(static_cast<std::size_t>(vehicle.kind));
-    for (const Sensor& sensor : kind.sensors)
+    for (const Sensor& sensor : kind_of(now, vehicle).sensors)
         if (sensor.name == node.name) return senses_key(sensor.channel);
     return "wiring.node.sensor";
 }
