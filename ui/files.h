@@ -51,9 +51,9 @@ struct FilesView {
     FolderListing listing;
     std::string suggested;  // name without extension for a first save
     std::string save_to;    // file that Ctrl+S writes; empty: a name is needed
-    int done = 0;         // number of files opened and saved since the start; a waiting sheet closes when it increases
+    int done = 0;  // number of files opened and saved since the start; a waiting sheet closes when it increases
     std::optional<Error> refused;  // of the last request
-    std::string new_folder;  // the last save was refused because this folder does not exist; empty: it was not
+    std::string new_folder;        // the last save was refused because this folder does not exist; empty: it was not
     std::optional<Leaving> leaving;
 };
 

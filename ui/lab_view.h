@@ -58,10 +58,10 @@ enum class NoticeKind { done, notice, failure };
 
 struct Notice {
     NoticeKind kind = NoticeKind::notice;
-    std::string key{};    // string key; empty: show `words` as they are
-    std::string words{};  // value of the first {}
-    std::string more{};   // value of the second {}
-    bool number = false;  // `words` is a number, shown with the decimal mark of the language
+    std::string key{};             // string key; empty: show `words` as they are
+    std::string words{};           // value of the first {}
+    std::string more{};            // value of the second {}
+    bool number = false;           // `words` is a number, shown with the decimal mark of the language
     std::optional<Error> error{};  // with an empty key: `words` is its text in English
 
     bool empty() const { return key.empty() && words.empty(); }

@@ -198,9 +198,10 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::m
         const auto opened = open_autosave(autosave_text(file), file.string());
         if (!opened) {
             const Error& error = opened.error();
-            errors.push_back(error_of(message_of(error) + Message("; its work cannot be recovered; the file is renamed to " +
-                                                                  file.filename().string() + ".broken"),
-                                      error.file, error.line));
+            errors.push_back(
+                error_of(message_of(error) + Message("; its work cannot be recovered; the file is renamed to " +
+                                                     file.filename().string() + ".broken"),
+                         error.file, error.line));
             set_aside_autosave(file);
             return;
         }

@@ -66,8 +66,7 @@ std::optional<Error> check_nodes(const BrainGraph& graph) {
         if (node.id < 0) return Error{fmt::format("node '{}' has the id {}; ids begin at 0", node.name, node.id)};
         if (!ids.insert(node.id).second)
             return Error{fmt::format("two nodes have the id {}; give each its own", node.id)};
-        if (!names.insert(node.name).second)
-            return error_of(message_of("same_node_name", node.name));
+        if (!names.insert(node.name).second) return error_of(message_of("same_node_name", node.name));
         if (node.kind == NodeKind::motor && node.name != "ML" && node.name != "MR")
             return error_of(message_of("unknown_motor", node.name));
         if (const auto fault = fault_in(node)) return error_of(message_of("in_node", node.name) + *fault);
@@ -84,12 +83,9 @@ std::optional<Error> check_wires(const BrainGraph& graph) {
         if (from == nodes.end() || to == nodes.end())
             return error_of(message_of("wire_without_end", wire.from, wire.to));
         const std::string &start = from->second->name, &end = to->second->name;
-        if (to->second->kind == NodeKind::sensor)
-            return error_of(message_of("wire_into_sensor", end));
-        if (!ends.insert({wire.from, wire.to}).second)
-            return error_of(message_of("same_wire", start, end));
-        if (const auto fault = fault_in(wire))
-            return error_of(message_of("in_wire", start, end) + *fault);
+        if (to->second->kind == NodeKind::sensor) return error_of(message_of("wire_into_sensor", end));
+        if (!ends.insert({wire.from, wire.to}).second) return error_of(message_of("same_wire", start, end));
+        if (const auto fault = fault_in(wire)) return error_of(message_of("in_wire", start, end) + *fault);
     }
     return std::nullopt;
 }

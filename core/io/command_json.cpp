@@ -74,6 +74,12 @@ inline void from_json(const Json& json, Retitle& c) {
     if (json.contains("title")) c.title = json.at("title").get<std::string>();
     if (json.contains("story")) c.story = json.at("story").get<std::string>();
 }
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditArena, to)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditEcology, to)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddKind, kind, before)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveKind, kind)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditKind, kind, to)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetPopulation, kind, count, vehicles, shares)
 inline void to_json(Json& json, const NewPopulation&) { json = Json::object(); }
 inline void from_json(const Json&, NewPopulation&) {}
 
@@ -84,7 +90,8 @@ constexpr std::array<const char*, std::variant_size_v<Command>> command_names{
     "TurnDial",    "SetBrain",       "PlaceNodes",   "AddVehicle",   "RemoveVehicle", "MoveVehicle", "ChooseDriver",
     "Steer",       "EditStart",      "SetSensors",   "AddSource",    "RemoveSource",  "EditSource",  "MoveSource",
     "AddObstacle", "RemoveObstacle", "EditObstacle", "MoveObstacle", "NewPopulation", "Retitle",     "EditMember",
-    "AddZone",     "RemoveZone",     "EditZone",     "MoveZone"};
+    "AddZone",     "RemoveZone",     "EditZone",     "MoveZone",     "EditArena",     "EditEcology", "AddKind",
+    "RemoveKind",  "EditKind",       "SetPopulation"};
 
 template <std::size_t... I>
 void read_one(const Json& json, const std::string& name, Command& command, std::index_sequence<I...>) {

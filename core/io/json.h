@@ -92,6 +92,9 @@ public:
         if (object_.*member) json_[key] = *(object_.*member);
     }
     void text(const char* key, std::string T::*member, std::size_t, const char*) { json_[key] = object_.*member; }
+    void colour(const char* key, std::string T::*member, const char*) {
+        if (!(object_.*member).empty()) json_[key] = object_.*member;
+    }
     template <class Part>
     void part(Part T::*member) {
         JsonWriter<Part> inner(object_.*member, json_);
@@ -147,6 +150,9 @@ public:
     }
     void text(const char* key, std::string T::*member, std::size_t, const char*) {
         json_.at(key).get_to(object_.*member);
+    }
+    void colour(const char* key, std::string T::*member, const char*) {
+        if (json_.contains(key)) json_.at(key).get_to(object_.*member);
     }
     template <class Part>
     void part(Part T::*member) {

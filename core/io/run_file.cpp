@@ -24,8 +24,7 @@ constexpr std::size_t most_bytes = std::size_t{256} << 20U, most_commands = 1000
 constexpr int deepest = 32;       // nesting depth of arrays and objects
 constexpr double largest = 1e30;  // absolute value of a number; fits in a float
 
-Error refused(const Message& what, const std::string& file) { return error_of(message_of("no_run") + what, file);
-}
+Error refused(const Message& what, const std::string& file) { return error_of(message_of("no_run") + what, file); }
 
 // Parser callback that rejects numbers and nesting depths beyond the limits.
 struct Guard {

@@ -185,8 +185,7 @@ void load_its_scene(TomlTable& top, const std::filesystem::path& path, const std
     const std::filesystem::path scene_file = (path.parent_path() / *scene_path).lexically_normal();
     std::error_code problem;
     if (!std::filesystem::is_regular_file(scene_file, problem))
-        return top.fail("scene",
-                        message_of("no_scene_of_exercise", in_quotes(scene_file.string())));
+        return top.fail("scene", message_of("no_scene_of_exercise", in_quotes(scene_file.string())));
     auto scene = load_scene(scene_file, settings);
     if (scene)
         exercise.scene = std::move(*scene);

@@ -42,9 +42,11 @@ Submission with_brain(const Exercise& exercise, BrainGraph brain) {
 Submission with_solution(const Exercise& exercise) { return with_brain(exercise, make_graph(exercise.solution)); }
 
 Submission submission_of(const Exercise& exercise, const Snapshot& now) {
-    const auto index = static_cast<std::size_t>(subject_kind(exercise.scene));
     const auto subject = std::find_if(now.vehicles.begin(), now.vehicles.end(),
                                       [](const VehicleView& vehicle) { return vehicle.start == 0; });
+    const auto index =
+        static_cast<std::size_t>(subject == now.vehicles.end() ? subject_kind(exercise.scene) : subject->kind);
+    if (index >= now.scene->kinds.size()) return as_shipped(exercise);  // the kind was removed
     const BrainGraph& brain =
         subject == now.vehicles.end() ? *now.kind_brains[index] : *now.brains[static_cast<std::size_t>(subject->brain)];
     const Kind& kind = subject == now.vehicles.end() ? now.scene->kinds[index] : kind_of(now, *subject);

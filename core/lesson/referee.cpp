@@ -10,9 +10,9 @@ namespace braitenlab {
 
 namespace {
 
-// Equal but for the brain, which a snapshot's scene does not keep up to date.
+// Equal but for the brain, which a snapshot's scene does not keep up to date, and the colour.
 bool same_but_for_brain(Kind a, const Kind& b) {
-    a.brain = b.brain;
+    a.brain = b.brain, a.colour = b.colour;
     return a == b;
 }
 
@@ -36,6 +36,7 @@ bool is_help(const Scene& given, const Snapshot& after, const Command& command) 
     return std::visit(Match{[&](const TurnDial& c) { return changes_other_kind(kind_of(after, c.target)); },
                             [&](const SetBrain& c) { return changes_other_kind(kind_of(after, c.target)); },
                             [&](const SetSensors& c) { return changes_other_kind(kind_of(after, c.target)); },
+                            [&](const EditKind& c) { return changes_other_kind(c.kind); },  // see is_as_given
                             [](const PlaceNodes&) { return false; }, [](const Steer&) { return false; },
                             [](const Retitle&) { return false; }, [](const auto&) { return true; }},
                       command);

@@ -41,6 +41,10 @@ public:
     void text(const char* key, std::string T::*member, std::size_t longest, const char*) {
         if ((object_.*member).size() > longest) fail(key, message_of("longer_than", key, longest));
     }
+    void colour(const char* key, std::string T::*member, const char*) {
+        if (!(object_.*member).empty() && !is_colour(object_.*member))
+            fail(key, fmt::format("{} is no colour; write one like \"#3d7cc9\"", in_quotes(object_.*member)));
+    }
     template <class Part>
     void part(Part T::*member) {
         RangeCheck<Part> inner(object_.*member, path_, fault_);
@@ -175,9 +179,8 @@ std::optional<Fault> start_fault(const Scene& scene, const Start& start) {
     const std::string path = "vehicle." + start.name;
     if (start.kind.empty()) return Fault{path, "a vehicle needs a kind: kind = \"NAME\" of a [kind.NAME]"};
     if (find_kind(scene, start.kind) < 0)
-        return Fault{path + ".kind",
-                     message_of("no_kind_called", in_quotes(start.kind)) +
-                         nearest_of(start.kind, names_of(scene.kinds))};
+        return Fault{path + ".kind", message_of("no_kind_called", in_quotes(start.kind)) +
+                                         nearest_of(start.kind, names_of(scene.kinds))};
     if (!start.facing.empty() && find_source(scene, start.facing) < 0)
         return Fault{path + ".facing", message_of("no_source_called", in_quotes(start.facing)) +
                                            nearest_of(start.facing, names_of(scene.sources))};
@@ -196,9 +199,8 @@ std::optional<Fault> member_fault(const Scene& scene, const Member& member) {
                                        "remove this member",
                                        scene.ecology.population)};
     if (!member.kind.empty() && find_kind(scene, member.kind) < 0)
-        return Fault{path + ".kind",
-                     message_of("no_kind_called", in_quotes(member.kind)) +
-                         nearest_of(member.kind, names_of(scene.kinds))};
+        return Fault{path + ".kind", message_of("no_kind_called", in_quotes(member.kind)) +
+                                         nearest_of(member.kind, names_of(scene.kinds))};
     if (member.placed && (std::fabs(member.x) > scene.arena.width / 2 || std::fabs(member.y) > scene.arena.height / 2))
         return Fault{path, message_of("starts_outside")};
     return own_values_fault(member, path);

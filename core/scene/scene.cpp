@@ -48,6 +48,24 @@ int find_source(const Scene& scene, const std::string& name) { return find_named
 int find_obstacle(const Scene& scene, const std::string& name) { return find_named(scene.obstacles, name); }
 int find_zone(const Scene& scene, const std::string& name) { return find_named(scene.zones, name); }
 
+bool is_colour(std::string_view text) {
+    return text.size() == 7 && text[0] == '#' &&
+           text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string_view::npos;
+}
+
+Body resized(const Body& body, float length, float width) {
+    Body to = body;
+    const float along = length / body.length, across = width / body.width;
+    to.length = length, to.width = width;
+    for (Wheel& wheel : to.wheels) {
+        wheel.x *= along, wheel.y *= across;
+        wheel.radius = std::clamp(wheel.radius * along, 0.005f, 5.0f);
+        wheel.width = std::clamp(wheel.width * across, 0.002f, 5.0f);
+        wheel.area = std::clamp(wheel.area * along * across, 0.0f, 1.0f);
+    }
+    return to;
+}
+
 int number_of(const Member& member) {
     int number = -1;
     const char* end = member.name.data() + member.name.size();

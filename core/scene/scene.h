@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/brain/graph.h"
@@ -90,7 +91,8 @@ struct Kind {
     std::string name;
     Role role = Role::none;
     Driver driver = Driver::brain;
-    float share = 0;  // weight of this kind in the random population, relative to other kinds
+    float share = 0;     // weight of this kind in the random population, relative to other kinds
+    std::string colour;  // of the body, "#rrggbb"; empty: by role. Display only
     Body body{};
     PlaceMemory memory{};
     std::vector<Sensor> sensors;
@@ -226,6 +228,12 @@ int find_kind(const Scene&, const std::string& name);
 int find_source(const Scene&, const std::string& name);
 int find_obstacle(const Scene&, const std::string& name);
 int find_zone(const Scene&, const std::string& name);
+
+// True for "#rrggbb" with hexadecimal digits of either case.
+bool is_colour(std::string_view);
+
+// The body with this length and width (m): its wheels are moved and scaled in proportion, within their ranges.
+Body resized(const Body&, float length, float width);
 
 // Number of the member in the population, from 0; −1 if its name is no such number.
 int number_of(const Member&);

@@ -28,6 +28,7 @@ public:
         paths_.push_back(prefix_ + key);
     }
     void text(const char* key, std::string T::*, std::size_t, const char*) { paths_.push_back(prefix_ + key); }
+    void colour(const char* key, std::string T::*, const char*) { paths_.push_back(prefix_ + key); }
     template <class Inner>
     void table(const char* key, Inner T::*member, const char*) {
         walk(object_.*member, prefix_ + key + ".");
@@ -136,14 +137,12 @@ Result<BrainGraph> parse_brain(std::string_view toml, std::string file_name) {
     check_format(*file);
     BrainFile content;
     TomlTable top(*file, file->root, "");
-    if (!top.has("brain") && top.has("kind"))
-        return error_of(message_of("scene_not_brain"), file->name);
+    if (!top.has("brain") && top.has("kind")) return error_of(message_of("scene_not_brain"), file->name);
     top.find("format");
     TomlReader<BrainFile> reader(top, content);
     describe(reader, Of<BrainFile>{});
     top.done();
-    if (!top.has("brain") && !file->error)
-        file->error = error_of(message_of("no_brain_table"), file->name);
+    if (!top.has("brain") && !file->error) file->error = error_of(message_of("no_brain_table"), file->name);
     if (file->error) return *file->error;
     if (const auto fault = find_fault(content.brain)) return file->fault_at("brain", fault->what);
     return content.brain;

@@ -9,6 +9,7 @@
 //     part(member)       keys of another struct in the same table  table(key, member, meaning)             [key]
 //     named(key, vector T::*, most, meaning)   [key.NAME] …        list(key, vector T::*, most, meaning)   [[key]] …
 //     brain(key, BrainGraph T::*, meaning)                         place(key, optional<vec2> T::*, range, meaning)
+//     colour(key, string T::*, meaning)  "#rrggbb" or empty; display only: not part of the run and its hash
 //
 // word(), named() and brain() also take an optional member: without the key it is nullopt.
 //
@@ -138,6 +139,7 @@ void describe(Visitor& v, Of<Kind>) {
     v.word("role", &Kind::role, "how it appears to others; predators bite prey");
     v.word("driver", &Kind::driver, "what commands its motors");
     v.number("share", &Kind::share, "", {0, 1000}, "weight in the random population, relative to the other kinds");
+    v.colour("colour", &Kind::colour, "of its body; default: by its role");
     v.table("body", &Kind::body, "chassis and wheels");
     v.table("memory", &Kind::memory, "marks where it met obstacles, sensed on the channel `memory`");
     v.named("sensor", &Kind::sensors, limits::sensors,

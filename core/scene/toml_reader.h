@@ -122,6 +122,13 @@ public:
     void text(const char* key, std::string T::*member, std::size_t longest, const char*) {
         if (auto value = table_.text(key, longest)) object_.*member = std::move(*value);
     }
+    void colour(const char* key, std::string T::*member, const char*) {
+        auto value = table_.text(key, 7);
+        if (!value) return;
+        if (!is_colour(*value))
+            return table_.fail(key, "'" + std::string(key) + "' should be a colour like \"#3d7cc9\"");
+        object_.*member = std::move(*value);
+    }
     template <class Part>
     void part(Part T::*member) {
         TomlReader<Part> reader(table_, object_.*member);

@@ -84,6 +84,7 @@ public:
     void text(const char* key, std::string T::*member, std::size_t, const char*) {
         if (differs(member)) line(key, quote(object_.*member));
     }
+    void colour(const char* key, std::string T::*member, const char*) { text(key, member, 0, ""); }
     template <class Part>
     void part(Part T::*member) {
         TomlWriter<Part> inner(object_.*member, defaults_.*member, header_, path_, out_);

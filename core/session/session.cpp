@@ -123,7 +123,8 @@ std::optional<Error> Session::apply(const Command& command, std::uint64_t gestur
     UndoStep step = begun ? *begun : UndoStep{{}, {}, gesture};
     if (same_gesture) edits_.done.pop_back();
     if (same_gesture && supersedes(again, step.again.back())) {
-        step.again.back() = again;  // `back` stays that of the first command
+        step.again.back() = again;  // `back` stays that of the first command, completed by what only later ones change
+        for (Command& further : beyond(step.back, back)) step.back.push_back(std::move(further));
     } else {
         step.again.push_back(again);
         step.back.insert(step.back.begin(), back.begin(), back.end());  // undone in reverse order
@@ -154,6 +155,21 @@ void Session::bring_time_back() {
     world_.capture(snapshot_);
 }
 
+namespace {
+
+// Where another vehicle or an obstacle is now at the pose of a vehicle to restore: the nearest free pose.
+void put_to_free_poses(const World& world, const Snapshot& now, Command& command) {
+    const auto put = [&](AddVehicle& restored) {
+        if (restored.at) restored.at = world.nearest_free_pose(restored.kind, *restored.at);
+    };
+    if (auto* vehicle = std::get_if<AddVehicle>(&command)) put(*vehicle);
+    if (auto* population = std::get_if<SetPopulation>(&command))
+        for (AddVehicle& vehicle : population->vehicles)
+            if (!find_vehicle(now, vehicle.id)) put(vehicle);
+}
+
+}  // namespace
+
 // Commands for removed vehicles are refused; the others are executed.
 bool Session::undo() {
     if (edits_.done.empty()) return false;
@@ -169,9 +185,7 @@ bool Session::undo() {
     }
     const bool is_at_the_edit = step.tick == snapshot_.tick && step.generation == snapshot_.generation;
     for (Command command : step.back) {
-        auto* restored = std::get_if<AddVehicle>(&command);
-        if (restored && restored->at && !is_at_the_edit)
-            restored->at = world_.nearest_free_pose(restored->kind, *restored->at);
+        if (!is_at_the_edit) put_to_free_poses(world_, snapshot_, command);
         (void)execute(command);
     }
     push(edits_.undone, std::move(step));
@@ -328,16 +342,29 @@ void Session::renumber_after_reset(const Snapshot& before, Keep keep) {
     remember_edits();
 }
 
-void Session::reset(Keep keep) {
+namespace {
+
+// The kind among `now` that the kind k of `opened` has become; null if there is none.
+const Kind* counterpart(const std::vector<Kind>& now, const std::vector<Kind>& opened, std::size_t k) {
+    if (now.size() == opened.size()) return &now[k];
+    const auto found = std::find_if(now.begin(), now.end(), [&](const Kind& c) { return c.name == opened[k].name; });
+    return found == now.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+void Session::reset(Keep keep) { restart(seed(), keep); }
+
+void Session::restart(std::uint64_t seed, Keep keep) {
     Scene scene = edited_scene();
     if (keep == Keep::brains) {
         Scene opened = opened_;
-        for (std::size_t k = 0; k < opened.kinds.size() && k < scene.kinds.size(); ++k)
-            opened.kinds[k].brain = scene.kinds[k].brain;
+        for (std::size_t k = 0; k < opened.kinds.size(); ++k)  // kinds may have been added, removed or renamed
+            if (const Kind* kind = counterpart(scene.kinds, opened.kinds, k)) opened.kinds[k].brain = kind->brain;
         scene = std::move(opened);
     }
-    auto world = World::create(scene, seed());
-    if (!world) world = World::create(opened_, seed());  // a brain needs sensors that the opened scene does not have
+    auto world = World::create(scene, seed);
+    if (!world) world = World::create(opened_, seed);  // a brain needs sensors that the opened scene does not have
     const Snapshot before = std::move(snapshot_);
     world_ = std::move(*world);
     recording_ = Recording(world_.checkpoint());

@@ -50,6 +50,9 @@ public:
     // Restarts the run at tick 0 and keeps edits (see Keep).
     void reset(Keep = Keep::edits);
 
+    // As reset(), with another seed: other random poses, noise and motor gains. save() and later resets keep the seed.
+    void restart(std::uint64_t seed, Keep = Keep::edits);
+
     // Undo restores values, not the tick. A removed vehicle returns to its pose, or to the nearest free one if another
     // vehicle or an obstacle is there now. Returns false when there is nothing to undo or redo. If an edit removed
     // later recorded ticks, its undo before the next step restores them.

@@ -1,6 +1,7 @@
 #include "core/session/undo.h"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 #include "core/match.h"
@@ -117,6 +118,63 @@ Commands bringing_back(const Snapshot& now, const RemoveSource& c) {
     return commands;
 }
 
+// The vehicles of a kind, each with the values to restore it.
+std::vector<AddVehicle> vehicles_of(const Snapshot& now, int kind) {
+    std::vector<AddVehicle> all;
+    for (const VehicleView& v : now.vehicles) {
+        if (v.kind != kind) continue;
+        AddVehicle& vehicle = all.emplace_back(bringing_back(now, v));
+        const auto* of_kind = at(now.kind_brains, kind);
+        if (of_kind && *vehicle.brain == **of_kind) vehicle.brain.reset();
+    }
+    return all;
+}
+
+Commands same_population(const Snapshot& now, const SetPopulation& c) {
+    if (!at(now.scene->kinds, c.kind)) return {};
+    SetPopulation back{c.kind, 0, vehicles_of(now, c.kind), {}};
+    back.count = static_cast<int>(back.vehicles.size());
+    for (const Kind& kind : now.scene->kinds) back.shares.push_back(kind.share);
+    Commands commands{back};
+    for (const Member& member : now.scene->members) commands.push_back(EditMember{number_of(member), member});
+    return commands;
+}
+
+// The present arena, and the poses that a smaller one would change.
+Commands same_arena(const Snapshot& now, const EditArena& c) {
+    const auto leaves = [&](const auto& placed) {
+        return std::fabs(placed.x) > c.to.width / 2 || std::fabs(placed.y) > c.to.height / 2;
+    };
+    const Scene& scene = *now.scene;
+    Commands commands{EditArena{scene.arena}};
+    for (std::size_t i = 0; i < scene.starts.size(); ++i)
+        if (leaves(scene.starts[i])) commands.push_back(EditStart{static_cast<int>(i), scene.starts[i]});
+    for (const Member& member : scene.members)
+        if (leaves(member)) commands.push_back(EditMember{number_of(member), member});
+    for (const VehicleView& v : now.vehicles)
+        if (leaves(v)) commands.push_back(MoveVehicle{v.id, v.x, v.y, v.heading});
+    return commands;
+}
+
+// The present kind, and the vehicles that have the new driver already and keep it.
+Commands same_kind(const Snapshot& now, const EditKind& c) {
+    const Kind* kind = at(now.scene->kinds, c.kind);
+    if (!kind) return {};
+    Commands commands{EditKind{c.kind, *kind}};
+    for (const VehicleView& v : now.vehicles)
+        if (v.kind == c.kind && v.driver == c.to.driver && v.driver != kind->driver)
+            commands.push_back(ChooseDriver{v.id, v.driver});
+    return commands;
+}
+
+Commands bringing_back(const Snapshot& now, const RemoveKind& c) {
+    const Kind* kind = at(now.scene->kinds, c.kind);
+    if (!kind) return {};
+    AddKind add{*kind, c.kind};
+    add.kind.brain = *now.kind_brains[static_cast<std::size_t>(c.kind)];
+    return {add};
+}
+
 }  // namespace
 
 std::vector<Command> undoing(const Snapshot& now, const Command& command) {
@@ -169,11 +227,19 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
                 if (c.story) back.story = scene.story;
                 return {back};
             },
+            [&](const EditArena& c) { return same_arena(now, c); },
+            [&](const EditEcology&) -> Commands { return {EditEcology{scene.ecology}}; },
+            [&](const AddKind& c) -> Commands { return {RemoveKind{place_of_new(scene.kinds, c.before)}}; },
+            [&](const RemoveKind& c) { return bringing_back(now, c); },
+            [&](const EditKind& c) { return same_kind(now, c); },
+            [&](const SetPopulation& c) { return same_population(now, c); },
         },
         command);
 }
 
 Command repeating(const Snapshot& after, const Command& command) {
+    if (const auto* set = std::get_if<SetPopulation>(&command))
+        return SetPopulation{set->kind, set->count, vehicles_of(after, set->kind), set->shares};
     const auto* add = std::get_if<AddVehicle>(&command);
     if (!add || after.vehicles.empty()) return command;
     const VehicleView* v = add->id == no_vehicle ? &after.vehicles.back() : find_vehicle(after, add->id);
@@ -202,8 +268,18 @@ bool supersedes(const Command& later, const Command& earlier) {
                   const auto& e = std::get<Retitle>(earlier);
                   return (c.title || !e.title) && (c.story || !e.story);
               },
+              [](const EditArena&) { return true; }, [](const EditEcology&) { return true; },
+              [&](const EditKind& c) { return c.kind == std::get<EditKind>(earlier).kind; },
+              [&](const SetPopulation& c) { return c.kind == std::get<SetPopulation>(earlier).kind; },
               [](const auto&) { return false; }},
         later);
+}
+
+std::vector<Command> beyond(const std::vector<Command>& known, std::vector<Command> back) {
+    std::erase_if(back, [&](const Command& command) {
+        return std::any_of(known.begin(), known.end(), [&](const Command& k) { return supersedes(command, k); });
+    });
+    return back;
 }
 
 bool is_about_brains(const Command& command) {
@@ -220,6 +296,8 @@ Command renumbered(Command command, const std::function<VehicleId(VehicleId)>& n
             if constexpr (requires { c.target.vehicle; }) change(c.target.vehicle);
             if constexpr (requires { c.vehicle; }) change(c.vehicle);
             if constexpr (requires { c.id; }) change(c.id);
+            if constexpr (requires { c.vehicles; })
+                for (AddVehicle& vehicle : c.vehicles) change(vehicle.id);
         },
         command);
     return command;

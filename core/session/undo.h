@@ -31,11 +31,15 @@ struct Edits {
 // NewPopulation) and for those that will be refused.
 std::vector<Command> undoing(const Snapshot& before, const Command&);
 
-// The command that repeats a command. Repeating AddVehicle adds the same vehicle as it is in the snapshot `after`.
+// The command that repeats a command. Repeating AddVehicle or SetPopulation adds the same vehicles as they are in the
+// snapshot `after`.
 Command repeating(const Snapshot& after, const Command&);
 
 // True when the later command sets the same value, brain or pose as the earlier one, which then has no effect.
 bool supersedes(const Command& later, const Command& earlier);
+
+// The commands of `back` that restore something that no command of `known` restores.
+std::vector<Command> beyond(const std::vector<Command>& known, std::vector<Command> back);
 
 // True when the command edits brains only, so that it still applies after a reset of the scene.
 bool is_about_brains(const Command&);

@@ -1,5 +1,7 @@
 // Commands that add, remove and move vehicles and edit starts, in the running world and in its scene.
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 #include "core/scene/schema.h"
 #include "core/world/edits.h"
@@ -26,8 +28,8 @@ std::optional<Error> refusal(const WorldData& s, const AddVehicle& c) {
 // Number in the population that the vehicle with this id has or would have.
 int number_in_population(const WorldData& s, VehicleId id) {
     int number = 0;
-    for (std::size_t row = 0; row < s.vehicles.size() && s.vehicles.id[row] < id; ++row)
-        number += s.vehicles.start[row] < 0;
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row)  // rows just restored may not be sorted yet
+        number += s.vehicles.id[row] < id && s.vehicles.start[row] < 0;
     return number;
 }
 
@@ -73,31 +75,39 @@ void remove_from_scene(WorldData& s, std::size_t row) {
     s.scene = std::make_shared<const Scene>(std::move(scene));
 }
 
-// Moves the last row to its place in the order of ascending ids, for a vehicle that is restored under its old id.
-void sort_in_last_row(WorldData& s) {
+// Sorts the rows by ascending id, after vehicles were restored under their old ids.
+void sort_rows(WorldData& s) {
     State m = std::move(static_cast<State&>(s));
     Vehicles& v = m.vehicles;
-    const auto last = static_cast<std::ptrdiff_t>(v.size()) - 1;
-    const auto row = std::lower_bound(v.id.begin(), v.id.end() - 1, v.id.back()) - v.id.begin();
-    const auto rotate_stretch = [&](std::vector<float>& flat, std::vector<std::uint32_t>& first) {
-        const auto begin = first[static_cast<std::size_t>(row)], end = first.back();
-        const auto size = static_cast<std::uint32_t>(flat.size()) - end;
-        std::rotate(flat.begin() + begin, flat.begin() + end, flat.end());
-        for (auto later = row; later < last; ++later) first[static_cast<std::size_t>(later)] += size;
-        first.back() = begin;
+    std::vector<std::size_t> order(v.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return v.id[a] < v.id[b]; });
+    const auto sort_stretches = [&](std::vector<float>& flat, const std::vector<std::uint32_t>& first) {
+        std::vector<float> sorted;
+        sorted.reserve(flat.size());
+        std::vector<std::uint32_t> sorted_first(first.size());
+        for (const std::size_t row : order) {
+            const auto begin = flat.begin() + first[row];
+            const auto end = row + 1 < first.size() ? flat.begin() + first[row + 1] : flat.end();
+            sorted_first[row] = static_cast<std::uint32_t>(sorted.size());  // moved with its column below
+            sorted.insert(sorted.end(), begin, end);
+        }
+        flat = std::move(sorted);
+        return sorted_first;
     };
-    rotate_stretch(v.sensed, v.first_sensed);
-    rotate_stretch(v.neurons, v.first_neuron);
-    rotate_stretch(v.delayed, v.first_delayed);
-    Vehicles::each_column(
-        v, [&](auto& column) { std::rotate(column.begin() + row, column.begin() + last, column.end()); });
+    v.first_sensed = sort_stretches(v.sensed, v.first_sensed);
+    v.first_neuron = sort_stretches(v.neurons, v.first_neuron);
+    v.first_delayed = sort_stretches(v.delayed, v.first_delayed);
+    Vehicles::each_column(v, [&](auto& column) {
+        auto sorted = column;
+        for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = std::move(column[order[i]]);
+        column = std::move(sorted);
+    });
     s = WorldData(std::move(m));
 }
 
-}  // namespace
-
-std::optional<Error> execute(WorldData& s, const AddVehicle& c) {
-    if (auto error = refusal(s, c)) return error;
+// Adds a vehicle as the last row. `free_space`: for vehicles without a pose; it is created when it is first needed.
+std::optional<Error> add_last(WorldData& s, const AddVehicle& c, std::optional<FreeSpace>& free_space) {
     const int kind = c.kind >= 0 ? c.kind : next_kind(s);
     const Kind& of_kind = s.scene->kinds[static_cast<std::size_t>(kind)];
     if (c.sensors)
@@ -113,17 +123,26 @@ std::optional<Error> execute(WorldData& s, const AddVehicle& c) {
     if (!start) return start.error();
     const VehicleId id = c.id != no_vehicle ? c.id : s.next_id;
     s.next_id = std::max(s.next_id, id + 1);
-    const bool comes_last = s.vehicles.size() == 0 || s.vehicles.id.back() < id;
     const auto somewhere = [&] {
-        FreeSpace free_space(s);
-        return free_pose(s, free_space, kind, id);
+        if (!free_space) free_space.emplace(s);
+        return free_pose(s, *free_space, kind, id);
     };
     const bool has_own_sensors = design != nullptr;
     add_vehicle(s, kind, *start, id, std::move(brain), c.at ? *c.at : somewhere(), std::move(design));
     if (has_own_sensors) s.lay_out_grids();
     s.vehicles.energy.back() = c.energy;
     if (c.driver) s.vehicles.driver.back() = *c.driver;
-    if (!comes_last) sort_in_last_row(s);
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> execute(WorldData& s, const AddVehicle& c) {
+    if (auto error = refusal(s, c)) return error;
+    std::optional<FreeSpace> free_space;
+    if (auto error = add_last(s, c, free_space)) return error;
+    const auto& ids = s.vehicles.id;
+    if (ids.size() > 1 && ids[ids.size() - 2] > ids.back()) sort_rows(s);
     return std::nullopt;
 }
 
@@ -166,6 +185,93 @@ std::optional<Error> execute(WorldData& s, const EditMember& c) {
     }
     if (auto error = check_scene(scene)) return error;
     s.scene = std::make_shared<const Scene>(std::move(scene));
+    return std::nullopt;
+}
+
+namespace {
+
+std::optional<Error> refusal(const WorldData& s, const SetPopulation& c) {
+    if (auto error = missing(s.scene->kinds, c.kind, "kind")) return error;
+    const auto of_kind = std::count(s.vehicles.kind.begin(), s.vehicles.kind.end(), c.kind);
+    const auto others = static_cast<std::ptrdiff_t>(s.vehicles.size()) - of_kind;
+    if (c.count < 0 || others + c.count > limits::vehicles)
+        return Error{fmt::format("a world holds 0 to {} vehicles", limits::vehicles)};
+    if (!c.shares.empty() && c.shares.size() != s.scene->kinds.size())
+        return Error{"a population has one share for each kind"};
+    VehicleId last = no_vehicle;
+    for (const AddVehicle& vehicle : c.vehicles) {
+        if (vehicle.kind != c.kind || vehicle.id <= last || !vehicle.at)
+            return Error{"vehicles of a population have its kind, a pose and ascending ids"};
+        last = vehicle.id;
+        if (s.row_of(vehicle.id)) continue;
+        if (auto error = refusal(s, vehicle)) return error;
+    }
+    return std::nullopt;
+}
+
+// The rows of the kind in the order in which they are removed.
+std::vector<std::size_t> removable_rows(const WorldData& s, const SetPopulation& c) {
+    const Vehicles& v = s.vehicles;
+    const auto is_listed = [&](std::size_t row) {
+        const auto found = std::lower_bound(c.vehicles.begin(), c.vehicles.end(), v.id[row],
+                                            [](const AddVehicle& a, VehicleId id) { return a.id < id; });
+        return found != c.vehicles.end() && found->id == v.id[row];
+    };
+    std::vector<std::size_t> rows;
+    for (std::size_t row = v.size(); row-- > 0;)
+        if (v.kind[row] == c.kind) rows.push_back(row);
+    std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
+        return std::pair(is_listed(a), v.start[a] >= 0) < std::pair(is_listed(b), v.start[b] >= 0);
+    });
+    return rows;
+}
+
+void remove_surplus(WorldData& s, const SetPopulation& c) {
+    std::vector<std::size_t> rows = removable_rows(s, c);
+    if (rows.size() <= static_cast<std::size_t>(c.count)) return;
+    rows.resize(rows.size() - static_cast<std::size_t>(c.count));
+    std::sort(rows.rbegin(), rows.rend());
+    for (const std::size_t row : rows) remove_from_scene(s, row);  // the numbers of vehicles with smaller ids stay
+    std::reverse(rows.begin(), rows.end());
+    remove_vehicles(s, rows);
+}
+
+void set_shares(WorldData& s, std::vector<float> shares) {
+    if (shares.empty()) {
+        shares.resize(s.scene->kinds.size());
+        for (std::size_t row = 0; row < s.vehicles.size(); ++row)
+            if (s.vehicles.start[row] < 0) ++shares[s.kind(row)];
+        const float most = *std::max_element(shares.begin(), shares.end());
+        if (most <= 0) return;
+        if (most > 1000)  // the largest share
+            for (float& share : shares) share *= 1000 / most;
+    }
+    Scene scene = *s.scene;
+    for (std::size_t k = 0; k < shares.size(); ++k) scene.kinds[k].share = shares[k];
+    s.scene = std::make_shared<const Scene>(std::move(scene));
+}
+
+}  // namespace
+
+std::optional<Error> execute(WorldData& s, const SetPopulation& c) {
+    if (auto error = refusal(s, c)) return error;
+    const State before = s;
+    const auto undone = [&](Error error) {
+        s = WorldData(before);
+        return error;
+    };
+    std::optional<FreeSpace> free_space;
+    std::vector<const AddVehicle*> absent;
+    for (const AddVehicle& vehicle : c.vehicles)
+        if (!s.row_of(vehicle.id)) absent.push_back(&vehicle);
+    for (const AddVehicle* vehicle : absent)
+        if (auto error = add_last(s, *vehicle, free_space)) return undone(*error);
+    if (!std::is_sorted(s.vehicles.id.begin(), s.vehicles.id.end())) sort_rows(s);
+    remove_surplus(s, c);
+    for (auto count = std::count(s.vehicles.kind.begin(), s.vehicles.kind.end(), c.kind); count < c.count; ++count)
+        if (auto error = add_last(s, AddVehicle{.kind = c.kind}, free_space)) return undone(*error);
+    set_shares(s, c.shares);
+    if (auto error = check_scene(*s.scene)) return undone(*error);
     return std::nullopt;
 }
 

@@ -164,9 +164,50 @@ struct NewPopulation {  // starts the next generation: the same number of vehicl
     friend bool operator==(const NewPopulation&, const NewPopulation&) = default;
 };
 
+// ── Values of the arena and of kinds ──
+// Vehicles and starts outside a smaller arena move to the nearest free position inside. Sources, obstacles and zones
+// stay.
+struct EditArena {
+    Arena to;
+    friend bool operator==(const EditArena&, const EditArena&) = default;
+};
+struct EditEcology {  // all values but the population, which SetPopulation sets
+    Ecology to;
+    friend bool operator==(const EditEcology&, const EditEcology&) = default;
+};
+struct AddKind {
+    Kind kind;  // a name that is empty or in use is replaced by a free one
+    int before = -1;
+    friend bool operator==(const AddKind&, const AddKind&) = default;
+};
+struct RemoveKind {  // refused while a vehicle, a start or a member is of this kind
+    int kind = 0;
+    friend bool operator==(const RemoveKind&, const RemoveKind&) = default;
+};
+// Replaces a kind but for its brain and its sensors, which have commands of their own. Starts and members of the kind
+// follow a new name; vehicles with the kind's driver get its new driver. An empty name: the present one.
+struct EditKind {
+    int kind = 0;
+    Kind to;
+    friend bool operator==(const EditKind&, const EditKind&) = default;
+};
+// Sets the number of vehicles of a kind. New vehicles start at random free poses and count towards the population;
+// those with the largest ids are removed first, vehicles with a start last. The shares become the numbers in the
+// population, so that a reset gives the same numbers.
+struct SetPopulation {
+    int kind = 0;
+    int count = 0;  // 0 .. limits::vehicles
+    // To restore an earlier population: vehicles of this kind with their ids, ascending, each added unless it is in the
+    // world, and removed after all others; and the shares of all kinds.
+    std::vector<AddVehicle> vehicles{};
+    std::vector<float> shares{};  // empty: the numbers in the population
+    friend bool operator==(const SetPopulation&, const SetPopulation&) = default;
+};
+
 using Command =
     std::variant<TurnDial, SetBrain, PlaceNodes, AddVehicle, RemoveVehicle, MoveVehicle, ChooseDriver, Steer, EditStart,
                  SetSensors, AddSource, RemoveSource, EditSource, MoveSource, AddObstacle, RemoveObstacle, EditObstacle,
-                 MoveObstacle, NewPopulation, Retitle, EditMember, AddZone, RemoveZone, EditZone, MoveZone>;
+                 MoveObstacle, NewPopulation, Retitle, EditMember, AddZone, RemoveZone, EditZone, MoveZone, EditArena,
+                 EditEcology, AddKind, RemoveKind, EditKind, SetPopulation>;
 
 }  // namespace braitenlab

@@ -40,6 +40,27 @@ std::optional<Error> replace_if_valid(WorldData& s, Result<Scene> edited, Replac
 
 }  // namespace
 
+void compile_again(WorldData& s, int index, const Kind& kind) {
+    struct Made {
+        SharedBrain before;
+        const OwnDesign* design;
+        SharedBrain after;
+    };
+    std::vector<Made> all;
+    const auto again = [&](SharedBrain& brain, const OwnDesign* own) {
+        for (const Made& made : all)
+            if (made.before == brain && made.design == own) return void(brain = made.after);
+        Kind design = kind;
+        if (own) design.sensors = own->kind.sensors;
+        all.push_back({brain, own, *compile_brain(brain->graph, design)});
+        brain = all.back().after;
+    };
+    again(s.kind_brains[static_cast<std::size_t>(index)], nullptr);
+    Vehicles& v = s.vehicles;
+    for (std::size_t row = 0; row < v.size(); ++row)
+        if (v.kind[row] == index) again(v.brain[row], v.design[row].get());
+}
+
 std::optional<Error> execute(WorldData& s, const AddSource& c) {
     return replace_if_valid(s, with_added(*s.scene, &Scene::sources, c.source, c.before, word(c.source.channel)),
                             replace_sources);

@@ -38,11 +38,15 @@ std::optional<Error> execute(WorldData&, const AddZone&);
 std::optional<Error> execute(WorldData&, const RemoveZone&);
 std::optional<Error> execute(WorldData&, const EditZone&);
 std::optional<Error> execute(WorldData&, const MoveZone&);
+std::optional<Error> execute(WorldData&, const EditArena&);  // edit_values.cpp
+std::optional<Error> execute(WorldData&, const EditEcology&);
+std::optional<Error> execute(WorldData&, const AddKind&);
+std::optional<Error> execute(WorldData&, const RemoveKind&);
+std::optional<Error> execute(WorldData&, const EditKind&);
+std::optional<Error> execute(WorldData&, const SetPopulation&);  // add_remove.cpp
 
 inline bool is_finite(const Pose& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.heading); }
-inline Error unknown_vehicle(VehicleId id) {
-    return error_of(message_of("vehicle_is_gone", id));
-}
+inline Error unknown_vehicle(VehicleId id) { return error_of(message_of("vehicle_is_gone", id)); }
 inline Error not_finite() { return {"a position takes finite numbers only"}; }
 
 // Derives the designs of vehicles with sensors of their own again from the kinds of the scene.
@@ -68,6 +72,9 @@ inline void replace_scene(WorldData& s, Scene scene) {
     renew_designs(state);
     s = WorldData(std::move(state));
 }
+
+// Compiles every brain of a kind again, for the sensors and the role of `kind`. Precondition: check_scene accepts it.
+void compile_again(WorldData&, int index, const Kind& kind);  // edits.cpp
 
 template <class Element>
 std::optional<Error> missing(const std::vector<Element>& elements, int index, const char* what) {

@@ -50,6 +50,7 @@ struct StructDigest {
         if (object.*member) digest.add(static_cast<std::int32_t>(*(object.*member)));
     }
     void text(const char*, std::string T::*member, std::size_t, const char*) { digest.add(object.*member); }
+    void colour(const char*, std::string T::*, const char*) {}
     template <class Part>
     void part(Part T::*member) {
         add_described(digest, object.*member);

@@ -61,11 +61,12 @@ std::optional<Error> set_vehicle_sensors(WorldData& s, std::size_t row, const st
     const std::size_t kind = s.kind(row);
     if (auto error = check_sensors(s, kind, sensors)) return error;
     SharedDesign design = own_design(s.scene->kinds[kind], sensors);
-    carry_readings(s, [&](std::size_t r) -> const std::vector<Sensor>& { return r == row ? sensors : s.design(r).sensors; });
+    carry_readings(
+        s, [&](std::size_t r) -> const std::vector<Sensor>& { return r == row ? sensors : s.design(r).sensors; });
     const SharedBrain& of_kind = s.kind_brains[kind];
     const bool shares_brain = !design && v.brain[row]->graph == of_kind->graph;
-    v.brain[row] = shares_brain ? of_kind
-                                : *compile_brain(v.brain[row]->graph, design ? design->kind : s.scene->kinds[kind]);
+    v.brain[row] =
+        shares_brain ? of_kind : *compile_brain(v.brain[row]->graph, design ? design->kind : s.scene->kinds[kind]);
     v.design[row] = std::move(design);
     s.lay_out_grids();
     return std::nullopt;
@@ -74,21 +75,12 @@ std::optional<Error> set_vehicle_sensors(WorldData& s, std::size_t row, const st
 std::optional<Error> set_kind_sensors(WorldData& s, std::size_t kind, const std::vector<Sensor>& sensors) {
     Scene scene = with_sensors(s, kind, sensors);
     if (auto error = check_scene(scene)) return error;
-    // Brains refer to sensors by name; compile every brain of the kind again for the new sensors.
-    std::vector<std::pair<SharedBrain, SharedBrain>> made;
-    const auto again = [&](SharedBrain& brain) {
-        for (const auto& [before, after] : made)
-            if (before == brain) return void(brain = after);
-        made.emplace_back(brain, *compile_brain(brain->graph, scene.kinds[kind]));
-        brain = made.back().second;
-    };
     carry_readings(s, [&](std::size_t row) -> const std::vector<Sensor>& {
         return s.kind(row) == kind ? sensors : s.design(row).sensors;
     });
-    again(s.kind_brains[kind]);
-    Vehicles& v = s.vehicles;
-    for (std::size_t row = 0; row < v.size(); ++row)
-        if (s.kind(row) == kind) again(v.brain[row]), v.design[row] = nullptr;
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row)
+        if (s.kind(row) == kind) s.vehicles.design[row] = nullptr;
+    compile_again(s, static_cast<int>(kind), scene.kinds[kind]);  // brains refer to sensors by name
     replace_scene(s, std::move(scene));
     return std::nullopt;
 }

@@ -91,6 +91,8 @@ void drop_stretches(std::vector<float>& flat, std::vector<std::uint32_t>& first,
     flat.resize(kept);
 }
 
+}  // namespace
+
 // Gains of the left and right motor: 1 ± Body::mismatch, uniformly distributed. They depend on the seed and the id
 // only, so that a vehicle has the same gains in every generation.
 std::array<float, 2> motor_gains(const WorldData& s, int kind, VehicleId id) {
@@ -99,8 +101,6 @@ std::array<float, 2> motor_gains(const WorldData& s, int kind, VehicleId id) {
     const float left = chance.uniform(-1, 1), right = chance.uniform(-1, 1);
     return {1 + mismatch * left, 1 + mismatch * right};
 }
-
-}  // namespace
 
 int next_kind(const WorldData& s) { return most_wanted(*s.scene, random_counts(s)); }
 

@@ -82,8 +82,10 @@ Pose free_pose(const WorldData&, FreeSpace&, int kind, VehicleId);
 // The pose if it is inside no vehicle and no obstacle, else the nearest free position on a grid around it with the same
 // heading. The pose itself if there is none within twenty times the vehicle's reach.
 Pose nearest_free_pose(const WorldData&, int kind, const Pose&);  // free_space.cpp
-int next_kind(const WorldData&);                                  // the kind that the shares require next
-bool is_outside(const Arena&, maths::vec2);                       // boundary.cpp
+// Gains of the left and right motor: 1 ± Body::mismatch of the kind, from the seed and the id. spawn.cpp
+std::array<float, 2> motor_gains(const WorldData&, int kind, VehicleId);
+int next_kind(const WorldData&);                // the kind that the shares require next
+bool is_outside(const Arena&, maths::vec2);     // boundary.cpp
 void read_motion(WorldData&, std::size_t row);  // copies the body's motion from the physics to the state
 
 // ── Commands, display, hash ─────────────────────────────────────────────────────────────────────────────────────────

@@ -35,7 +35,8 @@ TEST(Messages, AreInTheTableAndEachIsUsed) {
     EXPECT_GT(asked.size(), 40u);
     for (const std::string& id : asked) EXPECT_TRUE(is_in_table(id)) << id;
     const auto quoted = ids_in_sources(std::regex("\"([a-z_]+)\""));
-    for (const MessageText& row : message_table) EXPECT_TRUE(quoted.count(std::string(row.id))) << row.id << " is unused";
+    for (const MessageText& row : message_table)
+        EXPECT_TRUE(quoted.count(std::string(row.id))) << row.id << " is unused";
 }
 
 TEST(Messages, AreJoinedInEnglishAndByParts) {

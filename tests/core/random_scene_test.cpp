@@ -66,6 +66,9 @@ public:
     void text(const char*, std::string T::*member, std::size_t longest, const char*) {
         object_.*member = dice_.text(longest);
     }
+    void colour(const char*, std::string T::*member, const char*) {
+        if (dice_.toss()) object_.*member = dice_.toss() ? "#3d7cc9" : "#00FF9a";
+    }
     template <class Part>
     void part(Part T::*member) {
         fill(object_.*member);

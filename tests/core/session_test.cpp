@@ -187,7 +187,8 @@ Command any_edit(const Session& session, maths::Random& chance) {
         now.vehicles.empty() ? 0 : now.vehicles[static_cast<std::size_t>(below(now.vehicles.size()))].id;
     const int source = below(now.sources.size()), obstacle = below(now.obstacles.size());
     const int kind = below(now.scene->kinds.size()), zone = below(now.scene->zones.size());
-    switch (below(25)) {
+    const auto kinds = static_cast<int>(now.scene->kinds.size());
+    switch (below(31)) {
         case 21:
             return AddZone{{.x = metres(), .length = 2, .surface = Surface::ice, .wind_y = metres()}, below(3) - 1};
         case 22:
@@ -196,6 +197,33 @@ Command any_edit(const Session& session, maths::Random& chance) {
             return MoveZone{zone, metres(), metres(), 1};
         case 24:
             return EditZone{zone, {.x = metres(), .width = 3, .slope = 0.1f}};
+        case 25: {
+            Arena to = now.scene->arena;
+            to.width = chance.uniform(11, 24), to.height = chance.uniform(11, 24), to.ambient = chance.uniform(0, 1);
+            return EditArena{to};
+        }
+        case 26:
+            return EditEcology{Ecology{.drain = chance.uniform(0, 0.1f), .inactivity = 9}};
+        case 27: {
+            Kind copy = now.scene->kinds[static_cast<std::size_t>(kind)];
+            copy.brain = *now.kind_brains[static_cast<std::size_t>(kind)];
+            copy.share = 0;
+            return AddKind{copy, below(3) - 1};
+        }
+        case 28:
+            return RemoveKind{kind};
+        case 29: {
+            Kind to = now.scene->kinds[static_cast<std::size_t>(kind)];
+            to.name = "kind-" + std::to_string(below(9));
+            to.driver = below(2) == 0 ? Driver::wander : Driver::brain;
+            to.body = resized(to.body, chance.uniform(0.4f, 1.2f), 0.6f);
+            to.body.mismatch = 0.1f;
+            to.role = below(2) == 0 ? Role::wiring : Role::prey;
+            to.colour = "#112233";
+            return EditKind{kind, to};
+        }
+        case 30:
+            return SetPopulation{std::min(kind, kinds - 1), below(9)};
         case 18: {
             const int population = now.scene->ecology.population;
             if (population == 0) return AddVehicle{};

@@ -316,9 +316,12 @@ TEST(Strings, HaveATranslationOfEachErrorMessage) {
         EXPECT_EQ(words.find(key, ""), row.english) << "as in core/messages.h";
         EXPECT_TRUE(ids.insert(key).second) << key << " twice";
     }
-    const auto is_message = [&](const auto& each) { return ids.count(each.first) > 0 || each.first == "error.english"; };
+    const auto is_message = [&](const auto& each) {
+        return ids.count(each.first) > 0 || each.first == "error.english";
+    };
     for (const auto& each : words.all())
-        if (each.first.starts_with("error.")) EXPECT_TRUE(is_message(each)) << each.first << " is no id of core/messages.h";
+        if (each.first.starts_with("error."))
+            EXPECT_TRUE(is_message(each)) << each.first << " is no id of core/messages.h";
 }
 
 TEST(Strings, TranslateAnErrorOfSeveralParts) {

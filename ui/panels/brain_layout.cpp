@@ -51,7 +51,9 @@ std::vector<Sensor> read_sensors(const BrainGraph& brain, const Kind& kind) {
 
 // A cubic curve equal to the quadratic one of a deck wire.
 WirePath cubic(ImVec2 from, ImVec2 bend, ImVec2 to) {
-    const auto between = [](ImVec2 a, ImVec2 b) { return ImVec2{a.x + (b.x - a.x) * 2 / 3, a.y + (b.y - a.y) * 2 / 3}; };
+    const auto between = [](ImVec2 a, ImVec2 b) {
+        return ImVec2{a.x + (b.x - a.x) * 2 / 3, a.y + (b.y - a.y) * 2 / 3};
+    };
     return {from, between(from, bend), between(to, bend), to};
 }
 
@@ -78,7 +80,8 @@ void spread_ends(std::vector<WireMark>& wires, const BrainGraph& brain, const st
                 ending.push_back(&each);
         std::stable_sort(ending.begin(), ending.end(),
                          [](const WireMark* a, const WireMark* b) { return a->path[0].x < b->path[0].x; });
-        const float gap = std::min(14 * scale, 48 * scale / static_cast<float>(std::max<std::size_t>(ending.size(), 1)));
+        const float gap =
+            std::min(14 * scale, 48 * scale / static_cast<float>(std::max<std::size_t>(ending.size(), 1)));
         for (std::size_t i = 0; i < ending.size(); ++i) {
             const float shift = (static_cast<float>(i) - static_cast<float>(ending.size() - 1) / 2) * gap;
             ending[i]->path[3].x += shift;
@@ -113,10 +116,9 @@ BrainLayout lay_out_pair(const BrainGraph& brain, const SensorPair& pair, Rect a
     p.chassis = {middle - half, area.y + 12 * scale, 2 * half, area.h - 24 * scale};
     for (std::size_t side = 0; side < 2; ++side) {
         const float s = side == 0 ? -1.0f : 1.0f;
-        p.sensors.push_back(mark_of(brain, side == 0 ? pair.left : pair.right,
-                                    {middle + s * 30 * scale, area.y + 16 * scale}));
-        p.motors[side] =
-            mark_of(brain, motor_names[side], {middle + s * 54 * scale, area.y + area.h - 32 * scale});
+        p.sensors.push_back(
+            mark_of(brain, side == 0 ? pair.left : pair.right, {middle + s * 30 * scale, area.y + 16 * scale}));
+        p.motors[side] = mark_of(brain, motor_names[side], {middle + s * 54 * scale, area.y + area.h - 32 * scale});
     }
     for (const PairWire& each : pair_wires) {
         const NodeMark& from = p.sensors[static_cast<std::size_t>(each.sensor)];

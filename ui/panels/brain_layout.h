@@ -8,8 +8,8 @@
 #include "core/brain/graph.h"
 #include "core/scene/scene.h"
 #include "core/scene/sensor_pairs.h"
-#include "ui/panels/brain_sketch.h"
 #include "render/view/camera.h"
+#include "ui/panels/brain_sketch.h"
 
 namespace braitenlab::ui::sketch {
 

@@ -159,7 +159,8 @@ private:
         const maths::Polar of = maths::to_polar(to - from);
         const auto at = project(frame_.camera_view, to);
         if (!at) return;
-        note(fill(ui_.strings("scene_input.measured"), {fixed(ui_, of.distance, 2), fixed(ui_, maths::degrees(of.angle), 1)}),
+        note(fill(ui_.strings("scene_input.measured"),
+                  {fixed(ui_, of.distance, 2), fixed(ui_, maths::degrees(of.angle), 1)}),
              ui_.palette.accent, *at);
     }
 
