@@ -156,8 +156,10 @@ void update_grading(Lab& lab, Jobs& jobs) {
     lesson.grading.reset();
 }
 
-void reset(Lab& lab) {
-    lab.document.session.reset(lab.document.lesson ? Keep::brains : Keep::edits);
+void reset(Lab& lab) { reset(lab, lab.document.session.seed()); }
+
+void reset(Lab& lab, std::uint64_t seed) {
+    lab.document.session.restart(seed, lab.document.lesson ? Keep::brains : Keep::edits);
     if (lab.document.lesson) lab.document.lesson->states.clear();
     lab.playback.previous.clear();
     lab.playback.debt = 0;
@@ -173,6 +175,7 @@ void restart_exercise(Lab& lab) {
     if (!lab.document.lesson) return reset(lab);
     Lesson& lesson = *lab.document.lesson;
     set_mode(lab, Mode::paused);
+    reset(lab);  // first: kinds may have been added or removed
     for (std::size_t k = 0; k < lesson.exercise->scene.kinds.size(); ++k)
         if (!is_as_shipped(lab.document.session.snapshot(), k, lesson.exercise->scene.kinds[k].brain))
             apply(lab, SetBrain{{.kind = static_cast<int>(k)}, lesson.exercise->scene.kinds[k].brain});

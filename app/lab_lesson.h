@@ -46,6 +46,7 @@ void show_hint(Lab&);
 
 // Resets the run; see Session::reset. Works for every document.
 void reset(Lab&);
+void reset(Lab&, std::uint64_t seed);  // with another seed
 
 // Resets the run, the brains and the progress to their state on opening. Without an exercise: reset().
 void restart_exercise(Lab&);

@@ -173,6 +173,12 @@ void act(Lab& lab, Action action) {
             if (lab.playback.mode == Mode::wiring) set_mode(lab, Mode::paused), lab.view.watching = false;
             lab.view.watching = !lab.view.watching;
             break;
+        case Action::values:
+            lab.view.values = !lab.view.values;
+            break;
+        case Action::another_start:
+            reset(lab, lab.document.session.seed() + 1);
+            break;
         case Action::wiring:
             set_mode(lab, lab.playback.mode == Mode::wiring ? Mode::paused : Mode::wiring);
             break;
@@ -276,32 +282,34 @@ bool apply(Lab& lab, const Command& command, std::uint64_t gesture) {
 }
 
 void handle(Lab& lab, const Request& request) {
-    std::visit(
-        Match{[&](Action action) { act(lab, action); }, [&](const EditRequest& r) { edit_by_request(lab, r); },
-              [&](const SelectRequest& r) { select(lab, vehicle_object(r.vehicle)), keep_selection(lab); },
-              [&](const TakeRequest& r) { select_object(lab, r.object); },
-              [&](const CanvasShareRequest& r) {
-                  lab.view.canvas_share = std::clamp(r.share, least_canvas_share, largest_canvas_share);
-              },
-              [&](const PairRequest& r) { lab.view.selection.pair = r.name; },
-              [&](const ScopeRequest& r) { lab.view.selection.whole_kind = r.whole_kind; },
-              [&](const SeekRequest& r) { seek(lab, r); }, [&](const BookmarkRequest& r) { handle_bookmark(lab, r); },
-              [&](const OpenRequest& r) { lab.files.push_back(r); },
-              [&](const BrowseRequest& r) { lab.files.push_back(r); },
-              [&](const SaveRequest& r) { lab.files.push_back(r); },
-              [&](const RecoverRequest& r) { lab.files.push_back(r); },
-              [&](const LeaveRequest& r) { lab.files.push_back(r); },
-              [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },
-              [&](const OverlaysRequest& r) { lab.view.overlays = r.overlays; },
-              [&](const PredictRequest& r) {
-                  if (lab.document.lesson && !lab.document.lesson->view.outcome_known)
-                      lab.document.lesson->view.prediction = r.option;
-              },
-              [&](const ExportRequest& r) { lab.files.push_back(r); },
-              [&](const SpeedRequest& r) {
-                  lab.playback.time_scale = std::clamp(r.time_scale, speeds.front(), speeds.back());
-              }},
-        request);
+    std::visit(Match{[&](Action action) { act(lab, action); },
+                     [&](const EditRequest& r) { edit_by_request(lab, r); },
+                     [&](const SelectRequest& r) { select(lab, vehicle_object(r.vehicle)), keep_selection(lab); },
+                     [&](const TakeRequest& r) { select_object(lab, r.object); },
+                     [&](const CanvasShareRequest& r) {
+                         lab.view.canvas_share = std::clamp(r.share, least_canvas_share, largest_canvas_share);
+                     },
+                     [&](const PairRequest& r) { lab.view.selection.pair = r.name; },
+                     [&](const ScopeRequest& r) { lab.view.selection.whole_kind = r.whole_kind; },
+                     [&](const SeedRequest& r) { reset(lab, r.seed); },
+                     [&](const SeekRequest& r) { seek(lab, r); },
+                     [&](const BookmarkRequest& r) { handle_bookmark(lab, r); },
+                     [&](const OpenRequest& r) { lab.files.push_back(r); },
+                     [&](const BrowseRequest& r) { lab.files.push_back(r); },
+                     [&](const SaveRequest& r) { lab.files.push_back(r); },
+                     [&](const RecoverRequest& r) { lab.files.push_back(r); },
+                     [&](const LeaveRequest& r) { lab.files.push_back(r); },
+                     [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },
+                     [&](const OverlaysRequest& r) { lab.view.overlays = r.overlays; },
+                     [&](const PredictRequest& r) {
+                         if (lab.document.lesson && !lab.document.lesson->view.outcome_known)
+                             lab.document.lesson->view.prediction = r.option;
+                     },
+                     [&](const ExportRequest& r) { lab.files.push_back(r); },
+                     [&](const SpeedRequest& r) {
+                         lab.playback.time_scale = std::clamp(r.time_scale, speeds.front(), speeds.back());
+                     }},
+               request);
 }
 
 }  // namespace braitenlab

@@ -174,6 +174,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
     Json state{{"mode", word(lab.playback.mode)},
                {"tick", now.tick},
                {"seconds", now.seconds},
+               {"seed", now.seed},
                {"hash", hash_text(lab.document.session.hash())},
                {"time_scale", lab.playback.time_scale},
                {"selected", lab.view.selection.vehicle}};

@@ -3,7 +3,7 @@
 layout(location = 0) in vec3 corner;  // along 0..1, side -1..1
 layout(location = 4) in vec4 ends;    // from, to
 layout(location = 5) in vec4 shape;   // control point, height, width
-layout(location = 6) in vec4 base;    // w: 1 excites, -1 inhibits
+layout(location = 6) in vec4 base;    // w: 1 excites, -1 inhibits, 0 plain
 layout(location = 7) in vec4 signal;  // x: 0..1; y: 1 cut
 
 out float v_side;
@@ -22,7 +22,7 @@ void main() {
     float tip = smoothstep(0.70, 0.75, t);
     if (base.w > 0.0)
         half_width *= mix(1.0, 2.6 * clamp((1.0 - t) * 4.0, 0.0, 1.0), tip);
-    else
+    else if (base.w < 0.0)
         half_width *= mix(1.0, 2.1 * sqrt(max(0.0, 1.0 - pow((t - 0.87) / 0.13, 2.0))) + 0.15, tip);
     vec2 at = on + vec2(-ahead.y, ahead.x) * corner.y * half_width;
     v_side = corner.y;

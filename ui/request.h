@@ -40,7 +40,9 @@ enum class Action {
     next_field,  // cycles through the fields that can be shown as contours, and none
     view,        // opens the View menu
     wiring,
-    watch,  // shows or hides the wiring diagram beside the scene
+    watch,          // shows or hides the wiring diagram beside the scene
+    values,         // shows or hides the card of the arena and the kinds
+    another_start,  // resets the run with the next seed
     undo,
     redo,
     slower,
@@ -162,6 +164,9 @@ struct ExportRequest {  // writes a new CSV file to the folder of pictures
 struct SpeedRequest {
     float time_scale = 1;
 };
+struct SeedRequest {  // resets the run with this seed
+    std::uint64_t seed = 1;
+};
 struct SeekRequest {
     std::uint64_t tick = 0;
     bool held = false;  // true while the playhead is dragged: the simulation stays paused
@@ -217,7 +222,7 @@ inline Steer steer(VehicleId vehicle, float right, float ahead) {
 using Request =
     std::variant<Action, EditRequest, SelectRequest, TakeRequest, ScopeRequest, PairRequest, CanvasShareRequest,
                  PredictRequest, ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest,
-                 SeekRequest, BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest>;
+                 SeekRequest, BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

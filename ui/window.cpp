@@ -325,7 +325,9 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         return true;
     }
     if (key_for_typing(state.sliders, press)) return true;
-    if (state.sheet == Sheet::none && for_record_text(state.fields, press)) return true;
+    if (state.sheet == Sheet::none &&
+        (for_record_text(state.fields, press) || for_text_field(state.values.seed, press)))
+        return true;
     if (view.lecture && state.sheet == Sheet::none && press.key != key::f9)
         state.pressed.push_back({press, view.wall_seconds});
     if (state.sheet == Sheet::files &&

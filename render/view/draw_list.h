@@ -51,7 +51,7 @@ struct EyeInstance {
 struct WireInstance {
     maths::vec4 ends;    // x, y of its start and of its end
     maths::vec4 shape;   // x, y of the control point, height m, width m
-    maths::vec4 colour;  // w: 1 excites, −1 inhibits
+    maths::vec4 colour;  // w: 1 excites, −1 inhibits, 0: a stroke of a sign, without an end of its own
     maths::vec4 signal;  // x: size 0..1; y: 1: cut
 };
 struct NeuronInstance {

@@ -45,7 +45,7 @@ float detail_of(float pixels) {
 }
 
 Colour body_colour(const Drawing& drawing, const Subject& s) {
-    Colour colour = colour_of(drawing.colours, s.view.role);
+    Colour colour = colour_of(s.kind.colour).value_or(colour_of(drawing.colours, s.view.role));
     if (s.view.driver == Driver::parked) colour = mix(colour, drawing.colours.wall, 0.6f);
     // Paler at low energy.
     return mix(mix(colour, drawing.colours.wall, 0.45f), colour, 0.3f + 0.7f * std::min(1.0f, s.view.energy * 2));
@@ -195,6 +195,7 @@ void add_body(Drawing& drawing, const Subject& s) {
     add_wheels(drawing, s);
     add_eyes(drawing, s);
     add_wires(drawing, s);
+    add_driver_sign(drawing, s);
     add_stopped_wheels(drawing, s);
     add_shadow(drawing, s);
 }

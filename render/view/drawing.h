@@ -61,6 +61,8 @@ void add_vehicles(Drawing&, const Trails&);
 void add_fields(Drawing&, const Subject&);
 // Adds the wires and neurons of a vehicle, and crosses over silenced neurons.
 void add_wires(Drawing&, const Subject&);
+// Adds the sign of the vehicle's driver to its deck; none for Driver::brain, which shows its wires.
+void add_driver_sign(Drawing&, const Subject&);
 // Adds crosses over the wheels whose motor is silenced.
 void add_stopped_wheels(Drawing&, const Subject&);
 // The deck plan of the vehicle's brain; null unless the brain drives the vehicle.

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "core/scene/scene.h"
@@ -24,6 +26,14 @@ struct Colour {
 constexpr Colour rgb(std::uint32_t hex) {
     const auto channel = [hex](int shift) { return static_cast<float>((hex >> shift) & 255U) / 255.0f; };
     return {channel(16), channel(8), channel(0), 1};
+}
+
+// The colour of "#rrggbb"; nullopt for other text.
+inline std::optional<Colour> colour_of(std::string_view text) {
+    std::uint32_t hex = 0;
+    if (!is_colour(text)) return std::nullopt;
+    std::from_chars(text.data() + 1, text.data() + text.size(), hex, 16);
+    return rgb(hex);
 }
 
 constexpr Colour mix(Colour a, Colour b, float t) {

@@ -27,6 +27,32 @@ TEST(LabRequests, WatchTheWiringWhilePlaying) {
     EXPECT_FALSE(lab.view.watching);
 }
 
+TEST(LabRequests, RestartWithTheNextOrAGivenSeed) {
+    Lab lab = opened_lab("predator-prey");
+    const std::uint64_t seed = lab.document.session.seed();
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LL, 0.5f}});
+    handle(lab, Action::step);
+    handle(lab, Action::another_start);
+    EXPECT_EQ(lab.document.session.seed(), seed + 1);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 0u);
+    EXPECT_EQ(lab.document.session.undo_depth(), 1) << "edits stay";
+    handle(lab, SeedRequest{42});
+    handle(lab, Action::reset);
+    EXPECT_EQ(lab.document.session.seed(), 42u) << "the same start";
+}
+
+TEST(LabRequests, RestartAnExerciseAfterItsKindsChanged) {
+    Lab lab = opened_lab("05-aggressor");
+    handle(lab, EditRequest{AddKind{lab.document.session.snapshot().scene->kinds[0], 0}});
+    EXPECT_TRUE(lab.document.lesson->view.by_hand);
+    handle(lab, Action::another_start);
+    EXPECT_FALSE(lab.document.lesson->view.by_hand) << "a reset restores the exercise's scene";
+    handle(lab, EditRequest{EditArena{Arena{.width = 12}}});
+    EXPECT_TRUE(lab.document.lesson->view.by_hand);
+    handle(lab, Action::exercise_reset);
+    EXPECT_FALSE(lab.document.lesson->view.by_hand);
+}
+
 TEST(LabRequests, LimitTheShareOfTheWatchedWiring) {
     Lab lab = opened_lab("2a-coward");
     handle(lab, CanvasShareRequest{2});

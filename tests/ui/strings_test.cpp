@@ -88,6 +88,7 @@ struct FieldKeys {
         }
     }
     void text(const char* key, std::string T::*, std::size_t, const char*) { add(key); }
+    void colour(const char*, std::string T::*, const char*) {}
     template <class Inner>
     void table(const char*, Inner T::*, const char*) {}
     template <class Element>
@@ -130,6 +131,9 @@ std::set<std::string> composed() {
         describe(fields, record);
     });
     for (const MessageText& message : message_table) keys.insert("error." + std::string(message.id));
+    for (const char* row :
+         {"kind.name", "kind.count", "sensors.noise", "sensors.latency"})  // ui/panels/values_card.cpp
+        for (const char* end : {"", "_how"}) keys.insert("field." + std::string(row) + end);
     for (const Channel channel : source_channels) keys.insert("source." + std::string(word(channel)));
     return keys;
 }

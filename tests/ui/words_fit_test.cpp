@@ -51,6 +51,16 @@ void with_menu(Desk& desk, SceneObject object, MenuPage page) {
     menu.at = {9999, 9999};  // in the corner with the least space
 }
 
+// The card of the kinds with every part unfolded.
+void with_kinds(Desk& desk) {
+    desk.view.settings.values = true;
+    ValuesState& values = desk.panels.values;
+    values.kinds = values.body_open = values.realism_open = values.memory_open = values.path_open = true;
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->kinds[0].waypoints = {{1, 2}, {-3.25f, 4}};
+    desk.now.scene = scene;
+}
+
 const CatalogueEntry catalogue_entries[]{
     {"05-aggressor", "5.toml", "Aggressor", "", 5},
     {"predator-prey", "p.toml", "Predators and prey", "Drag a weight and the hunt changes."}};
@@ -148,6 +158,10 @@ std::vector<Screen> screens() {
         {"exercise, on the way",
          [](Desk& d) { with_lesson(d), d.lesson.has_run = true, d.lesson.prediction = 0, d.now.seconds = 90; }},
         {"sensors", [](Desk& d) { d.panels.card(Card::sensors).folded = false, d.panels.sensor_quality_open = true; }},
+        {"values of the arena", [](Desk& d) { d.view.settings.values = true; }},
+        {"values of the arena in an exercise", [](Desk& d) { with_lesson(d), d.view.settings.values = true; }},
+        {"values of the kinds", with_kinds},
+        {"values of the kinds, further down", [](Desk& d) { with_kinds(d), d.panels.values.body_open = false; }},
         {"signals", [](Desk& d) { with_chart(d, Chart::signals); }},
         {"population", [](Desk& d) { with_chart(d, Chart::population); }},
         {"energy", [](Desk& d) { with_chart(d, Chart::energy); }},

@@ -1,6 +1,10 @@
 // The brain on the deck and the arrows beside the wheels, in the draw list.
 #include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
 #include <tuple>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -32,6 +36,39 @@ Snapshot with_neuron(float seen, float neuron) {
     now.neurons = {neuron, 0, 0};  // hidden, left motor, right motor
     now.vehicles[0].neuron_count = 3;
     return now;
+}
+
+TEST(DrawVehicles, MarkEachDriverByASignOfItsOwn) {
+    std::set<std::vector<float>> signs;
+    for (const auto& driver : driver_table) {
+        Snapshot now = with_neuron(0, 0);
+        now.vehicles[0].driver = driver.value;
+        std::vector<float> shape;
+        for (const WireInstance& stroke : drawn(now).wires) {
+            if (driver.value != Driver::brain) {
+                EXPECT_GE(stroke.colour.w, 0) << "no wire";
+                EXPECT_LT(std::hypot(stroke.ends.x, stroke.ends.y), 0.5f) << "on the deck";
+            }
+            shape.insert(shape.end(), {stroke.ends.x, stroke.ends.y, stroke.ends.z, stroke.ends.w});
+        }
+        EXPECT_FALSE(shape.empty()) << driver.word;
+        EXPECT_TRUE(signs.insert(shape).second) << driver.word;
+    }
+}
+
+TEST(DrawVehicles, TintTheBodyInTheColourOfItsKind) {
+    Snapshot now = with_neuron(0, 0);
+    auto scene = std::make_shared<Scene>(*now.scene);
+    scene->kinds[0].colour = "#0000ff";
+    now.scene = scene;
+    const auto hull = [&] {
+        const DrawList list = drawn(now);
+        for (const auto& hulls : list.hulls)
+            if (!hulls.empty()) return hulls[0].colour;
+        return maths::vec4{};
+    };
+    EXPECT_GT(hull().z, 0.9f);
+    EXPECT_LT(hull().x, 0.1f);
 }
 
 TEST(DrawBrain, DrawsWiresThroughNeuronsWithTheirSignals) {
@@ -79,7 +116,7 @@ TEST(DrawBrain, FollowsAnEditOfTheBrain) {
 TEST(DrawBrain, ShowsNoWiresOfAManuallyDrivenVehicle) {
     Snapshot now = with_neuron(0.6f, 0.8f);
     now.vehicles[0].driver = Driver::manual;
-    EXPECT_TRUE(drawn(now).wires.empty());
+    for (const WireInstance& stroke : drawn(now).wires) EXPECT_EQ(stroke.colour.w, 0) << "strokes of the sign only";
 }
 
 std::vector<MarkInstance> arrows(const DrawList& list) {

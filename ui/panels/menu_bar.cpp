@@ -68,6 +68,7 @@ constexpr MenuPlace menu_places[]{
     {"edit", Action::join},
     {"edit", Action::lesion},
     {"edit", Action::tidy},
+    {"edit", Action::values, true},
     {"edit", Action::settings, true},
 
     {"view", Action::sensors},
@@ -96,6 +97,7 @@ constexpr MenuPlace menu_places[]{
     {"simulation", Action::rewind},
     {"simulation", Action::fast_forward},
     {"simulation", Action::reset, true},
+    {"simulation", Action::another_start},
     {"simulation", Action::new_population},
     {"simulation", Action::slower, true},
     {"simulation", Action::faster},
@@ -147,6 +149,8 @@ std::optional<bool> switched_on(const LabView& view, const PanelState& state, Ac
             return view.mode == Mode::wiring;
         case Action::watch:
             return view.settings.watching;
+        case Action::values:
+            return view.settings.values;
         case Action::charts:
             return state.charts_open;
         default:

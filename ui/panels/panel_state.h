@@ -23,8 +23,8 @@
 namespace braitenlab::ui {
 
 // The cards of the window. cards.cpp has one row of traits for each.
-enum class Card { exercise, scene, sensors, object, brain, information, charts, inspector };
-inline constexpr std::size_t card_count = 8;
+enum class Card { exercise, scene, values, sensors, object, brain, information, charts, inspector };
+inline constexpr std::size_t card_count = 9;
 
 // Every card in its initial state.
 std::array<CardState, card_count> initial_cards();
@@ -47,6 +47,15 @@ struct PressedKey {
     double at = 0;  // wall seconds
 };
 
+// The card of the arena and the kinds.
+struct ValuesState {
+    bool kinds = false;               // the part with the kinds is shown
+    int kind = 0;                     // the kind whose values are shown
+    VehicleId followed = no_vehicle;  // the kind is that of this selected vehicle until another is selected or chosen
+    TextField seed;
+    bool body_open = false, realism_open = false, memory_open = false, path_open = false;
+};
+
 struct PanelState {
     CardState& card(Card which) {
         return which == Card::inspector ? canvas.inspector : cards[static_cast<std::size_t>(which)];
@@ -65,6 +74,7 @@ struct PanelState {
     std::string lesion_requested;      // the same, requested by key and not yet carried out
     Steer steered;                     // last command of the on-screen stick
     bool stick_held = false;
+    ValuesState values;
     std::string sensor;                // name of the sensor whose numbers the card shows
     bool sensor_channel_open = false;  // the list of channels is unfolded
     bool sensor_alone = false;         // edits do not apply to the sensor on the other side

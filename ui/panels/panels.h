@@ -23,6 +23,8 @@ void export_csv(const LabView&, const PanelState&, Outbox&);  // the chart that 
 
 // scene_cards.cpp
 void scene_card(const LabView&, PanelState&, Ui&, Rect);
+void values_card(const LabView&, PanelState&, Ui&, Rect);  // arena, kinds and their values
+void start_row(const LabView&, PanelState&, Ui&);  // the seed, and buttons that reset the run; in values_card.cpp
 void object_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.settings.selection.object
 
 // Bars and menus.

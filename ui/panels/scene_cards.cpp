@@ -198,12 +198,16 @@ void object_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
 }
 
 void scene_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
-    const bool open = open_card(state, ui, Card::scene, place);
+    std::array buttons{HeadingButton{"button.values", ui.strings("button.values"), ui.strings("tooltip.values"),
+                                     key_name(Action::values, ui.strings), view.settings.values}};
+    const bool open = open_card(state, ui, Card::scene, place, view.lecture ? std::span<HeadingButton>{} : buttons);
+    if (buttons[0].pressed) ui.outbox.push_back(Action::values);
     if (open) {
         const Scene& scene = *view.now->scene;
         paragraph(ui, scene.title.empty() ? std::string_view(scene.name) : translated(ui, scene.title), ui.palette.text,
                   Face::title);
         if (!scene.story.empty()) paragraph(ui, translated(ui, scene.story), ui.palette.second_text);
+        start_row(view, state, ui);
     }
     end_card(state.card(Card::scene));
 }

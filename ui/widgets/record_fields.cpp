@@ -139,7 +139,7 @@ std::optional<std::string> FieldRows::text(const char* key, const std::string& n
     text_field(ui, field, id, card_width(ui) - left, {}, ui.strings(words + key + "_how"));
     ImGui::SetCursorScreenPos({at.x, at.y + height});
     space(ui, below_choice);
-    if (field.entered && ui.keyboard) ui.keyboard->focus.clear();
+    if (field.entered && ui.keyboard) ui.keyboard->focus.clear(), field.active = false;
     if (!field.entered && (field.active || !was_active)) return std::nullopt;
     const bool cancelled = std::exchange(state.cancelled, false);
     if (cancelled || field.text == now || field.text.size() > longest) return std::nullopt;

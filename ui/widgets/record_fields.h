@@ -142,6 +142,7 @@ public:
         if (auto typed = rows_.text(key, now_.*member, longest))
             begin(rows_.next_gesture()).*member = std::move(*typed);
     }
+    void colour(const char*, std::string T::*, const char*) {}
     template <class Part>
     void part(Part T::*) {}
     template <class Inner>

@@ -1,0 +1,213 @@
+// Editing the arena, the ecology and the kinds; the seed.
+#include <algorithm>
+#include <cmath>
+
+#include "desk.h"
+
+namespace braitenlab::tests::values_card_test {
+
+using namespace ui;
+
+namespace {
+
+class ValuesDesk : public Desk {
+public:
+    explicit ValuesDesk(bool kinds = false) : Desk(1280, 1400) {
+        view.settings.values = true;
+        panels.values.kinds = kinds;
+        auto scene = std::make_shared<Scene>(*now.scene);
+        now.scene = filed = scene;
+        view.file = filed.get();
+        for (const Kind& each : scene->kinds) now.kind_brains.push_back(std::make_shared<BrainGraph>(each.brain));
+        frame(4);
+    }
+    // The number of a slider, typed.
+    void type_into(const char* slider, const char* number) {
+        click(slider, 0, 0.97f);
+        type(number);
+        frame(2);
+        key({key::enter});
+        frame(2);
+    }
+    void type_text(const char* field, const char* text) {
+        click(field);
+        type(text);
+        frame(2);
+        key({key::enter});
+        frame(3);
+    }
+    template <class Wanted>
+    Wanted last() const {
+        const auto found = edits();
+        if (found.empty()) throw std::runtime_error("nothing was asked for");
+        return std::get<Wanted>(found.back().command);
+    }
+
+    std::shared_ptr<const Scene> filed;
+};
+
+bool asks_for(const Desk& desk, Action action) {
+    const auto all = desk.actions();
+    return std::find(all.begin(), all.end(), action) != all.end();
+}
+
+std::vector<std::uint64_t> seeds(const Desk& desk) {
+    std::vector<std::uint64_t> found;
+    for (const Request& request : desk.all)
+        if (const auto* seed = std::get_if<SeedRequest>(&request)) found.push_back(seed->seed);
+    return found;
+}
+
+}  // namespace
+
+TEST(ValuesCard, IsHiddenUntilItIsOpenedFromTheSceneCardTheMenuOrByItsKey) {
+    Desk desk;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("card.values"));
+    desk.click("button.values");
+    desk.choose("edit", "values");
+    desk.key({'D'});
+    const auto all = desk.actions();
+    EXPECT_EQ(std::count(all.begin(), all.end(), Action::values), 3);
+    desk.view.settings.values = true;
+    desk.frame(3);
+    EXPECT_TRUE(desk.anchors.find("card.values"));
+    desk.click("values.close");
+    EXPECT_EQ(desk.actions().back(), Action::values);
+    desk.view.lecture = true;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("card.values"));
+}
+
+TEST(ValuesCard, EditsTheArena) {
+    ValuesDesk desk;
+    desk.type_into("arena.width", "35");
+    EXPECT_EQ(desk.last<EditArena>().to.width, 35);
+    desk.click("arena.edge.3");
+    EXPECT_EQ(desk.last<EditArena>().to.edge, Boundary::torus);
+    desk.type_into("arena.ambient", "0,4");
+    EXPECT_FLOAT_EQ(desk.last<EditArena>().to.ambient, 0.4f);
+    desk.type_into("ecology.drain", "0.012");
+    EXPECT_FLOAT_EQ(desk.last<EditEcology>().to.drain, 0.012f);
+    EXPECT_NE(desk.edits().back().gesture, 0u);
+}
+
+TEST(ValuesCard, ShowsTheKindOfTheSelectedVehicle) {
+    ValuesDesk desk(true);
+    EXPECT_EQ(desk.panels.values.kind, 0);
+    desk.view.settings.selection.vehicle = 1;
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.values.kind, 1);
+    desk.click("kind.predator");
+    EXPECT_EQ(desk.panels.values.kind, 0) << "until another kind is chosen";
+    desk.frame(3);
+    EXPECT_EQ(desk.panels.values.kind, 0);
+}
+
+TEST(ValuesCard, AddsRenamesAndRemovesKinds) {
+    ValuesDesk desk(true);
+    desk.type_text("kind.name", "wolf");
+    EXPECT_EQ(desk.last<EditKind>().to.name, "wolf");
+    EXPECT_EQ(desk.last<EditKind>().kind, 0);
+    desk.click("kind.add");
+    EXPECT_EQ(desk.last<AddKind>().kind.sensors, desk.now.scene->kinds[0].sensors) << "a copy";
+    EXPECT_EQ(desk.last<AddKind>().kind.share, 0);
+    desk.all.clear();
+    desk.click("kind.prey");
+    desk.click("kind.remove");
+    EXPECT_TRUE(desk.edits().empty()) << "it has vehicles";
+    std::erase_if(desk.now.vehicles, [](const VehicleView& v) { return v.kind == 1; });
+    desk.frame(2);
+    desk.click("kind.remove");
+    EXPECT_EQ(desk.last<RemoveKind>().kind, 1);
+}
+
+TEST(ValuesCard, EditsTheValuesOfAKind) {
+    ValuesDesk desk(true);
+    desk.type_into("kind.count", "200");
+    EXPECT_EQ(desk.last<SetPopulation>(), (SetPopulation{0, 200}));
+    desk.click("kind.driver.4");
+    EXPECT_EQ(desk.last<EditKind>().to.driver, Driver::wander);
+    desk.click("kind.role.1");
+    EXPECT_EQ(desk.last<EditKind>().to.role, Role::none);
+    desk.click("kind.colour.2");
+    EXPECT_EQ(desk.last<EditKind>().to.colour, "#56b4e9");
+    desk.click("vehicle.driver.5");
+    EXPECT_EQ(desk.last<ChooseDriver>(), (ChooseDriver{0, Driver::parked}));
+    EXPECT_FALSE(desk.anchors.find("body.mass"));
+    desk.click("values.memory");
+    desk.type_into("memory.marks", "12");
+    EXPECT_EQ(desk.last<EditKind>().to.memory.marks, 12);
+}
+
+TEST(ValuesCard, ScalesWheelsAndEyesWithTheBodyInOneGesture) {
+    ValuesDesk desk(true);
+    desk.click("values.body");
+    desk.type_into("body.length", "0,05");
+    const auto asked = desk.edits();
+    ASSERT_GE(asked.size(), 2u);
+    const auto& kind = std::get<EditKind>(asked[asked.size() - 2].command);
+    const auto& sensors = std::get<SetSensors>(asked.back().command).sensors;
+    EXPECT_FLOAT_EQ(kind.to.body.length, 0.05f);
+    EXPECT_NEAR(kind.to.body.wheels[2].x, 0.019f, 1e-5f);
+    EXPECT_NEAR(sensors[0].x, desk.now.scene->kinds[0].sensors[0].x * 0.05f, 1e-5f);
+    EXPECT_EQ(asked.back().gesture, asked[asked.size() - 2].gesture);
+    desk.type_into("body.top_speed", "0.05");
+    EXPECT_FLOAT_EQ(desk.last<EditKind>().to.body.top_speed, 0.05f);
+}
+
+TEST(ValuesCard, GroupsTheValuesOfRealism) {
+    ValuesDesk desk(true);
+    desk.click("values.realism");
+    desk.type_into("body.mismatch", "0.1");
+    EXPECT_FLOAT_EQ(desk.last<EditKind>().to.body.mismatch, 0.1f);
+    desk.type_into("realism.noise", "0.2");
+    for (const Sensor& sensor : desk.last<SetSensors>().sensors) EXPECT_FLOAT_EQ(sensor.noise, 0.2f);
+    desk.type_into("realism.latency", "0.3");
+    for (const Sensor& sensor : desk.last<SetSensors>().sensors) EXPECT_FLOAT_EQ(sensor.latency, 0.3f);
+    desk.type_into("realism.ambient", "0.25");
+    EXPECT_FLOAT_EQ(desk.last<EditArena>().to.ambient, 0.25f);
+}
+
+TEST(ValuesCard, EditsThePointsOfAPath) {
+    ValuesDesk desk(true);
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->kinds[0].waypoints = {{1, 2}, {3, 4}};
+    desk.now.scene = scene;
+    desk.click("values.path");
+    desk.type_into("waypoint.2.x", "-5");
+    EXPECT_EQ(desk.last<EditKind>().to.waypoints, (std::vector<Waypoint>{{1, 2}, {-5, 4}}));
+    desk.click("waypoint.1.remove");
+    EXPECT_EQ(desk.last<EditKind>().to.waypoints, (std::vector<Waypoint>{{3, 4}}));
+    desk.click("waypoint.add");
+    EXPECT_EQ(desk.last<EditKind>().to.waypoints.size(), 3u);
+}
+
+TEST(Seed, IsShownTypedAndReplacedByOneClick) {
+    Desk desk;
+    desk.now.seed = 7;
+    desk.frame(3);
+    ASSERT_TRUE(desk.anchors.find("seed"));
+    EXPECT_EQ(desk.panels.values.seed.text, "7");
+    desk.click("seed");
+    desk.type("1234567890123456789");
+    desk.frame(2);
+    desk.key({key::enter});
+    desk.frame(3);
+    EXPECT_EQ(seeds(desk), (std::vector<std::uint64_t>{1234567890123456789u}));
+    desk.click("seed");
+    desk.type("many");
+    desk.frame(2);
+    desk.key({key::enter});
+    desk.frame(3);
+    EXPECT_EQ(seeds(desk).size(), 1u) << "no number";
+    desk.click("button.another_start");
+    EXPECT_TRUE(asks_for(desk, Action::another_start));
+    desk.click("button.same_start");
+    EXPECT_TRUE(asks_for(desk, Action::reset));
+    desk.key({'R', false, true});
+    const auto all = desk.actions();
+    EXPECT_EQ(std::count(all.begin(), all.end(), Action::another_start), 2);
+}
+
+}  // namespace braitenlab::tests::values_card_test

@@ -1,0 +1,398 @@
+// The card of the arena and the kinds: every value that holds for the whole scene or for all vehicles of a kind.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include <imgui.h>
+
+#include "core/scene/schema.h"
+#include "ui/panels/cards.h"
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/keyboard.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/record_fields.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+constexpr int most_typed = 2000;  // vehicles of a kind that the slider offers
+constexpr float seed_width = 96;  // layout pixels
+
+// Body colours on offer, apart for colour-blind eyes (M. Okabe and K. Ito, 2008).
+constexpr std::string_view offered_colours[]{"#e69f00", "#56b4e9", "#009e73", "#f0e442",
+                                             "#0072b2", "#d55e00", "#cc79a7", "#8595aa"};
+
+FieldRows rows_for(const LabView& view, PanelState& state, Ui& ui) {
+    return {ui, state.fields, state.sliders, view.wall_seconds};
+}
+
+// Requests an edit of a record drawn in this frame.
+template <class Edit, class ToCommand>
+void request(Ui& ui, const Edit& edit, ToCommand to_command) {
+    if (edit) ui.outbox.push_back(EditRequest{to_command(edit->to), edit->gesture});
+}
+
+std::optional<std::uint64_t> typed_seed(const std::string& text) {
+    std::uint64_t seed = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), seed);
+    const bool whole = !text.empty() && read.ec == std::errc{} && read.ptr == text.data() + text.size();
+    return whole ? std::optional(seed) : std::nullopt;
+}
+
+void arena_values(const LabView& view, PanelState& state, Ui& ui) {
+    const Scene& scene = *view.now->scene;
+    const Scene& filed = view.file ? *view.file : scene;
+    if (view.lesson) start_row(view, state, ui);
+    request(ui, record_fields(rows_for(view, state, ui), scene.arena, filed.arena),
+            [](const Arena& to) { return EditArena{to}; });
+    gap(ui, 12);
+    subheading(ui, ui.strings("values.energy"));
+    constexpr std::string_view shown[]{"drain", "bite", "inactivity"};
+    request(ui, record_fields(rows_for(view, state, ui), scene.ecology, filed.ecology, shown),
+            [](const Ecology& to) { return EditEcology{to}; });
+}
+
+// Editing of one kind.
+class KindEditor {
+public:
+    KindEditor(const LabView& view, PanelState& state, Ui& ui, int index)
+        : view_(view),
+          state_(state),
+          ui_(ui),
+          index_(index),
+          kind_(view.now->scene->kinds[static_cast<std::size_t>(index)]),
+          filed_(filed()) {}
+
+    void draw() {
+        if (!view_.lesson) name();
+        count();
+        constexpr std::string_view shown[]{"driver", "role"};
+        request(ui_, record_fields(rows(), kind_, filed_, shown), [this](const Kind& to) {
+            return EditKind{index_, to};
+        });
+        colours();
+        if (fold("values.body", state_.values.body_open)) body();
+        if (fold("values.realism", state_.values.realism_open)) realism();
+        if (fold("values.memory", state_.values.memory_open)) memory();
+        if (fold("values.path", state_.values.path_open)) path();
+    }
+
+private:
+    FieldRows rows() const { return rows_for(view_, state_, ui_); }
+    bool fold(std::string_view id, bool& open) const { return fold_row(ui_, id, ui_.strings(id), open); }
+    const Kind& filed() const {
+        const int known = view_.file ? find_kind(*view_.file, kind_.name) : -1;
+        return known < 0 ? kind_ : view_.file->kinds[static_cast<std::size_t>(known)];
+    }
+    void change(Kind to, std::uint64_t gesture) const {
+        ui_.outbox.push_back(EditRequest{EditKind{index_, std::move(to)}, gesture});
+    }
+
+    void name() {
+        FieldRows row = rows();
+        row.anchor = "kind", row.words = "field.kind.";
+        if (auto typed = row.text("name", kind_.name, limits::name_length)) {
+            Kind to = kind_;
+            to.name = *typed;
+            change(std::move(to), row.next_gesture());
+        }
+    }
+
+    void count() {
+        const auto& all = view_.now->vehicles;
+        const auto present =
+            std::count_if(all.begin(), all.end(), [this](const VehicleView& v) { return v.kind == index_; });
+        FieldRows row = rows();
+        row.anchor = "kind", row.words = "field.kind.";
+        const auto number = static_cast<float>(present);
+        const auto wanted = row.number({"count", "", {0, std::max<double>(most_typed, number)}, number, number, true});
+        if (wanted)
+            ui_.outbox.push_back(EditRequest{SetPopulation{index_, static_cast<int>(wanted->value)}, wanted->gesture});
+    }
+
+    void colours() {
+        const float size = ui_.px(24);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        put(ui_, {at.x, at.y + (size - line_height(ui_, Face::text)) / 2}, ui_.strings("values.colour"),
+            ui_.palette.text);
+        const float left = ui_.px(rows().words_width);
+        const int per_row = std::max(1, static_cast<int>((card_width(ui_) - left) / size));
+        int place = 0;
+        const auto swatch = [&](const std::string& id, const std::string& colour) {
+            ImGui::SetCursorScreenPos({at.x + left + size * static_cast<float>(place % per_row),
+                                       at.y + size * static_cast<float>(place / per_row)});
+            ++place;
+            if (colour_swatch(id, colour, size) && colour != kind_.colour) {
+                Kind to = kind_;
+                to.colour = colour;
+                change(std::move(to), rows().next_gesture());
+            }
+        };
+        swatch("kind.colour.role", "");
+        for (std::size_t i = 0; i < std::size(offered_colours); ++i)
+            swatch("kind.colour." + std::to_string(i + 1), std::string(offered_colours[i]));
+        gap(ui_, 12);
+    }
+
+    // A disc in the colour, or in that of the role with a line across for none.
+    bool colour_swatch(const std::string& id, const std::string& colour, float size) const {
+        const Item at = item(ui_, id, {size, size});
+        const ImVec2 middle{at.middle_x(), at.middle_y()};
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        if (colour == kind_.colour || at.warmth > 0)
+            list.AddCircle(
+                middle, ui_.px(10),
+                paint(colour == kind_.colour ? ui_.palette.text : ui_.palette.second_text.with_alpha(at.warmth)), 24,
+                ui_.px(1.5f));
+        const Role role = kind_.role == Role::wiring ? Role::none : kind_.role;
+        if (colour.empty())
+            put_role(ui_, middle, ui_.px(13), role);
+        else
+            list.AddCircleFilled(middle, ui_.px(7), paint(braitenlab::colour_of(colour).value_or(ui_.palette.text)),
+                                 24);
+        tooltip(ui_, at, ui_.strings(colour.empty() ? "values.colour_role" : "values.colour_how"));
+        return at.pressed;
+    }
+
+    void body() {
+        constexpr std::string_view shown[]{"length", "width", "mass", "top_speed", "motor_force"};
+        auto edit = record_fields(rows(), kind_.body, filed_.body, shown);
+        if (!edit) return;
+        Kind to = kind_;
+        const float length = edit->to.length, width = edit->to.width;
+        edit->to.length = kind_.body.length, edit->to.width = kind_.body.width;
+        to.body = resized(edit->to, length, width);
+        change(std::move(to), edit->gesture);
+        if (length == kind_.body.length && width == kind_.body.width) return;
+        std::vector<Sensor> sensors = kind_.sensors;  // the eyes stay at their places on the chassis
+        for (Sensor& sensor : sensors) {
+            sensor.x = std::clamp(sensor.x * length / kind_.body.length, -10.0f, 10.0f);
+            sensor.y = std::clamp(sensor.y * width / kind_.body.width, -10.0f, 10.0f);
+        }
+        ui_.outbox.push_back(EditRequest{SetSensors{index_, std::move(sensors)}, edit->gesture});
+    }
+
+    // What makes real robots differ from ideal ones.
+    void realism() {
+        constexpr std::string_view of_body[]{"mismatch", "dead_band"};
+        request(ui_, record_fields(rows(), kind_.body, filed_.body, of_body), [this](const Body& body) {
+            Kind to = kind_;
+            to.body = body;
+            return EditKind{index_, std::move(to)};
+        });
+        if (!kind_.sensors.empty()) {
+            of_all_sensors("noise", &Sensor::noise);
+            of_all_sensors("latency", &Sensor::latency);
+        }
+        constexpr std::string_view of_arena[]{"ambient"};
+        FieldRows row = rows();
+        row.anchor = "realism";
+        const Arena& arena = view_.now->scene->arena;
+        request(ui_, record_fields(row, arena, view_.file ? view_.file->arena : arena, of_arena),
+                [](const Arena& to) { return EditArena{to}; });
+    }
+
+    void of_all_sensors(const char* key, float Sensor::*member) {
+        FieldRows row = rows();
+        row.anchor = "realism", row.words = "field.sensors.";
+        float largest = 0;
+        for (const Sensor& sensor : kind_.sensors) largest = std::max(largest, sensor.*member);
+        const bool is_time = member == &Sensor::latency;
+        const auto wanted = row.number({key, is_time ? "s" : "", {0, 1}, largest, 0});
+        if (!wanted) return;
+        std::vector<Sensor> sensors = kind_.sensors;
+        for (Sensor& sensor : sensors) sensor.*member = wanted->value;
+        ui_.outbox.push_back(EditRequest{SetSensors{index_, std::move(sensors)}, wanted->gesture});
+    }
+
+    void memory() {
+        request(ui_, record_fields(rows(), kind_.memory, filed_.memory), [this](const PlaceMemory& memory) {
+            Kind to = kind_;
+            to.memory = memory;
+            return EditKind{index_, std::move(to)};
+        });
+    }
+
+    // The waypoints, each with a button that removes it, and one that adds another.
+    void path() {
+        paragraph(ui_, ui_.strings("values.path_how"), ui_.palette.second_text, Face::small);
+        const Arena& arena = view_.now->scene->arena;
+        for (std::size_t i = 0; i < kind_.waypoints.size(); ++i) {
+            FieldRows row = rows();
+            row.anchor = "waypoint." + std::to_string(i + 1);
+            row.words = "field.waypoint.";
+            row.words_width = 28;
+            const std::string gone = row.anchor + ".remove", number = std::to_string(i + 1);
+            put(ui_, ImGui::GetCursorScreenPos(), number, ui_.palette.second_text, Face::small);
+            ImGui::SetCursorScreenPos(
+                {ImGui::GetCursorScreenPos().x + card_width(ui_) - ui_.px(28), ImGui::GetCursorScreenPos().y});
+            const Item at = small_button(ui_, {gone, icon::cross, "×"}, false);
+            tooltip(ui_, at, ui_.strings("values.waypoint_remove"));
+            Kind to = kind_;
+            if (at.pressed) {
+                to.waypoints.erase(to.waypoints.begin() + static_cast<std::ptrdiff_t>(i));
+                change(std::move(to), row.next_gesture());
+            } else if (auto edit = waypoint(row, kind_.waypoints[i], arena)) {
+                to.waypoints[i] = edit->to;
+                change(std::move(to), edit->gesture);
+            }
+        }
+        const Item more = button(ui_, "waypoint.add", {icon::add, ui_.strings("values.waypoint_add"), Emphasis::plain});
+        tooltip(ui_, more, ui_.strings("values.path_how"));
+        if (more.pressed && kind_.waypoints.size() < limits::waypoints) {
+            Kind to = kind_;
+            const VehicleView* selected = find_vehicle(*view_.now, view_.settings.selection.vehicle);
+            to.waypoints.push_back(selected ? Waypoint{selected->x, selected->y} : Waypoint{});
+            change(std::move(to), rows().next_gesture());
+        }
+    }
+
+    // The place of a waypoint within the arena.
+    std::optional<RecordEdit<Waypoint>> waypoint(const FieldRows& row, const Waypoint& now, const Arena& arena) const {
+        RecordEdit<Waypoint> edit{now};
+        bool changed = false;
+        const auto turn = [&](const char* key, float Waypoint::*member, float extent) {
+            const double most = std::max<double>(extent / 2, std::fabs(now.*member));
+            if (const auto wanted = row.number({key, "m", {-most, most}, now.*member, now.*member})) {
+                edit.to.*member = wanted->value, edit.gesture = wanted->gesture;
+                changed = true;
+            }
+        };
+        turn("x", &Waypoint::x, arena.width);
+        turn("y", &Waypoint::y, arena.height);
+        return changed ? std::optional(edit) : std::nullopt;
+    }
+
+    const LabView& view_;
+    PanelState& state_;
+    Ui& ui_;
+    int index_;
+    const Kind& kind_;
+    const Kind& filed_;  // as the file has it
+};
+
+// One button per kind, as many in a row as fit.
+void kind_names(const LabView& view, ValuesState& values, Ui& ui) {
+    const std::vector<Kind>& kinds = view.now->scene->kinds;
+    const float right = ImGui::GetCursorScreenPos().x + card_width(ui);
+    for (int i = 0; i < static_cast<int>(kinds.size()); ++i) {
+        const Kind& kind = kinds[static_cast<std::size_t>(i)];
+        const std::string id = "kind." + kind.name;
+        const std::string words =
+            kinds.size() == 1 && view.lesson ? std::string(ui.strings("kind.vehicle")) : kind_name(ui, kind);
+        const SmallButton look{id, {}, words, i == values.kind};
+        if (i > 0 && ImGui::GetItemRectMax().x + ui.px(6) + small_button_width(ui, look, true) <= right)
+            ImGui::SameLine(0, ui.px(6));
+        const Item at = small_button(ui, look);
+        tooltip(ui, at, ui.strings("values.kind_how"));
+        if (at.pressed) values.kind = i;
+    }
+}
+
+// Adds a copy of the present kind, or removes it.
+void kind_buttons(const LabView& view, PanelState& state, Ui& ui) {
+    const Snapshot& now = *view.now;
+    const auto index = static_cast<std::size_t>(state.values.kind);
+    const Item add = button(ui, "kind.add", {{}, ui.strings("values.kind_add")});
+    tooltip(ui, add, ui.strings("values.kind_add_how"));
+    if (add.pressed) {
+        Kind copy = index < now.scene->kinds.size() ? now.scene->kinds[index] : Kind{};
+        if (index < now.kind_brains.size()) copy.brain = *now.kind_brains[index];
+        copy.share = 0;
+        ui.outbox.push_back(EditRequest{AddKind{std::move(copy)}});
+        state.values.kind = static_cast<int>(now.scene->kinds.size());
+    }
+    if (index >= now.scene->kinds.size()) return;
+    const bool used = std::any_of(now.vehicles.begin(), now.vehicles.end(),
+                                  [&](const VehicleView& v) { return v.kind == state.values.kind; });
+    ImGui::SameLine(0, ui.px(8));
+    ButtonLook look{{}, ui.strings("values.kind_remove")};
+    look.enabled = !used;
+    const Item gone = button(ui, "kind.remove", look);
+    tooltip(ui, gone, ui.strings(used ? "values.kind_used" : "values.kind_remove_how"));
+    if (gone.pressed) ui.outbox.push_back(EditRequest{RemoveKind{state.values.kind}});
+}
+
+// The kind of the selected vehicle, whenever another vehicle is selected.
+void follow_selection(const LabView& view, ValuesState& values) {
+    const VehicleView* selected = find_vehicle(*view.now, view.settings.selection.vehicle);
+    if (selected && selected->id != values.followed) values.kind = selected->kind;
+    values.followed = selected ? selected->id : no_vehicle;
+    values.kind = std::clamp(values.kind, 0, std::max(0, static_cast<int>(view.now->scene->kinds.size()) - 1));
+}
+
+// What drives the selected vehicle alone.
+void driver_of_selected(const LabView& view, PanelState& state, Ui& ui) {
+    const VehicleView* selected = find_vehicle(*view.now, view.settings.selection.vehicle);
+    if (!selected) return;
+    gap(ui, 12);
+    subheading(ui, fill(ui.strings("values.selected"), {std::to_string(selected->id + 1)}));
+    std::vector<std::string_view> words;
+    for (const auto& row : driver_table)
+        words.push_back(ui.strings.find(std::string(word_stem(Driver{})) + std::string(row.word), row.word));
+    FieldRows row = rows_for(view, state, ui);
+    row.anchor = "vehicle", row.words = "field.kind.";
+    const int chosen = row.choice("driver", words, static_cast<int>(selected->driver));
+    if (chosen >= 0)
+        ui.outbox.push_back(EditRequest{ChooseDriver{selected->id, static_cast<Driver>(chosen)}, row.next_gesture()});
+}
+
+void kind_values(const LabView& view, PanelState& state, Ui& ui) {
+    follow_selection(view, state.values);
+    kind_names(view, state.values, ui);
+    kind_buttons(view, state, ui);
+    if (state.values.kind < static_cast<int>(view.now->scene->kinds.size()))
+        KindEditor(view, state, ui, state.values.kind).draw();
+    driver_of_selected(view, state, ui);
+}
+
+}  // namespace
+
+void start_row(const LabView& view, PanelState& state, Ui& ui) {
+    TextField& field = state.values.seed;
+    const bool was_active = field.active;
+    if (!was_active) field.text = std::to_string(view.now->seed);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float left = text_width(ui, Face::text, ui.strings("values.seed")) + ui.px(10);
+    put(ui, {at.x, at.y + (ui.px(button_height) - line_height(ui, Face::text)) / 2}, ui.strings("values.seed"),
+        ui.palette.text);
+    ImGui::SetCursorScreenPos({at.x + left, at.y});
+    text_field(ui, field, "seed", ui.px(seed_width), {}, ui.strings("values.seed_how"));
+    if (field.entered || (was_active && !field.active)) {
+        if (field.entered && ui.keyboard) ui.keyboard->focus.clear(), field.active = false;
+        if (const auto seed = typed_seed(field.text); seed && *seed != view.now->seed)
+            ui.outbox.push_back(SeedRequest{*seed});
+    }
+    ImGui::SetCursorScreenPos({at.x, at.y + ui.px(button_height + 8)});
+    const auto press = [&](std::string_view id, std::string_view words, std::string_view how, Action action) {
+        const Item pressed = small_button(ui, {id, {}, ui.strings(words)});
+        tooltip(ui, pressed, ui.strings(how), key_name(action, ui.strings));
+        if (pressed.pressed) ui.outbox.push_back(action);
+    };
+    press("button.same_start", "button.same_start", "tooltip.same_start", Action::reset);
+    ImGui::SameLine(0, ui.px(6));
+    press("button.another_start", "button.another_start", "tooltip.another_start", Action::another_start);
+}
+
+void values_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+    std::array buttons{HeadingButton{"values.close", ui.strings("values.close"), ui.strings("tooltip.values"),
+                                     key_name(Action::values, ui.strings)}};
+    const bool open = open_card(state, ui, Card::values, place, buttons);
+    if (buttons[0].pressed) ui.outbox.push_back(Action::values);
+    if (open) {
+        const std::array words{ui.strings("values.arena"), ui.strings("values.kinds")};
+        const int chosen = segments(ui, "values.part", words, state.values.kinds ? 1 : 0, card_width(ui));
+        if (chosen >= 0) state.values.kinds = chosen == 1;
+        state.values.kinds ? kind_values(view, state, ui) : arena_values(view, state, ui);
+    }
+    end_card(state.card(Card::values));
+}
+
+}  // namespace braitenlab::ui
