@@ -65,7 +65,28 @@ float share_at_pointer(const WindowLayout& layout) {
     return (c.x + c.w - pointer.x - b.w / 2) / std::max(1.0f, s.w + c.w);
 }
 
-// The wiring canvas beside the scene, and the border between them, which the pointer drags.
+// Arrow keys move the focused border towards them.
+void move_border_by_keys(const LabView& view, Keyboard& keyboard, bool is_below, Outbox& outbox) {
+    constexpr float step = 0.05f;
+    const auto presses = [&](int wanted) {
+        int count = 0;
+        while (take(keyboard, wanted)) ++count;
+        return static_cast<float>(count);
+    };
+    const float grows = is_below ? presses(key::up) - presses(key::down) : presses(key::left) - presses(key::right);
+    if (grows != 0) outbox.push_back(CanvasShareRequest{view.settings.canvas_share + step * grows});
+}
+
+// The wiring canvas beside the scene gets the keys of the canvas while it has the focus: after a click on it, or by
+// Tab.
+void let_canvas_be_focused(Ui& ui, const Rect& canvas) {
+    if (stop_here(ui.keyboard, wiring::canvas_focus) && ui.keyboard->shown)
+        ImGui::GetBackgroundDrawList()->AddRect({canvas.x + 1, canvas.y + 1},
+                                                {canvas.x + canvas.w - 1, canvas.y + canvas.h - 1},
+                                                paint(ui.palette.accent), 0, 0, ui.px(2));
+}
+
+// The wiring canvas beside the scene, and the border between them, which the pointer or the arrow keys move.
 void draw_watched(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const Rect &b = layout.border, &c = layout.canvas;
@@ -79,16 +100,19 @@ void draw_watched(const LabView& view, PanelState& state, Ui& ui, const WindowLa
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav);
     ImGui::PopStyleVar(2);
+    begin_stops(ui.keyboard);
     const Item border = item(ui, "canvas.border", {b.w, b.h});
     if (border.hovered || border.held)
         ImGui::SetMouseCursor(is_below ? ImGuiMouseCursor_ResizeNS : ImGuiMouseCursor_ResizeEW);
     const float length = ui.px(48), thickness = ui.px(4);
     const float w = is_below ? length : thickness, h = is_below ? thickness : length;
     fill_box(ui, {b.x + (b.w - w) / 2, b.y + (b.h - h) / 2, w, h},
-             mix(ui.palette.line, ui.palette.accent, border.held ? 1.0f : border.warmth), 2);
+             mix(ui.palette.line, ui.palette.accent, border.held || border.focused ? 1.0f : border.warmth), 2);
+    if (border.focused) move_border_by_keys(view, *ui.keyboard, is_below, ui.outbox);
     if (border.held) ui.outbox.push_back(CanvasShareRequest{share_at_pointer(layout)});
     ImGui::End();
     wiring::draw_canvas(view, state.canvas, ui, layout.canvas);
+    let_canvas_be_focused(ui, layout.canvas);
 }
 
 std::optional<std::string_view> slider_of(Action action) {
@@ -341,6 +365,8 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         return true;
     }
     if (press_key(view, state.scene_input, state.keyboard, press, outbox)) return true;
+    const bool watched = state.keyboard.focus == wiring::canvas_focus && view.mode != Mode::wiring;
+    if (watched && press.key != key::tab && key_for_canvas(state.canvas, press)) return true;
     if (key_for_focus(state.keyboard, press)) return true;
     const bool on_a_card = action_for(press) == Action::lesion && !state.lesion_under_pointer.empty();
     if (view.mode == Mode::wiring && !on_a_card && key_for_canvas(state.canvas, press)) return true;

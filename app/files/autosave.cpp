@@ -16,6 +16,7 @@
 #include "app/files/safe_file.h"
 #include "app/lab_lesson.h"
 #include "core/io/run_file.h"
+#include "core/messages.h"
 
 namespace braitenlab {
 

@@ -167,6 +167,49 @@ TEST(Window, MovesTheBorderOfTheWatchedWiringWithThePointer) {
     EXPECT_TRUE(desk.asked.empty());
 }
 
+TEST(Window, MovesTheBorderOfTheWatchedWiringWithArrowKeys) {
+    Desk desk;
+    desk.view.settings.watching = true;
+    desk.rest();
+    const Rect border = desk.where("canvas.border");
+    desk.panels.keyboard.focus = "canvas.border";
+    desk.key({border.w > border.h ? key::up : key::left});
+    desk.frame();
+    ASSERT_TRUE(!desk.asked.empty() && std::holds_alternative<CanvasShareRequest>(desk.asked.back()));
+    EXPECT_FLOAT_EQ(std::get<CanvasShareRequest>(desk.asked.back()).share, desk.view.settings.canvas_share + 0.05f);
+}
+
+TEST(Window, GivesTheKeysOfTheCanvasToTheWatchedWiringAfterAClickOnIt) {
+    Desk desk(1600, 1000);
+    desk.view.settings.watching = true;
+    desk.rest();
+    desk.click("wire.LR");
+    EXPECT_EQ(desk.panels.keyboard.focus, "canvas");
+    desk.all.clear();
+    desk.key({key::del});
+    desk.frame(2);
+    EXPECT_EQ(desk.actions(), std::vector<Action>{}) << "the vehicle is not deleted";
+    ASSERT_FALSE(desk.edits().empty());
+    desk.key({key::escape});
+    desk.key({key::escape});
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.keyboard.focus, "");
+}
+
+TEST(Window, ReachesTheWatchedWiringWithTab) {
+    Desk desk(1600, 1000);
+    desk.view.settings.watching = true;
+    desk.rest();
+    std::set<std::string> reached;
+    for (int i = 0; i < 200; ++i) {
+        desk.key({key::tab});
+        desk.frame();
+        reached.insert(desk.panels.keyboard.focus);
+    }
+    EXPECT_TRUE(reached.contains("canvas.border"));
+    EXPECT_TRUE(reached.contains("canvas"));
+}
+
 TEST(Window, PlaysAndPausesOnSpaceWithAnyFocus) {
     Desk desk;
     desk.frame(3);

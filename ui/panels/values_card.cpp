@@ -176,7 +176,7 @@ private:
             sensor.x = std::clamp(sensor.x * length / kind_.body.length, -10.0f, 10.0f);
             sensor.y = std::clamp(sensor.y * width / kind_.body.width, -10.0f, 10.0f);
         }
-        ui_.outbox.push_back(EditRequest{SetSensors{index_, std::move(sensors)}, edit->gesture});
+        ui_.outbox.push_back(EditRequest{SetSensors{{.kind = index_}, std::move(sensors)}, edit->gesture});
     }
 
     // What makes real robots differ from ideal ones.
@@ -209,7 +209,7 @@ private:
         if (!wanted) return;
         std::vector<Sensor> sensors = kind_.sensors;
         for (Sensor& sensor : sensors) sensor.*member = wanted->value;
-        ui_.outbox.push_back(EditRequest{SetSensors{index_, std::move(sensors)}, wanted->gesture});
+        ui_.outbox.push_back(EditRequest{SetSensors{{.kind = index_}, std::move(sensors)}, wanted->gesture});
     }
 
     void memory() {

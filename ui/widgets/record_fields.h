@@ -19,6 +19,7 @@
 #include "core/maths/angle.h"
 #include "core/scene/enums.h"
 #include "core/scene/schema.h"
+#include "ui/strings.h"
 #include "ui/widgets/slider.h"
 #include "ui/widgets/text_field.h"
 #include "ui/widgets/ui.h"

@@ -243,8 +243,9 @@ void draw_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     bool over = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     if (state.menu.open()) over |= cover_window();
-    // A click on the canvas removes the keyboard focus from the cards.
-    if (over && ui.keyboard && ImGui::IsMouseClicked(0)) ui.keyboard->focus.clear();
+    // A click on the canvas removes the keyboard focus from the cards; beside the scene the canvas gets it.
+    if (over && ui.keyboard && ImGui::IsMouseClicked(0))
+        ui.keyboard->focus = view.mode == Mode::wiring ? std::string_view{} : canvas_focus;
 
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     const auto brains = static_cast<int>(view.now->brains.size());

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/brain/fragment.h"
@@ -20,6 +21,9 @@
 #include "ui/wiring/view.h"
 
 namespace braitenlab::wiring {
+
+// The anchor of the canvas, and the keyboard focus of a canvas that is watched beside the scene.
+inline constexpr std::string_view canvas_focus = "canvas";
 
 enum class DragPhase { idle, pending, pan, map, box, move_nodes, drag_wire, drag_weight };
 
