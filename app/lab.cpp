@@ -5,6 +5,7 @@
 
 #include "app/lab_lesson.h"
 #include "app/lab_selection.h"
+#include "ui/scene_input/clipboard.h"
 
 namespace braitenlab {
 
@@ -71,6 +72,7 @@ LabView view_of(const Lab& lab) {
     view.time_scale = playback.time_scale;
     view.pace = playback.pace.reached;
     view.settings = lab.view;
+    view.copied_objects = ui::object_count(lab.clipboard);
     view.undo_depth = document.session.undo_depth();
     view.redo_depth = document.session.redo_depth();
     view.lesson = document.lesson ? &document.lesson->view : nullptr;

@@ -28,6 +28,9 @@ struct Lab {
     Playback playback{};
     ViewSettings view{};
     std::string object_name{};  // of view.selection.object, whose index changes when objects are added or removed
+    std::vector<std::string> more_names{};  // of view.selection.more; empty for a vehicle
+    Scene clipboard{};                      // copied objects (ui/scene_input/clipboard.h), also of another scene
+    std::uint64_t gesture = 0;              // of the last action that edited several objects
     bool dragging = false;      // the user drags the selected vehicle or one of its values; see reselect_after_death()
     bool sheet_open = false;    // a sheet covers the window: simulated time is paused, the mode stays unchanged
     bool deselected = false;    // no vehicle is selected, and none is selected in place of a dead one

@@ -9,6 +9,7 @@
 #include "app/lab_selection.h"
 #include "app/past.h"
 #include "core/match.h"
+#include "ui/scene_input/clipboard.h"
 #include "ui/scene_input/edits.h"
 
 namespace braitenlab {
@@ -60,8 +61,60 @@ void edit_by_request(Lab& lab, const EditRequest& r) {
     edit(lab, r.command, r.gesture);
 }
 
-void edit_if(Lab& lab, const std::optional<Command>& command) {
-    if (command && lab.playback.mode != Mode::wiring) edit(lab, *command);
+void erase(Lab& lab) {
+    const std::uint64_t gesture = gestures::lab + ++lab.gesture;
+    for (const Command& command :
+         ui::removals_of(lab.document.session.snapshot(), selected_objects(lab.view.selection)))
+        apply(lab, command, gesture);
+}
+
+// Adds copied objects as one step of undo and selects them.
+void paste(Lab& lab, const Scene& copy, std::optional<maths::vec2> at) {
+    const ui::Pasting pasting = ui::pasted(lab.document.session.snapshot(), copy, at);
+    if (!pasting.missing_kind.empty())
+        return say(lab, {NoticeKind::failure, "notice.no_such_kind", pasting.missing_kind});
+    const std::uint64_t gesture = gestures::lab + ++lab.gesture;
+    std::vector<SceneObject> added;
+    for (const Command& command : pasting.commands) {
+        const Command with_room = ui::with_room(lab.document.session.snapshot(), command);
+        if (!apply(lab, with_room, gesture)) break;  // the notice says why
+        if (const SceneObject one = ui::added_by(lab.document.session.snapshot(), with_room)) added.push_back(one);
+    }
+    select_objects(lab, added);
+}
+
+void duplicate(Lab& lab) {
+    const Snapshot& now = lab.document.session.snapshot();
+    const std::vector<SceneObject> objects = selected_objects(lab.view.selection);
+    if (objects.size() > 1) return paste(lab, ui::copied(now, objects), std::nullopt);
+    if (const auto copy = ui::copy_of(now, chosen_object(lab.view.selection))) edit(lab, *copy);
+}
+
+void copy(Lab& lab) {
+    Scene copy = ui::copied(lab.document.session.snapshot(), selected_objects(lab.view.selection));
+    if (ui::object_count(copy) > 0) lab.clipboard = std::move(copy);
+}
+
+void select_all(Lab& lab) {
+    const Snapshot& now = lab.document.session.snapshot();
+    std::vector<SceneObject> all = objects_beside_vehicles(*now.scene);
+    for (const VehicleView& v : now.vehicles) all.push_back(vehicle_object(v.id));
+    select_objects(lab, all);
+}
+
+// Actions on the objects of the scene. The canvas has its own while it replaces the scene.
+void act_on_objects(Lab& lab, Action action) {
+    if (lab.playback.mode == Mode::wiring) return;
+    if (action == Action::erase || action == Action::cut) {
+        if (action == Action::cut) copy(lab);
+        erase(lab);
+    } else if (action == Action::duplicate) {
+        duplicate(lab);
+    } else if (action == Action::copy) {
+        copy(lab);
+    } else if (action == Action::select_all) {
+        select_all(lab);
+    }
 }
 
 // Switches to a camera mode, or back to the overview if that mode is on already.
@@ -222,10 +275,11 @@ void act(Lab& lab, Action action) {
             lab.exit = true;
             break;
         case Action::erase:
-            edit_if(lab, ui::removal_of(lab.document.session.snapshot(), chosen(lab)));
-            break;
         case Action::duplicate:
-            edit_if(lab, ui::copy_of(lab.document.session.snapshot(), chosen(lab)));
+        case Action::copy:
+        case Action::cut:
+        case Action::select_all:
+            act_on_objects(lab, action);
             break;
         case Action::save:
             lab.files.push_back(SaveRequest{lab.document.path.string(), FileKind::scene});
@@ -286,6 +340,10 @@ void handle(Lab& lab, const Request& request) {
                      [&](const EditRequest& r) { edit_by_request(lab, r); },
                      [&](const SelectRequest& r) { select(lab, vehicle_object(r.vehicle)), keep_selection(lab); },
                      [&](const TakeRequest& r) { select_object(lab, r.object); },
+                     [&](const SelectObjectsRequest& r) { select_objects(lab, r.objects), keep_selection(lab); },
+                     [&](const PasteRequest& r) {
+                         if (lab.playback.mode != Mode::wiring) paste(lab, lab.clipboard, r.at);
+                     },
                      [&](const CanvasShareRequest& r) {
                          lab.view.canvas_share = std::clamp(r.share, least_canvas_share, largest_canvas_share);
                      },

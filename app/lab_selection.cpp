@@ -14,8 +14,20 @@ namespace {
 
 // Adding or removing objects changes the indices of sources, obstacles and zones, but not their names.
 void keep_object(Lab& lab) {
-    SceneObject& object = lab.view.selection.object;
-    object = object_named(*lab.document.session.snapshot().scene, object.kind, lab.object_name);
+    const Snapshot& now = lab.document.session.snapshot();
+    Selection& selection = lab.view.selection;
+    selection.object = object_named(*now.scene, selection.object.kind, lab.object_name);
+    std::vector<SceneObject> kept;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < selection.more.size(); ++i) {
+        SceneObject object = selection.more[i];
+        if (object.kind != SceneObjectKind::vehicle) object = object_named(*now.scene, object.kind, lab.more_names[i]);
+        if (!place_of(now, object) || object == chosen_object(selection)) continue;
+        kept.push_back(object);
+        names.push_back(lab.more_names[i]);
+    }
+    selection.more = std::move(kept);
+    lab.more_names = std::move(names);
 }
 
 // Notice keys for a death: where another vehicle is selected now, and where none is.
@@ -50,13 +62,10 @@ const VehicleView* selected_vehicle(const Lab& lab) {
     return find_vehicle(lab.document.session.snapshot(), lab.view.selection.vehicle);
 }
 
-SceneObject chosen(const Lab& lab) {
-    const Selection& selection = lab.view.selection;
-    return selection.object ? selection.object : vehicle_object(selection.vehicle);
-}
-
 void select_object(Lab& lab, const SceneObject& object) {
     lab.view.selection.object = {};
+    lab.view.selection.more.clear();
+    lab.more_names.clear();
     const Snapshot& now = lab.document.session.snapshot();
     if (!place_of(now, object) || object.kind == SceneObjectKind::vehicle) return;
     lab.view.selection.object = object;
@@ -66,6 +75,19 @@ void select_object(Lab& lab, const SceneObject& object) {
 void select(Lab& lab, const SceneObject& object) {
     select_object(lab, object);
     if (object.kind == SceneObjectKind::vehicle) lab.view.selection.vehicle = object.index;
+}
+
+void select_objects(Lab& lab, const std::vector<SceneObject>& objects) {
+    const auto is_vehicle = [](const SceneObject& object) { return object.kind == SceneObjectKind::vehicle; };
+    const auto other = std::find_if_not(objects.begin(), objects.end(), is_vehicle);
+    const SceneObject first = other != objects.end() ? *other : objects.empty() ? SceneObject{} : objects.front();
+    select(lab, first);
+    const Snapshot& now = lab.document.session.snapshot();
+    for (const SceneObject& object : objects) {
+        if (object == first || !place_of(now, object)) continue;
+        lab.view.selection.more.push_back(object);
+        lab.more_names.push_back(name_of(*now.scene, object));
+    }
 }
 
 void select_neighbour(Lab& lab, int step) {

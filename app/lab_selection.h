@@ -8,12 +8,11 @@ namespace braitenlab {
 
 const VehicleView* selected_vehicle(const Lab&);  // null when there is none
 
-// The object that Delete removes: the selected source, obstacle or zone, else the selected vehicle.
-SceneObject chosen(const Lab&);
-
 void select(Lab&, const SceneObject&);
 // Selects a source, an obstacle or a zone, or none; the selected vehicle stays selected.
 void select_object(Lab&, const SceneObject&);
+// Selects these objects and no others (see SelectObjectsRequest).
+void select_objects(Lab&, const std::vector<SceneObject>&);
 // Selects the vehicle `step` places further in the order of ids.
 void select_neighbour(Lab&, int step);
 

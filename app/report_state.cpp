@@ -11,6 +11,7 @@
 #include "core/brain/four_neurons.h"
 #include "core/scene/enums.h"
 #include "core/world/character.h"
+#include "ui/scene_input/clipboard.h"
 
 namespace braitenlab {
 
@@ -97,6 +98,8 @@ void add_scene_input(Json& state, const Lab& lab, const ui::SceneInputState& sce
     const CameraView& camera_view = frame.camera_view;
     const Snapshot& now = lab.document.session.snapshot();
     state["thing"] = {{"kind", word(lab.view.selection.object.kind)}, {"index", lab.view.selection.object.index}};
+    state["chosen"] = selected_objects(lab.view.selection).size();
+    state["clipboard"] = ui::object_count(lab.clipboard);
     state["hovered"] = {{"kind", word(scene_input.hovered.object.kind)},
                         {"index", scene_input.hovered.object.index},
                         {"handle", scene_input.hovered.handle}};

@@ -87,6 +87,7 @@ struct LabView {
     ViewSettings settings;
     const CameraView* camera_view = nullptr;  // the camera of the scene; null: no mouse input to the scene
     int undo_depth = 0, redo_depth = 0;
+    std::size_t copied_objects = 0;                          // that can be pasted into the scene
     const LessonView* lesson = nullptr;                      // null outside exercises
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
     const std::vector<RecentFile>* recent = nullptr;         // recently opened files, newest first; null: none

@@ -57,8 +57,8 @@ enum class Action {
     birds_eye,
     drivers_eye,
     cancel,
-    erase,      // the selected lamp or obstacle, else the vehicle; in the canvas its selection
-    duplicate,  // the lamp, obstacle or vehicle
+    erase,      // what is selected in the scene; in the canvas its selection
+    duplicate,  // what is selected in the scene
     screenshot,
     full_screen,
     theme,
@@ -74,7 +74,7 @@ enum class Action {
     save_as,
     lecture,
 
-    // Handled by panels, widgets, canvas and scene input; not sent to the app.
+    // Handled by panels, widgets, canvas and scene input. Of these, the app gets copy, cut and select_all in the scene.
     new_scene,  // opens the shipped empty scene
     menu_bar,   // opens or closes the first menu
     save_run,
@@ -146,6 +146,14 @@ struct SelectRequest {
 struct TakeRequest {
     SceneObject object;
 };
+// Selects these objects and no others: the first source, obstacle or zone as the chosen object, else the first vehicle.
+struct SelectObjectsRequest {
+    std::vector<SceneObject> objects;
+};
+// Adds the copied objects.
+struct PasteRequest {
+    std::optional<maths::vec2> at{};  // m, of their middle; nullopt: beside the original
+};
 struct ScopeRequest {
     bool whole_kind = true;
 };
@@ -209,6 +217,7 @@ namespace gestures {
 inline constexpr std::uint64_t panels = std::uint64_t{1} << 32;
 inline constexpr std::uint64_t canvas = std::uint64_t{1} << 40;
 inline constexpr std::uint64_t viewport = std::uint64_t{1} << 48;
+inline constexpr std::uint64_t lab = std::uint64_t{1} << 56;  // one action that edits several objects
 }  // namespace gestures
 
 // Wheel commands for a stick or for four arrow keys; `right` and `ahead` are −1..1. Full ahead with full right gives a
@@ -219,10 +228,10 @@ inline Steer steer(VehicleId vehicle, float right, float ahead) {
             std::clamp(ahead - turning * right, -1.0f, 1.0f)};
 }
 
-using Request =
-    std::variant<Action, EditRequest, SelectRequest, TakeRequest, ScopeRequest, PairRequest, CanvasShareRequest,
-                 PredictRequest, ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest,
-                 SeekRequest, BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest>;
+using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, SelectObjectsRequest, PasteRequest,
+                             ScopeRequest, PairRequest, CanvasShareRequest, PredictRequest, ExportRequest, SpeedRequest,
+                             OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, BookmarkRequest,
+                             BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

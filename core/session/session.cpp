@@ -53,6 +53,24 @@ void add_own_values(Scene& scene, const Snapshot& now) {
     for (auto& [_, member] : members) scene.members.push_back(std::move(member));
 }
 
+// The earlier command of a drag that `later` supersedes, or null. Several objects may be dragged together. Edits in
+// place can be exchanged; a command that adds or removes changes indices.
+Command* superseded_by(const Command& later, std::vector<Command>& commands) {
+    for (auto earlier = commands.rbegin(); earlier != commands.rend(); ++earlier) {
+        if (supersedes(later, *earlier)) return &*earlier;
+        if (!supersedes(*earlier, *earlier)) return nullptr;
+    }
+    return nullptr;
+}
+
+// The commands that undo all of these, in reverse order.
+std::vector<Command> undoing_all(const Snapshot& now, const std::vector<Command>& commands) {
+    std::vector<Command> back;
+    for (auto command = commands.rbegin(); command != commands.rend(); ++command)
+        for (Command& one : undoing(now, *command)) back.push_back(std::move(one));
+    return back;
+}
+
 void push(Steps& steps, UndoStep step) { steps.push_back(std::make_shared<const UndoStep>(std::move(step))); }
 
 }  // namespace
@@ -122,15 +140,15 @@ std::optional<Error> Session::apply(const Command& command, std::uint64_t gestur
     const SharedStep begun = same_gesture ? edits_.done.back() : nullptr;
     UndoStep step = begun ? *begun : UndoStep{{}, {}, gesture};
     if (same_gesture) edits_.done.pop_back();
-    if (same_gesture && supersedes(again, step.again.back())) {
-        step.again.back() = again;  // `back` stays that of the first command, completed by what only later ones change
+    if (Command* superseded = same_gesture ? superseded_by(again, step.again) : nullptr) {
+        *superseded = again;  // `back` stays that of the first command, completed by what only later ones change
         for (Command& further : beyond(step.back, back)) step.back.push_back(std::move(further));
     } else {
         step.again.push_back(again);
         step.back.insert(step.back.begin(), back.begin(), back.end());  // undone in reverse order
     }
     step.tick = snapshot_.tick, step.generation = snapshot_.generation;
-    const bool is_back_where_it_began = same_gesture && undoing(snapshot_, again) == step.back;
+    const bool is_back_where_it_began = same_gesture && undoing_all(snapshot_, step.again) == step.back;
     if (!is_back_where_it_began) push(edits_.done, std::move(step));
     change_later(begun, is_back_where_it_began ? nullptr : edits_.done.back());
     if (edits_.done.size() > most_edits) {

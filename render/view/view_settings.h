@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/scene/scene.h"
 #include "render/view/camera.h"
@@ -24,11 +25,25 @@ struct Overlays {
 // A vehicle, and optionally a source, an obstacle or a zone besides it: the brain cards still show the vehicle.
 struct Selection {
     VehicleId vehicle = no_vehicle;
-    SceneObject object;      // a source, an obstacle or a zone; SceneObject{}: none
-    bool whole_kind = true;  // edits apply to every vehicle of the selected one's kind
-    std::string pair;        // KindPair::name of the pair whose wires the sliders set; "": the default one
+    SceneObject object;             // a source, an obstacle or a zone; SceneObject{}: none
+    std::vector<SceneObject> more;  // of any kind, selected besides `object` or, if there is none, besides the vehicle
+    bool whole_kind = true;         // edits apply to every vehicle of the selected one's kind
+    std::string pair;               // KindPair::name of the pair whose wires the sliders set; "": the default one
     friend bool operator==(const Selection&, const Selection&) = default;
 };
+
+// The object that the handle turns and the object card shows: the selected source, obstacle or zone, else the vehicle.
+inline SceneObject chosen_object(const Selection& selection) {
+    return selection.object ? selection.object : vehicle_object(selection.vehicle);
+}
+
+// The objects that Delete, copy, arrow keys and a drag act on: the chosen one first. Empty when nothing is selected.
+inline std::vector<SceneObject> selected_objects(const Selection& selection) {
+    std::vector<SceneObject> all;
+    if (const SceneObject chosen = chosen_object(selection)) all.push_back(chosen);
+    all.insert(all.end(), selection.more.begin(), selection.more.end());
+    return all;
+}
 
 inline constexpr float least_canvas_share = 0.25f, largest_canvas_share = 0.75f;
 

@@ -118,5 +118,30 @@ TEST(Session, UndoRestoresZonesAndMakesOneStepOfADrag) {
     EXPECT_EQ(session.edited_scene(), edited);
 }
 
+TEST(Session, MakesOneShortStepOfADragOfSeveralObjects) {
+    Scene scene = at_rest();
+    scene.zones = {{.name = "a", .x = 1}, {.name = "b", .x = 2}};
+    scene.sources = {{.name = "lamp", .x = 3}};
+    Session session = std::move(*Session::open(scene, 1));
+    const auto drag_to = [&](float by) {
+        for (const int zone : {0, 1})
+            ASSERT_FALSE(session.apply(MoveZone{zone, scene.zones[static_cast<std::size_t>(zone)].x + by, 0, 0}, 5));
+        ASSERT_FALSE(session.apply(MoveSource{0, 3 + by, 0}, 5));
+    };
+    for (int i = 1; i <= 50; ++i) drag_to(0.1f * static_cast<float>(i));
+    ASSERT_EQ(session.undo_depth(), 1);
+    const Bookmark bookmark = session.bookmark();
+    EXPECT_EQ(bookmark.edits.done[0]->again.size(), 3u) << "one command of each object";
+    EXPECT_EQ(bookmark.edits.done[0]->back.size(), 3u);
+    session.undo();
+    EXPECT_EQ(session.edited_scene(), scene);
+    session.redo();
+    EXPECT_FLOAT_EQ(session.edited_scene().zones[1].x, 7);
+    session.undo();
+    drag_to(1);
+    drag_to(0);
+    EXPECT_EQ(session.undo_depth(), 0) << "all objects are back where the drag began";
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::zone_commands_test

@@ -239,7 +239,8 @@ TEST_F(MenuBar, DimsARowThatCannotBeUsedAndTellsWhy) {
         return std::any_of(desk.written.begin(), desk.written.end(), tip);
     };
     EXPECT_TRUE(tells("menu.edit.undo", "unavailable.undo"));
-    EXPECT_TRUE(tells("menu.edit.copy", "unavailable.wiring_only"));
+    EXPECT_TRUE(tells("menu.edit.tidy", "unavailable.wiring_only"));
+    EXPECT_TRUE(tells("menu.edit.paste", "wiring.refused.nothing_copied"));
     EXPECT_TRUE(tells("menu.edit.take_back", "unavailable.no_polygon"));
     desk.click("menu.edit.undo");
     EXPECT_TRUE(desk.actions().empty());
@@ -263,8 +264,11 @@ TEST_F(MenuBar, CanBeUsedByKeysAlone) {
     press({key::down});
     EXPECT_EQ(desk.panels.keyboard.focus, "menu.edit.redo");
     press({key::down});
-    EXPECT_EQ(desk.panels.keyboard.focus, "menu.edit.duplicate") << "dimmed rows are left out";
-    press({key::up});
+    press({key::down});
+    EXPECT_EQ(desk.panels.keyboard.focus, "menu.edit.copy");
+    press({key::down});
+    EXPECT_EQ(desk.panels.keyboard.focus, "menu.edit.duplicate") << "a dimmed row is left out: nothing can be pasted";
+    for (int i = 0; i < 3; ++i) press({key::up});
     press({key::enter});
     EXPECT_EQ(desk.actions(), std::vector{Action::redo});
     EXPECT_EQ(opened(), "");

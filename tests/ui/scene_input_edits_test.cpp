@@ -50,6 +50,18 @@ TEST_F(SceneInputEdits, AddsRemovesMovesAndCopiesAZone) {
     EXPECT_FALSE(removal_of(now, {SceneObjectKind::zone, 1}));
 }
 
+TEST_F(SceneInputEdits, RemovesSeveralObjectsFromTheLastIndexOn) {
+    scene->zones.resize(3);
+    const auto zone = [](int index) { return SceneObject{SceneObjectKind::zone, index}; };
+    const std::vector<Command> removals =
+        removals_of(now, {zone(0), {SceneObjectKind::source, 0}, zone(2), zone(5), zone(1)});
+    const std::vector<Command> wanted{RemoveZone{2}, RemoveZone{1}};
+    ASSERT_EQ(removals.size(), 4u) << "one zone does not exist";
+    EXPECT_EQ(removals[0], wanted[0]);
+    EXPECT_EQ(removals[1], wanted[1]);
+    EXPECT_EQ(std::count(removals.begin(), removals.end(), Command(RemoveSource{0})), 1);
+}
+
 TEST_F(SceneInputEdits, KeepsAFreePosition) {
     const vec2 at = free_place(now, {-3, 2}, 0.6f);
     EXPECT_EQ(at.x, -3);

@@ -290,6 +290,117 @@ TEST_F(SceneInput, EditsAZoneOnItsCard) {
     EXPECT_TRUE(commands<AddObstacle>().empty()) << "the outline is that of the zone";
 }
 
+// Shift and a drag, or a click where both ends are the same.
+TEST_F(SceneInput, SelectsEverythingInARectangleByShiftAndADrag) {
+    ImGui::GetIO().KeyShift = true;
+    hold({-5, 7.5f}, {5, 4.5f});
+    EXPECT_EQ(scene_input().drag.phase, SceneInputPhase::select);
+    release();
+    ImGui::GetIO().KeyShift = false;
+    ASSERT_EQ(requests<SelectObjectsRequest>().size(), 1u);
+    EXPECT_EQ(requests<SelectObjectsRequest>()[0].objects, (std::vector{lamp, box}));
+    EXPECT_TRUE(desk.edits().empty()) << "the drag begins and ends on the floor and moves nothing";
+    desk.view.settings.overlays.surfaces = false;
+    ImGui::GetIO().KeyShift = true;
+    hold({9, 9}, {-9, -9});
+    release();
+    ImGui::GetIO().KeyShift = false;
+    const auto all = requests<SelectObjectsRequest>().back().objects;
+    EXPECT_EQ(all.size(), desk.now.vehicles.size() + 2) << "a zone that is not shown is not selected";
+}
+
+TEST_F(SceneInput, AddsToTheSelectionByShiftAndAClickAndTakesAway) {
+    take(lamp);
+    ImGui::GetIO().KeyShift = true;
+    click({3, 6});
+    ASSERT_EQ(requests<SelectObjectsRequest>().size(), 1u);
+    EXPECT_EQ(requests<SelectObjectsRequest>()[0].objects, (std::vector{lamp, box}));
+    desk.view.settings.selection.more = {box};
+    click({-3, 6});
+    EXPECT_EQ(requests<SelectObjectsRequest>().back().objects, std::vector{box});
+    ImGui::GetIO().KeyShift = false;
+    EXPECT_TRUE(requests<TakeRequest>().empty());
+}
+
+TEST_F(SceneInput, DragsAllSelectedObjectsInOneGestureAndEscapeRestoresThem) {
+    take(lamp);
+    desk.view.settings.selection.more = {box, vehicle_object(2)};
+    hold({3, 6}, {4, 5});
+    EXPECT_NEAR(commands<MoveObstacle>().back().x, 4, a_pixel);
+    EXPECT_NEAR(commands<MoveSource>().back().x, -2, a_pixel);
+    EXPECT_NEAR(commands<MoveSource>().back().y, 5, a_pixel);
+    EXPECT_NEAR(commands<MoveVehicle>().back().x, desk.now.vehicles[2].x + 1, a_pixel);
+    EXPECT_EQ(desk.edits().front().gesture, desk.edits().back().gesture);
+    EXPECT_TRUE(requests<TakeRequest>().empty()) << "the selection is kept";
+    desk.now.sources[0].x = -2, desk.now.obstacles[0].x = 4, desk.now.vehicles[2].x += 1;
+    desk.key({key::escape});
+    EXPECT_EQ(commands<MoveSource>().back(), (MoveSource{0, -3, 6}));
+    EXPECT_EQ(commands<MoveObstacle>().back(), (MoveObstacle{0, 3, 6, 0}));
+}
+
+TEST_F(SceneInput, SelectsOneOfSeveralObjectsByAClick) {
+    take(lamp);
+    desk.view.settings.selection.more = {box};
+    click({3, 6});
+    ASSERT_EQ(requests<TakeRequest>().size(), 1u);
+    EXPECT_EQ(requests<TakeRequest>()[0].object, box);
+    EXPECT_TRUE(desk.edits().empty());
+}
+
+TEST_F(SceneInput, MovesAndTurnsAllSelectedObjectsByKeysAsOneStep) {
+    take(box);
+    desk.view.settings.selection.more = {lamp, pond};
+    desk.key({key::right});
+    EXPECT_NEAR(commands<MoveSource>().back().x, -2.9f, 1e-4f);
+    EXPECT_NEAR(commands<MoveObstacle>().back().x, 3.1f, 1e-4f);
+    EXPECT_NEAR(commands<MoveZone>().back().x, 6.1f, 1e-4f);
+    desk.key({'Z'});
+    EXPECT_NEAR(commands<MoveZone>().back().heading, maths::radians(5), 1e-4f);
+    desk.key({'Z', false, true});
+    EXPECT_NEAR(commands<MoveObstacle>().back().heading, -maths::radians(5), 1e-4f);
+    EXPECT_EQ(desk.edits().front().gesture, desk.edits().back().gesture);
+    point({3.2f, 6.2f});
+    EXPECT_FALSE(desk.anchors.find("stage.knob")) << "the ring turns one object";
+}
+
+TEST_F(SceneInput, TurnsTheChosenVehicleByAKeyAndNoLamp) {
+    desk.key({'Z'});
+    ASSERT_EQ(commands<MoveVehicle>().size(), 1u);
+    EXPECT_NEAR(commands<MoveVehicle>()[0].heading, maths::radians(5), 1e-4f);
+    take(lamp);
+    desk.key({'Z'});
+    EXPECT_TRUE(commands<MoveSource>().empty());
+}
+
+TEST_F(SceneInput, OpensTheMenuOfTheFloorInTheMiddleOfTheViewByAKey) {
+    desk.key({'H'});
+    desk.frame(2);
+    ASSERT_TRUE(scene_input().menu.open);
+    EXPECT_FALSE(scene_input().menu.object);
+    EXPECT_LT(maths::length(scene_input().menu.place), 4);
+    desk.key({key::down});  // past the first kind
+    EXPECT_EQ(desk.panels.keyboard.focus, "menu.add.vehicle.1");
+    desk.key({key::enter});
+    desk.frame(2);
+    EXPECT_EQ(commands<AddVehicle>().size(), 1u);
+}
+
+TEST_F(SceneInput, CopiesCutsAndSelectsAllInTheSceneAndPastesAtThePointer) {
+    for (const auto& [letter, action] :
+         {std::pair{'C', Action::copy}, std::pair{'X', Action::cut}, std::pair{'A', Action::select_all}}) {
+        desk.key({letter, true});
+        EXPECT_EQ(desk.actions().back(), action);
+    }
+    point({1, 3});
+    desk.key({'V', true});
+    ASSERT_EQ(requests<PasteRequest>().size(), 1u);
+    EXPECT_NEAR(requests<PasteRequest>()[0].at->x, 1, a_pixel);
+    desk.point("card.brain");
+    desk.frame();
+    desk.key({'V', true});
+    EXPECT_FALSE(requests<PasteRequest>()[1].at) << "the pointer is over a card";
+}
+
 TEST_F(SceneInput, HasNoRingAroundALamp) {
     take(lamp);
     point({-2.6f, 6});

@@ -167,6 +167,82 @@ TEST(SceneInputWindow, RotatesABoxByItsRingAndEditsItOnItsCard) {
     EXPECT_TRUE(wait_for([&] { return lab.state()["obstacles"][0]["mass"] == 0; }));
 }
 
+TEST(SceneInputWindow, DrawsAZoneDragsItWhilePlayingAndSelectsSeveralObjects) {
+    LabWindow lab({"2a-coward", "--size", "1280x800"});
+    const Point middle = lab.at("viewport");
+    choose_tool(lab, "zone");
+    drag(lab, {middle.x - 130, middle.y - 120}, {middle.x - 50, middle.y - 60});
+    ASSERT_TRUE(wait_for([&] { return lab.state()["zones"].size() == 1; }));
+    EXPECT_EQ(lab.state()["thing"]["kind"], "zone");
+    EXPECT_EQ(lab.state()["zones"][0]["surface"], "ice");
+    lab.click("thing.surface.sand");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["zones"][0]["surface"] == "sand"; }));
+    lab.key("space");
+    const Json before = lab.state()["zones"][0];
+    const Point from = place(before);
+    drag(lab, from, {from.x + 40, from.y + 20});
+    EXPECT_TRUE(wait_for([&] { return lab.state()["zones"][0]["x"].get<double>() > before["x"].get<double>() + 0.5; }));
+    lab.key("space");
+    lab.key("ctrl+z");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["zones"][0] == before; }));
+
+    lab.xdotool("keydown shift");
+    drag(lab, {middle.x - 200, middle.y - 200}, {middle.x + 200, middle.y + 200});
+    lab.xdotool("keyup shift");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["chosen"] == 3; })) << "vehicle, lamp and zone";
+    lab.key("ctrl+c");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["clipboard"] == 3; }));
+    lab.move({middle.x + 60, middle.y + 100});
+    lab.key("ctrl+v");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["zones"].size() == 2 && lab.state()["population"] == 2; }));
+    EXPECT_EQ(lab.state()["sources"].size(), 2u);
+    lab.key("Delete");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["zones"].size() == 1 && lab.state()["population"] == 1; }));
+    lab.key("ctrl+z");
+    lab.key("ctrl+z");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["zones"].size() == 1 && lab.state()["sources"].size() == 1; }));
+}
+
+TEST(SceneInputWindow, BuildsASceneByKeysAlone) {
+    LabWindow lab({"empty", "--size", "1280x800"});
+    const auto press = [&](std::initializer_list<const char*> keys) {
+        for (const char* key : keys) lab.key(key), lab.draw_frames();
+    };
+    press({"h", "Down", "Return"});  // the first row is the kind of vehicle, the second one a lamp
+    ASSERT_TRUE(wait_for([&] { return lab.state()["sources"].size() == 1; }));
+    const double y = lab.state()["sources"][0]["y"];
+    press({"Up", "Up"});
+    EXPECT_TRUE(wait_for([&] { return lab.state()["sources"][0]["y"].get<double>() > y + 0.15; }));
+
+    press({"h", "Up", "Up", "Up", "Return"});  // from the last row up: whole view, tape, zone
+    ASSERT_TRUE(wait_for([&] { return lab.state()["zones"].size() == 1; }));
+    press({"z"});
+    EXPECT_TRUE(wait_for([&] { return lab.state()["zones"][0]["heading"].get<double>() > 0.05; }));
+
+    press({"h", "Up", "Up", "Up", "Up", "Return"});  // a polygon
+    EXPECT_TRUE(wait_for([&] { return lab.state()["tool"] == "polygon"; }));
+    press({"Right", "Right", "Right", "Return", "Up", "Up", "Up", "Return", "Return"});
+    ASSERT_TRUE(wait_for([&] { return lab.state()["obstacles"].size() == 1; }));
+    EXPECT_EQ(lab.state()["obstacles"][0]["corners"], 3);
+
+    press({"x", "x"});  // from the obstacle to the zone, then to the lamp
+    EXPECT_TRUE(wait_for([&] { return lab.state()["thing"]["kind"] == "source"; }));
+    press({"Delete"});
+    EXPECT_TRUE(wait_for([&] { return lab.state()["sources"].empty(); }));
+    press({"ctrl+z", "ctrl+a", "ctrl+c"});
+    EXPECT_TRUE(wait_for([&] { return lab.state()["clipboard"] == 4; })) << "vehicle, lamp, zone and obstacle";
+
+    press({"Escape"});
+    lab.xdotool("keydown Prior");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["view"]["zoom"].get<double>() > 1.2; }));
+    lab.xdotool("keyup Prior");
+    const Json before = lab.state()["view"]["pan"];
+    lab.xdotool("keydown shift keydown Right");
+    EXPECT_TRUE(wait_for([&] { return lab.state()["view"]["pan"] != before; }));
+    lab.xdotool("keyup Right keyup shift");
+    EXPECT_EQ(lab.state()["pressed"], 0) << "no button of the mouse was used";
+}
+
 TEST(SceneInputWindow, PansZoomsAtThePointerAndResetsTheView) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     const Json home = lab.state()["view"];

@@ -29,12 +29,14 @@ struct KeyRow {
 constexpr float beside_key = 14, line_gap = 4;  // layout pixels
 
 // String keys of a mouse gesture and its effect.
-constexpr std::array<std::array<std::string_view, 2>, 15> gestures_of_mouse{{
+constexpr std::array<std::array<std::string_view, 2>, 17> gestures_of_mouse{{
     {"mouse.click", "mouse_does.click"},
     {"mouse.drag", "mouse_does.drag"},
     {"mouse.knob", "mouse_does.knob"},
     {"mouse.floor", "mouse_does.floor"},
     {"mouse.shift_view", "mouse_does.shift_view"},
+    {"mouse.add", "mouse_does.add"},
+    {"mouse.select", "mouse_does.select"},
     {"mouse.wheel", "mouse_does.wheel"},
     {"mouse.menu", "mouse_does.menu"},
     {"mouse.draw", "mouse_does.draw"},

@@ -253,6 +253,15 @@ std::array<MenuTitle, menu_names.size()> lab_menu_titles(const Ui& ui) {
     return titles;
 }
 
+// Cut, copy, paste and select all in the scene.
+std::string_view why_not_in_scene(const LabView& view, Action action) {
+    const Snapshot& now = *view.now;
+    if (action == Action::paste) return view.copied_objects > 0 ? "" : "wiring.refused.nothing_copied";
+    if (action == Action::select_all)
+        return now.vehicles.empty() && objects_beside_vehicles(*now.scene).empty() ? "unavailable.no_objects" : "";
+    return place_of(now, chosen(view)) ? "" : "unavailable.nothing_selected";
+}
+
 std::string_view why_not_on_canvas(const LabView& view, const PanelState& state, Action action) {
     if (view.mode != Mode::wiring) return "unavailable.wiring_only";
     const wiring::CanvasState& canvas = state.canvas;
@@ -321,6 +330,7 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
         case Action::copy:
         case Action::paste:
         case Action::select_all:
+            return view.mode == Mode::wiring ? why_not_on_canvas(view, state, action) : why_not_in_scene(view, action);
         case Action::menu:
         case Action::join:
         case Action::tidy:

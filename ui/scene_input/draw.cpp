@@ -34,6 +34,8 @@ public:
     void draw() {
         if (frame_.view.mode == Mode::wiring) return;
         mark_object(frame_.view.settings.selection.object, ui_.palette.selected, 2.5f);
+        mark_others();
+        if (state_.drag.phase == SceneInputPhase::select) draw_selection();
         const SceneObject& hovered = state_.hovered.object;
         const bool idle = state_.drag.phase == SceneInputPhase::idle;
         if (idle && !state_.hovered.handle && hovered != frame_.view.settings.selection.object)
@@ -83,6 +85,25 @@ private:
         const auto corners = outline_of(*frame_.view.now, object);
         line(on_screen(corners), obstacle ? colour.with_alpha(0.6f * colour.a) : colour, width);
         if (obstacle) line(on_screen(corners, obstacle_height), colour, width);
+    }
+
+    // The renderer draws the ring of the chosen vehicle only.
+    void mark_others() const {
+        constexpr std::size_t most = 512;  // more rings than this take longer than a frame
+        const std::vector<SceneObject>& more = frame_.view.settings.selection.more;
+        for (std::size_t i = 0; i < std::min(most, more.size()); ++i) {
+            mark_object(more[i], ui_.palette.selected, 2.0f);
+            const auto place = place_of(*frame_.view.now, more[i]);
+            if (place && more[i].kind == SceneObjectKind::vehicle)
+                line(circle({place->x, place->y}, reach_of(*frame_.view.now, more[i])), ui_.palette.selected, 2.0f);
+        }
+    }
+
+    void draw_selection() const {
+        const vec2 a = state_.drag.press, b = frame_.pointer.at;
+        const ImVec2 low{std::min(a.x, b.x), std::min(a.y, b.y)}, high{std::max(a.x, b.x), std::max(a.y, b.y)};
+        list_.AddRectFilled(low, high, paint(ui_.palette.selected.with_alpha(0.14f)));
+        compat::outline(list_, low, high, paint(ui_.palette.selected), 0, ui_.px(1.5f));
     }
 
     void draw_handle(const Handle& handle) const {

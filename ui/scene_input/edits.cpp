@@ -52,6 +52,15 @@ std::optional<Command> removal_of(const Snapshot& now, const SceneObject& object
     return RemoveObstacle{object.index};
 }
 
+std::vector<Command> removals_of(const Snapshot& now, std::vector<SceneObject> objects) {
+    std::sort(objects.begin(), objects.end(),
+              [](const SceneObject& a, const SceneObject& b) { return a.index > b.index; });
+    std::vector<Command> removals;
+    for (const SceneObject& object : objects)
+        if (auto removal = removal_of(now, object)) removals.push_back(std::move(*removal));
+    return removals;
+}
+
 std::optional<Command> copy_of(const Snapshot& now, const SceneObject& object) {
     if (!place_of(now, object)) return std::nullopt;
     const Pose at = pose_beside(now, object);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/maths/vec.h"
 #include "core/world/command.h"
@@ -15,6 +16,9 @@ inline constexpr auto& source_channels = channels_with<&ChannelTraits::is_source
 
 // All return nullopt when the object no longer exists.
 std::optional<Command> removal_of(const Snapshot&, const SceneObject&);
+
+// The removal of each of the objects, in an order in which no removal changes the index of a later one.
+std::vector<Command> removals_of(const Snapshot&, std::vector<SceneObject>);
 
 // Adds a copy about 0.8 m beside the object, at a free position. A copied vehicle has the same brain.
 std::optional<Command> copy_of(const Snapshot&, const SceneObject&);

@@ -22,6 +22,11 @@ void request(Outbox& outbox, Command command, std::uint64_t gesture = 0) {
     outbox.push_back(EditRequest{std::move(command), gesture});
 }
 
+bool is_selected(const LabView& view, const SceneObject& object) {
+    const std::vector<SceneObject> all = selected_objects(view.settings.selection);
+    return std::find(all.begin(), all.end(), object) != all.end();
+}
+
 float bearing_from(Pose place, vec2 point) { return maths::arctangent2(point.y - place.y, point.x - place.x); }
 
 void begin_drag(SceneInputState& state, const SceneInputFrame& frame) {
@@ -34,10 +39,15 @@ void begin_drag(SceneInputState& state, const SceneInputFrame& frame) {
     drag.press = drag.last = pointer.at;
     drag.gesture = gestures::viewport + ++state.gesture;
     if (!drag.left) return;
+    drag.selects = pointer.shift && !state.hovered.handle;
+    if (drag.selects) {
+        drag.click = state.hovered.object;
+        return;
+    }
     drag.on = state.hovered;
     // A zone may cover most of the floor: the first click selects it, and a drag of an unselected one turns the view.
     const bool zone = drag.on.object.kind == SceneObjectKind::zone && !drag.on.handle;
-    if (zone && drag.on.object != chosen(frame.view)) {
+    if (zone && !is_selected(frame.view, drag.on.object)) {
         drag.click = drag.on.object;
         drag.on = {};
     }
@@ -47,14 +57,45 @@ void begin_drag(SceneInputState& state, const SceneInputFrame& frame) {
     const vec2 floor = floor_at(frame).value_or(vec2{place->x, place->y});
     drag.offset = vec2{place->x, place->y} - floor;
     drag.bearing = bearing_from(*place, floor);
+    if (frame.view.settings.selection.more.empty() || drag.on.handle || !is_selected(frame.view, drag.on.object))
+        return;
+    drag.click = drag.on.object;
+    for (const SceneObject& other : selected_objects(frame.view.settings.selection))
+        if (const auto at = place_of(*frame.view.now, other); at && other != drag.on.object)
+            drag.others.emplace_back(other, *at);
 }
 
 void choose(const SceneObject& object, const LabView& view, Outbox& outbox) {
-    if (object == chosen(view)) return;
+    if (object == chosen(view) && view.settings.selection.more.empty()) return;
     if (object.kind == SceneObjectKind::vehicle)
         outbox.push_back(SelectRequest{object.index});
     else
         outbox.push_back(TakeRequest{object});
+}
+
+// Adds the object to the selection, or removes it.
+void toggle(const SceneObject& object, const LabView& view, Outbox& outbox) {
+    std::vector<SceneObject> all = selected_objects(view.settings.selection);
+    if (std::erase(all, object) == 0) all.push_back(object);
+    outbox.push_back(SelectObjectsRequest{std::move(all)});
+}
+
+// All objects whose position is within a rectangle on the screen; zones only while they are shown.
+std::vector<SceneObject> objects_between(const SceneInputFrame& frame, vec2 a, vec2 b) {
+    const Snapshot& now = *frame.view.now;
+    std::vector<SceneObject> all;
+    for (const VehicleView& v : now.vehicles) all.push_back(vehicle_object(v.id));
+    for (const SceneObject& object : objects_beside_vehicles(*now.scene))
+        if (object.kind != SceneObjectKind::zone || frame.view.settings.overlays.surfaces) all.push_back(object);
+    const auto within = [](float value, float one, float other) {
+        return value >= std::min(one, other) && value <= std::max(one, other);
+    };
+    std::erase_if(all, [&](const SceneObject& object) {
+        const auto place = place_of(now, object);
+        const auto at = place ? project(frame.camera_view, {place->x, place->y}) : std::nullopt;
+        return !at || !within(at->x, a.x, b.x) || !within(at->y, a.y, b.y);
+    });
+    return all;
 }
 
 void press_with_tool(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox) {
@@ -89,7 +130,8 @@ void press(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox)
     const bool draws = pointer.left_pressed && state.tool != SceneInputTool::hand && frame.view.mode != Mode::wiring;
     if (!draws) {
         begin_drag(state, frame);
-        if (state.drag.on.object && !state.drag.on.handle) choose(state.drag.on.object, frame.view, outbox);
+        const SceneInputHit& on = state.drag.on;
+        if (on.object && !on.handle && !is_selected(frame.view, on.object)) choose(on.object, frame.view, outbox);
         return;
     }
     press_with_tool(state, frame, outbox);
@@ -101,6 +143,7 @@ bool moved_enough(const SceneInputState& state, const SceneInputFrame& frame) {
 
 SceneInputPhase phase_for(const SceneInputState& state, const SceneInputFrame& frame) {
     const SceneInputDrag& drag = state.drag;
+    if (drag.selects) return SceneInputPhase::select;
     const bool flat = frame.view.settings.camera.mode == CameraMode::birds_eye;  // north is always up
     if (!drag.left || (!drag.on && flat)) return SceneInputPhase::pan;
     // The vehicle that the camera follows moves away from the pointer: orbit instead.
@@ -111,15 +154,26 @@ SceneInputPhase phase_for(const SceneInputState& state, const SceneInputFrame& f
 }
 
 // Requests the pose, unless the object has it. A moving vehicle leaves the pose, so it is requested every frame.
-void put(SceneInputDrag& drag, const LabView& view, Pose to, Outbox& outbox) {
-    drag.put = to;
-    const auto is = place_of(*view.now, drag.on.object);
-    const auto command = move_of(*view.now, drag.on.object, to);
+void put_object(const SceneObject& object, const LabView& view, Pose to, std::uint64_t gesture, Outbox& outbox) {
+    const auto is = place_of(*view.now, object);
+    const auto command = move_of(*view.now, object, to);
     if (!is || !command) return;
-    const bool source = drag.on.object.kind == SceneObjectKind::source;
+    const bool source = object.kind == SceneObjectKind::source;
     const bool there = std::hypot(is->x - to.x, is->y - to.y) < 1e-4f &&
                        (source || std::fabs(maths::wrap_angle(is->heading - to.heading)) < 1e-4f);
-    if (!there) request(outbox, *command, drag.gesture);
+    if (!there) request(outbox, *command, gesture);
+}
+
+// The pose of an object that is moved together with the dragged one.
+Pose moved_along(const SceneInputDrag& drag, Pose began) {
+    return {began.x + drag.put.x - drag.began.x, began.y + drag.put.y - drag.began.y, began.heading};
+}
+
+void put(SceneInputDrag& drag, const LabView& view, Pose to, Outbox& outbox) {
+    drag.put = to;
+    put_object(drag.on.object, view, to, drag.gesture, outbox);
+    for (const auto& [other, began] : drag.others)
+        put_object(other, view, moved_along(drag, began), drag.gesture, outbox);
 }
 
 void continue_drag(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox) {
@@ -139,10 +193,14 @@ void continue_drag(SceneInputState& state, const SceneInputFrame& frame, Outbox&
     }
 }
 
-// The object is released: before the first tick its pose becomes its start.
+// The objects are released: before the first tick the pose of a vehicle becomes its start.
 void finish_move(const SceneInputDrag& drag, const LabView& view, Outbox& outbox) {
-    const auto move = move_of(*view.now, drag.on.object, drag.put);
-    if (auto start = move ? start_of(*view.now, *move) : std::nullopt) request(outbox, *start, drag.gesture);
+    const auto finish = [&](const SceneObject& object, Pose at) {
+        const auto move = move_of(*view.now, object, at);
+        if (auto start = move ? start_of(*view.now, *move) : std::nullopt) request(outbox, *start, drag.gesture);
+    };
+    finish(drag.on.object, drag.put);
+    for (const auto& [other, began] : drag.others) finish(other, moved_along(drag, began));
 }
 
 void open_menu(SceneInputState& state, const SceneInputFrame& frame) {
@@ -161,8 +219,11 @@ void release(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbo
     if (drag.phase == SceneInputPhase::move || drag.phase == SceneInputPhase::turn)
         finish_move(drag, frame.view, outbox);
     if (drag.phase == SceneInputPhase::span) release_span(state, drag, frame, outbox);
+    if (drag.phase == SceneInputPhase::select)
+        outbox.push_back(SelectObjectsRequest{objects_between(frame, drag.press, pointer.at)});
     if (drag.phase != SceneInputPhase::pending || frame.view.mode == Mode::wiring) return;
-    if (drag.left && !drag.on) choose(drag.click, frame.view, outbox);
+    if (drag.selects && drag.click) toggle(drag.click, frame.view, outbox);
+    if (drag.left && !drag.selects && (!drag.on || drag.click)) choose(drag.click, frame.view, outbox);
     if (drag.right && state.tool != SceneInputTool::hand)
         take_back_corner(state);
     else if (drag.right)
@@ -176,6 +237,7 @@ void interact(SceneInputState& state, const SceneInputFrame& frame, Outbox& outb
         state.drag = {};                                                                // the object no longer exists
     if (maths::distance(state.pointer, frame.pointer.at) > 1) state.crosshair.reset();  // the mouse points again
     state.pointer = frame.pointer.at;
+    state.over = frame.pointer.over;
     state.middle = {frame.area.x + frame.area.w / 2, frame.area.y + frame.area.h / 2};
     state.hovered = under_pointer(state, frame);
     press(state, frame, outbox);
@@ -217,7 +279,7 @@ bool cancel(SceneInputState& state, const LabView& view, Outbox& outbox) {
         state.corners.clear();
     } else if (state.tool != SceneInputTool::hand) {
         choose_tool(state, SceneInputTool::hand);
-    } else if (view.settings.selection.object) {
+    } else if (view.settings.selection.object || !view.settings.selection.more.empty()) {
         outbox.push_back(TakeRequest{});
     } else {
         return false;

@@ -63,32 +63,45 @@ vec2 floor_direction(const CameraView& camera_view, int key) {
 
 bool is_arrow_key(int key) { return key == key::left || key == key::right || key == key::up || key == key::down; }
 
-// Moves the chosen object to a pose. Quick presses are one gesture.
-bool put_by_key(const LabView& view, SceneInputState& state, Pose to, Outbox& outbox) {
+// Moves each of the selected objects to `to(pose)`. Quick presses are one gesture.
+template <class To>
+bool put_by_key(const LabView& view, SceneInputState& state, To to, Outbox& outbox) {
     const SceneObject object = chosen(view);
-    const auto command = move_of(*view.now, object, to);
-    if (!command || state.drag.phase != SceneInputPhase::idle) return false;
+    if (!place_of(*view.now, object) || state.drag.phase != SceneInputPhase::idle) return false;
     if (object != state.nudged || view.wall_seconds - state.nudged_at > nudge_pause) ++state.gesture;
     state.nudged = object;
     state.nudged_at = view.wall_seconds;
-    outbox.push_back(EditRequest{*command, gestures::viewport + state.gesture});
-    if (auto start = start_of(*view.now, *command))
-        outbox.push_back(EditRequest{*start, gestures::viewport + state.gesture});
+    for (const SceneObject& one : selected_objects(view.settings.selection)) {
+        const auto place = place_of(*view.now, one);
+        const auto command = place ? move_of(*view.now, one, to(*place)) : std::nullopt;
+        if (!command) continue;
+        outbox.push_back(EditRequest{*command, gestures::viewport + state.gesture});
+        if (auto start = start_of(*view.now, *command))
+            outbox.push_back(EditRequest{*start, gestures::viewport + state.gesture});
+    }
     return true;
 }
 
 bool nudge(const LabView& view, SceneInputState& state, KeyPress press, Outbox& outbox) {
-    const auto place = place_of(*view.now, chosen(view));
-    if (!place) return false;
     const vec2 way = floor_direction(*view.camera_view, press.key) * (press.shift ? fine_nudge : nudge_step);
-    return put_by_key(view, state, {place->x + way.x, place->y + way.y, place->heading}, outbox);
+    return put_by_key(
+        view, state,
+        [way](Pose at) {
+            return Pose{at.x + way.x, at.y + way.y, at.heading};
+        },
+        outbox);
 }
 
 // A source has no heading: the key has no effect on it.
 bool turn_by_key(const LabView& view, SceneInputState& state, float by, Outbox& outbox) {
-    const auto place = place_of(*view.now, chosen(view));
-    if (!place || chosen(view).kind == SceneObjectKind::source) return false;
-    return put_by_key(view, state, {place->x, place->y, maths::wrap_angle(place->heading + by)}, outbox);
+    const bool alone = view.settings.selection.more.empty();
+    if (alone && chosen(view).kind == SceneObjectKind::source) return false;
+    return put_by_key(
+        view, state,
+        [by](Pose at) {
+            return Pose{at.x, at.y, maths::wrap_angle(at.heading + by)};
+        },
+        outbox);
 }
 
 // Up and Down move through the rows of the open menu; Esc and Left close it or go back. Enter goes to the focused row.
@@ -141,7 +154,8 @@ bool key_for_tool(const LabView& view, SceneInputState& state, Action action, Ke
 bool takes_arrows(const LabView& view, const SceneInputState& state, bool ctrl) {
     if (!view.camera_view || view.mode == Mode::wiring) return false;
     if (state.tool != SceneInputTool::hand) return true;
-    return view.settings.selection.object || (ctrl && view.settings.selection.vehicle != no_vehicle);
+    return view.settings.selection.object || !view.settings.selection.more.empty() ||
+           (ctrl && view.settings.selection.vehicle != no_vehicle);
 }
 
 void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area) {
@@ -167,6 +181,16 @@ bool press_key(const LabView& view, SceneInputState& state, Keyboard& keyboard, 
         case Action::scene_menu:
             open_menu_of(state, view, chosen(view));
             return true;
+        case Action::copy:
+        case Action::cut:
+        case Action::select_all:
+            outbox.push_back(*action);
+            return true;
+        case Action::paste: {
+            const auto floor = state.over ? unproject(*view.camera_view, state.pointer) : std::nullopt;
+            outbox.push_back(PasteRequest{floor});
+            return true;
+        }
         case Action::add_here:
             open_menu_of_floor(state, view);
             return true;

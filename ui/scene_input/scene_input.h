@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "render/view/pick.h"
@@ -25,8 +26,8 @@ inline constexpr std::array<std::string_view, 7> tool_words{"hand", "lamp", "box
 constexpr std::string_view word(SceneInputTool tool) { return tool_words[static_cast<std::size_t>(tool)]; }
 
 // The current effect of the mouse. pending: a button is down and the mouse has moved less than 4 px. span: a tool draws
-// from the press to the pointer.
-enum class SceneInputPhase { idle, pending, move, turn, orbit, pan, span };
+// from the press to the pointer. select: Shift and a drag draw the rectangle that selects.
+enum class SceneInputPhase { idle, pending, move, turn, orbit, pan, span, select };
 
 // The object or the handle that a press of the button takes.
 struct SceneInputHit {
@@ -42,13 +43,16 @@ struct SceneInputDrag {
     bool left = true;  // else the right or middle button, which moves the camera
     bool right = false;
     SceneInputHit on;
-    SceneObject click;   // the object that a click selects: the pressed zone, which a drag moves only if it is selected
-    maths::vec2 press;   // window pixels
-    maths::vec2 last;    // pointer in the last frame, window pixels
-    maths::vec2 moved;   // of the pointer since then
-    Pose began, put;     // pose of the object at the press, and the last one requested
-    maths::vec2 offset;  // m, from the pointer's position on the floor to the object's
-    float bearing = 0;   // rad, from the object to the pointer, at the press of the handle
+    SceneObject
+        click;  // what a click selects beside `on`: an unselected zone, one of several objects, or with Shift any
+    bool selects = false;  // with Shift: a click adds to the selection, a drag selects all within a rectangle
+    std::vector<std::pair<SceneObject, Pose>> others;  // moved together with `on`, and their poses at the press
+    maths::vec2 press;                                 // window pixels
+    maths::vec2 last;                                  // pointer in the last frame, window pixels
+    maths::vec2 moved;                                 // of the pointer since then
+    Pose began, put;                                   // pose of the object at the press, and the last one requested
+    maths::vec2 offset;                                // m, from the pointer's position on the floor to the object's
+    float bearing = 0;  // rad, from the object to the pointer, at the press of the handle
     std::uint64_t gesture = 0;
 };
 
@@ -79,6 +83,7 @@ struct SceneInputState {
     SceneObject redrawn;                   // the zone that gets the drawn polygon; none: the polygon is a new obstacle
     std::optional<maths::vec2> crosshair;  // m, moved by arrow keys while a tool draws; none: the mouse points
     maths::vec2 pointer;                   // of the last frame, window pixels
+    bool over = false;                     // the pointer was over the scene in the last frame, not over a card
     maths::vec2 middle;                    // of the area free of cards in the last frame, window pixels
     SceneInputHit hovered;
     SceneInputDrag drag;

@@ -16,10 +16,7 @@ constexpr float ring_gap = 16, ring_grip = 6, knob_grip = 11, handle_near = 36;
 
 }  // namespace
 
-SceneObject chosen(const LabView& view) {
-    return view.settings.selection.object ? view.settings.selection.object
-                                          : vehicle_object(view.settings.selection.vehicle);
-}
+SceneObject chosen(const LabView& view) { return chosen_object(view.settings.selection); }
 
 SceneObject object_at_pointer(const SceneInputFrame& frame) {
     return pick_object(*frame.view.now, frame.camera_view, frame.pointer.at, frame.view.settings.overlays.surfaces);
@@ -42,6 +39,7 @@ std::optional<Handle> handle_of(const SceneInputState& state, const SceneInputFr
     const SceneObject object = state.drag.phase == SceneInputPhase::turn ? state.drag.on.object : chosen(frame.view);
     const auto place = place_of(*frame.view.now, object);
     const bool turns = object && object.kind != SceneObjectKind::source;
+    if (!frame.view.settings.selection.more.empty()) return std::nullopt;  // it turns one object
     const bool free = state.drag.phase == SceneInputPhase::idle || state.drag.phase == SceneInputPhase::turn;
     if (rides(frame.view.settings.camera.mode) && object == vehicle_object(frame.view.settings.selection.vehicle))
         return std::nullopt;

@@ -1,0 +1,115 @@
+#include "ui/scene_input/clipboard.h"
+
+#include <algorithm>
+
+#include "ui/scene_input/edits.h"
+
+namespace braitenlab::ui {
+
+using maths::vec2;
+
+namespace {
+
+constexpr vec2 beside_original{0.8f, -0.8f};  // m
+
+// The kind with its present brain is in the copy; a start refers to it.
+void copy_vehicle(Scene& copy, const Snapshot& now, const VehicleView& v) {
+    Kind kind = kind_of(now, v);
+    const auto index = static_cast<std::size_t>(v.kind);
+    if (index < now.kind_brains.size()) kind.brain = *now.kind_brains[index];
+    Start start{
+        .name = std::to_string(copy.starts.size()), .kind = kind.name, .x = v.x, .y = v.y, .heading = v.heading};
+    if (v.driver != kind.driver) start.driver = v.driver;
+    if (*brain_of(now, v) != kind.brain) start.brain = *brain_of(now, v);
+    copy.starts.push_back(std::move(start));
+    if (find_kind(copy, kind.name) < 0) copy.kinds.push_back(std::move(kind));
+}
+
+template <class Element>
+void copy_at(std::vector<Element>& copies, const std::vector<Element>& all, int index, const Pose& at) {
+    Element copy = all[static_cast<std::size_t>(index)];
+    copy.x = at.x, copy.y = at.y;
+    if constexpr (requires { copy.heading; }) copy.heading = at.heading;
+    copies.push_back(std::move(copy));
+}
+
+// Calls f with each object that has a position.
+template <class Copy, class F>
+void each_object(Copy& copy, F f) {
+    for (auto& start : copy.starts) f(start);
+    for (auto& source : copy.sources) f(source);
+    for (auto& obstacle : copy.obstacles) f(obstacle);
+    for (auto& zone : copy.zones) f(zone);
+}
+
+// Of the rectangle around all positions.
+vec2 middle_of(const Scene& copy) {
+    vec2 low{1e9f, 1e9f}, high{-1e9f, -1e9f};
+    each_object(copy, [&](const auto& object) {
+        low = {std::min(low.x, object.x), std::min(low.y, object.y)};
+        high = {std::max(high.x, object.x), std::max(high.y, object.y)};
+    });
+    return (low + high) / 2;
+}
+
+bool same_design(Kind a, const Kind& b) {
+    a.brain = b.brain;
+    return a == b;
+}
+
+// The scene's kind of the same name and design, or −1.
+int kind_in(const Scene& scene, const Kind& kind) {
+    const int index = find_kind(scene, kind.name);
+    return index >= 0 && same_design(kind, scene.kinds[static_cast<std::size_t>(index)]) ? index : -1;
+}
+
+AddVehicle added_vehicle(const Snapshot& now, const Scene& copy, const Start& start) {
+    const Kind& copied_kind = copy.kinds[static_cast<std::size_t>(find_kind(copy, start.kind))];
+    AddVehicle add;
+    add.kind = kind_in(*now.scene, copied_kind);
+    add.at = Pose{start.x, start.y, start.heading};
+    const BrainGraph& brain = start.brain ? *start.brain : copied_kind.brain;
+    const auto kind = static_cast<std::size_t>(add.kind);
+    if (kind >= now.kind_brains.size() || brain != *now.kind_brains[kind]) add.brain = brain;
+    add.driver = start.driver;
+    return add;
+}
+
+}  // namespace
+
+Scene copied(const Snapshot& now, const std::vector<SceneObject>& objects) {
+    Scene copy;
+    for (const SceneObject& object : objects) {
+        const auto at = place_of(now, object);
+        if (!at) continue;
+        if (object.kind == SceneObjectKind::vehicle) copy_vehicle(copy, now, *find_vehicle(now, object.index));
+        if (object.kind == SceneObjectKind::source) copy_at(copy.sources, now.scene->sources, object.index, *at);
+        if (object.kind == SceneObjectKind::obstacle) copy_at(copy.obstacles, now.scene->obstacles, object.index, *at);
+        if (object.kind == SceneObjectKind::zone) copy_at(copy.zones, now.scene->zones, object.index, *at);
+    }
+    return copy;
+}
+
+std::size_t object_count(const Scene& copy) {
+    return copy.starts.size() + copy.sources.size() + copy.obstacles.size() + copy.zones.size();
+}
+
+Pasting pasted(const Snapshot& now, const Scene& copy, std::optional<vec2> middle) {
+    Pasting pasting;
+    for (const Kind& kind : copy.kinds)
+        if (kind_in(*now.scene, kind) < 0) return {{}, kind.name};
+    Scene moved = copy;
+    const vec2 by = middle ? *middle - middle_of(copy) : beside_original;
+    const Arena& arena = now.scene->arena;
+    each_object(moved, [&](auto& object) {
+        object.x = std::clamp(object.x + by.x, -arena.width / 2, arena.width / 2);
+        object.y = std::clamp(object.y + by.y, -arena.height / 2, arena.height / 2);
+    });
+    for (const Zone& zone : moved.zones) pasting.commands.emplace_back(AddZone{zone});
+    for (const Obstacle& obstacle : moved.obstacles) pasting.commands.emplace_back(AddObstacle{obstacle});
+    for (const Source& source : moved.sources) pasting.commands.emplace_back(AddSource{source});
+    for (const Start& start : moved.starts) pasting.commands.emplace_back(added_vehicle(now, copy, start));
+    return pasting;
+}
+
+}  // namespace braitenlab::ui
