@@ -65,7 +65,7 @@ float share_at_pointer(const WindowLayout& layout) {
     return (c.x + c.w - pointer.x - b.w / 2) / std::max(1.0f, s.w + c.w);
 }
 
-// Arrow keys move the focused border towards them.
+// Left and Right move the focused border; a border below the scene moves up with Right.
 void move_border_by_keys(const LabView& view, Keyboard& keyboard, bool is_below, Outbox& outbox) {
     constexpr float step = 0.05f;
     const auto presses = [&](int wanted) {
@@ -73,7 +73,7 @@ void move_border_by_keys(const LabView& view, Keyboard& keyboard, bool is_below,
         while (take(keyboard, wanted)) ++count;
         return static_cast<float>(count);
     };
-    const float grows = is_below ? presses(key::up) - presses(key::down) : presses(key::left) - presses(key::right);
+    const float grows = (is_below ? 1.0f : -1.0f) * (presses(key::right) - presses(key::left));
     if (grows != 0) outbox.push_back(CanvasShareRequest{view.settings.canvas_share + step * grows});
 }
 

@@ -17,7 +17,7 @@ std::set<std::string> ids_in_sources(const std::regex& expression) {
     for (const char* folder : {"core", "app"})
         for (const auto& entry :
              std::filesystem::recursive_directory_iterator(std::filesystem::path(BRAITENLAB_SOURCE) / folder)) {
-            if (entry.path().filename() == "messages.h") continue;
+            if (!entry.is_regular_file() || entry.path().filename() == "messages.h") continue;
             std::ifstream in(entry.path());
             const std::string text{std::istreambuf_iterator<char>(in), {}};
             for (std::sregex_iterator at(text.begin(), text.end(), expression), end; at != end; ++at)

@@ -173,7 +173,7 @@ TEST(Window, MovesTheBorderOfTheWatchedWiringWithArrowKeys) {
     desk.rest();
     const Rect border = desk.where("canvas.border");
     desk.panels.keyboard.focus = "canvas.border";
-    desk.key({border.w > border.h ? key::up : key::left});
+    desk.key({border.w > border.h ? key::right : key::left});
     desk.frame();
     ASSERT_TRUE(!desk.asked.empty() && std::holds_alternative<CanvasShareRequest>(desk.asked.back()));
     EXPECT_FLOAT_EQ(std::get<CanvasShareRequest>(desk.asked.back()).share, desk.view.settings.canvas_share + 0.05f);
@@ -201,9 +201,10 @@ TEST(Window, ReachesTheWatchedWiringWithTab) {
     desk.view.settings.watching = true;
     desk.rest();
     std::set<std::string> reached;
+    desk.key({key::tab, true});  // to the first card
     for (int i = 0; i < 200; ++i) {
-        desk.key({key::tab});
         desk.frame();
+        desk.key({key::tab});
         reached.insert(desk.panels.keyboard.focus);
     }
     EXPECT_TRUE(reached.contains("canvas.border"));
