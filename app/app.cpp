@@ -9,6 +9,7 @@
 #include "app/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "app/platform/platform.h"
+#include "app/remembered.h"
 
 namespace braitenlab {
 
@@ -42,7 +43,8 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
       anchors_file_(options_.anchors),
       state_file_(options_.state) {
     lab_.preferences = settings_.at_start;
-    lab_.view.camera.mode = options_.camera;
+    restore_view(lab_, panels_, settings_.state.view);
+    if (options_.camera) lab_.view.camera.mode = *options_.camera;
     lab_.view.overlays.field = options_.field;
     theme_.apply(lab_.preferences.theme, wanted_scale());
     load_label_font();
@@ -150,6 +152,8 @@ void App::show_error(const Error& error) { say(lab_, error); }
 void App::save_settings(bool now) {
     if (!options_.screenshot.empty() || (!now && seconds_since(settings_saved_) < 1)) return;
     settings_saved_ = Clock::now();
+    settings_.state.view = view_to_store(lab_, panels_);
+    if (const auto place = window_.windowed_place()) settings_.state.place = WindowPlace{place->first, place->second};
     if (const auto error = save(settings_, own_preferences(lab_), window_.windowed_size())) show_error(*error);
 }
 

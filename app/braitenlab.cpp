@@ -80,6 +80,9 @@ int open_and_run(const Options& options) {
                                 .watch_graphics = options.watch_graphics,
                                 .smooth_in_software = !options.screenshot.empty()});
     if (!window) return complain(window.error());
+    if (const auto& place = settings.state.place;
+        place && !options.full_screen && can_be_grabbed(*place, {width, height}, window->displays()))
+        window->move_to(place->x, place->y);
     auto renderer = render::Renderer::create(*data / "shaders", options.sectors);
     if (!renderer) return complain(renderer.error());
     App app(options, std::move(opened->lab), std::move(*window), std::move(*renderer), std::move(*words),

@@ -16,7 +16,7 @@ namespace braitenlab {
 
 namespace {
 
-constexpr std::array<float, 8> speeds{0.125f, 0.25f, 0.5f, 1, 2, 4, 8, 16};
+constexpr std::array<float, 8> speeds{least_time_scale, 0.25f, 0.5f, 1, 2, 4, 8, largest_time_scale};
 constexpr float type_step = 0.125f;
 constexpr float lecture_type = 1.6f;        // times the type size outside a lecture
 constexpr std::int64_t rewind_ticks = 300;  // five seconds

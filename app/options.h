@@ -23,8 +23,8 @@ struct Options {
     std::optional<std::uint64_t> seed;
     std::vector<Setting> settings;
     bool play = false, full_screen = false;
-    std::optional<Theme> theme;  // unset: as in the settings
-    CameraMode camera = CameraMode::overview;
+    std::optional<Theme> theme;        // unset: as in the settings
+    std::optional<CameraMode> camera;  // unset: as stored
     render::SectorPath sectors = render::SectorPath::automatic;
     bool watch_graphics = false;
     int frame_rate = 0;                    // most pictures per second; 0: those of the display

@@ -11,6 +11,8 @@
 
 namespace braitenlab {
 
+inline constexpr float least_time_scale = 0.125f, largest_time_scale = 16;  // simulated seconds per second
+
 struct Lab;
 
 // Measured speed of simulated time while playing.

@@ -219,6 +219,29 @@ std::pair<int, int> Window::windowed_size() const {
     return {width, height};
 }
 
+std::optional<std::pair<int, int>> Window::windowed_place() const {
+    if (glfwGetWindowMonitor(native_->window)) return std::pair(native_->windowed[0], native_->windowed[1]);
+    if (glfwGetWindowAttrib(native_->window, GLFW_ICONIFIED)) return std::nullopt;
+    int x = 0, y = 0;
+    glfwGetError(nullptr);
+    glfwGetWindowPos(native_->window, &x, &y);
+    if (glfwGetError(nullptr) != GLFW_NO_ERROR) return std::nullopt;  // Wayland
+    return std::pair(x, y);
+}
+
+std::vector<std::array<int, 4>> Window::displays() const {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    std::vector<std::array<int, 4>> areas(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        auto& area = areas[static_cast<std::size_t>(i)];
+        glfwGetMonitorWorkarea(monitors[i], &area[0], &area[1], &area[2], &area[3]);
+    }
+    return areas;
+}
+
+void Window::move_to(int x, int y) { glfwSetWindowPos(native_->window, x, y); }
+
 int Window::framebuffer_width() const {
     int width = 0, height = 0;
     glfwGetFramebufferSize(native_->window, &width, &height);

@@ -1,6 +1,7 @@
 // One native window with an OpenGL 3.3 context and Dear ImGui. Only this class and render/gl use OpenGL.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,6 +42,12 @@ public:
     Rect area() const;
     // The size of the window; in full screen, the size before it.
     std::pair<int, int> windowed_size() const;
+    // The position of its upper left corner on the desktop; in full screen, before it. nullopt if the system does not
+    // tell it.
+    std::optional<std::pair<int, int>> windowed_place() const;
+    // x, y, width and height of the free area of each display.
+    std::vector<std::array<int, 4>> displays() const;
+    void move_to(int x, int y);
     int framebuffer_width() const;
     int framebuffer_height() const;
     // The scale that the display is set to, at least 1.

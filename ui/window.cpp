@@ -286,6 +286,9 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     ui.keyboard = &state.keyboard;
     ui.still = view.reduce_motion;
     ui.decimal_mark = decimal_mark(ui.strings);
+    ui.tooltips = &state.tooltips;
+    if (const ImVec2 moved = ImGui::GetIO().MouseDelta; moved.x != 0 || moved.y != 0)
+        state.tooltips.moved_at = ImGui::GetTime();
     const Prompt prompt = next_prompt(state.prompts, view);
     ui.highlight = prompt.anchor;
     pass_keys_to_rows(state);

@@ -9,7 +9,7 @@ namespace braitenlab::ui {
 namespace {
 
 // Layout pixels.
-constexpr float toolbar_height = 42, hint_height = 32, timeline_height = 44, above_timeline = 8;
+constexpr float toolbar_height = 42, hint_height = 32, timeline_height = 50, above_timeline = 8;
 constexpr float lecture_bar_height = 56, figures_height = 92, lecture_inset_aspect = 1.6f;
 constexpr float metre_labels = 16;     // below the arena
 constexpr float wide_window = 1600;    // has room for both columns and a watched canvas

@@ -1,6 +1,8 @@
 #include "app/files/settings.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -10,6 +12,7 @@
 #include <toml++/toml.h>
 
 #include "app/files/safe_file.h"
+#include "app/playback.h"
 
 namespace braitenlab {
 
@@ -87,6 +90,57 @@ std::optional<RecentFile> recent_file(const toml::node& node) {
 
 }  // namespace
 
+namespace {
+
+// Reads or writes the values of a stored view that are true or false: visit(key, value).
+template <class View, class Visit>
+void visit_flags(View& view, const Visit& visit) {
+    visit("trails", view.settings.overlays.trails);
+    visit("zones", view.settings.overlays.surfaces);
+    visit("places", view.settings.overlays.memory);
+    visit("labels", view.settings.overlays.labels);
+    visit("sensors", view.settings.sensors);
+    visit("outlines", view.settings.outlines);
+    visit("diagram", view.settings.watching);
+    visit("whole_kind", view.settings.selection.whole_kind);
+    visit("knows_sliders", view.followed.slider);
+    visit("knows_lamps", view.followed.lamp);
+    visit("knows_wiring", view.followed.wiring);
+    visit("knows_timeline", view.followed.timeline);
+}
+
+void read_view(SettingsReader& reader, StoredView& view) {
+    visit_flags(view, [&](const char* key, bool& value) { reader.read(key, value, "true or false"); });
+    reader.read("diagram_share", view.settings.canvas_share, "a number");
+    reader.read("speed", view.time_scale, "a number");
+    std::string camera(camera_mode_words[static_cast<std::size_t>(view.settings.camera.mode)]);
+    reader.read("camera", camera, "a word in quotes");
+    for (std::size_t i = 0; i < camera_mode_words.size(); ++i)
+        if (camera_mode_words[i] == camera) view.settings.camera.mode = static_cast<CameraMode>(i);
+    const auto clamped = [](float value, float low, float high, float otherwise) {
+        return value >= low && value <= high ? value : std::isfinite(value) ? std::clamp(value, low, high) : otherwise;
+    };
+    view.settings.canvas_share =
+        clamped(view.settings.canvas_share, least_canvas_share, largest_canvas_share, ViewSettings{}.canvas_share);
+    view.time_scale = clamped(view.time_scale, least_time_scale, largest_time_scale, 1);
+    const toml::array* folded = reader.table["folded"].as_array();
+    if (!folded) return;
+    view.folded.emplace();
+    for (const toml::node& node : *folded)
+        if (const auto anchor = node.value<std::string>()) view.folded->push_back(*anchor);
+}
+
+void read_place(SettingsReader& reader, std::optional<WindowPlace>& place) {
+    constexpr int farthest = 100000;
+    WindowPlace read;
+    reader.read("x", read.x, "a whole number");
+    reader.read("y", read.y, "a whole number");
+    if (!reader.table.contains("x") || !reader.table.contains("y")) return;
+    if (std::abs(read.x) < farthest && std::abs(read.y) < farthest) place = read;
+}
+
+}  // namespace
+
 Result<StoredState> parse_state(std::string_view toml, std::string file_name) {
     auto reader = read_settings_table(toml, std::move(file_name));
     if (!reader) return reader.error();
@@ -95,6 +149,8 @@ Result<StoredState> parse_state(std::string_view toml, std::string file_name) {
     reader->read("height", r.height, "a whole number");
     reader->read("last_opened", r.last_opened, "a path in quotes");
     reader->read("folder", r.folder, "a path in quotes");
+    read_view(*reader, r.view);
+    read_place(*reader, r.place);
     if (reader->error) return *reader->error;
     if (const toml::array* recent = reader->table["recent"].as_array())
         for (const toml::node& node : *recent)
@@ -107,13 +163,23 @@ Result<StoredState> parse_state(std::string_view toml, std::string file_name) {
 std::string write_state(const StoredState& r) {
     toml::array recent;
     for (const RecentFile& file : r.recent) recent.push_back(toml::table{{"path", file.path}, {"title", file.title}});
-    return toml_text(toml::table{{"format", 1},
-                                 {"width", r.width},
-                                 {"height", r.height},
-                                 {"last_opened", r.last_opened},
-                                 {"folder", r.folder},
-                                 {"recent", recent}},
-                     "Stored by Braitenlab.");
+    toml::table table{{"format", 1},
+                      {"width", r.width},
+                      {"height", r.height},
+                      {"last_opened", r.last_opened},
+                      {"folder", r.folder},
+                      {"recent", recent},
+                      {"camera", camera_mode_words[static_cast<std::size_t>(r.view.settings.camera.mode)]},
+                      {"diagram_share", r.view.settings.canvas_share},
+                      {"speed", r.view.time_scale}};
+    visit_flags(r.view, [&](const char* key, bool value) { table.insert(key, value); });
+    if (r.place) table.insert("x", r.place->x), table.insert("y", r.place->y);
+    if (r.view.folded) {
+        toml::array folded;
+        for (const std::string& anchor : *r.view.folded) folded.push_back(anchor);
+        table.insert("folded", folded);
+    }
+    return toml_text(table, "Stored by Braitenlab.");
 }
 
 void add_recent(StoredState& r, const fs::path& file, std::string title) {
@@ -192,6 +258,15 @@ Settings read_settings(SettingsFiles files, const PreferenceOverrides& overrides
     if (!overrides.language.empty()) settings.at_start.language = overrides.language;
     settings.last = settings.at_start;
     return settings;
+}
+
+bool can_be_grabbed(WindowPlace place, std::pair<int, int> size, const std::vector<std::array<int, 4>>& displays) {
+    constexpr int least = 100;  // px of the upper edge
+    return std::any_of(displays.begin(), displays.end(), [&](const std::array<int, 4>& display) {
+        const auto [x, y, width, height] = display;
+        const int left = std::max(place.x, x), right = std::min(place.x + size.first, x + width);
+        return right - left >= least && place.y >= y && place.y < y + height - least;
+    });
 }
 
 std::optional<Error> save(Settings& settings, const Preferences& now, std::pair<int, int> window_size) {

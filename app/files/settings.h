@@ -2,6 +2,7 @@
 // folder) and values that the program stores (state.toml in the state folder).
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,6 +11,8 @@
 #include <vector>
 
 #include "core/result.h"
+#include "render/view/view_settings.h"
+#include "ui/panels/prompts.h"
 #include "ui/request.h"
 
 namespace braitenlab {
@@ -19,11 +22,29 @@ namespace braitenlab {
 Result<Preferences> parse_preferences(std::string_view toml, std::string file_name, const Preferences& otherwise = {});
 std::string write_preferences(const Preferences&);
 
+// The upper left corner of the window on the desktop, in screen coordinates, which may be negative.
+struct WindowPlace {
+    int x = 0, y = 0;
+    friend bool operator==(const WindowPlace&, const WindowPlace&) = default;
+};
+
+// How the scene was shown last: restored at the next start.
+struct StoredView {
+    ViewSettings
+        settings;  // camera mode, overlays but for the field, sensor fields, diagram, scope; the rest is not stored
+    float time_scale = 1;
+    std::optional<std::vector<std::string>> folded{};  // anchors of the folded cards; nullopt: first start
+    ui::PromptsFollowed followed{};
+    friend bool operator==(const StoredView&, const StoredView&) = default;
+};
+
 struct StoredState {
     int width = 0, height = 0;       // of the window; 0: never changed
     std::string last_opened;         // a path; empty: first start
     std::vector<RecentFile> recent;  // the newest first
     std::string folder;              // of the file opened or saved last
+    StoredView view{};
+    std::optional<WindowPlace> place{};  // of the window; nullopt: unknown
     friend bool operator==(const StoredState&, const StoredState&) = default;
 };
 
@@ -75,5 +96,8 @@ Settings read_settings(SettingsFiles, const PreferenceOverrides&, const std::str
 
 // Writes what has changed. Values that come from the overrides alone are not stored.
 std::optional<Error> save(Settings&, const Preferences& now, std::pair<int, int> window_size);
+
+// True if a part of the window's upper edge that a person can grab lies on a display. Displays: x, y, width, height.
+bool can_be_grabbed(WindowPlace, std::pair<int, int> size, const std::vector<std::array<int, 4>>& displays);
 
 }  // namespace braitenlab

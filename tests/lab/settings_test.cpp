@@ -22,6 +22,43 @@ TEST(Settings, AreClampedToTheirRange) {
     EXPECT_EQ(parse_state("width = 3\nheight = 1000000", "s")->width, 0);
 }
 
+TEST(Settings, KeepTheViewAndTheWindow) {
+    StoredState state;
+    state.view.settings.camera.mode = CameraMode::birds_eye;
+    state.view.settings.overlays = {false, false, false, false, std::nullopt};
+    state.view.settings.sensors = false, state.view.settings.outlines = true, state.view.settings.watching = true;
+    state.view.settings.canvas_share = 0.5f, state.view.settings.selection.whole_kind = false;
+    state.view.time_scale = 4;
+    state.view.folded = {"card.brain", "card.scene"};
+    state.view.followed = {true, false, true, false};
+    state.place = WindowPlace{-20, 40};
+    const auto read = parse_state(write_state(state), "s");
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(*read, state);
+    EXPECT_EQ(*parse_state(write_state({}), "s"), StoredState{});
+}
+
+TEST(Settings, ClampTheView) {
+    const auto state = parse_state("speed = 99.0\ndiagram_share = nan\ncamera = \"moon\"\nx = 3", "s");
+    ASSERT_TRUE(state) << state.error().text();
+    EXPECT_EQ(state->view.time_scale, 16);
+    EXPECT_EQ(state->view.settings.canvas_share, ViewSettings{}.canvas_share);
+    EXPECT_EQ(state->view.settings.camera.mode, CameraMode::overview);
+    EXPECT_FALSE(state->place) << "y is missing";
+    EXPECT_EQ(parse_state("speed = -1.0", "s")->view.time_scale, 0.125f);
+    EXPECT_FALSE(parse_state("trails = \"yes\"", "s"));
+}
+
+TEST(Settings, PlaceAWindowOnlyWhereItCanBeGrabbed) {
+    const std::vector<std::array<int, 4>> displays{{0, 0, 1920, 1080}, {-1280, 0, 1280, 800}};
+    EXPECT_TRUE(can_be_grabbed({100, 50}, {1280, 800}, displays));
+    EXPECT_TRUE(can_be_grabbed({-900, 50}, {1280, 800}, displays));
+    EXPECT_FALSE(can_be_grabbed({1900, 50}, {1280, 800}, displays)) << "beyond the right edge";
+    EXPECT_FALSE(can_be_grabbed({100, 1060}, {1280, 800}, displays)) << "below";
+    EXPECT_FALSE(can_be_grabbed({100, -30}, {1280, 800}, displays)) << "its title bar is above";
+    EXPECT_FALSE(can_be_grabbed({-1250, 50}, {1280, 800}, {displays[0]})) << "the second display is gone";
+}
+
 TEST(Settings, NameFileAndLineOfAMistake) {
     const auto parsed = parse_preferences("format = 1\nlanguage = 7\n", "settings.toml");
     ASSERT_FALSE(parsed);

@@ -85,6 +85,86 @@ TEST(Item, HasATooltipOnEveryWidgetOfEveryScreen) {
     for (const std::string& id : walk.all) EXPECT_TRUE(walk.told.count(id)) << id << " has no tooltip";
 }
 
+TEST(Item, ShowsItsTooltipWhenThePointerRestsAndAtOnceAfterAnother) {
+    Desk desk(1280, 800, 1, true);
+    desk.view.mode = Mode::playing;
+    desk.frame(3);
+    const auto shown = [&](const char* key) {
+        for (const Written& w : desk.written)
+            if (w.words == desk.strings(key)) return true;
+        return false;
+    };
+    for (int i = 0; i < 60; ++i) {
+        desk.point("button.follow", 0.2f + 0.01f * static_cast<float>(i));
+        desk.frame(1);
+    }
+    EXPECT_FALSE(shown("tooltip.follow")) << "the pointer moves for a second";
+    desk.frame(26);
+    EXPECT_FALSE(shown("tooltip.follow")) << "it has rested for less than half a second";
+    desk.frame(8);
+    EXPECT_TRUE(shown("tooltip.follow"));
+    desk.point("button.wiring");
+    desk.frame(2);
+    EXPECT_TRUE(shown("tooltip.wiring")) << "at once";
+    desk.point(640, 400);
+    desk.frame(30);
+    desk.point("button.wiring");
+    desk.frame(2);
+    EXPECT_FALSE(shown("tooltip.wiring")) << "half a second without a tooltip";
+}
+
+TEST(Item, HasATargetOfAtLeast24PixelsOnEveryScreen) {
+    std::set<std::string> small;
+    const auto look = [&](Desk& desk) {
+        desk.frame(4);
+        for (const Shown& each : desk.shown)
+            if (each.enabled && (each.rect.w < 23.5f || each.rect.h < 23.5f))
+                small.insert(each.id + " " + std::to_string(each.rect.w) + "×" + std::to_string(each.rect.h));
+    };
+    for (const bool exercise : {false, true}) {
+        Desk desk(1280, 1400, 1, true);
+        FilesView files;
+        files.listing = {"/home/me", {{"pictures", true}, {"mine.toml", false, FileKind::scene}}, ""};
+        const std::vector<CatalogueEntry> catalogue{{"05-aggressor", "5.toml", "Aggressor", "", 5}};
+        const std::vector<RecentFile> recent{{"/y/mine.toml"}};
+        desk.view.files = &files, desk.view.catalogue = &catalogue, desk.view.recent = &recent;
+        desk.view.timeline.latest = 600, desk.view.timeline.bookmarks = {60};
+        if (exercise) desk.open_exercise();
+        look(desk);
+        for (const Mode mode : {Mode::playing, Mode::wiring, Mode::paused}) {
+            desk.view.mode = mode;
+            look(desk);
+        }
+        desk.panels.card(Card::sensors).folded = false, desk.panels.sensor_channel_open = true;
+        desk.panels.sensor_quality_open = true, desk.panels.charts_open = true;
+        for (const Chart chart : {Chart::signals, Chart::population, Chart::energy, Chart::bars}) {
+            desk.panels.chart = chart;
+            look(desk);
+        }
+        desk.panels.charts_open = false;
+        desk.now.vehicles[0].driver = Driver::manual;
+        look(desk);
+        for (const char* menu : {"file", "edit", "view", "simulation", "exercises", "lecture", "help"}) {
+            desk.panels.menu_bar.open = menu;
+            look(desk);
+        }
+        desk.panels.menu_bar.open.clear();
+        desk.click("button.presets");
+        look(desk);
+        desk.key({key::escape});
+        for (const Sheet sheet : {Sheet::keys, Sheet::settings, Sheet::about, Sheet::files}) {
+            desk.panels.sheet = sheet;
+            look(desk);
+            desk.panels.sheet = Sheet::none;
+        }
+        desk.view.lecture = true;
+        look(desk);
+    }
+    std::string all;
+    for (const std::string& each : small) all += each + "\n";
+    EXPECT_TRUE(small.empty()) << all;
+}
+
 TEST(Item, HidesItsTooltipAfterTheReadingTimeAndAfterAPress) {
     Desk desk(1280, 800, 1, true);
     desk.view.mode = Mode::playing;

@@ -128,6 +128,21 @@ TEST_F(Prompts, DoNotRepeatTheSliderInTheSameScene) {
     EXPECT_EQ(anchor(), "slider.LR");
 }
 
+TEST_F(Prompts, DoNotSuggestInAnotherSceneWhatThePersonHasDone) {
+    at(5);
+    EXPECT_EQ(anchor(), "slider.LR");
+    desk.view.undo_depth = 1;
+    next();
+    EXPECT_TRUE(memory.followed.slider);
+    desk.view.undo_depth = 0;
+    desk.view.opened = "another scene";
+    EXPECT_NE(anchor(), "slider.LR");
+    PromptMemory at_the_next_start;
+    at_the_next_start.followed = memory.followed;
+    memory = at_the_next_start;
+    EXPECT_NE(anchor(), "slider.LR");
+}
+
 TEST_F(Prompts, PointInFreePlayToSliderLampWiringAndTimeline) {
     alone();
     at(5);

@@ -50,9 +50,9 @@ public:
         for (const NodeMark& sensor : parts_.sensors)
             node(sensor, {ui_.px(24), ui_.px(24)}, "lesion.eye", "lesion.eye_hurt");
         for (const NodeMark& motor : parts_.motors)
-            node(motor, {ui_.px(20), ui_.px(46)}, "lesion.motor", "lesion.motor_hurt");
+            node(motor, {ui_.px(24), ui_.px(46)}, "lesion.motor", "lesion.motor_hurt");
         for (const NodeMark& neuron : parts_.neurons)
-            node(neuron, neuron_size(), "lesion.neuron", "lesion.neuron_hurt");
+            node(neuron, {ui_.px(24), ui_.px(24)}, "lesion.neuron", "lesion.neuron_hurt");
         wires();
         strokes();
         watch_button();
@@ -66,12 +66,6 @@ private:
     // The value of a node; 0 for a silenced one and for a node that the brain does not have.
     float reading(const Node* node) const {
         return node && !node->silenced ? node_value(*view_.now, vehicle_, node->id) : 0;
-    }
-
-    ImVec2 neuron_size() const {
-        const float apart = parts_.neuron_radius / 0.36f;  // from one neuron to the next
-        const float side = std::clamp(apart, ui_.px(10), ui_.px(24));
-        return {side, side};
     }
 
     // True when a lesion of this part is requested: by a click, Enter, or L over it.
@@ -119,7 +113,7 @@ private:
         for (const WireMark& mark : parts_.wires) {
             const Wire* wire = wire_of(mark);
             if (!wire) continue;
-            const float size = ui_.px(16);
+            const float size = ui_.px(24);
             ImGui::SetCursorScreenPos({mark.path[3].x - size / 2, mark.path[3].y - size / 2});
             Item at = item(ui_, mark.anchor, {size, size});
             if (warm_ == &mark) {

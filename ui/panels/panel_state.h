@@ -65,6 +65,7 @@ struct PanelState {
     SliderState sliders;
     FieldsState fields;
     Keyboard keyboard;
+    Tooltips tooltips;
     wiring::CanvasState canvas;
     SceneInputState scene_input;
     Recognised recognised;

@@ -160,12 +160,22 @@ bool lamp_was_moved(const LabView& view) {
 // The output pin of the sensor SL, if the brain has one, until the first edit.
 Prompt of_wiring(PromptMemory& memory, const LabView& view) {
     if (memory.edits_before_wiring < 0) memory.edits_before_wiring = edit_count(view);
-    memory.wiring.known = true;
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (!vehicle || edit_count(view) != memory.edits_before_wiring) return {};
     const auto& nodes = brain_of(*view.now, *vehicle)->nodes;
     const bool has_sensor = std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.name == "SL"; });
     return has_sensor ? Prompt{"pin.SL.out", "hint.first_wire"} : Prompt{};
+}
+
+void remember_what_is_done(PromptMemory& memory, const LabView& view) {
+    PromptsFollowed& followed = memory.followed;
+    followed.slider |= edit_count(view) > 0;
+    followed.lamp |= view.file && edit_count(view) > 0 && view.file->sources != view.now->scene->sources;
+    followed.wiring |= view.mode == Mode::wiring;
+    followed.timeline |= view.now->tick < view.timeline.latest;
+    memory.lamp.known |= followed.lamp;
+    memory.wiring.known |= followed.wiring;
+    memory.timeline.known |= followed.timeline;
 }
 
 Prompt of_free_play(PromptMemory& memory, const LabView& view) {
@@ -184,9 +194,9 @@ Prompt of_free_play(PromptMemory& memory, const LabView& view) {
 }  // namespace
 
 Prompt next_prompt(PromptMemory& memory, const LabView& view) {
-    if (memory.opened != view.opened) memory = {view.opened};
-    memory.slider_known |= edit_count(view) > 0 || view.now->seconds > enough;
-    memory.timeline.known |= view.now->tick < view.timeline.latest;
+    if (memory.opened != view.opened) memory = {view.opened, memory.followed};
+    remember_what_is_done(memory, view);
+    memory.slider_known |= memory.followed.slider || view.now->seconds > enough;
     memory.played |= view.now->tick > 0 || view.mode == Mode::playing;
     watch_vehicle(memory, view);
     if (view.mode == Mode::wiring) return of_wiring(memory, view);

@@ -20,9 +20,16 @@ struct Suggested {
     double since = -1;   // wall seconds of its start; negative: not shown yet
 };
 
+// What the person has done at least once, in any file and at any earlier start: it is not suggested again.
+struct PromptsFollowed {
+    bool slider = false, lamp = false, wiring = false, timeline = false;
+    friend bool operator==(const PromptsFollowed&, const PromptsFollowed&) = default;
+};
+
 // State of the prompts for one opened file.
 struct PromptMemory {
     std::string opened;
+    PromptsFollowed followed{};  // kept when another file is opened
     bool played = false;
     bool slider_known = false;                  // a slider was turned, or the run is long enough
     Suggested lamp, wiring, timeline;           // of free play, in this order

@@ -97,6 +97,7 @@ void reset_all(const LabView& view, PanelState& state, Ui& ui, Preferences& want
     state.before_reset = wanted;
     wanted = fresh;
     reset_cards(state);
+    state.prompts.followed = {};
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float timeline_margin = 10, reading_width = 62, flag_zone = 15, groove = 4;  // layout pixels
+constexpr float timeline_margin = 10, reading_width = 62, flag_side = 24, groove = 4;  // layout pixels
 constexpr float roomy = 260;                  // a narrower strip shows the track only
 constexpr std::uint64_t between_lines = 600;  // ticks: ten seconds
 constexpr std::uint64_t key_step = 60;        // ticks per press of an arrow key
@@ -78,13 +78,13 @@ void draw_track(const LabView& view, const Ui& ui, const TimelineTrack& track, f
 void bookmarks(const LabView& view, Ui& ui, const TimelineTrack& track, float top) {
     const auto& marks = view.timeline.bookmarks;
     for (std::size_t i = 0; i < marks.size(); ++i) {
-        const float x = track.x(marks[i]), w = ui.px(14), h = ui.px(flag_zone);
+        const float x = track.x(marks[i]), w = ui.px(flag_side), h = ui.px(flag_side), half = ui.px(5);
         ImGui::SetCursorScreenPos({x - w / 2, top});
         const Item flag = item(ui, "bookmark." + std::to_string(i + 1), {w, h});
         const Colour colour = flag.hovered || flag.focused ? ui.palette.text : ui.palette.memory;
         ImDrawList& draw = *ImGui::GetWindowDrawList();
-        draw.AddTriangleFilled({x - w * 0.36f, top + h * 0.25f}, {x + w * 0.36f, top + h * 0.25f}, {x, top + h * 0.95f},
-                               paint(colour));
+        const float tip = top + h - ui.px(1);
+        draw.AddTriangleFilled({x - half, tip - 2 * half}, {x + half, tip - 2 * half}, {x, tip}, paint(colour));
         const int index = static_cast<int>(i);
         if (flag.pressed) ui.outbox.push_back(BookmarkRequest{index});
         const bool erase = flag.focused && ui.keyboard && take(*ui.keyboard, key::del);
@@ -139,13 +139,13 @@ void timeline(const LabView& view, PanelState& state, Ui& ui, Rect strip) {
         right -= ui.px(8);
     }
     const std::uint64_t latest = view.timeline.latest;
-    const TimelineTrack track{{left, strip.y + ui.px(flag_zone), right - left, strip.h - ui.px(flag_zone + 6)},
+    const TimelineTrack track{{left, strip.y + ui.px(flag_side + 1), right - left, strip.h - ui.px(flag_side + 1)},
                               latest > recorded_ticks ? latest - recorded_ticks : 0};
-    bookmarks(view, ui, track, strip.y + ui.px(2));
+    bookmarks(view, ui, track, strip.y + ui.px(1));
     ImGui::SetCursorScreenPos({track.rect.x - ui.px(6), track.rect.y});
     const Item item_of_track = item(ui, "timeline.track", {track.rect.w + ui.px(12), track.rect.h});
     scrub(view, state, ui, track, item_of_track);
-    draw_track(view, ui, track, strip.y + strip.h / 2, item_of_track);
+    draw_track(view, ui, track, track.rect.y + ui.px(9), item_of_track);
     if (wants_tooltip(ui, item_of_track))
         tooltip(ui, item_of_track,
                 fill(ui.strings("timeline.track"),

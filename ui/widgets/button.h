@@ -30,7 +30,7 @@ struct SmallButton {
     std::string_view id, icon, words;
     bool on = false;
 };
-inline constexpr float small_button_height = 22;                      // layout pixels
+inline constexpr float small_button_height = 24;                      // layout pixels
 float small_button_width(const Ui&, const SmallButton&, bool words);  // without words: the icon only
 Item small_button(Ui&, const SmallButton&, bool words = true);
 

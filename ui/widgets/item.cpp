@@ -63,6 +63,14 @@ ImVec2 size_of_words(const Ui& ui, std::string_view words, float width) {
     return face->CalcTextSizeA(compat::size_of(face), FLT_MAX, width, words.data(), words.data() + words.size());
 }
 
+// True once the pointer has rested on the widget for `hovered` seconds, or if it comes from another tooltip.
+bool is_due(const Ui& ui, float hovered) {
+    constexpr double rest = 0.5, just_before = 0.25;
+    const double now = ImGui::GetTime();
+    const double rested = ui.tooltips ? std::min<double>(hovered, now - ui.tooltips->moved_at) : hovered;
+    return rested >= rest || (ui.tooltips && ui.tooltips->shown_at >= 0 && now - ui.tooltips->shown_at <= just_before);
+}
+
 bool is_visible(Rect r) { return r.w >= 1 && r.h >= 1; }
 
 }  // namespace
@@ -74,7 +82,7 @@ Item item(Ui& ui, std::string_view id, ImVec2 size, bool enabled) {
     result.enabled = enabled;
     if (ui.shown) {
         result.shown = static_cast<int>(ui.shown->size());
-        ui.shown->push_back({std::string(id)});
+        ui.shown->push_back({std::string(id), false, result.rect, enabled});
     }
     ImGui::PushID(id.data(), id.data() + id.size());
     const bool clicked = ImGui::InvisibleButton("##item", {std::max(1.0f, size.x), std::max(1.0f, size.y)});
@@ -106,11 +114,12 @@ void mark(Ui& ui, std::string_view id, Rect rect) {
 void tooltip(Ui& ui, const Item& item, std::string_view words, std::string_view shortcut) {
     if (ui.shown && item.shown >= 0) (*ui.shown)[static_cast<std::size_t>(item.shown)].has_tooltip |= !words.empty();
     if (!item.hovered || item.held || words.empty()) return;
-    // Shown after a delay, so that a moving pointer opens no tooltip; hidden after 9 s and after a click.
-    constexpr float show_after = 0.35f, hide_after = 9;
+    // Hidden after 9 s and after a click.
+    constexpr float hide_after = 9;
     const float hovered = compat::hovered_seconds();
     const bool pressed_meanwhile = ImGui::GetTime() - ImGui::GetIO().MouseClickedTime[0] < static_cast<double>(hovered);
-    if (hovered < show_after || hovered > hide_after || pressed_meanwhile) return;
+    if (!is_due(ui, hovered) || hovered > hide_after || pressed_meanwhile) return;
+    if (ui.tooltips) ui.tooltips->shown_at = ImGui::GetTime();
     const ImVec2 padding{ui.px(10), ui.px(6)};
     const float space = ui.px(2);
     const float widest = std::max(text_width(ui, Face::small, words), text_width(ui, Face::small, shortcut));

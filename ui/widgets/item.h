@@ -36,7 +36,8 @@ void mark(Ui&, std::string_view id, Rect);
 // False if no tooltip is shown in this frame; its text need not be built then.
 inline bool wants_tooltip(const Ui& ui, const Item& item) { return (item.hovered && !item.held) || ui.shown; }
 
-// Words and shortcut, shown after 0.35 s of hovering.
+// Words and shortcut, shown when the pointer has rested for 0.5 s, or at once if another tooltip was visible just
+// before.
 void tooltip(Ui&, const Item&, std::string_view words, std::string_view shortcut = {});
 
 // An eased value that moves to `target` (0..1) within `seconds`. Dear ImGui stores it under the id.

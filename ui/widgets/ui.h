@@ -35,10 +35,18 @@ struct Written {
     const void* sheet = {};  // equal for texts on the same draw list
 };
 
-// A widget as drawn in this frame, for tests that find missing tooltips.
+// A widget as drawn in this frame, for tests that find missing tooltips and small targets.
 struct Shown {
     std::string id;
     bool has_tooltip = false;
+    Rect rect{};  // window pixels; not clipped to its card
+    bool enabled = true;
+};
+
+// When tooltips are due: a pointer rests, or another tooltip was visible just before.
+struct Tooltips {
+    double moved_at = 0;   // ImGui::GetTime() of the pointer's last movement
+    double shown_at = -1;  // and of the last frame with a tooltip
 };
 
 struct Ui {
@@ -55,6 +63,7 @@ struct Ui {
     char decimal_mark = '.';                  // set by draw_window; of the language
     std::vector<Written>* written = nullptr;  // null: not recorded
     std::vector<Shown>* shown = nullptr;      // null: not recorded
+    Tooltips* tooltips = nullptr;             // set by draw_window; null: each waits for itself
 
     // Layout pixels to window pixels.
     float px(float layout_pixels) const { return layout_pixels * scale; }

@@ -153,7 +153,7 @@ void draw_joining(const Pen& pen, const Picture& picture, const CanvasFrame& fra
 
 // The description of a sensor or motor under a resting pointer, when its card is too small to show it.
 void draw_description(const Pen& pen, const Picture& picture, const CanvasFrame& frame) {
-    constexpr double rest_seconds = 0.35;
+    constexpr double rest_seconds = 0.5;
     const CanvasState& state = picture.state;
     const bool rests = frame.wall_seconds - state.rested_since >= rest_seconds;
     if (!rests || state.hovered.part != Part::node || detail_of(pen) == Detail::full) return;

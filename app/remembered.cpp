@@ -1,0 +1,51 @@
+#include "app/remembered.h"
+
+#include <algorithm>
+
+#include "app/lab_selection.h"
+#include "ui/panels/cards.h"
+
+namespace braitenlab {
+
+void restore_view(Lab& lab, ui::PanelState& panels, const StoredView& stored) {
+    const ViewSettings& kept = stored.settings;
+    lab.view.overlays = kept.overlays;
+    lab.view.watching = kept.watching;
+    lab.view.canvas_share = kept.canvas_share;
+    lab.view.sensors = kept.sensors;
+    lab.view.outlines = kept.outlines;
+    lab.view.selection.whole_kind = kept.selection.whole_kind;
+    if (!rides(kept.camera.mode) || selected_vehicle(lab)) lab.view.camera.mode = kept.camera.mode;
+    lab.playback.time_scale = stored.time_scale;
+    panels.prompts.followed = stored.followed;
+    if (!stored.folded) return;
+    for (const ui::CardTraits& row : ui::cards())
+        panels.card(row.card).folded =
+            std::find(stored.folded->begin(), stored.folded->end(), row.anchor) != stored.folded->end();
+}
+
+StoredView view_to_store(const Lab& lab, const ui::PanelState& panels) {
+    const ViewSettings& shown = lab.before_lecture ? lab.before_lecture->view : lab.view;
+    StoredView stored;
+    stored.settings.camera.mode = shown.camera.mode;
+    stored.settings.overlays = shown.overlays;
+    stored.settings.overlays.field.reset();
+    stored.settings.watching = shown.watching;
+    stored.settings.canvas_share = shown.canvas_share;
+    stored.settings.sensors = shown.sensors;
+    stored.settings.outlines = shown.outlines;
+    stored.settings.selection.whole_kind = lab.view.selection.whole_kind;
+    stored.time_scale = lab.playback.time_scale;
+    stored.followed = panels.prompts.followed;
+    stored.folded.emplace();
+    for (const ui::CardTraits& row : ui::cards()) {
+        const auto index = static_cast<std::size_t>(row.card);
+        const bool is_folded = row.card == ui::Card::inspector ? panels.canvas.inspector.folded
+                               : panels.before_lecture         ? panels.before_lecture->cards[index].folded
+                                                               : panels.cards[index].folded;
+        if (is_folded) stored.folded->emplace_back(row.anchor);
+    }
+    return stored;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,17 @@
+// What is remembered between two starts: how the scene is shown, which cards are folded, what the person knows.
+#pragma once
+
+#include "app/files/settings.h"
+#include "app/lab.h"
+#include "ui/panels/panel_state.h"
+
+namespace braitenlab {
+
+// Call at the start, after a document was opened. A camera that rides with a vehicle needs a selected vehicle; without
+// one the camera stays as it is.
+void restore_view(Lab&, ui::PanelState&, const StoredView&);
+
+// In a lecture, the values from before it.
+StoredView view_to_store(const Lab&, const ui::PanelState&);
+
+}  // namespace braitenlab

@@ -1,0 +1,71 @@
+#include "app/remembered.h"
+
+#include <gtest/gtest.h>
+
+#include "app/lab_requests.h"
+#include "tests/lab/opened_lab.h"
+
+namespace braitenlab::tests::remembered_test {
+namespace {
+
+using ui::Card;
+
+TEST(Remembered, IsRestoredByTheNextStart) {
+    Lab lab = opened_lab("predator-prey");
+    ui::PanelState panels;
+    for (const Action action : {Action::trails, Action::sensors, Action::outlines, Action::birds_eye, Action::faster})
+        handle(lab, action);
+    handle(lab, ScopeRequest{false});
+    panels.card(Card::brain).folded = true;
+    panels.card(Card::sensors).folded = false;
+    panels.prompts.followed.wiring = true;
+    const StoredView stored = view_to_store(lab, panels);
+
+    Lab next = opened_lab("2a-coward");
+    ui::PanelState next_panels;
+    restore_view(next, next_panels, stored);
+    EXPECT_FALSE(next.view.overlays.trails);
+    EXPECT_FALSE(next.view.sensors);
+    EXPECT_TRUE(next.view.outlines);
+    EXPECT_EQ(next.view.camera.mode, CameraMode::birds_eye);
+    EXPECT_FALSE(next.view.selection.whole_kind);
+    EXPECT_EQ(next.playback.time_scale, 2);
+    EXPECT_TRUE(next_panels.card(Card::brain).folded);
+    EXPECT_FALSE(next_panels.card(Card::sensors).folded);
+    EXPECT_TRUE(next_panels.prompts.followed.wiring);
+    EXPECT_EQ(view_to_store(next, next_panels), stored);
+}
+
+TEST(Remembered, IsTheInitialStateAtTheFirstStart) {
+    Lab lab = opened_lab("2a-coward");
+    const ViewSettings before = lab.view;
+    ui::PanelState panels;
+    restore_view(lab, panels, {});
+    EXPECT_EQ(lab.view, before);
+    EXPECT_TRUE(panels.card(Card::sensors).folded);
+    EXPECT_FALSE(panels.card(Card::brain).folded);
+}
+
+TEST(Remembered, IsOfTheTimeBeforeALecture) {
+    Lab lab = opened_lab("2a-coward");
+    ui::PanelState panels;
+    const StoredView before = view_to_store(lab, panels);
+    handle(lab, Action::lecture);
+    handle(lab, Action::trails);
+    panels.before_lecture = ui::BeforeLecture{panels.cards, {}};
+    panels.card(Card::brain).folded = true;
+    EXPECT_EQ(view_to_store(lab, panels), before);
+}
+
+TEST(Remembered, DoesNotFollowWithoutAVehicle) {
+    Lab lab = opened_lab("2a-coward");
+    handle(lab, EditRequest{RemoveVehicle{}});
+    ui::PanelState panels;
+    StoredView stored;
+    stored.settings.camera.mode = CameraMode::follow;
+    restore_view(lab, panels, stored);
+    EXPECT_EQ(lab.view.camera.mode, CameraMode::overview);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::remembered_test
