@@ -42,11 +42,14 @@ enum class Channel {
 struct ChannelTraits {
     Channel value;
     std::string_view word;
-    bool is_summed = false;  // stimuli at points add up: sources, carried lamps, vehicles of a role
-    bool is_source = false;  // a source or a carried lamp gives it off; menus offer it
-    bool is_light = false;   // white light or a colour; the arena's ambient light adds to it
-    bool is_hidden = false;  // obstacles between stimulus and sensor hide the stimulus
-    bool is_mapped = true;   // has a value at every point of the floor, so contours can show it
+    bool is_summed = false;        // stimuli at points add up: sources, carried lamps, vehicles of a role
+    bool is_source = false;        // a source or a carried lamp gives it off; menus offer it
+    bool is_light = false;         // white light or a colour; the arena's ambient light adds to it
+    bool is_hidden = false;        // obstacles between stimulus and sensor hide the stimulus
+    bool is_mapped = true;         // has a value at every point of the floor, so contours can show it
+    std::string_view stem = "S";   // of the names of sensors that are added: SL and SR; SC for a single one
+    std::string_view single = {};  // name of a single sensor; empty: stem and C
+    bool is_paired = true;         // sensors for it are added as a pair, unless a single one is chosen
 };
 
 inline constexpr auto channel_table = std::to_array<ChannelTraits>({
@@ -56,25 +59,38 @@ inline constexpr auto channel_table = std::to_array<ChannelTraits>({
      .is_source = true,
      .is_light = true,
      .is_hidden = true},
-    {.value = Channel::red, .word = "red", .is_summed = true, .is_source = true, .is_light = true, .is_hidden = true},
+    {.value = Channel::red,
+     .word = "red",
+     .is_summed = true,
+     .is_source = true,
+     .is_light = true,
+     .is_hidden = true,
+     .stem = "D"},
     {.value = Channel::green,
      .word = "green",
      .is_summed = true,
      .is_source = true,
      .is_light = true,
-     .is_hidden = true},
-    {.value = Channel::blue, .word = "blue", .is_summed = true, .is_source = true, .is_light = true, .is_hidden = true},
-    {.value = Channel::heat, .word = "heat", .is_summed = true, .is_source = true},
-    {.value = Channel::smell, .word = "smell", .is_summed = true, .is_source = true},
-    {.value = Channel::oxygen, .word = "oxygen", .is_summed = true, .is_source = true},
-    {.value = Channel::obstacle, .word = "obstacle"},
-    {.value = Channel::predator, .word = "predator", .is_summed = true, .is_hidden = true},
-    {.value = Channel::prey, .word = "prey", .is_summed = true, .is_hidden = true},
-    {.value = Channel::vehicle, .word = "vehicle", .is_summed = true, .is_hidden = true},
-    {.value = Channel::memory, .word = "memory"},
-    {.value = Channel::touch, .word = "touch", .is_mapped = false},
-    {.value = Channel::floor, .word = "floor"},
-    {.value = Channel::energy, .word = "energy", .is_mapped = false},
+     .is_hidden = true,
+     .stem = "G"},
+    {.value = Channel::blue,
+     .word = "blue",
+     .is_summed = true,
+     .is_source = true,
+     .is_light = true,
+     .is_hidden = true,
+     .stem = "B"},
+    {.value = Channel::heat, .word = "heat", .is_summed = true, .is_source = true, .stem = "H"},
+    {.value = Channel::smell, .word = "smell", .is_summed = true, .is_source = true, .stem = "N"},
+    {.value = Channel::oxygen, .word = "oxygen", .is_summed = true, .is_source = true, .stem = "A"},
+    {.value = Channel::obstacle, .word = "obstacle", .stem = "O"},
+    {.value = Channel::predator, .word = "predator", .is_summed = true, .is_hidden = true, .stem = "P"},
+    {.value = Channel::prey, .word = "prey", .is_summed = true, .is_hidden = true, .stem = "Y"},
+    {.value = Channel::vehicle, .word = "vehicle", .is_summed = true, .is_hidden = true, .stem = "K"},
+    {.value = Channel::memory, .word = "memory", .stem = "Q"},
+    {.value = Channel::touch, .word = "touch", .is_mapped = false, .stem = "T", .is_paired = false},
+    {.value = Channel::floor, .word = "floor", .stem = "F"},
+    {.value = Channel::energy, .word = "energy", .is_mapped = false, .stem = "E", .single = "EN", .is_paired = false},
 });
 constexpr const auto& table_of(Channel) { return channel_table; }
 inline constexpr int channel_count = static_cast<int>(channel_table.size());

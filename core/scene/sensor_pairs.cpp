@@ -20,12 +20,12 @@ bool is_left(const Sensor& a, const Sensor& b) { return is_close(a.y, b.y) ? a.a
 
 }  // namespace
 
-std::vector<KindPair> sensor_pairs(const Kind& kind) {
+std::vector<KindPair> sensor_pairs(const std::vector<Sensor>& sensors) {
     std::vector<KindPair> pairs;
-    std::vector<bool> is_paired(kind.sensors.size(), false);
-    for (std::size_t i = 0; i < kind.sensors.size(); ++i)
-        for (std::size_t j = i + 1; j < kind.sensors.size() && !is_paired[i]; ++j) {
-            const Sensor &one = kind.sensors[i], &other = kind.sensors[j];
+    std::vector<bool> is_paired(sensors.size(), false);
+    for (std::size_t i = 0; i < sensors.size(); ++i)
+        for (std::size_t j = i + 1; j < sensors.size() && !is_paired[i]; ++j) {
+            const Sensor &one = sensors[i], &other = sensors[j];
             if (is_paired[j] || !are_mirrored(one, other)) continue;
             is_paired[i] = is_paired[j] = true;
             const auto earlier =

@@ -19,7 +19,8 @@ struct KindPair {
 // In the order of their first sensor. The sensor with the larger y is the left one; if both have the same y, that with
 // the larger angle. A sensor belongs to at most one pair. Mirrored are y and angle; x, fov, shape, response, range and
 // half-distance are equal.
-std::vector<KindPair> sensor_pairs(const Kind&);
+std::vector<KindPair> sensor_pairs(const std::vector<Sensor>&);
+inline std::vector<KindPair> sensor_pairs(const Kind& kind) { return sensor_pairs(kind.sensors); }
 
 // The pair of this name, else SL and SR, else the first pair.
 SensorPair chosen_pair(const Kind&, const std::string& name);
