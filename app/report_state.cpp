@@ -9,6 +9,8 @@
 #include "app/ctl/report.h"
 #include "app/files/safe_file.h"
 #include "core/brain/four_neurons.h"
+#include "core/io/vehicle_table.h"
+#include "core/maths/angle.h"
 #include "core/scene/enums.h"
 #include "core/world/character.h"
 #include "ui/scene_input/clipboard.h"
@@ -160,6 +162,19 @@ void add_brain(Json& state, const Snapshot& now, const VehicleView* vehicle, con
     if (vehicle)
         for (const Sensor& sensor : kind_of(now, *vehicle).sensors) ranges.push_back(plain(sensor.range));
     state["sensor_ranges"] = std::move(ranges);
+    for (const std::string_view key : {"sensor_names", "sensor_angles"}) state[std::string(key)] = Json::array();
+    state["neurons"] = state["learned"] = Json::object();
+    if (vehicle) {
+        for (const Sensor& sensor : kind_of(now, *vehicle).sensors) {
+            state["sensor_names"].push_back(sensor.name);
+            state["sensor_angles"].push_back(plain(maths::degrees(sensor.angle)));
+        }
+        for (const io::BrainValue& each : io::neuron_values(now, *vehicle))
+            state["neurons"][each.name] = plain(static_cast<float>(each.value));
+        for (const io::BrainValue& each : io::learned_values(now, *vehicle))
+            state["learned"][each.name] = plain(static_cast<float>(each.value));
+    }
+    state["own_sensors"] = vehicle && vehicle->design >= 0;
     state["nodes"] = brain.nodes.size();
     state["wires"] = std::count_if(brain.wires.begin(), brain.wires.end(), [](const Wire& w) { return w.weight != 0; });
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/io/vehicle_table.h"
 #include "core/scene/enums.h"
 
 namespace braitenlab {
@@ -19,6 +20,13 @@ Json sources_json(const Snapshot& now) {
                         {"x", s.x},
                         {"y", s.y}});
     return list;
+}
+
+// An object of numbers by name.
+Json by_name(const std::vector<io::BrainValue>& values) {
+    Json json = Json::object();
+    for (const io::BrainValue& each : values) json[each.name] = each.value;
+    return json;
 }
 
 Json vehicles_json(const Snapshot& now) {
@@ -38,7 +46,9 @@ Json vehicles_json(const Snapshot& now) {
                         {"energy", v.energy},
                         {"left", v.motor[0]},
                         {"right", v.motor[1]},
-                        {"sensors", std::move(sensors)}});
+                        {"sensors", std::move(sensors)},
+                        {"neurons", by_name(io::neuron_values(now, v))},
+                        {"learned", by_name(io::learned_values(now, v))}});
     }
     return list;
 }

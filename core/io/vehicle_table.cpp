@@ -126,6 +126,23 @@ VehicleColumn sensor_column(std::string sensor) {
             [sensor = std::move(sensor)](const VehicleRow& row) -> CsvValue { return sensor_input(row, sensor); }};
 }
 
+std::vector<BrainValue> neuron_values(const Snapshot& now, const VehicleView& vehicle) {
+    std::vector<BrainValue> values;
+    for (const Node& node : brain_of(now, vehicle)->nodes)
+        if (node.kind == NodeKind::neuron) values.push_back({node.name, node_value(now, vehicle, node.id)});
+    return values;
+}
+
+std::vector<BrainValue> learned_values(const Snapshot& now, const VehicleView& vehicle) {
+    const BrainGraph& brain = *brain_of(now, vehicle);
+    std::vector<BrainValue> values;
+    for (const Wire& wire : brain.wires)
+        if (learns(wire))
+            values.push_back({find_node(brain, wire.from)->name + ">" + find_node(brain, wire.to)->name,
+                              learned(now, vehicle, wire.from, wire.to)});
+    return values;
+}
+
 std::vector<VehicleColumn> vehicle_columns(const Snapshot& now, const std::set<ColumnGroup>& groups) {
     std::vector<VehicleColumn> columns = vehicle_columns();
     if (groups.contains(ColumnGroup::sensors))

@@ -49,4 +49,13 @@ VehicleColumn sensor_column(std::string sensor);
 // brains of the snapshot; brains that are edited later add none.
 std::vector<VehicleColumn> vehicle_columns(const Snapshot&, const std::set<ColumnGroup>&);
 
+// A value of the brain of one vehicle, with the name that its column has without "neuron_" or "learned_".
+struct BrainValue {
+    std::string name;
+    double value = 0;
+};
+// The hidden neurons, and the learned parts of the Hebbian wires, in the order of the graph.
+std::vector<BrainValue> neuron_values(const Snapshot&, const VehicleView&);
+std::vector<BrainValue> learned_values(const Snapshot&, const VehicleView&);
+
 }  // namespace braitenlab::io

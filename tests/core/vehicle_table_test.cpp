@@ -55,6 +55,20 @@ std::string header(const Snapshot& now, const std::set<ColumnGroup>& groups) {
 
 const std::string basic = "seconds,id,kind,role,x_m,y_m,heading_rad,speed_m_s,energy,left,right";
 
+TEST(VehicleTable, ListsTheNeuronsAndLearnedWeightsOfAVehicle) {
+    const Snapshot now = after(learner(), 60);
+    const auto neurons = io::neuron_values(now, now.vehicles[0]);
+    ASSERT_EQ(neurons.size(), 1u);
+    EXPECT_EQ(neurons[0].name, "N");
+    EXPECT_EQ(neurons[0].value, number(now, 0, "neuron_N"));
+    EXPECT_GT(neurons[0].value, 0);
+    const auto wires = io::learned_values(now, now.vehicles[0]);
+    ASSERT_EQ(wires.size(), 1u);
+    EXPECT_EQ(wires[0].name, "N>ML");
+    EXPECT_EQ(wires[0].value, number(now, 0, "learned_N>ML"));
+    EXPECT_GT(wires[0].value, 0);
+}
+
 TEST(VehicleTable, HasOnlyTheBasicColumnsUnlessMoreAreAskedFor) {
     EXPECT_EQ(header(after(learner(), 0), {}), basic + "\n");
 }

@@ -55,8 +55,9 @@ TEST(CtlRun, PrintsJsonOfAFixedShape) {
                                                 "predators", "prey", "events", "sources", "vehicles"}));
     EXPECT_EQ(keys(run["events"]), (std::set<std::string>{"captures", "deaths", "births", "contacts"}));
     EXPECT_EQ(keys(run["sources"][0]), (std::set<std::string>{"id", "channel", "x", "y"}));
-    EXPECT_EQ(keys(run["vehicles"][0]), (std::set<std::string>{"id", "kind", "role", "x", "y", "heading", "speed",
-                                                               "energy", "left", "right", "sensors"}));
+    EXPECT_EQ(keys(run["vehicles"][0]),
+              (std::set<std::string>{"id", "kind", "role", "x", "y", "heading", "speed", "energy", "left", "right",
+                                     "sensors", "neurons", "learned"}));
     EXPECT_EQ(run["scene"], "2b-aggressor");
     EXPECT_EQ(run["ticks"], 120);
     EXPECT_EQ(run["seconds"], 2);

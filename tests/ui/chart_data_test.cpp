@@ -29,8 +29,8 @@ TEST(ChartData, TakesOneSamplePerPeriodAndDropsTheOldest) {
         }
     }
     EXPECT_EQ(history.signals.size(), History::signal_samples);
-    EXPECT_FLOAT_EQ(history.signals.back().values[0], 0.4f);
-    EXPECT_FLOAT_EQ(history.signals.back().values[3], 0.5f);
+    EXPECT_FLOAT_EQ(history.signals.back().sensors[0], 0.4f);
+    EXPECT_FLOAT_EQ(history.signals.back().motors[1], 0.5f);
     EXPECT_NEAR(history.signals.back().seconds, 99.95, 1e-6);
     EXPECT_EQ(history.population.size(), 100u);
 }
@@ -81,7 +81,41 @@ TEST(ChartData, FollowsEditsAtThePresentTick) {
     ASSERT_EQ(history.population.size(), 1u);
     EXPECT_EQ(history.population.back().count[1], 7);
     ASSERT_EQ(history.signals.size(), 1u);
-    EXPECT_FLOAT_EQ(history.signals.back().values[0], 0.7f);
+    EXPECT_FLOAT_EQ(history.signals.back().sensors[0], 0.7f);
+}
+
+TEST(ChartData, ShowsTheSignalsOfTheChosenPairWithItsPast) {
+    Desk desk;
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    std::vector<Sensor>& sensors = scene->kinds[0].sensors;
+    for (const float side : {1.0f, -1.0f}) {
+        Sensor& eye = sensors[side > 0 ? 0 : 1];
+        eye.y = 0.2f * side, eye.angle = 0.5f * side;
+        Sensor skin = eye;
+        skin.channel = Channel::heat;
+        skin.name = side > 0 ? "HL" : "HR";
+        sensors.push_back(skin);
+    }
+    desk.now.scene = scene;
+    desk.now.sensed.assign(desk.now.sensed.size() + 4, 0.4f);
+    desk.now.sensed[2] = 0.9f;
+    History history;
+    pass(desk, history, 0);
+    pass(desk, history, 60);
+    EXPECT_EQ(shown_signals(history, desk.view).names, (std::array<std::string, 4>{"SL", "SR", "ML", "MR"}));
+    desk.view.settings.selection.pair = "heat";
+    pass(desk, history, 63);
+    const ShownSignals heat = shown_signals(history, desk.view);
+    EXPECT_EQ(heat.names, (std::array<std::string, 4>{"HL", "HR", "ML", "MR"}));
+    ASSERT_EQ(history.signals.size(), 3u) << "the samples before the choice stay";
+    EXPECT_FLOAT_EQ(heat.value(history.signals[0], 0), 0.9f);
+    EXPECT_FLOAT_EQ(heat.value(history.signals[0], 3), 0.5f);
+    EXPECT_NE(signals_csv(history).find("sensor_SL,sensor_SR,sensor_HL,sensor_HR,left"), std::string::npos);
+    scene = std::make_shared<Scene>(*scene);
+    scene->kinds[0].sensors.pop_back();
+    desk.now.scene = scene;
+    pass(desk, history, 66);
+    EXPECT_EQ(history.signals.size(), 1u) << "of other sensors";
 }
 
 TEST(ChartData, KeepsNumbersAndMeanEnergiesOfEachSide) {

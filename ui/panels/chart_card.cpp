@@ -24,7 +24,6 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> signal_names{"SL", "SR", "ML", "MR"};
 constexpr std::array chart_roles{Role::predator, Role::prey, Role::none};
 constexpr std::array line_widths{3.6f, 2.0f, 1.2f};  // drawn in this order: lines on top of each other stay visible
 
@@ -79,7 +78,8 @@ void no_samples(Ui& ui, Rect r) {
 
 // Left and right sensor, or left and right motor. The left line is wide and the right one narrow: both are visible
 // where they overlap.
-void signal_pair(const History& history, Ui& ui, Rect r, const Axis& time, std::size_t first) {
+void signal_pair(const History& history, const ShownSignals& shown, Ui& ui, Rect r, const Axis& time,
+                 std::size_t first) {
     const bool motors = first == 2;
     const Axis value{motors ? -1.0f : 0.0f, 1, "", 1};
     // The upper chart has no minus signs beside its axis: indent it, so that both time axes are aligned.
@@ -93,31 +93,33 @@ void signal_pair(const History& history, Ui& ui, Rect r, const Axis& time, std::
     for (const std::size_t i : {first, first + 1})
         plot_line(ui, inner, time, value, history.signals.size(), i == first ? left : right, i == first ? 2.6f : 1.3f,
                   [&](std::size_t k) {
-                      return ImVec2{static_cast<float>(history.signals[k].seconds), history.signals[k].values[i]};
+                      const History::Signals& s = history.signals[k];
+                      return ImVec2{static_cast<float>(s.seconds), shown.value(s, i)};
                   });
-    put(ui, {inner.x + ui.px(6), inner.y + ui.px(2)}, signal_names[first], left, Face::small);
-    put(ui, {inner.x + ui.px(26), inner.y + ui.px(2)}, signal_names[first + 1], right, Face::small);
+    const float after = put(ui, {inner.x + ui.px(6), inner.y + ui.px(2)}, shown.names[first], left, Face::small);
+    put(ui, {inner.x + ui.px(12) + after, inner.y + ui.px(2)}, shown.names[first + 1], right, Face::small);
     const auto at = plot_cursor(ui, inner, time);
     if (!at) return;
     const History::Signals& s = nearest_sample(history.signals, *at);
     ReadOut words;
     words.add(fill(ui.strings("time.seconds"), {fixed(ui, static_cast<float>(s.seconds), 2)}), ui.palette.second_text);
-    for (const std::size_t i : {first, first + 1})
-        words.add(
-            std::string(signal_names[i]) + " " + (motors ? with_sign(ui, s.values[i], 2) : fixed(ui, s.values[i], 2)),
-            i == first ? left : right);
+    for (const std::size_t i : {first, first + 1}) {
+        const float at_pointer = shown.value(s, i);
+        words.add(shown.names[i] + " " + (motors ? with_sign(ui, at_pointer, 2) : fixed(ui, at_pointer, 2)),
+                  i == first ? left : right);
+    }
     words.show(ui, inner, ImGui::GetIO().MousePos.x);
 }
 
-void signal_chart(const History& history, Ui& ui, Rect r) {
+void signal_chart(const History& history, const ShownSignals& shown, Ui& ui, Rect r) {
     if (history.signals.size() < 2) return no_samples(ui, r);
     const Axis time = time_axis(history.signals.front().seconds, history.signals.back().seconds, 5);
     // The upper chart shares the numbers of the lower one's time axis.
     const float line = line_height(ui, Face::small), half = (r.h - line) / 2;
     Axis bare = time;
     bare.numbers = false;
-    signal_pair(history, ui, {r.x, r.y, r.w, half + 0.4f * line}, bare, 0);  // room for both numbers
-    signal_pair(history, ui, {r.x, r.y + half, r.w, half + line}, time, 2);
+    signal_pair(history, shown, ui, {r.x, r.y, r.w, half + 0.4f * line}, bare, 0);  // room for both numbers
+    signal_pair(history, shown, ui, {r.x, r.y + half, r.w, half + line}, time, 2);
 }
 
 std::string_view group_name(const Ui& ui, std::size_t group) {
@@ -271,7 +273,7 @@ void chart_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         } else {
             const Item area = item(ui, "charts.picture", {picture.w, picture.h}, false);
             if (state.chart == Chart::signals)
-                signal_chart(state.history, ui, area.rect);
+                signal_chart(state.history, shown_signals(state.history, view), ui, area.rect);
             else
                 population_chart(state.history, ui, area.rect, state.chart == Chart::energy);
         }

@@ -31,18 +31,11 @@ void add_sample(Samples& samples, const Sample& sample, std::size_t most) {
     if (samples.size() > most) samples.pop_front();
 }
 
-// Name and value of each of History::Signals::values.
-const auto& signal_values() {
-    static const std::array<io::VehicleColumn, 4> columns{io::sensor_column("SL"), io::sensor_column("SR"),
-                                                          io::vehicle_column("left"), io::vehicle_column("right")};
-    return columns;
-}
-
 History::Signals signals_of(const Snapshot& now, const VehicleView& vehicle, double seconds) {
-    History::Signals sample{seconds, {}};
-    for (std::size_t i = 0; i < sample.values.size(); ++i) {
-        const double value = std::get<double>(signal_values()[i].value({now, vehicle}));
-        sample.values[i] = std::isnan(value) ? 0 : static_cast<float>(value);
+    History::Signals sample{seconds, {}, vehicle.motor};
+    for (const Sensor& sensor : kind_of(now, vehicle).sensors) {
+        const double value = std::get<double>(io::sensor_column(sensor.name).value({now, vehicle}));
+        sample.sensors.push_back(static_cast<float>(value));
     }
     return sample;
 }
@@ -75,10 +68,33 @@ void record(History& history, const LabView& view) {
     if (history.vehicle != view.settings.selection.vehicle) history.signals.clear();
     history.vehicle = view.settings.selection.vehicle;
     const VehicleView* vehicle = find_vehicle(now, view.settings.selection.vehicle);
+    if (auto names = vehicle ? sensor_names(kind_of(now, *vehicle)) : std::vector<std::string>{};
+        names != history.sensors) {
+        history.sensors = std::move(names);
+        history.signals.clear();
+    }
     if (vehicle && is_due(history.signals, seconds, History::signal_period))
         add_sample(history.signals, signals_of(now, *vehicle, seconds), History::signal_samples);
     if (is_due(history.population, seconds, History::population_period))
         add_sample(history.population, counted(now, seconds), History::population_samples);
+}
+
+float ShownSignals::value(const History::Signals& sample, std::size_t signal) const {
+    if (signal >= 2) return sample.motors[signal - 2];
+    return sensors[signal] ? sample.sensors[*sensors[signal]] : 0;
+}
+
+ShownSignals shown_signals(const History& history, const SensorPair& pair) {
+    ShownSignals shown{{pair.left, pair.right, "ML", "MR"}};
+    for (std::size_t side = 0; side < 2; ++side)
+        for (std::size_t i = 0; i < history.sensors.size(); ++i)
+            if (history.sensors[i] == shown.names[side]) shown.sensors[side] = i;
+    return shown;
+}
+
+ShownSignals shown_signals(const History& history, const LabView& view) {
+    const VehicleView* vehicle = find_vehicle(*view.now, history.vehicle);
+    return shown_signals(history, vehicle ? shown_pair(view, *vehicle) : SensorPair{});
 }
 
 void sort(const Snapshot& now, const EnergyOrder& order, std::vector<std::size_t>& rows) {
@@ -104,11 +120,15 @@ using io::CsvValue;
 using SignalRow = History::Signals;
 using PopulationRow = History::Population;
 
-std::vector<io::CsvColumn<SignalRow>> signal_columns() {
+std::vector<io::CsvColumn<SignalRow>> signal_columns(const History& history) {
     std::vector<io::CsvColumn<SignalRow>> columns{
         {io::vehicle_column("seconds").name, [](const SignalRow& s) -> CsvValue { return s.seconds; }}};
-    for (std::size_t i = 0; i < signal_values().size(); ++i)
-        columns.push_back({signal_values()[i].name, [i](const SignalRow& s) -> CsvValue { return s.values[i]; }});
+    for (std::size_t i = 0; i < history.sensors.size(); ++i)
+        columns.push_back(
+            {io::sensor_column(history.sensors[i]).name, [i](const SignalRow& s) -> CsvValue { return s.sensors[i]; }});
+    for (std::size_t i = 0; i < 2; ++i)
+        columns.push_back({io::vehicle_column(i == 0 ? "left" : "right").name,
+                           [i](const SignalRow& s) -> CsvValue { return s.motors[i]; }});
     return columns;
 }
 
@@ -133,7 +153,7 @@ std::string csv_of(const Columns& columns, const Samples& samples) {
 
 }  // namespace
 
-std::string signals_csv(const History& history) { return csv_of(signal_columns(), history.signals); }
+std::string signals_csv(const History& history) { return csv_of(signal_columns(history), history.signals); }
 
 std::string population_csv(const History& history) { return csv_of(population_columns(), history.population); }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,9 @@ struct History {
     static constexpr std::size_t population_samples = 600;  // ten minutes
 
     struct Signals {
-        double seconds = 0;           // simulated
-        std::array<float, 4> values;  // sensors SL, SR 0..1; commands of the left and right wheel, −1..1
+        double seconds = 0;             // simulated
+        std::vector<float> sensors;     // readings, 0..1, as History::sensors
+        std::array<float, 2> motors{};  // commands of the left and right wheel, −1..1
     };
     struct Population {
         double seconds = 0;
@@ -30,17 +32,31 @@ struct History {
         std::array<float, 3> energy{};  // mean of each, 0..1; NaN for an empty group
     };
 
-    VehicleId vehicle = no_vehicle;  // the vehicle that `signals` are of
-    std::deque<Signals> signals;     // oldest first
+    VehicleId vehicle = no_vehicle;    // the vehicle that `signals` are of
+    std::vector<std::string> sensors;  // names of its sensors
+    std::deque<Signals> signals;       // oldest first
     std::deque<Population> population;
     std::uint64_t tick = 0;    // of the last snapshot
     std::uint64_t run_id = 0;  // LabView::run_id of the samples
 };
 
 // Adds a sample when one is due. Replaces the sample of the current tick, which an edit may have changed. Removes the
-// later samples after a step back, the signals when another vehicle is selected, and all samples when another scene is
-// opened. Call once per frame. At high speed the time between frames exceeds the periods, so there are fewer samples.
+// later samples after a step back, the signals when another vehicle is selected or its sensors get other names, and all
+// samples when another scene is opened. Call once per frame. At high speed the time between frames exceeds the periods,
+// so there are fewer samples.
 void record(History&, const LabView&);
+
+// The four signals that strips and charts show: the readings of a pair of sensors, and the commands of both wheels.
+struct ShownSignals {
+    std::array<std::string, 4> names;                     // "SL", "SR", "ML", "MR"
+    std::array<std::optional<std::size_t>, 2> sensors{};  // in History::sensors; nullopt: the vehicle has no such one
+
+    // 0 for a sensor that the vehicle does not have.
+    float value(const History::Signals&, std::size_t signal) const;
+};
+ShownSignals shown_signals(const History&, const SensorPair&);
+// Of the pair that the sliders show; SL and SR without a vehicle.
+ShownSignals shown_signals(const History&, const LabView&);
 
 struct EnergyOrder {
     enum class By { number, energy, kind };

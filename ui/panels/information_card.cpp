@@ -174,10 +174,11 @@ std::size_t first_shown(const History& history) {
 }
 
 // One signal: its name, and a line on an axis from `low` to 1; the newest sample is at the right edge.
-void signal_strip(const Ui& ui, Rect r, std::string_view letters, const History& history, std::size_t signal,
+void signal_strip(const Ui& ui, Rect r, const History& history, const ShownSignals& shown, std::size_t signal,
                   float low) {
     const float room = ui.px(26);
-    put(ui, {r.x, r.y + (r.h - line_height(ui, Face::small)) / 2}, letters, ui.palette.second_text, Face::small);
+    put(ui, {r.x, r.y + (r.h - line_height(ui, Face::small)) / 2},
+        shortened(ui, shown.names[signal], Face::small, room - ui.px(2)), ui.palette.second_text, Face::small);
     const Rect plot{r.x + room, r.y, r.w - room, r.h};
     strip_ground(ui, plot);
     if (low < 0)
@@ -188,20 +189,19 @@ void signal_strip(const Ui& ui, Rect r, std::string_view letters, const History&
     const std::size_t first = first_shown(history);
     plot_line(ui, plot, time, value, history.signals.size() - first, ui.palette.text, 1.5f, [&](std::size_t i) {
         const History::Signals& s = history.signals[first + i];
-        return ImVec2{static_cast<float>(s.seconds), s.values[signal]};
+        return ImVec2{static_cast<float>(s.seconds), shown.value(s, signal)};
     });
 }
 
-void signal_strips(const History& history, Ui& ui) {
+void signal_strips(const History& history, const ShownSignals& shown, Ui& ui) {
     constexpr float height = 20, row = 28;  // layout pixels
-    constexpr std::string_view letters[]{"SL", "SR", "ML", "MR"};
     subheading(ui, fill(ui.strings("info.last_seconds"), {fixed(ui, static_cast<float>(strip_seconds), 0)}));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float space = ui.px(12), half = (card_width(ui) - space) / 2;
     for (std::size_t i = 0; i < 4; ++i) {
         const Rect place{at.x + (i % 2 ? half + space : 0), at.y + ui.px(2) + ui.px(row) * (i < 2 ? 0.0f : 1.0f), half,
                          ui.px(height)};
-        signal_strip(ui, place, letters[i], history, i, i < 2 ? 0.0f : -1.0f);
+        signal_strip(ui, place, history, shown, i, i < 2 ? 0.0f : -1.0f);
     }
     ImGui::Dummy({card_width(ui), ui.px(2 * row - 4)});
     mark(ui, "info.signals", {at.x, at.y, card_width(ui), ui.px(2 * row - 4)});
@@ -243,7 +243,7 @@ void information_card(const LabView& view, PanelState& state, Ui& ui, Rect place
         population_numbers(view, ui);
         ratio(*view.now, ui);
         if (energy_matters(*view.now)) energies(view, state, ui);
-        if (!state.history.signals.empty()) signal_strips(state.history, ui);
+        if (!state.history.signals.empty()) signal_strips(state.history, shown_signals(state.history, view), ui);
         if (view.now->predators + view.now->prey > 0 && !state.history.population.empty())
             population_strip(state.history, ui);
         inactivity(*view.now, ui);

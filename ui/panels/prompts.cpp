@@ -45,9 +45,10 @@ float reading(const Snapshot& now, const VehicleView& vehicle, std::string_view 
 
 // The slider of a weight whose sensor reads something, so that turning it has an effect: preferably of a wire, that is
 // of a weight that is not 0. Empty if there is none.
-std::string_view telling_slider(const Snapshot& now, const VehicleView& vehicle) {
-    const FourNeurons dials = read_dials(*brain_of(now, vehicle));
-    const bool left = reading(now, vehicle, "SL") >= sees_nothing, right = reading(now, vehicle, "SR") >= sees_nothing;
+std::string_view telling_slider(const Snapshot& now, const VehicleView& vehicle, const SensorPair& pair) {
+    const FourNeurons dials = read_dials(*brain_of(now, vehicle), pair);
+    const bool left = reading(now, vehicle, pair.left) >= sees_nothing;
+    const bool right = reading(now, vehicle, pair.right) >= sees_nothing;
     for (const bool is_wire : {true, false}) {
         if (left && (dials.LL != 0) == is_wire) return "slider.LL";
         if (right && (dials.LR != 0) == is_wire) return "slider.LR";
@@ -74,7 +75,7 @@ Prompt first_change(const LabView& view) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (!vehicle) return {};
     const bool plays = view.mode == Mode::playing;
-    if (const auto slider = telling_slider(*view.now, *vehicle); !slider.empty())
+    if (const auto slider = telling_slider(*view.now, *vehicle, shown_pair(view, *vehicle)); !slider.empty())
         return {slider, plays ? "hint.turn_slider" : "hint.turn_slider_paused"};
     if (!view.lesson && is_blind(*view.now, *vehicle) && telling_lamp(view)) return {lamp_anchor, "hint.lamp_nearer"};
     return {};
