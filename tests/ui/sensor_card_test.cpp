@@ -22,15 +22,36 @@ public:
         sensors[0].y = 0.24f, sensors[1].y = -0.24f;
         sensors.push_back({.name = "TC", .channel = Channel::touch});
         now.scene = filed = scene;
+        for (const Kind& kind : scene->kinds) now.kind_brains.push_back(std::make_shared<BrainGraph>(kind.brain));
         view.file = filed.get();
         panels.card(Card::sensors).folded = false;
         frame(4);
     }
 
     std::vector<Sensor> asked_for() const {
-        const auto found = edits();
+        const auto found = commands<SetSensors>();
         if (found.empty()) throw std::runtime_error("nothing was asked for");
-        return std::get<SetSensors>(found.back().command).sensors;
+        return found.back().sensors;
+    }
+    template <class C>
+    std::vector<C> commands() const {
+        std::vector<C> found;
+        for (const EditRequest& edit : edits())
+            if (const auto* command = std::get_if<C>(&edit.command)) found.push_back(*command);
+        return found;
+    }
+    std::vector<std::string> names_asked_for() const {
+        Kind kind;
+        kind.sensors = asked_for();
+        return sensor_names(kind);
+    }
+    // Gives the selected vehicle sensors of its own.
+    void own_sensors(std::vector<Sensor> sensors) {
+        Kind own = now.scene->kinds[0];
+        own.sensors = std::move(sensors);
+        now.designs = {std::make_shared<Kind>(own)};
+        now.vehicles[0].design = 0;
+        frame(2);
     }
 
     // The number of a slider, typed.
@@ -157,13 +178,134 @@ TEST(SensorCard, HidesTheNameOfASingleKind) {
     for (const Written& w : desk.written) EXPECT_EQ(w.words.find("ggressor"), std::string::npos) << w.words;
 }
 
-TEST(SensorCard, ReportsAVehicleWithoutSensors) {
+TEST(SensorCard, IsEmptyWithoutASelectedVehicle) {
     Desk desk;
     desk.panels.card(Card::sensors).folded = false;
     desk.view.settings.selection.vehicle = no_vehicle;
     desk.frame(3);
     EXPECT_TRUE(desk.anchors.find("card.sensors"));
     EXPECT_FALSE(desk.anchors.find("sensor.angle"));
+    EXPECT_FALSE(desk.anchors.find("sensor.add"));
+}
+
+TEST(SensorCard, AddsThePairOfAChannelWithItsNodesInEveryBrainOfTheKind) {
+    SensorDesk desk;
+    desk.now.brains.push_back(std::make_shared<BrainGraph>(make_graph({.LL = 0.7f})));
+    desk.now.vehicles[3].brain = 2;
+    desk.now.vehicles[3].kind = 0;
+    EXPECT_FALSE(desk.anchors.find("sensor.new.heat"));
+    desk.click("sensor.add");
+    desk.click("sensor.new.heat");
+    EXPECT_EQ(desk.names_asked_for(), (std::vector<std::string>{"SL", "SR", "TC", "HL", "HR"}));
+    EXPECT_EQ(desk.asked_for()[3].channel, Channel::heat);
+    EXPECT_EQ(desk.asked_for()[3].y, -desk.asked_for()[4].y);
+    const auto brains = desk.commands<SetBrain>();
+    ASSERT_EQ(brains.size(), 2u);
+    EXPECT_EQ(brains[0].target, (Target{.kind = 0}));
+    EXPECT_EQ(brains[1].target, (Target{.vehicle = 3}));
+    EXPECT_EQ(read_dials(brains[1].brain).LL, 0.7f) << "it keeps its own brain";
+    for (const SetBrain& each : brains) EXPECT_TRUE(find_node(each.brain, "HR"));
+    for (const EditRequest& edit : desk.edits()) EXPECT_EQ(edit.gesture, desk.edits().front().gesture) << "one step";
+    EXPECT_EQ(desk.panels.sensor, "HL") << "the new one is chosen";
+    EXPECT_FALSE(desk.anchors.find("sensor.new.heat"));
+}
+
+TEST(SensorCard, AddsASingleSensorToOneVehicle) {
+    SensorDesk desk;
+    desk.view.settings.selection.whole_kind = false;
+    desk.click("sensor.add");
+    desk.click("sensor.new.sides.2");
+    desk.click("sensor.new.smell");
+    EXPECT_EQ(desk.names_asked_for().back(), "NC");
+    EXPECT_EQ(desk.commands<SetSensors>().back().target, (Target{.vehicle = 0}));
+    EXPECT_EQ(desk.commands<SetBrain>().back().target, (Target{.vehicle = 0}));
+}
+
+TEST(SensorCard, AddsTheFirstSensorOfAVehicleWithoutSensors) {
+    SensorDesk desk;
+    desk.own_sensors({});
+    EXPECT_FALSE(desk.anchors.find("sensor.angle"));
+    EXPECT_FALSE(desk.anchors.find("sensor.remove"));
+    desk.click("sensor.add");
+    desk.click("sensor.new.light");
+    EXPECT_EQ(desk.names_asked_for(), (std::vector<std::string>{"SL", "SR"}));
+    EXPECT_TRUE(desk.commands<SetBrain>().empty()) << "the brain has these nodes";
+}
+
+TEST(SensorCard, RemovesBothSidesOrTheChosenOne) {
+    SensorDesk desk;
+    desk.click("sensor.remove");
+    EXPECT_EQ(desk.names_asked_for(), std::vector<std::string>{"TC"});
+    desk.click("sensor.sides.2");
+    desk.click("sensor.remove");
+    EXPECT_EQ(desk.names_asked_for(), (std::vector<std::string>{"SR", "TC"}));
+}
+
+TEST(SensorCard, MirrorsASensorAndOffersItOnlyWhereItHasASide) {
+    SensorDesk desk;
+    desk.own_sensors({{.name = "NL", .channel = Channel::smell, .y = 0.2f, .angle = 0.5f}});
+    desk.click("sensor.mirror");
+    EXPECT_EQ(desk.names_asked_for(), (std::vector<std::string>{"NL", "NR"}));
+    EXPECT_EQ(desk.asked_for()[1].angle, -0.5f);
+    desk.own_sensors({{.name = "TC", .channel = Channel::touch}});
+    EXPECT_FALSE(desk.anchors.find("sensor.mirror"));
+}
+
+TEST(SensorCard, ShowsOwnSensorsAndGivesThoseOfTheKindAgain) {
+    SensorDesk desk;
+    EXPECT_FALSE(desk.anchors.find("sensor.as_kind"));
+    desk.own_sensors({{.name = "NL", .channel = Channel::smell}});
+    EXPECT_TRUE(desk.anchors.find("sensor.NL"));
+    EXPECT_FALSE(desk.anchors.find("sensor.SL"));
+    desk.click("sensor.as_kind");
+    EXPECT_EQ(desk.asked_for(), desk.now.scene->kinds[0].sensors);
+    EXPECT_EQ(desk.commands<SetSensors>().back().target, (Target{.vehicle = 0})) << "also while edits are for the kind";
+}
+
+TEST(SensorCard, ChoosesWhoseSensorsItChanges) {
+    SensorDesk desk;
+    desk.click("sensor.scope.1");
+    ASSERT_FALSE(desk.all.empty());
+    EXPECT_FALSE(std::get<ScopeRequest>(desk.all.back()).whole_kind);
+}
+
+TEST(BrainCard, AddsTheSensorsThatTheBrainReads) {
+    SensorDesk desk;
+    desk.own_sensors({{.name = "SL", .channel = Channel::smell}});
+    desk.click("brain.add_sensors");
+    EXPECT_EQ(desk.names_asked_for(), (std::vector<std::string>{"SL", "SR"}));
+    EXPECT_EQ(desk.asked_for()[0].channel, Channel::smell) << "those it has are unchanged";
+    EXPECT_EQ(desk.asked_for()[1], desk.now.scene->kinds[0].sensors[1]) << "that of its kind";
+    EXPECT_TRUE(desk.commands<SetBrain>().empty());
+}
+
+TEST(PresetsMenu, OffersTheSensorsOfAPresetThatTheVehicleLacks) {
+    for (const char* answer : {"preset.with_sensors", "preset.brain_only", "preset.back"}) {
+        SensorDesk desk;
+        desk.click("button.presets");
+        desk.click("preset.3c-values");
+        EXPECT_TRUE(desk.edits().empty()) << "it asks first";
+        desk.frame(2);
+        EXPECT_FALSE(desk.anchors.find("preset.2a-coward"));
+        desk.click(answer);
+        desk.frame(2);
+        const auto brains = desk.commands<SetBrain>();
+        EXPECT_EQ(brains.size(), answer == std::string("preset.back") ? 0u : 1u);
+        for (const SetBrain& each : brains) EXPECT_TRUE(find_node(each.brain, "AL"));
+        EXPECT_EQ(desk.commands<SetSensors>().size(), answer == std::string("preset.with_sensors") ? 1u : 0u);
+        EXPECT_EQ(desk.anchors.find("preset.2a-coward") != nullptr, answer == std::string("preset.back"));
+        if (answer != std::string("preset.with_sensors")) continue;
+        EXPECT_EQ(desk.names_asked_for().size(), 9u) << "eight of the preset and the bumper";
+        EXPECT_EQ(desk.edits().front().gesture, desk.edits().back().gesture) << "one step of undo";
+    }
+}
+
+TEST(PresetsMenu, DoesNotAskWhereTheVehicleHasTheSensors) {
+    SensorDesk desk;
+    desk.click("button.presets");
+    desk.click("preset.2b-aggressor");
+    EXPECT_EQ(desk.commands<SetBrain>().size(), 1u);
+    EXPECT_TRUE(desk.commands<SetSensors>().empty());
 }
 
 }  // namespace braitenlab::tests::sensor_card_test

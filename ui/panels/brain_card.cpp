@@ -11,8 +11,10 @@
 #include <imgui.h>
 
 #include "core/scene/enums.h"
+#include "core/scene/sensor_edits.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/sensor_changes.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -102,23 +104,38 @@ void pair_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     }
 }
 
-// A brain from another vehicle or file can read sensors that this vehicle does not have.
-void missing_sensors_note(const LabView& view, Ui& ui, const VehicleView& vehicle) {
-    std::string names;
-    for (const std::string& sensor : missing_sensors(*brain_of(*view.now, vehicle), kind_of(*view.now, vehicle)))
-        names += (names.empty() ? "" : ", ") + sensor;
-    if (!names.empty())
-        paragraph(ui, fill(ui.strings("brain.missing_sensors"), {names}), ui.palette.second_text, Face::small);
+// A sensor for a brain that reads this name: that of the vehicle's kind now or in the file, else one that fits the
+// name.
+Sensor sensor_to_add(const LabView& view, const VehicleView& vehicle, const std::string& name) {
+    const Kind& kind = view.now->scene->kinds[static_cast<std::size_t>(vehicle.kind)];
+    for (const Kind* source : {&kind, filed_kind(view, vehicle)})
+        if (source)
+            for (const Sensor& sensor : source->sensors)
+                if (sensor.name == name) return sensor;
+    return sensor_named(name);
 }
 
-void scope_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
+// A brain from another vehicle or file can read sensors that this vehicle does not have. A button adds them.
+void missing_sensors_note(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
+    const Kind& kind = kind_of(*view.now, vehicle);
+    std::string names;
+    std::vector<Sensor> added;
+    for (const std::string& sensor : missing_sensors(*brain_of(*view.now, vehicle), kind)) {
+        names += (names.empty() ? "" : ", ") + sensor;
+        added.push_back(sensor_to_add(view, vehicle, sensor));
+    }
+    if (names.empty()) return;
+    paragraph(ui, fill(ui.strings("brain.missing_sensors"), {names}), ui.palette.second_text, Face::small);
+    const Item add = small_button(ui, {"brain.add_sensors", icon::add, ui.strings("brain.add_sensors")});
+    tooltip(ui, add, ui.strings("brain.add_sensors_how"));
+    if (add.pressed)
+        request_sensors(view, ui.outbox, vehicle, with_sensors(kind.sensors, added),
+                        gestures::panels + ++state.sliders.gesture);
+}
+
+void own_brain_note(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const auto same = [&](const VehicleView& other) { return other.kind == vehicle.kind; };
     if (std::count_if(view.now->vehicles.begin(), view.now->vehicles.end(), same) < 2) return;
-    const std::string kind = kind_of(*view.now, vehicle).name;
-    const std::array words{ui.strings("scope.one"), ui.strings.find("kind_all." + kind, ui.strings("scope.all"))};
-    const int chosen = segments(ui, "scope", words, view.settings.selection.whole_kind ? 1 : 0, card_width(ui),
-                                ui.strings("scope.how"));
-    if (chosen >= 0) ui.outbox.push_back(ScopeRequest{chosen == 1});
     const auto& of_kind = view.now->kind_brains;
     const auto number = static_cast<std::size_t>(vehicle.kind);
     if (number < of_kind.size() && *brain_of(*view.now, vehicle) != *of_kind[number])
@@ -205,6 +222,15 @@ void driver_panel(PanelState& state, Ui& ui, const VehicleView& vehicle) {
 
 }  // namespace
 
+void scope_choice(const LabView& view, Ui& ui, const VehicleView& vehicle, std::string_view id, std::string_view how) {
+    const auto same = [&](const VehicleView& other) { return other.kind == vehicle.kind; };
+    if (std::count_if(view.now->vehicles.begin(), view.now->vehicles.end(), same) < 2) return;
+    const std::string kind = kind_of(*view.now, vehicle).name;
+    const std::array words{ui.strings("scope.one"), ui.strings.find("kind_all." + kind, ui.strings("scope.all"))};
+    const int chosen = segments(ui, id, words, view.settings.selection.whole_kind ? 1 : 0, card_width(ui), how);
+    if (chosen >= 0) ui.outbox.push_back(ScopeRequest{chosen == 1});
+}
+
 std::string kind_name(const Ui& ui, const Kind& kind) {
     std::string name(ui.strings.find("kind." + kind.name, kind.name));
     if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
@@ -235,8 +261,9 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         if (vehicle->driver == Driver::brain)
             if (const std::string words = description(view, ui, state.recognised, *vehicle); !words.empty())
                 paragraph(ui, words, ui.palette.second_text, Face::small);
-        missing_sensors_note(view, ui, *vehicle);
-        scope_choice(view, ui, *vehicle);
+        missing_sensors_note(view, state, ui, *vehicle);
+        scope_choice(view, ui, *vehicle, "scope", ui.strings("scope.how"));
+        own_brain_note(view, ui, *vehicle);
         pair_choice(view, ui, *vehicle);
         dial_sliders(view, state, ui, *vehicle);
         gap(ui, 8);

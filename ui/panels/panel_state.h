@@ -76,8 +76,10 @@ struct PanelState {
     Steer steered;                     // last command of the on-screen stick
     bool stick_held = false;
     ValuesState values;
-    std::string sensor;                // name of the sensor whose numbers the card shows
+    std::string sensor;  // name of the sensor that the card shows; the first if there is none of this name
     bool sensor_channel_open = false;  // the list of channels is unfolded
+    bool sensor_adding = false;        // the list of channels of a new sensor is unfolded
+    bool sensor_single = false;        // a new sensor is a single one, not a pair
     bool sensor_alone = false;         // edits do not apply to the sensor on the other side
     bool sensor_quality_open = false;  // noise and latency are unfolded
     bool charts_open = false;
@@ -96,6 +98,7 @@ struct PanelState {
     MenuBarState menu_bar;
     std::vector<Action> chosen;  // with toolbar and menus, executed at the end of the frame
     bool presets_open = false, close_presets = false;
+    std::string preset_asked;    // the preset whose sensors the menu offers to use, too; empty: it lists the presets
     bool open_presets = false;   // requested by a click on their button while another menu covered it
     bool outcome_seen = false;   // the outcome of the prediction has been scrolled to
     std::size_t hints_seen = 0;  // hints already scrolled to

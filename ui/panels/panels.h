@@ -21,6 +21,10 @@ void information_card(const LabView&, PanelState&, Ui&, Rect);
 void chart_card(const LabView&, PanelState&, Ui&, Rect);      // while PanelState::charts_open; folding closes it
 void export_csv(const LabView&, const PanelState&, Outbox&);  // the chart that the chart card shows; chart_card.cpp
 
+// Whether edits of the brain or the sensors apply to the vehicle or to all of its kind; nothing for the only vehicle of
+// its kind. Anchors: `id`.1, `id`.2. brain_card.cpp
+void scope_choice(const LabView&, Ui&, const VehicleView&, std::string_view id, std::string_view how);
+
 // scene_cards.cpp
 void scene_card(const LabView&, PanelState&, Ui&, Rect);
 void values_card(const LabView&, PanelState&, Ui&, Rect);  // arena, kinds and their values

@@ -6,9 +6,12 @@
 
 #include "core/brain/graft.h"
 #include "core/brain/presets.h"
+#include "core/scene/sensor_edits.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/sensor_changes.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
@@ -49,11 +52,61 @@ void preset_rows(const LabView& view, PanelState& state, Ui& ui, const VehicleVi
                         start.y + height * static_cast<float>(i < half ? i : i - half)};
         BrainGraph made = graft(brain, preset.brain);
         if (!preset_row(ui, preset, same_wiring(made, brain), at)) continue;
+        if (!lacking_for(kind_of(*view.now, vehicle).sensors, preset).empty()) {
+            state.preset_asked = preset.name;
+            return;
+        }
         ui.outbox.push_back(EditRequest{SetBrain{target_of(view, vehicle), std::move(made)},
                                         gestures::panels + ++state.sliders.gesture});
         ImGui::CloseCurrentPopup();
     }
     ImGui::SetCursorScreenPos({start.x, start.y + height * static_cast<float>(half)});
+}
+
+// "prey (SL, SR), heat (HL, HR)": by channel.
+std::string names_by_channel(const Ui& ui, const std::vector<Sensor>& sensors) {
+    std::string words;
+    for (const ChannelTraits& row : channel_table) {
+        std::string names;
+        for (const Sensor& sensor : sensors)
+            if (sensor.channel == row.value) names += (names.empty() ? "" : ", ") + sensor.name;
+        if (names.empty()) continue;
+        words += (words.empty() ? "" : ", ") + std::string(ui.strings("sense." + std::string(row.word))) + " (" +
+                 names + ")";
+    }
+    return words;
+}
+
+// Asks whether the vehicle also gets the sensors of the preset, which it lacks.
+void ask_for_sensors(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, const Preset& preset) {
+    const std::vector<Sensor>& sensors = kind_of(*view.now, vehicle).sensors;
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({start.x + ui.px(10), start.y + ui.px(4)});
+    ImGui::BeginGroup();
+    const std::string key(preset.name);
+    paragraph(ui, ui.strings.find("preset." + key, key), ui.palette.text, Face::strong, ui.px(preset_width));
+    paragraph(ui, fill(ui.strings("own_brain.ask"), {names_by_channel(ui, lacking_for(sensors, preset))}),
+              ui.palette.second_text, Face::text, ui.px(preset_width));
+    gap(ui, 6);
+    BrainGraph made = graft(*brain_of(*view.now, vehicle), preset.brain);
+    const auto chosen = [&](std::string_view id, std::string_view words, Emphasis emphasis) {
+        const bool pressed = button(ui, id, {.words = ui.strings(words), .emphasis = emphasis}).pressed;
+        if (pressed) state.preset_asked.clear();
+        return pressed;
+    };
+    const auto gesture = [&] { return gestures::panels + ++state.sliders.gesture; };
+    if (chosen("preset.with_sensors", "own_brain.with_sensors", Emphasis::primary)) {
+        request_brain_and_sensors(view, ui.outbox, vehicle, std::move(made),
+                                  with_sensors(sensors, preset_sensors(preset)), gesture());
+        ImGui::CloseCurrentPopup();
+    } else if (chosen("preset.brain_only", "own_brain.brain_only", Emphasis::plain)) {
+        ui.outbox.push_back(EditRequest{SetBrain{target_of(view, vehicle), std::move(made)}, gesture()});
+        ImGui::CloseCurrentPopup();
+    } else {
+        chosen("preset.back", "own_brain.back", Emphasis::quiet);
+    }
+    ImGui::Dummy({1, ui.px(4)});
+    ImGui::EndGroup();
 }
 
 // A preset defines two sensors. Names the other sensors of the vehicle, which keep their wires.
@@ -104,13 +157,18 @@ void presets_menu(const LabView& view, PanelState& state, Ui& ui, const VehicleV
     state.presets_open = ImGui::BeginPopup("presets");
     if (state.presets_open) {
         if (state.close_presets) ImGui::CloseCurrentPopup();
-        preset_rows(view, state, ui, vehicle);
-        kept_sensors(ui, *brain_of(*view.now, vehicle));
-        own_brains(state, ui);
+        if (const Preset* asked = find_preset(state.preset_asked)) {
+            ask_for_sensors(view, state, ui, vehicle, *asked);
+        } else {
+            preset_rows(view, state, ui, vehicle);
+            kept_sensors(ui, *brain_of(*view.now, vehicle));
+            own_brains(state, ui);
+        }
         ImGui::EndPopup();
     } else if (was_open && ui.keyboard && ui.keyboard->focus.substr(0, 7) == "preset.") {
         ui.keyboard->focus = "button.presets";
     }
+    if (!state.presets_open) state.preset_asked.clear();
     state.close_presets = false;
     ImGui::PopStyleVar(2);
 }

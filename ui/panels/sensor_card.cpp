@@ -1,15 +1,19 @@
-// The card of the sensors of the selected vehicle's kind: position, direction, opening angle, range, and quality.
+// The card of the sensors of the selected vehicle or of its kind: adding and removing them, position, direction,
+// opening angle, range, and quality.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <imgui.h>
 
 #include "core/scene/enums.h"
 #include "core/scene/schema.h"
+#include "core/scene/sensor_edits.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/sensor_changes.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
@@ -21,14 +25,6 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float degrees_per_radian = 57.295779513f;
-
-// The name of the sensor on the other side: SR for SL. Empty where the name has no side.
-std::string other_side(const std::string& name) {
-    std::string other = name;
-    if (name.empty() || (name.back() != 'L' && name.back() != 'R')) return {};
-    other.back() = name.back() == 'L' ? 'R' : 'L';
-    return other;
-}
 
 template <class Sensors>
 auto find_sensor(Sensors& sensors, const std::string& name) -> decltype(&sensors[0]) {
@@ -68,13 +64,22 @@ class SensorEditor {
 public:
     SensorEditor(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle)
         : view_(view), state_(state), ui_(ui), vehicle_(vehicle), kind_(kind_of(*view.now, vehicle)) {
-        if (!find_sensor(kind_.sensors, state.sensor)) state.sensor = kind_.sensors.front().name;
+        if (kind_.sensors.empty()) return;
         sensor_ = find_sensor(kind_.sensors, state.sensor);
-        if (const Kind* filed = filed_kind(view, vehicle)) filed_ = find_sensor(filed->sensors, state.sensor);
+        if (!sensor_) sensor_ = &kind_.sensors.front();
+        opposite_ = opposite_of(kind_.sensors, sensor_->name);
+        if (const Kind* filed = filed_kind(view, vehicle)) filed_ = find_sensor(filed->sensors, sensor_->name);
     }
 
     void draw() {
-        names();
+        scope_choice(view_, ui_, vehicle_, "sensor.scope", ui_.strings("sensors.scope_how"));
+        own_sensors();
+        if (sensor_)
+            names();
+        else
+            paragraph(ui_, ui_.strings("sensors.blind"), ui_.palette.second_text, Face::small);
+        more_sensors();
+        if (!sensor_) return;
         channels();
         sides();
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
@@ -90,6 +95,66 @@ public:
     }
 
 private:
+    // That the vehicle does not have the sensors of its kind, with a button that gives it those again.
+    void own_sensors() {
+        if (vehicle_.design < 0) return;
+        paragraph(ui_, ui_.strings("sensors.own"), ui_.palette.second_text, Face::small);
+        const Item at = small_button(ui_, {"sensor.as_kind", icon::undo, ui_.strings("sensors.as_kind")});
+        tooltip(ui_, at, ui_.strings("sensors.as_kind_how"));
+        if (!at.pressed) return;
+        const auto& of_kind = view_.now->scene->kinds[static_cast<std::size_t>(vehicle_.kind)].sensors;
+        ui_.outbox.push_back(EditRequest{SetSensors{{.vehicle = vehicle_.id}, of_kind}, next_gesture()});
+    }
+
+    // Buttons that add, mirror and remove sensors, and the channels of a new one.
+    void more_sensors() {
+        const auto pressed = [&](const SmallButton& look, std::string_view how, bool first = false) {
+            const float right = ImGui::GetCursorScreenPos().x + card_width(ui_);
+            if (!first && ImGui::GetItemRectMax().x + ui_.px(6) + small_button_width(ui_, look, true) <= right)
+                ImGui::SameLine(0, ui_.px(6));
+            const Item at = small_button(ui_, look);
+            tooltip(ui_, at, ui_.strings(how));
+            return at.pressed;
+        };
+        if (pressed({"sensor.add", icon::add, ui_.strings("sensors.add"), state_.sensor_adding}, "sensors.add_how",
+                    true))
+            state_.sensor_adding = !state_.sensor_adding;
+        const bool has_image = sensor_ && (sensor_->y != 0 || sensor_->angle != 0);
+        if (has_image && pressed({"sensor.mirror", icon::mirror, ui_.strings("sensors.mirror")}, "sensors.mirror_how"))
+            set(with_mirror_image(kind_.sensors, sensor_->name));
+        if (sensor_ && pressed({"sensor.remove", icon::remove, ui_.strings("sensors.remove")}, "sensors.remove_how"))
+            set(without_chosen());
+        if (state_.sensor_adding) new_channels();
+        gap(ui_, 4);
+    }
+
+    void new_channels() {
+        const std::array words{ui_.strings("sensors.pair"), ui_.strings("sensors.single")};
+        const int chosen = segments(ui_, "sensor.new.sides", words, state_.sensor_single ? 1 : 0, card_width(ui_));
+        if (chosen >= 0) state_.sensor_single = chosen == 1;
+        const std::optional<Channel> channel = channel_buttons("sensor.new.", nullptr);
+        if (!channel) return;
+        const bool as_pair = row_of(*channel).is_paired && !state_.sensor_single;
+        const std::vector<Sensor> added = new_sensors(kind_.sensors, *channel, as_pair, names_taken(view_, vehicle_));
+        set(with_sensors(kind_.sensors, added));
+        state_.sensor = added.front().name;
+        state_.sensor_adding = false;
+    }
+
+    // The chosen sensor and, unless it is edited alone, that on the other side are removed.
+    std::vector<Sensor> without_chosen() const {
+        std::vector<Sensor> sensors = kind_.sensors;
+        std::erase_if(sensors, [&](const Sensor& s) {
+            return s.name == sensor_->name || (!state_.sensor_alone && s.name == opposite_);
+        });
+        return sensors;
+    }
+
+    std::uint64_t next_gesture() { return gestures::panels + ++state_.sliders.gesture; }
+    void set(std::vector<Sensor> sensors) {
+        request_sensors(view_, ui_.outbox, vehicle_, std::move(sensors), next_gesture());
+    }
+
     // One button per sensor, as many in a row as fit; below them what the chosen one senses.
     void names() {
         const float right = ImGui::GetCursorScreenPos().x + card_width(ui_);
@@ -116,26 +181,33 @@ private:
     // The channel: a list of all channels, while it is unfolded.
     void channels() {
         if (!fold_row(ui_, "sensor.channel", ui_.strings("sensors.channel"), state_.sensor_channel_open)) return;
-        const float right = ImGui::GetCursorScreenPos().x + card_width(ui_);
-        bool first = true;
-        for (const ChannelTraits& row : channel_table) {
-            const Channel channel = row.value;
-            const std::string_view word = row.word;
-            const std::string anchor = "sensor.channel." + std::string(word);
-            const SmallButton look{
-                anchor, {}, ui_.strings.find("view.channel." + std::string(word), word), channel == sensor_->channel};
-            if (!first && ImGui::GetItemRectMax().x + ui_.px(6) + small_button_width(ui_, look, true) <= right)
-                ImGui::SameLine(0, ui_.px(6));
-            first = false;
-            if (!small_button(ui_, look).pressed || channel == sensor_->channel) continue;
-            edit(++state_.sliders.gesture, [&, to = channel](Sensor& s, bool) { s.channel = to; });
-        }
+        const std::optional<Channel> chosen = channel_buttons("sensor.channel.", &sensor_->channel);
+        if (chosen && *chosen != sensor_->channel)
+            edit(++state_.sliders.gesture, [to = *chosen](Sensor& s, bool) { s.channel = to; });
         gap(ui_, 4);
+    }
+
+    // One button per channel, with the anchor `prefix` and the channel's word; the channel whose button is pressed.
+    std::optional<Channel> channel_buttons(const std::string& prefix, const Channel* shown) {
+        const float right = ImGui::GetCursorScreenPos().x + card_width(ui_);
+        std::optional<Channel> pressed;
+        for (const ChannelTraits& row : channel_table) {
+            const std::string anchor = prefix + std::string(row.word);
+            const SmallButton look{anchor,
+                                   {},
+                                   ui_.strings.find("view.channel." + std::string(row.word), row.word),
+                                   shown && row.value == *shown};
+            const bool is_first = &row == &channel_table.front();
+            if (!is_first && ImGui::GetItemRectMax().x + ui_.px(6) + small_button_width(ui_, look, true) <= right)
+                ImGui::SameLine(0, ui_.px(6));
+            if (small_button(ui_, look).pressed) pressed = row.value;
+        }
+        return pressed;
     }
 
     // Whether edits also apply, mirrored, to the sensor on the other side.
     void sides() {
-        if (!find_sensor(kind_.sensors, other_side(sensor_->name))) return;
+        if (opposite_.empty()) return;
         const std::array words{ui_.strings("sensors.both"), ui_.strings("sensors.one")};
         const int chosen = segments(ui_, "sensor.sides", words, state_.sensor_alone ? 1 : 0, card_width(ui_));
         if (chosen >= 0) state_.sensor_alone = chosen == 1;
@@ -182,7 +254,7 @@ private:
         std::vector<Sensor> sensors = kind_.sensors;
         change(*find_sensor(sensors, sensor_->name), false);
         if (!state_.sensor_alone)
-            if (Sensor* other = find_sensor(sensors, other_side(sensor_->name))) change(*other, true);
+            if (Sensor* other = find_sensor(sensors, opposite_)) change(*other, true);
         ui_.outbox.push_back(
             EditRequest{SetSensors{target_of(view_, vehicle_), std::move(sensors)}, gestures::panels + gesture});
     }
@@ -192,8 +264,9 @@ private:
     Ui& ui_;
     const VehicleView& vehicle_;
     const Kind& kind_;
-    const Sensor* sensor_ = nullptr;
-    const Sensor* filed_ = nullptr;  // as the file has it
+    const Sensor* sensor_ = nullptr;  // null: there is none
+    std::string opposite_;            // name of the sensor on the other side; empty: there is none
+    const Sensor* filed_ = nullptr;   // as the file has it
 };
 
 }  // namespace
@@ -201,9 +274,8 @@ private:
 void sensor_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const bool open = open_card(state, ui, Card::sensors, place);
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
-    const bool blind = !vehicle || kind_of(*view.now, *vehicle).sensors.empty();
-    if (open && blind) paragraph(ui, ui.strings("sensors.none"), ui.palette.second_text);
-    if (open && !blind) SensorEditor(view, state, ui, *vehicle).draw();
+    if (open && !vehicle) paragraph(ui, ui.strings("sensors.none"), ui.palette.second_text);
+    if (open && vehicle) SensorEditor(view, state, ui, *vehicle).draw();
     end_card(state.card(Card::sensors));
 }
 
