@@ -280,6 +280,14 @@ void execute_chosen(const LabView& view, PanelState& state, Outbox& outbox) {
     for (const Action action : std::exchange(state.chosen, {})) execute_chosen(view, state, action, outbox);
 }
 
+// The handles in the scene belong to the sensor that the open sensor card shows.
+void choose_sensor_handles(const LabView& view, PanelState& state) {
+    SensorHandleState& handles = state.scene_input.sensors;
+    handles.shown = !view.lecture && !state.card(Card::sensors).folded;
+    handles.sensor = state.sensor;
+    handles.alone = state.sensor_alone;
+}
+
 }  // namespace
 
 void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
@@ -306,6 +314,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     record(state.history, view);
     follow_lecture(view, state);
     ui.anchors.record("viewport", layout.scene);
+    choose_sensor_handles(view, state);
     scene_input(view, state.scene_input, ui, layout.scene);
     point_to_lamp(view, ui);
     if (view.mode == Mode::wiring)

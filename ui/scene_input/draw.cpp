@@ -48,14 +48,10 @@ public:
     }
 
 private:
-    // A line with a contrasting border, so that it is visible on any floor.
     void line(const std::vector<ImVec2>& points, Colour colour, float layout_width, bool closed = true) const {
-        if (points.size() < 2) return;
-        const int count = static_cast<int>(points.size());
-        const Colour under = ui_.palette.ground.with_alpha(0.55f * colour.a);
-        compat::polyline(list_, points.data(), count, paint(under), closed, ui_.px(layout_width + 2));
-        compat::polyline(list_, points.data(), count, paint(colour), closed, ui_.px(layout_width));
+        draw_line(ui_, points, colour, layout_width, closed);
     }
+    void dot(ImVec2 at, float layout_radius, Colour colour) const { draw_dot(ui_, at, layout_radius, colour); }
 
     // Empty when one of them is behind the camera.
     std::vector<ImVec2> on_screen(const std::vector<vec2>& places, float height = 0) const {
@@ -115,11 +111,6 @@ private:
         dot({knob->x, knob->y}, warm ? 8.0f : 6.0f, colour);
         const float size = ui_.px(16);
         ui_.anchors.record("stage.knob", {knob->x - size / 2, knob->y - size / 2, size, size});
-    }
-
-    void dot(ImVec2 at, float layout_radius, Colour colour) const {
-        list_.AddCircleFilled(at, ui_.px(layout_radius + 1.5f), paint(ui_.palette.ground.with_alpha(0.8f)), 24);
-        list_.AddCircleFilled(at, ui_.px(layout_radius), paint(colour), 24);
     }
 
     void note_pose() const {
@@ -252,21 +243,7 @@ private:
     }
 
     void note(std::string_view words, Colour edge) const { note(words, edge, note_place()); }
-
-    // A note beside a position on the screen, within the area free of cards.
-    void note(std::string_view words, Colour edge, vec2 pointer) const {
-        ImFont* face = font(ui_, Face::small);
-        const float w = text_width(ui_, Face::small, words) + ui_.px(16), h = line_height(ui_, Face::small) + ui_.px(8);
-        const Rect& room = frame_.area;
-        const float gap = ui_.px(18);
-        const bool left = pointer.x + gap + w > room.x + room.w, above = pointer.y + gap + h > room.y + room.h;
-        const ImVec2 at{std::floor(std::max(room.x, left ? pointer.x - gap - w : pointer.x + gap)),
-                        std::floor(std::max(room.y, above ? pointer.y - gap - h : pointer.y + gap))};
-        list_.AddRectFilled(at, {at.x + w, at.y + h}, paint(ui_.palette.panel.with_alpha(0.95f)), ui_.px(6));
-        compat::outline(list_, at, {at.x + w, at.y + h}, paint(edge), ui_.px(6), ui_.px(1.25f));
-        list_.AddText(face, compat::size_of(face), {at.x + ui_.px(8), at.y + ui_.px(4)}, paint(ui_.palette.text),
-                      words.data(), words.data() + words.size());
-    }
+    void note(std::string_view words, Colour edge, vec2 beside) const { draw_note(frame_, ui_, words, edge, beside); }
 
     const SceneInputState& state_;
     const SceneInputFrame& frame_;
@@ -275,6 +252,36 @@ private:
 };
 
 }  // namespace
+
+void draw_line(const Ui& ui, const std::vector<ImVec2>& points, Colour colour, float layout_width, bool closed) {
+    if (points.size() < 2) return;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const int count = static_cast<int>(points.size());
+    const Colour under = ui.palette.ground.with_alpha(0.55f * colour.a);
+    compat::polyline(list, points.data(), count, paint(under), closed, ui.px(layout_width + 2));
+    compat::polyline(list, points.data(), count, paint(colour), closed, ui.px(layout_width));
+}
+
+void draw_dot(const Ui& ui, ImVec2 at, float layout_radius, Colour colour) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddCircleFilled(at, ui.px(layout_radius + 1.5f), paint(ui.palette.ground.with_alpha(0.8f)), 24);
+    list.AddCircleFilled(at, ui.px(layout_radius), paint(colour), 24);
+}
+
+void draw_note(const SceneInputFrame& frame, const Ui& ui, std::string_view words, Colour edge, maths::vec2 beside) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    ImFont* face = font(ui, Face::small);
+    const float w = text_width(ui, Face::small, words) + ui.px(16), h = line_height(ui, Face::small) + ui.px(8);
+    const Rect& room = frame.area;
+    const float gap = ui.px(18);
+    const bool left = beside.x + gap + w > room.x + room.w, above = beside.y + gap + h > room.y + room.h;
+    const ImVec2 at{std::floor(std::max(room.x, left ? beside.x - gap - w : beside.x + gap)),
+                    std::floor(std::max(room.y, above ? beside.y - gap - h : beside.y + gap))};
+    list.AddRectFilled(at, {at.x + w, at.y + h}, paint(ui.palette.panel.with_alpha(0.95f)), ui.px(6));
+    compat::outline(list, at, {at.x + w, at.y + h}, paint(edge), ui.px(6), ui.px(1.25f));
+    list.AddText(face, compat::size_of(face), {at.x + ui.px(8), at.y + ui.px(4)}, paint(ui.palette.text), words.data(),
+                 words.data() + words.size());
+}
 
 void draw_scene_input(const SceneInputState& state, const SceneInputFrame& frame, const Ui& ui) {
     SceneInputDrawing(state, frame, ui).draw();

@@ -1,11 +1,22 @@
 // Drawing over the 3D view: rings, handles, previews, and notes at the pointer.
 #pragma once
 
+#include <string_view>
+#include <vector>
+
+#include <imgui.h>
+
 #include "ui/scene_input/interaction.h"
 
 namespace braitenlab::ui {
 
 // On Dear ImGui's background draw list: over the scene, below the cards.
 void draw_scene_input(const SceneInputState&, const SceneInputFrame&, const Ui&);
+
+// Parts that the drawings share. A line has a contrasting border, so that it is visible on any floor; a note is beside
+// a position, within the area free of cards. Lengths in layout pixels, points in window pixels.
+void draw_line(const Ui&, const std::vector<ImVec2>& points, Colour, float width, bool closed);
+void draw_dot(const Ui&, ImVec2 at, float radius, Colour);
+void draw_note(const SceneInputFrame&, const Ui&, std::string_view words, Colour edge, maths::vec2 beside);
 
 }  // namespace braitenlab::ui

@@ -50,7 +50,8 @@ SceneInputPointer current_pointer(const SceneInputState& state, Rect area) {
 void show_cursor(const SceneInputState& state) {
     const SceneInputPhase phase = state.drag.phase;
     const bool busy = phase == SceneInputPhase::move || phase == SceneInputPhase::turn || phase == SceneInputPhase::pan;
-    if (busy || state.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    const bool on_sensor = phase == SceneInputPhase::sensor || state.sensors.hovered != SensorHandle::none;
+    if (busy || on_sensor || state.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
 // The axis of the floor nearest to a direction on the screen, so that arrow keys move objects along grid lines.
@@ -163,6 +164,7 @@ void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area)
     const SceneInputFrame frame{view, *view.camera_view, ui.scale, area, current_pointer(state, area)};
     interact(state, frame, ui.outbox);
     show_cursor(state);
+    draw_sensor_handles(state, frame, ui);
     draw_scene_input(state, frame, ui);
 }
 

@@ -1,0 +1,192 @@
+// Handles of a sensor's field in the scene: synthetic Dear ImGui mouse events over a hand-made snapshot.
+#include "ui/scene_input/sensor_handles.h"
+
+#include <cmath>
+#include <set>
+
+#include "core/maths/angle.h"
+#include "desk.h"
+
+namespace braitenlab::tests::sensor_handles_test {
+
+using namespace ui;
+namespace {
+
+using maths::vec2;
+
+constexpr float degree = maths::radians(1);
+
+// A desk with one vehicle in the middle that looks to +y, two eyes of 4 m, the sensor card open.
+struct SensorHandles : testing::Test {
+    SensorHandles() {
+        auto scene = std::make_shared<Scene>(*desk.now.scene);
+        std::vector<Sensor>& sensors = scene->kinds[0].sensors;
+        for (int i = 0; i < 2; ++i) {
+            const float side = i == 0 ? 1.0f : -1.0f;
+            sensors[static_cast<std::size_t>(i)].y = 0.24f * side;
+            sensors[static_cast<std::size_t>(i)].angle = 35 * degree * side;
+            sensors[static_cast<std::size_t>(i)].fov = 60 * degree;
+            sensors[static_cast<std::size_t>(i)].range = 4;
+        }
+        scene->arena.width = scene->arena.height = 10;
+        desk.now.scene = scene;
+        desk.now.vehicles.resize(1);
+        desk.now.vehicles[0].heading = maths::pi / 2;
+        desk.view.camera_view = &camera_view;
+        desk.panels.card(Card::sensors).folded = false;
+        desk.frame(3);
+        Camera camera;
+        camera.mode = CameraMode::birds_eye;
+        camera_view = look(camera, scene->arena, nullptr, {0, 0, 1280, 800}, desk.layout.scene);
+        desk.frame(2);
+    }
+
+    vec2 at(const char* handle) const {
+        const Rect r = desk.where(handle);
+        return {r.x + r.w / 2, r.y + r.h / 2};
+    }
+    // Presses the handle and moves by steps of these pixels.
+    void drag(const char* handle, vec2 by, bool release = true) {
+        vec2 pointer = at(handle);
+        desk.point(pointer.x, pointer.y);
+        desk.frame();
+        desk.button(0, true);
+        desk.frame();
+        for (int i = 1; i <= 5; ++i) {
+            pointer += by / 5.0f;
+            desk.point(pointer.x, pointer.y);
+            desk.frame();
+            take_over();
+        }
+        if (!release) return;
+        desk.button(0, false);
+        desk.frame();
+    }
+    // Executes the requests, as the lab does.
+    void take_over() {
+        for (const Request& request : desk.asked) {
+            const auto* edit = std::get_if<EditRequest>(&request);
+            const auto* set = edit ? std::get_if<SetSensors>(&edit->command) : nullptr;
+            if (!set) continue;
+            auto scene = std::make_shared<Scene>(*desk.now.scene);
+            scene->kinds[0].sensors = set->sensors;
+            desk.now.scene = scene;
+        }
+    }
+    const std::vector<Sensor>& sensors() const { return desk.now.scene->kinds[0].sensors; }
+
+    Desk desk{1280, 800};
+    CameraView camera_view = look(Camera{}, Arena{}, nullptr, {0, 0, 1280, 800}, {336, 64, 576, 680});
+};
+
+TEST_F(SensorHandles, AreShownWhileTheSensorCardIsOpen) {
+    EXPECT_TRUE(desk.anchors.find("handle.axis"));
+    EXPECT_TRUE(desk.anchors.find("handle.left"));
+    EXPECT_TRUE(desk.anchors.find("handle.right"));
+    desk.panels.card(Card::sensors).folded = true;
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("handle.axis"));
+    desk.panels.card(Card::sensors).folded = false;
+    desk.view.settings.selection.vehicle = no_vehicle;
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("handle.axis"));
+}
+
+TEST_F(SensorHandles, TheMiddleOfTheArcTurnsBothEyesAlongTheArcInOneGesture) {
+    // The axis of the left eye points up and to the left; a movement across it to the left turns it left.
+    drag("handle.axis", {-30, 21});
+    EXPECT_GT(sensors()[0].angle, 40 * degree);
+    EXPECT_EQ(sensors()[1].angle, -sensors()[0].angle);
+    EXPECT_EQ(sensors()[0].range, 4) << "only the direction changes";
+    std::set<std::uint64_t> gestures;
+    for (const EditRequest& edit : desk.edits()) gestures.insert(edit.gesture);
+    EXPECT_EQ(gestures.size(), 1u);
+    EXPECT_EQ(std::get<SetSensors>(desk.edits().front().command).target, (Target{.kind = 0}));
+    const auto first = desk.edits().back().gesture;
+    drag("handle.axis", {-10, 7});
+    EXPECT_NE(desk.edits().back().gesture, first) << "a second drag is a second step";
+}
+
+TEST_F(SensorHandles, TheMiddleOfTheArcChangesTheRangeOutwards) {
+    drag("handle.axis", {14, 20});
+    EXPECT_LT(sensors()[0].range, 3.9f);
+    EXPECT_EQ(sensors()[1].range, sensors()[0].range);
+    EXPECT_EQ(sensors()[0].angle, 35 * degree);
+}
+
+TEST_F(SensorHandles, AnEndOfTheArcChangesTheOpeningAngle) {
+    drag("handle.left", {-10, 40});
+    EXPECT_GT(sensors()[0].fov, 65 * degree);
+    EXPECT_EQ(sensors()[0].angle, 35 * degree);
+    EXPECT_EQ(sensors()[1].fov, sensors()[0].fov);
+    const float wide = sensors()[0].fov;
+    drag("handle.right", {-20, -20});
+    EXPECT_LT(sensors()[0].fov, wide);
+}
+
+TEST_F(SensorHandles, TheMountMovesTheSensorAndTheOtherOneAsItsMirrorImage) {
+    drag("handle.mount", {-12, 0});
+    EXPECT_GT(sensors()[0].y, 0.3f) << "the vehicle looks up: left is to the left";
+    EXPECT_EQ(sensors()[1].y, -sensors()[0].y);
+    EXPECT_EQ(sensors()[0].x, sensors()[1].x);
+}
+
+TEST_F(SensorHandles, ChangeOneSideAndOneVehicleWhereTheCardSaysSo) {
+    desk.panels.sensor_alone = true;
+    desk.panels.sensor = "SR";
+    desk.view.settings.selection.whole_kind = false;
+    desk.frame(2);
+    drag("handle.axis", {30, 21});
+    const auto set = std::get<SetSensors>(desk.edits().back().command);
+    EXPECT_EQ(set.target, (Target{.vehicle = 0}));
+    EXPECT_EQ(set.sensors[0].angle, 35 * degree);
+    EXPECT_LT(set.sensors[1].angle, -40 * degree);
+}
+
+TEST_F(SensorHandles, EscRestoresTheSensorsAndEndsTheDrag) {
+    const std::vector<Sensor> before = sensors();
+    drag("handle.axis", {-30, 21}, false);
+    ASSERT_NE(sensors(), before);
+    desk.all.clear();
+    desk.key({key::escape});
+    ASSERT_EQ(desk.edits().size(), 1u);
+    EXPECT_EQ(std::get<SetSensors>(desk.edits()[0].command).sensors, before);
+    EXPECT_EQ(desk.panels.scene_input.drag.phase, SceneInputPhase::idle);
+    desk.all.clear();
+    desk.point(600, 300);
+    desk.frame(2);
+    EXPECT_TRUE(desk.edits().empty());
+}
+
+TEST_F(SensorHandles, FollowAVehicleThatDrivesDuringADrag) {
+    drag("handle.axis", {-30, 21}, false);
+    const float angle = sensors()[0].angle;
+    desk.now.vehicles[0].heading += 0.3f;
+    desk.frame();
+    take_over();
+    EXPECT_LT(sensors()[0].angle, angle - 0.15f) << "the pointer is at rest, so the eye turns back in the vehicle";
+}
+
+TEST_F(SensorHandles, AreWithinTheSceneForARangeBeyondIt) {
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    for (Sensor& sensor : scene->kinds[0].sensors) sensor.range = 90;
+    desk.now.scene = scene;
+    desk.frame(2);
+    const vec2 axis = at("handle.axis");
+    EXPECT_TRUE(desk.layout.scene.contains(axis.x, axis.y));
+    drag("handle.axis", {14, 20});
+    EXPECT_LT(sensors()[0].range, 85);
+    EXPECT_GT(sensors()[0].range, 45) << "by the share of the distance";
+}
+
+TEST_F(SensorHandles, ASensorOfItsOwnEnergyHasOnlyAPosition) {
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->kinds[0].sensors = {{.name = "EN", .channel = Channel::energy}};
+    desk.now.scene = scene;
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("handle.axis"));
+    EXPECT_TRUE(desk.anchors.find("handle.mount"));
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::sensor_handles_test
