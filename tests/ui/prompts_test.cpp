@@ -68,6 +68,19 @@ TEST_F(Prompts, PointToPlayThenToASliderThenDisappear) {
     EXPECT_NE(anchor(), "button.play") << "also after a reset";
 }
 
+TEST_F(Prompts, PointToASliderOfTheChosenPair) {
+    alone();
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    for (const float side : {1.0f, -1.0f})
+        scene->kinds[0].sensors.push_back(
+            {.name = side > 0 ? "HL" : "HR", .channel = Channel::heat, .y = 0.2f * side, .angle = 0.5f * side});
+    desk.now.scene = scene;
+    desk.view.settings.selection.pair = "heat";
+    at(5);
+    desk.now.sensed = {0.4f, 0.4f, 0, 0.4f};
+    EXPECT_EQ(anchor(), "slider.LR") << "HL reads 0, and no wire leads from HR";
+}
+
 TEST_F(Prompts, PointToASliderWhoseSensorReadsSomething) {
     alone();
     at(5);

@@ -51,7 +51,7 @@ void draw_axis(const SceneInputFrame& frame, const Ui& ui, vec2 mount, vec2 hand
 std::string note_words(const Ui& ui, const SensorHandleState& handles, const Sensor& sensor) {
     const SensorHandle handle = handles.drag.handle != SensorHandle::none ? handles.drag.handle : handles.hovered;
     const bool is_dragged = handles.drag.handle != SensorHandle::none;
-    const auto degrees = [](float radians) { return fixed(ui, maths::degrees(radians), 0) + "°"; };
+    const auto degrees = [&](float radians) { return fixed(ui, maths::degrees(radians), 0) + "°"; };
     const auto named = [&](std::string_view key, const std::string& value) {
         return std::string(ui.strings(key)) + " " + value;
     };
