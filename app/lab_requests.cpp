@@ -83,11 +83,15 @@ void paste(Lab& lab, const Scene& copy, std::optional<maths::vec2> at) {
     select_objects(lab, added);
 }
 
+// Duplicates the selected objects. Edits of a single copied vehicle apply to it alone.
 void duplicate(Lab& lab) {
     const Snapshot& now = lab.document.session.snapshot();
     const std::vector<SceneObject> objects = selected_objects(lab.view.selection);
     if (objects.size() > 1) return paste(lab, ui::copied(now, objects), std::nullopt);
-    if (const auto copy = ui::copy_of(now, chosen_object(lab.view.selection))) edit(lab, *copy);
+    const auto copy = ui::copy_of(now, chosen_object(lab.view.selection));
+    if (!copy || !apply(lab, *copy)) return;
+    if (const SceneObject added = ui::added_by(lab.document.session.snapshot(), *copy)) select(lab, added);
+    if (std::holds_alternative<AddVehicle>(*copy)) lab.view.selection.whole_kind = false;
 }
 
 void copy(Lab& lab) {

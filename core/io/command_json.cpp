@@ -27,6 +27,7 @@ inline void to_json(Json& json, const AddVehicle& c) {
     json = {{"kind", c.kind},     {"at", c.at}, {"brain", c.brain}, {"energy", c.energy},
             {"driver", c.driver}, {"id", c.id}, {"start", c.start}, {"before", c.before}};
     if (c.sensors) json["sensors"] = *c.sensors;
+    if (!c.colour.empty()) json["colour"] = c.colour;
 }
 inline void from_json(const Json& json, AddVehicle& c) {
     json.at("kind").get_to(c.kind);
@@ -38,6 +39,7 @@ inline void from_json(const Json& json, AddVehicle& c) {
     json.at("start").get_to(c.start);
     json.at("before").get_to(c.before);
     if (json.contains("sensors")) c.sensors = json.at("sensors").get<std::vector<Sensor>>();
+    if (json.contains("colour")) json.at("colour").get_to(c.colour);
 }
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveVehicle, vehicle)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveVehicle, vehicle, x, y, heading)

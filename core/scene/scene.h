@@ -113,6 +113,7 @@ struct Start {
     std::optional<Driver> driver{};                // nullopt: that of its kind
     std::optional<BrainGraph> brain{};             // nullopt: that of its kind
     std::optional<std::vector<Sensor>> sensors{};  // nullopt: those of its kind
+    std::string colour{};                          // of the body, "#rrggbb"; empty: that of its kind. Display only
     friend bool operator==(const Start&, const Start&) = default;
 };
 

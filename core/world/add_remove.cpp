@@ -50,6 +50,7 @@ Result<int> add_to_scene(WorldData& s, const AddVehicle& c, int kind) {
     }
     const std::string& of_kind = scene.kinds[static_cast<std::size_t>(kind)].name;
     Start start = c.start ? *c.start : Start{"", of_kind, c.at->x, c.at->y, maths::wrap_angle(c.at->heading)};
+    if (!c.start) start.colour = c.colour;
     start.name = free_name(scene.starts, start.name, of_kind);
     const int index = insertion_index(scene.starts, c.before);
     scene.starts.insert(iterator_at(scene.starts, index), std::move(start));
@@ -170,7 +171,7 @@ std::optional<Error> execute(WorldData& s, const EditStart& c) {
     Start& start = *iterator_at(scene.starts, c.start);
     const std::string name = start.name;
     start = c.to;
-    start.name = name;
+    if (start.name.empty()) start.name = name;
     if (auto error = check_scene(scene)) return error;
     s.scene = std::make_shared<const Scene>(std::move(scene));
     return std::nullopt;

@@ -55,6 +55,7 @@ struct AddVehicle {
     std::optional<Start> start{};
     int before = -1;
     std::optional<std::vector<Sensor>> sensors{};  // none: the sensors of the kind
+    std::string colour{};                          // of a new vehicle with a pose, as Start::colour
     friend bool operator==(const AddVehicle&, const AddVehicle&) = default;
 };
 struct RemoveVehicle {
@@ -76,7 +77,9 @@ struct Steer {  // wheel commands, clamped to −1..1, of a manually driven vehi
     float left = 0, right = 0;
     friend bool operator==(const Steer&, const Steer&) = default;
 };
-struct EditStart {  // takes effect when a vehicle next enters at the start; no vehicle moves now
+// Name and colour change at once, the other values when a vehicle next enters at the start; no vehicle moves now. An
+// empty name: the present one.
+struct EditStart {
     int start = 0;
     Start to;
     friend bool operator==(const EditStart&, const EditStart&) = default;

@@ -61,20 +61,24 @@ std::span<const Stroke> strokes_of(Driver driver) {
     return {};
 }
 
-constexpr Colour sign_colour = rgb(0xFFFFFF);  // with the dark rim of wires, so that it shows on every body colour
+// White on a dark disc, so that it shows on every body colour in both themes.
+constexpr Colour sign_colour = rgb(0xFFFFFF), plate_colour = rgb(0x10151C);
 constexpr float plain_end = 0, arrow_end = 1;  // in place of a wire's sign
 
 }  // namespace
 
 void add_driver_sign(Drawing& drawing, const Subject& s) {
     if (s.driven) return;
+    const std::span<const Stroke> strokes = strokes_of(s.view.driver);
+    if (strokes.empty()) return;
     const float half = 0.36f * std::min(s.kind.body.length, s.kind.body.width);
-    const float height = (deck_height + 0.02f) * s.height_scale;
-    for (const Stroke& stroke : strokes_of(s.view.driver)) {
+    const float height = (deck_height + 0.03f) * s.height_scale, below = (deck_height + 0.015f) * s.height_scale;
+    drawing.list.neurons.push_back({{s.place.x, s.place.y, below, 1.3f * half}, rgb_with(plate_colour, 0)});
+    for (const Stroke& stroke : strokes) {
         const vec2 a = s.to_world(half * stroke.from), b = s.to_world(half * stroke.to);
         const vec2 c = s.to_world(half * stroke.bend);
         drawing.list.wires.push_back({{a.x, a.y, b.x, b.y},
-                                      {c.x, c.y, height, 0.34f * half},
+                                      {c.x, c.y, height, 0.38f * half},
                                       rgb_with(sign_colour, stroke.has_head ? arrow_end : plain_end),
                                       {}});
     }

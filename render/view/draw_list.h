@@ -56,7 +56,8 @@ struct WireInstance {
 };
 struct NeuronInstance {
     maths::vec4 place;   // x, y, height, radius; m
-    maths::vec4 colour;  // w: size of the value, 0..1; −1: crossed out (silenced neuron or motor)
+    maths::vec4 colour;  // w: size of the value, 0..1; 0 also for the disc below a driver's sign; −1: crossed out
+                         // (silenced neuron or motor)
 };
 struct FieldInstance {
     maths::vec4 place;

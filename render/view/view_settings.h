@@ -60,11 +60,11 @@ struct ViewSettings {
 };
 
 // The settings for another scene. Layers and sensor fields stay as they are; camera, intensity field and selection
-// return to their defaults, because they depend on the scene.
+// return to their defaults, because they depend on the scene; whether edits apply to one vehicle or to its kind stays.
 inline ViewSettings for_another_scene(ViewSettings settings) {
     settings.camera = {};
     settings.overlays.field.reset();
-    settings.selection = {};
+    settings.selection = {.object = {}, .whole_kind = settings.selection.whole_kind, .pair = {}};
     return settings;
 }
 

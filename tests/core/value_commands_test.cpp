@@ -182,6 +182,33 @@ TEST(Kinds, ColoursDoNotChangeTheRunAndAreCheckedAndWritten) {
     EXPECT_EQ(read.error().line, 3);
 }
 
+TEST(Starts, AreRenamedAndTintedWithUndo) {
+    Scene scene = tests::crowd(0);
+    scene.starts = {{"one", "hunter", 1, 1}, {"two", "hunter", 4, 1}};
+    Session session = opened(scene), plain = opened(scene);
+    Start to = scene.starts[0];
+    to.name = "first", to.colour = "#00ff00";
+    ASSERT_FALSE(session.apply(EditStart{0, to}));
+    EXPECT_EQ(session.snapshot().scene->starts[0].name, "first");
+    const auto again = parse_scene(write_scene(session.edited_scene()), "a.toml");
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_EQ(again->starts[0].colour, "#00ff00");
+    to.name = "two";
+    EXPECT_TRUE(session.apply(EditStart{0, to})) << "two of one name";
+    to.name.clear();
+    ASSERT_FALSE(session.apply(EditStart{0, to}));
+    EXPECT_EQ(session.snapshot().scene->starts[0].name, "first") << "an empty name changes nothing";
+    session.undo(), session.undo();
+    EXPECT_EQ(session.snapshot().scene->starts, scene.starts);
+    ASSERT_FALSE(session.apply(AddVehicle{.kind = 0, .at = Pose{6, 6}, .colour = "#123456"}));
+    EXPECT_EQ(session.snapshot().scene->starts[2].colour, "#123456");
+    ASSERT_FALSE(plain.apply(AddVehicle{.kind = 0, .at = Pose{6, 6}}));
+    EXPECT_EQ(session.hash(), plain.hash()) << "a colour is display only";
+    auto run = io::read_run(io::write_run(session.save()), "a.run");
+    ASSERT_TRUE(run) << run.error().text();
+    EXPECT_EQ(Session::resume(std::move(*run)).snapshot().scene->starts[2].colour, "#123456");
+}
+
 TEST(Body, KeepsTheProportionsOfItsWheelsWhenResized) {
     const Body to = resized(Body{}, 2, 0.35f);
     EXPECT_FLOAT_EQ(to.wheels[0].y, 0.15f);
@@ -215,6 +242,20 @@ TEST(SetPopulation, AddsAndRemovesVehiclesOfOneKindInOneStep) {
     session.undo(), session.undo();
     EXPECT_EQ(count_of(session, 0), hunters);
     EXPECT_EQ(session.snapshot().scene->starts, scene.starts);
+}
+
+TEST(SetPopulation, TakesTwoThousandVehiclesAndBack) {
+    Scene scene = tests::crowd(10);
+    scene.arena.width = scene.arena.height = 120;
+    Session session = opened(scene);
+    ASSERT_FALSE(session.apply(SetPopulation{0, 2000}));
+    EXPECT_EQ(count_of(session, 0), 2000);
+    ASSERT_FALSE(session.apply(SetPopulation{1, 2000}));
+    ASSERT_FALSE(session.apply(SetPopulation{0, 3}));
+    session.undo();
+    EXPECT_EQ(count_of(session, 0), 2000);
+    session.undo(), session.undo();
+    EXPECT_EQ(*session.snapshot().scene, scene);
 }
 
 TEST(SetPopulation, RestoresRemovedVehiclesAsTheyWere) {

@@ -53,6 +53,22 @@ TEST(LabRequests, RestartAnExerciseAfterItsKindsChanged) {
     EXPECT_FALSE(lab.document.lesson->view.by_hand);
 }
 
+TEST(LabRequests, EditADuplicateAloneInAColourOfItsOwn) {
+    Lab lab = opened_lab("predator-prey");
+    ASSERT_TRUE(lab.view.selection.whole_kind);
+    handle(lab, Action::duplicate);
+    EXPECT_FALSE(lab.view.selection.whole_kind);
+    const Scene first = *lab.document.session.snapshot().scene;
+    ASSERT_FALSE(first.starts.empty());
+    EXPECT_FALSE(first.starts.back().colour.empty());
+    handle(lab, Action::duplicate);
+    EXPECT_NE(lab.document.session.snapshot().scene->starts.back().colour, first.starts.back().colour);
+    handle(lab, Action::next_vehicle);
+    EXPECT_FALSE(lab.view.selection.whole_kind) << "another selection keeps the scope";
+    replace_document(lab, opened_lab("predator-prey").document);
+    EXPECT_FALSE(lab.view.selection.whole_kind) << "so does another scene";
+}
+
 TEST(LabRequests, LimitTheShareOfTheWatchedWiring) {
     Lab lab = opened_lab("2a-coward");
     handle(lab, CanvasShareRequest{2});

@@ -140,6 +140,21 @@ TEST(ValuesCard, EditsTheValuesOfAKind) {
     EXPECT_EQ(desk.last<EditKind>().to.memory.marks, 12);
 }
 
+TEST(ValuesCard, RenamesAndTintsASelectedVehicleWithAStart) {
+    ValuesDesk desk(true);
+    EXPECT_FALSE(desk.anchors.find("vehicle.name")) << "a vehicle of the population has a number";
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->starts = {{"one", "predator"}};
+    desk.now.scene = scene;
+    desk.now.vehicles[0].start = 0;
+    desk.frame(3);
+    desk.type_text("vehicle.name", "Elsie");
+    EXPECT_EQ(desk.last<EditStart>().to.name, "Elsie");
+    desk.click("vehicle.colour.3");
+    EXPECT_EQ(desk.last<EditStart>().to.colour, "#009e73");
+    EXPECT_EQ(desk.last<EditStart>().start, 0);
+}
+
 TEST(ValuesCard, ScalesWheelsAndEyesWithTheBodyInOneGesture) {
     ValuesDesk desk(true);
     desk.click("values.body");

@@ -52,6 +52,7 @@ TEST(DrawVehicles, MarkEachDriverByASignOfItsOwn) {
             shape.insert(shape.end(), {stroke.ends.x, stroke.ends.y, stroke.ends.z, stroke.ends.w});
         }
         EXPECT_FALSE(shape.empty()) << driver.word;
+        EXPECT_EQ(drawn(now).neurons.size(), 1u) << "the neuron of the brain, else the disc of the sign";
         EXPECT_TRUE(signs.insert(shape).second) << driver.word;
     }
 }
@@ -69,6 +70,11 @@ TEST(DrawVehicles, TintTheBodyInTheColourOfItsKind) {
     };
     EXPECT_GT(hull().z, 0.9f);
     EXPECT_LT(hull().x, 0.1f);
+    auto own = std::make_shared<Scene>(*scene);
+    own->starts = {{.name = "red", .kind = own->kinds[0].name, .colour = "#ff0000"}};
+    now.scene = own;
+    now.vehicles[0].start = 0;
+    EXPECT_GT(hull().x, 0.9f) << "a colour of its own takes precedence";
 }
 
 TEST(DrawBrain, DrawsWiresThroughNeuronsWithTheirSignals) {

@@ -10,6 +10,7 @@
 #include "core/scene/schema.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
+#include "ui/scene_input/edits.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
@@ -24,10 +25,6 @@ namespace {
 
 constexpr int most_typed = 2000;  // vehicles of a kind that the slider offers
 constexpr float seed_width = 96;  // layout pixels
-
-// Body colours on offer, apart for colour-blind eyes (M. Okabe and K. Ito, 2008).
-constexpr std::string_view offered_colours[]{"#e69f00", "#56b4e9", "#009e73", "#f0e442",
-                                             "#0072b2", "#d55e00", "#cc79a7", "#8595aa"};
 
 FieldRows rows_for(const LabView& view, PanelState& state, Ui& ui) {
     return {ui, state.fields, state.sliders, view.wall_seconds};
@@ -57,6 +54,42 @@ void arena_values(const LabView& view, PanelState& state, Ui& ui) {
     constexpr std::string_view shown[]{"drain", "bite", "inactivity"};
     request(ui, record_fields(rows_for(view, state, ui), scene.ecology, filed.ecology, shown),
             [](const Ecology& to) { return EditEcology{to}; });
+}
+
+// A disc in the colour; the sign of the role for none. True when it was pressed.
+bool colour_swatch(Ui& ui, const std::string& id, std::string_view colour, bool chosen, Role role, float size) {
+    const Item at = item(ui, id, {size, size});
+    const ImVec2 middle{at.middle_x(), at.middle_y()};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (chosen || at.warmth > 0)
+        list.AddCircle(middle, ui.px(10),
+                       paint(chosen ? ui.palette.text : ui.palette.second_text.with_alpha(at.warmth)), 24, ui.px(1.5f));
+    if (colour.empty())
+        put_role(ui, middle, ui.px(13), role);
+    else
+        list.AddCircleFilled(middle, ui.px(7), paint(braitenlab::colour_of(colour).value_or(ui.palette.text)), 24);
+    tooltip(ui, at, ui.strings(colour.empty() ? "values.colour_none" : "values.colour_how"));
+    return at.pressed;
+}
+
+// The body colours side by side, none first. The colour that was pressed, unless it is the present one.
+std::optional<std::string> colour_row(const FieldRows& rows, const std::string& anchor, const std::string& now,
+                                      Role role) {
+    Ui& ui = rows.ui;
+    const float size = ui.px(24), left = ui.px(rows.words_width);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    put(ui, {at.x, at.y + (size - line_height(ui, Face::text)) / 2}, ui.strings("values.colour"), ui.palette.text);
+    const int per_row = std::max(1, static_cast<int>((card_width(ui) - left) / size));
+    std::optional<std::string> pressed;
+    for (int i = 0; i <= static_cast<int>(std::size(body_colours)); ++i) {
+        ImGui::SetCursorScreenPos(
+            {at.x + left + size * static_cast<float>(i % per_row), at.y + size * static_cast<float>(i / per_row)});
+        const std::string_view colour = i == 0 ? std::string_view{} : body_colours[static_cast<std::size_t>(i - 1)];
+        if (colour_swatch(ui, anchor + std::to_string(i), colour, colour == now, role, size) && colour != now)
+            pressed = colour;
+    }
+    gap(ui, 12);
+    return pressed;
 }
 
 // Editing of one kind.
@@ -118,47 +151,12 @@ private:
     }
 
     void colours() {
-        const float size = ui_.px(24);
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        put(ui_, {at.x, at.y + (size - line_height(ui_, Face::text)) / 2}, ui_.strings("values.colour"),
-            ui_.palette.text);
-        const float left = ui_.px(rows().words_width);
-        const int per_row = std::max(1, static_cast<int>((card_width(ui_) - left) / size));
-        int place = 0;
-        const auto swatch = [&](const std::string& id, const std::string& colour) {
-            ImGui::SetCursorScreenPos({at.x + left + size * static_cast<float>(place % per_row),
-                                       at.y + size * static_cast<float>(place / per_row)});
-            ++place;
-            if (colour_swatch(id, colour, size) && colour != kind_.colour) {
-                Kind to = kind_;
-                to.colour = colour;
-                change(std::move(to), rows().next_gesture());
-            }
-        };
-        swatch("kind.colour.role", "");
-        for (std::size_t i = 0; i < std::size(offered_colours); ++i)
-            swatch("kind.colour." + std::to_string(i + 1), std::string(offered_colours[i]));
-        gap(ui_, 12);
-    }
-
-    // A disc in the colour, or in that of the role with a line across for none.
-    bool colour_swatch(const std::string& id, const std::string& colour, float size) const {
-        const Item at = item(ui_, id, {size, size});
-        const ImVec2 middle{at.middle_x(), at.middle_y()};
-        ImDrawList& list = *ImGui::GetWindowDrawList();
-        if (colour == kind_.colour || at.warmth > 0)
-            list.AddCircle(
-                middle, ui_.px(10),
-                paint(colour == kind_.colour ? ui_.palette.text : ui_.palette.second_text.with_alpha(at.warmth)), 24,
-                ui_.px(1.5f));
         const Role role = kind_.role == Role::wiring ? Role::none : kind_.role;
-        if (colour.empty())
-            put_role(ui_, middle, ui_.px(13), role);
-        else
-            list.AddCircleFilled(middle, ui_.px(7), paint(braitenlab::colour_of(colour).value_or(ui_.palette.text)),
-                                 24);
-        tooltip(ui_, at, ui_.strings(colour.empty() ? "values.colour_role" : "values.colour_how"));
-        return at.pressed;
+        const auto wanted = colour_row(rows(), "kind.colour.", kind_.colour, role);
+        if (!wanted) return;
+        Kind to = kind_;
+        to.colour = *wanted;
+        change(std::move(to), rows().next_gesture());
     }
 
     void body() {
@@ -300,7 +298,9 @@ void kind_names(const LabView& view, ValuesState& values, Ui& ui) {
 void kind_buttons(const LabView& view, PanelState& state, Ui& ui) {
     const Snapshot& now = *view.now;
     const auto index = static_cast<std::size_t>(state.values.kind);
-    const Item add = button(ui, "kind.add", {{}, ui.strings("values.kind_add")});
+    ButtonLook more{{}, ui.strings("values.kind_add")};
+    more.compact = true;
+    const Item add = button(ui, "kind.add", more);
     tooltip(ui, add, ui.strings("values.kind_add_how"));
     if (add.pressed) {
         Kind copy = index < now.scene->kinds.size() ? now.scene->kinds[index] : Kind{};
@@ -314,7 +314,7 @@ void kind_buttons(const LabView& view, PanelState& state, Ui& ui) {
                                   [&](const VehicleView& v) { return v.kind == state.values.kind; });
     ImGui::SameLine(0, ui.px(8));
     ButtonLook look{{}, ui.strings("values.kind_remove")};
-    look.enabled = !used;
+    look.enabled = !used, look.compact = true;
     const Item gone = button(ui, "kind.remove", look);
     tooltip(ui, gone, ui.strings(used ? "values.kind_used" : "values.kind_remove_how"));
     if (gone.pressed) ui.outbox.push_back(EditRequest{RemoveKind{state.values.kind}});
@@ -328,17 +328,26 @@ void follow_selection(const LabView& view, ValuesState& values) {
     values.kind = std::clamp(values.kind, 0, std::max(0, static_cast<int>(view.now->scene->kinds.size()) - 1));
 }
 
-// What drives the selected vehicle alone.
-void driver_of_selected(const LabView& view, PanelState& state, Ui& ui) {
+// The values of the selected vehicle alone: its driver; name and colour of one with a start.
+void values_of_selected(const LabView& view, PanelState& state, Ui& ui) {
     const VehicleView* selected = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (!selected) return;
     gap(ui, 12);
     subheading(ui, fill(ui.strings("values.selected"), {std::to_string(selected->id + 1)}));
-    std::vector<std::string_view> words;
-    for (const auto& row : driver_table)
-        words.push_back(ui.strings.find(std::string(word_stem(Driver{})) + std::string(row.word), row.word));
     FieldRows row = rows_for(view, state, ui);
     row.anchor = "vehicle", row.words = "field.kind.";
+    const auto start = static_cast<std::size_t>(selected->start);
+    if (selected->start >= 0 && start < view.now->scene->starts.size()) {
+        Start to = view.now->scene->starts[start];
+        const auto named = row.text("name", to.name, limits::name_length);
+        const auto tinted = colour_row(row, "vehicle.colour.", to.colour, selected->role);
+        if (named) to.name = *named;
+        if (tinted) to.colour = *tinted;
+        if (named || tinted) ui.outbox.push_back(EditRequest{EditStart{selected->start, to}, row.next_gesture()});
+    }
+    std::vector<std::string_view> words;
+    for (const auto& driver : driver_table)
+        words.push_back(ui.strings.find(std::string(word_stem(Driver{})) + std::string(driver.word), driver.word));
     const int chosen = row.choice("driver", words, static_cast<int>(selected->driver));
     if (chosen >= 0)
         ui.outbox.push_back(EditRequest{ChooseDriver{selected->id, static_cast<Driver>(chosen)}, row.next_gesture()});
@@ -350,7 +359,7 @@ void kind_values(const LabView& view, PanelState& state, Ui& ui) {
     kind_buttons(view, state, ui);
     if (state.values.kind < static_cast<int>(view.now->scene->kinds.size()))
         KindEditor(view, state, ui, state.values.kind).draw();
-    driver_of_selected(view, state, ui);
+    values_of_selected(view, state, ui);
 }
 
 }  // namespace

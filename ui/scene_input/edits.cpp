@@ -42,6 +42,18 @@ Pose pose_beside(const Snapshot& now, const SceneObject& object) {
     return {within.x, within.y, at.heading};
 }
 
+// The first body colour that no start and no kind has; the first of all if there is none.
+std::string unused_colour(const Scene& scene) {
+    const auto has = [](std::string_view colour) {
+        return [colour](const auto& entry) { return entry.colour == colour; };
+    };
+    for (const std::string_view colour : body_colours)
+        if (std::none_of(scene.starts.begin(), scene.starts.end(), has(colour)) &&
+            std::none_of(scene.kinds.begin(), scene.kinds.end(), has(colour)))
+            return std::string(colour);
+    return std::string(body_colours[0]);
+}
+
 }  // namespace
 
 std::optional<Command> removal_of(const Snapshot& now, const SceneObject& object) {
@@ -72,6 +84,7 @@ std::optional<Command> copy_of(const Snapshot& now, const SceneObject& object) {
         AddVehicle copy{vehicle.kind, at, std::nullopt, vehicle.energy};
         if (!as_its_kind) copy.brain = own;
         if (vehicle.design >= 0) copy.sensors = kind_of(now, vehicle).sensors;
+        copy.colour = unused_colour(*now.scene);
         return with_room(now, copy);
     }
     if (object.kind == SceneObjectKind::source) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/maths/vec.h"
@@ -14,13 +15,18 @@ namespace braitenlab::ui {
 // The channels a source can have, in the order of menus.
 inline constexpr auto& source_channels = channels_with<&ChannelTraits::is_source>;
 
+// Body colours on offer, apart for colour-blind eyes (M. Okabe and K. Ito, 2008), and grey.
+inline constexpr std::string_view body_colours[]{"#e69f00", "#56b4e9", "#009e73", "#f0e442",
+                                                 "#0072b2", "#d55e00", "#cc79a7", "#8595aa"};
+
 // All return nullopt when the object no longer exists.
 std::optional<Command> removal_of(const Snapshot&, const SceneObject&);
 
 // The removal of each of the objects, in an order in which no removal changes the index of a later one.
 std::vector<Command> removals_of(const Snapshot&, std::vector<SceneObject>);
 
-// Adds a copy about 0.8 m beside the object, at a free position. A copied vehicle has the same brain.
+// Adds a copy about 0.8 m beside the object, at a free position. A copied vehicle has the same brain
+// and a body colour that no other vehicle of the scene has, while there is one.
 std::optional<Command> copy_of(const Snapshot&, const SceneObject&);
 
 // Moves the object to this pose, clamped to the arena. A source ignores the heading.

@@ -122,7 +122,7 @@ int FieldRows::choice(const char* key, std::span<const std::string_view> choices
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(field_gap), ui.px(field_gap)});
     const int clicked = wrapped_choices(ui, id, choices, chosen, how);
     ImGui::PopStyleVar();
-    space(ui, below_choice);
+    space(ui, 2);  // the buttons end with a gap of their own
     return clicked;
 }
 
