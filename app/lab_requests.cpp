@@ -70,12 +70,9 @@ void erase(Lab& lab) {
 
 // Adds copied objects as one step of undo and selects them.
 void paste(Lab& lab, const Scene& copy, std::optional<maths::vec2> at) {
-    const ui::Pasting pasting = ui::pasted(lab.document.session.snapshot(), copy, at);
-    if (!pasting.missing_kind.empty())
-        return say(lab, {NoticeKind::failure, "notice.no_such_kind", pasting.missing_kind});
     const std::uint64_t gesture = gestures::lab + ++lab.gesture;
     std::vector<SceneObject> added;
-    for (const Command& command : pasting.commands) {
+    for (const Command& command : ui::pasted(lab.document.session.snapshot(), copy, at)) {
         const Command with_room = ui::with_room(lab.document.session.snapshot(), command);
         if (!apply(lab, with_room, gesture)) break;  // the notice says why
         if (const SceneObject one = ui::added_by(lab.document.session.snapshot(), with_room)) added.push_back(one);

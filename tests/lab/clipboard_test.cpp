@@ -94,17 +94,39 @@ TEST(Clipboard, BringsBrainAndDriverOfAVehicleToAnotherSceneWithItsKind) {
     EXPECT_EQ(lab.view.selection.vehicle, now.vehicles[1].id);
 }
 
-TEST(Clipboard, RefusesAVehicleWhoseKindTheSceneLacks) {
+TEST(Clipboard, AddsTheKindOfAVehicleToASceneWithoutItAsOneStepOfUndo) {
     Lab lab = opened_lab("2a-coward");
     handle(lab, SelectObjectsRequest{{vehicle_object(0), {SceneObjectKind::source, 0}}});
     handle(lab, Action::copy);
+    const Kind coward = scene_of(lab).kinds[0];
     Lab other = opened_lab("predator-prey");
     replace_document(lab, std::move(other.document));
     const Scene before = scene_of(lab);
     handle(lab, PasteRequest{});
-    EXPECT_EQ(scene_of(lab), before) << "nothing of the copy is added";
-    EXPECT_EQ(lab.notice.key, "notice.no_such_kind");
-    EXPECT_EQ(lab.notice.words, "coward");
+    handle(lab, PasteRequest{});
+    ASSERT_EQ(scene_of(lab).kinds.size(), before.kinds.size() + 1) << "the second copy finds the kind";
+    EXPECT_EQ(scene_of(lab).kinds.back().name, "coward");
+    EXPECT_EQ(scene_of(lab).kinds.back().sensors, coward.sensors);
+    const Snapshot& now = lab.document.session.snapshot();
+    EXPECT_EQ(now.vehicles.back().kind, static_cast<int>(before.kinds.size()));
+    EXPECT_EQ(*brain_of(now, now.vehicles.back()), coward.brain);
+    EXPECT_EQ(now.vehicles.size(), 22u);
+    handle(lab, Action::undo);
+    handle(lab, Action::undo);
+    EXPECT_EQ(scene_of(lab), before);
+    EXPECT_EQ(lab.document.session.snapshot().vehicles.size(), 20u);
+}
+
+TEST(Clipboard, AddsAKindOfAnotherNameWhereTheDesignDiffers) {
+    Lab lab = opened_lab("2a-coward");
+    handle(lab, Action::copy);
+    Kind larger = scene_of(lab).kinds[0];
+    larger.body.mass = 20;
+    handle(lab, EditRequest{EditKind{0, larger}});
+    handle(lab, PasteRequest{maths::vec2{3, -4}});
+    ASSERT_EQ(scene_of(lab).kinds.size(), 2u);
+    EXPECT_NE(scene_of(lab).kinds[1].name, scene_of(lab).kinds[0].name);
+    EXPECT_EQ(lab.document.session.snapshot().vehicles.back().kind, 1);
 }
 
 TEST(Clipboard, GivesPastedVehiclesFreePositions) {

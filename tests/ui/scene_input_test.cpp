@@ -290,7 +290,6 @@ TEST_F(SceneInput, EditsAZoneOnItsCard) {
     EXPECT_TRUE(commands<AddObstacle>().empty()) << "the outline is that of the zone";
 }
 
-// Shift and a drag, or a click where both ends are the same.
 TEST_F(SceneInput, SelectsEverythingInARectangleByShiftAndADrag) {
     ImGui::GetIO().KeyShift = true;
     hold({-5, 7.5f}, {5, 4.5f});

@@ -52,8 +52,10 @@ vec2 middle_of(const Scene& copy) {
     return (low + high) / 2;
 }
 
+// Brain and share may differ.
 bool same_design(Kind a, const Kind& b) {
     a.brain = b.brain;
+    a.share = b.share;
     return a == b;
 }
 
@@ -63,14 +65,30 @@ int kind_in(const Scene& scene, const Kind& kind) {
     return index >= 0 && same_design(kind, scene.kinds[static_cast<std::size_t>(index)]) ? index : -1;
 }
 
-AddVehicle added_vehicle(const Snapshot& now, const Scene& copy, const Start& start) {
-    const Kind& copied_kind = copy.kinds[static_cast<std::size_t>(find_kind(copy, start.kind))];
+// Adds the commands for the kinds that the scene lacks. The index in the scene of each kind of the copy.
+std::vector<int> paste_kinds(const Scene& scene, const Scene& copy, std::vector<Command>& commands) {
+    std::vector<int> indices;
+    auto next = static_cast<int>(scene.kinds.size());
+    for (Kind kind : copy.kinds) {
+        int index = kind_in(scene, kind);
+        if (index < 0) {
+            index = next++;
+            kind.share = 0;  // the random population stays as it is
+            commands.emplace_back(AddKind{std::move(kind)});
+        }
+        indices.push_back(index);
+    }
+    return indices;
+}
+
+AddVehicle added_vehicle(const Snapshot& now, const Kind& copied_kind, int kind, const Start& start) {
     AddVehicle add;
-    add.kind = kind_in(*now.scene, copied_kind);
+    add.kind = kind;
     add.at = Pose{start.x, start.y, start.heading};
+    const auto index = static_cast<std::size_t>(kind);
+    const BrainGraph& of_kind = index < now.kind_brains.size() ? *now.kind_brains[index] : copied_kind.brain;
     const BrainGraph& brain = start.brain ? *start.brain : copied_kind.brain;
-    const auto kind = static_cast<std::size_t>(add.kind);
-    if (kind >= now.kind_brains.size() || brain != *now.kind_brains[kind]) add.brain = brain;
+    if (brain != of_kind) add.brain = brain;
     add.driver = start.driver;
     return add;
 }
@@ -94,10 +112,9 @@ std::size_t object_count(const Scene& copy) {
     return copy.starts.size() + copy.sources.size() + copy.obstacles.size() + copy.zones.size();
 }
 
-Pasting pasted(const Snapshot& now, const Scene& copy, std::optional<vec2> middle) {
-    Pasting pasting;
-    for (const Kind& kind : copy.kinds)
-        if (kind_in(*now.scene, kind) < 0) return {{}, kind.name};
+std::vector<Command> pasted(const Snapshot& now, const Scene& copy, std::optional<vec2> middle) {
+    std::vector<Command> commands;
+    const std::vector<int> kinds = paste_kinds(*now.scene, copy, commands);
     Scene moved = copy;
     const vec2 by = middle ? *middle - middle_of(copy) : beside_original;
     const Arena& arena = now.scene->arena;
@@ -105,11 +122,14 @@ Pasting pasted(const Snapshot& now, const Scene& copy, std::optional<vec2> middl
         object.x = std::clamp(object.x + by.x, -arena.width / 2, arena.width / 2);
         object.y = std::clamp(object.y + by.y, -arena.height / 2, arena.height / 2);
     });
-    for (const Zone& zone : moved.zones) pasting.commands.emplace_back(AddZone{zone});
-    for (const Obstacle& obstacle : moved.obstacles) pasting.commands.emplace_back(AddObstacle{obstacle});
-    for (const Source& source : moved.sources) pasting.commands.emplace_back(AddSource{source});
-    for (const Start& start : moved.starts) pasting.commands.emplace_back(added_vehicle(now, copy, start));
-    return pasting;
+    for (const Zone& zone : moved.zones) commands.emplace_back(AddZone{zone});
+    for (const Obstacle& obstacle : moved.obstacles) commands.emplace_back(AddObstacle{obstacle});
+    for (const Source& source : moved.sources) commands.emplace_back(AddSource{source});
+    for (const Start& start : moved.starts) {
+        const auto kind = static_cast<std::size_t>(find_kind(copy, start.kind));
+        commands.emplace_back(added_vehicle(now, copy.kinds[kind], kinds[kind], start));
+    }
+    return commands;
 }
 
 }  // namespace braitenlab::ui

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/maths/vec.h"
@@ -20,14 +19,9 @@ Scene copied(const Snapshot&, const std::vector<SceneObject>&);
 // The number of objects in a copy.
 std::size_t object_count(const Scene& copy);
 
-// The commands that add a copy to a scene.
-struct Pasting {
-    std::vector<Command> commands;
-    std::string missing_kind;  // a kind of the copy that the scene lacks or that differs; then there are no commands
-};
-
-// `middle`: the position that the middle of the copy gets, m; nullopt: beside the original. Positions are clamped to
-// the arena; with_room() finds free ones. A brain is given where it differs from that of the kind in this scene.
-Pasting pasted(const Snapshot&, const Scene& copy, std::optional<maths::vec2> middle);
+// The commands that add a copy to a scene, in order. `middle`: the position that the middle of the copy gets, m;
+// nullopt: beside the original. Positions are clamped to the arena; with_room() finds free ones. A kind is added if the
+// scene has none of the same name and design; a brain is given where it differs from that of the kind in this scene.
+std::vector<Command> pasted(const Snapshot&, const Scene& copy, std::optional<maths::vec2> middle);
 
 }  // namespace braitenlab::ui

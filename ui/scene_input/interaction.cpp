@@ -39,7 +39,7 @@ void begin_drag(SceneInputState& state, const SceneInputFrame& frame) {
     drag.press = drag.last = pointer.at;
     drag.gesture = gestures::viewport + ++state.gesture;
     if (!drag.left) return;
-    drag.selects = pointer.shift && !state.hovered.handle;
+    drag.selects = pointer.shift && !state.hovered.handle && frame.view.mode != Mode::wiring;
     if (drag.selects) {
         drag.click = state.hovered.object;
         return;
