@@ -18,6 +18,7 @@
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/record_fields.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 

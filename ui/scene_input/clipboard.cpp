@@ -14,13 +14,15 @@ constexpr vec2 beside_original{0.8f, -0.8f};  // m
 
 // The kind with its present brain is in the copy; a start refers to it.
 void copy_vehicle(Scene& copy, const Snapshot& now, const VehicleView& v) {
-    Kind kind = kind_of(now, v);
+    Kind kind = now.scene->kinds[static_cast<std::size_t>(v.kind)];
     const auto index = static_cast<std::size_t>(v.kind);
     if (index < now.kind_brains.size()) kind.brain = *now.kind_brains[index];
     Start start{
         .name = std::to_string(copy.starts.size()), .kind = kind.name, .x = v.x, .y = v.y, .heading = v.heading};
     if (v.driver != kind.driver) start.driver = v.driver;
     if (*brain_of(now, v) != kind.brain) start.brain = *brain_of(now, v);
+    if (v.design >= 0) start.sensors = kind_of(now, v).sensors;
+    if (v.start >= 0) start.colour = now.scene->starts[static_cast<std::size_t>(v.start)].colour;
     copy.starts.push_back(std::move(start));
     if (find_kind(copy, kind.name) < 0) copy.kinds.push_back(std::move(kind));
 }
@@ -90,6 +92,8 @@ AddVehicle added_vehicle(const Snapshot& now, const Kind& copied_kind, int kind,
     const BrainGraph& brain = start.brain ? *start.brain : copied_kind.brain;
     if (brain != of_kind) add.brain = brain;
     add.driver = start.driver;
+    add.sensors = start.sensors;
+    add.colour = start.colour;
     return add;
 }
 

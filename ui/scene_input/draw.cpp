@@ -138,7 +138,7 @@ private:
     void draw_tool() const {
         const auto next = next_corner();
         if (state_.tool == SceneInputTool::polygon) draw_outline();
-        if (state_.tool == SceneInputTool::tape) draw_line(next);
+        if (state_.tool == SceneInputTool::tape) draw_tape(next);
         if (spans(state_.tool) && !state_.corners.empty()) draw_span(next);
         if (next && state_.tool == SceneInputTool::lamp) draw_ghost_lamp(*next);
         if (!next) return;
@@ -177,7 +177,7 @@ private:
     }
 
     // The segments of tape so far, and the next one.
-    void draw_line(const std::optional<vec2>& next) const {
+    void draw_tape(const std::optional<vec2>& next) const {
         std::vector<vec2> points = state_.corners;
         if (next) points.push_back(*next);
         for (const Zone& segment : tape_along(points, tape_width(*frame_.view.now->scene))) {
