@@ -125,7 +125,8 @@ void timeline(const LabView& view, PanelState& state, Ui& ui, Rect strip) {
     if (strip.w < ui.px(80)) return;
     begin_bar(ui, "timeline", strip, false, 6);
     const bool is_roomy = strip.w >= ui.px(roomy);
-    const float button_top = strip.y + (strip.h - ui.px(button_height)) / 2;
+    // All parts are on one line, below the flags.
+    const float middle = strip.y + ui.px(flag_side + 7), button_top = middle - ui.px(button_height) / 2;
     float left = strip.x + ui.px(timeline_margin), right = strip.x + strip.w - ui.px(timeline_margin);
     if (is_roomy) {
         left = strip.x + ui.px(4);
@@ -135,7 +136,7 @@ void timeline(const LabView& view, PanelState& state, Ui& ui, Rect strip) {
         right = strip.x + strip.w - ui.px(4 + button_height);
         timeline_button(ui, {right, button_top}, "timeline.bookmark", icon::bookmark, "+", Action::set_bookmark, true);
         right -= ui.px(reading_width + 6);
-        reading(view, ui, {right, strip.y, ui.px(reading_width), strip.h});
+        reading(view, ui, {right, button_top, ui.px(reading_width), ui.px(button_height)});
         right -= ui.px(8);
     }
     const std::uint64_t latest = view.timeline.latest;
@@ -145,7 +146,7 @@ void timeline(const LabView& view, PanelState& state, Ui& ui, Rect strip) {
     ImGui::SetCursorScreenPos({track.rect.x - ui.px(6), track.rect.y});
     const Item item_of_track = item(ui, "timeline.track", {track.rect.w + ui.px(12), track.rect.h});
     scrub(view, state, ui, track, item_of_track);
-    draw_track(view, ui, track, track.rect.y + ui.px(9), item_of_track);
+    draw_track(view, ui, track, middle, item_of_track);
     if (wants_tooltip(ui, item_of_track))
         tooltip(ui, item_of_track,
                 fill(ui.strings("timeline.track"),
