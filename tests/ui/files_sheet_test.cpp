@@ -195,6 +195,15 @@ TEST_F(FilesSheet, MarksUnreadableFilesAndReportsTheReasonOnOpening) {
     EXPECT_EQ(opened(), std::vector<std::string>{"/home/me/torn.toml"});
 }
 
+TEST_F(FilesSheet, SaysInTheChosenLanguageThatAFolderCannotBeListed) {
+    desk.strings = speaking("de");
+    files.listing = {"/root", {}, "Permission denied"};
+    press({'O', true});
+    desk.click("files.place.3");
+    desk.frame(2);
+    EXPECT_EQ(said("lässt sich nicht öffnen: Permission denied"), 1);
+}
+
 TEST_F(FilesSheet, AcceptsATypedPathWithSpacesAndDots) {
     press({'O', true});
     desk.click("files.place.3");

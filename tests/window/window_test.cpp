@@ -185,11 +185,14 @@ TEST(LabWindow, OpensAnEmptySceneForANewOne) {
     EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("files.path"); })) << "what ships is not written over";
 }
 
-TEST(LabWindow, OpensTheLastFileWithTheSavedThemeAndLanguage) {
+TEST(LabWindow, OpensTheLastFileWithTheSavedThemeLanguageAndView) {
     const Home home;
     {
         LabWindow lab({"3a-love", "--size", "1100x780"}, home.path);
         lab.key("t");
+        lab.key("b");
+        lab.click("card.scene.fold");
+        EXPECT_TRUE(wait_for([&] { return lab.state()["camera"] == "birds_eye"; }));
         lab.key("ctrl+comma");
         lab.click("settings.language.1");
         EXPECT_TRUE(wait_for([&] { return lab.state()["language"] == "de"; }));
@@ -201,8 +204,10 @@ TEST(LabWindow, OpensTheLastFileWithTheSavedThemeAndLanguage) {
     EXPECT_EQ(lab.state()["opened"], "3a-love");
     EXPECT_EQ(lab.state()["theme"], "light");
     EXPECT_EQ(lab.state()["language"], "de");
-    const Json bar = lab.anchors()["hint.bar"];
+    EXPECT_EQ(lab.state()["camera"], "birds_eye");
+    const Json bar = lab.anchors()["hint.bar"], card = lab.anchors()["card.scene"];
     EXPECT_EQ(bar[2], 1100) << "the window is as wide as it was";
+    EXPECT_LT(card[3].get<double>(), 50) << "the card is folded";
 }
 
 TEST(LabWindow, StartsWithBrokenSettingsAndReportsThem) {

@@ -186,7 +186,8 @@ void list_folder(const LabView& view, FilesState& files, Ui& ui, float bottom) {
         else
             request_file(view, files, ui, OpenRequest{below + entry.name});
     }
-    if (!listing.problem.empty()) paragraph(ui, listing.problem, ui.palette.text);
+    if (!listing.problem.empty())
+        paragraph(ui, fill(ui.strings("error.cannot_open"), {listing.problem}), ui.palette.text);
     if (!any && listing.problem.empty()) paragraph(ui, ui.strings("files.nothing"), ui.palette.second_text);
     end_list();
 }
