@@ -51,6 +51,11 @@ TEST(LabRequests, RestartAnExerciseAfterItsKindsChanged) {
     EXPECT_TRUE(lab.document.lesson->view.by_hand);
     handle(lab, Action::exercise_reset);
     EXPECT_FALSE(lab.document.lesson->view.by_hand);
+    const BrainGraph shipped = *lab.document.session.snapshot().kind_brains[0];
+    handle(lab, EditRequest{AddKind{lab.document.session.snapshot().scene->kinds[0], 0}});
+    handle(lab, EditRequest{TurnDial{{.kind = 1}, Dial::LL, 1.25f}});
+    handle(lab, Action::exercise_reset);
+    EXPECT_EQ(*lab.document.session.snapshot().kind_brains[0], shipped);
 }
 
 TEST(LabRequests, EditADuplicateAloneInAColourOfItsOwn) {

@@ -3,6 +3,7 @@
 #include <regex>
 
 #include "desk.h"
+#include "ui/widgets/paint.h"
 
 namespace braitenlab::tests::words_fit_test {
 
@@ -312,6 +313,23 @@ TEST_P(EveryLanguage, ShowsEveryHintInOneLine) {
         expect_words_to_fit(desk, key);
     }
     EXPECT_GT(hints, 15);
+}
+
+TEST_P(EveryLanguage, ShowsTheLabelOfEachFieldBesideItsSlider) {
+    Desk desk(1024, 768, 1, true);
+    desk.frame();
+    const Strings strings = speaking(GetParam());
+    Ui ui{strings, palette(Theme::dark), test_fonts(1).loaded.fonts, 1, desk.anchors, desk.asked, {}, 1};
+    FieldsState fields;
+    SliderState sliders;
+    const float room = FieldRows{ui, fields, sliders}.words_width;
+    int labels = 0;
+    for (const auto& [key, words] : strings.all()) {
+        if (!key.starts_with("field.") || !strings.all().count(key + "_how")) continue;
+        ++labels;
+        EXPECT_LT(text_width(ui, Face::text, words), room) << key << " = " << words;
+    }
+    EXPECT_GT(labels, 30);
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, EveryLanguage, ::testing::Values("en", "de", "es"),
