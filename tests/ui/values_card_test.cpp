@@ -184,6 +184,24 @@ TEST(ValuesCard, GroupsTheValuesOfRealism) {
     EXPECT_FLOAT_EQ(desk.last<EditArena>().to.ambient, 0.25f);
 }
 
+TEST(ValuesCard, EditsTheLampsThatAKindCarries) {
+    ValuesDesk desk(true);
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->kinds[0].lamps = {{.name = "lamp"}};
+    desk.now.scene = scene;
+    desk.click("values.lamps");
+    desk.type_into("lamp.1.strength", "0.4");
+    EXPECT_FLOAT_EQ(desk.last<EditKind>().to.lamps[0].strength, 0.4f);
+    desk.click("lamp.1.channel.5");
+    EXPECT_EQ(desk.last<EditKind>().to.lamps[0].channel, Channel::heat);
+    EXPECT_FALSE(desk.anchors.find("lamp.1.channel.8")) << "only what a source can give off";
+    desk.click("lamp.add");
+    ASSERT_EQ(desk.last<EditKind>().to.lamps.size(), 2u);
+    EXPECT_EQ(desk.last<EditKind>().to.lamps[1].name, "lamp-2");
+    desk.click("lamp.1.remove");
+    EXPECT_TRUE(desk.last<EditKind>().to.lamps.empty());
+}
+
 TEST(ValuesCard, EditsThePointsOfAPath) {
     ValuesDesk desk(true);
     auto scene = std::make_shared<Scene>(*desk.now.scene);

@@ -56,9 +56,11 @@ void with_menu(Desk& desk, SceneObject object, MenuPage page) {
 void with_kinds(Desk& desk) {
     desk.view.settings.values = true;
     ValuesState& values = desk.panels.values;
-    values.kinds = values.body_open = values.realism_open = values.memory_open = values.path_open = true;
+    values.kinds = values.body_open = values.realism_open = values.memory_open = values.lamps_open = values.path_open =
+        true;
     auto scene = std::make_shared<Scene>(*desk.now.scene);
     scene->kinds[0].waypoints = {{1, 2}, {-3.25f, 4}};
+    scene->kinds[0].lamps.resize(1);
     desk.now.scene = scene;
 }
 
@@ -162,7 +164,11 @@ std::vector<Screen> screens() {
         {"values of the arena", [](Desk& d) { d.view.settings.values = true; }},
         {"values of the arena in an exercise", [](Desk& d) { with_lesson(d), d.view.settings.values = true; }},
         {"values of the kinds", with_kinds},
-        {"values of the kinds, further down", [](Desk& d) { with_kinds(d), d.panels.values.body_open = false; }},
+        {"values of the kinds, further down",
+         [](Desk& d) {
+             with_kinds(d);
+             d.panels.values.body_open = d.panels.values.realism_open = d.panels.values.memory_open = false;
+         }},
         {"signals", [](Desk& d) { with_chart(d, Chart::signals); }},
         {"population", [](Desk& d) { with_chart(d, Chart::population); }},
         {"energy", [](Desk& d) { with_chart(d, Chart::energy); }},

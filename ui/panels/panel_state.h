@@ -53,7 +53,7 @@ struct ValuesState {
     int kind = 0;                     // the kind whose values are shown
     VehicleId followed = no_vehicle;  // the kind is that of this selected vehicle until another is selected or chosen
     TextField seed;
-    bool body_open = false, realism_open = false, memory_open = false, path_open = false;
+    bool body_open = false, realism_open = false, memory_open = false, lamps_open = false, path_open = false;
 };
 
 struct PanelState {

@@ -115,6 +115,7 @@ public:
         if (fold("values.body", state_.values.body_open)) body();
         if (fold("values.realism", state_.values.realism_open)) realism();
         if (fold("values.memory", state_.values.memory_open)) memory();
+        if (fold("values.lamps", state_.values.lamps_open)) lamps();
         if (fold("values.path", state_.values.path_open)) path();
     }
 
@@ -217,6 +218,39 @@ private:
             to.memory = memory;
             return EditKind{index_, std::move(to)};
         });
+    }
+
+    // The lamps that each vehicle of the kind carries.
+    void lamps() {
+        for (std::size_t i = 0; i < kind_.lamps.size(); ++i) {
+            FieldRows row = rows();
+            row.anchor = "lamp." + std::to_string(i + 1);
+            Kind to = kind_;
+            if (auto edit = record_fields(row, kind_.lamps[i], kind_.lamps[i])) {
+                to.lamps[i] = edit->to;
+                change(std::move(to), edit->gesture);
+                continue;
+            }
+            const std::string gone = row.anchor + ".remove";
+            const Item at = small_button(ui_, {gone, {}, ui_.strings("values.lamp_remove")});
+            tooltip(ui_, at, ui_.strings("values.lamp_remove"));
+            gap(ui_, 10);
+            if (!at.pressed) continue;
+            to.lamps.erase(to.lamps.begin() + static_cast<std::ptrdiff_t>(i));
+            change(std::move(to), row.next_gesture());
+        }
+        if (kind_.lamps.size() >= limits::lamps) return;
+        const Item more = small_button(ui_, {"lamp.add", icon::add, ui_.strings("values.lamp_add")});
+        tooltip(ui_, more, ui_.strings("values.lamp_add_how"));
+        if (!more.pressed) return;
+        Kind to = kind_;
+        const auto is_used = [&](const std::string& name) {
+            return std::any_of(to.lamps.begin(), to.lamps.end(), [&](const CarriedLamp& l) { return l.name == name; });
+        };
+        std::string name = "lamp";
+        for (int number = 2; is_used(name); ++number) name = "lamp-" + std::to_string(number);
+        to.lamps.push_back({.name = name});
+        change(std::move(to), rows().next_gesture());
     }
 
     // The waypoints, each with a button that removes it, and one that adds another.
