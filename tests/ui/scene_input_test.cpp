@@ -339,7 +339,15 @@ TEST_F(SceneInput, DragsAllSelectedObjectsInOneGestureAndEscapeRestoresThem) {
 
 TEST_F(SceneInput, SelectsOneOfSeveralObjectsByAClick) {
     take(lamp);
+    desk.frame(2);
+    const auto says_several = [&] {
+        return std::any_of(desk.written.begin(), desk.written.end(),
+                           [](const Written& w) { return w.words.starts_with("2 objects"); });
+    };
+    EXPECT_FALSE(says_several());
     desk.view.settings.selection.more = {box};
+    desk.frame(2);
+    EXPECT_TRUE(says_several()) << "the card shows the values of one of them";
     click({3, 6});
     ASSERT_EQ(requests<TakeRequest>().size(), 1u);
     EXPECT_EQ(requests<TakeRequest>()[0].object, box);

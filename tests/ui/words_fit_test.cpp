@@ -131,6 +131,11 @@ std::vector<Screen> screens() {
          [](Desk& d) {
              with_objects(d), d.view.settings.selection.object = {SceneObjectKind::zone, 1};
          }},
+        {"several objects",
+         [](Desk& d) {
+             with_objects(d), d.view.settings.selection.object = {SceneObjectKind::zone, 0};
+             d.view.settings.selection.more = {{SceneObjectKind::source, 0}, vehicle_object(0)};
+         }},
         {"menu of a zone",
          [](Desk& d) {
              with_menu(d, {SceneObjectKind::zone, 0}, MenuPage::top);

@@ -186,6 +186,9 @@ void zone_values(const LabView& view, PanelState& state, Ui& ui, int index) {
 void object_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const SceneObject object = view.settings.selection.object;
     if (open_card(state, ui, Card::object, place, {}, ui.strings("thing." + std::string(word(object.kind))))) {
+        const std::size_t count = selected_objects(view.settings.selection).size();
+        if (count > 1)
+            paragraph(ui, fill(ui.strings("thing.several"), {std::to_string(count)}), ui.palette.second_text);
         if (object.kind == SceneObjectKind::source)
             source_values(view, state, ui, object.index);
         else if (object.kind == SceneObjectKind::zone)
