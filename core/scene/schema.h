@@ -159,8 +159,8 @@ void describe(Visitor& v, Of<Start>) {
     v.number("place_spread", &Start::place_spread, "m", {0, 1000}, "x and y vary with the seed by up to ± this");
     v.angle("heading_spread", &Start::heading_spread, {0, 180}, "the heading varies with the seed by up to ± this");
     v.word("driver", &Start::driver, "what commands its motors; default: as its kind");
-    v.named("sensor", &Start::sensors, limits::sensors, "a sensor of its own; then it has none of its kind's");
     v.colour("colour", &Start::colour, "of its body; default: as its kind");
+    v.named("sensor", &Start::sensors, limits::sensors, "a sensor of its own; then it has none of its kind's");
     v.brain("brain", &Start::brain, "its own brain; default: that of its kind");
 }
 

@@ -51,7 +51,10 @@ void text_field(Ui& ui, TextField& field, std::string_view id, float width, std:
     line_box(ui, box, focused ? ui.palette.accent : ui.palette.line, 6, focused ? 1.5f : 1.0f);
     mark(ui, id, box);
     Item field_item{.rect = box, .hovered = ImGui::IsItemHovered(), .held = field.active};
-    if (ui.shown) field_item.shown = static_cast<int>(ui.shown->size()), ui.shown->push_back({std::string(id)});
+    if (ui.shown) {
+        field_item.shown = static_cast<int>(ui.shown->size());
+        ui.shown->push_back({std::string(id), false, box, true});
+    }
     tooltip(ui, field_item, how);
     field.entered = std::exchange(field.ask_enter, false);
 }
