@@ -74,14 +74,6 @@ TEST(BrainCard, EndsTheDragOfASliderWhenItsVehicleIsGone) {
     EXPECT_TRUE(desk.edits().empty());
 }
 
-Snapshot shipped_scene(const char* name) {
-    auto scene = load_scene(std::string(BRAITENLAB_SOURCE) + "/exercises/scenes/" + name + ".toml");
-    EXPECT_TRUE(scene);
-    Snapshot now;
-    World::create(*scene, 1)->capture(now);
-    return now;
-}
-
 bool writes(const Desk& desk, std::string_view words) {
     return std::any_of(desk.written.begin(), desk.written.end(),
                        [&](const Written& text) { return text.words.find(words) != text.words.npos; });

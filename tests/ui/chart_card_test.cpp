@@ -113,9 +113,10 @@ TEST(ChartCard, KeepsTheNumbersOfTwoChartsApart) {
 
 TEST(ChartCard, ExportsTheShownValues) {
     ChartDesk desk;
-    const char* names[]{"signals", "population", "population", "energies"};
-    const char* starts[]{"seconds,sensor_SL,", "seconds,predators,", "seconds,predators,", "id,kind,"};
-    for (int i = 0; i < 4; ++i) {
+    const char* names[]{"signals", "signals", "population", "population", "energies"};
+    const char* starts[]{"seconds,sensor_SL,", "seconds,sensor_SL,", "seconds,predators,", "seconds,predators,",
+                         "id,kind,"};
+    for (int i = 0; i < 5; ++i) {
         if (i > 0) desk.click("charts.tab." + std::to_string(i + 1));
         desk.all.clear();
         desk.click("charts.csv");
@@ -126,9 +127,39 @@ TEST(ChartCard, ExportsTheShownValues) {
     }
 }
 
+TEST(ChartCard, ShowsNeuronsAndLearnedWeightsByName) {
+    Desk desk(1280, 800, 1, true);
+    desk.now = shipped_scene("7-mnemotrix");
+    desk.panels.charts_open = true;
+    desk.panels.chart = Chart::neurons;
+    for (std::uint64_t tick = 0; tick <= 60; tick += 3) desk.now.tick = tick, desk.frame();
+    const auto writes_in_card = [&](const std::string& words) {
+        return std::any_of(desk.written.begin(), desk.written.end(), [&](const Written& w) {
+            return w.words == words && desk.layout.charts.contains(w.rect.x, w.rect.y);
+        });
+    };
+    for (const Node& node : desk.now.brains[0]->nodes) {
+        if (node.kind != NodeKind::neuron) continue;
+        EXPECT_TRUE(writes_in_card(node.name)) << node.name;
+    }
+    ASSERT_FALSE(desk.panels.history.brain_values.empty());
+    EXPECT_NE(desk.panels.history.brain_values.back().find('>'), std::string::npos) << "a learned weight";
+    EXPECT_TRUE(writes_in_card("0.00"));
+}
+
+TEST(ChartCard, SaysThatABrainHasNoNeurons) {
+    Desk desk(1280, 800, 1, true);
+    desk.now = shipped_scene("2a-coward");
+    desk.panels.charts_open = true;
+    desk.panels.chart = Chart::neurons;
+    desk.rest();
+    EXPECT_TRUE(std::any_of(desk.written.begin(), desk.written.end(),
+                            [&](const Written& w) { return w.words == desk.strings("charts.no_neurons"); }));
+}
+
 TEST(ChartCard, SelectsTheVehicleOfTheClickedBarInAnyOrder) {
     ChartDesk desk;
-    desk.click("charts.tab.4");
+    desk.click("charts.tab.5");
     desk.frame(2);
     const auto first_bar = [&] {
         desk.all.clear();
@@ -154,7 +185,7 @@ TEST(ChartCard, SelectsTheVehicleOfTheClickedBarInAnyOrder) {
 
 TEST(ChartCard, ShowsTheValueUnderThePointer) {
     ChartDesk desk(1280, 800, true);
-    desk.click("charts.tab.3");
+    desk.click("charts.tab.4");
     desk.frame(2);
     const Rect r = desk.where("charts.picture");
     const auto shapes = [&] {

@@ -1,9 +1,9 @@
 #include "ui/panels/chart_data.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "desk.h"
-#include "ui/panels/chart_data.h"
 
 namespace braitenlab::tests::history_test {
 
@@ -116,6 +116,27 @@ TEST(ChartData, ShowsTheSignalsOfTheChosenPairWithItsPast) {
     desk.now.scene = scene;
     pass(desk, history, 66);
     EXPECT_EQ(history.signals.size(), 1u) << "of other sensors";
+}
+
+TEST(ChartData, RecordsNeuronsAndLearnedWeightsAndRestartsForAnotherBrain) {
+    Desk desk;
+    desk.now = shipped_scene("7-mnemotrix");
+    desk.rest();
+    History& history = desk.panels.history;
+    const auto names = history.brain_values;
+    ASSERT_FALSE(names.empty());
+    const auto learned =
+        std::find_if(names.begin(), names.end(), [](auto& name) { return name.find('>') != name.npos; });
+    ASSERT_NE(learned, names.end());
+    ASSERT_FALSE(history.signals.empty());
+    EXPECT_EQ(history.signals.back().brain.size(), names.size());
+    EXPECT_NE(signals_csv(history).find("neuron_" + names.front()), std::string::npos);
+    EXPECT_NE(signals_csv(history).find("learned_" + *learned), std::string::npos);
+    desk.now.brains[0] = std::make_shared<BrainGraph>(make_graph({.LL = 1}));
+    desk.now.tick = 6;
+    desk.frame();
+    EXPECT_TRUE(history.brain_values.empty());
+    EXPECT_EQ(history.signals.size(), 1u);
 }
 
 TEST(ChartData, KeepsNumbersAndMeanEnergiesOfEachSide) {

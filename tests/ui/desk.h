@@ -12,6 +12,8 @@
 #include <imgui.h>
 
 #include "core/brain/four_neurons.h"
+#include "core/scene/scene_file.h"
+#include "core/world/world.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/prompts.h"
 #include "ui/strings.h"
@@ -123,6 +125,14 @@ inline Exercise exercise() {
     made.steps = {turns, touches, speeds};
     made.hints = {{"A nudge.", ""}, {"The principle.", ""}, {"Raise LR.", "slider.LR"}};
     return made;
+}
+
+inline Snapshot shipped_scene(const char* name) {
+    auto scene = load_scene(std::string(BRAITENLAB_SOURCE) + "/exercises/scenes/" + name + ".toml");
+    EXPECT_TRUE(scene);
+    Snapshot now;
+    World::create(*scene, 1)->capture(now);
+    return now;
 }
 
 class Desk {

@@ -108,7 +108,7 @@ TEST(BrainWindow, ShowsAndHidesTheLargeCharts) {
     LabWindow lab({"predator-prey", "--size", "1024x768", "--play"});
     lab.key("c");
     ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("card.charts"); }));
-    lab.click("charts.tab.4");
+    lab.click("charts.tab.5");
     EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("charts.bars"); }));
     lab.key("c");
     EXPECT_TRUE(wait_for([&] { return !lab.anchors().contains("card.charts"); }));

@@ -1,5 +1,5 @@
-// The card of the large charts: signals of the selected vehicle, population and mean energy over time, and the energy
-// of each vehicle as bars.
+// The card of the large charts: signals, neurons and learned weights of the selected vehicle, population and mean
+// energy over time, and the energy of each vehicle as bars.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -120,6 +120,51 @@ void signal_chart(const History& history, const ShownSignals& shown, Ui& ui, Rec
     bare.numbers = false;
     signal_pair(history, shown, ui, {r.x, r.y, r.w, half + 0.4f * line}, bare, 0);  // room for both numbers
     signal_pair(history, shown, ui, {r.x, r.y + half, r.w, half + line}, time, 2);
+}
+
+// One neuron or learned weight: its name, its line, and its value now or under the pointer.
+void brain_strip(const History& history, Ui& ui, Rect r, const Axis& time, std::size_t index) {
+    const float room = ui.px(78), number = ui.px(44);
+    const float y = r.y + (r.h - line_height(ui, Face::small)) / 2;
+    put(ui, {r.x, y}, shortened(ui, history.brain_values[index], Face::small, room - ui.px(6)), ui.palette.second_text,
+        Face::small);
+    const Rect plot{r.x + room, r.y + ui.px(2), r.w - room - number, r.h - ui.px(4)};
+    fill_box(ui, plot, ui.palette.ground.with_alpha(0.45f), 3);
+    Axis value{0, 1};
+    for (const History::Signals& s : history.signals) {
+        value.high = std::max(value.high, std::fabs(s.brain[index]));
+        if (s.brain[index] < 0) value.low = -1;
+    }
+    if (value.low < 0) value.low = -value.high;
+    plot_line(ui, plot, time, value, history.signals.size(), ui.palette.accent, 1.5f, [&](std::size_t k) {
+        const History::Signals& s = history.signals[k];
+        return ImVec2{static_cast<float>(s.seconds), s.brain[index]};
+    });
+    const auto at = plot_cursor(ui, plot, time);
+    const History::Signals& shown = at ? nearest_sample(history.signals, *at) : history.signals.back();
+    put_right(ui, {r.x + r.w, y}, with_sign(ui, shown.brain[index], 2), ui.palette.text, Face::small);
+}
+
+// A strip for each hidden neuron and each learned weight, in two columns. Those without room are counted.
+void brain_strips(const History& history, Ui& ui, Rect r) {
+    if (history.brain_values.empty()) {
+        put_centred(ui, {r.x + r.w / 2, r.y + r.h / 2 - line_height(ui, Face::small)}, ui.strings("charts.no_neurons"),
+                    ui.palette.second_text, Face::small);
+        return;
+    }
+    if (history.signals.size() < 2) return no_samples(ui, r);
+    const Axis time = time_axis(history.signals.front().seconds, history.signals.back().seconds, 5);
+    const float row = ui.px(24), space = ui.px(16), width = (r.w - space) / 2;
+    const auto rows = static_cast<std::size_t>(std::max(1.0f, r.h / row));
+    const std::size_t count = history.brain_values.size();
+    const std::size_t shown = count <= 2 * rows ? count : 2 * rows - 1;
+    for (std::size_t i = 0; i < shown; ++i) {
+        const float x = r.x + (i % 2 == 0 ? 0 : width + space), y = r.y + row * static_cast<float>(i / 2);
+        brain_strip(history, ui, {x, y, width, row}, time, i);
+    }
+    if (shown < count)
+        put_right(ui, {r.x + r.w, r.y + row * static_cast<float>(shown / 2) + ui.px(4)},
+                  fill(ui.strings("info.more"), {std::to_string(count - shown)}), ui.palette.second_text, Face::small);
 }
 
 std::string_view group_name(const Ui& ui, std::size_t group) {
@@ -246,6 +291,7 @@ void energy_bars(const LabView& view, PanelState& state, Ui& ui, Rect card) {
 void export_csv(const LabView& view, const PanelState& state, Outbox& outbox) {
     switch (state.chart) {
         case Chart::signals:
+        case Chart::neurons:
             outbox.push_back(ExportRequest{"signals", signals_csv(state.history)});
             break;
         case Chart::population:
@@ -263,8 +309,8 @@ void chart_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const bool open = open_card(state, ui, Card::charts, place, buttons);
     if (open) {
         if (buttons[0].pressed) export_csv(view, state, ui.outbox);
-        const std::array words{ui.strings("charts.signals"), ui.strings("charts.population"),
-                               ui.strings("charts.energy"), ui.strings("charts.bars")};
+        const std::array words{ui.strings("charts.signals"), ui.strings("charts.neurons"),
+                               ui.strings("charts.population"), ui.strings("charts.energy"), ui.strings("charts.bars")};
         const int chosen = segments(ui, "charts.tab", words, static_cast<int>(state.chart), card_width(ui));
         if (chosen >= 0) state.chart = static_cast<Chart>(chosen);
         const Rect picture = rest_of_card(ui, place);
@@ -274,6 +320,8 @@ void chart_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
             const Item area = item(ui, "charts.picture", {picture.w, picture.h}, false);
             if (state.chart == Chart::signals)
                 signal_chart(state.history, shown_signals(state.history, view), ui, area.rect);
+            else if (state.chart == Chart::neurons)
+                brain_strips(state.history, ui, area.rect);
             else
                 population_chart(state.history, ui, area.rect, state.chart == Chart::energy);
         }

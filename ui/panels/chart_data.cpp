@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "core/io/vehicle_table.h"
 
@@ -31,13 +32,39 @@ void add_sample(Samples& samples, const Sample& sample, std::size_t most) {
     if (samples.size() > most) samples.pop_front();
 }
 
+// The values of the brain by name: neurons, then learned parts of wires.
+std::vector<io::BrainValue> brain_values_of(const Snapshot& now, const VehicleView& vehicle) {
+    std::vector<io::BrainValue> values = io::neuron_values(now, vehicle);
+    for (io::BrainValue& learned : io::learned_values(now, vehicle)) values.push_back(std::move(learned));
+    if (values.size() > History::most_brain_values) values.resize(History::most_brain_values);
+    return values;
+}
+
 History::Signals signals_of(const Snapshot& now, const VehicleView& vehicle, double seconds) {
     History::Signals sample{seconds, {}, vehicle.motor};
     for (const Sensor& sensor : kind_of(now, vehicle).sensors) {
         const double value = std::get<double>(io::sensor_column(sensor.name).value({now, vehicle}));
         sample.sensors.push_back(static_cast<float>(value));
     }
+    for (const io::BrainValue& each : brain_values_of(now, vehicle))
+        sample.brain.push_back(static_cast<float>(each.value));
     return sample;
+}
+
+// Takes the names of the vehicle's sensors and brain values. Signals with other names are removed.
+void follow_names(History& history, const Snapshot& now, const VehicleView* vehicle) {
+    auto sensors = vehicle ? sensor_names(kind_of(now, *vehicle)) : std::vector<std::string>{};
+    auto brain = vehicle ? now.brains[static_cast<std::size_t>(vehicle->brain)] : nullptr;
+    std::vector<std::string> values = history.brain_values;
+    if (brain != history.brain) {
+        values.clear();
+        if (vehicle)
+            for (io::BrainValue& each : brain_values_of(now, *vehicle)) values.push_back(std::move(each.name));
+    }
+    if (sensors != history.sensors || values != history.brain_values) history.signals.clear();
+    history.sensors = std::move(sensors);
+    history.brain = std::move(brain);
+    history.brain_values = std::move(values);
 }
 
 std::size_t group_of(Role role) { return role == Role::predator ? 0 : role == Role::prey ? 1 : 2; }
@@ -68,11 +95,7 @@ void record(History& history, const LabView& view) {
     if (history.vehicle != view.settings.selection.vehicle) history.signals.clear();
     history.vehicle = view.settings.selection.vehicle;
     const VehicleView* vehicle = find_vehicle(now, view.settings.selection.vehicle);
-    if (auto names = vehicle ? sensor_names(kind_of(now, *vehicle)) : std::vector<std::string>{};
-        names != history.sensors) {
-        history.sensors = std::move(names);
-        history.signals.clear();
-    }
+    follow_names(history, now, vehicle);
     if (vehicle && is_due(history.signals, seconds, History::signal_period))
         add_sample(history.signals, signals_of(now, *vehicle, seconds), History::signal_samples);
     if (is_due(history.population, seconds, History::population_period))
@@ -129,6 +152,11 @@ std::vector<io::CsvColumn<SignalRow>> signal_columns(const History& history) {
     for (std::size_t i = 0; i < 2; ++i)
         columns.push_back({io::vehicle_column(i == 0 ? "left" : "right").name,
                            [i](const SignalRow& s) -> CsvValue { return s.motors[i]; }});
+    for (std::size_t i = 0; i < history.brain_values.size(); ++i) {
+        const std::string& name = history.brain_values[i];
+        columns.push_back({(name.find('>') == name.npos ? "neuron_" : "learned_") + name,
+                           [i](const SignalRow& s) -> CsvValue { return s.brain[i]; }});
+    }
     return columns;
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,11 +21,13 @@ struct History {
     static constexpr std::size_t signal_samples = 1200;     // one minute
     static constexpr std::uint64_t population_period = 60;  // ticks
     static constexpr std::size_t population_samples = 600;  // ten minutes
+    static constexpr std::size_t most_brain_values = 32;    // of a large brain only the first ones are kept
 
     struct Signals {
         double seconds = 0;             // simulated
         std::vector<float> sensors;     // readings, 0..1, as History::sensors
         std::array<float, 2> motors{};  // commands of the left and right wheel, −1..1
+        std::vector<float> brain{};     // as History::brain_values
     };
     struct Population {
         double seconds = 0;
@@ -34,16 +37,18 @@ struct History {
 
     VehicleId vehicle = no_vehicle;    // the vehicle that `signals` are of
     std::vector<std::string> sensors;  // names of its sensors
-    std::deque<Signals> signals;       // oldest first
+    std::shared_ptr<const BrainGraph> brain;
+    std::vector<std::string> brain_values;  // its neurons "N1", then the learned parts of its wires "SL>N1"
+    std::deque<Signals> signals;            // oldest first
     std::deque<Population> population;
     std::uint64_t tick = 0;    // of the last snapshot
     std::uint64_t run_id = 0;  // LabView::run_id of the samples
 };
 
 // Adds a sample when one is due. Replaces the sample of the current tick, which an edit may have changed. Removes the
-// later samples after a step back, the signals when another vehicle is selected or its sensors get other names, and all
-// samples when another scene is opened. Call once per frame. At high speed the time between frames exceeds the periods,
-// so there are fewer samples.
+// later samples after a step back, the signals when another vehicle is selected or its sensors or neurons get other
+// names, and all samples when another scene is opened. Call once per frame. At high speed the time between frames
+// exceeds the periods, so there are fewer samples.
 void record(History&, const LabView&);
 
 // The four signals that strips and charts show: the readings of a pair of sensors, and the commands of both wheels.

@@ -305,9 +305,10 @@ std::string_view why_not_with_vehicle(const LabView& view, const PanelState& sta
 }
 
 std::string_view why_no_csv(const LabView& view, const PanelState& state) {
-    const bool empty = state.chart == Chart::signals ? state.history.signals.empty()
-                       : state.chart == Chart::bars  ? view.now->vehicles.empty()
-                                                     : state.history.population.empty();
+    const bool of_vehicle = state.chart == Chart::signals || state.chart == Chart::neurons;
+    const bool empty = of_vehicle                   ? state.history.signals.empty()
+                       : state.chart == Chart::bars ? view.now->vehicles.empty()
+                                                    : state.history.population.empty();
     return empty ? "charts.nothing" : "";
 }
 

@@ -30,7 +30,7 @@ inline constexpr std::size_t card_count = 9;
 std::array<CardState, card_count> initial_cards();
 
 // The large charts; one is shown at a time.
-enum class Chart { signals, population, energy, bars };
+enum class Chart { signals, neurons, population, energy, bars };
 
 // The sheet that covers the window; at most one.
 enum class Sheet { none, keys, settings, files, about, recovery, leaving };
