@@ -196,7 +196,7 @@ std::optional<Error> refusal(const WorldData& s, const SetPopulation& c) {
     const auto of_kind = std::count(s.vehicles.kind.begin(), s.vehicles.kind.end(), c.kind);
     const auto others = static_cast<std::ptrdiff_t>(s.vehicles.size()) - of_kind;
     if (c.count < 0 || others + c.count > limits::vehicles)
-        return Error{fmt::format("a world holds 0 to {} vehicles", limits::vehicles)};
+        return error_of(message_of("population_limit", limits::vehicles));
     if (!c.shares.empty() && c.shares.size() != s.scene->kinds.size())
         return Error{"a population has one share for each kind"};
     VehicleId last = no_vehicle;

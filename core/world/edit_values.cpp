@@ -77,10 +77,10 @@ std::optional<Error> execute(WorldData& s, const RemoveKind& c) {
     const std::string name = scene.kinds[static_cast<std::size_t>(c.kind)].name;
     const auto is_of_it = [&](const auto& entry) { return entry.kind == name; };
     const auto count = std::count(s.vehicles.kind.begin(), s.vehicles.kind.end(), c.kind);
-    if (count > 0) return Error{fmt::format("{} vehicles are of the kind '{}'; remove them first", count, name)};
+    if (count > 0) return error_of(message_of("kind_in_use", count, name));
     if (std::any_of(scene.starts.begin(), scene.starts.end(), is_of_it) ||
         std::any_of(scene.members.begin(), scene.members.end(), is_of_it))
-        return Error{fmt::format("a vehicle of the kind '{}' starts at a reset; remove it first", name)};
+        return error_of(message_of("kind_starts", name));
     scene.kinds.erase(iterator_at(scene.kinds, c.kind));
     if (auto error = check_scene(scene)) return error;
     s.kind_brains.erase(iterator_at(s.kind_brains, c.kind));
