@@ -339,7 +339,10 @@ bool apply(Lab& lab, const Command& command, std::uint64_t gesture) {
 void handle(Lab& lab, const Request& request) {
     std::visit(Match{[&](Action action) { act(lab, action); },
                      [&](const EditRequest& r) { edit_by_request(lab, r); },
-                     [&](const SelectRequest& r) { select(lab, vehicle_object(r.vehicle)), keep_selection(lab); },
+                     [&](const SelectRequest& r) {
+                         forget_death_notice(lab);
+                         select(lab, vehicle_object(r.vehicle)), keep_selection(lab);
+                     },
                      [&](const TakeRequest& r) { select_object(lab, r.object); },
                      [&](const SelectObjectsRequest& r) { select_objects(lab, r.objects), keep_selection(lab); },
                      [&](const PasteRequest& r) {

@@ -129,6 +129,11 @@ void reselect_after_death(Lab& lab, const VehicleView& selected) {
               next ? std::to_string(next->id + 1) : ""});
 }
 
+void forget_death_notice(Lab& lab) {
+    const std::string& key = lab.notice.key;
+    if (key.starts_with("notice.starved") || key.starts_with("notice.eaten")) lab.notice = {};
+}
+
 void drive(Lab& lab) {
     const VehicleView* vehicle = selected_vehicle(lab);
     if (!vehicle) return;

@@ -27,6 +27,9 @@ void keep_selection(Lab&);
 // if there is none of its kind, or during a drag, which then ends. `selected` is the vehicle one tick ago.
 void reselect_after_death(Lab&, const VehicleView& selected);
 
+// Removes the notice of reselect_after_death(): another vehicle is selected, or the run is at another tick.
+void forget_death_notice(Lab&);
+
 // Switches the selected vehicle between manual driving and the driver of its kind.
 void drive(Lab&);
 

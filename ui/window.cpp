@@ -145,6 +145,12 @@ bool key_for_canvas(wiring::CanvasState& canvas, KeyPress press) {
     return action && wiring::press_key(canvas, *action);
 }
 
+// Keys for the selection in the watched diagram. Letters without Ctrl keep their meaning for the window, and so does
+// Tab.
+bool works_in_watched_canvas(KeyPress press) {
+    return press.key != key::tab && (press.ctrl || press.key >= key::escape);
+}
+
 // Keys that work while a sheet is open: those of the window. Keys of the lab do nothing.
 bool works_under_a_sheet(KeyPress press) {
     const auto action = action_for(press);
@@ -364,7 +370,8 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     if (state.sheet == Sheet::none &&
         (for_record_text(state.fields, press) || for_text_field(state.values.seed, press)))
         return true;
-    if (view.lecture && state.sheet == Sheet::none && press.key != key::f9)
+    const bool is_modifier = press.key >= key::first_modifier && press.key <= key::last_modifier;
+    if (view.lecture && state.sheet == Sheet::none && press.key != key::f9 && !is_modifier)
         state.pressed.push_back({press, view.wall_seconds});
     if (state.sheet == Sheet::files &&
         (for_text_field(state.files.typed, press) || for_text_field(state.files.title, press) ||
@@ -378,7 +385,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     }
     if (press_key(view, state.scene_input, state.keyboard, press, outbox)) return true;
     const bool watched = state.keyboard.focus == wiring::canvas_focus && view.mode != Mode::wiring;
-    if (watched && press.key != key::tab && key_for_canvas(state.canvas, press)) return true;
+    if (watched && works_in_watched_canvas(press) && key_for_canvas(state.canvas, press)) return true;
     if (key_for_focus(state.keyboard, press)) return true;
     const bool on_a_card = action_for(press) == Action::lesion && !state.lesion_under_pointer.empty();
     if (view.mode == Mode::wiring && !on_a_card && key_for_canvas(state.canvas, press)) return true;

@@ -196,6 +196,33 @@ TEST(Window, GivesTheKeysOfTheCanvasToTheWatchedWiringAfterAClickOnIt) {
     EXPECT_EQ(desk.panels.keyboard.focus, "");
 }
 
+TEST(Window, KeepsTheLettersOfTheWindowWhileTheWatchedWiringHasTheFocus) {
+    Desk desk(1600, 1000);
+    desk.view.settings.watching = true;
+    desk.rest();
+    desk.click("wire.LR");
+    desk.all.clear();
+    desk.key({'C'});
+    desk.key({'F'});
+    desk.frame(2);
+    EXPECT_TRUE(desk.panels.charts_open);
+    EXPECT_EQ(desk.actions(), std::vector{Action::follow});
+}
+
+TEST(Window, FitsTheWatchedWiringAgainWhenItsPaneChanges) {
+    Desk desk(1280, 800);
+    desk.view.settings.watching = true;
+    desk.rest();
+    desk.panels.charts_open = true;
+    desk.rest();
+    const Rect canvas = *desk.anchors.find("canvas");
+    for (const char* node : {"node.SL", "node.SR", "node.ML", "node.MR"}) {
+        ASSERT_TRUE(desk.anchors.find(node)) << node;
+        const Rect r = *desk.anchors.find(node);
+        EXPECT_TRUE(canvas.contains(r.x + r.w / 2, r.y + r.h / 2)) << node;
+    }
+}
+
 TEST(Window, ReachesTheWatchedWiringWithTab) {
     Desk desk(1600, 1000);
     desk.view.settings.watching = true;

@@ -30,6 +30,8 @@ constexpr std::string_view threshold_anchors[]{"threshold.LL", "threshold.LR", "
 constexpr DialSlider bias_sliders[]{{Dial::LM, "bias.LM", "dial.LM"}, {Dial::RM, "bias.RM", "dial.RM"}};
 
 constexpr float threshold_width = 104, between_sliders = 14;  // layout pixels
+// In a narrower card the thresholds have their numbers only, which can be typed, and the weights keep a track.
+constexpr float narrow_card = 236, narrow_threshold_width = 52;
 
 class DialSliders {
 public:
@@ -46,13 +48,14 @@ public:
 
     void draw() {
         const float width = card_width(ui_), gap = ui_.px(between_sliders),
-                    weight_width = width - ui_.px(threshold_width) - gap;
+                    threshold = ui_.px(width < ui_.px(narrow_card) ? narrow_threshold_width : threshold_width),
+                    weight_width = width - threshold - gap;
         captions(weight_width);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0});
         for (std::size_t i = 0; i < std::size(weight_sliders); ++i) {
             turn(weight_sliders[i].dial, weight_sliders[i].anchor, weight_width, weight_look(weight_sliders[i]));
             ImGui::SameLine();
-            turn(threshold_of(weight_sliders[i].dial), threshold_anchors[i], ui_.px(threshold_width), threshold_look());
+            turn(threshold_of(weight_sliders[i].dial), threshold_anchors[i], threshold, threshold_look());
         }
         const float half = (width - gap) / 2;
         for (const DialSlider& bias : bias_sliders) {

@@ -64,14 +64,18 @@ bool has_foreign_nodes(const BrainGraph& brain, const BrainGraph& before, const 
 
 // Moves the camera between frames. Parts of the picture stay under the mouse while the brain is edited or a card opens
 // or folds. The whole brain is fitted when the canvas is entered, when it is another brain (a preset, a file) and when
-// the window changes its size, unless the user has moved the camera.
+// the window or the pane beside the scene changes its size, unless the user has moved the camera.
 void follow(CanvasState& state, const LabView& lab, const VehicleView& vehicle,
             const std::shared_ptr<const BrainGraph>& brain, const Layout& layout, Rect area, float ui_scale) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    ShownBefore now{lab.run_id, vehicle.kind, brain, area, {window.x, window.y}, ui_scale};
+    ShownBefore now{lab.run_id, vehicle.kind, brain, area, {window.x, window.y}, ui_scale, lab.mode != Mode::wiring};
     ShownBefore& before = state.shown;
     const bool another = before.kind != now.kind || before.run_id != now.run_id;
-    const bool resized = before.window != now.window || before.ui_scale != now.ui_scale;
+    const auto changed = [](float a, float b) { return std::fabs(a - b) > 0.2f * std::max(a, b); };
+    // Beside the scene the pane is small, and the user can drag its border.
+    const bool other_pane = now.watched != before.watched ||
+                            (now.watched && (changed(before.area.w, area.w) || changed(before.area.h, area.h)));
+    const bool resized = before.window != now.window || before.ui_scale != now.ui_scale || other_pane;
     if (another) state.selection = {}, state.drag = {}, state.menu = {}, state.joining.reset(), state.focus = {};
     if (!another && !resized && before.area != area)
         state.camera.middle += (vec2{area.x + area.w / 2, area.y + area.h / 2} -

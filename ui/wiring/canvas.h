@@ -58,6 +58,7 @@ struct ShownBefore {
     Rect area{};
     maths::vec2 window{};  // its size, pixels
     float ui_scale = 1;
+    bool watched = false;  // beside the scene
 };
 
 // The values and signals of nodes and wires in the snapshot, in the order of the layout.
