@@ -58,6 +58,7 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"no_source_called", "no source is called {}"},
     {"no_node_called", "no node is called {}"},
     {"starts_outside", "it starts outside the arena"},
+    {"round_torus", "a torus cannot be round; choose another edge or leave out 'round'"},
     {"scene_not_brain", "this is a whole scene; a brain alone has one [brain] table, as saving a brain writes it"},
     {"no_brain_table", "there is no [brain] table; see the brain of any kind in a scene"},
     {"too_many_sensors", "a brain may have {} sensors, this one has {}; take some away"},

@@ -10,7 +10,7 @@ void cover(vec3 with, float share) { colour = vec4(with * share, share) + colour
 
 void main() {
     vec2 pixel = fwidth(v_place) + 1e-5, over = abs(v_place) - arena.xy;
-    float outside = length(max(over, 0.0)), to_edge = max(over.x, over.y), wide = max(pixel.x, pixel.y);
+    float outside = outside_arena(v_place), to_edge = from_edge(v_place), wide = max(pixel.x, pixel.y);
     colour = vec4(0.0);
     if (counts.w == edge_open) {
         // The drop: a dark side face, then the colour of the sky.

@@ -18,11 +18,26 @@ layout(std140) uniform Frame {
     vec4 window;  // width, height of the picture, pixels; its lower left corner in the framebuffer
     vec4 arena;   // half the width, half the height, m; simulated seconds; display pixels per layout pixel
     vec4 counts;  // x: lamps; y: 1 in the light theme; z: how far sensor fields reach beyond the arena, m; w: boundary
+    vec4 form;    // x: 1 if the arena is an ellipse
     Lamp lamps[8];
 };
 
 // Values of counts.w, the arena's boundary (core/scene/enums.h).
 const float edge_wall = 0.0, edge_open = 1.0, edge_torus = 2.0;
+
+// Distance (m) from the edge of the arena, negative inside. For an ellipse to first order: exact at the edge and for
+// circles. Beyond the corner of a rectangle it is the larger of the distances along x and y.
+float from_edge(vec2 place) {
+    vec2 over = abs(place) - arena.xy, part = place / arena.xy, slope = part / arena.xy;
+    if (form.x < 0.5) return max(over.x, over.y);
+    float far = length(part);
+    return far < 0.001 ? -min(arena.x, arena.y) : (far - 1.0) * far / length(slope);
+}
+
+// Distance (m) from the arena; 0 inside.
+float outside_arena(vec2 place) {
+    return form.x < 0.5 ? length(max(abs(place) - arena.xy, 0.0)) : max(from_edge(place), 0.0);
+}
 
 // Values of a corner's paint (Paint in render/view/shapes.h).
 const int paint_body = 0, paint_deck = 1, paint_dark = 2, paint_gauge = 3, paint_mark = 4, paint_light = 5,

@@ -1,4 +1,5 @@
 in vec2 v_sample;
+in vec2 v_place;
 flat in vec3 v_base;
 
 uniform sampler2D sheet;  // 0..1
@@ -20,6 +21,7 @@ void main() {
     float rim = 1.0 - smoothstep(arena.w * 0.7 - 0.5, arena.w * 0.7 + 0.5, abs(height - 0.1) / slope);
     float band = floor(height) / levels;
     float alpha = max(max(line * 0.62, rim * 0.28), felt > 0.001 ? 0.04 + 0.34 * band : 0.0);
+    alpha *= step(from_edge(v_place), 0.001);  // the texture is a rectangle, the arena may be round
     vec3 tone = mix(v_base, mix(vec3(1.0), v_base * 0.6, counts.y), line * 0.35);
     colour = vec4(tone * alpha, alpha * mix(0.6, 1.0, counts.y));
 }

@@ -22,8 +22,7 @@ void main() {
         alpha = max(alpha * step(0.0, far), v_line.x * edge);
     }
     // The field ends at the walls.
-    vec2 inside = step(abs(v_place), arena.xy + counts.z);
-    alpha *= inside.x * inside.y;
+    alpha *= step(from_edge(v_place), counts.z);
     // On a dark floor the colours of overlapping fields are added, because blended colours become grey.
     colour = vec4(v_base.rgb * alpha, alpha * mix(0.45, 1.0, counts.y));
 }

@@ -18,8 +18,7 @@ float lines(vec2 place, vec2 pixel, vec2 many, float spacing, float width) {
 
 void main() {
     vec2 pixel = fwidth(v_place) + 1e-5, many = 1.0 / pixel;
-    vec2 over = abs(v_place) - arena.xy;  // the arena's edges
-    float outside = length(max(over, 0.0));
+    float outside = outside_arena(v_place);
 
     // Slightly brighter at the centre of the arena; the ground outside is darker.
     vec2 from_middle = v_place / arena.xy;
@@ -30,7 +29,7 @@ void main() {
     vec3 ground = mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright);
 
     // The floor is darker at the foot of walls, on both sides.
-    float to_wall = max(over.x, over.y);
+    float to_wall = from_edge(v_place);
     float foot = clamp(1.0 - max(-to_wall, to_wall - wall_width) / 0.4, 0.0, 1.0);
     ground *= 1.0 - foot * foot * (counts.w == edge_wall ? mix(0.5, 0.18, counts.y) : 0.0);
 

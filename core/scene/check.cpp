@@ -8,6 +8,7 @@
 
 #include "core/brain/brain.h"
 #include "core/maths/angle.h"
+#include "core/scene/arena.h"
 #include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
 
@@ -184,8 +185,10 @@ std::optional<Fault> start_fault(const Scene& scene, const Start& start) {
     if (!start.facing.empty() && find_source(scene, start.facing) < 0)
         return Fault{path + ".facing", message_of("no_source_called", in_quotes(start.facing)) +
                                            nearest_of(start.facing, names_of(scene.sources))};
-    if (std::fabs(start.x) > scene.arena.width / 2) return Fault{path + ".x", message_of("starts_outside")};
-    if (std::fabs(start.y) > scene.arena.height / 2) return Fault{path + ".y", message_of("starts_outside")};
+    if (!is_inside(scene.arena, {start.x, start.y})) {
+        const bool only_y = std::fabs(start.x) <= scene.arena.width / 2 && std::fabs(start.y) > scene.arena.height / 2;
+        return Fault{path + (only_y ? ".y" : ".x"), message_of("starts_outside")};
+    }
     return own_values_fault(start, path);
 }
 
@@ -201,7 +204,7 @@ std::optional<Fault> member_fault(const Scene& scene, const Member& member) {
     if (!member.kind.empty() && find_kind(scene, member.kind) < 0)
         return Fault{path + ".kind", message_of("no_kind_called", in_quotes(member.kind)) +
                                          nearest_of(member.kind, names_of(scene.kinds))};
-    if (member.placed && (std::fabs(member.x) > scene.arena.width / 2 || std::fabs(member.y) > scene.arena.height / 2))
+    if (member.placed && !is_inside(scene.arena, {member.x, member.y}))
         return Fault{path, message_of("starts_outside")};
     return own_values_fault(member, path);
 }
@@ -242,6 +245,8 @@ std::optional<Fault> find_fault(const BrainGraph& graph) {
 
 std::optional<Fault> find_fault(const Scene& scene) {
     if (auto fault = range_fault(scene)) return fault;
+    if (scene.arena.round && scene.arena.edge == Boundary::torus)
+        return Fault{"arena.round", message_of("round_torus")};
     for (const Kind& kind : scene.kinds) {
         if (auto fault = wheels_fault(kind)) return fault;
         if (auto fault = triangle_fault(kind.sensors, "kind." + kind.name)) return fault;

@@ -176,6 +176,7 @@ struct Zone {
 struct Arena {
     float width = 20, height = 20;  // m, along x and y
     Boundary edge = Boundary::wall;
+    bool round = false;        // the ellipse with the axes width × height; not with Boundary::torus
     float friction = 40;       // rolling drag in N·s/m per m² of contact
     float grip = 1;            // factor on every wheel's grip; ice is 0.1
     float reflectance = 0.8f;  // 0..1, reading of a floor sensor

@@ -56,6 +56,7 @@ void describe(Visitor& v, Of<Arena>) {
     v.number("width", &Arena::width, "m", {2, 2000}, "along x");
     v.number("height", &Arena::height, "m", {2, 2000}, "along y");
     v.word("edge", &Arena::edge, "what bounds the arena");
+    v.flag("round", &Arena::round, "an ellipse instead of a rectangle; not for a torus");
     v.number("friction", &Arena::friction, "N·s/m per m²", {0, 1000}, "rolling drag per contact area of a wheel");
     v.number("grip", &Arena::grip, "", {0, 2}, "factor on every wheel's grip; ice is 0.1");
     v.number("reflectance", &Arena::reflectance, "", {0, 1}, "reading of a floor sensor");

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/scene/arena.h"
+
 namespace braitenlab::sensing {
 
 namespace {
@@ -30,8 +32,9 @@ Sensor measuring_sensor(const Kind* kind, Channel channel) {
 void IntensityMap::resize_grid() {
     const Channel channel = input_.sensor.channel;
     const std::size_t blocking = is_blocked_by_obstacles(channel) ? input_.obstacles.size() : 0;
+    const std::size_t wall_sides = input_.scene->arena.round ? round_corners(input_.scene->arena).size() : 4;
     const std::size_t responses =
-        channel == Channel::obstacle ? input_.obstacles.size() + 4 : input_.stimuli.size() * (1 + blocking);
+        channel == Channel::obstacle ? input_.obstacles.size() + wall_sides : input_.stimuli.size() * (1 + blocking);
     const float samples = most_responses / static_cast<float>(std::max<std::size_t>(responses, 1));
     const float aspect = input_.scene->arena.width / input_.scene->arena.height;
     const auto side = [](float wanted, int most) { return std::clamp(static_cast<int>(wanted), 24, most); };

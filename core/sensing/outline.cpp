@@ -7,6 +7,7 @@
 
 #include "core/maths/angle.h"
 #include "core/maths/geometry.h"
+#include "core/scene/arena.h"
 
 namespace braitenlab::sensing {
 
@@ -33,12 +34,21 @@ std::optional<Segment> clip_to_wedge(const Segment& s, vec2 from, vec2 right_arm
 
 Segment operator-(const Segment& s, vec2 shift) { return {s.a - shift, s.b - shift}; }
 
+bool is_in_range(const CompiledSensor& sensor, const SensorPose& pose, const Segment& s) {
+    const vec2 d = maths::nearest_on_segment(pose.position, s.a, s.b) - pose.position;
+    return maths::dot(d, d) <= sensor.range_squared;
+}
+
 // response_to_outline for an outline moved by −shift.
 float response_to_shifted(const CompiledSensor& sensor, const SensorPose& pose, const Outline& outline, vec2 shift) {
     float nearest = std::numeric_limits<float>::max();
     vec2 way;
+    constexpr std::size_t most_of_an_object = 8;
+    const bool many = side_count(outline) > most_of_an_object;  // a round wall: most sides are out of range
     for (std::size_t i = 0; i < side_count(outline); ++i) {
-        const Clipped clipped = clip_to_field(sensor, pose, side(outline, i) - shift);
+        const Segment whole = side(outline, i) - shift;
+        if (many && !is_in_range(sensor, pose, whole)) continue;
+        const Clipped clipped = clip_to_field(sensor, pose, whole);
         for (int k = 0; k < clipped.count; ++k) {
             const Segment& part = clipped.part[static_cast<std::size_t>(k)];
             const vec2 d = maths::nearest_on_segment(pose.position, part.a, part.b) - pose.position;
@@ -129,7 +139,9 @@ bool crosses(const Outline& outline, vec2 a, vec2 b) {
 }
 
 Outlines::Outlines(const Scene& scene, const std::vector<mechanics::Motion>& obstacles) : seam_(scene.arena) {
-    if (scene.arena.edge == Boundary::wall) {
+    if (scene.arena.edge == Boundary::wall && scene.arena.round) {
+        add({round_corners(scene.arena)});
+    } else if (scene.arena.edge == Boundary::wall) {
         const float w = scene.arena.width / 2, h = scene.arena.height / 2;
         const std::array<vec2, 4> corner{{{-w, -h}, {w, -h}, {w, h}, {-w, h}}};
         for (std::size_t i = 0; i < 4; ++i) add({{corner[i], corner[(i + 1) % 4]}});

@@ -48,7 +48,7 @@ bool touches_field(const CompiledSensor& bumper, const Body&, const mechanics::M
 // All outlines of a scene, with bounding circles so that distant ones cost little.
 class Outlines {
 public:
-    // The arena's four walls if it has any, the obstacles at their current poses, and solid sources.
+    // The arena's four walls or its round wall if it has any, the obstacles at their current poses, and solid sources.
     Outlines(const Scene&, const std::vector<mechanics::Motion>& obstacles);
 
     // Updates the outlines of movable obstacles.

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "core/match.h"
+#include "core/scene/arena.h"
 #include "core/world/cosmetic_edits.h"
 
 namespace braitenlab {
@@ -142,9 +143,7 @@ Commands same_population(const Snapshot& now, const SetPopulation& c) {
 
 // The present arena, and the poses that a smaller one would change.
 Commands same_arena(const Snapshot& now, const EditArena& c) {
-    const auto leaves = [&](const auto& placed) {
-        return std::fabs(placed.x) > c.to.width / 2 || std::fabs(placed.y) > c.to.height / 2;
-    };
+    const auto leaves = [&](const auto& placed) { return !is_inside(c.to, {placed.x, placed.y}); };
     const Scene& scene = *now.scene;
     Commands commands{EditArena{scene.arena}};
     for (std::size_t i = 0; i < scene.starts.size(); ++i)

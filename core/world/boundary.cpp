@@ -1,7 +1,7 @@
 // Edges of the arena: a torus wraps positions, walls keep vehicles inside.
-#include <algorithm>
 #include <cmath>
 
+#include "core/scene/arena.h"
 #include "core/world/world_data.h"
 
 namespace braitenlab::world {
@@ -36,20 +36,18 @@ void close_the_torus(WorldData& s) {
 // vehicles that others pushed through a wall.
 void hold_behind_walls(WorldData& s) {
     const Arena& arena = s.scene->arena;
-    const float x = std::max(arena.width / 2 - 0.5f, 0.0f), y = std::max(arena.height / 2 - 0.5f, 0.0f);
     for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
         const mechanics::Motion& m = s.vehicles.motion[row];
         if (!is_outside(arena, m.position)) continue;
-        s.physics.set_pose(row, {std::clamp(m.position.x, -x, x), std::clamp(m.position.y, -y, y), m.heading});
+        const vec2 to = moved_inside(arena, m.position, 0.5f);
+        s.physics.set_pose(row, {to.x, to.y, m.heading});
         read_motion(s, row);
     }
 }
 
 }  // namespace
 
-bool is_outside(const Arena& arena, vec2 position) {
-    return std::fabs(position.x) > arena.width / 2 || std::fabs(position.y) > arena.height / 2;
-}
+bool is_outside(const Arena& arena, vec2 position) { return !is_inside(arena, position); }
 
 void keep_inside(WorldData& s) {
     if (s.scene->arena.edge == Boundary::torus) close_the_torus(s);

@@ -3,21 +3,16 @@
 #include <utility>
 
 #include "core/maths/angle.h"
+#include "core/scene/arena.h"
 #include "core/world/edits.h"
 
 namespace braitenlab::world {
 
 namespace {
 
-// The position moved into the arena, `margin` m away from its edge.
-maths::vec2 inside(const Arena& arena, maths::vec2 position, float margin) {
-    const float x = std::max(0.0f, arena.width / 2 - margin), y = std::max(0.0f, arena.height / 2 - margin);
-    return {std::clamp(position.x, -x, x), std::clamp(position.y, -y, y)};
-}
-
 template <class Placed>
 void bring_inside(const Arena& arena, Placed& placed) {
-    const maths::vec2 to = inside(arena, {placed.x, placed.y}, 0);
+    const maths::vec2 to = moved_inside(arena, {placed.x, placed.y});
     placed.x = to.x, placed.y = to.y;
 }
 
@@ -25,8 +20,8 @@ void bring_vehicles_inside(WorldData& s) {
     const Arena& arena = s.scene->arena;
     for (std::size_t row = 0; row < s.vehicles.size(); ++row) {
         const mechanics::Motion& m = s.vehicles.motion[row];
-        if (!is_outside(arena, m.position)) continue;
-        const maths::vec2 to = inside(arena, m.position, s.kinds[s.kind(row)].reach);
+        if (is_inside(arena, m.position)) continue;
+        const maths::vec2 to = moved_inside(arena, m.position, s.kinds[s.kind(row)].reach);
         const Pose wanted{to.x, to.y, maths::wrap_angle(m.heading)};
         s.physics.set_pose(row, nearest_free_pose(s, s.vehicles.kind[row], wanted));
         read_motion(s, row);

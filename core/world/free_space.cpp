@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/maths/geometry.h"
+#include "core/scene/arena.h"
 #include "core/world/world_data.h"
 
 namespace braitenlab::world {
@@ -164,7 +165,6 @@ Pose nearest_free_pose(const WorldData& s, int kind, const Pose& pose) {
     if (!is_blocked(s, kind, pose)) return pose;
     constexpr int cells = 40;  // in each direction
     const float reach = s.kinds[static_cast<std::size_t>(kind)].reach, step = reach / 2;
-    const float most_x = s.scene->arena.width / 2 - reach, most_y = s.scene->arena.height / 2 - reach;
     const FreeSpace free_space(s);
     Pose nearest = pose;
     int least = 2 * cells * cells + 1;
@@ -172,7 +172,7 @@ Pose nearest_free_pose(const WorldData& s, int kind, const Pose& pose) {
         for (int j = -cells; j <= cells; ++j) {
             if (i * i + j * j >= least) continue;
             const vec2 at{pose.x + static_cast<float>(i) * step, pose.y + static_cast<float>(j) * step};
-            if (std::fabs(at.x) > most_x || std::fabs(at.y) > most_y || !free_space.is_free(at, reach)) continue;
+            if (!is_inside(s.scene->arena, at, reach) || !free_space.is_free(at, reach)) continue;
             least = i * i + j * j;
             nearest.x = at.x, nearest.y = at.y;
         }

@@ -40,7 +40,11 @@ struct StructDigest {
     }
     void angle(const char*, float T::*member, Range, const char*) { digest.add(object.*member); }
     void place(const char*, std::optional<maths::vec2> T::*, Range, const char*) {}
-    void flag(const char*, bool T::*member, const char*) { digest.add(static_cast<std::int32_t>(object.*member)); }
+    void flag(const char*, bool T::*member, const char*) {
+        // A rectangular arena has the digest of an arena of earlier versions, which were all rectangular.
+        if (std::is_same_v<T, Arena> && !(object.*member)) return;
+        digest.add(static_cast<std::int32_t>(object.*member));
+    }
     template <class Enum>
     void word(const char*, Enum T::*member, const char*) {
         digest.add(static_cast<std::int32_t>(object.*member));

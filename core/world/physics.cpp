@@ -10,6 +10,7 @@
 #include "core/brain/brain.h"
 #include "core/maths/angle.h"
 #include "core/mechanics/body.h"
+#include "core/scene/arena.h"
 
 namespace braitenlab::world {
 
@@ -121,9 +122,9 @@ struct Physics::Impl : b2ContactListener {
         made->CreateFixture(&fixture);
         return made;
     }
-    void add_box(maths::vec2 middle, float length, float width) {
+    void add_box(maths::vec2 middle, float length, float width, float heading = 0) {
         const float l = length / 2, w = width / 2;
-        add_block(mechanics::at_rest(middle, 0), {{-l, -w}, {l, -w}, {l, w}, {-l, w}}, 0);
+        add_block(mechanics::at_rest(middle, heading), {{-l, -w}, {l, -w}, {l, w}, {-l, w}}, 0);
     }
     void add_post(maths::vec2 middle) {
         b2BodyDef body;
@@ -159,7 +160,10 @@ Physics::Physics(const Scene& scene, const std::vector<mechanics::Motion>& obsta
     impl_->world.SetContactListener(impl_.get());
     impl_->world.SetContinuousPhysics(may_skip_an_impact(scene));
     impl_->world.SetAllowSleeping(false);  // the order of islands depends on Box2D's lists
-    if (scene.arena.edge == Boundary::wall) {
+    if (scene.arena.edge == Boundary::wall && scene.arena.round) {
+        for (const WallBox& box : round_wall(scene.arena, wall_thickness))
+            impl_->add_box(box.middle, box.length, wall_thickness, box.heading);
+    } else if (scene.arena.edge == Boundary::wall) {
         const float w = scene.arena.width, h = scene.arena.height, t = wall_thickness;
         impl_->add_box({0, (h + t) / 2}, w + 2 * t, t);
         impl_->add_box({0, -(h + t) / 2}, w + 2 * t, t);

@@ -5,6 +5,7 @@
 
 #include "core/maths/angle.h"
 #include "core/maths/random.h"
+#include "core/scene/arena.h"
 #include "core/world/world_data.h"
 
 namespace braitenlab::world {
@@ -107,17 +108,19 @@ int next_kind(const WorldData& s) { return most_wanted(*s.scene, random_counts(s
 Pose free_pose(const WorldData& s, FreeSpace& free_space, int kind, VehicleId id) {
     maths::Random chance = chance_for(s, id);
     const float reach = s.kinds[static_cast<std::size_t>(kind)].reach, margin = 1.5f * reach;  // m
-    const float half_width = std::max(0.0f, s.scene->arena.width / 2 - margin);
-    const float half_height = std::max(0.0f, s.scene->arena.height / 2 - margin);
-    Pose pose;
+    const Arena& arena = s.scene->arena;
+    const float half_width = std::max(0.0f, arena.width / 2 - margin);
+    const float half_height = std::max(0.0f, arena.height / 2 - margin);
+    vec2 at;
     for (int i = 0; i < tries; ++i) {
-        pose.x = chance.uniform(-half_width, half_width);
-        pose.y = chance.uniform(-half_height, half_height);
-        if (free_space.is_free({pose.x, pose.y}, reach)) break;
+        at.x = chance.uniform(-half_width, half_width);
+        at.y = chance.uniform(-half_height, half_height);
+        if (arena.round && !is_inside(arena, at, margin)) continue;
+        if (free_space.is_free(at, reach)) break;
     }
-    pose.heading = chance.uniform(-maths::pi, maths::pi);
-    free_space.occupy({pose.x, pose.y}, reach);
-    return pose;
+    at = moved_inside(arena, at, margin);
+    free_space.occupy(at, reach);
+    return {at.x, at.y, chance.uniform(-maths::pi, maths::pi)};
 }
 
 void read_motion(WorldData& s, std::size_t row) { s.vehicles.motion[row] = s.physics.motion(row); }

@@ -4,6 +4,7 @@
 
 #include "core/maths/angle.h"
 #include "core/maths/random.h"
+#include "core/scene/arena.h"
 #include "core/world/world_data.h"
 
 namespace braitenlab::world {
@@ -54,7 +55,7 @@ Wheels wander(const WorldData& s, std::size_t row) {
     if (std::binary_search(s.touching.begin(), s.touching.end(), wall)) return steer(-0.4f, whim > 0 ? 0.5f : -0.5f);
     const vec2 soon = motion.position + motion.ahead * rim;
     const Arena& arena = s.scene->arena;
-    const bool leaving = std::fabs(soon.x) > arena.width / 2 - 0.5f || std::fabs(soon.y) > arena.height / 2 - 0.5f;
+    const bool leaving = !is_inside(arena, soon, 0.5f);
     if (leaving && arena.edge != Boundary::torus) return steer_to(motion, {0, 0}, 0.4f);
     return steer(0.5f, whim);
 }

@@ -38,6 +38,7 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
                    picture.pixel_scale};
     block.counts = {static_cast<float>(list.lamps.size()), light ? 1.0f : 0.0f,
                     arena.edge == Boundary::open ? 1e6f : 0.0f, static_cast<float>(arena.edge)};
+    block.form = {arena.round ? 1.0f : 0.0f, 0, 0, 0};
     for (std::size_t i = 0; i < list.lamps.size(); ++i) block.lamps[i] = list.lamps[i];
     return block;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "core/scene/arena.h"
 #include "core/sensing/intensity.h"
 #include "render/view/drawing.h"
 
@@ -129,6 +130,7 @@ void add_level_labels(DrawList& list, const sensing::Intensity& grid, const Aren
         const float t = static_cast<float>(column) + static_cast<float>(way) * (here - level) / (here - next);
         const vec2 place{(t / static_cast<float>(grid.columns - 1) - 0.5f) * arena.width,
                          (static_cast<float>(row) / static_cast<float>(grid.rows - 1) - 0.5f) * arena.height};
+        if (!is_inside(arena, place)) break;
         const auto tenths = static_cast<int>(std::lround(level * 10));
         const std::string words = std::to_string(tenths / 10) + decimal_mark + std::to_string(tenths % 10);
         list.labels.push_back({place, 0, {}, words, colour, rank_level});

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/maths/angle.h"
+#include "core/scene/arena.h"
 #include "render/view/drawing.h"
 
 namespace braitenlab::render {
@@ -44,6 +45,14 @@ void add_walls(Drawing& drawing, const Arena& arena) {
     const float half_w = arena.width / 2, half_h = arena.height / 2;
     constexpr float thick = wall_thickness / 2, high = wall_height, chamfer = 0.035f;  // m
     const vec4 colour = rgb_with(drawing.colours.wall, 0);
+    if (arena.round) {
+        for (const WallBox& box : round_wall(arena, wall_thickness)) {
+            const vec2 ahead = maths::direction(box.heading);
+            drawing.list.blocks.push_back(block({box.middle.x, box.middle.y, ahead.x, ahead.y},
+                                                rectangle(box.length / 2, thick), high, chamfer, colour, true));
+        }
+        return;
+    }
     for (const float side : {-1.0f, 1.0f}) {
         drawing.list.blocks.push_back(block({0, side * (half_h + thick), 1, 0}, rectangle(half_w + 2 * thick, thick),
                                             high, chamfer, colour, true));

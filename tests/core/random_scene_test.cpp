@@ -155,6 +155,8 @@ void limit_triangles(std::vector<Sensor>& sensors) {
 // The range of some values depends on other values.
 void make_sound(Scene& scene, Dice& dice) {
     scene.name = "by-chance";
+    scene.arena.round &= scene.arena.edge != Boundary::torus;
+    const float within = scene.arena.round ? 0.35f : 0.5f;  // of the size: where starts are inside for certain
     if (scene.kinds.empty()) scene.ecology.population = 0, scene.starts.clear();
     for (Kind& kind : scene.kinds) {
         for (Wheel& wheel : kind.body.wheels) wheel.load = 1.0f / static_cast<float>(kind.body.wheels.size());
@@ -164,7 +166,8 @@ void make_sound(Scene& scene, Dice& dice) {
     for (Start& start : scene.starts) {
         start.kind = scene.kinds[dice.below(scene.kinds.size())].name;
         start.facing = scene.sources.empty() || dice.toss() ? "" : scene.sources[dice.below(scene.sources.size())].name;
-        start.x = std::fmod(start.x, scene.arena.width / 2), start.y = std::fmod(start.y, scene.arena.height / 2);
+        start.x = std::fmod(start.x, scene.arena.width * within);
+        start.y = std::fmod(start.y, scene.arena.height * within);
         if (dice.toss()) start.brain = any_brain(dice, scene.kinds.front());
         if (start.sensors) limit_triangles(*start.sensors);
     }
@@ -173,7 +176,8 @@ void make_sound(Scene& scene, Dice& dice) {
         Member& member = scene.members[i];
         member.name = std::to_string(i);
         member.kind = dice.toss() ? scene.kinds.front().name : "";
-        member.x = std::fmod(member.x, scene.arena.width / 2), member.y = std::fmod(member.y, scene.arena.height / 2);
+        member.x = std::fmod(member.x, scene.arena.width * within);
+        member.y = std::fmod(member.y, scene.arena.height * within);
         if (dice.toss()) member.brain = any_brain(dice, scene.kinds.front());
         if (member.sensors) limit_triangles(*member.sensors);
     }

@@ -52,7 +52,7 @@ Scene everything() {
     scene.name = "all-of_it";
     scene.title = "Quotes \" and \\ and umlauts äöü";
     scene.story = "Two lines\nand a tab\t and a bell\a";
-    scene.arena = {33.3f, 44.4f, Boundary::torus, 12.5f, 0.1f, 0.4f, 0.05f};
+    scene.arena = {33.3f, 44.4f, Boundary::open, true, 12.5f, 0.1f, 0.4f, 0.05f};
     scene.ecology = {12, 0.0125f, 0.3f, 7};
     Kind kind;
     kind.name = "z-first";

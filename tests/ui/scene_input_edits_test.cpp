@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "core/scene/arena.h"
 #include "render/view/pick.h"
+#include "ui/lab_view.h"
+#include "ui/scene_input/clipboard.h"
 #include "ui/scene_input/edits.h"
+#include "ui/scene_input/under_pointer.h"
 
 namespace braitenlab::tests::stage_room_test {
 
@@ -76,6 +80,22 @@ TEST_F(SceneInputEdits, KeepsAddedObjectsOffTheWalls) {
     }
     scene->arena.edge = Boundary::torus;
     EXPECT_EQ(free_place(now, {5, 3}, 0.6f).x, 5) << "a position on a joined edge is free";
+}
+
+TEST_F(SceneInputEdits, KeepsObjectsInARoundArena) {
+    scene->arena.round = true;
+    const auto moved = std::get<MoveSource>(*move_of(now, {SceneObjectKind::source, 0}, {4.9f, 3.9f, 0}));
+    EXPECT_TRUE(is_inside(scene->arena, {moved.x, moved.y}));
+    EXPECT_FALSE(is_inside(scene->arena, {moved.x, moved.y}, 0.05f)) << "at the edge";
+    EXPECT_TRUE(is_inside(scene->arena, free_place(now, {-4.5f, 3.5f}, 0.6f), 0.6f));
+    LabView view{.now = &now};
+    EXPECT_TRUE(is_inside(scene->arena, in_arena(view, {-9, 9})));
+    EXPECT_EQ(in_arena(view, {1, 2}), (vec2{1, 2}));
+    Scene copy;
+    copy.sources.push_back({.x = 0, .y = 0});
+    const std::vector<Command> commands = pasted(now, copy, vec2{4.9f, -3.9f});
+    const Source& source = std::get<AddSource>(commands.at(0)).source;
+    EXPECT_TRUE(is_inside(scene->arena, {source.x, source.y}));
 }
 
 TEST_F(SceneInputEdits, MovesAsideFromOtherObjectsAsLittleAsNecessary) {

@@ -52,6 +52,21 @@ TEST(DrawWorld, UsesTheCornersOfAnObstacle) {
     EXPECT_EQ(list.blocks[0].colour.w, 0);
 }
 
+TEST(DrawWorld, DrawsTheWallOfARoundArenaAlongItsEdge) {
+    auto scene = bare();
+    scene->arena.round = true;
+    EXPECT_TRUE(drawn(hand_made::empty(scene)).blocks.empty());
+    scene->arena.edge = Boundary::wall;
+    const DrawList list = drawn(hand_made::empty(scene));
+    EXPECT_GE(list.blocks.size(), 64U);
+    for (const BlockInstance& block : list.blocks) {
+        const float x = 2 * block.place.x / scene->arena.width, y = 2 * block.place.y / scene->arena.height;
+        EXPECT_GT(std::hypot(x, y), 1) << "outside the edge";
+        EXPECT_LT(std::hypot(x, y), 1.05f);
+        EXPECT_EQ(block.size.w, 1) << "a wall of the arena";
+    }
+}
+
 TEST(DrawWorld, DrawsASolidSourceOnAPost) {
     auto scene = bare();
     scene->sources.push_back({.name = "ghost", .x = 0});

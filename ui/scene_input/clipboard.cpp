@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/scene/arena.h"
 #include "ui/scene_input/edits.h"
 
 namespace braitenlab::ui {
@@ -123,8 +124,8 @@ std::vector<Command> pasted(const Snapshot& now, const Scene& copy, std::optiona
     const vec2 by = middle ? *middle - middle_of(copy) : beside_original;
     const Arena& arena = now.scene->arena;
     each_object(moved, [&](auto& object) {
-        object.x = std::clamp(object.x + by.x, -arena.width / 2, arena.width / 2);
-        object.y = std::clamp(object.y + by.y, -arena.height / 2, arena.height / 2);
+        const vec2 to = moved_inside(arena, vec2{object.x, object.y} + by);
+        object.x = to.x, object.y = to.y;
     });
     for (const Zone& zone : moved.zones) commands.emplace_back(AddZone{zone});
     for (const Obstacle& obstacle : moved.obstacles) commands.emplace_back(AddObstacle{obstacle});

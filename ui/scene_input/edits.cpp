@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/maths/geometry.h"
-#include "core/scene/scene.h"
+#include "core/scene/arena.h"
 #include "render/view/pick.h"
 #include "ui/lab_view.h"
 
@@ -20,10 +20,7 @@ namespace {
 constexpr float copy_distance = 0.8f;  // m
 
 vec2 clamped_to_arena(const Snapshot& now, vec2 place, float margin = 0) {
-    if (!now.scene) return place;
-    const float x = std::max(0.0f, now.scene->arena.width / 2 - margin);
-    const float y = std::max(0.0f, now.scene->arena.height / 2 - margin);
-    return {std::clamp(place.x, -x, x), std::clamp(place.y, -y, y)};
+    return now.scene ? moved_inside(now.scene->arena, place, margin) : place;
 }
 
 // A vehicle keeps half its width of distance to the walls, so that it can drive away.
@@ -190,12 +187,6 @@ bool is_free(const Obstructions& all, vec2 place, float reach) {
                         [&](const auto& block) { return overlaps(block, place, reach); });
 }
 
-// Largest |x| and |y| of the middle of a disc of this radius; on a torus it may overlap the edge.
-vec2 limits_for(const Arena& arena, float reach) {
-    const float margin = arena.edge == Boundary::torus ? 0 : reach;
-    return {std::max(0.0f, arena.width / 2 - margin), std::max(0.0f, arena.height / 2 - margin)};
-}
-
 float reach_of_body(const Body& body) { return std::hypot(body.length, body.width) / 2; }
 
 float reach_of_kind(const Snapshot& now, int kind) {
@@ -221,18 +212,18 @@ float reach_of_shape(const Obstacle& obstacle) {
 vec2 free_place(const Snapshot& now, vec2 wanted, float reach) {
     if (!now.scene) return wanted;
     const Obstructions all = obstructions_in(now);
-    const vec2 limit = limits_for(now.scene->arena, reach);
-    const vec2 from{std::clamp(wanted.x, -limit.x, limit.x), std::clamp(wanted.y, -limit.y, limit.y)};
+    const Arena& arena = now.scene->arena;
+    const float margin = arena.edge == Boundary::torus ? 0 : reach;  // on a torus a disc may overlap the edge
+    const vec2 from = moved_inside(arena, wanted, margin);
     // Rings around it, each starting on the side of the arena's middle, where there is most room.
-    const float towards_middle = std::atan2(-from.y, -from.x), farthest = 2 * std::hypot(limit.x, limit.y);
+    const float towards_middle = std::atan2(-from.y, -from.x), farthest = std::hypot(arena.width, arena.height);
     for (float ring = 0; ring <= farthest; ring += search_step) {
         const int places =
             ring == 0 ? 1 : static_cast<int>(std::ceil(2 * std::numbers::pi_v<float> * ring / search_step));
         for (int i = 0; i < places; ++i) {
             const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(places);
             const vec2 at = from + ring * vec2{std::cos(towards_middle + turn), std::sin(towards_middle + turn)};
-            if (std::fabs(at.x) > limit.x || std::fabs(at.y) > limit.y) continue;
-            if (is_free(all, at, reach)) return at;
+            if (is_inside(arena, at, margin) && is_free(all, at, reach)) return at;
         }
     }
     return from;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/maths/angle.h"
+#include "core/scene/arena.h"
 
 namespace braitenlab::ui {
 
@@ -30,9 +31,7 @@ float pixels_from(const SceneInputFrame& frame, vec2 place) {
 }
 
 vec2 in_arena(const LabView& view, vec2 place) {
-    if (!view.now->scene) return place;
-    const float x = view.now->scene->arena.width / 2, y = view.now->scene->arena.height / 2;
-    return {std::clamp(place.x, -x, x), std::clamp(place.y, -y, y)};
+    return view.now->scene ? moved_inside(view.now->scene->arena, place) : place;
 }
 
 std::optional<Handle> handle_of(const SceneInputState& state, const SceneInputFrame& frame) {
