@@ -14,7 +14,7 @@ namespace {
 
 // True if the kind and all its vehicles have the brain of the exercise's file.
 bool is_as_shipped(const Snapshot& now, std::size_t kind, const BrainGraph& shipped) {
-    return *now.kind_brains[kind] == shipped &&
+    return kind < now.kind_brains.size() && *now.kind_brains[kind] == shipped &&
            std::all_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) {
                return static_cast<std::size_t>(v.kind) != kind ||
                       *now.brains[static_cast<std::size_t>(v.brain)] == shipped;

@@ -90,11 +90,10 @@ void Referee::watch(const Snapshot& now) {
     if (is_new_run) begin(now);
     state_.tick = now.tick;
     const Subjects subjects{exercise_->scene.starts, state_.subjects};
-    if (!find_vehicle(now, subjects.id({}))) return;
     const bool is_given = is_undisturbed(now);
     if (!is_given && now.tick > 0) state_.disturbed = true;  // before the first tick it can be put right
     state_.by_hand = state_.disturbed || !is_given;
-    if (state_.by_hand) return;
+    if (state_.by_hand || !find_vehicle(now, subjects.id({}))) return;
     for (std::size_t i = 0; i < state_.steps.size(); ++i) {
         RefereeState::Judged& step = state_.steps[i];
         if (!step.done) step.done = update(exercise_->steps[i].check, step.check, now, subjects);

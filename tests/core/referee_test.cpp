@@ -289,6 +289,20 @@ TEST(Referee, AnotherKindsChangedBrainMakesARunByHand) {
     EXPECT_TRUE(by_hand(1));
 }
 
+TEST(Referee, AVehicleRemovedBeforeTheFirstTickMakesARunByHand) {
+    const Exercise exercise = furnished();
+    Referee referee(exercise);
+    for (const std::uint64_t tick : {0, 1}) {
+        Snapshot now = moment(tick, 3);
+        now.vehicles.clear();
+        Scene scene = exercise.scene;
+        scene.starts.erase(scene.starts.begin());
+        now.scene = std::make_shared<const Scene>(scene);
+        referee.watch(now);
+        EXPECT_TRUE(referee.by_hand()) << tick;
+    }
+}
+
 TEST(Referee, AStateOfAnotherExerciseIsRefused) {
     const std::string state = write_referee_state(Referee(with({turn})).state());
     EXPECT_TRUE(read_referee_state(state, with({turn})));

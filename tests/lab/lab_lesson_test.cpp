@@ -72,6 +72,16 @@ TEST(LabLesson, KnowsTheOutcomeOfTheShippedBrainAndLampOnly) {
     EXPECT_TRUE(lesson_of(rewired).outcome_known);
 }
 
+TEST(LabLesson, DoesNotKnowTheOutcomeOfARunWithoutTheKindOfTheExercise) {
+    Lab lab = aggressor();
+    handle(lab, EditRequest{RemoveVehicle{}});
+    handle(lab, EditRequest{RemoveKind{0}});
+    ASSERT_TRUE(lab.document.session.snapshot().kind_brains.empty());
+    EXPECT_TRUE(lesson_of(lab).by_hand);
+    for (int i = 0; i < 600; ++i) tick(lab);
+    EXPECT_FALSE(lesson_of(lab).outcome_known);
+}
+
 TEST(LabLesson, OffersAHintAfterARunOrHalfAMinute) {
     Lab lab = aggressor();
     handle(lab, Action::hint);
