@@ -142,7 +142,11 @@ fs::path own_file(const Document& document) {
 }
 
 std::optional<Error> save_as(const Lab& lab, const fs::path& path, FileKind kind) {
-    if (kind == FileKind::scene) return write_whole(path, write_scene(lab.document.session.edited_scene()));
+    if (kind == FileKind::scene) {
+        const Scene scene = lab.document.session.edited_scene();
+        if (auto error = check_scene(scene)) return error;  // a file that cannot be opened is not written
+        return write_whole(path, write_scene(scene));
+    }
     if (kind == FileKind::run) return write_whole(path, io::write_run(lab.document.session.save()));
     if (kind != FileKind::brain) return error_of(message_of("not_savable"), path.string());
     const Snapshot& now = lab.document.session.snapshot();

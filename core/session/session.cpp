@@ -27,7 +27,8 @@ std::optional<std::vector<Sensor>> own_sensors(const Snapshot& now, const Vehicl
     return kind_of(now, vehicle).sensors;
 }
 
-// Writes the brains, sensors and drivers of single vehicles to the scene's starts and members.
+// Writes the brains, sensors and drivers of single vehicles to the scene's starts and members. A successor of a starved
+// vehicle with a start has no place in the population, so its values are not written.
 void add_own_values(Scene& scene, const Snapshot& now) {
     std::map<int, Member> members;
     for (Member& member : scene.members) {
@@ -43,7 +44,7 @@ void add_own_values(Scene& scene, const Snapshot& now) {
         if (v.start >= 0) {
             Start& start = scene.starts[static_cast<std::size_t>(v.start)];
             start.brain = std::move(brain), start.sensors = std::move(sensors), start.driver = driver;
-        } else if (const int own = number++; brain || sensors || driver) {
+        } else if (const int own = number++; own < scene.ecology.population && (brain || sensors || driver)) {
             Member& member = members[own];
             member.name = std::to_string(own), member.kind = kind.name;
             member.brain = std::move(brain), member.sensors = std::move(sensors), member.driver = driver;
@@ -382,7 +383,7 @@ void Session::restart(std::uint64_t seed, Keep keep) {
         scene = std::move(opened);
     }
     auto world = World::create(scene, seed);
-    if (!world) world = World::create(opened_, seed);  // a brain needs sensors that the opened scene does not have
+    if (!world) world = World::create(opened_, seed);  // a kept brain needs sensors that the opened scene does not have
     const Snapshot before = std::move(snapshot_);
     world_ = std::move(*world);
     recording_ = Recording(world_.checkpoint());

@@ -605,6 +605,21 @@ TEST(Session, ResetKeepsAddedMovedAndRemovedObjects) {
     EXPECT_EQ(session.edited_scene(), furnished());
 }
 
+TEST(Session, ResetKeepsTheEditsWhenAnEditedVehicleHasReplacedAStarvedVehicleWithAStart) {
+    Scene scene = tests::alone({});
+    scene.ecology.drain = 1;
+    Session session = open(scene);
+    for (int i = 0; i < 70; ++i) session.step();
+    const VehicleView successor = session.snapshot().vehicles.at(0);
+    ASSERT_EQ(successor.start, -1);
+    ASSERT_FALSE(session.apply(AddSource{{.name = "lamp", .x = 3}}));
+    ASSERT_FALSE(session.apply(TurnDial{{.vehicle = successor.id}, Dial::LL, 1.5f}));
+    EXPECT_TRUE(parse_scene(write_scene(session.edited_scene()), "saved"));
+    session.reset();
+    EXPECT_EQ(session.snapshot().sources.size(), 1u);
+    EXPECT_EQ(session.snapshot().vehicles.at(0).start, 0);
+}
+
 TEST(Session, ResetOfAnExerciseKeepsOnlyTheBrains) {
     Session session = open(furnished());
     ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 1.25f}));
