@@ -295,8 +295,11 @@ Command renumbered(Command command, const std::function<VehicleId(VehicleId)>& n
             if constexpr (requires { c.target.vehicle; }) change(c.target.vehicle);
             if constexpr (requires { c.vehicle; }) change(c.vehicle);
             if constexpr (requires { c.id; }) change(c.id);
-            if constexpr (requires { c.vehicles; })
+            if constexpr (requires { c.vehicles; }) {
                 for (AddVehicle& vehicle : c.vehicles) change(vehicle.id);
+                std::sort(c.vehicles.begin(), c.vehicles.end(),
+                          [](const AddVehicle& a, const AddVehicle& b) { return a.id < b.id; });
+            }
         },
         command);
     return command;

@@ -620,6 +620,23 @@ TEST(Session, ResetKeepsTheEditsWhenAnEditedVehicleHasReplacedAStarvedVehicleWit
     EXPECT_EQ(session.snapshot().vehicles.at(0).start, 0);
 }
 
+int count_of(const Session& session, int kind) {
+    const auto& all = session.snapshot().vehicles;
+    return static_cast<int>(
+        std::count_if(all.begin(), all.end(), [kind](const VehicleView& v) { return v.kind == kind; }));
+}
+
+TEST(Undo, OfAPopulationRestoresItAfterAResetThatRenumbersItsVehicles) {
+    Session session = open(tests::crowd(4));
+    ASSERT_FALSE(session.apply(AddVehicle{0, Pose{3, -2, 1}}));
+    ASSERT_FALSE(session.apply(SetPopulation{0, 5}));
+    session.reset();
+    ASSERT_EQ(session.snapshot().vehicles.front().start, 0) << "the vehicle with a start has the smallest id now";
+    EXPECT_TRUE(session.undo());
+    EXPECT_EQ(count_of(session, 0), 3);
+    EXPECT_EQ(count_of(session, 1), 2);
+}
+
 TEST(Session, ResetOfAnExerciseKeepsOnlyTheBrains) {
     Session session = open(furnished());
     ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 1.25f}));
