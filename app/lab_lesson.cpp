@@ -1,6 +1,7 @@
 #include "app/lab_lesson.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "app/jobs/grading.h"
@@ -156,10 +157,26 @@ void update_grading(Lab& lab, Jobs& jobs) {
     lesson.grading.reset();
 }
 
+namespace {
+
+// After a reset: the same vehicles stay selected under their new ids.
+void renumber_selection(Selection& selection, const std::map<VehicleId, VehicleId>& new_ids) {
+    const auto renumber = [&](int& id) {
+        if (const auto found = new_ids.find(id); found != new_ids.end()) id = found->second;
+    };
+    renumber(selection.vehicle);
+    for (SceneObject& object : selection.more)
+        if (object.kind == SceneObjectKind::vehicle) renumber(object.index);
+}
+
+}  // namespace
+
 void reset(Lab& lab) { reset(lab, lab.document.session.seed()); }
 
 void reset(Lab& lab, std::uint64_t seed) {
-    lab.document.session.restart(seed, lab.document.lesson ? Keep::brains : Keep::edits);
+    const auto new_ids = lab.document.session.restart(seed, lab.document.lesson ? Keep::brains : Keep::edits);
+    renumber_selection(lab.view.selection, new_ids);
+    lab.steered = {};  // a new run has no steering command
     if (lab.document.lesson) lab.document.lesson->states.clear();
     lab.playback.previous.clear();
     lab.playback.debt = 0;

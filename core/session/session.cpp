@@ -327,7 +327,7 @@ Scene Session::edited_scene() const {
 
 // A new run assigns new vehicle ids: first to vehicles with a start, then to the population. Renumbers undo and redo so
 // that they refer to the same vehicles.
-void Session::renumber_after_reset(const Snapshot& before, Keep keep) {
+std::map<VehicleId, VehicleId> Session::renumber_after_reset(const Snapshot& before, Keep keep) {
     std::map<VehicleId, VehicleId> numbers;
     const auto starts = static_cast<VehicleId>(snapshot_.scene->starts.size());
     auto next = starts;
@@ -359,6 +359,7 @@ void Session::renumber_after_reset(const Snapshot& before, Keep keep) {
     renumber(edits_.undone);
     edits_since_.clear();
     remember_edits();
+    return numbers;
 }
 
 namespace {
@@ -374,7 +375,7 @@ const Kind* counterpart(const std::vector<Kind>& now, const std::vector<Kind>& o
 
 void Session::reset(Keep keep) { restart(seed(), keep); }
 
-void Session::restart(std::uint64_t seed, Keep keep) {
+std::map<VehicleId, VehicleId> Session::restart(std::uint64_t seed, Keep keep) {
     Scene scene = edited_scene();
     if (keep == Keep::brains) {
         Scene opened = opened_;
@@ -390,7 +391,7 @@ void Session::restart(std::uint64_t seed, Keep keep) {
     forgotten_.reset();
     snapshot_ = {};
     world_.capture(snapshot_);
-    renumber_after_reset(before, keep);
+    return renumber_after_reset(before, keep);
 }
 
 }  // namespace braitenlab

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -51,7 +52,8 @@ public:
     void reset(Keep = Keep::edits);
 
     // As reset(), with another seed: other random poses, noise and motor gains. save() and later resets keep the seed.
-    void restart(std::uint64_t seed, Keep = Keep::edits);
+    // Returns the new id of each vehicle by its old id. The new run may not have a vehicle with that id.
+    std::map<VehicleId, VehicleId> restart(std::uint64_t seed, Keep = Keep::edits);
 
     // Undo restores values, not the tick. A removed vehicle returns to its pose, or to the nearest free one if another
     // vehicle or an obstacle is there now. Returns false when there is nothing to undo or redo. If an edit removed
@@ -115,7 +117,7 @@ private:
     void remember_edits();
     void change_later(const SharedStep& lost, const SharedStep& gained);
     void take_edits_of(std::uint64_t tick);
-    void renumber_after_reset(const Snapshot& before, Keep);
+    std::map<VehicleId, VehicleId> renumber_after_reset(const Snapshot& before, Keep);
 
     Scene opened_;
     World world_;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/lab_selection.h"
 #include "tests/lab/opened_lab.h"
 
 namespace braitenlab::tests::lab_requests_test {
@@ -39,6 +40,29 @@ TEST(LabRequests, RestartWithTheNextOrAGivenSeed) {
     handle(lab, SeedRequest{42});
     handle(lab, Action::reset);
     EXPECT_EQ(lab.document.session.seed(), 42u) << "the same start";
+}
+
+TEST(LabRequests, KeepTheSelectedVehiclesInAResetThatRenumbersThem) {
+    Lab lab = opened_lab("predator-prey");
+    const auto last = lab.document.session.snapshot().vehicles.back().id;
+    handle(lab, Action::duplicate);
+    const VehicleId copy = last + 1;
+    ASSERT_EQ(lab.view.selection.vehicle, copy);
+    handle(lab, SelectObjectsRequest{{vehicle_object(copy), vehicle_object(3), vehicle_object(5)}});
+    handle(lab, Action::reset);
+    EXPECT_EQ(lab.view.selection.vehicle, 0) << "vehicles with a start have the smallest ids";
+    EXPECT_EQ(lab.view.selection.more, (std::vector{vehicle_object(4), vehicle_object(6)}));
+}
+
+TEST(LabRequests, DriveOnByAHeldKeyAfterAReset) {
+    Lab lab = opened_lab("2a-coward");
+    handle(lab, Action::drive);
+    ASSERT_TRUE(steer_by_keys(lab, 0, 1));
+    tick(lab);
+    handle(lab, Action::reset);
+    ASSERT_TRUE(steer_by_keys(lab, 0, 1));
+    tick(lab);
+    EXPECT_GT(lab.document.session.snapshot().vehicles.at(0).motor[0], 0);
 }
 
 TEST(LabRequests, RestartAnExerciseAfterItsKindsChanged) {
