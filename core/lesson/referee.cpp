@@ -10,6 +10,15 @@ namespace braitenlab {
 
 namespace {
 
+// The members in the order of their numbers, without the values that vehicles in the world have of their own.
+std::vector<Member> members_without_own_values(const Scene& scene) {
+    std::vector<Member> members = scene.members;
+    for (Member& member : members) member.brain.reset(), member.sensors.reset(), member.driver.reset();
+    std::sort(members.begin(), members.end(),
+              [](const Member& a, const Member& b) { return number_of(a) < number_of(b); });
+    return members;
+}
+
 // Equal but for the brain, which a snapshot's scene does not keep up to date, and the colour.
 bool same_but_for_brain(Kind a, const Kind& b) {
     a.brain = b.brain, a.colour = b.colour;
@@ -52,6 +61,40 @@ bool has_given_sensors(const Scene& given, const Snapshot& now, const VehicleVie
            });
 }
 
+// The brain and the driver of a vehicle at the start of a run: those of its start or member, else those of its kind.
+struct GivenValues {
+    const BrainGraph* brain = nullptr;
+    Driver driver = Driver::brain;
+};
+
+// `own`: an entry of Scene::starts or Scene::members.
+GivenValues with_own_values(GivenValues given, const auto& own) {
+    if (own.brain) given.brain = &*own.brain;
+    if (own.driver) given.driver = *own.driver;
+    return given;
+}
+
+GivenValues given_values(const Scene& given, const Snapshot& now, const VehicleView& vehicle) {
+    const Kind& kind = given.kinds[static_cast<std::size_t>(vehicle.kind)];
+    const GivenValues of_kind{&kind.brain, kind.driver};
+    if (vehicle.start >= 0) return with_own_values(of_kind, given.starts[static_cast<std::size_t>(vehicle.start)]);
+    const int number = number_in_population(now, vehicle.id);
+    for (const Member& member : given.members)
+        if (number_of(member) == number) return with_own_values(of_kind, member);
+    return of_kind;
+}
+
+// True if each vehicle has the driver that the exercise gives it, and a vehicle of another kind than the subject also
+// the brain. Preconditions: tick 0, the scene is as given.
+bool vehicles_are_as_given(const Scene& given, const Snapshot& now, int subject) {
+    return std::all_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& vehicle) {
+        if (static_cast<std::size_t>(vehicle.kind) >= given.kinds.size()) return true;
+        const GivenValues values = given_values(given, now, vehicle);
+        const bool is_other = subject >= 0 && vehicle.kind != subject;
+        return vehicle.driver == values.driver && (!is_other || *brain_of(now, vehicle) == *values.brain);
+    });
+}
+
 }  // namespace
 
 bool is_as_given(const Exercise& exercise, const Scene& now) {
@@ -65,7 +108,9 @@ bool is_as_given(const Exercise& exercise, const Scene& now) {
         return std::find(given.sources.begin(), given.sources.end(), source) != given.sources.end();
     });
     return has_no_other_source && now.arena == given.arena && now.ecology == given.ecology &&
-           now.starts == given.starts && now.obstacles == given.obstacles && now.zones == given.zones;
+           now.starts == given.starts &&
+           members_without_own_values(now) == members_without_own_values(given) && now.obstacles == given.obstacles &&
+           now.zones == given.zones;
 }
 
 Referee::Referee(const Exercise& exercise) : exercise_(std::make_shared<const Exercise>(exercise)) {
@@ -91,7 +136,7 @@ void Referee::watch(const Snapshot& now) {
     state_.tick = now.tick;
     const Subjects subjects{exercise_->scene.starts, state_.subjects};
     const bool is_given = is_undisturbed(now);
-    if (!is_given && now.tick > 0) state_.disturbed = true;  // before the first tick it can be put right
+    if (now.tick > 0 && (!is_given || state_.by_hand)) state_.disturbed = true;  // before, it can be put right
     state_.by_hand = state_.disturbed || !is_given;
     if (state_.by_hand || !find_vehicle(now, subjects.id({}))) return;
     for (std::size_t i = 0; i < state_.steps.size(); ++i) {
@@ -105,7 +150,8 @@ void Referee::watch(const Snapshot& after, const Command& command) {
     watch(after);
 }
 
-// The scene, the brains and sensors of other kinds, and who drives.
+// The scene, the brains and sensors of other kinds, and who drives. After the first tick, commands for single vehicles
+// are detected by is_help().
 bool Referee::is_undisturbed(const Snapshot& now) {
     const Scene& given = exercise_->scene;
     if (compared_ != now.scene) {
@@ -121,9 +167,11 @@ bool Referee::is_undisturbed(const Snapshot& now) {
     for (std::size_t i = 0; i < std::min(given.starts.size(), state_.subjects.size()); ++i) {
         const VehicleView* vehicle = find_vehicle(now, state_.subjects[i]);
         const int kind = find_kind(given, given.starts[i].kind);
-        if (vehicle && kind >= 0 && vehicle->driver != given.kinds[static_cast<std::size_t>(kind)].driver) return false;
+        if (!vehicle || kind < 0) continue;
+        const Driver of_kind = given.kinds[static_cast<std::size_t>(kind)].driver;
+        if (vehicle->driver != given.starts[i].driver.value_or(of_kind)) return false;
     }
-    return true;
+    return now.tick > 0 || (now.generation == 1 && vehicles_are_as_given(given, now, subject));
 }
 
 std::vector<Verdict> Referee::verdicts() const {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "core/maths/angle.h"
+#include "core/session/session.h"
+#include "tests/core/scenes.h"
 
 namespace braitenlab::tests::referee_test {
 namespace {
@@ -301,6 +303,60 @@ TEST(Referee, AVehicleRemovedBeforeTheFirstTickMakesARunByHand) {
         referee.watch(now);
         EXPECT_TRUE(referee.by_hand()) << tick;
     }
+}
+
+// An exercise whose subject has the id 0. The vehicle 1 has a start, too. Of the population, the vehicles 2 and 4 are
+// of the subject's kind; the vehicle 3 has a brain and a driver of its own.
+Exercise populated() {
+    Exercise exercise = with({touch});
+    Scene& scene = exercise.scene;
+    scene.arena.width = scene.arena.height = 200;
+    scene.kinds = {tests::two_eyed("subject", {}), tests::two_eyed("other", {.LL = 1})};
+    scene.kinds[0].share = scene.kinds[1].share = 1;
+    scene.starts = {{.name = "one", .kind = "subject", .x = 20},
+                    {.name = "two", .kind = "other", .x = 30, .driver = Driver::manual}};
+    scene.ecology.population = 3;
+    scene.members = {{.name = "1", .kind = "other", .driver = Driver::manual, .brain = make_graph({.RR = 1})},
+                     {.name = "2", .kind = "subject"}};
+    return exercise;
+}
+
+Session opened(const Exercise& exercise) {
+    auto session = Session::open(exercise.scene, 3);
+    EXPECT_TRUE(session) << session.error().text();
+    return std::move(*session);
+}
+
+TEST(Referee, AVehicleChangedBeforeTheFirstTickMakesARunByHand) {
+    const Exercise exercise = populated();
+    const Member member = exercise.scene.members[1];
+    const Member placed{.name = "2", .kind = "subject", .placed = true, .x = 1};
+    const std::vector<std::pair<const char*, Command>> changes{
+        {"the brain of another vehicle with a start", TurnDial{{.vehicle = 1}, Dial::LL, 0}},
+        {"the brain of a member", SetBrain{{.vehicle = 3}, exercise.scene.kinds[1].brain}},
+        {"the driver of a vehicle with a start", ChooseDriver{1, Driver::brain}},
+        {"the driver of a member", ChooseDriver{3, Driver::brain}},
+        {"the driver of a vehicle of the population", ChooseDriver{2, Driver::manual}},
+        {"the pose of a member", EditMember{2, placed}},
+        {"the population", NewPopulation{}},
+    };
+    for (const auto& [what, command] : changes) {
+        Session session = opened(exercise);
+        Referee referee(exercise);
+        referee.watch(session.snapshot());
+        EXPECT_FALSE(referee.by_hand()) << what;
+        ASSERT_FALSE(session.apply(command)) << what;
+        referee.watch(session.snapshot(), command);
+        EXPECT_TRUE(referee.by_hand()) << what;
+        session.step();
+        referee.watch(session.snapshot());
+        EXPECT_TRUE(referee.by_hand()) << what << ", after a tick";
+    }
+    Session session = opened(exercise);
+    ASSERT_FALSE(session.apply(EditMember{1, exercise.scene.members[0]}));  // the same, now last in the list
+    Referee referee(exercise);
+    referee.watch(session.snapshot());
+    EXPECT_FALSE(referee.by_hand()) << "the order of the members is no change";
 }
 
 TEST(Referee, AStateOfAnotherExerciseIsRefused) {
