@@ -10,6 +10,16 @@ namespace braitenlab {
 
 namespace {
 
+// Equal but for the colours, which a run does not depend on.
+bool same_but_for_colour(Start a, const Start& b) {
+    a.colour = b.colour;
+    return a == b;
+}
+
+bool same_but_for_colours(const std::vector<Start>& a, const std::vector<Start>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_but_for_colour);
+}
+
 // The members in the order of their numbers, without the values that vehicles in the world have of their own.
 std::vector<Member> members_without_own_values(const Scene& scene) {
     std::vector<Member> members = scene.members;
@@ -38,6 +48,13 @@ int kind_of(const Snapshot& now, const Target& target) {
     return vehicle ? vehicle->kind : -1;
 }
 
+// True if the start with this index has no value of its exercise but the colour changed.
+bool is_as_given(const Scene& given, const Snapshot& after, int start) {
+    const auto index = static_cast<std::size_t>(start);
+    return index < given.starts.size() && index < after.scene->starts.size() &&
+           same_but_for_colour(after.scene->starts[index], given.starts[index]);
+}
+
 // True unless a command changes only what the student may change, or nothing that a run depends on.
 bool is_help(const Scene& given, const Snapshot& after, const Command& command) {
     const int subject = given.starts.empty() ? -1 : subject_kind(given);
@@ -46,6 +63,7 @@ bool is_help(const Scene& given, const Snapshot& after, const Command& command) 
                             [&](const SetBrain& c) { return changes_other_kind(kind_of(after, c.target)); },
                             [&](const SetSensors& c) { return changes_other_kind(kind_of(after, c.target)); },
                             [&](const EditKind& c) { return changes_other_kind(c.kind); },  // see is_as_given
+                            [&](const EditStart& c) { return !is_as_given(given, after, c.start); },
                             [](const PlaceNodes&) { return false; }, [](const Steer&) { return false; },
                             [](const Retitle&) { return false; }, [](const auto&) { return true; }},
                       command);
@@ -108,7 +126,7 @@ bool is_as_given(const Exercise& exercise, const Scene& now) {
         return std::find(given.sources.begin(), given.sources.end(), source) != given.sources.end();
     });
     return has_no_other_source && now.arena == given.arena && now.ecology == given.ecology &&
-           now.starts == given.starts &&
+           same_but_for_colours(now.starts, given.starts) &&
            members_without_own_values(now) == members_without_own_values(given) && now.obstacles == given.obstacles &&
            now.zones == given.zones;
 }

@@ -359,6 +359,41 @@ TEST(Referee, AVehicleChangedBeforeTheFirstTickMakesARunByHand) {
     EXPECT_FALSE(referee.by_hand()) << "the order of the members is no change";
 }
 
+TEST(Referee, TheBrainOfTheSubjectAndTheColourOfAStartAreNoHelp) {
+    const Exercise exercise = populated();
+    Start tinted = exercise.scene.starts[0];
+    tinted.colour = "#3d7cc9";
+    for (const Command& command :
+         {Command(TurnDial{{.vehicle = 0}, Dial::LL, 1}), Command(TurnDial{{.vehicle = 2}, Dial::LL, 1}),
+          Command(EditStart{0, tinted}), Command(EditMember{1, exercise.scene.members[0]})})
+        for (const int ticks : {0, 5}) {
+            Session session = opened(exercise);
+            Referee referee(exercise);
+            referee.watch(session.snapshot());
+            for (int i = 0; i < ticks; ++i) session.step(), referee.watch(session.snapshot());
+            ASSERT_FALSE(session.apply(command));
+            referee.watch(session.snapshot(), command);
+            session.step();
+            referee.watch(session.snapshot());
+            const bool is_help = std::holds_alternative<EditMember>(command) && ticks > 0;
+            EXPECT_EQ(referee.by_hand(), is_help) << command.index() << " after " << ticks;
+        }
+}
+
+TEST(Referee, AStartMovedDuringARunIsHelp) {
+    const Exercise exercise = populated();
+    Start moved = exercise.scene.starts[0];
+    moved.x += 1, moved.colour = "#3d7cc9";
+    Session session = opened(exercise);
+    Referee referee(exercise);
+    referee.watch(session.snapshot());
+    session.step();
+    referee.watch(session.snapshot());
+    ASSERT_FALSE(session.apply(EditStart{0, moved}));
+    referee.watch(session.snapshot(), EditStart{0, moved});
+    EXPECT_TRUE(referee.by_hand());
+}
+
 TEST(Referee, AStateOfAnotherExerciseIsRefused) {
     const std::string state = write_referee_state(Referee(with({turn})).state());
     EXPECT_TRUE(read_referee_state(state, with({turn})));

@@ -374,7 +374,7 @@ void values_of_selected(const LabView& view, PanelState& state, Ui& ui) {
     const auto start = static_cast<std::size_t>(selected->start);
     if (selected->start >= 0 && start < view.now->scene->starts.size()) {
         Start to = view.now->scene->starts[start];
-        const auto named = row.text("name", to.name, limits::name_length);
+        const auto named = view.lesson ? std::nullopt : row.text("name", to.name, limits::name_length);
         const auto tinted = colour_row(row, "vehicle.colour.", to.colour, selected->role);
         if (named) to.name = *named;
         if (tinted) to.colour = *tinted;
