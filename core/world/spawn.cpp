@@ -211,16 +211,49 @@ void spawn_population(WorldData& s) {
     std::vector<const Member*> members(static_cast<std::size_t>(scene.ecology.population));
     for (const Member& member : scene.members) members[static_cast<std::size_t>(number_of(member))] = &member;
     std::vector<int> counts(s.kinds.size(), 0);
+    for (const Member& member : scene.members)
+        if (!member.kind.empty()) ++counts[static_cast<std::size_t>(find_kind(scene, member.kind))];
     FreeSpace free_space(s);
     for (const Member* member : members) {
-        const int kind = member && !member->kind.empty() ? find_kind(scene, member->kind) : most_wanted(scene, counts);
-        ++counts[static_cast<std::size_t>(kind)];
+        const bool has_kind = member && !member->kind.empty();
+        const int kind = has_kind ? find_kind(scene, member->kind) : most_wanted(scene, counts);
+        if (!has_kind) ++counts[static_cast<std::size_t>(kind)];
         const VehicleId id = s.next_id++;
         const Pose random = free_pose(s, free_space, kind, id);
         add(kind, -1, id, member && member->placed ? Pose{member->x, member->y, member->heading} : random, member);
     }
     s.lay_out_grids();
 }
+
+namespace {
+
+// The kinds of the next generation, one for each row. The shares give the numbers; vehicles with a brain or sensors of
+// their own keep their kind first. A vehicle with a start keeps its kind and is not counted.
+std::vector<int> next_kinds(const WorldData& s, const Vehicles& before) {
+    std::vector<int> counts(s.kinds.size(), 0), kinds = before.kind;
+    std::vector<int> wanted;
+    for (const int start : before.start) {
+        if (start >= 0) continue;
+        wanted.push_back(most_wanted(*s.scene, counts));
+        ++counts[static_cast<std::size_t>(wanted.back())];
+    }
+    std::vector<std::size_t> others;
+    for (std::size_t row = 0; row < before.size(); ++row) {
+        if (before.start[row] >= 0) continue;
+        const auto kind = static_cast<std::size_t>(before.kind[row]);
+        const SharedBrain &brain = before.brain[row], &of_kind = s.kind_brains[kind];
+        const bool has_own = before.design[row] || (brain != of_kind && brain->graph != of_kind->graph);
+        const auto kept = has_own ? std::find(wanted.begin(), wanted.end(), before.kind[row]) : wanted.end();
+        if (kept != wanted.end())
+            wanted.erase(kept);
+        else
+            others.push_back(row);
+    }
+    for (std::size_t i = 0; i < others.size(); ++i) kinds[others[i]] = wanted[i];
+    return kinds;
+}
+
+}  // namespace
 
 // Replaces all vehicles by the same number of vehicles with the same ids, so that a selection in the window stays
 // valid. Vehicles with a start return to it. The kinds of the others are chosen again by the shares, which restores the
@@ -235,12 +268,11 @@ void new_generation(WorldData& s) {
     s.still_ticks = 0;
     s.bites.clear();
     s.marks.clear();
-    std::vector<int> counts(s.kinds.size(), 0);
+    const std::vector<int> kinds = next_kinds(s, before);
     FreeSpace free_space(s);
     for (std::size_t row = 0; row < before.size(); ++row) {
         const int start = before.start[row];
-        const int kind = start >= 0 ? before.kind[row] : most_wanted(*s.scene, counts);
-        if (start < 0) ++counts[static_cast<std::size_t>(kind)];
+        const int kind = kinds[row];
         const VehicleId id = before.id[row];
         const bool is_as_before = kind == before.kind[row];
         const SharedBrain& brain = is_as_before ? before.brain[row] : s.kind_brains[static_cast<std::size_t>(kind)];

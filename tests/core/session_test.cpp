@@ -637,6 +637,34 @@ TEST(Undo, OfAPopulationRestoresItAfterAResetThatRenumbersItsVehicles) {
     EXPECT_EQ(count_of(session, 1), 2);
 }
 
+// One hunted vehicle with id 1 and one hunter with id 2, which has a brain of its own.
+Session with_own_brain_of_last() {
+    Session session = open(tests::crowd(2));
+    EXPECT_FALSE(session.apply(RemoveVehicle{0}));
+    EXPECT_FALSE(session.apply(SetPopulation{0, 1}));
+    EXPECT_EQ(session.snapshot().vehicles.at(1).kind, 0);
+    EXPECT_FALSE(session.apply(TurnDial{{.vehicle = session.snapshot().vehicles.at(1).id}, Dial::LL, 1.25f}));
+    return session;
+}
+
+TEST(Session, ResetGivesTheSameNumbersOfEachKindWhenAVehicleHasABrainOfItsOwn) {
+    Session session = with_own_brain_of_last();
+    session.reset();
+    EXPECT_EQ(count_of(session, 0), 1);
+    EXPECT_EQ(count_of(session, 1), 1);
+    EXPECT_EQ(session.snapshot().vehicles.at(1).kind, 0);
+    EXPECT_EQ(dial(session, Dial::LL, 1), 1.25f);
+}
+
+TEST(Session, ANewGenerationKeepsTheKindOfAVehicleWithABrainOfItsOwnWhereTheSharesAllowIt) {
+    Session session = with_own_brain_of_last();
+    ASSERT_FALSE(session.apply(NewPopulation{}));
+    EXPECT_EQ(count_of(session, 0), 1);
+    EXPECT_EQ(count_of(session, 1), 1);
+    EXPECT_EQ(session.snapshot().vehicles.at(1).kind, 0);
+    EXPECT_EQ(dial(session, Dial::LL, 1), 1.25f);
+}
+
 TEST(Session, ResetOfAnExerciseKeepsOnlyTheBrains) {
     Session session = open(furnished());
     ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 1.25f}));
