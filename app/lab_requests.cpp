@@ -25,13 +25,15 @@ constexpr std::int64_t rewind_ticks = 300;  // five seconds
 template <class Change>
 void change(Lab& lab, const Change& make) {
     const std::uint64_t latest = lab.document.session.latest();
-    lab.document.edits += make();
+    const UndoResult made = make();
+    lab.document.edits += made.done;
     keep_selection(lab);
     follow_removed_ticks(lab.document, latest);
     recompute_referee(lab.document);
     record_referee(lab.document);
     watch(lab);
     report_time_change(lab, latest);
+    if (made.error) say(lab, *made.error);
 }
 
 void change_speed(Lab& lab, int step) {

@@ -187,44 +187,64 @@ void put_to_free_poses(const World& world, const Snapshot& now, Command& command
             if (!find_vehicle(now, vehicle.id)) put(vehicle);
 }
 
+// The vehicle that a command changes or removes, or no_vehicle.
+VehicleId changed_vehicle(const Command& command) {
+    return std::visit(
+        []<class Of>([[maybe_unused]] const Of& c) {
+            if constexpr (requires { c.target.vehicle; }) return c.target.vehicle;
+            if constexpr (requires { c.vehicle; }) return c.vehicle;
+            return no_vehicle;
+        },
+        command);
+}
+
 }  // namespace
 
-// Commands for removed vehicles are refused; the others are executed.
-bool Session::undo() {
-    if (edits_.done.empty()) return false;
+// Executes a command of an undo step.
+void Session::execute_part(const Command& command, UndoResult& result) {
+    const VehicleId vehicle = changed_vehicle(command);
+    if (vehicle != no_vehicle && !find_vehicle(snapshot_, vehicle)) return;
+    auto error = execute(command);
+    if (error && !result.error) result.error = std::move(error);
+}
+
+UndoResult Session::undo() {
+    if (edits_.done.empty()) return {};
     const SharedStep undone = edits_.done.back();
     UndoStep step = *undone;
     for (Command& command : step.again) command = repeating(snapshot_, command);
     const bool brings_time_back = undo_brings_time_back();
     edits_.done.pop_back();
+    UndoResult result{true};
     if (brings_time_back) {
         push(edits_.undone, std::move(step));
         bring_time_back();
-        return true;
+        return result;
     }
     const bool is_at_the_edit = step.tick == snapshot_.tick && step.generation == snapshot_.generation;
     for (Command command : step.back) {
         if (!is_at_the_edit) put_to_free_poses(world_, snapshot_, command);
-        (void)execute(command);
+        execute_part(command, result);
     }
     push(edits_.undone, std::move(step));
     change_later(undone, nullptr);
     if (forgotten_ && edits_.done.size() <= forgotten_->edits)
         forgotten_.reset();  // the removed ticks do not follow from this state
     remember_edits();
-    return true;
+    return result;
 }
 
-bool Session::redo() {
-    if (edits_.undone.empty()) return false;
+UndoResult Session::redo() {
+    if (edits_.undone.empty()) return {};
+    UndoResult result{true};
     UndoStep step = *edits_.undone.back();
     step.gesture = 0;  // a drag that continues is a new step
     edits_.undone.pop_back();
-    for (const Command& command : step.again) (void)execute(command);
+    for (const Command& command : step.again) execute_part(command, result);
     push(edits_.done, std::move(step));
     change_later(nullptr, edits_.done.back());
     remember_edits();
-    return true;
+    return result;
 }
 
 namespace {

@@ -24,6 +24,13 @@ struct Bookmark {
     std::uint64_t tick() const { return checkpoint.tick; }
 };
 
+// What an undo or a redo has done. False when there was nothing to undo or redo.
+struct UndoResult {
+    bool done = false;
+    std::optional<Error> error{};  // of the first command that was refused; the others were executed
+    explicit operator bool() const { return done; }
+};
+
 // Callbacks for the events of a run, in order: `tick` after each step and before the recorded commands of that tick,
 // `command` after each of these commands. Each can be empty.
 struct RunVisitor {
@@ -56,10 +63,10 @@ public:
     std::map<VehicleId, VehicleId> restart(std::uint64_t seed, Keep = Keep::edits);
 
     // Undo restores values, not the tick. A removed vehicle returns to its pose, or to the nearest free one if another
-    // vehicle or an obstacle is there now. Returns false when there is nothing to undo or redo. If an edit removed
+    // vehicle or an obstacle is there now. Commands for vehicles that no longer exist are left out. If an edit removed
     // later recorded ticks, its undo before the next step restores them.
-    bool undo();
-    bool redo();
+    UndoResult undo();
+    UndoResult redo();
     int undo_depth() const { return static_cast<int>(edits_.done.size()); }
     int redo_depth() const { return static_cast<int>(edits_.undone.size()); }
 
@@ -112,6 +119,7 @@ private:
     };
 
     std::optional<Error> execute(const Command&);
+    void execute_part(const Command&, UndoResult&);
     void bring_time_back();
     void advance(const RunVisitor&);
     void remember_edits();

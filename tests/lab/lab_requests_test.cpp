@@ -65,6 +65,18 @@ TEST(LabRequests, DriveOnByAHeldKeyAfterAReset) {
     EXPECT_GT(lab.document.session.snapshot().vehicles.at(0).motor[0], 0);
 }
 
+TEST(LabRequests, TellThatAnUndoIsRefused) {
+    Lab lab = opened_lab("predator-prey");
+    Kind kind = lab.document.session.snapshot().scene->kinds[0];
+    kind.share = 1000;
+    handle(lab, EditRequest{AddKind{kind}});
+    handle(lab, Action::new_population);
+    ASSERT_TRUE(lab.notice.empty());
+    handle(lab, Action::undo);
+    EXPECT_EQ(lab.notice.kind, NoticeKind::failure);
+    EXPECT_FALSE(lab.notice.empty());
+}
+
 TEST(LabRequests, RestartAnExerciseAfterItsKindsChanged) {
     Lab lab = opened_lab("05-aggressor");
     handle(lab, EditRequest{AddKind{lab.document.session.snapshot().scene->kinds[0], 0}});
