@@ -174,7 +174,7 @@ void renumber_selection(Selection& selection, const std::map<VehicleId, VehicleI
 void reset(Lab& lab) { reset(lab, lab.document.session.seed()); }
 
 void reset(Lab& lab, std::uint64_t seed) {
-    const auto new_ids = lab.document.session.restart(seed, lab.document.lesson ? Keep::brains : Keep::edits);
+    const auto new_ids = lab.document.session.restart(seed, lab.document.lesson ? Keep::submission : Keep::edits);
     renumber_selection(lab.view.selection, new_ids);
     lab.steered = {};  // a new run has no steering command
     if (lab.document.lesson) lab.document.lesson->states.clear();
@@ -187,15 +187,35 @@ void reset(Lab& lab, std::uint64_t seed) {
     keep_selection(lab);
 }
 
-// The brain is replaced by an edit, so that it can be undone.
+namespace {
+
+bool has_sensors(const Snapshot& now, std::size_t kind, const std::vector<Sensor>& sensors) {
+    return now.scene->kinds[kind].sensors == sensors &&
+           std::all_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) {
+               return static_cast<std::size_t>(v.kind) != kind || kind_of(now, v).sensors == sensors;
+           });
+}
+
+// Gives a kind and its vehicles the sensors, the body and the brain of the exercise's file, in one step of undo.
+void restore_kind(Lab& lab, std::size_t kind, const Kind& shipped) {
+    const Snapshot& now = lab.document.session.snapshot();
+    const int index = static_cast<int>(kind);
+    const std::uint64_t gesture = gestures::lab + ++lab.gesture;
+    if (!has_sensors(now, kind, shipped.sensors)) apply(lab, SetSensors{{.kind = index}, shipped.sensors}, gesture);
+    if (now.scene->kinds[kind].body != shipped.body) apply(lab, EditKind{index, shipped}, gesture);
+    if (!is_as_shipped(now, kind, shipped.brain)) apply(lab, SetBrain{{.kind = index}, shipped.brain}, gesture);
+}
+
+}  // namespace
+
+// The submission is replaced by edits, so that it can be undone.
 void restart_exercise(Lab& lab) {
     if (!lab.document.lesson) return reset(lab);
     Lesson& lesson = *lab.document.lesson;
     set_mode(lab, Mode::paused);
     reset(lab);  // first: kinds may have been added or removed
     for (std::size_t k = 0; k < lesson.exercise->scene.kinds.size(); ++k)
-        if (!is_as_shipped(lab.document.session.snapshot(), k, lesson.exercise->scene.kinds[k].brain))
-            apply(lab, SetBrain{{.kind = static_cast<int>(k)}, lesson.exercise->scene.kinds[k].brain});
+        restore_kind(lab, k, lesson.exercise->scene.kinds[k]);
     lesson.view = {.exercise = lesson.exercise.get()};
     lesson.grading.reset();
     lesson.graded.reset();

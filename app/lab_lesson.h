@@ -48,7 +48,7 @@ void show_hint(Lab&);
 void reset(Lab&);
 void reset(Lab&, std::uint64_t seed);  // with another seed
 
-// Resets the run, the brains and the progress to their state on opening. Without an exercise: reset().
+// Resets the run, the submission (see Keep) and the progress to their state on opening. Without an exercise: reset().
 void restart_exercise(Lab&);
 
 }  // namespace braitenlab

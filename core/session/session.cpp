@@ -345,6 +345,33 @@ Scene Session::edited_scene() const {
     return scene;
 }
 
+namespace {
+
+// The kind whose sensors and body are part of a submission: that of the first start. −1 if there is none.
+int submitted_kind(const Scene& opened) {
+    return opened.starts.empty() ? -1 : find_kind(opened, opened.starts.front().kind);
+}
+
+bool differs_by_submission_only(Kind a, const Kind& b) {
+    a.brain = b.brain, a.sensors = b.sensors, a.body = b.body;
+    return a == b;
+}
+
+// True if the command edits only what Keep::submission keeps. `now`: before the reset.
+bool is_about_submission(const Scene& opened, const Snapshot& now, const Command& command) {
+    const int subject = submitted_kind(opened);
+    if (is_about_brains(command)) return true;
+    if (const auto* sensors = std::get_if<SetSensors>(&command)) {
+        const VehicleView* vehicle = find_vehicle(now, sensors->target.vehicle);
+        return subject >= 0 && (vehicle ? vehicle->kind : sensors->target.kind) == subject;
+    }
+    const auto* kind = std::get_if<EditKind>(&command);
+    return kind && subject >= 0 && kind->kind == subject &&
+           differs_by_submission_only(kind->to, opened.kinds[static_cast<std::size_t>(subject)]);
+}
+
+}  // namespace
+
 // A new run assigns new vehicle ids: first to vehicles with a start, then to the population. Renumbers undo and redo so
 // that they refer to the same vehicles.
 std::map<VehicleId, VehicleId> Session::renumber_after_reset(const Snapshot& before, Keep keep) {
@@ -359,10 +386,16 @@ std::map<VehicleId, VehicleId> Session::renumber_after_reset(const Snapshot& bef
     };
     for (const VehicleView& v : before.vehicles) {
         const BrainGraph& brain = *before.brains[static_cast<std::size_t>(v.brain)];
-        const VehicleView* now = find_vehicle(snapshot_, number(v.id));
-        if (now && now->kind == v.kind && brain != *snapshot_.brains[static_cast<std::size_t>(now->brain)])
-            (void)execute(SetBrain{{.vehicle = now->id}, brain});
+        const VehicleId id = number(v.id);
+        const VehicleView* now = find_vehicle(snapshot_, id);
+        if (!now || now->kind != v.kind) continue;
+        const std::vector<Sensor>& sensors = kind_of(before, v).sensors;
+        if (v.kind == submitted_kind(opened_) && sensors != kind_of(snapshot_, *now).sensors)
+            (void)execute(SetSensors{{.vehicle = id}, sensors});
+        if (brain != *brain_of(snapshot_, *find_vehicle(snapshot_, id)))
+            (void)execute(SetBrain{{.vehicle = id}, brain});
     }
+    const auto is_kept = [&](const Command& c) { return is_about_submission(opened_, before, c); };
     const auto renumber = [&](Steps& steps) {
         Steps kept;
         for (const auto& old : steps) {
@@ -370,7 +403,8 @@ std::map<VehicleId, VehicleId> Session::renumber_after_reset(const Snapshot& bef
             for (const Command& c : old->back) step.back.push_back(renumbered(c, number));
             for (const Command& c : old->again) step.again.push_back(renumbered(c, number));
             const bool still_applies =
-                keep == Keep::edits || std::all_of(step.again.begin(), step.again.end(), is_about_brains);
+                keep == Keep::edits || (std::all_of(old->again.begin(), old->again.end(), is_kept) &&
+                                        std::all_of(old->back.begin(), old->back.end(), is_kept));
             if (still_applies) push(kept, std::move(step));
         }
         steps = std::move(kept);
@@ -391,18 +425,25 @@ const Kind* counterpart(const std::vector<Kind>& now, const std::vector<Kind>& o
     return found == now.end() ? nullptr : &*found;
 }
 
+// The opened scene with the submission of the edited one. Kinds may have been added, removed or renamed.
+Scene with_submission(Scene opened, const Scene& edited) {
+    const int subject = submitted_kind(opened);
+    for (std::size_t k = 0; k < opened.kinds.size(); ++k) {
+        const Kind* kind = counterpart(edited.kinds, opened.kinds, k);
+        if (!kind) continue;
+        opened.kinds[k].brain = kind->brain;
+        if (static_cast<int>(k) == subject) opened.kinds[k].sensors = kind->sensors, opened.kinds[k].body = kind->body;
+    }
+    return opened;
+}
+
 }  // namespace
 
 void Session::reset(Keep keep) { restart(seed(), keep); }
 
 std::map<VehicleId, VehicleId> Session::restart(std::uint64_t seed, Keep keep) {
     Scene scene = edited_scene();
-    if (keep == Keep::brains) {
-        Scene opened = opened_;
-        for (std::size_t k = 0; k < opened.kinds.size(); ++k)  // kinds may have been added, removed or renamed
-            if (const Kind* kind = counterpart(scene.kinds, opened.kinds, k)) opened.kinds[k].brain = kind->brain;
-        scene = std::move(opened);
-    }
+    if (keep == Keep::submission) scene = with_submission(opened_, scene);
     auto world = World::create(scene, seed);
     if (!world) world = World::create(opened_, seed);  // a kept brain needs sensors that the opened scene does not have
     const Snapshot before = std::move(snapshot_);

@@ -14,8 +14,9 @@
 
 namespace braitenlab {
 
-// Edits that a reset keeps: all, or those of brains only (an exercise starts from its own scene).
-enum class Keep { edits, brains };
+// Edits that a reset keeps: all, or only those of what a student submits: the brains, and the sensors and body of the
+// kind of the first start (an exercise starts from its own scene).
+enum class Keep { edits, submission };
 
 // A tick to return to.
 struct Bookmark {

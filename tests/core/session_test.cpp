@@ -665,12 +665,47 @@ TEST(Session, ANewGenerationKeepsTheKindOfAVehicleWithABrainOfItsOwnWhereTheShar
     EXPECT_EQ(dial(session, Dial::LL, 1), 1.25f);
 }
 
+TEST(Session, ResetOfAnExerciseKeepsTheSensorsAndTheBodyOfTheSubjectWithTheirUndo) {
+    Session session = open(furnished());
+    std::vector<Kind> kinds = furnished().kinds;
+    for (Kind& kind : kinds) kind.sensors[0].angle = 1, kind.body.mass = 20;
+    Kind coloured = furnished().kinds[0];
+    coloured.colour = "#3d7cc9";
+    ASSERT_FALSE(session.apply(SetSensors{{.kind = 0}, kinds[0].sensors}));
+    ASSERT_FALSE(session.apply(EditKind{0, kinds[0]}));
+    ASSERT_FALSE(session.apply(SetSensors{{.kind = 1}, kinds[1].sensors}));
+    ASSERT_FALSE(session.apply(EditKind{1, kinds[1]}));
+    ASSERT_FALSE(session.apply(EditKind{0, coloured}));
+    ASSERT_TRUE(session.undo());
+    session.step();
+    session.reset(Keep::submission);
+    Scene expected = furnished();
+    expected.kinds[0].sensors = kinds[0].sensors, expected.kinds[0].body = kinds[0].body;
+    EXPECT_EQ(session.edited_scene(), expected);
+    EXPECT_EQ(session.undo_depth(), 2) << "only the edits of the subject still apply";
+    session.undo(), session.undo();
+    EXPECT_EQ(session.edited_scene(), furnished());
+}
+
+TEST(Session, ResetOfAnExerciseKeepsTheSensorsOfTheSubjectAlone) {
+    Session session = open(furnished());
+    std::vector<Sensor> sensors = furnished().kinds[0].sensors;
+    sensors[0].angle = 1;
+    ASSERT_EQ(session.snapshot().vehicles[0].start, 0);
+    ASSERT_FALSE(session.apply(SetSensors{{.vehicle = 0}, sensors}));
+    ASSERT_FALSE(session.apply(SetSensors{{.vehicle = 1}, sensors}));
+    session.reset(Keep::submission);
+    const Snapshot& now = session.snapshot();
+    EXPECT_EQ(kind_of(now, now.vehicles[0]).sensors, sensors);
+    EXPECT_EQ(kind_of(now, now.vehicles[1]).sensors, furnished().kinds[1].sensors) << "of another kind";
+}
+
 TEST(Session, ResetOfAnExerciseKeepsOnlyTheBrains) {
     Session session = open(furnished());
     ASSERT_FALSE(session.apply(TurnDial{{.kind = 0}, Dial::LL, 1.25f}));
     ASSERT_FALSE(session.apply(MoveSource{0, 4, 4}));
     ASSERT_FALSE(session.apply(AddObstacle{{"", -2, -2, 0.3f, 2, 1}}));
-    session.reset(Keep::brains);
+    session.reset(Keep::submission);
     Scene expected = furnished();
     expected.kinds[0].brain = *session.snapshot().kind_brains[0];
     EXPECT_EQ(session.edited_scene(), expected);

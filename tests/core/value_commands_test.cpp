@@ -346,7 +346,7 @@ TEST(Session, ResetsTheBrainsOfKindsByNameAfterKindsWereAdded) {
     Session session = opened(tests::crowd(4));
     ASSERT_FALSE(session.apply(AddKind{kind_at(session, 1), 0}));
     ASSERT_FALSE(session.apply(TurnDial{{.kind = 1}, Dial::LL, 2}));
-    session.reset(Keep::brains);
+    session.reset(Keep::submission);
     ASSERT_EQ(session.snapshot().scene->kinds.size(), 2u);
     EXPECT_EQ(at(read_dials(*session.snapshot().kind_brains[0]), Dial::LL), 2);
 }

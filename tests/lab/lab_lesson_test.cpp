@@ -111,6 +111,28 @@ TEST(LabLesson, ResetRestoresTheStartAndTheShippedBrain) {
     EXPECT_EQ(read_dials(*lab.document.session.snapshot().kind_brains[0]).LR, 2);
 }
 
+TEST(LabLesson, ARunResetKeepsTheSensorsAndTheBodyOfTheStudentAndStartOverRestoresThem) {
+    Lab lab = aggressor();
+    const auto start = lab.document.session.hash();
+    Kind edited = lab.document.session.snapshot().scene->kinds[0];
+    edited.sensors[0].angle += 0.1f, edited.body.mass *= 2;
+    handle(lab, EditRequest{SetSensors{{.kind = 0}, edited.sensors}});
+    handle(lab, EditRequest{EditKind{0, edited}});
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
+    const auto kind = [&]() -> const Kind& { return lab.document.session.snapshot().scene->kinds[0]; };
+    for (int i = 0; i < 10; ++i) tick(lab);
+    handle(lab, Action::reset);
+    EXPECT_EQ(kind().sensors, edited.sensors);
+    EXPECT_EQ(kind().body, edited.body);
+    EXPECT_FALSE(lesson_of(lab).by_hand);
+    handle(lab, Action::exercise_reset);
+    EXPECT_EQ(lab.document.session.hash(), start);
+    handle(lab, Action::undo);
+    EXPECT_EQ(kind().sensors, edited.sensors) << "one step of undo";
+    EXPECT_EQ(kind().body, edited.body);
+    EXPECT_EQ(read_dials(*lab.document.session.snapshot().kind_brains[0]).LR, 2);
+}
+
 bool any_done(const Lab& lab) {
     const auto& verdicts = lab.document.lesson->view.verdicts;
     return std::any_of(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.done; });
