@@ -107,10 +107,13 @@ struct LabView {
     double wall_seconds = 0;                  // for easing and pulsing
 };
 
-// The kind as the file has it, before all edits; null when the file is unknown.
+// The kind of this name as the file has it, before all edits; null when the file is unknown or has no such kind.
+inline const Kind* filed_kind(const LabView& view, const std::string& name) {
+    const int kind = view.file ? find_kind(*view.file, name) : -1;
+    return kind < 0 ? nullptr : &view.file->kinds[static_cast<std::size_t>(kind)];
+}
 inline const Kind* filed_kind(const LabView& view, const VehicleView& vehicle) {
-    const auto kind = static_cast<std::size_t>(vehicle.kind);
-    return view.file && kind < view.file->kinds.size() ? &view.file->kinds[kind] : nullptr;
+    return filed_kind(view, kind_of(*view.now, vehicle).name);
 }
 
 // The pair of sensors whose wires the sliders set.

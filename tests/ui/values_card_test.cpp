@@ -171,6 +171,19 @@ TEST(ValuesCard, ScalesWheelsAndEyesWithTheBodyInOneGesture) {
     EXPECT_FLOAT_EQ(desk.last<EditKind>().to.body.top_speed, 0.05f);
 }
 
+TEST(LabView, FindsAKindOfTheFileByItsName) {
+    ValuesDesk desk;
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->kinds.erase(scene->kinds.begin());
+    desk.now.scene = scene;
+    VehicleView prey = desk.now.vehicles[1];
+    prey.kind = 0;
+    ASSERT_TRUE(filed_kind(desk.view, prey));
+    EXPECT_EQ(filed_kind(desk.view, prey)->name, "prey");
+    scene->kinds[0].name = "renamed";
+    EXPECT_FALSE(filed_kind(desk.view, prey));
+}
+
 TEST(ValuesCard, GroupsTheValuesOfRealism) {
     ValuesDesk desk(true);
     desk.click("values.realism");

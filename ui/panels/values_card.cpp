@@ -123,8 +123,8 @@ private:
     FieldRows rows() const { return rows_for(view_, state_, ui_); }
     bool fold(std::string_view id, bool& open) const { return fold_row(ui_, id, ui_.strings(id), open); }
     const Kind& filed() const {
-        const int known = view_.file ? find_kind(*view_.file, kind_.name) : -1;
-        return known < 0 ? kind_ : view_.file->kinds[static_cast<std::size_t>(known)];
+        const Kind* known = filed_kind(view_, kind_.name);
+        return known ? *known : kind_;
     }
     void change(Kind to, std::uint64_t gesture) const {
         ui_.outbox.push_back(EditRequest{EditKind{index_, std::move(to)}, gesture});
