@@ -350,6 +350,8 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     settings_card(view, state, ui, layout.window);
     about_card(view, state, ui, layout.window);
     leaving_sheet(view, state, ui, layout.window);
+    keep_drawn(state.fields);
+    (void)keep_drawn(state.values.seed);
     end_keyboard(state.keyboard);
     execute_chosen(view, state, ui.outbox);
 }

@@ -106,7 +106,7 @@ TEST(ValuesCard, ShowsTheKindOfTheSelectedVehicle) {
 
 TEST(ValuesCard, AddsRenamesAndRemovesKinds) {
     ValuesDesk desk(true);
-    desk.type_text("kind.name", "wolf");
+    desk.type_text("kind.predator.name", "wolf");
     EXPECT_EQ(desk.last<EditKind>().to.name, "wolf");
     EXPECT_EQ(desk.last<EditKind>().kind, 0);
     desk.click("kind.add");
@@ -142,13 +142,13 @@ TEST(ValuesCard, EditsTheValuesOfAKind) {
 
 TEST(ValuesCard, RenamesAndTintsASelectedVehicleWithAStart) {
     ValuesDesk desk(true);
-    EXPECT_FALSE(desk.anchors.find("vehicle.name")) << "a vehicle of the population has a number";
+    EXPECT_FALSE(desk.anchors.find("vehicle.0.name")) << "a vehicle of the population has a number";
     auto scene = std::make_shared<Scene>(*desk.now.scene);
     scene->starts = {{"one", "predator"}};
     desk.now.scene = scene;
     desk.now.vehicles[0].start = 0;
     desk.frame(3);
-    desk.type_text("vehicle.name", "Elsie");
+    desk.type_text("vehicle.0.name", "Elsie");
     EXPECT_EQ(desk.last<EditStart>().to.name, "Elsie");
     desk.click("vehicle.colour.3");
     EXPECT_EQ(desk.last<EditStart>().to.colour, "#009e73");
@@ -169,6 +169,26 @@ TEST(ValuesCard, ScalesWheelsAndEyesWithTheBodyInOneGesture) {
     EXPECT_EQ(asked.back().gesture, asked[asked.size() - 2].gesture);
     desk.type_into("body.top_speed", "0.05");
     EXPECT_FLOAT_EQ(desk.last<EditKind>().to.body.top_speed, 0.05f);
+}
+
+TEST(ValuesCard, GivesTheKeysBackWhenAFieldIsNoLongerDrawn) {
+    ValuesDesk desk(true);
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->starts = {{"one", "predator"}};
+    desk.now.scene = scene;
+    desk.now.vehicles[0].start = 0;
+    desk.frame(3);
+    desk.click("vehicle.0.name");
+    desk.type("Elsie");
+    desk.frame(2);
+    desk.key({' '});
+    EXPECT_FALSE(asks_for(desk, Action::play_pause)) << "it is typed";
+    desk.now.vehicles.erase(desk.now.vehicles.begin());
+    desk.view.settings.selection.vehicle = no_vehicle;
+    desk.frame(2);
+    desk.key({' '});
+    EXPECT_TRUE(asks_for(desk, Action::play_pause));
+    EXPECT_TRUE(desk.edits().empty()) << "the vehicle no longer exists";
 }
 
 TEST(LabView, FindsAKindOfTheFileByItsName) {
@@ -227,6 +247,18 @@ TEST(ValuesCard, EditsThePointsOfAPath) {
     EXPECT_EQ(desk.last<EditKind>().to.waypoints, (std::vector<Waypoint>{{3, 4}}));
     desk.click("waypoint.add");
     EXPECT_EQ(desk.last<EditKind>().to.waypoints.size(), 3u);
+}
+
+TEST(Seed, GivesTheKeysBackWhenItsCardIsFolded) {
+    Desk desk;
+    desk.frame(3);
+    desk.click("seed");
+    desk.type("12");
+    desk.frame(2);
+    desk.panels.card(Card::scene).folded = true;
+    desk.frame(3);
+    desk.key({' '});
+    EXPECT_TRUE(asks_for(desk, Action::play_pause));
 }
 
 TEST(Seed, IsShownTypedAndReplacedByOneClick) {

@@ -132,7 +132,7 @@ private:
 
     void name() {
         FieldRows row = rows();
-        row.anchor = "kind", row.words = "field.kind.";
+        row.anchor = "kind." + kind_.name, row.words = "field.kind.";
         if (auto typed = row.text("name", kind_.name, limits::name_length)) {
             Kind to = kind_;
             to.name = *typed;
@@ -374,7 +374,9 @@ void values_of_selected(const LabView& view, PanelState& state, Ui& ui) {
     const auto start = static_cast<std::size_t>(selected->start);
     if (selected->start >= 0 && start < view.now->scene->starts.size()) {
         Start to = view.now->scene->starts[start];
-        const auto named = view.lesson ? std::nullopt : row.text("name", to.name, limits::name_length);
+        FieldRows name_row = row;
+        name_row.anchor += "." + std::to_string(selected->id);
+        const auto named = view.lesson ? std::nullopt : name_row.text("name", to.name, limits::name_length);
         const auto tinted = colour_row(row, "vehicle.colour.", to.colour, selected->role);
         if (named) to.name = *named;
         if (tinted) to.colour = *tinted;

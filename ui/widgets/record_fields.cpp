@@ -1,5 +1,6 @@
 #include "ui/widgets/record_fields.h"
 
+#include <iterator>
 #include <utility>
 
 #include <imgui.h>
@@ -61,6 +62,14 @@ int wrapped_choices(Ui& ui, const std::string& anchor, std::span<const std::stri
 }
 
 }  // namespace
+
+void keep_drawn(FieldsState& state) {
+    for (auto text = state.texts.begin(); text != state.texts.end();) {
+        const bool drawn = keep_drawn(text->second);
+        if (!drawn) state.cancelled = false;
+        text = drawn ? std::next(text) : state.texts.erase(text);
+    }
+}
 
 bool for_record_text(FieldsState& state, KeyPress press) {
     for (auto& [anchor, field] : state.texts) {

@@ -56,6 +56,9 @@ struct FieldsState {
     bool cancelled = false;                               // Esc was pressed in the active one
 };
 
+// Removes the text fields that were not drawn in this frame. Call at its end.
+void keep_drawn(FieldsState&);
+
 // Handles a key of an active text field of a record. Returns true if the key is handled.
 bool for_record_text(FieldsState&, KeyPress);
 

@@ -57,6 +57,13 @@ void text_field(Ui& ui, TextField& field, std::string_view id, float width, std:
     }
     tooltip(ui, field_item, how);
     field.entered = std::exchange(field.ask_enter, false);
+    field.drawn = true;
+}
+
+bool keep_drawn(TextField& field) {
+    const bool drawn = std::exchange(field.drawn, false);
+    if (!drawn) field.active = field.ask_enter = false;
+    return drawn;
 }
 
 bool for_text_field(TextField& field, KeyPress press) {

@@ -15,10 +15,14 @@ struct TextField {
     bool active = false;   // receives text
     bool entered = false;  // Enter was pressed in it; for one frame
     bool ask_enter = false;
+    bool drawn = false;  // in this frame
 };
 
 // Draws the field at the cursor, `width` window pixels wide; anchor `id`. An empty field shows `what`.
 void text_field(Ui&, TextField&, std::string_view id, float width, std::string_view what, std::string_view how);
+
+// Call at the end of a frame. False for a field that was not drawn in it: it receives no more text.
+bool keep_drawn(TextField&);
 
 // Handles a key of an active field. Returns true if the key is handled. Enter, Tab, Up and Down are not handled here
 // but by the keyboard focus; characters are received through Dear ImGui.
