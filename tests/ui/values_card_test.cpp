@@ -36,6 +36,18 @@ public:
         key({key::enter});
         frame(3);
     }
+    // A frame, after which the edits of kinds are executed, as the lab does.
+    void frame_of_lab() {
+        frame();
+        for (const Request& request : asked) {
+            const auto* edit = std::get_if<EditRequest>(&request);
+            const auto* to = edit ? std::get_if<EditKind>(&edit->command) : nullptr;
+            if (!to) continue;
+            auto scene = std::make_shared<Scene>(*now.scene);
+            scene->kinds[static_cast<std::size_t>(to->kind)] = to->to;
+            now.scene = scene;
+        }
+    }
     template <class Wanted>
     Wanted last() const {
         const auto found = edits();
@@ -169,6 +181,22 @@ TEST(ValuesCard, ScalesWheelsAndEyesWithTheBodyInOneGesture) {
     EXPECT_EQ(asked.back().gesture, asked[asked.size() - 2].gesture);
     desk.type_into("body.top_speed", "0.05");
     EXPECT_FLOAT_EQ(desk.last<EditKind>().to.body.top_speed, 0.05f);
+}
+
+TEST(ValuesCard, KeepsATypedNameWhenASliderTakesThePressThatLeavesTheField) {
+    ValuesDesk desk(true);
+    desk.click("values.body");
+    const float mass = desk.now.scene->kinds[0].body.mass;
+    desk.click("kind.predator.name");
+    desk.type("wolf");
+    desk.frame(2);
+    desk.point("body.mass", 0.7f);
+    desk.button(0, true);
+    for (int i = 0; i < 4; ++i) desk.frame_of_lab();
+    desk.button(0, false);
+    for (int i = 0; i < 2; ++i) desk.frame_of_lab();
+    EXPECT_EQ(desk.now.scene->kinds[0].name, "wolf");
+    EXPECT_NE(desk.now.scene->kinds[0].body.mass, mass);
 }
 
 TEST(ValuesCard, GivesTheKeysBackWhenAFieldIsNoLongerDrawn) {

@@ -93,7 +93,8 @@ std::optional<std::string> colour_row(const FieldRows& rows, const std::string& 
     return pressed;
 }
 
-// Editing of one kind.
+// Editing of one kind. All changes of a frame are one EditKind: the press that leaves a text field can also be the
+// first one of a slider.
 class KindEditor {
 public:
     KindEditor(const LabView& view, PanelState& state, Ui& ui, int index)
@@ -107,16 +108,14 @@ public:
     void draw() {
         if (!view_.lesson) name();
         count();
-        constexpr std::string_view shown[]{"driver", "role"};
-        request(ui_, record_fields(rows(), kind_, filed_, shown), [this](const Kind& to) {
-            return EditKind{index_, to};
-        });
+        choices();
         colours();
         if (fold("values.body", state_.values.body_open)) body();
         if (fold("values.realism", state_.values.realism_open)) realism();
         if (fold("values.memory", state_.values.memory_open)) memory();
         if (fold("values.lamps", state_.values.lamps_open)) lamps();
         if (fold("values.path", state_.values.path_open)) path();
+        send();
     }
 
 private:
@@ -126,18 +125,30 @@ private:
         const Kind* known = filed_kind(view_, kind_.name);
         return known ? *known : kind_;
     }
-    void change(Kind to, std::uint64_t gesture) const {
-        ui_.outbox.push_back(EditRequest{EditKind{index_, std::move(to)}, gesture});
+    // The kind as changed in this frame.
+    Kind& changed(std::uint64_t gesture) {
+        if (!to_) to_ = kind_;
+        gesture_ = gesture;
+        return *to_;
+    }
+    void send() {
+        if (to_) ui_.outbox.push_back(EditRequest{EditKind{index_, std::move(*to_)}, gesture_});
+        for (EditRequest& edit : sensor_edits_) ui_.outbox.push_back(std::move(edit));
     }
 
     void name() {
         FieldRows row = rows();
         row.anchor = "kind." + kind_.name, row.words = "field.kind.";
-        if (auto typed = row.text("name", kind_.name, limits::name_length)) {
-            Kind to = kind_;
-            to.name = *typed;
-            change(std::move(to), row.next_gesture());
-        }
+        if (auto typed = row.text("name", kind_.name, limits::name_length))
+            changed(row.next_gesture()).name = std::move(*typed);
+    }
+
+    void choices() {
+        constexpr std::string_view shown[]{"driver", "role"};
+        const auto edit = record_fields(rows(), kind_, filed_, shown);
+        if (!edit) return;
+        Kind& to = changed(edit->gesture);
+        to.driver = edit->to.driver, to.role = edit->to.role;
     }
 
     void count() {
@@ -154,39 +165,33 @@ private:
 
     void colours() {
         const Role role = kind_.role == Role::wiring ? Role::none : kind_.role;
-        const auto wanted = colour_row(rows(), "kind.colour.", kind_.colour, role);
-        if (!wanted) return;
-        Kind to = kind_;
-        to.colour = *wanted;
-        change(std::move(to), rows().next_gesture());
+        if (const auto wanted = colour_row(rows(), "kind.colour.", kind_.colour, role))
+            changed(rows().next_gesture()).colour = *wanted;
     }
 
     void body() {
         constexpr std::string_view shown[]{"length", "width", "mass", "top_speed", "motor_force"};
         auto edit = record_fields(rows(), kind_.body, filed_.body, shown);
         if (!edit) return;
-        Kind to = kind_;
         const float length = edit->to.length, width = edit->to.width;
         edit->to.length = kind_.body.length, edit->to.width = kind_.body.width;
-        to.body = resized(edit->to, length, width);
-        change(std::move(to), edit->gesture);
+        changed(edit->gesture).body = resized(edit->to, length, width);
         if (length == kind_.body.length && width == kind_.body.width) return;
         std::vector<Sensor> sensors = kind_.sensors;  // the eyes stay at their places on the chassis
         for (Sensor& sensor : sensors) {
             sensor.x = std::clamp(sensor.x * length / kind_.body.length, -10.0f, 10.0f);
             sensor.y = std::clamp(sensor.y * width / kind_.body.width, -10.0f, 10.0f);
         }
-        ui_.outbox.push_back(EditRequest{SetSensors{{.kind = index_}, std::move(sensors)}, edit->gesture});
+        sensor_edits_.push_back({SetSensors{{.kind = index_}, std::move(sensors)}, edit->gesture});
     }
 
     // What makes real robots differ from ideal ones.
     void realism() {
         constexpr std::string_view of_body[]{"mismatch", "dead_band"};
-        request(ui_, record_fields(rows(), kind_.body, filed_.body, of_body), [this](const Body& body) {
-            Kind to = kind_;
-            to.body = body;
-            return EditKind{index_, std::move(to)};
-        });
+        if (const auto edit = record_fields(rows(), kind_.body, filed_.body, of_body)) {
+            Body& to = changed(edit->gesture).body;
+            to.mismatch = edit->to.mismatch, to.dead_band = edit->to.dead_band;
+        }
         if (!kind_.sensors.empty()) {
             of_all_sensors("noise", &Sensor::noise);
             of_all_sensors("latency", &Sensor::latency);
@@ -209,15 +214,12 @@ private:
         if (!wanted) return;
         std::vector<Sensor> sensors = kind_.sensors;
         for (Sensor& sensor : sensors) sensor.*member = wanted->value;
-        ui_.outbox.push_back(EditRequest{SetSensors{{.kind = index_}, std::move(sensors)}, wanted->gesture});
+        sensor_edits_.push_back({SetSensors{{.kind = index_}, std::move(sensors)}, wanted->gesture});
     }
 
     void memory() {
-        request(ui_, record_fields(rows(), kind_.memory, filed_.memory), [this](const PlaceMemory& memory) {
-            Kind to = kind_;
-            to.memory = memory;
-            return EditKind{index_, std::move(to)};
-        });
+        if (const auto edit = record_fields(rows(), kind_.memory, filed_.memory))
+            changed(edit->gesture).memory = edit->to;
     }
 
     // The lamps that each vehicle of the kind carries.
@@ -225,32 +227,40 @@ private:
         for (std::size_t i = 0; i < kind_.lamps.size(); ++i) {
             FieldRows row = rows();
             row.anchor = "lamp." + std::to_string(i + 1);
-            Kind to = kind_;
             if (auto edit = record_fields(row, kind_.lamps[i], kind_.lamps[i])) {
-                to.lamps[i] = edit->to;
-                change(std::move(to), edit->gesture);
+                replace(&Kind::lamps, i, std::move(edit->to), edit->gesture);
                 continue;
             }
             const std::string gone = row.anchor + ".remove";
             const Item at = small_button(ui_, {gone, {}, ui_.strings("values.lamp_remove")});
             tooltip(ui_, at, ui_.strings("values.lamp_remove"));
             gap(ui_, 10);
-            if (!at.pressed) continue;
-            to.lamps.erase(to.lamps.begin() + static_cast<std::ptrdiff_t>(i));
-            change(std::move(to), row.next_gesture());
+            if (at.pressed) remove(row, &Kind::lamps, i);
         }
         if (kind_.lamps.size() >= limits::lamps) return;
         const Item more = small_button(ui_, {"lamp.add", icon::add, ui_.strings("values.lamp_add")});
         tooltip(ui_, more, ui_.strings("values.lamp_add_how"));
         if (!more.pressed) return;
-        Kind to = kind_;
+        std::vector<CarriedLamp>& all = changed(rows().next_gesture()).lamps;
         const auto is_used = [&](const std::string& name) {
-            return std::any_of(to.lamps.begin(), to.lamps.end(), [&](const CarriedLamp& l) { return l.name == name; });
+            return std::any_of(all.begin(), all.end(), [&](const CarriedLamp& l) { return l.name == name; });
         };
         std::string name = "lamp";
         for (int number = 2; is_used(name); ++number) name = "lamp-" + std::to_string(number);
-        to.lamps.push_back({.name = name});
-        change(std::move(to), rows().next_gesture());
+        all.push_back({.name = name});
+    }
+
+    // Replaces or removes an element of the kind's lamps or waypoints. A removal in the same frame can have changed the
+    // indices: then nothing is replaced.
+    template <class Element>
+    void replace(std::vector<Element> Kind::*list, std::size_t index, Element to, std::uint64_t gesture) {
+        std::vector<Element>& all = changed(gesture).*list;
+        if (all.size() == (kind_.*list).size()) all[index] = std::move(to);
+    }
+    template <class Element>
+    void remove(const FieldRows& row, std::vector<Element> Kind::*list, std::size_t index) {
+        std::vector<Element>& all = changed(row.next_gesture()).*list;
+        if (all.size() == (kind_.*list).size()) all.erase(all.begin() + static_cast<std::ptrdiff_t>(index));
     }
 
     // The waypoints, each with a button that removes it, and one that adds another.
@@ -268,22 +278,18 @@ private:
                 {ImGui::GetCursorScreenPos().x + card_width(ui_) - ui_.px(28), ImGui::GetCursorScreenPos().y});
             const Item at = small_button(ui_, {gone, icon::cross, "×"}, false);
             tooltip(ui_, at, ui_.strings("values.waypoint_remove"));
-            Kind to = kind_;
-            if (at.pressed) {
-                to.waypoints.erase(to.waypoints.begin() + static_cast<std::ptrdiff_t>(i));
-                change(std::move(to), row.next_gesture());
-            } else if (auto edit = waypoint(row, kind_.waypoints[i], arena)) {
-                to.waypoints[i] = edit->to;
-                change(std::move(to), edit->gesture);
-            }
+            const auto edit = waypoint(row, kind_.waypoints[i], arena);
+            if (at.pressed)
+                remove(row, &Kind::waypoints, i);
+            else if (edit)
+                replace(&Kind::waypoints, i, edit->to, edit->gesture);
         }
         const Item more = button(ui_, "waypoint.add", {icon::add, ui_.strings("values.waypoint_add"), Emphasis::plain});
         tooltip(ui_, more, ui_.strings("values.path_how"));
         if (more.pressed && kind_.waypoints.size() < limits::waypoints) {
-            Kind to = kind_;
             const VehicleView* selected = find_vehicle(*view_.now, view_.settings.selection.vehicle);
-            to.waypoints.push_back(selected ? Waypoint{selected->x, selected->y} : Waypoint{});
-            change(std::move(to), rows().next_gesture());
+            changed(rows().next_gesture())
+                .waypoints.push_back(selected ? Waypoint{selected->x, selected->y} : Waypoint{});
         }
     }
 
@@ -309,6 +315,9 @@ private:
     int index_;
     const Kind& kind_;
     const Kind& filed_;  // as the file has it
+    std::optional<Kind> to_;
+    std::uint64_t gesture_ = 0;
+    std::vector<EditRequest> sensor_edits_;  // sent after that of the kind
 };
 
 // One button per kind, as many in a row as fit.
