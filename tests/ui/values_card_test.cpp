@@ -36,6 +36,17 @@ public:
         key({key::enter});
         frame(3);
     }
+    // A vehicle of kind 0 with one sensor of its own, 0.4 m before its origin, on a chassis of 1 m.
+    void give_own_sensors(VehicleId vehicle) {
+        auto scene = std::make_shared<Scene>(*now.scene);
+        scene->kinds[0].body.length = 1;
+        auto own = std::make_shared<Kind>(scene->kinds[0]);
+        own->sensors = {{.name = "own", .x = 0.4f}};
+        now.scene = scene;
+        now.designs = {own};
+        now.vehicles[static_cast<std::size_t>(vehicle)].design = 0;
+        frame(2);
+    }
     // A frame, after which the edits of kinds are executed, as the lab does.
     void frame_of_lab() {
         frame();
@@ -181,6 +192,30 @@ TEST(ValuesCard, ScalesWheelsAndEyesWithTheBodyInOneGesture) {
     EXPECT_EQ(asked.back().gesture, asked[asked.size() - 2].gesture);
     desk.type_into("body.top_speed", "0.05");
     EXPECT_FLOAT_EQ(desk.last<EditKind>().to.body.top_speed, 0.05f);
+}
+
+TEST(ValuesCard, ChangesTheOwnSensorsOfVehiclesTogetherWithThoseOfTheirKind) {
+    ValuesDesk desk(true);
+    desk.give_own_sensors(3);
+    desk.click("values.body");
+    desk.type_into("body.length", "0,5");
+    auto asked = desk.edits();
+    ASSERT_GE(asked.size(), 3u);
+    EXPECT_EQ(std::get<SetSensors>(asked[asked.size() - 2].command).target, (Target{.kind = 0}));
+    auto own = std::get<SetSensors>(asked.back().command);
+    EXPECT_EQ(own.target, (Target{.vehicle = 3}));
+    ASSERT_EQ(own.sensors.size(), 1u);
+    EXPECT_EQ(own.sensors[0].name, "own");
+    EXPECT_FLOAT_EQ(own.sensors[0].x, 0.2f) << "in the middle of the front half of the chassis";
+    EXPECT_EQ(asked.back().gesture, asked[asked.size() - 2].gesture);
+    desk.click("values.body");
+    desk.click("values.realism");
+    desk.type_into("realism.noise", "0.2");
+    own = desk.last<SetSensors>();
+    EXPECT_EQ(own.target, (Target{.vehicle = 3}));
+    ASSERT_EQ(own.sensors.size(), 1u);
+    EXPECT_FLOAT_EQ(own.sensors[0].noise, 0.2f);
+    EXPECT_FLOAT_EQ(own.sensors[0].x, 0.4f) << "other values stay";
 }
 
 TEST(ValuesCard, KeepsATypedNameWhenASliderTakesThePressThatLeavesTheField) {

@@ -177,12 +177,22 @@ private:
         edit->to.length = kind_.body.length, edit->to.width = kind_.body.width;
         changed(edit->gesture).body = resized(edit->to, length, width);
         if (length == kind_.body.length && width == kind_.body.width) return;
-        std::vector<Sensor> sensors = kind_.sensors;  // the eyes stay at their places on the chassis
-        for (Sensor& sensor : sensors) {
+        change_sensors(edit->gesture, [&](Sensor& sensor) {  // the eyes stay at their places on the chassis
             sensor.x = std::clamp(sensor.x * length / kind_.body.length, -10.0f, 10.0f);
             sensor.y = std::clamp(sensor.y * width / kind_.body.width, -10.0f, 10.0f);
-        }
-        sensor_edits_.push_back({SetSensors{{.kind = index_}, std::move(sensors)}, edit->gesture});
+        });
+    }
+
+    // Changes each sensor of the kind and, as SetSensors of a kind discards them, each own sensor of its vehicles.
+    template <class Change>
+    void change_sensors(std::uint64_t gesture, Change change) {
+        const auto add = [&](const Target& target, std::vector<Sensor> sensors) {
+            for (Sensor& sensor : sensors) change(sensor);
+            sensor_edits_.push_back({SetSensors{target, std::move(sensors)}, gesture});
+        };
+        add({.kind = index_}, kind_.sensors);
+        for (const VehicleView& v : view_.now->vehicles)
+            if (v.kind == index_ && v.design >= 0) add({.vehicle = v.id}, kind_of(*view_.now, v).sensors);
     }
 
     // What makes real robots differ from ideal ones.
@@ -211,10 +221,7 @@ private:
         for (const Sensor& sensor : kind_.sensors) largest = std::max(largest, sensor.*member);
         const bool is_time = member == &Sensor::latency;
         const auto wanted = row.number({key, is_time ? "s" : "", {0, 1}, largest, 0});
-        if (!wanted) return;
-        std::vector<Sensor> sensors = kind_.sensors;
-        for (Sensor& sensor : sensors) sensor.*member = wanted->value;
-        sensor_edits_.push_back({SetSensors{{.kind = index_}, std::move(sensors)}, wanted->gesture});
+        if (wanted) change_sensors(wanted->gesture, [&](Sensor& sensor) { sensor.*member = wanted->value; });
     }
 
     void memory() {
