@@ -158,6 +158,37 @@ TEST_F(SensorHandles, EscRestoresTheSensorsAndEndsTheDrag) {
     EXPECT_TRUE(desk.edits().empty());
 }
 
+TEST_F(SensorHandles, EscRestoresTheSensorsOfTheKindAndTheOwnSensorsOfItsVehicles) {
+    const std::vector<Sensor> of_kind = sensors();
+    auto own = std::make_shared<Kind>(desk.now.scene->kinds[0]);
+    for (Sensor& sensor : own->sensors) sensor.range = 3;
+    auto other = std::make_shared<Kind>(desk.now.scene->kinds[0]);
+    other->sensors = {{.name = "SX"}};
+    desk.now.designs = {own, other};
+    desk.now.vehicles[0].design = 0;
+    for (const VehicleId id : {1, 2}) {
+        desk.now.vehicles.push_back(desk.now.vehicles[0]);
+        desk.now.vehicles.back().id = id;
+        desk.now.vehicles.back().x = 4;
+        desk.now.vehicles.back().design = 1;
+    }
+    desk.frame(2);
+    drag("handle.axis", {-30, 21}, false);
+    ASSERT_FALSE(desk.edits().empty());
+    desk.all.clear();
+    desk.now.vehicles.pop_back();
+    desk.key({key::escape});
+    const auto restored = desk.edits();
+    ASSERT_EQ(restored.size(), 3u) << "of the vehicle that died meanwhile nothing is restored";
+    const auto is = [&](std::size_t i, Target target, const std::vector<Sensor>& expected) {
+        EXPECT_EQ(std::get<SetSensors>(restored[i].command), (SetSensors{target, expected})) << i;
+        EXPECT_EQ(restored[i].gesture, restored[0].gesture);
+    };
+    is(0, {.kind = 0}, of_kind);
+    is(1, {.vehicle = 0}, own->sensors);
+    is(2, {.vehicle = 1}, other->sensors);
+}
+
 TEST_F(SensorHandles, FollowAVehicleThatDrivesDuringADrag) {
     drag("handle.axis", {-30, 21}, false);
     const float angle = sensors()[0].angle;

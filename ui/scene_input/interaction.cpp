@@ -268,7 +268,7 @@ void open_menu_of_floor(SceneInputState& state, const LabView& view) {
 }
 
 bool cancel(SceneInputState& state, const LabView& view, Outbox& outbox) {
-    if (cancel_sensor_drag(state, outbox)) return true;
+    if (cancel_sensor_drag(state, *view.now, outbox)) return true;
     SceneInputDrag drag = state.drag;
     state.refusal = {};
     if (drag.phase == SceneInputPhase::move || drag.phase == SceneInputPhase::turn) put(drag, view, drag.began, outbox);

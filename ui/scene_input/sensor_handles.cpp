@@ -143,6 +143,15 @@ std::vector<Sensor> replaced(const SensorDrag& drag, const Sensor& to) {
     return sensors;
 }
 
+// The commands that restore the sensors of the target and, for a kind, the own sensors of its vehicles.
+std::vector<SetSensors> present_sensors(const Snapshot& now, const Target& target) {
+    if (target.vehicle != no_vehicle) return {{target, kind_of(now, *find_vehicle(now, target.vehicle)).sensors}};
+    std::vector<SetSensors> all{{target, now.scene->kinds[static_cast<std::size_t>(target.kind)].sensors}};
+    for (const VehicleView& v : now.vehicles)
+        if (v.kind == target.kind && v.design >= 0) all.push_back({{.vehicle = v.id}, kind_of(now, v).sensors});
+    return all;
+}
+
 void begin_sensor_drag(SceneInputState& state, const SceneInputFrame& frame, const SensorHandlePlaces& places,
                        const VehicleView& vehicle, vec2 floor) {
     SensorDrag& drag = state.sensors.drag;
@@ -151,6 +160,7 @@ void begin_sensor_drag(SceneInputState& state, const SceneInputFrame& frame, con
     drag.vehicle = vehicle.id;
     drag.target = target_of(frame.view, vehicle);
     drag.began = kind_of(*frame.view.now, vehicle).sensors;
+    drag.restored = present_sensors(*frame.view.now, drag.target);
     drag.name = places.sensor.name;
     if (places.opposite) drag.opposite = places.opposite->name;
     drag.press = from_mount(vehicle, places.sensor, floor);
@@ -216,10 +226,12 @@ bool use_sensor_handles(SceneInputState& state, const SceneInputFrame& frame, Ou
     return true;
 }
 
-bool cancel_sensor_drag(SceneInputState& state, Outbox& outbox) {
+bool cancel_sensor_drag(SceneInputState& state, const Snapshot& now, Outbox& outbox) {
     SensorDrag& drag = state.sensors.drag;
     if (drag.handle == SensorHandle::none) return false;
-    outbox.push_back(EditRequest{SetSensors{drag.target, drag.began}, drag.gesture});
+    for (SetSensors& set : drag.restored)
+        if (set.target.vehicle == no_vehicle || find_vehicle(now, set.target.vehicle))
+            outbox.push_back(EditRequest{std::move(set), drag.gesture});
     drag = {}, state.drag = {};
     return true;
 }

@@ -36,8 +36,9 @@ struct SensorDrag {
     SensorHandle handle = SensorHandle::none;  // none: no drag
     AxisDrag axis = AxisDrag::undecided;
     VehicleId vehicle = no_vehicle;
-    Target target;               // of the edits
-    std::vector<Sensor> began;   // all sensors at the press, which Esc restores
+    Target target;                     // of the edits
+    std::vector<Sensor> began;         // all sensors of the vehicle at the press
+    std::vector<SetSensors> restored;  // by Esc: the target's sensors at the press, and the own ones of its vehicles
     std::string name, opposite;  // of the sensor and of that on the other side, which changes, too; empty: none does
     maths::vec2 press;           // of the pointer at the press, from the mount, in the vehicle's frame; m
     maths::vec2 press_pixel;     // window pixels
@@ -72,7 +73,7 @@ bool shows_mount(const SceneInputFrame&, maths::vec2 mount);
 bool use_sensor_handles(SceneInputState&, const SceneInputFrame&, Outbox&);
 
 // Ends a drag and restores the sensors; false without a drag.
-bool cancel_sensor_drag(SceneInputState&, Outbox&);
+bool cancel_sensor_drag(SceneInputState&, const Snapshot&, Outbox&);
 
 // Outlines of the fields, handles, and a note at the pointer. Anchors: handle.axis, handle.left, handle.right,
 // handle.mount. draw_sensor_handles.cpp
