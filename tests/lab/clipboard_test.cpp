@@ -129,6 +129,21 @@ TEST(Clipboard, AddsAKindOfAnotherNameWhereTheDesignDiffers) {
     EXPECT_EQ(lab.document.session.snapshot().vehicles.back().kind, 1);
 }
 
+TEST(Clipboard, AddsAKindOfAnotherNameOnceForSeveralPastes) {
+    Lab lab = opened_lab("2a-coward");
+    handle(lab, Action::copy);
+    Kind larger = scene_of(lab).kinds[0];
+    larger.body.mass = 20;
+    handle(lab, EditRequest{EditKind{0, larger}});
+    for (int i = 0; i < 3; ++i) handle(lab, PasteRequest{maths::vec2{3, -4}});
+    EXPECT_EQ(scene_of(lab).kinds.size(), 2u);
+    const Snapshot& now = lab.document.session.snapshot();
+    ASSERT_EQ(now.vehicles.size(), 4u);
+    EXPECT_EQ(now.vehicles[3].kind, 1);
+    EXPECT_EQ(kind_of(now, now.vehicles[3]).body.mass, scene_of(lab).kinds[1].body.mass);
+    EXPECT_NE(kind_of(now, now.vehicles[3]).body.mass, 20);
+}
+
 TEST(Clipboard, GivesPastedVehiclesFreePositions) {
     Lab lab = opened_lab("2a-coward");
     handle(lab, Action::copy);

@@ -55,17 +55,22 @@ vec2 middle_of(const Scene& copy) {
     return (low + high) / 2;
 }
 
-// Brain and share may differ.
+// Name, brain and share may differ.
 bool same_design(Kind a, const Kind& b) {
+    a.name = b.name;
     a.brain = b.brain;
     a.share = b.share;
     return a == b;
 }
 
-// The scene's kind of the same name and design, or −1.
+// The scene's kind of the same name and design. Where the name belongs to another design, the first kind of this
+// design: an earlier paste has added the kind under another name. −1: none.
 int kind_in(const Scene& scene, const Kind& kind) {
     const int index = find_kind(scene, kind.name);
-    return index >= 0 && same_design(kind, scene.kinds[static_cast<std::size_t>(index)]) ? index : -1;
+    if (index < 0 || same_design(kind, scene.kinds[static_cast<std::size_t>(index)])) return index;
+    const auto found =
+        std::find_if(scene.kinds.begin(), scene.kinds.end(), [&](const Kind& each) { return same_design(kind, each); });
+    return found == scene.kinds.end() ? -1 : static_cast<int>(found - scene.kinds.begin());
 }
 
 // Adds the commands for the kinds that the scene lacks. The index in the scene of each kind of the copy.
