@@ -290,6 +290,48 @@ TEST_F(SceneInput, EditsAZoneOnItsCard) {
     EXPECT_TRUE(commands<AddObstacle>().empty()) << "the outline is that of the zone";
 }
 
+TEST_F(SceneInput, GivesADrawnOutlineToItsZoneWhenTheIndexHasChanged) {
+    take(pond);
+    desk.frame(2);
+    desk.click("thing.shape.3");
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    Zone first = scene->zones[0];
+    first.name = "first";
+    scene->zones.insert(scene->zones.begin(), first);
+    desk.now.scene = scene;
+    for (const vec2 corner : {vec2{-1, 2}, vec2{2, 2}, vec2{2, 4}}) click(corner);
+    desk.key({key::enter});
+    ASSERT_FALSE(commands<EditZone>().empty());
+    EXPECT_EQ(commands<EditZone>().back().zone, 1);
+    EXPECT_EQ(commands<EditZone>().back().to.name, scene->zones[1].name);
+}
+
+TEST_F(SceneInput, DiscardsWhatIsInProgressWhenAnotherDocumentIsOpened) {
+    take(pond);
+    desk.frame(2);
+    desk.click("thing.shape.3");
+    click({-1, 2});
+    click({2, 2});
+    ASSERT_EQ(scene_input().corners.size(), 2u);
+    ++desk.view.run_id;
+    desk.frame();
+    EXPECT_EQ(scene_input().tool, SceneInputTool::hand);
+    EXPECT_TRUE(scene_input().corners.empty());
+    click({6, -7}, 1);
+    ASSERT_TRUE(scene_input().menu.open);
+    ++desk.view.run_id;
+    desk.frame();
+    EXPECT_FALSE(scene_input().menu.open);
+    hold({6, -7}, {3, -7});
+    ASSERT_NE(scene_input().drag.phase, SceneInputPhase::idle);
+    ++desk.view.run_id;
+    desk.all.clear();
+    desk.frame(2);
+    EXPECT_EQ(scene_input().drag.phase, SceneInputPhase::idle);
+    EXPECT_TRUE(desk.edits().empty());
+    release();
+}
+
 TEST_F(SceneInput, SelectsEverythingInARectangleByShiftAndADrag) {
     ImGui::GetIO().KeyShift = true;
     hold({-5, 7.5f}, {5, 4.5f});

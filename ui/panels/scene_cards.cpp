@@ -139,14 +139,14 @@ bool surface_swatch(Ui& ui, Surface surface, bool chosen) {
 }
 
 // Rectangle, ellipse or polygon. A press of polygon starts to draw its corners; the others are the edit.
-std::optional<Zone> zone_shape(PanelState& state, Ui& ui, int index, const Zone& zone) {
+std::optional<Zone> zone_shape(PanelState& state, Ui& ui, const Zone& zone) {
     const std::array<std::string_view, 3> words{ui.strings("thing.rectangle"), ui.strings("thing.ellipse"),
                                                 ui.strings("thing.polygon")};
     const int now = !zone.corners.empty() ? 2 : zone.round ? 1 : 0;
     const int pressed = segments(ui, "thing.shape", words, now, card_width(ui), ui.strings("thing.shape_how"));
     if (pressed == 2) {
         choose_tool(state.scene_input, SceneInputTool::polygon);
-        state.scene_input.redrawn = {SceneObjectKind::zone, index};
+        state.scene_input.redrawn = zone.name;
     }
     if (pressed < 0 || pressed == 2 || pressed == now) return std::nullopt;
     Zone to = zone;
@@ -167,7 +167,7 @@ void zone_values(const LabView& view, PanelState& state, Ui& ui, int index) {
         if (surface_swatch(ui, surface.value, surface.value == now.surface) && surface.value != now.surface)
             to = now, to->surface = surface.value;
     }
-    if (auto shaped = zone_shape(state, ui, index, now)) to = std::move(shaped);
+    if (auto shaped = zone_shape(state, ui, now)) to = std::move(shaped);
     std::vector<std::string_view> shown(zone_fields.begin(), zone_fields.end());
     if (!now.corners.empty())
         std::erase_if(shown, [](std::string_view key) { return key == "length" || key == "width"; });

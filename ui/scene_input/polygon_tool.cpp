@@ -78,14 +78,15 @@ void close_outline(SceneInputState& state, const LabView& view, bool keep_tool, 
     if (const OutlineFault fault = fault_of(state.corners); fault != OutlineFault::none)
         return show_refusal(state, view.wall_seconds, refusal_of(fault));
     const Obstacle drawn = obstacle_from(state.corners);
-    if (place_of(*view.now, state.redrawn)) {
-        const Zone& zone = view.now->scene->zones[static_cast<std::size_t>(state.redrawn.index)];
-        outbox.push_back(EditRequest{EditZone{state.redrawn.index, with_outline(zone, drawn)}});
+    const int redrawn = state.redrawn.empty() ? -1 : find_zone(*view.now->scene, state.redrawn);
+    if (redrawn >= 0) {
+        const Zone& zone = view.now->scene->zones[static_cast<std::size_t>(redrawn)];
+        outbox.push_back(EditRequest{EditZone{redrawn, with_outline(zone, drawn)}});
         keep_tool = false;
     } else {
         outbox.push_back(EditRequest{AddObstacle{drawn}});
     }
-    state.redrawn = {};
+    state.redrawn.clear();
     state.corners.clear();
     state.refusal = {};
     if (!keep_tool) choose_tool(state, SceneInputTool::hand);

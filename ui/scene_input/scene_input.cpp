@@ -150,6 +150,16 @@ bool key_for_tool(const LabView& view, SceneInputState& state, Action action, Ke
     return true;
 }
 
+// Discards the gesture, the tool and the menu that were used in another document.
+void follow_document(SceneInputState& state, const LabView& view) {
+    if (state.run_id == view.run_id) return;
+    state.run_id = view.run_id;
+    choose_tool(state, SceneInputTool::hand);
+    state.hovered = {}, state.nudged = {};
+    state.drag = {}, state.sensors.drag = {};
+    state.refusal = {}, state.menu = {};
+}
+
 }  // namespace
 
 bool takes_arrows(const LabView& view, const SceneInputState& state, bool ctrl) {
@@ -160,6 +170,7 @@ bool takes_arrows(const LabView& view, const SceneInputState& state, bool ctrl) 
 }
 
 void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area) {
+    follow_document(state, view);
     if (!view.camera_view) return;
     const SceneInputFrame frame{view, *view.camera_view, ui.scale, area, current_pointer(state, area)};
     interact(state, frame, ui.outbox);

@@ -82,7 +82,7 @@ struct SceneInputState {
     // Set with the tool so far, m: corners of a polygon, points of a line, the first corner of a box or zone; one or
     // both ends of a measurement.
     std::vector<maths::vec2> corners;
-    SceneObject redrawn;                   // the zone that gets the drawn polygon; none: the polygon is a new obstacle
+    std::string redrawn;  // name of the zone that gets the drawn polygon; empty: the polygon is a new obstacle
     std::optional<maths::vec2> crosshair;  // m, moved by arrow keys while a tool draws; none: the mouse points
     maths::vec2 pointer;                   // of the last frame, window pixels
     bool over = false;                     // the pointer was over the scene in the last frame, not over a card
@@ -96,13 +96,14 @@ struct SceneInputState {
     std::uint64_t gesture = 0;
     SceneObject nudged;  // by arrow keys; presses within a second are one gesture
     double nudged_at = 0;
+    std::uint64_t run_id = 0;  // LabView::run_id of the document that the values above belong to
 };
 
 // Takes a tool, and discards what another one has begun.
 inline void choose_tool(SceneInputState& state, SceneInputTool tool) {
     state.tool = tool;
     state.corners.clear();
-    state.redrawn = {};
+    state.redrawn.clear();
     state.crosshair.reset();
 }
 
