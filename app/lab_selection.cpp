@@ -110,11 +110,11 @@ void select_next_object(Lab& lab, int step) {
 }
 
 void keep_selection(Lab& lab) {
-    keep_object(lab);
     const auto& vehicles = lab.document.session.snapshot().vehicles;
     if (selected_vehicle(lab) || vehicles.empty()) lab.deselected = false;
     if (!selected_vehicle(lab))
         lab.view.selection.vehicle = vehicles.empty() || lab.deselected ? no_vehicle : vehicles.front().id;
+    keep_object(lab);  // last: the chosen vehicle is in no other place of the selection
 }
 
 void reselect_after_death(Lab& lab, const VehicleView& selected) {
@@ -123,6 +123,7 @@ void reselect_after_death(Lab& lab, const VehicleView& selected) {
     const VehicleView* next = lab.dragging ? nullptr : nearest_of_kind(now, selected);
     lab.deselected = !next;
     lab.view.selection.vehicle = next ? next->id : no_vehicle;
+    keep_object(lab);
     if (lab.notice.kind == NoticeKind::failure && !lab.notice.empty()) return;  // more important
     const DeathKeys keys = cause_of_death(*now.scene, selected);
     say(lab, {NoticeKind::notice, std::string(next ? keys.selected : keys.alone), std::to_string(selected.id + 1),

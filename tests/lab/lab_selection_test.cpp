@@ -1,6 +1,7 @@
 // The selection and driving by hand.
 #include "app/lab_selection.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,26 @@ TEST(LabSelection, MovesToTheNextVehicleIfItsVehicleIsRemoved) {
     EXPECT_EQ(lab.view.selection.vehicle, 19);
     handle(lab, Action::next_vehicle);
     EXPECT_EQ(lab.view.selection.vehicle, 1);
+}
+
+TEST(LabSelection, HasNoObjectTwiceAfterTheChosenVehicleIsRemoved) {
+    Lab lab = opened_lab("predator-prey");
+    handle(lab, SelectObjectsRequest{{vehicle_object(0), vehicle_object(1), vehicle_object(2)}});
+    handle(lab, EditRequest{RemoveVehicle{0}});
+    EXPECT_EQ(selected_objects(lab.view.selection), (std::vector{vehicle_object(1), vehicle_object(2)}));
+}
+
+TEST(LabSelection, HasNoObjectTwiceAfterTheChosenVehicleDies) {
+    Lab lab = opened_lab("predator-prey");
+    const VehicleView dead = lab.document.session.snapshot().vehicles[0];
+    std::vector<SceneObject> all;
+    for (const VehicleView& v : lab.document.session.snapshot().vehicles) all.push_back(vehicle_object(v.id));
+    handle(lab, SelectObjectsRequest{all});
+    ASSERT_FALSE(lab.document.session.apply(RemoveVehicle{0}));
+    reselect_after_death(lab, dead);
+    const std::vector<SceneObject> selected = selected_objects(lab.view.selection);
+    EXPECT_EQ(selected.size(), 19u);
+    EXPECT_EQ(std::count(selected.begin(), selected.end(), chosen_object(lab.view.selection)), 1);
 }
 
 TEST(LabSelection, SelectsWhatTheUserAddsAtAPosition) {
