@@ -142,7 +142,7 @@ struct EditRequest {
 struct SelectRequest {
     VehicleId vehicle = no_vehicle;
 };
-// Selects a lamp or an obstacle in addition to the vehicle; SceneObject{}: none.
+// Selects a lamp, an obstacle or a zone in addition to the vehicle; SceneObject{}: none.
 struct TakeRequest {
     SceneObject object;
 };

@@ -58,9 +58,11 @@ std::string note_words(const Ui& ui, const SensorHandleState& handles, const Sen
     if (handle == SensorHandle::axis && !is_dragged) return std::string(ui.strings("scene_input.sensor_axis"));
     if (handle == SensorHandle::axis && handles.drag.axis == AxisDrag::range)
         return named("sensors.range", fixed(ui, sensor.range, 1) + " m");
-    if (handle == SensorHandle::axis) return named("sensors.angle", with_sign(maths::degrees(sensor.angle), 0) + "°");
+    if (handle == SensorHandle::axis)
+        return named("sensors.angle", with_sign(ui, maths::degrees(sensor.angle), 0) + "°");
     if (handle == SensorHandle::mount)
-        return named("sensors.x", with_sign(sensor.x, 2) + " m · ") + named("sensors.y", with_sign(sensor.y, 2) + " m");
+        return named("sensors.x", with_sign(ui, sensor.x, 2) + " m · ") +
+               named("sensors.y", with_sign(ui, sensor.y, 2) + " m");
     return named("sensors.field", degrees(sensor.fov));
 }
 

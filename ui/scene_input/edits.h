@@ -33,7 +33,8 @@ std::optional<Command> copy_of(const Snapshot&, const SceneObject&);
 std::optional<Command> move_of(const Snapshot&, const SceneObject&, Pose to);
 
 // For a MoveVehicle before the first tick: the edit that makes the new pose the vehicle's start, as part of the same
-// gesture. nullopt after the first tick, for other commands, and for a vehicle without an entry in Scene::starts.
+// gesture: EditStart, or EditMember for a vehicle of the population. nullopt after the first tick and for other
+// commands.
 std::optional<Command> start_of(const Snapshot&, const Command& move);
 
 // The object added by a command, in a snapshot captured after it. SceneObject{} for other commands, and for a vehicle
