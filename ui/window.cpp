@@ -115,6 +115,12 @@ void draw_watched(const LabView& view, PanelState& state, Ui& ui, const WindowLa
     let_canvas_be_focused(ui, layout.canvas);
 }
 
+// The string key of how the tool is used; empty while no tool draws.
+std::string hint_of_tool(const SceneInputState& scene_input, const LabView& view) {
+    if (scene_input.tool == SceneInputTool::hand || view.mode == Mode::wiring) return {};
+    return "tools." + std::string(word(scene_input.tool)) + "_how";
+}
+
 std::optional<std::string_view> slider_of(Action action) {
     constexpr std::array<std::string_view, 4> sliders{"slider.LL", "slider.LR", "slider.RL", "slider.RR"};
     if (action < Action::slider_LL || action > Action::slider_RR) return std::nullopt;
@@ -337,7 +343,8 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
         lecture_bar(view, ui, layout.toolbar);
     } else {
         timeline(view, state, ui, layout.timeline);
-        hint_bar(view, ui, layout.hint_bar, prompt.hint);
+        const std::string tool = hint_of_tool(state.scene_input, view);
+        hint_bar(view, ui, layout.hint_bar, tool.empty() ? prompt.hint : std::string_view(tool));
         toolbar(view, state, ui, layout.toolbar);
         menu_bar(state, ui, layout.menu_bar);
     }

@@ -126,18 +126,19 @@ VehicleColumn sensor_column(std::string sensor) {
             [sensor = std::move(sensor)](const VehicleRow& row) -> CsvValue { return sensor_input(row, sensor); }};
 }
 
-std::vector<BrainValue> neuron_values(const Snapshot& now, const VehicleView& vehicle) {
+std::vector<BrainValue> neuron_values(const Snapshot& now, const VehicleView& vehicle, std::size_t most) {
     std::vector<BrainValue> values;
     for (const Node& node : brain_of(now, vehicle)->nodes)
-        if (node.kind == NodeKind::neuron) values.push_back({node.name, node_value(now, vehicle, node.id)});
+        if (node.kind == NodeKind::neuron && values.size() < most)
+            values.push_back({node.name, node_value(now, vehicle, node.id)});
     return values;
 }
 
-std::vector<BrainValue> learned_values(const Snapshot& now, const VehicleView& vehicle) {
+std::vector<BrainValue> learned_values(const Snapshot& now, const VehicleView& vehicle, std::size_t most) {
     const BrainGraph& brain = *brain_of(now, vehicle);
     std::vector<BrainValue> values;
     for (const Wire& wire : brain.wires)
-        if (learns(wire))
+        if (learns(wire) && values.size() < most)
             values.push_back({find_node(brain, wire.from)->name + ">" + find_node(brain, wire.to)->name,
                               learned(now, vehicle, wire.from, wire.to)});
     return values;

@@ -2,6 +2,8 @@
 // window. docs/command-line.md explains each column.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
@@ -54,8 +56,8 @@ struct BrainValue {
     std::string name;
     double value = 0;
 };
-// The hidden neurons, and the learned parts of the Hebbian wires, in the order of the graph.
-std::vector<BrainValue> neuron_values(const Snapshot&, const VehicleView&);
-std::vector<BrainValue> learned_values(const Snapshot&, const VehicleView&);
+// The hidden neurons, and the learned parts of the Hebbian wires, in the order of the graph; the first `most` of them.
+std::vector<BrainValue> neuron_values(const Snapshot&, const VehicleView&, std::size_t most = SIZE_MAX);
+std::vector<BrainValue> learned_values(const Snapshot&, const VehicleView&, std::size_t most = SIZE_MAX);
 
 }  // namespace braitenlab::io

@@ -126,7 +126,7 @@ std::optional<Error> add_last(WorldData& s, const AddVehicle& c, std::optional<F
     s.next_id = std::max(s.next_id, id + 1);
     const auto somewhere = [&] {
         if (!free_space) free_space.emplace(s);
-        return free_pose(s, *free_space, kind, id);
+        return free_pose(s, *free_space, kind, number_in_population(s, id));
     };
     const bool has_own_sensors = design != nullptr;
     add_vehicle(s, kind, *start, id, std::move(brain), c.at ? *c.at : somewhere(), std::move(design));

@@ -105,8 +105,8 @@ std::array<float, 2> motor_gains(const WorldData& s, int kind, VehicleId id) {
 
 int next_kind(const WorldData& s) { return most_wanted(*s.scene, random_counts(s)); }
 
-Pose free_pose(const WorldData& s, FreeSpace& free_space, int kind, VehicleId id) {
-    maths::Random chance = chance_for(s, id);
+Pose free_pose(const WorldData& s, FreeSpace& free_space, int kind, int number) {
+    maths::Random chance = chance_for(s, number);
     const float reach = s.kinds[static_cast<std::size_t>(kind)].reach, margin = 1.5f * reach;  // m
     const Arena& arena = s.scene->arena;
     const float half_width = std::max(0.0f, arena.width / 2 - margin);
@@ -219,7 +219,8 @@ void spawn_population(WorldData& s) {
         const int kind = has_kind ? find_kind(scene, member->kind) : most_wanted(scene, counts);
         if (!has_kind) ++counts[static_cast<std::size_t>(kind)];
         const VehicleId id = s.next_id++;
-        const Pose random = free_pose(s, free_space, kind, id);
+        const int number = id - static_cast<VehicleId>(scene.starts.size());
+        const Pose random = free_pose(s, free_space, kind, number);
         add(kind, -1, id, member && member->placed ? Pose{member->x, member->y, member->heading} : random, member);
     }
     s.lay_out_grids();

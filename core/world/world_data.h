@@ -77,8 +77,10 @@ void new_generation(WorldData&);    //            the same numbers at new random
 void add_vehicle(WorldData&, int kind, int start, VehicleId, SharedBrain, const Pose&, SharedDesign design = nullptr);
 void remove_vehicles(WorldData&, const std::vector<std::size_t>& rows);  // ascending rows
 void respawn(WorldData&, std::size_t row);  // at its start, or at a random pose; energy, brain and marks are reset
-// A random pose, clear of others where there is room; the position is occupied afterwards.
-Pose free_pose(const WorldData&, FreeSpace&, int kind, VehicleId);
+// A random pose, clear of others where there is room; the position is occupied afterwards. `number` selects the random
+// numbers: for the first generation the number in the population, so that a reset gives the same poses when a vehicle
+// with a start has been added; later the id.
+Pose free_pose(const WorldData&, FreeSpace&, int kind, int number);
 // The pose if it is inside no vehicle and no obstacle, else the nearest free position on a grid around it with the same
 // heading. The pose itself if there is none within twenty times the vehicle's reach.
 Pose nearest_free_pose(const WorldData&, int kind, const Pose&);  // free_space.cpp

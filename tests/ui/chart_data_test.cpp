@@ -139,6 +139,25 @@ TEST(ChartData, RecordsNeuronsAndLearnedWeightsAndRestartsForAnotherBrain) {
     EXPECT_EQ(history.signals.size(), 1u);
 }
 
+TEST(ChartData, KeepsAPulseOfANeuronBetweenTwoSamples) {
+    Desk desk;
+    desk.now = shipped_scene("5-logic");
+    History history;
+    pass(desk, history, 0);
+    const auto first = static_cast<std::size_t>(desk.now.vehicles[0].first_neuron);
+    desk.now.neurons[first] = 1;
+    pass(desk, history, 1);
+    desk.now.neurons[first] = 0;
+    pass(desk, history, 2);
+    pass(desk, history, 3);
+    pass(desk, history, 6);
+    ASSERT_EQ(history.signals.size(), 3u);
+    const auto& pulse = history.signals[1].brain;
+    EXPECT_NE(std::find(pulse.begin(), pulse.end(), 1.0f), pulse.end());
+    const auto& after = history.signals[2].brain;
+    EXPECT_EQ(std::find(after.begin(), after.end(), 1.0f), after.end());
+}
+
 TEST(ChartData, KeepsNumbersAndMeanEnergiesOfEachSide) {
     Desk desk;  // 4 predators, 8 prey
     for (VehicleView& v : desk.now.vehicles) v.energy = v.role == Role::predator ? 0.5f : 0.25f;

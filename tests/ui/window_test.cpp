@@ -223,6 +223,20 @@ TEST(Window, FitsTheWatchedWiringAgainWhenItsPaneChanges) {
     }
 }
 
+TEST(Window, SaysHowTheToolIsUsedWhileItDraws) {
+    Desk desk(1280, 800, 1, true);
+    desk.panels.scene_input.tool = SceneInputTool::tape;
+    desk.rest();
+    const auto writes = [&](std::string_view key) {
+        return std::any_of(desk.written.begin(), desk.written.end(),
+                           [&](const Written& w) { return w.words == desk.strings(key); });
+    };
+    EXPECT_TRUE(writes("tools.tape_how"));
+    desk.panels.scene_input.tool = SceneInputTool::hand;
+    desk.rest();
+    EXPECT_FALSE(writes("tools.tape_how"));
+}
+
 TEST(Window, ReachesTheWatchedWiringWithTab) {
     Desk desk(1600, 1000);
     desk.view.settings.watching = true;

@@ -65,7 +65,7 @@ ImVec2 rim(ImVec2 neuron, ImVec2 before, float radius) {
 
 // A wire from a neuron to itself: a loop on the side away from the middle.
 WirePath loop(ImVec2 neuron, float side, float radius) {
-    const float near = side * radius * 0.8f, far = side * radius * 4.5f;
+    const float near = side * radius * 0.8f, far = side * radius * 3.2f;
     return {ImVec2{neuron.x + near, neuron.y - radius * 0.6f}, ImVec2{neuron.x + far, neuron.y - radius * 2.4f},
             ImVec2{neuron.x + far, neuron.y + radius * 2.4f}, ImVec2{neuron.x + near, neuron.y + radius * 0.6f}};
 }
@@ -140,7 +140,7 @@ BrainLayout lay_out_graph(const BrainGraph& brain, const Kind& kind, const Senso
     const float middle = area.x + area.w / 2, wheel_y = area.y + area.h - 32 * scale;
     const float half = area.w / 2 - 46 * scale;   // of the sensors' row; the button to watch is at its right
     const float wheel = area.w / 2 - 78 * scale;  // from the middle; numbers are outside
-    const GraphFrame frame{{middle, area.y + area.h / 2}, area.h, (wheel - 4 * scale) / row_half_width};
+    const GraphFrame frame{{middle, area.y + area.h / 2}, area.h, (wheel - 28 * scale) / row_half_width};
 
     // A flat vehicle with the proportions of the picture, for plan_deck().
     Kind flat;

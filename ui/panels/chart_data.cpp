@@ -34,9 +34,9 @@ void add_sample(Samples& samples, const Sample& sample, std::size_t most) {
 
 // The values of the brain by name: neurons, then learned parts of wires.
 std::vector<io::BrainValue> brain_values_of(const Snapshot& now, const VehicleView& vehicle) {
-    std::vector<io::BrainValue> values = io::neuron_values(now, vehicle);
-    for (io::BrainValue& learned : io::learned_values(now, vehicle)) values.push_back(std::move(learned));
-    if (values.size() > History::most_brain_values) values.resize(History::most_brain_values);
+    std::vector<io::BrainValue> values = io::neuron_values(now, vehicle, History::most_brain_values);
+    const std::size_t room = History::most_brain_values - values.size();
+    for (io::BrainValue& learned : io::learned_values(now, vehicle, room)) values.push_back(std::move(learned));
     return values;
 }
 
@@ -46,9 +46,19 @@ History::Signals signals_of(const Snapshot& now, const VehicleView& vehicle, dou
         const double value = std::get<double>(io::sensor_column(sensor.name).value({now, vehicle}));
         sample.sensors.push_back(static_cast<float>(value));
     }
-    for (const io::BrainValue& each : brain_values_of(now, vehicle))
-        sample.brain.push_back(static_cast<float>(each.value));
     return sample;
+}
+
+// Keeps the value of largest size of each neuron since the last sample, so that a pulse of one tick is not lost.
+void follow_peaks(History& history, const Snapshot& now, const VehicleView& vehicle) {
+    std::vector<float>& peaks = history.brain_peaks;
+    peaks.resize(history.brain_values.size(), 0.0f);
+    if (peaks.empty()) return;
+    const std::vector<io::BrainValue> values = brain_values_of(now, vehicle);
+    for (std::size_t i = 0; i < peaks.size(); ++i) {
+        const auto value = static_cast<float>(values[i].value);
+        if (std::fabs(value) >= std::fabs(peaks[i])) peaks[i] = value;
+    }
 }
 
 // Takes the names of the vehicle's sensors and brain values. Signals with other names are removed.
@@ -61,7 +71,10 @@ void follow_names(History& history, const Snapshot& now, const VehicleView* vehi
         if (vehicle)
             for (io::BrainValue& each : brain_values_of(now, *vehicle)) values.push_back(std::move(each.name));
     }
-    if (sensors != history.sensors || values != history.brain_values) history.signals.clear();
+    if (sensors != history.sensors || values != history.brain_values) {
+        history.signals.clear();
+        history.brain_peaks.clear();
+    }
     history.sensors = std::move(sensors);
     history.brain = std::move(brain);
     history.brain_values = std::move(values);
@@ -88,16 +101,21 @@ void record(History& history, const LabView& view) {
     const double seconds = static_cast<double>(now.tick) / 60;
     if (history.run_id != view.run_id) history = {}, history.run_id = view.run_id;
     if (now.tick < history.tick) {
+        history.brain_peaks.clear();
         drop_after(history.signals, seconds);
         drop_after(history.population, seconds);
     }
     history.tick = now.tick;
-    if (history.vehicle != view.settings.selection.vehicle) history.signals.clear();
+    if (history.vehicle != view.settings.selection.vehicle) history.signals.clear(), history.brain_peaks.clear();
     history.vehicle = view.settings.selection.vehicle;
     const VehicleView* vehicle = find_vehicle(now, view.settings.selection.vehicle);
     follow_names(history, now, vehicle);
-    if (vehicle && is_due(history.signals, seconds, History::signal_period))
-        add_sample(history.signals, signals_of(now, *vehicle, seconds), History::signal_samples);
+    if (vehicle) follow_peaks(history, now, *vehicle);
+    if (vehicle && is_due(history.signals, seconds, History::signal_period)) {
+        History::Signals sample = signals_of(now, *vehicle, seconds);
+        sample.brain = std::exchange(history.brain_peaks, {});
+        add_sample(history.signals, sample, History::signal_samples);
+    }
     if (is_due(history.population, seconds, History::population_period))
         add_sample(history.population, counted(now, seconds), History::population_samples);
 }

@@ -27,7 +27,7 @@ struct History {
         double seconds = 0;             // simulated
         std::vector<float> sensors;     // readings, 0..1, as History::sensors
         std::array<float, 2> motors{};  // commands of the left and right wheel, −1..1
-        std::vector<float> brain{};     // as History::brain_values
+        std::vector<float> brain{};     // as History::brain_values: the value of largest size since the last sample
     };
     struct Population {
         double seconds = 0;
@@ -38,6 +38,7 @@ struct History {
     VehicleId vehicle = no_vehicle;    // the vehicle that `signals` are of
     std::vector<std::string> sensors;  // names of its sensors
     std::shared_ptr<const BrainGraph> brain;
+    std::vector<float> brain_peaks;         // since the last sample, as brain_values
     std::vector<std::string> brain_values;  // its neurons "N1", then the learned parts of its wires "SL>N1"
     std::deque<Signals> signals;            // oldest first
     std::deque<Population> population;

@@ -97,7 +97,7 @@ void ask_for_sensors(const LabView& view, PanelState& state, Ui& ui, const Vehic
     const auto gesture = [&] { return gestures::panels + ++state.sliders.gesture; };
     if (chosen("preset.with_sensors", "own_brain.with_sensors", Emphasis::primary)) {
         request_brain_and_sensors(view, ui.outbox, vehicle, std::move(made),
-                                  with_sensors(sensors, preset_sensors(preset)), gesture());
+                                  with_sensors(sensors, lacking_for(sensors, preset)), gesture());
         ImGui::CloseCurrentPopup();
     } else if (chosen("preset.brain_only", "own_brain.brain_only", Emphasis::plain)) {
         ui.outbox.push_back(EditRequest{SetBrain{target_of(view, vehicle), std::move(made)}, gesture()});
