@@ -102,13 +102,35 @@ int pick_obstacle(const Snapshot& now, const CameraView& camera_view, vec2 pixel
     return found;
 }
 
+// An upper bound, m.
+float reach_of_zone(const Zone& zone) {
+    if (zone.corners.empty()) return std::hypot(zone.length, zone.width) / 2;
+    float reach = 0;
+    for (const auto& corner : zone.corners) reach = std::max(reach, std::hypot(corner.x, corner.y));
+    return reach;
+}
+
+// True for a point, in metres from the zone's centre along the axes of the scene, in the zone or at most `slack` metres
+// outside.
+bool is_in_zone(const Zone& zone, vec2 from_centre, float slack) {
+    // Beyond the corner of a polygon the slack reaches farther than beyond its edges.
+    if (maths::length(from_centre) > reach_of_zone(zone) + 8 * slack) return false;
+    const float half_length = zone.length / 2 + slack, half_width = zone.width / 2 + slack;
+    const vec2 own = maths::rotate(from_centre, maths::direction(-zone.heading));
+    if (!zone.corners.empty() || !zone.round) return inside(corners_of(zone), own, slack);
+    const float x = own.x / half_length, y = own.y / half_width;
+    return x * x + y * y <= 1;
+}
+
 // The last one of the zones there: it is drawn over the others.
 int pick_zone(const Snapshot& now, const CameraView& camera_view, vec2 pixel) {
     const auto at = unproject(camera_view, pixel);
     if (!at || !now.scene) return -1;
     const float slack = 3 / std::max(pixels_per_metre(camera_view, *at), 1.0f);
     for (int i = static_cast<int>(now.scene->zones.size()) - 1; i >= 0; --i)
-        if (inside(outline_of(now, {SceneObjectKind::zone, i}), *at, slack)) return i;
+        if (const Zone& zone = now.scene->zones[static_cast<std::size_t>(i)];
+            is_in_zone(zone, *at - vec2{zone.x, zone.y}, slack))
+            return i;
     return -1;
 }
 
