@@ -132,7 +132,7 @@ std::set<std::string> composed() {
     });
     for (const MessageText& message : message_table) keys.insert("error." + std::string(message.id));
     for (const char* row :
-         {"kind.name", "kind.count", "sensors.noise", "sensors.latency"})  // ui/panels/values_card.cpp
+         {"kind.name", "kind.count", "sensors.noise", "sensors.latency"})  // ui/panels/kind_editor.cpp
         for (const char* end : {"", "_how"}) keys.insert("field." + std::string(row) + end);
     for (const Channel channel : source_channels) keys.insert("source." + std::string(word(channel)));
     return keys;
