@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "core/scene/enums.h"
 #include "core/sensing/seam.h"
@@ -136,11 +137,18 @@ std::vector<BrainValue> neuron_values(const Snapshot& now, const VehicleView& ve
 
 std::vector<BrainValue> learned_values(const Snapshot& now, const VehicleView& vehicle, std::size_t most) {
     const BrainGraph& brain = *brain_of(now, vehicle);
-    std::vector<BrainValue> values;
+    std::vector<std::pair<NodeId, NodeId>> stored;  // the order of the values in the snapshot, as in learned()
     for (const Wire& wire : brain.wires)
-        if (learns(wire) && values.size() < most)
-            values.push_back({find_node(brain, wire.from)->name + ">" + find_node(brain, wire.to)->name,
-                              learned(now, vehicle, wire.from, wire.to)});
+        if (learns(wire)) stored.emplace_back(wire.from, wire.to);
+    std::sort(stored.begin(), stored.end());
+    const auto first = static_cast<std::size_t>(vehicle.first_neuron + vehicle.neuron_count);
+    std::vector<BrainValue> values;
+    for (const Wire& wire : brain.wires) {
+        if (!learns(wire) || values.size() == most) continue;
+        const auto place = std::lower_bound(stored.begin(), stored.end(), std::pair(wire.from, wire.to));
+        values.push_back({find_node(brain, wire.from)->name + ">" + find_node(brain, wire.to)->name,
+                          now.neurons[first + static_cast<std::size_t>(place - stored.begin())]});
+    }
     return values;
 }
 

@@ -1,8 +1,10 @@
 #include "core/io/vehicle_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -67,6 +69,21 @@ TEST(VehicleTable, ListsTheNeuronsAndLearnedWeightsOfAVehicle) {
     EXPECT_EQ(wires[0].name, "N>ML");
     EXPECT_EQ(wires[0].value, number(now, 0, "learned_N>ML"));
     EXPECT_GT(wires[0].value, 0);
+}
+
+TEST(VehicleTable, ListsEachLearnedWeightWithItsWire) {
+    Scene scene = learner();
+    BrainGraph& brain = scene.kinds[0].brain;
+    float rate = 0;
+    for (Wire& wire : brain.wires) wire.weight = 0.2f, wire.learning_rate = rate += 0.25f;
+    std::reverse(brain.wires.begin(), brain.wires.end());  // not the order of the values in the snapshot
+    const Snapshot now = after(scene, 60);
+    const auto wires = io::learned_values(now, now.vehicles[0]);
+    ASSERT_EQ(wires.size(), brain.wires.size());
+    std::set<double> different;
+    for (const io::BrainValue& wire : wires) different.insert(wire.value);
+    EXPECT_GE(different.size(), 3u);
+    for (const io::BrainValue& wire : wires) EXPECT_EQ(wire.value, number(now, 0, "learned_" + wire.name)) << wire.name;
 }
 
 TEST(VehicleTable, HasOnlyTheBasicColumnsUnlessMoreAreAskedFor) {
