@@ -620,6 +620,19 @@ TEST(Session, ResetKeepsTheEditsWhenAnEditedVehicleHasReplacedAStarvedVehicleWit
     EXPECT_EQ(session.snapshot().vehicles.at(0).start, 0);
 }
 
+TEST(Undo, LeavesOutCommandsForVehiclesThatHaveDiedWithoutAnError) {
+    Scene scene = tests::alone({});
+    scene.ecology.drain = 1;
+    Session session = open(scene);
+    ASSERT_FALSE(session.apply(TurnDial{{.vehicle = 0}, Dial::LL, 1.5f}));
+    for (int i = 0; i < 70; ++i) session.step();
+    ASSERT_FALSE(find_vehicle(session.snapshot(), 0));
+    const UndoResult undone = session.undo(), redone = session.redo();
+    EXPECT_TRUE(undone.done && redone.done);
+    EXPECT_FALSE(undone.error) << undone.error->text();
+    EXPECT_FALSE(redone.error);
+}
+
 int count_of(const Session& session, int kind) {
     const auto& all = session.snapshot().vehicles;
     return static_cast<int>(
