@@ -22,13 +22,24 @@ bool is_as_shipped(const Snapshot& now, std::size_t kind, const BrainGraph& ship
            });
 }
 
+bool has_sensors(const Snapshot& now, std::size_t kind, const std::vector<Sensor>& sensors) {
+    return now.scene->kinds[kind].sensors == sensors &&
+           std::all_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) {
+               return static_cast<std::size_t>(v.kind) != kind || kind_of(now, v).sensors == sensors;
+           });
+}
+
 bool is_as_shipped(const Snapshot& now, const Scene& shipped) {
-    for (std::size_t k = 0; k < shipped.kinds.size(); ++k)
-        if (!is_as_shipped(now, k, shipped.kinds[k].brain)) return false;
+    for (std::size_t k = 0; k < shipped.kinds.size(); ++k) {
+        const Kind& kind = shipped.kinds[k];
+        if (!is_as_shipped(now, k, kind.brain) || !has_sensors(now, k, kind.sensors)) return false;
+        if (now.scene->kinds[k].body != kind.body) return false;
+    }
     return true;
 }
 
-// True if this moment of a run shows what the prediction asks for: what the shipped brain does, with nothing moved.
+// True if this moment of a run shows what the prediction asks for: what the shipped brain does with the shipped sensors
+// and body, with nothing moved.
 bool shows_outcome(const Lesson& lesson, const Snapshot& now) {
     const Prediction& asked = lesson.exercise->prediction;
     return now.tick > 0 && now.seconds >= static_cast<double>(asked.after) && !lesson.referee.by_hand() &&
@@ -188,13 +199,6 @@ void reset(Lab& lab, std::uint64_t seed) {
 }
 
 namespace {
-
-bool has_sensors(const Snapshot& now, std::size_t kind, const std::vector<Sensor>& sensors) {
-    return now.scene->kinds[kind].sensors == sensors &&
-           std::all_of(now.vehicles.begin(), now.vehicles.end(), [&](const VehicleView& v) {
-               return static_cast<std::size_t>(v.kind) != kind || kind_of(now, v).sensors == sensors;
-           });
-}
 
 // Gives a kind and its vehicles the sensors, the body and the brain of the exercise's file, in one step of undo.
 void restore_kind(Lab& lab, std::size_t kind, const Kind& shipped) {

@@ -62,7 +62,14 @@ TEST(LabLesson, KnowsTheOutcomeOfTheShippedBrainAndLampOnly) {
     handle(rewired, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
     Lab moved = aggressor();
     handle(moved, EditRequest{MoveSource{0, 1, 1}});
-    for (Lab* lab : {&rewired, &moved}) {
+    Lab heavier = aggressor();
+    Kind kind = heavier.document.session.snapshot().scene->kinds[0];
+    kind.body.mass *= 2;
+    handle(heavier, EditRequest{EditKind{0, kind}});
+    Lab turned = aggressor();
+    kind.sensors[0].angle += 0.1f;
+    handle(turned, EditRequest{SetSensors{{.kind = 0}, kind.sensors}});
+    for (Lab* lab : {&rewired, &moved, &heavier, &turned}) {
         for (int i = 0; i < 600; ++i) tick(*lab);
         EXPECT_FALSE(lesson_of(*lab).outcome_known);
     }
