@@ -68,7 +68,7 @@ std::string other_side(const std::string& name) {
 }
 
 std::string opposite_of(const std::vector<Sensor>& sensors, const std::string& name) {
-    if (const std::string other = other_side(name); sensor_with_name(sensors, other)) return other;
+    if (std::string other = other_side(name); sensor_with_name(sensors, other)) return other;
     for (const KindPair& pair : sensor_pairs(sensors)) {
         if (pair.sensors.left == name) return pair.sensors.right;
         if (pair.sensors.right == name) return pair.sensors.left;
@@ -92,10 +92,11 @@ std::vector<Sensor> new_sensors(const std::vector<Sensor>& sensors, Channel chan
     };
     for (int number = 1;; ++number) {
         const std::string suffix = number == 1 ? "" : std::to_string(number);
-        if (as_pair)
-            added[0].name = stem + "L" + suffix, added[1].name = stem + "R" + suffix;
-        else
-            added[0].name = middle + suffix;
+        for (std::size_t i = 0; i < added.size(); ++i) {
+            added[i].name = as_pair ? stem : middle;
+            if (as_pair) added[i].name += i == 0 ? 'L' : 'R';
+            added[i].name += suffix;
+        }
         if (std::all_of(added.begin(), added.end(), is_free)) return added;
     }
 }

@@ -46,7 +46,7 @@ std::string folder_of(const std::string& path) {
 }  // namespace
 
 std::string recent_words(const Ui& ui, const std::vector<RecentFile>& all, const RecentFile& file) {
-    const std::string name = without_folder(file.path);
+    std::string name = without_folder(file.path);
     if (file.title.empty()) return name;
     const auto same = [&](const RecentFile& other) { return other.title == file.title; };
     const std::string title(translated(ui, file.title));
