@@ -225,6 +225,14 @@ public:
 
     void key(KeyPress press) { ui::press_key(view, panels, press, all); }
     void type(const char* text) { ImGui::GetIO().AddInputCharactersUTF8(text); }
+    // The number of a slider, typed.
+    void type_into(const char* slider, const char* number) {
+        click(slider, 0, 0.97f);
+        type(number);
+        frame(2);
+        key({braitenlab::key::enter});
+        frame(2);
+    }
 
     std::vector<EditRequest> edits() const {
         std::vector<EditRequest> found;

@@ -54,15 +54,6 @@ public:
         frame(2);
     }
 
-    // The number of a slider, typed.
-    void type_into(const char* slider, const char* number) {
-        click(slider, 0, 0.97f);
-        type(number);
-        frame(2);
-        key({key::enter});
-        frame(2);
-    }
-
     std::shared_ptr<const Scene> filed;
 };
 

@@ -21,14 +21,6 @@ public:
         for (const Kind& each : scene->kinds) now.kind_brains.push_back(std::make_shared<BrainGraph>(each.brain));
         frame(4);
     }
-    // The number of a slider, typed.
-    void type_into(const char* slider, const char* number) {
-        click(slider, 0, 0.97f);
-        type(number);
-        frame(2);
-        key({key::enter});
-        frame(2);
-    }
     void type_text(const char* field, const char* text) {
         click(field);
         type(text);
