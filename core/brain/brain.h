@@ -14,6 +14,7 @@
 namespace braitenlab {
 
 inline constexpr float tick_seconds = 1.0f / 60;  // simulated time of one tick of bodies and brains
+inline double seconds_at(std::uint64_t tick) { return static_cast<double>(tick) / 60; }  // s of simulated time
 
 struct Brain {
     // A wire, stored with the unit that it feeds.

@@ -209,6 +209,14 @@ std::optional<Fault> member_fault(const Scene& scene, const Member& member) {
     return own_values_fault(member, path);
 }
 
+std::optional<Fault> on_times_fault(const Source& source) {
+    for (std::size_t i = 0; i < source.on.size(); ++i)
+        if (source.on[i].from >= source.on[i].until)
+            return Fault{fmt::format("source.{}.on.{}", source.name, i + 1),
+                         "it goes off before it goes on; give an 'until' that is later than 'from'"};
+    return std::nullopt;
+}
+
 // A world keeps about a dozen copies of its state; the limit keeps an untrusted file from filling the memory.
 std::optional<Fault> memory_fault(const Scene& scene) {
     constexpr double most = 1 << 24;  // numbers, in all brains and all sensors' latencies
@@ -256,6 +264,8 @@ std::optional<Fault> find_fault(const Scene& scene) {
         if (auto fault = outline_fault(obstacle, "obstacle." + obstacle.name + ".corner", "a box")) return fault;
     for (const Zone& zone : scene.zones)
         if (auto fault = outline_fault(zone, "zone." + zone.name + ".corner", "a rectangle")) return fault;
+    for (const Source& source : scene.sources)
+        if (auto fault = on_times_fault(source)) return fault;
     for (const Start& start : scene.starts)
         if (auto fault = start_fault(scene, start)) return fault;
     for (const Member& member : scene.members)

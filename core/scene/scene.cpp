@@ -36,6 +36,14 @@ FloorConstants floor_constants(const Arena& arena, Surface surface) {
 std::vector<maths::vec2> corners_of(const Obstacle& obstacle) { return outline_corners(obstacle); }
 std::vector<maths::vec2> corners_of(const Zone& zone) { return outline_corners(zone); }
 
+float strength_at(const Source& source, double seconds) {
+    const bool is_on =
+        source.on.empty() || std::any_of(source.on.begin(), source.on.end(), [&](const OnTime& time) {
+            return seconds >= static_cast<double>(time.from) && seconds < static_cast<double>(time.until);
+        });
+    return is_on ? source.strength : 0;
+}
+
 bool is_seen_as(Channel given, Channel wanted) {
     if (given == wanted) return true;
     return row_of(given).is_light && row_of(wanted).is_light && (given == Channel::light || wanted == Channel::light);

@@ -129,13 +129,20 @@ struct Member {
     friend bool operator==(const Member&, const Member&) = default;
 };
 
+// A time in which a source is on.
+struct OnTime {
+    float from = 0, until = 0;  // s of simulated time; from < until
+    friend bool operator==(const OnTime&, const OnTime&) = default;
+};
+
 // A stimulus at a fixed point of the world.
 struct Source {
     std::string name;
     Channel channel = Channel::light;
     float x = 0, y = 0;
-    float strength = 1;  // 0..1, reading of a sensor at the source
-    bool solid = false;  // a post of solid_source_radius that vehicles collide with
+    float strength = 1;        // 0..1, reading of a sensor at the source
+    bool solid = false;        // a post of solid_source_radius that vehicles collide with
+    std::vector<OnTime> on{};  // its strength is 0 at other times; empty: always on
     friend bool operator==(const Source&, const Source&) = default;
 };
 
@@ -218,6 +225,9 @@ FloorConstants floor_constants(const Arena&, Surface);
 std::vector<maths::vec2> corners_of(const Obstacle&);
 // Those of a zone; four for a rectangle and for an ellipse, whose bounding rectangle they are.
 std::vector<maths::vec2> corners_of(const Zone&);
+
+// Strength of a source at a time (s): 0 while it is off.
+float strength_at(const Source&, double seconds);
 
 // True when a sensor for `wanted` senses a source of `given`.
 bool is_seen_as(Channel given, Channel wanted);

@@ -39,7 +39,7 @@ namespace limits {
 inline constexpr std::size_t file_bytes = 4u << 20u;
 inline constexpr int vehicles = 20000;  // in a world at a time
 inline constexpr std::size_t kinds = 64, starts = 4096, sources = 1024, obstacles = 4096, wheels = 16;
-inline constexpr std::size_t lamps = 16, waypoints = 256, corners = 8, zones = 1024;
+inline constexpr std::size_t lamps = 16, waypoints = 256, corners = 8, zones = 1024, on_times = 64;
 inline constexpr int marks = 64;
 inline constexpr std::size_t name_length = 40, title_length = 120, text_length = 2000;
 }  // namespace limits
@@ -178,12 +178,19 @@ void describe(Visitor& v, Of<Member>) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Of<OnTime>) {
+    v.number("from", &OnTime::from, "s", {0, 3600}, "when it goes on");
+    v.number("until", &OnTime::until, "s", {0, 3600}, "when it goes off");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Of<Source>) {
     v.word("channel", &Source::channel, "what it gives off");
     v.number("x", &Source::x, "m", place_range, "position");
     v.number("y", &Source::y, "m", place_range, "position");
     v.number("strength", &Source::strength, "", {0, 1}, "reading of a sensor at the source");
     v.flag("solid", &Source::solid, "a post of 0.15 m radius that vehicles collide with");
+    v.list("on", &Source::on, limits::on_times, "a time in which it is on; default: always on");
 }
 
 template <class Visitor>

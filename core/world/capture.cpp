@@ -49,7 +49,7 @@ void capture(const WorldData& s, Snapshot& out) {
     if (s.readings_are_stale) next = preview(s);
     const std::vector<std::array<float, 2>>& motor = next ? next->motor : s.vehicles.motor;
     out.tick = s.tick;
-    out.seconds = static_cast<double>(s.tick) / 60;
+    out.seconds = seconds_at(s.tick);
     out.seed = s.seed;
     out.generation = s.generation;
     const float limit = s.scene->ecology.inactivity;
@@ -73,8 +73,8 @@ void capture(const WorldData& s, Snapshot& out) {
     for (const SharedBrain& brain : s.kind_brains) out.kind_brains.emplace_back(brain, &brain->graph);
     out.sources.clear();
     for (const Source& source : s.scene->sources)
-        out.sources.push_back(
-            {static_cast<int>(out.sources.size()), source.channel, source.x, source.y, source.strength});
+        out.sources.push_back({static_cast<int>(out.sources.size()), source.channel, source.x, source.y,
+                               strength_at(source, out.seconds)});
     out.obstacles.clear();
     for (const mechanics::Motion& m : s.obstacles)
         out.obstacles.push_back({m.position.x, m.position.y, maths::wrap_angle(m.heading)});

@@ -71,8 +71,9 @@ struct StructDigest {
     void named(const char*, std::optional<std::vector<Element>> T::*, std::size_t, const char*) {}
     template <class Element>
     void list(const char*, std::vector<Element> T::*member, std::size_t, const char*) {
-        // A zone without corners has the digest of a zone of earlier versions, which had none.
-        if (std::is_same_v<T, Zone> && (object.*member).empty()) return;
+        // Zones had no corners and sources no times in earlier versions: without them their digest is as it was.
+        const bool is_new = std::is_same_v<T, Zone> || std::is_same_v<T, Source>;
+        if (is_new && (object.*member).empty()) return;
         add_all(digest, object.*member);
     }
     template <class Graph>

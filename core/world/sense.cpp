@@ -63,7 +63,8 @@ void list_touches(const std::vector<Touch>& touching, std::vector<Touch>& out) {
 void fill(SensingBuffers& buffers, const WorldData& s) {
     buffers.point_sources.clear();
     for (const Source& source : s.scene->sources)
-        buffers.point_sources.push_back({source.channel, {source.x, source.y}, source.strength});
+        buffers.point_sources.push_back(
+            {source.channel, {source.x, source.y}, strength_at(source, seconds_at(s.tick))});
     buffers.roles.clear();
     const auto is_sensed = [&](Channel channel) { return s.sensed_channel[static_cast<std::size_t>(channel)]; };
     if (is_sensed(Channel::predator) || is_sensed(Channel::prey))

@@ -48,7 +48,8 @@ struct VehicleView {
 struct SourceView {
     int source = 0;  // in Scene::sources
     Channel channel = Channel::light;
-    float x = 0, y = 0, strength = 1;
+    float x = 0, y = 0;
+    float strength = 1;  // at this time; 0 while the source is off
 };
 
 // A remembered position.

@@ -193,6 +193,11 @@ void make_sound(Scene& scene, Dice& dice) {
     };
     for (Obstacle& obstacle : scene.obstacles) make_convex(obstacle.corners);
     for (Zone& zone : scene.zones) make_convex(zone.corners);
+    for (Source& source : scene.sources)
+        for (OnTime& time : source.on) {
+            if (time.from > time.until) std::swap(time.from, time.until);
+            if (time.from == time.until) time = {0, 1};
+        }
 }
 
 TEST(SceneFile, ReadsBackRandomScenes) {

@@ -54,6 +54,17 @@ TEST(World, ColoursAreSensedByEyesForTheSameColourAndForWhite) {
         }
 }
 
+TEST(World, ASourceIsSensedOnlyWhileItIsOn) {
+    World world = make(with(watcher(Channel::light), {.x = 3, .on = {{0.5f, 1}, {2, 3}}}));
+    Snapshot now;
+    for (int tick = 0; tick < 200; ++tick, world.step()) {
+        world.capture(now);
+        const auto is_on = [](int at) { return (at >= 30 && at < 60) || (at >= 120 && at < 180); };
+        EXPECT_EQ(now.sensed[0] > 0, is_on(tick - 1)) << "reading of the tick before " << tick;
+        EXPECT_EQ(now.sources[0].strength, is_on(tick) ? 1 : 0) << tick;
+    }
+}
+
 TEST(World, SourcesOfHeatSmellAndOxygenAreSensedOnlyOnTheirChannel) {
     const std::array<Channel, 4> all{Channel::heat, Channel::smell, Channel::oxygen, Channel::light};
     for (const Channel nose : all)
