@@ -82,17 +82,21 @@ int command_line(int argc, char** argv) {
     run_command->add_option("--save", options.save, "write the run at its end, to continue it later")
         ->type_name("FILE.run");
 
-    std::string exercise, brain;
+    std::string exercise;
     BrainChoice choice;
+    CheckOptions checked;
     bool all = false;
     CLI::App* check_command = app.add_subcommand("check", "is an exercise sound, or does a brain pass it?");
-    auto* name = check_command->add_option("EXERCISE", exercise, "a path, or the bare name of a shipped exercise");
+    auto* name =
+        check_command->add_option("EXERCISE", checked.exercise, "a path, or the bare name of a shipped exercise");
     check_command
         ->add_option(
-            "--brain", brain,
+            "--brain", checked.brain,
             "a brain, a scene or a saved run; without it, the brain as shipped and the exercise's own solution")
         ->type_name("FILE");
-    add_choice(*check_command, choice);
+    add_choice(*check_command, checked.choice);
+    check_command->add_option("--seed", checked.seed, "seed of the first start; default: 1");
+    check_command->add_flag("--json", checked.json, "print each start with its steps as JSON");
     auto* all_flag =
         check_command->add_flag("--all", all, "every shipped exercise: fails as shipped, passes with its solution");
     name->excludes(all_flag);
@@ -123,9 +127,9 @@ int command_line(int argc, char** argv) {
     if (*run_command) return run(options);
     if (*grade_command) return grade_all(exercise, brains, choice, csv);
     if (*show_command) return show(shown);
-    if (all) return check_all();
-    if (exercise.empty()) return complain({"check needs an EXERCISE or --all"});
-    return check(exercise, brain, choice);
+    if (all) return check_all(checked.seed, checked.json);
+    if (checked.exercise.empty()) return complain({"check needs an EXERCISE or --all"});
+    return check(checked);
 }
 
 }  // namespace

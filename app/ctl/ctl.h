@@ -36,11 +36,20 @@ int run(const RunOptions&);
 // The number of worker threads of Jobs: `wanted`, or one per processor if that is 0.
 int threads_for(int wanted);
 
-// Prints whether the brain of the file (see brain_of_file) passes the exercise. With an empty file name: whether the
-// exercise is sound, i.e. no start passes as shipped and every start passes with its own solution.
-int check(const std::string& exercise, const std::string& brain_file, const BrainChoice&);
+struct CheckOptions {
+    std::string exercise;    // path or bare name
+    std::string brain;       // file; empty: see check()
+    BrainChoice choice;      // of the brain in the file
+    std::uint64_t seed = 1;  // of the first start
+    bool json = false;
+};
+// Prints whether the brain of the file (see brain_of_file) passes the exercise, and for each start that fails the first
+// step that was not done. With an empty file name: whether the exercise is sound, i.e. no start passes as shipped,
+// every start passes with its own solution, which uses only what is offered, no wrong answer passes, and the run shows
+// what the prediction's answer says.
+int check(const CheckOptions&);
 // Prints whether each shipped exercise is sound.
-int check_all();
+int check_all(std::uint64_t first_seed, bool json);
 
 // Grades a class's brains, one row each, into the CSV file, or to stdout when its name is empty or "-". A file that
 // holds no brain gets a row with the error; the other files are still graded.

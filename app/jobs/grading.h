@@ -9,6 +9,7 @@
 namespace braitenlab {
 
 // Grades the submission as grade() does, with one part per start.
-Job<Grade> submit_grading(Jobs&, const std::shared_ptr<const Exercise>&, const Submission&);
+Job<Grade> submit_grading(Jobs&, const std::shared_ptr<const Exercise>&, const Submission&,
+                          std::uint64_t first_seed = 1);
 
 }  // namespace braitenlab

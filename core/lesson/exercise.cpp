@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/lesson/anchors.h"
+#include "core/lesson/submission.h"
 #include "core/scene/format_table.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/toml_reader.h"
@@ -10,10 +11,21 @@
 namespace braitenlab {
 
 namespace limits {
-inline constexpr std::size_t steps = 32, hints = 32, options = 8;
+inline constexpr std::size_t hints = 32, options = 8, offers = 16, wrong_answers = 16;
 }
 
 // ── Every value of an exercise file, described once as core/scene/schema.h does for scenes ──
+
+template <class Visitor>
+void describe(Visitor& v, Of<Check>) {
+    v.variant("goal", &Check::goal, "what the vehicle must do; each goal has keys of its own, listed under Goals");
+    v.text("vehicle", &Check::vehicle, limits::name_length,
+           "NAME of the [vehicle.NAME] that must do it; without it, the scene's first");
+    v.number("hold", &Check::hold, "s", {0, 600}, "the goal must stay met for so long without a break");
+    v.number("earliest", &Check::earliest, "s", {0, 600}, "it is not judged before this time");
+    v.number("latest", &Check::latest, "s", {0, 600}, "it is not judged after this time; 0: no limit");
+    v.number("after", &Check::after, "", {0, limits::steps}, "number of a step that must be done first; 0: none");
+}
 
 template <class Visitor>
 void describe(Visitor& v, Of<Prediction>) {
@@ -24,14 +36,10 @@ void describe(Visitor& v, Of<Prediction>) {
            "shown once a run has shown it, beside the student's choice");
     v.number("after", &Prediction::after, "s", {0, 600},
              "of a run with the shipped brain, after which the outcome is visible");
-}
-
-template <class Visitor>
-void describe(Visitor& v, Of<Check>) {
-    v.variant("goal", &Check::goal, "what the vehicle must do; each goal has keys of its own, listed under Goals");
-    v.text("vehicle", &Check::vehicle, limits::name_length,
-           "NAME of the [vehicle.NAME] that must do it; without it, the scene's first");
-    v.number("hold", &Check::hold, "s", {0, 600}, "the goal must stay met for so long without a break");
+    v.flag("hides_brain", &Prediction::hides_brain,
+           "until the prediction is made, the brain's picture and the wires on the deck are not shown");
+    v.list("shows", &Prediction::shows, limits::checks,
+           "a check that the run with the shipped brain must meet by then; `check` tests that the answer is true");
 }
 
 template <class Visitor>
@@ -47,11 +55,25 @@ void describe(Visitor& v, Of<Hint>) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Of<Answer>) {
+    v.text("name", &Answer::name, limits::title_length, "of a wrong answer: what it is");
+    v.text("text", &Answer::text, limits::text_length, "of a wrong answer: what to tell a student who gives it");
+    v.brain_keys(&Answer::brain, "a brain in place of the shipped one");
+    v.settings("set", &Answer::settings, "values of the scene, by their paths, that differ from those as shipped");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Of<Exercise>) {
     v.number("number", &Exercise::number, "", {0, 999}, "its position in the course");
+    v.number("chapter", &Exercise::chapter, "", {0, 99}, "its chapter in the course, from 1; 0: none");
     v.text("title", &Exercise::title, limits::title_length, "must be given");
     v.text("goal", &Exercise::goal, limits::text_length, "must be given");
     v.text("why", &Exercise::why, limits::text_length, "the mechanism, shown on request");
+    v.text("question", &Exercise::question, limits::text_length, "asked afterwards, never graded");
+    v.texts("offers", &Exercise::offers, limits::offers, limits::name_length,
+            "the controls that are shown: dials like \"LR\", dials that move together like \"LL=RR\", \"curves\", "
+            "\"sensors\", \"wiring\"; default: all");
+    v.number("changes", &Exercise::changes, "", {0, 16}, "most offered controls that may be changed; 0: any number");
     v.number("seed", &Exercise::seed, "", {0, 1e15}, "of the run that the student sees");
     v.number("seconds", &Exercise::seconds, "s", {1, 600}, "duration of a graded run");
     v.number("starts", &Exercise::starts, "", {1, 100}, "number of seeds, from 1 on, that are graded");
@@ -59,31 +81,12 @@ void describe(Visitor& v, Of<Exercise>) {
     v.table("predict", &Exercise::prediction, "a prediction, to be made before the outcome is visible");
     v.list("step", &Exercise::steps, limits::steps, "what must happen; at least one");
     v.list("hint", &Exercise::hints, limits::hints, "help, in stages");
-    v.table("solution", &Exercise::solution, "a brain that passes; must be given");
+    v.table("solution", &Exercise::solution,
+            "an answer that passes: a brain in place of the shipped one, or values that differ; must be given");
+    v.list("wrong", &Exercise::wrong, limits::wrong_answers, "a plausible answer that must fail");
 }
 
 namespace {
-
-// The settings of [set]: "kind.one.brain.LL" = 0.8, or kind.one.brain.LL = 0.8, which TOML nests.
-void gather_settings(TomlFile& file, const TomlNode& table, const std::string& prefix, std::vector<Setting>& out) {
-    for (const auto& [key, key_place, node] : *table.as_table()) {
-        const std::string path = prefix + key;
-        Setting setting{path, "", file.name, static_cast<int>(node.place.line)};
-        if (node.as_table()) {
-            gather_settings(file, node, path + ".", out);
-            continue;
-        } else if (const std::int64_t* whole = node.as_whole()) {
-            setting.value = fmt::format("{}", *whole);
-        } else if (const auto number = node.as_number()) {
-            setting.value = fmt::format("{}", *number);
-        } else if (const std::string* text = node.as_text()) {
-            setting.value = *text;
-        } else {
-            return file.fail("set." + path, &node, fmt::format("{} should be a number or text", in_quotes(path)));
-        }
-        out.push_back(std::move(setting));
-    }
-}
 
 // A part of the exercise file that is checked after reading: where it stands, and the scene that its names refer to.
 struct ExercisePart {
@@ -109,12 +112,24 @@ std::string listed_words(const std::variant<Goals...>&) {
     return all;
 }
 
+// The names in a goal's keys exist in the scene.
+template <class G>
+void check_names(const ExercisePart& part, const G& goal) {
+    const Scene& scene = part.scene;
+    if constexpr (requires { goal.source; }) part.check_name("source", goal.source, scene.sources, "source");
+    if constexpr (requires { goal.zone; }) part.check_name("zone", goal.zone, scene.zones, "zone");
+    if constexpr (requires { goal.left; }) part.check_name("left", goal.left, scene.obstacles, "obstacle");
+    if constexpr (requires { goal.right; }) part.check_name("right", goal.right, scene.obstacles, "obstacle");
+    if constexpr (requires { goal.other; }) part.check_name("other", goal.other, scene.starts, "vehicle");
+    if constexpr (requires { goal.kind; }) part.check_name("kind", goal.kind, scene.kinds, "kind");
+}
+
 void check_check(const ExercisePart& part, const Check& check) {
     if (!part.table.contains("goal"))
         return part.file.fail(part.path, &part.table, "'goal' is missing; it is one of " + listed_words(Goal{}));
     part.check_name("vehicle", check.vehicle, part.scene.starts, "vehicle");
     const auto check_goal = [&]<class G>(const G& goal) {
-        if constexpr (requires { goal.source; }) part.check_name("source", goal.source, part.scene.sources, "source");
+        check_names(part, goal);
         if constexpr (requires { goal.checks; }) {
             const TomlNode* checks = part.table.get("check");
             if (goal.checks.empty())
@@ -129,11 +144,34 @@ void check_check(const ExercisePart& part, const Check& check) {
     std::visit(check_goal, check.goal);
 }
 
-void check_prediction(TomlTable& top, const Prediction& prediction) {
+// `index`: of the check's step.
+void check_times(const ExercisePart& part, const Check& check, std::size_t index) {
+    if (check.after > static_cast<int>(index))
+        part.file.fail(part.path + ".after", part.table.get("after"),
+                       "'after' should be the number of an earlier step");
+    if (check.latest > 0 && check.latest <= check.earliest)
+        part.file.fail(part.path + ".latest", part.table.get("latest"), "'latest' should be more than 'earliest'");
+}
+
+void check_offers(TomlTable& top, const Exercise& exercise) {
+    for (const std::string& text : exercise.offers)
+        if (!parse_offer(text))
+            top.fail("offers", fmt::format("{} is no control; write dials like \"LR\" or \"LL=RR\", or one of "
+                                           "\"wiring\", \"curves\", \"sensors\"",
+                                           in_quotes(text)));
+    if (exercise.changes > 0 && exercise.offers.empty())
+        top.fail("changes", "'changes' counts offered controls; add 'offers'");
+}
+
+void check_prediction(TomlTable& top, const Prediction& prediction, const Scene& scene) {
     const TomlNode* table = top.content().get("predict");
     if (!table || !table->as_table()) return;
     if (prediction.question.empty() || prediction.options.size() < 2 || !table->contains("answer"))
         top.fail("predict", "a prediction needs a question, two or more options, and one of them as its answer");
+    for (std::size_t i = 0; i < prediction.shows.size() && !top.file().error; ++i) {
+        const TomlNode& check = table->get("shows")->as_list()->at(i);
+        check_check({top.file(), check, fmt::format("predict.shows.{}", i + 1), scene}, prediction.shows[i]);
+    }
 }
 
 void check_anchors(TomlTable& top, const Exercise& exercise) {
@@ -153,7 +191,8 @@ void check_exercise(TomlTable& top, const Exercise& exercise) {
     for (const char* key : {"title", "goal"})
         if (!top.has(key) && !file.error)
             file.error = Error{fmt::format("'{}' is missing; add {} = \"…\"", key, key), file.name, 1};
-    check_prediction(top, exercise.prediction);
+    check_prediction(top, exercise.prediction, exercise.scene);
+    check_offers(top, exercise);
     if (exercise.needed > exercise.starts)
         top.fail("needed", fmt::format("'needed' is {}, more than the {} starts", exercise.needed, exercise.starts));
     if (!top.has("solution") && !file.error)
@@ -165,32 +204,64 @@ void check_exercise(TomlTable& top, const Exercise& exercise) {
     const TomlNode* steps = top.content().get("step");
     for (std::size_t i = 0; i < exercise.steps.size() && !file.error; ++i) {
         const ExercisePart part{file, steps->as_list()->at(i), fmt::format("step.{}", i + 1), exercise.scene};
+        check_times(part, exercise.steps[i].check, i);
         if (exercise.steps[i].text.empty()) file.fail(part.path, &part.table, "a step needs a text: text = \"It …\"");
         check_check(part, exercise.steps[i].check);
     }
     if (!file.error) check_anchors(top, exercise);
 }
 
-// The scene that the exercise names, with the exercise's settings and then the given ones.
-void load_its_scene(TomlTable& top, const std::filesystem::path& path, const std::vector<Setting>& more,
-                    Exercise& exercise) {
-    const auto scene_path = top.text("scene", limits::text_length);
-    std::vector<Setting> settings;
-    if (const TomlNode* set = top.table("set")) gather_settings(top.file(), *set, "", settings);
-    settings.insert(settings.end(), more.begin(), more.end());
+// The file that holds the exercise's scene, and the scene's table in it; empty: the whole file.
+struct SceneText {
+    TomlFile file;
+    std::string table;
+};
+
+// The scene's text: table `scene` of the exercise, or the file that `scene` names.
+std::optional<SceneText> scene_text(TomlTable& top, const std::filesystem::path& path) {
     TomlFile& file = top.file();
+    if (const TomlNode* inner = top.find("scene"); inner && inner->as_table()) return SceneText{file, "scene"};
+    const auto scene_path = top.text("scene", limits::text_length);
     if (!scene_path && !file.error)
-        file.error = Error{"'scene' is missing; add scene = \"../scenes/NAME.toml\"", file.name, 1};
-    if (file.error) return;
+        file.error = Error{"'scene' is missing; add scene = \"../scenes/NAME.toml\", or a scene as [scene]", file.name};
+    if (file.error) return std::nullopt;
     const std::filesystem::path scene_file = (path.parent_path() / *scene_path).lexically_normal();
     std::error_code problem;
-    if (!std::filesystem::is_regular_file(scene_file, problem))
-        return top.fail("scene", message_of("no_scene_of_exercise", in_quotes(scene_file.string())));
-    auto scene = load_scene(scene_file, settings);
-    if (scene)
-        exercise.scene = std::move(*scene);
-    else
-        file.error = scene.error();
+    if (!std::filesystem::is_regular_file(scene_file, problem)) {
+        top.fail("scene", message_of("no_scene_of_exercise", in_quotes(scene_file.string())));
+        return std::nullopt;
+    }
+    const auto text = read_text(scene_file);
+    auto parsed = text ? parse_toml(*text, scene_file.string()) : text.error();
+    if (!parsed) return file.error = parsed.error(), std::nullopt;
+    return SceneText{std::move(*parsed), ""};
+}
+
+// The submission of an answer whose keys have been read from `table`.
+void resolve(Answer& answer, const std::string& path, const TomlNode& table, const SceneText& text,
+             std::vector<Setting> settings, Exercise exercise, TomlFile& file) {
+    settings.insert(settings.end(), answer.settings.begin(), answer.settings.end());
+    auto scene = read_scene(text.file, text.table, settings);
+    if (!scene) return void(file.error = scene.error());
+    exercise.scene = std::move(*scene);
+    answer.submission = as_shipped(exercise);
+    for (const Dial dial : all_dials)
+        if (table.contains(name(dial))) answer.brain.given.push_back(dial);
+    if (answer.brain.given.empty() && answer.brain.nodes.empty() && answer.brain.wires.empty()) return;
+    answer.submission.brain = {};
+    std::optional<Fault> fault = to_graph(answer.brain, answer.submission.brain);
+    if (!fault) fault = find_fault(answer.submission.brain);
+    if (fault) file.error = file.fault_at(fault->path.empty() ? path : path + "." + fault->path, fault->what);
+}
+
+void resolve_answers(TomlTable& top, const SceneText& text, const std::vector<Setting>& settings, Exercise& exercise) {
+    const auto resolve_one = [&](Answer& answer, const std::string& path, const TomlNode* table) {
+        if (table && !top.file().error) resolve(answer, path, *table, text, settings, exercise, top.file());
+    };
+    resolve_one(exercise.solution, "solution", top.content().get("solution"));
+    const TomlNode* wrong = top.content().get("wrong");
+    for (std::size_t i = 0; i < exercise.wrong.size(); ++i)
+        resolve_one(exercise.wrong[i], fmt::format("wrong.{}", i + 1), &wrong->as_list()->at(i));
 }
 
 template <class G>
@@ -222,11 +293,19 @@ Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::pa
     exercise.id = path.stem().string();
     TomlTable top(*file, file->root, "");
     top.find("format");
-    load_its_scene(top, path, more, exercise);
+    std::vector<Setting> settings;
+    if (const TomlNode* set = top.table("set")) top.gather_settings(*set, "set", "", settings);
+    settings.insert(settings.end(), more.begin(), more.end());
+    const auto text = scene_text(top, path);
+    if (!text) return *file->error;
+    auto scene = read_scene(text->file, text->table, settings);
+    if (!scene) return scene.error();
+    exercise.scene = std::move(*scene);
     TomlReader<Exercise> reader(top, exercise);
     describe(reader, Of<Exercise>{});
     top.done();
     if (!file->error) check_exercise(top, exercise);
+    if (!file->error) resolve_answers(top, *text, settings, exercise);
     if (file->error) return *file->error;
     return exercise;
 }
@@ -255,11 +334,13 @@ std::vector<TranslatableText> texts_of(const Exercise& exercise) {
     add("title", exercise.title);
     add("goal", exercise.goal);
     add("why", exercise.why);
+    add("question", exercise.question);
     add("predict.question", exercise.prediction.question);
     add_list("predict.option", exercise.prediction.options, "", [](const std::string& option) { return option; });
     add("predict.outcome", exercise.prediction.outcome);
     add_list("step", exercise.steps, ".text", [](const Step& step) { return step.text; });
     add_list("hint", exercise.hints, ".text", [](const Hint& hint) { return hint.text; });
+    add_list("wrong", exercise.wrong, ".text", [](const Answer& answer) { return answer.text; });
     return texts;
 }
 

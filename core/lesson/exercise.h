@@ -12,6 +12,7 @@
 #include "core/result.h"
 #include "core/scene/scene.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/schema.h"
 
 namespace braitenlab {
 
@@ -24,9 +25,11 @@ struct Step {
 struct Prediction {
     std::string question;
     std::vector<std::string> options;
-    int answer = 0;       // index of the option that the run shows; in the file, the option's text
-    std::string outcome;  // shown next to the student's own choice once a run has shown it
-    float after = 3;      // simulated seconds of a run with the shipped brain after which the outcome is visible
+    int answer = 0;            // index of the option that the run shows; in the file, the option's text
+    std::string outcome;       // shown next to the student's own choice once a run has shown it
+    float after = 3;           // simulated seconds of a run with the shipped brain after which the outcome is visible
+    std::vector<Check> shows;  // what a run with the shipped brain and Exercise::seed meets by then
+    bool hides_brain = false;  // until it is made, the brain's picture and the wires on the deck are not shown
 };
 
 struct Hint {
@@ -34,23 +37,44 @@ struct Hint {
     std::string anchor;  // id of the widget that pulses while the hint is the newest, e.g. "slider.LR"; may be empty
 };
 
+// Everything that the student may change: these parts of the kind of the scene's first vehicle (see subject_kind).
+struct Submission {
+    BrainGraph brain;
+    std::vector<Sensor> sensors;
+    Body body;
+    friend bool operator==(const Submission&, const Submission&) = default;
+};
+
+// A submission stored in the file: the solution, or a plausible one that must fail.
+struct Answer {
+    std::string name, text;         // of a wrong answer: what it is, and feedback on it
+    BrainText brain;                // replaces the shipped one if it has a dial or a node
+    std::vector<Setting> settings;  // of the scene, applied before
+    Submission submission;          // the result
+};
+
 struct Exercise {
     std::string id;  // the file's stem: "05-aggressor"
     int number = 0;
+    int chapter = 0;  // of the course, from 1; 0: none
     std::string title, goal, why;
-    Scene scene;  // with the exercise's own settings applied
+    std::string question;  // asked afterwards, never graded
+    Scene scene;           // with the exercise's own settings applied
     std::uint64_t seed = 1;
     Prediction prediction;
     std::vector<Step> steps;
     std::vector<Hint> hints;
-    float seconds = 20;  // duration of a graded run
-    int starts = 10;     // seeds 1..starts are graded
-    int needed = 8;      // number of starts that must pass every step
-    FourNeurons solution;
+    std::vector<std::string> offers;  // the controls that are shown, see parse_offer; empty: all
+    int changes = 0;                  // most offered controls that may be changed; 0: any number
+    float seconds = 20;               // duration of a graded run
+    int starts = 10;                  // seeds 1..starts are graded
+    int needed = 8;                   // number of starts that must pass every step
+    Answer solution;
+    std::vector<Answer> wrong;
 };
 
 // Errors carry file and line; those in the scene carry the scene's. The scene's path is relative to the exercise's
-// file.
+// file. `more`: settings of the scene, applied after the exercise's own.
 Result<Exercise> load_exercise(const std::filesystem::path&, const std::vector<Setting>& more = {});
 Result<Exercise> parse_exercise(std::string_view toml, const std::filesystem::path& file,
                                 const std::vector<Setting>& more = {});

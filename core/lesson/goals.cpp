@@ -10,52 +10,19 @@ namespace braitenlab {
 
 namespace goals {
 
-namespace {
-
-// The lowest first speed that a speed is compared with: any speed is a large multiple of that of a standing vehicle.
-constexpr float least_first_speed = 0.05f;  // m/s
-
-// From the vehicle to the source; sources may have been added or removed since the start.
-std::optional<maths::vec2> offset_to(const std::string& source, const Observation& at) {
-    const int index = find_source(*at.now.scene, source);
-    if (index < 0) return std::nullopt;
-    const SourceView& view = at.now.sources[static_cast<std::size_t>(index)];
-    return maths::vec2{view.x - at.vehicle.x, view.y - at.vehicle.y};
-}
-
-}  // namespace
-
-std::optional<Reading> measure(const Runs& goal, Runs::State&, const Observation& at) {
-    const auto seconds = static_cast<float>(at.now.seconds);
-    return Reading{seconds, seconds >= goal.seconds};
-}
-
-std::optional<Reading> measure(const TurnsTo& goal, TurnsTo::State& state, const Observation& at) {
-    const auto offset = offset_to(goal.source, at);
-    if (!offset) return std::nullopt;
-    const float bearing = maths::arctangent2(offset->y, offset->x) - at.vehicle.heading;
-    const float off = std::fabs(maths::degrees(maths::wrap_angle(bearing)));
-    if (off > goal.degrees) state.was_outside = true;
-    return Reading{off, state.was_outside && off <= goal.degrees};
-}
-
-std::optional<Reading> measure(const Touches& goal, Touches::State&, const Observation& at) {
-    const auto offset = offset_to(goal.source, at);
-    if (!offset) return std::nullopt;
-    const float distance = maths::length(*offset);
-    return Reading{distance, distance <= goal.metres};
-}
-
-std::optional<Reading> measure(const SpeedsUp& goal, SpeedsUp::State& state, const Observation& at) {
-    if (state.first_speed == 0 && at.now.seconds >= 1)
-        state.first_speed = std::max(std::fabs(at.vehicle.speed), least_first_speed);
-    if (!state.decided) {
-        const auto offset = offset_to(goal.source, at);
-        if (!offset || state.first_speed == 0) return std::nullopt;
-        state.ratio = std::fabs(at.vehicle.speed) / state.first_speed;
-        state.decided = maths::length(*offset) <= goal.metres;
+std::optional<maths::vec2> offset_to_source(const std::string& source, const Observation& at) {
+    std::optional<maths::vec2> nearest;
+    for (const SourceView& view : at.now.sources) {
+        if (!source.empty() && at.now.scene->sources[static_cast<std::size_t>(view.source)].name != source) continue;
+        const maths::vec2 offset{view.x - at.vehicle.x, view.y - at.vehicle.y};
+        if (!nearest || maths::length(offset) < maths::length(*nearest)) nearest = offset;
     }
-    return Reading{state.ratio, state.decided && state.ratio >= goal.factor};
+    return nearest;
+}
+
+float degrees_off(const VehicleView& vehicle, maths::vec2 offset) {
+    const float bearing = maths::arctangent2(offset.y, offset.x) - vehicle.heading;
+    return std::fabs(maths::degrees(maths::wrap_angle(bearing)));
 }
 
 }  // namespace goals
@@ -75,42 +42,74 @@ auto visit_goal(const Check& check, CheckState& state, const With& with) {
 }
 
 struct CheckContext {
-    const Snapshot& now;
-    const Subjects& subjects;
+    const CheckedTick& tick;
     std::string_view vehicle;  // of the check around this one
-    bool together = false;     // this check must be met while others are, or for a time: its best value says nothing
+    bool together = false;     // this check must be met while others are, or for a time
 };
 
 bool judge(const Check&, CheckState&, CheckContext);
 
+// A value that must fall shows its smallest so far, unless the check must be met while others are, or for a time.
+template <class G>
+bool shows_best(bool together) {
+    return G::traits.at_most && !G::traits.is_total && !together;
+}
+
 template <Combined G>
-bool is_met(const G& goal, typename G::State& state, CheckState&, const CheckContext& context) {
-    std::ptrdiff_t met = 0;
-    for (std::size_t i = 0; i < goal.checks.size(); ++i) met += judge(goal.checks[i], state.checks[i], context);
-    return std::is_same_v<G, goals::AllOf> ? met == std::ssize(goal.checks) : met > 0;
+bool is_met(const G& goal, typename G::State& state, CheckState& own, const CheckContext& context) {
+    std::ptrdiff_t met = 0, lost = 0;
+    for (std::size_t i = 0; i < goal.checks.size(); ++i) {
+        met += judge(goal.checks[i], state.checks[i], context);
+        lost += state.checks[i].lost;
+    }
+    const std::ptrdiff_t all = std::ssize(goal.checks);
+    if constexpr (std::is_same_v<G, goals::NoneOf>) {
+        own.lost |= met > 0;
+        return !own.lost;
+    }
+    own.lost |= std::is_same_v<G, goals::AllOf> ? lost > 0 : lost == all;
+    return std::is_same_v<G, goals::AllOf> ? met == all : met > 0;
 }
 
 template <class G>
 bool is_met(const G& goal, typename G::State& own, CheckState& state, const CheckContext& context) {
-    const VehicleView* vehicle = find_vehicle(context.now, context.subjects.id(context.vehicle));
+    const auto& [now, subjects, reference, done] = context.tick;
+    const VehicleView* vehicle = find_vehicle(now, subjects.id(context.vehicle));
     if (!vehicle) return false;
-    const auto reading = measure(goal, own, {context.now, *vehicle});
+    const auto reading = measure(goal, own, {now, *vehicle, subjects, reference});
     if (!reading) return false;
-    const bool keeps_best = G::traits.at_most && !context.together;
+    const bool keeps_best = shows_best<G>(context.together);
     state.value = keeps_best ? std::min(state.value, reading->value) : reading->value;
+    state.lost |= reading->lost;
     return reading->met;
 }
 
+bool is_step_done(const std::vector<bool>& done, int number) {
+    return number == 0 ||
+           (static_cast<std::size_t>(number) <= done.size() && done[static_cast<std::size_t>(number) - 1]);
+}
+
 bool judge(const Check& check, CheckState& state, CheckContext context) {
+    const double seconds = context.tick.now.seconds;
+    const bool is_over = check.latest > 0 && seconds > static_cast<double>(check.latest);
+    state.lost |= is_over;
+    if (is_over || seconds < static_cast<double>(check.earliest) || !is_step_done(context.tick.done, check.after))
+        return state.met_since = -1, state.held = 0, false;
     if (!check.vehicle.empty()) context.vehicle = check.vehicle;
     context.together |= check.hold > 0 || std::holds_alternative<goals::AllOf>(check.goal);
     const bool met =
         visit_goal(check, state, [&](const auto& goal, auto& own) { return is_met(goal, own, state, context); });
-    const auto tick = static_cast<std::int64_t>(context.now.tick);
+    const auto tick = static_cast<std::int64_t>(context.tick.now.tick);
     if (!met) state.met_since = -1;
     if (met && state.met_since < 0) state.met_since = tick;
     state.held = met ? tick - state.met_since : 0;
     return met && state.held >= std::lround(check.hold / tick_seconds);
+}
+
+template <class G>
+std::optional<float> needed_most(const G& goal) {
+    if constexpr (requires { goal.needed_most(); }) return goal.needed_most();
+    return std::nullopt;
 }
 
 void add_measures(const Check& check, const CheckState& state, bool together, std::vector<Measure>& all) {
@@ -122,8 +121,8 @@ void add_measures(const Check& check, const CheckState& state, bool together, st
                 for (std::size_t i = 0; i < goal.checks.size(); ++i)
                     add_measures(goal.checks[i], states[i], together, all);
             } else {
-                all.push_back(
-                    {state.value, goal.needed(), G::traits.unit, G::traits.at_most, G::traits.at_most && !together});
+                all.push_back({state.value, goal.needed(), G::traits.unit, G::traits.at_most, shows_best<G>(together),
+                               needed_most(goal)});
             }
         },
         check.goal);
@@ -151,14 +150,21 @@ CheckState initial_state(const Check& check) {
         check.goal);
 }
 
-bool update(const Check& check, CheckState& state, const Snapshot& now, const Subjects& subjects) {
-    return judge(check, state, {now, subjects, {}});
-}
+bool update(const Check& check, CheckState& state, const CheckedTick& tick) { return judge(check, state, {tick, {}}); }
 
 std::vector<Measure> measures(const Check& check, const CheckState& state) {
     std::vector<Measure> all;
     add_measures(check, state, false, all);
     return all;
+}
+
+bool needs_reference(const Check& check) {
+    return std::visit(
+        []<class G>(const G& goal) {
+            if constexpr (Combined<G>) return std::any_of(goal.checks.begin(), goal.checks.end(), needs_reference);
+            return std::is_same_v<G, goals::Matches>;
+        },
+        check.goal);
 }
 
 }  // namespace braitenlab

@@ -8,87 +8,69 @@
 
 namespace braitenlab {
 
-namespace {
-
-const Kind& shipped_kind(const Exercise& exercise) {
-    return exercise.scene.kinds[static_cast<std::size_t>(subject_kind(exercise.scene))];
-}
-
-Scene scene_with(const Exercise& exercise, const Submission& submission) {
-    Scene scene = exercise.scene;
-    Kind& kind = scene.kinds[static_cast<std::size_t>(subject_kind(scene))];
-    kind.brain = submission.brain;
-    kind.sensors = submission.sensors;
-    kind.body = submission.body;
-    if (!scene.starts.empty()) scene.starts.front().sensors.reset();
-    return scene;
-}
-
-}  // namespace
-
-Submission as_shipped(const Exercise& exercise) {
-    const Kind& kind = shipped_kind(exercise);
-    const std::vector<Start>& starts = exercise.scene.starts;
-    const bool has_own_sensors = !starts.empty() && starts.front().sensors;
-    return {kind.brain, has_own_sensors ? *starts.front().sensors : kind.sensors, kind.body};
-}
-
-Submission with_brain(const Exercise& exercise, BrainGraph brain) {
-    Submission submission = as_shipped(exercise);
-    submission.brain = std::move(brain);
-    return submission;
-}
-
-Submission with_solution(const Exercise& exercise) { return with_brain(exercise, make_graph(exercise.solution)); }
-
-Submission submission_of(const Exercise& exercise, const Snapshot& now) {
-    const auto subject = std::find_if(now.vehicles.begin(), now.vehicles.end(),
-                                      [](const VehicleView& vehicle) { return vehicle.start == 0; });
-    const auto index =
-        static_cast<std::size_t>(subject == now.vehicles.end() ? subject_kind(exercise.scene) : subject->kind);
-    if (index >= now.scene->kinds.size()) return as_shipped(exercise);  // the kind was removed
-    const BrainGraph& brain =
-        subject == now.vehicles.end() ? *now.kind_brains[index] : *now.brains[static_cast<std::size_t>(subject->brain)];
-    const Kind& kind = subject == now.vehicles.end() ? now.scene->kinds[index] : kind_of(now, *subject);
-    return {brain, kind.sensors, kind.body};
-}
-
 Trial::Trial(const Exercise& exercise, const Submission& submission, std::uint64_t seed) : referee_(exercise) {
+    result_.seed = seed;
     auto world = World::create(scene_with(exercise, submission), seed);
     if (!world) return;
     world_ = std::move(*world);
     world_->capture(snapshot_);
     referee_.watch(snapshot_);
+    add_to_path();
     ticks_left_ = std::lround(exercise.seconds / tick_seconds);
 }
 
-std::optional<bool> Trial::run(int ticks) {
-    for (; ticks > 0 && ticks_left_ > 0 && !referee_.passed(); --ticks, --ticks_left_) {
+void Trial::add_to_path() {
+    if (snapshot_.tick % path_ticks != 0) return;
+    for (const VehicleView& vehicle : snapshot_.vehicles)
+        if (vehicle.start == 0) result_.path.push_back({vehicle.x, vehicle.y});
+}
+
+std::optional<StartResult> Trial::run(int ticks) {
+    const auto decided = [&] { return ticks_left_ == 0 || referee_.passed() || referee_.lost(); };
+    for (; ticks > 0 && !decided(); --ticks, --ticks_left_) {
         world_->step();
         world_->capture(snapshot_);
         referee_.watch(snapshot_);
+        add_to_path();
     }
-    if (world_ && referee_.passed()) return true;
-    return ticks_left_ > 0 ? std::nullopt : std::optional(false);
+    if (!decided()) return std::nullopt;
+    if (world_) result_.passed = referee_.passed(), result_.verdicts = referee_.verdicts();
+    return result_;
 }
 
-bool passes(const Exercise& exercise, const Submission& submission, std::uint64_t seed) {
+StartResult try_start(const Exercise& exercise, const Submission& submission, std::uint64_t seed) {
     Trial trial(exercise, submission, seed);
     return *trial.run(std::numeric_limits<int>::max());
 }
 
-Grade grade_of(const Exercise& exercise, std::vector<bool> passed) {
-    Grade grade{std::move(passed)};
-    grade.count = static_cast<int>(std::count(grade.passed.begin(), grade.passed.end(), true));
+bool shows_prediction(const Exercise& exercise) {
+    if (exercise.prediction.shows.empty()) return true;
+    Exercise shown = exercise;
+    shown.seconds = exercise.prediction.after;
+    shown.steps.clear();
+    for (const Check& check : exercise.prediction.shows) shown.steps.push_back({"", check});
+    return passes(shown, as_shipped(exercise), exercise.seed);
+}
+
+std::vector<bool> passed_starts(const Grade& grade) {
+    std::vector<bool> passed;
+    for (const StartResult& start : grade.starts) passed.push_back(start.passed);
+    return passed;
+}
+
+Grade grade_of(const Exercise& exercise, std::vector<StartResult> starts) {
+    Grade grade{std::move(starts)};
+    grade.count = static_cast<int>(
+        std::count_if(grade.starts.begin(), grade.starts.end(), [](const StartResult& start) { return start.passed; }));
     grade.good = grade.count >= exercise.needed;
     return grade;
 }
 
-Grade grade(const Exercise& exercise, const Submission& submission) {
-    std::vector<bool> passed;
-    for (int seed = 1; seed <= exercise.starts; ++seed)
-        passed.push_back(passes(exercise, submission, static_cast<std::uint64_t>(seed)));
-    return grade_of(exercise, std::move(passed));
+Grade grade(const Exercise& exercise, const Submission& submission, std::uint64_t first_seed) {
+    std::vector<StartResult> starts;
+    for (int i = 0; i < exercise.starts; ++i)
+        starts.push_back(try_start(exercise, submission, first_seed + static_cast<std::uint64_t>(i)));
+    return grade_of(exercise, std::move(starts));
 }
 
 }  // namespace braitenlab

@@ -1,4 +1,4 @@
-// What a student hands in for an exercise, and whether it passes.
+// Whether a submission passes an exercise.
 #pragma once
 
 #include <cstdint>
@@ -7,25 +7,21 @@
 
 #include "core/lesson/exercise.h"
 #include "core/lesson/referee.h"
+#include "core/lesson/submission.h"
 #include "core/world/snapshot.h"
 #include "core/world/world.h"
 
 namespace braitenlab {
 
-// Everything that the student may change: these parts of the kind of the scene's first vehicle (see subject_kind).
-struct Submission {
-    BrainGraph brain;
-    std::vector<Sensor> sensors;
-    Body body;
-    friend bool operator==(const Submission&, const Submission&) = default;
+// A run from one start, judged.
+struct StartResult {
+    std::uint64_t seed = 0;
+    bool passed = false;            // every step is done
+    std::vector<Verdict> verdicts;  // one per step; empty: the submission is not valid
+    std::vector<maths::vec2> path;  // m, positions of the first vehicle, one per path_ticks from tick 0
 };
 
-Submission as_shipped(const Exercise&);
-Submission with_brain(const Exercise&, BrainGraph);  // as shipped but for the brain
-Submission with_solution(const Exercise&);           // as shipped but for the brain, which is the exercise's solution
-
-// What the first vehicle of a run of the exercise has now; when it is gone, what its kind has.
-Submission submission_of(const Exercise&, const Snapshot&);
+inline constexpr int path_ticks = 15;
 
 // A run of the exercise's scene from one seed with a submission. It passes when every step is done within
 // Exercise::seconds; with a submission that is not valid, e.g. whose brain does not compile, it fails. Deterministic;
@@ -34,29 +30,42 @@ class Trial {
 public:
     Trial(const Exercise&, const Submission&, std::uint64_t seed);
 
-    // Runs at most `ticks` ticks and returns whether the trial passes, or nullopt while that is undecided.
-    std::optional<bool> run(int ticks);
+    // Runs at most `ticks` ticks and returns the result, or nullopt while the trial is undecided.
+    std::optional<StartResult> run(int ticks);
 
 private:
+    void add_to_path();
+
     std::optional<World> world_;  // nullopt: the submission is not valid
     Referee referee_;
     Snapshot snapshot_;
+    StartResult result_;
     long ticks_left_ = 0;
 };
 
 // The result of a whole Trial.
-bool passes(const Exercise&, const Submission&, std::uint64_t seed);
+StartResult try_start(const Exercise&, const Submission&, std::uint64_t seed);
+inline bool passes(const Exercise& exercise, const Submission& submission, std::uint64_t seed) {
+    return try_start(exercise, submission, seed).passed;
+}
+
+// True if the run with the shipped brain and Exercise::seed shows what the prediction's answer says: it meets all
+// checks of Prediction::shows in Prediction::after seconds.
+bool shows_prediction(const Exercise&);
 
 struct Grade {
-    std::vector<bool> passed;  // one per start, seeds 1, 2, …
-    int count = 0;             // number of starts that passed
-    bool good = false;         // count >= Exercise::needed
+    std::vector<StartResult> starts;
+    int count = 0;      // number of starts that passed
+    bool good = false;  // count >= Exercise::needed
 };
 
-// The grade of `passed`, which holds one result of passes() for each of the seeds 1 .. Exercise::starts.
-Grade grade_of(const Exercise&, std::vector<bool> passed);
+std::vector<bool> passed_starts(const Grade&);
 
-// Runs all starts one after the other. Takes a fraction of a second to some seconds.
-Grade grade(const Exercise&, const Submission&);
+// The grade of these starts.
+Grade grade_of(const Exercise&, std::vector<StartResult>);
+
+// Runs Exercise::starts starts with the seeds from `first_seed` on, one after the other. Takes a fraction of a second
+// to some seconds.
+Grade grade(const Exercise&, const Submission&, std::uint64_t first_seed = 1);
 
 }  // namespace braitenlab

@@ -122,10 +122,7 @@ bool is_as_given(const Exercise& exercise, const Scene& now) {
         const bool is_subject = !given.starts.empty() && static_cast<int>(k) == subject_kind(given);
         if (!(is_subject ? same_but_for_submission : same_but_for_brain)(now.kinds[k], given.kinds[k])) return false;
     }
-    const bool has_no_other_source = std::all_of(now.sources.begin(), now.sources.end(), [&](const Source& source) {
-        return std::find(given.sources.begin(), given.sources.end(), source) != given.sources.end();
-    });
-    return has_no_other_source && now.arena == given.arena && now.ecology == given.ecology &&
+    return now.sources == given.sources && now.arena == given.arena && now.ecology == given.ecology &&
            same_but_for_colours(now.starts, given.starts) &&
            members_without_own_values(now) == members_without_own_values(given) && now.obstacles == given.obstacles &&
            now.zones == given.zones;
@@ -157,10 +154,21 @@ void Referee::watch(const Snapshot& now) {
     if (now.tick > 0 && (!is_given || state_.by_hand)) state_.disturbed = true;  // before, it can be put right
     state_.by_hand = state_.disturbed || !is_given;
     if (state_.by_hand || !find_vehicle(now, subjects.id({}))) return;
+    std::vector<bool> done;
+    for (const RefereeState::Judged& step : state_.steps) done.push_back(step.done);
+    const CheckedTick tick{now, subjects, reference_at(now), done};
     for (std::size_t i = 0; i < state_.steps.size(); ++i) {
         RefereeState::Judged& step = state_.steps[i];
-        if (!step.done) step.done = update(exercise_->steps[i].check, step.check, now, subjects);
+        if (!step.done) step.done = update(exercise_->steps[i].check, step.check, tick);
     }
+}
+
+// Null unless a step needs the reference.
+const ReferencePath* Referee::reference_at(const Snapshot& now) {
+    const auto needs = [](const Step& step) { return needs_reference(step.check); };
+    if (std::none_of(exercise_->steps.begin(), exercise_->steps.end(), needs)) return nullptr;
+    if (!reference_ || reference_->seed() != now.seed) reference_ = std::make_shared<Reference>(*exercise_, now.seed);
+    return &reference_->until(now.tick);
 }
 
 void Referee::watch(const Snapshot& after, const Command& command) {
@@ -195,7 +203,8 @@ bool Referee::is_undisturbed(const Snapshot& now) {
 std::vector<Verdict> Referee::verdicts() const {
     std::vector<Verdict> verdicts;
     for (std::size_t i = 0; i < state_.steps.size(); ++i)
-        verdicts.push_back({state_.steps[i].done, measures(exercise_->steps[i].check, state_.steps[i].check)});
+        verdicts.push_back({state_.steps[i].done, !state_.steps[i].done && state_.steps[i].check.lost,
+                            measures(exercise_->steps[i].check, state_.steps[i].check)});
     return verdicts;
 }
 
@@ -203,10 +212,15 @@ bool Referee::passed() const {
     return std::all_of(state_.steps.begin(), state_.steps.end(), [](const auto& step) { return step.done; });
 }
 
+bool Referee::lost() const {
+    return std::any_of(state_.steps.begin(), state_.steps.end(),
+                       [](const auto& step) { return !step.done && step.check.lost; });
+}
+
 namespace {
 
 Json state_json(const CheckState& state) {
-    Json json{{"met_since", state.met_since}, {"held", state.held}};
+    Json json{{"met_since", state.met_since}, {"held", state.held}, {"lost", state.lost}};
     if (std::isfinite(state.value)) json["value"] = state.value;
     std::visit(
         [&]<class Own>(const Own& own) {
@@ -227,6 +241,7 @@ Json state_json(const CheckState& state) {
 void read_state(const Json& json, CheckState& state) {
     json.at("met_since").get_to(state.met_since);
     json.at("held").get_to(state.held);
+    state.lost = json.value("lost", false);
     if (json.contains("value")) json.at("value").get_to(state.value);
     const Json& goal = json.at("goal");
     std::visit(

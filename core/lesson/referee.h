@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/lesson/exercise.h"
+#include "core/lesson/reference.h"
 #include "core/world/command.h"
 #include "core/world/snapshot.h"
 
@@ -17,6 +18,7 @@ namespace braitenlab {
 // One step, judged: once done it stays done, and its measures stay as they were then.
 struct Verdict {
     bool done = false;
+    bool lost = false;              // it cannot be done any more in this run
     std::vector<Measure> measures;  // at least one; the values to show
 };
 
@@ -52,6 +54,7 @@ public:
 
     std::vector<Verdict> verdicts() const;  // one per step
     bool passed() const;                    // every step is done
+    bool lost() const;                      // a step that is not done cannot be done any more in this run
 
     // Takes a referee of the same exercise back to an earlier state of its own, or on to a later one.
     const RefereeState& state() const { return state_; }
@@ -61,7 +64,10 @@ private:
     void begin(const Snapshot&);
     bool is_undisturbed(const Snapshot&);
 
+    const ReferencePath* reference_at(const Snapshot&);
+
     std::shared_ptr<const Exercise> exercise_;
+    std::shared_ptr<Reference> reference_;  // null until a step needs it
     RefereeState state_;
     std::shared_ptr<const Scene> compared_;  // with the exercise's scene, last
     bool as_given_ = true;                   // the result
@@ -72,7 +78,7 @@ std::string write_referee_state(const RefereeState&);
 std::optional<RefereeState> read_referee_state(std::string_view json, const Exercise&);
 
 // Whether a scene offers what the exercise's scene offers. The subject's kind may have another brain, other sensors and
-// another body, as these are what the student changes; sources may be missing, as that makes nothing easier.
+// another body, as these are what the student changes.
 bool is_as_given(const Exercise&, const Scene&);
 
 }  // namespace braitenlab

@@ -9,6 +9,7 @@
 
 #include "core/maths/angle.h"
 #include "core/scene/enums.h"
+#include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
 
 namespace braitenlab {
@@ -64,6 +65,12 @@ public:
     }
     void choice(const char* key, int T::*, std::vector<std::string> T::*, const char* meaning) {
         row(key, "", "text", "", meaning);
+    }
+    void brain_keys(BrainText T::*, const char* meaning) {
+        rows_ += fmt::format("| | | the keys of a brain, see scene-format.md | | {} |\n", meaning);
+    }
+    void settings(const char* key, std::vector<Setting> T::*, const char* meaning) {
+        tables_ += fmt::format("\n## `[{}{}]`\n\n{}.\n", path_, key, capital(meaning));
     }
     template <class... Types>
     void variant(const char* key, std::variant<Types...> T::*, const char* meaning) {

@@ -69,26 +69,32 @@ std::vector<std::string> setting_paths(const Scene& scene) {
     return paths;
 }
 
-// The scene of the tree; the first error is in file.error.
-Scene decode(TomlFile& file) {
+std::string joined(const std::string& table, const std::string& path) {
+    return table.empty() ? path : table + "." + path;
+}
+
+// The scene in a table of the tree, or in the whole tree; the first error is in file.error.
+Scene decode(TomlFile& file, const std::string& table) {
     Scene scene;
     const std::string stem = std::filesystem::path(file.name).stem().string();
     scene.name = name_fault(stem) ? "scene" : stem;
-    check_format(file);
-    TomlTable top(file, file.root, "");
-    top.find("format");
+    TomlTable top(file, table.empty() ? file.root : *file.root.get(table), table);
+    if (table.empty()) check_format(file), top.find("format");
     TomlReader<Scene> reader(top, scene);
     describe(reader, Of<Scene>{});
     top.done();
     if (file.error) return scene;
-    if (const auto fault = find_fault(scene)) file.error = file.fault_at(fault->path, fault->what);
+    if (const auto fault = find_fault(scene)) file.error = file.fault_at(joined(table, fault->path), fault->what);
     return scene;
 }
 
-std::optional<Error> apply(const Setting& setting, TomlFile& file, const std::vector<std::string>& known) {
+std::optional<Error> apply(const Setting& setting, const std::string& table, TomlFile& file,
+                           const std::vector<std::string>& known) {
     const bool exists = std::find(known.begin(), known.end(), setting.path) != known.end();
-    if (exists && put(file.root, setting)) {
-        file.settings.push_back(setting);
+    Setting in_file = setting;
+    in_file.path = joined(table, setting.path);
+    if (exists && put(file.root, in_file)) {
+        file.settings.push_back(in_file);
         return std::nullopt;
     }
     const std::vector<std::string_view> candidates(known.begin(), known.end());
@@ -110,19 +116,23 @@ Result<Setting> parse_setting(std::string_view text) {
     return Setting{trim(text.substr(0, equals)), trim(text.substr(equals + 1))};
 }
 
-Result<Scene> parse_scene(std::string_view toml, std::string file_name, const std::vector<Setting>& settings) {
-    auto file = parse_toml(toml, std::move(file_name));
-    if (!file) return file.error();
-    Scene scene = decode(*file);
-    if (file->error) return *file->error;
+Result<Scene> read_scene(TomlFile file, const std::string& table, const std::vector<Setting>& settings) {
+    Scene scene = decode(file, table);
+    if (file.error) return *file.error;
     if (settings.empty()) return scene;
 
     const std::vector<std::string> known = setting_paths(scene);
     for (const Setting& setting : settings)
-        if (auto error = apply(setting, *file, known)) return *error;
-    scene = decode(*file);
-    if (file->error) return *file->error;
+        if (auto error = apply(setting, table, file, known)) return *error;
+    scene = decode(file, table);
+    if (file.error) return *file.error;
     return scene;
+}
+
+Result<Scene> parse_scene(std::string_view toml, std::string file_name, const std::vector<Setting>& settings) {
+    auto file = parse_toml(toml, std::move(file_name));
+    if (!file) return file.error();
+    return read_scene(std::move(*file), "", settings);
 }
 
 Result<Scene> load_scene(const std::filesystem::path& path, const std::vector<Setting>& settings) {

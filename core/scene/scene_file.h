@@ -28,6 +28,11 @@ Result<Setting> parse_setting(std::string_view text);
 Result<Scene> parse_scene(std::string_view toml, std::string file_name, const std::vector<Setting>& = {});
 Result<Scene> load_scene(const std::filesystem::path&, const std::vector<Setting>& = {});
 
+// The scene in one table of a file that holds more, e.g. "scene" of an exercise, or in the whole file if `table` is
+// empty. Paths of settings are relative to the scene. Precondition: the file has this table.
+struct TomlFile;  // core/scene/toml_tree.h
+Result<Scene> read_scene(TomlFile, const std::string& table, const std::vector<Setting>&);
+
 // The scene as TOML, without values at their defaults. parse_scene(write_scene(s)) == s for a scene that check_scene
 // accepts, except that a four-neuron brain loses the order (not the ids) of its nodes and wires.
 std::string write_scene(const Scene&);

@@ -13,6 +13,28 @@ const TomlNode* TomlTable::find(std::string_view key) {
     return table_.get(key);
 }
 
+void TomlTable::gather_settings(const TomlNode& table, const std::string& path, const std::string& prefix,
+                                std::vector<Setting>& out) {
+    for (const auto& [key, key_place, node] : *table.as_table()) {
+        const std::string inner = prefix + key;
+        Setting setting{inner, "", file_.name, static_cast<int>(node.place.line)};
+        if (node.as_table()) {
+            gather_settings(node, path, inner + ".", out);
+            continue;
+        } else if (const std::int64_t* whole = node.as_whole()) {
+            setting.value = fmt::format("{}", *whole);
+        } else if (const auto number = node.as_number()) {
+            setting.value = fmt::format("{}", *number);
+        } else if (const std::string* text = node.as_text()) {
+            setting.value = *text;
+        } else {
+            return file_.fail(path + "." + inner, &node,
+                              fmt::format("{} should be a number or text", in_quotes(inner)));
+        }
+        out.push_back(std::move(setting));
+    }
+}
+
 std::optional<double> TomlTable::number(std::string_view key, Range range) {
     const TomlNode* node = find(key);
     if (!node) return std::nullopt;

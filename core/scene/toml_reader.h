@@ -46,6 +46,10 @@ public:
     // Call it after the last key: a key that is not known is an error that names the nearest known one.
     void done();
 
+    // Adds the values of a table at `path` and of the tables in it, each with its dotted path from `prefix` on.
+    void gather_settings(const TomlNode& table, const std::string& path, const std::string& prefix,
+                         std::vector<Setting>&);
+
     bool has(std::string_view key) const { return table_.contains(key); }
     std::string path(std::string_view key) const {
         return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
@@ -177,6 +181,13 @@ public:
     void choice(const char* key, int T::*member, std::vector<std::string> T::*options, const char*) {
         const std::vector<std::string_view> known((object_.*options).begin(), (object_.*options).end());
         if (const auto which = table_.one_of(key, known)) object_.*member = static_cast<int>(*which);
+    }
+    // The keys of a brain in the same table.
+    void brain_keys(BrainText T::*member, const char*) { part(member); }
+    // Values of a scene by their paths: "kind.one.brain.LL" = 0.8, or kind.one.brain.LL = 0.8, which TOML nests.
+    void settings(const char* key, std::vector<Setting> T::*member, const char*) {
+        if (const TomlNode* inner = table_.table(key))
+            table_.gather_settings(*inner, table_.path(key), "", object_.*member);
     }
     // The word at `key` names the alternative by its traits. The alternative's keys stand in the same table: each must
     // be given, and none of another alternative.

@@ -140,8 +140,11 @@ TEST(Exercise, EveryGoalRequiresItsKeysAndRefusesOtherKeys) {
         return exercise ? std::string("accepted") : exercise.error().text();
     };
     EXPECT_NE(error_of("").find("'goal' is missing; it is one of \"runs\""), std::string::npos) << error_of("");
-    const std::map<std::string_view, std::string> values{{"source", "\"lamp\""},
-                                                         {"check", "[{goal = \"runs\", seconds = 1}]"}};
+    const std::map<std::string_view, std::string> values{
+        {"source", "\"lamp\""}, {"check", "[{goal = \"runs\", seconds = 1}]"},
+        {"zone", "\"\""},       {"left", "\"\""},
+        {"right", "\"\""},      {"other", "\"one\""},
+        {"sensor", "\"SL\""},   {"kind", "\"aggressor\""}};
     const auto line = [&](std::string_view key) {
         const auto value = values.find(key);
         return std::string(key) + " = " + (value == values.end() ? "1" : value->second) + "\n";

@@ -144,5 +144,57 @@ TEST(Goals, ASpeedUpStaysDecidedAsPartOfACombination) {
     EXPECT_TRUE(referee.passed());
 }
 
+TEST(Goals, NoneOfIsLostWhenOneOfItsChecksIsMet) {
+    const Exercise exercise = with({goals::AllOf{{{goals::Runs{0.05f}}, {goals::NoneOf{{{near_lamp}}}}}}});
+    EXPECT_TRUE(done_by(exercise, {{5, 0}, {5, 0}, {5, 0}, {5, 0}}));
+    EXPECT_FALSE(done_by(exercise, {{5, 0}, {0, 0}, {5, 0}, {5, 0}}));
+    Referee referee(exercise);
+    referee.watch(at(exercise, 0, 0));
+    EXPECT_TRUE(referee.lost());
+}
+
+TEST(Goals, ACheckIsJudgedOnlyInItsTime) {
+    Check check{near_lamp};
+    check.earliest = 1, check.latest = 2;
+    const Exercise exercise = with(check);
+    const auto verdict = [&](std::vector<std::pair<std::uint64_t, float>> run) {
+        Referee referee(exercise);
+        for (const auto& [tick, x] : run) referee.watch(at(exercise, tick, x));
+        return referee.verdicts().front();
+    };
+    EXPECT_FALSE(verdict({{0, 0}, {59, 0}}).done);
+    EXPECT_TRUE(verdict({{0, 5}, {60, 0}}).done);
+    EXPECT_TRUE(verdict({{0, 5}, {120, 0}}).done);
+    EXPECT_FALSE(verdict({{0, 5}, {121, 0}}).done);
+    EXPECT_FALSE(verdict({{0, 5}, {120, 5}}).lost);
+    EXPECT_TRUE(verdict({{0, 5}, {121, 0}}).lost);
+}
+
+TEST(Goals, ACheckWaitsForTheStepBeforeIt) {
+    Exercise exercise = with({near_fire});
+    Check second{near_lamp};
+    second.after = 1;
+    exercise.steps.push_back({"", second});
+    EXPECT_TRUE(done_by(exercise, {{10, 0}, {0, 0}}));
+    EXPECT_FALSE(done_by(exercise, {{0, 0}, {10, 0}}));
+    EXPECT_TRUE(done_by(exercise, {{0, 0}, {10, 0}, {0, 0}}));
+}
+
+TEST(Goals, TheStateOfEveryGoalIsReadBackFromJson) {
+    const auto read_back = [&]<class... Goals>(const std::variant<Goals...>&) {
+        for (const Goal& goal : {Goal(Goals{})...}) {
+            const Exercise exercise = with({goal});
+            Referee referee(exercise);
+            referee.watch(at(exercise, 0, 3));
+            referee.watch(at(exercise, 1, 3));
+            const std::string text = write_referee_state(referee.state());
+            const auto state = read_referee_state(text, exercise);
+            ASSERT_TRUE(state) << text;
+            EXPECT_EQ(write_referee_state(*state), text);
+        }
+    };
+    read_back(Goal{});
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::goals_test

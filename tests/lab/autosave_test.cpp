@@ -310,7 +310,7 @@ TEST_F(AutosaveTest, RestoresTheProgressOfAnExercise) {
 
 TEST_F(AutosaveTest, TheRefereeOfARecoveredExerciseContinuesAsIfTheLabHadNotCrashed) {
     lab = open("05-aggressor");
-    handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph(lab.document.lesson->exercise->solution)}});
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, lab.document.lesson->exercise->solution.submission.brain}});
     while (!lab.document.lesson->view.verdicts[0].done) tick(lab);
     const std::uint64_t done_at = lab.document.session.snapshot().tick;
     while (lab.document.session.keyframe_before(lab.document.session.snapshot().tick) < done_at) tick(lab);

@@ -153,7 +153,7 @@ TEST_F(FileCommands, ReportsThatABrainFromAFileDropsTheRecordedFuture) {
 TEST_F(FileCommands, UndoOfABrainFromAFileInThePastRestoresTheDoneStepsOfAnExercise) {
     ask(SaveRequest{"shy", FileKind::brain});
     lab = open("05-aggressor");
-    handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph(lab.document.lesson->exercise->solution)}});
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, lab.document.lesson->exercise->solution.submission.brain}});
     for (int i = 0; i < 700; ++i) tick(lab);
     const auto then = lab.document.lesson->view.verdicts;
     handle(lab, SeekRequest{20});
@@ -408,7 +408,7 @@ TEST_F(FileCommands, AsksBeforeTheEditedBrainOfAnExerciseIsLost) {
 TEST_F(FileCommands, OpensTheNextExerciseWithoutAQuestionOnceThisOneIsPassed) {
     const OpenRequest next{.path = find_shipped("3a-love")->string(), .next_exercise = true};
     lab = open("05-aggressor");
-    handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph(lab.document.lesson->exercise->solution)}});
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, lab.document.lesson->exercise->solution.submission.brain}});
     ask(next);
     EXPECT_TRUE(files.leaving) << "not passed yet";
     ask(LeaveRequest{Leave::stay});

@@ -52,7 +52,7 @@ TEST(Past, ReportsTheFutureThatAnEditDropsAndUndoRestores) {
 
 TEST(Past, RestoresTheRefereeAtEachTick) {
     Lab lab = opened_lab("05-aggressor");
-    handle(lab, EditRequest{SetBrain{{.kind = 0}, make_graph(lab.document.lesson->exercise->solution)}});
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, lab.document.lesson->exercise->solution.submission.brain}});
     std::vector<std::vector<bool>> done;
     const auto ticks_now = [&] {
         std::vector<bool> all;

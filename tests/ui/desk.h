@@ -266,6 +266,13 @@ private:
 };
 
 // The dial that an edit changes.
+// A grade of starts that passed or not.
+inline Grade graded(const std::vector<bool>& passed, bool good) {
+    Grade grade{{}, static_cast<int>(std::count(passed.begin(), passed.end(), true)), good};
+    for (std::size_t i = 0; i < passed.size(); ++i) grade.starts.push_back({i + 1, passed[i], {}, {}});
+    return grade;
+}
+
 inline TurnDial turned(const EditRequest& edit) { return std::get<TurnDial>(edit.command); }
 
 }  // namespace braitenlab::tests

@@ -24,7 +24,7 @@ void pass(Desk& desk) {
     desk.lesson.prediction = 1;
     desk.lesson.has_run = true;
     for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
-    desk.lesson.grade = Grade{std::vector<bool>(10, true), 10, true};
+    desk.lesson.grade = graded(std::vector<bool>(10, true), true);
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ TEST(ExerciseCard, ItsButtonsStayVisibleWhenTheCardIsLong) {
     desk.lesson.has_run = true;
     desk.lesson.hints_shown = 3;
     desk.panels.why_open = true;
-    desk.lesson.grade = Grade{{true, false, true}, 2, false};
+    desk.lesson.grade = graded({true, false, true}, false);
     desk.frame(5);
     EXPECT_TRUE(inside(desk.where("exercise.hint"), desk.where("card.exercise")));
     EXPECT_TRUE(inside(desk.where("exercise.reset"), desk.where("card.exercise")));

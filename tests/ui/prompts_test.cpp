@@ -269,9 +269,9 @@ TEST_F(LessonPrompts, PointToTheNextExerciseAfterAPass) {
     at(9);
     all_done();
     EXPECT_EQ(next().hint, "hint.steps_done") << "the other starts have no dots yet";
-    desk.lesson.grade = Grade{{true, false}, 1, false};
+    desk.lesson.grade = graded({true, false}, false);
     EXPECT_EQ(next().hint, "hint.other_starts");
-    desk.lesson.grade = Grade{{true, true}, 2, true};
+    desk.lesson.grade = graded({true, true}, true);
     EXPECT_EQ(anchor(), "exercise.next");
     EXPECT_EQ(next().hint, "hint.passed");
 }

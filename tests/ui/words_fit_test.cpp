@@ -24,7 +24,7 @@ void late_in_lesson(Desk& desk) {
     desk.lesson.prediction = 1;
     desk.lesson.hints_shown = 3;
     desk.panels.why_open = true;
-    desk.lesson.grade = Grade{{true, false, true, true, true, true, true, true, true, true}, 9, true};
+    desk.lesson.grade = graded({true, false, true, true, true, true, true, true, true, true}, true);
     for (Verdict& verdict : desk.lesson.verdicts) verdict.done = true;
 }
 
@@ -159,7 +159,7 @@ std::vector<Screen> screens() {
         {"exercise, not from every start",
          [](Desk& d) {
              late_in_lesson(d);
-             d.lesson.grade = Grade{{true, false, false}, 1, false};
+             d.lesson.grade = graded({true, false, false}, false);
          }},
         {"exercise, graded now",
          [](Desk& d) { late_in_lesson(d), d.lesson.grade.reset(), d.lesson.starts_tested = 4; }},

@@ -132,11 +132,11 @@ void grade_dots(const Grade& grade, Ui& ui) {
     const float radius = ui.px(8), stride = ui.px(22);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     const int per_row = std::max(1, static_cast<int>(card_width(ui) / stride));
-    const int count = static_cast<int>(grade.passed.size());
+    const int count = static_cast<int>(grade.starts.size());
     for (int i = 0; i < count; ++i) {
         const ImVec2 c{start.x + radius + stride * static_cast<float>(i % per_row),
                        start.y + radius + stride * static_cast<float>(i / per_row)};
-        if (grade.passed[static_cast<std::size_t>(i)]) {
+        if (grade.starts[static_cast<std::size_t>(i)].passed) {
             check_mark(ui, c, radius, true, 1);
         } else {
             ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -160,7 +160,7 @@ void result(const LessonView& lesson, Ui& ui) {
     if (!lesson.grade) return;
     const Grade& grade = *lesson.grade;
     const ImVec2 start = ImGui::GetCursorScreenPos();
-    const std::string passed = std::to_string(grade.count), of = std::to_string(grade.passed.size());
+    const std::string passed = std::to_string(grade.count), of = std::to_string(grade.starts.size());
     if (grade.good) {
         paragraph(ui, fill(ui.strings("exercise.passed"), {passed, of}),
                   legible(ui.palette.accent, ui.palette.panel, ui.palette.text), Face::title);

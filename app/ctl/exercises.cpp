@@ -1,0 +1,37 @@
+#include "app/ctl/exercises.h"
+
+#include "app/ctl/ctl.h"
+#include "app/files/data.h"
+#include "app/jobs/grading.h"
+
+namespace braitenlab {
+
+Result<SharedExercise> read_exercise(const std::filesystem::path& path) {
+    auto exercise = load_exercise(path);
+    if (!exercise) return exercise.error();
+    return std::make_shared<const Exercise>(std::move(*exercise));
+}
+
+Result<SharedExercise> find_exercise(const std::string& name) {
+    const auto path = find_shipped(name);
+    if (!path) return path.error();
+    return read_exercise(*path);
+}
+
+Result<std::vector<Grade>> grade_several(const SharedExercise& exercise, const std::vector<Submission>& submissions,
+                                         std::uint64_t first_seed) {
+    Jobs jobs(threads_for(0));
+    std::vector<Job<Grade>> running;
+    for (const Submission& submission : submissions)
+        running.push_back(submit_grading(jobs, exercise, submission, first_seed));
+    jobs.finish();
+    std::vector<Grade> grades;
+    for (Job<Grade>& job : running) {
+        auto grade = job.take();
+        if (!*grade) return grade->error();
+        grades.push_back(std::move(**grade));
+    }
+    return grades;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,25 @@
+// Exercises and grades for the commands of braitenctl.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/lesson/exercise.h"
+#include "core/lesson/grade.h"
+#include "core/result.h"
+
+namespace braitenlab {
+
+using SharedExercise = std::shared_ptr<const Exercise>;
+
+Result<SharedExercise> read_exercise(const std::filesystem::path&);
+Result<SharedExercise> find_exercise(const std::string& path_or_name);
+
+// The grades of the submissions, in their order. Their starts run on all processors.
+Result<std::vector<Grade>> grade_several(const SharedExercise&, const std::vector<Submission>&,
+                                         std::uint64_t first_seed = 1);
+
+}  // namespace braitenlab

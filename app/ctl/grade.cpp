@@ -1,0 +1,87 @@
+// braitenctl grade: grades brains against an exercise, one row each.
+#include <algorithm>
+#include <iostream>
+
+#include <fmt/format.h>
+
+#include "app/ctl/ctl.h"
+#include "app/ctl/exercises.h"
+#include "app/ctl/table_file.h"
+#include "app/files/safe_file.h"
+#include "core/brain/recogniser.h"
+#include "core/io/csv.h"
+
+namespace braitenlab {
+
+namespace {
+
+// What a row of `grade` says about a file.
+struct GradedFile {
+    std::string file;
+    Result<BrainOfFile> found;
+    Grade grade;  // of the brain, if one is found
+};
+
+std::string graded_row(const Exercise& exercise, const GradedFile& graded) {
+    const std::string character = graded.found ? name(recognise(graded.found->brain)) : "";
+    const std::string owner = graded.found ? graded.found->owner : "";
+    const std::string error = graded.found ? "" : graded.found.error().text();
+    std::string row;
+    const auto add = [&](const io::CsvValue& value) {
+        io::add_csv_cell(row, value);
+        row += ',';
+    };
+    add(std::string_view(graded.file));
+    add(std::string_view(graded.grade.good ? "yes" : "no"));
+    for (const int number : {graded.grade.count, exercise.starts, exercise.needed}) add(std::int64_t{number});
+    for (const std::string_view text : {std::string_view(character), std::string_view(owner), std::string_view(error)})
+        add(text);
+    for (std::size_t start = 0; start < static_cast<std::size_t>(exercise.starts); ++start)
+        add(std::string_view(!graded.found ? "" : graded.grade.starts[start].passed ? "yes" : "no"));
+    row.back() = '\n';
+    return row;
+}
+
+// The files with their grades, in their order.
+Result<std::vector<GradedFile>> grade_files(const SharedExercise& exercise, const std::vector<std::string>& files,
+                                            const BrainChoice& choice) {
+    std::vector<GradedFile> graded;
+    std::vector<Submission> submissions;
+    for (const std::string& file : files) {
+        graded.push_back({file, brain_of_file(file, choice), {}});
+        if (const auto& found = graded.back().found) submissions.push_back(with_brain(*exercise, found->brain));
+    }
+    auto grades = grade_several(exercise, submissions);
+    if (!grades) return grades.error();
+    auto next = grades->begin();
+    for (GradedFile& file : graded)
+        if (file.found) file.grade = std::move(*next++);
+    return graded;
+}
+
+}  // namespace
+
+int grade_all(const std::string& name, const std::vector<std::string>& brain_files, const BrainChoice& choice,
+              const std::string& csv) {
+    const auto exercise = find_exercise(name);
+    if (!exercise) return complain(exercise.error());
+    const auto graded = grade_files(*exercise, brain_files, choice);
+    if (!graded) return complain(graded.error());
+    std::string rows = "brain,passed,starts_passed,starts,needed,character,brain_of,error";
+    for (int start = 1; start <= (*exercise)->starts; ++start) rows += fmt::format(",start_{}", start);
+    rows += "\n";
+    bool all_read = true;
+    for (const GradedFile& file : *graded) {
+        rows += graded_row(**exercise, file);
+        if (file.found) continue;
+        all_read = false;
+        if (!csv.empty()) complain(file.found.error());
+    }
+    if (csv.empty() || csv == standard_output)
+        std::cout << rows;
+    else if (const auto error = write_whole(csv, rows))
+        return complain(*error);
+    return all_read ? exit_code::done : exit_code::bad_input;
+}
+
+}  // namespace braitenlab

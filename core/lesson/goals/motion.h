@@ -1,0 +1,155 @@
+// Goals about how a vehicle moves: time, speed, and speed as a function of what it senses.
+#pragma once
+
+#include "core/lesson/goal.h"
+
+namespace braitenlab::goals {
+
+struct Runs {
+    static constexpr Traits traits{"runs", "s", false, 0,
+                                   "the run has lasted `seconds` and the vehicle is still in the scene"};
+    struct State {};
+    float seconds = 0;
+    float needed() const { return seconds; }
+};
+
+// Decided by the speed at the first tick within `metres`; later ticks do not count.
+struct SpeedsUp {
+    static constexpr Traits traits{
+        "speeds_up", "×", false, 0,
+        "at its first tick within `metres` of the source, the vehicle moves at least `factor` "
+        "times as fast as after its first second"};
+    struct State {
+        float first_speed = 0;  // m/s after the first second; 0: not known yet
+        float ratio = 0;        // of the present speed to the first; that of the first arrival once it is decided
+        bool decided = false;
+    };
+    std::string source;
+    float metres = 0, factor = 0;
+    float needed() const { return factor; }
+};
+
+struct Rests {
+    static constexpr Traits traits{"rests", "m/s", true, INFINITY, "the vehicle moves at most this `speed`"};
+    struct State {};
+    float speed = 0;
+    float needed() const { return speed; }
+};
+
+struct Drives {
+    static constexpr Traits traits{"drives", "m/s", false, 0,
+                                   "the vehicle moves at least this `speed`, forwards or backwards"};
+    struct State {};
+    float speed = 0;
+    float needed() const { return speed; }
+};
+
+struct KeepsSpeed {
+    static constexpr Traits traits{"keeps_speed", "m/s", false, 0, "the speed is between `from` and `to`"};
+    struct State {};
+    float from = 0, to = 0;
+    float needed() const { return from; }
+    float needed_most() const { return to; }
+};
+
+// Combine it with `runs`: it is met as long as no rest was too long. The value is the longest rest so far.
+struct KeepsMoving {
+    static constexpr Traits traits{"keeps_moving", "s", true, 0,
+                                   "the vehicle has never moved slower than `speed` for longer than `seconds`", true};
+    struct State {
+        float slow_since = -1;  // s; −1: it moves
+        float longest = 0;      // s
+    };
+    float speed = 0, seconds = 0;
+    float needed() const { return seconds; }
+};
+
+// Pearson's correlation, from the running means and moments of B. P. Welford, Technometrics 4 (1962).
+struct SpeedFollows {
+    static constexpr Traits traits{"speed_follows", "", false, 0,
+                                   "after `seconds`, the speed and the sensor's reading have at least this "
+                                   "`correlation` over the run so far"};
+    struct State {
+        float count = 0, mean_speed = 0, mean_reading = 0;
+        float speed_moment = 0, reading_moment = 0, product_moment = 0;  // sums of products of deviations
+    };
+    std::string sensor;
+    float correlation = 0, seconds = 0;
+    float needed() const { return correlation; }
+};
+
+std::optional<Reading> measure(const Runs&, Runs::State&, const Observation&);
+std::optional<Reading> measure(const SpeedsUp&, SpeedsUp::State&, const Observation&);
+std::optional<Reading> measure(const Rests&, Rests::State&, const Observation&);
+std::optional<Reading> measure(const Drives&, Drives::State&, const Observation&);
+std::optional<Reading> measure(const KeepsSpeed&, KeepsSpeed::State&, const Observation&);
+std::optional<Reading> measure(const KeepsMoving&, KeepsMoving::State&, const Observation&);
+std::optional<Reading> measure(const SpeedFollows&, SpeedFollows::State&, const Observation&);
+
+// ── Keys in files, each of which must be given ──
+template <class Visitor>
+void describe(Visitor& v, Of<Runs>) {
+    v.number("seconds", &Runs::seconds, "s", {0.1, 600}, "duration of the run");
+}
+template <class Visitor>
+void describe(Visitor& v, Of<SpeedsUp>) {
+    v.text("source", &SpeedsUp::source, limits::name_length, "name of a source of the scene; empty: the nearest one");
+    v.number("metres", &SpeedsUp::metres, "m", {0.01, 100}, "distance at which the speed is compared");
+    v.number("factor", &SpeedsUp::factor, "×", {0.01, 100}, "smallest ratio to the speed after the first second");
+}
+template <class Visitor>
+void describe(Visitor& v, Of<Rests>) {
+    v.number("speed", &Rests::speed, "m/s", {0.001, 10}, "largest speed");
+}
+template <class Visitor>
+void describe(Visitor& v, Of<Drives>) {
+    v.number("speed", &Drives::speed, "m/s", {0.001, 10}, "smallest speed");
+}
+template <class Visitor>
+void describe(Visitor& v, Of<KeepsSpeed>) {
+    v.number("from", &KeepsSpeed::from, "m/s", {-10, 10}, "smallest speed along the heading");
+    v.number("to", &KeepsSpeed::to, "m/s", {-10, 10}, "largest speed along the heading");
+}
+template <class Visitor>
+void describe(Visitor& v, Of<KeepsMoving>) {
+    v.number("speed", &KeepsMoving::speed, "m/s", {0.001, 10}, "a vehicle that moves slower rests");
+    v.number("seconds", &KeepsMoving::seconds, "s", {0, 600}, "longest rest");
+}
+template <class Visitor>
+void describe(Visitor& v, Of<SpeedFollows>) {
+    v.text("sensor", &SpeedFollows::sensor, limits::name_length, "name of a sensor of the vehicle");
+    v.number("correlation", &SpeedFollows::correlation, "", {-1, 1}, "smallest correlation");
+    v.number("seconds", &SpeedFollows::seconds, "s", {0.1, 600}, "duration of the run before it can be met");
+}
+
+// ── States, for saved work ──
+template <class Visitor>
+void describe(Visitor&, Of<Runs::State>) {}
+template <class Visitor>
+void describe(Visitor& v, Of<SpeedsUp::State>) {
+    v.number("first_speed", &SpeedsUp::State::first_speed, "m/s", {0, 1e6}, "");
+    v.number("ratio", &SpeedsUp::State::ratio, "×", {0, 1e6}, "");
+    v.flag("decided", &SpeedsUp::State::decided, "");
+}
+template <class Visitor>
+void describe(Visitor&, Of<Rests::State>) {}
+template <class Visitor>
+void describe(Visitor&, Of<Drives::State>) {}
+template <class Visitor>
+void describe(Visitor&, Of<KeepsSpeed::State>) {}
+template <class Visitor>
+void describe(Visitor& v, Of<KeepsMoving::State>) {
+    v.number("slow_since", &KeepsMoving::State::slow_since, "s", {-1, 1e6}, "");
+    v.number("longest", &KeepsMoving::State::longest, "s", {0, 1e6}, "");
+}
+template <class Visitor>
+void describe(Visitor& v, Of<SpeedFollows::State>) {
+    v.number("count", &SpeedFollows::State::count, "", {0, 1e9}, "");
+    v.number("mean_speed", &SpeedFollows::State::mean_speed, "m/s", {-1e6, 1e6}, "");
+    v.number("mean_reading", &SpeedFollows::State::mean_reading, "", {-1e6, 1e6}, "");
+    v.number("speed_moment", &SpeedFollows::State::speed_moment, "", {0, 1e9}, "");
+    v.number("reading_moment", &SpeedFollows::State::reading_moment, "", {0, 1e9}, "");
+    v.number("product_moment", &SpeedFollows::State::product_moment, "", {-1e9, 1e9}, "");
+}
+
+}  // namespace braitenlab::goals

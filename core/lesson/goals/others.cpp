@@ -1,0 +1,46 @@
+#include "core/lesson/goals/others.h"
+
+#include <algorithm>
+
+namespace braitenlab::goals {
+
+std::optional<Reading> measure(const Follows& goal, Follows::State&, const Observation& at) {
+    const VehicleView* other = find_vehicle(at.now, at.subjects.id(goal.other));
+    if (!other) return std::nullopt;
+    const maths::vec2 offset{other->x - at.vehicle.x, other->y - at.vehicle.y};
+    const float distance = maths::length(offset);
+    return Reading{distance, distance <= goal.metres && degrees_off(at.vehicle, offset) <= goal.degrees};
+}
+
+std::optional<Reading> measure(const Collides& goal, Collides::State&, const Observation& at) {
+    const bool met = at.now.events.contacts <= goal.count;
+    return Reading{static_cast<float>(at.now.events.contacts), met, !met};
+}
+
+std::optional<Reading> measure(const Captures& goal, Captures::State&, const Observation& at) {
+    return Reading{static_cast<float>(at.now.events.captures), at.now.events.captures >= goal.count};
+}
+
+std::optional<Reading> measure(const Population& goal, Population::State&, const Observation& at) {
+    const int kind = find_kind(*at.now.scene, goal.kind);
+    const auto count = std::count_if(at.now.vehicles.begin(), at.now.vehicles.end(),
+                                     [&](const VehicleView& vehicle) { return vehicle.kind == kind; });
+    return Reading{static_cast<float>(count), count >= goal.count};
+}
+
+std::optional<Reading> measure(const Recharges& goal, Recharges::State& state, const Observation& at) {
+    if (at.vehicle.energy < goal.low) state.is_low = true;
+    if (state.is_low && at.vehicle.energy > goal.high) state.is_low = false, ++state.times;
+    return Reading{static_cast<float>(state.times), state.times >= static_cast<std::uint64_t>(goal.count)};
+}
+
+std::optional<Reading> measure(const Matches& goal, Matches::State& state, const Observation& at) {
+    if (!at.reference || at.now.tick >= at.reference->size()) return std::nullopt;
+    const Pose& reference = (*at.reference)[at.now.tick];
+    const float distance = maths::length(maths::vec2{reference.x - at.vehicle.x, reference.y - at.vehicle.y});
+    state.count += 1;
+    state.mean += (distance - state.mean) / state.count;
+    return Reading{state.mean, at.now.seconds >= static_cast<double>(goal.seconds) && state.mean <= goal.metres};
+}
+
+}  // namespace braitenlab::goals

@@ -1,0 +1,32 @@
+// The run of an exercise with its solution: the path that a student's vehicle is compared with.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/lesson/exercise.h"
+#include "core/lesson/goal.h"
+#include "core/world/world.h"
+
+namespace braitenlab {
+
+class Reference {
+public:
+    Reference(const Exercise&, std::uint64_t seed);
+
+    // The path up to this tick at least. Computes the ticks that are missing; a path that ends earlier belongs to a
+    // vehicle that left the scene.
+    const ReferencePath& until(std::uint64_t tick);
+
+    std::uint64_t seed() const { return seed_; }
+
+private:
+    void add_pose();
+
+    std::uint64_t seed_;
+    std::optional<World> world_;  // nullopt: the scene cannot be built, or the vehicle left it
+    VehicleId subject_ = no_vehicle;
+    ReferencePath path_;
+};
+
+}  // namespace braitenlab

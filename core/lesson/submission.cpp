@@ -1,0 +1,165 @@
+#include "core/lesson/submission.h"
+
+#include <algorithm>
+
+#include "core/scene/sensor_pairs.h"
+
+namespace braitenlab {
+
+namespace {
+
+const Kind& shipped_kind(const Exercise& exercise) {
+    return exercise.scene.kinds[static_cast<std::size_t>(subject_kind(exercise.scene))];
+}
+
+template <class Range, class Value>
+bool contains(const Range& range, const Value& value) {
+    return std::find(std::begin(range), std::end(range), value) != std::end(range);
+}
+
+// The pairs whose wires the dials are: those of the sensors, or SL and SR.
+std::vector<SensorPair> pairs_of(const std::vector<Sensor>& sensors) {
+    std::vector<SensorPair> pairs;
+    for (const KindPair& pair : sensor_pairs(sensors)) pairs.push_back(pair.sensors);
+    if (pairs.empty()) pairs.emplace_back();
+    return pairs;
+}
+
+bool differs(const BrainGraph& a, const BrainGraph& b, Dial dial, const std::vector<SensorPair>& pairs) {
+    return std::any_of(pairs.begin(), pairs.end(), [&](const SensorPair& pair) {
+        return at(read_dials(a, pair), dial) != at(read_dials(b, pair), dial);
+    });
+}
+
+// The brain with its direct wires and the motors' biases set to the same values in every brain, so that two brains
+// differ afterwards only in what is neither a dial nor a curve of a wire that the dials belong to.
+BrainGraph without_dials(BrainGraph graph, const std::vector<SensorPair>& pairs) {
+    for (const SensorPair& pair : pairs)
+        std::erase_if(graph.wires, [&](const Wire& wire) { return direct_dial(graph, {wire.from, wire.to}, pair); });
+    for (Node& node : graph.nodes)
+        if (node.name == "ML" || node.name == "MR") node.bias = 0;
+    return without_places(std::move(graph));
+}
+
+// The curves of the direct wires, in the order of pairs and dials.
+std::vector<Curve> curves_of(const BrainGraph& graph, const std::vector<SensorPair>& pairs) {
+    std::vector<Curve> curves;
+    for (const SensorPair& pair : pairs)
+        for (const Dial dial : weight_dials) {
+            const auto ends = direct_ends(graph, dial, pair);
+            const auto wire = std::find_if(graph.wires.begin(), graph.wires.end(), [&](const Wire& w) {
+                return ends && w.from == ends->from && w.to == ends->to;
+            });
+            curves.push_back(wire == graph.wires.end() ? Curve{} : wire->curve);
+        }
+    return curves;
+}
+
+// True if both lists have the same sensors but for their values.
+bool same_but_for_values(const std::vector<Sensor>& a, const std::vector<Sensor>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Sensor& one, const Sensor& other) {
+        return one.name == other.name && one.channel == other.channel;
+    });
+}
+
+}  // namespace
+
+Submission as_shipped(const Exercise& exercise) {
+    const Kind& kind = shipped_kind(exercise);
+    const std::vector<Start>& starts = exercise.scene.starts;
+    const bool has_own_sensors = !starts.empty() && starts.front().sensors;
+    return {kind.brain, has_own_sensors ? *starts.front().sensors : kind.sensors, kind.body};
+}
+
+Submission with_brain(const Exercise& exercise, BrainGraph brain) {
+    Submission submission = as_shipped(exercise);
+    submission.brain = std::move(brain);
+    return submission;
+}
+
+Submission with_solution(const Exercise& exercise) { return exercise.solution.submission; }
+
+Submission submission_of(const Exercise& exercise, const Snapshot& now) {
+    const auto subject = std::find_if(now.vehicles.begin(), now.vehicles.end(),
+                                      [](const VehicleView& vehicle) { return vehicle.start == 0; });
+    const auto index =
+        static_cast<std::size_t>(subject == now.vehicles.end() ? subject_kind(exercise.scene) : subject->kind);
+    if (index >= now.scene->kinds.size()) return as_shipped(exercise);  // the kind was removed
+    const BrainGraph& brain =
+        subject == now.vehicles.end() ? *now.kind_brains[index] : *now.brains[static_cast<std::size_t>(subject->brain)];
+    const Kind& kind = subject == now.vehicles.end() ? now.scene->kinds[index] : kind_of(now, *subject);
+    return {brain, kind.sensors, kind.body};
+}
+
+Scene scene_with(const Exercise& exercise, const Submission& submission) {
+    Scene scene = exercise.scene;
+    Kind& kind = scene.kinds[static_cast<std::size_t>(subject_kind(scene))];
+    kind.brain = submission.brain;
+    kind.sensors = submission.sensors;
+    kind.body = submission.body;
+    if (!scene.starts.empty()) scene.starts.front().sensors.reset();
+    return scene;
+}
+
+std::optional<Offer> parse_offer(std::string_view text) {
+    Offer offer{std::string(text), {}};
+    if (contains(offer_parts::all, text)) return offer;
+    while (true) {
+        const std::size_t end = std::min(text.find('='), text.size());
+        const auto dial = dial_named(text.substr(0, end));
+        if (!dial) return std::nullopt;
+        offer.dials.push_back(*dial);
+        if (end == text.size()) return offer;
+        text.remove_prefix(end + 1);
+    }
+}
+
+bool offers_all(const Exercise& exercise) { return exercise.offers.empty(); }
+
+bool offers(const Exercise& exercise, Dial dial) {
+    return offers_all(exercise) ||
+           std::any_of(exercise.offers.begin(), exercise.offers.end(), [&](const std::string& text) {
+               const auto offer = parse_offer(text);
+               return offer && contains(offer->dials, dial);
+           });
+}
+
+bool offers(const Exercise& exercise, std::string_view part) {
+    return offers_all(exercise) || contains(exercise.offers, part);
+}
+
+std::vector<std::string> outside_offers(const Exercise& exercise, const Submission& submission) {
+    std::vector<std::string> outside;
+    if (offers_all(exercise)) return outside;
+    const Submission shipped = as_shipped(exercise);
+    if (submission.body != shipped.body) outside.emplace_back("body");
+    const bool allows_values =
+        offers(exercise, offer_parts::sensors) && same_but_for_values(submission.sensors, shipped.sensors);
+    if (submission.sensors != shipped.sensors && !allows_values) outside.emplace_back(offer_parts::sensors);
+    if (offers(exercise, offer_parts::wiring)) return outside;
+    const std::vector<SensorPair> pairs = pairs_of(shipped.sensors);
+    for (const Dial dial : all_dials)
+        if (!offers(exercise, dial) && differs(submission.brain, shipped.brain, dial, pairs))
+            outside.emplace_back(name(dial));
+    if (!offers(exercise, offer_parts::curves) && curves_of(submission.brain, pairs) != curves_of(shipped.brain, pairs))
+        outside.emplace_back(offer_parts::curves);
+    if (without_dials(submission.brain, pairs) != without_dials(shipped.brain, pairs))
+        outside.emplace_back(offer_parts::wiring);
+    return outside;
+}
+
+int changed_controls(const Exercise& exercise, const Submission& submission) {
+    const Submission shipped = as_shipped(exercise);
+    const std::vector<SensorPair> pairs = pairs_of(shipped.sensors);
+    int changed = submission.sensors != shipped.sensors;
+    changed += curves_of(submission.brain, pairs) != curves_of(shipped.brain, pairs);
+    for (const std::string& text : exercise.offers) {
+        const auto offer = parse_offer(text);
+        changed += offer && std::any_of(offer->dials.begin(), offer->dials.end(), [&](Dial dial) {
+                       return differs(submission.brain, shipped.brain, dial, pairs);
+                   });
+    }
+    return changed;
+}
+
+}  // namespace braitenlab

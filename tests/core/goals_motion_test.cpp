@@ -1,0 +1,131 @@
+#include "core/lesson/goals/motion.h"
+
+#include <gtest/gtest.h>
+
+#include "core/lesson/goals/direction.h"
+#include "core/lesson/goals/others.h"
+#include "tests/core/goal_runs.h"
+
+namespace braitenlab::tests::goals_motion_test {
+namespace {
+
+TEST(DirectionGoals, FacingNeedsNoTurnAndTurningAwayDoes) {
+    EXPECT_TRUE(is_done(goals::Faces{"lamp", 15}, {{0, {-3, 0}, 10}}));
+    EXPECT_FALSE(is_done(goals::Faces{"lamp", 15}, {{0, {-3, 0}, 20}}));
+    EXPECT_FALSE(is_done(goals::TurnsAway{"lamp", 90}, {{0, {-3, 0}, 100}}));
+    EXPECT_TRUE(is_done(goals::TurnsAway{"lamp", 90}, {{0, {-3, 0}, 20}, {1, {-3, 0}, 100}}));
+    EXPECT_FALSE(is_done(goals::TurnsAway{"lamp", 90}, {{0, {-3, 0}, 20}, {1, {-3, 0}, 80}}));
+}
+
+TEST(MotionGoals, RestingAndDrivingAreMeasuredBySpeedInEitherDirection) {
+    EXPECT_TRUE(is_done(goals::Rests{0.1f}, {{0, {}, 0, -0.05f}}));
+    EXPECT_FALSE(is_done(goals::Rests{0.1f}, {{0, {}, 0, -0.2f}}));
+    EXPECT_TRUE(is_done(goals::Drives{0.5f}, {{0, {}, 0, -0.6f}}));
+    EXPECT_FALSE(is_done(goals::Drives{0.5f}, {{0, {}, 0, 0.4f}}));
+    EXPECT_TRUE(is_done(goals::KeepsSpeed{0.5f, 1}, {{0, {}, 0, 0.7f}}));
+    EXPECT_FALSE(is_done(goals::KeepsSpeed{0.5f, 1}, {{0, {}, 0, -0.7f}}));
+    EXPECT_FALSE(is_done(goals::KeepsSpeed{0.5f, 1}, {{0, {}, 0, 1.1f}}));
+}
+
+TEST(MotionGoals, OneRestThatIsTooLongIsNeverForgiven) {
+    const Goal goal = goals::AllOf{{{goals::Runs{4}}, {goals::KeepsMoving{0.1f, 1}}}};
+    const auto run = [](std::vector<float> speeds) {
+        std::vector<Moment> moments;
+        for (const float speed : speeds) moments.push_back({0.5 * static_cast<double>(moments.size()), {}, 0, speed});
+        return moments;
+    };
+    EXPECT_TRUE(is_done(goal, run({1, 0, 0, 0, 1, 1, 1, 0, 0})));
+    EXPECT_FALSE(is_done(goal, run({1, 0, 0, 0, 0, 1, 1, 1, 1})));
+    EXPECT_TRUE(is_lost(goal, run({1, 0, 0, 0, 0, 1})));
+    EXPECT_FLOAT_EQ(verdict_on(goal, run({1, 0, 0, 0, 1})).measures[1].value, 1);
+}
+
+TEST(MotionGoals, SpeedFollowsASignalThatItIsCorrelatedWith) {
+    const auto run = [](float slope, float wobble) {
+        std::vector<Moment> moments;
+        for (int i = 0; i < 60; ++i) {
+            const float reading = std::fabs(std::sin(static_cast<float>(i) * 0.3f));
+            const float noise = wobble * std::sin(static_cast<float>(i) * 1.7f);
+            moments.push_back({i / 10.0, {}, 0, slope * reading + noise, 1, reading});
+        }
+        return moments;
+    };
+    const Goal goal = goals::SpeedFollows{"S", 0.9f, 5};
+    EXPECT_TRUE(is_done(goal, run(1, 0)));
+    EXPECT_NEAR(value_of(goals::SpeedFollows{"S", 1, 100}, run(2, 0)), 1, 1e-4f);
+    EXPECT_NEAR(value_of(goals::SpeedFollows{"S", 1, 100}, run(-1, 0)), -1, 1e-4f);
+    EXPECT_FALSE(is_done(goal, run(1, 1)));
+    EXPECT_FALSE(is_done(goal, run(0, 0))) << "a constant speed has no correlation";
+    std::vector<Moment> brief = run(1, 0);
+    brief.resize(49);
+    EXPECT_FALSE(is_done(goal, brief)) << "before its time";
+}
+
+TEST(MotionGoals, ASpeedThatWasTooLowOnArrivalIsLost) {
+    const Goal goal = goals::SpeedsUp{"lamp", 1, 1.5f};
+    EXPECT_TRUE(is_lost(goal, {{0, {3, 0}}, {1, {3, 0}, 0, 1}, {2, {0.5f, 0}, 0, 1.2f}}));
+    EXPECT_TRUE(is_done(goal, {{0, {3, 0}}, {1, {3, 0}, 0, 1}, {2, {0.5f, 0}, 0, 1.6f}}));
+}
+
+TEST(OthersGoals, AFollowedVehicleIsNearAndAhead) {
+    const Goal goal = goals::Follows{"two", 3, 30};
+    const auto run = [](float degrees, maths::vec2 other) {
+        return std::vector<Moment>{{0, {0, 0}, degrees, 0, 1, 0, other}};
+    };
+    EXPECT_TRUE(is_done(goal, run(0, {2, 0.5f})));
+    EXPECT_FALSE(is_done(goal, run(0, {4, 0})));
+    EXPECT_FALSE(is_done(goal, run(90, {2, 0})));
+}
+
+TEST(OthersGoals, ContactsAndCapturesAreCounted) {
+    const auto run = [](std::int64_t contacts, std::int64_t captures) {
+        Moment moment;
+        moment.events.contacts = contacts, moment.events.captures = captures;
+        return std::vector<Moment>{moment};
+    };
+    EXPECT_TRUE(is_done(goals::Collides{1}, run(1, 0)));
+    EXPECT_TRUE(is_lost(goals::Collides{1}, run(2, 0)));
+    EXPECT_TRUE(is_done(goals::Captures{2}, run(0, 2)));
+    EXPECT_FALSE(is_done(goals::Captures{2}, run(0, 1)));
+    EXPECT_TRUE(is_done(goals::Population{"kind", 2}, run(0, 0)));
+    EXPECT_FALSE(is_done(goals::Population{"kind", 3}, run(0, 0)));
+}
+
+TEST(OthersGoals, ARechargeGoesFromLowToHigh) {
+    const auto run = [](const std::vector<float>& energies) {
+        std::vector<Moment> moments;
+        for (const float energy : energies)
+            moments.push_back({static_cast<double>(moments.size()), {}, 0, 0, energy});
+        return moments;
+    };
+    const Goal goal = goals::Recharges{0.3f, 0.8f, 2};
+    EXPECT_TRUE(is_done(goal, run({1, 0.2f, 0.9f, 0.2f, 0.9f})));
+    EXPECT_FALSE(is_done(goal, run({1, 0.9f, 0.2f, 0.9f, 0.4f, 0.9f})));
+    EXPECT_EQ(value_of(goal, run({1, 0.2f, 0.5f, 0.9f})), 1);
+}
+
+// The solution's run is the reference: a vehicle that does the same has distance 0.
+TEST(OthersGoals, AMatchIsMeasuredAgainstTheSolutionsRun) {
+    Exercise exercise = exercise_with({goals::Matches{0.2f, 1}});
+    exercise.scene.starts[0].x = -3;
+    exercise.scene.starts[1].x = 5;
+    exercise.solution.submission.brain = make_graph({.LM = 0.2f, .RM = 0.2f});
+    exercise.solution.submission.sensors = exercise.scene.kinds[0].sensors;
+    Reference reference(exercise, 0);
+    const ReferencePath path = reference.until(60);
+    ASSERT_GT(path.size(), 60u);
+    EXPECT_GT(path[60].x, -2.9f);
+    const auto run = [&](float aside) {
+        std::vector<Moment> moments;
+        for (std::size_t tick = 0; tick <= 60; ++tick)
+            moments.push_back({static_cast<double>(tick) / 60, {path[tick].x, path[tick].y + aside}});
+        return verdict_on(exercise, moments);
+    };
+    EXPECT_TRUE(run(0).done);
+    EXPECT_TRUE(run(0.1f).done);
+    EXPECT_FALSE(run(0.3f).done);
+    EXPECT_NEAR(run(0.3f).measures.front().value, 0.3f, 1e-4f);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::goals_motion_test

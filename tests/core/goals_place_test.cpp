@@ -1,0 +1,125 @@
+#include "core/lesson/goals/place.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/goal_runs.h"
+
+namespace braitenlab::tests::goals_place_test {
+namespace {
+
+TEST(PlaceGoals, AnEmptySourceIsTheNearestOne) {
+    EXPECT_TRUE(is_done(goals::Touches{"", 1}, {{0, {9.5f, 0}}}));
+    EXPECT_FALSE(is_done(goals::Touches{"lamp", 1}, {{0, {9.5f, 0}}}));
+    EXPECT_FLOAT_EQ(value_of(goals::Touches{"", 1}, {{0, {7, 0}}}), 3);
+}
+
+TEST(PlaceGoals, AnAvoidedSourceMustNeverHaveBeenNear) {
+    const Goal goal = goals::AllOf{{{goals::Runs{2}}, {goals::Avoids{"lamp", 2}}}};
+    EXPECT_TRUE(is_done(goal, {{0, {5, 0}}, {1, {2.5f, 0}}, {2, {3, 0}}}));
+    EXPECT_FALSE(is_done(goal, {{0, {5, 0}}, {1, {1.5f, 0}}, {2, {3, 0}}}));
+    EXPECT_TRUE(is_lost(goal, {{0, {5, 0}}, {1, {1.5f, 0}}}));
+    EXPECT_FALSE(is_lost(goal, {{0, {5, 0}}, {1, {2.5f, 0}}}));
+    EXPECT_FLOAT_EQ(value_of(goals::Avoids{"lamp", 9}, {{0, {5, 0}}, {1, {3, 0}}, {2, {4, 0}}}), 3);
+}
+
+TEST(PlaceGoals, ADistanceIsKeptBetweenTwoValues) {
+    const Exercise exercise = exercise_with({goals::KeepsDistance{"lamp", 2, 4}, "", 1});
+    EXPECT_TRUE(verdict_on(exercise, {{0, {3, 0}}, {1, {0, 3.9f}}}).done);
+    EXPECT_FALSE(verdict_on(exercise, {{0, {3, 0}}, {1, {0, 4.1f}}}).done);
+    EXPECT_FALSE(verdict_on(exercise, {{0, {1.9f, 0}}, {1, {0, 3}}}).done);
+    const Measure measure = verdict_on(exercise, {{0, {3, 0}}}).measures.front();
+    EXPECT_EQ(measure.needed, 2);
+    EXPECT_EQ(measure.needed_most, 4);
+}
+
+// On a circle about the lamp, every 30 degrees, from one angle to another.
+std::vector<Moment> arc(float radius, int from, int to, double start = 0) {
+    std::vector<Moment> run;
+    for (int degrees = from; from < to ? degrees <= to : degrees >= to; degrees += from < to ? 30 : -30)
+        run.push_back({start + 0.1 * static_cast<double>(run.size()),
+                       maths::from_polar(radius, maths::radians(static_cast<float>(degrees)))});
+    return run;
+}
+
+TEST(PlaceGoals, ARoundCountsInEitherDirectionAndOnlyInsideTheRing) {
+    const Goal goal = goals::Circles{"lamp", 2, 4, 0.99f};
+    EXPECT_TRUE(is_done(goal, arc(3, 0, 360)));
+    EXPECT_TRUE(is_done(goal, arc(3, 360, 0)));
+    EXPECT_FALSE(is_done(goal, arc(3, 0, 330)));
+    EXPECT_FALSE(is_done(goal, arc(5, 0, 360)));
+    EXPECT_NEAR(value_of(goal, arc(3, 0, 180)), 0.5f, 1e-4f);
+    std::vector<Moment> interrupted = arc(3, 0, 330);
+    interrupted.push_back({4, {5, 0}});
+    for (const Moment& moment : arc(3, 0, 90, 5)) interrupted.push_back(moment);
+    EXPECT_FALSE(is_done(goal, interrupted));
+    EXPECT_NEAR(value_of(goal, interrupted), 0.25f, 1e-4f);
+}
+
+TEST(PlaceGoals, ADistanceIsSteadyWhenItVariesLittleForTheTime) {
+    const Goal goal = goals::SteadyDistance{"lamp", 10, 2};
+    EXPECT_TRUE(is_done(goal, {{0, {3, 0}}, {1, {2.8f, 0}}, {2, {3, 0}}}));
+    EXPECT_FALSE(is_done(goal, {{0, {3, 0}}, {1, {2.6f, 0}}, {2, {3, 0}}}));
+    EXPECT_TRUE(is_done(goal, {{0, {9, 0}}, {1, {3, 0}}, {2, {3, 0}}, {3, {3, 0}}})) << "after a first change";
+}
+
+TEST(PlaceGoals, VisitsCountDifferentSources) {
+    const Goal goal = goals::Visits{1, 2};
+    EXPECT_TRUE(is_done(goal, {{0, {0, 0}}, {1, {10, 0.5f}}}));
+    EXPECT_FALSE(is_done(goal, {{0, {0, 0}}, {1, {5, 0}}, {2, {0, 0}}}));
+    EXPECT_EQ(value_of(goal, {{0, {0, 0}}, {1, {5, 0}}}), 1);
+}
+
+Exercise with_zone(const Zone& zone) {
+    Exercise exercise = exercise_with({goals::Enters{"bay"}});
+    exercise.scene.zones = {zone};
+    exercise.scene.zones[0].name = "bay";
+    return exercise;
+}
+
+TEST(PlaceGoals, AZoneIsEnteredByTheVehiclesOrigin) {
+    const auto distance = [](const Zone& zone, maths::vec2 at) {
+        return verdict_on(with_zone(zone), {{0, at}}).measures.front().value;
+    };
+    const Zone box{.x = 5, .heading = maths::radians(90), .length = 4, .width = 2};
+    EXPECT_NEAR(distance(box, {8, 0}), 2, 1e-5f);
+    EXPECT_NEAR(distance(box, {5, 5}), 3, 1e-5f);
+    EXPECT_EQ(distance(box, {5.9f, 1.9f}), 0);
+    EXPECT_TRUE(verdict_on(with_zone(box), {{0, {5.9f, 1.9f}}}).done);
+    EXPECT_FALSE(verdict_on(with_zone(box), {{0, {6.1f, 1.9f}}}).done);
+    const Zone disc{.x = 5, .length = 4, .width = 4, .round = true};
+    EXPECT_NEAR(distance(disc, {9, 0}), 2, 1e-5f);
+    EXPECT_FALSE(verdict_on(with_zone(disc), {{0, {6.9f, 1.9f}}}).done) << "inside the rectangle around it";
+    EXPECT_TRUE(verdict_on(with_zone(disc), {{0, {5, 1.9f}}}).done);
+}
+
+TEST(PlaceGoals, AGateIsCrossedBetweenItsPosts) {
+    Exercise exercise = exercise_with({goals::DrivesThrough{"a", "b"}});
+    exercise.scene.obstacles = {{.name = "a", .x = 5, .y = 1}, {.name = "b", .x = 5, .y = -1}};
+    EXPECT_TRUE(verdict_on(exercise, {{0, {4, 0}}, {1, {6, 0.5f}}, {2, {9, 0}}}).done);
+    EXPECT_TRUE(verdict_on(exercise, {{0, {6, 0}}, {1, {4, 0}}}).done) << "in either direction";
+    EXPECT_FALSE(verdict_on(exercise, {{0, {4, 2}}, {1, {6, 2}}}).done);
+    EXPECT_FALSE(verdict_on(exercise, {{0, {4, 0}}, {1, {4.9f, 0}}}).done);
+    EXPECT_FLOAT_EQ(verdict_on(exercise, {{0, {3, 0}}}).measures.front().value, 2);
+}
+
+TEST(PlaceGoals, ALapCountsOnlyNearTheTape) {
+    Exercise exercise = exercise_with({goals::FollowsLine{0.3f, 0.9f}});
+    for (int i = 0; i < 12; ++i) {  // a circle of radius 3 in twelve pieces
+        const float angle = maths::radians(30 * static_cast<float>(i));
+        const maths::vec2 at = maths::from_polar(3, angle);
+        exercise.scene.zones.push_back({.x = at.x,
+                                        .y = at.y,
+                                        .heading = angle + maths::pi / 2,
+                                        .length = 1.6f,
+                                        .width = 0.2f,
+                                        .surface = Surface::tape});
+    }
+    EXPECT_TRUE(verdict_on(exercise, arc(3.1f, 0, 360)).done);
+    EXPECT_FALSE(verdict_on(exercise, arc(4, 0, 360)).done);
+    std::vector<Moment> half = arc(3, 0, 180);
+    for (const Moment& moment : arc(4, 180, 360, 3)) half.push_back(moment);
+    EXPECT_NEAR(verdict_on(exercise, half).measures.front().value, 0.5f, 0.01f);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::goals_place_test
