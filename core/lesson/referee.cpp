@@ -203,8 +203,8 @@ bool Referee::is_undisturbed(const Snapshot& now) {
 std::vector<Verdict> Referee::verdicts() const {
     std::vector<Verdict> verdicts;
     for (std::size_t i = 0; i < state_.steps.size(); ++i)
-        verdicts.push_back({state_.steps[i].done, !state_.steps[i].done && state_.steps[i].check.lost,
-                            measures(exercise_->steps[i].check, state_.steps[i].check)});
+        verdicts.push_back({state_.steps[i].done, measures(exercise_->steps[i].check, state_.steps[i].check),
+                            !state_.steps[i].done && state_.steps[i].check.lost});
     return verdicts;
 }
 

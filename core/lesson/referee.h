@@ -18,8 +18,8 @@ namespace braitenlab {
 // One step, judged: once done it stays done, and its measures stay as they were then.
 struct Verdict {
     bool done = false;
-    bool lost = false;              // it cannot be done any more in this run
     std::vector<Measure> measures;  // at least one; the values to show
+    bool lost = false;              // it cannot be done any more in this run
 };
 
 // Everything that a referee remembers of the run: enough to continue from the tick that it saw last.
