@@ -2,8 +2,6 @@
 
 #include "tests/ui/wiring_fixture.h"
 #include "ui/wiring/draw.h"
-#include "ui/wiring/draw_nodes.h"
-#include "ui/wiring/draw_wires.h"
 
 namespace braitenlab::tests::wiring_draw_test {
 
@@ -57,7 +55,7 @@ TEST_F(WiringDraw, DescribesANodeUnderARestingPointerIfItsCardIsTooSmall) {
     EXPECT_EQ(anchors.find("says.SR"), nullptr) << "the card is large enough";
 }
 
-TEST(WiringDrawWires, DotsMoveOnlyWithTicks) {
+TEST_F(WiringDraw, DotsMoveOnlyWithTicks) {
     EXPECT_EQ(first_dot(100), first_dot(100));
     for (std::uint64_t tick = 0; tick < 100; ++tick) {
         const float moved = first_dot(tick + 1) - first_dot(tick);

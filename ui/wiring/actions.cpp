@@ -1,10 +1,9 @@
-#include "ui/wiring/actions.h"
-
 #include <algorithm>
 #include <utility>
 
 #include "core/brain/four_neurons.h"
 #include "ui/wiring/edits.h"
+#include "ui/wiring/input.h"
 
 namespace braitenlab::wiring {
 

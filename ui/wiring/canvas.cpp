@@ -10,10 +10,7 @@
 #include "ui/strings.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/theme.h"
-#include "ui/wiring/actions.h"
-#include "ui/wiring/draw_cursor.h"
-#include "ui/wiring/draw_nodes.h"
-#include "ui/wiring/draw_wires.h"
+#include "ui/wiring/draw.h"
 #include "ui/wiring/input.h"
 
 namespace braitenlab::wiring {

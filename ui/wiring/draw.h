@@ -1,6 +1,9 @@
-// Shared by all parts of the canvas's picture: a pen in canvas units, and the state to draw.
+// The canvas's picture: a pen in canvas units, the state to draw, and the parts of the picture from the lowest to the
+// uppermost. One source each for wires (draw_wires.cpp), nodes (draw_nodes.cpp) and what is above them
+// (draw_cursor.cpp).
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include <imgui.h>
@@ -71,5 +74,28 @@ void draw_ground(const Pen&, Rect area);
 
 // Records the anchors of all visible nodes, pins and wires and of the selection, and draws the highlighted one.
 void record_anchors(ui::Ui&, const Pen&, const Picture&, Rect area);
+
+// Curves, signals and end signs of the wires; the labels with the weights.
+void draw_wires(const Pen&, const Picture&);
+void draw_labels(const Pen&, const Picture&);
+
+// The sign at a wire's end, pointing right at `tip`: ▶ excites, ● inhibits.
+void draw_end_sign(const Pen&, maths::vec2 tip, float size, bool excites, Colour);
+
+// The signal's dots move along a wire with every tick: distance of the first one from the start of the wire; the others
+// follow at `dot_gap`.
+inline constexpr float dot_gap = 44;  // units
+float first_dot(std::uint64_t tick);
+
+// The input at the right end of a neuron's curve glyph, at least 1: the glyph always contains the step or the peak.
+float glyph_reach(const Curve&);
+
+// Cards with name, value and icon, and their pins.
+void draw_nodes(const Pen&, const Picture&);
+
+void draw_minimap(const Pen&, const Picture&, Rect area);
+
+// The selected node's sum or description, the wire or box being dragged, and the reason of a refusal.
+void draw_cursor(const Pen&, const Picture&, const CanvasFrame&);
 
 }  // namespace braitenlab::wiring

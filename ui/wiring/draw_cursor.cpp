@@ -1,12 +1,10 @@
-#include "ui/wiring/draw_cursor.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "ui/imgui_compat.h"
 #include "ui/strings.h"
 #include "ui/widgets/theme.h"
-#include "ui/wiring/draw_wires.h"
+#include "ui/wiring/draw.h"
 #include "ui/wiring/edits.h"
 #include "ui/wiring/node_text.h"
 

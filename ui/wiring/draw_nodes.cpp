@@ -1,5 +1,3 @@
-#include "ui/wiring/draw_nodes.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +6,7 @@
 #include "ui/strings.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/theme.h"
+#include "ui/wiring/draw.h"
 #include "ui/wiring/node_text.h"
 
 namespace braitenlab::wiring {

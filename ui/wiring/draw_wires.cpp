@@ -1,5 +1,3 @@
-#include "ui/wiring/draw_wires.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 #include "ui/imgui_compat.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/theme.h"
+#include "ui/wiring/draw.h"
 
 namespace braitenlab::wiring {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/brain/four_neurons.h"
-#include "ui/wiring/actions.h"
+#include "ui/wiring/input.h"
 
 namespace braitenlab::wiring {
 

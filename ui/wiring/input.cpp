@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/wiring/actions.h"
 #include "ui/wiring/edits.h"
 
 namespace braitenlab::wiring {

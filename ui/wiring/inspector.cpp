@@ -15,7 +15,6 @@
 #include "ui/widgets/theme.h"
 #include "ui/wiring/menu.h"
 #include "ui/wiring/node_text.h"
-#include "ui/wiring/number_sheet.h"
 
 namespace braitenlab::wiring {
 

@@ -1,11 +1,14 @@
-// Where a brain's nodes, pins, wires and labels are on the canvas.
+// Where a brain's nodes, pins, wires and labels are on the canvas, and the arrangement of nodes: all of a brain
+// automatically (tidy.cpp), or selected ones in a column, a row or at even gaps.
 //
 // No Dear ImGui. All in canvas units: one unit is one layout pixel at zoom 1; x to the right, y down.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -13,9 +16,10 @@
 
 #include "core/brain/graph.h"
 #include "core/maths/vec.h"
-#include "ui/wiring/tidy.h"
 
 namespace braitenlab::wiring {
+
+using Positions = std::map<NodeId, maths::vec2>;  // centres of nodes, canvas units
 
 struct NodeShape {
     NodeId id = 0;
@@ -104,5 +108,15 @@ private:
     };
     std::unordered_map<std::uint64_t, std::vector<Box>> cells_;
 };
+
+// A position for every node: sensors left, neurons in columns by their distance from a sensor, motors right; names that
+// end in L above names that end in R. Deterministic, and independent of the order of nodes and wires.
+Positions tidy(const BrainGraph&);
+
+enum class Arrangement { column, row, even_down, even_across };  // one x; one y; equal vertical or horizontal gaps
+
+// New positions for these nodes. In a column or a row, cards that would overlap are moved apart. With even gaps, the
+// two outermost nodes do not move. Empty for fewer than two nodes, or for fewer than three with even gaps.
+Positions arranged(const Layout&, const std::set<NodeId>&, Arrangement);
 
 }  // namespace braitenlab::wiring

@@ -8,7 +8,7 @@
 #include "ui/strings.h"
 #include "ui/widgets/theme.h"
 #include "ui/wiring/draw.h"
-#include "ui/wiring/number_sheet.h"
+#include "ui/wiring/inspector.h"
 
 namespace braitenlab::wiring {
 

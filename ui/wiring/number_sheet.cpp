@@ -1,5 +1,3 @@
-#include "ui/wiring/number_sheet.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +12,7 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/wiring/inspector.h"
 
 namespace braitenlab::wiring {
 

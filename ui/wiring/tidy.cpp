@@ -1,5 +1,3 @@
-#include "ui/wiring/tidy.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
