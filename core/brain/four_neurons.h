@@ -81,4 +81,14 @@ FourNeurons read_dials(const BrainGraph&, const SensorPair& = {});
 // changes nothing. A dial whose sensor or motor the graph does not have changes nothing.
 void turn(BrainGraph&, Dial, float value, const SensorPair& = {});
 
+// mirrored() and crossed() change the direct wires of the pair with all parameters (threshold, curve, learning).
+// Lesions do not move. A brain without the two sensors, ML and MR is returned unchanged.
+
+// Makes the right motor the mirror image of the left one: RR becomes LL, RL becomes LR, and bias, curve and time
+// constant are those of the left motor.
+BrainGraph mirrored(BrainGraph, const SensorPair& = {});
+
+// Swaps the motors of each sensor's wires: LL and RL, RR and LR. A coward becomes an aggressor.
+BrainGraph crossed(BrainGraph, const SensorPair& = {});
+
 }  // namespace braitenlab

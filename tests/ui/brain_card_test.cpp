@@ -1,7 +1,7 @@
 // The brain card except its sliders: edits of both sides, lesions, and manual driving.
 #include <cmath>
 
-#include "core/brain/symmetry.h"
+#include "core/brain/four_neurons.h"
 #include "core/scene/scene_file.h"
 #include "core/world/world.h"
 #include "desk.h"

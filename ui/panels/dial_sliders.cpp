@@ -5,7 +5,6 @@
 #include <imgui.h>
 
 #include "core/brain/four_neurons.h"
-#include "core/brain/symmetry.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"

@@ -4,7 +4,6 @@
 
 #include <imgui.h>
 
-#include "core/brain/graft.h"
 #include "core/brain/presets.h"
 #include "core/scene/sensor_edits.h"
 #include "ui/panels/panels.h"

@@ -5,7 +5,6 @@
 
 #include <imgui.h>
 
-#include "core/brain/graft.h"
 #include "core/brain/presets.h"
 #include "core/maths/angle.h"
 #include "core/scene/enums.h"

@@ -1,13 +1,13 @@
-#include "core/brain/graft.h"
+#include "core/brain/presets.h"
+
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "core/brain/brain.h"
 #include "core/brain/four_neurons.h"
-#include "core/brain/presets.h"
 
-namespace braitenlab::tests::graft_test {
-
+namespace braitenlab::tests::presets_test {
 namespace {
 
 // An aggressor with two feelers, one of them wired through a neuron, and a neuron that an eye feeds.
@@ -30,9 +30,7 @@ float between(const BrainGraph& brain, const char* from, const char* to) {
     return wire ? wire->weight : 0;
 }
 
-}  // namespace
-
-TEST(Graft, ReplacesTheWiresOfTheEyesAndKeepsThoseOfTheFeelers) {
+TEST(Presets, GraftReplacesTheWiresOfTheEyesAndKeepsThoseOfTheFeelers) {
     const BrainGraph& coward = find_preset("2a-coward")->brain;
     const BrainGraph made = graft(with_feelers(), coward);
     EXPECT_EQ(read_dials(made), read_dials(coward));
@@ -50,7 +48,7 @@ TEST(Graft, ReplacesTheWiresOfTheEyesAndKeepsThoseOfTheFeelers) {
         << "a sensor without wires is not listed";
 }
 
-TEST(Graft, EqualsThePresetWithoutKeptNodesAndIsIdempotent) {
+TEST(Presets, GraftEqualsThePresetWithoutKeptNodesAndIsIdempotent) {
     for (const Preset& preset : presets()) {
         EXPECT_EQ(graft(make_graph({.LL = 1}), preset.brain), preset.brain) << preset.name;
         const BrainGraph once = graft(with_feelers(), preset.brain);
@@ -60,7 +58,7 @@ TEST(Graft, EqualsThePresetWithoutKeptNodesAndIsIdempotent) {
     }
 }
 
-TEST(Graft, KeepsPositionsUnlessThePresetHasNeurons) {
+TEST(Presets, GraftKeepsPositionsUnlessThePresetHasNeurons) {
     BrainGraph brain = with_feelers(), preset = make_graph({.LL = 1});
     find_node(brain, "SL")->place = {1, 2};
     find_node(brain, "QR")->place = {3, 4};
@@ -72,7 +70,7 @@ TEST(Graft, KeepsPositionsUnlessThePresetHasNeurons) {
     EXPECT_EQ(made, without_places(made));
 }
 
-TEST(Graft, RenamesAKeptNodeWhoseNameIsUsed) {
+TEST(Presets, GraftRenamesAKeptNodeWhoseNameIsUsed) {
     BrainGraph preset = make_graph({.LL = 1});
     preset.nodes.push_back({.id = 4, .kind = NodeKind::neuron, .name = "N1"});
     const BrainGraph made = graft(with_feelers(), preset);
@@ -80,4 +78,5 @@ TEST(Graft, RenamesAKeptNodeWhoseNameIsUsed) {
     EXPECT_FLOAT_EQ(between(made, "QR", "N1-2"), 0.7f);
 }
 
-}  // namespace braitenlab::tests::graft_test
+}  // namespace
+}  // namespace braitenlab::tests::presets_test
