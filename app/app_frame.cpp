@@ -6,11 +6,11 @@
 #include <imgui.h>
 
 #include "app/app.h"
+#include "app/applied_theme.h"
 #include "app/files/data.h"
 #include "app/files/screenshot.h"
 #include "app/lab_requests.h"
 #include "app/lab_selection.h"
-#include "app/lettering.h"
 #include "app/platform/platform.h"
 #include "render/view/between.h"
 #include "ui/panels/prompts.h"

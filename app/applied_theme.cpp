@@ -1,11 +1,14 @@
 #include "app/applied_theme.h"
 
+#include <cmath>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 #include <imgui.h>
 
 #include "app/files/data.h"
+#include "ui/imgui_compat.h"
 
 namespace braitenlab {
 
@@ -31,6 +34,14 @@ ui::FontPaths installed_fonts() {
     return paths;
 }
 
+render::Lettering lettering_of(ImFont& font) {
+    render::Lettering lettering(static_cast<int>(std::lround(compat::size_of(&font))));
+    compat::each_glyph(font, [&](const compat::GlyphPicture& g) {
+        lettering.add(g.character, g.width, g.height, g.grey, g.pitch, g.left, g.top, g.advance);
+    });
+    return lettering;
+}
+
 }  // namespace
 
 bool AppliedTheme::apply(Theme theme, float scale) {
@@ -43,6 +54,12 @@ bool AppliedTheme::apply(Theme theme, float scale) {
     atlas.Clear();
     loaded_ = ui::load_fonts(atlas, scale, installed_fonts());
     return true;
+}
+
+LabelFont label_font(const render::FindFont& find, int pixels, ImFont& fallback) {
+    auto lettering = render::Lettering::from_fonts(find, pixels);
+    if (lettering) return {std::move(*lettering), {}};
+    return {lettering_of(fallback), "labels use the window's own font: " + lettering.error().text()};
 }
 
 }  // namespace braitenlab

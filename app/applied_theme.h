@@ -1,8 +1,12 @@
-// Theme, scale and fonts as applied to Dear ImGui.
+// Theme, scale and fonts as applied to Dear ImGui, and the characters of the scene's labels: from a font of the system,
+// else from the font of the window.
 #pragma once
 
 #include <string>
 
+#include <imgui.h>
+
+#include "render/text/lettering.h"
 #include "render/view/palette.h"
 #include "ui/widgets/theme.h"
 
@@ -23,5 +27,14 @@ private:
     Theme theme_ = Theme::dark;
     float scale_ = 0;  // nothing applied yet
 };
+
+struct LabelFont {
+    render::Lettering lettering;
+    std::string warning;  // why the system's fonts are not used; empty: they are
+};
+
+// Characters of `pixels` height from a font that `find` knows; from the fallback if there is none, whose atlas must
+// have been built.
+LabelFont label_font(const render::FindFont& find, int pixels, ImFont& fallback);
 
 }  // namespace braitenlab

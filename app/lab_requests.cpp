@@ -7,7 +7,7 @@
 
 #include "app/lab_lesson.h"
 #include "app/lab_selection.h"
-#include "app/past.h"
+#include "app/playback.h"
 #include "core/match.h"
 #include "ui/scene_input/clipboard.h"
 #include "ui/scene_input/edits.h"

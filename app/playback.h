@@ -1,4 +1,4 @@
-// Playback of simulated time: mode, speed, and the data for going back in time.
+// Playback of simulated time: mode, speed, going back in time and bookmarks.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include "core/lesson/referee.h"
 #include "core/session/session.h"
 #include "ui/lab_view.h"
+#include "ui/request.h"
 
 namespace braitenlab {
 
@@ -49,5 +50,14 @@ void advance(Lab&, double wall_seconds);
 
 // Position of the picture between the previous tick (0) and the last one (1); 1 while the simulation is paused.
 float between_ticks(const Lab&);
+
+// Going back in time restores the world, the undo history and the referee of an exercise at the earlier tick.
+void seek(Lab&, const SeekRequest&);
+void seek_by(Lab&, std::int64_t ticks);
+
+// Bookmarks the current moment. The oldest bookmark is removed when there are more than twenty.
+void set_bookmark(Lab&);
+void handle_bookmark(Lab&, const BookmarkRequest&);
+void go_to_last_bookmark(Lab&);
 
 }  // namespace braitenlab

@@ -1,4 +1,4 @@
-// Position and velocity of a rigid body in the plane.
+// Position and velocity of a rigid body in the plane, and their integration.
 #pragma once
 
 #include "core/maths/angle.h"
@@ -21,6 +21,16 @@ inline Motion at_rest(maths::vec2 position, float heading) {
 // Converts a point (m) from the body's frame to world coordinates.
 inline maths::vec2 to_world(const Motion& motion, maths::vec2 point) {
     return motion.position + maths::rotate(point, motion.ahead);
+}
+
+// Semi-implicit Euler integration: updates the velocity first, then the position with the new velocity. Unlike explicit
+// Euler, it does not add energy to oscillations; rigid-body engines use it.
+//
+// Advances place (m) and speed (m/s), numbers or vectors, by dt seconds under an acceleration (m/s^2).
+template <class Vector>
+constexpr void integrate(Vector& place, Vector& speed, Vector acceleration, float dt) {
+    speed += acceleration * dt;
+    place += speed * dt;
 }
 
 }  // namespace braitenlab::mechanics

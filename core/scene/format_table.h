@@ -14,9 +14,6 @@
 
 namespace braitenlab {
 
-// The tables of the scene format, in Markdown.
-std::string describe_scene_format();
-
 // The visitor of core/scene/schema.h that prints one table per struct: its own keys, then its inner tables.
 template <class T>
 class FormatTable {

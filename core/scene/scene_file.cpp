@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/scene/check.h"
+#include "core/scene/format_table.h"
 #include "core/scene/schema.h"
 #include "core/scene/toml_reader.h"
 
@@ -156,6 +157,12 @@ Result<BrainGraph> parse_brain(std::string_view toml, std::string file_name) {
     if (file->error) return *file->error;
     if (const auto fault = find_fault(content.brain)) return file->fault_at("brain", fault->what);
     return content.brain;
+}
+
+std::string describe_scene_format() {
+    FormatTable<Scene> table("", "The top of the file", "");
+    describe(table, Of<Scene>{});
+    return table.text();
 }
 
 }  // namespace braitenlab

@@ -45,4 +45,7 @@ std::string write_brain(const BrainGraph&);
 // compile …), or nullopt. The message begins with the value's path.
 std::optional<Error> check_scene(const Scene&);
 
+// The tables of docs/scene-format.md, in Markdown.
+std::string describe_scene_format();
+
 }  // namespace braitenlab

@@ -1,4 +1,5 @@
-// A mesh drawn once per instance in one draw call.
+// A mesh drawn once per instance in one draw call, and the meshes whose corners hold numbers: the shaders compute the
+// positions.
 #pragma once
 
 #include <cstddef>
@@ -59,5 +60,14 @@ private:
     unsigned array_ = 0, corners_ = 0, indices_ = 0;
     int index_count_ = 0;  // 0: points
 };
+
+Shape quad();              // x and y −1..1
+Shape strip(int squares);  // squares in a row along x from 0 to 1, y from −1 to 1
+Shape fan();               // x: number of the corner 0..3, for field.vert
+
+// prism(): sides, chamfer and top of a prism of up to eight corners, for block.vert: x: number of the edge, y: its end
+// 0 or 1, z: level. skirt(): the shadow around its feet.
+Shape prism();
+Shape skirt();
 
 }  // namespace braitenlab::render

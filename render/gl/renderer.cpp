@@ -11,7 +11,6 @@
 #include "render/gl/backdrop.h"
 #include "render/gl/batch.h"
 #include "render/gl/frame.h"
-#include "render/gl/meshes.h"
 #include "render/gl/programs.h"
 #include "render/gl/texture.h"
 #include "render/text/set_type.h"

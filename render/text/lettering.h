@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -9,9 +10,15 @@
 #include <vector>
 
 #include "core/result.h"
-#include "render/text/find_font.h"
 
 namespace braitenlab::render {
+
+// Path of a font file that contains the character; the default font for the character 0. Empty if there is none.
+using FindFont = std::function<std::string(char32_t)>;
+
+// Searches with fontconfig and prefers Noto Sans and DejaVu Sans. Without fontconfig, searches the usual paths of these
+// fonts.
+std::string find_font(char32_t);
 
 // A character: its rectangle in the sheet and its offset from the pen; pixels, y down.
 struct Glyph {

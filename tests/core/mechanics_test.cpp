@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/maths/random.h"
-#include "core/mechanics/integrate.h"
+#include "core/mechanics/motion.h"
 #include "core/mechanics/wheel.h"
 
 namespace braitenlab::mechanics {
@@ -51,13 +51,13 @@ TEST(Wheel, DifferentialDriveConvertsInBothDirections) {
     EXPECT_GT(drive_of_wheels(1, 2, 0.5f).turning, 0) << "a faster right wheel turns left, counter-clockwise";
 }
 
-TEST(Integrate, SemiImplicitEulerKeepsTheEnergyOfASpring) {
+TEST(Motion, SemiImplicitEulerKeepsTheEnergyOfASpring) {
     float place = 1, speed = 0;
     for (int i = 0; i < 60 * 60; ++i) integrate(place, speed, -10 * place, dt);
     EXPECT_NEAR(0.5f * speed * speed + 5 * place * place, 5, 0.8f);
 }
 
-TEST(Integrate, SemiImplicitEulerAgreesWithTheFormulaOfAFreeFall) {
+TEST(Motion, SemiImplicitEulerAgreesWithTheFormulaOfAFreeFall) {
     float place = 0, speed = 0;
     for (int i = 0; i < 60; ++i) integrate(place, speed, gravity, dt);
     EXPECT_NEAR(speed, gravity, 1e-3f);

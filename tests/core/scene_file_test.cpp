@@ -12,7 +12,6 @@
 #include "core/brain/brain.h"
 #include "core/maths/angle.h"
 #include "core/maths/random.h"
-#include "core/scene/format_table.h"
 #include "core/scene/nearest.h"
 #include "tests/core/scenes.h"
 
@@ -460,7 +459,7 @@ TEST(SceneFile, RefusesFilesThatAreTooDeepOrTooLarge) {
 }
 
 // Set BRAITENLAB_WRITE_DOCS=1 to write the tables again after a change of the fields.
-TEST(FormatTable, IsUpToDateInTheSceneFormatPage) {
+TEST(SceneFile, FormatTableIsUpToDateInTheSceneFormatPage) {
     const fs::path page = source / "docs" / "scene-format.md";
     std::string text = content(page);
     if (std::getenv("BRAITENLAB_WRITE_DOCS")) {
@@ -470,7 +469,7 @@ TEST(FormatTable, IsUpToDateInTheSceneFormatPage) {
     expect_in(describe_scene_format(), text);
 }
 
-TEST(FormatTable, HasAnExampleThatReadsInTheSceneFormatPage) {
+TEST(SceneFile, AnExampleReadsInTheSceneFormatPage) {
     std::istringstream lines(content(source / "docs" / "scene-format.md"));
     std::string example;
     for (std::string line; std::getline(lines, line);)

@@ -1,8 +1,8 @@
-#include "app/lettering.h"
+#include "app/applied_theme.h"
 
 #include <gtest/gtest.h>
 
-namespace braitenlab::tests::lettering_test {
+namespace braitenlab::tests::applied_theme_test {
 namespace {
 
 // Dear ImGui's built-in font, which needs no file.
@@ -15,7 +15,7 @@ struct BuiltIn {
     ImFont* font = nullptr;
 };
 
-TEST(Lettering, FallsBackToTheFontOfTheWindow) {
+TEST(AppliedTheme, TheLabelFontFallsBackToTheFontOfTheWindow) {
     BuiltIn own;
     LabelFont made = label_font([](char32_t) { return std::string{}; }, 13, *own.font);
     EXPECT_NE(made.warning.find("no font"), std::string::npos) << made.warning;
@@ -33,7 +33,7 @@ TEST(Lettering, FallsBackToTheFontOfTheWindow) {
     EXPECT_EQ(set_line(made.lettering, "HH").width, 2 * set_line(made.lettering, "H").width);
 }
 
-TEST(Lettering, PrefersTheFontsOfTheSystem) {
+TEST(AppliedTheme, TheLabelFontPrefersTheFontsOfTheSystem) {
     BuiltIn own;
     const LabelFont made = label_font(render::find_font, 20, *own.font);
     EXPECT_EQ(made.warning, "");
@@ -41,4 +41,4 @@ TEST(Lettering, PrefersTheFontsOfTheSystem) {
 }
 
 }  // namespace
-}  // namespace braitenlab::tests::lettering_test
+}  // namespace braitenlab::tests::applied_theme_test
