@@ -64,12 +64,14 @@ Command* superseded_by(const Command& later, std::vector<Command>& commands) {
     return nullptr;
 }
 
-// The commands that undo all of these, in reverse order.
-std::vector<Command> undoing_all(const Snapshot& now, const std::vector<Command>& commands) {
-    std::vector<Command> back;
-    for (auto command = commands.rbegin(); command != commands.rend(); ++command)
-        for (Command& one : undoing(now, *command)) back.push_back(std::move(one));
-    return back;
+// True when `back` are the commands that undo all of these, in reverse order: the values are those before the step.
+// Ends at the first difference, because a drag of many objects asks after each of its commands.
+bool has_no_effect(const UndoStep& step, const Snapshot& now) {
+    auto expected = step.back.begin();
+    for (auto command = step.again.rbegin(); command != step.again.rend(); ++command)
+        for (const Command& one : undoing(now, *command))
+            if (expected == step.back.end() || *expected++ != one) return false;
+    return expected == step.back.end();
 }
 
 void push(Steps& steps, UndoStep step) { steps.push_back(std::make_shared<const UndoStep>(std::move(step))); }
@@ -149,7 +151,7 @@ std::optional<Error> Session::apply(const Command& command, std::uint64_t gestur
         step.back.insert(step.back.begin(), back.begin(), back.end());  // undone in reverse order
     }
     step.tick = snapshot_.tick, step.generation = snapshot_.generation;
-    const bool is_back_where_it_began = same_gesture && undoing_all(snapshot_, step.again) == step.back;
+    const bool is_back_where_it_began = same_gesture && has_no_effect(step, snapshot_);
     if (!is_back_where_it_began) push(edits_.done, std::move(step));
     change_later(begun, is_back_where_it_began ? nullptr : edits_.done.back());
     if (edits_.done.size() > most_edits) {

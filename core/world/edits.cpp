@@ -38,6 +38,15 @@ std::optional<Error> replace_if_valid(WorldData& s, Result<Scene> edited, Replac
     return std::nullopt;
 }
 
+// As above, after an edit of one obstacle, which is at rest then at its pose in the scene.
+std::optional<Error> replace_obstacle(WorldData& s, int index, Result<Scene> edited) {
+    if (!edited) return edited.error();
+    const Obstacle& to = *iterator_at(edited->obstacles, index);
+    *iterator_at(s.obstacles, index) = mechanics::at_rest({to.x, to.y}, to.heading);
+    replace_scene(s, std::move(*edited));
+    return std::nullopt;
+}
+
 }  // namespace
 
 void compile_again(WorldData& s, int index, const Kind& kind) {
@@ -84,9 +93,7 @@ std::optional<Error> execute(WorldData& s, const EditSource& c) {
 }
 
 std::optional<Error> execute(WorldData& s, const MoveSource& c) {
-    auto to = moved(s.scene->sources, c.source, {c.x, c.y}, "source");
-    if (!to) return to.error();
-    return execute(s, EditSource{c.source, std::move(*to)});
+    return replace_if_valid(s, with_moved(*s.scene, &Scene::sources, c.source, {c.x, c.y}, "source"), replace_sources);
 }
 
 std::optional<Error> execute(WorldData& s, const AddObstacle& c) {
@@ -107,17 +114,12 @@ std::optional<Error> execute(WorldData& s, const RemoveObstacle& c) {
 }
 
 std::optional<Error> execute(WorldData& s, const EditObstacle& c) {
-    auto scene = with_edited(*s.scene, &Scene::obstacles, c.obstacle, c.to, "obstacle");
-    if (!scene) return scene.error();
-    *iterator_at(s.obstacles, c.obstacle) = mechanics::at_rest({c.to.x, c.to.y}, c.to.heading);
-    replace_scene(s, std::move(*scene));
-    return std::nullopt;
+    return replace_obstacle(s, c.obstacle, with_edited(*s.scene, &Scene::obstacles, c.obstacle, c.to, "obstacle"));
 }
 
 std::optional<Error> execute(WorldData& s, const MoveObstacle& c) {
-    auto to = moved(s.scene->obstacles, c.obstacle, {c.x, c.y, c.heading}, "obstacle");
-    if (!to) return to.error();
-    return execute(s, EditObstacle{c.obstacle, std::move(*to)});
+    return replace_obstacle(s, c.obstacle,
+                            with_moved(*s.scene, &Scene::obstacles, c.obstacle, {c.x, c.y, c.heading}, "obstacle"));
 }
 
 std::optional<Error> execute(WorldData& s, const AddZone& c) {
@@ -133,9 +135,8 @@ std::optional<Error> execute(WorldData& s, const EditZone& c) {
 }
 
 std::optional<Error> execute(WorldData& s, const MoveZone& c) {
-    auto to = moved(s.scene->zones, c.zone, {c.x, c.y, c.heading}, "zone");
-    if (!to) return to.error();
-    return execute(s, EditZone{c.zone, std::move(*to)});
+    return replace_if_valid(s, with_moved(*s.scene, &Scene::zones, c.zone, {c.x, c.y, c.heading}, "zone"),
+                            replace_zones);
 }
 
 }  // namespace braitenlab::world

@@ -136,16 +136,18 @@ Result<Scene> without(Scene scene, std::vector<Element> Scene::*of, int index, c
     return scene;
 }
 
-// The element at this pose, clamped to the range of a position.
+// The scene with an element at this pose, clamped to the range of a position. A valid scene stays valid, because no
+// rule of check_scene depends on these positions: a drag of many objects does not check the whole scene for each of
+// them.
 template <class Element>
-Result<Element> moved(const std::vector<Element>& elements, int index, const Pose& to, const char* what) {
-    if (auto error = missing(elements, index, what)) return *error;
+Result<Scene> with_moved(Scene scene, std::vector<Element> Scene::*of, int index, const Pose& to, const char* what) {
+    if (auto error = missing(scene.*of, index, what)) return *error;
     if (!is_finite(to)) return not_finite();
-    Element element = elements[static_cast<std::size_t>(index)];
+    Element& element = *iterator_at(scene.*of, index);
     element.x = std::clamp(to.x, -1000.0f, 1000.0f);
     element.y = std::clamp(to.y, -1000.0f, 1000.0f);
     if constexpr (requires { element.heading; }) element.heading = maths::wrap_angle(to.heading);
-    return element;
+    return scene;
 }
 
 }  // namespace braitenlab::world
