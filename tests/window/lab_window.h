@@ -142,6 +142,15 @@ public:
     }
 
     void key(const std::string& name) const { xdotool("key --delay 30 " + name); }
+    // Doubles or halves the speed of the simulated time by keys until it has this value.
+    void set_speed(double wanted) const {
+        for (double now = state()["time_scale"]; now != wanted; now = state()["time_scale"]) {
+            key(now < wanted ? "equal" : "minus");
+            if (eventually([&] { return state()["time_scale"] != now; })) continue;
+            ADD_FAILURE() << "the speed stays " << now;
+            return;
+        }
+    }
     // Each of these returns once a frame has seen the mouse there.
     void move(Point p) const {
         xdotool(fmt::format("mousemove --window {} {} {}", window_, p.x, p.y));

@@ -87,7 +87,7 @@ TEST(CrashWindow, OffersARunWithoutEdits) {
     const Home home;
     int reached = 0;
     {
-        LabWindow lab({"predator-prey", "--size", "1280x800", "--play"}, home.path);
+        LabWindow lab({"predator-prey", "--size", "640x480", "--play"}, home.path);  // small: it is drawn for 20 s
         ASSERT_TRUE(wait_for([&] { return written(home) != std::filesystem::file_time_type{}; }));
         const auto first = written(home);
         ASSERT_TRUE(wait_for([&] { return written(home) != first; }, 40)) << "written every twenty seconds";
@@ -224,6 +224,7 @@ TEST_P(KeyboardAlone, FinishesTheExercise) {
     set("2", "LR", "1.5");
     set("3", "RL", "1.5");
     set("4", "RR", "0");
+    lab.set_speed(8);
     press("space");
     EXPECT_TRUE(wait_for([&] { return lab.state()["exercise"]["passed"] == true; }, 60)) << lab.state().dump(1);
 }

@@ -50,10 +50,12 @@ TEST(LabWindow, ChangesAWeightWhileItIsDraggedAndPlaying) {
 }
 
 TEST(LabWindow, GoesBackFiveSecondsAndForwardAgainExactly) {
-    LabWindow lab({"predator-prey", "--size", "1280x800", "--play"});
+    LabWindow lab({"predator-prey", "--size", "640x480", "--play"});
+    lab.set_speed(8);
     ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] > 420; }, 40));
     lab.key("space");
     ASSERT_TRUE(wait_for([&] { return lab.state()["mode"] == "paused"; }));
+    lab.set_speed(1);
     const Json there = lab.state();
     lab.key("shift+comma");
     ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] == there["tick"].get<int>() - 300; })) << lab.state()["tick"];
@@ -72,6 +74,7 @@ TEST(LabWindow, GoesBackFiveSecondsAndForwardAgainExactly) {
 
 TEST(LabWindow, ScrubsWithTheMouseAndReturnsToABookmark) {
     LabWindow lab({"predator-prey", "--size", "1280x800", "--play"});
+    lab.set_speed(8);
     ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] > 300; }, 40));
     lab.key("space");
     ASSERT_TRUE(wait_for([&] { return lab.state()["mode"] == "paused"; }));
@@ -126,6 +129,7 @@ TEST(LabWindow, PassesTheExerciseWithTheMouseAlone) {
     set("slider.RL", 0.9);
     set("slider.LL", 0.5);
     set("slider.RR", 0.5);
+    for (int i = 0; i < 3; ++i) lab.click("button.faster");
     lab.click("button.play");
     EXPECT_TRUE(wait_for([&] { return lab.state()["exercise"]["passed"] == true; }, 40)) << lab.state().dump(1);
 }
