@@ -1,10 +1,10 @@
-// Mouse input in the scene without a window: synthetic Dear ImGui mouse events over a hand-made snapshot.
+// Mouse input in the scene without a window.
 #include "ui/scene_input/scene_input.h"
 
 #include <cmath>
 
 #include "core/maths/angle.h"
-#include "desk.h"
+#include "scene_on_desk.h"
 #include "ui/scene_input/edits.h"
 
 namespace braitenlab::tests::stage_test {
@@ -14,70 +14,7 @@ namespace {
 
 using maths::vec2;
 
-constexpr float a_pixel = 0.05f;  // m: Dear ImGui rounds the mouse to whole pixels
-
-// A desk with a scene for the mouse: four predators in the middle, a lamp and a box to the north.
-struct SceneInput : testing::Test {
-    SceneInput() {
-        auto scene = std::make_shared<Scene>(*desk.now.scene);
-        scene->sources.push_back({.name = "lamp", .x = -3, .y = 6});
-        scene->obstacles.push_back({.name = "box", .x = 3, .y = 6, .length = 2, .width = 1});
-        scene->zones.push_back({.name = "pond", .x = 6, .y = -7, .length = 3, .width = 2, .surface = Surface::ice});
-        desk.now.scene = scene;
-        desk.now.sources.push_back({0, Channel::light, -3, 6, 1});
-        desk.now.obstacles.push_back({3, 6, 0});
-        for (const Kind& kind : scene->kinds) desk.now.kind_brains.push_back(std::make_shared<BrainGraph>(kind.brain));
-        for (std::size_t i = 0; i < desk.now.vehicles.size(); ++i) {
-            desk.now.vehicles[i].x = -6 + 1.5f * static_cast<float>(i % 8);
-            desk.now.vehicles[i].y = i < 8 ? 0.0f : -4.0f;
-        }
-        desk.view.camera_view = &camera_view;
-        desk.frame(2);  // cards are measured in the first frames
-        camera_view = look(Camera{}, scene->arena, nullptr, {0, 0, 1280, 800}, desk.layout.scene);
-        rest_pointer();
-    }
-
-    vec2 pixel(vec2 place) const { return *project(camera_view, place); }
-    void point(vec2 place) {
-        desk.point(pixel(place).x, pixel(place).y);
-        desk.frame();
-    }
-    void rest_pointer() { point({0, 3}); }
-    void press(int button = 0) { desk.button(button, true), desk.frame(); }
-    void release(int button = 0) { desk.button(button, false), desk.frame(); }
-    void click(vec2 place, int button = 0) {
-        point(place), press(button), release(button);
-        desk.rest();
-    }
-    // Presses at one place and moves to another in steps.
-    void hold(vec2 from, vec2 to) {
-        point(from), press();
-        for (int i = 1; i <= 4; ++i) point(from + (to - from) * (static_cast<float>(i) / 4));
-    }
-
-    template <class C>
-    std::vector<C> commands() const {
-        std::vector<C> found;
-        for (const EditRequest& edit : desk.edits())
-            if (const auto* command = std::get_if<C>(&edit.command)) found.push_back(*command);
-        return found;
-    }
-    template <class R>
-    std::vector<R> requests() const {
-        std::vector<R> found;
-        for (const Request& request : desk.all)
-            if (const auto* one = std::get_if<R>(&request)) found.push_back(*one);
-        return found;
-    }
-    SceneInputState& scene_input() { return desk.panels.scene_input; }
-    // Applies the requests, as the lab does.
-    void take(SceneObject object) { desk.view.settings.selection.object = object, desk.frame(); }
-
-    Desk desk;
-    CameraView camera_view = look(Camera{}, Arena{}, nullptr, {0, 0, 1280, 800}, {336, 64, 576, 680});
-    const SceneObject lamp{SceneObjectKind::source, 0}, box{SceneObjectKind::obstacle, 0},
-        pond{SceneObjectKind::zone, 0};
-};
+using SceneInput = SceneOnDesk;
 
 TEST_F(SceneInput, FindsTheObjectUnderThePointerAndSetsTheCursor) {
     EXPECT_FALSE(scene_input().hovered);
@@ -252,44 +189,6 @@ TEST_F(SceneInput, IgnoresZonesThatAreNotShown) {
     EXPECT_FALSE(scene_input().hovered);
 }
 
-TEST_F(SceneInput, OffersAZoneItsOwnMenuAndWhatCanBeAddedOnIt) {
-    click({6, -7}, 1);
-    EXPECT_EQ(scene_input().menu.object, pond);
-    desk.click("menu.add.light");
-    EXPECT_NEAR(commands<AddSource>().back().source.x, 6, a_pixel);
-    click({6, -7}, 1);
-    desk.click("menu.erase");
-    EXPECT_EQ(commands<RemoveZone>().size(), 1u);
-    click({6, -7}, 1);
-    desk.click("menu.duplicate");
-    EXPECT_EQ(commands<AddZone>().back().zone.surface, Surface::ice);
-    click({0, 3}, 1);
-    desk.click("menu.add.zone");
-    EXPECT_NEAR(commands<AddZone>().back().zone.y, 3, a_pixel);
-}
-
-TEST_F(SceneInput, EditsAZoneOnItsCard) {
-    take(pond);
-    desk.frame(2);
-    desk.click("thing.surface.sand");
-    EXPECT_EQ(commands<EditZone>().back().to.surface, Surface::sand);
-    EXPECT_EQ(commands<EditZone>().back().to.length, 3);
-    desk.click("thing.shape.2");
-    EXPECT_TRUE(commands<EditZone>().back().to.round);
-    const auto edits = commands<EditZone>().size();
-    for (const char* slider : {"thing.length", "thing.width", "thing.heading", "thing.recharge", "thing.wind_x",
-                               "thing.wind_y", "thing.slope", "thing.pull"})
-        EXPECT_TRUE(desk.anchors.find(slider)) << slider;
-    desk.click("thing.shape.3");
-    EXPECT_EQ(scene_input().tool, SceneInputTool::polygon);
-    for (const vec2 corner : {vec2{-1, 2}, vec2{2, 2}, vec2{2, 4}}) click(corner);
-    desk.key({key::enter});
-    ASSERT_EQ(commands<EditZone>().size(), edits + 1);
-    EXPECT_EQ(commands<EditZone>().back().zone, 0);
-    EXPECT_EQ(commands<EditZone>().back().to.corners.size(), 3u);
-    EXPECT_TRUE(commands<AddObstacle>().empty()) << "the outline is that of the zone";
-}
-
 TEST_F(SceneInput, GivesADrawnOutlineToItsZoneWhenTheIndexHasChanged) {
     take(pond);
     desk.frame(2);
@@ -419,19 +318,6 @@ TEST_F(SceneInput, TurnsTheChosenVehicleByAKeyAndNoLamp) {
     take(lamp);
     desk.key({'Z'});
     EXPECT_TRUE(commands<MoveSource>().empty());
-}
-
-TEST_F(SceneInput, OpensTheMenuOfTheFloorInTheMiddleOfTheViewByAKey) {
-    desk.key({'H'});
-    desk.frame(2);
-    ASSERT_TRUE(scene_input().menu.open);
-    EXPECT_FALSE(scene_input().menu.object);
-    EXPECT_LT(maths::length(scene_input().menu.place), 4);
-    desk.key({key::down});  // past the first kind
-    EXPECT_EQ(desk.panels.keyboard.focus, "menu.add.vehicle.1");
-    desk.key({key::enter});
-    desk.frame(2);
-    EXPECT_EQ(commands<AddVehicle>().size(), 1u);
 }
 
 TEST_F(SceneInput, CopiesCutsAndSelectsAllInTheSceneAndPastesAtThePointer) {
@@ -583,122 +469,12 @@ TEST_F(SceneInput, KeepsAddedAndDuplicatedObjectsOffTheWallsAndOtherObjects) {
     EXPECT_TRUE(clear({at.x, at.y})) << "another vehicle is 0.8 m beside it";
 }
 
-TEST_F(SceneInput, IgnoresTheClickThatClosesAMenu) {
-    click({0, 3}, 1);
-    ASSERT_TRUE(scene_input().menu.open);
-    desk.all.clear();
-    click({-3, 6});  // a lamp
-    EXPECT_FALSE(scene_input().menu.open);
-    EXPECT_TRUE(desk.all.empty());
-    desk.key({'E'});
-    desk.frame(3);
-    ASSERT_EQ(desk.panels.menu_bar.open, "view");
-    click({-3, 6});
-    EXPECT_EQ(desk.panels.menu_bar.open, "");
-    EXPECT_TRUE(desk.all.empty());
-    click({-3, 6});
-    EXPECT_FALSE(desk.all.empty());
-}
-
-TEST_F(SceneInput, AddsObjectsAtThePositionOfTheMenu) {
-    click({1, 3}, 1);
-    desk.click("menu.add.vehicle.1");
-    const auto added = commands<AddVehicle>();
-    ASSERT_EQ(added.size(), 1u);
-    EXPECT_EQ(added[0].kind, 1);
-    EXPECT_NEAR(added[0].at->x, 1, a_pixel);
-    EXPECT_FALSE(scene_input().menu.open);
-    click({1, 3}, 1);
-    desk.click("menu.add.smell");
-    EXPECT_EQ(commands<AddSource>().back().source.channel, Channel::smell);
-    click({1, 3}, 1);
-    desk.click("menu.add.polygon");
-    EXPECT_EQ(scene_input().tool, SceneInputTool::polygon);
-    EXPECT_EQ(scene_input().corners.size(), 1u);
-}
-
-TEST_F(SceneInput, ExecutesTheMenuOfAVehicle) {
-    click({-4.5f, 0}, 1);
-    EXPECT_EQ(scene_input().menu.object, vehicle_object(1));
-    desk.click("menu.drive");
-    EXPECT_EQ(requests<SelectRequest>().back().vehicle, 1);
-    EXPECT_EQ(desk.actions().back(), Action::drive);
-    click({-4.5f, 0}, 1);
-    desk.click("menu.duplicate");
-    EXPECT_EQ(commands<AddVehicle>().back().kind, desk.now.vehicles[1].kind);
-    click({-4.5f, 0}, 1);
-    desk.click("menu.erase");
-    EXPECT_EQ(commands<RemoveVehicle>().back().vehicle, 1);
-    click({-4.5f, 0}, 1);
-    desk.click("menu.brains");
-    desk.frame(2);
-    bool says_whose = false;
-    for (const Written& w : desk.written) says_whose |= w.words.ends_with("2  ·  Another brain");
-    EXPECT_TRUE(says_whose);
-    desk.click("menu.brain.2a-coward");
-    EXPECT_EQ(commands<SetBrain>().back().target, (Target{1, -1}));
-}
-
-TEST_F(SceneInput, MenuCanBeUsedByKeysAlone) {
-    desk.key({key::menu});
-    desk.frame(3);
-    ASSERT_TRUE(scene_input().menu.open);
-    EXPECT_EQ(desk.panels.keyboard.focus, "menu.brains");
-    desk.key({key::up});
-    EXPECT_EQ(desk.panels.keyboard.focus, "menu.erase");
-    desk.key({key::enter});
-    desk.frame(2);
-    EXPECT_EQ(commands<RemoveVehicle>().size(), 1u);
-    EXPECT_FALSE(scene_input().menu.open);
-    desk.key({key::menu});
-    desk.frame(3);
-    desk.key({key::escape});
-    desk.frame(2);
-    EXPECT_FALSE(scene_input().menu.open);
-}
-
 TEST_F(SceneInput, IsInactiveWhileTheWiringIsOpen) {
     desk.view.mode = Mode::wiring;
     point({-6, 0});
     EXPECT_FALSE(scene_input().hovered);
     desk.key({key::right, true});
     EXPECT_TRUE(desk.edits().empty());
-}
-
-TEST_F(SceneInput, CardChangesTheValuesOfALampWithOneGesturePerDrag) {
-    take(lamp);
-    desk.frame(2);
-    desk.point("thing.strength", 0.5f);
-    desk.frame(2);
-    press();
-    desk.point("thing.strength", 0.45f);
-    desk.frame();
-    desk.point("thing.strength", 0.4f);
-    desk.frame();
-    release();
-    const auto edits = commands<EditSource>();
-    ASSERT_GE(edits.size(), 2u);
-    EXPECT_LT(edits.back().to.strength, edits.front().to.strength);
-    EXPECT_EQ(desk.edits().front().gesture, desk.edits().back().gesture);
-    EXPECT_EQ(edits.back().to.x, -3) << "other values are unchanged";
-    desk.click("thing.channel.heat");
-    EXPECT_EQ(commands<EditSource>().back().to.channel, Channel::heat);
-    desk.click("thing.solid.2");
-    EXPECT_TRUE(commands<EditSource>().back().to.solid);
-}
-
-TEST_F(SceneInput, CardEditsAnObstacleAtItsPresentPosition) {
-    desk.now.obstacles[0] = {4, 5, 0};  // pushed
-    take(box);
-    desk.frame(2);
-    desk.click("thing.length", 0, 0.6f);
-    const auto edits = commands<EditObstacle>();
-    ASSERT_GE(edits.size(), 1u);
-    EXPECT_NE(edits.back().to.length, 2);
-    EXPECT_EQ(edits.back().to.x, 4);
-    desk.click("thing.erase");
-    ASSERT_EQ(desk.actions().size(), 1u);
-    EXPECT_EQ(desk.actions()[0], Action::erase);
 }
 
 }  // namespace
