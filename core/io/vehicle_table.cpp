@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/scene/enums.h"
+#include "core/scene/sensor_edits.h"
 #include "core/sensing/seam.h"
 
 namespace braitenlab::io {
@@ -14,13 +15,12 @@ namespace {
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 double sensor_input(const VehicleRow& row, const std::string& name) {
-    const Kind& kind = kind_of(row.now, row.vehicle);
-    const auto sensor = std::find_if(kind.sensors.begin(), kind.sensors.end(),
-                                     [&](const Sensor& candidate) { return candidate.name == name; });
-    if (sensor == kind.sensors.end()) return no_value;
+    const std::vector<Sensor>& sensors = kind_of(row.now, row.vehicle).sensors;
+    const Sensor* sensor = find_sensor(sensors, name);
+    if (!sensor) return no_value;
     const Node* node = find_node(*brain_of(row.now, row.vehicle), name);
     if (node && node->silenced) return 0;
-    return row.now.sensed[static_cast<std::size_t>(row.vehicle.first_sensed + (sensor - kind.sensors.begin()))];
+    return row.now.sensed[static_cast<std::size_t>(row.vehicle.first_sensed + (sensor - sensors.data()))];
 }
 
 VehicleColumn neuron_column(const std::string& name) {

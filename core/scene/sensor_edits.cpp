@@ -11,12 +11,6 @@ namespace braitenlab {
 
 namespace {
 
-template <class Sensors>
-auto sensor_with_name(Sensors& sensors, const std::string& name) -> decltype(&sensors[0]) {
-    const auto found = std::find_if(sensors.begin(), sensors.end(), [&](const Sensor& s) { return s.name == name; });
-    return found == sensors.end() ? nullptr : &*found;
-}
-
 // The part of a name before the digits at its end.
 std::size_t length_without_digits(const std::string& name) {
     std::size_t length = name.size();
@@ -54,6 +48,15 @@ Sensor new_sensor(Channel channel, float side) {
 
 }  // namespace
 
+const Sensor* find_sensor(const std::vector<Sensor>& sensors, const std::string& name) {
+    const auto found = std::find_if(sensors.begin(), sensors.end(), [&](const Sensor& s) { return s.name == name; });
+    return found == sensors.end() ? nullptr : &*found;
+}
+
+Sensor* find_sensor(std::vector<Sensor>& sensors, const std::string& name) {
+    return const_cast<Sensor*>(find_sensor(std::as_const(sensors), name));
+}
+
 Sensor mirrored(Sensor sensor) {
     sensor.y = -sensor.y, sensor.angle = -sensor.angle;
     return sensor;
@@ -68,7 +71,7 @@ std::string other_side(const std::string& name) {
 }
 
 std::string opposite_of(const std::vector<Sensor>& sensors, const std::string& name) {
-    if (std::string other = other_side(name); sensor_with_name(sensors, other)) return other;
+    if (std::string other = other_side(name); find_sensor(sensors, other)) return other;
     for (const KindPair& pair : sensor_pairs(sensors)) {
         if (pair.sensors.left == name) return pair.sensors.right;
         if (pair.sensors.right == name) return pair.sensors.left;
@@ -87,8 +90,7 @@ std::vector<Sensor> new_sensors(const std::vector<Sensor>& sensors, Channel chan
     else
         added = {new_sensor(channel, 0)};
     const auto is_free = [&](const Sensor& sensor) {
-        return !sensor_with_name(sensors, sensor.name) &&
-               std::find(taken.begin(), taken.end(), sensor.name) == taken.end();
+        return !find_sensor(sensors, sensor.name) && std::find(taken.begin(), taken.end(), sensor.name) == taken.end();
     };
     for (int number = 1;; ++number) {
         const std::string suffix = number == 1 ? "" : std::to_string(number);
@@ -102,19 +104,18 @@ std::vector<Sensor> new_sensors(const std::vector<Sensor>& sensors, Channel chan
 }
 
 std::vector<Sensor> with_mirror_image(std::vector<Sensor> sensors, const std::string& name) {
-    const Sensor* sensor = sensor_with_name(sensors, name);
+    const Sensor* sensor = find_sensor(sensors, name);
     if (!sensor || (sensor->y == 0 && sensor->angle == 0)) return sensors;
     Sensor image = mirrored(*sensor);
     image.name = opposite_of(sensors, name);
-    if (Sensor* other = sensor_with_name(sensors, image.name)) {
+    if (Sensor* other = find_sensor(sensors, image.name)) {
         *other = image;
         return sensors;
     }
     image.name = other_side(name);
     if (image.name.empty()) image.name = name + (image.y > 0 ? "L" : "R");
     const std::string first_choice = image.name;
-    for (int number = 2; sensor_with_name(sensors, image.name); ++number)
-        image.name = first_choice + std::to_string(number);
+    for (int number = 2; find_sensor(sensors, image.name); ++number) image.name = first_choice + std::to_string(number);
     const auto place = sensors.begin() + (sensor - sensors.data()) + 1;
     sensors.insert(place, image);
     return sensors;
@@ -122,7 +123,7 @@ std::vector<Sensor> with_mirror_image(std::vector<Sensor> sensors, const std::st
 
 std::vector<Sensor> with_sensors(std::vector<Sensor> sensors, const std::vector<Sensor>& more) {
     for (const Sensor& sensor : more) {
-        if (Sensor* known = sensor_with_name(sensors, sensor.name))
+        if (Sensor* known = find_sensor(sensors, sensor.name))
             *known = sensor;
         else
             sensors.push_back(sensor);
@@ -194,7 +195,7 @@ std::vector<Sensor> lacking_for(const std::vector<Sensor>& sensors, const Preset
     std::vector<Sensor> lacking;
     const std::vector<Sensor> needed = preset_sensors(preset);
     for (const Sensor& sensor : needed) {
-        const Sensor* own = sensor_with_name(sensors, sensor.name);
+        const Sensor* own = find_sensor(sensors, sensor.name);
         if (!own || (is_about_channels(needed) && own->channel != sensor.channel)) lacking.push_back(sensor);
     }
     return lacking;
@@ -203,7 +204,7 @@ std::vector<Sensor> lacking_for(const std::vector<Sensor>& sensors, const Preset
 Sensor sensor_named(const std::string& name) {
     for (const Preset& preset : presets()) {
         const std::vector<Sensor> sensors = preset_sensors(preset);
-        if (const Sensor* sensor = sensor_with_name(sensors, name)) return *sensor;
+        if (const Sensor* sensor = find_sensor(sensors, name)) return *sensor;
     }
     const bool has_side = !other_side(name).empty();
     const std::string word = name.substr(0, length_without_digits(name));

@@ -9,6 +9,10 @@
 
 namespace braitenlab {
 
+// The sensor with this name, or null.
+const Sensor* find_sensor(const std::vector<Sensor>&, const std::string& name);
+Sensor* find_sensor(std::vector<Sensor>&, const std::string& name);
+
 // A sensor as mirror image at the x axis: y and angle have the other sign.
 Sensor mirrored(Sensor);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/scene/sensor_edits.h"
+
 namespace braitenlab {
 
 namespace {
@@ -52,9 +54,7 @@ Character character_of(const Snapshot& now, const VehicleView& vehicle) {
 std::vector<std::string> missing_sensors(const BrainGraph& brain, const Kind& kind) {
     std::vector<std::string> missing;
     for (const Node& node : brain.nodes)
-        if (is_wired_sensor(brain, node) && std::none_of(kind.sensors.begin(), kind.sensors.end(),
-                                                         [&](const Sensor& s) { return s.name == node.name; }))
-            missing.push_back(node.name);
+        if (is_wired_sensor(brain, node) && !find_sensor(kind.sensors, node.name)) missing.push_back(node.name);
     return missing;
 }
 

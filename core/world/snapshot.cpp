@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/maths/angle.h"
+#include "core/scene/sensor_edits.h"
 #include "core/sensing/intensity.h"
 
 namespace braitenlab {
@@ -23,9 +24,8 @@ namespace {
 
 float sensor_value(const Snapshot& now, const VehicleView& vehicle, const std::string& name) {
     const auto& sensors = kind_of(now, vehicle).sensors;
-    for (std::size_t i = 0; i < sensors.size(); ++i)
-        if (sensors[i].name == name) return now.sensed[static_cast<std::size_t>(vehicle.first_sensed) + i];
-    return 0;
+    const Sensor* sensor = find_sensor(sensors, name);
+    return sensor ? now.sensed[static_cast<std::size_t>(vehicle.first_sensed + (sensor - sensors.data()))] : 0;
 }
 
 }  // namespace

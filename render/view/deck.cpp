@@ -5,6 +5,8 @@
 #include <map>
 #include <optional>
 
+#include "core/scene/sensor_edits.h"
+
 namespace braitenlab::render {
 
 using maths::vec2;
@@ -18,11 +20,6 @@ struct Placed {
     bool is_set = false;
 };
 using Places = std::map<NodeId, Placed>;
-
-const Sensor* sensor_named(const Kind& kind, const std::string& name) {
-    const auto found = std::find_if(kind.sensors.begin(), kind.sensors.end(), [&](auto& s) { return s.name == name; });
-    return found == kind.sensors.end() ? nullptr : &*found;
-}
 
 // End of a motor's wires: inside its first wheel; nullopt when no wheel has this motor.
 std::optional<vec2> terminal(const Body& body, const std::string& motor_name) {
@@ -40,7 +37,7 @@ Places fixed_places(const BrainGraph& brain, const Kind& kind) {
     Places places;
     for (const Node& node : brain.nodes) {
         if (node.kind == NodeKind::sensor) {
-            if (const Sensor* s = sensor_named(kind, node.name))
+            if (const Sensor* s = find_sensor(kind.sensors, node.name))
                 places[node.id] = {{s->x - 0.07f * kind.body.length, s->y * 0.86f}, 0, true};
         } else if (node.kind == NodeKind::motor) {
             if (const auto end = terminal(kind.body, node.name)) places[node.id] = {*end, 0, true};

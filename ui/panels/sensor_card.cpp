@@ -26,12 +26,6 @@ namespace {
 
 constexpr float degrees_per_radian = 57.295779513f;
 
-template <class Sensors>
-auto find_sensor(Sensors& sensors, const std::string& name) -> decltype(&sensors[0]) {
-    const auto found = std::find_if(sensors.begin(), sensors.end(), [&](const Sensor& s) { return s.name == name; });
-    return found == sensors.end() ? nullptr : &*found;
-}
-
 // One number of a sensor as a slider shows it.
 struct SensorNumber {
     std::string_view anchor, words, tooltip;  // the latter two are keys of strings

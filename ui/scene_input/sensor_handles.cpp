@@ -29,11 +29,6 @@ bool has_field(const Sensor& sensor) { return sensor.channel != Channel::energy 
 bool has_range(const Sensor& sensor) { return has_field(sensor) && sensor.channel != Channel::touch; }
 bool has_direction(const Sensor& sensor) { return has_field(sensor) && sensor.shape != SensorShape::omni; }
 
-const Sensor* sensor_of(const std::vector<Sensor>& sensors, const std::string& name) {
-    const auto found = std::find_if(sensors.begin(), sensors.end(), [&](const Sensor& s) { return s.name == name; });
-    return found == sensors.end() ? nullptr : &*found;
-}
-
 vec2 to_floor(const VehicleView& vehicle, vec2 local) {
     return vec2{vehicle.x, vehicle.y} + maths::rotate(local, maths::direction(vehicle.heading));
 }
@@ -133,7 +128,7 @@ std::vector<Sensor> replaced(const SensorDrag& drag, const Sensor& to) {
     for (Sensor& sensor : sensors) {
         if (sensor.name == drag.name) sensor = to;
         if (sensor.name != drag.opposite) continue;
-        const Sensor& from = *sensor_of(drag.began, drag.name);
+        const Sensor& from = *find_sensor(drag.began, drag.name);
         if (to.x != from.x) sensor.x = to.x;
         if (to.y != from.y) sensor.y = -to.y;
         if (to.angle != from.angle) sensor.angle = -to.angle;
@@ -177,10 +172,10 @@ std::optional<SensorHandlePlaces> sensor_handle_places(const SceneInputState& st
     if (!vehicle) return std::nullopt;
     const std::vector<Sensor>& sensors = kind_of(*frame.view.now, *vehicle).sensors;
     if (sensors.empty()) return std::nullopt;
-    const Sensor* chosen_sensor = sensor_of(sensors, state.sensors.sensor);
+    const Sensor* chosen_sensor = find_sensor(sensors, state.sensors.sensor);
     SensorHandlePlaces places{.sensor = chosen_sensor ? *chosen_sensor : sensors.front(), .opposite = {}, .mount = {}};
     const Sensor& sensor = places.sensor;
-    const Sensor* opposite = state.sensors.alone ? nullptr : sensor_of(sensors, opposite_of(sensors, sensor.name));
+    const Sensor* opposite = state.sensors.alone ? nullptr : find_sensor(sensors, opposite_of(sensors, sensor.name));
     if (opposite) places.opposite = *opposite;
     places.mount = to_floor(*vehicle, {sensor.x, sensor.y});
     const auto at = [&](float angle) {
@@ -216,7 +211,7 @@ bool use_sensor_handles(SceneInputState& state, const SceneInputFrame& frame, Ou
         drag = {}, state.drag = {};
         return true;
     }
-    const Sensor* began = sensor_of(drag.began, drag.name);
+    const Sensor* began = find_sensor(drag.began, drag.name);
     if (!floor || !began) return true;
     const vec2 pointer = from_mount(*vehicle, *began, *floor);
     if (drag.handle == SensorHandle::axis) decide_axis(drag, *began, frame, pointer);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "core/scene/sensor_edits.h"
 #include "ui/widgets/number.h"
 
 namespace braitenlab::wiring {
@@ -33,9 +33,8 @@ std::string_view description_key(const Snapshot& now, const VehicleView& vehicle
     if (node.name == "MR") return "wiring.node.MR";
     if (node.kind == NodeKind::motor) return "wiring.node.motor";
     if (node.kind == NodeKind::neuron) return "wiring.node.neuron";
-    for (const Sensor& sensor : kind_of(now, vehicle).sensors)
-        if (sensor.name == node.name) return senses_key(sensor.channel);
-    return "wiring.node.sensor";
+    const Sensor* sensor = find_sensor(kind_of(now, vehicle).sensors, node.name);
+    return sensor ? senses_key(sensor->channel) : "wiring.node.sensor";
 }
 
 namespace {
