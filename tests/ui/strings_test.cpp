@@ -65,7 +65,11 @@ std::set<std::string> asked_in_sources() {
 
 // The visitor of core/scene/schema.h that collects the keys of the rows of a record.
 template <class T>
-struct FieldKeys {
+struct FieldKeys : ValuesWithoutRow<T> {
+    using ValuesWithoutRow<T>::word;
+
+    explicit FieldKeys(std::set<std::string>& found) : keys(found) {}
+
     std::set<std::string>& keys;
 
     void add(const char* key) {
@@ -88,15 +92,6 @@ struct FieldKeys {
         }
     }
     void text(const char* key, std::string T::*, std::size_t, const char*) { add(key); }
-    void colour(const char*, std::string T::*, const char*) {}
-    template <class Inner>
-    void table(const char*, Inner T::*, const char*) {}
-    template <class Element>
-    void named(const char*, std::vector<Element> T::*, std::size_t, const char*) {}
-    template <class Element>
-    void list(const char*, std::vector<Element> T::*, std::size_t, const char*) {}
-    template <class Graph>
-    void brain(const char*, Graph T::*, const char*) {}
 };
 
 // Keys composed of a stem and a name of the program.

@@ -97,10 +97,30 @@ struct RecordEdit {
     std::uint64_t gesture = 0;  // the same for all edits of one drag
 };
 
+// The part of a visitor of core/scene/schema.h for values that have no row.
+template <class T>
+struct ValuesWithoutRow {
+    template <class Enum>
+    void word(const char*, std::optional<Enum> T::*, const char*) {}
+    void colour(const char*, std::string T::*, const char*) {}
+    template <class Part>
+    void part(Part T::*) {}
+    template <class Inner>
+    void table(const char*, Inner T::*, const char*) {}
+    template <class Element>
+    void named(const char*, std::vector<Element> T::*, std::size_t, const char*) {}
+    template <class Element>
+    void list(const char*, std::vector<Element> T::*, std::size_t, const char*) {}
+    template <class Graph>
+    void brain(const char*, Graph T::*, const char*) {}
+    void place(const char*, std::optional<maths::vec2> T::*, Range, const char*) {}
+};
+
 // The visitor of core/scene/schema.h that draws the rows.
 template <class T>
-class RecordFields {
+class RecordFields : public ValuesWithoutRow<T> {
 public:
+    using ValuesWithoutRow<T>::word;
     RecordFields(const FieldRows& rows, const T& now, const T& home, std::span<const std::string_view> only)
         : rows_(rows), now_(now), home_(home), only_(only) {}
 
@@ -139,26 +159,11 @@ public:
         const int chosen = rows_.choice(key, words, present);
         if (chosen >= 0) begin(rows_.next_gesture()).*member = values[static_cast<std::size_t>(chosen)];
     }
-    template <class Enum>
-    void word(const char*, std::optional<Enum> T::*, const char*) {}
     void text(const char* key, std::string T::*member, std::size_t longest, const char*) {
         if (!is_shown(key)) return;
         if (auto typed = rows_.text(key, now_.*member, longest))
             begin(rows_.next_gesture()).*member = std::move(*typed);
     }
-    void colour(const char*, std::string T::*, const char*) {}
-    template <class Part>
-    void part(Part T::*) {}
-    template <class Inner>
-    void table(const char*, Inner T::*, const char*) {}
-    template <class Element>
-    void named(const char*, std::vector<Element> T::*, std::size_t, const char*) {}
-    template <class Element>
-    void list(const char*, std::vector<Element> T::*, std::size_t, const char*) {}
-    template <class Graph>
-    void brain(const char*, Graph T::*, const char*) {}
-    void place(const char*, std::optional<maths::vec2> T::*, Range, const char*) {}
-
     std::optional<RecordEdit<T>> edit() { return std::move(edit_); }
 
 private:
