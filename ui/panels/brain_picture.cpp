@@ -140,7 +140,7 @@ private:
             look.warm = warm_ == &mark;
             look.thin = is_graph_;
             if (const Wire* wire = wire_of(mark)) {
-                const float plus = learned(*view_.now, vehicle_, wire->from, wire->to);
+                const float plus = learns(*wire) ? learned(*view_.now, vehicle_, wire->from, wire->to) : 0;
                 look.weight = wire->weight + plus;
                 look.cut = wire->cut;
                 look.carried = signal(*wire, reading(find_node(brain_, wire->from)), plus);
