@@ -28,6 +28,19 @@ TEST(Undo, HasNoStepForADragThatEndsWhereItBegan) {
     EXPECT_EQ(dial(session, Dial::LL), 0);
 }
 
+TEST(Undo, HasNoStepForADragOfSeveralObjectsThatAllEndWhereTheyBegan) {
+    Session session = open_session(furnished());
+    const Source lamp = session.snapshot().scene->sources[0], stove = session.snapshot().scene->sources[1];
+    const Zone pond = session.snapshot().scene->zones[0];
+    for (const float by : {1.0f, 2.0f, 0.0f}) {
+        ASSERT_FALSE(session.apply(MoveSource{0, lamp.x + by, lamp.y}, 5));
+        ASSERT_FALSE(session.apply(MoveSource{1, stove.x + by, stove.y}, 5));
+        EXPECT_EQ(session.undo_depth(), 1) << "the zone or a source is elsewhere";
+        ASSERT_FALSE(session.apply(MoveZone{0, pond.x + by, pond.y, pond.heading}, 5));
+        EXPECT_EQ(session.undo_depth(), by == 0 ? 0 : 1);
+    }
+}
+
 TEST(Undo, RestoresTheBrainOfEachVehicle) {
     Session session = open_session(tests::crowd(4));
     const VehicleId own = session.snapshot().vehicles[0].id;
