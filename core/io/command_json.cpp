@@ -81,7 +81,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditEcology, to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddKind, kind, before)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveKind, kind)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditKind, kind, to)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetPopulation, kind, count, vehicles, shares)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetPopulation, kind, count, vehicles, shares, population)
 inline void to_json(Json& json, const NewPopulation&) { json = Json::object(); }
 inline void from_json(const Json&, NewPopulation&) {}
 

@@ -136,6 +136,7 @@ Commands same_population(const Snapshot& now, const SetPopulation& c) {
     SetPopulation back{c.kind, 0, vehicles_of(now, c.kind), {}};
     back.count = static_cast<int>(back.vehicles.size());
     for (const Kind& kind : now.scene->kinds) back.shares.push_back(kind.share);
+    back.population = now.scene->ecology.population;
     Commands commands{back};
     for (const Member& member : now.scene->members) commands.push_back(EditMember{number_of(member), member});
     return commands;
@@ -238,7 +239,7 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
 
 Command repeating(const Snapshot& after, const Command& command) {
     if (const auto* set = std::get_if<SetPopulation>(&command))
-        return SetPopulation{set->kind, set->count, vehicles_of(after, set->kind), set->shares};
+        return SetPopulation{set->kind, set->count, vehicles_of(after, set->kind), set->shares, set->population};
     const auto* add = std::get_if<AddVehicle>(&command);
     if (!add || after.vehicles.empty()) return command;
     const VehicleView* v = add->id == no_vehicle ? &after.vehicles.back() : find_vehicle(after, add->id);

@@ -3,6 +3,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "core/scene/population.h"
 #include "core/scene/schema.h"
 #include "core/world/edits.h"
 
@@ -38,14 +39,13 @@ void renumber_members(Scene& scene, int from, int by) {
         if (const int number = number_of(member); number >= from) member.name = std::to_string(number + by);
 }
 
-// Adds the vehicle to the scene. Returns the index of its start; −1 if it counts towards the population.
-Result<int> add_to_scene(WorldData& s, const AddVehicle& c, int kind) {
-    Scene scene = *s.scene;
+// Adds the vehicle to the scene, a copy of the world's. Returns the index of its start; −1 if it counts towards the
+// population.
+Result<int> add_to_scene(WorldData& s, Scene& scene, const AddVehicle& c, int kind) {
     const bool returns_to_population = c.id != no_vehicle && !c.start;
     if (!c.at || returns_to_population) {
         ++scene.ecology.population;
         if (returns_to_population) renumber_members(scene, number_in_population(s, c.id), 1);
-        s.scene = std::make_shared<const Scene>(std::move(scene));
         return -1;
     }
     const std::string& of_kind = scene.kinds[static_cast<std::size_t>(kind)].name;
@@ -56,14 +56,12 @@ Result<int> add_to_scene(WorldData& s, const AddVehicle& c, int kind) {
     scene.starts.insert(iterator_at(scene.starts, index), std::move(start));
     if (auto error = check_scene(scene)) return *error;
     for (std::int32_t& other : s.vehicles.start) other += other >= index;
-    s.scene = std::make_shared<const Scene>(std::move(scene));
     return index;
 }
 
-// Call before the vehicle is removed from the world.
-void remove_from_scene(WorldData& s, std::size_t row) {
+// Removes the vehicle from the scene, a copy of the world's. Call before it is removed from the world.
+void remove_from_scene(WorldData& s, Scene& scene, std::size_t row) {
     const std::int32_t start = s.vehicles.start[row];
-    Scene scene = *s.scene;
     if (start >= 0) {
         scene.starts.erase(iterator_at(scene.starts, start));
         for (std::int32_t& other : s.vehicles.start) other -= other > start;
@@ -73,7 +71,6 @@ void remove_from_scene(WorldData& s, std::size_t row) {
         renumber_members(scene, number, -1);
         scene.ecology.population = std::max(0, scene.ecology.population - 1);
     }
-    s.scene = std::make_shared<const Scene>(std::move(scene));
 }
 
 // Sorts the rows by ascending id, after vehicles were restored under their old ids.
@@ -107,8 +104,9 @@ void sort_rows(WorldData& s) {
     s = WorldData(std::move(m));
 }
 
-// Adds a vehicle as the last row. `free_space`: for vehicles without a pose; it is created when it is first needed.
-std::optional<Error> add_last(WorldData& s, const AddVehicle& c, std::optional<FreeSpace>& free_space) {
+// Adds a vehicle as the last row, and to the scene, a copy of the world's that replaces it afterwards. `free_space`:
+// for vehicles without a pose; it is created when it is first needed.
+std::optional<Error> add_last(WorldData& s, Scene& scene, const AddVehicle& c, std::optional<FreeSpace>& free_space) {
     const int kind = c.kind >= 0 ? c.kind : next_kind(s);
     const Kind& of_kind = s.scene->kinds[static_cast<std::size_t>(kind)];
     if (c.sensors)
@@ -120,7 +118,7 @@ std::optional<Error> add_last(WorldData& s, const AddVehicle& c, std::optional<F
         if (!own) return own.error();
         brain = *own;
     }
-    const auto start = add_to_scene(s, c, kind);
+    const auto start = add_to_scene(s, scene, c, kind);
     if (!start) return start.error();
     const VehicleId id = c.id != no_vehicle ? c.id : s.next_id;
     s.next_id = std::max(s.next_id, id + 1);
@@ -141,7 +139,9 @@ std::optional<Error> add_last(WorldData& s, const AddVehicle& c, std::optional<F
 std::optional<Error> execute(WorldData& s, const AddVehicle& c) {
     if (auto error = refusal(s, c)) return error;
     std::optional<FreeSpace> free_space;
-    if (auto error = add_last(s, c, free_space)) return error;
+    Scene scene = *s.scene;
+    if (auto error = add_last(s, scene, c, free_space)) return error;
+    s.scene = std::make_shared<const Scene>(std::move(scene));
     const auto& ids = s.vehicles.id;
     if (ids.size() > 1 && ids[ids.size() - 2] > ids.back()) sort_rows(s);
     return std::nullopt;
@@ -151,7 +151,9 @@ std::optional<Error> execute(WorldData& s, const RemoveVehicle& c) {
     if (s.vehicles.size() == 0) return error_of(message_of("no_vehicle_left"));
     const auto row = c.vehicle == no_vehicle ? std::optional(s.vehicles.size() - 1) : s.row_of(c.vehicle);
     if (!row) return unknown_vehicle(c.vehicle);
-    remove_from_scene(s, *row);
+    Scene scene = *s.scene;
+    remove_from_scene(s, scene, *row);
+    s.scene = std::make_shared<const Scene>(std::move(scene));
     remove_vehicles(s, {*row});
     return std::nullopt;
 }
@@ -199,6 +201,8 @@ std::optional<Error> refusal(const WorldData& s, const SetPopulation& c) {
         return error_of(message_of("population_limit", limits::vehicles));
     if (!c.shares.empty() && c.shares.size() != s.scene->kinds.size())
         return Error{"a population has one share for each kind"};
+    if (c.population < 0 || c.population > limits::vehicles)
+        return error_of(message_of("population_limit", limits::vehicles));
     VehicleId last = no_vehicle;
     for (const AddVehicle& vehicle : c.vehicles) {
         if (vehicle.kind != c.kind || vehicle.id <= last || !vehicle.at)
@@ -227,29 +231,42 @@ std::vector<std::size_t> removable_rows(const WorldData& s, const SetPopulation&
     return rows;
 }
 
-void remove_surplus(WorldData& s, const SetPopulation& c) {
+void remove_surplus(WorldData& s, Scene& scene, const SetPopulation& c) {
     std::vector<std::size_t> rows = removable_rows(s, c);
     if (rows.size() <= static_cast<std::size_t>(c.count)) return;
     rows.resize(rows.size() - static_cast<std::size_t>(c.count));
     std::sort(rows.rbegin(), rows.rend());
-    for (const std::size_t row : rows) remove_from_scene(s, row);  // the numbers of vehicles with smaller ids stay
+    for (const std::size_t row : rows)
+        remove_from_scene(s, scene, row);  // the numbers of vehicles with smaller ids stay
     std::reverse(rows.begin(), rows.end());
     remove_vehicles(s, rows);
 }
 
-void set_shares(WorldData& s, std::vector<float> shares) {
-    if (shares.empty()) {
-        shares.resize(s.scene->kinds.size());
-        for (std::size_t row = 0; row < s.vehicles.size(); ++row)
-            if (s.vehicles.start[row] < 0) ++shares[s.kind(row)];
-        const float most = *std::max_element(shares.begin(), shares.end());
-        if (most <= 0) return;
-        if (most > 1000)  // the largest share
-            for (float& share : shares) share *= 1000 / most;
+// The numbers of the population that the person has set: those of the world, or once vehicles have starved and others
+// have replaced them, those with which a run of the scene begins.
+std::vector<int> numbers_set(const State& s) {
+    if (s.events.deaths > s.events.falls) return start_numbers(*s.scene).in_population;
+    std::vector<int> numbers(s.scene->kinds.size(), 0);
+    for (std::size_t row = 0; row < s.vehicles.size(); ++row)
+        if (s.vehicles.start[row] < 0) ++numbers[static_cast<std::size_t>(s.vehicles.kind[row])];
+    return numbers;
+}
+
+// Sets the numbers with which a run begins: that of the kind as wanted, those of the others as before, or all as they
+// were earlier.
+void set_numbers(Scene& scene, const State& before, const SetPopulation& c) {
+    if (!c.shares.empty()) {
+        scene.ecology.population = c.population;
+        for (std::size_t k = 0; k < c.shares.size(); ++k) scene.kinds[k].share = c.shares[k];
+        return;
     }
-    Scene scene = *s.scene;
-    for (std::size_t k = 0; k < shares.size(); ++k) scene.kinds[k].share = shares[k];
-    s.scene = std::make_shared<const Scene>(std::move(scene));
+    const auto kind = static_cast<std::size_t>(c.kind);
+    std::vector<int> numbers = numbers_set(before);
+    const std::string& name = scene.kinds[kind].name;
+    const auto with_start =
+        std::count_if(scene.starts.begin(), scene.starts.end(), [&](const Start& start) { return start.kind == name; });
+    numbers[kind] = std::max(0, c.count - static_cast<int>(with_start));
+    set_population(scene, numbers);
 }
 
 }  // namespace
@@ -262,17 +279,19 @@ std::optional<Error> execute(WorldData& s, const SetPopulation& c) {
         return error;
     };
     std::optional<FreeSpace> free_space;
+    Scene scene = *s.scene;
     std::vector<const AddVehicle*> absent;
     for (const AddVehicle& vehicle : c.vehicles)
         if (!s.row_of(vehicle.id)) absent.push_back(&vehicle);
     for (const AddVehicle* vehicle : absent)
-        if (auto error = add_last(s, *vehicle, free_space)) return undone(*error);
+        if (auto error = add_last(s, scene, *vehicle, free_space)) return undone(*error);
     if (!std::is_sorted(s.vehicles.id.begin(), s.vehicles.id.end())) sort_rows(s);
-    remove_surplus(s, c);
+    remove_surplus(s, scene, c);
     for (auto count = std::count(s.vehicles.kind.begin(), s.vehicles.kind.end(), c.kind); count < c.count; ++count)
-        if (auto error = add_last(s, AddVehicle{.kind = c.kind}, free_space)) return undone(*error);
-    set_shares(s, c.shares);
-    if (auto error = check_scene(*s.scene)) return undone(*error);
+        if (auto error = add_last(s, scene, AddVehicle{.kind = c.kind}, free_space)) return undone(*error);
+    set_numbers(scene, before, c);
+    if (auto error = check_scene(scene)) return undone(*error);
+    s.scene = std::make_shared<const Scene>(std::move(scene));
     return std::nullopt;
 }
 

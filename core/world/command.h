@@ -195,15 +195,16 @@ struct EditKind {
     friend bool operator==(const EditKind&, const EditKind&) = default;
 };
 // Sets the number of vehicles of a kind. New vehicles start at random free poses and count towards the population;
-// those with the largest ids are removed first, vehicles with a start last. The shares become the numbers in the
-// population, so that a reset gives the same numbers.
+// those with the largest ids are removed first, vehicles with a start last. A reset gives this number of the kind; of
+// the other kinds, it gives their present numbers or, once vehicles have starved, the numbers that it gave before.
 struct SetPopulation {
     int kind = 0;
     int count = 0;  // 0 .. limits::vehicles
     // To restore an earlier population: vehicles of this kind with their ids, ascending, each added unless it is in the
-    // world, and removed after all others; and the shares of all kinds.
+    // world, and removed after all others; the shares of all kinds, and Ecology::population.
     std::vector<AddVehicle> vehicles{};
-    std::vector<float> shares{};  // empty: the numbers in the population
+    std::vector<float> shares{};  // empty: population and shares follow from `count`
+    int population = 0;           // with shares
     friend bool operator==(const SetPopulation&, const SetPopulation&) = default;
 };
 

@@ -6,6 +6,7 @@
 #include "core/maths/angle.h"
 #include "core/maths/random.h"
 #include "core/scene/arena.h"
+#include "core/scene/population.h"
 #include "core/world/world_data.h"
 
 namespace braitenlab::world {
@@ -37,21 +38,6 @@ Pose start_pose(const WorldData& s, const Start& start, VehicleId id) {
     }
     pose.heading = maths::wrap_angle(pose.heading + chance.uniform(-start.heading_spread, start.heading_spread));
     return pose;
-}
-
-// The kind whose count is farthest below its share; of equal kinds, the first in the scene.
-int most_wanted(const Scene& scene, const std::vector<int>& counts) {
-    int total = 1, wanted = 0;
-    float all_shares = 0, largest_lack = -INFINITY;
-    for (std::size_t k = 0; k < counts.size(); ++k) total += counts[k], all_shares += scene.kinds[k].share;
-    if (all_shares <= 0) return 0;
-    for (std::size_t k = 0; k < counts.size(); ++k) {
-        if (scene.kinds[k].share <= 0) continue;
-        const float lack =
-            scene.kinds[k].share / all_shares * static_cast<float>(total) - static_cast<float>(counts[k]);
-        if (lack > largest_lack) largest_lack = lack, wanted = static_cast<int>(k);
-    }
-    return wanted;
 }
 
 std::vector<int> random_counts(const WorldData& s) {
@@ -210,17 +196,13 @@ void spawn_population(WorldData& s) {
     }
     std::vector<const Member*> members(static_cast<std::size_t>(scene.ecology.population));
     for (const Member& member : scene.members) members[static_cast<std::size_t>(number_of(member))] = &member;
-    std::vector<int> counts(s.kinds.size(), 0);
-    for (const Member& member : scene.members)
-        if (!member.kind.empty()) ++counts[static_cast<std::size_t>(find_kind(scene, member.kind))];
+    const std::vector<int> kinds = population_kinds(scene);
     FreeSpace free_space(s);
-    for (const Member* member : members) {
-        const bool has_kind = member && !member->kind.empty();
-        const int kind = has_kind ? find_kind(scene, member->kind) : most_wanted(scene, counts);
-        if (!has_kind) ++counts[static_cast<std::size_t>(kind)];
+    for (std::size_t number = 0; number < members.size(); ++number) {
+        const Member* member = members[number];
+        const int kind = kinds[number];
         const VehicleId id = s.next_id++;
-        const int number = id - static_cast<VehicleId>(scene.starts.size());
-        const Pose random = free_pose(s, free_space, kind, number);
+        const Pose random = free_pose(s, free_space, kind, static_cast<int>(number));
         add(kind, -1, id, member && member->placed ? Pose{member->x, member->y, member->heading} : random, member);
     }
     s.lay_out_grids();

@@ -296,6 +296,32 @@ TEST(SetPopulation, HoldsAfterAResetAndInASavedScene) {
     EXPECT_TRUE(session.apply(SetPopulation{5, 1}));
 }
 
+TEST(SetPopulation, KeepsTheNumbersOfTheOtherKindsInTheScene) {
+    Scene scene = tests::crowd(20);
+    scene.ecology.drain = 0.02f;
+    scene.members = {{.name = "3", .placed = true, .x = 1, .y = 1}};
+    Session session = opened(scene);
+    for (int i = 0; i < 100 * 60 && count_of(session, 0) == 10; ++i) session.step();
+    const int hunters = count_of(session, 0);
+    ASSERT_NE(hunters, 10) << "deaths changed the numbers in the world";
+    const Scene before = *session.snapshot().scene;
+    ASSERT_FALSE(session.apply(SetPopulation{1, 12}));
+    EXPECT_EQ(count_of(session, 0), hunters);
+    EXPECT_EQ(count_of(session, 1), 12);
+    session.undo();
+    EXPECT_EQ(*session.snapshot().scene, before);
+    session.redo();
+    ASSERT_FALSE(session.apply(SetPopulation{0, 1}));
+    ASSERT_FALSE(session.apply(SetPopulation{0, 7}));
+    EXPECT_EQ(session.snapshot().scene->ecology.population, 19);
+    session.undo(), session.undo();
+    for (const std::uint64_t seed : {3U, 4U}) {
+        session.restart(seed, Keep::edits);
+        EXPECT_EQ(count_of(session, 0), 10);
+        EXPECT_EQ(count_of(session, 1), 12);
+    }
+}
+
 TEST(ValueCommands, AreKeptInARunFile) {
     Session session = opened(tests::crowd(8));
     for (int i = 0; i < 20; ++i) session.step();

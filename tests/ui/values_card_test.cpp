@@ -137,6 +137,19 @@ TEST(ValuesCard, AddsRenamesAndRemovesKinds) {
     EXPECT_EQ(desk.last<RemoveKind>().kind, 1);
 }
 
+TEST(ValuesCard, RestoresTheNumberOfVehiclesOfTheFile) {
+    ValuesDesk desk(true);
+    Scene filed = *desk.now.scene;
+    const int kind = desk.now.vehicles[0].kind;
+    const std::string name = filed.kinds[static_cast<std::size_t>(kind)].name;
+    filed.ecology.population = 0, filed.members.clear();
+    filed.starts.assign(7, Start{.kind = name});
+    desk.view.file = &filed;
+    desk.frame(2);
+    desk.click("kind.count", 1);
+    EXPECT_EQ(desk.last<SetPopulation>(), (SetPopulation{kind, 7}));
+}
+
 TEST(ValuesCard, EditsTheValuesOfAKind) {
     ValuesDesk desk(true);
     desk.type_into("kind.count", "200");

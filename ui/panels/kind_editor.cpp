@@ -9,6 +9,7 @@
 
 #include <imgui.h>
 
+#include "core/scene/population.h"
 #include "core/scene/schema.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
@@ -106,10 +107,20 @@ private:
             std::count_if(all.begin(), all.end(), [this](const VehicleView& v) { return v.kind == index_; });
         FieldRows row = rows();
         row.anchor = "kind", row.words = "field.kind.";
-        const auto number = static_cast<float>(present);
-        const auto wanted = row.number({"count", "", {0, std::max<double>(most_typed, number)}, number, number, true});
+        const auto number = static_cast<float>(present), home = filed_number(number);
+        const double most = std::max<double>({most_typed, number, home});
+        const auto wanted = row.number({"count", "", {0, most}, number, home, true});
         if (wanted)
             ui_.outbox.push_back(EditRequest{SetPopulation{index_, static_cast<int>(wanted->value)}, wanted->gesture});
+    }
+
+    // The number of vehicles of the kind as a run of the file begins; `present` of a kind that the file lacks.
+    float filed_number(float present) const {
+        const int kind = view_.file ? find_kind(*view_.file, kind_.name) : -1;
+        if (kind < 0) return present;
+        const StartNumbers numbers = start_numbers(*view_.file);
+        const auto k = static_cast<std::size_t>(kind);
+        return static_cast<float>(numbers.with_start[k] + numbers.in_population[k]);
     }
 
     void colours() {
