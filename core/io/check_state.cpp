@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/io/state_json.h"
+#include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
 
 namespace braitenlab::io {
@@ -99,6 +100,10 @@ std::optional<Error> check_state(const State& m) {
         m.marks.size() > most_vehicles * static_cast<std::size_t>(limits::marks) ||
         !all_of(m.marks, [&](const Mark& k) { return lives(k.owner) && is_bounded(k.position) && k.tick <= m.tick; }))
         return Error{"what its vehicles remember does not add up"};
+    const auto in_order = [](const VehicleLook& a, const VehicleLook& b) { return a.vehicle < b.vehicle; };
+    if (!std::is_sorted(m.looks.begin(), m.looks.end(), in_order) ||
+        !all_of(m.looks, [&](const VehicleLook& l) { return lives(l.vehicle) && !check_look(l.look); }))
+        return Error{"the names and colours of its vehicles do not add up"};
     if (m.obstacles.size() != m.scene->obstacles.size() || !all_of(m.obstacles, is_sound))
         return Error{"where its obstacles stand does not add up"};
     return std::nullopt;

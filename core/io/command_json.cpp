@@ -28,6 +28,7 @@ inline void to_json(Json& json, const AddVehicle& c) {
             {"driver", c.driver}, {"id", c.id}, {"start", c.start}, {"before", c.before}};
     if (c.sensors) json["sensors"] = *c.sensors;
     if (!c.colour.empty()) json["colour"] = c.colour;
+    if (c.look != Look{}) json["look"] = c.look;
 }
 inline void from_json(const Json& json, AddVehicle& c) {
     json.at("kind").get_to(c.kind);
@@ -40,11 +41,13 @@ inline void from_json(const Json& json, AddVehicle& c) {
     json.at("before").get_to(c.before);
     if (json.contains("sensors")) c.sensors = json.at("sensors").get<std::vector<Sensor>>();
     if (json.contains("colour")) json.at("colour").get_to(c.colour);
+    if (json.contains("look")) json.at("look").get_to(c.look);
 }
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveVehicle, vehicle)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveVehicle, vehicle, x, y, heading)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChooseDriver, vehicle, driver)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Steer, vehicle, left, right)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetLook, vehicle, look)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditStart, start, to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditMember, member, to)
 inline void to_json(Json& json, const SetSensors& c) { json = {{"target", c.target}, {"sensors", c.sensors}}; }
@@ -89,11 +92,11 @@ namespace {
 
 // In the order of Command's alternatives.
 constexpr std::array<const char*, std::variant_size_v<Command>> command_names{
-    "TurnDial",    "SetBrain",       "PlaceNodes",   "AddVehicle",   "RemoveVehicle", "MoveVehicle", "ChooseDriver",
-    "Steer",       "EditStart",      "SetSensors",   "AddSource",    "RemoveSource",  "EditSource",  "MoveSource",
-    "AddObstacle", "RemoveObstacle", "EditObstacle", "MoveObstacle", "NewPopulation", "Retitle",     "EditMember",
-    "AddZone",     "RemoveZone",     "EditZone",     "MoveZone",     "EditArena",     "EditEcology", "AddKind",
-    "RemoveKind",  "EditKind",       "SetPopulation"};
+    "TurnDial",    "SetBrain",       "PlaceNodes",    "AddVehicle",   "RemoveVehicle", "MoveVehicle", "ChooseDriver",
+    "Steer",       "EditStart",      "SetSensors",    "AddSource",    "RemoveSource",  "EditSource",  "MoveSource",
+    "AddObstacle", "RemoveObstacle", "EditObstacle",  "MoveObstacle", "NewPopulation", "Retitle",     "EditMember",
+    "AddZone",     "RemoveZone",     "EditZone",      "MoveZone",     "EditArena",     "EditEcology", "AddKind",
+    "RemoveKind",  "EditKind",       "SetPopulation", "SetLook"};
 
 template <std::size_t... I>
 void read_one(const Json& json, const std::string& name, Command& command, std::index_sequence<I...>) {

@@ -149,7 +149,7 @@ public:
         if (json_.contains(key)) object_.*member = json_.at(key).get<Enum>();
     }
     void text(const char* key, std::string T::*member, std::size_t, const char*) {
-        json_.at(key).get_to(object_.*member);
+        if (json_.contains(key)) json_.at(key).get_to(object_.*member);  // files of earlier versions lack later texts
     }
     void colour(const char* key, std::string T::*member, const char*) {
         if (json_.contains(key)) json_.at(key).get_to(object_.*member);
@@ -213,6 +213,8 @@ inline void from_json(const Json& json, BrainGraph& graph) {
     json.at("nodes").get_to(graph.nodes);
     json.at("wires").get_to(graph.wires);
 }
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Look, label, colour)
 
 // ── Commands: {"TurnDial": {…}} ─────────────────────────────────────────────────────────────────────────────────────
 void to_json(Json&, const Command&);

@@ -11,6 +11,7 @@
 
 namespace braitenlab {
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VehicleLook, vehicle, look)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EventCounts, captures, deaths, births, contacts, falls)
 
 namespace mechanics {
@@ -197,6 +198,7 @@ Json state_json(const State& m) {
             {"events", m.events},
             {"bites", m.bites},
             {"marks", m.marks},
+            {"looks", m.looks},
             {"vehicles", vehicles},
             {"obstacles", m.obstacles},
             {"touching", m.touching}};
@@ -222,6 +224,7 @@ Result<State> read_state(const Json& json) {
     json.at("events").get_to(m.events);
     json.at("bites").get_to(m.bites);
     json.at("marks").get_to(m.marks);
+    if (json.contains("looks")) json.at("looks").get_to(m.looks);
     json.at("obstacles").get_to(m.obstacles);
     json.at("touching").get_to(m.touching);
     if (auto error = read_vehicles(json.at("vehicles"), *scene, brains, m.vehicles)) return *error;

@@ -281,6 +281,13 @@ std::optional<Error> check_scene(const Scene& scene) {
     return error_of(fault->path.empty() ? fault->what : Message(fault->path + ": ") + fault->what);
 }
 
+std::optional<Error> check_look(const Look& look) {
+    if (look.label.size() > limits::name_length)
+        return error_of(message_of("longer_than", "label", limits::name_length));
+    if (!look.colour.empty() && !is_colour(look.colour)) return error_of(message_of("a_colour", "colour"));
+    return std::nullopt;
+}
+
 Message outside(std::string_view key, double value, Range range) {
     return message_of("out_of_range", key, fmt::format("{:.6g}", value), range.low, range.high);
 }

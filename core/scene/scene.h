@@ -117,6 +117,13 @@ struct Start {
     friend bool operator==(const Start&, const Start&) = default;
 };
 
+// How the window shows one vehicle. Display only.
+struct Look {
+    std::string label{};   // its name; empty: none of its own
+    std::string colour{};  // of the body, "#rrggbb"; empty: that of its kind
+    friend bool operator==(const Look&, const Look&) = default;
+};
+
 // A vehicle of the random population with values of its own.
 struct Member {
     std::string name;  // its number in the population, from 0, as a decimal
@@ -126,6 +133,7 @@ struct Member {
     std::optional<Driver> driver{};                // nullopt: that of its kind
     std::optional<BrainGraph> brain{};             // nullopt: that of its kind
     std::optional<std::vector<Sensor>> sensors{};  // nullopt: those of its kind
+    std::string label{}, colour{};                 // as Look
     friend bool operator==(const Member&, const Member&) = default;
 };
 

@@ -44,6 +44,7 @@ std::string write_brain(const BrainGraph&);
 // The first fault of a scene (value out of range, unknown kind of a start, two kinds of one name, brain that does not
 // compile …), or nullopt. The message begins with the value's path.
 std::optional<Error> check_scene(const Scene&);
+std::optional<Error> check_look(const Look&);
 
 // The tables of docs/scene-format.md, in Markdown.
 std::string describe_scene_format();

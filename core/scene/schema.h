@@ -173,6 +173,8 @@ void describe(Visitor& v, Of<Member>) {
     v.number("y", &Member::y, "m", place_range, "start position");
     v.angle("heading", &Member::heading, {-360, 360}, "counter-clockwise from +x");
     v.word("driver", &Member::driver, "what commands its motors; default: as its kind");
+    v.text("label", &Member::label, limits::name_length, "its name in the window; default: none");
+    v.colour("colour", &Member::colour, "of its body; default: as its kind");
     v.named("sensor", &Member::sensors, limits::sensors, "a sensor of its own; then it has none of its kind's");
     v.brain("brain", &Member::brain, "its own brain; default: that of its kind");
 }

@@ -27,12 +27,13 @@ std::optional<std::vector<Sensor>> own_sensors(const Snapshot& now, const Vehicl
     return kind_of(now, vehicle).sensors;
 }
 
-// Writes the brains, sensors and drivers of single vehicles to the scene's starts and members. A successor of a starved
-// vehicle with a start has no place in the population, so its values are not written.
+// Writes the brains, sensors, drivers and looks of single vehicles to the scene's starts and members. A successor of a
+// starved vehicle with a start has no place in the population, so its values are not written.
 void add_own_values(Scene& scene, const Snapshot& now) {
     std::map<int, Member> members;
     for (Member& member : scene.members) {
         member.brain.reset(), member.sensors.reset(), member.driver.reset();
+        member.label.clear(), member.colour.clear();
         members[number_of(member)] = std::move(member);
     }
     int number = 0;  // in the population
@@ -44,9 +45,12 @@ void add_own_values(Scene& scene, const Snapshot& now) {
         if (v.start >= 0) {
             Start& start = scene.starts[static_cast<std::size_t>(v.start)];
             start.brain = std::move(brain), start.sensors = std::move(sensors), start.driver = driver;
-        } else if (const int own = number++; own < scene.ecology.population && (brain || sensors || driver)) {
+        } else if (const int own = number++; own < scene.ecology.population) {
+            const Look* look = find_look(now.looks, v.id);
+            if (!brain && !sensors && !driver && !look) continue;
             Member& member = members[own];
             member.name = std::to_string(own), member.kind = kind.name;
+            if (look) member.label = look->label, member.colour = look->colour;
             member.brain = std::move(brain), member.sensors = std::move(sensors), member.driver = driver;
         }
     }

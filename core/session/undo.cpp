@@ -89,6 +89,7 @@ AddVehicle bringing_back(const Snapshot& now, const VehicleView& v) {
     if (const Start* start = at(now.scene->starts, v.start)) add.start = *start;
     add.before = v.start;
     if (v.design >= 0) add.sensors = kind_of(now, v).sensors;
+    if (const Look* look = find_look(now.looks, v.id)) add.look = *look;
     return add;
 }
 
@@ -191,6 +192,10 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
                 if (!v) return {};
                 return {MoveVehicle{v->id, v->x, v->y, v->heading}};
             },
+            [&](const SetLook& c) -> Commands {
+                const Look* look = find_look(now.looks, c.vehicle);
+                return {SetLook{c.vehicle, look ? *look : Look{}}};
+            },
             [&](const EditStart& c) { return same<EditStart>(scene.starts, c.start); },
             [&](const EditMember& c) -> Commands { return {same_member(scene, c.member)}; },
             [&](const SetSensors& c) { return same_sensors(now, c.target); },
@@ -255,6 +260,7 @@ bool supersedes(const Command& later, const Command& earlier) {
               },
               [&](const SetBrain& c) { return c.target == std::get<SetBrain>(earlier).target; },
               [&](const MoveVehicle& c) { return c.vehicle == std::get<MoveVehicle>(earlier).vehicle; },
+              [&](const SetLook& c) { return c.vehicle == std::get<SetLook>(earlier).vehicle; },
               [&](const EditStart& c) { return c.start == std::get<EditStart>(earlier).start; },
               [&](const EditMember& c) { return c.member == std::get<EditMember>(earlier).member; },
               [&](const SetSensors& c) { return c.target == std::get<SetSensors>(earlier).target; },

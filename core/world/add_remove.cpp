@@ -23,7 +23,7 @@ std::optional<Error> refusal(const WorldData& s, const AddVehicle& c) {
     if (!(c.energy >= 0 && c.energy <= 1)) return Error{"energy is a number from 0 to 1"};
     if (c.id != no_vehicle && s.row_of(c.id)) return Error{fmt::format("vehicle {} is in the world already", c.id)};
     if (c.id < no_vehicle || c.id > largest_id) return Error{fmt::format("no vehicle can be number {}", c.id)};
-    return std::nullopt;
+    return check_look(c.look);
 }
 
 // Number in the population that the vehicle with this id has or would have.
@@ -131,6 +131,7 @@ std::optional<Error> add_last(WorldData& s, Scene& scene, const AddVehicle& c, s
     if (has_own_sensors) s.lay_out_grids();
     s.vehicles.energy.back() = c.energy;
     if (c.driver) s.vehicles.driver.back() = *c.driver;
+    set_look(s.looks, id, c.look);
     return std::nullopt;
 }
 
@@ -164,6 +165,13 @@ std::optional<Error> execute(WorldData& s, const MoveVehicle& c) {
     if (!is_finite({c.x, c.y, c.heading})) return not_finite();
     s.physics.set_pose(*row, {c.x, c.y, maths::wrap_angle(c.heading)});
     read_motion(s, *row);
+    return std::nullopt;
+}
+
+std::optional<Error> execute(WorldData& s, const SetLook& c) {
+    if (!s.row_of(c.vehicle)) return unknown_vehicle(c.vehicle);
+    if (auto error = check_look(c.look)) return error;
+    set_look(s.looks, c.vehicle, c.look);
     return std::nullopt;
 }
 

@@ -78,6 +78,7 @@ void capture(const WorldData& s, Snapshot& out) {
     out.obstacles.clear();
     for (const mechanics::Motion& m : s.obstacles)
         out.obstacles.push_back({m.position.x, m.position.y, maths::wrap_angle(m.heading)});
+    out.looks = s.looks;
     out.marks.clear();
     for (const Mark& mark : s.marks)
         out.marks.push_back({mark.owner, mark.position.x, mark.position.y, strength(s, mark)});

@@ -56,6 +56,7 @@ struct AddVehicle {
     int before = -1;
     std::optional<std::vector<Sensor>> sensors{};  // none: the sensors of the kind
     std::string colour{};                          // of a new vehicle with a pose, as Start::colour
+    Look look{};                                   // of a vehicle of the population
     friend bool operator==(const AddVehicle&, const AddVehicle&) = default;
 };
 struct RemoveVehicle {
@@ -76,6 +77,12 @@ struct Steer {  // wheel commands, clamped to −1..1, of a manually driven vehi
     VehicleId vehicle = no_vehicle;
     float left = 0, right = 0;
     friend bool operator==(const Steer&, const Steer&) = default;
+};
+// Name and colour of a vehicle of the population; EditStart sets those of one with a start.
+struct SetLook {
+    VehicleId vehicle = no_vehicle;
+    Look look;
+    friend bool operator==(const SetLook&, const SetLook&) = default;
 };
 // Name and colour change at once, the other values when a vehicle next enters at the start; no vehicle moves now. An
 // empty name: the present one.
@@ -212,6 +219,6 @@ using Command =
     std::variant<TurnDial, SetBrain, PlaceNodes, AddVehicle, RemoveVehicle, MoveVehicle, ChooseDriver, Steer, EditStart,
                  SetSensors, AddSource, RemoveSource, EditSource, MoveSource, AddObstacle, RemoveObstacle, EditObstacle,
                  MoveObstacle, NewPopulation, Retitle, EditMember, AddZone, RemoveZone, EditZone, MoveZone, EditArena,
-                 EditEcology, AddKind, RemoveKind, EditKind, SetPopulation>;
+                 EditEcology, AddKind, RemoveKind, EditKind, SetPopulation, SetLook>;
 
 }  // namespace braitenlab

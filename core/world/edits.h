@@ -23,6 +23,7 @@ namespace braitenlab::world {
 std::optional<Error> execute(WorldData&, const AddVehicle&);  // add_remove.cpp
 std::optional<Error> execute(WorldData&, const RemoveVehicle&);
 std::optional<Error> execute(WorldData&, const MoveVehicle&);
+std::optional<Error> execute(WorldData&, const SetLook&);
 std::optional<Error> execute(WorldData&, const EditStart&);
 std::optional<Error> execute(WorldData&, const EditMember&);
 std::optional<Error> execute(WorldData&, const SetSensors&);  // sensor_edits.cpp

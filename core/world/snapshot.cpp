@@ -8,6 +8,28 @@
 
 namespace braitenlab {
 
+const Look* find_look(const std::vector<VehicleLook>& looks, VehicleId vehicle) {
+    const auto found = std::lower_bound(looks.begin(), looks.end(), vehicle,
+                                        [](const VehicleLook& each, VehicleId id) { return each.vehicle < id; });
+    return found != looks.end() && found->vehicle == vehicle ? &found->look : nullptr;
+}
+
+void set_look(std::vector<VehicleLook>& looks, VehicleId vehicle, const Look& look) {
+    std::erase_if(looks, [vehicle](const VehicleLook& each) { return each.vehicle == vehicle; });
+    if (look == Look{}) return;
+    const auto later =
+        std::find_if(looks.begin(), looks.end(), [vehicle](const VehicleLook& each) { return each.vehicle > vehicle; });
+    looks.insert(later, {vehicle, look});
+}
+
+Look look_of(const Snapshot& now, const VehicleView& vehicle) {
+    const auto start = static_cast<std::size_t>(vehicle.start);
+    if (vehicle.start >= 0 && now.scene && start < now.scene->starts.size())
+        return {now.scene->starts[start].name, now.scene->starts[start].colour};
+    const Look* own = find_look(now.looks, vehicle.id);
+    return own ? *own : Look{};
+}
+
 const VehicleView* find_vehicle(const Snapshot& now, VehicleId id) {
     const auto found = std::lower_bound(now.vehicles.begin(), now.vehicles.end(), id,
                                         [](const VehicleView& v, VehicleId wanted) { return v.id < wanted; });

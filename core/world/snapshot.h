@@ -52,6 +52,17 @@ struct SourceView {
     float strength = 1;  // at this time; 0 while the source is off
 };
 
+// The look that a vehicle of the population has of its own.
+struct VehicleLook {
+    VehicleId vehicle = no_vehicle;
+    Look look;
+    friend bool operator==(const VehicleLook&, const VehicleLook&) = default;
+};
+// That of a vehicle in a list by ascending id; null if it has none.
+const Look* find_look(const std::vector<VehicleLook>&, VehicleId);
+// Sets or, where it is empty, removes that of a vehicle.
+void set_look(std::vector<VehicleLook>&, VehicleId, const Look&);
+
 // A remembered position.
 struct MarkView {
     VehicleId owner = no_vehicle;
@@ -87,6 +98,7 @@ struct Snapshot {
     std::vector<std::shared_ptr<const Kind>> designs;  // kinds with the sensors of vehicles that have their own
     std::vector<SourceView> sources;     // as Scene::sources; without the lamps of vehicles, which are in Scene::kinds
     std::vector<Pose> obstacles;         // current poses, as Scene::obstacles
+    std::vector<VehicleLook> looks;      // by vehicle; those with a start have theirs in Scene::starts
     std::vector<MarkView> marks;         // by owner, then oldest first
     std::vector<BiteView> bites;         // of the last second, by pair
     std::shared_ptr<const Scene> scene;  // with all edits except those of brains, see kind_brains
@@ -112,6 +124,9 @@ inline const Kind& kind_of(const Snapshot& now, const VehicleView& vehicle) {
     if (vehicle.design >= 0) return *now.designs[static_cast<std::size_t>(vehicle.design)];
     return now.scene->kinds[static_cast<std::size_t>(vehicle.kind)];
 }
+
+// The vehicle's own name and colour.
+Look look_of(const Snapshot&, const VehicleView&);
 
 // Brain of the vehicle. Precondition: the vehicle is in the snapshot.
 inline const std::shared_ptr<const BrainGraph>& brain_of(const Snapshot& now, const VehicleView& vehicle) {

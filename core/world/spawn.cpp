@@ -168,6 +168,8 @@ void remove_vehicles(WorldData& s, const std::vector<std::size_t>& rows) {
     std::vector<VehicleId> gone;
     for (const std::size_t row : rows) gone.push_back(v.id[row]);
     std::erase_if(s.marks, [&](const Mark& m) { return std::binary_search(gone.begin(), gone.end(), m.owner); });
+    std::erase_if(s.looks,
+                  [&](const VehicleLook& l) { return std::binary_search(gone.begin(), gone.end(), l.vehicle); });
     drop_stretches(v.sensed, v.first_sensed, rows);
     drop_stretches(v.neurons, v.first_neuron, rows);
     drop_stretches(v.delayed, v.first_delayed, rows);
@@ -204,6 +206,7 @@ void spawn_population(WorldData& s) {
         const VehicleId id = s.next_id++;
         const Pose random = free_pose(s, free_space, kind, static_cast<int>(number));
         add(kind, -1, id, member && member->placed ? Pose{member->x, member->y, member->heading} : random, member);
+        if (member) set_look(s.looks, id, {member->label, member->colour});
     }
     s.lay_out_grids();
 }

@@ -119,8 +119,9 @@ struct State {
     std::uint32_t still_ticks = 0;  // ticks since any vehicle moved
     VehicleId next_id = 0;
     EventCounts events;
-    std::vector<Bite> bites;  // of the last second, sorted by pair
-    std::vector<Mark> marks;  // by owner, then oldest first
+    std::vector<Bite> bites;         // of the last second, sorted by pair
+    std::vector<Mark> marks;         // by owner, then oldest first
+    std::vector<VehicleLook> looks;  // of vehicles of the population, by vehicle; display only
     Vehicles vehicles;
     std::vector<mechanics::Motion> obstacles;  // as Scene::obstacles
     std::vector<Touch> touching;               // sorted

@@ -46,9 +46,7 @@ float detail_of(float pixels) {
 
 // The vehicle's own colour, else that of its kind, else that of its role.
 Colour paint_of(const Drawing& drawing, const Subject& s) {
-    const auto start = static_cast<std::size_t>(s.view.start);
-    if (drawing.now.scene && s.view.start >= 0 && start < drawing.now.scene->starts.size())
-        if (const auto own = colour_of(drawing.now.scene->starts[start].colour)) return *own;
+    if (const auto own = colour_of(look_of(drawing.now, s.view).colour)) return *own;
     return colour_of(s.kind.colour).value_or(colour_of(drawing.colours, s.view.role));
 }
 

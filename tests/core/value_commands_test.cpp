@@ -322,6 +322,40 @@ TEST(SetPopulation, KeepsTheNumbersOfTheOtherKindsInTheScene) {
     }
 }
 
+TEST(SetLook, NamesAndTintsAVehicleOfThePopulationForTheFileAndAfterDeaths) {
+    Scene scene = tests::crowd(20);
+    scene.ecology.drain = 0.02f;
+    scene.members = {{.name = "3", .label = "Bob", .colour = "#112233"}};
+    Session session = opened(scene);
+    ASSERT_TRUE(find_look(session.snapshot().looks, 3));
+    EXPECT_EQ(find_look(session.snapshot().looks, 3)->label, "Bob");
+    const Look to{"Anna Ä", "#3d7cc9"};
+    const auto hash = session.hash();
+    ASSERT_FALSE(session.apply(SetLook{19, to}));
+    EXPECT_EQ(session.hash(), hash) << "display only";
+    session.undo();
+    EXPECT_FALSE(find_look(session.snapshot().looks, 19));
+    session.redo();
+    ASSERT_FALSE(session.apply(RemoveVehicle{19}));
+    EXPECT_EQ(session.snapshot().looks.size(), 1u);
+    session.undo();
+    ASSERT_TRUE(find_look(session.snapshot().looks, 19));
+    EXPECT_EQ(*find_look(session.snapshot().looks, 19), to);
+    ASSERT_FALSE(session.apply(RemoveVehicle{0}));
+    EXPECT_EQ(look_of(session.snapshot(), *find_vehicle(session.snapshot(), 19)), to);
+    const Session saved = opened(*parse_scene(write_scene(session.edited_scene()), "a.toml"));
+    EXPECT_EQ(*find_look(saved.snapshot().looks, 18), to) << "its number in the population";
+    auto run = io::read_run(io::write_run(session.save()), "a.run");
+    ASSERT_TRUE(run) << run.error().text();
+    EXPECT_EQ(Session::resume(std::move(*run)).snapshot().looks, session.snapshot().looks);
+    session.reset();
+    EXPECT_EQ(*find_look(session.snapshot().looks, 18), to);
+    for (int i = 0; i < 100 * 60 && find_vehicle(session.snapshot(), 18); ++i) session.step();
+    EXPECT_FALSE(find_look(session.snapshot().looks, 18)) << "a successor has no name";
+    EXPECT_TRUE(session.apply(SetLook{18, to}));
+    EXPECT_TRUE(session.apply(SetLook{session.snapshot().vehicles.front().id, {"", "blue"}}));
+}
+
 TEST(ValueCommands, AreKeptInARunFile) {
     Session session = opened(tests::crowd(8));
     for (int i = 0; i < 20; ++i) session.step();

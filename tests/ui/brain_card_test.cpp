@@ -149,6 +149,31 @@ TEST(BrainCard, NamesTheSensorsThatTheVehicleLacks) {
     EXPECT_TRUE(writes(desk, "does not have"));
 }
 
+TEST(BrainCard, ShowsTheNameOfTheVehicleIfAPersonGaveOne) {
+    Desk desk;
+    desk.view.settings.selection.vehicle = 0;
+    desk.frame(3);
+    EXPECT_TRUE(writes(desk, "Predator 1"));
+    EXPECT_FALSE(writes(desk, "Predator 1 · "));
+    desk.now.looks = {{0, {"Elsie", ""}}};
+    desk.frame(2);
+    EXPECT_TRUE(writes(desk, "Predator 1 · Elsie"));
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->starts = {{"on_ice", "predator"}};
+    desk.now.scene = scene;
+    desk.now.vehicles[0].start = 0;
+    desk.frame(2);
+    EXPECT_TRUE(writes(desk, "Predator 1 · on ice"));
+    for (const char* given : {"one", "predator", "predator-12"}) {
+        scene->starts[0].name = given;
+        desk.frame(2);
+        EXPECT_FALSE(writes(desk, "Predator 1 · ")) << given;
+    }
+    scene->starts[0].name = "predator-xy";
+    desk.frame(2);
+    EXPECT_TRUE(writes(desk, "Predator 1 · predator-xy"));
+}
+
 TEST(BrainCard, CallsTheWheelsAlikeOnlyIfTheirNumbersAreEqual) {
     Desk desk(1280, 900, 1, true);
     desk.now = snapshot(0);

@@ -170,7 +170,6 @@ TEST(ValuesCard, EditsTheValuesOfAKind) {
 
 TEST(ValuesCard, RenamesAndTintsASelectedVehicleWithAStart) {
     ValuesDesk desk(true);
-    EXPECT_FALSE(desk.anchors.find("vehicle.0.name")) << "a vehicle of the population has a number";
     auto scene = std::make_shared<Scene>(*desk.now.scene);
     scene->starts = {{"one", "predator"}};
     desk.now.scene = scene;
@@ -186,6 +185,16 @@ TEST(ValuesCard, RenamesAndTintsASelectedVehicleWithAStart) {
     desk.frame(3);
     EXPECT_FALSE(desk.anchors.find("vehicle.name")) << "the steps of an exercise use the names";
     EXPECT_TRUE(desk.anchors.find("vehicle.colour.3"));
+}
+
+TEST(ValuesCard, RenamesAndTintsAVehicleOfThePopulation) {
+    ValuesDesk desk(true);
+    desk.type_text("vehicle.0.name", "Elsie the 1st");
+    EXPECT_EQ(desk.last<SetLook>(), (SetLook{0, {"Elsie the 1st", ""}}));
+    desk.now.looks = {{0, {"Elsie the 1st", ""}}};
+    desk.frame(2);
+    desk.click("vehicle.colour.3");
+    EXPECT_EQ(desk.last<SetLook>(), (SetLook{0, {"Elsie the 1st", "#009e73"}}));
 }
 
 TEST(ValuesCard, ScalesWheelsAndEyesWithTheBodyInOneGesture) {

@@ -30,12 +30,30 @@ namespace {
 constexpr float low_column = 680;  // layout pixels; the picture is smaller in a lower column
 constexpr float stick_size = 88;   // layout pixels
 
+// True for a name that a start gets without a person choosing it: "one", "hunter" and "hunter-2" for the kind hunter.
+bool is_given_name(const std::string& name, const std::string& kind) {
+    constexpr std::array numbers{"one", "two", "three", "four", "five"};
+    if (std::find(numbers.begin(), numbers.end(), name) != numbers.end() || name == kind) return true;
+    return name.starts_with(kind + "-") && name.find_first_not_of("0123456789", kind.size() + 1) == std::string::npos;
+}
+
+// The name that a person gave to the vehicle; empty without one, and in an exercise, whose steps use the names.
+std::string own_name(const LabView& view, const VehicleView& vehicle) {
+    if (view.lesson) return {};
+    std::string name = look_of(*view.now, vehicle).label;
+    if (vehicle.start < 0) return name;
+    if (is_given_name(name, kind_of(*view.now, vehicle).name)) return {};
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
 // Role sign, name, and the recognised character as a chip.
 void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = line_height(ui, Face::title), size = ui.px(16), width = card_width(ui);
     put_role(ui, {at.x + size / 2, at.y + height / 2}, size, vehicle.role);
-    const std::string title = kind_name(view, ui, vehicle) + " " + std::to_string(vehicle.id + 1);
+    std::string title = kind_name(view, ui, vehicle) + " " + std::to_string(vehicle.id + 1);
+    if (const std::string own = own_name(view, vehicle); !own.empty()) title += " · " + own;
     // When the brain does not drive the vehicle, the chip names the driver.
     const bool thinks = vehicle.driver == Driver::brain;
     const Recognised& known = recognised(state.recognised, *view.now, vehicle, view.wall_seconds);

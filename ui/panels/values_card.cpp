@@ -103,7 +103,25 @@ void follow_selection(const LabView& view, ValuesState& values) {
     values.kind = std::clamp(values.kind, 0, std::max(0, static_cast<int>(view.now->scene->kinds.size()) - 1));
 }
 
-// The values of the selected vehicle alone: its driver; name and colour of one with a start.
+// Name and colour of the selected vehicle alone.
+void look_of_selected(const LabView& view, Ui& ui, const FieldRows& row, const VehicleView& selected) {
+    Look to = look_of(*view.now, selected);
+    FieldRows name_row = row;
+    name_row.anchor += "." + std::to_string(selected.id);
+    const auto named = view.lesson ? std::nullopt : name_row.text("name", to.label, limits::name_length);
+    const auto tinted = colour_row(row, "vehicle.colour.", to.colour, selected.role);
+    if (!named && !tinted) return;
+    if (named) to.label = *named;
+    if (tinted) to.colour = *tinted;
+    const auto start = static_cast<std::size_t>(selected.start);
+    if (selected.start < 0 || start >= view.now->scene->starts.size())
+        return ui.outbox.push_back(EditRequest{SetLook{selected.id, std::move(to)}, row.next_gesture()});
+    Start edited = view.now->scene->starts[start];
+    edited.name = to.label, edited.colour = to.colour;
+    ui.outbox.push_back(EditRequest{EditStart{selected.start, std::move(edited)}, row.next_gesture()});
+}
+
+// The values of the selected vehicle alone: its name, its colour and its driver.
 void values_of_selected(const LabView& view, PanelState& state, Ui& ui) {
     const VehicleView* selected = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (!selected) return;
@@ -111,17 +129,7 @@ void values_of_selected(const LabView& view, PanelState& state, Ui& ui) {
     subheading(ui, fill(ui.strings("values.selected"), {std::to_string(selected->id + 1)}));
     FieldRows row = rows_for(view, state, ui);
     row.anchor = "vehicle", row.words = "field.kind.";
-    const auto start = static_cast<std::size_t>(selected->start);
-    if (selected->start >= 0 && start < view.now->scene->starts.size()) {
-        Start to = view.now->scene->starts[start];
-        FieldRows name_row = row;
-        name_row.anchor += "." + std::to_string(selected->id);
-        const auto named = view.lesson ? std::nullopt : name_row.text("name", to.name, limits::name_length);
-        const auto tinted = colour_row(row, "vehicle.colour.", to.colour, selected->role);
-        if (named) to.name = *named;
-        if (tinted) to.colour = *tinted;
-        if (named || tinted) ui.outbox.push_back(EditRequest{EditStart{selected->start, to}, row.next_gesture()});
-    }
+    look_of_selected(view, ui, row, *selected);
     std::vector<std::string_view> words;
     for (const auto& driver : driver_table)
         words.push_back(ui.strings.find(std::string(word_stem(Driver{})) + std::string(driver.word), driver.word));
