@@ -345,6 +345,9 @@ void handle(Lab& lab, const Request& request) {
                          forget_death_notice(lab);
                          select(lab, vehicle_object(r.vehicle)), keep_selection(lab);
                      },
+                     [&](const NoticeRequest& r) {
+                         say(lab, {NoticeKind::notice, r.key, r.words, r.more});
+                     },
                      [&](const TakeRequest& r) { select_object(lab, r.object); },
                      [&](const SelectObjectsRequest& r) { select_objects(lab, r.objects), keep_selection(lab); },
                      [&](const PasteRequest& r) {

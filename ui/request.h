@@ -139,6 +139,10 @@ struct EditRequest {
     Command command;
     std::uint64_t gesture = 0;  // the same for all edits of one drag: one step of undo
 };
+// Shows a notice: the text of the key with its values.
+struct NoticeRequest {
+    std::string key, words, more;
+};
 struct SelectRequest {
     VehicleId vehicle = no_vehicle;
 };
@@ -231,7 +235,7 @@ inline Steer steer(VehicleId vehicle, float right, float ahead) {
 using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, SelectObjectsRequest, PasteRequest,
                              ScopeRequest, PairRequest, CanvasShareRequest, PredictRequest, ExportRequest, SpeedRequest,
                              OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, BookmarkRequest,
-                             BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest>;
+                             BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

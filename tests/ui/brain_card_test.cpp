@@ -145,7 +145,7 @@ TEST(BrainCard, NamesTheSensorsThatTheVehicleLacks) {
     desk.rest();
     EXPECT_FALSE(writes(desk, "does not have"));
     give(desk, *shipped_scene("3c-values").brains[0]);
-    EXPECT_TRUE(writes(desk, "Reads HL"));
+    EXPECT_TRUE(writes(desk, "Reads Heat left"));
     EXPECT_TRUE(writes(desk, "does not have"));
 }
 
@@ -209,7 +209,7 @@ TEST(BrainCard, ExplainsTheSensorThatDecides) {
     desk.now.vehicles[0].motor = {0.5f, 0};
     desk.frame(3);
     bool said = false;
-    for (const Written& w : desk.written) said |= w.words.find("OL (sees obstacles) = +0.50") != std::string::npos;
+    for (const Written& w : desk.written) said |= w.words.find("Obstacles = +0.50") != std::string::npos;
     EXPECT_TRUE(said);
 }
 

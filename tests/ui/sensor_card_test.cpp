@@ -260,6 +260,73 @@ TEST(SensorCard, ChoosesWhoseSensorsItChanges) {
     EXPECT_FALSE(std::get<ScopeRequest>(desk.all.back()).whole_kind);
 }
 
+TEST(SensorCard, RenamesASensorWithTheWiresThatReadIt) {
+    SensorDesk desk;
+    const auto notices = [&] {
+        std::vector<NoticeRequest> found;
+        for (const Request& request : desk.all)
+            if (const auto* notice = std::get_if<NoticeRequest>(&request)) found.push_back(*notice);
+        return found;
+    };
+    const auto rename = [&](const char* to) {
+        desk.all.clear();
+        desk.click("sensor.SL.name");
+        desk.type(to);
+        desk.frame(2);
+        desk.key({key::enter});
+        desk.frame(3);
+    };
+    const BrainGraph before = *desk.now.kind_brains[0];
+    rename("ear");
+    EXPECT_EQ(desk.names_asked_for(), (std::vector<std::string>{"ear", "SR", "TC"}));
+    const auto brains = desk.commands<SetBrain>();
+    ASSERT_EQ(brains.size(), 1u);
+    ASSERT_TRUE(find_node(brains[0].brain, "ear"));
+    EXPECT_FALSE(find_node(brains[0].brain, "SL"));
+    EXPECT_EQ(brains[0].brain.wires, before.wires);
+    std::set<std::uint64_t> gestures;
+    for (const EditRequest& edit : desk.edits()) gestures.insert(edit.gesture);
+    EXPECT_EQ(gestures.size(), 1u) << "one step of undo";
+    for (const char* taken : {"SR", "ML"}) {
+        rename(taken);
+        EXPECT_TRUE(desk.edits().empty());
+        ASSERT_EQ(notices().size(), 1u) << taken;
+        EXPECT_EQ(notices()[0].key, "notice.name_taken");
+        EXPECT_EQ(notices()[0].words, taken);
+    }
+    rename("left ear");
+    EXPECT_TRUE(desk.edits().empty());
+    ASSERT_EQ(notices().size(), 1u);
+    EXPECT_EQ(notices()[0].key, "notice.bad_name");
+    desk.lesson.exercise = &desk.opened;
+    desk.view.lesson = &desk.lesson;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("sensor.SL.name")) << "hints of an exercise use the names";
+}
+
+TEST(SensorCard, NamesASensorByChannelAndSideUnlessAPersonNamedIt) {
+    const std::vector<Sensor> sensors{{.name = "OL", .channel = Channel::obstacle, .y = 0.2f},
+                                      {.name = "OR2", .channel = Channel::obstacle, .y = -0.2f},
+                                      {.name = "EN", .channel = Channel::energy},
+                                      {.name = "SL", .y = 0.2f},
+                                      {.name = "TL", .y = 0.1f},
+                                      {.name = "ear", .channel = Channel::smell}};
+    const auto labels = [&](const char* language) {
+        Desk desk;
+        desk.strings = speaking(language);
+        desk.frame(2);
+        Anchors anchors;
+        Outbox outbox;
+        const Ui ui{desk.strings, {}, {}, 1, anchors, outbox};
+        std::vector<std::string> found;
+        for (const Sensor& sensor : sensors) found.push_back(sensor_label(ui, sensors, sensor));
+        return found;
+    };
+    EXPECT_EQ(labels("en"), (std::vector<std::string>{"Obstacles left", "Obstacles right 2", "Its energy",
+                                                      "Light left (SL)", "Light left (TL)", "ear"}));
+    EXPECT_EQ(labels("de")[0], "Hindernisse links");
+}
+
 TEST(BrainCard, AddsTheSensorsThatTheBrainReads) {
     SensorDesk desk;
     desk.own_sensors({{.name = "SL", .channel = Channel::smell}});

@@ -106,6 +106,12 @@ void pair_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const std::vector<KindPair> pairs = sensor_pairs(kind_of(*view.now, vehicle));
     if (pairs.size() < 2) return;
     const SensorPair shown = shown_pair(view, vehicle);
+    const std::vector<Sensor>& sensors = kind_of(*view.now, vehicle).sensors;
+    const auto label = [&](const std::string& name) {
+        const auto found =
+            std::find_if(sensors.begin(), sensors.end(), [&](const Sensor& sensor) { return sensor.name == name; });
+        return found == sensors.end() ? name : sensor_label(ui, sensors, *found);
+    };
     const float space = ui.px(4), right = ImGui::GetCursorScreenPos().x + card_width(ui);
     bool is_first = true;
     for (const KindPair& pair : pairs) {
@@ -117,7 +123,7 @@ void pair_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
             ImGui::SameLine(0, space);
         is_first = false;
         const Item at = small_button(ui, look);
-        tooltip(ui, at, fill(ui.strings("tooltip.pair"), {pair.sensors.left, pair.sensors.right}));
+        tooltip(ui, at, fill(ui.strings("tooltip.pair"), {label(pair.sensors.left), label(pair.sensors.right)}));
         if (at.pressed) ui.outbox.push_back(PairRequest{pair.name});
     }
 }
@@ -136,13 +142,12 @@ Sensor sensor_to_add(const LabView& view, const VehicleView& vehicle, const std:
 // A brain from another vehicle or file can read sensors that this vehicle does not have. A button adds them.
 void missing_sensors_note(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const Kind& kind = kind_of(*view.now, vehicle);
-    std::string names;
     std::vector<Sensor> added;
-    for (const std::string& sensor : missing_sensors(*brain_of(*view.now, vehicle), kind)) {
-        names += (names.empty() ? "" : ", ") + sensor;
+    for (const std::string& sensor : missing_sensors(*brain_of(*view.now, vehicle), kind))
         added.push_back(sensor_to_add(view, vehicle, sensor));
-    }
-    if (names.empty()) return;
+    if (added.empty()) return;
+    std::string names;
+    for (const Sensor& sensor : added) names += (names.empty() ? "" : ", ") + sensor_label(ui, added, sensor);
     paragraph(ui, fill(ui.strings("brain.missing_sensors"), {names}), ui.palette.second_text, Face::small);
     const Item add = small_button(ui, {"brain.add_sensors", icon::add, ui.strings("brain.add_sensors")});
     tooltip(ui, add, ui.strings("brain.add_sensors_how"));

@@ -174,6 +174,14 @@ std::string with_meaning(const LabView& view, const Ui& ui, const VehicleView& v
     return name;
 }
 
+// The same in a sentence: a sensor with letters as its name as words, "Obstacles left".
+std::string in_words(const LabView& view, const Ui& ui, const VehicleView& vehicle, const std::string& name) {
+    const std::vector<Sensor>& sensors = kind_of(*view.now, vehicle).sensors;
+    for (const Sensor& sensor : sensors)
+        if (sensor.name == name) return sensor_label(ui, sensors, sensor);
+    return with_meaning(view, ui, vehicle, name);
+}
+
 // The sensors and neurons of the columns, each once, in a line of its own.
 std::string legend(const LabView& view, const Ui& ui, const VehicleView& vehicle, const std::array<MotorSum, 2>& both) {
     std::vector<std::string> names;
@@ -208,7 +216,7 @@ std::string explanation(const Ui& ui, const Explained& given, bool is_stuck) {
     const std::string_view wheel = ui.strings(why.difference > 0 ? "sums.right_faster" : "sums.left_faster");
     if (why.by == Cause::By::product || why.by == Cause::By::term)
         return fill(ui.strings(why.holds_back ? "sums.because_held" : "sums.because"),
-                    {wheel, with_meaning(view, ui, vehicle, why.name), with_sign(ui, why.value, 2)});
+                    {wheel, in_words(view, ui, vehicle, why.name), with_sign(ui, why.value, 2)});
     if (why.by == Cause::By::nothing) return std::string(wheel);
     return fill(ui.strings(why.by == Cause::By::rest ? "sums.because_rest" : "sums.because_bias"), {wheel});
 }

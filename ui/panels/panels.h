@@ -83,6 +83,9 @@ Colour colour_of(NoticeKind, const Palette&);
 // brain_card.cpp: "Predator", "Lamp seeker": the kind's name in the language of the strings, or as its file has it.
 std::string kind_name(const Ui&, const Kind&);
 
+// sensor_card.cpp: "Obstacles left" for a sensor with letters as its name, else its name.
+std::string sensor_label(const Ui&, const std::vector<Sensor>& all, const Sensor&);
+
 // The name of the vehicle's kind; "Vehicle" if the scene has one kind only, because its name could reveal the
 // behaviour.
 std::string kind_name(const LabView&, const Ui&, const VehicleView&);

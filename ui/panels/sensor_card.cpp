@@ -8,10 +8,12 @@
 
 #include <imgui.h>
 
+#include "core/scene/check.h"
 #include "core/scene/enums.h"
 #include "core/scene/schema.h"
 #include "core/scene/sensor_edits.h"
 #include "ui/panels/cards.h"
+#include "ui/panels/kind_editor.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sensor_changes.h"
 #include "ui/strings.h"
@@ -25,6 +27,25 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float degrees_per_radian = 57.295779513f;
+
+// True for letters that the program or a shipped file gives: OL, KR2, EN.
+bool is_letters(const std::string& name) {
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    return digits > 0 && digits <= 3 &&
+           std::all_of(name.begin(), name.begin() + static_cast<std::ptrdiff_t>(digits),
+                       [](char c) { return c >= 'A' && c <= 'Z'; });
+}
+
+// The channel, the side and the number at the end of the name.
+std::string channel_and_side(const Ui& ui, const Sensor& sensor) {
+    const std::string_view channel =
+        ui.strings.find("view.channel." + std::string(word(sensor.channel)), word(sensor.channel));
+    const float side = sensor.y != 0 ? sensor.y : sensor.angle;
+    const std::string number = sensor.name.substr(sensor.name.find_last_not_of("0123456789") + 1);
+    const std::string words =
+        side == 0 ? std::string(channel) : fill(ui.strings(side > 0 ? "sensors.left" : "sensors.right"), {channel});
+    return number.empty() ? words : words + " " + number;
+}
 
 // One number of a sensor as a slider shows it.
 struct SensorNumber {
@@ -155,7 +176,8 @@ private:
         bool first = true;
         for (const Sensor& sensor : kind_.sensors) {
             const std::string anchor = "sensor." + sensor.name;
-            const SmallButton look{anchor, {}, sensor.name, &sensor == sensor_};
+            const std::string words = sensor_label(ui_, kind_.sensors, sensor);
+            const SmallButton look{anchor, {}, words, &sensor == sensor_};
             if (!first && ImGui::GetItemRectMax().x + ui_.px(6) + small_button_width(ui_, look, true) <= right)
                 ImGui::SameLine(0, ui_.px(6));
             first = false;
@@ -166,6 +188,20 @@ private:
         paragraph(ui_,
                   fill(ui_.strings("sensors.of"), {sensor_->name, senses(*sensor_), kind_name(view_, ui_, vehicle_)}),
                   ui_.palette.second_text, Face::small);
+        if (!view_.lesson) name();  // hints of an exercise use the names
+    }
+
+    // The name of the chosen sensor. A name that is not possible is refused with a notice.
+    void name() {
+        FieldRows row = rows_for(view_, state_, ui_);
+        row.anchor = "sensor." + sensor_->name, row.words = "sensors.", row.words_width = 84;
+        const auto typed = row.text("name", sensor_->name, limits::name_length);
+        if (!typed || *typed == sensor_->name) return;
+        if (name_fault(*typed)) return ui_.outbox.push_back(NoticeRequest{"notice.bad_name", *typed, {}});
+        if (is_name_taken(view_, vehicle_, *typed))
+            return ui_.outbox.push_back(NoticeRequest{"notice.name_taken", *typed, {}});
+        request_renamed_sensor(view_, ui_.outbox, vehicle_, sensor_->name, *typed, next_gesture());
+        state_.sensor = *typed;
     }
 
     std::string_view senses(const Sensor& sensor) const {
@@ -264,6 +300,15 @@ private:
 };
 
 }  // namespace
+
+std::string sensor_label(const Ui& ui, const std::vector<Sensor>& all, const Sensor& sensor) {
+    if (!is_letters(sensor.name)) return sensor.name;
+    std::string words = channel_and_side(ui, sensor);
+    const bool is_ambiguous = std::any_of(all.begin(), all.end(), [&](const Sensor& other) {
+        return other.name != sensor.name && is_letters(other.name) && channel_and_side(ui, other) == words;
+    });
+    return is_ambiguous ? words + " (" + sensor.name + ")" : words;
+}
 
 void sensor_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const bool open = open_card(state, ui, Card::sensors, place);

@@ -65,6 +65,34 @@ void request_brain_and_sensors(const LabView& view, Outbox& outbox, const Vehicl
     outbox.push_back(EditRequest{SetBrain{target, std::move(brain)}, gesture});
 }
 
+void request_renamed_sensor(const LabView& view, Outbox& outbox, const VehicleView& vehicle, const std::string& from,
+                            const std::string& to, std::uint64_t gesture) {
+    const Target target = target_of(view, vehicle);
+    std::vector<Sensor> sensors = kind_of(*view.now, vehicle).sensors;
+    for (Sensor& sensor : sensors)
+        if (sensor.name == from) sensor.name = to;
+    outbox.push_back(EditRequest{SetSensors{target, std::move(sensors)}, gesture});
+    request_brains(view, outbox, target, gesture, [&](BrainGraph brain) {
+        for (Node& node : brain.nodes)
+            if (node.kind == NodeKind::sensor && node.name == from) node.name = to;
+        return brain;
+    });
+}
+
+bool is_name_taken(const LabView& view, const VehicleView& vehicle, const std::string& name) {
+    const Snapshot& now = *view.now;
+    const Target target = target_of(view, vehicle);
+    const auto has_it = [&](const auto& all) {
+        return std::any_of(all.begin(), all.end(), [&](const auto& each) { return each.name == name; });
+    };
+    const auto is_affected = [&](const VehicleView& v) {
+        return target.vehicle != no_vehicle ? v.id == target.vehicle : v.kind == target.kind;
+    };
+    if (has_it(kind_of(now, vehicle).sensors)) return true;
+    return std::any_of(now.vehicles.begin(), now.vehicles.end(),
+                       [&](const VehicleView& v) { return is_affected(v) && has_it(brain_of(now, v)->nodes); });
+}
+
 std::vector<std::string> names_taken(const LabView& view, const VehicleView& vehicle) {
     std::vector<std::string> names;
     for (const Node& node : brain_of(*view.now, vehicle)->nodes)

@@ -18,6 +18,13 @@ void request_sensors(const LabView&, Outbox&, const VehicleView&, std::vector<Se
 void request_brain_and_sensors(const LabView&, Outbox&, const VehicleView&, BrainGraph brain, std::vector<Sensor>,
                                std::uint64_t gesture);
 
+// Renames a sensor of target_of(vehicle); its brains read it by the new name.
+void request_renamed_sensor(const LabView&, Outbox&, const VehicleView&, const std::string& from, const std::string& to,
+                            std::uint64_t gesture);
+
+// True if a brain of target_of(vehicle) or its sensors use the name.
+bool is_name_taken(const LabView&, const VehicleView&, const std::string& name);
+
 // The names of neurons and motors of the vehicle's brain, which a new sensor cannot have.
 std::vector<std::string> names_taken(const LabView&, const VehicleView&);
 
