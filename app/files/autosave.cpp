@@ -51,7 +51,7 @@ struct AutosaveKeys {
 Result<AutosaveKeys> read_toml_keys(std::string_view text, const std::string& file_name, std::string& run) {
     try {
         const toml::table table = toml::parse(text, file_name);
-        if (table["format"].value<int>() != 1) return Error{"is not an autosave", file_name, 1};
+        if (table["format"].value<int>() != 1) return error_of(message_of("not_an_autosave"), file_name, 1);
         AutosaveKeys keys;
         keys.when = table["when"].value_or(std::string());
         keys.name = table["name"].value_or(std::string());
@@ -64,7 +64,8 @@ Result<AutosaveKeys> read_toml_keys(std::string_view text, const std::string& fi
                                 (*exercise)["has_run"].value_or(false), false};
         return keys;
     } catch (const toml::parse_error& error) {
-        return Error{std::string(error.description()), file_name, static_cast<int>(error.source().begin.line)};
+        return error_of(message_of("not_toml", error.description()), file_name,
+                        static_cast<int>(error.source().begin.line));
     }
 }
 
@@ -83,7 +84,7 @@ Result<AutosaveKeys> read_json_keys(std::string_view text, const std::string& fi
                                 exercise.contains("referee") ? exercise.at("referee").dump() : std::string()};
         return keys;
     } catch (const nlohmann::json::exception& problem) {
-        return Error{fmt::format("is not an autosave: {}", problem.what()), file_name};
+        return error_of(message_of("not_an_autosave") + Message(fmt::format(": {}", problem.what())), file_name);
     }
 }
 
@@ -213,7 +214,7 @@ Autosave::Autosave(fs::path folder, std::vector<Error>& errors) : folder_(std::m
 }
 
 Result<Document> Autosave::recover() const {
-    if (!leftover_) return Error{"there is nothing to recover"};
+    if (!leftover_) return error_of(message_of("nothing_to_recover"));
     auto opened = open_autosave(autosave_text(leftover_->file), leftover_->file.string());
     if (!opened) return opened.error();
     return std::move(opened->document);

@@ -13,6 +13,7 @@
 
 #include "app/files/safe_file.h"
 #include "app/playback.h"
+#include "core/messages.h"
 
 namespace braitenlab {
 
@@ -42,7 +43,8 @@ Result<SettingsReader> read_settings_table(std::string_view text, std::string fi
     try {
         return SettingsReader{toml::parse(text, file_name), file_name, std::nullopt};
     } catch (const toml::parse_error& error) {
-        return Error{std::string(error.description()), file_name, static_cast<int>(error.source().begin.line)};
+        return error_of(message_of("not_toml", error.description()), file_name,
+                        static_cast<int>(error.source().begin.line));
     }
 }
 

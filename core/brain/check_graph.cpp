@@ -63,9 +63,8 @@ std::optional<Error> check_nodes(const BrainGraph& graph) {
     std::set<NodeId> ids;
     std::set<std::string> names;
     for (const Node& node : graph.nodes) {
-        if (node.id < 0) return Error{fmt::format("node '{}' has the id {}; ids begin at 0", node.name, node.id)};
-        if (!ids.insert(node.id).second)
-            return Error{fmt::format("two nodes have the id {}; give each its own", node.id)};
+        if (node.id < 0) return error_of(message_of("negative_node_id", node.name, node.id));
+        if (!ids.insert(node.id).second) return error_of(message_of("same_node_id", node.id));
         if (!names.insert(node.name).second) return error_of(message_of("same_node_name", node.name));
         if (node.kind == NodeKind::motor && node.name != "ML" && node.name != "MR")
             return error_of(message_of("unknown_motor", node.name));

@@ -34,7 +34,7 @@ std::optional<Fault> append_nodes(const std::vector<NodeText>& nodes, BrainGraph
     for (const Node& node : graph.nodes) next = std::max(next, node.id + 1);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         Node node = nodes[i].node;
-        if (node.name.empty()) return Fault{fmt::format("node.{}", i + 1), "a node needs a name: name = \"N1\""};
+        if (node.name.empty()) return Fault{fmt::format("node.{}", i + 1), message_of("node_without_name")};
         if (node.id < 0) node.id = next;
         next = std::max(next, node.id + 1);
         graph.nodes.push_back(node);
@@ -57,7 +57,7 @@ std::optional<Fault> append_wires(const std::vector<WireText>& wires, BrainGraph
                                          end.empty() ? ""
                                          : start     ? ".from"
                                                      : ".to"),
-                             end.empty() ? Message("a wire needs from = and to =, each a node's name")
+                             end.empty() ? message_of("wire_without_names")
                                          : message_of("no_node_called", in_quotes(end)) + nearest_of(end, names)};
             (start ? wire.from : wire.to) = found->second;
         }
@@ -70,7 +70,7 @@ std::optional<Fault> put_dialled_nodes(const BrainText& text, BrainGraph& graph)
     for (const DialledNode& entry : dialled_nodes) {
         if (!(text.*entry.place)) continue;
         Node* node = find_node(graph, entry.name);
-        if (!node) return Fault{entry.key, fmt::format("the brain lacks the node {} that this belongs to", entry.name)};
+        if (!node) return Fault{entry.key, message_of("node_of_key", entry.name)};
         node->place = text.*entry.place;
     }
     return std::nullopt;
@@ -114,7 +114,7 @@ std::optional<Fault> to_graph(const BrainText& text, BrainGraph& graph) {
     for (const Dial dial : text.given) {
         turn(graph, dial, at(text.dials, dial));
         if (at(read_dials(graph), dial) != at(text.dials, dial))
-            return Fault{std::string(name(dial)), "the brain lacks the node SL, SR, ML or MR that this belongs to"};
+            return Fault{std::string(name(dial)), message_of("nodes_of_dial")};
     }
     return std::nullopt;
 }

@@ -125,8 +125,7 @@ std::optional<Fault> wheels_fault(const Kind& kind) {
     float load = 0;
     for (const Wheel& wheel : kind.body.wheels) load += wheel.load;
     if (std::fabs(load - 1) <= 1e-3f) return std::nullopt;
-    return Fault{"kind." + kind.name + ".body.wheel",
-                 fmt::format("the wheels' loads add up to {:.3g}; make it 1, the whole weight", load)};
+    return Fault{"kind." + kind.name + ".body.wheel", message_of("wheel_loads", fmt::format("{:.3g}", load))};
 }
 
 // `path`: of the owner of the sensors.
@@ -134,33 +133,27 @@ std::optional<Fault> triangle_fault(const std::vector<Sensor>& sensors, const st
     constexpr float widest = maths::radians(179);
     for (const Sensor& s : sensors)
         if (s.shape == SensorShape::triangle && s.fov > widest + 1e-3f)
-            return Fault{path + ".sensor." + s.name + ".field",
-                         "a triangle opens by 179 degrees at most; make it narrower or its shape a sector"};
+            return Fault{path + ".sensor." + s.name + ".field", message_of("wide_triangle")};
     return std::nullopt;
 }
 
 // Physics requires outlines that turn left at every corner, with a distance between any two corners.
-// `path`: of the corners; `without`: the shape of an object without corners.
+// `path`: of the corners; `few`: the message for fewer than three corners.
 template <class Outlined>
-std::optional<Fault> outline_fault(const Outlined& object, const std::string& path, const char* without) {
+std::optional<Fault> outline_fault(const Outlined& object, const std::string& path, const Message& few) {
     constexpr float least = 0.01f, least_left = 0.001f;  // m: between corners; of a corner from every other edge
     const std::size_t count = object.corners.size();
     if (count == 0) return std::nullopt;
-    if (count < 3)
-        return Fault{path, fmt::format("an outline needs at least 3 corners; leave them out for {}", without)};
+    if (count < 3) return Fault{path, few};
     const std::vector<maths::vec2> corners = corners_of(object);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t next = (i + 1) % count;
         const maths::vec2 edge = corners[next] - corners[i];
-        if (!(maths::length(edge) >= least))
-            return Fault{path, fmt::format("corners {} and {} stand less than 0.01 m apart", i + 1, next + 1)};
+        if (!(maths::length(edge) >= least)) return Fault{path, message_of("close_corners", i + 1, next + 1)};
         for (std::size_t j = 0; j < count; ++j)
             if (j != i && j != next &&
                 !(maths::cross(edge, corners[j] - corners[i]) >= least_left * maths::length(edge)))
-                return Fault{path,
-                             fmt::format("corner {} does not lie left of the edge from {} to {}; list the corners of a "
-                                         "convex outline counter-clockwise",
-                                         j + 1, i + 1, next + 1)};
+                return Fault{path, message_of("corner_order", j + 1, i + 1, next + 1)};
     }
     return std::nullopt;
 }
@@ -178,7 +171,7 @@ std::optional<Fault> own_values_fault(const Own& own, const std::string& path) {
 
 std::optional<Fault> start_fault(const Scene& scene, const Start& start) {
     const std::string path = "vehicle." + start.name;
-    if (start.kind.empty()) return Fault{path, "a vehicle needs a kind: kind = \"NAME\" of a [kind.NAME]"};
+    if (start.kind.empty()) return Fault{path, message_of("vehicle_without_kind")};
     if (find_kind(scene, start.kind) < 0)
         return Fault{path + ".kind", message_of("no_kind_called", in_quotes(start.kind)) +
                                          nearest_of(start.kind, names_of(scene.kinds))};
@@ -195,12 +188,8 @@ std::optional<Fault> start_fault(const Scene& scene, const Start& start) {
 std::optional<Fault> member_fault(const Scene& scene, const Member& member) {
     const std::string path = "member." + member.name;
     const int number = number_of(member);
-    if (number < 0)
-        return Fault{path, "the name of a member is its number in the population, from 0, without leading zeros"};
-    if (number >= scene.ecology.population)
-        return Fault{path, fmt::format("the population has {} vehicles, numbered from 0; raise ecology.population or "
-                                       "remove this member",
-                                       scene.ecology.population)};
+    if (number < 0) return Fault{path, message_of("member_name")};
+    if (number >= scene.ecology.population) return Fault{path, message_of("member_beyond", scene.ecology.population)};
     if (!member.kind.empty() && find_kind(scene, member.kind) < 0)
         return Fault{path + ".kind", message_of("no_kind_called", in_quotes(member.kind)) +
                                          nearest_of(member.kind, names_of(scene.kinds))};
@@ -236,10 +225,8 @@ std::optional<Fault> memory_fault(const Scene& scene) {
     for (const Member& member : scene.members) count_own(member);
     const double vehicles = static_cast<double>(scene.starts.size()) + scene.ecology.population;
     if (vehicles * largest <= most) return std::nullopt;
-    return Fault{"ecology.population",
-                 fmt::format("{:.0f} vehicles with up to {:.0f} numbers in brain and sensors each are more than fit; "
-                             "with such brains and latencies {:.0f} are the most",
-                             vehicles, largest, std::floor(most / largest))};
+    return Fault{"ecology.population", message_of("too_much_memory", std::llround(vehicles), std::llround(largest),
+                                                  static_cast<long>(most / largest))};
 }
 
 }  // namespace
@@ -261,9 +248,12 @@ std::optional<Fault> find_fault(const Scene& scene) {
         if (auto fault = find_fault(kind.brain)) return Fault{"kind." + kind.name + ".brain", std::move(fault->what)};
     }
     for (const Obstacle& obstacle : scene.obstacles)
-        if (auto fault = outline_fault(obstacle, "obstacle." + obstacle.name + ".corner", "a box")) return fault;
+        if (auto fault =
+                outline_fault(obstacle, "obstacle." + obstacle.name + ".corner", message_of("few_corners_box")))
+            return fault;
     for (const Zone& zone : scene.zones)
-        if (auto fault = outline_fault(zone, "zone." + zone.name + ".corner", "a rectangle")) return fault;
+        if (auto fault = outline_fault(zone, "zone." + zone.name + ".corner", message_of("few_corners_rectangle")))
+            return fault;
     for (const Source& source : scene.sources)
         if (auto fault = on_times_fault(source)) return fault;
     for (const Start& start : scene.starts)
@@ -271,7 +261,7 @@ std::optional<Fault> find_fault(const Scene& scene) {
     for (const Member& member : scene.members)
         if (auto fault = member_fault(scene, member)) return fault;
     if (scene.ecology.population > 0 && scene.kinds.empty())
-        return Fault{"ecology.population", "there is no [kind.NAME] to populate the arena with"};
+        return Fault{"ecology.population", message_of("no_kind_to_populate")};
     return memory_fault(scene);
 }
 

@@ -129,8 +129,7 @@ public:
     void colour(const char* key, std::string T::*member, const char*) {
         auto value = table_.text(key, 7);
         if (!value) return;
-        if (!is_colour(*value))
-            return table_.fail(key, "'" + std::string(key) + "' should be a colour like \"#3d7cc9\"");
+        if (!is_colour(*value)) return table_.fail(key, message_of("a_colour", key));
         object_.*member = std::move(*value);
     }
     template <class Part>

@@ -308,6 +308,25 @@ TEST(Strings, HaveTheEllipsisAndMarksOfTheLanguage) {
     }
 }
 
+TEST(Strings, NameTheKindsOfEveryShippedSceneThatHasSeveral) {
+    int kinds = 0;
+    std::map<std::string, Strings> words;  // without those of English for missing ones
+    for (const Language& language : shipped_languages())
+        words[language.code] =
+            *Strings::load(std::string(BRAITENLAB_SOURCE) + "/ui/strings/" + language.code + ".toml");
+    for (const auto& file :
+         std::filesystem::directory_iterator(std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "scenes")) {
+        const auto scene = load_scene(file.path());
+        if (!scene || scene->kinds.size() < 2) continue;
+        for (const Kind& kind : scene->kinds) {
+            ++kinds;
+            for (const auto& [language, own] : words)
+                EXPECT_TRUE(own.all().contains("kind." + kind.name)) << kind.name << " in " << language;
+        }
+    }
+    EXPECT_GT(kinds, 10);
+}
+
 TEST(Strings, HaveATranslationOfEachErrorMessage) {
     const Strings words = english();
     std::set<std::string> ids;
@@ -333,6 +352,13 @@ TEST(Strings, TranslateAnErrorOfSeveralParts) {
     ASSERT_FALSE(number);
     EXPECT_EQ(text_of(number.error(), speaking("es")), "mine.toml:3: width: hace falta un número, pero hay un texto");
     EXPECT_EQ(number.error().text(), "mine.toml:3: 'width' should be a number, not text");
+    Scene crowded;
+    crowded.ecology.population = 3;
+    const auto refused = check_scene(crowded);
+    ASSERT_TRUE(refused);
+    EXPECT_EQ(refused->text(), "ecology.population: there is no [kind.NAME] to populate the arena with");
+    EXPECT_EQ(text_of(*refused, speaking("de")),
+              "Ecology.population: es gibt keine Tabelle [kind.NAME] für die Fahrzeuge der Arena");
     EXPECT_EQ(text_of(Error{"odd", "a.toml", 2}, speaking("de")), "a.toml:2: Meldung auf Englisch: odd");
 }
 
