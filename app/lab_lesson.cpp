@@ -196,6 +196,7 @@ void reset(Lab& lab, std::uint64_t seed) {
     if (lab.document.lesson && lab.document.lesson->grading) lab.document.lesson->grading->run_was_reset = true;
     watch(lab);
     keep_selection(lab);
+    if (const auto& error = lab.document.session.last_reset_error()) say(lab, *error);
 }
 
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/messages.h"
 #include "core/world/cosmetic_edits.h"
 
 namespace braitenlab {
@@ -451,7 +452,11 @@ std::map<VehicleId, VehicleId> Session::restart(std::uint64_t seed, Keep keep) {
     Scene scene = edited_scene();
     if (keep == Keep::submission) scene = with_submission(opened_, scene);
     auto world = World::create(scene, seed);
-    if (!world) world = World::create(opened_, seed);  // a kept brain needs sensors that the opened scene does not have
+    last_reset_error_.reset();
+    if (!world) {  // such as a large brain that was made for fewer vehicles than the opened scene has
+        last_reset_error_ = error_of(message_of("reset_as_opened") + message_of(world.error()));
+        world = World::create(opened_, seed);
+    }
     const Snapshot before = std::move(snapshot_);
     world_ = std::move(*world);
     recording_ = Recording(world_.checkpoint());

@@ -61,7 +61,9 @@ public:
 
     // As reset(), with another seed: other random poses, noise and motor gains. save() and later resets keep the seed.
     // Returns the new id of each vehicle by its old id. The new run may not have a vehicle with that id.
+    // When a run of the edited scene cannot begin, the opened scene is used, and last_reset_error() says why.
     std::map<VehicleId, VehicleId> restart(std::uint64_t seed, Keep = Keep::edits);
+    const std::optional<Error>& last_reset_error() const { return last_reset_error_; }
 
     // Undo restores values, not the tick. A removed vehicle returns to its pose, or to the nearest free one if another
     // vehicle or an obstacle is there now. Commands for vehicles that no longer exist are left out. If an edit removed
@@ -128,6 +130,7 @@ private:
     void take_edits_of(std::uint64_t tick);
     std::map<VehicleId, VehicleId> renumber_after_reset(const Snapshot& before, Keep);
 
+    std::optional<Error> last_reset_error_;
     Scene opened_;
     World world_;
     Snapshot snapshot_;

@@ -322,6 +322,29 @@ TEST(SetPopulation, KeepsTheNumbersOfTheOtherKindsInTheScene) {
     }
 }
 
+// A brain of 9,000 nodes and wires fits 10 vehicles but not the 2,500 of the opened scene.
+TEST(Session, SaysWhyAResetTakesTheSceneAsItWasOpened) {
+    Scene scene = tests::crowd(2500);
+    scene.arena.width = scene.arena.height = 200;
+    scene.starts = {{"one", "hunter", 1, 1}};
+    Session session = opened(scene);
+    session.reset(Keep::submission);
+    EXPECT_FALSE(session.last_reset_error());
+    ASSERT_FALSE(session.apply(SetPopulation{0, 5}));
+    ASSERT_FALSE(session.apply(SetPopulation{1, 5}));
+    BrainGraph large = *session.snapshot().kind_brains[0];
+    for (int i = 0; i < 1000; ++i)
+        large.nodes.push_back({.id = 100 + i, .kind = NodeKind::neuron, .name = "N" + std::to_string(i)});
+    for (int i = 0; i < 8000; ++i) large.wires.push_back({100 + i / 8, 100 + (i / 8 + i % 8) % 1000, 0.5f});
+    const auto refused = session.apply(SetBrain{{.kind = 0}, large});
+    ASSERT_FALSE(refused) << refused->text();
+    session.reset(Keep::submission);
+    EXPECT_EQ(session.snapshot().vehicles.size(), 2501u);
+    ASSERT_TRUE(session.last_reset_error());
+    EXPECT_TRUE(session.last_reset_error()->text().starts_with("the reset took the scene as it was opened"))
+        << session.last_reset_error()->text();
+}
+
 TEST(SetLook, NamesAndTintsAVehicleOfThePopulationForTheFileAndAfterDeaths) {
     Scene scene = tests::crowd(20);
     scene.ecology.drain = 0.02f;

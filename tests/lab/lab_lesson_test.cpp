@@ -118,6 +118,29 @@ TEST(LabLesson, ResetRestoresTheStartAndTheShippedBrain) {
     EXPECT_EQ(read_dials(*lab.document.session.snapshot().kind_brains[0]).LR, 2);
 }
 
+TEST(LabLesson, AResetFindsTheSubjectAgainAfterAVehicleWasAddedOrRemoved) {
+    const std::vector<std::pair<const char*, std::vector<Command>>> helps{
+        {"added with a start before it", {AddVehicle{.kind = 0, .at = Pose{3, 3}, .before = 0}}},
+        {"added to the population", {AddVehicle{.kind = 0}}},
+        {"removed", {RemoveVehicle{0}}},
+        {"removed, another added", {RemoveVehicle{0}, AddVehicle{.kind = 0, .at = Pose{3, 3}}}}};
+    for (const auto& [how, commands] : helps) {
+        Lab lab = solved_exercise();
+        for (int i = 0; i < 30; ++i) tick(lab);
+        for (const Command& command : commands) handle(lab, EditRequest{command});
+        tick(lab);
+        EXPECT_TRUE(lab.document.lesson->referee.by_hand()) << how;
+        reset(lab);
+        const Snapshot& now = lab.document.session.snapshot();
+        ASSERT_EQ(now.vehicles.size(), 1u) << how;
+        EXPECT_EQ(lab.document.lesson->referee.state().subjects, std::vector<VehicleId>{now.vehicles[0].id}) << how;
+        EXPECT_EQ(lab.view.selection.vehicle, now.vehicles[0].id) << how;
+        EXPECT_FALSE(lab.document.lesson->referee.by_hand()) << how;
+        for (int i = 0; i < 60 * 20 && !lab.document.lesson->referee.passed(); ++i) tick(lab);
+        EXPECT_TRUE(lab.document.lesson->referee.passed()) << how;
+    }
+}
+
 TEST(LabLesson, ARunResetKeepsTheSensorsAndTheBodyOfTheStudentAndStartOverRestoresThem) {
     Lab lab = aggressor();
     const auto start = lab.document.session.hash();
