@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "desk.h"
+#include "ui/widgets/paint.h"
+
 namespace braitenlab::tests::number_test {
 
 using namespace ui;
@@ -38,6 +41,26 @@ TEST(Number, ShowADashForNonFiniteValues) {
     EXPECT_EQ(fixed(INFINITY, 2), "—");
     EXPECT_EQ(fixed(NAN, 2), "—");
     EXPECT_EQ(with_sign(INFINITY, 2), "—");
+}
+
+TEST(Number, AreNotBrokenAtTheDecimalMark) {
+    Desk desk;
+    desk.frame(2);
+    Anchors anchors;
+    Outbox outbox;
+    const Ui ui{desk.strings, {}, {}, 1, anchors, outbox};
+    const std::string words = "Linkes Rad schneller: RL·SL = 0,31 und 12,5";
+    for (float width = 60; width < 400; width += 1) {
+        const std::string lines = wrapped_at_spaces(ui, Face::text, words, width);
+        EXPECT_EQ(lines.size(), words.size());
+        std::size_t begin = 0;
+        for (std::size_t end = 0; end != lines.npos; begin = end + 1) {
+            end = lines.find('\n', begin);
+            const std::string line = lines.substr(begin, end == lines.npos ? end : end - begin);
+            EXPECT_TRUE(text_width(ui, Face::text, line) <= width || line.find(' ') == line.npos) << line;
+        }
+    }
+    EXPECT_EQ(wrapped_at_spaces(ui, Face::text, "a b, c", 1), "a b, c") << "Dear ImGui breaks it";
 }
 
 TEST(Number, AcceptUsualNotationAndRefuseOtherText) {

@@ -128,7 +128,9 @@ bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen,
     const float width = card_width(ui), left = ui.px(34), top = ui.px(7);
     ImFont* f = font(ui, Face::text);
     const float wrap = width - left - ui.px(10);
-    const ImVec2 text = f->CalcTextSizeA(compat::size_of(f), 1e9f, wrap, words.data(), words.data() + words.size());
+    const std::string lines = wrapped_at_spaces(ui, Face::text, words, wrap);
+    const char *begin = lines.c_str(), *end = begin + lines.size();
+    const ImVec2 text = f->CalcTextSizeA(compat::size_of(f), 1e9f, wrap, begin, end);
     const Item at = item(ui, id, {width, text.y + 2 * top}, enabled);
     const Palette& p = ui.palette;
     fill_box(ui, at.rect, chosen ? mix(p.panel, p.accent, 0.16f) : mix(p.raised, p.line, at.warmth * 0.6f));
@@ -138,7 +140,7 @@ bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen,
     draw.AddCircle(dot, ui.px(7), paint(chosen ? p.accent : p.second_text), 0, ui.px(1.5f));
     if (chosen) draw.AddCircleFilled(dot, ui.px(3.5f), paint(p.accent));
     draw.AddText(f, compat::size_of(f), {std::floor(at.rect.x + left), std::floor(at.rect.y + top)},
-                 paint(enabled || chosen ? p.text : p.second_text), words.data(), words.data() + words.size(), wrap);
+                 paint(enabled || chosen ? p.text : p.second_text), begin, end, wrap);
     tooltip(ui, at, how);
     return at.pressed;
 }

@@ -60,7 +60,8 @@ ImVec2 tooltip_place(const Ui& ui, const Item& item, ImVec2 size) {
 ImVec2 size_of_words(const Ui& ui, std::string_view words, float width) {
     if (words.empty()) return {};
     ImFont* face = font(ui, Face::small);
-    return face->CalcTextSizeA(compat::size_of(face), FLT_MAX, width, words.data(), words.data() + words.size());
+    const std::string text = wrapped_at_spaces(ui, Face::small, words, width);
+    return face->CalcTextSizeA(compat::size_of(face), FLT_MAX, width, text.data(), text.data() + text.size());
 }
 
 // True once the pointer has rested on the widget for `hovered` seconds, or if it comes from another tooltip.

@@ -71,11 +71,41 @@ std::string shortened(const Ui& ui, std::string_view words, Face face, float wid
     return std::string(words.data(), end) + "…";
 }
 
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool has_decimal_number(std::string_view words) {
+    for (std::size_t i = 1; i + 1 < words.size(); ++i)
+        if ((words[i] == ',' || words[i] == '.') && is_digit(words[i - 1]) && is_digit(words[i + 1])) return true;
+    return false;
+}
+
+}  // namespace
+
+std::string wrapped_at_spaces(const Ui& ui, Face face, std::string_view words, float width) {
+    std::string text(words);
+    if (!has_decimal_number(words)) return text;
+    std::size_t line = 0, last_space = text.npos;
+    for (std::size_t i = 0; i <= text.size(); ++i) {
+        const bool ends = i == text.size();
+        if (!ends && text[i] != ' ' && text[i] != '\n') continue;
+        const bool is_too_wide = text_width(ui, face, std::string_view(text).substr(line, i - line)) > width;
+        if (is_too_wide && last_space != text.npos) text[last_space] = '\n', line = last_space + 1;
+        if (ends) break;
+        last_space = text[i] == ' ' ? i : text.npos;
+        if (text[i] == '\n') line = i + 1;
+    }
+    return text;
+}
+
 void paragraph(Ui& ui, std::string_view words, Colour colour, Face face, float width) {
+    const float room = width > 0 ? width : card_width(ui) - ImGui::GetCursorPosX();
+    const std::string text = wrapped_at_spaces(ui, face, words, room);
     compat::push_font(font(ui, face));
     ImGui::PushStyleColor(ImGuiCol_Text, paint(colour));
     ImGui::PushTextWrapPos(width > 0 ? ImGui::GetCursorPosX() + width : card_width(ui));
-    ImGui::TextUnformatted(words.data(), end_of(words));
+    ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
     const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
     if (ui.written) record_written(ui, {low.x, low.y, size.x, size.y}, words);
     ImGui::PopTextWrapPos();

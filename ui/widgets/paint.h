@@ -44,6 +44,10 @@ void put_centred(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::te
 // The text, shortened with an ellipsis to `width` window pixels.
 std::string shortened(const Ui&, std::string_view, Face, float width);
 
+// The words with a line break wherever a line would become wider than `width` window pixels: at spaces only, where
+// Dear ImGui would also break a number after its decimal mark. Words without such a number are returned as they are.
+std::string wrapped_at_spaces(const Ui&, Face, std::string_view words, float width);
+
 // Text as an item at the cursor, wrapped at `width` window pixels (0: at the card's edge).
 void paragraph(Ui&, std::string_view, Colour, Face = Face::text, float width = 0);
 
