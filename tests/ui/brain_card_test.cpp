@@ -95,7 +95,7 @@ TEST(BrainCard, SetsTheWiresOfTheChosenPair) {
     Desk desk(1280, 1000);
     desk.now = shipped_scene("3c-values");
     desk.rest();
-    EXPECT_TRUE(writes(desk, "attacks light, flees heat, loves smell, explores oxygen"));
+    EXPECT_TRUE(writes(desk, "attacks light, flees heat, loves smell, lingers at oxygen and moves on"));
     desk.click("pair.heat");
     const auto chosen = std::find_if(desk.all.begin(), desk.all.end(),
                                      [](const Request& r) { return std::holds_alternative<PairRequest>(r); });
@@ -147,6 +147,20 @@ TEST(BrainCard, NamesTheSensorsThatTheVehicleLacks) {
     give(desk, *shipped_scene("3c-values").brains[0]);
     EXPECT_TRUE(writes(desk, "Reads Heat left"));
     EXPECT_TRUE(writes(desk, "does not have"));
+}
+
+TEST(BrainCard, SaysWhatAnExplorerDoesInTheWordsOfItsChannel) {
+    Desk desk(1280, 1000);
+    desk.now = shipped_scene("3c-values");
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    for (Sensor& sensor : scene->kinds[0].sensors)
+        if (sensor.channel == Channel::oxygen) sensor.channel = Channel::obstacle;
+    desk.now.scene = scene;
+    desk.rest();
+    EXPECT_TRUE(writes(desk, "slows near obstacles and turns away"));
+    desk.strings = speaking("de");
+    desk.frame(2);
+    EXPECT_TRUE(writes(desk, "bremst vor Hindernissen und dreht ab"));
 }
 
 TEST(BrainCard, ShowsTheNameOfTheVehicleIfAPersonGaveOne) {

@@ -226,6 +226,8 @@ TEST_F(Prompts, PointToResetIfASingleVehicleIsStuck) {
     at(5), next(), at(10.5), next(), at(11.5);
     EXPECT_EQ(next().hint, "hint.stuck");
     EXPECT_EQ(anchor(), "button.reset");
+    desk.now.vehicles[0].motor = {0, 0};
+    EXPECT_EQ(next().hint, "hint.halted") << "its brain stops it, nothing is in its way";
     desk.now = snapshot(4);
     at(5), next(), at(12);
     EXPECT_NE(anchor(), "button.reset");

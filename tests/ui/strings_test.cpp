@@ -107,6 +107,9 @@ std::set<std::string> composed() {
     for (const ChannelTraits& channel : channel_table)
         for (const char* stem : {"view.channel.", "wiring.senses.", "sense."})
             keys.insert(stem + std::string(channel.word));
+    for (const ChannelTraits& channel : channel_table)  // others fit the words of response.explorer
+        if (!std::set<std::string_view>{"light", "heat", "smell", "oxygen"}.contains(channel.word))
+            keys.insert("response_to.explorer_" + std::string(channel.word));
     for (const char* stem : {"character.", "character_story."}) keys.insert(stem + std::string("parts"));
     for (const NeuronKind& kind : neuron_kinds) keys.insert("wiring.kind." + std::string(kind.word));
     for (const RefusalName& refusal : refusals) keys.insert("wiring.refused." + std::string(refusal.word));

@@ -83,6 +83,13 @@ std::string parts_of(const Ui& ui, const BrainGraph& brain) {
     return fill(ui.strings("brain.parts"), {count(NodeKind::sensor), count(NodeKind::neuron), std::to_string(wires)});
 }
 
+// "flees heat", "slows near obstacles and turns away".
+std::string response(const Ui& ui, Character character, Channel channel) {
+    const std::string of_channel(word(channel)), named(name(character));
+    const std::string_view own = ui.strings.find("response_to." + named + "_" + of_channel, {});
+    return own.empty() ? fill(ui.strings("response." + named), {ui.strings("sense." + of_channel)}) : std::string(own);
+}
+
 // What the brain does with each pair ("attacks light, flees heat"), or its parts. Nothing for one pair, whose character
 // is in the title row.
 std::string description(const LabView& view, const Ui& ui, const Recognised& known, const VehicleView& vehicle) {
@@ -94,9 +101,7 @@ std::string description(const LabView& view, const Ui& ui, const Recognised& kno
     std::string all;
     for (const PairCharacter& each : known.pairs) {
         if (!each.is_wired) continue;
-        const std::string_view channel = ui.strings("sense." + std::string(word(each.pair.channel)));
-        all += (all.empty() ? "" : ", ") +
-               fill(ui.strings("response." + std::string(name(each.character))), {std::string(channel)});
+        all += (all.empty() ? "" : ", ") + response(ui, each.character, each.pair.channel);
     }
     return all;
 }

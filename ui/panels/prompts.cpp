@@ -91,6 +91,12 @@ void keep_time(double& since, bool holds, double now) {
 
 bool lasts(double since, double for_seconds, double now) { return since >= 0 && now - since >= for_seconds; }
 
+// True if the brain gives both wheels no speed; else something is in the way of a vehicle that stands.
+bool is_halted(const VehicleView& vehicle) {
+    constexpr float at_rest = 0.005f;
+    return std::fabs(vehicle.motor[0]) < at_rest && std::fabs(vehicle.motor[1]) < at_rest;
+}
+
 // A single vehicle that senses nothing or does not move needs a reset. In scenes with several vehicles both are common.
 void watch_vehicle(PromptMemory& memory, const LabView& view) {
     const Snapshot& now = *view.now;
@@ -102,7 +108,8 @@ void watch_vehicle(PromptMemory& memory, const LabView& view) {
 }
 
 Prompt way_out(const PromptMemory& memory, const LabView& view) {
-    if (lasts(memory.still_since, stuck_after, view.now->seconds)) return {"button.reset", "hint.stuck"};
+    if (lasts(memory.still_since, stuck_after, view.now->seconds))
+        return {"button.reset", is_halted(view.now->vehicles.front()) ? "hint.halted" : "hint.stuck"};
     if (lasts(memory.blind_since, lost_after, view.now->seconds)) return {"button.reset", "hint.lost"};
     return {};
 }
