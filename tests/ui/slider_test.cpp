@@ -149,6 +149,28 @@ TEST_P(SliderWithInvalidText, KeepsItsValue) {
 
 INSTANTIATE_TEST_SUITE_P(Words, SliderWithInvalidText, ::testing::Values("-", "1.2.3", "+-", "nan", "inf"));
 
+TEST(Slider, SaysThatATypedNumberIsLimitedToTheRange) {
+    Desk desk;
+    const auto limits_shown = [&](const char* number) {
+        desk.all.clear();
+        desk.type_into("slider.LL", number);
+        std::vector<std::string> found;
+        for (const Request& request : desk.all)
+            if (const auto* notice = std::get_if<NoticeRequest>(&request)) found = {notice->words, notice->more};
+        return found;
+    };
+    desk.frame(3);
+    EXPECT_EQ(limits_shown("7"), (std::vector<std::string>{"−2.00", "+2.00"}));
+    EXPECT_EQ(turned(desk.edits().back()).value, 2);
+    EXPECT_TRUE(limits_shown("1.5").empty());
+    EXPECT_TRUE(limits_shown("2").empty());
+    desk.point("slider.LL", 0.5f);
+    desk.frame(60);
+    EXPECT_TRUE(std::any_of(desk.written.begin(), desk.written.end(), [](const Written& text) {
+        return text.words.find("−2.00 to +2.00") != std::string::npos;
+    })) << "in the tooltip";
+}
+
 TEST(Slider, DoubleClickOnTheTrackOpensTheNumberAndKeepsTheValue) {
     Desk desk;
     desk.frame(3);

@@ -180,7 +180,8 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
                             look.low,
                             look.high,
                             look.wide ? look.knee : 0};
-    const std::string number = slider_text(ui, value, look) + std::string(look.unit);
+    const auto shown = [&](float any) { return slider_text(ui, any, look) + std::string(look.unit); };
+    const std::string number = shown(value);
     const ImGuiIO& io = ImGui::GetIO();
 
     std::optional<float> wanted;
@@ -194,6 +195,8 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
                 edit_number(ui, state, id, {at.right() - text_width_open, at.rect.y, text_width_open, at.rect.h})) {
             ++state.gesture;
             wanted = *typed;
+            if (*typed < look.low || *typed > look.high)
+                ui.outbox.push_back(NoticeRequest{"notice.limited", shown(look.low), shown(look.high)});
         }
     } else if (to_typing) {
         // Undo a move of the knob by the first click of a double click, with the same gesture.
@@ -220,7 +223,7 @@ std::optional<SliderEdit> slider(Ui& ui, SliderState& state, std::string_view id
     if (!typing && at.hovered)
         tooltip(ui, at, look.tooltip,
                 fill(ui.strings("slider.how"),
-                     {slider_text(ui, valid_value(look.home, look), look) + std::string(look.unit)}));
+                     {shown(valid_value(look.home, look)), slider_text(ui, look.low, look), shown(look.high)}));
 
     if (!wanted || !std::isfinite(*wanted)) return std::nullopt;
     const float edited = valid_value(*wanted, look);

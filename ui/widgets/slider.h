@@ -2,7 +2,7 @@
 //
 // Mouse: dragging moves the knob (with Shift ten times finer); a right click restores the home value; a double click or
 // Ctrl+click edits the number. Keys: ← and → move by a nudge, with Shift by the smallest step; Del restores; Enter
-// edits the number. A typed number is clamped; other text changes nothing.
+// edits the number. A typed number outside the range is clamped, with a notice; other text changes nothing.
 //
 // A wide track serves a range of several powers of ten, such as 0.05 .. 1000: it is linear within ± SliderLook::knee
 // and logarithmic beyond. The mouse and the arrow keys then give numbers of three digits, in steps that grow with the
