@@ -26,10 +26,12 @@ float fitting_scale(float scale, Rect window) {
     return scale <= most ? scale : std::max(1.0f, std::floor(most * steps) / steps);
 }
 
-// The camera leaves room below the arena for metre labels at scale 1. This leaves the additional room at larger scales.
+// The camera leaves room below and beside the arena for metre labels at scale 1. This leaves the additional room at
+// larger scales.
 Rect without_metre_labels(Rect scene, float scale) {
-    constexpr float more = 16;  // layout pixels
-    return {scene.x, scene.y, scene.w, std::max(0.5f * scene.h, scene.h - more * (scale - 1))};
+    constexpr float below = 16, beside = 24;  // layout pixels
+    const float w = std::max(0.5f * scene.w, scene.w - 2 * beside * (scale - 1));
+    return {scene.x + (scene.w - w) / 2, scene.y, w, std::max(0.5f * scene.h, scene.h - below * (scale - 1))};
 }
 
 // True if the user does something in this frame with the keyboard or the mouse. Call between ImGui's NewFrame and
@@ -105,7 +107,7 @@ void App::frame(float passed) {
     view.version = version_text();
     if (autosave_.leftover()) view.recovery = &autosave_.leftover()->offer;
     const Rect area = window_.area();
-    const ui::WindowLayout layout = ui::lay_out(area.w, area.h, theme_.scale(), view, panels_.charts_open);
+    const ui::WindowLayout layout = ui::lay_out(area.w, area.h, theme_.scale(), view, ui::open_cards(view, panels_));
     const Rect arena = without_metre_labels(layout.scene, theme_.scale());
     aim(viewport_, lab_, area, arena, passed);
     view.camera_view = &viewport_.camera_view;

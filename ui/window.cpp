@@ -302,6 +302,14 @@ void choose_sensor_handles(const LabView& view, PanelState& state) {
 
 }  // namespace
 
+OpenCards open_cards(const LabView& view, const PanelState& state) {
+    OpenCards open{.charts = state.charts_open};
+    for (const CardTraits& row : cards())
+        open.right |=
+            row.column == Column::right && row.shown(view) && !state.cards[static_cast<std::size_t>(row.card)].folded;
+    return open;
+}
+
 void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
     ui.keyboard = &state.keyboard;
     ui.still = view.reduce_motion;
@@ -339,7 +347,8 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     if (layout.charts.w > 0) chart_card(view, state, ui, layout.charts);
     if (!view.lecture) tool_palette(view, state, ui, layout.tools);
     if (view.lecture) {
-        lecture_figures(view, state, ui, layout.hint_bar, layout.window);
+        const bool watches = view.mode != Mode::wiring && layout.canvas.w > 0;
+        lecture_figures(view, state, ui, layout.hint_bar, watches ? layout.scene : layout.window);
         lecture_bar(view, ui, layout.toolbar);
     } else {
         timeline(view, state, ui, layout.timeline);

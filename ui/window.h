@@ -12,6 +12,9 @@ namespace braitenlab::ui {
 // sets ui.keyboard and ui.still.
 void draw_window(const LabView&, PanelState&, Ui&, const WindowLayout&);
 
+// The open cards that lay_out() makes room for.
+OpenCards open_cards(const LabView&, const PanelState&);
+
 // Executes a key. Order: text being typed, the open sheet or menu, the focused widget, the wiring canvas, shortcuts.
 // Call for every press and repeat in GLFW's order, not for releases. False when the key has no meaning here: arrow keys
 // then move the camera. Precondition: Dear ImGui's keyboard navigation is off (no ImGuiConfigFlags_NavEnableKeyboard).

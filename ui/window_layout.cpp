@@ -34,15 +34,18 @@ Rect take_timeline(Rect& middle, float scale) {
 }
 
 // Gives a part of the scene to the canvas: the right part of a wide scene, else the lower part, because a diagram is
-// wider than high. In a lecture the lower part, because folded cards are in the upper right corner.
-void split_for_canvas(WindowLayout& l, const LabView& view, float border) {
-    constexpr float wide = 1.9f;  // width by height
+// wider than high. In a lecture, where the scene is low, also the right part of a less wide one; then folded cards of
+// the right column are over the scene, and an open one has a column of its own.
+void split_for_canvas(WindowLayout& l, const LabView& view, float border, bool card_is_open) {
+    const float wide = view.lecture ? 1.5f : 1.9f;  // width by height
     const float share = std::clamp(view.settings.canvas_share, least_canvas_share, largest_canvas_share);
-    if (!view.lecture && l.scene.w > wide * l.scene.h) {
+    if (view.lecture && card_is_open) l.scene.w -= l.right.w + border;
+    if (l.scene.w > wide * l.scene.h) {
         const float canvas = (l.scene.w - border) * share;
         l.scene.w -= canvas + border;
         l.border = {l.scene.x + l.scene.w, l.scene.y, border, l.scene.h};
         l.canvas = {l.border.x + border, l.scene.y, canvas, l.scene.h};
+        if (view.lecture && !card_is_open) l.right.x = l.border.x - l.right.w;
     } else {
         const float canvas = (l.scene.h - border) * share;
         l.scene.h -= canvas + border;
@@ -54,7 +57,7 @@ void split_for_canvas(WindowLayout& l, const LabView& view, float border) {
 
 }  // namespace
 
-WindowLayout lay_out(float width, float height, float scale, const LabView& view, bool charts) {
+WindowLayout lay_out(float width, float height, float scale, const LabView& view, OpenCards open) {
     WindowLayout l;
     l.scale = scale;
     l.window = {0, 0, width, height};
@@ -81,7 +84,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     const float from_left = l.left.w > 0 ? 2 * margin + left : margin;
     l.scene = {from_left, top, width - 2 * margin - right - from_left, column};
 
-    if (charts && view.mode != Mode::wiring && !view.lecture) {
+    if (open.charts && view.mode != Mode::wiring && !view.lecture) {
         const float strip = std::min(charts_height * scale, column * 0.45f);
         l.charts = {l.scene.x, bottom - strip, l.scene.w, strip};
         l.scene.h -= strip + margin;
@@ -106,7 +109,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     } else if (!view.lecture) {
         l.timeline = take_timeline(l.scene, scale);
     }
-    if (watches) split_for_canvas(l, view, margin);
+    if (watches) split_for_canvas(l, view, margin, open.right);
     if (l.tools.w <= 0) l.tools = l.scene;
     return l;
 }

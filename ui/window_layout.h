@@ -19,8 +19,14 @@ struct WindowLayout {
     float scale = 1;
 };
 
+// The cards that take space of the scene while they are open.
+struct OpenCards {
+    bool charts = false;  // the chart card
+    bool right = false;   // any card of the right column
+};
+
 // `scale`: window pixels per layout pixel, at least 1. The layout fits windows of at least 1024 × 768 layout pixels. In
 // smaller windows the scene is narrower, but at least a quarter of the width.
-WindowLayout lay_out(float window_width, float window_height, float scale, const LabView&, bool charts = false);
+WindowLayout lay_out(float window_width, float window_height, float scale, const LabView&, OpenCards = {});
 
 }  // namespace braitenlab::ui

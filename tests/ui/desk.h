@@ -177,7 +177,7 @@ public:
             ui.shown = &shown;
             ImGui::NewFrame();
             layout = ui::lay_out(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y, scale_, view,
-                                 panels.charts_open);
+                                 ui::open_cards(view, panels));
             ui::draw_window(view, panels, ui, layout);
             ImGui::Render();
             all.insert(all.end(), asked.begin(), asked.end());

@@ -14,6 +14,11 @@ bool shows(const Desk& desk, const std::string& words) {
     return false;
 }
 
+bool overlap(Rect a, Rect b) {
+    return a.x < b.x + b.w - 0.5f && b.x < a.x + a.w - 0.5f && a.y < b.y + b.h - 0.5f && b.y < a.y + a.h - 0.5f;
+}
+bool is_inside(Rect a, Rect b) { return a.x >= b.x && a.y >= b.y && a.x + a.w <= b.x + b.w && a.y + a.h <= b.y + b.h; }
+
 }  // namespace
 
 TEST(Lecture, ClearsTheScreenAndFoldsTheCards) {
@@ -57,6 +62,49 @@ TEST(Lecture, ExtendsTheDiagramOverTheCardBelowIt) {
     desk.view.lecture = false;
     desk.frame(3);
     EXPECT_FLOAT_EQ(desk.where("card.inspector").h, open);
+}
+
+TEST(Lecture, WritesTheNamesOfTheWatchedDiagramLegibly) {
+    for (const auto& [width, height] : {std::pair{1280.0f, 800.0f}, std::pair{1024.0f, 768.0f}})
+        for (const char* scene : {"tortoise", "7-mnemotrix", "5-logic", "predator-prey"}) {
+            SCOPED_TRACE(scene + std::string(" at ") + std::to_string(width));
+            Desk desk(width, height, 1.6f, true);
+            desk.now = shipped_scene(scene);
+            desk.view.lecture = desk.view.settings.watching = true;
+            desk.frame(4);
+            std::vector<Rect> names;
+            for (const Node& node : desk.now.brains[0]->nodes) {
+                const Rect name = desk.where("name." + node.name);
+                EXPECT_GE(name.h, 17) << node.name;
+                EXPECT_GT(name.w, 0) << node.name;
+                EXPECT_TRUE(is_inside(name, desk.where("canvas"))) << node.name;
+                for (const Rect& other : names) EXPECT_FALSE(overlap(name, other)) << node.name;
+                names.push_back(name);
+            }
+        }
+}
+
+TEST(Lecture, CoversTheWatchedDiagramWithNoCard) {
+    for (const auto& [width, height] :
+         {std::pair{1280.0f, 800.0f}, std::pair{1024.0f, 768.0f}, std::pair{800.0f, 1280.0f}})
+        for (const bool open : {false, true}) {
+            SCOPED_TRACE(std::to_string(width) + (open ? ", open cards" : ", folded cards"));
+            Desk desk(width, height, 1.6f, true);
+            desk.now = shipped_scene("tortoise");
+            desk.view.settings.selection.object = {SceneObjectKind::obstacle, 0};
+            desk.view.lecture = desk.view.settings.watching = true;
+            desk.frame(3);
+            for (const Card card : {Card::brain, Card::object}) desk.panels.card(card).folded = !open;
+            desk.frame(4);
+            const Rect canvas = desk.where("canvas");
+            EXPECT_FALSE(overlap(canvas, desk.where("card.brain")));
+            EXPECT_FALSE(overlap(canvas, desk.where("viewport")));
+            EXPECT_FALSE(desk.anchors.find("canvas.fit")) << "the buttons would take the diagram's space";
+            EXPECT_FALSE(overlap(canvas, desk.where("card.thing")));
+            if (open) {
+                EXPECT_FALSE(overlap(desk.where("viewport"), desk.where("card.brain")));
+            }
+        }
 }
 
 TEST(Lecture, RestoresEveryCard) {

@@ -141,14 +141,6 @@ TEST(Window, ShowsTheWiringBesideThePlayingSceneWhileItIsWatched) {
     }
 }
 
-TEST(Window, ShowsTheWatchedWiringOverTheWholeWidthOfALecture) {
-    Desk desk(1920, 900);
-    desk.view.lecture = desk.view.settings.watching = true;
-    desk.rest();
-    EXPECT_GT(desk.layout.canvas.w, 0.9f * desk.layout.window.w);
-    EXPECT_LE(desk.layout.scene.y + desk.layout.scene.h, desk.layout.canvas.y);
-}
-
 TEST(Window, MovesTheBorderOfTheWatchedWiringWithThePointer) {
     Desk desk;
     desk.view.settings.watching = true;

@@ -72,7 +72,7 @@ void draw_figure(Ui& ui, const LectureFigure& f, Rect r) {
     mark(ui, f.anchor, r);
 }
 
-void pressed_keys(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect window) {
+void pressed_keys(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect above) {
     auto& keys = state.pressed;
     std::erase_if(keys, [&](const PressedKey& k) { return view.wall_seconds - k.at > pressed_key_seconds; });
     if (keys.size() > most_pressed_keys)
@@ -81,7 +81,7 @@ void pressed_keys(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect
     const float h = line_height(ui, Face::title) + ui.px(16), space = ui.px(8);
     float width = -space;
     for (const PressedKey& k : keys) width += space + std::max(h, text_width(ui, Face::title, words_of(k)) + ui.px(28));
-    float x = window.x + (window.w - width) / 2;
+    float x = above.x + (above.w - width) / 2;
     const float y = bar.y - h - ui.px(16);
     if (keys.empty()) return;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -92,7 +92,7 @@ void pressed_keys(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect
         put_centred(ui, {cap.x + cap.w / 2, cap.y + ui.px(8)}, words_of(k), ui.palette.ground, Face::title);
         x += cap.w + space;
     }
-    mark(ui, "lecture.keys", {window.x + (window.w - width) / 2, y, width, h});
+    mark(ui, "lecture.keys", {above.x + (above.w - width) / 2, y, width, h});
     draw.PopClipRect();
 }
 
@@ -127,7 +127,7 @@ void lecture_bar(const LabView& view, Ui& ui, Rect bar) {
     end_bar();
 }
 
-void lecture_figures(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect window) {
+void lecture_figures(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect above) {
     begin_bar(ui, "lecture figures", bar);
     if (view.notice.empty()) {
         const auto all = lecture_values(view, state, ui);
@@ -142,7 +142,7 @@ void lecture_figures(const LabView& view, PanelState& state, Ui& ui, Rect bar, R
             shortened(ui, text_of(view.notice, ui.strings), Face::text, bar.x + bar.w - ui.px(16) - words), colour);
     }
     mark(ui, "hint.bar", bar);
-    pressed_keys(view, state, ui, bar, window);
+    pressed_keys(view, state, ui, bar, above);
     end_bar();
 }
 

@@ -39,9 +39,9 @@ void tool_palette(const LabView&, PanelState&, Ui&, Rect scene);  // in the uppe
 void scene_menu(const LabView&, PanelState&, Ui&, Rect window);   // menu of an object or of the floor
 
 // menu_bar.cpp: the menu bar. A chosen action is added to PanelState::chosen.
-void menu_bar(PanelState&, Ui&, Rect bar);                               // the titles
-void lab_menu(const LabView&, PanelState&, Ui&, Rect bar, Rect window);  // the open menu
-std::string_view menu_title_at(const Ui&, float x, float y);             // name of its menu, or empty; window pixels
+void menu_bar(PanelState&, Ui&, Rect bar);                              // the titles
+void lab_menu(const LabView&, PanelState&, Ui&, Rect bar, Rect above);  // the open menu
+std::string_view menu_title_at(const Ui&, float x, float y);            // name of its menu, or empty; window pixels
 void switch_menu(MenuBarState&, int step);  // opens the menu `step` titles to the right of the open one, or the first
 
 // The shipped scene that Action::new_scene opens; null when it is missing.

@@ -19,7 +19,7 @@ void tidy_up(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
     const BrainGraph bare = without_places(frame.graph);
     if (bare != frame.graph) outbox.push_back(EditRequest{none, state.next_gesture++});
     state.held = tidy(bare);
-    fit(state.camera, lay_out(bare, {}), frame.area, frame.ui_scale);
+    fit(state.camera, lay_out(bare, {}), frame.area, frame.ui_scale, frame.has_buttons);
 }
 
 void toggle_lesion(CanvasState& state, const CanvasFrame& frame, Outbox& outbox) {
@@ -152,7 +152,7 @@ void execute(CanvasState& state, const CanvasFrame& frame, Action action, Outbox
         case Action::erase:
             return erase_selected(state, frame, outbox);
         case Action::fit:
-            return fit(state.camera, frame.layout, frame.area, frame.ui_scale);
+            return fit(state.camera, frame.layout, frame.area, frame.ui_scale, frame.has_buttons);
         case Action::tidy:
             return tidy_up(state, frame, outbox);
         case Action::copy:

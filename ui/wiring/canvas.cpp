@@ -1,8 +1,8 @@
 #include "ui/wiring/canvas.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include <imgui.h>
 
@@ -59,6 +59,9 @@ bool has_foreign_nodes(const BrainGraph& brain, const BrainGraph& before, const 
     });
 }
 
+// A lecture shows few controls: the watched diagram takes the space of the buttons.
+bool has_buttons(const LabView& lab) { return !lab.lecture || lab.mode == Mode::wiring; }
+
 // Moves the camera between frames. Parts of the picture stay under the mouse while the brain is edited or a card opens
 // or folds. The whole brain is fitted when the canvas is entered, when it is another brain (a preset, a file) and when
 // the window or the pane beside the scene changes its size, unless the user has moved the camera.
@@ -82,7 +85,7 @@ void follow(CanvasState& state, const LabView& lab, const VehicleView& vehicle,
                           has_foreign_nodes(*brain, *before.brain, state.selection) &&
                           !shows_all(layout, view_of(state.camera, area, ui_scale), area);
     if (another || (!state.camera.by_user && (resized || state.entered || outgrown)))
-        fit(state.camera, layout, area, ui_scale);
+        fit(state.camera, layout, area, ui_scale, has_buttons(lab));
     before = std::move(now);
 }
 
@@ -101,9 +104,9 @@ struct CornerButton {
     bool hovered = false, pressed = false;
 };
 
-std::array<CornerButton, 2> corner_buttons(const Ui& ui, Rect area, Pointer& pointer) {
-    std::array<CornerButton, 2> buttons{
-        {{"canvas.fit", ui.strings("wiring.fit"), {}}, {"canvas.arrange", ui.strings("wiring.arrange"), {}}}};
+std::vector<CornerButton> corner_buttons(const Ui& ui, Rect area, Pointer& pointer) {
+    std::vector<CornerButton> buttons{{"canvas.fit", ui.strings("wiring.fit"), {}},
+                                      {"canvas.arrange", ui.strings("wiring.arrange"), {}}};
     float right = area.x + area.w - ui.px(12);
     for (CornerButton& button : buttons) {
         const float width = text_width(ui, Face::text, button.words) + ui.px(24);
@@ -167,13 +170,18 @@ void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& st
         target.kind = vehicle.kind;
     else
         target.vehicle = vehicle.id;
-    CanvasFrame frame{graph, before, area, target, ui.scale, view.wall_seconds, read_pointer(over)};
-    const auto buttons = corner_buttons(ui, area, frame.pointer);
+    CanvasFrame frame{graph, before, area, target, ui.scale, view.wall_seconds, read_pointer(over), has_buttons(view)};
+    std::vector<CornerButton> buttons;
+    if (frame.has_buttons) buttons = corner_buttons(ui, area, frame.pointer);
     handle_input(state, frame, ui.outbox);
     if (state.hovered != state.rested) state.rested = state.hovered, state.rested_since = view.wall_seconds;
-    if (buttons[1].pressed) execute(state, frame, Action::tidy, ui.outbox);
+    const auto pressed = [&](std::string_view anchor) {
+        return std::any_of(buttons.begin(), buttons.end(),
+                           [&](const CornerButton& button) { return button.anchor == anchor && button.pressed; });
+    };
+    if (pressed("canvas.arrange")) execute(state, frame, Action::tidy, ui.outbox);
     const Layout& layout = state.layout.get(brain, state.held);
-    if (buttons[0].pressed) fit(state.camera, layout, area, ui.scale);
+    if (pressed("canvas.fit")) fit(state.camera, layout, area, ui.scale);
 
     const Pen pen{*ImGui::GetWindowDrawList(), ui, view_of(state.camera, area, ui.scale)};
     update(state.readings, *view.now, vehicle, graph, layout);
@@ -185,7 +193,7 @@ void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& st
                           state,
                           pen.view.to_canvas({area.x, area.y}),
                           pen.view.to_canvas({area.x + area.w, area.y + area.h})};
-    const CanvasFrame after{graph, layout, area, target, ui.scale, view.wall_seconds, frame.pointer};
+    const CanvasFrame after{graph, layout, area, target, ui.scale, view.wall_seconds, frame.pointer, frame.has_buttons};
     draw_ground(pen, area);
     draw_wires(pen, picture);
     draw_labels(pen, picture);

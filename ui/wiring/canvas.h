@@ -121,6 +121,7 @@ struct CanvasFrame {
     float ui_scale = 1;
     double wall_seconds = 0;
     Pointer pointer;
+    bool has_buttons = true;  // Arrange and Fit
 };
 
 inline View view_of(const CanvasState& state, const CanvasFrame& frame) {
@@ -128,9 +129,10 @@ inline View view_of(const CanvasState& state, const CanvasFrame& frame) {
 }
 
 // Draws the canvas over `area` (window pixels, free of cards) and sends the user's edits. Anchors: canvas,
-// canvas.arrange, canvas.fit, canvas.minimap, pin.<node>.out, pin.<node>.in, node.<node>, wire.LL … or wire.<from>-<to>
-// (the weight's label), curve.LL … (a point of the curve beside its label), menu and menu.<row> while a menu is open,
-// says.<node> while a note describes the node, selected.<node or wire>, refused.<reason>.
+// canvas.arrange, canvas.fit, canvas.minimap, pin.<node>.out, pin.<node>.in, node.<node>, name.<node> (the letters;
+// beside the scene only), wire.LL … or wire.<from>-<to> (the weight's label), curve.LL … (a point of the curve beside
+// its label), menu and menu.<row> while a menu is open, says.<node> while a note describes the node, selected.<node or
+// wire>, refused.<reason>. canvas.arrange and canvas.fit are not shown beside the scene of a lecture.
 void draw_canvas(const LabView&, CanvasState&, ui::Ui&, Rect area);
 
 }  // namespace braitenlab::wiring

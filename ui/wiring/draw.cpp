@@ -54,9 +54,9 @@ std::string fitted(std::string_view words, Fits fits) {
 
 }  // namespace
 
-void Pen::text(vec2 unit, float height, float anchor, std::string_view words, Colour colour, Face face,
+Rect Pen::text(vec2 unit, float height, float anchor, std::string_view words, Colour colour, Face face,
                float room) const {
-    if (words.empty() || size(height) < ui.px(too_small)) return;
+    if (words.empty() || size(height) < ui.px(too_small)) return {};
     const float least = ui.px(least_type);
     Type type = type_for(ui, face, std::max(size(height), least));
     const auto width_of = [&](std::string_view part) {
@@ -66,15 +66,16 @@ void Pen::text(vec2 unit, float height, float anchor, std::string_view words, Co
     std::string shortened;
     if (room > 0 && width > size(room)) {
         const float fitting = type.pixels * size(room) / width;
-        if (fitting < least && face == Face::small) return;  // an unreadable caption is left out
+        if (fitting < least && face == Face::small) return {};  // an unreadable caption is left out
         type.pixels = std::max(fitting, ui.px(least_name));
         shortened = fitted(words, [&](std::string_view part) { return width_of(part) <= size(room) + 1; });
         words = shortened;
         width = width_of(words);
     }
     const ImVec2 p = at(unit);
-    list.AddText(type.font, type.pixels, {std::round(p.x - width * anchor), std::round(p.y - type.pixels / 2)},
-                 paint(colour), words.data(), words.data() + words.size());
+    const ImVec2 corner{std::round(p.x - width * anchor), std::round(p.y - type.pixels / 2)};
+    list.AddText(type.font, type.pixels, corner, paint(colour), words.data(), words.data() + words.size());
+    return {corner.x, corner.y, width, type.pixels};
 }
 
 void Pen::box(vec2 centre, vec2 extent, float rounding, Colour colour) const {

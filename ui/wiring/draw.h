@@ -33,8 +33,9 @@ struct Pen {
 
     // Text about `height` units high, at least least_type, its point `anchor` (0..1 of its width, middle of its height)
     // at `unit`. Text wider than `room` units (0: no limit) is made smaller, down to least_name, then cut; captions
-    // (ui::Face::small) are left out instead, and so is text below too_small.
-    void text(maths::vec2 unit, float height, float anchor, std::string_view, Colour, ui::Face = ui::Face::text,
+    // (ui::Face::small) are left out instead, and so is text below too_small. Returns the rectangle of the letters,
+    // window pixels; empty for text that is left out.
+    Rect text(maths::vec2 unit, float height, float anchor, std::string_view, Colour, ui::Face = ui::Face::text,
               float room = 0) const;
 
     void box(maths::vec2 centre, maths::vec2 size, float rounding, Colour) const;

@@ -123,6 +123,11 @@ float wheel_angle(const Picture& picture, const Node& node) {
     return node.name == "ML" ? angle[0] : node.name == "MR" ? angle[1] : 0;
 }
 
+// Beside the scene the names have anchors.
+void record_name(const Pen& pen, const Picture& picture, const std::string& name, Rect rect) {
+    if (picture.view.mode != Mode::wiring) pen.ui.anchors.record("name." + name, rect);
+}
+
 // Below full detail only name, number and a sensor's caption, as large as the card allows.
 void draw_words(const Pen& pen, const Picture& picture, const Node& node, float value, vec2 low, vec2 high) {
     const Palette& p = pen.palette();
@@ -131,16 +136,19 @@ void draw_words(const Pen& pen, const Picture& picture, const Node& node, float 
     const std::string number = node.kind == NodeKind::sensor ? fixed(pen.ui, shown, 2) : with_sign(pen.ui, shown, 2);
     const float room = high.x - low.x;
     const std::string_view caption = pen.ui.strings(description_key(*picture.view.now, picture.vehicle, node));
+    const auto put_name = [&](float y, float height, float width) {
+        record_name(pen, picture, node.name, pen.text({low.x, y}, height, 0, node.name, p.text, Face::strong, width));
+    };
     if (far && !neuron) {
-        pen.text({low.x, low.y + 24}, 27, 0, node.name, p.text, Face::strong, room);
+        put_name(low.y + 24, 27, room);
         pen.text({low.x, low.y + 52}, 26, 0, number, p.text, Face::text, room);
         pen.text({low.x - 62, low.y + 81}, 20, 0, caption, p.second_text, Face::small, room + 66);
     } else if (far || neuron) {
         const float height = far ? 29 : 21, above = far ? 25 : 22;
-        pen.text({low.x, low.y + above}, height, 0, node.name, p.text, Face::strong, room);
+        put_name(low.y + above, height, room);
         pen.text({low.x, low.y + above + height + 2}, height, 0, number, p.text, Face::text, room);
     } else {
-        pen.text({low.x, low.y + 27}, 24, 0, node.name, p.text, Face::strong, room - 62);
+        put_name(low.y + 27, 24, room - 62);
         pen.text({high.x, low.y + 27}, 20, 1, number, p.text);
         pen.text({low.x, low.y + 52}, 16, 0, caption, p.second_text, Face::small, room);
     }
@@ -177,6 +185,32 @@ void draw_silence(const Pen& pen, const NodeShape& shape) {
     pen.frame(shape.centre, shape.size, card_rounding, 2.2f, p.warning);
 }
 
+// The fill of a card on the map.
+Colour map_colour(const Palette& p, float value) {
+    return colour_of_weight(p, value).with_alpha(0.15f + 0.6f * std::min(std::abs(value), 1.0f));
+}
+
+// On the map: as large as the card allows, at least least_type high if the card is as high. Then it may be wider than
+// the card and covers its pins, because there is space between the columns.
+void draw_name(const Pen& pen, const Picture& picture, std::size_t index) {
+    constexpr float share = 0.6f, overhang = 1.5f;  // of the card's height and of its width
+    const Palette& p = pen.palette();
+    const NodeShape& shape = picture.layout.nodes[index];
+    const std::string& name = picture.graph.nodes[shape.node].name;
+    const float least = pen.ui.px(least_type), inner = shape.size.x - 30;
+    if (pen.size(shape.size.y) < least) return;
+    const float own = compat::size_of(font(pen.ui, Face::strong));
+    const float readable = text_width(pen.ui, Face::strong, name) * least / own / pen.view.scale;
+    const float room = std::clamp(readable + 1, inner, overhang * shape.size.x);
+    if (room > inner) {
+        const vec2 extent{room + 8, shape.size.y - 24};
+        pen.box(shape.centre, extent, 6, mix(p.panel, p.raised, 0.45f));
+        pen.box(shape.centre, extent, 6, map_colour(p, picture.readings.nodes[index]));
+    }
+    const float height = std::max(share * shape.size.y, least / pen.view.scale);
+    record_name(pen, picture, name, pen.text(shape.centre, height, 0.5f, name, p.text, Face::strong, room));
+}
+
 void draw_card(const Pen& pen, const Picture& picture, std::size_t index) {
     const Palette& p = pen.palette();
     const NodeShape& shape = picture.layout.nodes[index];
@@ -201,8 +235,7 @@ void draw_card(const Pen& pen, const Picture& picture, std::size_t index) {
     else
         pen.frame(shape.centre, shape.size, card_rounding, 1.6f, hovered ? p.second_text : edge);
     if (!plain) return draw_contents(pen, picture, shape, node, value);
-    pen.box(shape.centre, shape.size - vec2{24, 24}, 6, colour_of_weight(p, value).with_alpha(0.15f + 0.6f * strength));
-    pen.text(shape.centre, 34, 0.5f, node.name, p.text, Face::strong, shape.size.x);
+    pen.box(shape.centre, shape.size - vec2{24, 24}, 6, map_colour(p, value));
 }
 
 // True for a pin that the dragged wire can be joined to.
@@ -232,6 +265,7 @@ void draw_nodes(const Pen& pen, const Picture& picture) {
         const bool out = over.part == Part::out_pin && over.node == shape.id;
         if (shape.has_in) draw_pin(pen, shape.in_pin(), shape.in_spread, in, invites(picture, shape, false), false);
         if (shape.has_out) draw_pin(pen, shape.out_pin(), 0, out, invites(picture, shape, true), true);
+        if (detail_of(pen) == Detail::map) draw_name(pen, picture, i);
     }
 }
 

@@ -245,7 +245,10 @@ void draw_label(const Pen& pen, const Picture& picture, std::size_t index) {
     if (wire != nullptr && learns(*wire))
         weight = fixed(pen.ui, value, 2) + (gained < 0 ? " − " : " + ") + fixed(pen.ui, std::fabs(gained), 2);
     const Colour ink = shape.ghost || cut ? p.second_text : p.text;
-    if (!shape.direct) return pen.text(at, letters + 2, 0.5f, weight, ink);
+    if (!shape.direct) {
+        pen.text(at, letters + 2, 0.5f, weight, ink);
+        return;
+    }
     const float pad = (sketch ? 9.0f : 13.0f) * grow;
     pen.text(at - vec2{extent.x / 2 - pad, 0}, letters, 0, name_of(picture.graph, picture.layout, shape), p.second_text,
              Face::strong);

@@ -24,6 +24,7 @@ namespace {
 // Margins of a fitted brain, layout pixels. The buttons in the upper right corner take top_margin in height and
 // button_margin in width.
 constexpr float side_margin = 28, bottom_margin = 24, top_margin = 56, button_margin = 212;
+constexpr float bare_margin = 16;  // on all sides, without buttons
 
 float zoom_to_show(vec2 room, vec2 size, float ui_scale) {
     const float zoom = std::min(std::max(room.x, 1.0f) / size.x, std::max(room.y, 1.0f) / size.y) / ui_scale;
@@ -32,8 +33,13 @@ float zoom_to_show(vec2 room, vec2 size, float ui_scale) {
 
 }  // namespace
 
-void fit(CanvasCamera& camera, const Layout& layout, Rect area, float ui_scale) {
+void fit(CanvasCamera& camera, const Layout& layout, Rect area, float ui_scale, bool has_buttons) {
     const vec2 size = layout.high - layout.low;
+    if (!has_buttons) {
+        const float around = 2 * bare_margin * ui_scale;
+        camera = {(layout.low + layout.high) / 2, zoom_to_show({area.w - around, area.h - around}, size, ui_scale)};
+        return;
+    }
     const float below = zoom_to_show(
         {area.w - 2 * side_margin * ui_scale, area.h - (top_margin + bottom_margin) * ui_scale}, size, ui_scale);
     const float beside = zoom_to_show(

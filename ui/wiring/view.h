@@ -33,8 +33,8 @@ View view_of(const CanvasCamera&, Rect area, float ui_scale);
 // Multiplies the zoom within its range; the canvas point under the pixel stays there.
 void zoom_at(CanvasCamera&, Rect area, float ui_scale, maths::vec2 pixel, float factor);
 
-// Shows all nodes, below the area's buttons or beside them, at a zoom of at most 1.4.
-void fit(CanvasCamera&, const Layout&, Rect area, float ui_scale);
+// Shows all nodes at a zoom of at most 1.4; with `has_buttons` below the area's buttons or beside them.
+void fit(CanvasCamera&, const Layout&, Rect area, float ui_scale, bool has_buttons = true);
 
 // Moves the camera by the least distance that shows the canvas point away from the area's rim.
 void reveal(CanvasCamera&, Rect area, float ui_scale, maths::vec2 point);
