@@ -107,6 +107,23 @@ TEST(Lecture, CoversTheWatchedDiagramWithNoCard) {
         }
 }
 
+TEST(Lecture, SaysThatAnEarlierMomentIsShownAndHowEarly) {
+    Desk desk(1024, 768, 1.6f, true);
+    desk.view.lecture = true;
+    desk.now.tick = 300, desk.now.seconds = 5, desk.view.timeline.latest = 300;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("lecture.past"));
+    desk.view.timeline.latest = 990;
+    desk.frame(2);
+    ASSERT_TRUE(desk.anchors.find("lecture.past"));
+    EXPECT_TRUE(shows(desk, "PAST: −11.5 s"));
+    EXPECT_TRUE(shows(desk, "5.0 s"));
+    desk.strings = speaking("de");
+    desk.frame(2);
+    EXPECT_TRUE(shows(desk, "VERGANGENHEIT: −11,5 s"));
+    EXPECT_LT(desk.where("lecture.past").x + desk.where("lecture.past").w, desk.where("lecture.leave").x);
+}
+
 TEST(Lecture, RestoresEveryCard) {
     Desk desk;
     desk.open_exercise();

@@ -96,6 +96,19 @@ void pressed_keys(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect
     draw.PopClipRect();
 }
 
+// Says that the shown moment is in the past, and by how many seconds; `left` is its left edge. Returns its right edge.
+float past_sign(const LabView& view, Ui& ui, float left, Rect bar) {
+    if (view.now->tick >= view.timeline.latest) return left;
+    const auto behind = static_cast<float>(view.timeline.latest - view.now->tick) / 60;
+    const std::string words = fill(ui.strings("lecture.past"), {fixed(ui, behind, 1)});
+    const float h = line_height(ui, Face::title) + ui.px(8), w = text_width(ui, Face::title, words) + ui.px(24);
+    const Rect sign{left, bar.y + (bar.h - h) / 2, w, h};
+    fill_box(ui, sign, ui.palette.text, 8);
+    put(ui, {sign.x + ui.px(12), sign.y + ui.px(4)}, words, ui.palette.ground, Face::title);
+    mark(ui, "lecture.past", sign);
+    return sign.x + sign.w + ui.px(16);
+}
+
 }  // namespace
 
 void lecture_bar(const LabView& view, Ui& ui, Rect bar) {
@@ -121,7 +134,7 @@ void lecture_bar(const LabView& view, Ui& ui, Rect bar) {
     // The title, between the clock and the button that ends the lecture.
     const std::string_view title =
         view.lesson ? std::string_view(view.lesson->exercise->title) : std::string_view(view.now->scene->title);
-    const float from = start.right() + ui.px(16 + 96), room = end.rect.x - ui.px(12) - from;
+    const float from = past_sign(view, ui, start.right() + ui.px(16 + 96), bar), room = end.rect.x - ui.px(12) - from;
     put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2},
         shortened(ui, translated(ui, title), Face::title, room), ui.palette.second_text, Face::title);
     end_bar();
