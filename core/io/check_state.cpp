@@ -13,6 +13,7 @@ namespace braitenlab::io {
 using world::Bite;
 using world::Mark;
 using world::State;
+using world::Strike;
 using world::Touch;
 using world::Vehicles;
 
@@ -95,6 +96,11 @@ std::optional<Error> check_state(const State& m) {
     if (!all_of(m.touching, touch_is_sound) || !ascend(m.touching)) return Error{"who touches whom does not add up"};
     if (m.bites.size() > most_vehicles || !all_of(m.bites, [&](const Bite& b) { return b.tick <= m.tick; }))
         return Error{"its bites do not add up"};
+    const auto ascends = [](const Strike& a, const Strike& b) { return a.vehicle >= b.vehicle; };
+    if (std::adjacent_find(m.strikes.begin(), m.strikes.end(), ascends) != m.strikes.end() ||
+        !all_of(m.strikes,
+                [&](const Strike& s) { return has_lived(s.vehicle) && is_bounded(s.at) && s.tick <= m.tick; }))
+        return Error{"its strikes do not add up"};
     const auto by_owner = [](const Mark& a, const Mark& b) { return a.owner < b.owner; };
     if (!std::is_sorted(m.marks.begin(), m.marks.end(), by_owner) ||
         m.marks.size() > most_vehicles * static_cast<std::size_t>(limits::marks) ||

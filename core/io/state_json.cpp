@@ -34,6 +34,7 @@ void from_json(const io::Json& json, Motion& m) {
 namespace world {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Touch, one, other)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Bite, pair, tick)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Strike, vehicle, at, tick)
 void to_json(io::Json& json, const Mark& m) { json = {{"owner", m.owner}, {"place", m.position}, {"tick", m.tick}}; }
 void from_json(const io::Json& json, Mark& m) {
     json.at("owner").get_to(m.owner);
@@ -197,6 +198,7 @@ Json state_json(const State& m) {
             {"next_id", m.next_id},
             {"events", m.events},
             {"bites", m.bites},
+            {"strikes", m.strikes},
             {"marks", m.marks},
             {"looks", m.looks},
             {"vehicles", vehicles},
@@ -223,6 +225,7 @@ Result<State> read_state(const Json& json) {
     json.at("next_id").get_to(m.next_id);
     json.at("events").get_to(m.events);
     json.at("bites").get_to(m.bites);
+    if (json.contains("strikes")) json.at("strikes").get_to(m.strikes);  // absent from runs of earlier versions
     json.at("marks").get_to(m.marks);
     if (json.contains("looks")) json.at("looks").get_to(m.looks);
     json.at("obstacles").get_to(m.obstacles);

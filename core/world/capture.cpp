@@ -85,6 +85,10 @@ void capture(const WorldData& s, Snapshot& out) {
     out.bites.clear();
     for (const Bite& bite : s.bites)
         out.bites.push_back({bite.pair.one, bite.pair.other, static_cast<float>(s.tick - bite.tick) * tick_seconds});
+    out.strikes.clear();
+    for (const Strike& strike : s.strikes)
+        out.strikes.push_back(
+            {strike.vehicle, strike.at.x, strike.at.y, static_cast<float>(s.tick - strike.tick) * tick_seconds});
     out.scene = s.scene;
 }
 

@@ -9,8 +9,9 @@ namespace braitenlab::world {
 
 namespace {
 
-constexpr std::uint64_t bite_ticks = 60;  // between two bites of one pair: 1 s
-constexpr float moving_speed = 0.05f;     // m/s; a slower vehicle counts as still
+constexpr std::uint64_t bite_ticks = 60;    // between two bites of one pair: 1 s
+constexpr std::uint64_t strike_ticks = 60;  // between two strikes of one vehicle: 1 s
+constexpr float moving_speed = 0.05f;       // m/s; a slower vehicle counts as still
 
 void bite(WorldData& s, std::size_t predator, std::size_t prey) {
     const float taken = std::min(s.scene->ecology.bite, s.vehicles.energy[prey]);
@@ -35,6 +36,19 @@ void bite_prey(WorldData& s) {
         first_hunts ? bite(s, *one, *other) : bite(s, *other, *one);
     }
     std::inplace_merge(s.bites.begin(), s.bites.begin() + before, s.bites.end(), by_pair);
+}
+
+void record_strikes(WorldData& s) {
+    std::erase_if(s.strikes, [&](const Strike& strike) { return s.tick - strike.tick >= strike_ticks; });
+    s.physics.find_strikes(s.begun, s.struck);
+    const auto before = static_cast<std::ptrdiff_t>(s.strikes.size());
+    const auto by_id = [](const Strike& a, const Strike& b) { return a.vehicle < b.vehicle; };
+    for (const Bump& bump : s.struck) {
+        const Strike strike{bump.vehicle, bump.at, s.tick};
+        if (!std::binary_search(s.strikes.begin(), s.strikes.begin() + before, strike, by_id))
+            s.strikes.push_back(strike);
+    }
+    std::inplace_merge(s.strikes.begin(), s.strikes.begin() + before, s.strikes.end(), by_id);
 }
 
 // The first kind of the opposite role, or the vehicle's kind if there is none. Roles that follow from the wiring count
@@ -107,6 +121,7 @@ void watch_inactivity(WorldData& s) {
 void touch_and_live(WorldData& s) {
     s.events.contacts += static_cast<std::int64_t>(s.begun.size());
     bite_prey(s);
+    record_strikes(s);
     spend_energy(s);
     fall(s);
     replace_starved(s);

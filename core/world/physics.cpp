@@ -87,8 +87,16 @@ struct Physics::Impl : b2ContactListener {
         int count = 0;
     };
     std::vector<Contacts> contacts, changes;
+    std::vector<Bump> struck;  // contacts of fixtures with the environment that began in the last step, sorted
 
-    void BeginContact(b2Contact* contact) override { note(contact, 1); }
+    void BeginContact(b2Contact* contact) override {
+        note(contact, 1);
+        const Touch touch = touch_of(contact);
+        if (touch.one == no_vehicle || touch.other != no_vehicle) return;
+        b2WorldManifold points;
+        contact->GetWorldManifold(&points);
+        struck.push_back({touch.one, from_box(points.points[0])});
+    }
     void EndContact(b2Contact* contact) override { note(contact, -1); }
     void note(b2Contact* contact, int change) {
         if (const Touch touch = touch_of(contact); touch.one != no_vehicle) changes.push_back({touch, change});
@@ -259,6 +267,26 @@ void Physics::push(std::size_t row, maths::vec2 force, float torque) {
     impl_->bodies[row]->ApplyTorque(torque, true);
 }
 
+namespace {
+
+bool by_vehicle(const Bump& a, const Bump& b) {
+    return std::tuple(a.vehicle, a.at.x, a.at.y) < std::tuple(b.vehicle, b.at.x, b.at.y);
+}
+
+}  // namespace
+
+void Physics::find_strikes(const std::vector<Touch>& begun, std::vector<Bump>& strikes) const {
+    strikes.clear();
+    std::vector<Bump>& struck = impl_->struck;
+    std::sort(struck.begin(), struck.end(), by_vehicle);
+    for (const Touch& touch : begun) {
+        if (touch.other != no_vehicle) continue;
+        const auto at = std::lower_bound(struck.begin(), struck.end(), touch.one,
+                                         [](const Bump& bump, VehicleId id) { return bump.vehicle < id; });
+        if (at != struck.end() && at->vehicle == touch.one) strikes.push_back(*at);
+    }
+}
+
 void Physics::find_bumps(std::vector<Bump>& bumps) const {
     bumps.clear();
     for (b2Contact* contact = impl_->world.GetContactList(); contact; contact = contact->GetNext()) {
@@ -269,9 +297,7 @@ void Physics::find_bumps(std::vector<Bump>& bumps) const {
         for (int i = 0; i < contact->GetManifold()->pointCount; ++i)
             bumps.push_back({touch.one, from_box(points.points[i])});
     }
-    // Sums must not depend on the order of Box2D's list.
-    const auto key = [](const Bump& b) { return std::tuple(b.vehicle, b.at.x, b.at.y); };
-    std::sort(bumps.begin(), bumps.end(), [&](const Bump& a, const Bump& b) { return key(a) < key(b); });
+    std::sort(bumps.begin(), bumps.end(), by_vehicle);  // sums must not depend on the order of Box2D's list
     std::size_t merged = 0;
     for (std::size_t i = 0; i < bumps.size();) {
         Bump all{bumps[i].vehicle, {}};
@@ -284,6 +310,7 @@ void Physics::find_bumps(std::vector<Bump>& bumps) const {
 
 void Physics::step(std::vector<Touch>& touching, std::vector<Touch>& begun) {
     constexpr int velocity_iterations = 6, position_iterations = 2;
+    impl_->struck.clear();
     impl_->world.Step(tick_seconds, velocity_iterations, position_iterations);
     impl_->settle();
     begun.clear();

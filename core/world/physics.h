@@ -47,6 +47,10 @@ public:
     // One step of tick_seconds. Updates `touching` (sorted); `begun` receives the contacts that began in this step.
     void step(std::vector<Touch>& touching, std::vector<Touch>& begun);
 
+    // The contacts with walls, posts and obstacles among those that began in the last step: one per vehicle, by
+    // ascending id, at one of its contact points.
+    void find_strikes(const std::vector<Touch>& begun, std::vector<Bump>& strikes) const;
+
     // Contacts with walls, posts and obstacles after the last step: one per vehicle, by ascending id, at the mean of
     // all its contact points.
     void find_bumps(std::vector<Bump>&) const;

@@ -253,6 +253,7 @@ void new_generation(WorldData& s) {
     ++s.generation;
     s.still_ticks = 0;
     s.bites.clear();
+    s.strikes.clear();
     s.marks.clear();
     const std::vector<int> kinds = next_kinds(s, before);
     FreeSpace free_space(s);

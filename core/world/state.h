@@ -36,6 +36,13 @@ struct Bite {
     std::uint64_t tick = 0;
 };
 
+// The begin of a vehicle's contact with a wall, post or obstacle, for display; of one vehicle at most once a second.
+struct Strike {
+    VehicleId vehicle = no_vehicle;
+    maths::vec2 at;  // m
+    std::uint64_t tick = 0;
+};
+
 // A position (m) that a vehicle remembers, and the tick of its last visit.
 struct Mark {
     VehicleId owner = no_vehicle;
@@ -120,6 +127,7 @@ struct State {
     VehicleId next_id = 0;
     EventCounts events;
     std::vector<Bite> bites;         // of the last second, sorted by pair
+    std::vector<Strike> strikes;     // of the last second, by ascending vehicle; not hashed
     std::vector<Mark> marks;         // by owner, then oldest first
     std::vector<VehicleLook> looks;  // of vehicles of the population, by vehicle; display only
     Vehicles vehicles;

@@ -41,6 +41,7 @@ struct WorldData : State {
     bool readings_are_stale = true;                    // something moved since the sensors were read
     std::vector<Bump> bumps;                           // of this tick; filled if any_memory
     std::vector<Touch> begun;                          // contacts that began in the last step, sorted
+    std::vector<Bump> struck;                          // those with the environment, by ascending vehicle
     SensingBuffers sensing_buffers;
     Physics physics;
 
@@ -64,7 +65,7 @@ void think(WorldData&);           // think.cpp     drivers turn readings into wh
 void drive(WorldData&);           // drive.cpp     wheels push bodies
 void keep_inside(WorldData&);     // boundary.cpp  torus and walls
 void remember(WorldData&);        // memory.cpp    marks at contacts with walls, posts and obstacles
-void touch_and_live(WorldData&);  // ecology.cpp   bites, energy, deaths and births, the inactivity timer
+void touch_and_live(WorldData&);  // ecology.cpp   bites, strikes, energy, deaths and births, the inactivity timer
 
 // Results of sense() and think() without changing the world, for a snapshot between a command and the next tick.
 Preview preview(const WorldData&);

@@ -162,16 +162,17 @@ void add_ring(Drawing& drawing, const Subject& s) {
          first ? rgb_with(drawing.colours.selected, 1) : rgb_with(drawing.colours.second_text, 0.9f)});
 }
 
-// Seconds for which a bite is shown, fewer than Snapshot::bites holds.
-constexpr float bite_seconds = 0.6f;
+// Seconds for which a bite or a strike is shown, fewer than Snapshot holds them.
+constexpr float event_seconds = 0.6f;
 
-// A ring around a vehicle that has bitten or was bitten. It grows and fades; with reduced motion it only ends.
-void add_bite(Drawing& drawing, const Subject& s, float age) {
-    const float shown = std::clamp(age / bite_seconds, 0.0f, 1.0f), grown = drawing.picture.reduce_motion ? 0 : shown;
-    const float radius = 0.5f * std::hypot(s.kind.body.length, s.kind.body.width) + 0.24f + 0.3f * grown;
-    drawing.list.rings.push_back({{s.place.x, s.place.y, s.ahead.x, s.ahead.y},
-                                  {radius, radius, 0.04f, static_cast<float>(MarkKind::ring)},
-                                  rgb_with(drawing.colours.predator, 1 - grown * grown)});
+// A ring that grows by `growth` m and fades; with reduced motion it only ends.
+void add_event(Drawing& drawing, vec2 place, float radius, float growth, float age, Colour colour) {
+    if (age >= event_seconds) return;
+    const float shown = std::clamp(age / event_seconds, 0.0f, 1.0f), grown = drawing.picture.reduce_motion ? 0 : shown;
+    const float reach = radius + growth * grown;
+    drawing.list.rings.push_back({{place.x, place.y, 1, 0},
+                                  {reach, reach, 0.04f, static_cast<float>(MarkKind::ring)},
+                                  rgb_with(colour, 1 - grown * grown)});
 }
 
 Subject subject_of(const Drawing& drawing, const VehicleView& view) {
@@ -235,11 +236,21 @@ void add_beyond_edges(Drawing& drawing, Subject s, const Arena& arena) {
         }
 }
 
+// Around both vehicles.
 void add_bites(Drawing& drawing) {
     for (const BiteView& bite : drawing.now.bites)
         for (const VehicleId id : {bite.one, bite.other})
-            if (const VehicleView* view = find_vehicle(drawing.now, id); view && bite.age < bite_seconds)
-                add_bite(drawing, subject_of(drawing, *view), bite.age);
+            if (const VehicleView* view = find_vehicle(drawing.now, id)) {
+                const Body& body = subject_of(drawing, *view).kind.body;
+                const float radius = 0.5f * std::hypot(body.length, body.width) + 0.24f;
+                add_event(drawing, {view->x, view->y}, radius, 0.3f, bite.age, drawing.colours.predator);
+            }
+}
+
+// Around the point of contact.
+void add_strikes(Drawing& drawing) {
+    for (const StrikeView& strike : drawing.now.strikes)
+        add_event(drawing, {strike.x, strike.y}, 0.35f, 0.5f, strike.age, drawing.colours.warning);
 }
 
 }  // namespace
@@ -256,6 +267,7 @@ void add_vehicles(Drawing& drawing, const Trails& trails) {
             add_beyond_edges(drawing, s, drawing.now.scene->arena);
     }
     add_bites(drawing);
+    add_strikes(drawing);
 }
 
 }  // namespace braitenlab::render

@@ -97,6 +97,28 @@ TEST(World, EventsCountALongContactOnce) {
     EXPECT_EQ(after(world, 10).events.contacts, met) << "also across keyframes";
 }
 
+TEST(World, RecordsWhereAVehicleStrikesAWallForASecond) {
+    Scene scene = alone({.LM = 0.5f, .RM = 0.5f});
+    scene.arena.width = scene.arena.height = 6;
+    World world = make(scene);
+    EXPECT_TRUE(look(world).strikes.empty());
+    Snapshot now = look(world);
+    while (now.events.contacts == 0 && now.seconds < 10) now = after(world, 1.0 / 60);
+    ASSERT_EQ(now.strikes.size(), 1u);
+    EXPECT_EQ(now.strikes[0].vehicle, 0);
+    EXPECT_NEAR(now.strikes[0].x, 3, 0.05f) << "it drives along x, to the wall at 3 m";
+    EXPECT_NEAR(now.strikes[0].y, 0, 0.4f);
+    EXPECT_LE(now.strikes[0].age, 1.1f / 60);
+    now = after(world, 0.5);
+    ASSERT_EQ(now.strikes.size(), 1u) << "of one vehicle at most once a second";
+    EXPECT_NEAR(now.strikes[0].age, 0.5f, 0.05f);
+    const auto kept = begin_with(scene, [](State& m) { m.strikes = {{0, {1, 2}, 0}}; });
+    ASSERT_EQ(look(kept).strikes.size(), 1u);
+    EXPECT_EQ(look(kept).strikes[0].y, 2);
+    EXPECT_EQ(kept.hash(), make(scene).hash()) << "strikes are for display";
+    EXPECT_TRUE(after(world, 2).strikes.empty()) << "it pushes against the wall and does not strike again";
+}
+
 TEST(World, EventsCountOneBitePerSecondAndPairForAnyNumberOfPredators) {
     Scene scene = tests::crowd(0);
     scene.ecology.bite = 0.001f;

@@ -100,6 +100,22 @@ TEST(RunFile, WritesTheSameTextAgain) {
     EXPECT_EQ(io::write_run(*io::read_run(text, "a.run")), text);
 }
 
+TEST(RunFile, ReadsARunOfAVersionThatRecordedNoStrikes) {
+    Scene scene = tests::alone({.LM = 1, .RM = 1});
+    scene.arena.width = scene.arena.height = 4;
+    Session session = std::move(*Session::open(scene, 3));
+    for (int i = 0; i < 600 && session.snapshot().strikes.empty(); ++i) session.step();
+    std::string text = io::write_run(session.save());
+    const auto kept = io::read_run(text, "a.run");
+    ASSERT_TRUE(kept) << kept.error().text();
+    EXPECT_EQ(Session::resume(*kept).hash(), session.hash());
+    for (std::size_t at = text.find("\"strikes\""); at != text.npos; at = text.find("\"strikes\""))
+        text.replace(at, 9, "\"unknown\"");
+    const auto old = io::read_run(text, "a.run");
+    ASSERT_TRUE(old) << old.error().text();
+    EXPECT_EQ(Session::resume(*old).hash(), session.hash());
+}
+
 TEST(RunFile, RefusesAFileOfAnotherKind) {
     for (const char* text :
          {"", "format = 1", "{}", "[]", "{\"braitenlab_run\": 2}", "{\"braitenlab_run\": 1}", "\xff"}) {

@@ -54,6 +54,24 @@ TEST(DrawList, ShowsABiteAsARingAroundBothVehiclesThatGrowsUnlessMotionIsReduced
     EXPECT_EQ(rings_at(0.1f, false).size(), 1U) << "the other one has died";
 }
 
+TEST(DrawList, ShowsAStrikeAsARingAroundThePointOfContactThatGrowsUnlessMotionIsReduced) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 1, 2, 3, 0);
+    const auto rings_at = [&](float age, bool reduce_motion) {
+        now.strikes = {{0, 2.4f, 3, age}};
+        Picture picture;
+        picture.reduce_motion = reduce_motion;
+        return drawn(now, picture).rings;
+    };
+    const auto early = rings_at(0.05f, false), late = rings_at(0.4f, false);
+    ASSERT_EQ(early.size(), 1U);
+    EXPECT_EQ(early[0].place.x, 2.4f);
+    EXPECT_LT(early[0].shape.x, late[0].shape.x);
+    EXPECT_GT(early[0].colour.w, late[0].colour.w) << "it fades";
+    EXPECT_EQ(rings_at(0.05f, true)[0].shape.x, rings_at(0.4f, true)[0].shape.x);
+    EXPECT_TRUE(rings_at(0.9f, true).empty());
+}
+
 TEST(DrawList, DrawsNoWireOfWeightZero) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);  // two crossed wires, two of weight 0
