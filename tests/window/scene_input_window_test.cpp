@@ -92,6 +92,21 @@ TEST(SceneInputWindow, DragsALampAndRestoresItOnEscape) {
     EXPECT_EQ(lab.state()["undo_depth"], 0) << "no edit was made";
 }
 
+TEST(SceneInputWindow, DragsAWaypointAsOneStepOfUndo) {
+    LabWindow lab({"convoy", "--size", "1280x800"});
+    const auto is_near = [&](Point wanted) {
+        const Point at = lab.at("handle.waypoint.5");
+        return std::hypot(at.x - wanted.x, at.y - wanted.y) < 3;
+    };
+    const Point from = lab.at("handle.waypoint.5"), to{from.x + 40, from.y + 50};
+    lab.drag(from, to);
+    EXPECT_TRUE(wait_for([&] { return is_near(to); }));
+    EXPECT_EQ(lab.state()["undo_depth"], 1);
+    lab.key("ctrl+z");
+    EXPECT_TRUE(wait_for([&] { return is_near(from); }));
+    EXPECT_EQ(lab.state()["undo_depth"], 0);
+}
+
 TEST(SceneInputWindow, HighlightsTheObjectThatAClickSelects) {
     LabWindow lab({"2a-coward", "--size", "1280x800"});
     lab.move(source(lab, 0));

@@ -268,6 +268,23 @@ void draw_dot(const Ui& ui, ImVec2 at, float layout_radius, Colour colour) {
     list.AddCircleFilled(at, ui.px(layout_radius), paint(colour), 24);
 }
 
+void draw_handle(const SceneInputFrame& frame, const Ui& ui, maths::vec2 place, bool warm, const std::string& anchor,
+                 float grip, std::string_view words) {
+    const auto at = project(frame.camera_view, place);
+    if (!at) return;
+    const float radius = words.empty() ? 6.0f : 8.0f;
+    draw_dot(ui, {at->x, at->y}, warm ? radius + 2 : radius, warm ? ui.palette.accent : ui.palette.text);
+    if (!words.empty()) {
+        ImFont* face = font(ui, Face::small);
+        ImGui::GetBackgroundDrawList()->AddText(
+            face, compat::size_of(face),
+            {std::round(at->x - text_width(ui, Face::small, words) / 2), std::round(at->y - compat::size_of(face) / 2)},
+            paint(ui.palette.ground), words.data(), words.data() + words.size());
+    }
+    const float reach = ui.px(grip);
+    ui.anchors.record(anchor, {at->x - reach, at->y - reach, 2 * reach, 2 * reach});
+}
+
 void draw_note(const SceneInputFrame& frame, const Ui& ui, std::string_view words, Colour edge, maths::vec2 beside) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     ImFont* face = font(ui, Face::small);

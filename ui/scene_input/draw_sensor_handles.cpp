@@ -82,11 +82,9 @@ void draw_sensor_handles(const SceneInputState& state, const SceneInputFrame& fr
     if (places->axis) draw_axis(frame, ui, places->mount, *places->axis);
     const SensorHandle warm = drags ? handles.drag.handle : handles.hovered;
     const auto knob = [&](SensorHandle handle, const std::optional<vec2>& place) {
-        const auto at = place ? project(frame.camera_view, *place) : std::nullopt;
-        if (!at) return;
-        draw_dot(ui, {at->x, at->y}, handle == warm ? 8.0f : 6.0f, handle == warm ? p.accent : p.text);
-        const float size = ui.px(16);
-        ui.anchors.record("handle." + std::string(word(handle)), {at->x - size / 2, at->y - size / 2, size, size});
+        if (place)
+            draw_handle(frame, ui, *place, handle == warm, "handle." + std::string(word(handle)),
+                        handle == SensorHandle::mount ? mount_grip : handle_grip);
     };
     knob(SensorHandle::left, places->left);
     knob(SensorHandle::right, places->right);

@@ -239,7 +239,7 @@ void interact(SceneInputState& state, const SceneInputFrame& frame, Outbox& outb
     state.pointer = frame.pointer.at;
     state.over = frame.pointer.over;
     state.middle = {frame.area.x + frame.area.w / 2, frame.area.y + frame.area.h / 2};
-    if (use_sensor_handles(state, frame, outbox)) return;
+    if (use_sensor_handles(state, frame, outbox) || use_point_handles(state, frame, outbox)) return;
     state.hovered = under_pointer(state, frame);
     press(state, frame, outbox);
     if (state.drag.phase == SceneInputPhase::idle) return;
@@ -268,7 +268,7 @@ void open_menu_of_floor(SceneInputState& state, const LabView& view) {
 }
 
 bool cancel(SceneInputState& state, const LabView& view, Outbox& outbox) {
-    if (cancel_sensor_drag(state, *view.now, outbox)) return true;
+    if (cancel_sensor_drag(state, *view.now, outbox) || cancel_point_drag(state, outbox)) return true;
     SceneInputDrag drag = state.drag;
     state.refusal = {};
     if (drag.phase == SceneInputPhase::move || drag.phase == SceneInputPhase::turn) put(drag, view, drag.began, outbox);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/maths/angle.h"
 #include "core/scene/schema.h"
@@ -163,6 +164,13 @@ OutlineFault fault_of(const std::vector<vec2>& corners) {
     return outline_width(corners) < least_outline_width ? OutlineFault::too_narrow : OutlineFault::none;
 }
 
+OutlineFault fault_of_moved(const std::vector<vec2>& corners, std::size_t moved) {
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        if (i != moved && maths::distance(corners[i], corners[moved]) < least_corner_distance)
+            return OutlineFault::too_near;
+    return fault_of(corners);
+}
+
 Obstacle obstacle_from(const std::vector<vec2>& given) {
     std::vector<vec2> corners = given;
     if (signed_area(corners) < 0) std::reverse(corners.begin(), corners.end());
@@ -183,17 +191,30 @@ Obstacle obstacle_from(const std::vector<vec2>& given) {
     return obstacle;
 }
 
-Zone with_outline(Zone zone, const Obstacle& outline) {
-    zone.x = outline.x, zone.y = outline.y;
-    zone.length = outline.length, zone.width = outline.width;
-    zone.round = false;
-    zone.corners.clear();
-    const vec2 ahead = maths::direction(zone.heading);  // kept: a slope falls along it
+namespace {
+
+template <class Shape>
+Shape with_corners_of(Shape shape, const Obstacle& outline) {
+    shape.x = outline.x, shape.y = outline.y;
+    shape.length = outline.length, shape.width = outline.width;
+    shape.corners.clear();
+    const vec2 ahead = maths::direction(shape.heading);  // kept: the slope of a zone falls along it
     for (const vec2 corner : corners_of(outline)) {
         const vec2 own = maths::rotate(corner, {ahead.x, -ahead.y});
-        zone.corners.push_back({own.x, own.y});
+        shape.corners.push_back({own.x, own.y});
     }
-    return zone;
+    return shape;
+}
+
+}  // namespace
+
+Zone with_outline(Zone zone, const Obstacle& outline) {
+    zone.round = false;
+    return with_corners_of(std::move(zone), outline);
+}
+
+Obstacle with_outline(Obstacle obstacle, const Obstacle& outline) {
+    return with_corners_of(std::move(obstacle), outline);
 }
 
 Zone zone_between(vec2 a, vec2 b) {

@@ -28,14 +28,18 @@ OutlineFault fault_of_next(const std::vector<maths::vec2>& corners, maths::vec2 
 // Checks a closed outline.
 OutlineFault fault_of(const std::vector<maths::vec2>& corners);
 
+// Checks a closed outline after this corner was moved.
+OutlineFault fault_of_moved(const std::vector<maths::vec2>& corners, std::size_t moved);
+
 // String key of the reason; empty for none.
 std::string_view refusal_of(OutlineFault);
 
 // The obstacle with these corners; its position is their centroid. Precondition: fault_of() is none.
 Obstacle obstacle_from(const std::vector<maths::vec2>& corners);
 
-// The zone with this outline, which has heading 0, instead of its own. Its heading does not change.
+// The zone or obstacle with this outline, which has heading 0, instead of its own. Its heading does not change.
 Zone with_outline(Zone, const Obstacle& outline);
+Obstacle with_outline(Obstacle, const Obstacle& outline);
 
 // The box between two opposite corners; each side at least 0.2 m long.
 Obstacle box_between(maths::vec2 a, maths::vec2 b);

@@ -50,8 +50,9 @@ SceneInputPointer current_pointer(const SceneInputState& state, Rect area) {
 void show_cursor(const SceneInputState& state) {
     const SceneInputPhase phase = state.drag.phase;
     const bool busy = phase == SceneInputPhase::move || phase == SceneInputPhase::turn || phase == SceneInputPhase::pan;
-    const bool on_sensor = phase == SceneInputPhase::sensor || state.sensors.hovered != SensorHandle::none;
-    if (busy || on_sensor || state.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    const bool on_handle =
+        phase == SceneInputPhase::handle || state.sensors.hovered != SensorHandle::none || state.points.hovered;
+    if (busy || on_handle || state.hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
 // The axis of the floor nearest to a direction on the screen, so that arrow keys move objects along grid lines.
@@ -156,7 +157,7 @@ void follow_document(SceneInputState& state, const LabView& view) {
     state.run_id = view.run_id;
     choose_tool(state, SceneInputTool::hand);
     state.hovered = {}, state.nudged = {};
-    state.drag = {}, state.sensors.drag = {};
+    state.drag = {}, state.sensors.drag = {}, state.points.drag = {};
     state.refusal = {}, state.menu = {};
 }
 
@@ -177,6 +178,7 @@ void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area)
     show_cursor(state);
     draw_sensor_handles(state, frame, ui);
     draw_scene_input(state, frame, ui);
+    draw_point_handles(state, frame, ui);
 }
 
 bool press_key(const LabView& view, SceneInputState& state, Keyboard& keyboard, KeyPress press, Outbox& outbox) {

@@ -13,6 +13,7 @@
 
 #include "render/view/pick.h"
 #include "ui/lab_view.h"
+#include "ui/scene_input/point_handles.h"
 #include "ui/scene_input/sensor_handles.h"
 #include "ui/shortcuts.h"
 #include "ui/widgets/keyboard.h"
@@ -27,9 +28,9 @@ inline constexpr std::array<std::string_view, 7> tool_words{"hand", "lamp", "box
 constexpr std::string_view word(SceneInputTool tool) { return tool_words[static_cast<std::size_t>(tool)]; }
 
 // The current effect of the mouse. pending: a button is down and the mouse has moved less than 4 px. span: a tool draws
-// from the press to the pointer. select: Shift and a drag draw the rectangle that selects. sensor: a handle of a
-// sensor's field is dragged.
-enum class SceneInputPhase { idle, pending, move, turn, orbit, pan, span, select, sensor };
+// from the press to the pointer. select: Shift and a drag draw the rectangle that selects. handle: a handle of a
+// sensor's field, a corner or a waypoint is dragged.
+enum class SceneInputPhase { idle, pending, move, turn, orbit, pan, span, select, handle };
 
 // The object or the handle that a press of the button takes.
 struct SceneInputHit {
@@ -92,6 +93,7 @@ struct SceneInputState {
     SceneInputRefusal refusal;
     SceneInputMenu menu;
     SensorHandleState sensors;
+    PointHandleState points;
     bool below_menu = false;  // the view menu is open over the whole window; a right click into the scene closes it
     std::uint64_t gesture = 0;
     SceneObject nudged;  // by arrow keys; presses within a second are one gesture

@@ -5,8 +5,7 @@
 
 #include "core/maths/angle.h"
 #include "core/scene/sensor_edits.h"
-#include "ui/scene_input/interaction.h"
-#include "ui/scene_input/under_pointer.h"
+#include "ui/scene_input/handles.h"
 
 namespace braitenlab::ui {
 
@@ -15,8 +14,6 @@ using maths::vec2;
 namespace {
 
 // Layout pixels.
-constexpr float grip = 11;              // around a handle of the arc
-constexpr float mount_grip = 8;         // around the handle `mount`, which is over the vehicle
 constexpr float least_distance = 36;    // of a handle of the arc from the mount
 constexpr float edge_distance = 56;     // of a handle from the border of the scene, where tools are
 constexpr float decides_after = 5;      // of movement: whether the axis turns or changes the range
@@ -55,25 +52,18 @@ vec2 visible_point(const SceneInputFrame& frame, vec2 from, vec2 direction, floa
 const VehicleView* vehicle_with_handles(const SceneInputState& state, const SceneInputFrame& frame) {
     const LabView& view = frame.view;
     const bool drags = state.sensors.drag.handle != SensorHandle::none;
-    const bool shows = state.sensors.shown && view.mode != Mode::wiring && state.tool == SceneInputTool::hand &&
-                       !rides(view.settings.camera.mode) && view.now->scene;
+    const bool shows = state.sensors.shown && shows_handles(state, view);
     if (!shows && !drags) return nullptr;
     return find_vehicle(*view.now, drags ? state.sensors.drag.vehicle : view.settings.selection.vehicle);
 }
 
 SensorHandle handle_at(const SensorHandlePlaces& places, const SceneInputFrame& frame) {
-    SensorHandle found = SensorHandle::none;
-    float nearest = 1e9f;
-    const auto offer = [&](SensorHandle handle, const std::optional<vec2>& place, float reach) {
-        if (!place) return;
-        const float distance = pixels_from(frame, *place);
-        if (distance <= reach * frame.scale && distance < nearest) nearest = distance, found = handle;
-    };
-    offer(SensorHandle::axis, places.axis, grip);
-    offer(SensorHandle::left, places.left, grip);
-    offer(SensorHandle::right, places.right, grip);
-    if (shows_mount(frame, places.mount)) offer(SensorHandle::mount, places.mount, mount_grip);
-    return found;
+    NearestHandle<SensorHandle> search{frame};
+    search.offer(SensorHandle::axis, places.axis);
+    search.offer(SensorHandle::left, places.left);
+    search.offer(SensorHandle::right, places.right);
+    if (shows_mount(frame, places.mount)) search.offer(SensorHandle::mount, places.mount, mount_grip);
+    return search.found;
 }
 
 float rounded(float value, float step) { return std::round(value / step) * step; }
@@ -162,7 +152,7 @@ void begin_sensor_drag(SceneInputState& state, const SceneInputFrame& frame, con
     drag.press_pixel = frame.pointer.at;
     drag.gesture = gestures::viewport + ++state.gesture;
     state.drag = {};
-    state.drag.phase = SceneInputPhase::sensor;
+    state.drag.phase = SceneInputPhase::handle;
 }
 
 }  // namespace
