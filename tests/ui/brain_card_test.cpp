@@ -74,6 +74,18 @@ TEST(BrainCard, EndsTheDragOfASliderWhenItsVehicleIsGone) {
     EXPECT_TRUE(desk.edits().empty());
 }
 
+TEST(BrainCard, KeepsTheSlidersInPlaceWhileTheSentenceChanges) {
+    Desk desk(1024, 768, 1, true);
+    desk.now = shipped_scene("predator-prey");
+    desk.rest();
+    const float before = desk.where("slider.LL").y;
+    BrainGraph brain = *desk.now.brains[0];
+    for (Wire& wire : brain.wires) wire.weight = 0;
+    desk.now.kind_brains[0] = std::make_shared<BrainGraph>(brain);
+    give(desk, brain);
+    EXPECT_FLOAT_EQ(desk.where("slider.LL").y, before) << "no pair of sensors has a wire: there is no sentence";
+}
+
 bool writes(const Desk& desk, std::string_view words) {
     return std::any_of(desk.written.begin(), desk.written.end(),
                        [&](const Written& text) { return text.words.find(words) != text.words.npos; });

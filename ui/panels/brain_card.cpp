@@ -106,6 +106,17 @@ std::string description(const LabView& view, const Ui& ui, const Recognised& kno
     return all;
 }
 
+// The description. For a vehicle with several pairs it always takes two lines, so that the sliders below stay where
+// they are while an edit changes the sentence.
+void describe_brain(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
+    const std::string words = description(view, ui, state.recognised, vehicle);
+    const float top = ImGui::GetCursorPosY(), kept = 2 * line_height(ui, Face::small) + ImGui::GetStyle().ItemSpacing.y;
+    if (!words.empty()) paragraph(ui, words, ui.palette.second_text, Face::small);
+    const float used = ImGui::GetCursorPosY() - top;
+    if (sensor_pairs(kind_of(*view.now, vehicle)).size() < 2 || used >= kept) return;
+    ImGui::SetCursorPosY(top + kept);
+}
+
 // A button for each pair of sensors; the sliders set the wires of the chosen one.
 void pair_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const std::vector<KindPair> pairs = sensor_pairs(kind_of(*view.now, vehicle));
@@ -286,9 +297,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
             state.keyboard.focus.clear();  // the arrow keys then drive the vehicle
         }
         title_row(view, state, ui, *vehicle);
-        if (vehicle->driver == Driver::brain)
-            if (const std::string words = description(view, ui, state.recognised, *vehicle); !words.empty())
-                paragraph(ui, words, ui.palette.second_text, Face::small);
+        if (vehicle->driver == Driver::brain) describe_brain(view, state, ui, *vehicle);
         missing_sensors_note(view, state, ui, *vehicle);
         scope_choice(view, ui, *vehicle, "scope", ui.strings("scope.how"));
         own_brain_note(view, ui, *vehicle);
