@@ -7,6 +7,7 @@
 #include "core/scene/arena.h"
 #include "core/sensing/intensity.h"
 #include "render/view/drawing.h"
+#include "render/view/pick.h"
 
 namespace braitenlab::render {
 
@@ -61,13 +62,36 @@ void add_metres(Drawing& drawing, const Arena& arena) {
     along(arena.height, [&](float n) { return std::pair{vec2{-arena.width / 2, n}, vec2{-1, 0}}; });
 }
 
+// True if the text, centred at this offset (layout pixels) from a place at this height (m), would be over a vehicle.
+bool covers_vehicle(const Drawing& drawing, vec2 place, float height, vec2 offset, const std::string& text) {
+    constexpr std::size_t many = 200;                      // in a crowd every place is covered
+    constexpr float half_letter = 4.5f, half_line = 9.0f;  // layout pixels, approximately
+    const auto at = project(drawing.picture.camera_view, place, height);
+    if (!at || drawing.now.vehicles.size() > many) return false;
+    const float scale = drawing.picture.pixel_scale;
+    const vec2 middle = *at + offset * scale;
+    const vec2 half{half_letter * static_cast<float>(text.size()) * scale, half_line * scale};
+    return std::any_of(drawing.now.vehicles.begin(), drawing.now.vehicles.end(), [&](const VehicleView& vehicle) {
+        const auto body = project(drawing.picture.camera_view, {vehicle.x, vehicle.y});
+        const float reach = reach_of(drawing.now, vehicle_object(vehicle.id)) *
+                            pixels_per_metre(drawing.picture.camera_view, {vehicle.x, vehicle.y});
+        return body && std::fabs(body->x - middle.x) < half.x + reach && std::fabs(body->y - middle.y) < half.y + reach;
+    });
+}
+
+// Below the source; above it while a vehicle is below it.
 void add_source_names(Drawing& drawing, const Scene& scene) {
+    constexpr vec2 below{0, 16}, above{0, -18};  // layout pixels
     if (drawing.now.sources.size() < 2) return;  // a single source has no label
     for (const SourceView& source : drawing.now.sources) {
         const auto i = static_cast<std::size_t>(source.source);
-        if (i < scene.sources.size())
-            drawing.list.labels.push_back(
-                {{source.x, source.y}, 0, {0, 16}, in_words(scene.sources[i].name), drawing.colours.text, rank_source});
+        if (i >= scene.sources.size()) continue;
+        const std::string name = in_words(scene.sources[i].name);
+        const vec2 place{source.x, source.y};
+        const bool moves_up =
+            covers_vehicle(drawing, place, 0, below, name) && !covers_vehicle(drawing, place, bulb_height, above, name);
+        drawing.list.labels.push_back(
+            {place, moves_up ? bulb_height : 0, moves_up ? above : below, name, drawing.colours.text, rank_source});
     }
 }
 

@@ -37,6 +37,27 @@ TEST(DrawLabels, LabelMetresAlongTheArena) {
     for (const char* text : {"−10", "−5", "0", "5", "10 m"}) EXPECT_TRUE(has(texts, text)) << text;
 }
 
+TEST(DrawLabels, PutTheNameOfASourceAboveItWhileAVehicleIsBelowIt) {
+    auto scene = hand_made::scene();
+    scene->sources = {{"covered", Channel::light, -3, 0}, {"free", Channel::light, 3, 0}};
+    Snapshot now = hand_made::empty(scene);
+    now.sources = {{0, Channel::light, -3, 0, 1}, {1, Channel::light, 3, 0, 1}};
+    const auto is_above = [&](const char* name) {
+        DrawList list;
+        fill(list, now, from_above(), Trails{});
+        for (const Label& label : list.labels)
+            if (label.text == name) return label.offset.y < 0;
+        ADD_FAILURE() << "no label " << name;
+        return false;
+    };
+    EXPECT_FALSE(is_above("covered"));
+    hand_made::add(now, 0, -3, -0.6f, 0);
+    EXPECT_TRUE(is_above("covered"));
+    EXPECT_FALSE(is_above("free"));
+    hand_made::add(now, 0, -3, 0.6f, 0);
+    EXPECT_FALSE(is_above("covered")) << "both places are covered";
+}
+
 TEST(DrawLabels, DoNotOverlapTheWallsFromAnyAzimuth) {
     const Snapshot now = hand_made::empty(hand_made::scene());
     for (const float azimuth : {-1.57f, -1.2f, 0.4f, 2.0f})
