@@ -283,7 +283,7 @@ TEST_F(SceneInput, SelectsOneOfSeveralObjectsByAClick) {
     desk.frame(2);
     const auto says_several = [&] {
         return std::any_of(desk.written.begin(), desk.written.end(),
-                           [](const Written& w) { return w.words.starts_with("2 objects"); });
+                           [](const Written& w) { return w.words == "1 source, 1 obstacle"; });
     };
     EXPECT_FALSE(says_several());
     desk.view.settings.selection.more = {box};
@@ -293,6 +293,28 @@ TEST_F(SceneInput, SelectsOneOfSeveralObjectsByAClick) {
     ASSERT_EQ(requests<TakeRequest>().size(), 1u);
     EXPECT_EQ(requests<TakeRequest>()[0].object, box);
     EXPECT_TRUE(desk.edits().empty());
+}
+
+TEST_F(SceneInput, SaysOnACardWhatIsSelectedAndWhatCanBeDone) {
+    desk.view.settings.selection.vehicle = 0;
+    desk.view.settings.selection.more = {vehicle_object(1), vehicle_object(2)};
+    desk.frame(3);
+    const auto says = [&](std::string_view words) {
+        return std::any_of(desk.written.begin(), desk.written.end(),
+                           [&](const Written& w) { return w.words.find(words) != w.words.npos; });
+    };
+    EXPECT_TRUE(desk.anchors.find("card.thing")) << "also for vehicles alone";
+    EXPECT_TRUE(says("SELECTION"));
+    EXPECT_TRUE(says("3 vehicles"));
+    EXPECT_TRUE(says("Ctrl+D, Ctrl+C and Del act on all of them"));
+    EXPECT_FALSE(says("Values of"));
+    desk.click("thing.erase");
+    EXPECT_EQ(desk.actions().back(), Action::erase);
+    desk.view.settings.selection.object = lamp;
+    desk.view.settings.selection.more = {vehicle_object(1), vehicle_object(2)};
+    desk.frame(3);
+    EXPECT_TRUE(says("2 vehicles, 1 source"));
+    EXPECT_TRUE(says("Values of “" + desk.now.scene->sources[0].name + "” only"));
 }
 
 TEST_F(SceneInput, MovesAndTurnsAllSelectedObjectsByKeysAsOneStep) {

@@ -123,7 +123,10 @@ std::set<std::string> composed() {
     for (const auto& row : sensor_shape_table) keys.insert("sensors." + std::string(row.word));
     for (const auto& row : sensor_response_table) keys.insert("sensors." + std::string(row.word));
     for (const std::string_view object : scene_object_words)
-        if (object != "none" && object != "vehicle") keys.insert("thing." + std::string(object));
+        if (object != "none") {
+            if (object != "vehicle") keys.insert("thing." + std::string(object));
+            for (const char* stem : {"thing.one_", "thing.many_"}) keys.insert(stem + std::string(object));
+        }
     each_record([&]<class T>(Of<T> record) {
         FieldKeys<T> fields{keys};
         describe(fields, record);

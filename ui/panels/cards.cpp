@@ -49,7 +49,11 @@ constexpr CardTraits card_traits[]{
     {.card = Card::object,
      .anchor = "card.thing",
      .column = Column::right,
-     .shown = [](const LabView& view) { return view.settings.selection.object && view.mode != Mode::wiring; },
+     .shown =
+         [](const LabView& view) {
+             const Selection& selection = view.settings.selection;
+             return (selection.object || !selection.more.empty()) && view.mode != Mode::wiring;
+         },
      .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
                 Rect) { object_card(view, state, ui, place); },
      .most = 0.6f},

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 #include <imgui.h>
 
@@ -181,19 +182,47 @@ void zone_values(const LabView& view, PanelState& state, Ui& ui, int index) {
     if (to) ui.outbox.push_back(EditRequest{EditZone{index, *to}, gesture});
 }
 
+// "3 vehicles, 1 source": the numbers of selected objects of each sort.
+std::string counts_of(const Ui& ui, const std::vector<SceneObject>& objects) {
+    std::string all;
+    for (const SceneObjectKind kind :
+         {SceneObjectKind::vehicle, SceneObjectKind::source, SceneObjectKind::obstacle, SceneObjectKind::zone}) {
+        const auto count = std::count_if(objects.begin(), objects.end(),
+                                         [kind](const SceneObject& object) { return object.kind == kind; });
+        if (count == 0) continue;
+        const std::string key = (count == 1 ? "thing.one_" : "thing.many_") + std::string(word(kind));
+        all += (all.empty() ? "" : ", ") + fill(ui.strings(key), {std::to_string(count)});
+    }
+    return all;
+}
+
+// What is selected and what acts on all of it, and whose values follow.
+void several_objects(const LabView& view, Ui& ui, const std::vector<SceneObject>& objects) {
+    paragraph(ui, counts_of(ui, objects), ui.palette.text, Face::title);
+    const std::string how = fill(ui.strings("thing.several_how"),
+                                 {key_name(Action::duplicate, ui.strings), key_name(Action::copy, ui.strings),
+                                  key_name(Action::erase, ui.strings)});
+    paragraph(ui, how, ui.palette.second_text, Face::small);
+    const SceneObject object = view.settings.selection.object;
+    if (!object) return;
+    gap(ui, 8);
+    subheading(ui, fill(ui.strings("thing.values_of"), {name_of(*view.now->scene, object)}));
+}
+
 }  // namespace
 
 void object_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const SceneObject object = view.settings.selection.object;
-    if (open_card(state, ui, Card::object, place, {}, ui.strings("thing." + std::string(word(object.kind))))) {
-        const std::size_t count = selected_objects(view.settings.selection).size();
-        if (count > 1)
-            paragraph(ui, fill(ui.strings("thing.several"), {std::to_string(count)}), ui.palette.second_text);
+    const std::vector<SceneObject> all = selected_objects(view.settings.selection);
+    const std::string_view heading =
+        ui.strings(all.size() > 1 ? "thing.selection" : "thing." + std::string(word(object.kind)));
+    if (open_card(state, ui, Card::object, place, {}, heading)) {
+        if (all.size() > 1) several_objects(view, ui, all);
         if (object.kind == SceneObjectKind::source)
             source_values(view, state, ui, object.index);
         else if (object.kind == SceneObjectKind::zone)
             zone_values(view, state, ui, object.index);
-        else
+        else if (object.kind == SceneObjectKind::obstacle)
             obstacle_values(view, state, ui, object.index);
         object_buttons(ui);
     }
