@@ -149,7 +149,8 @@ void update_grading(Lab& lab, Jobs& jobs) {
     if (!lesson.grading && !lesson.graded && !lesson.referee.passed()) return;
     Submission now = submission_of(*lesson.exercise, lab.document.session.snapshot());
     show_grade(lesson, now);
-    const bool is_due = lesson.referee.passed() && !lesson.view.grade;
+    lesson.view.outside_offers = !keeps_to_offers(*lesson.exercise, now);
+    const bool is_due = lesson.referee.passed() && !lesson.view.grade && !lesson.view.outside_offers;
     if (lesson.grading && lesson.grading->submission != now) lesson.grading.reset();
     if (!lesson.grading && is_due) {
         auto job = submit_grading(jobs, lesson.exercise, now);
@@ -201,14 +202,14 @@ void reset(Lab& lab, std::uint64_t seed) {
 
 namespace {
 
-// Gives a kind and its vehicles the sensors, the body and the brain of the exercise's file, in one step of undo.
-void restore_kind(Lab& lab, std::size_t kind, const Kind& shipped) {
+// Gives a kind and its vehicles these sensors, this body and this brain, in one step of undo.
+void give_to_kind(Lab& lab, std::size_t kind, const Kind& given) {
     const Snapshot& now = lab.document.session.snapshot();
     const int index = static_cast<int>(kind);
     const std::uint64_t gesture = gestures::lab + ++lab.gesture;
-    if (!has_sensors(now, kind, shipped.sensors)) apply(lab, SetSensors{{.kind = index}, shipped.sensors}, gesture);
-    if (now.scene->kinds[kind].body != shipped.body) apply(lab, EditKind{index, shipped}, gesture);
-    if (!is_as_shipped(now, kind, shipped.brain)) apply(lab, SetBrain{{.kind = index}, shipped.brain}, gesture);
+    if (!has_sensors(now, kind, given.sensors)) apply(lab, SetSensors{{.kind = index}, given.sensors}, gesture);
+    if (now.scene->kinds[kind].body != given.body) apply(lab, EditKind{index, given}, gesture);
+    if (!is_as_shipped(now, kind, given.brain)) apply(lab, SetBrain{{.kind = index}, given.brain}, gesture);
 }
 
 }  // namespace
@@ -220,7 +221,7 @@ void restart_exercise(Lab& lab) {
     set_mode(lab, Mode::paused);
     reset(lab);  // first: kinds may have been added or removed
     for (std::size_t k = 0; k < lesson.exercise->scene.kinds.size(); ++k)
-        restore_kind(lab, k, lesson.exercise->scene.kinds[k]);
+        give_to_kind(lab, k, lesson.exercise->scene.kinds[k]);
     lesson.view = {.exercise = lesson.exercise.get()};
     lesson.grading.reset();
     lesson.graded.reset();
@@ -236,6 +237,18 @@ void show_hint(Lab& lab) {
     ++view.hints_shown;
     view.hint_ready = false;
     lab.document.lesson->last_hint_at = lab.wall_seconds;
+}
+
+void show_solution(Lab& lab) {
+    if (!lab.document.lesson) return;
+    const Exercise& exercise = *lab.document.lesson->exercise;
+    const auto kind = static_cast<std::size_t>(subject_kind(exercise.scene));
+    if (kind >= lab.document.session.snapshot().scene->kinds.size()) return;  // it was removed
+    const Submission solution = with_solution(exercise);
+    Kind given = exercise.scene.kinds[kind];
+    given.brain = solution.brain, given.sensors = solution.sensors, given.body = solution.body;
+    give_to_kind(lab, kind, given);
+    reset(lab);
 }
 
 }  // namespace braitenlab

@@ -44,6 +44,9 @@ void restore_referee(Document&, const std::optional<RefereeState>&);
 
 void show_hint(Lab&);
 
+// Gives the subject's kind the exercise's solution, in one step of undo, and resets the run.
+void show_solution(Lab&);
+
 // Resets the run; see Session::reset. Works for every document.
 void reset(Lab&);
 void reset(Lab&, std::uint64_t seed);  // with another seed

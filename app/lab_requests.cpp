@@ -372,6 +372,10 @@ void handle(Lab& lab, const Request& request) {
                          if (lab.document.lesson && !lab.document.lesson->view.outcome_known)
                              lab.document.lesson->view.prediction = r.option;
                      },
+                     [&](const FreePlayRequest& r) {
+                         if (lab.document.lesson) lab.document.lesson->view.free_play = r.on;
+                     },
+                     [&](const ShowMeRequest&) { show_solution(lab); },
                      [&](const ExportRequest& r) { lab.files.push_back(r); },
                      [&](const SpeedRequest& r) {
                          lab.playback.time_scale = std::clamp(r.time_scale, speeds.front(), speeds.back());

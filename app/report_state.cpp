@@ -114,14 +114,31 @@ void add_scene_input(Json& state, const Lab& lab, const ui::SceneInputState& sce
     state["zones"] = zones_json(now, camera_view);
 }
 
+// Number of the first step that was not done; 0 if all were.
+std::size_t first_missed_step(const StartResult& start) {
+    for (std::size_t i = 0; i < start.verdicts.size(); ++i)
+        if (!start.verdicts[i].done) return i + 1;
+    return 0;
+}
+
 Json exercise_json(const Lab& lab) {
     if (!lab.document.lesson) return nullptr;
     Json steps = Json::array();
     int number = 0;
     for (const Verdict& verdict : lab.document.lesson->view.verdicts)
         steps.push_back({{"id", ++number}, {"done", verdict.done}});
+    const LessonView& view = lab.document.lesson->view;
+    Json starts = Json::array();
+    if (view.grade)
+        for (const StartResult& start : view.grade->starts)
+            starts.push_back({{"seed", start.seed}, {"passed", start.passed}, {"step", first_missed_step(start)}});
     return {{"id", lab.document.lesson->exercise->id},
+            {"chapter", lab.document.lesson->exercise->chapter},
+            {"predicted", view.prediction},
+            {"hint", view.hints_shown},
+            {"free_play", view.free_play},
             {"steps", std::move(steps)},
+            {"starts", std::move(starts)},
             {"passed", lab.document.lesson->view.grade && lab.document.lesson->view.grade->good}};
 }
 

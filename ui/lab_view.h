@@ -38,6 +38,8 @@ struct LessonView {
     std::optional<std::size_t> starts_tested;  // so far, while the submission is graded
     std::optional<Grade> grade;                // of the starts, once every step has been done in a run
     bool by_hand = false;                      // the user has moved an object: this run is not judged
+    bool free_play = false;                    // all controls are shown, not only the offered ones
+    bool outside_offers = false;               // the submission changes what is not offered: it is not graded
 };
 
 // A shipped scene or exercise in the file browser.

@@ -170,7 +170,11 @@ struct CanvasShareRequest {
 struct PredictRequest {
     int option = 0;  // 0-based
 };
-struct ExportRequest {  // writes a new CSV file to the folder of pictures
+struct FreePlayRequest {
+    bool on = true;  // shows all controls of the exercise; false: only the offered ones
+};
+struct ShowMeRequest {};  // gives the vehicle the exercise's solution
+struct ExportRequest {    // writes a new CSV file to the folder of pictures
     std::string name, text;
 };
 struct SpeedRequest {
@@ -232,10 +236,11 @@ inline Steer steer(VehicleId vehicle, float right, float ahead) {
             std::clamp(ahead - turning * right, -1.0f, 1.0f)};
 }
 
-using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, SelectObjectsRequest, PasteRequest,
-                             ScopeRequest, PairRequest, CanvasShareRequest, PredictRequest, ExportRequest, SpeedRequest,
-                             OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, BookmarkRequest,
-                             BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest>;
+using Request =
+    std::variant<Action, EditRequest, SelectRequest, TakeRequest, SelectObjectsRequest, PasteRequest, ScopeRequest,
+                 PairRequest, CanvasShareRequest, PredictRequest, FreePlayRequest, ShowMeRequest, ExportRequest,
+                 SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, BookmarkRequest,
+                 BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -188,22 +188,11 @@ Json state_json(const State& m) {
     Json kind_brains = Json::array();
     for (const SharedBrain& brain : m.kind_brains) kind_brains.push_back(brains.add(brain));
     Json vehicles = vehicles_json(m.vehicles, brains);
-    return {{"scene", *m.scene},
-            {"brains", brains.graphs},
-            {"newcomers", kind_brains},
-            {"seed", m.seed},
-            {"tick", m.tick},
-            {"generation", m.generation},
-            {"still_ticks", m.still_ticks},
-            {"next_id", m.next_id},
-            {"events", m.events},
-            {"bites", m.bites},
-            {"strikes", m.strikes},
-            {"marks", m.marks},
-            {"looks", m.looks},
-            {"vehicles", vehicles},
-            {"obstacles", m.obstacles},
-            {"touching", m.touching}};
+    return {
+        {"scene", *m.scene},  {"brains", brains.graphs},    {"newcomers", kind_brains},     {"seed", m.seed},
+        {"tick", m.tick},     {"generation", m.generation}, {"still_ticks", m.still_ticks}, {"next_id", m.next_id},
+        {"events", m.events}, {"bites", m.bites},           {"strikes", m.strikes},         {"marks", m.marks},
+        {"looks", m.looks},   {"vehicles", vehicles},       {"obstacles", m.obstacles},     {"touching", m.touching}};
 }
 
 Result<State> read_state(const Json& json) {

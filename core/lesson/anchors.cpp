@@ -26,7 +26,7 @@ constexpr std::string_view fixed_anchors[]{
     // the timeline
     "timeline.track", "timeline.rewind", "timeline.bookmark", "timeline.behind",
     // the exercise
-    "exercise.predict", "exercise.hint", "exercise.reset", "exercise.why",
+    "exercise.predict", "exercise.hint", "exercise.show_me", "exercise.reset", "exercise.why", "button.free_play",
     // cards and the arena
     "card.exercise", "card.exercise.fold", "card.brain", "card.brain.fold", "card.information", "card.information.fold",
     "card.sensors", "card.sensors.fold", "card.inspector", "card.inspector.fold", "info.figures", "info.signals",
@@ -39,6 +39,7 @@ std::vector<std::string> anchors_of(const Exercise& exercise) {
     for (std::size_t i = 0; i < exercise.steps.size(); ++i) anchors.push_back(fmt::format("exercise.step.{}", i + 1));
     for (std::size_t i = 0; i < exercise.prediction.options.size(); ++i)
         anchors.push_back(fmt::format("exercise.predict.{}", i + 1));
+    for (int i = 1; i <= exercise.starts; ++i) anchors.push_back(fmt::format("exercise.start.{}", i));
     if (exercise.scene.starts.empty()) return anchors;
     for (const Node& node : exercise.scene.kinds[static_cast<std::size_t>(subject_kind(exercise.scene))].brain.nodes) {
         anchors.push_back("node." + node.name);
@@ -59,7 +60,8 @@ std::string describe_anchors() {
         line += fmt::format("{}`{}`", line.empty() ? "" : " ", anchor);
     };
     for (const std::string_view anchor : fixed_anchors) add(anchor);
-    for (const char* anchor : {"exercise.step.N", "exercise.predict.N", "node.NODE", "pin.NODE.in", "pin.NODE.out"})
+    for (const char* anchor :
+         {"exercise.step.N", "exercise.predict.N", "exercise.start.N", "node.NODE", "pin.NODE.in", "pin.NODE.out"})
         add(anchor);
     return text + line + "\n";
 }

@@ -1,4 +1,5 @@
-// What all goals of an exercise have in common. A goal is what a vehicle must do, and how far it is from having done it.
+// What all goals of an exercise have in common. A goal is what a vehicle must do, and how far it is from having done
+// it.
 //
 // A goal is one struct: its parameters, `traits`, `needed()`, its `State` (what it remembers from tick to tick; finite
 // numbers only), the description of its file keys and an overload of `measure`. To add a goal, write the struct and its

@@ -128,6 +128,13 @@ bool offers(const Exercise& exercise, std::string_view part) {
     return offers_all(exercise) || contains(exercise.offers, part);
 }
 
+std::vector<Offer> offered_dials(const Exercise& exercise) {
+    std::vector<Offer> dials;
+    for (const std::string& text : exercise.offers)
+        if (auto offer = parse_offer(text); offer && !offer->dials.empty()) dials.push_back(std::move(*offer));
+    return dials;
+}
+
 std::vector<std::string> outside_offers(const Exercise& exercise, const Submission& submission) {
     std::vector<std::string> outside;
     if (offers_all(exercise)) return outside;
@@ -153,13 +160,15 @@ int changed_controls(const Exercise& exercise, const Submission& submission) {
     const std::vector<SensorPair> pairs = pairs_of(shipped.sensors);
     int changed = submission.sensors != shipped.sensors;
     changed += curves_of(submission.brain, pairs) != curves_of(shipped.brain, pairs);
-    for (const std::string& text : exercise.offers) {
-        const auto offer = parse_offer(text);
-        changed += offer && std::any_of(offer->dials.begin(), offer->dials.end(), [&](Dial dial) {
-                       return differs(submission.brain, shipped.brain, dial, pairs);
-                   });
-    }
+    for (const Offer& offer : offered_dials(exercise))
+        changed += std::any_of(offer.dials.begin(), offer.dials.end(),
+                               [&](Dial dial) { return differs(submission.brain, shipped.brain, dial, pairs); });
     return changed;
+}
+
+bool keeps_to_offers(const Exercise& exercise, const Submission& submission) {
+    return outside_offers(exercise, submission).empty() &&
+           (exercise.changes == 0 || changed_controls(exercise, submission) <= exercise.changes);
 }
 
 }  // namespace braitenlab

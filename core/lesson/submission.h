@@ -42,9 +42,15 @@ bool offers_all(const Exercise&);
 bool offers(const Exercise&, Dial);
 bool offers(const Exercise&, std::string_view part);
 
+// The offered dials, in the order of the file.
+std::vector<Offer> offered_dials(const Exercise&);
+
 // What the submission changes that the exercise does not offer: names of dials, "wiring", "curves", "sensors", "body".
 // Empty when it keeps to the offered controls.
 std::vector<std::string> outside_offers(const Exercise&, const Submission&);
+
+// True if the submission changes nothing but offered controls, and no more of them than Exercise::changes.
+bool keeps_to_offers(const Exercise&, const Submission&);
 
 // Number of offered controls with another value than as shipped. Dials that move together are one control.
 int changed_controls(const Exercise&, const Submission&);

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/brain/brain.h"
-#include "core/lesson/reference.h"
 #include "core/lesson/referee.h"
+#include "core/lesson/reference.h"
 #include "core/maths/angle.h"
 
 namespace braitenlab::tests {

@@ -1,8 +1,7 @@
-#include "core/lesson/goals/motion.h"
-
 #include <gtest/gtest.h>
 
 #include "core/lesson/goals/direction.h"
+#include "core/lesson/goals/motion.h"
 #include "core/lesson/goals/others.h"
 #include "tests/core/goal_runs.h"
 
@@ -94,8 +93,7 @@ TEST(OthersGoals, ContactsAndCapturesAreCounted) {
 TEST(OthersGoals, ARechargeGoesFromLowToHigh) {
     const auto run = [](const std::vector<float>& energies) {
         std::vector<Moment> moments;
-        for (const float energy : energies)
-            moments.push_back({static_cast<double>(moments.size()), {}, 0, 0, energy});
+        for (const float energy : energies) moments.push_back({static_cast<double>(moments.size()), {}, 0, 0, energy});
         return moments;
     };
     const Goal goal = goals::Recharges{0.3f, 0.8f, 2};

@@ -1,7 +1,6 @@
-#include "core/lesson/goals/place.h"
-
 #include <gtest/gtest.h>
 
+#include "core/lesson/goals/place.h"
 #include "tests/core/goal_runs.h"
 
 namespace braitenlab::tests::goals_place_test {

@@ -85,7 +85,8 @@ TEST(Submission, AnExerciseHoldsItsScene) {
     const std::string outside = with("x = 3\n\n", "x = 3000\n\n");
     EXPECT_NE(error_of(outside).find("own.toml:" + std::to_string(line_of(outside, "x = 3000"))), std::string::npos)
         << error_of(outside);
-    EXPECT_NE(error_of(with("[scene.source.lamp]\nx", "[scene.source.lamp]\nxx")).find("nearest is"), std::string::npos);
+    EXPECT_NE(error_of(with("[scene.source.lamp]\nx", "[scene.source.lamp]\nxx")).find("nearest is"),
+              std::string::npos);
 }
 
 TEST(Submission, AnAnswerReplacesTheBrainOrChangesValues) {
@@ -126,7 +127,9 @@ TEST(Submission, WhatIsNotOfferedIsNamed) {
     const Submission shipped = as_shipped(exercise);
     EXPECT_EQ(outside_offers(exercise, shipped), Names{});
     EXPECT_EQ(outside_offers(exercise, with_solution(exercise)), Names{});
-    const auto dials = [&](const FourNeurons& four) { return outside_offers(exercise, with_brain(exercise, make_graph(four))); };
+    const auto dials = [&](const FourNeurons& four) {
+        return outside_offers(exercise, with_brain(exercise, make_graph(four)));
+    };
     EXPECT_EQ(dials({.LL = 1, .RR = 1, .LM = 0.5f}), Names{});
     EXPECT_EQ(dials({.LL = 1.5f, .LR = 1, .RR = 1.5f, .RM = 0.5f}), (Names{"LR", "RM"}));
     EXPECT_EQ(outside_offers(exercise, exercise.wrong[0].submission), Names{"sensors"});

@@ -12,6 +12,7 @@
 
 #include "core/scene/enums.h"
 #include "core/scene/sensor_edits.h"
+#include "ui/offered.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sensor_changes.h"
@@ -58,7 +59,11 @@ void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView
     const bool thinks = vehicle.driver == Driver::brain;
     const Recognised& known = recognised(state.recognised, *view.now, vehicle, view.wall_seconds);
     const auto shown = shown_character(known, *view.now, vehicle, shown_pair(view, vehicle));
-    const std::string_view character = !thinks ? word(vehicle.driver) : shown ? name(*shown) : "parts";
+    const bool hidden = hides_outcome(view);
+    const std::string_view character = !thinks  ? word(vehicle.driver)
+                                       : hidden ? "hidden"
+                                       : shown  ? name(*shown)
+                                                : "parts";
     const std::string_view label =
         ui.strings.find((thinks ? "character." : "driver.") + std::string(character), character);
     const float left = at.x + size + ui.px(8), name_width = text_width(ui, Face::title, title);
@@ -249,6 +254,17 @@ void driver_note(PanelState& state, Ui& ui, const VehicleView& vehicle, float wi
     ImGui::EndGroup();
 }
 
+// In an exercise that offers some controls: a button that shows all of them, or only the offered ones again.
+void free_play_row(const LabView& view, Ui& ui) {
+    if (!view.lesson || offers_all(*view.lesson->exercise)) return;
+    gap(ui, 4);
+    const bool free = view.lesson->free_play;
+    const Item at = small_button(
+        ui, {"button.free_play", {}, ui.strings(free ? "exercise.offered_only" : "exercise.free_play"), free});
+    tooltip(ui, at, ui.strings("exercise.free_play_how"));
+    if (at.pressed) ui.outbox.push_back(FreePlayRequest{!free});
+}
+
 void driver_panel(PanelState& state, Ui& ui, const VehicleView& vehicle) {
     float width = card_width(ui);
     if (vehicle.driver == Driver::manual) {
@@ -288,8 +304,8 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
     std::array buttons{
         HeadingButton{"button.presets", ui.strings("button.presets"), ui.strings("tooltip.presets")},
         HeadingButton{"button.drive", ui.strings("button.drive"), ui.strings("tooltip.drive"), keys, by_hand}};
-    const bool open =
-        open_card(state, ui, Card::brain, place, vehicle ? std::span(buttons) : std::span<HeadingButton>{});
+    const bool open = open_card(state, ui, Card::brain, place,
+                                vehicle && !offers_some(view) ? std::span(buttons) : std::span<HeadingButton>{});
     if (open && !vehicle) paragraph(ui, ui.strings("brain.no_vehicle"), ui.palette.second_text);
     if (open && vehicle) {
         if (buttons[1].pressed) {
@@ -297,19 +313,20 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
             state.keyboard.focus.clear();  // the arrow keys then drive the vehicle
         }
         title_row(view, state, ui, *vehicle);
-        if (vehicle->driver == Driver::brain) describe_brain(view, state, ui, *vehicle);
+        if (vehicle->driver == Driver::brain && !hides_outcome(view)) describe_brain(view, state, ui, *vehicle);
         missing_sensors_note(view, state, ui, *vehicle);
         scope_choice(view, ui, *vehicle, "scope", ui.strings("scope.how"));
         own_brain_note(view, ui, *vehicle);
         pair_choice(view, ui, *vehicle);
         dial_sliders(view, state, ui, *vehicle);
+        free_play_row(view, ui);
         gap(ui, 8);
-        if (vehicle->driver == Driver::brain)
-            equations(view, ui, *vehicle);
-        else
+        if (vehicle->driver != Driver::brain)
             driver_panel(state, ui, *vehicle);
+        else if (!hides_brain(view))
+            equations(view, ui, *vehicle);
         // The wiring canvas shows the same brain larger.
-        if (view.mode != Mode::wiring)
+        if (view.mode != Mode::wiring && !hides_brain(view))
             brain_picture(view, state, ui, *vehicle, column.h < ui.px(low_column) ? 90 : 116);
         const bool wanted = std::exchange(state.open_presets, false) || buttons[0].pressed;
         presets_menu(view, state, ui, *vehicle, wanted, {place.x + place.w - ui.px(16), place.y + ui.px(36)});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 
@@ -42,7 +43,7 @@ constexpr CardTraits card_traits[]{
      .column = Column::left,
      .in_lecture = InLecture::restored,
      .folded = true,
-     .shown = [](const LabView& view) { return !view.lecture; },
+     .shown = [](const LabView& view) { return !view.lecture && is_offered(view, offer_parts::sensors); },
      .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
                 Rect) { sensor_card(view, state, ui, place); },
      .least_share = 0.32f},

@@ -1,10 +1,13 @@
 // The sliders of the four-neuron brain: weights with their thresholds, and biases. Two buttons mirror and cross the
 // wires.
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include <imgui.h>
 
 #include "core/brain/four_neurons.h"
+#include "ui/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -43,6 +46,20 @@ public:
           pair_(shown_pair(view, vehicle)),
           values_(read_dials(brain_, pair_)) {
         if (const Kind* filed = filed_kind(view, vehicle)) homes_ = read_dials(filed->brain, pair_);
+    }
+
+    // One slider for each group of dials that the exercise offers.
+    void draw_offered(const std::vector<Offer>& offers) {
+        const float width = card_width(ui_), gap = ui_.px(between_sliders);
+        const bool is_pair = offers.size() == 2 && std::all_of(offers.begin(), offers.end(), [](const Offer& offer) {
+                                 return offer.text == "LM" || offer.text == "RM";
+                             });
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0});
+        for (const Offer& offer : offers) {
+            turn_together(offer, is_pair ? (width - gap) / 2 : width);
+            if (is_pair && &offer == &offers.front()) ImGui::SameLine();
+        }
+        ImGui::PopStyleVar();
     }
 
     void draw() {
@@ -126,6 +143,53 @@ private:
         if (edit) ui_.outbox.push_back(EditRequest{TurnDial{target_, dial, edit->value, pair_}, edit->gesture});
     }
 
+    static std::string_view anchor_of(Dial dial) {
+        for (const DialSlider& each : weight_sliders)
+            if (each.dial == dial) return each.anchor;
+        for (const DialSlider& each : bias_sliders)
+            if (each.dial == dial) return each.anchor;
+        for (std::size_t i = 0; i < std::size(weight_sliders); ++i)
+            if (threshold_of(weight_sliders[i].dial) == dial) return threshold_anchors[i];
+        return {};
+    }
+
+    // The slider of several dials shows the first one and sets all. Its anchors are those of all of them.
+    void turn_together(const Offer& offer, float width) {
+        const Dial first = offer.dials.front();
+        const DialRange limits = range(first);
+        std::string words;
+        for (const Dial dial : offer.dials) words += (words.empty() ? "" : " = ") + shown_name(dial);
+        SliderLook look;
+        look.words = words;
+        look.tooltip = ui_.strings(offer.dials.size() > 1 ? "dial.together" : tooltip_of(first));
+        look.low = limits.low, look.high = limits.high;
+        look.words_width = text_width(ui_, Face::strong, words) / ui_.px(1) + 12;
+        look.home = at(homes_, first);
+        const auto edit =
+            slider(ui_, state_.sliders, anchor_of(first), at(values_, first), width, view_.wall_seconds, look);
+        const ImVec2 corner = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+        for (std::size_t i = 1; i < offer.dials.size(); ++i)
+            mark(ui_, std::string(anchor_of(offer.dials[i])), {corner.x, corner.y, size.x, size.y});
+        if (!edit) return;
+        for (const Dial dial : offer.dials)
+            ui_.outbox.push_back(EditRequest{TurnDial{target_, dial, edit->value, pair_}, edit->gesture});
+    }
+
+    static std::string_view tooltip_of(Dial dial) {
+        for (const DialSlider& each : weight_sliders)
+            if (each.dial == dial) return each.tooltip;
+        for (const DialSlider& each : bias_sliders)
+            if (each.dial == dial) return each.tooltip;
+        return "dial.threshold";
+    }
+
+    // "LL", "θ LL" for its threshold.
+    static std::string shown_name(Dial dial) {
+        const std::string_view key = name(dial);
+        constexpr std::string_view of_threshold = "threshold_";
+        return key.starts_with(of_threshold) ? "θ " + std::string(key.substr(of_threshold.size())) : std::string(key);
+    }
+
     const LabView& view_;
     PanelState& state_;
     Ui& ui_;
@@ -138,7 +202,11 @@ private:
 }  // namespace
 
 void dial_sliders(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
-    DialSliders(view, state, ui, vehicle).draw();
+    DialSliders sliders(view, state, ui, vehicle);
+    if (offers_some(view))
+        sliders.draw_offered(offered_dials(*view.lesson->exercise));
+    else
+        sliders.draw();
 }
 
 }  // namespace braitenlab::ui

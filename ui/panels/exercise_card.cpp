@@ -6,12 +6,13 @@
 
 #include <imgui.h>
 
+#include "ui/offered.h"
 #include "ui/panels/cards.h"
+#include "ui/panels/lesson_text.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
-#include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 
@@ -40,32 +41,6 @@ void check_mark(const Ui& ui, ImVec2 c, float radius, bool done, float arrived) 
     const ImVec2 tick[]{{c.x - r, c.y}, {c.x - r * 0.25f, c.y + r * 0.75f}, {c.x + r, c.y - r * 0.7f}};
     draw.PathLineTo(tick[0]), draw.PathLineTo(tick[1]), draw.PathLineTo(tick[2]);
     draw.PathStroke(paint(ui.palette.on_accent), 0, ui.px(1.8f));
-}
-
-int decimals(std::string_view unit) { return unit == "m" || unit == "×" ? 2 : unit == "s" ? 1 : 0; }
-
-std::string with_unit(const Ui& ui, float value, std::string_view unit, int digits) {
-    return fixed(ui, value, digits) + (unit == "°" ? "" : " ") + std::string(unit);
-}
-
-// The number of digits that shows which of two values is larger: 10.4° and 10.0°.
-int telling_decimals(const Measure& measure) {
-    int digits = decimals(measure.unit);
-    const bool differ = measure.value != measure.needed;
-    for (const int most = digits + 2; digits < most && differ; ++digits)
-        if (fixed(measure.value, digits) != fixed(measure.needed, digits)) break;
-    return digits;
-}
-
-// "best 0.83 m, need ≤ 0.60 m"
-std::string measured(const Ui& ui, const Measure& measure, bool done) {
-    const int digits = telling_decimals(measure);
-    const std::string_view key = done           ? measure.at_most ? "exercise.done_at_most" : "exercise.done_at_least"
-                                 : measure.best ? "exercise.best_at_most"
-                                 : measure.at_most ? "exercise.now_at_most"
-                                                   : "exercise.now_at_least";
-    return fill(ui.strings(key), {with_unit(ui, measure.value, measure.unit, digits),
-                                  with_unit(ui, measure.needed, measure.unit, digits)});
 }
 
 void prediction(const LessonView& lesson, PanelState& state, bool rewired, Ui& ui) {
@@ -117,7 +92,9 @@ void step(const LessonView& lesson, std::size_t index, Ui& ui) {
     if (known && lesson.has_run)
         for (const Measure& measure : lesson.verdicts[index].measures)
             if (std::isfinite(measure.value))
-                paragraph(ui, measured(ui, measure, done), ui.palette.second_text, Face::small);
+                paragraph(ui, measure_text(ui, measure, done), ui.palette.second_text, Face::small);
+    if (known && lesson.has_run && lesson.verdicts[index].lost)
+        paragraph(ui, ui.strings("exercise.lost"), colour_of(NoticeKind::notice, ui.palette), Face::small);
     ImGui::PopStyleVar();
     ImGui::Unindent(left);
     ImGui::EndGroup();
@@ -127,31 +104,8 @@ void step(const LessonView& lesson, std::size_t index, Ui& ui) {
     mark(ui, id, {start.x, start.y, card_width(ui), height});
 }
 
-// One dot per start: a check mark for a pass, a cross in a ring for a fail.
-void grade_dots(const Grade& grade, Ui& ui) {
-    const float radius = ui.px(8), stride = ui.px(22);
-    const ImVec2 start = ImGui::GetCursorScreenPos();
-    const int per_row = std::max(1, static_cast<int>(card_width(ui) / stride));
-    const int count = static_cast<int>(grade.starts.size());
-    for (int i = 0; i < count; ++i) {
-        const ImVec2 c{start.x + radius + stride * static_cast<float>(i % per_row),
-                       start.y + radius + stride * static_cast<float>(i / per_row)};
-        if (grade.starts[static_cast<std::size_t>(i)].passed) {
-            check_mark(ui, c, radius, true, 1);
-        } else {
-            ImDrawList& draw = *ImGui::GetWindowDrawList();
-            const ImU32 colour = paint(ui.palette.second_text);
-            draw.AddCircle(c, radius, colour, 0, ui.px(1.5f));
-            const float r = radius * 0.38f;
-            draw.AddLine({c.x - r, c.y - r}, {c.x + r, c.y + r}, colour, ui.px(1.5f));
-            draw.AddLine({c.x - r, c.y + r}, {c.x + r, c.y - r}, colour, ui.px(1.5f));
-        }
-    }
-    const int rows = (count + per_row - 1) / per_row;
-    ImGui::Dummy({card_width(ui), stride * static_cast<float>(rows)});
-}
-
-void result(const LessonView& lesson, Ui& ui) {
+void result(const LabView& view, Ui& ui) {
+    const LessonView& lesson = *view.lesson;
     if (lesson.starts_tested) {
         const std::string tested = std::to_string(*lesson.starts_tested), of = std::to_string(lesson.exercise->starts);
         paragraph(ui, fill(ui.strings("exercise.testing"), {tested, of}), ui.palette.text, Face::strong);
@@ -168,7 +122,7 @@ void result(const LessonView& lesson, Ui& ui) {
         const std::string needed = std::to_string(lesson.exercise->needed);
         paragraph(ui, fill(ui.strings("exercise.not_yet"), {passed, of, needed}), ui.palette.text, Face::strong);
     }
-    grade_dots(grade, ui);
+    start_pictures(view, ui);
     paragraph(ui, ui.strings(grade.good ? "exercise.passed_next" : "exercise.not_yet_next"), ui.palette.second_text,
               Face::small);
     const ImVec2 end = ImGui::GetCursorScreenPos();
@@ -193,18 +147,25 @@ void hints(const LessonView& lesson, PanelState& state, Ui& ui) {
     if (std::exchange(state.hints_seen, shown) < shown) ImGui::SetScrollHereY(1);  // scroll to a new hint
 }
 
+// After the last hint: gives the vehicle the solution.
+void show_me_button(const LessonView& lesson, Ui& ui) {
+    ButtonLook look{icon::hint, ui.strings("exercise.show_me")};
+    look.enabled = lesson.hint_ready;
+    const Item at = button(ui, "exercise.show_me", look);
+    if (at.pressed) ui.outbox.emplace_back(ShowMeRequest{});
+    tooltip(ui, at, ui.strings(lesson.hint_ready ? "exercise.show_me_how" : "exercise.hint_wait"));
+    ImGui::SameLine();
+}
+
 void hint_button(const LessonView& lesson, Ui& ui) {
     const std::size_t count = lesson.exercise->hints.size();
-    if (count == 0) return;
     const bool left = static_cast<std::size_t>(lesson.hints_shown) < count;
+    if (!left) return show_me_button(lesson, ui);
     ButtonLook look{icon::hint, ui.strings("exercise.hint")};
-    look.enabled = left && lesson.hint_ready;
+    look.enabled = lesson.hint_ready;
     const Item at = button(ui, "exercise.hint", look);
     if (at.pressed) ui.outbox.push_back(Action::hint);
-    tooltip(ui, at,
-            ui.strings(!left               ? "exercise.hint_none"
-                       : lesson.hint_ready ? "exercise.hint_how"
-                                           : "exercise.hint_wait"));
+    tooltip(ui, at, ui.strings(lesson.hint_ready ? "exercise.hint_how" : "exercise.hint_wait"));
     ImGui::SameLine();
 }
 
@@ -261,13 +222,24 @@ void steps(const LessonView& lesson, Ui& ui) {
     subheading(ui, ui.strings("exercise.steps"));
     if (lesson.by_hand && !all_steps_ticked(lesson))
         paragraph(ui, ui.strings("exercise.by_hand"), colour_of(NoticeKind::notice, ui.palette), Face::small);
+    if (lesson.outside_offers)
+        paragraph(ui, ui.strings("exercise.outside_offers"), ui.palette.second_text, Face::small);
     for (std::size_t i = 0; i < lesson.exercise->steps.size(); ++i) step(lesson, i, ui);
     gap(ui, 12);
 }
 
-void task(const LessonView& lesson, PanelState& state, Ui& ui) {
+// Asked after the exercise is passed, never graded.
+void question(const LessonView& lesson, Ui& ui) {
+    if (lesson.exercise->question.empty()) return;
+    subheading(ui, ui.strings("exercise.question"));
+    paragraph(ui, translated(ui, lesson.exercise->question), ui.palette.text);
+    gap(ui, 12);
+}
+
+void task(const LabView& view, PanelState& state, Ui& ui) {
+    const LessonView& lesson = *view.lesson;
     paragraph(ui, translated(ui, lesson.exercise->goal), ui.palette.text);
-    if (!lesson.exercise->why.empty() &&
+    if (!lesson.exercise->why.empty() && !hides_outcome(view) &&
         fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.why_open, ui.strings("exercise.why_how")))
         paragraph(ui, translated(ui, lesson.exercise->why), ui.palette.second_text);
     gap(ui, 12);
@@ -284,10 +256,10 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const std::string heading = fill(ui.strings("exercise.heading"), {std::to_string(lesson.exercise->number)});
     const bool open = open_card(state, ui, Card::exercise, place, {}, heading);
     if (open) {
-        paragraph(ui, translated(ui, lesson.exercise->title), ui.palette.text, Face::title);
-        result(lesson, ui);
-        if (passed) steps(lesson, ui);
-        task(lesson, state, ui);
+        if (!hides_outcome(view)) paragraph(ui, translated(ui, lesson.exercise->title), ui.palette.text, Face::title);
+        result(view, ui);
+        if (passed) question(lesson, ui), steps(lesson, ui);
+        task(view, state, ui);
         prediction(lesson, state, rewired, ui);
         if (!passed) steps(lesson, ui);
         hints(lesson, state, ui);

@@ -15,6 +15,7 @@ namespace braitenlab::ui {
 
 // Cards; cards.h says when and where they are shown.
 void exercise_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.lesson
+void start_pictures(const LabView&, Ui&);                    // precondition: view.lesson has a grade
 void sensor_card(const LabView&, PanelState&, Ui&, Rect);
 void brain_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // `column`: the largest available rectangle
 void information_card(const LabView&, PanelState&, Ui&, Rect);

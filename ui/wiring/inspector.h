@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include <imgui.h>
+
 #include "ui/widgets/slider.h"
 #include "ui/wiring/canvas.h"
 

@@ -16,8 +16,9 @@ struct Follows {
 
 // Combine it with `runs`.
 struct Collides {
-    static constexpr Traits traits{"collides", "contacts", true, 0,
-                                   "vehicles have touched one another, obstacles or walls at most `count` times", true};
+    static constexpr Traits traits{
+        "collides", "contacts", true, 0, "vehicles have touched one another, obstacles or walls at most `count` times",
+        true};
     struct State {};
     int count = 0;
     float needed() const { return static_cast<float>(count); }
@@ -53,7 +54,10 @@ struct Recharges {
 
 // The reference is a run with the exercise's solution from the same seed.
 struct Matches {
-    static constexpr Traits traits{"matches", "m", true, INFINITY,
+    static constexpr Traits traits{"matches",
+                                   "m",
+                                   true,
+                                   INFINITY,
                                    "after `seconds`, the mean distance between the vehicle and one with the "
                                    "solution's brain that started alike is at most `metres`",
                                    true};

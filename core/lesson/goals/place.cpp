@@ -109,7 +109,8 @@ std::optional<Reading> measure(const SteadyDistance& goal, SteadyDistance::State
 std::optional<Reading> measure(const Visits& goal, Visits::State& state, const Observation& at) {
     for (std::size_t i = 0; i < std::min<std::size_t>(64, at.now.sources.size()); ++i) {
         const SourceView& source = at.now.sources[i];
-        if (maths::distance(vec2{source.x, source.y}, place_of(at)) <= goal.metres) state.visited |= std::uint64_t{1} << i;
+        if (maths::distance(vec2{source.x, source.y}, place_of(at)) <= goal.metres)
+            state.visited |= std::uint64_t{1} << i;
     }
     int count = 0;
     for (std::uint64_t rest = state.visited; rest != 0; rest &= rest - 1) ++count;

@@ -1,0 +1,54 @@
+#include "ui/panels/lesson_text.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "ui/strings.h"
+#include "ui/widgets/number.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+// Units that are words are translated.
+std::string unit_text(const Ui& ui, std::string_view unit) {
+    if (unit == "°") return "°";
+    return unit.empty() ? "" : " " + std::string(ui.strings.find("unit." + std::string(unit), unit));
+}
+
+int decimals(std::string_view unit) {
+    constexpr std::string_view two[]{"m", "m/s", "×", "rounds", "laps"};
+    if (std::find(std::begin(two), std::end(two), unit) != std::end(two)) return 2;
+    return unit == "s" ? 1 : 0;
+}
+
+std::string with_unit(const Ui& ui, float value, std::string_view unit, int digits) {
+    return fixed(ui, value, digits) + unit_text(ui, unit);
+}
+
+// The number of digits that shows which of two values is larger: 10.4° and 10.0°.
+int telling_decimals(const Measure& measure) {
+    int digits = decimals(measure.unit);
+    const bool differ = measure.value != measure.needed;
+    for (const int most = digits + 2; digits < most && differ; ++digits)
+        if (fixed(measure.value, digits) != fixed(measure.needed, digits)) break;
+    return digits;
+}
+
+}  // namespace
+
+std::string measure_text(const Ui& ui, const Measure& measure, bool done) {
+    const int digits = telling_decimals(measure);
+    const std::string value = with_unit(ui, measure.value, measure.unit, digits);
+    if (measure.needed_most)
+        return fill(ui.strings(done ? "exercise.done_between" : "exercise.now_between"),
+                    {value, fixed(ui, measure.needed, digits) + "–" +
+                                with_unit(ui, *measure.needed_most, measure.unit, digits)});
+    const std::string_view key = done           ? measure.at_most ? "exercise.done_at_most" : "exercise.done_at_least"
+                                 : measure.best ? "exercise.best_at_most"
+                                 : measure.at_most ? "exercise.now_at_most"
+                                                   : "exercise.now_at_least";
+    return fill(ui.strings(key), {value, with_unit(ui, measure.needed, measure.unit, digits)});
+}
+
+}  // namespace braitenlab::ui

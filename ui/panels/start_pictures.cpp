@@ -1,0 +1,120 @@
+// A small picture of each graded start: the arena, its sources and the vehicle's path. A click replays the start.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <imgui.h>
+
+#include "ui/panels/lesson_text.h"
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+constexpr std::size_t few_starts = 10;  // up to this number the pictures are large
+constexpr float between_pictures = 6;   // layout pixels
+
+// Maps the arena into a rectangle of the window.
+struct ArenaMap {
+    Rect place;
+    float scale = 1;  // window pixels per metre
+
+    ArenaMap(const Arena& arena, Rect to) : place(to), scale(std::min(to.w / arena.width, to.h / arena.height)) {}
+    ImVec2 operator()(maths::vec2 at) const {
+        return {place.x + place.w / 2 + at.x * scale, place.y + place.h / 2 - at.y * scale};
+    }
+};
+
+void draw_arena(const Ui& ui, const Scene& scene, const ArenaMap& map) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    for (const Obstacle& obstacle : scene.obstacles) {
+        const ImVec2 at = map({obstacle.x, obstacle.y});
+        const float half = std::max(ui.px(1), std::min(obstacle.length, obstacle.width) / 2 * map.scale);
+        draw.AddRectFilled({at.x - half, at.y - half}, {at.x + half, at.y + half}, paint(ui.palette.line));
+    }
+    for (const Source& source : scene.sources)
+        draw.AddCircleFilled(map({source.x, source.y}), ui.px(2), paint(ui.palette.second_text));
+}
+
+// A check mark or a cross, so that the colour does not tell alone.
+void draw_sign(const Ui& ui, ImVec2 c, bool passed, ImU32 colour) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float r = ui.px(3.5f), width = ui.px(1.5f);
+    if (passed) {
+        draw.PathLineTo({c.x - r, c.y}), draw.PathLineTo({c.x - r * 0.2f, c.y + r * 0.7f});
+        draw.PathLineTo({c.x + r, c.y - r * 0.7f});
+        return draw.PathStroke(colour, 0, width);
+    }
+    draw.AddLine({c.x - r, c.y - r}, {c.x + r, c.y + r}, colour, width);
+    draw.AddLine({c.x - r, c.y + r}, {c.x + r, c.y - r}, colour, width);
+}
+
+void draw_path(const Ui& ui, const StartResult& start, const ArenaMap& map, ImU32 colour) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    if (start.path.empty()) return;
+    for (const maths::vec2 at : start.path) draw.PathLineTo(map(at));
+    draw.PathStroke(colour, 0, ui.px(1.5f));
+    draw.AddCircleFilled(map(start.path.front()), ui.px(2), colour);
+}
+
+// Whether the start passes; else its first step that was not done, and how far it was from being done.
+std::string result_text(const Ui& ui, const Exercise& exercise, const StartResult& start) {
+    const std::string number = std::to_string(start.seed);
+    if (start.passed) return fill(ui.strings("exercise.start_passed"), {number});
+    for (std::size_t i = 0; i < std::min(start.verdicts.size(), exercise.steps.size()); ++i) {
+        if (start.verdicts[i].done) continue;
+        std::string text = fill(ui.strings("exercise.start_failed"), {number, translated(ui, exercise.steps[i].text)});
+        for (const Measure& measure : start.verdicts[i].measures)
+            if (std::isfinite(measure.value)) text += "\n" + measure_text(ui, measure, false);
+        return text;
+    }
+    return fill(ui.strings("exercise.start_invalid"), {number});
+}
+
+void start_picture(const LabView& view, Ui& ui, std::size_t index, ImVec2 size) {
+    const Exercise& exercise = *view.lesson->exercise;
+    const StartResult& start = view.lesson->grade->starts[index];
+    const Item at = item(ui, "exercise.start." + std::to_string(index + 1), size);
+    const bool is_shown = view.now->seed == start.seed;
+    fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.2f * at.warmth), 4);
+    line_box(ui, at.rect, is_shown ? ui.palette.accent : ui.palette.line, 4);
+    const float inset = ui.px(3);
+    const Rect inner{at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset};
+    const ArenaMap map(exercise.scene.arena, inner);
+    const Colour tone = start.passed ? legible(ui.palette.accent, ui.palette.raised, ui.palette.text)
+                                     : colour_of(NoticeKind::failure, ui.palette);
+    ImGui::PushClipRect({inner.x, inner.y}, {inner.x + inner.w, inner.y + inner.h}, true);
+    draw_arena(ui, exercise.scene, map);
+    draw_path(ui, start, map, paint(tone));
+    ImGui::PopClipRect();
+    draw_sign(ui, {at.rect.x + at.rect.w - ui.px(7), at.rect.y + ui.px(7)}, start.passed, paint(tone));
+    tooltip(ui, at, result_text(ui, exercise, start) + "\n" + std::string(ui.strings("exercise.start_how")));
+    if (!at.pressed) return;
+    ui.outbox.emplace_back(SeedRequest{start.seed});
+    if (view.mode == Mode::paused) ui.outbox.emplace_back(Action::play_pause);
+}
+
+}  // namespace
+
+void start_pictures(const LabView& view, Ui& ui) {
+    const std::size_t count = view.lesson->grade->starts.size();
+    const std::size_t per_row = count <= few_starts ? 5 : 8;
+    const Arena& arena = view.lesson->exercise->scene.arena;
+    const float gap = ui.px(between_pictures);
+    const float width = (card_width(ui) - gap * static_cast<float>(per_row - 1)) / static_cast<float>(per_row);
+    const float least = ui.px(24);  // of a target
+    const float height = std::max(least, width * std::clamp(arena.height / arena.width, 0.5f, 1.0f));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i % per_row != 0) ImGui::SameLine();
+        start_picture(view, ui, i, {width, height});
+    }
+    ImGui::PopStyleVar();
+}
+
+}  // namespace braitenlab::ui
