@@ -351,7 +351,7 @@ TEST(CtlCheck, EveryShippedExerciseIsSound) {
     EXPECT_EQ(all.code, 0) << all.out;
     const Ran one = ctl("check 05-aggressor");
     EXPECT_EQ(one.code, 0) << one.out;
-    EXPECT_EQ(one.out, all.out) << "exercise 5 is the only shipped exercise";
+    EXPECT_NE(all.out.find(one.out), std::string::npos) << all.out;
 }
 
 // What `check` says of the shipped exercise with changed words.
