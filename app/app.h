@@ -82,7 +82,7 @@ private:
     void follow_shaders();
     void frame(float passed);
     CameraKeys camera_keys(bool arrows_are_free) const;
-    void draw_scene();
+    void draw_scene(bool hides_brains);
     std::optional<Error> write_picture(const std::filesystem::path&);
     // Writes a picture to the user's folder of pictures.
     void take_screenshot();

@@ -12,7 +12,7 @@ namespace braitenlab {
 
 namespace {
 
-constexpr const char* first_exercise = "05-aggressor";
+constexpr const char* first_exercise = "01-drive";
 
 struct Opened {
     std::filesystem::path path;

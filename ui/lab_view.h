@@ -46,7 +46,8 @@ struct LessonView {
 struct CatalogueEntry {
     std::string name, path;  // "2a-coward", and its file
     std::string title, story;
-    int number = 0;  // of an exercise; 0: a scene
+    int number = 0;   // of an exercise; 0: a scene
+    int chapter = 0;  // of an exercise of the course, from 1; 0: none
 };
 
 // The recorded part of the run, in ticks. The tick shown is in it.

@@ -26,7 +26,8 @@ constexpr std::string_view fixed_anchors[]{
     // the timeline
     "timeline.track", "timeline.rewind", "timeline.bookmark", "timeline.behind",
     // the exercise
-    "exercise.predict", "exercise.hint", "exercise.show_me", "exercise.reset", "exercise.why", "button.free_play",
+    "exercise.predict", "exercise.hint", "exercise.grade", "exercise.show_me", "exercise.reset", "exercise.why",
+    "button.free_play",
     // cards and the arena
     "card.exercise", "card.exercise.fold", "card.brain", "card.brain.fold", "card.information", "card.information.fold",
     "card.sensors", "card.sensors.fold", "card.inspector", "card.inspector.fold", "info.figures", "info.signals",

@@ -201,7 +201,7 @@ void add_body(Drawing& drawing, const Subject& s) {
     add_hull(drawing, s);
     add_wheels(drawing, s);
     add_eyes(drawing, s);
-    add_wires(drawing, s);
+    if (!drawing.picture.hides_brains) add_wires(drawing, s);
     add_driver_sign(drawing, s);
     add_stopped_wheels(drawing, s);
     add_shadow(drawing, s);
@@ -211,7 +211,7 @@ void add_here(Drawing& drawing, const Subject& s) {
     if (in_sight(drawing, s.place, s.kind.body.length + 0.5f)) add_body(drawing, s);
     add_lamps(drawing, s);
     add_ring(drawing, s);
-    add_wheel_arrows(drawing, s);
+    if (!drawing.picture.hides_brains) add_wheel_arrows(drawing, s);
 }
 
 float farthest_eye(const Kind& kind) {

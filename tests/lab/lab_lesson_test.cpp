@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "app/lab_requests.h"
+#include "core/lesson/submission.h"
 #include "tests/lab/opened_lab.h"
 
 namespace braitenlab::tests::lab_lesson_test {
@@ -366,6 +367,64 @@ TEST(LabLesson, ShowsAGradeOnlyForTheSubmissionThatGotIt) {
     handle(lab, EditRequest{SetBrain{{.kind = 0}, solution(lab)}});
     turn(lab, jobs);
     EXPECT_FALSE(lesson_of(lab).grade) << "Start over forgets the grade";
+}
+
+// The same exercise, in which only LL and the biases are offered, or any two controls.
+Lab exercise_that_offers(std::vector<std::string> offers, int changes = 0) {
+    Lab lab = aggressor();
+    auto exercise = std::make_shared<Exercise>(*lab.document.lesson->exercise);
+    exercise->offers = std::move(offers);
+    exercise->changes = changes;
+    lab.document.lesson->exercise = exercise;
+    lab.document.lesson->view.exercise = exercise.get();
+    return lab;
+}
+
+TEST(LabLesson, DoesNotGradeWhileOtherControlsThanTheOfferedOnesHaveChanged) {
+    Jobs jobs(0);
+    Lab lab = exercise_that_offers({"LL=RR", "LM"});
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, solution(lab)}});
+    run_until_every_step_is_done(lab);
+    for (int i = 0; i < 20; ++i) turn(lab, jobs);
+    EXPECT_TRUE(lesson_of(lab).outside_offers);
+    EXPECT_FALSE(lesson_of(lab).grade);
+    EXPECT_FALSE(lesson_of(lab).starts_tested);
+    handle(lab, Action::undo);
+    turn(lab, jobs);
+    turn(lab, jobs);
+    EXPECT_FALSE(lesson_of(lab).outside_offers);
+}
+
+TEST(LabLesson, CountsTheChangedControlsWhereTheyAreLimited) {
+    Jobs jobs(0);
+    for (const int changes : {3, 4}) {  // the solution changes LL, LR, RL and RR
+        Lab lab = exercise_that_offers({"LL", "LR", "RL", "RR", "LM", "RM"}, changes);
+        handle(lab, EditRequest{SetBrain{{.kind = 0}, solution(lab)}});
+        run_until_every_step_is_done(lab);
+        for (int i = 0; i < 3; ++i) turn(lab, jobs);
+        EXPECT_EQ(lesson_of(lab).outside_offers, changes < 4) << changes;
+    }
+}
+
+TEST(LabLesson, ShowsTheSolutionAsOneStepOfUndo) {
+    Lab lab = aggressor();
+    const Submission shipped = as_shipped(*lab.document.lesson->exercise);
+    handle(lab, Action::step);
+    handle(lab, ShowMeRequest{});
+    const Snapshot& now = lab.document.session.snapshot();
+    EXPECT_EQ(submission_of(*lab.document.lesson->exercise, now), with_solution(*lab.document.lesson->exercise));
+    EXPECT_EQ(now.tick, 0u);
+    EXPECT_FALSE(lesson_of(lab).by_hand);
+    handle(lab, Action::undo);
+    EXPECT_EQ(submission_of(*lab.document.lesson->exercise, lab.document.session.snapshot()), shipped);
+}
+
+TEST(LabLesson, ShowsAllControlsInFreePlay) {
+    Lab lab = exercise_that_offers({"LL"});
+    handle(lab, FreePlayRequest{true});
+    EXPECT_TRUE(lesson_of(lab).free_play);
+    handle(lab, FreePlayRequest{false});
+    EXPECT_FALSE(lesson_of(lab).free_play);
 }
 
 TEST(LabLesson, DropsAPoorGradeThatComesAfterAReset) {

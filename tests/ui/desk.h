@@ -240,6 +240,13 @@ public:
             if (const auto* edit = std::get_if<EditRequest>(&request)) found.push_back(*edit);
         return found;
     }
+    // The last request of this type, or null.
+    template <class Wanted>
+    const Wanted* last() const {
+        for (auto request = all.rbegin(); request != all.rend(); ++request)
+            if (const auto* found = std::get_if<Wanted>(&*request)) return found;
+        return nullptr;
+    }
     std::vector<Action> actions() const {
         std::vector<Action> found;
         for (const Request& request : all)

@@ -5,19 +5,35 @@
 
 namespace braitenlab::tests::exercise_anchors_test {
 
-// A window with an exercise whose brain has all four wires.
+// The states of an exercise in which the window shows different widgets.
+void (*const states[])(LessonView&){
+    [](LessonView&) {}, [](LessonView& lesson) { lesson.prediction = 0, lesson.has_run = true; },
+    [](LessonView& lesson) {
+        lesson.prediction = 0, lesson.has_run = true;
+        lesson.hints_shown = static_cast<int>(lesson.exercise->hints.size());
+        lesson.grade = graded(std::vector<bool>(static_cast<std::size_t>(lesson.exercise->starts), false), false);
+    }};
+
+void record(Exercise exercise, void (*state)(LessonView&), Mode mode, std::set<std::string>& ids) {
+    Desk desk(1920, 1200, 1, true);
+    desk.opened = std::move(exercise);
+    desk.open_exercise();
+    desk.now.brains = {std::make_shared<BrainGraph>(desk.opened.scene.kinds[0].brain)};
+    desk.now.kind_brains = desk.now.brains;
+    state(desk.lesson);
+    desk.view.mode = mode;
+    desk.frame(4);
+    for (const auto& [id, rect] : desk.anchors.all()) ids.insert(id);
+}
+
+// A window with an exercise whose brain has all four wires, and which offers all controls or some.
 std::set<std::string> recorded_anchors(const Exercise& exercise) {
     std::set<std::string> ids;
-    for (const Mode mode : {Mode::paused, Mode::wiring}) {
-        Desk desk(1920, 1200, 1, true);
-        desk.opened = exercise;
-        desk.open_exercise();
-        desk.now.brains = {std::make_shared<BrainGraph>(exercise.scene.kinds[0].brain)};
-        desk.now.kind_brains = desk.now.brains;
-        desk.view.mode = mode;
-        desk.frame(4);
-        for (const auto& [id, rect] : desk.anchors.all()) ids.insert(id);
-    }
+    for (const Mode mode : {Mode::paused, Mode::wiring})
+        for (const auto state : states) record(exercise, state, mode, ids);
+    Exercise some = exercise;
+    some.offers = {"LL=RR", "LR"};
+    record(some, states[0], Mode::paused, ids);
     return ids;
 }
 

@@ -102,9 +102,74 @@ TEST(ExerciseCard, ItsButtonsStayVisibleWhenTheCardIsLong) {
     desk.panels.why_open = true;
     desk.lesson.grade = graded({true, false, true}, false);
     desk.frame(5);
-    EXPECT_TRUE(inside(desk.where("exercise.hint"), desk.where("card.exercise")));
+    EXPECT_TRUE(inside(desk.where("exercise.show_me"), desk.where("card.exercise")));
     EXPECT_TRUE(inside(desk.where("exercise.reset"), desk.where("card.exercise")));
     EXPECT_TRUE(desk.anchors.find("exercise.grade"));
+}
+
+TEST(ExerciseCard, TellsNothingOfTheOutcomeBeforeThePrediction) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.frame(3);
+    EXPECT_FALSE(says(desk, "Aggressor"));
+    EXPECT_FALSE(desk.anchors.find("exercise.why"));
+    EXPECT_FALSE(desk.anchors.find("equations"));
+    EXPECT_TRUE(says(desk, "predict first"));
+    EXPECT_TRUE(desk.anchors.find("brain.picture"));
+    desk.opened.prediction.hides_brain = true;
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("brain.picture"));
+    desk.lesson.prediction = 0;
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "Aggressor"));
+    for (const char* id : {"exercise.why", "equations", "brain.picture"}) EXPECT_TRUE(desk.anchors.find(id)) << id;
+    EXPECT_FALSE(says(desk, "predict first"));
+}
+
+TEST(ExerciseCard, ShowsTheSolutionAfterTheLastHint) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    desk.lesson.hints_shown = 2;
+    desk.frame(3);
+    EXPECT_TRUE(desk.anchors.find("exercise.hint"));
+    EXPECT_FALSE(desk.anchors.find("exercise.show_me"));
+    desk.lesson.hints_shown = 3;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.hint"));
+    desk.click("exercise.show_me");
+    EXPECT_TRUE(desk.last<ShowMeRequest>());
+}
+
+TEST(ExerciseCard, AStartsPictureReplaysIt) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    desk.lesson.grade = graded({true, false, true}, false);
+    desk.lesson.grade->starts[1].verdicts = {Verdict{true, {}}, Verdict{false, {{1.25f, 0.6f, "m", true, true}}}};
+    desk.frame(5);
+    desk.click("exercise.start.2");
+    const auto* seed = desk.last<SeedRequest>();
+    ASSERT_TRUE(seed);
+    EXPECT_EQ(seed->seed, 2u);
+    desk.point("exercise.reset");
+    desk.frame(2);
+    desk.point("exercise.start.2");
+    desk.frame(60);
+    EXPECT_TRUE(says(desk, "Start 2 fails: Touch the lamp"));
+    EXPECT_TRUE(says(desk, "now 1.25 m") || says(desk, "best 1.25 m"));
+}
+
+TEST(ExerciseCard, ARangeShowsBothEnds) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    desk.lesson.verdicts[0] = {false, {{4.2f, 1, "m", false, false, 3.0f}}, true};
+    desk.lesson.verdicts[1] = {true, {{2, 1, "m", false, false, 3.0f}}};
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "now 4.20 m, need 1.00–3.00 m"));
+    EXPECT_TRUE(says(desk, "reached 2.00 m (1.00–3.00 m)"));
+    EXPECT_TRUE(says(desk, "Not possible any more"));
 }
 
 TEST(ExerciseCard, ValuesHaveEnoughDigitsToShowIfAStepIsDone) {

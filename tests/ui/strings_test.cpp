@@ -135,6 +135,10 @@ std::set<std::string> composed() {
     for (const char* row :
          {"kind.name", "kind.count", "sensors.noise", "sensors.latency"})  // ui/panels/kind_editor.cpp
         for (const char* end : {"", "_how"}) keys.insert("field." + std::string(row) + end);
+    for (const char* unit : {"rounds", "laps", "contacts", "captures", "vehicles", "times"})
+        keys.insert("unit." + std::string(unit));  // ui/panels/lesson_text.cpp
+    for (int chapter = 1; chapter <= 5; ++chapter) keys.insert("chapter." + std::to_string(chapter));
+    for (const char* stem : {"character.", "character_story."}) keys.insert(stem + std::string("hidden"));
     for (const char* key : {"sensors.name", "sensors.name_how"}) keys.insert(key);  // ui/panels/sensor_card.cpp
     for (const Channel channel : source_channels) keys.insert("source." + std::string(word(channel)));
     return keys;

@@ -16,7 +16,7 @@ TEST(LabWindow, OpensTheFirstExercisePausedWithItsVehicleSelected) {
     EXPECT_EQ(state["mode"], "paused");
     EXPECT_EQ(state["tick"], 0);
     EXPECT_EQ(state["selected"], 0);
-    EXPECT_EQ(state["exercise"]["id"], "05-aggressor");
+    EXPECT_EQ(state["exercise"]["id"], "01-drive");
     EXPECT_EQ(state["exercise"]["passed"], false);
     EXPECT_EQ(state["toggles"], 0);
 }
@@ -255,7 +255,7 @@ TEST(LabWindow, OpensWithABrokenSceneAndReportsFileAndLine) {
     const auto file = home.path / "broken.toml";
     std::ofstream(file) << "format = 1\n\n[ecology]\npopulatoin = 3\n";
     LabWindow lab({file.string(), "--size", "1280x800"}, home.path);
-    EXPECT_EQ(lab.state()["opened"], "05-aggressor");
+    EXPECT_EQ(lab.state()["opened"], "01-drive");
     for (const std::string& said : {lab.state()["notice"].get<std::string>(), lab.said()}) {
         EXPECT_NE(said.find("broken.toml:4:"), std::string::npos) << said;
         EXPECT_NE(said.find("population"), std::string::npos) << said;

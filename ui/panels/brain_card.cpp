@@ -323,7 +323,7 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         gap(ui, 8);
         if (vehicle->driver != Driver::brain)
             driver_panel(state, ui, *vehicle);
-        else if (!hides_brain(view))
+        else if (!hides_outcome(view))
             equations(view, ui, *vehicle);
         // The wiring canvas shows the same brain larger.
         if (view.mode != Mode::wiring && !hides_brain(view))

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include <imgui.h>
@@ -169,12 +170,14 @@ void hint_button(const LessonView& lesson, Ui& ui) {
     ImGui::SameLine();
 }
 
-// The exercise after this one, or null.
+// The exercise after this one, by number and then by name; or null.
 const CatalogueEntry* next_exercise(const LabView& view) {
     const CatalogueEntry* next = nullptr;
-    if (view.catalogue)
-        for (const CatalogueEntry& entry : *view.catalogue)
-            if (entry.number > view.lesson->exercise->number && (!next || entry.number < next->number)) next = &entry;
+    if (!view.catalogue) return next;
+    const auto order = [](const CatalogueEntry& entry) { return std::tie(entry.number, entry.name); };
+    const auto now = std::tie(view.lesson->exercise->number, view.lesson->exercise->id);
+    for (const CatalogueEntry& entry : *view.catalogue)
+        if (entry.number > 0 && order(entry) > now && (!next || order(entry) < order(*next))) next = &entry;
     return next;
 }
 

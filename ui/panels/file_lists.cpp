@@ -114,14 +114,22 @@ void end_list() {
 
 }  // namespace
 
+std::string chapter_title(const Ui& ui, int chapter) {
+    const std::string number = std::to_string(chapter);
+    return number + " · " + std::string(ui.strings.find("chapter." + number, ui.strings("chapter.other")));
+}
+
 void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     begin_list(files, ui, "shipped", bottom);
     for (const bool exercises : {true, false}) {
         subheading(ui, ui.strings(exercises ? "open.exercises" : "open.scenes"));
         gap(ui, 12);  // room for the focus ring of the first row
+        int chapter = 0;
         if (view.catalogue)
             for (const CatalogueEntry& entry : *view.catalogue) {
                 if ((entry.number > 0) != exercises) continue;
+                if (entry.chapter != chapter) paragraph(ui, chapter_title(ui, entry.chapter), ui.palette.second_text);
+                chapter = entry.chapter;
                 const std::string title(translated(ui, entry.title));
                 const std::string words = exercises ? std::to_string(entry.number) + "  " + title : title;
                 const FileRow row{"open." + entry.name,     words, std::string(translated(ui, entry.story)), "", {},

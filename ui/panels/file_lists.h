@@ -51,4 +51,7 @@ void list_shipped(const LabView&, FilesState&, Ui&, float bottom);
 void list_recent(const LabView&, FilesState&, Ui&, float bottom);
 void list_folder(const LabView&, FilesState&, Ui&, float bottom);
 
+// "1 · Two wheels, two eyes"
+std::string chapter_title(const Ui&, int chapter);
+
 }  // namespace braitenlab::ui

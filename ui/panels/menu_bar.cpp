@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/scene/enums.h"
+#include "ui/panels/file_lists.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/edits.h"
 #include "ui/strings.h"
@@ -216,9 +217,12 @@ void add_fields(std::vector<LabMenuRow>& rows, const LabView& view, const Ui& ui
 void add_catalogue(std::vector<LabMenuRow>& rows, const LabView& view, const Ui& ui) {
     if (!view.catalogue) return;
     for (const bool exercises : {true, false}) {
+        int chapter = 0;
         rows.push_back(menu_heading(ui.strings(exercises ? "open.exercises" : "open.scenes")));
         for (const CatalogueEntry& shipped : *view.catalogue) {
             if ((shipped.number > 0) != exercises) continue;
+            if (shipped.chapter != chapter) rows.push_back(menu_heading(chapter_title(ui, shipped.chapter)));
+            chapter = shipped.chapter;
             LabMenuRow row{.request = OpenRequest{shipped.path}};
             const std::string title(translated(ui, shipped.title));
             row.entry.anchor = "menu.exercises." + shipped.name;

@@ -1,0 +1,67 @@
+#include "ui/offered.h"
+
+#include "desk.h"
+
+namespace braitenlab::tests::offered_test {
+namespace {
+
+struct Offering : Desk {
+    explicit Offering(std::vector<std::string> offers) : Desk(1280, 1000, 1, true) {
+        opened.offers = std::move(offers);
+        open_exercise();
+        lesson.prediction = 0;
+        frame(3);
+    }
+    bool has(std::string_view anchor) const { return anchors.find(anchor) != nullptr; }
+};
+
+TEST(Offered, OnlyTheOfferedControlsAreShown) {
+    const Offering desk({"LL", "LM"});
+    for (const char* id : {"slider.LL", "bias.LM", "button.free_play"}) EXPECT_TRUE(desk.has(id)) << id;
+    for (const char* id : {"slider.LR", "slider.RL", "slider.RR", "threshold.LL", "bias.RM", "button.mirror",
+                           "button.cross", "button.presets", "button.drive", "card.sensors"})
+        EXPECT_FALSE(desk.has(id)) << id;
+}
+
+TEST(Offered, ThresholdsAndSensorsAreShownWhereTheyAreOffered) {
+    const Offering desk({"threshold_LL", "sensors"});
+    EXPECT_TRUE(desk.has("threshold.LL"));
+    EXPECT_TRUE(desk.has("card.sensors"));
+    EXPECT_FALSE(desk.has("slider.LL"));
+}
+
+TEST(Offered, FreePlayShowsAllControls) {
+    Offering desk({"LL", "LM"});
+    desk.click("button.free_play");
+    ASSERT_TRUE(desk.last<FreePlayRequest>());
+    EXPECT_TRUE(desk.last<FreePlayRequest>()->on);
+    desk.lesson.free_play = true;
+    desk.frame(3);
+    for (const char* id : {"slider.LR", "threshold.LL", "bias.RM", "button.presets", "card.sensors"})
+        EXPECT_TRUE(desk.has(id)) << id;
+    desk.click("button.free_play");
+    EXPECT_FALSE(desk.last<FreePlayRequest>()->on);
+}
+
+TEST(Offered, AnExerciseWithoutOffersShowsAllControls) {
+    const Offering desk({});
+    for (const char* id : {"slider.LR", "threshold.LL", "bias.RM", "button.presets", "card.sensors"})
+        EXPECT_TRUE(desk.has(id)) << id;
+    EXPECT_FALSE(desk.has("button.free_play"));
+}
+
+TEST(Offered, DialsThatMoveTogetherAreOneSliderAndOneStepOfUndo) {
+    Offering desk({"LL=RR", "LM=RM"});
+    EXPECT_EQ(desk.where("slider.LL").y, desk.where("slider.RR").y);
+    EXPECT_EQ(desk.where("bias.LM").x, desk.where("bias.RM").x);
+    desk.type_into("slider.LL", "0.75");
+    const std::vector<EditRequest> edits = desk.edits();
+    ASSERT_EQ(edits.size(), 2u);
+    EXPECT_EQ(turned(edits[0]).dial, Dial::LL);
+    EXPECT_EQ(turned(edits[1]).dial, Dial::RR);
+    for (const EditRequest& edit : edits) EXPECT_EQ(turned(edit).value, 0.75f);
+    EXPECT_EQ(edits[0].gesture, edits[1].gesture);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::offered_test
