@@ -76,6 +76,15 @@ TEST(OthersGoals, AFollowedVehicleIsNearAndAhead) {
     EXPECT_FALSE(is_done(goal, run(90, {2, 0})));
 }
 
+TEST(OthersGoals, AVehicleIsFollowedAcrossTheSeamOfATorus) {
+    Exercise exercise = exercise_with({goals::Follows{"two", 3, 30}});
+    exercise.scene.arena.width = 12;
+    const std::vector<Moment> run{{0, {5, 0}, 0, 0, 1, 0, {-5, 0.5f}}};
+    EXPECT_FALSE(verdict_on(exercise, run).done) << "a wall lies between them";
+    exercise.scene.arena.edge = Boundary::torus;
+    EXPECT_TRUE(verdict_on(exercise, run).done);
+}
+
 TEST(OthersGoals, ContactsAndCapturesAreCounted) {
     const auto run = [](std::int64_t contacts, std::int64_t captures) {
         Moment moment;

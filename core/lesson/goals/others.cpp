@@ -2,12 +2,15 @@
 
 #include <algorithm>
 
+#include "core/sensing/seam.h"
+
 namespace braitenlab::goals {
 
 std::optional<Reading> measure(const Follows& goal, Follows::State&, const Observation& at) {
     const VehicleView* other = find_vehicle(at.now, at.subjects.id(goal.other));
     if (!other) return std::nullopt;
-    const maths::vec2 offset{other->x - at.vehicle.x, other->y - at.vehicle.y};
+    const sensing::Seam seam(at.now.scene->arena);
+    const maths::vec2 offset = seam.shortest({other->x - at.vehicle.x, other->y - at.vehicle.y});
     const float distance = maths::length(offset);
     return Reading{distance, distance <= goal.metres && degrees_off(at.vehicle, offset) <= goal.degrees};
 }

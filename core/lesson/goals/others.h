@@ -5,6 +5,7 @@
 
 namespace braitenlab::goals {
 
+// In a torus, across the seam if that is shorter.
 struct Follows {
     static constexpr Traits traits{"follows", "m", true, INFINITY,
                                    "the other vehicle is within `metres` and within `degrees` of straight ahead"};
