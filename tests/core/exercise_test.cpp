@@ -1,8 +1,10 @@
 #include "core/lesson/exercise.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
@@ -63,15 +65,89 @@ TEST(Exercise, EveryShippedFileIsRead) {
     }
 }
 
-TEST(Exercise, EveryShippedExerciseFailsAsShippedAndPassesWithItsSolutionForEverySeed) {
-    for (const fs::path& path : shipped_exercises()) {
-        const auto exercise = load_exercise(path);
-        ASSERT_TRUE(exercise) << exercise.error().text();
-        ASSERT_GE(exercise->starts, 10);
-        EXPECT_EQ(grade(*exercise, as_shipped(*exercise)).count, 0) << path;
-        EXPECT_EQ(grade(*exercise, with_solution(*exercise)).count, exercise->starts) << path;
+// One exercise of the course, by the name of its file.
+class Course : public testing::TestWithParam<std::string> {
+protected:
+    Exercise read() const {
+        const auto exercise = load_exercise(guided / (GetParam() + ".toml"));
+        EXPECT_TRUE(exercise) << exercise.error().text();
+        return exercise ? *exercise : Exercise{};
+    }
+};
+
+TEST_P(Course, FailsAsShippedAndPassesWithItsSolutionFromEveryGradedStart) {
+    const Exercise exercise = read();
+    ASSERT_GE(exercise.starts, 10);
+    EXPECT_EQ(grade(exercise, as_shipped(exercise)).count, 0);
+    EXPECT_EQ(grade(exercise, with_solution(exercise)).count, exercise.starts);
+}
+
+TEST_P(Course, PassesWithItsSolutionFromEighteenOfTwentyOtherStarts) {
+    const Exercise exercise = read();
+    int passed = 0;
+    for (std::uint64_t seed = 1001; seed <= 1020; ++seed) passed += passes(exercise, with_solution(exercise), seed);
+    EXPECT_GE(passed, 18);
+}
+
+TEST_P(Course, RejectsItsWrongAnswersAndSaysWhatIsWrong) {
+    const Exercise exercise = read();
+    EXPECT_GE(exercise.wrong.size(), 3u);
+    for (const Answer& wrong : exercise.wrong) {
+        EXPECT_FALSE(grade(exercise, wrong.submission).good) << wrong.name;
+        EXPECT_FALSE(wrong.name.empty() || wrong.text.empty());
     }
 }
+
+TEST_P(Course, TheSolutionKeepsToTheOfferedControls) {
+    const Exercise exercise = read();
+    EXPECT_EQ(outside_offers(exercise, with_solution(exercise)), std::vector<std::string>{});
+    EXPECT_TRUE(keeps_to_offers(exercise, with_solution(exercise)));
+}
+
+TEST_P(Course, TheRunShowsWhatThePredictionsAnswerSays) {
+    const Exercise exercise = read();
+    EXPECT_FALSE(exercise.prediction.shows.empty());
+    EXPECT_TRUE(shows_prediction(exercise));
+}
+
+TEST_P(Course, NoStepIsDoneAtTheStart) {
+    const Exercise exercise = read();
+    for (const Submission& submission : {as_shipped(exercise), with_solution(exercise)}) {
+        const auto world = World::create(scene_with(exercise, submission), exercise.seed);
+        ASSERT_TRUE(world);
+        Snapshot start;
+        world->capture(start);
+        Referee referee(exercise);
+        referee.watch(start);
+        for (const Verdict& verdict : referee.verdicts()) EXPECT_FALSE(verdict.done);
+    }
+}
+
+// The texts before the first action are short enough to be read.
+TEST_P(Course, TakesFortyWordsBeforeTheFirstAction) {
+    const Exercise exercise = read();
+    std::string before = exercise.goal + " " + exercise.prediction.question;
+    for (const std::string& option : exercise.prediction.options) before += " " + option;
+    std::istringstream words(before);
+    const auto count = std::distance(std::istream_iterator<std::string>(words), {});
+    EXPECT_LE(count, 40) << before;
+    EXPECT_GE(exercise.hints.size(), 3u);
+    EXPECT_FALSE(exercise.question.empty());
+    EXPECT_GE(exercise.chapter, 1);
+}
+
+std::vector<std::string> course() {
+    std::vector<std::string> names;
+    for (const fs::path& path : shipped_exercises()) names.push_back(path.stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Exercises, Course, testing::ValuesIn(course()), [](const auto& info) {
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
 
 TEST(Exercise, NoOtherClassicVehiclePassesTheAggressorExercise) {
     const auto exercise = load_exercise(guided / "05-aggressor.toml");

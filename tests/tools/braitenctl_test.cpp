@@ -391,7 +391,7 @@ TEST(CtlCheck, AnExerciseThatPassesAsShippedIsNotSound) {
 TEST(CtlCheck, AHintForAWidgetThatDoesNotExistIsAnError) {
     const Ran ran = check_changed({{"anchor = \"slider.LR\"", "anchor = \"slider.LM\""}});
     EXPECT_EQ(ran.code, 2) << ran.out;
-    EXPECT_NE(ran.out.find("changed.toml:57: the window has no widget 'slider.LM'"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("changed.toml:64: the window has no widget 'slider.LM'"), std::string::npos) << ran.out;
 }
 
 TEST(CtlCheck, ABrainPassesOrFailsAnExercise) {
