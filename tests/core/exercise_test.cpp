@@ -143,8 +143,8 @@ std::vector<std::string> course() {
     return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Exercises, Course, testing::ValuesIn(course()), [](const auto& info) {
-    std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(Exercises, Course, testing::ValuesIn(course()), [](const auto& each) {
+    std::string name = each.param;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
 });

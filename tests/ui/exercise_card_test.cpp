@@ -170,6 +170,13 @@ TEST(ExerciseCard, ARangeShowsBothEnds) {
     EXPECT_TRUE(says(desk, "now 4.20 m, need 1.00–3.00 m"));
     EXPECT_TRUE(says(desk, "reached 2.00 m (1.00–3.00 m)"));
     EXPECT_TRUE(says(desk, "Not possible any more"));
+    desk.lesson.verdicts[0] = {false, {{0.42f, 0.9f, ""}}};
+    desk.lesson.verdicts[1] = {false, {{1, 3, ""}}};
+    desk.lesson.verdicts[2] = {false, {{0.1f, 0.15f, "m/s", true}}};
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "now 0.42, need ≥ 0.90"));
+    EXPECT_TRUE(says(desk, "now 1, need ≥ 3"));
+    EXPECT_TRUE(says(desk, "now 0.10 m/s, need ≤ 0.15 m/s"));
 }
 
 TEST(ExerciseCard, ValuesHaveEnoughDigitsToShowIfAStepIsDone) {

@@ -1,6 +1,7 @@
 #include "ui/panels/lesson_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "ui/strings.h"
@@ -29,6 +30,7 @@ std::string with_unit(const Ui& ui, float value, std::string_view unit, int digi
 // The number of digits that shows which of two values is larger: 10.4° and 10.0°.
 int telling_decimals(const Measure& measure) {
     int digits = decimals(measure.unit);
+    if (measure.needed != std::round(measure.needed)) digits = std::max(digits, 2);
     const bool differ = measure.value != measure.needed;
     for (const int most = digits + 2; digits < most && differ; ++digits)
         if (fixed(measure.value, digits) != fixed(measure.needed, digits)) break;
