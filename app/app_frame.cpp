@@ -13,7 +13,7 @@
 #include "app/lab_selection.h"
 #include "app/platform/platform.h"
 #include "render/view/between.h"
-#include "ui/offered.h"
+#include "ui/panels/offered.h"
 #include "ui/panels/prompts.h"
 
 namespace braitenlab {

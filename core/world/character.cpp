@@ -53,14 +53,8 @@ Character character_of(const Snapshot& now, const VehicleView& vehicle) {
 
 std::vector<std::string> missing_sensors(const BrainGraph& brain, const Kind& kind) {
     std::vector<std::string> missing;
-    const auto has_effect = [&](const Node& node) {
-        return std::any_of(brain.wires.begin(), brain.wires.end(), [&](const Wire& wire) {
-            return wire.from == node.id && (wire.weight != 0 || wire.learning_rate > 0);
-        });
-    };
     for (const Node& node : brain.nodes)
-        if (is_wired_sensor(brain, node) && has_effect(node) && !find_sensor(kind.sensors, node.name))
-            missing.push_back(node.name);
+        if (is_wired_sensor(brain, node) && !find_sensor(kind.sensors, node.name)) missing.push_back(node.name);
     return missing;
 }
 

@@ -27,8 +27,7 @@ std::vector<PairCharacter> characters_of(const BrainGraph&, const Kind&, std::sp
 // The result for the first wired pair; Character::indifferent or still for a brain that reads no pair.
 Character character_of(const Snapshot&, const VehicleView&);
 
-// Sensors that the brain reads by a wire with an effect (a weight, or one that can learn it) and the kind does not
-// have, in the order of the brain's nodes.
+// Sensors that the brain reads and the kind does not have, in the order of the brain's nodes.
 std::vector<std::string> missing_sensors(const BrainGraph&, const Kind&);
 
 }  // namespace braitenlab

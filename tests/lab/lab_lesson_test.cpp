@@ -23,6 +23,17 @@ BrainGraph solution(const Lab& lab) { return lab.document.lesson->exercise->solu
 
 Lab aggressor() { return opened_lab("05-aggressor"); }
 
+// Exercise 5 with other offers; without any it offers all controls.
+Lab exercise_that_offers(std::vector<std::string> offers, int changes = 0) {
+    Lab lab = aggressor();
+    auto exercise = std::make_shared<Exercise>(*lab.document.lesson->exercise);
+    exercise->offers = std::move(offers);
+    exercise->changes = changes;
+    lab.document.lesson->exercise = exercise;
+    lab.document.lesson->view.exercise = exercise.get();
+    return lab;
+}
+
 // Exercise 5 with its solution.
 Lab solved_exercise() {
     Lab lab = aggressor();
@@ -305,7 +316,8 @@ TEST(LabLesson, GradesTheEditedSubmissionWhenItIsEditedMeanwhile) {
     const BrainGraph weak = make_graph({.LM = 0.1f, .RM = 0.1f});
     for (const Command& edit : {Command(SetBrain{{.kind = 0}, weak}), Command(SetSensors{{.kind = 0}, blind})}) {
         Jobs jobs(0);
-        Lab lab = solved_exercise();
+        Lab lab = exercise_that_offers({});
+        handle(lab, EditRequest{SetBrain{{.kind = 0}, solution(lab)}});
         run_until_every_step_is_done(lab);
         while (lesson_of(lab).starts_tested.value_or(0) < 4) turn(lab, jobs);
         handle(lab, EditRequest{edit});
@@ -367,17 +379,6 @@ TEST(LabLesson, ShowsAGradeOnlyForTheSubmissionThatGotIt) {
     handle(lab, EditRequest{SetBrain{{.kind = 0}, solution(lab)}});
     turn(lab, jobs);
     EXPECT_FALSE(lesson_of(lab).grade) << "Start over forgets the grade";
-}
-
-// The same exercise, in which only LL and the biases are offered, or any two controls.
-Lab exercise_that_offers(std::vector<std::string> offers, int changes = 0) {
-    Lab lab = aggressor();
-    auto exercise = std::make_shared<Exercise>(*lab.document.lesson->exercise);
-    exercise->offers = std::move(offers);
-    exercise->changes = changes;
-    lab.document.lesson->exercise = exercise;
-    lab.document.lesson->view.exercise = exercise.get();
-    return lab;
 }
 
 TEST(LabLesson, DoesNotGradeWhileOtherControlsThanTheOfferedOnesHaveChanged) {
@@ -455,7 +456,7 @@ bool by_hand(const Lab& lab) { return lab.document.lesson->view.by_hand; }
 
 TEST(LabLesson, GradingRunsTheSensorsThatTheStudentTurned) {
     Jobs jobs(0);
-    Lab lab = aggressor();
+    Lab lab = exercise_that_offers({});
     std::vector<Sensor> sensors = lab.document.session.snapshot().scene->kinds[0].sensors;
     ASSERT_EQ(sensors.size(), 2u);
     for (Sensor& sensor : sensors) sensor.y = -sensor.y, sensor.angle = -sensor.angle;

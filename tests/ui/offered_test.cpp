@@ -1,4 +1,4 @@
-#include "ui/offered.h"
+#include "ui/panels/offered.h"
 
 #include "desk.h"
 

@@ -12,8 +12,8 @@
 
 #include "core/scene/enums.h"
 #include "core/scene/sensor_edits.h"
-#include "ui/offered.h"
 #include "ui/panels/cards.h"
+#include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/sensor_changes.h"
 #include "ui/shortcuts.h"
@@ -160,12 +160,21 @@ Sensor sensor_to_add(const LabView& view, const VehicleView& vehicle, const std:
     return sensor_named(name);
 }
 
+// True if the brain reads the sensor by a wire with an effect: one with a weight, or one that can learn it.
+bool has_effect(const BrainGraph& brain, const std::string& sensor) {
+    const Node* node = find_node(brain, sensor);
+    return node && std::any_of(brain.wires.begin(), brain.wires.end(), [&](const Wire& wire) {
+               return wire.from == node->id && (wire.weight != 0 || wire.learning_rate > 0);
+           });
+}
+
 // A brain from another vehicle or file can read sensors that this vehicle does not have. A button adds them.
 void missing_sensors_note(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const Kind& kind = kind_of(*view.now, vehicle);
     std::vector<Sensor> added;
-    for (const std::string& sensor : missing_sensors(*brain_of(*view.now, vehicle), kind))
-        added.push_back(sensor_to_add(view, vehicle, sensor));
+    const BrainGraph& brain = *brain_of(*view.now, vehicle);
+    for (const std::string& sensor : missing_sensors(brain, kind))
+        if (has_effect(brain, sensor)) added.push_back(sensor_to_add(view, vehicle, sensor));
     if (added.empty()) return;
     std::string names;
     for (const Sensor& sensor : added) names += (names.empty() ? "" : ", ") + sensor_label(ui, added, sensor);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/offered.h"
+#include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 

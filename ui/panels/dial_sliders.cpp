@@ -7,7 +7,7 @@
 #include <imgui.h>
 
 #include "core/brain/four_neurons.h"
-#include "ui/offered.h"
+#include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"

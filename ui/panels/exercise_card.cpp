@@ -7,9 +7,9 @@
 
 #include <imgui.h>
 
-#include "ui/offered.h"
 #include "ui/panels/cards.h"
 #include "ui/panels/lesson_text.h"
+#include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
