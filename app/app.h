@@ -82,7 +82,7 @@ private:
     void follow_shaders();
     void frame(float passed);
     CameraKeys camera_keys(bool arrows_are_free) const;
-    void draw_scene(bool hides_brains);
+    void draw_scene(std::vector<bool> hidden_brains);  // by kind
     std::optional<Error> write_picture(const std::filesystem::path&);
     // Writes a picture to the user's folder of pictures.
     void take_screenshot();

@@ -13,7 +13,6 @@
 #include "app/lab_selection.h"
 #include "app/platform/platform.h"
 #include "render/view/between.h"
-#include "ui/panels/offered.h"
 #include "ui/panels/prompts.h"
 
 namespace braitenlab {
@@ -135,7 +134,7 @@ void App::frame(float passed) {
     if (repeatable() && !picture_is_due(0))
         renderer_.remember(lab_.document.session.snapshot());  // no frame is shown before the picture is taken
     else
-        draw_scene(ui::hides_brain(view));
+        draw_scene(hidden_brains(view));
     const ImGuiIO& io = ImGui::GetIO();
     got_input_ = has_input(keys, io) || held;
     ++facts_.frames;
@@ -166,9 +165,9 @@ CameraKeys App::camera_keys(bool arrows_are_free) const {
     return keys;
 }
 
-void App::draw_scene(bool hides_brains) {
+void App::draw_scene(std::vector<bool> hidden_brains) {
     Picture picture;
-    picture.hides_brains = hides_brains;
+    picture.hidden_brains = std::move(hidden_brains);
     picture.camera_view = viewport_.camera_view;
     picture.camera_view.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
                                   static_cast<float>(window_.framebuffer_height())};

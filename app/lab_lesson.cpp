@@ -146,11 +146,16 @@ void show_grade(Lesson& lesson, const Submission& now) {
 void update_grading(Lab& lab, Jobs& jobs) {
     if (!lab.document.lesson) return;
     Lesson& lesson = *lab.document.lesson;
-    if (!lesson.grading && !lesson.graded && !lesson.referee.passed()) return;
+    if (!lesson.grading && !lesson.graded && !lesson.referee.passed()) {
+        lesson.view.outside_offers = lesson.view.too_many_changes = false;
+        return;
+    }
     Submission now = submission_of(*lesson.exercise, lab.document.session.snapshot());
     show_grade(lesson, now);
-    lesson.view.outside_offers = !keeps_to_offers(*lesson.exercise, now);
-    const bool is_due = lesson.referee.passed() && !lesson.view.grade && !lesson.view.outside_offers;
+    lesson.view.outside_offers = !outside_offers(*lesson.exercise, now).empty();
+    lesson.view.too_many_changes = !lesson.view.outside_offers && !keeps_to_offers(*lesson.exercise, now);
+    const bool is_allowed = !lesson.view.outside_offers && !lesson.view.too_many_changes;
+    const bool is_due = lesson.referee.passed() && !lesson.view.grade && is_allowed;
     if (lesson.grading && lesson.grading->submission != now) lesson.grading.reset();
     if (!lesson.grading && is_due) {
         auto job = submit_grading(jobs, lesson.exercise, now);
@@ -248,6 +253,7 @@ void show_solution(Lab& lab) {
     Kind given = exercise.scene.kinds[kind];
     given.brain = solution.brain, given.sensors = solution.sensors, given.body = solution.body;
     give_to_kind(lab, kind, given);
+    lab.document.lesson->view.solution_shown = true;
     reset(lab);
 }
 

@@ -369,7 +369,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },
                      [&](const OverlaysRequest& r) { lab.view.overlays = r.overlays; },
                      [&](const PredictRequest& r) {
-                         if (lab.document.lesson && !lab.document.lesson->view.outcome_known)
+                         if (lab.document.lesson && is_prediction_open(lab.document.lesson->view))
                              lab.document.lesson->view.prediction = r.option;
                      },
                      [&](const FreePlayRequest& r) {

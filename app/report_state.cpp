@@ -114,13 +114,6 @@ void add_scene_input(Json& state, const Lab& lab, const ui::SceneInputState& sce
     state["zones"] = zones_json(now, camera_view);
 }
 
-// Number of the first step that was not done; 0 if all were.
-std::size_t first_missed_step(const StartResult& start) {
-    for (std::size_t i = 0; i < start.verdicts.size(); ++i)
-        if (!start.verdicts[i].done) return i + 1;
-    return 0;
-}
-
 Json exercise_json(const Lab& lab) {
     if (!lab.document.lesson) return nullptr;
     Json steps = Json::array();
@@ -131,7 +124,8 @@ Json exercise_json(const Lab& lab) {
     Json starts = Json::array();
     if (view.grade)
         for (const StartResult& start : view.grade->starts)
-            starts.push_back({{"seed", start.seed}, {"passed", start.passed}, {"step", first_missed_step(start)}});
+            starts.push_back(
+                {{"seed", start.seed}, {"passed", start.passed}, {"step", start.passed ? 0 : failed_step(start) + 1}});
     return {{"id", lab.document.lesson->exercise->id},
             {"chapter", lab.document.lesson->exercise->chapter},
             {"predicted", view.prediction},

@@ -40,7 +40,15 @@ struct LessonView {
     bool by_hand = false;                      // the user has moved an object: this run is not judged
     bool free_play = false;                    // all controls are shown, not only the offered ones
     bool outside_offers = false;               // the submission changes what is not offered: it is not graded
+    bool solution_shown = false;               // the solution was set for the student; Start over clears it
+    bool too_many_changes = false;             // it changes more controls than Exercise::changes: it is not graded
 };
+
+// True if the prediction can be made or changed: not after a run has shown the outcome, and once it is made, not after
+// the first run has begun.
+inline bool is_prediction_open(const LessonView& lesson) {
+    return !lesson.outcome_known && (lesson.prediction < 0 || !lesson.has_run);
+}
 
 // A shipped scene or exercise in the file browser.
 struct CatalogueEntry {
@@ -117,6 +125,34 @@ inline const Kind* filed_kind(const LabView& view, const std::string& name) {
 }
 inline const Kind* filed_kind(const LabView& view, const VehicleView& vehicle) {
     return filed_kind(view, kind_of(*view.now, vehicle).name);
+}
+
+// True while the exercise's prediction is asked and neither made nor shown by a run: nothing may tell the outcome.
+inline bool hides_outcome(const LabView& view) {
+    if (!view.lesson || view.lesson->exercise->prediction.options.empty()) return false;
+    const bool passed = view.lesson->grade && view.lesson->grade->good;
+    return view.lesson->prediction < 0 && !view.lesson->outcome_known && !passed;
+}
+
+// True for a kind whose brains the exercise never shows.
+inline bool is_brain_secret(const LabView& view, int kind) {
+    if (!view.lesson) return false;
+    const std::vector<std::string>& secret = view.lesson->exercise->hides;
+    const std::string& name = view.now->scene->kinds[static_cast<std::size_t>(kind)].name;
+    return std::find(secret.begin(), secret.end(), name) != secret.end();
+}
+
+// True if the brains of this kind may not be shown now: they are secret, or their wires would tell the outcome.
+inline bool hides_brain(const LabView& view, int kind) {
+    return is_brain_secret(view, kind) || (hides_outcome(view) && view.lesson->exercise->prediction.hides_brain);
+}
+
+// hides_brain() of every kind of the scene.
+inline std::vector<bool> hidden_brains(const LabView& view) {
+    std::vector<bool> hidden;
+    for (std::size_t kind = 0; view.lesson && kind < view.now->scene->kinds.size(); ++kind)
+        hidden.push_back(hides_brain(view, static_cast<int>(kind)));
+    return hidden;
 }
 
 // The pair of sensors whose wires the sliders set.

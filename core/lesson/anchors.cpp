@@ -11,7 +11,8 @@ namespace {
 constexpr std::string_view fixed_anchors[]{
     // the brain's sliders
     "slider.LL", "slider.LR", "slider.RL", "slider.RR", "threshold.LL", "threshold.LR", "threshold.RL", "threshold.RR",
-    "bias.LM", "bias.RM", "button.mirror", "button.cross", "button.presets", "button.drive",
+    "bias.LM", "bias.RM", "button.mirror", "button.cross", "button.presets", "button.drive", "curve.peak",
+    "curve.width",
     // its picture, with what a lesion can be set to
     "brain.character", "brain.picture", "equations", "lesion.SL", "lesion.SR", "lesion.ML", "lesion.MR", "lesion.LL",
     "lesion.LR", "lesion.RL", "lesion.RR",
@@ -27,7 +28,7 @@ constexpr std::string_view fixed_anchors[]{
     "timeline.track", "timeline.rewind", "timeline.bookmark", "timeline.behind",
     // the exercise
     "exercise.predict", "exercise.hint", "exercise.grade", "exercise.show_me", "exercise.reset", "exercise.why",
-    "button.free_play",
+    "button.free_play", "button.open_wiring",
     // cards and the arena
     "card.exercise", "card.exercise.fold", "card.brain", "card.brain.fold", "card.information", "card.information.fold",
     "card.sensors", "card.sensors.fold", "card.inspector", "card.inspector.fold", "info.figures", "info.signals",

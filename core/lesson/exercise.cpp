@@ -73,6 +73,8 @@ void describe(Visitor& v, Of<Exercise>) {
     v.texts("offers", &Exercise::offers, limits::offers, limits::name_length,
             "the controls that are shown: dials like \"LR\", dials that move together like \"LL=RR\", \"curves\", "
             "\"sensors\", \"wiring\"; default: all");
+    v.texts("hides", &Exercise::hides, limits::kinds, limits::name_length,
+            "names of kinds of the scene whose brains are never shown; not the first vehicle's");
     v.number("changes", &Exercise::changes, "", {0, 16}, "most offered controls that may be changed; 0: any number");
     v.number("seed", &Exercise::seed, "", {0, 1e15}, "of the run that the student sees");
     v.number("seconds", &Exercise::seconds, "s", {1, 600}, "duration of a graded run");
@@ -153,6 +155,13 @@ void check_times(const ExercisePart& part, const Check& check, std::size_t index
         part.file.fail(part.path + ".latest", part.table.get("latest"), "'latest' should be more than 'earliest'");
 }
 
+void check_hidden(TomlTable& top, const Exercise& exercise) {
+    for (const std::string& kind : exercise.hides)
+        if (const int index = find_kind(exercise.scene, kind); index < 0 || index == subject_kind(exercise.scene))
+            top.fail("hides",
+                     fmt::format("{} is no kind of the scene other than the first vehicle's", in_quotes(kind)));
+}
+
 void check_offers(TomlTable& top, const Exercise& exercise) {
     for (const std::string& text : exercise.offers)
         if (!parse_offer(text))
@@ -201,6 +210,8 @@ void check_exercise(TomlTable& top, const Exercise& exercise) {
         file.error = Error{"there is no [[step]]; add at least one check of what must happen", file.name};
     if (exercise.scene.starts.empty())
         top.fail("scene", "this scene places no vehicle; an exercise is about its first [vehicle.NAME]");
+    else
+        check_hidden(top, exercise);
     const TomlNode* steps = top.content().get("step");
     for (std::size_t i = 0; i < exercise.steps.size() && !file.error; ++i) {
         const ExercisePart part{file, steps->as_list()->at(i), fmt::format("step.{}", i + 1), exercise.scene};

@@ -64,6 +64,7 @@ struct Exercise {
     Prediction prediction;
     std::vector<Step> steps;
     std::vector<Hint> hints;
+    std::vector<std::string> hides;   // kinds of the scene whose brains are never shown
     std::vector<std::string> offers;  // the controls that are shown, see parse_offer; empty: all
     int changes = 0;                  // most offered controls that may be changed; 0: any number
     float seconds = 20;               // duration of a graded run

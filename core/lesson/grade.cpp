@@ -38,6 +38,15 @@ std::optional<StartResult> Trial::run(int ticks) {
     return result_;
 }
 
+std::size_t failed_step(const StartResult& start) {
+    const auto first = [&](auto fails) {
+        return static_cast<std::size_t>(std::find_if(start.verdicts.begin(), start.verdicts.end(), fails) -
+                                        start.verdicts.begin());
+    };
+    const std::size_t lost = first([](const Verdict& verdict) { return verdict.lost; });
+    return lost < start.verdicts.size() ? lost : first([](const Verdict& verdict) { return !verdict.done; });
+}
+
 StartResult try_start(const Exercise& exercise, const Submission& submission, std::uint64_t seed) {
     Trial trial(exercise, submission, seed);
     return *trial.run(std::numeric_limits<int>::max());

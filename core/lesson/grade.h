@@ -21,6 +21,10 @@ struct StartResult {
     std::vector<maths::vec2> path;  // m, positions of the first vehicle, one per path_ticks from tick 0
 };
 
+// Index of the step that made the trial fail: the first one that could not be done any more, else the first that was
+// not done. The number of verdicts if there is none.
+std::size_t failed_step(const StartResult&);
+
 inline constexpr int path_ticks = 15;
 
 // A run of the exercise's scene from one seed with a submission. It passes when every step is done within

@@ -196,12 +196,18 @@ Subject subject_of(const Drawing& drawing, const VehicleView& view) {
             view.id == drawing.picture.driver};
 }
 
+bool is_brain_hidden(const Drawing& drawing, const Subject& s) {
+    const std::vector<bool>& hidden = drawing.picture.hidden_brains;
+    const auto kind = static_cast<std::size_t>(s.view.kind);
+    return kind < hidden.size() && hidden[kind];
+}
+
 void add_body(Drawing& drawing, const Subject& s) {
     if (s.pixels < sign_below) return add_sign(drawing, s);
     add_hull(drawing, s);
     add_wheels(drawing, s);
     add_eyes(drawing, s);
-    if (!drawing.picture.hides_brains) add_wires(drawing, s);
+    if (!is_brain_hidden(drawing, s)) add_wires(drawing, s);
     add_driver_sign(drawing, s);
     add_stopped_wheels(drawing, s);
     add_shadow(drawing, s);
@@ -211,7 +217,7 @@ void add_here(Drawing& drawing, const Subject& s) {
     if (in_sight(drawing, s.place, s.kind.body.length + 0.5f)) add_body(drawing, s);
     add_lamps(drawing, s);
     add_ring(drawing, s);
-    if (!drawing.picture.hides_brains) add_wheel_arrows(drawing, s);
+    if (!is_brain_hidden(drawing, s)) add_wheel_arrows(drawing, s);
 }
 
 float farthest_eye(const Kind& kind) {

@@ -21,6 +21,16 @@ TEST(Grade, IsRepeatableAndCountsThePassedStarts) {
     EXPECT_EQ(one.good, one.count >= exercise.needed);
 }
 
+TEST(Grade, TheFailedStepIsTheOneThatCannotBeDoneAnyMore) {
+    StartResult start;
+    start.verdicts = {Verdict{true, {}}, Verdict{false, {}}, Verdict{false, {}, true}};
+    EXPECT_EQ(failed_step(start), 2u);
+    start.verdicts[2].lost = false;
+    EXPECT_EQ(failed_step(start), 1u);
+    start.verdicts = {Verdict{true, {}}};
+    EXPECT_EQ(failed_step(start), 1u);
+}
+
 TEST(Grade, ABrainThatDoesNotCompilePassesNoStart) {
     const Exercise exercise = aggressor();
     EXPECT_EQ(grade(exercise, with_brain(exercise, BrainGraph{})).count, 0);

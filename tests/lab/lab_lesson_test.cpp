@@ -403,7 +403,8 @@ TEST(LabLesson, CountsTheChangedControlsWhereTheyAreLimited) {
         handle(lab, EditRequest{SetBrain{{.kind = 0}, solution(lab)}});
         run_until_every_step_is_done(lab);
         for (int i = 0; i < 3; ++i) turn(lab, jobs);
-        EXPECT_EQ(lesson_of(lab).outside_offers, changes < 4) << changes;
+        EXPECT_EQ(lesson_of(lab).too_many_changes, changes < 4) << changes;
+        EXPECT_FALSE(lesson_of(lab).outside_offers);
     }
 }
 

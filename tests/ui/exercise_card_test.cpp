@@ -160,6 +160,59 @@ TEST(ExerciseCard, AStartsPictureReplaysIt) {
     EXPECT_TRUE(says(desk, "now 1.25 m") || says(desk, "best 1.25 m"));
 }
 
+TEST(ExerciseCard, TheReasonIsFoldedInTheNextExercise) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.prediction = 0;
+    desk.frame(2);
+    desk.panels.why_open = true;
+    desk.frame(2);
+    EXPECT_TRUE(desk.panels.why_open);
+    desk.opened.id = "06-love";
+    desk.frame(2);
+    EXPECT_FALSE(desk.panels.why_open);
+}
+
+TEST(ExerciseCard, SaysThatThePassedSolutionWasShown) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    desk.lesson.grade = graded(std::vector<bool>(10, true), true);
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "Well done"));
+    desk.lesson.solution_shown = true;
+    desk.frame(3);
+    EXPECT_FALSE(says(desk, "Well done"));
+    EXPECT_TRUE(says(desk, "do it yourself"));
+}
+
+TEST(ExerciseCard, AMadePredictionIsFixedOnceTheVehicleHasRun) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.frame(3);
+    desk.click("exercise.predict.1");
+    EXPECT_TRUE(desk.last<PredictRequest>());
+    desk.lesson.prediction = 0;
+    desk.lesson.has_run = true;
+    desk.all.clear();
+    desk.frame(3);
+    desk.click("exercise.predict.2");
+    EXPECT_FALSE(desk.last<PredictRequest>());
+}
+
+TEST(ExerciseCard, ASecretBrainIsNotShown) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.prediction = 0;
+    desk.opened.hides = {desk.now.scene->kinds[static_cast<std::size_t>(desk.now.vehicles[0].kind)].name};
+    desk.frame(3);
+    for (const char* id : {"slider.LL", "equations", "brain.picture"}) EXPECT_FALSE(desk.anchors.find(id)) << id;
+    desk.view.mode = Mode::wiring;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("wire.LL"));
+    EXPECT_TRUE(says(desk, "hides this brain"));
+}
+
 TEST(ExerciseCard, ARangeShowsBothEnds) {
     Desk desk(1280, 1000, 1, true);
     desk.open_exercise();
@@ -167,15 +220,18 @@ TEST(ExerciseCard, ARangeShowsBothEnds) {
     desk.lesson.verdicts[0] = {false, {{4.2f, 1, "m", false, false, 3.0f}}, true};
     desk.lesson.verdicts[1] = {true, {{2, 1, "m", false, false, 3.0f}}};
     desk.frame(3);
-    EXPECT_TRUE(says(desk, "now 4.20 m, need 1.00–3.00 m"));
-    EXPECT_TRUE(says(desk, "reached 2.00 m (1.00–3.00 m)"));
+    EXPECT_TRUE(says(desk, "now 4.20 m, need 1.00 … 3.00 m"));
+    EXPECT_TRUE(says(desk, "reached 2.00 m (1.00 … 3.00 m)"));
     EXPECT_TRUE(says(desk, "Not possible any more"));
-    desk.lesson.verdicts[0] = {false, {{0.42f, 0.9f, ""}}};
+    desk.lesson.verdicts[0] = {false, {{0.42f, 0.95f, ""}}};
     desk.lesson.verdicts[1] = {false, {{1, 3, ""}}};
     desk.lesson.verdicts[2] = {false, {{0.1f, 0.15f, "m/s", true}}};
     desk.frame(3);
-    EXPECT_TRUE(says(desk, "now 0.42, need ≥ 0.90"));
+    EXPECT_TRUE(says(desk, "now 0.42, need ≥ 0.95"));
     EXPECT_TRUE(says(desk, "now 1, need ≥ 3"));
+    desk.lesson.verdicts[1] = {true, {{150 * (1 / 60.0f), 2.5f, "s"}}};
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "reached 2.5 s (≥ 2.5 s)"));
     EXPECT_TRUE(says(desk, "now 0.10 m/s, need ≤ 0.15 m/s"));
 }
 

@@ -30,6 +30,31 @@ TEST(Offered, ThresholdsAndSensorsAreShownWhereTheyAreOffered) {
     EXPECT_FALSE(desk.has("slider.LL"));
 }
 
+TEST(Offered, PeakAndWidthAreSlidersOfAllWires) {
+    Offering desk({"curves"});
+    BrainGraph brain = make_graph({.LR = 1, .RL = 1});
+    for (Wire& wire : brain.wires) wire.curve = {Response::hump, 0.2f, 0.1f};
+    desk.now.brains.assign(desk.now.brains.size(), std::make_shared<BrainGraph>(brain));
+    desk.frame(2);
+    desk.type_into("curve.peak", "0.4");
+    const std::vector<EditRequest> edits = desk.edits();
+    ASSERT_EQ(edits.size(), 1u);
+    for (const Wire& wire : std::get<SetBrain>(edits[0].command).brain.wires) {
+        EXPECT_EQ(wire.curve.peak, 0.4f);
+        EXPECT_EQ(wire.curve.width, 0.1f);
+    }
+    EXPECT_TRUE(desk.has("curve.width"));
+}
+
+TEST(Offered, TheWiringIsOneClickAwayWhereItIsOffered) {
+    Offering desk({"wiring"});
+    desk.click("button.open_wiring");
+    EXPECT_EQ(desk.actions(), std::vector<Action>{Action::wiring});
+    desk.opened.offers = {"LL"};
+    desk.frame(2);
+    EXPECT_FALSE(desk.has("button.open_wiring"));
+}
+
 TEST(Offered, FreePlayShowsAllControls) {
     Offering desk({"LL", "LM"});
     desk.click("button.free_play");

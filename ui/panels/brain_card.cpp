@@ -59,7 +59,7 @@ void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView
     const bool thinks = vehicle.driver == Driver::brain;
     const Recognised& known = recognised(state.recognised, *view.now, vehicle, view.wall_seconds);
     const auto shown = shown_character(known, *view.now, vehicle, shown_pair(view, vehicle));
-    const bool hidden = hides_outcome(view);
+    const bool hidden = hides_outcome(view) || is_brain_secret(view, vehicle.kind);
     const std::string_view character = !thinks  ? word(vehicle.driver)
                                        : hidden ? "hidden"
                                        : shown  ? name(*shown)
@@ -272,6 +272,11 @@ void free_play_row(const LabView& view, Ui& ui) {
         ui, {"button.free_play", {}, ui.strings(free ? "exercise.offered_only" : "exercise.free_play"), free});
     tooltip(ui, at, ui.strings("exercise.free_play_how"));
     if (at.pressed) ui.outbox.push_back(FreePlayRequest{!free});
+    if (!offers(*view.lesson->exercise, offer_parts::wiring) || view.mode == Mode::wiring) return;
+    ImGui::SameLine(0, ui.px(4));
+    const Item open = small_button(ui, {"button.open_wiring", icon::wiring, ui.strings("exercise.open_wiring")});
+    tooltip(ui, open, ui.strings("exercise.open_wiring_how"));
+    if (open.pressed) ui.outbox.push_back(Action::wiring);
 }
 
 void driver_panel(PanelState& state, Ui& ui, const VehicleView& vehicle) {
@@ -316,13 +321,17 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
     const bool open = open_card(state, ui, Card::brain, place,
                                 vehicle && !offers_some(view) ? std::span(buttons) : std::span<HeadingButton>{});
     if (open && !vehicle) paragraph(ui, ui.strings("brain.no_vehicle"), ui.palette.second_text);
-    if (open && vehicle) {
+    if (open && vehicle && is_brain_secret(view, vehicle->kind)) {
+        title_row(view, state, ui, *vehicle);
+        paragraph(ui, ui.strings("brain.hidden"), ui.palette.second_text);
+    } else if (open && vehicle) {
         if (buttons[1].pressed) {
             ui.outbox.push_back(Action::drive);
             state.keyboard.focus.clear();  // the arrow keys then drive the vehicle
         }
         title_row(view, state, ui, *vehicle);
-        if (vehicle->driver == Driver::brain && !hides_outcome(view)) describe_brain(view, state, ui, *vehicle);
+        const bool tells = !hides_outcome(view) && !(offers_some(view) && brain_of(*view.now, *vehicle)->wires.empty());
+        if (vehicle->driver == Driver::brain && tells) describe_brain(view, state, ui, *vehicle);
         missing_sensors_note(view, state, ui, *vehicle);
         scope_choice(view, ui, *vehicle, "scope", ui.strings("scope.how"));
         own_brain_note(view, ui, *vehicle);
@@ -332,10 +341,10 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         gap(ui, 8);
         if (vehicle->driver != Driver::brain)
             driver_panel(state, ui, *vehicle);
-        else if (!hides_outcome(view))
+        else if (tells)
             equations(view, ui, *vehicle);
         // The wiring canvas shows the same brain larger.
-        if (view.mode != Mode::wiring && !hides_brain(view))
+        if (view.mode != Mode::wiring && !hides_brain(view, vehicle->kind))
             brain_picture(view, state, ui, *vehicle, column.h < ui.px(low_column) ? 90 : 116);
         const bool wanted = std::exchange(state.open_presets, false) || buttons[0].pressed;
         presets_menu(view, state, ui, *vehicle, wanted, {place.x + place.w - ui.px(16), place.y + ui.px(36)});

@@ -59,6 +59,7 @@ public:
             turn_together(offer, is_pair ? (width - gap) / 2 : width);
             if (is_pair && &offer == &offers.front()) ImGui::SameLine();
         }
+        if (is_offered(view_, offer_parts::curves)) curve_sliders(width);
         ImGui::PopStyleVar();
     }
 
@@ -161,7 +162,9 @@ private:
         for (const Dial dial : offer.dials) words += (words.empty() ? "" : " = ") + shown_name(dial);
         SliderLook look;
         look.words = words;
-        look.tooltip = ui_.strings(offer.dials.size() > 1 ? "dial.together" : tooltip_of(first));
+        std::string tip(ui_.strings(tooltip_of(first)));
+        if (offer.dials.size() > 1) tip += "\n" + std::string(ui_.strings("dial.together"));
+        look.tooltip = tip;
         look.low = limits.low, look.high = limits.high;
         look.words_width = text_width(ui_, Face::strong, words) / ui_.px(1) + 12;
         look.home = at(homes_, first);
@@ -173,6 +176,37 @@ private:
         if (!edit) return;
         for (const Dial dial : offer.dials)
             ui_.outbox.push_back(EditRequest{TurnDial{target_, dial, edit->value, pair_}, edit->gesture});
+    }
+
+    // Peak and width of all direct wires that have a curve with a width. The first of them is shown.
+    void curve_sliders(float width) {
+        const Wire* first = nullptr;
+        for (const Wire& wire : brain_.wires)
+            if (!first && is_curved(wire)) first = &wire;
+        if (!first) return;
+        curve_slider("curve.peak", "brain.peak", width, first->curve.peak, &Curve::peak, 0);
+        curve_slider("curve.width", "brain.width", width, first->curve.width, &Curve::width, 0.01f);
+    }
+
+    bool is_curved(const Wire& wire) const {
+        return row_of(wire.curve.response).has_width && direct_dial(brain_, {wire.from, wire.to}, pair_);
+    }
+
+    void curve_slider(std::string_view anchor, std::string_view words, float width, float value, float Curve::*member,
+                      float low) {
+        SliderLook look;
+        look.words = ui_.strings(words);
+        look.tooltip = ui_.strings("dial.together");
+        look.low = low, look.high = 1;
+        look.home = value;
+        look.signed_number = look.meaning = false;
+        look.words_width = text_width(ui_, Face::strong, look.words) / ui_.px(1) + 12;
+        const auto edit = slider(ui_, state_.sliders, anchor, value, width, view_.wall_seconds, look);
+        if (!edit) return;
+        BrainGraph changed = brain_;
+        for (Wire& wire : changed.wires)
+            if (is_curved(wire)) wire.curve.*member = edit->value;
+        ui_.outbox.push_back(EditRequest{SetBrain{target_, std::move(changed)}, edit->gesture});
     }
 
     static std::string_view tooltip_of(Dial dial) {

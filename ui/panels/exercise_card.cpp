@@ -61,8 +61,8 @@ void prediction(const LessonView& lesson, PanelState& state, bool rewired, Ui& u
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(4)});
         for (std::size_t i = 0; i < asked.options.size(); ++i) {
             const bool is_chosen = static_cast<int>(i) == lesson.prediction;
-            if (radio_row(ui, numbered("exercise.predict.", i), translated(ui, asked.options[i]), is_chosen, true,
-                          ui.strings("exercise.predict_how")) &&
+            if (radio_row(ui, numbered("exercise.predict.", i), translated(ui, asked.options[i]), is_chosen,
+                          is_prediction_open(lesson), ui.strings("exercise.predict_how")) &&
                 !is_chosen)
                 ui.outbox.push_back(PredictRequest{static_cast<int>(i)});
         }
@@ -124,8 +124,11 @@ void result(const LabView& view, Ui& ui) {
         paragraph(ui, fill(ui.strings("exercise.not_yet"), {passed, of, needed}), ui.palette.text, Face::strong);
     }
     start_pictures(view, ui);
-    paragraph(ui, ui.strings(grade.good ? "exercise.passed_next" : "exercise.not_yet_next"), ui.palette.second_text,
-              Face::small);
+    paragraph(ui,
+              ui.strings(!grade.good             ? "exercise.not_yet_next"
+                         : lesson.solution_shown ? "exercise.passed_shown"
+                                                 : "exercise.passed_next"),
+              ui.palette.second_text, Face::small);
     const ImVec2 end = ImGui::GetCursorScreenPos();
     mark(ui, "exercise.grade", {start.x, start.y, card_width(ui), end.y - start.y - ui.px(8)});
     gap(ui, 12);
@@ -217,7 +220,7 @@ bool is_rewired(const LabView& view) {
 void follow_exercise(const LessonView& lesson, PanelState& state) {
     if (state.exercise_id == lesson.exercise->id) return;
     state.exercise_id = lesson.exercise->id;
-    state.outcome_seen = state.grade_seen = false;
+    state.outcome_seen = state.grade_seen = state.why_open = false;
     state.hints_seen = 0;
 }
 
@@ -225,6 +228,9 @@ void steps(const LessonView& lesson, Ui& ui) {
     subheading(ui, ui.strings("exercise.steps"));
     if (lesson.by_hand && !all_steps_ticked(lesson))
         paragraph(ui, ui.strings("exercise.by_hand"), colour_of(NoticeKind::notice, ui.palette), Face::small);
+    if (lesson.too_many_changes)
+        paragraph(ui, fill(ui.strings("exercise.too_many_changes"), {std::to_string(lesson.exercise->changes)}),
+                  colour_of(NoticeKind::notice, ui.palette), Face::small);
     if (lesson.outside_offers)
         paragraph(ui, ui.strings("exercise.outside_offers"), ui.palette.second_text, Face::small);
     for (std::size_t i = 0; i < lesson.exercise->steps.size(); ++i) step(lesson, i, ui);

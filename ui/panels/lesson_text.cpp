@@ -27,12 +27,18 @@ std::string with_unit(const Ui& ui, float value, std::string_view unit, int digi
     return fixed(ui, value, digits) + unit_text(ui, unit);
 }
 
-// The number of digits that shows which of two values is larger: 10.4° and 10.0°.
+// True if the value is written without loss with so many digits.
+bool fits(float value, int digits) {
+    const float scaled = value * std::pow(10.0f, static_cast<float>(digits));
+    return std::fabs(scaled - std::round(scaled)) < 1e-3f;
+}
+
+// The number of digits that shows the needed value, at most two, and which of two values is larger: 10.4° and 10.0°.
 int telling_decimals(const Measure& measure) {
     int digits = decimals(measure.unit);
-    if (measure.needed != std::round(measure.needed)) digits = std::max(digits, 2);
-    const bool differ = measure.value != measure.needed;
-    for (const int most = digits + 2; digits < most && differ; ++digits)
+    while (digits < 2 && !fits(measure.needed, digits)) ++digits;
+    const bool differ = std::fabs(measure.value - measure.needed) > 1e-4f;
+    for (const int most = std::min(digits + 2, 3); digits < most && differ; ++digits)
         if (fixed(measure.value, digits) != fixed(measure.needed, digits)) break;
     return digits;
 }
@@ -44,8 +50,10 @@ std::string measure_text(const Ui& ui, const Measure& measure, bool done) {
     const std::string value = with_unit(ui, measure.value, measure.unit, digits);
     if (measure.needed_most)
         return fill(ui.strings(done ? "exercise.done_between" : "exercise.now_between"),
-                    {value, fixed(ui, measure.needed, digits) + "–" +
+                    {value, fixed(ui, measure.needed, digits) + " … " +
                                 with_unit(ui, *measure.needed_most, measure.unit, digits)});
+    if (measure.at_most && measure.needed == 0 && measure.unit == "m" && !done)
+        return fill(ui.strings("exercise.to_go"), {value});
     const std::string_view key = done           ? measure.at_most ? "exercise.done_at_most" : "exercise.done_at_least"
                                  : measure.best ? "exercise.best_at_most"
                                  : measure.at_most ? "exercise.now_at_most"

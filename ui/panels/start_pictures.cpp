@@ -57,7 +57,14 @@ void draw_sign(const Ui& ui, ImVec2 c, bool passed, ImU32 colour) {
 void draw_path(const Ui& ui, const StartResult& start, const ArenaMap& map, ImU32 colour) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     if (start.path.empty()) return;
-    for (const maths::vec2 at : start.path) draw.PathLineTo(map(at));
+    const float jump = 2 * ui.px(5);  // window pixels between two points: the vehicle went over the edge of a torus
+    ImVec2 last = map(start.path.front());
+    for (const maths::vec2 at : start.path) {
+        const ImVec2 next = map(at);
+        if (std::hypot(next.x - last.x, next.y - last.y) > jump) draw.PathStroke(colour, 0, ui.px(1.5f));
+        draw.PathLineTo(next);
+        last = next;
+    }
     draw.PathStroke(colour, 0, ui.px(1.5f));
     draw.AddCircleFilled(map(start.path.front()), ui.px(2), colour);
 }
@@ -66,8 +73,9 @@ void draw_path(const Ui& ui, const StartResult& start, const ArenaMap& map, ImU3
 std::string result_text(const Ui& ui, const Exercise& exercise, const StartResult& start) {
     const std::string number = std::to_string(start.seed);
     if (start.passed) return fill(ui.strings("exercise.start_passed"), {number});
-    for (std::size_t i = 0; i < std::min(start.verdicts.size(), exercise.steps.size()); ++i) {
-        if (start.verdicts[i].done) continue;
+    const std::size_t failed = failed_step(start);
+    if (failed < std::min(start.verdicts.size(), exercise.steps.size())) {
+        const std::size_t i = failed;
         std::string text = fill(ui.strings("exercise.start_failed"), {number, translated(ui, exercise.steps[i].text)});
         for (const Measure& measure : start.verdicts[i].measures)
             if (std::isfinite(measure.value)) text += "\n" + measure_text(ui, measure, false);
@@ -115,6 +123,9 @@ void start_pictures(const LabView& view, Ui& ui) {
         start_picture(view, ui, i, {width, height});
     }
     ImGui::PopStyleVar();
+    for (const StartResult& start : view.lesson->grade->starts)
+        if (!start.passed && start.seed == view.now->seed)
+            paragraph(ui, result_text(ui, *view.lesson->exercise, start), ui.palette.second_text, Face::small);
 }
 
 }  // namespace braitenlab::ui

@@ -152,9 +152,9 @@ bool cover_window() {
     return hovers;
 }
 
-void draw_no_vehicle(const Ui& ui, Rect area) {
-    put_centred(ui, {area.x + area.w / 2, area.y + area.h / 2}, ui.strings("wiring.no_vehicle"),
-                ui.palette.second_text);
+// `why`: key of the reason why there is no brain to show.
+void draw_no_brain(const Ui& ui, Rect area, std::string_view why) {
+    put_centred(ui, {area.x + area.w / 2, area.y + area.h / 2}, ui.strings(why), ui.palette.second_text);
 }
 
 void draw_brain(const LabView& view, const VehicleView& vehicle, CanvasState& state, Ui& ui, Rect area, bool over) {
@@ -259,12 +259,13 @@ void draw_canvas(const LabView& view, CanvasState& state, Ui& ui, Rect area) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     const auto brains = static_cast<int>(view.now->brains.size());
     const bool has_brain = vehicle != nullptr && vehicle->brain >= 0 && vehicle->brain < brains;
-    if (has_brain) {
+    const bool hidden = has_brain && hides_brain(view, vehicle->kind);
+    if (has_brain && !hidden) {
         draw_brain(view, *vehicle, state, ui, area, over);
     } else {
         const Pen pen{*ImGui::GetWindowDrawList(), ui, view_of(state.camera, area, ui.scale)};
         draw_ground(pen, area);
-        draw_no_vehicle(ui, area);
+        draw_no_brain(ui, area, hidden ? "wiring.hidden" : "wiring.no_vehicle");
         state.drag = {};
         state.menu = {};
         state.actions.clear();
