@@ -63,7 +63,8 @@ TEST_P(CourseInTheLab, IsPassedThroughTheOfferedControlsAlone) {
 
 std::vector<std::string> exercises() {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "guided"))
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "guided"))
         names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
     return names;

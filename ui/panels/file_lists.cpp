@@ -100,9 +100,10 @@ void request_file(const LabView& view, FilesState& files, Ui& ui, Request reques
 namespace {
 
 // A list from the cursor down to the sheet's buttons. `contents` identifies the list: a new one is scrolled to its top.
-void begin_list(FilesState& files, Ui& ui, std::string_view contents, float bottom) {
+void begin_list(FilesState& files, Ui& ui, std::string_view contents, float bottom, const char* id = "list",
+                float width = 0) {
     const float height = std::max(ui.px(least_list), bottom - ImGui::GetCursorPosY());
-    compat::begin_child("list", {card_width(ui), height}, ImGuiWindowFlags_NoNav);
+    compat::begin_child(id, {width > 0 ? width : card_width(ui), height}, ImGuiWindowFlags_NoNav);
     if (files.listed != contents || !files.begun) files.listed = contents, ImGui::SetScrollY(0);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(2)});
 }
@@ -119,27 +120,42 @@ std::string chapter_title(const Ui& ui, int chapter) {
     return number + " · " + std::string(ui.strings.find("chapter." + number, ui.strings("chapter.other")));
 }
 
-void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) {
-    begin_list(files, ui, "shipped", bottom);
-    for (const bool exercises : {true, false}) {
-        subheading(ui, ui.strings(exercises ? "open.exercises" : "open.scenes"));
-        gap(ui, 12);  // room for the focus ring of the first row
-        int chapter = 0;
-        if (view.catalogue)
-            for (const CatalogueEntry& entry : *view.catalogue) {
-                if ((entry.number > 0) != exercises) continue;
-                if (entry.chapter != chapter) paragraph(ui, chapter_title(ui, entry.chapter), ui.palette.second_text);
-                chapter = entry.chapter;
-                const std::string title(translated(ui, entry.title));
-                const std::string words = exercises ? std::to_string(entry.number) + "  " + title : title;
-                const FileRow row{"open." + entry.name,     words, std::string(translated(ui, entry.story)), "", {},
-                                  entry.name == view.opened};
-                if (list_row(ui, row, ui.strings("files.open_how")))
-                    request_file(view, files, ui, OpenRequest{entry.path});
-                if (row.current && !files.begun) ImGui::SetScrollHereY();
-            }
-        gap(ui, 8);
+namespace {
+
+void shipped_rows(const LabView& view, FilesState& files, Ui& ui, bool exercises) {
+    subheading(ui, ui.strings(exercises ? "open.exercises" : "open.scenes"));
+    gap(ui, 12);  // room for the focus ring of the first row
+    if (!view.catalogue) return;
+    int chapter = 0;
+    for (const CatalogueEntry& entry : *view.catalogue) {
+        if ((entry.number > 0) != exercises) continue;
+        if (entry.chapter != chapter)
+            paragraph(ui, chapter_title(ui, entry.chapter), ui.palette.second_text, Face::small), gap(ui, 4);
+        chapter = entry.chapter;
+        const std::string title(translated(ui, entry.title));
+        const std::string words = exercises ? std::to_string(entry.number) + "  " + title : title;
+        const FileRow row{"open." + entry.name,     words, std::string(translated(ui, entry.story)), "", {},
+                          entry.name == view.opened};
+        if (list_row(ui, row, ui.strings("files.open_how"))) request_file(view, files, ui, OpenRequest{entry.path});
+        if (row.current && !files.begun) ImGui::SetScrollHereY();
     }
+    gap(ui, 8);
+}
+
+}  // namespace
+
+// Exercises on the left, scenes on the right. Each list scrolls.
+void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) {
+    constexpr float exercises_share = 0.42f;  // of the width
+    const float between = ui.px(12), all = card_width(ui), left = (all - between) * exercises_share;
+    const std::string listed = files.listed;  // both lists are of one place
+    begin_list(files, ui, "shipped", bottom, "exercises", left);
+    shipped_rows(view, files, ui, true);
+    end_list();
+    ImGui::SameLine(0, between);
+    files.listed = listed;
+    begin_list(files, ui, "shipped", bottom, "scenes", all - between - left);
+    shipped_rows(view, files, ui, false);
     end_list();
 }
 
