@@ -40,12 +40,13 @@ struct Traits {
     float unmeasured = 0;      // value shown before the first measurement
     std::string_view meaning;  // for the documentation: when the goal is met
     bool is_total = false;     // the measured value is one of the run so far, not of the present tick
+    bool is_of_scene = false;  // about the scene, not about one vehicle: it is judged without the vehicle, too
 };
 
 // One tick of a run and the vehicle that the goal is about.
 struct Observation {
     const Snapshot& now;
-    const VehicleView& vehicle;
+    const VehicleView& vehicle;  // without meaning for a goal about the scene (Traits::is_of_scene)
     const Subjects& subjects;
     const ReferencePath* reference = nullptr;  // null when no goal of the exercise needs it; else up to this tick
 };
@@ -56,7 +57,8 @@ struct Reading {
     bool lost = false;  // true when the goal cannot be met any more in this run
 };
 
-// From the vehicle to a source; nullopt when the source is missing. The nearest source for an empty name.
+// From the vehicle to a source, in a torus across the seam if that is shorter; nullopt when the source is missing. The
+// nearest source for an empty name.
 std::optional<maths::vec2> offset_to_source(const std::string& source, const Observation&);
 
 // Angle in degrees, 0..180, between the vehicle's heading and the direction to a point.

@@ -5,16 +5,18 @@
 #include "core/brain/brain.h"
 #include "core/maths/angle.h"
 #include "core/maths/vec.h"
+#include "core/sensing/seam.h"
 
 namespace braitenlab {
 
 namespace goals {
 
 std::optional<maths::vec2> offset_to_source(const std::string& source, const Observation& at) {
+    const sensing::Seam seam(at.now.scene->arena);
     std::optional<maths::vec2> nearest;
     for (const SourceView& view : at.now.sources) {
         if (!source.empty() && at.now.scene->sources[static_cast<std::size_t>(view.source)].name != source) continue;
-        const maths::vec2 offset{view.x - at.vehicle.x, view.y - at.vehicle.y};
+        const maths::vec2 offset = seam.shortest({view.x - at.vehicle.x, view.y - at.vehicle.y});
         if (!nearest || maths::length(offset) < maths::length(*nearest)) nearest = offset;
     }
     return nearest;
@@ -44,15 +46,36 @@ auto visit_goal(const Check& check, CheckState& state, const With& with) {
 struct CheckContext {
     const CheckedTick& tick;
     std::string_view vehicle;  // of the check around this one
-    bool together = false;     // this check must be met while others are, or for a time
+    bool together = false;     // see is_together()
 };
 
 bool judge(const Check&, CheckState&, CheckContext);
 
-// A value that must fall shows its smallest so far, unless the check must be met while others are, or for a time.
+// True if the check, or those inside it, must be met while others are, or for a time.
+bool is_together(const Check& check) {
+    return check.hold > 0 || std::holds_alternative<goals::AllOf>(check.goal) ||
+           std::holds_alternative<goals::NoneOf>(check.goal);
+}
+
+// A value that must fall shows its smallest so far, unless its check is one of is_together().
 template <class G>
 bool shows_best(bool together) {
     return G::traits.at_most && !G::traits.is_total && !together;
+}
+
+// True if the vehicles that the check is about are in the scene.
+bool has_vehicles(const Check& check, CheckContext context) {
+    if (!check.vehicle.empty()) context.vehicle = check.vehicle;
+    return std::visit(
+        [&]<class G>(const G& goal) {
+            if constexpr (Combined<G>)
+                return std::all_of(goal.checks.begin(), goal.checks.end(),
+                                   [&](const Check& each) { return has_vehicles(each, context); });
+            else
+                return G::traits.is_of_scene ||
+                       find_vehicle(context.tick.now, context.tick.subjects.id(context.vehicle)) != nullptr;
+        },
+        check.goal);
 }
 
 template <Combined G>
@@ -65,7 +88,8 @@ bool is_met(const G& goal, typename G::State& state, CheckState& own, const Chec
     const std::ptrdiff_t all = std::ssize(goal.checks);
     if constexpr (std::is_same_v<G, goals::NoneOf>) {
         own.lost |= met > 0;
-        return !own.lost;
+        return !own.lost && std::all_of(goal.checks.begin(), goal.checks.end(),
+                                        [&](const Check& each) { return has_vehicles(each, context); });
     }
     own.lost |= std::is_same_v<G, goals::AllOf> ? lost > 0 : lost == all;
     return std::is_same_v<G, goals::AllOf> ? met == all : met > 0;
@@ -73,10 +97,11 @@ bool is_met(const G& goal, typename G::State& state, CheckState& own, const Chec
 
 template <class G>
 bool is_met(const G& goal, typename G::State& own, CheckState& state, const CheckContext& context) {
+    static const VehicleView absent;
     const auto& [now, subjects, reference, done] = context.tick;
     const VehicleView* vehicle = find_vehicle(now, subjects.id(context.vehicle));
-    if (!vehicle) return false;
-    const auto reading = measure(goal, own, {now, *vehicle, subjects, reference});
+    if (!vehicle && !G::traits.is_of_scene) return false;
+    const auto reading = measure(goal, own, {now, vehicle ? *vehicle : absent, subjects, reference});
     if (!reading) return false;
     const bool keeps_best = shows_best<G>(context.together);
     state.value = keeps_best ? std::min(state.value, reading->value) : reading->value;
@@ -96,7 +121,7 @@ bool judge(const Check& check, CheckState& state, CheckContext context) {
     if (is_over || seconds < static_cast<double>(check.earliest) || !is_step_done(context.tick.done, check.after))
         return state.met_since = -1, state.held = 0, false;
     if (!check.vehicle.empty()) context.vehicle = check.vehicle;
-    context.together |= check.hold > 0 || std::holds_alternative<goals::AllOf>(check.goal);
+    context.together |= is_together(check);
     const bool met =
         visit_goal(check, state, [&](const auto& goal, auto& own) { return is_met(goal, own, state, context); });
     const auto tick = static_cast<std::int64_t>(context.tick.now.tick);
@@ -112,21 +137,34 @@ std::optional<float> needed_most(const G& goal) {
     return std::nullopt;
 }
 
-void add_measures(const Check& check, const CheckState& state, bool together, std::vector<Measure>& all) {
-    together |= check.hold > 0 || std::holds_alternative<goals::AllOf>(check.goal);
+// What a value must be so that the measure is not met: outside a range, the nearer of both sides.
+Measure opposite(Measure measure) {
+    measure.best = false;
+    measure.at_most = !measure.at_most;
+    if (!measure.needed_most) return measure;
+    measure.at_most = measure.value < (measure.needed + *measure.needed_most) / 2;
+    if (!measure.at_most) measure.needed = *measure.needed_most;
+    measure.needed_most.reset();
+    return measure;
+}
+
+// `negated`: the check must not be met.
+void add_measures(const Check& check, const CheckState& state, bool together, bool negated, std::vector<Measure>& all) {
+    const auto add = [&](const Measure& measure) { all.push_back(negated ? opposite(measure) : measure); };
+    together |= is_together(check);
     std::visit(
         [&]<class G>(const G& goal) {
             if constexpr (Combined<G>) {
                 const auto& states = std::get<typename G::State>(state.goal).checks;
                 for (std::size_t i = 0; i < goal.checks.size(); ++i)
-                    add_measures(goal.checks[i], states[i], together, all);
+                    add_measures(goal.checks[i], states[i], together, negated != std::is_same_v<G, goals::NoneOf>, all);
             } else {
-                all.push_back({state.value, goal.needed(), G::traits.unit, G::traits.at_most, shows_best<G>(together),
-                               needed_most(goal)});
+                add({state.value, goal.needed(), G::traits.unit, G::traits.at_most, shows_best<G>(together),
+                     needed_most(goal)});
             }
         },
         check.goal);
-    if (check.hold > 0) all.push_back({static_cast<float>(state.held) * tick_seconds, check.hold, "s", false, false});
+    if (check.hold > 0) add({static_cast<float>(state.held) * tick_seconds, check.hold, "s", false, false});
 }
 
 }  // namespace
@@ -154,7 +192,7 @@ bool update(const Check& check, CheckState& state, const CheckedTick& tick) { re
 
 std::vector<Measure> measures(const Check& check, const CheckState& state) {
     std::vector<Measure> all;
-    add_measures(check, state, false, all);
+    add_measures(check, state, false, false, all);
     return all;
 }
 

@@ -44,9 +44,12 @@ struct AnyOf {
     std::vector<Check> checks;
 };
 
-// Met as long as none of its checks has been met. Combine it with `runs`.
+// Met as long as none of its checks has been met and the vehicles that these are about are in the scene. Combine it
+// with `runs`.
 struct NoneOf {
-    static constexpr Traits traits{"none_of", "", false, 0, "none of its checks has been met in the run so far"};
+    static constexpr Traits traits{"none_of", "", false, 0,
+                                   "none of its checks has been met in the run so far, "
+                                   "with their vehicles still in the scene"};
     struct State {
         std::vector<CheckState> checks;
     };
@@ -125,7 +128,8 @@ struct CheckedTick {
 // Judges one tick. True when the goal is met and has been met for the hold time. Call for ascending ticks.
 bool update(const Check&, CheckState&, const CheckedTick&);
 
-// What to show of a check: the values of its goals, and with a hold time for how many seconds they have been met.
+// What to show of a check: the values of its goals, and with a hold time for how many seconds they have been met. Those
+// inside none_of show the opposite of what their checks need, and of a range its nearer limit.
 std::vector<Measure> measures(const Check&, const CheckState&);
 
 // True if a goal of the check needs the reference path.

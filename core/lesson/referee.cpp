@@ -64,8 +64,9 @@ bool is_help(const Scene& given, const Snapshot& after, const Command& command) 
                             [&](const SetSensors& c) { return changes_other_kind(kind_of(after, c.target)); },
                             [&](const EditKind& c) { return changes_other_kind(c.kind); },  // see is_as_given
                             [&](const EditStart& c) { return !is_as_given(given, after, c.start); },
-                            [](const PlaceNodes&) { return false; }, [](const Steer&) { return false; },
-                            [](const Retitle&) { return false; }, [](const auto&) { return true; }},
+                            [](const PlaceNodes&) { return false; }, [](const SetLook&) { return false; },
+                            [](const Steer&) { return false; }, [](const Retitle&) { return false; },
+                            [](const auto&) { return true; }},
                       command);
 }
 
@@ -102,6 +103,9 @@ GivenValues given_values(const Scene& given, const Snapshot& now, const VehicleV
     return of_kind;
 }
 
+// See Subjects.
+std::size_t subject_count(const Exercise& exercise) { return std::max<std::size_t>(1, exercise.scene.starts.size()); }
+
 // True if each vehicle has the driver that the exercise gives it, and a vehicle of another kind than the subject also
 // the brain. Preconditions: tick 0, the scene is as given.
 bool vehicles_are_as_given(const Scene& given, const Snapshot& now, int subject) {
@@ -137,7 +141,7 @@ void Referee::begin(const Snapshot& now) {
     state_ = {};
     state_.begun = true;
     for (const Step& step : exercise_->steps) state_.steps.push_back({initial_state(step.check)});
-    state_.subjects.assign(std::max<std::size_t>(1, starts.size()), no_vehicle);
+    state_.subjects.assign(subject_count(*exercise_), no_vehicle);
     for (const VehicleView& vehicle : now.vehicles)
         if (vehicle.start >= 0 && static_cast<std::size_t>(vehicle.start) < starts.size())
             state_.subjects[static_cast<std::size_t>(vehicle.start)] = vehicle.id;
@@ -147,13 +151,15 @@ void Referee::begin(const Snapshot& now) {
 void Referee::watch(const Snapshot& now) {
     const bool is_new_run = !state_.begun || now.tick == 0 || now.tick < state_.tick;
     if (!is_new_run && now.tick == state_.tick) return;
+    const bool missed_start = !state_.begun && now.tick > 0;
     if (is_new_run) begin(now);
+    if (missed_start) state_.disturbed = true;
     state_.tick = now.tick;
     const Subjects subjects{exercise_->scene.starts, state_.subjects};
     const bool is_given = is_undisturbed(now);
     if (now.tick > 0 && (!is_given || state_.by_hand)) state_.disturbed = true;  // before, it can be put right
     state_.by_hand = state_.disturbed || !is_given;
-    if (state_.by_hand || !find_vehicle(now, subjects.id({}))) return;
+    if (state_.by_hand) return;
     std::vector<bool> done;
     for (const RefereeState::Judged& step : state_.steps) done.push_back(step.done);
     const CheckedTick tick{now, subjects, reference_at(now), done};
@@ -277,6 +283,7 @@ std::optional<RefereeState> read_referee_state(std::string_view text, const Exer
         json.at("disturbed").get_to(state.disturbed);
         json.at("by_hand").get_to(state.by_hand);
         json.at("subjects").get_to(state.subjects);
+        if (state.begun && state.subjects.size() != subject_count(exercise)) return std::nullopt;
         const Json& steps = json.at("steps");
         if (steps.size() != state.steps.size()) return std::nullopt;
         for (std::size_t i = 0; i < steps.size(); ++i) {

@@ -32,7 +32,7 @@ struct RefereeState {
     std::vector<VehicleId> subjects;  // as Scene::starts; see Subjects
     std::uint64_t tick = 0;           // of the last snapshot
     bool begun = false;               // a snapshot was seen
-    bool disturbed = false;           // something was changed by hand after the first tick
+    bool disturbed = false;           // something was changed by hand after the first tick, or the start was not seen
     bool by_hand = false;             // see Referee::by_hand
 };
 
@@ -48,8 +48,9 @@ public:
     // command changes something else than the student may change (see Submission).
     void watch(const Snapshot&, const Command&);
 
-    // True when this run does not count: it was disturbed by a command, or at some tick after the first the scene was
-    // not the exercise's (see is_as_given) or a vehicle was not driven as in the exercise. Steps done before stay done.
+    // True when this run does not count: its start was not watched, it was disturbed by a command, or at some tick
+    // after the first the scene was not the exercise's (see is_as_given) or a vehicle was not driven as in the
+    // exercise. Steps done before stay done.
     bool by_hand() const { return state_.by_hand; }
 
     std::vector<Verdict> verdicts() const;  // one per step

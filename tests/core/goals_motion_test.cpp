@@ -16,6 +16,14 @@ TEST(DirectionGoals, FacingNeedsNoTurnAndTurningAwayDoes) {
     EXPECT_FALSE(is_done(goals::TurnsAway{"lamp", 90}, {{0, {-3, 0}, 20}, {1, {-3, 0}, 80}}));
 }
 
+TEST(DirectionGoals, ADirectionGoesAcrossTheSeamOfATorus) {
+    Exercise exercise = exercise_with({goals::Faces{"fire", 15}});
+    exercise.scene.arena = {.width = 16, .height = 12, .edge = Boundary::torus};
+    exercise.scene.sources[1].x = 7.5f;
+    EXPECT_TRUE(verdict_on(exercise, {{0, {-7.5f, 0}, 180}}).done);
+    EXPECT_FALSE(verdict_on(exercise, {{0, {-7.5f, 0}, 0}}).done);
+}
+
 TEST(MotionGoals, RestingAndDrivingAreMeasuredBySpeedInEitherDirection) {
     EXPECT_TRUE(is_done(goals::Rests{0.1f}, {{0, {}, 0, -0.05f}}));
     EXPECT_FALSE(is_done(goals::Rests{0.1f}, {{0, {}, 0, -0.2f}}));

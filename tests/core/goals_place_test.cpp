@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/lesson/goals/others.h"
 #include "core/lesson/goals/place.h"
 #include "tests/core/goal_runs.h"
 
@@ -29,6 +30,34 @@ TEST(PlaceGoals, ADistanceIsKeptBetweenTwoValues) {
     const Measure measure = verdict_on(exercise, {{0, {3, 0}}}).measures.front();
     EXPECT_EQ(measure.needed, 2);
     EXPECT_EQ(measure.needed_most, 4);
+}
+
+// In an arena of 16 m × 12 m whose opposite edges are joined; the fire is at (7.5, 0).
+Exercise in_torus(Check check) {
+    Exercise exercise = exercise_with(std::move(check));
+    exercise.scene.arena = {.width = 16, .height = 12, .edge = Boundary::torus};
+    exercise.scene.sources[1].x = 7.5f;
+    return exercise;
+}
+
+TEST(PlaceGoals, ADistanceToASourceGoesAcrossTheSeamOfATorus) {
+    const Moment beyond{0, {-7.5f, 0}};
+    EXPECT_FLOAT_EQ(verdict_on(in_torus({goals::Touches{"fire", 2}}), {beyond}).measures.front().value, 1);
+    EXPECT_TRUE(verdict_on(in_torus({goals::Touches{"", 2}}), {beyond}).done);
+    EXPECT_TRUE(verdict_on(in_torus({goals::Visits{1.5f, 1}}), {beyond}).done);
+    EXPECT_FALSE(is_done(goals::Visits{1.5f, 1}, {beyond})) << "where edges are not joined";
+}
+
+TEST(PlaceGoals, ADistanceToTheReferenceGoesAcrossTheSeamOfATorus) {
+    const Exercise exercise = in_torus({goals::Matches{2, 0.1f}});
+    const Snapshot now = snapshot_of(exercise, {0, {-7.5f, 0}});
+    const std::vector<VehicleId> ids{0, 1};
+    const ReferencePath path{{7.5f, 0, 0}};
+    goals::Matches::State state;
+    const auto reading = measure(std::get<goals::Matches>(exercise.steps[0].check.goal), state,
+                                 {now, now.vehicles[0], {exercise.scene.starts, ids}, &path});
+    ASSERT_TRUE(reading);
+    EXPECT_FLOAT_EQ(reading->value, 1);
 }
 
 // On a circle about the lamp, every 30 degrees, from one angle to another.
@@ -99,6 +128,38 @@ TEST(PlaceGoals, AGateIsCrossedBetweenItsPosts) {
     EXPECT_FALSE(verdict_on(exercise, {{0, {4, 2}}, {1, {6, 2}}}).done);
     EXPECT_FALSE(verdict_on(exercise, {{0, {4, 0}}, {1, {4.9f, 0}}}).done);
     EXPECT_FLOAT_EQ(verdict_on(exercise, {{0, {3, 0}}}).measures.front().value, 2);
+}
+
+TEST(PlaceGoals, AStepAcrossTheSeamOfATorusIsShort) {
+    Exercise exercise = in_torus({goals::DrivesThrough{"a", "b"}});
+    const auto crosses = [&](float gate, float from, float to) {
+        exercise.scene.obstacles = {{.name = "a", .x = gate, .y = 1}, {.name = "b", .x = gate, .y = -1}};
+        return verdict_on(exercise, {{0, {from, 0}}, {1, {to, 0}}}).done;
+    };
+    EXPECT_FALSE(crosses(0, -7.8f, 7.8f));
+    EXPECT_TRUE(crosses(7.9f, 7.8f, -7.8f)) << "a gate before the seam";
+    EXPECT_TRUE(crosses(-7.9f, 7.8f, -7.8f)) << "a gate behind the seam";
+    EXPECT_TRUE(crosses(0, -0.5f, 0.5f));
+}
+
+TEST(PlaceGoals, AGateIsNotCrossedByAMoveToTheStart) {
+    Exercise exercise = exercise_with({goals::DrivesThrough{"a", "b"}});
+    exercise.scene.obstacles = {{.name = "a", .x = 5, .y = 1}, {.name = "b", .x = 5, .y = -1}};
+    Referee referee(exercise);
+    referee.watch(snapshot_of(exercise, {0, {4, 0}}));
+    Snapshot next = snapshot_of(exercise, {1, {6, 0}});
+    next.generation = 2;
+    referee.watch(next);
+    EXPECT_FALSE(referee.passed());
+    next = snapshot_of(exercise, {2, {4, 0}});
+    next.generation = 2;
+    next.events.falls = 1;
+    referee.watch(next);
+    EXPECT_FALSE(referee.passed()) << "after a fall";
+    next = snapshot_of(exercise, {3, {6, 0}});
+    next.generation = 2, next.events.falls = 1;
+    referee.watch(next);
+    EXPECT_TRUE(referee.passed());
 }
 
 TEST(PlaceGoals, ALapCountsOnlyNearTheTape) {

@@ -153,6 +153,46 @@ TEST(Goals, NoneOfIsLostWhenOneOfItsChecksIsMet) {
     EXPECT_TRUE(referee.lost());
 }
 
+// The first vehicle is gone at the second tick, at which the other one is at the lamp.
+bool done_without_the_first(const Check& check) {
+    const Exercise exercise = with(check);
+    Referee referee(exercise);
+    referee.watch(at(exercise, 0, 3, 5));
+    Snapshot later = at(exercise, 1, 0, 0);
+    later.vehicles.erase(later.vehicles.begin());
+    later.events.captures = 1;
+    referee.watch(later);
+    return referee.passed();
+}
+
+TEST(Goals, AMissingVehicleStopsOnlyTheChecksThatAreAboutIt) {
+    EXPECT_TRUE(done_without_the_first({near_lamp, "two"}));
+    EXPECT_TRUE(done_without_the_first({goals::Captures{1}}));
+    EXPECT_TRUE(done_without_the_first({goals::AllOf{{{goals::Population{"kind", 1}}, {goals::Captures{1}}}}}));
+    EXPECT_FALSE(done_without_the_first({goals::Population{"kind", 3}}));
+    EXPECT_FALSE(done_without_the_first({near_lamp}));
+}
+
+TEST(Goals, NoneOfIsNotMetWithoutAVehicleOfItsChecks) {
+    const float one_tick = 1.0f / 60;
+    EXPECT_FALSE(done_without_the_first({goals::NoneOf{{{near_fire}}}, "", one_tick}));
+    EXPECT_TRUE(done_without_the_first({goals::NoneOf{{{near_fire, "two"}}}, "", one_tick}));
+    EXPECT_TRUE(done_without_the_first({goals::NoneOf{{{goals::Captures{2}}}}, "", one_tick}));
+}
+
+TEST(Goals, NoneOfShowsTheOppositeOfWhatItsChecksNeed) {
+    const auto shown = [](const Goal& goal, const std::vector<float>& positions) {
+        const Exercise exercise = with({goals::NoneOf{{{goal}}}, "", 5});
+        Referee referee(exercise);
+        for (std::size_t tick = 0; tick < positions.size(); ++tick) referee.watch(at(exercise, tick, positions[tick]));
+        return referee.verdicts()[0].measures.front();
+    };
+    EXPECT_EQ(shown(near_lamp, {2, 3}), (Measure{3, 1, "m", false, false})) << "the present distance, at least 1";
+    EXPECT_EQ(shown(goals::Runs{1}, {2}), (Measure{0, 1, "s", true, false}));
+    EXPECT_EQ(shown(goals::KeepsDistance{"lamp", 4, 6}, {3}), (Measure{3, 4, "m", true, false}));
+    EXPECT_EQ(shown(goals::KeepsDistance{"lamp", 4, 6}, {7}), (Measure{7, 6, "m", false, false}));
+}
+
 TEST(Goals, ACheckIsJudgedOnlyInItsTime) {
     Check check{near_lamp};
     check.earliest = 1, check.latest = 2;

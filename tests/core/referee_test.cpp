@@ -141,6 +141,16 @@ TEST(Referee, StepsApplyToTheFirstVehicleAtTheStart) {
     EXPECT_FALSE(referee.passed());
 }
 
+TEST(Referee, ARunThatIsNotWatchedFromItsStartDoesNotCount) {
+    Referee referee(with({touch}));
+    referee.watch(moment(5, 0.1f));
+    EXPECT_TRUE(referee.by_hand());
+    referee.watch(moment(6, 0.1f));
+    EXPECT_FALSE(referee.passed());
+    referee.watch(moment(0, 0.1f));
+    EXPECT_TRUE(referee.passed());
+}
+
 TEST(Referee, ADisturbedRunCountsNoFurtherSteps) {
     Referee referee(with({turn, touch}));
     referee.watch(moment(0, 3, 90));
@@ -347,9 +357,9 @@ TEST(Referee, TheBrainOfTheSubjectAndTheColourOfAStartAreNoHelp) {
     const Exercise exercise = populated();
     Start tinted = exercise.scene.starts[0];
     tinted.colour = "#3d7cc9";
-    for (const Command& command :
-         {Command(TurnDial{{.vehicle = 0}, Dial::LL, 1}), Command(TurnDial{{.vehicle = 2}, Dial::LL, 1}),
-          Command(EditStart{0, tinted}), Command(EditMember{1, exercise.scene.members[0]})})
+    for (const Command& command : {Command(TurnDial{{.vehicle = 0}, Dial::LL, 1}),
+                                   Command(TurnDial{{.vehicle = 2}, Dial::LL, 1}), Command(EditStart{0, tinted}),
+                                   Command(SetLook{2, {"Bob", ""}}), Command(EditMember{1, exercise.scene.members[0]})})
         for (const int ticks : {0, 5}) {
             Session session = opened(exercise);
             Referee referee(exercise);
@@ -383,6 +393,12 @@ TEST(Referee, AStateOfAnotherExerciseIsRefused) {
     EXPECT_TRUE(read_referee_state(state, with({turn})));
     EXPECT_FALSE(read_referee_state(state, with({turn, touch})));
     EXPECT_FALSE(read_referee_state(state, with({faster})));
+    Referee begun(with({turn}));
+    begun.watch(moment(0, 3));
+    Exercise of_two = with({turn});
+    of_two.scene.starts.resize(2);
+    EXPECT_TRUE(read_referee_state(write_referee_state(begun.state()), with({turn})));
+    EXPECT_FALSE(read_referee_state(write_referee_state(begun.state()), of_two)) << "the number of starts";
     EXPECT_FALSE(read_referee_state("", with({turn})));
     EXPECT_FALSE(read_referee_state("{}", with({turn})));
     EXPECT_FALSE(read_referee_state("[1", with({turn})));
@@ -402,7 +418,8 @@ TEST(Referee, TheStateOfACombinationIsWrittenAndReadBack) {
 }
 
 TEST(Referee, EveryValueOfAStateIsWrittenAndReadBack) {
-    const Exercise exercise = with({turn, faster});
+    Exercise exercise = with({turn, faster});
+    exercise.scene.starts.resize(2);
     RefereeState state = Referee(exercise).state();
     state.tick = 7;
     state.subjects = {4, 5};

@@ -13,14 +13,15 @@ struct Runs {
     float needed() const { return seconds; }
 };
 
+// The speed is compared with that at the first judged tick at or after 1 s; see Check::earliest and Check::after.
 // Decided by the speed at the first tick within `metres`; later ticks do not count.
 struct SpeedsUp {
     static constexpr Traits traits{
         "speeds_up", "×", false, 0,
         "at its first tick within `metres` of the source, the vehicle moves at least `factor` "
-        "times as fast as after its first second"};
+        "times as fast as at 1 s, or at the first judged tick after that"};
     struct State {
-        float first_speed = 0;  // m/s after the first second; 0: not known yet
+        float first_speed = 0;  // m/s at the first judged tick from 1 s on; 0: not known yet
         float ratio = 0;        // of the present speed to the first; that of the first arrival once it is decided
         bool decided = false;
     };

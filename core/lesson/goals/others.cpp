@@ -40,7 +40,8 @@ std::optional<Reading> measure(const Recharges& goal, Recharges::State& state, c
 std::optional<Reading> measure(const Matches& goal, Matches::State& state, const Observation& at) {
     if (!at.reference || at.now.tick >= at.reference->size()) return std::nullopt;
     const Pose& reference = (*at.reference)[at.now.tick];
-    const float distance = maths::length(maths::vec2{reference.x - at.vehicle.x, reference.y - at.vehicle.y});
+    const sensing::Seam seam(at.now.scene->arena);
+    const float distance = maths::length(seam.shortest({reference.x - at.vehicle.x, reference.y - at.vehicle.y}));
     state.count += 1;
     state.mean += (distance - state.mean) / state.count;
     return Reading{state.mean, at.now.seconds >= static_cast<double>(goal.seconds) && state.mean <= goal.metres};

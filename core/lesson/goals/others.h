@@ -19,22 +19,22 @@ struct Follows {
 struct Collides {
     static constexpr Traits traits{
         "collides", "contacts", true, 0, "vehicles have touched one another, obstacles or walls at most `count` times",
-        true};
+        true,       true};
     struct State {};
     int count = 0;
     float needed() const { return static_cast<float>(count); }
 };
 
 struct Captures {
-    static constexpr Traits traits{"captures", "captures", false, 0, "predators have caught `count` prey"};
+    static constexpr Traits traits{"captures", "captures", false, 0, "predators have caught `count` prey", false, true};
     struct State {};
     int count = 0;
     float needed() const { return static_cast<float>(count); }
 };
 
 struct Population {
-    static constexpr Traits traits{"population", "vehicles", false, 0,
-                                   "at least `count` vehicles of the kind are in the scene"};
+    static constexpr Traits traits{
+        "population", "vehicles", false, 0, "at least `count` vehicles of the kind are in the scene", false, true};
     struct State {};
     std::string kind;
     int count = 0;
@@ -53,13 +53,14 @@ struct Recharges {
     float needed() const { return static_cast<float>(count); }
 };
 
-// The reference is a run with the exercise's solution from the same seed.
+// The reference is a run with the exercise's solution from the same seed. Only of the first vehicle. In a torus, the
+// distance is across the seam if that is shorter.
 struct Matches {
     static constexpr Traits traits{"matches",
                                    "m",
                                    true,
                                    INFINITY,
-                                   "after `seconds`, the mean distance between the vehicle and one with the "
+                                   "after `seconds`, the mean distance between the first vehicle and one with the "
                                    "solution's brain that started alike is at most `metres`",
                                    true};
     struct State {

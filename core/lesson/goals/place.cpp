@@ -4,6 +4,7 @@
 
 #include "core/maths/angle.h"
 #include "core/maths/geometry.h"
+#include "core/sensing/seam.h"
 
 namespace braitenlab::goals {
 
@@ -107,9 +108,10 @@ std::optional<Reading> measure(const SteadyDistance& goal, SteadyDistance::State
 }
 
 std::optional<Reading> measure(const Visits& goal, Visits::State& state, const Observation& at) {
+    const sensing::Seam seam(at.now.scene->arena);
     for (std::size_t i = 0; i < std::min<std::size_t>(64, at.now.sources.size()); ++i) {
         const SourceView& source = at.now.sources[i];
-        if (maths::distance(vec2{source.x, source.y}, place_of(at)) <= goal.metres)
+        if (maths::length(seam.shortest(vec2{source.x, source.y} - place_of(at))) <= goal.metres)
             state.visited |= std::uint64_t{1} << i;
     }
     int count = 0;
@@ -127,11 +129,17 @@ std::optional<Reading> measure(const Enters& goal, Enters::State&, const Observa
 std::optional<Reading> measure(const DrivesThrough& goal, DrivesThrough::State& state, const Observation& at) {
     const auto left = place_of_obstacle(goal.left, at), right = place_of_obstacle(goal.right, at);
     if (!left || !right) return std::nullopt;
-    const vec2 now = place_of(at);
-    if (state.begun && segments_cross(*left, *right, {state.x, state.y}, now)) state.crossed = true;
-    state.begun = true, state.x = now.x, state.y = now.y;
+    const sensing::Seam seam(at.now.scene->arena);
+    const vec2 to_post = seam.shortest(*right - *left) / 2, middle = *left + to_post, place = place_of(at);
+    const vec2 from = seam.shortest(vec2{state.x, state.y} - middle);
+    const vec2 to = from + seam.shortest(place - vec2{state.x, state.y});
+    const std::int64_t moves = at.now.generation + at.now.events.falls;
+    const bool has_driven = state.begun && state.moves == moves;
+    if (has_driven && segments_cross(-to_post, to_post, from, to)) state.crossed = true;
+    state = {true, state.crossed, place.x, place.y, moves};
     if (state.crossed) return Reading{0, true};
-    return Reading{maths::distance(now, maths::nearest_on_segment(now, *left, *right)), false};
+    const vec2 now = seam.shortest(place - middle);
+    return Reading{maths::distance(now, maths::nearest_on_segment(now, -to_post, to_post)), false};
 }
 
 std::optional<Reading> measure(const FollowsLine& goal, FollowsLine::State& state, const Observation& at) {

@@ -1,4 +1,5 @@
-// Goals about where a vehicle is: distances to sources, zones and gates, and ways round a source.
+// Goals about where a vehicle is: distances to sources, zones and gates, and ways round a source. In a torus, distances
+// to sources are across the seam if that is shorter.
 #pragma once
 
 #include "core/lesson/goal.h"
@@ -81,12 +82,15 @@ struct Enters {
     float needed() const { return 0; }
 };
 
+// In a torus, the line and the way are across the seam if that is shorter. The move to the start in a new generation
+// or after a fall over an open edge does not count.
 struct DrivesThrough {
     static constexpr Traits traits{"drives_through", "m", true, INFINITY,
                                    "the vehicle's origin has crossed the straight line between the two obstacles"};
     struct State {
         bool begun = false, crossed = false;
-        float x = 0, y = 0;  // m, at the tick before
+        float x = 0, y = 0;      // m, at the tick before
+        std::int64_t moves = 0;  // generations and falls of vehicles at the tick before
     };
     std::string left, right;
     float needed() const { return 0; }
@@ -202,6 +206,7 @@ void describe(Visitor& v, Of<DrivesThrough::State>) {
     v.flag("crossed", &DrivesThrough::State::crossed, "");
     v.number("x", &DrivesThrough::State::x, "m", {-1e6, 1e6}, "");
     v.number("y", &DrivesThrough::State::y, "m", {-1e6, 1e6}, "");
+    v.number("moves", &DrivesThrough::State::moves, "", {0, 1e15}, "");
 }
 template <class Visitor>
 void describe(Visitor& v, Of<FollowsLine::State>) {
