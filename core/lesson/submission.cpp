@@ -66,9 +66,7 @@ bool same_but_for_values(const std::vector<Sensor>& a, const std::vector<Sensor>
 
 Submission as_shipped(const Exercise& exercise) {
     const Kind& kind = shipped_kind(exercise);
-    const std::vector<Start>& starts = exercise.scene.starts;
-    const bool has_own_sensors = !starts.empty() && starts.front().sensors;
-    return {kind.brain, has_own_sensors ? *starts.front().sensors : kind.sensors, kind.body};
+    return {kind.brain, kind.sensors, kind.body};
 }
 
 Submission with_brain(const Exercise& exercise, BrainGraph brain) {
@@ -97,7 +95,6 @@ Scene scene_with(const Exercise& exercise, const Submission& submission) {
     kind.brain = submission.brain;
     kind.sensors = submission.sensors;
     kind.body = submission.body;
-    if (!scene.starts.empty()) scene.starts.front().sensors.reset();
     return scene;
 }
 

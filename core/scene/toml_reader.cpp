@@ -27,9 +27,11 @@ void TomlTable::gather_settings(const TomlNode& table, const std::string& path, 
             setting.value = fmt::format("{}", *number);
         } else if (const std::string* text = node.as_text()) {
             setting.value = *text;
+        } else if (const bool* flag = node.as_flag()) {
+            setting.value = *flag ? "true" : "false";
         } else {
             return file_.fail(path + "." + inner, &node,
-                              fmt::format("{} should be a number or text", in_quotes(inner)));
+                              fmt::format("{} should be a number, text, true or false", in_quotes(inner)));
         }
         out.push_back(std::move(setting));
     }

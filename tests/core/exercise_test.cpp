@@ -182,6 +182,14 @@ TEST(Exercise, SettingsAreReadWithAndWithoutQuotes) {
     EXPECT_EQ(read_dials(exercise->scene.kinds[0].brain).LR, 0.25f);
 }
 
+TEST(Exercise, ASettingCanBeTrueOrFalse) {
+    const std::string set = "\"kind.aggressor.brain.LR\" = 0\n";
+    const auto exercise =
+        parse_exercise(changed(aggressor(), set, set + "source.lamp.solid = false\n"), guided / "x.toml");
+    ASSERT_TRUE(exercise) << exercise.error().text();
+    EXPECT_FALSE(exercise->scene.sources[0].solid);
+}
+
 // The shipped exercise with its second step's check replaced.
 std::string with_check(const std::string& toml) {
     return changed(aggressor(), "goal = \"touches\"\nsource = \"lamp\"\nmetres = 0.75\n", toml);
@@ -210,16 +218,103 @@ TEST(Exercise, AStepCombinesChecks) {
     EXPECT_EQ(exercise->steps[1].check.hold, 2);
 }
 
+// Two vehicles, a zone and two obstacles.
+const std::string furnished = R"(
+[scene.kind.aggressor.sensor.SL]
+y = 0.24
+[scene.kind.aggressor.sensor.SR]
+y = -0.24
+[scene.kind.aggressor.brain]
+LR = 1.5
+[scene.vehicle.one]
+kind = "aggressor"
+[scene.vehicle.two]
+kind = "aggressor"
+x = 4
+[scene.source.lamp]
+x = 3
+[scene.zone.bay]
+x = -5
+[scene.obstacle.a]
+y = 4
+[scene.obstacle.b]
+y = 6
+)";
+
+// What reading the exercise says whose second step has this check, in the furnished scene.
+std::string error_of(const std::string& check, const std::string& more_of_scene = "") {
+    const std::string text = changed(with_check(check), "scene = \"../scenes/2b-aggressor.toml\"\n", "");
+    const auto exercise = parse_exercise(text + furnished + more_of_scene, guided / "x.toml");
+    return exercise ? std::string("accepted") : exercise.error().text();
+}
+
+// Expects the error at the second step of with_check().
+void expect_refused(const std::string& check, const std::string& told, const std::string& more_of_scene = "") {
+    EXPECT_NE(error_of(check, more_of_scene).find(told), std::string::npos) << error_of(check, more_of_scene);
+}
+
+TEST(Exercise, NamesInAGoalAreNotEmptyButTheSource) {
+    expect_refused("goal = \"enters\"\nzone = \"\"\n", "'zone' is empty; name one zone of the scene");
+    expect_refused("goal = \"drives_through\"\nleft = \"\"\nright = \"b\"\n", "'left' is empty");
+    expect_refused("goal = \"drives_through\"\nleft = \"a\"\nright = \"\"\n", "'right' is empty");
+    expect_refused("goal = \"population\"\nkind = \"\"\ncount = 1\n", "'kind' is empty");
+    expect_refused("goal = \"follows\"\nother = \"\"\nmetres = 1\ndegrees = 9\n", "'other' is empty");
+    EXPECT_EQ(error_of("goal = \"touches\"\nsource = \"\"\nmetres = 1\n"), "accepted");
+}
+
+TEST(Exercise, AGoalThatFollowsOneSourceNamesItWhereThereAreSeveral) {
+    const std::string fire = "[scene.source.fire]\nx = -3\n", nearest = "source = \"\"\n";
+    for (const std::string& goal :
+         {"goal = \"turns_to\"\ndegrees = 9\n" + nearest, "goal = \"turns_away\"\ndegrees = 9\n" + nearest,
+          "goal = \"circles\"\nfrom = 1\nto = 2\nrounds = 1\n" + nearest,
+          "goal = \"steady_distance\"\npercent = 9\nseconds = 1\n" + nearest,
+          "goal = \"speeds_up\"\nmetres = 1\nfactor = 2\n" + nearest}) {
+        EXPECT_EQ(error_of(goal), "accepted");
+        expect_refused(goal, "the scene has several sources; name the one", fire);
+    }
+    EXPECT_EQ(error_of("goal = \"avoids\"\nmetres = 1\n" + nearest, fire), "accepted");
+}
+
+TEST(Exercise, AGoalOfAnotherVehicleOrASensorNamesOneThatCanBeMeant) {
+    const std::string follows = "goal = \"follows\"\nmetres = 1\ndegrees = 9\n";
+    expect_refused(follows + "other = \"one\"\n", "'one' is the vehicle of this check");
+    expect_refused(follows + "other = \"two\"\nvehicle = \"two\"\n", "'two' is the vehicle of this check");
+    EXPECT_EQ(error_of(follows + "other = \"one\"\nvehicle = \"two\"\n"), "accepted");
+    expect_refused("goal = \"all_of\"\nvehicle = \"two\"\n[[step.check]]\n" + follows + "other = \"two\"\n",
+                   "'two' is the vehicle of this check");
+    expect_refused("goal = \"speed_follows\"\nsensor = \"SM\"\ncorrelation = 0.5\nseconds = 1\n",
+                   "has no sensor called 'SM'; the nearest is 'SL'");
+    const std::string matches = "goal = \"matches\"\nmetres = 1\nseconds = 9\n";
+    EXPECT_EQ(error_of(matches + "vehicle = \"one\"\n"), "accepted");
+    expect_refused(matches + "vehicle = \"two\"\n", "'matches' is about the first vehicle, 'one'");
+}
+
+TEST(Exercise, ARangeOfAGoalAscends) {
+    expect_refused("goal = \"keeps_distance\"\nsource = \"lamp\"\nfrom = 3\nto = 2\n",
+                   "'to' should be at least 'from'");
+    expect_refused("goal = \"keeps_speed\"\nfrom = 3\nto = 2\n", "'to' should be at least 'from'");
+    expect_refused("goal = \"recharges\"\nlow = 0.8\nhigh = 0.5\ncount = 1\n", "'high' should be at least 'low'");
+}
+
+TEST(Exercise, TheTimesOfEveryCheckAreChecked) {
+    const std::string early = "latest = 1\nearliest = 2\n", run = "goal = \"runs\"\nseconds = 1\n";
+    expect_refused(run + early, "'latest' should be more than 'earliest'");
+    expect_refused("goal = \"all_of\"\n[[step.check]]\n" + run + early, "'latest' should be more than 'earliest'");
+    expect_refused("goal = \"all_of\"\n[[step.check]]\n" + run + "after = 2\n",
+                   "'after' should be the number of an earlier step");
+    EXPECT_EQ(error_of("goal = \"all_of\"\n[[step.check]]\n" + run + "after = 1\n"), "accepted");
+    const std::string shown = "source = \"lamp\"\ndegrees = 60\n";
+    const auto shows = parse_exercise(changed(aggressor(), shown, shown + early), guided / "x.toml");
+    ASSERT_FALSE(shows);
+    EXPECT_NE(shows.error().text().find("'latest' should be more"), std::string::npos) << shows.error().text();
+}
+
 TEST(Exercise, EveryGoalRequiresItsKeysAndRefusesOtherKeys) {
-    const auto error_of = [](const std::string& check) {
-        const auto exercise = parse_exercise(with_check(check), guided / "x.toml");
-        return exercise ? std::string("accepted") : exercise.error().text();
-    };
     EXPECT_NE(error_of("").find("'goal' is missing; it is one of \"runs\""), std::string::npos) << error_of("");
     const std::map<std::string_view, std::string> values{
         {"source", "\"lamp\""}, {"check", "[{goal = \"runs\", seconds = 1}]"},
-        {"zone", "\"\""},       {"left", "\"\""},
-        {"right", "\"\""},      {"other", "\"one\""},
+        {"zone", "\"bay\""},    {"left", "\"a\""},
+        {"right", "\"b\""},     {"other", "\"two\""},
         {"sensor", "\"SL\""},   {"kind", "\"aggressor\""}};
     const auto line = [&](std::string_view key) {
         const auto value = values.find(key);
@@ -265,7 +360,7 @@ TEST(Exercise, AnErrorNamesTheLineAndTheNearestWord) {
         {"scene = \"../scenes/2b-aggressor.toml\"", "", "", {"'scene' is missing"}},
         {"brain.LL\" = 1.5", "brain.LX\" = 1.5", "brain.LX", {"nearest is 'kind.aggressor.brain.LL'"}},
         {"brain.LL\" = 1.5", "brain.LL\" = 9", "brain.LL\" = 9", {"'LL' is 9, outside -2 .. 2"}},
-        {"brain.LL\" = 1.5", "brain.LL\" = [1]", "brain.LL\" = [1]", {"number or text"}},
+        {"brain.LL\" = 1.5", "brain.LL\" = [1]", "brain.LL\" = [1]", {"number, text, true or false"}},
         {"answer = \"It turns away from the lamp\"",
          "answer = \"It turns away from the lump\"",
          "answer =",

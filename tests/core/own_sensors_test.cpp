@@ -225,13 +225,12 @@ Exercise exercise_with(const Scene& scene) {
 }
 
 TEST(Grade, ASubmissionHasTheOwnSensorsOfTheFirstVehicle) {
-    Scene scene = twins();
-    scene.starts[0].sensors = std::vector<Sensor>{};
-    const Exercise exercise = exercise_with(scene);
-    Session session = open(scene);
+    const Exercise exercise = exercise_with(twins());
+    Session session = open(exercise.scene);
+    EXPECT_EQ(submission_of(exercise, session.snapshot()), as_shipped(exercise));
     ASSERT_FALSE(session.apply(SetSensors{{.vehicle = 0}, heat_eye()}));
     EXPECT_EQ(submission_of(exercise, session.snapshot()).sensors, heat_eye());
-    EXPECT_TRUE(as_shipped(exercise).sensors.empty()) << "those that the exercise gives the first vehicle";
+    EXPECT_EQ(as_shipped(exercise).sensors, exercise.scene.kinds[0].sensors);
 }
 
 TEST(Referee, OwnSensorsOfAnotherKindAreHelp) {

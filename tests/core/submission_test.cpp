@@ -1,5 +1,7 @@
 #include "core/lesson/submission.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace braitenlab::tests::submission_test {
@@ -143,6 +145,46 @@ TEST(Submission, WhatIsNotOfferedIsNamed) {
     Submission moved = shipped;
     moved.brain.nodes[0].place = maths::vec2{7, 7};
     EXPECT_EQ(outside_offers(exercise, moved), Names{}) << "positions on the canvas do not count";
+}
+
+TEST(Submission, OffersThatCannotBeOneControlAreRefused) {
+    const auto told = [](const std::string& offers) {
+        return error_of(with("offers = [\"LL=RR\", \"LM\"]", "offers = [" + offers + "]"));
+    };
+    EXPECT_EQ(told("\"LL=RR\", \"threshold_LL\""), "accepted");
+    EXPECT_NE(told("\"LL=LM\"").find("'LL=LM' joins dials of different ranges"), std::string::npos);
+    EXPECT_NE(told("\"LL=RR\", \"RR\"").find("'RR' is offered twice"), std::string::npos);
+    EXPECT_NE(told("\"LL=LL\"").find("'LL' is offered twice"), std::string::npos);
+    EXPECT_NE(told("\"LL\", \"wiring\"]\nchanges = 1\nhint = [").find("'changes' does not count wires"),
+              std::string::npos);
+}
+
+TEST(Submission, TheFirstVehicleHasTheBrainAndTheSensorsOfItsKind) {
+    const auto told = [](const std::string& own) {
+        const std::string toml = with("[scene.source.lamp]", own + "\n[scene.source.lamp]");
+        const std::string place = "own.toml:" + std::to_string(line_of(toml, own)) + ":";
+        const std::string error = error_of(toml);
+        EXPECT_EQ(error.rfind(place, 0), 0u) << error;
+        return error;
+    };
+    const std::string brain = told("[scene.vehicle.one.brain]\nLL = 1\n");
+    EXPECT_NE(brain.find("set it in [kind.one]"), std::string::npos) << brain;
+    const std::string sensors = told("[scene.vehicle.one.sensor.SL]\ny = 1\n");
+    EXPECT_NE(sensors.find("set them in [kind.one]"), std::string::npos) << sensors;
+}
+
+TEST(Submission, ASettingOfAnAnswerChangesWhatTheStudentMayChange) {
+    const std::string set = "\"kind.one.sensor.SL.angle\" = 10";
+    const auto told = [&](const std::string& more) {
+        const std::string toml = with(set, set + "\n" + more);
+        const std::string error = error_of(toml);
+        EXPECT_EQ(error.rfind("own.toml:" + std::to_string(line_of(toml, more)) + ":", 0), 0u) << error;
+        return error;
+    };
+    EXPECT_NE(told("\"source.lamp.x\" = 2").find("the student cannot change 'source.lamp.x'"), std::string::npos);
+    told("\"vehicle.one.heading\" = 90");
+    EXPECT_EQ(error_of(with(set, set + "\n\"kind.one.body.mass\" = 12")), "accepted");
+    EXPECT_EQ(error_of(with(set, set + "\n\"source.lamp.x\" = 3")), "accepted") << "the same value";
 }
 
 TEST(Submission, PartsThatAreOfferedMayChange) {
