@@ -106,8 +106,7 @@ Result<Soundness> soundness(const SharedExercise& exercise, std::uint64_t first_
     Soundness found{std::move((*grades)[0]), std::move((*grades)[1]), {}, {}};
     for (std::size_t i = 2; i < grades->size(); ++i) found.wrong.push_back(std::move((*grades)[i]));
     found.solution_outside = outside_offers(*exercise, with_solution(*exercise));
-    found.too_many_changes =
-        exercise->changes > 0 && changed_controls(*exercise, with_solution(*exercise)) > exercise->changes;
+    found.too_many_changes = changes_too_many(*exercise, with_solution(*exercise));
     found.prediction = shows_prediction(*exercise);
     found.sound = is_sound(*exercise, found, first_seed);
     return found;
@@ -133,6 +132,8 @@ CheckJson soundness_json(const Exercise& exercise, const Soundness& found) {
     CheckJson json{{"exercise", exercise.id}, {"sound", found.sound}};
     json.update(grade_json(exercise, found.solution));
     json["shipped"] = grade_json(exercise, found.shipped);
+    json["solution_outside"] = found.solution_outside;
+    json["too_many_changes"] = found.too_many_changes;
     json["prediction"] = found.prediction;
     json["wrong"] = CheckJson::array();
     for (std::size_t i = 0; i < found.wrong.size(); ++i) {
@@ -157,17 +158,23 @@ int check_sound(const SharedExercise& exercise, std::uint64_t first_seed, CheckJ
 int check_brain(const SharedExercise& exercise, const CheckOptions& options) {
     auto found = brain_of_file(options.brain, options.choice);
     if (!found) return complain(found.error());
-    const auto grades = grade_several(exercise, {with_brain(*exercise, std::move(found->brain))}, options.seed);
+    const Submission submission = with_brain(*exercise, std::move(found->brain));
+    auto grades = grade_several(exercise, {submission}, options.seed);
     if (!grades) return complain(grades.error());
-    const Grade& grade = grades->front();
+    Grade& grade = grades->front();
+    const std::string fault = offers_fault(*exercise, submission);
+    grade.good = grade.good && fault.empty();
     if (options.json) {
         CheckJson json{{"exercise", exercise->id}};
+        json["outside_offers"] = outside_offers(*exercise, submission);
+        json["too_many_changes"] = changes_too_many(*exercise, submission);
         json.update(grade_json(*exercise, grade));
         std::cout << json.dump(2) << "\n";
     } else {
         if (!found->owner.empty()) std::cout << fmt::format("brain of {} in {}\n", found->owner, options.brain);
         std::cout << fmt::format("{}: {} of {} starts pass, {} needed: {}\n", exercise->id, grade.count,
                                  grade.starts.size(), exercise->needed, grade.good ? "passed" : "not passed");
+        if (!fault.empty()) std::cout << fmt::format("  {}\n", fault);
         std::cout << failures_text(*exercise, grade);
     }
     return grade.good ? exit_code::done : exit_code::failed;

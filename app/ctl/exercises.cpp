@@ -1,5 +1,7 @@
 #include "app/ctl/exercises.h"
 
+#include <fmt/format.h>
+
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
 #include "app/jobs/grading.h"
@@ -32,6 +34,16 @@ Result<std::vector<Grade>> grade_several(const SharedExercise& exercise, const s
         grades.push_back(std::move(**grade));
     }
     return grades;
+}
+
+std::string offers_fault(const Exercise& exercise, const Submission& submission) {
+    std::string names;
+    for (const std::string& control : outside_offers(exercise, submission))
+        names += fmt::format("{}'{}'", names.empty() ? "" : ", ", control);
+    if (!names.empty()) return fmt::format("it changes {}, which the exercise does not offer", names);
+    if (!changes_too_many(exercise, submission)) return "";
+    return fmt::format("it changes {} controls; the exercise allows {}", changed_controls(exercise, submission),
+                       exercise.changes);
 }
 
 }  // namespace braitenlab

@@ -22,4 +22,8 @@ Result<SharedExercise> find_exercise(const std::string& path_or_name);
 Result<std::vector<Grade>> grade_several(const SharedExercise&, const std::vector<Submission>&,
                                          std::uint64_t first_seed = 1);
 
+// Why the submission does not keep to the offered controls, e.g. "it changes 'LR', which the exercise does not offer";
+// empty if it does.
+std::string offers_fault(const Exercise&, const Submission&);
+
 }  // namespace braitenlab

@@ -19,13 +19,14 @@ namespace {
 struct GradedFile {
     std::string file;
     Result<BrainOfFile> found;
-    Grade grade;  // of the brain, if one is found
+    Grade grade;          // of the brain, if one is found; not good if there is a fault
+    std::string fault{};  // see offers_fault()
 };
 
 std::string graded_row(const Exercise& exercise, const GradedFile& graded) {
     const std::string character = graded.found ? name(recognise(graded.found->brain)) : "";
     const std::string owner = graded.found ? graded.found->owner : "";
-    const std::string error = graded.found ? "" : graded.found.error().text();
+    const std::string error = graded.found ? graded.fault : graded.found.error().text();
     std::string row;
     const auto add = [&](const io::CsvValue& value) {
         io::add_csv_cell(row, value);
@@ -49,13 +50,19 @@ Result<std::vector<GradedFile>> grade_files(const SharedExercise& exercise, cons
     std::vector<Submission> submissions;
     for (const std::string& file : files) {
         graded.push_back({file, brain_of_file(file, choice), {}});
-        if (const auto& found = graded.back().found) submissions.push_back(with_brain(*exercise, found->brain));
+        if (const auto& found = graded.back().found) {
+            submissions.push_back(with_brain(*exercise, found->brain));
+            graded.back().fault = offers_fault(*exercise, submissions.back());
+        }
     }
     auto grades = grade_several(exercise, submissions);
     if (!grades) return grades.error();
     auto next = grades->begin();
-    for (GradedFile& file : graded)
-        if (file.found) file.grade = std::move(*next++);
+    for (GradedFile& file : graded) {
+        if (!file.found) continue;
+        file.grade = std::move(*next++);
+        file.grade.good = file.grade.good && file.fault.empty();
+    }
     return graded;
 }
 

@@ -31,11 +31,21 @@ bool differs(const BrainGraph& a, const BrainGraph& b, Dial dial, const std::vec
     });
 }
 
-// The brain with its direct wires and the motors' biases set to the same values in every brain, so that two brains
-// differ afterwards only in what is neither a dial nor a curve of a wire that the dials belong to.
+// The brain with the dials and the curves of its direct wires set to the same values in every brain, so that two brains
+// differ afterwards only in something else. A direct wire that has nothing else is left out: a missing one has weight
+// 0. The wires are in the order of their ends.
 BrainGraph without_dials(BrainGraph graph, const std::vector<SensorPair>& pairs) {
-    for (const SensorPair& pair : pairs)
-        std::erase_if(graph.wires, [&](const Wire& wire) { return direct_dial(graph, {wire.from, wire.to}, pair); });
+    std::erase_if(graph.wires, [&](Wire& wire) {
+        const WireEnds ends{wire.from, wire.to};
+        const bool is_direct = std::any_of(pairs.begin(), pairs.end(), [&](const SensorPair& pair) {
+            return direct_dial(graph, ends, pair).has_value();
+        });
+        if (is_direct) wire.weight = wire.threshold = 0, wire.curve = {};
+        return is_direct && wire == Wire{.from = ends.from, .to = ends.to, .weight = 0};
+    });
+    std::sort(graph.wires.begin(), graph.wires.end(), [](const Wire& a, const Wire& b) {
+        return WireEnds{a.from, a.to} < WireEnds{b.from, b.to};
+    });
     for (Node& node : graph.nodes)
         if (node.name == "ML" || node.name == "MR") node.bias = 0;
     return without_places(std::move(graph));
@@ -163,9 +173,12 @@ int changed_controls(const Exercise& exercise, const Submission& submission) {
     return changed;
 }
 
+bool changes_too_many(const Exercise& exercise, const Submission& submission) {
+    return exercise.changes > 0 && changed_controls(exercise, submission) > exercise.changes;
+}
+
 bool keeps_to_offers(const Exercise& exercise, const Submission& submission) {
-    return outside_offers(exercise, submission).empty() &&
-           (exercise.changes == 0 || changed_controls(exercise, submission) <= exercise.changes);
+    return outside_offers(exercise, submission).empty() && !changes_too_many(exercise, submission);
 }
 
 }  // namespace braitenlab

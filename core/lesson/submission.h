@@ -46,8 +46,12 @@ bool offers(const Exercise&, std::string_view part);
 std::vector<Offer> offered_dials(const Exercise&);
 
 // What the submission changes that the exercise does not offer: names of dials, "wiring", "curves", "sensors", "body".
+// Lesions and learning of the wires that the dials belong to are "wiring".
 // Empty when it keeps to the offered controls.
 std::vector<std::string> outside_offers(const Exercise&, const Submission&);
+
+// True if the submission changes more offered controls than Exercise::changes.
+bool changes_too_many(const Exercise&, const Submission&);
 
 // True if the submission changes nothing but offered controls, and no more of them than Exercise::changes.
 bool keeps_to_offers(const Exercise&, const Submission&);

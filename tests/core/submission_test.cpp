@@ -1,6 +1,7 @@
 #include "core/lesson/submission.h"
 
 #include <algorithm>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -145,6 +146,24 @@ TEST(Submission, WhatIsNotOfferedIsNamed) {
     Submission moved = shipped;
     moved.brain.nodes[0].place = maths::vec2{7, 7};
     EXPECT_EQ(outside_offers(exercise, moved), Names{}) << "positions on the canvas do not count";
+}
+
+TEST(Submission, LesionsAndLearningOfDirectWiresAreWiring) {
+    const Exercise exercise = read(text);
+    const Submission shipped = as_shipped(exercise);
+    const auto outside = [&](const std::function<void(Wire&)>& change) {
+        Submission changed = shipped;
+        change(*find_wire(changed.brain, four_neuron_ids::SR, four_neuron_ids::ML));
+        return outside_offers(exercise, changed);
+    };
+    EXPECT_EQ(outside([](Wire& wire) { wire.cut = true; }), Names{"wiring"});
+    EXPECT_EQ(outside([](Wire& wire) { wire.learning_rate = 1; }), Names{"wiring"});
+    EXPECT_EQ(outside([](Wire& wire) { wire.decay = 1; }), Names{"wiring"});
+    Submission without = shipped;
+    std::erase_if(without.brain.wires, [](const Wire& wire) { return wire.weight == 0; });
+    EXPECT_EQ(outside_offers(exercise, without), Names{}) << "a wire of weight 0 is no wire";
+    std::reverse(without.brain.wires.begin(), without.brain.wires.end());
+    EXPECT_EQ(outside_offers(exercise, without), Names{}) << "the order of wires does not count";
 }
 
 TEST(Submission, OffersThatCannotBeOneControlAreRefused) {

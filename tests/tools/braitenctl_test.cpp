@@ -270,7 +270,7 @@ TEST(CtlRun, DoesNotSaveToAPipe) {
 // A scene with two kinds: only the second one passes exercise 5. `first` is the kind of its first vehicle.
 std::string two_kinds(const std::string& first) {
     const std::string brains = "brain]\n";
-    return "format = 1\n[kind.slow." + brains + "LM = 0.2\n[kind.striker." + brains +
+    return "format = 1\n[kind.slow." + brains + "LM = 0.1\nRM = 0.1\n[kind.striker." + brains +
            "LR = 1.5\nRL = 1.5\nLM = 0.1\nRM = 0.1\n[vehicle.one]\nkind = \"" + first + "\"\n[vehicle.two]\nkind = \"" +
            (first == "slow" ? "striker" : "slow") + "\"\nx = 3\n";
 }
@@ -331,7 +331,25 @@ TEST(CtlGrade, TakesTheKindOfAVehicleThatIsGoneFromASavedRun) {
 }
 
 TEST(CtlGrade, TakesTheFirstKindOfAPopulation) {
-    EXPECT_NE(graded("predator-prey").find(",kind predator,,"), std::string::npos) << graded("predator-prey");
+    EXPECT_NE(graded("predator-prey").find(",kind predator,"), std::string::npos) << graded("predator-prey");
+}
+
+TEST(CtlGrade, DoesNotPassABrainThatChangesWhatIsNotOffered) {
+    const std::string brain = scratch("outside.toml");
+    std::ofstream(brain) << "format = 1\n[brain]\nLR = 1.5\nRL = 1.5\nLM = 0.12\nRM = 0.1\n";
+    const std::string why = "it changes 'LM', which the exercise does not offer";
+    EXPECT_TRUE(graded(brain).starts_with("no,10,10,8,aggressor,,\"" + why + "\",yes,")) << graded(brain);
+    const Ran check = ctl("check 05-aggressor --brain " + brain);
+    EXPECT_EQ(check.code, 1);
+    EXPECT_NE(check.out.find("10 of 10 starts pass, 8 needed: not passed\n  " + why), std::string::npos) << check.out;
+    const Json json = Json::parse(ctl("check 05-aggressor --json --brain " + brain).out);
+    EXPECT_EQ(json["good"], false);
+    EXPECT_EQ(json["outside_offers"], Json::array({"LM"}));
+    EXPECT_EQ(json["too_many_changes"], false);
+    std::ofstream(brain) << "format = 1\n[brain]\nLL = -1.2\nRR = -1.2\nLM = 0.6\nRM = 0.6\n";
+    const Ran two = ctl("grade 08-overrun " + brain);
+    EXPECT_NE(two.out.find("it changes 2 controls; the exercise allows 1"), std::string::npos) << two.out;
+    std::filesystem::remove(brain);
 }
 
 TEST(CtlGrade, RefusesAnExercise) {
@@ -355,7 +373,7 @@ TEST(CtlCheck, EveryShippedExerciseIsSound) {
 }
 
 // What `check` says of the shipped exercise with changed words.
-Ran check_changed(const std::vector<std::pair<std::string, std::string>>& changes) {
+Ran check_changed(const std::vector<std::pair<std::string, std::string>>& changes, const std::string& options = "") {
     std::ifstream shipped(std::string(BRAITENLAB_SOURCE) + "/exercises/guided/05-aggressor.toml");
     std::string text{std::istreambuf_iterator<char>(shipped), {}};
     const auto change = [&](const std::string& from, const std::string& to) {
@@ -366,7 +384,7 @@ Ran check_changed(const std::vector<std::pair<std::string, std::string>>& change
     for (const auto& [from, to] : changes) change(from, to);
     const std::string file = scratch("changed.toml");
     std::ofstream(file) << text;
-    const Ran ran = ctl("check " + file);
+    const Ran ran = ctl("check " + options + file);
     std::filesystem::remove(file);
     return ran;
 }
@@ -386,6 +404,16 @@ TEST(CtlCheck, AnExerciseThatPassesAsShippedIsNotSound) {
     EXPECT_EQ(ran.code, 1) << ran.out;
     EXPECT_NE(ran.out.find("as shipped 10 of 10 starts pass (none should), with its solution 10"), std::string::npos)
         << ran.out;
+}
+
+TEST(CtlCheck, TheJsonOfAnExerciseSaysWhatItsSolutionChanges) {
+    const Json sound = Json::parse(ctl("check 05-aggressor --json").out);
+    EXPECT_EQ(sound["solution_outside"], Json::array());
+    EXPECT_EQ(sound["too_many_changes"], false);
+    const Ran ran = check_changed({{"offers = [\"LL\", \"LR\",", "changes = 1\noffers = [\"LL\","}}, "--json ");
+    const Json unsound = Json::parse(ran.out);
+    EXPECT_EQ(unsound["solution_outside"], Json::array({"LR"}));
+    EXPECT_EQ(unsound["too_many_changes"], true);
 }
 
 TEST(CtlCheck, AHintForAWidgetThatDoesNotExistIsAnError) {
