@@ -84,7 +84,17 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditEcology, to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddKind, kind, before)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveKind, kind)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditKind, kind, to)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetPopulation, kind, count, vehicles, shares, population)
+inline void to_json(Json& json, const SetPopulation& c) {
+    json = {{"kind", c.kind}, {"count", c.count}, {"vehicles", c.vehicles}, {"shares", c.shares}};
+    if (c.population) json["population"] = *c.population;
+}
+inline void from_json(const Json& json, SetPopulation& c) {
+    json.at("kind").get_to(c.kind);
+    json.at("count").get_to(c.count);
+    json.at("vehicles").get_to(c.vehicles);
+    json.at("shares").get_to(c.shares);
+    if (json.contains("population")) c.population = json.at("population").get<int>();
+}
 inline void to_json(Json& json, const NewPopulation&) { json = Json::object(); }
 inline void from_json(const Json&, NewPopulation&) {}
 

@@ -209,7 +209,7 @@ std::optional<Error> refusal(const WorldData& s, const SetPopulation& c) {
         return error_of(message_of("population_limit", limits::vehicles));
     if (!c.shares.empty() && c.shares.size() != s.scene->kinds.size())
         return Error{"a population has one share for each kind"};
-    if (c.population < 0 || c.population > limits::vehicles)
+    if (c.population && (*c.population < 0 || *c.population > limits::vehicles))
         return error_of(message_of("population_limit", limits::vehicles));
     VehicleId last = no_vehicle;
     for (const AddVehicle& vehicle : c.vehicles) {
@@ -264,7 +264,7 @@ std::vector<int> numbers_set(const State& s) {
 // were earlier.
 void set_numbers(Scene& scene, const State& before, const SetPopulation& c) {
     if (!c.shares.empty()) {
-        scene.ecology.population = c.population;
+        scene.ecology.population = c.population.value_or(scene.ecology.population);
         for (std::size_t k = 0; k < c.shares.size(); ++k) scene.kinds[k].share = c.shares[k];
         return;
     }

@@ -210,8 +210,8 @@ struct SetPopulation {
     // To restore an earlier population: vehicles of this kind with their ids, ascending, each added unless it is in the
     // world, and removed after all others; the shares of all kinds, and Ecology::population.
     std::vector<AddVehicle> vehicles{};
-    std::vector<float> shares{};  // empty: population and shares follow from `count`
-    int population = 0;           // with shares
+    std::vector<float> shares{};      // empty: population and shares follow from `count`
+    std::optional<int> population{};  // with shares; none, as in earlier files: it does not change
     friend bool operator==(const SetPopulation&, const SetPopulation&) = default;
 };
 

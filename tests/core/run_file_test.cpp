@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/io/json.h"
 #include "core/maths/random.h"
 #include "core/scene/scene_file.h"
 #include "core/session/session.h"
@@ -114,6 +115,16 @@ TEST(RunFile, ReadsARunOfAVersionThatRecordedNoStrikes) {
     const auto old = io::read_run(text, "a.run");
     ASSERT_TRUE(old) << old.error().text();
     EXPECT_EQ(Session::resume(*old).hash(), session.hash());
+}
+
+TEST(RunFile, ReadsAPopulationThatWasSetBeforeItsSizeWasRecorded) {
+    Json json = Command(SetPopulation{0, 3, {}, {1, 1}, 9});
+    EXPECT_EQ(std::get<SetPopulation>(json.get<Command>()), (SetPopulation{0, 3, {}, {1, 1}, 9}));
+    json["SetPopulation"].erase("population");
+    const auto command = json.get<Command>();
+    Session session = std::move(*Session::open(tests::crowd(6), 1));
+    ASSERT_FALSE(session.apply(command));
+    EXPECT_EQ(session.snapshot().scene->ecology.population, 6);
 }
 
 TEST(RunFile, RefusesAFileOfAnotherKind) {
