@@ -15,11 +15,16 @@ const Look* find_look(const std::vector<VehicleLook>& looks, VehicleId vehicle) 
 }
 
 void set_look(std::vector<VehicleLook>& looks, VehicleId vehicle, const Look& look) {
-    std::erase_if(looks, [vehicle](const VehicleLook& each) { return each.vehicle == vehicle; });
-    if (look == Look{}) return;
-    const auto later =
-        std::find_if(looks.begin(), looks.end(), [vehicle](const VehicleLook& each) { return each.vehicle > vehicle; });
-    looks.insert(later, {vehicle, look});
+    const auto place = std::lower_bound(looks.begin(), looks.end(), vehicle,
+                                        [](const VehicleLook& each, VehicleId id) { return each.vehicle < id; });
+    const bool is_set = place != looks.end() && place->vehicle == vehicle;
+    if (look == Look{}) {
+        if (is_set) looks.erase(place);
+    } else if (is_set) {
+        place->look = look;
+    } else {
+        looks.insert(place, {vehicle, look});
+    }
 }
 
 Look look_of(const Snapshot& now, const VehicleView& vehicle) {
