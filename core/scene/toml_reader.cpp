@@ -19,7 +19,7 @@ void TomlTable::gather_settings(const TomlNode& table, const std::string& path, 
         const std::string inner = prefix + key;
         Setting setting{inner, "", file_.name, static_cast<int>(node.place.line)};
         if (node.as_table()) {
-            gather_settings(node, path, inner + ".", out);
+            gather_settings(node, path, fmt::format("{}.", inner), out);
             continue;
         } else if (const std::int64_t* whole = node.as_whole()) {
             setting.value = fmt::format("{}", *whole);
@@ -30,7 +30,7 @@ void TomlTable::gather_settings(const TomlNode& table, const std::string& path, 
         } else if (const bool* flag = node.as_flag()) {
             setting.value = *flag ? "true" : "false";
         } else {
-            return file_.fail(path + "." + inner, &node,
+            return file_.fail(fmt::format("{}.{}", path, inner), &node,
                               fmt::format("{} should be a number, text, true or false", in_quotes(inner)));
         }
         out.push_back(std::move(setting));
