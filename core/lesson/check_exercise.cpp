@@ -1,0 +1,231 @@
+#include "core/lesson/check_exercise.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/lesson/anchors.h"
+#include "core/lesson/submission.h"
+
+namespace braitenlab {
+
+namespace {
+
+// A part of the exercise file that is checked after reading: where it stands, and the scene that its names refer to.
+struct ExercisePart {
+    TomlFile& file;
+    const TomlNode& table;
+    std::string path;
+    const Scene& scene;
+    std::string vehicle;   // name of the start that the check is about
+    std::size_t step = 0;  // index of the check's step
+
+    void fail(const char* key, const std::string& what) const {
+        const TomlNode* value = table.get(key);
+        file.fail(path + "." + key, value ? value : &table, what);
+    }
+
+    // `owner`: what should have the named thing.
+    template <class Named>
+    void check_name(const char* key, const std::string& name, const std::vector<Named>& known, const char* what,
+                    const char* owner = "scene") const {
+        std::vector<std::string_view> names;
+        for (const Named& each : known) names.emplace_back(each.name);
+        if (std::find(names.begin(), names.end(), name) != names.end()) return;
+        if (name.empty()) return fail(key, fmt::format("'{}' is empty; name one {} of the {}", key, what, owner));
+        fail(key, fmt::format("the {} has no {} called {}{}", owner, what, in_quotes(name), name_nearest(name, names)));
+    }
+};
+
+template <class... Goals>
+std::string listed_words(const std::variant<Goals...>&) {
+    std::string all;
+    ((all += fmt::format("{}\"{}\"", all.empty() ? "" : ", ", Goals::traits.word)), ...);
+    return all;
+}
+
+template <class G, class... Others>
+constexpr bool is_one_of = (std::is_same_v<G, Others> || ...);
+
+// True for a goal that compares values of one source over time: the nearest source can become another one.
+template <class G>
+constexpr bool needs_one_source =
+    is_one_of<G, goals::TurnsTo, goals::TurnsAway, goals::Circles, goals::SteadyDistance, goals::SpeedsUp>;
+
+template <class G>
+void check_source(const ExercisePart& part, const G& goal) {
+    const std::vector<Source>& sources = part.scene.sources;
+    if (!goal.source.empty()) return part.check_name("source", goal.source, sources, "source");
+    if (needs_one_source<G> && sources.size() > 1)
+        part.fail("source",
+                  fmt::format("the scene has several sources; name the one that '{}' is about", G::traits.word));
+}
+
+// The sensors of the vehicle that the check is about.
+const std::vector<Sensor>& sensors_of(const ExercisePart& part) {
+    const std::vector<Start>& starts = part.scene.starts;
+    const auto start =
+        std::find_if(starts.begin(), starts.end(), [&](const Start& each) { return each.name == part.vehicle; });
+    if (start->sensors) return *start->sensors;
+    return part.scene.kinds[static_cast<std::size_t>(find_kind(part.scene, start->kind))].sensors;
+}
+
+// The vehicle that the check is about can be the one of the goal.
+template <class G>
+void check_vehicle(const ExercisePart& part, const G& goal) {
+    if constexpr (requires { goal.other; })
+        if (goal.other == part.vehicle)
+            part.fail("other", fmt::format("{} is the vehicle of this check; name another one", in_quotes(goal.other)));
+    const std::string& first = part.scene.starts.front().name;
+    if (std::is_same_v<G, goals::Matches> && part.vehicle != first)
+        part.fail("vehicle", fmt::format("'matches' is about the first vehicle, {}", in_quotes(first)));
+}
+
+template <class G>
+void check_range(const ExercisePart& part, const G& goal) {
+    if constexpr (requires { goal.from, goal.to; })
+        if (goal.to < goal.from) part.fail("to", "'to' should be at least 'from'");
+    if constexpr (requires { goal.low, goal.high; })
+        if (goal.high < goal.low) part.fail("high", "'high' should be at least 'low'");
+}
+
+// The names in a goal's keys exist in the scene.
+template <class G>
+void check_names(const ExercisePart& part, const G& goal) {
+    const Scene& scene = part.scene;
+    if constexpr (requires { goal.source; }) check_source(part, goal);
+    if constexpr (requires { goal.zone; }) part.check_name("zone", goal.zone, scene.zones, "zone");
+    if constexpr (requires { goal.left; }) part.check_name("left", goal.left, scene.obstacles, "obstacle");
+    if constexpr (requires { goal.right; }) part.check_name("right", goal.right, scene.obstacles, "obstacle");
+    if constexpr (requires { goal.other; }) part.check_name("other", goal.other, scene.starts, "vehicle");
+    if constexpr (requires { goal.kind; }) part.check_name("kind", goal.kind, scene.kinds, "kind");
+    if constexpr (requires { goal.sensor; })
+        part.check_name("sensor", goal.sensor, sensors_of(part), "sensor", "vehicle");
+}
+
+void check_times(const ExercisePart& part, const Check& check) {
+    if (check.after > static_cast<int>(part.step))
+        part.fail("after", "'after' should be the number of an earlier step");
+    if (check.latest > 0 && check.latest <= check.earliest)
+        part.fail("latest", "'latest' should be more than 'earliest'");
+}
+
+// `part.vehicle` is that of the check around this one.
+void check_check(ExercisePart part, const Check& check) {
+    if (!part.table.contains("goal"))
+        return part.file.fail(part.path, &part.table, "'goal' is missing; it is one of " + listed_words(Goal{}));
+    if (!check.vehicle.empty()) {
+        part.check_name("vehicle", check.vehicle, part.scene.starts, "vehicle");
+        if (part.file.error) return;
+        part.vehicle = check.vehicle;
+    }
+    check_times(part, check);
+    const auto check_goal = [&]<class G>(const G& goal) {
+        check_names(part, goal);
+        check_vehicle(part, goal);
+        check_range(part, goal);
+        if constexpr (requires { goal.checks; }) {
+            const TomlNode* checks = part.table.get("check");
+            if (goal.checks.empty())
+                part.file.fail(part.path, &part.table,
+                               fmt::format("the goal '{}' needs at least one check of its own", G::traits.word));
+            for (std::size_t i = 0; i < goal.checks.size() && !part.file.error; ++i)
+                check_check({part.file, checks->as_list()->at(i), fmt::format("{}.check.{}", part.path, i + 1),
+                             part.scene, part.vehicle, part.step},
+                            goal.checks[i]);
+        }
+    };
+    std::visit(check_goal, check.goal);
+}
+
+// Adds the dials of an offer to those offered before it.
+void check_offer(TomlTable& top, const std::string& text, std::vector<Dial>& offered) {
+    const auto offer = parse_offer(text);
+    if (!offer)
+        return top.fail("offers", fmt::format("{} is no control; write dials like \"LR\" or \"LL=RR\", or one of "
+                                              "\"wiring\", \"curves\", \"sensors\"",
+                                              in_quotes(text)));
+    for (const Dial dial : offer->dials) {
+        const DialRange own = range(dial), first = range(offer->dials.front());
+        if (std::find(offered.begin(), offered.end(), dial) != offered.end())
+            top.fail("offers", fmt::format("{} is offered twice", in_quotes(name(dial))));
+        if (own.low != first.low || own.high != first.high)
+            top.fail("offers",
+                     fmt::format("{} joins dials of different ranges; offer them one by one", in_quotes(text)));
+        offered.push_back(dial);
+    }
+}
+
+void check_hidden(TomlTable& top, const Exercise& exercise) {
+    for (const std::string& kind : exercise.hides)
+        if (const int index = find_kind(exercise.scene, kind); index < 0 || index == subject_kind(exercise.scene))
+            top.fail("hides",
+                     fmt::format("{} is no kind of the scene other than the first vehicle's", in_quotes(kind)));
+}
+
+void check_offers(TomlTable& top, const Exercise& exercise) {
+    std::vector<Dial> offered;
+    for (const std::string& text : exercise.offers) check_offer(top, text, offered);
+    if (exercise.changes > 0 && exercise.offers.empty())
+        top.fail("changes", "'changes' counts offered controls; add 'offers'");
+    if (exercise.changes > 0 && !exercise.offers.empty() && offers(exercise, offer_parts::wiring))
+        top.fail("changes", "'changes' does not count wires; remove it, or \"wiring\" from 'offers'");
+}
+
+void check_prediction(TomlTable& top, const Prediction& prediction, const Scene& scene) {
+    const TomlNode* table = top.content().get("predict");
+    if (!table || !table->as_table()) return;
+    if (prediction.question.empty() || prediction.options.size() < 2 || !table->contains("answer"))
+        top.fail("predict", "a prediction needs a question, two or more options, and one of them as its answer");
+    for (std::size_t i = 0; i < prediction.shows.size() && !top.file().error; ++i) {
+        const TomlNode& check = table->get("shows")->as_list()->at(i);
+        check_check({top.file(), check, fmt::format("predict.shows.{}", i + 1), scene, scene.starts.front().name, i},
+                    prediction.shows[i]);
+    }
+}
+
+void check_anchors(TomlTable& top, const Exercise& exercise) {
+    const std::vector<std::string> anchors = anchors_of(exercise);
+    const std::vector<std::string_view> known(anchors.begin(), anchors.end());
+    const TomlNode* hints = top.content().get("hint");
+    for (std::size_t i = 0; i < exercise.hints.size(); ++i) {
+        const std::string& anchor = exercise.hints[i].anchor;
+        if (anchor.empty() || std::find(known.begin(), known.end(), anchor) != known.end()) continue;
+        top.file().fail(fmt::format("hint.{}.anchor", i + 1), hints->as_list()->at(i).get("anchor"),
+                        fmt::format("the window has no widget {}{}", in_quotes(anchor), name_nearest(anchor, known)));
+    }
+}
+
+}  // namespace
+
+void check_exercise(TomlTable& top, const Exercise& exercise) {
+    TomlFile& file = top.file();
+    for (const char* key : {"title", "goal"})
+        if (!top.has(key) && !file.error)
+            file.error = Error{fmt::format("'{}' is missing; add {} = \"…\"", key, key), file.name, 1};
+    if (exercise.scene.starts.empty())
+        top.fail("scene", "this scene places no vehicle; an exercise is about its first [vehicle.NAME]");
+    check_prediction(top, exercise.prediction, exercise.scene);
+    check_offers(top, exercise);
+    if (exercise.needed > exercise.starts)
+        top.fail("needed", fmt::format("'needed' is {}, more than the {} starts", exercise.needed, exercise.starts));
+    if (!top.has("solution") && !file.error)
+        file.error = Error{"there is no [solution]; add the brain that passes", file.name};
+    if (exercise.steps.empty() && !file.error)
+        file.error = Error{"there is no [[step]]; add at least one check of what must happen", file.name};
+    if (!file.error) check_hidden(top, exercise);
+    const TomlNode* steps = top.content().get("step");
+    for (std::size_t i = 0; i < exercise.steps.size() && !file.error; ++i) {
+        const ExercisePart part{file,
+                                steps->as_list()->at(i),
+                                fmt::format("step.{}", i + 1),
+                                exercise.scene,
+                                exercise.scene.starts.front().name,
+                                i};
+        if (exercise.steps[i].text.empty()) file.fail(part.path, &part.table, "a step needs a text: text = \"It …\"");
+        check_check(part, exercise.steps[i].check);
+    }
+    if (!file.error) check_anchors(top, exercise);
+}
+
+}  // namespace braitenlab
