@@ -153,7 +153,7 @@ void update_grading(Lab& lab, Jobs& jobs) {
     Submission now = submission_of(*lesson.exercise, lab.document.session.snapshot());
     show_grade(lesson, now);
     lesson.view.outside_offers = !outside_offers(*lesson.exercise, now).empty();
-    lesson.view.too_many_changes = !lesson.view.outside_offers && !keeps_to_offers(*lesson.exercise, now);
+    lesson.view.too_many_changes = changes_too_many(*lesson.exercise, now);
     const bool is_allowed = !lesson.view.outside_offers && !lesson.view.too_many_changes;
     const bool is_due = lesson.referee.passed() && !lesson.view.grade && is_allowed;
     if (lesson.grading && lesson.grading->submission != now) lesson.grading.reset();

@@ -39,8 +39,8 @@ struct LessonView {
     std::optional<Grade> grade;                // of the starts, once every step has been done in a run
     bool by_hand = false;                      // the user has moved an object: this run is not judged
     bool free_play = false;                    // all controls are shown, not only the offered ones
-    bool outside_offers = false;               // the submission changes what is not offered: it is not graded
     bool solution_shown = false;               // the solution was set for the student; Start over clears it
+    bool outside_offers = false;               // the submission changes what is not offered: it is not graded
     bool too_many_changes = false;             // it changes more controls than Exercise::changes: it is not graded
 };
 

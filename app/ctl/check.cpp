@@ -31,15 +31,13 @@ std::string measure_text(const Measure& measure) {
                        value_text(measure.needed, measure.unit));
 }
 
-// The first step that is not done, and how far it is from being done.
+// The step that made the start fail, and how far it is from being done.
 std::string failure_text(const Exercise& exercise, const StartResult& start) {
-    for (std::size_t i = 0; i < start.verdicts.size(); ++i) {
-        if (start.verdicts[i].done) continue;
-        std::string text = fmt::format("step {} \"{}\"", i + 1, exercise.steps[i].text);
-        for (const Measure& measure : start.verdicts[i].measures) text += "; " + measure_text(measure);
-        return text;
-    }
-    return "the brain or the sensors are not valid";
+    const std::size_t failed = failed_step(start);
+    if (failed >= start.verdicts.size()) return "the brain or the sensors are not valid";
+    std::string text = fmt::format("step {} \"{}\"", failed + 1, exercise.steps[failed].text);
+    for (const Measure& measure : start.verdicts[failed].measures) text += "; " + measure_text(measure);
+    return text;
 }
 
 std::string failures_text(const Exercise& exercise, const Grade& grade) {

@@ -228,7 +228,7 @@ void steps(const LessonView& lesson, Ui& ui) {
     subheading(ui, ui.strings("exercise.steps"));
     if (lesson.by_hand && !all_steps_ticked(lesson))
         paragraph(ui, ui.strings("exercise.by_hand"), colour_of(NoticeKind::notice, ui.palette), Face::small);
-    if (lesson.too_many_changes)
+    if (lesson.too_many_changes && !lesson.outside_offers)
         paragraph(ui, fill(ui.strings("exercise.too_many_changes"), {std::to_string(lesson.exercise->changes)}),
                   colour_of(NoticeKind::notice, ui.palette), Face::small);
     if (lesson.outside_offers)
