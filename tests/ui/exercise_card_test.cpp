@@ -223,6 +223,9 @@ TEST(ExerciseCard, ARangeShowsBothEnds) {
     EXPECT_TRUE(says(desk, "now 4.20 m, need 1.00 … 3.00 m"));
     EXPECT_TRUE(says(desk, "reached 2.00 m (1.00 … 3.00 m)"));
     EXPECT_TRUE(says(desk, "Not possible any more"));
+    desk.lesson.verdicts[0] = {false, {{2, 1, "s", false, false, 3.25f}}};
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "now 2.00 s, need 1.00 … 3.25 s"));
     desk.lesson.verdicts[0] = {false, {{0.42f, 0.95f, ""}}};
     desk.lesson.verdicts[1] = {false, {{1, 3, ""}}};
     desk.lesson.verdicts[2] = {false, {{0.1f, 0.15f, "m/s", true}}};

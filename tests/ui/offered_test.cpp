@@ -46,6 +46,22 @@ TEST(Offered, PeakAndWidthAreSlidersOfAllWires) {
     EXPECT_TRUE(desk.has("curve.width"));
 }
 
+TEST(Offered, ARightClickRestoresThePeakOfTheFile) {
+    Offering desk({"curves"});
+    BrainGraph brain = make_graph({.LR = 1, .RL = 1});
+    for (Wire& wire : brain.wires) wire.curve = {Response::hump, 0.2f, 0.1f};
+    Scene file = *desk.now.scene;
+    for (Kind& kind : file.kinds) kind.brain = brain;
+    desk.view.file = &file;
+    for (Wire& wire : brain.wires) wire.curve.peak = 0.6f;
+    desk.now.brains.assign(desk.now.brains.size(), std::make_shared<BrainGraph>(brain));
+    desk.frame(2);
+    desk.click("curve.peak", 1);
+    const std::vector<EditRequest> edits = desk.edits();
+    ASSERT_EQ(edits.size(), 1u);
+    EXPECT_EQ(std::get<SetBrain>(edits[0].command).brain.wires[0].curve.peak, 0.2f);
+}
+
 TEST(Offered, TheWiringIsOneClickAwayWhereItIsOffered) {
     Offering desk({"wiring"});
     desk.click("button.open_wiring");

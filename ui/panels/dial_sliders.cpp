@@ -1,6 +1,7 @@
 // The sliders of the four-neuron brain: weights with their thresholds, and biases. Two buttons mirror and cross the
 // wires.
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,8 +29,19 @@ constexpr DialSlider weight_sliders[]{{Dial::LL, "slider.LL", "dial.LL"},
                                       {Dial::LR, "slider.LR", "dial.LR"},
                                       {Dial::RL, "slider.RL", "dial.RL"},
                                       {Dial::RR, "slider.RR", "dial.RR"}};
-constexpr std::string_view threshold_anchors[]{"threshold.LL", "threshold.LR", "threshold.RL", "threshold.RR"};
+constexpr DialSlider threshold_sliders[]{{Dial::threshold_LL, "threshold.LL", "dial.threshold"},
+                                         {Dial::threshold_LR, "threshold.LR", "dial.threshold"},
+                                         {Dial::threshold_RL, "threshold.RL", "dial.threshold"},
+                                         {Dial::threshold_RR, "threshold.RR", "dial.threshold"}};
 constexpr DialSlider bias_sliders[]{{Dial::LM, "bias.LM", "dial.LM"}, {Dial::RM, "bias.RM", "dial.RM"}};
+
+const DialSlider& slider_of(Dial dial) {
+    for (const std::span<const DialSlider> sliders :
+         {std::span<const DialSlider>(weight_sliders), std::span<const DialSlider>(threshold_sliders)})
+        for (const DialSlider& each : sliders)
+            if (each.dial == dial) return each;
+    return bias_sliders[dial == Dial::LM ? 0 : 1];
+}
 
 constexpr float threshold_width = 104, between_sliders = 14;  // layout pixels
 // In a narrower card the thresholds have their numbers only, which can be typed, and the weights keep a track.
@@ -45,7 +57,10 @@ public:
           brain_(*brain_of(*view.now, vehicle)),
           pair_(shown_pair(view, vehicle)),
           values_(read_dials(brain_, pair_)) {
-        if (const Kind* filed = filed_kind(view, vehicle)) homes_ = read_dials(filed->brain, pair_);
+        if (const Kind* filed = filed_kind(view, vehicle)) {
+            homes_ = read_dials(filed->brain, pair_);
+            if (const Wire* wire = first_curved(filed->brain)) curve_home_ = wire->curve;
+        }
     }
 
     // One slider for each group of dials that the exercise offers.
@@ -72,7 +87,7 @@ public:
         for (std::size_t i = 0; i < std::size(weight_sliders); ++i) {
             turn(weight_sliders[i].dial, weight_sliders[i].anchor, weight_width, weight_look(weight_sliders[i]));
             ImGui::SameLine();
-            turn(threshold_of(weight_sliders[i].dial), threshold_anchors[i], threshold, threshold_look());
+            turn(threshold_sliders[i].dial, threshold_sliders[i].anchor, threshold, threshold_look());
         }
         const float half = (width - gap) / 2;
         for (const DialSlider& bias : bias_sliders) {
@@ -144,16 +159,6 @@ private:
         if (edit) ui_.outbox.push_back(EditRequest{TurnDial{target_, dial, edit->value, pair_}, edit->gesture});
     }
 
-    static std::string_view anchor_of(Dial dial) {
-        for (const DialSlider& each : weight_sliders)
-            if (each.dial == dial) return each.anchor;
-        for (const DialSlider& each : bias_sliders)
-            if (each.dial == dial) return each.anchor;
-        for (std::size_t i = 0; i < std::size(weight_sliders); ++i)
-            if (threshold_of(weight_sliders[i].dial) == dial) return threshold_anchors[i];
-        return {};
-    }
-
     // The slider of several dials shows the first one and sets all. Its anchors are those of all of them.
     void turn_together(const Offer& offer, float width) {
         const Dial first = offer.dials.front();
@@ -162,17 +167,17 @@ private:
         for (const Dial dial : offer.dials) words += (words.empty() ? "" : " = ") + shown_name(dial);
         SliderLook look;
         look.words = words;
-        std::string tip(ui_.strings(tooltip_of(first)));
+        std::string tip(ui_.strings(slider_of(first).tooltip));
         if (offer.dials.size() > 1) tip += "\n" + std::string(ui_.strings("dial.together"));
         look.tooltip = tip;
         look.low = limits.low, look.high = limits.high;
-        look.words_width = text_width(ui_, Face::strong, words) / ui_.px(1) + 12;
+        look.words_width = room_for(words);
         look.home = at(homes_, first);
         const auto edit =
-            slider(ui_, state_.sliders, anchor_of(first), at(values_, first), width, view_.wall_seconds, look);
+            slider(ui_, state_.sliders, slider_of(first).anchor, at(values_, first), width, view_.wall_seconds, look);
         const ImVec2 corner = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
         for (std::size_t i = 1; i < offer.dials.size(); ++i)
-            mark(ui_, std::string(anchor_of(offer.dials[i])), {corner.x, corner.y, size.x, size.y});
+            mark(ui_, slider_of(offer.dials[i]).anchor, {corner.x, corner.y, size.x, size.y});
         if (!edit) return;
         for (const Dial dial : offer.dials)
             ui_.outbox.push_back(EditRequest{TurnDial{target_, dial, edit->value, pair_}, edit->gesture});
@@ -180,42 +185,41 @@ private:
 
     // Peak and width of all direct wires that have a curve with a width. The first of them is shown.
     void curve_sliders(float width) {
-        const Wire* first = nullptr;
-        for (const Wire& wire : brain_.wires)
-            if (!first && is_curved(wire)) first = &wire;
+        const Wire* first = first_curved(brain_);
         if (!first) return;
-        curve_slider("curve.peak", "brain.peak", width, first->curve.peak, &Curve::peak, 0);
-        curve_slider("curve.width", "brain.width", width, first->curve.width, &Curve::width, 0.01f);
+        curve_slider("curve.peak", "brain.peak", width, first->curve, &Curve::peak, 0);
+        curve_slider("curve.width", "brain.width", width, first->curve, &Curve::width, 0.01f);
     }
 
-    bool is_curved(const Wire& wire) const {
-        return row_of(wire.curve.response).has_width && direct_dial(brain_, {wire.from, wire.to}, pair_);
+    bool is_curved(const BrainGraph& brain, const Wire& wire) const {
+        return row_of(wire.curve.response).has_width && direct_dial(brain, {wire.from, wire.to}, pair_);
     }
 
-    void curve_slider(std::string_view anchor, std::string_view words, float width, float value, float Curve::*member,
-                      float low) {
+    const Wire* first_curved(const BrainGraph& brain) const {
+        const auto found = std::find_if(brain.wires.begin(), brain.wires.end(),
+                                        [&](const Wire& wire) { return is_curved(brain, wire); });
+        return found == brain.wires.end() ? nullptr : &*found;
+    }
+
+    void curve_slider(std::string_view anchor, std::string_view words, float width, const Curve& now,
+                      float Curve::*member, float low) {
         SliderLook look;
         look.words = ui_.strings(words);
         look.tooltip = ui_.strings("dial.together");
         look.low = low, look.high = 1;
-        look.home = value;
+        look.home = curve_home_.*member;
         look.signed_number = look.meaning = false;
-        look.words_width = text_width(ui_, Face::strong, look.words) / ui_.px(1) + 12;
-        const auto edit = slider(ui_, state_.sliders, anchor, value, width, view_.wall_seconds, look);
+        look.words_width = room_for(look.words);
+        const auto edit = slider(ui_, state_.sliders, anchor, now.*member, width, view_.wall_seconds, look);
         if (!edit) return;
         BrainGraph changed = brain_;
         for (Wire& wire : changed.wires)
-            if (is_curved(wire)) wire.curve.*member = edit->value;
+            if (is_curved(brain_, wire)) wire.curve.*member = edit->value;
         ui_.outbox.push_back(EditRequest{SetBrain{target_, std::move(changed)}, edit->gesture});
     }
 
-    static std::string_view tooltip_of(Dial dial) {
-        for (const DialSlider& each : weight_sliders)
-            if (each.dial == dial) return each.tooltip;
-        for (const DialSlider& each : bias_sliders)
-            if (each.dial == dial) return each.tooltip;
-        return "dial.threshold";
-    }
+    // Width in layout pixels of the words in front of a slider, with a gap.
+    float room_for(std::string_view words) const { return text_width(ui_, Face::strong, words) / ui_.px(1) + 12; }
 
     // "LL", "θ LL" for its threshold.
     static std::string shown_name(Dial dial) {
@@ -231,6 +235,7 @@ private:
     const BrainGraph& brain_;
     SensorPair pair_;
     FourNeurons values_, homes_;  // current values, and those of the file
+    Curve curve_home_;            // of the file's first curved wire
 };
 
 }  // namespace

@@ -36,7 +36,8 @@ bool fits(float value, int digits) {
 // The number of digits that shows the needed value, at most two, and which of two values is larger: 10.4° and 10.0°.
 int telling_decimals(const Measure& measure) {
     int digits = decimals(measure.unit);
-    while (digits < 2 && !fits(measure.needed, digits)) ++digits;
+    const float most_needed = measure.needed_most.value_or(measure.needed);
+    while (digits < 2 && !(fits(measure.needed, digits) && fits(most_needed, digits))) ++digits;
     const bool differ = std::fabs(measure.value - measure.needed) > 1e-4f;
     for (const int most = std::min(digits + 2, 3); digits < most && differ; ++digits)
         if (fixed(measure.value, digits) != fixed(measure.needed, digits)) break;

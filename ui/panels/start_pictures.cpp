@@ -54,34 +54,32 @@ void draw_sign(const Ui& ui, ImVec2 c, bool passed, ImU32 colour) {
     draw.AddLine({c.x - r, c.y + r}, {c.x + r, c.y - r}, colour, width);
 }
 
-void draw_path(const Ui& ui, const StartResult& start, const ArenaMap& map, ImU32 colour) {
+// Interrupted where the vehicle went over an edge of a torus.
+void draw_path(const Ui& ui, const StartResult& start, const Arena& arena, const ArenaMap& map, ImU32 colour) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     if (start.path.empty()) return;
-    const float jump = 2 * ui.px(5);  // window pixels between two points: the vehicle went over the edge of a torus
-    ImVec2 last = map(start.path.front());
+    maths::vec2 last = start.path.front();
     for (const maths::vec2 at : start.path) {
-        const ImVec2 next = map(at);
-        if (std::hypot(next.x - last.x, next.y - last.y) > jump) draw.PathStroke(colour, 0, ui.px(1.5f));
-        draw.PathLineTo(next);
-        last = next;
+        const bool crosses_edge =
+            std::fabs(at.x - last.x) > arena.width / 2 || std::fabs(at.y - last.y) > arena.height / 2;
+        if (crosses_edge) draw.PathStroke(colour, 0, ui.px(1.5f));
+        draw.PathLineTo(map(at));
+        last = at;
     }
     draw.PathStroke(colour, 0, ui.px(1.5f));
     draw.AddCircleFilled(map(start.path.front()), ui.px(2), colour);
 }
 
-// Whether the start passes; else its first step that was not done, and how far it was from being done.
+// Whether the start passes; else the step that made it fail, and how far that was from being done.
 std::string result_text(const Ui& ui, const Exercise& exercise, const StartResult& start) {
     const std::string number = std::to_string(start.seed);
     if (start.passed) return fill(ui.strings("exercise.start_passed"), {number});
     const std::size_t failed = failed_step(start);
-    if (failed < std::min(start.verdicts.size(), exercise.steps.size())) {
-        const std::size_t i = failed;
-        std::string text = fill(ui.strings("exercise.start_failed"), {number, translated(ui, exercise.steps[i].text)});
-        for (const Measure& measure : start.verdicts[i].measures)
-            if (std::isfinite(measure.value)) text += "\n" + measure_text(ui, measure, false);
-        return text;
-    }
-    return fill(ui.strings("exercise.start_invalid"), {number});
+    if (failed >= start.verdicts.size()) return fill(ui.strings("exercise.start_invalid"), {number});
+    std::string text = fill(ui.strings("exercise.start_failed"), {number, translated(ui, exercise.steps[failed].text)});
+    for (const Measure& measure : start.verdicts[failed].measures)
+        if (std::isfinite(measure.value)) text += "\n" + measure_text(ui, measure, false);
+    return text;
 }
 
 void start_picture(const LabView& view, Ui& ui, std::size_t index, ImVec2 size) {
@@ -98,10 +96,11 @@ void start_picture(const LabView& view, Ui& ui, std::size_t index, ImVec2 size) 
                                      : colour_of(NoticeKind::failure, ui.palette);
     ImGui::PushClipRect({inner.x, inner.y}, {inner.x + inner.w, inner.y + inner.h}, true);
     draw_arena(ui, exercise.scene, map);
-    draw_path(ui, start, map, paint(tone));
+    draw_path(ui, start, exercise.scene.arena, map, paint(tone));
     ImGui::PopClipRect();
     draw_sign(ui, {at.rect.x + at.rect.w - ui.px(7), at.rect.y + ui.px(7)}, start.passed, paint(tone));
-    tooltip(ui, at, result_text(ui, exercise, start) + "\n" + std::string(ui.strings("exercise.start_how")));
+    if (wants_tooltip(ui, at))
+        tooltip(ui, at, result_text(ui, exercise, start) + "\n" + std::string(ui.strings("exercise.start_how")));
     if (!at.pressed) return;
     ui.outbox.emplace_back(SeedRequest{start.seed});
     if (view.mode == Mode::paused) ui.outbox.emplace_back(Action::play_pause);
