@@ -1,5 +1,5 @@
-// What an exercise's file must contain beyond the types and ranges of its values: texts, names that the scene has, times
-// and offers that can be kept. Inside core/lesson only.
+// What an exercise's file must contain beyond the types and ranges of its values: texts, names that the scene has,
+// times and offers that can be kept. Inside core/lesson only.
 #pragma once
 
 #include "core/lesson/exercise.h"
