@@ -42,6 +42,7 @@ struct LessonView {
     bool solution_shown = false;               // the solution was set for the student; Start over clears it
     bool outside_offers = false;               // the submission changes what is not offered: it is not graded
     bool too_many_changes = false;             // it changes more controls than Exercise::changes: it is not graded
+    std::string notes;                         // written by the student
 };
 
 // True if the prediction can be made or changed: not after a run has shown the outcome, and once it is made, not after
@@ -101,6 +102,7 @@ struct LabView {
     std::size_t copied_objects = 0;                          // that can be pasted into the scene
     const LessonView* lesson = nullptr;                      // null outside exercises
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
+    std::string student;                                     // name of the student; empty: none is named
     const std::vector<RecentFile>* recent = nullptr;         // recently opened files, newest first; null: none
     const FilesView* files = nullptr;                        // null: no file access
     std::string opened;                                      // name of the open file, as in the catalogue
