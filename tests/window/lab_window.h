@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -120,8 +121,9 @@ public:
         return {std::istreambuf_iterator<char>(file), {}};
     }
 
-    Json state() const { return read("state.json"); }
-    Json anchors() const { return read("anchors.json"); }
+    // As last written; null before the first frame.
+    Json state() const { return state_.read(own_.path / "state.json"); }
+    Json anchors() const { return anchors_.read(own_.path / "anchors.json"); }
 
     void xdotool(const std::string& what) const {
         const Ran ran = shell("xdotool " + what);
@@ -228,13 +230,28 @@ public:
     }
 
 private:
-    Json read(const char* name) const {
-        std::ifstream file(own_.path / name);
-        return file ? Json::parse(file, nullptr, false) : Json();
-    }
+    // The parsed value of a file that the program replaces; parsed again only if it is a new file. A test reads the
+    // file much more often than the program writes it.
+    struct Report {
+        struct stat parsed {};
+        Json value;
+
+        const Json& read(const std::filesystem::path& path) {
+            struct stat now {};
+            if (stat(path.c_str(), &now) != 0) return value;
+            const bool is_same = now.st_ino == parsed.st_ino && now.st_size == parsed.st_size &&
+                                 now.st_mtim.tv_sec == parsed.st_mtim.tv_sec &&
+                                 now.st_mtim.tv_nsec == parsed.st_mtim.tv_nsec;
+            if (is_same) return value;
+            std::ifstream file(path);
+            parsed = now;
+            return value = file ? Json::parse(file, nullptr, false) : Json();
+        }
+    };
 
     pid_t pid_ = -1;
     const Home own_;
+    mutable Report state_, anchors_;
     std::string window_;
 };
 
