@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "desk.h"
+#include "ui/wiring/node_text.h"
 
 namespace braitenlab::tests::history_test {
 
@@ -106,7 +107,8 @@ TEST(ChartData, ShowsTheSignalsOfTheChosenPairWithItsPast) {
     desk.view.settings.selection.pair = "heat";
     pass(desk, history, 63);
     const ShownSignals heat = shown_signals(history, desk.view);
-    EXPECT_EQ(heat.names, (std::array<std::string, 4>{"HL", "HR", "ML", "MR"}));
+    const std::string flame(wiring::channel_symbol(Channel::heat));
+    EXPECT_EQ(heat.names, (std::array<std::string, 4>{flame + "L", flame + "R", "ML", "MR"}));
     ASSERT_EQ(history.signals.size(), 3u) << "the samples before the choice stay";
     EXPECT_FLOAT_EQ(heat.value(history.signals[0], 0), 0.9f);
     EXPECT_FLOAT_EQ(heat.value(history.signals[0], 3), 0.5f);

@@ -1,3 +1,7 @@
+#include <set>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "core/brain/four_neurons.h"
@@ -66,6 +70,32 @@ TEST(WiringNodeText, SumOmitsCutWiresAndAddsTheLearnedPart) {
     EXPECT_EQ(sum_text(graph, ML, seen), "0.42·0.50 → 0.44");
     find_wire(graph, SL, ML)->learning_rate = 1;
     EXPECT_EQ(sum_text(graph, ML, seen, [](const Wire& w) { return learns(w) ? 0.25f : 0; }), "0.42·0.75 → 0.44");
+}
+
+TEST(WiringNodeText, ShortNamesShowTheChannelAndTheSideOfASensorWithACode) {
+    const auto sensor = [](std::string name, Channel channel, float y) {
+        Sensor made;
+        made.name = std::move(name), made.channel = channel, made.y = y, made.angle = 0;
+        return made;
+    };
+    const std::vector<Sensor> sensors{sensor("SL", Channel::light, 0.2f),  sensor("HL", Channel::heat, 0.2f),
+                                      sensor("HR2", Channel::heat, -0.2f), sensor("EN", Channel::energy, 0),
+                                      sensor("SR", Channel::red, -0.2f),   sensor("nose", Channel::smell, 0)};
+    EXPECT_EQ(short_name(sensors, "SL"), "SL") << "a name of the four wires";
+    EXPECT_EQ(short_name(sensors, "HL"), std::string(channel_symbol(Channel::heat)) + "L");
+    EXPECT_EQ(short_name(sensors, "HR2"), std::string(channel_symbol(Channel::heat)) + "R2");
+    EXPECT_EQ(short_name(sensors, "EN"), channel_symbol(Channel::energy)) << "has no side";
+    EXPECT_EQ(short_name(sensors, "SR"), std::string(channel_symbol(Channel::red)) + "R");
+    EXPECT_EQ(short_name(sensors, "nose"), "nose") << "a name that a person gave";
+    EXPECT_EQ(short_name(sensors, "N1"), "N1") << "a neuron";
+}
+
+TEST(WiringNodeText, EachChannelHasASymbolOfItsOwn) {
+    std::set<std::string_view> symbols;
+    for (const ChannelTraits& row : channel_table) {
+        EXPECT_FALSE(channel_symbol(row.value).empty()) << row.word;
+        EXPECT_TRUE(symbols.insert(channel_symbol(row.value)).second) << row.word;
+    }
 }
 
 }  // namespace

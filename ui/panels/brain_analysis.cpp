@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "core/brain/four_neurons.h"
-#include "ui/panels/brain_analysis.h"
+#include "ui/wiring/node_text.h"
 
 namespace braitenlab::ui {
 
@@ -18,7 +18,8 @@ constexpr float least_push = 0.005f;  // smaller contributions are 0.00 on the s
 Product product_of(const Snapshot& now, const VehicleView& vehicle, const SensorPair& pair, Dial dial) {
     const BrainGraph& brain = *brain_of(now, vehicle);
     const bool is_left = dial == Dial::LL || dial == Dial::RL;
-    Product p{(is_left ? pair.left : pair.right) + "·" + std::string(name(dial))};
+    const std::string &sensor = is_left ? pair.left : pair.right, wire_name = "·" + std::string(name(dial));
+    Product p{sensor + wire_name, wiring::short_name(kind_of(now, vehicle).sensors, sensor) + wire_name};
     const auto ends = direct_ends(brain, dial, pair);
     if (!ends) return p;
     const float reading = node_value(now, vehicle, ends->from);
@@ -42,6 +43,7 @@ std::vector<Term> terms_of(const Snapshot& now, const VehicleView& vehicle, cons
         float tenths, weight;  // size of the contribution, rounded; size of the weight
     };
     const BrainGraph& brain = *brain_of(now, vehicle);
+    const std::vector<Sensor>& sensors = kind_of(now, vehicle).sensors;
     std::vector<Candidate> candidates;
     for (const Wire& wire : brain.wires) {
         const Node* from = find_node(brain, wire.from);
@@ -49,7 +51,9 @@ std::vector<Term> terms_of(const Snapshot& now, const VehicleView& vehicle, cons
         if (wire.weight == 0 && wire.learning_rate == 0) continue;
         const float value =
             signal(wire, node_value(now, vehicle, wire.from), learned(now, vehicle, wire.from, wire.to));
-        candidates.push_back({{from->name, value}, std::round(std::fabs(value) * 10), std::fabs(wire.weight)});
+        candidates.push_back({{from->name, wiring::short_name(sensors, from->name), value},
+                              std::round(std::fabs(value) * 10),
+                              std::fabs(wire.weight)});
     }
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
         return std::tie(a.tenths, a.weight) > std::tie(b.tenths, b.weight);

@@ -16,6 +16,7 @@ namespace braitenlab::ui {
 // The wire of one sensor to the motor: value = input · weight, or 0 when the wire is cut.
 struct Product {
     std::string letters;  // "SL·LL"
+    std::string label;    // the same with wiring::short_name() of the sensor
     float input = 0;      // reading after threshold and curve of the wire; 0 for a silenced sensor
     float weight = 0;     // includes what a Hebbian wire has learned
     float value = 0;      // contribution to the motor's sum
@@ -25,7 +26,8 @@ struct Product {
 
 // The contribution of a node that is not in the shown pair: another sensor or a neuron.
 struct Term {
-    std::string name;  // of the node
+    std::string name;   // of the node
+    std::string label;  // wiring::short_name() of it
     float value = 0;
 };
 

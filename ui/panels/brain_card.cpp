@@ -23,6 +23,7 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/wiring/node_text.h"
 
 namespace braitenlab::ui {
 
@@ -139,7 +140,7 @@ void pair_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
         std::string words(ui.strings("view.channel." + std::string(word(pair.channel))));
         if (const auto number = pair.name.find(' '); number != std::string::npos) words += pair.name.substr(number);
         const std::string id = "pair." + pair.name;
-        const SmallButton look{id, {}, words, pair.sensors == shown};
+        const SmallButton look{id, wiring::channel_symbol(pair.channel), words, pair.sensors == shown};
         if (!is_first && ImGui::GetItemRectMax().x + space + small_button_width(ui, look, true) <= right)
             ImGui::SameLine(0, space);
         is_first = false;

@@ -17,6 +17,7 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
+#include "ui/wiring/node_text.h"
 
 namespace braitenlab::ui {
 
@@ -84,7 +85,10 @@ private:
         if (at.warmth > 0) warmth_[which.node->id] = at.warmth;
         if (at.hovered) {
             const std::string value = which.node->silenced ? "" : "  " + fixed(ui_, reading(which.node), 2);
-            tooltip(ui_, at, fill(ui_.strings(which.node->silenced ? words_hurt : words), {which.name + value}),
+            const std::vector<Sensor>& sensors = kind_of(*view_.now, vehicle_).sensors;
+            const Sensor* sensor = find_sensor(sensors, which.name);
+            const std::string name = sensor ? sensor_label(ui_, sensors, *sensor) : which.name;
+            tooltip(ui_, at, fill(ui_.strings(which.node->silenced ? words_hurt : words), {name + value}),
                     ui_.strings("lesion.key"));
         }
         if (!lesion_requested(at, at.hovered, which.anchor)) return;
@@ -163,10 +167,16 @@ private:
                            covered ? "—" : fixed(ui_, reading(which.node), 2));
             return;
         }
-        // Names of a crowded row would overlap.
-        const float width = text_width(ui_, Face::small, which.name), apart = parts_.sensor_radius / 0.36f;
-        if (width < ui_.px(apart))
-            put(ui_, {which.at.x - width / 2, all_.y + ui_.px(1)}, which.name, ui_.palette.second_text, Face::small);
+        // Names of a crowded row would overlap. There the place of the sensor shows its side.
+        const std::vector<Sensor>& sensors = kind_of(*view_.now, vehicle_).sensors;
+        const float room = ui_.px(parts_.sensor_radius / 0.36f - 4);
+        std::string name = wiring::short_name(sensors, which.name);
+        const Sensor* sensor = find_sensor(sensors, which.name);
+        if (text_width(ui_, Face::small, name) > room && sensor && name != which.name)
+            name = wiring::channel_symbol(sensor->channel);
+        const float width = text_width(ui_, Face::small, name);
+        if (width <= room)
+            put(ui_, {which.at.x - width / 2, all_.y + ui_.px(1)}, name, ui_.palette.second_text, Face::small);
     }
 
     void motor(std::size_t side) {

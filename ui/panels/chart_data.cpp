@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/io/vehicle_table.h"
+#include "ui/wiring/node_text.h"
 
 namespace braitenlab::ui {
 
@@ -135,7 +136,11 @@ ShownSignals shown_signals(const History& history, const SensorPair& pair) {
 
 ShownSignals shown_signals(const History& history, const LabView& view) {
     const VehicleView* vehicle = find_vehicle(*view.now, history.vehicle);
-    return shown_signals(history, vehicle ? shown_pair(view, *vehicle) : SensorPair{});
+    if (!vehicle) return shown_signals(history, SensorPair{});
+    ShownSignals shown = shown_signals(history, shown_pair(view, *vehicle));
+    for (std::size_t side = 0; side < 2; ++side)
+        shown.names[side] = wiring::short_name(kind_of(*view.now, *vehicle).sensors, shown.names[side]);
+    return shown;
 }
 
 void sort(const Snapshot& now, const EnergyOrder& order, std::vector<std::size_t>& rows) {

@@ -54,7 +54,7 @@ void record(History&, const LabView&);
 
 // The four signals that strips and charts show: the readings of a pair of sensors, and the commands of both wheels.
 struct ShownSignals {
-    std::array<std::string, 4> names;                     // "SL", "SR", "ML", "MR"
+    std::array<std::string, 4> names;                     // as diagrams show them: "SL", "SR", "ML", "MR"
     std::array<std::optional<std::size_t>, 2> sensors{};  // in History::sensors; nullopt: the vehicle has no such one
 
     // 0 for a sensor that the vehicle does not have.

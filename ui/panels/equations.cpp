@@ -62,14 +62,14 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
     const auto product = [&](std::size_t i) {
         float widest = 0;
         for (const MotorSum& sum : both)
-            widest = std::max(widest, more ? std::max(number, text_width(ui, Face::small, sum.products[i].letters))
+            widest = std::max(widest, more ? std::max(number, text_width(ui, Face::small, sum.products[i].label))
                                            : text_width(ui, Face::small, numbers_of(ui, sum.products[i])));
         return widest;
     };
     const auto term = [&](std::size_t i) {
         float widest = number;
         for (const MotorSum& sum : both)
-            if (i < sum.terms.size()) widest = std::max(widest, text_width(ui, Face::small, sum.terms[i].name));
+            if (i < sum.terms.size()) widest = std::max(widest, text_width(ui, Face::small, sum.terms[i].label));
         return widest;
     };
     const float rest = more ? std::max(number, text_width(ui, Face::small, ui.strings("sums.rest"))) : 0;
@@ -106,7 +106,7 @@ void mark_cause(const Ui& ui, float right, float y, const std::string& numbers, 
 void one_product(const Ui& ui, float right, float y, const Product& p) {
     const std::string numbers = numbers_of(ui, p);
     const float w = text_width(ui, Face::small, numbers), h = line_height(ui, Face::small);
-    put_centred(ui, {right - w / 2, y}, p.letters, ui.palette.second_text, Face::small);
+    put_centred(ui, {right - w / 2, y}, p.label, ui.palette.second_text, Face::small);
     put_right(ui, {right, y + h + ui.px(2)}, numbers, p.masked || p.cut ? ui.palette.second_text : ui.palette.text,
               Face::small);
 }
@@ -136,7 +136,7 @@ public:
         if (!sum_.more_wires) sign(x_.plus, "+");
         product(x_.second, sum_.products[1]);
         for (std::size_t i = 0; i < sum_.terms.size(); ++i)
-            contribution(x_.terms[i], sum_.terms[i].name, sum_.terms[i].value);
+            contribution(x_.terms[i], sum_.terms[i].label, sum_.terms[i].name, sum_.terms[i].value);
         signed_term(ui_, x_.bias, at_.y, sum_.bias_letters, sum_.bias);
         if (sum_.more_wires) signed_term(ui_, x_.rest, at_.y, ui_.strings("sums.rest"), sum_.rest);
         sign(x_.result, sum_.limited ? "→" : "=");  // → when the sum is limited to −1..1
@@ -146,14 +146,14 @@ public:
 
 private:
     void product(float right, const Product& p) const {
-        if (sum_.more_wires) return contribution(right, p.letters, p.value);
+        if (sum_.more_wires) return contribution(right, p.label, p.letters, p.value);
         if (why_ && why_->product == &p) mark_cause(ui_, right, at_.y, numbers_of(ui_, p), p.value);
         one_product(ui_, right, at_.y, p);
     }
-    void contribution(float right, std::string_view name, float value) const {
+    void contribution(float right, std::string_view label, std::string_view name, float value) const {
         const bool is_cause = why_ && why_->name == name && why_->value == value;
         if (is_cause) mark_cause(ui_, right, at_.y, with_sign(ui_, value, 2), value);
-        signed_term(ui_, right, at_.y, name, value);
+        signed_term(ui_, right, at_.y, label, value);
     }
 
     const Ui& ui_;
@@ -169,7 +169,8 @@ std::string with_meaning(const LabView& view, const Ui& ui, const VehicleView& v
     for (const Node& node : brain_of(*view.now, vehicle)->nodes)
         if (node.name == name) {
             const std::string_view key = wiring::description_key(*view.now, vehicle, node);
-            return name + " (" + std::string(ui.strings(key)) + ")";
+            const std::string label = wiring::short_name(kind_of(*view.now, vehicle).sensors, name);
+            return label + " (" + std::string(ui.strings(key)) + ")";
         }
     return name;
 }

@@ -21,20 +21,13 @@
 #include "ui/widgets/card.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
+#include "ui/wiring/node_text.h"
 
 namespace braitenlab::ui {
 
 namespace {
 
 constexpr float degrees_per_radian = 57.295779513f;
-
-// True for letters that the program or a shipped file gives: OL, KR2, EN.
-bool is_letters(const std::string& name) {
-    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
-    return digits > 0 && digits <= 3 &&
-           std::all_of(name.begin(), name.begin() + static_cast<std::ptrdiff_t>(digits),
-                       [](char c) { return c >= 'A' && c <= 'Z'; });
-}
 
 // The channel, the side and the number at the end of the name.
 std::string channel_and_side(const Ui& ui, const Sensor& sensor) {
@@ -302,10 +295,10 @@ private:
 }  // namespace
 
 std::string sensor_label(const Ui& ui, const std::vector<Sensor>& all, const Sensor& sensor) {
-    if (!is_letters(sensor.name)) return sensor.name;
+    if (!wiring::has_code_as_name(sensor)) return sensor.name;
     std::string words = channel_and_side(ui, sensor);
     const bool is_ambiguous = std::any_of(all.begin(), all.end(), [&](const Sensor& other) {
-        return other.name != sensor.name && is_letters(other.name) && channel_and_side(ui, other) == words;
+        return other.name != sensor.name && wiring::has_code_as_name(other) && channel_and_side(ui, other) == words;
     });
     return is_ambiguous ? words + " (" + sensor.name + ")" : words;
 }

@@ -23,6 +23,11 @@ inline constexpr std::string_view play = "\uf04b", pause = "\uf04c", step = "\uf
                                   load = "\uf115", chart = "\uf201", heal = "\uf0fa", enlarge = "\uf065",
                                   bookmark = "\uf02e", folder = "\uf07b", file = "\uf15b", notice = "\uf05a",
                                   undo = "\uf0e2";
+// Of the channels.
+inline constexpr std::string_view light = "\uf185", coloured_light = "\uf0eb", heat = "\uf06d", smell = "\uf069",
+                                  oxygen = "\uf06c", obstacle = "\uf1b2", predator = "\uf0d8", prey = "\uf111",
+                                  vehicle = "\uf1b9", memory = "\uf041", touch = "\uf256", floor = "\uf018",
+                                  energy = "\uf0e7";
 }  // namespace icon
 
 enum class Face { text, strong, title, small, display };

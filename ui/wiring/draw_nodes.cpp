@@ -136,8 +136,9 @@ void draw_words(const Pen& pen, const Picture& picture, const Node& node, float 
     const std::string number = node.kind == NodeKind::sensor ? fixed(pen.ui, shown, 2) : with_sign(pen.ui, shown, 2);
     const float room = high.x - low.x;
     const std::string_view caption = pen.ui.strings(description_key(*picture.view.now, picture.vehicle, node));
+    const std::string name = short_name(kind_of(*picture.view.now, picture.vehicle).sensors, node.name);
     const auto put_name = [&](float y, float height, float width) {
-        record_name(pen, picture, node.name, pen.text({low.x, y}, height, 0, node.name, p.text, Face::strong, width));
+        record_name(pen, picture, node.name, pen.text({low.x, y}, height, 0, name, p.text, Face::strong, width));
     };
     if (far && !neuron) {
         put_name(low.y + 24, 27, room);
@@ -196,7 +197,8 @@ void draw_name(const Pen& pen, const Picture& picture, std::size_t index) {
     constexpr float share = 0.6f, overhang = 1.5f;  // of the card's height and of its width
     const Palette& p = pen.palette();
     const NodeShape& shape = picture.layout.nodes[index];
-    const std::string& name = picture.graph.nodes[shape.node].name;
+    const std::string& node = picture.graph.nodes[shape.node].name;
+    const std::string name = short_name(kind_of(*picture.view.now, picture.vehicle).sensors, node);
     const float least = pen.ui.px(least_type), inner = shape.size.x - 30;
     if (pen.size(shape.size.y) < least) return;
     const float own = compat::size_of(font(pen.ui, Face::strong));
@@ -208,7 +210,7 @@ void draw_name(const Pen& pen, const Picture& picture, std::size_t index) {
         pen.box(shape.centre, extent, 6, map_colour(p, picture.readings.nodes[index]));
     }
     const float height = std::max(share * shape.size.y, least / pen.view.scale);
-    record_name(pen, picture, name, pen.text(shape.centre, height, 0.5f, name, p.text, Face::strong, room));
+    record_name(pen, picture, node, pen.text(shape.centre, height, 0.5f, name, p.text, Face::strong, room));
 }
 
 void draw_card(const Pen& pen, const Picture& picture, std::size_t index) {

@@ -7,6 +7,7 @@
 
 #include "core/scene/sensor_edits.h"
 #include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
 
 namespace braitenlab::wiring {
 
@@ -35,6 +36,41 @@ std::string_view description_key(const Snapshot& now, const VehicleView& vehicle
     if (node.kind == NodeKind::neuron) return "wiring.node.neuron";
     const Sensor* sensor = find_sensor(kind_of(now, vehicle).sensors, node.name);
     return sensor ? senses_key(sensor->channel) : "wiring.node.sensor";
+}
+
+std::string_view channel_symbol(Channel channel) {
+    struct Row {
+        Channel value;
+        std::string_view symbol;
+    };
+    // clang-format off
+    static constexpr Row rows[]{
+        {Channel::light, icon::light}, {Channel::red, "\uf0ebr"}, {Channel::green, "\uf0ebg"}, {Channel::blue, "\uf0ebb"},
+        {Channel::heat, icon::heat}, {Channel::smell, icon::smell}, {Channel::oxygen, icon::oxygen},
+        {Channel::obstacle, icon::obstacle}, {Channel::predator, icon::predator}, {Channel::prey, icon::prey},
+        {Channel::vehicle, icon::vehicle}, {Channel::memory, icon::memory}, {Channel::touch, icon::touch},
+        {Channel::floor, icon::floor}, {Channel::energy, icon::energy}};
+    // clang-format on
+    static_assert(std::size(rows) == channel_count);
+    const auto* row = std::find_if(std::begin(rows), std::end(rows), [&](const Row& r) { return r.value == channel; });
+    return row == std::end(rows) ? std::string_view() : row->symbol;
+}
+
+bool has_code_as_name(const Sensor& sensor) {
+    const std::string& name = sensor.name;
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    return digits > 0 && digits <= 3 &&
+           std::all_of(name.begin(), name.begin() + static_cast<std::ptrdiff_t>(digits),
+                       [](char c) { return c >= 'A' && c <= 'Z'; });
+}
+
+std::string short_name(const std::vector<Sensor>& sensors, const std::string& node) {
+    const Sensor* sensor = find_sensor(sensors, node);
+    if (!sensor || !has_code_as_name(*sensor) || (sensor->channel == Channel::light && node.front() == 'S'))
+        return node;
+    const float side = sensor->y != 0 ? sensor->y : sensor->angle;
+    const std::string number = node.substr(node.find_last_not_of("0123456789") + 1);
+    return std::string(channel_symbol(sensor->channel)) + (side > 0 ? "L" : side < 0 ? "R" : "") + number;
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/world/snapshot.h"
 
@@ -11,6 +12,16 @@ namespace braitenlab::wiring {
 
 // A string key: SL, SR, ML and MR by their side, other sensors by their channel.
 std::string_view description_key(const Snapshot&, const VehicleView&, const Node&);
+
+// The icon of the channel; before "r", "g" or "b" the icon of a lamp.
+std::string_view channel_symbol(Channel);
+
+// True for letters that the program or a shipped file gives to a sensor: OL, KR2, EN.
+bool has_code_as_name(const Sensor&);
+
+// The name of a node in a diagram: the icon of the channel and L or R for a sensor with a code as its name, else the
+// name. SL and SR for light are names that the user learns, and stay.
+std::string short_name(const std::vector<Sensor>&, const std::string& node);
 
 // "0.42·0.80 + 0.10 → 0.44": each wire's input after threshold and curve times its weight, the bias, and the node's
 // value. A curve f is on a separate line: "0.42·0.80 = 0.34", then "f(0.34) = 0.71 → 0.70"; the value after the arrow
