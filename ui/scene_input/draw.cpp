@@ -9,6 +9,7 @@
 
 #include "core/maths/angle.h"
 #include "ui/imgui_compat.h"
+#include "ui/scene_input/handles.h"
 #include "ui/scene_input/polygon_tool.h"
 #include "ui/scene_input/tools.h"
 #include "ui/scene_input/under_pointer.h"
@@ -109,7 +110,7 @@ private:
         const auto knob = project(frame_.camera_view, handle.knob);
         if (!knob) return;
         dot({knob->x, knob->y}, warm ? 8.0f : 6.0f, colour);
-        const float size = ui_.px(16);
+        const float size = ui_.px(2 * handle_grip);
         ui_.anchors.record("stage.knob", {knob->x - size / 2, knob->y - size / 2, size, size});
     }
 
@@ -269,7 +270,7 @@ void draw_dot(const Ui& ui, ImVec2 at, float layout_radius, Colour colour) {
 }
 
 void draw_handle(const SceneInputFrame& frame, const Ui& ui, maths::vec2 place, bool warm, const std::string& anchor,
-                 float grip, std::string_view words) {
+                 std::string_view words) {
     const auto at = project(frame.camera_view, place);
     if (!at) return;
     const float radius = words.empty() ? 6.0f : 8.0f;
@@ -281,7 +282,7 @@ void draw_handle(const SceneInputFrame& frame, const Ui& ui, maths::vec2 place, 
             {std::round(at->x - text_width(ui, Face::small, words) / 2), std::round(at->y - compat::size_of(face) / 2)},
             paint(ui.palette.ground), words.data(), words.data() + words.size());
     }
-    const float reach = ui.px(grip);
+    const float reach = ui.px(handle_grip);
     ui.anchors.record(anchor, {at->x - reach, at->y - reach, 2 * reach, 2 * reach});
 }
 

@@ -18,8 +18,8 @@ void draw_scene_input(const SceneInputState&, const SceneInputFrame&, const Ui&)
 // a position, within the area free of cards. Lengths in layout pixels, points in window pixels.
 void draw_line(const Ui&, const std::vector<ImVec2>& points, Colour, float width, bool closed);
 void draw_dot(const Ui&, ImVec2 at, float radius, Colour);
-// A handle, in its middle these words; the anchor is the square within which a press takes it, `grip` on each side.
-void draw_handle(const SceneInputFrame&, const Ui&, maths::vec2 place, bool warm, const std::string& anchor, float grip,
+// A handle, in its middle these words; the anchor is the square of handle_grip within which a press takes it.
+void draw_handle(const SceneInputFrame&, const Ui&, maths::vec2 place, bool warm, const std::string& anchor,
                  std::string_view words = {});
 void draw_note(const SceneInputFrame&, const Ui&, std::string_view words, Colour edge, maths::vec2 beside);
 

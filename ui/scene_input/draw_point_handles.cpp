@@ -31,8 +31,7 @@ void draw_points(const SceneInputState& state, const SceneInputFrame& frame, con
         const std::string number = std::to_string(i + 1);
         const bool is_waypoint = kind == PointKind::waypoint;
         draw_handle(frame, ui, points[i], warm == PointHandle{kind, i},
-                    (is_waypoint ? "handle.waypoint." : "handle.corner.") + number, handle_grip,
-                    is_waypoint ? number : "");
+                    (is_waypoint ? "handle.waypoint." : "handle.corner.") + number, is_waypoint ? number : "");
     }
 }
 

@@ -82,9 +82,7 @@ void draw_sensor_handles(const SceneInputState& state, const SceneInputFrame& fr
     if (places->axis) draw_axis(frame, ui, places->mount, *places->axis);
     const SensorHandle warm = drags ? handles.drag.handle : handles.hovered;
     const auto knob = [&](SensorHandle handle, const std::optional<vec2>& place) {
-        if (place)
-            draw_handle(frame, ui, *place, handle == warm, "handle." + std::string(word(handle)),
-                        handle == SensorHandle::mount ? mount_grip : handle_grip);
+        if (place) draw_handle(frame, ui, *place, handle == warm, "handle." + std::string(word(handle)));
     };
     knob(SensorHandle::left, places->left);
     knob(SensorHandle::right, places->right);

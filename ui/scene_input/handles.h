@@ -22,10 +22,9 @@ struct NearestHandle {
     Id found{};  // its initial value: none is within reach
     float nearest = 1e9f;
 
-    // `reach`: layout pixels.
-    void offer(Id id, const std::optional<maths::vec2>& place, float reach = handle_grip) {
+    void offer(Id id, const std::optional<maths::vec2>& place) {
         const float distance = place ? pixels_from(frame, *place) : 1e9f;
-        if (distance <= reach * frame.scale && distance < nearest) nearest = distance, found = id;
+        if (distance <= handle_grip * frame.scale && distance < nearest) nearest = distance, found = id;
     }
 };
 

@@ -17,7 +17,7 @@ namespace {
 constexpr float least_distance = 36;    // of a handle of the arc from the mount
 constexpr float edge_distance = 56;     // of a handle from the border of the scene, where tools are
 constexpr float decides_after = 5;      // of movement: whether the axis turns or changes the range
-constexpr float mount_from_scale = 30;  // pixels per metre; below, the vehicle is too small for the handle `mount`
+constexpr float mount_from_scale = 45;  // pixels per metre; below, the vehicle is too small for the handle `mount`
 
 constexpr float shift_step = maths::radians(15);
 constexpr float full_circle = 2 * maths::pi;
@@ -62,7 +62,7 @@ SensorHandle handle_at(const SensorHandlePlaces& places, const SceneInputFrame& 
     search.offer(SensorHandle::axis, places.axis);
     search.offer(SensorHandle::left, places.left);
     search.offer(SensorHandle::right, places.right);
-    if (shows_mount(frame, places.mount)) search.offer(SensorHandle::mount, places.mount, mount_grip);
+    if (shows_mount(frame, places.mount)) search.offer(SensorHandle::mount, places.mount);
     return search.found;
 }
 

@@ -66,8 +66,6 @@ struct SensorHandlePlaces {
 // nullopt: no handles are shown.
 std::optional<SensorHandlePlaces> sensor_handle_places(const SceneInputState&, const SceneInputFrame&);
 
-inline constexpr float mount_grip = 8;  // as handle_grip, of the handle `mount`, which is over the vehicle
-
 // False where the vehicle is too small for the handle `mount`.
 bool shows_mount(const SceneInputFrame&, maths::vec2 mount);
 

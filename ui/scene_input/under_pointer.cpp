@@ -13,7 +13,7 @@ using maths::vec2;
 namespace {
 
 // Layout pixels; `handle_near`: beyond the ring.
-constexpr float ring_gap = 16, ring_grip = 6, knob_grip = 11, handle_near = 36;
+constexpr float ring_gap = 16, ring_grip = 6, knob_grip = 12, handle_near = 36;
 
 }  // namespace
 
