@@ -1,7 +1,9 @@
 // braitenctl check: whether exercises are sound, and whether a brain passes one.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,6 +11,8 @@
 #include "app/ctl/ctl.h"
 #include "app/ctl/exercises.h"
 #include "app/files/data.h"
+#include "core/lesson/warnings.h"
+#include "core/scene/file_kind.h"
 
 namespace braitenlab {
 
@@ -77,6 +81,33 @@ CheckJson grade_json(const Exercise& exercise, const Grade& grade) {
 
 // ── Soundness ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
+// An exercise and the file it was read from.
+struct ReadExercise {
+    SharedExercise exercise;
+    std::filesystem::path path;
+    std::string toml;
+};
+
+Result<ReadExercise> read_with_text(const std::filesystem::path& path) {
+    auto exercise = read_exercise(path);
+    if (!exercise) return exercise.error();
+    auto text = read_text(path);
+    if (!text) return text.error();
+    return ReadExercise{std::move(*exercise), path, std::move(*text)};
+}
+
+// What is doubtful; of an exercise that ships with the program also the texts that are not translated.
+std::vector<Error> all_warnings(const ReadExercise& read) {
+    std::vector<Error> found = warnings_of(*read.exercise, read.toml, read.path);
+    const auto shipped = shipped_exercises();
+    if (std::find(shipped.begin(), shipped.end(), read.path) == shipped.end()) return found;
+    std::error_code none;
+    for (const auto& words : std::filesystem::directory_iterator(read.path.parent_path().parent_path() / "words", none))
+        for (Error& each : missing_translations(*read.exercise, read.toml, read.path, words.path()))
+            found.push_back(std::move(each));
+    return found;
+}
+
 // The grades that decide whether an exercise is sound.
 struct Soundness {
     Grade shipped, solution;
@@ -85,6 +116,8 @@ struct Soundness {
     bool too_many_changes = false;              // the solution changes more than Exercise::changes controls
     bool prediction = false;                    // the prediction's answer is what happens
     bool sound = false;
+    std::optional<Error> prediction_fault;
+    std::vector<Error> warnings;  // they do not make an exercise unsound
 };
 
 // With the seeds from 1 on, every start must pass with the solution; with others nine of ten, and one of ten may pass
@@ -96,7 +129,8 @@ bool is_sound(const Exercise& exercise, const Soundness& found, std::uint64_t fi
            found.solution_outside.empty() && !found.too_many_changes && found.prediction;
 }
 
-Result<Soundness> soundness(const SharedExercise& exercise, std::uint64_t first_seed) {
+Result<Soundness> soundness(const ReadExercise& read, std::uint64_t first_seed) {
+    const SharedExercise& exercise = read.exercise;
     std::vector<Submission> submissions{as_shipped(*exercise), with_solution(*exercise)};
     for (const Answer& wrong : exercise->wrong) submissions.push_back(wrong.submission);
     auto grades = grade_several(exercise, submissions, first_seed);
@@ -105,24 +139,35 @@ Result<Soundness> soundness(const SharedExercise& exercise, std::uint64_t first_
     for (std::size_t i = 2; i < grades->size(); ++i) found.wrong.push_back(std::move((*grades)[i]));
     found.solution_outside = outside_offers(*exercise, with_solution(*exercise));
     found.too_many_changes = changes_too_many(*exercise, with_solution(*exercise));
-    found.prediction = shows_prediction(*exercise);
+    found.prediction_fault = prediction_fault(*exercise, read.toml, read.path);
+    found.prediction = !found.prediction_fault;
+    found.warnings = all_warnings(read);
     found.sound = is_sound(*exercise, found, first_seed);
     return found;
+}
+
+// "FILE:LINE: warning: what".
+std::string warning_text(Error warning) {
+    warning.what = "warning: " + warning.what;
+    return warning.text();
 }
 
 std::string soundness_text(const Exercise& exercise, const Soundness& found) {
     std::string text = fmt::format(
         "{}: as shipped {} of {} starts pass (none should), with its solution {} (all should): {}\n", exercise.id,
         found.shipped.count, exercise.starts, found.solution.count, found.sound ? "good" : "wrong");
+    for (const StartResult& start : found.shipped.starts)
+        if (start.passed) text += fmt::format("  start {} passes as shipped\n", start.seed);
     text += failures_text(exercise, found.solution);
     for (std::size_t i = 0; i < found.wrong.size(); ++i)
         text += fmt::format("  wrong answer \"{}\": {} of {} starts pass (fewer than {} should){}\n",
                             exercise.wrong[i].name, found.wrong[i].count, exercise.starts, exercise.needed,
-                            found.wrong[i].good ? ": it passes" : "");
+                            found.wrong[i].good ? ": it passes; change it, or the steps" : "");
     for (const std::string& control : found.solution_outside)
         text += fmt::format("  the solution changes '{}', which the exercise does not offer\n", control);
     if (found.too_many_changes) text += fmt::format("  the solution changes more than {} controls\n", exercise.changes);
-    if (!found.prediction) text += "  the run does not show what the prediction's answer says\n";
+    if (found.prediction_fault) text += fmt::format("  {}\n", found.prediction_fault->text());
+    for (const Error& warning : found.warnings) text += fmt::format("  {}\n", warning_text(warning));
     return text;
 }
 
@@ -133,6 +178,9 @@ CheckJson soundness_json(const Exercise& exercise, const Soundness& found) {
     json["solution_outside"] = found.solution_outside;
     json["too_many_changes"] = found.too_many_changes;
     json["prediction"] = found.prediction;
+    json["warnings"] = CheckJson::array();
+    for (const Error& each : found.warnings)
+        json["warnings"].push_back({{"file", each.file}, {"line", each.line}, {"what", each.what}});
     json["wrong"] = CheckJson::array();
     for (std::size_t i = 0; i < found.wrong.size(); ++i) {
         CheckJson answer{{"name", exercise.wrong[i].name}};
@@ -143,13 +191,13 @@ CheckJson soundness_json(const Exercise& exercise, const Soundness& found) {
 }
 
 // Prints whether the exercise is sound. Returns the exit code.
-int check_sound(const SharedExercise& exercise, std::uint64_t first_seed, CheckJson* json) {
-    const auto found = soundness(exercise, first_seed);
+int check_sound(const ReadExercise& read, std::uint64_t first_seed, CheckJson* json) {
+    const auto found = soundness(read, first_seed);
     if (!found) return complain(found.error());
     if (json)
-        json->push_back(soundness_json(*exercise, *found));
+        json->push_back(soundness_json(*read.exercise, *found));
     else
-        std::cout << soundness_text(*exercise, *found);
+        std::cout << soundness_text(*read.exercise, *found);
     return found->sound ? exit_code::done : exit_code::failed;
 }
 
@@ -181,13 +229,15 @@ int check_brain(const SharedExercise& exercise, const CheckOptions& options) {
 }  // namespace
 
 int check(const CheckOptions& options) {
-    const auto exercise = find_exercise(options.exercise);
-    if (!exercise) return complain(exercise.error());
+    const auto path = find_shipped(options.exercise);
+    if (!path) return complain(path.error());
+    const auto read = read_with_text(*path);
+    if (!read) return complain(read.error());
     if (options.brain.empty() && !(options.choice.kind.empty() && options.choice.vehicle.empty()))
         return complain({"--kind and --vehicle need --brain FILE, from which the brain is taken"});
-    if (!options.brain.empty()) return check_brain(*exercise, options);
+    if (!options.brain.empty()) return check_brain(read->exercise, options);
     CheckJson json;
-    const int result = check_sound(*exercise, options.seed, options.json ? &json : nullptr);
+    const int result = check_sound(*read, options.seed, options.json ? &json : nullptr);
     if (options.json && !json.empty()) std::cout << json[0].dump(2) << "\n";
     return result;
 }
@@ -196,9 +246,9 @@ int check_all(std::uint64_t first_seed, bool as_json) {
     int result = exit_code::done;
     CheckJson json = CheckJson::array();
     for (const auto& path : shipped_exercises()) {
-        const auto exercise = read_exercise(path);
-        if (!exercise) return complain(exercise.error());
-        result = std::max(result, check_sound(*exercise, first_seed, as_json ? &json : nullptr));
+        const auto read = read_with_text(path);
+        if (!read) return complain(read.error());
+        result = std::max(result, check_sound(*read, first_seed, as_json ? &json : nullptr));
     }
     if (as_json) std::cout << json.dump(2) << "\n";
     return result;

@@ -422,6 +422,19 @@ TEST(CtlCheck, AHintForAWidgetThatDoesNotExistIsAnError) {
     EXPECT_NE(ran.out.find("changed.toml:64: the window has no widget 'slider.LM'"), std::string::npos) << ran.out;
 }
 
+TEST(CtlCheck, AWarningHasFileAndLineAndDoesNotMakeAnExerciseUnsound) {
+    std::string words = "goal = \"";
+    for (int i = 0; i < 40; ++i) words += "again ";
+    const Ran ran = check_changed({{"goal = \"", words}});
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    EXPECT_NE(ran.out.find("changed.toml:5: warning: goal, prediction question and options have"), std::string::npos)
+        << ran.out;
+    const Json json = Json::parse(check_changed({{"goal = \"", words}}, "--json ").out);
+    ASSERT_EQ(json["warnings"].size(), 1u);
+    EXPECT_EQ(json["warnings"][0]["line"], 5);
+    EXPECT_EQ(ctl("check 05-aggressor").out.find("warning"), std::string::npos);
+}
+
 TEST(CtlCheck, ABrainPassesOrFailsAnExercise) {
     const std::string brain = scratch("brain.toml");
     std::ofstream(brain) << "format = 1\n[brain]\nLR = 1.5\nRL = 1.5\nLM = 0.1\nRM = 0.1\n";

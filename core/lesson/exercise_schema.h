@@ -1,0 +1,85 @@
+// The schema of exercise files: every value, described once as core/scene/schema.h does for scenes. The scene of an
+// exercise is not part of it.
+#pragma once
+
+#include "core/lesson/exercise.h"
+
+namespace braitenlab {
+
+namespace limits {
+inline constexpr std::size_t hints = 32, options = 8, offers = 16, wrong_answers = 16;
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Check>) {
+    v.variant("goal", &Check::goal, "what the vehicle must do; each goal has keys of its own, listed under Goals");
+    v.text("vehicle", &Check::vehicle, limits::name_length,
+           "NAME of the [vehicle.NAME] that must do it; without it, the scene's first");
+    v.number("hold", &Check::hold, "s", {0, 600}, "the goal must stay met for so long without a break");
+    v.number("earliest", &Check::earliest, "s", {0, 600}, "it is not judged before this time");
+    v.number("latest", &Check::latest, "s", {0, 600}, "it is not judged after this time; 0: no limit");
+    v.number("after", &Check::after, "", {0, limits::steps}, "number of a step that must be done first; 0: none");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Prediction>) {
+    v.text("question", &Prediction::question, limits::text_length, "asked before the outcome is visible, never graded");
+    v.texts("options", &Prediction::options, limits::options, limits::text_length, "two or more to choose from");
+    v.choice("answer", &Prediction::answer, &Prediction::options, "the option that the run shows");
+    v.text("outcome", &Prediction::outcome, limits::text_length,
+           "shown once a run has shown it, beside the student's choice");
+    v.number("after", &Prediction::after, "s", {0, 600},
+             "of a run with the shipped brain, after which the outcome is visible");
+    v.flag("hides_brain", &Prediction::hides_brain,
+           "until the prediction is made, the brain's picture and the wires on the deck are not shown");
+    v.list("shows", &Prediction::shows, limits::checks,
+           "a check that the run with the shipped brain must meet by then; `check` tests that the answer is true");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Step>) {
+    v.text("text", &Step::text, limits::text_length, "what is to be seen");
+    v.part(&Step::check);
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Hint>) {
+    v.text("text", &Hint::text, limits::text_length, "from a nudge to the whole solution, one after the other");
+    v.text("anchor", &Hint::anchor, limits::title_length, "id of the widget that pulses, like slider.LR");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Answer>) {
+    v.text("name", &Answer::name, limits::title_length, "of a wrong answer: what it is");
+    v.text("text", &Answer::text, limits::text_length, "of a wrong answer: what to tell a student who gives it");
+    v.brain_keys(&Answer::brain, "a brain in place of the shipped one");
+    v.settings("set", &Answer::settings, "values of the scene, by their paths, that differ from those as shipped");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Exercise>) {
+    v.number("number", &Exercise::number, "", {0, 999}, "its position in the course");
+    v.number("chapter", &Exercise::chapter, "", {0, 99}, "its chapter in the course, from 1; 0: none");
+    v.text("title", &Exercise::title, limits::title_length, "must be given");
+    v.text("goal", &Exercise::goal, limits::text_length, "must be given");
+    v.text("why", &Exercise::why, limits::text_length, "the mechanism, shown on request");
+    v.text("question", &Exercise::question, limits::text_length, "asked afterwards, never graded");
+    v.texts("offers", &Exercise::offers, limits::offers, limits::name_length,
+            "the controls that are shown: dials like \"LR\", dials that move together like \"LL=RR\", \"curves\", "
+            "\"sensors\", \"wiring\"; default: all");
+    v.texts("hides", &Exercise::hides, limits::kinds, limits::name_length,
+            "names of kinds of the scene whose brains are never shown; not the first vehicle's");
+    v.number("changes", &Exercise::changes, "", {0, 16}, "most offered controls that may be changed; 0: any number");
+    v.number("seed", &Exercise::seed, "", {0, 1e15}, "of the run that the student sees");
+    v.number("seconds", &Exercise::seconds, "s", {1, 600}, "duration of a graded run");
+    v.number("starts", &Exercise::starts, "", {1, 100}, "number of seeds, from 1 on, that are graded");
+    v.number("needed", &Exercise::needed, "", {1, 100}, "number of them that must pass every step");
+    v.table("predict", &Exercise::prediction, "a prediction, to be made before the outcome is visible");
+    v.list("step", &Exercise::steps, limits::steps, "what must happen; at least one");
+    v.list("hint", &Exercise::hints, limits::hints, "help, in stages");
+    v.table("solution", &Exercise::solution,
+            "an answer that passes: a brain in place of the shipped one, or values that differ; must be given");
+    v.list("wrong", &Exercise::wrong, limits::wrong_answers, "a plausible answer that must fail");
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,280 @@
+#include "core/lesson/warnings.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "core/lesson/grade.h"
+#include "core/lesson/referee.h"
+#include "core/lesson/submission.h"
+#include "core/maths/angle.h"
+#include "core/scene/arena.h"
+#include "core/scene/nearest.h"
+#include "core/scene/sensor_pairs.h"
+#include "core/scene/toml_tree.h"
+#include "core/world/world.h"
+
+namespace braitenlab {
+
+namespace {
+
+using maths::vec2;
+
+// The files of an exercise and of its scene, for the lines of values.
+class WarningPlaces {
+public:
+    WarningPlaces(std::string_view toml, const std::filesystem::path& path) {
+        if (auto file = parse_toml(toml, path.string())) exercise_ = std::move(*file);
+        const TomlNode* scene = exercise_.root.get("scene");
+        if (!scene || !scene->as_text()) return;
+        const std::filesystem::path scene_path = (path.parent_path() / *scene->as_text()).lexically_normal();
+        const auto text = read_text(scene_path);
+        if (!text) return;
+        if (auto file = parse_toml(*text, scene_path.string())) scene_ = std::move(*file);
+    }
+
+    Error at(const std::string& key, std::string what) const { return exercise_.fault_at(key, std::move(what)); }
+    Error in_scene(const std::string& key, std::string what) const {
+        return scene_ ? scene_->fault_at(key, std::move(what)) : at("scene." + key, std::move(what));
+    }
+
+private:
+    TomlFile exercise_;
+    std::optional<TomlFile> scene_;
+};
+
+// ── Convex polygons, for what stands in what ──
+
+using Corners = std::vector<vec2>;
+
+Corners placed_at(Corners corners, vec2 at, float heading) {
+    const float c = std::cos(heading), s = std::sin(heading);
+    for (vec2& corner : corners) corner = at + vec2{c * corner.x - s * corner.y, s * corner.x + c * corner.y};
+    return corners;
+}
+
+// True if a side of `a` has all of `b` on its outer side. Counter-clockwise.
+bool side_separates(const Corners& a, const Corners& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const vec2 from = a[i], along = a[(i + 1) % a.size()] - from;
+        if (std::all_of(b.begin(), b.end(), [&](vec2 corner) { return maths::cross(along, corner - from) <= 0; }))
+            return true;
+    }
+    return false;
+}
+
+bool overlap(const Corners& a, const Corners& b) { return !side_separates(a, b) && !side_separates(b, a); }
+
+Corners chassis_of(const Body& body, const VehicleView& vehicle) {
+    const float x = body.length / 2, y = body.width / 2;
+    return placed_at({{x, y}, {-x, y}, {-x, -y}, {x, -y}}, {vehicle.x, vehicle.y}, vehicle.heading);
+}
+
+Corners corners_of(const Source& post) {
+    Corners corners;
+    for (int i = 0; i < 12; ++i) {
+        const float angle = static_cast<float>(i) * 2 * maths::pi / 12;
+        corners.push_back(vec2{post.x, post.y} + solid_source_radius * vec2{std::cos(angle), std::sin(angle)});
+    }
+    return corners;
+}
+
+// What the chassis stands in: "the obstacle 'box'"; empty: nothing.
+std::string stands_in(const Scene& scene, const Corners& chassis) {
+    for (const Obstacle& each : scene.obstacles)
+        if (overlap(chassis, placed_at(corners_of(each), {each.x, each.y}, each.heading)))
+            return fmt::format("the obstacle {}", in_quotes(each.name));
+    for (const Source& each : scene.sources)
+        if (each.solid && overlap(chassis, corners_of(each))) return fmt::format("the solid {}", in_quotes(each.name));
+    const auto is_in = [&](vec2 corner) { return is_inside(scene.arena, corner); };
+    if (scene.arena.edge == Boundary::wall && !std::all_of(chassis.begin(), chassis.end(), is_in)) return "the wall";
+    return "";
+}
+
+// ── The warnings, one function each ──
+
+void warn_of_sources(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
+    const Arena& arena = exercise.scene.arena;
+    for (const Source& each : exercise.scene.sources)
+        if (!is_inside(arena, {each.x, each.y}))
+            found.push_back(
+                places.in_scene("source." + each.name,
+                                fmt::format("{} is at ({:g}, {:g}), outside the arena of {:g} × {:g} m; move it inside",
+                                            in_quotes(each.name), each.x, each.y, arena.width, arena.height)));
+}
+
+// True if a wire of the brain reads the sensor of this name.
+bool is_read(const BrainGraph& brain, const std::string& sensor) {
+    const Node* node = find_node(brain, sensor);
+    return node &&
+           std::any_of(brain.wires.begin(), brain.wires.end(), [&](const Wire& wire) { return wire.from == node->id; });
+}
+
+// True if a dial that is offered is a wire of this sensor.
+bool has_offered_dial(const Exercise& exercise, const std::vector<Sensor>& sensors, const std::string& sensor) {
+    const bool is_left_offered = offers(exercise, Dial::LL) || offers(exercise, Dial::RL);
+    const bool is_right_offered = offers(exercise, Dial::LR) || offers(exercise, Dial::RR);
+    for (const KindPair& pair : sensor_pairs(sensors))
+        if ((pair.sensors.left == sensor && is_left_offered) || (pair.sensors.right == sensor && is_right_offered))
+            return true;
+    return false;
+}
+
+void warn_of_sensors(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
+    if (offers(exercise, offer_parts::wiring) || offers(exercise, offer_parts::sensors)) return;
+    const Submission shipped = as_shipped(exercise);
+    const std::string& kind = exercise.scene.starts.front().kind;
+    for (const Sensor& each : shipped.sensors)
+        if (!is_read(shipped.brain, each.name) && !is_read(exercise.solution.submission.brain, each.name) &&
+            !has_offered_dial(exercise, shipped.sensors, each.name))
+            found.push_back(places.in_scene(
+                fmt::format("kind.{}.sensor.{}", kind, each.name),
+                fmt::format("no wire reads the sensor {}, and the student cannot add one; remove it, or offer "
+                            "\"wiring\"",
+                            in_quotes(each.name))));
+}
+
+// At tick 0 and 1 of a start with the shipped brain: vehicles in something, and steps that are done.
+void warn_of_start(const Exercise& exercise, const WarningPlaces& places, std::uint64_t seed,
+                   std::vector<std::string>& known, std::vector<Error>& found) {
+    auto world = World::create(exercise.scene, seed);
+    if (!world) return;
+    const auto warn_once = [&](const std::string& key, Error error) {
+        if (std::find(known.begin(), known.end(), key) != known.end()) return;
+        known.push_back(key);
+        found.push_back(std::move(error));
+    };
+    Snapshot now;
+    world->capture(now);
+    for (const VehicleView& vehicle : now.vehicles) {
+        const std::string in = stands_in(exercise.scene, chassis_of(kind_of(now, vehicle).body, vehicle));
+        if (in.empty() || vehicle.start < 0) continue;
+        const std::string key = "vehicle." + exercise.scene.starts[static_cast<std::size_t>(vehicle.start)].name;
+        warn_once(key, places.in_scene(key, fmt::format("with seed {} this vehicle starts in {}; move it, or reduce "
+                                                        "'place_spread'",
+                                                        seed, in)));
+    }
+    Referee referee(exercise);
+    referee.watch(now);
+    world->step();
+    world->capture(now);
+    referee.watch(now);
+    const std::vector<Verdict> verdicts = referee.verdicts();
+    for (std::size_t i = 0; i < verdicts.size(); ++i)
+        if (const std::string key = fmt::format("step.{}", i + 1); verdicts[i].done)
+            warn_once(key, places.at(key, fmt::format("with seed {} this step is done at the start, before the vehicle "
+                                                      "moves; ask for more, or add 'earliest', 'hold' or 'after'",
+                                                      seed)));
+}
+
+void warn_of_prediction(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
+    const Prediction& asked = exercise.prediction;
+    if (asked.question.empty()) return;
+    if (asked.shows.empty())
+        found.push_back(places.at("predict.answer",
+                                  "nothing tests that the run shows this answer; add a check as [[predict.shows]]"));
+    if (asked.outcome.empty())
+        found.push_back(places.at("predict", "the prediction has no 'outcome'; say what happens and why"));
+}
+
+void warn_of_words(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
+    int words = word_count(exercise.goal) + word_count(exercise.prediction.question);
+    for (const std::string& option : exercise.prediction.options) words += word_count(option);
+    if (words > most_first_words)
+        found.push_back(places.at(
+            "goal", fmt::format("goal, prediction question and options have {} words; students read at most {} before "
+                                "they act",
+                                words, most_first_words)));
+}
+
+void warn_of_wrong_answers(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
+    for (std::size_t i = 0; i < exercise.wrong.size(); ++i) {
+        const Answer& wrong = exercise.wrong[i];
+        const std::string key = fmt::format("wrong.{}", i + 1);
+        if (wrong.submission == exercise.solution.submission)
+            found.push_back(places.at(key, "this wrong answer is the solution; change it, or remove it"));
+        if (wrong.text.empty())
+            found.push_back(places.at(key,
+                                      "this wrong answer has no 'text'; say what the student sees and which clue "
+                                      "helps"));
+    }
+}
+
+// The key in the file of a text's id: "predict.option.2" is the second of the options.
+std::string key_of_text(const std::string& id, const Exercise& exercise) {
+    std::string key = id.substr(exercise.id.size() + 1);
+    if (key.starts_with("predict.option.")) key = "predict.options";
+    return key;
+}
+
+}  // namespace
+
+int word_count(std::string_view text) {
+    int count = 0;
+    bool in_word = false;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isspace(byte)) {
+            in_word = false;
+        } else if (!in_word && (std::isalnum(byte) || byte >= 0xc3)) {
+            in_word = byte < 0xe2;  // signs such as → and … are no words
+            count += in_word;
+        }
+    }
+    return count;
+}
+
+std::vector<Error> warnings_of(const Exercise& exercise, std::string_view toml, const std::filesystem::path& path) {
+    const WarningPlaces places(toml, path);
+    std::vector<Error> found;
+    warn_of_sources(exercise, places, found);
+    warn_of_sensors(exercise, places, found);
+    std::vector<std::string> known;
+    for (int i = 0; i < exercise.starts; ++i)
+        warn_of_start(exercise, places, static_cast<std::uint64_t>(i) + 1, known, found);
+    warn_of_prediction(exercise, places, found);
+    warn_of_words(exercise, places, found);
+    warn_of_wrong_answers(exercise, places, found);
+    std::stable_sort(found.begin(), found.end(), [](const Error& a, const Error& b) { return a.line < b.line; });
+    return found;
+}
+
+std::optional<Error> prediction_fault(const Exercise& exercise, std::string_view toml,
+                                      const std::filesystem::path& path) {
+    if (shows_prediction(exercise)) return std::nullopt;
+    Exercise shown = exercise;
+    shown.seconds = exercise.prediction.after;
+    shown.steps.clear();
+    for (const Check& check : exercise.prediction.shows) shown.steps.push_back({"", check});
+    const std::size_t failed = failed_step(try_start(shown, as_shipped(exercise), exercise.seed));
+    return WarningPlaces(toml, path)
+        .at(fmt::format("predict.shows.{}", failed + 1),
+            fmt::format("the run with the shipped brain and seed {} does not meet this check in {:g} s, so it "
+                        "contradicts the answer; correct 'answer', 'after' or this check",
+                        exercise.seed, exercise.prediction.after));
+}
+
+std::vector<Error> missing_translations(const Exercise& exercise, std::string_view toml,
+                                        const std::filesystem::path& path, const std::filesystem::path& translations) {
+    const auto text = read_text(translations);
+    if (!text) return {text.error()};
+    const auto words = parse_toml(*text, translations.string());
+    if (!words) return {words.error()};
+    const WarningPlaces places(toml, path);
+    std::vector<Error> found;
+    for (const TranslatableText& each : texts_of(exercise)) {
+        const TomlNode* node = &words->root;
+        for (const std::string& part : split_path(each.id)) node = node ? node->get(part) : nullptr;
+        if (!node || !node->as_text())
+            found.push_back(places.at(
+                key_of_text(each.id, exercise),
+                fmt::format("{} has no translation of this text; add {}", translations.string(), in_quotes(each.id))));
+    }
+    return found;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,198 @@
+#include "core/lesson/warnings.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace braitenlab::tests::warnings_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// An exercise without a warning. The tests find its lines by their text.
+const std::string sound = R"(format = 1
+title = "Own"
+goal = "Reach the lamp."
+offers = ["LR", "RL"]
+
+[predict]
+question = "Where does it drive?"
+options = ["Straight on", "To the lamp"]
+answer = "Straight on"
+outcome = "Nothing steers it."
+after = 2
+
+[[predict.shows]]
+goal = "drives"
+speed = 0.1
+
+[[step]]
+text = "It reaches the lamp"
+goal = "touches"
+source = "a"
+metres = 0.6
+
+[solution]
+LR = 1.5
+RL = 1.5
+LM = 0.3
+RM = 0.3
+
+[scene.arena]
+width = 12
+height = 12
+
+[scene.kind.car.sensor.SL]
+y = 0.2
+angle = 30
+
+[scene.kind.car.sensor.SR]
+y = -0.2
+angle = -30
+
+[scene.kind.car.brain]
+LM = 0.3
+RM = 0.3
+
+[scene.vehicle.one]
+kind = "car"
+
+[scene.source.a]
+x = 4
+y = 2
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+// The line of the first place where the file has this text.
+int line_with(const std::string& text, const std::string& part) {
+    const std::size_t at = text.find(part);
+    EXPECT_NE(at, std::string::npos) << part;
+    return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
+std::vector<Error> warnings(const std::string& toml) {
+    const auto exercise = parse_exercise(toml, "own.toml");
+    EXPECT_TRUE(exercise) << exercise.error().text();
+    return exercise ? warnings_of(*exercise, toml, "own.toml") : std::vector<Error>{};
+}
+
+// Expects one warning with these words, at the line (or the table) that has the text `at`.
+void expect_warning(const std::string& toml, const std::string& words, const std::string& at) {
+    const auto found = warnings(toml);
+    ASSERT_EQ(found.size(), 1u) << (found.empty() ? "none" : found.back().text());
+    EXPECT_NE(found[0].what.find(words), std::string::npos) << found[0].text();
+    EXPECT_EQ(found[0].file, "own.toml");
+    EXPECT_NEAR(found[0].line, line_with(toml, at), 1) << found[0].text();
+}
+
+TEST(Warnings, ASoundExerciseHasNone) {
+    for (const Error& each : warnings(sound)) ADD_FAILURE() << each.text();
+}
+
+TEST(Warnings, ALampOutsideTheArena) {
+    expect_warning(replaced(sound, "x = 4", "x = 6.5"), "outside the arena of 12 × 12 m", "[scene.source.a]");
+}
+
+TEST(Warnings, AVehicleInAnObstacleAtOneOfTheStarts) {
+    const std::string box = sound + "\n[scene.obstacle.box]\nx = 1.7\nlength = 1\nwidth = 1\n";
+    EXPECT_TRUE(warnings(box).empty());
+    expect_warning(replaced(box, "kind = \"car\"", "kind = \"car\"\nplace_spread = 1"),
+                   "this vehicle starts in the obstacle 'box'", "[scene.vehicle.one]");
+}
+
+TEST(Warnings, AVehicleInTheWallOrInASolidLamp) {
+    expect_warning(replaced(sound, "kind = \"car\"", "kind = \"car\"\nx = -5.9"), "starts in the wall",
+                   "[scene.vehicle.one]");
+    expect_warning(replaced(replaced(sound, "metres = 0.6", "metres = 0.1"), "x = 4\ny = 2", "x = 0.2\nsolid = true"),
+                   "starts in the solid 'a'", "[scene.vehicle.one]");
+}
+
+TEST(Warnings, ASensorThatNoWireReads) {
+    const std::string third = sound + "\n[scene.kind.car.sensor.heat]\nchannel = \"heat\"\n";
+    expect_warning(third, "no wire reads the sensor 'heat'", "[scene.kind.car.sensor.heat]");
+    EXPECT_TRUE(warnings(replaced(third, "\"RL\"]", "\"RL\", \"wiring\"]")).empty());
+    EXPECT_TRUE(warnings(replaced(third, "\"RL\"]", "\"RL\", \"sensors\"]")).empty());
+}
+
+TEST(Warnings, AStepThatIsDoneAtTheStart) {
+    expect_warning(replaced(sound, "metres = 0.6", "metres = 9"), "done at the start", "[[step]]");
+}
+
+TEST(Warnings, AnAnswerThatNothingTests) {
+    expect_warning(replaced(sound, "[[predict.shows]]\ngoal = \"drives\"\nspeed = 0.1\n", ""), "[[predict.shows]]",
+                   "answer =");
+}
+
+TEST(Warnings, MoreThanFortyWordsBeforeTheFirstAction) {
+    std::string words;
+    for (int i = 0; i < 28; ++i) words += " word";
+    EXPECT_TRUE(warnings(replaced(sound, "the lamp.", "the lamp" + words)).empty());
+    words += " word";
+    expect_warning(replaced(sound, "the lamp.", "the lamp" + words), "have 41 words", "goal =");
+}
+
+TEST(Warnings, AWrongAnswerWithoutATextOrEqualToTheSolution) {
+    expect_warning(sound + "\n[[wrong]]\nname = \"blind\"\nLM = 0.3\nRM = 0.3\n", "no 'text'", "[[wrong]]");
+    expect_warning(sound + "\n[[wrong]]\nname = \"it\"\ntext = \"No.\"\nLR = 1.5\nRL = 1.5\nLM = 0.3\nRM = 0.3\n",
+                   "is the solution", "[[wrong]]");
+}
+
+TEST(Warnings, AreThoseOfTheSceneInItsOwnFile) {
+    const fs::path folder = fs::temp_directory_path() / ("warnings-test-" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    const std::size_t at = sound.find("[scene.arena]");
+    std::string scene = "format = 1\n" + replaced(sound.substr(at), "x = 4", "x = 44");
+    for (std::size_t found; (found = scene.find("[scene.")) != std::string::npos;) scene.erase(found + 1, 6);
+    std::ofstream(folder / "field.toml") << scene;
+    const std::string toml = "scene = \"field.toml\"\n" + sound.substr(0, at);
+    const auto exercise = parse_exercise(toml, folder / "own.toml");
+    ASSERT_TRUE(exercise) << exercise.error().text();
+    const auto found = warnings_of(*exercise, toml, folder / "own.toml");
+    fs::remove_all(folder);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(fs::path(found[0].file).filename(), "field.toml");
+    EXPECT_NEAR(found[0].line, line_with(scene, "[source.a]"), 1);
+}
+
+TEST(Warnings, APredictionThatTheRunContradictsIsNamedByItsLine) {
+    const std::string toml = replaced(sound, "speed = 0.1", "speed = 9");
+    const auto exercise = parse_exercise(toml, "own.toml");
+    ASSERT_TRUE(exercise) << exercise.error().text();
+    const auto fault = prediction_fault(*exercise, toml, "own.toml");
+    ASSERT_TRUE(fault);
+    EXPECT_NEAR(fault->line, line_with(toml, "[[predict.shows]]"), 1);
+    EXPECT_NE(fault->what.find("contradicts the answer"), std::string::npos);
+}
+
+TEST(Warnings, NamesTextsWithoutATranslation) {
+    const fs::path file = fs::temp_directory_path() / ("warnings-test-" + std::to_string(::getpid()) + ".toml");
+    std::ofstream(file) << "format = 1\n[own]\ntitle = \"Eigene\"\ngoal = \"Ziel\"\npredict.question = \"Wo?\"\n"
+                           "predict.option.1 = \"Da\"\npredict.outcome = \"So\"\n";
+    const auto exercise = parse_exercise(sound, "own.toml");
+    ASSERT_TRUE(exercise) << exercise.error().text();
+    const auto found = missing_translations(*exercise, sound, "own.toml", file);
+    fs::remove(file);
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_NE(found[0].what.find("'own.predict.option.2'"), std::string::npos) << found[0].text();
+    EXPECT_EQ(found[0].line, line_with(sound, "options ="));
+    EXPECT_NE(found[1].what.find("'own.step.1.text'"), std::string::npos);
+    EXPECT_EQ(found[1].line, line_with(sound, "It reaches the lamp"));
+}
+
+TEST(Warnings, CountsWordsAndNoSigns) {
+    EXPECT_EQ(word_count("It turns → 90° to the left…"), 6);
+    EXPECT_EQ(word_count("Über ¿qué? — nada"), 3);
+    EXPECT_EQ(word_count(""), 0);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::warnings_test
