@@ -4,6 +4,7 @@
 #include <iostream>
 #include <utility>
 
+#include "app/exercise_check.h"
 #include "app/files/file_commands.h"
 #include "app/frame_pacing.h"
 #include "app/lab_lesson.h"
@@ -118,11 +119,13 @@ void App::follow_jobs() {
     constexpr std::chrono::milliseconds budget{4};  // of a frame, without threads
     if (repeatable()) {
         update_grading(lab_, jobs_);
+        update_exercise_check(lab_, jobs_);
         jobs_.finish();
     } else {
         jobs_.deliver(budget);
     }
     update_grading(lab_, jobs_);
+    update_exercise_check(lab_, jobs_);
 }
 
 void App::handle_files() {

@@ -65,6 +65,7 @@ struct Document {
     std::filesystem::path path{};             // absolute; empty: not saved yet
     std::shared_ptr<const Scene> file{};      // the scene as it was read or saved last
     FileMark on_disk{}, noticed{};            // the file when it was read or saved; and at the last check for changes
+    std::optional<Error> broken{};            // why the file, changed by another program, cannot be read any more
     std::vector<Setting> settings{};          // values of the scene that were set when it was opened (--set)
     std::optional<Lesson> lesson{};           // nullopt: no exercise
     std::int64_t edits = 0, saved_edits = 0;  // edits so far, and their number when the user saved last

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ struct SettingsBeforeLecture {
     ViewSettings view;  // restored at the end, except for the selection, which belongs to the run
 };
 
+struct ExerciseCheck;  // app/exercise_check.h
+
 struct Lab {
     Document document;
     Playback playback{};
@@ -37,6 +40,7 @@ struct Lab {
     Steer steered{};            // last command given by the arrow keys
     Preferences preferences{};  // as shown now
     std::optional<SettingsBeforeLecture> before_lecture{};  // set in lecture mode
+    std::shared_ptr<ExerciseCheck> check{};                 // of the open exercise for its author; null: none
     Notice notice{};
     double notice_until = 0;  // wall seconds
     double wall_seconds = 0;

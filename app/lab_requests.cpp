@@ -364,6 +364,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const OpenRequest& r) { lab.files.push_back(r); },
                      [&](const BrowseRequest& r) { lab.files.push_back(r); },
                      [&](const SaveRequest& r) { lab.files.push_back(r); },
+                     [&](const SaveExerciseRequest& r) { lab.files.push_back(r); },
                      [&](const RecoverRequest& r) { lab.files.push_back(r); },
                      [&](const LeaveRequest& r) { lab.files.push_back(r); },
                      [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },

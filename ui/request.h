@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -79,7 +80,8 @@ enum class Action {
     menu_bar,   // opens or closes the first menu
     save_run,
     save_brain,
-    export_csv,  // the chart that the chart card shows
+    save_exercise,  // opens the sheet of the author
+    export_csv,     // the chart that the chart card shows
     about,
     slider_LL,
     slider_LR,
@@ -206,6 +208,12 @@ struct SaveRequest {
     bool create_folder = false;          // else saving into a folder that does not exist is refused
     std::optional<std::string> story{};  // new story of the scene
 };
+struct ExerciseDraft;                            // core/lesson/author.h
+struct SaveExerciseRequest {                     // writes an exercise file, opens it and checks it
+    std::string path;                            // as typed; the extension may be missing
+    std::shared_ptr<const ExerciseDraft> draft;  // never null
+    bool replace = false;                        // else a path at which there is a file is refused
+};
 enum class Leave { save, discard, stay, saved };  // saved: already saved under a new name
 struct LeaveRequest {                             // the answer to FilesView::leaving
     Leave answer = Leave::stay;
@@ -236,11 +244,11 @@ inline Steer steer(VehicleId vehicle, float right, float ahead) {
             std::clamp(ahead - turning * right, -1.0f, 1.0f)};
 }
 
-using Request =
-    std::variant<Action, EditRequest, SelectRequest, TakeRequest, SelectObjectsRequest, PasteRequest, ScopeRequest,
-                 PairRequest, CanvasShareRequest, PredictRequest, FreePlayRequest, ShowMeRequest, ExportRequest,
-                 SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, BookmarkRequest,
-                 BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest>;
+using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, SelectObjectsRequest, PasteRequest,
+                             ScopeRequest, PairRequest, CanvasShareRequest, PredictRequest, FreePlayRequest,
+                             ShowMeRequest, ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest,
+                             OverlaysRequest, SeekRequest, BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest,
+                             LeaveRequest, SeedRequest, NoticeRequest, SaveExerciseRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -203,6 +203,7 @@ constexpr NamedAction action_names[]{
     {Action::menu_bar, "menu_bar"},
     {Action::save_run, "save_run"},
     {Action::save_brain, "save_brain"},
+    {Action::save_exercise, "save_exercise"},
     {Action::export_csv, "export_csv"},
     {Action::about, "about"},
     {Action::slider_LL, "slider_LL"},

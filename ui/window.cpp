@@ -236,6 +236,10 @@ bool act_on_files(const LabView& view, PanelState& state, Action action, Outbox&
             return open_sheet(true, FileKind::run);
         case Action::save_brain:
             return open_sheet(true, FileKind::brain);
+        case Action::save_exercise:
+            begin_author(view, state.author);
+            state.sheet = Sheet::author;
+            return true;
         default:
             return false;
     }
@@ -363,11 +367,13 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     switch_menus(state, ui, open_menus);
     keys_card(view, state, ui, layout.window);
     files_sheet(view, state, ui, layout.window);
+    author_sheet(view, state, ui, layout.window);
     settings_card(view, state, ui, layout.window);
     about_card(view, state, ui, layout.window);
     leaving_sheet(view, state, ui, layout.window);
     keep_drawn(state.fields);
     (void)keep_drawn(state.values.seed);
+    keep_drawn(state.author);
     end_keyboard(state.keyboard);
     execute_chosen(view, state, ui.outbox);
 }
@@ -395,6 +401,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         (for_text_field(state.files.typed, press) || for_text_field(state.files.title, press) ||
          for_text_field(state.files.story, press)))
         return true;
+    if (state.sheet == Sheet::author && for_author_text(state.author, press)) return true;
     if (state.sheet != Sheet::none && !works_under_a_sheet(press)) return key_for_sheet(state, press);
     if (!state.menu_bar.open.empty() && key_for_menus(state, press)) return true;
     if (state.presets_open && press.key == key::escape) {

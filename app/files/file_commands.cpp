@@ -5,11 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "app/exercise_check.h"
 #include "app/files/disk.h"
 #include "app/files/safe_file.h"
 #include "app/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "core/io/run_file.h"
+#include "core/lesson/author.h"
+#include "core/lesson/write_exercise.h"
 #include "core/match.h"
 #include "core/messages.h"
 
@@ -118,6 +121,27 @@ struct FileCommands {
         return false;
     }
 
+    // Writes the exercise, opens it and begins its check.
+    void save_exercise(const SaveExerciseRequest& wanted) const {
+        const fs::path path = with_extension(resolved(wanted.path, folder(), folders.home), FileKind::scene);
+        std::error_code none;
+        if (!fs::exists(path.parent_path(), none)) return fail(error_of(message_of("no_such_folder"), path.string()));
+        if (!wanted.replace && fs::exists(path, none)) return fail(error_of(message_of("file_exists"), path.string()));
+        const Document& now = lab.document;
+        auto made = make_exercise(*wanted.draft, path.stem().string(), now.session.edited_scene(), *now.file);
+        if (!made) return fail(made.error());
+        const std::string text = write_exercise(*made);
+        if (auto read = parse_exercise(text, path); !read) return fail(read.error());
+        if (const auto error = write_whole(path, text)) return fail(*error);
+        auto opened = open_document(path, std::nullopt, {});
+        if (!opened) return fail(opened.error());
+        replace_document(lab, std::move(*opened));
+        add_recent_file(state, path, lab.document);
+        if (!view.listing.folder.empty()) list(view.listing.folder);
+        done(path, {});
+        check_exercise_for_author(lab);
+    }
+
     void save(const SaveRequest& wanted) const {
         const fs::path path = with_extension(resolved(wanted.path, folder(), folders.home), wanted.kind);
         if (!has_folder(path, wanted)) return;
@@ -134,6 +158,7 @@ struct FileCommands {
             if (!lab.document.lesson) {
                 lab.document.file = std::make_shared<const Scene>(lab.document.session.edited_scene());
                 lab.document.on_disk = mark_of(path);
+                lab.document.broken.reset();
                 lab.saved.push_back(path);
             }
         }
@@ -158,6 +183,7 @@ void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const 
         if (const auto* open = std::get_if<OpenRequest>(&request))
             commands.open(open->path, open->next_exercise && has_passed(lab), open->dropped);
         if (const auto* save = std::get_if<SaveRequest>(&request)) commands.save(*save);
+        if (const auto* save = std::get_if<SaveExerciseRequest>(&request)) commands.save_exercise(*save);
         if (const auto* leave = std::get_if<LeaveRequest>(&request)) commands.leave(leave->answer);
         if (const auto* numbers = std::get_if<ExportRequest>(&request)) commands.save_numbers(*numbers);
         if (const auto* browse = std::get_if<BrowseRequest>(&request))
@@ -182,12 +208,16 @@ bool may_leave(const Lab& lab, FilesView& view) {
 void follow_file(Lab& lab, FilesView& view) {
     if (lab.document.path.empty() || lab.document.path.extension() == io::run_ending) return;
     const FileMark mark = mark_of(lab.document.path);
-    if (mark == lab.document.on_disk || mark == FileMark{}) return;
+    if (mark == lab.document.on_disk || mark == FileMark{}) {
+        if (lab.document.broken && lab.wall_seconds >= lab.notice_until) say(lab, *lab.document.broken);
+        return;
+    }
     if (std::exchange(lab.document.noticed, mark) != mark)
         return;  // it may be incomplete: wait until it stays unchanged
     lab.document.on_disk = mark;
     auto opened = open_document(lab.document.path, lab.document.session.seed(), lab.document.settings);
-    if (!opened) return say(lab, opened.error());
+    lab.document.broken.reset();
+    if (!opened) return say(lab, lab.document.broken.emplace(opened.error()));
     if (has_unsaved_edits(lab)) return say(lab, {NoticeKind::notice, "files.changed", title_of(lab.document)});
     const Playback before{
         .mode = lab.playback.mode, .time_scale = lab.playback.time_scale, .toggles = lab.playback.toggles};
@@ -199,6 +229,7 @@ void follow_file(Lab& lab, FilesView& view) {
     lab.view.selection.whole_kind = whole_kind;
     refresh(view, lab);
     say(lab, {NoticeKind::notice, "files.reloaded", title_of(lab.document)});
+    if (lab.document.lesson) set_mode(lab, Mode::paused), check_exercise_for_author(lab);
 }
 
 void refresh(FilesView& view, const Lab& lab) {

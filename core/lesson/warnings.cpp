@@ -171,6 +171,17 @@ void warn_of_start(const Exercise& exercise, const WarningPlaces& places, std::u
                                                       seed)));
 }
 
+void warn_of_equal_starts(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
+    const Scene& scene = exercise.scene;
+    const auto varies = [](const Start& each) { return each.place_spread > 0 || each.heading_spread > 0; };
+    if (exercise.starts < 2 || scene.ecology.population > 0) return;
+    if (std::any_of(scene.starts.begin(), scene.starts.end(), varies)) return;
+    found.push_back(places.in_scene("vehicle." + scene.starts.front().name,
+                                    fmt::format("all {} starts are alike, so a brain that fits one passes; add "
+                                                "'heading_spread' or 'place_spread'",
+                                                exercise.starts)));
+}
+
 void warn_of_prediction(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
     const Prediction& asked = exercise.prediction;
     if (asked.question.empty()) return;
@@ -233,6 +244,7 @@ std::vector<Error> warnings_of(const Exercise& exercise, std::string_view toml, 
     std::vector<Error> found;
     warn_of_sources(exercise, places, found);
     warn_of_sensors(exercise, places, found);
+    warn_of_equal_starts(exercise, places, found);
     std::vector<std::string> known;
     for (int i = 0; i < exercise.starts; ++i)
         warn_of_start(exercise, places, static_cast<std::uint64_t>(i) + 1, known, found);

@@ -13,10 +13,4 @@ std::string write_exercise(const Exercise& exercise) {
     return "format = 1\n" + texts.text("", false) + scene.text("[scene]", false);
 }
 
-std::string write_wrong_answer(const Answer& answer) {
-    TomlWriter<Answer> writer(answer, "wrong.");
-    describe(writer, Of<Answer>{});
-    return writer.text("[[wrong]]", true);
-}
-
 }  // namespace braitenlab

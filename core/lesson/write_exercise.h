@@ -11,7 +11,4 @@ namespace braitenlab {
 // same exercise, except that a four-neuron brain loses the order of its nodes and wires. Comments are not kept.
 std::string write_exercise(const Exercise&);
 
-// A [[wrong]] table to append to an exercise's file. It begins with an empty line.
-std::string write_wrong_answer(const Answer&);
-
 }  // namespace braitenlab

@@ -60,6 +60,7 @@ RM = 0.3
 
 [scene.vehicle.one]
 kind = "car"
+heading_spread = 5
 
 [scene.source.a]
 x = 4
@@ -125,6 +126,12 @@ TEST(Warnings, ASensorThatNoWireReads) {
 
 TEST(Warnings, AStepThatIsDoneAtTheStart) {
     expect_warning(replaced(sound, "metres = 0.6", "metres = 9"), "done at the start", "[[step]]");
+}
+
+TEST(Warnings, StartsThatAreAllAlike) {
+    const std::string alike = replaced(sound, "heading_spread = 5\n", "");
+    expect_warning(alike, "all 10 starts are alike", "[scene.vehicle.one]");
+    EXPECT_TRUE(warnings("starts = 1\nneeded = 1\n" + alike).empty());
 }
 
 TEST(Warnings, AnAnswerThatNothingTests) {

@@ -435,6 +435,31 @@ TEST(CtlCheck, AWarningHasFileAndLineAndDoesNotMakeAnExerciseUnsound) {
     EXPECT_EQ(ctl("check 05-aggressor").out.find("warning"), std::string::npos);
 }
 
+// The exercise in docs/writing-exercises.md: the indented lines from `format = 1` on.
+std::string documented_exercise() {
+    std::ifstream page(std::string(BRAITENLAB_SOURCE) + "/docs/writing-exercises.md");
+    std::string text;
+    for (std::string line; std::getline(page, line);) {
+        const bool is_indented = line.starts_with("    ");
+        if (text.empty() && line != "    format = 1") continue;
+        if (!line.empty() && !is_indented) break;
+        text += (is_indented ? line.substr(4) : line) + "\n";
+    }
+    return text;
+}
+
+TEST(CtlCheck, TheExerciseOfTheDocumentationIsSoundWithoutAWarning) {
+    const std::string file = scratch("documented.toml");
+    std::ofstream(file) << documented_exercise();
+    const Ran ran = ctl("check " + file), other = ctl("check --seed 1001 " + file);
+    std::filesystem::remove(file);
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    EXPECT_EQ(other.code, 0) << other.out;
+    EXPECT_NE(ran.out.find("as shipped 0 of 10 starts pass (none should), with its solution 10"), std::string::npos)
+        << ran.out;
+    EXPECT_EQ(ran.out.find("warning"), std::string::npos) << ran.out;
+}
+
 TEST(CtlCheck, ABrainPassesOrFailsAnExercise) {
     const std::string brain = scratch("brain.toml");
     std::ofstream(brain) << "format = 1\n[brain]\nLR = 1.5\nRL = 1.5\nLM = 0.1\nRM = 0.1\n";

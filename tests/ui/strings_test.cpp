@@ -10,6 +10,8 @@
 #include "core/brain/edit.h"
 #include "core/brain/presets.h"
 #include "core/brain/recogniser.h"
+#include "core/lesson/author.h"
+#include "core/lesson/submission.h"
 #include "core/messages.h"
 #include "core/scene/enums.h"
 #include "core/scene/scene_file.h"
@@ -94,6 +96,19 @@ struct FieldKeys : ValuesWithoutRow<T> {
     void text(const char* key, std::string T::*, std::size_t, const char*) { add(key); }
 };
 
+// Every goal that the sheet of the author offers, in a scene that has everything.
+std::vector<Goal> authored_goals() {
+    Scene scene;
+    scene.kinds.resize(2);
+    scene.kinds[0].name = "one", scene.kinds[1].name = "two";
+    scene.kinds[0].role = Role::predator, scene.kinds[1].role = Role::prey;
+    scene.kinds[0].sensors.resize(1);
+    scene.starts = {{"first", "one"}, {"second", "two"}};
+    scene.sources.resize(1), scene.obstacles.resize(2), scene.zones.resize(1);
+    scene.zones[0].surface = Surface::tape, scene.zones[0].recharge = 1;
+    return goals_for(scene, "first");
+}
+
 // Keys composed of a stem and a name of the program.
 std::set<std::string> composed() {
     std::set<std::string> keys;
@@ -111,6 +126,12 @@ std::set<std::string> composed() {
         if (!std::set<std::string_view>{"light", "heat", "smell", "oxygen"}.contains(channel.word))
             keys.insert("response_to.explorer_" + std::string(channel.word));
     for (const char* stem : {"character.", "character_story."}) keys.insert(stem + std::string("parts"));
+    for (const auto part : offer_parts::all) keys.insert("author.part." + std::string(part));
+    for (const Goal& each : authored_goals()) {
+        Goal goal = each;
+        keys.insert("author.goal." + std::string(word_of(goal)));
+        for (const GoalValue& value : values_of(goal)) keys.insert("author.value." + std::string(value.key));
+    }
     for (const NeuronKind& kind : neuron_kinds) keys.insert("wiring.kind." + std::string(kind.word));
     for (const RefusalName& refusal : refusals) keys.insert("wiring.refused." + std::string(refusal.word));
     for (const auto& driver : driver_table) {

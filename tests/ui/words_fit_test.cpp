@@ -74,6 +74,9 @@ void with_chart(Desk& desk, Chart chart) {
     desk.panels.chart = chart;
 }
 
+// The sheet that saves the scene as an exercise.
+void with_author(Desk& desk, AuthorPage page);
+
 const RecoveryOffer offer{
     "Predator and prey",
     "/home/student/Documents/braitenlab/experiments/second-series/winter/predator-prey-second.toml",
@@ -225,8 +228,21 @@ std::vector<Screen> screens() {
          [](Desk& d) {
              with_files(d), files.leaving = Leaving{"Vehicle 2a: Coward", "/y/mine.toml", "Predator and prey"};
          }},
+        {"author, texts", [](Desk& d) { with_author(d, AuthorPage::texts); }},
+        {"author, controls", [](Desk& d) { with_author(d, AuthorPage::controls); }},
+        {"author, steps", [](Desk& d) { with_author(d, AuthorPage::steps); }},
+        {"author, goals", [](Desk& d) { with_author(d, AuthorPage::steps), d.panels.author.goals_open = true; }},
+        {"author, prediction", [](Desk& d) { with_author(d, AuthorPage::prediction); }},
         {"unsaved, leaving", [](Desk& d) { with_files(d), files.leaving = Leaving{"Vehicle 2a: Coward"}; }},
     };
+}
+
+void with_author(Desk& desk, AuthorPage page) {
+    with_files(desk);
+    desk.now = shipped_scene("2a-coward");
+    begin_author(desk.view, desk.panels.author);
+    desk.panels.author.page = page;
+    desk.panels.sheet = Sheet::author;
 }
 
 bool is_icon(const std::string& words) { return !words.empty() && static_cast<unsigned char>(words[0]) == 0xEF; }

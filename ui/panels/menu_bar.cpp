@@ -43,6 +43,7 @@ constexpr MenuPlace menu_places[]{
     {"file", Action::save_as},
     {"file", Action::save_run},
     {"file", Action::save_brain},
+    {"file", Action::save_exercise},
     {"file", Action::export_csv, true},
     {"file", Action::screenshot},
     {"file", Action::exit, true},
@@ -383,6 +384,8 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
             return why_not_in_exercise(view, action);
         case Action::new_scene:
             return empty_scene(view) ? "" : "unavailable.no_empty_scene";
+        case Action::save_exercise:
+            return view.now->scene->starts.empty() ? "author.no_vehicle" : "";
         case Action::export_csv:
             return why_no_csv(view, state);
         default:

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/world/command.h"
+#include "ui/panels/author_state.h"
 #include "ui/panels/brain_analysis.h"
 #include "ui/panels/chart_data.h"
 #include "ui/panels/file_lists.h"
@@ -33,7 +34,7 @@ std::array<CardState, card_count> initial_cards();
 enum class Chart { signals, neurons, population, energy, bars };
 
 // The sheet that covers the window; at most one.
-enum class Sheet { none, keys, settings, files, about, recovery, leaving };
+enum class Sheet { none, keys, settings, files, about, recovery, leaving, author };
 
 // State that a lecture changes and restores at its end.
 struct BeforeLecture {
@@ -94,6 +95,7 @@ struct PanelState {
     bool leaving_asked = false;
     int leaving_done = 0;  // FilesView::done when the sheet for a name was opened; −1: the sheet is not open
     FilesState files;
+    AuthorState author;
     std::optional<Preferences> before_reset;  // preferences before Reset All, until one is changed
     MenuBarState menu_bar;
     std::vector<Action> chosen;  // with toolbar and menus, executed at the end of the frame

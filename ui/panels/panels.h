@@ -60,6 +60,7 @@ void follow_lecture(const LabView&, PanelState&);  // saves and restores the car
 // close.
 void keys_card(const LabView&, PanelState&, Ui&, Rect window);      // all shortcuts
 void files_sheet(const LabView&, PanelState&, Ui&, Rect window);    // open and save
+void author_sheet(const LabView&, PanelState&, Ui&, Rect window);   // the open scene as an exercise
 void settings_card(const LabView&, PanelState&, Ui&, Rect window);  // language, theme, type size, motion
 void about_card(const LabView&, PanelState&, Ui&, Rect window);     // version, and licences of the libraries
 

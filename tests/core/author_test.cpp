@@ -1,0 +1,131 @@
+#include "core/lesson/author.h"
+
+#include <filesystem>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/lesson/grade.h"
+#include "core/lesson/write_exercise.h"
+#include "core/maths/angle.h"
+
+namespace braitenlab::tests::author_test {
+namespace {
+
+Scene shipped(const std::string& name) {
+    auto scene = load_scene(std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "scenes" / (name + ".toml"));
+    EXPECT_TRUE(scene) << scene.error().text();
+    return scene ? *scene : Scene{};
+}
+
+// The coward's scene, and the same with crossed wires.
+struct Author : testing::Test {
+    Scene file = shipped("2a-coward");
+    Scene now = file;
+    ExerciseDraft draft{.title = "Strike", .goal = "Touch the lamp."};
+    Author() {
+        now.kinds[0].brain = make_graph({.LR = 1.5f, .RL = 1.5f, .LM = 0.1f, .RM = 0.1f});
+        draft.offers = {"LL", "LR", "RL", "RR"};
+        for (const Goal& goal : goals_for(now, now.starts[0].name))
+            if (word_of(goal) == "touches") draft.steps = {{"It touches the lamp", {goal}}};
+    }
+    Exercise made() const {
+        auto exercise = make_exercise(draft, "strike", now, file);
+        EXPECT_TRUE(exercise) << exercise.error().text();
+        if (!exercise) return {};
+        auto read = parse_exercise(write_exercise(*exercise), "strike.toml");
+        EXPECT_TRUE(read) << read.error().text();
+        return read ? *read : Exercise{};
+    }
+};
+
+TEST_F(Author, TheBrainOfTheFileShipsAndTheOneInTheWindowIsTheSolution) {
+    const Exercise exercise = made();
+    EXPECT_EQ(as_shipped(exercise).brain, file.kinds[0].brain);
+    EXPECT_EQ(with_solution(exercise).brain, now.kinds[0].brain);
+    EXPECT_EQ(exercise.title, "Strike");
+    EXPECT_EQ(exercise.offers, draft.offers);
+    EXPECT_EQ(exercise.needed, 8);
+    EXPECT_FLOAT_EQ(exercise.scene.starts[0].heading_spread, 15 * maths::pi / 180);
+    EXPECT_EQ(exercise.scene.sources, now.sources);
+}
+
+TEST_F(Author, ABrainWithoutWiresCanShip) {
+    draft.ships = ShippedBrain::without_wires;
+    now = file;  // the scene as it was saved
+    const Exercise exercise = made();
+    EXPECT_TRUE(as_shipped(exercise).brain == make_graph(FourNeurons{}));
+    EXPECT_EQ(with_solution(exercise).brain, file.kinds[0].brain);
+}
+
+TEST_F(Author, RefusesASceneWithoutASolutionOrAVehicle) {
+    const auto same = make_exercise(draft, "strike", file, file);
+    ASSERT_FALSE(same);
+    EXPECT_NE(same.error().what.find("is the one that the student gets"), std::string::npos);
+    Scene empty = now;
+    empty.starts.clear();
+    EXPECT_FALSE(make_exercise(draft, "strike", empty, file));
+}
+
+TEST_F(Author, ABrainOfOneVehicleAloneBecomesThatOfItsKindAndOthersKeepTheirs) {
+    now = file;
+    now.starts.push_back(now.starts[0]);
+    now.starts[1].name = "other", now.starts[1].x += 3;
+    const BrainGraph own = make_graph({.LR = 1.5f, .RL = 1.5f, .LM = 0.1f, .RM = 0.1f});
+    now.starts[1].brain = own;
+    draft.vehicle = "other";
+    const Exercise exercise = made();
+    ASSERT_EQ(exercise.scene.starts.size(), 2u);
+    EXPECT_EQ(exercise.scene.starts[0].name, "other");
+    EXPECT_FALSE(exercise.scene.starts[0].brain);
+    EXPECT_EQ(with_solution(exercise).brain, own);
+    ASSERT_TRUE(exercise.scene.starts[1].brain) << "the other vehicle drives as before";
+    EXPECT_EQ(*exercise.scene.starts[1].brain, file.kinds[0].brain);
+}
+
+TEST_F(Author, ListsTheGoalsThatTheSceneCanMeetWithItsNearestLamp) {
+    std::set<std::string> words;
+    now.sources.push_back({.name = "near", .x = now.starts[0].x + 0.5f, .y = now.starts[0].y});
+    std::vector<Goal> goals = goals_for(now, now.starts[0].name);
+    for (Goal& goal : goals) {
+        words.emplace(word_of(goal));
+        for (const GoalValue& value : values_of(goal)) {
+            const double number = value.number ? double{*value.number} : value.count ? *value.count : 0;
+            EXPECT_TRUE(value.name || value.range.holds(number)) << word_of(goal) << "." << value.key;
+            EXPECT_TRUE(value.key != "source" || *value.name == "near") << word_of(goal);
+        }
+    }
+    for (const char* listed : {"touches", "avoids", "circles", "rests", "speed_follows"})
+        EXPECT_TRUE(words.count(listed)) << listed;
+    for (const char* missing : {"all_of", "enters", "drives_through", "follows", "captures", "recharges"})
+        EXPECT_FALSE(words.count(missing)) << missing;
+}
+
+TEST_F(Author, TheUsualDistanceToASolidLampCanBeReached) {
+    const auto distance = [&] {
+        for (const Goal& goal : goals_for(now, now.starts[0].name))
+            if (const auto* touches = std::get_if<goals::Touches>(&goal)) return touches->metres;
+        return 0.0f;
+    };
+    now.sources[0].solid = false;
+    EXPECT_EQ(distance(), 0.5f);
+    now.sources[0].solid = true;
+    EXPECT_GT(distance(), solid_source_radius + now.kinds[0].body.length / 2);
+    EXPECT_LT(distance(), 1.2f);
+}
+
+TEST_F(Author, EveryListedGoalIsWrittenAndRead) {
+    now.starts.push_back(now.starts[0]);
+    now.starts[1].name = "other", now.starts[1].x += 3;
+    now.obstacles = {{.name = "p1", .x = 2, .y = 7}, {.name = "p2", .x = 5, .y = 7}};
+    now.zones = {{.name = "bay", .x = -6, .y = -6, .surface = Surface::tape, .recharge = 1}};
+    const std::vector<Goal> goals = goals_for(now, now.starts[0].name);
+    EXPECT_GE(goals.size(), 20u);
+    for (const Goal& goal : goals) {
+        draft.steps = {{"It does", {goal}}};
+        EXPECT_EQ(word_of(made().steps.at(0).check.goal), word_of(goal));
+    }
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::author_test

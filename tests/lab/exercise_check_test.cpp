@@ -1,0 +1,155 @@
+// Saving the open scene as an exercise, its check in the background, and following the file in an editor.
+#include "app/exercise_check.h"
+
+#include <chrono>
+
+#include <gtest/gtest.h>
+
+#include "app/files/disk.h"
+#include "app/files/file_commands.h"
+#include "app/lab_requests.h"
+#include "core/lesson/author.h"
+#include "core/lesson/submission.h"
+#include "opened_lab.h"
+#include "tests/folder.h"
+
+namespace braitenlab::tests::exercise_check_test {
+namespace {
+
+struct ExerciseCheckLab : testing::Test {
+    Folder folder;
+    FilesView files;
+    StoredState state;
+    UserFolders folders{.home = folder.path, .pictures = folder / "Pictures"};
+    Lab lab = opened_lab("2a-coward");
+    Jobs jobs{0};
+    ExerciseDraft draft{.title = "Strike", .goal = "Touch the lamp."};
+    fs::path file = folder / "strike.toml";
+
+    ExerciseCheckLab() {
+        state.folder = folder.path.string();
+        draft.offers = {"LL", "LR", "RL", "RR"};
+        draft.steps = {{"It touches the lamp", {goals::Touches{"", 0.6f}}}};
+        for (const auto& [dial, weight] :
+             {std::pair{Dial::LL, 0.0f}, {Dial::RR, 0.0f}, {Dial::LR, 1.5f}, {Dial::RL, 1.5f}})
+            handle(lab, EditRequest{TurnDial{{.kind = 0}, dial, weight}});
+    }
+    void save(bool replace = false) {
+        handle(lab, SaveExerciseRequest{"strike", std::make_shared<const ExerciseDraft>(draft), replace});
+        execute_file_requests(lab, files, state, folders);
+    }
+    void check() {
+        for (int i = 0; i < 20 && lab.check; ++i) {
+            update_exercise_check(lab, jobs);
+            jobs.finish();
+        }
+        EXPECT_FALSE(lab.check);
+    }
+    // Writes as an editor does that renames a new file over the old one. A change counts once the file stays the same.
+    void write(const std::string& text) {
+        put_text(folder / "new", text);
+        fs::last_write_time(folder / "new", fs::last_write_time(file) + std::chrono::seconds(++written_));
+        fs::rename(folder / "new", file);
+        follow_file(lab, files), follow_file(lab, files);
+    }
+    static std::string with(std::string text, const std::string& old, const std::string& fresh) {
+        const auto at = text.find(old);
+        EXPECT_NE(at, text.npos) << old;
+        return at == text.npos ? text : text.replace(at, old.size(), fresh);
+    }
+
+private:
+    int written_ = 0;
+};
+
+TEST_F(ExerciseCheckLab, ASavedExerciseIsOpenedAndItsResultShown) {
+    save();
+    ASSERT_TRUE(lab.document.lesson) << (files.refused ? files.refused->text() : "");
+    EXPECT_EQ(lab.document.path, file);
+    EXPECT_EQ(files.done, 1);
+    EXPECT_EQ(lab.notice.key, "author.checking");
+    check();
+    EXPECT_EQ(lab.notice.key, "author.sound");
+    EXPECT_EQ(lab.notice.words, "0/10");
+    EXPECT_EQ(lab.notice.more, "10/10");
+    EXPECT_EQ(lab.notice.kind, NoticeKind::done);
+}
+
+TEST_F(ExerciseCheckLab, SaysThatAnExerciseIsNotReady) {
+    draft.steps[0].check.goal = goals::Runs{1};
+    save();
+    check();
+    EXPECT_EQ(lab.notice.key, "author.unsound");
+    EXPECT_EQ(lab.notice.words, "10/10") << "it passes as shipped";
+    EXPECT_EQ(lab.notice.kind, NoticeKind::failure);
+}
+
+TEST_F(ExerciseCheckLab, NamesAControlThatTheSolutionNeedsAndThatIsNotOffered) {
+    draft.offers = {"LL", "LR", "RR"};
+    save();
+    check();
+    EXPECT_EQ(lab.notice.key, "author.not_offered");
+    EXPECT_EQ(lab.notice.words, "RL");
+}
+
+TEST_F(ExerciseCheckLab, ReplacesAFileOnlyIfTheAuthorAgrees) {
+    put_text(file, "mine");
+    save();
+    ASSERT_TRUE(files.refused);
+    EXPECT_NE(files.refused->what.find("there is a file of this name"), std::string::npos);
+    EXPECT_EQ(text_of(file), "mine");
+    save(true);
+    EXPECT_TRUE(lab.document.lesson);
+}
+
+TEST_F(ExerciseCheckLab, KeepsTheSceneIfTheBrainIsTheShippedOne) {
+    lab = opened_lab("2a-coward");
+    save();
+    ASSERT_TRUE(files.refused);
+    EXPECT_FALSE(fs::exists(file));
+    EXPECT_FALSE(lab.document.lesson);
+}
+
+TEST_F(ExerciseCheckLab, AnEditOfTheFileIsReadCheckedAndBeginsAtTheStart) {
+    save();
+    check();
+    handle(lab, Action::play_pause);
+    for (int i = 0; i < 30; ++i) tick(lab);
+    write(with(text_of(file), "Touch the lamp.", "Strike it."));
+    EXPECT_EQ(lab.document.lesson->exercise->goal, "Strike it.");
+    EXPECT_EQ(lab.document.session.snapshot().tick, 0u);
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
+    check();
+    EXPECT_EQ(lab.notice.key, "author.sound");
+}
+
+TEST_F(ExerciseCheckLab, AMistakeKeepsTheExerciseAndIsShownUntilItIsMended) {
+    save();
+    check();
+    const std::string good = text_of(file);
+    write(with(good, "metres = 0.6", "meters = 0.6"));
+    EXPECT_EQ(lab.document.lesson->exercise->steps.size(), 1u);
+    ASSERT_TRUE(lab.notice.error);
+    EXPECT_NE(lab.notice.error->text().find("strike.toml:"), std::string::npos);
+    lab.wall_seconds += 100;
+    lab.notice = {};
+    follow_file(lab, files);
+    EXPECT_TRUE(lab.notice.error) << "it stays while the file is wrong";
+    write(good);
+    EXPECT_FALSE(lab.notice.error);
+    lab.wall_seconds += 100;
+    follow_file(lab, files);
+    EXPECT_FALSE(lab.notice.error);
+}
+
+TEST_F(ExerciseCheckLab, ADroppedExerciseIsOpened) {
+    save();
+    lab = opened_lab("3a-love");
+    handle(lab, OpenRequest{file.string(), true});
+    execute_file_requests(lab, files, state, folders);
+    ASSERT_TRUE(lab.document.lesson);
+    EXPECT_EQ(lab.document.lesson->exercise->title, "Strike");
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::exercise_check_test

@@ -1,0 +1,148 @@
+// The sheet that saves the open scene as an exercise.
+#include "core/lesson/author.h"
+#include "desk.h"
+
+namespace braitenlab::tests::author_sheet_test {
+
+using namespace ui;
+
+struct AuthorSheet : ::testing::Test {
+    Desk desk;
+    FilesView files;
+    AuthorSheet() {
+        desk.now = shipped_scene("2a-coward");
+        desk.view.files = &files;
+        desk.frame(3);
+        desk.choose("file", "save_exercise");
+        desk.frame(3);
+    }
+    void type(const char* field, const char* text) {
+        desk.click(field);
+        desk.type(text);
+        desk.frame(2);
+    }
+    bool says(std::string_view words) const {
+        for (const Written& written : desk.written)
+            if (written.words.find(words) != std::string::npos) return true;
+        return false;
+    }
+    void page(int number) { desk.click("author.page." + std::to_string(number)); }
+    // Everything that an exercise needs.
+    void fill_in() {
+        desk.type("Strike");  // the title has the focus, with its text selected
+        desk.frame(2);
+        type("author.goal", "Touch the lamp.");
+        page(3);
+    }
+    const SaveExerciseRequest& saved() {
+        desk.click("author.save");
+        const auto* request = desk.last<SaveExerciseRequest>();
+        if (!request) throw std::runtime_error("nothing is saved");
+        return *request;
+    }
+};
+
+TEST_F(AuthorSheet, SaysWhatIsMissingUntilItCanBeSaved) {
+    ASSERT_TRUE(desk.anchors.find("card.author"));
+    EXPECT_TRUE(says("The goal is missing"));
+    desk.click("author.save");
+    EXPECT_FALSE(desk.last<SaveExerciseRequest>());
+    type("author.goal", "Touch the lamp.");
+    EXPECT_TRUE(says("Look at the steps first"));
+    page(3);
+    EXPECT_FALSE(says("Look at the steps first"));
+    EXPECT_EQ(saved().draft->goal, "Touch the lamp.");
+}
+
+TEST_F(AuthorSheet, BeginsWithTheNearestLampTheDialsAndTheTitleOfTheScene) {
+    EXPECT_EQ(desk.panels.author.title.text, desk.now.scene->title);
+    fill_in();
+    const SaveExerciseRequest request = saved();
+    EXPECT_EQ(request.path, "strike") << "a file name for the title";
+    EXPECT_FALSE(request.replace);
+    const ExerciseDraft& draft = *request.draft;
+    EXPECT_EQ(draft.title, "Strike");
+    EXPECT_EQ(draft.offers, (std::vector<std::string>{"LL", "LR", "RL", "RR", "LM", "RM"}));
+    ASSERT_EQ(draft.steps.size(), 1u);
+    EXPECT_EQ(draft.steps[0].text, "It reaches the lamp");
+    const auto* touches = std::get_if<goals::Touches>(&draft.steps[0].check.goal);
+    ASSERT_TRUE(touches);
+    EXPECT_EQ(touches->source, desk.now.scene->sources[0].name);
+    EXPECT_GE(touches->metres, 0.5f);
+    EXPECT_TRUE(draft.prediction.question.empty());
+}
+
+TEST_F(AuthorSheet, OffersTheControlsThatAreSwitchedOn) {
+    fill_in();
+    page(2);
+    for (const char* dial : {"LL", "RR", "LM", "RM"}) desk.click(std::string("author.dial.") + dial);
+    desk.click("author.part.curves");
+    EXPECT_EQ(saved().draft->offers, (std::vector<std::string>{"LR", "RL", "curves"}));
+    desk.click("author.all");
+    EXPECT_TRUE(saved().draft->offers.empty()) << "all controls";
+}
+
+TEST_F(AuthorSheet, AStepTakesAnotherGoalWithItsTextAndValues) {
+    fill_in();
+    desk.click("author.goals");
+    desk.frame(3);
+    desk.click("author.goal.avoids");
+    desk.frame(3);
+    desk.type_into("author.value.metres", "2.5");
+    desk.type_into("author.hold", "3");
+    desk.click("author.step.add");
+    desk.frame(2);
+    const ExerciseDraft draft = *saved().draft;
+    ASSERT_EQ(draft.steps.size(), 2u);
+    EXPECT_EQ(draft.steps[0].text, "It never comes near the lamp");
+    EXPECT_EQ(std::get<goals::Avoids>(draft.steps[0].check.goal).metres, 2.5f);
+    EXPECT_EQ(draft.steps[0].check.hold, 3);
+    desk.click("author.step.1");
+    desk.click("author.step.remove");
+    desk.frame(2);
+    EXPECT_EQ(saved().draft->steps.size(), 1u);
+    EXPECT_FALSE(desk.anchors.find("author.step.2"));
+}
+
+TEST_F(AuthorSheet, APredictionHasItsTrueAnswer) {
+    fill_in();
+    page(4);
+    type("author.question", "Where does it drive?");
+    EXPECT_TRUE(says("The question needs two answers"));
+    type("author.option.2", "To the lamp");
+    type("author.option.4", "Away");
+    EXPECT_TRUE(says("The true answer is empty"));
+    desk.click("author.option.4.answer");
+    const Prediction asked = saved().draft->prediction;
+    EXPECT_EQ(asked.options, (std::vector<std::string>{"To the lamp", "Away"}));
+    EXPECT_EQ(asked.answer, 1);
+}
+
+TEST_F(AuthorSheet, ShowsARefusalAndReplacesAfterASecondPress) {
+    fill_in();
+    (void)saved();
+    files.refused = Error{"there is a file of this name"};
+    desk.frame(2);
+    EXPECT_TRUE(says("here is a file of this name"));
+    EXPECT_TRUE(saved().replace);
+    files.refused.reset(), ++files.done;
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("card.author"));
+}
+
+TEST_F(AuthorSheet, KeepsTheDraftWhileTheSceneIsOpen) {
+    type("author.goal", "Touch the lamp.");
+    desk.key({key::escape});
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("card.author"));
+    desk.choose("file", "save_exercise");
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.author.goal.text, "Touch the lamp.");
+    desk.key({key::escape});
+    ++desk.view.run_id;
+    desk.frame(2);
+    desk.choose("file", "save_exercise");
+    EXPECT_EQ(desk.panels.author.goal.text, "");
+}
+
+}  // namespace braitenlab::tests::author_sheet_test
