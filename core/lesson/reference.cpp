@@ -4,14 +4,19 @@
 
 namespace braitenlab {
 
-Reference::Reference(const Exercise& exercise, std::uint64_t seed) : seed_(seed) {
-    auto world = World::create(scene_with(exercise, with_solution(exercise)), seed);
+Reference::Reference(const Exercise& exercise, std::uint64_t seed)
+    : Reference(exercise, with_solution(exercise), 0, seed) {}
+
+Reference::Reference(const Exercise& exercise, const Submission& submission, std::size_t start_index,
+                     std::uint64_t seed)
+    : seed_(seed) {
+    auto world = World::create(scene_with(exercise, submission), seed);
     if (!world) return;
     world_ = std::move(*world);
     Snapshot start;
     world_->capture(start);
     for (const VehicleView& vehicle : start.vehicles)
-        if (vehicle.start == 0) subject_ = vehicle.id;
+        if (vehicle.start == static_cast<int>(start_index)) subject_ = vehicle.id;
     add_pose();
 }
 

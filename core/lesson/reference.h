@@ -1,4 +1,4 @@
-// The run of an exercise with its solution: the path that a student's vehicle is compared with.
+// The run of an exercise with its solution, or with another submission: the path of one vehicle.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,10 @@ namespace braitenlab {
 
 class Reference {
 public:
+    // The first vehicle of the run with the solution.
     Reference(const Exercise&, std::uint64_t seed);
+    // The vehicle of this start of the run with another submission.
+    Reference(const Exercise&, const Submission&, std::size_t start, std::uint64_t seed);
 
     // The path up to this tick at least. Computes the ticks that are missing; a path that ends earlier belongs to a
     // vehicle that left the scene.

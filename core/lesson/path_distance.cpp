@@ -1,0 +1,64 @@
+#include "core/lesson/path_distance.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace braitenlab {
+
+namespace {
+
+using maths::vec2;
+
+constexpr std::size_t most_points = 1000;  // of a compared path
+constexpr float finest_step = 0.02f;       // m
+
+// Points in equal steps along the path, from its first point on.
+std::vector<vec2> in_equal_steps(std::span<const vec2> path) {
+    std::vector<vec2> points{path.front()};
+    const float step = std::max(finest_step, path_length(path) / static_cast<float>(most_points));
+    float missing = step;  // m along the path to the next point
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        vec2 from = path[i - 1];
+        float left = maths::distance(from, path[i]);
+        for (; left >= missing; left -= missing, missing = step) {
+            from = from + (path[i] - from) * (missing / left);
+            points.push_back(from);
+        }
+        missing -= left;
+    }
+    return points;
+}
+
+float mean_distance_to(const std::vector<vec2>& others, const std::vector<vec2>& points) {
+    double sum = 0;
+    for (const vec2 point : points) {
+        float nearest = std::numeric_limits<float>::max();
+        for (const vec2 other : others) nearest = std::min(nearest, maths::distance(point, other));
+        sum += static_cast<double>(nearest);
+    }
+    return static_cast<float>(sum / static_cast<double>(points.size()));
+}
+
+}  // namespace
+
+float path_distance(std::span<const vec2> a, std::span<const vec2> b) {
+    if (a.empty() || b.empty()) return 0;
+    const std::vector<vec2> one = in_equal_steps(a), other = in_equal_steps(b);
+    return (mean_distance_to(one, other) + mean_distance_to(other, one)) / 2;
+}
+
+std::vector<vec2> positions(const ReferencePath& path, std::size_t count, std::size_t step) {
+    std::vector<vec2> places;
+    const std::size_t end = std::min(count, path.size());
+    for (std::size_t i = 0; i < end; i += step) places.push_back({path[i].x, path[i].y});
+    if (end > 0 && (end - 1) % step != 0) places.push_back({path[end - 1].x, path[end - 1].y});
+    return places;
+}
+
+float path_length(std::span<const vec2> path) {
+    float length = 0;
+    for (std::size_t i = 1; i < path.size(); ++i) length += maths::distance(path[i - 1], path[i]);
+    return length;
+}
+
+}  // namespace braitenlab
