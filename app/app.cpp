@@ -120,12 +120,14 @@ void App::follow_jobs() {
     if (repeatable()) {
         update_grading(lab_, jobs_);
         update_exercise_check(lab_, jobs_);
+        update_reference_runs(lab_, jobs_);
         jobs_.finish();
     } else {
         jobs_.deliver(budget);
     }
     update_grading(lab_, jobs_);
     update_exercise_check(lab_, jobs_);
+    update_reference_runs(lab_, jobs_);
 }
 
 void App::handle_files() {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/jobs/jobs.h"
+#include "app/reference_runs.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/referee.h"
@@ -57,6 +58,7 @@ struct Lesson {
     std::optional<GradedSubmission> graded{};  // view.grade is its grade while the vehicle has this submission
     std::deque<RefereeAtKeyframe> states{};    // of the recorded keyframes but the start of the run, by ascending tick
     std::deque<RefereeAtKeyframe> states_before_edit{};  // before the last edit that removed recorded ticks
+    ReferenceRuns runs{};
 };
 
 struct Document {

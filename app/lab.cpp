@@ -76,6 +76,7 @@ LabView view_of(const Lab& lab) {
     view.undo_depth = document.session.undo_depth();
     view.redo_depth = document.session.redo_depth();
     view.lesson = document.lesson ? &document.lesson->view : nullptr;
+    if (can_compare(view)) view.ghost = ghost_of(lab);
     view.opened = document.name;
     view.run_id = document.run_id;
     view.notice = lab.notice;

@@ -235,6 +235,22 @@ void restart_exercise(Lab& lab) {
     reset(lab);
 }
 
+void predict(Lab& lab, const PredictRequest& request) {
+    if (!lab.document.lesson || !is_prediction_open(lab.document.lesson->view)) return;
+    lab.document.lesson->view.prediction = request.option;
+}
+
+void predict(Lab& lab, const PredictPathRequest& request) {
+    if (!lab.document.lesson || !is_prediction_open(lab.document.lesson->view)) return;
+    if (lab.document.session.snapshot().tick > 0 || lab.document.lesson->exercise->prediction.path_of.empty()) return;
+    lab.document.lesson->view.drawn_path = request.path;
+    lab.document.lesson->runs.drawn_seed = lab.document.session.seed();
+}
+
+void compare(Lab& lab, const CompareRequest& request) {
+    if (lab.document.lesson) lab.document.lesson->view.compares = request.on && can_compare(view_of(lab));
+}
+
 void show_hint(Lab& lab) {
     if (!lab.document.lesson) return;
     LessonView& view = lab.document.lesson->view;

@@ -44,6 +44,14 @@ void restore_referee(Document&, const std::optional<RefereeState>&);
 
 void show_hint(Lab&);
 
+// Keeps an option or a path as the prediction while it can be made; a path only at the start of a run.
+void predict(Lab&, const PredictRequest&);
+void predict(Lab&, const PredictPathRequest&);
+
+// Shows the run with the solution beside the student's, or ends it. Nothing is shown before the prediction is made and
+// before a run; see can_compare().
+void compare(Lab&, const CompareRequest&);
+
 // Gives the subject's kind the exercise's solution, in one step of undo, and resets the run.
 void show_solution(Lab&);
 

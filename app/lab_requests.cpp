@@ -369,10 +369,9 @@ void handle(Lab& lab, const Request& request) {
                      [&](const LeaveRequest& r) { lab.files.push_back(r); },
                      [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },
                      [&](const OverlaysRequest& r) { lab.view.overlays = r.overlays; },
-                     [&](const PredictRequest& r) {
-                         if (lab.document.lesson && is_prediction_open(lab.document.lesson->view))
-                             lab.document.lesson->view.prediction = r.option;
-                     },
+                     [&](const PredictRequest& r) { predict(lab, r); },
+                     [&](const PredictPathRequest& r) { predict(lab, r); },
+                     [&](const CompareRequest& r) { compare(lab, r); },
                      [&](const FreePlayRequest& r) {
                          if (lab.document.lesson) lab.document.lesson->view.free_play = r.on;
                      },

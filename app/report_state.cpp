@@ -131,6 +131,9 @@ Json exercise_json(const Lab& lab) {
             {"predicted", view.prediction},
             {"hint", view.hints_shown},
             {"free_play", view.free_play},
+            {"compare", view.compares},
+            {"drawn", view.drawn_path.size()},
+            {"path_difference", view.real_path.empty() ? Json(nullptr) : Json(plain(view.path_difference))},
             {"steps", std::move(steps)},
             {"starts", std::move(starts)},
             {"passed", lab.document.lesson->view.grade && lab.document.lesson->view.grade->good}};

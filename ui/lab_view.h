@@ -43,13 +43,28 @@ struct LessonView {
     bool outside_offers = false;               // the submission changes what is not offered: it is not graded
     bool too_many_changes = false;             // it changes more controls than Exercise::changes: it is not graded
     std::string notes;                         // written by the student
+    bool compares = false;                     // the run with the solution is shown beside the student's
+    std::vector<maths::vec2> drawn_path;       // the prediction as a path on the floor, m; empty: none was drawn
+    std::vector<maths::vec2> real_path;        // what was to be drawn, m; empty until the outcome is known
+    float path_difference = 0;                 // m, between both paths, see path_distance; valid with real_path
 };
+
+// True once an option is chosen or a path is drawn.
+inline bool has_predicted(const LessonView& lesson) { return lesson.prediction >= 0 || !lesson.drawn_path.empty(); }
 
 // True if the prediction can be made or changed: not after a run has shown the outcome, and once it is made, not after
 // the first run has begun.
 inline bool is_prediction_open(const LessonView& lesson) {
-    return !lesson.outcome_known && (lesson.prediction < 0 || !lesson.has_run);
+    return !lesson.outcome_known && (!has_predicted(lesson) || !lesson.has_run);
 }
+
+// The first vehicle of the run with the exercise's solution at the displayed time; it is not in the snapshot.
+struct GhostView {
+    Pose pose;
+    float length = 1, width = 0.7f;       // m, of its chassis
+    const ReferencePath* path = nullptr;  // from tick 0 on; never null
+    std::size_t count = 0;                // of its poses, those up to the displayed time
+};
 
 // A shipped scene or exercise in the file browser.
 struct CatalogueEntry {
@@ -101,6 +116,7 @@ struct LabView {
     int undo_depth = 0, redo_depth = 0;
     std::size_t copied_objects = 0;                          // that can be pasted into the scene
     const LessonView* lesson = nullptr;                      // null outside exercises
+    std::optional<GhostView> ghost;                          // while LessonView::compares and it is known
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
     std::string student;                                     // name of the student; empty: none is named
     const std::vector<RecentFile>* recent = nullptr;         // recently opened files, newest first; null: none
@@ -131,10 +147,13 @@ inline const Kind* filed_kind(const LabView& view, const VehicleView& vehicle) {
 
 // True while the exercise's prediction is asked and neither made nor shown by a run: nothing may tell the outcome.
 inline bool hides_outcome(const LabView& view) {
-    if (!view.lesson || view.lesson->exercise->prediction.options.empty()) return false;
+    if (!view.lesson || !is_asked(view.lesson->exercise->prediction)) return false;
     const bool passed = view.lesson->grade && view.lesson->grade->good;
-    return view.lesson->prediction < 0 && !view.lesson->outcome_known && !passed;
+    return !has_predicted(*view.lesson) && !view.lesson->outcome_known && !passed;
 }
+
+// True if the run with the solution may be shown beside the student's: after a run, and not before the prediction.
+inline bool can_compare(const LabView& view) { return view.lesson && view.lesson->has_run && !hides_outcome(view); }
 
 // True for a kind whose brains the exercise never shows.
 inline bool is_brain_secret(const LabView& view, int kind) {

@@ -172,6 +172,12 @@ struct CanvasShareRequest {
 struct PredictRequest {
     int option = 0;  // 0-based
 };
+struct PredictPathRequest {
+    std::vector<maths::vec2> path;  // m, from the vehicle on
+};
+struct CompareRequest {
+    bool on = true;  // shows the run with the exercise's solution beside the student's
+};
 struct FreePlayRequest {
     bool on = true;  // shows all controls of the exercise; false: only the offered ones
 };
@@ -244,11 +250,12 @@ inline Steer steer(VehicleId vehicle, float right, float ahead) {
             std::clamp(ahead - turning * right, -1.0f, 1.0f)};
 }
 
-using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, SelectObjectsRequest, PasteRequest,
-                             ScopeRequest, PairRequest, CanvasShareRequest, PredictRequest, FreePlayRequest,
-                             ShowMeRequest, ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest,
-                             OverlaysRequest, SeekRequest, BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest,
-                             LeaveRequest, SeedRequest, NoticeRequest, SaveExerciseRequest>;
+using Request =
+    std::variant<Action, EditRequest, SelectRequest, TakeRequest, SelectObjectsRequest, PasteRequest, ScopeRequest,
+                 PairRequest, CanvasShareRequest, PredictRequest, FreePlayRequest, ShowMeRequest, ExportRequest,
+                 SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, BookmarkRequest,
+                 BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest,
+                 SaveExerciseRequest, PredictPathRequest, CompareRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -117,6 +117,7 @@ void draw_watched(const LabView& view, PanelState& state, Ui& ui, const WindowLa
 
 // The string key of how the tool is used; empty while no tool draws.
 std::string hint_of_tool(const SceneInputState& scene_input, const LabView& view) {
+    if (scene_input.path.on) return "hint.draw_path";
     if (scene_input.tool == SceneInputTool::hand || view.mode == Mode::wiring) return {};
     return "tools." + std::string(word(scene_input.tool)) + "_how";
 }

@@ -175,8 +175,17 @@ void check_offers(TomlTable& top, const Exercise& exercise) {
 void check_prediction(TomlTable& top, const Prediction& prediction, const Scene& scene) {
     const TomlNode* table = top.content().get("predict");
     if (!table || !table->as_table()) return;
-    if (prediction.question.empty() || prediction.options.size() < 2 || !table->contains("answer"))
-        top.fail("predict", "a prediction needs a question, two or more options, and one of them as its answer");
+    const bool is_drawn_only = !prediction.path_of.empty() && prediction.options.empty();
+    if (prediction.question.empty() ||
+        (!is_drawn_only && (prediction.options.size() < 2 || !table->contains("answer"))))
+        top.fail(
+            "predict",
+            "a prediction needs a question, two or more options, and one of them as its answer; with 'path' it may "
+            "have no options");
+    if (!prediction.path_of.empty()) {
+        const ExercisePart part{top.file(), *table, "predict", scene, scene.starts.front().name};
+        part.check_name("path", prediction.path_of, scene.starts, "vehicle");
+    }
     for (std::size_t i = 0; i < prediction.shows.size() && !top.file().error; ++i) {
         const TomlNode& check = table->get("shows")->as_list()->at(i);
         check_check({top.file(), check, fmt::format("predict.shows.{}", i + 1), scene, scene.starts.front().name, i},

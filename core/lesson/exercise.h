@@ -30,7 +30,9 @@ struct Prediction {
     float after = 3;           // simulated seconds of a run with the shipped brain after which the outcome is visible
     std::vector<Check> shows;  // what a run with the shipped brain and Exercise::seed meets by then
     bool hides_brain = false;  // until it is made, the brain's picture and the wires on the deck are not shown
+    std::string path_of;  // name of the start whose path of the first `after` s can be drawn on the floor; empty: none
 };
+inline bool is_asked(const Prediction& prediction) { return !prediction.question.empty(); }
 
 struct Hint {
     std::string text;

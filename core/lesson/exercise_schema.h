@@ -32,6 +32,10 @@ void describe(Visitor& v, Of<Prediction>) {
              "of a run with the shipped brain, after which the outcome is visible");
     v.flag("hides_brain", &Prediction::hides_brain,
            "until the prediction is made, the brain's picture and the wires on the deck are not shown");
+    v.text(
+        "path", &Prediction::path_of, limits::name_length,
+        "NAME of a [vehicle.NAME]: the student may draw its path of the first `after` seconds on the floor, instead of "
+        "choosing an option; the mean distance to the real path is shown beside the outcome");
     v.list("shows", &Prediction::shows, limits::checks,
            "a check that the run with the shipped brain must meet by then; `check` tests that the answer is true");
 }

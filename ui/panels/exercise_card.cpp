@@ -11,6 +11,7 @@
 #include "ui/panels/lesson_text.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/prediction.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
@@ -28,55 +29,6 @@ bool has_passed(const LessonView& lesson) { return lesson.grade && lesson.grade-
 bool all_steps_ticked(const LessonView& lesson) {
     return !lesson.verdicts.empty() &&
            std::all_of(lesson.verdicts.begin(), lesson.verdicts.end(), [](const Verdict& v) { return v.done; });
-}
-
-// A check mark in a filled circle when done, an empty circle before: the shape differs, not only the colour.
-void check_mark(const Ui& ui, ImVec2 c, float radius, bool done, float arrived) {
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    if (!done) {
-        draw.AddCircle(c, radius, paint(ui.palette.second_text), 0, ui.px(1.5f));
-        return;
-    }
-    draw.AddCircleFilled(c, radius * (0.6f + 0.4f * arrived), paint(ui.palette.accent));
-    const float r = radius * 0.5f;
-    const ImVec2 tick[]{{c.x - r, c.y}, {c.x - r * 0.25f, c.y + r * 0.75f}, {c.x + r, c.y - r * 0.7f}};
-    draw.PathLineTo(tick[0]), draw.PathLineTo(tick[1]), draw.PathLineTo(tick[2]);
-    draw.PathStroke(paint(ui.palette.on_accent), 0, ui.px(1.8f));
-}
-
-void prediction(const LessonView& lesson, PanelState& state, bool rewired, Ui& ui) {
-    const Prediction& asked = lesson.exercise->prediction;
-    const bool is_open = !lesson.outcome_known && !has_passed(lesson);
-    if (asked.options.empty() || (!is_open && lesson.prediction < 0 && !lesson.outcome_known)) return;
-    const ImVec2 start = ImGui::GetCursorScreenPos();
-    subheading(ui, ui.strings("exercise.predict"));
-    if (!is_open && lesson.prediction >= 0) {
-        // The choice is shown beside the outcome. It is not graded.
-        const auto chosen = static_cast<std::size_t>(lesson.prediction);
-        if (chosen < asked.options.size())
-            paragraph(ui, fill(ui.strings("exercise.you_predicted"), {translated(ui, asked.options[chosen])}),
-                      ui.palette.second_text);
-    } else if (is_open) {
-        paragraph(ui, translated(ui, asked.question), ui.palette.text);
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(4)});
-        for (std::size_t i = 0; i < asked.options.size(); ++i) {
-            const bool is_chosen = static_cast<int>(i) == lesson.prediction;
-            if (radio_row(ui, numbered("exercise.predict.", i), translated(ui, asked.options[i]), is_chosen,
-                          is_prediction_open(lesson), ui.strings("exercise.predict_how")) &&
-                !is_chosen)
-                ui.outbox.push_back(PredictRequest{static_cast<int>(i)});
-        }
-        ImGui::PopStyleVar();
-    }
-    if (lesson.outcome_known && !asked.outcome.empty())
-        paragraph(
-            ui,
-            fill(ui.strings(rewired ? "exercise.outcome_before" : "exercise.outcome"), {translated(ui, asked.outcome)}),
-            rewired ? ui.palette.second_text : ui.palette.text);
-    const ImVec2 end = ImGui::GetCursorScreenPos();
-    mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});
-    if (!std::exchange(state.outcome_seen, lesson.outcome_known) && lesson.outcome_known) ImGui::SetScrollHereY(1);
-    gap(ui, 12);
 }
 
 void step(const LessonView& lesson, std::size_t index, Ui& ui) {
@@ -224,8 +176,11 @@ void follow_exercise(const LessonView& lesson, PanelState& state) {
     state.hints_seen = 0;
 }
 
-void steps(const LessonView& lesson, Ui& ui) {
+void steps(const LabView& view, Ui& ui) {
+    const LessonView& lesson = *view.lesson;
+    const ImVec2 heading = ImGui::GetCursorScreenPos();
     subheading(ui, ui.strings("exercise.steps"));
+    comparison(view, ui, heading);
     if (lesson.by_hand && !all_steps_ticked(lesson))
         paragraph(ui, ui.strings("exercise.by_hand"), colour_of(NoticeKind::notice, ui.palette), Face::small);
     if (lesson.too_many_changes && !lesson.outside_offers)
@@ -267,10 +222,10 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     if (open) {
         if (!hides_outcome(view)) paragraph(ui, translated(ui, lesson.exercise->title), ui.palette.text, Face::title);
         result(view, ui);
-        if (passed) question(lesson, ui), steps(lesson, ui);
+        if (passed) question(lesson, ui), steps(view, ui);
         task(view, state, ui);
-        prediction(lesson, state, rewired, ui);
-        if (!passed) steps(lesson, ui);
+        prediction(view, state, rewired, ui);
+        if (!passed) steps(view, ui);
         hints(lesson, state, ui);
         if (lesson.grade && !state.grade_seen) ImGui::SetScrollY(0);
         state.grade_seen = lesson.grade.has_value();

@@ -117,7 +117,7 @@ Prompt way_out(const PromptMemory& memory, const LabView& view) {
 // ── The exercise ──
 
 bool awaits_prediction(const LessonView& lesson) {
-    return !lesson.has_run && lesson.prediction < 0 && !lesson.exercise->prediction.options.empty();
+    return !lesson.has_run && !has_predicted(lesson) && is_asked(lesson.exercise->prediction);
 }
 
 // Anchor of the newest hint, until the next edit.

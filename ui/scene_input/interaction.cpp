@@ -239,6 +239,7 @@ void interact(SceneInputState& state, const SceneInputFrame& frame, Outbox& outb
     state.pointer = frame.pointer.at;
     state.over = frame.pointer.over;
     state.middle = {frame.area.x + frame.area.w / 2, frame.area.y + frame.area.h / 2};
+    if (use_path_drawing(state, frame, outbox)) return;
     if (use_sensor_handles(state, frame, outbox) || use_point_handles(state, frame, outbox)) return;
     state.hovered = under_pointer(state, frame);
     press(state, frame, outbox);
@@ -268,6 +269,7 @@ void open_menu_of_floor(SceneInputState& state, const LabView& view) {
 }
 
 bool cancel(SceneInputState& state, const LabView& view, Outbox& outbox) {
+    if (cancel_path_drawing(state)) return true;
     if (cancel_sensor_drag(state, *view.now, outbox) || cancel_point_drag(state, outbox)) return true;
     SceneInputDrag drag = state.drag;
     state.refusal = {};

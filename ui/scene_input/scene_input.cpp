@@ -7,6 +7,7 @@
 
 #include "core/maths/angle.h"
 #include "ui/scene_input/draw.h"
+#include "ui/scene_input/draw_lesson.h"
 #include "ui/scene_input/edits.h"
 #include "ui/scene_input/interaction.h"
 #include "ui/scene_input/polygon_tool.h"
@@ -158,7 +159,7 @@ void follow_document(SceneInputState& state, const LabView& view) {
     choose_tool(state, SceneInputTool::hand);
     state.hovered = {}, state.nudged = {};
     state.drag = {}, state.sensors.drag = {}, state.points.drag = {};
-    state.refusal = {}, state.menu = {};
+    state.refusal = {}, state.menu = {}, state.path = {};
 }
 
 }  // namespace
@@ -176,6 +177,7 @@ void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area)
     const SceneInputFrame frame{view, *view.camera_view, ui.scale, area, current_pointer(state, area)};
     interact(state, frame, ui.outbox);
     show_cursor(state);
+    draw_lesson(state, frame, ui);
     draw_sensor_handles(state, frame, ui);
     draw_scene_input(state, frame, ui);
     draw_point_handles(state, frame, ui);

@@ -13,6 +13,7 @@
 
 #include "render/view/pick.h"
 #include "ui/lab_view.h"
+#include "ui/scene_input/path_drawing.h"
 #include "ui/scene_input/point_handles.h"
 #include "ui/scene_input/sensor_handles.h"
 #include "ui/shortcuts.h"
@@ -94,6 +95,7 @@ struct SceneInputState {
     SceneInputMenu menu;
     SensorHandleState sensors;
     PointHandleState points;
+    PathDrawing path;
     bool below_menu = false;  // the view menu is open over the whole window; a right click into the scene closes it
     std::uint64_t gesture = 0;
     SceneObject nudged;  // by arrow keys; presses within a second are one gesture

@@ -1,0 +1,146 @@
+// The prediction on the exercise card, the path drawn on the floor, and the run with the solution.
+#include "ui/panels/prediction.h"
+
+#include "scene_on_desk.h"
+
+namespace braitenlab::tests::prediction_test {
+
+using namespace ui;
+using maths::vec2;
+
+namespace {
+
+bool says(const Desk& desk, std::string_view words) {
+    std::string all;
+    for (const Written& written : desk.written) all += written.words + "\n";
+    return all.find(words) != std::string::npos;
+}
+
+// An exercise that asks for the path of the first vehicle, which is at (0, 0).
+struct PathPrediction : SceneOnDesk {
+    PathPrediction() {
+        desk.open_exercise();
+        auto scene = std::make_shared<Scene>(*desk.now.scene);
+        desk.opened.scene.starts.resize(1);
+        desk.opened.scene.starts[0].name = "one";
+        desk.opened.prediction.path_of = "one";
+        scene->starts = desk.opened.scene.starts;
+        desk.now.scene = scene;
+        desk.now.vehicles[0].start = 0;
+        desk.view.camera_view = &camera_view;
+        desk.frame(3);
+    }
+    std::vector<PredictPathRequest> drawn() const { return requests<PredictPathRequest>(); }
+};
+
+}  // namespace
+
+TEST_F(PathPrediction, ADragDrawsFromTheVehicle) {
+    desk.click("exercise.draw");
+    EXPECT_TRUE(desk.anchors.find("stage.path"));
+    hold({0.2f, 0}, {3, 2});
+    release();
+    ASSERT_EQ(drawn().size(), 1u);
+    const std::vector<vec2> path = drawn()[0].path;
+    EXPECT_EQ(path.front(), (vec2{desk.now.vehicles[0].x, desk.now.vehicles[0].y}));
+    EXPECT_NEAR(path.back().x, 3, 2 * a_pixel);
+    EXPECT_NEAR(path.back().y, 2, 2 * a_pixel);
+    EXPECT_TRUE(desk.edits().empty()) << "the vehicle is not moved";
+    EXPECT_FALSE(scene_input().path.on);
+}
+
+TEST_F(PathPrediction, AShortPathIsDiscardedAndEscapeEndsTheDrawing) {
+    desk.click("exercise.draw");
+    hold({0, 0}, {0.1f, 0});
+    release();
+    EXPECT_TRUE(drawn().empty());
+    EXPECT_TRUE(scene_input().path.on) << "the next drag draws";
+    desk.key({key::escape});
+    EXPECT_FALSE(scene_input().path.on);
+    hold({0, 0}, {3, 2});
+    release();
+    EXPECT_TRUE(drawn().empty());
+}
+
+TEST_F(PathPrediction, ItIsDrawnAtTheStartOfARunOnly) {
+    desk.now.tick = 5;
+    desk.frame(2);
+    desk.click("exercise.draw");
+    EXPECT_FALSE(scene_input().path.on);
+    desk.now.tick = 0;
+    desk.frame(2);
+    desk.click("exercise.draw");
+    EXPECT_TRUE(scene_input().path.on);
+    desk.now.tick = 1;
+    desk.frame(2);
+    EXPECT_FALSE(scene_input().path.on) << "the run has begun";
+}
+
+TEST_F(PathPrediction, ADrawnPathIsAPrediction) {
+    EXPECT_TRUE(hides_outcome(desk.view));
+    desk.lesson.drawn_path = {{0, 0}, {1, 0}};
+    EXPECT_FALSE(hides_outcome(desk.view));
+    EXPECT_TRUE(is_prediction_open(desk.lesson));
+    desk.lesson.has_run = true;
+    EXPECT_FALSE(is_prediction_open(desk.lesson));
+}
+
+TEST(PredictionPart, SaysWhetherTheChosenOptionCameTrueAndHowFarAPathIsOff) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.prediction = 1;
+    desk.lesson.has_run = true;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.came_true")) << "the outcome is not known";
+    desk.lesson.outcome_known = true;
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "Your prediction came true."));
+    desk.lesson.prediction = 0;
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "Your prediction did not come true."));
+    EXPECT_FALSE(says(desk, "on average"));
+    desk.lesson.prediction = -1;
+    desk.lesson.drawn_path = desk.lesson.real_path = {{0, 0}, {1, 0}};
+    desk.lesson.path_difference = 0.62f;
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "differ by 0.6\u00a0m on average"));
+    EXPECT_FALSE(desk.anchors.find("exercise.came_true")) << "no option was chosen";
+}
+
+TEST(PredictionPart, OffersToCompareAfterThePredictionAndARun) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.compare"));
+    desk.lesson.has_run = true;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.compare")) << "before the prediction";
+    desk.lesson.prediction = 0;
+    desk.frame(3);
+    desk.click("exercise.compare");
+    ASSERT_TRUE(desk.last<CompareRequest>());
+    EXPECT_TRUE(desk.last<CompareRequest>()->on);
+    desk.lesson.compares = true;
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "Dashed outline"));
+    desk.lesson.by_hand = true;
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "changed by hand"));
+    desk.click("exercise.compare");
+    EXPECT_FALSE(desk.last<CompareRequest>()->on);
+}
+
+TEST_F(PathPrediction, TheGhostIsDrawnAndCannotBeSelected) {
+    ReferencePath path(200, Pose{3, -3, 0});
+    desk.lesson.prediction = 0;
+    desk.view.ghost = GhostView{path.back(), 1, 0.7f, &path, path.size()};
+    desk.frame(2);
+    ASSERT_TRUE(desk.anchors.find("stage.ghost"));
+    const Rect at = desk.where("stage.ghost");
+    EXPECT_NEAR(at.x + at.w / 2, pixel({3, -3}).x, 1);
+    click({3, -3});
+    EXPECT_TRUE(desk.edits().empty());
+    for (const SelectRequest& request : requests<SelectRequest>()) EXPECT_EQ(request.vehicle, no_vehicle);
+}
+
+}  // namespace braitenlab::tests::prediction_test

@@ -1,0 +1,142 @@
+#include "ui/panels/prediction.h"
+
+#include <string>
+#include <utility>
+
+#include "core/lesson/path_distance.h"
+#include "ui/scene_input/path_drawing.h"
+#include "ui/strings.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+// A sign and a sentence: whether the chosen option is the one that the run has shown. It is not graded, so that neither
+// colour is a warning.
+void came_true(const LessonView& lesson, Ui& ui) {
+    const bool right = lesson.prediction == lesson.exercise->prediction.answer;
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float left = ui.px(26), radius = ui.px(8);
+    const ImVec2 middle{start.x + ui.px(9), start.y + line_height(ui, Face::text) / 2};
+    ImGui::Indent(left);
+    paragraph(ui, ui.strings(right ? "exercise.came_true" : "exercise.not_true"), ui.palette.text, Face::strong);
+    ImGui::Unindent(left);
+    if (right) {
+        check_mark(ui, middle, radius, true, 1);
+    } else {
+        ImDrawList& draw = *ImGui::GetWindowDrawList();
+        const ImU32 ink = paint(ui.palette.second_text);
+        const float r = radius * 0.4f;
+        draw.AddCircle(middle, radius, ink, 0, ui.px(1.5f));
+        draw.AddLine({middle.x - r, middle.y - r}, {middle.x + r, middle.y + r}, ink, ui.px(1.8f));
+        draw.AddLine({middle.x - r, middle.y + r}, {middle.x + r, middle.y - r}, ink, ui.px(1.8f));
+    }
+    mark(ui, "exercise.came_true", {start.x, start.y, card_width(ui), ImGui::GetCursorScreenPos().y - start.y});
+}
+
+// The button that begins the drawing of a path, and what has been drawn.
+void draw_button(const LabView& view, PanelState& state, Ui& ui) {
+    const LessonView& lesson = *view.lesson;
+    const Prediction& asked = lesson.exercise->prediction;
+    const bool drawn = !lesson.drawn_path.empty(), enabled = vehicle_to_draw_for(view) != nullptr;
+    const std::string seconds = fixed(ui, asked.after, 0);
+    paragraph(ui, fill(ui.strings(asked.options.empty() ? "exercise.draw_only" : "exercise.draw_or"), {seconds}),
+              ui.palette.second_text, Face::small);
+    ButtonLook look{drawn ? icon::check : std::string_view{},
+                    ui.strings(drawn ? "exercise.draw_again" : "exercise.draw")};
+    PathDrawing& drawing = state.scene_input.path;
+    look.on = drawing.on;
+    look.enabled = enabled;
+    const Item at = button(ui, "exercise.draw", look);
+    if (at.pressed) drawing = {.on = !drawing.on, .held = false, .points = {}};
+    tooltip(ui, at, ui.strings(enabled ? "exercise.draw_how" : "exercise.draw_at_start"));
+}
+
+void open_prediction(const LabView& view, PanelState& state, Ui& ui) {
+    const LessonView& lesson = *view.lesson;
+    const Prediction& asked = lesson.exercise->prediction;
+    paragraph(ui, translated(ui, asked.question), ui.palette.text);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(4)});
+    if (!asked.path_of.empty()) draw_button(view, state, ui);
+    for (std::size_t i = 0; i < asked.options.size(); ++i) {
+        const bool is_chosen = static_cast<int>(i) == lesson.prediction;
+        const std::string id = "exercise.predict." + std::to_string(i + 1);
+        if (radio_row(ui, id, translated(ui, asked.options[i]), is_chosen, is_prediction_open(lesson),
+                      ui.strings("exercise.predict_how")) &&
+            !is_chosen)
+            ui.outbox.push_back(PredictRequest{static_cast<int>(i)});
+    }
+    ImGui::PopStyleVar();
+}
+
+// The prediction is shown beside the outcome. It is not graded.
+void made_prediction(const LessonView& lesson, Ui& ui) {
+    const Prediction& asked = lesson.exercise->prediction;
+    const auto chosen = static_cast<std::size_t>(lesson.prediction);
+    if (lesson.prediction >= 0 && chosen < asked.options.size()) {
+        paragraph(ui, fill(ui.strings("exercise.you_predicted"), {translated(ui, asked.options[chosen])}),
+                  ui.palette.second_text);
+        if (lesson.outcome_known) came_true(lesson, ui);
+    }
+    if (!lesson.real_path.empty())
+        paragraph(ui, fill(ui.strings("exercise.path_differs"), {fixed(ui, lesson.path_difference, 1)}),
+                  ui.palette.text);
+}
+
+}  // namespace
+
+void check_mark(const Ui& ui, ImVec2 c, float radius, bool done, float arrived) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    if (!done) {
+        draw.AddCircle(c, radius, paint(ui.palette.second_text), 0, ui.px(1.5f));
+        return;
+    }
+    draw.AddCircleFilled(c, radius * (0.6f + 0.4f * arrived), paint(ui.palette.accent));
+    const float r = radius * 0.5f;
+    const ImVec2 tick[]{{c.x - r, c.y}, {c.x - r * 0.25f, c.y + r * 0.75f}, {c.x + r, c.y - r * 0.7f}};
+    draw.PathLineTo(tick[0]), draw.PathLineTo(tick[1]), draw.PathLineTo(tick[2]);
+    draw.PathStroke(paint(ui.palette.on_accent), 0, ui.px(1.8f));
+}
+
+void prediction(const LabView& view, PanelState& state, bool rewired, Ui& ui) {
+    const LessonView& lesson = *view.lesson;
+    const Prediction& asked = lesson.exercise->prediction;
+    const bool passed = lesson.grade && lesson.grade->good, is_open = !lesson.outcome_known && !passed;
+    if (!is_asked(asked) || (!is_open && !has_predicted(lesson) && !lesson.outcome_known)) return;
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    subheading(ui, ui.strings("exercise.predict"));
+    is_open ? open_prediction(view, state, ui) : made_prediction(lesson, ui);
+    if (lesson.outcome_known && !asked.outcome.empty())
+        paragraph(
+            ui,
+            fill(ui.strings(rewired ? "exercise.outcome_before" : "exercise.outcome"), {translated(ui, asked.outcome)}),
+            rewired ? ui.palette.second_text : ui.palette.text);
+    const ImVec2 end = ImGui::GetCursorScreenPos();
+    mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});
+    if (!std::exchange(state.outcome_seen, lesson.outcome_known) && lesson.outcome_known) ImGui::SetScrollHereY(1);
+    gap(ui, 12);
+}
+
+void comparison(const LabView& view, Ui& ui, ImVec2 heading) {
+    if (!can_compare(view)) return;
+    const LessonView& lesson = *view.lesson;
+    const ImVec2 below = ImGui::GetCursorScreenPos();
+    const SmallButton look{"exercise.compare", icon::outlines, ui.strings("exercise.compare"), lesson.compares};
+    const float w = small_button_width(ui, look, true), h = ui.px(small_button_height);
+    ImGui::SetCursorScreenPos({heading.x + card_width(ui) - w, heading.y + (line_height(ui, Face::small) - h) / 2});
+    const Item at = small_button(ui, look);
+    if (at.pressed) ui.outbox.push_back(CompareRequest{!lesson.compares});
+    tooltip(ui, at, ui.strings("exercise.compare_how"));
+    ImGui::SetCursorScreenPos(below);
+    if (lesson.compares)
+        paragraph(ui, ui.strings(lesson.by_hand ? "exercise.compare_by_hand" : "exercise.compare_legend"),
+                  ui.palette.second_text, Face::small);
+}
+
+}  // namespace braitenlab::ui

@@ -1,0 +1,70 @@
+#include "ui/scene_input/path_drawing.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/lesson/path_distance.h"
+#include "ui/scene_input/interaction.h"
+#include "ui/scene_input/under_pointer.h"
+
+namespace braitenlab::ui {
+
+using maths::vec2;
+
+namespace {
+
+constexpr float point_distance = 0.04f, shortest_path = 0.3f;  // m
+constexpr std::size_t most_points = 4000;
+
+void extend(PathDrawing& drawing, const SceneInputFrame& frame) {
+    const auto floor = floor_at(frame);
+    if (!floor || drawing.points.size() >= most_points) return;
+    const vec2 at = in_arena(frame.view, *floor);
+    if (maths::distance(drawing.points.back(), at) >= point_distance) drawing.points.push_back(at);
+}
+
+void finish(PathDrawing& drawing, Outbox& outbox) {
+    if (path_length(drawing.points) >= shortest_path) {
+        outbox.push_back(PredictPathRequest{std::move(drawing.points)});
+        drawing.on = false;
+    }
+    drawing.held = false;
+    drawing.points.clear();
+}
+
+}  // namespace
+
+const VehicleView* vehicle_to_draw_for(const LabView& view) {
+    if (!view.lesson || view.mode == Mode::wiring || view.now->tick > 0 || !is_prediction_open(*view.lesson))
+        return nullptr;
+    const Exercise& exercise = *view.lesson->exercise;
+    const auto& starts = exercise.scene.starts;
+    const auto start = std::find_if(starts.begin(), starts.end(), [&](const Start& each) {
+        return !each.name.empty() && each.name == exercise.prediction.path_of;
+    });
+    const auto& all = view.now->vehicles;
+    const auto vehicle =
+        std::find_if(all.begin(), all.end(), [&](const VehicleView& v) { return v.start == start - starts.begin(); });
+    return start == starts.end() || vehicle == all.end() ? nullptr : &*vehicle;
+}
+
+bool use_path_drawing(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox) {
+    PathDrawing& drawing = state.path;
+    const VehicleView* vehicle = drawing.on ? vehicle_to_draw_for(frame.view) : nullptr;
+    if (!vehicle) return drawing = {}, false;
+    const SceneInputPointer& pointer = frame.pointer;
+    if (state.drag.phase != SceneInputPhase::idle || pointer.right_pressed || pointer.middle_pressed)
+        return drawing.held;
+    if (pointer.over && pointer.left_pressed) {
+        drawing.held = true;
+        drawing.points = {{vehicle->x, vehicle->y}};
+    }
+    state.hovered = {};
+    if (drawing.held) extend(drawing, frame);
+    if (drawing.held && !pointer.left_down) finish(drawing, outbox);
+    return true;
+}
+
+bool cancel_path_drawing(SceneInputState& state) { return std::exchange(state.path, {}).on; }
+
+}  // namespace braitenlab::ui

@@ -1,0 +1,36 @@
+// A path drawn freehand on the floor: the prediction of an exercise that asks for one. Without Dear ImGui.
+#pragma once
+
+#include <vector>
+
+#include "core/maths/vec.h"
+#include "ui/request.h"
+
+namespace braitenlab {
+struct LabView;
+struct VehicleView;
+}  // namespace braitenlab
+
+namespace braitenlab::ui {
+
+struct SceneInputState;
+struct SceneInputFrame;
+
+struct PathDrawing {
+    bool on = false;                  // the next drag draws the path
+    bool held = false;                // the button is down since the line was begun
+    std::vector<maths::vec2> points;  // m; the first is the vehicle's position
+};
+
+// The vehicle whose path the exercise asks for. Null while no path can be drawn: without such an exercise, once the
+// prediction is closed, later than the start of the run, and in the wiring editor.
+const VehicleView* vehicle_to_draw_for(const LabView&);
+
+// One frame of the mouse: a drag draws from the vehicle to the pointer and is requested as the prediction on release.
+// A path shorter than 0.3 m is discarded. True while it uses the mouse: the other buttons still move the camera.
+bool use_path_drawing(SceneInputState&, const SceneInputFrame&, Outbox&);
+
+// Ends the drawing; false if there is none.
+bool cancel_path_drawing(SceneInputState&);
+
+}  // namespace braitenlab::ui
