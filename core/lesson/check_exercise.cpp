@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/lesson/anchors.h"
+#include "core/lesson/selection.h"
 #include "core/lesson/submission.h"
 
 namespace braitenlab {
@@ -143,7 +144,7 @@ void check_offer(TomlTable& top, const std::string& text, std::vector<Dial>& off
     const auto offer = parse_offer(text);
     if (!offer)
         return top.fail("offers", fmt::format("{} is no control; write dials like \"LR\" or \"LL=RR\", or one of "
-                                              "\"wiring\", \"curves\", \"sensors\"",
+                                              "\"wiring\", \"curves\", \"sensors\", \"selection\"",
                                               in_quotes(text)));
     for (const Dial dial : offer->dials) {
         const DialRange own = range(dial), first = range(offer->dials.front());
@@ -166,6 +167,8 @@ void check_hidden(TomlTable& top, const Exercise& exercise) {
 void check_offers(TomlTable& top, const Exercise& exercise) {
     std::vector<Dial> offered;
     for (const std::string& text : exercise.offers) check_offer(top, text, offered);
+    if (top.content().contains("selection") && !offers_selection(exercise))
+        top.fail("selection", "'selection' has no effect; add \"selection\" to 'offers'");
     if (exercise.changes > 0 && exercise.offers.empty())
         top.fail("changes", "'changes' counts offered controls; add 'offers'");
     if (exercise.changes > 0 && !exercise.offers.empty() && offers(exercise, offer_parts::wiring))

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/brain/four_neurons.h"
+#include "core/brain/mutate.h"
 #include "core/lesson/goals.h"
 #include "core/result.h"
 #include "core/scene/scene.h"
@@ -55,6 +56,13 @@ struct Answer {
     Submission submission;          // the result
 };
 
+// Selection by hand, for an exercise that offers "selection"; see core/lesson/selection.h.
+struct SelectionRules {
+    int children = 9;      // of each brain, 2..9
+    int generations = 12;  // most choices
+    Mutation mutation;     // how the children differ from their parent
+};
+
 struct Exercise {
     std::string id;  // the file's stem: "05-aggressor"
     int number = 0;
@@ -68,6 +76,7 @@ struct Exercise {
     std::vector<Hint> hints;
     std::vector<std::string> hides;   // kinds of the scene whose brains are never shown
     std::vector<std::string> offers;  // the controls that are shown, see parse_offer; empty: all
+    SelectionRules selection;         // meaningful only if "selection" is offered
     int changes = 0;                  // most offered controls that may be changed; 0: any number
     float seconds = 20;               // duration of a graded run
     int starts = 10;                  // seeds 1..starts are graded

@@ -61,6 +61,22 @@ void describe(Visitor& v, Of<Answer>) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Of<Mutation>) {
+    v.number("strength", &Mutation::strength, "", {0, 2}, "standard deviation of the error of a copied weight");
+    v.flag("weights", &Mutation::weights, "the copy's weights have errors");
+    v.flag("thresholds", &Mutation::thresholds, "the copy's thresholds have errors, a quarter as large");
+    v.flag("biases", &Mutation::biases, "the copy's biases have errors, half as large");
+    v.number("rewiring", &Mutation::rewiring, "", {0, 1}, "probability that the copy loses a wire or gets a new one");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<SelectionRules>) {
+    v.number("children", &SelectionRules::children, "", {2, 9}, "number of copies from which the student chooses");
+    v.number("generations", &SelectionRules::generations, "", {1, 99}, "most choices");
+    v.part(&SelectionRules::mutation);
+}
+
+template <class Visitor>
 void describe(Visitor& v, Of<Exercise>) {
     v.number("number", &Exercise::number, "", {0, 999}, "its position in the course");
     v.number("chapter", &Exercise::chapter, "", {0, 99}, "its chapter in the course, from 1; 0: none");
@@ -70,7 +86,7 @@ void describe(Visitor& v, Of<Exercise>) {
     v.text("question", &Exercise::question, limits::text_length, "asked afterwards, never graded");
     v.texts("offers", &Exercise::offers, limits::offers, limits::name_length,
             "the controls that are shown: dials like \"LR\", dials that move together like \"LL=RR\", \"curves\", "
-            "\"sensors\", \"wiring\"; default: all");
+            "\"sensors\", \"wiring\", \"selection\"; default: all");
     v.texts("hides", &Exercise::hides, limits::kinds, limits::name_length,
             "names of kinds of the scene whose brains are never shown; not the first vehicle's");
     v.number("changes", &Exercise::changes, "", {0, 16}, "most offered controls that may be changed; 0: any number");
@@ -79,6 +95,8 @@ void describe(Visitor& v, Of<Exercise>) {
     v.number("starts", &Exercise::starts, "", {1, 100}, "number of seeds, from 1 on, that are graded");
     v.number("needed", &Exercise::needed, "", {1, 100}, "number of them that must pass every step");
     v.table("predict", &Exercise::prediction, "a prediction, to be made before the outcome is visible");
+    v.table("selection", &Exercise::selection,
+            "how the copies of a brain differ, in an exercise that offers \"selection\"");
     v.list("step", &Exercise::steps, limits::steps, "what must happen; at least one");
     v.list("hint", &Exercise::hints, limits::hints, "help, in stages");
     v.table("solution", &Exercise::solution,

@@ -72,12 +72,12 @@ void describe(Visitor& v, Of<NoneOf>) {
 }  // namespace goals
 
 // The table of goals: every goal that a file can name.
-using Goal = std::variant<goals::Runs, goals::TurnsTo, goals::TurnsAway, goals::Faces, goals::Touches, goals::Avoids,
-                          goals::KeepsDistance, goals::SteadyDistance, goals::Circles, goals::Visits, goals::Enters,
-                          goals::DrivesThrough, goals::FollowsLine, goals::SpeedsUp, goals::Rests, goals::Drives,
-                          goals::KeepsSpeed, goals::KeepsMoving, goals::SpeedFollows, goals::Follows, goals::Collides,
-                          goals::Captures, goals::Population, goals::Recharges, goals::Matches, goals::AllOf,
-                          goals::AnyOf, goals::NoneOf>;
+using Goal = std::variant<goals::Runs, goals::Survives, goals::TurnsTo, goals::TurnsAway, goals::Faces, goals::Touches,
+                          goals::Avoids, goals::KeepsDistance, goals::SteadyDistance, goals::Circles, goals::Visits,
+                          goals::Enters, goals::DrivesThrough, goals::FollowsLine, goals::SpeedsUp, goals::Rests,
+                          goals::Drives, goals::KeepsSpeed, goals::KeepsMoving, goals::SpeedFollows, goals::Follows,
+                          goals::Collides, goals::Captures, goals::Population, goals::Recharges, goals::Matches,
+                          goals::AllOf, goals::AnyOf, goals::NoneOf>;
 
 template <class Variant>
 struct StatesOf;

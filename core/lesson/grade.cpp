@@ -25,15 +25,33 @@ void Trial::add_to_path() {
         if (vehicle.start == 0) result_.path.push_back({vehicle.x, vehicle.y});
 }
 
+namespace {
+
+// Of the first vehicle; (0, 0) if it is gone.
+maths::vec2 position_of_subject(const Snapshot& now) {
+    for (const VehicleView& vehicle : now.vehicles)
+        if (vehicle.start == 0) return {vehicle.x, vehicle.y};
+    return {};
+}
+
+}  // namespace
+
+// A path ends at the last position before a fall: after it the vehicle stands at another place.
 std::optional<StartResult> Trial::run(int ticks) {
     const auto decided = [&] { return ticks_left_ == 0 || referee_.passed() || referee_.lost(); };
     for (; ticks > 0 && !decided(); --ticks, --ticks_left_) {
+        const maths::vec2 before = position_of_subject(snapshot_);
+        const std::int64_t falls = snapshot_.events.falls;
         world_->step();
         world_->capture(snapshot_);
         referee_.watch(snapshot_);
-        add_to_path();
+        if (snapshot_.events.falls > falls)
+            result_.path.push_back(before);
+        else
+            add_to_path();
     }
     if (!decided()) return std::nullopt;
+    result_.seconds = static_cast<float>(snapshot_.seconds);
     if (world_) result_.passed = referee_.passed(), result_.verdicts = referee_.verdicts();
     return result_;
 }

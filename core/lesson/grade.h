@@ -19,6 +19,7 @@ struct StartResult {
     bool passed = false;            // every step is done
     std::vector<Verdict> verdicts;  // one per step; empty: the submission is not valid
     std::vector<maths::vec2> path;  // m, positions of the first vehicle, one per path_ticks from tick 0
+    float seconds = 0;              // until it passed, could not pass any more, or ended
 };
 
 // Index of the step that made the trial fail: the first one that could not be done any more, else the first that was

@@ -65,6 +65,20 @@ std::vector<Curve> curves_of(const BrainGraph& graph, const std::vector<SensorPa
     return curves;
 }
 
+// True if errors of copies can turn one brain into the other.
+bool differ_by_errors_only(BrainGraph a, BrainGraph b, const Mutation& mutation) {
+    for (BrainGraph* graph : {&a, &b}) {
+        for (Wire& wire : graph->wires) {
+            if (mutation.weights) wire.weight = 0;
+            if (mutation.thresholds) wire.threshold = 0;
+        }
+        for (Node& node : graph->nodes)
+            if (mutation.biases) node.bias = 0;
+        if (mutation.rewiring > 0) graph->wires.clear();
+    }
+    return same_wiring(a, b);
+}
+
 // True if both lists have the same sensors but for their values.
 bool same_but_for_values(const std::vector<Sensor>& a, const std::vector<Sensor>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Sensor& one, const Sensor& other) {
@@ -151,6 +165,9 @@ std::vector<std::string> outside_offers(const Exercise& exercise, const Submissi
         offers(exercise, offer_parts::sensors) && same_but_for_values(submission.sensors, shipped.sensors);
     if (submission.sensors != shipped.sensors && !allows_values) outside.emplace_back(offer_parts::sensors);
     if (offers(exercise, offer_parts::wiring)) return outside;
+    if (offers(exercise, offer_parts::selection) &&
+        differ_by_errors_only(submission.brain, shipped.brain, exercise.selection.mutation))
+        return outside;
     const std::vector<SensorPair> pairs = pairs_of(shipped.sensors);
     for (const Dial dial : all_dials)
         if (!offers(exercise, dial) && differs(submission.brain, shipped.brain, dial, pairs))

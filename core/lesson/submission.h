@@ -31,7 +31,9 @@ namespace offer_parts {
 inline constexpr std::string_view wiring = "wiring";    // all nodes and wires
 inline constexpr std::string_view curves = "curves";    // the curves of the wires that the dials belong to
 inline constexpr std::string_view sensors = "sensors";  // the values of the sensors; not their number and names
-inline constexpr std::string_view all[]{wiring, curves, sensors};
+// What the errors of copies can change (core/brain/mutate.h); the student chooses among the copies.
+inline constexpr std::string_view selection = "selection";
+inline constexpr std::string_view all[]{wiring, curves, sensors, selection};
 }  // namespace offer_parts
 
 // nullopt for a text that is neither a part nor dials joined by '='.

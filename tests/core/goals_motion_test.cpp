@@ -34,6 +34,16 @@ TEST(MotionGoals, RestingAndDrivingAreMeasuredBySpeedInEitherDirection) {
     EXPECT_FALSE(is_done(goals::KeepsSpeed{0.5f, 1}, {{0, {}, 0, 1.1f}}));
 }
 
+TEST(MotionGoals, SurvivalLastsUntilTheFirstFallAndIsLostThen) {
+    const Moment start{}, at_10{.seconds = 10}, fallen{.seconds = 7, .events = {.falls = 1}},
+        later{.seconds = 10, .events = {.falls = 2}};
+    EXPECT_FALSE(is_done(goals::Survives{10}, {start, {.seconds = 9}}));
+    EXPECT_TRUE(is_done(goals::Survives{10}, {start, at_10}));
+    EXPECT_FALSE(is_done(goals::Survives{10}, {start, fallen, later}));
+    EXPECT_TRUE(is_lost(goals::Survives{10}, {start, fallen}));
+    EXPECT_EQ(value_of(goals::Survives{10}, {start, fallen, later}), 7);
+}
+
 TEST(MotionGoals, OneRestThatIsTooLongIsNeverForgiven) {
     const Goal goal = goals::AllOf{{{goals::Runs{4}}, {goals::KeepsMoving{0.1f, 1}}}};
     const auto run = [](std::vector<float> speeds) {

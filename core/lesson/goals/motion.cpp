@@ -24,6 +24,13 @@ std::optional<Reading> measure(const Runs& goal, Runs::State&, const Observation
     return Reading{seconds, seconds >= goal.seconds};
 }
 
+std::optional<Reading> measure(const Survives& goal, Survives::State& state, const Observation& at) {
+    const auto seconds = static_cast<float>(at.now.seconds);
+    if (state.fell_at < 0 && at.now.events.falls > 0) state.fell_at = seconds;
+    const bool has_fallen = state.fell_at >= 0;
+    return Reading{has_fallen ? state.fell_at : seconds, !has_fallen && seconds >= goal.seconds, has_fallen};
+}
+
 std::optional<Reading> measure(const SpeedsUp& goal, SpeedsUp::State& state, const Observation& at) {
     if (state.first_speed == 0 && at.now.seconds >= 1)
         state.first_speed = std::max(std::fabs(at.vehicle.speed), least_first_speed);

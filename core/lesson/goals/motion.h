@@ -13,6 +13,16 @@ struct Runs {
     float needed() const { return seconds; }
 };
 
+struct Survives {
+    static constexpr Traits traits{"survives", "s", false, 0,
+                                   "the run has lasted `seconds` and no vehicle has fallen over an open edge"};
+    struct State {
+        float fell_at = -1;  // s, of the first fall; −1: none fell
+    };
+    float seconds = 0;
+    float needed() const { return seconds; }
+};
+
 // The speed is compared with that at the first judged tick at or after 1 s; see Check::earliest and Check::after.
 // Decided by the speed at the first tick within `metres`; later ticks do not count.
 struct SpeedsUp {
@@ -84,6 +94,7 @@ struct SpeedFollows {
 };
 
 std::optional<Reading> measure(const Runs&, Runs::State&, const Observation&);
+std::optional<Reading> measure(const Survives&, Survives::State&, const Observation&);
 std::optional<Reading> measure(const SpeedsUp&, SpeedsUp::State&, const Observation&);
 std::optional<Reading> measure(const Rests&, Rests::State&, const Observation&);
 std::optional<Reading> measure(const Drives&, Drives::State&, const Observation&);
@@ -95,6 +106,10 @@ std::optional<Reading> measure(const SpeedFollows&, SpeedFollows::State&, const 
 template <class Visitor>
 void describe(Visitor& v, Of<Runs>) {
     v.number("seconds", &Runs::seconds, "s", {0.1, 600}, "duration of the run");
+}
+template <class Visitor>
+void describe(Visitor& v, Of<Survives>) {
+    v.number("seconds", &Survives::seconds, "s", {0.1, 600}, "duration of the run");
 }
 template <class Visitor>
 void describe(Visitor& v, Of<SpeedsUp>) {
@@ -130,6 +145,10 @@ void describe(Visitor& v, Of<SpeedFollows>) {
 // ── States, for saved work ──
 template <class Visitor>
 void describe(Visitor&, Of<Runs::State>) {}
+template <class Visitor>
+void describe(Visitor& v, Of<Survives::State>) {
+    v.number("fell_at", &Survives::State::fell_at, "s", {-1, 1e6}, "");
+}
 template <class Visitor>
 void describe(Visitor& v, Of<SpeedsUp::State>) {
     v.number("first_speed", &SpeedsUp::State::first_speed, "m/s", {0, 1e6}, "");
