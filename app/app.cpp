@@ -7,6 +7,7 @@
 #include "app/exercise_check.h"
 #include "app/files/file_commands.h"
 #include "app/frame_pacing.h"
+#include "app/lab_children.h"
 #include "app/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "app/platform/platform.h"
@@ -121,6 +122,7 @@ void App::follow_jobs() {
         update_grading(lab_, jobs_);
         update_exercise_check(lab_, jobs_);
         update_reference_runs(lab_, jobs_);
+        update_children(lab_, jobs_);
         jobs_.finish();
     } else {
         jobs_.deliver(budget);
@@ -128,6 +130,7 @@ void App::follow_jobs() {
     update_grading(lab_, jobs_);
     update_exercise_check(lab_, jobs_);
     update_reference_runs(lab_, jobs_);
+    update_children(lab_, jobs_);
 }
 
 void App::handle_files() {

@@ -14,6 +14,7 @@
 #include "core/lesson/exercise.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/referee.h"
+#include "core/lesson/selection.h"
 #include "core/scene/file_kind.h"
 #include "core/scene/scene_file.h"
 #include "core/session/session.h"
@@ -42,6 +43,13 @@ struct GradedSubmission {
     Grade grade;
 };
 
+// Selection by hand (core/lesson/selection.h): the parents chosen so far, and the runs of the last one's children.
+struct Selecting {
+    std::vector<Parent> parents;  // at least the exercise's own brain
+    std::uint64_t start = 0;      // seed of the runs
+    Job<std::vector<StartResult>> job{};
+};
+
 // The state of an exercise's referee beside a keyframe of the session.
 struct RefereeAtKeyframe {
     std::uint64_t tick = 0;
@@ -56,6 +64,8 @@ struct Lesson {
     double last_hint_at = 0;  // wall seconds
     std::optional<Grading> grading{};
     std::optional<GradedSubmission> graded{};  // view.grade is its grade while the vehicle has this submission
+    std::optional<Selecting> selecting{};      // nullopt: not begun
+    std::uint64_t selections = 0;              // begun since the exercise was opened
     std::deque<RefereeAtKeyframe> states{};    // of the recorded keyframes but the start of the run, by ascending tick
     std::deque<RefereeAtKeyframe> states_before_edit{};  // before the last edit that removed recorded ticks
     ReferenceRuns runs{};

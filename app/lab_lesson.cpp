@@ -230,6 +230,7 @@ void restart_exercise(Lab& lab) {
     lesson.view = {.exercise = lesson.exercise.get()};
     lesson.grading.reset();
     lesson.graded.reset();
+    lesson.selecting.reset();
     lesson.last_hint_at = lab.wall_seconds;
     lesson.referee = Referee(*lesson.exercise);
     reset(lab);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "app/lab_children.h"
 #include "app/lab_lesson.h"
 #include "app/lab_selection.h"
 #include "app/playback.h"
@@ -376,6 +377,8 @@ void handle(Lab& lab, const Request& request) {
                          if (lab.document.lesson) lab.document.lesson->view.free_play = r.on;
                      },
                      [&](const ShowMeRequest&) { show_solution(lab); },
+                     [&](const ChooseChildRequest& r) { choose_child(lab, r.child); },
+                     [&](const EarlierGenerationRequest&) { take_choice_back(lab); },
                      [&](const ExportRequest& r) { lab.files.push_back(r); },
                      [&](const SpeedRequest& r) {
                          lab.playback.time_scale = std::clamp(r.time_scale, speeds.front(), speeds.back());

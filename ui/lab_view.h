@@ -26,6 +26,13 @@ enum class Mode { playing, paused, wiring };  // wiring: paused, with the wiring
 inline constexpr std::array<std::string_view, 3> mode_words{"playing", "paused", "wiring"};
 constexpr std::string_view word(Mode mode) { return mode_words[static_cast<std::size_t>(mode)]; }
 
+// The children of a brain, in an exercise that offers selection (core/lesson/selection.h).
+struct SelectionView {
+    int generation = 0;                 // number of choices so far
+    std::optional<StartResult> parent;  // its run from the start that Play shows; nullopt while it is computed
+    std::vector<StartResult> children;  // theirs; empty while they are computed
+};
+
 // The open exercise and its progress.
 struct LessonView {
     const Exercise* exercise = nullptr;        // never null
@@ -47,6 +54,7 @@ struct LessonView {
     std::vector<maths::vec2> drawn_path;       // the prediction as a path on the floor, m; empty: none was drawn
     std::vector<maths::vec2> real_path;        // what was to be drawn, m; empty until the outcome is known
     float path_difference = 0;                 // m, between both paths, see path_distance; valid with real_path
+    std::optional<SelectionView> selection;    // nullopt: the exercise does not offer it
 };
 
 // True once an option is chosen or a path is drawn.

@@ -83,6 +83,7 @@ enum class Action {
     save_exercise,  // opens the sheet of the author
     export_csv,     // the chart that the chart card shows
     about,
+    glossary,
     slider_LL,
     slider_LR,
     slider_RL,
@@ -181,8 +182,12 @@ struct CompareRequest {
 struct FreePlayRequest {
     bool on = true;  // shows all controls of the exercise; false: only the offered ones
 };
-struct ShowMeRequest {};  // gives the vehicle the exercise's solution
-struct ExportRequest {    // writes a new CSV file to the folder of pictures
+struct ShowMeRequest {};     // gives the vehicle the exercise's solution
+struct ChooseChildRequest {  // the vehicle gets the brain of this child, which then has children itself
+    int child = 0;           // 0-based; −1: the parent again, for other children
+};
+struct EarlierGenerationRequest {};  // takes the last choice back
+struct ExportRequest {               // writes a new CSV file to the folder of pictures
     std::string name, text;
 };
 struct SpeedRequest {
@@ -255,7 +260,7 @@ using Request =
                  PairRequest, CanvasShareRequest, PredictRequest, FreePlayRequest, ShowMeRequest, ExportRequest,
                  SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, BookmarkRequest,
                  BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest,
-                 SaveExerciseRequest, PredictPathRequest, CompareRequest>;
+                 SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

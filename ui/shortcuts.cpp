@@ -206,6 +206,7 @@ constexpr NamedAction action_names[]{
     {Action::save_exercise, "save_exercise"},
     {Action::export_csv, "export_csv"},
     {Action::about, "about"},
+    {Action::glossary, "glossary"},
     {Action::slider_LL, "slider_LL"},
     {Action::slider_LR, "slider_LR"},
     {Action::slider_RL, "slider_RL"},

@@ -170,6 +170,7 @@ bool key_for_sheet(PanelState& state, KeyPress press) {
     if (press.key == key::escape) state.sheet = Sheet::none;
     if (press.key == key::down) press = {key::tab};
     if (press.key == key::up) press = {key::tab, false, true};
+    if (state.sheet == Sheet::children && press.key >= '1' && press.key <= '9') state.keyboard.presses.push_back(press);
     if (press.key == key::tab || press.key == key::enter || press.key == key::left || press.key == key::right)
         state.keyboard.presses.push_back(press);
     return true;
@@ -262,6 +263,8 @@ bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPre
         export_csv(view, state, outbox);
     else if (action == Action::settings)
         state.sheet = Sheet::settings;
+    else if (action == Action::glossary)
+        state.sheet = Sheet::glossary;
     else if (action == Action::about)
         state.sheet = Sheet::about;
     else if (action == Action::charts)
@@ -371,6 +374,9 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     author_sheet(view, state, ui, layout.window);
     settings_card(view, state, ui, layout.window);
     about_card(view, state, ui, layout.window);
+    children_sheet(view, state, ui, layout.window);
+    glossary_sheet(view, state, ui, layout.window);
+    term_card(view, state, ui, layout.window);
     leaving_sheet(view, state, ui, layout.window);
     keep_drawn(state.fields);
     (void)keep_drawn(state.values.seed);
@@ -407,6 +413,10 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     if (!state.menu_bar.open.empty() && key_for_menus(state, press)) return true;
     if (state.presets_open && press.key == key::escape) {
         state.close_presets = true;
+        return true;
+    }
+    if (!state.glossary.open.empty() && press.key == key::escape) {
+        state.glossary.open.clear();
         return true;
     }
     if (press_key(view, state.scene_input, state.keyboard, press, outbox)) return true;

@@ -22,7 +22,8 @@ std::vector<Command> edits_to_solution(const Exercise& exercise) {
     std::vector<Command> edits;
     if (offers(exercise, offer_parts::sensors) && solution.sensors != shipped.sensors)
         edits.emplace_back(SetSensors{target, solution.sensors});
-    if (offers(exercise, offer_parts::wiring) || offers(exercise, offer_parts::curves)) {
+    if (offers(exercise, offer_parts::wiring) || offers(exercise, offer_parts::curves) ||
+        offers(exercise, offer_parts::selection)) {
         edits.emplace_back(SetBrain{target, solution.brain});
         return edits;
     }

@@ -7,7 +7,11 @@ namespace braitenlab::tests::exercise_anchors_test {
 
 // The states of an exercise in which the window shows different widgets.
 void (*const states[])(LessonView&){
-    [](LessonView&) {}, [](LessonView& lesson) { lesson.prediction = 0, lesson.has_run = true; },
+    [](LessonView&) {},
+    [](LessonView& lesson) {
+        lesson.prediction = 0, lesson.has_run = true;
+        lesson.selection.emplace();
+    },
     [](LessonView& lesson) {
         lesson.prediction = 0, lesson.has_run = true;
         lesson.hints_shown = static_cast<int>(lesson.exercise->hints.size());
@@ -45,9 +49,12 @@ TEST(ExerciseAnchors, EqualTheAnchorsThatTheWindowRecords) {
     opened.scene.starts.emplace_back().kind = opened.scene.kinds[0].name;
     opened.scene.kinds[0].brain = make_graph({.LL = 1, .LR = 0.5f, .RL = 0.5f, .RR = 1, .LM = 0.1f, .RM = 0.1f});
     const auto anchors = anchors_of(opened);
-    const std::set<std::string> known(anchors.begin(), anchors.end()), recorded = recorded_anchors(opened);
+    const std::set<std::string> known(anchors.begin(), anchors.end());
+    std::set<std::string> recorded = recorded_anchors(opened);
     EXPECT_EQ(known.size(), anchors.size()) << "an anchor is listed twice";
     for (const std::string& id : known) EXPECT_TRUE(recorded.count(id)) << "the window has no " << id;
+    // The words of the glossary in a text depend on the text; a hint that names one underlines it itself.
+    std::erase_if(recorded, [](const std::string& id) { return id.starts_with("term."); });
     for (const std::string& id : recorded) EXPECT_TRUE(known.count(id)) << "core/lesson/anchors.cpp lacks " << id;
 }
 

@@ -152,7 +152,7 @@ TEST(Item, HasATargetOfAtLeast24PixelsOnEveryScreen) {
         desk.click("button.presets");
         look(desk);
         desk.key({key::escape});
-        for (const Sheet sheet : {Sheet::keys, Sheet::settings, Sheet::about, Sheet::files}) {
+        for (const Sheet sheet : {Sheet::keys, Sheet::settings, Sheet::about, Sheet::files, Sheet::glossary}) {
             desk.panels.sheet = sheet;
             look(desk);
             desk.panels.sheet = Sheet::none;

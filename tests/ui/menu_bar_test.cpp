@@ -97,7 +97,8 @@ TEST_F(MenuBar, HasARowWithItsKeyForEachShortcutInOneMenu) {
         EXPECT_TRUE(keyed[row]) << row;
     }
     EXPECT_GT(rows, 50);
-    for (const char* row : {"save_run", "save_brain", "save_exercise", "export_csv", "hint", "exercise_reset", "about"})
+    for (const char* row :
+         {"save_run", "save_brain", "save_exercise", "export_csv", "hint", "exercise_reset", "about", "glossary"})
         EXPECT_EQ(found[row], 1) << row;
 }
 
@@ -168,6 +169,7 @@ TEST_F(MenuBar, OpensTheSheetsOfItsRows) {
                                            {"file", "save_brain", Sheet::files},
                                            {"edit", "settings", Sheet::settings},
                                            {"help", "keys", Sheet::keys},
+                                           {"help", "glossary", Sheet::glossary},
                                            {"help", "about", Sheet::about}}) {
         desk.panels.sheet = Sheet::none;
         desk.rest();

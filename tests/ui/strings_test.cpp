@@ -18,6 +18,7 @@
 #include "core/sensing/intensity.h"
 #include "desk.h"
 #include "tests/folder.h"
+#include "ui/panels/glossary.h"
 #include "ui/scene_input/edits.h"
 #include "ui/shortcuts.h"
 #include "ui/widgets/record_fields.h"
@@ -161,6 +162,8 @@ std::set<std::string> composed() {
     for (int chapter = 1; chapter <= 5; ++chapter) keys.insert("chapter." + std::to_string(chapter));
     for (const char* stem : {"character.", "character_story."}) keys.insert(stem + std::string("hidden"));
     for (const char* key : {"sensors.name", "sensors.name_how"}) keys.insert(key);  // ui/panels/sensor_card.cpp
+    for (const GlossaryTerm& term : terms())
+        for (const char* end : {".name", ".text", ".forms"}) keys.insert("glossary." + std::string(term.id) + end);
     for (const Channel channel : source_channels) keys.insert("source." + std::string(word(channel)));
     return keys;
 }

@@ -159,6 +159,19 @@ std::vector<Screen> screens() {
         {"lecture menu", [](Desk& d) { d.panels.menu_bar.open = "lecture"; }},
         {"help menu", [](Desk& d) { d.panels.menu_bar.open = "help"; }},
         {"about", [](Desk& d) { d.view.version = "0.1.0", d.panels.sheet = Sheet::about; }},
+        {"glossary", [](Desk& d) { d.panels.sheet = Sheet::glossary; }},
+        {"a term of the glossary",
+         [](Desk& d) {
+             with_lesson(d), d.opened.goal = d.strings.find("glossary.curve.forms", "");
+             d.frame(2), d.click("term.curve");
+         }},
+        {"children",
+         [](Desk& d) {
+             with_lesson(d), d.lesson.prediction = 0;
+             const StartResult run{1, false, {}, {{0, 0}, {1, 1}}, 12.5f};
+             d.lesson.selection = SelectionView{.generation = 12, .parent = run, .children = {9, run}};
+             d.panels.sheet = Sheet::children;
+         }},
         {"exercise, not from every start",
          [](Desk& d) {
              late_in_lesson(d);

@@ -94,7 +94,7 @@ void hints(const LessonView& lesson, PanelState& state, Ui& ui) {
         ImGui::Indent(ui.px(12));
         paragraph(ui, fill(ui.strings("exercise.hint_number"), {std::to_string(i + 1)}), ui.palette.second_text,
                   Face::small);
-        paragraph(ui, translated(ui, all[i].text), ui.palette.text);
+        paragraph_with_terms(ui, state.glossary, translated(ui, all[i].text), ui.palette.text);
         ImGui::Unindent(ui.px(12));
         const float height = ImGui::GetCursorScreenPos().y - start.y - ui.px(8);
         ImGui::GetWindowDrawList()->AddRectFilled({start.x, start.y}, {start.x + ui.px(3), start.y + height},
@@ -193,19 +193,19 @@ void steps(const LabView& view, Ui& ui) {
 }
 
 // Asked after the exercise is passed, never graded.
-void question(const LessonView& lesson, Ui& ui) {
+void question(const LessonView& lesson, PanelState& state, Ui& ui) {
     if (lesson.exercise->question.empty()) return;
     subheading(ui, ui.strings("exercise.question"));
-    paragraph(ui, translated(ui, lesson.exercise->question), ui.palette.text);
+    paragraph_with_terms(ui, state.glossary, translated(ui, lesson.exercise->question), ui.palette.text);
     gap(ui, 12);
 }
 
 void task(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
-    paragraph(ui, translated(ui, lesson.exercise->goal), ui.palette.text);
+    paragraph_with_terms(ui, state.glossary, translated(ui, lesson.exercise->goal), ui.palette.text);
     if (!lesson.exercise->why.empty() && !hides_outcome(view) &&
         fold_row(ui, "exercise.why", ui.strings("exercise.why"), state.why_open, ui.strings("exercise.why_how")))
-        paragraph(ui, translated(ui, lesson.exercise->why), ui.palette.second_text);
+        paragraph_with_terms(ui, state.glossary, translated(ui, lesson.exercise->why), ui.palette.second_text);
     gap(ui, 12);
 }
 
@@ -222,8 +222,9 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     if (open) {
         if (!hides_outcome(view)) paragraph(ui, translated(ui, lesson.exercise->title), ui.palette.text, Face::title);
         result(view, ui);
-        if (passed) question(lesson, ui), steps(view, ui);
+        if (passed) question(lesson, state, ui), steps(view, ui);
         task(view, state, ui);
+        if (!hides_outcome(view)) selection_button(view, state, ui);
         prediction(view, state, rewired, ui);
         if (!passed) steps(view, ui);
         hints(lesson, state, ui);

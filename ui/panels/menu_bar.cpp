@@ -113,6 +113,7 @@ constexpr MenuPlace menu_places[]{
     {"lecture", Action::lecture},
 
     {"help", Action::keys},
+    {"help", Action::glossary},
     {"help", Action::about},
 };
 

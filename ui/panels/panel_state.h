@@ -11,6 +11,7 @@
 #include "ui/panels/brain_analysis.h"
 #include "ui/panels/chart_data.h"
 #include "ui/panels/file_lists.h"
+#include "ui/panels/glossary.h"
 #include "ui/panels/prompts.h"
 #include "ui/scene_input/scene_input.h"
 #include "ui/widgets/card.h"
@@ -34,7 +35,7 @@ std::array<CardState, card_count> initial_cards();
 enum class Chart { signals, neurons, population, energy, bars };
 
 // The sheet that covers the window; at most one.
-enum class Sheet { none, keys, settings, files, about, recovery, leaving, author };
+enum class Sheet { none, keys, settings, files, about, recovery, leaving, author, children, glossary };
 
 // State that a lecture changes and restores at its end.
 struct BeforeLecture {
@@ -90,7 +91,8 @@ struct PanelState {
     bool playhead_held = false;            // true while the playhead is dragged; the simulation is paused
     bool why_open = false;
     Sheet sheet = Sheet::none;
-    SheetState keys, settings, about, recovery, leaving;
+    SheetState keys, settings, about, recovery, leaving, children;
+    GlossaryState glossary;
     bool recovery_asked = false;
     bool leaving_asked = false;
     int leaving_done = 0;  // FilesView::done when the sheet for a name was opened; −1: the sheet is not open

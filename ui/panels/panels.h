@@ -58,11 +58,12 @@ void follow_lecture(const LabView&, PanelState&);  // saves and restores the car
 
 // Sheets over the whole window. Each is drawn only while PanelState::sheet names it, and resets PanelState::sheet to
 // close.
-void keys_card(const LabView&, PanelState&, Ui&, Rect window);      // all shortcuts
-void files_sheet(const LabView&, PanelState&, Ui&, Rect window);    // open and save
-void author_sheet(const LabView&, PanelState&, Ui&, Rect window);   // the open scene as an exercise
-void settings_card(const LabView&, PanelState&, Ui&, Rect window);  // language, theme, type size, motion
-void about_card(const LabView&, PanelState&, Ui&, Rect window);     // version, and licences of the libraries
+void keys_card(const LabView&, PanelState&, Ui&, Rect window);       // all shortcuts
+void files_sheet(const LabView&, PanelState&, Ui&, Rect window);     // open and save
+void author_sheet(const LabView&, PanelState&, Ui&, Rect window);    // the open scene as an exercise
+void settings_card(const LabView&, PanelState&, Ui&, Rect window);   // language, theme, type size, motion
+void about_card(const LabView&, PanelState&, Ui&, Rect window);      // version, and licences of the libraries
+void children_sheet(const LabView&, PanelState&, Ui&, Rect window);  // children of a brain, of which one is chosen
 
 // unsaved_sheets.cpp
 void recovery_sheet(const LabView&, PanelState&, Ui&, Rect window);  // after a crash, while LabView::recovery is set
@@ -84,6 +85,10 @@ Colour colour_of(NoticeKind, const Palette&);
 
 // brain_card.cpp: "Predator", "Lamp seeker": the kind's name in the language of the strings, or as its file has it.
 std::string kind_name(const Ui&, const Kind&);
+
+// children_sheet.cpp: the generation, and the button that opens the sheet of children. Precondition: an exercise is
+// open.
+void selection_button(const LabView&, PanelState&, Ui&);
 
 // sensor_card.cpp: "Obstacles left" for a sensor with letters as its name, else its name.
 std::string sensor_label(const Ui&, const std::vector<Sensor>& all, const Sensor&);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/lesson/path_distance.h"
+#include "ui/panels/glossary.h"
 #include "ui/scene_input/path_drawing.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -113,8 +114,8 @@ void prediction(const LabView& view, PanelState& state, bool rewired, Ui& ui) {
     subheading(ui, ui.strings("exercise.predict"));
     is_open ? open_prediction(view, state, ui) : made_prediction(lesson, ui);
     if (lesson.outcome_known && !asked.outcome.empty())
-        paragraph(
-            ui,
+        paragraph_with_terms(
+            ui, state.glossary,
             fill(ui.strings(rewired ? "exercise.outcome_before" : "exercise.outcome"), {translated(ui, asked.outcome)}),
             rewired ? ui.palette.second_text : ui.palette.text);
     const ImVec2 end = ImGui::GetCursorScreenPos();

@@ -7,6 +7,7 @@
 
 #include "ui/panels/lesson_text.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/path_picture.h"
 #include "ui/strings.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
@@ -19,28 +20,6 @@ namespace {
 constexpr std::size_t few_starts = 10;  // up to this number the pictures are large
 constexpr float between_pictures = 6;   // layout pixels
 
-// Maps the arena into a rectangle of the window.
-struct ArenaMap {
-    Rect place;
-    float scale = 1;  // window pixels per metre
-
-    ArenaMap(const Arena& arena, Rect to) : place(to), scale(std::min(to.w / arena.width, to.h / arena.height)) {}
-    ImVec2 operator()(maths::vec2 at) const {
-        return {place.x + place.w / 2 + at.x * scale, place.y + place.h / 2 - at.y * scale};
-    }
-};
-
-void draw_arena(const Ui& ui, const Scene& scene, const ArenaMap& map) {
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    for (const Obstacle& obstacle : scene.obstacles) {
-        const ImVec2 at = map({obstacle.x, obstacle.y});
-        const float half = std::max(ui.px(1), std::min(obstacle.length, obstacle.width) / 2 * map.scale);
-        draw.AddRectFilled({at.x - half, at.y - half}, {at.x + half, at.y + half}, paint(ui.palette.line));
-    }
-    for (const Source& source : scene.sources)
-        draw.AddCircleFilled(map({source.x, source.y}), ui.px(2), paint(ui.palette.second_text));
-}
-
 // A check mark or a cross, so that the colour does not tell alone.
 void draw_sign(const Ui& ui, ImVec2 c, bool passed, ImU32 colour) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -52,22 +31,6 @@ void draw_sign(const Ui& ui, ImVec2 c, bool passed, ImU32 colour) {
     }
     draw.AddLine({c.x - r, c.y - r}, {c.x + r, c.y + r}, colour, width);
     draw.AddLine({c.x - r, c.y + r}, {c.x + r, c.y - r}, colour, width);
-}
-
-// Interrupted where the vehicle went over an edge of a torus.
-void draw_path(const Ui& ui, const StartResult& start, const Arena& arena, const ArenaMap& map, ImU32 colour) {
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    if (start.path.empty()) return;
-    maths::vec2 last = start.path.front();
-    for (const maths::vec2 at : start.path) {
-        const bool crosses_edge =
-            std::fabs(at.x - last.x) > arena.width / 2 || std::fabs(at.y - last.y) > arena.height / 2;
-        if (crosses_edge) draw.PathStroke(colour, 0, ui.px(1.5f));
-        draw.PathLineTo(map(at));
-        last = at;
-    }
-    draw.PathStroke(colour, 0, ui.px(1.5f));
-    draw.AddCircleFilled(map(start.path.front()), ui.px(2), colour);
 }
 
 // Whether the start passes; else the step that made it fail, and how far that was from being done.
@@ -91,13 +54,9 @@ void start_picture(const LabView& view, Ui& ui, std::size_t index, ImVec2 size) 
     line_box(ui, at.rect, is_shown ? ui.palette.accent : ui.palette.line, 4);
     const float inset = ui.px(3);
     const Rect inner{at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset};
-    const ArenaMap map(exercise.scene.arena, inner);
     const Colour tone = start.passed ? legible(ui.palette.accent, ui.palette.raised, ui.palette.text)
                                      : colour_of(NoticeKind::failure, ui.palette);
-    ImGui::PushClipRect({inner.x, inner.y}, {inner.x + inner.w, inner.y + inner.h}, true);
-    draw_arena(ui, exercise.scene, map);
-    draw_path(ui, start, exercise.scene.arena, map, paint(tone));
-    ImGui::PopClipRect();
+    draw_run(ui, exercise, start, inner, tone);
     draw_sign(ui, {at.rect.x + at.rect.w - ui.px(7), at.rect.y + ui.px(7)}, start.passed, paint(tone));
     if (wants_tooltip(ui, at))
         tooltip(ui, at, result_text(ui, exercise, start) + "\n" + std::string(ui.strings("exercise.start_how")));

@@ -1,0 +1,114 @@
+#include "app/lab_children.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/lab_lesson.h"
+#include "app/lab_requests.h"
+
+namespace braitenlab {
+
+namespace {
+
+// The vehicle's brain now.
+BrainGraph present_brain(const Lab& lab) {
+    return submission_of(*lab.document.lesson->exercise, lab.document.session.snapshot()).brain;
+}
+
+void forget_runs(Lesson& lesson) {
+    lesson.selecting->job.cancel();
+    lesson.view.selection = SelectionView{.generation = static_cast<int>(lesson.selecting->parents.size()) - 1};
+}
+
+// Each selection from the first generation on has other children.
+void begin_selecting(Lab& lab) {
+    Lesson& lesson = *lab.document.lesson;
+    const std::uint64_t start = lab.document.session.seed();
+    const Parent first{as_shipped(*lesson.exercise).brain, start * 1000 + ++lesson.selections};
+    lesson.selecting = Selecting{.parents = {first}, .start = start};
+    forget_runs(lesson);
+}
+
+// After an undo or an edit by hand.
+void follow_brain(Lesson& lesson, const BrainGraph& now) {
+    std::vector<Parent>& parents = lesson.selecting->parents;
+    if (same_wiring(parents.back().brain, now)) return;
+    const auto earlier = std::find_if(parents.rbegin(), parents.rend(),
+                                      [&](const Parent& parent) { return same_wiring(parent.brain, now); });
+    if (earlier != parents.rend())
+        parents.erase(earlier.base(), parents.end());
+    else
+        parents.back().brain = now;
+    forget_runs(lesson);
+}
+
+// The runs of the parent, then of its children.
+Job<std::vector<StartResult>> submit_runs(Jobs& jobs, const Lesson& lesson) {
+    constexpr int ticks_per_step = 60;  // about a millisecond
+    const Parent& parent = lesson.selecting->parents.back();
+    std::vector<BrainGraph> brains = children_of(*lesson.exercise, parent);
+    brains.insert(brains.begin(), parent.brain);
+    const std::size_t count = brains.size();
+    const auto begin = [exercise = lesson.exercise, brains = std::move(brains),
+                        start = lesson.selecting->start](std::size_t part) {
+        return [trial = Trial(*exercise, with_brain(*exercise, brains[part]), start)]() mutable {
+            return trial.run(ticks_per_step);
+        };
+    };
+    return jobs.submit(count, begin);
+}
+
+void give_brain(Lab& lab, const BrainGraph& brain) {
+    const int kind = subject_kind(lab.document.lesson->exercise->scene);
+    const auto index = static_cast<std::size_t>(kind);
+    if (index >= lab.document.session.snapshot().scene->kinds.size()) return;  // it was removed
+    if (!same_wiring(present_brain(lab), brain))
+        apply(lab, SetBrain{{.kind = kind}, brain}, gestures::lab + ++lab.gesture);
+    reset(lab);
+}
+
+}  // namespace
+
+void update_children(Lab& lab, Jobs& jobs) {
+    if (!lab.document.lesson || !offers_selection(*lab.document.lesson->exercise)) return;
+    Lesson& lesson = *lab.document.lesson;
+    if (!lesson.selecting) begin_selecting(lab);
+    if (!lesson.view.selection) forget_runs(lesson);
+    follow_brain(lesson, present_brain(lab));
+    const std::uint64_t start = lab.document.session.seed();
+    if (std::exchange(lesson.selecting->start, start) != start) forget_runs(lesson);
+    Job<std::vector<StartResult>>& job = lesson.selecting->job;
+    SelectionView& view = *lesson.view.selection;
+    if (auto result = job.take()) {
+        if (!*result) return say(lab, result->error());
+        view.parent = std::move((*result)->front());
+        view.children.assign((*result)->begin() + 1, (*result)->end());
+    } else if (!view.parent && !job.active()) {
+        job = submit_runs(jobs, lesson);
+    }
+}
+
+void choose_child(Lab& lab, int child) {
+    if (!lab.document.lesson || !lab.document.lesson->selecting) return;
+    Lesson& lesson = *lab.document.lesson;
+    const int count = static_cast<int>(lesson.view.selection->children.size());
+    const int generations = static_cast<int>(lesson.selecting->parents.size()) - 1;
+    if (child < -1 || child >= count || generations >= lesson.exercise->selection.generations) return;
+    const Parent& parent = lesson.selecting->parents.back();
+    const std::size_t index = child < 0 ? static_cast<std::size_t>(count) : static_cast<std::size_t>(child);
+    const BrainGraph brain = child < 0 ? parent.brain : children_of(*lesson.exercise, parent)[index];
+    lesson.selecting->parents.push_back(chosen(parent, brain, index));
+    forget_runs(lesson);
+    give_brain(lab, brain);
+}
+
+void take_choice_back(Lab& lab) {
+    if (!lab.document.lesson || !lab.document.lesson->selecting) return;
+    Lesson& lesson = *lab.document.lesson;
+    if (lesson.selecting->parents.size() < 2) return;
+    lesson.selecting->parents.pop_back();
+    forget_runs(lesson);
+    give_brain(lab, BrainGraph(lesson.selecting->parents.back().brain));
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,138 @@
+#include "app/lab_children.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "app/lab_lesson.h"
+#include "app/lab_requests.h"
+#include "tests/lab/opened_lab.h"
+
+namespace braitenlab::tests::lab_children_test {
+namespace {
+
+// The lab in exercise 20 with the runs of its first children.
+struct Selected {
+    Lab lab = opened_lab("20-selection");
+    Jobs jobs{0};
+
+    Selected() { wait(); }
+    const SelectionView& view() const { return *lab.document.lesson->view.selection; }
+    BrainGraph brain() const { return *lab.document.session.snapshot().kind_brains[0]; }
+    void wait() {
+        update_children(lab, jobs);
+        jobs.finish();
+        update_children(lab, jobs);
+    }
+    void choose(int child) {
+        handle(lab, ChooseChildRequest{child});
+        wait();
+    }
+    int longest() const {
+        const auto& children = view().children;
+        return static_cast<int>(
+            std::max_element(children.begin(), children.end(),
+                             [](const StartResult& a, const StartResult& b) { return a.seconds < b.seconds; }) -
+            children.begin());
+    }
+};
+
+TEST(LabChildren, ShowsTheRunsOfNineChildrenFromTheStartThatPlayShows) {
+    Selected s;
+    ASSERT_EQ(s.view().children.size(), 9u);
+    ASSERT_TRUE(s.view().parent);
+    EXPECT_EQ(s.view().generation, 0);
+    const std::vector<maths::vec2> path = s.view().parent->path;
+    for (int i = 0; i < path_ticks; ++i) tick(s.lab);
+    const VehicleView& now = s.lab.document.session.snapshot().vehicles[0];
+    EXPECT_EQ(now.x, path[1].x);
+    EXPECT_EQ(now.y, path[1].y);
+}
+
+TEST(LabChildren, TheChosenChildGivesTheVehicleItsBrainAndHasChildrenItself) {
+    Selected s;
+    const BrainGraph shipped = s.brain();
+    const std::vector<maths::vec2> path = s.view().children[4].path;
+    s.choose(4);
+    EXPECT_NE(s.brain(), shipped);
+    EXPECT_EQ(s.view().generation, 1);
+    EXPECT_EQ(s.view().parent->path, path) << "what was chosen is the parent now";
+    EXPECT_EQ(s.lab.document.session.snapshot().tick, 0u) << "Play shows it from the start";
+    s.choose(-1);
+    EXPECT_EQ(s.view().generation, 2) << "the same parent has other children";
+    EXPECT_EQ(s.view().parent->path, path);
+}
+
+TEST(LabChildren, UndoAndBackTakeAChoiceBack) {
+    Selected s;
+    const BrainGraph shipped = s.brain();
+    const std::vector<maths::vec2> path = s.view().children[0].path;
+    s.choose(2);
+    handle(s.lab, Action::undo);
+    s.wait();
+    EXPECT_EQ(s.brain(), shipped);
+    EXPECT_EQ(s.view().generation, 0);
+    EXPECT_EQ(s.view().children[0].path, path) << "the same children";
+    s.choose(2);
+    s.choose(3);
+    handle(s.lab, EarlierGenerationRequest{});
+    s.wait();
+    EXPECT_EQ(s.view().generation, 1);
+    handle(s.lab, EarlierGenerationRequest{});
+    handle(s.lab, EarlierGenerationRequest{});
+    s.wait();
+    EXPECT_EQ(s.view().generation, 0);
+    EXPECT_EQ(s.brain(), shipped);
+}
+
+TEST(LabChildren, NothingIsChosenBeforeTheRunsAreKnownAndAfterTheLastGeneration) {
+    Selected s;
+    handle(s.lab, ChooseChildRequest{9});
+    EXPECT_EQ(s.view().generation, 0) << "no such child";
+    handle(s.lab, ChooseChildRequest{0});
+    handle(s.lab, ChooseChildRequest{0});
+    EXPECT_EQ(s.view().generation, 1) << "its children have not run yet";
+    s.wait();
+    for (int i = 0; i < 20; ++i) s.choose(0);
+    EXPECT_EQ(s.view().generation, 12);
+}
+
+TEST(LabChildren, StartOverBeginsWithOtherChildren) {
+    Selected s;
+    const std::vector<maths::vec2> path = s.view().children[0].path;
+    s.choose(0);
+    handle(s.lab, Action::exercise_reset);
+    s.wait();
+    EXPECT_EQ(s.view().generation, 0);
+    ASSERT_EQ(s.view().children.size(), 9u);
+    EXPECT_NE(s.view().children[0].path, path);
+}
+
+TEST(LabChildren, AnExerciseWithoutSelectionHasNone) {
+    Lab lab = opened_lab("05-aggressor");
+    Jobs jobs(0);
+    update_children(lab, jobs);
+    EXPECT_FALSE(lab.document.lesson->view.selection);
+    handle(lab, ChooseChildRequest{0});
+    handle(lab, EarlierGenerationRequest{});
+    EXPECT_EQ(lab.document.session.undo_depth(), 0);
+}
+
+TEST(LabChildren, ChoosingTheLongestSurvivorPassesTheExercise) {
+    Selected s;
+    const LessonView& lesson = s.lab.document.lesson->view;
+    while (s.view().generation < 12 && !(lesson.grade && lesson.grade->good)) {
+        s.choose(s.longest());
+        if (s.view().parent->seconds < 59) continue;
+        for (int i = 0; i < 60 * 60 + 1; ++i) tick(s.lab);
+        update_grading(s.lab, s.jobs);
+        s.jobs.finish();
+        update_grading(s.lab, s.jobs);
+    }
+    ASSERT_TRUE(lesson.grade);
+    EXPECT_TRUE(lesson.grade->good);
+    EXPECT_FALSE(lesson.outside_offers);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::lab_children_test

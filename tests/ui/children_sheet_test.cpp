@@ -1,0 +1,101 @@
+// The sheet of selection by hand (ui/panels/children_sheet.cpp).
+#include "desk.h"
+
+namespace braitenlab::tests::children_sheet_test {
+
+using namespace ui;
+
+namespace {
+
+// An exercise that offers selection, with nine children that fell after 1, 2, … 9 s.
+void open_selection(Desk& desk, int generation = 3) {
+    desk.opened.offers = {"selection"};
+    desk.opened.prediction = {};
+    desk.opened.scene = *snapshot(0).scene;
+    desk.opened.scene.arena.edge = Boundary::open;
+    desk.open_exercise();
+    const StartResult run{1, false, {}, {{0, 0}, {1, 1}}, 5};
+    desk.lesson.selection = SelectionView{.generation = generation, .parent = run, .children = {9, run}};
+    for (std::size_t i = 0; i < 9; ++i) desk.lesson.selection->children[i].seconds = static_cast<float>(i + 1);
+    desk.frame(3);
+}
+
+bool is_written(const Desk& desk, const std::string& words) {
+    return std::any_of(desk.written.begin(), desk.written.end(),
+                       [&](const Written& each) { return each.words.find(words) != std::string::npos; });
+}
+
+TEST(ChildrenSheet, TheCardOpensItAndEachPictureChoosesItsChild) {
+    Desk desk;
+    open_selection(desk);
+    desk.click("selection.open");
+    ASSERT_TRUE(desk.anchors.find("card.children"));
+    EXPECT_TRUE(is_written(desk, "Generation 3 of 12"));
+    EXPECT_TRUE(is_written(desk, "7.00 s"));
+    for (int i = 0; i < 9; ++i) {
+        desk.click("selection.child." + std::to_string(i + 1));
+        ASSERT_TRUE(desk.last<ChooseChildRequest>());
+        EXPECT_EQ(desk.last<ChooseChildRequest>()->child, i);
+    }
+    desk.click("selection.parent");
+    EXPECT_EQ(desk.last<ChooseChildRequest>()->child, -1);
+}
+
+TEST(ChildrenSheet, DigitsAndArrowKeysChoose) {
+    Desk desk;
+    open_selection(desk);
+    desk.panels.sheet = Sheet::children;
+    desk.frame(3);
+    desk.key({'7'});
+    desk.frame(2);
+    ASSERT_TRUE(desk.last<ChooseChildRequest>());
+    EXPECT_EQ(desk.last<ChooseChildRequest>()->child, 6);
+    for (int i = 0; i < 20 && desk.panels.keyboard.focus != "selection.child.2"; ++i)
+        desk.key({key::down}), desk.frame(2);
+    desk.key({key::enter});
+    desk.frame(2);
+    EXPECT_EQ(desk.last<ChooseChildRequest>()->child, 1);
+}
+
+TEST(ChildrenSheet, AfterTheLastGenerationNothingCanBeChosenButTakenBack) {
+    Desk desk;
+    open_selection(desk, 12);
+    desk.panels.sheet = Sheet::children;
+    desk.frame(3);
+    desk.key({'7'});
+    desk.frame(2);
+    desk.click("selection.child.1");
+    EXPECT_FALSE(desk.last<ChooseChildRequest>());
+    EXPECT_TRUE(is_written(desk, "No choice is left"));
+    desk.click("selection.back");
+    EXPECT_TRUE(desk.last<EarlierGenerationRequest>());
+}
+
+TEST(ChildrenSheet, WatchClosesItAndPlays) {
+    Desk desk;
+    open_selection(desk);
+    desk.panels.sheet = Sheet::children;
+    desk.frame(3);
+    desk.click("selection.watch");
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("card.children"));
+    EXPECT_EQ(desk.actions(), std::vector<Action>{Action::play_pause});
+}
+
+TEST(ChildrenSheet, ItFitsIntoASmallWindowAtBothScales) {
+    for (const auto& [w, h, scale] :
+         {std::tuple{1024.0f, 768.0f, 1.0f}, {1280.0f, 800.0f, 1.0f}, {1920.0f, 1200.0f, 2.0f}}) {
+        Desk desk(w, h, scale, true);
+        open_selection(desk);
+        desk.panels.sheet = Sheet::children;
+        desk.frame(4);
+        for (const char* anchor : {"selection.child.1", "selection.child.9", "selection.parent", "selection.close"}) {
+            const Rect r = desk.where(anchor);
+            EXPECT_TRUE(r.x >= 0 && r.y >= 0 && r.x + r.w <= w && r.y + r.h <= h) << anchor << " at " << w;
+        }
+        EXPECT_NEAR(desk.where("selection.child.9").h, desk.where("selection.child.1").h, 1) << "not cut at " << w;
+    }
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::children_sheet_test

@@ -1,0 +1,156 @@
+// The sheet of selection by hand: the runs of a brain's children side by side, of which the student chooses one, by a
+// click, by its digit, or by the arrow keys and Enter. Beside them the run of their parent.
+#include <algorithm>
+#include <string>
+
+#include <imgui.h>
+
+#include "core/lesson/selection.h"
+#include "ui/panels/panels.h"
+#include "ui/panels/path_picture.h"
+#include "ui/shortcuts.h"
+#include "ui/strings.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/keyboard.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/sheet.h"
+#include "ui/widgets/theme.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+constexpr int per_row = 3;
+constexpr float between_children = 8, most_picture = 200, least_picture = 64;  // layout pixels
+
+bool has_choices_left(const LessonView& lesson) {
+    return lesson.selection->generation < lesson.exercise->selection.generations;
+}
+
+// "14.20 s"; the whole run in bold.
+void write_seconds(const Ui& ui, const Exercise& exercise, const StartResult& run, ImVec2 right_end) {
+    const bool whole = !has_fallen(exercise, run);
+    put_right(ui, right_end, fixed(ui, run.seconds, 2) + " s",
+              whole ? legible(ui.palette.accent, ui.palette.raised, ui.palette.text) : ui.palette.text,
+              whole ? Face::strong : Face::text);
+}
+
+// The frame of a picture, its run and its seconds below. `label`: what is written on the left of the seconds.
+void draw_child(const Ui& ui, const Item& at, const Exercise& exercise, const StartResult& run,
+                std::string_view label) {
+    const float line = line_height(ui, Face::text), inset = ui.px(4);
+    fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.2f * at.warmth), 4);
+    line_box(ui, at.rect, ui.palette.line, 4);
+    const Colour tone = legible(ui.palette.accent, ui.palette.panel, ui.palette.text);
+    draw_run(ui, exercise, run,
+             {at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - line - 2 * inset}, tone);
+    const float y = at.bottom() - line - ui.px(2);
+    put(ui, {at.rect.x + ui.px(6), y}, label, ui.palette.second_text, Face::text);
+    write_seconds(ui, exercise, run, {at.right() - ui.px(6), y});
+}
+
+// The digit that was pressed for a child, 0-based; −1: none. Digits of other children are removed, too.
+int taken_digit(Keyboard& keyboard, std::size_t children) {
+    int digit = -1;
+    for (int i = 0; i < 9; ++i)
+        if (take(keyboard, '1' + i) && static_cast<std::size_t>(i) < children) digit = i;
+    return digit;
+}
+
+void child_pictures(const LessonView& lesson, Ui& ui, ImVec2 size) {
+    const SelectionView& selection = *lesson.selection;
+    const bool may_choose = has_choices_left(lesson);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(between_children), ui.px(between_children)});
+    ImGui::BeginGroup();
+    for (std::size_t i = 0; i < selection.children.size(); ++i) {
+        if (i % per_row != 0) ImGui::SameLine();
+        const std::string number = std::to_string(i + 1);
+        const Item at = item(ui, "selection.child." + number, size, may_choose);
+        draw_child(ui, at, *lesson.exercise, selection.children[i], number);
+        tooltip(ui, at, ui.strings(may_choose ? "selection.child_how" : "selection.no_more"), may_choose ? number : "");
+        if (at.pressed) ui.outbox.emplace_back(ChooseChildRequest{static_cast<int>(i)});
+    }
+    ImGui::EndGroup();
+    ImGui::PopStyleVar();
+    if (!ui.keyboard) return;
+    const int digit = taken_digit(*ui.keyboard, selection.children.size());
+    if (digit >= 0 && may_choose) ui.outbox.emplace_back(ChooseChildRequest{digit});
+}
+
+void parent_picture(const LessonView& lesson, Ui& ui, ImVec2 size) {
+    const SelectionView& selection = *lesson.selection;
+    const bool may_choose = has_choices_left(lesson);
+    ImGui::BeginGroup();
+    paragraph(ui, ui.strings("selection.parent"), ui.palette.second_text, Face::small, size.x);
+    const Item at = item(ui, "selection.parent", size, may_choose);
+    if (selection.parent) draw_child(ui, at, *lesson.exercise, *selection.parent, "");
+    tooltip(ui, at, ui.strings(may_choose ? "selection.parent_how" : "selection.no_more"));
+    if (at.pressed) ui.outbox.emplace_back(ChooseChildRequest{-1});
+    ImGui::EndGroup();
+}
+
+// True if the sheet closes.
+bool children_buttons(const LabView& view, PanelState& state, Ui& ui) {
+    const Item watch = button(ui, "selection.watch", {icon::play, ui.strings("selection.watch"), Emphasis::primary});
+    tooltip(ui, watch, ui.strings("selection.watch_how"));
+    if (watch.pressed && view.mode != Mode::playing) state.chosen.push_back(Action::play_pause);
+    ImGui::SameLine();
+    ButtonLook back{icon::undo, ui.strings("selection.back")};
+    back.enabled = view.lesson->selection->generation > 0;
+    const Item earlier = button(ui, "selection.back", back);
+    tooltip(ui, earlier, ui.strings("selection.back_how"));
+    if (earlier.pressed) ui.outbox.emplace_back(EarlierGenerationRequest{});
+    ImGui::SameLine();
+    const Item close = button(ui, "selection.close", {{}, ui.strings("keys.close")});
+    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
+    return watch.pressed || close.pressed;
+}
+
+}  // namespace
+
+void children_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
+    if (state.sheet != Sheet::children) return;
+    if (!view.lesson || !view.lesson->selection) return void(state.sheet = Sheet::none);
+    const LessonView& lesson = *view.lesson;
+    const std::string generation =
+        fill(ui.strings("selection.generation"),
+             {std::to_string(lesson.selection->generation), std::to_string(lesson.exercise->selection.generations)});
+    // Nine pictures with their seconds fit into the window without scrolling where they can.
+    const Arena& arena = lesson.exercise->scene.arena;
+    const float shape = std::clamp(arena.height / arena.width, 0.6f, 1.0f);
+    const float line = line_height(ui, Face::text) + ui.px(8), around = ui.px(190);
+    const float high = (window.h - around) / 3 - line - ui.px(between_children), wide = (window.w - ui.px(100)) / 4;
+    const float most = std::min({high / shape, wide, ui.px(most_picture)});
+    const float picture = std::max(most, ui.px(least_picture));
+    const ImVec2 size{picture, picture * shape + line};
+    const float width = 4 * picture + 3 * ui.px(between_children) + ui.px(56);
+    begin_sheet(ui, state.children, "card.children", generation, width / ui.scale, window);
+    paragraph(ui, ui.strings(has_choices_left(lesson) ? "selection.how" : "selection.no_more"), ui.palette.text);
+    parent_picture(lesson, ui, size);
+    ImGui::SameLine(0, ui.px(16));
+    if (lesson.selection->children.empty())
+        paragraph(ui, ui.strings("selection.wait"), ui.palette.second_text, Face::text, 3 * picture);
+    else
+        child_pictures(lesson, ui, size);
+    sheet_buttons(ui, state.children);
+    const bool closed = children_buttons(view, state, ui);
+    if (end_sheet(state.children) || closed) state.sheet = Sheet::none;
+}
+
+void selection_button(const LabView& view, PanelState& state, Ui& ui) {
+    const LessonView& lesson = *view.lesson;
+    if (!lesson.selection) return;
+    paragraph(ui,
+              fill(ui.strings("selection.generation"), {std::to_string(lesson.selection->generation),
+                                                        std::to_string(lesson.exercise->selection.generations)}),
+              ui.palette.second_text);
+    const Item at = button(ui, "selection.open", {{}, ui.strings("selection.open"), Emphasis::primary});
+    tooltip(ui, at, ui.strings("selection.open_how"));
+    if (at.pressed) state.sheet = Sheet::children;
+    gap(ui, 12);
+}
+
+}  // namespace braitenlab::ui

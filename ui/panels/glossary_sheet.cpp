@@ -1,0 +1,66 @@
+// The sheet of the whole glossary: the list of all terms, and the sentence and the picture of the chosen one.
+#include <algorithm>
+#include <string>
+
+#include <imgui.h>
+
+#include "ui/panels/panels.h"
+#include "ui/shortcuts.h"
+#include "ui/strings.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/sheet.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+constexpr float list_width = 190, row_height = 24;  // layout pixels
+
+void term_row(Ui& ui, GlossaryState& state, const GlossaryTerm& term, bool focus_chooses) {
+    const std::string name(ui.strings("glossary." + std::string(term.id) + ".name"));
+    const Item at = item(ui, "glossary." + std::string(term.id), {ui.px(list_width), ui.px(row_height)});
+    const bool chosen = state.shown == term.id;
+    if (chosen || at.warmth > 0)
+        fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, chosen ? 0.25f : 0.15f * at.warmth), 4);
+    put(ui, {at.rect.x + ui.px(8), at.middle_y() - line_height(ui, Face::text) / 2},
+        shortened(ui, name, chosen ? Face::strong : Face::text, at.rect.w - ui.px(16)), ui.palette.text,
+        chosen ? Face::strong : Face::text);
+    tooltip(ui, at, ui.strings("glossary.show_how"));
+    if (at.pressed || (focus_chooses && at.focused)) state.shown = term.id;
+}
+
+}  // namespace
+
+void glossary_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) {
+    if (panels.sheet != Sheet::glossary) return;
+    GlossaryState& state = panels.glossary;
+    if (!find_term(state.shown)) state.shown = terms().front().id;
+    begin_sheet(ui, state.sheet, "card.glossary", ui.strings("glossary.heading"), 640, window);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(16), ui.px(2)});
+    const float top = ImGui::GetCursorPosY();
+    ImGui::BeginGroup();
+    const bool by_key = ui.keyboard && ui.keyboard->shown;
+    for (const GlossaryTerm& term : terms()) term_row(ui, state, term, by_key);
+    ImGui::EndGroup();
+    ImGui::SameLine();
+    ImGui::SetCursorPosY(std::max(top, ImGui::GetScrollY()));  // in view while the list scrolls
+    ImGui::BeginGroup();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(8)});
+    const float width = std::min(ui.px(400), card_width(ui) - ui.px(list_width + 16));
+    const GlossaryTerm& shown = *find_term(state.shown);
+    paragraph(ui, ui.strings("glossary." + state.shown + ".name"), ui.palette.text, Face::title, width);
+    draw_entry(view, ui, shown, width);
+    ImGui::PopStyleVar();
+    ImGui::EndGroup();
+    ImGui::PopStyleVar();
+    sheet_buttons(ui, state.sheet);
+    const Item close = button(ui, "glossary.close", {{}, ui.strings("keys.close"), Emphasis::primary});
+    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
+    const bool closed = close.pressed;
+    if (end_sheet(state.sheet) || closed) panels.sheet = Sheet::none;
+}
+
+}  // namespace braitenlab::ui
