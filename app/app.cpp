@@ -9,6 +9,7 @@
 #include "app/frame_pacing.h"
 #include "app/lab_children.h"
 #include "app/lab_lesson.h"
+#include "app/lab_progress.h"
 #include "app/lab_requests.h"
 #include "app/platform/platform.h"
 #include "app/remembered.h"
@@ -41,6 +42,8 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
       autosave_(options_.screenshot.empty() && !folders_.state.empty() ? folders_.state / "autosave"
                                                                        : std::filesystem::path{},
                 settings_.errors),
+      student_files_(options_.screenshot.empty() && !folders_.state.empty() ? folders_.state / "students"
+                                                                            : std::filesystem::path{}),
       catalogue_(read_catalogue()),
       anchors_file_(options_.anchors),
       state_file_(options_.state) {
@@ -51,6 +54,8 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
     theme_.apply(lab_.preferences.theme, wanted_scale());
     load_label_font();
     if (!theme_.warning().empty()) std::cerr << "braitenlab: " << theme_.warning() << "\n";
+    for (Error& error : student_files_.read(lab_.students, settings_.state.student))
+        settings_.errors.push_back(std::move(error));
     for (const Error& error : settings_.errors) show_error(error);
     refresh(files_, lab_);
     if (options_.play) handle(lab_, Action::play_pause);
@@ -131,6 +136,7 @@ void App::follow_jobs() {
     update_exercise_check(lab_, jobs_);
     update_reference_runs(lab_, jobs_);
     update_children(lab_, jobs_);
+    follow_progress(lab_);
 }
 
 void App::handle_files() {
@@ -160,6 +166,8 @@ void App::show_error(const Error& error) { say(lab_, error); }
 void App::save_settings(bool now) {
     if (!options_.screenshot.empty() || (!now && seconds_since(settings_saved_) < 1)) return;
     settings_saved_ = Clock::now();
+    if (const auto error = student_files_.write(lab_.students)) show_error(*error);
+    settings_.state.student = student_files_.current_file(lab_.students);
     settings_.state.view = view_to_store(lab_, panels_);
     if (const auto place = window_.windowed_place()) settings_.state.place = WindowPlace{place->first, place->second};
     if (const auto error = save(settings_, own_preferences(lab_), window_.windowed_size())) show_error(*error);

@@ -9,6 +9,7 @@
 #include "app/files/autosave.h"
 #include "app/files/data.h"
 #include "app/files/settings.h"
+#include "app/files/student_files.h"
 #include "app/jobs/jobs.h"
 #include "app/lab.h"
 #include "app/options.h"
@@ -96,6 +97,7 @@ private:
     Settings settings_;
     UserFolders folders_;
     Autosave autosave_;
+    StudentFiles student_files_;
     Clock::time_point began_ = Clock::now(), last_turn_ = began_;  // end of the constructor; start of the last turn
     Clock::time_point settings_saved_ = began_, file_checked_ = began_;
     Clock::time_point last_change_ = began_;  // see idle_wait()

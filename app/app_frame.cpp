@@ -44,7 +44,8 @@ bool has_input(const ui::KeysOfAFrame& keys, const ImGuiIO& io) {
 
 std::string typed_text(const ui::PanelState& panels) {
     if (!panels.sliders.typed.empty()) return panels.sliders.text;
-    for (const ui::TextField* field : {&panels.files.typed, &panels.files.title, &panels.files.story})
+    for (const ui::TextField* field :
+         {&panels.files.typed, &panels.files.title, &panels.files.story, &panels.student_name, &panels.note})
         if (field->active) return field->text;
     return {};
 }
@@ -132,7 +133,7 @@ void App::frame(float passed) {
     if (steer_by_keys(lab_, held.turn, held.raise)) held.turn = held.raise = 0;
     drive_camera(lab_, viewport_, panels_.scene_input, held, area, arena, passed);
     if (repeatable() && !picture_is_due(0))
-        renderer_.remember(lab_.document.session.snapshot());  // no frame is shown before the picture is taken
+        renderer_.remember(shown_snapshot(lab_));  // no frame is shown before the picture is taken
     else
         draw_scene(hidden_brains(view));
     const ImGuiIO& io = ImGui::GetIO();
@@ -173,13 +174,14 @@ void App::draw_scene(std::vector<bool> hidden_brains) {
                                   static_cast<float>(window_.framebuffer_height())};
     picture.theme = lab_.preferences.theme;
     picture.settings = lab_.view;
+    if (lab_.together) picture.settings.sensors = false;  // ten fields in one place would outshine the vehicles
     const SceneObject& hovered = panels_.scene_input.hovered.object;
     picture.hovered = hovered.kind == SceneObjectKind::vehicle ? hovered.index : no_vehicle;
     picture.driver = lab_.view.camera.mode == CameraMode::driver ? lab_.view.selection.vehicle : no_vehicle;
     picture.reduce_motion = lab_.preferences.reduce_motion;
     picture.pixel_scale = density() * theme_.scale();
     picture.decimal_mark = decimal_mark(words_.strings);
-    shown_ = lab_.document.session.snapshot();
+    shown_ = shown_snapshot(lab_);
     if (!repeatable()) render::stand_between(shown_, lab_.playback.previous, between_ticks(lab_));
     renderer_.draw(shown_, picture);
     facts_.draw_calls = renderer_.draw_calls();

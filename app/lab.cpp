@@ -24,6 +24,7 @@ Result<Lab> open_lab(const std::filesystem::path& path, std::optional<std::uint6
 }
 
 void replace_document(Lab& lab, Document next) {
+    lab.together.reset();
     next.run_id = lab.document.run_id + 1;
     lab.document = std::move(next);
     lab.playback = {};
@@ -35,6 +36,10 @@ void replace_document(Lab& lab, Document next) {
     lab.notice = {};
     watch(lab);
     keep_selection(lab);
+}
+
+const Snapshot& shown_snapshot(const Lab& lab) {
+    return lab.together ? lab.together->shown : lab.document.session.snapshot();
 }
 
 Preferences own_preferences(const Lab& lab) {
@@ -64,10 +69,11 @@ LabView view_of(const Lab& lab) {
     const Document& document = lab.document;
     const Playback& playback = lab.playback;
     LabView view;
-    view.now = &document.session.snapshot();
+    view.now = &shown_snapshot(lab);
     view.file = document.file.get();
     view.mode = playback.mode;
     view.timeline = {document.session.earliest(), document.session.latest(), {}};
+    if (lab.together) view.timeline = {view.now->tick, view.now->tick, {}};
     for (const TimeMark& mark : playback.bookmarks) view.timeline.bookmarks.push_back(mark.moment.tick());
     view.time_scale = playback.time_scale;
     view.pace = playback.pace.reached;
@@ -77,6 +83,8 @@ LabView view_of(const Lab& lab) {
     view.redo_depth = document.session.redo_depth();
     view.lesson = document.lesson ? &document.lesson->view : nullptr;
     if (can_compare(view)) view.ghost = ghost_of(lab);
+    view.students = &lab.students;
+    view.student = lab.students.student().name;
     view.opened = document.name;
     view.run_id = document.run_id;
     view.notice = lab.notice;

@@ -7,10 +7,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/document.h"
 #include "app/playback.h"
+#include "app/together.h"
+#include "core/lesson/progress.h"
 #include "render/view/view_settings.h"
 #include "ui/lab_view.h"
 #include "ui/request.h"
@@ -41,6 +44,9 @@ struct Lab {
     Preferences preferences{};  // as shown now
     std::optional<SettingsBeforeLecture> before_lecture{};  // set in lecture mode
     std::shared_ptr<ExerciseCheck> check{};                 // of the open exercise for its author; null: none
+    StudentBook students{};                                 // see app/lab_progress.h
+    std::optional<std::pair<std::uint64_t, std::size_t>> progress_of{};  // run_id and student of the notes in the view
+    std::optional<Together> together{};                                  // set while the graded starts run at once
     Notice notice{};
     double notice_until = 0;  // wall seconds
     double wall_seconds = 0;
@@ -64,6 +70,9 @@ void replace_document(Lab&, Document);
 
 // The preferences without the changes that lecture mode makes.
 Preferences own_preferences(const Lab&);
+
+// What the scene shows: the run of the document, or the graded starts at once.
+const Snapshot& shown_snapshot(const Lab&);
 
 // Shows a notice at the bottom of the window. Its duration depends on the length of the text; failures are shown
 // longest.

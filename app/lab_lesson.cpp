@@ -227,7 +227,7 @@ void restart_exercise(Lab& lab) {
     reset(lab);  // first: kinds may have been added or removed
     for (std::size_t k = 0; k < lesson.exercise->scene.kinds.size(); ++k)
         give_to_kind(lab, k, lesson.exercise->scene.kinds[k]);
-    lesson.view = {.exercise = lesson.exercise.get()};
+    lesson.view = {.exercise = lesson.exercise.get(), .notes = std::move(lesson.view.notes)};
     lesson.grading.reset();
     lesson.graded.reset();
     lesson.selecting.reset();
@@ -261,17 +261,22 @@ void show_hint(Lab& lab) {
     lab.document.lesson->last_hint_at = lab.wall_seconds;
 }
 
-void show_solution(Lab& lab) {
-    if (!lab.document.lesson) return;
+bool give_submission(Lab& lab, const Submission& submission) {
+    if (!lab.document.lesson) return false;
     const Exercise& exercise = *lab.document.lesson->exercise;
     const auto kind = static_cast<std::size_t>(subject_kind(exercise.scene));
-    if (kind >= lab.document.session.snapshot().scene->kinds.size()) return;  // it was removed
-    const Submission solution = with_solution(exercise);
+    if (kind >= lab.document.session.snapshot().scene->kinds.size()) return false;  // it was removed
     Kind given = exercise.scene.kinds[kind];
-    given.brain = solution.brain, given.sensors = solution.sensors, given.body = solution.body;
+    given.brain = submission.brain, given.sensors = submission.sensors, given.body = submission.body;
     give_to_kind(lab, kind, given);
-    lab.document.lesson->view.solution_shown = true;
     reset(lab);
+    return true;
+}
+
+void show_solution(Lab& lab) {
+    if (!lab.document.lesson) return;
+    if (give_submission(lab, with_solution(*lab.document.lesson->exercise)))
+        lab.document.lesson->view.solution_shown = true;
 }
 
 }  // namespace braitenlab

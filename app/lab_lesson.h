@@ -51,6 +51,9 @@ void predict(Lab&, const PredictPathRequest&);
 // Shows the run with the solution beside the student's, or ends it. Nothing is shown before the prediction is made and
 // before a run; see can_compare().
 void compare(Lab&, const CompareRequest&);
+// Gives the subject's kind a submission of the exercise, in one step of undo, and resets the run. False if the kind was
+// removed.
+bool give_submission(Lab&, const Submission&);
 
 // Gives the subject's kind the exercise's solution, in one step of undo, and resets the run.
 void show_solution(Lab&);

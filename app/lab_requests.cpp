@@ -7,6 +7,7 @@
 
 #include "app/lab_children.h"
 #include "app/lab_lesson.h"
+#include "app/lab_progress.h"
 #include "app/lab_selection.h"
 #include "app/playback.h"
 #include "core/match.h"
@@ -156,6 +157,47 @@ void end_lecture(Lab& lab) {
     lab.before_lecture.reset();
 }
 
+// Actions on the exercise's own run: the graded starts that run at once end first.
+bool acts_on_own_run(Action action) {
+    switch (action) {
+        case Action::step_back:
+        case Action::rewind:
+        case Action::fast_forward:
+        case Action::set_bookmark:
+        case Action::last_bookmark:
+        case Action::add:
+        case Action::remove:
+        case Action::new_population:
+        case Action::wiring:
+        case Action::another_start:
+        case Action::cancel:
+        case Action::undo:
+        case Action::redo:
+        case Action::drive:
+        case Action::exercise_reset:
+        case Action::erase:
+        case Action::duplicate:
+        case Action::cut:
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool acts_on_own_run(const Request& request) {
+    if (const auto* action = std::get_if<Action>(&request)) return acts_on_own_run(*action);
+    return std::holds_alternative<EditRequest>(request) || std::holds_alternative<PasteRequest>(request) ||
+           std::holds_alternative<SeedRequest>(request) || std::holds_alternative<SeekRequest>(request) ||
+           std::holds_alternative<BookmarkRequest>(request) || std::holds_alternative<ShowMeRequest>(request) ||
+           std::holds_alternative<KeptRequest>(request) || std::holds_alternative<StudentRequest>(request);
+}
+
+// While the graded starts run at once, their vehicles cannot be selected.
+bool selects(const Request& request) {
+    return std::holds_alternative<SelectRequest>(request) || std::holds_alternative<TakeRequest>(request) ||
+           std::holds_alternative<SelectObjectsRequest>(request);
+}
+
 void act(Lab& lab, Action action) {
     switch (action) {
         case Action::play_pause:
@@ -182,7 +224,7 @@ void act(Lab& lab, Action action) {
             go_to_last_bookmark(lab);
             break;
         case Action::reset:
-            reset(lab);
+            lab.together ? begin_together(lab) : reset(lab);
             break;
         case Action::add:
             apply(lab, AddVehicle{});
@@ -340,6 +382,11 @@ bool apply(Lab& lab, const Command& command, std::uint64_t gesture) {
 }
 
 void handle(Lab& lab, const Request& request) {
+    if (lab.together && selects(request)) return;
+    if (lab.together && acts_on_own_run(request)) {
+        end_together(lab);
+        if (const auto* action = std::get_if<Action>(&request); action && *action == Action::cancel) return;
+    }
     std::visit(Match{[&](Action action) { act(lab, action); },
                      [&](const EditRequest& r) { edit_by_request(lab, r); },
                      [&](const SelectRequest& r) {
@@ -379,6 +426,15 @@ void handle(Lab& lab, const Request& request) {
                      [&](const ShowMeRequest&) { show_solution(lab); },
                      [&](const ChooseChildRequest& r) { choose_child(lab, r.child); },
                      [&](const EarlierGenerationRequest&) { take_choice_back(lab); },
+                     [&](const KeptRequest&) { take_kept_submission(lab); },
+                     [&](const TogetherRequest& r) { r.on ? begin_together(lab) : end_together(lab); },
+                     [&](const NotesRequest& r) {
+                         if (lab.document.lesson) lab.document.lesson->view.notes = r.text.substr(0, longest_notes);
+                     },
+                     [&](const StudentRequest& r) {
+                         if (r.edit == StudentEdit::save) return lab.files.push_back(r);
+                         edit_students(lab, r);
+                     },
                      [&](const ExportRequest& r) { lab.files.push_back(r); },
                      [&](const SpeedRequest& r) {
                          lab.playback.time_scale = std::clamp(r.time_scale, speeds.front(), speeds.back());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -29,6 +30,13 @@ void measure_pace(Playback& playback, double wall_seconds, double simulated) {
     pace.wall = pace.simulated = 0;
 }
 
+// The next hint is available after a while, also without a run.
+void follow_hint(Lesson& lesson, double wall_seconds) {
+    const double left = hint_interval - (wall_seconds - lesson.last_hint_at);
+    if (left <= 0) lesson.view.hint_ready = true;
+    lesson.view.hint_in = lesson.view.hint_ready ? 0 : static_cast<int>(std::ceil(left));
+}
+
 }  // namespace
 
 void set_mode(Lab& lab, Mode mode) {
@@ -41,6 +49,10 @@ void set_mode(Lab& lab, Mode mode) {
 }
 
 void tick(Lab& lab) {
+    if (lab.together) {
+        lab.playback.previous = lab.together->shown.vehicles;
+        return step(*lab.together);
+    }
     Session& session = lab.document.session;
     lab.playback.previous = session.snapshot().vehicles;
     const VehicleView* selected = selected_vehicle(lab);
@@ -59,8 +71,7 @@ void tick(Lab& lab) {
 void advance(Lab& lab, double wall_seconds) {
     lab.wall_seconds += wall_seconds;
     if (lab.wall_seconds >= lab.notice_until) lab.notice = {};
-    if (auto& lesson = lab.document.lesson; lesson && lab.wall_seconds - lesson->last_hint_at >= hint_interval)
-        lesson->view.hint_ready = true;
+    if (lab.document.lesson) follow_hint(*lab.document.lesson, lab.wall_seconds);
     Playback& playback = lab.playback;
     if (playback.mode != Mode::playing || playback.held || lab.sheet_open) return;
 
@@ -68,12 +79,12 @@ void advance(Lab& lab, double wall_seconds) {
     const auto began = Clock::now();
     const auto spent = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
     playback.debt += wall_seconds * static_cast<double>(playback.time_scale);
-    const double before = lab.document.session.snapshot().seconds;
+    const double before = shown_snapshot(lab).seconds;
     while (playback.debt >= tick_length && spent() < stepping_budget) {
         tick(lab);
         playback.debt -= tick_length;
     }
-    measure_pace(playback, wall_seconds, lab.document.session.snapshot().seconds - before);
+    measure_pace(playback, wall_seconds, shown_snapshot(lab).seconds - before);
     if (playback.debt >= tick_length) playback.debt = 0;
 }
 

@@ -98,7 +98,7 @@ Json zones_json(const Snapshot& now, const CameraView& camera_view) {
 
 void add_scene_input(Json& state, const Lab& lab, const ui::SceneInputState& scene_input, const FrameFacts& frame) {
     const CameraView& camera_view = frame.camera_view;
-    const Snapshot& now = lab.document.session.snapshot();
+    const Snapshot& now = shown_snapshot(lab);
     state["thing"] = {{"kind", word(lab.view.selection.object.kind)}, {"index", lab.view.selection.object.index}};
     state["chosen"] = selected_objects(lab.view.selection).size();
     state["clipboard"] = ui::object_count(lab.clipboard);
@@ -136,7 +136,9 @@ Json exercise_json(const Lab& lab) {
             {"path_difference", view.real_path.empty() ? Json(nullptr) : Json(plain(view.path_difference))},
             {"steps", std::move(steps)},
             {"starts", std::move(starts)},
-            {"passed", lab.document.lesson->view.grade && lab.document.lesson->view.grade->good}};
+            {"passed", lab.document.lesson->view.grade && lab.document.lesson->view.grade->good},
+            {"together", view.together},
+            {"notes", view.notes}};
 }
 
 // The pair that the sliders set, and all pairs of the vehicle.
@@ -202,7 +204,7 @@ std::string anchors_json(const ui::Anchors& anchors) {
 }
 
 std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, const FrameFacts& frame) {
-    const Snapshot& now = lab.document.session.snapshot();
+    const Snapshot& now = shown_snapshot(lab);
     Json state{{"mode", word(lab.playback.mode)},
                {"tick", now.tick},
                {"seconds", now.seconds},
@@ -250,6 +252,10 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
     state["pointer"] = {static_cast<int>(frame.pointer.x), static_cast<int>(frame.pointer.y)};
     state["pressed"] = frame.pressed;
     state["exercise"] = exercise_json(lab);
+    state["student"] = {{"name", lab.students.student().name},
+                        {"students", lab.students.all.size()},
+                        {"passed", passed_count(lab.students.student())},
+                        {"exercises", lab.students.student().exercises.size()}};
     add_scene_input(state, lab, scene_input, frame);
     return state.dump(1) + "\n";
 }

@@ -25,7 +25,7 @@ bool jumped(const ViewportState& state, const Lab& lab) {
 }  // namespace
 
 void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, float seconds) {
-    const Snapshot& now = lab.document.session.snapshot();
+    const Snapshot& now = shown_snapshot(lab);
     const VehicleView* followed = rides(lab.view.camera.mode) ? find_vehicle(now, lab.view.selection.vehicle) : nullptr;
     const CameraView wanted = look(lab.view.camera, now.scene->arena, followed, window, free_area);
     state.age = jumped(state, lab) ? 0 : state.age + seconds;
@@ -44,7 +44,7 @@ void drive_camera(Lab& lab, const ViewportState& state, const ui::SceneInputStat
     const vec2 middle{free_area.x + free_area.w / 2, free_area.y + free_area.h / 2};
     orbit(lab.view.camera, keys.turn * turn_rate * seconds, keys.raise * raise_rate * seconds);
     if (keys.zoom != 0)
-        zoom_about(lab.view.camera, lab.document.session.snapshot().scene->arena, window, free_area, middle,
+        zoom_about(lab.view.camera, shown_snapshot(lab).scene->arena, window, free_area, middle,
                    std::exp2(keys.zoom * zoom_rate * seconds));
     if ((keys.pan.x != 0 || keys.pan.y != 0) && !rides(lab.view.camera.mode)) {
         const float step = pan_rate * free_area.w * seconds;
@@ -55,7 +55,7 @@ void drive_camera(Lab& lab, const ViewportState& state, const ui::SceneInputStat
     if (scene_input.drag.phase == ui::SceneInputPhase::pan && !rides(lab.view.camera.mode))
         pan(lab.view.camera, state.camera_view, at - moved, at);
     if (!io.WantCaptureMouse && io.MouseWheel != 0)
-        zoom_about(lab.view.camera, lab.document.session.snapshot().scene->arena, window, free_area, at,
+        zoom_about(lab.view.camera, shown_snapshot(lab).scene->arena, window, free_area, at,
                    std::exp2(io.MouseWheel * notch));
 }
 

@@ -21,6 +21,8 @@ struct MessageText {
 };
 inline constexpr auto message_table = std::to_array<MessageText>({
     {"no_file", "there is no such file"},
+    {"not_progress", "not the progress of a student: {}"},
+    {"kept_aside", "; it is kept as {}, and the progress starts anew"},
     {"not_a_file", "this is not a file; give one"},
     {"too_large", "larger than {} MB; split it"},
     {"unreadable", "cannot be read; are you allowed to?"},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "core/lesson/exercise.h"
 #include "core/lesson/grade.h"
+#include "core/lesson/progress.h"
 #include "core/lesson/referee.h"
 #include "core/scene/sensor_pairs.h"
 #include "core/world/snapshot.h"
@@ -42,11 +44,12 @@ struct LessonView {
     bool outcome_known = false;                // a run with the shipped brain has shown what was to be predicted
     int hints_shown = 0;                       // of exercise->hints
     bool hint_ready = true;                    // the next hint may be opened now
+    int hint_in = 0;                           // seconds until it may be without a run, while it may not be now
     std::optional<std::size_t> starts_tested;  // so far, while the submission is graded
     std::optional<Grade> grade;                // of the starts, once every step has been done in a run
     bool by_hand = false;                      // the user has moved an object: this run is not judged
     bool free_play = false;                    // all controls are shown, not only the offered ones
-    bool solution_shown = false;               // the solution was set for the student; Start over clears it
+    bool solution_shown = false;               // the solution was set for the student; Action::exercise_reset clears it
     bool outside_offers = false;               // the submission changes what is not offered: it is not graded
     bool too_many_changes = false;             // it changes more controls than Exercise::changes: it is not graded
     std::string notes;                         // written by the student
@@ -55,6 +58,8 @@ struct LessonView {
     std::vector<maths::vec2> real_path;        // what was to be drawn, m; empty until the outcome is known
     float path_difference = 0;                 // m, between both paths, see path_distance; valid with real_path
     std::optional<SelectionView> selection;    // nullopt: the exercise does not offer it
+    bool together = false;                     // the graded starts run at once in place of the exercise's own run
+    bool has_kept = false;                     // the student's progress has a submission that is not the present one
 };
 
 // True once an option is chosen or a path is drawn.
@@ -78,8 +83,9 @@ struct GhostView {
 struct CatalogueEntry {
     std::string name, path;  // "2a-coward", and its file
     std::string title, story;
-    int number = 0;   // of an exercise; 0: a scene
-    int chapter = 0;  // of an exercise of the course, from 1; 0: none
+    int number = 0;                              // of an exercise; 0: a scene
+    int chapter = 0;                             // of an exercise of the course, from 1; 0: none
+    std::shared_ptr<const Exercise> exercise{};  // null: a scene
 };
 
 // The recorded part of the run, in ticks. The tick shown is in it.
@@ -127,6 +133,7 @@ struct LabView {
     std::optional<GhostView> ghost;                          // while LessonView::compares and it is known
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
     std::string student;                                     // name of the student; empty: none is named
+    const StudentBook* students = nullptr;                   // null: no progress is kept
     const std::vector<RecentFile>* recent = nullptr;         // recently opened files, newest first; null: none
     const FilesView* files = nullptr;                        // null: no file access
     std::string opened;                                      // name of the open file, as in the catalogue

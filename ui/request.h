@@ -187,7 +187,22 @@ struct ChooseChildRequest {  // the vehicle gets the brain of this child, which 
     int child = 0;           // 0-based; −1: the parent again, for other children
 };
 struct EarlierGenerationRequest {};  // takes the last choice back
-struct ExportRequest {               // writes a new CSV file to the folder of pictures
+struct KeptRequest {};               // gives the vehicle the submission kept in the student's progress
+struct TogetherRequest {             // runs the graded starts at once in the scene; false: returns to the exercise
+    bool on = true;
+};
+struct NotesRequest {
+    std::string text;  // replaces LessonView::notes
+};
+// choose: the student `index` works now. add, rename: `name`; refused unless is_free_name(). reset: forgets the
+// progress of the current student; restore: takes the last reset back. save: writes the progress of all as a CSV file.
+enum class StudentEdit { choose, add, rename, reset, restore, save };
+struct StudentRequest {
+    StudentEdit edit = StudentEdit::choose;
+    std::size_t index = 0;  // in StudentBook::all
+    std::string name{};
+};
+struct ExportRequest {  // writes a new CSV file to the folder of pictures
     std::string name, text;
 };
 struct SpeedRequest {
@@ -260,7 +275,8 @@ using Request =
                  PairRequest, CanvasShareRequest, PredictRequest, FreePlayRequest, ShowMeRequest, ExportRequest,
                  SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, BookmarkRequest,
                  BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest,
-                 SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest>;
+                 SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest,
+                 KeptRequest, TogetherRequest, NotesRequest, StudentRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

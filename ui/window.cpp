@@ -8,6 +8,7 @@
 
 #include "ui/panels/cards.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/prediction_keys.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
@@ -165,8 +166,28 @@ bool works_under_a_sheet(KeyPress press) {
                       *action == Action::smaller || *action == Action::keys);
 }
 
-// On a sheet Down and Up are Tab and Shift+Tab. Other keys do nothing.
+// Scrolls the body of a sheet. Up and Down scroll those that only have words to read.
+bool scrolls_sheet(PanelState& state, KeyPress press) {
+    constexpr float all = 1000, line = 0.12f;  // pages
+    const bool reads = state.sheet == Sheet::keys || state.sheet == Sheet::about;
+    SheetState& sheet = state.sheet == Sheet::keys       ? state.keys
+                        : state.sheet == Sheet::about    ? state.about
+                        : state.sheet == Sheet::students ? state.students
+                                                         : state.settings;
+    const float pages = press.key == key::page_down       ? 1
+                        : press.key == key::page_up       ? -1
+                        : reads && press.key == key::down ? line
+                        : reads && press.key == key::up   ? -line
+                        : reads && press.key == key::home ? -all
+                        : reads && press.key == key::end  ? all
+                                                          : 0;
+    sheet.scroll += pages;
+    return pages != 0;
+}
+
+// On a sheet Down and Up are Tab and Shift+Tab, unless they scroll it. Other keys do nothing.
 bool key_for_sheet(PanelState& state, KeyPress press) {
+    if (scrolls_sheet(state, press)) return true;
     if (press.key == key::escape) state.sheet = Sheet::none;
     if (press.key == key::down) press = {key::tab};
     if (press.key == key::up) press = {key::tab, false, true};
@@ -375,11 +396,12 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     settings_card(view, state, ui, layout.window);
     about_card(view, state, ui, layout.window);
     children_sheet(view, state, ui, layout.window);
+    student_sheet(view, state, ui, layout.window);
     glossary_sheet(view, state, ui, layout.window);
     term_card(view, state, ui, layout.window);
     leaving_sheet(view, state, ui, layout.window);
     keep_drawn(state.fields);
-    (void)keep_drawn(state.values.seed);
+    for (TextField* field : {&state.values.seed, &state.note, &state.student_name}) (void)keep_drawn(*field);
     keep_drawn(state.author);
     end_keyboard(state.keyboard);
     execute_chosen(view, state, ui.outbox);
@@ -392,15 +414,17 @@ bool drags_vehicle(const PanelState& state, VehicleId vehicle) {
 }
 
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
+    if (key_for_prediction(view, state, press, outbox)) return true;
     show_focus_for(state.keyboard, press);
     if (action_for(press) == Action::exit) {  // in every state; the app shows the sheet about unsaved edits
         outbox.push_back(Action::exit);
         return true;
     }
     if (key_for_typing(state.sliders, press)) return true;
-    if (state.sheet == Sheet::none &&
-        (for_record_text(state.fields, press) || for_text_field(state.values.seed, press)))
+    if (state.sheet == Sheet::none && (for_record_text(state.fields, press) ||
+                                       for_text_field(state.values.seed, press) || for_text_area(state.note, press)))
         return true;
+    if (state.sheet == Sheet::students && for_text_field(state.student_name, press)) return true;
     const bool is_modifier = press.key >= key::first_modifier && press.key <= key::last_modifier;
     if (view.lecture && state.sheet == Sheet::none && press.key != key::f9 && !is_modifier)
         state.pressed.push_back({press, view.wall_seconds});

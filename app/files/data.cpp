@@ -89,8 +89,8 @@ std::vector<CatalogueEntry> read_catalogue() {
     std::vector<CatalogueEntry> catalogue;
     for (const fs::path& path : shipped_exercises())
         if (const auto exercise = load_exercise(path))
-            catalogue.push_back(
-                {path.stem().string(), path.string(), exercise->title, "", exercise->number, exercise->chapter});
+            catalogue.push_back({path.stem().string(), path.string(), exercise->title, "", exercise->number,
+                                 exercise->chapter, std::make_shared<const Exercise>(*exercise)});
     for (const fs::path& path : shipped_scenes())
         if (const auto scene = load_scene(path))
             catalogue.push_back({path.stem().string(), path.string(), scene->title, scene->story});

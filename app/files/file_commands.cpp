@@ -9,6 +9,7 @@
 #include "app/files/disk.h"
 #include "app/files/safe_file.h"
 #include "app/lab_lesson.h"
+#include "app/lab_progress.h"
 #include "app/lab_requests.h"
 #include "core/io/run_file.h"
 #include "core/lesson/author.h"
@@ -186,6 +187,9 @@ void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const 
         if (const auto* save = std::get_if<SaveExerciseRequest>(&request)) commands.save_exercise(*save);
         if (const auto* leave = std::get_if<LeaveRequest>(&request)) commands.leave(leave->answer);
         if (const auto* numbers = std::get_if<ExportRequest>(&request)) commands.save_numbers(*numbers);
+        if (const auto* students = std::get_if<StudentRequest>(&request);
+            students && students->edit == StudentEdit::save)
+            commands.save_numbers({"progress", progress_csv(lab.students.all)});
         if (const auto* browse = std::get_if<BrowseRequest>(&request))
             commands.list(resolved(browse->path, commands.folder(), folders.home));
     }
@@ -193,8 +197,10 @@ void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const 
 
 bool has_unsaved_edits(const Lab& lab) {
     if (lab.document.edits == lab.document.saved_edits) return false;
-    if (const auto& lesson = lab.document.lesson)
-        return submission_of(*lesson->exercise, lab.document.session.snapshot()) != as_shipped(*lesson->exercise);
+    if (const auto& lesson = lab.document.lesson) {
+        const Submission now = submission_of(*lesson->exercise, lab.document.session.snapshot());
+        return now != as_shipped(*lesson->exercise) && !is_kept(lab, now);
+    }
     return lab.document.session.edited_scene() != *lab.document.file;
 }
 

@@ -16,7 +16,8 @@ void add_recent_file(StoredState&, const std::filesystem::path&, const Document&
 // notice and in the view. Scene files written are added to Lab::saved.
 void execute_file_requests(Lab&, FilesView&, StoredState&, const UserFolders&);
 
-// True if the scene has edits that are in no file; of an exercise, if its submission has.
+// True if the scene has edits that are in no file; of an exercise, if its submission has and the
+// student's progress does not keep it.
 bool has_unsaved_edits(const Lab&);
 
 // True if the document can be closed without losing edits. If not, sets FilesView::leaving, which opens a sheet.

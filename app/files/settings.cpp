@@ -151,6 +151,7 @@ Result<StoredState> parse_state(std::string_view toml, std::string file_name) {
     reader->read("height", r.height, "a whole number");
     reader->read("last_opened", r.last_opened, "a path in quotes");
     reader->read("folder", r.folder, "a path in quotes");
+    reader->read("student", r.student, "a name in quotes");
     read_view(*reader, r.view);
     read_place(*reader, r.place);
     if (reader->error) return *reader->error;
@@ -175,6 +176,7 @@ std::string write_state(const StoredState& r) {
                       {"diagram_share", r.view.settings.canvas_share},
                       {"speed", r.view.time_scale}};
     visit_flags(r.view, [&](const char* key, bool value) { table.insert(key, value); });
+    if (!r.student.empty()) table.insert("student", r.student);
     if (r.place) table.insert("x", r.place->x), table.insert("y", r.place->y);
     if (r.view.folded) {
         toml::array folded;

@@ -45,6 +45,7 @@ struct StoredState {
     std::string folder;              // of the file opened or saved last
     StoredView view{};
     std::optional<WindowPlace> place{};  // of the window; nullopt: unknown
+    std::string student{};               // file of the student who worked last, see StudentFiles; empty: the first
     friend bool operator==(const StoredState&, const StoredState&) = default;
 };
 

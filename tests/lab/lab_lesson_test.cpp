@@ -378,7 +378,7 @@ TEST(LabLesson, ShowsAGradeOnlyForTheSubmissionThatGotIt) {
     turn(lab, jobs);
     handle(lab, EditRequest{SetBrain{{.kind = 0}, solution(lab)}});
     turn(lab, jobs);
-    EXPECT_FALSE(lesson_of(lab).grade) << "Start over forgets the grade";
+    EXPECT_FALSE(lesson_of(lab).grade) << "Discard all forgets the grade";
 }
 
 TEST(LabLesson, DoesNotGradeWhileOtherControlsThanTheOfferedOnesHaveChanged) {

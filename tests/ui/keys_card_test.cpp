@@ -124,4 +124,27 @@ TEST(Keyboard, ShowsTheFocusRingOnlyAfterAKeyPress) {
     EXPECT_TRUE(desk.panels.keyboard.shown);
 }
 
+TEST(KeysCard, ScrollsByKeysInALowWindow) {
+    Desk desk(1024, 480, 1, true);
+    desk.key({key::f1});
+    desk.frame(4);
+    const auto top = [&] {
+        float y = 1e9f;
+        for (const Written& written : desk.written)
+            if (written.words == desk.strings("action.play_pause")) y = std::min(y, written.rect.y);
+        return y;
+    };
+    const auto press = [&](int key) {
+        desk.key({key});
+        desk.frame(3);
+        return top();
+    };
+    const float first = top(), line = press(key::down), page = press(key::page_down), last = press(key::end);
+    EXPECT_LT(line, first);
+    EXPECT_LT(page, line - 100);
+    EXPECT_LE(last, page);
+    EXPECT_GT(press(key::up), last);
+    EXPECT_FLOAT_EQ(press(key::home), first);
+}
+
 }  // namespace braitenlab::tests::keys_card_test

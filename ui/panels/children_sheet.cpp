@@ -45,8 +45,10 @@ void draw_child(const Ui& ui, const Item& at, const Exercise& exercise, const St
     fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.2f * at.warmth), 4);
     line_box(ui, at.rect, ui.palette.line, 4);
     const Colour tone = legible(ui.palette.accent, ui.palette.panel, ui.palette.text);
-    draw_run(ui, exercise, run,
-             {at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - line - 2 * inset}, tone);
+    const maths::vec2 half{exercise.scene.arena.width / 2, exercise.scene.arena.height / 2};
+    const FloorMap map({-half, half},
+                       {at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - line - 2 * inset});
+    draw_run(ui, exercise, run, map, tone);
     const float y = at.bottom() - line - ui.px(2);
     put(ui, {at.rect.x + ui.px(6), y}, label, ui.palette.second_text, Face::text);
     write_seconds(ui, exercise, run, {at.right() - ui.px(6), y});

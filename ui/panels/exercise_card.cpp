@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "ui/panels/cards.h"
+#include "ui/panels/exercise_names.h"
 #include "ui/panels/lesson_text.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
@@ -57,6 +58,32 @@ void step(const LessonView& lesson, std::size_t index, Ui& ui) {
     mark(ui, id, {start.x, start.y, card_width(ui), height});
 }
 
+// After passing: the tested starts at once in the scene, and back to the exercise.
+void together_button(const LessonView& lesson, Ui& ui) {
+    const bool on = lesson.together;
+    ButtonLook look{on ? icon::undo : icon::play, ui.strings(on ? "exercise.back" : "exercise.together")};
+    look.emphasis = on ? Emphasis::primary : Emphasis::plain;
+    const Item at = button(ui, "exercise.together", look);
+    tooltip(ui, at, ui.strings(on ? "exercise.back_how" : "exercise.together_how"));
+    if (at.pressed) ui.outbox.emplace_back(TogetherRequest{!on});
+}
+
+// The brain that the student's progress has, while the vehicle has another one.
+void kept_button(const LabView& view, Ui& ui) {
+    const LessonView& lesson = *view.lesson;
+    if (!lesson.has_kept || has_passed(lesson) || !view.students) return;
+    const ExerciseProgress* kept = find_progress(view.students->student(), lesson.exercise->id);
+    if (!kept) return;
+    paragraph(ui,
+              fill(ui.strings(kept->passed ? "exercise.passed_before" : "exercise.tried_before"),
+                   {std::to_string(kept->best), std::to_string(kept->starts)}),
+              ui.palette.second_text, Face::small);
+    const Item at = button(ui, "exercise.kept", {{}, ui.strings("exercise.kept")});
+    tooltip(ui, at, ui.strings("exercise.kept_how"));
+    if (at.pressed) ui.outbox.emplace_back(KeptRequest{});
+    gap(ui, 12);
+}
+
 void result(const LabView& view, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     if (lesson.starts_tested) {
@@ -76,6 +103,7 @@ void result(const LabView& view, Ui& ui) {
         paragraph(ui, fill(ui.strings("exercise.not_yet"), {passed, of, needed}), ui.palette.text, Face::strong);
     }
     start_pictures(view, ui);
+    if (grade.good) together_button(lesson, ui);
     paragraph(ui,
               ui.strings(!grade.good             ? "exercise.not_yet_next"
                          : lesson.solution_shown ? "exercise.passed_shown"
@@ -100,6 +128,12 @@ void hints(const LessonView& lesson, PanelState& state, Ui& ui) {
         ImGui::GetWindowDrawList()->AddRectFilled({start.x, start.y}, {start.x + ui.px(3), start.y + height},
                                                   paint(ui.palette.accent), ui.px(1.5f));
     }
+    // While the button is not available, how long that lasts.
+    if (!lesson.hint_ready && lesson.hint_in > 0 && !has_passed(lesson))
+        paragraph(ui,
+                  fill(ui.strings(shown < all.size() ? "exercise.hint_in" : "exercise.show_me_in"),
+                       {std::to_string(lesson.hint_in)}),
+                  ui.palette.second_text, Face::small);
     if (std::exchange(state.hints_seen, shown) < shown) ImGui::SetScrollHereY(1);  // scroll to a new hint
 }
 
@@ -141,7 +175,7 @@ void next_button(const LabView& view, PanelState& state, Ui& ui) {
     const CatalogueEntry* next = next_exercise(view);
     const Item at =
         button(ui, "exercise.next", {{}, ui.strings(next ? "exercise.next" : "exercise.more"), Emphasis::primary});
-    tooltip(ui, at, next ? translated(ui, next->title) : ui.strings("exercise.more_how"));
+    tooltip(ui, at, next ? entry_words(view, ui, *next) : std::string(ui.strings("exercise.more_how")));
     ImGui::SameLine();
     if (!at.pressed) return;
     if (next) return ui.outbox.push_back(OpenRequest{.path = next->path, .next_exercise = true});
@@ -155,8 +189,7 @@ void exercise_buttons(const LabView& view, PanelState& state, Ui& ui) {
         next_button(view, state, ui);
     else
         hint_button(*view.lesson, ui);
-    const Item at =
-        button(ui, "exercise.reset", {passed ? std::string_view{} : icon::reset, ui.strings("exercise.reset")});
+    const Item at = button(ui, "exercise.reset", {{}, ui.strings("exercise.reset")});
     if (at.pressed) ui.outbox.push_back(Action::exercise_reset);
     tooltip(ui, at, ui.strings("exercise.reset_how"));
 }
@@ -172,7 +205,7 @@ bool is_rewired(const LabView& view) {
 void follow_exercise(const LessonView& lesson, PanelState& state) {
     if (state.exercise_id == lesson.exercise->id) return;
     state.exercise_id = lesson.exercise->id;
-    state.outcome_seen = state.grade_seen = state.why_open = false;
+    state.outcome_seen = state.grade_seen = state.why_open = state.note_open = false;
     state.hints_seen = 0;
 }
 
@@ -228,6 +261,8 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         prediction(view, state, rewired, ui);
         if (!passed) steps(view, ui);
         hints(lesson, state, ui);
+        kept_button(view, ui);
+        exercise_note(view, state, ui);
         if (lesson.grade && !state.grade_seen) ImGui::SetScrollY(0);
         state.grade_seen = lesson.grade.has_value();
         begin_footer(ui, state.card(Card::exercise), place);

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "ui/imgui_compat.h"
+#include "ui/panels/exercise_names.h"
 #include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
@@ -45,11 +46,12 @@ std::string folder_of(const std::string& path) {
 
 }  // namespace
 
-std::string recent_words(const Ui& ui, const std::vector<RecentFile>& all, const RecentFile& file) {
+std::string recent_words(const LabView& view, const Ui& ui, const std::vector<RecentFile>& all,
+                         const RecentFile& file) {
     std::string name = without_folder(file.path);
     if (file.title.empty()) return name;
     const auto same = [&](const RecentFile& other) { return other.title == file.title; };
-    const std::string title(translated(ui, file.title));
+    const std::string title = known_title(view, ui, file.title);
     return std::count_if(all.begin(), all.end(), same) > 1 ? title + " (" + name + ")" : title;
 }
 
@@ -122,19 +124,15 @@ std::string chapter_title(const Ui& ui, int chapter) {
 
 namespace {
 
-void shipped_rows(const LabView& view, FilesState& files, Ui& ui, bool exercises) {
-    subheading(ui, ui.strings(exercises ? "open.exercises" : "open.scenes"));
-    gap(ui, 12);  // room for the focus ring of the first row
+void shipped_scenes(const LabView& view, FilesState& files, Ui& ui) {
     if (!view.catalogue) return;
-    int chapter = 0;
     for (const CatalogueEntry& entry : *view.catalogue) {
-        if ((entry.number > 0) != exercises) continue;
-        if (entry.chapter != chapter)
-            paragraph(ui, chapter_title(ui, entry.chapter), ui.palette.second_text, Face::small), gap(ui, 4);
-        chapter = entry.chapter;
-        const std::string title(translated(ui, entry.title));
-        const std::string words = exercises ? std::to_string(entry.number) + "  " + title : title;
-        const FileRow row{"open." + entry.name,     words, std::string(translated(ui, entry.story)), "", {},
+        if (entry.number > 0) continue;
+        const FileRow row{"open." + entry.name,
+                          std::string(translated(ui, entry.title)),
+                          std::string(translated(ui, entry.story)),
+                          "",
+                          {},
                           entry.name == view.opened};
         if (list_row(ui, row, ui.strings("files.open_how"))) request_file(view, files, ui, OpenRequest{entry.path});
         if (row.current && !files.begun) ImGui::SetScrollHereY();
@@ -142,20 +140,27 @@ void shipped_rows(const LabView& view, FilesState& files, Ui& ui, bool exercises
     gap(ui, 8);
 }
 
+void list_heading(Ui& ui, bool exercises) {
+    subheading(ui, ui.strings(exercises ? "open.exercises" : "open.scenes"));
+    gap(ui, 12);  // room for the focus ring of the first row
+}
+
 }  // namespace
 
 // Exercises on the left, scenes on the right. Each list scrolls.
 void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) {
-    constexpr float exercises_share = 0.42f;  // of the width
+    constexpr float exercises_share = 0.66f;  // of the width
     const float between = ui.px(12), all = card_width(ui), left = (all - between) * exercises_share;
     const std::string listed = files.listed;  // both lists are of one place
     begin_list(files, ui, "shipped", bottom, "exercises", left);
-    shipped_rows(view, files, ui, true);
+    list_heading(ui, true);
+    exercise_gallery(view, files, ui);
     end_list();
     ImGui::SameLine(0, between);
     files.listed = listed;
     begin_list(files, ui, "shipped", bottom, "scenes", all - between - left);
-    shipped_rows(view, files, ui, false);
+    list_heading(ui, false);
+    shipped_scenes(view, files, ui);
     end_list();
 }
 
@@ -165,8 +170,8 @@ void list_recent(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     if (view.recent)
         for (const RecentFile& file : *view.recent)
             if (list_row(ui,
-                         {"recent." + std::to_string(++number), recent_words(ui, *view.recent, file), file.path, "",
-                          icon::file},
+                         {"recent." + std::to_string(++number), recent_words(view, ui, *view.recent, file), file.path,
+                          "", icon::file},
                          ui.strings("files.open_how")))
                 request_file(view, files, ui, OpenRequest{file.path});
     if (number == 0) paragraph(ui, ui.strings("files.no_recent"), ui.palette.second_text);

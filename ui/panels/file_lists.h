@@ -38,7 +38,7 @@ void begin_files(FilesState&, bool saving, FileKind kind = FileKind::scene);
 // The string key of a file kind's name.
 // The title of a recent file in the language of the strings, or its name without a title; with both if another recent
 // file has the same title.
-std::string recent_words(const Ui&, const std::vector<RecentFile>&, const RecentFile&);
+std::string recent_words(const LabView&, const Ui&, const std::vector<RecentFile>&, const RecentFile&);
 
 std::string_view kind_key(FileKind);
 
@@ -50,6 +50,9 @@ void request_file(const LabView&, FilesState&, Ui&, Request);
 void list_shipped(const LabView&, FilesState&, Ui&, float bottom);
 void list_recent(const LabView&, FilesState&, Ui&, float bottom);
 void list_folder(const LabView&, FilesState&, Ui&, float bottom);
+
+// The shipped exercises as cards by chapter, `gallery.ID` each; gallery.cpp
+void exercise_gallery(const LabView&, FilesState&, Ui&);
 
 // "1 · Two wheels, two eyes"
 std::string chapter_title(const Ui&, int chapter);

@@ -23,7 +23,7 @@ namespace braitenlab::ui {
 namespace {
 
 // Layout pixels. `taken`: height of the sheet's heading, buttons and least margin.
-constexpr float sheet_width = 680, body_height = 490, least_body = 200, taken = 170;
+constexpr float sheet_width = 680, gallery_width = 960, body_height = 490, least_body = 200, taken = 170;
 
 // The existing file that saving would replace, or null. "scene" also matches "scene.toml".
 const FileEntry* existing_file(const FilesState& files, const FolderListing& listing) {
@@ -160,6 +160,12 @@ void file_buttons(const LabView& view, PanelState& state, Ui& ui) {
     if (cancel.pressed) state.sheet = Sheet::none;
 }
 
+bool is_exercise(const LabView& view, const std::string& name) {
+    return view.catalogue &&
+           std::any_of(view.catalogue->begin(), view.catalogue->end(),
+                       [&](const CatalogueEntry& each) { return each.number > 0 && each.name == name; });
+}
+
 // The initial focus: the text field, or the row of the open file.
 void first_focus(const LabView& view, FilesState& files, Ui& ui) {
     if (files.begun || !ui.keyboard) return;
@@ -167,7 +173,7 @@ void first_focus(const LabView& view, FilesState& files, Ui& ui) {
     if (files.saving || files.place == FilesPlace::folder)
         ui.keyboard->focus = "files.path";
     else
-        ui.keyboard->focus = "open." + view.opened;
+        ui.keyboard->focus = (is_exercise(view, view.opened) ? "gallery." : "open.") + view.opened;
     ui.keyboard->revealed = true;
 }
 
@@ -188,8 +194,8 @@ void files_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
         ui.outbox.push_back(BrowseRequest{});
     }
     const bool in_folder = files.saving || files.place == FilesPlace::folder;
-    begin_sheet(ui, files.sheet, "card.open", ui.strings(files.saving ? "files.save_as" : "files.open"), sheet_width,
-                window);
+    begin_sheet(ui, files.sheet, "card.open", ui.strings(files.saving ? "files.save_as" : "files.open"),
+                files.saving ? sheet_width : gallery_width, window);
     // The part above the buttons has the same height on every tab, so that the buttons do not move.
     const float body = std::clamp(window.h - ui.px(taken), ui.px(least_body), ui.px(body_height));
     float bottom = ImGui::GetCursorPosY() + body;

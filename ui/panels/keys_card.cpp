@@ -80,6 +80,9 @@ std::vector<KeyRow> key_rows(const Strings& strings) {
     std::vector<KeyRow> list;
     for (int place = 0; place <= static_cast<int>(last_place); ++place)
         add_rows(list, static_cast<KeyPlace>(place), strings);
+    list.push_back({"", std::string(strings("keys.place.answer")), true});
+    list.push_back({"1 … 4", std::string(strings("keys.answer"))});
+    list.push_back({key_name({' '}, strings), std::string(strings("keys.answer_space"))});
     list.push_back({"", std::string(strings("keys.place.mouse")), true});
     for (const auto& [gesture, what] : gestures_of_mouse)
         list.push_back({std::string(strings(gesture)), std::string(strings(what))});

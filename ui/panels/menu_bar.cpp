@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/scene/enums.h"
+#include "ui/panels/exercise_names.h"
 #include "ui/panels/file_lists.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/edits.h"
@@ -17,7 +18,7 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr std::size_t most_recent = 5;
-constexpr float longest_name = 260;  // of a recent file, layout pixels
+constexpr float longest_name = 260, longest_exercise = 300;  // of a recent file and an exercise, layout pixels
 
 struct MenuNames {
     std::string_view name, words;  // words: key of the string
@@ -122,6 +123,7 @@ struct LabMenuRow {
     MenuEntry entry;
     std::optional<Action> action{};
     std::optional<Request> request{};
+    std::optional<Sheet> sheet{};  // opened in the next frame
 };
 
 bool is_overlay(Action action) { return action >= Action::sensors && action <= Action::next_field; }
@@ -191,7 +193,7 @@ void add_recent_files(std::vector<LabMenuRow>& rows, const LabView& view, const 
         const RecentFile& file = (*view.recent)[i];
         LabMenuRow row{.request = OpenRequest{file.path}};
         row.entry.anchor = "menu.file.recent." + std::to_string(i + 1);
-        row.entry.words = shortened(ui, recent_words(ui, *view.recent, file), Face::text, ui.px(longest_name));
+        row.entry.words = shortened(ui, recent_words(view, ui, *view.recent, file), Face::text, ui.px(longest_name));
         row.entry.how = file.path;
         rows.push_back(std::move(row));
     }
@@ -216,6 +218,24 @@ void add_fields(std::vector<LabMenuRow>& rows, const LabView& view, const Ui& ui
         add(std::string(word(c)), ui.strings("view.channel." + std::string(word(c))), c);
 }
 
+// "9/10" of the best grade, after a check mark once it is passed.
+std::string passed_words(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {
+    const ExerciseProgress* progress = progress_of(view, entry);
+    const std::string best = best_words(progress);
+    if (!progress || !progress->passed) return best;
+    return (has_icons(ui) ? std::string(icon::check) : std::string(ui.strings("exercise.passed_sign"))) + " " + best;
+}
+
+// Opens the sheet of the students.
+LabMenuRow student_row_of_menu(const LabView& view, const Ui& ui) {
+    LabMenuRow row{.sheet = Sheet::students};
+    row.entry.anchor = "menu.exercises.students";
+    row.entry.words = view.student.empty() ? std::string(ui.strings("students.open"))
+                                           : fill(ui.strings("students.open_named"), {view.student});
+    row.entry.how = ui.strings("students.what");
+    return row;
+}
+
 void add_catalogue(std::vector<LabMenuRow>& rows, const LabView& view, const Ui& ui) {
     if (!view.catalogue) return;
     for (const bool exercises : {true, false}) {
@@ -226,10 +246,10 @@ void add_catalogue(std::vector<LabMenuRow>& rows, const LabView& view, const Ui&
             if (shipped.chapter != chapter) rows.push_back(menu_heading(chapter_title(ui, shipped.chapter)));
             chapter = shipped.chapter;
             LabMenuRow row{.request = OpenRequest{shipped.path}};
-            const std::string title(translated(ui, shipped.title));
             row.entry.anchor = "menu.exercises." + shipped.name;
-            row.entry.words = exercises ? std::to_string(shipped.number) + "  " + title : title;
-            row.entry.how = translated(ui, shipped.story);
+            row.entry.words = shortened(ui, entry_words(view, ui, shipped), Face::text, ui.px(longest_exercise));
+            row.entry.how = translated(ui, shipped.exercise ? shipped.exercise->goal : shipped.story);
+            row.entry.keys = passed_words(view, ui, shipped);
             row.entry.on = shipped.name == view.opened;
             rows.push_back(std::move(row));
         }
@@ -243,6 +263,7 @@ std::vector<LabMenuRow> rows_of(const LabView& view, const PanelState& state, co
         rows.push_back(action_row(view, state, ui, place));
         if (place.action == Action::open) add_recent_files(rows, view, ui);
         if (place.action == Action::next_field) add_fields(rows, view, ui);
+        if (place.action == Action::exercise_reset && view.students) rows.push_back(student_row_of_menu(view, ui));
         if (place.action == Action::exercise_reset) add_catalogue(rows, view, ui);
     }
     return rows;
@@ -406,6 +427,7 @@ void lab_menu(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect win
     const LabMenuRow& row = rows[static_cast<std::size_t>(chosen)];
     if (row.action) state.chosen.push_back(*row.action);
     if (row.request) ui.outbox.push_back(*row.request);
+    if (row.sheet) state.sheet = *row.sheet;
 }
 
 std::string_view menu_title_at(const Ui& ui, float x, float y) {

@@ -35,7 +35,7 @@ std::array<CardState, card_count> initial_cards();
 enum class Chart { signals, neurons, population, energy, bars };
 
 // The sheet that covers the window; at most one.
-enum class Sheet { none, keys, settings, files, about, recovery, leaving, author, children, glossary };
+enum class Sheet { none, keys, settings, files, about, recovery, leaving, author, children, glossary, students };
 
 // State that a lecture changes and restores at its end.
 struct BeforeLecture {
@@ -90,9 +90,12 @@ struct PanelState {
     std::vector<std::size_t> energy_rows;  // indices into the snapshot's vehicles, in that order
     bool playhead_held = false;            // true while the playhead is dragged; the simulation is paused
     bool why_open = false;
+    bool note_open = false;  // the notes on the exercise card are unfolded
+    TextField note;
     Sheet sheet = Sheet::none;
-    SheetState keys, settings, about, recovery, leaving, children;
+    SheetState keys, settings, about, recovery, leaving, children, students;
     GlossaryState glossary;
+    TextField student_name;  // on the sheet of the students
     bool recovery_asked = false;
     bool leaving_asked = false;
     int leaving_done = 0;  // FilesView::done when the sheet for a name was opened; −1: the sheet is not open

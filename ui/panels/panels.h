@@ -16,6 +16,7 @@ namespace braitenlab::ui {
 // Cards; cards.h says when and where they are shown.
 void exercise_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.lesson
 void start_pictures(const LabView&, Ui&);                    // precondition: view.lesson has a grade
+void exercise_note(const LabView&, PanelState&, Ui&);        // the student's notes, a part of the exercise card
 void sensor_card(const LabView&, PanelState&, Ui&, Rect);
 void brain_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // `column`: the largest available rectangle
 void information_card(const LabView&, PanelState&, Ui&, Rect);
@@ -64,6 +65,7 @@ void author_sheet(const LabView&, PanelState&, Ui&, Rect window);    // the open
 void settings_card(const LabView&, PanelState&, Ui&, Rect window);   // language, theme, type size, motion
 void about_card(const LabView&, PanelState&, Ui&, Rect window);      // version, and licences of the libraries
 void children_sheet(const LabView&, PanelState&, Ui&, Rect window);  // children of a brain, of which one is chosen
+void student_sheet(const LabView&, PanelState&, Ui&, Rect window);   // the students of this computer
 
 // unsaved_sheets.cpp
 void recovery_sheet(const LabView&, PanelState&, Ui&, Rect window);  // after a crash, while LabView::recovery is set

@@ -8,6 +8,7 @@
 #include "ui/panels/lesson_text.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/path_picture.h"
+#include "ui/panels/scene_picture.h"
 #include "ui/strings.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
@@ -19,6 +20,16 @@ namespace {
 
 constexpr std::size_t few_starts = 10;  // up to this number the pictures are large
 constexpr float between_pictures = 6;   // layout pixels
+
+// The same part of the floor for all pictures: that of the scene, and of the paths inside the arena.
+FloorArea pictured_area(const Exercise& exercise, const Grade& grade) {
+    FloorArea area = occupied_area(exercise.scene);
+    for (const StartResult& start : grade.starts) include(area, start.path);
+    const maths::vec2 half{exercise.scene.arena.width / 2, exercise.scene.arena.height / 2};
+    area.low = {std::max(area.low.x, -half.x), std::max(area.low.y, -half.y)};
+    area.high = {std::min(area.high.x, half.x), std::min(area.high.y, half.y)};
+    return area;
+}
 
 // A check mark or a cross, so that the colour does not tell alone.
 void draw_sign(const Ui& ui, ImVec2 c, bool passed, ImU32 colour) {
@@ -45,18 +56,18 @@ std::string result_text(const Ui& ui, const Exercise& exercise, const StartResul
     return text;
 }
 
-void start_picture(const LabView& view, Ui& ui, std::size_t index, ImVec2 size) {
+void start_picture(const LabView& view, Ui& ui, std::size_t index, ImVec2 size, const FloorArea& area) {
     const Exercise& exercise = *view.lesson->exercise;
     const StartResult& start = view.lesson->grade->starts[index];
     const Item at = item(ui, "exercise.start." + std::to_string(index + 1), size);
-    const bool is_shown = view.now->seed == start.seed;
+    const bool is_shown = view.now->seed == start.seed || view.lesson->together;
     fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.2f * at.warmth), 4);
     line_box(ui, at.rect, is_shown ? ui.palette.accent : ui.palette.line, 4);
     const float inset = ui.px(3);
     const Rect inner{at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset};
     const Colour tone = start.passed ? legible(ui.palette.accent, ui.palette.raised, ui.palette.text)
                                      : colour_of(NoticeKind::failure, ui.palette);
-    draw_run(ui, exercise, start, inner, tone);
+    draw_run(ui, exercise, start, FloorMap(area, inner), tone);
     draw_sign(ui, {at.rect.x + at.rect.w - ui.px(7), at.rect.y + ui.px(7)}, start.passed, paint(tone));
     if (wants_tooltip(ui, at))
         tooltip(ui, at, result_text(ui, exercise, start) + "\n" + std::string(ui.strings("exercise.start_how")));
@@ -70,15 +81,16 @@ void start_picture(const LabView& view, Ui& ui, std::size_t index, ImVec2 size) 
 void start_pictures(const LabView& view, Ui& ui) {
     const std::size_t count = view.lesson->grade->starts.size();
     const std::size_t per_row = count <= few_starts ? 5 : 8;
-    const Arena& arena = view.lesson->exercise->scene.arena;
+    const FloorArea area = pictured_area(*view.lesson->exercise, *view.lesson->grade);
     const float gap = ui.px(between_pictures);
     const float width = (card_width(ui) - gap * static_cast<float>(per_row - 1)) / static_cast<float>(per_row);
     const float least = ui.px(24);  // of a target
-    const float height = std::max(least, width * std::clamp(arena.height / arena.width, 0.5f, 1.0f));
+    const float height =
+        std::max(least, width * std::clamp((area.high.y - area.low.y) / (area.high.x - area.low.x), 0.5f, 1.0f));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
     for (std::size_t i = 0; i < count; ++i) {
         if (i % per_row != 0) ImGui::SameLine();
-        start_picture(view, ui, i, {width, height});
+        start_picture(view, ui, i, {width, height}, area);
     }
     ImGui::PopStyleVar();
     for (const StartResult& start : view.lesson->grade->starts)

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include "ui/panels/exercise_names.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -34,13 +35,14 @@ void after_naming(const FilesView& files, PanelState& state, Ui& ui) {
     ui.outbox.push_back(LeaveRequest{saved ? Leave::saved : Leave::stay});
 }
 
-void leaving_question(const FilesView& files, Ui& ui) {
+void leaving_question(const LabView& view, Ui& ui) {
+    const FilesView& files = *view.files;
     const Leaving& leaving = *files.leaving;
     const Palette& p = ui.palette;
     paragraph(ui,
-              leaving.next.empty() ? fill(ui.strings("leaving.exit"), {translated(ui, leaving.title)})
-                                   : fill(ui.strings("leaving.open"),
-                                          {translated(ui, leaving.title), translated(ui, leaving.next_title)}),
+              leaving.next.empty() ? fill(ui.strings("leaving.exit"), {known_title(view, ui, leaving.title)})
+                                   : fill(ui.strings("leaving.open"), {known_title(view, ui, leaving.title),
+                                                                       known_title(view, ui, leaving.next_title)}),
               p.text);
     if (files.refused) paragraph(ui, text_of(*files.refused, ui.strings), legible(p.warning, p.panel, p.text));
 }
@@ -59,7 +61,7 @@ void leaving_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) 
     if (state.sheet != Sheet::leaving) return after_naming(files, state, ui);
 
     begin_sheet(ui, state.leaving, "card.leaving", ui.strings("leaving.heading"), 480, window);
-    leaving_question(files, ui);
+    leaving_question(view, ui);
     sheet_buttons(ui, state.leaving);
     const Item yes =
         button(ui, "leaving.save",
@@ -90,7 +92,7 @@ void recovery_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
     }
     begin_sheet(ui, state.recovery, "card.recovery",
                 ui.strings(view.recovery->ended ? "recovery.heading_ended" : "recovery.heading"), 460, window);
-    paragraph(ui, fill(ui.strings("recovery.what"), {translated(ui, view.recovery->title), view.recovery->when}),
+    paragraph(ui, fill(ui.strings("recovery.what"), {known_title(view, ui, view.recovery->title), view.recovery->when}),
               ui.palette.text);
     if (!view.recovery->file.empty()) paragraph(ui, view.recovery->file, ui.palette.second_text, Face::small);
     sheet_buttons(ui, state.recovery);

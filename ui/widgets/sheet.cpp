@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <imgui.h>
 
@@ -43,6 +44,10 @@ void begin_sheet(Ui& ui, SheetState& state, std::string_view id, std::string_vie
     ImGui::SetCursorScreenPos({r.x + ui.px(sheet_pad), r.y + ui.px(sheet_pad) + sheet_heading(ui)});
     compat::begin_child("body", {w - ui.px(sheet_pad + sheet_scrollbar_inset), std::max(1.0f, h - around)},
                         ImGuiWindowFlags_NoNav);
+    const float page = std::max(1.0f, h - around - line_height(ui, Face::text));
+    if (const float pages = std::exchange(state.scroll, 0.0f); pages != 0)
+        ImGui::SetScrollY(
+            std::clamp(ImGui::GetScrollY() + pages * page, 0.0f, std::max(0.0f, state.content - h + around)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(8)});
     ImGui::BeginGroup();
 }

@@ -11,6 +11,7 @@ namespace braitenlab::ui {
 struct SheetState {
     float content = 0;  // height of its body in the last frame, window pixels
     Rect rect;          // in this frame
+    float scroll = 0;   // requested by keys, in pages of its body; carried out in the next frame
 };
 
 // Begins the body, `layout_width` layout pixels wide or as wide as the window; its content is card_width() wide. The

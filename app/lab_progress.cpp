@@ -1,0 +1,134 @@
+#include "app/lab_progress.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/lab_lesson.h"
+#include "core/lesson/submission.h"
+
+namespace braitenlab {
+
+namespace {
+
+// What is known after this attempt, from what was known before it.
+ExerciseProgress progressed(ExerciseProgress progress, const Lesson& lesson) {
+    const LessonView& view = lesson.view;
+    const Prediction& asked = lesson.exercise->prediction;
+    if (view.prediction >= 0 && static_cast<std::size_t>(view.prediction) < asked.options.size()) {
+        progress.prediction = asked.options[static_cast<std::size_t>(view.prediction)];
+        progress.predicted_right = view.prediction == asked.answer;
+    }
+    progress.hints = std::max(progress.hints, view.hints_shown);
+    progress.notes = view.notes;
+    const bool passed_alone = progress.passed && !progress.shown;
+    if (view.solution_shown && !passed_alone) progress.shown = true;
+    if (!view.grade || !lesson.graded) return progress;
+    const Grade& grade = *view.grade;
+    if (grade.count > progress.best || progress.starts == 0)
+        progress.best = grade.count, progress.starts = static_cast<int>(grade.starts.size());
+    if (grade.good && !view.solution_shown) progress.shown = false;
+    if (grade.good || !progress.passed) progress.submission = lesson.graded->submission;
+    progress.passed = progress.passed || grade.good;
+    return progress;
+}
+
+const ExerciseProgress* stored_progress(const Lab& lab) {
+    if (!lab.document.lesson) return nullptr;
+    return find_progress(lab.students.student(), lab.document.lesson->exercise->id);
+}
+
+// True once after another exercise was opened or another student was chosen.
+bool is_new_attempt(Lab& lab) {
+    const std::pair now{lab.document.run_id, lab.students.current};
+    return std::exchange(lab.progress_of, now) != now;
+}
+
+}  // namespace
+
+void follow_progress(Lab& lab) {
+    if (!lab.document.lesson) return;
+    Lesson& lesson = *lab.document.lesson;
+    const ExerciseProgress* known = stored_progress(lab);
+    if (is_new_attempt(lab)) lesson.view.notes = known ? known->notes : std::string();
+    const ExerciseProgress before = known ? *known : ExerciseProgress{};
+    ExerciseProgress now = progressed(before, lesson);
+    lesson.view.has_kept =
+        now.submission && *now.submission != submission_of(*lesson.exercise, lab.document.session.snapshot());
+    if (now == before) return;
+    lab.students.before_reset.reset();
+    lab.students.student().exercises[lesson.exercise->id] = std::move(now);
+}
+
+bool is_kept(const Lab& lab, const Submission& submission) {
+    const ExerciseProgress* known = stored_progress(lab);
+    return known && known->submission == submission;
+}
+
+void take_kept_submission(Lab& lab) {
+    const ExerciseProgress* known = stored_progress(lab);
+    if (!known || !known->submission) return;
+    const bool shown = known->shown;
+    give_submission(lab, Submission(*known->submission));
+    if (shown) lab.document.lesson->view.solution_shown = true;
+}
+
+namespace {
+
+void choose_student(Lab& lab, std::size_t index) {
+    StudentBook& book = lab.students;
+    if (index >= book.all.size() || index == book.current) return;
+    book.current = index;
+    book.before_reset.reset();
+    if (lab.document.lesson) restart_exercise(lab);
+}
+
+void add_student(Lab& lab, const std::string& name) {
+    StudentBook& book = lab.students;
+    if (!is_free_name(book, name) || book.all.size() >= most_students) return;
+    book.all.push_back({tidy_student_name(name), {}});
+    choose_student(lab, book.all.size() - 1);
+}
+
+// The student without a name stays the first one; the present work gets the name.
+void rename_student(StudentBook& book, const std::string& name) {
+    if (!is_free_name(book, name)) return;
+    book.before_reset.reset();
+    if (book.current > 0) return void(book.student().name = tidy_student_name(name));
+    if (book.all.size() >= most_students) return;
+    StudentProgress named = std::exchange(book.all.front(), StudentProgress{});
+    named.name = tidy_student_name(name);
+    book.all.push_back(std::move(named));
+    book.current = book.all.size() - 1;
+}
+
+void reset_student(Lab& lab) {
+    StudentBook& book = lab.students;
+    if (book.student().exercises.empty()) return;
+    StudentProgress before = book.student();
+    book.student().exercises.clear();
+    if (lab.document.lesson) restart_exercise(lab), lab.document.lesson->view.notes.clear();
+    book.before_reset = std::move(before);
+}
+
+void restore_student(Lab& lab) {
+    StudentBook& book = lab.students;
+    if (!book.before_reset) return;
+    book.student() = *std::exchange(book.before_reset, std::nullopt);
+    lab.progress_of.reset();  // the notes are read again
+}
+
+}  // namespace
+
+void edit_students(Lab& lab, const StudentRequest& request) {
+    if (request.edit == StudentEdit::choose) choose_student(lab, request.index);
+    if (request.edit == StudentEdit::add) add_student(lab, request.name);
+    if (request.edit == StudentEdit::rename) {
+        const std::size_t before = lab.students.current;
+        rename_student(lab.students, request.name);
+        if (before == 0 && lab.progress_of) lab.progress_of->second = lab.students.current;  // the same attempt
+    }
+    if (request.edit == StudentEdit::reset) reset_student(lab);
+    if (request.edit == StudentEdit::restore) restore_student(lab);
+}
+
+}  // namespace braitenlab

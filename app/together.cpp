@@ -1,0 +1,89 @@
+#include "app/together.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/lab.h"
+
+namespace braitenlab {
+
+namespace {
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+}
+
+// Adds the vehicles of another world to a snapshot.
+void add_vehicles(Snapshot& all, const Snapshot& more) {
+    const VehicleId ids = all.vehicles.empty() ? 0 : all.vehicles.back().id + 1;
+    const auto brains = static_cast<int>(all.brains.size()), designs = static_cast<int>(all.designs.size());
+    const auto sensed = static_cast<int>(all.sensed.size()), neurons = static_cast<int>(all.neurons.size());
+    for (VehicleView vehicle : more.vehicles) {
+        vehicle.id += ids;
+        vehicle.brain += brains;
+        if (vehicle.design >= 0) vehicle.design += designs;
+        vehicle.first_sensed += sensed;
+        vehicle.first_neuron += neurons;
+        all.vehicles.push_back(vehicle);
+    }
+    append(all.brains, more.brains), append(all.designs, more.designs);
+    append(all.sensed, more.sensed), append(all.neurons, more.neurons);
+    for (VehicleLook look : more.looks) look.vehicle += ids, all.looks.push_back(look);
+    for (MarkView mark : more.marks) mark.owner += ids, all.marks.push_back(mark);
+    for (BiteView bite : more.bites) bite.one += ids, bite.other += ids, all.bites.push_back(bite);
+    for (StrikeView strike : more.strikes) strike.vehicle += ids, all.strikes.push_back(strike);
+    all.predators += more.predators, all.prey += more.prey;
+}
+
+Snapshot shown_of(const std::vector<World>& worlds) {
+    std::vector<Snapshot> parts(worlds.size());
+    for (std::size_t i = 0; i < worlds.size(); ++i) worlds[i].capture(parts[i]);
+    return merged(parts);
+}
+
+}  // namespace
+
+Snapshot merged(const std::vector<Snapshot>& parts) {
+    Snapshot all = parts.front();
+    for (std::size_t i = 1; i < parts.size(); ++i) add_vehicles(all, parts[i]);
+    return all;
+}
+
+Together begin_together(const Exercise& exercise, const Submission& submission, const Grade& grade) {
+    Together together;
+    const Scene scene = scene_with(exercise, submission);
+    for (const StartResult& start : grade.starts) {
+        if (together.worlds.size() == most_together) break;
+        if (auto world = World::create(scene, start.seed)) together.worlds.push_back(std::move(*world));
+    }
+    if (!together.worlds.empty()) together.shown = shown_of(together.worlds);
+    return together;
+}
+
+void step(Together& together) {
+    for (World& world : together.worlds) world.step();
+    together.shown = shown_of(together.worlds);
+}
+
+void begin_together(Lab& lab) {
+    const auto& lesson = lab.document.lesson;
+    if (!lesson || !lesson->graded || !lesson->view.grade || !lesson->view.grade->good) return;
+    Together together = begin_together(*lesson->exercise, lesson->graded->submission, lesson->graded->grade);
+    if (together.worlds.empty()) return;
+    lab.together = std::move(together);
+    lab.document.lesson->view.together = true;
+    lab.playback.previous.clear();
+    set_mode(lab, Mode::playing);
+}
+
+void end_together(Lab& lab) {
+    if (!lab.together) return;
+    lab.together.reset();
+    if (lab.document.lesson) lab.document.lesson->view.together = false;
+    lab.playback.previous.clear();
+    lab.playback.debt = 0;
+    set_mode(lab, Mode::paused);
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,162 @@
+#include "core/lesson/progress.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/io/csv.h"
+#include "core/io/json.h"
+#include "core/messages.h"
+
+namespace braitenlab {
+
+using io::Json;
+
+namespace {
+
+constexpr int progress_format = 1;
+constexpr std::size_t most_progress_bytes = std::size_t{16} << 20U, most_exercises = 1000;
+constexpr int most_counted = 10000;  // starts or hints
+
+std::string utf8_cut(std::string text, std::size_t most) {
+    if (text.size() <= most) return text;
+    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0U) == 0x80U) --most;
+    text.resize(most);
+    return text;
+}
+
+Json submission_json(const Submission& submission) {
+    return {{"brain", submission.brain}, {"sensors", submission.sensors}, {"body", submission.body}};
+}
+
+// nullopt for a submission of another version: the rest of the progress is still valid.
+std::optional<Submission> read_submission(const Json& json) {
+    try {
+        Submission read;
+        json.at("brain").get_to(read.brain);
+        json.at("sensors").get_to(read.sensors);
+        json.at("body").get_to(read.body);
+        return read;
+    } catch (const Json::exception&) {
+        return std::nullopt;
+    }
+}
+
+Json exercise_progress_json(const ExerciseProgress& progress) {
+    Json json{{"passed", progress.passed},
+              {"shown", progress.shown},
+              {"best", progress.best},
+              {"starts", progress.starts},
+              {"hints", progress.hints},
+              {"prediction", progress.prediction},
+              {"predicted_right", progress.predicted_right},
+              {"notes", progress.notes}};
+    if (progress.submission) json["submission"] = submission_json(*progress.submission);
+    return json;
+}
+
+ExerciseProgress read_exercise_progress(const Json& json) {
+    ExerciseProgress read;
+    read.passed = json.value("passed", false);
+    read.shown = json.value("shown", false);
+    read.starts = std::clamp(json.value("starts", 0), 0, most_counted);
+    read.best = std::clamp(json.value("best", 0), 0, read.starts);
+    read.hints = std::clamp(json.value("hints", 0), 0, most_counted);
+    read.prediction = json.value("prediction", std::string());
+    read.predicted_right = json.value("predicted_right", false);
+    read.notes = utf8_cut(json.value("notes", std::string()), longest_notes);
+    if (json.contains("submission")) read.submission = read_submission(json.at("submission"));
+    return read;
+}
+
+int line_of_byte(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, std::min(byte, text.size()));
+    return 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
+}
+
+}  // namespace
+
+int passed_count(const StudentProgress& student) {
+    return static_cast<int>(std::count_if(student.exercises.begin(), student.exercises.end(),
+                                          [](const auto& each) { return each.second.passed; }));
+}
+
+const ExerciseProgress* find_progress(const StudentProgress& student, std::string_view exercise) {
+    const auto found = student.exercises.find(std::string(exercise));
+    return found == student.exercises.end() ? nullptr : &found->second;
+}
+
+std::string tidy_student_name(std::string_view typed) {
+    std::string name;
+    for (const char letter : typed) name += static_cast<unsigned char>(letter) < ' ' || letter == 127 ? ' ' : letter;
+    const std::size_t first = name.find_first_not_of(' ');
+    if (first == std::string::npos) return {};
+    name = utf8_cut(name.substr(first), longest_student_name);
+    return name.substr(0, name.find_last_not_of(' ') + 1);
+}
+
+bool is_free_name(const StudentBook& book, std::string_view name) {
+    const std::string wanted = tidy_student_name(name);
+    return !wanted.empty() && std::none_of(book.all.begin(), book.all.end(),
+                                           [&](const StudentProgress& each) { return each.name == wanted; });
+}
+
+std::string write_progress(const StudentProgress& student) {
+    Json json{{"format", progress_format}, {"student", student.name}, {"exercises", Json::object()}};
+    for (const auto& [id, progress] : student.exercises) json["exercises"][id] = exercise_progress_json(progress);
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<StudentProgress> read_progress(std::string_view text, std::string file) {
+    if (text.size() > most_progress_bytes)
+        return error_of(message_of("too_large", most_progress_bytes >> 20U), std::move(file));
+    try {
+        const Json json = Json::parse(text);
+        if (json.value("format", 0) != progress_format)
+            return error_of(message_of("not_progress", "format = 1"), std::move(file));
+        StudentProgress read{tidy_student_name(json.value("student", std::string())), {}};
+        for (const auto& [id, progress] : json.at("exercises").items())
+            if (read.exercises.size() < most_exercises) read.exercises[id] = read_exercise_progress(progress);
+        return read;
+    } catch (const Json::parse_error& problem) {
+        return error_of(message_of("not_progress", "JSON"), std::move(file), line_of_byte(text, problem.byte));
+    } catch (const Json::exception& problem) {
+        return error_of(message_of("not_progress", problem.what()), std::move(file));
+    }
+}
+
+namespace {
+
+struct ProgressRow {
+    const std::string& student;
+    const std::string& exercise;
+    const ExerciseProgress& progress;
+};
+
+const std::vector<io::CsvColumn<ProgressRow>>& progress_columns() {
+    using io::CsvValue;
+    using Row = const ProgressRow&;
+    static const std::vector<io::CsvColumn<ProgressRow>> columns{
+        {"student", [](Row r) { return CsvValue(std::string_view(r.student)); }},
+        {"exercise", [](Row r) { return CsvValue(std::string_view(r.exercise)); }},
+        {"passed", [](Row r) { return CsvValue(std::int64_t{r.progress.passed}); }},
+        {"solution_shown", [](Row r) { return CsvValue(std::int64_t{r.progress.shown}); }},
+        {"best_starts", [](Row r) { return CsvValue(std::int64_t{r.progress.best}); }},
+        {"starts", [](Row r) { return CsvValue(std::int64_t{r.progress.starts}); }},
+        {"hints", [](Row r) { return CsvValue(std::int64_t{r.progress.hints}); }},
+        {"prediction", [](Row r) { return CsvValue(std::string_view(r.progress.prediction)); }},
+        {"predicted_right", [](Row r) { return CsvValue(std::int64_t{r.progress.predicted_right}); }},
+        {"notes", [](Row r) { return CsvValue(std::string_view(r.progress.notes)); }}};
+    return columns;
+}
+
+}  // namespace
+
+std::string progress_csv(const std::vector<StudentProgress>& students) {
+    std::string text = io::csv_header(progress_columns());
+    for (const StudentProgress& student : students)
+        for (const auto& [id, progress] : student.exercises)
+            io::add_csv_row(text, progress_columns(), ProgressRow{student.name, id, progress});
+    return text;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,72 @@
+#include "core/lesson/progress.h"
+
+#include <gtest/gtest.h>
+
+#include "core/lesson/exercise.h"
+
+namespace braitenlab::tests::progress_test {
+namespace {
+
+StudentProgress anna() {
+    const auto exercise =
+        load_exercise(std::filesystem::path(BRAITENLAB_SOURCE) / "exercises/guided/05-aggressor.toml");
+    EXPECT_TRUE(exercise);
+    StudentProgress made{"Anna Müller", {}};
+    made.exercises["05-aggressor"] = {
+        true, true, 9, 10, 3, "It turns away", true, "Line one,\n\"two\"", exercise->solution.submission};
+    made.exercises["06-love"] = {.hints = 1};
+    return made;
+}
+
+TEST(Progress, IsReadAsItWasWritten) {
+    const auto read = read_progress(write_progress(anna()), "anna.json");
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(*read, anna());
+    EXPECT_EQ(passed_count(*read), 1);
+    EXPECT_EQ(find_progress(*read, "05-aggressor")->best, 9);
+    EXPECT_EQ(find_progress(*read, "01-drive"), nullptr);
+}
+
+TEST(Progress, OfABrokenFileIsAnErrorWithFileAndLine) {
+    const auto cut = read_progress("{\n \"format\": 1,\n \"student\": ", "anna.json");
+    ASSERT_FALSE(cut);
+    EXPECT_EQ(cut.error().file, "anna.json");
+    EXPECT_EQ(cut.error().line, 3);
+    for (const char* text : {"", "[]", "{}", "{\"format\": 2, \"exercises\": {}}", "{\"format\": 1}",
+                             "{\"format\": 1, \"exercises\": {\"a\": 3}}",
+                             "{\"format\": 1, \"exercises\": {\"a\": {\"best\": \"x\"}}}", "nonsense"})
+        EXPECT_FALSE(read_progress(text, "f")) << text;
+}
+
+TEST(Progress, ClampsItsNumbersAndDropsASubmissionOfAnotherVersion) {
+    const auto read = read_progress(
+        R"({"format": 1, "exercises": {"a": {"best": 99, "starts": 10, "hints": -4, "new": 1, "submission": {}}}})",
+        "f");
+    ASSERT_TRUE(read) << read.error().text();
+    const ExerciseProgress& a = read->exercises.at("a");
+    EXPECT_EQ(a.best, 10);
+    EXPECT_EQ(a.hints, 0);
+    EXPECT_FALSE(a.submission);
+}
+
+TEST(Progress, HasATableOfAllStudents) {
+    const std::string csv = progress_csv({StudentProgress{}, anna()});
+    EXPECT_EQ(csv,
+              "student,exercise,passed,solution_shown,best_starts,starts,hints,prediction,predicted_right,notes\n"
+              "Anna Müller,05-aggressor,1,1,9,10,3,It turns away,1,\"Line one,\n\"\"two\"\"\"\n"
+              "Anna Müller,06-love,0,0,0,0,1,,0,\n");
+}
+
+TEST(Progress, TakesANameWithoutBlanksAtItsEndsAndOnce) {
+    StudentBook book;
+    book.all.push_back({"Anna", {}});
+    EXPECT_EQ(tidy_student_name("  Ben\tB \n"), "Ben B");
+    EXPECT_EQ(tidy_student_name(" \n"), "");
+    EXPECT_LE(tidy_student_name(std::string(61, 'a') + "ü").size(), longest_student_name);
+    EXPECT_TRUE(is_free_name(book, "Ben"));
+    EXPECT_FALSE(is_free_name(book, " Anna "));
+    EXPECT_FALSE(is_free_name(book, "  "));
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::progress_test

@@ -1,0 +1,164 @@
+// The student's progress in the open exercise.
+#include "app/lab_progress.h"
+
+#include <gtest/gtest.h>
+
+#include "app/files/file_commands.h"
+#include "app/jobs/jobs.h"
+#include "app/lab_lesson.h"
+#include "app/lab_requests.h"
+#include "tests/lab/opened_lab.h"
+
+namespace braitenlab::tests::lab_progress_test {
+namespace {
+
+// A lab whose turns do what the program's turns do with an exercise.
+struct Attempt {
+    Lab lab = opened_lab("05-aggressor");
+    Jobs jobs{0};
+
+    Attempt() { turn(); }
+    void turn() {
+        update_grading(lab, jobs);
+        jobs.finish();
+        update_grading(lab, jobs);
+        follow_progress(lab);
+    }
+    const Exercise& exercise() const { return *lab.document.lesson->exercise; }
+    void take_solution() { handle(lab, EditRequest{SetBrain{{.kind = 0}, exercise().solution.submission.brain}}); }
+    void run() {
+        handle(lab, Action::reset);
+        for (int i = 0; i < 60 * 20 && !lab.document.lesson->referee.passed(); ++i) tick(lab);
+        turn();
+    }
+    ExerciseProgress progress() const {
+        const ExerciseProgress* found = find_progress(lab.students.student(), "05-aggressor");
+        return found ? *found : ExerciseProgress{};
+    }
+};
+
+TEST(LabProgress, KeepsNothingBeforeTheStudentDoesSomething) {
+    Attempt attempt;
+    EXPECT_TRUE(attempt.lab.students.student().exercises.empty());
+    EXPECT_EQ(view_of(attempt.lab).student, "");
+}
+
+TEST(LabProgress, KeepsPredictionHintsAndNotes) {
+    Attempt attempt;
+    handle(attempt.lab, PredictRequest{1});
+    handle(attempt.lab, Action::hint);
+    handle(attempt.lab, NotesRequest{"two wires"});
+    attempt.turn();
+    EXPECT_EQ(attempt.progress().prediction, "It turns towards the lamp");
+    EXPECT_FALSE(attempt.progress().predicted_right);
+    EXPECT_EQ(attempt.progress().hints, 1);
+    handle(attempt.lab, Action::exercise_reset);
+    attempt.turn();
+    EXPECT_EQ(attempt.progress().hints, 1) << "a new attempt takes nothing back";
+    EXPECT_EQ(attempt.progress().prediction, "It turns towards the lamp");
+    EXPECT_EQ(attempt.lab.document.lesson->view.notes, "two wires");
+    handle(attempt.lab, PredictRequest{0});
+    attempt.turn();
+    EXPECT_TRUE(attempt.progress().predicted_right);
+}
+
+TEST(LabProgress, KeepsThePassedBrainSoThatLeavingAsksNothing) {
+    Attempt attempt;
+    attempt.take_solution();
+    EXPECT_TRUE(has_unsaved_edits(attempt.lab));
+    attempt.run();
+    ASSERT_TRUE(attempt.progress().passed);
+    EXPECT_EQ(attempt.progress().starts, 10);
+    EXPECT_GE(attempt.progress().best, 8);
+    EXPECT_FALSE(has_unsaved_edits(attempt.lab));
+    handle(attempt.lab, EditRequest{TurnDial{{.kind = 0}, Dial::LL, 3}});
+    attempt.turn();
+    EXPECT_TRUE(has_unsaved_edits(attempt.lab)) << "something else has changed";
+    EXPECT_TRUE(attempt.progress().passed);
+}
+
+TEST(LabProgress, GivesTheKeptBrainBack) {
+    Attempt attempt;
+    attempt.take_solution();
+    attempt.run();
+    handle(attempt.lab, Action::exercise_reset);
+    attempt.turn();
+    EXPECT_TRUE(attempt.lab.document.lesson->view.has_kept);
+    handle(attempt.lab, KeptRequest{});
+    attempt.turn();
+    EXPECT_EQ(*attempt.lab.document.session.snapshot().kind_brains[0], attempt.exercise().solution.submission.brain);
+    EXPECT_FALSE(attempt.lab.document.lesson->view.has_kept);
+    handle(attempt.lab, Action::undo);
+    EXPECT_EQ(*attempt.lab.document.session.snapshot().kind_brains[0], attempt.exercise().scene.kinds[0].brain);
+}
+
+TEST(LabProgress, TellsAPassedExerciseFromOneWhoseSolutionWasShown) {
+    Attempt attempt;
+    handle(attempt.lab, ShowMeRequest{});
+    attempt.run();
+    EXPECT_TRUE(attempt.progress().passed);
+    EXPECT_TRUE(attempt.progress().shown);
+    handle(attempt.lab, Action::exercise_reset);
+    handle(attempt.lab, KeptRequest{});
+    EXPECT_TRUE(attempt.lab.document.lesson->view.solution_shown) << "it is the shown one";
+    handle(attempt.lab, Action::exercise_reset);
+    attempt.take_solution();
+    attempt.run();
+    EXPECT_FALSE(attempt.progress().shown);
+    handle(attempt.lab, ShowMeRequest{});
+    attempt.turn();
+    EXPECT_FALSE(attempt.progress().shown) << "it was passed before";
+}
+
+TEST(LabProgress, BelongsToTheChosenStudent) {
+    Attempt attempt;
+    handle(attempt.lab, NotesRequest{"of nobody"});
+    handle(attempt.lab, PredictRequest{1});
+    attempt.turn();
+    handle(attempt.lab, StudentRequest{StudentEdit::add, 0, " Anna "});
+    attempt.turn();
+    EXPECT_EQ(view_of(attempt.lab).student, "Anna");
+    EXPECT_EQ(attempt.lab.document.lesson->view.notes, "");
+    EXPECT_EQ(attempt.lab.document.lesson->view.prediction, -1);
+    EXPECT_EQ(attempt.progress(), ExerciseProgress{});
+    handle(attempt.lab, StudentRequest{StudentEdit::add, 0, "Anna"});
+    EXPECT_EQ(attempt.lab.students.all.size(), 2u) << "the name is taken";
+    handle(attempt.lab, StudentRequest{StudentEdit::choose, 0, {}});
+    attempt.turn();
+    EXPECT_EQ(attempt.lab.document.lesson->view.notes, "of nobody");
+    handle(attempt.lab, StudentRequest{StudentEdit::choose, 7, {}});
+    EXPECT_EQ(attempt.lab.students.current, 0u);
+}
+
+TEST(LabProgress, GoesWithTheStudentWhoGivesHisNameLater) {
+    Attempt attempt;
+    handle(attempt.lab, PredictRequest{1});
+    handle(attempt.lab, NotesRequest{"mine"});
+    attempt.turn();
+    handle(attempt.lab, StudentRequest{StudentEdit::rename, 0, "Ben"});
+    attempt.turn();
+    EXPECT_EQ(view_of(attempt.lab).student, "Ben");
+    EXPECT_EQ(attempt.progress().notes, "mine");
+    EXPECT_EQ(attempt.lab.document.lesson->view.prediction, 1) << "the attempt goes on";
+    EXPECT_EQ(attempt.lab.students.all[0], StudentProgress{});
+}
+
+TEST(LabProgress, IsResetAndRestored) {
+    Attempt attempt;
+    attempt.take_solution();
+    attempt.run();
+    handle(attempt.lab, NotesRequest{"mine"});
+    attempt.turn();
+    const ExerciseProgress before = attempt.progress();
+    handle(attempt.lab, StudentRequest{StudentEdit::reset, 0, {}});
+    attempt.turn();
+    attempt.turn();
+    EXPECT_TRUE(attempt.lab.students.student().exercises.empty());
+    handle(attempt.lab, StudentRequest{StudentEdit::restore, 0, {}});
+    attempt.turn();
+    EXPECT_EQ(attempt.progress(), before);
+    EXPECT_EQ(attempt.lab.document.lesson->view.notes, "mine");
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::lab_progress_test

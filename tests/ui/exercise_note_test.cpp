@@ -1,0 +1,140 @@
+// The student's notes on the exercise card, and the keys of its prediction.
+#include "desk.h"
+
+namespace braitenlab::tests::exercise_note_test {
+
+using namespace ui;
+
+namespace {
+
+struct Note : testing::Test {
+    Desk desk{1280, 1000, 1, true};
+    StudentBook students;
+
+    Note() {
+        desk.open_exercise();
+        desk.view.students = &students;
+        desk.frame(3);
+    }
+    // What the lab does with a request.
+    void take_notes() {
+        if (const auto* notes = desk.last<NotesRequest>()) desk.lesson.notes = notes->text;
+        desk.frame(2);
+    }
+    void press(KeyPress key) {
+        desk.key(key);
+        desk.frame(2);
+    }
+};
+
+}  // namespace
+
+TEST_F(Note, IsTypedBelowItsRowAndIsNoShortcut) {
+    EXPECT_FALSE(desk.anchors.find("exercise.note.text"));
+    desk.click("exercise.note");
+    desk.frame(3);
+    ASSERT_TRUE(desk.panels.note.active) << "the row gives the focus to the field";
+    for (const char letter : {'R', 'W', ' ', '1'}) desk.key({letter});
+    desk.type("row 1");
+    desk.frame(3);
+    take_notes();
+    EXPECT_EQ(desk.lesson.notes, "row 1");
+    EXPECT_TRUE(desk.actions().empty());
+    press({key::escape});
+    press({' '});
+    EXPECT_FALSE(desk.panels.note.active);
+    EXPECT_EQ(desk.lesson.notes, "row 1") << "Escape ends typing and keeps the text";
+    EXPECT_EQ(desk.actions(), std::vector{Action::play_pause});
+}
+
+TEST_F(Note, BreaksALineThatIsTooWide) {
+    desk.click("exercise.note");
+    desk.frame(3);
+    desk.type("The right wheel runs faster when the lamp is on the right, so it turns left and away from it");
+    desk.frame(3);
+    take_notes();
+    EXPECT_NE(desk.lesson.notes.find('\n'), std::string::npos);
+    std::string joined = desk.lesson.notes;
+    std::replace(joined.begin(), joined.end(), '\n', ' ');
+    EXPECT_EQ(joined, "The right wheel runs faster when the lamp is on the right, so it turns left and away from it");
+}
+
+TEST_F(Note, ShowsTheNotesOfTheStudent) {
+    desk.lesson.notes = "of Anna";
+    desk.panels.note_open = true;
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.note.text, "of Anna");
+    desk.lesson.notes = "of Ben";
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.note.text, "of Ben");
+    EXPECT_FALSE(desk.last<NotesRequest>());
+}
+
+TEST_F(Note, DigitsAndSpaceChooseAnAnswerWhileTheCardHasTheFocus) {
+    press({'2'});
+    EXPECT_FALSE(desk.last<PredictRequest>());
+    EXPECT_EQ(desk.panels.keyboard.focus, "slider.LR") << "without the focus a digit takes a slider";
+    desk.panels.keyboard.focus = "exercise.predict.1";
+    desk.panels.keyboard.shown = true;
+    press({'3'});
+    ASSERT_TRUE(desk.last<PredictRequest>());
+    EXPECT_EQ(desk.last<PredictRequest>()->option, 2);
+    EXPECT_EQ(desk.panels.keyboard.focus, "exercise.predict.3");
+    desk.lesson.prediction = 2;
+    press({' '});
+    EXPECT_EQ(desk.actions(), std::vector{Action::play_pause}) << "it is chosen already";
+    desk.panels.keyboard.focus = "exercise.predict.1";
+    desk.panels.keyboard.shown = true;
+    press({' '});
+    EXPECT_EQ(desk.last<PredictRequest>()->option, 0);
+    EXPECT_EQ(desk.actions().size(), 1u);
+    desk.panels.keyboard.shown = false;
+    desk.lesson.prediction = 2;
+    press({' '});
+    EXPECT_EQ(desk.actions().size(), 2u) << "Space plays where no focus is visible";
+    desk.lesson.outcome_known = true;
+    desk.panels.keyboard.focus = "exercise.hint";
+    const auto before = desk.all.size();
+    press({'1'});
+    for (std::size_t i = before; i < desk.all.size(); ++i)
+        EXPECT_FALSE(std::holds_alternative<PredictRequest>(desk.all[i])) << "too late";
+}
+
+TEST_F(Note, AHintSaysHowLongItTakes) {
+    desk.lesson.hint_ready = false;
+    desk.lesson.hint_in = 12;
+    desk.frame(2);
+    bool said = false;
+    for (const Written& written : desk.written) said |= written.words == "Next hint in 12 s, or after a run";
+    EXPECT_TRUE(said);
+}
+
+TEST_F(Note, APassedExerciseRunsItsStartsAtOnceAndComesBack) {
+    EXPECT_FALSE(desk.anchors.find("exercise.together"));
+    desk.lesson.has_run = true;
+    Grade grade;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) grade.starts.push_back({seed, true, {}, {}});
+    grade.count = 10, grade.good = true;
+    desk.lesson.grade = grade;
+    desk.frame(3);
+    desk.click("exercise.together");
+    ASSERT_TRUE(desk.last<TogetherRequest>());
+    EXPECT_TRUE(desk.last<TogetherRequest>()->on);
+    desk.lesson.together = true;
+    desk.frame(2);
+    desk.click("exercise.together");
+    EXPECT_FALSE(desk.last<TogetherRequest>()->on);
+}
+
+TEST_F(Note, TheKeptBrainIsOfferedUntilItIsPassed) {
+    students.student().exercises["05-aggressor"] = {.passed = true, .best = 9, .starts = 10};
+    desk.lesson.has_kept = true;
+    desk.frame(3);
+    desk.click("exercise.kept");
+    EXPECT_TRUE(desk.last<KeptRequest>());
+    desk.lesson.has_kept = false;
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("exercise.kept"));
+}
+
+}  // namespace braitenlab::tests::exercise_note_test

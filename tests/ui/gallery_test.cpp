@@ -1,0 +1,133 @@
+// The exercises in the file browser and in the menu: pictures, names that tell no outcome, passed marks.
+#include "desk.h"
+#include "ui/panels/exercise_names.h"
+#include "ui/panels/scene_picture.h"
+
+namespace braitenlab::tests::gallery_test {
+
+using namespace ui;
+
+namespace {
+
+std::shared_ptr<const Exercise> shipped_exercise(const std::string& id) {
+    auto loaded = load_exercise(std::string(BRAITENLAB_SOURCE) + "/exercises/guided/" + id + ".toml");
+    if (!loaded) throw std::runtime_error(loaded.error().text());
+    return std::make_shared<const Exercise>(std::move(*loaded));
+}
+
+CatalogueEntry entry_of(const std::string& id) {
+    const auto exercise = shipped_exercise(id);
+    return {id, "/x/" + id + ".toml", exercise->title, "", exercise->number, exercise->chapter, exercise};
+}
+
+struct Gallery : testing::Test {
+    Desk desk{1280, 800, 1, true};
+    std::vector<CatalogueEntry> catalogue{entry_of("04-coward"),
+                                          entry_of("05-aggressor"),
+                                          entry_of("11-threshold"),
+                                          {"2a-coward", "/x/2a-coward.toml", "A scene", "It turns away."}};
+    StudentBook students;
+    FilesView files;
+    std::vector<RecentFile> recent{{"/x/05-aggressor.toml", "Aggressor"}};
+
+    Gallery() {
+        desk.view.catalogue = &catalogue;
+        desk.view.students = &students;
+        desk.view.files = &files;
+        desk.view.recent = &recent;
+        desk.frame(2);
+    }
+    void open_browser() {
+        desk.key({'O', true});
+        desk.frame(4);
+    }
+    bool says(std::string_view words) const {
+        for (const Written& written : desk.written)
+            if (written.words.find(words) != std::string::npos) return true;
+        return false;
+    }
+};
+
+}  // namespace
+
+TEST_F(Gallery, HasACardForEachExerciseByChapter) {
+    open_browser();
+    for (const char* id : {"gallery.04-coward", "gallery.05-aggressor", "gallery.11-threshold"})
+        EXPECT_GE(desk.where(id).w, 140) << id;
+    EXPECT_EQ(desk.where("gallery.04-coward").y, desk.where("gallery.05-aggressor").y) << "one chapter, one row";
+    EXPECT_GT(desk.where("gallery.11-threshold").y, desk.where("gallery.05-aggressor").y);
+    desk.click("gallery.05-aggressor");
+    ASSERT_TRUE(desk.last<OpenRequest>());
+    EXPECT_EQ(desk.last<OpenRequest>()->path, "/x/05-aggressor.toml");
+}
+
+TEST_F(Gallery, NamesAnExerciseByItsGoalUntilThePredictionIsMade) {
+    open_browser();
+    EXPECT_FALSE(says("Aggressor"));
+    EXPECT_TRUE(says("Make this shy vehicle"));
+    EXPECT_EQ(
+        entry_words(desk.view,
+                    *std::make_unique<Ui>(Ui{desk.strings, palette(Theme::dark), {}, 1, desk.anchors, desk.asked}),
+                    catalogue[3]),
+        "A scene");
+    students.student().exercises["05-aggressor"].prediction = "It turns away from the lamp";
+    desk.frame(2);
+    EXPECT_TRUE(says("Aggressor"));
+    EXPECT_FALSE(says("Coward"));
+    students.student().exercises["04-coward"] = {.passed = true, .best = 9, .starts = 10};
+    desk.frame(2);
+    EXPECT_TRUE(says("Coward"));
+    EXPECT_TRUE(says("9/10"));
+}
+
+TEST_F(Gallery, TheOpenExerciseHasTheTitleThatItsCardShows) {
+    desk.open_exercise();
+    desk.view.opened = desk.opened.id;
+    open_browser();
+    EXPECT_FALSE(says("Aggressor"));
+    desk.lesson.prediction = 0;
+    desk.frame(2);
+    EXPECT_TRUE(is_title_known(desk.view, catalogue[1]));
+}
+
+TEST_F(Gallery, MenuAndRecentFilesTellNoOutcomeEither) {
+    desk.click("menu.exercises");
+    desk.frame(2);
+    EXPECT_FALSE(says("Aggressor"));
+    students.student().exercises["05-aggressor"] = {.passed = true, .best = 8, .starts = 10};
+    desk.frame(2);
+    EXPECT_TRUE(says("Aggressor"));
+    EXPECT_TRUE(says("8/10"));
+    students.student().exercises.clear();
+    desk.key({key::escape});
+    desk.frame(2);
+    desk.click("menu.file");
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("menu.file.recent.1"));
+    EXPECT_FALSE(says("Aggressor"));
+}
+
+TEST(ScenePicture, ShowsThePartOfTheFloorThatIsOccupied) {
+    Scene scene;
+    scene.arena.width = scene.arena.height = 20;
+    EXPECT_FLOAT_EQ(occupied_area(scene).high.x, 10) << "an empty scene: the arena";
+    scene.sources.push_back({.name = "lamp", .x = 9.5f, .y = 2});
+    const FloorArea area = occupied_area(scene);
+    EXPECT_FLOAT_EQ(area.high.x, 10) << "not beyond the arena";
+    EXPECT_LT(area.low.x, 7);
+    EXPECT_GE(area.high.y - area.low.y, 5.9f);
+    const FloorMap map(area, {100, 100, 80, 60});
+    const ImVec2 lamp = map({9.5f, 2});
+    EXPECT_TRUE((Rect{100, 100, 80, 60}.contains(lamp.x, lamp.y)));
+    EXPECT_LT(map({9, 3}).y, lamp.y) << "y is up";
+}
+
+TEST(ScenePicture, DiffersBetweenTheFirstExercises) {
+    for (const char* id : {"01-drive", "02-circle", "04-coward"}) {
+        const Scene scene = shipped_exercise(id)->scene;
+        const FloorArea area = occupied_area(scene);
+        EXPECT_LT(area.high.x - area.low.x, scene.arena.width + 0.1f) << id;
+    }
+}
+
+}  // namespace braitenlab::tests::gallery_test

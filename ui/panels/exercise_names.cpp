@@ -1,0 +1,40 @@
+#include "ui/panels/exercise_names.h"
+
+#include "ui/widgets/paint.h"
+
+namespace braitenlab::ui {
+
+const ExerciseProgress* progress_of(const LabView& view, const CatalogueEntry& entry) {
+    return view.students && entry.number > 0 ? find_progress(view.students->student(), entry.name) : nullptr;
+}
+
+bool is_title_known(const LabView& view, const CatalogueEntry& entry) {
+    if (!view.students || !entry.exercise || entry.exercise->prediction.options.empty()) return true;
+    if (view.lesson && view.lesson->exercise->id == entry.name && !hides_outcome(view)) return true;
+    const ExerciseProgress* progress = progress_of(view, entry);
+    return progress && (progress->passed || !progress->prediction.empty());
+}
+
+std::string_view exercise_words(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {
+    return translated(ui, is_title_known(view, entry) ? entry.title : entry.exercise->goal);
+}
+
+std::string entry_words(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {
+    if (entry.number == 0) return std::string(translated(ui, entry.title));
+    return std::to_string(entry.number) + "  " + std::string(exercise_words(view, ui, entry));
+}
+
+std::string known_title(const LabView& view, const Ui& ui, std::string_view title) {
+    if (view.catalogue)
+        for (const CatalogueEntry& entry : *view.catalogue)
+            if (entry.number > 0 && entry.title == title && !is_title_known(view, entry))
+                return entry_words(view, ui, entry);
+    return std::string(translated(ui, title));
+}
+
+std::string best_words(const ExerciseProgress* progress) {
+    if (!progress || progress->starts == 0) return {};
+    return std::to_string(progress->best) + "/" + std::to_string(progress->starts);
+}
+
+}  // namespace braitenlab::ui

@@ -1,0 +1,31 @@
+// How lists and menus name the exercises. The title of many exercises tells what the vehicle will do, so it is shown
+// only once the student has made the prediction, has seen the outcome or has passed; before, the first words of the
+// goal stand for it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "ui/lab_view.h"
+#include "ui/widgets/ui.h"
+
+namespace braitenlab::ui {
+
+// The progress of the present student; null if there is none.
+const ExerciseProgress* progress_of(const LabView&, const CatalogueEntry&);
+
+// True if the title tells nothing that the student is still asked to predict, and where no progress is kept.
+bool is_title_known(const LabView&, const CatalogueEntry&);
+
+// The title, or the goal, without the number.
+std::string_view exercise_words(const LabView&, const Ui&, const CatalogueEntry&);
+// With the number before it: "5  Aggressor". A scene: its title.
+std::string entry_words(const LabView&, const Ui&, const CatalogueEntry&);
+
+// The title of a file, translated; of a shipped exercise as entry_words().
+std::string known_title(const LabView&, const Ui&, std::string_view title);
+
+// "9/10": the best grade so far; empty without one.
+std::string best_words(const ExerciseProgress*);
+
+}  // namespace braitenlab::ui

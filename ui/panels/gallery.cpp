@@ -1,0 +1,108 @@
+// The exercises in the file browser: chapters of cards, each with a still picture of its scene.
+#include <algorithm>
+#include <string>
+
+#include <imgui.h>
+
+#include "ui/panels/exercise_names.h"
+#include "ui/panels/file_lists.h"
+#include "ui/panels/scene_picture.h"
+#include "ui/strings.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+constexpr float least_card = 150, picture_share = 0.58f, card_inset = 8, between_cards = 10;  // layout pixels
+
+// A disc with a check mark; a ring while the exercise was passed only by the solution that was shown.
+void passed_mark(const Ui& ui, ImVec2 c, bool alone) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float radius = ui.px(9), r = radius * 0.5f;
+    draw.AddCircleFilled(c, radius, paint(alone ? ui.palette.accent : ui.palette.panel));
+    draw.AddCircle(c, radius, paint(ui.palette.accent), 0, ui.px(1.5f));
+    draw.PathLineTo({c.x - r, c.y}), draw.PathLineTo({c.x - r * 0.25f, c.y + r * 0.75f});
+    draw.PathLineTo({c.x + r, c.y - r * 0.7f});
+    draw.PathStroke(paint(alone ? ui.palette.on_accent : ui.palette.accent), 0, ui.px(1.8f));
+}
+
+// The words in two lines at most.
+void two_lines(const Ui& ui, ImVec2 at, std::string_view words, float width) {
+    const std::string_view all = words;
+    std::size_t end = all.size();
+    while (end != std::string_view::npos && text_width(ui, Face::small, all.substr(0, end)) > width)
+        end = end == 0 ? std::string_view::npos : all.find_last_of(' ', end - 1);
+    if (end == std::string_view::npos) end = all.size();
+    put(ui, at, shortened(ui, all.substr(0, end), Face::small, width), ui.palette.text, Face::small);
+    if (end < all.size())
+        put(ui, {at.x, at.y + line_height(ui, Face::small)}, shortened(ui, all.substr(end + 1), Face::small, width),
+            ui.palette.text, Face::small);
+}
+
+void card_picture(const Ui& ui, const CatalogueEntry& entry, const ExerciseProgress* progress, Rect place) {
+    fill_box(ui, place, ui.palette.ground, 4);
+    ImGui::PushClipRect({place.x, place.y}, {place.x + place.w, place.y + place.h}, true);
+    if (entry.exercise) {
+        const FloorMap map(occupied_area(entry.exercise->scene), place);
+        draw_floor(ui, entry.exercise->scene, map);
+        draw_vehicles(ui, entry.exercise->scene, map);
+    }
+    ImGui::PopClipRect();
+    if (progress && progress->passed)
+        passed_mark(ui, {place.x + place.w - ui.px(13), place.y + ui.px(13)}, !progress->shown);
+}
+
+// True when the card was pressed.
+bool exercise_tile(const LabView& view, Ui& ui, const CatalogueEntry& entry, float width) {
+    const ExerciseProgress* progress = progress_of(view, entry);
+    const float inset = ui.px(card_inset), inner = width - 2 * inset, picture = inner * picture_share;
+    const float height = picture + 2 * inset + ui.px(4) + 2 * line_height(ui, Face::small);
+    const Item at = item(ui, "gallery." + entry.name, {width, height});
+    const bool is_open = entry.name == view.opened;
+    fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.14f * at.warmth));
+    line_box(ui, at.rect, is_open ? ui.palette.accent : ui.palette.line, 6, is_open ? 2.0f : 1.0f);
+    if (ImGui::IsRectVisible({at.rect.x, at.rect.y}, {at.right(), at.bottom()}))
+        card_picture(ui, entry, progress, {at.rect.x + inset, at.rect.y + inset, inner, picture});
+    const ImVec2 words{at.rect.x + inset, at.rect.y + inset + picture + ui.px(4)};
+    const std::string number = std::to_string(entry.number), best = best_words(progress);
+    const float beside = text_width(ui, Face::strong, "88") + ui.px(6);
+    const float aside = best.empty() ? 0 : text_width(ui, Face::small, best) + ui.px(6);
+    put(ui, {words.x, words.y - (line_height(ui, Face::strong) - line_height(ui, Face::small)) / 2}, number,
+        ui.palette.text, Face::strong);
+    put_right(ui, {at.right() - inset, words.y}, best, ui.palette.second_text, Face::small);
+    two_lines(ui, {words.x + beside, words.y}, exercise_words(view, ui, entry), inner - beside - aside);
+    if (wants_tooltip(ui, at))
+        tooltip(ui, at, entry.exercise ? translated(ui, entry.exercise->goal) : ui.strings("files.open_how"));
+    return at.pressed;
+}
+
+}  // namespace
+
+void exercise_gallery(const LabView& view, FilesState& files, Ui& ui) {
+    if (!view.catalogue) return;
+    const float all = card_width(ui), gap_between = ui.px(between_cards);
+    const int columns = std::max(1, static_cast<int>((all + gap_between) / (ui.px(least_card) + gap_between)));
+    const float width = (all - gap_between * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    int chapter = -1, column = 0;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap_between, gap_between});
+    for (const CatalogueEntry& entry : *view.catalogue) {
+        if (entry.number == 0) continue;
+        if (entry.chapter != chapter) {
+            paragraph(ui, chapter_title(ui, entry.chapter), ui.palette.second_text, Face::small);
+            column = 0;
+        }
+        chapter = entry.chapter;
+        if (column > 0) ImGui::SameLine();
+        column = (column + 1) % columns;
+        if (exercise_tile(view, ui, entry, width)) request_file(view, files, ui, OpenRequest{entry.path});
+        if (entry.name == view.opened && !files.begun) ImGui::SetScrollHereY();
+    }
+    ImGui::PopStyleVar();
+    gap(ui, 8);
+}
+
+}  // namespace braitenlab::ui

@@ -1,0 +1,16 @@
+// Keys for the prediction of the open exercise.
+#pragma once
+
+#include "ui/lab_view.h"
+#include "ui/panels/panel_state.h"
+#include "ui/request.h"
+#include "ui/shortcuts.h"
+
+namespace braitenlab::ui {
+
+// While the prediction can be made and a widget of the exercise card has the focus, 1 to 9 choose an answer. Space
+// chooses the answer that has a visible focus and is not chosen yet; else, and so at the second press, it plays. True
+// if the key is handled.
+bool key_for_prediction(const LabView&, PanelState&, KeyPress, Outbox&);
+
+}  // namespace braitenlab::ui

@@ -1,0 +1,104 @@
+// The sheet of the students of this computer: who works now, a new name, and what happens to the progress.
+#include <algorithm>
+#include <string>
+
+#include <imgui.h>
+
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/sheet.h"
+#include "ui/widgets/text_field.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+constexpr float students_width = 460;  // layout pixels
+
+std::string_view name_of(const Ui& ui, const StudentProgress& student) {
+    return student.name.empty() ? ui.strings("students.nameless") : std::string_view(student.name);
+}
+
+int course_length(const LabView& view) {
+    if (!view.catalogue) return 0;
+    return static_cast<int>(std::count_if(view.catalogue->begin(), view.catalogue->end(),
+                                          [](const CatalogueEntry& entry) { return entry.number > 0; }));
+}
+
+void student_rows(const LabView& view, Ui& ui) {
+    const StudentBook& book = *view.students;
+    const std::string all = std::to_string(course_length(view));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, ui.px(4)});
+    for (std::size_t i = 0; i < book.all.size(); ++i) {
+        const std::string passed = std::to_string(passed_count(book.all[i]));
+        const float aside = text_width(ui, Face::text, "  " + fill(ui.strings("students.passed"), {all, all}));
+        const std::string name =
+            shortened(ui, name_of(ui, book.all[i]), Face::text, card_width(ui) - aside - ui.px(60));
+        if (radio_row(ui, "students." + std::to_string(i + 1),
+                      name + "  –  " + fill(ui.strings("students.passed"), {passed, all}), i == book.current, true,
+                      ui.strings("students.choose_how")) &&
+            i != book.current)
+            ui.outbox.emplace_back(StudentRequest{StudentEdit::choose, i});
+    }
+    ImGui::PopStyleVar();
+}
+
+void request_students(PanelState& state, Ui& ui, StudentEdit edit) {
+    ui.outbox.emplace_back(StudentRequest{edit, 0, state.student_name.text});
+    state.student_name.text.clear();
+}
+
+// A name, and what it is for: a new student, or the present one.
+void naming(const LabView& view, PanelState& state, Ui& ui) {
+    const bool is_free = is_free_name(*view.students, state.student_name.text);
+    text_field(ui, state.student_name, "students.name", card_width(ui), ui.strings("students.name"),
+               ui.strings("students.name_how"));
+    const bool is_taken = !is_free && !tidy_student_name(state.student_name.text).empty();
+    ButtonLook add{icon::add, ui.strings("students.add")}, rename{{}, ui.strings("students.rename")};
+    add.enabled = rename.enabled = is_free;
+    const Item one = button(ui, "students.add", add);
+    tooltip(ui, one, ui.strings(is_taken ? "students.taken" : "students.add_how"));
+    ImGui::SameLine();
+    const Item other = button(ui, "students.rename", rename);
+    tooltip(ui, other, ui.strings(is_taken ? "students.taken" : "students.rename_how"));
+    if (one.pressed || (state.student_name.entered && is_free)) return request_students(state, ui, StudentEdit::add);
+    if (other.pressed) request_students(state, ui, StudentEdit::rename);
+}
+
+// Forgetting the progress can be taken back as long as nothing new is added to it.
+void keeping(const LabView& view, Ui& ui) {
+    ImGui::SameLine(0, ui.px(8));
+    const bool restores = view.students->before_reset.has_value();
+    const bool has_progress = !view.students->student().exercises.empty();
+    ButtonLook look{{}, ui.strings(restores ? "students.restore" : "students.reset")};
+    look.enabled = restores || has_progress;
+    const Item reset = button(ui, "students.reset", look);
+    tooltip(ui, reset, ui.strings(restores ? "students.restore_how" : "students.reset_how"));
+    if (reset.pressed) ui.outbox.emplace_back(StudentRequest{restores ? StudentEdit::restore : StudentEdit::reset});
+    ImGui::SameLine(0, ui.px(8));
+    const Item save = button(ui, "students.export", {{}, ui.strings("students.export")});
+    tooltip(ui, save, ui.strings("students.export_how"));
+    if (save.pressed) ui.outbox.emplace_back(StudentRequest{StudentEdit::save});
+}
+
+}  // namespace
+
+void student_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
+    if (state.sheet != Sheet::students) return;
+    if (!view.students) return void(state.sheet = Sheet::none);
+    begin_sheet(ui, state.students, "card.students", ui.strings("students.heading"), students_width, window);
+    paragraph(ui, ui.strings("students.what"), ui.palette.second_text);
+    naming(view, state, ui);
+    gap(ui, 4);
+    student_rows(view, ui);
+    sheet_buttons(ui, state.students);
+    const Item close = button(ui, "students.close", {{}, ui.strings("keys.close"), Emphasis::primary});
+    tooltip(ui, close, ui.strings("keys.close_how"), key_name({key::escape}, ui.strings));
+    keeping(view, ui);
+    if (end_sheet(state.students) || close.pressed) state.sheet = Sheet::none;
+}
+
+}  // namespace braitenlab::ui
