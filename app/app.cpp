@@ -8,6 +8,7 @@
 #include "app/files/file_commands.h"
 #include "app/frame_pacing.h"
 #include "app/lab_children.h"
+#include "app/lab_lecture.h"
 #include "app/lab_lesson.h"
 #include "app/lab_progress.h"
 #include "app/lab_requests.h"
@@ -45,12 +46,14 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
       student_files_(options_.screenshot.empty() && !folders_.state.empty() ? folders_.state / "students"
                                                                             : std::filesystem::path{}),
       catalogue_(read_catalogue()),
+      lectures_(read_lecture_catalogue()),
       anchors_file_(options_.anchors),
       state_file_(options_.state) {
     lab_.preferences = settings_.at_start;
     restore_view(lab_, panels_, settings_.state.view);
     if (options_.camera) lab_.view.camera.mode = *options_.camera;
     lab_.view.overlays.field = options_.field;
+    begin_asked_lecture();
     theme_.apply(lab_.preferences.theme, wanted_scale());
     load_label_font();
     if (!theme_.warning().empty()) std::cerr << "braitenlab: " << theme_.warning() << "\n";
@@ -60,6 +63,15 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
     refresh(files_, lab_);
     if (options_.play) handle(lab_, Action::play_pause);
     began_ = last_turn_ = Clock::now();
+}
+
+void App::begin_asked_lecture() {
+    if (options_.pages) {
+        open_lecture(lab_, options_.pages);
+        show_page(lab_, options_.page - 1, options_.revealed);
+    } else if (options_.lecture) {
+        handle(lab_, Action::lecture);
+    }
 }
 
 bool App::turn() {

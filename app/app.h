@@ -44,6 +44,8 @@ private:
     using Clock = std::chrono::steady_clock;
 
     // ── The main loop, app.cpp ──
+    // Opens the lecture or the lecture view of the command line.
+    void begin_asked_lecture();
     // True if the program can end now. If there are unsaved edits, opens the sheet about them; the answer is a request.
     bool ends();
     // Saves what is needed at the end of the program.
@@ -103,7 +105,7 @@ private:
     Clock::time_point last_change_ = began_;  // see idle_wait()
     bool got_input_ = false;                  // in the last frame
     int exit_code_ = 0;
-    std::vector<CatalogueEntry> catalogue_;
+    std::vector<CatalogueEntry> catalogue_, lectures_;
     AppliedTheme theme_;
     FilesView files_;
     ui::PanelState panels_;

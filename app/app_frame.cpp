@@ -100,6 +100,7 @@ void App::frame(float passed) {
     window_.begin_frame(keys);
     LabView view = view_of(lab_);
     view.catalogue = &catalogue_;
+    view.lectures = &lectures_;
     view.languages = &words_.languages;
     view.native_language = settings_.native_language;
     view.type_size = reduced_type_size();
@@ -130,6 +131,7 @@ void App::frame(float passed) {
     const bool arrows_move_camera =
         arrows_are_free && !ui::takes_arrows(view, panels_.scene_input, ImGui::GetIO().KeyCtrl);
     CameraKeys held = keys_move_camera ? camera_keys(arrows_move_camera) : CameraKeys{};
+    if (view.pages) held.zoom = 0;  // Page Up and Page Down turn the pages
     if (steer_by_keys(lab_, held.turn, held.raise)) held.turn = held.raise = 0;
     drive_camera(lab_, viewport_, panels_.scene_input, held, area, arena, passed);
     if (repeatable() && !picture_is_due(0))

@@ -5,6 +5,7 @@
 #include "app/app.h"
 #include "app/files/data.h"
 #include "app/files/file_commands.h"
+#include "app/lab_lecture.h"
 #include "app/platform/platform.h"
 #include "core/messages.h"
 
@@ -17,6 +18,7 @@ constexpr const char* first_exercise = "01-drive";
 struct Opened {
     std::filesystem::path path;
     Lab lab;
+    std::shared_ptr<const Lecture> lecture{};  // whose first page is open
 };
 
 // Without a FILE: opens the last file again, else the first exercise.
@@ -36,6 +38,13 @@ Result<Opened> open_usual(const Options& options, Settings& settings) {
 Result<Opened> open_asked(const Options& options) {
     const auto path = find_shipped(options.file);
     if (!path) return path.error();
+    if (const auto file = read_file(*path); file && file->kind == FileKind::lecture) {
+        auto lecture = read_whole_lecture(*path);
+        if (!lecture) return lecture.error();
+        auto lab = open_lab(lecture->pages.front().file, std::nullopt, {});
+        if (!lab) return lab.error();
+        return Opened{*path, std::move(*lab), std::make_shared<const Lecture>(std::move(*lecture))};
+    }
     auto lab = open_lab(*path, options.seed, options.settings);
     if (!lab) return lab.error();
     return Opened{*path, std::move(*lab)};
@@ -59,7 +68,7 @@ std::pair<int, int> window_size(const Options& options, const StoredState& state
     return {state.width, state.height};
 }
 
-int open_and_run(const Options& options) {
+int open_and_run(Options options) {
     const auto data = data_folder();
     if (!data) return complain(data.error());
     // A picture depends on the command line alone: no settings are read for it.
@@ -69,7 +78,8 @@ int open_and_run(const Options& options) {
         read_settings(std::move(files), {options.theme, options.language}, native_language(*data / "ui" / "strings"));
     auto opened = open_at_start(options, settings);
     if (!opened) return complain(opened.error());
-    add_recent_file(settings.state, opened->path, opened->lab.document);
+    options.pages = opened->lecture;
+    if (!opened->lecture) add_recent_file(settings.state, opened->path, opened->lab.document);
     auto words = load_words(*data / "ui" / "strings", settings.at_start.language);
     if (!words) return complain(words.error());
     const auto [width, height] = window_size(options, settings.state);

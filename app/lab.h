@@ -47,6 +47,8 @@ struct Lab {
     StudentBook students{};                                 // see app/lab_progress.h
     std::optional<std::pair<std::uint64_t, std::size_t>> progress_of{};  // run_id and student of the notes in the view
     std::optional<Together> together{};                                  // set while the graded starts run at once
+    std::optional<LectureView> pages{};                                  // the open lecture; only in lecture mode
+    double lecture_began = 0;                                            // wall seconds
     Notice notice{};
     double notice_until = 0;  // wall seconds
     double wall_seconds = 0;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/lab_children.h"
+#include "app/lab_lecture.h"
 #include "app/lab_lesson.h"
 #include "app/lab_progress.h"
 #include "app/lab_selection.h"
@@ -20,7 +21,6 @@ namespace {
 
 constexpr std::array<float, 8> speeds{least_time_scale, 0.25f, 0.5f, 1, 2, 4, 8, largest_time_scale};
 constexpr float type_step = 0.125f;
-constexpr float lecture_type = 1.6f;        // times the type size outside a lecture
 constexpr std::int64_t rewind_ticks = 300;  // five seconds
 
 // Undo or redo.
@@ -141,20 +141,6 @@ void show_next_field(Lab& lab) {
         if (next != channels.end()) ++next;
     }
     lab.view.overlays.field = next == channels.end() ? std::nullopt : std::optional(*next);
-}
-
-void begin_lecture(Lab& lab) {
-    lab.before_lecture = SettingsBeforeLecture{lab.preferences.theme, lab.preferences.type_size, lab.view};
-    lab.preferences.theme = Theme::light;
-    lab.preferences.type_size *= lecture_type;
-}
-
-void end_lecture(Lab& lab) {
-    lab.preferences = own_preferences(lab);
-    const Selection selection = lab.view.selection;
-    lab.view = lab.before_lecture->view;
-    lab.view.selection = selection;
-    lab.before_lecture.reset();
 }
 
 // Actions on the exercise's own run: the graded starts that run at once end first.
@@ -282,7 +268,10 @@ void act(Lab& lab, Action action) {
             set_mode(lab, lab.playback.mode == Mode::wiring ? Mode::paused : Mode::wiring);
             break;
         case Action::cancel:
-            if (lab.playback.mode == Mode::wiring) set_mode(lab, Mode::paused);
+            if (lab.playback.mode == Mode::wiring)
+                set_mode(lab, Mode::paused);
+            else if (lab.before_lecture)
+                end_lecture(lab);
             break;
         case Action::undo:
             change(lab, [&] { return lab.document.session.undo(); });
@@ -341,6 +330,15 @@ void act(Lab& lab, Action action) {
             break;
         case Action::lecture:
             lab.before_lecture ? end_lecture(lab) : begin_lecture(lab);
+            break;
+        case Action::next_page:
+            next_page(lab);
+            break;
+        case Action::previous_page:
+            previous_page(lab);
+            break;
+        case Action::notes:
+            if (lab.pages) lab.pages->notes = !lab.pages->notes;
             break;
         case Action::larger:
             change_type_size(lab, +type_step);
@@ -435,6 +433,7 @@ void handle(Lab& lab, const Request& request) {
                          if (r.edit == StudentEdit::save) return lab.files.push_back(r);
                          edit_students(lab, r);
                      },
+                     [&](const HandsRequest& r) { count_hands(lab, r); },
                      [&](const ExportRequest& r) { lab.files.push_back(r); },
                      [&](const SpeedRequest& r) {
                          lab.playback.time_scale = std::clamp(r.time_scale, speeds.front(), speeds.back());

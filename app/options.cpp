@@ -44,7 +44,7 @@ CommandLine read_command_line(int argc, char** argv) {
     Options& o = line.options;
     CLI::App app{"Braitenlab: a lab for Braitenberg vehicles.\nDrag a weight and see character change."};
     app.set_version_flag("--version", fmt::format("braitenlab {}", version_text()));
-    app.add_option("FILE", o.file, "a scene or an exercise: a path, or the bare name of a shipped one");
+    app.add_option("FILE", o.file, "a scene, an exercise or a lecture: a path, or the bare name of a shipped one");
     app.add_option_function<std::string>(
            "--size",
            [&](const std::string& text) {
@@ -74,6 +74,11 @@ CommandLine read_command_line(int argc, char** argv) {
         ->type_name("CODE");
     app.add_flag("--play", o.play, "start playing");
     app.add_flag("--fullscreen", o.full_screen, "fill the screen");
+    app.add_flag("--lecture", o.lecture, "large type and few controls, as F9; a lecture file has them anyway");
+    app.add_option("--page", o.page, "the page of a lecture to begin with")->type_name("N")->check(CLI::Range(1, 100));
+    app.add_option("--revealed", o.revealed, "how many steps of this page are shown already")
+        ->type_name("N")
+        ->check(CLI::Range(0, 16));
     app.add_flag_callback(
         "--projector", [&] { o.theme = Theme::light; }, "light colours for a projector");
     app.add_option_function<std::string>(

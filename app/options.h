@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/lesson/lecture.h"
 #include "core/result.h"
 #include "core/scene/scene_file.h"
 #include "render/gl/renderer.h"
@@ -23,8 +25,11 @@ struct Options {
     std::optional<std::uint64_t> seed;
     std::vector<Setting> settings;
     bool play = false, full_screen = false;
-    std::optional<Theme> theme;        // unset: as in the settings
-    std::optional<CameraMode> camera;  // unset: as stored
+    bool lecture = false;                  // large type and few controls from the start
+    int page = 1, revealed = 0;            // of a lecture file: the page, and how many of its steps are shown
+    std::shared_ptr<const Lecture> pages;  // set if FILE is a lecture
+    std::optional<Theme> theme;            // unset: as in the settings
+    std::optional<CameraMode> camera;      // unset: as stored
     render::SectorPath sectors = render::SectorPath::automatic;
     bool watch_graphics = false;
     int frame_rate = 0;                    // most pictures per second; 0: those of the display

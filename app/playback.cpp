@@ -70,6 +70,7 @@ void tick(Lab& lab) {
 
 void advance(Lab& lab, double wall_seconds) {
     lab.wall_seconds += wall_seconds;
+    if (lab.pages) lab.pages->seconds = lab.wall_seconds - lab.lecture_began;
     if (lab.wall_seconds >= lab.notice_until) lab.notice = {};
     if (lab.document.lesson) follow_hint(*lab.document.lesson, lab.wall_seconds);
     Playback& playback = lab.playback;

@@ -141,6 +141,22 @@ Json exercise_json(const Lab& lab) {
             {"notes", view.notes}};
 }
 
+// false outside a lecture, true in one without a file.
+Json lecture_json(const Lab& lab) {
+    if (!lab.pages) return lab.before_lecture.has_value();
+    Json hidden = Json::array();
+    for (const PagePartTraits& part : page_part_table)
+        if (part.value != PagePart::play && !lab.pages->shows(part.value)) hidden.push_back(part.word);
+    const bool asks = !lab.pages->current().question.options.empty();
+    return {{"file", lab.pages->lecture->id},
+            {"page", lab.pages->page + 1},
+            {"pages", lab.pages->lecture->pages.size()},
+            {"step", lab.pages->step},
+            {"hidden", std::move(hidden)},
+            {"notes", lab.pages->notes},
+            {"hands", asks ? Json(lab.pages->hands[static_cast<std::size_t>(lab.pages->page)]) : Json::array()}};
+}
+
 // The pair that the sliders set, and all pairs of the vehicle.
 void add_pairs(Json& state, const Snapshot& now, const VehicleView* vehicle, const SensorPair& shown) {
     state["pair"] = "";
@@ -236,7 +252,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
                      {"pan", {lab.view.camera.pan.x, lab.view.camera.pan.y}}};
     state["opened"] = lab.document.name;
     state["notice"] = lab.notice.words;
-    state["lecture"] = lab.before_lecture.has_value();
+    state["lecture"] = lecture_json(lab);
     state["sensors"] = lab.view.sensors;
     state["focus"] = frame.focus;
     state["menu"] = frame.menu;

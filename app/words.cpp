@@ -5,6 +5,7 @@
 #include "app/files/data.h"
 #include "app/platform/platform.h"
 #include "core/lesson/exercise.h"
+#include "core/lesson/lecture.h"
 #include "core/scene/scene_file.h"
 #include "ui/strings.h"
 
@@ -26,6 +27,8 @@ Result<Strings> load_strings(const std::filesystem::path& folder, const std::str
         if (const auto exercise = load_exercise(path)) add_translations(*strings, texts_of(*exercise), *words);
     for (const auto& path : shipped_scenes())
         if (const auto scene = load_scene(path)) add_translations(*strings, texts_of(*scene), *words);
+    for (const auto& path : shipped_lectures())
+        if (const auto lecture = read_lecture(path)) add_translations(*strings, texts_of(*lecture), *words);
     return strings;
 }
 

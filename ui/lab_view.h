@@ -11,6 +11,7 @@
 
 #include "core/lesson/exercise.h"
 #include "core/lesson/grade.h"
+#include "core/lesson/lecture.h"
 #include "core/lesson/progress.h"
 #include "core/lesson/referee.h"
 #include "core/scene/sensor_pairs.h"
@@ -80,6 +81,19 @@ struct GhostView {
 };
 
 // A shipped scene or exercise in the file browser.
+// The open lecture and where it stands.
+struct LectureView {
+    std::shared_ptr<const Lecture> lecture;  // never null
+    int page = 0, step = 0;                  // of Lecture::pages; number of the page's steps that have been shown
+    std::vector<std::vector<int>> hands;     // counted, by page and option of its question
+    bool notes = false;                      // the lecturer's notes are shown
+    double seconds = 0;                      // wall time since the lecture was opened
+
+    const LecturePage& current() const { return lecture->pages[static_cast<std::size_t>(page)]; }
+    bool shows(PagePart part) const { return braitenlab::shows(current(), part, step); }
+};
+
+// A shipped scene, exercise or lecture in menus and the file browser.
 struct CatalogueEntry {
     std::string name, path;  // "2a-coward", and its file
     std::string title, story;
@@ -145,10 +159,12 @@ struct LabView {
     const std::vector<Language>* languages = nullptr;  // null: no choice
     std::string native_language = "en";                // of the first start; Reset All chooses it
     bool reduce_motion = false;
-    bool lecture = false;                     // large type, few controls
-    const RecoveryOffer* recovery = nullptr;  // null: nothing to recover
-    std::string_view version;                 // of the program: "0.1.0"
-    double wall_seconds = 0;                  // for easing and pulsing
+    bool lecture = false;                                   // large type, few controls
+    const LectureView* pages = nullptr;                     // the open lecture; null: none. With one, `lecture` is true
+    const std::vector<CatalogueEntry>* lectures = nullptr;  // that ship; null: none
+    const RecoveryOffer* recovery = nullptr;                // null: nothing to recover
+    std::string_view version;                               // of the program: "0.1.0"
+    double wall_seconds = 0;                                // for easing and pulsing
 };
 
 // The kind of this name as the file has it, before all edits; null when the file is unknown or has no such kind.
@@ -180,13 +196,15 @@ inline bool is_brain_secret(const LabView& view, int kind) {
 
 // True if the brains of this kind may not be shown now: they are secret, or their wires would tell the outcome.
 inline bool hides_brain(const LabView& view, int kind) {
+    if (view.pages && !view.pages->shows(PagePart::brain)) return true;
     return is_brain_secret(view, kind) || (hides_outcome(view) && view.lesson->exercise->prediction.hides_brain);
 }
 
 // hides_brain() of every kind of the scene.
 inline std::vector<bool> hidden_brains(const LabView& view) {
     std::vector<bool> hidden;
-    for (std::size_t kind = 0; view.lesson && kind < view.now->scene->kinds.size(); ++kind)
+    const bool may_hide = view.lesson || view.pages;
+    for (std::size_t kind = 0; may_hide && kind < view.now->scene->kinds.size(); ++kind)
         hidden.push_back(hides_brain(view, static_cast<int>(kind)));
     return hidden;
 }

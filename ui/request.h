@@ -74,6 +74,9 @@ enum class Action {
     save,
     save_as,
     lecture,
+    next_page,  // of a lecture: shows the next part of the page, or goes to the next page
+    previous_page,
+    notes,  // shows or hides the lecturer's notes
 
     // Handled by panels, widgets, canvas and scene input. Of these, the app gets copy, cut and select_all in the scene.
     new_scene,  // opens the shipped empty scene
@@ -84,6 +87,8 @@ enum class Action {
     export_csv,     // the chart that the chart card shows
     about,
     glossary,
+    draw_marks,   // in a lecture: starts or ends drawing with the mouse
+    clear_marks,  // removes what has been drawn
     slider_LL,
     slider_LR,
     slider_RL,
@@ -182,6 +187,9 @@ struct CompareRequest {
 struct FreePlayRequest {
     bool on = true;  // shows all controls of the exercise; false: only the offered ones
 };
+struct HandsRequest {  // the count of raised hands of an option on the current page of the lecture
+    int option = 0, hands = 0;
+};
 struct ShowMeRequest {};     // gives the vehicle the exercise's solution
 struct ChooseChildRequest {  // the vehicle gets the brain of this child, which then has children itself
     int child = 0;           // 0-based; −1: the parent again, for other children
@@ -276,7 +284,7 @@ using Request =
                  SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, BookmarkRequest,
                  BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest,
                  SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest,
-                 KeptRequest, TogetherRequest, NotesRequest, StudentRequest>;
+                 KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -135,6 +135,12 @@ constexpr Shortcut shortcut_table[]{
     {{key::right}, Action::step_right, KeyPlace::canvas},
     {{key::up}, Action::step_up, KeyPlace::canvas},
     {{key::down}, Action::step_down, KeyPlace::canvas},
+
+    {{key::page_down}, Action::next_page, KeyPlace::lecture},
+    {{key::page_up}, Action::previous_page, KeyPlace::lecture},
+    {{'N'}, Action::notes, KeyPlace::lecture},
+    {{'D'}, Action::draw_marks, KeyPlace::lecture},
+    {{'D', false, true}, Action::clear_marks, KeyPlace::lecture},
 };
 
 struct NamedAction {
@@ -199,6 +205,9 @@ constexpr NamedAction action_names[]{
     {Action::save, "save"},
     {Action::save_as, "save_as"},
     {Action::lecture, "lecture"},
+    {Action::next_page, "next_page"},
+    {Action::previous_page, "previous_page"},
+    {Action::notes, "notes"},
     {Action::new_scene, "new_scene"},
     {Action::menu_bar, "menu_bar"},
     {Action::save_run, "save_run"},
@@ -207,6 +216,8 @@ constexpr NamedAction action_names[]{
     {Action::export_csv, "export_csv"},
     {Action::about, "about"},
     {Action::glossary, "glossary"},
+    {Action::draw_marks, "draw_marks"},
+    {Action::clear_marks, "clear_marks"},
     {Action::slider_LL, "slider_LL"},
     {Action::slider_LR, "slider_LR"},
     {Action::slider_RL, "slider_RL"},
@@ -257,7 +268,7 @@ constexpr bool names_each_action() {
 }
 static_assert(names_each_action());
 
-constexpr std::string_view place_names[]{"everywhere", "view", "widget", "canvas", "scene"};
+constexpr std::string_view place_names[]{"everywhere", "view", "widget", "canvas", "scene", "lecture"};
 static_assert(std::size(place_names) == static_cast<std::size_t>(last_place) + 1);
 
 struct NamedKey {

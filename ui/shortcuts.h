@@ -28,16 +28,18 @@ struct KeyPress {
     friend bool operator==(const KeyPress&, const KeyPress&) = default;
 };
 
-// Where a shortcut applies. If several places use a key, the order is: focused widget, canvas or scene, everywhere.
+// Where a shortcut applies. If several places use a key, the order is: lecture, focused widget, canvas or scene,
+// everywhere.
 enum class KeyPlace {
     everywhere,
-    view,    // while held and no widget has the focus: moves the camera
-    widget,  // while a widget has the focus
-    canvas,  // while wiring
-    scene,   // over the scene: while a tool draws, or while a lamp, an obstacle or a zone is selected (with Ctrl,
-             // vehicles)
+    view,     // while held and no widget has the focus: moves the camera
+    widget,   // while a widget has the focus
+    canvas,   // while wiring
+    scene,    // over the scene: while a tool draws, or while a lamp, an obstacle or a zone is selected (with Ctrl,
+              // vehicles)
+    lecture,  // in a lecture; keys of pages and notes while a lecture file is open
 };
-inline constexpr KeyPlace last_place = KeyPlace::scene;
+inline constexpr KeyPlace last_place = KeyPlace::lecture;
 
 // "canvas": the string files have its heading as keys.place.canvas.
 std::string_view name(KeyPlace);

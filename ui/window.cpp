@@ -136,6 +136,17 @@ bool key_for_typing(SliderState& sliders, KeyPress press) {
     return true;
 }
 
+// Keys for the count of raised hands that is typed. Page Up and Page Down end typing.
+bool key_for_hands(PanelState& state, KeyPress press) {
+    if (press.key == key::page_up || press.key == key::page_down) {
+        for (TextField& field : state.hands)
+            if (std::exchange(field.active, false)) state.keyboard.focus.clear();
+        return false;
+    }
+    return std::any_of(state.hands.begin(), state.hands.end(),
+                       [press](TextField& field) { return for_text_field(field, press); });
+}
+
 bool key_for_focus(Keyboard& keyboard, KeyPress press) {
     if (keyboard.focus.empty()) return false;
     const auto action = action_for(press, KeyPlace::widget);
@@ -164,6 +175,22 @@ bool works_under_a_sheet(KeyPress press) {
     const auto action = action_for(press);
     return action && (*action == Action::full_screen || *action == Action::screenshot || *action == Action::larger ||
                       *action == Action::smaller || *action == Action::keys);
+}
+
+// Keys of a lecture; those of pages and notes while a lecture file is open. They precede all others but those of sheets
+// and text fields.
+bool key_for_lecture(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
+    const auto action = action_for(press, KeyPlace::lecture);
+    if (!view.lecture || !action) return false;
+    if (*action == Action::draw_marks && view.mode != Mode::wiring)
+        state.marks.drawing = !state.marks.drawing;
+    else if (*action == Action::clear_marks)
+        state.marks.lines.clear();
+    else if (view.pages && *action != Action::draw_marks)
+        outbox.push_back(*action);
+    else
+        return false;
+    return true;
 }
 
 // Scrolls the body of a sheet. Up and Down scroll those that only have words to read.
@@ -329,6 +356,14 @@ void choose_sensor_handles(const LabView& view, PanelState& state) {
     handles.alone = state.sensor_alone;
 }
 
+// The parts of a page of a lecture file.
+void draw_page(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
+    if (!view.pages) return;
+    if (layout.caption.w > 0) lecture_caption(view, ui, layout.caption);
+    if (layout.question.w > 0) lecture_question(view, state, ui, layout.question);
+    if (view.pages->notes) lecture_notes(view, ui, layout.scene);
+}
+
 }  // namespace
 
 OpenCards open_cards(const LabView& view, const PanelState& state) {
@@ -364,7 +399,14 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     follow_lecture(view, state);
     ui.anchors.record("viewport", layout.scene);
     choose_sensor_handles(view, state);
-    scene_input(view, state.scene_input, ui, layout.scene);
+    draw_marks(view, state.marks, ui, layout.scene);
+    if (state.marks.drawing) {  // the mouse draws and does nothing else
+        LabView without_camera = view;
+        without_camera.camera_view = nullptr;
+        scene_input(without_camera, state.scene_input, ui, layout.scene);
+    } else {
+        scene_input(view, state.scene_input, ui, layout.scene);
+    }
     point_to_lamp(view, ui);
     if (view.mode == Mode::wiring)
         draw_canvas(view, state, ui, layout);
@@ -378,7 +420,8 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     if (view.lecture) {
         const bool watches = view.mode != Mode::wiring && layout.canvas.w > 0;
         lecture_figures(view, state, ui, layout.hint_bar, watches ? layout.scene : layout.window);
-        lecture_bar(view, ui, layout.toolbar);
+        lecture_bar(view, state, ui, layout.toolbar);
+        draw_page(view, state, ui, layout);
     } else {
         timeline(view, state, ui, layout.timeline);
         const std::string tool = hint_of_tool(state.scene_input, view);
@@ -403,6 +446,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     keep_drawn(state.fields);
     for (TextField* field : {&state.values.seed, &state.note, &state.student_name}) (void)keep_drawn(*field);
     keep_drawn(state.author);
+    for (TextField& field : state.hands) (void)keep_drawn(field);
     end_keyboard(state.keyboard);
     execute_chosen(view, state, ui.outbox);
 }
@@ -421,8 +465,9 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
         return true;
     }
     if (key_for_typing(state.sliders, press)) return true;
-    if (state.sheet == Sheet::none && (for_record_text(state.fields, press) ||
-                                       for_text_field(state.values.seed, press) || for_text_area(state.note, press)))
+    if (state.sheet == Sheet::none &&
+        (for_record_text(state.fields, press) || for_text_field(state.values.seed, press) ||
+         for_text_area(state.note, press) || key_for_hands(state, press)))
         return true;
     if (state.sheet == Sheet::students && for_text_field(state.student_name, press)) return true;
     const bool is_modifier = press.key >= key::first_modifier && press.key <= key::last_modifier;
@@ -441,6 +486,11 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     }
     if (!state.glossary.open.empty() && press.key == key::escape) {
         state.glossary.open.clear();
+        return true;
+    }
+    if (key_for_lecture(view, state, press, outbox)) return true;
+    if (state.marks.drawing && press.key == key::escape) {
+        state.marks.drawing = false;
         return true;
     }
     if (press_key(view, state.scene_input, state.keyboard, press, outbox)) return true;

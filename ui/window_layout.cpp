@@ -11,9 +11,10 @@ namespace {
 // Layout pixels.
 constexpr float toolbar_height = 42, hint_height = 32, timeline_height = 50, above_timeline = 8;
 constexpr float lecture_bar_height = 56, figures_height = 92, lecture_inset_aspect = 1.6f;
-constexpr float metre_labels = 16;     // below the arena
-constexpr float wide_window = 1600;    // has room for both columns and a watched canvas
-constexpr float narrow_window = 1200;  // a narrower window has narrower cards and margins
+constexpr float caption_height = 74, question_share = 0.45f;  // of the width
+constexpr float metre_labels = 16;                            // below the arena
+constexpr float wide_window = 1600;                           // has room for both columns and a watched canvas
+constexpr float narrow_window = 1200;                         // a narrower window has narrower cards and margins
 constexpr float inset_height = 232;
 constexpr float charts_height = 248, tools_row = 44;
 
@@ -55,6 +56,30 @@ void split_for_canvas(WindowLayout& l, const LabView& view, float border, bool c
     }
 }
 
+// The parts of a page of a lecture: the caption above, and the scene beside the question and the open cards. The values
+// below are shown on request only.
+void lay_out_page(WindowLayout& l, const LectureView& page, OpenCards open, float margin) {
+    Rect& s = l.scene;
+    const float bottom = page.shows(PagePart::values) ? s.y + s.h : l.window.h - margin;
+    float top = l.toolbar.y + l.toolbar.h;
+    if (page.shows(PagePart::caption) && !page.current().caption.empty()) {
+        l.caption = {0, top, l.window.w, caption_height * l.scale};
+        top += l.caption.h;
+    }
+    s.y = top + margin;
+    s.h = std::max(0.0f, bottom - s.y);
+    l.left.y = l.right.y = s.y;
+    l.left.h = l.right.h = s.h;
+    const bool has_card = page.shows(PagePart::exercise);  // takes the place of the question
+    const bool asks = page.shows(PagePart::question) && !has_card;
+    if (asks) l.question = {margin, s.y, question_share * l.window.w - margin, s.h};
+    if (asks || !has_card) l.left = {};
+    const float from = asks ? l.question.x + l.question.w + margin : has_card ? l.left.x + l.left.w + margin : s.x;
+    if (!open.right) l.right = {};
+    const float until = open.right ? l.right.x - margin : s.x + s.w;
+    s.x = from, s.w = std::max(0.25f * l.window.w, until - from);
+}
+
 }  // namespace
 
 WindowLayout lay_out(float width, float height, float scale, const LabView& view, OpenCards open) {
@@ -93,6 +118,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     }
     // Folded cards cover part of the scene.
     if (view.lecture) l.scene = {margin, top, width - 2 * margin, column};
+    if (view.pages && view.mode != Mode::wiring) lay_out_page(l, *view.pages, open, margin);
 
     if (view.mode == Mode::wiring) {
         // There is no left column in a narrow window and without an exercise.
@@ -109,7 +135,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     } else if (!view.lecture) {
         l.timeline = take_timeline(l.scene, scale);
     }
-    if (watches) split_for_canvas(l, view, margin, open.right);
+    if (watches) split_for_canvas(l, view, margin, open.right && !view.pages);
     if (l.tools.w <= 0) l.tools = l.scene;
     return l;
 }

@@ -15,7 +15,8 @@ struct WindowLayout {
     Rect canvas;  // the wiring canvas; in Mode::wiring, or beside or below the scene while it is watched
     Rect border;  // between canvas and scene while it is watched; can be dragged
     Rect scene;   // no card covers it: the camera fits the arena into it; anchor `viewport`. In Mode::wiring an inset
-    Rect tools;   // the tool palette is in its upper left corner: in the scene, or above it beside the chart card
+    Rect caption, question;  // of a page of a lecture
+    Rect tools;  // the tool palette is in its upper left corner: in the scene, or above it beside the chart card
     float scale = 1;
 };
 

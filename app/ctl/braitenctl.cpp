@@ -86,9 +86,10 @@ int command_line(int argc, char** argv) {
     BrainChoice choice;
     CheckOptions checked;
     bool all = false;
-    CLI::App* check_command = app.add_subcommand("check", "is an exercise sound, or does a brain pass it?");
-    auto* name =
-        check_command->add_option("EXERCISE", checked.exercise, "a path, or the bare name of a shipped exercise");
+    CLI::App* check_command =
+        app.add_subcommand("check", "is an exercise or a lecture sound, or does a brain pass the exercise?");
+    auto* name = check_command->add_option("EXERCISE", checked.exercise,
+                                           "a path, or the bare name of a shipped exercise or lecture");
     check_command
         ->add_option(
             "--brain", checked.brain,

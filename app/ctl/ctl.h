@@ -1,6 +1,7 @@
 // The subcommands of braitenctl. Each prints its result and returns the exit code.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,7 @@ int run(const RunOptions&);
 int threads_for(int wanted);
 
 struct CheckOptions {
-    std::string exercise;    // path or bare name
+    std::string exercise;    // or a lecture: path or bare name
     std::string brain;       // file; empty: see check()
     BrainChoice choice;      // of the brain in the file
     std::uint64_t seed = 1;  // of the first start
@@ -48,6 +49,8 @@ struct CheckOptions {
 // every start passes with its own solution, which uses only what is offered, no wrong answer passes, and the run shows
 // what the prediction's answer says.
 int check(const CheckOptions&);
+// Prints whether every page of a lecture can be opened and whether their minutes are those of the lecture.
+int check_lecture(const std::filesystem::path&, bool json);
 // Prints whether each shipped exercise is sound.
 int check_all(std::uint64_t first_seed, bool json);
 

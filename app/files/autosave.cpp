@@ -264,7 +264,7 @@ std::optional<Error> Autosave::keep(const Lab& lab, double wall_seconds, Occasio
     if (busy && !now) return std::nullopt;
     auto error = settle();
     const Reached here{document.edits, document.session.snapshot().tick};
-    if (here == Reached{document.saved_edits, document.saved_tick}) {
+    if (lab.pages || here == Reached{document.saved_edits, document.saved_tick}) {
         finish();
         return error;
     }

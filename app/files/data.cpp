@@ -10,6 +10,7 @@
 #include "app/files/paths.h"
 #include "app/platform/platform.h"
 #include "core/lesson/exercise.h"
+#include "core/lesson/lecture.h"
 #include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
 #include "ui/lab_view.h"
@@ -65,7 +66,7 @@ Result<fs::path> find_shipped(const std::string& path_or_name) {
     const auto data = data_folder();
     if (!data) return data.error();
     std::vector<std::string> names;
-    for (const char* folder : {"scenes", "guided"})
+    for (const char* folder : {"scenes", "guided", "lectures"})
         for (const fs::path& file : toml_files(*data / "exercises" / folder)) {
             if (file.stem() == path_or_name) return file;
             names.push_back(file.stem().string());
@@ -83,6 +84,25 @@ std::vector<fs::path> shipped_exercises() {
 std::vector<fs::path> shipped_scenes() {
     const auto data = data_folder();
     return data ? toml_files(*data / "exercises" / "scenes") : std::vector<fs::path>{};
+}
+
+std::vector<fs::path> shipped_lectures() {
+    const auto data = data_folder();
+    return data ? toml_files(*data / "exercises" / "lectures") : std::vector<fs::path>{};
+}
+
+Result<Lecture> read_lecture(const fs::path& path) {
+    const auto data = data_folder();
+    if (!data) return data.error();
+    return load_lecture(path, *data / "exercises");
+}
+
+std::vector<CatalogueEntry> read_lecture_catalogue() {
+    std::vector<CatalogueEntry> catalogue;
+    for (const fs::path& path : shipped_lectures())
+        if (const auto lecture = read_lecture(path))
+            catalogue.push_back({path.stem().string(), path.string(), lecture->title, ""});
+    return catalogue;
 }
 
 std::vector<CatalogueEntry> read_catalogue() {

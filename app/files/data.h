@@ -10,6 +10,7 @@
 namespace braitenlab {
 
 struct CatalogueEntry;
+struct Lecture;
 
 // The program's version: "0.1.0".
 const char* version_text();
@@ -18,16 +19,21 @@ const char* version_text();
 // installation. Fails with the list of folders that it has tried.
 Result<std::filesystem::path> data_folder();
 
-// A path of a file, or the name of a shipped scene ("2a-coward") or exercise ("05-aggressor"). Fails with the nearest
-// shipped name.
+// A path of a file, or the name of a shipped scene ("2a-coward"), exercise ("05-aggressor") or lecture. Fails with the
+// nearest shipped name.
 Result<std::filesystem::path> find_shipped(const std::string& path_or_name);
 
-// The shipped exercises and scenes, each sorted by file name.
+// The shipped exercises, scenes and lectures, each sorted by file name.
 std::vector<std::filesystem::path> shipped_exercises();
 std::vector<std::filesystem::path> shipped_scenes();
+std::vector<std::filesystem::path> shipped_lectures();
+
+// load_lecture() with the shipped scenes and exercises.
+Result<Lecture> read_lecture(const std::filesystem::path&);
 
 // The shipped exercises and scenes, for the menu. A broken file is left out; opening it by name reports the error.
 std::vector<CatalogueEntry> read_catalogue();
+std::vector<CatalogueEntry> read_lecture_catalogue();
 
 // The first candidate that exists; empty if none does.
 std::filesystem::path first_existing(const std::vector<std::filesystem::path>& candidates);

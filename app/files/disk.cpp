@@ -27,6 +27,8 @@ bool parses(const FileText& file) {
             return static_cast<bool>(parse_brain(file.text, file.path.string()));
         case FileKind::exercise:
             return static_cast<bool>(parse_exercise(file.text, file.path));
+        case FileKind::lecture:
+            return static_cast<bool>(read_lecture(file.path));
         case FileKind::run:
             return static_cast<bool>(io::load_run(file.path));
         case FileKind::scene:

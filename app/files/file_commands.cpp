@@ -8,6 +8,7 @@
 #include "app/exercise_check.h"
 #include "app/files/disk.h"
 #include "app/files/safe_file.h"
+#include "app/lab_lecture.h"
 #include "app/lab_lesson.h"
 #include "app/lab_progress.h"
 #include "app/lab_requests.h"
@@ -78,14 +79,27 @@ struct FileCommands {
             done(path, "files.took_brain");
             return report_time_change(lab, latest);
         }
+        if (file->kind == FileKind::lecture) return open_pages(path, discard);
         auto opened = open_document(*file, std::nullopt, {});
         if (!opened) return fail(opened.error());
         if (!discard && has_unsaved_edits(lab)) {
             view.leaving = Leaving{title_of(lab.document), path.string(), title_of(*opened)};
             return view.refused.reset();
         }
+        lab.pages.reset();
         replace_document(lab, std::move(*opened));
         add_recent_file(state, path, lab.document);
+        done(path, {});
+    }
+
+    void open_pages(const fs::path& path, bool discard) const {
+        auto lecture = read_whole_lecture(path);
+        if (!lecture) return fail(lecture.error());
+        if (!discard && has_unsaved_edits(lab)) {
+            view.leaving = Leaving{title_of(lab.document), path.string(), lecture->title};
+            return view.refused.reset();
+        }
+        open_lecture(lab, std::make_shared<const Lecture>(std::move(*lecture)));
         done(path, {});
     }
 
@@ -196,7 +210,7 @@ void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const 
 }
 
 bool has_unsaved_edits(const Lab& lab) {
-    if (lab.document.edits == lab.document.saved_edits) return false;
+    if (lab.pages || lab.document.edits == lab.document.saved_edits) return false;
     if (const auto& lesson = lab.document.lesson) {
         const Submission now = submission_of(*lesson->exercise, lab.document.session.snapshot());
         return now != as_shipped(*lesson->exercise) && !is_kept(lab, now);
@@ -212,7 +226,7 @@ bool may_leave(const Lab& lab, FilesView& view) {
 }
 
 void follow_file(Lab& lab, FilesView& view) {
-    if (lab.document.path.empty() || lab.document.path.extension() == io::run_ending) return;
+    if (lab.pages || lab.document.path.empty() || lab.document.path.extension() == io::run_ending) return;
     const FileMark mark = mark_of(lab.document.path);
     if (mark == lab.document.on_disk || mark == FileMark{}) {
         if (lab.document.broken && lab.wall_seconds >= lab.notice_until) say(lab, *lab.document.broken);

@@ -17,14 +17,14 @@ void add_recent_file(StoredState&, const std::filesystem::path&, const Document&
 void execute_file_requests(Lab&, FilesView&, StoredState&, const UserFolders&);
 
 // True if the scene has edits that are in no file; of an exercise, if its submission has and the
-// student's progress does not keep it.
+// student's progress does not keep it. Never on a page of a lecture.
 bool has_unsaved_edits(const Lab&);
 
 // True if the document can be closed without losing edits. If not, sets FilesView::leaving, which opens a sheet.
 bool may_leave(const Lab&, FilesView&);
 
 // Call a few times per second. Reloads the open file if another program has written it. If the new file is broken or
-// there are unsaved edits, shows a notice and keeps the document.
+// there are unsaved edits, shows a notice and keeps the document. Does nothing on a page of a lecture.
 void follow_file(Lab&, FilesView&);
 
 // Updates FilesView for the file of the document. Call after the document has changed.

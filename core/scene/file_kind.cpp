@@ -16,6 +16,7 @@ FileKind detect_kind(const std::filesystem::path& path, std::string_view text) {
         text.remove_prefix(std::min(line.size() + 1, text.size()));
         line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
         if (line.starts_with("[[step]]")) return FileKind::exercise;
+        if (line.starts_with("[[page]]")) return FileKind::lecture;
         is_scene |= line.starts_with("[kind.") || line.starts_with("[arena]") || line.starts_with("[source.");
         is_brain |= line.starts_with("[brain");
     }

@@ -1,8 +1,10 @@
-// Every text of shipped exercises and scenes has a translation in every language, and every translation has a text.
+// Every text of shipped exercises, scenes and lectures has a translation in every language, and every translation has a
+// text.
 #include <map>
 #include <set>
 
 #include "core/lesson/exercise.h"
+#include "core/lesson/lecture.h"
 #include "core/scene/scene_file.h"
 #include "desk.h"
 #include "ui/strings.h"
@@ -31,6 +33,11 @@ std::vector<TranslatableText> all_texts() {
         const auto scene = load_scene(entry.path());
         EXPECT_TRUE(scene) << entry.path();
         if (scene) add(texts_of(*scene));
+    }
+    for (const auto& entry : fs::directory_iterator(shipped / "lectures")) {
+        const auto lecture = load_lecture(entry.path(), shipped);
+        EXPECT_TRUE(lecture) << entry.path();
+        if (lecture) add(texts_of(*lecture));
     }
     return texts;
 }

@@ -111,7 +111,27 @@ float past_sign(const LabView& view, Ui& ui, float left, Rect bar) {
 
 }  // namespace
 
-void lecture_bar(const LabView& view, Ui& ui, Rect bar) {
+namespace {
+
+// The number of the page, at the right end; returns its left edge.
+float page_number(const LabView& view, Ui& ui, float right, Rect bar) {
+    const std::string words =
+        std::to_string(view.pages->page + 1) + "/" + std::to_string(view.pages->lecture->pages.size());
+    const float w = text_width(ui, Face::title, words), h = line_height(ui, Face::title);
+    const Rect place{right - ui.px(12) - w, bar.y + (bar.h - h) / 2, w, h};
+    put(ui, {place.x, place.y}, words, ui.palette.text, Face::title);
+    mark(ui, "lecture.page", place);
+    return place.x;
+}
+
+std::string_view title_of_bar(const LabView& view) {
+    if (view.pages) return view.pages->lecture->title;  // that of the scene could tell the answer
+    return view.lesson ? view.lesson->exercise->title : view.now->scene->title;
+}
+
+}  // namespace
+
+void lecture_bar(const LabView& view, const PanelState&, Ui& ui, Rect bar) {
     begin_bar(ui, "lecture", bar);
     const bool playing = view.mode == Mode::playing;
     const float y = bar.y + (bar.h - ui.px(button_height)) / 2;
@@ -132,15 +152,32 @@ void lecture_bar(const LabView& view, Ui& ui, Rect bar) {
     tooltip(ui, end, ui.strings("lecture.leave"), key_name(Action::lecture, ui.strings));
     if (end.pressed) ui.outbox.push_back(Action::lecture);
     // The title, between the clock and the button that ends the lecture.
-    const std::string_view title =
-        view.lesson ? std::string_view(view.lesson->exercise->title) : std::string_view(view.now->scene->title);
-    const float from = past_sign(view, ui, start.right() + ui.px(16 + 96), bar), room = end.rect.x - ui.px(12) - from;
+    const std::string_view title = title_of_bar(view);
+    const float right = view.pages ? page_number(view, ui, end.rect.x, bar) : end.rect.x;
+    const float from = past_sign(view, ui, start.right() + ui.px(16 + 96), bar), room = right - ui.px(12) - from;
     put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2},
         shortened(ui, translated(ui, title), Face::title, room), ui.palette.second_text, Face::title);
     end_bar();
 }
 
+namespace {
+
+// Without values there is no bar: the pressed keys are over the scene.
+void keys_without_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect above) {
+    ImGui::SetNextWindowPos({bar.x, bar.y});
+    ImGui::SetNextWindowSize({bar.w, bar.h});
+    ImGui::Begin("lecture keys", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBackground |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
+    pressed_keys(view, state, ui, {bar.x, bar.y + bar.h, bar.w, 0}, above);
+    ImGui::End();
+}
+
+}  // namespace
+
 void lecture_figures(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect above) {
+    if (view.pages && !view.pages->shows(PagePart::values) && view.notice.empty())
+        return keys_without_bar(view, state, ui, bar, above);
     begin_bar(ui, "lecture figures", bar);
     if (view.notice.empty()) {
         const auto all = lecture_values(view, state, ui);
@@ -159,8 +196,28 @@ void lecture_figures(const LabView& view, PanelState& state, Ui& ui, Rect bar, R
     end_bar();
 }
 
+namespace {
+
+// Opens and folds the cards that a page shows, when it has gone to another step; then the lecturer can fold them.
+void follow_page(const LabView& view, PanelState& state) {
+    const std::array<int, 3> step = view.pages
+                                        ? std::array{static_cast<int>(view.run_id), view.pages->page, view.pages->step}
+                                        : std::array{-1, -1, -1};
+    const std::array<int, 3> before = std::exchange(state.lecture_step, step);
+    if (!view.pages || before == step) return;
+    const bool new_page = before[0] != step[0] || before[1] != step[1];
+    if (new_page) state.hands.clear();
+    for (const auto& [part, card] : {std::pair{PagePart::sliders, Card::brain}, {PagePart::exercise, Card::exercise}}) {
+        const bool shown = view.pages->shows(part);
+        const bool was_shown = shows(view.pages->current(), part, before[2]);
+        if (new_page || shown != was_shown) state.card(card).folded = !shown;
+    }
+}
+
+}  // namespace
+
 void follow_lecture(const LabView& view, PanelState& state) {
-    if (view.lecture == state.before_lecture.has_value()) return;
+    if (view.lecture == state.before_lecture.has_value()) return follow_page(view, state);
     if (view.lecture) {
         BeforeLecture& before = state.before_lecture.emplace();
         before.focus = std::exchange(state.keyboard.focus, {});
@@ -169,7 +226,7 @@ void follow_lecture(const LabView& view, PanelState& state) {
             before.cards[static_cast<std::size_t>(row.card)] = card;
             card.folded |= row.in_lecture == InLecture::folded;
         }
-        return;
+        return follow_page(view, state);
     }
     for (const CardTraits& row : cards())
         if (row.in_lecture != InLecture::unchanged)

@@ -112,6 +112,11 @@ constexpr MenuPlace menu_places[]{
     {"exercises", Action::exercise_reset},
 
     {"lecture", Action::lecture},
+    {"lecture", Action::next_page, true},
+    {"lecture", Action::previous_page},
+    {"lecture", Action::notes},
+    {"lecture", Action::draw_marks, true},
+    {"lecture", Action::clear_marks},
 
     {"help", Action::keys},
     {"help", Action::glossary},
@@ -256,6 +261,17 @@ void add_catalogue(std::vector<LabMenuRow>& rows, const LabView& view, const Ui&
     }
 }
 
+void add_lectures(std::vector<LabMenuRow>& rows, const LabView& view, const Ui& ui) {
+    if (!view.lectures || view.lectures->empty()) return;
+    rows.push_back(menu_heading(ui.strings("open.lectures")));
+    for (const CatalogueEntry& shipped : *view.lectures) {
+        LabMenuRow row{.request = OpenRequest{shipped.path}};
+        row.entry.anchor = "menu.lecture." + shipped.name;
+        row.entry.words = translated(ui, shipped.title);
+        rows.push_back(std::move(row));
+    }
+}
+
 std::vector<LabMenuRow> rows_of(const LabView& view, const PanelState& state, const Ui& ui, std::string_view menu) {
     std::vector<LabMenuRow> rows;
     for (const MenuPlace& place : menu_places) {
@@ -265,6 +281,7 @@ std::vector<LabMenuRow> rows_of(const LabView& view, const PanelState& state, co
         if (place.action == Action::next_field) add_fields(rows, view, ui);
         if (place.action == Action::exercise_reset && view.students) rows.push_back(student_row_of_menu(view, ui));
         if (place.action == Action::exercise_reset) add_catalogue(rows, view, ui);
+        if (place.action == Action::clear_marks) add_lectures(rows, view, ui);
     }
     return rows;
 }
@@ -410,6 +427,13 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
             return view.now->scene->starts.empty() ? "author.no_vehicle" : "";
         case Action::export_csv:
             return why_no_csv(view, state);
+        case Action::next_page:
+        case Action::previous_page:
+        case Action::notes:
+            return view.pages ? "" : "unavailable.no_lecture";
+        case Action::draw_marks:
+        case Action::clear_marks:
+            return view.lecture ? "" : "unavailable.no_lecture_view";
         default:
             return "";
     }

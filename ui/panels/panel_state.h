@@ -12,6 +12,7 @@
 #include "ui/panels/chart_data.h"
 #include "ui/panels/file_lists.h"
 #include "ui/panels/glossary.h"
+#include "ui/panels/marks.h"
 #include "ui/panels/prompts.h"
 #include "ui/scene_input/scene_input.h"
 #include "ui/widgets/card.h"
@@ -112,7 +113,11 @@ struct PanelState {
     bool grade_seen = false;
     std::string exercise_id;  // of the exercise that the three values above belong to
     std::optional<BeforeLecture> before_lecture;
-    std::vector<PressedKey> pressed;  // in a lecture, the newest last
+    std::vector<PressedKey> pressed;              // in a lecture, the newest last
+    Marks marks;                                  // drawn in a lecture
+    std::vector<TextField> hands;                 // counts on the current page of a lecture, by option
+    CardState question;                           // of that page
+    std::array<int, 3> lecture_step{-1, -1, -1};  // run, page and step whose cards are shown
 };
 
 }  // namespace braitenlab::ui

@@ -31,8 +31,9 @@ ImFont* font(const Ui& ui, Face face) {
                      : face == Face::strong  ? fonts.strong
                      : face == Face::title   ? fonts.title
                      : face == Face::display ? fonts.display
+                     : face == Face::caption ? fonts.caption
                                              : fonts.small;
-    if (!chosen && face == Face::display) chosen = fonts.title;
+    if (!chosen && (face == Face::display || face == Face::caption)) chosen = fonts.title;
     if (!chosen) chosen = fonts.text;
     return chosen ? chosen : ImGui::GetFont();
 }

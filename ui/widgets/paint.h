@@ -30,7 +30,7 @@ inline constexpr std::string_view light = "\uf185", coloured_light = "\uf0eb", h
                                   energy = "\uf0e7";
 }  // namespace icon
 
-enum class Face { text, strong, title, small, display };
+enum class Face { text, strong, title, small, display, caption };
 
 // The font of a face; Dear ImGui's current font when none was loaded.
 ImFont* font(const Ui&, Face);

@@ -11,7 +11,7 @@ namespace {
 
 // Ascent plus descent of Noto Sans, in em. Dear ImGui calls it the size of a font.
 constexpr float line_height_em = 1.362f;
-constexpr float text_em = 14, title_em = 18, small_em = 12, display_em = 36;  // layout pixels
+constexpr float text_em = 14, title_em = 18, small_em = 12, display_em = 36, caption_em = 24;  // layout pixels
 
 constexpr ImWchar latin[]{0x0020, 0x017F,  // Latin, Latin-1, Latin Extended-A
                           0x0370, 0x03FF,  // Greek: θ, Σ, π
@@ -150,6 +150,7 @@ LoadedFonts load_fonts(ImFontAtlas& atlas, float scale, const FontPaths& paths) 
     loaded.fonts.title = loader.load(paths.title, title_em, true);
     loaded.fonts.display = loader.load_figures(paths.title, display_em);
     loaded.fonts.small = loader.load(paths.text, small_em, true);
+    loaded.fonts.caption = loader.load(paths.title, caption_em, false);
     loaded.warning = loader.warning;
     return loaded;
 }

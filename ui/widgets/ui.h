@@ -26,6 +26,7 @@ struct Fonts {
     ImFont* strong = nullptr;   // 14 px, bold
     ImFont* display = nullptr;  // 36 px, bold; letters and digits only
     ImFont* small = nullptr;    // 12 px: captions and figures
+    ImFont* caption = nullptr;  // 24 px, bold: captions of a lecture; without icons
 };
 
 // A text as drawn in this frame, for tests that find clipped and overlapping texts.

@@ -1,0 +1,35 @@
+// braitenctl check for lectures.
+#include <cmath>
+#include <iostream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/ctl/ctl.h"
+#include "app/files/data.h"
+#include "core/lesson/lecture.h"
+
+namespace braitenlab {
+
+int check_lecture(const std::filesystem::path& path, bool json) {
+    constexpr float tolerated = 0.1f;  // of the lecture's minutes
+    const auto lecture = read_lecture(path);
+    if (!lecture) return complain(lecture.error());
+    if (const auto error = check_pages(*lecture)) return complain(*error);
+    const float sum = minutes_of_pages(*lecture);
+    const bool fits = std::fabs(sum - lecture->minutes) <= tolerated * lecture->minutes;
+    if (json)
+        std::cout << nlohmann::ordered_json{{"lecture", lecture->id},
+                                            {"pages", lecture->pages.size()},
+                                            {"minutes", lecture->minutes},
+                                            {"minutes_of_pages", sum},
+                                            {"sound", fits}}
+                         .dump(2)
+                  << "\n";
+    else
+        std::cout << fmt::format("{}: {} pages can be opened; they take {:g} of {:g} minutes: {}\n", lecture->id,
+                                 lecture->pages.size(), sum, lecture->minutes, fits ? "good" : "wrong");
+    return fits ? exit_code::done : exit_code::failed;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,144 @@
+#include "app/lab_lecture.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/files/data.h"
+#include "app/lab_selection.h"
+#include "core/world/snapshot.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float lecture_type = 1.6f;  // times the type size outside a lecture
+constexpr int most_hands = 999;
+
+Camera camera_of(const LecturePage& page) {
+    constexpr std::array<CameraMode, page_camera_table.size()> modes{CameraMode::overview, CameraMode::follow,
+                                                                     CameraMode::driver, CameraMode::birds_eye};
+    return {modes[static_cast<std::size_t>(page.camera)], page.azimuth, page.elevation, page.zoom, {page.x, page.y}};
+}
+
+// Applies the parts that are settings of the view. Panels read the others from LectureView.
+void show_part(Lab& lab, PagePart part, bool shown) {
+    switch (part) {
+        case PagePart::trails:
+            lab.view.overlays.trails = shown;
+            break;
+        case PagePart::sensors:
+            lab.view.sensors = shown;
+            break;
+        case PagePart::labels:
+            lab.view.overlays.labels = shown;
+            break;
+        case PagePart::wiring:
+            lab.view.watching = shown;
+            break;
+        case PagePart::field: {
+            const auto channels = channels_with_intensity(lab.document.session.snapshot());
+            lab.view.overlays.field = shown && !channels.empty() ? std::optional(channels.front()) : std::nullopt;
+            break;
+        }
+        default:
+            break;
+    }
+}
+
+// Applies the parts whose state differs between the two numbers of steps, so that others stay as the lecturer has set
+// them.
+void go_to_step(Lab& lab, int step) {
+    const int before = std::exchange(lab.pages->step, step);
+    for (const PagePartTraits& part : page_part_table) {
+        const bool shown = lab.pages->shows(part.value);
+        if (shown != shows(lab.pages->current(), part.value, before)) show_part(lab, part.value, shown);
+    }
+}
+
+void select_vehicle(Lab& lab, const LecturePage& page) {
+    const std::vector<Start>& starts = lab.document.session.snapshot().scene->starts;
+    const std::vector<VehicleView>& vehicles = lab.document.session.snapshot().vehicles;
+    for (std::size_t i = 0; i < std::min(starts.size(), vehicles.size()); ++i)
+        if (starts[i].name == page.select) select(lab, vehicle_object(vehicles[i].id));
+}
+
+}  // namespace
+
+void begin_lecture(Lab& lab) {
+    lab.before_lecture = SettingsBeforeLecture{lab.preferences.theme, lab.preferences.type_size, lab.view};
+    lab.preferences.theme = Theme::light;
+    lab.preferences.type_size *= lecture_type;
+}
+
+void end_lecture(Lab& lab) {
+    if (std::exchange(lab.pages, std::nullopt)) {
+        lab.document.saved_edits = lab.document.edits;
+        lab.document.saved_tick = lab.document.session.snapshot().tick;
+    }
+    lab.preferences = own_preferences(lab);
+    const Selection selection = lab.view.selection;
+    lab.view = lab.before_lecture->view;
+    lab.view.selection = selection;
+    lab.before_lecture.reset();
+}
+
+Result<Lecture> read_whole_lecture(const std::filesystem::path& path) {
+    auto lecture = read_lecture(path);
+    if (!lecture) return lecture;
+    if (const auto error = check_pages(*lecture)) return *error;
+    return lecture;
+}
+
+void open_lecture(Lab& lab, std::shared_ptr<const Lecture> lecture) {
+    if (!lab.before_lecture) begin_lecture(lab);
+    std::vector<std::vector<int>> hands;
+    for (const LecturePage& page : lecture->pages) hands.emplace_back(page.question.options.size(), 0);
+    lab.pages = LectureView{.lecture = std::move(lecture), .hands = std::move(hands)};
+    lab.lecture_began = lab.wall_seconds;
+    show_page(lab, 0);
+}
+
+void show_page(Lab& lab, int page, int steps) {
+    const auto& pages = lab.pages->lecture->pages;
+    page = std::clamp(page, 0, static_cast<int>(pages.size()) - 1);
+    const LecturePage& next = pages[static_cast<std::size_t>(page)];
+    auto document = open_document(next.file, next.seed > 0 ? std::optional(next.seed) : std::nullopt, next.settings);
+    if (!document) return say(lab, document.error());
+    replace_document(lab, std::move(*document));
+    lab.pages->page = page;
+    lab.pages->step = std::clamp(steps, 0, static_cast<int>(next.reveal.size()));
+    lab.view.camera = camera_of(next);
+    select_vehicle(lab, next);
+    for (const PagePartTraits& part : page_part_table) show_part(lab, part.value, lab.pages->shows(part.value));
+    if (next.play || next.at_first[static_cast<std::size_t>(PagePart::play)]) set_mode(lab, Mode::playing);
+}
+
+void next_page(Lab& lab) {
+    if (!lab.pages) return;
+    const LecturePage& page = lab.pages->current();
+    const int step = lab.pages->step;
+    if (step < static_cast<int>(page.reveal.size())) {
+        go_to_step(lab, step + 1);
+        const bool plays = page.reveal[static_cast<std::size_t>(step)][static_cast<std::size_t>(PagePart::play)];
+        if (plays && lab.playback.mode != Mode::playing) set_mode(lab, Mode::playing);
+    } else if (lab.pages->page + 1 < static_cast<int>(lab.pages->lecture->pages.size())) {
+        show_page(lab, lab.pages->page + 1);
+    }
+}
+
+void previous_page(Lab& lab) {
+    if (!lab.pages) return;
+    if (lab.pages->step > 0) return go_to_step(lab, lab.pages->step - 1);
+    if (lab.pages->page == 0) return;
+    const LecturePage& page = lab.pages->lecture->pages[static_cast<std::size_t>(lab.pages->page - 1)];
+    show_page(lab, lab.pages->page - 1, static_cast<int>(page.reveal.size()));
+}
+
+void count_hands(Lab& lab, const HandsRequest& request) {
+    if (!lab.pages) return;
+    auto& hands = lab.pages->hands[static_cast<std::size_t>(lab.pages->page)];
+    if (request.option < 0 || static_cast<std::size_t>(request.option) >= hands.size()) return;
+    hands[static_cast<std::size_t>(request.option)] = std::clamp(request.hands, 0, most_hands);
+}
+
+}  // namespace braitenlab

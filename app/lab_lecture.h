@@ -1,0 +1,34 @@
+// Lecture mode, and the pages of a lecture file. A page opens its scene or exercise anew; edits made on it are not
+// asked to be saved.
+#pragma once
+
+#include "app/lab.h"
+
+namespace braitenlab {
+
+// Lecture mode: large type, light colours. The end restores preferences and view settings, and closes the lecture file;
+// the scene of the last page stays open.
+void begin_lecture(Lab&);
+void end_lecture(Lab&);
+
+// A lecture whose pages can all be opened. Fails as read_lecture() and check_pages() do.
+Result<Lecture> read_whole_lecture(const std::filesystem::path&);
+
+// Begins lecture mode if it is off, and shows the first page.
+void open_lecture(Lab&, std::shared_ptr<const Lecture>);
+
+// Opens a page with so many of its steps shown. Both numbers are limited to those that exist. If the page's file cannot
+// be opened any more, shows the error and keeps the present page. Precondition: Lab::pages.
+void show_page(Lab&, int page, int steps = 0);
+
+// Shows the next step of the page; after the last one, the next page. The step `play` starts the run. Do nothing
+// without an open lecture.
+void next_page(Lab&);
+// Hides the last step shown; before the first one, goes to the previous page with all of its steps. Its run begins
+// anew; the step `play` does not start it.
+void previous_page(Lab&);
+
+// Sets the number of raised hands, 0 .. 999.
+void count_hands(Lab&, const HandsRequest&);
+
+}  // namespace braitenlab

@@ -1,0 +1,274 @@
+#include "core/lesson/lecture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/scene/format_table.h"
+#include "core/scene/nearest.h"
+#include "core/scene/toml_reader.h"
+
+namespace braitenlab {
+
+namespace limits {
+inline constexpr std::size_t pages = 100, page_steps = 16, answers = 6, notes = 4000, caption = 120;
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<LectureQuestion>) {
+    v.text("text", &LectureQuestion::text, limits::text_length,
+           "what the lecturer asks; without it, the caption is the question");
+    v.texts("options", &LectureQuestion::options, limits::answers, limits::caption,
+            "two or more; the audience raises hands");
+    v.choice("answer", &LectureQuestion::answer, &LectureQuestion::options, "the right option");
+    v.text("why", &LectureQuestion::why, limits::text_length, "the reason, shown with the answer");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<LecturePage>) {
+    v.text("scene", &LecturePage::scene, limits::text_length,
+           "name of a shipped scene, or a path relative to this file; a page has a scene or an exercise");
+    v.text("exercise", &LecturePage::exercise, limits::text_length,
+           "name of a shipped exercise, or a path relative to this file");
+    v.settings("set", &LecturePage::settings, "values of the scene, by their paths, that differ from its file");
+    v.number("seed", &LecturePage::seed, "", {0, 1e15}, "of the run; 0: that of the exercise, or 1 for a scene");
+    v.text("caption", &LecturePage::caption, limits::caption, "shown large above the scene, in at most two lines");
+    v.text("notes", &LecturePage::notes, limits::notes, "for the lecturer only; the key N shows them");
+    v.number("minutes", &LecturePage::minutes, "min", {0, 240}, "planned for this page");
+    v.word("camera", &LecturePage::camera,
+           "framed: the whole scene; follow: behind the selected vehicle; driver: at its front; above: straight down");
+    v.angle("azimuth", &LecturePage::azimuth, {-360, 360}, "of the framed camera: direction from the scene to it");
+    v.angle("elevation", &LecturePage::elevation, {9, 85}, "of the framed camera above the floor");
+    v.number("zoom", &LecturePage::zoom, "", {0.25, 8}, "1: the whole scene fits");
+    v.number("x", &LecturePage::x, "m", {-limits::place, limits::place},
+             "shift of the point in the middle of the view");
+    v.number("y", &LecturePage::y, "m", {-limits::place, limits::place}, "the same in y");
+    v.text("select", &LecturePage::select, limits::name_length,
+           "NAME of the [vehicle.NAME] that is selected; without it, the scene's first");
+    v.flag("play", &LecturePage::play, "the page begins with a playing run");
+    v.texts("show", &LecturePage::show, page_part_table.size(), limits::name_length,
+            "parts that are hidden otherwise and shown from the start");
+    v.texts("hide", &LecturePage::hide, page_part_table.size(), limits::name_length, "parts that are not shown");
+    v.texts("steps", &LecturePage::steps, limits::page_steps, limits::caption,
+            "what Page Down shows before it goes to the next page: a part, or several with spaces between them; they "
+            "are hidden until then");
+    v.table("question", &LecturePage::question, "a question with a count of raised hands");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Lecture>) {
+    v.text("title", &Lecture::title, limits::title_length, "must be given");
+    v.number("minutes", &Lecture::minutes, "min", {1, 600}, "of the whole lecture; must be given");
+    v.list("page", &Lecture::pages, limits::pages, "a page; at least one");
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t index_of(PagePart part) { return static_cast<std::size_t>(part); }
+
+bool is_file(const fs::path& path) {
+    std::error_code none;
+    return fs::is_regular_file(path, none);
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code problem;
+    for (fs::directory_iterator entries(folder, problem), end; !problem && entries != end; entries.increment(problem))
+        if (entries->path().extension() == ".toml") names.push_back(entries->path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+// One page of the file after its values have been read: checks names and words.
+class PageChecker {
+public:
+    PageChecker(TomlFile& file, const TomlNode& table, std::string path, LecturePage& page)
+        : file_(file), table_(table), path_(std::move(path)), page_(page) {}
+
+    void find_file(const fs::path& lecture, const fs::path& exercises) {
+        if (page_.scene.empty() == page_.exercise.empty())
+            return fail(page_.scene.empty() ? "scene" : "exercise",
+                        "a page has either 'scene' or 'exercise'; give one of them");
+        const bool is_scene = page_.exercise.empty();
+        const std::string& wanted = is_scene ? page_.scene : page_.exercise;
+        const fs::path shipped = exercises / (is_scene ? "scenes" : "guided");
+        page_.file = (lecture.parent_path() / wanted).lexically_normal();
+        if (is_file(page_.file)) return;
+        page_.file = shipped / (wanted + ".toml");
+        if (is_file(page_.file)) return;
+        const std::vector<std::string> names = names_in(shipped);
+        const std::vector<std::string_view> known(names.begin(), names.end());
+        const char* key = is_scene ? "scene" : "exercise";
+        fail(key, fmt::format("there is no file and no shipped {} called {}{}", key, in_quotes(wanted),
+                              name_nearest(wanted, known)));
+    }
+
+    void check_question() {
+        const LectureQuestion& asked = page_.question;
+        if (!table_.contains("question")) return;
+        if (asked.options.size() < 2) return fail("question", "'options' needs two or more texts");
+        if (!table_.get("question")->contains("answer"))
+            fail("question", "'answer' is missing; give the text of the right option");
+    }
+
+    void read_parts() {
+        for (const PagePartTraits& part : page_part_table) page_.at_first[index_of(part.value)] = part.at_first;
+        const bool asks = !page_.question.options.empty();
+        if (!asks) page_.at_first[index_of(PagePart::question)] = false;
+        for (const PagePart part : parts_of("show", page_.show)) page_.at_first[index_of(part)] = true;
+        for (const PagePart part : parts_of("hide", page_.hide)) page_.at_first[index_of(part)] = false;
+        bool answers = false;
+        for (const std::string& step : page_.steps) {
+            PageParts& revealed = page_.reveal.emplace_back();
+            for (const PagePart part : parts_of("steps", {step})) {
+                page_.at_first[index_of(part)] = false;
+                revealed[index_of(part)] = true;
+                answers |= part == PagePart::answer;
+            }
+        }
+        if (asks && !answers) page_.reveal.emplace_back()[index_of(PagePart::answer)] = true;
+    }
+
+private:
+    void fail(const std::string& key, const std::string& what) {
+        const TomlNode* value = table_.get(key);
+        file_.fail(path_ + "." + key, value ? value : &table_, what);
+    }
+
+    // The parts named in the texts, separated by spaces.
+    std::vector<PagePart> parts_of(const char* key, const std::vector<std::string>& texts) {
+        std::vector<std::string_view> known;
+        for (const PagePartTraits& part : page_part_table) known.push_back(part.word);
+        std::vector<PagePart> parts;
+        for (const std::string& text : texts)
+            for (std::size_t begin = 0; begin < text.size();) {
+                const std::size_t end = std::min(text.find(' ', begin), text.size());
+                const std::string word = text.substr(begin, end - begin);
+                begin = end + 1;
+                if (word.empty()) continue;
+                const auto found = std::find(known.begin(), known.end(), word);
+                if (found == known.end()) {
+                    fail(key, fmt::format("'{}' has no part {}{}", key, in_quotes(word), name_nearest(word, known)));
+                    return parts;
+                }
+                parts.push_back(static_cast<PagePart>(found - known.begin()));
+            }
+        return parts;
+    }
+
+    TomlFile& file_;
+    const TomlNode& table_;
+    std::string path_;
+    LecturePage& page_;
+};
+
+void check_lecture(TomlTable& top, Lecture& lecture, const fs::path& path, const fs::path& exercises) {
+    TomlFile& file = top.file();
+    for (const char* needed : {"title", "minutes", "page"})
+        if (!top.has(needed) && !file.error)
+            file.error = Error{
+                fmt::format("'{}' is missing; a lecture has a title, minutes and [[page]] tables", needed), file.name};
+    if (file.error) return;
+    if (lecture.pages.empty()) return top.fail("page", "there is no page; add [[page]]");
+    const TomlNode::List& pages = *top.content().get("page")->as_list();
+    for (std::size_t i = 0; i < lecture.pages.size(); ++i) {
+        PageChecker page(file, pages[i], fmt::format("page.{}", i + 1), lecture.pages[i]);
+        lecture.pages[i].line = static_cast<int>(pages[i].place.line);
+        page.find_file(path, exercises);
+        page.check_question();
+        page.read_parts();
+    }
+}
+
+}  // namespace
+
+bool shows(const LecturePage& page, PagePart part, int steps) {
+    bool shown = page.at_first[index_of(part)];
+    const std::size_t done = std::min(page.reveal.size(), static_cast<std::size_t>(std::max(0, steps)));
+    for (std::size_t i = 0; i < done; ++i) shown |= page.reveal[i][index_of(part)];
+    return shown;
+}
+
+float minutes_of_pages(const Lecture& lecture) {
+    float sum = 0;
+    for (const LecturePage& page : lecture.pages) sum += page.minutes;
+    return sum;
+}
+
+Result<Lecture> parse_lecture(std::string_view toml, const fs::path& path, const fs::path& exercises) {
+    auto file = parse_toml(toml, path.string());
+    if (!file) return file.error();
+    check_format(*file);
+    Lecture lecture;
+    lecture.id = path.stem().string();
+    lecture.path = path;
+    TomlTable top(*file, file->root, "");
+    top.find("format");
+    TomlReader<Lecture> reader(top, lecture);
+    describe(reader, Of<Lecture>{});
+    top.done();
+    if (!file->error) check_lecture(top, lecture, path, exercises);
+    if (file->error) return *file->error;
+    return lecture;
+}
+
+Result<Lecture> load_lecture(const fs::path& path, const fs::path& exercises) {
+    const auto text = read_text(path);
+    if (!text) return text.error();
+    return parse_lecture(*text, path, exercises);
+}
+
+std::optional<Error> check_pages(const Lecture& lecture) {
+    for (const LecturePage& page : lecture.pages) {
+        Result<Scene> scene = Error{};
+        if (page.exercise.empty()) {
+            scene = load_scene(page.file, page.settings);
+        } else {
+            auto exercise = load_exercise(page.file, page.settings);
+            scene = exercise ? Result<Scene>(std::move(exercise->scene)) : exercise.error();
+        }
+        if (!scene) return scene.error();
+        std::vector<std::string_view> names;
+        for (const Start& start : scene->starts) names.emplace_back(start.name);
+        if (!page.select.empty() && std::find(names.begin(), names.end(), page.select) == names.end())
+            return Error{fmt::format("'select' names {}, which is no [vehicle.NAME] of the scene{}",
+                                     in_quotes(page.select), name_nearest(page.select, names)),
+                         lecture.path.string(), page.line};
+    }
+    return std::nullopt;
+}
+
+std::vector<TranslatableText> texts_of(const Lecture& lecture) {
+    std::vector<TranslatableText> texts;
+    const auto add = [&](const std::string& key, const std::string& text) {
+        if (!text.empty()) texts.push_back({"lecture." + lecture.id + "." + key, text});
+    };
+    add("title", lecture.title);
+    for (std::size_t i = 0; i < lecture.pages.size(); ++i) {
+        const LecturePage& page = lecture.pages[i];
+        const std::string key = fmt::format("page.{}.", i + 1);
+        add(key + "caption", page.caption);
+        add(key + "question", page.question.text);
+        for (std::size_t k = 0; k < page.question.options.size(); ++k)
+            add(fmt::format("{}option.{}", key, k + 1), page.question.options[k]);
+        add(key + "why", page.question.why);
+    }
+    return texts;
+}
+
+std::string describe_lecture_format() {
+    FormatTable<Lecture> table("", "The top of the file", "");
+    describe(table, Of<Lecture>{});
+    std::string text = table.text() +
+                       "\n## Parts of a page\n\nThe words of `show`, `hide` and `steps`.\n\n"
+                       "| Part | At first | Meaning |\n|---|---|---|\n";
+    for (const PagePartTraits& part : page_part_table)
+        text += fmt::format("| `{}` | {} | {} |\n", part.word, part.at_first ? "shown" : "hidden", part.meaning);
+    return text;
+}
+
+}  // namespace braitenlab

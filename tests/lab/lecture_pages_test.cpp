@@ -1,0 +1,186 @@
+// Lecture files in the lab: every shipped page opens and shows its steps; pages begin anew; nothing is asked to be
+// saved.
+#include <gtest/gtest.h>
+
+#include "app/files/data.h"
+#include "app/files/file_commands.h"
+#include "app/lab_lecture.h"
+#include "app/lab_requests.h"
+#include "opened_lab.h"
+#include "tests/folder.h"
+#include "ui/window.h"
+
+namespace braitenlab::tests::lecture_pages_test {
+namespace {
+
+struct LabLecturePages : testing::Test {
+    Folder folder;
+    FilesView files;
+    StoredState state;
+    UserFolders folders{.home = folder.path, .pictures = folder / "Pictures"};
+    Lab lab = opened_lab("2a-coward");
+
+    void ask(const Request& request) {
+        handle(lab, request);
+        execute_file_requests(lab, files, state, folders);
+    }
+    void open(const char* name) { ask(OpenRequest{find_shipped(name)->string()}); }
+    void press(KeyPress key) {
+        ui::PanelState panels;
+        Outbox outbox;
+        ui::press_key(view_of(lab), panels, key, outbox);
+        for (const Request& request : outbox) handle(lab, request);
+    }
+};
+
+TEST_F(LabLecturePages, EveryShippedLectureGoesThroughAllPagesAndSteps) {
+    ASSERT_EQ(shipped_lectures().size(), 2u);
+    for (const auto& path : shipped_lectures()) {
+        SCOPED_TRACE(path.string());
+        ask(OpenRequest{path.string()});
+        ASSERT_TRUE(lab.pages);
+        EXPECT_EQ(lab.pages->page, 0);
+        const auto lecture = lab.pages->lecture;
+        for (std::size_t i = 0; i < lecture->pages.size(); ++i) {
+            const LecturePage& page = lecture->pages[i];
+            SCOPED_TRACE(page.caption);
+            ASSERT_EQ(lab.pages->page, static_cast<int>(i));
+            EXPECT_EQ(lab.document.path, absolute_path(page.file));
+            EXPECT_EQ(lab.document.session.snapshot().tick, 0u) << "each page begins anew";
+            EXPECT_EQ(lab.playback.mode == Mode::playing, page.play);
+            for (std::size_t step = 0; step < page.reveal.size(); ++step) {
+                press({key::page_down});
+                ASSERT_EQ(lab.pages->step, static_cast<int>(step) + 1);
+                for (int tick_count = 0; tick_count < 30; ++tick_count) tick(lab);
+            }
+            for (std::size_t part = 0; part < page_part_table.size(); ++part)
+                for (const PageParts& revealed : page.reveal)
+                    EXPECT_TRUE(!revealed[part] || lab.pages->shows(static_cast<PagePart>(part)));
+            EXPECT_TRUE(lab.notice.empty()) << lab.notice.words << lab.notice.key;
+            press({key::page_down});
+        }
+        EXPECT_EQ(lab.pages->page, static_cast<int>(lecture->pages.size()) - 1) << "the last page stays";
+    }
+}
+
+TEST_F(LabLecturePages, AStepStartsTheRunAndShowsOverlaysOnce) {
+    open("four-numbers");
+    press({key::page_down});
+    ASSERT_EQ(lab.pages->page, 1);
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
+    EXPECT_FALSE(lab.view.sensors);
+    EXPECT_TRUE(hides_brain(view_of(lab), 0));
+    EXPECT_EQ(hidden_brains(view_of(lab)), std::vector{true});
+    press({key::page_down});
+    EXPECT_EQ(lab.playback.mode, Mode::playing);
+    EXPECT_FALSE(lab.pages->shows(PagePart::answer));
+    lab.view.sensors = true;  // by the lecturer
+    press({key::page_down});
+    EXPECT_TRUE(lab.pages->shows(PagePart::answer));
+    EXPECT_TRUE(lab.view.sensors) << "a step changes only the parts that it names";
+    press({key::page_down});
+    press({key::page_down});
+    EXPECT_TRUE(lab.view.watching);
+    EXPECT_FALSE(hides_brain(view_of(lab), 0));
+}
+
+TEST_F(LabLecturePages, PageUpHidesTheLastStepThenGoesBackToTheWholePage) {
+    open("four-numbers");
+    for (int i = 0; i < 3; ++i) press({key::page_down});
+    ASSERT_EQ(lab.pages->page, 1);
+    ASSERT_EQ(lab.pages->step, 2);
+    press({key::page_up});
+    EXPECT_FALSE(lab.pages->shows(PagePart::answer));
+    for (int i = 0; i < 2; ++i) press({key::page_down});
+    ASSERT_EQ(lab.pages->page, 2);
+    press({key::page_up});
+    EXPECT_EQ(lab.pages->page, 1);
+    EXPECT_TRUE(lab.pages->shows(PagePart::answer));
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 0u);
+}
+
+TEST_F(LabLecturePages, EditsOfAPageAreNotAskedToBeSavedAndThoseBeforeAre) {
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1}});
+    open("four-numbers");
+    ASSERT_TRUE(files.leaving) << "work from before the lecture";
+    EXPECT_FALSE(lab.pages);
+    EXPECT_EQ(files.leaving->next_title, "Four numbers that look alive");
+    ask(LeaveRequest{Leave::discard});
+    ASSERT_TRUE(lab.pages);
+    press({key::page_down});
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1}});
+    EXPECT_FALSE(has_unsaved_edits(lab));
+    press({key::escape});
+    EXPECT_FALSE(lab.pages);
+    EXPECT_FALSE(has_unsaved_edits(lab)) << "edits made in the lecture";
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 0.5f}});
+    EXPECT_TRUE(has_unsaved_edits(lab));
+}
+
+TEST_F(LabLecturePages, EscapeAndF9RestoreTheViewSettings) {
+    for (const int leave : {key::escape, key::f9}) {
+        lab.preferences = {Theme::dark, "es", 1.25f, true};
+        lab.view.outlines = true, lab.view.overlays.labels = true, lab.view.watching = false;
+        const ViewSettings before = lab.view;
+        const Preferences mine = lab.preferences;
+        open("four-numbers");
+        ASSERT_TRUE(view_of(lab).lecture);
+        for (int i = 0; i < 5; ++i) press({key::page_down});
+        ASSERT_NE(lab.view.overlays, before.overlays);
+        press({leave});
+        EXPECT_FALSE(view_of(lab).lecture);
+        EXPECT_EQ(view_of(lab).pages, nullptr);
+        EXPECT_EQ(lab.preferences, mine);
+        EXPECT_EQ(lab.view.overlays, before.overlays);
+        EXPECT_EQ(lab.view.watching, before.watching);
+        EXPECT_EQ(lab.view.outlines, before.outlines);
+    }
+}
+
+TEST_F(LabLecturePages, CountsHandsForEachPage) {
+    open("four-numbers");
+    press({key::page_down});
+    handle(lab, HandsRequest{1, 12});
+    handle(lab, HandsRequest{0, -3});
+    handle(lab, HandsRequest{7, 5});
+    EXPECT_EQ(lab.pages->hands[1], (std::vector{0, 12, 0}));
+    for (int i = 0; i < 3; ++i) press({key::page_down});
+    handle(lab, HandsRequest{0, 4});
+    for (int i = 0; i < 2; ++i) press({key::page_up});
+    EXPECT_EQ(lab.pages->hands[1], (std::vector{0, 12, 0})) << "they are kept when the page is shown again";
+}
+
+TEST_F(LabLecturePages, NIsNotesInALectureFileAndANewPopulationOtherwise) {
+    handle(lab, Action::lecture);
+    press({'N'});
+    EXPECT_EQ(lab.document.session.snapshot().generation, 2);
+    open("four-numbers");
+    press({'N'});
+    EXPECT_TRUE(lab.pages->notes);
+    EXPECT_EQ(lab.document.session.snapshot().generation, 1) << "that of the page";
+    press({key::page_down});
+    EXPECT_TRUE(lab.pages->notes) << "they stay shown on the next page";
+    press({'N'});
+    EXPECT_FALSE(lab.pages->notes);
+}
+
+TEST_F(LabLecturePages, ABrokenLectureIsRefusedAndTheSceneStays) {
+    put_text(folder / "own.toml", "format = 1\ntitle = \"T\"\nminutes = 1\n[[page]]\nscene = \"2a-cowerd\"\n");
+    ask(OpenRequest{(folder / "own.toml").string()});
+    EXPECT_FALSE(lab.pages);
+    EXPECT_EQ(lab.document.name, "2a-coward");
+    EXPECT_NE(lab.notice.words.find("own.toml:5"), std::string::npos) << lab.notice.words;
+    EXPECT_NE(lab.notice.words.find("the nearest is '2a-coward'"), std::string::npos);
+}
+
+TEST_F(LabLecturePages, OpeningAnotherFileEndsTheLectureFile) {
+    open("four-numbers");
+    open("3a-love");
+    EXPECT_FALSE(lab.pages);
+    EXPECT_EQ(lab.document.name, "3a-love");
+    EXPECT_TRUE(view_of(lab).lecture) << "the lecture view stays";
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::lecture_pages_test

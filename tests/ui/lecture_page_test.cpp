@@ -1,0 +1,252 @@
+// The parts of a page of a lecture file in the window: caption, question with counted hands, notes, and drawn marks.
+#include "desk.h"
+#include "ui/panels/cards.h"
+
+namespace braitenlab::tests::lecture_page_test {
+
+using namespace ui;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path shipped = fs::path(BRAITENLAB_SOURCE) / "exercises";
+
+LectureView opened(const std::string& name) {
+    auto lecture = load_lecture(shipped / "lectures" / (name + ".toml"), shipped);
+    if (!lecture) throw std::runtime_error(lecture.error().text());
+    LectureView view{.lecture = std::make_shared<const Lecture>(std::move(*lecture))};
+    for (const LecturePage& page : view.lecture->pages) view.hands.emplace_back(page.question.options.size(), 0);
+    return view;
+}
+
+struct LecturePages : testing::Test {
+    Desk desk{1024, 768, 1.6f, true};
+    LectureView pages = opened("four-numbers");
+
+    LecturePages() {
+        desk.now = snapshot(0);
+        desk.view.lecture = true;
+        desk.view.pages = &pages;
+    }
+    void show(int page, int step) {
+        pages.page = page, pages.step = step;
+        ++desk.view.run_id;
+        desk.frame(4);
+    }
+    bool shows(const std::string& words) const {
+        for (const Written& w : desk.written)
+            if (w.words.find(words) != std::string::npos) return true;
+        return false;
+    }
+};
+
+bool is_inside(Rect a, Rect b) {
+    return a.x >= b.x - 0.5f && a.y >= b.y - 0.5f && a.x + a.w <= b.x + b.w + 0.5f && a.y + a.h <= b.y + b.h + 0.5f;
+}
+bool overlap(Rect a, Rect b) {
+    return a.x < b.x + b.w - 0.5f && b.x < a.x + a.w - 0.5f && a.y < b.y + b.h - 0.5f && b.y < a.y + a.h - 0.5f;
+}
+
+// The strings with the words of the shipped lectures.
+Strings speaking_in_lectures(const std::string& code) {
+    Strings strings = speaking(code);
+    const auto words = Strings::load(shipped / "words" / (code + ".toml"));
+    EXPECT_TRUE(words);
+    for (const char* name : {"four-numbers", "wheels-to-neurons"})
+        add_translations(strings, texts_of(*opened(name).lecture), *words);
+    return strings;
+}
+
+}  // namespace
+
+TEST_F(LecturePages, CaptionAndOptionsFitIntoSmallWindowsInEveryLanguage) {
+    for (const char* code : {"en", "de", "es"})
+        for (const char* name : {"four-numbers", "wheels-to-neurons"}) {
+            if (std::string(code) != "en") desk.strings = speaking_in_lectures(code);
+            pages = opened(name);
+            for (int page = 0; page < static_cast<int>(pages.lecture->pages.size()); ++page) {
+                show(page, 0);
+                SCOPED_TRACE(std::string(code) + " " + name + " " + std::to_string(page + 1));
+                const Rect caption = desk.where("lecture.caption"), window = desk.layout.window;
+                EXPECT_TRUE(is_inside(caption, window));
+                int lines = 0;
+                for (const Written& w : desk.written)
+                    if (is_inside(w.rect, caption)) ++lines;
+                EXPECT_TRUE(lines == 1 || lines == 2) << lines;
+                EXPECT_FALSE(overlap(caption, desk.where("viewport")));
+                const std::size_t options = pages.current().question.options.size();
+                if (options == 0) continue;
+                EXPECT_FALSE(overlap(desk.where("lecture.question"), desk.where("viewport")));
+                const std::string last = "lecture.share." + std::to_string(options);
+                ASSERT_TRUE(desk.anchors.find(last)) << "the last option is visible without scrolling";
+                EXPECT_GT(desk.where(last).h, 15) << "not clipped";
+            }
+        }
+}
+
+TEST_F(LecturePages, CountsHandsByButtonAndByTyping) {
+    show(1, 0);
+    desk.click("lecture.more.2");
+    ASSERT_TRUE(desk.last<HandsRequest>());
+    EXPECT_EQ(desk.last<HandsRequest>()->option, 1);
+    EXPECT_EQ(desk.last<HandsRequest>()->hands, 1);
+    pages.hands[1] = {0, 14, 0};
+    desk.frame(2);
+    desk.all.clear();
+    desk.click("lecture.less.2");
+    ASSERT_TRUE(desk.last<HandsRequest>());
+    EXPECT_EQ(desk.last<HandsRequest>()->hands, 13);
+    desk.all.clear();
+    desk.click("lecture.hands.1");
+    desk.type("23");
+    desk.frame(3);
+    ASSERT_TRUE(desk.last<HandsRequest>());
+    EXPECT_EQ(desk.last<HandsRequest>()->option, 0);
+    EXPECT_EQ(desk.last<HandsRequest>()->hands, 23);
+    desk.key({'2'});
+    EXPECT_TRUE(desk.actions().empty()) << "digits in the field select no slider";
+}
+
+TEST_F(LecturePages, RevealsTheAnswerWithItsReasonAtItsStep) {
+    show(1, 1);
+    const LectureQuestion& asked = pages.current().question;
+    EXPECT_FALSE(desk.anchors.find("lecture.right"));
+    EXPECT_FALSE(shows(asked.why));
+    pages.hands[1] = {3, 12, 1};
+    show(1, 2);
+    EXPECT_TRUE(desk.anchors.find("lecture.right"));
+    EXPECT_TRUE(shows("✓ " + asked.options[1]));
+    EXPECT_TRUE(shows(asked.why));
+    EXPECT_TRUE(shows("12"));
+    EXPECT_FALSE(desk.anchors.find("lecture.more.1"));
+}
+
+TEST_F(LecturePages, ShowsThePageNumberAndTheTitleOfTheLecture) {
+    show(1, 0);
+    EXPECT_TRUE(shows("2/9"));
+    EXPECT_TRUE(shows("Four numbers"));
+    EXPECT_FALSE(shows("A scene")) << "the title of the scene could tell the answer";
+}
+
+TEST_F(LecturePages, ShowsNotesAndTheTimeOnRequestOnly) {
+    show(2, 0);
+    EXPECT_FALSE(desk.anchors.find("lecture.notes"));
+    pages.notes = true, pages.seconds = 245;
+    desk.frame(3);
+    ASSERT_TRUE(desk.anchors.find("lecture.notes"));
+    EXPECT_TRUE(shows("4:05"));
+    EXPECT_TRUE(shows("7:00")) << "the planned end of page 3";
+    EXPECT_TRUE(shows("Page Down shows the diagram"));
+    for (int page = 0; page < 9; ++page) {
+        show(page, 0);
+        EXPECT_TRUE(is_inside(desk.where("lecture.notes"), desk.layout.window));
+    }
+}
+
+TEST_F(LecturePages, UnfoldsTheSlidersWhereThePageShowsThemAndFoldsThemAfterwards) {
+    show(6, 0);
+    EXPECT_FALSE(desk.panels.card(Card::brain).folded);
+    EXPECT_TRUE(desk.anchors.find("slider.LR"));
+    EXPECT_FALSE(overlap(desk.where("card.brain"), desk.where("viewport")));
+    show(7, 0);
+    EXPECT_TRUE(desk.panels.card(Card::brain).folded);
+    EXPECT_FALSE(desk.anchors.find("slider.LR"));
+    desk.key({'2'});
+    desk.frame(3);
+    EXPECT_TRUE(desk.anchors.find("slider.LR")) << "the lecturer can open them on any page";
+}
+
+TEST_F(LecturePages, PageKeysTurnPagesOnlyWhileALectureFileIsOpen) {
+    show(0, 0);
+    desk.key({key::page_down});
+    EXPECT_EQ(desk.actions(), std::vector{Action::next_page});
+    desk.all.clear();
+    desk.key({'N'});
+    EXPECT_EQ(desk.actions(), std::vector{Action::notes});
+    desk.all.clear();
+    desk.view.pages = nullptr;
+    desk.key({key::page_down});
+    desk.key({'N'});
+    EXPECT_EQ(desk.actions(), std::vector{Action::new_population});
+}
+
+struct LectureMarks : testing::Test {
+    Desk desk{1280, 800, 1, true};
+    CameraView camera;
+
+    LectureMarks() {
+        desk.view.lecture = true;
+        desk.frame(3);
+        camera = look({}, desk.now.scene->arena, nullptr, desk.layout.window, desk.layout.scene);
+        desk.view.camera_view = &camera;
+        desk.frame(2);
+    }
+    void draw(ImVec2 from, ImVec2 to) {
+        desk.point(from.x, from.y);
+        desk.frame(2);
+        desk.button(0, true);
+        desk.frame(2);
+        for (int i = 1; i <= 10; ++i) {
+            const float t = static_cast<float>(i) / 10;
+            desk.point(from.x + (to.x - from.x) * t, from.y + (to.y - from.y) * t);
+            desk.frame();
+        }
+        desk.button(0, false);
+        desk.frame(2);
+    }
+};
+
+TEST_F(LectureMarks, DDrawsLinesOnTheFloorUnderThePointer) {
+    draw({500, 400}, {600, 450});
+    EXPECT_TRUE(desk.panels.marks.lines.empty()) << "drawing is off";
+    EXPECT_FALSE(desk.anchors.find("marks.sign"));
+    desk.key({'D'});
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("marks.sign"));
+    desk.all.clear();
+    draw({500, 400}, {600, 450});
+    ASSERT_EQ(desk.panels.marks.lines.size(), 1u);
+    const auto& line = desk.panels.marks.lines[0];
+    EXPECT_GE(line.size(), 10u);
+    const auto first = project(camera, line.front()), last = project(camera, line.back());
+    EXPECT_NEAR(first->x, 500, 1);
+    EXPECT_NEAR(first->y, 400, 1);
+    EXPECT_NEAR(last->x, 600, 1);
+    EXPECT_NEAR(last->y, 450, 1);
+    EXPECT_TRUE(desk.all.empty()) << "the mouse does nothing else";
+    EXPECT_EQ(desk.panels.scene_input.drag.phase, SceneInputPhase::idle);
+}
+
+TEST_F(LectureMarks, ShiftDRemovesThemAndAnotherSceneToo) {
+    desk.key({'D'});
+    draw({500, 400}, {600, 450});
+    draw({500, 300}, {600, 350});
+    ASSERT_EQ(desk.panels.marks.lines.size(), 2u);
+    desk.key({'D', false, true});
+    EXPECT_TRUE(desk.panels.marks.lines.empty());
+    draw({500, 400}, {600, 450});
+    ASSERT_EQ(desk.panels.marks.lines.size(), 1u);
+    ++desk.view.run_id;
+    desk.frame();
+    EXPECT_TRUE(desk.panels.marks.lines.empty());
+    EXPECT_TRUE(desk.panels.marks.drawing) << "drawing stays on";
+}
+
+TEST_F(LectureMarks, EscapeEndsDrawingAndTheEndOfTheLectureToo) {
+    desk.key({'D'});
+    desk.all.clear();
+    desk.key({key::escape});
+    EXPECT_FALSE(desk.panels.marks.drawing);
+    EXPECT_TRUE(desk.all.empty()) << "the lecture goes on";
+    desk.key({'D'});
+    draw({500, 400}, {600, 450});
+    desk.view.lecture = false;
+    desk.frame(2);
+    EXPECT_FALSE(desk.panels.marks.drawing);
+    EXPECT_TRUE(desk.panels.marks.lines.empty());
+    desk.key({'D'});
+    EXPECT_FALSE(desk.panels.marks.drawing) << "outside a lecture D has another meaning";
+}
+
+}  // namespace braitenlab::tests::lecture_page_test

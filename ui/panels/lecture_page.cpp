@@ -1,0 +1,198 @@
+// The parts of a page of a lecture file: caption, question with counted hands, and the lecturer's notes.
+#include <algorithm>
+#include <charconv>
+#include <string>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "ui/panels/cards.h"
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+constexpr float caption_side = 20, caption_above = 5, page_padding = 12;  // layout pixels
+constexpr float hands_field = 56, hands_button = 32, bar_thickness = 12, between_options = 14, count_width = 36;
+
+std::string option_id(const char* stem, std::size_t option) { return stem + std::to_string(option + 1); }
+
+// The words in lines no wider than `width`, broken at spaces.
+std::vector<std::string> lines_of_words(const Ui& ui, std::string_view words, Face face, float width) {
+    std::vector<std::string> lines{""};
+    while (!words.empty()) {
+        const std::size_t end = std::min(words.find(' '), words.size());
+        const std::string word(words.substr(0, end));
+        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+        if (!lines.back().empty() && text_width(ui, face, longer) > width)
+            lines.push_back(word);
+        else
+            lines.back() = longer;
+        words.remove_prefix(std::min(end + 1, words.size()));
+    }
+    return lines;
+}
+
+// A count as typed; nullopt for text that is no number.
+std::optional<int> typed_count(const std::string& text) {
+    int count = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return count;
+}
+
+// One more or one less hand, and the count as a field. The field shows the count while it is not edited.
+void count_row(const LectureView& page, PanelState& state, Ui& ui, std::size_t option) {
+    const int hands = page.hands[static_cast<std::size_t>(page.page)][option];
+    const auto ask = [&](int wanted) { ui.outbox.push_back(HandsRequest{static_cast<int>(option), wanted}); };
+    TextField& field = state.hands[option];
+    if (!field.active) field.text = std::to_string(hands);
+    const std::string less = option_id("lecture.less.", option), more = option_id("lecture.more.", option);
+    const Item minus = button(ui, less, {{}, "−", Emphasis::plain, false, hands > 0, hands_button});
+    tooltip(ui, minus, ui.strings("lecture.less"));
+    if (minus.pressed) ask(hands - 1);
+    ImGui::SameLine();
+    text_field(ui, field, option_id("lecture.hands.", option), ui.px(hands_field), "0", ui.strings("lecture.hands"));
+    if (field.active || field.entered)
+        if (const auto typed = typed_count(field.text); typed && *typed != hands) ask(*typed);
+    ImGui::SameLine();
+    const Item plus = button(ui, more, {{}, "+", Emphasis::plain, false, true, hands_button});
+    tooltip(ui, plus, ui.strings("lecture.more"));
+    if (plus.pressed) ask(hands + 1);
+}
+
+// The count alone, once the answer is known: the rows take less space.
+void count_text(const LectureView& page, Ui& ui, std::size_t option, Colour colour) {
+    const std::string count = std::to_string(page.hands[static_cast<std::size_t>(page.page)][option]);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    put_right(ui, {at.x + ui.px(count_width), at.y}, count, colour, Face::title);
+    mark(ui, option_id("lecture.count.", option), {at.x, at.y, ui.px(count_width), line_height(ui, Face::title)});
+    ImGui::Dummy({ui.px(count_width), line_height(ui, Face::title)});
+}
+
+// The share of all hands as a bar, from the cursor to the right edge.
+void share_bar(const LectureView& page, Ui& ui, std::size_t option, Colour colour) {
+    const auto& hands = page.hands[static_cast<std::size_t>(page.page)];
+    int all = 0;
+    for (const int each : hands) all += each;
+    const float share = all > 0 ? static_cast<float>(hands[option]) / static_cast<float>(all) : 0;
+    ImGui::SameLine();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = std::max(1.0f, ImGui::GetWindowPos().x + card_width(ui) - at.x), h = ui.px(bar_thickness);
+    const float row = page.shows(PagePart::answer) ? line_height(ui, Face::title) : ui.px(button_height);
+    const Rect bar{at.x, at.y + (row - h) / 2, width, h};
+    fill_box(ui, bar, ui.palette.line, 4);
+    if (share > 0) fill_box(ui, {bar.x, bar.y, std::max(h, bar.w * share), bar.h}, colour, 4);
+    mark(ui, option_id("lecture.share.", option), bar);
+    ImGui::Dummy({width, row});
+}
+
+void option_rows(const LabView& view, PanelState& state, Ui& ui, std::size_t option) {
+    const LectureView& page = *view.pages;
+    const LectureQuestion& asked = page.current().question;
+    const bool answered = page.shows(PagePart::answer), right = static_cast<int>(option) == asked.answer;
+    const Palette& p = ui.palette;
+    const Colour colour = answered && right ? p.success : answered ? p.second_text : p.text;
+    std::string words(translated(ui, asked.options[option]));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (answered && right) {
+        words = "✓ " + words;
+        mark(ui, "lecture.right", {at.x, at.y, card_width(ui), line_height(ui, Face::title)});
+    }
+    paragraph(ui, words, colour, Face::title);
+    if (answered)
+        count_text(page, ui, option, colour);
+    else
+        count_row(page, state, ui, option);
+    share_bar(page, ui, option, answered && !right ? p.second_text : answered ? p.success : p.accent);
+    if (answered && right && !asked.why.empty()) paragraph(ui, translated(ui, asked.why), p.text);
+    gap(ui, between_options);
+}
+
+// Minutes and seconds: "12:05".
+std::string clock_text(double seconds) {
+    const auto whole = static_cast<int>(std::max(0.0, seconds));
+    return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+float minutes_until(const LectureView& page) {
+    float sum = 0;
+    for (int i = 0; i <= page.page; ++i) sum += page.lecture->pages[static_cast<std::size_t>(i)].minutes;
+    return sum;
+}
+
+}  // namespace
+
+void lecture_caption(const LabView& view, Ui& ui, Rect r) {
+    begin_bar(ui, "lecture caption", r);
+    const std::string_view words = translated(ui, view.pages->current().caption);
+    const float width = r.w - 2 * ui.px(caption_side);
+    Face face = Face::caption;
+    auto lines = lines_of_words(ui, words, face, width);
+    if (lines.size() > 2) face = Face::title, lines = lines_of_words(ui, words, face, width);
+    float y = r.y + (r.h - static_cast<float>(lines.size()) * line_height(ui, face)) / 2;
+    for (const std::string& line : lines) {
+        put(ui, {r.x + ui.px(caption_side), y}, line, ui.palette.text, face);
+        y += line_height(ui, face);
+    }
+    mark(ui, "lecture.caption", r);
+    end_bar();
+}
+
+void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
+    const LectureView& page = *view.pages;
+    const LectureQuestion& asked = page.current().question;
+    if (state.hands.size() != asked.options.size()) state.hands.assign(asked.options.size(), {});
+    CardState& card = state.question;
+    Rect place = r;
+    if (card.content > 0) place.h = std::min(r.h, wanted_height(ui, card));
+    if (begin_card(ui, card, "lecture.question", ui.strings("lecture.question"), place)) {
+        if (!asked.text.empty()) {
+            paragraph(ui, translated(ui, asked.text), ui.palette.text, Face::title);
+            gap(ui, page_padding);
+        }
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(3)});
+        for (std::size_t i = 0; i < asked.options.size(); ++i) option_rows(view, state, ui, i);
+        ImGui::PopStyleVar();
+    }
+    end_card(card);
+}
+
+void lecture_notes(const LabView& view, Ui& ui, Rect scene) {
+    const LectureView& page = *view.pages;
+    const float width = std::min(scene.w, std::max(0.55f * scene.w, ui.px(300)));
+    const std::string time =
+        fill(ui.strings("lecture.time"),
+             {clock_text(page.seconds), clock_text(60.0 * static_cast<double>(minutes_until(page))),
+              clock_text(60.0 * static_cast<double>(page.lecture->minutes))});
+    const auto lines = lines_of_words(ui, page.current().notes, Face::text, width - 2 * ui.px(page_padding));
+    const float line = line_height(ui, Face::text), strong = line_height(ui, Face::strong);
+    const float wanted = strong + ui.px(8) + static_cast<float>(lines.size()) * line + 2 * ui.px(page_padding);
+    const float height = std::min(wanted, scene.h);
+    const Rect r{scene.x + scene.w - width, scene.y + scene.h - height, width, height};
+    // Over the cards, also those that are opened later; it takes no clicks and no focus.
+    ImGui::SetNextWindowPos({r.x, r.y});
+    ImGui::SetNextWindowSize({r.w, r.h});
+    ImGui::Begin("lecture notes", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBackground |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+    card_ground(ui, r);
+    put(ui, {r.x + ui.px(page_padding), r.y + ui.px(page_padding)},
+        shortened(ui, time, Face::strong, width - 2 * ui.px(page_padding)), ui.palette.second_text, Face::strong);
+    float y = r.y + ui.px(page_padding + 8) + strong;
+    for (const std::string& words : lines) {
+        put(ui, {r.x + ui.px(page_padding), y}, words, ui.palette.text);
+        y += line;
+    }
+    mark(ui, "lecture.notes", r);
+    ImGui::End();
+}
+
+}  // namespace braitenlab::ui
