@@ -1,65 +1,11 @@
 #include "ui/panels/lesson_text.h"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-
-#include "ui/strings.h"
-#include "ui/widgets/number.h"
+#include "ui/measure_text.h"
 
 namespace braitenlab::ui {
 
-namespace {
-
-// Units that are words are translated.
-std::string unit_text(const Ui& ui, std::string_view unit) {
-    if (unit == "°") return "°";
-    return unit.empty() ? "" : " " + std::string(ui.strings.find("unit." + std::string(unit), unit));
-}
-
-int decimals(std::string_view unit) {
-    constexpr std::string_view two[]{"m", "m/s", "×", "rounds", "laps"};
-    if (std::find(std::begin(two), std::end(two), unit) != std::end(two)) return 2;
-    return unit == "s" ? 1 : 0;
-}
-
-std::string with_unit(const Ui& ui, float value, std::string_view unit, int digits) {
-    return fixed(ui, value, digits) + unit_text(ui, unit);
-}
-
-// True if the value is written without loss with so many digits.
-bool fits(float value, int digits) {
-    const float scaled = value * std::pow(10.0f, static_cast<float>(digits));
-    return std::fabs(scaled - std::round(scaled)) < 1e-3f;
-}
-
-// The number of digits that shows the needed value, at most two, and which of two values is larger: 10.4° and 10.0°.
-int telling_decimals(const Measure& measure) {
-    int digits = decimals(measure.unit);
-    const float most_needed = measure.needed_most.value_or(measure.needed);
-    while (digits < 2 && !(fits(measure.needed, digits) && fits(most_needed, digits))) ++digits;
-    const bool differ = std::fabs(measure.value - measure.needed) > 1e-4f;
-    for (const int most = std::min(digits + 2, 3); digits < most && differ; ++digits)
-        if (fixed(measure.value, digits) != fixed(measure.needed, digits)) break;
-    return digits;
-}
-
-}  // namespace
-
 std::string measure_text(const Ui& ui, const Measure& measure, bool done) {
-    const int digits = telling_decimals(measure);
-    const std::string value = with_unit(ui, measure.value, measure.unit, digits);
-    if (measure.needed_most)
-        return fill(ui.strings(done ? "exercise.done_between" : "exercise.now_between"),
-                    {value, fixed(ui, measure.needed, digits) + " … " +
-                                with_unit(ui, *measure.needed_most, measure.unit, digits)});
-    if (measure.at_most && measure.needed == 0 && measure.unit == "m" && !done)
-        return fill(ui.strings("exercise.to_go"), {value});
-    const std::string_view key = done           ? measure.at_most ? "exercise.done_at_most" : "exercise.done_at_least"
-                                 : measure.best ? "exercise.best_at_most"
-                                 : measure.at_most ? "exercise.now_at_most"
-                                                   : "exercise.now_at_least";
-    return fill(ui.strings(key), {value, with_unit(ui, measure.needed, measure.unit, digits)});
+    return measure_text(ui.strings, measure, done);
 }
 
 }  // namespace braitenlab::ui

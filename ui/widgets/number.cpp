@@ -1,41 +1,9 @@
 #include "ui/widgets/number.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
-#include <fmt/format.h>
-
 namespace braitenlab::ui {
-
-namespace {
-
-constexpr float largest_number = 1e6f;
-
-// True when it is written with a minus; −0.001 at two decimals is 0.00.
-bool is_negative(float value, int decimals) {
-    return std::round(value * std::pow(10.0f, static_cast<float>(decimals))) < 0;
-}
-
-}  // namespace
-
-std::string fixed(float value, int decimals, char decimal_mark) {
-    if (!std::isfinite(value) || std::fabs(value) > largest_number) return "—";
-    std::string digits = fmt::format("{:.{}f}", std::fabs(value), decimals);
-    std::replace(digits.begin(), digits.end(), '.', decimal_mark);
-    return (is_negative(value, decimals) ? "−" : "") + digits;
-}
-
-std::string with_sign(float value, int decimals, char decimal_mark) {
-    const std::string bare = fixed(value, decimals, decimal_mark);
-    const bool is_zero = bare == fixed(0, decimals, decimal_mark);
-    return std::isfinite(value) && !is_zero && !is_negative(value, decimals) ? "+" + bare : bare;
-}
-
-std::string as_factor(float value, int decimals, char decimal_mark) {
-    const std::string bare = fixed(value, decimals, decimal_mark);
-    return is_negative(value, decimals) ? "(" + bare + ")" : bare;
-}
 
 std::optional<float> typed_number(std::string_view typed) {
     std::string plain;

@@ -1,24 +1,16 @@
-// Numbers as text with a fixed number of decimals.
+// Numbers as text with the decimal mark of the language, and numbers that are typed.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "ui/number_text.h"
 #include "ui/widgets/ui.h"
 
 namespace braitenlab::ui {
 
-// "0.42"; the minus is U+2212, as wide as a plus. "—" for a value that is not finite or above 1e6.
-std::string fixed(float value, int decimals, char decimal_mark = '.');
-
-// "+0.42", "−0.42", and "0.00" for a value that rounds to zero.
-std::string with_sign(float value, int decimals, char decimal_mark = '.');
-
-// The second factor of a product: "0.40", "(−1.00)".
-std::string as_factor(float value, int decimals, char decimal_mark = '.');
-
-// The same with the decimal mark of the language: for every number that is shown.
+// fixed() and the others with the decimal mark of the language: for every number that is shown.
 inline std::string fixed(const Ui& ui, float value, int decimals) { return fixed(value, decimals, ui.decimal_mark); }
 inline std::string with_sign(const Ui& ui, float value, int decimals) {
     return with_sign(value, decimals, ui.decimal_mark);

@@ -1,0 +1,64 @@
+#include "ui/measure_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "ui/number_text.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+// Units that are words are translated.
+std::string unit_text(const Strings& strings, std::string_view unit) {
+    if (unit == "°") return "°";
+    return unit.empty() ? "" : " " + std::string(strings.find("unit." + std::string(unit), unit));
+}
+
+int decimals(std::string_view unit) {
+    constexpr std::string_view two[]{"m", "m/s", "×", "rounds", "laps"};
+    if (std::find(std::begin(two), std::end(two), unit) != std::end(two)) return 2;
+    return unit == "s" ? 1 : 0;
+}
+
+std::string with_unit(const Strings& strings, float value, std::string_view unit, int digits) {
+    return fixed(value, digits, decimal_mark(strings)) + unit_text(strings, unit);
+}
+
+// True if the value is written without loss with so many digits.
+bool fits(float value, int digits) {
+    const float scaled = value * std::pow(10.0f, static_cast<float>(digits));
+    return std::fabs(scaled - std::round(scaled)) < 1e-3f;
+}
+
+// The number of digits that shows the needed value, at most two, and which of two values is larger: 10.4° and 10.0°.
+int telling_decimals(const Measure& measure) {
+    int digits = decimals(measure.unit);
+    const float most_needed = measure.needed_most.value_or(measure.needed);
+    while (digits < 2 && !(fits(measure.needed, digits) && fits(most_needed, digits))) ++digits;
+    const bool differ = std::fabs(measure.value - measure.needed) > 1e-4f;
+    for (const int most = std::min(digits + 2, 3); digits < most && differ; ++digits)
+        if (fixed(measure.value, digits) != fixed(measure.needed, digits)) break;
+    return digits;
+}
+
+}  // namespace
+
+std::string measure_text(const Strings& strings, const Measure& measure, bool done) {
+    const int digits = telling_decimals(measure);
+    const std::string value = with_unit(strings, measure.value, measure.unit, digits);
+    if (measure.needed_most)
+        return fill(strings(done ? "exercise.done_between" : "exercise.now_between"),
+                    {value, fixed(measure.needed, digits, decimal_mark(strings)) + " … " +
+                                with_unit(strings, *measure.needed_most, measure.unit, digits)});
+    if (measure.at_most && measure.needed == 0 && measure.unit == "m" && !done)
+        return fill(strings("exercise.to_go"), {value});
+    const std::string_view key = done           ? measure.at_most ? "exercise.done_at_most" : "exercise.done_at_least"
+                                 : measure.best ? "exercise.best_at_most"
+                                 : measure.at_most ? "exercise.now_at_most"
+                                                   : "exercise.now_at_least";
+    return fill(strings(key), {value, with_unit(strings, measure.needed, measure.unit, digits)});
+}
+
+}  // namespace braitenlab::ui

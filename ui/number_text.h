@@ -1,0 +1,17 @@
+// Numbers as text with a fixed number of decimals, without Dear ImGui.
+#pragma once
+
+#include <string>
+
+namespace braitenlab::ui {
+
+// "0.42"; the minus is U+2212, as wide as a plus. "—" for a value that is not finite or above 1e6.
+std::string fixed(float value, int decimals, char decimal_mark = '.');
+
+// "+0.42", "−0.42", and "0.00" for a value that rounds to zero.
+std::string with_sign(float value, int decimals, char decimal_mark = '.');
+
+// The second factor of a product: "0.40", "(−1.00)".
+std::string as_factor(float value, int decimals, char decimal_mark = '.');
+
+}  // namespace braitenlab::ui
