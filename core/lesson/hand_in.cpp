@@ -1,0 +1,132 @@
+#include "core/lesson/hand_in.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "core/scene/check.h"
+#include "core/scene/toml_reader.h"
+#include "core/scene/toml_writer.h"
+
+namespace braitenlab {
+
+template <class Visitor>
+void describe(Visitor& v, Of<Submission>) {
+    v.table("body", &Submission::body, "chassis and wheels, as in a kind");
+    v.named("sensor", &Submission::sensors, limits::sensors, "a sensor, as in a kind");
+    v.brain("brain", &Submission::brain, "as in a kind");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<HandIn>) {
+    constexpr Range counts{0, 1e6};
+    v.text("student", &HandIn::student, limits::student_length, "name of the student; required");
+    v.text("exercise", &HandIn::exercise, limits::title_length, "id of the exercise, like 05-aggressor; required");
+    v.text("written", &HandIn::written, limits::name_length, "time of writing in UTC, like 2026-11-22T16:37:29Z");
+    v.number("prediction", &HandIn::prediction, "", {0, 100}, "number of the option chosen, from 1; 0: none");
+    v.number("runs", &HandIn::runs, "", counts, "runs begun since the exercise was opened");
+    v.number("hints", &HandIn::hints, "", counts, "hints shown");
+    v.flag("solution_shown", &HandIn::solution_shown, "the lab set the solution for the student");
+    v.number("graded_starts", &HandIn::graded_starts, "", counts, "starts graded in the student's lab; 0: none");
+    v.number("passed_starts", &HandIn::passed_starts, "", counts, "of these, passed");
+    v.text("notes", &HandIn::notes, limits::notes_length, "the student's notes");
+    v.table("submission", &HandIn::submission, "what the student has changed, complete; required");
+}
+
+namespace {
+
+// At most `most` bytes, cut between two characters.
+void shorten_to(std::string& text, std::size_t most) {
+    if (text.size() <= most) return;
+    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0u) == 0x80u) --most;
+    text.resize(most);
+}
+
+// U+00C0 .. U+00FF without accents, in small letters; '-' for the two signs × and ÷.
+constexpr std::array<std::string_view, 64> plain_letters{
+    "a", "a", "a", "a", "ae", "a", "ae", "c", "e", "e", "e", "e", "i",  "i", "i",  "i",
+    "d", "n", "o", "o", "o",  "o", "oe", "-", "o", "u", "u", "u", "ue", "y", "th", "ss",
+    "a", "a", "a", "a", "ae", "a", "ae", "c", "e", "e", "e", "e", "i",  "i", "i",  "i",
+    "d", "n", "o", "o", "o",  "o", "oe", "-", "o", "u", "u", "u", "ue", "y", "th", "y"};
+
+// Small ASCII letters, digits and single '-'; other letters beyond Latin-1 stay as they are.
+std::string for_file_name(std::string_view text) {
+    std::string name;
+    const auto add = [&](char c) {
+        if (c != '-' || (!name.empty() && name.back() != '-')) name += c;
+    };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        if (byte == 0xC3 && i + 1 < text.size()) {
+            for (const char c : plain_letters[static_cast<unsigned char>(text[++i]) & 63u]) add(c);
+        } else if (byte >= 0x80 || (byte >= '0' && byte <= '9') || (byte >= 'a' && byte <= 'z')) {
+            name += text[i];
+        } else {
+            add(byte >= 'A' && byte <= 'Z' ? static_cast<char>(byte - 'A' + 'a') : '-');
+        }
+    }
+    shorten_to(name, 80);
+    while (!name.empty() && name.back() == '-') name.pop_back();
+    return name.empty() ? "student" : name;
+}
+
+std::string for_comparison(std::string_view name) {
+    std::string words;
+    for (const char c : name) {
+        const bool is_space = c == ' ' || c == '\t';
+        if (is_space && (words.empty() || words.back() == ' ')) continue;
+        words += is_space ? ' ' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    if (!words.empty() && words.back() == ' ') words.pop_back();
+    return words;
+}
+
+void check_hand_in(TomlTable& top, const HandIn& hand_in) {
+    for (const char* key : {"student", "exercise", "submission"})
+        if (!top.has(key)) top.fail_whole(fmt::format("'{}' is missing; write the file again in the lab", key));
+    TomlFile& file = top.file();
+    if (!file.error && for_comparison(hand_in.student).empty()) top.fail("student", std::string("'student' is empty"));
+    if (!file.error && hand_in.passed_starts > hand_in.graded_starts)
+        top.fail("passed_starts", std::string("'passed_starts' is larger than 'graded_starts'"));
+    if (file.error) return;
+    if (const auto fault = find_fault(hand_in.submission.brain))
+        file.error = file.fault_at("submission.brain" + (fault->path.empty() ? "" : "." + fault->path), fault->what);
+}
+
+}  // namespace
+
+std::string hand_in_name(const std::string& exercise, const std::string& student, int number) {
+    const std::string more = number > 1 ? fmt::format("-{}", number) : "";
+    return for_file_name(exercise) + "-" + for_file_name(student) + more + std::string(hand_in_ending);
+}
+
+std::string lab_record_name(const std::string& exercise, const std::string& student) {
+    return for_file_name(exercise) + "-" + for_file_name(student) + ".html";
+}
+
+std::string write_hand_in(HandIn hand_in) {
+    shorten_to(hand_in.student, limits::student_length);
+    shorten_to(hand_in.notes, limits::notes_length);
+    TomlWriter<HandIn> writer(hand_in, "");
+    describe(writer, Of<HandIn>{});
+    return "format = 1\n" + writer.text("", false);
+}
+
+Result<HandIn> parse_hand_in(std::string_view toml, std::string file_name) {
+    auto file = parse_toml(toml, std::move(file_name));
+    if (!file) return file.error();
+    check_format(*file);
+    HandIn hand_in;
+    TomlTable top(*file, file->root, "");
+    top.find("format");
+    TomlReader<HandIn> reader(top, hand_in);
+    describe(reader, Of<HandIn>{});
+    top.done();
+    if (!file->error) check_hand_in(top, hand_in);
+    if (file->error) return *file->error;
+    return hand_in;
+}
+
+bool is_same_student(std::string_view a, std::string_view b) { return for_comparison(a) == for_comparison(b); }
+
+}  // namespace braitenlab
