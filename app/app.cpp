@@ -6,6 +6,7 @@
 
 #include "app/exercise_check.h"
 #include "app/files/file_commands.h"
+#include "app/files/reports.h"
 #include "app/frame_pacing.h"
 #include "app/lab_children.h"
 #include "app/lab_lecture.h"
@@ -156,6 +157,8 @@ void App::handle_files() {
     for (const Request& request : lab_.files)
         if (const auto* recover = std::get_if<RecoverRequest>(&request)) handle_recovery(recover->take);
     if (!lab_.files.empty()) execute_file_requests(lab_, files_, settings_.state, folders_);
+    if (!lab_.reports.empty())
+        write_student_files(lab_, words_.strings, folders_.documents, std::chrono::system_clock::now());
     for (const auto& file : std::exchange(lab_.saved, {})) autosave_.forget_work_on(file);
     if (!options_.screenshot.empty() || seconds_since(file_checked_) < 0.3) return;
     file_checked_ = Clock::now();

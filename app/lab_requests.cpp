@@ -435,6 +435,8 @@ void handle(Lab& lab, const Request& request) {
                      },
                      [&](const HandsRequest& r) { count_hands(lab, r); },
                      [&](const ExportRequest& r) { lab.files.push_back(r); },
+                     [&](const HandInRequest& r) { lab.reports.push_back(r); },
+                     [&](const LabRecordRequest& r) { lab.reports.push_back(r); },
                      [&](const SpeedRequest& r) {
                          lab.playback.time_scale = std::clamp(r.time_scale, speeds.front(), speeds.back());
                      }},

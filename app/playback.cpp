@@ -62,7 +62,9 @@ void tick(Lab& lab) {
     keep_selection(lab);
     if (auto& lesson = lab.document.lesson) {
         lesson->view.has_run = true;
-        if (session.snapshot().tick == 1) lesson->view.hint_ready = true;  // each run makes one hint available
+        const bool begins = session.snapshot().tick == 1;
+        lesson->view.runs += begins;
+        if (begins) lesson->view.hint_ready = true;  // each run makes one hint available
     }
     watch(lab);
     record_referee(lab.document);

@@ -42,6 +42,7 @@ struct LessonView {
     std::vector<Verdict> verdicts;             // one per step of the exercise
     int prediction = -1;                       // the option chosen, 0-based; −1: none yet
     bool has_run = false;                      // played at least once since it was opened
+    int runs = 0;                              // begun since it was opened
     bool outcome_known = false;                // a run with the shipped brain has shown what was to be predicted
     int hints_shown = 0;                       // of exercise->hints
     bool hint_ready = true;                    // the next hint may be opened now

@@ -213,6 +213,12 @@ struct StudentRequest {
 struct ExportRequest {  // writes a new CSV file to the folder of pictures
     std::string name, text;
 };
+struct HandInRequest {  // writes a hand-in file to the folder of documents
+    std::string student;
+};
+struct LabRecordRequest {  // writes a lab record to the folder of documents
+    std::string student;   // may be empty
+};
 struct SpeedRequest {
     float time_scale = 1;
 };
@@ -278,13 +284,13 @@ inline Steer steer(VehicleId vehicle, float right, float ahead) {
             std::clamp(ahead - turning * right, -1.0f, 1.0f)};
 }
 
-using Request =
-    std::variant<Action, EditRequest, SelectRequest, TakeRequest, SelectObjectsRequest, PasteRequest, ScopeRequest,
-                 PairRequest, CanvasShareRequest, PredictRequest, FreePlayRequest, ShowMeRequest, ExportRequest,
-                 SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, BookmarkRequest,
-                 BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest,
-                 SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest,
-                 KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest>;
+using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, SelectObjectsRequest, PasteRequest,
+                             ScopeRequest, PairRequest, CanvasShareRequest, PredictRequest, FreePlayRequest,
+                             ShowMeRequest, ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest,
+                             OverlaysRequest, SeekRequest, BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest,
+                             LeaveRequest, SeedRequest, NoticeRequest, SaveExerciseRequest, PredictPathRequest,
+                             CompareRequest, ChooseChildRequest, EarlierGenerationRequest, KeptRequest, TogetherRequest,
+                             NotesRequest, StudentRequest, HandsRequest, HandInRequest, LabRecordRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

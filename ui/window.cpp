@@ -444,7 +444,8 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     term_card(view, state, ui, layout.window);
     leaving_sheet(view, state, ui, layout.window);
     keep_drawn(state.fields);
-    for (TextField* field : {&state.values.seed, &state.note, &state.student_name}) (void)keep_drawn(*field);
+    for (TextField* field : {&state.values.seed, &state.note, &state.student_name, &state.hand_in.name})
+        (void)keep_drawn(*field);
     keep_drawn(state.author);
     for (TextField& field : state.hands) (void)keep_drawn(field);
     end_keyboard(state.keyboard);
@@ -467,7 +468,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     if (key_for_typing(state.sliders, press)) return true;
     if (state.sheet == Sheet::none &&
         (for_record_text(state.fields, press) || for_text_field(state.values.seed, press) ||
-         for_text_area(state.note, press) || key_for_hands(state, press)))
+         for_text_area(state.note, press) || key_for_hands(state, press) || for_text_field(state.hand_in.name, press)))
         return true;
     if (state.sheet == Sheet::students && for_text_field(state.student_name, press)) return true;
     const bool is_modifier = press.key >= key::first_modifier && press.key <= key::last_modifier;

@@ -82,8 +82,6 @@ int command_line(int argc, char** argv) {
     run_command->add_option("--save", options.save, "write the run at its end, to continue it later")
         ->type_name("FILE.run");
 
-    std::string exercise;
-    BrainChoice choice;
     CheckOptions checked;
     bool all = false;
     CLI::App* check_command =
@@ -102,13 +100,20 @@ int command_line(int argc, char** argv) {
         check_command->add_flag("--all", all, "every shipped exercise: fails as shipped, passes with its solution");
     name->excludes(all_flag);
 
-    std::vector<std::string> brains;
-    std::string csv;
-    CLI::App* grade_command = app.add_subcommand("grade", "grade brains against an exercise, one row each");
-    grade_command->add_option("EXERCISE", exercise, "a path, or the bare name of a shipped exercise")->required();
-    grade_command->add_option("FILE", brains, "brains, scenes or saved runs")->required();
-    add_choice(*grade_command, choice);
-    grade_command->add_option("--csv", csv, "write the rows there instead of printing them")->type_name("FILE");
+    ClassOptions graded;
+    CLI::App* grade_command = app.add_subcommand("grade", "grade a class's hand-ins or brains, one row each");
+    grade_command->add_option("EXERCISE", graded.exercise, "a path, or the bare name of a shipped exercise")
+        ->required();
+    grade_command
+        ->add_option("FILE", graded.files, "a folder of hand-in files; or hand-ins, brains, scenes or saved runs")
+        ->required();
+    add_choice(*grade_command, graded.choice);
+    grade_command->add_option("--csv", graded.csv, "write the rows there instead of printing them")->type_name("FILE");
+    grade_command->add_option("--html", graded.html, "write a page with summary, paths and feedback")
+        ->type_name("FILE");
+    grade_command->add_option("--lang", graded.language, "language of the feedback and the page; default: en")
+        ->type_name("CODE");
+    grade_command->add_option("--seed", graded.first_seed, "seed of the first start; default: 1");
 
     std::string shown;
     CLI::App* show_command =
@@ -126,7 +131,8 @@ int command_line(int argc, char** argv) {
         return app.exit(error) == 0 ? exit_code::done : exit_code::bad_input;
     }
     if (*run_command) return run(options);
-    if (*grade_command) return grade_all(exercise, brains, choice, csv);
+    if (*grade_command && (!graded.html.empty() || is_class(graded.files))) return grade_class(graded);
+    if (*grade_command) return grade_all(graded);
     if (*show_command) return show(shown);
     if (all) return check_all(checked.seed, checked.json);
     if (checked.exercise.empty()) return complain({"check needs an EXERCISE or --all"});

@@ -54,10 +54,24 @@ int check_lecture(const std::filesystem::path&, bool json);
 // Prints whether each shipped exercise is sound.
 int check_all(std::uint64_t first_seed, bool json);
 
-// Grades a class's brains, one row each, into the CSV file, or to stdout when its name is empty or "-". A file that
-// holds no brain gets a row with the error; the other files are still graded.
-int grade_all(const std::string& exercise, const std::vector<std::string>& brain_files, const BrainChoice&,
-              const std::string& csv);
+struct ClassOptions {
+    std::string exercise;            // path or bare name
+    std::vector<std::string> files;  // hand-ins, brains, scenes, saved runs, and folders of these
+    BrainChoice choice;              // of the brain in a scene or a saved run
+    std::string csv, html;           // files to write; csv empty or "-": standard output, if there is no page either
+    std::string language = "en";     // of feedback and page
+    std::uint64_t first_seed = 1;
+};
+
+// Grades brains, one row each, into the CSV file, or to stdout when its name is empty or "-". A file that holds no
+// brain gets a row with the error; the other files are still graded.
+int grade_all(const ClassOptions&);
+
+// True if there is a folder or a hand-in file among the files.
+bool is_class(const std::vector<std::string>& files);
+
+// Grades a class, one row a file, as docs/grading.md says. A file that cannot be graded is a row with its error.
+int grade_class(const ClassOptions&);
 
 // Prints the content of a scene, an exercise, a saved run or a brain, and the recognised characters of its brains.
 int show(const std::string& file);

@@ -44,18 +44,17 @@ std::string graded_row(const Exercise& exercise, const GradedFile& graded) {
 }
 
 // The files with their grades, in their order.
-Result<std::vector<GradedFile>> grade_files(const SharedExercise& exercise, const std::vector<std::string>& files,
-                                            const BrainChoice& choice) {
+Result<std::vector<GradedFile>> grade_files(const SharedExercise& exercise, const ClassOptions& options) {
     std::vector<GradedFile> graded;
     std::vector<Submission> submissions;
-    for (const std::string& file : files) {
-        graded.push_back({file, brain_of_file(file, choice), {}});
+    for (const std::string& file : options.files) {
+        graded.push_back({file, brain_of_file(file, options.choice), {}});
         if (const auto& found = graded.back().found) {
             submissions.push_back(with_brain(*exercise, found->brain));
             graded.back().fault = offers_fault(*exercise, submissions.back());
         }
     }
-    auto grades = grade_several(exercise, submissions);
+    auto grades = grade_several(exercise, submissions, options.first_seed);
     if (!grades) return grades.error();
     auto next = grades->begin();
     for (GradedFile& file : graded) {
@@ -68,11 +67,11 @@ Result<std::vector<GradedFile>> grade_files(const SharedExercise& exercise, cons
 
 }  // namespace
 
-int grade_all(const std::string& name, const std::vector<std::string>& brain_files, const BrainChoice& choice,
-              const std::string& csv) {
-    const auto exercise = find_exercise(name);
+int grade_all(const ClassOptions& options) {
+    const std::string& csv = options.csv;
+    const auto exercise = find_exercise(options.exercise);
     if (!exercise) return complain(exercise.error());
-    const auto graded = grade_files(*exercise, brain_files, choice);
+    const auto graded = grade_files(*exercise, options);
     if (!graded) return complain(graded.error());
     std::string rows = "brain,passed,starts_passed,starts,needed,character,brain_of,error";
     for (int start = 1; start <= (*exercise)->starts; ++start) rows += fmt::format(",start_{}", start);

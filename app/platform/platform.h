@@ -19,6 +19,7 @@ struct UserFolders {
     std::filesystem::path config;    // for settings: $XDG_CONFIG_HOME/braitenlab or its default
     std::filesystem::path state;     // for what the program stores by itself: $XDG_STATE_HOME/braitenlab or its default
     std::filesystem::path pictures;  // as the desktop configures it, else Pictures in the home folder
+    std::filesystem::path documents;  // as the desktop configures it, else Documents in the home folder
 };
 UserFolders user_folders();
 

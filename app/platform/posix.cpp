@@ -28,17 +28,20 @@ std::filesystem::path own_folder(const char* variable, const std::filesystem::pa
     return fallback.empty() ? fallback : fallback / "braitenlab";
 }
 
-std::filesystem::path pictures_folder(const std::filesystem::path& home) {
+// The folder that the desktop configures under this name, like PICTURES; else `otherwise` in the home folder.
+std::filesystem::path desktop_folder(const std::filesystem::path& home, const std::string& name,
+                                     const char* otherwise) {
     const auto config = environment_path("XDG_CONFIG_HOME");
     std::ifstream dirs((config.empty() ? home / ".config" : config) / "user-dirs.dirs");
     for (std::string line; std::getline(dirs, line);) {
-        constexpr std::string_view key = "XDG_PICTURES_DIR=\"", from_home = "$HOME/";
+        const std::string key = "XDG_" + name + "_DIR=\"";
+        constexpr std::string_view from_home = "$HOME/";
         if (!line.starts_with(key) || line.back() != '"') continue;
         const std::string value = line.substr(key.size(), line.size() - key.size() - 1);
         if (value.starts_with(from_home)) return home / value.substr(from_home.size());
         if (value.starts_with("/")) return value;
     }
-    return home.empty() ? home : home / "Pictures";
+    return home.empty() ? home : home / otherwise;
 }
 
 }  // namespace
@@ -49,7 +52,8 @@ UserFolders user_folders() {
     const bool has_home = !folders.home.empty();
     folders.config = own_folder("XDG_CONFIG_HOME", has_home ? folders.home / ".config" : folders.home);
     folders.state = own_folder("XDG_STATE_HOME", has_home ? folders.home / ".local/state" : folders.home);
-    folders.pictures = pictures_folder(folders.home);
+    folders.pictures = desktop_folder(folders.home, "PICTURES", "Pictures");
+    folders.documents = desktop_folder(folders.home, "DOCUMENTS", "Documents");
     return folders;
 }
 

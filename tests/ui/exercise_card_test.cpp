@@ -339,4 +339,40 @@ TEST(ExerciseCard, ItsNextButtonOpensTheNextExerciseOrTheListOfFiles) {
     EXPECT_EQ(desk.panels.sheet, Sheet::files);
 }
 
+TEST(ExerciseCard, HandInAsksForANameOnceAndIsThereAfterARun) {
+    Desk desk;
+    desk.open_exercise();
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.hand_in")) << "before the first run";
+    desk.lesson.has_run = true;
+    desk.frame(3);
+    desk.click("exercise.hand_in");
+    desk.frame(3);
+    EXPECT_TRUE(desk.all.empty()) << "there is no name";
+    ASSERT_TRUE(desk.anchors.find("exercise.student"));
+    desk.type("Ana P ");
+    desk.frame(2);
+    desk.key({key::enter});
+    desk.frame(3);
+    ASSERT_EQ(desk.all.size(), 1u);
+    EXPECT_EQ(std::get<HandInRequest>(desk.all[0]).student, "Ana P");
+    EXPECT_FALSE(desk.anchors.find("exercise.student"));
+    desk.click("exercise.hand_in");
+    ASSERT_EQ(desk.all.size(), 2u) << "the name is known";
+    desk.click("exercise.lab_record");
+    ASSERT_EQ(desk.all.size(), 3u);
+    EXPECT_TRUE(std::holds_alternative<LabRecordRequest>(desk.all[2]));
+}
+
+TEST(ExerciseCard, HandInUsesTheNameOfTheNamedStudent) {
+    Desk desk;
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    desk.view.student = "Bo";
+    desk.frame(3);
+    desk.click("exercise.hand_in");
+    ASSERT_EQ(desk.all.size(), 1u);
+    EXPECT_EQ(std::get<HandInRequest>(desk.all[0]).student, "Bo");
+}
+
 }  // namespace braitenlab::tests::exercise_card_test

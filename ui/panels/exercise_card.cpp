@@ -263,6 +263,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         hints(lesson, state, ui);
         kept_button(view, ui);
         exercise_note(view, state, ui);
+        exercise_files(view, state, ui);
         if (lesson.grade && !state.grade_seen) ImGui::SetScrollY(0);
         state.grade_seen = lesson.grade.has_value();
         begin_footer(ui, state.card(Card::exercise), place);

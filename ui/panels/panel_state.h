@@ -59,6 +59,13 @@ struct ValuesState {
     bool body_open = false, realism_open = false, memory_open = false, lamps_open = false, path_open = false;
 };
 
+// Handing in an exercise; see exercise_files.cpp.
+struct HandInState {
+    TextField name;       // the student's, typed where the view has none
+    bool asks = false;    // the field for the name is shown
+    bool begins = false;  // and gets the focus when it is drawn
+};
+
 struct PanelState {
     CardState& card(Card which) {
         return which == Card::inspector ? canvas.inspector : cards[static_cast<std::size_t>(which)];
@@ -79,6 +86,7 @@ struct PanelState {
     Steer steered;                     // last command of the on-screen stick
     bool stick_held = false;
     ValuesState values;
+    HandInState hand_in;
     std::string sensor;  // name of the sensor that the card shows; the first if there is none of this name
     bool sensor_channel_open = false;  // the list of channels is unfolded
     bool sensor_adding = false;        // the list of channels of a new sensor is unfolded

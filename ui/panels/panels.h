@@ -15,6 +15,7 @@ namespace braitenlab::ui {
 
 // Cards; cards.h says when and where they are shown.
 void exercise_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.lesson
+void exercise_files(const LabView&, PanelState&, Ui&);       // precondition: view.lesson is set
 void start_pictures(const LabView&, Ui&);                    // precondition: view.lesson has a grade
 void exercise_note(const LabView&, PanelState&, Ui&);        // the student's notes, a part of the exercise card
 void sensor_card(const LabView&, PanelState&, Ui&, Rect);

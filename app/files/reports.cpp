@@ -1,0 +1,113 @@
+#include "app/files/reports.h"
+
+#include <algorithm>
+#include <ctime>
+#include <utility>
+
+#include <fmt/chrono.h>
+
+#include "app/files/safe_file.h"
+#include "app/reports/lab_record.h"
+#include "core/lesson/submission.h"
+#include "core/scene/file_kind.h"
+
+namespace braitenlab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string utc_text(WrittenAt at) {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(at)));
+}
+
+// True if a hand-in of another student, or a file that is none, has this path.
+bool is_taken(const fs::path& path, const std::string& student) {
+    std::error_code none;
+    if (!fs::exists(path, none)) return false;
+    const auto text = read_text(path);
+    const auto there = text ? parse_hand_in(*text, path.string()) : text.error();
+    return !there || !is_same_student(there->student, student);
+}
+
+std::optional<Error> write_hand_in_file(Lab& lab, const std::string& student, const fs::path& folder, WrittenAt at) {
+    const std::string& exercise = lab.document.lesson->exercise->id;
+    fs::path path = folder / hand_in_name(exercise, student);
+    for (int number = 2; is_taken(path, student); ++number) path = folder / hand_in_name(exercise, student, number);
+    if (auto error = write_whole(path, write_hand_in(hand_in_of(lab, student, at)))) return error;
+    say(lab, {NoticeKind::done, "notice.handed_in", path.string()});
+    return std::nullopt;
+}
+
+// The run from its earliest recorded tick to the present one, with the verdicts of now.
+StartResult last_run(const Lab& lab) {
+    const Session& session = lab.document.session;
+    StartResult run{.seed = session.snapshot().seed, .verdicts = lab.document.lesson->view.verdicts};
+    const auto add = [&](const Snapshot& now) {
+        if (now.tick % path_ticks != 0 && now.tick != session.snapshot().tick) return;
+        for (const VehicleView& vehicle : now.vehicles)
+            if (vehicle.start == 0) run.path.push_back({vehicle.x, vehicle.y});
+    };
+    session.replay(session.earliest(), {add, [](const Snapshot&, const Command&) {}});
+    run.passed = !run.verdicts.empty() && std::ranges::all_of(run.verdicts, &Verdict::done);
+    return run;
+}
+
+LabRecord lab_record_of(const Lab& lab, WrittenAt at) {
+    const Lesson& lesson = *lab.document.lesson;
+    const LessonView& view = lesson.view;
+    const Prediction& asked = lesson.exercise->prediction;
+    LabRecord record{.exercise = lesson.exercise, .date = utc_text(at).substr(0, 10)};
+    record.prediction = view.prediction, record.outcome_known = view.outcome_known;
+    record.shows_brain = !asked.hides_brain || view.prediction >= 0 || view.outcome_known;
+    record.runs = view.runs, record.hints = view.hints_shown, record.solution_shown = view.solution_shown;
+    if (lab.document.session.snapshot().tick > 0) record.last_run = last_run(lab);
+    record.grade = view.grade;
+    record.submission = submission_of(*lesson.exercise, lab.document.session.snapshot());
+    record.notes = view.notes;
+    return record;
+}
+
+std::optional<Error> write_lab_record(Lab& lab, const std::string& student, const Strings& strings,
+                                      const fs::path& folder, WrittenAt at) {
+    LabRecord record = lab_record_of(lab, at);
+    record.student = student;
+    const fs::path path = folder / lab_record_name(record.exercise->id, student);
+    if (auto error = write_whole(path, lab_record_html(record, strings, lab.preferences.language))) return error;
+    say(lab, {NoticeKind::done, "notice.lab_record", path.string()});
+    return std::nullopt;
+}
+
+}  // namespace
+
+HandIn hand_in_of(const Lab& lab, const std::string& student, WrittenAt at) {
+    const Lesson& lesson = *lab.document.lesson;
+    const LessonView& view = lesson.view;
+    HandIn hand_in{.student = student, .exercise = lesson.exercise->id, .written = utc_text(at)};
+    hand_in.prediction = view.prediction + 1;
+    hand_in.runs = view.runs;
+    hand_in.hints = view.hints_shown;
+    hand_in.solution_shown = view.solution_shown;
+    if (view.grade) {
+        hand_in.graded_starts = static_cast<int>(view.grade->starts.size());
+        hand_in.passed_starts = view.grade->count;
+    }
+    hand_in.notes = view.notes;
+    hand_in.submission = submission_of(*lesson.exercise, lab.document.session.snapshot());
+    return hand_in;
+}
+
+void write_student_files(Lab& lab, const Strings& strings, const fs::path& documents, WrittenAt at) {
+    const fs::path folder = documents / "Braitenlab";
+    for (const Request& request : std::exchange(lab.reports, {})) {
+        if (!lab.document.lesson) continue;
+        std::optional<Error> error;
+        if (const auto* hand_in = std::get_if<HandInRequest>(&request))
+            error = write_hand_in_file(lab, hand_in->student, folder, at);
+        if (const auto* record = std::get_if<LabRecordRequest>(&request))
+            error = write_lab_record(lab, record->student, strings, folder, at);
+        if (error) say(lab, *error);
+    }
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,24 @@
+// The files that a student makes of the open exercise: the hand-in and the lab record.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+#include "app/lab.h"
+#include "core/lesson/hand_in.h"
+#include "ui/strings.h"
+
+namespace braitenlab {
+
+using WrittenAt = std::chrono::system_clock::time_point;
+
+// What the student hands in now. Precondition: an exercise is open.
+HandIn hand_in_of(const Lab&, const std::string& student, WrittenAt);
+
+// Executes and clears Lab::reports. Files are written to the folder "Braitenlab" in the folder of documents, which is
+// created. A hand-in replaces the earlier one of the same student for the exercise, never another student's. Success
+// is shown as a notice with the path, failure as a notice with the reason. Without an exercise it writes nothing.
+void write_student_files(Lab&, const Strings&, const std::filesystem::path& documents, WrittenAt);
+
+}  // namespace braitenlab

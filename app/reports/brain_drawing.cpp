@@ -1,0 +1,206 @@
+#include "app/reports/brain_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "app/reports/html.h"
+#include "ui/number_text.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr float wide = 360, node_radius = 15;
+constexpr std::size_t most_weights = 40;
+constexpr const char* plus_colour = "#0b6e4f";
+constexpr const char* minus_colour = "#b3261e";
+
+// Crossed wires between two rows alone need more room.
+float row_height(std::size_t rows) { return rows <= 2 ? 150.0f : 92.0f; }
+
+bool is_drawn(const Wire& wire) { return wire.weight != 0 || learns(wire); }
+
+// Row of each node: sensors 0, neurons by the fewest wires from a sensor, motors last.
+std::map<NodeId, std::size_t> rows_of(const BrainGraph& brain) {
+    std::map<NodeId, std::size_t> rows;
+    for (const Node& node : brain.nodes)
+        if (node.kind == NodeKind::sensor) rows[node.id] = 0;
+    std::size_t last = 0;
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (const Wire& wire : brain.wires) {
+            const Node* to = find_node(brain, wire.to);
+            if (!to || to->kind != NodeKind::neuron || !rows.count(wire.from) || rows.count(wire.to)) continue;
+            rows[wire.to] = rows[wire.from] + 1;
+            grows = true;
+        }
+    }
+    for (const Node& node : brain.nodes)  // a neuron that no sensor reaches
+        if (node.kind == NodeKind::neuron && !rows.count(node.id)) rows[node.id] = 1;
+    for (const auto& [id, row] : rows) last = std::max(last, row);
+    for (const Node& node : brain.nodes)
+        if (node.kind == NodeKind::motor) rows[node.id] = last + 1;
+    return rows;
+}
+
+class Drawing {
+public:
+    Drawing(const BrainGraph& brain, const std::vector<Sensor>& sensors, const Strings& strings)
+        : brain_(brain), strings_(strings) {
+        std::map<std::size_t, std::vector<const Node*>> by_row;
+        for (const auto& [id, row] : rows_of(brain)) by_row[row].push_back(find_node(brain, id));
+        for (auto& [row, nodes] : by_row) {
+            std::stable_sort(nodes.begin(), nodes.end(), [&](const Node* a, const Node* b) {
+                return left_to_right(*a, sensors) < left_to_right(*b, sensors);
+            });
+            for (std::size_t i = 0; i < nodes.size(); ++i)
+                places_[nodes[i]->id] = {wide * (static_cast<float>(i) + 0.5f) / static_cast<float>(nodes.size()),
+                                         34 + row_height(by_row.size()) * static_cast<float>(rows_)};
+            ++rows_;
+        }
+        drawn_ = static_cast<std::size_t>(std::count_if(brain.wires.begin(), brain.wires.end(), is_drawn));
+    }
+
+    std::string svg() const {
+        const float high = 34 + row_height(rows_) * static_cast<float>(std::max<std::size_t>(rows_, 1) - 1) + 62;
+        std::string out = fmt::format(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {:.0f} {:.0f}\" "
+            "width=\"{:.0f}\" height=\"{:.0f}\" font-size=\"12\">",
+            html::escaped(strings_("report.brain")), wide, high, wide, high);
+        for (const Wire& wire : brain_.wires)
+            if (is_drawn(wire)) out += wire_svg(wire);
+        for (const Wire& wire : brain_.wires)
+            if (is_drawn(wire) && drawn_ <= most_weights) out += weight_svg(wire);
+        for (const Node& node : brain_.nodes)
+            if (places_.count(node.id)) out += node_svg(node);
+        return out +
+               fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\" fill=\"#5a5a55\">▶ {} · ● {}</text>",
+                           wide / 2, high - 5, html::escaped(strings_("report.excites")),
+                           html::escaped(strings_("report.inhibits"))) +
+               "</svg>";
+    }
+
+private:
+    struct Path {
+        maths::vec2 from, bend_1, bend_2, to;
+        maths::vec2 at(float t) const {
+            const float u = 1 - t;
+            const float a = u * u * u, b = 3 * u * u * t, c = 3 * u * t * t, d = t * t * t;
+            return {a * from.x + b * bend_1.x + c * bend_2.x + d * to.x,
+                    a * from.y + b * bend_1.y + c * bend_2.y + d * to.y};
+        }
+    };
+
+    // Sensors by their place on the body, others by name, so that ML is left of MR.
+    static std::pair<float, std::string> left_to_right(const Node& node, const std::vector<Sensor>& sensors) {
+        for (const Sensor& sensor : sensors)
+            if (node.kind == NodeKind::sensor && sensor.name == node.name) return {-sensor.y, node.name};
+        return {0.0f, node.name};
+    }
+
+    std::string number(float value) const { return ui::fixed(value, 2, decimal_mark(strings_)); }
+
+    // The horizontal shift of the end of a wire, so that wires to one node end side by side.
+    float shift(const Wire& wire) const {
+        std::vector<std::pair<float, NodeId>> from;
+        for (const Wire& each : brain_.wires)
+            if (each.to == wire.to && is_drawn(each) && places_.count(each.from))
+                from.emplace_back(places_.at(each.from).x, each.from);
+        std::sort(from.begin(), from.end());
+        const auto index = std::find_if(from.begin(), from.end(), [&](const auto& e) { return e.second == wire.from; });
+        const float gap = std::min(14.0f, 40.0f / static_cast<float>(from.size()));
+        return gap * (static_cast<float>(index - from.begin()) - static_cast<float>(from.size() - 1) / 2);
+    }
+
+    Path path_of(const Wire& wire) const {
+        const maths::vec2 a = places_.at(wire.from), b = places_.at(wire.to);
+        if (wire.from == wire.to)
+            return {{a.x + 10, a.y + 11}, {a.x + 48, a.y + 34}, {a.x + 48, a.y - 34}, {a.x + 13, a.y - 12}};
+        if (b.y > a.y) {
+            const maths::vec2 to{b.x + shift(wire), b.y - node_radius - 7};
+            const float bend = (to.y - a.y) * 0.45f;
+            return {{a.x, a.y + node_radius}, {a.x, a.y + node_radius + bend}, {to.x, to.y - bend}, to};
+        }
+        const float out = b.x >= a.x ? 1.0f : -1.0f;  // back, or beside: around the outside
+        return {{a.x + out * 12, a.y + 9},
+                {a.x + out * 60, a.y + 40},
+                {b.x - out * 20, b.y + 60},
+                {b.x - out * 4, b.y + node_radius + 7}};
+    }
+
+    std::string wire_svg(const Wire& wire) const {
+        if (!places_.count(wire.from) || !places_.count(wire.to)) return "";
+        const Path p = path_of(wire);
+        const char* colour = wire.cut ? "#8a8a84" : wire.weight < 0 ? minus_colour : plus_colour;
+        std::string out = fmt::format(
+            "<path d=\"M{:.1f} {:.1f}C{:.1f} {:.1f} {:.1f} {:.1f} {:.1f} {:.1f}\" fill=\"none\" stroke=\"{}\" "
+            "stroke-width=\"{:.1f}\"{}/>",
+            p.from.x, p.from.y, p.bend_1.x, p.bend_1.y, p.bend_2.x, p.bend_2.y, p.to.x, p.to.y, colour,
+            1 + 1.2f * std::min(2.0f, std::fabs(wire.weight)), wire.cut ? " stroke-dasharray=\"5 4\"" : "");
+        if (wire.weight < 0)
+            return out +
+                   fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"{}\"/>", p.to.x, p.to.y, colour);
+        const float along = std::atan2(p.to.y - p.bend_2.y, p.to.x - p.bend_2.x) * 57.29578f;
+        return out +
+               fmt::format(
+                   "<path d=\"M7 0L-5 -6L-5 6Z\" transform=\"translate({:.1f} {:.1f}) rotate({:.0f})\" fill=\"{}\"/>",
+                   p.to.x, p.to.y, along, colour);
+    }
+
+    // The weight stands near the wire's start, on the side to which the wire goes, or outside.
+    std::string weight_svg(const Wire& wire) const {
+        if (!places_.count(wire.from) || !places_.count(wire.to)) return "";
+        const Path p = path_of(wire);
+        const maths::vec2 at = p.at(0.2f);
+        const float towards = p.to.x - p.from.x;
+        const bool is_right = std::fabs(towards) > 24 ? towards > 0 : p.from.x > wide / 2;
+        std::string text = number(wire.weight);
+        if (wire.threshold > 0) text += " θ " + number(wire.threshold);
+        if (learns(wire)) text += " + h";
+        return fmt::format(
+            "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" fill=\"#1c1c1a\" stroke=\"#fff\" stroke-width=\"3\" "
+            "paint-order=\"stroke\">{}</text>",
+            at.x + (is_right ? 6.0f : -6.0f), at.y + 4, is_right ? "start" : "end", html::escaped(text));
+    }
+
+    std::string node_svg(const Node& node) const {
+        const maths::vec2 at = places_.at(node.id);
+        const bool is_motor = node.kind == NodeKind::motor;
+        std::string out =
+            is_motor ? fmt::format(
+                           "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"36\" height=\"28\" rx=\"5\" "
+                           "fill=\"#e4e4e0\" stroke=\"#1c1c1a\"/>",
+                           at.x - 18, at.y - 14)
+                     : fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\" stroke=\"#1c1c1a\"/>",
+                                   at.x, at.y, node_radius, node.kind == NodeKind::sensor ? "#fff3c4" : "#fff");
+        const bool is_short = node.name.size() <= 3;
+        out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" fill=\"#1c1c1a\">{}</text>", at.x,
+                           is_short ? at.y + 4 : at.y - node_radius - 4, html::escaped(node.name));
+        if (node.bias != 0)
+            out +=
+                fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" fill=\"#1c1c1a\">{}</text>", at.x,
+                            at.y + node_radius + 15, html::escaped(fill(strings_("report.bias"), {number(node.bias)})));
+        if (node.silenced)
+            out += fmt::format(
+                "<path d=\"M{0:.1f} {1:.1f}L{2:.1f} {3:.1f}M{0:.1f} {3:.1f}L{2:.1f} {1:.1f}\" "
+                "stroke=\"#b3261e\" stroke-width=\"2.5\"/>",
+                at.x - 14, at.y - 14, at.x + 14, at.y + 14);
+        return out;
+    }
+
+    const BrainGraph& brain_;
+    const Strings& strings_;
+    std::map<NodeId, maths::vec2> places_;
+    std::size_t rows_ = 0, drawn_ = 0;
+};
+
+}  // namespace
+
+std::string brain_drawing(const BrainGraph& brain, const std::vector<Sensor>& sensors, const Strings& strings) {
+    return Drawing(brain, sensors, strings).svg();
+}
+
+}  // namespace braitenlab

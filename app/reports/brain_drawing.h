@@ -1,0 +1,17 @@
+// The wiring diagram of a brain as SVG, for print.
+#pragma once
+
+#include <string>
+
+#include "core/brain/graph.h"
+#include "core/scene/scene.h"
+#include "ui/strings.h"
+
+namespace braitenlab {
+
+// Sensors above, from the vehicle's left to its right, then the neurons in rows, motors below. A wire has its weight
+// beside it, and at its end ▶ where it excites and ● where it inhibits; its width is |weight|. A cut wire is dashed, a
+// silenced node is crossed out. Wires of weight 0 that do not learn are left out. Above 40 wires there are no weights.
+std::string brain_drawing(const BrainGraph&, const std::vector<Sensor>&, const Strings&);
+
+}  // namespace braitenlab

@@ -1,0 +1,224 @@
+// The results of a class as a page.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/reports/class_report.h"
+#include "app/reports/html.h"
+#include "app/reports/path_picture.h"
+#include "ui/number_text.h"
+
+namespace braitenlab {
+
+namespace {
+
+constexpr const char* class_style = R"(@page { size: A4; margin: 14mm 12mm; }
+* { box-sizing: border-box; }
+body { font: 14px/1.45 "Noto Sans", "Segoe UI", Helvetica, Arial, sans-serif; color: #1c1c1a; margin: 0 auto;
+  max-width: 1080px; padding: 24px; }
+h1 { font-size: 24px; margin: 0 0 4px; } h2 { font-size: 17px; margin: 28px 0 8px; } h3 { font-size: 15px; margin: 0; }
+p { margin: 4px 0; } .quiet { color: #5a5a55; }
+.tiles { display: flex; flex-wrap: wrap; gap: 12px; margin: 16px 0; }
+.tile { border: 1px solid #cfcfc8; border-radius: 8px; padding: 10px 14px; flex: 1 1 150px; }
+.tile b { display: block; font-size: 22px; line-height: 1.25; }
+table { border-collapse: collapse; width: 100%; }
+th, td { text-align: left; padding: 5px 8px; border-bottom: 1px solid #deded8; vertical-align: top; }
+th { border-bottom: 2px solid #8a8a84; font-weight: 600; } td.n, th.n { text-align: right; }
+td.n { font-variant-numeric: tabular-nums; } thead { display: table-header-group; } tr { break-inside: avoid; }
+table.sorted th { cursor: pointer; user-select: none; }
+table.sorted th[aria-sort=ascending]::after { content: " \25B2"; }
+table.sorted th[aria-sort=descending]::after { content: " \25BC"; }
+.good { color: #0b6e4f; font-weight: 600; } .bad { color: #b3261e; font-weight: 600; }
+section.student { border-top: 1px solid #cfcfc8; padding: 12px 0; break-inside: avoid; }
+.feedback { user-select: all; background: #f4f4f0; border-radius: 6px; padding: 8px 10px; margin: 8px 0; }
+.starts { display: flex; flex-wrap: wrap; gap: 5px; }
+.name { overflow-wrap: anywhere; } td.name { min-width: 9em; }
+@media print { body { padding: 0; max-width: none; font-size: 11px; } a { color: inherit; text-decoration: none; } }
+)";
+
+// A click on a heading sorts the table by this column: numbers by value, others as text. Again: the other way round.
+constexpr const char* class_script = R"(for (const table of document.querySelectorAll("table.sorted"))
+  table.querySelectorAll("th").forEach((head, column) => head.addEventListener("click", () => {
+    const down = head.getAttribute("aria-sort") === "ascending";
+    table.querySelectorAll("th").forEach(other => other.removeAttribute("aria-sort"));
+    head.setAttribute("aria-sort", down ? "descending" : "ascending");
+    const value = row => row.cells[column].textContent.trim(), body = table.tBodies[0];
+    [...body.rows].sort((a, b) => (down ? -1 : 1) *
+      value(a).localeCompare(value(b), document.documentElement.lang, {numeric: true})).forEach(r => body.append(r));
+  }));
+)";
+
+using Row = ClassRow;
+
+struct Page {
+    const ClassReport& report;
+    const Strings& strings;
+    const ClassSummary summary = summary_of(report);
+    const Exercise& exercise = *report.exercise;
+
+    std::string words(std::string_view key) const { return std::string(strings(key)); }
+    std::string translated(const std::string& text) const { return std::string(strings.find(text, text)); }
+    std::string number(double value) const {
+        const int digits = value == std::round(value) ? 0 : 1;
+        return ui::fixed(static_cast<float>(value), digits, decimal_mark(strings));
+    }
+
+    std::string tile(const std::string& value, const std::string& meaning) const {
+        return "<div class=\"tile\">" + html::element("b", value) + html::escaped(meaning) + "</div>\n";
+    }
+
+    std::string tiles() const {
+        const Spread& s = summary.starts;
+        const auto without = static_cast<std::size_t>(summary.counted);
+        std::string out = "<div class=\"tiles\">\n";
+        out += tile(std::to_string(summary.counted), words("report.students"));
+        out += tile(fmt::format("{} / {}", summary.passed, summary.counted), words("report.passed"));
+        if (summary.counted > 0) {
+            out += tile(number(s.median), fill(strings("report.median"), {std::to_string(exercise.starts)}));
+            out += tile(fmt::format("{} – {}", number(s.lower), number(s.upper)), words("report.quartiles"));
+        }
+        if (without < report.rows.size())
+            out += tile(std::to_string(report.rows.size() - without), words("report.not_counted"));
+        return out + "</div>\n";
+    }
+
+    // How many students passed 0, 1, … starts.
+    std::string histogram() const {
+        std::vector<int> counts(static_cast<std::size_t>(exercise.starts) + 1);
+        for (const Row& row : report.rows)
+            if (!row.problem && row.grade) ++counts[static_cast<std::size_t>(row.grade->count)];
+        const int most = std::max(1, *std::max_element(counts.begin(), counts.end()));
+        const float step = std::min(44.0f, 900.0f / static_cast<float>(counts.size())), high = 90;
+        std::string out = html::element("h2", words("report.distribution"));
+        out += fmt::format(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{}\" width=\"{:.0f}\" "
+            "height=\"130\" viewBox=\"0 0 {:.0f} 130\" font-size=\"12\" text-anchor=\"middle\">",
+            html::escaped(strings("report.distribution")), step * static_cast<float>(counts.size()),
+            step * static_cast<float>(counts.size()));
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            const float tall = high * static_cast<float>(counts[i]) / static_cast<float>(most);
+            const float left = step * static_cast<float>(i);
+            const bool is_good = static_cast<int>(i) >= exercise.needed;
+            out += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>",
+                               left + 2, 108 - tall, step - 4, std::max(tall, 1.0f), is_good ? "#0b6e4f" : "#a3a39c");
+            out += fmt::format("<text x=\"{:.1f}\" y=\"124\" fill=\"#1c1c1a\">{}</text>", left + step / 2, i);
+            if (counts[i] > 0)
+                out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"#1c1c1a\">{}</text>", left + step / 2,
+                                   104 - tall, counts[i]);
+        }
+        return out + "</svg>\n";
+    }
+
+    std::string steps() const {
+        std::string out = html::element("h2", words("report.steps")) + "<table><thead><tr>" +
+                          html::element("th", words("report.step"));
+        out += html::element("th", words("report.made_fail"), "n") + "</tr></thead><tbody>\n";
+        for (std::size_t i = 0; i < exercise.steps.size(); ++i) {
+            const bool is_worst = summary.worst_step == i;
+            out += "<tr>" +
+                   html::element("td", fmt::format("{}. {}", i + 1, translated(exercise.steps[i].text)),
+                                 is_worst ? "bad" : "") +
+                   html::element("td", std::to_string(summary.failed[i]), "n") + "</tr>\n";
+        }
+        return out + "</tbody></table>\n";
+    }
+
+    std::string misconceptions() const {
+        std::string out;
+        for (std::size_t i = 0; i < exercise.wrong.size(); ++i)
+            if (summary.resembling[i] > 0)
+                out += "<tr>" + html::element("td", exercise.wrong[i].name) +
+                       html::element("td", translated(exercise.wrong[i].text)) +
+                       html::element("td", std::to_string(summary.resembling[i]), "n") + "</tr>\n";
+        if (summary.unchanged > 0)
+            out += "<tr>" + html::element("td", words("report.as_shipped")) +
+                   html::element("td", words("report.unchanged")) +
+                   html::element("td", std::to_string(summary.unchanged), "n") + "</tr>\n";
+        if (out.empty()) return out;
+        return html::element("h2", words("report.resembled")) + "<table><tbody>\n" + out + "</tbody></table>\n";
+    }
+
+    std::string heads() const {
+        std::string out = html::element("th", words("report.student")) + html::element("th", words("report.passed")) +
+                          html::element("th", words("report.starts"), "n");
+        for (std::size_t i = 1; i <= exercise.steps.size(); ++i)
+            out += html::element("th", fill(strings("report.step_number"), {std::to_string(i)}), "n");
+        out += html::element("th", words("report.prediction")) + html::element("th", words("report.hints"), "n") +
+               html::element("th", words("report.runs"), "n") + html::element("th", words("report.remark"));
+        return out;
+    }
+
+    std::string yes_or_no(bool yes) const { return words(yes ? "report.yes" : "report.no"); }
+
+    std::string remark(const Row& row) const {
+        if (row.problem) return problem_text(row, strings);
+        std::string text;
+        if (row.hand_in && row.hand_in->solution_shown) text = words("report.solution_shown");
+        const std::string like = row.unchanged   ? words("report.as_shipped")
+                                 : row.resembles ? exercise.wrong[*row.resembles].name
+                                                 : "";
+        if (!like.empty()) text += (text.empty() ? "" : "; ") + fill(strings("report.like"), {like});
+        return text;
+    }
+
+    std::string line(const Row& row, std::size_t index) const {
+        const auto number_cell = [](std::optional<int> value) {
+            return html::element("td", value ? std::to_string(*value) : "", "n");
+        };
+        std::string out =
+            fmt::format("<tr><td class=\"name\"><a href=\"#s{}\">{}</a></td>", index, html::escaped(row.student));
+        out += row.grade ? html::element("td", yes_or_no(row.passed), row.passed ? "good" : "bad") : "<td></td>";
+        out += number_cell(row.grade ? std::optional(row.grade->count) : std::nullopt);
+        for (std::size_t i = 0; i < exercise.steps.size(); ++i)
+            out += number_cell(row.grade ? std::optional(starts_done(*row.grade, i)) : std::nullopt);
+        const auto& h = row.hand_in;
+        const bool is_right = h && h->prediction - 1 == exercise.prediction.answer;
+        out += html::element("td", h && h->prediction > 0 ? words(is_right ? "report.right" : "report.wrong") : "");
+        out += number_cell(h ? std::optional(h->hints) : std::nullopt);
+        out += number_cell(h ? std::optional(h->runs) : std::nullopt);
+        return out + html::element("td", remark(row), row.problem ? "bad" : "") + "</tr>\n";
+    }
+
+    std::string student(const Row& row, std::size_t index) const {
+        std::string out = fmt::format("<section class=\"student\" id=\"s{}\">\n", index);
+        out += html::element("h3", row.student, "name") + html::element("p", row.file, "quiet name");
+        out += html::element("div", feedback(report, row, strings), "feedback");
+        if (row.grade) {
+            out += "<div class=\"starts\">\n";
+            for (const StartResult& start : row.grade->starts)
+                out += path_picture(exercise, start,
+                                    fill(strings(start.passed ? "exercise.start_passed" : "report.start_failed"),
+                                         {std::to_string(start.seed)}),
+                                    {.width = 92, .has_sign = true}) +
+                       "\n";
+            out += "</div>\n";
+        }
+        if (row.hand_in && !row.hand_in->notes.empty())
+            out += html::element("p", words("report.notes"), "quiet") + html::element("p", row.hand_in->notes);
+        return out + "</section>\n";
+    }
+
+    std::string body() const {
+        const std::string title = translated(exercise.title);
+        std::string out = html::element("h1", fill(strings("report.class"), {title}));
+        out += html::element("p", translated(exercise.goal), "quiet") + tiles();
+        if (summary.counted > 0) out += histogram() + steps() + misconceptions();
+        out += html::element("h2", words("report.students")) + "<table class=\"sorted\"><thead><tr>" + heads() +
+               "</tr></thead><tbody>\n";
+        for (std::size_t i = 0; i < report.rows.size(); ++i) out += line(report.rows[i], i + 1);
+        out += "</tbody></table>\n" + html::element("h2", words("report.feedback"));
+        out += html::element("p", words("report.feedback_how"), "quiet");
+        for (std::size_t i = 0; i < report.rows.size(); ++i) out += student(report.rows[i], i + 1);
+        return out;
+    }
+};
+
+}  // namespace
+
+std::string class_page(const ClassReport& report, const Strings& strings, const std::string& language) {
+    const Page page{report, strings};
+    return html::page(language, page.translated(report.exercise->title), class_style, page.body(), class_script);
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,239 @@
+#include "app/reports/class_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "core/io/csv.h"
+#include "core/lesson/resemblance.h"
+#include "core/lesson/submission.h"
+#include "core/scene/scene_file.h"
+#include "ui/measure_text.h"
+
+namespace braitenlab {
+
+namespace {
+
+std::string stem_of(const std::string& file) {
+    return is_hand_in(file) ? file.substr(0, file.size() - hand_in_ending.size()) : file.substr(0, file.rfind('.'));
+}
+
+// The controls that the submission changes and the exercise does not offer, "LR, curves".
+std::string names_outside(const Exercise& exercise, const Submission& submission) {
+    std::string names;
+    for (const std::string& name : outside_offers(exercise, submission)) names += (names.empty() ? "" : ", ") + name;
+    return names;
+}
+
+std::optional<RowProblem> submission_problem(const Exercise& exercise, const ClassRow& row) {
+    if (auto fault = check_scene(scene_with(exercise, *row.submission)))
+        return RowProblem{{}, {}, Error{fault->what, row.file}};
+    if (const std::string outside = names_outside(exercise, *row.submission); !outside.empty())
+        return RowProblem{"report.outside", outside, {}};
+    if (changes_too_many(exercise, *row.submission))
+        return RowProblem{"report.too_many", std::to_string(exercise.changes), {}};
+    return std::nullopt;
+}
+
+double quantile(const std::vector<int>& sorted, double share) {
+    if (sorted.empty()) return 0;
+    const double at = share * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(at);
+    const auto above = std::min(below + 1, sorted.size() - 1);
+    return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+std::string_view translated(const Strings& strings, const std::string& text) { return strings.find(text, text); }
+
+std::string measures_text(const Strings& strings, const Verdict& verdict) {
+    std::string text;
+    for (const Measure& measure : verdict.measures)
+        if (std::isfinite(measure.value))
+            text += (text.empty() ? "" : "; ") + ui::measure_text(strings, measure, false);
+    return text;
+}
+
+// The step that made most starts fail, with the first of these starts.
+std::string failed_step_text(const ClassReport& report, const Grade& grade, const Strings& strings) {
+    const Exercise& exercise = *report.exercise;
+    std::vector<int> failed(exercise.steps.size());
+    for (const StartResult& start : grade.starts)
+        if (const std::size_t step = failed_step(start); !start.passed && step < failed.size()) ++failed[step];
+    const auto worst = std::max_element(failed.begin(), failed.end());
+    if (worst == failed.end() || *worst == 0) return std::string(strings("report.invalid"));
+    const auto step = static_cast<std::size_t>(worst - failed.begin());
+    const auto first = std::find_if(grade.starts.begin(), grade.starts.end(), [&](const StartResult& start) {
+        return !start.passed && failed_step(start) == step;
+    });
+    std::string text =
+        fill(strings("report.step_failed"), {std::to_string(step + 1), translated(strings, exercise.steps[step].text),
+                                             std::to_string(*worst), std::to_string(grade.starts.size())});
+    const std::string measured = measures_text(strings, first->verdicts[step]);
+    if (!measured.empty())
+        text += " " + fill(strings("report.start_measured"), {std::to_string(first->seed), measured});
+    return text;
+}
+
+}  // namespace
+
+ClassRow row_of_hand_in(const Exercise& exercise, const std::string& file, const Result<std::string>& text) {
+    ClassRow row{.file = file, .student = stem_of(file)};
+    auto hand_in = text ? parse_hand_in(*text, file) : text.error();
+    if (!hand_in) {
+        row.problem = RowProblem{{}, {}, hand_in.error()};
+        return row;
+    }
+    row.student = hand_in->student;
+    row.hand_in = std::move(*hand_in);
+    if (row.hand_in->exercise != exercise.id)
+        row.problem = RowProblem{"report.other_exercise", row.hand_in->exercise, {}};
+    else
+        row.submission = row.hand_in->submission;
+    return row;
+}
+
+void mark_replaced(std::vector<ClassRow>& rows) {
+    const auto is_later = [](const ClassRow& a, const ClassRow& b) {
+        return std::tie(a.hand_in->written, a.file) > std::tie(b.hand_in->written, b.file);
+    };
+    for (ClassRow& row : rows) {
+        if (!row.hand_in || row.problem) continue;
+        for (const ClassRow& other : rows) {
+            const bool is_alternative = other.hand_in && other.submission && &other != &row &&
+                                        is_same_student(other.student, row.student) && is_later(other, row);
+            if (is_alternative) row.problem = RowProblem{"report.replaced", other.file, {}};
+        }
+    }
+}
+
+void judge(const Exercise& exercise, ClassRow& row, Grade grade, const Grade& shipped,
+           const std::vector<Grade>& wrong) {
+    if (!row.problem) row.problem = submission_problem(exercise, row);
+    row.passed = grade.good && !row.problem;
+    if (!grade.good) {
+        row.resembles = most_alike(grade, wrong);
+        const float to_shipped = behaviour_distance(grade, shipped);
+        const bool is_nearest = !row.resembles || to_shipped <= behaviour_distance(grade, wrong[*row.resembles]);
+        row.unchanged = to_shipped < alike && is_nearest;
+        if (row.unchanged) row.resembles.reset();
+    }
+    row.grade = std::move(grade);
+}
+
+int starts_done(const Grade& grade, std::size_t step) {
+    return static_cast<int>(std::count_if(grade.starts.begin(), grade.starts.end(), [&](const StartResult& start) {
+        return step < start.verdicts.size() && start.verdicts[step].done;
+    }));
+}
+
+ClassSummary summary_of(const ClassReport& report) {
+    ClassSummary summary;
+    summary.failed.resize(report.exercise->steps.size());
+    summary.resembling.resize(report.exercise->wrong.size());
+    std::vector<int> counts;
+    for (const ClassRow& row : report.rows) {
+        if (row.problem || !row.grade) continue;
+        ++summary.counted;
+        summary.passed += row.passed;
+        summary.unchanged += row.unchanged;
+        if (row.resembles) ++summary.resembling[*row.resembles];
+        counts.push_back(row.grade->count);
+        for (const StartResult& start : row.grade->starts)
+            if (const std::size_t step = failed_step(start); step < summary.failed.size() && !start.passed)
+                ++summary.failed[step];
+    }
+    std::sort(counts.begin(), counts.end());
+    summary.starts = {quantile(counts, 0), quantile(counts, 0.25), quantile(counts, 0.5), quantile(counts, 0.75),
+                      quantile(counts, 1)};
+    const auto worst = std::max_element(summary.failed.begin(), summary.failed.end());
+    if (worst != summary.failed.end() && *worst > 0)
+        summary.worst_step = static_cast<std::size_t>(worst - summary.failed.begin());
+    return summary;
+}
+
+std::string problem_text(const ClassRow& row, const Strings& strings) {
+    if (!row.problem) return "";
+    if (row.problem->error) return text_of(*row.problem->error, strings);
+    return fill(strings(row.problem->key), {row.problem->value});
+}
+
+std::string feedback(const ClassReport& report, const ClassRow& row, const Strings& strings) {
+    if (row.problem) return problem_text(row, strings);
+    if (!row.grade) return "";
+    const Grade& grade = *row.grade;
+    const std::string count = std::to_string(grade.count), of = std::to_string(grade.starts.size());
+    if (row.passed) return fill(strings("report.passed_from"), {count, of});
+    const std::string needed = std::to_string(report.exercise->needed);
+    const std::string text = fill(strings("report.failed_from"), {count, of, needed}) + " ";
+    if (row.unchanged) return text + std::string(strings("report.unchanged"));
+    const std::string step = failed_step_text(report, grade, strings);
+    if (!row.resembles) return text + step;
+    return text + std::string(translated(strings, report.exercise->wrong[*row.resembles].text)) + " " + step;
+}
+
+namespace {
+
+// A cell that a spreadsheet takes as text: see OWASP, "CSV Injection".
+std::string safe_cell(const std::string& text) {
+    constexpr std::string_view dangerous = "=+-@\t\r";
+    const std::size_t first = text.find_first_not_of(' ');
+    const bool is_formula = first != std::string::npos && dangerous.find(text[first]) != std::string_view::npos;
+    return is_formula ? "'" + text : text;
+}
+
+class CsvLine {
+public:
+    explicit CsvLine(std::string& out) : out_(out) {}
+    void text(const std::string& cell) {
+        const std::string safe = safe_cell(cell);
+        io::add_csv_cell(out_, std::string_view(safe));
+        out_ += ',';
+    }
+    void number(std::optional<int> cell) {
+        if (cell) io::add_csv_cell(out_, std::int64_t{*cell});
+        out_ += ',';
+    }
+    void yes_or_no(std::optional<bool> cell) { text(!cell ? "" : *cell ? "yes" : "no"); }
+    void end() { out_.back() = '\n'; }
+
+private:
+    std::string& out_;
+};
+
+}  // namespace
+
+std::string class_csv(const ClassReport& report, const Strings& strings) {
+    const Exercise& exercise = *report.exercise;
+    std::string out = "student,file,passed,starts_passed,starts,needed";
+    for (std::size_t step = 1; step <= exercise.steps.size(); ++step) out += fmt::format(",step_{}", step);
+    for (int start = 1; start <= exercise.starts; ++start) out += fmt::format(",start_{}", start);
+    out += ",prediction_right,hints,runs,solution_shown,own_starts_passed,written,resembles,feedback,error\n";
+    for (const ClassRow& row : report.rows) {
+        CsvLine line(out);
+        const auto& grade = row.grade;
+        line.text(row.student), line.text(row.file);
+        line.yes_or_no(grade ? std::optional(row.passed) : std::nullopt);
+        line.number(grade ? std::optional(grade->count) : std::nullopt);
+        line.number(exercise.starts), line.number(exercise.needed);
+        for (std::size_t step = 0; step < exercise.steps.size(); ++step)
+            line.number(grade ? std::optional(starts_done(*grade, step)) : std::nullopt);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(exercise.starts); ++i)
+            line.yes_or_no(grade && i < grade->starts.size() ? std::optional(grade->starts[i].passed) : std::nullopt);
+        const auto& h = row.hand_in;
+        line.yes_or_no(h && h->prediction > 0 ? std::optional(h->prediction - 1 == exercise.prediction.answer)
+                                              : std::nullopt);
+        line.number(h ? std::optional(h->hints) : std::nullopt), line.number(h ? std::optional(h->runs) : std::nullopt);
+        line.yes_or_no(h ? std::optional(h->solution_shown) : std::nullopt);
+        line.number(h && h->graded_starts > 0 ? std::optional(h->passed_starts) : std::nullopt);
+        line.text(h ? h->written : "");
+        line.text(row.unchanged ? "as shipped" : row.resembles ? exercise.wrong[*row.resembles].name : "");
+        line.text(row.problem ? "" : feedback(report, row, strings));
+        line.text(problem_text(row, strings));
+        line.end();
+    }
+    return out;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,85 @@
+// The results of a class in one exercise: a row for each file, their summary, and both as CSV.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/lesson/grade.h"
+#include "core/lesson/hand_in.h"
+#include "ui/strings.h"
+
+namespace braitenlab {
+
+// Why a row does not count: an error of a file, or a text of the strings with its value.
+struct RowProblem {
+    std::string_view key;  // "report.replaced"; empty: `error`
+    std::string value;     // of its {}
+    std::optional<Error> error;
+};
+
+// One file of the class.
+struct ClassRow {
+    std::string file;     // its name
+    std::string student;  // of the hand-in; of another file its name without the ending
+    std::optional<HandIn> hand_in;
+    std::optional<Submission> submission;  // nullopt: the file is broken or of another exercise
+    std::optional<RowProblem> problem;     // nullopt: the row counts
+    std::optional<Grade> grade;            // of the submission
+    bool passed = false;                   // the grade is good and the submission is allowed
+    bool unchanged = false;                // the behaviour is that of the shipped brain
+    std::optional<std::size_t> resembles;  // index of Exercise::wrong whose behaviour is alike; not where it passed
+};
+
+struct ClassReport {
+    std::shared_ptr<const Exercise> exercise;
+    std::uint64_t first_seed = 1;
+    std::vector<ClassRow> rows;  // sorted by student
+};
+
+// The row of a hand-in file, not graded. `file`: its name; `text`: its content or the error of reading it. A hand-in
+// for another exercise is a row with a problem.
+ClassRow row_of_hand_in(const Exercise&, const std::string& file, const Result<std::string>& text);
+
+// Of several hand-ins of one student (is_same_student), the one written last counts, of equal times the last by file
+// name; the others get a problem that names it.
+void mark_replaced(std::vector<ClassRow>&);
+
+// Sets grade, passed, unchanged, resembles and the problem of controls that are not offered. `shipped` and `wrong` are
+// the grades of the shipped brain and of the wrong answers from the same seeds.
+void judge(const Exercise&, ClassRow&, Grade, const Grade& shipped, const std::vector<Grade>& wrong);
+
+// Number of starts from which the step was done.
+int starts_done(const Grade&, std::size_t step);
+
+// Minimum, quartiles and maximum of the starts passed in the rows that count, by linear interpolation.
+struct Spread {
+    double least = 0, lower = 0, median = 0, upper = 0, most = 0;
+};
+struct ClassSummary {
+    int counted = 0;  // rows without a problem
+    int passed = 0;
+    Spread starts;
+    std::vector<int> failed;                // of each step: starts that it made fail, see failed_step()
+    std::optional<std::size_t> worst_step;  // the one that made most starts fail
+    std::vector<int> resembling;            // of each wrong answer: students
+    int unchanged = 0;
+};
+ClassSummary summary_of(const ClassReport&);
+
+// The problem of a row, in the language of the strings; empty if there is none.
+std::string problem_text(const ClassRow&, const Strings&);
+
+// What to tell the student, in the language of the strings.
+std::string feedback(const ClassReport&, const ClassRow&, const Strings&);
+
+// A header and one line a row. Texts that a spreadsheet would read as a formula begin with an apostrophe.
+std::string class_csv(const ClassReport&, const Strings&);
+
+// A self-contained page: the summary, a table that a click on a heading sorts, and each student's starts and feedback.
+// `language`: its code.
+std::string class_page(const ClassReport&, const Strings&, const std::string& language);
+
+}  // namespace braitenlab

@@ -1,0 +1,143 @@
+#include "app/reports/class_report.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "app/files/data.h"
+#include "core/brain/four_neurons.h"
+#include "core/lesson/submission.h"
+#include "tests/well_formed.h"
+
+namespace braitenlab::tests::class_report_test {
+namespace {
+
+Strings words(const std::string& language) {
+    return *load_language(std::string(BRAITENLAB_SOURCE) + "/ui/strings", language);
+}
+
+std::shared_ptr<const Exercise> aggressor() {
+    static const auto loaded = std::make_shared<const Exercise>(*load_exercise(*find_shipped("05-aggressor")));
+    return loaded;
+}
+
+HandIn hand_in(const std::string& student, BrainGraph brain, const std::string& written = "") {
+    HandIn made{.student = student, .exercise = "05-aggressor", .written = written};
+    made.submission = with_brain(*aggressor(), std::move(brain));
+    return made;
+}
+
+ClassRow row(const std::string& file, const HandIn& made) {
+    return row_of_hand_in(*aggressor(), file, write_hand_in(made));
+}
+
+// The report of these rows, graded.
+ClassReport graded(std::vector<ClassRow> rows) {
+    mark_replaced(rows);
+    const Exercise& exercise = *aggressor();
+    static const Grade shipped = grade(exercise, as_shipped(exercise));
+    static const std::vector<Grade> wrong = [&] {
+        std::vector<Grade> grades;
+        for (const Answer& answer : exercise.wrong) grades.push_back(grade(exercise, answer.submission));
+        return grades;
+    }();
+    for (ClassRow& each : rows)
+        if (each.submission) judge(exercise, each, grade(exercise, *each.submission), shipped, wrong);
+    return {aggressor(), 1, std::move(rows)};
+}
+
+const BrainGraph good = make_graph({.LR = 1.4f, .RL = 1.4f, .LM = 0.1f, .RM = 0.1f});
+const BrainGraph four_wires = make_graph({.LL = 1.4f, .LR = 1.4f, .RL = 1.4f, .RR = 1.4f, .LM = 0.1f, .RM = 0.1f});
+const BrainGraph as_at_first = make_graph({.LL = 1.5f, .RR = 1.5f, .LM = 0.1f, .RM = 0.1f});
+
+}  // namespace
+
+TEST(ClassReport, ARowSaysWhatTheBehaviourResembles) {
+    const ClassReport report =
+        graded({row("a", hand_in("A", good)), row("b", hand_in("B", four_wires)), row("c", hand_in("C", as_at_first))});
+    EXPECT_TRUE(report.rows[0].passed);
+    EXPECT_EQ(report.rows[0].grade->count, 10);
+    EXPECT_FALSE(report.rows[0].resembles);
+    EXPECT_EQ(feedback(report, report.rows[0], words("en")), "Passed: 10 of 10 starts.");
+    EXPECT_FALSE(report.rows[1].passed);
+    ASSERT_TRUE(report.rows[1].resembles);
+    EXPECT_EQ(aggressor()->wrong[*report.rows[1].resembles].name, "all four wires");
+    const std::string said = feedback(report, report.rows[1], words("en"));
+    EXPECT_NE(said.find("0 of 10 starts passed, 8 are needed. Each eye now drives both wheels alike"), said.npos)
+        << said;
+    EXPECT_NE(said.find("Step 1 (“It turns towards the lamp”) was not done from 10 of 10 starts. Start 1: best"),
+              said.npos)
+        << said;
+    EXPECT_TRUE(report.rows[2].unchanged);
+}
+
+TEST(ClassReport, ARowThatDoesNotCountSaysWhy) {
+    HandIn other = hand_in("D", good);
+    other.exercise = "06-love";
+    HandIn wide = hand_in("E", good);
+    wide.submission.sensors[0].range = 30;
+    ClassRow broken = row_of_hand_in(*aggressor(), "f", Result<std::string>(std::string("format = 1\nstudent = \"")));
+    const ClassReport report =
+        graded({row("a", hand_in("A", four_wires, "2026-01-01T00:00:00Z")),
+                row("b", hand_in(" a", good, "2026-01-02T00:00:00Z")), row("d", other), row("e", wide), broken});
+    const auto problem = [&](std::size_t i) { return problem_text(report.rows[i], words("en")); };
+    EXPECT_EQ(problem(0), "replaced by a later hand-in: b");
+    EXPECT_EQ(problem(1), "");
+    EXPECT_EQ(problem(2), "hand-in for another exercise: 06-love");
+    EXPECT_EQ(problem(3), "changes what the exercise does not offer: sensors");
+    EXPECT_FALSE(report.rows[3].passed);
+    EXPECT_TRUE(problem(4).starts_with("f:2: not TOML")) << problem(4);
+    const ClassSummary summary = summary_of(report);
+    EXPECT_EQ(summary.counted, 1);
+    EXPECT_EQ(summary.passed, 1);
+}
+
+TEST(ClassReport, TheSummaryHasQuartilesAndTheStepThatFailedMost) {
+    std::vector<ClassRow> rows;
+    for (const int passed : {0, 2, 4, 10}) {
+        ClassRow made{.file = "x"};
+        Grade grades;
+        for (int start = 0; start < 10; ++start) {
+            StartResult& result = grades.starts.emplace_back();
+            result.passed = start < passed;
+            result.verdicts = std::vector<Verdict>(3, Verdict{.done = true});
+            result.verdicts[1].done = result.passed;
+        }
+        grades.count = passed;
+        made.grade = grades;
+        rows.push_back(made);
+    }
+    const ClassSummary summary = summary_of({aggressor(), 1, rows});
+    EXPECT_EQ(summary.starts.median, 3);
+    EXPECT_EQ(summary.starts.lower, 1.5);
+    EXPECT_EQ(summary.starts.upper, 5.5);
+    EXPECT_EQ(summary.worst_step, 1u);
+    EXPECT_EQ(summary.failed[1], 24);
+}
+
+TEST(ClassReport, TheTableIsSafeForSpreadsheets) {
+    HandIn made = hand_in("=HYPERLINK(\"http://x\")", good);
+    made.prediction = 1, made.hints = 2;
+    const std::string csv = class_csv(graded({row("+a,b.toml", made)}), words("en"));
+    const std::size_t second = csv.find('\n') + 1;
+    EXPECT_TRUE(
+        csv.substr(second).starts_with("\"'=HYPERLINK(\"\"http://x\"\")\",\"'+a,b.toml\",yes,10,10,8,10,10,10,yes,"))
+        << csv;
+    EXPECT_NE(csv.find(",yes,2,0,no,,,,Passed: 10 of 10 starts.,\n"), csv.npos) << csv;
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2);
+}
+
+TEST(ClassReport, ThePageIsWellFormedAndEscapesNames) {
+    HandIn made = hand_in("<script>alert(1)</script>", four_wires);
+    made.notes = "a < b\n&";
+    for (const char* language : {"en", "de", "es"}) {
+        const std::string page =
+            class_page(graded({row("a", made), row("b", hand_in("B", good))}), words(language), language);
+        EXPECT_EQ(xml_fault(page), "") << language;
+        EXPECT_EQ(page.find("<script>alert"), page.npos);
+        EXPECT_EQ(page.find("report."), page.npos) << "a text is missing in " << language;
+        EXPECT_EQ(page.find("{}"), page.npos) << "a gap is left";
+    }
+}
+
+}  // namespace braitenlab::tests::class_report_test

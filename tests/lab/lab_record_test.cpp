@@ -1,0 +1,110 @@
+#include "app/reports/lab_record.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <regex>
+
+#include <gtest/gtest.h>
+
+#include "app/files/data.h"
+#include "tests/folder.h"
+#include "tests/well_formed.h"
+
+namespace braitenlab::tests::lab_record_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+Strings words(const std::string& language) {
+    auto strings = load_language(std::string(BRAITENLAB_SOURCE) + "/ui/strings", language);
+    EXPECT_TRUE(strings) << strings.error().text();
+    return *strings;
+}
+
+std::shared_ptr<const Exercise> exercise(const std::string& name) {
+    const auto loaded = load_exercise(*find_shipped(name));
+    EXPECT_TRUE(loaded) << loaded.error().text();
+    return std::make_shared<const Exercise>(*loaded);
+}
+
+// The record of a student who has passed.
+LabRecord record(const std::string& name) {
+    LabRecord made{.exercise = exercise(name), .student = "Ana <López> & \"Co\"", .date = "2026-11-22"};
+    made.prediction = 1, made.outcome_known = true, made.runs = 7, made.hints = 2;
+    made.submission = with_solution(*made.exercise);
+    made.last_run = try_start(*made.exercise, made.submission, made.exercise->seed);
+    made.grade = grade(*made.exercise, made.submission);
+    made.notes = "It turned away first.\n1 < 2 & \x01 \xFF end";
+    return made;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
+    return found;
+}
+
+// The number of pages that Chromium prints, or −1 without Chromium.
+int printed_pages(const std::string& page, const fs::path& folder) {
+    if (std::system("command -v chromium >/dev/null 2>&1") != 0) return -1;
+    std::ofstream(folder / "page.html") << page;
+    const std::string command = "HOME=" + folder.string() +
+                                " timeout 120 chromium --headless --no-sandbox --disable-gpu"
+                                " --no-pdf-header-footer --print-to-pdf=" +
+                                (folder / "page.pdf").string() + " file://" + (folder / "page.html").string() +
+                                " >/dev/null 2>&1";
+    if (std::system(command.c_str()) != 0) return -1;
+    std::ifstream in(folder / "page.pdf", std::ios::binary);
+    const std::string pdf{std::istreambuf_iterator<char>(in), {}};
+    const std::regex page_object("/Type\\s*/Page[^s]");
+    return static_cast<int>(std::distance(std::sregex_iterator(pdf.begin(), pdf.end(), page_object), {}));
+}
+
+}  // namespace
+
+TEST(LabRecord, IsWellFormedForEveryExerciseAndLanguage) {
+    for (const fs::path& path : shipped_exercises())
+        for (const char* language : {"en", "de", "es"}) {
+            LabRecord made{.exercise = exercise(path.stem().string()), .student = "A & B"};
+            made.submission = with_solution(*made.exercise);
+            const std::string page = lab_record_html(made, words(language), language);
+            EXPECT_EQ(xml_fault(page), "") << path << " " << language;
+            EXPECT_EQ(page.find("report."), page.npos) << "a text is missing in " << language;
+            EXPECT_EQ(page.find("{}"), page.npos) << "a gap is left";
+        }
+}
+
+TEST(LabRecord, ShowsPredictionOutcomeStepsBrainAndStarts) {
+    const std::string page = lab_record_html(record("05-aggressor"), words("en"), "en");
+    EXPECT_EQ(xml_fault(page), "");
+    EXPECT_NE(page.find("Ana &lt;López&gt; &amp; &quot;Co&quot;"), page.npos);
+    EXPECT_NE(page.find("You predicted: It turns towards the lamp"), page.npos);
+    EXPECT_NE(page.find(">wrong<"), page.npos);
+    EXPECT_NE(page.find("Its right eye sees more of the lamp"), page.npos);
+    EXPECT_NE(page.find("Passed: 10 of 10 starts."), page.npos);
+    EXPECT_NE(page.find("reached"), page.npos) << "measured beside needed";
+    EXPECT_EQ(count(page, "<svg"), 12u) << "brain, last run, ten starts";
+    EXPECT_NE(page.find(">1.50<"), page.npos) << "a weight";
+    EXPECT_NE(page.find("1 &lt; 2 &amp;"), page.npos);
+    EXPECT_NE(page.find("Does it love the lamp, or hate it?"), page.npos);
+    EXPECT_EQ(page.find("http://www.w3.org/2000/svg") == page.npos, false);
+    EXPECT_EQ(page.find("src="), page.npos) << "it loads nothing";
+}
+
+TEST(LabRecord, HidesABrainThatTheExerciseHides) {
+    LabRecord made = record("05-aggressor");
+    made.shows_brain = false;
+    EXPECT_EQ(count(lab_record_html(made, words("en"), "en"), "<svg"), 11u);
+}
+
+TEST(LabRecord, PrintsOnTwoPages) {
+    const Folder folder;
+    LabRecord made = record("05-aggressor");
+    made.notes = std::string(40, 'w');
+    for (int i = 0; i < 120; ++i) made.notes += " and a sentence";
+    const int pages = printed_pages(lab_record_html(made, words("de"), "de"), folder.path);
+    if (pages < 0) GTEST_SKIP() << "Chromium is not installed";
+    EXPECT_EQ(pages, 2);
+}
+
+}  // namespace braitenlab::tests::lab_record_test

@@ -1,0 +1,106 @@
+#include "app/files/reports.h"
+
+#include <fstream>
+
+#include "app/lab_requests.h"
+#include "app/playback.h"
+#include "core/lesson/submission.h"
+#include "core/scene/file_kind.h"
+#include "opened_lab.h"
+#include "tests/folder.h"
+
+namespace braitenlab::tests::reports_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const WrittenAt noon = WrittenAt(std::chrono::seconds(1795262400));  // 2026-11-21T12:00:00Z
+
+Strings words() { return *load_language(std::string(BRAITENLAB_SOURCE) + "/ui/strings", "en"); }
+
+// The hand-ins in the folder "Braitenlab", by file name.
+std::map<std::string, HandIn> hand_ins(const fs::path& documents) {
+    std::map<std::string, HandIn> found;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(documents / "Braitenlab", none)) {
+        const auto text = read_text(entry.path());
+        EXPECT_TRUE(text);
+        const auto hand_in = parse_hand_in(*text, entry.path().string());
+        EXPECT_TRUE(hand_in) << hand_in.error().text();
+        if (hand_in) found[entry.path().filename().string()] = *hand_in;
+    }
+    return found;
+}
+
+void request(Lab& lab, const Request& wanted, const fs::path& documents) {
+    handle(lab, wanted);
+    write_student_files(lab, words(), documents, noon);
+}
+
+}  // namespace
+
+TEST(Reports, AHandInHoldsWhatTheStudentHasDone) {
+    const Folder documents;
+    Lab lab = opened_lab("05-aggressor");
+    handle(lab, PredictRequest{1});
+    for (int i = 0; i < 5; ++i) tick(lab);
+    handle(lab, Action::hint);
+    handle(lab, Action::reset);
+    tick(lab);
+    lab.document.lesson->view.notes = "note";
+    request(lab, HandInRequest{"Ana López"}, documents.path);
+    EXPECT_EQ(lab.notice.key, "notice.handed_in");
+    const auto found = hand_ins(documents.path);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found.begin()->first, "05-aggressor-ana-lopez.braiten-handin.toml");
+    const HandIn& h = found.begin()->second;
+    EXPECT_EQ(h.student, "Ana López");
+    EXPECT_EQ(h.exercise, "05-aggressor");
+    EXPECT_EQ(h.written, "2026-11-21T12:00:00Z");
+    EXPECT_EQ(h.prediction, 2);
+    EXPECT_EQ(h.runs, 2);
+    EXPECT_EQ(h.hints, 1);
+    EXPECT_EQ(h.graded_starts, 0);
+    EXPECT_EQ(h.notes, "note");
+    EXPECT_FALSE(h.solution_shown);
+}
+
+TEST(Reports, AHandInHoldsTheSubmissionThatTheVehicleHas) {
+    const Folder documents;
+    Lab lab = opened_lab("05-aggressor");
+    handle(lab, ShowMeRequest{});
+    tick(lab);
+    request(lab, HandInRequest{"Ana"}, documents.path);
+    const auto found = hand_ins(documents.path);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_TRUE(found.begin()->second.solution_shown);
+    EXPECT_EQ(read_dials(found.begin()->second.submission.brain),
+              read_dials(with_solution(*lab.document.lesson->exercise).brain));
+}
+
+TEST(Reports, AHandInReplacesOnlyTheFileOfTheSameStudent) {
+    const Folder documents;
+    Lab lab = opened_lab("05-aggressor");
+    request(lab, HandInRequest{"Ana López"}, documents.path);
+    tick(lab);
+    request(lab, HandInRequest{"ana lópez "}, documents.path);
+    request(lab, HandInRequest{"Ana-Lopez"}, documents.path);
+    const auto found = hand_ins(documents.path);
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found.at("05-aggressor-ana-lopez.braiten-handin.toml").runs, 1);
+    EXPECT_EQ(found.at("05-aggressor-ana-lopez-2.braiten-handin.toml").student, "Ana-Lopez");
+}
+
+TEST(Reports, AFolderThatCannotBeWrittenIsANotice) {
+    const Folder documents;
+    std::ofstream(documents.path / "Braitenlab") << "a file";
+    Lab lab = opened_lab("05-aggressor");
+    request(lab, HandInRequest{"Ana"}, documents.path);
+    EXPECT_EQ(lab.notice.kind, NoticeKind::failure);
+    Lab scene = opened_lab("2b-aggressor");
+    const Folder other;
+    request(scene, HandInRequest{"Ana"}, other.path);
+    EXPECT_TRUE(fs::is_empty(other.path)) << "no exercise is open";
+}
+
+}  // namespace braitenlab::tests::reports_test
