@@ -156,9 +156,9 @@ struct Page {
         std::string text;
         if (row.hand_in && row.hand_in->solution_shown) text = words("report.solution_shown");
         const std::string like = row.unchanged   ? words("report.as_shipped")
-                                 : row.resembles ? exercise.wrong[*row.resembles].name
+                                 : row.resembles ? fill(strings("report.like"), {exercise.wrong[*row.resembles].name})
                                                  : "";
-        if (!like.empty()) text += (text.empty() ? "" : "; ") + fill(strings("report.like"), {like});
+        if (!like.empty()) text += (text.empty() ? "" : "; ") + like;
         return text;
     }
 

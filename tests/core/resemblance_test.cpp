@@ -39,7 +39,8 @@ TEST(Resemblance, NamesTheWrongAnswerThatASlightlyWeakerBrainBehavesLike) {
         for (const Answer& answer : exercise.wrong) wrong.push_back(grade(exercise, answer.submission));
         for (std::size_t i = 0; i < wrong.size(); ++i) {
             const Grade near = grade(exercise, weaker(exercise.wrong[i].submission, 0.05f));
-            if (!near.good) EXPECT_EQ(most_alike(near, wrong), i) << name << ": " << exercise.wrong[i].name;
+            ASSERT_FALSE(near.good) << name << ": " << exercise.wrong[i].name;
+            EXPECT_EQ(most_alike(near, wrong), i) << name << ": " << exercise.wrong[i].name;
         }
         EXPECT_FALSE(most_alike(grade(exercise, with_solution(exercise)), wrong)) << name;
     }
