@@ -11,7 +11,6 @@ namespace braitenlab {
 
 namespace {
 
-constexpr float lecture_type = 1.6f;  // times the type size outside a lecture
 constexpr int most_hands = 999;
 
 Camera camera_of(const LecturePage& page) {

@@ -6,6 +6,8 @@
 
 namespace braitenlab {
 
+inline constexpr float lecture_type = 1.6f;  // times the type size outside a lecture
+
 // Lecture mode: large type, light colours. The end restores preferences and view settings, and closes the lecture file;
 // the scene of the last page stays open.
 void begin_lecture(Lab&);

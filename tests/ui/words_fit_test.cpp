@@ -162,7 +162,8 @@ std::vector<Screen> screens() {
         {"glossary", [](Desk& d) { d.panels.sheet = Sheet::glossary; }},
         {"a term of the glossary",
          [](Desk& d) {
-             with_lesson(d), d.opened.goal = d.strings.find("glossary.curve.forms", "");
+             const std::string_view forms = d.strings.find("glossary.curve.forms", "");
+             with_lesson(d), d.opened.goal = forms.substr(0, forms.find(','));
              d.frame(2), d.click("term.curve");
          }},
         {"children",
