@@ -4,14 +4,14 @@
 #include <iostream>
 #include <utility>
 
-#include "app/exercise_check.h"
+#include "app/course/exercise_check.h"
+#include "app/course/lab_children.h"
+#include "app/course/lab_lecture.h"
+#include "app/course/lab_lesson.h"
+#include "app/course/lab_progress.h"
 #include "app/files/file_commands.h"
 #include "app/files/reports.h"
 #include "app/frame_pacing.h"
-#include "app/lab_children.h"
-#include "app/lab_lecture.h"
-#include "app/lab_lesson.h"
-#include "app/lab_progress.h"
 #include "app/lab_requests.h"
 #include "app/platform/platform.h"
 #include "app/remembered.h"

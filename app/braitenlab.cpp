@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "app/app.h"
+#include "app/course/lab_lecture.h"
 #include "app/files/data.h"
 #include "app/files/file_commands.h"
-#include "app/lab_lecture.h"
 #include "app/platform/platform.h"
 #include "core/messages.h"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "app/course/reference_runs.h"
 #include "app/jobs/jobs.h"
-#include "app/reference_runs.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/referee.h"
@@ -63,10 +63,11 @@ struct Lesson {
     LessonView view;
     double last_hint_at = 0;  // wall seconds
     std::optional<Grading> grading{};
-    std::optional<GradedSubmission> graded{};  // view.grade is its grade while the vehicle has this submission
-    std::optional<Selecting> selecting{};      // nullopt: not begun
-    std::uint64_t selections = 0;              // begun since the exercise was opened
-    std::deque<RefereeAtKeyframe> states{};    // of the recorded keyframes but the start of the run, by ascending tick
+    std::optional<Job<Grade>> shipped_grading{};  // for Exercise::median; begins with the first grade
+    std::optional<GradedSubmission> graded{};     // view.grade is its grade while the vehicle has this submission
+    std::optional<Selecting> selecting{};         // nullopt: not begun
+    std::uint64_t selections = 0;                 // begun since the exercise was opened
+    std::deque<RefereeAtKeyframe> states{};  // of the recorded keyframes but the start of the run, by ascending tick
     std::deque<RefereeAtKeyframe> states_before_edit{};  // before the last edit that removed recorded ticks
     ReferenceRuns runs{};
 };

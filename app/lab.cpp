@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/lab_lesson.h"
+#include "app/course/lab_lesson.h"
 #include "app/lab_selection.h"
 #include "ui/scene_input/clipboard.h"
 

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/course/together.h"
 #include "app/document.h"
 #include "app/playback.h"
-#include "app/together.h"
 #include "core/lesson/progress.h"
 #include "render/view/view_settings.h"
 #include "ui/lab_view.h"
@@ -27,7 +27,7 @@ struct SettingsBeforeLecture {
     ViewSettings view;  // restored at the end, except for the selection, which belongs to the run
 };
 
-struct ExerciseCheck;  // app/exercise_check.h
+struct ExerciseCheck;  // app/course/exercise_check.h
 
 struct Lab {
     Document document;
@@ -44,7 +44,7 @@ struct Lab {
     Preferences preferences{};  // as shown now
     std::optional<SettingsBeforeLecture> before_lecture{};  // set in lecture mode
     std::shared_ptr<ExerciseCheck> check{};                 // of the open exercise for its author; null: none
-    StudentBook students{};                                 // see app/lab_progress.h
+    StudentBook students{};                                 // see app/course/lab_progress.h
     std::optional<std::pair<std::uint64_t, std::size_t>> progress_of{};  // run_id and student of the notes in the view
     std::optional<Together> together{};                                  // set while the graded starts run at once
     std::optional<LectureView> pages{};                                  // the open lecture; only in lecture mode

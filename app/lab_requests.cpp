@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "app/lab_children.h"
-#include "app/lab_lecture.h"
-#include "app/lab_lesson.h"
-#include "app/lab_progress.h"
+#include "app/course/lab_children.h"
+#include "app/course/lab_lecture.h"
+#include "app/course/lab_lesson.h"
+#include "app/course/lab_progress.h"
 #include "app/lab_selection.h"
 #include "app/playback.h"
 #include "core/match.h"

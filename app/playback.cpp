@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "app/course/lab_lesson.h"
 #include "app/lab.h"
-#include "app/lab_lesson.h"
 #include "app/lab_selection.h"
 
 namespace braitenlab {

@@ -49,6 +49,7 @@ struct LessonView {
     int hint_in = 0;                           // seconds until it may be without a run, while it may not be now
     std::optional<std::size_t> starts_tested;  // so far, while the submission is graded
     std::optional<Grade> grade;                // of the starts, once every step has been done in a run
+    std::optional<Grade> shipped_grade;        // of the starts as shipped, for Exercise::median
     bool by_hand = false;                      // the user has moved an object: this run is not judged
     bool free_play = false;                    // all controls are shown, not only the offered ones
     bool solution_shown = false;               // the solution was set for the student; Action::exercise_reset clears it

@@ -45,6 +45,10 @@ int telling_decimals(const Measure& measure) {
 
 }  // namespace
 
+std::string value_text(const Strings& strings, const Measure& measure) {
+    return with_unit(strings, measure.value, measure.unit, decimals(measure.unit));
+}
+
 std::string measure_text(const Strings& strings, const Measure& measure, bool done) {
     const int digits = telling_decimals(measure);
     const std::string value = with_unit(strings, measure.value, measure.unit, digits);

@@ -7,8 +7,8 @@
 #include <imgui.h>
 
 #include "ui/panels/cards.h"
+#include "ui/panels/course/prediction_keys.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/prediction_keys.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"

@@ -11,10 +11,10 @@
 #include <nlohmann/json.hpp>
 #include <toml++/toml.h>
 
+#include "app/course/lab_lesson.h"
 #include "app/files/file_commands.h"
 #include "app/files/folder_entries.h"
 #include "app/files/safe_file.h"
-#include "app/lab_lesson.h"
 #include "core/io/run_file.h"
 #include "core/messages.h"
 

@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "app/exercise_check.h"
+#include "app/course/exercise_check.h"
+#include "app/course/lab_lecture.h"
+#include "app/course/lab_lesson.h"
+#include "app/course/lab_progress.h"
 #include "app/files/disk.h"
 #include "app/files/safe_file.h"
-#include "app/lab_lecture.h"
-#include "app/lab_lesson.h"
-#include "app/lab_progress.h"
 #include "app/lab_requests.h"
 #include "core/io/run_file.h"
 #include "core/lesson/author.h"

@@ -221,6 +221,11 @@ void check_exercise(TomlTable& top, const Exercise& exercise) {
     check_offers(top, exercise);
     if (exercise.needed > exercise.starts)
         top.fail("needed", fmt::format("'needed' is {}, more than the {} starts", exercise.needed, exercise.starts));
+    if (exercise.median.step > static_cast<int>(exercise.steps.size()))
+        top.fail("median", fmt::format("'median' compares step {}, and there are {} steps", exercise.median.step,
+                                       exercise.steps.size()));
+    if (top.has("median") && exercise.median.step == 0)
+        top.fail("median", std::string("'step' is missing; add step = 1, the number of a step"));
     if (!top.has("solution") && !file.error)
         file.error = Error{"there is no [solution]; add the brain that passes", file.name};
     if (exercise.steps.empty() && !file.error)

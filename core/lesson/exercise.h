@@ -63,6 +63,13 @@ struct SelectionRules {
     Mutation mutation;     // how the children differ from their parent
 };
 
+// A comparison of medians over the starts: what a step measures in the student's runs, and in runs of the shipped brain
+// from the same seeds.
+struct MedianRule {
+    int step = 0;      // from 1; 0: nothing is compared
+    float factor = 2;  // what the step needs is this many times the median of the shipped brain
+};
+
 struct Exercise {
     std::string id;  // the file's stem: "05-aggressor"
     int number = 0;
@@ -81,6 +88,7 @@ struct Exercise {
     float seconds = 20;               // duration of a graded run
     int starts = 10;                  // seeds 1..starts are graded
     int needed = 8;                   // number of starts that must pass every step
+    MedianRule median;
     Answer solution;
     std::vector<Answer> wrong;
 };

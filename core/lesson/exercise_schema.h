@@ -77,6 +77,13 @@ void describe(Visitor& v, Of<SelectionRules>) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Of<MedianRule>) {
+    v.number("step", &MedianRule::step, "", {1, limits::steps}, "number of the step whose measured value is compared");
+    v.number("factor", &MedianRule::factor, "", {0.01f, 100},
+             "what the step needs is this many times the median as shipped; `check` warns if it is not");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Of<Exercise>) {
     v.number("number", &Exercise::number, "", {0, 999}, "its position in the course");
     v.number("chapter", &Exercise::chapter, "", {0, 99}, "its chapter in the course, from 1; 0: none");
@@ -94,6 +101,8 @@ void describe(Visitor& v, Of<Exercise>) {
     v.number("seconds", &Exercise::seconds, "s", {1, 600}, "duration of a graded run");
     v.number("starts", &Exercise::starts, "", {1, 100}, "number of seeds, from 1 on, that are graded");
     v.number("needed", &Exercise::needed, "", {1, 100}, "number of them that must pass every step");
+    v.table("median", &Exercise::median,
+            "after grading, the values of a step are shown beside those of the shipped brain from the same seeds");
     v.table("predict", &Exercise::prediction, "a prediction, to be made before the outcome is visible");
     v.table("selection", &Exercise::selection,
             "how the copies of a brain differ, in an exercise that offers \"selection\"");

@@ -85,6 +85,22 @@ std::vector<bool> passed_starts(const Grade& grade) {
     return passed;
 }
 
+std::vector<float> measured_values(const MedianRule& rule, const std::vector<StartResult>& starts) {
+    const auto step = static_cast<std::size_t>(rule.step) - 1;
+    std::vector<float> values;
+    for (const StartResult& start : starts)
+        values.push_back(step < start.verdicts.size() ? start.verdicts[step].measures.front().value : 0);
+    return values;
+}
+
+float median(std::vector<float> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 != 0) return *middle;
+    return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
 Grade grade_of(const Exercise& exercise, std::vector<StartResult> starts) {
     Grade grade{std::move(starts)};
     grade.count = static_cast<int>(

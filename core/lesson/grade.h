@@ -66,6 +66,12 @@ struct Grade {
 
 std::vector<bool> passed_starts(const Grade&);
 
+// What the step of the rule has measured in each start: its first measure; 0 for a submission that is not valid.
+std::vector<float> measured_values(const MedianRule&, const std::vector<StartResult>&);
+
+// The mean of the two middle values for an even number of values; 0 without values.
+float median(std::vector<float>);
+
 // The grade of these starts.
 Grade grade_of(const Exercise&, std::vector<StartResult>);
 

@@ -215,6 +215,22 @@ void warn_of_wrong_answers(const Exercise& exercise, const WarningPlaces& places
     }
 }
 
+// What the step needs must be what the rule says, within a tenth.
+void warn_of_median(const Exercise& exercise, const WarningPlaces& places, std::vector<Error>& found) {
+    constexpr float tolerance = 0.1f;
+    const MedianRule& rule = exercise.median;
+    if (rule.step == 0) return;
+    const Grade shipped = grade(exercise, as_shipped(exercise));
+    const auto& verdicts = shipped.starts.front().verdicts;
+    if (verdicts.empty()) return;
+    const float needed = verdicts[static_cast<std::size_t>(rule.step) - 1].measures.front().needed;
+    const float wanted = rule.factor * median(measured_values(rule, shipped.starts));
+    if (std::fabs(needed - wanted) > tolerance * std::fabs(wanted))
+        found.push_back(places.at(fmt::format("step.{}", rule.step),
+                                  fmt::format("step {} needs {:.2f}; {} times the median as shipped is {:.2f}",
+                                              rule.step, needed, rule.factor, wanted)));
+}
+
 // The key in the file of a text's id: "predict.option.2" is the second of the options.
 std::string key_of_text(const std::string& id, const Exercise& exercise) {
     std::string key = id.substr(exercise.id.size() + 1);
@@ -245,6 +261,7 @@ std::vector<Error> warnings_of(const Exercise& exercise, std::string_view toml, 
     warn_of_sources(exercise, places, found);
     warn_of_sensors(exercise, places, found);
     warn_of_equal_starts(exercise, places, found);
+    warn_of_median(exercise, places, found);
     std::vector<std::string> known;
     for (int i = 0; i < exercise.starts; ++i)
         warn_of_start(exercise, places, static_cast<std::uint64_t>(i) + 1, known, found);

@@ -19,7 +19,7 @@ inline constexpr int most_first_words = 40;
 int word_count(std::string_view);
 
 // Each with file and line. `toml`: the text of the file from which the exercise was read. Runs two ticks of each graded
-// start.
+// start, and all starts as shipped for an exercise with a MedianRule.
 std::vector<Error> warnings_of(const Exercise&, std::string_view toml, const std::filesystem::path&);
 
 // Why the run with the shipped brain contradicts the prediction's answer: the first check of Prediction::shows that it

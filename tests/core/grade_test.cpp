@@ -96,5 +96,18 @@ TEST(Grade, ASubmissionIsWhatTheFirstVehicleHasNow) {
     EXPECT_EQ(submission_of(exercise, now).brain, exercise.scene.kinds[0].brain);
 }
 
+TEST(Grade, TheMedianIsTheMiddleValueOrTheMeanOfTheTwoMiddleValues) {
+    EXPECT_EQ(median({}), 0);
+    EXPECT_EQ(median({3}), 3);
+    EXPECT_EQ(median({9, 1, 4}), 4);
+    EXPECT_EQ(median({8, 1, 2, 4}), 3);
+}
+
+TEST(Grade, MeasuredValuesAreThoseOfTheComparedStep) {
+    StartResult start;
+    start.verdicts = {Verdict{true, {{6, 6, "s"}}}, Verdict{false, {{7.5f, 12, "s"}}}};
+    EXPECT_EQ(measured_values({2, 2}, {start, StartResult{}}), (std::vector<float>{7.5f, 0}));
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::grade_test

@@ -195,6 +195,22 @@ TEST(Warnings, NamesTextsWithoutATranslation) {
     EXPECT_EQ(found[1].line, line_with(sound, "It reaches the lamp"));
 }
 
+TEST(Warnings, AStepThatDoesNotNeedTheFactorOfTheMedianIsNamedByItsLine) {
+    const std::string survival = replaced(sound, "goal = \"touches\"\nsource = \"a\"\nmetres = 0.6",
+                                          "goal = \"runs\"\nseconds = 30\n\n[median]\nstep = 1\nfactor = 1");
+    for (const auto& [seconds, count] : {std::pair{"seconds = 20\n", 0u}, {"seconds = 30\n", 1u}}) {
+        const std::string toml = replaced(survival, "seconds = 30", std::string(seconds));
+        const auto exercise = parse_exercise(toml, "own.toml");
+        ASSERT_TRUE(exercise) << exercise.error().text();
+        EXPECT_FLOAT_EQ(exercise->seconds, 20) << "each run lasts so long";
+        std::vector<Error> found;
+        for (const Error& each : warnings_of(*exercise, toml, "own.toml"))
+            if (each.what.find("median") != std::string::npos) found.push_back(each);
+        ASSERT_EQ(found.size(), count) << seconds;
+        if (count > 0) EXPECT_NEAR(found[0].line, line_with(toml, "[[step]]"), 1);
+    }
+}
+
 TEST(Warnings, CountsWordsAndNoSigns) {
     EXPECT_EQ(word_count("It turns → 90° to the left…"), 6);
     EXPECT_EQ(word_count("Über ¿qué? — nada"), 3);

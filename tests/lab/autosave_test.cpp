@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "app/course/lab_lesson.h"
 #include "app/files/data.h"
 #include "app/files/file_commands.h"
-#include "app/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "core/io/run_file.h"
 #include "tests/folder.h"

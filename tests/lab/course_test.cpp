@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/lab_lesson.h"
+#include "app/course/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "core/lesson/submission.h"
 #include "core/scene/sensor_pairs.h"

@@ -1,5 +1,5 @@
 // Saving the open scene as an exercise, its check in the background, and following the file in an editor.
-#include "app/exercise_check.h"
+#include "app/course/exercise_check.h"
 
 #include <chrono>
 

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "app/course/lab_lesson.h"
 #include "app/files/data.h"
 #include "app/files/disk.h"
-#include "app/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "core/scene/schema.h"
 #include "tests/folder.h"

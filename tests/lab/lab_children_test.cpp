@@ -1,10 +1,10 @@
-#include "app/lab_children.h"
+#include "app/course/lab_children.h"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-#include "app/lab_lesson.h"
+#include "app/course/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "tests/lab/opened_lab.h"
 

@@ -1,5 +1,5 @@
 // An open exercise: steps, hints, reset, grading in the background, and the referee in time.
-#include "app/lab_lesson.h"
+#include "app/course/lab_lesson.h"
 
 #include <algorithm>
 #include <chrono>
@@ -277,6 +277,24 @@ TEST(LabLesson, GradesFromAllStartsOnceEveryStepIsDone) {
         EXPECT_TRUE(lesson_of(lab).grade->good);
         EXPECT_FALSE(lesson_of(lab).starts_tested);
     }
+}
+
+TEST(LabLesson, GradesTheStartsAsShippedToCompareMedians) {
+    Jobs jobs(0);
+    Lab lab = opened_lab("18-prey");
+    const Exercise& exercise = *lab.document.lesson->exercise;
+    const Submission& solved = exercise.solution.submission;
+    handle(lab, EditRequest{SetSensors{{.kind = subject_kind(exercise.scene)}, solved.sensors}});
+    run_until_every_step_is_done(lab);
+    grade_to_the_end(lab, jobs);
+    ASSERT_TRUE(lesson_of(lab).grade);
+    EXPECT_FALSE(lesson_of(lab).shipped_grade) << "begins with the first grade";
+    for (int turns = 0; !lesson_of(lab).shipped_grade && turns < 100'000; ++turns) turn(lab, jobs);
+    ASSERT_TRUE(lesson_of(lab).shipped_grade);
+    const float as_given = median(measured_values(exercise.median, lesson_of(lab).shipped_grade->starts));
+    const float own = median(measured_values(exercise.median, lesson_of(lab).grade->starts));
+    EXPECT_GT(as_given, 5);
+    EXPECT_GE(own, exercise.median.factor * as_given * 0.95f);
 }
 
 TEST(LabLesson, RunsAtMostOneStepOfOneTrialPerTurnWithoutThreads) {

@@ -1,11 +1,11 @@
 // The student's progress in the open exercise.
-#include "app/lab_progress.h"
+#include "app/course/lab_progress.h"
 
 #include <gtest/gtest.h>
 
+#include "app/course/lab_lesson.h"
 #include "app/files/file_commands.h"
 #include "app/jobs/jobs.h"
-#include "app/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "tests/lab/opened_lab.h"
 

@@ -44,20 +44,36 @@ std::size_t count(const std::string& text, const std::string& part) {
     return found;
 }
 
-// The number of pages that Chromium prints, or −1 without Chromium.
-int printed_pages(const std::string& page, const fs::path& folder) {
-    if (std::system("command -v chromium >/dev/null 2>&1") != 0) return -1;
+bool has_chromium() { return std::system("command -v chromium >/dev/null 2>&1") == 0; }
+
+// Opens the page in Chromium without a window, with these arguments. False if Chromium fails.
+bool open_page(const std::string& page, const fs::path& folder, const std::string& arguments) {
     std::ofstream(folder / "page.html") << page;
     const std::string command = "HOME=" + folder.string() +
-                                " timeout 120 chromium --headless --no-sandbox --disable-gpu"
-                                " --no-pdf-header-footer --print-to-pdf=" +
-                                (folder / "page.pdf").string() + " file://" + (folder / "page.html").string() +
-                                " >/dev/null 2>&1";
-    if (std::system(command.c_str()) != 0) return -1;
-    std::ifstream in(folder / "page.pdf", std::ios::binary);
+                                " timeout 120 chromium --headless --no-sandbox --disable-gpu " + arguments +
+                                " file://" + (folder / "page.html").string() + " >/dev/null 2>&1";
+    return std::system(command.c_str()) == 0;
+}
+
+int printed_pages(const std::string& page, const fs::path& folder) {
+    const std::string file = (folder / "page.pdf").string();
+    EXPECT_TRUE(open_page(page, folder, "--no-pdf-header-footer --print-to-pdf=" + file));
+    std::ifstream in(file, std::ios::binary);
     const std::string pdf{std::istreambuf_iterator<char>(in), {}};
     const std::regex page_object("/Type\\s*/Page[^s]");
     return static_cast<int>(std::distance(std::sregex_iterator(pdf.begin(), pdf.end(), page_object), {}));
+}
+
+// The percentage of the picture's pixels whose saturation ("G") or brightness ("B") is above the threshold.
+double share_of_pixels(const fs::path& picture, const std::string& channel, const std::string& threshold) {
+    const std::string file = picture.string() + ".txt";
+    const std::string command = "convert '" + picture.string() + "' -colorspace HSB -channel " + channel +
+                                " -separate +channel -threshold " + threshold + " -format '%[fx:100*mean]' info: >'" +
+                                file + "'";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    double share = -1;
+    std::ifstream(file) >> share;
+    return share;
 }
 
 }  // namespace
@@ -98,13 +114,32 @@ TEST(LabRecord, HidesABrainThatTheExerciseHides) {
 }
 
 TEST(LabRecord, PrintsOnTwoPages) {
+    if (!has_chromium()) GTEST_SKIP() << "Chromium is not installed";
     const Folder folder;
     LabRecord made = record("05-aggressor");
     made.notes = std::string(40, 'w');
     for (int i = 0; i < 120; ++i) made.notes += " and a sentence";
-    const int pages = printed_pages(lab_record_html(made, words("de"), "de"), folder.path);
-    if (pages < 0) GTEST_SKIP() << "Chromium is not installed";
-    EXPECT_EQ(pages, 2);
+    EXPECT_EQ(printed_pages(lab_record_html(made, words("de"), "de"), folder.path), 2);
+}
+
+TEST(LabRecord, ShowsTextPathsAndSignedWiresInABrowser) {
+    if (!has_chromium()) GTEST_SKIP() << "Chromium is not installed";
+    const Folder folder;
+    const fs::path picture = folder.path / "page.png";
+    const auto draw = [&](const LabRecord& shown) {
+        EXPECT_TRUE(open_page(lab_record_html(shown, words("en"), "en"), folder.path,
+                              "--hide-scrollbars --window-size=400,1200 --screenshot=" + picture.string()));
+    };
+    LabRecord made = record("05-aggressor");
+    draw(made);
+    const double bright = share_of_pixels(picture, "B", "45%"), coloured = share_of_pixels(picture, "G", "45%");
+    EXPECT_LT(bright, 99) << "there is text";
+    EXPECT_GT(bright, 75) << "on white";
+    EXPECT_GT(coloured, 0.1) << "wires and paths";
+    made.shows_brain = false, made.last_run->path.clear();
+    for (StartResult& start : made.grade->starts) start.path.clear();
+    draw(made);
+    EXPECT_LT(share_of_pixels(picture, "G", "45%"), coloured - 0.05) << "what is coloured is the brain and the paths";
 }
 
 }  // namespace braitenlab::tests::lab_record_test

@@ -2,9 +2,9 @@
 // saved.
 #include <gtest/gtest.h>
 
+#include "app/course/lab_lecture.h"
 #include "app/files/data.h"
 #include "app/files/file_commands.h"
-#include "app/lab_lecture.h"
 #include "app/lab_requests.h"
 #include "opened_lab.h"
 #include "tests/folder.h"

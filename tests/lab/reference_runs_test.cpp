@@ -1,10 +1,10 @@
 // Runs computed in the background: the one with the solution, shown beside the student's, and the one that a drawn
 // prediction is compared with.
-#include "app/reference_runs.h"
+#include "app/course/reference_runs.h"
 
 #include <gtest/gtest.h>
 
-#include "app/lab_lesson.h"
+#include "app/course/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "core/lesson/path_distance.h"
 #include "core/lesson/reference.h"

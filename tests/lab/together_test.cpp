@@ -1,9 +1,9 @@
-#include "app/together.h"
+#include "app/course/together.h"
 
 #include <gtest/gtest.h>
 
+#include "app/course/lab_lesson.h"
 #include "app/jobs/jobs.h"
-#include "app/lab_lesson.h"
 #include "app/lab_requests.h"
 #include "tests/lab/opened_lab.h"
 

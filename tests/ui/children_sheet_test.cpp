@@ -1,4 +1,4 @@
-// The sheet of selection by hand (ui/panels/children_sheet.cpp).
+// The sheet of selection by hand (ui/panels/course/children_sheet.cpp).
 #include "desk.h"
 
 namespace braitenlab::tests::children_sheet_test {

@@ -1,7 +1,7 @@
 // The exercises in the file browser and in the menu: pictures, names that tell no outcome, passed marks.
 #include "desk.h"
-#include "ui/panels/exercise_names.h"
-#include "ui/panels/scene_picture.h"
+#include "ui/panels/course/exercise_names.h"
+#include "ui/panels/course/scene_picture.h"
 
 namespace braitenlab::tests::gallery_test {
 

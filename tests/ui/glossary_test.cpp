@@ -1,4 +1,4 @@
-#include "ui/panels/glossary.h"
+#include "ui/panels/course/glossary.h"
 
 #include <algorithm>
 #include <set>

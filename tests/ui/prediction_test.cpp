@@ -1,5 +1,5 @@
 // The prediction on the exercise card, the path drawn on the floor, and the run with the solution.
-#include "ui/panels/prediction.h"
+#include "ui/panels/course/prediction.h"
 
 #include "scene_on_desk.h"
 

@@ -18,7 +18,7 @@
 #include "core/sensing/intensity.h"
 #include "desk.h"
 #include "tests/folder.h"
-#include "ui/panels/glossary.h"
+#include "ui/panels/course/glossary.h"
 #include "ui/scene_input/edits.h"
 #include "ui/shortcuts.h"
 #include "ui/widgets/record_fields.h"
@@ -158,7 +158,7 @@ std::set<std::string> composed() {
          {"kind.name", "kind.count", "sensors.noise", "sensors.latency"})  // ui/panels/kind_editor.cpp
         for (const char* end : {"", "_how"}) keys.insert("field." + std::string(row) + end);
     for (const char* unit : {"rounds", "laps", "contacts", "captures", "vehicles", "times"})
-        keys.insert("unit." + std::string(unit));  // ui/panels/lesson_text.cpp
+        keys.insert("unit." + std::string(unit));  // ui/panels/course/lesson_text.cpp
     for (int chapter = 1; chapter <= 5; ++chapter) keys.insert("chapter." + std::to_string(chapter));
     for (const char* stem : {"character.", "character_story."}) keys.insert(stem + std::string("hidden"));
     for (const char* key : {"sensors.name", "sensors.name_how"}) keys.insert(key);  // ui/panels/sensor_card.cpp

@@ -7,7 +7,7 @@
 #include <imgui.h>
 
 #include "ui/imgui_compat.h"
-#include "ui/panels/exercise_names.h"
+#include "ui/panels/course/exercise_names.h"
 #include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"

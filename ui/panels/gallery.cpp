@@ -4,9 +4,9 @@
 
 #include <imgui.h>
 
-#include "ui/panels/exercise_names.h"
+#include "ui/panels/course/exercise_names.h"
+#include "ui/panels/course/scene_picture.h"
 #include "ui/panels/file_lists.h"
-#include "ui/panels/scene_picture.h"
 #include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/scene/enums.h"
-#include "ui/panels/exercise_names.h"
+#include "ui/panels/course/exercise_names.h"
 #include "ui/panels/file_lists.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/edits.h"

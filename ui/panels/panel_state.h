@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "core/world/command.h"
-#include "ui/panels/author_state.h"
 #include "ui/panels/brain_analysis.h"
 #include "ui/panels/chart_data.h"
+#include "ui/panels/course/author_state.h"
+#include "ui/panels/course/glossary.h"
+#include "ui/panels/course/marks.h"
 #include "ui/panels/file_lists.h"
-#include "ui/panels/glossary.h"
-#include "ui/panels/marks.h"
 #include "ui/panels/prompts.h"
 #include "ui/scene_input/scene_input.h"
 #include "ui/widgets/card.h"

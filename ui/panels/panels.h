@@ -17,6 +17,7 @@ namespace braitenlab::ui {
 void exercise_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.lesson
 void exercise_files(const LabView&, PanelState&, Ui&);       // precondition: view.lesson is set
 void start_pictures(const LabView&, Ui&);                    // precondition: view.lesson has a grade
+void median_rows(const LessonView&, Ui&);                    // nothing without LessonView::shipped_grade and a grade
 void exercise_note(const LabView&, PanelState&, Ui&);        // the student's notes, a part of the exercise card
 void sensor_card(const LabView&, PanelState&, Ui&, Rect);
 void brain_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // `column`: the largest available rectangle

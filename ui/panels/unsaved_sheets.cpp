@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include "ui/panels/exercise_names.h"
+#include "ui/panels/course/exercise_names.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"

@@ -1,4 +1,4 @@
-#include "app/reference_runs.h"
+#include "app/course/reference_runs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ui/panels/marks.h"
+#include "ui/panels/course/marks.h"
 
 #include <imgui.h>
 

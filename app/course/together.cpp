@@ -1,4 +1,4 @@
-#include "app/together.h"
+#include "app/course/together.h"
 
 #include <algorithm>
 #include <utility>

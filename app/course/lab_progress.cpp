@@ -1,9 +1,9 @@
-#include "app/lab_progress.h"
+#include "app/course/lab_progress.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "app/lab_lesson.h"
+#include "app/course/lab_lesson.h"
 #include "core/lesson/submission.h"
 
 namespace braitenlab {

@@ -8,11 +8,11 @@
 #include <imgui.h>
 
 #include "ui/panels/cards.h"
-#include "ui/panels/exercise_names.h"
-#include "ui/panels/lesson_text.h"
+#include "ui/panels/course/exercise_names.h"
+#include "ui/panels/course/lesson_text.h"
+#include "ui/panels/course/prediction.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/prediction.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
@@ -103,6 +103,7 @@ void result(const LabView& view, Ui& ui) {
         paragraph(ui, fill(ui.strings("exercise.not_yet"), {passed, of, needed}), ui.palette.text, Face::strong);
     }
     start_pictures(view, ui);
+    median_rows(lesson, ui);
     if (grade.good) together_button(lesson, ui);
     paragraph(ui,
               ui.strings(!grade.good             ? "exercise.not_yet_next"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/lesson/grade.h"
-#include "ui/panels/scene_picture.h"
+#include "ui/panels/course/scene_picture.h"
 #include "ui/widgets/ui.h"
 
 namespace braitenlab::ui {

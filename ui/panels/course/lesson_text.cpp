@@ -1,4 +1,4 @@
-#include "ui/panels/lesson_text.h"
+#include "ui/panels/course/lesson_text.h"
 
 #include "ui/measure_text.h"
 

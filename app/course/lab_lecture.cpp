@@ -1,4 +1,4 @@
-#include "app/lab_lecture.h"
+#include "app/course/lab_lecture.h"
 
 #include <algorithm>
 #include <utility>

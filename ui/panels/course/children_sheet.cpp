@@ -6,8 +6,8 @@
 #include <imgui.h>
 
 #include "core/lesson/selection.h"
+#include "ui/panels/course/path_picture.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/path_picture.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"

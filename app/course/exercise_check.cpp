@@ -1,4 +1,4 @@
-#include "app/exercise_check.h"
+#include "app/course/exercise_check.h"
 
 #include <algorithm>
 

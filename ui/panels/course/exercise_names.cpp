@@ -1,4 +1,4 @@
-#include "ui/panels/exercise_names.h"
+#include "ui/panels/course/exercise_names.h"
 
 #include "ui/widgets/paint.h"
 

@@ -1,10 +1,10 @@
-#include "ui/panels/prediction.h"
+#include "ui/panels/course/prediction.h"
 
 #include <string>
 #include <utility>
 
 #include "core/lesson/path_distance.h"
-#include "ui/panels/glossary.h"
+#include "ui/panels/course/glossary.h"
 #include "ui/scene_input/path_drawing.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"

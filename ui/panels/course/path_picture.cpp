@@ -1,4 +1,4 @@
-#include "ui/panels/path_picture.h"
+#include "ui/panels/course/path_picture.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "ui/panels/scene_picture.h"
+#include "ui/panels/course/scene_picture.h"
 
 #include <algorithm>
 #include <cmath>

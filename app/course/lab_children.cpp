@@ -1,9 +1,9 @@
-#include "app/lab_children.h"
+#include "app/course/lab_children.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "app/lab_lesson.h"
+#include "app/course/lab_lesson.h"
 #include "app/lab_requests.h"
 
 namespace braitenlab {

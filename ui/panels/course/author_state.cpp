@@ -1,4 +1,4 @@
-#include "ui/panels/author_state.h"
+#include "ui/panels/course/author_state.h"
 
 #include <algorithm>
 

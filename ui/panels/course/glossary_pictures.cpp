@@ -9,7 +9,7 @@
 
 #include "core/maths/angle.h"
 #include "ui/imgui_compat.h"
-#include "ui/panels/glossary.h"
+#include "ui/panels/course/glossary.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 

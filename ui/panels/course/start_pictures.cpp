@@ -5,10 +5,10 @@
 
 #include <imgui.h>
 
-#include "ui/panels/lesson_text.h"
+#include "ui/panels/course/lesson_text.h"
+#include "ui/panels/course/path_picture.h"
+#include "ui/panels/course/scene_picture.h"
 #include "ui/panels/panels.h"
-#include "ui/panels/path_picture.h"
-#include "ui/panels/scene_picture.h"
 #include "ui/strings.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"

@@ -1,4 +1,4 @@
-#include "ui/panels/prediction_keys.h"
+#include "ui/panels/course/prediction_keys.h"
 
 #include <string>
 #include <string_view>
