@@ -170,6 +170,7 @@ void App::handle_recovery(bool take) {
     auto recovered = autosave_.recover();
     if (!recovered) return show_error(recovered.error());
     recovered->edits = 1;
+    lab_.pages.reset();  // on a page of a lecture nothing is kept for recovery
     replace_document(lab_, std::move(*recovered));
     refresh(files_, lab_);
     const auto error = autosave_.keep(lab_, lab_.wall_seconds, Autosave::Occasion::now);

@@ -176,7 +176,7 @@ void App::draw_scene(std::vector<bool> hidden_brains) {
                                   static_cast<float>(window_.framebuffer_height())};
     picture.theme = lab_.preferences.theme;
     picture.settings = lab_.view;
-    if (lab_.together) picture.settings.sensors = false;  // ten fields in one place would outshine the vehicles
+    if (lab_.together) picture.settings.sensors = false;  // ten fields in one place would cover the vehicles
     const SceneObject& hovered = panels_.scene_input.hovered.object;
     picture.hovered = hovered.kind == SceneObjectKind::vehicle ? hovered.index : no_vehicle;
     picture.driver = lab_.view.camera.mode == CameraMode::driver ? lab_.view.selection.vehicle : no_vehicle;

@@ -45,8 +45,9 @@ struct GradedSubmission {
 
 // Selection by hand (core/lesson/selection.h): the parents chosen so far, and the runs of the last one's children.
 struct Selecting {
-    std::vector<Parent> parents;  // at least the exercise's own brain
-    std::uint64_t start = 0;      // seed of the runs
+    std::vector<Parent> parents;   // at least the exercise's own brain
+    std::vector<Parent> undone{};  // parents that undo has taken away, for redo
+    std::uint64_t start = 0;       // seed of the runs
     Job<std::vector<StartResult>> job{};
 };
 
@@ -66,7 +67,8 @@ struct Lesson {
     std::optional<Job<Grade>> shipped_grading{};  // for Exercise::median; begins with the first grade
     std::optional<GradedSubmission> graded{};     // view.grade is its grade while the vehicle has this submission
     std::optional<Selecting> selecting{};         // nullopt: not begun
-    std::uint64_t selections = 0;                 // begun since the exercise was opened
+    bool was_shown = false;                  // the solution, since the exercise was opened; it may come back by undo
+    std::uint64_t selections = 0;            // begun since the exercise was opened
     std::deque<RefereeAtKeyframe> states{};  // of the recorded keyframes but the start of the run, by ascending tick
     std::deque<RefereeAtKeyframe> states_before_edit{};  // before the last edit that removed recorded ticks
     ReferenceRuns runs{};

@@ -175,7 +175,9 @@ bool acts_on_own_run(const Request& request) {
     return std::holds_alternative<EditRequest>(request) || std::holds_alternative<PasteRequest>(request) ||
            std::holds_alternative<SeedRequest>(request) || std::holds_alternative<SeekRequest>(request) ||
            std::holds_alternative<BookmarkRequest>(request) || std::holds_alternative<ShowMeRequest>(request) ||
-           std::holds_alternative<KeptRequest>(request) || std::holds_alternative<StudentRequest>(request);
+           std::holds_alternative<KeptRequest>(request) || std::holds_alternative<StudentRequest>(request) ||
+           std::holds_alternative<ChooseChildRequest>(request) ||
+           std::holds_alternative<EarlierGenerationRequest>(request);
 }
 
 // While the graded starts run at once, their vehicles cannot be selected.
@@ -427,7 +429,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const KeptRequest&) { take_kept_submission(lab); },
                      [&](const TogetherRequest& r) { r.on ? begin_together(lab) : end_together(lab); },
                      [&](const NotesRequest& r) {
-                         if (lab.document.lesson) lab.document.lesson->view.notes = r.text.substr(0, longest_notes);
+                         if (lab.document.lesson) lab.document.lesson->view.notes = utf8_cut(r.text, longest_notes);
                      },
                      [&](const StudentRequest& r) {
                          if (r.edit == StudentEdit::save) return lab.files.push_back(r);

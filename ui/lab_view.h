@@ -186,7 +186,9 @@ inline bool hides_outcome(const LabView& view) {
 }
 
 // True if the run with the solution may be shown beside the student's: after a run, and not before the prediction.
-inline bool can_compare(const LabView& view) { return view.lesson && view.lesson->has_run && !hides_outcome(view); }
+inline bool can_compare(const LabView& view) {
+    return view.lesson && view.lesson->has_run && !view.lesson->together && !hides_outcome(view);
+}
 
 // True for a kind whose brains the exercise never shows.
 inline bool is_brain_secret(const LabView& view, int kind) {

@@ -56,8 +56,8 @@ std::string measure_text(const Strings& strings, const Measure& measure, bool do
         return fill(strings(done ? "exercise.done_between" : "exercise.now_between"),
                     {value, fixed(measure.needed, digits, decimal_mark(strings)) + " … " +
                                 with_unit(strings, *measure.needed_most, measure.unit, digits)});
-    if (measure.at_most && measure.needed == 0 && measure.unit == "m" && !done)
-        return fill(strings("exercise.to_go"), {value});
+    if (measure.at_most && measure.needed == 0 && measure.unit == "m")  // the check mark says the rest
+        return done ? std::string() : fill(strings("exercise.to_go"), {value});
     const std::string_view key = done           ? measure.at_most ? "exercise.done_at_most" : "exercise.done_at_least"
                                  : measure.best ? "exercise.best_at_most"
                                  : measure.at_most ? "exercise.now_at_most"

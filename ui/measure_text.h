@@ -8,6 +8,7 @@
 
 namespace braitenlab::ui {
 
+// Empty for a distance of 0 that is reached.
 // "best 0.83 m, need ≤ 0.60 m"; "reached 0.55 m (≤ 0.60 m)" if the step is done.
 std::string measure_text(const Strings&, const Measure&, bool done);
 

@@ -29,16 +29,23 @@ void begin_selecting(Lab& lab) {
     forget_runs(lesson);
 }
 
-// After an undo or an edit by hand.
+// After an undo, a redo or an edit by hand.
 void follow_brain(Lesson& lesson, const BrainGraph& now) {
     std::vector<Parent>& parents = lesson.selecting->parents;
     if (same_wiring(parents.back().brain, now)) return;
-    const auto earlier = std::find_if(parents.rbegin(), parents.rend(),
-                                      [&](const Parent& parent) { return same_wiring(parent.brain, now); });
-    if (earlier != parents.rend())
+    std::vector<Parent>& undone = lesson.selecting->undone;
+    const auto has_brain = [&](const Parent& parent) { return same_wiring(parent.brain, now); };
+    const auto earlier = std::find_if(parents.rbegin(), parents.rend(), has_brain);
+    const auto later = std::find_if(undone.begin(), undone.end(), has_brain);
+    if (earlier != parents.rend()) {
+        undone.insert(undone.begin(), earlier.base(), parents.end());
         parents.erase(earlier.base(), parents.end());
-    else
+    } else if (later != undone.end()) {
+        parents.insert(parents.end(), undone.begin(), later + 1);
+        undone.erase(undone.begin(), later + 1);
+    } else {
         parents.back().brain = now;
+    }
     forget_runs(lesson);
 }
 
@@ -80,7 +87,10 @@ void update_children(Lab& lab, Jobs& jobs) {
     Job<std::vector<StartResult>>& job = lesson.selecting->job;
     SelectionView& view = *lesson.view.selection;
     if (auto result = job.take()) {
-        if (!*result) return say(lab, result->error());
+        if (!*result) {
+            view.parent.emplace();  // not tried again before the brain or the start changes
+            return say(lab, result->error());
+        }
         view.parent = std::move((*result)->front());
         view.children.assign((*result)->begin() + 1, (*result)->end());
     } else if (!view.parent && !job.active()) {
@@ -91,6 +101,7 @@ void update_children(Lab& lab, Jobs& jobs) {
 void choose_child(Lab& lab, int child) {
     if (!lab.document.lesson || !lab.document.lesson->selecting) return;
     Lesson& lesson = *lab.document.lesson;
+    if (!lesson.view.selection || lesson.view.selection->children.empty()) return;  // they are computed
     const int count = static_cast<int>(lesson.view.selection->children.size());
     const int generations = static_cast<int>(lesson.selecting->parents.size()) - 1;
     if (child < -1 || child >= count || generations >= lesson.exercise->selection.generations) return;
@@ -98,6 +109,7 @@ void choose_child(Lab& lab, int child) {
     const std::size_t index = child < 0 ? static_cast<std::size_t>(count) : static_cast<std::size_t>(child);
     const BrainGraph brain = child < 0 ? parent.brain : children_of(*lesson.exercise, parent)[index];
     lesson.selecting->parents.push_back(chosen(parent, brain, index));
+    lesson.selecting->undone.clear();
     forget_runs(lesson);
     give_brain(lab, brain);
 }

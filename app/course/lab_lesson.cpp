@@ -8,6 +8,7 @@
 #include "app/lab_requests.h"
 #include "app/lab_selection.h"
 #include "core/lesson/grade.h"
+#include "core/lesson/selection.h"
 
 namespace braitenlab {
 
@@ -130,7 +131,9 @@ void watch(Lab& lab) {
     lesson.referee.watch(lab.document.session.snapshot());
     lesson.view.verdicts = lesson.referee.verdicts();
     lesson.view.by_hand = lesson.referee.by_hand();
-    if (!lesson.view.outcome_known) lesson.view.outcome_known = shows_outcome(lesson, lab.document.session.snapshot());
+    // A prediction about a selection is about its end, not about the first run.
+    if (!lesson.view.outcome_known && !offers_selection(*lesson.exercise))
+        lesson.view.outcome_known = shows_outcome(lesson, lab.document.session.snapshot());
 }
 
 namespace {
@@ -162,6 +165,7 @@ void update_grading(Lab& lab, Jobs& jobs) {
     }
     Submission now = submission_of(*lesson.exercise, lab.document.session.snapshot());
     show_grade(lesson, now);
+    if (lesson.was_shown && now == with_solution(*lesson.exercise)) lesson.view.solution_shown = true;
     lesson.view.outside_offers = !outside_offers(*lesson.exercise, now).empty();
     lesson.view.too_many_changes = changes_too_many(*lesson.exercise, now);
     const bool is_allowed = !lesson.view.outside_offers && !lesson.view.too_many_changes;
@@ -180,6 +184,7 @@ void update_grading(Lab& lab, Jobs& jobs) {
     if ((*result)->good || !lesson.grading->run_was_reset) {
         lesson.graded = GradedSubmission{std::move(now), std::move(**result)};
         lesson.view.grade = lesson.graded->grade;
+        lesson.view.outcome_known |= lesson.graded->grade.good;
     }
     lesson.grading.reset();
 }
@@ -239,6 +244,7 @@ void restart_exercise(Lab& lab) {
         give_to_kind(lab, k, lesson.exercise->scene.kinds[k]);
     lesson.view = {.exercise = lesson.exercise.get(), .notes = std::move(lesson.view.notes)};
     lesson.grading.reset();
+    lesson.shipped_grading.reset();
     lesson.graded.reset();
     lesson.selecting.reset();
     lesson.last_hint_at = lab.wall_seconds;
@@ -286,7 +292,7 @@ bool give_submission(Lab& lab, const Submission& submission) {
 void show_solution(Lab& lab) {
     if (!lab.document.lesson) return;
     if (give_submission(lab, with_solution(*lab.document.lesson->exercise)))
-        lab.document.lesson->view.solution_shown = true;
+        lab.document.lesson->view.solution_shown = lab.document.lesson->was_shown = true;
 }
 
 }  // namespace braitenlab

@@ -18,6 +18,7 @@ ExerciseProgress progressed(ExerciseProgress progress, const Lesson& lesson) {
         progress.prediction = asked.options[static_cast<std::size_t>(view.prediction)];
         progress.predicted_right = view.prediction == asked.answer;
     }
+    progress.drew_path |= !view.drawn_path.empty();
     progress.hints = std::max(progress.hints, view.hints_shown);
     progress.notes = view.notes;
     const bool passed_alone = progress.passed && !progress.shown;
@@ -46,7 +47,7 @@ bool is_new_attempt(Lab& lab) {
 }  // namespace
 
 void follow_progress(Lab& lab) {
-    if (!lab.document.lesson) return;
+    if (!lab.document.lesson || lab.pages) return;  // a page of a lecture is no attempt of a student
     Lesson& lesson = *lab.document.lesson;
     const ExerciseProgress* known = stored_progress(lab);
     if (is_new_attempt(lab)) lesson.view.notes = known ? known->notes : std::string();

@@ -74,6 +74,7 @@ struct FileCommands {
         if (!file) return fail(file.error());
         if (file->kind == FileKind::brain) {
             const std::uint64_t latest = lab.document.session.latest();
+            end_together(lab);
             if (const auto error = take_brain(lab, *file)) return fail(*error);
             follow_removed_ticks(lab.document, latest);
             done(path, "files.took_brain");

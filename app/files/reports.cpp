@@ -59,7 +59,10 @@ LabRecord lab_record_of(const Lab& lab, WrittenAt at) {
     const Prediction& asked = lesson.exercise->prediction;
     LabRecord record{.exercise = lesson.exercise, .date = utc_text(at).substr(0, 10)};
     record.prediction = view.prediction, record.outcome_known = view.outcome_known;
-    record.shows_brain = !asked.hides_brain || view.prediction >= 0 || view.outcome_known;
+    const bool passed = view.grade && view.grade->good;
+    record.shows_title = !is_asked(asked) || has_predicted(view) || view.outcome_known || passed;
+    record.shows_brain = !asked.hides_brain || record.shows_title;
+    if (!view.real_path.empty() && !view.drawn_path.empty()) record.path_difference = view.path_difference;
     record.runs = view.runs, record.hints = view.hints_shown, record.solution_shown = view.solution_shown;
     if (lab.document.session.snapshot().tick > 0) record.last_run = last_run(lab);
     record.grade = view.grade;
@@ -72,7 +75,10 @@ std::optional<Error> write_lab_record(Lab& lab, const std::string& student, cons
                                       const fs::path& folder, WrittenAt at) {
     LabRecord record = lab_record_of(lab, at);
     record.student = student;
-    const fs::path path = folder / lab_record_name(record.exercise->id, student);
+    std::error_code none;
+    fs::path path = folder / lab_record_name(record.exercise->id, student);
+    for (int number = 2; fs::exists(path, none); ++number)  // an earlier record stays
+        path = folder / lab_record_name(record.exercise->id, student, number);
     if (auto error = write_whole(path, lab_record_html(record, strings, lab.preferences.language))) return error;
     say(lab, {NoticeKind::done, "notice.lab_record", path.string()});
     return std::nullopt;
@@ -86,8 +92,9 @@ HandIn hand_in_of(const Lab& lab, const std::string& student, WrittenAt at) {
     HandIn hand_in{.student = student, .exercise = lesson.exercise->id, .written = utc_text(at)};
     hand_in.prediction = view.prediction + 1;
     hand_in.runs = view.runs;
-    hand_in.hints = view.hints_shown;
-    hand_in.solution_shown = view.solution_shown;
+    const ExerciseProgress* known = find_progress(lab.students.student(), lesson.exercise->id);
+    hand_in.hints = std::max(view.hints_shown, known ? known->hints : 0);  // of earlier attempts, too
+    hand_in.solution_shown = view.solution_shown || (known && known->shown);
     if (view.grade) {
         hand_in.graded_starts = static_cast<int>(view.grade->starts.size());
         hand_in.passed_starts = view.grade->count;

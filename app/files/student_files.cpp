@@ -63,11 +63,10 @@ std::string stem_of(const std::string& name) {
 std::vector<Error> StudentFiles::read(StudentBook& book, const std::string& current) {
     std::vector<Error> errors;
     book = {};
-    files_ = {{nameless_stem, {}}};
+    files_ = {{nameless_stem}};
     if (folder_.empty()) return errors;
     for (const fs::path& path : progress_files(folder_)) {
-        std::string text = progress_text(path);
-        auto progress = read_progress(text, path.string());
+        auto progress = read_progress(progress_text(path), path.string());
         if (!progress) {
             errors.push_back(keep_aside(path, progress.error()));
             continue;
@@ -75,10 +74,10 @@ std::vector<Error> StudentFiles::read(StudentBook& book, const std::string& curr
         const std::string stem = path.stem().string();
         if (stem == nameless_stem) {
             progress->name.clear();
-            book.all.front() = std::move(*progress), files_.front().text = std::move(text);
+            book.all.front() = files_.front().written = std::move(*progress);
         } else if (is_free_name(book, progress->name) && book.all.size() < most_students) {
             if (stem == current) book.current = book.all.size();
-            book.all.push_back(std::move(*progress)), files_.push_back({stem, std::move(text)});
+            files_.push_back({stem, *progress}), book.all.push_back(std::move(*progress));
         }
     }
     return errors;
@@ -98,16 +97,16 @@ std::string StudentFiles::free_stem(const std::string& name) const {
 
 std::optional<Error> StudentFiles::write(const StudentBook& book) {
     if (folder_.empty()) return std::nullopt;
-    if (files_.empty()) files_ = {{nameless_stem, {}}};
-    while (files_.size() < book.all.size()) files_.push_back({free_stem(book.all[files_.size()].name), {}});
+    if (files_.empty()) files_ = {{nameless_stem}};
+    while (files_.size() < book.all.size()) files_.push_back({free_stem(book.all[files_.size()].name)});
     std::optional<Error> failed;
     for (std::size_t i = 0; i < book.all.size(); ++i) {
         OnDisk& file = files_[i];
-        if (file.text.empty() && book.all[i] == StudentProgress{}) continue;
-        std::string text = write_progress(book.all[i]);
-        if (text == file.text) continue;
-        file.text = std::move(text);  // also if writing fails: the error is reported once
-        if (auto error = write_whole(folder_ / (file.stem + progress_extension), file.text)) failed = std::move(error);
+        if (file.written == book.all[i]) continue;
+        auto error = write_whole(folder_ / (file.stem + progress_extension), write_progress(book.all[i]));
+        if (!error) file.written = book.all[i];
+        if (error && !file.failed) failed = error;
+        file.failed = error.has_value();
     }
     return failed;
 }

@@ -22,7 +22,8 @@ public:
     // that cannot be read is renamed to <name>.broken and reported.
     std::vector<Error> read(StudentBook&, const std::string& current);
 
-    // Writes the students who differ from their files. An error is returned once until something changes again.
+    // Writes the students that differ from their files. An error is returned at the first failed attempt; later
+    // attempts are silent until one succeeds.
     std::optional<Error> write(const StudentBook&);
 
     // The file of the student who works now, without folder and extension; empty for the first one.
@@ -32,7 +33,9 @@ private:
     std::string free_stem(const std::string& name) const;
 
     struct OnDisk {
-        std::string stem, text;  // the text as written last; empty: no file yet
+        std::string stem;
+        StudentProgress written{};  // as the file has it; StudentProgress{}: no file yet
+        bool failed = false;        // the last attempt to write, which is repeated
     };
     std::filesystem::path folder_;
     std::vector<OnDisk> files_;  // as StudentBook::all

@@ -175,19 +175,11 @@ std::string feedback(const ClassReport& report, const ClassRow& row, const Strin
 
 namespace {
 
-// A cell that a spreadsheet takes as text: see OWASP, "CSV Injection".
-std::string safe_cell(const std::string& text) {
-    constexpr std::string_view dangerous = "=+-@\t\r";
-    const std::size_t first = text.find_first_not_of(' ');
-    const bool is_formula = first != std::string::npos && dangerous.find(text[first]) != std::string_view::npos;
-    return is_formula ? "'" + text : text;
-}
-
 class CsvLine {
 public:
     explicit CsvLine(std::string& out) : out_(out) {}
     void text(const std::string& cell) {
-        const std::string safe = safe_cell(cell);
+        const std::string safe = io::spreadsheet_text(cell);
         io::add_csv_cell(out_, std::string_view(safe));
         out_ += ',';
     }

@@ -42,10 +42,14 @@ struct Record {
     std::string translated(const std::string& text) const { return std::string(strings.find(text, text)); }
     std::string heading(std::string_view key) const { return html::element("h2", strings(key)) + "\n"; }
 
+    std::string title() const {
+        return record.shows_title ? fmt::format("{}. {}", exercise.number, translated(exercise.title))
+                                  : fill(strings("exercise.heading"), {std::to_string(exercise.number)});
+    }
+
     std::string head() const {
         const std::string name = record.student.empty() ? "____________________" : record.student;
-        return "<header>" + html::element("p", words("report.lab_record"), "quiet") +
-               html::element("h1", fmt::format("{}. {}", exercise.number, translated(exercise.title))) +
+        return "<header>" + html::element("p", words("report.lab_record"), "quiet") + html::element("h1", title()) +
                "<div class=\"who\">" + html::element("span", words("report.student") + ": " + name) +
                html::element("span", record.date) + "</div></header>\n" + heading("report.goal") +
                html::element("p", translated(exercise.goal)) + "\n";
@@ -53,18 +57,23 @@ struct Record {
 
     std::string prediction() const {
         const Prediction& asked = exercise.prediction;
-        if (asked.options.empty()) return "";
+        if (!is_asked(asked)) return "";
         std::string out = heading("report.prediction") + html::element("p", translated(asked.question), "quiet");
         const auto chosen = static_cast<std::size_t>(record.prediction);
         const bool is_made = record.prediction >= 0 && chosen < asked.options.size();
         out += html::element("p", is_made ? fill(strings("exercise.you_predicted"), {translated(asked.options[chosen])})
-                                          : words("report.no_prediction"));
+                                  : record.path_difference ? fill(strings("report.drawn_path"), {path_distance_text()})
+                                                           : words("report.no_prediction"));
         if (!record.outcome_known) return out;
         if (is_made) {
             const bool is_right = record.prediction == asked.answer;
             out += html::element("p", words(is_right ? "report.right" : "report.wrong"), is_right ? "good" : "bad");
         }
         return out + html::element("p", fill(strings("exercise.outcome"), {translated(asked.outcome)})) + "\n";
+    }
+
+    std::string path_distance_text() const {
+        return ui::value_text(strings, Measure{.value = record.path_difference.value_or(0), .unit = "m"});
     }
 
     std::string pictures() const {
@@ -144,7 +153,7 @@ struct Record {
 
 std::string lab_record_html(const LabRecord& record, const Strings& strings, const std::string& language) {
     const Record page{record, strings};
-    const std::string title = page.translated(record.exercise->title);
+    const std::string title = page.title();
     return html::page(language, record.student.empty() ? title : title + " – " + record.student, record_style,
                       page.body());
 }

@@ -17,6 +17,8 @@ struct LabRecord {
     std::string date;                          // as shown
     int prediction = -1;                       // the option chosen, 0-based; −1: none
     bool outcome_known = false;                // a run has shown what was to be predicted
+    bool shows_title = true;                   // false while it would tell the outcome
+    std::optional<float> path_difference{};    // m, mean distance of the drawn path and the real one; none: not drawn
     bool shows_brain = true;                   // false while the exercise hides it
     int runs = 0, hints = 0;
     bool solution_shown = false;

@@ -36,4 +36,11 @@ void add_csv_cell(std::string& line, const CsvValue& value) {
                value);
 }
 
+std::string spreadsheet_text(std::string_view text) {
+    constexpr std::string_view dangerous = "=+-@\t\r";
+    const std::size_t first = text.find_first_not_of(' ');
+    const bool is_formula = first != std::string_view::npos && dangerous.find(text[first]) != std::string_view::npos;
+    return (is_formula ? "'" : "") + std::string(text);
+}
+
 }  // namespace braitenlab::io

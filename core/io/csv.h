@@ -20,6 +20,9 @@ using CsvValue = std::variant<double, std::int64_t, std::string_view>;
 // Appends the text of a cell, without a separator.
 void add_csv_cell(std::string& line, const CsvValue&);
 
+// The text so that a spreadsheet does not take it as a formula: see OWASP, "CSV Injection". For texts that people type.
+std::string spreadsheet_text(std::string_view);
+
 template <class Row>
 struct CsvColumn {
     std::string name;  // with the unit

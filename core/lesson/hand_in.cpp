@@ -95,13 +95,21 @@ void check_hand_in(TomlTable& top, const HandIn& hand_in) {
 
 }  // namespace
 
-std::string hand_in_name(const std::string& exercise, const std::string& student, int number) {
+namespace {
+
+std::string numbered_name(const std::string& exercise, const std::string& student, int number) {
     const std::string more = number > 1 ? fmt::format("-{}", number) : "";
-    return for_file_name(exercise) + "-" + for_file_name(student) + more + std::string(hand_in_ending);
+    return for_file_name(exercise) + "-" + for_file_name(student) + more;
 }
 
-std::string lab_record_name(const std::string& exercise, const std::string& student) {
-    return for_file_name(exercise) + "-" + for_file_name(student) + ".html";
+}  // namespace
+
+std::string hand_in_name(const std::string& exercise, const std::string& student, int number) {
+    return numbered_name(exercise, student, number) + std::string(hand_in_ending);
+}
+
+std::string lab_record_name(const std::string& exercise, const std::string& student, int number) {
+    return numbered_name(exercise, student, number) + ".html";
 }
 
 std::string write_hand_in(HandIn hand_in) {

@@ -34,7 +34,8 @@ struct HandIn {
 inline constexpr std::string_view hand_in_ending = ".braiten-handin.toml";
 std::string hand_in_name(const std::string& exercise, const std::string& student, int number = 1);
 
-std::string lab_record_name(const std::string& exercise, const std::string& student);  // "05-aggressor-ana-lopez.html"
+// "05-aggressor-ana-lopez.html"; `number` as in hand_in_name().
+std::string lab_record_name(const std::string& exercise, const std::string& student, int number = 1);
 
 // True for the name of a hand-in file.
 inline bool is_hand_in(std::string_view file_name) { return file_name.ends_with(hand_in_ending); }

@@ -123,6 +123,7 @@ public:
         for (const PagePart part : parts_of("hide", page_.hide)) page_.at_first[index_of(part)] = false;
         bool answers = false;
         for (const std::string& step : page_.steps) {
+            if (step.find_first_not_of(' ') == step.npos) return fail("steps", "a step names at least one part");
             PageParts& revealed = page_.reveal.emplace_back();
             for (const PagePart part : parts_of("steps", {step})) {
                 page_.at_first[index_of(part)] = false;
@@ -130,6 +131,7 @@ public:
                 answers |= part == PagePart::answer;
             }
         }
+        answers |= page_.at_first[index_of(PagePart::answer)];
         if (asks && !answers) page_.reveal.emplace_back()[index_of(PagePart::answer)] = true;
     }
 

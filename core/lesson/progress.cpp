@@ -5,6 +5,7 @@
 
 #include "core/io/csv.h"
 #include "core/io/json.h"
+#include "core/lesson/hand_in.h"
 #include "core/messages.h"
 
 namespace braitenlab {
@@ -16,13 +17,6 @@ namespace {
 constexpr int progress_format = 1;
 constexpr std::size_t most_progress_bytes = std::size_t{16} << 20U, most_exercises = 1000;
 constexpr int most_counted = 10000;  // starts or hints
-
-std::string utf8_cut(std::string text, std::size_t most) {
-    if (text.size() <= most) return text;
-    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0U) == 0x80U) --most;
-    text.resize(most);
-    return text;
-}
 
 Json submission_json(const Submission& submission) {
     return {{"brain", submission.brain}, {"sensors", submission.sensors}, {"body", submission.body}};
@@ -49,6 +43,7 @@ Json exercise_progress_json(const ExerciseProgress& progress) {
               {"hints", progress.hints},
               {"prediction", progress.prediction},
               {"predicted_right", progress.predicted_right},
+              {"drew_path", progress.drew_path},
               {"notes", progress.notes}};
     if (progress.submission) json["submission"] = submission_json(*progress.submission);
     return json;
@@ -63,6 +58,7 @@ ExerciseProgress read_exercise_progress(const Json& json) {
     read.hints = std::clamp(json.value("hints", 0), 0, most_counted);
     read.prediction = json.value("prediction", std::string());
     read.predicted_right = json.value("predicted_right", false);
+    read.drew_path = json.value("drew_path", false);
     read.notes = utf8_cut(json.value("notes", std::string()), longest_notes);
     if (json.contains("submission")) read.submission = read_submission(json.at("submission"));
     return read;
@@ -94,10 +90,18 @@ std::string tidy_student_name(std::string_view typed) {
     return name.substr(0, name.find_last_not_of(' ') + 1);
 }
 
+std::string utf8_cut(std::string text, std::size_t most) {
+    if (text.size() <= most) return text;
+    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0U) == 0x80U) --most;
+    text.resize(most);
+    return text;
+}
+
 bool is_free_name(const StudentBook& book, std::string_view name) {
     const std::string wanted = tidy_student_name(name);
-    return !wanted.empty() && std::none_of(book.all.begin(), book.all.end(),
-                                           [&](const StudentProgress& each) { return each.name == wanted; });
+    return !wanted.empty() && std::none_of(book.all.begin(), book.all.end(), [&](const StudentProgress& each) {
+        return is_same_student(each.name, wanted);
+    });
 }
 
 std::string write_progress(const StudentProgress& student) {
@@ -130,6 +134,7 @@ struct ProgressRow {
     const std::string& student;
     const std::string& exercise;
     const ExerciseProgress& progress;
+    const std::string& notes;
 };
 
 const std::vector<io::CsvColumn<ProgressRow>>& progress_columns() {
@@ -145,7 +150,7 @@ const std::vector<io::CsvColumn<ProgressRow>>& progress_columns() {
         {"hints", [](Row r) { return CsvValue(std::int64_t{r.progress.hints}); }},
         {"prediction", [](Row r) { return CsvValue(std::string_view(r.progress.prediction)); }},
         {"predicted_right", [](Row r) { return CsvValue(std::int64_t{r.progress.predicted_right}); }},
-        {"notes", [](Row r) { return CsvValue(std::string_view(r.progress.notes)); }}};
+        {"notes", [](Row r) { return CsvValue(std::string_view(r.notes)); }}};
     return columns;
 }
 
@@ -154,8 +159,10 @@ const std::vector<io::CsvColumn<ProgressRow>>& progress_columns() {
 std::string progress_csv(const std::vector<StudentProgress>& students) {
     std::string text = io::csv_header(progress_columns());
     for (const StudentProgress& student : students)
-        for (const auto& [id, progress] : student.exercises)
-            io::add_csv_row(text, progress_columns(), ProgressRow{student.name, id, progress});
+        for (const auto& [id, progress] : student.exercises) {
+            const std::string name = io::spreadsheet_text(student.name), notes = io::spreadsheet_text(progress.notes);
+            io::add_csv_row(text, progress_columns(), ProgressRow{name, id, progress, notes});
+        }
     return text;
 }
 

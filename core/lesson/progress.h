@@ -20,6 +20,7 @@ struct ExerciseProgress {
     int hints = 0;           // most hints opened in one attempt
     std::string prediction;  // the option of the last prediction, as in the exercise's file; empty: none
     bool predicted_right = false;
+    bool drew_path = false;  // a path was drawn as a prediction
     std::string notes;
     std::optional<Submission> submission{};  // of the last grade; of the last good grade once it is passed
     friend bool operator==(const ExerciseProgress&, const ExerciseProgress&) = default;
@@ -54,6 +55,9 @@ std::string tidy_student_name(std::string_view);
 
 // Whether a student of this name can be added, or renamed to it: it is not empty and no other student has it.
 bool is_free_name(const StudentBook&, std::string_view name);
+
+// At most `most` bytes of the text, cut between two characters.
+std::string utf8_cut(std::string text, std::size_t most);
 
 // The file of one student, JSON. Values out of range are clamped and unknown keys ignored. Reading fails with the file
 // and, for text that is no JSON, the line.

@@ -56,6 +56,10 @@ TEST(Lecture, TheAnswerIsTheLastStepUnlessThePageNamesIt) {
     ASSERT_TRUE(named);
     EXPECT_EQ(named->pages[0].reveal.size(), 2u);
     EXPECT_TRUE(shows(named->pages[0], PagePart::answer, 1));
+    const auto shown = read(scene_page + "show = [\"answer\"]\n" + question);
+    ASSERT_TRUE(shown);
+    EXPECT_TRUE(shown->pages[0].reveal.empty()) << "nothing is left to show";
+    EXPECT_NE(error_of(scene_page + "steps = [\" \"]\n").find("names at least one part"), std::string::npos);
 }
 
 TEST(Lecture, ErrorsNameTheLineAndTheNearestWord) {

@@ -13,7 +13,7 @@ StudentProgress anna() {
     EXPECT_TRUE(exercise);
     StudentProgress made{"Anna Müller", {}};
     made.exercises["05-aggressor"] = {
-        true, true, 9, 10, 3, "It turns away", true, "Line one,\n\"two\"", exercise->solution.submission};
+        true, true, 9, 10, 3, "It turns away", true, true, "Line one,\n\"two\"", exercise->solution.submission};
     made.exercises["06-love"] = {.hints = 1};
     return made;
 }
@@ -57,6 +57,14 @@ TEST(Progress, HasATableOfAllStudents) {
               "Anna Müller,06-love,0,0,0,0,1,,0,\n");
 }
 
+TEST(Progress, TheTableHasNoFormulasForASpreadsheet) {
+    StudentProgress student{"=SUM(A1)", {}};
+    student.exercises["05-aggressor"].notes = " -1+1";
+    const std::string csv = progress_csv({student});
+    EXPECT_NE(csv.find("\n'=SUM(A1),05-aggressor,"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",' -1+1\n"), std::string::npos) << csv;
+}
+
 TEST(Progress, TakesANameWithoutBlanksAtItsEndsAndOnce) {
     StudentBook book;
     book.all.push_back({"Anna", {}});
@@ -65,6 +73,7 @@ TEST(Progress, TakesANameWithoutBlanksAtItsEndsAndOnce) {
     EXPECT_LE(tidy_student_name(std::string(61, 'a') + "ü").size(), longest_student_name);
     EXPECT_TRUE(is_free_name(book, "Ben"));
     EXPECT_FALSE(is_free_name(book, " Anna "));
+    EXPECT_FALSE(is_free_name(book, "anna")) << "the same student for hand-ins";
     EXPECT_FALSE(is_free_name(book, "  "));
 }
 

@@ -85,12 +85,32 @@ TEST(LabChildren, UndoAndBackTakeAChoiceBack) {
     EXPECT_EQ(s.brain(), shipped);
 }
 
+TEST(LabChildren, RedoBringsTheUndoneGenerationsBack) {
+    Selected s;
+    s.choose(2);
+    s.choose(3);
+    const std::vector<maths::vec2> path = s.view().children[0].path;
+    handle(s.lab, Action::undo);
+    s.wait();
+    handle(s.lab, Action::undo);
+    s.wait();
+    ASSERT_EQ(s.view().generation, 0);
+    handle(s.lab, Action::redo);
+    s.wait();
+    EXPECT_EQ(s.view().generation, 1);
+    handle(s.lab, Action::redo);
+    s.wait();
+    EXPECT_EQ(s.view().generation, 2);
+    EXPECT_EQ(s.view().children[0].path, path) << "the same children";
+}
+
 TEST(LabChildren, NothingIsChosenBeforeTheRunsAreKnownAndAfterTheLastGeneration) {
     Selected s;
     handle(s.lab, ChooseChildRequest{9});
     EXPECT_EQ(s.view().generation, 0) << "no such child";
     handle(s.lab, ChooseChildRequest{0});
     handle(s.lab, ChooseChildRequest{0});
+    handle(s.lab, ChooseChildRequest{-1});
     EXPECT_EQ(s.view().generation, 1) << "its children have not run yet";
     s.wait();
     for (int i = 0; i < 20; ++i) s.choose(0);

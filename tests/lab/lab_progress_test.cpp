@@ -77,6 +77,21 @@ TEST(LabProgress, KeepsThePassedBrainSoThatLeavingAsksNothing) {
     EXPECT_TRUE(attempt.progress().passed);
 }
 
+TEST(LabProgress, KeepsNothingOfAPageOfALecture) {
+    Attempt attempt;
+    attempt.lab.pages.emplace();
+    handle(attempt.lab, PredictRequest{1});
+    handle(attempt.lab, Action::hint);
+    attempt.turn();
+    EXPECT_TRUE(attempt.lab.students.student().exercises.empty());
+}
+
+TEST(LabProgress, CutsLongNotesBetweenTwoCharacters) {
+    Attempt attempt;
+    handle(attempt.lab, NotesRequest{std::string(longest_notes - 1, 'a') + "ü"});
+    EXPECT_EQ(attempt.lab.document.lesson->view.notes, std::string(longest_notes - 1, 'a'));
+}
+
 TEST(LabProgress, GivesTheKeptBrainBack) {
     Attempt attempt;
     attempt.take_solution();
@@ -102,9 +117,16 @@ TEST(LabProgress, TellsAPassedExerciseFromOneWhoseSolutionWasShown) {
     handle(attempt.lab, KeptRequest{});
     EXPECT_TRUE(attempt.lab.document.lesson->view.solution_shown) << "it is the shown one";
     handle(attempt.lab, Action::exercise_reset);
-    attempt.take_solution();
+    handle(attempt.lab, Action::undo);  // brings the shown solution back
     attempt.run();
-    EXPECT_FALSE(attempt.progress().shown);
+    EXPECT_TRUE(attempt.lab.document.lesson->view.solution_shown);
+    EXPECT_TRUE(attempt.progress().shown);
+    handle(attempt.lab, Action::exercise_reset);
+    for (const auto& [dial, value] : {std::pair{Dial::LL, 0.0f}, {Dial::LR, 1.2f}, {Dial::RL, 1.2f}, {Dial::RR, 0.0f}})
+        handle(attempt.lab, EditRequest{TurnDial{{.kind = 0}, dial, value}});
+    attempt.run();
+    EXPECT_TRUE(attempt.progress().passed);
+    EXPECT_FALSE(attempt.progress().shown) << "passed with a brain of the student's own";
     handle(attempt.lab, ShowMeRequest{});
     attempt.turn();
     EXPECT_FALSE(attempt.progress().shown) << "it was passed before";

@@ -91,6 +91,28 @@ TEST(Reports, AHandInReplacesOnlyTheFileOfTheSameStudent) {
     EXPECT_EQ(found.at("05-aggressor-ana-lopez-2.braiten-handin.toml").student, "Ana-Lopez");
 }
 
+TEST(Reports, ALabRecordReplacesNoOther) {
+    const Folder documents;
+    Lab lab = opened_lab("05-aggressor");
+    for (int i = 0; i < 2; ++i) request(lab, LabRecordRequest{"Ana"}, documents.path);
+    EXPECT_TRUE(std::filesystem::exists(documents.path / "Braitenlab" / "05-aggressor-ana.html"));
+    EXPECT_TRUE(std::filesystem::exists(documents.path / "Braitenlab" / "05-aggressor-ana-2.html"));
+}
+
+TEST(Reports, ALabRecordTellsNoTitleBeforeThePrediction) {
+    const Folder documents;
+    Lab lab = opened_lab("05-aggressor");
+    request(lab, LabRecordRequest{"before"}, documents.path);
+    handle(lab, PredictRequest{0});
+    request(lab, LabRecordRequest{"after"}, documents.path);
+    const auto page = [&](const char* name) {
+        std::ifstream file(documents.path / "Braitenlab" / name);
+        return std::string{std::istreambuf_iterator<char>(file), {}};
+    };
+    EXPECT_EQ(page("05-aggressor-before.html").find("Aggressor"), std::string::npos);
+    EXPECT_NE(page("05-aggressor-after.html").find("Aggressor"), std::string::npos);
+}
+
 TEST(Reports, AFolderThatCannotBeWrittenIsANotice) {
     const Folder documents;
     std::ofstream(documents.path / "Braitenlab") << "a file";

@@ -69,5 +69,18 @@ TEST(StudentFiles, ReportAnErrorOfWritingOnce) {
     EXPECT_FALSE(files.write(two_students()));
 }
 
+TEST(StudentFiles, TryAgainAfterAFailedAttempt) {
+    const Folder folder;
+    put_text(folder / "students", "");
+    StudentFiles files(folder / "students");
+    EXPECT_TRUE(files.write(two_students()));
+    fs::remove(folder / "students");
+    EXPECT_FALSE(files.write(two_students()));
+    StudentFiles again(folder / "students");
+    StudentBook read;
+    again.read(read, "");
+    EXPECT_EQ(read.all.size(), two_students().all.size());
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::student_files_test

@@ -45,8 +45,9 @@ void step(const LessonView& lesson, std::size_t index, Ui& ui) {
     paragraph(ui, translated(ui, asked.text), ui.palette.text, done ? Face::strong : Face::text);
     if (known && lesson.has_run)
         for (const Measure& measure : lesson.verdicts[index].measures)
-            if (std::isfinite(measure.value))
-                paragraph(ui, measure_text(ui, measure, done), ui.palette.second_text, Face::small);
+            if (const std::string words = measure_text(ui, measure, done);
+                std::isfinite(measure.value) && !words.empty())
+                paragraph(ui, words, ui.palette.second_text, Face::small);
     if (known && lesson.has_run && lesson.verdicts[index].lost)
         paragraph(ui, ui.strings("exercise.lost"), colour_of(NoticeKind::notice, ui.palette), Face::small);
     ImGui::PopStyleVar();

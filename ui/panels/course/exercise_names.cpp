@@ -9,10 +9,10 @@ const ExerciseProgress* progress_of(const LabView& view, const CatalogueEntry& e
 }
 
 bool is_title_known(const LabView& view, const CatalogueEntry& entry) {
-    if (!view.students || !entry.exercise || entry.exercise->prediction.options.empty()) return true;
+    if (!view.students || !entry.exercise || !is_asked(entry.exercise->prediction)) return true;
     if (view.lesson && view.lesson->exercise->id == entry.name && !hides_outcome(view)) return true;
     const ExerciseProgress* progress = progress_of(view, entry);
-    return progress && (progress->passed || !progress->prediction.empty());
+    return progress && (progress->passed || !progress->prediction.empty() || progress->drew_path);
 }
 
 std::string_view exercise_words(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {

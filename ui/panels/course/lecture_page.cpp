@@ -24,17 +24,19 @@ constexpr float hands_field = 56, hands_button = 32, bar_thickness = 12, between
 
 std::string option_id(const char* stem, std::size_t option) { return stem + std::to_string(option + 1); }
 
-// The words in lines no wider than `width`, broken at spaces.
+// The words in lines no wider than `width`, broken at spaces and at the text's own line ends.
 std::vector<std::string> lines_of_words(const Ui& ui, std::string_view words, Face face, float width) {
     std::vector<std::string> lines{""};
     while (!words.empty()) {
-        const std::size_t end = std::min(words.find(' '), words.size());
+        const std::size_t end = std::min(words.find_first_of(" \n"), words.size());
+        const bool ends_line = end < words.size() && words[end] == '\n';
         const std::string word(words.substr(0, end));
         const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
         if (!lines.back().empty() && text_width(ui, face, longer) > width)
             lines.push_back(word);
         else
             lines.back() = longer;
+        if (ends_line) lines.emplace_back();
         words.remove_prefix(std::min(end + 1, words.size()));
     }
     return lines;
