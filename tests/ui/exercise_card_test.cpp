@@ -364,6 +364,35 @@ TEST(ExerciseCard, HandInAsksForANameOnceAndIsThereAfterARun) {
     EXPECT_TRUE(std::holds_alternative<LabRecordRequest>(desk.all[2]));
 }
 
+TEST(ExerciseCard, ANameTypedAtHandInBecomesTheNameOfTheStudent) {
+    Desk desk;
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    StudentBook book;
+    book.all.push_back({"Bo", {}});
+    desk.view.students = &book;
+    desk.frame(3);
+    desk.click("exercise.hand_in");
+    desk.frame(3);
+    const Rect button = desk.where("exercise.hand_in"), card = desk.where("card.exercise");
+    EXPECT_LT(button.y + button.h, card.y + card.h) << "in sight below the name";
+    desk.type("Ana");
+    desk.frame(2);
+    desk.key({key::enter});
+    desk.frame(3);
+    ASSERT_EQ(desk.all.size(), 2u);
+    ASSERT_TRUE(std::holds_alternative<StudentRequest>(desk.all[0]));
+    EXPECT_EQ(std::get<StudentRequest>(desk.all[0]).edit, StudentEdit::rename);
+    EXPECT_EQ(std::get<StudentRequest>(desk.all[0]).name, "Ana");
+    EXPECT_EQ(std::get<HandInRequest>(desk.all[1]).student, "Ana");
+
+    desk.all.clear();
+    book.all.push_back({"Ana", {}});
+    desk.click("exercise.hand_in");
+    ASSERT_EQ(desk.all.size(), 1u) << "a name is not taken from another student";
+    EXPECT_TRUE(std::holds_alternative<HandInRequest>(desk.all[0]));
+}
+
 TEST(ExerciseCard, HandInUsesTheNameOfTheNamedStudent) {
     Desk desk;
     desk.open_exercise();

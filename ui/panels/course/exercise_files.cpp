@@ -1,4 +1,5 @@
-// The end of the exercise card, once there was a run: hand in, which asks for the student's name, and the lab record.
+// The end of the exercise card, once there was a run: hand in, which asks a student without a name for it, and the lab
+// record.
 #include <string>
 #include <utility>
 
@@ -21,14 +22,22 @@ std::string student_of(const LabView& view, const HandInState& state) {
     return first == std::string::npos ? std::string() : typed.substr(first, last - first + 1);
 }
 
+// A name given at hand-in is that of the present student from then on. A name that another student has stays with that
+// student, and only the file has it.
+void name_student(const LabView& view, Ui& ui, const std::string& name) {
+    if (view.student.empty() && view.students && is_free_name(*view.students, name))
+        ui.outbox.emplace_back(StudentRequest{StudentEdit::rename, 0, name});
+}
+
 }  // namespace
 
 void exercise_files(const LabView& view, PanelState& state, Ui& ui) {
     if (!view.lesson->has_run) return;
     HandInState& asked = state.hand_in;
     gap(ui, 4);
+    const bool scrolls = std::exchange(asked.begins, false);
     if (asked.asks && view.student.empty()) {
-        if (std::exchange(asked.begins, false) && ui.keyboard) ui.keyboard->focus = "exercise.student";
+        if (scrolls && ui.keyboard) ui.keyboard->focus = "exercise.student";
         text_field(ui, asked.name, "exercise.student", card_width(ui), ui.strings("exercise.student"),
                    ui.strings("exercise.student_how"));
     }
@@ -38,11 +47,14 @@ void exercise_files(const LabView& view, PanelState& state, Ui& ui) {
     const Item record = button(ui, "exercise.lab_record", {{}, ui.strings("exercise.lab_record"), Emphasis::quiet});
     tooltip(ui, record, ui.strings("exercise.lab_record_how"));
     if (record.pressed) ui.outbox.emplace_back(LabRecordRequest{student_of(view, asked)});
+    if (scrolls) ImGui::SetScrollHereY(1);                             // the buttons stay in sight below the name
     const bool is_entered = std::exchange(asked.name.entered, false);  // stays set once the field is gone
     if (!hand_in.pressed && !is_entered) return;
     const std::string student = student_of(view, asked);
     asked.asks = asked.begins = student.empty();
-    if (!student.empty()) ui.outbox.emplace_back(HandInRequest{student});
+    if (student.empty()) return;
+    name_student(view, ui, student);
+    ui.outbox.emplace_back(HandInRequest{student});
 }
 
 }  // namespace braitenlab::ui
