@@ -45,6 +45,8 @@ TEST_F(PathPrediction, ADragDrawsFromTheVehicle) {
     EXPECT_EQ(path.front(), (vec2{desk.now.vehicles[0].x, desk.now.vehicles[0].y}));
     EXPECT_NEAR(path.back().x, 3, 2 * a_pixel);
     EXPECT_NEAR(path.back().y, 2, 2 * a_pixel);
+    for (std::size_t i = 1; i < path.size(); ++i)
+        EXPECT_LE(maths::distance(path[i - 1], path[i]), 1.01f) << "also where the pointer was fast";
     EXPECT_TRUE(desk.edits().empty()) << "the vehicle is not moved";
     EXPECT_FALSE(scene_input().path.on);
 }

@@ -1,6 +1,7 @@
 #include "ui/scene_input/path_drawing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/lesson/path_distance.h"
@@ -13,14 +14,19 @@ using maths::vec2;
 
 namespace {
 
-constexpr float point_distance = 0.04f, shortest_path = 0.3f;  // m
+constexpr float point_distance = 0.04f, longest_gap = 1, shortest_path = 0.3f;  // m
 constexpr std::size_t most_points = 4000;
 
 void extend(PathDrawing& drawing, const SceneInputFrame& frame) {
     const auto floor = floor_at(frame);
     if (!floor || drawing.points.size() >= most_points) return;
-    const vec2 at = in_arena(frame.view, *floor);
-    if (maths::distance(drawing.points.back(), at) >= point_distance) drawing.points.push_back(at);
+    const vec2 from = drawing.points.back(), way = in_arena(frame.view, *floor) - from;
+    const float length = maths::length(way);
+    if (length < point_distance) return;
+    // A fast pointer skips metres between two frames; the path has no gap there.
+    const int pieces = static_cast<int>(std::ceil(length / longest_gap));
+    for (int i = 1; i <= pieces; ++i)
+        drawing.points.push_back(from + way * (static_cast<float>(i) / static_cast<float>(pieces)));
 }
 
 void finish(PathDrawing& drawing, Outbox& outbox) {
