@@ -127,5 +127,76 @@ TEST_F(Author, EveryListedGoalIsWrittenAndRead) {
     }
 }
 
+TEST_F(Author, TheValuesOfTheDraftAreThoseOfTheExerciseAndTheSceneHasNoTitle) {
+    draft.seconds = 33, draft.starts = 5, draft.heading_spread = 90;
+    draft.prediction = {.question = "Where to?", .options = {"Left", "Right"}, .answer = 1, .outcome = "It turns."};
+    now.title = "The one that strikes", now.story = "It hits the lamp.";
+    const auto exercise = make_exercise(draft, "strike", now, file);
+    ASSERT_TRUE(exercise) << exercise.error().text();
+    EXPECT_EQ(exercise->seconds, 33);
+    EXPECT_EQ(exercise->starts, 5);
+    EXPECT_EQ(exercise->needed, 4);
+    EXPECT_FLOAT_EQ(exercise->scene.starts[0].heading_spread, maths::pi / 2);
+    EXPECT_EQ(exercise->prediction.question, "Where to?");
+    EXPECT_EQ(exercise->prediction.options, draft.prediction.options);
+    EXPECT_EQ(exercise->prediction.answer, 1);
+    EXPECT_EQ(exercise->prediction.outcome, "It turns.");
+    EXPECT_EQ(exercise->scene.title, "") << "it tells the outcome";
+    EXPECT_EQ(exercise->scene.story, "");
+}
+
+TEST_F(Author, AMemberOfThePopulationKeepsTheBrainOfItsKind) {
+    now = file;
+    now.ecology.population = 1;
+    now.members = {{.name = "0", .kind = now.kinds[0].name}};
+    now.starts[0].brain = make_graph({.LR = 1.5f, .RL = 1.5f, .LM = 0.1f, .RM = 0.1f});
+    const auto exercise = make_exercise(draft, "strike", now, file);
+    ASSERT_TRUE(exercise) << exercise.error().text();
+    ASSERT_EQ(exercise->scene.members.size(), 1u);
+    ASSERT_TRUE(exercise->scene.members[0].brain);
+    EXPECT_EQ(*exercise->scene.members[0].brain, file.kinds[0].brain);
+}
+
+TEST_F(Author, AGateHasTwoPosts) {
+    now.obstacles = {{.name = "p1", .x = 2, .y = 7}, {.name = "p2", .x = 5, .y = 7}};
+    std::set<std::string> posts;
+    for (Goal& goal : goals_for(now, now.starts[0].name))
+        if (word_of(goal) == "drives_through")
+            for (const GoalValue& value : values_of(goal))
+                if (value.name) posts.insert(*value.name);
+    EXPECT_EQ(posts, (std::set<std::string>{"p1", "p2"}));
+}
+
+TEST_F(Author, ABrainWithItsNodesAtOtherPlacesIsNoSolution) {
+    now = file;
+    for (Node& node : now.kinds[0].brain.nodes) node.place = {3, 4};
+    EXPECT_FALSE(make_exercise(draft, "strike", now, file));
+}
+
+TEST_F(Author, ASceneWithoutLampsHasNoneToVisit) {
+    const auto has_visits = [&] {
+        for (const Goal& goal : goals_for(now, now.starts[0].name))
+            if (word_of(goal) == "visits") return true;
+        return false;
+    };
+    EXPECT_TRUE(has_visits());
+    now.sources.clear();
+    EXPECT_FALSE(has_visits());
+}
+
+TEST_F(Author, SensorsOfOneVehicleAloneBecomeThoseOfItsKindAndOthersKeepTheirs) {
+    now.starts.push_back(now.starts[0]);
+    now.starts[1].name = "other", now.starts[1].x += 3;
+    std::vector<Sensor> own = now.kinds[0].sensors;
+    own[0].angle += 0.1f;
+    now.starts[0].sensors = own;
+    const auto exercise = make_exercise(draft, "strike", now, file);
+    ASSERT_TRUE(exercise) << exercise.error().text();
+    EXPECT_EQ(with_solution(*exercise).sensors, own);
+    EXPECT_EQ(as_shipped(*exercise).sensors, own);
+    ASSERT_TRUE(exercise->scene.starts[1].sensors) << "the other vehicle drives as before";
+    EXPECT_EQ(*exercise->scene.starts[1].sensors, file.kinds[0].sensors);
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::author_test

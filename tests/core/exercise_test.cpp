@@ -447,5 +447,18 @@ TEST(Exercise, TheFormatPageHasTheGeneratedTables) {
     EXPECT_NE(text.find(describe_exercise_format()), std::string::npos);
 }
 
+TEST(Exercise, APredictionThatIsDrawnOnlyNeedsNoOptions) {
+    std::string text = aggressor();
+    for (const char* line : {"\noptions = ", "\nanswer = "}) {
+        const std::size_t at = text.find(line, text.find("[predict]"));
+        ASSERT_NE(at, text.npos) << line;
+        text.erase(at, text.find('\n', at + 1) - at);
+    }
+    EXPECT_FALSE(parse_exercise(text, guided / "x.toml")) << "neither options nor a path";
+    const auto drawn = parse_exercise(changed(text, "[predict]", "[predict]\npath = \"one\""), guided / "x.toml");
+    ASSERT_TRUE(drawn) << drawn.error().text();
+    EXPECT_EQ(drawn->prediction.path_of, "one");
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::exercise_test

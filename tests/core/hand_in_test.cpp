@@ -122,4 +122,16 @@ TEST(HandIn, ComparesNamesOfStudentsWithoutCaseAndSpaces) {
     EXPECT_FALSE(is_same_student("Ana B", "AnaB"));
 }
 
+TEST(HandIn, RefusesABrainThatCannotRunAtItsLine) {
+    const std::string good = write_hand_in(sample());
+    const std::string wires = "\n[[submission.brain.wire]]\nfrom = \"ML\"\nto = \"SL\"\n";
+    EXPECT_EQ(fault(good + wires), "h.toml:13: a wire runs into the sensor 'SL'; sensors only send");
+}
+
+TEST(HandIn, NamesItsExercise) {
+    const std::string good = write_hand_in(sample());
+    EXPECT_EQ(fault(replaced(good, "exercise = \"05-aggressor\"\n", "")),
+              "h.toml:1: 'exercise' is missing; write the file again in the lab");
+}
+
 }  // namespace braitenlab::tests::hand_in_test

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace braitenlab::tests::lecture_test {
 namespace {
@@ -124,6 +125,45 @@ TEST(Lecture, TheFormatPageHasTheGeneratedTablesAndAnExampleThatReads) {
     ASSERT_TRUE(lecture) << lecture.error().text();
     EXPECT_FALSE(check_pages(*lecture));
     EXPECT_EQ(lecture->pages.size(), 2u);
+}
+
+TEST(Lecture, AQuestionHasTwoOrMoreOptions) {
+    EXPECT_EQ(error_of(scene_page + "[page.question]\noptions = [\"left\"]\nanswer = \"left\"\n"),
+              "/nowhere/own.toml:6: 'options' needs two or more texts");
+}
+
+TEST(Lecture, APageNamesAFileBesideTheLecture) {
+    const fs::path folder = fs::temp_directory_path() / ("lecture-test-" + std::to_string(::getpid()));
+    fs::create_directories(folder / "scenes");
+    fs::copy_file(shipped / "scenes" / "2a-coward.toml", folder / "scenes" / "mine.toml",
+                  fs::copy_options::overwrite_existing);
+    const auto lecture =
+        parse_lecture("format = 1\ntitle = \"T\"\nminutes = 5\n[[page]]\nscene = \"scenes/mine.toml\"\n",
+                      folder / "own.toml", shipped);
+    ASSERT_TRUE(lecture) << lecture.error().text();
+    EXPECT_EQ(lecture->pages[0].file, folder / "scenes" / "mine.toml");
+    EXPECT_FALSE(check_pages(*lecture));
+    fs::remove_all(folder);
+}
+
+TEST(Lecture, AllTextsThatTheAudienceReadsAreTranslated) {
+    const auto lecture = read(scene_page +
+                              "caption = \"C\"\nnotes = \"not these\"\n[page.question]\ntext = \"Q\"\n"
+                              "options = [\"left\", \"right\"]\nanswer = \"right\"\nwhy = \"W\"\n");
+    ASSERT_TRUE(lecture) << lecture.error().text();
+    std::string found;
+    for (const TranslatableText& each : texts_of(*lecture)) found += each.id + "=" + each.text + "\n";
+    EXPECT_EQ(found,
+              "lecture.own.title=T\nlecture.own.page.1.caption=C\nlecture.own.page.1.question=Q\n"
+              "lecture.own.page.1.option.1=left\nlecture.own.page.1.option.2=right\nlecture.own.page.1.why=W\n");
+}
+
+TEST(Lecture, TheValuesThatAPageSetsAreCheckedInAnExerciseToo) {
+    const std::string page = "[[page]]\nexercise = \"05-aggressor\"\n";
+    EXPECT_FALSE(check_pages(*read(page)));
+    const auto wrong = check_pages(*read(page + "[page.set]\n\"vehicle.one.heading_spread\" = 999\n"));
+    ASSERT_TRUE(wrong);
+    EXPECT_NE(wrong->text().find("heading_spread"), std::string::npos) << wrong->text();
 }
 
 }  // namespace

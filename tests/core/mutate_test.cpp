@@ -68,5 +68,20 @@ TEST(Mutate, AnyNumberOfCopiesOfCopiesCompiles) {
     EXPECT_GT(most, 4u) << "wires are added";
 }
 
+TEST(Mutate, TheErrorsOfAThresholdAndABiasAreAQuarterAndHalfAsLarge) {
+    maths::Random chance(7, 0);
+    const BrainGraph middle = make_graph({.RR = 1, .threshold_RR = 0.5f, .LM = 0.2f});
+    const auto wire = [](const BrainGraph& graph) { return *find_wire(graph, 1, find_node(graph, "MR")->id); };
+    double thresholds = 0, biases = 0;
+    constexpr int copies = 2000;
+    for (int i = 0; i < copies; ++i) {
+        const BrainGraph child = mutated(middle, {.strength = 0.4f, .thresholds = true, .biases = true}, chance);
+        thresholds += std::pow(double{wire(child).threshold} - 0.5, 2);
+        biases += std::pow(double{find_node(child, "ML")->bias - 0.2f}, 2);
+    }
+    EXPECT_NEAR(std::sqrt(thresholds / copies), 0.1, 0.005);
+    EXPECT_NEAR(std::sqrt(biases / copies), 0.2, 0.01);
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::mutate_test

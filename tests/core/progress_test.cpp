@@ -77,5 +77,16 @@ TEST(Progress, TakesANameWithoutBlanksAtItsEndsAndOnce) {
     EXPECT_FALSE(is_free_name(book, "  "));
 }
 
+TEST(Progress, CutsLongNotesBetweenTwoCharactersAndRefusesATooLargeFile) {
+    StudentProgress student = anna();
+    student.exercises["06-love"].notes = std::string(longest_notes - 1, 'n') + "ü";
+    const auto read = read_progress(write_progress(student), "f");
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->exercises.at("06-love").notes, std::string(longest_notes - 1, 'n'));
+    const auto large = read_progress(write_progress(student) + std::string(std::size_t{17} << 20U, ' '), "f");
+    ASSERT_FALSE(large);
+    EXPECT_EQ(large.error().text(), "f: larger than 16 MB; split it");
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::progress_test

@@ -36,5 +36,13 @@ TEST(Reference, FollowsTheVehicleOfAnotherStart) {
     EXPECT_TRUE(Reference(circle, as_shipped(circle), 2, 1).until(60).empty()) << "there are two starts";
 }
 
+TEST(Reference, HasTheStartOfItsSeed) {
+    const Exercise drive = shipped("01-drive");
+    const ReferencePath one = Reference(drive, 1).until(0), other = Reference(drive, 2).until(0);
+    ASSERT_EQ(one.size(), 1u);
+    ASSERT_EQ(other.size(), 1u);
+    EXPECT_NE(one.front().heading, other.front().heading);
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::reference_test

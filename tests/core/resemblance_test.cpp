@@ -46,4 +46,28 @@ TEST(Resemblance, NamesTheWrongAnswerThatASlightlyWeakerBrainBehavesLike) {
     }
 }
 
+// A grade of one start with one step.
+Grade graded(bool done, float value, std::vector<maths::vec2> path) {
+    return {{{.seed = 1, .passed = done, .verdicts = {{done, {{.value = value}}}}, .path = std::move(path)}}, 0, false};
+}
+
+TEST(Resemblance, StepsWeighHalfAndPathsAndValuesAQuarterEach) {
+    const std::vector<maths::vec2> right{{0, 0}, {1, 0}, {2, 0}}, up{{0, 0}, {0, 1}, {0, 2}}, far{{0, 90}, {0, 91}};
+    const Grade first = graded(false, 1, right);
+    EXPECT_FLOAT_EQ(behaviour_distance(first, graded(true, 1, right)), 0.5f);
+    EXPECT_FLOAT_EQ(behaviour_distance(first, graded(false, 1, far)), 0.25f);
+    EXPECT_FLOAT_EQ(behaviour_distance(first, graded(false, 0.5f, right)), 0.125f);
+    EXPECT_FLOAT_EQ(behaviour_distance(first, graded(true, -1, far)), 1);
+    EXPECT_EQ(behaviour_distance(first, graded(false, 1, {{0, 0}, {2, 0}, {1, 0}, {2, 0}})), 0)
+        << "speed has no effect";
+    EXPECT_NEAR(behaviour_distance(first, graded(false, 1, up)), 0.25f, 0.001f);
+}
+
+TEST(Resemblance, ADistanceOfPathsIsInProportionToTheirSize) {
+    std::vector<maths::vec2> far, beside;
+    for (int i = 0; i <= 20; ++i)
+        far.push_back({static_cast<float>(i), 0}), beside.push_back({static_cast<float>(i), 1});
+    EXPECT_NEAR(behaviour_distance(graded(false, 1, far), graded(false, 1, beside)), 0.25f * 2 / 20, 0.001f);
+}
+
 }  // namespace braitenlab::tests::resemblance_test

@@ -99,5 +99,20 @@ TEST(Selection, WhoeverChoosesTheLongestSurvivorPassesWithinTheGenerationsForMos
     EXPECT_EQ(at_once, 0) << "one choice is too easy";
 }
 
+TEST(Selection, AllowsNoErrorThatTheCopiesCannotHave) {
+    BrainGraph masked = first_parent(1).brain;
+    masked.wires[0].threshold = 0.9f;
+    EXPECT_FALSE(keeps_to_offers(exercise(), with_brain(exercise(), masked))) << "thresholds are copied exactly";
+    BrainGraph cut = first_parent(1).brain;
+    cut.wires.pop_back();
+    EXPECT_FALSE(keeps_to_offers(exercise(), with_brain(exercise(), cut))) << "no wire is lost";
+}
+
+TEST(Selection, ARunThatPassedOrLastedToItsEndHasNotFallen) {
+    EXPECT_TRUE(has_fallen(exercise(), {.passed = false, .seconds = 5}));
+    EXPECT_FALSE(has_fallen(exercise(), {.passed = true, .seconds = 5}));
+    EXPECT_FALSE(has_fallen(exercise(), {.passed = false, .seconds = exercise().seconds}));
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::selection_test

@@ -217,5 +217,56 @@ TEST(Warnings, CountsWordsAndNoSigns) {
     EXPECT_EQ(word_count(""), 0);
 }
 
+TEST(Warnings, APredictionWithoutAnOutcome) {
+    expect_warning(replaced(sound, "outcome = \"Nothing steers it.\"\n", ""), "no 'outcome'", "[predict]");
+}
+
+TEST(Warnings, NoEqualStartsInAPopulationAtRandomPlaces) {
+    const std::string alike = replaced(sound, "heading_spread = 5\n", "");
+    EXPECT_TRUE(warnings(alike + "\n[scene.ecology]\npopulation = 3\n").empty());
+}
+
+TEST(Warnings, ASensorThatOnlyTheSolutionReadsIsNotUnused) {
+    const std::string third = sound + "\n[scene.kind.car.sensor.heat]\nchannel = \"heat\"\n";
+    const std::string solution = "[solution]\nLR = 1.5\nRL = 1.5\nLM = 0.3\nRM = 0.3\n";
+    const std::string wired =
+        "[solution]\nLR = 1.5\nRL = 1.5\nLM = 0.3\nRM = 0.3\n[[solution.node]]\nname = \"heat\"\nkind = \"sensor\"\n"
+        "[[solution.wire]]\nfrom = \"heat\"\nto = \"ML\"\n";
+    EXPECT_EQ(warnings(third).size(), 1u);
+    EXPECT_TRUE(warnings(replaced(third, solution, wired)).empty());
+}
+
+TEST(Warnings, ASensorWhoseOfferedDialsAreOfTheOtherSideIsUnused) {
+    const std::string pair =
+        "\n[scene.kind.car.sensor.HL]\nchannel = \"heat\"\ny = 0.2\nangle = 30\n"
+        "\n[scene.kind.car.sensor.HR]\nchannel = \"heat\"\ny = -0.2\nangle = -30\n";
+    EXPECT_TRUE(warnings(sound + pair).empty());
+    const std::string from_right = replaced(sound, "offers = [\"LR\", \"RL\"]", "offers = [\"RR\", \"LR\"]");
+    expect_warning(from_right + pair, "no wire reads the sensor 'HL'", "[scene.kind.car.sensor.HL]");
+}
+
+TEST(Warnings, AStepThatIsDoneByTheFirstTick) {
+    expect_warning(
+        replaced(sound, "goal = \"touches\"\nsource = \"a\"\nmetres = 0.6", "goal = \"drives\"\nspeed = 0.001"),
+        "done at the start", "[[step]]");
+}
+
+TEST(Warnings, NoneForAVehicleInALampThatIsNotSolidOrBeyondAnOpenEdge) {
+    const std::string near = replaced(sound, "metres = 0.6", "metres = 0.1");
+    for (const Error& each : warnings(replaced(near, "x = 4\ny = 2", "x = 0.2"))) ADD_FAILURE() << each.text();
+    const std::string open = replaced(sound, "height = 12\n", "height = 12\nedge = \"open\"\n");
+    for (const Error& each : warnings(replaced(open, "kind = \"car\"", "kind = \"car\"\nx = -5.9")))
+        ADD_FAILURE() << each.text();
+}
+
+TEST(Warnings, APredictionIsTestedUntilItsOutcomeOnly) {
+    const std::string toml = replaced(sound, "speed = 0.1", "speed = 0.1\nearliest = 5");
+    const auto exercise = parse_exercise(toml, "own.toml");
+    ASSERT_TRUE(exercise) << exercise.error().text();
+    const auto fault = prediction_fault(*exercise, toml, "own.toml");
+    ASSERT_TRUE(fault) << "the outcome is after 2 s";
+    EXPECT_NEAR(fault->line, line_with(toml, "[[predict.shows]]"), 1);
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::warnings_test
