@@ -170,7 +170,9 @@ std::string feedback(const ClassReport& report, const ClassRow& row, const Strin
     if (row.unchanged) return text + std::string(strings("report.unchanged"));
     const std::string step = failed_step_text(report, grade, strings);
     if (!row.resembles) return text + step;
-    return text + std::string(translated(strings, report.exercise->wrong[*row.resembles].text)) + " " + step;
+    // The behaviour is alike, not necessarily the brain: the text is that of the other answer.
+    const std::string alike(translated(strings, report.exercise->wrong[*row.resembles].text));
+    return text + fill(strings("report.alike"), {alike}) + " " + step;
 }
 
 namespace {

@@ -70,10 +70,14 @@ TEST_F(Note, ShowsTheNotesOfTheStudent) {
     EXPECT_FALSE(desk.last<NotesRequest>());
 }
 
-TEST_F(Note, DigitsAndSpaceChooseAnAnswerWhileTheCardHasTheFocus) {
+TEST_F(Note, DigitsAndSpaceChooseAnAnswer) {
     press({'2'});
-    EXPECT_FALSE(desk.last<PredictRequest>());
-    EXPECT_EQ(desk.panels.keyboard.focus, "slider.LR") << "without the focus a digit takes a slider";
+    ASSERT_TRUE(desk.last<PredictRequest>()) << "wherever the focus is";
+    EXPECT_EQ(desk.last<PredictRequest>()->option, 1);
+    desk.lesson.prediction = 1;
+    desk.panels.keyboard.focus.clear();
+    press({'2'});
+    EXPECT_EQ(desk.panels.keyboard.focus, "slider.LR") << "once it is made, a digit takes a slider";
     desk.panels.keyboard.focus = "exercise.predict.1";
     desk.panels.keyboard.shown = true;
     press({'3'});

@@ -27,7 +27,8 @@ bool is_asked(const LabView& view, const PanelState& state) {
 bool key_for_prediction(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     if (press.ctrl || press.shift || !is_asked(view, state)) return false;
     const int count = static_cast<int>(view.lesson->exercise->prediction.options.size());
-    const bool on_card = view.lesson->prediction < 0 || state.keyboard.focus.starts_with("exercise.");
+    const bool is_open = view.lesson->prediction < 0 && !view.lecture;
+    const bool on_card = is_open || state.keyboard.focus.starts_with("exercise.");
     int wanted = -1;
     if (press.key >= '1' && press.key <= '9' && on_card) wanted = press.key - '1';
     if (press.key == ' ' && state.keyboard.shown) wanted = focused_answer(state, count);
