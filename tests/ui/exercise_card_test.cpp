@@ -404,4 +404,34 @@ TEST(ExerciseCard, HandInUsesTheNameOfTheNamedStudent) {
     EXPECT_EQ(std::get<HandInRequest>(desk.all[0]).student, "Bo");
 }
 
+TEST(ExerciseCard, ShowsTheStepsAboveTheOutcomeOnceTheBrainIsChanged) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = desk.lesson.outcome_known = true;
+    desk.lesson.prediction = 0;
+    desk.opened.scene.kinds = desk.now.scene->kinds;
+    for (const Kind& kind : desk.opened.scene.kinds)
+        desk.now.kind_brains.push_back(std::make_shared<BrainGraph>(kind.brain));
+    desk.frame(3);
+    EXPECT_LT(desk.where("exercise.predict").y, desk.where("exercise.step.1").y);
+    BrainGraph changed = desk.opened.scene.kinds[0].brain;
+    changed.wires.front().weight += 1;
+    desk.now.kind_brains[0] = std::make_shared<BrainGraph>(changed);
+    desk.frame(3);
+    EXPECT_GT(desk.where("exercise.predict").y, desk.where("exercise.step.1").y);
+}
+
+TEST(ExerciseCard, HasNoNumberForAnExerciseOutsideTheCourse) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.opened.number = 0;
+    desk.frame(3);
+    const auto writes = [&](std::string_view words) {
+        return std::any_of(desk.written.begin(), desk.written.end(),
+                           [&](const Written& written) { return written.words == words; });
+    };
+    EXPECT_TRUE(writes("EXERCISE"));
+    EXPECT_FALSE(writes("EXERCISE 0"));
+}
+
 }  // namespace braitenlab::tests::exercise_card_test

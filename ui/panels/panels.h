@@ -15,6 +15,7 @@ namespace braitenlab::ui {
 
 // Cards; cards.h says when and where they are shown.
 void exercise_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.lesson
+std::string exercise_heading(const LessonView&, const Ui&);  // "EXERCISE 5", or "EXERCISE" without a number
 void exercise_files(const LabView&, PanelState&, Ui&);       // precondition: view.lesson is set
 void start_pictures(const LabView&, Ui&);                    // precondition: view.lesson has a grade
 void median_rows(const LessonView&, Ui&);                    // nothing without LessonView::shipped_grade and a grade

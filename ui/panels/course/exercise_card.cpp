@@ -246,23 +246,31 @@ void task(const LabView& view, PanelState& state, Ui& ui) {
 
 }  // namespace
 
-// When the exercise is passed, the result and the steps are at the top. In a low window the rest scrolls.
+std::string exercise_heading(const LessonView& lesson, const Ui& ui) {
+    const int number = lesson.exercise->number;
+    if (number == 0) return std::string(ui.strings("exercise.heading_unnumbered"));
+    return fill(ui.strings("exercise.heading"), {std::to_string(number)});
+}
+
+// When the exercise is passed, the result and the steps are at the top. Once the brain is changed, the steps are above
+// the outcome of the prediction. In a low window the rest scrolls.
 void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const LessonView& lesson = *view.lesson;
     const bool rewired = is_rewired(view), passed = has_passed(lesson);
     follow_exercise(lesson, state);
     state.card(Card::exercise).footer = ui.px(button_height + 8);
-    const std::string heading = fill(ui.strings("exercise.heading"), {std::to_string(lesson.exercise->number)});
-    const bool open = open_card(state, ui, Card::exercise, place, {}, heading);
+    const bool open = open_card(state, ui, Card::exercise, place, {}, exercise_heading(lesson, ui));
     if (open) {
         if (!hides_outcome(view)) paragraph(ui, translated(ui, lesson.exercise->title), ui.palette.text, Face::title);
         result(view, ui);
         if (passed) question(lesson, state, ui), steps(view, ui);
         task(view, state, ui);
         if (!hides_outcome(view)) selection_button(view, state, ui);
+        const bool steps_first = rewired && !hides_outcome(view);
+        if (!passed && steps_first) steps(view, ui), hints(lesson, state, ui);
         prediction(view, state, rewired, ui);
-        if (!passed) steps(view, ui);
-        hints(lesson, state, ui);
+        if (!passed && !steps_first) steps(view, ui);
+        if (passed || !steps_first) hints(lesson, state, ui);
         kept_button(view, ui);
         exercise_note(view, state, ui);
         exercise_files(view, state, ui);
