@@ -178,9 +178,11 @@ inline const Kind* filed_kind(const LabView& view, const VehicleView& vehicle) {
     return filed_kind(view, kind_of(*view.now, vehicle).name);
 }
 
-// True while the exercise's prediction is asked and neither made nor shown by a run: nothing may tell the outcome.
+// True while the exercise's prediction is asked and neither made nor shown by a run: nothing may tell the outcome. On a
+// page of a lecture the answer to the page's question tells it.
 inline bool hides_outcome(const LabView& view) {
     if (!view.lesson || !is_asked(view.lesson->exercise->prediction)) return false;
+    if (view.pages && view.pages->shows(PagePart::answer)) return false;
     const bool passed = view.lesson->grade && view.lesson->grade->good;
     return !has_predicted(*view.lesson) && !view.lesson->outcome_known && !passed;
 }

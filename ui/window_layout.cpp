@@ -11,10 +11,11 @@ namespace {
 // Layout pixels.
 constexpr float toolbar_height = 42, hint_height = 32, timeline_height = 50, above_timeline = 8;
 constexpr float lecture_bar_height = 56, figures_height = 92, lecture_inset_aspect = 1.6f;
-constexpr float caption_height = 74, question_share = 0.45f;  // of the width
-constexpr float metre_labels = 16;                            // below the arena
-constexpr float wide_window = 1600;                           // has room for both columns and a watched canvas
-constexpr float narrow_window = 1200;                         // a narrower window has narrower cards and margins
+constexpr float caption_height = 74, question_share = 0.45f;       // of the width
+constexpr float column_share = 0.375f, lone_column_share = 0.45f;  // at most, of the width with a margin
+constexpr float metre_labels = 16;                                 // below the arena
+constexpr float wide_window = 1600;                                // has room for both columns and a watched canvas
+constexpr float narrow_window = 1200;                              // a narrower window has narrower cards and margins
 constexpr float inset_height = 232;
 constexpr float charts_height = 248, tools_row = 44;
 
@@ -56,8 +57,23 @@ void split_for_canvas(WindowLayout& l, const LabView& view, float border, bool c
     }
 }
 
-// The parts of a page of a lecture: the caption above, and the scene beside the question and the open cards. The values
-// below are shown on request only.
+// Whether the question of a page is beside the scene.
+bool asks_beside(const LectureView& page, OpenCards open) {
+    const bool is_answered = page.shows(PagePart::answer);
+    return page.shows(PagePart::question) && !page.shows(PagePart::exercise) && !(open.right && is_answered);
+}
+
+// In a lecture the type is large: the right column is wider where nothing else is beside the scene.
+float right_share(const LabView& view, OpenCards open) {
+    if (!view.lecture) return column_share;
+    if (!view.pages) return lone_column_share;
+    const bool has_left = asks_beside(*view.pages, open) || view.pages->shows(PagePart::exercise);
+    return has_left ? column_share : lone_column_share;
+}
+
+// The parts of a page of a lecture: the caption above, and the scene beside the question and the open cards. The
+// exercise takes the place of the question, as the sliders do once it is answered. The values below are shown on
+// request only.
 void lay_out_page(WindowLayout& l, const LectureView& page, OpenCards open, float margin) {
     Rect& s = l.scene;
     const float bottom = page.shows(PagePart::values) ? s.y + s.h : l.window.h - margin;
@@ -71,7 +87,7 @@ void lay_out_page(WindowLayout& l, const LectureView& page, OpenCards open, floa
     l.left.y = l.right.y = s.y;
     l.left.h = l.right.h = s.h;
     const bool has_card = page.shows(PagePart::exercise);  // takes the place of the question
-    const bool asks = page.shows(PagePart::question) && !has_card;
+    const bool asks = asks_beside(page, open);
     if (asks) l.question = {margin, s.y, question_share * l.window.w - margin, s.h};
     if (asks || !has_card) l.left = {};
     const float from = asks ? l.question.x + l.question.w + margin : has_card ? l.left.x + l.left.w + margin : s.x;
@@ -100,8 +116,8 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     const float top = l.toolbar.y + l.toolbar.h + margin, bottom = l.hint_bar.y - margin;
     const float column = std::max(0.0f, bottom - top);
     // At most three eighths of the window each, so that a quarter stays free.
-    const float left = std::min(c.left * scale, width * 0.375f - 2 * margin);
-    const float right = std::min(c.right * scale, width * 0.375f - margin);
+    const float left = std::min(c.left * scale, width * column_share - 2 * margin);
+    const float right = std::min(c.right * scale, width * right_share(view, open) - margin);
     l.left = {margin, top, left, column};
     l.right = {width - margin - right, top, right, column};
     const bool watches = view.settings.watching && view.mode != Mode::wiring;

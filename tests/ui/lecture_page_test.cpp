@@ -157,6 +157,32 @@ TEST_F(LecturePages, UnfoldsTheSlidersWhereThePageShowsThemAndFoldsThemAfterward
     EXPECT_TRUE(desk.anchors.find("slider.LR")) << "the lecturer can open them on any page";
 }
 
+TEST_F(LecturePages, TheSlidersTakeThePlaceOfAnAnsweredQuestion) {
+    pages = opened("wheels-to-neurons");
+    for (const int page : {1, 5, 6}) {
+        SCOPED_TRACE(page + 1);
+        show(page, 2);
+        EXPECT_TRUE(desk.anchors.find("lecture.question")) << "the answer";
+        show(page, 3);
+        EXPECT_FALSE(desk.anchors.find("lecture.question"));
+        ASSERT_FALSE(desk.panels.card(Card::brain).folded);
+        EXPECT_FALSE(overlap(desk.where("card.brain"), desk.where("viewport")));
+        EXPECT_GT(desk.where("viewport").w, 0.45f * desk.layout.window.w);
+        desk.panels.card(Card::brain).folded = true;
+        desk.frame(3);
+        EXPECT_TRUE(desk.anchors.find("lecture.question")) << "the lecturer has folded the card";
+    }
+}
+
+TEST_F(LecturePages, TheAnswerOfThePageTellsTheOutcomeOfItsExercise) {
+    pages = opened("wheels-to-neurons");
+    desk.open_exercise();
+    show(5, 1);
+    EXPECT_TRUE(hides_outcome(desk.view));
+    show(5, 2);
+    EXPECT_FALSE(hides_outcome(desk.view));
+}
+
 TEST_F(LecturePages, PageKeysTurnPagesOnlyWhileALectureFileIsOpen) {
     show(0, 0);
     desk.key({key::page_down});

@@ -124,6 +124,24 @@ TEST(Lecture, SaysThatAnEarlierMomentIsShownAndHowEarly) {
     EXPECT_LT(desk.where("lecture.past").x + desk.where("lecture.past").w, desk.where("lecture.leave").x);
 }
 
+TEST(Lecture, TellsNoOutcomeBeforeThePrediction) {
+    Desk desk(1280, 800, 1, true);
+    desk.open_exercise();
+    desk.view.lecture = true;
+    desk.frame(3);
+    const auto writes = [&](std::string_view words) {
+        return std::any_of(desk.written.begin(), desk.written.end(),
+                           [&](const Written& written) { return written.words == words; });
+    };
+    const std::string_view title = desk.opened.title, character = desk.strings("character.hidden");
+    EXPECT_FALSE(writes(title));
+    EXPECT_TRUE(writes(character));
+    desk.lesson.prediction = 0;
+    desk.frame(3);
+    EXPECT_TRUE(writes(title));
+    EXPECT_FALSE(writes(character));
+}
+
 TEST(Lecture, RestoresEveryCard) {
     Desk desk;
     desk.open_exercise();

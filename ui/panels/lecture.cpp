@@ -46,8 +46,9 @@ std::vector<LectureFigure> lecture_values(const LabView& view, PanelState& state
     };
     const Recognised& known = recognised(state.recognised, now, *vehicle, view.wall_seconds);
     const auto character = shown_character(known, now, *vehicle, shown_pair(view, *vehicle));
-    return {{"lecture.character", "lecture.character",
-             std::string(ui.strings("character." + std::string(character ? name(*character) : "parts"))), p.text},
+    const bool hidden = hides_outcome(view) || is_brain_secret(view, vehicle->kind);
+    const std::string word = hidden ? "hidden" : character ? name(*character) : "parts";
+    return {{"lecture.character", "lecture.character", std::string(ui.strings("character." + word)), p.text},
             {"lecture.speed", "lecture.speed", fill(ui.strings("info.metres_a_second"), {fixed(ui, vehicle->speed, 2)}),
              p.text},
             wheel("lecture.left", vehicle->motor[0]),
@@ -124,9 +125,12 @@ float page_number(const LabView& view, Ui& ui, float right, Rect bar) {
     return place.x;
 }
 
-std::string_view title_of_bar(const LabView& view) {
-    if (view.pages) return view.pages->lecture->title;  // that of the scene could tell the answer
-    return view.lesson ? view.lesson->exercise->title : view.now->scene->title;
+// Without the title of an exercise or a scene that could tell the answer.
+std::string title_of_bar(const LabView& view, const Ui& ui) {
+    if (view.pages) return std::string(translated(ui, view.pages->lecture->title));
+    if (!view.lesson) return std::string(translated(ui, view.now->scene->title));
+    if (hides_outcome(view)) return exercise_heading(*view.lesson, ui);
+    return std::string(translated(ui, view.lesson->exercise->title));
 }
 
 }  // namespace
@@ -152,11 +156,10 @@ void lecture_bar(const LabView& view, const PanelState&, Ui& ui, Rect bar) {
     tooltip(ui, end, ui.strings("lecture.leave"), key_name(Action::lecture, ui.strings));
     if (end.pressed) ui.outbox.push_back(Action::lecture);
     // The title, between the clock and the button that ends the lecture.
-    const std::string_view title = title_of_bar(view);
     const float right = view.pages ? page_number(view, ui, end.rect.x, bar) : end.rect.x;
     const float from = past_sign(view, ui, start.right() + ui.px(16 + 96), bar), room = right - ui.px(12) - from;
     put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2},
-        shortened(ui, translated(ui, title), Face::title, room), ui.palette.second_text, Face::title);
+        shortened(ui, title_of_bar(view, ui), Face::title, room), ui.palette.second_text, Face::title);
     end_bar();
 }
 
