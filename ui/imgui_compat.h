@@ -32,6 +32,15 @@ inline float size_of(const ImFont* font) {
 #endif
 }
 
+// Space added to the advance of each glyph of a font, in window pixels.
+inline void set_glyph_space(ImFontConfig& config, float space) {
+#if IMGUI_VERSION_NUM >= 19190
+    config.GlyphExtraAdvanceX = space;
+#else
+    config.GlyphExtraSpacing.x = space;
+#endif
+}
+
 inline bool has_glyph(ImFont* font, ImWchar glyph) {
 #if IMGUI_VERSION_NUM >= 19200
     return font->IsGlyphInFont(glyph);

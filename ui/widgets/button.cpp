@@ -71,10 +71,19 @@ Item button(Ui& ui, std::string_view id, const ButtonLook& look) {
     return at;
 }
 
+namespace {
+
+// Of the icon and the space behind it; wide icons take more.
+float sign_room(const Ui& ui, const SmallButton& look) {
+    if (!has_icons(ui) || look.icon.empty()) return 0;
+    return std::max(ui.px(16), text_width(ui, Face::small, look.icon) + ui.px(4));
+}
+
+}  // namespace
+
 float small_button_width(const Ui& ui, const SmallButton& look, bool words) {
     if (!words && has_icons(ui)) return ui.px(28);
-    const float sign = has_icons(ui) && !look.icon.empty() ? ui.px(16) : 0;
-    return ui.px(14) + sign + text_width(ui, Face::small, look.words);
+    return ui.px(14) + sign_room(ui, look) + text_width(ui, Face::small, look.words);
 }
 
 Item small_button(Ui& ui, const SmallButton& look, bool words) {
@@ -89,8 +98,8 @@ Item small_button(Ui& ui, const SmallButton& look, bool words) {
     }
     float x = at.rect.x + ui.px(7);
     if (has_icons(ui) && !look.icon.empty()) {
-        put_icon(ui, {x + ui.px(6), at.middle_y()}, look.icon, p.second_text, Face::small);
-        x += ui.px(16);
+        put_icon(ui, {x + (sign_room(ui, look) - ui.px(4)) / 2, at.middle_y()}, look.icon, p.second_text, Face::small);
+        x += sign_room(ui, look);
     }
     put(ui, {x, at.middle_y() - line_height(ui, Face::small) / 2}, look.words, p.text, Face::small);
     return at;

@@ -54,9 +54,10 @@ public:
         }
         for (const std::string& symbols : paths_.symbols) merge(symbols, pixels, signs, {}, "some signs show as '?'");
         // Glyphs of Fork Awesome are larger than the em. They are scaled down and moved down to be level with words.
+        // Some are as wide as their advance, so that a letter would touch them.
         if (with_icons)
             merge(paths_.icons, std::round(em * 1.16f * scale_), icon_range, {0, em * 0.08f * scale_},
-                  "buttons show words only");
+                  "buttons show words only", std::round(em * 0.4f * scale_));
         return font;
     }
 
@@ -70,11 +71,14 @@ public:
     std::string warning;
 
 private:
-    void merge(const std::string& file, float pixels, const ImWchar* range, ImVec2 shift, const char* instead) {
+    // `space`: added to the width of each glyph, window pixels, half of it on each side.
+    void merge(const std::string& file, float pixels, const ImWchar* range, ImVec2 shift, const char* instead,
+               float space = 0) {
         if (!readable(file)) return miss(file, instead);
         ImFontConfig config;
         config.MergeMode = true;
-        config.GlyphOffset = shift;
+        config.GlyphOffset = {shift.x + space / 2, shift.y};
+        compat::set_glyph_space(config, space);
         atlas_.AddFontFromFileTTF(file.c_str(), pixels, &config, range);
     }
 
