@@ -319,6 +319,20 @@ TEST_P(EveryLanguage, FitsAtTwiceTheSize) {
     }
 }
 
+TEST_P(EveryLanguage, FitsTheBrainCardInALecture) {
+    for (const char* name : {"2b-aggressor", "3c-values"}) {
+        Desk desk(1024, 1400, 1.6f, true);  // high, so that nothing of the card is scrolled away
+        desk.strings = speaking(GetParam());
+        desk.now = shipped_scene(name);
+        desk.view.lecture = true;
+        desk.frame(3);
+        desk.panels.card(Card::brain).folded = false;
+        desk.frame(5);
+        ASSERT_TRUE(desk.anchors.find("brain.picture"));
+        expect_words_to_fit(desk, name);
+    }
+}
+
 // Numbers have the decimal mark of the language. Names of files and the version are no numbers.
 TEST_P(EveryLanguage, ShowsNumbersWithItsDecimalMark) {
     const bool has_comma = std::string(GetParam()) != "en";

@@ -49,6 +49,18 @@ std::string own_name(const LabView& view, const VehicleView& vehicle) {
     return name;
 }
 
+// That of the characters and drivers; window pixels.
+float widest_chip(const Ui& ui) {
+    float widest = 0;
+    const auto take = [&](const std::string& word) { widest = std::max(widest, chip_width(ui, ui.strings(word))); };
+    for (int i = 0; i <= static_cast<int>(Character::mixed); ++i)
+        take("character." + std::string(name(static_cast<Character>(i))));
+    take("character.hidden"), take("character.parts");
+    for (const Driver driver : {Driver::manual, Driver::path, Driver::wander, Driver::parked})
+        take("driver." + std::string(word(driver)));
+    return widest;
+}
+
 // Role sign, name, and the recognised character as a chip.
 void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -68,13 +80,12 @@ void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView
     const std::string_view label =
         ui.strings.find((thinks ? "character." : "driver.") + std::string(character), character);
     const float left = at.x + size + ui.px(8), name_width = text_width(ui, Face::title, title);
-    const float word_width = chip_width(ui, label),
-                word_left = std::min(left + name_width + ui.px(10), at.x + width - word_width);
-    ImGui::PushClipRect(at, {word_left - ui.px(4), at.y + height}, true);
-    put(ui, {left, at.y}, title, ui.palette.text, Face::title);
-    ImGui::PopClipRect();
-    chip(ui, {word_left, at.y + height / 2}, label);
-    const Item row = item(ui, "brain.character", {width, height}, false);
+    // Without room for the widest chip, the chip is below the name, so that another character does not move it.
+    const bool below = left + name_width + ui.px(10) + widest_chip(ui) > at.x + width;
+    const float chip_middle = below ? height + ui.px(15) : height / 2;
+    put(ui, {left, at.y}, shortened(ui, title, Face::title, at.x + width - left), ui.palette.text, Face::title);
+    chip(ui, {below ? left : left + name_width + ui.px(10), at.y + chip_middle}, label);
+    const Item row = item(ui, "brain.character", {width, below ? height + ui.px(28) : height}, false);
     if (row.hovered) tooltip(ui, row, ui.strings((thinks ? "character_story." : "drive.") + std::string(character)));
 }
 

@@ -26,7 +26,8 @@ namespace {
 using sketch::NodeMark;
 using sketch::WireMark;
 
-constexpr float reach_of_wire = 7;  // layout pixels
+constexpr float reach_of_wire = 7;   // layout pixels
+constexpr float reach_of_pair = 86;  // from the middle to the numbers of the motors, layout pixels
 
 class BrainPicture {
 public:
@@ -37,11 +38,17 @@ public:
           vehicle_(vehicle),
           brain_(*brain_of(*view.now, vehicle)),
           pair_(shown_pair(view, vehicle)),
-          is_graph_(!sketch::is_four_wires(brain_, pair_)) {
+          is_graph_(!sketch::is_four_wires(brain_, pair_)),
+          unit_(ui.px(1)) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         all_ = {at.x, at.y, card_width(ui), ui.px(layout_height + (is_graph_ ? sketch::graph_height : 0))};
+        if (!is_graph_)
+            unit_ = std::min(
+                ui.px(1), (all_.w / 2 - text_width(ui, Face::small, with_sign(ui, 1, 2)) - ui.px(2)) / reach_of_pair);
         parts_ = is_graph_ ? sketch::lay_out_graph(brain_, kind_of(*view.now, vehicle), pair_, all_, ui.px(1))
-                           : sketch::lay_out_pair(brain_, pair_, all_, ui.px(1));
+                           : sketch::lay_out_pair(brain_, pair_, all_, unit_);
+        for (const NodeMark& sensor : parts_.sensors)
+            is_crowded_ |= text_width(ui, Face::small, wiring::short_name(sensors(), sensor.name)) > room_of_name();
     }
 
     void draw() {
@@ -85,9 +92,8 @@ private:
         if (at.warmth > 0) warmth_[which.node->id] = at.warmth;
         if (at.hovered) {
             const std::string value = which.node->silenced ? "" : "  " + fixed(ui_, reading(which.node), 2);
-            const std::vector<Sensor>& sensors = kind_of(*view_.now, vehicle_).sensors;
-            const Sensor* sensor = find_sensor(sensors, which.name);
-            const std::string name = sensor ? sensor_label(ui_, sensors, *sensor) : which.name;
+            const Sensor* sensor = find_sensor(sensors(), which.name);
+            const std::string name = sensor ? sensor_label(ui_, sensors(), *sensor) : which.name;
             tooltip(ui_, at, fill(ui_.strings(which.node->silenced ? words_hurt : words), {name + value}),
                     ui_.strings("lesion.key"));
         }
@@ -163,19 +169,18 @@ private:
         sketch::eye(ui_, which.at, parts_.sensor_radius, reading(which.node), covered, warmth(which));
         if (!is_graph_) {
             const float out = is_first ? -1.0f : 1.0f;
-            sketch::number(ui_, {which.at.x + out * ui_.px(44), which.at.y + ui_.px(6)}, is_first, which.name,
+            sketch::number(ui_, {which.at.x + out * unit_ * 44, which.at.y + ui_.px(6)}, is_first,
+                           wiring::short_name(sensors(), which.name),
                            covered ? "—" : fixed(ui_, reading(which.node), 2));
             return;
         }
         // Names of a crowded row would overlap. There the place of the sensor shows its side.
-        const std::vector<Sensor>& sensors = kind_of(*view_.now, vehicle_).sensors;
-        const float room = ui_.px(parts_.sensor_radius / 0.36f - 4);
-        std::string name = wiring::short_name(sensors, which.name);
-        const Sensor* sensor = find_sensor(sensors, which.name);
-        if (text_width(ui_, Face::small, name) > room && sensor && name != which.name)
-            name = wiring::channel_symbol(sensor->channel);
+        std::string name = wiring::short_name(sensors(), which.name);
+        const Sensor* sensor = find_sensor(sensors(), which.name);
+        if (is_crowded_ && sensor && name != which.name) name = wiring::channel_symbol(sensor->channel);
         const float width = text_width(ui_, Face::small, name);
-        if (width <= room)
+        // A symbol has space of its own on both sides.
+        if (width <= room_of_name() + (is_crowded_ ? ui_.px(7) : 0))
             put(ui_, {which.at.x - width / 2, all_.y + ui_.px(1)}, name, ui_.palette.second_text, Face::small);
     }
 
@@ -184,7 +189,7 @@ private:
         const bool stopped = which.node && which.node->silenced;
         const float out = side == 0 ? -1.0f : 1.0f;
         sketch::wheel(ui_, which.at, out, vehicle_.motor[side], vehicle_.wheel_angle[side], stopped, warmth(which));
-        sketch::number(ui_, {which.at.x + out * ui_.px(32), which.at.y + ui_.px(4)}, side == 0, which.name,
+        sketch::number(ui_, {which.at.x + out * unit_ * 32, which.at.y + ui_.px(4)}, side == 0, which.name,
                        with_sign(ui_, vehicle_.motor[side], 2));
     }
 
@@ -193,11 +198,15 @@ private:
         return found == warmth_.end() ? 0 : found->second;
     }
 
-    // Shows the whole brain beside the scene, or hides it.
+    const std::vector<Sensor>& sensors() const { return kind_of(*view_.now, vehicle_).sensors; }
+    float room_of_name() const { return ui_.px(parts_.sensor_radius / 0.36f - 4); }  // in the row of a graph
+
+    // Shows the whole brain beside the scene, or hides it. In large type it would cover a number.
     void watch_button() {
+        if (view_.lecture) return;
         const SmallButton look{"button.watch", icon::wiring, ui_.strings("button.watch"), view_.settings.watching};
-        const float width = small_button_width(ui_, look, false);
-        ImGui::SetCursorScreenPos({all_.x + all_.w - width - ui_.px(4), all_.y + ui_.px(4)});
+        const float left = all_.x + all_.w - small_button_width(ui_, look, false) - ui_.px(4);
+        ImGui::SetCursorScreenPos({left, all_.y + ui_.px(4)});
         const Item at = small_button(ui_, look, false);
         tooltip(ui_, at, ui_.strings("tooltip.watch"), key_name(Action::watch, ui_.strings));
         if (at.pressed) ui_.outbox.push_back(Action::watch);
@@ -234,6 +243,8 @@ private:
     const BrainGraph& brain_;
     SensorPair pair_;
     bool is_graph_;  // the whole brain is shown, not only the wires of the pair
+    float unit_;     // window pixels per layout pixel of the pair's picture; less than ui_.px(1) in a narrow card
+    bool is_crowded_ = false;  // names of sensors of the graph are symbols only
     Rect all_;
     sketch::BrainLayout parts_;
     const WireMark* warm_ = nullptr;  // under the pointer

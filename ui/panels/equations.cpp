@@ -21,7 +21,8 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float least_space = 4;  // layout pixels between two parts of an equation
+// Between two parts of an equation, layout pixels. With factors, signs are between the numbers.
+constexpr float least_space = 4, least_factor_space = 2;
 
 // Two wheel commands are alike if they are shown as the same number.
 bool are_alike(float left, float right) { return std::lround(left * 100) == std::lround(right * 100); }
@@ -53,17 +54,19 @@ struct EquationColumns {
     float equals, first, plus, second;      // middles of signs, else right ends
     std::array<float, most_terms> terms{};  // right ends
     float bias, rest, result, total;
-    float space;  // between two parts
+    float space;   // between two parts
+    bool factors;  // products are shown as "0.11·1.50", else by their value
 };
 
-EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& both, float left, float width) {
+EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& both, bool factors, float left,
+                                 float width) {
     const bool more = both[0].more_wires;
     const float sign = text_width(ui, Face::small, "="), number = text_width(ui, Face::small, with_sign(ui, 1, 2));
     const auto product = [&](std::size_t i) {
         float widest = 0;
         for (const MotorSum& sum : both)
-            widest = std::max(widest, more ? std::max(number, text_width(ui, Face::small, sum.products[i].label))
-                                           : text_width(ui, Face::small, numbers_of(ui, sum.products[i])));
+            widest = std::max(widest, !factors ? std::max(number, text_width(ui, Face::small, sum.products[i].label))
+                                               : text_width(ui, Face::small, numbers_of(ui, sum.products[i])));
         return widest;
     };
     const auto term = [&](std::size_t i) {
@@ -75,16 +78,17 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
     const float rest = more ? std::max(number, text_width(ui, Face::small, ui.strings("sums.rest"))) : 0;
     const float total = text_width(ui, Face::strong, with_sign(ui, 1, 2)), name = text_width(ui, Face::strong, "MR");
     const std::size_t terms = term_columns(both);
-    float taken = name + (more ? 2 : 3) * sign + product(0) + product(1) + number + rest + total;
+    float taken = name + (factors ? 3 : 2) * sign + product(0) + product(1) + number + rest + total;
     for (std::size_t i = 0; i < terms; ++i) taken += term(i);
-    const float space = std::max(0.0f, (width - taken) / static_cast<float>(more ? 7 + terms : 7));
+    const float space = std::max(0.0f, (width - taken) / static_cast<float>(more ? 7 + terms : factors ? 7 : 6));
     EquationColumns c{};
     c.space = space;
+    c.factors = factors;
     float x = left + name;
     const auto right_end = [&](float w) { return x += space + w; };
     c.equals = right_end(sign) - sign / 2;
     c.first = right_end(product(0));
-    if (!more) c.plus = right_end(sign) - sign / 2;
+    if (factors) c.plus = right_end(sign) - sign / 2;
     c.second = right_end(product(1));
     for (std::size_t i = 0; i < terms; ++i) c.terms[i] = right_end(term(i));
     c.bias = right_end(number);
@@ -133,7 +137,7 @@ public:
         put(ui_, {at_.x, large}, sum_.motor, c.text, Face::strong);
         sign(x_.equals, "=");
         product(x_.first, sum_.products[0]);
-        if (!sum_.more_wires) sign(x_.plus, "+");
+        if (x_.factors) sign(x_.plus, "+");
         product(x_.second, sum_.products[1]);
         for (std::size_t i = 0; i < sum_.terms.size(); ++i)
             contribution(x_.terms[i], sum_.terms[i].label, sum_.terms[i].name, sum_.terms[i].value);
@@ -146,7 +150,7 @@ public:
 
 private:
     void product(float right, const Product& p) const {
-        if (sum_.more_wires) return contribution(right, p.label, p.letters, p.value);
+        if (!x_.factors) return contribution(right, p.label, p.letters, p.value);
         if (why_ && why_->product == &p) mark_cause(ui_, right, at_.y, numbers_of(ui_, p), p.value);
         one_product(ui_, right, at_.y, p);
     }
@@ -227,9 +231,10 @@ std::string explanation(const Ui& ui, const Explained& given, bool is_stuck) {
 void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     std::array<MotorSum, 2> both = motor_sums(*view.now, vehicle, shown_pair(view, vehicle));
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    EquationColumns x = equation_columns(ui, both, at.x, card_width(ui));
-    for (; x.space < ui.px(least_space) && term_columns(both) > 0; x = equation_columns(ui, both, at.x, card_width(ui)))
-        drop_last_column(both);
+    const auto columns = [&](bool factors) { return equation_columns(ui, both, factors, at.x, card_width(ui)); };
+    EquationColumns x = columns(!both[0].more_wires);
+    if (x.factors && x.space < ui.px(least_factor_space)) x = columns(false);
+    for (; x.space < ui.px(least_space) && term_columns(both) > 0; x = columns(false)) drop_last_column(both);
     const Cause why = cause(both);
     const float row = 2 * line_height(ui, Face::small) + ui.px(8);
     const bool stopped = both[0].stopped || both[1].stopped;
