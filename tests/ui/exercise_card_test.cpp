@@ -374,8 +374,6 @@ TEST(ExerciseCard, ANameTypedAtHandInBecomesTheNameOfTheStudent) {
     desk.frame(3);
     desk.click("exercise.hand_in");
     desk.frame(3);
-    const Rect button = desk.where("exercise.hand_in"), card = desk.where("card.exercise");
-    EXPECT_LT(button.y + button.h, card.y + card.h) << "in sight below the name";
     desk.type("Ana");
     desk.frame(2);
     desk.key({key::enter});

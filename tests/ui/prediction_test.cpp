@@ -38,13 +38,13 @@ struct PathPrediction : SceneOnDesk {
 TEST_F(PathPrediction, ADragDrawsFromTheVehicle) {
     desk.click("exercise.draw");
     EXPECT_TRUE(desk.anchors.find("stage.path"));
-    hold({0.2f, 0}, {3, 2});
+    hold({0.2f, 0}, {4, 3});
     release();
     ASSERT_EQ(drawn().size(), 1u);
     const std::vector<vec2> path = drawn()[0].path;
     EXPECT_EQ(path.front(), (vec2{desk.now.vehicles[0].x, desk.now.vehicles[0].y}));
-    EXPECT_NEAR(path.back().x, 3, 2 * a_pixel);
-    EXPECT_NEAR(path.back().y, 2, 2 * a_pixel);
+    EXPECT_NEAR(path.back().x, 4, 2 * a_pixel);
+    EXPECT_NEAR(path.back().y, 3, 2 * a_pixel);
     for (std::size_t i = 1; i < path.size(); ++i)
         EXPECT_LE(maths::distance(path[i - 1], path[i]), 1.01f) << "also where the pointer was fast";
     EXPECT_TRUE(desk.edits().empty()) << "the vehicle is not moved";
