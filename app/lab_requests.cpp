@@ -11,6 +11,7 @@
 #include "app/course/lab_progress.h"
 #include "app/lab_selection.h"
 #include "app/playback.h"
+#include "core/lesson/utf8.h"
 #include "core/match.h"
 #include "ui/scene_input/clipboard.h"
 #include "ui/scene_input/edits.h"

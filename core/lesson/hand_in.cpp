@@ -1,9 +1,11 @@
 #include "core/lesson/hand_in.h"
 
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "core/lesson/utf8.h"
 #include "core/scene/check.h"
 #include "core/scene/toml_reader.h"
 #include "core/scene/toml_writer.h"
@@ -35,13 +37,6 @@ void describe(Visitor& v, Of<HandIn>) {
 
 namespace {
 
-// At most `most` bytes, cut between two characters.
-void shorten_to(std::string& text, std::size_t most) {
-    if (text.size() <= most) return;
-    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0u) == 0x80u) --most;
-    text.resize(most);
-}
-
 // U+00C0 .. U+00FF without accents, in small letters; '-' for the two signs × and ÷.
 constexpr std::array<std::string_view, 64> plain_letters{
     "a", "a", "a", "a", "ae", "a", "ae", "c", "e", "e", "e", "e", "i",  "i", "i",  "i",
@@ -65,7 +60,7 @@ std::string for_file_name(std::string_view text) {
             add(byte >= 'A' && byte <= 'Z' ? static_cast<char>(byte - 'A' + 'a') : '-');
         }
     }
-    shorten_to(name, 80);
+    name = utf8_cut(std::move(name), 80);
     while (!name.empty() && name.back() == '-') name.pop_back();
     return name.empty() ? "student" : name;
 }
@@ -113,8 +108,8 @@ std::string lab_record_name(const std::string& exercise, const std::string& stud
 }
 
 std::string write_hand_in(HandIn hand_in) {
-    shorten_to(hand_in.student, limits::student_length);
-    shorten_to(hand_in.notes, limits::notes_length);
+    hand_in.student = utf8_cut(std::move(hand_in.student), limits::student_length);
+    hand_in.notes = utf8_cut(std::move(hand_in.notes), limits::notes_length);
     TomlWriter<HandIn> writer(hand_in, "");
     describe(writer, Of<HandIn>{});
     return "format = 1\n" + writer.text("", false);

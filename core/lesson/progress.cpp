@@ -6,6 +6,7 @@
 #include "core/io/csv.h"
 #include "core/io/json.h"
 #include "core/lesson/hand_in.h"
+#include "core/lesson/utf8.h"
 #include "core/messages.h"
 
 namespace braitenlab {
@@ -88,13 +89,6 @@ std::string tidy_student_name(std::string_view typed) {
     if (first == std::string::npos) return {};
     name = utf8_cut(name.substr(first), longest_student_name);
     return name.substr(0, name.find_last_not_of(' ') + 1);
-}
-
-std::string utf8_cut(std::string text, std::size_t most) {
-    if (text.size() <= most) return text;
-    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0U) == 0x80U) --most;
-    text.resize(most);
-    return text;
 }
 
 bool is_free_name(const StudentBook& book, std::string_view name) {

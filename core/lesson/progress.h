@@ -56,9 +56,6 @@ std::string tidy_student_name(std::string_view);
 // Whether a student of this name can be added, or renamed to it: it is not empty and no other student has it.
 bool is_free_name(const StudentBook&, std::string_view name);
 
-// At most `most` bytes of the text, cut between two characters.
-std::string utf8_cut(std::string text, std::size_t most);
-
 // The file of one student, JSON. Values out of range are clamped and unknown keys ignored. Reading fails with the file
 // and, for text that is no JSON, the line.
 std::string write_progress(const StudentProgress&);

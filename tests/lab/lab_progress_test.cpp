@@ -182,5 +182,11 @@ TEST(LabProgress, IsResetAndRestored) {
     EXPECT_EQ(attempt.lab.document.lesson->view.notes, "mine");
 }
 
+TEST(LabProgress, CutsLongNotesBetweenTwoCharacters) {
+    Lab lab = opened_lab("05-aggressor");
+    handle(lab, NotesRequest{std::string(longest_notes - 1, 'n') + "ü"});
+    EXPECT_EQ(lab.document.lesson->view.notes, std::string(longest_notes - 1, 'n'));
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::lab_progress_test
