@@ -140,4 +140,36 @@ TEST(ClassReport, ThePageIsWellFormedAndEscapesNames) {
     }
 }
 
+TEST(ClassReport, ASpreadsheetTakesAFormulaAfterSpacesAsText) {
+    HandIn made = hand_in("A", good);
+    made.student = "  @sum";
+    const std::string csv = class_csv(graded({row("a", made)}), words("en"));
+    EXPECT_NE(csv.find("\n'  @sum,a,yes"), csv.npos) << csv;
+}
+
+TEST(ClassReport, TheTableHasTheStartsThatPassedInTheStudentsOwnLab) {
+    HandIn made = hand_in("A", good);
+    made.graded_starts = 10, made.passed_starts = 4;
+    const std::string csv = class_csv(graded({row("a", made)}), words("en"));
+    EXPECT_NE(csv.find(",0,0,no,4,,,"), csv.npos) << csv;
+}
+
+TEST(ClassReport, ARowThatChangesTooManyControlsDoesNotCount) {
+    const Exercise overrun = *load_exercise(*find_shipped("08-overrun"));
+    ASSERT_EQ(overrun.changes, 1);
+    HandIn made{.student = "A", .exercise = "08-overrun"};
+    made.submission = as_shipped(overrun);
+    for (const Offer& offer : offered_dials(overrun))
+        for (const Dial dial : offer.dials) turn(made.submission.brain, dial, 0.25f);
+    ASSERT_TRUE(outside_offers(overrun, made.submission).empty());
+    ASSERT_GT(changed_controls(overrun, made.submission), 1);
+    ClassRow wide = row_of_hand_in(overrun, "a", write_hand_in(made));
+    const Grade shipped = grade(overrun, as_shipped(overrun));
+    judge(overrun, wide, grade(overrun, *wide.submission), shipped, {});
+    ASSERT_TRUE(wide.problem);
+    EXPECT_EQ(wide.problem->key, "report.too_many");
+    EXPECT_EQ(wide.problem->value, "1");
+    EXPECT_FALSE(wide.passed);
+}
+
 }  // namespace braitenlab::tests::class_report_test

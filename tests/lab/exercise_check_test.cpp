@@ -151,5 +151,29 @@ TEST_F(ExerciseCheckLab, ADroppedExerciseIsOpened) {
     EXPECT_EQ(lab.document.lesson->exercise->title, "Strike");
 }
 
+TEST_F(ExerciseCheckLab, NamesAPredictionThatTheRunContradicts) {
+    draft.prediction = {
+        .question = "What happens?", .options = {"It flies", "It turns"}, .answer = 0, .outcome = "So."};
+    draft.prediction.after = 1;
+    draft.prediction.shows = {{goals::Drives{4}}};
+    save();
+    ASSERT_TRUE(lab.document.lesson) << (files.refused ? files.refused->text() : "");
+    check();
+    EXPECT_EQ(lab.notice.key, "author.contradicted");
+    EXPECT_EQ(lab.notice.kind, NoticeKind::failure);
+}
+
+TEST_F(ExerciseCheckLab, AnotherFileEndsTheCheckWithoutANotice) {
+    save();
+    ASSERT_TRUE(lab.check);
+    update_exercise_check(lab, jobs);
+    handle(lab, OpenRequest{find_shipped("05-aggressor")->string()});
+    execute_file_requests(lab, files, state, folders);
+    ASSERT_EQ(lab.document.lesson->exercise->id, "05-aggressor");
+    lab.notice = {};
+    check();
+    EXPECT_EQ(lab.notice.key, "") << "the result is that of the exercise before";
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::exercise_check_test

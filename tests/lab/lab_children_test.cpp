@@ -154,5 +154,17 @@ TEST(LabChildren, ChoosingTheLongestSurvivorPassesTheExercise) {
     EXPECT_FALSE(lesson.outside_offers);
 }
 
+TEST(LabChildren, AnotherStartShowsTheRunsFromThere) {
+    Selected s;
+    const std::vector<maths::vec2> path = s.view().parent->path;
+    handle(s.lab, Action::another_start);
+    s.wait();
+    ASSERT_TRUE(s.view().parent);
+    EXPECT_NE(s.view().parent->path, path);
+    const VehicleView& now = s.lab.document.session.snapshot().vehicles[0];
+    EXPECT_EQ(now.x, s.view().parent->path[0].x);
+    EXPECT_EQ(now.y, s.view().parent->path[0].y);
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::lab_children_test

@@ -1,5 +1,6 @@
 #include "app/files/reports.h"
 
+#include <algorithm>
 #include <fstream>
 
 #include "app/lab_requests.h"
@@ -123,6 +124,49 @@ TEST(Reports, AFolderThatCannotBeWrittenIsANotice) {
     const Folder other;
     request(scene, HandInRequest{"Ana"}, other.path);
     EXPECT_TRUE(fs::is_empty(other.path)) << "no exercise is open";
+}
+
+TEST(Reports, AHandInLeavesAFileThatIsNone) {
+    const Folder documents;
+    const fs::path taken = documents.path / "Braitenlab" / "05-aggressor-ana.braiten-handin.toml";
+    put_text(taken, "mine");
+    Lab lab = opened_lab("05-aggressor");
+    request(lab, HandInRequest{"Ana"}, documents.path);
+    EXPECT_EQ(text_of(taken), "mine");
+    EXPECT_TRUE(fs::exists(documents.path / "Braitenlab" / "05-aggressor-ana-2.braiten-handin.toml"));
+}
+
+std::size_t drawings(const std::string& page) {
+    std::size_t found = 0;
+    for (std::size_t at = page.find("<svg"); at != page.npos; at = page.find("<svg", at + 1)) ++found;
+    return found;
+}
+
+TEST(Reports, ALabRecordHasTheBrainOnceThePredictionIsMade) {
+    const Folder documents;
+    Lab lab = opened_lab("08-overrun");
+    ASSERT_TRUE(lab.document.lesson->exercise->prediction.hides_brain);
+    const fs::path file = documents.path / "Braitenlab" / lab_record_name("08-overrun", "Ana");
+    request(lab, LabRecordRequest{"Ana"}, documents.path);
+    EXPECT_EQ(lab.notice.key, "notice.lab_record");
+    EXPECT_EQ(drawings(text_of(file)), 0u);
+    handle(lab, PredictRequest{0});
+    request(lab, LabRecordRequest{"Ana"}, documents.path);
+    EXPECT_EQ(drawings(text_of(file)), 1u);
+    EXPECT_NE(text_of(file).find("2026-11-21"), std::string::npos);
+}
+
+TEST(Reports, ALabRecordDrawsTheRunOfTheFirstVehicleOnly) {
+    const Folder documents;
+    Lab lab = opened_lab("02-circle");
+    ASSERT_EQ(lab.document.session.snapshot().vehicles.size(), 2u);
+    for (int i = 0; i < 4 * path_ticks; ++i) tick(lab);
+    request(lab, LabRecordRequest{"Ana"}, documents.path);
+    const std::string page = text_of(documents.path / "Braitenlab" / lab_record_name("02-circle", "Ana"));
+    const std::size_t begin = page.find("<path d=\"M", page.rfind("<svg")) + 9, end = page.find('"', begin);
+    ASSERT_LT(begin, end);
+    const std::string line = page.substr(begin, end - begin);
+    EXPECT_EQ(std::count(line.begin(), line.end(), ' '), 5) << "places from tick 0 on: " << line;
 }
 
 }  // namespace braitenlab::tests::reports_test

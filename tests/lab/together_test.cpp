@@ -100,5 +100,32 @@ TEST(Together, NeedsAPassedExercise) {
     EXPECT_FALSE(scene.together);
 }
 
+TEST(Together, NumbersWhatBelongsToAVehicleAsTheVehicle) {
+    Snapshot one, two;
+    one.vehicles = {{.id = 0}, {.id = 3}};
+    two.vehicles = {{.id = 0}, {.id = 1}};
+    two.looks = {{.vehicle = 1, .look = {}}};
+    two.marks = {{.owner = 1}};
+    two.bites = {{.one = 0, .other = 1}};
+    two.strikes = {{.vehicle = 1}};
+    const Snapshot all = merged({one, two});
+    ASSERT_EQ(all.vehicles.size(), 4u);
+    EXPECT_EQ(all.vehicles[2].id, 4u);
+    EXPECT_EQ(all.vehicles[3].id, 5u);
+    EXPECT_EQ(all.looks.at(0).vehicle, 5u);
+    EXPECT_EQ(all.marks.at(0).owner, 5u);
+    EXPECT_EQ(all.bites.at(0).one, 4u);
+    EXPECT_EQ(all.bites.at(0).other, 5u);
+    EXPECT_EQ(all.strikes.at(0).vehicle, 5u);
+}
+
+TEST(Together, RunsAtMostTenStarts) {
+    const Lab lab = opened_lab("05-aggressor");
+    const Exercise& exercise = *lab.document.lesson->exercise;
+    Grade grade;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) grade.starts.push_back({.seed = seed});
+    EXPECT_EQ(begin_together(exercise, exercise.solution.submission, grade).worlds.size(), most_together);
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::together_test
