@@ -145,4 +145,48 @@ TEST_F(AuthorSheet, KeepsTheDraftWhileTheSceneIsOpen) {
     EXPECT_EQ(desk.panels.author.goal.text, "");
 }
 
+TEST_F(AuthorSheet, AStepNeedsAText) {
+    fill_in();
+    desk.panels.author.step_texts[0].text.clear();
+    desk.frame(2);
+    EXPECT_TRUE(says("A step has no text"));
+    desk.click("author.save");
+    EXPECT_FALSE(desk.last<SaveExerciseRequest>());
+}
+
+TEST_F(AuthorSheet, ARemovedStepTakesItsTextWithIt) {
+    fill_in();
+    desk.click("author.step.add");
+    desk.frame(2);
+    desk.panels.author.step_texts[0].text = "first", desk.panels.author.step_texts[1].text = "second";
+    desk.click("author.step.1");
+    desk.click("author.step.remove");
+    desk.frame(2);
+    const ExerciseDraft draft = *saved().draft;
+    ASSERT_EQ(draft.steps.size(), 1u);
+    EXPECT_EQ(draft.steps[0].text, "second");
+}
+
+TEST_F(AuthorSheet, AFileOfAnotherNameIsNotReplacedByTheSecondPress) {
+    fill_in();
+    (void)saved();
+    files.refused = Error{"there is a file of this name"};
+    desk.panels.author.path.text = "other";
+    desk.frame(2);
+    EXPECT_FALSE(saved().replace);
+    EXPECT_EQ(saved().path, "other");
+}
+
+TEST_F(AuthorSheet, TheSpreadOfTheSelectedVehicleIsKept) {
+    desk.key({key::escape});
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->starts[0].heading_spread = 0.5235988f;
+    desk.now.scene = scene;
+    ++desk.view.run_id;
+    desk.frame(2);
+    desk.choose("file", "save_exercise");
+    desk.frame(2);
+    EXPECT_NEAR(desk.panels.author.draft.heading_spread, 30, 0.01f);
+}
+
 }  // namespace braitenlab::tests::author_sheet_test

@@ -97,5 +97,30 @@ TEST(ChildrenSheet, ItFitsIntoASmallWindowAtBothScales) {
     }
 }
 
+TEST(ChildrenSheet, ADigitBeyondTheLastChildAndBackAtTheBeginningDoNothing) {
+    Desk desk;
+    open_selection(desk, 0);
+    desk.lesson.selection->children.resize(5);
+    desk.panels.sheet = Sheet::children;
+    desk.frame(3);
+    desk.key({'6'});
+    desk.frame(2);
+    EXPECT_FALSE(desk.last<ChooseChildRequest>());
+    desk.click("selection.back");
+    EXPECT_FALSE(desk.last<EarlierGenerationRequest>());
+}
+
+TEST(ChildrenSheet, WatchDoesNotStopARunThatPlays) {
+    Desk desk;
+    open_selection(desk);
+    desk.view.mode = Mode::playing;
+    desk.panels.sheet = Sheet::children;
+    desk.frame(3);
+    desk.click("selection.watch");
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("card.children"));
+    EXPECT_TRUE(desk.actions().empty());
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::children_sheet_test

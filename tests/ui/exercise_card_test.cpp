@@ -432,4 +432,15 @@ TEST(ExerciseCard, HasNoNumberForAnExerciseOutsideTheCourse) {
     EXPECT_FALSE(writes("EXERCISE 0"));
 }
 
+TEST(ExerciseCard, AReachedDistanceOfZeroIsNotOneToGo) {
+    Desk desk(1280, 1000, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    desk.lesson.verdicts[0] = {false, {{0.4f, 0, "m", true}}};
+    desk.lesson.verdicts[1] = {true, {{0, 0, "m", true}}};
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "0.40 m to go"));
+    EXPECT_FALSE(says(desk, "0.00 m")) << "the check mark says it";
+}
+
 }  // namespace braitenlab::tests::exercise_card_test

@@ -141,4 +141,23 @@ TEST_F(Note, TheKeptBrainIsOfferedUntilItIsPassed) {
     EXPECT_FALSE(desk.anchors.find("exercise.kept"));
 }
 
+TEST_F(Note, DigitsChooseNoAnswerWhileTheStartsRunAtOnce) {
+    desk.panels.keyboard.focus = "exercise.predict.1";
+    desk.panels.keyboard.shown = true;
+    desk.lesson.together = true;
+    press({'3'});
+    EXPECT_FALSE(desk.last<PredictRequest>());
+}
+
+TEST_F(Note, TabLeavesTheField) {
+    desk.click("exercise.note");
+    desk.frame(3);
+    ASSERT_TRUE(desk.panels.note.active);
+    press({key::tab});
+    desk.frame(2);
+    EXPECT_FALSE(desk.panels.note.active);
+    EXPECT_NE(desk.panels.keyboard.focus, "exercise.note.text");
+    EXPECT_EQ(desk.panels.note.text, "");
+}
+
 }  // namespace braitenlab::tests::exercise_note_test

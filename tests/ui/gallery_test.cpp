@@ -2,6 +2,7 @@
 #include "desk.h"
 #include "ui/panels/course/exercise_names.h"
 #include "ui/panels/course/scene_picture.h"
+#include "ui/widgets/paint.h"
 
 namespace braitenlab::tests::gallery_test {
 
@@ -128,6 +129,34 @@ TEST(ScenePicture, DiffersBetweenTheFirstExercises) {
         const FloorArea area = occupied_area(scene);
         EXPECT_LT(area.high.x - area.low.x, scene.arena.width + 0.1f) << id;
     }
+}
+
+TEST_F(Gallery, NamesAnExerciseWithoutAPredictionByItsTitle) {
+    auto plain = std::make_shared<Exercise>(*catalogue[1].exercise);
+    plain->prediction = {};
+    catalogue[1].exercise = plain;
+    open_browser();
+    EXPECT_TRUE(says("Aggressor"));
+    EXPECT_FALSE(says("Coward"));
+}
+
+TEST_F(Gallery, TheMarkOfAnExercisePassedByTheShownSolutionIsARing) {
+    open_browser();
+    const auto accents = [&](bool shown) {
+        students.student().exercises["05-aggressor"] = {.passed = true, .shown = shown};
+        desk.point(1, 1);
+        desk.frame(60);
+        const Rect card = desk.where("gallery.05-aggressor");
+        const ImVec2 mark{card.x + card.w - 21, card.y + 21};
+        int centre = 0;  // vertices of the sign inside the mark that have the colour of the accent
+        const ImDrawData& data = *ImGui::GetDrawData();
+        for (int l = 0; l < data.CmdListsCount; ++l)
+            for (const ImDrawVert& v : data.CmdLists[l]->VtxBuffer)
+                centre +=
+                    std::hypot(v.pos.x - mark.x, v.pos.y - mark.y) < 6 && v.col == paint(palette(Theme::dark).accent);
+        return centre;
+    };
+    EXPECT_GT(accents(true), accents(false));
 }
 
 }  // namespace braitenlab::tests::gallery_test

@@ -166,7 +166,7 @@ TEST(Glossary, AClickElsewhereClosesTheTerm) {
 
 TEST(Glossary, MentionsAreTheFirstWholeWordsAndTheLongestForms) {
     const Strings strings = english();
-    const std::string text = "Rewired: a Wire with a negative weight, and another wire.";
+    const std::string text = "Rewired, hardwire: a Wire with a negative weight, and another wire.";
     const std::vector<Mention> found = mentions_in(strings, text);
     ASSERT_EQ(found.size(), 2u);
     EXPECT_EQ(text.substr(found[0].begin, found[0].end - found[0].begin), "Wire");
@@ -193,6 +193,16 @@ TEST(Glossary, PicturesAreStillWhereMotionIsReduced) {
     };
     EXPECT_EQ(drawn_at(true, 10), drawn_at(true, 11.1));
     EXPECT_NE(drawn_at(false, 10), drawn_at(false, 11.1));
+}
+
+TEST(Glossary, TheTermClosesWhenItsWordIsGone) {
+    Desk desk;
+    open_with_goal(desk, "A wire.");
+    desk.click("term.wire");
+    ASSERT_TRUE(desk.anchors.find("card.term"));
+    desk.opened.goal = "Nothing.";
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("card.term"));
 }
 
 }  // namespace

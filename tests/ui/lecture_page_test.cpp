@@ -1,6 +1,7 @@
 // The parts of a page of a lecture file in the window: caption, question with counted hands, notes, and drawn marks.
 #include "desk.h"
 #include "ui/panels/cards.h"
+#include "ui/widgets/paint.h"
 
 namespace braitenlab::tests::lecture_page_test {
 
@@ -273,6 +274,44 @@ TEST_F(LectureMarks, EscapeEndsDrawingAndTheEndOfTheLectureToo) {
     EXPECT_TRUE(desk.panels.marks.lines.empty());
     desk.key({'D'});
     EXPECT_FALSE(desk.panels.marks.drawing) << "outside a lecture D has another meaning";
+}
+
+TEST_F(LecturePages, ACountThatIsTypedCanBeSmallerAndPageKeysEndTyping) {
+    show(1, 0);
+    pages.hands[1] = {30, 0, 0};
+    desk.frame(2);
+    desk.click("lecture.hands.1");
+    desk.type("7");
+    desk.frame(3);
+    ASSERT_TRUE(desk.last<HandsRequest>());
+    EXPECT_EQ(desk.last<HandsRequest>()->hands, 7);
+    ASSERT_TRUE(desk.panels.hands[0].active);
+    desk.key({key::page_down});
+    EXPECT_EQ(desk.actions(), std::vector{Action::next_page});
+    EXPECT_TRUE(desk.panels.keyboard.focus.empty());
+    desk.frame(2);
+    EXPECT_FALSE(desk.panels.hands[0].active);
+}
+
+TEST_F(LecturePages, TheBarOfAnOptionHasTheShareOfAllHands) {
+    show(1, 0);
+    pages.hands[1] = {3, 12, 1};
+    desk.frame(3);
+    const Rect bar = desk.where("lecture.share.2");
+    float from = 1e9f, to = 0;
+    const ImDrawData& data = *ImGui::GetDrawData();
+    for (int l = 0; l < data.CmdListsCount; ++l)
+        for (const ImDrawVert& v : data.CmdLists[l]->VtxBuffer)
+            if (bar.contains(v.pos.x, v.pos.y) && v.col == paint(palette(desk.view.theme).accent))
+                from = std::min(from, v.pos.x), to = std::max(to, v.pos.x);
+    EXPECT_NEAR((to - from) / bar.w, 12.0f / 16, 0.02f);
+}
+
+TEST_F(LectureMarks, DDrawsNoMarksInTheWiringView) {
+    desk.view.mode = Mode::wiring;
+    desk.frame(2);
+    desk.key({'D'});
+    EXPECT_FALSE(desk.panels.marks.drawing);
 }
 
 }  // namespace braitenlab::tests::lecture_page_test

@@ -99,4 +99,11 @@ TEST_F(StudentSheet, FitsTheWindowWithManyStudentsInEveryLanguage) {
     }
 }
 
+TEST_F(StudentSheet, EnterDoesNotAddAStudentOfATakenName) {
+    type("Anna");
+    desk.key({key::enter});
+    desk.frame(3);
+    EXPECT_FALSE(desk.last<StudentRequest>());
+}
+
 }  // namespace braitenlab::tests::student_sheet_test
