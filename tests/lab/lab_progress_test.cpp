@@ -86,12 +86,6 @@ TEST(LabProgress, KeepsNothingOfAPageOfALecture) {
     EXPECT_TRUE(attempt.lab.students.student().exercises.empty());
 }
 
-TEST(LabProgress, CutsLongNotesBetweenTwoCharacters) {
-    Attempt attempt;
-    handle(attempt.lab, NotesRequest{std::string(longest_notes - 1, 'a') + "ü"});
-    EXPECT_EQ(attempt.lab.document.lesson->view.notes, std::string(longest_notes - 1, 'a'));
-}
-
 TEST(LabProgress, GivesTheKeptBrainBack) {
     Attempt attempt;
     attempt.take_solution();
