@@ -63,7 +63,9 @@ TEST(ClassReport, ARowSaysWhatTheBehaviourResembles) {
     ASSERT_TRUE(report.rows[1].resembles);
     EXPECT_EQ(aggressor()->wrong[*report.rows[1].resembles].name, "all four wires");
     const std::string said = feedback(report, report.rows[1], words("en"));
-    EXPECT_NE(said.find("0 of 10 starts passed, 8 are needed. Each eye now drives both wheels alike"), said.npos)
+    EXPECT_NE(said.find("0 of 10 starts passed, 8 are needed. It behaves like this wrong answer: Each eye now drives "
+                        "both wheels alike"),
+              said.npos)
         << said;
     EXPECT_NE(said.find("Step 1 (“It turns towards the lamp”) was not done from 10 of 10 starts. Start 1: best"),
               said.npos)

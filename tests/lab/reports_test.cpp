@@ -152,8 +152,9 @@ TEST(Reports, ALabRecordHasTheBrainOnceThePredictionIsMade) {
     EXPECT_EQ(drawings(text_of(file)), 0u);
     handle(lab, PredictRequest{0});
     request(lab, LabRecordRequest{"Ana"}, documents.path);
-    EXPECT_EQ(drawings(text_of(file)), 1u);
-    EXPECT_NE(text_of(file).find("2026-11-21"), std::string::npos);
+    const std::string second = text_of(documents.path / "Braitenlab" / lab_record_name("08-overrun", "Ana", 2));
+    EXPECT_EQ(drawings(second), 1u);
+    EXPECT_NE(second.find("2026-11-21"), std::string::npos);
 }
 
 TEST(Reports, ALabRecordDrawsTheRunOfTheFirstVehicleOnly) {
