@@ -171,8 +171,8 @@ std::string feedback(const ClassReport& report, const ClassRow& row, const Strin
     const std::string step = failed_step_text(report, grade, strings);
     if (!row.resembles) return text + step;
     // The behaviour is alike, not necessarily the brain: the text is that of the other answer.
-    const std::string alike(translated(strings, report.exercise->wrong[*row.resembles].text));
-    return text + fill(strings("report.alike"), {alike}) + " " + step;
+    const std::string words(translated(strings, report.exercise->wrong[*row.resembles].text));
+    return text + fill(strings("report.alike"), {words}) + " " + step;
 }
 
 namespace {

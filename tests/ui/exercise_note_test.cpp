@@ -78,6 +78,7 @@ TEST_F(Note, DigitsAndSpaceChooseAnAnswer) {
     desk.panels.keyboard.focus.clear();
     press({'2'});
     EXPECT_EQ(desk.panels.keyboard.focus, "slider.LR") << "once it is made, a digit takes a slider";
+    desk.lesson.prediction = -1;
     desk.panels.keyboard.focus = "exercise.predict.1";
     desk.panels.keyboard.shown = true;
     press({'3'});

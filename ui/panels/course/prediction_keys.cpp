@@ -27,10 +27,9 @@ bool is_asked(const LabView& view, const PanelState& state) {
 bool key_for_prediction(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     if (press.ctrl || press.shift || !is_asked(view, state)) return false;
     const int count = static_cast<int>(view.lesson->exercise->prediction.options.size());
-    const bool is_open = view.lesson->prediction < 0 && !view.lecture;
-    const bool on_card = is_open || state.keyboard.focus.starts_with("exercise.");
+    const bool is_unmade = view.lesson->prediction < 0 && !view.lecture;
     int wanted = -1;
-    if (press.key >= '1' && press.key <= '9' && on_card) wanted = press.key - '1';
+    if (press.key >= '1' && press.key <= '9' && is_unmade) wanted = press.key - '1';
     if (press.key == ' ' && state.keyboard.shown) wanted = focused_answer(state, count);
     if (wanted < 0 || wanted >= count || (press.key == ' ' && wanted == view.lesson->prediction)) return false;
     outbox.emplace_back(PredictRequest{wanted});
