@@ -128,7 +128,7 @@ TEST(LabProgress, TellsAPassedExerciseFromOneWhoseSolutionWasShown) {
 
 TEST(LabProgress, BelongsToTheChosenStudent) {
     Attempt attempt;
-    handle(attempt.lab, NotesRequest{"of nobody"});
+    handle(attempt.lab, NotesRequest{"without a name"});
     handle(attempt.lab, PredictRequest{1});
     attempt.turn();
     handle(attempt.lab, StudentRequest{StudentEdit::add, 0, " Anna "});
@@ -141,7 +141,7 @@ TEST(LabProgress, BelongsToTheChosenStudent) {
     EXPECT_EQ(attempt.lab.students.all.size(), 2u) << "the name is taken";
     handle(attempt.lab, StudentRequest{StudentEdit::choose, 0, {}});
     attempt.turn();
-    EXPECT_EQ(attempt.lab.document.lesson->view.notes, "of nobody");
+    EXPECT_EQ(attempt.lab.document.lesson->view.notes, "without a name");
     handle(attempt.lab, StudentRequest{StudentEdit::choose, 7, {}});
     EXPECT_EQ(attempt.lab.students.current, 0u);
 }
