@@ -226,7 +226,7 @@ void add_fields(std::vector<LabMenuRow>& rows, const LabView& view, const Ui& ui
 // "9/10" of the best grade, after a check mark once it is passed.
 std::string passed_words(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {
     const ExerciseProgress* progress = progress_of(view, entry);
-    const std::string best = best_words(progress);
+    std::string best = best_words(progress);
     if (!progress || !progress->passed) return best;
     return (has_icons(ui) ? std::string(icon::check) : std::string(ui.strings("exercise.passed_sign"))) + " " + best;
 }
