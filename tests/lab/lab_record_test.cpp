@@ -50,8 +50,8 @@ bool has_chromium() { return std::system("command -v chromium >/dev/null 2>&1") 
 bool open_page(const std::string& page, const fs::path& folder, const std::string& arguments) {
     std::ofstream(folder / "page.html") << page;
     const std::string command = "HOME=" + folder.string() +
-                                " timeout 120 chromium --headless --no-sandbox --disable-gpu " + arguments +
-                                " file://" + (folder / "page.html").string() + " >/dev/null 2>&1";
+                                " timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage " +
+                                arguments + " file://" + (folder / "page.html").string() + " >/dev/null 2>&1";
     return std::system(command.c_str()) == 0;
 }
 
