@@ -1,6 +1,8 @@
 #include "app/viewport.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <imgui.h>
 
@@ -17,9 +19,17 @@ constexpr float pan_rate = 0.5f;                                  // of the widt
 constexpr float turn_by_pixel = 0.006f, raise_by_pixel = 0.005f;  // rad per pixel
 constexpr float notch = 0.2f;                                     // log2 of the zoom per notch of the wheel
 
+// Of the window's width: least length of the selected vehicle in scenes of few vehicles.
+constexpr float least_share = 0.05f, least_share_in_lecture = 0.08f;
+
+// True if the camera has returned to its default in this frame.
+bool is_home(const ViewportState& state, const Lab& lab) {
+    return lab.view.camera == Camera{} && !(state.last == Camera{});
+}
+
 bool jumped(const ViewportState& state, const Lab& lab) {
-    const bool is_home = lab.view.camera == Camera{} && !(state.last == Camera{});
-    return lab.view.camera.mode != state.last.mode || lab.view.selection.vehicle != state.last_followed || is_home;
+    return lab.view.camera.mode != state.last.mode || lab.view.selection.vehicle != state.last_followed ||
+           is_home(state, lab);
 }
 
 }  // namespace
@@ -27,7 +37,18 @@ bool jumped(const ViewportState& state, const Lab& lab) {
 void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, float seconds) {
     const Snapshot& now = shown_snapshot(lab);
     const VehicleView* followed = rides(lab.view.camera.mode) ? find_vehicle(now, lab.view.selection.vehicle) : nullptr;
-    const CameraView wanted = look(lab.view.camera, now.scene->arena, followed, window, free_area);
+    if (is_home(state, lab)) state.framing.start_over();
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool held = std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown), [](bool down) { return down; });
+    state.framed =
+        state.framing.follow(now, {.camera = lab.view.camera,
+                                   .selected = lab.view.selection.vehicle,
+                                   .window = window,
+                                   .free_area = free_area,
+                                   .least_share = lab.before_lecture ? least_share_in_lecture : least_share,
+                                   .seconds = state.has_sight && !lab.preferences.reduce_motion ? seconds : 0.0f,
+                                   .held = held});
+    const CameraView wanted = look(lab.view.camera, now.scene->arena, followed, window, free_area, &state.framed);
     state.age = jumped(state, lab) ? 0 : state.age + seconds;
     state.last = lab.view.camera;
     state.last_followed = lab.view.selection.vehicle;
@@ -45,7 +66,7 @@ void drive_camera(Lab& lab, const ViewportState& state, const ui::SceneInputStat
     orbit(lab.view.camera, keys.turn * turn_rate * seconds, keys.raise * raise_rate * seconds);
     if (keys.zoom != 0)
         zoom_about(lab.view.camera, shown_snapshot(lab).scene->arena, window, free_area, middle,
-                   std::exp2(keys.zoom * zoom_rate * seconds));
+                   std::exp2(keys.zoom * zoom_rate * seconds), &state.framed);
     if ((keys.pan.x != 0 || keys.pan.y != 0) && !rides(lab.view.camera.mode)) {
         const float step = pan_rate * free_area.w * seconds;
         pan(lab.view.camera, state.camera_view, middle + vec2{keys.pan.x, -keys.pan.y} * step, middle);
@@ -56,7 +77,7 @@ void drive_camera(Lab& lab, const ViewportState& state, const ui::SceneInputStat
         pan(lab.view.camera, state.camera_view, at - moved, at);
     if (!io.WantCaptureMouse && io.MouseWheel != 0)
         zoom_about(lab.view.camera, shown_snapshot(lab).scene->arena, window, free_area, at,
-                   std::exp2(io.MouseWheel * notch));
+                   std::exp2(io.MouseWheel * notch), &state.framed);
 }
 
 }  // namespace braitenlab

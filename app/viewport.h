@@ -4,6 +4,7 @@
 
 #include "app/lab.h"
 #include "render/view/camera.h"
+#include "render/view/framing.h"
 #include "ui/scene_input/scene_input.h"
 
 namespace braitenlab {
@@ -11,6 +12,8 @@ namespace braitenlab {
 struct ViewportState {
     CameraView camera_view;  // of this frame
     bool has_sight = false;
+    Framing framing;
+    FloorBox framed;   // the part of the floor that zoom 1 shows
     float age = 1e9f;  // s since the last change that is shown as a glide
     Camera last;       // camera of the last frame, and the vehicle that it followed
     VehicleId last_followed = no_vehicle;

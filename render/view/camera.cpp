@@ -54,7 +54,7 @@ Rect usable(Rect window, Rect free_area) {
     return x1 - x0 < 64 || y1 - y0 < 64 ? window : Rect{x0, y0, x1 - x0, y1 - y0};
 }
 
-// Extent of the arena's corners in the picture, in focal lengths, from a distance along the viewing direction.
+// Extent of the framed box's corners in the picture, in focal lengths, from a distance along the viewing direction.
 struct Extent {
     float left = 1e9f, right = -1e9f, bottom = 1e9f, top = -1e9f;
     bool in_front = true;
@@ -72,22 +72,31 @@ Extent extent_from(float distance, const std::array<vec3, 8>& corners) {
     return e;
 }
 
-Stand overview(const Camera& camera, const Arena& arena, Rect window, Rect area) {
+FloorBox box_of(const Arena& arena, const FloorBox* framed) {
+    const vec2 half{arena.width / 2, arena.height / 2};
+    return framed ? *framed : FloorBox{half * -1.0f, half};
+}
+
+Stand overview(const Camera& camera, const Arena& arena, const FloorBox& box, Rect window, Rect area) {
     const float elevation = clamped_elevation(camera.elevation), zoom = clamped_zoom(camera);
     const vec2 flat = maths::direction(camera.azimuth) * maths::cosine(elevation);
     const vec3 back{flat.x, maths::sine(elevation), -flat.y};
     const vec3 right = maths::normalise(maths::cross(vec3{0, 1, 0}, back)), up = maths::cross(back, right);
 
+    const vec2 centre = (box.low + box.high) / 2.0f, half = (box.high - box.low) / 2.0f;
     std::array<vec3, 8> corners;
     for (unsigned i = 0; i < 8; ++i) {
-        const vec2 place{(i & 1U ? 0.5f : -0.5f) * arena.width, (i & 2U ? 0.5f : -0.5f) * arena.height};
+        const vec2 place{i & 1U ? half.x : -half.x, i & 2U ? half.y : -half.y};
         const vec3 p = to_gl(place, i & 4U ? wall_height : 0);
         corners[i] = {maths::dot(right, p), maths::dot(up, p), maths::dot(back, p)};
     }
 
     const float focal = window.h / (2 * std::tan(overview_field / 2));
-    // Margin for the walls' thickness and the labels of metres outside them.
-    const float margin = 0.032f * std::min(area.w, area.h) + 8;
+    // Margin for the walls' thickness and the labels of metres outside them, where the box reaches the edge of the
+    // arena.
+    const bool at_edge = box.high.x >= arena.width / 2 || box.high.y >= arena.height / 2 ||
+                         box.low.x <= -arena.width / 2 || box.low.y <= -arena.height / 2;
+    const float margin = at_edge ? 0.032f * std::min(area.w, area.h) + 8 : 6;
     const float room_x = (area.w - 2 * margin) / focal, room_y = (area.h - 2 * margin) / focal;
     const auto fits = [&](float distance) {
         const Extent e = extent_from(distance, corners);
@@ -99,11 +108,11 @@ Stand overview(const Camera& camera, const Arena& arena, Rect window, Rect area)
     for (int i = 0; i < 40; ++i) (fits((near + far) / 2) ? far : near) = (near + far) / 2;
     const float distance = far;
 
-    // Lens shift: the centre of the arena's picture is in the centre of the free area.
+    // Lens shift: the centre of the box's picture is in the centre of the free area.
     const Extent e = extent_from(distance, corners);
     const vec2 middle{area.x + area.w / 2, area.y + area.h / 2};
     const vec2 shift{(e.left + e.right) / 2, (e.bottom + e.top) / 2};
-    const vec3 target = to_gl(camera.pan);
+    const vec3 target = to_gl(centre + camera.pan);
     const float size = std::hypot(arena.width, arena.height);
     return {target + back * distance,
             target,
@@ -113,20 +122,21 @@ Stand overview(const Camera& camera, const Arena& arena, Rect window, Rect area)
             distance + 12 * size + 60};
 }
 
-// Straight down, orthographic: distances on the screen are proportional to distances on the floor.
-CameraView birds_eye(const Camera& camera, const Arena& arena, Rect window, Rect area) {
+// Straight down, orthographic: distances on the screen are proportional to distances on the floor. `border`: m, around
+// the box.
+CameraView birds_eye(const Camera& camera, const FloorBox& box, float border, Rect window, Rect area) {
     constexpr float high = 100, near = 1, far = 110;  // m
-    const float border = 0.5f;                        // m, around the arena
+    const vec2 side = box.high - box.low, target = (box.low + box.high) / 2.0f + camera.pan;
     const vec2 back = maths::direction(camera.azimuth), right{-back.y, back.x};
     const auto extent = [&](vec2 along) {
-        return std::fabs(along.x) * arena.width + std::fabs(along.y) * arena.height + 2 * border;
+        return std::fabs(along.x) * side.x + std::fabs(along.y) * side.y + 2 * border;
     };
     const float scale = std::min(area.w / extent(right), area.h / extent(back)) * clamped_zoom(camera);  // px a metre
     const vec2 middle{area.x + area.w / 2, area.y + area.h / 2};
     CameraView camera_view;
     camera_view.window = window;
-    camera_view.eye = to_gl(camera.pan, high);
-    camera_view.view = maths::look_at(camera_view.eye, to_gl(camera.pan), to_gl(-back));
+    camera_view.eye = to_gl(target, high);
+    camera_view.view = maths::look_at(camera_view.eye, to_gl(target), to_gl(-back));
     const float left = (window.x - middle.x) / scale, top = (middle.y - window.y) / scale;
     camera_view.projection = maths::orthographic(left, left + window.w / scale, top - window.h / scale, top, near, far);
     return camera_view;
@@ -164,13 +174,15 @@ vec4 clip_place(const CameraView& camera_view, vec2 place, float height) {
 
 }  // namespace
 
-CameraView look(const Camera& camera, const Arena& arena, const VehicleView* follow, Rect window, Rect free_area) {
+CameraView look(const Camera& camera, const Arena& arena, const VehicleView* follow, Rect window, Rect free_area,
+                const FloorBox* framed) {
     window.w = std::max(window.w, 1.0f), window.h = std::max(window.h, 1.0f);
     const Rect area = usable(window, free_area);
     if (camera.mode == CameraMode::follow && follow) return through(riding(camera, *follow, window, area), window);
     if (camera.mode == CameraMode::driver && follow) return through(driving(camera, *follow, window, area), window);
-    if (camera.mode == CameraMode::birds_eye) return birds_eye(camera, arena, window, area);
-    return through(overview(camera, arena, window, area), window);
+    if (camera.mode == CameraMode::birds_eye)
+        return birds_eye(camera, box_of(arena, framed), framed ? 0.1f : 0.5f, window, area);
+    return through(overview(camera, arena, box_of(arena, framed), window, area), window);
 }
 
 void orbit(Camera& camera, float azimuth, float elevation) {
@@ -186,11 +198,12 @@ void pan(Camera& camera, const CameraView& camera_view, vec2 from, vec2 to) {
     camera.pan = {std::clamp(camera.pan.x, -farthest, farthest), std::clamp(camera.pan.y, -farthest, farthest)};
 }
 
-void zoom_about(Camera& camera, const Arena& arena, Rect window, Rect free_area, vec2 pixel, float factor) {
-    const auto before = unproject(look(camera, arena, nullptr, window, free_area), pixel);
+void zoom_about(Camera& camera, const Arena& arena, Rect window, Rect free_area, vec2 pixel, float factor,
+                const FloorBox* framed) {
+    const auto before = unproject(look(camera, arena, nullptr, window, free_area, framed), pixel);
     camera.zoom *= factor;
     camera.zoom = clamped_zoom(camera);
-    const auto after = unproject(look(camera, arena, nullptr, window, free_area), pixel);
+    const auto after = unproject(look(camera, arena, nullptr, window, free_area, framed), pixel);
     if (before && after && !rides(camera.mode)) camera.pan += *before - *after;
 }
 

@@ -32,13 +32,14 @@ struct Rect {
     friend bool operator==(const Rect&, const Rect&) = default;
 };
 
-// The camera settings that a user changes. Default: the whole arena.
+// The camera settings that a user changes. Default: the action (framing.h).
 struct Camera {
     CameraMode mode = CameraMode::overview;
     float azimuth = -1.5707963f;  // rad, direction from the arena's centre to the camera; −pi/2: +x is to the right
     float elevation = 1.1f;       // rad above the floor, 0.15..1.5
-    float zoom = 1;               // 0.25..8; 1 fits the arena into the free part of the window
-    maths::vec2 pan{};            // m, shift of the point that overview and bird's eye look at
+    float zoom = 1;               // 0.25..8; 1 fits the framed part of the floor into the free part of the window
+    maths::vec2
+        pan{};  // m, shift of the point that overview and bird's eye look at, from the middle of the framed part
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
@@ -49,9 +50,17 @@ struct CameraView {
     Rect window;                   // the whole framebuffer, px
 };
 
-// Computes the view of a camera. `free_area`: the part of the window that no card covers; the arena is centred and
-// fitted there. `follow`: the vehicle for the modes follow and driver; if it is null, these modes give the overview.
-CameraView look(const Camera&, const Arena&, const VehicleView* follow, Rect window, Rect free_area);
+// A box on the floor, m.
+struct FloorBox {
+    maths::vec2 low, high;
+    friend bool operator==(const FloorBox&, const FloorBox&) = default;
+};
+
+// Computes the view of a camera. `free_area`: the part of the window that no card covers; the framed box (null: the
+// whole arena) is centred and fitted there. `follow`: the vehicle for the modes follow and driver; if it is null, these
+// modes give the overview.
+CameraView look(const Camera&, const Arena&, const VehicleView* follow, Rect window, Rect free_area,
+                const FloorBox* framed = nullptr);
 
 // Adds to azimuth and elevation, rad.
 void orbit(Camera&, float azimuth, float elevation);
@@ -60,8 +69,9 @@ void orbit(Camera&, float azimuth, float elevation);
 void pan(Camera&, const CameraView&, maths::vec2 from, maths::vec2 to);
 
 // Multiplies the zoom. The floor point under the pixel stays under it, except in the modes follow and driver. The
-// arena, `window` and `free_area` are those of look().
-void zoom_about(Camera&, const Arena&, Rect window, Rect free_area, maths::vec2 pixel, float factor);
+// arena, `window`, `free_area` and `framed` are those of look().
+void zoom_about(Camera&, const Arena&, Rect window, Rect free_area, maths::vec2 pixel, float factor,
+                const FloorBox* framed = nullptr);
 
 // Interpolates between two views for a transition of about 0.2 s. `seconds`: wall time since `from`.
 CameraView glide(const CameraView& from, const CameraView& to, float seconds);

@@ -1,0 +1,130 @@
+#include "render/view/framing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/scene/scene.h"
+
+namespace braitenlab {
+
+using maths::vec2;
+
+namespace {
+
+constexpr float around_vehicle = 0.9f, around_source = 1.0f;  // m
+constexpr float beside_action = 1.2f;                         // m: an obstacle closer than this may be met
+constexpr float beyond_edge = 0.3f;                           // m, the walls
+constexpr float least_side = 4;                               // m
+constexpr float time_constant = 0.35f;                        // s
+
+void include(FloorBox& box, vec2 place, float radius) {
+    box.low = {std::min(box.low.x, place.x - radius), std::min(box.low.y, place.y - radius)};
+    box.high = {std::max(box.high.x, place.x + radius), std::max(box.high.y, place.y + radius)};
+}
+
+FloorBox both(FloorBox a, FloorBox b) {
+    include(a, b.low, 0), include(a, b.high, 0);
+    return a;
+}
+
+bool contains(const FloorBox& a, const FloorBox& b) {
+    return a.low.x <= b.low.x && a.low.y <= b.low.y && a.high.x >= b.high.x && a.high.y >= b.high.y;
+}
+
+FloorBox whole(const Arena& arena) {
+    const vec2 half{arena.width / 2, arena.height / 2};
+    return {half * -1.0f, half};
+}
+
+// One axis: a side of at least `least`, inside -limit..limit where it fits there.
+void fit(float& low, float& high, float least, float limit) {
+    const float side = std::min(std::max(high - low, least), std::max(2 * limit, high - low));
+    const float middle = (low + high) / 2, room = std::max(0.0f, limit - side / 2);
+    const float kept = std::clamp(middle, -room, room);
+    low = kept - side / 2, high = kept + side / 2;
+}
+
+void include_obstacles(FloorBox& box, const Snapshot& now) {
+    const FloorBox near{box.low - vec2{beside_action, beside_action}, box.high + vec2{beside_action, beside_action}};
+    for (std::size_t i = 0; i < now.scene->obstacles.size(); ++i) {
+        const Obstacle& obstacle = now.scene->obstacles[i];
+        const vec2 at =
+            i < now.obstacles.size() ? vec2{now.obstacles[i].x, now.obstacles[i].y} : vec2{obstacle.x, obstacle.y};
+        if (at.x < near.low.x || at.x > near.high.x || at.y < near.low.y || at.y > near.high.y) continue;
+        include(box, at, 0.5f * std::hypot(obstacle.length, obstacle.width));
+    }
+}
+
+// The box with the aspect ratio of the free area, which the arena fills as far as it can.
+FloorBox widened(FloorBox box, const FramingInput& in, const Arena& arena) {
+    const bool turned = std::fabs(std::sin(in.camera.azimuth)) < 0.7f;  // +x is not across the picture
+    const bool above = in.camera.mode == CameraMode::birds_eye;
+    const float aspect = in.free_area.w / std::max(in.free_area.h, 1.0f) *
+                         (above ? 1.0f : std::max(std::sin(in.camera.elevation), 0.3f));
+    vec2 side{std::max(box.high.x - box.low.x, least_side), std::max(box.high.y - box.low.y, least_side)};
+    const vec2 most{std::max(side.x, arena.width), std::max(side.y, arena.height)};
+    float &across = turned ? side.y : side.x, &along = turned ? side.x : side.y;
+    across = std::max(across, std::min(along * aspect, turned ? most.y : most.x));
+    along = std::max(along, std::min(across / aspect, turned ? most.x : most.y));
+    fit(box.low.x, box.high.x, side.x, arena.width / 2);
+    fit(box.low.y, box.high.y, side.y, arena.height / 2);
+    return box;
+}
+
+// Shrinks the box around the vehicle until the vehicle has this length on the screen, px.
+FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle, float pixels, const FramingInput& in) {
+    const vec2 place{vehicle.x, vehicle.y};
+    const float length = kind_of(now, vehicle).body.length;
+    for (int i = 0; i < 4; ++i) {
+        const CameraView seen = look(in.camera, now.scene->arena, nullptr, in.window, in.free_area, &box);
+        const float share = length * pixels_per_metre(seen, place) / pixels;
+        if (share >= 1) break;
+        const vec2 half = (box.high - box.low) * (share * 0.5f), middle = (box.low + box.high) / 2.0f;
+        const vec2 room{std::max(0.0f, half.x - around_vehicle), std::max(0.0f, half.y - around_vehicle)};
+        const vec2 kept{std::clamp(middle.x, place.x - room.x, place.x + room.x),
+                        std::clamp(middle.y, place.y - room.y, place.y + room.y)};
+        box = {kept - half, kept + half};
+    }
+    return box;
+}
+
+}  // namespace
+
+FloorBox action_of(const Snapshot& now) {
+    if (!now.scene) return whole(Arena{});
+    FloorBox box{{1e9f, 1e9f}, {-1e9f, -1e9f}};
+    for (const VehicleView& v : now.vehicles) include(box, {v.x, v.y}, around_vehicle);
+    for (const SourceView& s : now.sources) include(box, {s.x, s.y}, around_source);
+    if (box.low.x > box.high.x) return whole(now.scene->arena);
+    include_obstacles(box, now);
+    const Arena& arena = now.scene->arena;
+    const auto inside = [](vec2 p, vec2 half) {
+        return vec2{std::clamp(p.x, -half.x, half.x), std::clamp(p.y, -half.y, half.y)};
+    };
+    const vec2 half{arena.width / 2 + beyond_edge, arena.height / 2 + beyond_edge};
+    return {inside(box.low, half), inside(box.high, half)};
+}
+
+FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
+    const std::string name = now.scene ? now.scene->name : std::string{};
+    if (now.seed != seed_ || now.generation != generation_ || name != scene_) start_over();
+    seed_ = now.seed, generation_ = now.generation, scene_ = name;
+    const bool moved = in.camera.zoom != 1 || !(in.camera.pan == vec2{});
+    if (shown_ && (in.held || moved)) return *shown_;
+
+    const FloorBox action = action_of(now);
+    if (!grown_ || !contains(*grown_, action)) grown_ = grown_ ? both(*grown_, action) : action;
+    const Arena arena = now.scene ? now.scene->arena : Arena{};
+    FloorBox wanted = widened(*grown_, in, arena);
+    const VehicleView* vehicle = find_vehicle(now, in.selected);
+    if (vehicle && now.scene && now.vehicles.size() <= few_vehicles)
+        wanted = enlarged(wanted, now, *vehicle, in.least_share * in.window.w, in);
+    if (!shown_ || in.seconds <= 0) return *(shown_ = wanted);
+    const float t = 1 - std::exp(-in.seconds / time_constant);
+    const auto step = [&](vec2 from, vec2 to) {
+        return maths::distance(from, to) < 0.003f ? to : from + (to - from) * t;
+    };
+    return *(shown_ = FloorBox{step(shown_->low, wanted.low), step(shown_->high, wanted.high)});
+}
+
+}  // namespace braitenlab

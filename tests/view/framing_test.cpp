@@ -1,0 +1,142 @@
+#include "render/view/framing.h"
+
+#include <algorithm>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "tests/view/hand_made.h"
+
+namespace braitenlab::tests::framing_test {
+namespace {
+
+using maths::vec2;
+
+const Rect window{0, 0, 1280, 800}, free_area{336, 84, 576, 610};
+
+FramingInput input(VehicleId selected = 0) {
+    FramingInput in;
+    in.selected = selected, in.window = window, in.free_area = free_area;
+    return in;
+}
+
+bool holds(const FloorBox& box, vec2 p) {
+    return p.x > box.low.x && p.x < box.high.x && p.y > box.low.y && p.y < box.high.y;
+}
+
+TEST(Framing, FramesVehiclesSourcesAndTheObstaclesNearThem) {
+    auto scene = hand_made::scene();
+    scene->obstacles.push_back({.name = "near", .x = -2, .y = -1.5f, .length = 1, .width = 1});
+    scene->obstacles.push_back({.name = "far", .x = 8, .y = -8, .length = 1, .width = 1});
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, -4, 0, 0);
+    hand_made::add_source(now, Channel::light, 3, 2);
+    const FloorBox box = action_of(now);
+    for (const vec2 p : {vec2{-4.8f, 0}, {3.9f, 2.9f}, {-2.4f, -1.9f}}) EXPECT_TRUE(holds(box, p)) << p;
+    EXPECT_FALSE(holds(box, {8, -8}));
+    now.vehicles[0].x = -9.9f;
+    EXPECT_GE(action_of(now).low.x, -10.3f) << "no further than the walls";
+    now.vehicles.clear(), now.sources.clear();
+    EXPECT_EQ(action_of(now), (FloorBox{{-10, -10}, {10, 10}})) << "an empty arena is shown whole";
+}
+
+// The share of the free area's width and height that the box's picture takes.
+vec2 share_of(const FloorBox& box, const Arena& arena, const FramingInput& in) {
+    const CameraView seen = look(in.camera, arena, nullptr, in.window, in.free_area, &box);
+    vec2 low{1e9f, 1e9f}, high{-1e9f, -1e9f};
+    for (const vec2 corner : {box.low, box.high, vec2{box.low.x, box.high.y}, vec2{box.high.x, box.low.y}}) {
+        const auto at = project(seen, corner);
+        EXPECT_TRUE(at);
+        EXPECT_TRUE(in.free_area.contains(at->x, at->y)) << *at;
+        low = {std::min(low.x, at->x), std::min(low.y, at->y)};
+        high = {std::max(high.x, at->x), std::max(high.y, at->y)};
+    }
+    return {(high.x - low.x) / in.free_area.w, (high.y - low.y) / in.free_area.h};
+}
+
+TEST(Framing, UsesThreeQuartersOfTheFreeArea) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, -4, 1, 0);
+    hand_made::add_source(now, Channel::light, 3, 2);
+    for (const Rect area : {free_area, Rect{20, 100, 1240, 540}, Rect{300, 60, 420, 640}})
+        for (const CameraMode mode : {CameraMode::overview, CameraMode::birds_eye}) {
+            FramingInput in = input(no_vehicle);
+            in.free_area = area, in.camera.mode = mode;
+            const vec2 share = share_of(Framing{}.follow(now, in), now.scene->arena, in);
+            EXPECT_GE(share.x * share.y, 0.75f) << area.w << " x " << area.h << ", mode " << static_cast<int>(mode);
+        }
+}
+
+TEST(Framing, ShowsTheSelectedVehicleAtItsLeastSizeInScenesOfFewVehicles) {
+    for (const float least : {0.05f, 0.08f})
+        for (const vec2 place : {vec2{-9, -9}, {0, 0}, {9, 3}}) {
+            Snapshot now = hand_made::empty(hand_made::scene());
+            hand_made::add(now, 0, place.x, place.y, 0);
+            for (const float x : {-9.0f, 9.0f}) hand_made::add(now, 0, x, -x, 0), hand_made::add(now, 0, x, x, 0);
+            FramingInput in = input();
+            in.least_share = least;
+            const FloorBox box = Framing{}.follow(now, in);
+            const CameraView seen = look({}, now.scene->arena, nullptr, window, free_area, &box);
+            EXPECT_GE(pixels_per_metre(seen, place), 0.98f * least * window.w) << place;
+            const auto at = project(seen, place);
+            EXPECT_TRUE(free_area.contains(at->x, at->y)) << place;
+            hand_made::add(now, 0, 5, 5, 0);
+            EXPECT_LT(pixels_per_metre(look({}, now.scene->arena, nullptr, window, free_area,
+                                            std::make_unique<FloorBox>(Framing{}.follow(now, in)).get()),
+                                       place),
+                      least * window.w)
+                << "six vehicles are all shown";
+        }
+}
+
+TEST(Framing, GlidesWhenTheActionGrowsAndDoesNotShrink) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, -2, 0, 0), hand_made::add_source(now, Channel::light, 2, 0);
+    Framing framing;
+    FramingInput in = input(no_vehicle);
+    const FloorBox first = framing.follow(now, in);
+    in.seconds = 1.0f / 60;
+    EXPECT_EQ(framing.follow(now, in), first) << "nothing has moved";
+    now.vehicles[0].x = -8;
+    const FloorBox second = framing.follow(now, in);
+    EXPECT_LT(second.low.x, first.low.x);
+    EXPECT_GT(second.low.x, -6) << "not at once";
+    for (int i = 0; i < 240; ++i) framing.follow(now, in);
+    const FloorBox last = framing.follow(now, in);
+    EXPECT_TRUE(holds(last, {-8, 0}));
+    now.vehicles[0].x = 0;
+    EXPECT_EQ(framing.follow(now, in), last) << "the path is still shown";
+    framing.start_over();
+    EXPECT_EQ(framing.follow(now, in), Framing{}.follow(now, in));
+    EXPECT_GT(framing.follow(now, in).low.x, last.low.x);
+}
+
+TEST(Framing, StaysWhileTheUserHoldsSomethingOrHasMovedTheCamera) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, -2, 0, 0);
+    for (const int way : {0, 1, 2}) {
+        Framing framing;
+        FramingInput in = input();
+        now.vehicles[0].x = -2;
+        const FloorBox first = framing.follow(now, in);
+        now.vehicles[0].x = 7;
+        if (way == 0) in.held = true;
+        if (way == 1) in.camera.zoom = 1.4f;
+        if (way == 2) in.camera.pan = {0.5f, 0};
+        EXPECT_EQ(framing.follow(now, in), first) << way;
+        in = input();
+        EXPECT_FALSE(framing.follow(now, in) == first) << way;
+    }
+}
+
+TEST(Framing, BeginsAgainWithAnotherRunOrScene) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, -8, 0, 0);
+    Framing framing;
+    framing.follow(now, input());
+    now.vehicles[0].x = 4, now.generation += 1;
+    EXPECT_EQ(framing.follow(now, input()), Framing{}.follow(now, input()));
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::framing_test
