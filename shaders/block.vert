@@ -39,20 +39,26 @@ void main() {
     bool shadow = level < level_foot;
     vec2 at = here + outwards * (on_top ? -size.y : level == level_shadow_end ? shadow_reach : 0.0);
     float height = shadow ? 0.004 : level == level_foot ? 0.0 : on_top ? size.x : size.x - size.y;
-    vec3 normal = level == level_top ? vec3(0.0, 0.0, 1.0) : vec3(face, level >= level_chamfer ? 1.0 : 0.0);
+    // Edges are shaded as if they were round: across the chamfer, and across a short face between two long ones.
+    if (law.w > 0.5 && size.w < 0.5 && distance(prism_corner(edge % count), prism_corner((edge + 1) % count)) < 0.14)
+        face = corner.y < 0.5 ? out_before : out_after;
+    vec3 normal = level == level_top       ? vec3(0.0, 0.0, 1.0)
+                  : level == level_inner   ? vec3(face * 0.35, 1.0)
+                  : level == level_chamfer ? vec3(face, 0.35)
+                                           : vec3(face, 0.0);
 
     vec3 world = to_gl(vec3(place.xy + turn(at, place.zw), height));
     vec3 up = to_gl(normalize(vec3(turn(normal.xy, place.zw), normal.z)));
     // A lighter top and a darker foot make the edges visible.
     float foot = mix(0.62, 0.88, counts.y), side = mix(0.85, 0.97, counts.y);
-    float top = mix(size.w > 0.5 ? 1.42 : 0.86, 0.98, counts.y);
+    float top = mix(size.w > 0.5 ? 1.08 : 0.86, 0.98, counts.y);
     if (size.w < 0.5) foot *= 0.8, side *= mix(0.72, 0.92, counts.y);
     bool on_side = level <= level_shoulder;
-    vec3 tone = base.rgb * (level == level_foot ? foot : on_side ? side : level == level_top ? top : top * 1.12);
+    vec3 tone = base.rgb * (level == level_foot ? foot : on_side ? side : level == level_top || law.w > 0.5 ? top : top * 1.12);
     // The outer side of a wall has the tone of the ground outside.
     bool outside = size.w > 0.5 && on_side && dot(turn(face, place.zw), place.xy) > 0.0;
     if (outside) tone = mix(tone, sky.rgb, 0.45);
-    v_colour = tone * light_at(up, world);
+    v_colour = lit(tone, light_at(up, world));
     v_far = level == level_shadow_end ? 1.0 : 0.0;
     gl_Position = view_projection * vec4(world, 1.0);
     if ((empty && level != level_top) || (shadow && size.w > 0.5)) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);

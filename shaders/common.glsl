@@ -19,6 +19,7 @@ layout(std140) uniform Frame {
     vec4 arena;   // half the width, half the height, m; simulated seconds; display pixels per layout pixel
     vec4 counts;  // x: lamps; y: 1 in the light theme; z: how far sensor fields reach beyond the arena, m; w: boundary
     vec4 form;    // x: 1 if the arena is an ellipse
+    vec4 law;     // 1/half distance^2, 1/range^2 of light; lamps that light the floor; quality 0 low, 1 medium, 2 high
     Lamp lamps[8];
 };
 
@@ -50,20 +51,45 @@ vec2 turn(vec2 v, vec2 direction) {
     return vec2(v.x * direction.x - v.y * direction.y, v.x * direction.y + v.y * direction.x);
 }
 
-// Factor on a surface's colour from sun, sky, light reflected by the floor, and lamps. Light is summed in linear
-// colour; the square root converts to screen colour (gamma 2 approximates sRGB).
+// Light of a lamp at a squared distance (m^2), relative to that at 0: the law of a graded sensor (LightLaw in
+// render/view/draw_list.h).
+float lamp_law(float squared) {
+    float rest = max(1.0 - squared * law.y, 0.0);
+    return rest * rest / (1.0 + squared * law.x);
+}
+
+// Linear light that lamp i adds to the floor at a place.
+vec3 lamp_on_floor(int i, vec2 place) {
+    vec2 towards = vec2(lamps[i].place.x, -lamps[i].place.z) - place;
+    // Deeper than the lamp's own colour on a dark floor, paler on a light one.
+    vec3 tint = lamps[i].colour.rgb, deep = tint * tint * tint * tint;
+    return mix(deep * 0.42, tint * 0.42, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
+}
+
+// Linear light as a screen colour: gamma 2 approximates sRGB. Above the knee the brightest channel approaches 1 and the
+// others keep their ratio to it, so a bright surface keeps its hue and nothing becomes white.
+vec3 on_screen(vec3 light) {
+    float knee = mix(0.55, 0.86, counts.y), most = max(max(light.r, light.g), max(light.b, 1e-4));
+    float held = most < knee ? most : knee + (1.0 - knee) * (1.0 - exp(-(most - knee) / (1.0 - knee)));
+    return sqrt(light * (held / most));
+}
+
+// Linear light on a surface from sun, sky, floor and lamps.
 vec3 light_at(vec3 normal, vec3 place) {
     vec3 light = mix(ground_light.rgb, sky_light.rgb, normal.y * 0.5 + 0.5);
     light += max(dot(normal, sun.xyz), 0.0) * sun_light.rgb;
     for (int i = 0; i < int(counts.x); ++i) {
         vec3 towards = lamps[i].place.xyz - place;
-        float squared = dot(towards, towards), reach = lamps[i].colour.w;
+        float squared = dot(towards, towards);
         // Lamps are large and low: a surface that faces away from a lamp still gets part of its light.
-        float facing = max(dot(normal, towards) * inversesqrt(squared + 1e-4) * 0.7 + 0.3, 0.0);
-        light += lamps[i].colour.rgb * (1.5 * lamps[i].place.w * facing / (1.0 + squared / (reach * reach) * 2.0));
+        float facing = max(dot(normal, towards) * inversesqrt(squared + 1e-4) * 0.8 + 0.2, 0.0);
+        light += lamps[i].colour.rgb * lamps[i].colour.rgb * (1.5 * lamps[i].place.w * facing * lamp_law(squared));
     }
-    return sqrt(light);
+    return light;
 }
+
+// The screen colour of a surface of this screen colour in linear light.
+vec3 lit(vec3 tone, vec3 light) { return on_screen(tone * tone * light); }
 
 // Corners of a polygon that contains a sensor's field: a triangle below 120 degrees, a kite up to 180, a square beyond;
 // counter-clockwise from the apex. `shape`: drawn radius, half the opening angle, d0, radius where the fill ends.

@@ -21,8 +21,8 @@ void main() {
     // The shell gets part of the colour, so that a high reading is also visible from behind.
     vec3 white = mix(vec3(0.80, 0.82, 0.85), base.rgb, 0.45 * size.z);
     vec3 light = light_at(up, at);
-    v_shell = mix(white * light, base.rgb, 0.25 * size.z);
-    v_glass = mix(ink.rgb, base.rgb, 0.10) * light;
+    v_shell = mix(lit(white, light), base.rgb, 0.25 * size.z);
+    v_glass = lit(mix(ink.rgb, base.rgb, 0.10), light);
     v_glow = mix(base.rgb, vec3(1.0), 0.30);
     v_lid = vec3(corner.yz, 1.0 - base.w);
     v_lens = vec3(corner.x, size.z, size.w);

@@ -24,5 +24,7 @@ void main() {
     // The field ends at the walls.
     alpha *= step(from_edge(v_place), counts.z);
     // On a dark floor the colours of overlapping fields are added, because blended colours become grey.
+    // In the light theme faint and warm, like light on paper.
+    alpha *= mix(0.85, 0.55, counts.y);
     colour = vec4(v_base.rgb * alpha, alpha * mix(0.45, 1.0, counts.y));
 }

@@ -1,11 +1,11 @@
-// A vehicle's body: hull, deck with the inlay below the wires, energy gauge and arrowhead.
+// A vehicle's body: hull, deck with the inlay below the wires, energy gauge and arrowhead; or the rounded body.
 layout(location = 0) in vec3 corner;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float paint;
 layout(location = 4) in vec4 place;   // x, y, direction
 layout(location = 5) in vec4 size;    // length, width, height's scale, energy
 layout(location = 6) in vec4 base;    // w: 1 awake, 0 parked
-layout(location = 7) in vec4 look;    // x: detail
+layout(location = 7) in vec4 look;    // x: detail; y: 1 for a rounded body
 
 out vec3 v_colour;
 out vec3 v_empty;             // colour of the empty part of the gauge
@@ -34,9 +34,23 @@ void main() {
     // The arrowhead contrasts with the body: white on dark colours, dark on bright ones.
     float brightness = dot(base.rgb, vec3(0.30, 0.59, 0.11));
     if (kind == paint_mark) tone = mix(base.rgb, brightness > 0.55 ? ink.rgb : vec3(1.0), 0.25 + 0.65 * base.w);
+    if (look.y > 0.5) {
+        if (kind == paint_inlay) tone = mix(vec3(0.20, 0.22, 0.26), base.rgb, 0.10);
+        if (kind == paint_light) tone = mix(vec3(0.82, 0.84, 0.88), base.rgb, 0.12);
+        if (kind == paint_gauge) tone = vec3(0.55, 0.85, 0.40);
+    }
     vec3 light = light_at(up, at);
-    v_colour = tone * light;
-    v_empty = (kind == paint_gauge ? mix(tone, ink.rgb, detail) : tone) * light;
+    v_colour = lit(tone, light);
+    // The empty part of the gauge.
+    v_empty = kind == paint_gauge ? lit(mix(tone, ink.rgb, max(detail, look.y)), light) : v_colour;
+    if (look.y > 0.5 && kind != paint_inlay) {
+        // The sky and the sun mirrored in the varnish.
+        vec3 towards = normalize(eye.xyz - at), mirrored = reflect(-towards, up);
+        float rim = 1.0 - max(dot(towards, up), 0.0);
+        float gloss = 0.28 * pow(max(dot(mirrored, sun.xyz), 0.0), 24.0) + 0.10 * rim * rim * rim;
+        v_colour += sun_light.rgb * gloss;
+        v_empty += sun_light.rgb * gloss;
+    }
     v_gauge = vec2(-corner.y / 0.32, size.w * 2.0 - 1.0);
     gl_Position = view_projection * vec4(at, 1.0);
 }

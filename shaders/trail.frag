@@ -4,6 +4,6 @@ in vec4 v_colour;
 out vec4 colour;
 
 void main() {
-    float alpha = v_colour.a * (1.0 - smoothstep(0.5, 1.0, abs(v_side)));
+    float alpha = v_colour.a * (1.0 - smoothstep(0.7, 1.0, abs(v_side)));
     colour = vec4(v_colour.rgb * alpha, alpha);
 }

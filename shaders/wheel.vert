@@ -21,6 +21,7 @@ void main() {
     int kind = int(paint + 0.5);
     vec3 rubber = mix(ink.rgb, vec3(0.5), 0.14);
     vec3 tone = kind == paint_mark ? mix(rubber, vec3(0.50, 0.53, 0.57), size.w) : kind == paint_deck ? rubber * 1.5 : rubber;
-    v_colour = tone * light_at(up, at);
+    if (kind == paint_body) tone = vec3(0.62, 0.65, 0.70);
+    v_colour = lit(tone, light_at(up, at));
     gl_Position = view_projection * vec4(at, 1.0);
 }

@@ -4,6 +4,7 @@ in vec4 v_base;
 in float v_signal;
 in float v_part;
 flat in float v_cut;
+flat in float v_round;
 
 out vec4 colour;
 
@@ -18,5 +19,8 @@ void main() {
     vec3 bright = mix(v_base.rgb, vec3(1.0), 0.45);
     float rim = smoothstep(0.62, 0.9, abs(v_side));
     vec3 tone = mix(mix(idle, bright, glow), vec3(0.95), 1.0 - smoothstep(0.05, 0.06, from_gap));
-    colour = vec4(mix(tone, ink.rgb, rim * 0.75), 1.0);
+    // A cable is shaded as a tube: bright along its ridge, dark at its sides.
+    float ridge = sqrt(max(1.0 - v_side * v_side, 0.0)), gleam = max(1.0 - 6.0 * abs(v_side + 0.3), 0.0);
+    vec3 tube = tone * (0.45 + 0.60 * ridge) + 0.18 * gleam;
+    colour = vec4(mix(mix(tone, ink.rgb, rim * 0.75), tube, v_round), 1.0);
 }

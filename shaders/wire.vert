@@ -4,7 +4,7 @@ layout(location = 0) in vec3 corner;  // along 0..1, side -1..1
 layout(location = 4) in vec4 ends;    // from, to
 layout(location = 5) in vec4 shape;   // control point, height, width
 layout(location = 6) in vec4 base;    // w: 1 excites, -1 inhibits, 0 plain
-layout(location = 7) in vec4 signal;  // x: 0..1; y: 1 cut
+layout(location = 7) in vec4 signal;  // x: 0..1; y: 1 cut; z: rise of its middle, m
 
 out float v_side;
 out float v_along;   // metres
@@ -12,6 +12,7 @@ out vec4 v_base;
 out float v_signal;
 out float v_part;    // share of the length, 0..1
 flat out float v_cut;
+flat out float v_round;  // 1 for a cable
 
 void main() {
     float t = corner.x;
@@ -31,5 +32,7 @@ void main() {
     v_signal = signal.x;
     v_part = t;
     v_cut = signal.y;
-    gl_Position = view_projection * vec4(to_gl(vec3(at, shape.z)), 1.0);
+    v_round = signal.z > 0.0 ? 1.0 : 0.0;
+    float height = shape.z + signal.z * 4.0 * t * (1.0 - t);
+    gl_Position = view_projection * vec4(to_gl(vec3(at, height)), 1.0);
 }

@@ -8,11 +8,11 @@ namespace braitenlab::render {
 
 namespace {
 
-// The frame block with the values cleared that the ground does not depend on: time and lamps.
+// The frame block with the values cleared that the ground does not depend on: time and lamps that do not light it.
 FrameBlock ground_of(FrameBlock frame) {
     frame.arena.z = 0;
     frame.counts.x = 0;
-    frame.lamps = {};
+    for (std::size_t i = static_cast<std::size_t>(frame.law.z); i < frame.lamps.size(); ++i) frame.lamps[i] = {};
     return frame;
 }
 

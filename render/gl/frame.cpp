@@ -25,9 +25,9 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     const maths::vec3 sun =
         maths::normalise(maths::vec3{-0.45f, 0.82f, 0.38f});  // from above, left and behind the camera's default
     block.sun = {sun.x, sun.y, sun.z, 0};
-    block.sun_light = light ? maths::vec4{0.74f, 0.73f, 0.70f, 0} : maths::vec4{0.72f, 0.74f, 0.78f, 0};
-    block.sky_light = light ? maths::vec4{0.42f, 0.43f, 0.45f, 0} : maths::vec4{0.30f, 0.33f, 0.38f, 0};
-    block.ground_light = light ? maths::vec4{0.30f, 0.30f, 0.30f, 0} : maths::vec4{0.13f, 0.13f, 0.14f, 0};
+    block.sun_light = light ? maths::vec4{0.70f, 0.68f, 0.64f, 0} : maths::vec4{0.54f, 0.56f, 0.60f, 0};
+    block.sky_light = light ? maths::vec4{0.44f, 0.45f, 0.47f, 0} : maths::vec4{0.30f, 0.34f, 0.40f, 0};
+    block.ground_light = light ? maths::vec4{0.32f, 0.30f, 0.28f, 0} : maths::vec4{0.13f, 0.13f, 0.14f, 0};
     block.sky = four(colours.sky), block.floor_colour = four(colours.floor), block.grid_colour = four(colours.grid);
     block.ink = four(colours.wheel), block.paper = light ? four(colours.raised) : four(colours.text);
     block.shadow = four(colours.shadow);
@@ -39,6 +39,9 @@ FrameBlock frame_block(const Snapshot& now, const Picture& picture, const DrawLi
     block.counts = {static_cast<float>(list.lamps.size()), light ? 1.0f : 0.0f,
                     arena.edge == Boundary::open ? 1e6f : 0.0f, static_cast<float>(arena.edge)};
     block.form = {arena.round ? 1.0f : 0.0f, 0, 0, 0};
+    const auto inverse_square = [](float d) { return 1 / (d * d); };
+    block.law = {inverse_square(list.law.half_distance), inverse_square(list.law.range),
+                 static_cast<float>(list.floor_lamps), static_cast<float>(picture.quality)};
     for (std::size_t i = 0; i < list.lamps.size(); ++i) block.lamps[i] = list.lamps[i];
     return block;
 }

@@ -49,7 +49,8 @@ std::optional<Error> Programs::load(const std::filesystem::path& folder, SectorP
         {&sign, "sign", "sign"},    {&wheel, "wheel", "wheel"},       {&eye, "eye", "eye"},
         {&wire, "wire", "wire"},    {&neuron, "neuron", "neuron"},    {&source, "source", "source"},
         {&shade, "mark", "shade"},  {&mark, "mark", "mark"},          {&trail, "trail", "trail"},
-        {&halo, "halo", "halo"},    {&letter, "letter", "letter"}};
+        {&halo, "halo", "halo"},    {&letter, "letter", "letter"},    {&eyeball, "eyeball", "eyeball"},
+        {&cast, "cast", "cast"}};
     for (const auto& [program, vertex, fragment] : all) {
         auto loaded = Program::load(folder, std::string(vertex) + ".vert", std::string(fragment) + ".frag");
         if (!loaded) return loaded.error();

@@ -15,6 +15,7 @@
 #include "render/gl/texture.h"
 #include "render/text/set_type.h"
 #include "render/view/draw_list.h"
+#include "render/view/fine_shapes.h"
 #include "render/view/shapes.h"
 
 namespace braitenlab::render {
@@ -75,6 +76,12 @@ struct Renderer::Parts {
                                        Batch{rim_shape(Role::prey), hulls[2].instances}};
     Kit wheels = kit<WheelInstance>(wheel_shape());
     Kit eyes = kit<EyeInstance>(eye_shape());
+    std::array<Kit, role_count> bodies{kit<HullInstance>(fine_hull_shape(Role::none)),
+                                       kit<HullInstance>(fine_hull_shape(Role::predator)),
+                                       kit<HullInstance>(fine_hull_shape(Role::prey))};
+    Kit tyres = kit<WheelInstance>(tyre_shape());
+    Kit eyeballs = kit<EyeballInstance>(eyeball_shape());
+    Kit casts = kit<CastInstance>(quad());
     Kit wires = kit<WireInstance>(strip(12));
     Kit neurons = kit<NeuronInstance>(quad());
     Kit contours = kit<ContourInstance>(quad());
@@ -126,6 +133,10 @@ struct Renderer::Parts {
         for (std::size_t role = 0; role < signs.size(); ++role) signs[role].instances.upload(list.signs[role]);
         wheels.instances.upload(list.wheels);
         eyes.instances.upload(list.eyes);
+        for (std::size_t role = 0; role < bodies.size(); ++role) bodies[role].instances.upload(list.bodies[role]);
+        tyres.instances.upload(list.tyres);
+        eyeballs.instances.upload(list.eyeballs);
+        casts.instances.upload(list.casts);
         wires.instances.upload(list.wires);
         neurons.instances.upload(list.neurons);
         contours.instances.upload(contour);
@@ -151,6 +162,9 @@ struct Renderer::Parts {
         for (const Kit& of_role : signs) draw(with.sign, of_role);
         draw(with.wheel, wheels);
         draw(with.eye, eyes);
+        for (const Kit& of_role : bodies) draw(with.hull, of_role);
+        draw(with.wheel, tyres);
+        draw(with.eyeball, eyeballs);
         for (const Kit& of_shape : sources) draw(with.source, of_shape);
         draw(with.wire, wires);
         draw(with.neuron, neurons);
@@ -225,6 +239,7 @@ struct Renderer::Parts {
         intensities.bind();
         draw(with.contour, contours);
         draw(with.skirt, skirts, blocks.instances);
+        draw(with.cast, casts);
         draw(with.shade, marks);
         draw(with.trail, trail_strips);
         draw(with.field, with.sectors_from_points ? field_points : fields.batch, fields.instances);
@@ -307,6 +322,8 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
 }
+
+void Renderer::finish() { glFinish(); }
 
 int Renderer::draw_calls() const { return parts_->calls; }
 

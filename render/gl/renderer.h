@@ -43,6 +43,9 @@ public:
     // vehicles.
     void draw(const Snapshot&, const Picture&);
 
+    // Waits until everything is drawn.
+    void finish();
+
     // Number of draw calls of the last draw().
     int draw_calls() const;
 

@@ -29,7 +29,7 @@ void add_wire(Drawing& drawing, const Subject& s, const DeckWire& run, int layer
         {{a.x, a.y, b.x, b.y},
          {c.x, c.y, height, (0.028f + 0.05f * std::fabs(weight) / limits::weight) * thin * s.height_scale * s.detail},
          rgb_with(wire.cut ? mix(colour, drawing.colours.wheel, 0.6f) : colour, excites ? 1.0f : -1.0f),
-         {now, wire.cut ? 1.0f : 0.0f, 0, 0}});
+         {now, wire.cut ? 1.0f : 0.0f, s.fine ? 0.05f * s.height_scale : 0.0f, 0}});
 }
 
 void add_neuron(Drawing& drawing, const Subject& s, const DeckNeuron& neuron, float radius) {

@@ -11,6 +11,9 @@ void DrawList::clear() {
     for (auto& of_role : hulls) of_role.clear();
     for (auto& of_role : signs) of_role.clear();
     for (auto& of_shape : sources) of_shape.clear();
+    for (auto& of_role : bodies) of_role.clear();
+    tyres.clear(), eyeballs.clear(), casts.clear();
+    floor_lamps = 0;
     wheels.clear(), eyes.clear(), wires.clear(), neurons.clear(), labels.clear(), fields.clear(), blocks.clear(),
         zones.clear();
     marks.clear(), rings.clear(), halos.clear(), trails.clear(), lamps.clear();
@@ -20,8 +23,18 @@ int source_shape_of(Channel channel) {
     return channel == Channel::heat ? 1 : channel == Channel::smell ? 2 : channel == Channel::oxygen ? 3 : 0;
 }
 
+LightLaw light_law(const Scene& scene) {
+    LightLaw law{0, 0};
+    for (const Kind& kind : scene.kinds)
+        for (const Sensor& sensor : kind.sensors)
+            if (sensor.response == SensorResponse::graded && sensor.channel == Channel::light)
+                law = {std::max(law.half_distance, sensor.half_distance), std::max(law.range, sensor.range)};
+    return law.range > 0 ? law : LightLaw{};
+}
+
 void fill(DrawList& list, const Snapshot& now, const Picture& picture, const Trails& trails) {
     list.clear();
+    list.law = now.scene ? light_law(*now.scene) : LightLaw{};
     const float count = static_cast<float>(now.vehicles.size());
     Drawing drawing{list,
                     now,

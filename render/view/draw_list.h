@@ -31,7 +31,7 @@ struct HullInstance {
     maths::vec4 place;
     maths::vec4 size;    // length, width, height's scale, energy 0..1
     maths::vec4 colour;  // w: 0 parked, 1 not parked
-    maths::vec4 look;    // x: detail
+    maths::vec4 look;    // x: detail; y: 1 for a rounded body
 };
 struct SignInstance {
     maths::vec4 place;
@@ -48,11 +48,18 @@ struct EyeInstance {
     maths::vec4 size;    // radius m, height m, reading 0..1, detail
     maths::vec4 colour;  // of its channel; w: 0 covered, 1 open
 };
+// A rounded eye with its lid.
+struct EyeballInstance {
+    maths::vec4 place;   // direction: that of the sensor
+    maths::vec4 size;    // radius m, height m, reading 0..1
+    maths::vec4 colour;  // of its channel; w: 0 covered, 1 open
+    maths::vec4 lid;     // rgb
+};
 struct WireInstance {
     maths::vec4 ends;    // x, y of its start and of its end
     maths::vec4 shape;   // x, y of the control point, height m, width m
     maths::vec4 colour;  // w: 1 excites, −1 inhibits, 0: a stroke of a sign, without an end of its own
-    maths::vec4 signal;  // x: size 0..1; y: 1: cut
+    maths::vec4 signal;  // x: size 0..1; y: 1: cut; z: rise of its middle, m: above 0 for a round cable
 };
 struct NeuronInstance {
     maths::vec4 place;   // x, y, height, radius; m
@@ -89,6 +96,12 @@ struct MarkInstance {
     maths::vec4 shape;  // half the length, half the width, softness or width of its line (m), MarkKind
     maths::vec4 colour;
 };
+// The shadow that an upright box casts on the floor, away from one lamp.
+struct CastInstance {
+    maths::vec4 place;
+    maths::vec4 shape;  // half the length, half the width, height m, number of the lamp in DrawList::lamps
+    maths::vec4 lamp;   // x, y, height m, strength
+};
 struct SourceInstance {
     maths::vec4 place;   // x, y, size, strength
     maths::vec4 colour;  // w: height of its foot, m
@@ -100,7 +113,7 @@ struct HaloInstance {
 struct TrailInstance {
     maths::vec4 ends;     // from, to
     maths::vec4 sides;    // unit normals at both ends
-    maths::vec4 colour;   // rgb, w: width m
+    maths::vec4 colour;   // rgb, w: width on the screen, layout pixels
     maths::vec4 opacity;  // x: at the first end, y: at the second
 };
 
@@ -110,6 +123,13 @@ struct Lamp {
     maths::vec4 colour;  // rgb, reach m
 };
 inline constexpr std::size_t most_lamps = 8;
+
+// How light weakens with distance d: (1 − (d/range)²)² / (1 + (d/half_distance)²), the law of a graded sensor, with the
+// values of the scene's sensors.
+struct LightLaw {
+    float half_distance = 3, range = 12;  // m
+};
+LightLaw light_law(const Scene&);
 
 // Cache of deck plans, one per brain and kind.
 class DeckPlans {
@@ -145,6 +165,9 @@ struct DrawList {
     std::array<std::vector<SignInstance>, role_count> signs;  // vehicles of low detail
     std::vector<WheelInstance> wheels;
     std::vector<EyeInstance> eyes;
+    std::array<std::vector<HullInstance>, role_count> bodies;  // rounded, for vehicles that are large on the screen
+    std::vector<WheelInstance> tyres;                          // of the rounded bodies
+    std::vector<EyeballInstance> eyeballs;
     std::vector<WireInstance> wires;
     std::vector<NeuronInstance> neurons;
     std::vector<FieldInstance> fields;
@@ -155,7 +178,10 @@ struct DrawList {
     std::array<std::vector<SourceInstance>, source_shape_count> sources;
     std::vector<HaloInstance> halos;
     std::vector<TrailInstance> trails;
-    std::vector<Lamp> lamps;  // at most most_lamps
+    std::vector<CastInstance> casts;  // shadows away from lamps, below the marks
+    std::vector<Lamp> lamps;          // at most most_lamps
+    int floor_lamps = 0;              // the first of them light the floor by its shader; others by a pool
+    LightLaw law;
     std::vector<Label> labels;
     DeckPlans decks;
 

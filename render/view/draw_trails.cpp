@@ -10,31 +10,56 @@ namespace braitenlab::render {
 using maths::vec2;
 using maths::vec4;
 
+namespace {
+
+// Which points of a trail are drawn: those whose number is a multiple of `stride`, at most `most`.
+struct TrailPlan {
+    std::size_t stride = 1, most = 0;
+};
+
+TrailPlan plan_of(const Trail& trail, std::size_t vehicles, bool selected) {
+    constexpr std::size_t budget = 3072, few = 64, shortest = 6, widest = 6, recent = 48;
+    const std::size_t most =
+        std::max(shortest, selected && vehicles > 1 ? budget / 2 : budget / std::max<std::size_t>(vehicles, 1));
+    if (vehicles > few) return {1, selected ? recent : std::min(most, recent)};
+    return {std::clamp<std::size_t>((trail.count() + most - 1) / most, 1, widest), most};
+}
+
+// True if a step of the path between points i and k, i < k, is a jump, as over the edge of a torus.
+bool jumps_between(const Trail& trail, std::size_t i, std::size_t k) {
+    for (; i < k; ++i)
+        if (maths::distance(trail.at(i), trail.at(i + 1)) > Trail::jump) return true;
+    return false;
+}
+
+}  // namespace
+
 void add_trail(Drawing& drawing, const Subject& s, const Trail& trail) {
     if (s.pixels < 10 && !s.selected) return;  // too small for a trail
-    // Trails get shorter with the number of vehicles.
-    constexpr std::size_t most_points = 64 * Trail::capacity;
-    const std::size_t longest =
-        s.selected ? Trail::capacity
-                   : std::clamp<std::size_t>(most_points / drawing.now.vehicles.size(), 6, Trail::capacity);
-    const std::size_t count = std::min(trail.count(), longest) + 1;  // + 1: the current position
-    const auto point = [&](std::size_t i) { return i == 0 ? s.place : trail.at(i - 1); };
+    const TrailPlan plan = plan_of(trail, drawing.now.vehicles.size(), s.selected);
+    std::vector<std::size_t> shown;  // numbers of the points, newest first
+    for (std::size_t i = 0; i < trail.count() && shown.size() < plan.most; ++i)
+        if (i == 0 || trail.serial(i) % plan.stride == 0) shown.push_back(i);
+    const std::size_t count = shown.size() + 1;  // + 1: the current position
+    const auto point = [&](std::size_t i) { return i == 0 ? s.place : trail.at(shown[i - 1]); };
     const auto side = [&](std::size_t i) {
         const vec2 along = maths::normalise(point(i == 0 ? 0 : i - 1) - point(std::min(i + 1, count - 1)));
         return vec2{along.y, -along.x};  // left of the direction back, in which the trail is drawn
     };
     const Colour colour = colour_of(drawing.colours, s.view.role);
-    const float most = s.selected ? 0.75f : 0.4f;
+    const float newest = s.selected ? 0.85f : 0.5f, oldest = 0.35f * newest;
+    const bool ends = drawing.now.vehicles.size() > 64;  // the recent part only: it fades out
     const auto opacity = [&](std::size_t i) {
-        const float age = static_cast<float>(i) / static_cast<float>(longest);
-        return most * std::max(0.0f, 1 - age) * std::max(0.0f, 1 - age);
+        const float age = static_cast<float>(i) / static_cast<float>(std::max<std::size_t>(count, 24));
+        return newest + ((ends ? 0 : oldest) - newest) * age;
     };
     for (std::size_t i = 0; i + 1 < count; ++i) {
         const vec2 a = point(i), b = point(i + 1), na = side(i), nb = side(i + 1);
-        if (maths::distance(a, b) > Trail::jump) continue;
+        const bool jumps = i == 0 ? maths::distance(a, b) > Trail::jump : jumps_between(trail, shown[i - 1], shown[i]);
+        if (jumps) continue;
         drawing.list.trails.push_back({{a.x, a.y, b.x, b.y},
                                        {na.x, na.y, nb.x, nb.y},
-                                       rgb_with(colour, s.selected ? 0.075f : 0.06f),
+                                       rgb_with(colour, s.selected ? 4.0f : 2.6f),
                                        {opacity(i), opacity(i + 1), 0, 0}});
     }
 }

@@ -73,11 +73,12 @@ void add_sign(Drawing& drawing, const Subject& s) {
 
 void add_hull(Drawing& drawing, const Subject& s) {
     const bool parked = s.view.driver == Driver::parked;
-    drawing.list.hulls[static_cast<std::size_t>(s.view.role)].push_back(
+    auto& of_role = s.fine ? drawing.list.bodies : drawing.list.hulls;
+    of_role[static_cast<std::size_t>(s.view.role)].push_back(
         {{s.place.x, s.place.y, s.ahead.x, s.ahead.y},
          {s.kind.body.length, s.kind.body.width, s.height_scale, std::clamp(s.view.energy, 0.0f, 1.0f)},
          rgb_with(body_colour(drawing, s), parked ? 0.0f : 1.0f),
-         {s.detail, 0, 0, 0}});
+         {s.detail, s.fine ? 1.0f : 0.0f, 0, 0}});
 }
 
 void add_wheels(Drawing& drawing, const Subject& s) {
@@ -88,8 +89,9 @@ void add_wheels(Drawing& drawing, const Subject& s) {
         const float turned = castor ? 0 : s.view.wheel_angle[wheel.motor == Motor::right];
         // The mesh is closed on its left side: a wheel on the right is rotated by 180°, which reverses its rolling.
         const float side = wheel.y < 0 ? -1.0f : 1.0f;
-        drawing.list.wheels.push_back(
-            {{at.x, at.y, side * s.ahead.x, side * s.ahead.y}, {wheel.radius, wheel.width, side * turned, s.detail}});
+        (s.fine ? drawing.list.tyres : drawing.list.wheels)
+            .push_back({{at.x, at.y, side * s.ahead.x, side * s.ahead.y},
+                        {wheel.radius, wheel.width, side * turned, s.detail}});
     }
 }
 
@@ -106,9 +108,9 @@ std::optional<std::size_t> strongest_beside(const Drawing& drawing, const Subjec
     return strongest;
 }
 
-// Radius of a sensor, m on the standard vehicle; smaller where sensors are close together.
-float eye_radius(const Kind& kind, std::size_t i) {
-    float radius = 0.095f;
+// Radius of a sensor, m on the standard vehicle; at most `largest`, smaller where sensors are close together.
+float eye_radius(const Kind& kind, std::size_t i, float largest = 0.095f) {
+    float radius = largest;
     for (std::size_t k = 0; k < kind.sensors.size(); ++k) {
         const Sensor &a = kind.sensors[i], &b = kind.sensors[k];
         if (k != i) radius = std::min(radius, 0.55f * std::hypot(a.x - b.x, a.y - b.y));
@@ -116,8 +118,27 @@ float eye_radius(const Kind& kind, std::size_t i) {
     return std::max(radius, 0.05f);
 }
 
+// Balls with a lid above the places of the sensors.
+void add_eyeballs(Drawing& drawing, const Subject& s) {
+    constexpr float largest = 0.125f, above_deck = 0.02f;  // m
+    const Colour lid = body_colour(drawing, s);
+    for (std::size_t i = 0; i < s.kind.sensors.size(); ++i) {
+        const Sensor& sensor = s.kind.sensors[i];
+        const vec2 at = s.to_world({sensor.x, sensor.y});
+        const vec2 towards = maths::rotate(maths::direction(sensor.angle), s.ahead);
+        const float radius = eye_radius(s.kind, i, largest);
+        drawing.list.eyeballs.push_back(
+            {{at.x, at.y, towards.x, towards.y},
+             {radius * s.height_scale, (deck_height + radius + above_deck) * s.height_scale,
+              std::sqrt(sensed(drawing, s, i)), 0},
+             rgb_with(colour_of(drawing.colours, sensor.channel), is_covered(s, i) ? 0.0f : 1.0f),
+             rgb_with(lid, 0)});
+    }
+}
+
 void add_eyes(Drawing& drawing, const Subject& s) {
     if (s.driven) return;  // at the camera they would fill the picture
+    if (s.fine) return add_eyeballs(drawing, s);
     for (std::size_t i = 0; i < s.kind.sensors.size(); ++i) {
         const Sensor& sensor = s.kind.sensors[i];
         const auto dot = s.detail < 1 ? strongest_beside(drawing, s, i) : std::nullopt;
@@ -143,6 +164,7 @@ void add_shadow(Drawing& drawing, const Subject& s) {
     drawing.list.marks.push_back({{s.place.x, s.place.y, s.ahead.x, s.ahead.y},
                                   {body.length / 2, body.width / 2, 0.16f, static_cast<float>(MarkKind::shadow)},
                                   rgb_with(drawing.colours.shadow, drawing.colours.shadow.a)});
+    if (s.fine) add_casts(drawing, s.place, s.ahead, {0.47f * body.length, 0.46f * body.width}, 0.3f * s.height_scale);
 }
 
 void add_lamps(Drawing& drawing, const Subject& s) {
@@ -175,6 +197,13 @@ void add_event(Drawing& drawing, vec2 place, float radius, float growth, float a
                                   rgb_with(colour, 1 - grown * grown)});
 }
 
+// True if a vehicle of this length on the screen has rounded meshes. The selected one has them also where it is small.
+bool is_fine(Quality quality, float pixels, bool selected) {
+    constexpr float medium_above = 34, high_above = 27;  // layout pixels
+    if (quality == Quality::low) return false;
+    return pixels >= (selected ? sign_below : quality == Quality::high ? high_above : medium_above);
+}
+
 Subject subject_of(const Drawing& drawing, const VehicleView& view) {
     static const Kind plain;
     const auto kind = static_cast<std::size_t>(view.kind), brain = static_cast<std::size_t>(view.brain);
@@ -183,6 +212,8 @@ Subject subject_of(const Drawing& drawing, const VehicleView& view) {
     const vec2 place{view.x, view.y};
     const float scale = pixels_per_metre(drawing.picture.camera_view, place);
     const float pixels = scale > 0 ? its_kind.body.length * scale / drawing.picture.pixel_scale : 1e3f;
+    const bool selected = view.id == drawing.picture.settings.selection.vehicle;
+    const bool fine = is_fine(drawing.picture.quality, pixels, selected);
     return {view,
             its_kind,
             brain < drawing.now.brains.size() ? drawing.now.brains[brain].get() : nullptr,
@@ -190,8 +221,9 @@ Subject subject_of(const Drawing& drawing, const VehicleView& view) {
             maths::direction(view.heading),
             std::min(its_kind.body.length, its_kind.body.width / 0.7f),
             pixels,
-            detail_of(pixels),
-            view.id == drawing.picture.settings.selection.vehicle,
+            fine ? 1.0f : detail_of(pixels),
+            fine,
+            selected,
             view.id == drawing.picture.hovered,
             view.id == drawing.picture.driver};
 }

@@ -16,6 +16,7 @@ using maths::vec4;
 namespace {
 
 constexpr std::size_t most_corners = 8;
+constexpr float rounding = 0.09f;  // m, of the vertical edges of obstacles
 
 // Up to most_corners corners, two in each element.
 std::array<vec4, 4> packed(const std::vector<vec2>& corners) {
@@ -44,7 +45,7 @@ void add_walls(Drawing& drawing, const Arena& arena) {
     if (arena.edge != Boundary::wall) return;
     const float half_w = arena.width / 2, half_h = arena.height / 2;
     constexpr float thick = wall_thickness / 2, high = wall_height, chamfer = 0.035f;  // m
-    const vec4 colour = rgb_with(drawing.colours.wall, 0);
+    const vec4 colour = rgb_with(drawing.colours.rim, 0);
     if (arena.round) {
         for (const WallBox& box : round_wall(arena, wall_thickness)) {
             const vec2 ahead = maths::direction(box.heading);
@@ -61,7 +62,29 @@ void add_walls(Drawing& drawing, const Arena& arena) {
     }
 }
 
+// Two corners in place of each; the shader shades the short face between them as a rounded edge.
+std::vector<vec2> blunted(const std::vector<vec2>& corners) {
+    if (2 * corners.size() > most_corners) return corners;
+    std::vector<vec2> both;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const vec2 here = corners[i];
+        for (const vec2 next : {corners[(i + corners.size() - 1) % corners.size()], corners[(i + 1) % corners.size()]})
+            both.push_back(here + maths::normalise(next - here) * std::min(rounding, maths::distance(next, here) / 3));
+    }
+    return both;
+}
+
+void add_obstacle_casts(Drawing& drawing, vec2 place, vec2 ahead, const std::vector<vec2>& corners, float height) {
+    vec2 low{1e9f, 1e9f}, high{-1e9f, -1e9f};
+    for (const vec2 c : corners) {
+        low = {std::min(low.x, c.x), std::min(low.y, c.y)};
+        high = {std::max(high.x, c.x), std::max(high.y, c.y)};
+    }
+    add_casts(drawing, place + maths::rotate((low + high) / 2, ahead), ahead, (high - low) / 2, height);
+}
+
 void add_obstacles(Drawing& drawing, const Scene& scene) {
+    const bool plain = drawing.picture.quality == Quality::low;
     for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
         const Obstacle& obstacle = scene.obstacles[i];
         const Pose pose = i < drawing.now.obstacles.size() ? drawing.now.obstacles[i]
@@ -70,8 +93,11 @@ void add_obstacles(Drawing& drawing, const Scene& scene) {
         const bool movable = obstacle.mass > 0;
         const Colour colour =
             movable ? mix(drawing.colours.obstacle, drawing.colours.crate, 0.75f) : drawing.colours.obstacle;
-        drawing.list.blocks.push_back(block({pose.x, pose.y, ahead.x, ahead.y}, corners_of(obstacle),
-                                            movable ? 0.34f : 0.42f, 0.045f, rgb_with(colour, movable ? 1.0f : 0.0f)));
+        const std::vector<vec2> corners = corners_of(obstacle);
+        const float height = movable ? 0.34f : 0.42f;
+        drawing.list.blocks.push_back(block({pose.x, pose.y, ahead.x, ahead.y}, plain ? corners : blunted(corners),
+                                            height, plain ? 0.045f : 0.07f, rgb_with(colour, movable ? 1.0f : 0.0f)));
+        if (!plain) add_obstacle_casts(drawing, {pose.x, pose.y}, ahead, corners, height);
     }
 }
 
@@ -183,26 +209,47 @@ void add_socket(Drawing& drawing, Channel channel, vec2 at, float size) {
 void add_source(Drawing& drawing, Channel channel, vec2 at, float foot, float strength, float size) {
     const bool dark = drawing.picture.theme == Theme::dark;
     const Colour colour = colour_of(drawing.colours, channel);
-    const float bulb = foot + 0.52f * size;
+    const float bulb = foot + 0.44f * size;
     // A source on a vehicle lights a smaller area than one on the floor.
     const float reach = foot > 0 ? 0.5f * std::max(0.4f, drawing.crowd) : 1;
     if (!in_sight(drawing, at, 4)) return;
     drawing.list.sources[static_cast<std::size_t>(source_shape_of(channel))].push_back(
         {{at.x, at.y, size, strength}, rgb_with(colour, foot)});
     const vec4 place{at.x, at.y, 1, 0};
-    const float pool = (1.6f + 2.4f * strength) * reach;
-    drawing.list.marks.push_back({place,
-                                  {pool, pool, 0, static_cast<float>(MarkKind::pool)},
-                                  rgb_with(colour, (dark ? 0.42f : 0.26f) * (0.35f + 0.65f * strength))});
+    const bool in_floor =
+        drawing.picture.quality != Quality::low && foot == 0 && drawing.list.lamps.size() < most_lamps;
+    if (!in_floor) {
+        const float pool = (1.6f + 2.4f * strength) * reach;
+        drawing.list.marks.push_back({place,
+                                      {pool, pool, 0, static_cast<float>(MarkKind::pool)},
+                                      rgb_with(colour, (dark ? 0.42f : 0.26f) * (0.35f + 0.65f * strength))});
+    }
+    if (in_floor) ++drawing.list.floor_lamps;
     if (foot == 0)
         drawing.list.marks.push_back({place,
                                       {0.22f * size, 0.22f * size, 0.12f, static_cast<float>(MarkKind::shadow)},
                                       rgb_with(drawing.colours.shadow, drawing.colours.shadow.a * 0.7f)});
     if (foot == 0) add_socket(drawing, channel, at, size);
     drawing.list.halos.push_back({{at.x, at.y, bulb, (dark ? 1.25f : 0.85f) * size},
-                                  rgb_with(colour, (dark ? 0.75f : 0.5f) * (0.3f + 0.7f * strength))});
+                                  rgb_with(colour, (dark ? 0.45f : 0.5f) * (0.3f + 0.7f * strength))});
     if (drawing.list.lamps.size() < most_lamps)
         drawing.list.lamps.push_back({{at.x, bulb, -at.y, strength * reach}, rgb_with(colour, 2.0f)});
+}
+
+void add_casts(Drawing& drawing, vec2 place, vec2 ahead, vec2 half, float height) {
+    constexpr std::size_t most = 160;
+    constexpr float faint = 0.02f;  // of a lamp's light at full strength
+    const LightLaw& law = drawing.list.law;
+    for (int i = 0; i < drawing.list.floor_lamps && drawing.list.casts.size() < most; ++i) {
+        const Lamp& lamp = drawing.list.lamps[static_cast<std::size_t>(i)];
+        const vec2 at{lamp.place.x, -lamp.place.z};
+        const float d = maths::distance(at, place), rest = 1 - d * d / (law.range * law.range);
+        const float near = d / law.half_distance;
+        if (rest <= 0 || lamp.place.w * rest * rest / (1 + near * near) < faint) continue;
+        drawing.list.casts.push_back({{place.x, place.y, ahead.x, ahead.y},
+                                      {half.x, half.y, height, static_cast<float>(i)},
+                                      {at.x, at.y, 1, lamp.place.w}});
+    }
 }
 
 void add_world(Drawing& drawing) {

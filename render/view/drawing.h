@@ -29,6 +29,7 @@ struct Subject {
     float height_scale;
     float pixels;  // length on the screen, layout pixels
     float detail;  // 0 small on the screen .. 1 all parts
+    bool fine;     // drawn with rounded meshes
     bool selected, hovered, driven;
     const DeckPlan* plan = nullptr;  // of its brain; null unless the brain drives it
 
@@ -54,6 +55,10 @@ bool in_sight(const Drawing&, maths::vec2 place, float radius);
 void add_world(Drawing&);
 // Adds a source and its light. `foot`: height of the source's foot, m.
 void add_source(Drawing&, Channel, maths::vec2 place, float foot, float strength, float size);
+
+// Adds the shadows of an upright box on the floor, away from each lamp that lights it. `half`: half its length and half
+// its width.
+void add_casts(Drawing&, maths::vec2 place, maths::vec2 ahead, maths::vec2 half, float height);
 
 // Adds all vehicles.
 void add_vehicles(Drawing&, const Trails&);

@@ -52,7 +52,7 @@ struct ChannelColours {
     std::uint32_t dark, light;  // by theme
 };
 inline constexpr auto channel_colours = std::to_array<ChannelColours>({
-    {Channel::light, 0xFFE3A0, 0xD9A200},
+    {Channel::light, 0xFFE3A0, 0xCB9600},
     {Channel::red, 0xF0405C, 0xA8203A},
     {Channel::green, 0x84EC58, 0x2EA035},
     {Channel::blue, 0x3D84FF, 0x2A46D6},
@@ -77,7 +77,7 @@ struct Palette {
     // the window
     Colour ground, panel, raised, line, text, second_text, accent, on_accent, warning, success;
     // the scene
-    Colour sky, floor, grid, wall, shadow, chassis, wheel;
+    Colour sky, floor, grid, wall, rim, shadow, chassis, wheel;  // rim: the arena's walls; wall: a faded body
     // meaning
     Colour excites, inhibits, selected;
     // what can be pushed, and pieces of floor
@@ -119,14 +119,15 @@ constexpr Palette palette(Theme theme) {
     p.selected = rgb(0xF0E442);
     for (const ChannelColours& row : channel_colours)
         p.channels[static_cast<std::size_t>(row.channel)] = rgb(theme == Theme::dark ? row.dark : row.light);
-    p.lamp = colour_of(p, Channel::light), p.neutral = colour_of(p, Channel::vehicle);
+    p.lamp = colour_of(p, Channel::light), p.neutral = rgb(theme == Theme::dark ? 0x9DB8E8 : 0x6F8FC4);
     p.predator = colour_of(p, Channel::predator), p.prey = colour_of(p, Channel::prey);
     p.memory = colour_of(p, Channel::memory), p.obstacle = colour_of(p, Channel::obstacle);
     if (theme == Theme::dark) {
         p.ground = rgb(0x14171C), p.panel = rgb(0x1C2128), p.raised = rgb(0x262D36), p.line = rgb(0x343D48);
         p.text = rgb(0xE6EAF0), p.second_text = rgb(0xA9B4C0);
         p.accent = rgb(0x4C8DFF), p.on_accent = rgb(0x0B1220), p.warning = rgb(0xFF8A70), p.success = rgb(0x6FCF97);
-        p.sky = rgb(0x14171C), p.floor = rgb(0x20262E), p.grid = rgb(0x2C343E), p.wall = rgb(0x3A4552);
+        p.sky = rgb(0x0D1220), p.floor = rgb(0x27324E), p.grid = rgb(0x364364), p.wall = rgb(0x3A4552);
+        p.rim = rgb(0x7A5A40);
         p.shadow = Colour{0, 0, 0, 0.55f}, p.chassis = rgb(0x8C98A6), p.wheel = rgb(0x0E1115);
         p.crate = rgb(0xB49A78), p.ice = rgb(0x4E6C84), p.carpet = rgb(0x463D49), p.sand = rgb(0x5C5341);
         p.tape = rgb(0x06080A), p.recharge = rgb(0xB6E36B);
@@ -134,7 +135,8 @@ constexpr Palette palette(Theme theme) {
         p.ground = rgb(0xFFFFFF), p.panel = rgb(0xF6F7F9), p.raised = rgb(0xFFFFFF), p.line = rgb(0xCBD2DB);
         p.text = rgb(0x14171C), p.second_text = rgb(0x4A5562);
         p.accent = rgb(0x1F5FD0), p.on_accent = rgb(0xFFFFFF), p.warning = rgb(0xB3261E), p.success = rgb(0x1B7A43);
-        p.sky = rgb(0xFFFFFF), p.floor = rgb(0xF2F4F7), p.grid = rgb(0xD5DBE3), p.wall = rgb(0xB4BEC9);
+        p.sky = rgb(0xE4E0D8), p.floor = rgb(0xF0EBE2), p.grid = rgb(0xD8D1C4), p.wall = rgb(0xB4BEC9);
+        p.rim = rgb(0xD0AB7C);
         p.shadow = Colour{0, 0, 0, 0.22f}, p.chassis = rgb(0x6C7885), p.wheel = rgb(0x2A3038);
         p.crate = rgb(0xA88A60), p.ice = rgb(0xC3DCEE), p.carpet = rgb(0xC9BCCB), p.sand = rgb(0xE3D6B8);
         p.tape = rgb(0x20252C), p.recharge = rgb(0x5E8C14);

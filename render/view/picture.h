@@ -1,6 +1,10 @@
 // What a picture shows beyond the world itself.
 #pragma once
 
+#include <array>
+#include <string_view>
+#include <vector>
+
 #include "core/world/snapshot.h"
 #include "render/view/camera.h"
 #include "render/view/palette.h"
@@ -8,9 +12,16 @@
 
 namespace braitenlab {
 
+// How much work a picture may be. low: plain shapes and pools of light; medium: rounded vehicles that are large on the
+// screen, light and shadows from lamps on the floor; high: rounded vehicles also where they are small.
+enum class Quality { low, medium, high };
+inline constexpr std::array<std::string_view, 3> quality_words{"low", "medium", "high"};
+constexpr std::string_view word(Quality quality) { return quality_words[static_cast<std::size_t>(quality)]; }
+
 struct Picture {
     CameraView camera_view;
     Theme theme = Theme::dark;
+    Quality quality = Quality::low;
     ViewSettings settings;  // its camera is not used: `camera_view` has been made from it
     VehicleId hovered = no_vehicle;
     VehicleId driver = no_vehicle;    // the vehicle that carries the camera: its sensor fields are always drawn

@@ -252,11 +252,10 @@ Shape source_shape(Channel channel) {
             add_ball(shape, {-0.12f, 0.10f, 0.34f}, 0.12f, 8, 6, Paint::light);
             add_ball(shape, {-0.02f, -0.10f, 0.52f}, 0.09f, 8, 6, Paint::light);
             break;
-        default:
-            add_post(shape, 0.20f, 0.17f, 0, 0.05f, 10, Paint::dark);
-            add_post(shape, 0.035f, 0.035f, 0.05f, 0.36f, 6, Paint::dark);
-            add_post(shape, 0.07f, 0.09f, 0.34f, 0.40f, 8, Paint::dark);
-            add_ball(shape, {0, 0, 0.52f}, 0.16f, 10, 8, Paint::light);
+        default:  // a bulb on a ribbed socket
+            add_post(shape, 0.22f, 0.19f, 0, 0.06f, 14, Paint::dark);
+            for (const float z : {0.06f, 0.11f, 0.16f}) add_post(shape, 0.115f, 0.095f, z, z + 0.05f, 10, Paint::deck);
+            add_ball(shape, {0, 0, 0.40f}, 0.21f, 13, 7, Paint::light);
     }
     return shape;
 }

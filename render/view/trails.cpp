@@ -9,9 +9,14 @@ namespace {
 
 constexpr std::uint64_t ticks_between = 6;  // a tenth of a second
 constexpr float still = 0.04f;              // m, least distance between two points
-constexpr float beside = 0.2f;         // m: largest distance from the recorded path of a vehicle that still follows it
-constexpr std::size_t recorded = 600;  // points: the minute that can be rewound
-constexpr std::size_t crowd = 1000;    // vehicles; with more, only the drawn points are recorded
+constexpr float beside = 0.2f;  // m: largest distance from the recorded path of a vehicle that still follows it
+
+// Number of recorded points: ten minutes of a few vehicles, the minute that can be rewound of more, of a crowd only the
+// points that are drawn.
+std::size_t recorded_points(std::size_t vehicles) {
+    constexpr std::size_t few = 64, crowd = 1000;
+    return vehicles <= few ? 6000 : vehicles <= crowd ? 648 : 48;
+}
 
 // True when a jump between two points is a step over the edge of a torus.
 bool went_round(const Arena& arena, maths::vec2 from, maths::vec2 to) {
@@ -29,8 +34,6 @@ float distance_to_way(maths::vec2 place, maths::vec2 from, maths::vec2 to) {
 }
 
 }  // namespace
-
-std::size_t Trail::count() const { return std::min(places_.size() - later_, capacity); }
 
 // Compares with the segment between the recorded points before and after the current tick.
 bool Trail::is_on_the_known_way(maths::vec2 place) const {
@@ -54,10 +57,10 @@ void Trail::extend(std::uint64_t tick, maths::vec2 place, const Arena& arena, st
         if (tick < places_.back().tick + ticks_between) return;
         const float moved = maths::distance(places_.back().at, place);
         if (moved < still) return;
-        if (moved > jump && !went_round(arena, places_.back().at, place)) places_.clear();
+        if (moved > jump && !went_round(arena, places_.back().at, place)) dropped_ += places_.size(), places_.clear();
     }
     places_.push_back({place, tick});
-    while (places_.size() > most) places_.pop_front();
+    while (places_.size() > most) places_.pop_front(), ++dropped_;
 }
 
 void Trails::record(const Snapshot& now) {
@@ -66,7 +69,7 @@ void Trails::record(const Snapshot& now) {
     const Arena arena = now.scene ? now.scene->arena : Arena{};
     if (now.seed != seed_ || now.generation != generation_ || name != scene_) trails_.clear();
     seed_ = now.seed, generation_ = now.generation, scene_ = name;
-    const std::size_t most = now.vehicles.size() > crowd ? Trail::capacity : Trail::capacity + recorded;
+    const std::size_t most = recorded_points(now.vehicles.size());
     for (const VehicleView& vehicle : now.vehicles)
         trails_[vehicle.id].extend(now.tick, {vehicle.x, vehicle.y}, arena, most);
     if (trails_.size() > now.vehicles.size())

@@ -1,5 +1,4 @@
-// Trails: the recent path of every vehicle. More points are recorded than drawn, so that trails also exist after a
-// rewind.
+// Trails: the path of every vehicle since the start of the run, of many vehicles the recent part of it.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +14,15 @@ namespace braitenlab::render {
 // The path of one vehicle up to the displayed tick.
 class Trail {
 public:
-    static constexpr std::size_t capacity = 48;  // points that are drawn
-    static constexpr float jump = 2.5f;          // m: points farther apart are not joined
+    static constexpr float jump = 2.5f;  // m: points farther apart are not joined
 
-    std::size_t count() const;
+    // Number of points up to the displayed tick.
+    std::size_t count() const { return places_.size() - later_; }
     // i = 0 is the newest point, i = count() − 1 the oldest.
     maths::vec2 at(std::size_t i) const { return places_[places_.size() - later_ - 1 - i].at; }
+
+    // The number of point i, counted from the beginning of the path; it does not change while the path grows.
+    std::size_t serial(std::size_t i) const { return dropped_ + count() - 1 - i; }
 
     // Adds the vehicle's position at a tick. `most`: number of recorded points.
     void extend(std::uint64_t tick, maths::vec2 place, const Arena&, std::size_t most);
@@ -34,6 +36,7 @@ private:
 
     std::deque<Place> places_;  // oldest first
     std::size_t later_ = 0;     // number of points at the end that are later than the displayed tick
+    std::size_t dropped_ = 0;   // number of points removed at the beginning
     std::uint64_t tick_ = 0;    // the displayed tick
 };
 

@@ -69,9 +69,10 @@ TEST_F(SectorTest, ShowsTheFieldOnlyInsideItsSidesAndRange) {
     for (const SectorPath path : {SectorPath::geometry, SectorPath::instanced})
         for (const float field : {60.0f, 100.0f, 140.0f, 270.0f}) {
             picture_of(path, field, SensorShape::sector);
+            const Colour floor = palette(Theme::dark).floor;
             const auto yellowness = [&](float angle, float distance) {
                 const Colour c = stage.pixel(*project(camera_view, maths::direction(maths::radians(angle)) * distance));
-                return c.r - c.b;
+                return c.r - c.b - (floor.r - floor.b);
             };
             for (const float side : {-1.0f, 1.0f}) {
                 EXPECT_GT(yellowness(side * (field / 2 - 9), 3), 0.08f) << field;

@@ -171,6 +171,54 @@ TEST(DrawList, GrowsSmallPartsWithTheVehiclesSizeOnTheScreen) {
     EXPECT_LT(largest_step, 0.08f);
 }
 
+TEST(DrawList, DrawsRoundedVehiclesWhereTheyAreLargeUnlessTheQualityIsLow) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, 0, 0, 0, 0.25f, 0);
+    const auto rounded = [&](Quality quality, float zoom, VehicleId selected = no_vehicle) {
+        Picture picture = seen_at_zoom(zoom);
+        picture.quality = quality, picture.settings.selection.vehicle = selected;
+        const DrawList list = drawn(now, picture);
+        EXPECT_EQ(list.bodies[0].size() + list.hulls[0].size() + list.signs[0].size(), 1U);
+        EXPECT_EQ(list.eyeballs.size(), 2 * list.bodies[0].size());
+        EXPECT_EQ(list.tyres.size(), 4 * list.bodies[0].size());
+        if (!list.bodies[0].empty()) {
+            EXPECT_EQ(list.wires.size(), 2U) << "a rounded vehicle has its wires";
+            EXPECT_TRUE(list.eyes.empty() && list.wheels.empty());
+            EXPECT_NEAR(list.eyeballs[0].size.z, 0.5f, 1e-5);
+        }
+        return !list.bodies[0].empty();
+    };
+    EXPECT_FALSE(rounded(Quality::low, 4));
+    EXPECT_TRUE(rounded(Quality::medium, 4));
+    EXPECT_FALSE(rounded(Quality::medium, 0.7f));
+    EXPECT_TRUE(rounded(Quality::high, 0.7f));
+    EXPECT_TRUE(rounded(Quality::medium, 0.7f, 0)) << "the selected vehicle keeps its wires and eyes";
+}
+
+TEST(DrawList, CastsShadowsAwayFromLampsInRange) {
+    auto scene = hand_made::scene();
+    scene->obstacles.push_back({.name = "box", .x = 3, .length = 2, .width = 1});
+    for (Kind& kind : scene->kinds)
+        for (Sensor& eye : kind.sensors) eye.range = 6, eye.half_distance = 2, eye.channel = Channel::light;
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, 1, 0, 0);
+    hand_made::add_source(now, Channel::light, 0, 2);
+    hand_made::add_source(now, Channel::light, -9, 9);  // beyond the sensors' range
+    Picture picture;
+    EXPECT_TRUE(drawn(now, picture).casts.empty()) << "low quality: pools of light and contact shadows only";
+    EXPECT_EQ(drawn(now, picture).floor_lamps, 0);
+    picture.quality = Quality::medium;
+    const DrawList list = drawn(now, picture);
+    EXPECT_EQ(list.law.range, 6);
+    EXPECT_EQ(list.law.half_distance, 2);
+    EXPECT_EQ(list.floor_lamps, 2);
+    ASSERT_EQ(list.casts.size(), 2U) << "the box and the vehicle, from the near lamp";
+    for (const CastInstance& cast : list.casts) EXPECT_EQ(cast.lamp.y, 2);
+    EXPECT_EQ(list.casts[0].shape.x, 1) << "half the length of the box";
+    for (const MarkInstance& mark : list.marks)
+        EXPECT_EQ(mark.shape.w, static_cast<float>(MarkKind::shadow)) << "the floor's shader draws the light";
+}
+
 TEST(DrawList, JudgesSizeInLayoutPixels) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);

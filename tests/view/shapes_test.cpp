@@ -1,6 +1,10 @@
 #include "render/view/shapes.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
+
+#include "render/view/fine_shapes.h"
 
 namespace braitenlab::tests::shapes_test {
 namespace {
@@ -20,8 +24,20 @@ std::vector<Shape> all_shapes() {
     return shapes;
 }
 
+std::vector<Shape> fine_shapes() {
+    std::vector<Shape> shapes{tyre_shape(), eyeball_shape()};
+    for (const Role role : {Role::none, Role::predator, Role::prey}) shapes.push_back(fine_hull_shape(role));
+    return shapes;
+}
+
+std::vector<Shape> every_shape() {
+    std::vector<Shape> shapes = all_shapes();
+    for (const Shape& shape : fine_shapes()) shapes.push_back(shape);
+    return shapes;
+}
+
 TEST(Shapes, WindCounterClockwiseSeenAgainstTheirNormals) {
-    for (const Shape& shape : all_shapes())
+    for (const Shape& shape : every_shape())
         for (std::size_t i = 0; i < shape.indices.size(); i += 3) {
             const Corner &a = shape.corners[shape.indices[i]], &b = shape.corners[shape.indices[i + 1]],
                          &c = shape.corners[shape.indices[i + 2]];
@@ -31,12 +47,47 @@ TEST(Shapes, WindCounterClockwiseSeenAgainstTheirNormals) {
 }
 
 TEST(Shapes, HaveNormalsOfLengthOne) {
-    for (const Shape& shape : all_shapes())
+    for (const Shape& shape : every_shape())
         for (const Corner& corner : shape.corners) EXPECT_NEAR(maths::length(corner.normal), 1, 1e-4);
 }
 
 TEST(Shapes, AreCheapEnoughForASoftwareRenderer) {
     for (const Shape& shape : all_shapes()) EXPECT_LT(shape.indices.size() / 3, 320U);
+}
+
+TEST(Shapes, HaveRoundedMeshesOfAThousandTrianglesAtMost) {
+    for (const Shape& shape : fine_shapes()) EXPECT_LT(shape.indices.size() / 3, 1000U);
+}
+
+// On a rounded body the normals of neighbouring triangles are shared, so no edge of it is sharp.
+TEST(Shapes, HaveSmoothNormalsOnRoundedBodies) {
+    for (const Role role : {Role::none, Role::predator, Role::prey}) {
+        const Shape shape = fine_hull_shape(role);
+        for (std::size_t i = 0; i < shape.indices.size(); i += 3) {
+            const Corner& a = shape.corners[shape.indices[i]];
+            if (a.paint != static_cast<float>(Paint::body)) continue;
+            for (const std::size_t k : {i + 1, i + 2})
+                EXPECT_GT(maths::dot(a.normal, shape.corners[shape.indices[k]].normal), 0.6f) << a.place;
+        }
+    }
+}
+
+TEST(Shapes, HaveATyreWithTreadBlocksAtEqualAngles) {
+    const Shape tyre = tyre_shape();
+    int outer = 0;  // corners of the blocks' outer faces
+    for (const Corner& c : tyre.corners)
+        outer += c.paint == static_cast<float>(Paint::deck) && std::hypot(c.place.x, c.place.z) > 0.99f;
+    EXPECT_EQ(outer, 4 * tread_blocks);
+}
+
+TEST(Shapes, KeepRoundedBodiesBetweenTheWheels) {
+    for (const Role role : {Role::none, Role::predator, Role::prey})
+        for (const Corner& c : fine_hull_shape(role).corners) {
+            EXPECT_LE(std::fabs(c.place.x), 0.5f);
+            if (std::fabs(c.place.x) < 0.16f) {
+                EXPECT_LE(std::fabs(c.place.y) * 0.7f, 0.265f) << c.place;
+            }
+        }
 }
 
 TEST(Shapes, KeepSignsToFewTriangles) {
@@ -45,9 +96,9 @@ TEST(Shapes, KeepSignsToFewTriangles) {
     }
 }
 
-float width_at_the_nose(Role role) {
+float width_at_the_nose(Role role, Shape (*shape)(Role) = hull_shape) {
     float widest = 0;
-    for (const Corner& c : hull_shape(role).corners)
+    for (const Corner& c : shape(role).corners)
         if (c.place.x > 0.46f && c.paint != static_cast<float>(Paint::mark)) widest = std::max(widest, c.place.y);
     return widest;
 }
@@ -56,6 +107,9 @@ TEST(Shapes, GivePredatorsAWedgePreyARoundAndOthersASquareNose) {
     EXPECT_LT(width_at_the_nose(Role::predator), 0.12f);
     EXPECT_GT(width_at_the_nose(Role::prey), width_at_the_nose(Role::predator));
     EXPECT_GT(width_at_the_nose(Role::none), width_at_the_nose(Role::prey));
+    EXPECT_LT(width_at_the_nose(Role::predator, fine_hull_shape), 0.25f);
+    EXPECT_GT(width_at_the_nose(Role::prey, fine_hull_shape), width_at_the_nose(Role::predator, fine_hull_shape));
+    EXPECT_GT(width_at_the_nose(Role::none, fine_hull_shape), width_at_the_nose(Role::prey, fine_hull_shape));
 }
 
 TEST(Shapes, HaveRimsAroundTheWholeBody) {

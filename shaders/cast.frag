@@ -1,0 +1,36 @@
+// Part of the light of one lamp that a box takes away. The ray from the floor to the lamp is below the box's top up to
+// `below` of its length; that part is compared with the box along the ray and across it.
+in vec2 v_place;
+flat in vec4 v_box;
+flat in vec4 v_shape;
+flat in vec2 v_lamp;
+
+out vec4 colour;
+
+vec2 turn_back(vec2 v, vec2 direction) {
+    return vec2(v.x * direction.x + v.y * direction.y, v.y * direction.x - v.x * direction.y);
+}
+
+void main() {
+    vec2 ray = v_lamp - v_place;
+    float whole = length(ray);
+    vec2 ahead = turn_back(ray / max(whole, 1e-4), v_box.zw), middle = turn_back(v_box.xy - v_place, v_box.zw);
+    float along = dot(middle, ahead), across = abs(middle.x * ahead.y - middle.y * ahead.x);
+    float half_along = dot(abs(ahead), v_shape.xy) * 0.95, half_across = dot(abs(ahead.yx), v_shape.xy) * 0.92;
+    // The half-shadow widens with the distance to the box.
+    float before = max(along - half_along, 0.0);
+    float soft = 0.04 + 0.16 * before, end_soft = 0.08 + 0.25 * before;
+    float side = smoothstep(soft, -soft, across - half_across);
+    float end = smoothstep(end_soft, -end_soft, along - half_along - whole * v_shape.z);
+    float behind = smoothstep(-0.06, 0.06, along + half_along);
+
+    const vec3 luminance = vec3(0.30, 0.59, 0.11);
+    float all = dot(floor_colour.rgb * floor_colour.rgb, luminance), own = 0.0;
+    for (int i = 0; i < int(law.z); ++i) {
+        float part = dot(lamp_on_floor(i, v_place), luminance);
+        all += part;
+        if (i == int(v_shape.w + 0.5)) own = part;
+    }
+    float taken = side * end * behind * 0.92 * own / all;
+    colour = vec4(0.0, 0.0, 0.0, 1.0 - sqrt(max(1.0 - taken, 0.0)));
+}

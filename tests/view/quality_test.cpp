@@ -1,0 +1,46 @@
+#include "render/view/quality.h"
+
+#include <gtest/gtest.h>
+
+namespace braitenlab::tests::quality_test {
+namespace {
+
+void add(QualityChoice& choice, double seconds, int times) {
+    for (int i = 0; i < times; ++i) choice.add(seconds);
+}
+
+TEST(QualityChoice, BeginsWithMediumAndStaysWhileFramesAreNeitherSlowNorFast) {
+    QualityChoice choice;
+    add(choice, 0.012, 100);
+    EXPECT_EQ(choice.level(), Quality::medium);
+}
+
+TEST(QualityChoice, StepsDownAfterSlowFramesInARowOnly) {
+    QualityChoice choice;
+    for (int i = 0; i < 50; ++i) add(choice, 0.04, 2), add(choice, 0.012, 1);
+    EXPECT_EQ(choice.level(), Quality::medium) << "single slow frames";
+    add(choice, 0.04, 3);
+    EXPECT_EQ(choice.level(), Quality::low);
+    add(choice, 0.04, 100);
+    EXPECT_EQ(choice.level(), Quality::low) << "nothing is below low";
+}
+
+TEST(QualityChoice, StepsUpAfterManyFastFrames) {
+    QualityChoice choice;
+    add(choice, 0.002, 7);
+    EXPECT_EQ(choice.level(), Quality::medium);
+    add(choice, 0.002, 1);
+    EXPECT_EQ(choice.level(), Quality::high);
+}
+
+TEST(QualityChoice, DoesNotReturnToALevelThatWasTooSlowUntilItStartsOver) {
+    QualityChoice choice;
+    add(choice, 0.04, 3), add(choice, 0.002, 100);
+    EXPECT_EQ(choice.level(), Quality::low);
+    choice.start_over();
+    add(choice, 0.002, 8);
+    EXPECT_EQ(choice.level(), Quality::high);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::quality_test
