@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/applied_theme.h"
@@ -18,6 +19,7 @@
 #include "app/window.h"
 #include "app/words.h"
 #include "render/gl/renderer.h"
+#include "render/view/quality.h"
 #include "ui/window.h"
 
 namespace braitenlab {
@@ -86,6 +88,9 @@ private:
     void frame(float passed);
     CameraKeys camera_keys(bool arrows_are_free) const;
     void draw_scene(std::vector<bool> hidden_brains);  // by kind
+    // Draws with the level of quality that was asked for, or the measured one; measures some frames.
+    void draw_measured(const Picture&);
+    Quality quality() const;
     std::optional<Error> write_picture(const std::filesystem::path&);
     // Writes a picture to the user's folder of pictures.
     void take_screenshot();
@@ -116,6 +121,8 @@ private:
     FrameFacts facts_;
     ReportFile anchors_file_, state_file_;
     Clock::time_point shaders_checked_ = Clock::now();
+    QualityChoice quality_;   // with --quality auto
+    std::string quality_of_;  // name of the document that it was measured for
     bool reported_label_font_ = false;
     Clock::time_point state_written_{};
 };

@@ -175,6 +175,7 @@ void App::draw_scene(std::vector<bool> hidden_brains) {
     picture.camera_view.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
                                   static_cast<float>(window_.framebuffer_height())};
     picture.theme = lab_.preferences.theme;
+    picture.quality = quality();
     picture.settings = lab_.view;
     if (lab_.together) picture.settings.sensors = false;  // ten fields in one place would cover the vehicles
     const SceneObject& hovered = panels_.scene_input.hovered.object;
@@ -185,12 +186,29 @@ void App::draw_scene(std::vector<bool> hidden_brains) {
     picture.decimal_mark = decimal_mark(words_.strings);
     shown_ = shown_snapshot(lab_);
     if (!repeatable()) render::stand_between(shown_, lab_.playback.previous, between_ticks(lab_));
-    renderer_.draw(shown_, picture);
+    draw_measured(picture);
     facts_.draw_calls = renderer_.draw_calls();
     facts_.camera_view = viewport_.camera_view;
     facts_.hand = ImGui::GetMouseCursor() == ImGuiMouseCursor_Hand;
     facts_.graphics_watched = window_.watches_graphics();
     facts_.graphics_errors = window_.graphics_errors();
+}
+
+Quality App::quality() const {
+    if (options_.quality) return *options_.quality;
+    return !options_.quality_given && !options_.screenshot.empty() ? Quality::high : quality_.level();
+}
+
+void App::draw_measured(const Picture& picture) {
+    if (quality_of_ != lab_.document.name) quality_.start_over(), quality_of_ = lab_.document.name;
+    facts_.quality = picture.quality;
+    const bool chosen = options_.quality || (!options_.quality_given && !options_.screenshot.empty());
+    if (chosen || !quality_.measures(facts_.frames)) return renderer_.draw(shown_, picture);
+    renderer_.finish();  // what is still to be drawn is not part of the measurement
+    const auto began = Clock::now();
+    renderer_.draw(shown_, picture);
+    renderer_.finish();
+    quality_.add(seconds_since(began));
 }
 
 std::optional<Error> App::write_picture(const std::filesystem::path& path) {

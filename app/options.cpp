@@ -101,6 +101,16 @@ CommandLine read_command_line(int argc, char** argv) {
         ->type_name("WAY")
         ->check(CLI::IsMember({"automatic", "geometry", "instanced"}));
     app.add_option_function<std::string>(
+           "--quality",
+           [&](const std::string& level) {
+               o.quality_given = true;
+               for (std::size_t i = 0; i < quality_words.size(); ++i)
+                   if (level == quality_words[i]) o.quality = static_cast<Quality>(i);
+           },
+           "how much work a picture may be; auto: by measured frame time; default: auto, high with --screenshot")
+        ->type_name("LEVEL")
+        ->check(CLI::IsMember({"low", "medium", "high", "auto"}));
+    app.add_option_function<std::string>(
            "--field",
            [&](const std::string& word) {
                for (const ChannelTraits& channel : channel_table)

@@ -14,6 +14,7 @@
 #include "render/gl/renderer.h"
 #include "render/view/camera.h"
 #include "render/view/palette.h"
+#include "render/view/picture.h"
 
 namespace braitenlab {
 
@@ -31,6 +32,8 @@ struct Options {
     std::optional<Theme> theme;            // unset: as in the settings
     std::optional<CameraMode> camera;      // unset: as stored
     render::SectorPath sectors = render::SectorPath::automatic;
+    std::optional<Quality> quality;  // unset: chosen by measured frame time
+    bool quality_given = false;
     bool watch_graphics = false;
     int frame_rate = 0;                    // most pictures per second; 0: those of the display
     std::optional<Channel> field;          // its intensity is shown on the floor at the start

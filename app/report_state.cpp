@@ -261,6 +261,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
     state["theme"] = word(lab.preferences.theme);
     state["type_size"] = plain(lab.preferences.type_size);
     state["draw_calls"] = frame.draw_calls;
+    state["quality"] = word(frame.quality);
     state["graphics_watched"] = frame.graphics_watched;
     state["graphics_errors"] = frame.graphics_errors;
     state["frame_ms"] = frame.frame_ms;

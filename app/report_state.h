@@ -20,6 +20,7 @@ struct FrameFacts {
     std::string menu;   // name of the open menu of the menu bar; empty: none
     std::string typed;  // text so far in the focused text field or number
     int draw_calls = 0;
+    Quality quality = Quality::medium;  // of the last picture
     bool graphics_watched = false;
     int graphics_errors = 0;  // see Window
     CameraView camera_view;   // camera view of the frame
@@ -32,10 +33,10 @@ struct FrameFacts {
 
 // {mode, tick, seconds, hash, time_scale, selected, character, weights {LL …}, thresholds {LL …}, lesions, driver,
 // motor [left, right], sensor_ranges [..], nodes, wires, toggles, undo_depth, redo_depth, population, predators, prey,
-// generation, camera, language, focus, menu, typed, overlays {…}, draw_calls, graphics_watched, graphics_errors,
-// frame_ms, frames, pointer [x, y], pressed, exercise, student {name, students, passed, exercises}, thing {kind,
-// index}, hovered {kind, index, handle}, cursor, tool, corners, vehicles, sources, obstacles}. The last three are lists
-// of at most 64; `at` is the position in the window in pixels, or null behind the camera.
+// generation, camera, language, focus, menu, typed, overlays {…}, draw_calls, quality, graphics_watched,
+// graphics_errors, frame_ms, frames, pointer [x, y], pressed, exercise, student {name, students, passed, exercises},
+// thing {kind, index}, hovered {kind, index, handle}, cursor, tool, corners, vehicles, sources, obstacles}. The last
+// three are lists of at most 64; `at` is the position in the window in pixels, or null behind the camera.
 std::string state_json(const Lab&, const ui::SceneInputState&, const FrameFacts&);
 
 // A file that is replaced as a whole when its text changes, so that a reader always gets a complete file. The first
