@@ -4,13 +4,12 @@
 #include <cstdlib>
 #include <sstream>
 
-#include <fmt/format.h>
-
 #include "app/files/folder_entries.h"
 #include "app/files/paths.h"
 #include "app/platform/platform.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/lecture.h"
+#include "core/messages.h"
 #include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
 #include "ui/lab_view.h"
@@ -55,10 +54,7 @@ Result<fs::path> data_folder() {
         if (file_exists(folder / "exercises" / "scenes")) return folder;
         looked += (looked.empty() ? "" : ", ") + folder.string();
     }
-    return Error{
-        fmt::format("the lab's exercises and shaders are not in {}; set BRAITENLAB_DATA to the folder that contains "
-                    "them",
-                    looked)};
+    return error_of(message_of("no_data", looked));
 }
 
 Result<fs::path> find_shipped(const std::string& path_or_name) {
@@ -72,8 +68,7 @@ Result<fs::path> find_shipped(const std::string& path_or_name) {
             names.push_back(file.stem().string());
         }
     const std::vector<std::string_view> candidates(names.begin(), names.end());
-    return Error{fmt::format("there is no file and no shipped scene called '{}'{}", path_or_name,
-                             name_nearest(path_or_name, candidates))};
+    return error_of(message_of("no_shipped", path_or_name) + nearest_of(path_or_name, candidates));
 }
 
 std::vector<fs::path> shipped_exercises() {

@@ -4,6 +4,7 @@
 #include <stb_image_write.h>
 
 #include "app/files/safe_file.h"
+#include "core/messages.h"
 
 namespace braitenlab {
 
@@ -14,7 +15,7 @@ std::optional<Error> write_png(const std::filesystem::path& path, int width, int
         static_cast<FileWriter*>(to)->write({static_cast<const char*>(data), static_cast<std::size_t>(size)});
     };
     if (stbi_write_png_to_func(add, &writer, width, height, 3, rgb.data(), width * 3) == 0)
-        return Error{"the picture could not be encoded", path.string()};
+        return error_of(message_of("no_picture"), path.string());
     return writer.commit();
 }
 

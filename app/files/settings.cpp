@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A table being read, and the first value of the wrong type in it.
+// A table being read, and the first value of the wrong type in it. `what`: the message id of the type.
 struct SettingsReader {
     toml::table table;
     std::string file;
@@ -34,8 +34,8 @@ struct SettingsReader {
         if (const auto found = node->value<T>())
             value = *found;
         else if (!error)
-            error =
-                Error{std::string("'") + key + "' must be " + what, file, static_cast<int>(node->source().begin.line)};
+            error = error_of(message_of("type_wanted", key) + message_of(what), file,
+                             static_cast<int>(node->source().begin.line));
     }
 };
 
@@ -61,10 +61,10 @@ Result<Preferences> parse_preferences(std::string_view toml, std::string file_na
     if (!reader) return reader.error();
     Preferences p = otherwise;
     std::string theme(word(p.theme));
-    reader->read("theme", theme, "\"dark\" or \"light\"");
-    reader->read("language", p.language, "a language's code, as in \"de\"");
-    reader->read("type_size", p.type_size, "a number from 1 to 2");
-    reader->read("reduce_motion", p.reduce_motion, "true or false");
+    reader->read("theme", theme, "text_in_quotes");
+    reader->read("language", p.language, "text_in_quotes");
+    reader->read("type_size", p.type_size, "a_number");
+    reader->read("reduce_motion", p.reduce_motion, "true_or_false");
     if (reader->error) return *reader->error;
     p.theme = theme == word(Theme::light) ? Theme::light : Theme::dark;
     p.type_size = p.type_size > least_type_size ? std::min(p.type_size, largest_type_size) : least_type_size;
@@ -112,11 +112,11 @@ void visit_flags(View& view, const Visit& visit) {
 }
 
 void read_view(SettingsReader& reader, StoredView& view) {
-    visit_flags(view, [&](const char* key, bool& value) { reader.read(key, value, "true or false"); });
-    reader.read("diagram_share", view.settings.canvas_share, "a number");
-    reader.read("speed", view.time_scale, "a number");
+    visit_flags(view, [&](const char* key, bool& value) { reader.read(key, value, "true_or_false"); });
+    reader.read("diagram_share", view.settings.canvas_share, "a_number");
+    reader.read("speed", view.time_scale, "a_number");
     std::string camera(camera_mode_words[static_cast<std::size_t>(view.settings.camera.mode)]);
-    reader.read("camera", camera, "a word in quotes");
+    reader.read("camera", camera, "text_in_quotes");
     for (std::size_t i = 0; i < camera_mode_words.size(); ++i)
         if (camera_mode_words[i] == camera) view.settings.camera.mode = static_cast<CameraMode>(i);
     const auto clamped = [](float value, float low, float high, float otherwise) {
@@ -135,8 +135,8 @@ void read_view(SettingsReader& reader, StoredView& view) {
 void read_place(SettingsReader& reader, std::optional<WindowPlace>& place) {
     constexpr int farthest = 100000;
     WindowPlace read;
-    reader.read("x", read.x, "a whole number");
-    reader.read("y", read.y, "a whole number");
+    reader.read("x", read.x, "a_whole_number");
+    reader.read("y", read.y, "a_whole_number");
     if (!reader.table.contains("x") || !reader.table.contains("y")) return;
     if (std::abs(read.x) < farthest && std::abs(read.y) < farthest) place = read;
 }
@@ -147,11 +147,11 @@ Result<StoredState> parse_state(std::string_view toml, std::string file_name) {
     auto reader = read_settings_table(toml, std::move(file_name));
     if (!reader) return reader.error();
     StoredState r;
-    reader->read("width", r.width, "a whole number");
-    reader->read("height", r.height, "a whole number");
-    reader->read("last_opened", r.last_opened, "a path in quotes");
-    reader->read("folder", r.folder, "a path in quotes");
-    reader->read("student", r.student, "a name in quotes");
+    reader->read("width", r.width, "a_whole_number");
+    reader->read("height", r.height, "a_whole_number");
+    reader->read("last_opened", r.last_opened, "text_in_quotes");
+    reader->read("folder", r.folder, "text_in_quotes");
+    reader->read("student", r.student, "text_in_quotes");
     read_view(*reader, r.view);
     read_place(*reader, r.place);
     if (reader->error) return *reader->error;
@@ -205,13 +205,14 @@ std::optional<std::string> settings_text(const fs::path& path) {
 }
 
 // Renames the file, so that it is reported once and its text is kept.
-Error set_aside_settings(const fs::path& path, Error error) {
+Error set_aside_settings(const fs::path& path, const Error& error) {
     fs::path aside = path;
     aside += ".broken";
     std::error_code problem;
     fs::rename(path, aside, problem);
-    error.what += problem ? "; it is ignored" : "; it is ignored and renamed to " + aside.filename().string();
-    return error;
+    const Message what =
+        problem ? message_of("settings_ignored") : message_of("settings_kept_aside", aside.filename().string());
+    return error_of(message_of(error) + what, error.file, error.line);
 }
 
 }  // namespace

@@ -2,9 +2,8 @@
 #include <cmath>
 #include <concepts>
 
-#include <fmt/format.h>
-
 #include "core/io/state_json.h"
+#include "core/messages.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/schema.h"
 
@@ -53,19 +52,19 @@ bool components_within(const std::array<float, 2>& pair, float low, float high) 
 
 std::optional<Error> vehicles_fault(const State& m) {
     const Vehicles& v = m.vehicles;
-    if (v.size() > most_vehicles) return Error{fmt::format("{} vehicles are the most a world holds", most_vehicles)};
+    if (v.size() > most_vehicles) return error_of(message_of("full_world", most_vehicles));
     bool complete = true;
     Vehicles::each_column(v, [&](const auto& column) { complete &= column.size() == v.size(); });
-    if (!complete) return Error{"some vehicles lack some of their values"};
+    if (!complete) return error_of(message_of("vehicles_incomplete"));
     if (!ascend(v.id) || (v.size() > 0 && (v.id.front() < 0 || v.id.back() >= m.next_id)))
-        return Error{"the vehicles' numbers do not ascend, or go beyond the next one"};
+        return error_of(message_of("vehicle_numbers"));
     const auto starts = static_cast<std::int32_t>(m.scene->starts.size());
     if (!all_of(v.start, [&](std::int32_t start) { return start >= -1 && start < starts; }))
-        return Error{"a vehicle has a start that the scene does not have"};
+        return error_of(message_of("vehicle_start"));
     for (std::size_t row = 0; row < v.size(); ++row) {
         const auto waypoints = m.scene->kinds[static_cast<std::size_t>(v.kind[row])].waypoints.size();
         if (v.waypoint[row] < 0 || (v.waypoint[row] > 0 && static_cast<std::size_t>(v.waypoint[row]) >= waypoints))
-            return Error{fmt::format("vehicle {} drives to a waypoint that it does not have", v.id[row])};
+            return error_of(message_of("vehicle_waypoint", v.id[row]));
     }
     bool values_are_sound = all_of(v.motion, is_sound) && all_of(v.sensed, [](float s) { return within(s, 0, 1); }) &&
                             all_of(v.delayed, [](float s) { return within(s, 0, 1); }) &&
@@ -77,15 +76,15 @@ std::optional<Error> vehicles_fault(const State& m) {
                     return components_within(each, (*value.limits)[0], (*value.limits)[1]);
                 });
     });
-    if (!values_are_sound) return Error{"a value of a vehicle is outside its range"};
+    if (!values_are_sound) return error_of(message_of("vehicle_range"));
     return std::nullopt;
 }
 
 }  // namespace
 
 std::optional<Error> check_state(const State& m) {
-    if (m.kind_brains.size() != m.scene->kinds.size()) return Error{"not every kind has a brain for new vehicles"};
-    if (m.tick > last_tick || m.generation < 1 || m.next_id < 0) return Error{"its clock is outside its range"};
+    if (m.kind_brains.size() != m.scene->kinds.size()) return error_of(message_of("brains_of_kinds"));
+    if (m.tick > last_tick || m.generation < 1 || m.next_id < 0) return error_of(message_of("clock_range"));
     if (auto error = vehicles_fault(m)) return error;
     const auto lives = [&](VehicleId id) { return std::binary_search(m.vehicles.id.begin(), m.vehicles.id.end(), id); };
     // Contacts can refer to removed vehicles.
@@ -93,25 +92,26 @@ std::optional<Error> check_state(const State& m) {
     const auto touch_is_sound = [&](const Touch& t) {
         return has_lived(t.one) && (t.other == no_vehicle || (has_lived(t.other) && t.one < t.other));
     };
-    if (!all_of(m.touching, touch_is_sound) || !ascend(m.touching)) return Error{"who touches whom does not add up"};
+    if (!all_of(m.touching, touch_is_sound) || !ascend(m.touching))
+        return error_of(message_of("contradicts", "touching"));
     if (m.bites.size() > most_vehicles || !all_of(m.bites, [&](const Bite& b) { return b.tick <= m.tick; }))
-        return Error{"its bites do not add up"};
+        return error_of(message_of("contradicts", "bites"));
     const auto ascends = [](const Strike& a, const Strike& b) { return a.vehicle >= b.vehicle; };
     if (std::adjacent_find(m.strikes.begin(), m.strikes.end(), ascends) != m.strikes.end() ||
         !all_of(m.strikes,
                 [&](const Strike& s) { return has_lived(s.vehicle) && is_bounded(s.at) && s.tick <= m.tick; }))
-        return Error{"its strikes do not add up"};
+        return error_of(message_of("contradicts", "strikes"));
     const auto by_owner = [](const Mark& a, const Mark& b) { return a.owner < b.owner; };
     if (!std::is_sorted(m.marks.begin(), m.marks.end(), by_owner) ||
         m.marks.size() > most_vehicles * static_cast<std::size_t>(limits::marks) ||
         !all_of(m.marks, [&](const Mark& k) { return lives(k.owner) && is_bounded(k.position) && k.tick <= m.tick; }))
-        return Error{"what its vehicles remember does not add up"};
+        return error_of(message_of("contradicts", "marks"));
     const auto in_order = [](const VehicleLook& a, const VehicleLook& b) { return a.vehicle < b.vehicle; };
     if (!std::is_sorted(m.looks.begin(), m.looks.end(), in_order) ||
         !all_of(m.looks, [&](const VehicleLook& l) { return lives(l.vehicle) && !check_look(l.look); }))
-        return Error{"the names and colours of its vehicles do not add up"};
+        return error_of(message_of("contradicts", "looks"));
     if (m.obstacles.size() != m.scene->obstacles.size() || !all_of(m.obstacles, is_sound))
-        return Error{"where its obstacles stand does not add up"};
+        return error_of(message_of("contradicts", "obstacles"));
     return std::nullopt;
 }
 

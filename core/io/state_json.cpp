@@ -5,8 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include <fmt/format.h>
-
+#include "core/messages.h"
 #include "core/scene/scene_file.h"
 
 namespace braitenlab {
@@ -74,8 +73,8 @@ public:
 
     // `design`: that of a vehicle with sensors of its own, or null.
     Result<SharedBrain> make(std::size_t number, std::size_t kind, const OwnDesign* design = nullptr) {
-        if (number >= graphs_.size()) return Error{fmt::format("there is no brain number {}", number)};
-        if (kind >= scene_.kinds.size()) return Error{fmt::format("there is no kind number {}", kind)};
+        if (number >= graphs_.size()) return error_of(message_of("no_brain_number", number));
+        if (kind >= scene_.kinds.size()) return error_of(message_of("no_kind_number", kind));
         SharedBrain& brain = made_[{number, kind, design}];
         if (brain) return brain;
         auto made = world::compile_brain(graphs_[number], design ? design->kind : scene_.kinds[kind]);
@@ -122,13 +121,12 @@ std::optional<Error> read_own_sensors(const Json& json, const Scene& scene, Vehi
     if (!json.contains("own_sensors")) return std::nullopt;
     const auto lists = json.at("sensor_lists").get<std::vector<std::vector<Sensor>>>();
     const auto of_vehicle = json.at("own_sensors").get<std::vector<int>>();
-    if (of_vehicle.size() != v.size()) return Error{"not every vehicle has sensors"};
+    if (of_vehicle.size() != v.size()) return error_of(message_of("vehicles_incomplete"));
     std::map<std::pair<int, std::int32_t>, SharedDesign> made;  // by list and kind
     for (std::size_t row = 0; row < v.size(); ++row) {
         const int list = of_vehicle[row];
         if (list < 0) continue;
-        if (static_cast<std::size_t>(list) >= lists.size())
-            return Error{fmt::format("there is no list of sensors number {}", list)};
+        if (static_cast<std::size_t>(list) >= lists.size()) return error_of(message_of("no_sensors_number", list));
         const auto [known, is_new] = made.try_emplace({list, v.kind[row]});
         if (is_new) {
             auto design =
@@ -156,10 +154,10 @@ std::optional<Error> read_vehicles(const Json& json, const Scene& scene, BrainMa
     json.at("neurons").get_to(v.neurons);
     json.at("late").get_to(v.delayed);
     const auto brain = json.at("design").get<std::vector<std::size_t>>();
-    if (brain.size() != v.size() || v.kind.size() != v.size()) return Error{"not every vehicle has a kind and a brain"};
+    if (brain.size() != v.size() || v.kind.size() != v.size()) return error_of(message_of("vehicles_incomplete"));
     const auto count = static_cast<std::int32_t>(scene.kinds.size());
     for (const std::int32_t kind : v.kind)
-        if (kind < 0 || kind >= count) return Error{fmt::format("there is no kind number {}", kind)};
+        if (kind < 0 || kind >= count) return error_of(message_of("no_kind_number", kind));
     if (auto error = read_own_sensors(json, scene, v)) return error;
     std::uint32_t sensed = 0, neurons = 0, late = 0;
     for (std::size_t row = 0; row < v.size(); ++row) {
@@ -177,7 +175,7 @@ std::optional<Error> read_vehicles(const Json& json, const Scene& scene, BrainMa
         v.brain.push_back(*made);
     }
     if (v.sensed.size() != sensed || v.neurons.size() != neurons || v.delayed.size() != late)
-        return Error{"the vehicles' readings and neurons do not fit their sensors and brains"};
+        return error_of(message_of("vehicles_incomplete"));
     return std::nullopt;
 }
 

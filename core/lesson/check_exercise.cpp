@@ -214,9 +214,8 @@ void check_exercise(TomlTable& top, const Exercise& exercise) {
     TomlFile& file = top.file();
     for (const char* key : {"title", "goal"})
         if (!top.has(key) && !file.error)
-            file.error = Error{fmt::format("'{}' is missing; add {} = \"…\"", key, key), file.name, 1};
-    if (exercise.scene.starts.empty())
-        top.fail("scene", "this scene places no vehicle; an exercise is about its first [vehicle.NAME]");
+            file.error = error_of(message_of("key_missing", key, std::string(key) + " = \"…\""), file.name, 1);
+    if (exercise.scene.starts.empty()) top.fail("scene", message_of("exercise_without_vehicle"));
     check_prediction(top, exercise.prediction, exercise.scene);
     check_offers(top, exercise);
     if (exercise.needed > exercise.starts)
@@ -225,11 +224,9 @@ void check_exercise(TomlTable& top, const Exercise& exercise) {
         top.fail("median", fmt::format("'median' compares step {}, and there are {} steps", exercise.median.step,
                                        exercise.steps.size()));
     if (top.has("median") && exercise.median.step == 0)
-        top.fail("median", std::string("'step' is missing; add step = 1, the number of a step"));
-    if (!top.has("solution") && !file.error)
-        file.error = Error{"there is no [solution]; add the brain that passes", file.name};
-    if (exercise.steps.empty() && !file.error)
-        file.error = Error{"there is no [[step]]; add at least one check of what must happen", file.name};
+        top.fail("median", message_of("key_missing", "step", "step = 1"));
+    if (!top.has("solution") && !file.error) file.error = error_of(message_of("solution_missing"), file.name);
+    if (exercise.steps.empty() && !file.error) file.error = error_of(message_of("step_missing"), file.name);
     if (!file.error) check_hidden(top, exercise);
     const TomlNode* steps = top.content().get("step");
     for (std::size_t i = 0; i < exercise.steps.size() && !file.error; ++i) {

@@ -6,6 +6,7 @@
 #include "core/lesson/check_exercise.h"
 #include "core/lesson/exercise_schema.h"
 #include "core/lesson/submission.h"
+#include "core/messages.h"
 #include "core/scene/format_table.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/toml_reader.h"
@@ -26,7 +27,7 @@ std::optional<SceneText> scene_text(TomlTable& top, const std::filesystem::path&
     if (const TomlNode* inner = top.find("scene"); inner && inner->as_table()) return SceneText{file, "scene"};
     const auto scene_path = top.text("scene", limits::text_length);
     if (!scene_path && !file.error)
-        file.error = Error{"'scene' is missing; add scene = \"../scenes/NAME.toml\", or a scene as [scene]", file.name};
+        file.error = error_of(message_of("key_missing", "scene", "scene = \"../scenes/NAME.toml\""), file.name);
     if (file.error) return std::nullopt;
     const std::filesystem::path scene_file = (path.parent_path() / *scene_path).lexically_normal();
     std::error_code problem;

@@ -64,6 +64,8 @@ TEST(Settings, NameFileAndLineOfAMistake) {
     ASSERT_FALSE(parsed);
     EXPECT_EQ(parsed.error().file, "settings.toml");
     EXPECT_EQ(parsed.error().line, 2);
+    EXPECT_EQ(parsed.error().what, "'language' should be text in quotes");
+    EXPECT_EQ(parsed.error().phrases.size(), 2u) << "it can be translated";
     EXPECT_FALSE(parse_preferences("theme = \"da", "settings.toml"));
 }
 
@@ -101,6 +103,8 @@ TEST_F(SettingsOnDisk, RenameABrokenFileAndReportItOnce) {
     const auto complaints = files.read(preferences, state);
     ASSERT_EQ(complaints.size(), 1u);
     EXPECT_EQ(complaints[0].file, settings.string());
+    ASSERT_FALSE(complaints[0].phrases.empty());
+    EXPECT_EQ(complaints[0].phrases.back(), (Phrase{"settings_kept_aside", {"settings.toml.broken"}}));
     EXPECT_EQ(preferences, Preferences{});
     EXPECT_EQ(text_of(folder / "config" / "settings.toml.broken"), broken) << "the text of the user is kept";
     SettingsFiles next{folder / "config", folder / "state"};

@@ -10,12 +10,14 @@
 #include "core/brain/edit.h"
 #include "core/brain/presets.h"
 #include "core/brain/recogniser.h"
+#include "core/io/run_file.h"
 #include "core/lesson/author.h"
 #include "core/lesson/submission.h"
 #include "core/messages.h"
 #include "core/scene/enums.h"
 #include "core/scene/scene_file.h"
 #include "core/sensing/intensity.h"
+#include "core/session/session.h"
 #include "desk.h"
 #include "tests/folder.h"
 #include "ui/panels/course/glossary.h"
@@ -394,6 +396,20 @@ TEST(Strings, TranslateAnErrorOfSeveralParts) {
     EXPECT_EQ(text_of(*refused, speaking("de")),
               "Ecology.population: es gibt keine Tabelle [kind.NAME] für die Fahrzeuge der Arena");
     EXPECT_EQ(text_of(Error{"odd", "a.toml", 2}, speaking("de")), "a.toml:2: Meldung auf Englisch: odd");
+}
+
+TEST(Strings, TranslateErrorsOfFiles) {
+    const auto expect_german = [](const Error& error, std::string_view words) {
+        const std::string text = text_of(error, speaking("de"));
+        EXPECT_NE(text.find(words), std::string::npos) << text;
+        EXPECT_EQ(text.find("Meldung auf Englisch"), std::string::npos) << text;
+    };
+    const auto scene = load_scene(fs::path(BRAITENLAB_SOURCE) / "exercises/scenes/2a-coward.toml");
+    ASSERT_TRUE(scene);
+    const std::string run = std::regex_replace(io::write_run(Session::open(*scene, 1)->save()),
+                                               std::regex("\"next_id\": *[0-9]+"), "\"next_id\": 0");
+    expect_german(io::read_run(run, "a.run").error(), "die Nummern der Fahrzeuge");
+    expect_german(parse_exercise("format = 1\ntitle = \"t\"\n", "own.toml").error(), "scene fehlt");
 }
 
 }  // namespace braitenlab::tests::strings_test
