@@ -32,7 +32,11 @@ void add_vehicles(Snapshot& all, const Snapshot& more) {
     for (VehicleLook look : more.looks) look.vehicle += ids, all.looks.push_back(look);
     for (MarkView mark : more.marks) mark.owner += ids, all.marks.push_back(mark);
     for (BiteView bite : more.bites) bite.one += ids, bite.other += ids, all.bites.push_back(bite);
-    for (StrikeView strike : more.strikes) strike.vehicle += ids, all.strikes.push_back(strike);
+    for (StrikeView strike : more.strikes) {
+        strike.vehicle += ids;
+        if (strike.other != no_vehicle) strike.other += ids;
+        all.strikes.push_back(strike);
+    }
     all.predators += more.predators, all.prey += more.prey;
 }
 

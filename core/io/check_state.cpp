@@ -96,10 +96,10 @@ std::optional<Error> check_state(const State& m) {
         return error_of(message_of("contradicts", "touching"));
     if (m.bites.size() > most_vehicles || !all_of(m.bites, [&](const Bite& b) { return b.tick <= m.tick; }))
         return error_of(message_of("contradicts", "bites"));
-    const auto ascends = [](const Strike& a, const Strike& b) { return a.vehicle >= b.vehicle; };
+    const auto ascends = [](const Strike& a, const Strike& b) { return a.pair() >= b.pair(); };
     if (std::adjacent_find(m.strikes.begin(), m.strikes.end(), ascends) != m.strikes.end() ||
         !all_of(m.strikes,
-                [&](const Strike& s) { return has_lived(s.vehicle) && is_bounded(s.at) && s.tick <= m.tick; }))
+                [&](const Strike& s) { return touch_is_sound(s.pair()) && is_bounded(s.at) && s.tick <= m.tick; }))
         return error_of(message_of("contradicts", "strikes"));
     const auto by_owner = [](const Mark& a, const Mark& b) { return a.owner < b.owner; };
     if (!std::is_sorted(m.marks.begin(), m.marks.end(), by_owner) ||

@@ -33,7 +33,15 @@ void from_json(const io::Json& json, Motion& m) {
 namespace world {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Touch, one, other)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Bite, pair, tick)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Strike, vehicle, at, tick)
+void to_json(io::Json& json, const Strike& m) {
+    json = {{"vehicle", m.vehicle}, {"at", m.at}, {"tick", m.tick}, {"other", m.other}};
+}
+void from_json(const io::Json& json, Strike& m) {
+    json.at("vehicle").get_to(m.vehicle);
+    json.at("at").get_to(m.at);
+    json.at("tick").get_to(m.tick);
+    m.other = json.value("other", no_vehicle);  // absent from runs of earlier versions
+}
 void to_json(io::Json& json, const Mark& m) { json = {{"owner", m.owner}, {"place", m.position}, {"tick", m.tick}}; }
 void from_json(const io::Json& json, Mark& m) {
     json.at("owner").get_to(m.owner);

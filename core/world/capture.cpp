@@ -87,8 +87,8 @@ void capture(const WorldData& s, Snapshot& out) {
         out.bites.push_back({bite.pair.one, bite.pair.other, static_cast<float>(s.tick - bite.tick) * tick_seconds});
     out.strikes.clear();
     for (const Strike& strike : s.strikes)
-        out.strikes.push_back(
-            {strike.vehicle, strike.at.x, strike.at.y, static_cast<float>(s.tick - strike.tick) * tick_seconds});
+        out.strikes.push_back({strike.vehicle, strike.at.x, strike.at.y,
+                               static_cast<float>(s.tick - strike.tick) * tick_seconds, strike.other});
     out.scene = s.scene;
 }
 

@@ -10,7 +10,7 @@ namespace braitenlab::world {
 namespace {
 
 constexpr std::uint64_t bite_ticks = 60;    // between two bites of one pair: 1 s
-constexpr std::uint64_t strike_ticks = 60;  // between two strikes of one vehicle: 1 s
+constexpr std::uint64_t strike_ticks = 60;  // between two strikes of one pair: 1 s
 constexpr float moving_speed = 0.05f;       // m/s; a slower vehicle counts as still
 
 void bite(WorldData& s, std::size_t predator, std::size_t prey) {
@@ -42,13 +42,13 @@ void record_strikes(WorldData& s) {
     std::erase_if(s.strikes, [&](const Strike& strike) { return s.tick - strike.tick >= strike_ticks; });
     s.physics.find_strikes(s.begun, s.struck);
     const auto before = static_cast<std::ptrdiff_t>(s.strikes.size());
-    const auto by_id = [](const Strike& a, const Strike& b) { return a.vehicle < b.vehicle; };
+    const auto by_pair = [](const Strike& a, const Strike& b) { return a.pair() < b.pair(); };
     for (const Bump& bump : s.struck) {
-        const Strike strike{bump.vehicle, bump.at, s.tick};
-        if (!std::binary_search(s.strikes.begin(), s.strikes.begin() + before, strike, by_id))
+        const Strike strike{bump.vehicle, bump.at, s.tick, bump.other};
+        if (!std::binary_search(s.strikes.begin(), s.strikes.begin() + before, strike, by_pair))
             s.strikes.push_back(strike);
     }
-    std::inplace_merge(s.strikes.begin(), s.strikes.begin() + before, s.strikes.end(), by_id);
+    std::inplace_merge(s.strikes.begin(), s.strikes.begin() + before, s.strikes.end(), by_pair);
 }
 
 // The first kind of the opposite role, or the vehicle's kind if there is none. Roles that follow from the wiring count

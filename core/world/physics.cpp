@@ -87,15 +87,15 @@ struct Physics::Impl : b2ContactListener {
         int count = 0;
     };
     std::vector<Contacts> contacts, changes;
-    std::vector<Bump> struck;  // contacts of fixtures with the environment that began in the last step, sorted
+    std::vector<Bump> struck;  // contacts of fixtures that began in the last step
 
     void BeginContact(b2Contact* contact) override {
         note(contact, 1);
         const Touch touch = touch_of(contact);
-        if (touch.one == no_vehicle || touch.other != no_vehicle) return;
+        if (touch.one == no_vehicle) return;
         b2WorldManifold points;
         contact->GetWorldManifold(&points);
-        struck.push_back({touch.one, from_box(points.points[0])});
+        struck.push_back({touch.one, from_box(points.points[0]), touch.other});
     }
     void EndContact(b2Contact* contact) override { note(contact, -1); }
     void note(b2Contact* contact, int change) {
@@ -270,7 +270,7 @@ void Physics::push(std::size_t row, maths::vec2 force, float torque) {
 namespace {
 
 bool by_vehicle(const Bump& a, const Bump& b) {
-    return std::tuple(a.vehicle, a.at.x, a.at.y) < std::tuple(b.vehicle, b.at.x, b.at.y);
+    return std::tuple(a.vehicle, a.other, a.at.x, a.at.y) < std::tuple(b.vehicle, b.other, b.at.x, b.at.y);
 }
 
 }  // namespace
@@ -280,10 +280,11 @@ void Physics::find_strikes(const std::vector<Touch>& begun, std::vector<Bump>& s
     std::vector<Bump>& struck = impl_->struck;
     std::sort(struck.begin(), struck.end(), by_vehicle);
     for (const Touch& touch : begun) {
-        if (touch.other != no_vehicle) continue;
-        const auto at = std::lower_bound(struck.begin(), struck.end(), touch.one,
-                                         [](const Bump& bump, VehicleId id) { return bump.vehicle < id; });
-        if (at != struck.end() && at->vehicle == touch.one) strikes.push_back(*at);
+        const auto at =
+            std::lower_bound(struck.begin(), struck.end(), touch, [](const Bump& bump, const Touch& wanted) {
+                return Touch{bump.vehicle, bump.other} < wanted;
+            });
+        if (at != struck.end() && Touch{at->vehicle, at->other} == touch) strikes.push_back(*at);
     }
 }
 

@@ -18,6 +18,7 @@ namespace braitenlab::world {
 struct Bump {
     VehicleId vehicle = no_vehicle;
     maths::vec2 at;
+    VehicleId other = no_vehicle;  // the vehicle that is struck, with the larger id
 };
 
 // True when a body can be so fast that it moves deep into an obstacle or through it in one tick; Physics then computes
@@ -47,8 +48,7 @@ public:
     // One step of tick_seconds. Updates `touching` (sorted); `begun` receives the contacts that began in this step.
     void step(std::vector<Touch>& touching, std::vector<Touch>& begun);
 
-    // The contacts with walls, posts and obstacles among those that began in the last step: one per vehicle, by
-    // ascending id, at one of its contact points.
+    // The contacts that began in the last step, as `begun`, each at one of its contact points.
     void find_strikes(const std::vector<Touch>& begun, std::vector<Bump>& strikes) const;
 
     // Contacts with walls, posts and obstacles after the last step: one per vehicle, by ascending id, at the mean of

@@ -75,10 +75,11 @@ struct BiteView {
     float age = 0;                                   // s
 };
 
-// The begin of a vehicle's contact with a wall, post or obstacle.
+// The begin of a vehicle's contact with a wall, post or obstacle, or with another vehicle.
 struct StrikeView {
     VehicleId vehicle = no_vehicle;
-    float x = 0, y = 0, age = 0;  // m, m, s
+    float x = 0, y = 0, age = 0;   // m, m, s
+    VehicleId other = no_vehicle;  // the vehicle that is struck, with the larger id
 };
 
 // Numbers of events since the start of the run. A fall over an open edge counts as a fall and a death; the respawn that
@@ -107,7 +108,7 @@ struct Snapshot {
     std::vector<VehicleLook> looks;      // by vehicle; those with a start have theirs in Scene::starts
     std::vector<MarkView> marks;         // by owner, then oldest first
     std::vector<BiteView> bites;         // of the last second, by pair
-    std::vector<StrikeView> strikes;     // of the last second, by vehicle
+    std::vector<StrikeView> strikes;     // of the last second, by pair
     std::shared_ptr<const Scene> scene;  // with all edits except those of brains, see kind_brains
 };
 

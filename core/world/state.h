@@ -36,11 +36,14 @@ struct Bite {
     std::uint64_t tick = 0;
 };
 
-// The begin of a vehicle's contact with a wall, post or obstacle, for display; of one vehicle at most once a second.
+// The begin of a vehicle's contact with a wall, post or obstacle, or with another vehicle, for display; of one pair at
+// most once a second.
 struct Strike {
     VehicleId vehicle = no_vehicle;
     maths::vec2 at;  // m
     std::uint64_t tick = 0;
+    VehicleId other = no_vehicle;  // the vehicle that is struck, with the larger id
+    Touch pair() const { return {vehicle, other}; }
 };
 
 // A position (m) that a vehicle remembers, and the tick of its last visit.
@@ -127,7 +130,7 @@ struct State {
     VehicleId next_id = 0;
     EventCounts events;
     std::vector<Bite> bites;         // of the last second, sorted by pair
-    std::vector<Strike> strikes;     // of the last second, by ascending vehicle; not hashed
+    std::vector<Strike> strikes;     // of the last second, by ascending pair; not hashed
     std::vector<Mark> marks;         // by owner, then oldest first
     std::vector<VehicleLook> looks;  // of vehicles of the population, by vehicle; display only
     Vehicles vehicles;

@@ -285,10 +285,30 @@ void add_bites(Drawing& drawing) {
             }
 }
 
+bool is_bite(const Drawing& drawing, const StrikeView& strike) {
+    return std::any_of(drawing.now.bites.begin(), drawing.now.bites.end(),
+                       [&](const BiteView& bite) { return bite.one == strike.vehicle && bite.other == strike.other; });
+}
+
+// A disc at the point where two vehicles touch: many may touch at once, so it is small and short, and left out where
+// motion is reduced.
+void add_flash(Drawing& drawing, const StrikeView& strike) {
+    constexpr float seconds = 0.3f, radius = 0.16f;  // m
+    if (drawing.picture.reduce_motion || strike.age >= seconds || is_bite(drawing, strike)) return;
+    const float left = 1 - std::clamp(strike.age / seconds, 0.0f, 1.0f);
+    drawing.list.rings.push_back({{strike.x, strike.y, 1, 0},
+                                  {radius, radius, radius, static_cast<float>(MarkKind::ring)},
+                                  rgb_with(drawing.colours.text, 0.9f * left)});
+}
+
 // Around the point of contact.
 void add_strikes(Drawing& drawing) {
-    for (const StrikeView& strike : drawing.now.strikes)
-        add_event(drawing, {strike.x, strike.y}, 0.35f, 0.5f, strike.age, drawing.colours.warning);
+    for (const StrikeView& strike : drawing.now.strikes) {
+        if (strike.other != no_vehicle)
+            add_flash(drawing, strike);
+        else
+            add_event(drawing, {strike.x, strike.y}, 0.35f, 0.5f, strike.age, drawing.colours.warning);
+    }
 }
 
 }  // namespace

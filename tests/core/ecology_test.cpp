@@ -1,6 +1,8 @@
 // Ecology: energy, recharging, roles by wiring, and counted events.
 #include <cmath>
 
+#include "core/io/run_file.h"
+#include "core/session/session.h"
 #include "tests/core/runs.h"
 #include "tests/core/scenes.h"
 
@@ -117,6 +119,24 @@ TEST(World, RecordsWhereAVehicleStrikesAWallForASecond) {
     EXPECT_EQ(look(kept).strikes[0].y, 2);
     EXPECT_EQ(kept.hash(), make(scene).hash()) << "strikes are for display";
     EXPECT_TRUE(after(world, 2).strikes.empty()) << "it pushes against the wall and does not strike again";
+}
+
+TEST(World, RecordsWhereTwoVehiclesStrikeEachOther) {
+    Scene scene = alone({.LM = 0.5f, .RM = 0.5f});
+    scene.starts.push_back({.name = "other", .kind = "tester", .x = 4, .heading = maths::pi});
+    World world = make(scene);
+    Snapshot now = look(world);
+    while (now.events.contacts == 0 && now.seconds < 10) now = after(world, 1.0 / 60);
+    ASSERT_EQ(now.strikes.size(), 1u);
+    EXPECT_EQ(now.strikes[0].vehicle, 0);
+    EXPECT_EQ(now.strikes[0].other, 1);
+    EXPECT_NEAR(now.strikes[0].x, 2, 0.1f) << "half way between both";
+    Session session = std::move(*Session::open(scene, 1));
+    while (session.snapshot().strikes.empty() && session.snapshot().seconds < 10) session.step();
+    const auto kept = io::read_run(io::write_run(session.save()), "a.run");
+    ASSERT_TRUE(kept) << kept.error().text();
+    ASSERT_EQ(Session::resume(*kept).snapshot().strikes.size(), 1u);
+    EXPECT_EQ(Session::resume(*kept).snapshot().strikes[0].other, 1);
 }
 
 TEST(World, EventsCountOneBitePerSecondAndPairForAnyNumberOfPredators) {

@@ -72,6 +72,27 @@ TEST(DrawList, ShowsAStrikeAsARingAroundThePointOfContactThatGrowsUnlessMotionIs
     EXPECT_TRUE(rings_at(0.9f, true).empty());
 }
 
+TEST(DrawList, FlashesWhereTwoVehiclesTouchUnlessTheyBiteOrMotionIsReduced) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 1, 2, 3, 0);
+    hand_made::add(now, 1, 3, 3, 0);
+    now.strikes = {{0, 2.5f, 3, 0.05f, 1}};
+    Picture picture;
+    const auto flash = drawn(now, picture).rings;
+    ASSERT_EQ(flash.size(), 1U);
+    EXPECT_EQ(flash[0].place.x, 2.5f);
+    now.strikes[0].age = 0.2f;
+    EXPECT_LT(drawn(now, picture).rings.at(0).colour.w, flash[0].colour.w) << "it fades";
+    picture.reduce_motion = true;
+    EXPECT_TRUE(drawn(now, picture).rings.empty());
+    picture.reduce_motion = false;
+    now.strikes[0].age = 0.4f;
+    EXPECT_TRUE(drawn(now, picture).rings.empty()) << "it is short";
+    now.strikes[0].age = 0.05f;
+    now.bites = {{0, 1, 0.05f}};
+    EXPECT_EQ(drawn(now, picture).rings.size(), 2U) << "the rings of the bite only";
+}
+
 TEST(DrawList, DrawsNoWireOfWeightZero) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, 0, 0, 0);  // two crossed wires, two of weight 0
