@@ -5,6 +5,7 @@
 
 #include "core/maths/angle.h"
 #include "core/mechanics/body.h"
+#include "core/sensing/seam.h"
 
 namespace braitenlab::sensing {
 
@@ -26,6 +27,11 @@ bool Ground::Patch::covers(vec2 position) const {
     if (!round) return std::fabs(d.x) <= half_length && std::fabs(d.y) <= half_width;
     const float x = d.x / half_length, y = d.y / half_width;
     return x * x + y * y <= 1;
+}
+
+vec2 Ground::Patch::reach() const {
+    const float l = half_length, w = half_width;
+    return {l * std::fabs(ahead.x) + w * std::fabs(ahead.y), l * std::fabs(ahead.y) + w * std::fabs(ahead.x)};
 }
 
 Ground::Patch Ground::patch_of(const Zone& zone, const Arena& arena) {
@@ -53,8 +59,18 @@ Ground::Patch Ground::patch_of(const Zone& zone, const Arena& arena) {
 }
 
 Ground::Ground(const Scene& scene) : plain(floor_constants(scene.arena, Surface::none)) {
+    const std::vector<vec2> images = Seam(scene.arena).images();
     for (const Zone& zone : scene.zones) {
-        patches_.push_back(patch_of(zone, scene.arena));
+        const Patch patch = patch_of(zone, scene.arena);
+        const vec2 reach = patch.reach();
+        for (const vec2 image : images) {
+            const vec2 middle = patch.middle + image;
+            const bool is_beyond = std::fabs(middle.x) - reach.x > scene.arena.width / 2 ||
+                                   std::fabs(middle.y) - reach.y > scene.arena.height / 2;
+            if (is_beyond && image != vec2{}) continue;
+            patches_.push_back(patch);
+            patches_.back().middle = middle;
+        }
         has_surfaces |= zone.surface != Surface::none;
         pushes |= zone.wind_x != 0 || zone.wind_y != 0 || zone.slope != 0 || zone.pull != 0;
         recharges |= zone.recharge != 0;
@@ -75,9 +91,7 @@ void Ground::sort_into_cells(const Arena& arena) {
     std::vector<std::vector<std::uint32_t>> cells(static_cast<std::size_t>(columns_ * rows_));
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         const Patch& p = patches_[i];
-        const float l = p.half_length, w = p.half_width;
-        const vec2 reach{l * std::fabs(p.ahead.x) + w * std::fabs(p.ahead.y),
-                         l * std::fabs(p.ahead.y) + w * std::fabs(p.ahead.x)};
+        const vec2 reach = p.reach();
         for (int r = row(p.middle.y - reach.y); r <= row(p.middle.y + reach.y); ++r)
             for (int c = column(p.middle.x - reach.x); c <= column(p.middle.x + reach.x); ++c)
                 cells[static_cast<std::size_t>(r * columns_ + c)].push_back(static_cast<std::uint32_t>(i));

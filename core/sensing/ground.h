@@ -1,4 +1,5 @@
-// The floor and the zones at a position: surface constants, forces, energy.
+// The floor and the zones at a position: surface constants, forces, energy. In a torus a zone that reaches over an edge
+// continues at the opposite one.
 #pragma once
 
 #include <cstdint>
@@ -35,6 +36,7 @@ private:
         maths::vec2 wind;
         float sine_of_slope = 0, pull = 0;
         bool covers(maths::vec2 position) const;
+        maths::vec2 reach() const;  // m, half the size of its bounding box
     };
     static Patch patch_of(const Zone&, const Arena&);
     void sort_into_cells(const Arena&);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "core/scene/scene.h"
 
@@ -22,6 +23,17 @@ struct Seam {
 
     // The shortest displacement (m) with the same end point: `displacement` itself, or the one across the seam.
     maths::vec2 shortest(maths::vec2 displacement) const { return inside(displacement); }
+
+    // The displacements (m) of what is in the arena to where it is seen: {0, 0} first; with joined edges also those
+    // to the eight neighbours of the arena.
+    std::vector<maths::vec2> images() const {
+        std::vector<maths::vec2> all{{0, 0}};
+        if (!joined) return all;
+        for (const float x : {-size.x, 0.0f, size.x})
+            for (const float y : {-size.y, 0.0f, size.y})
+                if (x != 0 || y != 0) all.push_back({x, y});
+        return all;
+    }
 
 private:
     static float inside(float x, float side) { return x - side * std::floor(x / side + 0.5f); }

@@ -6,6 +6,7 @@
 
 #include "core/maths/angle.h"
 #include "core/scene/arena.h"
+#include "core/sensing/seam.h"
 #include "render/view/drawing.h"
 
 namespace braitenlab::render {
@@ -252,13 +253,32 @@ void add_casts(Drawing& drawing, vec2 place, vec2 ahead, vec2 half, float height
     }
 }
 
+namespace {
+
+// In a torus, what reaches over an edge is repeated at the opposite one.
+void add_zones(Drawing& drawing, const Scene& scene) {
+    const std::vector<vec2> images = sensing::Seam(scene.arena).images();
+    for (Zone zone : scene.zones) {
+        const vec2 middle{zone.x, zone.y};
+        float reach = std::hypot(zone.length, zone.width) / 2;
+        for (const vec2 corner : corners_of(zone)) reach = std::max(reach, maths::length(corner));
+        for (const vec2 image : images) {
+            zone.x = middle.x + image.x, zone.y = middle.y + image.y;
+            const bool is_beyond =
+                std::fabs(zone.x) - reach > scene.arena.width / 2 || std::fabs(zone.y) - reach > scene.arena.height / 2;
+            if (!is_beyond || image == vec2{}) add_zone(drawing, zone);
+        }
+    }
+}
+
+}  // namespace
+
 void add_world(Drawing& drawing) {
     add_sources(drawing);
     add_marks(drawing);
     if (!drawing.now.scene) return;
     const Scene& scene = *drawing.now.scene;
-    if (drawing.picture.settings.overlays.surfaces)
-        for (const Zone& zone : scene.zones) add_zone(drawing, zone);
+    if (drawing.picture.settings.overlays.surfaces) add_zones(drawing, scene);
     add_walls(drawing, scene.arena);
     add_obstacles(drawing, scene);
 }

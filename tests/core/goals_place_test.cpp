@@ -120,6 +120,17 @@ TEST(PlaceGoals, AZoneIsEnteredByTheVehiclesOrigin) {
     EXPECT_TRUE(verdict_on(with_zone(disc), {{0, {5, 1.9f}}}).done);
 }
 
+TEST(PlaceGoals, ADistanceToAZoneGoesAcrossTheSeamOfATorus) {
+    Exercise exercise = with_zone({.x = 9, .length = 4, .width = 2});
+    exercise.scene.arena.width = exercise.scene.arena.height = 20;
+    const auto distance = [&](maths::vec2 at) { return verdict_on(exercise, {{0, at}}).measures.front().value; };
+    EXPECT_NEAR(distance({-8, 0}), 15, 1e-4f);
+    exercise.scene.arena.edge = Boundary::torus;
+    EXPECT_NEAR(distance({-8, 0}), 1, 1e-4f) << "the zone continues at the opposite edge to -9 m";
+    EXPECT_NEAR(distance({5, 0}), 2, 1e-4f);
+    EXPECT_TRUE(verdict_on(exercise, {{0, {-9.5f, 0.5f}}}).done);
+}
+
 TEST(PlaceGoals, AGateIsCrossedBetweenItsPosts) {
     Exercise exercise = exercise_with({goals::DrivesThrough{"a", "b"}});
     exercise.scene.obstacles = {{.name = "a", .x = 5, .y = 1}, {.name = "b", .x = 5, .y = -1}};

@@ -95,5 +95,22 @@ TEST(Ground, FindsTheSameZonesAsASearchOfAllZones) {
     EXPECT_GT(most, 5);
 }
 
+TEST(Ground, ContinuesAZoneAtTheOppositeEdgeOfATorus) {
+    Scene scene;
+    scene.arena.width = scene.arena.height = 20;
+    scene.zones = {{.name = "corner", .x = 9, .y = 9.5f, .length = 4, .width = 4, .recharge = 1},
+                   {.name = "inside", .x = 5, .length = 2, .width = 2, .recharge = 1}};
+    EXPECT_EQ(Ground(scene).recharge_at({-9.5f, 9}), 0);
+    scene.arena.edge = Boundary::torus;
+    const Ground ground(scene);
+    EXPECT_EQ(ground.recharge_at({9, 9}), 1);
+    EXPECT_EQ(ground.recharge_at({-9.5f, 9}), 1);
+    EXPECT_EQ(ground.recharge_at({9, -9.5f}), 1);
+    EXPECT_EQ(ground.recharge_at({-9.5f, -9.5f}), 1);
+    EXPECT_EQ(ground.recharge_at({-8.5f, 9}), 0);
+    EXPECT_EQ(ground.recharge_at({5, 0}), 1);
+    EXPECT_EQ(ground.recharge_at({-5, 0}), 0);
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::ground_test

@@ -154,6 +154,18 @@ TEST(DrawWorld, FadesMemoryWithItsStrength) {
     EXPECT_GT(list.rings[0].colour.w, list.rings[1].colour.w);
 }
 
+TEST(DrawWorld, RepeatsZonesAtTheOppositeEdgeOfATorus) {
+    auto scene = bare();
+    scene->zones = {{.name = "ice", .x = 9, .length = 4, .width = 4, .surface = Surface::ice}};
+    EXPECT_EQ(count(drawn(hand_made::empty(scene)), Pattern::ice), 1);
+    scene->arena.edge = Boundary::torus;
+    const DrawList list = drawn(hand_made::empty(scene));
+    ASSERT_EQ(count(list, Pattern::ice), 2);
+    EXPECT_EQ(list.zones[1].place.x, -11);
+    scene->zones[0].x = 5;
+    EXPECT_EQ(count(drawn(hand_made::empty(scene)), Pattern::ice), 1) << "it is inside";
+}
+
 TEST(DrawWorld, RepeatsObjectsAtTheOppositeEdgeOfATorus) {
     auto scene = bare();
     scene->arena.edge = Boundary::torus;

@@ -46,6 +46,13 @@ float distance_to_zone(const Zone& zone, vec2 place) {
     return distance_to_convex(local, corners_of(zone));
 }
 
+float distance_to_zone(const Zone& zone, const Observation& at) {
+    float nearest = INFINITY;
+    for (const vec2 image : sensing::Seam(at.now.scene->arena).images())
+        nearest = std::min(nearest, distance_to_zone(zone, place_of(at) - image));
+    return nearest;
+}
+
 std::optional<vec2> place_of_obstacle(const std::string& name, const Observation& at) {
     const int index = find_obstacle(*at.now.scene, name);
     if (index < 0) return std::nullopt;
@@ -122,7 +129,7 @@ std::optional<Reading> measure(const Visits& goal, Visits::State& state, const O
 std::optional<Reading> measure(const Enters& goal, Enters::State&, const Observation& at) {
     const int index = find_zone(*at.now.scene, goal.zone);
     if (index < 0) return std::nullopt;
-    const float distance = distance_to_zone(at.now.scene->zones[static_cast<std::size_t>(index)], place_of(at));
+    const float distance = distance_to_zone(at.now.scene->zones[static_cast<std::size_t>(index)], at);
     return Reading{distance, distance <= 0};
 }
 
@@ -149,7 +156,7 @@ std::optional<Reading> measure(const FollowsLine& goal, FollowsLine::State& stat
         if (zone.surface != Surface::tape) continue;
         middle += vec2{zone.x, zone.y};
         pieces += 1;
-        nearest = std::min(nearest, distance_to_zone(zone, place_of(at)));
+        nearest = std::min(nearest, distance_to_zone(zone, at));
     }
     if (pieces == 0) return std::nullopt;
     const float bearing = maths::to_polar(place_of(at) - middle / pieces).angle;

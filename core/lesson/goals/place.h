@@ -1,5 +1,5 @@
 // Goals about where a vehicle is: distances to sources, zones and gates, and ways round a source. In a torus, distances
-// to sources are across the seam if that is shorter.
+// are across the seam if that is shorter.
 #pragma once
 
 #include "core/lesson/goal.h"
