@@ -98,8 +98,8 @@ struct EditMember {
     std::optional<Member> to{};  // nullopt: none
     friend bool operator==(const EditMember&, const EditMember&) = default;
 };
-// Replaces the sensors of the target. A sensor that keeps its name keeps its reading, with the same latency also the
-// readings that its brain has not received yet; a new sensor begins with 0.
+// Replaces the sensors of the target. A sensor that keeps its name, or is only renamed, keeps its reading, with the
+// same latency also the readings that its brain has not received yet; a new sensor begins with 0.
 struct SetSensors {
     Target target;
     std::vector<Sensor> sensors;

@@ -1,4 +1,8 @@
 // Replacement of sensors, of one vehicle or of all vehicles of a kind.
+#include "core/scene/sensor_edits.h"
+
+#include <utility>
+
 #include "core/world/edits.h"
 
 namespace braitenlab::world {
@@ -11,15 +15,27 @@ struct Readings {
     std::size_t first_sensed = 0, first_delayed = 0;
 };
 
-// Appends the reading of the sensor and its readings that the brain has not received yet: those of the sensor of this
-// name in `before`, or 0.
-void append_readings(const Vehicles& v, const Readings& before, const Sensor& sensor, std::vector<float>& sensed,
-                     std::vector<float>& delayed) {
+// The earlier name of the sensor: its own if it had one, else that of the sensor at its index if both differ by their
+// name only, and the earlier name is gone.
+std::string earlier_name(const std::vector<Sensor>& before, const std::vector<Sensor>& sensors, std::size_t index) {
+    Sensor sensor = sensors[index];
+    if (find_sensor(before, sensor.name) || index >= before.size()) return sensor.name;
+    const std::string& earlier = before[index].name;
+    if (find_sensor(sensors, earlier)) return sensor.name;
+    const std::string now = std::exchange(sensor.name, earlier);
+    return sensor == before[index] ? earlier : now;
+}
+
+// Appends the reading of the sensor and its readings that the brain has not received yet: those of the sensor of its
+// earlier name in `before`, or 0.
+void append_readings(const Vehicles& v, const Readings& before, const std::vector<Sensor>& sensors, std::size_t index,
+                     std::vector<float>& sensed, std::vector<float>& delayed) {
     std::size_t ring = before.first_delayed;
-    const std::uint32_t delay = sensing::delay_ticks(sensor);
+    const std::uint32_t delay = sensing::delay_ticks(sensors[index]);
+    const std::string earlier = earlier_name(before.sensors, sensors, index);
     for (std::size_t i = 0; i < before.sensors.size(); ++i) {
         const std::uint32_t old_delay = sensing::delay_ticks(before.sensors[i]);
-        if (before.sensors[i].name == sensor.name) {
+        if (before.sensors[i].name == earlier) {
             sensed.push_back(v.sensed[before.first_sensed + i]);
             const auto slots = v.delayed.begin() + static_cast<std::ptrdiff_t>(ring);
             if (delay == old_delay)
@@ -43,7 +59,8 @@ void carry_readings(WorldData& s, const SensorsOf& sensors_of) {
         const Readings before{s.design(row).sensors, v.first_sensed[row], v.first_delayed[row]};
         v.first_sensed[row] = static_cast<std::uint32_t>(sensed.size());
         v.first_delayed[row] = static_cast<std::uint32_t>(delayed.size());
-        for (const Sensor& sensor : sensors_of(row)) append_readings(v, before, sensor, sensed, delayed);
+        const std::vector<Sensor>& sensors = sensors_of(row);
+        for (std::size_t i = 0; i < sensors.size(); ++i) append_readings(v, before, sensors, i, sensed, delayed);
     }
     v.sensed = std::move(sensed);
     v.delayed = std::move(delayed);

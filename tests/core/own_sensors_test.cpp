@@ -256,5 +256,26 @@ TEST(Referee, OwnSensorsOfAnotherKindAreHelp) {
     }
 }
 
+TEST(Command, SetSensorsKeepsTheReadingOfARenamedSensor) {
+    Scene scene = twins();
+    for (Sensor& sensor : scene.kinds[0].sensors) sensor.latency = 0.5f;
+    for (const Target target : {Target{.vehicle = 0}, Target{.kind = 0}}) {
+        Session session = open(scene);
+        for (int i = 0; i < 60; ++i) session.step();
+        std::vector<Sensor> sensors = design(session, 0).sensors;
+        const float left = reading(session, 0, 0), right = reading(session, 0, 1);
+        ASSERT_GT(left, 0.01f);
+        sensors[0].name = "eye";
+        ASSERT_FALSE(session.apply(SetSensors{target, sensors}));
+        EXPECT_NEAR(reading(session, 0, 0), left, 0.01f);
+        EXPECT_NEAR(reading(session, 0, 1), right, 0.01f);
+        session.step();
+        EXPECT_NEAR(reading(session, 0, 0), left, 0.01f) << "also what its brain has not received yet";
+        sensors[0].name = "heat", sensors[0].channel = Channel::heat;
+        ASSERT_FALSE(session.apply(SetSensors{target, sensors}));
+        EXPECT_EQ(reading(session, 0, 0), 0) << "a sensor of another channel is a new one";
+    }
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::own_sensors_test
