@@ -148,7 +148,7 @@ void App::frame(float passed) {
     facts_.typed = typed_text(panels_);
     window_.bind();
     window_.end_frame();
-    for (const Request& request : outbox_) handle(lab_, request);
+    handle_all(lab_, outbox_);
 }
 
 CameraKeys App::camera_keys(bool arrows_are_free) const {

@@ -9,6 +9,10 @@ namespace braitenlab {
 
 void handle(Lab&, const Request&);
 
+// Executes requests in order. Moves of one gesture that follow each other are one command: their cost does not grow
+// with the square of their number.
+void handle_all(Lab&, const Outbox&);
+
 // Applies an edit to the session, or shows why it failed. Returns true on success. Edits with the same `gesture`
 // (not 0) are one step of undo.
 bool apply(Lab&, const Command&, std::uint64_t gesture = 0);

@@ -70,6 +70,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AddZone, zone, before)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RemoveZone, zone)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EditZone, zone, to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveZone, zone, x, y, heading)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MoveObjects, of_vehicles, of_sources, of_obstacles, of_zones)
 inline void to_json(Json& json, const Retitle& c) {
     json = Json::object();
     if (c.title) json["title"] = *c.title;
@@ -106,7 +107,7 @@ constexpr std::array<const char*, std::variant_size_v<Command>> command_names{
     "Steer",       "EditStart",      "SetSensors",    "AddSource",    "RemoveSource",  "EditSource",  "MoveSource",
     "AddObstacle", "RemoveObstacle", "EditObstacle",  "MoveObstacle", "NewPopulation", "Retitle",     "EditMember",
     "AddZone",     "RemoveZone",     "EditZone",      "MoveZone",     "EditArena",     "EditEcology", "AddKind",
-    "RemoveKind",  "EditKind",       "SetPopulation", "SetLook"};
+    "RemoveKind",  "EditKind",       "SetPopulation", "SetLook",      "MoveObjects"};
 
 template <std::size_t... I>
 void read_one(const Json& json, const std::string& name, Command& command, std::index_sequence<I...>) {

@@ -207,10 +207,12 @@ VehicleId changed_vehicle(const Command& command) {
 
 }  // namespace
 
-// Executes a command of an undo step.
-void Session::execute_part(const Command& command, UndoResult& result) {
+// Executes a command of an undo step, for the vehicles that live.
+void Session::execute_part(Command command, UndoResult& result) {
     const VehicleId vehicle = changed_vehicle(command);
     if (vehicle != no_vehicle && !find_vehicle(snapshot_, vehicle)) return;
+    if (auto* moves = std::get_if<MoveObjects>(&command))
+        std::erase_if(moves->of_vehicles, [&](const MoveVehicle& m) { return !find_vehicle(snapshot_, m.vehicle); });
     auto error = execute(command);
     if (error && !result.error) result.error = std::move(error);
 }

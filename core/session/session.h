@@ -122,7 +122,7 @@ private:
     };
 
     std::optional<Error> execute(const Command&);
-    void execute_part(const Command&, UndoResult&);
+    void execute_part(Command, UndoResult&);
     void bring_time_back();
     void advance(const RunVisitor&);
     void remember_edits();

@@ -157,6 +157,28 @@ Commands same_arena(const Snapshot& now, const EditArena& c) {
     return commands;
 }
 
+// The present poses of the objects that a command moves.
+Commands same_poses(const Snapshot& now, MoveObjects c) {
+    bool known = true;
+    for (MoveVehicle& m : c.of_vehicles) {
+        const VehicleView* v = find_vehicle(now, m.vehicle);
+        v ? void(m = {v->id, v->x, v->y, v->heading}) : void(known = false);
+    }
+    for (MoveSource& m : c.of_sources) {
+        const Source* source = at(now.scene->sources, m.source);
+        source ? void(m = {m.source, source->x, source->y}) : void(known = false);
+    }
+    for (MoveObstacle& m : c.of_obstacles) {
+        const Pose* pose = at(now.obstacles, m.obstacle);
+        pose ? void(m = {m.obstacle, pose->x, pose->y, pose->heading}) : void(known = false);
+    }
+    for (MoveZone& m : c.of_zones) {
+        const Zone* zone = at(now.scene->zones, m.zone);
+        zone ? void(m = {m.zone, zone->x, zone->y, zone->heading}) : void(known = false);
+    }
+    return known ? Commands{c} : Commands{};
+}
+
 // The present kind, and the vehicles that have the new driver already and keep it.
 Commands same_kind(const Snapshot& now, const EditKind& c) {
     const Kind* kind = at(now.scene->kinds, c.kind);
@@ -223,6 +245,7 @@ std::vector<Command> undoing(const Snapshot& now, const Command& command) {
                 if (!zone) return {};
                 return {MoveZone{c.zone, zone->x, zone->y, zone->heading}};
             },
+            [&](const MoveObjects& c) { return same_poses(now, c); },
             [](const ChooseDriver&) -> Commands { return {}; },  // the driver is a mode, not an edit
             [](const Steer&) -> Commands { return {}; },
             [](const NewPopulation&) -> Commands { return {}; },
@@ -251,6 +274,21 @@ Command repeating(const Snapshot& after, const Command& command) {
     return v ? Command(bringing_back(after, *v)) : command;
 }
 
+namespace {
+
+bool moves_same(const MoveObjects& a, const MoveObjects& b) {
+    const auto same = [](const auto& one, const auto& other, auto number) {
+        return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                          [number](const auto& x, const auto& y) { return x.*number == y.*number; });
+    };
+    return same(a.of_vehicles, b.of_vehicles, &MoveVehicle::vehicle) &&
+           same(a.of_sources, b.of_sources, &MoveSource::source) &&
+           same(a.of_obstacles, b.of_obstacles, &MoveObstacle::obstacle) &&
+           same(a.of_zones, b.of_zones, &MoveZone::zone);
+}
+
+}  // namespace
+
 bool supersedes(const Command& later, const Command& earlier) {
     if (later.index() != earlier.index()) return false;
     return std::visit(
@@ -270,11 +308,13 @@ bool supersedes(const Command& later, const Command& earlier) {
               [&](const MoveObstacle& c) { return c.obstacle == std::get<MoveObstacle>(earlier).obstacle; },
               [&](const EditZone& c) { return c.zone == std::get<EditZone>(earlier).zone; },
               [&](const MoveZone& c) { return c.zone == std::get<MoveZone>(earlier).zone; },
+              [&](const MoveObjects& c) { return moves_same(c, std::get<MoveObjects>(earlier)); },
               [&](const Retitle& c) {
                   const auto& e = std::get<Retitle>(earlier);
                   return (c.title || !e.title) && (c.story || !e.story);
               },
-              [](const EditArena&) { return true; }, [](const EditEcology&) { return true; },
+              [](const EditArena&) { return true; },
+              [](const EditEcology&) { return true; },
               [&](const EditKind& c) { return c.kind == std::get<EditKind>(earlier).kind; },
               [&](const SetPopulation& c) { return c.kind == std::get<SetPopulation>(earlier).kind; },
               [](const auto&) { return false; }},
@@ -302,6 +342,8 @@ Command renumbered(Command command, const std::function<VehicleId(VehicleId)>& n
             if constexpr (requires { c.target.vehicle; }) change(c.target.vehicle);
             if constexpr (requires { c.vehicle; }) change(c.vehicle);
             if constexpr (requires { c.id; }) change(c.id);
+            if constexpr (requires { c.of_vehicles; })
+                for (MoveVehicle& move : c.of_vehicles) change(move.vehicle);
             if constexpr (requires { c.vehicles; }) {
                 for (AddVehicle& vehicle : c.vehicles) change(vehicle.id);
                 std::sort(c.vehicles.begin(), c.vehicles.end(),

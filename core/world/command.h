@@ -215,10 +215,19 @@ struct SetPopulation {
     friend bool operator==(const SetPopulation&, const SetPopulation&) = default;
 };
 
+// Moves several objects, each at most once, at the cost of one command for them all.
+struct MoveObjects {
+    std::vector<MoveVehicle> of_vehicles{};
+    std::vector<MoveSource> of_sources{};
+    std::vector<MoveObstacle> of_obstacles{};
+    std::vector<MoveZone> of_zones{};
+    friend bool operator==(const MoveObjects&, const MoveObjects&) = default;
+};
+
 using Command =
     std::variant<TurnDial, SetBrain, PlaceNodes, AddVehicle, RemoveVehicle, MoveVehicle, ChooseDriver, Steer, EditStart,
                  SetSensors, AddSource, RemoveSource, EditSource, MoveSource, AddObstacle, RemoveObstacle, EditObstacle,
                  MoveObstacle, NewPopulation, Retitle, EditMember, AddZone, RemoveZone, EditZone, MoveZone, EditArena,
-                 EditEcology, AddKind, RemoveKind, EditKind, SetPopulation, SetLook>;
+                 EditEcology, AddKind, RemoveKind, EditKind, SetPopulation, SetLook, MoveObjects>;
 
 }  // namespace braitenlab

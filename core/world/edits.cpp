@@ -139,4 +139,47 @@ std::optional<Error> execute(WorldData& s, const MoveZone& c) {
                             replace_zones);
 }
 
+namespace {
+
+std::optional<Error> refusal(const WorldData& s, const std::vector<MoveVehicle>& moves) {
+    for (const MoveVehicle& c : moves) {
+        if (!s.row_of(c.vehicle)) return unknown_vehicle(c.vehicle);
+        if (!is_finite({c.x, c.y, c.heading})) return not_finite();
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> move_in(Scene& scene, const MoveObjects& c) {
+    for (const MoveSource& m : c.of_sources)
+        if (auto error = move(scene.sources, m.source, {m.x, m.y}, "source")) return error;
+    for (const MoveObstacle& m : c.of_obstacles)
+        if (auto error = move(scene.obstacles, m.obstacle, {m.x, m.y, m.heading}, "obstacle")) return error;
+    for (const MoveZone& m : c.of_zones)
+        if (auto error = move(scene.zones, m.zone, {m.x, m.y, m.heading}, "zone")) return error;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> execute(WorldData& s, const MoveObjects& c) {
+    if (auto error = refusal(s, c.of_vehicles)) return error;
+    if (!c.of_sources.empty() || !c.of_obstacles.empty() || !c.of_zones.empty()) {
+        Scene scene = *s.scene;
+        if (auto error = move_in(scene, c)) return error;
+        for (const MoveObstacle& m : c.of_obstacles) {
+            const Obstacle& to = *iterator_at(scene.obstacles, m.obstacle);
+            *iterator_at(s.obstacles, m.obstacle) = mechanics::at_rest({to.x, to.y}, to.heading);
+        }
+        if (!c.of_obstacles.empty() || (!c.of_sources.empty() && !c.of_zones.empty()))
+            replace_scene(s, std::move(scene));
+        else if (!c.of_zones.empty())
+            replace_zones(s, std::move(scene));
+        else
+            replace_sources(s, std::move(scene));
+    }
+    for (const MoveVehicle& m : c.of_vehicles)
+        if (auto error = execute(s, m)) return error;
+    return std::nullopt;
+}
+
 }  // namespace braitenlab::world

@@ -39,6 +39,7 @@ std::optional<Error> execute(WorldData&, const AddZone&);
 std::optional<Error> execute(WorldData&, const RemoveZone&);
 std::optional<Error> execute(WorldData&, const EditZone&);
 std::optional<Error> execute(WorldData&, const MoveZone&);
+std::optional<Error> execute(WorldData&, const MoveObjects&);
 std::optional<Error> execute(WorldData&, const EditArena&);  // edit_values.cpp
 std::optional<Error> execute(WorldData&, const EditEcology&);
 std::optional<Error> execute(WorldData&, const AddKind&);
@@ -137,17 +138,23 @@ Result<Scene> without(Scene scene, std::vector<Element> Scene::*of, int index, c
     return scene;
 }
 
-// The scene with an element at this pose, clamped to the range of a position. A valid scene stays valid, because no
-// rule of check_scene depends on these positions: a drag of many objects does not check the whole scene for each of
-// them.
+// Moves an element to this pose, clamped to the range of a position. A valid scene stays valid, because no rule of
+// check_scene depends on these positions: a drag of many objects does not check the whole scene for each of them.
 template <class Element>
-Result<Scene> with_moved(Scene scene, std::vector<Element> Scene::*of, int index, const Pose& to, const char* what) {
-    if (auto error = missing(scene.*of, index, what)) return *error;
+std::optional<Error> move(std::vector<Element>& elements, int index, const Pose& to, const char* what) {
+    if (auto error = missing(elements, index, what)) return error;
     if (!is_finite(to)) return not_finite();
-    Element& element = *iterator_at(scene.*of, index);
+    Element& element = *iterator_at(elements, index);
     element.x = std::clamp(to.x, -1000.0f, 1000.0f);
     element.y = std::clamp(to.y, -1000.0f, 1000.0f);
     if constexpr (requires { element.heading; }) element.heading = maths::wrap_angle(to.heading);
+    return std::nullopt;
+}
+
+// The scene with an element at this pose, see move().
+template <class Element>
+Result<Scene> with_moved(Scene scene, std::vector<Element> Scene::*of, int index, const Pose& to, const char* what) {
+    if (auto error = move(scene.*of, index, to, what)) return *error;
     return scene;
 }
 

@@ -54,7 +54,7 @@ inline Command any_edit(const Session& session, maths::Random& chance) {
     const int source = below(now.sources.size()), obstacle = below(now.obstacles.size());
     const int kind = below(now.scene->kinds.size()), zone = below(now.scene->zones.size());
     const auto kinds = static_cast<int>(now.scene->kinds.size());
-    switch (below(31)) {
+    switch (below(32)) {
         case 21:
             return AddZone{{.x = metres(), .length = 2, .surface = Surface::ice, .wind_y = metres()}, below(3) - 1};
         case 22:
@@ -87,6 +87,14 @@ inline Command any_edit(const Session& session, maths::Random& chance) {
             to.role = below(2) == 0 ? Role::wiring : Role::prey;
             to.colour = "#112233";
             return EditKind{kind, to};
+        }
+        case 31: {
+            MoveObjects all;
+            if (!now.vehicles.empty()) all.of_vehicles.push_back({vehicle, metres(), metres(), 2});
+            if (!now.sources.empty()) all.of_sources.push_back({source, metres(), metres()});
+            if (!now.obstacles.empty() && below(2) == 0) all.of_obstacles.push_back({obstacle, metres(), metres(), 1});
+            if (!now.scene->zones.empty() && below(2) == 0) all.of_zones.push_back({zone, metres(), metres(), 1});
+            return all;
         }
         case 30:
             return SetPopulation{std::min(kind, kinds - 1), below(9)};

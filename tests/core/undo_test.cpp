@@ -219,5 +219,33 @@ TEST(Undo, OfAPopulationRestoresItAfterAResetThatRenumbersItsVehicles) {
     EXPECT_EQ(count_of(session, 1), 2);
 }
 
+TEST(Undo, OfMovedObjectsRestoresAllThatAreStillThere) {
+    Session session = open_session(furnished());
+    const Snapshot before = session.snapshot();
+    const VehicleId gone = before.vehicles[2].id, stays = before.vehicles[3].id;
+    const MoveObjects drag{{{gone, 3, 1, 0}, {stays, -3, 1, 0}}, {{0, 2, 2}}, {{0, 1, -1, 0}}, {{0, 0, 3, 1}}};
+    ASSERT_FALSE(session.apply(drag, 9));
+    MoveObjects later = drag;
+    later.of_sources[0].x = -2;
+    ASSERT_FALSE(session.apply(later, 9));
+    EXPECT_EQ(session.undo_depth(), 1);
+    const Snapshot& now = session.snapshot();
+    EXPECT_EQ(now.sources[0].x, -2);
+    EXPECT_EQ(now.obstacles[0].y, -1);
+    EXPECT_EQ(now.scene->zones[0].y, 3);
+    EXPECT_EQ(find_vehicle(now, stays)->x, -3);
+    EXPECT_TRUE(session.apply(MoveObjects{{{stays, 9, 9, 0}}, {{7, 0, 0}}})) << "there is no such source";
+    EXPECT_EQ(find_vehicle(now, stays)->x, -3) << "nothing is moved then";
+    session.undo();
+    EXPECT_EQ(now.sources[0].x, before.sources[0].x);
+    EXPECT_EQ(now.obstacles[0].y, before.obstacles[0].y);
+    EXPECT_EQ(now.scene->zones[0].y, before.scene->zones[0].y);
+    EXPECT_EQ(find_vehicle(now, stays)->x, before.vehicles[3].x);
+    ASSERT_TRUE(session.redo());
+    ASSERT_FALSE(session.apply(RemoveVehicle{gone}));
+    session.undo();
+    EXPECT_TRUE(find_vehicle(now, gone));
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::undo_test

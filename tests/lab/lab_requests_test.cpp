@@ -185,5 +185,25 @@ TEST(LabRequests, SwitchEachOverlayOffAndOn) {
     }
 }
 
+TEST(LabRequests, MovesOfOneGestureAreOneCommandAFrame) {
+    Lab lab = opened_lab("empty");
+    for (int i = 0; i < 3; ++i) handle(lab, EditRequest{AddSource{{.x = static_cast<float>(i)}}});
+    const int depth = lab.document.session.undo_depth();
+    const std::size_t logged = lab.document.session.save().checkpoint.commands.size();
+    for (const float y : {1.0f, 2.0f}) {
+        Outbox frame;
+        for (int i = 0; i < 3; ++i) frame.push_back(EditRequest{MoveSource{i, static_cast<float>(i), y}, 77});
+        frame.push_back(EditRequest{TurnDial{{.kind = 0}, Dial::LL, y}});
+        handle_all(lab, frame);
+    }
+    EXPECT_EQ(lab.document.session.save().checkpoint.commands.size(), logged + 4);
+    for (const SourceView& source : lab.document.session.snapshot().sources) EXPECT_EQ(source.y, 2);
+    handle(lab, Action::undo), handle(lab, Action::undo);
+    EXPECT_EQ(lab.document.session.snapshot().sources[0].y, 1) << "the dial ended the first drag";
+    handle(lab, Action::undo), handle(lab, Action::undo);
+    EXPECT_EQ(lab.document.session.snapshot().sources[0].y, 0);
+    EXPECT_EQ(lab.document.session.undo_depth(), depth);
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::lab_requests_test

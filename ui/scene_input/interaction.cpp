@@ -153,15 +153,11 @@ SceneInputPhase phase_for(const SceneInputState& state, const SceneInputFrame& f
     return drag.on.handle ? SceneInputPhase::turn : SceneInputPhase::move;
 }
 
-// Requests the pose, unless the object has it. A moving vehicle leaves the pose, so it is requested every frame.
-void put_object(const SceneObject& object, const LabView& view, Pose to, std::uint64_t gesture, Outbox& outbox) {
+bool is_there(const SceneObject& object, const LabView& view, Pose to) {
     const auto is = place_of(*view.now, object);
-    const auto command = move_of(*view.now, object, to);
-    if (!is || !command) return;
     const bool source = object.kind == SceneObjectKind::source;
-    const bool there = std::hypot(is->x - to.x, is->y - to.y) < 1e-4f &&
-                       (source || std::fabs(maths::wrap_angle(is->heading - to.heading)) < 1e-4f);
-    if (!there) request(outbox, *command, gesture);
+    return !is || (std::hypot(is->x - to.x, is->y - to.y) < 1e-4f &&
+                   (source || std::fabs(maths::wrap_angle(is->heading - to.heading)) < 1e-4f));
 }
 
 // The pose of an object that is moved together with the dragged one.
@@ -169,11 +165,18 @@ Pose moved_along(const SceneInputDrag& drag, Pose began) {
     return {began.x + drag.put.x - drag.began.x, began.y + drag.put.y - drag.began.y, began.heading};
 }
 
+// Requests the poses, unless all objects have them. A moving vehicle leaves the pose, so it is requested every frame.
+// All objects are requested together, so that a later frame of the drag replaces the earlier one in the step of undo.
 void put(SceneInputDrag& drag, const LabView& view, Pose to, Outbox& outbox) {
     drag.put = to;
-    put_object(drag.on.object, view, to, drag.gesture, outbox);
-    for (const auto& [other, began] : drag.others)
-        put_object(other, view, moved_along(drag, began), drag.gesture, outbox);
+    bool there = is_there(drag.on.object, view, to);
+    for (const auto& [other, began] : drag.others) there = there && is_there(other, view, moved_along(drag, began));
+    if (there) return;
+    const auto put_object = [&](const SceneObject& object, Pose pose) {
+        if (const auto command = move_of(*view.now, object, pose)) request(outbox, *command, drag.gesture);
+    };
+    put_object(drag.on.object, to);
+    for (const auto& [other, began] : drag.others) put_object(other, moved_along(drag, began));
 }
 
 void continue_drag(SceneInputState& state, const SceneInputFrame& frame, Outbox& outbox) {
