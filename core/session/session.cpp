@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "core/messages.h"
 #include "core/world/cosmetic_edits.h"
@@ -28,6 +29,44 @@ std::optional<std::vector<Sensor>> own_sensors(const Snapshot& now, const Vehicl
     return kind_of(now, vehicle).sensors;
 }
 
+// What a vehicle has in place of the values of its kind.
+struct OwnValues {
+    std::optional<BrainGraph> brain;
+    std::optional<std::vector<Sensor>> sensors;
+    std::optional<Driver> driver;
+    const Look* look = nullptr;
+    bool any() const { return brain || sensors || driver || look; }
+};
+
+OwnValues own_values(const Snapshot& now, const VehicleView& v) {
+    const Kind& kind = now.scene->kinds[static_cast<std::size_t>(v.kind)];
+    return {own_brain(now, v), own_sensors(now, v), v.driver != kind.driver ? std::optional(v.driver) : std::nullopt,
+            find_look(now.looks, v.id)};
+}
+
+// The numbers that the vehicles without a start have in the population of the scene, in their order; from
+// Ecology::population on: such a vehicle is not in the scene. Where the world has more vehicles than the population,
+// one with values of its own takes the number of one without.
+std::vector<int> numbers_in_population(const Snapshot& now) {
+    std::vector<int> numbers;
+    std::vector<bool> has_own;
+    for (const VehicleView& v : now.vehicles) {
+        if (v.start >= 0) continue;
+        numbers.push_back(static_cast<int>(numbers.size()));
+        has_own.push_back(own_values(now, v).any());
+    }
+    const auto population = static_cast<std::size_t>(now.scene->ecology.population);
+    std::size_t free = std::min(numbers.size(), population);
+    for (std::size_t i = free; i < numbers.size(); ++i) {
+        if (!has_own[i]) continue;
+        while (free > 0 && has_own[free - 1]) --free;
+        if (free == 0) break;
+        --free;
+        std::swap(numbers[i], numbers[free]);
+    }
+    return numbers;
+}
+
 // Writes the brains, sensors, drivers and looks of single vehicles to the scene's starts and members. A successor of a
 // starved vehicle with a start has no place in the population, so its values are not written.
 void add_own_values(Scene& scene, const Snapshot& now) {
@@ -37,22 +76,18 @@ void add_own_values(Scene& scene, const Snapshot& now) {
         member.label.clear(), member.colour.clear();
         members[number_of(member)] = std::move(member);
     }
-    int number = 0;  // in the population
+    const std::vector<int> numbers = numbers_in_population(now);
+    auto number = numbers.begin();
     for (const VehicleView& v : now.vehicles) {
-        const Kind& kind = scene.kinds[static_cast<std::size_t>(v.kind)];
-        auto brain = own_brain(now, v);
-        auto sensors = own_sensors(now, v);
-        const auto driver = v.driver != kind.driver ? std::optional(v.driver) : std::nullopt;
+        OwnValues own = own_values(now, v);
         if (v.start >= 0) {
             Start& start = scene.starts[static_cast<std::size_t>(v.start)];
-            start.brain = std::move(brain), start.sensors = std::move(sensors), start.driver = driver;
-        } else if (const int own = number++; own < scene.ecology.population) {
-            const Look* look = find_look(now.looks, v.id);
-            if (!brain && !sensors && !driver && !look) continue;
-            Member& member = members[own];
-            member.name = std::to_string(own), member.kind = kind.name;
-            if (look) member.label = look->label, member.colour = look->colour;
-            member.brain = std::move(brain), member.sensors = std::move(sensors), member.driver = driver;
+            start.brain = std::move(own.brain), start.sensors = std::move(own.sensors), start.driver = own.driver;
+        } else if (const int its = *number++; its < scene.ecology.population && own.any()) {
+            Member& member = members[its];
+            member.name = std::to_string(its), member.kind = scene.kinds[static_cast<std::size_t>(v.kind)].name;
+            if (own.look) member.label = own.look->label, member.colour = own.look->colour;
+            member.brain = std::move(own.brain), member.sensors = std::move(own.sensors), member.driver = own.driver;
         }
     }
     scene.members.clear();
@@ -387,7 +422,14 @@ std::map<VehicleId, VehicleId> Session::renumber_after_reset(const Snapshot& bef
     std::map<VehicleId, VehicleId> numbers;
     const auto starts = static_cast<VehicleId>(snapshot_.scene->starts.size());
     auto next = starts;
-    for (const VehicleView& v : before.vehicles) numbers[v.id] = v.start >= 0 && v.start < starts ? v.start : next++;
+    const bool as_edited = keep == Keep::edits && !last_reset_error_;
+    const std::vector<int> of_population = as_edited ? numbers_in_population(before) : std::vector<int>();
+    auto number_of_next = of_population.begin();
+    for (const VehicleView& v : before.vehicles) {
+        const bool has_start = v.start >= 0 && v.start < starts;
+        numbers[v.id] = has_start ? v.start : as_edited ? starts + *number_of_next++ : next;
+        next += !has_start;
+    }
     const auto number = [&](VehicleId id) {
         const auto [known, is_new] = numbers.try_emplace(id, next);  // a removed vehicle can be added again
         if (is_new) ++next;

@@ -1,6 +1,7 @@
 // Commands that edit the arena, the ecology, the kinds and the population, with undo.
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -320,6 +321,30 @@ TEST(SetPopulation, KeepsTheNumbersOfTheOtherKindsInTheScene) {
         EXPECT_EQ(count_of(session, 0), 10);
         EXPECT_EQ(count_of(session, 1), 12);
     }
+}
+
+TEST(SetPopulation, KeepsTheOwnBrainsWhereASmallerPopulationIsLeft) {
+    Scene scene = tests::crowd(20);
+    scene.ecology.drain = 0.02f;
+    Session session = opened(scene);
+    for (int i = 0; i < 100 * 60 && count_of(session, 0) == 10; ++i) session.step();
+    const int fewer = count_of(session, 0) < 10 ? 0 : 1;
+    ASSERT_FALSE(session.apply(SetPopulation{fewer, 1}));
+    const auto population = static_cast<std::size_t>(session.snapshot().scene->ecology.population);
+    const auto& vehicles = session.snapshot().vehicles;
+    ASSERT_LT(population, vehicles.size());
+    const VehicleId first = vehicles[population - 1].id, last = vehicles.back().id;
+    ASSERT_FALSE(session.apply(TurnDial{{.vehicle = first}, Dial::LR, -0.75f}));
+    ASSERT_FALSE(session.apply(TurnDial{{.vehicle = last}, Dial::LR, 1.25f}));
+    ASSERT_FALSE(session.apply(SetLook{last, {"Anna", "#112233"}}));
+    session.reset();
+    ASSERT_EQ(session.snapshot().vehicles.size(), population);
+    std::multiset<float> dials;
+    for (std::size_t i = 0; i < population; ++i) dials.insert(dial(session, Dial::LR, i));
+    EXPECT_EQ(dials.count(-0.75f), 1u);
+    EXPECT_EQ(dials.count(1.25f), 1u);
+    ASSERT_EQ(session.snapshot().looks.size(), 1u);
+    EXPECT_EQ(session.snapshot().looks[0].look.label, "Anna");
 }
 
 // A brain of 9,000 nodes and wires fits 10 vehicles but not the 2,500 of the opened scene.
