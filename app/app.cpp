@@ -58,9 +58,8 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
     theme_.apply(lab_.preferences.theme, wanted_scale());
     load_label_font();
     if (!theme_.warning().empty()) std::cerr << "braitenlab: " << theme_.warning() << "\n";
-    for (Error& error : student_files_.read(lab_.students, settings_.state.student))
-        settings_.errors.push_back(std::move(error));
-    for (const Error& error : settings_.errors) show_error(error);
+    const std::vector<Error> errors = student_files_.read(lab_.students, settings_.state.student);
+    settings_.errors.insert(settings_.errors.begin(), errors.begin(), errors.end());
     refresh(files_, lab_);
     if (options_.play) handle(lab_, Action::play_pause);
     began_ = last_turn_ = Clock::now();
@@ -87,6 +86,7 @@ bool App::turn() {
     lab_.sheet_open = panels_.sheet != ui::Sheet::none;
     let_time_pass(passed);
     follow_jobs();
+    show_errors_of_start();
     frame(static_cast<float>(passed));
     if (picture_is_due(seconds_since(began_))) {
         if (const auto error = write_picture(options_.screenshot)) exit_code_ = complain(*error);
@@ -179,10 +179,18 @@ void App::handle_recovery(bool take) {
 
 void App::show_error(const Error& error) { say(lab_, error); }
 
+void App::show_errors_of_start() {
+    if (!lab_.notice.empty() || settings_.errors.empty()) return;
+    show_error(settings_.errors.back());
+    settings_.errors.pop_back();
+}
+
 void App::save_settings(bool now) {
     if (!options_.screenshot.empty() || (!now && seconds_since(settings_saved_) < 1)) return;
     settings_saved_ = Clock::now();
-    if (const auto error = student_files_.write(lab_.students)) show_error(*error);
+    const StudentFiles::Written written = student_files_.write(lab_.students);
+    if (written.failed) show_error(*written.failed);
+    if (written.merged) lab_.progress_of.reset();  // the notes are read again
     settings_.state.student = student_files_.current_file(lab_.students);
     settings_.state.view = view_to_store(lab_, panels_);
     if (const auto place = window_.windowed_place()) settings_.state.place = WindowPlace{place->first, place->second};

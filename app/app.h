@@ -60,6 +60,8 @@ private:
     // Opens or discards the recovered work. The file of the crashed lab is removed after the work is saved again.
     void handle_recovery(bool take);
     void show_error(const Error& error);
+    // Shows the errors of the start one after the other, the last one first.
+    void show_errors_of_start();
     // Writes settings that have changed; at most once per second unless `now`.
     void save_settings(bool now);
     // True if the picture changes without input, or if there was input in this turn.

@@ -58,7 +58,7 @@ Result<Opened> open_at_start(const Options& options, Settings& settings) {
     if (asked || !options.screenshot.empty() || !options.settings.empty()) return asked;
     complain(asked.error());
     auto instead = open_usual(options, settings);
-    settings.errors.push_back(asked.error());  // the window shows the last error
+    settings.errors.push_back(asked.error());  // the window shows the last error first
     return instead;
 }
 

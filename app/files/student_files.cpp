@@ -1,13 +1,16 @@
 #include "app/files/student_files.h"
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "app/files/folder_entries.h"
 #include "app/files/safe_file.h"
+#include "core/lesson/hand_in.h"
 #include "core/messages.h"
 
 namespace braitenlab {
@@ -31,7 +34,8 @@ Error keep_aside(const fs::path& path, const Error& error) {
     aside += ".broken";
     for (int i = 2; fs::exists(aside, problem); ++i) aside = path, aside += ".broken" + std::to_string(i);
     fs::rename(path, aside, problem);
-    return error_of(message_of(error) + message_of("kept_aside", aside.filename().string()), error.file, error.line);
+    const Message kept = problem ? message_of("not_kept_aside") : message_of("kept_aside", aside.filename().string());
+    return error_of(message_of(error) + kept, error.file, error.line);
 }
 
 std::vector<fs::path> progress_files(const fs::path& folder) {
@@ -60,13 +64,27 @@ std::string stem_of(const std::string& name) {
 
 }  // namespace
 
+// Why the file of a further student is not used; nullopt if it is.
+std::optional<Error> StudentFiles::unused(const fs::path& path, const StudentProgress& progress,
+                                          const StudentBook& book) const {
+    if (progress.name.empty()) return error_of(message_of("student_without_name"), path.string());
+    for (std::size_t i = 1; i < book.all.size(); ++i)
+        if (is_same_student(book.all[i].name, progress.name))
+            return error_of(message_of("student_twice", progress.name, path_of(files_[i]).filename().string()),
+                            path.string());
+    if (book.all.size() >= most_students)
+        return error_of(message_of("too_many_students", most_students), path.string());
+    return std::nullopt;
+}
+
 std::vector<Error> StudentFiles::read(StudentBook& book, const std::string& current) {
     std::vector<Error> errors;
     book = {};
     files_ = {{nameless_stem}};
     if (folder_.empty()) return errors;
     for (const fs::path& path : progress_files(folder_)) {
-        auto progress = read_progress(progress_text(path), path.string());
+        std::string text = progress_text(path);
+        auto progress = read_progress(text, path.string());
         if (!progress) {
             errors.push_back(keep_aside(path, progress.error()));
             continue;
@@ -75,9 +93,12 @@ std::vector<Error> StudentFiles::read(StudentBook& book, const std::string& curr
         if (stem == nameless_stem) {
             progress->name.clear();
             book.all.front() = files_.front().written = std::move(*progress);
-        } else if (is_free_name(book, progress->name) && book.all.size() < most_students) {
+            files_.front().text = std::move(text);
+        } else if (auto error = unused(path, *progress, book)) {
+            errors.push_back(std::move(*error));
+        } else {
             if (stem == current) book.current = book.all.size();
-            files_.push_back({stem, *progress}), book.all.push_back(std::move(*progress));
+            files_.push_back({stem, *progress, std::move(text)}), book.all.push_back(std::move(*progress));
         }
     }
     return errors;
@@ -95,20 +116,79 @@ std::string StudentFiles::free_stem(const std::string& name) const {
     return stem;
 }
 
-std::optional<Error> StudentFiles::write(const StudentBook& book) {
-    if (folder_.empty()) return std::nullopt;
+// The file of a student who was added: one that another window has written for him, else a new one.
+std::string StudentFiles::stem_for(const std::string& name) const {
+    for (const fs::path& path : progress_files(folder_)) {
+        const std::string stem = path.stem().string();
+        const bool is_ours =
+            std::any_of(files_.begin(), files_.end(), [&](const OnDisk& each) { return each.stem == stem; });
+        if (is_ours || stem == nameless_stem) continue;
+        const auto progress = read_progress(progress_text(path), path.string());
+        if (progress && is_same_student(progress->name, name)) return stem;
+    }
+    return free_stem(name);
+}
+
+// The lock that windows hold while they write; nullopt if it cannot be had within 0.1 s.
+std::optional<FileLock> StudentFiles::locked() const {
+    std::error_code none;  // write_whole() reports it
+    fs::create_directories(folder_, none);
+    const fs::path path = folder_ / ".lock";
+    for (int attempt = 0; attempt < 20; ++attempt) {
+        if (auto lock = lock_file(path)) return lock;
+        if (!fs::exists(path, none)) break;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return std::nullopt;
+}
+
+// Takes over what another window has written to the file. Fails if the file cannot be read and not be renamed.
+std::optional<Error> StudentFiles::merge(OnDisk& file, StudentProgress& progress, Written& done) const {
+    const fs::path path = path_of(file);
+    std::error_code none;
+    if (!fs::exists(path, none)) return std::nullopt;
+    const std::string text = progress_text(path);
+    if (text == file.text) return std::nullopt;
+    auto found = read_progress(text, path.string());
+    if (!found) {
+        const Error error = keep_aside(path, found.error());
+        if (fs::exists(path, none)) return error;
+        done.failed = error;
+        return std::nullopt;
+    }
+    if (file.stem == nameless_stem) found->name.clear();
+    StudentProgress both = merged_progress(file.written, progress, *found);
+    done.merged = done.merged || both != progress;
+    progress = std::move(both);
+    return std::nullopt;
+}
+
+std::optional<Error> StudentFiles::write(OnDisk& file, StudentProgress& progress, Written& done) const {
+    if (auto error = merge(file, progress, done)) return error;
+    std::string text = write_progress(progress);
+    if (auto error = write_whole(path_of(file), text)) return error;
+    file.written = progress, file.text = std::move(text);
+    return std::nullopt;
+}
+
+StudentFiles::Written StudentFiles::write(StudentBook& book) {
+    Written done;
+    if (folder_.empty()) return done;
     if (files_.empty()) files_ = {{nameless_stem}};
-    while (files_.size() < book.all.size()) files_.push_back({free_stem(book.all[files_.size()].name)});
-    std::optional<Error> failed;
+    bool changed = files_.size() < book.all.size();
+    for (std::size_t i = 0; i < files_.size() && i < book.all.size(); ++i)
+        changed = changed || files_[i].written != book.all[i];
+    if (!changed) return done;
+    const auto lock = locked();
+    while (files_.size() < book.all.size()) files_.push_back({stem_for(book.all[files_.size()].name)});
     for (std::size_t i = 0; i < book.all.size(); ++i) {
         OnDisk& file = files_[i];
         if (file.written == book.all[i]) continue;
-        auto error = write_whole(folder_ / (file.stem + progress_extension), write_progress(book.all[i]));
-        if (!error) file.written = book.all[i];
-        if (error && !file.failed) failed = error;
+        const auto error = write(file, book.all[i], done);
+        if (error && !file.failed) done.failed = error;
         file.failed = error.has_value();
     }
-    return failed;
+    return done;
 }
 
 std::string StudentFiles::current_file(const StudentBook& book) const {

@@ -6,37 +6,49 @@
 #include <string>
 #include <vector>
 
+#include "app/platform/platform.h"
 #include "core/lesson/progress.h"
 #include "core/result.h"
 
 namespace braitenlab {
 
 // Read at the start, written when something has changed. The name of a file is made of the student's name when he is
-// added and stays the same; the name in the file counts.
+// added and stays the same; the name in the file counts. Several windows may have the same students: what another one
+// has written since is merged before writing.
 class StudentFiles {
 public:
     // With an empty folder nothing is read or written.
     explicit StudentFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
     // Reads every student. `current`: the file of the student who worked last, without folder and extension. A file
-    // that cannot be read is renamed to <name>.broken and reported.
+    // that cannot be read is renamed to <name>.broken and reported. A file that is not used, because another one has
+    // the same student, stays as it is and is reported.
     std::vector<Error> read(StudentBook&, const std::string& current);
 
-    // Writes the students that differ from their files. An error is returned at the first failed attempt; later
-    // attempts are silent until one succeeds.
-    std::optional<Error> write(const StudentBook&);
+    struct Written {
+        std::optional<Error> failed{};  // of the first failed attempt; later ones are silent until one succeeds
+        bool merged = false;            // the book has taken over changes of another window
+    };
+    // Writes the students that differ from their files.
+    Written write(StudentBook&);
 
     // The file of the student who works now, without folder and extension; empty for the first one.
     std::string current_file(const StudentBook&) const;
 
 private:
-    std::string free_stem(const std::string& name) const;
-
     struct OnDisk {
         std::string stem;
-        StudentProgress written{};  // as the file has it; StudentProgress{}: no file yet
+        StudentProgress written{};  // as it was read or written last; StudentProgress{}: not yet
+        std::string text{};         // of the file then
         bool failed = false;        // the last attempt to write, which is repeated
     };
+    std::filesystem::path path_of(const OnDisk& file) const { return folder_ / (file.stem + ".json"); }
+    std::string free_stem(const std::string& name) const;
+    std::string stem_for(const std::string& name) const;
+    std::optional<Error> unused(const std::filesystem::path&, const StudentProgress&, const StudentBook&) const;
+    std::optional<FileLock> locked() const;
+    std::optional<Error> merge(OnDisk&, StudentProgress&, Written&) const;
+    std::optional<Error> write(OnDisk&, StudentProgress&, Written&) const;
     std::filesystem::path folder_;
     std::vector<OnDisk> files_;  // as StudentBook::all
 };

@@ -82,6 +82,52 @@ const ExerciseProgress* find_progress(const StudentProgress& student, std::strin
     return found == student.exercises.end() ? nullptr : &found->second;
 }
 
+namespace {
+
+template <class Value>
+const Value& changed(const Value& before, const Value& ours, const Value& theirs) {
+    return ours != before ? ours : theirs;
+}
+
+bool passed_alone(const ExerciseProgress& progress) { return progress.passed && !progress.shown; }
+
+ExerciseProgress merged(const ExerciseProgress& before, const ExerciseProgress& ours, const ExerciseProgress& theirs) {
+    const bool ours_is_best = ours.best > theirs.best || theirs.starts == 0;
+    ExerciseProgress both = ours_is_best ? ours : theirs;  // best and starts
+    both.passed = ours.passed || theirs.passed;
+    both.shown = (ours.shown || theirs.shown) && !passed_alone(ours) && !passed_alone(theirs);
+    both.hints = std::max(ours.hints, theirs.hints);
+    const ExerciseProgress& predicted = ours.prediction != before.prediction ? ours : theirs;
+    both.prediction = predicted.prediction, both.predicted_right = predicted.predicted_right;
+    both.drew_path = ours.drew_path || theirs.drew_path;
+    both.notes = changed(before.notes, ours.notes, theirs.notes);
+    both.submission = ours.passed != theirs.passed ? (ours.passed ? ours : theirs).submission
+                                                   : changed(before.submission, ours.submission, theirs.submission);
+    return both;
+}
+
+}  // namespace
+
+StudentProgress merged_progress(const StudentProgress& before, const StudentProgress& ours,
+                                const StudentProgress& theirs) {
+    StudentProgress both{changed(before.name, ours.name, theirs.name), {}};
+    std::map<std::string, ExerciseProgress> every = ours.exercises;
+    every.insert(theirs.exercises.begin(), theirs.exercises.end());
+    const auto same = [](const ExerciseProgress* a, const ExerciseProgress* b) { return a && b ? *a == *b : a == b; };
+    for (const auto& [id, _] : every) {
+        const ExerciseProgress *was = find_progress(before, id), *our = find_progress(ours, id),
+                               *their = find_progress(theirs, id);
+        const bool ours_changed = !same(was, our), theirs_changed = !same(was, their);
+        // Where one has removed what the other has changed, the change is kept.
+        const ExerciseProgress* kept = theirs_changed && (their || !ours_changed) ? their : our;
+        if (ours_changed && theirs_changed && our && their)
+            both.exercises[id] = merged(was ? *was : ExerciseProgress{}, *our, *their);
+        else if (kept)
+            both.exercises[id] = *kept;
+    }
+    return both;
+}
+
 std::string tidy_student_name(std::string_view typed) {
     std::string name;
     for (const char letter : typed) name += static_cast<unsigned char>(letter) < ' ' || letter == 127 ? ' ' : letter;

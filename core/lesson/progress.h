@@ -37,6 +37,12 @@ int passed_count(const StudentProgress&);
 // That of one exercise; null if there is none.
 const ExerciseProgress* find_progress(const StudentProgress&, std::string_view exercise);
 
+// The progress with the changes of two windows, `ours` and `theirs`, that both began with `before`. An exercise that
+// only one of them has changed is as there. One that both have changed is passed if it is in either, has the larger
+// numbers, and of texts and predictions what `ours` has changed.
+StudentProgress merged_progress(const StudentProgress& before, const StudentProgress& ours,
+                                const StudentProgress& theirs);
+
 // The students of one computer. Never empty; the first has no name and stays.
 struct StudentBook {
     std::vector<StudentProgress> all = std::vector<StudentProgress>(1);

@@ -88,5 +88,40 @@ TEST(Progress, CutsLongNotesBetweenTwoCharactersAndRefusesATooLargeFile) {
     EXPECT_EQ(large.error().text(), "f: larger than 16 MB; split it");
 }
 
+TEST(Progress, OfTwoWindowsIsMergedByExercise) {
+    const StudentProgress before = anna();
+    StudentProgress ours = before, theirs = before;
+    ours.exercises["01-drive"].notes = "mine";
+    ours.exercises.erase("06-love");
+    theirs.exercises["02-circle"] = {.passed = true, .best = 8, .starts = 10};
+    StudentProgress both = merged_progress(before, ours, theirs);
+    EXPECT_EQ(both.name, "Anna Müller");
+    EXPECT_EQ(both.exercises.size(), 3u);
+    EXPECT_EQ(both.exercises["01-drive"].notes, "mine");
+    EXPECT_EQ(both.exercises["02-circle"].best, 8);
+    EXPECT_FALSE(both.exercises.contains("06-love")) << "only one window has changed it";
+    theirs.exercises["06-love"].hints = 4;
+    EXPECT_EQ(merged_progress(before, ours, theirs).exercises["06-love"].hints, 4) << "a change is kept";
+    EXPECT_EQ(merged_progress(before, theirs, ours).exercises["06-love"].hints, 4);
+}
+
+TEST(Progress, OfOneExerciseInTwoWindowsKeepsThePassAndTheLargerNumbers) {
+    const StudentProgress before{"Ben", {{"a", {.best = 2, .starts = 10, .notes = "old"}}}};
+    StudentProgress ours = before, theirs = before;
+    ours.exercises["a"] = {.passed = true, .best = 9, .starts = 10, .hints = 1, .notes = "old"};
+    theirs.exercises["a"] = {.shown = true, .best = 3, .starts = 10, .hints = 3, .prediction = "left", .notes = "new"};
+    for (const auto& [one, other] : {std::pair{ours, theirs}, std::pair{theirs, ours}}) {
+        const ExerciseProgress both = merged_progress(before, one, other).exercises.at("a");
+        EXPECT_TRUE(both.passed);
+        EXPECT_FALSE(both.shown) << "it was passed without the solution";
+        EXPECT_EQ(both.best, 9);
+        EXPECT_EQ(both.hints, 3);
+        EXPECT_EQ(both.prediction, "left");
+        EXPECT_EQ(both.notes, "new");
+    }
+    theirs.exercises["a"].notes = "theirs", ours.exercises["a"].notes = "ours";
+    EXPECT_EQ(merged_progress(before, ours, theirs).exercises.at("a").notes, "ours");
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::progress_test
