@@ -1,5 +1,6 @@
 #include "app/document.h"
 
+#include "app/files/disk.h"
 #include "core/io/run_file.h"
 
 namespace braitenlab {
@@ -65,7 +66,10 @@ Result<Document> open_document(const FileText& file, std::optional<std::uint64_t
                       .file = std::make_shared<const Scene>(std::move(*scene)),
                       .on_disk = file.mark,
                       .settings = settings};
-    if (exercise) document.lesson = Lesson{exercise, Referee(*exercise), {.exercise = exercise.get()}};
+    if (exercise) {
+        const std::string key = ships(document.path) ? exercise->id : document.path.string();
+        document.lesson = Lesson{exercise, Referee(*exercise), {.exercise = exercise.get(), .key = key}};
+    }
     return document;
 }
 

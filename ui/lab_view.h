@@ -39,6 +39,7 @@ struct SelectionView {
 // The open exercise and its progress.
 struct LessonView {
     const Exercise* exercise = nullptr;        // never null
+    std::string key{};                         // in StudentProgress: Exercise::id if it ships, else its file's path
     std::vector<Verdict> verdicts;             // one per step of the exercise
     int prediction = -1;                       // the option chosen, 0-based; −1: none yet
     bool has_run = false;                      // played at least once since it was opened

@@ -242,7 +242,7 @@ void restart_exercise(Lab& lab) {
     reset(lab);  // first: kinds may have been added or removed
     for (std::size_t k = 0; k < lesson.exercise->scene.kinds.size(); ++k)
         give_to_kind(lab, k, lesson.exercise->scene.kinds[k]);
-    lesson.view = {.exercise = lesson.exercise.get(), .notes = std::move(lesson.view.notes)};
+    lesson.view = {.exercise = lesson.exercise.get(), .key = lesson.view.key, .notes = std::move(lesson.view.notes)};
     lesson.grading.reset();
     lesson.shipped_grading.reset();
     lesson.graded.reset();

@@ -35,7 +35,7 @@ ExerciseProgress progressed(ExerciseProgress progress, const Lesson& lesson) {
 
 const ExerciseProgress* stored_progress(const Lab& lab) {
     if (!lab.document.lesson) return nullptr;
-    return find_progress(lab.students.student(), lab.document.lesson->exercise->id);
+    return find_progress(lab.students.student(), lab.document.lesson->view.key);
 }
 
 // True once after another exercise was opened or another student was chosen.
@@ -57,7 +57,7 @@ void follow_progress(Lab& lab) {
         now.submission && *now.submission != submission_of(*lesson.exercise, lab.document.session.snapshot());
     if (now == before) return;
     lab.students.before_reset.reset();
-    lab.students.student().exercises[lesson.exercise->id] = std::move(now);
+    lab.students.student().exercises[lesson.view.key] = std::move(now);
 }
 
 bool is_kept(const Lab& lab, const Submission& submission) {

@@ -92,7 +92,7 @@ HandIn hand_in_of(const Lab& lab, const std::string& student, WrittenAt at) {
     HandIn hand_in{.student = student, .exercise = lesson.exercise->id, .written = utc_text(at)};
     hand_in.prediction = view.prediction + 1;
     hand_in.runs = view.runs;
-    const ExerciseProgress* known = find_progress(lab.students.student(), lesson.exercise->id);
+    const ExerciseProgress* known = find_progress(lab.students.student(), view.key);
     hand_in.hints = std::max(view.hints_shown, known ? known->hints : 0);  // of earlier attempts, too
     hand_in.solution_shown = view.solution_shown || (known && known->shown);
     if (view.grade) {

@@ -28,7 +28,7 @@ struct ExerciseProgress {
 
 struct StudentProgress {
     std::string name;                                   // empty: the students of this computer who gave no name
-    std::map<std::string, ExerciseProgress> exercises;  // by Exercise::id; only those with something to keep
+    std::map<std::string, ExerciseProgress> exercises;  // by LessonView::key; only those with something to keep
     friend bool operator==(const StudentProgress&, const StudentProgress&) = default;
 };
 

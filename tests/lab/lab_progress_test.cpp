@@ -7,6 +7,7 @@
 #include "app/files/file_commands.h"
 #include "app/jobs/jobs.h"
 #include "app/lab_requests.h"
+#include "tests/folder.h"
 #include "tests/lab/opened_lab.h"
 
 namespace braitenlab::tests::lab_progress_test {
@@ -180,6 +181,31 @@ TEST(LabProgress, CutsLongNotesBetweenTwoCharacters) {
     Lab lab = opened_lab("05-aggressor");
     handle(lab, NotesRequest{std::string(longest_notes - 1, 'n') + "ü"});
     EXPECT_EQ(lab.document.lesson->view.notes, std::string(longest_notes - 1, 'n'));
+}
+
+TEST(LabProgress, IsKeptForEachOwnFileOfAnExercise) {
+    const Folder folder;
+    const std::string text = text_of(*find_shipped("06-love"));
+    Lab lab = opened_lab("06-love");
+    const auto note = [&](const fs::path& file, const std::string& words) {
+        if (!file.empty()) {
+            put_text(file, text);
+            replace_document(lab, std::move(*open_document(file, std::nullopt, {})));
+        }
+        follow_progress(lab);
+        EXPECT_EQ(lab.document.lesson->view.notes, "") << file;
+        handle(lab, NotesRequest{words});
+        follow_progress(lab);
+    };
+    note({}, "shipped");
+    note(folder / "a/06-love.toml", "mine");
+    note(folder / "b/06-love.toml", "another");
+    const StudentProgress& kept = lab.students.student();
+    EXPECT_EQ(kept.exercises.size(), 3u);
+    ASSERT_TRUE(find_progress(kept, "06-love"));
+    EXPECT_EQ(find_progress(kept, "06-love")->notes, "shipped");
+    ASSERT_TRUE(find_progress(kept, (folder / "a/06-love.toml").string()));
+    EXPECT_EQ(find_progress(kept, (folder / "a/06-love.toml").string())->notes, "mine");
 }
 
 }  // namespace

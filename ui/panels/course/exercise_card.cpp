@@ -73,7 +73,7 @@ void together_button(const LessonView& lesson, Ui& ui) {
 void kept_button(const LabView& view, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     if (!lesson.has_kept || has_passed(lesson) || !view.students) return;
-    const ExerciseProgress* kept = find_progress(view.students->student(), lesson.exercise->id);
+    const ExerciseProgress* kept = find_progress(view.students->student(), lesson.key);
     if (!kept) return;
     paragraph(ui,
               fill(ui.strings(kept->passed ? "exercise.passed_before" : "exercise.tried_before"),
