@@ -10,6 +10,7 @@
 #include "app/course/lab_lesson.h"
 #include "app/course/lab_progress.h"
 #include "app/files/disk.h"
+#include "app/files/reports.h"
 #include "app/files/safe_file.h"
 #include "app/lab_requests.h"
 #include "core/io/run_file.h"
@@ -116,10 +117,9 @@ struct FileCommands {
         lab.exit = true;
     }
 
-    // Writes to the folder of screenshots. The notice shows the whole path, because the user has not chosen it.
-    void save_numbers(const ExportRequest& wanted) const {
+    // Writes a new file. The notice shows the whole path, because the user has not chosen it.
+    void save_numbers(const ExportRequest& wanted, const fs::path& into) const {
         std::error_code none;  // write_whole() reports it
-        const fs::path& into = folders.pictures;
         fs::create_directories(into, none);
         fs::path path;
         for (int i = 1; path.empty() || fs::exists(path, none); ++i)
@@ -201,10 +201,11 @@ void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const 
         if (const auto* save = std::get_if<SaveRequest>(&request)) commands.save(*save);
         if (const auto* save = std::get_if<SaveExerciseRequest>(&request)) commands.save_exercise(*save);
         if (const auto* leave = std::get_if<LeaveRequest>(&request)) commands.leave(leave->answer);
-        if (const auto* numbers = std::get_if<ExportRequest>(&request)) commands.save_numbers(*numbers);
+        if (const auto* numbers = std::get_if<ExportRequest>(&request))
+            commands.save_numbers(*numbers, folders.pictures);
         if (const auto* students = std::get_if<StudentRequest>(&request);
             students && students->edit == StudentEdit::save)
-            commands.save_numbers({"progress", progress_csv(lab.students.all)});
+            commands.save_numbers({"progress", progress_csv(lab.students.all)}, reports_folder(folders.documents));
         if (const auto* browse = std::get_if<BrowseRequest>(&request))
             commands.list(resolved(browse->path, commands.folder(), folders.home));
     }

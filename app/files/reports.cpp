@@ -104,8 +104,10 @@ HandIn hand_in_of(const Lab& lab, const std::string& student, WrittenAt at) {
     return hand_in;
 }
 
+fs::path reports_folder(const fs::path& documents) { return documents / "Braitenlab"; }
+
 void write_student_files(Lab& lab, const Strings& strings, const fs::path& documents, WrittenAt at) {
-    const fs::path folder = documents / "Braitenlab";
+    const fs::path folder = reports_folder(documents);
     for (const Request& request : std::exchange(lab.reports, {})) {
         if (!lab.document.lesson) continue;
         std::optional<Error> error;

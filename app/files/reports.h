@@ -16,9 +16,12 @@ using WrittenAt = std::chrono::system_clock::time_point;
 // What the student hands in now. Precondition: an exercise is open.
 HandIn hand_in_of(const Lab&, const std::string& student, WrittenAt);
 
-// Executes and clears Lab::reports. Files are written to the folder "Braitenlab" in the folder of documents, which is
-// created. A hand-in replaces the earlier one of the same student for the exercise, never another student's. Success
-// is shown as a notice with the path, failure as a notice with the reason. Without an exercise it writes nothing.
+// The folder of hand-ins, lab records and tables of progress: "Braitenlab" in the user's folder of documents.
+std::filesystem::path reports_folder(const std::filesystem::path& documents);
+
+// Executes and clears Lab::reports. Files are written to reports_folder(), which is created. A hand-in replaces the
+// earlier one of the same student for the exercise, never another student's. Success is shown as a notice with the
+// path, failure as a notice with the reason. Without an exercise it writes nothing.
 void write_student_files(Lab&, const Strings&, const std::filesystem::path& documents, WrittenAt);
 
 }  // namespace braitenlab

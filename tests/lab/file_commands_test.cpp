@@ -17,7 +17,7 @@ struct FileCommands : testing::Test {
     Folder folder;
     FilesView files;
     StoredState state;
-    UserFolders folders{.home = folder.path, .pictures = folder / "Pictures"};
+    UserFolders folders{.home = folder.path, .pictures = folder / "Pictures", .documents = folder / "Documents"};
     Lab lab = open("2a-coward");
 
     static Lab open(const char* name) {
@@ -132,6 +132,15 @@ TEST_F(FileCommands, ExportsNumbersToANewFileInTheFolderOfPictures) {
     EXPECT_EQ(text_of(folders.pictures / "braitenlab-signals-002.csv"), "seconds,SL\n0,1\n");
     EXPECT_NE(lab.notice.words.find((folders.pictures / "braitenlab-signals-002.csv").string()), std::string::npos)
         << lab.notice.words;
+}
+
+TEST_F(FileCommands, ExportsTheProgressOfStudentsBesideTheReports) {
+    lab.students.all.front().exercises["06-love"].hints = 2;
+    ask(StudentRequest{StudentEdit::save});
+    const fs::path file = folder / "Documents/Braitenlab/braitenlab-progress-001.csv";
+    EXPECT_NE(text_of(file).find("06-love"), std::string::npos);
+    EXPECT_NE(lab.notice.words.find(file.string()), std::string::npos) << lab.notice.words;
+    EXPECT_FALSE(fs::exists(folders.pictures));
 }
 
 TEST_F(FileCommands, KeepsTheRecordedFutureWhenItSavesUnderAnotherTitle) {
