@@ -55,6 +55,36 @@ TEST_F(WiringDraw, DescribesANodeUnderARestingPointerIfItsCardIsTooSmall) {
     EXPECT_EQ(anchors.find("says.SR"), nullptr) << "the card is large enough";
 }
 
+TEST_F(WiringDraw, LeavesThePinsFreeOfALongNameAndShowsItUnderARestingPointer) {
+    constexpr const char* long_name = "remembers_the_bright_light";
+    BrainGraph graph = make_graph({.LR = 1.5f, .RL = 1.5f});
+    for (const auto& [id, name] : {std::pair{40, long_name}, std::pair{41, "N2"}}) {
+        Node node;
+        node.id = id, node.kind = NodeKind::neuron, node.name = name;
+        graph.nodes.push_back(node);
+    }
+    show(graph);
+    view.mode = Mode::paused;
+    state.camera.by_user = true;
+    for (const float zoom : {0.3f, 0.5f, 1.0f}) {
+        SCOPED_TRACE(zoom);
+        state.camera.zoom = zoom;
+        frames(2);
+        for (const std::string name : {long_name, "N2"}) {
+            const Rect* shown = anchors.find("name." + name);
+            ASSERT_NE(shown, nullptr) << name;
+            if (name == "N2" && zoom < 0.4f) continue;  // a few letters may cover the pins of a small card
+            EXPECT_GT(shown->x, middle("pin." + name + ".in").x) << name;
+            EXPECT_LT(shown->x + shown->w, middle("pin." + name + ".out").x) << name;
+        }
+        for (const std::string name : {long_name, "N2"}) {
+            move(middle("node." + name));
+            frames(40);
+            EXPECT_EQ(anchors.find("says." + name) != nullptr, name == long_name) << name;
+        }
+    }
+}
+
 TEST_F(WiringDraw, DotsMoveOnlyWithTicks) {
     EXPECT_EQ(first_dot(100), first_dot(100));
     for (std::uint64_t tick = 0; tick < 100; ++tick) {

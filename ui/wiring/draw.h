@@ -37,6 +37,8 @@ struct Pen {
     // window pixels; empty for text that is left out.
     Rect text(maths::vec2 unit, float height, float anchor, std::string_view, Colour, ui::Face = ui::Face::text,
               float room = 0) const;
+    // True if text() cuts this text in a room of this width.
+    bool cuts(std::string_view, ui::Face, float room) const;
 
     void box(maths::vec2 centre, maths::vec2 size, float rounding, Colour) const;
     void frame(maths::vec2 centre, maths::vec2 size, float rounding, float thickness, Colour) const;
@@ -93,6 +95,9 @@ float glyph_reach(const Curve&);
 
 // Cards with name, value and icon, and their pins.
 void draw_nodes(const Pen&, const Picture&);
+
+// True if the card of the node cannot show its whole name.
+bool cuts_name(const Pen&, const Picture&, const NodeShape&);
 
 void draw_minimap(const Pen&, const Picture&, Rect area);
 

@@ -149,17 +149,22 @@ void draw_joining(const Pen& pen, const Picture& picture, const CanvasFrame& fra
               frame.area, pen.palette().accent);
 }
 
-// The description of a sensor or motor under a resting pointer, when its card is too small to show it.
+// The name of a node under a resting pointer, when its card cuts it; of a sensor or motor also its description, when
+// its card is too small to show that.
 void draw_description(const Pen& pen, const Picture& picture, const CanvasFrame& frame) {
     constexpr double rest_seconds = 0.5;
     const CanvasState& state = picture.state;
     const bool rests = frame.wall_seconds - state.rested_since >= rest_seconds;
-    if (!rests || state.hovered.part != Part::node || detail_of(pen) == Detail::full) return;
+    if (!rests || state.hovered.part != Part::node) return;
     const Node* node = find_node(picture.graph, state.hovered.node);
-    if (node == nullptr || node->kind == NodeKind::neuron) return;
-    const std::string_view words = pen.ui.strings(description_key(*picture.view.now, picture.vehicle, *node));
-    draw_note(pen, beside(pen, frame.pointer.at), node->name + ": " + std::string(words), frame.area,
-              pen.palette().second_text);
+    const NodeShape* shape = find_shape(picture.layout, state.hovered.node);
+    if (node == nullptr || shape == nullptr) return;
+    const bool has_description = node->kind != NodeKind::neuron && detail_of(pen) != Detail::full;
+    if (!has_description && !cuts_name(pen, picture, *shape)) return;
+    std::string words = node->name;
+    if (has_description)
+        words += ": " + std::string(pen.ui.strings(description_key(*picture.view.now, picture.vehicle, *node)));
+    draw_note(pen, beside(pen, frame.pointer.at), words, frame.area, pen.palette().second_text);
     pen.ui.anchors.record("says." + node->name, {frame.pointer.at.x, frame.pointer.at.y, 1, 1});
 }
 

@@ -128,28 +128,61 @@ void record_name(const Pen& pen, const Picture& picture, const std::string& name
     if (picture.view.mode != Mode::wiring) pen.ui.anchors.record("name." + name, rect);
 }
 
+std::string name_of(const Picture& picture, const Node& node) {
+    return short_name(kind_of(*picture.view.now, picture.vehicle).sensors, node.name);
+}
+
+// The text of a card begins here, right of its icon; and ends here.
+float text_left(const NodeShape& shape) {
+    return shape.centre.x - shape.size.x / 2 + (shape.kind == NodeKind::neuron ? 66.0f : 78.0f);
+}
+float text_right(const NodeShape& shape) {
+    return shape.centre.x + shape.size.x / 2 - (shape.kind == NodeKind::neuron ? 14.0f : 18.0f);
+}
+
+// The width for the name in a card, beside the number in a sensor's or motor's card of full detail.
+float name_room(const NodeShape& shape, Detail detail) {
+    const bool beside_number = shape.kind != NodeKind::neuron && detail == Detail::full;
+    return text_right(shape) - text_left(shape) - (beside_number ? 62 : 0);
+}
+
+// The width for the name on the map: between the pins. In a lecture, where nobody uses the pins, and for a name of a
+// few letters, of which nothing is left otherwise, it may be wider, because there is space between the columns.
+float map_room(const Pen& pen, const Picture& picture, const NodeShape& shape, std::string_view name) {
+    constexpr float overhang = 1.5f;  // of the card's width
+    constexpr int few = 4;
+    const float inner = shape.size.x - 30, own = compat::size_of(font(pen.ui, Face::strong));
+    const auto letters = std::count_if(name.begin(), name.end(),
+                                       [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+    if (letters > few && !picture.view.lecture) return inner;
+    const float readable = text_width(pen.ui, Face::strong, name) * pen.ui.px(least_type) / own / pen.view.scale;
+    return std::clamp(readable + 1, inner, overhang * shape.size.x);
+}
+
 // Below full detail only name, number and a sensor's caption, as large as the card allows.
-void draw_words(const Pen& pen, const Picture& picture, const Node& node, float value, vec2 low, vec2 high) {
+void draw_words(const Pen& pen, const Picture& picture, const NodeShape& shape, const Node& node, float value) {
     const Palette& p = pen.palette();
+    const vec2 low{text_left(shape), shape.centre.y - shape.size.y / 2};
+    const vec2 high{text_right(shape), shape.centre.y + shape.size.y / 2};
     const bool neuron = node.kind == NodeKind::neuron, far = detail_of(pen) != Detail::full;
     const float shown = shown_value(node, value);
     const std::string number = node.kind == NodeKind::sensor ? fixed(pen.ui, shown, 2) : with_sign(pen.ui, shown, 2);
-    const float room = high.x - low.x;
+    const float room = high.x - low.x, of_name = name_room(shape, detail_of(pen));
     const std::string_view caption = pen.ui.strings(description_key(*picture.view.now, picture.vehicle, node));
-    const std::string name = short_name(kind_of(*picture.view.now, picture.vehicle).sensors, node.name);
-    const auto put_name = [&](float y, float height, float width) {
-        record_name(pen, picture, node.name, pen.text({low.x, y}, height, 0, name, p.text, Face::strong, width));
+    const std::string name = name_of(picture, node);
+    const auto put_name = [&](float y, float height) {
+        record_name(pen, picture, node.name, pen.text({low.x, y}, height, 0, name, p.text, Face::strong, of_name));
     };
     if (far && !neuron) {
-        put_name(low.y + 24, 27, room);
+        put_name(low.y + 24, 27);
         pen.text({low.x, low.y + 52}, 26, 0, number, p.text, Face::text, room);
         pen.text({low.x - 62, low.y + 81}, 20, 0, caption, p.second_text, Face::small, room + 66);
     } else if (far || neuron) {
         const float height = far ? 29 : 21, above = far ? 25 : 22;
-        put_name(low.y + above, height, room);
+        put_name(low.y + above, height);
         pen.text({low.x, low.y + above + height + 2}, height, 0, number, p.text, Face::text, room);
     } else {
-        put_name(low.y + 27, 24, room - 62);
+        put_name(low.y + 27, 24);
         pen.text({high.x, low.y + 27}, 20, 1, number, p.text);
         pen.text({low.x, low.y + 52}, 16, 0, caption, p.second_text, Face::small, room);
     }
@@ -168,9 +201,7 @@ void draw_contents(const Pen& pen, const Picture& picture, const NodeShape& shap
     if (neuron)
         draw_response(pen, icon, node.curve,
                       sum_into(picture, static_cast<std::size_t>(&shape - picture.layout.nodes.data())), value);
-    const float left = icon.x + (neuron ? 28.0f : 34.0f);
-    draw_words(pen, picture, node, value, {left, shape.centre.y - half.y},
-               shape.centre + half - vec2{neuron ? 14.0f : 18.0f, 0});
+    draw_words(pen, picture, shape, node, value);
 }
 
 // A lesion: pale stripes across the card.
@@ -191,26 +222,23 @@ Colour map_colour(const Palette& p, float value) {
     return colour_of_weight(p, value).with_alpha(0.15f + 0.6f * std::min(std::abs(value), 1.0f));
 }
 
-// On the map: as large as the card allows, at least least_type high if the card is as high. Then it may be wider than
-// the card and covers its pins, because there is space between the columns.
+// On the map: as large as the card allows, at least least_type high if the card is as high.
 void draw_name(const Pen& pen, const Picture& picture, std::size_t index) {
-    constexpr float share = 0.6f, overhang = 1.5f;  // of the card's height and of its width
+    constexpr float share = 0.6f;  // of the card's height
     const Palette& p = pen.palette();
     const NodeShape& shape = picture.layout.nodes[index];
-    const std::string& node = picture.graph.nodes[shape.node].name;
-    const std::string name = short_name(kind_of(*picture.view.now, picture.vehicle).sensors, node);
-    const float least = pen.ui.px(least_type), inner = shape.size.x - 30;
+    const Node& node = picture.graph.nodes[shape.node];
+    const std::string name = name_of(picture, node);
+    const float least = pen.ui.px(least_type);
     if (pen.size(shape.size.y) < least) return;
-    const float own = compat::size_of(font(pen.ui, Face::strong));
-    const float readable = text_width(pen.ui, Face::strong, name) * least / own / pen.view.scale;
-    const float room = std::clamp(readable + 1, inner, overhang * shape.size.x);
-    if (room > inner) {
+    const float room = map_room(pen, picture, shape, name);
+    if (room > shape.size.x - 30) {
         const vec2 extent{room + 8, shape.size.y - 24};
         pen.box(shape.centre, extent, 6, mix(p.panel, p.raised, 0.45f));
         pen.box(shape.centre, extent, 6, map_colour(p, picture.readings.nodes[index]));
     }
     const float height = std::max(share * shape.size.y, least / pen.view.scale);
-    record_name(pen, picture, node, pen.text(shape.centre, height, 0.5f, name, p.text, Face::strong, room));
+    record_name(pen, picture, node.name, pen.text(shape.centre, height, 0.5f, name, p.text, Face::strong, room));
 }
 
 void draw_card(const Pen& pen, const Picture& picture, std::size_t index) {
@@ -255,6 +283,13 @@ bool invites(const Picture& picture, const NodeShape& shape, bool out) {
 float glyph_reach(const Curve& curve) {
     constexpr float beyond = 1.4f;  // of the peak
     return row_of(curve.response).has_peak ? std::max(1.0f, beyond * std::fabs(curve.peak)) : 1.0f;
+}
+
+bool cuts_name(const Pen& pen, const Picture& picture, const NodeShape& shape) {
+    const std::string name = name_of(picture, picture.graph.nodes[shape.node]);
+    const Detail detail = detail_of(pen);
+    const float room = detail == Detail::map ? map_room(pen, picture, shape, name) : name_room(shape, detail);
+    return pen.cuts(name, Face::strong, room);
 }
 
 void draw_nodes(const Pen& pen, const Picture& picture) {
