@@ -212,10 +212,14 @@ bool scrolls_sheet(PanelState& state, KeyPress press) {
     return pages != 0;
 }
 
-// On a sheet Down and Up are Tab and Shift+Tab, unless they scroll it. Other keys do nothing.
+// On a sheet Down and Up are Tab and Shift+Tab, unless they scroll it or move in the grid of exercises. Other keys do
+// nothing.
 bool key_for_sheet(PanelState& state, KeyPress press) {
     if (scrolls_sheet(state, press)) return true;
     if (press.key == key::escape) state.sheet = Sheet::none;
+    const bool in_gallery = state.sheet == Sheet::files && state.keyboard.focus.starts_with("gallery.");
+    if (in_gallery && press.key >= key::right && press.key <= key::up)
+        return state.keyboard.presses.push_back(press), true;
     if (press.key == key::down) press = {key::tab};
     if (press.key == key::up) press = {key::tab, false, true};
     if (state.sheet == Sheet::children && press.key >= '1' && press.key <= '9') state.keyboard.presses.push_back(press);

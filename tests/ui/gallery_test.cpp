@@ -62,6 +62,49 @@ TEST_F(Gallery, HasACardForEachExerciseByChapter) {
     EXPECT_EQ(desk.last<OpenRequest>()->path, "/x/05-aggressor.toml");
 }
 
+TEST_F(Gallery, TheArrowKeysMoveByRowAndColumn) {
+    open_browser();
+    const auto& focus = desk.panels.keyboard.focus;
+    const auto press = [&](int key) {
+        desk.key({key});
+        desk.frame(2);
+        return focus;
+    };
+    desk.panels.keyboard.focus = "gallery.05-aggressor";
+    EXPECT_EQ(press(key::down), "gallery.11-threshold") << "the next row is shorter";
+    EXPECT_EQ(press(key::up), "gallery.04-coward");
+    EXPECT_EQ(press(key::left), "gallery.04-coward") << "the end of the row";
+    EXPECT_EQ(press(key::right), "gallery.05-aggressor");
+    EXPECT_EQ(press(key::right), "open.2a-coward") << "the scenes are to the right";
+    EXPECT_EQ(press(key::left), "gallery.04-coward");
+    EXPECT_EQ(press(key::up), "files.place.1");
+    EXPECT_EQ(press(key::down), "files.place.2") << "elsewhere Down is Tab";
+    desk.panels.keyboard.focus = "gallery.11-threshold";
+    EXPECT_EQ(press(key::down), "open.2a-coward");
+}
+
+TEST_F(Gallery, TheFocusedCardIsFullyInSight) {
+    for (int i = 0; i < 20; ++i) {
+        CatalogueEntry more = catalogue[2];
+        more.name += std::to_string(i);
+        catalogue.insert(catalogue.begin() + 3, more);
+    }
+    open_browser();
+    desk.panels.keyboard.focus = "gallery.04-coward";
+    const float whole = desk.where("gallery.04-coward").h;
+    for (int i = 0; i < 5; ++i) {
+        desk.key({key::down});
+        desk.frame(3);
+        EXPECT_NEAR(desk.where(desk.panels.keyboard.focus).h, whole, 1) << desk.panels.keyboard.focus;
+    }
+    for (int i = 0; i < 5; ++i) {
+        desk.key({key::up});
+        desk.frame(3);
+        EXPECT_NEAR(desk.where(desk.panels.keyboard.focus).h, whole, 1) << desk.panels.keyboard.focus;
+    }
+    EXPECT_EQ(desk.panels.keyboard.focus, "gallery.04-coward");
+}
+
 TEST_F(Gallery, NamesAnExerciseByItsGoalUntilThePredictionIsMade) {
     open_browser();
     EXPECT_FALSE(says("Aggressor"));
@@ -106,6 +149,16 @@ TEST_F(Gallery, MenuAndRecentFilesTellNoOutcomeEither) {
     desk.frame(2);
     EXPECT_TRUE(desk.anchors.find("menu.file.recent.1"));
     EXPECT_FALSE(says("Aggressor"));
+}
+
+TEST_F(Gallery, TheCheckMarkInTheMenuSaysPassedOnly) {
+    desk.view.opened = "05-aggressor";
+    desk.click("menu.exercises");
+    desk.frame(2);
+    EXPECT_FALSE(says(icon::check)) << "the open exercise has another sign";
+    students.student().exercises["05-aggressor"] = {.passed = true, .best = 8, .starts = 10};
+    desk.frame(2);
+    EXPECT_TRUE(says(icon::check));
 }
 
 TEST(ScenePicture, ShowsThePartOfTheFloorThatIsOccupied) {

@@ -11,6 +11,7 @@
 #include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
+#include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 
@@ -124,6 +125,17 @@ std::string chapter_title(const Ui& ui, int chapter) {
 
 namespace {
 
+// Left of the scenes are the exercises.
+void leave_scenes(const LabView& view, Ui& ui) {
+    if (!view.catalogue || !ui.keyboard || !ui.keyboard->focus.starts_with("open.") || !take(*ui.keyboard, key::left))
+        return;
+    const auto& all = *view.catalogue;
+    const auto exercise = std::find_if(all.begin(), all.end(), [](const auto& entry) { return entry.number > 0; });
+    if (exercise == all.end()) return;
+    ui.keyboard->focus = "gallery." + exercise->name;
+    ui.keyboard->revealed = true;
+}
+
 void shipped_scenes(const LabView& view, FilesState& files, Ui& ui) {
     if (!view.catalogue) return;
     for (const CatalogueEntry& entry : *view.catalogue) {
@@ -152,6 +164,7 @@ void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) 
     constexpr float exercises_share = 0.66f;  // of the width
     const float between = ui.px(12), all = card_width(ui), left = (all - between) * exercises_share;
     const std::string listed = files.listed;  // both lists are of one place
+    leave_scenes(view, ui);
     begin_list(files, ui, "shipped", bottom, "exercises", left);
     list_heading(ui, true);
     exercise_gallery(view, files, ui);

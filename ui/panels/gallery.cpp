@@ -1,6 +1,8 @@
 // The exercises in the file browser: chapters of cards, each with a still picture of its scene.
 #include <algorithm>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <imgui.h>
 
@@ -10,6 +12,7 @@
 #include "ui/strings.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
+#include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 
@@ -17,6 +20,7 @@ namespace braitenlab::ui {
 
 namespace {
 
+constexpr std::string_view gallery_stem = "gallery.";
 constexpr float least_card = 150, picture_share = 0.58f, card_inset = 8, between_cards = 10;  // layout pixels
 
 // A disc with a check mark; a ring while the exercise was passed only by the solution that was shown.
@@ -61,7 +65,7 @@ bool exercise_tile(const LabView& view, Ui& ui, const CatalogueEntry& entry, flo
     const ExerciseProgress* progress = progress_of(view, entry);
     const float inset = ui.px(card_inset), inner = width - 2 * inset, picture = inner * picture_share;
     const float height = picture + 2 * inset + ui.px(4) + 2 * line_height(ui, Face::small);
-    const Item at = item(ui, "gallery." + entry.name, {width, height});
+    const Item at = item(ui, std::string(gallery_stem) + entry.name, {width, height});
     const bool is_open = entry.name == view.opened;
     fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.14f * at.warmth));
     line_box(ui, at.rect, is_open ? ui.palette.accent : ui.palette.line, 6, is_open ? 2.0f : 1.0f);
@@ -80,6 +84,58 @@ bool exercise_tile(const LabView& view, Ui& ui, const CatalogueEntry& entry, flo
     return at.pressed;
 }
 
+// The names of the exercises, in rows as they are drawn: a chapter begins a row.
+using Rows = std::vector<std::vector<std::string_view>>;
+Rows rows_of_gallery(const std::vector<CatalogueEntry>& catalogue, std::size_t columns) {
+    Rows rows;
+    int chapter = -1;
+    for (const CatalogueEntry& entry : catalogue) {
+        if (entry.number == 0) continue;
+        if (entry.chapter != chapter || rows.back().size() == columns) rows.emplace_back();
+        chapter = entry.chapter;
+        rows.back().push_back(entry.name);
+    }
+    return rows;
+}
+
+std::string first_scene(const LabView& view) {
+    for (const CatalogueEntry& entry : *view.catalogue)
+        if (entry.number == 0) return "open." + entry.name;
+    return {};
+}
+
+// The anchor that gets the focus from the card in this row and column: the nearest one in this direction. Beyond the
+// first row it is the choice of the place; beyond the last row and right of a row, the first scene.
+std::string neighbour(const LabView& view, const FilesState& files, const Rows& rows, std::size_t row,
+                      std::size_t column, int direction) {
+    const auto card = [&](std::size_t r, std::size_t c) {
+        return std::string(gallery_stem) + std::string(rows[r][std::min(c, rows[r].size() - 1)]);
+    };
+    if (direction == key::left) return card(row, column == 0 ? 0 : column - 1);
+    if (direction == key::right) return column + 1 < rows[row].size() ? card(row, column + 1) : first_scene(view);
+    if (direction == key::up)
+        return row > 0 ? card(row - 1, column) : "files.place." + std::to_string(static_cast<int>(files.place) + 1);
+    return row + 1 < rows.size() ? card(row + 1, column) : first_scene(view);
+}
+
+// The arrow keys move the focus from card to card. Call before the cards are drawn.
+void move_in_gallery(const LabView& view, const FilesState& files, Ui& ui, int columns) {
+    if (!ui.keyboard || !ui.keyboard->focus.starts_with(gallery_stem)) return;
+    const Rows rows = rows_of_gallery(*view.catalogue, static_cast<std::size_t>(columns));
+    for (const int direction : {key::left, key::right, key::up, key::down})
+        while (take(*ui.keyboard, direction))
+            for (std::size_t row = 0; row < rows.size(); ++row) {
+                const auto at = std::find(rows[row].begin(), rows[row].end(),
+                                          std::string_view(ui.keyboard->focus).substr(gallery_stem.size()));
+                if (at == rows[row].end()) continue;
+                const auto column = static_cast<std::size_t>(at - rows[row].begin());
+                const std::string next = neighbour(view, files, rows, row, column, direction);
+                if (!next.empty()) ui.keyboard->focus = next;
+                ui.keyboard->revealed = true;
+                break;
+            }
+}
+
 }  // namespace
 
 void exercise_gallery(const LabView& view, FilesState& files, Ui& ui) {
@@ -87,6 +143,7 @@ void exercise_gallery(const LabView& view, FilesState& files, Ui& ui) {
     const float all = card_width(ui), gap_between = ui.px(between_cards);
     const int columns = std::max(1, static_cast<int>((all + gap_between) / (ui.px(least_card) + gap_between)));
     const float width = (all - gap_between * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    move_in_gallery(view, files, ui, columns);
     int chapter = -1, column = 0;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap_between, gap_between});
     for (const CatalogueEntry& entry : *view.catalogue) {

@@ -255,7 +255,7 @@ void add_catalogue(std::vector<LabMenuRow>& rows, const LabView& view, const Ui&
             row.entry.words = shortened(ui, entry_words(view, ui, shipped), Face::text, ui.px(longest_exercise));
             row.entry.how = translated(ui, shipped.exercise ? shipped.exercise->goal : shipped.story);
             row.entry.keys = passed_words(view, ui, shipped);
-            row.entry.on = shipped.name == view.opened;
+            row.entry.open = shipped.name == view.opened;
             rows.push_back(std::move(row));
         }
     }

@@ -94,12 +94,23 @@ Item item(Ui& ui, std::string_view id, ImVec2 size, bool enabled) {
     if (enabled && stop_here(ui.keyboard, id)) {
         result.focused = true;
         if (take(*ui.keyboard, key::enter)) result.pressed = result.entered = true;
-        if (ui.keyboard->revealed && !is_visible(inside_clip(result.rect))) ImGui::SetScrollHereY();
+        if (ui.keyboard->revealed) reveal(ui, result.rect.y, result.bottom());
         if (ui.keyboard->shown) ring(ui, result.rect, ui.palette.accent, 3, 1.5f);
     }
     result.warmth = eased(ui, id, enabled && (result.hovered || result.held) ? 1.0f : 0.0f);
     mark(ui, id, result.rect);
     return result;
+}
+
+void reveal(const Ui& ui, float top, float bottom) {
+    if (ImGui::GetCurrentWindowRead()->Flags & ImGuiWindowFlags_NoScrollbar) return;
+    const ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float around = ui.px(6), low = draw.GetClipRectMin().y + around, high = draw.GetClipRectMax().y - around;
+    const float below = bottom - high, above = low - top;
+    if (above > 0 || bottom - top > high - low)
+        ImGui::SetScrollY(ImGui::GetScrollY() - above);
+    else if (below > 0)
+        ImGui::SetScrollY(ImGui::GetScrollY() + below);
 }
 
 void mark(Ui& ui, std::string_view id, Rect rect) {

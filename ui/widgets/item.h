@@ -33,6 +33,10 @@ Item item(Ui&, std::string_view id, ImVec2 size, bool enabled = true);
 // Records the anchor of a part that is not a widget, and highlights it. The anchor is clipped to the card.
 void mark(Ui&, std::string_view id, Rect);
 
+// Scrolls the window being drawn by no more than it takes to show all between these two heights, window pixels, with
+// room for a focus ring; a part that is too high is shown from its top.
+void reveal(const Ui&, float top, float bottom);
+
 // False if no tooltip is shown in this frame; its text need not be built then.
 inline bool wants_tooltip(const Ui& ui, const Item& item) { return (item.hovered && !item.held) || ui.shown; }
 

@@ -11,6 +11,7 @@
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
 #include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
@@ -33,7 +34,7 @@ bool pointer_moves() {
 }
 
 bool has_signs(std::span<const MenuEntry> entries) {
-    return std::any_of(entries.begin(), entries.end(), [](const MenuEntry& e) { return e.on.has_value(); });
+    return std::any_of(entries.begin(), entries.end(), [](const MenuEntry& e) { return e.on.has_value() || e.open; });
 }
 
 float panel_width(const Ui& ui, std::span<const MenuEntry> entries) {
@@ -71,6 +72,9 @@ void draw_entry(const Ui& ui, const MenuEntry& entry, const Item& at, bool signs
         else
             fill_box(ui, {middle - ui.px(4), at.middle_y() - ui.px(4), ui.px(8), ui.px(8)}, p.accent);
     }
+    if (entry.open)  // not the check mark: that of an exercise says that it is passed
+        ImGui::GetWindowDrawList()->AddCircleFilled({x + ui.px(menu_sign_room) / 2 - ui.px(5), at.middle_y()}, ui.px(4),
+                                                    paint(p.accent));
     if (signs) x += ui.px(menu_sign_room);
     const Colour colour = entry.enabled ? p.text : p.second_text.with_alpha(0.6f);
     put(ui, {x, at.middle_y() - line_height(ui, Face::text) / 2}, entry.words, colour);
