@@ -307,7 +307,7 @@ void act(Lab& lab, Action action) {
             show_hint(lab);
             break;
         case Action::exercise_reset:
-            restart_exercise(lab);
+            start_over(lab);
             break;
         case Action::exit:
             lab.exit = true;

@@ -14,6 +14,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include "ui/double_click.h"
 #include "ui/imgui_compat.h"
 
 namespace braitenlab {
@@ -47,6 +48,8 @@ int key_of(int glfw_key, int scancode) {
 struct Window::Native {
     GLFWwindow* window = nullptr;
     ui::KeyQueue keys;
+    ui::DoubleClick clicks;
+    bool double_clicked = false;  // since the last frame
     std::vector<std::string> dropped;
     int windowed[4] = {0, 0, 0, 0};  // position and size before full screen
     // Position of the window when Alt was pressed; nullopt: it is not held, or another key has been pressed since.
@@ -80,6 +83,16 @@ struct Window::Native {
         if (action != GLFW_RELEASE) return;
         if (std::exchange(alt_pressed_at, {}) == at && glfwGetWindowAttrib(window, GLFW_FOCUSED))
             keys.press({braitenlab::key::alt}, false);
+    }
+
+    void install_button_callback() {
+        glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
+            ImGui_ImplGlfw_MouseButtonCallback(w, button, action, mods);
+            if (button != GLFW_MOUSE_BUTTON_LEFT || action != GLFW_PRESS) return;
+            double x = 0, y = 0;
+            glfwGetCursorPos(w, &x, &y);
+            of(w).double_clicked |= of(w).clicks.press(glfwGetTime(), x, y);
+        });
     }
 
     // Replaces Dear ImGui's callbacks: it gets keys from KeyQueue, unless its version has a queue.
@@ -200,6 +213,7 @@ Result<Window> Window::open(const WindowOptions& options) {
     ImGui_ImplOpenGL3_Init("#version 330 core");
     native->imgui = true;
     native->install_key_callbacks();
+    native->install_button_callback();
     return Window(std::move(native));
 }
 
@@ -289,6 +303,7 @@ void Window::begin_frame(const ui::KeysOfAFrame& keys) {
                    either(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT), either(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)},
                   ImGui::GetIO());
     ImGui::NewFrame();
+    if (std::exchange(native_->double_clicked, false)) compat::set_double_clicked(ImGui::GetIO());
 }
 
 void Window::end_frame() {

@@ -79,6 +79,15 @@ inline void set_keys(ImGuiIO& io, int down, bool ctrl, bool shift, bool alt) {
 #endif
 }
 
+// Makes the left button double-clicked in this frame; from 1.87 on Dear ImGui queues the presses and needs no help.
+inline void set_double_clicked(ImGuiIO& io) {
+#if IMGUI_VERSION_NUM >= 18700
+    (void)io;
+#else
+    io.MouseDoubleClicked[0] = true, io.MouseClickedCount[0] = 2;
+#endif
+}
+
 // Time since the pointer entered the hovered widget, s.
 inline float hovered_seconds() { return GImGui->HoveredIdTimer; }
 

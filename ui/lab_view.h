@@ -75,6 +75,11 @@ inline bool is_prediction_open(const LessonView& lesson) {
     return !lesson.outcome_known && (!has_predicted(lesson) || !lesson.has_run);
 }
 
+// True while the prediction is asked for: before the first run, and until it is made.
+inline bool awaits_prediction(const LessonView& lesson) {
+    return !lesson.has_run && !has_predicted(lesson) && is_asked(lesson.exercise->prediction);
+}
+
 // The first vehicle of the run with the exercise's solution at the displayed time; it is not in the snapshot.
 struct GhostView {
     Pose pose;

@@ -6,8 +6,9 @@
 
 #include <imgui.h>
 
+#include "ui/double_click.h"
 #include "ui/panels/cards.h"
-#include "ui/panels/course/prediction_keys.h"
+#include "ui/panels/course/exercise_keys.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/keyboard.h"
@@ -340,7 +341,7 @@ void execute_chosen(const LabView& view, PanelState& state, Action action, Outbo
         for (const Shortcut& s : shortcuts())
             if (s.action == action && s.place == KeyPlace::scene)
                 return void(press_key(view, state.scene_input, state.keyboard, s.press, outbox));
-    } else if (!act_on_panels(view, state, action, {}, outbox)) {
+    } else if (!act_on_panels(view, state, action, {}, outbox) && !holds_play(view, state, action, outbox)) {
         outbox.push_back(action);
     }
 }
@@ -385,7 +386,10 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     ui.tooltips = &state.tooltips;
     if (const ImVec2 moved = ImGui::GetIO().MouseDelta; moved.x != 0 || moved.y != 0)
         state.tooltips.moved_at = ImGui::GetTime();
-    const Prompt prompt = next_prompt(state.prompts, view);
+    ImGui::GetIO().MouseDoubleClickTime = static_cast<float>(double_click_seconds);
+    follow_held_play(view, state);
+    Prompt prompt = next_prompt(state.prompts, view);
+    if (is_play_held(view, state)) prompt = {"exercise.predict", "hint.predict_first"};
     ui.highlight = prompt.anchor;
     pass_keys_to_rows(state);
     begin_keyboard(state.keyboard);
@@ -463,7 +467,7 @@ bool drags_vehicle(const PanelState& state, VehicleId vehicle) {
 }
 
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
-    if (key_for_prediction(view, state, press, outbox)) return true;
+    if (key_for_prediction(view, state, press, outbox) || key_for_next_exercise(view, state, press)) return true;
     show_focus_for(state.keyboard, press);
     if (action_for(press) == Action::exit) {  // in every state; the app shows the sheet about unsaved edits
         outbox.push_back(Action::exit);
@@ -505,7 +509,8 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     const bool on_a_card = action_for(press) == Action::lesion && !state.lesion_under_pointer.empty();
     if (view.mode == Mode::wiring && !on_a_card && key_for_canvas(state.canvas, press)) return true;
     if (const auto action = action_for(press)) {
-        if (!act_on_panels(view, state, *action, press, outbox)) outbox.push_back(*action);
+        if (!act_on_panels(view, state, *action, press, outbox) && !holds_play(view, state, *action, outbox))
+            outbox.push_back(*action);
         return true;
     }
     return false;

@@ -222,11 +222,11 @@ void reset(Lab& lab, std::uint64_t seed) {
 
 namespace {
 
-// Gives a kind and its vehicles these sensors, this body and this brain, in one step of undo.
-void give_to_kind(Lab& lab, std::size_t kind, const Kind& given) {
+// Gives a kind and its vehicles these sensors, this body and this brain. Calls with the same gesture are one step of
+// undo.
+void give_to_kind(Lab& lab, std::size_t kind, const Kind& given, std::uint64_t gesture) {
     const Snapshot& now = lab.document.session.snapshot();
     const int index = static_cast<int>(kind);
-    const std::uint64_t gesture = gestures::lab + ++lab.gesture;
     if (!has_sensors(now, kind, given.sensors)) apply(lab, SetSensors{{.kind = index}, given.sensors}, gesture);
     if (now.scene->kinds[kind].body != given.body) apply(lab, EditKind{index, given}, gesture);
     if (!is_as_shipped(now, kind, given.brain)) apply(lab, SetBrain{{.kind = index}, given.brain}, gesture);
@@ -234,22 +234,59 @@ void give_to_kind(Lab& lab, std::size_t kind, const Kind& given) {
 
 }  // namespace
 
-// The submission is replaced by edits, so that it can be undone.
-void restart_exercise(Lab& lab) {
-    if (!lab.document.lesson) return reset(lab);
+namespace {
+
+// Gives every kind what it has in the exercise's file, in one step of undo. True if that has changed something.
+bool take_changes_back(Lab& lab) {
+    const int edits = lab.document.session.undo_depth();
+    const auto& kinds = lab.document.lesson->exercise->scene.kinds;
+    const std::uint64_t gesture = gestures::lab + ++lab.gesture;
+    for (std::size_t k = 0; k < kinds.size(); ++k) give_to_kind(lab, k, kinds[k], gesture);
+    return lab.document.session.undo_depth() > edits;
+}
+
+// The scene as in the exercise's file, at its start, and a view without what the runs have shown. True if that has
+// taken changes back.
+bool begin_again(Lab& lab) {
     Lesson& lesson = *lab.document.lesson;
     set_mode(lab, Mode::paused);
     reset(lab);  // first: kinds may have been added or removed
-    for (std::size_t k = 0; k < lesson.exercise->scene.kinds.size(); ++k)
-        give_to_kind(lab, k, lesson.exercise->scene.kinds[k]);
-    lesson.view = {.exercise = lesson.exercise.get(), .key = lesson.view.key, .notes = std::move(lesson.view.notes)};
+    const bool changed = take_changes_back(lab);
+    LessonView& view = lesson.view;
+    view = {.exercise = view.exercise,
+            .key = std::move(view.key),
+            .prediction = view.prediction,
+            .hints_shown = view.hints_shown,
+            .hint_ready = view.hint_ready,
+            .shipped_grade = std::move(view.shipped_grade),
+            .notes = std::move(view.notes),
+            .drawn_path = std::move(view.drawn_path)};
     lesson.grading.reset();
-    lesson.shipped_grading.reset();
-    lesson.graded.reset();
     lesson.selecting.reset();
-    lesson.last_hint_at = lab.wall_seconds;
     lesson.referee = Referee(*lesson.exercise);
     reset(lab);
+    return changed;
+}
+
+}  // namespace
+
+void start_over(Lab& lab) {
+    if (!lab.document.lesson) return reset(lab);
+    std::optional<GradedSubmission> graded = lab.document.lesson->graded;
+    if (begin_again(lab)) say(lab, {NoticeKind::done, "notice.started_over"});
+    if (graded && graded->grade.good) lab.document.lesson->graded = std::move(graded);  // undo brings its grade back
+}
+
+void restart_exercise(Lab& lab) {
+    if (!lab.document.lesson) return reset(lab);
+    begin_again(lab);
+    Lesson& lesson = *lab.document.lesson;
+    lesson.view = {
+        .exercise = lesson.exercise.get(), .key = std::move(lesson.view.key), .notes = std::move(lesson.view.notes)};
+    lesson.shipped_grading.reset();
+    lesson.graded.reset();
+    lesson.last_hint_at = lab.wall_seconds;
+    watch(lab);
 }
 
 void predict(Lab& lab, const PredictRequest& request) {
@@ -284,7 +321,7 @@ bool give_submission(Lab& lab, const Submission& submission) {
     if (kind >= lab.document.session.snapshot().scene->kinds.size()) return false;  // it was removed
     Kind given = exercise.scene.kinds[kind];
     given.brain = submission.brain, given.sensors = submission.sensors, given.body = submission.body;
-    give_to_kind(lab, kind, given);
+    give_to_kind(lab, kind, given, gestures::lab + ++lab.gesture);
     reset(lab);
     return true;
 }

@@ -62,7 +62,11 @@ void show_solution(Lab&);
 void reset(Lab&);
 void reset(Lab&, std::uint64_t seed);  // with another seed
 
-// Resets the run, the submission (see Keep) and the progress to their state on opening. Without an exercise: reset().
+// Takes every change of the student back and resets the run; undo brings the changes back. The prediction, the opened
+// hints and the notes stay; the prediction may be changed again. Without an exercise: reset().
+void start_over(Lab&);
+
+// As start_over(), and the prediction and the hints are as on opening: for another student.
 void restart_exercise(Lab&);
 
 }  // namespace braitenlab

@@ -130,6 +130,46 @@ TEST(LabLesson, ResetRestoresTheStartAndTheShippedBrain) {
     EXPECT_EQ(read_dials(*lab.document.session.snapshot().kind_brains[0]).LR, 2);
 }
 
+TEST(LabLesson, StartOverKeepsThePredictionAndTheHintsAndCanBeUndone) {
+    Lab lab = aggressor();
+    handle(lab, PredictRequest{1});
+    handle(lab, Action::hint);
+    handle(lab, Action::exercise_reset);
+    EXPECT_TRUE(lab.notice.empty()) << "there is nothing to take back";
+    EXPECT_FALSE(lesson_of(lab).hint_ready) << "it is no way to the next hint";
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 2}});
+    for (int i = 0; i < 100; ++i) tick(lab);
+    handle(lab, Action::exercise_reset);
+    EXPECT_EQ(lab.notice.key, "notice.started_over");
+    EXPECT_EQ(lesson_of(lab).prediction, 1);
+    EXPECT_EQ(lesson_of(lab).hints_shown, 1);
+    EXPECT_FALSE(lesson_of(lab).has_run);
+    handle(lab, Action::undo);
+    EXPECT_EQ(read_dials(*lab.document.session.snapshot().kind_brains[0]).LR, 2);
+    EXPECT_EQ(lesson_of(lab).prediction, 1);
+}
+
+TEST(LabLesson, StartOverOfTwoKindsIsOneStepOfUndo) {
+    Lab lab = opened_lab("18-prey");
+    ASSERT_GE(lab.document.session.snapshot().scene->kinds.size(), 2u);
+    for (const int kind : {0, 1}) handle(lab, EditRequest{TurnDial{{.kind = kind}, Dial::LM, 0.77f}});
+    const int depth = lab.document.session.undo_depth();
+    handle(lab, Action::exercise_reset);
+    EXPECT_EQ(lab.document.session.undo_depth(), depth + 1);
+    handle(lab, Action::undo);
+    for (const std::size_t kind : {0u, 1u})
+        EXPECT_EQ(read_dials(*lab.document.session.snapshot().kind_brains[kind]).LM, 0.77f) << kind;
+}
+
+TEST(LabLesson, AnotherStudentBeginsWithoutThePredictionOfTheFirst) {
+    Lab lab = aggressor();
+    handle(lab, PredictRequest{1});
+    handle(lab, Action::hint);
+    handle(lab, StudentRequest{StudentEdit::add, 0, "Ana"});
+    EXPECT_EQ(lesson_of(lab).prediction, -1);
+    EXPECT_EQ(lesson_of(lab).hints_shown, 0);
+}
+
 TEST(LabLesson, AResetFindsTheSubjectAgainAfterAVehicleWasAddedOrRemoved) {
     const std::vector<std::pair<const char*, std::vector<Command>>> helps{
         {"added with a start before it", {AddVehicle{.kind = 0, .at = Pose{3, 3}, .before = 0}}},

@@ -78,6 +78,20 @@ TEST(LabProgress, KeepsThePassedBrainSoThatLeavingAsksNothing) {
     EXPECT_TRUE(attempt.progress().passed);
 }
 
+TEST(LabProgress, UndoOfStartOverBringsThePassBack) {
+    Attempt attempt;
+    attempt.take_solution();
+    attempt.run();
+    ASSERT_TRUE(attempt.lab.document.lesson->view.grade);
+    handle(attempt.lab, Action::exercise_reset);
+    attempt.turn();
+    EXPECT_FALSE(attempt.lab.document.lesson->view.grade);
+    handle(attempt.lab, Action::undo);
+    attempt.turn();
+    ASSERT_TRUE(attempt.lab.document.lesson->view.grade);
+    EXPECT_TRUE(attempt.lab.document.lesson->view.grade->good);
+}
+
 TEST(LabProgress, KeepsNothingOfAPageOfALecture) {
     Attempt attempt;
     attempt.lab.pages.emplace();

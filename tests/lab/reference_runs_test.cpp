@@ -118,8 +118,9 @@ TEST_F(ReferenceRuns, ADrawnPathIsComparedWithTheShippedRunOnceItsOutcomeIsKnown
     handle(lab, SeekRequest{10});
     EXPECT_EQ(lesson().drawn_path, right) << "it survives going back in time";
     handle(lab, Action::exercise_reset);
-    EXPECT_TRUE(lesson().drawn_path.empty());
-    EXPECT_TRUE(lesson().real_path.empty());
+    EXPECT_EQ(lesson().drawn_path, right) << "Start over keeps the prediction";
+    EXPECT_TRUE(lesson().real_path.empty()) << "but not what the run has shown";
+    EXPECT_TRUE(is_prediction_open(lesson()));
 }
 
 TEST_F(ReferenceRuns, APathIsDrawnAtTheStartOfARunOfAnExerciseThatAsksForOne) {

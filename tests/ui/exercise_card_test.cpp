@@ -1,4 +1,6 @@
 // The card of the open exercise.
+#include <utility>
+
 #include "desk.h"
 
 namespace braitenlab::tests::exercise_card_test {
@@ -105,6 +107,75 @@ TEST(ExerciseCard, ItsButtonsStayVisibleWhenTheCardIsLong) {
     EXPECT_TRUE(inside(desk.where("exercise.show_me"), desk.where("card.exercise")));
     EXPECT_TRUE(inside(desk.where("exercise.reset"), desk.where("card.exercise")));
     EXPECT_TRUE(desk.anchors.find("exercise.grade"));
+}
+
+TEST(ExerciseCard, ItsFootDoesNotScroll) {
+    for (const auto& [width, height] : {std::pair{1024.0f, 768.0f}, {1280.0f, 800.0f}})
+        for (const char* language : {"en", "de", "es"})
+            for (const bool passed : {false, true}) {
+                Desk desk(width, height, 1, true);
+                desk.strings = speaking(language);
+                pass(desk);
+                if (!passed) desk.lesson.grade.reset();
+                for (int i = 0; i < 8; ++i) desk.opened.hints.push_back(desk.opened.hints.front());
+                desk.lesson.hints_shown = 11;
+                desk.lesson.notes = "Two wires.";
+                desk.panels.why_open = desk.panels.hand_in.asks = true;
+                desk.frame(6);
+                const Rect card = desk.where("card.exercise");
+                for (const Shown& shown : desk.shown)
+                    for (const char* id : {"exercise.show_me", "exercise.next", "exercise.reset", "exercise.note",
+                                           "exercise.hand_in", "exercise.lab_record", "exercise.student"})
+                        EXPECT_TRUE(shown.id != id || inside(shown.rect, card))
+                            << id << ", " << language << ", " << width;
+                for (const char* id :
+                     {"exercise.reset", "exercise.note", "exercise.hand_in", "exercise.lab_record", "exercise.student"})
+                    EXPECT_TRUE(desk.anchors.find(id)) << id << ", " << language << ", " << width;
+            }
+}
+
+TEST(ExerciseCard, TheNoteFieldIsInSightOnceItIsUnfolded) {
+    Desk desk(1024, 768, 1, true);
+    desk.open_exercise();
+    desk.lesson.hints_shown = 3;
+    desk.panels.why_open = true;
+    desk.frame(5);
+    desk.click("exercise.note");
+    desk.frame(4);
+    EXPECT_TRUE(desk.panels.note.active);
+    EXPECT_GT(desk.where("exercise.note.text").h, 80);
+}
+
+TEST(ExerciseCard, EnterOpensTheNextExerciseOnceItIsPassed) {
+    Desk desk;
+    const std::vector<CatalogueEntry> more{{"06-love", "6.toml", "Love", "", 6}};
+    desk.view.catalogue = &more;
+    pass(desk);
+    desk.panels.keyboard.focus = "slider.LL";
+    desk.panels.keyboard.shown = false;
+    desk.frame(3);
+    const auto grade = std::exchange(desk.lesson.grade, std::nullopt);
+    desk.key({key::enter});
+    desk.frame(2);
+    EXPECT_FALSE(desk.last<OpenRequest>()) << "not passed";
+    EXPECT_EQ(desk.panels.sliders.typed, "slider.LL");
+    desk.key({key::escape});
+    desk.frame(2);
+    desk.lesson.grade = grade;
+    desk.panels.keyboard.focus = "exercise.reset";
+    desk.panels.keyboard.shown = true;
+    desk.frame(2);
+    desk.key({key::enter});
+    desk.frame(2);
+    EXPECT_FALSE(desk.last<OpenRequest>()) << "the focused button has Enter";
+    EXPECT_EQ(desk.actions(), std::vector{Action::exercise_reset});
+    desk.panels.keyboard.focus = "slider.LL";
+    desk.panels.keyboard.shown = false;
+    desk.key({key::enter});
+    desk.frame(2);
+    ASSERT_TRUE(desk.last<OpenRequest>()) << "a focus without a ring";
+    EXPECT_TRUE(desk.last<OpenRequest>()->next_exercise);
+    EXPECT_TRUE(desk.panels.sliders.typed.empty());
 }
 
 TEST(ExerciseCard, TellsNothingOfTheOutcomeBeforeThePrediction) {

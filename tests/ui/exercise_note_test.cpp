@@ -41,6 +41,7 @@ TEST_F(Note, IsTypedBelowItsRowAndIsNoShortcut) {
     EXPECT_EQ(desk.lesson.notes, "row 1");
     EXPECT_TRUE(desk.actions().empty());
     press({key::escape});
+    desk.lesson.prediction = 0;
     press({' '});
     EXPECT_FALSE(desk.panels.note.active);
     EXPECT_EQ(desk.lesson.notes, "row 1") << "Escape ends typing and keeps the text";

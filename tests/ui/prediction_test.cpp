@@ -1,6 +1,8 @@
 // The prediction on the exercise card, the path drawn on the floor, and the run with the solution.
 #include "ui/panels/course/prediction.h"
 
+#include <functional>
+
 #include "scene_on_desk.h"
 
 namespace braitenlab::tests::prediction_test {
@@ -107,6 +109,83 @@ TEST(PredictionPart, SaysWhetherTheChosenOptionCameTrueAndHowFarAPathIsOff) {
     desk.frame(3);
     EXPECT_TRUE(says(desk, "differ by 0.6\u00a0m on average"));
     EXPECT_FALSE(desk.anchors.find("exercise.came_true")) << "no option was chosen";
+}
+
+TEST(PredictionPart, TheFirstPlayPointsToTheQuestionAndTheSecondSkipsIt) {
+    for (const KeyPress key : {KeyPress{' '}, KeyPress{'.'}}) {
+        Desk desk(1024, 768, 1, true);
+        desk.open_exercise();
+        desk.panels.card(Card::exercise).folded = true;
+        desk.frame(3);
+        desk.key(key);
+        desk.frame(2);
+        EXPECT_TRUE(desk.actions().empty());
+        EXPECT_TRUE(says(desk, "Answer first"));
+        EXPECT_TRUE(says(desk, "Answer the question of the exercise first"));
+        ASSERT_TRUE(desk.anchors.find("exercise.answer_first"));
+        EXPECT_GT(desk.where("exercise.predict.3").h, 30) << "the whole question is in sight";
+        desk.key(key);
+        EXPECT_EQ(desk.actions().size(), 1u);
+        desk.lesson.has_run = true;
+        desk.frame(2);
+        EXPECT_FALSE(desk.anchors.find("exercise.answer_first"));
+        desk.key(key);
+        EXPECT_EQ(desk.actions().size(), 2u) << "it is skipped";
+    }
+}
+
+TEST(PredictionPart, PlayOfTheToolbarAsksOnceToo) {
+    Desk desk;
+    desk.open_exercise();
+    desk.frame(3);
+    desk.click("button.play");
+    EXPECT_TRUE(desk.actions().empty());
+    desk.key({'2'});
+    desk.lesson.prediction = 1;
+    desk.frame(2);
+    desk.click("button.play");
+    EXPECT_EQ(desk.actions(), std::vector{Action::play_pause}) << "it is answered";
+    desk.all.clear();
+    desk.lesson.prediction = -1;
+    desk.frame(2);
+    desk.click("button.play");
+    EXPECT_TRUE(desk.actions().empty());
+    ++desk.view.run_id;
+    desk.frame(2);
+    desk.click("button.play");
+    EXPECT_TRUE(desk.actions().empty()) << "another document asks again";
+    desk.click("button.play");
+    EXPECT_EQ(desk.actions(), std::vector{Action::play_pause});
+}
+
+TEST(PredictionPart, PlayDoesNotWaitInALectureInFreePlayAndWithoutAnExercise) {
+    const auto plays = [](const std::function<void(Desk&)>& prepare) {
+        Desk desk;
+        desk.open_exercise();
+        prepare(desk);
+        desk.frame(3);
+        desk.key({' '});
+        return desk.actions() == std::vector{Action::play_pause};
+    };
+    EXPECT_FALSE(plays([](Desk&) {}));
+    EXPECT_TRUE(plays([](Desk& desk) { desk.view.lecture = true; }));
+    EXPECT_TRUE(plays([](Desk& desk) { desk.lesson.free_play = true; }));
+    EXPECT_TRUE(plays([](Desk& desk) { desk.view.lesson = nullptr; }));
+    EXPECT_TRUE(plays([](Desk& desk) { desk.opened.prediction = {}; }));
+}
+
+TEST_F(PathPrediction, TheFirstPlayPointsToTheDrawing) {
+    desk.opened.prediction.options.clear();
+    desk.frame(2);
+    desk.key({' '});
+    desk.frame(2);
+    EXPECT_TRUE(says(desk, "Draw the path first"));
+    EXPECT_EQ(desk.panels.keyboard.focus, "exercise.draw");
+    desk.key({key::enter});
+    desk.frame(2);
+    EXPECT_TRUE(scene_input().path.on) << "Enter begins the drawing";
+    desk.key({' '});
+    EXPECT_EQ(desk.actions(), std::vector{Action::play_pause}) << "Space skips it";
 }
 
 TEST(PredictionPart, OffersToCompareAfterThePredictionAndARun) {

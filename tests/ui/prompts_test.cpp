@@ -267,6 +267,45 @@ TEST_F(LessonPrompts, OfferAHintAfterAFailedRun) {
     EXPECT_NE(anchor(), "exercise.hint");
 }
 
+TEST_F(LessonPrompts, NameWhatTheExerciseOffers) {
+    const std::vector<std::pair<std::vector<std::string>, std::string_view>> cases{
+        {{"LM", "RM"}, "slider"}, {{"curves"}, "slider"},   {{"wiring"}, "wire"},
+        {{"sensors"}, "sensor"},  {{"selection"}, "child"}, {{}, "slider"}};
+    for (const auto& [offered, what] : cases) {
+        desk.opened.offers = offered;
+        EXPECT_EQ(next_change(desk.view), "hint.change." + std::string(what));
+    }
+    desk.opened.offers = {"wiring"};
+    desk.lesson.free_play = true;
+    EXPECT_EQ(next_change(desk.view), "hint.change.slider") << "free play offers all";
+    desk.lesson.free_play = false;
+    desk.lesson.prediction = -1;
+    EXPECT_EQ(next_change(desk.view), "hint.change.answer");
+    for (const char* language : {"en", "de", "es"}) {
+        desk.strings = speaking(language);
+        desk.lesson.prediction = 0;
+        at(1);
+        desk.frame(2);
+        std::string bar;
+        for (const Written& w : desk.written) bar += w.words;
+        EXPECT_NE(bar.find(desk.strings("hint.change.wire")), std::string::npos) << language;
+        EXPECT_EQ(bar.find("{}"), std::string::npos) << language;
+    }
+}
+
+TEST_F(LessonPrompts, PointToAControlThatTheExerciseOffers) {
+    const std::vector<std::pair<std::vector<std::string>, std::string_view>> cases{
+        {{"LM", "RM"}, "bias.LM"},         {{"curves"}, "curve.peak"}, {{"wiring"}, "button.wiring"},
+        {{"LM=RM", "LL=RR"}, "slider.LL"}, {{"selection"}, ""},        {{"LR=RL"}, "slider.LR"}};
+    for (const auto& [offered, wanted] : cases) {
+        memory = {};
+        desk.opened.offers = offered;
+        at(5);
+        next();
+        EXPECT_EQ(anchor(), wanted);
+    }
+}
+
 TEST_F(LessonPrompts, PointToTheNextExerciseAfterAPass) {
     at(9);
     all_done();

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "desk.h"
+#include "ui/double_click.h"
 
 namespace braitenlab::tests::slider_test {
 
@@ -196,6 +197,41 @@ TEST(Slider, DoubleClickOnTheTrackOpensTheNumberAndKeepsTheValue) {
     const auto edits = desk.edits();
     EXPECT_EQ(turned(edits.back()).value, 0);
     EXPECT_EQ(edits.back().gesture, edits.front().gesture) << "one step, which ends at the first value";
+}
+
+TEST(Slider, ASlowDoubleClickAnywhereOnTheRowOpensTheNumber) {
+    for (const float share : {0.3f, 0.6f, 0.97f}) {
+        Desk desk;
+        desk.frame(3);
+        desk.point("slider.LL", share);
+        desk.frame(2);
+        for (const int pause : {24, 3}) {
+            desk.button(0, true);
+            desk.frame(2);
+            desk.button(0, false);
+            desk.frame(pause);
+        }
+        EXPECT_EQ(desk.panels.sliders.typed, "slider.LL") << share;
+        EXPECT_EQ(desk.panels.keyboard.text, TextInput::open) << share;
+    }
+}
+
+TEST(Slider, TheBiasesHaveRowsOfTheirOwn) {
+    Desk desk;
+    desk.frame(3);
+    EXPECT_LT(desk.where("bias.LM").y, desk.where("bias.RM").y);
+    EXPECT_GT(desk.where("bias.LM").w, desk.where("slider.LL").w);
+}
+
+TEST(DoubleClick, ItsPressesAreHalfASecondApartAtMost) {
+    DoubleClick clicks;
+    EXPECT_FALSE(clicks.press(1, 10, 10));
+    EXPECT_TRUE(clicks.press(1.4, 14, 10));
+    EXPECT_FALSE(clicks.press(1.6, 14, 10)) << "the third press begins another one";
+    EXPECT_TRUE(clicks.press(1.7, 14, 10));
+    EXPECT_FALSE(clicks.press(2, 10, 10));
+    EXPECT_FALSE(clicks.press(2.6, 10, 10)) << "too slow";
+    EXPECT_FALSE(clicks.press(2.7, 40, 10)) << "elsewhere";
 }
 
 TEST(Slider, EscapeKeepsTheNumber) {

@@ -47,6 +47,8 @@ constexpr float threshold_width = 104, between_sliders = 14;  // layout pixels
 // In a narrower card the thresholds have their numbers only, which can be typed, and the weights keep a track.
 constexpr float narrow_card = 236, narrow_threshold_width = 52;
 
+constexpr float low_window = 700;  // in a lower window the two biases share a row
+
 class DialSliders {
 public:
     DialSliders(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle)
@@ -66,14 +68,8 @@ public:
     // One slider for each group of dials that the exercise offers.
     void draw_offered(const std::vector<Offer>& offers) {
         const float width = card_width(ui_), gap = ui_.px(between_sliders);
-        const bool is_pair = offers.size() == 2 && std::all_of(offers.begin(), offers.end(), [](const Offer& offer) {
-                                 return offer.text == "LM" || offer.text == "RM";
-                             });
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0});
-        for (const Offer& offer : offers) {
-            turn_together(offer, is_pair ? (width - gap) / 2 : width);
-            if (is_pair && &offer == &offers.front()) ImGui::SameLine();
-        }
+        for (const Offer& offer : offers) turn_together(offer, width);
         if (is_offered(view_, offer_parts::curves)) curve_sliders(width);
         ImGui::PopStyleVar();
     }
@@ -89,10 +85,11 @@ public:
             ImGui::SameLine();
             turn(threshold_sliders[i].dial, threshold_sliders[i].anchor, threshold, threshold_look());
         }
-        const float half = (width - gap) / 2;
+        const bool is_low = ImGui::GetIO().DisplaySize.y < ui_.px(low_window);
+        const float bias_width = is_low ? (width - gap) / 2 : width;
         for (const DialSlider& bias : bias_sliders) {
-            turn(bias.dial, bias.anchor, half, bias_look(bias));
-            if (bias.dial == Dial::LM) ImGui::SameLine();
+            turn(bias.dial, bias.anchor, bias_width, bias_look(bias));
+            if (is_low && bias.dial == Dial::LM) ImGui::SameLine();
         }
         ImGui::PopStyleVar();
     }
@@ -239,6 +236,8 @@ private:
 };
 
 }  // namespace
+
+std::string_view anchor_of(Dial dial) { return slider_of(dial).anchor; }
 
 void dial_sliders(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     DialSliders sliders(view, state, ui, vehicle);

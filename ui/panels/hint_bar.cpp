@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "ui/panels/panels.h"
+#include "ui/panels/prompts.h"
 #include "ui/shortcuts.h"
 #include "ui/strings.h"
 #include "ui/widgets/card.h"
@@ -73,8 +74,8 @@ void write_hint(const LabView& view, const Ui& ui, float x, Rect bar, std::strin
         put_icon(ui, {x + ui.px(6), bar.y + bar.h / 2}, icon::hint, ui.palette.accent, Face::small);
         if (has_icons(ui)) x += ui.px(20);
     }
-    hint_line(ui, ui.strings(prompted ? hint : usual_hint(view)), prompted ? ui.palette.text : ui.palette.second_text,
-              x, bar);
+    const std::string words = fill(ui.strings(prompted ? hint : usual_hint(view)), {ui.strings(next_change(view))});
+    hint_line(ui, words, prompted ? ui.palette.text : ui.palette.second_text, x, bar);
 }
 
 // A notice that is too long is shown in full in its tooltip.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -96,10 +97,13 @@ struct PanelState {
     bool charts_open = false;
     Chart chart = Chart::signals;
     EnergyOrder energy_order;
-    std::vector<std::size_t> energy_rows;  // indices into the snapshot's vehicles, in that order
-    bool playhead_held = false;            // true while the playhead is dragged; the simulation is paused
+    std::vector<std::size_t> energy_rows;    // indices into the snapshot's vehicles, in that order
+    bool playhead_held = false;              // true while the playhead is dragged; the simulation is paused
+    std::optional<std::uint64_t> play_held;  // LabView::run_id of the document whose question Play has pointed to
+    bool shows_question = false;             // the card scrolls to the question
     bool why_open = false;
-    bool note_open = false;  // the notes on the exercise card are unfolded
+    bool note_open = false;    // the notes on the exercise card are unfolded
+    bool note_begins = false;  // their field gets the focus when it is drawn
     TextField note;
     Sheet sheet = Sheet::none;
     SheetState keys, settings, about, recovery, leaving, children, students;

@@ -14,12 +14,13 @@
 namespace braitenlab::ui {
 
 // Cards; cards.h says when and where they are shown.
-void exercise_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.lesson
-std::string exercise_heading(const LessonView&, const Ui&);  // "EXERCISE 5", or "EXERCISE" without a number
-void exercise_files(const LabView&, PanelState&, Ui&);       // precondition: view.lesson is set
-void start_pictures(const LabView&, Ui&);                    // precondition: view.lesson has a grade
-void median_rows(const LessonView&, Ui&);                    // nothing without LessonView::shipped_grade and a grade
-void exercise_note(const LabView&, PanelState&, Ui&);        // the student's notes, a part of the exercise card
+void exercise_card(const LabView&, PanelState&, Ui&, Rect);          // precondition: view.lesson
+std::string exercise_heading(const LessonView&, const Ui&);          // "EXERCISE 5", or "EXERCISE" without a number
+void exercise_files(const LabView&, PanelState&, Ui&, float width);  // at the foot of it; precondition: view.lesson
+void start_pictures(const LabView&, Ui&);                            // precondition: view.lesson has a grade
+void median_rows(const LessonView&, Ui&);            // nothing without LessonView::shipped_grade and a grade
+void note_field(const LabView&, PanelState&, Ui&);   // the student's notes, while they are unfolded
+void note_button(const LabView&, PanelState&, Ui&);  // unfolds them
 void sensor_card(const LabView&, PanelState&, Ui&, Rect);
 void brain_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // `column`: the largest available rectangle
 void information_card(const LabView&, PanelState&, Ui&, Rect);
@@ -81,6 +82,7 @@ void leaving_sheet(const LabView&, PanelState&, Ui&, Rect window);   // while Fi
 
 // Parts of the brain card. Precondition of all: the vehicle is in the snapshot.
 void dial_sliders(const LabView&, PanelState&, Ui&, const VehicleView&);
+std::string_view anchor_of(Dial);  // of its slider, in dial_sliders.cpp
 void equations(const LabView&, Ui&, const VehicleView&);
 void presets_menu(const LabView&, PanelState&, Ui&, const VehicleView&, bool wanted, ImVec2 corner);
 void brain_picture(const LabView&, PanelState&, Ui&, const VehicleView&, float layout_height);

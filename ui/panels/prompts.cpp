@@ -7,7 +7,9 @@
 
 #include "core/brain/four_neurons.h"
 #include "render/view/pick.h"
+#include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
+#include "ui/strings.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 
@@ -69,12 +71,28 @@ const SourceView* telling_lamp(const LabView& view) {
     return nullptr;
 }
 
+// Of the controls that the exercise offers: preferably a slider whose effect the user sees at once.
+Prompt offered_change(const LabView& view, const VehicleView& vehicle) {
+    const Exercise& exercise = *view.lesson->exercise;
+    const std::string_view hint = view.mode == Mode::playing ? "hint.turn_slider" : "hint.turn_slider_paused";
+    const std::string_view telling = telling_slider(*view.now, vehicle, shown_pair(view, vehicle));
+    const std::vector<Offer> offered = offered_dials(exercise);
+    for (const Offer& offer : offered)
+        for (const Dial dial : offer.dials)
+            if (anchor_of(dial) == telling) return {telling, hint};
+    if (!offered.empty()) return {anchor_of(offered.front().dials.front()), hint};
+    if (offers(exercise, offer_parts::curves)) return {"curve.peak", hint};
+    if (offers(exercise, offer_parts::wiring)) return {"button.wiring", "hint.open_wiring"};
+    return {};
+}
+
 // A change that the user sees at once: of a weight, or of the stimulus if the sensors read nothing.
 // (In an exercise a run with a moved lamp does not count.)
 Prompt first_change(const LabView& view) {
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (!vehicle) return {};
     const bool plays = view.mode == Mode::playing;
+    if (offers_some(view)) return offered_change(view, *vehicle);
     if (const auto slider = telling_slider(*view.now, *vehicle, shown_pair(view, *vehicle)); !slider.empty())
         return {slider, plays ? "hint.turn_slider" : "hint.turn_slider_paused"};
     if (!view.lesson && is_blind(*view.now, *vehicle) && telling_lamp(view)) return {lamp_anchor, "hint.lamp_nearer"};
@@ -115,10 +133,6 @@ Prompt way_out(const PromptMemory& memory, const LabView& view) {
 }
 
 // ── The exercise ──
-
-bool awaits_prediction(const LessonView& lesson) {
-    return !lesson.has_run && !has_predicted(lesson) && is_asked(lesson.exercise->prediction);
-}
 
 // Anchor of the newest hint, until the next edit.
 std::string_view hinted(PromptMemory& memory, const LabView& view) {
@@ -217,6 +231,15 @@ Prompt next_prompt(PromptMemory& memory, const LabView& view) {
     if (!view.lesson)
         if (const Prompt out = way_out(memory, view); !out.anchor.empty()) return out;
     return of_free_play(memory, view);
+}
+
+std::string_view next_change(const LabView& view) {
+    if (view.mode != Mode::wiring && hides_outcome(view) && !view.lecture) return "hint.change.answer";
+    if (!offers_some(view)) return "hint.change.slider";
+    const Exercise& exercise = *view.lesson->exercise;
+    if (!offered_dials(exercise).empty() || offers(exercise, offer_parts::curves)) return "hint.change.slider";
+    if (offers(exercise, offer_parts::wiring)) return "hint.change.wire";
+    return offers(exercise, offer_parts::sensors) ? "hint.change.sensor" : "hint.change.child";
 }
 
 float pulse(const LabView& view) {

@@ -44,6 +44,10 @@ inline constexpr std::string_view lamp_anchor = "stage.lamp";
 // Call once a frame.
 Prompt next_prompt(PromptMemory&, const LabView&);
 
+// The key of a few words for what the user may change now: a slider, a wire, a sensor or a child, or the answer while
+// the prediction is asked for. They fill the gap of the hint.* texts that have one.
+std::string_view next_change(const LabView&);
+
 // For Ui::pulse: 0..1 with a period of 1.5 s; 1 where motion is reduced.
 float pulse(const LabView&);
 

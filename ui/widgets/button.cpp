@@ -105,6 +105,11 @@ Item small_button(Ui& ui, const SmallButton& look, bool words) {
     return at;
 }
 
+void beside_or_below(const Ui& ui, float width, float right) {
+    const float space = ui.px(8);
+    if (ImGui::GetItemRectMax().x + space + width <= right + 0.5f) ImGui::SameLine(0, space);
+}
+
 int segments(Ui& ui, std::string_view id, std::span<const std::string_view> words, int chosen, float width,
              std::string_view how) {
     const float each = width / static_cast<float>(words.size());

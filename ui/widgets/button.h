@@ -34,6 +34,9 @@ inline constexpr float small_button_height = 24;                      // layout 
 float small_button_width(const Ui&, const SmallButton&, bool words);  // without words: the icon only
 Item small_button(Ui&, const SmallButton&, bool words = true);
 
+// Puts a widget of this width to the right of the last one, or below it where it would pass `right`; window pixels.
+void beside_or_below(const Ui&, float width, float right);
+
 // A choice of a few words, side by side, `width` window pixels wide. The index clicked, or −1. Anchors: `id`.1, `id`.2
 // …
 int segments(Ui&, std::string_view id, std::span<const std::string_view> words, int chosen, float width,

@@ -15,7 +15,8 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float side_padding = 16, card_heading = 36, bottom_padding = 12;  // layout pixels
-constexpr float card_scrollbar_inset = 3;                                   // from the card's edge
+constexpr float above_footer = 8;
+constexpr float card_scrollbar_inset = 3;  // from the card's edge
 constexpr ImGuiWindowFlags plain_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
                                           ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
@@ -121,7 +122,16 @@ void end_body(CardState& state) {
 
 void begin_footer(Ui& ui, CardState& state, Rect r) {
     end_body(state);
-    ImGui::SetCursorScreenPos({r.x + ui.px(side_padding), r.y + r.h - ui.px(bottom_padding) - state.footer + ui.px(8)});
+    ImGui::SetCursorScreenPos(
+        {r.x + ui.px(side_padding), r.y + r.h - ui.px(bottom_padding) - state.footer + ui.px(above_footer)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(8)});
+    ImGui::BeginGroup();
+}
+
+void end_footer(const Ui& ui, CardState& state) {
+    ImGui::EndGroup();
+    ImGui::PopStyleVar();
+    state.footer = ImGui::GetItemRectSize().y + ui.px(above_footer);
 }
 
 void end_card(CardState& state) {
@@ -139,6 +149,8 @@ void begin_bar(Ui& ui, const char* name, Rect r, bool covers_cards, float roundi
 void end_bar() { ImGui::End(); }
 
 float card_width(const Ui& ui) { return ImGui::GetWindowWidth() - ui.px(side_padding - card_scrollbar_inset); }
+
+float card_width(const Ui& ui, Rect card) { return card.w - 2 * ui.px(side_padding); }
 
 void gap(const Ui& ui, float layout_pixels) { ImGui::Dummy({1, std::max(0.0f, ui.px(layout_pixels) - ui.px(8))}); }
 

@@ -37,8 +37,10 @@ bool begin_card(Ui&, CardState&, std::string_view id, std::string_view heading, 
                 std::span<HeadingButton> = {});  // from right to left
 void end_card(CardState&);
 
-// Begins the footer, below the part that scrolls. Set CardState::footer before begin_card().
+// Begins the footer, below the part that scrolls. end_footer() measures its height for the next frame; before the first
+// one set CardState::footer to its least height.
 void begin_footer(Ui&, CardState&, Rect card);
+void end_footer(const Ui&, CardState&);
 
 // The background of a card: panel colour at 92 %, border and shadow.
 void card_ground(const Ui&, Rect, float layout_rounding = 6);
@@ -49,6 +51,9 @@ void end_bar();
 
 // The width of the body without padding and scrollbar, window pixels.
 float card_width(const Ui&);
+
+// The same for the card in this rectangle, also outside its body.
+float card_width(const Ui&, Rect card);
 
 // A vertical gap; a small heading within a card.
 void gap(const Ui&, float layout_pixels);

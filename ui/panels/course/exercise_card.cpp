@@ -146,7 +146,6 @@ void show_me_button(const LessonView& lesson, Ui& ui) {
     const Item at = button(ui, "exercise.show_me", look);
     if (at.pressed) ui.outbox.emplace_back(ShowMeRequest{});
     tooltip(ui, at, ui.strings(lesson.hint_ready ? "exercise.show_me_how" : "exercise.hint_wait"));
-    ImGui::SameLine();
 }
 
 void hint_button(const LessonView& lesson, Ui& ui) {
@@ -158,7 +157,6 @@ void hint_button(const LessonView& lesson, Ui& ui) {
     const Item at = button(ui, "exercise.hint", look);
     if (at.pressed) ui.outbox.push_back(Action::hint);
     tooltip(ui, at, ui.strings(lesson.hint_ready ? "exercise.hint_how" : "exercise.hint_wait"));
-    ImGui::SameLine();
 }
 
 // The exercise after this one, by number and then by name; or null.
@@ -177,23 +175,28 @@ void next_button(const LabView& view, PanelState& state, Ui& ui) {
     const CatalogueEntry* next = next_exercise(view);
     const Item at =
         button(ui, "exercise.next", {{}, ui.strings(next ? "exercise.next" : "exercise.more"), Emphasis::primary});
-    tooltip(ui, at, next ? entry_words(view, ui, *next) : std::string(ui.strings("exercise.more_how")));
-    ImGui::SameLine();
+    tooltip(ui, at, next ? entry_words(view, ui, *next) : std::string(ui.strings("exercise.more_how")),
+            key_name({key::enter}, ui.strings));
     if (!at.pressed) return;
     if (next) return ui.outbox.push_back(OpenRequest{.path = next->path, .next_exercise = true});
     begin_files(state.files, false);
     state.sheet = Sheet::files;
 }
 
-void exercise_buttons(const LabView& view, PanelState& state, Ui& ui) {
+// Of the foot of the card, which does not scroll: the next step, and what the student hands in.
+void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float width) {
     const bool passed = has_passed(*view.lesson);
+    const float right = ImGui::GetCursorScreenPos().x + width;
     if (passed)
         next_button(view, state, ui);
     else
         hint_button(*view.lesson, ui);
-    const Item at = button(ui, "exercise.reset", {{}, ui.strings("exercise.reset")});
+    const ButtonLook reset{{}, ui.strings("exercise.reset")};
+    beside_or_below(ui, button_width(ui, reset), right);
+    const Item at = button(ui, "exercise.reset", reset);
     if (at.pressed) ui.outbox.push_back(Action::exercise_reset);
     tooltip(ui, at, ui.strings("exercise.reset_how"));
+    exercise_files(view, state, ui, width);
 }
 
 bool is_rewired(const LabView& view) {
@@ -258,7 +261,8 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const LessonView& lesson = *view.lesson;
     const bool rewired = is_rewired(view), passed = has_passed(lesson);
     follow_exercise(lesson, state);
-    state.card(Card::exercise).footer = ui.px(button_height + 8);
+    CardState& card = state.card(Card::exercise);
+    card.footer = std::max(card.footer, ui.px(button_height + 8));
     const bool open = open_card(state, ui, Card::exercise, place, {}, exercise_heading(lesson, ui));
     if (open) {
         if (!hides_outcome(view)) paragraph(ui, translated(ui, lesson.exercise->title), ui.palette.text, Face::title);
@@ -272,14 +276,14 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         if (!passed && !steps_first) steps(view, ui);
         if (passed || !steps_first) hints(lesson, state, ui);
         kept_button(view, ui);
-        exercise_note(view, state, ui);
-        exercise_files(view, state, ui);
+        note_field(view, state, ui);
         if (lesson.grade && !state.grade_seen) ImGui::SetScrollY(0);
         state.grade_seen = lesson.grade.has_value();
-        begin_footer(ui, state.card(Card::exercise), place);
-        exercise_buttons(view, state, ui);
+        begin_footer(ui, card, place);
+        exercise_buttons(view, state, ui, card_width(ui, place));
+        end_footer(ui, card);
     }
-    end_card(state.card(Card::exercise));
+    end_card(card);
 }
 
 }  // namespace braitenlab::ui

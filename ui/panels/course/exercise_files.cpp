@@ -1,5 +1,5 @@
-// The end of the exercise card, once there was a run: hand in, which asks a student without a name for it, and the lab
-// record.
+// The last row of the exercise card's foot: the notes and, once there was a run, hand in, which asks a student without
+// a name for it, and the lab record.
 #include <string>
 #include <utility>
 
@@ -31,23 +31,26 @@ void name_student(const LabView& view, Ui& ui, const std::string& name) {
 
 }  // namespace
 
-void exercise_files(const LabView& view, PanelState& state, Ui& ui) {
-    if (!view.lesson->has_run) return;
+void exercise_files(const LabView& view, PanelState& state, Ui& ui, float width) {
     HandInState& asked = state.hand_in;
-    gap(ui, 4);
-    const bool scrolls = std::exchange(asked.begins, false);
-    if (asked.asks && view.student.empty()) {
-        if (scrolls && ui.keyboard) ui.keyboard->focus = "exercise.student";
-        text_field(ui, asked.name, "exercise.student", card_width(ui), ui.strings("exercise.student"),
+    const float right = ImGui::GetCursorScreenPos().x + width;
+    const bool is_shown = view.lesson->has_run;
+    if (is_shown && asked.asks && view.student.empty()) {
+        if (std::exchange(asked.begins, false) && ui.keyboard) ui.keyboard->focus = "exercise.student";
+        text_field(ui, asked.name, "exercise.student", width, ui.strings("exercise.student"),
                    ui.strings("exercise.student_how"));
     }
-    const Item hand_in = button(ui, "exercise.hand_in", {{}, ui.strings("exercise.hand_in")});
+    note_button(view, state, ui);
+    if (!is_shown) return;
+    const SmallButton give{"exercise.hand_in", {}, ui.strings("exercise.hand_in")};
+    beside_or_below(ui, small_button_width(ui, give, true), right);
+    const Item hand_in = small_button(ui, give);
     tooltip(ui, hand_in, ui.strings("exercise.hand_in_how"));
-    ImGui::SameLine();
-    const Item record = button(ui, "exercise.lab_record", {{}, ui.strings("exercise.lab_record"), Emphasis::quiet});
+    const SmallButton page{"exercise.lab_record", {}, ui.strings("exercise.lab_record")};
+    beside_or_below(ui, small_button_width(ui, page, true), right);
+    const Item record = small_button(ui, page);
     tooltip(ui, record, ui.strings("exercise.lab_record_how"));
     if (record.pressed) ui.outbox.emplace_back(LabRecordRequest{student_of(view, asked)});
-    if (scrolls) ImGui::SetScrollHereY(1);                             // the buttons stay in sight below the name
     const bool is_entered = std::exchange(asked.name.entered, false);  // stays set once the field is gone
     if (!hand_in.pressed && !is_entered) return;
     const std::string student = student_of(view, asked);

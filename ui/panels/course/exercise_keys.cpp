@@ -1,4 +1,4 @@
-#include "ui/panels/course/prediction_keys.h"
+#include "ui/panels/course/exercise_keys.h"
 
 #include <string>
 #include <string_view>
@@ -16,10 +16,21 @@ int focused_answer(const PanelState& state, int count) {
     return -1;
 }
 
-bool is_asked(const LabView& view, const PanelState& state) {
+// True if keys may be for the exercise: no sheet, menu or text field has them.
+bool reaches_exercise(const LabView& view, const PanelState& state) {
     if (!view.lesson || state.sheet != Sheet::none || !state.menu_bar.open.empty()) return false;
-    if (state.keyboard.text != TextInput::none || !state.sliders.typed.empty() || view.lesson->together) return false;
+    return state.keyboard.text == TextInput::none && state.sliders.typed.empty() && !view.lesson->together;
+}
+
+bool is_asked(const LabView& view, const PanelState& state) {
+    if (!reaches_exercise(view, state)) return false;
     return !view.lesson->exercise->prediction.options.empty() && is_prediction_open(*view.lesson);
+}
+
+// True if Play waits for the prediction, unless it is skipped.
+bool asks_before_play(const LabView& view) {
+    if (view.lecture || !view.lesson || view.lesson->free_play || view.mode == Mode::playing) return false;
+    return awaits_prediction(*view.lesson) && hides_outcome(view);
 }
 
 }  // namespace
@@ -36,6 +47,38 @@ bool key_for_prediction(const LabView& view, PanelState& state, KeyPress press, 
     state.keyboard.focus = std::string(answer_stem) + std::to_string(wanted + 1);
     state.keyboard.shown = state.keyboard.revealed = true;
     return true;
+}
+
+bool key_for_next_exercise(const LabView& view, PanelState& state, KeyPress press) {
+    if (press != KeyPress{key::enter} || view.lecture || view.mode == Mode::wiring) return false;
+    if (!reaches_exercise(view, state) || !view.lesson->grade || !view.lesson->grade->good) return false;
+    if (state.keyboard.shown && !state.keyboard.focus.empty()) return false;
+    if (state.scene_input.tool != SceneInputTool::hand || state.scene_input.menu.open) return false;
+    state.keyboard.focus = "exercise.next";
+    state.keyboard.presses.push_back(press);
+    return true;
+}
+
+bool holds_play(const LabView& view, PanelState& state, Action action, Outbox& outbox) {
+    if ((action != Action::play_pause && action != Action::step) || !asks_before_play(view)) return false;
+    if (state.play_held == view.run_id) return false;
+    state.play_held = view.run_id;
+    state.shows_question = true;
+    state.card(Card::exercise).folded = false;
+    if (view.mode == Mode::wiring) outbox.emplace_back(Action::wiring);  // Play would leave the diagram, too
+    if (view.lesson->exercise->prediction.options.empty()) {
+        state.keyboard.focus = "exercise.draw";
+        state.keyboard.shown = state.keyboard.revealed = true;
+    }
+    return true;
+}
+
+bool is_play_held(const LabView& view, const PanelState& state) {
+    return asks_before_play(view) && state.play_held == view.run_id;
+}
+
+void follow_held_play(const LabView& view, PanelState& state) {
+    if (!is_play_held(view, state)) state.play_held.reset();
 }
 
 }  // namespace braitenlab::ui

@@ -1,4 +1,5 @@
-// Keys for the prediction of the open exercise.
+// Keys of the open exercise: answers of the prediction, Play before the prediction is made, and Enter once it is
+// passed.
 #pragma once
 
 #include "ui/lab_view.h"
@@ -12,5 +13,20 @@ namespace braitenlab::ui {
 // While it can be changed, Space chooses the answer that has a visible focus and is not chosen yet; else, and so at the
 // second press, it plays. True if the key is handled.
 bool key_for_prediction(const LabView&, PanelState&, KeyPress, Outbox&);
+
+// Enter presses the button for the next exercise once this one is passed, unless another widget has a visible focus.
+// True if the key is handled.
+bool key_for_next_exercise(const LabView&, PanelState&, KeyPress);
+
+// True if Play or a step is not carried out now, because the prediction is neither made nor skipped. The card then
+// points to the question; the same action asked for again skips it. Never in a lecture, in free play and once the
+// exercise has run.
+bool holds_play(const LabView&, PanelState&, Action, Outbox&);
+
+// True while the card points to the question.
+bool is_play_held(const LabView&, const PanelState&);
+
+// Forgets the held Play once the prediction is made or skipped. Call once a frame.
+void follow_held_play(const LabView&, PanelState&);
 
 }  // namespace braitenlab::ui

@@ -9,6 +9,7 @@
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
 #include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/theme.h"
 

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "core/lesson/path_distance.h"
+#include "ui/panels/course/exercise_keys.h"
 #include "ui/panels/course/glossary.h"
+#include "ui/panels/panels.h"
 #include "ui/scene_input/path_drawing.h"
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
@@ -59,9 +61,23 @@ void draw_button(const LabView& view, PanelState& state, Ui& ui) {
     tooltip(ui, at, ui.strings(enabled ? "exercise.draw_how" : "exercise.draw_at_start"));
 }
 
+// Says, once Play has pointed to the question, how to answer or to skip it.
+void answer_first(const LabView& view, const PanelState& state, Ui& ui) {
+    if (!is_play_held(view, state)) return;
+    const Prediction& asked = view.lesson->exercise->prediction;
+    const std::string_view key = asked.options.empty()   ? "exercise.draw_first"
+                                 : asked.path_of.empty() ? "exercise.answer_first"
+                                                         : "exercise.answer_or_draw_first";
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    paragraph(ui, fill(ui.strings(key), {key_name(Action::play_pause, ui.strings)}),
+              colour_of(NoticeKind::notice, ui.palette), Face::strong);
+    mark(ui, "exercise.answer_first", {start.x, start.y, card_width(ui), ImGui::GetCursorScreenPos().y - start.y});
+}
+
 void open_prediction(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     const Prediction& asked = lesson.exercise->prediction;
+    answer_first(view, state, ui);
     paragraph(ui, translated(ui, asked.question), ui.palette.text);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(4)});
     if (!asked.path_of.empty()) draw_button(view, state, ui);
@@ -119,6 +135,10 @@ void prediction(const LabView& view, PanelState& state, bool rewired, Ui& ui) {
             fill(ui.strings(rewired ? "exercise.outcome_before" : "exercise.outcome"), {translated(ui, asked.outcome)}),
             rewired ? ui.palette.second_text : ui.palette.text);
     const ImVec2 end = ImGui::GetCursorScreenPos();
+    if (is_play_held(view, state))
+        ImGui::GetWindowDrawList()->AddRectFilled({start.x - ui.px(6), start.y}, {start.x - ui.px(3), end.y - ui.px(8)},
+                                                  paint(ui.palette.accent), ui.px(1.5f));
+    if (std::exchange(state.shows_question, false)) reveal(ui, start.y, end.y);
     mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});
     if (!std::exchange(state.outcome_seen, lesson.outcome_known) && lesson.outcome_known) ImGui::SetScrollHereY(1);
     gap(ui, 12);
