@@ -161,6 +161,15 @@ TEST_F(Gallery, TheCheckMarkInTheMenuSaysPassedOnly) {
     EXPECT_TRUE(says(icon::check));
 }
 
+TEST(ScenePicture, TheVehicleOfTheSelectionIsLegibleOnItsTable) {
+    const Kind kind = shipped_exercise("20-selection")->scene.kinds.at(0);
+    const auto colour = colour_of(kind.colour);
+    ASSERT_TRUE(colour);
+    for (const Theme theme : {Theme::dark, Theme::light})
+        EXPECT_GE(contrast(*colour, palette(theme).tape), 3) << word(theme);
+    EXPECT_GE(contrast(*colour, palette(Theme::light).floor), 3);
+}
+
 TEST(ScenePicture, ShowsThePartOfTheFloorThatIsOccupied) {
     Scene scene;
     scene.arena.width = scene.arena.height = 20;
