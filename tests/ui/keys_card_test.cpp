@@ -42,7 +42,7 @@ TEST(KeysCard, ListsMouseActionsAndAllFourArrowKeys) {
     desk.key({key::f1});
     desk.frame(3);
     std::string all;
-    for (const Written& w : desk.written) all += w.words + "\n";
+    for (const Written& w : desk.written) all += w.words + " ";  // the lines of one text follow one another
     EXPECT_NE(all.find(std::string(desk.strings("mouse_does.wheel"))), std::string::npos);
     EXPECT_NE(all.find(std::string(desk.strings("mouse_does.drag"))), std::string::npos);
     EXPECT_NE(all.find("\uf060 \uf061 \uf062 \uf063"), std::string::npos)
@@ -68,6 +68,19 @@ TEST(KeysCard, KeepsWordsAndKeysApartInEveryLanguage) {
             }
         EXPECT_GT(pairs, 60);
     }
+}
+
+TEST(KeysCard, TheKeysOfAColumnBeginAtTheSamePlace) {
+    Desk desk(1280, 2400, 1, true);
+    desk.key({key::f1});
+    desk.frame(3);
+    std::set<float> beginnings;
+    int keys = 0;
+    for (const Written& w : desk.written)
+        if (w.words == "R" || w.words == "W" || w.words == "N" || w.words == "Ctrl+Z" || w.words == "Ctrl+S")
+            beginnings.insert(w.rect.x), ++keys;
+    EXPECT_GE(keys, 5);
+    EXPECT_LE(beginnings.size(), 3u) << "one place in each of the three columns";
 }
 
 TEST(KeysCard, ListsEveryKeyThatHasAnEffect) {

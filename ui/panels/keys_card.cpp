@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <imgui.h>
@@ -23,10 +24,11 @@ namespace {
 struct KeyRow {
     std::string key, words;
     bool heading = false;
-    std::vector<std::string_view> lines{};  // of the words, as they fit beside the key
+    std::vector<std::string_view> lines{}, key_lines{};  // of the words and of the key, as they fit their columns
 };
 
 constexpr float beside_key = 14, line_gap = 4;  // layout pixels
+constexpr float words_share = 0.58f;            // of the width; the keys begin behind it
 
 // String keys of a mouse gesture and its effect.
 constexpr std::array<std::array<std::string_view, 2>, 17> gestures_of_mouse{{
@@ -89,23 +91,29 @@ std::vector<KeyRow> key_rows(const Strings& strings) {
     return list;
 }
 
-// Wraps the words beside their key.
-void break_into_lines(const Ui& ui, KeyRow& row, float width) {
-    const float room = width - text_width(ui, Face::strong, row.key) - ui.px(beside_key);
-    std::string_view rest = row.words;
+// The lines of the text, broken at spaces.
+std::vector<std::string_view> lines_within(const Ui& ui, Face face, std::string_view rest, float width) {
+    std::vector<std::string_view> lines;
     while (!rest.empty()) {
         std::size_t end = rest.find(' ');
         while (end < rest.size()) {
             const std::size_t next = rest.find(' ', end + 1);
-            if (text_width(ui, Face::text, rest.substr(0, next)) > room) break;
+            if (text_width(ui, face, rest.substr(0, next)) > width) break;
             end = next;
         }
-        row.lines.push_back(rest.substr(0, end));
+        lines.push_back(rest.substr(0, end));
         rest.remove_prefix(end < rest.size() ? end + 1 : rest.size());
     }
+    return lines;
 }
 
-std::size_t lines_of(const KeyRow& row) { return std::max<std::size_t>(1, row.lines.size()); }
+// The words are in the left column of a row, its key in the right one.
+void break_into_lines(const Ui& ui, KeyRow& row, float width) {
+    row.lines = lines_within(ui, Face::text, row.words, width * words_share - ui.px(beside_key));
+    row.key_lines = lines_within(ui, Face::strong, row.key, width * (1 - words_share));
+}
+
+std::size_t lines_of(const KeyRow& row) { return std::max({std::size_t{1}, row.lines.size(), row.key_lines.size()}); }
 
 // The end of each column: about equal lengths, and no heading at the bottom of a column.
 std::vector<std::size_t> column_ends(const std::vector<KeyRow>& list, std::size_t columns) {
@@ -128,11 +136,12 @@ void write_row(const Ui& ui, const KeyRow& row, ImVec2 at, float width, float li
             Face::small);
         return;
     }
-    put_right(ui, {at.x + width, at.y}, row.key, ui.palette.second_text, Face::strong);
-    for (const std::string_view words : row.lines) {
-        put(ui, at, words, ui.palette.text);
-        at.y += line;
-    }
+    const auto column = [&](const std::vector<std::string_view>& lines, float x, Colour colour, Face face) {
+        float y = at.y;
+        for (const std::string_view words : lines) put(ui, {x, std::exchange(y, y + line)}, words, colour, face);
+    };
+    column(row.lines, at.x, ui.palette.text, Face::text);
+    column(row.key_lines, at.x + width * words_share, ui.palette.second_text, Face::strong);
 }
 
 }  // namespace
