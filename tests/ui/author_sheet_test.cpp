@@ -44,14 +44,25 @@ struct AuthorSheet : ::testing::Test {
 
 TEST_F(AuthorSheet, SaysWhatIsMissingUntilItCanBeSaved) {
     ASSERT_TRUE(desk.anchors.find("card.author"));
-    EXPECT_TRUE(says("The goal is missing"));
+    EXPECT_FALSE(says("The goal is missing")) << "nobody has tried to save";
     desk.click("author.save");
+    EXPECT_TRUE(says("The goal is missing"));
     EXPECT_FALSE(desk.last<SaveExerciseRequest>());
     type("author.goal", "Touch the lamp.");
     EXPECT_TRUE(says("Look at the steps first"));
     page(3);
     EXPECT_FALSE(says("Look at the steps first"));
     EXPECT_EQ(saved().draft->goal, "Touch the lamp.");
+}
+
+TEST_F(AuthorSheet, BeginsWithTheTitleInTheLanguageOfTheWindow) {
+    desk.strings.add(desk.now.scene->title, "Feigling");
+    ++desk.view.run_id;
+    desk.key({key::escape});
+    desk.frame(2);
+    desk.choose("file", "save_exercise");
+    desk.frame(2);
+    EXPECT_EQ(desk.panels.author.title.text, "Feigling");
 }
 
 TEST_F(AuthorSheet, BeginsWithTheNearestLampTheDialsAndTheTitleOfTheScene) {
@@ -108,6 +119,7 @@ TEST_F(AuthorSheet, APredictionHasItsTrueAnswer) {
     fill_in();
     page(4);
     type("author.question", "Where does it drive?");
+    desk.click("author.save");
     EXPECT_TRUE(says("The question needs two answers"));
     type("author.option.2", "To the lamp");
     type("author.option.4", "Away");
@@ -148,9 +160,8 @@ TEST_F(AuthorSheet, KeepsTheDraftWhileTheSceneIsOpen) {
 TEST_F(AuthorSheet, AStepNeedsAText) {
     fill_in();
     desk.panels.author.step_texts[0].text.clear();
-    desk.frame(2);
-    EXPECT_TRUE(says("A step has no text"));
     desk.click("author.save");
+    EXPECT_TRUE(says("A step has no text"));
     EXPECT_FALSE(desk.last<SaveExerciseRequest>());
 }
 

@@ -273,12 +273,15 @@ struct AuthorSheet {
 
     // Why it cannot be saved yet or was not; empty: nothing is wrong.
     std::string problem() const {
-        if (const std::string_view missing = missing_in(state); !missing.empty()) return std::string(words(missing));
+        if (const std::string_view missing = missing_in(state); !missing.empty())
+            return std::string(state.tried ? words(missing) : std::string_view{});
         const bool is_refused = state.asked && view.files && view.files->refused;
         return is_refused ? text_of(*view.files->refused, ui.strings) : std::string();
     }
 
     void save() const {
+        state.tried = !missing_in(state).empty();
+        if (state.tried) return;
         const std::string path = state.path.text.empty() ? file_name_for(state.title.text) : state.path.text;
         const bool refused = state.asked && view.files->refused;
         const bool replace = refused && state.replacing == path;
@@ -290,9 +293,7 @@ struct AuthorSheet {
     }
 
     void buttons() const {
-        ButtonLook look{{}, words("author.save"), Emphasis::primary};
-        look.enabled = missing_in(state).empty();
-        const Item yes = button(ui, "author.save", look);
+        const Item yes = button(ui, "author.save", {{}, words("author.save"), Emphasis::primary});
         tooltip(ui, yes, words("author.save_how"));
         if (yes.pressed) save();
         ImGui::SameLine(0, ui.px(8));
@@ -331,7 +332,10 @@ void author_sheet(const LabView& view, PanelState& panels, Ui& ui, Rect window) 
         panels.sheet = Sheet::none;
         return;
     }
-    if (!state.begun) ui.outbox.push_back(BrowseRequest{});
+    if (!state.begun) {
+        ui.outbox.push_back(BrowseRequest{});
+        if (state.title.text == view.now->scene->title) state.title.text = translated(ui, view.now->scene->title);
+    }
     const AuthorSheet sheet{view, panels, state, ui};
     begin_sheet(ui, state.sheet, "card.author", ui.strings("author.heading"), author_width, window);
     const float bottom = ImGui::GetCursorPosY() + std::min(ui.px(page_height), window.h - ui.px(200));

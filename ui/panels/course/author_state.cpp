@@ -29,7 +29,7 @@ const Start* start_of_selected(const LabView& view) {
 void begin_author(const LabView& view, AuthorState& author) {
     if (author.run_id != view.run_id) author = {};
     author.run_id = view.run_id;
-    author.begun = author.asked = false;
+    author.begun = author.asked = author.tried = false;
     author.replacing.clear();
     const Scene& scene = *view.now->scene;
     if (!author.dials.empty() || scene.starts.empty()) return;
