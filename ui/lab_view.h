@@ -61,6 +61,8 @@ struct LessonView {
     std::vector<maths::vec2> drawn_path;       // the prediction as a path on the floor, m; empty: none was drawn
     std::vector<maths::vec2> real_path;        // what was to be drawn, m; empty until the outcome is known
     float path_difference = 0;                 // m, between both paths, see path_distance; valid with real_path
+    bool path_reversed = false;                // drawn against the way it was driven; valid with real_path
+    std::string written;                       // path of the last hand-in or lab record since it was opened; or empty
     std::optional<SelectionView> selection;    // nullopt: the exercise does not offer it
     bool together = false;                     // the graded starts run at once in place of the exercise's own run
     bool has_kept = false;                     // the student's progress has a submission that is not the present one

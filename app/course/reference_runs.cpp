@@ -77,6 +77,7 @@ void compare_drawn_path(Lesson& lesson, Jobs& jobs) {
                                lesson.runs.drawn_seed, ticks);
     view.real_path = positions(lesson.runs.shipped.path(), ticks + 1, step);
     view.path_difference = path_distance(view.drawn_path, view.real_path);
+    view.path_reversed = runs_against(view.drawn_path, view.real_path);
 }
 
 Pose between(Pose a, Pose b, float t) {

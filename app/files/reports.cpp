@@ -35,6 +35,7 @@ std::optional<Error> write_hand_in_file(Lab& lab, const std::string& student, co
     fs::path path = folder / hand_in_name(exercise, student);
     for (int number = 2; is_taken(path, student); ++number) path = folder / hand_in_name(exercise, student, number);
     if (auto error = write_whole(path, write_hand_in(hand_in_of(lab, student, at)))) return error;
+    lab.document.lesson->view.written = path.string();
     say(lab, {NoticeKind::done, "notice.handed_in", path.string()});
     return std::nullopt;
 }
@@ -80,6 +81,7 @@ std::optional<Error> write_lab_record(Lab& lab, const std::string& student, cons
     for (int number = 2; fs::exists(path, none); ++number)  // an earlier record stays
         path = folder / lab_record_name(record.exercise->id, student, number);
     if (auto error = write_whole(path, lab_record_html(record, strings, lab.preferences.language))) return error;
+    lab.document.lesson->view.written = path.string();
     say(lab, {NoticeKind::done, "notice.lab_record", path.string()});
     return std::nullopt;
 }

@@ -39,7 +39,35 @@ float mean_distance_to(const std::vector<vec2>& others, const std::vector<vec2>&
     return static_cast<float>(sum / static_cast<double>(points.size()));
 }
 
+// Mean cosine of the angle between each piece of `points` and the nearest piece of `others`, −1..1.
+float mean_cosine(const std::vector<vec2>& others, const std::vector<vec2>& points) {
+    const auto middle = [](const std::vector<vec2>& path, std::size_t i) { return (path[i] + path[i + 1]) * 0.5f; };
+    const auto way = [](const std::vector<vec2>& path, std::size_t i) {
+        const vec2 piece = path[i + 1] - path[i];
+        return piece * (1 / std::max(1e-6f, maths::length(piece)));
+    };
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        std::size_t nearest = 0;
+        for (std::size_t k = 1; k + 1 < others.size(); ++k)
+            if (maths::distance(middle(points, i), middle(others, k)) <
+                maths::distance(middle(points, i), middle(others, nearest)))
+                nearest = k;
+        const vec2 one = way(points, i), other = way(others, nearest);
+        sum += static_cast<double>(one.x * other.x + one.y * other.y);
+    }
+    return static_cast<float>(sum / static_cast<double>(points.size() - 1));
+}
+
 }  // namespace
+
+bool runs_against(std::span<const vec2> a, std::span<const vec2> b) {
+    constexpr float against = -0.5f;
+    if (a.empty() || b.empty()) return false;
+    const std::vector<vec2> one = in_equal_steps(a), other = in_equal_steps(b);
+    if (one.size() < 2 || other.size() < 2) return false;
+    return (mean_cosine(one, other) + mean_cosine(other, one)) / 2 < against;
+}
 
 float path_distance(std::span<const vec2> a, std::span<const vec2> b) {
     if (a.empty() || b.empty()) return 0;

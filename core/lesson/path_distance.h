@@ -14,6 +14,10 @@ namespace braitenlab {
 // is empty. The lengths are limited by the number of steps: a long path is compared in larger steps.
 float path_distance(std::span<const maths::vec2> a, std::span<const maths::vec2> b);
 
+// True if the paths run the opposite way where they are close to each other: in the mean over both, the direction of a
+// path is against that of the other one at the nearest point. False if a path has no direction.
+bool runs_against(std::span<const maths::vec2> a, std::span<const maths::vec2> b);
+
 // The positions of every `step`th pose of the first `count`, and the last of them. Precondition: step > 0.
 std::vector<maths::vec2> positions(const ReferencePath&, std::size_t count, std::size_t step);
 

@@ -45,6 +45,16 @@ TEST(PathDistance, TakesAPathOfOnePointAndNoPath) {
     EXPECT_FLOAT_EQ(path_distance({}, straight), 0);
 }
 
+TEST(PathDistance, KnowsAPathThatIsDrivenTheOtherWayRound) {
+    const std::vector<vec2> ring = circle(2, 1), back(ring.rbegin(), ring.rend());
+    EXPECT_NEAR(path_distance(ring, back), 0, 0.02f) << "the shape is the same";
+    EXPECT_TRUE(runs_against(ring, back));
+    EXPECT_FALSE(runs_against(ring, circle(1.5f, 2)));
+    EXPECT_FALSE(runs_against(straight, std::vector<vec2>{{0, 0}, {0, 4}})) << "across";
+    EXPECT_FALSE(runs_against(straight, {}));
+    EXPECT_FALSE(runs_against(straight, std::vector<vec2>{{1, 1}}));
+}
+
 TEST(PathDistance, PositionsEndAtTheLastPose) {
     const ReferencePath path{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}};
     EXPECT_EQ(positions(path, 4, 2), (std::vector<vec2>{{0, 0}, {2, 0}, {3, 0}}));

@@ -100,6 +100,17 @@ TEST(Reports, ALabRecordReplacesNoOther) {
     EXPECT_TRUE(std::filesystem::exists(documents.path / "Braitenlab" / "05-aggressor-ana-2.html"));
 }
 
+TEST(Reports, TheViewHasThePathOfTheLastFile) {
+    const Folder documents;
+    Lab lab = opened_lab("05-aggressor");
+    EXPECT_EQ(view_of(lab).lesson->written, "");
+    request(lab, HandInRequest{"Ana"}, documents.path);
+    EXPECT_EQ(view_of(lab).lesson->written,
+              (documents.path / "Braitenlab" / "05-aggressor-ana.braiten-handin.toml").string());
+    request(lab, LabRecordRequest{"Ana"}, documents.path);
+    EXPECT_TRUE(view_of(lab).lesson->written.ends_with(".html"));
+}
+
 TEST(Reports, ALabRecordTellsNoTitleBeforeThePrediction) {
     const Folder documents;
     Lab lab = opened_lab("05-aggressor");

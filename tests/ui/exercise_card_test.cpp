@@ -462,6 +462,19 @@ TEST(ExerciseCard, ANameTypedAtHandInBecomesTheNameOfTheStudent) {
     EXPECT_TRUE(std::holds_alternative<HandInRequest>(desk.all[0]));
 }
 
+TEST(ExerciseCard, TheFileHandedInIsNamedAndItsPathCanBeCopied) {
+    Desk desk(1024, 768, 1, true);
+    desk.open_exercise();
+    desk.lesson.has_run = true;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("exercise.copy_path"));
+    desk.lesson.written = "/home/ana/Documents/Braitenlab/05-ana.toml";
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "05-ana.toml"));
+    desk.click("exercise.copy_path");
+    EXPECT_STREQ(ImGui::GetClipboardText(), desk.lesson.written.c_str());
+}
+
 TEST(ExerciseCard, HandInUsesTheNameOfTheNamedStudent) {
     Desk desk;
     desk.open_exercise();

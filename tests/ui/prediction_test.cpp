@@ -108,6 +108,11 @@ TEST(PredictionPart, SaysWhetherTheChosenOptionCameTrueAndHowFarAPathIsOff) {
     desk.lesson.path_difference = 0.62f;
     desk.frame(3);
     EXPECT_TRUE(says(desk, "differ by 0.6\u00a0m on average"));
+    EXPECT_TRUE(says(desk, "the vehicle is 1.0\u00a0m long")) << "what the number means";
+    EXPECT_FALSE(says(desk, "the other way round"));
+    desk.lesson.path_reversed = true;
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "the other way round"));
     EXPECT_FALSE(desk.anchors.find("exercise.came_true")) << "no option was chosen";
 }
 

@@ -9,7 +9,9 @@
 #include "ui/strings.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
+#include "ui/widgets/paint.h"
 #include "ui/widgets/text_field.h"
+#include "ui/widgets/theme.h"
 
 namespace braitenlab::ui {
 
@@ -29,6 +31,21 @@ void name_student(const LabView& view, Ui& ui, const std::string& name) {
         ui.outbox.emplace_back(StudentRequest{StudentEdit::rename, 0, name});
 }
 
+// The name of the last written file, and a button that copies its path.
+void written_file(const LessonView& lesson, Ui& ui, float width) {
+    if (lesson.written.empty()) return;
+    const SmallButton copy{"exercise.copy_path", {}, ui.strings("exercise.copy_path")};
+    const float beside = width - small_button_width(ui, copy, true) - ui.px(8);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string name = lesson.written.substr(lesson.written.find_last_of('/') + 1);
+    put(ui, {at.x, at.y + (ui.px(small_button_height) - line_height(ui, Face::small)) / 2},
+        shortened(ui, name, Face::small, beside), ui.palette.second_text, Face::small);
+    ImGui::SetCursorScreenPos({at.x + beside + ui.px(8), at.y});
+    const Item button = small_button(ui, copy);
+    tooltip(ui, button, fill(ui.strings("exercise.copy_path_how"), {lesson.written}));
+    if (button.pressed) ImGui::SetClipboardText(lesson.written.c_str());
+}
+
 }  // namespace
 
 void exercise_files(const LabView& view, PanelState& state, Ui& ui, float width) {
@@ -40,6 +57,7 @@ void exercise_files(const LabView& view, PanelState& state, Ui& ui, float width)
         text_field(ui, asked.name, "exercise.student", width, ui.strings("exercise.student"),
                    ui.strings("exercise.student_how"));
     }
+    if (is_shown) written_file(*view.lesson, ui, width);
     note_button(view, state, ui);
     if (!is_shown) return;
     const SmallButton give{"exercise.hand_in", {}, ui.strings("exercise.hand_in")};

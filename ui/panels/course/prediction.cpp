@@ -92,6 +92,15 @@ void open_prediction(const LabView& view, PanelState& state, Ui& ui) {
     ImGui::PopStyleVar();
 }
 
+// Of the vehicle whose path is drawn, m.
+float length_of_vehicle(const Exercise& exercise) {
+    for (const Start& start : exercise.scene.starts)
+        if (start.name == exercise.prediction.path_of)
+            if (const int kind = find_kind(exercise.scene, start.kind); kind >= 0)
+                return exercise.scene.kinds[static_cast<std::size_t>(kind)].body.length;
+    return Body{}.length;
+}
+
 // The prediction is shown beside the outcome. It is not graded.
 void made_prediction(const LessonView& lesson, Ui& ui) {
     const Prediction& asked = lesson.exercise->prediction;
@@ -101,9 +110,12 @@ void made_prediction(const LessonView& lesson, Ui& ui) {
                   ui.palette.second_text);
         if (lesson.outcome_known) came_true(lesson, ui);
     }
-    if (!lesson.real_path.empty())
-        paragraph(ui, fill(ui.strings("exercise.path_differs"), {fixed(ui, lesson.path_difference, 1)}),
-                  ui.palette.text);
+    if (lesson.real_path.empty()) return;
+    paragraph(ui,
+              fill(ui.strings("exercise.path_differs"),
+                   {fixed(ui, lesson.path_difference, 1), fixed(ui, length_of_vehicle(*lesson.exercise), 1)}),
+              ui.palette.text);
+    if (lesson.path_reversed) paragraph(ui, ui.strings("exercise.path_reversed"), ui.palette.text);
 }
 
 }  // namespace
