@@ -83,7 +83,7 @@ bool App::turn() {
     if (ends()) return close(), false;
     handle_files();
     lab_.dragging = ui::drags_vehicle(panels_, lab_.view.selection.vehicle);
-    lab_.sheet_open = panels_.sheet != ui::Sheet::none;
+    lab_.sheet_open = panels_.sheet != ui::Sheet::none || panels_.blank;
     let_time_pass(passed);
     follow_jobs();
     show_errors_of_start();
@@ -170,7 +170,7 @@ void App::handle_recovery(bool take) {
     auto recovered = autosave_.recover();
     if (!recovered) return show_error(recovered.error());
     recovered->edits = 1;
-    lab_.pages.reset();  // on a page of a lecture nothing is kept for recovery
+    leave_pages(lab_);  // on a page of a lecture nothing is kept for recovery
     replace_document(lab_, std::move(*recovered));
     refresh(files_, lab_);
     const auto error = autosave_.keep(lab_, lab_.wall_seconds, Autosave::Occasion::now);

@@ -7,6 +7,7 @@
 
 #include "app/app.h"
 #include "app/applied_theme.h"
+#include "app/course/lab_lecture.h"
 #include "app/files/data.h"
 #include "app/files/screenshot.h"
 #include "app/lab_requests.h"
@@ -58,7 +59,9 @@ float App::preferred_scale() const {
 }
 
 float App::wanted_scale() const {
-    return lab_.before_lecture ? preferred_scale() : fitting_scale(preferred_scale(), window_.area());
+    const float preferred = preferred_scale();
+    if (!lab_.before_lecture) return fitting_scale(preferred, window_.area());
+    return preferred * lecture_growth(window_.area(), preferred / lab_.preferences.type_size);
 }
 
 float App::reduced_type_size() const {

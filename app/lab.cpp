@@ -92,6 +92,7 @@ LabView view_of(const Lab& lab) {
     view.theme = lab.preferences.theme;
     view.lecture = lab.before_lecture.has_value();
     view.pages = lab.pages ? &*lab.pages : nullptr;
+    view.left_pages = lab.left_pages ? &*lab.left_pages : nullptr;
     view.reduce_motion = lab.preferences.reduce_motion;
     view.wall_seconds = lab.wall_seconds;
     return view;

@@ -48,7 +48,9 @@ struct Lab {
     std::optional<std::pair<std::uint64_t, std::size_t>> progress_of{};  // run_id and student of the notes in the view
     std::optional<Together> together{};                                  // set while the graded starts run at once
     std::optional<LectureView> pages{};                                  // the open lecture; only in lecture mode
-    double lecture_began = 0;                                            // wall seconds
+    std::optional<LectureView> left_pages{};                             // the lecture that was left last
+    std::uint64_t left_run = 0;  // Document::run_id when it was left; F9 then goes back to it
+    double lecture_began = 0;    // wall seconds
     Notice notice{};
     double notice_until = 0;  // wall seconds
     double wall_seconds = 0;

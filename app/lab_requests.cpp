@@ -332,7 +332,15 @@ void act(Lab& lab, Action action) {
             lab.preferences.theme = lab.preferences.theme == Theme::dark ? Theme::light : Theme::dark;
             break;
         case Action::lecture:
-            lab.before_lecture ? end_lecture(lab) : begin_lecture(lab);
+            if (lab.before_lecture)
+                end_lecture(lab);
+            else if (lab.left_pages && lab.left_run == lab.document.run_id)
+                request_left_lecture(lab, true);
+            else
+                begin_lecture(lab);
+            break;
+        case Action::first_page:
+            lab.pages ? show_page(lab, 0) : request_left_lecture(lab, false);
             break;
         case Action::next_page:
             next_page(lab);

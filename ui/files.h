@@ -44,6 +44,7 @@ struct Leaving {
     std::string title;         // of the edited scene or exercise
     std::string next{};        // the file to open next; empty: the program ends
     std::string next_title{};  // of the scene or exercise in it
+    bool resume = false;       // of OpenRequest
 };
 
 // State of file operations, for the panels.

@@ -171,6 +171,7 @@ struct LabView {
     bool reduce_motion = false;
     bool lecture = false;                                   // large type, few controls
     const LectureView* pages = nullptr;                     // the open lecture; null: none. With one, `lecture` is true
+    const LectureView* left_pages = nullptr;                // the lecture that was left last; null: none
     const std::vector<CatalogueEntry>* lectures = nullptr;  // that ship; null: none
     const RecoveryOffer* recovery = nullptr;                // null: nothing to recover
     std::string_view version;                               // of the program: "0.1.0"

@@ -73,8 +73,9 @@ enum class Action {
     open,
     save,
     save_as,
-    lecture,
-    next_page,  // of a lecture: shows the next part of the page, or goes to the next page
+    lecture,     // starts or ends the lecture view; after leaving a lecture file it goes back to the page
+    first_page,  // of the lecture that is open or was left
+    next_page,   // of a lecture: shows the next part of the page, or goes to the next page
     previous_page,
     notes,  // shows or hides the lecturer's notes
 
@@ -89,6 +90,7 @@ enum class Action {
     glossary,
     draw_marks,   // in a lecture: starts or ends drawing with the mouse
     clear_marks,  // removes what has been drawn
+    blank,        // in a lecture file: a black window until the next key or click
     slider_LL,
     slider_LR,
     slider_RL,
@@ -237,6 +239,7 @@ struct OpenRequest {
     std::string path;            // a scene, exercise, brain, run or folder, as typed; may be relative
     bool dropped = false;        // dropped onto the window, not chosen in the file browser
     bool next_exercise = false;  // requested by the button of a passed exercise, whose edited brain may be lost
+    bool resume = false;         // a lecture that was left: at the page where it was left
 };
 struct BrowseRequest {
     std::string path{};  // the folder to list; empty: the folder of the last opened or saved file

@@ -61,6 +61,7 @@ constexpr Shortcut shortcut_table[]{
     {{',', true, false}, Action::settings},
     {{'C'}, Action::charts},
     {{key::f9}, Action::lecture},
+    {{key::f5}, Action::first_page},
     {{key::f11}, Action::full_screen},
     {{key::f12}, Action::screenshot},
     {{key::escape}, Action::cancel},
@@ -141,6 +142,8 @@ constexpr Shortcut shortcut_table[]{
     {{'N'}, Action::notes, KeyPlace::lecture},
     {{'D'}, Action::draw_marks, KeyPlace::lecture},
     {{'D', false, true}, Action::clear_marks, KeyPlace::lecture},
+    {{'B'}, Action::blank, KeyPlace::lecture},
+    {{'.'}, Action::blank, KeyPlace::lecture},  // clickers send one of the two
 };
 
 struct NamedAction {
@@ -205,6 +208,7 @@ constexpr NamedAction action_names[]{
     {Action::save, "save"},
     {Action::save_as, "save_as"},
     {Action::lecture, "lecture"},
+    {Action::first_page, "first_page"},
     {Action::next_page, "next_page"},
     {Action::previous_page, "previous_page"},
     {Action::notes, "notes"},
@@ -218,6 +222,7 @@ constexpr NamedAction action_names[]{
     {Action::glossary, "glossary"},
     {Action::draw_marks, "draw_marks"},
     {Action::clear_marks, "clear_marks"},
+    {Action::blank, "blank"},
     {Action::slider_LL, "slider_LL"},
     {Action::slider_LR, "slider_LR"},
     {Action::slider_RL, "slider_RL"},

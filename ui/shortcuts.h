@@ -18,7 +18,7 @@ namespace key {
 inline constexpr int escape = 256, enter = 257, tab = 258, backspace = 259, insert = 260, del = 261;
 inline constexpr int right = 262, left = 263, down = 264, up = 265, page_up = 266, page_down = 267, home = 268,
                      end = 269;
-inline constexpr int f1 = 290, f9 = 298, f10 = 299, f11 = 300, f12 = 301, alt = 342, menu = 348;
+inline constexpr int f1 = 290, f5 = 294, f9 = 298, f10 = 299, f11 = 300, f12 = 301, alt = 342, menu = 348;
 inline constexpr int first_modifier = 340, last_modifier = 347;  // Shift, Ctrl, Alt …
 }  // namespace key
 

@@ -21,7 +21,8 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float above_inspector = 12;  // layout pixels
+constexpr float above_inspector = 12;         // layout pixels
+constexpr float lecture_type_share = 0.022f;  // of the window's height: legible from the last row
 
 // A click on the button or title of a menu while another menu is open closes that one, which covers the button, and
 // opens this one. Call after the menus are drawn.
@@ -183,15 +184,24 @@ bool works_under_a_sheet(KeyPress press) {
 bool key_for_lecture(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
     const auto action = action_for(press, KeyPlace::lecture);
     if (!view.lecture || !action) return false;
-    if (*action == Action::draw_marks && view.mode != Mode::wiring)
+    if (*action == Action::draw_marks)
         state.marks.drawing = !state.marks.drawing;
+    else if (*action == Action::blank && view.pages)
+        state.blank = true;
     else if (*action == Action::clear_marks)
         state.marks.lines.clear();
-    else if (view.pages && *action != Action::draw_marks)
+    else if (view.pages)
         outbox.push_back(*action);
     else
         return false;
     return true;
+}
+
+// Keys that give the lecture and tell nothing about the lab: they are not shown to the audience.
+bool is_key_of_pages(const LabView& view, KeyPress press) {
+    const auto action = action_for(press);
+    return action == Action::lecture || action == Action::first_page ||
+           (view.pages && action_for(press, KeyPlace::lecture).has_value());
 }
 
 // Scrolls the body of a sheet. Up and Down scroll those that only have words to read.
@@ -366,13 +376,14 @@ void draw_page(const LabView& view, PanelState& state, Ui& ui, const WindowLayou
     if (!view.pages) return;
     if (layout.caption.w > 0) lecture_caption(view, ui, layout.caption);
     if (layout.question.w > 0) lecture_question(view, state, ui, layout.question);
-    if (view.pages->notes) lecture_notes(view, ui, layout.scene);
+    if (layout.notes.h > 0) lecture_notes(view, state, ui, layout.notes);
 }
 
 }  // namespace
 
 OpenCards open_cards(const LabView& view, const PanelState& state) {
     OpenCards open{.charts = state.charts_open};
+    if (view.pages && view.pages->notes) open.notes = state.notes_height;
     for (const CardTraits& row : cards())
         open.right |=
             row.column == Column::right && row.shown(view) && !state.cards[static_cast<std::size_t>(row.card)].folded;
@@ -384,11 +395,13 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     ui.still = view.reduce_motion;
     ui.decimal_mark = decimal_mark(ui.strings);
     ui.tooltips = &state.tooltips;
+    ui.quiet = view.lecture;
+    ui.least_type = view.lecture ? lecture_type_share * layout.window.h : 0;
     if (const ImVec2 moved = ImGui::GetIO().MouseDelta; moved.x != 0 || moved.y != 0)
         state.tooltips.moved_at = ImGui::GetTime();
     ImGui::GetIO().MouseDoubleClickTime = static_cast<float>(double_click_seconds);
     follow_held_play(view, state);
-    Prompt prompt = next_prompt(state.prompts, view);
+    Prompt prompt = view.lecture ? Prompt{} : next_prompt(state.prompts, view);
     if (is_play_held(view, state)) prompt = {"exercise.predict", "hint.predict_first"};
     ui.highlight = prompt.anchor;
     pass_keys_to_rows(state);
@@ -407,7 +420,6 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     follow_lecture(view, state);
     ui.anchors.record("viewport", layout.scene);
     choose_sensor_handles(view, state);
-    draw_marks(view, state.marks, ui, layout.scene);
     if (state.marks.drawing) {  // the mouse draws and does nothing else
         LabView without_camera = view;
         without_camera.camera_view = nullptr;
@@ -426,11 +438,12 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     if (layout.charts.w > 0) chart_card(view, state, ui, layout.charts);
     if (!view.lecture) tool_palette(view, state, ui, layout.tools);
     if (view.lecture) {
-        const bool watches = view.mode != Mode::wiring && layout.canvas.w > 0;
-        lecture_figures(view, state, ui, layout.hint_bar, watches ? layout.scene : layout.window);
+        lecture_figures(view, state, ui, layout.hint_bar);
         lecture_bar(view, state, ui, layout.toolbar);
         draw_page(view, state, ui, layout);
+        if (state.sheet == Sheet::none) draw_marks(view, state.marks, ui, layout.scene, layout.toolbar, layout.window);
     } else {
+        state.marks = {};
         timeline(view, state, ui, layout.timeline);
         const std::string tool = hint_of_tool(state.scene_input, view);
         hint_bar(view, ui, layout.hint_bar, tool.empty() ? prompt.hint : std::string_view(tool));
@@ -456,6 +469,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
         (void)keep_drawn(*field);
     keep_drawn(state.author);
     for (TextField& field : state.hands) (void)keep_drawn(field);
+    blank_window(view, state, ui, layout.window);
     end_keyboard(state.keyboard);
     execute_chosen(view, state, ui.outbox);
 }
@@ -467,6 +481,11 @@ bool drags_vehicle(const PanelState& state, VehicleId vehicle) {
 }
 
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
+    const bool is_modifier = press.key >= key::first_modifier && press.key <= key::last_modifier;
+    if (state.blank && !is_modifier) {
+        state.blank = false;
+        return true;
+    }
     if (key_for_prediction(view, state, press, outbox) || key_for_next_exercise(view, state, press)) return true;
     show_focus_for(state.keyboard, press);
     if (action_for(press) == Action::exit) {  // in every state; the app shows the sheet about unsaved edits
@@ -479,8 +498,7 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
          for_text_area(state.note, press) || key_for_hands(state, press) || for_text_field(state.hand_in.name, press)))
         return true;
     if (state.sheet == Sheet::students && for_text_field(state.student_name, press)) return true;
-    const bool is_modifier = press.key >= key::first_modifier && press.key <= key::last_modifier;
-    if (view.lecture && state.sheet == Sheet::none && press.key != key::f9 && !is_modifier)
+    if (view.lecture && state.sheet == Sheet::none && !is_modifier && !is_key_of_pages(view, press))
         state.pressed.push_back({press, view.wall_seconds});
     if (state.sheet == Sheet::files &&
         (for_text_field(state.files.typed, press) || for_text_field(state.files.title, press) ||

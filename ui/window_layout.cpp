@@ -12,6 +12,8 @@ namespace {
 constexpr float toolbar_height = 42, hint_height = 32, timeline_height = 50, above_timeline = 8;
 constexpr float lecture_bar_height = 56, figures_height = 92, lecture_inset_aspect = 1.6f;
 constexpr float caption_height = 74, question_share = 0.45f;       // of the width
+constexpr float lecture_canvas_share = 0.52f;                      // at least: its weights are legible
+constexpr float largest_notes = 0.36f;                             // of the height
 constexpr float column_share = 0.375f, lone_column_share = 0.45f;  // at most, of the width with a margin
 constexpr float metre_labels = 16;                                 // below the arena
 constexpr float wide_window = 1600;                                // has room for both columns and a watched canvas
@@ -40,7 +42,8 @@ Rect take_timeline(Rect& middle, float scale) {
 // the right column are over the scene, and an open one has a column of its own.
 void split_for_canvas(WindowLayout& l, const LabView& view, float border, bool card_is_open) {
     const float wide = view.lecture ? 1.5f : 1.9f;  // width by height
-    const float share = std::clamp(view.settings.canvas_share, least_canvas_share, largest_canvas_share);
+    const float least = view.lecture ? lecture_canvas_share : least_canvas_share;
+    const float share = std::clamp(view.settings.canvas_share, least, largest_canvas_share);
     if (view.lecture && card_is_open) l.scene.w -= l.right.w + border;
     if (l.scene.w > wide * l.scene.h) {
         const float canvas = (l.scene.w - border) * share;
@@ -57,26 +60,34 @@ void split_for_canvas(WindowLayout& l, const LabView& view, float border, bool c
     }
 }
 
-// Whether the question of a page is beside the scene.
-bool asks_beside(const LectureView& page, OpenCards open) {
+// Whether the question of a page is beside the scene. Once it is answered, an open card or the diagram takes its place.
+bool asks_beside(const LabView& view, OpenCards open) {
+    const LectureView& page = *view.pages;
     const bool is_answered = page.shows(PagePart::answer);
-    return page.shows(PagePart::question) && !page.shows(PagePart::exercise) && !(open.right && is_answered);
+    return page.shows(PagePart::question) && !page.shows(PagePart::exercise) &&
+           !(is_answered && (open.right || view.settings.watching));
 }
 
 // In a lecture the type is large: the right column is wider where nothing else is beside the scene.
 float right_share(const LabView& view, OpenCards open) {
     if (!view.lecture) return column_share;
     if (!view.pages) return lone_column_share;
-    const bool has_left = asks_beside(*view.pages, open) || view.pages->shows(PagePart::exercise);
+    const bool has_left = asks_beside(view, open) || view.pages->shows(PagePart::exercise);
     return has_left ? column_share : lone_column_share;
 }
 
 // The parts of a page of a lecture: the caption above, and the scene beside the question and the open cards. The
 // exercise takes the place of the question, as the sliders do once it is answered. The values below are shown on
-// request only.
-void lay_out_page(WindowLayout& l, const LectureView& page, OpenCards open, float margin) {
+// request only, and so are the notes, which cover nothing.
+void lay_out_page(WindowLayout& l, const LabView& view, OpenCards open, float margin) {
+    const LectureView& page = *view.pages;
     Rect& s = l.scene;
-    const float bottom = page.shows(PagePart::values) ? s.y + s.h : l.window.h - margin;
+    float bottom = page.shows(PagePart::values) ? s.y + s.h : l.window.h - margin;
+    if (open.notes > 0) {
+        l.notes = {margin, bottom, l.window.w - 2 * margin, std::min(open.notes, largest_notes * l.window.h)};
+        l.notes.y -= l.notes.h;
+        bottom = l.notes.y - margin;
+    }
     float top = l.toolbar.y + l.toolbar.h;
     if (page.shows(PagePart::caption) && !page.current().caption.empty()) {
         l.caption = {0, top, l.window.w, caption_height * l.scale};
@@ -87,7 +98,7 @@ void lay_out_page(WindowLayout& l, const LectureView& page, OpenCards open, floa
     l.left.y = l.right.y = s.y;
     l.left.h = l.right.h = s.h;
     const bool has_card = page.shows(PagePart::exercise);  // takes the place of the question
-    const bool asks = asks_beside(page, open);
+    const bool asks = asks_beside(view, open);
     if (asks) l.question = {margin, s.y, question_share * l.window.w - margin, s.h};
     if (asks || !has_card) l.left = {};
     const float from = asks ? l.question.x + l.question.w + margin : has_card ? l.left.x + l.left.w + margin : s.x;
@@ -134,7 +145,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     }
     // Folded cards cover part of the scene.
     if (view.lecture) l.scene = {margin, top, width - 2 * margin, column};
-    if (view.pages && view.mode != Mode::wiring) lay_out_page(l, *view.pages, open, margin);
+    if (view.pages && view.mode != Mode::wiring) lay_out_page(l, view, open, margin);
 
     if (view.mode == Mode::wiring) {
         // There is no left column in a narrow window and without an exercise.

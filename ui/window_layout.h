@@ -15,7 +15,7 @@ struct WindowLayout {
     Rect canvas;  // the wiring canvas; in Mode::wiring, or beside or below the scene while it is watched
     Rect border;  // between canvas and scene while it is watched; can be dragged
     Rect scene;   // no card covers it: the camera fits the arena into it; anchor `viewport`. In Mode::wiring an inset
-    Rect caption, question;  // of a page of a lecture
+    Rect caption, question, notes;  // of a page of a lecture
     Rect tools;  // the tool palette is in its upper left corner: in the scene, or above it beside the chart card
     float scale = 1;
 };
@@ -24,6 +24,7 @@ struct WindowLayout {
 struct OpenCards {
     bool charts = false;  // the chart card
     bool right = false;   // any card of the right column
+    float notes = 0;      // wanted height of the lecturer's notes, window pixels; 0: they are not shown
 };
 
 // `scale`: window pixels per layout pixel, at least 1. The layout fits windows of at least 1024 × 768 layout pixels. In

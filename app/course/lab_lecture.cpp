@@ -1,6 +1,7 @@
 #include "app/course/lab_lecture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/files/data.h"
@@ -17,6 +18,15 @@ Camera camera_of(const LecturePage& page) {
     constexpr std::array<CameraMode, page_camera_table.size()> modes{CameraMode::overview, CameraMode::follow,
                                                                      CameraMode::driver, CameraMode::birds_eye};
     return {modes[static_cast<std::size_t>(page.camera)], page.azimuth, page.elevation, page.zoom, {page.x, page.y}};
+}
+
+// An open lecture without hands, and lecture mode.
+void begin_pages(Lab& lab, std::shared_ptr<const Lecture> lecture) {
+    if (!lab.before_lecture) begin_lecture(lab);
+    std::vector<std::vector<int>> hands;
+    for (const LecturePage& page : lecture->pages) hands.emplace_back(page.question.options.size(), 0);
+    lab.pages = LectureView{.lecture = std::move(lecture), .hands = std::move(hands)};
+    lab.left_pages.reset();
 }
 
 // Applies the parts that are settings of the view. Panels read the others from LectureView.
@@ -63,14 +73,29 @@ void select_vehicle(Lab& lab, const LecturePage& page) {
 
 }  // namespace
 
+float lecture_growth(Rect window, float display_scale) {
+    constexpr float width = 1280, height = 800, steps = 8;  // a step is an eighth: each change loads the fonts again
+    const float growth = std::min(window.w / width, window.h / height) / std::max(0.1f, display_scale);
+    return std::max(1.0f, std::floor(growth * steps) / steps);
+}
+
 void begin_lecture(Lab& lab) {
     lab.before_lecture = SettingsBeforeLecture{lab.preferences.theme, lab.preferences.type_size, lab.view};
     lab.preferences.theme = Theme::light;
     lab.preferences.type_size *= lecture_type;
 }
 
+void leave_pages(Lab& lab) {
+    if (!lab.pages) return;
+    lab.left_pages = std::exchange(lab.pages, std::nullopt);
+    lab.left_run = 0;
+}
+
 void end_lecture(Lab& lab) {
-    if (std::exchange(lab.pages, std::nullopt)) {
+    if (lab.pages) {
+        leave_pages(lab);
+        lab.left_run = lab.document.run_id;
+        say(lab, {NoticeKind::notice, "notice.lecture_left", std::to_string(lab.left_pages->page + 1)});
         lab.document.saved_edits = lab.document.edits;
         lab.document.saved_tick = lab.document.session.snapshot().tick;
     }
@@ -85,16 +110,29 @@ Result<Lecture> read_whole_lecture(const std::filesystem::path& path) {
     auto lecture = read_lecture(path);
     if (!lecture) return lecture;
     if (const auto error = check_pages(*lecture)) return *error;
+    lecture->path = absolute_path(path);
     return lecture;
 }
 
 void open_lecture(Lab& lab, std::shared_ptr<const Lecture> lecture) {
-    if (!lab.before_lecture) begin_lecture(lab);
-    std::vector<std::vector<int>> hands;
-    for (const LecturePage& page : lecture->pages) hands.emplace_back(page.question.options.size(), 0);
-    lab.pages = LectureView{.lecture = std::move(lecture), .hands = std::move(hands)};
+    begin_pages(lab, std::move(lecture));
     lab.lecture_began = lab.wall_seconds;
     show_page(lab, 0);
+}
+
+void resume_lecture(Lab& lab, std::shared_ptr<const Lecture> lecture) {
+    const LectureView left = *lab.left_pages;
+    begin_pages(lab, std::move(lecture));
+    lab.pages->notes = left.notes;
+    const auto is_as_long = [](const std::vector<int>& a, const std::vector<int>& b) { return a.size() == b.size(); };
+    if (std::equal(left.hands.begin(), left.hands.end(), lab.pages->hands.begin(), lab.pages->hands.end(), is_as_long))
+        lab.pages->hands = left.hands;
+    show_page(lab, left.page, left.step);
+}
+
+void request_left_lecture(Lab& lab, bool resume) {
+    if (!lab.left_pages) return say(lab, {NoticeKind::notice, "unavailable.no_lecture"});
+    lab.files.push_back(OpenRequest{.path = lab.left_pages->lecture->path.string(), .resume = resume});
 }
 
 void show_page(Lab& lab, int page, int steps) {

@@ -8,16 +8,32 @@ namespace braitenlab {
 
 inline constexpr float lecture_type = 1.6f;  // times the type size outside a lecture
 
-// Lecture mode: large type, light colours. The end restores preferences and view settings, and closes the lecture file;
+// How much larger the type of a lecture is in this window than in one of 1280 x 800: in a large window a lecture looks
+// as in a small one. At least 1. `display_scale`: window pixels per layout pixel at type size 1.
+float lecture_growth(Rect window, float display_scale);
+
+// Lecture mode: large type, light colours. The end restores preferences and view settings, and leaves the lecture file;
 // the scene of the last page stays open.
 void begin_lecture(Lab&);
 void end_lecture(Lab&);
 
-// A lecture whose pages can all be opened. Fails as read_lecture() and check_pages() do.
+// A lecture whose pages can all be opened, with its absolute path. Fails as read_lecture() and check_pages() do.
 Result<Lecture> read_whole_lecture(const std::filesystem::path&);
 
 // Begins lecture mode if it is off, and shows the first page.
 void open_lecture(Lab&, std::shared_ptr<const Lecture>);
+
+// Closes the lecture file and keeps its page, its time and the counted hands in Lab::left_pages. Lecture mode stays.
+// Does nothing without an open lecture.
+void leave_pages(Lab&);
+
+// Shows the page of Lab::left_pages, which is opened anew. The lecture is the file as it is now: if the author has
+// changed its questions, the counted hands are lost. Precondition: Lab::left_pages.
+void resume_lecture(Lab&, std::shared_ptr<const Lecture>);
+
+// Requests that the lecture that was left is opened: at the page where it was left, or at the first one. Without one,
+// shows a notice.
+void request_left_lecture(Lab&, bool resume);
 
 // Opens a page with so many of its steps shown. Both numbers are limited to those that exist. If the page's file cannot
 // be opened any more, shows the error and keeps the present page. Precondition: Lab::pages.

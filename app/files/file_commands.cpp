@@ -63,7 +63,7 @@ struct FileCommands {
         view.refused.reset();
     }
 
-    void open(const std::string& typed, bool discard = false, bool dropped = false) const {
+    void open(const std::string& typed, bool discard = false, bool dropped = false, bool resume = false) const {
         const fs::path path = resolved(typed, folder(), folders.home);
         std::error_code none;
         if (fs::is_directory(path, none)) {
@@ -81,27 +81,29 @@ struct FileCommands {
             done(path, "files.took_brain");
             return report_time_change(lab, latest);
         }
-        if (file->kind == FileKind::lecture) return open_pages(path, discard);
+        if (file->kind == FileKind::lecture) return open_pages(path, discard, resume);
         auto opened = open_document(*file, std::nullopt, {});
         if (!opened) return fail(opened.error());
         if (!discard && has_unsaved_edits(lab)) {
             view.leaving = Leaving{title_of(lab.document), path.string(), title_of(*opened)};
             return view.refused.reset();
         }
-        lab.pages.reset();
+        leave_pages(lab);
         replace_document(lab, std::move(*opened));
         add_recent_file(state, path, lab.document);
         done(path, {});
     }
 
-    void open_pages(const fs::path& path, bool discard) const {
+    void open_pages(const fs::path& path, bool discard, bool resume) const {
         auto lecture = read_whole_lecture(path);
         if (!lecture) return fail(lecture.error());
         if (!discard && has_unsaved_edits(lab)) {
-            view.leaving = Leaving{title_of(lab.document), path.string(), lecture->title};
+            view.leaving = Leaving{title_of(lab.document), path.string(), lecture->title, resume};
             return view.refused.reset();
         }
-        open_lecture(lab, std::make_shared<const Lecture>(std::move(*lecture)));
+        auto shared = std::make_shared<const Lecture>(std::move(*lecture));
+        const bool goes_on = resume && lab.left_pages && lab.left_pages->lecture->id == shared->id;
+        goes_on ? resume_lecture(lab, std::move(shared)) : open_lecture(lab, std::move(shared));
         done(path, {});
     }
 
@@ -111,8 +113,8 @@ struct FileCommands {
         if (answer == Leave::stay) return view.leaving.reset();
         if (answer == Leave::save) save({view.save_to, FileKind::scene});
         if (answer != Leave::discard && has_unsaved_edits(lab)) return;  // not written: the sheet stays open
-        const std::string next = std::exchange(view.leaving, std::nullopt)->next;
-        if (!next.empty()) return open(next, true);
+        const Leaving left = *std::exchange(view.leaving, std::nullopt);
+        if (!left.next.empty()) return open(left.next, true, false, left.resume);
         lab.document.saved_edits = lab.document.edits;
         lab.exit = true;
     }
@@ -197,7 +199,7 @@ void execute_file_requests(Lab& lab, FilesView& view, StoredState& state, const 
     const FileCommands commands{lab, view, state, folders};
     for (const Request& request : std::exchange(lab.files, {})) {
         if (const auto* open = std::get_if<OpenRequest>(&request))
-            commands.open(open->path, open->next_exercise && has_passed(lab), open->dropped);
+            commands.open(open->path, open->next_exercise && has_passed(lab), open->dropped, open->resume);
         if (const auto* save = std::get_if<SaveRequest>(&request)) commands.save(*save);
         if (const auto* save = std::get_if<SaveExerciseRequest>(&request)) commands.save_exercise(*save);
         if (const auto* leave = std::get_if<LeaveRequest>(&request)) commands.leave(leave->answer);

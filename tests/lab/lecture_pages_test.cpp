@@ -138,6 +138,71 @@ TEST_F(LabLecturePages, EscapeAndF9RestoreTheViewSettings) {
     }
 }
 
+TEST_F(LabLecturePages, F9GoesBackToThePageThatWasLeft) {
+    for (const int leave : {key::escape, key::f9}) {
+        open("four-numbers");
+        for (int i = 0; i < 3; ++i) press({key::page_down});
+        handle(lab, HandsRequest{1, 12});
+        press({leave});
+        ASSERT_FALSE(lab.pages);
+        EXPECT_EQ(lab.notice.key, "notice.lecture_left");
+        EXPECT_EQ(lab.notice.words, "2");
+        press({key::f9});
+        execute_file_requests(lab, files, state, folders);
+        ASSERT_TRUE(lab.pages);
+        EXPECT_TRUE(view_of(lab).lecture);
+        EXPECT_EQ(lab.pages->page, 1);
+        EXPECT_EQ(lab.pages->step, 2);
+        EXPECT_EQ(lab.pages->hands[1], (std::vector{0, 12, 0}));
+        EXPECT_FALSE(lab.left_pages);
+    }
+}
+
+TEST_F(LabLecturePages, F9AsksAboutEditsMadeSinceTheLectureWasLeft) {
+    open("four-numbers");
+    press({key::page_down});
+    press({key::escape});
+    handle(lab, EditRequest{TurnDial{{.kind = 0}, Dial::LR, 1}});
+    press({key::f9});
+    execute_file_requests(lab, files, state, folders);
+    ASSERT_TRUE(files.leaving);
+    EXPECT_FALSE(lab.pages);
+    ask(LeaveRequest{Leave::discard});
+    ASSERT_TRUE(lab.pages);
+    EXPECT_EQ(lab.pages->page, 1) << "the page that was left, not the first one";
+}
+
+TEST_F(LabLecturePages, AfterAnotherFileTheMenuGoesBackAndF9IsTheLectureView) {
+    open("four-numbers");
+    press({key::page_down});
+    open("3a-love");
+    ASSERT_TRUE(view_of(lab).left_pages) << "the row of the menu";
+    handle(lab, Action::lecture);  // leaves the lecture view
+    handle(lab, Action::lecture);
+    execute_file_requests(lab, files, state, folders);
+    EXPECT_FALSE(lab.pages);
+    EXPECT_TRUE(view_of(lab).lecture);
+    ask(OpenRequest{.path = lab.left_pages->lecture->path.string(), .resume = true});
+    ASSERT_TRUE(lab.pages);
+    EXPECT_EQ(lab.pages->page, 1);
+}
+
+TEST_F(LabLecturePages, F5StartsAtTheFirstPage) {
+    press({key::f5});
+    EXPECT_EQ(lab.notice.key, "unavailable.no_lecture");
+    open("four-numbers");
+    for (int i = 0; i < 3; ++i) press({key::page_down});
+    press({key::f5});
+    EXPECT_EQ(lab.pages->page, 0);
+    EXPECT_EQ(lab.pages->step, 0);
+    for (int i = 0; i < 3; ++i) press({key::page_down});
+    press({key::escape});
+    press({key::f5});
+    execute_file_requests(lab, files, state, folders);
+    ASSERT_TRUE(lab.pages);
+    EXPECT_EQ(lab.pages->page, 0);
+}
+
 TEST_F(LabLecturePages, CountsHandsForEachPage) {
     open("four-numbers");
     press({key::page_down});

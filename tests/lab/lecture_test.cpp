@@ -1,6 +1,7 @@
 // Lecture mode in the lab: what it changes, and what leaving restores.
 #include <gtest/gtest.h>
 
+#include "app/course/lab_lecture.h"
 #include "app/files/data.h"
 #include "app/lab_requests.h"
 
@@ -64,6 +65,14 @@ TEST_F(LabLecture, LeavingDoesNotRestoreTheCameraOfAnotherScene) {
     replace_document(lab, std::move(*open_document(*find_shipped("2a-coward"), std::nullopt, {})));
     handle(lab, Action::lecture);
     EXPECT_EQ(lab.view.camera, Camera{});
+}
+
+TEST(LectureGrowth, ALargeWindowHasLargerTypeAndASmallOneNotSmaller) {
+    EXPECT_EQ(lecture_growth({0, 0, 1280, 800}, 1), 1);
+    EXPECT_EQ(lecture_growth({0, 0, 1024, 768}, 1), 1);
+    EXPECT_EQ(lecture_growth({0, 0, 1920, 1080}, 1), 1.25f) << "in steps of an eighth";
+    EXPECT_EQ(lecture_growth({0, 0, 3840, 2160}, 2), 1.25f) << "a dense display of the same size";
+    EXPECT_EQ(lecture_growth({0, 0, 3840, 800}, 1), 1) << "a wide window";
 }
 
 TEST_F(LabLecture, KeepsEditsAndTheRun) {

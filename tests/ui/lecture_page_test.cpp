@@ -86,6 +86,65 @@ TEST_F(LecturePages, CaptionAndOptionsFitIntoSmallWindowsInEveryLanguage) {
         }
 }
 
+TEST_F(LecturePages, TheAnswerPushesNoOptionOutOfASmallWindow) {
+    for (const char* code : {"en", "de", "es"})
+        for (const char* name : {"four-numbers", "wheels-to-neurons"}) {
+            if (std::string(code) != "en") desk.strings = speaking_in_lectures(code);
+            pages = opened(name);
+            for (int page = 0; page < static_cast<int>(pages.lecture->pages.size()); ++page) {
+                show(page, 2);
+                const std::size_t options = pages.current().question.options.size();
+                if (options == 0) continue;
+                SCOPED_TRACE(std::string(code) + " " + name + " " + std::to_string(page + 1));
+                ASSERT_TRUE(pages.shows(PagePart::answer));
+                for (int& hands : pages.hands[static_cast<std::size_t>(page)]) hands = 12;
+                desk.frame(2);
+                const std::string last = "lecture.share." + std::to_string(options);
+                ASSERT_TRUE(desk.anchors.find(last)) << "the last option is visible without scrolling";
+                EXPECT_GT(desk.where(last).h, 15) << "not clipped";
+            }
+        }
+}
+
+TEST_F(LecturePages, TheDiagramTakesThePlaceOfAnAnsweredQuestion) {
+    desk.now = shipped_scene("2b-aggressor");
+    desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+    show(3, 2);
+    EXPECT_TRUE(desk.anchors.find("lecture.question"));
+    desk.view.settings.watching = true;
+    show(3, 3);
+    EXPECT_FALSE(desk.anchors.find("lecture.question"));
+    EXPECT_FALSE(overlap(desk.where("canvas"), desk.where("viewport")));
+    for (const char* node : {"name.SL", "name.SR", "name.ML", "name.MR"})
+        EXPECT_TRUE(is_inside(desk.where(node), desk.where("canvas"))) << node;
+    desk.view.settings.watching = false;
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("lecture.question")) << "the lecturer has hidden the diagram";
+}
+
+// What the lecturer points at is legible from the last row.
+TEST(LecturePageType, WeightsNamesAndEquationsAreNotSmallerThanAFiftiethOfTheWindow) {
+    for (const auto& [width, height] : {std::pair{1280.0f, 800.0f}, std::pair{1024.0f, 768.0f}})
+        for (const char* scene : {"2a-coward", "2b-aggressor", "3a-love", "3b-explorer"}) {
+            SCOPED_TRACE(scene + std::string(" at ") + std::to_string(width));
+            Desk small{width, height, 1.6f, true};
+            small.now = shipped_scene(scene);
+            small.view.settings.selection.vehicle = small.now.vehicles.front().id;
+            small.view.lecture = small.view.settings.watching = true;
+            LectureView own = opened("four-numbers");
+            own.page = 2, own.step = 2;
+            small.view.pages = &own;
+            small.frame(4);
+            const float least = 0.022f * height;
+            for (const char* anchor : {"name.SL", "name.SR", "name.ML", "name.MR", "weight.LL", "weight.LR"})
+                EXPECT_GE(small.where(anchor).h, least - 0.5f) << anchor;
+            small.view.settings.watching = false;
+            small.panels.card(Card::brain).folded = false;
+            small.frame(3);
+            for (const Written& w : small.written) EXPECT_GE(w.rect.h, least - 0.5f) << w.words;
+        }
+}
+
 TEST_F(LecturePages, CountsHandsByButtonAndByTyping) {
     show(1, 0);
     desk.click("lecture.more.2");
@@ -141,8 +200,76 @@ TEST_F(LecturePages, ShowsNotesAndTheTimeOnRequestOnly) {
     EXPECT_TRUE(shows("Page Down shows the diagram"));
     for (int page = 0; page < 9; ++page) {
         show(page, 0);
-        EXPECT_TRUE(is_inside(desk.where("lecture.notes"), desk.layout.window));
+        const Rect notes = desk.where("lecture.notes");
+        EXPECT_TRUE(is_inside(notes, desk.layout.window));
+        EXPECT_FALSE(overlap(notes, desk.where("viewport"))) << "they cover nothing";
+        if (desk.anchors.find("lecture.question")) {
+            EXPECT_FALSE(overlap(notes, desk.where("lecture.question")));
+        }
+        if (desk.anchors.find("lecture.left")) {
+            EXPECT_FALSE(overlap(notes, desk.where("lecture.left")));
+        }
+        for (const Written& w : desk.written) {
+            if (!overlap(w.rect, notes)) continue;
+            EXPECT_TRUE(is_inside(w.rect, notes)) << w.words;
+        }
     }
+}
+
+TEST_F(LecturePages, ANoticeIsInTheBarAndCoversNothing) {
+    show(2, 2);
+    ASSERT_TRUE(desk.anchors.find("lecture.left"));
+    desk.view.notice = {NoticeKind::failure, "",
+                        std::string(30, 'a') + std::string(" and more words to read") +
+                            " in this long notice that takes two lines of the bar"};
+    desk.frame(2);
+    EXPECT_TRUE(is_inside(desk.where("hint.bar"), desk.layout.toolbar));
+    EXPECT_TRUE(desk.anchors.find("lecture.left")) << "the values stay";
+    int lines = 0;
+    for (const Written& w : desk.written)
+        if (is_inside(w.rect, desk.where("hint.bar"))) ++lines;
+    EXPECT_EQ(lines, 2);
+}
+
+TEST_F(LecturePages, PressedKeysAreInTheBarAndThoseOfThePagesAreNotShown) {
+    show(1, 0);
+    for (const KeyPress press : {KeyPress{key::page_down}, KeyPress{'N'}, KeyPress{'D'}, KeyPress{key::f5}})
+        desk.key(press);
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("lecture.keys"));
+    desk.key({' '});
+    desk.frame(2);
+    ASSERT_TRUE(desk.anchors.find("lecture.keys"));
+    EXPECT_TRUE(is_inside(desk.where("lecture.keys"), desk.layout.toolbar));
+    EXPECT_FALSE(overlap(desk.where("lecture.keys"), desk.where("lecture.page")));
+}
+
+TEST_F(LecturePages, AClickerBlanksTheWindowAndTheNextKeyOnlyShowsItAgain) {
+    for (const int key : {'B', '.'}) {
+        show(1, 0);
+        desk.all.clear();
+        desk.key({key});
+        desk.frame(2);
+        ASSERT_TRUE(desk.anchors.find("lecture.blank"));
+        desk.key({key::page_down});
+        desk.frame(2);
+        EXPECT_FALSE(desk.anchors.find("lecture.blank"));
+        EXPECT_TRUE(desk.all.empty()) << "the page does not change unseen";
+    }
+    desk.key({'B'});
+    desk.frame(2);
+    desk.click("lecture.blank");
+    EXPECT_FALSE(desk.anchors.find("lecture.blank"));
+    desk.view.pages = nullptr;
+    desk.key({'B'});
+    EXPECT_FALSE(desk.panels.blank);
+    EXPECT_EQ(desk.actions(), std::vector{Action::birds_eye}) << "without pages B is the bird's eye";
+}
+
+TEST_F(LecturePages, F5AsksForTheFirstPage) {
+    show(3, 1);
+    desk.key({key::f5});
+    EXPECT_EQ(desk.actions(), std::vector{Action::first_page});
 }
 
 TEST_F(LecturePages, UnfoldsTheSlidersWhereThePageShowsThemAndFoldsThemAfterwards) {
@@ -234,7 +361,8 @@ TEST_F(LectureMarks, DDrawsLinesOnTheFloorUnderThePointer) {
     desk.all.clear();
     draw({500, 400}, {600, 450});
     ASSERT_EQ(desk.panels.marks.lines.size(), 1u);
-    const auto& line = desk.panels.marks.lines[0];
+    ASSERT_TRUE(desk.panels.marks.lines[0].on_floor);
+    const auto& line = desk.panels.marks.lines[0].points;
     EXPECT_GE(line.size(), 10u);
     const auto first = project(camera, line.front()), last = project(camera, line.back());
     EXPECT_NEAR(first->x, 500, 1);
@@ -307,11 +435,59 @@ TEST_F(LecturePages, TheBarOfAnOptionHasTheShareOfAllHands) {
     EXPECT_NEAR((to - from) / bar.w, 12.0f / 16, 0.02f);
 }
 
-TEST_F(LectureMarks, DDrawsNoMarksInTheWiringView) {
+TEST_F(LectureMarks, DDrawsOverTheDiagramAndTheLinesScaleWithTheWindow) {
+    desk.now = shipped_scene("2a-coward");
+    desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+    desk.view.settings.watching = true;
+    desk.frame(3);
+    const Rect canvas = desk.where("canvas"), label = desk.where("wire.LL");
+    desk.key({'D'});
+    desk.frame(2);
+    desk.all.clear();
+    const ImVec2 from{label.x + label.w / 2, label.y + label.h / 2};
+    draw(from, {from.x + 40, from.y + 60});
+    ASSERT_EQ(desk.panels.marks.lines.size(), 1u);
+    EXPECT_TRUE(canvas.contains(from.x, from.y));
+    EXPECT_FALSE(desk.panels.marks.lines[0].on_floor);
+    EXPECT_TRUE(desk.edits().empty()) << "the weight under the pen is not dragged";
+    const maths::vec2 first = desk.panels.marks.lines[0].points.front();
+    EXPECT_NEAR(first.x, from.x / 1280, 2e-3);
+    EXPECT_NEAR(first.y, from.y / 800, 2e-3);
+    ImGui::GetIO().DisplaySize = {640, 400};
+    desk.frame(2);
+    bool is_drawn = false;
+    const ImDrawList& top = *ImGui::GetForegroundDrawList();
+    for (const ImDrawVert& v : top.VtxBuffer)
+        is_drawn |= std::abs(v.pos.x - from.x / 2) < 8 && std::abs(v.pos.y - from.y / 2) < 8;
+    EXPECT_TRUE(is_drawn) << "at half the place in a window of half the size";
+}
+
+TEST_F(LectureMarks, ALineThatLeavesTheSceneGoesOnInTheWindow) {
+    desk.key({'D'});
+    desk.frame(2);
+    const Rect scene = desk.layout.scene;
+    draw({scene.x + scene.w / 2, scene.y + scene.h - 40}, {scene.x + scene.w / 2, scene.y + scene.h + 30});
+    ASSERT_EQ(desk.panels.marks.lines.size(), 2u);
+    EXPECT_TRUE(desk.panels.marks.lines[0].on_floor);
+    EXPECT_FALSE(desk.panels.marks.lines[1].on_floor);
+}
+
+TEST_F(LectureMarks, TheBarCanBeClickedWhileTheMouseDraws) {
+    desk.key({'D'});
+    desk.frame(2);
+    desk.click("button.play");
+    EXPECT_EQ(desk.actions(), std::vector{Action::play_pause});
+    EXPECT_TRUE(desk.panels.marks.lines.empty());
+}
+
+TEST_F(LectureMarks, DDrawsInTheWiringView) {
     desk.view.mode = Mode::wiring;
     desk.frame(2);
     desk.key({'D'});
-    EXPECT_FALSE(desk.panels.marks.drawing);
+    desk.frame(2);
+    draw({500, 400}, {600, 450});
+    ASSERT_EQ(desk.panels.marks.lines.size(), 1u);
+    EXPECT_FALSE(desk.panels.marks.lines[0].on_floor);
 }
 
 }  // namespace braitenlab::tests::lecture_page_test

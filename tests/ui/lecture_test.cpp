@@ -107,6 +107,43 @@ TEST(Lecture, CoversTheWatchedDiagramWithNoCard) {
         }
 }
 
+// A card that folds gives the diagram another place, a little to the left.
+TEST(Lecture, ShowsTheWholeDiagramAfterItsPlaceHasChanged) {
+    Desk desk(1280, 800, 1.6f, true);
+    desk.now = shipped_scene("2b-aggressor");
+    desk.view.lecture = desk.view.settings.watching = true;
+    desk.frame(3);
+    desk.panels.card(Card::brain).folded = false;
+    desk.frame(3);
+    const Rect before = desk.where("canvas");
+    desk.panels.card(Card::brain).folded = true;
+    desk.frame(3);
+    ASSERT_NE(before.x, desk.where("canvas").x);
+    for (const char* node : {"name.SL", "name.SR", "name.ML", "name.MR"}) {
+        ASSERT_TRUE(desk.anchors.find(node)) << node;
+        EXPECT_TRUE(is_inside(desk.where(node), desk.where("canvas"))) << node;
+    }
+    const Rect canvas = desk.where("canvas"), left = desk.where("name.SL"), right = desk.where("name.MR");
+    EXPECT_NEAR((left.x + right.x + right.w) / 2, canvas.x + canvas.w / 2, 0.2f * canvas.w) << "in the middle";
+}
+
+TEST(Lecture, ShowsNoHintOfABeginnerAndNoTooltip) {
+    Desk desk(1280, 800, 1.6f, true);
+    desk.open_exercise();
+    desk.view.lecture = true;
+    desk.panels.card(Card::brain).folded = false;
+    desk.frame(4);
+    const auto shows_tooltip = [&] {
+        desk.point("button.play");
+        desk.frame(90);
+        return shows(desk, std::string(desk.strings("tooltip.play_pause")));
+    };
+    EXPECT_FALSE(shows_tooltip());
+    desk.view.lecture = false;
+    desk.frame(3);
+    EXPECT_TRUE(shows_tooltip());
+}
+
 TEST(Lecture, SaysThatAnEarlierMomentIsShownAndHowEarly) {
     Desk desk(1024, 768, 1.6f, true);
     desk.view.lecture = true;

@@ -150,6 +150,25 @@ TEST(RecoverySheet, DistinguishesACrashFromASignal) {
     }
 }
 
+TEST(RecoverySheet, IsShownAfterALectureOnly) {
+    Desk desk;
+    const RecoveryOffer offer{"2a-coward", "/home/me/mine.toml", "2026-03-01 10:42:05"};
+    desk.view.recovery = &offer;
+    desk.view.lecture = true;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("recovery.take"));
+    EXPECT_EQ(desk.panels.sheet, Sheet::none) << "keys reach the lecture";
+    desk.view.lecture = false;
+    desk.frame(3);
+    EXPECT_TRUE(desk.anchors.find("recovery.take"));
+    desk.view.lecture = true;  // a lecture file that is dropped onto the window
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("recovery.take"));
+    desk.view.lecture = false;
+    desk.frame(3);
+    EXPECT_TRUE(desk.anchors.find("recovery.take"));
+}
+
 TEST(RecoverySheet, NamesTitleFileAndTime) {
     Desk desk;
     const RecoveryOffer offer{"Coward", "/home/me/mine.toml", "2026-03-01 10:42:05"};

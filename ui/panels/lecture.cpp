@@ -73,28 +73,24 @@ void draw_figure(Ui& ui, const LectureFigure& f, Rect r) {
     mark(ui, f.anchor, r);
 }
 
-void pressed_keys(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect above) {
+// The keys that were pressed, in the bar up to `right`; returns their left edge.
+float pressed_keys(const LabView& view, PanelState& state, Ui& ui, float right, Rect bar) {
     auto& keys = state.pressed;
     std::erase_if(keys, [&](const PressedKey& k) { return view.wall_seconds - k.at > pressed_key_seconds; });
     if (keys.size() > most_pressed_keys)
         keys.erase(keys.begin(), keys.end() - static_cast<std::ptrdiff_t>(most_pressed_keys));
-    const auto words_of = [&](const PressedKey& k) { return key_name(k.press, ui.strings); };
-    const float h = line_height(ui, Face::title) + ui.px(16), space = ui.px(8);
-    float width = -space;
-    for (const PressedKey& k : keys) width += space + std::max(h, text_width(ui, Face::title, words_of(k)) + ui.px(28));
-    float x = above.x + (above.w - width) / 2;
-    const float y = bar.y - h - ui.px(16);
-    if (keys.empty()) return;
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.PushClipRectFullScreen();  // above the bar
-    for (const PressedKey& k : keys) {
-        const Rect cap{x, y, std::max(h, text_width(ui, Face::title, words_of(k)) + ui.px(28)), h};
-        fill_box(ui, cap, ui.palette.text, 8);
-        put_centred(ui, {cap.x + cap.w / 2, cap.y + ui.px(8)}, words_of(k), ui.palette.ground, Face::title);
-        x += cap.w + space;
+    if (keys.empty()) return right;
+    const float h = line_height(ui, Face::title) + ui.px(8), space = ui.px(8), y = bar.y + (bar.h - h) / 2;
+    float x = right;
+    for (auto k = keys.rbegin(); k != keys.rend(); ++k) {
+        const std::string words = key_name(k->press, ui.strings);
+        const float width = std::max(h, text_width(ui, Face::title, words) + ui.px(20));
+        x -= width + space;
+        fill_box(ui, {x, y, width, h}, ui.palette.text, 8);
+        put_centred(ui, {x + width / 2, y + ui.px(4)}, words, ui.palette.ground, Face::title);
     }
-    mark(ui, "lecture.keys", {above.x + (above.w - width) / 2, y, width, h});
-    draw.PopClipRect();
+    mark(ui, "lecture.keys", {x, y, right - space - x, h});
+    return x;
 }
 
 // Says that the shown moment is in the past, and by how many seconds; `left` is its left edge. Returns its right edge.
@@ -133,9 +129,28 @@ std::string title_of_bar(const LabView& view, const Ui& ui) {
     return std::string(translated(ui, view.lesson->exercise->title));
 }
 
+// A notice in place of the title, in at most two lines, so that it covers neither the scene nor the values.
+void bar_notice(const LabView& view, Ui& ui, float from, float room, Rect bar) {
+    const Colour colour = colour_of(view.notice.kind, ui.palette);
+    const float text = from + (has_icons(ui) ? ui.px(22) : 0), width = from + room - text;
+    put_icon(ui, {from + ui.px(7), bar.y + bar.h / 2}, sign_of(view.notice.kind), colour);
+    const std::string words = text_of(view.notice, ui.strings);
+    const auto lines = lines_of_words(ui, words, Face::small, width);
+    const float line = line_height(ui, Face::small);
+    const bool one = lines.size() == 1;
+    const float y = bar.y + (bar.h - (one ? 1 : 2) * line) / 2;
+    put(ui, {text, y}, lines.front(), colour, Face::small);
+    if (!one) {
+        std::string rest = lines[1];
+        for (std::size_t i = 2; i < lines.size(); ++i) rest += " " + lines[i];
+        put(ui, {text, y + line}, shortened(ui, rest, Face::small, width), colour, Face::small);
+    }
+    mark(ui, "hint.bar", {from, bar.y, room, bar.h});
+}
+
 }  // namespace
 
-void lecture_bar(const LabView& view, const PanelState&, Ui& ui, Rect bar) {
+void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     begin_bar(ui, "lecture", bar);
     const bool playing = view.mode == Mode::playing;
     const float y = bar.y + (bar.h - ui.px(button_height)) / 2;
@@ -156,47 +171,41 @@ void lecture_bar(const LabView& view, const PanelState&, Ui& ui, Rect bar) {
     tooltip(ui, end, ui.strings("lecture.leave"), key_name(Action::lecture, ui.strings));
     if (end.pressed) ui.outbox.push_back(Action::lecture);
     // The title, between the clock and the button that ends the lecture.
-    const float right = view.pages ? page_number(view, ui, end.rect.x, bar) : end.rect.x;
-    const float from = past_sign(view, ui, start.right() + ui.px(16 + 96), bar), room = right - ui.px(12) - from;
-    put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2},
-        shortened(ui, title_of_bar(view, ui), Face::title, room), ui.palette.second_text, Face::title);
+    const float page = view.pages ? page_number(view, ui, end.rect.x, bar) : end.rect.x;
+    const float right = pressed_keys(view, state, ui, page, bar);
+    const float from = past_sign(view, ui, start.right() + ui.px(16 + 96), bar);
+    const float room = std::max(0.0f, right - ui.px(12) - from);
+    if (view.notice.empty())
+        put(ui, {from, bar.y + (bar.h - line_height(ui, Face::title)) / 2},
+            shortened(ui, title_of_bar(view, ui), Face::title, room), ui.palette.second_text, Face::title);
+    else
+        bar_notice(view, ui, from, room, bar);
     end_bar();
 }
 
-namespace {
-
-// Without values there is no bar: the pressed keys are over the scene.
-void keys_without_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect above) {
-    ImGui::SetNextWindowPos({bar.x, bar.y});
-    ImGui::SetNextWindowSize({bar.w, bar.h});
-    ImGui::Begin("lecture keys", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBackground |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
-    pressed_keys(view, state, ui, {bar.x, bar.y + bar.h, bar.w, 0}, above);
-    ImGui::End();
-}
-
-}  // namespace
-
-void lecture_figures(const LabView& view, PanelState& state, Ui& ui, Rect bar, Rect above) {
-    if (view.pages && !view.pages->shows(PagePart::values) && view.notice.empty())
-        return keys_without_bar(view, state, ui, bar, above);
+void lecture_figures(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
+    if (view.pages && !view.pages->shows(PagePart::values)) return;
     begin_bar(ui, "lecture figures", bar);
-    if (view.notice.empty()) {
-        const auto all = lecture_values(view, state, ui);
-        const float each = bar.w / static_cast<float>(std::max<std::size_t>(1, all.size()));
-        for (std::size_t i = 0; i < all.size(); ++i)
-            draw_figure(ui, all[i], {bar.x + each * static_cast<float>(i), bar.y, each, bar.h});
-    } else {
-        const Colour colour = colour_of(view.notice.kind, ui.palette);
-        const float x = bar.x + ui.px(16), words = x + (has_icons(ui) ? ui.px(24) : 0);
-        put_icon(ui, {x + ui.px(7), bar.y + bar.h / 2}, sign_of(view.notice.kind), colour);
-        put(ui, {words, bar.y + (bar.h - line_height(ui, Face::text)) / 2},
-            shortened(ui, text_of(view.notice, ui.strings), Face::text, bar.x + bar.w - ui.px(16) - words), colour);
-    }
-    mark(ui, "hint.bar", bar);
-    pressed_keys(view, state, ui, bar, above);
+    const auto all = lecture_values(view, state, ui);
+    const float each = bar.w / static_cast<float>(std::max<std::size_t>(1, all.size()));
+    for (std::size_t i = 0; i < all.size(); ++i)
+        draw_figure(ui, all[i], {bar.x + each * static_cast<float>(i), bar.y, each, bar.h});
     end_bar();
+}
+
+void blank_window(const LabView& view, PanelState& state, Ui& ui, Rect window) {
+    state.blank &= view.pages != nullptr;
+    if (!state.blank) return;
+    ImGui::SetNextWindowPos({window.x, window.y});
+    ImGui::SetNextWindowSize({window.w, window.h});
+    ImGui::Begin("lecture blank", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav);
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) state.blank = false;
+    mark(ui, "lecture.blank", window);
+    ImGui::End();
+    ImGui::GetForegroundDrawList()->AddRectFilled({window.x, window.y}, {window.x + window.w, window.y + window.h},
+                                                  IM_COL32_BLACK);
 }
 
 namespace {

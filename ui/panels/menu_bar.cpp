@@ -112,11 +112,13 @@ constexpr MenuPlace menu_places[]{
     {"exercises", Action::exercise_reset},
 
     {"lecture", Action::lecture},
-    {"lecture", Action::next_page, true},
+    {"lecture", Action::first_page, true},
+    {"lecture", Action::next_page},
     {"lecture", Action::previous_page},
     {"lecture", Action::notes},
     {"lecture", Action::draw_marks, true},
     {"lecture", Action::clear_marks},
+    {"lecture", Action::blank},
 
     {"help", Action::keys},
     {"help", Action::glossary},
@@ -261,7 +263,18 @@ void add_catalogue(std::vector<LabMenuRow>& rows, const LabView& view, const Ui&
     }
 }
 
+// The lecture that was left, at the page where it was left.
+LabMenuRow row_of_left_lecture(const LabView& view, const Ui& ui) {
+    const LectureView& left = *view.left_pages;
+    LabMenuRow row{.request = OpenRequest{.path = left.lecture->path.string(), .resume = true}};
+    row.entry.anchor = "menu.lecture.resume";
+    row.entry.words =
+        fill(ui.strings("lecture.resume"), {translated(ui, left.lecture->title), std::to_string(left.page + 1)});
+    return row;
+}
+
 void add_lectures(std::vector<LabMenuRow>& rows, const LabView& view, const Ui& ui) {
+    if (view.left_pages && !view.lecture) rows.push_back(row_of_left_lecture(view, ui));
     if (!view.lectures || view.lectures->empty()) return;
     rows.push_back(menu_heading(ui.strings("open.lectures")));
     for (const CatalogueEntry& shipped : *view.lectures) {
@@ -281,7 +294,7 @@ std::vector<LabMenuRow> rows_of(const LabView& view, const PanelState& state, co
         if (place.action == Action::next_field) add_fields(rows, view, ui);
         if (place.action == Action::exercise_reset && view.students) rows.push_back(student_row_of_menu(view, ui));
         if (place.action == Action::exercise_reset) add_catalogue(rows, view, ui);
-        if (place.action == Action::clear_marks) add_lectures(rows, view, ui);
+        if (place.action == Action::blank) add_lectures(rows, view, ui);
     }
     return rows;
 }
@@ -427,9 +440,12 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
             return view.now->scene->starts.empty() ? "author.no_vehicle" : "";
         case Action::export_csv:
             return why_no_csv(view, state);
+        case Action::first_page:
+            return view.pages || view.left_pages ? "" : "unavailable.no_lecture";
         case Action::next_page:
         case Action::previous_page:
         case Action::notes:
+        case Action::blank:
             return view.pages ? "" : "unavailable.no_lecture";
         case Action::draw_marks:
         case Action::clear_marks:

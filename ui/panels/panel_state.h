@@ -127,6 +127,8 @@ struct PanelState {
     std::optional<BeforeLecture> before_lecture;
     std::vector<PressedKey> pressed;              // in a lecture, the newest last
     Marks marks;                                  // drawn in a lecture
+    bool blank = false;                           // the window is black until the next key or click
+    float notes_height = 1;                       // of the lecturer's notes, as drawn last; window pixels
     std::vector<TextField> hands;                 // counts on the current page of a lecture, by option
     CardState question;                           // of that page
     std::array<int, 3> lecture_step{-1, -1, -1};  // run, page and step whose cards are shown

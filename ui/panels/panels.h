@@ -57,14 +57,15 @@ const CatalogueEntry* empty_scene(const LabView&);
 std::string_view why_unavailable(const LabView&, const PanelState&, Action);
 
 // lecture.cpp: shown during a lecture in place of toolbar and hint bar.
-void lecture_bar(const LabView&, const PanelState&, Ui&, Rect);
-void lecture_figures(const LabView&, PanelState&, Ui&, Rect bar, Rect window);
+void lecture_bar(const LabView&, PanelState&, Ui&, Rect);
+void lecture_figures(const LabView&, PanelState&, Ui&, Rect bar);
+void blank_window(const LabView&, PanelState&, Ui&, Rect window);  // black, while PanelState::blank
 void follow_lecture(const LabView&, PanelState&);  // saves and restores the cards; call once a frame, before them
 
 // lecture_page.cpp: the parts of a page of a lecture file. Precondition: view.pages.
 void lecture_caption(const LabView&, Ui&, Rect);
 void lecture_question(const LabView&, PanelState&, Ui&, Rect);
-void lecture_notes(const LabView&, Ui&, Rect scene);
+void lecture_notes(const LabView&, PanelState&, Ui&, Rect);
 
 // Sheets over the whole window. Each is drawn only while PanelState::sheet names it, and resets PanelState::sheet to
 // close.

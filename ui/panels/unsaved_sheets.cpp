@@ -84,6 +84,10 @@ void leaving_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) 
 
 void recovery_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window) {
     if (!view.recovery) state.recovery_asked = false;
+    if (view.lecture) {  // asked after the lecture
+        if (state.sheet == Sheet::recovery) state.sheet = Sheet::none, state.recovery_asked = false;
+        return;
+    }
     if (view.recovery && !state.recovery_asked) state.recovery_asked = true, state.sheet = Sheet::recovery;
     if (state.sheet != Sheet::recovery) return;
     if (!view.recovery) {

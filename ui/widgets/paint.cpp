@@ -100,6 +100,23 @@ std::string wrapped_at_spaces(const Ui& ui, Face face, std::string_view words, f
     return text;
 }
 
+std::vector<std::string> lines_of_words(const Ui& ui, std::string_view words, Face face, float width) {
+    std::vector<std::string> lines{""};
+    while (!words.empty()) {
+        const std::size_t end = std::min(words.find_first_of(" \n"), words.size());
+        const bool ends_line = end < words.size() && words[end] == '\n';
+        const std::string word(words.substr(0, end));
+        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+        if (!lines.back().empty() && text_width(ui, face, longer) > width)
+            lines.push_back(word);
+        else
+            lines.back() = longer;
+        if (ends_line) lines.emplace_back();
+        words.remove_prefix(std::min(end + 1, words.size()));
+    }
+    return lines;
+}
+
 void paragraph(Ui& ui, std::string_view words, Colour colour, Face face, float width) {
     const float room = width > 0 ? width : card_width(ui) - ImGui::GetCursorPosX();
     const std::string text = wrapped_at_spaces(ui, face, words, room);

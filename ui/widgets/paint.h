@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <imgui.h>
 
@@ -52,6 +53,9 @@ std::string shortened(const Ui&, std::string_view, Face, float width);
 // The words with a line break wherever a line would become wider than `width` window pixels: at spaces only, where
 // Dear ImGui would also break a number after its decimal mark. Words without such a number are returned as they are.
 std::string wrapped_at_spaces(const Ui&, Face, std::string_view words, float width);
+
+// The words in lines no wider than `width` window pixels, broken at spaces and at the text's own line ends.
+std::vector<std::string> lines_of_words(const Ui&, std::string_view words, Face, float width);
 
 // Text as an item at the cursor, wrapped at `width` window pixels (0: at the card's edge).
 void paragraph(Ui&, std::string_view, Colour, Face = Face::text, float width = 0);

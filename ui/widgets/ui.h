@@ -61,6 +61,8 @@ struct Ui {
     float pulse = 0;                          // strength of the highlight, 0..1; 1 where motion is reduced
     Keyboard* keyboard = nullptr;             // set by draw_window; null: widgets react to the mouse only
     bool still = false;                       // set by draw_window; true: no easing
+    bool quiet = false;                       // set by draw_window; true: no tooltips
+    float least_type = 0;                     // set by draw_window; least height of letters in diagrams, window pixels
     char decimal_mark = '.';                  // set by draw_window; of the language
     std::vector<Written>* written = nullptr;  // null: not recorded
     std::vector<Shown>* shown = nullptr;      // null: not recorded

@@ -57,7 +57,7 @@ std::string fitted(std::string_view words, Fits fits) {
 Rect Pen::text(vec2 unit, float height, float anchor, std::string_view words, Colour colour, Face face,
                float room) const {
     if (words.empty() || size(height) < ui.px(too_small)) return {};
-    const float least = ui.px(least_type);
+    const float least = least_type();
     Type type = type_for(ui, face, std::max(size(height), least));
     const auto width_of = [&](std::string_view part) {
         return type.font->CalcTextSizeA(type.pixels, 1e9f, 0, part.data(), part.data() + part.size()).x;
@@ -67,7 +67,7 @@ Rect Pen::text(vec2 unit, float height, float anchor, std::string_view words, Co
     if (room > 0 && width > size(room)) {
         const float fitting = type.pixels * size(room) / width;
         if (fitting < least && face == Face::small) return {};  // an unreadable caption is left out
-        type.pixels = std::max(fitting, ui.px(least_name));
+        type.pixels = std::max(fitting, least_name());
         shortened = fitted(words, [&](std::string_view part) { return width_of(part) <= size(room) + 1; });
         words = shortened;
         width = width_of(words);

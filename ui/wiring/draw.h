@@ -3,6 +3,7 @@
 // (draw_cursor.cpp).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
 
@@ -13,7 +14,7 @@
 
 namespace braitenlab::wiring {
 
-inline constexpr float least_type = 11, least_name = 8, too_small = 6;  // letters' heights, layout pixels
+inline constexpr float too_small = 6;  // letters' heights, layout pixels
 
 // Draws in canvas units on Dear ImGui's draw list.
 struct Pen {
@@ -31,10 +32,14 @@ struct Pen {
     // A line's thickness in window pixels: `units`, at least 0.75 layout pixels.
     float stroke(float units) const;
 
-    // Text about `height` units high, at least least_type, its point `anchor` (0..1 of its width, middle of its height)
-    // at `unit`. Text wider than `room` units (0: no limit) is made smaller, down to least_name, then cut; captions
-    // (ui::Face::small) are left out instead, and so is text below too_small. Returns the rectangle of the letters,
-    // window pixels; empty for text that is left out.
+    // The least heights of letters, and of those of a name in little room; window pixels. More in a lecture.
+    float least_type() const { return std::max(ui.px(11), ui.least_type); }
+    float least_name() const { return std::max(ui.px(8), ui.least_type); }
+
+    // Text about `height` units high, at least least_type(), its point `anchor` (0..1 of its width, middle of its
+    // height) at `unit`. Text wider than `room` units (0: no limit) is made smaller, down to least_name(), then cut;
+    // captions (ui::Face::small) are left out instead, and so is text below too_small. Returns the rectangle of the
+    // letters, window pixels; empty for text that is left out.
     Rect text(maths::vec2 unit, float height, float anchor, std::string_view, Colour, ui::Face = ui::Face::text,
               float room = 0) const;
     // True if text() cuts this text in a room of this width.

@@ -155,7 +155,7 @@ float map_room(const Pen& pen, const Picture& picture, const NodeShape& shape, s
     const auto letters = std::count_if(name.begin(), name.end(),
                                        [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
     if (letters > few && !picture.view.lecture) return inner;
-    const float readable = text_width(pen.ui, Face::strong, name) * pen.ui.px(least_type) / own / pen.view.scale;
+    const float readable = text_width(pen.ui, Face::strong, name) * pen.least_type() / own / pen.view.scale;
     return std::clamp(readable + 1, inner, overhang * shape.size.x);
 }
 
@@ -222,14 +222,14 @@ Colour map_colour(const Palette& p, float value) {
     return colour_of_weight(p, value).with_alpha(0.15f + 0.6f * std::min(std::abs(value), 1.0f));
 }
 
-// On the map: as large as the card allows, at least least_type high if the card is as high.
+// On the map: as large as the card allows, at least least_type() high if the card is as high.
 void draw_name(const Pen& pen, const Picture& picture, std::size_t index) {
     constexpr float share = 0.6f;  // of the card's height
     const Palette& p = pen.palette();
     const NodeShape& shape = picture.layout.nodes[index];
     const Node& node = picture.graph.nodes[shape.node];
     const std::string name = name_of(picture, node);
-    const float least = pen.ui.px(least_type);
+    const float least = pen.least_type();
     if (pen.size(shape.size.y) < least) return;
     const float room = map_room(pen, picture, shape, name);
     if (room > shape.size.x - 30) {

@@ -231,7 +231,7 @@ void draw_label(const Pen& pen, const Picture& picture, std::size_t index) {
     const Hit& over = picture.state.hovered;
     const bool hovered = (over.part == Part::wire || over.part == Part::label) && over.wire == shape.ends;
     const bool sketch = detail_of(pen) != Detail::full;  // with larger letters
-    const float letters = sketch ? 20 : 17, grow = std::max(1.0f, pen.ui.px(least_type) / pen.size(letters));
+    const float letters = sketch ? 20 : 17, grow = std::max(1.0f, pen.least_type() / pen.size(letters));
     const vec2 extent = shape.label_size * grow, at = shape.label;
     const float value = wire == nullptr ? 0 : wire->weight;
     if (!shape.ghost) pen.halo(at + vec2{0, 1}, extent, extent.y / 2, 4, p.shadow.with_alpha(p.shadow.a * 0.3f));
@@ -245,14 +245,15 @@ void draw_label(const Pen& pen, const Picture& picture, std::size_t index) {
     if (wire != nullptr && learns(*wire))
         weight = fixed(pen.ui, value, 2) + (gained < 0 ? " − " : " + ") + fixed(pen.ui, std::fabs(gained), 2);
     const Colour ink = shape.ghost || cut ? p.second_text : p.text;
-    if (!shape.direct) {
-        pen.text(at, letters + 2, 0.5f, weight, ink);
-        return;
-    }
+    const auto name = [&] { return name_of(picture.graph, picture.layout, shape); };
+    const auto put_weight = [&](vec2 place, float anchor) {
+        const Rect rect = pen.text(place, letters + 2, anchor, weight, ink);
+        if (picture.view.mode != Mode::wiring) pen.ui.anchors.record("weight." + name(), rect);
+    };
+    if (!shape.direct) return put_weight(at, 0.5f);
     const float pad = (sketch ? 9.0f : 13.0f) * grow;
-    pen.text(at - vec2{extent.x / 2 - pad, 0}, letters, 0, name_of(picture.graph, picture.layout, shape), p.second_text,
-             Face::strong);
-    pen.text(at + vec2{extent.x / 2 - pad, 0}, letters + 2, 1, weight, ink);
+    pen.text(at - vec2{extent.x / 2 - pad, 0}, letters, 0, name(), p.second_text, Face::strong);
+    put_weight(at + vec2{extent.x / 2 - pad, 0}, 1);
 }
 
 bool is_marked(const Picture& picture, const WireShape& shape) {

@@ -24,7 +24,7 @@ namespace {
 // Margins of a fitted brain, layout pixels. The buttons in the upper right corner take top_margin in height and
 // button_margin in width.
 constexpr float side_margin = 28, bottom_margin = 24, top_margin = 56, button_margin = 212;
-constexpr float bare_margin = 16;  // on all sides, without buttons
+constexpr float bare_margin = 10;  // on all sides, without buttons
 
 float zoom_to_show(vec2 room, vec2 size, float ui_scale) {
     const float zoom = std::min(std::max(room.x, 1.0f) / size.x, std::max(room.y, 1.0f) / size.y) / ui_scale;

@@ -20,27 +20,10 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr float caption_side = 20, caption_above = 5, page_padding = 12;  // layout pixels
-constexpr float hands_field = 56, hands_button = 32, bar_thickness = 12, between_options = 14, count_width = 36;
+constexpr float hands_field = 56, hands_button = 32, bar_thickness = 12, between_options = 14, between_answers = 8,
+                count_width = 36;
 
 std::string option_id(const char* stem, std::size_t option) { return stem + std::to_string(option + 1); }
-
-// The words in lines no wider than `width`, broken at spaces and at the text's own line ends.
-std::vector<std::string> lines_of_words(const Ui& ui, std::string_view words, Face face, float width) {
-    std::vector<std::string> lines{""};
-    while (!words.empty()) {
-        const std::size_t end = std::min(words.find_first_of(" \n"), words.size());
-        const bool ends_line = end < words.size() && words[end] == '\n';
-        const std::string word(words.substr(0, end));
-        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-        if (!lines.back().empty() && text_width(ui, face, longer) > width)
-            lines.push_back(word);
-        else
-            lines.back() = longer;
-        if (ends_line) lines.emplace_back();
-        words.remove_prefix(std::min(end + 1, words.size()));
-    }
-    return lines;
-}
 
 // A count as typed; nullopt for text that is no number.
 std::optional<int> typed_count(const std::string& text) {
@@ -70,25 +53,14 @@ void count_row(const LectureView& page, PanelState& state, Ui& ui, std::size_t o
     if (plus.pressed) ask(hands + 1);
 }
 
-// The count alone, once the answer is known: the rows take less space.
-void count_text(const LectureView& page, Ui& ui, std::size_t option, Colour colour) {
-    const std::string count = std::to_string(page.hands[static_cast<std::size_t>(page.page)][option]);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    put_right(ui, {at.x + ui.px(count_width), at.y}, count, colour, Face::title);
-    mark(ui, option_id("lecture.count.", option), {at.x, at.y, ui.px(count_width), line_height(ui, Face::title)});
-    ImGui::Dummy({ui.px(count_width), line_height(ui, Face::title)});
-}
-
-// The share of all hands as a bar, from the cursor to the right edge.
-void share_bar(const LectureView& page, Ui& ui, std::size_t option, Colour colour) {
+// The share of all hands as a bar at the cursor, to the right edge; in the middle of a row so high.
+void share_bar(const LectureView& page, Ui& ui, std::size_t option, Colour colour, float row) {
     const auto& hands = page.hands[static_cast<std::size_t>(page.page)];
     int all = 0;
     for (const int each : hands) all += each;
     const float share = all > 0 ? static_cast<float>(hands[option]) / static_cast<float>(all) : 0;
-    ImGui::SameLine();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = std::max(1.0f, ImGui::GetWindowPos().x + card_width(ui) - at.x), h = ui.px(bar_thickness);
-    const float row = page.shows(PagePart::answer) ? line_height(ui, Face::title) : ui.px(button_height);
     const Rect bar{at.x, at.y + (row - h) / 2, width, h};
     fill_box(ui, bar, ui.palette.line, 4);
     if (share > 0) fill_box(ui, {bar.x, bar.y, std::max(h, bar.w * share), bar.h}, colour, 4);
@@ -96,26 +68,40 @@ void share_bar(const LectureView& page, Ui& ui, std::size_t option, Colour colou
     ImGui::Dummy({width, row});
 }
 
-void option_rows(const LabView& view, PanelState& state, Ui& ui, std::size_t option) {
+void option_to_count(const LabView& view, PanelState& state, Ui& ui, std::size_t option) {
+    const LectureView& page = *view.pages;
+    paragraph(ui, translated(ui, page.current().question.options[option]), ui.palette.text, Face::title);
+    count_row(page, state, ui, option);
+    ImGui::SameLine();
+    share_bar(page, ui, option, ui.palette.accent, ui.px(button_height));
+    gap(ui, between_options);
+}
+
+// A long reason is in small type, so that it pushes no option out of a small window.
+Face face_of_reason(const Ui& ui, const LectureQuestion& asked) {
+    constexpr std::size_t most_lines = 4;
+    const auto lines = lines_of_words(ui, translated(ui, asked.why), Face::text, card_width(ui));
+    return lines.size() > most_lines ? Face::small : Face::text;
+}
+
+// Once the answer is known the count is beside the option, and wrong options are smaller: the reason finds room.
+void answered_option(const LabView& view, Ui& ui, std::size_t option) {
     const LectureView& page = *view.pages;
     const LectureQuestion& asked = page.current().question;
-    const bool answered = page.shows(PagePart::answer), right = static_cast<int>(option) == asked.answer;
-    const Palette& p = ui.palette;
-    const Colour colour = answered && right ? p.success : answered ? p.second_text : p.text;
-    std::string words(translated(ui, asked.options[option]));
+    const bool right = static_cast<int>(option) == asked.answer;
+    const Colour colour = right ? ui.palette.success : ui.palette.second_text;
+    const Face face = right ? Face::title : Face::strong;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    if (answered && right) {
-        words = "✓ " + words;
-        mark(ui, "lecture.right", {at.x, at.y, card_width(ui), line_height(ui, Face::title)});
-    }
-    paragraph(ui, words, colour, Face::title);
-    if (answered)
-        count_text(page, ui, option, colour);
-    else
-        count_row(page, state, ui, option);
-    share_bar(page, ui, option, answered && !right ? p.second_text : answered ? p.success : p.accent);
-    if (answered && right && !asked.why.empty()) paragraph(ui, translated(ui, asked.why), p.text);
-    gap(ui, between_options);
+    const float line = line_height(ui, face), width = card_width(ui) - ui.px(count_width);
+    const std::string count = std::to_string(page.hands[static_cast<std::size_t>(page.page)][option]);
+    put_right(ui, {at.x + card_width(ui), at.y}, count, colour, face);
+    mark(ui, option_id("lecture.count.", option), {at.x + width, at.y, ui.px(count_width), line});
+    if (right) mark(ui, "lecture.right", {at.x, at.y, width, line});
+    paragraph(ui, (right ? "✓ " : "") + std::string(translated(ui, asked.options[option])), colour, face, width);
+    share_bar(page, ui, option, colour, ui.px(bar_thickness));
+    if (right && !asked.why.empty())
+        paragraph(ui, translated(ui, asked.why), ui.palette.text, face_of_reason(ui, asked));
+    gap(ui, between_answers);
 }
 
 // Minutes and seconds: "12:05".
@@ -161,40 +147,35 @@ void lecture_question(const LabView& view, PanelState& state, Ui& ui, Rect r) {
             gap(ui, page_padding);
         }
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(3)});
-        for (std::size_t i = 0; i < asked.options.size(); ++i) option_rows(view, state, ui, i);
+        for (std::size_t i = 0; i < asked.options.size(); ++i)
+            page.shows(PagePart::answer) ? answered_option(view, ui, i) : option_to_count(view, state, ui, i);
         ImGui::PopStyleVar();
     }
     end_card(card);
 }
 
-void lecture_notes(const LabView& view, Ui& ui, Rect scene) {
+void lecture_notes(const LabView& view, PanelState& state, Ui& ui, Rect r) {
     const LectureView& page = *view.pages;
-    const float width = std::min(scene.w, std::max(0.55f * scene.w, ui.px(300)));
+    const float width = r.w - 2 * ui.px(page_padding);
     const std::string time =
         fill(ui.strings("lecture.time"),
              {clock_text(page.seconds), clock_text(60.0 * static_cast<double>(minutes_until(page))),
               clock_text(60.0 * static_cast<double>(page.lecture->minutes))});
-    const auto lines = lines_of_words(ui, page.current().notes, Face::text, width - 2 * ui.px(page_padding));
-    const float line = line_height(ui, Face::text), strong = line_height(ui, Face::strong);
-    const float wanted = strong + ui.px(8) + static_cast<float>(lines.size()) * line + 2 * ui.px(page_padding);
-    const float height = std::min(wanted, scene.h);
-    const Rect r{scene.x + scene.w - width, scene.y + scene.h - height, width, height};
-    // Over the cards, also those that are opened later; it takes no clicks and no focus.
-    ImGui::SetNextWindowPos({r.x, r.y});
-    ImGui::SetNextWindowSize({r.w, r.h});
-    ImGui::Begin("lecture notes", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBackground |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+    const auto lines = lines_of_words(ui, page.current().notes, Face::small, width);
+    const float line = line_height(ui, Face::small), strong = line_height(ui, Face::strong);
+    const float heading = strong + ui.px(4);
+    state.notes_height = heading + static_cast<float>(lines.size()) * line + 2 * ui.px(page_padding);
+    begin_bar(ui, "lecture notes", r);
     card_ground(ui, r);
-    put(ui, {r.x + ui.px(page_padding), r.y + ui.px(page_padding)},
-        shortened(ui, time, Face::strong, width - 2 * ui.px(page_padding)), ui.palette.second_text, Face::strong);
-    float y = r.y + ui.px(page_padding + 8) + strong;
+    put(ui, {r.x + ui.px(page_padding), r.y + ui.px(page_padding)}, shortened(ui, time, Face::strong, width),
+        ui.palette.second_text, Face::strong);
+    float y = r.y + ui.px(page_padding) + heading;
     for (const std::string& words : lines) {
-        put(ui, {r.x + ui.px(page_padding), y}, words, ui.palette.text);
+        put(ui, {r.x + ui.px(page_padding), y}, words, ui.palette.text, Face::small);
         y += line;
     }
     mark(ui, "lecture.notes", r);
-    ImGui::End();
+    end_bar();
 }
 
 }  // namespace braitenlab::ui

@@ -1,4 +1,5 @@
-// Lines drawn with the mouse over the scene during a lecture. They are on the floor: they move with the camera.
+// Lines drawn with the mouse during a lecture, over the whole window. A line over the scene is on the floor: it moves
+// with the camera. A line beside the scene, for example over the diagram, is in the window and scales with it.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +11,21 @@
 
 namespace braitenlab::ui {
 
-struct Marks {
-    bool drawing = false;                           // the mouse draws
-    bool pressed = false;                           // the button is down: the last line grows
-    std::vector<std::vector<maths::vec2>> lines{};  // points on the floor, m
-    std::uint64_t run_id = 0;                       // of the document that they are drawn on
+struct MarkLine {
+    bool on_floor = false;
+    std::vector<maths::vec2> points{};  // on the floor: m; else shares of the window's width and height
 };
 
-// Draws the lines below the cards, and while drawing is on a sign at the lower edge of the scene (anchor marks.sign);
-// adds points while the left button is down over the scene. Another document, and the end of the lecture, remove the
-// lines. Call once a frame.
-void draw_marks(const LabView&, Marks&, Ui&, Rect scene);
+struct Marks {
+    bool drawing = false;           // the mouse draws
+    bool pressed = false;           // the button is down: the last line grows
+    std::vector<MarkLine> lines{};  // a line that leaves the scene goes on as another one
+    std::uint64_t run_id = 0;       // of the document that they are drawn on
+};
+
+// Draws the lines above everything, and while drawing is on a sign at the lower edge of the scene (anchor marks.sign);
+// adds points while the left button is down. Then the mouse does nothing else below `bar`, the bar on top. Another
+// document, and the end of the lecture, remove the lines. Call once a frame, after all cards.
+void draw_marks(const LabView&, Marks&, Ui&, Rect scene, Rect bar, Rect window);
 
 }  // namespace braitenlab::ui
