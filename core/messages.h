@@ -146,6 +146,9 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"not_an_autosave", "is not an autosave"},
     {"nothing_to_recover", "there is nothing to recover"},
     {"reset_as_opened", "the reset took the scene as it was opened, because a run of the edited one cannot begin: "},
+    {"missing_in_hand_in", "'{}' is missing; write the file again in the lab"},
+    {"empty_key", "'{}' is empty"},
+    {"more_passed_than_graded", "'passed_starts' is larger than 'graded_starts'"},
     {"no_scene_of_exercise", "there is no scene {}; its path is relative to this file"},
 });
 

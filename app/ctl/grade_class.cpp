@@ -1,7 +1,6 @@
 // braitenctl grade with a folder or hand-in files: a row a student, as CSV and as a page.
 #include <algorithm>
 #include <filesystem>
-#include <tuple>
 
 #include "app/ctl/ctl.h"
 #include "app/ctl/exercises.h"
@@ -120,9 +119,7 @@ int grade_class(const ClassOptions& options) {
     if (report.rows.empty()) return complain({"there is no file to grade; give a folder with hand-in files"});
     mark_replaced(report.rows);
     if (const auto error = grade_rows(*exercise, options.first_seed, report.rows)) return complain(*error);
-    std::stable_sort(report.rows.begin(), report.rows.end(), [](const ClassRow& a, const ClassRow& b) {
-        return std::tie(a.student, a.file) < std::tie(b.student, b.file);
-    });
+    sort_by_student(report.rows);
     if (const auto error = write_results(report, *strings, options)) return complain(*error);
     bool all_read = true;
     for (const ClassRow& row : report.rows)

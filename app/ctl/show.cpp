@@ -103,6 +103,8 @@ int show(const std::string& name) {
         const auto exercise = parse_exercise(*text, *path);
         if (!exercise) return complain(exercise.error());
         show_exercise(*exercise);
+    } else if (kind == FileKind::lecture) {
+        return complain({"this is a lecture, which 'show' does not print; use 'check'", path->string()});
     } else if (kind == FileKind::brain) {
         const auto brain = parse_brain(*text, path->string());
         if (!brain) return complain(brain.error());

@@ -156,14 +156,16 @@ private:
         const Path p = path_of(wire);
         const maths::vec2 at = p.at(0.2f);
         const float towards = p.to.x - p.from.x;
-        const bool is_right = std::fabs(towards) > 24 ? towards > 0 : p.from.x > wide / 2;
+        const bool is_slanted = std::fabs(towards) > 24;  // then it bends below the number: put that higher
+        const bool is_right = is_slanted ? towards > 0 : p.from.x > wide / 2;
+        const float beside = is_slanted ? 9 : 6, below = is_slanted ? -2 : 4;
         std::string text = number(wire.weight);
         if (wire.threshold > 0) text += " θ " + number(wire.threshold);
         if (learns(wire)) text += " + h";
         return fmt::format(
             "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" fill=\"#1c1c1a\" stroke=\"#fff\" stroke-width=\"3\" "
             "paint-order=\"stroke\">{}</text>",
-            at.x + (is_right ? 6.0f : -6.0f), at.y + 4, is_right ? "start" : "end", html::escaped(text));
+            at.x + (is_right ? beside : -beside), at.y + below, is_right ? "start" : "end", html::escaped(text));
     }
 
     std::string node_svg(const Node& node) const {

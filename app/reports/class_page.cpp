@@ -24,7 +24,10 @@ p { margin: 4px 0; } .quiet { color: #5a5a55; }
 .tile b { display: block; font-size: 22px; line-height: 1.25; }
 table { border-collapse: collapse; width: 100%; }
 th, td { text-align: left; padding: 5px 8px; border-bottom: 1px solid #deded8; vertical-align: top; }
-th { border-bottom: 2px solid #8a8a84; font-weight: 600; } td.n, th.n { text-align: right; }
+th { border-bottom: 2px solid #8a8a84; font-weight: 600; vertical-align: bottom; }
+td.n, th.n { text-align: right; } th.n { white-space: nowrap; } a { color: #1d4f91; }
+td:first-child, th:first-child { padding-left: 0; } td:last-child, th:last-child { padding-right: 0; }
+.n + td:not(.n), .n + th:not(.n) { padding-left: 20px; } table.sorted td:last-child { min-width: 12em; }
 td.n { font-variant-numeric: tabular-nums; } thead { display: table-header-group; } tr { break-inside: avoid; }
 table.sorted th { cursor: pointer; user-select: none; }
 table.sorted th[aria-sort=ascending]::after { content: " \25B2"; }
@@ -33,8 +36,11 @@ table.sorted th[aria-sort=descending]::after { content: " \25BC"; }
 section.student { border-top: 1px solid #cfcfc8; padding: 12px 0; break-inside: avoid; }
 .feedback { user-select: all; background: #f4f4f0; border-radius: 6px; padding: 8px 10px; margin: 8px 0; }
 .starts { display: flex; flex-wrap: wrap; gap: 5px; }
+.superseded, .superseded a { color: #6b6b66; } section.superseded .starts { opacity: 0.55; }
 .name { overflow-wrap: anywhere; } td.name { min-width: 9em; }
-@media print { body { padding: 0; max-width: none; font-size: 11px; } a { color: inherit; text-decoration: none; } }
+@media print { body { padding: 0 1px; max-width: none; font-size: 11px; } a { color: inherit; text-decoration: none; }
+  th, td { padding: 4px 5px; } th.n { white-space: normal; } .n + td:not(.n), .n + th:not(.n) { padding-left: 12px; }
+  .tile { flex-basis: 108px; } .starts svg { width: 64px; height: auto; } }
 )";
 
 // A click on a heading sorts the table by this column: numbers by value, others as text. Again: the other way round.
@@ -43,7 +49,7 @@ constexpr const char* class_script = R"(for (const table of document.querySelect
     const down = head.getAttribute("aria-sort") === "ascending";
     table.querySelectorAll("th").forEach(other => other.removeAttribute("aria-sort"));
     head.setAttribute("aria-sort", down ? "descending" : "ascending");
-    const value = row => row.cells[column].textContent.trim(), body = table.tBodies[0];
+    const value = row => row.cells[column]?.textContent.trim() ?? "", body = table.tBodies[0];
     [...body.rows].sort((a, b) => (down ? -1 : 1) *
       value(a).localeCompare(value(b), document.documentElement.lang, {numeric: true})).forEach(r => body.append(r));
   }));
@@ -128,7 +134,7 @@ struct Page {
         std::string out;
         for (std::size_t i = 0; i < exercise.wrong.size(); ++i)
             if (summary.resembling[i] > 0)
-                out += "<tr>" + html::element("td", exercise.wrong[i].name) +
+                out += "<tr>" + html::element("td", translated(exercise.wrong[i].name)) +
                        html::element("td", translated(exercise.wrong[i].text)) +
                        html::element("td", std::to_string(summary.resembling[i]), "n") + "</tr>\n";
         if (summary.unchanged > 0)
@@ -151,14 +157,21 @@ struct Page {
 
     std::string yes_or_no(bool yes) const { return words(yes ? "report.yes" : "report.no"); }
 
+    std::string own_result(const Row& row) const {
+        return fill(strings("report.own_result"),
+                    {std::to_string(row.hand_in->passed_starts), std::to_string(row.grade->count)});
+    }
+
     std::string remark(const Row& row) const {
         if (row.problem) return problem_text(row, strings);
         std::string text;
         if (row.hand_in && row.hand_in->solution_shown) text = words("report.solution_shown");
-        const std::string like = row.unchanged   ? words("report.as_shipped")
-                                 : row.resembles ? fill(strings("report.like"), {exercise.wrong[*row.resembles].name})
-                                                 : "";
+        const std::string like = row.unchanged ? words("report.as_shipped")
+                                 : row.resembles
+                                     ? fill(strings("report.like"), {translated(exercise.wrong[*row.resembles].name)})
+                                     : "";
         if (!like.empty()) text += (text.empty() ? "" : "; ") + like;
+        if (states_another_result(report, row)) text += (text.empty() ? "" : "; ") + own_result(row);
         return text;
     }
 
@@ -167,23 +180,30 @@ struct Page {
             return html::element("td", value ? std::to_string(*value) : "", "n");
         };
         std::string out =
-            fmt::format("<tr><td class=\"name\"><a href=\"#s{}\">{}</a></td>", index, html::escaped(row.student));
-        out += row.grade ? html::element("td", yes_or_no(row.passed), row.passed ? "good" : "bad") : "<td></td>";
-        out += number_cell(row.grade ? std::optional(row.grade->count) : std::nullopt);
-        for (std::size_t i = 0; i < exercise.steps.size(); ++i)
-            out += number_cell(row.grade ? std::optional(starts_done(*row.grade, i)) : std::nullopt);
+            fmt::format("<tr{}><td class=\"name\"><a href=\"#s{}\">{}</a></td>",
+                        is_superseded(row) ? " class=\"superseded\"" : "", index, html::escaped(row.student));
+        if (!row.grade)  // the reason has the room of all results
+            return out + fmt::format("<td class=\"bad\" colspan=\"{}\">", 6 + exercise.steps.size()) +
+                   html::with_breaks(remark(row)) + "</td></tr>\n";
+        out += is_superseded(row) ? html::element("td", words("report.superseded"))
+                                  : html::element("td", yes_or_no(row.passed), row.passed ? "good" : "bad");
+        out += number_cell(row.grade->count);
+        for (std::size_t i = 0; i < exercise.steps.size(); ++i) out += number_cell(starts_done(*row.grade, i));
         const auto& h = row.hand_in;
         const bool is_right = h && h->prediction - 1 == exercise.prediction.answer;
         out += html::element("td", h && h->prediction > 0 ? words(is_right ? "report.right" : "report.wrong") : "");
         out += number_cell(h ? std::optional(h->hints) : std::nullopt);
         out += number_cell(h ? std::optional(h->runs) : std::nullopt);
-        return out + html::element("td", remark(row), row.problem ? "bad" : "") + "</tr>\n";
+        const bool is_bad = (row.problem && !is_superseded(row)) || states_another_result(report, row);
+        return out + html::element("td", remark(row), is_bad ? "bad" : "") + "</tr>\n";
     }
 
     std::string student(const Row& row, std::size_t index) const {
-        std::string out = fmt::format("<section class=\"student\" id=\"s{}\">\n", index);
+        std::string out =
+            fmt::format("<section class=\"student{}\" id=\"s{}\">\n", is_superseded(row) ? " superseded" : "", index);
         out += html::element("h3", row.student, "name") + html::element("p", row.file, "quiet name");
         out += html::element("div", feedback(report, row, strings), "feedback");
+        if (states_another_result(report, row)) out += html::element("p", own_result(row), "bad");
         if (row.grade) {
             out += "<div class=\"starts\">\n";
             for (const StartResult& start : row.grade->starts)

@@ -9,6 +9,7 @@
 #include "core/io/csv.h"
 #include "core/lesson/resemblance.h"
 #include "core/lesson/submission.h"
+#include "core/messages.h"
 #include "core/scene/scene_file.h"
 #include "ui/measure_text.h"
 
@@ -29,7 +30,7 @@ std::string names_outside(const Exercise& exercise, const Submission& submission
 
 std::optional<RowProblem> submission_problem(const Exercise& exercise, const ClassRow& row) {
     if (auto fault = check_scene(scene_with(exercise, *row.submission)))
-        return RowProblem{{}, {}, Error{fault->what, row.file}};
+        return RowProblem{{}, {}, error_of(message_of(*fault), row.file)};
     if (const std::string outside = names_outside(exercise, *row.submission); !outside.empty())
         return RowProblem{"report.outside", outside, {}};
     if (changes_too_many(exercise, *row.submission))
@@ -106,6 +107,25 @@ void mark_replaced(std::vector<ClassRow>& rows) {
             if (is_alternative) row.problem = RowProblem{"report.replaced", other.file, {}};
         }
     }
+}
+
+void sort_by_student(std::vector<ClassRow>& rows) {
+    const auto in_small_letters = [](std::string name) {
+        for (char& c : name)
+            if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+        return name;
+    };
+    std::stable_sort(rows.begin(), rows.end(), [&](const ClassRow& a, const ClassRow& b) {
+        return std::tuple(in_small_letters(a.student), a.file) < std::tuple(in_small_letters(b.student), b.file);
+    });
+}
+
+bool is_superseded(const ClassRow& row) { return row.problem && row.problem->key == "report.replaced"; }
+
+bool states_another_result(const ClassReport& report, const ClassRow& row) {
+    if (!row.hand_in || !row.grade || report.first_seed != 1) return false;
+    const int own = row.hand_in->graded_starts, all = static_cast<int>(row.grade->starts.size());
+    return own == all && row.hand_in->passed_starts != row.grade->count;
 }
 
 void judge(const Exercise& exercise, ClassRow& row, Grade grade, const Grade& shipped,
@@ -203,12 +223,14 @@ std::string class_csv(const ClassReport& report, const Strings& strings) {
     std::string out = "student,file,passed,starts_passed,starts,needed";
     for (std::size_t step = 1; step <= exercise.steps.size(); ++step) out += fmt::format(",step_{}", step);
     for (int start = 1; start <= exercise.starts; ++start) out += fmt::format(",start_{}", start);
-    out += ",prediction_right,hints,runs,solution_shown,own_starts_passed,written,resembles,feedback,error\n";
+    out +=
+        ",prediction_right,hints,runs,solution_shown,own_starts_passed,own_result_differs,written,resembles,feedback,"
+        "error\n";
     for (const ClassRow& row : report.rows) {
         CsvLine line(out);
         const auto& grade = row.grade;
         line.text(row.student), line.text(row.file);
-        line.yes_or_no(grade ? std::optional(row.passed) : std::nullopt);
+        line.yes_or_no(grade && !is_superseded(row) ? std::optional(row.passed) : std::nullopt);
         line.number(grade ? std::optional(grade->count) : std::nullopt);
         line.number(exercise.starts), line.number(exercise.needed);
         for (std::size_t step = 0; step < exercise.steps.size(); ++step)
@@ -221,8 +243,11 @@ std::string class_csv(const ClassReport& report, const Strings& strings) {
         line.number(h ? std::optional(h->hints) : std::nullopt), line.number(h ? std::optional(h->runs) : std::nullopt);
         line.yes_or_no(h ? std::optional(h->solution_shown) : std::nullopt);
         line.number(h && h->graded_starts > 0 ? std::optional(h->passed_starts) : std::nullopt);
+        line.yes_or_no(h && h->graded_starts > 0 ? std::optional(states_another_result(report, row)) : std::nullopt);
         line.text(h ? h->written : "");
-        line.text(row.unchanged ? "as shipped" : row.resembles ? exercise.wrong[*row.resembles].name : "");
+        line.text(std::string(row.unchanged   ? strings("report.as_shipped")
+                              : row.resembles ? translated(strings, exercise.wrong[*row.resembles].name)
+                                              : ""));
         line.text(row.problem ? "" : feedback(report, row, strings));
         line.text(problem_text(row, strings));
         line.end();

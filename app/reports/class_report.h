@@ -47,6 +47,17 @@ ClassRow row_of_hand_in(const Exercise&, const std::string& file, const Result<s
 // name; the others get a problem that names it.
 void mark_replaced(std::vector<ClassRow>&);
 
+// True for a row that mark_replaced() has given a problem: it is no failure.
+bool is_superseded(const ClassRow&);
+
+// True if the number of passed starts that the hand-in states is not that of the grade. False where the two cannot be
+// compared: the lab always grades from start 1.
+bool states_another_result(const ClassReport&, const ClassRow&);
+
+// By student without regard to the case of ASCII letters, so that the hand-ins of one student are together; then by
+// file.
+void sort_by_student(std::vector<ClassRow>&);
+
 // Sets grade, passed, unchanged, resembles and the problem of controls that are not offered. `shipped` and `wrong` are
 // the grades of the shipped brain and of the wrong answers from the same seeds.
 void judge(const Exercise&, ClassRow&, Grade, const Grade& shipped, const std::vector<Grade>& wrong);

@@ -30,7 +30,7 @@ td:first-child { width: 1.6em; }
 .starts.many { grid-template-columns: repeat(10, 1fr); gap: 3px; } .starts svg { width: 100%; height: auto; }
 .notes { overflow-wrap: anywhere; } .line { border-bottom: 1px solid #b8b8b2; height: 26px; }
 .second { break-before: page; }
-@media print { body { padding: 0; max-width: none; } .second { margin-top: 0; } }
+@media print { body { padding: 0 1px; max-width: none; } .second { margin-top: 0; } }
 )";
 
 struct Record {

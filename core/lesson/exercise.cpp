@@ -190,6 +190,7 @@ std::vector<TranslatableText> texts_of(const Exercise& exercise) {
     add("predict.outcome", exercise.prediction.outcome);
     add_list("step", exercise.steps, ".text", [](const Step& step) { return step.text; });
     add_list("hint", exercise.hints, ".text", [](const Hint& hint) { return hint.text; });
+    add_list("wrong", exercise.wrong, ".name", [](const Answer& answer) { return answer.name; });
     add_list("wrong", exercise.wrong, ".text", [](const Answer& answer) { return answer.text; });
     return texts;
 }

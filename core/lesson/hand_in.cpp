@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/lesson/utf8.h"
+#include "core/messages.h"
 #include "core/scene/check.h"
 #include "core/scene/toml_reader.h"
 #include "core/scene/toml_writer.h"
@@ -78,11 +79,11 @@ std::string for_comparison(std::string_view name) {
 
 void check_hand_in(TomlTable& top, const HandIn& hand_in) {
     for (const char* key : {"student", "exercise", "submission"})
-        if (!top.has(key)) top.fail_whole(fmt::format("'{}' is missing; write the file again in the lab", key));
+        if (!top.has(key)) top.fail_whole(message_of("missing_in_hand_in", key));
     TomlFile& file = top.file();
-    if (!file.error && for_comparison(hand_in.student).empty()) top.fail("student", std::string("'student' is empty"));
+    if (!file.error && for_comparison(hand_in.student).empty()) top.fail("student", message_of("empty_key", "student"));
     if (!file.error && hand_in.passed_starts > hand_in.graded_starts)
-        top.fail("passed_starts", std::string("'passed_starts' is larger than 'graded_starts'"));
+        top.fail("passed_starts", message_of("more_passed_than_graded"));
     if (file.error) return;
     if (const auto fault = find_fault(hand_in.submission.brain))
         file.error = file.fault_at("submission.brain" + (fault->path.empty() ? "" : "." + fault->path), fault->what);

@@ -125,7 +125,7 @@ TEST(ClassReport, TheTableIsSafeForSpreadsheets) {
     EXPECT_TRUE(
         csv.substr(second).starts_with("\"'=HYPERLINK(\"\"http://x\"\")\",\"'+a,b.toml\",yes,10,10,8,10,10,10,yes,"))
         << csv;
-    EXPECT_NE(csv.find(",yes,2,0,no,,,,Passed: 10 of 10 starts.,\n"), csv.npos) << csv;
+    EXPECT_NE(csv.find(",yes,2,0,no,,,,,Passed: 10 of 10 starts.,\n"), csv.npos) << csv;
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2);
 }
 
@@ -153,7 +153,7 @@ TEST(ClassReport, TheTableHasTheStartsThatPassedInTheStudentsOwnLab) {
     HandIn made = hand_in("A", good);
     made.graded_starts = 10, made.passed_starts = 4;
     const std::string csv = class_csv(graded({row("a", made)}), words("en"));
-    EXPECT_NE(csv.find(",0,0,no,4,,,"), csv.npos) << csv;
+    EXPECT_NE(csv.find(",0,0,no,4,yes,,,"), csv.npos) << csv;
 }
 
 TEST(ClassReport, ARowThatChangesTooManyControlsDoesNotCount) {
@@ -172,6 +172,93 @@ TEST(ClassReport, ARowThatChangesTooManyControlsDoesNotCount) {
     EXPECT_EQ(wide.problem->key, "report.too_many");
     EXPECT_EQ(wide.problem->value, "1");
     EXPECT_FALSE(wide.passed);
+}
+
+namespace {
+
+// The words of the language and of the exercise, as `braitenctl grade --lang` reads them.
+Strings words_with_exercise(const std::string& language) {
+    Strings strings = words(language);
+    add_translations(strings, texts_of(*aggressor()),
+                     *Strings::load(std::string(BRAITENLAB_SOURCE) + "/exercises/words/" + language + ".toml"));
+    return strings;
+}
+
+// The table row of the student in the page.
+std::string line_of(const std::string& page, const std::string& student) {
+    const std::size_t name = page.find(">" + student + "</a>");
+    if (name == page.npos) return "";
+    const std::size_t begin = page.rfind("<tr", name);
+    return page.substr(begin, page.find("</tr>", name) - begin);
+}
+
+}  // namespace
+
+TEST(ClassReport, NamesOfWrongAnswersAreInTheLanguageOfTheReport) {
+    const ClassReport report = graded({row("b", hand_in("B", four_wires))});
+    const std::string page = class_page(report, words_with_exercise("de"), "de");
+    EXPECT_NE(line_of(page, "B").find("alle vier Leitungen"), std::string::npos) << line_of(page, "B");
+    EXPECT_EQ(page.find("all four wires"), page.npos);
+}
+
+TEST(ClassReport, FaultsOfAHandInAreInTheLanguageOfTheReport) {
+    const auto problem = [](const std::string& text) {
+        return problem_text(row_of_hand_in(*aggressor(), "f", Result<std::string>(text)), words("de"));
+    };
+    EXPECT_NE(problem("format = 1\nexercise = \"05-aggressor\"\n").find("'student' fehlt"), std::string::npos);
+    EXPECT_NE(problem("format = 1\nstudent = \" \"\nexercise = \"a\"\n[submission.brain]\n").find("ist leer"),
+              std::string::npos);
+    EXPECT_NE(problem("format = 1\nstudent = \"A\"\nexercise = \"a\"\npassed_starts = 2\n[submission.brain]\n")
+                  .find("größer als 'graded_starts'"),
+              std::string::npos);
+}
+
+TEST(ClassReport, ASupersededHandInIsGreyAndNoFailure) {
+    const ClassReport report = graded({row("a", hand_in("Ana", four_wires, "2026-01-01T00:00:00Z")),
+                                       row("b", hand_in("ana", good, "2026-01-02T00:00:00Z"))});
+    EXPECT_TRUE(is_superseded(report.rows[0]));
+    EXPECT_FALSE(is_superseded(report.rows[1]));
+    const std::string page = class_page(report, words("en"), "en"), line = line_of(page, "Ana");
+    EXPECT_TRUE(line.starts_with("<tr class=\"superseded\"")) << line;
+    EXPECT_NE(line.find("<td>superseded</td>"), line.npos) << line;
+    EXPECT_EQ(line.find("class=\"bad\""), line.npos) << line;
+    EXPECT_NE(page.find("class=\"student superseded\""), page.npos);
+    EXPECT_EQ(line_of(page, "ana").find("superseded"), std::string::npos);
+    const std::string csv = class_csv(report, words("en"));
+    EXPECT_NE(csv.find("\nAna,a,,0,10,"), csv.npos) << "neither yes nor no: " << csv;
+}
+
+TEST(ClassReport, AStatedResultThatIsNotTheGradeIsMarked) {
+    HandIn honest = hand_in("Ana", good), other = hand_in("Ben", four_wires), ungraded = hand_in("Eva", four_wires);
+    honest.graded_starts = honest.passed_starts = 10;
+    other.graded_starts = 10, other.passed_starts = 9;
+    ClassReport report = graded({row("a", honest), row("b", other), row("e", ungraded)});
+    EXPECT_FALSE(states_another_result(report, report.rows[0]));
+    EXPECT_TRUE(states_another_result(report, report.rows[1]));
+    EXPECT_FALSE(states_another_result(report, report.rows[2])) << "it states none";
+    const std::string page = class_page(report, words("en"), "en");
+    const std::string said = "the file states 9 starts passed, graded here: 0";
+    EXPECT_NE(line_of(page, "Ben").find(said), std::string::npos) << line_of(page, "Ben");
+    EXPECT_EQ(line_of(page, "Ana").find("states"), std::string::npos);
+    const std::string csv = class_csv(report, words("en"));
+    EXPECT_NE(csv.find(",9,yes,"), csv.npos) << csv;
+    EXPECT_NE(csv.find(",10,no,"), csv.npos) << csv;
+    report.first_seed = 7;
+    EXPECT_FALSE(states_another_result(report, report.rows[1])) << "the lab has graded other starts";
+}
+
+TEST(ClassReport, TheHeadingSaysThatAStartCountsForItsFirstFailedStep) {
+    const std::string page = class_page(graded({row("b", hand_in("B", four_wires))}), words("en"), "en");
+    EXPECT_NE(page.find("starts that fail at this step first"), page.npos);
+}
+
+TEST(ClassReport, HandInsOfOneStudentAreTogether) {
+    std::vector<ClassRow> rows{row("1", hand_in("ben", good)), row("2", hand_in("Zoe", good)),
+                               row("3", hand_in("Ben", good)), row("4", hand_in("Ana", good))};
+    sort_by_student(rows);
+    std::vector<std::string> files;
+    for (const ClassRow& each : rows) files.push_back(each.file);
+    EXPECT_EQ(files, (std::vector<std::string>{"4", "1", "3", "2"}));
 }
 
 }  // namespace braitenlab::tests::class_report_test

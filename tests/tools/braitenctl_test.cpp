@@ -259,6 +259,20 @@ TEST(Braitenctl, NamesTheNearestCommandAndExplainsASeed) {
     EXPECT_LT(seed.out.size(), 200u);
 }
 
+TEST(CtlRun, SaysWhatToDoWithAFileThatIsNoScene) {
+    for (const char* file : {"05-aggressor", "four-numbers"})
+        for (const char* more : {"", " --seed 1:2 --csv /dev/null"}) {
+            const Ran ran = ctl(std::string("run ") + file + more);
+            EXPECT_EQ(ran.code, 2) << file;
+            EXPECT_NE(ran.out.find("takes a scene or a saved run; use 'check'"), std::string::npos) << ran.out;
+        }
+    const Ran exercise = ctl("run 05-aggressor");
+    EXPECT_NE(exercise.out.find("this is an exercise"), std::string::npos) << exercise.out;
+    const Ran lecture = ctl("show four-numbers");
+    EXPECT_EQ(lecture.code, 2);
+    EXPECT_NE(lecture.out.find("this is a lecture"), std::string::npos) << lecture.out;
+}
+
 TEST(CtlRun, DoesNotSaveToAPipe) {
     const std::string pipe = scratch("pipe.run");
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
