@@ -79,9 +79,9 @@ Rect Pen::text(vec2 unit, float height, float anchor, std::string_view words, Co
 }
 
 bool Pen::cuts(std::string_view words, Face face, float room) const {
-    const Type type = type_for(ui, face, ui.px(least_name));
+    const Type type = type_for(ui, face, least_name());
     const char* end = words.data() + words.size();
-    return type.font->CalcTextSizeA(ui.px(least_name), 1e9f, 0, words.data(), end).x > size(room) + 1;
+    return type.font->CalcTextSizeA(least_name(), 1e9f, 0, words.data(), end).x > size(room) + 1;
 }
 
 void Pen::box(vec2 centre, vec2 extent, float rounding, Colour colour) const {
