@@ -19,7 +19,7 @@ constexpr float pan_rate = 0.5f;                                  // of the widt
 constexpr float turn_by_pixel = 0.006f, raise_by_pixel = 0.005f;  // rad per pixel
 constexpr float notch = 0.2f;                                     // log2 of the zoom per notch of the wheel
 
-// Of the window's width: least length of the selected vehicle in scenes of few vehicles.
+// Of the free area's width: least length of the selected vehicle in scenes of few vehicles.
 constexpr float least_share = 0.05f, least_share_in_lecture = 0.08f;
 
 // True if the camera has returned to its default in this frame.

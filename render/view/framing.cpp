@@ -118,7 +118,7 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
     FloorBox wanted = widened(*grown_, in, arena);
     const VehicleView* vehicle = find_vehicle(now, in.selected);
     if (vehicle && now.scene && now.vehicles.size() <= few_vehicles)
-        wanted = enlarged(wanted, now, *vehicle, in.least_share * in.window.w, in);
+        wanted = enlarged(wanted, now, *vehicle, in.least_share * in.free_area.w, in);
     if (!shown_ || in.seconds <= 0) return *(shown_ = wanted);
     const float t = 1 - std::exp(-in.seconds / time_constant);
     const auto step = [&](vec2 from, vec2 to) {

@@ -18,7 +18,7 @@ struct FramingInput {
     Camera camera;
     VehicleId selected = no_vehicle;
     Rect window, free_area;
-    float least_share = 0.05f;  // of the window's width: least length of the selected vehicle, with few vehicles
+    float least_share = 0.05f;  // of the free area's width: least length of the selected vehicle, with few vehicles
     float seconds = 0;          // since the last frame; 0: no glide, the box changes at once
     bool held = false;          // the user holds something: the box stays
 };

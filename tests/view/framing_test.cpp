@@ -68,7 +68,7 @@ TEST(Framing, UsesThreeQuartersOfTheFreeArea) {
 }
 
 TEST(Framing, ShowsTheSelectedVehicleAtItsLeastSizeInScenesOfFewVehicles) {
-    for (const float least : {0.05f, 0.08f})
+    for (const float least : {0.08f, 0.12f})
         for (const vec2 place : {vec2{-9, -9}, {0, 0}, {9, 3}}) {
             Snapshot now = hand_made::empty(hand_made::scene());
             hand_made::add(now, 0, place.x, place.y, 0);
@@ -77,14 +77,14 @@ TEST(Framing, ShowsTheSelectedVehicleAtItsLeastSizeInScenesOfFewVehicles) {
             in.least_share = least;
             const FloorBox box = Framing{}.follow(now, in);
             const CameraView seen = look({}, now.scene->arena, nullptr, window, free_area, &box);
-            EXPECT_GE(pixels_per_metre(seen, place), 0.98f * least * window.w) << place;
+            EXPECT_GE(pixels_per_metre(seen, place), 0.98f * least * free_area.w) << place;
             const auto at = project(seen, place);
             EXPECT_TRUE(free_area.contains(at->x, at->y)) << place;
             hand_made::add(now, 0, 5, 5, 0);
             EXPECT_LT(pixels_per_metre(look({}, now.scene->arena, nullptr, window, free_area,
                                             std::make_unique<FloorBox>(Framing{}.follow(now, in)).get()),
                                        place),
-                      least * window.w)
+                      least * free_area.w)
                 << "six vehicles are all shown";
         }
 }
