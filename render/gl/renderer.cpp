@@ -11,6 +11,7 @@
 #include "render/gl/backdrop.h"
 #include "render/gl/batch.h"
 #include "render/gl/frame.h"
+#include "render/gl/multisample.h"
 #include "render/gl/programs.h"
 #include "render/gl/texture.h"
 #include "render/text/set_type.h"
@@ -62,6 +63,7 @@ struct Renderer::Parts {
 
     Kit floors = kit<FloorInstance>(quad());
     Backdrop backdrop;
+    Multisample multisample;  // at high quality
     Kit blocks = kit<BlockInstance>(prism());
     Batch skirts{skirt(), blocks.instances};
     Kit zones = kit<ZoneInstance>(quad());
@@ -311,10 +313,13 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     const FrameBlock frame = frame_block(now, picture, p.list);
     p.upload(frame);
     const bool in_backdrop = p.update_backdrop(frame);
+    const bool smooth = picture.quality == Quality::high;
+    if (smooth) p.multisample.begin(window);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     p.draw_solids();
     p.draw_ground_below(in_backdrop);
     p.draw_flat();
+    if (smooth) p.multisample.end();
 
     // Restore default GL state for Dear ImGui.
     glBindVertexArray(0);

@@ -1,6 +1,8 @@
 #include <cmath>
+#include <memory>
 
 #include "render/view/camera.h"
+#include "render/view/framing.h"
 #include "tests/window/lab_window.h"
 
 namespace braitenlab::tests::window_test {
@@ -138,12 +140,20 @@ TEST(LabWindow, PassesTheExerciseWithTheMouseAlone) {
 // braitenctl.
 Point start_in_window(const LabWindow& lab, std::size_t vehicle) {
     const auto free = lab.anchors()["viewport"].get<std::vector<float>>();
-    const Json v =
-        Json::parse(shell(program("braitenctl") + " run predator-prey --seconds 0 --json").out)["vehicles"][vehicle];
-    Arena arena;
-    arena.width = arena.height = 24;
-    const CameraView camera_view =
-        look(Camera{}, arena, nullptr, {0, 0, 1280, 800}, {free[0], free[1], free[2], free[3]});
+    const Json all =
+        Json::parse(shell(program("braitenctl") + " run predator-prey --seconds 0 --json").out)["vehicles"];
+    auto scene = std::make_shared<Scene>();
+    scene->arena.width = scene->arena.height = 24;
+    Snapshot start;
+    start.scene = scene;
+    for (const Json& each : all) {
+        start.vehicles.emplace_back();
+        start.vehicles.back().x = each["x"], start.vehicles.back().y = each["y"];
+    }
+    const Json& v = all[vehicle];
+    const Rect window{0, 0, 1280, 800}, area{free[0], free[1], free[2], free[3]};
+    const FloorBox box = Framing{}.follow(start, {.camera = {}, .window = window, .free_area = area});
+    const CameraView camera_view = look(Camera{}, scene->arena, nullptr, window, area, &box);
     const auto at = project(camera_view, {v["x"], v["y"]}, 0.1f);
     return {static_cast<int>(at->x), static_cast<int>(at->y)};
 }

@@ -1,0 +1,186 @@
+// The picture at medium and high quality: light of lamps, shadows, rounded vehicles.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "render/gl/renderer.h"
+#include "tests/render/rendered.h"
+#include "tests/response_law.h"
+#include "tests/view/hand_made.h"
+
+namespace braitenlab::tests::look_test {
+namespace {
+
+using namespace render;
+
+using maths::vec2;
+
+class LookTest : public Rendered {
+protected:
+    void SetUp() override {
+        Rendered::SetUp();
+        if (HasFatalFailure()) return;
+        picture.quality = Quality::medium;
+        picture.settings.overlays.labels = false;
+        picture.settings.sensors = false;
+    }
+    void look_down(float zoom) {
+        Camera above;
+        above.mode = CameraMode::birds_eye, above.zoom = zoom;
+        look_from(above);
+    }
+    Colour seen(const Snapshot& now, vec2 place, float up = 0) {
+        renderer->draw(now, picture);
+        return patch(*project(picture.camera_view, place, up));
+    }
+};
+
+float linear(Colour c) { return c.r * c.r + c.g * c.g + c.b * c.b; }
+
+TEST_F(LookTest, LightsTheFloorByTheSensorsLawOfDistance) {
+    look_down(1);
+    const Snapshot bare = hand_made::empty(hand_made::scene());
+    Snapshot now = bare;
+    hand_made::add_source(now, Channel::light, -4.5f, 0.5f);
+    // Along a row of squares of the grid, away from its lines, relative to the light at 3 m.
+    const auto added = [&](float d) {
+        const vec2 place{-4.5f + d, 0.5f};
+        return linear(seen(now, place)) - linear(seen(bare, place));
+    };
+    const float at_3 = added(3);
+    for (const float d : {4.0f, 6.0f, 8.0f})
+        EXPECT_NEAR(added(d) / at_3, reading_at(d) / reading_at(3), 0.06) << d << " m";
+}
+
+TEST_F(LookTest, KeepsTheHueOfTheFloorBesideALamp) {
+    look_down(2);
+    Snapshot now = hand_made::empty(hand_made::scene());
+    for (const float x : {-0.2f, 0.2f}) hand_made::add_source(now, Channel::light, x, 0);
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        picture.theme = theme;
+        const Colour beside = seen(now, {0, 0.75f});
+        EXPECT_LT(brightness(beside), 0.95f);
+        EXPECT_GT(beside.r, beside.b + 0.1f) << "warm, not white";
+    }
+}
+
+TEST_F(LookTest, DarkensTheFloorBehindAVehicleButNotBeforeIt) {
+    look_down(2);
+    Snapshot bare = hand_made::empty(hand_made::scene());
+    hand_made::add_source(bare, Channel::light, -2.5f, 0.5f);
+    Snapshot now = bare;
+    hand_made::add(now, 0, 0.5f, 0.5f, 0);
+    const auto change = [&](vec2 place) { return brightness(seen(now, place)) / brightness(seen(bare, place)); };
+    EXPECT_LT(change({1.4f, 0.5f}), 0.9f);
+    EXPECT_NEAR(change({-0.6f, 0.5f}), 1, 0.02f);
+    EXPECT_NEAR(change({1.4f, 2.5f}), 1, 0.02f);
+    EXPECT_GT(change({4.5f, 0.5f}), change({1.4f, 0.5f}) + 0.05f) << "the shadow ends";
+}
+
+TEST_F(LookTest, CastsTheShadowsOfObstaclesAwayFromTheLamp) {
+    look_down(2);
+    auto scene = hand_made::scene();
+    Snapshot bare = hand_made::empty(scene);
+    hand_made::add_source(bare, Channel::light, 0, 3.5f);
+    scene = std::make_shared<Scene>(*scene);
+    scene->obstacles.push_back({.name = "box", .length = 2, .width = 1});
+    Snapshot now = bare;
+    now.scene = scene;
+    const auto change = [&](vec2 place) { return brightness(seen(now, place)) / brightness(seen(bare, place)); };
+    EXPECT_LT(change({0.3f, -1.1f}), 0.92f);
+    EXPECT_NEAR(change({0.3f, 1.4f}), 1, 0.02f);
+}
+
+class RoundedTest : public LookTest {
+protected:
+    void SetUp() override {
+        LookTest::SetUp();
+        if (HasFatalFailure()) return;
+        look_down(10);  // 200 pixels per vehicle
+        hand_made::add(now, 0, 0, 0, 0);
+    }
+
+    // The point of the left eye's ball at these angles (rad) above the gaze and to its left, as seen from above.
+    Colour on_left_eye(float above, float beside) {
+        DrawList list;
+        render::fill(list, now, picture, Trails{});
+        const EyeballInstance& eye = list.eyeballs.at(0);
+        const vec2 gaze{eye.place.z, eye.place.w}, left{-gaze.y, gaze.x};
+        constexpr float pitch = 0.663f;  // as in shaders/eyeball.vert
+        const float flat = std::cos(pitch + above) * std::cos(beside);
+        const vec2 at = vec2{eye.place.x, eye.place.y} + (gaze * flat + left * std::sin(beside)) * eye.size.x;
+        renderer->draw(now, picture);
+        return stage.pixel(*project(picture.camera_view, at, 0.4f));
+    }
+
+    Snapshot now = hand_made::empty(hand_made::scene());
+};
+
+TEST_F(RoundedTest, ShowsAnEyeWhoseIrisBrightensWithItsReading) {
+    const Colour pupil = on_left_eye(0.05f, 0), dim = on_left_eye(0.05f, 0.52f), white = on_left_eye(-0.15f, 1.0f);
+    EXPECT_LT(brightness(pupil), 0.2f);
+    EXPECT_GT(dim.r - dim.b, white.r - white.b + 0.1f) << "the ball around it is white";
+    now.sensed = {0.9f, 0};
+    const Colour bright = on_left_eye(0.05f, 0.52f);
+    EXPECT_GT(brightness(bright), brightness(dim) + 0.15f);
+    EXPECT_GT(bright.r, bright.b) << "in the colour of its channel";
+    EXPECT_LT(brightness(on_left_eye(0.05f, 0)), 0.2f) << "the pupil stays dark";
+}
+
+TEST_F(RoundedTest, ClosesTheLidOfASilencedSensorAndCrossesIt) {
+    now.sensed = {0.9f, 0.9f};
+    const Colour open = on_left_eye(0.05f, 0.52f);
+    BrainGraph brain = *now.brains[0];
+    find_node(brain, std::string("SL"))->silenced = true;
+    now.brains[0] = std::make_shared<BrainGraph>(brain);
+    EXPECT_GT(brightness(on_left_eye(0, 0)), 0.8f) << "the arms of the cross meet in the middle";
+    EXPECT_LT(brightness(on_left_eye(0.05f, 0.52f)), brightness(open) - 0.3f) << "the iris is hidden";
+}
+
+TEST_F(RoundedTest, TurnsTheTreadWithTheWheel) {
+    const auto rows = [&](float angle) {
+        now.vehicles[0].wheel_angle[0] = angle;
+        renderer->draw(now, picture);
+        std::vector<float> along;
+        for (float x = -0.14f; x < 0.14f; x += 0.006f)
+            along.push_back(brightness(stage.pixel(*project(picture.camera_view, {x, 0.30f}, 0.3f))));
+        return along;
+    };
+    const auto difference = [](const std::vector<float>& a, const std::vector<float>& b) {
+        float most = 0;
+        for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::fabs(a[i] - b[i]));
+        return most;
+    };
+    constexpr float block = 2 * maths::pi / 20;
+    const auto still = rows(0);
+    EXPECT_GT(*std::max_element(still.begin(), still.end()), *std::min_element(still.begin(), still.end()) + 0.03f);
+    EXPECT_GT(difference(still, rows(0.5f * block)), 0.03f);
+    EXPECT_LT(difference(still, rows(2 * block)), 0.03f) << "every second block is alike";
+}
+
+TEST_F(RoundedTest, SmoothsEdgesAtHighQuality) {
+    look_down(3);
+    now.vehicles[0].heading = 0.3f;
+    // Number of different colours: pixels on edges have mixtures.
+    const auto colours = [&](Quality quality) {
+        picture.quality = quality;
+        renderer->draw(now, picture);
+        const auto all = stage.pixels();
+        int jumps = 0;
+        for (int y = 180; y < 300; ++y)
+            for (int x = 260; x < 380; ++x) {
+                const auto at = [&](int px) {
+                    return static_cast<int>(all[static_cast<std::size_t>((y * width + px) * 3 + 2)]);
+                };
+                jumps += std::abs(at(x + 1) - at(x)) > 60;
+            }
+        return jumps;
+    };
+    EXPECT_LT(colours(Quality::high), 0.8f * static_cast<float>(colours(Quality::medium)));
+    EXPECT_EQ(stage.complaints(), "");
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::look_test
