@@ -114,3 +114,41 @@ vec4 sector_edges(vec4 shape) {
     return vec4(whole ? 0.0 : sin(shape.y), whole ? -1.0 : cos(shape.y),
                 shape.z > 0.0 ? 1.0 / (shape.z * shape.z) : -1.0, 1.0 / (shape.w * shape.w));
 }
+
+#ifdef FRAGMENT_STAGE
+
+// Coverage of this pixel by lines every `spacing` metres, `width` metres wide. Lines narrower than a pixel are drawn
+// one pixel wide and fainter. `many`: pixels per metre.
+float lines(vec2 place, vec2 pixel, vec2 many, float spacing, float width) {
+    vec2 away = abs(fract(place * (1.0 / spacing) - 0.5) - 0.5) * spacing;
+    vec2 cover = clamp((max(vec2(width), pixel) * 0.5 - away) * many + 0.5, 0.0, 1.0) * min(width * many, 1.0);
+    cover *= clamp((0.5 - pixel * (1.0 / spacing)) * 3.0, 0.0, 1.0);
+    return max(cover.x, cover.y);
+}
+
+// The floor in even light, for floor.frag and lamplit.frag: `outside`: distance from the arena, m; `inside`: 1 in it, or
+// everywhere where the arena has no walls.
+vec3 floor_at(vec2 place, float outside, float inside) {
+    vec2 pixel = fwidth(place) + 1e-5, many = 1.0 / pixel;
+    // Slightly brighter at the centre of the arena. Outside walls the ground is a plain table.
+    vec2 from_middle = place / arena.xy;
+    float middle = max(0.0, 1.0 - 0.5 * dot(from_middle, from_middle)) * (1.0 - counts.y) * 0.25;
+    float faint = max(middle, lines(place, pixel, many, 1.0, 0.016) * 0.75) * inside;
+    float bright = lines(place, pixel, many, 5.0, 0.032) * inside;
+    vec3 bright_line = mix(grid_colour.rgb, mix(paper.rgb, ink.rgb, counts.y), 0.10);
+    return mix(mix(floor_colour.rgb, grid_colour.rgb, faint), bright_line, bright);
+}
+
+const float floor_wall_width = 0.22;  // m, as in render/view/drawing.h
+
+// The floor is darker at the foot of walls, on both sides, and fades into the sky outside the arena within `beyond` m.
+vec3 faded_floor(vec3 ground, vec2 place, float outside, float beyond) {
+    float to_wall = from_edge(place);
+    float foot = clamp(1.0 - max(-to_wall, to_wall - floor_wall_width) / 0.4, 0.0, 1.0);
+    ground *= 1.0 - foot * foot * (counts.w == edge_wall ? mix(0.5, 0.18, counts.y) : 0.0);
+
+    float fade = max(smoothstep(0.0, 0.8 * beyond, outside), min(outside * 20.0, 1.0) * (counts.w == edge_wall ? 0.72 : 0.35));
+    return mix(ground, sky.rgb, fade);
+}
+
+#endif

@@ -50,7 +50,7 @@ std::optional<Error> Programs::load(const std::filesystem::path& folder, SectorP
         {&wire, "wire", "wire"},    {&neuron, "neuron", "neuron"},    {&source, "source", "source"},
         {&shade, "mark", "shade"},  {&mark, "mark", "mark"},          {&trail, "trail", "trail"},
         {&halo, "halo", "halo"},    {&letter, "letter", "letter"},    {&eyeball, "eyeball", "eyeball"},
-        {&cast, "cast", "cast"}};
+        {&cast, "cast", "cast"},    {&lamplit, "floor", "lamplit"}};
     for (const auto& [program, vertex, fragment] : all) {
         auto loaded = Program::load(folder, std::string(vertex) + ".vert", std::string(fragment) + ".frag");
         if (!loaded) return loaded.error();

@@ -173,7 +173,7 @@ struct Renderer::Parts {
     }
 
     void draw_ground() {
-        draw(with.floor, floors);
+        draw(list.floor_lamps > 0 ? with.lamplit : with.floor, floors);
         if (walled) return;
         glEnable(GL_BLEND);
         draw(with.brink, floors);

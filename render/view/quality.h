@@ -21,7 +21,7 @@ public:
     void start_over() { *this = {}; }
 
     static constexpr int frames_between = 8;
-    static constexpr double slow = 0.022, fast = 0.005;  // s
+    static constexpr double slow = 0.030, fast = 0.005;  // s
 
 private:
     Quality level_ = Quality::medium, highest_ = Quality::high;

@@ -79,6 +79,30 @@ void BM_DrawOurs(benchmark::State& state) { draw_ours(state, SectorPath::automat
 void BM_DrawOursOrbiting(benchmark::State& state) { draw_ours(state, SectorPath::automatic, Look::moves); }
 void BM_DrawOursInstanced(benchmark::State& state) { draw_ours(state, SectorPath::instanced); }
 
+// A scene of an exercise: one selected vehicle, a lamp and a box. Argument: Quality.
+void BM_DrawExercise(benchmark::State& state) {
+    Stage stage(width, height);
+    if (!stage.ready()) return state.SkipWithError(stage.problem().c_str());
+    auto renderer = Renderer::create(BRAITENLAB_SOURCE "/shaders");
+    if (!renderer) return state.SkipWithError(renderer.error().text().c_str());
+    auto scene = hand_made::scene();
+    scene->obstacles.push_back({.name = "box", .x = 2, .y = -2, .length = 2, .width = 1});
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, -3, 0, 0.3f, 0.3f, 0.4f);
+    hand_made::add_source(now, Channel::light, 3, 1);
+    const FloorBox box{{-4.5f, -4.5f}, {4.5f, 4.5f}};
+    Picture picture;
+    picture.quality = static_cast<Quality>(state.range(0));
+    picture.settings.selection.vehicle = 0;
+    picture.camera_view = look(Camera{}, now.scene->arena, nullptr, window, window, &box);
+    for (int i = 0; i < warm_up_frames; ++i) drive_on(now), renderer->draw(now, picture), glFinish();
+    for (auto _ : state) {
+        drive_on(now), now.vehicles[0].x -= 0.02f;
+        renderer->draw(now, picture);
+        glFinish();
+    }
+}
+
 void BM_DrawCubeByCube(benchmark::State& state) {
     Stage stage(width, height);
     if (!stage.ready()) return state.SkipWithError(stage.problem().c_str());
@@ -108,6 +132,7 @@ void BM_FillDrawList(benchmark::State& state) {
 BENCHMARK(BM_DrawOurs)->BRAITENLAB_CROWDS;
 BENCHMARK(BM_DrawOursOrbiting)->BRAITENLAB_CROWDS;
 BENCHMARK(BM_DrawOursInstanced)->BRAITENLAB_CROWDS;
+BENCHMARK(BM_DrawExercise)->DenseRange(0, 2)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(BM_DrawCubeByCube)->BRAITENLAB_CROWDS;
 BENCHMARK(BM_FillDrawList)->BRAITENLAB_CROWDS;
 
