@@ -87,8 +87,7 @@ int open_and_run(Options options) {
                                 .width = width,
                                 .height = height,
                                 .full_screen = options.full_screen,
-                                .watch_graphics = options.watch_graphics,
-                                .smooth_in_software = !options.screenshot.empty()});
+                                .watch_graphics = options.watch_graphics});
     if (!window) return complain(window.error());
     if (const auto& place = settings.state.place;
         place && !options.full_screen && can_be_grabbed(*place, {width, height}, window->displays()))

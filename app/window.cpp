@@ -141,10 +141,11 @@ bool renders_in_software() {
     return renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos;
 }
 
-// With multisampling, unless the context does not support it or the renderer is software and would become too slow.
+// With multisampling, unless the context does not support it or the renderer is software: it would become too slow, and
+// high quality has multisampling of its own (render/gl/multisample.h).
 GLFWwindow* make_best_window(const WindowOptions& options) {
     GLFWwindow* window = make_window(options, smooth_samples);
-    if (window && (options.smooth_in_software || !renders_in_software())) return window;
+    if (window && !renders_in_software()) return window;
     if (window) glfwDestroyWindow(window);
     return make_window(options, 0);
 }

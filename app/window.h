@@ -21,8 +21,7 @@ struct WindowOptions {
     int width = 1280, height = 800;
     bool full_screen = false;
     bool visible = true;
-    bool watch_graphics = false;      // the driver checks every call, see graphics_errors()
-    bool smooth_in_software = false;  // multisampling also on a software renderer, where it triples the time of a frame
+    bool watch_graphics = false;  // the driver checks every call, see graphics_errors()
 };
 
 class Window {

@@ -1,5 +1,5 @@
 // Part of the light of one lamp that a box takes away. The ray from the floor to the lamp is below the box's top up to
-// `below` of its length; that part is compared with the box along the ray and across it.
+// `below` of its length; that part is compared with the box.
 in vec2 v_place;
 flat in vec4 v_box;
 flat in vec4 v_shape;
@@ -15,14 +15,18 @@ void main() {
     vec2 ray = v_lamp - v_place;
     float whole = length(ray);
     vec2 ahead = turn_back(ray / max(whole, 1e-4), v_box.zw), middle = turn_back(v_box.xy - v_place, v_box.zw);
-    float along = dot(middle, ahead), across = abs(middle.x * ahead.y - middle.y * ahead.x);
-    float half_along = dot(abs(ahead), v_shape.xy) * 0.95, half_across = dot(abs(ahead.yx), v_shape.xy) * 0.92;
+    // Across the ray, and the lengths of the ray at which it enters and leaves the box.
+    float across = abs(middle.x * ahead.y - middle.y * ahead.x);
+    float half_across = dot(abs(ahead.yx), v_shape.xy) * 0.94;
+    vec2 slope = 1.0 / (abs(ahead) + 1e-3), centre = middle * sign(ahead);
+    vec2 first = (centre - v_shape.xy) * slope, last = (centre + v_shape.xy) * slope;
+    float enters = max(first.x, first.y), leaves = min(last.x, last.y);
     // The half-shadow widens with the distance to the box.
-    float before = max(along - half_along, 0.0);
+    float before = clamp(enters, 0.0, whole);
     float soft = 0.04 + 0.16 * before, end_soft = 0.08 + 0.25 * before;
     float side = smoothstep(soft, -soft, across - half_across);
-    float end = smoothstep(end_soft, -end_soft, along - half_along - whole * v_shape.z);
-    float behind = smoothstep(-0.06, 0.06, along + half_along);
+    float end = smoothstep(end_soft, -end_soft, enters - whole * v_shape.z);
+    float behind = smoothstep(-0.06, 0.06, leaves);
 
     const vec3 luminance = vec3(0.30, 0.59, 0.11);
     float all = dot(floor_colour.rgb * floor_colour.rgb, luminance), own = 0.0;

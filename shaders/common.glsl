@@ -63,7 +63,7 @@ vec3 lamp_on_floor(int i, vec2 place) {
     vec2 towards = vec2(lamps[i].place.x, -lamps[i].place.z) - place;
     // Deeper than the lamp's own colour on a dark floor, paler on a light one.
     vec3 tint = lamps[i].colour.rgb, deep = tint * tint * tint * tint;
-    return mix(deep * 0.42, tint * 0.42, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
+    return mix(deep * 0.37, tint * 0.42, counts.y) * (lamps[i].place.w * lamp_law(dot(towards, towards)));
 }
 
 // Linear light as a screen colour: gamma 2 approximates sRGB. Above the knee the brightest channel approaches 1 and the

@@ -97,6 +97,10 @@ struct Renderer::Parts {
     std::array<Kit, source_shape_count> sources{
         kit<SourceInstance>(source_shape(Channel::light)), kit<SourceInstance>(source_shape(Channel::heat)),
         kit<SourceInstance>(source_shape(Channel::smell)), kit<SourceInstance>(source_shape(Channel::oxygen))};
+    std::array<Batch, source_shape_count> fine_sources{Batch{fine_source_shape(Channel::light), sources[0].instances},
+                                                       Batch{fine_source_shape(Channel::heat), sources[1].instances},
+                                                       Batch{fine_source_shape(Channel::smell), sources[2].instances},
+                                                       Batch{fine_source_shape(Channel::oxygen), sources[3].instances}};
     Kit halos = kit<HaloInstance>(quad());
     Kit trail_strips = kit<TrailInstance>(strip(1));
 
@@ -158,7 +162,7 @@ struct Renderer::Parts {
     }
     void draw(const Program& program, const Kit& kit) { draw(program, kit.batch, kit.instances); }
 
-    void draw_solids() {
+    void draw_solids(Quality quality) {
         draw(with.block, blocks);
         for (const Kit& of_role : hulls) draw(with.hull, of_role);
         for (const Kit& of_role : signs) draw(with.sign, of_role);
@@ -167,7 +171,8 @@ struct Renderer::Parts {
         for (const Kit& of_role : bodies) draw(with.hull, of_role);
         draw(with.wheel, tyres);
         draw(with.eyeball, eyeballs);
-        for (const Kit& of_shape : sources) draw(with.source, of_shape);
+        for (std::size_t i = 0; i < sources.size(); ++i)
+            draw(with.source, quality == Quality::low ? sources[i].batch : fine_sources[i], sources[i].instances);
         draw(with.wire, wires);
         draw(with.neuron, neurons);
     }
@@ -316,7 +321,7 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     const bool smooth = picture.quality == Quality::high;
     if (smooth) p.multisample.begin(window);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    p.draw_solids();
+    p.draw_solids(picture.quality);
     p.draw_ground_below(in_backdrop);
     p.draw_flat();
     if (smooth) p.multisample.end();

@@ -188,6 +188,76 @@ void add_hole(Shape& shape, int i, int holes) {
             shape.indices.push_back(static_cast<std::uint16_t>(centre + corner));
 }
 
+// A surface of revolution about the z axis through these rings (radius as `inset`), from below to above, with smooth
+// normals; closed at the top.
+void add_turned(Shape& shape, vec2 middle, const std::vector<Ring>& profile, int sides, Paint paint) {
+    std::size_t lower = 0;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const std::size_t first = shape.corners.size();
+        for (int k = 0; k < sides; ++k) {
+            const vec2 out = maths::direction(2 * maths::pi * static_cast<float>(k) / static_cast<float>(sides));
+            const vec2 at = middle + out * profile[i].inset, flat = out * maths::cosine(profile[i].tilt);
+            add_corner(shape, {at.x, at.y, profile[i].z}, {flat.x, flat.y, maths::sine(profile[i].tilt)}, paint);
+        }
+        if (i > 0) join_rings(shape, lower, first, static_cast<std::size_t>(sides));
+        lower = first;
+    }
+}
+
+// An ellipsoid of revolution.
+void add_round(Shape& shape, vec3 middle, float radius, float height, int sides, int stacks, Paint paint) {
+    std::vector<Ring> profile;
+    for (int i = 0; i <= stacks; ++i) {
+        const float latitude = maths::pi * (static_cast<float>(i) / static_cast<float>(stacks) - 0.5f);
+        const float flat = std::max(maths::cosine(latitude), 0.002f);
+        profile.push_back({radius * flat, middle.z + height * maths::sine(latitude),
+                           std::atan2(maths::sine(latitude) * radius, flat * height)});
+    }
+    add_turned(shape, {middle.x, middle.y}, profile, sides, paint);
+}
+
+void add_bulb(Shape& shape) {
+    add_turned(shape, {}, {{0.22f, 0, 0}, {0.22f, 0.035f, 0.3f}, {0.20f, 0.06f, 1.0f}, {0.09f, 0.065f, 1.57f}}, 28,
+               Paint::dark);
+    for (const float z : {0.065f, 0.105f, 0.145f, 0.185f})
+        add_turned(shape, {}, {{0.095f, z, -0.7f}, {0.112f, z + 0.02f, 0}, {0.095f, z + 0.04f, 0.7f}}, 16, Paint::deck);
+    add_round(shape, {0, 0, 0.41f}, 0.21f, 0.21f, 22, 12, Paint::light);
+}
+
+void add_flame(Shape& shape) {
+    add_turned(shape, {},
+               {{0.12f, 0, 0},
+                {0.16f, 0.03f, -0.9f},
+                {0.24f, 0.12f, -0.7f},
+                {0.28f, 0.22f, -0.1f},
+                {0.25f, 0.23f, 1.2f},
+                {0.20f, 0.19f, 1.5f},
+                {0.01f, 0.18f, 1.57f}},
+               24, Paint::dark);
+    add_turned(shape, {},
+               {{0.13f, 0.18f, -0.4f},
+                {0.18f, 0.27f, 0},
+                {0.16f, 0.38f, 0.4f},
+                {0.09f, 0.52f, 0.5f},
+                {0.04f, 0.62f, 0.4f},
+                {0.002f, 0.72f, 0.6f}},
+               18, Paint::light);
+    for (const vec2 beside : {vec2{0.12f, 0.05f}, vec2{-0.09f, 0.10f}, vec2{-0.02f, -0.13f}})
+        add_turned(shape, beside,
+                   {{0.05f, 0.17f, -0.3f}, {0.07f, 0.24f, 0.1f}, {0.04f, 0.34f, 0.5f}, {0.002f, 0.42f, 0.6f}}, 10,
+                   Paint::light);
+}
+
+void add_blossom(Shape& shape) {
+    add_turned(shape, {}, {{0.10f, 0, 0.6f}, {0.05f, 0.03f, 0.8f}, {0.03f, 0.08f, 0}, {0.03f, 0.32f, 0}}, 10,
+               Paint::dark);
+    for (int i = 0; i < 6; ++i) {
+        const vec2 petal = maths::direction(2 * maths::pi * static_cast<float>(i) / 6) * 0.17f;
+        add_round(shape, {petal.x, petal.y, 0.35f}, 0.115f, 0.055f, 10, 5, Paint::light);
+    }
+    add_round(shape, {0, 0, 0.38f}, 0.095f, 0.07f, 14, 8, Paint::mark);
+}
+
 }  // namespace
 
 Shape fine_hull_shape(Role role) {
@@ -249,6 +319,27 @@ Shape eyeball_shape() {
             kept.insert(kept.end(), &shape.indices[i], &shape.indices[i] + 3);
     }
     shape.indices = kept;
+    return shape;
+}
+
+Shape fine_source_shape(Channel channel) {
+    Shape shape;
+    switch (channel) {
+        case Channel::heat:
+            add_flame(shape);
+            break;
+        case Channel::smell:
+            add_blossom(shape);
+            break;
+        case Channel::oxygen:
+            add_round(shape, {0.10f, 0.02f, 0.17f}, 0.17f, 0.17f, 18, 10, Paint::light);
+            add_round(shape, {-0.12f, 0.10f, 0.34f}, 0.12f, 0.12f, 14, 8, Paint::light);
+            add_round(shape, {-0.02f, -0.10f, 0.52f}, 0.09f, 0.09f, 12, 8, Paint::light);
+            add_round(shape, {0.08f, 0.10f, 0.64f}, 0.05f, 0.05f, 10, 6, Paint::light);
+            break;
+        default:
+            add_bulb(shape);
+    }
     return shape;
 }
 

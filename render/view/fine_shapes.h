@@ -20,4 +20,8 @@ inline constexpr int tread_blocks = 20;
 // A ball of radius 1 with its lens along +x, on a dark collar below it (Paint::dark).
 Shape eyeball_shape();
 
+// A source of a channel as in source_shape(), with smooth surfaces: a bulb on a ribbed socket, a flame in a bowl for
+// heat, a blossom for smell, bubbles for oxygen.
+Shape fine_source_shape(Channel);
+
 }  // namespace braitenlab::render

@@ -27,6 +27,8 @@ std::vector<Shape> all_shapes() {
 std::vector<Shape> fine_shapes() {
     std::vector<Shape> shapes{tyre_shape(), eyeball_shape()};
     for (const Role role : {Role::none, Role::predator, Role::prey}) shapes.push_back(fine_hull_shape(role));
+    for (const Channel c : {Channel::light, Channel::heat, Channel::smell, Channel::oxygen})
+        shapes.push_back(fine_source_shape(c));
     return shapes;
 }
 
