@@ -147,9 +147,6 @@ void prediction(const LabView& view, PanelState& state, bool rewired, Ui& ui) {
             fill(ui.strings(rewired ? "exercise.outcome_before" : "exercise.outcome"), {translated(ui, asked.outcome)}),
             rewired ? ui.palette.second_text : ui.palette.text);
     const ImVec2 end = ImGui::GetCursorScreenPos();
-    if (is_play_held(view, state))
-        ImGui::GetWindowDrawList()->AddRectFilled({start.x - ui.px(6), start.y}, {start.x - ui.px(3), end.y - ui.px(8)},
-                                                  paint(ui.palette.accent), ui.px(1.5f));
     if (std::exchange(state.shows_question, false)) reveal(ui, start.y, end.y);
     mark(ui, "exercise.predict", {start.x - ui.px(6), start.y - ui.px(4), card_width(ui) + ui.px(12), end.y - start.y});
     if (!std::exchange(state.outcome_seen, lesson.outcome_known) && lesson.outcome_known) ImGui::SetScrollHereY(1);
