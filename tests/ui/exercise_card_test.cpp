@@ -137,7 +137,8 @@ TEST(ExerciseCard, ItsFootDoesNotScroll) {
 TEST(ExerciseCard, TheNoteFieldIsInSightOnceItIsUnfolded) {
     Desk desk(1024, 768, 1, true);
     desk.open_exercise();
-    desk.lesson.hints_shown = 3;
+    for (int i = 0; i < 12; ++i) desk.opened.hints.push_back(desk.opened.hints.front());
+    desk.lesson.hints_shown = 15;
     desk.panels.why_open = true;
     desk.frame(5);
     desk.click("exercise.note");

@@ -17,12 +17,9 @@ void note_field(const LabView& view, PanelState& state, Ui& ui) {
     if (!state.note_open) return;
     const std::string& notes = view.lesson->notes;
     if (!state.note.active) state.note.text = notes;
-    const bool begins = std::exchange(state.note_begins, false);
-    if (begins && ui.keyboard) ui.keyboard->focus = "exercise.note.text";
-    const float top = ImGui::GetCursorScreenPos().y;
+    if (std::exchange(state.note_begins, false) && ui.keyboard) ui.keyboard->focus = "exercise.note.text";
     text_area(ui, state.note, "exercise.note.text", card_width(ui), rows, ui.strings("exercise.note_empty"),
               ui.strings("exercise.note_how"));
-    if (begins) reveal(ui, top, ImGui::GetItemRectMax().y);
     if (state.note.text != notes) ui.outbox.emplace_back(NotesRequest{state.note.text});
     gap(ui, 12);
 }
