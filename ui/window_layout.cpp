@@ -78,11 +78,12 @@ float right_share(const LabView& view, OpenCards open) {
 
 // The parts of a page of a lecture: the caption above, and the scene beside the question and the open cards. The
 // exercise takes the place of the question, as the sliders do once it is answered. The values below are shown on
-// request only, and so are the notes, which cover nothing.
+// request only, and so are the notes, which take the place of the values.
 void lay_out_page(WindowLayout& l, const LabView& view, OpenCards open, float margin) {
     const LectureView& page = *view.pages;
     Rect& s = l.scene;
-    float bottom = page.shows(PagePart::values) ? s.y + s.h : l.window.h - margin;
+    const bool has_values = page.shows(PagePart::values) && open.notes <= 0;
+    float bottom = has_values ? s.y + s.h : l.window.h - margin;
     if (open.notes > 0) {
         l.notes = {margin, bottom, l.window.w - 2 * margin, std::min(open.notes, largest_notes * l.window.h)};
         l.notes.y -= l.notes.h;

@@ -206,14 +206,24 @@ TEST_F(LecturePages, ShowsNotesAndTheTimeOnRequestOnly) {
         if (desk.anchors.find("lecture.question")) {
             EXPECT_FALSE(overlap(notes, desk.where("lecture.question")));
         }
-        if (desk.anchors.find("lecture.left")) {
-            EXPECT_FALSE(overlap(notes, desk.where("lecture.left")));
-        }
         for (const Written& w : desk.written) {
             if (!overlap(w.rect, notes)) continue;
             EXPECT_TRUE(is_inside(w.rect, notes)) << w.words;
         }
     }
+}
+
+TEST_F(LecturePages, NotesTakeThePlaceOfTheValues) {
+    show(2, 2);
+    ASSERT_TRUE(desk.anchors.find("lecture.left"));
+    const float before = desk.where("viewport").h;
+    pages.notes = true;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("lecture.left"));
+    EXPECT_GT(desk.where("viewport").h, 0.6f * before) << "the scene keeps most of its height";
+    pages.notes = false;
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("lecture.left"));
 }
 
 TEST_F(LecturePages, ANoticeIsInTheBarAndCoversNothing) {

@@ -184,7 +184,7 @@ void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
 }
 
 void lecture_figures(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
-    if (view.pages && !view.pages->shows(PagePart::values)) return;
+    if (view.pages && (view.pages->notes || !view.pages->shows(PagePart::values))) return;
     begin_bar(ui, "lecture figures", bar);
     const auto all = lecture_values(view, state, ui);
     const float each = bar.w / static_cast<float>(std::max<std::size_t>(1, all.size()));
