@@ -276,6 +276,22 @@ TEST_F(LecturePages, AClickerBlanksTheWindowAndTheNextKeyOnlyShowsItAgain) {
     EXPECT_EQ(desk.actions(), std::vector{Action::birds_eye}) << "without pages B is the bird's eye";
 }
 
+TEST_F(LecturePages, TheMenuGoesBackToTheLectureThatWasLeft) {
+    pages.page = 3;
+    desk.view.lecture = false;
+    desk.view.pages = nullptr;
+    desk.frame(2);
+    desk.click("menu.lecture");
+    EXPECT_FALSE(desk.anchors.find("menu.lecture.resume"));
+    desk.key({key::escape});
+    desk.view.left_pages = &pages;
+    desk.frame(2);
+    desk.choose("lecture", "resume");
+    ASSERT_TRUE(desk.last<OpenRequest>());
+    EXPECT_TRUE(desk.last<OpenRequest>()->resume);
+    EXPECT_EQ(desk.last<OpenRequest>()->path, pages.lecture->path.string());
+}
+
 TEST_F(LecturePages, F5AsksForTheFirstPage) {
     show(3, 1);
     desk.key({key::f5});
