@@ -119,7 +119,7 @@ std::string StudentFiles::free_stem(const std::string& name) const {
 // The file of a student who was added: one that another window has written for him, else a new one.
 std::string StudentFiles::stem_for(const std::string& name) const {
     for (const fs::path& path : progress_files(folder_)) {
-        const std::string stem = path.stem().string();
+        std::string stem = path.stem().string();
         const bool is_ours =
             std::any_of(files_.begin(), files_.end(), [&](const OnDisk& each) { return each.stem == stem; });
         if (is_ours || stem == nameless_stem) continue;
