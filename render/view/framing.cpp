@@ -44,6 +44,12 @@ void fit(float& low, float& high, float least, float limit) {
     low = kept - side / 2, high = kept + side / 2;
 }
 
+// Lines of tape, which vehicles follow or stay within.
+void include_tape(FloorBox& box, const Scene& scene) {
+    for (const Zone& zone : scene.zones)
+        if (zone.surface == Surface::tape) include(box, {zone.x, zone.y}, 0.5f * std::min(zone.length, zone.width));
+}
+
 void include_obstacles(FloorBox& box, const Snapshot& now) {
     const FloorBox near{box.low - vec2{beside_action, beside_action}, box.high + vec2{beside_action, beside_action}};
     for (std::size_t i = 0; i < now.scene->obstacles.size(); ++i) {
@@ -96,6 +102,7 @@ FloorBox action_of(const Snapshot& now) {
     for (const VehicleView& v : now.vehicles) include(box, {v.x, v.y}, around_vehicle);
     for (const SourceView& s : now.sources) include(box, {s.x, s.y}, around_source);
     if (box.low.x > box.high.x) return whole(now.scene->arena);
+    include_tape(box, *now.scene);
     include_obstacles(box, now);
     const Arena& arena = now.scene->arena;
     const auto inside = [](vec2 p, vec2 half) {

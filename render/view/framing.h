@@ -9,8 +9,8 @@
 
 namespace braitenlab {
 
-// The smallest box around all vehicles, all sources and the obstacles near them, inside the arena with its walls; the
-// whole arena without vehicles and sources. m.
+// The smallest box around all vehicles, sources, lines of tape and the obstacles near them, inside the arena with its
+// walls; the whole arena without vehicles and sources. m.
 FloorBox action_of(const Snapshot&);
 
 // What the framed box depends on besides the snapshot.

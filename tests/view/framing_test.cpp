@@ -68,11 +68,13 @@ TEST(Framing, UsesThreeQuartersOfTheFreeArea) {
 }
 
 TEST(Framing, ShowsTheSelectedVehicleAtItsLeastSizeInScenesOfFewVehicles) {
-    for (const float least : {0.08f, 0.12f})
-        for (const vec2 place : {vec2{-9, -9}, {0, 0}, {9, 3}}) {
-            Snapshot now = hand_made::empty(hand_made::scene());
+    for (const float least : {0.05f, 0.08f})
+        for (const vec2 place : {vec2{-19, -19}, {0, 0}, {19, 3}}) {
+            auto scene = hand_made::scene();
+            scene->arena.width = scene->arena.height = 40;
+            Snapshot now = hand_made::empty(scene);
             hand_made::add(now, 0, place.x, place.y, 0);
-            for (const float x : {-9.0f, 9.0f}) hand_made::add(now, 0, x, -x, 0), hand_made::add(now, 0, x, x, 0);
+            for (const float x : {-19.0f, 19.0f}) hand_made::add(now, 0, x, -x, 0), hand_made::add(now, 0, x, x, 0);
             FramingInput in = input();
             in.least_share = least;
             const FloorBox box = Framing{}.follow(now, in);
@@ -87,6 +89,16 @@ TEST(Framing, ShowsTheSelectedVehicleAtItsLeastSizeInScenesOfFewVehicles) {
                       least * free_area.w)
                 << "six vehicles are all shown";
         }
+}
+
+TEST(Framing, FramesTheLineThatAVehicleFollows) {
+    auto scene = hand_made::scene();
+    scene->zones.push_back({.name = "line", .x = 6, .y = 5, .length = 2, .width = 0.2f, .surface = Surface::tape});
+    scene->zones.push_back({.name = "ice", .x = -8, .y = 5, .length = 2, .width = 2, .surface = Surface::ice});
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, 0, 0, 0);
+    EXPECT_TRUE(holds(action_of(now), {6, 5}));
+    EXPECT_FALSE(holds(action_of(now), {-8, 5}));
 }
 
 TEST(Framing, GlidesWhenTheActionGrowsAndDoesNotShrink) {
