@@ -14,7 +14,7 @@ void main() {
     int kind = int(paint + 0.5);
     vec3 solid = lit(kind == paint_deck ? vec3(0.62) : mix(ink.rgb, vec3(0.55), 0.18), light_at(up, at));
     // Bright in the centre, coloured towards the rim; the more so in the light theme, where the glow is weak.
-    vec3 core = mix(base.rgb, vec3(1.0), mix(0.70, 0.92, counts.y) * place.w);
+    vec3 core = mix(base.rgb, vec3(1.0), mix(0.70, 0.66, counts.y) * place.w);
     vec3 rim = mix(base.rgb, mix(base.rgb, vec3(1.0), 0.15 * place.w), counts.y);
     v_core = kind == paint_light ? core : kind == paint_mark ? vec3(0.98, 0.93, 0.75) : solid;
     v_rim = kind == paint_light ? rim : kind == paint_mark ? base.rgb : solid;

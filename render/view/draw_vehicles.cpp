@@ -199,9 +199,9 @@ void add_event(Drawing& drawing, vec2 place, float radius, float growth, float a
 
 // True if a vehicle of this length on the screen has rounded meshes. The selected one has them also where it is small.
 bool is_fine(Quality quality, float pixels, bool selected) {
-    constexpr float medium_above = 34, high_above = 27;  // layout pixels
+    constexpr float medium_above = 34;  // layout pixels
     if (quality == Quality::low) return false;
-    return pixels >= (selected ? sign_below : quality == Quality::high ? high_above : medium_above);
+    return pixels >= (selected || quality == Quality::high ? sign_below : medium_above);
 }
 
 Subject subject_of(const Drawing& drawing, const VehicleView& view) {
@@ -213,7 +213,8 @@ Subject subject_of(const Drawing& drawing, const VehicleView& view) {
     const float scale = pixels_per_metre(drawing.picture.camera_view, place);
     const float pixels = scale > 0 ? its_kind.body.length * scale / drawing.picture.pixel_scale : 1e3f;
     const bool selected = view.id == drawing.picture.settings.selection.vehicle;
-    const bool fine = is_fine(drawing.picture.quality, pixels, selected);
+    const float judged = drawing.common_pixels > 0 && !selected ? drawing.common_pixels : pixels;
+    const bool fine = pixels >= sign_below && is_fine(drawing.picture.quality, judged, selected);
     return {view,
             its_kind,
             brain < drawing.now.brains.size() ? drawing.now.brains[brain].get() : nullptr,
@@ -274,6 +275,16 @@ void add_beyond_edges(Drawing& drawing, Subject s, const Arena& arena) {
         }
 }
 
+// The mean length of the vehicles on the screen, layout pixels; 0 if they differ by more than a factor of two.
+float common_length(const Drawing& drawing) {
+    float sum = 0, least = 1e9f, most = 0;
+    for (const VehicleView& view : drawing.now.vehicles) {
+        const float pixels = subject_of(drawing, view).pixels;
+        sum += pixels, least = std::min(least, pixels), most = std::max(most, pixels);
+    }
+    return most <= 2 * least ? sum / static_cast<float>(std::max<std::size_t>(drawing.now.vehicles.size(), 1)) : 0;
+}
+
 // Around both vehicles.
 void add_bites(Drawing& drawing) {
     for (const BiteView& bite : drawing.now.bites)
@@ -314,6 +325,7 @@ void add_strikes(Drawing& drawing) {
 }  // namespace
 
 void add_vehicles(Drawing& drawing, const Trails& trails) {
+    if (drawing.picture.quality != Quality::low) drawing.common_pixels = common_length(drawing);
     for (const VehicleView& view : drawing.now.vehicles) {
         Subject s = subject_of(drawing, view);
         s.plan = plan_of(drawing, s);

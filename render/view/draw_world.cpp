@@ -81,7 +81,9 @@ void add_obstacle_casts(Drawing& drawing, vec2 place, vec2 ahead, const std::vec
         low = {std::min(low.x, c.x), std::min(low.y, c.y)};
         high = {std::max(high.x, c.x), std::max(high.y, c.y)};
     }
-    add_casts(drawing, place + maths::rotate((low + high) / 2, ahead), ahead, (high - low) / 2, height);
+    // The shadow is that of a box: of other outlines, of a box that does not stand out of them.
+    const float inside = corners.size() == 4 ? 1.0f : 0.7f;
+    add_casts(drawing, place + maths::rotate((low + high) / 2, ahead), ahead, (high - low) * (inside / 2), height);
 }
 
 void add_obstacles(Drawing& drawing, const Scene& scene) {

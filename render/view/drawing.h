@@ -15,6 +15,9 @@ struct Drawing {
     Palette colours;
     maths::mat4 to_clip;  // projection · view
     float crowd;          // 1 for up to 8 vehicles, falls with the square root of their number
+    // Length of a vehicle on the screen by which all choose between plain and rounded meshes, layout pixels; 0: each by
+    // its own, where near and far vehicles differ much.
+    float common_pixels = 0;
 };
 
 constexpr float wall_thickness = 0.22f, wall_height = 0.35f;  // m

@@ -216,6 +216,21 @@ TEST(DrawList, DrawsRoundedVehiclesWhereTheyAreLargeUnlessTheQualityIsLow) {
     EXPECT_TRUE(rounded(Quality::medium, 0.7f, 0)) << "the selected vehicle keeps its wires and eyes";
 }
 
+TEST(DrawList, GivesVehiclesOfSimilarSizeTheSameMeshes) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    for (const float y : {-9.0f, 9.0f}) hand_made::add(now, 0, 0, y, 0);  // the near one is larger
+    int plain = 0, rounded = 0;
+    for (float zoom = 0.6f; zoom < 1.45f; zoom += 0.02f) {
+        Picture picture = seen_at_zoom(zoom);
+        picture.quality = Quality::medium;
+        const DrawList list = drawn(now, picture);
+        EXPECT_NE(list.bodies[0].size(), 1U) << zoom;
+        (list.bodies[0].empty() ? plain : rounded) += 1;
+    }
+    EXPECT_GT(plain, 3);
+    EXPECT_GT(rounded, 3);
+}
+
 TEST(DrawList, CastsShadowsAwayFromLampsInRange) {
     auto scene = hand_made::scene();
     scene->obstacles.push_back({.name = "box", .x = 3, .length = 2, .width = 1});
