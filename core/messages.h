@@ -150,6 +150,69 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"empty_key", "'{}' is empty"},
     {"more_passed_than_graded", "'passed_starts' is larger than 'graded_starts'"},
     {"no_scene_of_exercise", "there is no scene {}; its path is relative to this file"},
+    {"no_source_of_scene", "the scene has no source called {}"},
+    {"no_zone_of_scene", "the scene has no zone called {}"},
+    {"no_obstacle_of_scene", "the scene has no obstacle called {}"},
+    {"no_vehicle_of_scene", "the scene has no vehicle called {}"},
+    {"no_kind_of_scene", "the scene has no kind called {}"},
+    {"no_sensor_of_vehicle", "the vehicle has no sensor called {}"},
+    {"name_zone", "; name one zone of the scene"},
+    {"name_obstacle", "; name one obstacle of the scene"},
+    {"name_vehicle", "; name one vehicle of the scene"},
+    {"name_kind", "; name one kind of the scene"},
+    {"name_sensor", "; name one sensor of the vehicle"},
+    {"several_sources", "the scene has several sources; name the one that '{}' is about"},
+    {"vehicle_of_check", "{} is the vehicle of this check; name another one"},
+    {"about_first_vehicle", "'{}' is about the first vehicle, {}"},
+    {"at_least", "'{}' should be at least '{}'"},
+    {"more_than", "'{}' should be more than '{}'"},
+    {"earlier_step", "'{}' should be the number of an earlier step"},
+    {"goal_missing", "'goal' is missing; it is one of {}"},
+    {"checks_missing", "the goal '{}' needs at least one check of its own"},
+    {"no_control",
+     "{} is no control; write dials like \"LR\" or \"LL=RR\", or one of \"wiring\", \"curves\", \"sensors\", "
+     "\"selection\""},
+    {"offered_twice", "{} is offered twice"},
+    {"different_ranges", "{} joins dials of different ranges; offer them one by one"},
+    {"not_another_kind", "{} is no kind of the scene other than the first vehicle's"},
+    {"selection_not_offered", "'selection' has no effect; add \"selection\" to 'offers'"},
+    {"changes_without_offers", "'changes' counts offered controls; add 'offers'"},
+    {"changes_of_wires", "'changes' does not count wires; remove it, or \"wiring\" from 'offers'"},
+    {"prediction_incomplete",
+     "a prediction needs a question, two or more options, and one of them as its answer; with 'path' it may have no "
+     "options"},
+    {"no_widget", "the window has no widget {}"},
+    {"more_needed_than_starts", "'needed' is {}, more than the {} starts"},
+    {"median_step", "'median' compares step {}, and there are {} steps"},
+    {"step_text_missing", "a step needs a text: text = \"It …\""},
+    {"brain_of_first",
+     "the first vehicle of an exercise has no brain of its own, as the student changes that of its kind; set it in "
+     "[kind.{}]"},
+    {"sensors_of_first",
+     "the first vehicle of an exercise has no sensors of its own, as the student changes those of its kind; set them "
+     "in [kind.{}]"},
+    {"outside_answer",
+     "the student cannot change {}; an answer sets the brain, the sensors and the body of the first vehicle's kind"},
+    {"scene_or_exercise", "a page has either 'scene' or 'exercise'; give one of them"},
+    {"no_scene_of_page", "there is no file and no shipped scene called {}"},
+    {"no_exercise_of_page", "there is no file and no shipped exercise called {}"},
+    {"few_options", "'options' needs two or more texts"},
+    {"answer_missing", "'answer' is missing; give the text of the right option"},
+    {"empty_page_step", "a step names at least one part"},
+    {"no_page_part", "'{}' has no part {}"},
+    {"missing_in_lecture", "'{}' is missing; a lecture has a title, minutes and [[page]] tables"},
+    {"page_missing", "there is no page; add [[page]]"},
+    {"no_vehicle_to_select", "'select' names {}, which is no [vehicle.NAME] of the scene"},
+    {"no_colour", "{} is no colour; write one like \"#3d7cc9\""},
+    {"same_name", "two of [{}.…] are called {}; give each its own name"},
+    {"too_many_times", "{} times [{}.…]; the most is {}"},
+    {"off_before_on", "it goes off before it goes on; give an 'until' that is later than 'from'"},
+    {"no_such_value", "no such value {}"},
+    {"a_plain_value", "{} should be a number, text, true or false"},
+    {"named_tables", "[{}] holds named tables like [{}.one], and {} is "},
+    {"short_texts", "'{}' should be a list of short texts"},
+    {"key_of_other", "the {} '{}' has no '{}'; remove it"},
+    {"key_of_own", "the {} '{}' needs '{}'; add it"},
 });
 
 // Replaces the {} of the pattern by the values, in order. Surplus {} are kept.
@@ -174,8 +237,8 @@ struct Message {
     std::vector<Phrase> phrases;
 
     Message() = default;
-    Message(std::string english) : text(std::move(english)), phrases{{{}, {text}}} {}
-    Message(const char* english) : Message(std::string(english)) {}
+    // An English text, a name or a path that has no translation.
+    explicit Message(std::string text_as_is) : text(std::move(text_as_is)), phrases{{{}, {text}}} {}
 
     Message& operator+=(const Message& next) {
         text += next.text;
@@ -203,7 +266,7 @@ inline Error error_of(Message message, std::string file = {}, int line = 0) {
 
 // The error's message without its place.
 inline Message message_of(const Error& error) {
-    if (error.phrases.empty()) return error.what;
+    if (error.phrases.empty()) return Message(error.what);
     Message message;
     message.text = error.what, message.phrases = error.phrases;
     return message;

@@ -25,6 +25,8 @@ constexpr int deepest = 32;       // nesting depth of arrays and objects
 constexpr double largest = 1e30;  // absolute value of a number; fits in a float
 
 Error refused(const Message& what, const std::string& file) { return error_of(message_of("no_run") + what, file); }
+// `english`: a text that has no translation.
+Error refused(std::string english, const std::string& file) { return refused(Message(std::move(english)), file); }
 
 // Parser callback that rejects numbers and nesting depths beyond the limits.
 struct Guard {

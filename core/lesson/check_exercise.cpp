@@ -12,6 +12,17 @@ namespace braitenlab {
 
 namespace {
 
+// Ids of the messages about a name of a thing: when there is none of this name, and when the name is empty.
+struct NameMessages {
+    std::string_view unknown, wanted;
+};
+constexpr NameMessages of_source{"no_source_of_scene", ""};  // an empty one means the nearest
+constexpr NameMessages of_zone{"no_zone_of_scene", "name_zone"};
+constexpr NameMessages of_obstacle{"no_obstacle_of_scene", "name_obstacle"};
+constexpr NameMessages of_vehicle{"no_vehicle_of_scene", "name_vehicle"};
+constexpr NameMessages of_kind{"no_kind_of_scene", "name_kind"};
+constexpr NameMessages of_sensor{"no_sensor_of_vehicle", "name_sensor"};
+
 // A part of the exercise file that is checked after reading: where it stands, and the scene that its names refer to.
 struct ExercisePart {
     TomlFile& file;
@@ -21,20 +32,19 @@ struct ExercisePart {
     std::string vehicle;   // name of the start that the check is about
     std::size_t step = 0;  // index of the check's step
 
-    void fail(const char* key, const std::string& what) const {
+    void fail(const char* key, Message what) const {
         const TomlNode* value = table.get(key);
-        file.fail(path + "." + key, value ? value : &table, what);
+        file.fail(path + "." + key, value ? value : &table, std::move(what));
     }
 
-    // `owner`: what should have the named thing.
     template <class Named>
-    void check_name(const char* key, const std::string& name, const std::vector<Named>& known, const char* what,
-                    const char* owner = "scene") const {
+    void check_name(const char* key, const std::string& name, const std::vector<Named>& known,
+                    NameMessages messages) const {
         std::vector<std::string_view> names;
         for (const Named& each : known) names.emplace_back(each.name);
         if (std::find(names.begin(), names.end(), name) != names.end()) return;
-        if (name.empty()) return fail(key, fmt::format("'{}' is empty; name one {} of the {}", key, what, owner));
-        fail(key, fmt::format("the {} has no {} called {}{}", owner, what, in_quotes(name), name_nearest(name, names)));
+        if (name.empty()) return fail(key, message_of("empty_key", key) + message_of(messages.wanted));
+        fail(key, message_of(messages.unknown, in_quotes(name)) + nearest_of(name, names));
     }
 };
 
@@ -56,10 +66,8 @@ constexpr bool needs_one_source =
 template <class G>
 void check_source(const ExercisePart& part, const G& goal) {
     const std::vector<Source>& sources = part.scene.sources;
-    if (!goal.source.empty()) return part.check_name("source", goal.source, sources, "source");
-    if (needs_one_source<G> && sources.size() > 1)
-        part.fail("source",
-                  fmt::format("the scene has several sources; name the one that '{}' is about", G::traits.word));
+    if (!goal.source.empty()) return part.check_name("source", goal.source, sources, of_source);
+    if (needs_one_source<G> && sources.size() > 1) part.fail("source", message_of("several_sources", G::traits.word));
 }
 
 // The sensors of the vehicle that the check is about.
@@ -75,19 +83,18 @@ const std::vector<Sensor>& sensors_of(const ExercisePart& part) {
 template <class G>
 void check_vehicle(const ExercisePart& part, const G& goal) {
     if constexpr (requires { goal.other; })
-        if (goal.other == part.vehicle)
-            part.fail("other", fmt::format("{} is the vehicle of this check; name another one", in_quotes(goal.other)));
+        if (goal.other == part.vehicle) part.fail("other", message_of("vehicle_of_check", in_quotes(goal.other)));
     const std::string& first = part.scene.starts.front().name;
     if (std::is_same_v<G, goals::Matches> && part.vehicle != first)
-        part.fail("vehicle", fmt::format("'matches' is about the first vehicle, {}", in_quotes(first)));
+        part.fail("vehicle", message_of("about_first_vehicle", G::traits.word, in_quotes(first)));
 }
 
 template <class G>
 void check_range(const ExercisePart& part, const G& goal) {
     if constexpr (requires { goal.from, goal.to; })
-        if (goal.to < goal.from) part.fail("to", "'to' should be at least 'from'");
+        if (goal.to < goal.from) part.fail("to", message_of("at_least", "to", "from"));
     if constexpr (requires { goal.low, goal.high; })
-        if (goal.high < goal.low) part.fail("high", "'high' should be at least 'low'");
+        if (goal.high < goal.low) part.fail("high", message_of("at_least", "high", "low"));
 }
 
 // The names in a goal's keys exist in the scene.
@@ -95,28 +102,26 @@ template <class G>
 void check_names(const ExercisePart& part, const G& goal) {
     const Scene& scene = part.scene;
     if constexpr (requires { goal.source; }) check_source(part, goal);
-    if constexpr (requires { goal.zone; }) part.check_name("zone", goal.zone, scene.zones, "zone");
-    if constexpr (requires { goal.left; }) part.check_name("left", goal.left, scene.obstacles, "obstacle");
-    if constexpr (requires { goal.right; }) part.check_name("right", goal.right, scene.obstacles, "obstacle");
-    if constexpr (requires { goal.other; }) part.check_name("other", goal.other, scene.starts, "vehicle");
-    if constexpr (requires { goal.kind; }) part.check_name("kind", goal.kind, scene.kinds, "kind");
-    if constexpr (requires { goal.sensor; })
-        part.check_name("sensor", goal.sensor, sensors_of(part), "sensor", "vehicle");
+    if constexpr (requires { goal.zone; }) part.check_name("zone", goal.zone, scene.zones, of_zone);
+    if constexpr (requires { goal.left; }) part.check_name("left", goal.left, scene.obstacles, of_obstacle);
+    if constexpr (requires { goal.right; }) part.check_name("right", goal.right, scene.obstacles, of_obstacle);
+    if constexpr (requires { goal.other; }) part.check_name("other", goal.other, scene.starts, of_vehicle);
+    if constexpr (requires { goal.kind; }) part.check_name("kind", goal.kind, scene.kinds, of_kind);
+    if constexpr (requires { goal.sensor; }) part.check_name("sensor", goal.sensor, sensors_of(part), of_sensor);
 }
 
 void check_times(const ExercisePart& part, const Check& check) {
-    if (check.after > static_cast<int>(part.step))
-        part.fail("after", "'after' should be the number of an earlier step");
+    if (check.after > static_cast<int>(part.step)) part.fail("after", message_of("earlier_step", "after"));
     if (check.latest > 0 && check.latest <= check.earliest)
-        part.fail("latest", "'latest' should be more than 'earliest'");
+        part.fail("latest", message_of("more_than", "latest", "earliest"));
 }
 
 // `part.vehicle` is that of the check around this one.
 void check_check(ExercisePart part, const Check& check) {
     if (!part.table.contains("goal"))
-        return part.file.fail(part.path, &part.table, "'goal' is missing; it is one of " + listed_words(Goal{}));
+        return part.file.fail(part.path, &part.table, message_of("goal_missing", listed_words(Goal{})));
     if (!check.vehicle.empty()) {
-        part.check_name("vehicle", check.vehicle, part.scene.starts, "vehicle");
+        part.check_name("vehicle", check.vehicle, part.scene.starts, of_vehicle);
         if (part.file.error) return;
         part.vehicle = check.vehicle;
     }
@@ -128,8 +133,7 @@ void check_check(ExercisePart part, const Check& check) {
         if constexpr (requires { goal.checks; }) {
             const TomlNode* checks = part.table.get("check");
             if (goal.checks.empty())
-                part.file.fail(part.path, &part.table,
-                               fmt::format("the goal '{}' needs at least one check of its own", G::traits.word));
+                part.file.fail(part.path, &part.table, message_of("checks_missing", G::traits.word));
             for (std::size_t i = 0; i < goal.checks.size() && !part.file.error; ++i)
                 check_check({part.file, checks->as_list()->at(i), fmt::format("{}.check.{}", part.path, i + 1),
                              part.scene, part.vehicle, part.step},
@@ -142,17 +146,13 @@ void check_check(ExercisePart part, const Check& check) {
 // Adds the dials of an offer to those offered before it.
 void check_offer(TomlTable& top, const std::string& text, std::vector<Dial>& offered) {
     const auto offer = parse_offer(text);
-    if (!offer)
-        return top.fail("offers", fmt::format("{} is no control; write dials like \"LR\" or \"LL=RR\", or one of "
-                                              "\"wiring\", \"curves\", \"sensors\", \"selection\"",
-                                              in_quotes(text)));
+    if (!offer) return top.fail("offers", message_of("no_control", in_quotes(text)));
     for (const Dial dial : offer->dials) {
         const DialRange own = range(dial), first = range(offer->dials.front());
         if (std::find(offered.begin(), offered.end(), dial) != offered.end())
-            top.fail("offers", fmt::format("{} is offered twice", in_quotes(name(dial))));
+            top.fail("offers", message_of("offered_twice", in_quotes(name(dial))));
         if (own.low != first.low || own.high != first.high)
-            top.fail("offers",
-                     fmt::format("{} joins dials of different ranges; offer them one by one", in_quotes(text)));
+            top.fail("offers", message_of("different_ranges", in_quotes(text)));
         offered.push_back(dial);
     }
 }
@@ -160,19 +160,17 @@ void check_offer(TomlTable& top, const std::string& text, std::vector<Dial>& off
 void check_hidden(TomlTable& top, const Exercise& exercise) {
     for (const std::string& kind : exercise.hides)
         if (const int index = find_kind(exercise.scene, kind); index < 0 || index == subject_kind(exercise.scene))
-            top.fail("hides",
-                     fmt::format("{} is no kind of the scene other than the first vehicle's", in_quotes(kind)));
+            top.fail("hides", message_of("not_another_kind", in_quotes(kind)));
 }
 
 void check_offers(TomlTable& top, const Exercise& exercise) {
     std::vector<Dial> offered;
     for (const std::string& text : exercise.offers) check_offer(top, text, offered);
     if (top.content().contains("selection") && !offers_selection(exercise))
-        top.fail("selection", "'selection' has no effect; add \"selection\" to 'offers'");
-    if (exercise.changes > 0 && exercise.offers.empty())
-        top.fail("changes", "'changes' counts offered controls; add 'offers'");
+        top.fail("selection", message_of("selection_not_offered"));
+    if (exercise.changes > 0 && exercise.offers.empty()) top.fail("changes", message_of("changes_without_offers"));
     if (exercise.changes > 0 && !exercise.offers.empty() && offers(exercise, offer_parts::wiring))
-        top.fail("changes", "'changes' does not count wires; remove it, or \"wiring\" from 'offers'");
+        top.fail("changes", message_of("changes_of_wires"));
 }
 
 void check_prediction(TomlTable& top, const Prediction& prediction, const Scene& scene) {
@@ -181,13 +179,10 @@ void check_prediction(TomlTable& top, const Prediction& prediction, const Scene&
     const bool is_drawn_only = !prediction.path_of.empty() && prediction.options.empty();
     if (prediction.question.empty() ||
         (!is_drawn_only && (prediction.options.size() < 2 || !table->contains("answer"))))
-        top.fail(
-            "predict",
-            "a prediction needs a question, two or more options, and one of them as its answer; with 'path' it may "
-            "have no options");
+        top.fail("predict", message_of("prediction_incomplete"));
     if (!prediction.path_of.empty()) {
         const ExercisePart part{top.file(), *table, "predict", scene, scene.starts.front().name};
-        part.check_name("path", prediction.path_of, scene.starts, "vehicle");
+        part.check_name("path", prediction.path_of, scene.starts, of_vehicle);
     }
     for (std::size_t i = 0; i < prediction.shows.size() && !top.file().error; ++i) {
         const TomlNode& check = table->get("shows")->as_list()->at(i);
@@ -204,7 +199,7 @@ void check_anchors(TomlTable& top, const Exercise& exercise) {
         const std::string& anchor = exercise.hints[i].anchor;
         if (anchor.empty() || std::find(known.begin(), known.end(), anchor) != known.end()) continue;
         top.file().fail(fmt::format("hint.{}.anchor", i + 1), hints->as_list()->at(i).get("anchor"),
-                        fmt::format("the window has no widget {}{}", in_quotes(anchor), name_nearest(anchor, known)));
+                        message_of("no_widget", in_quotes(anchor)) + nearest_of(anchor, known));
     }
 }
 
@@ -219,10 +214,9 @@ void check_exercise(TomlTable& top, const Exercise& exercise) {
     check_prediction(top, exercise.prediction, exercise.scene);
     check_offers(top, exercise);
     if (exercise.needed > exercise.starts)
-        top.fail("needed", fmt::format("'needed' is {}, more than the {} starts", exercise.needed, exercise.starts));
+        top.fail("needed", message_of("more_needed_than_starts", exercise.needed, exercise.starts));
     if (exercise.median.step > static_cast<int>(exercise.steps.size()))
-        top.fail("median", fmt::format("'median' compares step {}, and there are {} steps", exercise.median.step,
-                                       exercise.steps.size()));
+        top.fail("median", message_of("median_step", exercise.median.step, exercise.steps.size()));
     if (top.has("median") && exercise.median.step == 0)
         top.fail("median", message_of("key_missing", "step", "step = 1"));
     if (!top.has("solution") && !file.error) file.error = error_of(message_of("solution_missing"), file.name);
@@ -236,7 +230,7 @@ void check_exercise(TomlTable& top, const Exercise& exercise) {
                                 exercise.scene,
                                 exercise.scene.starts.front().name,
                                 i};
-        if (exercise.steps[i].text.empty()) file.fail(part.path, &part.table, "a step needs a text: text = \"It …\"");
+        if (exercise.steps[i].text.empty()) file.fail(part.path, &part.table, message_of("step_text_missing"));
         check_check(part, exercise.steps[i].check);
     }
     if (!file.error) check_anchors(top, exercise);

@@ -46,16 +46,9 @@ void check_first_start(const SceneText& text, const Scene& scene, TomlFile& file
     const Start& first = scene.starts.front();
     const std::string path = (text.table.empty() ? "" : text.table + ".") + "vehicle." + first.name;
     if (first.brain)
-        file.error = text.file.fault_at(
-            path + ".brain",
-            fmt::format("the first vehicle of an exercise has no brain of its own, as the student changes "
-                        "that of its kind; set it in [kind.{}]",
-                        first.kind));
+        file.error = text.file.fault_at(path + ".brain", message_of("brain_of_first", first.kind));
     else if (first.sensors)
-        file.error = text.file.fault_at(
-            path + ".sensor", fmt::format("the first vehicle of an exercise has no sensors of its own, as the student "
-                                          "changes those of its kind; set them in [kind.{}]",
-                                          first.kind));
+        file.error = text.file.fault_at(path + ".sensor", message_of("sensors_of_first", first.kind));
 }
 
 // What the student would hand in to have the exercise's scene as it is here.
@@ -77,10 +70,7 @@ Error setting_outside_submission(const Exercise& exercise, const SceneText& text
         const auto scene = read_scene(text.file, text.table, before);
         if (scene && !differs_in_submission_only(exercise, *scene)) break;
     }
-    return {fmt::format("the student cannot change {}; an answer sets the brain, the sensors and the body of the first "
-                        "vehicle's kind",
-                        in_quotes(culprit->path)),
-            culprit->file, culprit->line};
+    return error_of(message_of("outside_answer", in_quotes(culprit->path)), culprit->file, culprit->line);
 }
 
 // The submission of an answer whose keys have been read from `table`.

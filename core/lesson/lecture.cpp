@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/messages.h"
 #include "core/scene/format_table.h"
 #include "core/scene/nearest.h"
 #include "core/scene/toml_reader.h"
@@ -91,8 +92,7 @@ public:
 
     void find_file(const fs::path& lecture, const fs::path& exercises) {
         if (page_.scene.empty() == page_.exercise.empty())
-            return fail(page_.scene.empty() ? "scene" : "exercise",
-                        "a page has either 'scene' or 'exercise'; give one of them");
+            return fail(page_.scene.empty() ? "scene" : "exercise", message_of("scene_or_exercise"));
         const bool is_scene = page_.exercise.empty();
         const std::string& wanted = is_scene ? page_.scene : page_.exercise;
         const fs::path shipped = exercises / (is_scene ? "scenes" : "guided");
@@ -102,17 +102,16 @@ public:
         if (is_file(page_.file)) return;
         const std::vector<std::string> names = names_in(shipped);
         const std::vector<std::string_view> known(names.begin(), names.end());
-        const char* key = is_scene ? "scene" : "exercise";
-        fail(key, fmt::format("there is no file and no shipped {} called {}{}", key, in_quotes(wanted),
-                              name_nearest(wanted, known)));
+        fail(is_scene ? "scene" : "exercise",
+             message_of(is_scene ? "no_scene_of_page" : "no_exercise_of_page", in_quotes(wanted)) +
+                 nearest_of(wanted, known));
     }
 
     void check_question() {
         const LectureQuestion& asked = page_.question;
         if (!table_.contains("question")) return;
-        if (asked.options.size() < 2) return fail("question", "'options' needs two or more texts");
-        if (!table_.get("question")->contains("answer"))
-            fail("question", "'answer' is missing; give the text of the right option");
+        if (asked.options.size() < 2) return fail("question", message_of("few_options"));
+        if (!table_.get("question")->contains("answer")) fail("question", message_of("answer_missing"));
     }
 
     void read_parts() {
@@ -123,7 +122,7 @@ public:
         for (const PagePart part : parts_of("hide", page_.hide)) page_.at_first[index_of(part)] = false;
         bool answers = false;
         for (const std::string& step : page_.steps) {
-            if (step.find_first_not_of(' ') == step.npos) return fail("steps", "a step names at least one part");
+            if (step.find_first_not_of(' ') == step.npos) return fail("steps", message_of("empty_page_step"));
             PageParts& revealed = page_.reveal.emplace_back();
             for (const PagePart part : parts_of("steps", {step})) {
                 page_.at_first[index_of(part)] = false;
@@ -136,9 +135,9 @@ public:
     }
 
 private:
-    void fail(const std::string& key, const std::string& what) {
+    void fail(const std::string& key, Message what) {
         const TomlNode* value = table_.get(key);
-        file_.fail(path_ + "." + key, value ? value : &table_, what);
+        file_.fail(path_ + "." + key, value ? value : &table_, std::move(what));
     }
 
     // The parts named in the texts, separated by spaces.
@@ -154,7 +153,7 @@ private:
                 if (word.empty()) continue;
                 const auto found = std::find(known.begin(), known.end(), word);
                 if (found == known.end()) {
-                    fail(key, fmt::format("'{}' has no part {}{}", key, in_quotes(word), name_nearest(word, known)));
+                    fail(key, message_of("no_page_part", key, in_quotes(word)) + nearest_of(word, known));
                     return parts;
                 }
                 parts.push_back(static_cast<PagePart>(found - known.begin()));
@@ -171,11 +170,9 @@ private:
 void check_lecture(TomlTable& top, Lecture& lecture, const fs::path& path, const fs::path& exercises) {
     TomlFile& file = top.file();
     for (const char* needed : {"title", "minutes", "page"})
-        if (!top.has(needed) && !file.error)
-            file.error = Error{
-                fmt::format("'{}' is missing; a lecture has a title, minutes and [[page]] tables", needed), file.name};
+        if (!top.has(needed) && !file.error) file.error = error_of(message_of("missing_in_lecture", needed), file.name);
     if (file.error) return;
-    if (lecture.pages.empty()) return top.fail("page", "there is no page; add [[page]]");
+    if (lecture.pages.empty()) return top.fail("page", message_of("page_missing"));
     const TomlNode::List& pages = *top.content().get("page")->as_list();
     for (std::size_t i = 0; i < lecture.pages.size(); ++i) {
         PageChecker page(file, pages[i], fmt::format("page.{}", i + 1), lecture.pages[i]);
@@ -237,9 +234,8 @@ std::optional<Error> check_pages(const Lecture& lecture) {
         std::vector<std::string_view> names;
         for (const Start& start : scene->starts) names.emplace_back(start.name);
         if (!page.select.empty() && std::find(names.begin(), names.end(), page.select) == names.end())
-            return Error{fmt::format("'select' names {}, which is no [vehicle.NAME] of the scene{}",
-                                     in_quotes(page.select), name_nearest(page.select, names)),
-                         lecture.path.string(), page.line};
+            return error_of(message_of("no_vehicle_to_select", in_quotes(page.select)) + nearest_of(page.select, names),
+                            lecture.path.string(), page.line);
     }
     return std::nullopt;
 }

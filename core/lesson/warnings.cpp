@@ -37,9 +37,11 @@ public:
         if (auto file = parse_toml(*text, scene_path.string())) scene_ = std::move(*file);
     }
 
-    Error at(const std::string& key, std::string what) const { return exercise_.fault_at(key, std::move(what)); }
+    Error at(const std::string& key, std::string what) const {
+        return exercise_.fault_at(key, Message(std::move(what)));
+    }
     Error in_scene(const std::string& key, std::string what) const {
-        return scene_ ? scene_->fault_at(key, std::move(what)) : at("scene." + key, std::move(what));
+        return scene_ ? scene_->fault_at(key, Message(std::move(what))) : at("scene." + key, std::move(what));
     }
 
 private:

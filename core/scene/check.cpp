@@ -44,7 +44,7 @@ public:
     }
     void colour(const char* key, std::string T::*member, const char*) {
         if (!(object_.*member).empty() && !is_colour(object_.*member))
-            fail(key, fmt::format("{} is no colour; write one like \"#3d7cc9\"", in_quotes(object_.*member)));
+            fail(key, message_of("no_colour", in_quotes(object_.*member)));
     }
     template <class Part>
     void part(Part T::*member) {
@@ -84,8 +84,7 @@ private:
             const std::string at = fmt::format("{}.{}", key, element.name);
             if (const auto fault = name_fault(element.name)) return fail(at, *fault);
             if (!names.insert(element.name).second)
-                return fail(at, fmt::format("two of [{}{}.…] are called {}; give each its own name", path_, key,
-                                            in_quotes(element.name)));
+                return fail(at, message_of("same_name", path_ + key, in_quotes(element.name)));
             RangeCheck<Element> inner(element, path_ + at + ".", fault_);
             describe(inner, Of<Element>{});
         }
@@ -94,7 +93,7 @@ private:
         if (!range.holds(value)) fail(key, outside(key, value, range));
     }
     bool count(const char* key, std::size_t number, std::size_t most) {
-        if (number > most) fail(key, fmt::format("{} times [{}{}.…]; the most is {}", number, path_, key, most));
+        if (number > most) fail(key, message_of("too_many_times", number, path_ + key, most));
         return number <= most;
     }
     void fail(const std::string& key, Message what) {
@@ -201,8 +200,7 @@ std::optional<Fault> member_fault(const Scene& scene, const Member& member) {
 std::optional<Fault> on_times_fault(const Source& source) {
     for (std::size_t i = 0; i < source.on.size(); ++i)
         if (source.on[i].from >= source.on[i].until)
-            return Fault{fmt::format("source.{}.on.{}", source.name, i + 1),
-                         "it goes off before it goes on; give an 'until' that is later than 'from'"};
+            return Fault{fmt::format("source.{}.on.{}", source.name, i + 1), message_of("off_before_on")};
     return std::nullopt;
 }
 

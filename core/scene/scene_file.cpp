@@ -99,9 +99,9 @@ std::optional<Error> apply(const Setting& setting, const std::string& table, Tom
         return std::nullopt;
     }
     const std::vector<std::string_view> candidates(known.begin(), known.end());
-    return Error{"no such value " + in_quotes(setting.path) + "; the nearest is " +
-                     in_quotes(nearest_word(setting.path, candidates)),
-                 setting.file, setting.line};
+    return error_of(message_of("no_such_value", in_quotes(setting.path)) +
+                        message_of("nearest", in_quotes(nearest_word(setting.path, candidates))),
+                    setting.file, setting.line);
 }
 
 }  // namespace

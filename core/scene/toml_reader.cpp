@@ -30,8 +30,7 @@ void TomlTable::gather_settings(const TomlNode& table, const std::string& path, 
         } else if (const bool* flag = node.as_flag()) {
             setting.value = *flag ? "true" : "false";
         } else {
-            return file_.fail(fmt::format("{}.{}", path, inner), &node,
-                              fmt::format("{} should be a number, text, true or false", in_quotes(inner)));
+            return file_.fail(fmt::format("{}.{}", path, inner), &node, message_of("a_plain_value", in_quotes(inner)));
         }
         out.push_back(std::move(setting));
     }
@@ -135,8 +134,7 @@ std::vector<const TomlMember*> TomlTable::named(std::string_view key, std::size_
     for (const TomlMember& member : members) {
         std::optional<Message> fault = name_fault(member.key);
         if (!member.value.as_table())
-            fault = Message(fmt::format("[{0}] holds named tables like [{0}.one], and {1} is ", path(key),
-                                        in_quotes(member.key))) +
+            fault = message_of("named_tables", path(key), path(key), in_quotes(member.key)) +
                     message_of(member.value.type());
         if (fault) {
             file_.fail(path(key) + "." + member.key, &member.value, *fault);

@@ -172,8 +172,7 @@ public:
         if (!values) return;
         for (const TomlNode& value : *values) {
             const std::string* text = value.as_text();
-            if (!text || text->size() > longest)
-                return table_.fail(key, "'" + std::string(key) + "' should be a list of short texts");
+            if (!text || text->size() > longest) return table_.fail(key, message_of("short_texts", key));
             (object_.*member).push_back(*text);
         }
     }
@@ -201,8 +200,7 @@ public:
         for (const auto& keys : {key_names<Types>()...})
             for (const std::string_view other : keys)
                 if (std::find(own.begin(), own.end(), other) == own.end() && table_.find(other))
-                    table_.fail(other, "the " + std::string(key) + " '" + std::string(known[*which]) + "' has no '" +
-                                           std::string(other) + "'; remove it");
+                    table_.fail(other, message_of("key_of_other", key, known[*which], other));
     }
 
 private:
@@ -216,9 +214,7 @@ private:
     template <class Type, class Variant>
     void read_alternative(const char* key, Variant& variant) {
         for (const std::string_view needed : key_names<Type>())
-            if (!table_.has(needed))
-                table_.fail_whole("the " + std::string(key) + " '" + std::string(Type::traits.word) + "' needs '" +
-                                  std::string(needed) + "'; add it");
+            if (!table_.has(needed)) table_.fail_whole(message_of("key_of_own", key, Type::traits.word, needed));
         TomlReader<Type> reader(table_, variant.template emplace<Type>());
         describe(reader, Of<Type>{});
     }
