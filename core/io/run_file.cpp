@@ -25,38 +25,34 @@ constexpr int deepest = 32;       // nesting depth of arrays and objects
 constexpr double largest = 1e30;  // absolute value of a number; fits in a float
 
 Error refused(const Message& what, const std::string& file) { return error_of(message_of("no_run") + what, file); }
-// `english`: a text that has no translation.
-Error refused(std::string english, const std::string& file) { return refused(Message(std::move(english)), file); }
 
 // Parser callback that rejects numbers and nesting depths beyond the limits.
 struct Guard {
-    std::string objection;
+    Message objection;
     bool operator()(int depth, Json::parse_event_t, const Json& value) {
-        if (depth > deepest) objection = "lists within lists within lists";
+        if (depth > deepest) objection = message_of("run_too_deep");
         if (value.is_number_float() && !(std::fabs(value.get<double>()) <= largest))
-            objection = "a number is too large";
-        return objection.empty();
+            objection = message_of("run_large_number");
+        return objection.text.empty();
     }
 };
 
 std::optional<Error> check_log(const Checkpoint& log, const std::string& file) {
     if (log.tick < log.keyframe_tick || log.tick > log.keyframe_tick + keyframe_ticks)
-        return refused("its moment is not in reach of its keyframe", file);
-    if (log.commands.size() > most_commands) return refused("more commands than a person can give", file);
+        return refused(message_of("run_moment"), file);
+    if (log.commands.size() > most_commands) return refused(message_of("run_many_commands"), file);
     std::uint64_t before = log.keyframe_tick;
     for (const LoggedCommand& c : log.commands) {
-        if (c.tick < before || c.tick > log.tick) return refused("its commands are not in order", file);
+        if (c.tick < before || c.tick > log.tick) return refused(message_of("run_command_order"), file);
         before = c.tick;
     }
     return std::nullopt;
 }
 
 Result<SavedRun> from(const Json& json, const std::string& file) {
-    if (!json.is_object() || !json.contains("braitenlab_run")) return refused("it is some other file", file);
+    if (!json.is_object() || !json.contains("braitenlab_run")) return refused(message_of("run_other_file"), file);
     if (json.at("braitenlab_run") != version)
-        return refused(fmt::format("its version is {}, this program knows {}; a newer program may open it",
-                                   json.at("braitenlab_run").dump(), version),
-                       file);
+        return refused(message_of("run_version", json.at("braitenlab_run").dump(), version), file);
     SavedRun run;
     json.at("opened").get_to(run.opened);
     if (const auto error = check_scene(run.opened)) return refused(message_of(*error), file);
@@ -82,14 +78,14 @@ std::string write_run(const SavedRun& run) {
 }
 
 Result<SavedRun> read_run(std::string_view text, std::string file) {
-    if (text.size() > most_bytes) return refused(fmt::format("it is larger than {} MiB", most_bytes >> 20U), file);
+    if (text.size() > most_bytes) return refused(message_of("run_too_large", most_bytes >> 20U), file);
     Guard guard;
     try {
         const Json json = Json::parse(text, std::ref(guard));
-        if (!guard.objection.empty()) return refused(guard.objection, file);
+        if (!guard.objection.text.empty()) return refused(guard.objection, file);
         return from(json, file);
     } catch (const Json::exception& problem) {
-        return refused(problem.what(), file);
+        return refused(Message(problem.what()), file);
     }
 }
 
@@ -97,7 +93,7 @@ Result<SavedRun> load_run(const std::filesystem::path& path) {
     std::error_code problem;
     const auto bytes = std::filesystem::file_size(path, problem);
     if (problem) return error_of(message_of("cannot_open", problem.message()), path.string());
-    if (bytes > most_bytes) return refused(fmt::format("it is larger than {} MiB", most_bytes >> 20U), path.string());
+    if (bytes > most_bytes) return refused(message_of("run_too_large", most_bytes >> 20U), path.string());
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();

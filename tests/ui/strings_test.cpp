@@ -411,6 +411,9 @@ TEST(Strings, TranslateErrorsOfFiles) {
     const std::string run = std::regex_replace(io::write_run(Session::open(*scene, 1)->save()),
                                                std::regex("\"next_id\": *[0-9]+"), "\"next_id\": 0");
     expect_german(io::read_run(run, "a.run").error(), "die Nummern der Fahrzeuge");
+    expect_german(io::read_run("{}", "a.run").error(), "es ist eine andere Datei");
+    expect_german(io::read_run("{\"braitenlab_run\": 99}", "a.run").error(), "seine Version ist 99");
+    expect_german(io::read_run("[1e99]", "a.run").error(), "eine Zahl ist zu groß");
     expect_german(parse_exercise("format = 1\ntitle = \"t\"\n", "own.toml").error(), "scene fehlt");
 }
 
