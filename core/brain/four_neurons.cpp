@@ -131,6 +131,7 @@ std::string wire_name(const BrainGraph& graph, WireEnds ends, const SensorPair& 
 void turn(BrainGraph& graph, Dial dial, float value, const SensorPair& pair) {
     if (!std::isfinite(value)) return;
     value = std::clamp(value, range(dial).low, range(dial).high);
+    if (graph.nodes.empty()) graph = make_graph(FourNeurons{});
     Node* motor = find_node(graph, entry(dial).motor);
     if (!motor) return;
     if (is_bias(dial)) {

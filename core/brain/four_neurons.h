@@ -78,7 +78,8 @@ std::string wire_name(const BrainGraph&, WireEnds, const SensorPair& = {});
 FourNeurons read_dials(const BrainGraph&, const SensorPair& = {});
 
 // Sets one dial, adding the wire where the graph has none. Clamps to the dial's range; a value that is not finite
-// changes nothing. A dial whose sensor or motor the graph does not have changes nothing.
+// changes nothing. An empty graph becomes make_graph() first. A dial whose sensor or motor the graph does not have
+// changes nothing.
 void turn(BrainGraph&, Dial, float value, const SensorPair& = {});
 
 // mirrored() and crossed() change the direct wires of the pair with all parameters (threshold, curve, learning).

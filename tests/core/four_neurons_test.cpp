@@ -45,6 +45,13 @@ TEST(FourNeurons, DialsSetTheDirectWiresOfALargerGraph) {
     EXPECT_EQ(read_dials(graph).LL, 1);
 }
 
+TEST(FourNeurons, DialsGiveAnEmptyGraphTheFourNeurons) {
+    BrainGraph graph;
+    turn(graph, Dial::LM, 0.3f);
+    EXPECT_EQ(read_dials(graph), (FourNeurons{.LM = 0.3f}));
+    EXPECT_EQ(graph.nodes.size(), 4u);
+}
+
 TEST(FourNeurons, DirectDialReturnsTheDialOfEachOfTheFourWires) {
     using namespace four_neuron_ids;
     BrainGraph graph = make_graph({});

@@ -40,7 +40,7 @@ const std::map<std::string, std::string> golden{
     {"drivers", "510170fa8c9f9c34"},
     {"obstacle-course", "5a58a1e9ce5a91ac"},
     {"pushing", "fe69334a7e83ad57"},
-    {"empty", "08e405932d5e4c4b"},
+    {"empty", "6906852530d75b13"},
 };
 
 const std::filesystem::path scenes = std::filesystem::path(BRAITENLAB_SOURCE) / "exercises" / "scenes";
