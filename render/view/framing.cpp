@@ -44,10 +44,13 @@ void fit(float& low, float& high, float least, float limit) {
     low = kept - side / 2, high = kept + side / 2;
 }
 
-// Lines of tape, which vehicles follow or stay within.
-void include_tape(FloorBox& box, const Scene& scene) {
+// Lines of tape, which vehicles follow or stay within. False if there is none.
+bool include_tape(FloorBox& box, const Scene& scene) {
+    bool found = false;
     for (const Zone& zone : scene.zones)
-        if (zone.surface == Surface::tape) include(box, {zone.x, zone.y}, 0.5f * std::min(zone.length, zone.width));
+        if (zone.surface == Surface::tape)
+            include(box, {zone.x, zone.y}, 0.5f * std::min(zone.length, zone.width)), found = true;
+    return found;
 }
 
 void include_obstacles(FloorBox& box, const Snapshot& now) {
@@ -77,7 +80,8 @@ FloorBox widened(FloorBox box, const FramingInput& in, const Arena& arena) {
     return box;
 }
 
-// Shrinks the box around the vehicle until the vehicle has this length on the screen, px.
+// Shrinks the box around the vehicle until the vehicle has this length on the screen, px, or until another vehicle is
+// at its edge.
 FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle, float pixels, const FramingInput& in) {
     const vec2 place{vehicle.x, vehicle.y};
     const float length = kind_of(now, vehicle).body.length;
@@ -91,6 +95,7 @@ FloorBox enlarged(FloorBox box, const Snapshot& now, const VehicleView& vehicle,
                         std::clamp(middle.y, place.y - room.y, place.y + room.y)};
         box = {kept - half, kept + half};
     }
+    for (const VehicleView& other : now.vehicles) include(box, {other.x, other.y}, around_vehicle);
     return box;
 }
 
@@ -101,8 +106,8 @@ FloorBox action_of(const Snapshot& now) {
     FloorBox box{{1e9f, 1e9f}, {-1e9f, -1e9f}};
     for (const VehicleView& v : now.vehicles) include(box, {v.x, v.y}, around_vehicle);
     for (const SourceView& s : now.sources) include(box, {s.x, s.y}, around_source);
-    if (box.low.x > box.high.x) return whole(now.scene->arena);
-    include_tape(box, *now.scene);
+    const bool has_aim = include_tape(box, *now.scene) || !now.sources.empty();
+    if (!has_aim) return whole(now.scene->arena);
     include_obstacles(box, now);
     const Arena& arena = now.scene->arena;
     const auto inside = [](vec2 p, vec2 half) {

@@ -10,7 +10,7 @@
 namespace braitenlab {
 
 // The smallest box around all vehicles, sources, lines of tape and the obstacles near them, inside the arena with its
-// walls; the whole arena without vehicles and sources. m.
+// walls; the whole arena without sources and tape. m.
 FloorBox action_of(const Snapshot&);
 
 // What the framed box depends on besides the snapshot.

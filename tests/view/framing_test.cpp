@@ -38,6 +38,8 @@ TEST(Framing, FramesVehiclesSourcesAndTheObstaclesNearThem) {
     EXPECT_GE(action_of(now).low.x, -10.3f) << "no further than the walls";
     now.vehicles.clear(), now.sources.clear();
     EXPECT_EQ(action_of(now), (FloorBox{{-10, -10}, {10, 10}})) << "an empty arena is shown whole";
+    hand_made::add(now, 0, -4, 0, 0);
+    EXPECT_EQ(action_of(now), (FloorBox{{-10, -10}, {10, 10}})) << "without sources the floor is the aim";
 }
 
 // The share of the free area's width and height that the box's picture takes.
@@ -74,7 +76,8 @@ TEST(Framing, ShowsTheSelectedVehicleAtItsLeastSizeInScenesOfFewVehicles) {
             scene->arena.width = scene->arena.height = 40;
             Snapshot now = hand_made::empty(scene);
             hand_made::add(now, 0, place.x, place.y, 0);
-            for (const float x : {-19.0f, 19.0f}) hand_made::add(now, 0, x, -x, 0), hand_made::add(now, 0, x, x, 0);
+            for (const float x : {-19.0f, 19.0f})
+                hand_made::add_source(now, Channel::light, x, -x), hand_made::add_source(now, Channel::light, x, x);
             FramingInput in = input();
             in.least_share = least;
             const FloorBox box = Framing{}.follow(now, in);
@@ -82,7 +85,7 @@ TEST(Framing, ShowsTheSelectedVehicleAtItsLeastSizeInScenesOfFewVehicles) {
             EXPECT_GE(pixels_per_metre(seen, place), 0.98f * least * free_area.w) << place;
             const auto at = project(seen, place);
             EXPECT_TRUE(free_area.contains(at->x, at->y)) << place;
-            hand_made::add(now, 0, 5, 5, 0);
+            for (int i = 0; i < 5; ++i) hand_made::add(now, 0, place.x, place.y, 0);
             EXPECT_LT(pixels_per_metre(look({}, now.scene->arena, nullptr, window, free_area,
                                             std::make_unique<FloorBox>(Framing{}.follow(now, in)).get()),
                                        place),
@@ -99,6 +102,18 @@ TEST(Framing, FramesTheLineThatAVehicleFollows) {
     hand_made::add(now, 0, 0, 0, 0);
     EXPECT_TRUE(holds(action_of(now), {6, 5}));
     EXPECT_FALSE(holds(action_of(now), {-8, 5}));
+}
+
+TEST(Framing, ShowsAllOfFewVehiclesAlsoWhereTheSelectedOneIsSmall) {
+    auto scene = hand_made::scene();
+    scene->arena.width = scene->arena.height = 40;
+    Snapshot now = hand_made::empty(scene);
+    hand_made::add(now, 0, -19, -19, 0), hand_made::add(now, 0, 19, 19, 0);
+    hand_made::add_source(now, Channel::light, 0, 0);
+    FramingInput in = input();
+    in.least_share = 0.08f;
+    const FloorBox box = Framing{}.follow(now, in);
+    for (const vec2 place : {vec2{-19, -19}, {19, 19}}) EXPECT_TRUE(holds(box, place)) << place;
 }
 
 TEST(Framing, GlidesWhenTheActionGrowsAndDoesNotShrink) {
@@ -126,6 +141,7 @@ TEST(Framing, GlidesWhenTheActionGrowsAndDoesNotShrink) {
 TEST(Framing, StaysWhileTheUserHoldsSomethingOrHasMovedTheCamera) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, -2, 0, 0);
+    hand_made::add_source(now, Channel::light, 2, 0);
     for (const int way : {0, 1, 2}) {
         Framing framing;
         FramingInput in = input();
