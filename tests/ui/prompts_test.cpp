@@ -267,6 +267,21 @@ TEST_F(LessonPrompts, OfferAHintAfterAFailedRun) {
     EXPECT_NE(anchor(), "exercise.hint");
 }
 
+TEST_F(LessonPrompts, AskForNoChangeWhileTheRunCompletesAStep) {
+    desk.opened.seconds = 40;
+    desk.view.undo_depth = 1;
+    at(21);
+    EXPECT_EQ(anchor(), "exercise.hint");
+    desk.lesson.verdicts = {{.measures = {{.value = 8.9f, .needed = 9, .unit = "s"}}}};
+    EXPECT_EQ(anchor(), "");
+    desk.lesson.verdicts[0].measures[0].value = 0;
+    EXPECT_EQ(anchor(), "exercise.hint") << "the condition does not hold";
+    desk.lesson.verdicts[0].measures[0] = {.value = 2, .needed = 9, .unit = "s"};
+    EXPECT_EQ(anchor(), "exercise.hint") << "it takes long";
+    desk.lesson.verdicts[0].measures[0] = {.value = 8.9f, .needed = 9, .unit = "m"};
+    EXPECT_EQ(anchor(), "exercise.hint") << "a distance";
+}
+
 TEST_F(LessonPrompts, NameWhatTheExerciseOffers) {
     const std::vector<std::pair<std::vector<std::string>, std::string_view>> cases{
         {{"LM", "RM"}, "slider"}, {{"curves"}, "slider"},   {{"wiring"}, "wire"},

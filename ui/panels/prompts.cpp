@@ -150,6 +150,19 @@ bool may_ask_for_a_hint(const LabView& view) {
     return left && lesson.hint_ready && view.now->seconds >= 0.5 * static_cast<double>(lesson.exercise->seconds);
 }
 
+// True if the run alone completes a step within the next seconds: then no hint asks for a change.
+bool is_completing_a_step(const LessonView& lesson) {
+    constexpr float soon = 5;  // s
+    const auto runs_out = [](const Measure& m) {
+        return m.unit == "s" && !m.at_most && !m.best && m.value > 0 && m.value < m.needed &&
+               m.needed - m.value <= soon;
+    };
+    return std::any_of(lesson.verdicts.begin(), lesson.verdicts.end(), [&](const Verdict& verdict) {
+        return !verdict.done && !verdict.lost &&
+               std::any_of(verdict.measures.begin(), verdict.measures.end(), runs_out);
+    });
+}
+
 Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     const LessonView& lesson = *view.lesson;
     const bool at_start = view.now->tick == 0 && view.mode == Mode::paused;
@@ -159,6 +172,7 @@ Prompt of_lesson(PromptMemory& memory, const LabView& view) {
     if (all_steps_done(lesson)) return {{}, lesson.grade ? "hint.other_starts" : "hint.steps_done"};
     if (const auto anchor = hinted(memory, view); !anchor.empty()) return {anchor, "hint.follow_hint"};
     if (at_start) return {"button.play", "hint.press_play"};
+    if (view.mode == Mode::playing && is_completing_a_step(lesson)) return {};
     if (const Prompt out = way_out(memory, view); !out.anchor.empty()) return out;
     if (may_ask_for_a_hint(view)) return {"exercise.hint", "hint.ask"};
     return {};
