@@ -135,6 +135,7 @@ inline constexpr auto message_table = std::to_array<MessageText>({
     {"too_much_memory",
      "{} vehicles with up to {} numbers in brain and sensors each are more than fit; with such brains and latencies {} "
      "are the most"},
+    {"no_role_to_count", "the vehicles that a goal counts are predators or prey"},
     {"no_kind_to_populate", "there is no [kind.NAME] to populate the arena with"},
     {"node_without_name", "a node needs a name: name = \"N1\""},
     {"wire_without_names", "a wire needs from = and to =, each a node's name"},

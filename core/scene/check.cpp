@@ -260,6 +260,7 @@ std::optional<Fault> find_fault(const Scene& scene) {
         if (auto fault = member_fault(scene, member)) return fault;
     if (scene.ecology.population > 0 && scene.kinds.empty())
         return Fault{"ecology.population", message_of("no_kind_to_populate")};
+    if (scene.goal.role == Role::wiring) return Fault{"goal.role", message_of("no_role_to_count")};
     return memory_fault(scene);
 }
 

@@ -207,12 +207,21 @@ struct Ecology {
     friend bool operator==(const Ecology&, const Ecology&) = default;
 };
 
+// What the user may try in the scene; shown on its card. It does not change a run.
+struct PopulationGoal {
+    Role role = Role::none;  // predator or prey; none: the scene has no goal
+    int count = 3;           // at least so many vehicles of the role
+    float seconds = 60;      // without a break
+    friend bool operator==(const PopulationGoal&, const PopulationGoal&) = default;
+};
+
 struct Scene {
     std::string name;  // "predator-prey"; the file's stem
     std::string title;
     std::string story;  // one line about the scene
     Arena arena;
     Ecology ecology;
+    PopulationGoal goal;
     std::vector<Kind> kinds;
     std::vector<Start> starts;
     std::vector<Member> members;

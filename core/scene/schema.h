@@ -74,6 +74,13 @@ void describe(Visitor& v, Of<Ecology>) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, Of<PopulationGoal>) {
+    v.word("role", &PopulationGoal::role, "of the vehicles that are counted; `none`: no goal");
+    v.number("count", &PopulationGoal::count, "", {1, limits::vehicles}, "smallest number of these vehicles");
+    v.number("seconds", &PopulationGoal::seconds, "s", {1, 3600}, "without a break");
+}
+
+template <class Visitor>
 void describe(Visitor& v, Of<Wheel>) {
     v.number("x", &Wheel::x, "m", mount_range, "ahead of the origin");
     v.number("y", &Wheel::y, "m", mount_range, "left of the origin");
@@ -236,6 +243,7 @@ void describe(Visitor& v, Of<Scene>) {
     v.text("story", &Scene::story, limits::text_length, "one line about the scene");
     v.table("arena", &Scene::arena, "the floor and its boundary");
     v.table("ecology", &Scene::ecology, "population and energy");
+    v.table("goal", &Scene::goal, "what to try, shown on the scene's card; it does not change a run");
     v.named("kind", &Scene::kinds, limits::kinds, "a design that many vehicles share");
     v.named("vehicle", &Scene::starts, limits::starts, "a vehicle with a given start pose");
     v.named("member", &Scene::members, limits::vehicles,

@@ -155,6 +155,7 @@ void limit_triangles(std::vector<Sensor>& sensors) {
 // The range of some values depends on other values.
 void make_sound(Scene& scene, Dice& dice) {
     scene.name = "by-chance";
+    if (scene.goal.role == Role::wiring) scene.goal.role = Role::prey;
     scene.arena.round &= scene.arena.edge != Boundary::torus;
     const float within = scene.arena.round ? 0.35f : 0.5f;  // of the size: where starts are inside for certain
     if (scene.kinds.empty()) scene.ecology.population = 0, scene.starts.clear();

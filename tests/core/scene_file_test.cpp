@@ -53,6 +53,7 @@ Scene everything() {
     scene.story = "Two lines\nand a tab\t and a bell\a";
     scene.arena = {33.3f, 44.4f, Boundary::open, true, 12.5f, 0.1f, 0.4f, 0.05f};
     scene.ecology = {12, 0.0125f, 0.3f, 7};
+    scene.goal = {Role::predator, 4, 30};
     Kind kind;
     kind.name = "z-first";
     kind.role = Role::predator;
@@ -263,6 +264,7 @@ TEST(SceneFile, NamesTheLineAndTheNearestWordForEveryKindOfError) {
         {"format = 1\n[[kind.k.brain.node]]\nname = \"N\"\n[[kind.k.brain.node]]\nname = \"N\"\n",
          {"test.toml:2: ", "two nodes are called 'N'"}},
         {"format = 1\n[ecology]\npopulation = 3\n", {"test.toml:3: ", "no [kind.NAME]"}},
+        {"format = 1\n[goal]\nrole = \"wiring\"\n", {"test.toml:3: ", "predators or prey"}},
         {"format = 1\n[obstacle.o]\ncorner = [{ x = 1 }, { y = 1 }]\n", {"test.toml:3: ", "at least 3 corners"}},
         {"format = 1\n[obstacle.o]\ncorner = [{ x = 1 }, { x = 1 }, { y = 1 }]\n",
          {"test.toml:3: ", "corners 1 and 2 stand less than"}},

@@ -173,6 +173,28 @@ TEST(ChartData, KeepsNumbersAndMeanEnergiesOfEachSide) {
     EXPECT_TRUE(std::isnan(p.energy[2]));
 }
 
+TEST(ChartData, MeasuresTheLongestTimeWithEnoughVehiclesOfARole) {
+    Desk desk;  // 4 predators, 8 prey
+    History history;
+    const auto seconds = [&](std::uint64_t from, std::uint64_t to) {
+        for (std::uint64_t t = from; t <= to; ++t) pass(desk, history, 60 * t);
+    };
+    EXPECT_EQ(longest_time_with(history, Role::prey, 8), 0) << "no sample";
+    seconds(0, 5);
+    EXPECT_EQ(longest_time_with(history, Role::prey, 8), 5);
+    EXPECT_EQ(longest_time_with(history, Role::prey, 9), 0);
+    EXPECT_EQ(longest_time_with(history, Role::predator, 5), 0);
+    VehicleView& eaten = desk.now.vehicles.back();
+    ASSERT_EQ(std::exchange(eaten.role, Role::predator), Role::prey);
+    seconds(6, 7);
+    EXPECT_EQ(longest_time_with(history, Role::predator, 5), 1);
+    eaten.role = Role::prey;
+    seconds(8, 11);
+    EXPECT_EQ(longest_time_with(history, Role::prey, 8), 5) << "the longer part, not the sum";
+    seconds(12, 15);
+    EXPECT_EQ(longest_time_with(history, Role::prey, 8), 7);
+}
+
 TEST(ChartData, ExportsOneRowPerSampleBelowTheHeader) {
     Desk desk;
     History history;

@@ -1,4 +1,6 @@
 // The card of a selected lamp, obstacle or zone.
+#include <algorithm>
+
 #include "core/maths/angle.h"
 #include "scene_on_desk.h"
 #include "ui/panels/panels.h"
@@ -32,6 +34,25 @@ TEST_F(SceneCards, EditAZone) {
     EXPECT_EQ(commands<EditZone>().back().zone, 0);
     EXPECT_EQ(commands<EditZone>().back().to.corners.size(), 3u);
     EXPECT_TRUE(commands<AddObstacle>().empty()) << "the outline is that of the zone";
+}
+
+TEST_F(SceneCards, ShowTheGoalOfAScene) {
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("scene.goal"));
+    auto scene = std::make_shared<Scene>(*desk.now.scene);
+    scene->goal = {.role = Role::prey, .count = 3, .seconds = 2};
+    desk.now.scene = scene;
+    const auto says = [&](std::string_view words) {
+        return std::any_of(desk.written.begin(), desk.written.end(),
+                           [&](const Written& written) { return written.words.find(words) != std::string::npos; });
+    };
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("scene.goal"));
+    EXPECT_TRUE(says("Keep 3 prey alive for 2 s"));
+    EXPECT_FALSE(says("longest time so far"));
+    for (int second = 1; second <= 2; ++second) desk.now.tick += 60, desk.frame();
+    desk.frame();
+    EXPECT_TRUE(says("longest time so far 2 s"));
 }
 
 TEST_F(SceneCards, ChangeTheValuesOfALampWithOneGesturePerDrag) {

@@ -163,6 +163,7 @@ std::set<std::string> composed() {
         for (const char* end : {"", "_how"}) keys.insert("field." + std::string(row) + end);
     for (const char* unit : {"rounds", "laps", "contacts", "captures", "vehicles", "times"})
         keys.insert("unit." + std::string(unit));  // ui/panels/course/lesson_text.cpp
+    for (const char* role : {"predator", "prey"}) keys.insert("scene.goal_" + std::string(role));
     for (int chapter = 1; chapter <= 5; ++chapter) keys.insert("chapter." + std::to_string(chapter));
     for (const char* stem : {"character.", "character_story."}) keys.insert(stem + std::string("hidden"));
     for (const char* key : {"sensors.name", "sensors.name_how"}) keys.insert(key);  // ui/panels/sensor_card.cpp

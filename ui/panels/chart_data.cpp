@@ -127,6 +127,20 @@ float ShownSignals::value(const History::Signals& sample, std::size_t signal) co
     return sensors[signal] ? sample.sensors[*sensors[signal]] : 0;
 }
 
+double longest_time_with(const History& history, Role role, int count) {
+    const std::size_t group = role == Role::predator ? 0 : 1;
+    double best = 0;
+    std::optional<double> since;
+    for (const History::Population& sample : history.population) {
+        if (sample.count[group] < count)
+            since.reset();
+        else
+            best = std::max(best, sample.seconds - since.value_or(sample.seconds)),
+            since = since.value_or(sample.seconds);
+    }
+    return best;
+}
+
 ShownSignals shown_signals(const History& history, const SensorPair& pair) {
     ShownSignals shown{{pair.left, pair.right, "ML", "MR"}};
     for (std::size_t side = 0; side < 2; ++side)

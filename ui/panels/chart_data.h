@@ -52,6 +52,9 @@ struct History {
 // exceeds the periods, so there are fewer samples.
 void record(History&, const LabView&);
 
+// The longest time (s) in which every sample had at least `count` vehicles of the role, predator or prey.
+double longest_time_with(const History&, Role, int count);
+
 // The four signals that strips and charts show: the readings of a pair of sensors, and the commands of both wheels.
 struct ShownSignals {
     std::array<std::string, 4> names;                     // as diagrams show them: "SL", "SR", "ML", "MR"

@@ -1,6 +1,7 @@
 // The card of the open scene and the card of the selected lamp, obstacle or zone.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "core/maths/angle.h"
 #include "core/scene/enums.h"
 #include "ui/panels/cards.h"
+#include "ui/panels/chart_data.h"
+#include "ui/panels/course/prediction.h"
 #include "ui/panels/panels.h"
 #include "ui/scene_input/edits.h"
 #include "ui/shortcuts.h"
@@ -16,6 +19,7 @@
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
+#include "ui/widgets/number.h"
 #include "ui/widgets/paint.h"
 #include "ui/widgets/record_fields.h"
 #include "ui/widgets/theme.h"
@@ -209,6 +213,28 @@ void several_objects(const LabView& view, Ui& ui, const std::vector<SceneObject>
     subheading(ui, fill(ui.strings("thing.values_of"), {name_of(*view.now->scene, object)}));
 }
 
+void goal_row(const PanelState& state, Ui& ui, const PopulationGoal& goal) {
+    const auto best = static_cast<float>(std::floor(longest_time_with(state.history, goal.role, goal.count)));
+    const bool done = best >= goal.seconds;
+    gap(ui, 8);
+    const ImVec2 start = ImGui::GetCursorScreenPos();
+    const float left = ui.px(26);
+    ImGui::BeginGroup();
+    ImGui::Indent(left);
+    paragraph(ui,
+              fill(ui.strings("scene.goal_" + std::string(word(goal.role))),
+                   {std::to_string(goal.count), fixed(ui, goal.seconds, 0)}),
+              ui.palette.text, done ? Face::strong : Face::text);
+    if (best > 0)
+        paragraph(ui, fill(ui.strings("scene.goal_best"), {fixed(ui, best, 0)}), ui.palette.second_text, Face::small);
+    ImGui::Unindent(left);
+    ImGui::EndGroup();
+    const float height = ImGui::GetItemRectSize().y;
+    check_mark(ui, {start.x + ui.px(9), start.y + line_height(ui, Face::text) / 2}, ui.px(8), done,
+               eased(ui, "scene.goal", done ? 1.0f : 0.0f, 0.2f));
+    mark(ui, "scene.goal", {start.x, start.y, card_width(ui), height});
+}
+
 }  // namespace
 
 void object_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
@@ -239,6 +265,7 @@ void scene_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
         paragraph(ui, scene.title.empty() ? std::string_view(scene.name) : translated(ui, scene.title), ui.palette.text,
                   Face::title);
         if (!scene.story.empty()) paragraph(ui, translated(ui, scene.story), ui.palette.second_text);
+        if (scene.goal.role != Role::none) goal_row(state, ui, scene.goal);
         start_row(view, state, ui);
     }
     end_card(state.card(Card::scene));
