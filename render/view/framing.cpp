@@ -49,7 +49,7 @@ bool include_tape(FloorBox& box, const Scene& scene) {
     bool found = false;
     for (const Zone& zone : scene.zones)
         if (zone.surface == Surface::tape)
-            include(box, {zone.x, zone.y}, 0.5f * std::min(zone.length, zone.width)), found = true;
+            include(box, {zone.x, zone.y}, 0.5f * std::max(zone.length, zone.width)), found = true;
     return found;
 }
 

@@ -102,6 +102,8 @@ TEST(Framing, FramesTheLineThatAVehicleFollows) {
     hand_made::add(now, 0, 0, 0, 0);
     EXPECT_TRUE(holds(action_of(now), {6, 5}));
     EXPECT_FALSE(holds(action_of(now), {-8, 5}));
+    scene->zones[0] = {.name = "table", .length = 8, .width = 4, .surface = Surface::tape};
+    EXPECT_TRUE(holds(action_of(now), {3.9f, 0})) << "a table is shown whole";
 }
 
 TEST(Framing, ShowsAllOfFewVehiclesAlsoWhereTheSelectedOneIsSmall) {
