@@ -1,6 +1,7 @@
 // The real window, driven by mouse and keyboard (xdotool) and judged by the state that it reports.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -73,6 +74,8 @@ public:
         arguments.push_back("--watch-graphics");
         // Drawing in software takes most of the time of these tests.
         arguments.insert(arguments.end(), {"--frame-rate", "20"});
+        if (std::find(arguments.begin(), arguments.end(), "--quality") == arguments.end())
+            arguments.insert(arguments.end(), {"--quality", "low"});
         for (const char* file : {"anchors", "state"}) {
             arguments.push_back(std::string("--") + file);
             arguments.push_back((own_.path / (std::string(file) + ".json")).string());
