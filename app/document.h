@@ -57,6 +57,12 @@ struct RefereeAtKeyframe {
     RefereeState state;
 };
 
+// A place of the first vehicle, m, at a tick.
+struct RunPlace {
+    std::uint64_t tick = 0;
+    maths::vec2 at;
+};
+
 // An open exercise: its text, its referee and the student's progress.
 struct Lesson {
     std::shared_ptr<const Exercise> exercise;  // never null
@@ -72,6 +78,9 @@ struct Lesson {
     std::deque<RefereeAtKeyframe> states{};  // of the recorded keyframes but the start of the run, by ascending tick
     std::deque<RefereeAtKeyframe> states_before_edit{};  // before the last edit that removed recorded ticks
     ReferenceRuns runs{};
+    // One per path_ticks from the start of the run, by ascending tick: the session records only the last minute. Valid
+    // before Session::earliest(); an edit in the past leaves later ones until the next tick.
+    std::vector<RunPlace> path{};
 };
 
 struct Document {

@@ -37,6 +37,16 @@ void follow_hint(Lesson& lesson, double wall_seconds) {
     lesson.view.hint_in = lesson.view.hint_ready ? 0 : static_cast<int>(std::ceil(left));
 }
 
+// Adds the place of the first vehicle before a step to a new tick. A step in the recorded past adds nothing.
+void add_to_path(Document& document) {
+    const Snapshot& now = document.session.snapshot();
+    if (!document.lesson || now.tick % path_ticks != 0 || document.session.latest() != now.tick) return;
+    auto& path = document.lesson->path;
+    std::erase_if(path, [&now](const RunPlace& each) { return each.tick >= now.tick; });
+    for (const VehicleView& vehicle : now.vehicles)
+        if (vehicle.start == 0) path.push_back({now.tick, {vehicle.x, vehicle.y}});
+}
+
 }  // namespace
 
 void set_mode(Lab& lab, Mode mode) {
@@ -57,6 +67,7 @@ void tick(Lab& lab) {
     lab.playback.previous = session.snapshot().vehicles;
     const VehicleView* selected = selected_vehicle(lab);
     const std::optional<VehicleView> before = selected ? std::optional(*selected) : std::nullopt;
+    add_to_path(lab.document);
     step_session(lab.document);
     if (before) reselect_after_death(lab, *before);
     keep_selection(lab);
@@ -141,6 +152,7 @@ void set_bookmark(Lab& lab) {
     std::erase_if(bookmarks, [now](const TimeMark& mark) { return mark.moment.tick() == now; });
     if (bookmarks.size() >= most_bookmarks) bookmarks.erase(bookmarks.begin());
     bookmarks.push_back({lab.document.session.bookmark(), {}});
+    if (lab.document.lesson) bookmarks.back().path = lab.document.lesson->path;
     if (const RefereeState* state = referee_at_keyframe(lab.document)) bookmarks.back().referee = *state;
 }
 
@@ -155,6 +167,7 @@ void handle_bookmark(Lab& lab, const BookmarkRequest& request) {
         return;
     }
     lab.document.session.go_to(mark->moment);
+    if (lab.document.lesson) lab.document.lesson->path = mark->path;
     restore_referee(lab.document, mark->referee);
     arrive(lab);
 }

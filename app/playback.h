@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/document.h"
 #include "core/lesson/referee.h"
 #include "core/session/session.h"
 #include "ui/lab_view.h"
@@ -26,6 +27,7 @@ struct Pace {
 struct TimeMark {
     Bookmark moment;
     std::optional<RefereeState> referee;  // nullopt: no exercise, or the keyframe is the start of the run
+    std::vector<RunPlace> path{};         // Lesson::path at that moment; empty: no exercise
 };
 
 struct Playback {

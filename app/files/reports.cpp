@@ -40,10 +40,12 @@ std::optional<Error> write_hand_in_file(Lab& lab, const std::string& student, co
     return std::nullopt;
 }
 
-// The run from its earliest recorded tick to the present one, with the verdicts of now.
+// The run from its start to the present tick, with the verdicts of now.
 StartResult last_run(const Lab& lab) {
     const Session& session = lab.document.session;
     StartResult run{.seed = session.snapshot().seed, .verdicts = lab.document.lesson->view.verdicts};
+    for (const RunPlace& place : lab.document.lesson->path)
+        if (place.tick < session.earliest()) run.path.push_back(place.at);
     const auto add = [&](const Snapshot& now) {
         if (now.tick % path_ticks != 0 && now.tick != session.snapshot().tick) return;
         for (const VehicleView& vehicle : now.vehicles)

@@ -29,8 +29,8 @@ td:first-child { width: 1.6em; }
 .starts { display: grid; grid-template-columns: repeat(5, 1fr); gap: 6px; }
 .starts.many { grid-template-columns: repeat(10, 1fr); gap: 3px; } .starts svg { width: 100%; height: auto; }
 .notes { overflow-wrap: anywhere; } .line { border-bottom: 1px solid #b8b8b2; height: 26px; }
-.second { break-before: page; }
-@media print { body { padding: 0 1px; max-width: none; } .second { margin-top: 0; } }
+h2 { break-after: avoid; } .pair, .starts svg, tr, .whole { break-inside: avoid; }
+@media print { body { padding: 0 1px; max-width: none; } }
 )";
 
 struct Record {
@@ -43,6 +43,8 @@ struct Record {
     std::string heading(std::string_view key) const { return html::element("h2", strings(key)) + "\n"; }
 
     std::string title() const {
+        if (exercise.number == 0)
+            return record.shows_title ? translated(exercise.title) : words("exercise.heading_unnumbered");
         return record.shows_title ? fmt::format("{}. {}", exercise.number, translated(exercise.title))
                                   : fill(strings("exercise.heading"), {std::to_string(exercise.number)});
     }
@@ -139,14 +141,20 @@ struct Record {
         return out + "\n";
     }
 
-    std::string body() const {
-        std::string out = head() + prediction() + pictures() + steps();
-        out += "<div class=\"second\">\n" + starts() + heading("report.notes");
-        out += record.notes.empty() ? lines(5) : html::element("p", record.notes, "notes");
-        if (!exercise.question.empty())
-            out += heading("report.question") + html::element("p", translated(exercise.question)) + lines(5);
-        return out + "</div>\n";
+    // A section that is not divided between two sheets.
+    static std::string whole(const std::string& section) { return "<div class=\"whole\">\n" + section + "</div>\n"; }
+
+    std::string notes() const {
+        if (record.notes.empty()) return whole(heading("report.notes") + lines(5));
+        return heading("report.notes") + html::element("p", record.notes, "notes");
     }
+
+    std::string question() const {
+        if (exercise.question.empty()) return "";
+        return whole(heading("report.question") + html::element("p", translated(exercise.question)) + lines(5));
+    }
+
+    std::string body() const { return head() + prediction() + pictures() + steps() + starts() + notes() + question(); }
 };
 
 }  // namespace

@@ -122,6 +122,24 @@ TEST(LabRecord, PrintsOnTwoPages) {
     EXPECT_EQ(printed_pages(lab_record_html(made, words("de"), "de"), folder.path), 2);
 }
 
+TEST(LabRecord, PrintsAShortRecordOnOnePage) {
+    if (!has_chromium()) GTEST_SKIP() << "Chromium is not installed";
+    const Folder folder;
+    LabRecord made = record("05-aggressor");
+    made.last_run.reset(), made.grade.reset(), made.shows_brain = false;
+    EXPECT_EQ(printed_pages(lab_record_html(made, words("en"), "en"), folder.path), 1);
+}
+
+TEST(LabRecord, AnExerciseWithoutANumberHasNone) {
+    LabRecord made = record("05-aggressor");
+    Exercise unnumbered = *made.exercise;
+    unnumbered.number = 0;
+    made.exercise = std::make_shared<const Exercise>(unnumbered);
+    EXPECT_NE(lab_record_html(made, words("en"), "en").find("<h1>" + unnumbered.title + "</h1>"), std::string::npos);
+    made.shows_title = false;
+    EXPECT_NE(lab_record_html(made, words("en"), "en").find("<h1>EXERCISE</h1>"), std::string::npos);
+}
+
 TEST(LabRecord, ShowsTextPathsAndSignedWiresInABrowser) {
     if (!has_chromium()) GTEST_SKIP() << "Chromium is not installed";
     const Folder folder;

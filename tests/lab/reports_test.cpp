@@ -168,6 +168,46 @@ TEST(Reports, ALabRecordHasTheBrainOnceThePredictionIsMade) {
     EXPECT_NE(second.find("2026-11-21"), std::string::npos);
 }
 
+// The path data of the last run in the lab record of 02-circle that is written now, as the record `number` of Ana.
+std::string drawn_run(Lab& lab, const fs::path& documents, int number) {
+    request(lab, LabRecordRequest{"Ana"}, documents);
+    const std::string page = text_of(documents / "Braitenlab" / lab_record_name("02-circle", "Ana", number));
+    const std::size_t begin = page.find("<path d=\"M", page.rfind("<svg")) + 9, end = page.find('"', begin);
+    return begin < end ? page.substr(begin, end - begin) : "";
+}
+
+std::string first_place(const std::string& data) { return data.substr(0, data.find('L')); }
+
+TEST(Reports, ALabRecordDrawsALongRunFromItsStart) {
+    const Folder documents;
+    Lab lab = opened_lab("02-circle");
+    for (int i = 0; i < 2 * path_ticks; ++i) tick(lab);
+    const std::string early = drawn_run(lab, documents.path, 1);
+    while (lab.document.session.snapshot().tick < 200 * 60) tick(lab);
+    ASSERT_GT(lab.document.session.earliest(), 0u) << "the session does not record the start any more";
+    const std::string late = drawn_run(lab, documents.path, 2);
+    EXPECT_EQ(first_place(late), first_place(early));
+    EXPECT_GT(std::count(late.begin(), late.end(), 'L'), 250) << "thinned to at most 400 places";
+}
+
+TEST(Reports, ALabRecordAfterGoingBackDrawsTheRunUpToThatTick) {
+    const Folder documents;
+    Lab lab = opened_lab("02-circle");
+    for (int i = 0; i < 2000; ++i) tick(lab);
+    handle(lab, Action::set_bookmark);
+    const std::string marked = drawn_run(lab, documents.path, 1);
+    while (lab.document.session.snapshot().tick < 100 * 60) tick(lab);
+    const std::string late = drawn_run(lab, documents.path, 2);
+    handle(lab, SeekRequest{95 * 60, false});
+    for (int i = 0; i < 60; ++i) tick(lab);
+    handle(lab, SeekRequest{100 * 60, false});
+    EXPECT_EQ(drawn_run(lab, documents.path, 3), late) << "a look at the past loses nothing";
+    handle(lab, Action::reset);
+    for (int i = 0; i < 400; ++i) tick(lab);
+    handle(lab, BookmarkRequest{0, false});
+    EXPECT_EQ(drawn_run(lab, documents.path, 4), marked);
+}
+
 TEST(Reports, ALabRecordDrawsTheRunOfTheFirstVehicleOnly) {
     const Folder documents;
     Lab lab = opened_lab("02-circle");
