@@ -69,6 +69,7 @@ Result<Document> open_document(const FileText& file, std::optional<std::uint64_t
     if (exercise) {
         const std::string key = ships(document.path) ? exercise->id : document.path.string();
         document.lesson = Lesson{exercise, Referee(*exercise), {.exercise = exercise.get(), .key = key}};
+        document.lesson->view.hint_ready = !exercise->hints.empty();
     }
     return document;
 }

@@ -34,6 +34,7 @@ void replace_document(Lab& lab, Document next) {
     lab.dragging = lab.deselected = false;
     lab.steered = {};
     lab.notice = {};
+    if (lab.document.lesson) lab.document.lesson->last_hint_at = lab.wall_seconds;
     watch(lab);
     keep_selection(lab);
 }

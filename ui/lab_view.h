@@ -46,7 +46,7 @@ struct LessonView {
     int runs = 0;                              // begun since it was opened
     bool outcome_known = false;                // a run with the shipped brain has shown what was to be predicted
     int hints_shown = 0;                       // of exercise->hints
-    bool hint_ready = true;                    // the next hint may be opened now
+    bool hint_ready = true;                    // the next hint, after the last one the solution, may be shown now
     int hint_in = 0;                           // seconds until it may be without a run, while it may not be now
     std::optional<std::size_t> starts_tested;  // so far, while the submission is graded
     std::optional<Grade> grade;                // of the starts, once every step has been done in a run

@@ -283,6 +283,7 @@ void restart_exercise(Lab& lab) {
     Lesson& lesson = *lab.document.lesson;
     lesson.view = {
         .exercise = lesson.exercise.get(), .key = std::move(lesson.view.key), .notes = std::move(lesson.view.notes)};
+    lesson.view.hint_ready = !lesson.exercise->hints.empty();
     lesson.shipped_grading.reset();
     lesson.graded.reset();
     lesson.last_hint_at = lab.wall_seconds;

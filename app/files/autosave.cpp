@@ -110,6 +110,7 @@ Result<Document> document_of(const AutosaveKeys& keys, SavedRun run) {
         const auto hints = static_cast<int>(document->lesson->exercise->hints.size());
         view.prediction = keys.exercise->prediction;
         view.has_run = keys.exercise->has_run;
+        view.hint_ready |= view.has_run;
         view.outcome_known = keys.exercise->outcome_known;
         view.hints_shown = std::clamp(keys.exercise->hints_shown, 0, hints);
         restore_referee(*document, read_referee_state(keys.exercise->referee, *document->lesson->exercise));

@@ -10,6 +10,7 @@
 
 #include "app/lab_requests.h"
 #include "core/lesson/submission.h"
+#include "tests/folder.h"
 #include "tests/lab/opened_lab.h"
 
 namespace braitenlab::tests::lab_lesson_test {
@@ -464,6 +465,34 @@ TEST(LabLesson, CountsTheChangedControlsWhereTheyAreLimited) {
         EXPECT_EQ(lesson_of(lab).too_many_changes, changes < 4) << changes;
         EXPECT_FALSE(lesson_of(lab).outside_offers);
     }
+}
+
+TEST(LabLesson, WithoutHintsTheSolutionIsOfferedAfterARunOrHalfAMinute) {
+    const Folder folder;
+    std::string text = text_of(*find_shipped("05-aggressor"));
+    for (std::size_t at; (at = text.find("[[hint]]")) != text.npos;) {
+        const std::size_t next = text.find("\n[", at);
+        text.erase(at, next == text.npos ? next : next + 1 - at);
+    }
+    put_text(folder.path / "own" / "own.toml", text);
+    put_text(folder.path / "scenes" / "2b-aggressor.toml", text_of(*find_shipped("2b-aggressor")));
+    const auto opened = [&] {
+        auto lab = open_lab(folder.path / "own" / "own.toml", std::nullopt, {});
+        EXPECT_TRUE(lab) << lab.error().text();
+        EXPECT_TRUE(lab->document.lesson->exercise->hints.empty());
+        return std::move(*lab);
+    };
+    Lab lab = opened();
+    EXPECT_FALSE(lesson_of(lab).hint_ready);
+    tick(lab);
+    EXPECT_TRUE(lesson_of(lab).hint_ready) << "after a run";
+    advance(lab, 100);
+    replace_document(lab, std::move(opened().document));
+    advance(lab, 1);
+    EXPECT_FALSE(lesson_of(lab).hint_ready) << "time before it was opened does not count";
+    EXPECT_EQ(lesson_of(lab).hint_in, 29);
+    advance(lab, 30);
+    EXPECT_TRUE(lesson_of(lab).hint_ready);
 }
 
 TEST(LabLesson, ShowsTheSolutionAsOneStepOfUndo) {
