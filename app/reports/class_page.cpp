@@ -33,6 +33,7 @@ table.sorted th { cursor: pointer; user-select: none; }
 table.sorted th[aria-sort=ascending]::after { content: " \25B2"; }
 table.sorted th[aria-sort=descending]::after { content: " \25BC"; }
 .good { color: #0b6e4f; font-weight: 600; } .bad { color: #b3261e; font-weight: 600; }
+.shown { color: #8a5a00; font-weight: 600; }
 section.student { border-top: 1px solid #cfcfc8; padding: 12px 0; break-inside: avoid; }
 .feedback { user-select: all; background: #f4f4f0; border-radius: 6px; padding: 8px 10px; margin: 8px 0; }
 .starts { display: flex; flex-wrap: wrap; gap: 5px; }
@@ -74,12 +75,19 @@ struct Page {
         return "<div class=\"tile\">" + html::element("b", value) + html::escaped(meaning) + "</div>\n";
     }
 
+    std::string passed_count() const {
+        if (summary.passed_shown == 0) return fmt::format("{} / {}", summary.passed, summary.counted);
+        return fmt::format("{} ({}) / {}", summary.passed,
+                           fill(strings("report.passed_shown"), {std::to_string(summary.passed_shown)}),
+                           summary.counted);
+    }
+
     std::string tiles() const {
         const Spread& s = summary.starts;
         const auto without = static_cast<std::size_t>(summary.counted);
         std::string out = "<div class=\"tiles\">\n";
         out += tile(std::to_string(summary.counted), words("report.students"));
-        out += tile(fmt::format("{} / {}", summary.passed, summary.counted), words("report.passed"));
+        out += tile(passed_count(), words("report.passed"));
         if (summary.counted > 0) {
             out += tile(number(s.median), fill(strings("report.median"), {std::to_string(exercise.starts)}));
             out += tile(fmt::format("{} – {}", number(s.lower), number(s.upper)), words("report.quartiles"));
@@ -165,7 +173,7 @@ struct Page {
     std::string remark(const Row& row) const {
         if (row.problem) return problem_text(row, strings);
         std::string text;
-        if (row.hand_in && row.hand_in->solution_shown) text = words("report.solution_shown");
+        if (row.hand_in && row.hand_in->solution_shown && !row.passed) text = words("report.solution_shown");
         const std::string like = row.unchanged ? words("report.as_shipped")
                                  : row.resembles
                                      ? fill(strings("report.like"), {translated(exercise.wrong[*row.resembles].name)})
@@ -173,6 +181,13 @@ struct Page {
         if (!like.empty()) text += (text.empty() ? "" : "; ") + like;
         if (states_another_result(report, row)) text += (text.empty() ? "" : "; ") + own_result(row);
         return text;
+    }
+
+    std::string passed_cell(const Row& row) const {
+        if (is_superseded(row)) return html::element("td", words("report.superseded"));
+        if (passed_with_solution_shown(row))
+            return html::element("td", yes_or_no(true) + " (" + words("report.solution_shown") + ")", "shown");
+        return html::element("td", yes_or_no(row.passed), row.passed ? "good" : "bad");
     }
 
     std::string line(const Row& row, std::size_t index) const {
@@ -185,8 +200,7 @@ struct Page {
         if (!row.grade)  // the reason has the room of all results
             return out + fmt::format("<td class=\"bad\" colspan=\"{}\">", 6 + exercise.steps.size()) +
                    html::with_breaks(remark(row)) + "</td></tr>\n";
-        out += is_superseded(row) ? html::element("td", words("report.superseded"))
-                                  : html::element("td", yes_or_no(row.passed), row.passed ? "good" : "bad");
+        out += passed_cell(row);
         out += number_cell(row.grade->count);
         for (std::size_t i = 0; i < exercise.steps.size(); ++i) out += number_cell(starts_done(*row.grade, i));
         const auto& h = row.hand_in;

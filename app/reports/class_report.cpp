@@ -122,6 +122,10 @@ void sort_by_student(std::vector<ClassRow>& rows) {
 
 bool is_superseded(const ClassRow& row) { return row.problem && row.problem->key == "report.replaced"; }
 
+bool passed_with_solution_shown(const ClassRow& row) {
+    return row.passed && row.hand_in && row.hand_in->solution_shown;
+}
+
 bool states_another_result(const ClassReport& report, const ClassRow& row) {
     if (!row.hand_in || !row.grade || report.first_seed != 1) return false;
     const int own = row.hand_in->graded_starts, all = static_cast<int>(row.grade->starts.size());
@@ -157,6 +161,7 @@ ClassSummary summary_of(const ClassReport& report) {
         if (row.problem || !row.grade) continue;
         ++summary.counted;
         summary.passed += row.passed;
+        summary.passed_shown += passed_with_solution_shown(row);
         summary.unchanged += row.unchanged;
         if (row.resembles) ++summary.resembling[*row.resembles];
         counts.push_back(row.grade->count);
@@ -187,8 +192,8 @@ std::string feedback(const ClassReport& report, const ClassRow& row, const Strin
     if (row.passed) return fill(strings("report.passed_from"), {count, of});
     const std::string needed = std::to_string(report.exercise->needed);
     const std::string text = fill(strings("report.failed_from"), {count, of, needed}) + " ";
-    if (row.unchanged) return text + std::string(strings("report.unchanged"));
     const std::string step = failed_step_text(report, grade, strings);
+    if (row.unchanged) return text + std::string(strings("report.unchanged")) + " " + step;
     if (!row.resembles) return text + step;
     // The behaviour is alike, not necessarily the brain: the text is that of the other answer.
     const std::string words(translated(strings, report.exercise->wrong[*row.resembles].text));

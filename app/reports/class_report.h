@@ -50,6 +50,9 @@ void mark_replaced(std::vector<ClassRow>&);
 // True for a row that mark_replaced() has given a problem: it is no failure.
 bool is_superseded(const ClassRow&);
 
+// True if the row passed and its hand-in says that the lab has set the solution.
+bool passed_with_solution_shown(const ClassRow&);
+
 // True if the number of passed starts that the hand-in states is not that of the grade. False where the two cannot be
 // compared: the lab always grades from start 1.
 bool states_another_result(const ClassReport&, const ClassRow&);
@@ -70,8 +73,8 @@ struct Spread {
     double least = 0, lower = 0, median = 0, upper = 0, most = 0;
 };
 struct ClassSummary {
-    int counted = 0;  // rows without a problem
-    int passed = 0;
+    int counted = 0;                   // rows without a problem
+    int passed = 0, passed_shown = 0;  // passed_shown: of them, those where the lab had set the solution
     Spread starts;
     std::vector<int> failed;                // of each step: starts that it made fail, see failed_step()
     std::optional<std::size_t> worst_step;  // the one that made most starts fail

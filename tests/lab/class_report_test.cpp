@@ -71,6 +71,10 @@ TEST(ClassReport, ARowSaysWhatTheBehaviourResembles) {
               said.npos)
         << said;
     EXPECT_TRUE(report.rows[2].unchanged);
+    const std::string as_shipped = feedback(report, report.rows[2], words("en"));
+    EXPECT_NE(as_shipped.find("It behaves as it did at first: change the offered controls. Step "), as_shipped.npos)
+        << as_shipped;
+    EXPECT_NE(as_shipped.find("of 10 starts. Start 1: "), as_shipped.npos) << as_shipped;
 }
 
 TEST(ClassReport, ARowThatDoesNotCountSaysWhy) {
@@ -250,6 +254,22 @@ TEST(ClassReport, AStatedResultThatIsNotTheGradeIsMarked) {
 TEST(ClassReport, TheHeadingSaysThatAStartCountsForItsFirstFailedStep) {
     const std::string page = class_page(graded({row("b", hand_in("B", four_wires))}), words("en"), "en");
     EXPECT_NE(page.find("starts that fail at this step first"), page.npos);
+}
+
+TEST(ClassReport, APassWithTheSolutionShownIsCountedApart) {
+    HandIn shown = hand_in("Ana", good), failed = hand_in("Ben", four_wires);
+    shown.solution_shown = failed.solution_shown = true;
+    const ClassReport report = graded({row("a", shown), row("b", failed), row("e", hand_in("Eva", good))});
+    const ClassSummary summary = summary_of(report);
+    EXPECT_EQ(summary.passed, 2);
+    EXPECT_EQ(summary.passed_shown, 1);
+    const std::string page = class_page(report, words("en"), "en");
+    EXPECT_NE(page.find("<b>2 (1 with the solution shown) / 3</b>"), page.npos);
+    EXPECT_NE(class_page(report, words("de"), "de").find("<b>2 (1 mit gezeigter Lösung) / 3</b>"), page.npos);
+    EXPECT_NE(class_page(report, words("es"), "es").find("<b>2 (1 con la solución mostrada) / 3</b>"), page.npos);
+    EXPECT_NE(line_of(page, "Ana").find("<td class=\"shown\">yes (solution shown)</td>"), page.npos);
+    EXPECT_NE(line_of(page, "Ben").find("<td>solution shown"), page.npos) << line_of(page, "Ben");
+    EXPECT_EQ(line_of(page, "Eva").find("shown"), page.npos);
 }
 
 TEST(ClassReport, HandInsOfOneStudentAreTogether) {
