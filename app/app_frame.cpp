@@ -15,6 +15,7 @@
 #include "app/platform/platform.h"
 #include "render/view/between.h"
 #include "ui/panels/prompts.h"
+#include "ui/window_keys.h"
 
 namespace braitenlab {
 
@@ -197,16 +198,12 @@ void App::draw_scene(std::vector<bool> hidden_brains) {
     facts_.graphics_errors = window_.graphics_errors();
 }
 
-Quality App::quality() const {
-    if (options_.quality) return *options_.quality;
-    return !options_.quality_given && !options_.screenshot.empty() ? Quality::high : quality_.level();
-}
+Quality App::quality() const { return options_.quality.value_or(quality_.level()); }
 
 void App::draw_measured(const Picture& picture) {
     if (quality_of_ != lab_.document.name) quality_.start_over(), quality_of_ = lab_.document.name;
     facts_.quality = picture.quality;
-    const bool chosen = options_.quality || (!options_.quality_given && !options_.screenshot.empty());
-    if (chosen || !quality_.measures(facts_.frames)) return renderer_.draw(shown_, picture);
+    if (options_.quality || !quality_.measures(facts_.frames)) return renderer_.draw(shown_, picture);
     renderer_.finish();  // what is still to be drawn is not part of the measurement
     const auto began = Clock::now();
     renderer_.draw(shown_, picture);

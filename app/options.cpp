@@ -100,10 +100,11 @@ CommandLine read_command_line(int argc, char** argv) {
            "how sensor fields are drawn: by geometry shaders or by instances")
         ->type_name("WAY")
         ->check(CLI::IsMember({"automatic", "geometry", "instanced"}));
+    bool quality_given = false;
     app.add_option_function<std::string>(
            "--quality",
            [&](const std::string& level) {
-               o.quality_given = true;
+               quality_given = true;
                for (std::size_t i = 0; i < quality_words.size(); ++i)
                    if (level == quality_words[i]) o.quality = static_cast<Quality>(i);
            },
@@ -139,6 +140,7 @@ CommandLine read_command_line(int argc, char** argv) {
         // Help and version answer 0; everything else is bad input.
         line.exit_code = app.exit(error) == 0 ? 0 : 2;
     }
+    if (!quality_given && !o.screenshot.empty()) o.quality = Quality::high;
     return line;
 }
 

@@ -33,7 +33,6 @@ struct Options {
     std::optional<CameraMode> camera;      // unset: as stored
     render::SectorPath sectors = render::SectorPath::automatic;
     std::optional<Quality> quality;  // unset: chosen by measured frame time
-    bool quality_given = false;
     bool watch_graphics = false;
     int frame_rate = 0;                    // most pictures per second; 0: those of the display
     std::optional<Channel> field;          // its intensity is shown on the floor at the start

@@ -15,11 +15,6 @@ void draw_window(const LabView&, PanelState&, Ui&, const WindowLayout&);
 // The open cards that lay_out() makes room for.
 OpenCards open_cards(const LabView&, const PanelState&);
 
-// Executes a key. Order: text being typed, the open sheet or menu, the focused widget, the wiring canvas, shortcuts.
-// Call for every press and repeat in GLFW's order, not for releases. False when the key has no meaning here: arrow keys
-// then move the camera. Precondition: Dear ImGui's keyboard navigation is off (no ImGuiConfigFlags_NavEnableKeyboard).
-bool press_key(const LabView&, PanelState&, KeyPress, Outbox&);
-
 // True while the user drags the vehicle, one of its sliders or its stick. Precondition: it is the selected one.
 bool drags_vehicle(const PanelState&, VehicleId);
 

@@ -9,6 +9,7 @@
 #include "opened_lab.h"
 #include "tests/folder.h"
 #include "ui/window.h"
+#include "ui/window_keys.h"
 
 namespace braitenlab::tests::lecture_pages_test {
 namespace {

@@ -6,6 +6,7 @@
 #include "app/lab_requests.h"
 #include "tests/lab/opened_lab.h"
 #include "ui/window.h"
+#include "ui/window_keys.h"
 
 namespace braitenlab::tests::playback_test {
 namespace {

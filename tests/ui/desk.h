@@ -19,6 +19,7 @@
 #include "ui/strings.h"
 #include "ui/widgets/theme.h"
 #include "ui/window.h"
+#include "ui/window_keys.h"
 
 namespace braitenlab::tests {
 

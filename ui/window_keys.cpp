@@ -1,0 +1,310 @@
+#include "ui/window_keys.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "ui/panels/course/exercise_keys.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/keyboard.h"
+#include "ui/wiring/input.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+std::optional<std::string_view> slider_of(Action action) {
+    constexpr std::array<std::string_view, 4> sliders{"slider.LL", "slider.LR", "slider.RL", "slider.RR"};
+    if (action < Action::slider_LL || action > Action::slider_RR) return std::nullopt;
+    return sliders[static_cast<std::size_t>(action) - static_cast<std::size_t>(Action::slider_LL)];
+}
+
+bool key_for_typing(SliderState& sliders, KeyPress press) {
+    if (sliders.typed.empty()) return false;
+    if (press.key == key::enter) sliders.commit = true;
+    if (press.key == key::escape) sliders.give_up = true;
+    return true;
+}
+
+// Keys for the count of raised hands that is typed. Page Up and Page Down end typing.
+bool key_for_hands(PanelState& state, KeyPress press) {
+    if (press.key == key::page_up || press.key == key::page_down) {
+        for (TextField& field : state.hands)
+            if (std::exchange(field.active, false)) state.keyboard.focus.clear();
+        return false;
+    }
+    return std::any_of(state.hands.begin(), state.hands.end(),
+                       [press](TextField& field) { return for_text_field(field, press); });
+}
+
+bool key_for_focus(Keyboard& keyboard, KeyPress press) {
+    if (keyboard.focus.empty()) return false;
+    const auto action = action_for(press, KeyPlace::widget);
+    if (!action) return false;
+    if (*action == Action::cancel)
+        keyboard.focus.clear();
+    else
+        keyboard.presses.push_back(press);
+    return true;
+}
+
+bool key_for_canvas(wiring::CanvasState& canvas, KeyPress press) {
+    auto action = action_for(press, KeyPlace::canvas);
+    if (!action) action = action_for(press);
+    return action && wiring::press_key(canvas, *action);
+}
+
+// Keys for the selection in the watched diagram. Letters without Ctrl keep their meaning for the window, and so does
+// Tab.
+bool works_in_watched_canvas(KeyPress press) {
+    return press.key != key::tab && (press.ctrl || press.key >= key::escape);
+}
+
+// Keys that work while a sheet is open: those of the window. Keys of the lab do nothing.
+bool works_under_a_sheet(KeyPress press) {
+    const auto action = action_for(press);
+    return action && (*action == Action::full_screen || *action == Action::screenshot || *action == Action::larger ||
+                      *action == Action::smaller || *action == Action::keys);
+}
+
+// Keys of a lecture; those of pages and notes while a lecture file is open. They precede all others but those of sheets
+// and text fields.
+bool key_for_lecture(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
+    const auto action = action_for(press, KeyPlace::lecture);
+    if (!view.lecture || !action) return false;
+    if (*action == Action::draw_marks)
+        state.marks.drawing = !state.marks.drawing;
+    else if (*action == Action::blank && view.pages)
+        state.blank = true;
+    else if (*action == Action::clear_marks)
+        state.marks.lines.clear();
+    else if (view.pages)
+        outbox.push_back(*action);
+    else
+        return false;
+    return true;
+}
+
+// Keys that give the lecture and tell nothing about the lab: they are not shown to the audience.
+bool is_key_of_pages(const LabView& view, KeyPress press) {
+    const auto action = action_for(press);
+    return action == Action::lecture || action == Action::first_page ||
+           (view.pages && action_for(press, KeyPlace::lecture).has_value());
+}
+
+// Scrolls the body of a sheet. Up and Down scroll those that only have words to read.
+bool scrolls_sheet(PanelState& state, KeyPress press) {
+    constexpr float all = 1000, line = 0.12f;  // pages
+    const bool reads = state.sheet == Sheet::keys || state.sheet == Sheet::about;
+    SheetState& sheet = state.sheet == Sheet::keys       ? state.keys
+                        : state.sheet == Sheet::about    ? state.about
+                        : state.sheet == Sheet::students ? state.students
+                                                         : state.settings;
+    const float pages = press.key == key::page_down       ? 1
+                        : press.key == key::page_up       ? -1
+                        : reads && press.key == key::down ? line
+                        : reads && press.key == key::up   ? -line
+                        : reads && press.key == key::home ? -all
+                        : reads && press.key == key::end  ? all
+                                                          : 0;
+    sheet.scroll += pages;
+    return pages != 0;
+}
+
+// On a sheet Down and Up are Tab and Shift+Tab, unless they scroll it or move in the grid of exercises. Other keys do
+// nothing.
+bool key_for_sheet(PanelState& state, KeyPress press) {
+    if (scrolls_sheet(state, press)) return true;
+    if (press.key == key::escape) state.sheet = Sheet::none;
+    const bool in_gallery = state.sheet == Sheet::files && state.keyboard.focus.starts_with("gallery.");
+    if (in_gallery && press.key >= key::right && press.key <= key::up)
+        return state.keyboard.presses.push_back(press), true;
+    if (press.key == key::down) press = {key::tab};
+    if (press.key == key::up) press = {key::tab, false, true};
+    if (state.sheet == Sheet::children && press.key >= '1' && press.key <= '9') state.keyboard.presses.push_back(press);
+    if (press.key == key::tab || press.key == key::enter || press.key == key::left || press.key == key::right)
+        state.keyboard.presses.push_back(press);
+    return true;
+}
+
+// True when Ctrl+S needs no name.
+bool saves_at_once(const LabView& view) { return view.files && !view.files->save_to.empty(); }
+
+// Opens the menu, or closes it if it is open.
+void toggle_menu(PanelState& state, std::string_view menu) {
+    state.menu_bar.presses.clear();
+    state.menu_bar.open = state.menu_bar.open == menu ? std::string_view{} : menu;
+}
+
+// Keys while a menu of the menu bar is open: Up and Down are Tab and Shift+Tab. False for keys that also work now.
+bool key_for_menus(PanelState& state, KeyPress press) {
+    MenuBarState& menus = state.menu_bar;
+    const auto action = action_for(press);
+    const auto for_row = [&](KeyPress key) { menus.presses.push_back(key); };
+    if (press.key == key::escape || action == Action::menu_bar)
+        toggle_menu(state, menus.open);
+    else if (press.key == key::left || press.key == key::right)
+        switch_menu(menus, press.key == key::left ? -1 : 1);
+    else if (action == Action::view)
+        toggle_menu(state, "view");
+    else if (press.key == key::down)
+        for_row({key::tab});
+    else if (press.key == key::up)
+        for_row({key::tab, false, true});
+    else if (press.key == key::tab || press.key == key::enter)
+        for_row(press);
+    else if (works_under_a_sheet(press) || action_for(press) == Action::play_pause)
+        return false;
+    return true;
+}
+
+// Actions that open a file or the sheet of files.
+bool act_on_files(const LabView& view, PanelState& state, Action action, Outbox& outbox) {
+    const auto open_sheet = [&](bool saving, FileKind kind = FileKind::scene) {
+        begin_files(state.files, saving, kind);
+        state.sheet = Sheet::files;
+        return true;
+    };
+    switch (action) {
+        case Action::new_scene:
+            if (const CatalogueEntry* scene = empty_scene(view)) outbox.push_back(OpenRequest{scene->path});
+            return true;
+        case Action::open:
+            return open_sheet(false);
+        case Action::save:
+            return !saves_at_once(view) && open_sheet(true);
+        case Action::save_as:
+            return open_sheet(true);
+        case Action::save_run:
+            return open_sheet(true, FileKind::run);
+        case Action::save_brain:
+            return open_sheet(true, FileKind::brain);
+        case Action::save_exercise:
+            begin_author(view, state.author);
+            state.sheet = Sheet::author;
+            return true;
+        default:
+            return false;
+    }
+}
+
+// Actions that open a panel, move the focus or need the state of a panel. False for actions of the lab.
+bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPress press, Outbox& outbox) {
+    if (const auto slider = slider_of(action)) {
+        state.card(Card::brain).folded = false;
+        state.keyboard.focus = *slider;
+        state.keyboard.revealed = true;
+    } else if (action == Action::next_card)
+        state.keyboard.presses.push_back(press);
+    else if (action == Action::keys)
+        state.sheet = state.sheet == Sheet::keys ? Sheet::none : Sheet::keys;
+    else if (action == Action::menu_bar || action == Action::view)
+        toggle_menu(state, view.lecture ? "" : action == Action::view ? "view" : "file");
+    else if (action == Action::export_csv)
+        export_csv(view, state, outbox);
+    else if (action == Action::settings)
+        state.sheet = Sheet::settings;
+    else if (action == Action::glossary)
+        state.sheet = Sheet::glossary;
+    else if (action == Action::about)
+        state.sheet = Sheet::about;
+    else if (action == Action::charts)
+        state.charts_open = !state.charts_open;
+    else if (action == Action::lesion && !state.lesion_under_pointer.empty())
+        state.lesion_requested = state.lesion_under_pointer;
+    else
+        return act_on_files(view, state, action, outbox);
+    return true;
+}
+
+// Executes an action that was chosen with the pointer or in a menu.
+void execute_chosen(const LabView& view, PanelState& state, Action action, Outbox& outbox) {
+    const auto has_place = [&](KeyPlace place) {
+        return std::any_of(shortcuts().begin(), shortcuts().end(),
+                           [&](const Shortcut& s) { return s.action == action && s.place == place; });
+    };
+    if (view.mode == Mode::wiring && has_place(KeyPlace::canvas)) {
+        wiring::press_key(state.canvas, action);
+    } else if (has_place(KeyPlace::scene)) {
+        for (const Shortcut& s : shortcuts())
+            if (s.action == action && s.place == KeyPlace::scene)
+                return void(press_key(view, state.scene_input, state.keyboard, s.press, outbox));
+    } else if (!act_on_panels(view, state, action, {}, outbox) && !holds_play(view, state, action, outbox)) {
+        outbox.push_back(action);
+    }
+}
+
+}  // namespace
+
+void pass_keys_to_rows(PanelState& state) {
+    MenuBarState& menus = state.menu_bar;
+    if (menus.open.empty()) menus.presses.clear();
+    if (menus.drawn != menus.open) return;
+    auto& presses = state.keyboard.presses;
+    presses.insert(presses.end(), menus.presses.begin(), menus.presses.end());
+    menus.presses.clear();
+}
+
+void execute_chosen(const LabView& view, PanelState& state, Outbox& outbox) {
+    if (state.chosen.empty()) return;
+    if (state.menu_bar.open.empty()) release_keyboard(state.keyboard);
+    for (const Action action : std::exchange(state.chosen, {})) execute_chosen(view, state, action, outbox);
+}
+
+bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
+    const bool is_modifier = press.key >= key::first_modifier && press.key <= key::last_modifier;
+    if (state.blank && !is_modifier) {
+        state.blank = false;
+        return true;
+    }
+    if (key_for_prediction(view, state, press, outbox) || key_for_next_exercise(view, state, press)) return true;
+    show_focus_for(state.keyboard, press);
+    if (action_for(press) == Action::exit) {  // in every state; the app shows the sheet about unsaved edits
+        outbox.push_back(Action::exit);
+        return true;
+    }
+    if (key_for_typing(state.sliders, press)) return true;
+    if (state.sheet == Sheet::none &&
+        (for_record_text(state.fields, press) || for_text_field(state.values.seed, press) ||
+         for_text_area(state.note, press) || key_for_hands(state, press) || for_text_field(state.hand_in.name, press)))
+        return true;
+    if (state.sheet == Sheet::students && for_text_field(state.student_name, press)) return true;
+    if (view.lecture && state.sheet == Sheet::none && !is_modifier && !is_key_of_pages(view, press))
+        state.pressed.push_back({press, view.wall_seconds});
+    if (state.sheet == Sheet::files &&
+        (for_text_field(state.files.typed, press) || for_text_field(state.files.title, press) ||
+         for_text_field(state.files.story, press)))
+        return true;
+    if (state.sheet == Sheet::author && for_author_text(state.author, press)) return true;
+    if (state.sheet != Sheet::none && !works_under_a_sheet(press)) return key_for_sheet(state, press);
+    if (!state.menu_bar.open.empty() && key_for_menus(state, press)) return true;
+    if (state.presets_open && press.key == key::escape) {
+        state.close_presets = true;
+        return true;
+    }
+    if (!state.glossary.open.empty() && press.key == key::escape) {
+        state.glossary.open.clear();
+        return true;
+    }
+    if (key_for_lecture(view, state, press, outbox)) return true;
+    if (state.marks.drawing && press.key == key::escape) {
+        state.marks.drawing = false;
+        return true;
+    }
+    if (press_key(view, state.scene_input, state.keyboard, press, outbox)) return true;
+    const bool watched = state.keyboard.focus == wiring::canvas_focus && view.mode != Mode::wiring;
+    if (watched && works_in_watched_canvas(press) && key_for_canvas(state.canvas, press)) return true;
+    if (key_for_focus(state.keyboard, press)) return true;
+    const bool on_a_card = action_for(press) == Action::lesion && !state.lesion_under_pointer.empty();
+    if (view.mode == Mode::wiring && !on_a_card && key_for_canvas(state.canvas, press)) return true;
+    if (const auto action = action_for(press)) {
+        if (!act_on_panels(view, state, *action, press, outbox) && !holds_play(view, state, *action, outbox))
+            outbox.push_back(*action);
+        return true;
+    }
+    return false;
+}
+
+}  // namespace braitenlab::ui
