@@ -59,17 +59,12 @@ Ground::Patch Ground::patch_of(const Zone& zone, const Arena& arena) {
 }
 
 Ground::Ground(const Scene& scene) : plain(floor_constants(scene.arena, Surface::none)) {
-    const std::vector<vec2> images = Seam(scene.arena).images();
+    const Seam seam(scene.arena);
     for (const Zone& zone : scene.zones) {
-        const Patch patch = patch_of(zone, scene.arena);
-        const vec2 reach = patch.reach();
-        for (const vec2 image : images) {
-            const vec2 middle = patch.middle + image;
-            const bool is_beyond = std::fabs(middle.x) - reach.x > scene.arena.width / 2 ||
-                                   std::fabs(middle.y) - reach.y > scene.arena.height / 2;
-            if (is_beyond && image != vec2{}) continue;
+        Patch patch = patch_of(zone, scene.arena);
+        for (const vec2 middle : seam.images_of(patch.middle, patch.reach())) {
+            patch.middle = middle;
             patches_.push_back(patch);
-            patches_.back().middle = middle;
         }
         has_surfaces |= zone.surface != Surface::none;
         pushes |= zone.wind_x != 0 || zone.wind_y != 0 || zone.slope != 0 || zone.pull != 0;

@@ -35,6 +35,18 @@ struct Seam {
         return all;
     }
 
+    // The images() of `middle` from which something of the size 2 · `reach` (m) around it reaches into the arena:
+    // itself first.
+    std::vector<maths::vec2> images_of(maths::vec2 middle, maths::vec2 reach) const {
+        std::vector<maths::vec2> all;
+        for (const maths::vec2 image : images()) {
+            const maths::vec2 at = middle + image;
+            const bool is_beyond = std::fabs(at.x) - reach.x > size.x / 2 || std::fabs(at.y) - reach.y > size.y / 2;
+            if (all.empty() || !is_beyond) all.push_back(at);
+        }
+        return all;
+    }
+
 private:
     static float inside(float x, float side) { return x - side * std::floor(x / side + 0.5f); }
 };

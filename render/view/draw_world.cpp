@@ -259,16 +259,13 @@ namespace {
 
 // In a torus, what reaches over an edge is repeated at the opposite one.
 void add_zones(Drawing& drawing, const Scene& scene) {
-    const std::vector<vec2> images = sensing::Seam(scene.arena).images();
+    const sensing::Seam seam(scene.arena);
     for (Zone zone : scene.zones) {
-        const vec2 middle{zone.x, zone.y};
         float reach = std::hypot(zone.length, zone.width) / 2;
         for (const vec2 corner : corners_of(zone)) reach = std::max(reach, maths::length(corner));
-        for (const vec2 image : images) {
-            zone.x = middle.x + image.x, zone.y = middle.y + image.y;
-            const bool is_beyond =
-                std::fabs(zone.x) - reach > scene.arena.width / 2 || std::fabs(zone.y) - reach > scene.arena.height / 2;
-            if (!is_beyond || image == vec2{}) add_zone(drawing, zone);
+        for (const vec2 middle : seam.images_of({zone.x, zone.y}, {reach, reach})) {
+            zone.x = middle.x, zone.y = middle.y;
+            add_zone(drawing, zone);
         }
     }
 }

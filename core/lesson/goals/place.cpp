@@ -1,6 +1,7 @@
 #include "core/lesson/goals/place.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "core/maths/angle.h"
 #include "core/maths/geometry.h"
@@ -46,10 +47,10 @@ float distance_to_zone(const Zone& zone, vec2 place) {
     return distance_to_convex(local, corners_of(zone));
 }
 
-float distance_to_zone(const Zone& zone, const Observation& at) {
+// To the nearest image of the zone; `images` as Seam::images().
+float distance_to_zone(const Zone& zone, vec2 place, const std::vector<vec2>& images) {
     float nearest = INFINITY;
-    for (const vec2 image : sensing::Seam(at.now.scene->arena).images())
-        nearest = std::min(nearest, distance_to_zone(zone, place_of(at) - image));
+    for (const vec2 image : images) nearest = std::min(nearest, distance_to_zone(zone, place - image));
     return nearest;
 }
 
@@ -129,7 +130,8 @@ std::optional<Reading> measure(const Visits& goal, Visits::State& state, const O
 std::optional<Reading> measure(const Enters& goal, Enters::State&, const Observation& at) {
     const int index = find_zone(*at.now.scene, goal.zone);
     if (index < 0) return std::nullopt;
-    const float distance = distance_to_zone(at.now.scene->zones[static_cast<std::size_t>(index)], at);
+    const float distance = distance_to_zone(at.now.scene->zones[static_cast<std::size_t>(index)], place_of(at),
+                                            sensing::Seam(at.now.scene->arena).images());
     return Reading{distance, distance <= 0};
 }
 
@@ -150,13 +152,14 @@ std::optional<Reading> measure(const DrivesThrough& goal, DrivesThrough::State& 
 }
 
 std::optional<Reading> measure(const FollowsLine& goal, FollowsLine::State& state, const Observation& at) {
+    const std::vector<vec2> images = sensing::Seam(at.now.scene->arena).images();
     vec2 middle;
     float nearest = INFINITY, pieces = 0;
     for (const Zone& zone : at.now.scene->zones) {
         if (zone.surface != Surface::tape) continue;
         middle += vec2{zone.x, zone.y};
         pieces += 1;
-        nearest = std::min(nearest, distance_to_zone(zone, at));
+        nearest = std::min(nearest, distance_to_zone(zone, place_of(at), images));
     }
     if (pieces == 0) return std::nullopt;
     const float bearing = maths::to_polar(place_of(at) - middle / pieces).angle;
