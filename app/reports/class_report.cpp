@@ -110,13 +110,8 @@ void mark_replaced(std::vector<ClassRow>& rows) {
 }
 
 void sort_by_student(std::vector<ClassRow>& rows) {
-    const auto in_small_letters = [](std::string name) {
-        for (char& c : name)
-            if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-        return name;
-    };
-    std::stable_sort(rows.begin(), rows.end(), [&](const ClassRow& a, const ClassRow& b) {
-        return std::tuple(in_small_letters(a.student), a.file) < std::tuple(in_small_letters(b.student), b.file);
+    std::stable_sort(rows.begin(), rows.end(), [](const ClassRow& a, const ClassRow& b) {
+        return std::tuple(for_comparison(a.student), a.file) < std::tuple(for_comparison(b.student), b.file);
     });
 }
 

@@ -57,8 +57,7 @@ bool passed_with_solution_shown(const ClassRow&);
 // compared: the lab always grades from start 1.
 bool states_another_result(const ClassReport&, const ClassRow&);
 
-// By student without regard to the case of ASCII letters, so that the hand-ins of one student are together; then by
-// file.
+// By student as is_same_student() compares names, so that the hand-ins of one student are together; then by file.
 void sort_by_student(std::vector<ClassRow>&);
 
 // Sets grade, passed, unchanged, resembles and the problem of controls that are not offered. `shipped` and `wrong` are

@@ -66,17 +66,6 @@ std::string for_file_name(std::string_view text) {
     return name.empty() ? "student" : name;
 }
 
-std::string for_comparison(std::string_view name) {
-    std::string words;
-    for (const char c : name) {
-        const bool is_space = c == ' ' || c == '\t';
-        if (is_space && (words.empty() || words.back() == ' ')) continue;
-        words += is_space ? ' ' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    if (!words.empty() && words.back() == ' ') words.pop_back();
-    return words;
-}
-
 void check_hand_in(TomlTable& top, const HandIn& hand_in) {
     for (const char* key : {"student", "exercise", "submission"})
         if (!top.has(key)) top.fail_whole(message_of("missing_in_hand_in", key));
@@ -129,6 +118,17 @@ Result<HandIn> parse_hand_in(std::string_view toml, std::string file_name) {
     if (!file->error) check_hand_in(top, hand_in);
     if (file->error) return *file->error;
     return hand_in;
+}
+
+std::string for_comparison(std::string_view name) {
+    std::string words;
+    for (const char c : name) {
+        const bool is_space = c == ' ' || c == '\t';
+        if (is_space && (words.empty() || words.back() == ' ')) continue;
+        words += is_space ? ' ' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    if (!words.empty() && words.back() == ' ') words.pop_back();
+    return words;
 }
 
 bool is_same_student(std::string_view a, std::string_view b) { return for_comparison(a) == for_comparison(b); }

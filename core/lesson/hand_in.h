@@ -51,4 +51,7 @@ Result<HandIn> parse_hand_in(std::string_view toml, std::string file_name);
 // Two names of one student: equal but for spaces at the ends, repeated spaces and the case of ASCII letters.
 bool is_same_student(std::string_view, std::string_view);
 
+// The name as is_same_student() compares it: in small ASCII letters, with single spaces.
+std::string for_comparison(std::string_view name);
+
 }  // namespace braitenlab
