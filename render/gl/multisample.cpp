@@ -39,6 +39,9 @@ void Multisample::begin(const Rect& window) {
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT24, width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depths_);
     glBindRenderbuffer(GL_RENDERBUFFER, 0);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
+    samples_ = 0, active_ = false;  // for example too little memory: from now on draw into the window itself
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound_before_));
 }
 
 void Multisample::end() {

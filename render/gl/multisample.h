@@ -15,7 +15,7 @@ public:
 
     // Draw calls between begin() and end() draw with several samples; end() copies the picture into the framebuffer
     // that was bound at begin() and binds it. Does nothing where the bound framebuffer has samples or the driver allows
-    // none. `window`: the part that is drawn, px.
+    // none or has no memory for it. `window`: the part that is drawn, px.
     void begin(const Rect& window);
     void end();
 
