@@ -7,6 +7,7 @@
 
 #include "app/files/data.h"
 #include "app/lab.h"
+#include "app/lab_requests.h"
 
 namespace braitenlab::tests {
 
@@ -16,6 +17,13 @@ inline Lab opened_lab(const std::string& name) {
     auto lab = open_lab(*path, std::nullopt, {});
     EXPECT_TRUE(lab) << lab.error().text();
     return std::move(*lab);
+}
+
+// Exercise 5 with its solution.
+inline Lab solved_exercise() {
+    Lab lab = opened_lab("05-aggressor");
+    handle(lab, EditRequest{SetBrain{{.kind = 0}, lab.document.lesson->exercise->solution.submission.brain}});
+    return lab;
 }
 
 }  // namespace braitenlab::tests
