@@ -42,7 +42,7 @@ void add_to_path(Document& document) {
     const Snapshot& now = document.session.snapshot();
     if (!document.lesson || now.tick % path_ticks != 0 || document.session.latest() != now.tick) return;
     auto& path = document.lesson->path;
-    std::erase_if(path, [&now](const RunPlace& each) { return each.tick >= now.tick; });
+    while (!path.empty() && path.back().tick >= now.tick) path.pop_back();
     for (const VehicleView& vehicle : now.vehicles)
         if (vehicle.start == 0) path.push_back({now.tick, {vehicle.x, vehicle.y}});
 }

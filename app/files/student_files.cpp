@@ -116,7 +116,7 @@ std::string StudentFiles::free_stem(const std::string& name) const {
     return stem;
 }
 
-// The file of a student who was added: one that another window has written for him, else a new one.
+// The file of a student who was added: one that another window has written, else a new one.
 std::string StudentFiles::stem_for(const std::string& name) const {
     for (const fs::path& path : progress_files(folder_)) {
         std::string stem = path.stem().string();

@@ -12,9 +12,9 @@
 
 namespace braitenlab {
 
-// Read at the start, written when something has changed. The name of a file is made of the student's name when he is
-// added and stays the same; the name in the file counts. Several windows may have the same students: what another one
-// has written since is merged before writing.
+// Read at the start, written when something has changed. The name of a file is made of the student's name when the
+// student is added and stays the same; the name in the file counts. Several windows may have the same students: what
+// another one has written since is merged before writing.
 class StudentFiles {
 public:
     // With an empty folder nothing is read or written.

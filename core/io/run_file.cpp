@@ -4,8 +4,6 @@
 #include <fstream>
 #include <sstream>
 
-#include <fmt/format.h>
-
 #include "core/io/json.h"
 #include "core/io/state_json.h"
 #include "core/messages.h"

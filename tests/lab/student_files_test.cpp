@@ -145,14 +145,14 @@ TEST(StudentFiles, ReportEachFileThatIsNotUsed) {
     const Folder folder;
     put_text(folder / "anna.json", write_progress({"Anna", {}}));
     put_text(folder / "anna-2.json", write_progress({"anna", {{"06-love", {.hints = 1}}}}));
-    put_text(folder / "nobody.json", write_progress({"", {}}));
+    put_text(folder / "unnamed.json", write_progress({"", {}}));
     StudentFiles files(folder.path);
     StudentBook book;
     const auto errors = files.read(book, "");
     ASSERT_EQ(errors.size(), 2u);
     EXPECT_EQ(errors[0].file, (folder / "anna.json").string());
     EXPECT_NE(errors[0].what.find("anna-2.json"), std::string::npos) << errors[0].what;
-    EXPECT_EQ(errors[1].file, (folder / "nobody.json").string());
+    EXPECT_EQ(errors[1].file, (folder / "unnamed.json").string());
     EXPECT_TRUE(fs::exists(folder / "anna.json")) << "it stays as it is";
     ASSERT_EQ(book.all.size(), 2u);
     EXPECT_EQ(book.all[1].exercises.size(), 1u);

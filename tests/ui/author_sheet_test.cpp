@@ -44,7 +44,7 @@ struct AuthorSheet : ::testing::Test {
 
 TEST_F(AuthorSheet, SaysWhatIsMissingUntilItCanBeSaved) {
     ASSERT_TRUE(desk.anchors.find("card.author"));
-    EXPECT_FALSE(says("The goal is missing")) << "nobody has tried to save";
+    EXPECT_FALSE(says("The goal is missing")) << "there was no try to save";
     desk.click("author.save");
     EXPECT_TRUE(says("The goal is missing"));
     EXPECT_FALSE(desk.last<SaveExerciseRequest>());

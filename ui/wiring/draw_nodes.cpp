@@ -146,7 +146,7 @@ float name_room(const NodeShape& shape, Detail detail) {
     return text_right(shape) - text_left(shape) - (beside_number ? 62 : 0);
 }
 
-// The width for the name on the map: between the pins. In a lecture, where nobody uses the pins, and for a name of a
+// The width for the name on the map: between the pins. In a lecture, where the pins are not used, and for a name of a
 // few letters, of which nothing is left otherwise, it may be wider, because there is space between the columns.
 float map_room(const Pen& pen, const Picture& picture, const NodeShape& shape, std::string_view name) {
     constexpr float overhang = 1.5f;  // of the card's width
