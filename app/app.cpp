@@ -12,9 +12,12 @@
 #include "app/files/file_commands.h"
 #include "app/files/reports.h"
 #include "app/frame_pacing.h"
+#include "app/insight/explanation.h"
+#include "app/insight/predictions.h"
 #include "app/lab_requests.h"
 #include "app/platform/platform.h"
 #include "app/remembered.h"
+#include "app/title.h"
 
 namespace braitenlab {
 
@@ -49,12 +52,14 @@ App::App(Options options, Lab lab, Window window, render::Renderer renderer, Wor
       catalogue_(read_catalogue()),
       lectures_(read_lecture_catalogue()),
       anchors_file_(options_.anchors),
-      state_file_(options_.state) {
+      state_file_(options_.state),
+      gallery_(options_.screenshot.empty() ? folders_.cache : std::filesystem::path{}) {
     lab_.preferences = settings_.at_start;
     restore_view(lab_, panels_, settings_.state.view);
     if (options_.camera) lab_.view.camera.mode = *options_.camera;
     lab_.view.overlays.field = options_.field;
     begin_asked_lecture();
+    if (options_.title) title_ = title_lab([this](const Snapshot& now) { renderer_.remember(now); });
     theme_.apply(lab_.preferences.theme, wanted_scale());
     load_label_font();
     if (!theme_.warning().empty()) std::cerr << "braitenlab: " << theme_.warning() << "\n";
@@ -126,6 +131,10 @@ bool App::ends() {
 }
 
 void App::let_time_pass(double passed) {
+    if (title_) {
+        title_->preferences = lab_.preferences;
+        advance_title(*title_, static_cast<float>(std::min(passed, 0.25)));
+    }
     if (repeatable()) {
         lab_.wall_seconds += passed;
         tick(lab_);
@@ -141,6 +150,7 @@ void App::follow_jobs() {
         update_exercise_check(lab_, jobs_);
         update_reference_runs(lab_, jobs_);
         update_children(lab_, jobs_);
+        update_predictions(lab_, jobs_);
         jobs_.finish();
     } else {
         jobs_.deliver(budget);
@@ -149,6 +159,8 @@ void App::follow_jobs() {
     update_exercise_check(lab_, jobs_);
     update_reference_runs(lab_, jobs_);
     update_children(lab_, jobs_);
+    update_predictions(lab_, jobs_);
+    update_explanation(lab_);
     follow_progress(lab_);
 }
 
@@ -200,7 +212,10 @@ void App::save_settings(bool now) {
 bool App::moves() const {
     const auto& lesson = lab_.document.lesson;
     const bool plays = lab_.playback.mode == Mode::playing && !lab_.sheet_open;
-    return got_input_ || plays || (lesson && lesson->grading) || !lab_.files.empty();
+    const bool orbits = (lab_.view.orbits || title_) && !lab_.preferences.reduce_motion;
+    const bool predicts = lab_.predictions.job || lab_.predictions.job_before;
+    return got_input_ || plays || orbits || predicts || makes_pictures_ || (lesson && lesson->grading) ||
+           !lab_.files.empty();
 }
 
 bool App::repeatable() const { return !options_.screenshot.empty() && options_.play; }

@@ -11,6 +11,7 @@
 #include "app/files/data.h"
 #include "app/files/settings.h"
 #include "app/files/student_files.h"
+#include "app/gallery.h"
 #include "app/jobs/jobs.h"
 #include "app/lab.h"
 #include "app/options.h"
@@ -90,6 +91,12 @@ private:
     void frame(float passed);
     CameraKeys camera_keys(bool arrows_are_free) const;
     void draw_scene(std::vector<bool> hidden_brains);  // by kind
+    // The lab whose scene is shown: behind the title page another one.
+    const Lab& shown_lab() const { return title_ ? *title_ : lab_; }
+    // Makes one picture of the file browser while it is open.
+    void make_pictures();
+    // Leaves the title page.
+    void begin();
     // Draws with the level of quality that was asked for, or the measured one; measures some frames.
     void draw_measured(const Picture&);
     Quality quality() const;
@@ -118,13 +125,17 @@ private:
     ui::PanelState panels_;
     ViewportState viewport_;
     ui::Anchors anchors_;
+    std::vector<ui::Written> written_;  // texts of the last frame, recorded for the file of the state only
     Outbox outbox_;
     Snapshot shown_;  // interpolated between the last two ticks
     FrameFacts facts_;
     ReportFile anchors_file_, state_file_;
     Clock::time_point shaders_checked_ = Clock::now();
-    QualityChoice quality_;   // with --quality auto
-    std::string quality_of_;  // name of the document that it was measured for
+    Gallery gallery_;
+    bool makes_pictures_ = false;  // of the gallery, in the last frame
+    std::optional<Lab> title_;     // the scene behind the title page, while it is shown
+    QualityChoice quality_;        // with --quality auto
+    std::string quality_of_;       // name of the document that it was measured for
     bool reported_label_font_ = false;
     Clock::time_point state_written_{};
 };

@@ -10,9 +10,11 @@
 #include "app/course/lab_lecture.h"
 #include "app/files/data.h"
 #include "app/files/screenshot.h"
+#include "app/insight/predictions.h"
 #include "app/lab_requests.h"
 #include "app/lab_selection.h"
 #include "app/platform/platform.h"
+#include "app/title.h"
 #include "render/view/between.h"
 #include "ui/panels/prompts.h"
 #include "ui/window_keys.h"
@@ -20,13 +22,6 @@
 namespace braitenlab {
 
 namespace {
-
-// The scale, reduced until toolbar and cards fit into the window. In steps, because each change loads the fonts again.
-float fitting_scale(float scale, Rect window) {
-    constexpr float least_width = 940, least_height = 570, steps = 8;  // layout pixels; a step is an eighth
-    const float most = std::min(window.w / least_width, window.h / least_height);
-    return scale <= most ? scale : std::max(1.0f, std::floor(most * steps) / steps);
-}
 
 // The camera leaves room below and beside the arena for metre labels at scale 1. This leaves the additional room at
 // larger scales.
@@ -61,8 +56,9 @@ float App::preferred_scale() const {
 
 float App::wanted_scale() const {
     const float preferred = preferred_scale();
-    if (!lab_.before_lecture) return fitting_scale(preferred, window_.area());
-    return preferred * lecture_growth(window_.area(), preferred / lab_.preferences.type_size);
+    if (!lab_.before_lecture) return ui::fitting_scale(preferred, window_.area(), false);
+    const float grown = preferred * lecture_growth(window_.area(), preferred / lab_.preferences.type_size);
+    return ui::fitting_scale(grown, window_.area(), true);
 }
 
 float App::reduced_type_size() const {
@@ -85,7 +81,7 @@ float App::density() const {
 void App::load_label_font() {
     constexpr float label_em = 14;  // layout pixels
     const auto pixels = static_cast<int>(std::lround(label_em * theme_.scale() * density()));
-    auto [lettering, warning] = label_font(render::find_font, pixels, *theme_.fonts().small);
+    auto [lettering, warning] = label_font(find_label_font, pixels, *theme_.fonts().small);
     renderer_.use_lettering(std::move(lettering));
     if (!warning.empty() && !reported_label_font_) std::cerr << "braitenlab: " << warning << "\n";
     reported_label_font_ = true;
@@ -112,24 +108,32 @@ void App::frame(float passed) {
     view.files = &files_;
     view.version = version_text();
     if (autosave_.leftover()) view.recovery = &autosave_.leftover()->offer;
+    make_pictures();
+    view.pictures = &gallery_.pictures();
+    view.title_page = title_.has_value();
     const Rect area = window_.area();
     const ui::WindowLayout layout = ui::lay_out(area.w, area.h, theme_.scale(), view, ui::open_cards(view, panels_));
-    const Rect arena = without_metre_labels(layout.scene, theme_.scale());
-    aim(viewport_, lab_, area, arena, passed);
+    const Rect arena = title_ ? title_area(area) : without_metre_labels(layout.scene, theme_.scale());
+    aim(viewport_, shown_lab(), area, arena, passed);
     view.camera_view = &viewport_.camera_view;
     outbox_.clear();
     bool arrows_are_free = true;
     for (const KeyPress press : keys.presses) arrows_are_free &= !press_key(view, panels_, press, outbox_);
 
     anchors_.begin();
+    written_.clear();
+    int shortened = 0;
     ui::Ui ui{.strings = words_.strings,
               .palette = palette(view.theme),
               .fonts = theme_.fonts(),
               .scale = theme_.scale(),
               .anchors = anchors_,
               .outbox = outbox_,
-              .pulse = ui::pulse(view)};
+              .pulse = ui::pulse(view),
+              .written = state_file_.wanted() ? &written_ : nullptr,
+              .shortened = &shortened};
     ui::draw_window(view, panels_, ui, layout);
+    facts_.text = ui::text_facts(written_, shortened);
 
     const bool keys_move_camera = view.mode != Mode::wiring && panels_.keyboard.focus.empty();
     const bool arrows_move_camera =
@@ -137,11 +141,11 @@ void App::frame(float passed) {
     CameraKeys held = keys_move_camera ? camera_keys(arrows_move_camera) : CameraKeys{};
     if (view.pages) held.zoom = 0;  // Page Up and Page Down turn the pages
     if (steer_by_keys(lab_, held.turn, held.raise)) held.turn = held.raise = 0;
-    drive_camera(lab_, viewport_, panels_.scene_input, held, area, arena, passed);
+    if (!title_) drive_camera(lab_, viewport_, panels_.scene_input, held, area, arena, passed);
     if (repeatable() && !picture_is_due(0))
-        renderer_.remember(shown_snapshot(lab_));  // no frame is shown before the picture is taken
+        renderer_.remember(shown_snapshot(shown_lab()));  // no frame is shown before the picture is taken
     else
-        draw_scene(hidden_brains(view));
+        draw_scene(title_ ? std::vector<bool>{} : hidden_brains(view));
     const ImGuiIO& io = ImGui::GetIO();
     got_input_ = has_input(keys, io) || held;
     ++facts_.frames;
@@ -152,7 +156,31 @@ void App::frame(float passed) {
     facts_.typed = typed_text(panels_);
     window_.bind();
     window_.end_frame();
+    note_press(lab_, io.MouseDown[0]);
+    lab_.predictions.what_if = panels_.what_if;
     handle_all(lab_, outbox_);
+    if (std::exchange(lab_.begins, false)) begin();
+}
+
+void App::make_pictures() {
+    makes_pictures_ = false;
+    if (panels_.sheet != ui::Sheet::files || panels_.files.saving) return;
+    std::vector<std::string> files;
+    if (panels_.files.place == ui::FilesPlace::shipped)
+        for (const CatalogueEntry& entry : catalogue_) files.push_back(entry.path);
+    else if (panels_.files.place == ui::FilesPlace::recent)
+        for (const RecentFile& file : settings_.state.recent) files.push_back(file.path);
+    else
+        for (const FileEntry& entry : files_.listing.entries)
+            if (!entry.is_folder && !entry.broken &&
+                (entry.kind == FileKind::scene || entry.kind == FileKind::exercise))
+                files.push_back((std::filesystem::path(files_.listing.folder) / entry.name).string());
+    makes_pictures_ = gallery_.make_next(renderer_, files, lab_.preferences.theme);
+}
+
+void App::begin() {
+    title_.reset();
+    viewport_ = {};
 }
 
 CameraKeys App::camera_keys(bool arrows_are_free) const {
@@ -173,23 +201,24 @@ CameraKeys App::camera_keys(bool arrows_are_free) const {
 }
 
 void App::draw_scene(std::vector<bool> hidden_brains) {
+    const Lab& lab = shown_lab();
     Picture picture;
     picture.hidden_brains = std::move(hidden_brains);
     picture.camera_view = viewport_.camera_view;
     picture.camera_view.window = {0, 0, static_cast<float>(window_.framebuffer_width()),
                                   static_cast<float>(window_.framebuffer_height())};
-    picture.theme = lab_.preferences.theme;
+    picture.theme = lab.preferences.theme;
     picture.quality = quality();
-    picture.settings = lab_.view;
-    if (lab_.together) picture.settings.sensors = false;  // ten fields in one place would cover the vehicles
+    picture.settings = lab.view;
+    if (lab.together) picture.settings.sensors = false;  // ten fields in one place would cover the vehicles
     const SceneObject& hovered = panels_.scene_input.hovered.object;
     picture.hovered = hovered.kind == SceneObjectKind::vehicle ? hovered.index : no_vehicle;
-    picture.driver = lab_.view.camera.mode == CameraMode::driver ? lab_.view.selection.vehicle : no_vehicle;
-    picture.reduce_motion = lab_.preferences.reduce_motion;
+    picture.driver = lab.view.camera.mode == CameraMode::driver ? lab.view.selection.vehicle : no_vehicle;
+    picture.reduce_motion = lab.preferences.reduce_motion;
     picture.pixel_scale = density() * theme_.scale();
     picture.decimal_mark = decimal_mark(words_.strings);
-    shown_ = shown_snapshot(lab_);
-    if (!repeatable()) render::stand_between(shown_, lab_.playback.previous, between_ticks(lab_));
+    shown_ = shown_snapshot(lab);
+    if (!repeatable()) render::stand_between(shown_, lab.playback.previous, between_ticks(lab));
     draw_measured(picture);
     facts_.draw_calls = renderer_.draw_calls();
     facts_.camera_view = viewport_.camera_view;
@@ -201,7 +230,7 @@ void App::draw_scene(std::vector<bool> hidden_brains) {
 Quality App::quality() const { return options_.quality.value_or(quality_.level()); }
 
 void App::draw_measured(const Picture& picture) {
-    if (quality_of_ != lab_.document.name) quality_.start_over(), quality_of_ = lab_.document.name;
+    if (quality_of_ != shown_lab().document.name) quality_.start_over(), quality_of_ = shown_lab().document.name;
     facts_.quality = picture.quality;
     if (options_.quality || !quality_.measures(facts_.frames)) return renderer_.draw(shown_, picture);
     renderer_.finish();  // what is still to be drawn is not part of the measurement

@@ -14,9 +14,16 @@ namespace braitenlab {
 
 namespace {
 
+// The font of this name among the shipped files; an empty path if fonts are not shipped, as where the system has them.
+std::filesystem::path shipped_font(const std::filesystem::path& name) {
+    const auto data = data_folder();
+    return data ? first_existing({*data / "fonts" / name}) : std::filesystem::path{};
+}
+
 ui::FontPaths installed_fonts() {
     const auto face = [](const std::vector<std::filesystem::path>& candidates) {
-        return first_existing(candidates).string();
+        const auto shipped = shipped_font(candidates.front().filename());
+        return shipped.empty() ? first_existing(candidates).string() : shipped.string();
     };
     ui::FontPaths paths;
     paths.text =
@@ -54,6 +61,14 @@ bool AppliedTheme::apply(Theme theme, float scale) {
     atlas.Clear();
     loaded_ = ui::load_fonts(atlas, scale, installed_fonts());
     return true;
+}
+
+std::string find_label_font(char32_t c) {
+    const bool mathematical = c >= 0x2190 && c < 0x2300;  // arrows and operators, such as the minus sign
+    const auto shipped = shipped_font(c == 0         ? "NotoSans-Regular.ttf"
+                                      : mathematical ? "NotoSansMath-Regular.ttf"
+                                                     : "NotoSansSymbols2-Regular.ttf");
+    return shipped.empty() ? render::find_font(c) : shipped.string();
 }
 
 LabelFont label_font(const render::FindFont& find, int pixels, ImFont& fallback) {

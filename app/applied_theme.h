@@ -33,6 +33,9 @@ struct LabelFont {
     std::string warning;  // why the system's fonts are not used; empty: they are
 };
 
+// The file of the font for labels with this character (0: any): shipped with the program, else of the system.
+std::string find_label_font(char32_t);
+
 // Characters of `pixels` height from a font that `find` knows; from the fallback if there is none, whose atlas must
 // have been built.
 LabelFont label_font(const render::FindFont& find, int pixels, ImFont& fallback);

@@ -68,6 +68,12 @@ std::pair<int, int> window_size(const Options& options, const StoredState& state
     return {state.width, state.height};
 }
 
+// The first start of a person, without a FILE and without options of a script.
+bool is_first_start(const Options& options, const Settings& settings) {
+    return settings.state.last_opened.empty() && settings.errors.empty() && options.screenshot.empty() &&
+           options.file.empty() && options.settings.empty() && !options.play && !options.lecture;
+}
+
 int open_and_run(Options options) {
     const auto data = data_folder();
     if (!data) return complain(data.error());
@@ -76,6 +82,7 @@ int open_and_run(Options options) {
     SettingsFiles files(folders.config, folders.state);
     Settings settings =
         read_settings(std::move(files), {options.theme, options.language}, native_language(*data / "ui" / "strings"));
+    options.title |= is_first_start(options, settings);
     auto opened = open_at_start(options, settings);
     if (!opened) return complain(opened.error());
     options.pages = opened->lecture;
@@ -106,6 +113,7 @@ int open_and_run(Options options) {
 }  // namespace braitenlab
 
 int main(int argc, char** argv) {
+    braitenlab::use_utf8(argc, argv);
     const auto line = braitenlab::read_command_line(argc, argv);
     return line.exit_code ? *line.exit_code : braitenlab::open_and_run(line.options);
 }

@@ -84,6 +84,9 @@ LabView view_of(const Lab& lab) {
     view.redo_depth = document.session.redo_depth();
     view.lesson = document.lesson ? &document.lesson->view : nullptr;
     if (can_compare(view)) view.ghost = ghost_of(lab);
+    view.pages = lab.pages ? &*lab.pages : nullptr;
+    if (may_show_future(view)) view.last_run = last_run_of(lab), view.prediction = prediction_of(lab);
+    view.why = explanation_of(lab, view);
     view.students = &lab.students;
     view.student = lab.students.student().name;
     view.opened = document.name;
@@ -92,7 +95,6 @@ LabView view_of(const Lab& lab) {
     view.preferences = lab.preferences;
     view.theme = lab.preferences.theme;
     view.lecture = lab.before_lecture.has_value();
-    view.pages = lab.pages ? &*lab.pages : nullptr;
     view.left_pages = lab.left_pages ? &*lab.left_pages : nullptr;
     view.reduce_motion = lab.preferences.reduce_motion;
     view.wall_seconds = lab.wall_seconds;

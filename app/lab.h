@@ -12,6 +12,9 @@
 
 #include "app/course/together.h"
 #include "app/document.h"
+#include "app/insight/explanation.h"
+#include "app/insight/last_run.h"
+#include "app/insight/predictions.h"
 #include "app/playback.h"
 #include "core/lesson/progress.h"
 #include "render/view/view_settings.h"
@@ -51,12 +54,16 @@ struct Lab {
     std::optional<LectureView> left_pages{};                             // the lecture that was left last
     std::uint64_t left_run = 0;  // Document::run_id when it was left; F9 then goes back to it
     double lecture_began = 0;    // wall seconds
+    Predictions predictions{};   // of the selected vehicle's path
+    LastRun last_run{};          // of the open document, before the last reset
+    Explanation explanation{};   // of the selected vehicle's turn
     Notice notice{};
     double notice_until = 0;  // wall seconds
     double wall_seconds = 0;
 
     // Requests that the window executes and clears.
     bool exit = false, screenshot = false, full_screen = false;
+    bool begins = false;                         // leaves the title page
     std::vector<Request> files{};                // to open, to save, to export, to list a folder
     std::vector<Request> reports{};              // hand-ins and lab records to write
     std::vector<std::filesystem::path> saved{};  // scene files written: leftovers of earlier work on them are removed

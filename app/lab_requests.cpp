@@ -126,11 +126,35 @@ void act_on_objects(Lab& lab, Action action) {
 // Switches to a camera mode, or back to the overview if that mode is on already.
 // A mode that rides with a vehicle is refused without a selected vehicle.
 void switch_camera(Lab& lab, CameraMode mode) {
+    lab.view.orbits = false;
     if (rides(mode) && lab.view.camera.mode != mode && !selected_vehicle(lab))
         return say(lab, {NoticeKind::failure, "notice.no_vehicle"});
     lab.view.camera.mode = lab.view.camera.mode == mode ? CameraMode::overview : mode;
     if (!rides(lab.view.camera.mode)) return;
     lab.view.camera.zoom = 1;  // the overview's zoom is wrong for a camera that moves with a vehicle
+}
+
+// Starts or stops the slow orbit, which is about the framed part of the floor: it leaves the other camera modes.
+void switch_orbit(Lab& lab) {
+    if (lab.preferences.reduce_motion) return say(lab, {NoticeKind::notice, "unavailable.motion_reduced"});
+    const bool orbits = !lab.view.orbits;
+    if (orbits && lab.view.camera.mode != CameraMode::overview) switch_camera(lab, lab.view.camera.mode);
+    lab.view.orbits = orbits;
+}
+
+// Hides or reveals a part of a lecture.
+void hide_or_reveal(Lab& lab, bool& part) {
+    if (lab.before_lecture) part = !part;
+}
+
+// Shows or hides the cause of the selected vehicle's turn.
+void ask_why(Lab& lab) {
+    lab.explanation.on = !lab.explanation.on;
+    update_explanation(lab);
+    if (lab.explanation.on && !explanation_of(lab, view_of(lab))) {
+        lab.explanation.on = false;
+        say(lab, {NoticeKind::failure, selected_vehicle(lab) ? "unavailable.why" : "unavailable.no_vehicle"});
+    }
 }
 
 // Shows the intensity of the next channel that has one in this scene; after the last, none.
@@ -213,7 +237,10 @@ void act(Lab& lab, Action action) {
             go_to_last_bookmark(lab);
             break;
         case Action::reset:
-            lab.together ? begin_together(lab) : reset(lab);
+            if (lab.together)
+                begin_together(lab);
+            else
+                set_mode(lab, Mode::paused), reset(lab);
             break;
         case Action::add:
             apply(lab, AddVehicle{});
@@ -235,6 +262,19 @@ void act(Lab& lab, Action action) {
             break;
         case Action::home:
             lab.view.camera = Camera{};
+            lab.view.orbits = false;
+            break;
+        case Action::slow_orbit:
+            switch_orbit(lab);
+            break;
+        case Action::hide_title:
+            hide_or_reveal(lab, lab.view.revealed.title);
+            break;
+        case Action::hide_character:
+            hide_or_reveal(lab, lab.view.revealed.character);
+            break;
+        case Action::hide_brain:
+            hide_or_reveal(lab, lab.view.revealed.brain);
             break;
         case Action::sensors:
             lab.view.sensors = !lab.view.sensors;
@@ -256,6 +296,12 @@ void act(Lab& lab, Action action) {
             break;
         case Action::next_field:
             show_next_field(lab);
+            break;
+        case Action::last_run:
+            lab.view.overlays.last_run = !lab.view.overlays.last_run;
+            break;
+        case Action::why:
+            ask_why(lab);
             break;
         case Action::watch:
             if (lab.playback.mode == Mode::wiring) set_mode(lab, Mode::paused), lab.view.watching = false;
@@ -423,6 +469,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const SaveRequest& r) { lab.files.push_back(r); },
                      [&](const SaveExerciseRequest& r) { lab.files.push_back(r); },
                      [&](const RecoverRequest& r) { lab.files.push_back(r); },
+                     [&](const BeginRequest&) { lab.begins = true; },
                      [&](const LeaveRequest& r) { lab.files.push_back(r); },
                      [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },
                      [&](const OverlaysRequest& r) { lab.view.overlays = r.overlays; },

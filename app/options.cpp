@@ -73,6 +73,7 @@ CommandLine read_command_line(int argc, char** argv) {
     app.add_option("--lang", o.language, "language: de, en, es; default: as in the settings, else the system's")
         ->type_name("CODE");
     app.add_flag("--play", o.play, "start playing");
+    app.add_flag("--title", o.title, "begin with the title page, as the first start does");
     app.add_flag("--fullscreen", o.full_screen, "fill the screen");
     app.add_flag("--lecture", o.lecture, "large type and few controls, as F9; a lecture file has them anyway");
     app.add_option("--page", o.page, "the page of a lecture to begin with")->type_name("N")->check(CLI::Range(1, 100));

@@ -26,6 +26,7 @@ struct Options {
     std::optional<std::uint64_t> seed;
     std::vector<Setting> settings;
     bool play = false, full_screen = false;
+    bool title = false;                    // begins with the title page, as the first start does
     bool lecture = false;                  // large type and few controls from the start
     int page = 1, revealed = 0;            // of a lecture file: the page, and how many of its steps are shown
     std::shared_ptr<const Lecture> pages;  // set if FILE is a lecture

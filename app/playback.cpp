@@ -68,6 +68,7 @@ void tick(Lab& lab) {
     const VehicleView* selected = selected_vehicle(lab);
     const std::optional<VehicleView> before = selected ? std::optional(*selected) : std::nullopt;
     add_to_path(lab.document);
+    record_paths(lab);
     step_session(lab.document);
     if (before) reselect_after_death(lab, *before);
     keep_selection(lab);
@@ -77,6 +78,7 @@ void tick(Lab& lab) {
         lesson->view.runs += begins;
         if (begins) lesson->view.hint_ready = true;  // each run makes one hint available
     }
+    record_moment(lab);
     watch(lab);
     record_referee(lab.document);
 }

@@ -10,6 +10,7 @@
 #include "app/files/safe_file.h"
 #include "core/brain/four_neurons.h"
 #include "core/io/vehicle_table.h"
+#include "core/lesson/path_distance.h"
 #include "core/maths/angle.h"
 #include "core/scene/enums.h"
 #include "core/world/character.h"
@@ -211,6 +212,47 @@ void add_brain(Json& state, const Snapshot& now, const VehicleView* vehicle, con
     state["wires"] = std::count_if(brain.wires.begin(), brain.wires.end(), [](const Wire& w) { return w.weight != 0; });
 }
 
+// The predicted path, ten points a second.
+Json prediction_json(const std::optional<PredictionView>& shown) {
+    if (!shown) return nullptr;
+    constexpr std::size_t step = 6;  // ticks
+    Json points = Json::array();
+    for (const maths::vec2 at : positions(*shown->path, shown->path->size(), step))
+        points.push_back({plain(at.x), plain(at.y)});
+    return {{"points", std::move(points)},
+            {"seconds", static_cast<double>(shown->path->size() - 1) / 60},
+            {"tick", shown->tick},
+            {"before", shown->before != nullptr},
+            {"fan", shown->fan->size()}};
+}
+
+Json why_json(const insight::Why* why) {
+    if (!why) return nullptr;
+    Json sensors = Json::object();
+    for (const insight::SensorPart& part : why->sensors)
+        sensors[part.sensor] = {{"reading", plain(part.reading)}, {"value", plain(part.value)}};
+    return {{"tick", why->tick},           {"left", plain(why->left)},
+            {"right", plain(why->right)},  {"sensors", std::move(sensors)},
+            {"bias", plain(why->bias)},    {"rest", plain(why->rest)},
+            {"silenced_ticks", why->ticks}};
+}
+
+// The vehicle of the last run at this time.
+Json ghost_json(const std::optional<GhostView>& ghost) {
+    if (!ghost) return nullptr;
+    return {{"x", plain(ghost->pose.x)},
+            {"y", plain(ghost->pose.y)},
+            {"heading", plain(ghost->pose.heading)},
+            {"poses", ghost->path->size()}};
+}
+
+void add_insight(Json& state, const Lab& lab) {
+    const LabView view = view_of(lab);
+    state["prediction"] = prediction_json(view.prediction);
+    state["ghost"] = ghost_json(view.last_run);
+    state["why"] = why_json(view.why);
+}
+
 }  // namespace
 
 std::string anchors_json(const ui::Anchors& anchors) {
@@ -262,6 +304,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
     state["type_size"] = plain(lab.preferences.type_size);
     state["draw_calls"] = frame.draw_calls;
     state["quality"] = word(frame.quality);
+    state["text"] = {{"smallest_px", plain(frame.text.smallest)}, {"clipped", frame.text.clipped}};
     state["graphics_watched"] = frame.graphics_watched;
     state["graphics_errors"] = frame.graphics_errors;
     state["frame_ms"] = frame.frame_ms;
@@ -274,6 +317,7 @@ std::string state_json(const Lab& lab, const ui::SceneInputState& scene_input, c
                         {"passed", passed_count(lab.students.student())},
                         {"exercises", lab.students.student().exercises.size()}};
     add_scene_input(state, lab, scene_input, frame);
+    add_insight(state, lab);
     return state.dump(1) + "\n";
 }
 

@@ -9,6 +9,7 @@
 #include "app/lab.h"
 #include "ui/scene_input/scene_input.h"
 #include "ui/widgets/anchors.h"
+#include "ui/widgets/drawn_text.h"
 
 namespace braitenlab {
 
@@ -21,6 +22,7 @@ struct FrameFacts {
     std::string typed;  // text so far in the focused text field or number
     int draw_calls = 0;
     Quality quality = Quality::medium;  // of the last picture
+    ui::TextFacts text;                 // of the window, without the labels in the scene
     bool graphics_watched = false;
     int graphics_errors = 0;  // see Window
     CameraView camera_view;   // camera view of the frame
@@ -33,7 +35,8 @@ struct FrameFacts {
 
 // {mode, tick, seconds, hash, time_scale, selected, character, weights {LL …}, thresholds {LL …}, lesions, driver,
 // motor [left, right], sensor_ranges [..], nodes, wires, toggles, undo_depth, redo_depth, population, predators, prey,
-// generation, camera, language, focus, menu, typed, overlays {…}, draw_calls, quality, graphics_watched,
+// generation, camera, language, focus, menu, typed, overlays {…}, draw_calls, quality,
+// text {smallest_px, clipped}, graphics_watched,
 // graphics_errors, frame_ms, frames, pointer [x, y], pressed, exercise, student {name, students, passed, exercises},
 // thing {kind, index}, hovered {kind, index, handle}, cursor, tool, corners, vehicles, sources, obstacles}. The last
 // three are lists of at most 64; `at` is the position in the window in pixels, or null behind the camera.

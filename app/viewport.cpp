@@ -13,6 +13,7 @@ using maths::vec2;
 namespace {
 
 constexpr float glide_seconds = 0.6f;
+constexpr float slow_orbit_rate = 0.07f;                          // rad/s: a turn takes 90 s
 constexpr float turn_rate = 1.2f, raise_rate = 0.8f;              // rad/s, arrow keys
 constexpr float zoom_rate = 1.5f;                                 // log2 of the zoom per second
 constexpr float pan_rate = 0.5f;                                  // of the width of the free area per second
@@ -58,11 +59,18 @@ void aim(ViewportState& state, const Lab& lab, Rect window, Rect free_area, floa
     state.has_sight = true;
 }
 
+void orbit_slowly(Camera& camera, float seconds) { orbit(camera, slow_orbit_rate * seconds, 0); }
+
 void drive_camera(Lab& lab, const ViewportState& state, const ui::SceneInputState& scene_input, CameraKeys keys,
                   Rect window, Rect free_area, float seconds) {
     const ImGuiIO& io = ImGui::GetIO();
     const vec2 at{io.MousePos.x, io.MousePos.y}, moved = scene_input.drag.moved;
     const vec2 middle{free_area.x + free_area.w / 2, free_area.y + free_area.h / 2};
+    const bool by_mouse = scene_input.drag.phase == ui::SceneInputPhase::orbit ||
+                          scene_input.drag.phase == ui::SceneInputPhase::pan ||
+                          (!io.WantCaptureMouse && io.MouseWheel != 0);
+    if (keys || by_mouse || rides(lab.view.camera.mode)) lab.view.orbits = false;
+    if (lab.view.orbits && !lab.preferences.reduce_motion) orbit_slowly(lab.view.camera, seconds);
     orbit(lab.view.camera, keys.turn * turn_rate * seconds, keys.raise * raise_rate * seconds);
     if (keys.zoom != 0)
         zoom_about(lab.view.camera, shown_snapshot(lab).scene->arena, window, free_area, middle,

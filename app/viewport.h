@@ -30,8 +30,12 @@ struct CameraKeys {
 // motion is reduced. Other changes apply at once.
 void aim(ViewportState&, const Lab&, Rect window, Rect free_area, float seconds);
 
+// Turns the camera by the slow orbit, if ViewSettings::orbits; motion must not be reduced.
+void orbit_slowly(Camera&, float seconds);
+
 // Moves the camera by mouse and arrow keys: left drag on the floor orbits (pans in bird's eye), right or middle drag
-// pans, the wheel zooms about the pointer, keys turn, raise, zoom and pan. Reads the mouse from Dear ImGui.
+// pans, the wheel zooms about the pointer, keys turn, raise, zoom and pan; any of them ends the slow orbit. Reads the
+// mouse from Dear ImGui.
 void drive_camera(Lab&, const ViewportState&, const ui::SceneInputState&, CameraKeys, Rect window, Rect free_area,
                   float seconds);
 

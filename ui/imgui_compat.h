@@ -49,6 +49,15 @@ inline bool has_glyph(ImFont* font, ImWchar glyph) {
 #endif
 }
 
+// The texture of a number of the graphics library.
+inline ImTextureID texture(std::uint64_t id) {
+#if IMGUI_VERSION_NUM >= 19140
+    return static_cast<ImTextureID>(id);
+#else
+    return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(id));
+#endif
+}
+
 inline void outline(ImDrawList& draw, ImVec2 a, ImVec2 b, ImU32 colour, float rounding, float thickness) {
 #if IMGUI_VERSION_NUM >= 19280
     draw.AddRect(a, b, colour, rounding, thickness);

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/insight/why.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/lecture.h"
@@ -82,12 +85,23 @@ inline bool awaits_prediction(const LessonView& lesson) {
     return !lesson.has_run && !has_predicted(lesson) && is_asked(lesson.exercise->prediction);
 }
 
-// The first vehicle of the run with the exercise's solution at the displayed time; it is not in the snapshot.
+// A vehicle of another run at the displayed time: of the run with the exercise's solution, or of the last run before
+// the reset. It is not in the snapshot.
 struct GhostView {
     Pose pose;
     float length = 1, width = 0.7f;       // m, of its chassis
     const ReferencePath* path = nullptr;  // from tick 0 on; never null
     std::size_t count = 0;                // of its poses, those up to the displayed time
+};
+
+// The coming path of the selected vehicle. Paths have one pose per tick.
+struct PredictionView {
+    const std::vector<Pose>* path = nullptr;              // never null, never empty
+    const std::vector<std::vector<Pose>>* fan = nullptr;  // with other random numbers; never null, may be empty
+    std::uint64_t tick = 0;                               // of the first pose; at most the displayed tick
+    const std::vector<Pose>* before = nullptr;            // without the change that is tried; null: not known
+    std::uint64_t before_tick = 0;
+    bool is_outdated = false;  // a newer path takes long to compute
 };
 
 // A shipped scene or exercise in the file browser.
@@ -117,6 +131,9 @@ struct TimelineView {
     std::uint64_t earliest = 0, latest = 0;
     std::vector<std::uint64_t> bookmarks;  // in the order of creation; some may be outside
 };
+
+// Textures of rendered pictures of scenes at their start, by path of the file; 0: there is none.
+using ScenePictures = std::map<std::string, std::uint64_t>;
 
 // A message in the hint bar. Each kind has a different sign and colour.
 enum class NoticeKind { done, notice, failure };
@@ -155,9 +172,13 @@ struct LabView {
     std::size_t copied_objects = 0;                          // that can be pasted into the scene
     const LessonView* lesson = nullptr;                      // null outside exercises
     std::optional<GhostView> ghost;                          // while LessonView::compares and it is known
+    std::optional<GhostView> last_run;                       // the selected vehicle in the run before the reset
+    std::optional<PredictionView> prediction;                // while something is tried, and until it is driven
+    const insight::Why* why = nullptr;                       // of the selected vehicle's turn; null: not asked
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
     std::string student;                                     // name of the student; empty: none is named
     const StudentBook* students = nullptr;                   // null: no progress is kept
+    const ScenePictures* pictures = nullptr;                 // null: none are rendered
     const std::vector<RecentFile>* recent = nullptr;         // recently opened files, newest first; null: none
     const FilesView* files = nullptr;                        // null: no file access
     std::string opened;                                      // name of the open file, as in the catalogue
@@ -169,6 +190,7 @@ struct LabView {
     const std::vector<Language>* languages = nullptr;  // null: no choice
     std::string native_language = "en";                // of the first start; Reset All chooses it
     bool reduce_motion = false;
+    bool title_page = false;                                // first start: the name of the program over a moving scene
     bool lecture = false;                                   // large type, few controls
     const LectureView* pages = nullptr;                     // the open lecture; null: none. With one, `lecture` is true
     const LectureView* left_pages = nullptr;                // the lecture that was left last; null: none
@@ -196,6 +218,14 @@ inline bool hides_outcome(const LabView& view) {
     return !has_predicted(*view.lesson) && !view.lesson->outcome_known && !passed;
 }
 
+// True if the coming seconds and the last run may be shown: not while the exercise's prediction can be made or changed,
+// nor before the answer to the question of a lecture's page.
+inline bool may_show_future(const LabView& view) {
+    if (view.pages && !view.pages->current().question.options.empty() && !view.pages->shows(PagePart::answer))
+        return false;
+    return !view.lesson || !is_asked(view.lesson->exercise->prediction) || !is_prediction_open(*view.lesson);
+}
+
 // True if the run with the solution may be shown beside the student's: after a run, and not before the prediction.
 inline bool can_compare(const LabView& view) {
     return view.lesson && view.lesson->has_run && !view.lesson->together && !hides_outcome(view);
@@ -211,17 +241,29 @@ inline bool is_brain_secret(const LabView& view, int kind) {
 
 // True if the brains of this kind may not be shown now: they are secret, or their wires would tell the outcome.
 inline bool hides_brain(const LabView& view, int kind) {
-    if (view.pages && !view.pages->shows(PagePart::brain)) return true;
+    if (!view.settings.revealed.brain) return true;
     return is_brain_secret(view, kind) || (hides_outcome(view) && view.lesson->exercise->prediction.hides_brain);
 }
 
 // hides_brain() of every kind of the scene.
 inline std::vector<bool> hidden_brains(const LabView& view) {
     std::vector<bool> hidden;
-    const bool may_hide = view.lesson || view.pages;
+    const bool may_hide = view.lesson || view.lecture;
     for (std::size_t kind = 0; may_hide && kind < view.now->scene->kinds.size(); ++kind)
         hidden.push_back(hides_brain(view, static_cast<int>(kind)));
     return hidden;
+}
+
+// True if the name of this vehicle's character may not be shown now.
+inline bool hides_character(const LabView& view, const VehicleView& vehicle) {
+    return !view.settings.revealed.character || hides_outcome(view) || is_brain_secret(view, vehicle.kind);
+}
+
+// The vehicle whose eyes, wires and wheels a lecture shows large below the scene; null in scenes of predators and prey,
+// where the counts of both take this place.
+inline const VehicleView* vehicle_of_live_picture(const LabView& view) {
+    if (!view.lecture || view.now->predators + view.now->prey > 0) return nullptr;
+    return find_vehicle(*view.now, view.settings.selection.vehicle);
 }
 
 // The pair of sensors whose wires the sliders set.

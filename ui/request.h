@@ -38,6 +38,7 @@ enum class Action {
     surfaces,
     memory,  // positions that vehicles remember
     labels,
+    last_run,    // the run before the reset, beside the present one
     next_field,  // cycles through the fields that can be shown as contours, and none
     view,        // opens the View menu
     wiring,
@@ -49,12 +50,14 @@ enum class Action {
     slower,
     faster,
     drive,   // starts or ends driving by the user
+    why,     // shows or hides the cause of the selected vehicle's turn
     lesion,  // silences, cuts, stops or heals the part under the pointer
     next_vehicle,
     previous_vehicle,
     next_object,  // the next lamp, obstacle or zone
     previous_object,
     home,
+    slow_orbit,  // turns the camera slowly about the framed part of the floor, or stops it
     birds_eye,
     drivers_eye,
     cancel,
@@ -77,7 +80,10 @@ enum class Action {
     first_page,  // of the lecture that is open or was left
     next_page,   // of a lecture: shows the next part of the page, or goes to the next page
     previous_page,
-    notes,  // shows or hides the lecturer's notes
+    notes,           // shows or hides the lecturer's notes
+    hide_title,      // in a lecture, hides or reveals the title of the scene,
+    hide_character,  // the recognised character,
+    hide_brain,      // the wires of the brain
 
     // Handled by panels, widgets, canvas and scene input. Of these, the app gets copy, cut and select_all in the scene.
     new_scene,  // opens the shipped empty scene
@@ -261,6 +267,7 @@ enum class Leave { save, discard, stay, saved };  // saved: already saved under 
 struct LeaveRequest {                             // the answer to FilesView::leaving
     Leave answer = Leave::stay;
 };
+struct BeginRequest {};  // leaves the title page
 struct RecoverRequest {
     bool take = true;  // recover the unsaved work; false: discard it
 };
@@ -293,7 +300,7 @@ using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, Se
                              OverlaysRequest, SeekRequest, BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest,
                              LeaveRequest, SeedRequest, NoticeRequest, SaveExerciseRequest, PredictPathRequest,
                              CompareRequest, ChooseChildRequest, EarlierGenerationRequest, KeptRequest, TogetherRequest,
-                             NotesRequest, StudentRequest, HandsRequest, HandInRequest, LabRecordRequest>;
+                             NotesRequest, StudentRequest, HandsRequest, HandInRequest, LabRecordRequest, BeginRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

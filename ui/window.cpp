@@ -95,7 +95,7 @@ void draw_watched(const LabView& view, PanelState& state, Ui& ui, const WindowLa
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const Rect &b = layout.border, &c = layout.canvas;
     const bool is_below = b.w > b.h;
-    draw.AddRectFilled({b.x, b.y}, {c.x + c.w, c.y + c.h}, paint(ui.palette.ground));
+    draw.AddRectFilled({b.x, b.y}, {c.x + c.w, c.y + c.h}, paint(ui.palette.ground), ui.px(6));
     ImGui::SetNextWindowPos({b.x, b.y});
     ImGui::SetNextWindowSize({b.w, b.h});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -142,6 +142,12 @@ void draw_page(const LabView& view, PanelState& state, Ui& ui, const WindowLayou
     if (layout.notes.h > 0) lecture_notes(view, state, ui, layout.notes);
 }
 
+void draw_title_page(const LabView& view, PanelState& state, Ui& ui, Rect window) {
+    begin_keyboard(state.keyboard);
+    title_page(view, ui, window);
+    end_keyboard(state.keyboard);
+}
+
 }  // namespace
 
 OpenCards open_cards(const LabView& view, const PanelState& state) {
@@ -156,6 +162,7 @@ OpenCards open_cards(const LabView& view, const PanelState& state) {
 void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLayout& layout) {
     ui.keyboard = &state.keyboard;
     ui.still = view.reduce_motion;
+    if (view.title_page) return draw_title_page(view, state, ui, layout.window);
     ui.decimal_mark = decimal_mark(ui.strings);
     ui.tooltips = &state.tooltips;
     ui.quiet = view.lecture;
@@ -179,6 +186,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     const OpenMenus open_menus{!menus.open.empty(), state.presets_open, state.scene_input.menu.open};
     state.scene_input.below_menu = open_menus.bar && !menus.panel.contains(mouse.x, mouse.y);
     state.lesion_under_pointer.clear();
+    state.what_if.clear();
     record(state.history, view);
     follow_lecture(view, state);
     ui.anchors.record("viewport", layout.scene);
@@ -190,6 +198,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     } else {
         scene_input(view, state.scene_input, ui, layout.scene);
     }
+    why_callout(view, ui, layout.scene);
     point_to_lamp(view, ui);
     if (view.mode == Mode::wiring)
         draw_canvas(view, state, ui, layout);

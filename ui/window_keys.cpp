@@ -69,6 +69,10 @@ bool works_under_a_sheet(KeyPress press) {
                       *action == Action::smaller || *action == Action::keys);
 }
 
+bool hides_a_part(Action action) {
+    return action == Action::hide_title || action == Action::hide_character || action == Action::hide_brain;
+}
+
 // Keys of a lecture; those of pages and notes while a lecture file is open. They precede all others but those of sheets
 // and text fields.
 bool key_for_lecture(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
@@ -80,7 +84,7 @@ bool key_for_lecture(const LabView& view, PanelState& state, KeyPress press, Out
         state.blank = true;
     else if (*action == Action::clear_marks)
         state.marks.lines.clear();
-    else if (view.pages)
+    else if (view.pages || hides_a_part(*action))
         outbox.push_back(*action);
     else
         return false;
@@ -90,8 +94,17 @@ bool key_for_lecture(const LabView& view, PanelState& state, KeyPress press, Out
 // Keys that give the lecture and tell nothing about the lab: they are not shown to the audience.
 bool is_key_of_pages(const LabView& view, KeyPress press) {
     const auto action = action_for(press);
-    return action == Action::lecture || action == Action::first_page ||
-           (view.pages && action_for(press, KeyPlace::lecture).has_value());
+    const auto in_lecture = action_for(press, KeyPlace::lecture);
+    return action == Action::lecture || action == Action::first_page || (in_lecture && hides_a_part(*in_lecture)) ||
+           (view.pages && in_lecture.has_value());
+}
+
+// On the title page Enter, Space and Esc begin; keys of the window work, those of the lab do nothing.
+bool key_for_title_page(KeyPress press, Outbox& outbox) {
+    if (press.key == key::enter || press.key == ' ' || press.key == key::escape) outbox.push_back(BeginRequest{});
+    const auto action = action_for(press);
+    if (action == Action::exit || action == Action::full_screen || action == Action::theme) outbox.push_back(*action);
+    return true;
 }
 
 // Scrolls the body of a sheet. Up and Down scroll those that only have words to read.
@@ -117,6 +130,7 @@ bool scrolls_sheet(PanelState& state, KeyPress press) {
 // nothing.
 bool key_for_sheet(PanelState& state, KeyPress press) {
     if (scrolls_sheet(state, press)) return true;
+    if (state.sheet == Sheet::files && search_by_typing(state.files, press)) return true;
     if (press.key == key::escape) state.sheet = Sheet::none;
     const bool in_gallery = state.sheet == Sheet::files && state.keyboard.focus.starts_with("gallery.");
     if (in_gallery && press.key >= key::right && press.key <= key::up)
@@ -254,6 +268,7 @@ void execute_chosen(const LabView& view, PanelState& state, Outbox& outbox) {
 }
 
 bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& outbox) {
+    if (view.title_page) return key_for_title_page(press, outbox);
     const bool is_modifier = press.key >= key::first_modifier && press.key <= key::last_modifier;
     if (state.blank && !is_modifier) {
         state.blank = false;

@@ -1,6 +1,7 @@
 #include "ui/window_layout.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ui/widgets/menu_bar.h"
 
@@ -10,8 +11,8 @@ namespace {
 
 // Layout pixels.
 constexpr float toolbar_height = 42, hint_height = 32, timeline_height = 50, above_timeline = 8;
-constexpr float lecture_bar_height = 56, figures_height = 92, lecture_inset_aspect = 1.6f;
-constexpr float caption_height = 74, question_share = 0.45f;       // of the width
+constexpr float lecture_bar_height = 56, figures_height = 92, live_height = 136, lecture_inset_aspect = 1.6f;
+constexpr float caption_height = 84, question_share = 0.45f;       // of the width
 constexpr float lecture_canvas_share = 0.52f;                      // at least: its weights are legible
 constexpr float largest_notes = 0.36f;                             // of the height
 constexpr float column_share = 0.375f, lone_column_share = 0.45f;  // at most, of the width with a margin
@@ -44,7 +45,7 @@ void split_for_canvas(WindowLayout& l, const LabView& view, float border, bool c
     const float wide = view.lecture ? 1.5f : 1.9f;  // width by height
     const float least = view.lecture ? lecture_canvas_share : least_canvas_share;
     const float share = std::clamp(view.settings.canvas_share, least, largest_canvas_share);
-    if (view.lecture && card_is_open) l.scene.w -= l.right.w + border;
+    if (view.lecture && card_is_open && !view.pages) l.scene.w -= l.right.w + border;
     if (l.scene.w > wide * l.scene.h) {
         const float canvas = (l.scene.w - border) * share;
         l.scene.w -= canvas + border;
@@ -110,6 +111,13 @@ void lay_out_page(WindowLayout& l, const LabView& view, OpenCards open, float ma
 
 }  // namespace
 
+float fitting_scale(float scale, Rect window, bool lecture) {
+    constexpr float steps = 8;
+    const float least_width = lecture ? 730.0f : 940.0f, least_height = lecture ? 540.0f : 570.0f;  // layout pixels
+    const float most = std::min(window.w / least_width, window.h / least_height);
+    return scale <= most ? scale : std::max(1.0f, std::floor(most * steps) / steps);
+}
+
 WindowLayout lay_out(float width, float height, float scale, const LabView& view, OpenCards open) {
     WindowLayout l;
     l.scale = scale;
@@ -122,7 +130,10 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     if (view.lecture) {
         l.menu_bar = {};
         l.toolbar = {0, 0, width, lecture_bar_height * scale};
-        l.hint_bar = {0, height - figures_height * scale, width, figures_height * scale};
+        // The diagram beside the scene needs the height; it shows the wires larger.
+        const bool is_large = vehicle_of_live_picture(view) && !view.settings.watching;
+        const float figures = (is_large ? live_height : figures_height) * scale;
+        l.hint_bar = {0, height - figures, width, figures};
     }
     const float margin = c.margin * scale;
     const float top = l.toolbar.y + l.toolbar.h + margin, bottom = l.hint_bar.y - margin;
@@ -163,7 +174,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     } else if (!view.lecture) {
         l.timeline = take_timeline(l.scene, scale);
     }
-    if (watches) split_for_canvas(l, view, margin, open.right && !view.pages);
+    if (watches) split_for_canvas(l, view, margin, open.right);
     if (l.tools.w <= 0) l.tools = l.scene;
     return l;
 }

@@ -27,7 +27,11 @@ struct OpenCards {
     float notes = 0;      // wanted height of the lecturer's notes, window pixels; 0: they are not shown
 };
 
-// `scale`: window pixels per layout pixel, at least 1. The layout fits windows of at least 1024 × 768 layout pixels. In
+// The scale, window pixels per layout pixel, reduced until bars and cards fit into the window. In steps of an eighth,
+// because each change loads the fonts again. A lecture has few cards, so it fits into fewer layout pixels.
+float fitting_scale(float scale, Rect window, bool lecture);
+
+// `scale`: window pixels per layout pixel. The layout fits windows of at least 1024 × 768 layout pixels. In
 // smaller windows the scene is narrower, but at least a quarter of the width.
 WindowLayout lay_out(float window_width, float window_height, float scale, const LabView&, OpenCards = {});
 

@@ -44,6 +44,15 @@ void show_part(Lab& lab, PagePart part, bool shown) {
         case PagePart::wiring:
             lab.view.watching = shown;
             break;
+        case PagePart::title:
+            lab.view.revealed.title = shown;
+            break;
+        case PagePart::character:
+            lab.view.revealed.character = shown;
+            break;
+        case PagePart::brain:
+            lab.view.revealed.brain = shown;
+            break;
         case PagePart::field: {
             const auto channels = channels_with_intensity(lab.document.session.snapshot());
             lab.view.overlays.field = shown && !channels.empty() ? std::optional(channels.front()) : std::nullopt;
@@ -160,6 +169,8 @@ void next_page(Lab& lab) {
         if (plays && lab.playback.mode != Mode::playing) set_mode(lab, Mode::playing);
     } else if (lab.pages->page + 1 < static_cast<int>(lab.pages->lecture->pages.size())) {
         show_page(lab, lab.pages->page + 1);
+    } else {
+        say(lab, {NoticeKind::notice, "notice.lecture_end"});
     }
 }
 

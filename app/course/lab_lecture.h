@@ -6,7 +6,7 @@
 
 namespace braitenlab {
 
-inline constexpr float lecture_type = 1.6f;  // times the type size outside a lecture
+inline constexpr float lecture_type = 1.4f;  // times the type size outside a lecture
 
 // How much larger the type of a lecture is in this window than in one of 1280 x 800: in a large window a lecture looks
 // as in a small one. At least 1. `display_scale`: window pixels per layout pixel at type size 1.

@@ -206,7 +206,9 @@ void renumber_selection(Selection& selection, const std::map<VehicleId, VehicleI
 void reset(Lab& lab) { reset(lab, lab.document.session.seed()); }
 
 void reset(Lab& lab, std::uint64_t seed) {
+    record_paths(lab);
     const auto new_ids = lab.document.session.restart(seed, lab.document.lesson ? Keep::submission : Keep::edits);
+    keep_run(lab, new_ids);
     renumber_selection(lab.view.selection, new_ids);
     lab.steered = {};  // a new run has no steering command
     if (lab.document.lesson) lab.document.lesson->states.clear();

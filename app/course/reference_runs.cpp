@@ -100,21 +100,23 @@ void update_reference_runs(Lab& lab, Jobs& jobs) {
     lesson.runs.solution.follow(jobs, lesson.exercise, with_solution(*lesson.exercise), 0, session.seed(), ticks);
 }
 
+std::optional<GhostView> ghost_at(const Lab& lab, const ReferencePath& path, const Body& body) {
+    const auto tick = static_cast<std::size_t>(lab.document.session.snapshot().tick);
+    if (tick >= path.size()) return std::nullopt;
+    const Pose now = path[tick];
+    // As the vehicles are drawn; a vehicle that crosses the seam of a torus is not drawn between two ticks.
+    const Pose before = tick > 0 && !lab.playback.previous.empty() ? path[tick - 1] : now;
+    const bool jumps = std::hypot(now.x - before.x, now.y - before.y) > 1;
+    return GhostView{jumps ? now : between(before, now, between_ticks(lab)), body.length, body.width, &path, tick + 1};
+}
+
 std::optional<GhostView> ghost_of(const Lab& lab) {
     if (!lab.document.lesson) return std::nullopt;
     const Lesson& lesson = *lab.document.lesson;
     const Session& session = lab.document.session;
-    const auto tick = static_cast<std::size_t>(session.snapshot().tick);
     const BackgroundPath& run = lesson.runs.solution;
     if (!lesson.view.compares || lesson.view.by_hand || run.seed() != session.seed()) return std::nullopt;
-    if (tick >= run.path().size()) return std::nullopt;
-    const Pose now = run.path()[tick];
-    // As the vehicles are drawn; a vehicle that crosses the seam of a torus is not drawn between two ticks.
-    const Pose before = tick > 0 && !lab.playback.previous.empty() ? run.path()[tick - 1] : now;
-    const bool jumps = std::hypot(now.x - before.x, now.y - before.y) > 1;
-    const Body& body = lesson.exercise->solution.submission.body;
-    return GhostView{jumps ? now : between(before, now, between_ticks(lab)), body.length, body.width, &run.path(),
-                     tick + 1};
+    return ghost_at(lab, run.path(), lesson.exercise->solution.submission.body);
 }
 
 }  // namespace braitenlab

@@ -48,4 +48,8 @@ void update_reference_runs(Lab&, Jobs&);
 // it has left the scene, and while the student's run does not count, because its start or scene was changed by hand.
 std::optional<GhostView> ghost_of(const Lab&);
 
+// The vehicle of another run with this path and body at the displayed time; nullopt once the path has ended. It points
+// to the path.
+std::optional<GhostView> ghost_at(const Lab&, const ReferencePath&, const Body&);
+
 }  // namespace braitenlab

@@ -10,6 +10,7 @@
 
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
+#include "app/platform/platform.h"
 #include "core/io/vehicle_table.h"
 #include "core/scene/nearest.h"
 
@@ -120,10 +121,18 @@ int command_line(int argc, char** argv) {
         app.add_subcommand("show", "print what a file contains and how the recogniser names its brains");
     show_command->add_option("FILE", shown, "a scene, an exercise, a brain or a saved run")->required();
 
+    HashOptions hashed;
+    CLI::App* hashes_command =
+        app.add_subcommand("hashes", "print the hash of every shipped scene and exercise after a run, as JSON");
+    hashes_command->add_option("--seconds", hashed.seconds, "simulated time of each run; default: 60")
+        ->check(CLI::Range(0.0, 1e6));
+    hashes_command->add_option("--compare", hashed.compared, "print what differs from this file instead")
+        ->type_name("FILE");
+
     std::vector<std::string_view> commands;
-    for (const CLI::App* command : {run_command, check_command, grade_command, show_command})
+    for (const CLI::App* command : {run_command, check_command, grade_command, show_command, hashes_command})
         commands.push_back(command->get_name());
-    if (argc > 1 && argv[1][0] != '-' && std::ranges::find(commands, argv[1]) == commands.end())
+    if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
         return complain({in_quotes(argv[1]) + " is not a command" + name_nearest(argv[1], commands)});
     try {
         app.parse(argc, argv);
@@ -134,6 +143,7 @@ int command_line(int argc, char** argv) {
     if (*grade_command && (!graded.html.empty() || is_class(graded.files))) return grade_class(graded);
     if (*grade_command) return grade_all(graded);
     if (*show_command) return show(shown);
+    if (*hashes_command) return print_hashes(hashed);
     if (all) return check_all(checked.seed, checked.json);
     if (checked.exercise.empty()) return complain({"check needs an EXERCISE or --all"});
     return check(checked);
@@ -143,4 +153,7 @@ int command_line(int argc, char** argv) {
 
 }  // namespace braitenlab
 
-int main(int argc, char** argv) { return braitenlab::command_line(argc, argv); }
+int main(int argc, char** argv) {
+    braitenlab::use_utf8(argc, argv);
+    return braitenlab::command_line(argc, argv);
+}

@@ -13,6 +13,7 @@
 #include "app/files/data.h"
 #include "core/lesson/warnings.h"
 #include "core/scene/file_kind.h"
+#include "core/scene/folder_entries.h"
 
 namespace braitenlab {
 
@@ -101,10 +102,10 @@ std::vector<Error> all_warnings(const ReadExercise& read) {
     std::vector<Error> found = warnings_of(*read.exercise, read.toml, read.path);
     const auto shipped = shipped_exercises();
     if (std::find(shipped.begin(), shipped.end(), read.path) == shipped.end()) return found;
-    std::error_code none;
-    for (const auto& words : std::filesystem::directory_iterator(read.path.parent_path().parent_path() / "words", none))
+    for_each_entry(read.path.parent_path().parent_path() / "words", [&](const std::filesystem::directory_entry& words) {
         for (Error& each : missing_translations(*read.exercise, read.toml, read.path, words.path()))
             found.push_back(std::move(each));
+    });
     return found;
 }
 

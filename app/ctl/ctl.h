@@ -73,6 +73,14 @@ bool is_class(const std::vector<std::string>& files);
 // Grades a class, one row a file, as docs/grading.md says. A file that cannot be graded is a row with its error.
 int grade_class(const ClassOptions&);
 
+struct HashOptions {
+    double seconds = 60;   // simulated time of each run
+    std::string compared;  // a file that this command printed; empty: none
+};
+// Prints the hashes of the shipped scenes and exercises as JSON. With a file to compare: the differences; failed if
+// there are any.
+int print_hashes(const HashOptions&);
+
 // Prints the content of a scene, an exercise, a saved run or a brain, and the recognised characters of its brains.
 int show(const std::string& file);
 

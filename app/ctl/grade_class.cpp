@@ -10,6 +10,7 @@
 #include "app/reports/class_report.h"
 #include "core/lesson/submission.h"
 #include "core/scene/file_kind.h"
+#include "core/scene/folder_entries.h"
 
 namespace braitenlab {
 
@@ -33,8 +34,9 @@ std::vector<fs::path> files_of(const std::vector<std::string>& arguments) {
             continue;
         }
         std::vector<fs::path> inside;
-        for (const auto& entry : fs::directory_iterator(argument, none))
+        for_each_entry(argument, [&](const fs::directory_entry& entry) {
             if (entry.is_regular_file(none) && is_to_be_graded(entry.path())) inside.push_back(entry.path());
+        });
         std::sort(inside.begin(), inside.end());
         files.insert(files.end(), inside.begin(), inside.end());
     }

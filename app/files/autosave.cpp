@@ -13,10 +13,10 @@
 
 #include "app/course/lab_lesson.h"
 #include "app/files/file_commands.h"
-#include "app/files/folder_entries.h"
 #include "app/files/safe_file.h"
 #include "core/io/run_file.h"
 #include "core/messages.h"
+#include "core/scene/folder_entries.h"
 
 namespace braitenlab {
 

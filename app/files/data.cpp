@@ -4,12 +4,12 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "app/files/folder_entries.h"
 #include "app/files/paths.h"
 #include "app/platform/platform.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/lecture.h"
 #include "core/messages.h"
+#include "core/scene/folder_entries.h"
 #include "core/scene/nearest.h"
 #include "core/scene/scene_file.h"
 #include "ui/lab_view.h"
@@ -29,7 +29,8 @@ std::vector<fs::path> candidate_folders() {
     std::vector<fs::path> folders;
     if (const char* own = std::getenv("BRAITENLAB_DATA")) return {fs::path(own)};
     if (const fs::path program = program_file(); !program.empty())
-        folders.push_back(program.parent_path().parent_path() / "share" / "braitenlab");
+        for (const fs::path& beside : {program.parent_path().parent_path(), program.parent_path()})
+            folders.push_back(beside / "share" / "braitenlab");
     std::istringstream list{data_folders};
     for (std::string folder; std::getline(list, folder, ';');) folders.emplace_back(folder);
     return folders;

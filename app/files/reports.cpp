@@ -52,7 +52,8 @@ StartResult last_run(const Lab& lab) {
             if (vehicle.start == 0) run.path.push_back({vehicle.x, vehicle.y});
     };
     session.replay(session.earliest(), {add, [](const Snapshot&, const Command&) {}});
-    run.passed = !run.verdicts.empty() && std::ranges::all_of(run.verdicts, &Verdict::done);
+    run.passed = !run.verdicts.empty() &&
+                 std::all_of(run.verdicts.begin(), run.verdicts.end(), [](const Verdict& v) { return v.done; });
     return run;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -16,12 +17,18 @@ namespace {
 
 Error not_saved(const fs::path& path, int reason) {
     const std::string cause = std::strerror(reason);
-    if (reason == ENOSPC || reason == EDQUOT || reason == EFBIG)
-        return error_of(message_of("disk_full", cause), path.string());
+    bool is_full = reason == ENOSPC || reason == EFBIG;
+#ifdef EDQUOT  // not on every system
+    is_full = is_full || reason == EDQUOT;
+#endif
+    if (is_full) return error_of(message_of("disk_full", cause), path.string());
     if (reason == EACCES || reason == EPERM || reason == EROFS)
         return error_of(message_of("no_permission", cause), path.string());
     return error_of(message_of("not_saved", cause), path.string());
 }
+
+// The number of the C library for an error of the file system, which may have the system's own number.
+int errno_of(const std::error_code& problem) { return problem.default_error_condition().value(); }
 
 // The target of a link, so that the link itself is not replaced.
 fs::path behind_links(const fs::path& path) {
@@ -83,7 +90,7 @@ std::optional<Error> FileWriter::commit() {
     }
     if (!written || !closed || problem) {
         fs::remove(beside_, none);
-        const int code = problem ? problem.value() : reason;
+        const int code = problem ? errno_of(problem) : reason;
         return not_saved(wanted_, code ? code : EIO);
     }
     if (flush_) flush_folder_to_disk(path_.parent_path());
@@ -94,7 +101,7 @@ std::optional<Error> write_whole(const fs::path& path, std::string_view text) {
     const fs::path folder = behind_links(path).parent_path();
     std::error_code problem;
     if (!folder.empty()) fs::create_directories(folder, problem);
-    if (problem) return not_saved(path, problem.value());
+    if (problem) return not_saved(path, errno_of(problem));
     FileWriter writer(path);
     writer.write(text);
     return writer.commit();

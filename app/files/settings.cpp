@@ -101,6 +101,7 @@ void visit_flags(View& view, const Visit& visit) {
     visit("zones", view.settings.overlays.surfaces);
     visit("places", view.settings.overlays.memory);
     visit("labels", view.settings.overlays.labels);
+    visit("last_run", view.settings.overlays.last_run);
     visit("sensors", view.settings.sensors);
     visit("outlines", view.settings.outlines);
     visit("diagram", view.settings.watching);
@@ -115,6 +116,9 @@ void read_view(SettingsReader& reader, StoredView& view) {
     visit_flags(view, [&](const char* key, bool& value) { reader.read(key, value, "true_or_false"); });
     reader.read("diagram_share", view.settings.canvas_share, "a_number");
     reader.read("speed", view.time_scale, "a_number");
+    int& prediction = view.settings.overlays.prediction;
+    reader.read("prediction", prediction, "a_whole_number");
+    prediction = std::clamp(prediction, 0, longest_prediction);
     std::string camera(camera_mode_words[static_cast<std::size_t>(view.settings.camera.mode)]);
     reader.read("camera", camera, "text_in_quotes");
     for (std::size_t i = 0; i < camera_mode_words.size(); ++i)
@@ -174,7 +178,8 @@ std::string write_state(const StoredState& r) {
                       {"recent", recent},
                       {"camera", camera_mode_words[static_cast<std::size_t>(r.view.settings.camera.mode)]},
                       {"diagram_share", r.view.settings.canvas_share},
-                      {"speed", r.view.time_scale}};
+                      {"speed", r.view.time_scale},
+                      {"prediction", r.view.settings.overlays.prediction}};
     visit_flags(r.view, [&](const char* key, bool value) { table.insert(key, value); });
     if (!r.student.empty()) table.insert("student", r.student);
     if (r.place) table.insert("x", r.place->x), table.insert("y", r.place->y);

@@ -8,10 +8,10 @@
 #include <thread>
 #include <utility>
 
-#include "app/files/folder_entries.h"
 #include "app/files/safe_file.h"
 #include "core/lesson/hand_in.h"
 #include "core/messages.h"
+#include "core/scene/folder_entries.h"
 
 namespace braitenlab {
 

@@ -1,5 +1,5 @@
 // Functions of the operating system. Each system has one source file for this header; no other file of the program
-// calls the system.
+// calls the system. A narrow string of a path is UTF-8 on every system.
 #pragma once
 
 #include <cstdio>
@@ -10,6 +10,10 @@
 
 namespace braitenlab {
 
+// Replaces the arguments of main by their UTF-8 texts, and lets standard output take UTF-8 and bytes as they are. Call
+// it once, first. The pointers are valid until the program ends.
+void use_utf8(int& count, char**& arguments);
+
 // The path of the running program; empty if the system does not provide it.
 std::filesystem::path program_file();
 
@@ -18,6 +22,7 @@ struct UserFolders {
     std::filesystem::path home;
     std::filesystem::path config;    // for settings: $XDG_CONFIG_HOME/braitenlab or its default
     std::filesystem::path state;     // for what the program stores by itself: $XDG_STATE_HOME/braitenlab or its default
+    std::filesystem::path cache;     // for what can be made again: $XDG_CACHE_HOME/braitenlab or its default
     std::filesystem::path pictures;  // as the desktop configures it, else Pictures in the home folder
     std::filesystem::path documents;  // as the desktop configures it, else Documents in the home folder
 };

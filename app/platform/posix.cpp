@@ -11,6 +11,8 @@
 
 namespace braitenlab {
 
+void use_utf8(int&, char**&) {}  // the terminal's encoding
+
 std::filesystem::path program_file() {
     std::error_code none;
     return std::filesystem::read_symlink("/proc/self/exe", none);
@@ -52,6 +54,7 @@ UserFolders user_folders() {
     const bool has_home = !folders.home.empty();
     folders.config = own_folder("XDG_CONFIG_HOME", has_home ? folders.home / ".config" : folders.home);
     folders.state = own_folder("XDG_STATE_HOME", has_home ? folders.home / ".local/state" : folders.home);
+    folders.cache = own_folder("XDG_CACHE_HOME", has_home ? folders.home / ".cache" : folders.home);
     folders.pictures = desktop_folder(folders.home, "PICTURES", "Pictures");
     folders.documents = desktop_folder(folders.home, "DOCUMENTS", "Documents");
     return folders;

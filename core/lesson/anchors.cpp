@@ -11,8 +11,8 @@ namespace {
 constexpr std::string_view fixed_anchors[]{
     // the brain's sliders
     "slider.LL", "slider.LR", "slider.RL", "slider.RR", "threshold.LL", "threshold.LR", "threshold.RL", "threshold.RR",
-    "bias.LM", "bias.RM", "button.mirror", "button.cross", "button.presets", "button.drive", "curve.peak",
-    "curve.width",
+    "bias.LM", "bias.RM", "button.mirror", "button.cross", "button.thresholds", "button.presets", "button.drive",
+    "button.why", "curve.peak", "curve.width",
     // its picture, with what a lesion can be set to
     "brain.character", "brain.picture", "equations", "lesion.SL", "lesion.SR", "lesion.ML", "lesion.MR", "lesion.LL",
     "lesion.LR", "lesion.RL", "lesion.RR",

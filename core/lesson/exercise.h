@@ -61,6 +61,7 @@ struct SelectionRules {
     int children = 9;      // of each brain, 2..9
     int generations = 12;  // most choices
     Mutation mutation;     // how the children differ from their parent
+    float first = 0;       // strength of the errors of the shipped brain's children, 0..2; 0: that of the others
 };
 
 // A comparison of medians over the starts: what a step measures in the student's runs, and in runs of the shipped brain

@@ -74,6 +74,8 @@ void describe(Visitor& v, Of<SelectionRules>) {
     v.number("children", &SelectionRules::children, "", {2, 9}, "number of copies from which the student chooses");
     v.number("generations", &SelectionRules::generations, "", {1, 99}, "most choices");
     v.part(&SelectionRules::mutation);
+    v.number("first_strength", &SelectionRules::first, "", {0, 2},
+             "strength for the children of the shipped brain, so that the first ones differ visibly; 0: as the others");
 }
 
 template <class Visitor>

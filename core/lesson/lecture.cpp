@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/messages.h"
+#include "core/scene/folder_entries.h"
 #include "core/scene/format_table.h"
 #include "core/scene/nearest.h"
 #include "core/scene/toml_reader.h"
@@ -77,9 +78,9 @@ bool is_file(const fs::path& path) {
 
 std::vector<std::string> names_in(const fs::path& folder) {
     std::vector<std::string> names;
-    std::error_code problem;
-    for (fs::directory_iterator entries(folder, problem), end; !problem && entries != end; entries.increment(problem))
-        if (entries->path().extension() == ".toml") names.push_back(entries->path().stem().string());
+    for_each_entry(folder, [&names](const fs::directory_entry& entry) {
+        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    });
     std::sort(names.begin(), names.end());
     return names;
 }

@@ -31,7 +31,9 @@ enum class PagePart {
     sliders,
     wiring,
     exercise,
-    play
+    play,
+    title,
+    character
 };
 
 struct PagePartTraits {
@@ -44,7 +46,7 @@ inline constexpr auto page_part_table = std::to_array<PagePartTraits>({
     {PagePart::caption, "caption", true, "the caption"},
     {PagePart::question, "question", true, "the question with its options"},
     {PagePart::answer, "answer", false, "the right option and the reason"},
-    {PagePart::values, "values", false, "the large values below the scene: character, speed, wheels"},
+    {PagePart::values, "values", false, "the large picture below the scene: character, speed, eyes, wires, wheels"},
     {PagePart::brain, "brain", true, "the wires on the deck, and the brain in its cards"},
     {PagePart::trails, "trails", true, "the paths of the vehicles"},
     {PagePart::sensors, "sensors", true, "the fields of the sensors"},
@@ -54,6 +56,8 @@ inline constexpr auto page_part_table = std::to_array<PagePartTraits>({
     {PagePart::wiring, "wiring", false, "the wiring diagram beside the scene"},
     {PagePart::exercise, "exercise", false, "the card of the exercise"},
     {PagePart::play, "play", false, "starts the run; it has no effect while the run plays"},
+    {PagePart::title, "title", true, "the title of the lecture in the bar"},
+    {PagePart::character, "character", true, "the recognised character below the scene and on the brain's card"},
 });
 constexpr const auto& table_of(PagePart) { return page_part_table; }
 static_assert(is_complete_table<page_part_table>());

@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/maths/geometry.h"
+
 namespace braitenlab {
 
 namespace {
 
 using maths::vec2;
 
-constexpr std::size_t most_points = 1000;  // of a compared path
-constexpr float finest_step = 0.02f;       // m
+constexpr float finest_step = 0.02f;  // m
 
 // Points in equal steps along the path, from its first point on.
-std::vector<vec2> in_equal_steps(std::span<const vec2> path) {
+std::vector<vec2> in_equal_steps(std::span<const vec2> path, std::size_t most_points) {
     std::vector<vec2> points{path.front()};
     const float step = std::max(finest_step, path_length(path) / static_cast<float>(most_points));
     float missing = step;  // m along the path to the next point
@@ -29,11 +30,15 @@ std::vector<vec2> in_equal_steps(std::span<const vec2> path) {
     return points;
 }
 
+// Mean distance of the points to the nearest point of the line through the others.
 float mean_distance_to(const std::vector<vec2>& others, const std::vector<vec2>& points) {
     double sum = 0;
     for (const vec2 point : points) {
         float nearest = std::numeric_limits<float>::max();
-        for (const vec2 other : others) nearest = std::min(nearest, maths::distance(point, other));
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            const vec2 next = others[std::min(i + 1, others.size() - 1)];
+            nearest = std::min(nearest, maths::distance(point, maths::nearest_on_segment(point, others[i], next)));
+        }
         sum += static_cast<double>(nearest);
     }
     return static_cast<float>(sum / static_cast<double>(points.size()));
@@ -63,15 +68,16 @@ float mean_cosine(const std::vector<vec2>& others, const std::vector<vec2>& poin
 
 bool runs_against(std::span<const vec2> a, std::span<const vec2> b) {
     constexpr float against = -0.5f;
+    constexpr std::size_t compared_points = 1000;
     if (a.empty() || b.empty()) return false;
-    const std::vector<vec2> one = in_equal_steps(a), other = in_equal_steps(b);
+    const std::vector<vec2> one = in_equal_steps(a, compared_points), other = in_equal_steps(b, compared_points);
     if (one.size() < 2 || other.size() < 2) return false;
     return (mean_cosine(one, other) + mean_cosine(other, one)) / 2 < against;
 }
 
-float path_distance(std::span<const vec2> a, std::span<const vec2> b) {
+float path_distance(std::span<const vec2> a, std::span<const vec2> b, std::size_t most_points) {
     if (a.empty() || b.empty()) return 0;
-    const std::vector<vec2> one = in_equal_steps(a), other = in_equal_steps(b);
+    const std::vector<vec2> one = in_equal_steps(a, most_points), other = in_equal_steps(b, most_points);
     return (mean_distance_to(one, other) + mean_distance_to(other, one)) / 2;
 }
 

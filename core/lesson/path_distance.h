@@ -10,9 +10,10 @@
 namespace braitenlab {
 
 // Mean distance in m: of the points of each path, in equal steps along it, to the nearest point of the other, and then
-// of both means. 0 for equal paths, also if one of them goes round twice. A path of one point is a place. 0 if a path
-// is empty. The lengths are limited by the number of steps: a long path is compared in larger steps.
-float path_distance(std::span<const maths::vec2> a, std::span<const maths::vec2> b);
+// of both means (the modified Hausdorff distance of Dubuisson and Jain, 1994, with the mean of both directions). 0 for
+// equal paths, also if one of them goes round twice. A path of one point is a place. 0 if a path is empty. A path is
+// compared at `most_points` points at most: a long path in larger steps. The time is proportional to its square.
+float path_distance(std::span<const maths::vec2> a, std::span<const maths::vec2> b, std::size_t most_points = 1000);
 
 // True if the paths run the opposite way where they are close to each other: in the mean over both, the direction of a
 // path is against that of the other one at the nearest point. False if a path has no direction.

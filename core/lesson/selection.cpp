@@ -13,10 +13,13 @@ bool offers_selection(const Exercise& exercise) {
 }
 
 std::vector<BrainGraph> children_of(const Exercise& exercise, const Parent& parent) {
+    Mutation mutation = exercise.selection.mutation;
+    if (exercise.selection.first > 0 && same_wiring(parent.brain, as_shipped(exercise).brain))
+        mutation.strength = exercise.selection.first;
     std::vector<BrainGraph> children;
     for (int i = 0; i < exercise.selection.children; ++i) {
         maths::Random chance(parent.seed, static_cast<std::uint64_t>(i));
-        children.push_back(mutated(parent.brain, exercise.selection.mutation, chance));
+        children.push_back(mutated(parent.brain, mutation, chance));
     }
     return children;
 }

@@ -20,7 +20,8 @@ struct Parent {
     friend bool operator==(const Parent&, const Parent&) = default;
 };
 
-// The brains of the parent's children, SelectionRules::children of them.
+// The brains of the parent's children, SelectionRules::children of them. Those of the shipped brain have errors of
+// SelectionRules::first.
 std::vector<BrainGraph> children_of(const Exercise&, const Parent&);
 
 // The child as a parent. Children of one parent have different seeds, and so do a parent and its child, so that no

@@ -137,10 +137,15 @@ bool World::trace(VehicleId id, VehicleTrace& out) const { return world::trace(*
 
 Pose World::nearest_free_pose(int kind, const Pose& pose) const { return world::nearest_free_pose(*data_, kind, pose); }
 
-World World::fork() const {
-    World copy(std::make_unique<WorldData>(State(*data_)));
+World World::fork() const { return fork(data_->seed); }
+
+World World::fork(std::uint64_t seed) const {
+    State now(*data_);
+    now.seed = seed;
+    auto start = std::make_shared<const State>(now);
+    World copy(std::make_unique<WorldData>(std::move(now)));
     copy.data_->readings_are_stale = data_->readings_are_stale;
-    copy.since_ = {std::make_shared<const State>(*data_), tick(), {}, tick()};
+    copy.since_ = {std::move(start), tick(), {}, tick()};
     return copy;
 }
 

@@ -79,6 +79,9 @@ public:
     // keyframe at the same tick.
     World fork() const;
 
+    // The same with another seed from this tick on: other noise, other random poses of vehicles that enter later.
+    World fork(std::uint64_t seed) const;
+
     // checkpoint() returns the run at this tick and is cheap. restore() returns a world that continues the run exactly;
     // it costs at most keyframe_ticks steps.
     Checkpoint checkpoint() const;

@@ -13,7 +13,7 @@ namespace {
 
 // True when the current context has geometry shaders.
 bool has_geometry_shaders() {
-#ifdef __EMSCRIPTEN__
+#ifdef BRAITENLAB_OPENGL_ES
     return false;
 #else
     GLint most = 0;

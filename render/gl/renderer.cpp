@@ -333,6 +333,12 @@ void Renderer::draw(const Snapshot& now, const Picture& picture) {
     glDisable(GL_CULL_FACE);
 }
 
+void Renderer::draw_still(const Snapshot& now, const Picture& picture) {
+    Trails kept = std::exchange(parts_->trails, Trails{});
+    draw(now, picture);
+    parts_->trails = std::move(kept);
+}
+
 void Renderer::finish() { glFinish(); }
 
 int Renderer::draw_calls() const { return parts_->calls; }

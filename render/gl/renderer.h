@@ -43,6 +43,9 @@ public:
     // vehicles.
     void draw(const Snapshot&, const Picture&);
 
+    // As draw(), without paths; the paths recorded so far stay.
+    void draw_still(const Snapshot&, const Picture&);
+
     // Waits until everything is drawn.
     void finish();
 

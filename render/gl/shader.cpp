@@ -19,7 +19,7 @@ namespace {
 // names.)
 constexpr int common_lines = 10000;
 
-#ifdef __EMSCRIPTEN__
+#ifdef BRAITENLAB_OPENGL_ES
 const char* const dialect = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
 #else
 const char* const dialect = "#version 330 core\n";

@@ -8,10 +8,10 @@
 namespace braitenlab::render {
 
 Texture::Texture(Kind kind, int width, int height) : kind_(kind) {
-    const GLint filter = kind == Kind::numbers ? GL_LINEAR : GL_NEAREST;
+    const GLint filter = kind == Kind::numbers || kind == Kind::smooth ? GL_LINEAR : GL_NEAREST;
     glGenTextures(1, &id_);
     bind();
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, kind == Kind::smooth ? GL_LINEAR_MIPMAP_LINEAR : filter);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
@@ -35,6 +35,12 @@ void Texture::fill(int first_row, int width, int rows, const float* values) {
     bind();
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first_row, width, rows, GL_RED, GL_FLOAT, values);
+}
+
+void Texture::make_smaller_copies() {
+    bind();
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 void Texture::resize(int width, int height) {

@@ -11,6 +11,7 @@ public:
         bytes,    // one channel of 0..1 in 8 bits
         numbers,  // one channel of half floats, interpolated linearly
         picture,  // colours; a render target
+        smooth,   // as picture, interpolated between its smaller copies
     };
 
     // Precondition until destruction: a current GL context.
@@ -22,6 +23,9 @@ public:
     // Replaces `rows` rows from `first_row` on, the first `width` samples of each.
     void fill(int first_row, int width, int rows, const std::uint8_t*);
     void fill(int first_row, int width, int rows, const float*);
+
+    // Call after the content of a smooth texture has changed.
+    void make_smaller_copies();
 
     // Discards the content. Sizes below 1 become 1.
     void resize(int width, int height);

@@ -200,8 +200,19 @@ void add_event(Drawing& drawing, vec2 place, float radius, float growth, float a
 // True if a vehicle of this length on the screen has rounded meshes. The selected one has them also where it is small.
 bool is_fine(Quality quality, float pixels, bool selected) {
     constexpr float medium_above = 34;  // layout pixels
-    if (quality == Quality::low) return false;
+    if (quality == Quality::low) return selected && pixels >= sign_below;
     return pixels >= (selected || quality == Quality::high ? sign_below : medium_above);
+}
+
+// A vehicle that has just struck something moves to and fro along its heading for a moment; m.
+float shake_of(const Drawing& drawing, VehicleId vehicle) {
+    constexpr float seconds = 0.25f, reach = 0.05f, turns = 3;
+    for (const StrikeView& strike : drawing.struck) {
+        if (strike.vehicle != vehicle && strike.other != vehicle) continue;
+        const float left = 1 - strike.age / seconds;
+        if (left > 0) return -reach * left * std::cos(2 * maths::pi * turns * strike.age / seconds);
+    }
+    return 0;
 }
 
 Subject subject_of(const Drawing& drawing, const VehicleView& view) {
@@ -209,7 +220,8 @@ Subject subject_of(const Drawing& drawing, const VehicleView& view) {
     const auto kind = static_cast<std::size_t>(view.kind), brain = static_cast<std::size_t>(view.brain);
     const bool known = drawing.now.scene && kind < drawing.now.scene->kinds.size();
     const Kind& its_kind = known ? kind_of(drawing.now, view) : plain;
-    const vec2 place{view.x, view.y};
+    const vec2 ahead = maths::direction(view.heading);
+    const vec2 place = vec2{view.x, view.y} + ahead * shake_of(drawing, view.id);
     const float scale = pixels_per_metre(drawing.picture.camera_view, place);
     const float pixels = scale > 0 ? its_kind.body.length * scale / drawing.picture.pixel_scale : 1e3f;
     const bool selected = view.id == drawing.picture.settings.selection.vehicle;
@@ -219,7 +231,7 @@ Subject subject_of(const Drawing& drawing, const VehicleView& view) {
             its_kind,
             brain < drawing.now.brains.size() ? drawing.now.brains[brain].get() : nullptr,
             place,
-            maths::direction(view.heading),
+            ahead,
             std::min(its_kind.body.length, its_kind.body.width / 0.7f),
             pixels,
             fine ? 1.0f : detail_of(pixels),
@@ -312,19 +324,40 @@ void add_flash(Drawing& drawing, const StrikeView& strike) {
                                   rgb_with(drawing.colours.text, 0.9f * left)});
 }
 
+// Light at the point of contact with a wall, post or obstacle.
+void add_spark(Drawing& drawing, const StrikeView& strike) {
+    constexpr float seconds = 0.2f, height = 0.2f, size = 1.1f;  // m
+    if (drawing.picture.reduce_motion || strike.age >= seconds) return;
+    const float left = 1 - strike.age / seconds;
+    drawing.list.halos.push_back({{strike.x, strike.y, height, size}, rgb_with(drawing.colours.warning, 0.9f * left)});
+}
+
+// The youngest strikes of this moment, which shake the vehicles; none where motion is reduced, and few in a crowd.
+void find_struck(Drawing& drawing) {
+    constexpr float seconds = 0.25f;
+    constexpr std::size_t most = 8;
+    if (drawing.picture.reduce_motion) return;
+    for (const StrikeView& strike : drawing.now.strikes)
+        if (strike.age < seconds) drawing.struck.push_back(strike);
+    if (drawing.struck.size() > most) drawing.struck.clear();
+}
+
 // Around the point of contact.
 void add_strikes(Drawing& drawing) {
     for (const StrikeView& strike : drawing.now.strikes) {
-        if (strike.other != no_vehicle)
+        if (strike.other != no_vehicle) {
             add_flash(drawing, strike);
-        else
+        } else {
+            add_spark(drawing, strike);
             add_event(drawing, {strike.x, strike.y}, 0.35f, 0.5f, strike.age, drawing.colours.warning);
+        }
     }
 }
 
 }  // namespace
 
 void add_vehicles(Drawing& drawing, const Trails& trails) {
+    find_struck(drawing);
     if (drawing.picture.quality != Quality::low) drawing.common_pixels = common_length(drawing);
     for (const VehicleView& view : drawing.now.vehicles) {
         Subject s = subject_of(drawing, view);

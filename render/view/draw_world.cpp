@@ -207,11 +207,15 @@ void add_socket(Drawing& drawing, Channel channel, vec2 at, float size) {
                                   rgb_with(mix(colour_of(drawing.colours, channel), drawing.colours.text, 0.35f), 1)});
 }
 
+constexpr std::size_t most_at_low = 3;  // lamps
+
 }  // namespace
 
 void add_source(Drawing& drawing, Channel channel, vec2 at, float foot, float strength, float size) {
     const bool dark = drawing.picture.theme == Theme::dark;
-    const Colour colour = colour_of(drawing.colours, channel);
+    const bool on = strength > 0;
+    const Colour unlit = mix(drawing.colours.obstacle, colour_of(drawing.colours, channel), 0.2f);
+    const Colour colour = on ? colour_of(drawing.colours, channel) : unlit;
     const float bulb = foot + 0.44f * size;
     // A source on a vehicle lights a smaller area than one on the floor.
     const float reach = foot > 0 ? 0.5f * std::max(0.4f, drawing.crowd) : 1;
@@ -219,9 +223,10 @@ void add_source(Drawing& drawing, Channel channel, vec2 at, float foot, float st
     drawing.list.sources[static_cast<std::size_t>(source_shape_of(channel))].push_back(
         {{at.x, at.y, size, strength}, rgb_with(colour, foot)});
     const vec4 place{at.x, at.y, 1, 0};
-    const bool in_floor =
-        drawing.picture.quality != Quality::low && foot == 0 && drawing.list.lamps.size() < most_lamps;
-    if (!in_floor) {
+    // At low quality the floor has the light of few lamps, so that its colour is that of the other levels.
+    const bool affordable = drawing.picture.quality != Quality::low || drawing.now.sources.size() <= most_at_low;
+    const bool in_floor = on && affordable && foot == 0 && drawing.list.lamps.size() < most_lamps;
+    if (on && !in_floor) {
         const float pool = (1.6f + 2.4f * strength) * reach;
         drawing.list.marks.push_back({place,
                                       {pool, pool, 0, static_cast<float>(MarkKind::pool)},
@@ -233,6 +238,7 @@ void add_source(Drawing& drawing, Channel channel, vec2 at, float foot, float st
                                       {0.22f * size, 0.22f * size, 0.12f, static_cast<float>(MarkKind::shadow)},
                                       rgb_with(drawing.colours.shadow, drawing.colours.shadow.a * 0.7f)});
     if (foot == 0) add_socket(drawing, channel, at, size);
+    if (!on) return;
     drawing.list.halos.push_back({{at.x, at.y, bulb, (dark ? 1.25f : 0.85f) * size},
                                   rgb_with(colour, (dark ? 0.45f : 0.3f) * (0.3f + 0.7f * strength))});
     if (drawing.list.lamps.size() < most_lamps)
@@ -242,6 +248,7 @@ void add_source(Drawing& drawing, Channel channel, vec2 at, float foot, float st
 void add_casts(Drawing& drawing, vec2 place, vec2 ahead, vec2 half, float height) {
     constexpr std::size_t most = 160;
     constexpr float faint = 0.02f;  // of a lamp's light at full strength
+    if (drawing.picture.quality == Quality::low) return;
     const LightLaw& law = drawing.list.law;
     for (int i = 0; i < drawing.list.floor_lamps && drawing.list.casts.size() < most; ++i) {
         const Lamp& lamp = drawing.list.lamps[static_cast<std::size_t>(i)];

@@ -18,6 +18,7 @@ struct Drawing {
     // Length of a vehicle on the screen by which all choose between plain and rounded meshes, layout pixels; 0: each by
     // its own, where near and far vehicles differ much.
     float common_pixels = 0;
+    std::vector<StrikeView> struck{};  // strikes that shake their vehicles now
 };
 
 constexpr float wall_thickness = 0.22f, wall_height = 0.35f;  // m

@@ -15,7 +15,8 @@ constexpr float around_vehicle = 0.9f, around_source = 1.0f;  // m
 constexpr float beside_action = 1.2f;                         // m: an obstacle closer than this may be met
 constexpr float beyond_edge = 0.3f;                           // m, the walls
 constexpr float least_side = 4;                               // m
-constexpr float time_constant = 0.35f;                        // s
+constexpr float ahead_of_action = 1.5f;                       // m: the box grows by so much more, and then rests
+constexpr float time_constant = 0.5f;                         // s
 
 void include(FloorBox& box, vec2 place, float radius) {
     box.low = {std::min(box.low.x, place.x - radius), std::min(box.low.y, place.y - radius)};
@@ -25,6 +26,24 @@ void include(FloorBox& box, vec2 place, float radius) {
 FloorBox both(FloorBox a, FloorBox b) {
     include(a, b.low, 0), include(a, b.high, 0);
     return a;
+}
+
+// `action`, moved outwards at each side at which it has left `box`: the camera then moves seldom, not in each frame.
+FloorBox beyond(const FloorBox& box, FloorBox action) {
+    if (action.low.x < box.low.x) action.low.x -= ahead_of_action;
+    if (action.low.y < box.low.y) action.low.y -= ahead_of_action;
+    if (action.high.x > box.high.x) action.high.x += ahead_of_action;
+    if (action.high.y > box.high.y) action.high.y += ahead_of_action;
+    return action;
+}
+
+// The part inside the arena with its walls.
+FloorBox within(FloorBox box, const Arena& arena) {
+    const vec2 half{arena.width / 2 + beyond_edge, arena.height / 2 + beyond_edge};
+    const auto inside = [half](vec2 p) {
+        return vec2{std::clamp(p.x, -half.x, half.x), std::clamp(p.y, -half.y, half.y)};
+    };
+    return {inside(box.low), inside(box.high)};
 }
 
 bool contains(const FloorBox& a, const FloorBox& b) {
@@ -109,12 +128,7 @@ FloorBox action_of(const Snapshot& now) {
     const bool has_aim = include_tape(box, *now.scene) || !now.sources.empty();
     if (!has_aim) return whole(now.scene->arena);
     include_obstacles(box, now);
-    const Arena& arena = now.scene->arena;
-    const auto inside = [](vec2 p, vec2 half) {
-        return vec2{std::clamp(p.x, -half.x, half.x), std::clamp(p.y, -half.y, half.y)};
-    };
-    const vec2 half{arena.width / 2 + beyond_edge, arena.height / 2 + beyond_edge};
-    return {inside(box.low, half), inside(box.high, half)};
+    return within(box, now.scene->arena);
 }
 
 FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
@@ -125,8 +139,11 @@ FloorBox Framing::follow(const Snapshot& now, const FramingInput& in) {
     if (shown_ && (in.held || moved)) return *shown_;
 
     const FloorBox action = action_of(now);
-    if (!grown_ || !contains(*grown_, action)) grown_ = grown_ ? both(*grown_, action) : action;
     const Arena arena = now.scene ? now.scene->arena : Arena{};
+    if (!grown_)
+        grown_ = action;
+    else if (!contains(*grown_, action))
+        grown_ = both(both(*grown_, action), within(beyond(*grown_, action), arena));
     FloorBox wanted = widened(*grown_, in, arena);
     const VehicleView* vehicle = find_vehicle(now, in.selected);
     if (vehicle && now.scene && now.vehicles.size() <= few_vehicles)

@@ -12,12 +12,16 @@
 
 namespace braitenlab {
 
+inline constexpr int longest_prediction = 20;  // s
+
 // Layers drawn over the scene, each of which can be switched off.
 struct Overlays {
-    bool trails = true;            // recent paths of the vehicles
-    bool surfaces = true;          // zones: ice, carpet, wind, …
-    bool memory = true;            // positions that vehicles remember
-    bool labels = true;            // names of things
+    bool trails = true;    // recent paths of the vehicles
+    bool surfaces = true;  // zones: ice, carpet, wind, …
+    bool memory = true;    // positions that vehicles remember
+    bool labels = true;    // names of things
+    bool last_run = true;  // the run before the reset, beside the present one
+    int prediction = 8;    // s of the coming path shown while something is tried, up to longest_prediction; 0: none
     std::optional<Channel> field;  // intensity of this channel over the floor, as contours; nullopt: none
     friend bool operator==(const Overlays&, const Overlays&) = default;
 };
@@ -47,8 +51,18 @@ inline std::vector<SceneObject> selected_objects(const Selection& selection) {
 
 inline constexpr float least_canvas_share = 0.25f, largest_canvas_share = 0.75f;
 
+// What a lecture shows its audience. The lecturer hides and reveals it.
+struct Revealed {
+    bool title = true;      // of the scene, the exercise or the lecture
+    bool character = true;  // the name of the recognised character
+    bool brain = true;      // the wires on the deck and in the cards
+    friend bool operator==(const Revealed&, const Revealed&) = default;
+};
+
 struct ViewSettings {
     Camera camera;
+    bool orbits = false;  // the camera turns slowly about the framed part of the floor, unless motion is reduced
+    Revealed revealed;    // all of it outside a lecture
     Overlays overlays;
     bool watching = false;       // the wiring diagram is shown beside the scene, also while playing
     float canvas_share = 0.45f;  // of the width of both; least_canvas_share .. largest_canvas_share
@@ -63,6 +77,7 @@ struct ViewSettings {
 // return to their defaults, because they depend on the scene; whether edits apply to one vehicle or to its kind stays.
 inline ViewSettings for_another_scene(ViewSettings settings) {
     settings.camera = {};
+    settings.orbits = false;
     settings.overlays.field.reset();
     settings.selection = {.object = {}, .whole_kind = settings.selection.whole_kind, .pair = {}};
     return settings;

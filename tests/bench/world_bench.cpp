@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/brain/brain.h"
+#include "core/insight/predict.h"
 #include "core/maths/random.h"
 #include "core/world/tick.h"
 #include "tests/bench/crowd.h"
@@ -213,6 +214,20 @@ void BM_Rollout(benchmark::State& state) {
     }
 }
 BENCHMARK(BM_Rollout)->Unit(benchmark::kMicrosecond);
+
+// 20 futures of five seconds, each of another brain, in the middle between two keyframes.
+void BM_Predict(benchmark::State& state) {
+    Scene scene = tests::alone(hunter);
+    scene.sources.push_back({.name = "lamp", .x = 8, .y = 2});
+    World now = std::move(*World::create(scene, 1));
+    while (now.tick() < keyframe_ticks / 2) now.step();
+    for (auto _ : state)
+        for (int i = 0; i < 20; ++i) {
+            const TurnDial change{{.vehicle = 0}, Dial::LL, 0.05f * static_cast<float>(i)};
+            benchmark::DoNotOptimize(insight::predict({now.checkpoint(), {change}, 0, 300}));
+        }
+}
+BENCHMARK(BM_Predict)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace braitenlab::bench

@@ -26,6 +26,7 @@ const std::map<std::string, std::vector<std::string>> may_include{
     {"core/world", {"core/maths", "core/mechanics", "core/brain", "core/scene", "core/sensing", "core"}},
     {"core/io", {"core/maths", "core/mechanics", "core/brain", "core/scene", "core/sensing", "core/world", "core"}},
     {"core/session", {"core/maths", "core/brain", "core/scene", "core/world", "core"}},
+    {"core/insight", {"core/maths", "core/brain", "core/scene", "core/world", "core"}},
     {"core/lesson", {"core/maths", "core/brain", "core/scene", "core/sensing", "core/world", "core/io", "core"}},
     {"core", {}},
     {"render/view", {"core"}},
@@ -135,6 +136,24 @@ TEST(Architecture, IncludesGoOnlyToLowerLayers) {
                 ADD_FAILURE() << violation;
         }
     EXPECT_GT(files, 50);
+}
+
+// True for a source that is compiled differently on a platform.
+bool asks_for_platform(const std::string& text) {
+    static const std::regex macro{R"(\b(_WIN32|_WIN64|__EMSCRIPTEN__|__linux__|__APPLE__)\b)"};
+    return std::regex_search(text, macro);
+}
+
+TEST(Architecture, AsksForThePlatformInOneFolderOnly) {
+    for (const char* top : {"core", "render", "ui", "app"})
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(BRAITENLAB_SOURCE) / top)) {
+            const std::string file = fs::relative(entry.path(), BRAITENLAB_SOURCE).generic_string();
+            if (!entry.is_regular_file() || file.starts_with("app/platform/")) continue;
+            std::ifstream stream(entry.path());
+            const std::string text{std::istreambuf_iterator<char>(stream), {}};
+            EXPECT_FALSE(asks_for_platform(text)) << file << ": put what differs into app/platform";
+        }
+    EXPECT_TRUE(asks_for_platform("#ifdef _WIN32\n"));
 }
 
 TEST(Architecture, FindsAnIncludeOfAHigherLayer) {

@@ -58,7 +58,7 @@ TEST(Resemblance, StepsWeighHalfAndPathsAndValuesAQuarterEach) {
     EXPECT_FLOAT_EQ(behaviour_distance(first, graded(false, 1, far)), 0.25f);
     EXPECT_FLOAT_EQ(behaviour_distance(first, graded(false, 0.5f, right)), 0.125f);
     EXPECT_FLOAT_EQ(behaviour_distance(first, graded(true, -1, far)), 1);
-    EXPECT_EQ(behaviour_distance(first, graded(false, 1, {{0, 0}, {2, 0}, {1, 0}, {2, 0}})), 0)
+    EXPECT_NEAR(behaviour_distance(first, graded(false, 1, {{0, 0}, {2, 0}, {1, 0}, {2, 0}})), 0, 1e-6)
         << "speed has no effect";
     EXPECT_NEAR(behaviour_distance(first, graded(false, 1, up)), 0.25f, 0.001f);
 }

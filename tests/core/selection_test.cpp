@@ -69,6 +69,24 @@ TEST(Selection, ARunThatFallsEndsThereAndItsPathEndsAtTheEdge) {
     EXPECT_NEAR(whole.seconds, 60, 0.1f);
 }
 
+TEST(Selection, TheFirstNineChildrenThatAStudentSeesDoNotAllFallAtTheSameTime) {
+    std::vector<float> seconds;
+    for (const BrainGraph& child : children_of(exercise(), first_parent(1001)))  // as the window begins
+        seconds.push_back(try_start(exercise(), with_brain(exercise(), child), exercise().seed).seconds);
+    std::sort(seconds.begin(), seconds.end());
+    EXPECT_GT(seconds.back(), 1.2f * seconds.front()) << "one is visibly better";
+    EXPECT_LT(seconds.back(), exercise().seconds - 1) << "and not yet good";
+}
+
+TEST(Selection, OnlyTheShippedBrainsChildrenHaveTheErrorsOfTheFirstOnes) {
+    Exercise same = exercise();
+    same.selection.first = 0;
+    const Parent first = first_parent(1);
+    EXPECT_NE(children_of(exercise(), first), children_of(same, first));
+    const Parent later = chosen(first, children_of(exercise(), first)[0], 0);
+    EXPECT_EQ(children_of(exercise(), later), children_of(same, later));
+}
+
 // The number of choices after which the exercise is passed, when the longest survivor is chosen each time; one more
 // than the exercise has when it is not.
 int choices_needed(std::uint64_t seed) {

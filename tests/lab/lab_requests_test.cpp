@@ -42,6 +42,16 @@ TEST(LabRequests, RestartWithTheNextOrAGivenSeed) {
     EXPECT_EQ(lab.document.session.seed(), 42u) << "the same start";
 }
 
+TEST(LabRequests, ResetPausesARunThatPlays) {
+    Lab lab = opened_lab("predator-prey");
+    handle(lab, Action::play_pause);
+    tick(lab);
+    ASSERT_EQ(lab.playback.mode, Mode::playing);
+    handle(lab, Action::reset);
+    EXPECT_EQ(lab.playback.mode, Mode::paused);
+    EXPECT_EQ(lab.document.session.snapshot().tick, 0u);
+}
+
 TEST(LabRequests, KeepTheSelectedVehiclesInAResetThatRenumbersThem) {
     Lab lab = opened_lab("predator-prey");
     const auto last = lab.document.session.snapshot().vehicles.back().id;

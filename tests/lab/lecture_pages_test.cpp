@@ -85,6 +85,38 @@ TEST_F(LabLecturePages, AStepStartsTheRunAndShowsOverlaysOnce) {
     EXPECT_FALSE(hides_brain(view_of(lab), 0));
 }
 
+TEST_F(LabLecturePages, PageDownOnTheLastPageSaysThatItIsTheLastOne) {
+    open("four-numbers");
+    show_page(lab, 99, 99);
+    const int last = lab.pages->page;
+    EXPECT_TRUE(lab.notice.empty());
+    press({key::page_down});
+    EXPECT_EQ(lab.pages->page, last);
+    EXPECT_EQ(lab.notice.key, "notice.lecture_end");
+}
+
+TEST_F(LabLecturePages, APageHidesAndRevealsTitleCharacterAndBrain) {
+    const auto lecture = parse_lecture(R"(
+format = 1
+title = "T"
+minutes = 1
+[[page]]
+scene = "2a-coward"
+minutes = 1
+hide = ["title"]
+steps = ["character", "brain"]
+)",
+                                       folder / "t.toml", shipped_scenes().front().parent_path().parent_path());
+    ASSERT_TRUE(lecture) << lecture.error().text();
+    open_lecture(lab, std::make_shared<const Lecture>(*lecture));
+    EXPECT_EQ(lab.view.revealed, (Revealed{false, false, false}));
+    press({key::page_down});
+    EXPECT_EQ(lab.view.revealed, (Revealed{false, true, false}));
+    handle(lab, Action::hide_title);
+    press({key::page_down});
+    EXPECT_EQ(lab.view.revealed, Revealed{}) << "what the lecturer has revealed stays";
+}
+
 TEST_F(LabLecturePages, PageUpHidesTheLastStepThenGoesBackToTheWholePage) {
     open("four-numbers");
     for (int i = 0; i < 3; ++i) press({key::page_down});

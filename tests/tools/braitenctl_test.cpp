@@ -80,6 +80,22 @@ TEST(CtlRun, PrintsAHashThatDependsOnTheSeed) {
     EXPECT_NE(ctl("run predator-prey --seconds 5 --seed 2 --hash").out, a);
 }
 
+TEST(CtlHashes, NamesEachFileWhoseHashDiffers) {
+    const std::filesystem::path file = scratch("hashes.json");
+    ASSERT_EQ(ctl("hashes --seconds 0 > " + file.string()).code, 0);
+    EXPECT_EQ(ctl("hashes --seconds 0 --compare " + file.string()).code, 0);
+    std::ifstream in(file);
+    Json hashes = Json::parse(in);
+    EXPECT_TRUE(hashes.contains("2a-coward") && hashes.contains("05-aggressor")) << "scenes and exercises";
+    hashes["2a-coward"] = "0123456789abcdef";
+    std::ofstream(file) << hashes;
+    const Ran compared = ctl("hashes --seconds 0 --compare " + file.string());
+    EXPECT_EQ(compared.code, 1);
+    EXPECT_TRUE(compared.out.starts_with("2a-coward: ")) << compared.out;
+    EXPECT_NE(compared.out.find(", expected 0123456789abcdef\n"), std::string::npos) << compared.out;
+    std::filesystem::remove(file);
+}
+
 TEST(CtlRun, WritesACsvRowPerVehiclePerTenthOfASecond) {
     const std::filesystem::path file = scratch("run.csv");
     ASSERT_EQ(ctl("run predator-prey --seconds 2 --csv " + file.string()).code, 0);

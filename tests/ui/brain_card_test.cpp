@@ -380,8 +380,26 @@ TEST(BrainCard, CutsTheWireOfTheChosenPairWithTheKeyLWhileWiring) {
     EXPECT_TRUE(is_cut(brain_asked_for(desk), "HL", "ML"));
 }
 
+TEST(BrainCard, FoldsTheThresholdsUntilOneIsUsed) {
+    Desk desk;
+    desk.frame(3);
+    EXPECT_FALSE(desk.anchors.find("threshold.LL"));
+    const float folded = desk.where("slider.LL").w;
+    desk.click("button.thresholds");
+    desk.rest();
+    EXPECT_TRUE(desk.anchors.find("threshold.LL"));
+    EXPECT_LT(desk.where("slider.LL").w, folded - 60) << "the weights give them room";
+    desk.click("button.thresholds");
+    desk.rest();
+    EXPECT_FALSE(desk.anchors.find("threshold.LL"));
+    desk.now.brains[0] = std::make_shared<BrainGraph>(make_graph({.LR = 1, .threshold_LR = 0.2f}));
+    desk.rest();
+    EXPECT_TRUE(desk.anchors.find("threshold.LL")) << "a threshold that has an effect is always shown";
+}
+
 TEST(BrainCard, CutsTheWireOfASliderUnderThePointerWithTheKeyL) {
     Desk desk(1280, 1000);
+    desk.panels.thresholds_open = true;
     desk.frame(3);
     for (const char* anchor : {"slider.LR", "threshold.LR"}) {
         desk.all.clear();

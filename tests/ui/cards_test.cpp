@@ -62,8 +62,20 @@ TEST(Cards, AreInTheColumnOfTheirRowInTheOrderOfTheTable) {
     }
 }
 
+TEST(Cards, AreOpenAtFirstOnlyForTheStoryAndTheBrain) {
+    Desk desk(1920, 1200, 1, true);
+    desk.frame(5);
+    for (const CardTraits& row : cards()) {
+        const Rect* card = desk.anchors.find(row.anchor);
+        if (!card) continue;
+        const bool opens = row.card == Card::scene || row.card == Card::brain;
+        EXPECT_EQ(card->h > 60, opens) << row.anchor;
+    }
+}
+
 TEST(Cards, FoldInALowColumnUntilTheUserOpensThem) {
-    Desk desk(1280, 700, 1, true);
+    Desk desk(1280, 640, 1, true);
+    desk.panels.card(Card::information).folded = false;  // as remembered from a higher window
     desk.frame(5);
     ASSERT_TRUE(traits(Card::information).folds_when_cramped);
     ASSERT_LT(desk.where("card.information").h, 60) << "there is no room for both cards";

@@ -59,6 +59,8 @@ TEST(ChartCard, OpensByKeyOrButtonAndClosesByItsHeading) {
     desk.click("card.charts.fold", 0, 0.2f);
     desk.frame(2);
     EXPECT_FALSE(desk.anchors.find("card.charts"));
+    desk.panels.card(Card::information).folded = false;
+    desk.frame(2);
     desk.click("button.charts");
     desk.frame(2);
     EXPECT_TRUE(desk.anchors.find("card.charts"));

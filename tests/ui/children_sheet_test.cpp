@@ -31,7 +31,12 @@ TEST(ChildrenSheet, TheCardOpensItAndEachPictureChoosesItsChild) {
     desk.click("selection.open");
     ASSERT_TRUE(desk.anchors.find("card.children"));
     EXPECT_TRUE(is_written(desk, "Generation 3 of 12"));
-    EXPECT_TRUE(is_written(desk, "7.00 s"));
+    EXPECT_TRUE(is_written(desk, "fell at 7.0 s"));
+    EXPECT_TRUE(is_written(desk, "stays on the table longest"));
+    EXPECT_FALSE(is_written(desk, "stayed"));
+    desk.lesson.selection->children[2].seconds = desk.opened.seconds;
+    desk.frame(2);
+    EXPECT_TRUE(is_written(desk, "stayed"));
     for (int i = 0; i < 9; ++i) {
         desk.click("selection.child." + std::to_string(i + 1));
         ASSERT_TRUE(desk.last<ChooseChildRequest>());

@@ -176,6 +176,8 @@ public:
             ui.written = &written;
             shown.clear();
             ui.shown = &shown;
+            shortened = 0;
+            ui.shortened = &shortened;
             ImGui::NewFrame();
             layout = ui::lay_out(ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y, scale_, view,
                                  ui::open_cards(view, panels));
@@ -265,6 +267,7 @@ public:
     ui::Anchors anchors;
     std::vector<ui::Written> written;  // the texts of the last frame
     std::vector<ui::Shown> shown;      // the widgets of the last frame
+    int shortened = 0;                 // its texts that were cut with an ellipsis
     Outbox asked, all;
     ui::WindowLayout layout;
 

@@ -25,6 +25,7 @@ void record(Exercise exercise, void (*state)(LessonView&), Mode mode, std::set<s
     desk.opened = std::move(exercise);
     desk.opened.median.step = 1;
     desk.open_exercise();
+    desk.panels.card(ui::Card::information).folded = false;
     desk.now.brains = {std::make_shared<BrainGraph>(desk.opened.scene.kinds[0].brain)};
     desk.now.kind_brains = desk.now.brains;
     state(desk.lesson);
@@ -50,7 +51,8 @@ TEST(ExerciseAnchors, EqualTheAnchorsThatTheWindowRecords) {
     Exercise opened = exercise();
     opened.scene = *snapshot(0).scene;
     opened.scene.starts.emplace_back().kind = opened.scene.kinds[0].name;
-    opened.scene.kinds[0].brain = make_graph({.LL = 1, .LR = 0.5f, .RL = 0.5f, .RR = 1, .LM = 0.1f, .RM = 0.1f});
+    opened.scene.kinds[0].brain =
+        make_graph({.LL = 1, .LR = 0.5f, .RL = 0.5f, .RR = 1, .threshold_LR = 0.1f, .LM = 0.1f, .RM = 0.1f});
     const auto anchors = anchors_of(opened);
     const std::set<std::string> known(anchors.begin(), anchors.end());
     std::set<std::string> recorded = recorded_anchors(opened);

@@ -405,6 +405,12 @@ TEST(ExerciseCard, ItsNextButtonOpensTheNextExerciseOrTheListOfFiles) {
     ASSERT_EQ(desk.all.size(), 1u);
     EXPECT_EQ(std::get<OpenRequest>(desk.all[0]).path, "6.toml");
     EXPECT_TRUE(std::get<OpenRequest>(desk.all[0]).next_exercise);
+    desk.opened.number = 0;
+    desk.click("exercise.next");
+    EXPECT_EQ(desk.all.size(), 1u) << "an exercise of one's own is in no order: the list opens";
+    EXPECT_EQ(desk.panels.sheet, Sheet::files);
+    desk.opened.number = 5;
+    desk.panels.sheet = Sheet::none;
     const std::vector<CatalogueEntry> last{more[0], more[3]};
     desk.view.catalogue = &last;
     desk.click("exercise.next");

@@ -1,5 +1,6 @@
 // The exercises in the file browser and in the menu: pictures, names that tell no outcome, passed marks.
 #include "desk.h"
+#include "ui/imgui_compat.h"
 #include "ui/panels/course/exercise_names.h"
 #include "ui/panels/course/scene_picture.h"
 #include "ui/widgets/paint.h"
@@ -106,6 +107,17 @@ TEST_F(Gallery, TheFocusedCardIsFullyInSight) {
     EXPECT_EQ(desk.panels.keyboard.focus, "gallery.04-coward");
 }
 
+TEST_F(Gallery, TellsExercisesOfOneNumberApartByALetter) {
+    const Ui ui{desk.strings, palette(Theme::dark), {}, 1, desk.anchors, desk.asked};
+    const std::vector<CatalogueEntry> two{{"14-logic", "a.toml", "Logic", "", 14},
+                                          {"14-xor", "b.toml", "Either", "", 14},
+                                          {"15-t", "c.toml", "T", "", 15}};
+    desk.view.catalogue = &two;
+    EXPECT_EQ(entry_words(desk.view, ui, two[0]), "14a  Logic");
+    EXPECT_EQ(entry_words(desk.view, ui, two[1]), "14b  Either");
+    EXPECT_EQ(entry_words(desk.view, ui, two[2]), "15  T");
+}
+
 TEST_F(Gallery, NamesAnExerciseByItsGoalUntilThePredictionIsMade) {
     open_browser();
     EXPECT_FALSE(says("Aggressor"));
@@ -160,6 +172,63 @@ TEST_F(Gallery, TheCheckMarkInTheMenuSaysPassedOnly) {
     students.student().exercises["05-aggressor"] = {.passed = true, .best = 8, .starts = 10};
     desk.frame(2);
     EXPECT_TRUE(says(icon::check));
+}
+
+TEST_F(Gallery, TypingSearchesAndEnterOpensTheFirstMatch) {
+    open_browser();
+    for (const char c : std::string("SCENE TURNS")) desk.key({c});
+    desk.frame(3);
+    EXPECT_TRUE(says("scene turns"));
+    EXPECT_FALSE(desk.anchors.find("gallery.04-coward"));
+    ASSERT_TRUE(desk.anchors.find("open.2a-coward"));
+    EXPECT_EQ(desk.panels.keyboard.focus, "open.2a-coward");
+    desk.key({key::enter});
+    desk.frame(2);
+    ASSERT_TRUE(desk.last<OpenRequest>());
+    EXPECT_EQ(desk.last<OpenRequest>()->path, "/x/2a-coward.toml");
+}
+
+TEST_F(Gallery, EscapeEmptiesTheSearchBeforeItCloses) {
+    open_browser();
+    desk.key({'Q'});
+    desk.key({'7'});
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("gallery.04-coward"));
+    EXPECT_TRUE(says(desk.strings("files.no_match")));
+    desk.key({key::backspace});
+    desk.key({key::escape});
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("gallery.04-coward"));
+    EXPECT_EQ(desk.panels.sheet, Sheet::files);
+    desk.key({key::escape});
+    EXPECT_EQ(desk.panels.sheet, Sheet::none);
+}
+
+TEST_F(Gallery, TheSearchTellsNoOutcome) {
+    open_browser();
+    for (const char c : std::string("AGGRESSOR")) desk.key({c});
+    desk.frame(2);
+    EXPECT_FALSE(desk.anchors.find("gallery.05-aggressor"));
+    students.student().exercises["05-aggressor"] = {.passed = true, .best = 8, .starts = 10};
+    desk.frame(2);
+    EXPECT_TRUE(desk.anchors.find("gallery.05-aggressor"));
+}
+
+TEST_F(Gallery, DrawsTheRenderedPictureOfAFile) {
+    const auto textures = [] {
+        std::vector<ImTextureID> found;
+        const ImDrawData& data = *ImGui::GetDrawData();
+        for (int l = 0; l < data.CmdListsCount; ++l)
+            for (const ImDrawCmd& command : data.CmdLists[l]->CmdBuffer) found.push_back(command.GetTexID());
+        return found;
+    };
+    ScenePictures pictures{{"/x/04-coward.toml", 4711}, {"/x/2a-coward.toml", 4712}, {"/x/05-aggressor.toml", 0}};
+    desk.view.pictures = &pictures;
+    open_browser();
+    const auto drawn = textures();
+    for (const std::uint64_t id : {4711U, 4712U})
+        EXPECT_EQ(std::count(drawn.begin(), drawn.end(), compat::texture(id)), 1) << id;
+    EXPECT_TRUE(desk.anchors.find("gallery.05-aggressor")) << "without one, a drawing";
 }
 
 TEST(ScenePicture, TheVehicleOfTheSelectionIsLegibleOnItsTable) {

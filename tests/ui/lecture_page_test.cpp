@@ -1,6 +1,7 @@
 // The parts of a page of a lecture file in the window: caption, question with counted hands, notes, and drawn marks.
 #include "desk.h"
 #include "ui/panels/cards.h"
+#include "ui/widgets/drawn_text.h"
 #include "ui/widgets/paint.h"
 
 namespace braitenlab::tests::lecture_page_test {
@@ -22,7 +23,7 @@ LectureView opened(const std::string& name) {
 }
 
 struct LecturePages : testing::Test {
-    Desk desk{1024, 768, 1.6f, true};
+    Desk desk{1024, 768, 1.4f, true};
     LectureView pages = opened("four-numbers");
 
     LecturePages() {
@@ -127,7 +128,7 @@ TEST(LecturePageType, WeightsNamesAndEquationsAreNotSmallerThanAFiftiethOfTheWin
     for (const auto& [width, height] : {std::pair{1280.0f, 800.0f}, std::pair{1024.0f, 768.0f}})
         for (const char* scene : {"2a-coward", "2b-aggressor", "3a-love", "3b-explorer"}) {
             SCOPED_TRACE(scene + std::string(" at ") + std::to_string(width));
-            Desk small{width, height, 1.6f, true};
+            Desk small{width, height, 1.4f, true};
             small.now = shipped_scene(scene);
             small.view.settings.selection.vehicle = small.now.vehicles.front().id;
             small.view.lecture = small.view.settings.watching = true;
@@ -207,7 +208,7 @@ TEST_F(LecturePages, ShowsNotesAndTheTimeOnRequestOnly) {
             EXPECT_FALSE(overlap(notes, desk.where("lecture.question")));
         }
         for (const Written& w : desk.written) {
-            if (!overlap(w.rect, notes)) continue;
+            if (!overlap(w.rect, notes) || !is_visible(w)) continue;
             EXPECT_TRUE(is_inside(w.rect, notes)) << w.words;
         }
     }
@@ -309,6 +310,43 @@ TEST_F(LecturePages, UnfoldsTheSlidersWhereThePageShowsThemAndFoldsThemAfterward
     desk.key({'2'});
     desk.frame(3);
     EXPECT_TRUE(desk.anchors.find("slider.LR")) << "the lecturer can open them on any page";
+}
+
+TEST_F(LecturePages, TheOpenSlidersCoverNeitherTheDiagramNorTheScene) {
+    show(6, 0);
+    desk.view.settings.watching = true;
+    desk.frame(3);
+    EXPECT_FALSE(overlap(desk.where("card.brain"), desk.where("canvas")));
+    EXPECT_FALSE(overlap(desk.where("card.brain"), desk.where("viewport")));
+}
+
+TEST_F(LecturePages, AllSlidersAreVisibleWithoutScrollingInEveryLanguage) {
+    desk.now = shipped_scene("predator-prey");
+    for (const char* code : {"en", "de", "es"}) {
+        if (std::string(code) != "en") desk.strings = speaking_in_lectures(code);
+        show(6, 0);
+        desk.view.pages = &pages;
+        pages.page = 7;
+        desk.frame(2);
+        desk.panels.card(Card::brain).folded = false;
+        desk.frame(4);
+        const Rect card = desk.where("card.brain");
+        for (const char* slider : {"slider.LL", "slider.LR", "slider.RL", "slider.RR"}) {
+            ASSERT_TRUE(desk.anchors.find(slider)) << slider << " " << code;
+            EXPECT_TRUE(is_inside(desk.where(slider), card)) << slider << " " << code;
+            EXPECT_GT(desk.where(slider).h, 20) << slider << " " << code;
+        }
+    }
+}
+
+TEST_F(LecturePages, ACaptionThatFitsIntoOneLineOfSmallerTypeHasOneLine) {
+    desk.strings = speaking_in_lectures("de");
+    int lines_of_all = 0;
+    for (int page = 0; page < 9; ++page) {
+        show(page, 0);
+        for (const Written& w : desk.written) lines_of_all += is_inside(w.rect, desk.where("lecture.caption"));
+    }
+    EXPECT_LE(lines_of_all, 11);
 }
 
 TEST_F(LecturePages, TheSlidersTakeThePlaceOfAnAnsweredQuestion) {

@@ -35,7 +35,7 @@ TEST(Lecture, ClearsTheScreenAndFoldsTheCards) {
 }
 
 TEST(Lecture, LeavesTheSpaceOfFoldedCardsToTheScene) {
-    Desk desk(1280, 800, 1.6f, true);
+    Desk desk(1280, 800, 1.4f, true);
     desk.frame(3);
     desk.view.lecture = true;
     desk.frame(4);
@@ -50,7 +50,7 @@ TEST(Lecture, LeavesTheSpaceOfFoldedCardsToTheScene) {
 }
 
 TEST(Lecture, ExtendsTheDiagramOverTheCardBelowIt) {
-    Desk desk(1280, 800, 1.6f, true);
+    Desk desk(1280, 800, 1.4f, true);
     desk.view.mode = Mode::wiring;
     desk.frame(3);
     const float open = desk.where("card.inspector").h;
@@ -68,7 +68,7 @@ TEST(Lecture, WritesTheNamesOfTheWatchedDiagramLegibly) {
     for (const auto& [width, height] : {std::pair{1280.0f, 800.0f}, std::pair{1024.0f, 768.0f}})
         for (const char* scene : {"tortoise", "7-mnemotrix", "5-logic", "predator-prey"}) {
             SCOPED_TRACE(scene + std::string(" at ") + std::to_string(width));
-            Desk desk(width, height, 1.6f, true);
+            Desk desk(width, height, 1.4f, true);
             desk.now = shipped_scene(scene);
             desk.view.lecture = desk.view.settings.watching = true;
             desk.frame(4);
@@ -89,7 +89,7 @@ TEST(Lecture, CoversTheWatchedDiagramWithNoCard) {
          {std::pair{1280.0f, 800.0f}, std::pair{1024.0f, 768.0f}, std::pair{800.0f, 1280.0f}})
         for (const bool open : {false, true}) {
             SCOPED_TRACE(std::to_string(width) + (open ? ", open cards" : ", folded cards"));
-            Desk desk(width, height, 1.6f, true);
+            Desk desk(width, height, 1.4f, true);
             desk.now = shipped_scene("tortoise");
             desk.view.settings.selection.object = {SceneObjectKind::obstacle, 0};
             desk.view.lecture = desk.view.settings.watching = true;
@@ -108,7 +108,7 @@ TEST(Lecture, CoversTheWatchedDiagramWithNoCard) {
 }
 
 TEST(Lecture, FitsTheDiagramToItsPlaceAlsoAfterASmallMove) {
-    Desk desk(1280, 800, 1.6f, true);
+    Desk desk(1280, 800, 1.4f, true);
     desk.now = shipped_scene("2b-aggressor");
     desk.view.lecture = desk.view.settings.watching = true;
     desk.view.settings.canvas_share = 0.55f;
@@ -123,7 +123,7 @@ TEST(Lecture, FitsTheDiagramToItsPlaceAlsoAfterASmallMove) {
 }
 
 TEST(Lecture, ShowsNoHintOfABeginnerAndNoTooltip) {
-    Desk desk(1280, 800, 1.6f, true);
+    Desk desk(1280, 800, 1.4f, true);
     desk.open_exercise();
     desk.view.lecture = true;
     desk.panels.card(Card::brain).folded = false;
@@ -140,7 +140,7 @@ TEST(Lecture, ShowsNoHintOfABeginnerAndNoTooltip) {
 }
 
 TEST(Lecture, SaysThatAnEarlierMomentIsShownAndHowEarly) {
-    Desk desk(1024, 768, 1.6f, true);
+    Desk desk(1024, 768, 1.4f, true);
     desk.view.lecture = true;
     desk.now.tick = 300, desk.now.seconds = 5, desk.view.timeline.latest = 300;
     desk.frame(3);

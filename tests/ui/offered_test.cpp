@@ -78,7 +78,7 @@ TEST(Offered, FreePlayShowsAllControls) {
     EXPECT_TRUE(desk.last<FreePlayRequest>()->on);
     desk.lesson.free_play = true;
     desk.frame(3);
-    for (const char* id : {"slider.LR", "threshold.LL", "bias.RM", "button.presets", "card.sensors"})
+    for (const char* id : {"slider.LR", "button.thresholds", "bias.RM", "button.presets", "card.sensors"})
         EXPECT_TRUE(desk.has(id)) << id;
     desk.click("button.free_play");
     EXPECT_FALSE(desk.last<FreePlayRequest>()->on);
@@ -86,7 +86,7 @@ TEST(Offered, FreePlayShowsAllControls) {
 
 TEST(Offered, AnExerciseWithoutOffersShowsAllControls) {
     const Offering desk({});
-    for (const char* id : {"slider.LR", "threshold.LL", "bias.RM", "button.presets", "card.sensors"})
+    for (const char* id : {"slider.LR", "button.thresholds", "bias.RM", "button.presets", "card.sensors"})
         EXPECT_TRUE(desk.has(id)) << id;
     EXPECT_FALSE(desk.has("button.free_play"));
 }

@@ -180,6 +180,15 @@ TEST_F(Prompts, PointInFreePlayToSliderLampWiringAndTimeline) {
     EXPECT_EQ(next().hint, "") << "all controls are known";
 }
 
+TEST_F(Prompts, DoNotAskForAFirstWireInAnExercise) {
+    alone();
+    desk.view.mode = Mode::wiring;
+    EXPECT_EQ(next().hint, "hint.first_wire");
+    desk.open_exercise();
+    desk.view.mode = Mode::wiring;
+    EXPECT_EQ(next().hint, "");
+}
+
 TEST_F(Prompts, PointOnlyToPinsOfTheBrain) {
     alone();
     auto brain = std::make_shared<BrainGraph>(*desk.now.brains[0]);

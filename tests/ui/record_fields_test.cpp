@@ -121,7 +121,7 @@ TEST(RecordFields, DragAcrossPowersOfTenInOneGesture) {
     rows.now.mass = 0.05f;
     rows.frame(3);
     const Rect r = rows.desk.where("named.mass");
-    const float from = r.x + 104 + 8, to = r.x + r.w - 62 - 8, y = r.y + r.h / 2;
+    const float from = r.x + 118 + 8, to = r.x + r.w - 62 - 8, y = r.y + r.h / 2;
     rows.desk.point(from, y);
     rows.frame(2);
     rows.desk.button(0, true);

@@ -218,6 +218,7 @@ TEST(Slider, ASlowDoubleClickAnywhereOnTheRowOpensTheNumber) {
 
 TEST(Slider, TheBiasesHaveRowsOfTheirOwn) {
     Desk desk;
+    desk.panels.thresholds_open = true;
     desk.frame(3);
     EXPECT_LT(desk.where("bias.LM").y, desk.where("bias.RM").y);
     EXPECT_GT(desk.where("bias.LM").w, desk.where("slider.LL").w);
@@ -236,6 +237,7 @@ TEST(DoubleClick, ItsPressesAreHalfASecondApartAtMost) {
 
 TEST(Slider, EscapeKeepsTheNumber) {
     Desk desk;
+    desk.panels.thresholds_open = true;
     desk.frame(3);
     desk.click("threshold.RL", 0, 0.95f);
     ASSERT_EQ(desk.panels.sliders.typed, "threshold.RL");
@@ -274,6 +276,7 @@ TEST(Slider, KeysChangeTheFocusedSliderByATenthAndWithShiftByAHundredth) {
 
 TEST(Slider, EveryDialHasASlider) {
     Desk desk;
+    desk.panels.thresholds_open = true;
     desk.frame(3);
     for (const char* id : {"slider.LL", "slider.LR", "slider.RL", "slider.RR", "threshold.LL", "threshold.LR",
                            "threshold.RL", "threshold.RR", "bias.LM", "bias.RM"}) {

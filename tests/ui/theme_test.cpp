@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "desk.h"
+#include "ui/imgui_compat.h"
+
 namespace braitenlab::tests::theme_test {
 
 using namespace ui;
@@ -31,6 +34,17 @@ TEST(Theme, MovesAColourTowardsTheTextAsLittleAsNecessary) {
     const Colour moved = legible(p.memory, p.panel, p.text);
     EXPECT_GE(contrast(moved, p.panel), 4.5f);
     EXPECT_LT(contrast(moved, p.panel), 6);
+}
+
+TEST(Theme, HasDigitsAndTheMinusSignInEveryFace) {
+    const Desk desk(1280, 800, 1, true);  // builds the glyphs
+    const Fonts& fonts = test_fonts(1).loaded.fonts;
+    for (ImFont* face :
+         {fonts.text, fonts.strong, fonts.title, fonts.display, fonts.small, fonts.label, fonts.caption}) {
+        ASSERT_TRUE(face);
+        for (const ImWchar sign : {ImWchar{0x2212}, ImWchar{'0'}, ImWchar{','}})
+            EXPECT_TRUE(compat::has_glyph(face, sign)) << sign << " at " << compat::size_of(face);
+    }
 }
 
 TEST(Theme, ReplacesMissingFonts) {

@@ -48,10 +48,7 @@ TEST_P(WindowAtEverySize, KeepsEveryWidgetOfAnExerciseInsideTheWindow) {
                            "slider.LR",
                            "slider.RL",
                            "slider.RR",
-                           "threshold.LL",
-                           "threshold.LR",
-                           "threshold.RL",
-                           "threshold.RR",
+                           "button.thresholds",
                            "bias.LM",
                            "bias.RM",
                            "viewport",
@@ -270,7 +267,7 @@ TEST(Window, MovesTheFocusWithTab) {
     desk.panels.keyboard.focus = "slider.LL";
     desk.key({key::tab});
     desk.frame();
-    EXPECT_EQ(desk.panels.keyboard.focus, "threshold.LL");
+    EXPECT_EQ(desk.panels.keyboard.focus, "slider.LR");
     desk.key({key::tab, false, true});
     desk.frame();
     EXPECT_EQ(desk.panels.keyboard.focus, "slider.LL");
@@ -320,6 +317,7 @@ TEST(Window, ListsTheKeysOnF1AndClosesThemOnEscape) {
 
 TEST(InformationCard, SelectsTheVehicleOfTheClickedEnergyBar) {
     Desk desk(1280, 1000);
+    desk.panels.card(Card::information).folded = false;
     desk.frame(3);
     const Rect r = desk.where("info.energy");
     desk.point(r.x + r.w * 0.4f, r.y + 8);
@@ -332,8 +330,18 @@ TEST(InformationCard, SelectsTheVehicleOfTheClickedEnergyBar) {
     EXPECT_GE(std::get<SelectRequest>(desk.all[0]).vehicle, 0);
 }
 
+TEST(WindowLayout, LimitsTheScaleToWhatFitsIntoTheWindow) {
+    EXPECT_EQ(fitting_scale(1, {0, 0, 1024, 768}, false), 1);
+    EXPECT_EQ(fitting_scale(3, {0, 0, 1024, 768}, false), 1);
+    EXPECT_EQ(fitting_scale(3, {0, 0, 3840, 2160}, false), 3);
+    EXPECT_EQ(fitting_scale(3, {0, 0, 1920, 1200}, false), 2) << "in steps of an eighth";
+    EXPECT_EQ(fitting_scale(0.75f, {0, 0, 1024, 768}, false), 0.75f);
+    EXPECT_EQ(fitting_scale(4.2f, {0, 0, 1024, 768}, true), 1.375f) << "a lecture has larger type";
+}
+
 TEST(InformationCard, ShowsAnyNumberOfVehicles) {
     Desk desk(1280, 1000);
+    desk.panels.card(Card::information).folded = false;
     desk.now = snapshot(700);
     desk.frame(5);
     EXPECT_TRUE(lies_inside(desk.where("card.information"), desk.layout.window));

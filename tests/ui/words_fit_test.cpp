@@ -321,7 +321,7 @@ TEST_P(EveryLanguage, FitsAtTwiceTheSize) {
 
 TEST_P(EveryLanguage, FitsTheBrainCardInALecture) {
     for (const char* name : {"2b-aggressor", "3c-values"}) {
-        Desk desk(1024, 1400, 1.6f, true);  // high, so that nothing of the card is scrolled away
+        Desk desk(1024, 1400, 1.4f, true);  // high, so that nothing of the card is scrolled away
         desk.strings = speaking(GetParam());
         desk.now = shipped_scene(name);
         desk.view.lecture = true;

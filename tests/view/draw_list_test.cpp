@@ -210,6 +210,7 @@ TEST(DrawList, DrawsRoundedVehiclesWhereTheyAreLargeUnlessTheQualityIsLow) {
         return !list.bodies[0].empty();
     };
     EXPECT_FALSE(rounded(Quality::low, 4));
+    EXPECT_TRUE(rounded(Quality::low, 4, 0)) << "the selected vehicle keeps its eyes";
     EXPECT_TRUE(rounded(Quality::medium, 4));
     EXPECT_FALSE(rounded(Quality::medium, 0.7f));
     EXPECT_TRUE(rounded(Quality::high, 0.7f));
@@ -241,8 +242,8 @@ TEST(DrawList, CastsShadowsAwayFromLampsInRange) {
     hand_made::add_source(now, Channel::light, 0, 2);
     hand_made::add_source(now, Channel::light, -9, 9);  // beyond the sensors' range
     Picture picture;
-    EXPECT_TRUE(drawn(now, picture).casts.empty()) << "low quality: pools of light and contact shadows only";
-    EXPECT_EQ(drawn(now, picture).floor_lamps, 0);
+    EXPECT_TRUE(drawn(now, picture).casts.empty()) << "low quality: contact shadows only";
+    EXPECT_EQ(drawn(now, picture).floor_lamps, 2) << "the colour of the floor is that of the other levels";
     picture.quality = Quality::medium;
     const DrawList list = drawn(now, picture);
     EXPECT_EQ(list.law.range, 6);
@@ -253,6 +254,46 @@ TEST(DrawList, CastsShadowsAwayFromLampsInRange) {
     EXPECT_EQ(list.casts[0].shape.x, 1) << "half the length of the box";
     for (const MarkInstance& mark : list.marks)
         EXPECT_EQ(mark.shape.w, static_cast<float>(MarkKind::shadow)) << "the floor's shader draws the light";
+}
+
+TEST(DrawList, DrawsPoolsOfLightForManyLampsAtLowQuality) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    for (int i = 0; i < 4; ++i) hand_made::add_source(now, Channel::light, static_cast<float>(i), 0);
+    const auto pools = [](const DrawList& list) {
+        return std::count_if(list.marks.begin(), list.marks.end(), [](const MarkInstance& mark) {
+            return mark.shape.w == static_cast<float>(MarkKind::pool);
+        });
+    };
+    Picture picture;
+    EXPECT_EQ(pools(drawn(now, picture)), 4);
+    EXPECT_EQ(drawn(now, picture).floor_lamps, 0);
+    picture.quality = Quality::medium;
+    EXPECT_EQ(pools(drawn(now, picture)), 0);
+}
+
+TEST(DrawList, ShakesAVehicleThatStrikesAndLightsThePointUnlessMotionIsReduced) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 1, 2, 3, 0);
+    hand_made::add(now, 1, 8, 3, 0);
+    now.strikes = {{0, 2.4f, 3, 0.01f}};
+    Picture picture;
+    picture.quality = Quality::medium;
+    const auto places = [&] {
+        const DrawList list = drawn(now, picture);
+        std::vector<float> x;
+        for (const MarkInstance& mark : list.marks) x.push_back(mark.place.x);
+        return std::pair{x, list.halos.size()};
+    };
+    const auto [struck, lit] = places();
+    now.strikes[0].age = 0.3f;
+    const auto [calm, dark] = places();
+    ASSERT_EQ(struck.size(), calm.size());
+    EXPECT_LT(struck[0], calm[0] - 0.02f) << "it is thrown back";
+    EXPECT_GT(struck[0], calm[0] - 0.08f);
+    EXPECT_EQ(struck.back(), calm.back()) << "the other vehicle stays";
+    EXPECT_EQ(lit, dark + 1);
+    now.strikes[0].age = 0.01f, picture.reduce_motion = true;
+    EXPECT_EQ(places(), std::pair(calm, dark));
 }
 
 TEST(DrawList, JudgesSizeInLayoutPixels) {

@@ -82,6 +82,22 @@ TEST(DrawWorld, DrawsASolidSourceOnAPost) {
     EXPECT_EQ(list.sources[0].size(), 2U);
 }
 
+TEST(DrawWorld, DrawsASourceThatIsOffInGreyAndWithoutLight) {
+    Snapshot lit = hand_made::empty(bare()), unlit = lit;
+    hand_made::add_source(lit, Channel::red, 0, 0, 1);
+    hand_made::add_source(unlit, Channel::red, 0, 0, 0);
+    const DrawList on = drawn(lit), off = drawn(unlit);
+    EXPECT_EQ(on.halos.size(), 1U);
+    EXPECT_EQ(on.lamps.size(), 1U);
+    EXPECT_TRUE(off.halos.empty());
+    EXPECT_TRUE(off.lamps.empty());
+    const auto spread = [](const DrawList& list) {
+        const maths::vec4 c = list.sources[static_cast<std::size_t>(source_shape_of(Channel::red))].at(0).colour;
+        return std::max({c.x, c.y, c.z}) - std::min({c.x, c.y, c.z});
+    };
+    EXPECT_LT(spread(off), 0.5f * spread(on)) << "no colour of a lit lamp";
+}
+
 TEST(DrawWorld, PutsCarriedLampsOnTheirVehicle) {
     auto scene = bare();
     scene->kinds[0].lamps.push_back(

@@ -140,6 +140,29 @@ TEST(Framing, GlidesWhenTheActionGrowsAndDoesNotShrink) {
     EXPECT_GT(framing.follow(now, in).low.x, last.low.x);
 }
 
+TEST(Framing, RestsMostOfTheTimeWhileAVehicleLeavesTheBox) {
+    Snapshot now = hand_made::empty(hand_made::scene());
+    hand_made::add(now, 0, -2, 0, 0), hand_made::add_source(now, Channel::light, 2, 0);
+    Framing framing;
+    FramingInput in = input(no_vehicle);
+    FloorBox shown = framing.follow(now, in);
+    in.seconds = 1.0f / 60;
+    int glides = 0;
+    float goal = shown.low.x;
+    for (int i = 0; i < 600; ++i) {  // 6 m at 0.6 m/s
+        now.vehicles[0].x -= 0.01f;
+        Framing at_once = framing;
+        FramingInput last = in;
+        last.seconds = 0;
+        const float wanted = at_once.follow(now, last).low.x;
+        if (wanted < goal - 1e-3f) ++glides, goal = wanted;
+        shown = framing.follow(now, in);
+    }
+    EXPECT_LE(glides, 5) << "steps of more than a metre";
+    EXPECT_GE(glides, 2);
+    EXPECT_TRUE(holds(shown, {-8, 0}));
+}
+
 TEST(Framing, StaysWhileTheUserHoldsSomethingOrHasMovedTheCamera) {
     Snapshot now = hand_made::empty(hand_made::scene());
     hand_made::add(now, 0, -2, 0, 0);

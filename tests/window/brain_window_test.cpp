@@ -36,6 +36,8 @@ TEST(BrainWindow, ClampsATypedNumberAndRefusesOtherText) {
     type_into(lab, "slider.LR", "7.5");
     EXPECT_TRUE(wait_for([&] { return lab.state()["weights"]["LR"] == 2; })) << lab.state()["weights"];
     EXPECT_EQ(lab.state()["undo_depth"], 1);
+    lab.click("button.thresholds");
+    ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("threshold.LR"); }));
     type_into(lab, "threshold.LR", "-3");
     type_into(lab, "slider.LR", "nan");  // letters are not accepted: the number stays
     type_into(lab, "slider.LR", "-");
@@ -102,6 +104,27 @@ TEST(BrainWindow, DragsASensorsRangeAsOneStepOfUndo) {
     EXPECT_EQ(lab.state()["undo_depth"], 1);
     lab.key("ctrl+z");
     EXPECT_TRUE(wait_for([&] { return ranges() == before; }));
+}
+
+TEST(BrainWindow, PredictsThePathOfADraggedSliderAndTheVehicleDrivesIt) {
+    LabWindow lab({"2b-aggressor", "--size", "1280x800"});
+    lab.draw_frames();
+    const Point slider = lab.at("slider.LR");
+    EXPECT_TRUE(lab.state()["prediction"].is_null());
+    lab.move(slider);
+    lab.press();
+    lab.move({slider.x - 40, slider.y});
+    ASSERT_TRUE(
+        wait_for([&] { return lab.state()["prediction"].is_object() && lab.anchors().contains("stage.prediction"); }));
+    EXPECT_TRUE(lab.state()["prediction"]["before"]);
+    lab.release();
+    lab.draw_frames();
+    const Json path = lab.state()["prediction"]["points"];
+    ASSERT_EQ(path.size(), 81u) << "8 s, ten a second";
+    for (int tick = 0; tick < 6; ++tick) lab.key("period");
+    ASSERT_TRUE(wait_for([&] { return lab.state()["tick"] == 6; }));
+    const Json vehicle = lab.state()["vehicles"][0];
+    EXPECT_EQ(Json({vehicle["x"], vehicle["y"]}), path[1]);
 }
 
 TEST(BrainWindow, ShowsAndHidesTheLargeCharts) {

@@ -28,7 +28,7 @@ TEST(LectureWindow, F9TwiceRestoresEverything) {
     lab.key("F9");
     ASSERT_TRUE(wait_for([&] { return lab.state()["lecture"] == true && lab.anchors().contains("lecture.prey"); }));
     EXPECT_EQ(lab.state()["theme"], "light");
-    EXPECT_NEAR(lab.state()["type_size"].get<double>(), 1.6, 0.001);
+    EXPECT_NEAR(lab.state()["type_size"].get<double>(), 1.4, 0.001);
     lab.key("s");
     EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("lecture.keys"); })) << "pressed keys are shown";
     lab.key("t");

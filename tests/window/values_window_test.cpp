@@ -7,7 +7,7 @@ namespace {
 bool wait_for(const std::function<bool()>& holds) { return LabWindow::eventually(holds, 8); }
 
 TEST(ValuesWindow, RestartsWithAnotherSeedAndChangesAKindWithUndo) {
-    LabWindow lab({"predator-prey", "--size", "1280x800"});
+    LabWindow lab({"predator-prey", "--size", "1280x1000"});
     ASSERT_EQ(lab.state()["seed"], 1);
     lab.click("button.another_start");
     EXPECT_TRUE(wait_for([&] { return lab.state()["seed"] == 2; }));

@@ -14,6 +14,9 @@ bool wait_for(const std::function<bool()>& holds, double patience = 5) {
 
 TEST(LabWindow, OpensTheFirstExercisePausedWithItsVehicleSelected) {
     LabWindow lab({"--size", "1280x800"});
+    EXPECT_FALSE(lab.anchors().contains("button.play")) << "only the title page";
+    lab.click("title.begin");
+    EXPECT_TRUE(wait_for([&] { return lab.anchors().contains("button.play"); }));
     const Json state = lab.state();
     EXPECT_EQ(state["mode"], "paused");
     EXPECT_EQ(state["tick"], 0);
@@ -180,6 +183,7 @@ TEST(LabWindow, DragsAVehicleAndUndoMovesItBack) {
 
 TEST(LabWindow, OpensAnotherSceneFromItsMenu) {
     LabWindow lab({"--size", "1280x800"});
+    lab.key("Return");
     lab.choose("file", "open");
     ASSERT_TRUE(wait_for([&] { return lab.anchors().contains("open.2a-coward"); }));
     lab.click("open.2a-coward");

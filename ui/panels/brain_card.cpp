@@ -29,8 +29,9 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float low_column = 680;  // layout pixels; the picture is smaller in a lower column
-constexpr float stick_size = 88;   // layout pixels
+// Layout pixels. In a lower column the picture is smaller, and in the lowest the rows are closer.
+constexpr float low_column = 680, lowest_column = 650;
+constexpr float stick_size = 88;  // layout pixels
 
 // True for a name that a start gets without a person choosing it: "one", "hunter" and "hunter-2" for the kind hunter.
 bool is_given_name(const std::string& name, const std::string& kind) {
@@ -72,19 +73,22 @@ void title_row(const LabView& view, PanelState& state, Ui& ui, const VehicleView
     const bool thinks = vehicle.driver == Driver::brain;
     const Recognised& known = recognised(state.recognised, *view.now, vehicle, view.wall_seconds);
     const auto shown = shown_character(known, *view.now, vehicle, shown_pair(view, vehicle));
-    const bool hidden = hides_outcome(view) || is_brain_secret(view, vehicle.kind);
+    const bool hidden = hides_character(view, vehicle);
     const std::string_view character = !thinks  ? word(vehicle.driver)
                                        : hidden ? "hidden"
                                        : shown  ? name(*shown)
                                                 : "parts";
     const std::string_view label =
         ui.strings.find((thinks ? "character." : "driver.") + std::string(character), character);
-    const float left = at.x + size + ui.px(8), name_width = text_width(ui, Face::title, title);
+    const float left = at.x + size + ui.px(8), room = at.x + width - left - ui.px(8) - widest_chip(ui);
+    const Face face = text_width(ui, Face::title, title) > room ? Face::strong : Face::title;
+    const float name_width = text_width(ui, face, title);
     // Without room for the widest chip, the chip is below the name, so that another character does not move it.
-    const bool below = left + name_width + ui.px(10) + widest_chip(ui) > at.x + width;
+    const bool below = name_width > room;
     const float chip_middle = below ? height + ui.px(15) : height / 2;
-    put(ui, {left, at.y}, shortened(ui, title, Face::title, at.x + width - left), ui.palette.text, Face::title);
-    chip(ui, {below ? left : left + name_width + ui.px(10), at.y + chip_middle}, label);
+    put(ui, {left, at.y + (height - line_height(ui, face)) / 2}, shortened(ui, title, face, at.x + width - left),
+        ui.palette.text, face);
+    chip(ui, {below ? left : left + name_width + ui.px(8), at.y + chip_middle}, label);
     const Item row = item(ui, "brain.character", {width, below ? height + ui.px(28) : height}, false);
     if (row.hovered) tooltip(ui, row, ui.strings((thinks ? "character_story." : "drive.") + std::string(character)));
 }
@@ -127,8 +131,8 @@ std::string description(const LabView& view, const Ui& ui, const Recognised& kno
 // they are while an edit changes the sentence.
 void describe_brain(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle) {
     const std::string words = description(view, ui, state.recognised, vehicle);
-    const float top = ImGui::GetCursorPosY(), kept = 2 * line_height(ui, Face::small) + ImGui::GetStyle().ItemSpacing.y;
-    if (!words.empty()) paragraph(ui, words, ui.palette.second_text, Face::small);
+    const float top = ImGui::GetCursorPosY(), kept = 2 * line_height(ui, Face::label) + ImGui::GetStyle().ItemSpacing.y;
+    if (!words.empty()) paragraph(ui, words, ui.palette.second_text, Face::label);
     const float used = ImGui::GetCursorPosY() - top;
     if (sensor_pairs(kind_of(*view.now, vehicle)).size() < 2 || used >= kept) return;
     ImGui::SetCursorPosY(top + kept);
@@ -146,16 +150,25 @@ void pair_choice(const LabView& view, Ui& ui, const VehicleView& vehicle) {
         return found == sensors.end() ? name : sensor_label(ui, sensors, *found);
     };
     const float space = ui.px(4), right = ImGui::GetCursorScreenPos().x + card_width(ui);
-    bool is_first = true;
-    for (const KindPair& pair : pairs) {
+    const auto words_of = [&](const KindPair& pair) {
         std::string words(ui.strings("view.channel." + std::string(word(pair.channel))));
         if (const auto number = pair.name.find(' '); number != std::string::npos) words += pair.name.substr(number);
-        const std::string id = "pair." + pair.name;
+        return words;
+    };
+    float row = -space;
+    for (const KindPair& pair : pairs)
+        row += space + small_button_width(ui, {"", wiring::channel_symbol(pair.channel), words_of(pair)}, true);
+    // Where the words do not fit into one row, only the shown pair has its word.
+    const bool all_words = row <= card_width(ui) || !has_icons(ui);
+    bool is_first = true;
+    for (const KindPair& pair : pairs) {
+        const std::string id = "pair." + pair.name, words = words_of(pair);
         const SmallButton look{id, wiring::channel_symbol(pair.channel), words, pair.sensors == shown};
-        if (!is_first && ImGui::GetItemRectMax().x + space + small_button_width(ui, look, true) <= right)
+        const bool has_words = all_words || look.on;
+        if (!is_first && ImGui::GetItemRectMax().x + space + small_button_width(ui, look, has_words) <= right)
             ImGui::SameLine(0, space);
         is_first = false;
-        const Item at = small_button(ui, look);
+        const Item at = small_button(ui, look, has_words);
         tooltip(ui, at, fill(ui.strings("tooltip.pair"), {label(pair.sensors.left), label(pair.sensors.right)}));
         if (at.pressed) ui.outbox.push_back(PairRequest{pair.name});
     }
@@ -227,8 +240,8 @@ Push pushed_by_pointer(const Item& at) {
 void draw_stick(const Ui& ui, const Item& at, Push push) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const Palette& p = ui.palette;
-    fill_box(ui, at.rect, p.ground.with_alpha(0.45f), 10);
-    line_box(ui, at.rect, p.line, 10);
+    fill_box(ui, at.rect, p.ground.with_alpha(0.45f));
+    line_box(ui, at.rect, p.line);
     const ImVec2 middle{at.middle_x(), at.middle_y()};
     const float reach = at.rect.w / 2 - ui.px(16), edge = at.rect.w / 2 - ui.px(8), half = ui.px(4);
     for (const ImVec2 to : {ImVec2{0, -1}, ImVec2{0, 1}, ImVec2{-1, 0}, ImVec2{1, 0}}) {
@@ -266,7 +279,7 @@ void driver_note(PanelState& state, Ui& ui, const VehicleView& vehicle, float wi
     ImGui::BeginGroup();
     const std::string key = "drive." + std::string(word(vehicle.driver));
     paragraph(ui, ui.strings(key), ui.palette.text, Face::small, width);
-    const SmallButton back{"drive.back", icon::wiring, ui.strings("drive.back")};
+    const SmallButton back{"drive.back", {}, ui.strings("drive.back")};
     const Item at = small_button(ui, back);
     tooltip(ui, at, ui.strings("tooltip.drive_back"));
     if (at.pressed)
@@ -337,15 +350,17 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         title_row(view, state, ui, *vehicle);
         paragraph(ui, ui.strings("brain.hidden"), ui.palette.second_text);
     } else if (open && vehicle) {
+        const float between = ui.px(column.h < ui.px(lowest_column) ? 4 : 8);
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), between});
         if (buttons[1].pressed) {
             ui.outbox.push_back(Action::drive);
             state.keyboard.focus.clear();  // the arrow keys then drive the vehicle
         }
         title_row(view, state, ui, *vehicle);
         const bool tells = !hides_outcome(view) && !(offers_some(view) && brain_of(*view.now, *vehicle)->wires.empty());
-        if (vehicle->driver == Driver::brain && tells) describe_brain(view, state, ui, *vehicle);
+        if (vehicle->driver == Driver::brain && tells && !view.lecture) describe_brain(view, state, ui, *vehicle);
         missing_sensors_note(view, state, ui, *vehicle);
-        scope_choice(view, ui, *vehicle, "scope", ui.strings("scope.how"));
+        if (!view.lecture) scope_choice(view, ui, *vehicle, "scope", ui.strings("scope.how"));
         own_brain_note(view, ui, *vehicle);
         pair_choice(view, ui, *vehicle);
         dial_sliders(view, state, ui, *vehicle);
@@ -353,12 +368,13 @@ void brain_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect
         gap(ui, 8);
         if (vehicle->driver != Driver::brain)
             driver_panel(state, ui, *vehicle);
-        else if (tells)
+        else if (tells && view.settings.revealed.brain)
             equations(view, ui, *vehicle);
         // The wiring canvas shows the same brain larger.
         if (view.mode != Mode::wiring && !hides_brain(view, vehicle->kind))
             brain_picture(view, state, ui, *vehicle, column.h < ui.px(low_column) ? 90 : 116);
         const bool wanted = std::exchange(state.open_presets, false) || buttons[0].pressed;
+        ImGui::PopStyleVar();
         presets_menu(view, state, ui, *vehicle, wanted, {place.x + place.w - ui.px(16), place.y + ui.px(36)});
     }
     end_card(state.card(Card::brain));

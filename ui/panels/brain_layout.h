@@ -38,8 +38,9 @@ struct BrainLayout {
 // True when every wire that has a weight, learns or is cut joins a sensor of the pair and a motor.
 bool is_four_wires(const BrainGraph&, const SensorPair&);
 
-// The additional height of a picture that shows the whole brain, layout pixels.
-inline constexpr float graph_height = 44;
+// The additional height of a picture that shows the whole brain, layout pixels; in a low card less for one without
+// neurons between sensors and motors.
+inline constexpr float graph_height = 44, low_graph_height = 10;
 
 // Only the pair, the motors and the four wires between them, also those of weight 0. `scale`: window pixels per layout
 // pixel.

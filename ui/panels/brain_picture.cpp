@@ -41,20 +41,20 @@ public:
           is_graph_(!sketch::is_four_wires(brain_, pair_)),
           unit_(ui.px(1)) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        all_ = {at.x, at.y, card_width(ui), ui.px(layout_height + (is_graph_ ? sketch::graph_height : 0))};
+        all_ = {at.x, at.y, card_width(ui), ui.px(layout_height + (is_graph_ ? graph_height(layout_height) : 0))};
         if (!is_graph_)
             unit_ = std::min(
                 ui.px(1), (all_.w / 2 - text_width(ui, Face::small, with_sign(ui, 1, 2)) - ui.px(2)) / reach_of_pair);
         parts_ = is_graph_ ? sketch::lay_out_graph(brain_, kind_of(*view.now, vehicle), pair_, all_, ui.px(1))
                            : sketch::lay_out_pair(brain_, pair_, all_, unit_);
         for (const NodeMark& sensor : parts_.sensors)
-            is_crowded_ |= text_width(ui, Face::small, wiring::short_name(sensors(), sensor.name)) > room_of_name();
+            is_crowded_ |= text_width(ui, Face::label, wiring::short_name(sensors(), sensor.name)) > room_of_name();
     }
 
     void draw() {
         fill_box(ui_, all_, ui_.palette.ground.with_alpha(0.45f));
-        fill_box(ui_, parts_.chassis, mix(ui_.palette.panel, ui_.palette.chassis, 0.22f), 12);
-        line_box(ui_, parts_.chassis, colour_of(ui_.palette, vehicle_.role), 12, 1.5f);
+        fill_box(ui_, parts_.chassis, mix(ui_.palette.panel, ui_.palette.chassis, 0.22f));
+        line_box(ui_, parts_.chassis, colour_of(ui_.palette, vehicle_.role), 6, 1.5f);
         for (const NodeMark& sensor : parts_.sensors)
             node(sensor, {ui_.px(24), ui_.px(24)}, "lesion.eye", "lesion.eye_hurt");
         for (const NodeMark& motor : parts_.motors)
@@ -71,6 +71,13 @@ public:
     }
 
 private:
+    float graph_height(float layout_height) const {
+        constexpr float low = 100;
+        const bool has_neurons = std::any_of(brain_.nodes.begin(), brain_.nodes.end(),
+                                             [](const Node& node) { return node.kind == NodeKind::neuron; });
+        return has_neurons || layout_height > low ? sketch::graph_height : sketch::low_graph_height;
+    }
+
     // The value of a node; 0 for a silenced one and for a node that the brain does not have.
     float reading(const Node* node) const {
         return node && !node->silenced ? node_value(*view_.now, vehicle_, node->id) : 0;
@@ -97,10 +104,10 @@ private:
             tooltip(ui_, at, fill(ui_.strings(which.node->silenced ? words_hurt : words), {name + value}),
                     ui_.strings("lesion.key"));
         }
-        if (!lesion_requested(at, at.hovered, which.anchor)) return;
         BrainGraph edited = brain_;
         find_node(edited, which.name)->silenced = !which.node->silenced;
-        set(std::move(edited));
+        if (at.hovered) try_out(edited);
+        if (lesion_requested(at, at.hovered, which.anchor)) set(std::move(edited));
     }
 
     // The wire in the brain; null for a place without one, or with weight 0.
@@ -134,15 +141,19 @@ private:
             } else if (at.pressed && !at.entered) {
                 at.pressed = false;  // another wire is nearer to the pointer
             }
-            if (lesion_requested(at, warm_ == &mark, mark.anchor)) cut_or_heal(*wire);
+            if (warm_ == &mark) try_out(cut_or_healed(*wire));
+            if (lesion_requested(at, warm_ == &mark, mark.anchor)) set(cut_or_healed(*wire));
         }
     }
 
-    void cut_or_heal(const Wire& wire) {
+    BrainGraph cut_or_healed(const Wire& wire) const {
         BrainGraph edited = brain_;
         find_wire(edited, wire.from, wire.to)->cut = !wire.cut;
-        set(std::move(edited));
+        return edited;
     }
+
+    // The path with this brain is shown while the pointer is here.
+    void try_out(const BrainGraph& edited) { state_.what_if = {SetBrain{target_of(view_, vehicle_), edited}}; }
 
     void strokes() {
         for (const WireMark& mark : parts_.wires) {
@@ -178,10 +189,10 @@ private:
         std::string name = wiring::short_name(sensors(), which.name);
         const Sensor* sensor = find_sensor(sensors(), which.name);
         if (is_crowded_ && sensor && name != which.name) name = wiring::channel_symbol(sensor->channel);
-        const float width = text_width(ui_, Face::small, name);
+        const float width = text_width(ui_, Face::label, name);
         // A symbol has space of its own on both sides.
         if (width <= room_of_name() + (is_crowded_ ? ui_.px(7) : 0))
-            put(ui_, {which.at.x - width / 2, all_.y + ui_.px(1)}, name, ui_.palette.second_text, Face::small);
+            put(ui_, {which.at.x - width / 2, all_.y + ui_.px(1)}, name, ui_.palette.second_text, Face::label);
     }
 
     void motor(std::size_t side) {

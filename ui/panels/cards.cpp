@@ -70,6 +70,7 @@ constexpr CardTraits card_traits[]{
      .heading = "info.heading",
      .column = Column::right,
      .in_lecture = InLecture::restored,
+     .folded = true,
      .shown = [](const LabView& view) { return !view.lecture && view.mode != Mode::wiring; },
      .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place,
                 Rect) { information_card(view, state, ui, place); },

@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "core/brain/four_neurons.h"
+#include "ui/panels/brain_layout.h"
 #include "ui/panels/offered.h"
 #include "ui/panels/panels.h"
 #include "ui/strings.h"
@@ -47,7 +48,8 @@ constexpr float threshold_width = 104, between_sliders = 14;  // layout pixels
 // In a narrower card the thresholds have their numbers only, which can be typed, and the weights keep a track.
 constexpr float narrow_card = 236, narrow_threshold_width = 52;
 
-constexpr float low_window = 700;  // in a lower window the two biases share a row
+// In a lower window the two biases share a row; layout pixels. The picture of more than four wires is higher.
+constexpr float low_window = 700, low_window_of_graph = 900;
 
 class DialSliders {
 public:
@@ -75,17 +77,21 @@ public:
     }
 
     void draw() {
+        const bool thresholds = has_threshold() || state_.thresholds_open;
         const float width = card_width(ui_), gap = ui_.px(between_sliders),
                     threshold = ui_.px(width < ui_.px(narrow_card) ? narrow_threshold_width : threshold_width),
-                    weight_width = width - threshold - gap;
-        captions(weight_width);
+                    weight_width = thresholds ? width - threshold - gap : width;
+        captions(width, thresholds);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0});
         for (std::size_t i = 0; i < std::size(weight_sliders); ++i) {
             turn(weight_sliders[i].dial, weight_sliders[i].anchor, weight_width, weight_look(weight_sliders[i]));
+            if (!thresholds) continue;
             ImGui::SameLine();
             turn(threshold_sliders[i].dial, threshold_sliders[i].anchor, threshold, threshold_look());
         }
-        const bool is_low = ImGui::GetIO().DisplaySize.y < ui_.px(low_window);
+        const float window_height = ImGui::GetIO().DisplaySize.y;
+        const bool is_low = window_height < ui_.px(low_window) ||
+                            (window_height < ui_.px(low_window_of_graph) && !sketch::is_four_wires(brain_, pair_));
         const float bias_width = is_low ? (width - gap) / 2 : width;
         for (const DialSlider& bias : bias_sliders) {
             turn(bias.dial, bias.anchor, bias_width, bias_look(bias));
@@ -95,23 +101,31 @@ public:
     }
 
 private:
-    // The headings of the columns; at the right end of the first the buttons that edit both sides.
-    void captions(float weight_width) {
+    // A brain with a threshold always shows the thresholds.
+    bool has_threshold() const {
+        return std::any_of(std::begin(threshold_sliders), std::end(threshold_sliders),
+                           [&](const DialSlider& each) { return at(values_, each.dial) != 0; });
+    }
+
+    // The heading of the weights; at its right end the buttons that edit both sides, and the one that unfolds the
+    // thresholds.
+    void captions(float width, bool thresholds) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float height = ui_.px(22), y = at.y + (height - line_height(ui_, Face::small)) / 2;
         const std::string_view weight = ui_.strings("brain.weight");
         put(ui_, {at.x, y}, weight, ui_.palette.second_text, Face::small);
-        put(ui_, {at.x + weight_width + ui_.px(between_sliders), y}, ui_.strings("brain.threshold"),
-            ui_.palette.second_text, Face::small);
         const SmallButton mirror{"button.mirror", icon::mirror, ui_.strings("button.mirror")};
         const SmallButton cross{"button.cross", icon::cross_over, ui_.strings("button.cross")};
-        const float room = weight_width - text_width(ui_, Face::small, weight) - ui_.px(8);
-        const bool words =
-            small_button_width(ui_, mirror, true) + small_button_width(ui_, cross, true) + ui_.px(4) <= room;
-        const float cross_x = at.x + weight_width - small_button_width(ui_, cross, words);
-        const float mirror_x = cross_x - ui_.px(4) - small_button_width(ui_, mirror, words);
+        const SmallButton unfold{"button.thresholds", thresholds ? icon::unfolded : icon::folded,
+                                 ui_.strings("brain.threshold"), thresholds};
+        const float space = ui_.px(4), unfold_x = at.x + width - small_button_width(ui_, unfold, true);
+        const float room = unfold_x - space - at.x - text_width(ui_, Face::small, weight) - 2 * space;
+        const bool words = small_button_width(ui_, mirror, true) + small_button_width(ui_, cross, true) + space <= room;
+        const float cross_x = unfold_x - space - small_button_width(ui_, cross, words);
+        const float mirror_x = cross_x - space - small_button_width(ui_, mirror, words);
         if (small(mirror, mirror_x, at.y, words, "tooltip.mirror")) set(mirrored(brain_, pair_));
         if (small(cross, cross_x, at.y, words, "tooltip.cross")) set(crossed(brain_, pair_));
+        if (small(unfold, unfold_x, at.y, true, "tooltip.thresholds")) state_.thresholds_open = !thresholds;
         ImGui::SetCursorScreenPos(at);
         ImGui::Dummy({1, height - ui_.px(2)});  // room for the focus ring of the first slider
     }

@@ -9,7 +9,9 @@
 
 #include "ui/panels/brain_analysis.h"
 #include "ui/panels/panels.h"
+#include "ui/shortcuts.h"
 #include "ui/strings.h"
+#include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/item.h"
 #include "ui/widgets/number.h"
@@ -65,17 +67,17 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
     const auto product = [&](std::size_t i) {
         float widest = 0;
         for (const MotorSum& sum : both)
-            widest = std::max(widest, !factors ? std::max(number, text_width(ui, Face::small, sum.products[i].label))
+            widest = std::max(widest, !factors ? std::max(number, text_width(ui, Face::label, sum.products[i].label))
                                                : text_width(ui, Face::small, numbers_of(ui, sum.products[i])));
         return widest;
     };
     const auto term = [&](std::size_t i) {
         float widest = number;
         for (const MotorSum& sum : both)
-            if (i < sum.terms.size()) widest = std::max(widest, text_width(ui, Face::small, sum.terms[i].label));
+            if (i < sum.terms.size()) widest = std::max(widest, text_width(ui, Face::label, sum.terms[i].label));
         return widest;
     };
-    const float rest = more ? std::max(number, text_width(ui, Face::small, ui.strings("sums.rest"))) : 0;
+    const float rest = more ? std::max(number, text_width(ui, Face::label, ui.strings("sums.rest"))) : 0;
     const float total = text_width(ui, Face::strong, with_sign(ui, 1, 2)), name = text_width(ui, Face::strong, "MR");
     const std::size_t terms = term_columns(both);
     float taken = name + (factors ? 3 : 2) * sign + product(0) + product(1) + number + rest + total;
@@ -98,28 +100,30 @@ EquationColumns equation_columns(const Ui& ui, const std::array<MotorSum, 2>& bo
     return c;
 }
 
+// The numbers are below their names; window pixels.
+float below_name(const Ui& ui) { return line_height(ui, Face::label) + ui.px(2); }
+
 // The cause of a turn is marked by a box in the colour of its sign.
 void mark_cause(const Ui& ui, float right, float y, const std::string& numbers, float value) {
     const float w = text_width(ui, Face::small, numbers), h = line_height(ui, Face::small);
     const Colour meaning = colour_of_weight(ui.palette, value);
-    const Rect mark{right - w - ui.px(3), y + h + ui.px(1), w + ui.px(6), h + ui.px(3)};
-    fill_box(ui, mark, meaning.with_alpha(0.22f), 4);
-    line_box(ui, mark, meaning, 4);
+    const Rect mark{right - w - ui.px(3), y + below_name(ui) - ui.px(1), w + ui.px(6), h + ui.px(3)};
+    fill_box(ui, mark, meaning.with_alpha(0.22f));
+    line_box(ui, mark, meaning);
 }
 
 void one_product(const Ui& ui, float right, float y, const Product& p) {
     const std::string numbers = numbers_of(ui, p);
-    const float w = text_width(ui, Face::small, numbers), h = line_height(ui, Face::small);
-    put_centred(ui, {right - w / 2, y}, p.label, ui.palette.second_text, Face::small);
-    put_right(ui, {right, y + h + ui.px(2)}, numbers, p.masked || p.cut ? ui.palette.second_text : ui.palette.text,
+    const float w = text_width(ui, Face::small, numbers);
+    put_centred(ui, {right - w / 2, y}, p.label, ui.palette.second_text, Face::label);
+    put_right(ui, {right, y + below_name(ui)}, numbers, p.masked || p.cut ? ui.palette.second_text : ui.palette.text,
               Face::small);
 }
 
 // A signed number below its name.
 void signed_term(const Ui& ui, float right, float y, std::string_view letters, float value) {
-    put_right(ui, {right, y}, letters, ui.palette.second_text, Face::small);
-    put_right(ui, {right, y + line_height(ui, Face::small) + ui.px(2)}, with_sign(ui, value, 2), ui.palette.text,
-              Face::small);
+    put_right(ui, {right, y}, letters, ui.palette.second_text, Face::label);
+    put_right(ui, {right, y + below_name(ui)}, with_sign(ui, value, 2), ui.palette.text, Face::small);
 }
 
 class Equation {
@@ -129,7 +133,7 @@ public:
 
     void draw() const {
         const Palette& c = ui_.palette;
-        const float h = line_height(ui_, Face::small), numbers = at_.y + h + ui_.px(2);
+        const float h = line_height(ui_, Face::small), numbers = at_.y + below_name(ui_);
         const float large = numbers - (line_height(ui_, Face::text) - h) / 2;
         const auto sign = [&](float middle, std::string_view words) {
             put_centred(ui_, {middle, numbers}, words, c.second_text, Face::small);
@@ -236,7 +240,7 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     if (x.factors && x.space < ui.px(least_factor_space)) x = columns(false);
     for (; x.space < ui.px(least_space) && term_columns(both) > 0; x = columns(false)) drop_last_column(both);
     const Cause why = cause(both);
-    const float row = 2 * line_height(ui, Face::small) + ui.px(8);
+    const float row = below_name(ui) + line_height(ui, Face::small) + ui.px(4);
     const bool stopped = both[0].stopped || both[1].stopped;
     const Cause* shown = stopped || are_alike(both[0].total, both[1].total) ? nullptr : &why;
     Equation(ui, both[0], x, at, shown).draw();
@@ -248,7 +252,17 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
         tooltip(ui, area, std::string(ui.strings("sums.more_wires")) + legend(view, ui, vehicle, both));
     // The wheels are driven and the vehicle does not move: it is blocked. Not known in the first half second.
     const bool is_stuck = view.mode == Mode::playing && view.now->tick > 30 && std::fabs(vehicle.speed) < 0.02f;
-    paragraph(ui, explanation(ui, {view, vehicle, both, why}, is_stuck), ui.palette.text, Face::small);
+    const ImVec2 below = ImGui::GetCursorScreenPos();
+    const SmallButton more{"button.why", icon::notice, ui.strings("why.button"), view.why != nullptr};
+    const float width = small_button_width(ui, more, !has_icons(ui));
+    paragraph(ui, explanation(ui, {view, vehicle, both, why}, is_stuck), ui.palette.text, Face::small,
+              card_width(ui) - width - ui.px(6));
+    const ImVec2 after = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({below.x + card_width(ui) - width, below.y - ui.px(3)});
+    const Item ask = small_button(ui, more, !has_icons(ui));
+    tooltip(ui, ask, fill(ui.strings("tooltip.button_why"), {key_name(Action::why, ui.strings)}));
+    if (ask.pressed) ui.outbox.push_back(Action::why);
+    ImGui::SetCursorScreenPos({after.x, std::max(after.y, below.y + ui.px(small_button_height))});
 }
 
 }  // namespace braitenlab::ui

@@ -19,7 +19,7 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float least_list = 80;  // layout pixels
+constexpr float least_list = 80, row_picture = 72;  // layout pixels
 
 }  // namespace
 
@@ -28,6 +28,8 @@ void begin_files(FilesState& files, bool saving, FileKind kind) {
     files.kind = kind;
     files.begun = files.asked = false;
     files.typed = files.title = files.story = {};
+    files.search.clear();
+    files.searched.clear();
     files.replacing.clear();
     files.creating.clear();
 }
@@ -38,7 +40,67 @@ std::string_view kind_key(FileKind kind) {
     return keys[static_cast<std::size_t>(kind)];
 }
 
+bool search_by_typing(FilesState& files, KeyPress press) {
+    constexpr std::size_t longest = 40;
+    if (files.saving || files.place != FilesPlace::shipped || press.ctrl) return false;
+    if (press.key == key::escape || press.key == key::backspace) {
+        if (files.search.empty()) return false;
+        press.key == key::escape ? files.search.clear() : files.search.pop_back();
+        return true;
+    }
+    const bool is_space = press.key == ' ' && !files.search.empty();
+    if (!is_space && (press.key <= ' ' || press.key > '~')) return false;
+    const char typed = static_cast<char>(press.key);
+    if (files.search.size() < longest)
+        files.search += typed >= 'A' && typed <= 'Z' ? static_cast<char>(typed - 'A' + 'a') : typed;
+    return true;
+}
+
 namespace {
+
+std::string lower_case(std::string words) {
+    for (char& c : words)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return words;
+}
+
+// True if the words shown of the entry have every word of the search. The title of an exercise that tells its outcome
+// is not searched until it is shown.
+bool matches(const LabView& view, const Ui& ui, const CatalogueEntry& entry, const std::string& search) {
+    std::string words = entry_words(view, ui, entry) + " ";
+    words += entry.exercise ? translated(ui, entry.exercise->goal) : translated(ui, entry.story);
+    if (!entry.exercise) words += " " + entry.name;
+    words = lower_case(std::move(words));
+    for (std::size_t from = 0; from < search.size();) {
+        const std::size_t end = std::min(search.find(' ', from), search.size());
+        if (words.find(search.substr(from, end - from)) == std::string::npos) return false;
+        from = end + 1;
+    }
+    return true;
+}
+
+std::string row_anchor(const CatalogueEntry& entry) { return (entry.number > 0 ? "gallery." : "open.") + entry.name; }
+
+// After a change of the search the focus is on a listed entry: on the first one unless the focused one is still listed.
+void keep_focus_in(const std::vector<CatalogueEntry>& listed, Keyboard& keyboard) {
+    const auto is_focused = [&](const CatalogueEntry& entry) { return row_anchor(entry) == keyboard.focus; };
+    if (listed.empty() || std::any_of(listed.begin(), listed.end(), is_focused)) return;
+    keyboard.focus = row_anchor(listed.front());
+    keyboard.revealed = keyboard.shown = true;
+}
+
+// What is searched for, or how to search.
+void search_row(const FilesState& files, Ui& ui) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const Rect box{at.x, at.y, card_width(ui), ui.px(28)};
+    const bool empty = files.search.empty();
+    line_box(ui, box, empty ? ui.palette.line : ui.palette.accent);
+    put(ui, {box.x + ui.px(10), box.y + (box.h - line_height(ui, Face::text)) / 2},
+        empty ? std::string(ui.strings("files.search_how")) : files.search,
+        empty ? ui.palette.second_text : ui.palette.text);
+    mark(ui, "files.search", box);
+    ImGui::Dummy({box.w, box.h});
+}
 
 std::string without_folder(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 std::string folder_of(const std::string& path) {
@@ -63,11 +125,15 @@ struct FileRow {
     std::string id, words, below, aside;
     std::string_view icon;
     bool current = false, broken = false;
+    std::string path{};  // of the scene or exercise whose picture is shown; empty: none
 };
 
-bool list_row(Ui& ui, const FileRow& row, std::string_view how) {
-    const float height =
+bool list_row(const LabView& view, Ui& ui, const FileRow& row, std::string_view how) {
+    const float words_height =
         line_height(ui, Face::text) + (row.below.empty() ? 0 : line_height(ui, Face::small)) + ui.px(12);
+    const float picture = ui.px(row_picture), picture_height = picture * picture_share;
+    const bool has_picture = view.pictures && !row.path.empty();
+    const float height = has_picture ? std::max(words_height, picture_height + ui.px(8)) : words_height;
     const Item at = item(ui, row.id, {card_width(ui), height});
     fill_box(ui, at.rect, ui.palette.line.with_alpha(std::max(0.6f * at.warmth, at.focused ? 0.6f : 0.0f)));
     if (row.current)
@@ -75,8 +141,14 @@ bool list_row(Ui& ui, const FileRow& row, std::string_view how) {
     const Palette& p = ui.palette;
     const Colour quiet = row.broken ? legible(p.warning, p.panel, p.text) : p.second_text;
     float x = at.rect.x + ui.px(12);
-    const float y = at.rect.y + ui.px(5);
-    if (!row.icon.empty() && has_icons(ui)) {
+    const float y = at.rect.y + (height - words_height) / 2 + ui.px(5);
+    if (has_picture) {
+        const Rect place{x - ui.px(4), at.rect.y + (height - picture_height) / 2, picture, picture_height};
+        if (ImGui::IsRectVisible({at.rect.x, at.rect.y}, {at.right(), at.bottom()}) &&
+            !put_scene_picture(view, ui, row.path, place))
+            fill_box(ui, place, p.ground, 4);
+        x += picture + ui.px(6);
+    } else if (!row.icon.empty() && has_icons(ui)) {
         put_icon(ui, {x + ui.px(7), y + line_height(ui, Face::text) / 2}, row.icon, quiet);
         x += ui.px(26);
     }
@@ -145,8 +217,11 @@ void shipped_scenes(const LabView& view, FilesState& files, Ui& ui) {
                           std::string(translated(ui, entry.story)),
                           "",
                           {},
-                          entry.name == view.opened};
-        if (list_row(ui, row, ui.strings("files.open_how"))) request_file(view, files, ui, OpenRequest{entry.path});
+                          entry.name == view.opened,
+                          false,
+                          entry.path};
+        if (list_row(view, ui, row, ui.strings("files.open_how")))
+            request_file(view, files, ui, OpenRequest{entry.path});
         if (row.current && !files.begun) ImGui::SetScrollHereY();
     }
     gap(ui, 8);
@@ -160,7 +235,22 @@ void list_heading(Ui& ui, bool exercises) {
 }  // namespace
 
 // Exercises on the left, scenes on the right. Each list scrolls.
-void list_shipped(const LabView& view, FilesState& files, Ui& ui, float bottom) {
+void list_shipped(const LabView& all_entries, FilesState& files, Ui& ui, float bottom) {
+    search_row(files, ui);
+    LabView view = all_entries;
+    std::vector<CatalogueEntry> found;
+    if (!files.search.empty() && view.catalogue) {
+        for (const CatalogueEntry& entry : *view.catalogue)
+            if (matches(view, ui, entry, files.search)) found.push_back(entry);
+        if (found.empty()) {
+            begin_list(files, ui, "no match", bottom);
+            paragraph(ui, ui.strings("files.no_match"), ui.palette.second_text);
+            return end_list();
+        }
+        if (ui.keyboard && files.search != files.searched) keep_focus_in(found, *ui.keyboard);
+        view.catalogue = &found;
+    }
+    files.searched = files.search;
     constexpr float exercises_share = 0.66f;  // of the width
     const float between = ui.px(12), all = card_width(ui), left = (all - between) * exercises_share;
     const std::string listed = files.listed;  // both lists are of one place
@@ -182,9 +272,9 @@ void list_recent(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     int number = 0;
     if (view.recent)
         for (const RecentFile& file : *view.recent)
-            if (list_row(ui,
+            if (list_row(view, ui,
                          {"recent." + std::to_string(++number), recent_words(view, ui, *view.recent, file), file.path,
-                          "", icon::file},
+                          "", icon::file, false, false, file.path},
                          ui.strings("files.open_how")))
                 request_file(view, files, ui, OpenRequest{file.path});
     if (number == 0) paragraph(ui, ui.strings("files.no_recent"), ui.palette.second_text);
@@ -211,7 +301,7 @@ void list_folder(const LabView& view, FilesState& files, Ui& ui, float bottom) {
     begin_list(files, ui, listing.folder, bottom);
     const std::string up = folder_of(listing.folder), below = listing.folder == "/" ? "/" : listing.folder + "/";
     if (listing.folder != "/" &&
-        list_row(ui, {"file.up", "..", "", std::string(ui.strings("files.up")), icon::folder}, up))
+        list_row(view, ui, {"file.up", "..", "", std::string(ui.strings("files.up")), icon::folder}, up))
         ui.outbox.push_back(BrowseRequest{up});
     bool any = false;
     for (const FileEntry& entry : listing.entries) {
@@ -219,8 +309,10 @@ void list_folder(const LabView& view, FilesState& files, Ui& ui, float bottom) {
         any = true;
         FileRow row{"file." + entry.name, entry.name, "", "", entry.is_folder ? icon::folder : icon::file};
         if (!entry.is_folder) row.aside = ui.strings(entry.broken ? "files.broken" : kind_key(entry.kind));
+        const bool has_scene = entry.kind == FileKind::scene || entry.kind == FileKind::exercise;
+        if (!entry.is_folder && !entry.broken && has_scene && !files.saving) row.path = below + entry.name;
         if (entry.broken) row.icon = icon::warning, row.broken = true;
-        if (!list_row(ui, row, ui.strings(tooltip_key(files, entry)))) continue;
+        if (!list_row(view, ui, row, ui.strings(tooltip_key(files, entry)))) continue;
         if (entry.is_folder)
             ui.outbox.push_back(BrowseRequest{below + entry.name});
         else if (files.saving)

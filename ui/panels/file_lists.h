@@ -8,6 +8,7 @@
 #include "ui/files.h"
 #include "ui/lab_view.h"
 #include "ui/request.h"
+#include "ui/shortcuts.h"
 #include "ui/widgets/sheet.h"
 #include "ui/widgets/text_field.h"
 #include "ui/widgets/ui.h"
@@ -22,6 +23,8 @@ struct FilesState {
     FilesPlace place = FilesPlace::shipped;  // when opening
     std::optional<FileKind> only;            // when opening from a folder; none: every kind
     FileKind kind = FileKind::scene;         // when saving
+    std::string search;                      // typed while what ships is listed: only entries with these words
+    std::string searched;                    // `search` in the last frame
     TextField typed;                         // a path, or the name to save under
     TextField title, story;                  // of the scene to be saved
     std::string listed;                      // the folder or place listed; a new one is scrolled to its top
@@ -35,12 +38,16 @@ struct FilesState {
 // Opens the browser for opening, or for saving as `kind`. The caller sets PanelState::sheet to Sheet::files.
 void begin_files(FilesState&, bool saving, FileKind kind = FileKind::scene);
 
-// The string key of a file kind's name.
 // The title of a recent file in the language of the strings, or its name without a title; with both if another recent
 // file has the same title.
 std::string recent_words(const LabView&, const Ui&, const std::vector<RecentFile>&, const RecentFile&);
 
+// The string key of a file kind's name.
 std::string_view kind_key(FileKind);
+
+// A key typed while the browser lists what ships: letters, digits, Space and Backspace edit FilesState::search, Esc
+// empties it. False for other keys.
+bool search_by_typing(FilesState&, KeyPress);
 
 // Sends a request. FilesView::done or FilesView::refused reports its result.
 void request_file(const LabView&, FilesState&, Ui&, Request);
@@ -50,6 +57,10 @@ void request_file(const LabView&, FilesState&, Ui&, Request);
 void list_shipped(const LabView&, FilesState&, Ui&, float bottom);
 void list_recent(const LabView&, FilesState&, Ui&, float bottom);
 void list_folder(const LabView&, FilesState&, Ui&, float bottom);
+
+// Draws the rendered picture of the file into a rectangle with the ratio picture_share. False if there is none.
+bool put_scene_picture(const LabView&, const Ui&, const std::string& path, Rect place);
+inline constexpr float picture_share = 0.58f;  // height by width
 
 // The shipped exercises as cards by chapter, `gallery.ID` each; gallery.cpp
 void exercise_gallery(const LabView&, FilesState&, Ui&);

@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include "ui/imgui_compat.h"
 #include "ui/panels/course/exercise_names.h"
 #include "ui/panels/course/scene_picture.h"
 #include "ui/panels/file_lists.h"
@@ -21,7 +22,7 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr std::string_view gallery_stem = "gallery.";
-constexpr float least_card = 150, picture_share = 0.58f, card_inset = 8, between_cards = 10;  // layout pixels
+constexpr float least_card = 150, card_inset = 8, between_cards = 10;  // layout pixels
 
 // A disc with a check mark; a ring while the exercise was passed only by the solution that was shown.
 void passed_mark(const Ui& ui, ImVec2 c, bool alone) {
@@ -47,10 +48,11 @@ void two_lines(const Ui& ui, ImVec2 at, std::string_view words, float width) {
             ui.palette.text, Face::small);
 }
 
-void card_picture(const Ui& ui, const CatalogueEntry& entry, const ExerciseProgress* progress, Rect place) {
+void card_picture(const LabView& view, const Ui& ui, const CatalogueEntry& entry, const ExerciseProgress* progress,
+                  Rect place) {
     fill_box(ui, place, ui.palette.ground, 4);
     ImGui::PushClipRect({place.x, place.y}, {place.x + place.w, place.y + place.h}, true);
-    if (entry.exercise) {
+    if (!put_scene_picture(view, ui, entry.path, place) && entry.exercise) {
         const FloorMap map(occupied_area(entry.exercise->scene), place);
         draw_floor(ui, entry.exercise->scene, map);
         draw_vehicles(ui, entry.exercise->scene, map);
@@ -70,7 +72,7 @@ bool exercise_tile(const LabView& view, Ui& ui, const CatalogueEntry& entry, flo
     fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.14f * at.warmth));
     line_box(ui, at.rect, is_open ? ui.palette.accent : ui.palette.line, 6, is_open ? 2.0f : 1.0f);
     if (ImGui::IsRectVisible({at.rect.x, at.rect.y}, {at.right(), at.bottom()}))
-        card_picture(ui, entry, progress, {at.rect.x + inset, at.rect.y + inset, inner, picture});
+        card_picture(view, ui, entry, progress, {at.rect.x + inset, at.rect.y + inset, inner, picture});
     const ImVec2 words{at.rect.x + inset, at.rect.y + inset + picture + ui.px(4)};
     const std::string number = std::to_string(entry.number), best = best_words(progress);
     const float beside = text_width(ui, Face::strong, "88") + ui.px(6);
@@ -137,6 +139,17 @@ void move_in_gallery(const LabView& view, const FilesState& files, Ui& ui, int c
 }
 
 }  // namespace
+
+bool put_scene_picture(const LabView& view, const Ui& ui, const std::string& path, Rect place) {
+    if (!view.pictures) return false;
+    const auto found = view.pictures->find(path);
+    if (found == view.pictures->end() || found->second == 0) return false;
+    // Rows of the texture are from the bottom.
+    ImGui::GetWindowDrawList()->AddImageRounded(compat::texture(found->second), {place.x, place.y},
+                                                {place.x + place.w, place.y + place.h}, {0, 1}, {1, 0}, IM_COL32_WHITE,
+                                                ui.px(4));
+    return true;
+}
 
 void exercise_gallery(const LabView& view, FilesState& files, Ui& ui) {
     if (!view.catalogue) return;

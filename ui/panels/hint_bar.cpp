@@ -20,8 +20,8 @@ namespace {
 float key_cap(const Ui& ui, ImVec2 at, float height, std::string_view words) {
     const float w = std::max(text_width(ui, Face::small, words) + ui.px(10), ui.px(18)), h = ui.px(18);
     const Rect cap{at.x, at.y + (height - h) / 2, w, h};
-    fill_box(ui, cap, ui.palette.raised, 4);
-    line_box(ui, cap, ui.palette.line, 4);
+    fill_box(ui, cap, ui.palette.raised);
+    line_box(ui, cap, ui.palette.line);
     put_centred(ui, {cap.x + w / 2, cap.y + (h - line_height(ui, Face::small)) / 2}, words, ui.palette.text,
                 Face::small);
     return w;
@@ -61,7 +61,7 @@ bool mode_hint(const LabView& view, const Ui& ui, float x, Rect bar) {
 
 // The hint when there is no prompt.
 std::string_view usual_hint(const LabView& view) {
-    if (view.mode == Mode::wiring) return "hint.wiring";
+    if (view.mode == Mode::wiring) return view.lesson ? "hint.wiring_exercise" : "hint.wiring";
     if (view.mode == Mode::playing)
         return view.settings.camera.mode == CameraMode::follow ? "hint.following" : "hint.playing";
     return view.settings.selection.vehicle == no_vehicle ? "hint.no_vehicle" : "hint.paused";

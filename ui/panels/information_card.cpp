@@ -176,9 +176,9 @@ std::size_t first_shown(const History& history) {
 // One signal: its name, and a line on an axis from `low` to 1; the newest sample is at the right edge.
 void signal_strip(const Ui& ui, Rect r, const History& history, const ShownSignals& shown, std::size_t signal,
                   float low) {
-    const float room = ui.px(26);
-    put(ui, {r.x, r.y + (r.h - line_height(ui, Face::small)) / 2},
-        shortened(ui, shown.names[signal], Face::small, room - ui.px(2)), ui.palette.second_text, Face::small);
+    const float room = ui.px(44);
+    put(ui, {r.x, r.y + (r.h - line_height(ui, Face::label)) / 2},
+        shortened(ui, shown.names[signal], Face::label, room - ui.px(2)), ui.palette.second_text, Face::label);
     const Rect plot{r.x + room, r.y, r.w - room, r.h};
     strip_ground(ui, plot);
     if (low < 0)

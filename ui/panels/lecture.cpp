@@ -1,4 +1,4 @@
-// A lecture: a slim bar on top, large figures below, and the keys that were pressed.
+// A lecture: a slim bar on top, the brain or the counts of the population large below, and the keys that were pressed.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -28,48 +28,23 @@ struct LectureFigure {
     std::string_view anchor, caption;  // caption: key of the string
     std::string words;
     Colour colour;
-    float bar = 0;  // −1..1, drawn below where `has_bar`
-    bool has_bar = false;
 };
 
-std::vector<LectureFigure> lecture_values(const LabView& view, PanelState& state, const Ui& ui) {
+std::vector<LectureFigure> lecture_counts(const LabView& view, const Ui& ui) {
     const Snapshot& now = *view.now;
     const Palette& p = ui.palette;
-    if (now.predators + now.prey > 0)
-        return {{"lecture.predators", "lecture.predators", std::to_string(now.predators), p.predator},
-                {"lecture.prey", "lecture.prey", std::to_string(now.prey), p.prey},
-                {"lecture.captures", "lecture.captures", std::to_string(now.events.captures), p.text}};
-    const VehicleView* vehicle = find_vehicle(now, view.settings.selection.vehicle);
-    if (!vehicle) return {};
-    const auto wheel = [&](std::string_view name, float value) {
-        return LectureFigure{name, name, with_sign(ui, value, 2), p.text, value, true};
-    };
-    const Recognised& known = recognised(state.recognised, now, *vehicle, view.wall_seconds);
-    const auto character = shown_character(known, now, *vehicle, shown_pair(view, *vehicle));
-    const bool hidden = hides_outcome(view) || is_brain_secret(view, vehicle->kind);
-    const std::string word = hidden ? "hidden" : character ? name(*character) : "parts";
-    return {{"lecture.character", "lecture.character", std::string(ui.strings("character." + word)), p.text},
-            {"lecture.speed", "lecture.speed", fill(ui.strings("info.metres_a_second"), {fixed(ui, vehicle->speed, 2)}),
-             p.text},
-            wheel("lecture.left", vehicle->motor[0]),
-            wheel("lecture.right", vehicle->motor[1])};
-}
-
-// A bar from the middle to the right for positive values, to the left for negative ones.
-void signed_bar(const Ui& ui, Rect r, float value) {
-    const float middle = r.x + r.w / 2, reach = r.w / 2 * std::clamp(value, -1.0f, 1.0f);
-    fill_box(ui, r, ui.palette.line.with_alpha(0.6f), 3);
-    fill_box(ui, {std::min(middle, middle + reach), r.y, std::abs(reach), r.h}, colour_of_weight(ui.palette, value), 3);
-    fill_box(ui, {middle - ui.px(1), r.y - ui.px(2), ui.px(2), r.h + ui.px(4)}, ui.palette.text, 0);
+    if (now.predators + now.prey == 0) return {};
+    return {{"lecture.predators", "lecture.predators", std::to_string(now.predators), p.predator},
+            {"lecture.prey", "lecture.prey", std::to_string(now.prey), p.prey},
+            {"lecture.captures", "lecture.captures", std::to_string(now.events.captures), p.text}};
 }
 
 void draw_figure(Ui& ui, const LectureFigure& f, Rect r) {
     const float x = r.x + ui.px(16);
     put(ui, {x, r.y + ui.px(8)}, ui.strings(f.caption), ui.palette.second_text, Face::small);
     const float y = r.y + ui.px(8) + line_height(ui, Face::small);
-    const Face face = text_width(ui, Face::display, f.words) <= r.w - ui.px(24) ? Face::display : Face::title;
+    const Face face = text_width(ui, Face::caption, f.words) <= r.w - ui.px(24) ? Face::caption : Face::title;
     put(ui, {x, y}, f.words, legible(f.colour, ui.palette.panel, ui.palette.text), face);
-    if (f.has_bar) signed_bar(ui, {x, r.y + r.h - ui.px(14), r.w - ui.px(32), ui.px(6)}, f.bar);
     mark(ui, f.anchor, r);
 }
 
@@ -123,6 +98,7 @@ float page_number(const LabView& view, Ui& ui, float right, Rect bar) {
 
 // Without the title of an exercise or a scene that could tell the answer.
 std::string title_of_bar(const LabView& view, const Ui& ui) {
+    if (!view.settings.revealed.title) return {};
     if (view.pages) return std::string(translated(ui, view.pages->lecture->title));
     if (!view.lesson) return std::string(translated(ui, view.now->scene->title));
     if (hides_outcome(view)) return exercise_heading(*view.lesson, ui);
@@ -186,7 +162,11 @@ void lecture_bar(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
 void lecture_figures(const LabView& view, PanelState& state, Ui& ui, Rect bar) {
     if (view.pages && (view.pages->notes || !view.pages->shows(PagePart::values))) return;
     begin_bar(ui, "lecture figures", bar);
-    const auto all = lecture_values(view, state, ui);
+    if (const VehicleView* vehicle = vehicle_of_live_picture(view)) {
+        live_brain(view, state, ui, *vehicle, bar);
+        return end_bar();
+    }
+    const auto all = lecture_counts(view, ui);
     const float each = bar.w / static_cast<float>(std::max<std::size_t>(1, all.size()));
     for (std::size_t i = 0; i < all.size(); ++i)
         draw_figure(ui, all[i], {bar.x + each * static_cast<float>(i), bar.y, each, bar.h});

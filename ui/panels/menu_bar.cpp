@@ -18,7 +18,7 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr std::size_t most_recent = 5;
-constexpr float longest_name = 260, longest_exercise = 300;  // of a recent file and an exercise, layout pixels
+constexpr float longest_name = 260, longest_exercise = 420;  // of a recent file and an exercise, layout pixels
 
 struct MenuNames {
     std::string_view name, words;  // words: key of the string
@@ -80,8 +80,10 @@ constexpr MenuPlace menu_places[]{
     {"view", Action::surfaces},
     {"view", Action::memory},
     {"view", Action::labels},
+    {"view", Action::last_run},
     {"view", Action::next_field},
     {"view", Action::home, true},
+    {"view", Action::slow_orbit},
     {"view", Action::follow},
     {"view", Action::birds_eye},
     {"view", Action::drivers_eye},
@@ -107,6 +109,7 @@ constexpr MenuPlace menu_places[]{
     {"simulation", Action::set_bookmark, true},
     {"simulation", Action::last_bookmark},
     {"simulation", Action::drive, true},
+    {"simulation", Action::why},
 
     {"exercises", Action::hint},
     {"exercises", Action::exercise_reset},
@@ -116,6 +119,9 @@ constexpr MenuPlace menu_places[]{
     {"lecture", Action::next_page},
     {"lecture", Action::previous_page},
     {"lecture", Action::notes},
+    {"lecture", Action::hide_title, true},
+    {"lecture", Action::hide_character},
+    {"lecture", Action::hide_brain},
     {"lecture", Action::draw_marks, true},
     {"lecture", Action::clear_marks},
     {"lecture", Action::blank},
@@ -151,6 +157,12 @@ std::optional<bool> switched_on(const LabView& view, const PanelState& state, Ac
             return shown.memory;
         case Action::labels:
             return shown.labels;
+        case Action::slow_orbit:
+            return view.settings.orbits;
+        case Action::last_run:
+            return shown.last_run;
+        case Action::why:
+            return view.why != nullptr;
         case Action::follow:
             return view.settings.camera.mode == CameraMode::follow;
         case Action::birds_eye:
@@ -225,6 +237,26 @@ void add_fields(std::vector<LabMenuRow>& rows, const LabView& view, const Ui& ui
         add(std::string(word(c)), ui.strings("view.channel." + std::string(word(c))), c);
 }
 
+// The seconds of the predicted path; each choice sets the next number, the last one is none. One row, so that the menu
+// fits into a low window.
+LabMenuRow row_of_prediction(const LabView& view, const Ui& ui) {
+    constexpr std::array<int, 4> seconds{0, 3, 8, longest_prediction};
+    Overlays wanted = view.settings.overlays;
+    const auto next = std::upper_bound(seconds.begin(), seconds.end(), wanted.prediction);
+    LabMenuRow row;
+    row.entry.anchor = "menu.view.prediction";
+    const std::string shown = wanted.prediction > 0
+                                  ? fill(ui.strings("view.seconds"), {std::to_string(wanted.prediction)})
+                                  : std::string(ui.strings("view.no_prediction"));
+    row.entry.words = fill(ui.strings("view.prediction"), {shown});
+    row.entry.how = ui.strings("view.prediction_how");
+    row.entry.on = wanted.prediction > 0;
+    row.entry.stays_open = true;
+    wanted.prediction = next == seconds.end() ? seconds.front() : *next;
+    row.request = OverlaysRequest{wanted};
+    return row;
+}
+
 // "9/10" of the best grade, after a check mark once it is passed.
 std::string passed_words(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {
     const ExerciseProgress* progress = progress_of(view, entry);
@@ -292,6 +324,7 @@ std::vector<LabMenuRow> rows_of(const LabView& view, const PanelState& state, co
         rows.push_back(action_row(view, state, ui, place));
         if (place.action == Action::open) add_recent_files(rows, view, ui);
         if (place.action == Action::next_field) add_fields(rows, view, ui);
+        if (place.action == Action::last_run) rows.push_back(row_of_prediction(view, ui));
         if (place.action == Action::exercise_reset && view.students) rows.push_back(student_row_of_menu(view, ui));
         if (place.action == Action::exercise_reset) add_catalogue(rows, view, ui);
         if (place.action == Action::blank) add_lectures(rows, view, ui);
@@ -361,6 +394,14 @@ std::string_view why_not_with_vehicle(const LabView& view, const PanelState& sta
     return switched_on(view, state, action).value_or(false) ? "" : "unavailable.no_vehicle";
 }
 
+// The brain must drive, and it must not be hidden.
+std::string_view why_no_cause(const LabView& view, const PanelState& state) {
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    if (!vehicle) return why_not_with_vehicle(view, state, Action::why);
+    const bool is_known = vehicle->driver == Driver::brain && !hides_outcome(view) && !hides_brain(view, vehicle->kind);
+    return is_known ? "" : "unavailable.why";
+}
+
 std::string_view why_no_csv(const LabView& view, const PanelState& state) {
     const bool of_vehicle = state.chart == Chart::signals || state.chart == Chart::neurons;
     const bool empty = of_vehicle                   ? state.history.signals.empty()
@@ -416,6 +457,8 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
         case Action::drive:
         case Action::save_brain:
             return why_not_with_vehicle(view, state, action);
+        case Action::why:
+            return why_no_cause(view, state);
         case Action::charts:
             return view.mode == Mode::wiring ? "unavailable.scene_only" : "";
         case Action::larger:
@@ -447,8 +490,13 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
         case Action::notes:
         case Action::blank:
             return view.pages ? "" : "unavailable.no_lecture";
+        case Action::slow_orbit:
+            return view.reduce_motion ? "unavailable.motion_reduced" : "";
         case Action::draw_marks:
         case Action::clear_marks:
+        case Action::hide_title:
+        case Action::hide_character:
+        case Action::hide_brain:
             return view.lecture ? "" : "unavailable.no_lecture_view";
         default:
             return "";

@@ -84,7 +84,9 @@ struct PanelState {
     PromptMemory prompts;
     std::string lesion_under_pointer;  // anchor of the part that a click or L would lesion or heal; empty: none
     std::string lesion_requested;      // the same, requested by key and not yet carried out
-    Steer steered;                     // last command of the on-screen stick
+    // What the preset or the part of the brain picture under the pointer would change; empty: none is.
+    std::vector<Command> what_if;
+    Steer steered;  // last command of the on-screen stick
     bool stick_held = false;
     ValuesState values;
     HandInState hand_in;
@@ -94,6 +96,7 @@ struct PanelState {
     bool sensor_single = false;        // a new sensor is a single one, not a pair
     bool sensor_alone = false;         // edits do not apply to the sensor on the other side
     bool sensor_quality_open = false;  // noise and latency are unfolded
+    bool thresholds_open = false;      // the thresholds of the brain card are shown also while all are 0
     bool charts_open = false;
     Chart chart = Chart::signals;
     EnergyOrder energy_order;

@@ -58,6 +58,8 @@ std::string_view why_unavailable(const LabView&, const PanelState&, Action);
 
 // lecture.cpp: shown during a lecture in place of toolbar and hint bar.
 void lecture_bar(const LabView&, PanelState&, Ui&, Rect);
+void live_brain(const LabView&, PanelState&, Ui&, const VehicleView&, Rect);  // eyes, wires and wheels, live_brain.cpp
+void title_page(const LabView&, Ui&, Rect window);                            // LabView::title_page
 void lecture_figures(const LabView&, PanelState&, Ui&, Rect bar);
 void blank_window(const LabView&, PanelState&, Ui&, Rect window);  // black, while PanelState::blank
 void follow_lecture(const LabView&, PanelState&);  // saves and restores the cards; call once a frame, before them
@@ -87,6 +89,9 @@ std::string_view anchor_of(Dial);  // of its slider, in dial_sliders.cpp
 void equations(const LabView&, Ui&, const VehicleView&);
 void presets_menu(const LabView&, PanelState&, Ui&, const VehicleView&, bool wanted, ImVec2 corner);
 void brain_picture(const LabView&, PanelState&, Ui&, const VehicleView&, float layout_height);
+
+// LabView::why beside the vehicle, over the scene and below the cards, within `area`. Anchor: why.
+void why_callout(const LabView&, const Ui&, Rect area);
 
 // Lesions outside the brain picture: sets state.lesion_under_pointer to the sensor or motor under the pointer in the
 // scene, or to the wire of the slider under the pointer, and executes state.lesion_requested. Call after the cards.

@@ -19,10 +19,10 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float preset_width = 344, preset_padding = 12;  // layout pixels
+constexpr float preset_width = 396, preset_padding = 12;  // layout pixels
 
-// Draws a preset. True if the user has chosen it. A bar marks the current brain of the vehicle.
-bool preset_row(Ui& ui, const Preset& preset, bool current, ImVec2 at) {
+// Draws a preset; pressed: the user has chosen it. A bar marks the current brain of the vehicle.
+Item preset_row(Ui& ui, const Preset& preset, bool current, ImVec2 at) {
     const std::string key(preset.name);
     ImGui::SetCursorScreenPos(at);
     const Item row =
@@ -36,7 +36,7 @@ bool preset_row(Ui& ui, const Preset& preset, bool current, ImVec2 at) {
     put(ui, {x, row.rect.y + ui.px(6) + line_height(ui, Face::text)}, ui.strings.find("preset_story." + key, ""),
         ui.palette.second_text, Face::small);
     tooltip(ui, row, ui.strings("tooltip.presets"));
-    return row.pressed;
+    return row;
 }
 
 // In two columns.
@@ -50,7 +50,9 @@ void preset_rows(const LabView& view, PanelState& state, Ui& ui, const VehicleVi
         const ImVec2 at{start.x + (i < half ? 0.0f : ui.px(preset_width + 8)),
                         start.y + height * static_cast<float>(i < half ? i : i - half)};
         BrainGraph made = graft(brain, preset.brain);
-        if (!preset_row(ui, preset, same_wiring(made, brain), at)) continue;
+        const Item row = preset_row(ui, preset, same_wiring(made, brain), at);
+        if (row.hovered) state.what_if = {SetBrain{target_of(view, vehicle), made}};
+        if (!row.pressed) continue;
         if (!lacking_for(kind_of(*view.now, vehicle).sensors, preset).empty()) {
             state.preset_asked = preset.name;
             return;

@@ -195,6 +195,7 @@ bool lamp_was_moved(const LabView& view) {
 
 // The output pin of the sensor SL, if the brain has one, until the first edit.
 Prompt of_wiring(PromptMemory& memory, const LabView& view) {
+    if (view.lesson) return {};  // its task is not to draw a first wire
     if (memory.edits_before_wiring < 0) memory.edits_before_wiring = edit_count(view);
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (!vehicle || edit_count(view) != memory.edits_before_wiring) return {};

@@ -136,7 +136,7 @@ bool surface_swatch(Ui& ui, Surface surface, bool chosen) {
         return Rect{at.middle_x() - reach, at.middle_y() - reach, 2 * reach, 2 * reach};
     };
     if (chosen || at.warmth > 0)
-        line_box(ui, square(frame), chosen ? ui.palette.text : ui.palette.second_text.with_alpha(at.warmth), 5);
+        line_box(ui, square(frame), chosen ? ui.palette.text : ui.palette.second_text.with_alpha(at.warmth));
     if (surface != Surface::none) fill_box(ui, square(half), colour_of(ui.palette, surface), 3);
     line_box(ui, square(half), ui.palette.second_text, 3);
     tooltip(ui, at, ui.strings("field.surface." + name));

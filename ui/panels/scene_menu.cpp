@@ -22,7 +22,7 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float scene_menu_width = 268, scene_menu_pad = 6, scene_row_height = 28, rule_height = 9;  // layout pixels
+constexpr float scene_menu_width = 312, scene_menu_pad = 6, scene_row_height = 28, rule_height = 9;  // layout pixels
 
 // A row of the menu: words, requests, and the page it leads to.
 struct SceneMenuRow {
@@ -171,7 +171,7 @@ float menu_height(const Ui& ui, const std::vector<SceneMenuRow>& rows) {
 // `indented`: leaves room for the signs of other rows.
 void draw_menu_row(const Ui& ui, const SceneMenuRow& row, const Item& at, bool indented) {
     const Palette& p = ui.palette;
-    fill_box(ui, at.rect, p.line.with_alpha(std::max(0.6f * at.warmth, at.focused ? 0.6f : 0.0f)), 4);
+    fill_box(ui, at.rect, p.line.with_alpha(std::max(0.6f * at.warmth, at.focused ? 0.6f : 0.0f)));
     float x = at.rect.x + ui.px(10);
     const ImVec2 sign{x + ui.px(6), at.middle_y()};
     if (row.role) put_role(ui, sign, ui.px(12), *row.role);

@@ -84,8 +84,8 @@ void tool_palette(const LabView& view, PanelState& state, Ui& ui, Rect scene) {
         ImGui::SetCursorScreenPos({x, bar.y + inset});
         const Item at = item(ui, look.anchor, {size, size});
         const bool on = state.scene_input.tool == look.tool;
-        fill_box(ui, at.rect, on ? mix(p.panel, p.accent, 0.24f) : p.line.with_alpha(0.6f * at.warmth), 5);
-        if (on) line_box(ui, at.rect, p.accent, 5);
+        fill_box(ui, at.rect, on ? mix(p.panel, p.accent, 0.24f) : p.line.with_alpha(0.6f * at.warmth));
+        if (on) line_box(ui, at.rect, p.accent);
         tool_sign(ui, look.tool, {at.middle_x(), at.middle_y()}, on ? p.text : mix(p.second_text, p.text, at.warmth));
         tooltip(ui, at, ui.strings(look.words), ui.strings(look.how));
         if (at.pressed) {

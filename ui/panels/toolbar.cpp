@@ -20,8 +20,8 @@ namespace {
 constexpr int compact_step = 1, first_words_go = 2, narrowest_step = first_words_go + 2;  // steps of narrowness
 constexpr int never = 99;
 constexpr float toolbar_margin = 12, between_buttons = 4, toolbar_group_gap = 17;  // layout pixels
-constexpr float speed_width = 52, status_width = 204,
-                compact_status = 200;  // the pill, and the clock with the pace below
+constexpr float speed_width = 52, status_width = 224,
+                compact_status = 220;  // the pill, and the clock with the pace below
 
 struct Tool {
     std::string_view anchor, words, icon;  // words: key of the string

@@ -276,11 +276,9 @@ void draw_handle(const SceneInputFrame& frame, const Ui& ui, maths::vec2 place, 
     const float radius = words.empty() ? 6.0f : 8.0f;
     draw_dot(ui, {at->x, at->y}, warm ? radius + 2 : radius, warm ? ui.palette.accent : ui.palette.text);
     if (!words.empty()) {
-        ImFont* face = font(ui, Face::small);
-        ImGui::GetBackgroundDrawList()->AddText(
-            face, compat::size_of(face),
-            {std::round(at->x - text_width(ui, Face::small, words) / 2), std::round(at->y - compat::size_of(face) / 2)},
-            paint(ui.palette.ground), words.data(), words.data() + words.size());
+        const float w = text_width(ui, Face::small, words), h = line_height(ui, Face::small);
+        put_on(*ImGui::GetBackgroundDrawList(), ui, {at->x - w / 2, at->y - h / 2}, words, ui.palette.ground,
+               Face::small);
     }
     const float reach = ui.px(handle_grip);
     ui.anchors.record(anchor, {at->x - reach, at->y - reach, 2 * reach, 2 * reach});
@@ -288,7 +286,6 @@ void draw_handle(const SceneInputFrame& frame, const Ui& ui, maths::vec2 place, 
 
 void draw_note(const SceneInputFrame& frame, const Ui& ui, std::string_view words, Colour edge, maths::vec2 beside) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    ImFont* face = font(ui, Face::small);
     const float w = text_width(ui, Face::small, words) + ui.px(16), h = line_height(ui, Face::small) + ui.px(8);
     const Rect& room = frame.area;
     const float gap = ui.px(18);
@@ -297,8 +294,7 @@ void draw_note(const SceneInputFrame& frame, const Ui& ui, std::string_view word
                     std::floor(std::max(room.y, above ? beside.y - gap - h : beside.y + gap))};
     list.AddRectFilled(at, {at.x + w, at.y + h}, paint(ui.palette.panel.with_alpha(0.95f)), ui.px(6));
     compat::outline(list, at, {at.x + w, at.y + h}, paint(edge), ui.px(6), ui.px(1.25f));
-    list.AddText(face, compat::size_of(face), {at.x + ui.px(8), at.y + ui.px(4)}, paint(ui.palette.text), words.data(),
-                 words.data() + words.size());
+    put_on(list, ui, {at.x + ui.px(8), at.y + ui.px(4)}, words, ui.palette.text, Face::small);
 }
 
 void draw_scene_input(const SceneInputState& state, const SceneInputFrame& frame, const Ui& ui) {

@@ -7,6 +7,7 @@
 
 #include "core/maths/angle.h"
 #include "ui/scene_input/draw.h"
+#include "ui/scene_input/draw_insight.h"
 #include "ui/scene_input/draw_lesson.h"
 #include "ui/scene_input/edits.h"
 #include "ui/scene_input/interaction.h"
@@ -177,6 +178,7 @@ void scene_input(const LabView& view, SceneInputState& state, Ui& ui, Rect area)
     const SceneInputFrame frame{view, *view.camera_view, ui.scale, area, current_pointer(state, area)};
     interact(state, frame, ui.outbox);
     show_cursor(state);
+    draw_insight(frame, ui);
     draw_lesson(state, frame, ui);
     draw_sensor_handles(state, frame, ui);
     draw_scene_input(state, frame, ui);

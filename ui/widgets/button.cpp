@@ -12,7 +12,7 @@ namespace braitenlab::ui {
 
 namespace {
 
-constexpr float icon_room = 16;  // layout pixels
+constexpr float icon_room = 18;  // layout pixels
 float button_padding(const ButtonLook& look) { return look.compact ? 6 : 10; }
 float button_icon_gap(const ButtonLook& look) { return look.compact ? 3 : 6; }
 
@@ -91,7 +91,7 @@ Item small_button(Ui& ui, const SmallButton& look, bool words) {
     const Palette& p = ui.palette;
     fill_box(ui, at.rect,
              look.on ? mix(p.panel, p.accent, 0.16f + 0.08f * at.warmth) : mix(p.raised, p.line, at.warmth), 5);
-    line_box(ui, at.rect, look.on ? p.accent.with_alpha(0.8f) : p.line, 5);
+    line_box(ui, at.rect, look.on ? p.accent.with_alpha(0.8f) : p.line);
     if (!words && has_icons(ui)) {
         put_icon(ui, {at.middle_x(), at.middle_y()}, look.icon, p.text, Face::small);
         return at;
@@ -125,12 +125,14 @@ int segments(Ui& ui, std::string_view id, std::span<const std::string_view> word
         const Rect inner{at.rect.x + inset, at.rect.y + inset, at.rect.w - 2 * inset, at.rect.h - 2 * inset};
         const bool on = i == chosen;
         if (on) {
-            fill_box(ui, inner, mix(ui.palette.panel, ui.palette.accent, 0.20f), 4);
-            line_box(ui, inner, ui.palette.accent.with_alpha(0.8f), 4);
+            fill_box(ui, inner, mix(ui.palette.panel, ui.palette.accent, 0.20f));
+            line_box(ui, inner, ui.palette.accent.with_alpha(0.8f));
         }
         const Colour colour = on ? ui.palette.text : mix(ui.palette.second_text, ui.palette.text, at.warmth);
         const auto word = words[static_cast<std::size_t>(i)];
-        const Face face = text_width(ui, Face::text, word) < each - ui.px(12) ? Face::text : Face::small;
+        Face face = Face::label;
+        for (const Face larger : {Face::small, Face::text})
+            if (text_width(ui, larger, word) < each - ui.px(12)) face = larger;
         put_centred(ui, {at.middle_x(), at.middle_y() - line_height(ui, face) / 2}, word, colour, face);
         tooltip(ui, at, how);
         if (at.pressed && !on) clicked = i;
@@ -153,8 +155,8 @@ bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen,
     const ImVec2 dot{at.rect.x + ui.px(18), at.rect.y + top + line_height(ui, Face::text) / 2};
     draw.AddCircle(dot, ui.px(7), paint(chosen ? p.accent : p.second_text), 0, ui.px(1.5f));
     if (chosen) draw.AddCircleFilled(dot, ui.px(3.5f), paint(p.accent));
-    draw.AddText(f, compat::size_of(f), {std::floor(at.rect.x + left), std::floor(at.rect.y + top)},
-                 paint(enabled || chosen ? p.text : p.second_text), begin, end, wrap);
+    put_on(draw, ui, {at.rect.x + left, at.rect.y + top}, lines, enabled || chosen ? p.text : p.second_text, Face::text,
+           wrap);
     tooltip(ui, at, how);
     return at.pressed;
 }
@@ -162,8 +164,8 @@ bool radio_row(Ui& ui, std::string_view id, std::string_view words, bool chosen,
 bool fold_row(Ui& ui, std::string_view id, std::string_view words, bool& open, std::string_view how) {
     const Item at = item(ui, id, {card_width(ui), ui.px(24)});
     const Colour colour = mix(ui.palette.second_text, ui.palette.text, at.warmth);
-    put_icon(ui, {at.rect.x + ui.px(5), at.middle_y()}, open ? icon::unfolded : icon::folded, colour);
-    put(ui, {at.rect.x + ui.px(18), at.middle_y() - line_height(ui, Face::text) / 2}, words, colour);
+    put_icon(ui, {at.rect.x + ui.px(8), at.middle_y()}, open ? icon::unfolded : icon::folded, colour);
+    put(ui, {at.rect.x + ui.px(20), at.middle_y() - line_height(ui, Face::text) / 2}, words, colour);
     tooltip(ui, at, how);
     if (at.pressed) open = !open;
     return open;

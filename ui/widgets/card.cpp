@@ -39,7 +39,7 @@ float heading_button(Ui& ui, HeadingButton& extra, float right, float y) {
     const Palette& p = ui.palette;
     fill_box(ui, at.rect,
              extra.on ? mix(p.panel, p.accent, 0.16f + 0.08f * at.warmth) : mix(p.raised, p.line, at.warmth), 5);
-    line_box(ui, at.rect, extra.on ? p.accent.with_alpha(0.8f) : p.line, 5);
+    line_box(ui, at.rect, extra.on ? p.accent.with_alpha(0.8f) : p.line);
     put_centred(ui, {at.middle_x(), at.middle_y() - line_height(ui, Face::small) / 2}, extra.words, ui.palette.text,
                 Face::small);
     tooltip(ui, at, extra.tooltip, extra.shortcut);

@@ -56,14 +56,14 @@ float rules_height(const Ui& ui, std::span<const MenuEntry> entries) {
 float entry_height(const Ui& ui, std::span<const MenuEntry> entries, float room) {
     const float count = static_cast<float>(std::max<std::size_t>(1, entries.size()));
     const float fits = (room - 2 * ui.px(menu_pad) - rules_height(ui, entries)) / count;
-    const float least = std::max(ui.px(lowest_entry), line_height(ui, Face::text));
+    const float least = std::max(ui.px(lowest_entry), 0.9f * line_height(ui, Face::text));
     return std::floor(std::clamp(fits, least, std::max(least, ui.px(tallest_entry))));
 }
 
 void draw_entry(const Ui& ui, const MenuEntry& entry, const Item& at, bool signs) {
     const Palette& p = ui.palette;
     const bool by_key = ui.keyboard && ui.keyboard->shown;
-    if (entry.enabled && (by_key ? at.focused : at.hovered)) fill_box(ui, at.rect, p.line.with_alpha(0.6f), 4);
+    if (entry.enabled && (by_key ? at.focused : at.hovered)) fill_box(ui, at.rect, p.line.with_alpha(0.6f));
     float x = at.rect.x + ui.px(entry_pad);
     if (entry.on.value_or(false)) {
         const float middle = x + ui.px(menu_sign_room) / 2 - ui.px(5);

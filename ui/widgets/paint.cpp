@@ -17,13 +17,19 @@ ImVec2 snapped(ImVec2 at) { return {std::floor(at.x + 0.5f), std::floor(at.y + 0
 
 const char* end_of(std::string_view words) { return words.data() + words.size(); }
 
-void record_written(const Ui& ui, Rect rect, std::string_view words) {
-    const ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
-    ui.written->push_back({std::string(words), rect, {low.x, low.y, high.x - low.x, high.y - low.y}, &draw});
-}
-
 }  // namespace
+
+void record_text(const Ui& ui, const ImDrawList& draw, Rect rect, std::string_view words, float pixels) {
+    if (!ui.written) return;
+    const ImVec2 low = draw.GetClipRectMin(), high = draw.GetClipRectMax();
+    const ImGuiWindow& window = *ImGui::GetCurrentWindowRead();
+    ui.written->push_back({std::string(words),
+                           rect,
+                           {low.x, low.y, high.x - low.x, high.y - low.y},
+                           &draw,
+                           pixels / line_height_em,
+                           window.DrawList == &draw && window.ScrollMax.y > 0});
+}
 
 ImFont* font(const Ui& ui, Face face) {
     const Fonts& fonts = ui.fonts;
@@ -32,7 +38,9 @@ ImFont* font(const Ui& ui, Face face) {
                      : face == Face::title   ? fonts.title
                      : face == Face::display ? fonts.display
                      : face == Face::caption ? fonts.caption
+                     : face == Face::label   ? fonts.label
                                              : fonts.small;
+    if (!chosen && face == Face::label) chosen = fonts.small;
     if (!chosen && (face == Face::display || face == Face::caption)) chosen = fonts.title;
     if (!chosen) chosen = fonts.text;
     return chosen ? chosen : ImGui::GetFont();
@@ -51,8 +59,19 @@ float put(const Ui& ui, ImVec2 at, std::string_view words, Colour colour, Face f
     ImFont* f = font(ui, face);
     ImGui::GetWindowDrawList()->AddText(f, compat::size_of(f), snapped(at), paint(colour), words.data(), end_of(words));
     const float width = text_width(ui, face, words);
-    if (ui.written) record_written(ui, {at.x, at.y, width, line_height(ui, face)}, words);
+    record_text(ui, *ImGui::GetWindowDrawList(), {at.x, at.y, width, line_height(ui, face)}, words,
+                line_height(ui, face));
     return width;
+}
+
+void put_on(ImDrawList& draw, const Ui& ui, ImVec2 at, std::string_view words, Colour colour, Face face, float wrap) {
+    if (words.empty()) return;
+    ImFont* f = font(ui, face);
+    const float pixels = compat::size_of(f);
+    draw.AddText(f, pixels, snapped(at), paint(colour), words.data(), end_of(words), wrap);
+    if (!ui.written) return;
+    const ImVec2 size = f->CalcTextSizeA(pixels, 1e9f, wrap, words.data(), end_of(words));
+    record_text(ui, draw, {at.x, at.y, size.x, size.y}, words, pixels);
 }
 
 void put_right(const Ui& ui, ImVec2 at, std::string_view words, Colour colour, Face face) {
@@ -65,6 +84,7 @@ void put_centred(const Ui& ui, ImVec2 at, std::string_view words, Colour colour,
 
 std::string shortened(const Ui& ui, std::string_view words, Face face, float width) {
     if (text_width(ui, face, words) <= width) return std::string(words);
+    if (ui.shortened) ++*ui.shortened;
     ImFont* f = font(ui, face);
     const float room = std::max(0.0f, width - text_width(ui, face, "…"));
     const char* end = words.data();
@@ -125,7 +145,7 @@ void paragraph(Ui& ui, std::string_view words, Colour colour, Face face, float w
     ImGui::PushTextWrapPos(width > 0 ? ImGui::GetCursorPosX() + width : card_width(ui));
     ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
     const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
-    if (ui.written) record_written(ui, {low.x, low.y, size.x, size.y}, words);
+    record_text(ui, *ImGui::GetWindowDrawList(), {low.x, low.y, size.x, size.y}, words, line_height(ui, face));
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::PopFont();

@@ -31,7 +31,7 @@ inline constexpr std::string_view light = "\uf185", coloured_light = "\uf0eb", h
                                   energy = "\uf0e7";
 }  // namespace icon
 
-enum class Face { text, strong, title, small, display, caption };
+enum class Face { text, strong, title, small, label, display, caption };
 
 // The font of a face; Dear ImGui's current font when none was loaded.
 ImFont* font(const Ui&, Face);
@@ -46,6 +46,12 @@ float put(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::text);
 // As put(), with the right end or the middle at at.x.
 void put_right(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::text);
 void put_centred(const Ui&, ImVec2 at, std::string_view, Colour, Face = Face::text);
+
+// As put(), on this draw list and without a limit of the card; wrapped at `wrap` window pixels (0: not).
+void put_on(ImDrawList&, const Ui&, ImVec2 at, std::string_view, Colour, Face, float wrap = 0);
+
+// Records a text that a caller draws itself, `pixels` high, for Ui::written.
+void record_text(const Ui&, const ImDrawList&, Rect, std::string_view, float pixels);
 
 // The text, shortened with an ellipsis to `width` window pixels.
 std::string shortened(const Ui&, std::string_view, Face, float width);

@@ -43,9 +43,9 @@ ImVec2 plot_point(Rect r, const Axis& x, const Axis& y, float at_x, float at_y) 
 }
 
 Rect plot_ground(const Ui& ui, Rect outer, const Axis& x, const Axis& y) {
-    const float line = line_height(ui, Face::small);
-    const float aside = std::max(text_width(ui, Face::small, number(ui, y.high, y)),
-                                 text_width(ui, Face::small, number(ui, y.low, y))) +
+    const float line = line_height(ui, Face::label);
+    const float aside = std::max(text_width(ui, Face::label, number(ui, y.high, y)),
+                                 text_width(ui, Face::label, number(ui, y.low, y))) +
                         ui.px(6);
     const Rect inner{outer.x + aside, outer.y + line / 2, outer.w - aside - ui.px(6), outer.h - 1.5f * line - ui.px(3)};
     fill_box(ui, inner, ui.palette.ground.with_alpha(0.45f), 3);
@@ -54,18 +54,18 @@ Rect plot_ground(const Ui& ui, Rect outer, const Axis& x, const Axis& y) {
     for (float v = first_on(y, y_step); v <= y.high + y_step * 1e-3f; v += y_step) {
         const float at = plot_point(inner, x, y, x.low, v).y;
         draw.AddLine({inner.x, at}, {inner.x + inner.w, at}, paint(grid(ui, std::fabs(v) < y_step * 1e-3f)), ui.px(1));
-        put_right(ui, {inner.x - ui.px(6), at - line / 2}, number(ui, v, y), ui.palette.second_text, Face::small);
+        put_right(ui, {inner.x - ui.px(6), at - line / 2}, number(ui, v, y), ui.palette.second_text, Face::label);
     }
     if (!x.numbers) return inner;
-    const float widest = text_width(ui, Face::small, number(ui, x.high, x)) + ui.px(44);
+    const float widest = text_width(ui, Face::label, number(ui, x.high, x)) + ui.px(44);
     const float x_step = step_of(x, std::max(1, static_cast<int>(inner.w / widest)));
     for (float v = first_on(x, x_step); v <= x.high + x_step * 1e-3f; v += x_step) {
         const float at = plot_point(inner, x, y, v, y.low).x;
         draw.AddLine({at, inner.y}, {at, inner.y + inner.h}, paint(grid(ui, false)), ui.px(1));
         const std::string words = number(ui, v, x);
-        const float half = text_width(ui, Face::small, words) / 2;
+        const float half = text_width(ui, Face::label, words) / 2;
         const float middle = std::clamp(at, outer.x + half, outer.x + outer.w - half);
-        put_centred(ui, {middle, inner.y + inner.h + ui.px(3)}, words, ui.palette.second_text, Face::small);
+        put_centred(ui, {middle, inner.y + inner.h + ui.px(3)}, words, ui.palette.second_text, Face::label);
     }
     return inner;
 }
@@ -81,19 +81,16 @@ std::optional<float> plot_cursor(const Ui& ui, Rect inner, const Axis& x) {
 void plot_words(const Ui& ui, Rect inner, float pixel_x, const std::string_view* lines, const Colour* colours,
                 int count) {
     float widest = 0;
-    for (int i = 0; i < count; ++i) widest = std::max(widest, text_width(ui, Face::small, lines[i]));
-    const float line = line_height(ui, Face::small), pad = ui.px(6), away = ui.px(10);
+    for (int i = 0; i < count; ++i) widest = std::max(widest, text_width(ui, Face::label, lines[i]));
+    const float line = line_height(ui, Face::label), pad = ui.px(6), away = ui.px(10);
     const float w = widest + 2 * pad, h = static_cast<float>(count) * line + 2 * ui.px(3);
     // On the side where there is room.
     const float x = pixel_x + away + w <= inner.x + inner.w ? pixel_x + away : std::max(inner.x, pixel_x - away - w);
     const Rect box{x, inner.y + ui.px(3), w, h};
-    fill_box(ui, box, ui.palette.raised.with_alpha(0.94f), 4);
-    line_box(ui, box, ui.palette.line, 4);
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    fill_box(ui, box, ui.palette.raised.with_alpha(0.94f));
+    line_box(ui, box, ui.palette.line);
     for (int i = 0; i < count; ++i)
-        draw.AddText(font(ui, Face::small), line,
-                     {std::floor(box.x + pad), std::floor(box.y + ui.px(3) + static_cast<float>(i) * line)},
-                     paint(colours[i]), lines[i].data(), lines[i].data() + lines[i].size());
+        put(ui, {box.x + pad, box.y + ui.px(3) + static_cast<float>(i) * line}, lines[i], colours[i], Face::label);
 }
 
 namespace detail {

@@ -82,7 +82,7 @@ struct FieldRows {
     SliderState& sliders;
     double wall_seconds = 0;
     std::string anchor{}, words{};
-    float words_width = 104;  // layout pixels
+    float words_width = 118;  // layout pixels
 
     std::optional<SliderEdit> number(const NumberField&) const;
     int choice(const char* key, std::span<const std::string_view> choices, int chosen) const;  // the new one, or −1

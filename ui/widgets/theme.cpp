@@ -9,9 +9,9 @@ namespace braitenlab::ui {
 
 namespace {
 
-// Ascent plus descent of Noto Sans, in em. Dear ImGui calls it the size of a font.
-constexpr float line_height_em = 1.362f;
-constexpr float text_em = 14, title_em = 18, small_em = 12, display_em = 36, caption_em = 24;  // layout pixels
+// The type scale by role, em in layout pixels. Every text of the window has one of these sizes; only the texts of
+// diagrams grow with the zoom.
+constexpr float label_em = 12, small_em = 14, text_em = 16, title_em = 20, caption_em = 28, display_em = 48;
 
 constexpr ImWchar latin[]{0x0020, 0x017F,  // Latin, Latin-1, Latin Extended-A
                           0x0370, 0x03FF,  // Greek: θ, Σ, π
@@ -43,7 +43,7 @@ public:
     FontLoader(ImFontAtlas& atlas, float scale, const FontPaths& paths) : atlas_(atlas), scale_(scale), paths_(paths) {}
 
     ImFont* load(const std::string& file, float em, bool with_icons) {
-        const float pixels = std::round(em * line_height_em * scale_);
+        const float pixels = whole_pixels(em);
         ImFont* font = nullptr;
         if (readable(file)) font = atlas_.AddFontFromFileTTF(file.c_str(), pixels, nullptr, latin);
         if (!font) {
@@ -61,16 +61,22 @@ public:
         return font;
     }
 
-    // A large face for a few words: Latin-1 and minus only, without icons.
+    // A large face for figures: Latin-1, and the minus sign, which text faces lack.
     ImFont* load_figures(const std::string& file, float em) {
-        static constexpr ImWchar letters[]{0x0020, 0x00FF, 0x2212, 0x2212, 0};
+        static constexpr ImWchar letters[]{0x0020, 0x00FF, 0}, minus[]{0x2212, 0x2212, 0};
         if (!readable(file)) return nullptr;
-        return atlas_.AddFontFromFileTTF(file.c_str(), std::round(em * line_height_em * scale_), nullptr, letters);
+        ImFont* font = atlas_.AddFontFromFileTTF(file.c_str(), whole_pixels(em), nullptr, letters);
+        for (const std::string& symbols : paths_.symbols)
+            merge(symbols, whole_pixels(em), minus, {}, "some signs show as '?'");
+        return font;
     }
 
     std::string warning;
 
 private:
+    // Not smaller than the role's size by more than a tenth of a pixel.
+    float whole_pixels(float em) const { return std::ceil(em * line_height_em * scale_ - 0.1f); }
+
     // `space`: added to the width of each glyph, window pixels, half of it on each side.
     void merge(const std::string& file, float pixels, const ImWchar* range, ImVec2 shift, const char* instead,
                float space = 0) {
@@ -154,6 +160,7 @@ LoadedFonts load_fonts(ImFontAtlas& atlas, float scale, const FontPaths& paths) 
     loaded.fonts.title = loader.load(paths.title, title_em, true);
     loaded.fonts.display = loader.load_figures(paths.title, display_em);
     loaded.fonts.small = loader.load(paths.text, small_em, true);
+    loaded.fonts.label = loader.load(paths.text, label_em, true);
     loaded.fonts.caption = loader.load(paths.title, caption_em, false);
     loaded.warning = loader.warning;
     return loaded;

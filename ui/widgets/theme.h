@@ -20,6 +20,9 @@ float contrast(Colour, Colour);
 // `wanted`, mixed with the least share of `text` that makes it readable on `ground` (contrast 4.5).
 Colour legible(Colour wanted, Colour ground, Colour text);
 
+// Ascent plus descent of Noto Sans, in em. Dear ImGui calls it the size of a font.
+inline constexpr float line_height_em = 1.362f;
+
 // Sets Dear ImGui's style. Call again when the theme or the scale changes, between frames.
 void apply_theme(Theme, float scale);
 

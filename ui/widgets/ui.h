@@ -21,12 +21,13 @@ struct Keyboard;  // ui/widgets/keyboard.h
 
 // Null: Dear ImGui's current font.
 struct Fonts {
-    ImFont* text = nullptr;     // 14 px em, times scale
-    ImFont* title = nullptr;    // 18 px, bold
-    ImFont* strong = nullptr;   // 14 px, bold
-    ImFont* display = nullptr;  // 36 px, bold; letters and digits only
-    ImFont* small = nullptr;    // 12 px: captions and figures
-    ImFont* caption = nullptr;  // 24 px, bold: captions of a lecture; without icons
+    ImFont* text = nullptr;     // 16 px em, times scale
+    ImFont* title = nullptr;    // 20 px, bold
+    ImFont* strong = nullptr;   // 16 px, bold
+    ImFont* display = nullptr;  // 48 px, bold: figures of a lecture; letters and digits only
+    ImFont* small = nullptr;    // 14 px: second lines, tooltips, small buttons
+    ImFont* label = nullptr;    // 12 px: names in diagrams and beside the axes of charts
+    ImFont* caption = nullptr;  // 28 px, bold: captions of a lecture; without icons
 };
 
 // A text as drawn in this frame, for tests that find clipped and overlapping texts.
@@ -34,6 +35,8 @@ struct Written {
     std::string words;
     Rect rect, clip;         // window pixels
     const void* sheet = {};  // equal for texts on the same draw list
+    float size = 0;          // em, window pixels
+    bool scrolls = false;    // in a part of a card that can be scrolled up and down
 };
 
 // A widget as drawn in this frame, for tests that find missing tooltips and small targets.
@@ -65,6 +68,7 @@ struct Ui {
     float least_type = 0;                     // set by draw_window; least height of letters in diagrams, window pixels
     char decimal_mark = '.';                  // set by draw_window; of the language
     std::vector<Written>* written = nullptr;  // null: not recorded
+    int* shortened = nullptr;                 // null: not counted; texts that were cut with an ellipsis
     std::vector<Shown>* shown = nullptr;      // null: not recorded
     Tooltips* tooltips = nullptr;             // set by draw_window; null: each waits for itself
 

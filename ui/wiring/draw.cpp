@@ -69,12 +69,14 @@ Rect Pen::text(vec2 unit, float height, float anchor, std::string_view words, Co
         if (fitting < least && face == Face::small) return {};  // an unreadable caption is left out
         type.pixels = std::max(fitting, least_name());
         shortened = fitted(words, [&](std::string_view part) { return width_of(part) <= size(room) + 1; });
+        if (ui.shortened && words != shortened) ++*ui.shortened;
         words = shortened;
         width = width_of(words);
     }
     const ImVec2 p = at(unit);
     const ImVec2 corner{std::round(p.x - width * anchor), std::round(p.y - type.pixels / 2)};
     list.AddText(type.font, type.pixels, corner, paint(colour), words.data(), words.data() + words.size());
+    record_text(ui, list, {corner.x, corner.y, width, type.pixels}, words, type.pixels);
     return {corner.x, corner.y, width, type.pixels};
 }
 

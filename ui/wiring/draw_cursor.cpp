@@ -36,9 +36,7 @@ ImVec2 kept_inside(const Ui& ui, ImVec2 at, ImVec2 size, Rect area) {
 // A note with its upper left corner at `at` (window pixels), moved inside the area.
 void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Colour edge) {
     const Ui& ui = pen.ui;
-    ImFont* face = font(ui, Face::text);
-    const float height = compat::size_of(face), pad = ui.px(10);
-    const char* end = words.data() + words.size();
+    const float pad = ui.px(10);
     const auto [w, h] = note_size(ui, words);
     at = kept_inside(ui, at, {w, h}, area);
     const ImVec2 far{at.x + w, at.y + h};
@@ -50,7 +48,7 @@ void draw_note(const Pen& pen, ImVec2 at, std::string_view words, Rect area, Col
     }
     pen.list.AddRectFilled(at, far, paint(p.raised), ui.px(8));
     compat::outline(pen.list, at, far, paint(edge), ui.px(8), ui.px(1.5f));
-    pen.list.AddText(face, height, {at.x + pad, at.y + 0.7f * pad}, paint(p.text), words.data(), end);
+    put_on(pen.list, ui, {at.x + pad, at.y + 0.7f * pad}, words, p.text, Face::text);
 }
 
 // Below the card or above it, where the note covers fewer cards.

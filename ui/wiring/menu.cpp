@@ -181,7 +181,7 @@ void draw_row(const Pen& pen, const CanvasMenu& menu, std::size_t index) {
         pen.list.AddLine({r.x + ui.px(menu_side), r.y - ui.px(4.5f)}, {r.x + r.w - ui.px(menu_side), r.y - ui.px(4.5f)},
                          paint(p.line), ui.px(1));
     const bool current = static_cast<int>(index) == menu.current;
-    if (current) fill_box(ui, {r.x + ui.px(4), r.y, r.w - ui.px(8), r.h}, mix(p.panel, p.accent, 0.28f), 4);
+    if (current) fill_box(ui, {r.x + ui.px(4), r.y, r.w - ui.px(8), r.h}, mix(p.panel, p.accent, 0.28f));
     float x = r.x + ui.px(menu_side);
     if (shows_curves(menu)) {
         const Rect sign{x, middle - ui.px(8), ui.px(24), ui.px(16)};
@@ -217,8 +217,8 @@ void draw_menu(const Pen& pen, CanvasMenu& menu, Rect area) {
         pen.list.AddRectFilled({r.x - grow, r.y - grow + ui.px(2)}, {r.x + r.w + grow, r.y + r.h + grow + ui.px(2)},
                                paint(p.shadow.with_alpha(p.shadow.a * 0.09f)), ui.px(8) + grow);
     }
-    fill_box(ui, r, mix(p.panel, p.raised, 0.5f), 8);
-    line_box(ui, r, p.line, 8);
+    fill_box(ui, r, mix(p.panel, p.raised, 0.5f));
+    line_box(ui, r, p.line);
     draw_heading(ui, menu);
     for (std::size_t i = 0; i < menu.rows.size(); ++i) draw_row(pen, menu, i);
     ui.anchors.record("menu", r);

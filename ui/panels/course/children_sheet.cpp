@@ -24,26 +24,35 @@ namespace braitenlab::ui {
 namespace {
 
 constexpr int per_row = 3;
-constexpr float between_children = 8, most_picture = 200, least_picture = 64;  // layout pixels
+constexpr float between_children = 8, most_picture = 280, least_picture = 64;  // layout pixels
 
 bool has_choices_left(const LessonView& lesson) {
     return lesson.selection->generation < lesson.exercise->selection.generations;
 }
 
-// "14.20 s"; the whole run in bold.
-void write_seconds(const Ui& ui, const Exercise& exercise, const StartResult& run, ImVec2 right_end) {
-    const bool whole = !has_fallen(exercise, run);
-    put_right(ui, right_end, fixed(ui, run.seconds, 2) + " s",
-              whole ? legible(ui.palette.accent, ui.palette.raised, ui.palette.text) : ui.palette.text,
-              whole ? Face::strong : Face::text);
+// The longest time that a child stayed; 0 without children.
+float longest_stay(const SelectionView& selection) {
+    float longest = 0;
+    for (const StartResult& run : selection.children) longest = std::max(longest, seconds_survived(run));
+    return longest;
 }
 
-// The frame of a picture, its run and its seconds below. `label`: what is written on the left of the seconds.
-void draw_child(const Ui& ui, const Item& at, const Exercise& exercise, const StartResult& run,
-                std::string_view label) {
+// "fell at 14.2 s" or "stayed 60.0 s".
+void write_seconds(const Ui& ui, const Exercise& exercise, const StartResult& run, ImVec2 right_end, bool longest) {
+    const bool fell = has_fallen(exercise, run);
+    const Colour tone = legible(fell ? ui.palette.warning : ui.palette.success, ui.palette.raised, ui.palette.text);
+    put_right(ui, right_end,
+              fill(ui.strings(fell ? "selection.fell" : "selection.stayed"), {fixed(ui, seconds_survived(run), 1)}),
+              tone, longest ? Face::strong : Face::text);
+}
+
+// The frame of a picture, its run and its seconds below. `label`: what is written on the left of the seconds. That of
+// the child that stayed longest has a frame of its own.
+void draw_child(const Ui& ui, const Item& at, const Exercise& exercise, const StartResult& run, std::string_view label,
+                bool longest) {
     const float line = line_height(ui, Face::text), inset = ui.px(4);
     fill_box(ui, at.rect, mix(ui.palette.raised, ui.palette.accent, 0.2f * at.warmth), 4);
-    line_box(ui, at.rect, ui.palette.line, 4);
+    line_box(ui, at.rect, longest ? ui.palette.success : ui.palette.line, 4);
     const Colour tone = legible(ui.palette.accent, ui.palette.panel, ui.palette.text);
     const maths::vec2 half{exercise.scene.arena.width / 2, exercise.scene.arena.height / 2};
     const FloorMap map({-half, half},
@@ -51,7 +60,7 @@ void draw_child(const Ui& ui, const Item& at, const Exercise& exercise, const St
     draw_run(ui, exercise, run, map, tone);
     const float y = at.bottom() - line - ui.px(2);
     put(ui, {at.rect.x + ui.px(6), y}, label, ui.palette.second_text, Face::text);
-    write_seconds(ui, exercise, run, {at.right() - ui.px(6), y});
+    write_seconds(ui, exercise, run, {at.right() - ui.px(6), y}, longest);
 }
 
 // The digit that was pressed for a child, 0-based; −1: none. Digits of other children are removed, too.
@@ -65,13 +74,15 @@ int taken_digit(Keyboard& keyboard, std::size_t children) {
 void child_pictures(const LessonView& lesson, Ui& ui, ImVec2 size) {
     const SelectionView& selection = *lesson.selection;
     const bool may_choose = has_choices_left(lesson);
+    const float longest = longest_stay(selection);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(between_children), ui.px(between_children)});
     ImGui::BeginGroup();
     for (std::size_t i = 0; i < selection.children.size(); ++i) {
         if (i % per_row != 0) ImGui::SameLine();
         const std::string number = std::to_string(i + 1);
         const Item at = item(ui, "selection.child." + number, size, may_choose);
-        draw_child(ui, at, *lesson.exercise, selection.children[i], number);
+        const StartResult& run = selection.children[i];
+        draw_child(ui, at, *lesson.exercise, run, number, seconds_survived(run) >= longest);
         tooltip(ui, at, ui.strings(may_choose ? "selection.child_how" : "selection.no_more"), may_choose ? number : "");
         if (at.pressed) ui.outbox.emplace_back(ChooseChildRequest{static_cast<int>(i)});
     }
@@ -88,7 +99,7 @@ void parent_picture(const LessonView& lesson, Ui& ui, ImVec2 size) {
     ImGui::BeginGroup();
     paragraph(ui, ui.strings("selection.parent"), ui.palette.second_text, Face::small, size.x);
     const Item at = item(ui, "selection.parent", size, may_choose);
-    if (selection.parent) draw_child(ui, at, *lesson.exercise, *selection.parent, "");
+    if (selection.parent) draw_child(ui, at, *lesson.exercise, *selection.parent, "", false);
     tooltip(ui, at, ui.strings(may_choose ? "selection.parent_how" : "selection.no_more"));
     if (at.pressed) ui.outbox.emplace_back(ChooseChildRequest{-1});
     ImGui::EndGroup();
@@ -123,7 +134,7 @@ void children_sheet(const LabView& view, PanelState& state, Ui& ui, Rect window)
     // Nine pictures with their seconds fit into the window without scrolling where they can.
     const Arena& arena = lesson.exercise->scene.arena;
     const float shape = std::clamp(arena.height / arena.width, 0.6f, 1.0f);
-    const float line = line_height(ui, Face::text) + ui.px(8), around = ui.px(190);
+    const float line = line_height(ui, Face::text) + ui.px(8), around = ui.px(236);
     const float high = (window.h - around) / 3 - line - ui.px(between_children), wide = (window.w - ui.px(100)) / 4;
     const float most = std::min({high / shape, wide, ui.px(most_picture)});
     const float picture = std::max(most, ui.px(least_picture));

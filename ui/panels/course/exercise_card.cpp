@@ -162,7 +162,7 @@ void hint_button(const LessonView& lesson, Ui& ui) {
 // The exercise after this one, by number and then by name; or null.
 const CatalogueEntry* next_exercise(const LabView& view) {
     const CatalogueEntry* next = nullptr;
-    if (!view.catalogue) return next;
+    if (!view.catalogue || view.lesson->exercise->number == 0) return next;  // one's own is in no order
     const auto order = [](const CatalogueEntry& entry) { return std::tie(entry.number, entry.name); };
     const auto now = std::tie(view.lesson->exercise->number, view.lesson->exercise->id);
     for (const CatalogueEntry& entry : *view.catalogue)
@@ -191,7 +191,9 @@ void exercise_buttons(const LabView& view, PanelState& state, Ui& ui, float widt
         next_button(view, state, ui);
     else
         hint_button(*view.lesson, ui);
-    const ButtonLook reset{{}, ui.strings("exercise.reset")};
+    ButtonLook reset{{}, ui.strings("exercise.reset")};
+    const bool fits = ImGui::GetItemRectMax().x + ui.px(8) + button_width(ui, reset) <= right;
+    if (!fits && has_icons(ui)) reset = {icon::reset, {}};  // a second row of buttons would cover the steps
     beside_or_below(ui, button_width(ui, reset), right);
     const Item at = button(ui, "exercise.reset", reset);
     if (at.pressed) ui.outbox.push_back(Action::exercise_reset);

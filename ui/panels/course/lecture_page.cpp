@@ -124,7 +124,9 @@ void lecture_caption(const LabView& view, Ui& ui, Rect r) {
     const float width = r.w - 2 * ui.px(caption_side);
     Face face = Face::caption;
     auto lines = lines_of_words(ui, words, face, width);
-    if (lines.size() > 2) face = Face::title, lines = lines_of_words(ui, words, face, width);
+    // In one line of smaller type rather than in two lines; in two lines at most.
+    if (lines.size() > 1 && (lines.size() > 2 || text_width(ui, Face::title, words) <= width))
+        face = Face::title, lines = lines_of_words(ui, words, face, width);
     float y = r.y + (r.h - static_cast<float>(lines.size()) * line_height(ui, face)) / 2;
     for (const std::string& line : lines) {
         put(ui, {r.x + ui.px(caption_side), y}, line, ui.palette.text, face);

@@ -101,12 +101,10 @@ void sign_of_pen(Ui& ui, Rect scene) {
     const std::string words = fill(ui.strings("lecture.drawing"), {key_name(Action::draw_marks, ui.strings),
                                                                    key_name(Action::clear_marks, ui.strings)});
     ImDrawList& draw = *ImGui::GetForegroundDrawList();
-    ImFont* face = font(ui, Face::strong);
     const float w = text_width(ui, Face::strong, words) + ui.px(24), h = line_height(ui, Face::strong) + ui.px(12);
     const Rect sign{scene.x + (scene.w - w) / 2, scene.y + scene.h - h - ui.px(8), w, h};
     draw.AddRectFilled({sign.x, sign.y}, {sign.x + w, sign.y + h}, paint(ui.palette.warning), ui.px(8));
-    draw.AddText(face, line_height(ui, Face::strong), {sign.x + ui.px(12), sign.y + ui.px(6)}, paint(ui.palette.ground),
-                 words.c_str());
+    put_on(draw, ui, {sign.x + ui.px(12), sign.y + ui.px(6)}, words, ui.palette.ground, Face::strong);
     ui.anchors.record("marks.sign", sign);
 }
 

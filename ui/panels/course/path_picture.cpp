@@ -30,7 +30,7 @@ void draw_path(const Ui& ui, const std::vector<maths::vec2>& path, const Arena& 
 
 void draw_fall(const Ui& ui, ImVec2 at, ImU32 colour) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float r = ui.px(4), width = ui.px(2);
+    const float r = ui.px(5), width = ui.px(2.5f);
     draw.AddLine({at.x - r, at.y - r}, {at.x + r, at.y + r}, colour, width);
     draw.AddLine({at.x - r, at.y + r}, {at.x + r, at.y - r}, colour, width);
 }
@@ -45,7 +45,7 @@ void draw_run(const Ui& ui, const Exercise& exercise, const StartResult& run, co
         const Arena& arena = exercise.scene.arena;
         draw_path(ui, run.path, arena, map, paint(of_path));
         if (arena.edge == Boundary::open && has_fallen(exercise, run))
-            draw_fall(ui, map(run.path.back()), paint(of_path));
+            draw_fall(ui, map(run.path.back()), paint(ui.palette.warning));
     }
     ImGui::PopClipRect();
 }

@@ -1,4 +1,4 @@
-#include "app/files/folder_entries.h"
+#include "core/scene/folder_entries.h"
 
 #include <string>
 

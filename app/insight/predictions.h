@@ -1,0 +1,57 @@
+// The coming seconds of the selected vehicle, computed in the background: while something is dragged, beside the path
+// before the drag; and while the pointer is over a preset or a wire, what that one would change.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "app/jobs/jobs.h"
+#include "core/insight/predict.h"
+
+namespace braitenlab {
+
+struct Lab;
+struct PredictionView;
+
+// What a path depends on. A path of an equal subject need not be computed again.
+struct PredictionSubject {
+    std::uint64_t run = 0;   // Document::run_id
+    std::int64_t edits = 0;  // Document::edits
+    std::uint64_t tick = 0;  // the first of the path
+    VehicleId vehicle = no_vehicle;
+    std::vector<Command> changes{};
+    friend bool operator==(const PredictionSubject&, const PredictionSubject&) = default;
+};
+
+struct PredictedPaths {
+    PredictionSubject of;
+    insight::Path path;
+    std::vector<insight::Path> fan{};  // with other random numbers; empty where the run does not depend on them
+};
+
+struct Predictions {
+    std::vector<Command> what_if{};  // of the preset or wire under the pointer; set once per frame. Empty: none
+
+    bool pressed = false;                         // the left button is down; set by note_press()
+    std::optional<insight::Question> at_press{};  // the run when the button was pressed
+    PredictionSubject subject_at_press{};
+
+    std::optional<PredictedPaths> shown{}, before{};  // `before`: without the edits of the drag or without `what_if`
+    std::optional<PredictionSubject> asked{}, asked_before{};
+    std::optional<Job<std::vector<insight::Path>>> job{}, job_before{};
+    double asked_at = 0;      // wall seconds
+    bool is_what_if = false;  // `shown` is about `what_if`
+};
+
+// Call once per frame, before the requests of the frame are executed. `down`: the left mouse button.
+void note_press(Lab&, bool down);
+
+// Call once per turn, after Jobs::deliver. Asks for the paths that are needed and takes finished ones. While a path of
+// a drag is computed, only the newest edit waits; another drag, preset or wire cancels what is computed.
+void update_predictions(Lab&, Jobs&);
+
+// The paths to draw; nullopt: none. They point into the lab.
+std::optional<PredictionView> prediction_of(const Lab&);
+
+}  // namespace braitenlab

@@ -1,0 +1,120 @@
+// The slow orbit of the camera, and the scene behind the title page.
+#include "app/viewport.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "app/course/lab_lecture.h"
+#include "app/title.h"
+#include "opened_lab.h"
+
+namespace braitenlab::tests::viewport_test {
+namespace {
+
+struct SlowOrbit : testing::Test {
+    SlowOrbit() { ImGui::CreateContext(); }
+    ~SlowOrbit() override { ImGui::DestroyContext(); }
+
+    // Lets one second pass; returns how far the camera has turned, rad.
+    float turn(const ui::SceneInputState& input = {}, CameraKeys keys = {}) {
+        const float before = lab.view.camera.azimuth;
+        const Rect window{0, 0, 1280, 800};
+        aim(state, lab, window, window, 1);
+        drive_camera(lab, state, input, keys, window, window, 1);
+        return lab.view.camera.azimuth - before;
+    }
+
+    Lab lab = opened_lab("2a-coward");
+    ViewportState state;
+};
+
+TEST_F(SlowOrbit, TurnsTheCameraSlowlyUntilItIsStopped) {
+    EXPECT_EQ(turn(), 0);
+    handle(lab, Action::slow_orbit);
+    EXPECT_GT(turn(), 0.02f);
+    EXPECT_LT(turn(), 0.15f);
+    EXPECT_FLOAT_EQ(lab.view.camera.zoom, 1);
+    handle(lab, Action::slow_orbit);
+    EXPECT_EQ(turn(), 0);
+}
+
+TEST_F(SlowOrbit, AnyInputForTheCameraStopsIt) {
+    ui::SceneInputState drag;
+    drag.drag.phase = ui::SceneInputPhase::orbit;
+    ui::SceneInputState pan;
+    pan.drag.phase = ui::SceneInputPhase::pan;
+    const auto stops = [&](const ui::SceneInputState& input, CameraKeys keys) {
+        lab.view.orbits = true;
+        turn(input, keys);
+        return !lab.view.orbits;
+    };
+    EXPECT_FALSE(stops({}, {}));
+    EXPECT_TRUE(stops(drag, {}));
+    EXPECT_TRUE(stops(pan, {}));
+    EXPECT_TRUE(stops({}, {.turn = 1}));
+    EXPECT_TRUE(stops({}, {.zoom = 1}));
+    ImGui::GetIO().MouseWheel = 1;
+    EXPECT_TRUE(stops({}, {}));
+    ImGui::GetIO().MouseWheel = 0;
+    for (const Action action : {Action::home, Action::follow, Action::birds_eye}) {
+        lab.view.orbits = true;
+        handle(lab, action);
+        EXPECT_FALSE(lab.view.orbits) << static_cast<int>(action);
+    }
+}
+
+TEST_F(SlowOrbit, DoesNotMoveWhereMotionIsReduced) {
+    lab.preferences.reduce_motion = true;
+    handle(lab, Action::slow_orbit);
+    EXPECT_FALSE(lab.view.orbits);
+    EXPECT_EQ(lab.notice.key, "unavailable.motion_reduced");
+    lab.view.orbits = true;
+    EXPECT_EQ(turn(), 0);
+}
+
+TEST_F(SlowOrbit, IsAboutTheWholeSceneAndEndsWithIt) {
+    handle(lab, Action::follow);
+    handle(lab, Action::slow_orbit);
+    EXPECT_EQ(lab.view.camera.mode, CameraMode::overview);
+    EXPECT_TRUE(lab.view.orbits);
+    EXPECT_FALSE(for_another_scene(lab.view).orbits);
+}
+
+TEST(TitleScene, MovesUnlessMotionIsReduced) {
+    int seen = 0;
+    auto title = title_lab([&](const Snapshot&) { ++seen; });
+    ASSERT_TRUE(title);
+    EXPECT_GT(seen, 100) << "for paths that can be seen";
+    EXPECT_FALSE(title->document.session.snapshot().vehicles.empty());
+    title->preferences.reduce_motion = true;
+    const auto tick = title->document.session.snapshot().tick;
+    const Camera camera = title->view.camera;
+    advance_title(*title, 0.1f);
+    EXPECT_EQ(title->document.session.snapshot().tick, tick);
+    EXPECT_EQ(title->view.camera, camera);
+    title->preferences.reduce_motion = false;
+    advance_title(*title, 0.1f);
+    EXPECT_GT(title->document.session.snapshot().tick, tick);
+    EXPECT_NE(title->view.camera.azimuth, camera.azimuth);
+}
+
+struct HideInLecture : testing::Test {
+    Lab lab = opened_lab("2a-coward");
+};
+
+TEST_F(HideInLecture, KeysHideAndRevealOnlyInALectureWhoseEndRevealsAll) {
+    handle(lab, Action::hide_brain);
+    EXPECT_TRUE(lab.view.revealed.brain) << "not in a lecture";
+    begin_lecture(lab);
+    handle(lab, Action::hide_brain);
+    handle(lab, Action::hide_title);
+    EXPECT_EQ(lab.view.revealed, (Revealed{false, true, false}));
+    handle(lab, Action::hide_title);
+    handle(lab, Action::hide_character);
+    EXPECT_EQ(lab.view.revealed, (Revealed{true, false, false}));
+    end_lecture(lab);
+    EXPECT_EQ(lab.view.revealed, Revealed{});
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::viewport_test

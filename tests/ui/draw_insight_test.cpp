@@ -1,0 +1,92 @@
+// The predicted path, the last run and the cause of a turn over the scene; what the pointer tries out.
+#include "ui/scene_input/draw_insight.h"
+
+#include <algorithm>
+
+#include "core/insight/why.h"
+#include "scene_on_desk.h"
+
+namespace braitenlab::tests::draw_insight_test {
+
+struct DrawInsight : SceneOnDesk {
+    const std::vector<std::vector<Pose>> no_fan{};
+    std::vector<Pose> path{};
+
+    DrawInsight() {
+        for (int i = 0; i <= 480; ++i) path.push_back({-6 + 0.02f * static_cast<float>(i), -3, 0});
+        desk.now.tick = 100;
+        desk.frame(2);
+    }
+    bool writes(std::string_view words) const {
+        return std::any_of(desk.written.begin(), desk.written.end(),
+                           [&](const ui::Written& one) { return one.words.find(words) != std::string::npos; });
+    }
+};
+
+TEST_F(DrawInsight, ThePredictedPathEndsWhereTheVehicleWillBe) {
+    EXPECT_FALSE(desk.anchors.find("stage.prediction"));
+    desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 100};
+    desk.frame();
+    const Rect at = desk.where("stage.prediction");
+    const maths::vec2 end = pixel({path.back().x, path.back().y});
+    EXPECT_NEAR(at.x + at.w / 2, end.x, 1);
+    EXPECT_NEAR(at.y + at.h / 2, end.y, 1);
+}
+
+TEST_F(DrawInsight, APathFromALaterTickIsNotDrawn) {
+    desk.view.prediction = PredictionView{.path = &path, .fan = &no_fan, .tick = 101};
+    desk.frame();
+    EXPECT_FALSE(desk.anchors.find("stage.prediction"));
+}
+
+TEST_F(DrawInsight, TheLastRunIsDrawnUnlessASolutionIs) {
+    desk.view.last_run = GhostView{path[100], 1, 0.7f, &path, 101};
+    desk.frame();
+    const Rect at = desk.where("stage.last_run");
+    EXPECT_NEAR(at.x + at.w / 2, pixel({path[100].x, path[100].y}).x, 1);
+    desk.view.ghost = desk.view.last_run;
+    desk.frame();
+    EXPECT_FALSE(desk.anchors.find("stage.last_run"));
+}
+
+TEST_F(DrawInsight, TheCauseOfTheTurnHasABarForEachSensorAndAddsUp) {
+    insight::Why why{.vehicle = desk.now.vehicles[0].id, .left = 0.6f, .right = 0.25f};
+    why.sensors = {{"SR", 0.56f, -0.28f}, {"SL", 0.2f, 0.03f}};
+    why.bias = -0.06f, why.rest = -0.04f;
+    desk.view.why = &why;
+    desk.frame();
+    ASSERT_TRUE(desk.anchors.find("why"));
+    for (const char* words :
+         {"Turns right", "faster by 0.35", "reads 0.56", "+0.28", "−0.03", "+0.06", "+0.04", "+0.35"})
+        EXPECT_TRUE(writes(words)) << words;
+    why.left = 0.1f, why.right = 0.3f, why.sensors = {}, why.bias = 0.2f, why.rest = 0;
+    desk.frame();
+    EXPECT_TRUE(writes("Turns left"));
+    EXPECT_TRUE(writes("Mostly the bias"));
+}
+
+TEST_F(DrawInsight, APresetUnderThePointerIsTriedOut) {
+    desk.view.settings.selection.vehicle = desk.now.vehicles[0].id;
+    desk.frame(2);
+    EXPECT_TRUE(desk.panels.what_if.empty());
+    desk.click("button.presets");
+    desk.frame(2);
+    desk.point("preset.2a-coward");
+    desk.frame(2);
+    ASSERT_EQ(desk.panels.what_if.size(), 1u);
+    EXPECT_TRUE(std::holds_alternative<SetBrain>(desk.panels.what_if.front()));
+    EXPECT_TRUE(desk.edits().empty()) << "nothing is changed";
+}
+
+TEST_F(DrawInsight, TheViewMenuSetsTheSecondsOfThePath) {
+    desk.choose("view", "prediction");
+    for (const int seconds : {20, 0, 3, 8}) {
+        ASSERT_TRUE(desk.last<OverlaysRequest>());
+        EXPECT_EQ(desk.last<OverlaysRequest>()->overlays.prediction, seconds);
+        desk.view.settings.overlays = desk.last<OverlaysRequest>()->overlays;
+        desk.frame();
+        desk.click("menu.view.prediction");
+    }
+}
+
+}  // namespace braitenlab::tests::draw_insight_test

@@ -1,0 +1,145 @@
+// The large picture of the brain below the scene of a lecture.
+#include "desk.h"
+
+namespace braitenlab::tests::live_brain_test {
+
+namespace {
+
+bool overlap(Rect a, Rect b) {
+    return a.x < b.x + b.w - 0.5f && b.x < a.x + a.w - 0.5f && a.y < b.y + b.h - 0.5f && b.y < a.y + a.h - 0.5f;
+}
+bool is_inside(Rect a, Rect b) {
+    return a.x >= b.x - 0.5f && a.y >= b.y - 0.5f && a.x + a.w <= b.x + b.w + 0.5f && a.y + a.h <= b.y + b.h + 0.5f;
+}
+bool shows(const Desk& desk, std::string_view words) {
+    return std::any_of(desk.written.begin(), desk.written.end(),
+                       [&](const ui::Written& w) { return w.words == words; });
+}
+
+// A window and the scale that lecture mode has in it.
+struct Size {
+    float width, height, scale;
+};
+constexpr Size sizes[]{{1024, 768, 1.6f}, {1280, 800, 1.6f}, {1920, 1080, 2.0f}};
+
+constexpr const char* scenes[]{"2a-coward", "2b-aggressor", "2c", "3b-explorer", "3c-values", "5-logic", "tortoise"};
+
+void begin_lecture(Desk& desk, const char* scene) {
+    desk.now = shipped_scene(scene);
+    desk.view.settings.selection.vehicle = desk.now.vehicles.front().id;
+    desk.view.lecture = true;
+    desk.frame(3);
+}
+
+std::vector<Rect> weights(const Desk& desk) {
+    std::vector<Rect> found;
+    for (const Node& from : desk.now.brains[0]->nodes)
+        for (const Node& to : desk.now.brains[0]->nodes)
+            if (const Rect* pill = desk.anchors.find("lecture.weight." + from.name + "." + to.name))
+                found.push_back(*pill);
+    return found;
+}
+
+}  // namespace
+
+TEST(LiveBrain, ItsTextIsAtLeastTheFiftiethPartOfTheWindowHigh) {
+    for (const Size& size : sizes)
+        for (const char* scene : scenes) {
+            SCOPED_TRACE(scene + std::string(" at ") + std::to_string(size.width));
+            Desk desk(size.width, size.height, size.scale, true);
+            begin_lecture(desk, scene);
+            int texts = 0;
+            for (const ui::Written& w : desk.written) {
+                if (!is_inside(w.rect, desk.layout.hint_bar)) continue;
+                ++texts;
+                EXPECT_GE(w.rect.h, 0.022f * size.height) << w.words;
+            }
+            EXPECT_GE(texts, 8);
+        }
+}
+
+TEST(LiveBrain, NoTextCoversAnotherOrLeavesThePicture) {
+    for (const Size& size : sizes)
+        for (const char* code : {"en", "de", "es"})
+            for (const char* scene : scenes) {
+                SCOPED_TRACE(scene + std::string(" ") + code + " at " + std::to_string(size.width));
+                Desk desk(size.width, size.height, size.scale, true);
+                desk.strings = speaking(code);
+                begin_lecture(desk, scene);
+                const Rect bar = desk.layout.hint_bar;
+                std::vector<Rect> texts;
+                for (const ui::Written& w : desk.written) {
+                    if (!overlap(w.rect, bar)) continue;
+                    texts.push_back(w.rect);
+                    EXPECT_TRUE(is_inside(w.rect, bar)) << w.words;
+                }
+                for (std::size_t i = 0; i < texts.size(); ++i)
+                    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(texts[i], texts[j])) << i << " " << j;
+                const auto pills = weights(desk);
+                for (std::size_t i = 0; i < pills.size(); ++i)
+                    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(pills[i], pills[j])) << i << " " << j;
+            }
+}
+
+TEST(LiveBrain, LeavesRoomForTheWatchedDiagram) {
+    Desk desk(1024, 768, 1.6f, true);
+    begin_lecture(desk, "2c");
+    const float large = desk.layout.hint_bar.h;
+    desk.view.settings.watching = true;
+    desk.frame(3);
+    EXPECT_LT(desk.layout.hint_bar.h, 0.7f * large);
+    for (const ui::Written& w : desk.written)
+        EXPECT_TRUE(!overlap(w.rect, desk.layout.hint_bar) || is_inside(w.rect, desk.layout.hint_bar)) << w.words;
+    const auto pills = weights(desk);
+    ASSERT_EQ(pills.size(), 4u);
+    for (std::size_t i = 0; i < pills.size(); ++i) {
+        EXPECT_TRUE(is_inside(pills[i], desk.layout.hint_bar)) << i;
+        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(pills[i], pills[j])) << i << " " << j;
+    }
+}
+
+TEST(LiveBrain, ShowsEyesWeightsAndWheels) {
+    Desk desk(1280, 800, 1.6f, true);
+    begin_lecture(desk, "2b-aggressor");
+    EXPECT_EQ(weights(desk).size(), 2u);
+    EXPECT_TRUE(shows(desk, "SL"));
+    EXPECT_TRUE(shows(desk, "MR"));
+    EXPECT_LT(desk.where("lecture.wires").x, desk.where("lecture.left").x);
+    EXPECT_LT(desk.where("lecture.left").y, desk.where("lecture.right").y);
+}
+
+TEST(LiveBrain, HidesTheBrainTheCharacterAndTheTitle) {
+    Desk desk(1280, 800, 1.6f, true);
+    begin_lecture(desk, "2b-aggressor");
+    const std::string title = desk.now.scene->title;
+    ASSERT_TRUE(shows(desk, "aggressor") && shows(desk, title));
+    desk.view.settings.revealed.character = false;
+    desk.frame(2);
+    EXPECT_FALSE(shows(desk, "aggressor"));
+    EXPECT_TRUE(shows(desk, title));
+    EXPECT_EQ(weights(desk).size(), 2u);
+    desk.view.settings.revealed.brain = desk.view.settings.revealed.title = false;
+    desk.frame(2);
+    EXPECT_FALSE(shows(desk, title));
+    EXPECT_TRUE(weights(desk).empty());
+    EXPECT_TRUE(hidden_brains(desk.view).at(0)) << "nor on the deck";
+}
+
+TEST(LiveBrain, KeysHideAndRevealAndAreNotShownToTheAudience) {
+    Desk desk(1280, 800, 1.6f, true);
+    begin_lecture(desk, "2b-aggressor");
+    desk.key({'T', false, true});
+    desk.key({'C', false, true});
+    desk.key({'B', false, true});
+    EXPECT_EQ(desk.actions(), (std::vector{Action::hide_title, Action::hide_character, Action::hide_brain}));
+    EXPECT_TRUE(desk.panels.pressed.empty());
+}
+
+TEST(LiveBrain, ScenesOfPredatorsAndPreyShowTheirNumbers) {
+    Desk desk(1280, 800, 1.6f, true);
+    begin_lecture(desk, "predator-prey");
+    EXPECT_TRUE(desk.anchors.find("lecture.predators"));
+    EXPECT_FALSE(desk.anchors.find("lecture.wires"));
+}
+
+}  // namespace braitenlab::tests::live_brain_test

@@ -1,0 +1,62 @@
+// The title page of the first start.
+#include "desk.h"
+
+namespace braitenlab::tests::title_page_test {
+
+namespace {
+
+bool begins(const Desk& desk) { return desk.last<BeginRequest>() != nullptr; }
+
+}  // namespace
+
+TEST(TitlePage, ShowsTheNameASentenceAndOneButtonAndNothingElse) {
+    for (const char* code : {"en", "de", "es"})
+        for (const auto& [width, height, scale] :
+             {std::tuple{640.0f, 480.0f, 1.0f}, {1024.0f, 768.0f, 1.0f}, {2560.0f, 1600.0f, 2.0f}}) {
+            SCOPED_TRACE(std::string(code) + " " + std::to_string(width));
+            Desk desk(width, height, scale, true);
+            desk.strings = speaking(code);
+            desk.view.title_page = true;
+            desk.frame(2);
+            ASSERT_EQ(desk.shown.size(), 1u);
+            EXPECT_EQ(desk.shown[0].id, "title.begin");
+            for (const ui::Written& w : desk.written) {
+                EXPECT_GE(w.rect.x, 0) << w.words;
+                EXPECT_LE(w.rect.x + w.rect.w, width - 20 * scale) << w.words;
+                EXPECT_GE(w.rect.y, 0) << w.words;
+                EXPECT_LE(w.rect.y + w.rect.h, height) << w.words;
+            }
+            EXPECT_EQ(desk.written.front().words, "Braitenlab");
+        }
+}
+
+TEST(TitlePage, BeginsByItsButtonEnterSpaceAndEscape) {
+    for (const int key : {key::enter, static_cast<int>(' '), key::escape}) {
+        Desk desk;
+        desk.view.title_page = true;
+        desk.frame(2);
+        desk.key({key});
+        EXPECT_TRUE(begins(desk)) << key;
+        EXPECT_TRUE(desk.actions().empty()) << key;
+    }
+    Desk desk;
+    desk.view.title_page = true;
+    desk.frame(2);
+    desk.click("title.begin");
+    EXPECT_TRUE(begins(desk));
+}
+
+TEST(TitlePage, OnlyKeysOfTheWindowWorkOnIt) {
+    Desk desk;
+    desk.view.title_page = true;
+    desk.frame(2);
+    for (const KeyPress press : {KeyPress{'R'}, {'W'}, {key::f9}, {'O', true}, {key::f1}, {'A'}}) desk.key(press);
+    desk.frame(2);
+    EXPECT_TRUE(desk.all.empty());
+    EXPECT_EQ(desk.panels.sheet, ui::Sheet::none);
+    desk.key({key::f11});
+    desk.key({'Q', true});
+    EXPECT_EQ(desk.actions(), (std::vector{Action::full_screen, Action::exit}));
+}
+
+}  // namespace braitenlab::tests::title_page_test

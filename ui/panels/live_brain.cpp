@@ -1,0 +1,222 @@
+// A lecture's large picture of the brain at work: bars of the eyes, wires with their weights, bars of the wheels.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "ui/panels/brain_sketch.h"
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
+#include "ui/wiring/node_text.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+constexpr std::size_t most_rows = 2;  // eyes; the labels of more wires do not fit
+constexpr float words_share = 0.22f, eyes_share = 0.20f, wheels_share = 0.21f;  // of the width; the rest are wires
+constexpr float live_inset = 16, live_bar = 10, low_picture = 110;              // layout pixels
+
+// A node of the brain in its row.
+struct LiveRow {
+    const Node* node = nullptr;
+    std::string name;
+    Rect place;
+    float value = 0;
+    float middle() const { return place.y + place.h / 2; }
+};
+
+class LiveBrain {
+public:
+    LiveBrain(const LabView& view, Ui& ui, const VehicleView& vehicle, Rect bar)
+        : view_(view), ui_(ui), vehicle_(vehicle), brain_(*brain_of(*view.now, vehicle)), bar_(bar) {
+        const float inset = ui.px(live_inset), from = bar.x + words_share * bar.w;
+        const float top = bar.y + ui.px(8), height = bar.h - 2 * ui.px(8);
+        lay_out(shown_eyes(), eyes_, {from, top, eyes_share * bar.w, height});
+        const float wheels = wheels_share * bar.w;
+        lay_out({"ML", "MR"}, wheels_, {bar.x + bar.w - inset - wheels, top, wheels, height});
+    }
+
+    void draw() {
+        for (const LiveRow& eye : eyes_) draw_row(eye, false);
+        for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            LiveRow wheel = wheels_[i];
+            wheel.value = vehicle_.motor[i];
+            draw_row(wheel, true);
+            mark(ui_, i == 0 ? "lecture.left" : "lecture.right", wheel.place);
+        }
+        const float from =
+            eyes_.empty() ? bar_.x + words_share * bar_.w : eyes_.front().place.x + eyes_.front().place.w;
+        const Rect between{from, bar_.y, wheels_.front().place.x - from, bar_.h};
+        mark(ui_, "lecture.wires", between);
+        if (hides_brain(view_, vehicle_.kind))
+            put_centred(ui_, {between.x + between.w / 2, between.y + (between.h - line_height(ui_, Face::title)) / 2},
+                        "?", ui_.palette.second_text, Face::title);
+        else
+            draw_wires(between);
+    }
+
+private:
+    // The sensors that the brain reads; of more than there is room for, the chosen pair.
+    std::vector<std::string> shown_eyes() const {
+        std::vector<std::string> names;
+        for (const Sensor& sensor : kind_of(*view_.now, vehicle_).sensors) {
+            const Node* node = find_node(brain_, sensor.name);
+            const bool is_read = node && std::any_of(brain_.wires.begin(), brain_.wires.end(), [&](const Wire& wire) {
+                                     return wire.from == node->id && wire.weight != 0;
+                                 });
+            if (is_read) names.push_back(sensor.name);
+        }
+        if (!names.empty() && names.size() <= most_rows) return names;
+        const SensorPair pair = shown_pair(view_, vehicle_);
+        return {pair.left, pair.right};
+    }
+
+    void lay_out(const std::vector<std::string>& names, std::vector<LiveRow>& rows, Rect area) {
+        const float each = area.h / static_cast<float>(std::max<std::size_t>(1, names.size()));
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            LiveRow row{find_node(brain_, names[i]), names[i], {}, 0};
+            row.place = {area.x, area.y + each * static_cast<float>(i), area.w, each};
+            if (row.node && !row.node->silenced) row.value = node_value(*view_.now, vehicle_, row.node->id);
+            rows.push_back(std::move(row));
+        }
+    }
+
+    // Name and number above a bar. The bar of a wheel begins in its middle.
+    void draw_row(const LiveRow& row, bool is_wheel) {
+        const Palette& p = ui_.palette;
+        const float line = line_height(ui_, Face::title), gap = ui_.px(2), h = ui_.px(live_bar);
+        const float y = row.middle() - (line + gap + h) / 2;
+        put(ui_, {row.place.x, y}, wiring::short_name(kind_of(*view_.now, vehicle_).sensors, row.name), p.second_text,
+            Face::title);
+        put_right(ui_, {row.place.x + row.place.w, y},
+                  is_wheel ? with_sign(ui_, row.value, 2) : fixed(ui_, row.value, 2), p.text, Face::title);
+        const Rect track{row.place.x, y + line + gap, row.place.w, h};
+        fill_box(ui_, track, p.line.with_alpha(0.6f), 5);
+        const float reach = std::clamp(row.value, -1.0f, 1.0f) * track.w * (is_wheel ? 0.5f : 1.0f);
+        const float zero = is_wheel ? track.x + track.w / 2 : track.x;
+        const Colour colour = is_wheel ? colour_of_weight(p, row.value) : colour_of(p, channel_of(row.name));
+        if (std::fabs(reach) >= 1)
+            fill_box(ui_, {std::min(zero, zero + reach), track.y, std::fabs(reach), track.h}, colour,
+                     std::min(5.0f, std::fabs(reach) / ui_.scale / 2));
+        if (is_wheel) fill_box(ui_, {zero - ui_.px(1), track.y - ui_.px(3), ui_.px(2), track.h + ui_.px(6)}, p.text, 0);
+    }
+
+    // Beside the watched diagram, which shows all wires.
+    bool is_low() const { return bar_.h < ui_.px(low_picture); }
+
+    Channel channel_of(const std::string& sensor) const {
+        for (const Sensor& each : kind_of(*view_.now, vehicle_).sensors)
+            if (each.name == sensor) return each.channel;
+        return Channel::light;
+    }
+
+    const LiveRow* row_of(const std::vector<LiveRow>& rows, NodeId id) const {
+        for (const LiveRow& row : rows)
+            if (row.node && row.node->id == id) return &row;
+        return nullptr;
+    }
+
+    void draw_wires(Rect between) {
+        ImGui::PushClipRect({between.x, between.y}, {between.x + between.w, between.y + between.h}, true);
+        int others = 0;
+        struct Label {
+            ImVec2 at;
+            const Wire* wire;
+        };
+        std::vector<Label> labels;
+        const float side = ui_.px(10);
+        for (const Wire& wire : brain_.wires) {
+            if (wire.weight == 0 && !learns(wire)) continue;
+            const LiveRow *from = row_of(eyes_, wire.from), *to = row_of(wheels_, wire.to);
+            if (!from || !to) {
+                ++others;
+                continue;
+            }
+            const ImVec2 a{between.x + side, from->middle()}, b{between.x + between.w - side, to->middle()};
+            const float bend = (b.x - a.x) * 0.45f;
+            const float input = from->value, carried = wire.cut ? 0 : wire.weight * let_through(wire, input);
+            sketch::wire(ui_, {a, {a.x + bend, a.y}, {b.x - bend, b.y}, b},
+                         {.weight = wire.weight, .carried = carried, .cut = wire.cut});
+            labels.push_back({place_of_label(a, b), &wire});
+        }
+        for (const Label& label : labels) draw_weight(label.at, *label.wire);
+        ImGui::PopClipRect();
+        if (others == 0 || is_low()) return;
+        const bool is_network = labels.empty();
+        const float y = is_network ? between.y + (between.h - line_height(ui_, Face::small)) / 2
+                                   : between.y + between.h - line_height(ui_, Face::small) - ui_.px(2);
+        put_centred(ui_, {between.x + between.w / 2, y},
+                    fill(ui_.strings(is_network ? "lecture.network" : "lecture.more_wires"), {std::to_string(others)}),
+                    ui_.palette.second_text, Face::small);
+    }
+
+    // Near the eye on a wire to the other side, so that the labels of crossed wires are apart; else in the middle.
+    ImVec2 place_of_label(ImVec2 a, ImVec2 b) const {
+        const bool is_level = std::fabs(b.y - a.y) < 0.25f * bar_.h;
+        const float t = is_level ? 0.70f : 0.25f, u = 1 - t;
+        const float rise = 3 * u * t * t + t * t * t;  // of a curve that begins and ends level
+        const float along = 3 * u * u * t * 0.45f + 3 * u * t * t * 0.55f + t * t * t;
+        return {a.x + (b.x - a.x) * along, a.y + (b.y - a.y) * rise};
+    }
+
+    void draw_weight(ImVec2 at, const Wire& wire) {
+        const Face face = is_low() ? Face::strong : Face::title;
+        const std::string words = with_sign(ui_, wire.weight, 2);
+        const float w = text_width(ui_, face, words) + ui_.px(14), h = line_height(ui_, face) + ui_.px(2);
+        const Rect pill{at.x - w / 2, at.y - h / 2, w, h};
+        fill_box(ui_, pill, ui_.palette.raised, 8);
+        line_box(ui_, pill, colour_of_weight(ui_.palette, wire.weight), 8, 1.5f);
+        put_centred(ui_, {at.x, at.y - line_height(ui_, face) / 2}, words, ui_.palette.text, face);
+        const Node *from = find_node(brain_, wire.from), *to = find_node(brain_, wire.to);
+        mark(ui_, "lecture.weight." + from->name + "." + to->name, pill);
+    }
+
+    const LabView& view_;
+    Ui& ui_;
+    const VehicleView& vehicle_;
+    const BrainGraph& brain_;
+    Rect bar_;
+    std::vector<LiveRow> eyes_, wheels_;
+};
+
+// Character and speed, at the left end.
+void live_words(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, Rect bar) {
+    const Palette& p = ui.palette;
+    const float x = bar.x + ui.px(live_inset), width = words_share * bar.w - 2 * ui.px(live_inset);
+    const Recognised& known = recognised(state.recognised, *view.now, vehicle, view.wall_seconds);
+    const auto character = shown_character(known, *view.now, vehicle, shown_pair(view, vehicle));
+    const bool is_unknown = hides_outcome(view) || is_brain_secret(view, vehicle.kind);
+    const std::string key = is_unknown ? "hidden" : character ? std::string(name(*character)) : "parts";
+    const std::string word = view.settings.revealed.character ? std::string(ui.strings("character." + key)) : "?";
+    const std::string speed = fill(ui.strings("info.metres_a_second"), {fixed(ui, vehicle.speed, 2)});
+    const float small = line_height(ui, Face::small), large = line_height(ui, Face::title);
+    const float gap = ui.px(6), both = 2 * (small + large) + gap;
+    const float caption = both <= bar.h ? small : 0;  // a low bar has no room for captions
+    float y = bar.y + (bar.h - 2 * (caption + large) - gap) / 2;
+    const auto figure = [&](std::string_view anchor, const std::string& words) {
+        if (caption > 0) put(ui, {x, y}, ui.strings(anchor), p.second_text, Face::small);
+        const Face face = text_width(ui, Face::title, words) <= width ? Face::title : Face::strong;
+        put(ui, {x, y + caption}, shortened(ui, words, face, width), p.text, face);
+        mark(ui, anchor, {x, y, width, caption + large});
+        y += caption + large + gap;
+    };
+    figure("lecture.character", word);
+    figure("lecture.speed", speed);
+}
+
+}  // namespace
+
+void live_brain(const LabView& view, PanelState& state, Ui& ui, const VehicleView& vehicle, Rect bar) {
+    live_words(view, state, ui, vehicle, bar);
+    LiveBrain(view, ui, vehicle, bar).draw();
+}
+
+}  // namespace braitenlab::ui

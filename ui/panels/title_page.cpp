@@ -1,0 +1,66 @@
+// The title page of the first start: the name of the program, a sentence and one button, over a scene that moves.
+#include <algorithm>
+
+#include <imgui.h>
+
+#include "ui/panels/panels.h"
+#include "ui/strings.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/item.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+constexpr float title_inset = 72, narrow_title_inset = 40, narrow_title_window = 1200;  // layout pixels
+constexpr float words_width = 400, below_name = 6, above_button = 28, begin_width = 150;
+
+// The colour of the surroundings, nearly opaque at the left edge, so that the words are legible over any scene.
+void shade_words(const Ui& ui, Rect window, float until) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImU32 full = paint(ui.palette.sky.with_alpha(0.94f)), most = paint(ui.palette.sky.with_alpha(0.80f)),
+                none = paint(ui.palette.sky.with_alpha(0.0f));
+    const float bend = window.x + 0.55f * (until - window.x), bottom = window.y + window.h;
+    draw.AddRectFilledMultiColor({window.x, window.y}, {bend, bottom}, full, most, most, full);
+    draw.AddRectFilledMultiColor({bend, window.y}, {until, bottom}, most, none, none, most);
+}
+
+}  // namespace
+
+void title_page(const LabView& view, Ui& ui, Rect window) {
+    ImGui::SetNextWindowPos({window.x, window.y});
+    ImGui::SetNextWindowSize({window.w, window.h});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::Begin("title page", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav);
+    ImGui::PopStyleVar();
+    const float inset = ui.px(window.w < ui.px(narrow_title_window) ? narrow_title_inset : title_inset);
+    const float width = std::min(ui.px(words_width), window.w - 2 * inset), x = window.x + inset;
+    shade_words(ui, window, std::min(window.x + window.w, x + width + 2.5f * inset));
+    const auto lines = lines_of_words(ui, ui.strings("title.sentence"), Face::title, width);
+    const float name = line_height(ui, Face::display), line = line_height(ui, Face::title);
+    const float height =
+        name + ui.px(below_name) + static_cast<float>(lines.size()) * line + ui.px(above_button) + ui.px(button_height);
+    float y = window.y + (window.h - height) / 2;
+    put(ui, {x, y}, "Braitenlab", ui.palette.text, Face::display);
+    mark(ui, "title.name", {x, y, text_width(ui, Face::display, "Braitenlab"), name});
+    y += name + ui.px(below_name);
+    for (const std::string& each : lines) {
+        put(ui, {x, y}, each, ui.palette.second_text, Face::title);
+        y += line;
+    }
+    ImGui::SetCursorScreenPos({x, y + ui.px(above_button)});
+    ButtonLook look{{}, ui.strings("title.begin"), Emphasis::primary};
+    look.min_width = begin_width;
+    const Item begin = button(ui, "title.begin", look);
+    tooltip(ui, begin, ui.strings("title.begin_how"), key_name({key::enter}, ui.strings));
+    if (begin.pressed) ui.outbox.push_back(BeginRequest{});
+    put(ui, {x, window.y + window.h - ui.px(32)}, view.version, ui.palette.second_text, Face::small);
+    ImGui::End();
+}
+
+}  // namespace braitenlab::ui

@@ -1,0 +1,194 @@
+// The callout beside the selected vehicle: the cause of its turn in a sentence, and a bar for the part of each sensor.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "core/brain/brain.h"
+#include "core/maths/angle.h"
+#include "render/view/drawing.h"
+#include "ui/panels/panels.h"
+#include "ui/scene_input/draw.h"
+#include "ui/strings.h"
+#include "ui/widgets/number.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab::ui {
+
+namespace {
+
+// Layout pixels.
+constexpr float narrowest_callout = 190, widest_callout = 250, callout_pad = 10, callout_row = 4, from_vehicle = 54;
+constexpr std::size_t most_why_bars = 4;
+constexpr float shown_as_zero = 0.005f;
+
+// The mouse reaches the scene through it.
+constexpr ImGuiWindowFlags behind_the_cards =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBackground |
+    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+struct WhyBar {
+    std::string words;
+    float value = 0;  // positive: towards the turn
+};
+
+struct WhyCallout {
+    std::vector<std::string> lines, cause;  // then the bars, then the footnote
+    std::vector<WhyBar> bars;
+    std::vector<std::string> footnote;
+};
+
+// The largest parts of sensors, the bias, and a rest that holds the other sensors, too.
+std::vector<WhyBar> why_bars(const LabView& view, const Ui& ui, const VehicleView& vehicle, const insight::Why& why,
+                             float towards) {
+    const std::vector<Sensor>& sensors = kind_of(*view.now, vehicle).sensors;
+    std::vector<WhyBar> bars;
+    float rest = why.rest;
+    for (std::size_t i = 0; i < why.sensors.size(); ++i) {
+        const insight::SensorPart& part = why.sensors[i];
+        if (i >= most_why_bars) {
+            rest += part.value;
+            continue;
+        }
+        const auto known = std::find_if(sensors.begin(), sensors.end(),
+                                        [&](const Sensor& sensor) { return sensor.name == part.sensor; });
+        bars.push_back(
+            {known == sensors.end() ? part.sensor : sensor_label(ui, sensors, *known), part.value * towards});
+    }
+    bars.push_back({std::string(ui.strings("why.bias")), why.bias * towards});
+    bars.push_back({std::string(ui.strings("why.rest")), rest * towards});
+    return bars;
+}
+
+// "Mostly …" of the largest part towards the turn; empty if none is shown as more than 0.
+std::string main_cause(const Ui& ui, const insight::Why& why, const std::vector<WhyBar>& bars) {
+    const auto largest = static_cast<std::size_t>(
+        std::max_element(bars.begin(), bars.end(), [](const WhyBar& a, const WhyBar& b) { return a.value < b.value; }) -
+        bars.begin());
+    const WhyBar& bar = bars[largest];
+    if (bar.value < shown_as_zero) return {};
+    const std::string value = with_sign(ui, bar.value, 2);
+    if (largest + 2 == bars.size()) return fill(ui.strings("why.mostly_bias"), {value});
+    if (largest + 1 == bars.size()) return fill(ui.strings("why.mostly_rest"), {value});
+    return fill(ui.strings("why.mostly"), {bar.words, fixed(ui, why.sensors[largest].reading, 2), value});
+}
+
+WhyCallout callout_of(const LabView& view, const Ui& ui, const VehicleView& vehicle, const insight::Why& why,
+                      float width) {
+    const float difference = why.right - why.left;
+    const bool turns = std::fabs(difference) >= shown_as_zero;
+    WhyCallout callout;
+    callout.bars = why_bars(view, ui, vehicle, why, turns && difference < 0 ? -1.0f : 1.0f);
+    const bool rests = std::fabs(why.left) < shown_as_zero && std::fabs(why.right) < shown_as_zero;
+    std::string sentence(ui.strings(rests ? "sums.still" : "sums.straight"));
+    if (turns)
+        sentence = fill(ui.strings(difference > 0 ? "why.turns_left" : "why.turns_right"),
+                        {fixed(ui, std::fabs(difference), 2)});
+    callout.lines = lines_of_words(ui, sentence, Face::text, width);
+    const std::string cause = turns ? main_cause(ui, why, callout.bars) : std::string();
+    for (const std::string& line : lines_of_words(ui, cause, Face::small, width))
+        if (!line.empty()) callout.cause.push_back(line);
+    if (why.ticks > 0)
+        callout.footnote = lines_of_words(
+            ui, fill(ui.strings("why.silenced"), {fixed(ui, static_cast<float>(why.ticks) * tick_seconds, 1)}),
+            Face::small, width);
+    return callout;
+}
+
+float callout_height(const Ui& ui, const WhyCallout& callout) {
+    const float row = line_height(ui, Face::small) + ui.px(callout_row);
+    return ui.px(2 * callout_pad + 6) + static_cast<float>(callout.lines.size()) * line_height(ui, Face::text) +
+           static_cast<float>(callout.cause.size() + callout.bars.size() + 1 + callout.footnote.size()) * row;
+}
+
+// A bar from the middle of `room` and its number, right of it. The longest bar fills half of the room.
+void draw_why_bar(const Ui& ui, Rect room, const WhyBar& bar, float longest) {
+    const Palette& p = ui.palette;
+    const float middle = room.x + room.w / 2, reach = room.w / 2 * bar.value / std::max(longest, 0.05f);
+    fill_box(ui, {middle, room.y, ui.px(1), room.h}, p.line, 0);
+    if (std::fabs(reach) >= 1)
+        fill_box(ui, {std::min(middle, middle + reach), room.y + room.h * 0.2f, std::fabs(reach), room.h * 0.6f},
+                 colour_of_weight(p, bar.value), 2);
+}
+
+void draw_callout(const Ui& ui, const WhyCallout& callout, ImVec2 at, float width) {
+    const Palette& p = ui.palette;
+    float y = at.y;
+    for (const std::string& line : callout.lines)
+        put(ui, {at.x, y}, line, p.text, Face::text), y += line_height(ui, Face::text);
+    for (const std::string& line : callout.cause)
+        put(ui, {at.x, y += ui.px(callout_row)}, line, p.text, Face::small), y += line_height(ui, Face::small);
+    y += ui.px(6);
+    float longest = 0, sum = 0;
+    for (const WhyBar& bar : callout.bars) longest = std::max(longest, std::fabs(bar.value)), sum += bar.value;
+    const float height = line_height(ui, Face::small), number = text_width(ui, Face::small, with_sign(ui, -1, 2));
+    const float room = 0.24f * width, bars = at.x + width - number - room - ui.px(8);
+    const auto row = [&](const WhyBar& bar, Colour colour) {
+        put(ui, {at.x, y}, shortened(ui, bar.words, Face::small, bars - at.x - ui.px(6)), colour, Face::small);
+        put_right(ui, {at.x + width, y}, with_sign(ui, bar.value, 2), colour, Face::small);
+    };
+    for (const WhyBar& bar : callout.bars) {
+        row(bar, p.text);
+        draw_why_bar(ui, {bars, y, room, height}, bar, longest);
+        y += height + ui.px(callout_row);
+    }
+    fill_box(ui, {at.x, y - ui.px(callout_row / 2), width, ui.px(1)}, p.line, 0);
+    row({std::string(ui.strings("why.total")), sum}, p.second_text);
+    for (const std::string& line : callout.footnote)
+        put(ui, {at.x, y += height + ui.px(callout_row)}, line, p.second_text, Face::small);
+}
+
+// A box behind the vehicle as seen on the screen, else ahead of it, below or above, within the area and without
+// covering the vehicle.
+Rect place_beside(maths::vec2 vehicle, bool heads_right, maths::vec2 size, float away, Rect area) {
+    const auto within = [](float at, float low, float high) {
+        return std::floor(std::clamp(at, low, std::max(low, high)));
+    };
+    const maths::vec2 right{vehicle.x + away, vehicle.y - size.y / 2};
+    const maths::vec2 left{vehicle.x - away - size.x, vehicle.y - size.y / 2};
+    const float middle = vehicle.x - size.x / 2;
+    Rect box;
+    for (const maths::vec2 corner : {heads_right ? left : right, maths::vec2{middle, vehicle.y + away},
+                                     maths::vec2{middle, vehicle.y - away - size.y}, heads_right ? right : left}) {
+        box = {within(corner.x, area.x, area.x + area.w - size.x), within(corner.y, area.y, area.y + area.h - size.y),
+               size.x, size.y};
+        const float x = std::clamp(vehicle.x, box.x, box.x + box.w), y = std::clamp(vehicle.y, box.y, box.y + box.h);
+        if (maths::distance(vehicle, {x, y}) >= 0.8f * away) break;
+    }
+    return box;
+}
+
+}  // namespace
+
+void why_callout(const LabView& view, const Ui& ui, Rect area) {
+    if (!view.why || !view.camera_view || view.mode == Mode::wiring) return;
+    const VehicleView* vehicle = find_vehicle(*view.now, view.why->vehicle);
+    if (!vehicle) return;
+    const auto middle = project(*view.camera_view, {vehicle->x, vehicle->y}, render::deck_height);
+    if (!middle) return;
+    constexpr float share = 0.45f;  // of the area, so that there is room beside the vehicle
+    const float w = std::clamp(share * area.w, ui.px(narrowest_callout), ui.px(widest_callout));
+    const WhyCallout callout = callout_of(view, ui, *vehicle, *view.why, w - ui.px(2 * callout_pad));
+    const float h = callout_height(ui, callout), away = ui.px(from_vehicle);
+    const auto ahead =
+        project(*view.camera_view, maths::vec2{vehicle->x, vehicle->y} + maths::direction(vehicle->heading));
+    const Rect box = place_beside(*middle, ahead && ahead->x > middle->x, {w, h}, away, area);
+    draw_line(
+        ui,
+        {{middle->x, middle->y}, {std::clamp(middle->x, box.x, box.x + w), std::clamp(middle->y, box.y, box.y + h)}},
+        ui.palette.accent, 1.5f, false);
+    ui.anchors.record("why", box);
+    ImGui::SetNextWindowPos({box.x, box.y});
+    ImGui::SetNextWindowSize({box.w, box.h});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::Begin("why", nullptr, behind_the_cards);
+    fill_box(ui, box, ui.palette.panel.with_alpha(0.95f));
+    line_box(ui, box, ui.palette.accent, 6, 1.25f);
+    draw_callout(ui, callout, {box.x + ui.px(callout_pad), box.y + ui.px(callout_pad)}, w - ui.px(2 * callout_pad));
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace braitenlab::ui

@@ -1,0 +1,83 @@
+#include "ui/scene_input/draw_insight.h"
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <imgui.h>
+
+#include "ui/scene_input/draw.h"
+#include "ui/scene_input/floor_lines.h"
+#include "ui/strings.h"
+#include "ui/widgets/paint.h"
+
+namespace braitenlab::ui {
+
+using maths::vec2;
+
+namespace {
+
+constexpr std::size_t ticks_per_point = 6;
+
+// The part of a path that is still to come, `first` being the tick of its first pose.
+std::vector<vec2> coming(const std::vector<Pose>& path, std::uint64_t first, std::uint64_t now) {
+    std::vector<vec2> points;
+    for (std::size_t i = now > first ? static_cast<std::size_t>(now - first) : 0; i < path.size(); ++i)
+        if (i % ticks_per_point == 0 || i + 1 == path.size()) points.push_back({path[i].x, path[i].y});
+    return points;
+}
+
+// Words at the end of a path.
+void name_end(const SceneInputFrame& frame, const Ui& ui, const std::vector<vec2>& points, std::string_view words,
+              Colour colour) {
+    const auto at = project(frame.camera_view, points.back());
+    if (!at) return;
+    draw_dot(ui, {at->x, at->y}, 4, colour);
+    draw_note(frame, ui, words, colour, *at);
+}
+
+void draw_prediction(const SceneInputFrame& frame, const Ui& ui, const PredictionView& shown) {
+    const std::uint64_t now = frame.view.now->tick;
+    const Palette& p = ui.palette;
+    const Colour colour = p.accent.with_alpha(shown.is_outdated ? 0.4f : 1.0f);
+    for (const std::vector<Pose>& other : *shown.fan)
+        draw_floor_line(frame, ui, coming(other, shown.tick, now), p.accent.with_alpha(0.35f), 1.25f);
+    std::vector<vec2> points = coming(*shown.path, shown.tick, now);
+    if (points.empty()) return;
+    if (shown.before) {
+        const std::vector<vec2> before = coming(*shown.before, shown.before_tick, now);
+        draw_floor_line(frame, ui, before, p.second_text.with_alpha(0.6f), 1.5f);
+        constexpr float apart = 0.6f;  // m
+        if (!before.empty() && maths::distance(before.back(), points.back()) > apart)
+            name_end(frame, ui, before, ui.strings("scene_input.before"), p.second_text);
+    }
+    draw_dashes(frame, ui, points, colour);
+    const std::uint64_t end = shown.tick + shown.path->size() - 1;
+    const auto seconds = static_cast<int>(std::lround(static_cast<double>(end - now) / 60));
+    name_end(frame, ui, points, fill(ui.strings("scene_input.in_seconds"), {std::to_string(seconds)}), colour);
+    if (const auto at = project(frame.camera_view, points.back())) {
+        const float size = ui.px(16);
+        ui.anchors.record("stage.prediction", {at->x - size / 2, at->y - size / 2, size, size});
+    }
+}
+
+// The ghost covers the vehicle that it is compared with; it is drawn once the two runs differ.
+bool is_beside(const LabView& view, const Pose& ghost) {
+    constexpr float least = 0.15f;  // m
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    return !vehicle || maths::distance(vec2{vehicle->x, vehicle->y}, vec2{ghost.x, ghost.y}) >= least;
+}
+
+}  // namespace
+
+void draw_insight(const SceneInputFrame& frame, const Ui& ui) {
+    const LabView& view = frame.view;
+    if (view.mode == Mode::wiring) return;
+    if (view.last_run && !view.ghost && is_beside(view, view.last_run->pose))
+        draw_ghost(frame, ui, *view.last_run,
+                   {ui.palette.second_text, ui.palette.line, ui.strings("scene_input.last_run"), "stage.last_run"});
+    if (view.prediction && view.prediction->tick <= view.now->tick) draw_prediction(frame, ui, *view.prediction);
+}
+
+}  // namespace braitenlab::ui

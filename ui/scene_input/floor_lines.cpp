@@ -1,0 +1,116 @@
+#include "ui/scene_input/floor_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <imgui.h>
+
+#include "core/maths/angle.h"
+#include "render/view/drawing.h"
+#include "ui/scene_input/draw.h"
+#include "ui/widgets/paint.h"
+#include "ui/widgets/theme.h"
+
+namespace braitenlab::ui {
+
+using maths::vec2;
+
+namespace {
+
+constexpr float farthest_joined = 2;  // m
+constexpr DashedLine ghost_dashes{.width = 1.75f, .dash = 0.11f, .gap = 0.08f};
+
+void floor_segment(const SceneInputFrame& frame, const Ui& ui, vec2 from, vec2 to, float from_height, float to_height,
+                   Colour colour, float width) {
+    const auto a = project(frame.camera_view, from, from_height), b = project(frame.camera_view, to, to_height);
+    if (a && b) draw_line(ui, {{a->x, a->y}, {b->x, b->y}}, colour, width, false);
+}
+
+void fill_deck(const SceneInputFrame& frame, const std::vector<vec2>& outline, Colour colour) {
+    std::vector<ImVec2> points;
+    for (std::size_t i = 0; i + 1 < outline.size(); ++i)
+        if (const auto at = project(frame.camera_view, outline[i], render::deck_height))
+            points.push_back({at->x, at->y});
+    if (points.size() == 4)
+        ImGui::GetBackgroundDrawList()->AddConvexPolyFilled(points.data(), 4, paint(colour.with_alpha(0.14f)));
+}
+
+// At fixed times, so that their distances show the speed; they fade within a minute.
+void draw_path_dots(const SceneInputFrame& frame, const Ui& ui, const GhostView& ghost, Colour colour) {
+    constexpr std::size_t ticks_per_dot = 15, most_ticks = 3600;
+    const std::size_t last = ghost.count - 1;
+    for (std::size_t tick = last / ticks_per_dot * ticks_per_dot; tick + most_ticks > last; tick -= ticks_per_dot) {
+        const Pose& pose = (*ghost.path)[tick];
+        const float age = static_cast<float>(last - tick) / static_cast<float>(most_ticks);
+        if (const auto at = project(frame.camera_view, {pose.x, pose.y}))
+            draw_dot(ui, {at->x, at->y}, 2, colour.with_alpha(0.8f - 0.6f * age));
+        if (tick == 0) break;
+    }
+}
+
+}  // namespace
+
+void draw_dashes(const SceneInputFrame& frame, const Ui& ui, const std::vector<vec2>& points, Colour colour,
+                 const DashedLine& look) {
+    float along = 0;  // m since the begin of the last dash
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const vec2 from = points[i - 1], way = points[i] - from;
+        const float length = maths::length(way);
+        if (length <= 0 || length > farthest_joined) continue;
+        for (float done = 0; done < length;) {
+            const bool drawn = along < look.dash;
+            const float step = std::min(length - done, (drawn ? look.dash : look.dash + look.gap) - along);
+            if (drawn)
+                floor_segment(frame, ui, from + way * (done / length), from + way * ((done + step) / length),
+                              look.height, look.height, colour, look.width);
+            done += std::max(step, 1e-4f);
+            along += std::max(step, 1e-4f);
+            if (along >= look.dash + look.gap) along = 0;
+        }
+    }
+}
+
+void draw_floor_line(const SceneInputFrame& frame, const Ui& ui, const std::vector<vec2>& points, Colour colour,
+                     float width) {
+    std::vector<ImVec2> piece;
+    const auto end_piece = [&] { draw_line(ui, piece, colour, width, false), piece.clear(); };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto at = project(frame.camera_view, points[i]);
+        if (!at || (i > 0 && maths::distance(points[i - 1], points[i]) > farthest_joined)) end_piece();
+        if (at) piece.push_back({at->x, at->y});
+    }
+    end_piece();
+}
+
+void draw_name(const SceneInputFrame& frame, const Ui& ui, vec2 place, float height, std::string_view words,
+               Colour edge) {
+    if (const auto at = project(frame.camera_view, place, height)) draw_note(frame, ui, words, edge, *at);
+}
+
+void draw_ghost(const SceneInputFrame& frame, const Ui& ui, const GhostView& ghost, const GhostLook& look) {
+    draw_path_dots(frame, ui, ghost, look.colour);
+    const auto corner = [&](float ahead, float left) {
+        const float c = std::cos(ghost.pose.heading), s = std::sin(ghost.pose.heading);
+        return vec2{ghost.pose.x + c * ahead - s * left, ghost.pose.y + s * ahead + c * left};
+    };
+    const float x = ghost.length / 2, y = ghost.width / 2, deck = render::deck_height, floor = 0.02f;
+    const std::vector<vec2> outline{corner(x, y), corner(-x, y), corner(-x, -y), corner(x, -y), corner(x, y)};
+    fill_deck(frame, outline, look.colour);
+    for (const float height : {floor, deck}) {
+        DashedLine dashes = ghost_dashes;
+        dashes.height = height;
+        draw_dashes(frame, ui, outline, look.colour, dashes);
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+        floor_segment(frame, ui, outline[i], outline[i], floor, deck, look.colour, ghost_dashes.width);
+    const std::vector<vec2> arrow{corner(0, 0.4f * y), corner(0.7f * x, 0), corner(0, -0.4f * y)};
+    for (std::size_t i = 1; i < arrow.size(); ++i)
+        floor_segment(frame, ui, arrow[i - 1], arrow[i], deck, deck, look.colour, ghost_dashes.width);
+    draw_name(frame, ui, {ghost.pose.x, ghost.pose.y}, deck, look.words, look.edge);
+    const auto at = project(frame.camera_view, {ghost.pose.x, ghost.pose.y});
+    const float size = ui.px(24);
+    if (at) ui.anchors.record(std::string(look.anchor), {at->x - size / 2, at->y - size / 2, size, size});
+}
+
+}  // namespace braitenlab::ui

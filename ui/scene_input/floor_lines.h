@@ -1,0 +1,35 @@
+// Lines and vehicles of other runs, drawn over the 3D view at places on the floor.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "ui/scene_input/interaction.h"
+
+namespace braitenlab::ui {
+
+// Lengths in metres but for widths, in layout pixels. Dashes lie on the floor, so that they stay where they are when
+// the camera moves.
+struct DashedLine {
+    float width = 2.5f;
+    float dash = 0.22f, gap = 0.14f;
+    float height = 0;  // above the floor
+};
+void draw_dashes(const SceneInputFrame&, const Ui&, const std::vector<maths::vec2>& points, Colour,
+                 const DashedLine& = {});
+
+// A solid line. Points more than 2 m apart are not joined, here and in draw_dashes(): the seam of a torus is between.
+void draw_floor_line(const SceneInputFrame&, const Ui&, const std::vector<maths::vec2>& points, Colour, float width);
+
+// A note beside a place.
+void draw_name(const SceneInputFrame&, const Ui&, maths::vec2 place, float height, std::string_view words, Colour edge);
+
+// A vehicle of another run as a dashed outline, four dots a second along its path, and its name: it has no colour of
+// its own and nothing that a click takes. Records the anchor at its position.
+struct GhostLook {
+    Colour colour, edge;  // of the outline and of the name's frame
+    std::string_view words, anchor;
+};
+void draw_ghost(const SceneInputFrame&, const Ui&, const GhostView&, const GhostLook&);
+
+}  // namespace braitenlab::ui
