@@ -204,6 +204,14 @@ bool act_on_files(const LabView& view, PanelState& state, Action action, Outbox&
     }
 }
 
+bool selects_vehicle(Action action) { return action == Action::next_vehicle || action == Action::previous_vehicle; }
+
+// True if Tab has a vehicle to select. Without one it moves the focus into the cards, as it does in other programs.
+bool has_other_vehicle(const LabView& view) {
+    return std::any_of(view.now->vehicles.begin(), view.now->vehicles.end(),
+                       [&](const VehicleView& vehicle) { return vehicle.id != view.settings.selection.vehicle; });
+}
+
 // Actions that open a panel, move the focus or need the state of a panel. False for actions of the lab.
 bool act_on_panels(const LabView& view, PanelState& state, Action action, KeyPress press, Outbox& outbox) {
     if (const auto slider = slider_of(action)) {
@@ -315,7 +323,9 @@ bool press_key(const LabView& view, PanelState& state, KeyPress press, Outbox& o
     const bool on_a_card = action_for(press) == Action::lesion && !state.lesion_under_pointer.empty();
     if (view.mode == Mode::wiring && !on_a_card && key_for_canvas(state.canvas, press)) return true;
     if (const auto action = action_for(press)) {
-        if (!act_on_panels(view, state, *action, press, outbox) && !holds_play(view, state, *action, outbox))
+        if (selects_vehicle(*action) && !has_other_vehicle(view))
+            state.keyboard.presses.push_back(press);
+        else if (!act_on_panels(view, state, *action, press, outbox) && !holds_play(view, state, *action, outbox))
             outbox.push_back(*action);
         return true;
     }

@@ -273,8 +273,29 @@ TEST(Window, MovesTheFocusWithTab) {
     EXPECT_EQ(desk.panels.keyboard.focus, "slider.LL");
     desk.key({key::escape});
     EXPECT_TRUE(desk.panels.keyboard.focus.empty());
+}
+
+TEST(Window, SelectsTheNextVehicleWithTabInTheScene) {
+    Desk desk;
+    desk.now = snapshot(1);
+    desk.frame(3);
     desk.key({key::tab});
-    EXPECT_EQ(desk.actions(), std::vector{Action::next_vehicle}) << "in the viewport Tab selects the next vehicle";
+    EXPECT_EQ(desk.actions(), std::vector{Action::next_vehicle});
+}
+
+TEST(Window, MovesTheFocusIntoTheCardsWithTabIfThereIsNoOtherVehicle) {
+    Desk desk;
+    desk.now = snapshot(0);
+    desk.frame(3);
+    desk.key({key::tab});
+    desk.frame();
+    EXPECT_FALSE(desk.panels.keyboard.focus.empty());
+    EXPECT_TRUE(desk.actions().empty());
+    desk.key({key::escape});
+    desk.key({key::tab, false, true});
+    desk.frame();
+    EXPECT_FALSE(desk.panels.keyboard.focus.empty());
+    EXPECT_TRUE(desk.actions().empty());
 }
 
 TEST(Window, MovesTheFocusFromCardToCardWithControlTab) {
