@@ -52,6 +52,21 @@ TEST(ExerciseCard, APredictionIsMadeUntilTheOutcomeIsKnown) {
     EXPECT_FALSE(desk.anchors.find("exercise.predict.2")) << "and not be made";
 }
 
+TEST(ExerciseCard, ItsHeadingTellsExercisesOfOneNumberApart) {
+    Desk desk;
+    desk.open_exercise();
+    desk.frame(3);
+    const std::string number = std::to_string(desk.opened.number);
+    EXPECT_TRUE(says(desk, "EXERCISE " + number + "\n"));
+    const CatalogueEntry open{.name = desk.opened.id, .number = desk.opened.number};
+    CatalogueEntry earlier = open;
+    earlier.name = "0";
+    const std::vector<CatalogueEntry> both{earlier, open};
+    desk.view.catalogue = &both;
+    desk.frame(3);
+    EXPECT_TRUE(says(desk, "EXERCISE " + number + "b\n"));
+}
+
 TEST(ExerciseCard, ItsButtonsRequestAHintAndAReset) {
     Desk desk;
     desk.open_exercise();

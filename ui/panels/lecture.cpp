@@ -101,7 +101,7 @@ std::string title_of_bar(const LabView& view, const Ui& ui) {
     if (!view.settings.revealed.title) return {};
     if (view.pages) return std::string(translated(ui, view.pages->lecture->title));
     if (!view.lesson) return std::string(translated(ui, view.now->scene->title));
-    if (hides_outcome(view)) return exercise_heading(*view.lesson, ui);
+    if (hides_outcome(view)) return exercise_heading(view, ui);
     return std::string(translated(ui, view.lesson->exercise->title));
 }
 

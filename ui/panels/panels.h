@@ -14,8 +14,9 @@
 namespace braitenlab::ui {
 
 // Cards; cards.h says when and where they are shown.
-void exercise_card(const LabView&, PanelState&, Ui&, Rect);          // precondition: view.lesson
-std::string exercise_heading(const LessonView&, const Ui&);          // "EXERCISE 5", or "EXERCISE" without a number
+void exercise_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.lesson
+std::string exercise_heading(const LabView&,
+                             const Ui&);  // "EXERCISE 5", "EXERCISE 14a", or "EXERCISE" without a number
 void exercise_files(const LabView&, PanelState&, Ui&, float width);  // at the foot of it; precondition: view.lesson
 void start_pictures(const LabView&, Ui&);                            // precondition: view.lesson has a grade
 void median_rows(const LessonView&, Ui&);            // nothing without LessonView::shipped_grade and a grade

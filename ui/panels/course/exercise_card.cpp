@@ -251,10 +251,10 @@ void task(const LabView& view, PanelState& state, Ui& ui) {
 
 }  // namespace
 
-std::string exercise_heading(const LessonView& lesson, const Ui& ui) {
-    const int number = lesson.exercise->number;
-    if (number == 0) return std::string(ui.strings("exercise.heading_unnumbered"));
-    return fill(ui.strings("exercise.heading"), {std::to_string(number)});
+std::string exercise_heading(const LabView& view, const Ui& ui) {
+    const Exercise& exercise = *view.lesson->exercise;
+    if (exercise.number == 0) return std::string(ui.strings("exercise.heading_unnumbered"));
+    return fill(ui.strings("exercise.heading"), {number_words(view, exercise.number, exercise.id)});
 }
 
 // When the exercise is passed, the result and the steps are at the top. Once the brain is changed, the steps are above
@@ -265,7 +265,7 @@ void exercise_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     follow_exercise(lesson, state);
     CardState& card = state.card(Card::exercise);
     card.footer = std::max(card.footer, ui.px(button_height + 8));
-    const bool open = open_card(state, ui, Card::exercise, place, {}, exercise_heading(lesson, ui));
+    const bool open = open_card(state, ui, Card::exercise, place, {}, exercise_heading(view, ui));
     if (open) {
         if (!hides_outcome(view)) paragraph(ui, translated(ui, lesson.exercise->title), ui.palette.text, Face::title);
         result(view, ui);

@@ -4,20 +4,15 @@
 
 namespace braitenlab::ui {
 
-namespace {
-
-// "14"; "14a", "14b" … for exercises that share a number, in the order of their names.
-std::string number_words(const LabView& view, const CatalogueEntry& entry) {
+std::string number_words(const LabView& view, int number, std::string_view name) {
     int sharing = 0, before = 0;
     if (view.catalogue)
         for (const CatalogueEntry& other : *view.catalogue)
-            if (other.number == entry.number) ++sharing, before += other.name < entry.name ? 1 : 0;
-    std::string words = std::to_string(entry.number);
+            if (other.number == number) ++sharing, before += other.name < name ? 1 : 0;
+    std::string words = std::to_string(number);
     if (sharing > 1) words += static_cast<char>('a' + before);
     return words;
 }
-
-}  // namespace
 
 const ExerciseProgress* progress_of(const LabView& view, const CatalogueEntry& entry) {
     return view.students && entry.number > 0 ? find_progress(view.students->student(), entry.name) : nullptr;
@@ -36,7 +31,7 @@ std::string_view exercise_words(const LabView& view, const Ui& ui, const Catalog
 
 std::string entry_words(const LabView& view, const Ui& ui, const CatalogueEntry& entry) {
     if (entry.number == 0) return std::string(translated(ui, entry.title));
-    return number_words(view, entry) + "  " + std::string(exercise_words(view, ui, entry));
+    return number_words(view, entry.number, entry.name) + "  " + std::string(exercise_words(view, ui, entry));
 }
 
 std::string known_title(const LabView& view, const Ui& ui, std::string_view title) {

@@ -17,6 +17,9 @@ const ExerciseProgress* progress_of(const LabView&, const CatalogueEntry&);
 // True if the title tells nothing that the student is still asked to predict, and where no progress is kept.
 bool is_title_known(const LabView&, const CatalogueEntry&);
 
+// "14"; "14a", "14b" … for exercises that share a number, in the order of their names.
+std::string number_words(const LabView&, int number, std::string_view name);
+
 // The title, or the goal, without the number.
 std::string_view exercise_words(const LabView&, const Ui&, const CatalogueEntry&);
 // With the number before it: "5  Aggressor". A scene: its title.
