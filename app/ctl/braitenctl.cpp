@@ -11,6 +11,7 @@
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
 #include "app/platform/platform.h"
+#include "core/insight/behaviour.h"
 #include "core/io/vehicle_table.h"
 #include "core/scene/nearest.h"
 
@@ -46,6 +47,12 @@ void add_choice(CLI::App& command, BrainChoice& choice) {
         .add_option("--vehicle", choice.vehicle,
                     "the vehicle whose brain is taken, by its name in the scene; in a saved run also by its id")
         ->excludes(kind);
+}
+
+std::string measure_words() {
+    std::string words;
+    for (const auto& row : insight::map_measure_table) words += (words.empty() ? "" : ", ") + std::string(row.word);
+    return words;
 }
 
 int command_line(int argc, char** argv) {
@@ -116,6 +123,31 @@ int command_line(int argc, char** argv) {
         ->type_name("CODE");
     grade_command->add_option("--seed", graded.first_seed, "seed of the first start; default: 1");
 
+    MapOptions mapped;
+    CLI::App* map_command = app.add_subcommand("map", "run a scene with many values of two numbers, and print a map");
+    map_command->add_option("SCENE", mapped.file, "a path, or the bare name of a shipped scene")->required();
+    map_command->add_option("--x", mapped.x, "values from left to right, e.g. LL=RR=-1:1; default: LL=RR=-2:2")
+        ->type_name("PATH=A:B");
+    map_command->add_option("--y", mapped.y, "values from the bottom to the top; default: LR=RL=-2:2")
+        ->type_name("PATH=A:B");
+    map_command->add_option("--measure", mapped.measure, "what a cell shows: " + measure_words() + "; default: kind")
+        ->type_name("NAME");
+    map_command->add_option("--size", mapped.size, "cells along an axis, 2 to 128; default: 32");
+    map_command->add_option("--seeds", mapped.seeds, "runs of each cell, 1 to 64; default: 1");
+    map_command->add_option("--seed", mapped.seed, "seed of the first; default: 1");
+    map_command->add_option("--seconds", mapped.seconds, "simulated time of each run; default: 20")
+        ->check(CLI::Range(1.0, 600.0));
+    map_command->add_option("--vehicle", mapped.vehicle, "the vehicle that is judged, by its name; default: the first");
+    map_command->add_option("--set", mapped.settings, "one value of the scene, for every run")
+        ->type_name("PATH=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    map_command->add_option("--threads", mapped.threads, "threads; without it, one per processor")
+        ->check(CLI::Range(1, 256));
+    map_command->add_flag("--json", mapped.json, "print the map as one JSON object");
+    map_command->add_option("--csv", mapped.csv, "write a row per cell; -: to standard output")->type_name("FILE");
+    map_command->add_option("--png", mapped.png, "write a picture")->type_name("FILE");
+
     std::string shown;
     CLI::App* show_command =
         app.add_subcommand("show", "print what a file contains and how the recogniser names its brains");
@@ -130,7 +162,8 @@ int command_line(int argc, char** argv) {
         ->type_name("FILE");
 
     std::vector<std::string_view> commands;
-    for (const CLI::App* command : {run_command, check_command, grade_command, show_command, hashes_command})
+    for (const CLI::App* command :
+         {run_command, map_command, check_command, grade_command, show_command, hashes_command})
         commands.push_back(command->get_name());
     if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
         return complain({in_quotes(argv[1]) + " is not a command" + name_nearest(argv[1], commands)});
@@ -140,6 +173,7 @@ int command_line(int argc, char** argv) {
         return app.exit(error) == 0 ? exit_code::done : exit_code::bad_input;
     }
     if (*run_command) return run(options);
+    if (*map_command) return map(mapped);
     if (*grade_command && (!graded.html.empty() || is_class(graded.files))) return grade_class(graded);
     if (*grade_command) return grade_all(graded);
     if (*show_command) return show(shown);

@@ -1,8 +1,10 @@
 // The subcommands of braitenctl. Each prints its result and returns the exit code.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/ctl/brain_of_file.h"
@@ -33,6 +35,27 @@ struct RunOptions {
     bool json = false, hash = false;
 };
 int run(const RunOptions&);
+
+struct MapOptions {
+    std::string file;              // a scene
+    std::string x = "LL=RR=-2:2";  // as insight::parse_axis() reads it
+    std::string y = "LR=RL=-2:2";
+    std::string measure = "kind";  // word of insight::MapMeasure
+    std::string vehicle;           // name of a start; empty: the first vehicle
+    int size = 32, seeds = 1;
+    std::uint64_t seed = 1;             // the first
+    double seconds = 20;                // of each run
+    int threads = 0;                    // 0: one per processor
+    std::vector<std::string> settings;  // PATH=VALUE, for every run
+    std::string csv, png;               // files; "-" of the table: standard output; empty: none
+    bool json = false;
+};
+// Runs a map of behaviour and prints it as text or JSON, or writes it as a table or a picture.
+int map(const MapOptions&);
+
+// The content of a scene's file. The error for another kind of file says what it is, what the command takes, and which
+// command is for it.
+Result<std::string> read_scene_text(const std::filesystem::path&, std::string_view command, std::string_view takes);
 
 // The number of worker threads of Jobs: `wanted`, or one per processor if that is 0.
 int threads_for(int wanted);

@@ -103,32 +103,11 @@ Result<StartedRun> continue_run(const RunOptions& options) {
     return StartedRun{std::move(saved->opened), std::move(world)};
 }
 
-// The content of a scene's file. The error for another kind of file says what to do with it.
-Result<std::string> read_scene_text(const std::filesystem::path& path) {
-    auto text = read_text(path);
-    if (!text) return text;
-    switch (detect_kind(path, *text)) {
-        case FileKind::exercise:
-            return Error{
-                "this is an exercise, and 'run' takes a scene or a saved run; use 'check' to test the exercise, "
-                "'grade' for a brain or hand-ins, 'show' to print it",
-                path.string()};
-        case FileKind::lecture:
-            return Error{"this is a lecture, and 'run' takes a scene or a saved run; use 'check' to test the lecture",
-                         path.string()};
-        case FileKind::brain:
-            return Error{"this is a brain alone, and 'run' takes a scene or a saved run; use 'grade EXERCISE FILE'",
-                         path.string()};
-        default:
-            return text;
-    }
-}
-
 Result<StartedRun> start(const RunOptions& options, const Sweep& single) {
     if (options.file.ends_with(io::run_ending)) return continue_run(options);
     const auto path = find_shipped(options.file);
     if (!path) return path.error();
-    const auto text = read_scene_text(*path);
+    const auto text = read_scene_text(*path, "run", "a scene or a saved run");
     if (!text) return text.error();
     auto scene = parse_scene(*text, path->string(), combination(single, 0));
     if (!scene) return scene.error();
@@ -216,7 +195,7 @@ Result<std::string> rows_of_run(const SweepInput& input, std::size_t run) {
 Result<SweepInput> prepare(const RunOptions& options, const Sweep& sweep, const std::set<io::ColumnGroup>& groups) {
     const auto path = find_shipped(options.file);
     if (!path) return path.error();
-    auto text = read_scene_text(*path);
+    auto text = read_scene_text(*path, "run", "a scene or a saved run");
     if (!text) return text.error();
     SweepInput input{sweep, std::move(*text), path->string(), options.seconds, {}};
     for (std::size_t i = 1; i < sweep.combinations(); ++i)

@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/brain/brain.h"
+#include "core/insight/map.h"
 #include "core/insight/predict.h"
 #include "core/maths/random.h"
 #include "core/world/tick.h"
@@ -228,6 +229,20 @@ void BM_Predict(benchmark::State& state) {
         }
 }
 BENCHMARK(BM_Predict)->Unit(benchmark::kMicrosecond);
+
+// The cells of a map of 32×32 runs of 20 s with one vehicle; of the first level, the coarse map, alone with 1.
+void BM_Map(benchmark::State& state) {
+    insight::MapQuestion question{.scene = tests::alone(hunter), .vehicle = 0, .target = {.vehicle = 0}};
+    question.scene.sources.push_back({.name = "lamp", .x = 8, .y = 2});
+    const auto base = *insight::MapBase::create(question);
+    const auto levels = insight::map_levels(question.size);
+    const auto count = std::min(levels.size(), static_cast<std::size_t>(state.range(0)));
+    for (auto _ : state)
+        for (std::size_t level = 0; level < count; ++level)
+            for (const insight::MapPlace place : levels[level])
+                benchmark::DoNotOptimize(insight::run_cell(base, place));
+}
+BENCHMARK(BM_Map)->Arg(1)->Arg(99)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace braitenlab::bench

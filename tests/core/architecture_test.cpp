@@ -26,7 +26,7 @@ const std::map<std::string, std::vector<std::string>> may_include{
     {"core/world", {"core/maths", "core/mechanics", "core/brain", "core/scene", "core/sensing", "core"}},
     {"core/io", {"core/maths", "core/mechanics", "core/brain", "core/scene", "core/sensing", "core/world", "core"}},
     {"core/session", {"core/maths", "core/brain", "core/scene", "core/world", "core"}},
-    {"core/insight", {"core/maths", "core/brain", "core/scene", "core/world", "core"}},
+    {"core/insight", {"core/maths", "core/brain", "core/scene", "core/sensing", "core/world", "core"}},
     {"core/lesson", {"core/maths", "core/brain", "core/scene", "core/sensing", "core/world", "core/io", "core"}},
     {"core", {}},
     {"render/view", {"core"}},
@@ -68,7 +68,7 @@ const std::map<std::string, std::vector<std::string>> internal_headers{
 };
 
 // Files directly in ui/ that every layer of ui may include; they form the layer "ui/shared".
-const std::vector<std::string> shared_in_ui{"files",       "imgui_compat", "lab_view",  "measure_text",
+const std::vector<std::string> shared_in_ui{"files",       "imgui_compat", "lab_view",  "map_look", "measure_text",
                                             "number_text", "request",      "shortcuts", "strings"};
 
 std::string folder_of(const std::string& file) {

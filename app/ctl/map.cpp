@@ -1,0 +1,264 @@
+// braitenctl map: a map of behaviour as text, JSON, a table or a picture.
+#include "core/insight/map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/ctl/ctl.h"
+#include "app/ctl/table_file.h"
+#include "app/files/data.h"
+#include "app/files/plain_png.h"
+#include "app/files/safe_file.h"
+#include "app/jobs/jobs.h"
+#include "app/platform/platform.h"
+#include "core/io/csv.h"
+#include "core/io/run_file.h"
+#include "core/scene/nearest.h"
+#include "core/scene/sensor_pairs.h"
+#include "ui/map_look.h"
+
+namespace braitenlab {
+
+namespace {
+
+using insight::Behaviour;
+using insight::MapAxis;
+using insight::MapBase;
+using insight::MapCell;
+using insight::MapCells;
+using insight::MapMeasure;
+using insight::MapPlace;
+
+Result<MapMeasure> measure_named(const std::string& word) {
+    std::vector<std::string_view> known;
+    for (const auto& row : insight::map_measure_table) known.push_back(row.word);
+    const auto found = std::find(known.begin(), known.end(), word);
+    if (found == known.end())
+        return Error{"there is no measure " + in_quotes(word) + name_nearest(word, known), "--measure"};
+    return static_cast<MapMeasure>(found - known.begin());
+}
+
+Result<Scene> scene_of(const MapOptions& options) {
+    constexpr std::string_view takes = "a scene";
+    if (options.file.ends_with(io::run_ending))
+        return Error{"this is a saved run, and 'map' takes a scene", options.file};
+    const auto path = find_shipped(options.file);
+    if (!path) return path.error();
+    const auto text = read_scene_text(*path, "map", takes);
+    if (!text) return text.error();
+    std::vector<Setting> settings;
+    for (const std::string& argument : options.settings) {
+        auto setting = parse_setting(argument);
+        if (!setting) return setting.error();
+        settings.push_back(std::move(*setting));
+    }
+    return parse_scene(*text, path->string(), settings);
+}
+
+// The vehicle that is judged, and the kind whose brain the dials set.
+std::optional<Error> choose_vehicle(const MapOptions& options, insight::MapQuestion& question) {
+    const auto world = World::create(question.scene, question.seed);
+    if (!world) return world.error();
+    Snapshot start;
+    world->capture(start);
+    if (start.vehicles.empty()) return Error{"the scene has no vehicle", options.file};
+    const VehicleView* vehicle = &start.vehicles.front();
+    if (!options.vehicle.empty()) {
+        std::vector<std::string_view> names;
+        for (const Start& each : question.scene.starts) names.push_back(each.name);
+        const auto found = std::find(names.begin(), names.end(), options.vehicle);
+        const auto with_start = std::find_if(
+            start.vehicles.begin(), start.vehicles.end(),
+            [&](const VehicleView& each) { return found != names.end() && each.start == found - names.begin(); });
+        if (with_start == start.vehicles.end())
+            return Error{
+                "the scene has no vehicle " + in_quotes(options.vehicle) + name_nearest(options.vehicle, names),
+                "--vehicle"};
+        vehicle = &*with_start;
+    }
+    question.vehicle = vehicle->id;
+    question.target = {no_vehicle, vehicle->kind};
+    question.pair = chosen_pair(kind_of(start, *vehicle), "");
+    return std::nullopt;
+}
+
+Result<insight::MapQuestion> question_of(const MapOptions& options) {
+    auto scene = scene_of(options);
+    if (!scene) return scene.error();
+    const auto x = insight::parse_axis(options.x, "--x"), y = insight::parse_axis(options.y, "--y");
+    if (!x) return x.error();
+    if (!y) return y.error();
+    insight::MapQuestion question{.scene = std::move(*scene),
+                                  .seed = options.seed,
+                                  .seeds = options.seeds,
+                                  .x = *x,
+                                  .y = *y,
+                                  .size = options.size,
+                                  .ticks = static_cast<std::size_t>(std::llround(options.seconds * 60))};
+    if (const auto error = choose_vehicle(options, question)) return *error;
+    return question;
+}
+
+// Incomplete when the user has interrupted the program.
+Result<MapCells> compute(const std::shared_ptr<const MapBase>& base, int threads) {
+    const int size = base->question().size;
+    MapCells cells(size);
+    Jobs jobs(threads_for(threads));
+    for (const std::vector<MapPlace>& level : insight::map_levels(size)) {
+        auto job = jobs.submit(level.size(), [base, &level](std::size_t part) {
+            return is_told_to_end() ? MapCell{} : insight::run_cell(base, level[part]);
+        });
+        jobs.finish();
+        const auto results = job.take();
+        if (!*results) return results->error();
+        for (std::size_t i = 0; i < level.size(); ++i) cells.at(level[i]) = (**results)[i];
+    }
+    return cells;
+}
+
+nlohmann::ordered_json number_or_null(float number) {
+    if (!std::isfinite(number)) return nullptr;
+    return std::round(static_cast<double>(number) * 1e5) / 1e5;
+}
+
+std::string json_text(const insight::MapQuestion& question, const MapCells& cells, MapMeasure measure) {
+    nlohmann::ordered_json json;
+    const auto values = [&](const MapAxis& axis) {
+        auto list = nlohmann::ordered_json::array();
+        for (int i = 0; i < cells.size; ++i) list.push_back(number_or_null(insight::value_at(axis, i, cells.size)));
+        return list;
+    };
+    json["scene"] = question.scene.name;
+    json["x_path"] = question.x.path, json["y_path"] = question.y.path;
+    json["x"] = values(question.x), json["y"] = values(question.y);
+    json["measure"] = word(measure);
+    auto rows = nlohmann::ordered_json::array(), agree = nlohmann::ordered_json::array();
+    for (int y = 0; y < cells.size; ++y) {
+        auto row = nlohmann::ordered_json::array(), shares = nlohmann::ordered_json::array();
+        for (int x = 0; x < cells.size; ++x) {
+            const MapCell& cell = *cells.at({x, y});
+            shares.push_back(number_or_null(cell.agree));
+            if (measure == MapMeasure::behaviour)
+                row.push_back(word(cell.outcome.behaviour));
+            else
+                row.push_back(number_or_null(insight::number_of(cell.outcome, measure)));
+        }
+        rows.push_back(std::move(row)), agree.push_back(std::move(shares));
+    }
+    json["cells"] = std::move(rows);
+    if (question.seeds > 1) json["agree"] = std::move(agree);
+    return json.dump() + "\n";
+}
+
+std::string table_text(const insight::MapQuestion& question, const MapCells& cells) {
+    std::string text;
+    io::add_csv_cell(text, std::string_view(question.x.path)), text += ',';
+    io::add_csv_cell(text, std::string_view(question.y.path));
+    text += ",kind,agree,closest_m,final_m,touch_s,captures,survival_s\n";
+    const auto number = [](float value) { return std::isfinite(value) ? fmt::format("{:.5f}", value) : std::string(); };
+    for (int y = 0; y < cells.size; ++y)
+        for (int x = 0; x < cells.size; ++x) {
+            const MapCell& cell = *cells.at({x, y});
+            const insight::Outcome& of = cell.outcome;
+            text += fmt::format(
+                "{:.5f},{:.5f},{},{:.5f},{},{},{},{:.0f},{:.5f}\n", insight::value_at(question.x, x, cells.size),
+                insight::value_at(question.y, y, cells.size), word(of.behaviour), cell.agree, number(of.closest),
+                number(of.final_distance), number(of.time_to_touch), of.captures, of.survival);
+        }
+    return text;
+}
+
+// The largest y is at the top. Each cell has its mark where it has room for one.
+std::string picture(const MapCells& cells, MapMeasure measure) {
+    constexpr int wanted = 768;  // pixels along a side
+    const int cell_side = std::max(2, wanted / cells.size), side = cell_side * cells.size;
+    const int dot = cell_side / (ui::mark_size + 2);
+    const ui::MapScale scale = ui::scale_of(cells.cells, measure);
+    std::vector<unsigned char> rgb(static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * 3);
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column) {
+            const MapCell& cell = *cells.at({column / cell_side, cells.size - 1 - row / cell_side});
+            ui::MapColour colour = ui::cell_colour(cell.outcome, cell.agree, measure, scale, {1, 1, 1});
+            const int margin = (cell_side - dot * ui::mark_size) / 2;
+            const int mark_x = column % cell_side - margin, mark_y = row % cell_side - margin;
+            const bool has_mark = measure == MapMeasure::behaviour && dot > 0 && mark_x >= 0 && mark_y >= 0 &&
+                                  mark_x < dot * ui::mark_size && mark_y < dot * ui::mark_size;
+            if (has_mark && ui::is_marked(cell.outcome.behaviour, mark_x / dot, mark_y / dot))
+                colour = {0.1f, 0.1f, 0.1f};
+            unsigned char* pixel = &rgb[(static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
+                                         static_cast<std::size_t>(column)) *
+                                        3];
+            for (const float part : {colour.r, colour.g, colour.b})
+                *pixel++ = static_cast<unsigned char>(std::lround(part * 255));
+        }
+    return plain_png(side, side, rgb);
+}
+
+// A letter or a digit a cell; the largest y is at the top.
+std::string plain_text(const insight::MapQuestion& question, const MapCells& cells, MapMeasure measure) {
+    constexpr std::string_view letters = "TNCPAFLS";
+    const bool is_kind = measure == MapMeasure::behaviour;
+    const ui::MapScale scale = ui::scale_of(cells.cells, measure);
+    std::string text;
+    for (int y = cells.size; y-- > 0;) {
+        text += fmt::format("{:8.2f}  ", insight::value_at(question.y, y, cells.size));
+        for (int x = 0; x < cells.size; ++x) {
+            const insight::Outcome& of = cells.at({x, y})->outcome;
+            const float number = insight::number_of(of, measure);
+            if (is_kind)
+                text += letters[static_cast<std::size_t>(of.behaviour)];
+            else
+                text += std::isfinite(number) ? static_cast<char>('0' + std::lround(9 * scale.share(number))) : '.';
+        }
+        text += '\n';
+    }
+    text += fmt::format("{:>8}  from left to right: {} from {:g} to {:g}\n", question.y.path, question.x.path,
+                        question.x.from, question.x.to);
+    if (!is_kind)
+        return text + fmt::format("0 is {:g} {}, 9 is {:g} {}, . is never\n", scale.low, row_of(measure).unit,
+                                  scale.high, row_of(measure).unit);
+    for (const auto& row : insight::behaviour_table)
+        text += fmt::format("{} {}  ", letters[static_cast<std::size_t>(row.value)], row.word);
+    text.resize(text.size() - 2);
+    return text + "\n";
+}
+
+std::optional<Error> check_outputs(const MapOptions& options) {
+    if (options.csv == standard_output && options.json)
+        return Error{"leaves no room for --json on standard output; leave it out, or give --csv a file", "--csv -"};
+    return std::nullopt;
+}
+
+}  // namespace
+
+int map(const MapOptions& options) {
+    if (const auto error = check_outputs(options)) return complain(*error);
+    const auto measure = measure_named(options.measure);
+    if (!measure) return complain(measure.error());
+    auto question = question_of(options);
+    if (!question) return complain(question.error());
+    const auto base = MapBase::create(std::move(*question));
+    if (!base) return complain(base.error());
+    const auto cells = compute(*base, options.threads);
+    if (is_told_to_end()) return interrupted();
+    if (!cells) return complain(cells.error());
+    const insight::MapQuestion& asked = (*base)->question();
+    if (!options.csv.empty()) {
+        TableFile table(options.csv);
+        table.write(table_text(asked, *cells));
+        if (const auto error = table.close()) return complain(*error);
+    }
+    if (!options.png.empty())
+        if (const auto error = write_whole(options.png, picture(*cells, *measure))) return complain(*error);
+    if (options.json) std::cout << json_text(asked, *cells, *measure);
+    if (!options.json && options.csv.empty() && options.png.empty()) std::cout << plain_text(asked, *cells, *measure);
+    return exit_code::done;
+}
+
+}  // namespace braitenlab

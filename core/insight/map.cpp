@@ -1,0 +1,294 @@
+#include "core/insight/map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "core/scene/nearest.h"
+
+namespace braitenlab::insight {
+
+namespace {
+
+std::vector<std::string> parts_of(std::string_view text, char separator) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == separator)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    return parts;
+}
+
+// strtod, because libc++ has no from_chars for floating point. The program uses the C locale only.
+std::optional<float> axis_number(const std::string& text) {
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !std::isfinite(number)) return std::nullopt;
+    return static_cast<float>(number);
+}
+
+std::vector<std::string_view> dial_words() {
+    std::vector<std::string_view> words;
+    for (const Dial dial : all_dials) words.push_back(name(dial));
+    return words;
+}
+
+Error no_dial(const std::string& word) {
+    return {in_quotes(word) + " is no number of the brain" + name_nearest(word, dial_words()) +
+            "; a value of the scene has a path like kind.prey.body.mass"};
+}
+
+std::vector<Setting> settings_of(const MapAxis& axis, float value) {
+    std::vector<Setting> settings;
+    for (const std::string& path : axis.values) settings.push_back({path, fmt::format("{:.9g}", value), "the map", 0});
+    return settings;
+}
+
+// Strides of the levels: 4 blocks along an axis at first, 1 at last.
+std::vector<int> strides_of(int size) {
+    int stride = 1;
+    while (stride * 2 * 4 <= size) stride *= 2;
+    std::vector<int> strides;
+    for (; stride >= 1; stride /= 2) strides.push_back(stride);
+    return strides;
+}
+
+int middle_of_block(int index, int stride, int size) {
+    return std::min(index / stride * stride + stride / 2, size - 1);
+}
+
+float median(std::vector<float> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+std::optional<Error> fault_of(const MapQuestion& question) {
+    if (question.size < 2 || question.size > limits::map_size)
+        return Error{fmt::format("a map has 2 to {} cells along an axis", limits::map_size)};
+    if (question.seeds < 1 || question.seeds > limits::map_seeds)
+        return Error{fmt::format("a map has 1 to {} seeds", limits::map_seeds)};
+    for (const MapAxis* axis : {&question.x, &question.y})
+        for (const Dial dial : axis->dials) {
+            const DialRange allowed = range(dial);
+            if (std::min(axis->from, axis->to) < allowed.low || std::max(axis->from, axis->to) > allowed.high)
+                return Error{fmt::format("{} is from {:g} to {:g}", name(dial), allowed.low, allowed.high), axis->path};
+        }
+    for (const Dial dial : question.x.dials)
+        if (std::find(question.y.dials.begin(), question.y.dials.end(), dial) != question.y.dials.end())
+            return Error{fmt::format("{} is on both axes", name(dial)), question.y.path};
+    for (const std::string& path : question.x.values)
+        if (std::find(question.y.values.begin(), question.y.values.end(), path) != question.y.values.end())
+            return Error{fmt::format("{} is on both axes", path), question.y.path};
+    return std::nullopt;
+}
+
+}  // namespace
+
+Result<MapAxis> axis_of(std::string_view path) {
+    MapAxis axis{.path = std::string(path)};
+    const std::size_t dot = path.rfind('.');
+    const std::string table(path.substr(0, dot == std::string_view::npos ? 0 : dot + 1));
+    for (const std::string& key : parts_of(path.substr(table.size()), '=')) {
+        if (key.empty()) return Error{"the path of an axis is empty; write LL=RR or kind.prey.body.mass"};
+        if (!table.empty()) {
+            axis.values.push_back(table + key);
+            continue;
+        }
+        const auto dial = dial_named(key);
+        if (!dial) return no_dial(key);
+        axis.dials.push_back(*dial);
+    }
+    if (axis.dials.empty()) {
+        axis.from = 0, axis.to = 1;
+        return axis;
+    }
+    const DialRange allowed = range(axis.dials.front());
+    for (const Dial dial : axis.dials)
+        if (range(dial).low != allowed.low || range(dial).high != allowed.high)
+            return Error{"the numbers of one axis have the same range; weights, thresholds and biases differ"};
+    axis.from = allowed.low, axis.to = allowed.high;
+    return axis;
+}
+
+Result<MapAxis> parse_axis(const std::string& argument, const std::string& option) {
+    const std::string where = option + " " + argument;
+    const std::size_t equals = argument.rfind('=');
+    const std::vector<std::string> numbers =
+        equals == std::string::npos ? std::vector<std::string>{} : parts_of(argument.substr(equals + 1), ':');
+    if (numbers.size() != 2) return Error{"an axis is PATH=A:B, like LL=RR=-1:1 or kind.prey.body.mass=5:20", where};
+    auto axis = axis_of(argument.substr(0, equals));
+    if (!axis) return Error{axis.error().what, where};
+    const auto from = axis_number(numbers[0]), to = axis_number(numbers[1]);
+    if (!from || !to) return Error{in_quotes(from ? numbers[1] : numbers[0]) + " is not a number", where};
+    if (*from == *to) return Error{"both ends of the axis are the same; give two different numbers", where};
+    axis->from = *from, axis->to = *to;
+    return axis;
+}
+
+float value_at(const MapAxis& axis, int index, int size) {
+    if (index == size - 1) return axis.to;
+    return axis.from + (axis.to - axis.from) * static_cast<float>(index) / static_cast<float>(size - 1);
+}
+
+Result<std::shared_ptr<const MapBase>> MapBase::create(MapQuestion question) {
+    if (auto error = fault_of(question)) return *error;
+    auto base = std::make_shared<MapBase>();
+    base->question_ = std::move(question);
+    const MapQuestion& q = base->question_;
+    if (!q.x.values.empty() || !q.y.values.empty()) {
+        auto file = parse_toml(write_scene(q.scene), q.scene.name);
+        if (!file) return file.error();
+        // With settings, the errors of an unknown path and of a value out of range name the setting.
+        for (const MapAxis* axis : {&q.x, &q.y})
+            for (const float end : {axis->from, axis->to})
+                if (auto scene = read_scene(*file, "", settings_of(*axis, end)); !scene) {
+                    Error error = scene.error();
+                    error.file = axis->path, error.line = 0;
+                    return error;
+                }
+        base->file_ = std::move(*file);
+    }
+    for (int seed = 0; seed < (base->file_ ? 1 : q.seeds); ++seed) {
+        const auto world = World::create(q.scene, q.seed + static_cast<std::uint64_t>(seed));
+        if (!world) return world.error();
+        VehicleTrace trace;
+        if (!world->trace(q.vehicle, trace)) return Error{"the scene has no vehicle whose behaviour a map can show"};
+        if (!base->file_) base->starts_.push_back(world->checkpoint());
+    }
+    return std::shared_ptr<const MapBase>(std::move(base));
+}
+
+Result<World> MapBase::world(MapPlace place, int seed) const {
+    const auto start = [&]() -> Result<World> {
+        if (!file_) return World::restore(starts_[static_cast<std::size_t>(seed)]);
+        TomlFile file = *file_;
+        for (const auto& [axis, index] : {std::pair(&question_.x, place.x), std::pair(&question_.y, place.y)})
+            for (const Setting& setting : settings_of(*axis, value_at(*axis, index, question_.size)))
+                (void)put(file.root, setting);
+        const auto scene = read_scene(std::move(file), "", {});
+        if (!scene) return scene.error();
+        return World::create(*scene, question_.seed + static_cast<std::uint64_t>(seed));
+    };
+    auto world = start();
+    if (!world) return world;
+    for (const Command& command : commands(place))
+        if (const auto error = world->apply(command)) return *error;
+    return world;
+}
+
+std::vector<Command> MapBase::commands(MapPlace place) const {
+    std::vector<Command> all;
+    for (const auto& [axis, index] : {std::pair(&question_.x, place.x), std::pair(&question_.y, place.y)})
+        for (const Dial dial : axis->dials)
+            all.push_back(TurnDial{question_.target, dial, value_at(*axis, index, question_.size), question_.pair});
+    return all;
+}
+
+MapRun::MapRun(std::shared_ptr<const MapBase> base, MapPlace place, int seed) : base_(std::move(base)) {
+    auto world = base_->world(place, seed);
+    if (!world) return;
+    world_ = std::move(*world);
+    Snapshot start;
+    world_->capture(start);
+    if (!find_vehicle(start, base_->question().vehicle)) {
+        world_.reset();
+        return;
+    }
+    judge_.emplace(start, base_->question().vehicle);
+    others_.resize(judge_->others().size());
+    path_.reserve(base_->question().ticks + 1);
+    add_pose();
+}
+
+bool MapRun::advance(std::size_t ticks) {
+    for (; world_ && ticks > 0; --ticks) {
+        world_->step();
+        add_pose();
+    }
+    return !world_;
+}
+
+void MapRun::add_pose() {
+    for (std::size_t i = 0; i < others_.size(); ++i) {
+        const bool is_there = world_->trace(judge_->others()[i], now_);
+        others_[i] = is_there ? maths::vec2{now_.pose.x, now_.pose.y} : maths::vec2{NAN, NAN};
+    }
+    if (!world_->trace(base_->question().vehicle, now_)) return end(true);
+    if (!judge_->add(now_, others_)) return end(false);
+    path_.push_back(now_.pose);
+    if (path_.size() > base_->question().ticks) end(false);
+}
+
+void MapRun::end(bool is_gone) {
+    Snapshot last;
+    world_->capture(last);
+    outcome_ = judge_->outcome(last.events, is_gone);
+    world_.reset();
+}
+
+float MapRun::progress() const {
+    return world_ ? static_cast<float>(path_.size()) / static_cast<float>(base_->question().ticks + 1) : 1;
+}
+
+MapCell cell_of(const std::vector<Outcome>& runs) {
+    std::array<std::size_t, behaviour_count> counts{};
+    for (const Outcome& run : runs) ++counts[static_cast<std::size_t>(run.behaviour)];
+    const auto most = std::max_element(counts.begin(), counts.end());
+    const auto middle = [&](float Outcome::*member) {
+        std::vector<float> values;
+        for (const Outcome& run : runs) values.push_back(run.*member);
+        return median(std::move(values));
+    };
+    Outcome outcome{.behaviour = static_cast<Behaviour>(most - counts.begin()),
+                    .closest = middle(&Outcome::closest),
+                    .final_distance = middle(&Outcome::final_distance),
+                    .time_to_touch = middle(&Outcome::time_to_touch),
+                    .captures = middle(&Outcome::captures),
+                    .survival = middle(&Outcome::survival)};
+    return {outcome, static_cast<float>(*most) / static_cast<float>(runs.size())};
+}
+
+MapCell run_cell(const std::shared_ptr<const MapBase>& base, MapPlace place) {
+    std::vector<Outcome> runs;
+    for (int seed = 0; seed < base->question().seeds; ++seed) {
+        MapRun run(base, place, seed);
+        while (!run.advance(base->question().ticks)) {
+        }
+        runs.push_back(run.outcome());
+    }
+    return cell_of(runs);
+}
+
+std::vector<std::vector<MapPlace>> map_levels(int size) {
+    std::vector<std::vector<MapPlace>> levels;
+    std::vector<bool> taken(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+    for (const int stride : strides_of(size)) {
+        std::vector<MapPlace> level;
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x) {
+                if (middle_of_block(x, stride, size) != x || middle_of_block(y, stride, size) != y) continue;
+                const auto index = static_cast<std::size_t>(y * size + x);
+                if (taken[index]) continue;
+                taken[index] = true;
+                level.push_back({x, y});
+            }
+        levels.push_back(std::move(level));
+    }
+    return levels;
+}
+
+const MapCell* MapCells::shown(MapPlace place) const {
+    const std::vector<int> strides = strides_of(size);
+    for (auto stride = strides.rbegin(); stride != strides.rend(); ++stride)
+        if (const auto& cell = at({middle_of_block(place.x, *stride, size), middle_of_block(place.y, *stride, size)}))
+            return &*cell;
+    return nullptr;
+}
+
+}  // namespace braitenlab::insight
