@@ -161,6 +161,7 @@ void App::follow_jobs() {
     update_children(lab_, jobs_);
     update_predictions(lab_, jobs_);
     update_explanation(lab_);
+    update_map(lab_, jobs_);
     follow_progress(lab_);
 }
 
@@ -214,8 +215,8 @@ bool App::moves() const {
     const bool plays = lab_.playback.mode == Mode::playing && !lab_.sheet_open;
     const bool orbits = (lab_.view.orbits || title_) && !lab_.preferences.reduce_motion;
     const bool predicts = lab_.predictions.job || lab_.predictions.job_before;
-    return got_input_ || plays || orbits || predicts || makes_pictures_ || (lesson && lesson->grading) ||
-           !lab_.files.empty();
+    return got_input_ || plays || orbits || predicts || is_computing(lab_.map) || makes_pictures_ ||
+           (lesson && lesson->grading) || !lab_.files.empty();
 }
 
 bool App::repeatable() const { return !options_.screenshot.empty() && options_.play; }

@@ -158,6 +158,7 @@ void App::frame(float passed) {
     window_.end_frame();
     note_press(lab_, io.MouseDown[0]);
     lab_.predictions.what_if = panels_.what_if;
+    lab_.map.hovered = panels_.map.hovered;
     handle_all(lab_, outbox_);
     if (std::exchange(lab_.begins, false)) begin();
 }

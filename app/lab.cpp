@@ -87,6 +87,7 @@ LabView view_of(const Lab& lab) {
     view.pages = lab.pages ? &*lab.pages : nullptr;
     if (may_show_future(view)) view.last_run = last_run_of(lab), view.prediction = prediction_of(lab);
     view.why = explanation_of(lab, view);
+    view.map = map_of(lab, view);
     view.students = &lab.students;
     view.student = lab.students.student().name;
     view.opened = document.name;

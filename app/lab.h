@@ -12,6 +12,7 @@
 
 #include "app/course/together.h"
 #include "app/document.h"
+#include "app/insight/behaviour_map.h"
 #include "app/insight/explanation.h"
 #include "app/insight/last_run.h"
 #include "app/insight/predictions.h"
@@ -57,6 +58,7 @@ struct Lab {
     Predictions predictions{};   // of the selected vehicle's path
     LastRun last_run{};          // of the open document, before the last reset
     Explanation explanation{};   // of the selected vehicle's turn
+    BehaviourMap map{};          // of the selected vehicle's brains
     Notice notice{};
     double notice_until = 0;  // wall seconds
     double wall_seconds = 0;

@@ -157,6 +157,14 @@ void ask_why(Lab& lab) {
     }
 }
 
+void show_map(Lab& lab) {
+    lab.view.map = !lab.view.map;
+    const VehicleView* vehicle = selected_vehicle(lab);
+    if (!lab.view.map || (vehicle && can_show_map(view_of(lab), *vehicle))) return;
+    lab.view.map = false;
+    say(lab, {NoticeKind::failure, vehicle ? "unavailable.map" : "unavailable.no_vehicle"});
+}
+
 // Shows the intensity of the next channel that has one in this scene; after the last, none.
 void show_next_field(Lab& lab) {
     const auto channels = channels_with_intensity(lab.document.session.snapshot());
@@ -302,6 +310,9 @@ void act(Lab& lab, Action action) {
             break;
         case Action::why:
             ask_why(lab);
+            break;
+        case Action::map:
+            show_map(lab);
             break;
         case Action::watch:
             if (lab.playback.mode == Mode::wiring) set_mode(lab, Mode::paused), lab.view.watching = false;
@@ -462,6 +473,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const PairRequest& r) { lab.view.selection.pair = r.name; },
                      [&](const ScopeRequest& r) { lab.view.selection.whole_kind = r.whole_kind; },
                      [&](const SeedRequest& r) { reset(lab, r.seed); },
+                     [&](const MapRequest& r) { choose_map(lab.map, r); },
                      [&](const SeekRequest& r) { seek(lab, r); },
                      [&](const BookmarkRequest& r) { handle_bookmark(lab, r); },
                      [&](const OpenRequest& r) { lab.files.push_back(r); },

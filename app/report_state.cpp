@@ -246,11 +246,39 @@ Json ghost_json(const std::optional<GhostView>& ghost) {
             {"poses", ghost->path->size()}};
 }
 
+// Rows of the cells from the first value of y on; null while a cell is not known.
+Json map_json(const std::optional<MapView>& map) {
+    if (!map) return nullptr;
+    const int size = map->cells->size;
+    Json rows = Json::array();
+    for (int y = 0; y < size; ++y) {
+        Json row = Json::array();
+        for (int x = 0; x < size; ++x) {
+            const auto& cell = map->cells->at({x, y});
+            if (!cell)
+                row.push_back(nullptr);
+            else if (map->measure == insight::MapMeasure::behaviour)
+                row.push_back(word(cell->outcome.behaviour));
+            else
+                row.push_back(plain(insight::number_of(cell->outcome, map->measure)));
+        }
+        rows.push_back(std::move(row));
+    }
+    return {{"x", map->x.path},
+            {"y", map->y.path},
+            {"measure", word(map->measure)},
+            {"seeds", map->seeds},
+            {"done", map->progress >= 1},
+            {"hovered", map->hovered ? Json{map->hovered->x, map->hovered->y} : Json(nullptr)},
+            {"cells", std::move(rows)}};
+}
+
 void add_insight(Json& state, const Lab& lab) {
     const LabView view = view_of(lab);
     state["prediction"] = prediction_json(view.prediction);
     state["ghost"] = ghost_json(view.last_run);
     state["why"] = why_json(view.why);
+    state["map"] = map_json(view.map);
 }
 
 }  // namespace

@@ -11,12 +11,14 @@
 #include <string_view>
 #include <vector>
 
+#include "core/insight/map.h"
 #include "core/insight/why.h"
 #include "core/lesson/exercise.h"
 #include "core/lesson/grade.h"
 #include "core/lesson/lecture.h"
 #include "core/lesson/progress.h"
 #include "core/lesson/referee.h"
+#include "core/lesson/submission.h"
 #include "core/scene/sensor_pairs.h"
 #include "core/world/snapshot.h"
 #include "render/view/camera.h"
@@ -104,7 +106,17 @@ struct PredictionView {
     bool is_outdated = false;  // a newer path takes long to compute
 };
 
-// A shipped scene or exercise in the file browser.
+// The map of behaviour of the selected vehicle, see core/insight/map.h.
+struct MapView {
+    const insight::MapCells* cells = nullptr;  // never null; those computed so far
+    insight::MapAxis x{}, y{};                 // dials only
+    insight::MapMeasure measure = insight::MapMeasure::behaviour;
+    int seeds = 1;
+    float progress = 0;                        // 0..1; 1: every cell is known
+    std::optional<insight::MapPlace> hovered;  // the cell whose path is shown
+    const std::vector<Pose>* path = nullptr;   // of that cell; null: not known yet
+};
+
 // The open lecture and where it stands.
 struct LectureView {
     std::shared_ptr<const Lecture> lecture;  // never null
@@ -174,6 +186,7 @@ struct LabView {
     std::optional<GhostView> ghost;                          // while LessonView::compares and it is known
     std::optional<GhostView> last_run;                       // the selected vehicle in the run before the reset
     std::optional<PredictionView> prediction;                // while something is tried, and until it is driven
+    std::optional<MapView> map{};                            // nullopt: not shown, or it may not be shown now
     const insight::Why* why = nullptr;                       // of the selected vehicle's turn; null: not asked
     const std::vector<CatalogueEntry>* catalogue = nullptr;  // null: nothing to open
     std::string student;                                     // name of the student; empty: none is named
@@ -243,6 +256,14 @@ inline bool is_brain_secret(const LabView& view, int kind) {
 inline bool hides_brain(const LabView& view, int kind) {
     if (!view.settings.revealed.brain) return true;
     return is_brain_secret(view, kind) || (hides_outcome(view) && view.lesson->exercise->prediction.hides_brain);
+}
+
+// True if the map of behaviour may show what other brains of this vehicle would do: its brain drives and is shown, and
+// no exercise asks for one of these brains.
+inline bool can_show_map(const LabView& view, const VehicleView& vehicle) {
+    if (vehicle.driver != Driver::brain || !may_show_future(view) || hides_outcome(view)) return false;
+    const bool is_free = !view.lesson || view.lesson->free_play || offers_all(*view.lesson->exercise);
+    return is_free && !hides_brain(view, vehicle.kind);
 }
 
 // hides_brain() of every kind of the scene.

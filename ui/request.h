@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/insight/behaviour.h"
 #include "core/world/command.h"
 #include "render/view/palette.h"
 #include "render/view/pick.h"
@@ -51,6 +52,7 @@ enum class Action {
     faster,
     drive,   // starts or ends driving by the user
     why,     // shows or hides the cause of the selected vehicle's turn
+    map,     // shows or hides the map of behaviour
     lesion,  // silences, cuts, stops or heals the part under the pointer
     next_vehicle,
     previous_vehicle,
@@ -227,6 +229,11 @@ struct HandInRequest {  // writes a hand-in file to the folder of documents
 struct LabRecordRequest {  // writes a lab record to the folder of documents
     std::string student;   // may be empty
 };
+struct MapRequest {                       // what the map of behaviour shows; nullopt: as before
+    std::optional<std::string> x{}, y{};  // of insight::brain_axes
+    std::optional<insight::MapMeasure> measure{};
+    std::optional<int> seeds{};
+};
 struct SpeedRequest {
     float time_scale = 1;
 };
@@ -294,13 +301,14 @@ inline Steer steer(VehicleId vehicle, float right, float ahead) {
             std::clamp(ahead - turning * right, -1.0f, 1.0f)};
 }
 
-using Request = std::variant<Action, EditRequest, SelectRequest, TakeRequest, SelectObjectsRequest, PasteRequest,
-                             ScopeRequest, PairRequest, CanvasShareRequest, PredictRequest, FreePlayRequest,
-                             ShowMeRequest, ExportRequest, SpeedRequest, OpenRequest, PreferencesRequest,
-                             OverlaysRequest, SeekRequest, BookmarkRequest, BrowseRequest, SaveRequest, RecoverRequest,
-                             LeaveRequest, SeedRequest, NoticeRequest, SaveExerciseRequest, PredictPathRequest,
-                             CompareRequest, ChooseChildRequest, EarlierGenerationRequest, KeptRequest, TogetherRequest,
-                             NotesRequest, StudentRequest, HandsRequest, HandInRequest, LabRecordRequest, BeginRequest>;
+using Request =
+    std::variant<Action, EditRequest, SelectRequest, TakeRequest, SelectObjectsRequest, PasteRequest, ScopeRequest,
+                 PairRequest, CanvasShareRequest, PredictRequest, FreePlayRequest, ShowMeRequest, ExportRequest,
+                 SpeedRequest, OpenRequest, PreferencesRequest, OverlaysRequest, SeekRequest, BookmarkRequest,
+                 BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest,
+                 SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest,
+                 KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest, HandInRequest,
+                 LabRecordRequest, BeginRequest, MapRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

@@ -187,6 +187,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     state.scene_input.below_menu = open_menus.bar && !menus.panel.contains(mouse.x, mouse.y);
     state.lesion_under_pointer.clear();
     state.what_if.clear();
+    state.map.hovered.reset();
     record(state.history, view);
     follow_lecture(view, state);
     ui.anchors.record("viewport", layout.scene);
@@ -248,7 +249,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
 
 bool drags_vehicle(const PanelState& state, VehicleId vehicle) {
     if (vehicle == no_vehicle || !ImGui::GetIO().MouseDown[0]) return false;
-    return !state.sliders.dragged.empty() || state.stick_held ||
+    return !state.sliders.dragged.empty() || state.stick_held || state.map.drags ||
            state.scene_input.drag.on.object == vehicle_object(vehicle);
 }
 

@@ -137,7 +137,7 @@ Behaviour Judge::behaviour_of(bool is_gone) const {
         if (is_farther) return Behaviour::flees;
         return last_ < first_ ? Behaviour::rests_near : Behaviour::stands;
     }
-    if (is_farther && closest_ > first_ - farther) return Behaviour::flees;
+    if (is_farther && closest_ > first_ / 2) return Behaviour::flees;
     if (last_ > reach_) return Behaviour::leaves;
     if (last_ < first_ - farther && last_ <= closest_ + farther) return Behaviour::approaches;
     return Behaviour::passes;

@@ -79,7 +79,7 @@ public:
     //   circles     it has gone once round the object
     //   rests_near, flees, stands: it does not move in the last two seconds and its wheels are told to stand, so it is
     //               not stuck; nearer to the object than at the start, farther by 0.5 m, neither
-    //   flees       never nearer than at the start by 0.5 m, and farther at the end by 0.5 m
+    //   flees       never nearer than half the distance at the start, and farther at the end by 0.5 m
     //   leaves      at the end the object is beyond the range of its sensors
     //   approaches  at the end nearer than at the start by 0.5 m, and within 0.5 m of the closest approach
     //   passes      any other path: it comes nearer and drives on

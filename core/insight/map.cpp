@@ -79,12 +79,8 @@ std::optional<Error> fault_of(const MapQuestion& question) {
             if (std::min(axis->from, axis->to) < allowed.low || std::max(axis->from, axis->to) > allowed.high)
                 return Error{fmt::format("{} is from {:g} to {:g}", name(dial), allowed.low, allowed.high), axis->path};
         }
-    for (const Dial dial : question.x.dials)
-        if (std::find(question.y.dials.begin(), question.y.dials.end(), dial) != question.y.dials.end())
-            return Error{fmt::format("{} is on both axes", name(dial)), question.y.path};
-    for (const std::string& path : question.x.values)
-        if (std::find(question.y.values.begin(), question.y.values.end(), path) != question.y.values.end())
-            return Error{fmt::format("{} is on both axes", path), question.y.path};
+    if (have_common_value(question.x, question.y))
+        return Error{"both axes have the same value; give each a value of its own", question.y.path};
     return std::nullopt;
 }
 
@@ -129,6 +125,15 @@ Result<MapAxis> parse_axis(const std::string& argument, const std::string& optio
     if (*from == *to) return Error{"both ends of the axis are the same; give two different numbers", where};
     axis->from = *from, axis->to = *to;
     return axis;
+}
+
+bool have_common_value(const MapAxis& a, const MapAxis& b) {
+    const auto shares = [](const auto& some, const auto& others) {
+        return std::any_of(some.begin(), some.end(), [&](const auto& each) {
+            return std::find(others.begin(), others.end(), each) != others.end();
+        });
+    };
+    return shares(a.dials, b.dials) || shares(a.values, b.values);
 }
 
 float value_at(const MapAxis& axis, int index, int size) {

@@ -2,6 +2,7 @@
 // show. Coarse to fine: see map_levels(). The result does not depend on the order or the number of threads.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -35,6 +36,12 @@ struct MapAxis {
 // it; "kind.prey.brain.LL=RR": several keys of one table, which get the same value. The range of dials is theirs, of
 // paths 0..1. Fails for an empty part and for dials of different ranges.
 Result<MapAxis> axis_of(std::string_view path);
+// Axes of the brain that has dials, for a choice: sums of both sides, then single numbers.
+inline constexpr std::array brain_axes{"LL=RR",        "LR=RL",        "LM=RM",       "LL", "LR",
+                                       "RL",           "RR",           "LM",          "RM", "threshold_LL",
+                                       "threshold_LR", "threshold_RL", "threshold_RR"};
+bool have_common_value(const MapAxis&, const MapAxis&);
+
 // "PATH=A:B", A ≠ B. `option` names the argument in messages. Whether the scene has the value is checked later.
 Result<MapAxis> parse_axis(const std::string& argument, const std::string& option);
 

@@ -12,7 +12,9 @@ constexpr std::string_view fixed_anchors[]{
     // the brain's sliders
     "slider.LL", "slider.LR", "slider.RL", "slider.RR", "threshold.LL", "threshold.LR", "threshold.RL", "threshold.RR",
     "bias.LM", "bias.RM", "button.mirror", "button.cross", "button.thresholds", "button.presets", "button.drive",
-    "button.why", "curve.peak", "curve.width",
+    "button.why", "button.map", "curve.peak", "curve.width",
+    // the map of behaviour
+    "card.map", "card.map.fold", "map", "map.dot",
     // its picture, with what a lesion can be set to
     "brain.character", "brain.picture", "equations", "lesion.SL", "lesion.SR", "lesion.ML", "lesion.MR", "lesion.LL",
     "lesion.LR", "lesion.RL", "lesion.RR",

@@ -254,7 +254,9 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const bool is_stuck = view.mode == Mode::playing && view.now->tick > 30 && std::fabs(vehicle.speed) < 0.02f;
     const ImVec2 below = ImGui::GetCursorScreenPos();
     const SmallButton more{"button.why", icon::notice, ui.strings("why.button"), view.why != nullptr};
-    const float width = small_button_width(ui, more, !has_icons(ui));
+    const SmallButton map{"button.map", icon::map, ui.strings("map.button"), view.settings.map};
+    const float map_width = small_button_width(ui, map, !has_icons(ui));
+    const float width = small_button_width(ui, more, !has_icons(ui)) + map_width + ui.px(4);
     paragraph(ui, explanation(ui, {view, vehicle, both, why}, is_stuck), ui.palette.text, Face::small,
               card_width(ui) - width - ui.px(6));
     const ImVec2 after = ImGui::GetCursorScreenPos();
@@ -262,6 +264,10 @@ void equations(const LabView& view, Ui& ui, const VehicleView& vehicle) {
     const Item ask = small_button(ui, more, !has_icons(ui));
     tooltip(ui, ask, fill(ui.strings("tooltip.button_why"), {key_name(Action::why, ui.strings)}));
     if (ask.pressed) ui.outbox.push_back(Action::why);
+    ImGui::SetCursorScreenPos({below.x + card_width(ui) - map_width, below.y - ui.px(3)});
+    const Item show = small_button(ui, map, !has_icons(ui));
+    tooltip(ui, show, fill(ui.strings("tooltip.button_map"), {key_name(Action::map, ui.strings)}));
+    if (show.pressed) ui.outbox.push_back(Action::map);
     ImGui::SetCursorScreenPos({after.x, std::max(after.y, below.y + ui.px(small_button_height))});
 }
 

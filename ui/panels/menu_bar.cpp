@@ -91,6 +91,7 @@ constexpr MenuPlace menu_places[]{
     {"view", Action::watch},
     {"view", Action::fit},
     {"view", Action::charts},
+    {"view", Action::map},
     {"view", Action::full_screen, true},
     {"view", Action::theme},
     {"view", Action::larger},
@@ -177,6 +178,8 @@ std::optional<bool> switched_on(const LabView& view, const PanelState& state, Ac
             return view.settings.values;
         case Action::charts:
             return state.charts_open;
+        case Action::map:
+            return view.settings.map;
         default:
             return std::nullopt;
     }
@@ -402,6 +405,13 @@ std::string_view why_no_cause(const LabView& view, const PanelState& state) {
     return is_known ? "" : "unavailable.why";
 }
 
+std::string_view why_no_map(const LabView& view, const PanelState& state) {
+    const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
+    if (!vehicle) return why_not_with_vehicle(view, state, Action::map);
+    if (view.mode == Mode::wiring) return "unavailable.scene_only";
+    return can_show_map(view, *vehicle) ? "" : "unavailable.map";
+}
+
 std::string_view why_no_csv(const LabView& view, const PanelState& state) {
     const bool of_vehicle = state.chart == Chart::signals || state.chart == Chart::neurons;
     const bool empty = of_vehicle                   ? state.history.signals.empty()
@@ -459,6 +469,8 @@ std::string_view why_unavailable(const LabView& view, const PanelState& state, A
             return why_not_with_vehicle(view, state, action);
         case Action::why:
             return why_no_cause(view, state);
+        case Action::map:
+            return view.settings.map ? "" : why_no_map(view, state);
         case Action::charts:
             return view.mode == Mode::wiring ? "unavailable.scene_only" : "";
         case Action::larger:

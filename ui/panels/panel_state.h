@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/insight/map.h"
 #include "core/world/command.h"
 #include "ui/panels/brain_analysis.h"
 #include "ui/panels/chart_data.h"
@@ -27,8 +28,8 @@
 namespace braitenlab::ui {
 
 // The cards of the window. cards.cpp has one row of traits for each.
-enum class Card { exercise, scene, values, sensors, object, brain, information, charts, inspector };
-inline constexpr std::size_t card_count = 9;
+enum class Card { exercise, scene, values, map, sensors, object, brain, information, charts, inspector };
+inline constexpr std::size_t card_count = 10;
 
 // Every card in its initial state.
 std::array<CardState, card_count> initial_cards();
@@ -60,6 +61,15 @@ struct ValuesState {
     bool body_open = false, realism_open = false, memory_open = false, lamps_open = false, path_open = false;
 };
 
+// The card of the map of behaviour.
+enum class MapList { none, x, y, measure };
+struct MapState {
+    MapList open = MapList::none;                // the list of axes or measures that is unfolded
+    bool drags = false;                          // the dot is dragged
+    std::optional<insight::MapPlace> pressed{};  // the cell on which the button went down, beside the dot
+    std::optional<insight::MapPlace> hovered{};  // under the pointer in this frame
+};
+
 // Handing in an exercise; see exercise_files.cpp.
 struct HandInState {
     TextField name;       // the student's, typed where the view has none
@@ -89,6 +99,7 @@ struct PanelState {
     Steer steered;  // last command of the on-screen stick
     bool stick_held = false;
     ValuesState values;
+    MapState map;
     HandInState hand_in;
     std::string sensor;  // name of the sensor that the card shows; the first if there is none of this name
     bool sensor_channel_open = false;  // the list of channels is unfolded

@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include "ui/map_look.h"
 #include "ui/scene_input/draw.h"
 #include "ui/scene_input/floor_lines.h"
 #include "ui/strings.h"
@@ -62,6 +63,17 @@ void draw_prediction(const SceneInputFrame& frame, const Ui& ui, const Predictio
     }
 }
 
+// The path of the cell of the map under the pointer, and its kind.
+void draw_map_path(const SceneInputFrame& frame, const Ui& ui, const MapView& map) {
+    const std::vector<vec2> points = coming(*map.path, 0, 0);
+    const insight::MapCell* cell = map.cells->shown(*map.hovered);
+    if (points.empty() || !cell) return;
+    const MapColour colour = look_of(cell->outcome.behaviour).colour;
+    draw_dashes(frame, ui, points, {colour.r, colour.g, colour.b, 1});
+    name_end(frame, ui, points, ui.strings("map.kind." + std::string(row_of(cell->outcome.behaviour).word)),
+             {colour.r, colour.g, colour.b, 1});
+}
+
 // The ghost covers the vehicle that it is compared with; it is drawn once the two runs differ.
 bool is_beside(const LabView& view, const Pose& ghost) {
     constexpr float least = 0.15f;  // m
@@ -77,6 +89,7 @@ void draw_insight(const SceneInputFrame& frame, const Ui& ui) {
     if (view.last_run && !view.ghost && is_beside(view, view.last_run->pose))
         draw_ghost(frame, ui, *view.last_run,
                    {ui.palette.second_text, ui.palette.line, ui.strings("scene_input.last_run"), "stage.last_run"});
+    if (view.map && view.map->hovered && view.map->path) return draw_map_path(frame, ui, *view.map);
     if (view.prediction && view.prediction->tick <= view.now->tick) draw_prediction(frame, ui, *view.prediction);
 }
 

@@ -1,0 +1,65 @@
+// The map of behaviour of the selected vehicle, computed in the background while it is shown, coarse to fine.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/jobs/jobs.h"
+#include "core/insight/map.h"
+
+namespace braitenlab {
+
+struct Lab;
+struct LabView;
+struct MapRequest;
+struct MapView;
+
+// What the cells depend on. The values of the axes are 0 in the scene: dragging the dot keeps the map.
+struct MapSubject {
+    Scene scene;
+    std::uint64_t seed = 0, run = 0;  // Document::run_id
+    VehicleId vehicle = no_vehicle;   // in the world at the start
+    Target target{};
+    SensorPair pair{};
+    insight::MapAxis x{}, y{};
+    int seeds = 1;
+    friend bool operator==(const MapSubject&, const MapSubject&) = default;
+};
+
+struct BehaviourMap {
+    std::string x = "LL=RR", y = "LR=RL";  // of insight::brain_axes
+    insight::MapMeasure measure = insight::MapMeasure::behaviour;
+    int seeds = 1;
+    std::optional<insight::MapPlace> hovered{};  // set once per frame; nullopt: none
+
+    std::optional<MapSubject> subject{};  // of the cells
+    std::int64_t edits = -1;              // Document::edits, run, selection and choices when the subject was compared
+    std::uint64_t compared_run = 0;
+    VehicleId compared_vehicle = no_vehicle;
+    std::string compared_choice{};
+    std::shared_ptr<const insight::MapBase> base{};  // null: there is no map
+    insight::MapCells cells{};
+    std::vector<insight::MapPlace> order{};  // of computation
+    std::size_t begun = 0, known = 0;        // of `order`
+    std::optional<Job<std::vector<insight::MapCell>>> job{};
+
+    std::optional<insight::MapPlace> path_of{};  // the cell of path and path_job
+    std::optional<Job<insight::Path>> path_job{};
+    insight::Path path{};  // empty: not known yet
+};
+
+// Call once per turn, after Jobs::deliver. A change of the scene or the choice begins the map anew.
+void update_map(Lab&, Jobs&);
+
+// Changes what the map shows. A value that the other axis has goes to this one, which then gives its own in exchange.
+void choose_map(BehaviourMap&, const MapRequest&);
+
+bool is_computing(const BehaviourMap&);
+
+// nullopt: not shown, or it may not be shown now. Points into the lab.
+std::optional<MapView> map_of(const Lab&, const LabView&);
+
+}  // namespace braitenlab
