@@ -188,6 +188,7 @@ void draw_window(const LabView& view, PanelState& state, Ui& ui, const WindowLay
     state.lesion_under_pointer.clear();
     state.what_if.clear();
     state.map.hovered.reset();
+    follow_map(view, state);
     record(state.history, view);
     follow_lecture(view, state);
     ui.anchors.record("viewport", layout.scene);

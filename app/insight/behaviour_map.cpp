@@ -53,7 +53,7 @@ private:
 void forget_map(BehaviourMap& map) {
     map.subject.reset();
     map.base.reset();
-    map.job.reset(), map.path_job.reset();
+    map.jobs.clear(), map.path_job.reset();
     map.path_of.reset();
     map.cells = insight::MapCells();
     map.order.clear();
@@ -148,24 +148,24 @@ void follow_subject(Lab& lab, const LabView& view, const VehicleView& vehicle) {
 }
 
 void take_cells(BehaviourMap& map) {
-    if (!map.job) return;
-    const auto done = map.job->take();
-    if (!done) return;
-    map.job.reset();
-    if (!*done) return forget_map(map);
-    for (const MapCell& cell : **done) map.cells.at(map.order[map.known++]) = cell;
+    while (!map.jobs.empty()) {
+        const auto done = map.jobs.front().take();
+        if (!done) return;
+        map.jobs.pop_front();
+        if (!*done) return forget_map(map);
+        for (const MapCell& cell : **done) map.cells.at(map.order[map.known++]) = cell;
+    }
 }
 
 // The first job is the coarse map alone.
 void submit_cells(BehaviourMap& map, Jobs& jobs) {
-    if (map.job || !map.base || map.begun == map.order.size()) return;
+    if (map.jobs.size() > 1 || !map.base || map.begun == map.order.size()) return;
     const std::size_t coarse = insight::map_levels(map.cells.size).front().size();
     const std::size_t count = std::min(map.begun == 0 ? coarse : cells_per_job, map.order.size() - map.begun);
-    map.job = jobs.submit(
-        count, [base = map.base,
-                places = std::vector<MapPlace>(map.order.begin() + static_cast<std::ptrdiff_t>(map.begun),
-                                               map.order.begin() + static_cast<std::ptrdiff_t>(map.begun + count))](
-                   std::size_t part) { return CellPiece(base, places[part]); });
+    const auto first = map.order.begin() + static_cast<std::ptrdiff_t>(map.begun);
+    const std::vector<MapPlace> places(first, first + static_cast<std::ptrdiff_t>(count));
+    map.jobs.push_back(
+        jobs.submit(count, [base = map.base, places](std::size_t part) { return CellPiece(base, places[part]); }));
     map.begun += count;
 }
 
@@ -217,7 +217,7 @@ void choose_map(BehaviourMap& map, const MapRequest& wanted) {
     if (wanted.y) exchange(map.y, map.x, *wanted.y);
 }
 
-bool is_computing(const BehaviourMap& map) { return map.job || map.path_job; }
+bool is_computing(const BehaviourMap& map) { return !map.jobs.empty() || map.path_job; }
 
 std::optional<MapView> map_of(const Lab& lab, const LabView& view) {
     const BehaviourMap& map = lab.map;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,9 +43,9 @@ struct BehaviourMap {
     std::string compared_choice{};
     std::shared_ptr<const insight::MapBase> base{};  // null: there is no map
     insight::MapCells cells{};
-    std::vector<insight::MapPlace> order{};  // of computation
-    std::size_t begun = 0, known = 0;        // of `order`
-    std::optional<Job<std::vector<insight::MapCell>>> job{};
+    std::vector<insight::MapPlace> order{};                 // of computation
+    std::size_t begun = 0, known = 0;                       // of `order`
+    std::deque<Job<std::vector<insight::MapCell>>> jobs{};  // in the order of the cells; two, so that no thread waits
 
     std::optional<insight::MapPlace> path_of{};  // the cell of path and path_job
     std::optional<Job<insight::Path>> path_job{};

@@ -77,40 +77,62 @@ public:
           size_(map_.cells->size) {}
 
     void draw() {
-        choices();
         const float side = card_width(ui_);
-        axis_line(map_.y, side, false);
+        upper_row(side);
         const Item area = item(ui_, "map", {side, side});
         field_ = area.rect;
         cells();
         react(area);
         dot(area);
         progress(side);
-        axis_line(map_.x, side, true);
+        lower_row(side);
         words(side);
         map_.measure == MapMeasure::behaviour ? legend_of_kinds(side) : legend_of_numbers(side);
     }
 
 private:
     // ── Choices ──
-    void choices() {
+    // A small button that unfolds a list below its row, at this place.
+    void opener(std::string_view id, MapList list, const std::string& words, std::string_view how, ImVec2 at) {
+        const bool open = state_.open == list;
+        ImGui::SetCursorScreenPos(at);
+        const Item shown = small_button(ui_, opener_look(id, list, words));
+        tooltip(ui_, shown, ui_.strings(how));
+        if (shown.pressed) state_.open = open ? MapList::none : list;
+    }
+    SmallButton opener_look(std::string_view id, MapList list, std::string_view words) const {
+        const bool open = state_.open == list;
+        return {id, open ? icon::unfolded : icon::folded, words, open};
+    }
+
+    // Above the field: the vertical axis with its range, and what is shown.
+    void upper_row(float width) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float right = at.x + card_width(ui_);
-        const auto opener = [&](std::string_view id, MapList list, std::string_view key, const std::string& value,
-                                std::string_view how) {
-            const std::string shown = fill(ui_.strings(key), {value});
-            const bool open = state_.open == list;
-            const SmallButton which{id, open ? icon::unfolded : icon::folded, shown, open};
-            if (list != MapList::x) beside_or_below(ui_, small_button_width(ui_, which, true), right);
-            const Item at_button = small_button(ui_, which);
-            tooltip(ui_, at_button, ui_.strings(how));
-            if (at_button.pressed) state_.open = open ? MapList::none : list;
-        };
-        opener("map.x", MapList::x, "map.across", axis_words(map_.x), "map.across_how");
-        opener("map.y", MapList::y, "map.up", axis_words(map_.y), "map.up_how");
-        opener("map.measure", MapList::measure, "map.shows", measure_words(ui_, map_.measure), "map.shows_how");
-        if (state_.open == MapList::x || state_.open == MapList::y) axes(right);
-        if (state_.open == MapList::measure) measures(right);
+        const std::string axis = axis_words(map_.y), measure = measure_words(ui_, map_.measure);
+        const float after = small_button_width(ui_, opener_look("map.y", MapList::y, axis), true) + ui_.px(6);
+        const float right = small_button_width(ui_, opener_look("map.measure", MapList::measure, measure), true);
+        opener("map.y", MapList::y, axis, "map.up_how", at);
+        const std::string range =
+            fill(ui_.strings("map.range"), {with_sign(ui_, map_.y.from, 0), with_sign(ui_, map_.y.to, 0)});
+        if (after + right + text_width(ui_, Face::small, range) < width)
+            put(ui_, {at.x + after, at.y + ui_.px(4)}, range, ui_.palette.second_text, Face::small);
+        opener("map.measure", MapList::measure, measure, "map.shows_how", {at.x + width - right, at.y});
+        ImGui::SetCursorScreenPos({at.x, at.y + ui_.px(small_button_height + 4)});
+        if (state_.open == MapList::y) axes(at.x + width);
+        if (state_.open == MapList::measure) measures(at.x + width);
+    }
+
+    // Below the field: the horizontal axis between the ends of its range.
+    void lower_row(float width) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const std::string axis = axis_words(map_.x);
+        const float room = small_button_width(ui_, opener_look("map.x", MapList::x, axis), true);
+        const Colour quiet = ui_.palette.second_text;
+        put(ui_, {at.x, at.y}, with_sign(ui_, map_.x.from, 0), quiet, Face::small);
+        put_right(ui_, {at.x + width, at.y}, with_sign(ui_, map_.x.to, 0), quiet, Face::small);
+        opener("map.x", MapList::x, axis, "map.across_how", {at.x + (width - room) / 2, at.y});
+        ImGui::SetCursorScreenPos({at.x, at.y + ui_.px(small_button_height + 4)});
+        if (state_.open == MapList::x) axes(at.x + width);
     }
 
     // Small buttons in rows. True when the one is clicked.
@@ -290,23 +312,6 @@ private:
     }
 
     // ── Words ──
-    // The name of an axis and its range: above the field for the vertical one, below it for the other.
-    void axis_line(const MapAxis& axis, float width, bool is_x) {
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const std::string low = with_sign(ui_, axis.from, 0), high = with_sign(ui_, axis.to, 0);
-        const Colour quiet = ui_.palette.second_text;
-        if (is_x) {
-            put(ui_, at, low, quiet, Face::small);
-            put_centred(ui_, {at.x + width / 2, at.y}, axis_words(axis), ui_.palette.text, Face::small);
-            put_right(ui_, {at.x + width, at.y}, high, quiet, Face::small);
-        } else {
-            const std::string range = fill(ui_.strings("map.range"), {low, high});
-            const float after = put(ui_, at, axis_words(axis), ui_.palette.text, Face::small);
-            put(ui_, {at.x + after + ui_.px(8), at.y}, range, quiet, Face::small);
-        }
-        ImGui::Dummy({1, line_height(ui_, Face::small) + (is_x ? ui_.px(2) : 0)});
-    }
-
     void progress(float width) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         if (map_.progress < 1) {
@@ -392,7 +397,22 @@ private:
     Rect field_;
 };
 
+// Folds the card of the scene, above the map, where the column is too low for both.
+void make_room(const LabView& view, PanelState& state, const Ui& ui, Rect place) {
+    CardState& scene = state.card(Card::scene);
+    const CardState& map = state.card(Card::map);
+    const bool is_cut = map.content > 0 && wanted_height(ui, map) > place.h + 1;
+    if (view.lesson || !is_cut || scene.folded || scene.opened_by_user) return;
+    scene.folded = state.map.folded_scene = true;
+}
+
 }  // namespace
+
+void follow_map(const LabView& view, PanelState& state) {
+    if (view.settings.map) return;
+    if (state.map.folded_scene) state.card(Card::scene).folded = false;
+    state.map = {};
+}
 
 void map_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
     const bool open = open_card(state, ui, Card::map, place);
@@ -404,6 +424,7 @@ void map_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
                   Face::small);
     CardState& card = state.card(Card::map);
     end_card(card);
+    make_room(view, state, ui, place);
     if (!card.folded) return;
     card.folded = false;  // folding closes it
     ui.outbox.push_back(Action::map);

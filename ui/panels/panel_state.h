@@ -66,6 +66,7 @@ enum class MapList { none, x, y, measure };
 struct MapState {
     MapList open = MapList::none;                // the list of axes or measures that is unfolded
     bool drags = false;                          // the dot is dragged
+    bool folded_scene = false;                   // the scene's card was folded to make room
     std::optional<insight::MapPlace> pressed{};  // the cell on which the button went down, beside the dot
     std::optional<insight::MapPlace> hovered{};  // under the pointer in this frame
 };
