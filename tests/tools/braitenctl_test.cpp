@@ -547,5 +547,61 @@ TEST(CtlGrade, WritesOneRowPerBrain) {
     for (const auto& file : {good, poor, none, csv}) std::filesystem::remove(file);
 }
 
+TEST(CtlMap, PrintsJsonThatDoesNotDependOnThreads) {
+    const std::string arguments =
+        "map 2b-aggressor --size 6 --x LL=RR=-1:1 --y kind.aggressor.brain.LR=RL=-1:1.5 --json";
+    const Ran one = ctl(arguments + " --threads 1"), two = ctl(arguments + " --threads 3");
+    EXPECT_EQ(one.code, 0);
+    EXPECT_EQ(one.out, two.out);
+    const Json map = Json::parse(one.out);
+    EXPECT_EQ(keys(map), (std::set<std::string>{"scene", "x_path", "y_path", "x", "y", "measure", "cells"}));
+    EXPECT_EQ(map["measure"], "kind");
+    ASSERT_EQ(map["x"].size(), 6u);
+    EXPECT_EQ(map["x"][0], -1.0);
+    EXPECT_EQ(map["y"][5], 1.5);
+    ASSERT_EQ(map["cells"].size(), 6u);
+    EXPECT_EQ(map["cells"][5][2], "touches");  // crossed wires
+    EXPECT_EQ(map["cells"][0][5], "flees");    // straight wires
+}
+
+TEST(CtlMap, HasNumbersNullsAndShares) {
+    const Json map = Json::parse(ctl("map 2b-aggressor --size 4 --measure touch --seeds 3 --json").out);
+    EXPECT_TRUE(map["cells"][0][3].is_null());
+    EXPECT_GT(map["cells"][3][2].get<double>(), 1);
+    EXPECT_LE(map["agree"][0][0].get<double>(), 1);
+}
+
+TEST(CtlMap, WritesATableAndAPicture) {
+    const std::string csv = scratch("map.csv"), png = scratch("map.png");
+    EXPECT_EQ(ctl("map 2b-aggressor --size 4 --csv " + csv + " --png " + png).code, 0);
+    std::ifstream table(csv), picture(png, std::ios::binary);
+    std::string line;
+    std::getline(table, line);
+    EXPECT_EQ(line, "LL=RR,LR=RL,kind,agree,closest_m,final_m,touch_s,captures,survival_s");
+    int rows = 0;
+    while (std::getline(table, line)) ++rows;
+    EXPECT_EQ(rows, 16);
+    char head[8] = {};
+    picture.read(head, sizeof head);
+    EXPECT_EQ(std::string(head, 8), "\x89PNG\r\n\x1a\n");
+    std::filesystem::remove(csv), std::filesystem::remove(png);
+}
+
+TEST(CtlMap, SaysWhatIsWrongWithAnArgument) {
+    const auto fails = [](const std::string& arguments, const std::string& words) {
+        const Ran ran = ctl("map 2b-aggressor " + arguments);
+        EXPECT_EQ(ran.code, 2) << arguments;
+        EXPECT_NE(ran.out.find(words), std::string::npos) << ran.out;
+    };
+    fails("--x LL=1", "an axis is PATH=A:B");
+    fails("--x LX=0:1", "the nearest is 'LL'");
+    fails("--x LL=-3:3", "from -2 to 2");
+    fails("--x arena.gripp=0:1", "the nearest is 'arena.grip'");
+    fails("--y LL=0:1", "both axes");
+    fails("--measure kinds", "the nearest is 'kind'");
+    fails("--size 1", "2 to 128");
+    EXPECT_EQ(ctl("map 05-aggressor").code, 2);
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::braitenctl_test

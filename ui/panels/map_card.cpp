@@ -84,7 +84,7 @@ public:
         cells();
         react(area);
         dot(area);
-        progress(side);
+        progress();
         lower_row(side);
         words(side);
         map_.measure == MapMeasure::behaviour ? legend_of_kinds(side) : legend_of_numbers(side);
@@ -273,7 +273,7 @@ private:
         if (is_over && !state_.drags && away > ui_.px(dot_grip)) state_.hovered = cell_at(mouse.x, mouse.y);
         if (state_.drags || (is_over && away <= ui_.px(dot_grip))) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         if (area.focused) move_by_keys();
-        tooltip(ui_, area, ui_.strings("map.how"));
+        if (!state_.hovered) tooltip(ui_, area, ui_.strings("map.how"));  // it would cover the path in the scene
     }
 
     // An arrow moves the dot to the next cell.
@@ -312,13 +312,12 @@ private:
     }
 
     // ── Words ──
-    void progress(float width) {
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        if (map_.progress < 1) {
-            fill_box(ui_, {at.x, at.y, width, ui_.px(3)}, ui_.palette.line, 0);
-            fill_box(ui_, {at.x, at.y, width * map_.progress, ui_.px(3)}, ui_.palette.accent, 0);
-        }
-        ImGui::Dummy({1, ui_.px(3)});
+    // Along the lower edge of the field.
+    void progress() const {
+        if (map_.progress >= 1) return;
+        const float height = ui_.px(4), y = field_.y + field_.h - height;
+        fill_box(ui_, {field_.x, y, field_.w, height}, ui_.palette.panel, 0);
+        fill_box(ui_, {field_.x, y, field_.w * map_.progress, height}, ui_.palette.accent, 0);
     }
 
     // What the cell under the pointer shows, else that of the present brain.

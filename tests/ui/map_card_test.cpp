@@ -1,0 +1,162 @@
+// The card of the map of behaviour: the dot, a click on a cell, the choices and the legend.
+#include <set>
+
+#include "scene_on_desk.h"
+#include "ui/map_look.h"
+
+namespace braitenlab::tests::map_card_test {
+
+using namespace ui;
+using insight::Behaviour;
+using insight::MapCell;
+using insight::MapCells;
+using insight::MapMeasure;
+
+namespace {
+
+struct MapCard : SceneOnDesk {
+    MapCells cells{8};
+    MapCard() {
+        desk.now = snapshot(0);  // a coward: LL = RR = 1.5, LR = RL = 0
+        desk.view.settings.map = true;
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < 8; ++x)
+                cells.at({x, y}) =
+                    MapCell{{.behaviour = y > 3 ? Behaviour::touches : Behaviour::flees, .closest = 0.5f * x}};
+        desk.view.map =
+            MapView{.cells = &cells, .x = *insight::axis_of("LL=RR"), .y = *insight::axis_of("LR=RL"), .progress = 1};
+        desk.frame(4);
+    }
+    // Points at a share of the field, from its lower left corner.
+    void point_at(float x, float y) {
+        const Rect r = desk.where("map");
+        desk.point(r.x + x * r.w, r.y + (1 - y) * r.h);
+        desk.frame(2);
+    }
+    void press(bool down) { desk.button(0, down), desk.frame(2); }
+    bool says(std::string_view words) const {
+        for (const Written& written : desk.written)
+            if (written.words.find(words) != std::string::npos) return true;
+        return false;
+    }
+};
+
+}  // namespace
+
+TEST_F(MapCard, HasTheDotOfThePresentBrain) {
+    const Rect field = desk.where("map"), dot = desk.where("map.dot");
+    // 1.5 of −2 … 2 is index 6.125 of 0 … 7; 0 is 3.5.
+    EXPECT_NEAR((dot.x + dot.w / 2 - field.x) / field.w, 6.625f / 8, 0.01f);
+    EXPECT_NEAR(1 - (dot.y + dot.h / 2 - field.y) / field.h, 0.5f, 0.01f);
+}
+
+TEST_F(MapCard, DraggingTheDotTurnsTheDialsOfBothAxesInOneUndoStep) {
+    desk.point("map.dot");
+    desk.frame(2);
+    press(true);
+    EXPECT_TRUE(desk.edits().empty());
+    point_at(0.25f, 0.75f);
+    point_at(0.0625f, 0.9375f);  // the middle of the first column and the last row
+    press(false);
+    ASSERT_GE(desk.edits().size(), 4u);
+    std::set<Dial> dials;
+    for (const EditRequest& edit : desk.edits()) {
+        dials.insert(turned(edit).dial);
+        EXPECT_EQ(edit.gesture, desk.edits().front().gesture);
+        EXPECT_NE(edit.gesture, 0u);
+    }
+    EXPECT_EQ(dials, (std::set{Dial::LL, Dial::RR, Dial::LR, Dial::RL}));
+    EXPECT_FLOAT_EQ(turned(desk.edits().back()).value, 2);
+    const std::size_t before = desk.edits().size();
+    point_at(0.5f, 0.5f);
+    EXPECT_EQ(desk.edits().size(), before) << "released";
+}
+
+TEST_F(MapCard, AClickTakesTheValuesOfTheCellInOneUndoStep) {
+    point_at(0.3f, 0.8f);
+    press(true);
+    EXPECT_TRUE(desk.edits().empty());
+    press(false);
+    ASSERT_EQ(desk.edits().size(), 4u);
+    for (const EditRequest& edit : desk.edits()) {
+        const bool is_x = turned(edit).dial == Dial::LL || turned(edit).dial == Dial::RR;
+        EXPECT_FLOAT_EQ(turned(edit).value, -2 + 4.0f / 7 * (is_x ? 2 : 6));
+        EXPECT_EQ(edit.gesture, desk.edits().front().gesture);
+    }
+    const std::uint64_t gesture = desk.edits().front().gesture;
+    press(true);
+    press(false);
+    EXPECT_NE(desk.edits().back().gesture, gesture) << "another click is another step";
+}
+
+TEST_F(MapCard, APressThatLeavesTheCellTakesNothing) {
+    point_at(0.3f, 0.8f);
+    press(true);
+    point_at(0.7f, 0.2f);
+    press(false);
+    EXPECT_TRUE(desk.edits().empty());
+}
+
+TEST_F(MapCard, NamesTheKindUnderThePointerAndElseThatOfTheBrain) {
+    EXPECT_TRUE(says("This brain:"));
+    point_at(0.3f, 0.8f);
+    ASSERT_TRUE(desk.panels.map.hovered);
+    EXPECT_EQ(*desk.panels.map.hovered, (insight::MapPlace{2, 6}));
+    EXPECT_TRUE(says("LL = RR \u22120.86, LR = RL 1.43"));
+    desk.point(5, 5);
+    desk.frame(2);
+    EXPECT_FALSE(desk.panels.map.hovered);
+}
+
+TEST_F(MapCard, HasALegendOfEveryKindOrOfTheNumbers) {
+    for (const auto& row : insight::behaviour_table)
+        EXPECT_TRUE(says(desk.strings("map.kind." + std::string(row.word)))) << row.word;
+    desk.view.map->measure = MapMeasure::closest;
+    desk.frame(2);
+    EXPECT_FALSE(says(desk.strings("map.kind.circles")));
+    EXPECT_TRUE(says("3.5 m"));
+}
+
+TEST_F(MapCard, OffersAxesAndMeasures) {
+    desk.click("map.x");
+    desk.click("map.x.LM=RM");
+    ASSERT_TRUE(desk.last<MapRequest>());
+    EXPECT_EQ(desk.last<MapRequest>()->x, "LM=RM");
+    desk.click("map.measure");
+    desk.click("map.measure.closest");
+    EXPECT_EQ(desk.last<MapRequest>()->measure, MapMeasure::closest);
+    desk.click("map.measure");
+    desk.click("map.seeds.5");
+    EXPECT_EQ(desk.last<MapRequest>()->seeds, 5);
+}
+
+TEST_F(MapCard, ItsButtonAndKeyAskForTheMap) {
+    desk.click("button.map");
+    desk.key({'M', false, true});
+    EXPECT_EQ(desk.actions(), (std::vector{Action::map, Action::map}));
+}
+
+TEST(MapLook, DiffersByMarkAndColourForEachKind) {
+    std::set<std::array<std::uint8_t, mark_size>> marks;
+    std::set<float> greys;
+    for (const auto& row : insight::behaviour_table) {
+        EXPECT_EQ(look_of(row.value).value, row.value);
+        marks.insert(look_of(row.value).mark);
+        const MapColour c = look_of(row.value).colour;
+        greys.insert(c.r + 10 * c.g + 100 * c.b);
+    }
+    EXPECT_EQ(marks.size(), insight::behaviour_count);
+    EXPECT_EQ(greys.size(), insight::behaviour_count);
+}
+
+TEST(MapLook, OfACellIsPalerTheFewerRunsAgreeAndTheScaleGetsLighter) {
+    const insight::Outcome flees{.behaviour = Behaviour::flees};
+    const MapColour all = cell_colour(flees, 1, MapMeasure::behaviour, {}, {1, 1, 1});
+    const MapColour some = cell_colour(flees, 0.4f, MapMeasure::behaviour, {}, {1, 1, 1});
+    EXPECT_EQ(all.g, look_of(Behaviour::flees).colour.g);
+    EXPECT_GT(some.r, all.r);
+    EXPECT_LT(scale_colour(0).g, scale_colour(0.5f).g);
+    EXPECT_LT(scale_colour(0.5f).g, scale_colour(1).g);
+}
+
+}  // namespace braitenlab::tests::map_card_test
