@@ -102,8 +102,9 @@ void lay_out_page(WindowLayout& l, const LabView& view, OpenCards open, float ma
     const bool has_card = page.shows(PagePart::exercise);  // takes the place of the question
     const bool asks = asks_beside(view, open);
     if (asks) l.question = {margin, s.y, question_share * l.window.w - margin, s.h};
-    if (asks || !has_card) l.left = {};
-    const float from = asks ? l.question.x + l.question.w + margin : has_card ? l.left.x + l.left.w + margin : s.x;
+    const bool has_left = has_card || view.map;
+    if (asks || !has_left) l.left = {};
+    const float from = asks ? l.question.x + l.question.w + margin : has_left ? l.left.x + l.left.w + margin : s.x;
     if (!open.right) l.right = {};
     const float until = open.right ? l.right.x - margin : s.x + s.w;
     s.x = from, s.w = std::max(0.25f * l.window.w, until - from);
@@ -157,6 +158,7 @@ WindowLayout lay_out(float width, float height, float scale, const LabView& view
     }
     // Folded cards cover part of the scene.
     if (view.lecture) l.scene = {margin, top, width - 2 * margin, column};
+    if (view.lecture && view.map && l.left.w > 0) l.scene.x = from_left, l.scene.w -= from_left - margin;
     if (view.pages && view.mode != Mode::wiring) lay_out_page(l, view, open, margin);
 
     if (view.mode == Mode::wiring) {

@@ -14,7 +14,7 @@ constexpr std::string_view fixed_anchors[]{
     "bias.LM", "bias.RM", "button.mirror", "button.cross", "button.thresholds", "button.presets", "button.drive",
     "button.why", "button.map", "curve.peak", "curve.width",
     // the map of behaviour
-    "card.map", "card.map.fold", "map", "map.dot",
+    "card.map", "card.map.fold", "map", "map.dot", "map.x", "map.y", "map.measure",
     // its picture, with what a lesion can be set to
     "brain.character", "brain.picture", "equations", "lesion.SL", "lesion.SR", "lesion.ML", "lesion.MR", "lesion.LL",
     "lesion.LR", "lesion.RL", "lesion.RR",

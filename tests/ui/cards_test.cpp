@@ -31,7 +31,7 @@ TEST(Cards, AreDrawnWithTheAnchorOfTheirRow) {
     desk.now.sources.resize(1);
     desk.view.settings.selection.object = {SceneObjectKind::source, 0};
     desk.panels.charts_open = true;
-    desk.view.settings.values = true;
+    desk.view.settings.values = desk.view.settings.map = true;
     desk.frame(3);
     note(desk);
     desk.open_exercise();

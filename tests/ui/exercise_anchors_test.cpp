@@ -29,6 +29,9 @@ void record(Exercise exercise, void (*state)(LessonView&), Mode mode, std::set<s
     desk.now.brains = {std::make_shared<BrainGraph>(desk.opened.scene.kinds[0].brain)};
     desk.now.kind_brains = desk.now.brains;
     state(desk.lesson);
+    const insight::MapCells cells(8);
+    desk.view.map = MapView{.cells = &cells, .x = *insight::axis_of("LL=RR"), .y = *insight::axis_of("LR=RL")};
+    desk.view.settings.map = true;
     desk.view.mode = mode;
     desk.frame(4);
     for (const auto& [id, rect] : desk.anchors.all()) ids.insert(id);

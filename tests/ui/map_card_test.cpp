@@ -21,8 +21,8 @@ struct MapCard : SceneOnDesk {
         desk.view.settings.map = true;
         for (int y = 0; y < 8; ++y)
             for (int x = 0; x < 8; ++x)
-                cells.at({x, y}) =
-                    MapCell{{.behaviour = y > 3 ? Behaviour::touches : Behaviour::flees, .closest = 0.5f * x}};
+                cells.at({x, y}) = MapCell{{.behaviour = y > 3 ? Behaviour::touches : Behaviour::flees,
+                                            .closest = 0.5f * static_cast<float>(x)}};
         desk.view.map =
             MapView{.cells = &cells, .x = *insight::axis_of("LL=RR"), .y = *insight::axis_of("LR=RL"), .progress = 1};
         desk.frame(4);

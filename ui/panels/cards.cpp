@@ -43,7 +43,7 @@ constexpr CardTraits card_traits[]{
      .column = Column::left,
      .in_lecture = InLecture::restored,
      .shown = [](const LabView& view) { return view.settings.map && view.mode != Mode::wiring; },
-     .draw = [](const LabView& view, PanelState& state, Ui& ui, Rect place, Rect) { map_card(view, state, ui, place); },
+     .draw = map_card,
      .least_share = 0.5f},
     {.card = Card::sensors,
      .anchor = "card.sensors",

@@ -30,7 +30,7 @@ using insight::MapMeasure;
 using insight::MapPlace;
 
 // Layout pixels.
-constexpr float dot_radius = 6, dot_grip = 12, least_marked_cell = 6, legend_sign = 13;
+constexpr float dot_radius = 6, dot_grip = 12, least_marked_cell = 6, legend_sign = 13, least_field = 160;
 
 Colour as_colour(MapColour c) { return {c.r, c.g, c.b, 1}; }
 MapColour as_map_colour(Colour c) { return {c.r, c.g, c.b}; }
@@ -76,9 +76,14 @@ public:
           dials_(read_dials(*brain_of(*view.now, vehicle), pair_)),
           size_(map_.cells->size) {}
 
-    void draw() {
-        const float side = card_width(ui_);
-        upper_row(side);
+    // `room`: height of the card at most, window pixels. The field is smaller where the card would not fit.
+    void draw(float room) {
+        const float width = card_width(ui_);
+        constexpr float heading_and_gaps = 108, rows = 2 * (small_button_height + 4);  // layout pixels
+        const float words_and_legend = line_height(ui_, Face::strong) + 5 * line_height(ui_, Face::small) + ui_.px(20);
+        const float left = room - ui_.px(heading_and_gaps + rows) - words_and_legend;
+        const float side = std::clamp(left, std::min(ui_.px(least_field), width), width);
+        upper_row(width);
         const Item area = item(ui_, "map", {side, side});
         field_ = area.rect;
         cells();
@@ -86,8 +91,8 @@ public:
         dot(area);
         progress();
         lower_row(side);
-        words(side);
-        map_.measure == MapMeasure::behaviour ? legend_of_kinds(side) : legend_of_numbers(side);
+        words(width);
+        map_.measure == MapMeasure::behaviour ? legend_of_kinds(width) : legend_of_numbers(width);
     }
 
 private:
@@ -413,11 +418,11 @@ void follow_map(const LabView& view, PanelState& state) {
     state.map = {};
 }
 
-void map_card(const LabView& view, PanelState& state, Ui& ui, Rect place) {
+void map_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect column) {
     const bool open = open_card(state, ui, Card::map, place);
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (open && view.map && vehicle)
-        MapCard(view, state.map, state.sliders, ui, *vehicle).draw();
+        MapCard(view, state.map, state.sliders, ui, *vehicle).draw(column.h - folded_height(ui) - ui.px(12));
     else if (open)
         paragraph(ui, ui.strings(vehicle ? "unavailable.map" : "unavailable.no_vehicle"), ui.palette.second_text,
                   Face::small);

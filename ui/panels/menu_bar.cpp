@@ -91,7 +91,6 @@ constexpr MenuPlace menu_places[]{
     {"view", Action::watch},
     {"view", Action::fit},
     {"view", Action::charts},
-    {"view", Action::map},
     {"view", Action::full_screen, true},
     {"view", Action::theme},
     {"view", Action::larger},
@@ -111,6 +110,7 @@ constexpr MenuPlace menu_places[]{
     {"simulation", Action::last_bookmark},
     {"simulation", Action::drive, true},
     {"simulation", Action::why},
+    {"simulation", Action::map},
 
     {"exercises", Action::hint},
     {"exercises", Action::exercise_reset},

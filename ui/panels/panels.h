@@ -35,9 +35,9 @@ void scope_choice(const LabView&, Ui&, const VehicleView&, std::string_view id, 
 // scene_cards.cpp
 void scene_card(const LabView&, PanelState&, Ui&, Rect);
 void values_card(const LabView&, PanelState&, Ui&, Rect);  // arena, kinds and their values
-void start_row(const LabView&, PanelState&, Ui&);       // the seed, and buttons that reset the run; in values_card.cpp
-void map_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.settings.map
-void follow_map(const LabView&, PanelState&);           // call once a frame, before the cards; map_card.cpp
+void start_row(const LabView&, PanelState&, Ui&);  // the seed, and buttons that reset the run; in values_card.cpp
+void map_card(const LabView&, PanelState&, Ui&, Rect, Rect column);  // precondition: view.settings.map
+void follow_map(const LabView&, PanelState&);              // call once a frame, before the cards; map_card.cpp
 void object_card(const LabView&, PanelState&, Ui&, Rect);  // precondition: view.settings.selection.object
 
 // Bars and menus.
