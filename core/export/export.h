@@ -12,7 +12,7 @@
 
 namespace braitenlab::robots {
 
-enum class Target { c };
+enum class Target { c, arduino };
 
 struct TargetTraits {
     Target value;
@@ -23,6 +23,7 @@ struct TargetTraits {
 
 inline constexpr auto target_table = std::to_array<TargetTraits>({
     {Target::c, "c", "C99 header", "any"},
+    {Target::arduino, "arduino", "Arduino sketch", "tt2wd-ldr"},
 });
 constexpr const auto& table_of(Target) { return target_table; }
 static_assert(is_complete_table<target_table>());

@@ -49,6 +49,19 @@ std::string xml_text(std::string_view text) {
     return clean;
 }
 
+std::string filled(std::string_view text, const std::map<std::string, std::string>& values) {
+    std::string made;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t key = text.find('@', at);
+        made += text.substr(at, key - at);
+        if (key == std::string_view::npos) break;
+        const std::size_t end = text.find('@', key + 1);
+        made += values.at(std::string(text.substr(key + 1, end - key - 1)));
+        at = end + 1;
+    }
+    return made;
+}
+
 std::string Identifiers::make(std::string_view prefix, std::string_view name) {
     std::string id(prefix);
     for (const char c : name) id += is_letter_or_digit(c) ? c : '_';

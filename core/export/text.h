@@ -1,6 +1,7 @@
 // Text of exported programs: numbers, identifiers, comments.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -19,6 +20,10 @@ std::string comment_text(std::string_view);
 
 // A text for XML: & < > and quotes as entities.
 std::string xml_text(std::string_view);
+
+// The template with each @KEY@ replaced by its value. Values are not searched for keys. Precondition: every key of the
+// template has a value.
+std::string filled(std::string_view text, const std::map<std::string, std::string>& values);
 
 // Identifiers that differ from each other.
 class Identifiers {
