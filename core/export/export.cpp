@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/export/arduino.h"
+#include "core/export/thymio.h"
 #include "core/scene/enums.h"
 #include "core/scene/nearest.h"
 
@@ -69,6 +70,9 @@ Result<std::vector<ExportedFile>> export_brain(const BrainToExport& given, Targe
         case Target::arduino:
             if (const auto refusal = check_arduino(*plan)) return *refusal;
             return arduino_files(*plan);
+        case Target::thymio:
+            if (const auto refusal = thymio::refusal(*plan)) return *refusal;
+            return std::vector<ExportedFile>{{"brain.aesl", thymio::program(*plan)}};
     }
     return refused("unknown target");
 }

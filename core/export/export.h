@@ -12,7 +12,7 @@
 
 namespace braitenlab::robots {
 
-enum class Target { c, arduino };
+enum class Target { c, arduino, thymio };
 
 struct TargetTraits {
     Target value;
@@ -24,6 +24,7 @@ struct TargetTraits {
 inline constexpr auto target_table = std::to_array<TargetTraits>({
     {Target::c, "c", "C99 header", "any"},
     {Target::arduino, "arduino", "Arduino sketch", "tt2wd-ldr"},
+    {Target::thymio, "thymio", "Aseba program", "thymio2"},
 });
 constexpr const auto& table_of(Target) { return target_table; }
 static_assert(is_complete_table<target_table>());

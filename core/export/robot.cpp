@@ -12,6 +12,8 @@ constexpr std::array all_robots{
     // 200 rpm at 6 V without load, wheel of 65 mm: 0.68 m/s; 0.60 under load is assumed, not measured.
     Robot{"tt2wd-ldr", "two-wheel chassis with TT motors 1:48, Arduino Uno and photoresistors", 50, 6, 0.60f,
           "Adafruit product 3777: 200 rpm at 6 V; 0.60 m/s under load is an assumption"},
+    Robot{"thymio2", "Thymio II", 10, 0, 0.166f,
+          "motor target 500 of the Thymio II documentation: 0.166 m/s to 0.20 m/s"},
 };
 
 }  // namespace

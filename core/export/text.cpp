@@ -44,7 +44,7 @@ std::string xml_text(std::string_view text) {
                 clean += "&quot;";
                 break;
             default:
-                clean += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+                clean += static_cast<unsigned char>(c) < 0x20 && c != '\n' ? ' ' : c;
         }
     return clean;
 }
