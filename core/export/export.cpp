@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/export/arduino.h"
+#include "core/export/opamp.h"
 #include "core/export/thymio.h"
 #include "core/scene/enums.h"
 #include "core/scene/nearest.h"
@@ -73,6 +74,12 @@ Result<std::vector<ExportedFile>> export_brain(const BrainToExport& given, Targe
         case Target::thymio:
             if (const auto refusal = thymio::refusal(*plan)) return *refusal;
             return std::vector<ExportedFile>{{"brain.aesl", thymio::program(*plan)}};
+        case Target::opamp:
+            if (const auto refusal = opamp::refusal(*plan)) return *refusal;
+            return std::vector<ExportedFile>{{"brain.cir", opamp::netlist(*plan, false)},
+                                             {"brain-exact.cir", opamp::netlist(*plan, true)},
+                                             {"README.md", opamp::readme(*plan)},
+                                             {"parts.csv", opamp::parts_csv(*plan)}};
     }
     return refused("unknown target");
 }
