@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/export/arduino.h"
+#include "core/export/micropython.h"
 #include "core/export/opamp.h"
 #include "core/export/thymio.h"
 #include "core/scene/enums.h"
@@ -74,6 +75,11 @@ Result<std::vector<ExportedFile>> export_brain(const BrainToExport& given, Targe
         case Target::thymio:
             if (const auto refusal = thymio::refusal(*plan)) return *refusal;
             return std::vector<ExportedFile>{{"brain.aesl", thymio::program(*plan)}};
+        case Target::micropython:
+            if (const auto refusal = micropython::refusal(*plan)) return *refusal;
+            return std::vector<ExportedFile>{{"brain.py", micropython::brain_py(*plan)},
+                                             {"main.py", micropython::main_py(*plan)},
+                                             {"README.md", micropython::readme(*plan)}};
         case Target::opamp:
             if (const auto refusal = opamp::refusal(*plan)) return *refusal;
             return std::vector<ExportedFile>{{"brain.cir", opamp::netlist(*plan, false)},

@@ -12,7 +12,7 @@
 
 namespace braitenlab::robots {
 
-enum class Target { c, arduino, thymio, opamp };
+enum class Target { c, arduino, thymio, micropython, opamp };
 
 struct TargetTraits {
     Target value;
@@ -25,6 +25,7 @@ inline constexpr auto target_table = std::to_array<TargetTraits>({
     {Target::c, "c", "C99 header", "any"},
     {Target::arduino, "arduino", "Arduino sketch", "tt2wd-ldr"},
     {Target::thymio, "thymio", "Aseba program", "thymio2"},
+    {Target::micropython, "micropython", "MicroPython program", "microbit"},
     {Target::opamp, "opamp", "circuit of operational amplifiers", "lm324"},
 });
 constexpr const auto& table_of(Target) { return target_table; }

@@ -14,6 +14,7 @@ constexpr std::array all_robots{
           "Adafruit product 3777: 200 rpm at 6 V; 0.60 m/s under load is an assumption"},
     Robot{"thymio2", "Thymio II", 10, 0, 0.166f,
           "motor target 500 of the Thymio II documentation: 0.166 m/s to 0.20 m/s"},
+    Robot{"microbit", "two-wheel chassis with a BBC micro:bit and a TB6612", 50, 3, 0, ""},
     Robot{"lm324", "circuit of operational amplifiers LM324 at 9 V", 60, 0, 0, ""},
 };
 
