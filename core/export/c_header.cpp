@@ -153,7 +153,9 @@ std::string structure(const Plan& plan) {
         const std::string senses = input.channel ? fmt::format("senses {}", word(*input.channel)) : "";
         const std::string renamed = "sensor_" + input.name == input.id ? "" : comment_text(input.name);
         const std::string both = senses + (senses.empty() || renamed.empty() ? "" : "; ") + renamed;
-        text += fmt::format("    float {};{}\n", input.id, both.empty() ? "" : "  /* " + both + " */");
+        text += fmt::format("    float {};", input.id);
+        if (!both.empty()) text += fmt::format("  /* {} */", both);
+        text += "\n";
     }
     text +=
         "    /* Commands of the wheels, -1 (backwards) to 1 (forwards): read them after brain_think(). */\n"

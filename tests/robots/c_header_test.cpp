@@ -1,4 +1,7 @@
 // The C99 header: compiled without warnings and compared with golden vectors.
+#include <algorithm>
+#include <cmath>
+
 #include "tests/robots/exported.h"
 
 namespace braitenlab::tests::c_header_test {
@@ -84,7 +87,10 @@ BrainToExport everything() {
         wire(name, "MR", -0.15f);
     }
     wire("covered", "MR", 0.3f).curve.response = Response::inverted;
-    wire("N linear", "N linear", 1.5f);  // grows to the bound
+    add(NodeKind::neuron, "GROWS");
+    wire("S-L", "GROWS", 1);
+    wire("GROWS", "GROWS", 1.5f);  // up to the bound of 1000
+    wire("GROWS", "ML", 0.0002f);
     wire("ML", "N hump", 0.2f);
     Wire& link = wire("*/ int x", "N sigmoid", 0);
     link.learning_rate = 2;
@@ -94,6 +100,13 @@ BrainToExport everything() {
 
 TEST(CHeader, HoldsEveryPartOfABrain) {
     const Folder folder;
+    const auto vectors = robots::golden_vectors(everything(), 60, 1000);
+    ASSERT_TRUE(vectors);
+    for (float robots::GoldenVector::*command : {&robots::GoldenVector::left, &robots::GoldenVector::right}) {
+        const auto full = std::count_if(vectors->ticks.begin(), vectors->ticks.end(),
+                                        [&](const auto& row) { return std::fabs(row.*command) >= 1; });
+        EXPECT_LT(full, 100) << "a command at its limit shows no error";
+    }
     EXPECT_LT(worst_error(everything(), "gcc -std=c99 -pedantic", folder), 2e-5);
 }
 

@@ -62,6 +62,13 @@ TEST(Opamp, RefusesWhatItCannotHoldByName) {
     const auto files = exported({"", masked, {}});
     ASSERT_FALSE(files);
     EXPECT_NE(files.error().what.find("threshold"), std::string::npos);
+    BrainGraph neuron = make_graph({.RR = 1});
+    neuron.nodes.push_back({.id = 50, .kind = NodeKind::neuron, .name = "N"});
+    neuron.wires.push_back({.from = find_node(neuron, "SL")->id, .to = 50});
+    neuron.wires.push_back({.from = 50, .to = find_node(neuron, "ML")->id});
+    const auto linear = exported({"", neuron, {}});
+    ASSERT_FALSE(linear);
+    EXPECT_NE(linear.error().what.find("'N' is a neuron"), std::string::npos) << linear.error().what;
     EXPECT_FALSE(exported({"", make_graph({.LL = 0.001f, .RR = 1}), {}}));
 }
 
