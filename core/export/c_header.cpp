@@ -152,7 +152,8 @@ std::string structure(const Plan& plan) {
     for (const Input& input : plan.inputs) {
         const std::string senses = input.channel ? fmt::format("senses {}", word(*input.channel)) : "";
         const std::string renamed = "sensor_" + input.name == input.id ? "" : comment_text(input.name);
-        const std::string both = senses + (senses.empty() || renamed.empty() ? "" : "; ") + renamed;
+        const char* between = senses.empty() || renamed.empty() ? "" : "; ";
+        const std::string both = fmt::format("{}{}{}", senses, between, renamed);
         text += fmt::format("    float {};", input.id);
         if (!both.empty()) text += fmt::format("  /* {} */", both);
         text += "\n";

@@ -5,6 +5,7 @@
 #include "core/brain/four_neurons.h"
 #include "core/scene/enums.h"
 #include "tests/robots/exported.h"
+#include "tests/robots/simulators.h"
 
 namespace braitenlab::tests::arduino_test {
 namespace {
@@ -57,71 +58,6 @@ TEST(Arduino, ExportsOrRefusesEveryShippedBrainWithAReason) {
 }
 
 // ---- In the simulator ----
-
-// The firmware of exported sketches. Arduino's core is compiled once.
-class Simulator {
-public:
-    Simulator() {
-        const std::string source = BRAITENLAB_SOURCE "/tests/robots/run/";
-        const Ran ran =
-            shell(fmt::format("cd '{0}' && mkdir -p core && cd core && "
-                              "for f in {1}/cores/arduino/*.c; do avr-gcc -std=gnu11 {2} -c $f || exit 1; done && "
-                              "for f in {1}/cores/arduino/*.cpp; do avr-g++ -std=gnu++11 -fno-exceptions "
-                              "-fno-threadsafe-statics {2} -c $f || exit 1; done && "
-                              "avr-gcc-ar rcs ../core.a *.o && cd .. && "
-                              "gcc -std=gnu11 -O2 -Wall -Werror '{3}simavr_run.c' -o simavr_run -lsimavr -lelf",
-                              folder.path.string(), arduino, flags, source));
-        EXPECT_EQ(ran.code, 0) << ran.out;
-    }
-
-    // Compiles the sketch without warnings of its own; false and a failure if that is impossible.
-    bool compile(const std::vector<robots::ExportedFile>& files) {
-        for (const auto& file : files) put_text(folder / file.name, file.text);
-        put_text(folder / "sketch.cpp", "#include <Arduino.h>\n#include \"braitenberg/braitenberg.ino\"\n");
-        const Ran ran =
-            shell(fmt::format("cd '{}' && avr-g++ -std=gnu++11 {} -Wall -Wextra -Werror -I {}/libraries/EEPROM/src -I "
-                              "braitenberg -c sketch.cpp && "
-                              "avr-g++ -mmcu=atmega328p -Os -Wl,--gc-sections -o sketch.elf sketch.o core.a -lm && "
-                              "avr-size sketch.elf | tail -1",
-                              folder.path.string(), flags, arduino));
-        EXPECT_EQ(ran.code, 0) << ran.out;
-        size = ran.out;
-        return ran.code == 0;
-    }
-
-    Ran run(std::size_t inputs, const std::string& lines, const std::string& mode = "") {
-        put_text(folder / "lines", lines);
-        Ran ran = shell(fmt::format("cd '{}' && ./simavr_run sketch.elf {} results {} < lines", folder.path.string(),
-                                    inputs, mode));
-        if (ran.code == 0) ran.out = text_of(folder / "results");
-        return ran;
-    }
-
-    std::string size;
-
-private:
-    Folder folder;
-    const std::string arduino = "/usr/share/arduino/hardware/arduino/avr";
-    const std::string flags =
-        "-mmcu=atmega328p -DF_CPU=16000000L -DARDUINO=10819 -DARDUINO_AVR_UNO -DARDUINO_ARCH_AVR "
-        "-DDECIMAL_DIG=__DECIMAL_DIG__ -Os -ffunction-sections -fdata-sections -I " +
-        arduino + "/cores/arduino -I " + arduino + "/variants/standard";
-};
-
-struct Calibrated {
-    int dark = 0, bright = 1000;  // of every sensor
-    int minimum[2] = {0, 0}, fastest[2] = {255, 255};
-};
-
-std::string eeprom(const Calibrated& c, std::size_t inputs) {
-    const auto word16 = [](int value) { return fmt::format("{:02x}{:02x}", value & 255, value >> 8 & 255); };
-    std::string bytes = word16(0xB7A1);
-    for (std::size_t i = 0; i < inputs; ++i) bytes += word16(c.dark);
-    for (std::size_t i = 0; i < inputs; ++i) bytes += word16(c.bright);
-    for (const int value : {c.minimum[0], c.minimum[1], c.fastest[0], c.fastest[1]})
-        bytes += fmt::format("{:02x}", value);
-    return bytes;
-}
 
 // The PWM that the README promises for a command.
 int expected_pwm(float command, int least, int most) {

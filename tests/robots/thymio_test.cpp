@@ -8,6 +8,7 @@
 #include "core/brain/four_neurons.h"
 #include "core/scene/enums.h"
 #include "tests/robots/exported.h"
+#include "tests/robots/simulators.h"
 
 namespace braitenlab::tests::thymio_test {
 namespace {
@@ -82,60 +83,12 @@ TEST(Thymio, RefusesWhatItCannotHoldByName) {
 
 // ---- In Aseba's virtual machine ----
 
-class VirtualMachine {
-public:
-    VirtualMachine() {
-        // Aseba's compiler asks for this locale.
-        const Ran ran =
-            shell(fmt::format("cd '{0}' && mkdir locale && localedef -i en_US -f UTF-8 locale/en_US.UTF-8 && "
-                              "g++ -std=c++17 -O1 -Wall -Werror -I/usr/include/aseba '{1}/aseba_run.cpp' "
-                              "-o aseba_run -lasebacompiler -lasebavm -lasebacommon",
-                              folder.path.string(), BRAITENLAB_SOURCE "/tests/robots/run"));
-        EXPECT_EQ(ran.code, 0) << ran.out;
-    }
-    Ran run(const std::string& aesl, const std::string& lines) {
-        put_text(folder / "program", code_of(aesl));
-        put_text(folder / "lines", lines);
-        return shell(fmt::format("cd '{}' && LOCPATH=$PWD/locale ./aseba_run program < lines", folder.path.string()));
-    }
-
-private:
-    static std::string code_of(const std::string& aesl) {
-        const std::size_t node = aesl.find("<node "), start = aesl.find('>', node) + 1;
-        std::string code = aesl.substr(start, aesl.find("</node>") - start);
-        const std::pair<const char*, const char*> entities[] = {
-            {"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}};
-        for (const auto& [entity, character] : entities)
-            for (std::size_t at = 0; (at = code.find(entity, at)) != std::string::npos; ++at)
-                code.replace(at, std::string(entity).size(), character);
-        return code;
-    }
-    Folder folder;
-};
-
 struct Compared {
     std::size_t rows = 0;
     int words = 0;
     long worst = 0;    // of 500
     long largest = 0;  // target that was seen
 };
-
-// Raw proximity values and reflectances for the readings of the brain's sensors.
-std::string raw_line(const robots::Plan& plan, const std::vector<float>& sensed) {
-    long prox[7] = {}, ground[2] = {};
-    for (std::size_t i = 0; i < sensed.size(); ++i) {
-        const std::string& name = plan.inputs[i].name;
-        const bool left = name.back() == 'L', right = name.back() == 'R';
-        const double value = sensed[i];
-        if (plan.inputs[i].channel == Channel::floor)
-            ground[right ? 1 : 0] = std::lround(1000 * value);
-        else
-            prox[left ? 0 : right ? 4 : 2] = std::lround(1000 + 3300 * value);
-    }
-    std::string line;
-    for (const long value : prox) line += fmt::format("{} ", value);
-    return line + fmt::format("{} {}\n", ground[0], ground[1]);
-}
 
 Compared compare(VirtualMachine& machine, const BrainToExport& brain, int ticks) {
     const auto plan = robots::make_plan(brain, 10);

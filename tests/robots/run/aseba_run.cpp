@@ -120,6 +120,7 @@ int main(int argc, char** argv) {
     };
     run(ASEBA_EVENT_INIT);
     std::printf("%zu\n", bytecode.size());
+    std::fflush(stdout);
     unsigned first_free = 0;
     const Aseba::VariablesMap map = target.getVariablesMap(first_free);
     const auto at = [&](const wchar_t* name) { return &variables[map.at(name).first]; };
@@ -130,6 +131,7 @@ int main(int argc, char** argv) {
         for (int i = 0; i < 2; ++i) values >> at(L"prox.ground.reflected")[i];
         run(ASEBA_EVENT_LOCAL_EVENTS_START - 6);  // prox
         std::printf("%d %d\n", *at(L"motor.left.target"), *at(L"motor.right.target"));
+        std::fflush(stdout);
     }
     return failed ? 1 : 0;
 }

@@ -8,6 +8,9 @@
  *
  * With a fourth argument "calibrate", instead: the steps are "press" or "wait MILLISECONDS" or "adc CHANNEL COUNT".
  * Writes the bytes of the EEPROM at the end.
+ *
+ * With a fourth argument "live": a line is read when a step begins, after the wheels of the step before are written.
+ * Ends with the lines.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,6 +26,7 @@ enum { most_steps = 20000, most_inputs = 6, eeprom_bytes = 64 };
 
 static avr_t *avr;
 static FILE *results;
+static int live;
 static int inputs, steps, step = -1;
 static int counts[most_steps][most_inputs];
 
@@ -53,6 +57,14 @@ static void on_conversion(struct avr_irq_t *irq, uint32_t value, void *param) {
     (void)irq;
     (void)param;
     if (e.mux.src != 0) return;
+    if (live) {
+        char line[256], *at = line;
+        if (step++ >= 0) print_wheels();
+        fflush(results);
+        if (!fgets(line, sizeof line, stdin)) exit(0);
+        for (int i = 0; i < inputs; ++i) set_adc(i, (int)strtol(at, &at, 10));
+        return;
+    }
     if (step >= 0 && step < steps) print_wheels();
     ++step;
     for (int i = 0; i < inputs && step < steps; ++i) set_adc(i, counts[step][i]);
@@ -121,7 +133,12 @@ int main(int argc, char **argv) {
         avr_eeprom_desc_t desc = {.ee = bytes, .offset = 0, .size = n};
         avr_ioctl(avr, AVR_IOCTL_EEPROM_SET, &desc);
     }
-    if (argc > 4) return calibrate();
+    if (argc > 4 && strcmp(argv[4], "calibrate") == 0) return calibrate();
+    live = argc > 4;
+    if (live) {
+        avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_OUT_TRIGGER), on_conversion, NULL);
+        return !run_for(1e6);
+    }
 
     for (; steps < most_steps && fgets(line, sizeof line, stdin); ++steps) {
         char *at = line;
