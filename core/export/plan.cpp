@@ -137,11 +137,9 @@ Range source_range(const Plan& plan, const PlanTap& tap) {
     return tap.reads == Reads::sensor ? Range{0, 1} : plan.units[static_cast<std::size_t>(tap.source)].value;
 }
 
-// What a threshold lets through: 0 or the input.
-Range masked_range(Range input, float threshold) { return threshold > 0 ? hull(input, {0, 0}) : input; }
-
 Range contribution(const Plan& plan, const PlanTap& tap) {
-    const Range in = range_of(tap.curve, masked_range(source_range(plan, tap), tap.threshold));
+    // Every range contains 0, so a threshold, which makes an input 0, does not widen it.
+    const Range in = range_of(tap.curve, source_range(plan, tap));
     // A learned part keeps the weight within its limits.
     const Range weight = tap.learning_rate > 0 ? Range{-limits::weight, limits::weight} : Range{tap.weight, tap.weight};
     const float products[] = {weight.low * in.low, weight.low * in.high, weight.high * in.low, weight.high * in.high};

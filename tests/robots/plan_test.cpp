@@ -1,10 +1,14 @@
 // What of a brain is exported, and the ranges of its values.
 #include "core/export/plan.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/brain/four_neurons.h"
 #include "core/brain/presets.h"
+#include "tests/robots/random_brain.h"
 
 namespace braitenlab::tests::plan_test {
 namespace {
@@ -69,6 +73,40 @@ TEST(Plan, BoundsALoopThatSettlesAndOneThatGrows) {
     const auto held = make_plan({"", with_neuron(1.5f, {.response = Response::step}), {}}, 60);
     ASSERT_TRUE(held);
     EXPECT_EQ(unit_named(*held, "N")->value, (Range{0, 1}));
+}
+
+TEST(Plan, BoundsEveryValueOfRandomBrains) {
+    maths::Random random(5, 1);
+    int bounded = 0, close = 0;  // ranges below the bound of all values; values that come near to the end of one
+    for (int i = 0; i < 300; ++i) {
+        const BrainGraph graph = random_brain(random, false);
+        const std::vector<std::string> eyes{"SL", "SR"};
+        const auto plan = make_plan({"", graph, {}}, 10);
+        const auto brain = compile(graph, eyes, 0.1f);
+        ASSERT_TRUE(plan && brain);
+        std::vector<float> state(static_cast<std::size_t>(brain->state_size()));
+        for (int tick = 0; tick < 300; ++tick) {
+            const auto reading = [&] {
+                return random.next() % 2 ? static_cast<float>(random.next() % 2) : random.uniform(0, 1);
+            };
+            const float sensed[] = {reading(), reading()};
+            float motors[2];
+            think(*brain, sensed, state, motors);
+            for (std::size_t u = 0; u < brain->units.size(); ++u) {
+                const bool motor = u + 2 >= brain->units.size();
+                const auto* unit = unit_named(*plan, motor ? (u + 2 == brain->units.size() ? "ML" : "MR")
+                                                           : find_node(graph, brain->unit_ids[u])->name);
+                if (!unit) continue;  // without an effect
+                const float slack = 1e-4f * (1 + std::max(-unit->value.low, unit->value.high));
+                ASSERT_GE(state[u], unit->value.low - slack) << i << " " << unit->name;
+                ASSERT_LE(state[u], unit->value.high + slack) << i << " " << unit->name;
+                bounded += unit->value.high < 100;
+                close += unit->value.high > 0 && unit->value.high < 100 && state[u] > 0.9f * unit->value.high;
+            }
+        }
+    }
+    EXPECT_GT(bounded, 100000);
+    EXPECT_GT(close, 1000);
 }
 
 TEST(Plan, FollowsTheRateOfTheRobot) {

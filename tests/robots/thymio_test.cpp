@@ -8,6 +8,7 @@
 #include "core/brain/four_neurons.h"
 #include "core/scene/enums.h"
 #include "tests/robots/exported.h"
+#include "tests/robots/random_brain.h"
 #include "tests/robots/simulators.h"
 
 namespace braitenlab::tests::thymio_test {
@@ -147,6 +148,27 @@ TEST(ThymioInAseba, HoldsEveryCurveThresholdAndMemory) {
             EXPECT_LE(found.worst, 1) << row.word << (on_wire ? " on a wire" : " of a neuron");
             EXPECT_GT(found.largest, 100) << row.word;
         }
+}
+
+TEST(ThymioInAseba, WrapsInNoRandomBrainThatIsExported) {
+    if (!has_toolchains()) GTEST_SKIP() << "./dev robots installs Aseba";
+    VirtualMachine machine;
+    maths::Random random(9, 1);
+    int brains = 0;
+    int above_one = 0;
+    long worst = 0;
+    for (int i = 0; i < 150; ++i) {
+        const BrainToExport brain{"random " + std::to_string(i), random_brain(random, true), {}};
+        if (!exported(brain)) continue;
+        const Compared found = compare(machine, brain, 300);
+        EXPECT_EQ(found.rows, 300u) << i;
+        EXPECT_LE(found.worst, 40) << i;  // rounding grows in loops; a sum that wraps is off by hundreds
+        above_one += found.worst > 1;
+        worst = std::max(worst, found.worst);
+        ++brains;
+    }
+    EXPECT_GT(brains, 20);
+    std::printf("%d of 150 brains, %d of them off by more than 1 of 500, worst %ld\n", brains, above_one, worst);
 }
 
 TEST(ThymioInAseba, RunsTheLargestNumbersThatAreAllowed) {
