@@ -45,6 +45,13 @@ std::string target_words() {
     return words;
 }
 
+std::string target_robots() {
+    std::string words;
+    for (const auto& row : robots::target_table)
+        words += fmt::format("{}{} for {}", words.empty() ? "" : ", ", row.robot, row.word);
+    return words;
+}
+
 void add_choice(CLI::App& command, BrainChoice& choice) {
     auto* kind = command.add_option("--kind", choice.kind,
                                     "the kind whose brain is taken from a scene or a saved run; "
@@ -62,7 +69,8 @@ CLI::App* add_export(CLI::App& app, ExportOptions& options) {
     command->add_option("BRAIN", options.file, brain_file_help)->required();
     add_choice(*command, options.choice);
     command->add_option("--to", options.target, "what is written: " + target_words())->type_name("TARGET")->required();
-    command->add_option("--robot", options.robot, "the robot; without it, the target's own")->type_name("NAME");
+    command->add_option("--robot", options.robot, "the robot; without it, the target's own: " + target_robots())
+        ->type_name("NAME");
     command->add_option("--out", options.folder, "the folder of the files; created when missing")
         ->type_name("FOLDER")
         ->required();

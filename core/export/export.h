@@ -17,16 +17,15 @@ enum class Target { c, arduino, thymio, micropython, opamp };
 struct TargetTraits {
     Target value;
     std::string_view word;   // on the command line
-    std::string_view title;  // what is written
     std::string_view robot;  // name of the robot that is taken when none is given
 };
 
 inline constexpr auto target_table = std::to_array<TargetTraits>({
-    {Target::c, "c", "C99 header", "any"},
-    {Target::arduino, "arduino", "Arduino sketch", "tt2wd-ldr"},
-    {Target::thymio, "thymio", "Aseba program", "thymio2"},
-    {Target::micropython, "micropython", "MicroPython program", "microbit"},
-    {Target::opamp, "opamp", "circuit of operational amplifiers", "lm324"},
+    {Target::c, "c", "any"},
+    {Target::arduino, "arduino", "tt2wd-ldr"},
+    {Target::thymio, "thymio", "thymio2"},
+    {Target::micropython, "micropython", "microbit"},
+    {Target::opamp, "opamp", "lm324"},
 });
 constexpr const auto& table_of(Target) { return target_table; }
 static_assert(is_complete_table<target_table>());
