@@ -41,11 +41,12 @@ Result<BrainOfFile> brain_of_scene(const Scene& scene, const BrainChoice& choice
         if (!start) return start.error();
         const auto kind = index_of(scene.kinds, scene.starts[*start].kind, "kind", file);
         if (!kind) return kind.error();
-        return BrainOfFile{scene.kinds[*kind].brain, "vehicle " + choice.vehicle};
+        return BrainOfFile{scene.kinds[*kind].brain, "vehicle " + choice.vehicle,
+                           scene.starts[*start].sensors.value_or(scene.kinds[*kind].sensors)};
     }
     const auto kind = kind_index(scene, choice.kind, file);
     if (!kind) return kind.error();
-    return BrainOfFile{scene.kinds[*kind].brain, "kind " + scene.kinds[*kind].name};
+    return BrainOfFile{scene.kinds[*kind].brain, "kind " + scene.kinds[*kind].name, scene.kinds[*kind].sensors};
 }
 
 // The vehicle with this start; null when it is gone.
@@ -70,7 +71,7 @@ Result<BrainOfFile> brain_of_vehicle(const Snapshot& now, const std::string& nam
         vehicle = vehicle_of_id(now, name);
         if (!vehicle) return start.error();
     }
-    return BrainOfFile{*brain_of(now, *vehicle), "vehicle " + name};
+    return BrainOfFile{*brain_of(now, *vehicle), "vehicle " + name, kind_of(now, *vehicle).sensors};
 }
 
 Result<BrainOfFile> brain_of_run(const Snapshot& now, const BrainChoice& choice, const std::string& file) {
@@ -78,10 +79,11 @@ Result<BrainOfFile> brain_of_run(const Snapshot& now, const BrainChoice& choice,
     const auto& starts = now.scene->starts;
     if (choice.kind.empty() && !starts.empty())
         if (const VehicleView* first = vehicle_of_start(now, 0))
-            return BrainOfFile{*brain_of(now, *first), "vehicle " + starts.front().name};
+            return BrainOfFile{*brain_of(now, *first), "vehicle " + starts.front().name, kind_of(now, *first).sensors};
     const auto kind = kind_index(*now.scene, choice.kind, file);
     if (!kind) return kind.error();
-    return BrainOfFile{*now.kind_brains[*kind], "kind " + now.scene->kinds[*kind].name};
+    return BrainOfFile{*now.kind_brains[*kind], "kind " + now.scene->kinds[*kind].name,
+                       now.scene->kinds[*kind].sensors};
 }
 
 Result<BrainOfFile> load_run_brain(const std::filesystem::path& path, const BrainChoice& choice) {
@@ -106,7 +108,7 @@ Result<BrainOfFile> brain_of_file(const std::string& file, const BrainChoice& ch
     if (kind == FileKind::brain) {
         auto brain = parse_brain(*text, path->string());
         if (!brain) return brain.error();
-        return BrainOfFile{std::move(*brain), ""};
+        return BrainOfFile{std::move(*brain), "", {}};
     }
     const auto scene = parse_scene(*text, path->string());
     if (!scene) return scene.error();

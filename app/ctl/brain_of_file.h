@@ -2,9 +2,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/brain/graph.h"
 #include "core/result.h"
+#include "core/scene/scene.h"
 
 namespace braitenlab {
 
@@ -17,7 +19,8 @@ struct BrainChoice {
 
 struct BrainOfFile {
     BrainGraph brain;
-    std::string owner;  // "kind coward", "vehicle one"; empty for a brain file
+    std::string owner;              // "kind coward", "vehicle one"; empty for a brain file
+    std::vector<Sensor> sensors{};  // of the kind or the vehicle; empty for a brain file
 };
 
 // Reads the brain of a file, which is a path or the name of a shipped scene. Without a choice: of a scene, the brain of

@@ -11,6 +11,7 @@
 #include "app/ctl/ctl.h"
 #include "app/files/data.h"
 #include "app/platform/platform.h"
+#include "core/export/export.h"
 #include "core/insight/behaviour.h"
 #include "core/io/vehicle_table.h"
 #include "core/scene/nearest.h"
@@ -39,6 +40,19 @@ std::string column_words() {
     return words;
 }
 
+std::string target_words() {
+    std::string words;
+    for (const auto& row : robots::target_table) words += (words.empty() ? "" : ", ") + std::string(row.word);
+    return words;
+}
+
+std::string target_robots() {
+    std::string words;
+    for (const auto& row : robots::target_table)
+        words += fmt::format("{}{} for {}", words.empty() ? "" : ", ", row.robot, row.word);
+    return words;
+}
+
 void add_choice(CLI::App& command, BrainChoice& choice) {
     auto* kind = command.add_option("--kind", choice.kind,
                                     "the kind whose brain is taken from a scene or a saved run; "
@@ -53,6 +67,37 @@ std::string measure_words() {
     std::string words;
     for (const auto& row : insight::map_measure_table) words += (words.empty() ? "" : ", ") + std::string(row.word);
     return words;
+}
+
+constexpr const char* brain_file_help = "a brain, a scene, a saved run, or the name of a shipped scene or preset";
+
+CLI::App* add_export(CLI::App& app, ExportOptions& options) {
+    CLI::App* command = app.add_subcommand("export", "write a brain as a program for a robot");
+    command->add_option("BRAIN", options.file, brain_file_help)->required();
+    add_choice(*command, options.choice);
+    command->add_option("--to", options.target, "what is written: " + target_words())->type_name("TARGET")->required();
+    command->add_option("--robot", options.robot, "the robot; without it, the target's own: " + target_robots())
+        ->type_name("NAME");
+    command->add_option("--out", options.folder, "the folder of the files; created when missing")
+        ->type_name("FOLDER")
+        ->required();
+    return command;
+}
+
+CLI::App* add_think(CLI::App& app, ThinkOptions& options) {
+    CLI::App* command =
+        app.add_subcommand("think", "write sensor readings and the wheel commands that a brain computes from them");
+    command->add_option("BRAIN", options.file, brain_file_help)->required();
+    add_choice(*command, options.choice);
+    command->add_option("--rate", options.rate_hz, "calls of the brain per second; default: 60")
+        ->type_name("HZ")
+        ->check(CLI::Range(0.1, 10000.0));
+    command->add_option("--ticks", options.ticks, "number of rows; default: 1000")->check(CLI::Range(1, 1000000));
+    command->add_option("--seed", options.seed, "seed of the readings; default: 1");
+    command->add_option("--vectors", options.vectors, "the table as CSV; -: to standard output")
+        ->type_name("FILE")
+        ->required();
+    return command;
 }
 
 int command_line(int argc, char** argv) {
@@ -161,9 +206,14 @@ int command_line(int argc, char** argv) {
     hashes_command->add_option("--compare", hashed.compared, "print what differs from this file instead")
         ->type_name("FILE");
 
+    ExportOptions exported;
+    CLI::App* export_command = add_export(app, exported);
+    ThinkOptions thought;
+    CLI::App* think_command = add_think(app, thought);
+
     std::vector<std::string_view> commands;
-    for (const CLI::App* command :
-         {run_command, map_command, check_command, grade_command, show_command, hashes_command})
+    for (const CLI::App* command : {run_command, map_command, check_command, grade_command, show_command,
+                                    hashes_command, export_command, think_command})
         commands.push_back(command->get_name());
     if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
         return complain({in_quotes(argv[1]) + " is not a command" + name_nearest(argv[1], commands)});
@@ -178,6 +228,8 @@ int command_line(int argc, char** argv) {
     if (*grade_command) return grade_all(graded);
     if (*show_command) return show(shown);
     if (*hashes_command) return print_hashes(hashed);
+    if (*export_command) return export_to_robot(exported);
+    if (*think_command) return think_vectors(thought);
     if (all) return check_all(checked.seed, checked.json);
     if (checked.exercise.empty()) return complain({"check needs an EXERCISE or --all"});
     return check(checked);

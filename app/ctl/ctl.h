@@ -104,6 +104,28 @@ struct HashOptions {
 // there are any.
 int print_hashes(const HashOptions&);
 
+struct ExportOptions {
+    std::string file;    // a brain, scene, saved run, or the name of a preset
+    BrainChoice choice;  // of the brain in a scene or a saved run
+    std::string target;  // word of robots::Target
+    std::string robot;   // name; empty: the target's own
+    std::string folder;  // created when it does not exist
+};
+// Writes the program of a brain for a robot into the folder and prints the names of the files. Files of an earlier
+// export are replaced. A brain that the target cannot hold is an error that names the part; then no file is written.
+int export_to_robot(const ExportOptions&);
+
+struct ThinkOptions {
+    std::string file;
+    BrainChoice choice;
+    double rate_hz = 60;
+    int ticks = 1000;
+    std::uint64_t seed = 1;
+    std::string vectors;  // file of the table; "-": standard output
+};
+// Writes golden vectors, see core/export/vectors.h.
+int think_vectors(const ThinkOptions&);
+
 // Prints the content of a scene, an exercise, a saved run or a brain, and the recognised characters of its brains.
 int show(const std::string& file);
 

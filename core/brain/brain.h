@@ -29,7 +29,7 @@ struct Brain {
     struct Unit {
         std::int32_t first_tap, end_tap;
         float bias;
-        float follow;  // 1 − exp(−tick/time_constant): share of the way to the new value per tick
+        float follow;  // 1 − exp(−period/time_constant): share of the way to the new value per tick
         Curve curve;
     };
 
@@ -40,6 +40,8 @@ struct Brain {
     std::vector<NodeId> unit_ids;  // the graph's node of each unit; −1 for a motor that the graph does not have
     std::vector<std::pair<NodeId, NodeId>>
         learning_wires;  // ends of the Hebbian wires in ascending order, the order of their learned parts
+
+    float period = tick_seconds;  // s between two calls of think()
 
     int neuron_count() const { return static_cast<int>(units.size()); }
     // Size of a vehicle's brain state: the values of the units, then the learned parts of learning_wires.
@@ -53,9 +55,10 @@ std::optional<Error> check_graph(const BrainGraph&);
 
 // Flattens a graph for a vehicle with these sensors (names in the vehicle's order). The result does not depend on the
 // order of nodes and wires: the same graph gives the same sums, bit for bit. Cut wires and wires into a silenced node
-// have no tap; their learned parts stay in the state and do not change until they are healed.
+// have no tap; their learned parts stay in the state and do not change until they are healed. `period`: s between two
+// calls of think(), above 0; another than the simulation's for a robot that computes its brain less often.
 // Fails as check_graph() does.
-Result<Brain> compile(const BrainGraph&, std::span<const std::string> sensor_names);
+Result<Brain> compile(const BrainGraph&, std::span<const std::string> sensor_names, float period = tick_seconds);
 
 // Computes one tick. `sensed`: the vehicle's sensors, each 0..1. `state`: state_size() values, those of the previous
 // tick in and those of this tick out. Hidden neurons read this tick's sensors and the previous tick's units; motors

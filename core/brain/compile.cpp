@@ -28,14 +28,14 @@ std::vector<const Node*> unit_order(const BrainGraph& graph) {
     return order;
 }
 
-float follow_per_tick(float time_constant) {
-    return time_constant > 0 ? 1 - maths::exponential(-tick_seconds / time_constant) : 1.0f;
+float follow_per_tick(float time_constant, float period) {
+    return time_constant > 0 ? 1 - maths::exponential(-period / time_constant) : 1.0f;
 }
 
 // The value of a missing or silenced node is always 0.
-Brain::Unit unit_of(const Node* node) {
+Brain::Unit unit_of(const Node* node, float period) {
     if (!node || node->silenced) return {0, 0, 0, 1, {}};
-    return {0, 0, node->bias, follow_per_tick(node->time_constant), node->curve};
+    return {0, 0, node->bias, follow_per_tick(node->time_constant, period), node->curve};
 }
 
 std::int32_t sensor_index(const Node& sensor, std::span<const std::string> sensor_names) {
@@ -62,10 +62,11 @@ std::int32_t learned_index(const Brain& brain, const Wire& wire) {
 
 }  // namespace
 
-Result<Brain> compile(const BrainGraph& graph, std::span<const std::string> sensor_names) {
+Result<Brain> compile(const BrainGraph& graph, std::span<const std::string> sensor_names, float period) {
     if (auto error = check_graph(graph)) return *error;
 
     Brain brain;
+    brain.period = period;
     std::map<NodeId, std::int32_t> source_of;  // index of a node's value for Tap::source
     for (const Node* sensor : by_ascending_id(graph, NodeKind::sensor)) {
         source_of[sensor->id] = static_cast<std::int32_t>(brain.sensors.size());
@@ -75,7 +76,7 @@ Result<Brain> compile(const BrainGraph& graph, std::span<const std::string> sens
     const std::vector<const Node*> order = unit_order(graph);
     for (const Node* node : order) {
         if (node) source_of[node->id] = first_unit + brain.neuron_count();
-        brain.units.push_back(unit_of(node));
+        brain.units.push_back(unit_of(node, period));
         brain.unit_ids.push_back(node ? node->id : -1);
     }
     brain.learning_wires = learning_wires_of(graph);

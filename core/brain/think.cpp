@@ -68,7 +68,7 @@ void learn(const TickValues& t, std::size_t u, float* learned, Read read) {
         if (tap.learned < 0) continue;
         float& h = learned[tap.learned];
         const float together = read(static_cast<std::size_t>(tap.source)) * t.settled[u];
-        h += tick_seconds * (tap.learning_rate * together - tap.decay * h);
+        h += t.brain.period * (tap.learning_rate * together - tap.decay * h);
         h = std::clamp(h, -limits::weight - tap.weight, limits::weight - tap.weight);
     }
 }

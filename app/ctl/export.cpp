@@ -1,0 +1,91 @@
+// braitenctl export and think: a brain as a program for a robot, and the vectors that test such a program.
+#include "core/export/export.h"
+
+#include <filesystem>
+#include <iostream>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/ctl/ctl.h"
+#include "app/ctl/table_file.h"
+#include "app/files/safe_file.h"
+#include "core/brain/presets.h"
+#include "core/export/vectors.h"
+#include "core/scene/nearest.h"
+
+namespace braitenlab {
+
+namespace {
+
+Result<robots::BrainToExport> brain_to_export(const std::string& file, const BrainChoice& choice) {
+    auto found = brain_of_file(file, choice);
+    if (!found) {
+        const Preset* preset = find_preset(file);
+        if (!preset) return found.error();
+        return robots::BrainToExport{file, preset->brain, {}};
+    }
+    const std::string stem = std::filesystem::path(file).stem().string();
+    const std::string title = found->owner.empty() ? stem : stem + ", " + found->owner;
+    return robots::BrainToExport{title, std::move(found->brain), std::move(found->sensors)};
+}
+
+template <class Row>
+std::vector<std::string_view> words_of(const Row& rows) {
+    std::vector<std::string_view> words;
+    for (const auto& row : rows) words.push_back(row.word);
+    return words;
+}
+
+Result<robots::Target> target_of(const std::string& given) {
+    for (const auto& row : robots::target_table)
+        if (row.word == given) return row.value;
+    return Error{"there is no target " + in_quotes(given) + name_nearest(given, words_of(robots::target_table)),
+                 "--to"};
+}
+
+Result<const robots::Robot*> robot_of(const std::string& given, robots::Target target) {
+    const std::string name = given.empty() ? std::string(row_of(target).robot) : given;
+    if (const robots::Robot* robot = robots::find_robot(name)) return robot;
+    std::vector<std::string_view> names;
+    for (const robots::Robot& robot : robots::robots()) names.push_back(robot.name);
+    return Error{"there is no robot " + in_quotes(name) + name_nearest(name, names), "--robot"};
+}
+
+}  // namespace
+
+int export_to_robot(const ExportOptions& options) {
+    const auto target = target_of(options.target);
+    if (!target) return complain(target.error());
+    const auto robot = robot_of(options.robot, *target);
+    if (!robot) return complain(robot.error());
+    const auto brain = brain_to_export(options.file, options.choice);
+    if (!brain) return complain(brain.error());
+    auto files = robots::export_brain(*brain, *target, **robot);
+    if (!files) {
+        Error error = files.error();
+        error.file = options.file;
+        return complain(error);
+    }
+    for (const robots::ExportedFile& file : *files) {
+        const std::filesystem::path path = std::filesystem::path(options.folder) / file.name;
+        if (const auto error = write_whole(path, file.text)) return complain(*error);
+        std::cout << path.string() << "\n";
+    }
+    return exit_code::done;
+}
+
+int think_vectors(const ThinkOptions& options) {
+    const auto brain = brain_to_export(options.file, options.choice);
+    if (!brain) return complain(brain.error());
+    const auto vectors =
+        robots::golden_vectors(*brain, static_cast<float>(options.rate_hz), options.ticks, options.seed);
+    if (!vectors) return complain(vectors.error());
+    TableFile table(options.vectors);
+    table.write(robots::write_csv(*vectors));
+    if (const auto error = table.close()) return complain(*error);
+    return exit_code::done;
+}
+
+}  // namespace braitenlab

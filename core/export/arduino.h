@@ -1,0 +1,49 @@
+// What the sketch, the README and the wiring picture of the Arduino export share: pins and parts.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "core/export/plan.h"
+
+namespace braitenlab::robots::arduino {
+
+// A pin of the Uno and what it connects to on each motor driver. The PWM pins 5 and 6 have one timer, so both motors
+// get the same frequency (980 Hz).
+struct MotorPin {
+    int pin;
+    std::string_view constant;       // of the sketch
+    std::string_view tb6612, l298n;  // names printed on the driver boards; empty: not connected
+};
+inline constexpr std::array motor_pins{
+    MotorPin{6, "LEFT_PWM", "PWMA", "ENA"},      MotorPin{7, "LEFT_FORWARD", "AIN1", "IN1"},
+    MotorPin{8, "LEFT_BACK", "AIN2", "IN2"},     MotorPin{5, "RIGHT_PWM", "PWMB", "ENB"},
+    MotorPin{9, "RIGHT_FORWARD", "BIN1", "IN3"}, MotorPin{10, "RIGHT_BACK", "BIN2", "IN4"},
+    MotorPin{4, "STANDBY", "STBY", ""},
+};
+inline constexpr int button_pin = 2;
+inline constexpr int analog_inputs = 6;  // A0 to A5
+inline constexpr int most_wires = 400;   // program memory of 32 KB
+inline constexpr int most_neurons = 60;  // memory of 2 KB
+// A smaller command stops the wheel. Others begin at the wheel's minimum PWM, so that there is no dead band.
+inline constexpr float smallest_command = 0.02f;
+
+// The part that senses a channel, and what is done for its two calibration values.
+struct SensorPart {
+    Channel channel;
+    std::string_view part;  // empty: there is none
+    std::string_view zero;  // what the reading 0 is
+    std::string_view one;   // what the reading 1 is
+};
+const SensorPart& part_of(const Input&);  // a sensor of unknown channel is an eye
+
+// "A0"
+std::string pin_of_input(std::size_t input);
+
+std::string sketch(const Plan&);
+std::string readme(const Plan&);
+std::string parts_csv(const Plan&);
+std::string wiring_svg(const Plan&);
+
+}  // namespace braitenlab::robots::arduino

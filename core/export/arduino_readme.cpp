@@ -1,0 +1,129 @@
+// README and list of parts of the Arduino export.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/export/arduino.h"
+#include "core/export/text.h"
+#include "core/scene/enums.h"
+
+namespace braitenlab::robots::arduino {
+
+namespace {
+
+constexpr std::string_view photoresistor = "photoresistor GL5528 to 5 V, 1.5 kΩ to ground";
+constexpr std::string_view phototransistor = "phototransistor behind a filter of this colour to 5 V, 10 kΩ to ground";
+
+constexpr auto sensor_parts = std::to_array<SensorPart>({
+    {Channel::light, photoresistor, "covered", "lamp in front of it"},
+    {Channel::red, phototransistor, "covered", "red lamp in front of it"},
+    {Channel::green, phototransistor, "covered", "green lamp in front of it"},
+    {Channel::blue, phototransistor, "covered", "blue lamp in front of it"},
+    {Channel::heat, "thermistor NTC 10 kΩ to 5 V, 10 kΩ to ground", "room", "warm source in front of it"},
+    {Channel::smell, "gas sensor module MQ-3, analog output", "clean air", "alcohol in front of it"},
+    {Channel::oxygen, "", "", ""},
+    {Channel::obstacle, "infrared distance sensor GP2Y0A21 (10 cm to 80 cm)", "nothing in front of it",
+     "obstacle at 10 cm"},
+    {Channel::predator, "", "", ""},
+    {Channel::prey, "", "", ""},
+    {Channel::vehicle, "", "", ""},
+    {Channel::memory, "", "", ""},
+    {Channel::touch, "switch to 5 V, 10 kΩ to ground", "released", "pressed"},
+    {Channel::floor, "reflective sensor TCRT5000 module, analog output, 3 mm above the floor", "above black",
+     "above white"},
+    {Channel::energy, "battery through a divider 10 kΩ : 10 kΩ", "empty battery", "full battery"},
+});
+
+constexpr std::string_view readme_text = R"(# The brain "@TITLE@" on an Arduino Uno
+
+Exported from Braitenlab. The program computes the same commands as the lab: it was compared with it in a simulator of the
+processor. **Nobody has tried this export on a real robot yet**; please report what you find.
+
+| File | Contents |
+|---|---|
+| `braitenberg/braitenberg.ino` | the sketch: eyes, motors, calibration |
+| `braitenberg/brain.h` | the brain, one function that you can read |
+| `wiring.svg` | the wiring |
+| `parts.csv` | the shopping list |
+
+## Wiring
+
+![Wiring](wiring.svg)
+
+@PINS@
+| Sensor | Pin | Part |
+|---|---|---|
+@SENSORS@
+All grounds are connected: battery, driver, Arduino. The driver's motor supply (VM of a TB6612, +12V of an L298N) is the battery, not the
+5 V of the Arduino. Left motor: AO1, AO2 (OUT1, OUT2). Right motor: BO1, BO2 (OUT3, OUT4).
+VIN is the battery, too. Four cells give 6 V, just enough for the Uno; if it restarts when the motors start, supply it from a power bank
+by USB and keep the battery for the motors.
+With an L298N remove the jumpers of ENA and ENB. It loses about 2 V, so take six cells instead of four.
+
+## First start
+
+1. Open `braitenberg/braitenberg.ino` in the Arduino program, choose *Arduino Uno*, upload. Open the serial monitor at 115200 baud:
+   it says each step. Without a computer the light on the board blinks while it waits for the button.
+2. **Wheels off the floor.** Swap the two wires of a motor that turns backwards.
+3. **Eyes**, one after the other: cover it, press the button; put the lamp where the reading should be 1, press the button. Do it in
+   the room where the robot will drive: a room of 300 lx moves the dark value. If both values are nearly the same, it asks again.
+4. **Minimum PWM**: press the button, the left wheel gets slowly more; press again as soon as it turns. Then the right one. Without this
+   step small commands do not turn the wheels at all, and the brain seems dead.
+5. **Straight run**: on the floor, press the button, step back. It drives for 3 s. Press once if it turned left, twice if it turned right, and
+   it repeats with the faster wheel 2 % slower. Wait 5 s if it was straight.
+
+The values are kept in the EEPROM. To calibrate again, hold the button during reset.
+
+## What transfers and what does not
+
+- Light seekers and light avoiders work with motors that differ by 20 %, with noise and with a latency of 0.3 s, because the eyes correct
+  the course. What has no feedback drifts: a circle or a dance by biases alone will not close.
+- The lamp must be brighter than the room at the eye: a torch, or a lamp within 0.5 m, and less than 20 lx otherwise (curtains).
+- The speed of a wheel is not measured. PWM and speed are only roughly proportional.
+)";
+
+std::string pin_table() {
+    std::string text = "| Pin | TB6612 | L298N | |\n|---|---|---|---|\n";
+    for (const MotorPin& pin : motor_pins)
+        text += fmt::format("| {} | {} | {} | `{}` |\n", pin.pin, pin.tb6612, pin.l298n.empty() ? "–" : pin.l298n,
+                            pin.constant);
+    return text + fmt::format("| {} | – | – | button to ground |\n", button_pin);
+}
+
+// A text for a cell of a table in Markdown.
+std::string cell(const std::string& text) {
+    std::string clean = comment_text(text);
+    std::replace(clean.begin(), clean.end(), '|', '/');
+    return clean;
+}
+
+}  // namespace
+
+const SensorPart& part_of(const Input& input) {
+    return sensor_parts[static_cast<std::size_t>(input.channel.value_or(Channel::light))];
+}
+
+std::string readme(const Plan& plan) {
+    std::string sensors;
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+        const SensorPart& part = part_of(plan.inputs[i]);
+        sensors += fmt::format("| {} | {} | {}; 0: {}, 1: {} |\n", cell(plan.inputs[i].name), pin_of_input(i),
+                               part.part, part.zero, part.one);
+    }
+    return filled(readme_text, {{"TITLE", comment_text(plan.title)}, {"PINS", pin_table()}, {"SENSORS", sensors}});
+}
+
+std::string parts_csv(const Plan& plan) {
+    std::string text =
+        "number,part,note\n"
+        "1,Arduino Uno,or a compatible board with an ATmega328P\n"
+        "1,TB6612 board,or an L298N board with six cells\n"
+        "1,chassis with two TT motors 1:48 and wheels of 65 mm,with a castor\n"
+        "1,battery holder for four AA cells,six with an L298N; with a switch\n"
+        "1,push button,\n";
+    for (const Input& input : plan.inputs)
+        text += fmt::format("1,\"{}\",\"for sensor {}\"\n", part_of(input).part, cell(input.name).c_str());
+    return text + "1,set of jumper wires and a half breadboard,\n";
+}
+
+}  // namespace braitenlab::robots::arduino

@@ -1,0 +1,242 @@
+#include "core/export/micropython.h"
+
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "core/export/arduino.h"
+#include "core/export/text.h"
+#include "core/scene/enums.h"
+#include "core/scene/nearest.h"
+
+namespace braitenlab::robots::micropython {
+
+namespace {
+
+// The response curves, as core/brain/curve.h defines them. An exponent above 80 gives the same float as 80.
+struct Function {
+    Response response;
+    std::string_view text;
+};
+constexpr Function functions[] = {
+    {Response::rectified, "def rectified(x):\n    return x if x > 0 else 0.0\n"},
+    {Response::step, "def step(x, threshold):\n    return 1.0 if x >= threshold else 0.0\n"},
+    {Response::sigmoid, "def sigmoid(x, centre, width):\n    return 1 / (1 + exp(min(80, -(x - centre) / width)))\n"},
+    {Response::hump, "def hump(x, peak, width):\n    t = (x - peak) / width\n    return exp(-min(80, t * t))\n"},
+    {Response::inverted, "def inverted(x):\n    return 1 - x\n"},
+};
+
+bool uses(const Plan& plan, Response response) {
+    for (const PlanUnit& unit : plan.units) {
+        if (unit.curve.response == response) return true;
+        for (const PlanTap& tap : unit.taps)
+            if (tap.curve.response == response) return true;
+    }
+    return false;
+}
+
+bool uses_threshold(const Plan& plan) {
+    for (const PlanUnit& unit : plan.units)
+        for (const PlanTap& tap : unit.taps)
+            if (tap.threshold > 0) return true;
+    return false;
+}
+
+std::string through(const Curve& curve, const std::string& x) {
+    const ResponseTraits& row = traits(curve.response);
+    if (curve.response == Response::linear) return x;
+    std::string text = fmt::format("{}({}", row.word, x);
+    if (row.has_peak) text += ", " + number(curve.peak);
+    if (row.has_width) text += ", " + number(curve.width);
+    return text + ")";
+}
+
+// Values of the previous step are global; those of this step have "new_" before their name.
+std::string reading(const Plan& plan, const PlanTap& tap) {
+    const auto index = static_cast<std::size_t>(tap.source);
+    if (tap.reads == Reads::sensor) return plan.inputs[index].id;
+    return (tap.reads == Reads::now ? "new_" : "") + plan.units[index].id;
+}
+
+std::string product(const Plan& plan, const PlanTap& tap) {
+    std::string x = reading(plan, tap);
+    if (tap.threshold > 0) x = fmt::format("masked({}, {})", x, number(tap.threshold));
+    const std::string weight =
+        tap.learned_id.empty() ? number(tap.weight) : fmt::format("({} + {})", number(tap.weight), tap.learned_id);
+    return fmt::format("    s += {} * {}\n", weight, through(tap.curve, x));
+}
+
+std::string lines_of(const Plan& plan, const PlanUnit& unit, bool motor) {
+    std::string text = fmt::format("    # {} {}\n    s = {}\n", motor ? "motor" : "neuron", comment_text(unit.name),
+                                   number(unit.bias));
+    for (const PlanTap& tap : unit.taps) text += product(plan, tap);
+    std::string value = through(unit.curve, "s");
+    if (unit.follow < 1) value = fmt::format("{0} + {1} * ({2} - {0})", unit.id, number(unit.follow), value);
+    if (unit.value.low <= -largest_value || unit.value.high >= largest_value)
+        value = fmt::format("max(-1000.0, min(1000.0, {}))", value);
+    return text + fmt::format("    new_{} = {}\n", unit.id, value);
+}
+
+std::string learning(const Plan& plan) {
+    std::string text;
+    for (const PlanUnit& unit : plan.units)
+        for (const PlanTap& tap : unit.taps) {
+            if (tap.learned_id.empty()) continue;
+            text += fmt::format(
+                "    # learns while both ends are active, and fades\n"
+                "    {0} += ({1} * {2} * new_{3} - {4} * {0}) / RATE_HZ\n"
+                "    {0} = max({5}, min({6}, {0}))\n",
+                tap.learned_id, number(tap.learning_rate), reading(plan, tap), unit.id, number(tap.decay),
+                number(-limits::weight - tap.weight), number(limits::weight - tap.weight));
+        }
+    return text;
+}
+
+constexpr std::string_view main_text =
+    R"(# The brain "@TITLE@" on a micro:bit. Exported from Braitenlab. README.md has the pins.
+# Button A: drive, and stop. Button B: print the sensors.
+from microbit import *
+import brain
+
+# Calibration: write your own values. Button B prints what a sensor reads.
+DARK = [@DARK@]  # of each sensor, at its reading 0
+BRIGHT = [@BRIGHT@]  # at its reading 1
+MINIMUM = [180, 180]  # of 1023: PWM from which the left and the right wheel turn
+FASTEST = [1023, 1023]  # less for the faster motor, so that it drives straight
+
+EYES = [@EYES@]
+MOTORS = [[pin8, pin12, pin13], [pin16, pin14, pin15]]  # left and right: PWM, forwards, backwards
+
+
+def eye(i):  # 0 to 1
+    return max(0, min(1, (EYES[i].read_analog() - DARK[i]) / (BRIGHT[i] - DARK[i])))
+
+
+def drive(wheel, command):  # -1 to 1
+    size = abs(command)
+    pwm = 0 if size < @SMALLEST@ else int(MINIMUM[wheel] + size * (FASTEST[wheel] - MINIMUM[wheel]) + 0.5)
+    MOTORS[wheel][1].write_digital(1 if command > 0 else 0)
+    MOTORS[wheel][2].write_digital(1 if command < 0 else 0)
+    MOTORS[wheel][0].write_analog(pwm)
+
+
+display.off()  # its pins are free then
+driving = False
+while True:
+    start = running_time()
+    if button_a.was_pressed():
+        driving = not driving
+    if button_b.was_pressed():
+        print([e.read_analog() for e in EYES])
+    left, right = brain.think(@ARGUMENTS@)
+    drive(0, left if driving else 0)
+    drive(1, right if driving else 0)
+    sleep(max(0, 1000 // brain.RATE_HZ - (running_time() - start)))
+)";
+
+constexpr std::string_view readme_text = R"(# The brain "@TITLE@" on a micro:bit
+
+Exported from Braitenlab. `brain.py` was compared with the lab in MicroPython 1.9.2 for the micro:bit, in an emulator. **Pins, motors and
+eyes (`main.py`) have not been tried on a real robot**; please report what you find.
+
+| File | Contents |
+|---|---|
+| `brain.py` | the brain, one function that you can read: @BYTES@ bytes |
+| `main.py` | pins, calibration values, the loop |
+
+Copy both files to the micro:bit, for example with the editor Mu.
+
+| Pin | TB6612 | |
+|---|---|---|
+| P8, P12, P13 | PWMA, AIN1, AIN2 | left motor |
+| P16, P14, P15 | PWMB, BIN1, BIN2 | right motor |
+| 3V | VCC, STBY | |
+| GND | GND | also the battery's |
+
+| Sensor | Pin | Part (with 3 V instead of 5 V) |
+|---|---|---|
+@SENSORS@
+Calibrate by writing values into `main.py`: button B prints what the sensors read, covered (`DARK`) and in front of the lamp (`BRIGHT`).
+Raise `MINIMUM` until each wheel just turns; lower `FASTEST` of the faster motor until it drives straight. Button A starts and stops.
+)";
+
+}  // namespace
+
+std::optional<Error> refusal(const Plan& plan) {
+    for (const Input& input : plan.inputs)
+        if (arduino::part_of(input).part.empty())
+            return Error{fmt::format("the sensor {} senses {}, for which the robot has no part; cut its wires",
+                                     in_quotes(input.name), word(*input.channel))};
+    if (plan.inputs.size() > static_cast<std::size_t>(analog_inputs))
+        return Error{fmt::format(
+            "the sensor {} has no pin: a micro:bit has {} analog inputs and the brain uses {} "
+            "sensors; cut the wires of some",
+            in_quotes(plan.inputs[static_cast<std::size_t>(analog_inputs)].name), analog_inputs, plan.inputs.size())};
+    const std::size_t bytes = brain_py(plan).size();
+    if (bytes > static_cast<std::size_t>(largest_brain))
+        return Error{fmt::format("the program has {} bytes, and a micro:bit compiles {}; cut wires or neurons", bytes,
+                                 largest_brain)};
+    return std::nullopt;
+}
+
+std::string brain_py(const Plan& plan) {
+    std::string text =
+        fmt::format("# The brain \"{}\", exported from Braitenlab. Call think() {:g} times per second.\n",
+                    comment_text(plan.title), plan.rate_hz);
+    if (uses(plan, Response::sigmoid) || uses(plan, Response::hump)) text += "from math import exp\n\n";
+    text += fmt::format("RATE_HZ = {:g}\n", plan.rate_hz);
+    std::string kept, stored;
+    const auto keep = [&](const std::string& id) {
+        text += id + " = 0.0\n";
+        kept += (kept.empty() ? "" : ", ") + id;
+    };
+    for (const PlanUnit& unit : plan.units) {
+        if (!unit.is_kept) continue;
+        keep(unit.id);
+        stored += fmt::format("    {0} = new_{0}\n", unit.id);
+    }
+    for (const PlanUnit& unit : plan.units)
+        for (const PlanTap& tap : unit.taps)
+            if (!tap.learned_id.empty()) keep(tap.learned_id);
+    if (uses_threshold(plan)) text += "\n\ndef masked(x, threshold):\n    return 0.0 if abs(x) < threshold else x\n";
+    for (const Function& function : functions)
+        if (uses(plan, function.response)) text += "\n\n" + std::string(function.text);
+    std::string parameters;
+    for (const Input& input : plan.inputs) parameters += (parameters.empty() ? "" : ", ") + input.id;
+    text += fmt::format(
+        "\n\n# Sensors 0 to 1; returns the commands of the left and the right wheel, -1 to 1.\n"
+        "def think({}):\n",
+        parameters);
+    if (!kept.empty()) text += fmt::format("    global {}\n", kept);
+    for (std::size_t u = 0; u < plan.units.size(); ++u) text += lines_of(plan, plan.units[u], u >= plan.hidden());
+    text += learning(plan) + stored;
+    return text + fmt::format("    return max(-1, min(1, new_{})), max(-1, min(1, new_{}))\n",
+                              plan.units[plan.hidden()].id, plan.units[plan.hidden() + 1].id);
+}
+
+std::string main_py(const Plan& plan) {
+    std::string dark, bright, eyes, arguments;
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+        const std::string comma = i > 0 ? ", " : "";
+        dark += comma + "100", bright += comma + "900";
+        eyes += fmt::format("{}pin{}", comma, i), arguments += fmt::format("{}eye({})", comma, i);
+    }
+    return filled(main_text, {{"TITLE", comment_text(plan.title)},
+                              {"DARK", dark},
+                              {"BRIGHT", bright},
+                              {"EYES", eyes},
+                              {"ARGUMENTS", arguments},
+                              {"SMALLEST", number(arduino::smallest_command)}});
+}
+
+std::string readme(const Plan& plan) {
+    std::string sensors;
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i)
+        sensors += fmt::format("| {} | P{} | {} |\n", comment_text(plan.inputs[i].name), i,
+                               arduino::part_of(plan.inputs[i]).part);
+    return filled(
+        readme_text,
+        {{"TITLE", comment_text(plan.title)}, {"BYTES", std::to_string(brain_py(plan).size())}, {"SENSORS", sensors}});
+}
+
+}  // namespace braitenlab::robots::micropython

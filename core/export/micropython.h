@@ -1,0 +1,27 @@
+// A brain as MicroPython for a BBC micro:bit with a motor driver.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/export/plan.h"
+#include "core/result.h"
+
+namespace braitenlab::robots::micropython {
+
+inline constexpr int analog_inputs = 3;     // P0 to P2; other analog pins drive the display
+inline constexpr int largest_brain = 2500;  // bytes of brain.py; tests run one of this size on 16 KB of memory
+
+// The first part that the robot cannot hold, with its name: a sensor without a part or without a pin, a brain too
+// large.
+std::optional<Error> refusal(const Plan&);
+
+// brain.py: the function think(), also valid in CPython 3. Needs the module math only, for sigmoids and humps.
+std::string brain_py(const Plan&);
+
+// main.py: pins, calibration values and the loop.
+std::string main_py(const Plan&);
+
+std::string readme(const Plan&);
+
+}  // namespace braitenlab::robots::micropython

@@ -1,0 +1,255 @@
+#include "core/export/opamp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "core/export/text.h"
+#include "core/scene/enums.h"
+#include "core/scene/nearest.h"
+
+namespace braitenlab::robots::opamp {
+
+namespace {
+
+constexpr double largest_ohms = 10e6;
+constexpr double largest_error = 0.004;  // of a command, by a single resistor
+constexpr double least_weight = feedback_ohms / largest_ohms;
+
+const std::string& input_name(const Plan& plan, const PlanTap& tap) {
+    return plan.inputs[static_cast<std::size_t>(tap.source)].name;
+}
+
+std::string buffered(const Plan& plan, const PlanTap& tap) {
+    return "buffered_" +
+           plan.inputs[static_cast<std::size_t>(tap.source)].id.substr(std::string_view("sensor_").size());
+}
+
+// Conductances are in units of 1/Rf.
+double exact_share(const Resistor& r) { return feedback_ohms / r.exact; }
+double e24_share(const Resistor& r) {
+    double share = 0;
+    for (const double ohms : r.e24) share += feedback_ohms / ohms;
+    return share;
+}
+
+// The conductance at the inverting input minus that at the other one.
+double imbalance(const std::vector<Resistor>& resistors, const std::string& side, double (*share)(const Resistor&)) {
+    double difference = 0;
+    for (const Resistor& r : resistors) difference += (r.to == side + "_minus" ? 1 : -1) * share(r);
+    return difference;
+}
+
+// The next value of E24 that is not smaller.
+double e24_above(double ohms) {
+    const double nearest = nearest_e24(ohms);
+    return nearest >= ohms ? nearest : nearest_e24(nearest * 1.1);
+}
+
+std::vector<double> e24_of(double ohms) {
+    const double single = nearest_e24(ohms);
+    if (feedback_ohms * std::fabs(1 / single - 1 / ohms) <= largest_error) return {single};
+    const double first = e24_above(ohms), rest = 1 / (1 / ohms - 1 / first);
+    if (!(rest <= largest_ohms)) return {first};
+    return {first, nearest_e24(rest)};
+}
+
+// What the circuit computes with its E24 values: the weight of each node that drives it.
+std::map<std::string, double> e24_weights(const std::vector<Resistor>& resistors, const std::string& side) {
+    double minus = 0, plus = 0, feedback = 1;
+    for (const Resistor& r : resistors) {
+        (r.to == side + "_minus" ? minus : plus) += e24_share(r);
+        if (r.from == side) feedback = e24_share(r);
+    }
+    std::map<std::string, double> weights;
+    for (const Resistor& r : resistors) {
+        if (r.from == side || r.from == "0") continue;
+        // Both inputs have one voltage: at the non-inverting one the mean of its nodes, weighted by conductance.
+        weights[r.from] += e24_share(r) * (r.to == side + "_minus" ? -1 / feedback : minus / (plus * feedback));
+    }
+    return weights;
+}
+
+std::string ohms_text(double ohms) {
+    if (ohms >= 1e6) return fmt::format("{:.4g} MΩ", ohms / 1e6);
+    return ohms >= 1e3 ? fmt::format("{:.4g} kΩ", ohms / 1e3) : fmt::format("{:.4g} Ω", ohms);
+}
+
+std::string e24_text(const Resistor& r) {
+    return ohms_text(r.e24[0]) + (r.e24.size() > 1 ? " ∥ " + ohms_text(r.e24[1]) : "");
+}
+
+std::vector<std::pair<std::string, const PlanUnit*>> motors_of(const Plan& plan) {
+    return {{"left", &plan.units[plan.hidden()]}, {"right", &plan.units[plan.hidden() + 1]}};
+}
+
+std::string node_text(const std::string& node) {
+    if (node == "0") return "ground";
+    if (node == "v5") return "5 V";
+    return node;
+}
+
+}  // namespace
+
+double nearest_e24(double ohms) {
+    constexpr double series[] = {1.0, 1.1, 1.2, 1.3, 1.5, 1.6, 1.8, 2.0, 2.2, 2.4, 2.7, 3.0, 3.3,
+                                 3.6, 3.9, 4.3, 4.7, 5.1, 5.6, 6.2, 6.8, 7.5, 8.2, 9.1, 10.0};
+    const double decade = std::pow(10.0, std::floor(std::log10(ohms)));
+    double best = series[0];
+    for (const double value : series)
+        if (std::fabs(std::log(value * decade / ohms)) < std::fabs(std::log(best * decade / ohms))) best = value;
+    return best * decade;
+}
+
+std::vector<Resistor> summer(const Plan& plan, const PlanUnit& motor, const std::string& side) {
+    std::vector<Resistor> resistors;
+    const auto add = [&](const std::string& from, double weight) {
+        const double ohms = feedback_ohms / std::fabs(weight);
+        resistors.push_back({from, side + (weight < 0 ? "_minus" : "_plus"), ohms, e24_of(ohms)});
+    };
+    resistors.push_back({side, side + "_minus", feedback_ohms, {feedback_ohms}});
+    for (const PlanTap& tap : motor.taps) add(buffered(plan, tap), tap.weight);
+    if (motor.bias != 0) add("v5", motor.bias);
+    // The balance of the E24 circuit makes up for what the other values are off.
+    const double exact = imbalance(resistors, side, exact_share), e24 = imbalance(resistors, side, e24_share);
+    // A motor without a positive part has its other input at ground.
+    if (std::fabs(exact) < least_weight) return resistors;
+    resistors.push_back({"0", side + (exact > 0 ? "_plus" : "_minus"), feedback_ohms / std::fabs(exact),
+                         e24_of(feedback_ohms / std::max(exact > 0 ? e24 : -e24, least_weight))});
+    return resistors;
+}
+
+std::optional<Error> refusal(const Plan& plan) {
+    const std::string_view circuit = "which this circuit cannot hold";
+    if (plan.hidden() > 0)
+        return Error{fmt::format("{} is a neuron, {}; take wires from sensors to motors only",
+                                 in_quotes(plan.units[0].name), circuit)};
+    for (const PlanUnit& motor : plan.units) {
+        const std::string name = in_quotes(motor.name);
+        if (motor.curve.response != Response::linear)
+            return Error{
+                fmt::format("the curve of {} is {}, {}; take a linear one", name, word(motor.curve.response), circuit)};
+        if (motor.follow < 1) return Error{fmt::format("{} has a time constant, {}; set it to 0", name, circuit)};
+        if (motor.bias != 0 && std::fabs(motor.bias) < least_weight)
+            return Error{fmt::format("the bias of {} is too small for a resistor; set it to 0", name)};
+        for (const PlanTap& tap : motor.taps) {
+            if (tap.reads != Reads::sensor)
+                return Error{fmt::format("a wire into {} comes from a motor, {}; cut it", name, circuit)};
+            const std::string wire = fmt::format("the wire from {} to {}", in_quotes(input_name(plan, tap)), name);
+            if (tap.learning_rate > 0)
+                return Error{fmt::format("{} learns, {}; set its learning rate to 0", wire, circuit)};
+            if (tap.threshold > 0) return Error{fmt::format("{} has a threshold, {}; set it to 0", wire, circuit)};
+            if (tap.curve.response != Response::linear)
+                return Error{
+                    fmt::format("{} has the curve {}, {}; take a linear one", wire, word(tap.curve.response), circuit)};
+            if (std::fabs(tap.weight) < least_weight)
+                return Error{fmt::format("{} is too weak for a resistor; set it to 0 or to {:g}", wire, least_weight)};
+        }
+    }
+    return std::nullopt;
+}
+
+double e24_error(const Plan& plan) {
+    double worst = 0;
+    for (const auto& [side, motor] : motors_of(plan)) {
+        std::map<std::string, double> off = e24_weights(summer(plan, *motor, side), side);
+        for (const PlanTap& tap : motor->taps) off[buffered(plan, tap)] -= static_cast<double>(tap.weight);
+        if (motor->bias != 0) off["v5"] -= static_cast<double>(motor->bias);
+        // The bias is always on; each reading is 0 to 1.
+        double high = off["v5"], low = off["v5"];
+        for (const auto& [node, error] : off)
+            if (node != "v5") (error > 0 ? high : low) += error;
+        worst = std::max({worst, high, -low});
+    }
+    return worst;
+}
+
+std::string netlist(const Plan& plan, bool exact) {
+    std::string pins, text;
+    for (const Input& input : plan.inputs) pins += input.id + " ";
+    text = fmt::format(
+        "* The brain \"{}\" as a circuit, exported from Braitenlab. Resistors: {}.\n"
+        "* 5 V stand for 1. Include this file, then: X1 {}left right v5 brain\n\n"
+        "* Operational amplifier between 0 and 7.5 V, as an LM324 at 9 V.\n"
+        ".options reltol=1e-6 vntol=1e-9 abstol=1e-15\n"
+        ".subckt opamp plus minus out\n"
+        "Bout out 0 V = 3.75 + 3.75 * tanh(10000 * (V(plus) - V(minus)))\n"
+        "Rin plus minus 100meg\n.ends\n\n"
+        ".subckt brain {}left right v5\n",
+        comment_text(plan.title), exact ? "exact values" : "nearest of E24", pins, pins);
+    for (const Input& input : plan.inputs) {
+        const std::string name = input.id.substr(std::string_view("sensor_").size());
+        text += fmt::format("XB_{0} {1} buffered_{0} buffered_{0} opamp\n", name, input.id);
+    }
+    for (const auto& [side, motor] : motors_of(plan)) {
+        text += fmt::format("\n* {} motor\n", side);
+        const auto resistors = summer(plan, *motor, side);
+        int number = 0;
+        bool has_plus = false;
+        for (const Resistor& r : resistors) {
+            has_plus |= r.to == side + "_plus";
+            for (const double ohms : exact ? std::vector<double>{r.exact} : r.e24)
+                text += fmt::format("R{}_{} {} {} {:.7g}\n", side, ++number, r.from, r.to, ohms);
+        }
+        if (!has_plus) text += fmt::format("R{}_{} 0 {}_plus 1\n", side, ++number, side);
+        text += fmt::format("XU_{0} {0}_plus {0}_minus {0} opamp\n", side);
+    }
+    return text + ".ends\n";
+}
+
+std::string readme(const Plan& plan) {
+    std::string rows, sensors;
+    for (const auto& [side, motor] : motors_of(plan))
+        for (const Resistor& r : summer(plan, *motor, side))
+            rows += fmt::format("| {} | {} | {} | {} |\n", node_text(r.from), node_text(r.to), ohms_text(r.exact),
+                                e24_text(r));
+    for (const Input& input : plan.inputs)
+        sensors += fmt::format(
+            "- `{}`: 0 V to 5 V, through a buffer (output connected to the inverting input) to `buffered_{}`\n",
+            input.id, input.id.substr(std::string_view("sensor_").size()));
+    constexpr std::string_view text = R"(# The brain "@TITLE@" as a circuit
+
+Exported from Braitenlab. The circuit was compared with the lab in ngspice. **Nobody has soldered it yet**; please report what you find.
+
+5 V stand for 1. Parts: @CHIPS@ × LM324 at 9 V, a 5 V regulator for `v5`, resistors of 1 %.
+
+@SENSORS@
+`left` and `right` are the outputs of two more amplifiers, 0 V to 7.5 V. **A negative command gives 0 V**: the wheel stops and does not
+turn backwards. Above 1 the output rises to 7.5 V. Outputs drive the input of a motor driver, not a motor.
+
+| From | To | Exact | E24 |
+|---|---|---|---|
+@ROWS@
+`left_minus` and `left_plus` are the inverting and the other input of the left amplifier. An input without a resistor is connected
+to ground.
+
+∥: two resistors in parallel. With these E24 values, a command is off by at most @ERROR@ %. Resistors of 1 % add about 1 % to 2 % (in
+simulations of every shipped brain).
+
+| File | Contents |
+|---|---|
+| `brain.cir` | netlist for ngspice and LTspice with the E24 values |
+| `brain-exact.cir` | with the exact values |
+| `parts.csv` | the resistors |
+)";
+    return filled(text, {{"TITLE", comment_text(plan.title)},
+                         {"CHIPS", std::to_string((plan.inputs.size() + 2 + 3) / 4)},
+                         {"SENSORS", sensors},
+                         {"ROWS", rows},
+                         {"ERROR", fmt::format("{:.1f}", 100 * e24_error(plan))}});
+}
+
+std::string parts_csv(const Plan& plan) {
+    std::string text = "part,value,from,to\n";
+    for (const auto& [side, motor] : motors_of(plan))
+        for (const Resistor& r : summer(plan, *motor, side))
+            for (const double ohms : r.e24)
+                text += fmt::format("resistor 1 %,{},{},{}\n", ohms_text(ohms), node_text(r.from), node_text(r.to));
+    return text + fmt::format("operational amplifier,LM324,{} pieces,\nregulator,5 V,9 V battery,v5\n",
+                              (plan.inputs.size() + 2 + 3) / 4);
+}
+
+}  // namespace braitenlab::robots::opamp

@@ -1,0 +1,114 @@
+// The wiring picture of the Arduino export: sensors on the left, the Uno in the middle, driver and motors on the right.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/export/arduino.h"
+#include "core/export/text.h"
+
+namespace braitenlab::robots::arduino {
+
+namespace {
+
+constexpr int row_height = 34, sensor_height = 62, board_x = 330, board_width = 200, driver_x = 650, driver_width = 150,
+              top = 90;
+
+std::string label(int x, int y, std::string_view anchor, const std::string& text, std::string_view style = "") {
+    return fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, anchor, style, xml_text(text));
+}
+
+std::string box(int x, int y, int width, int height, const std::string& title) {
+    return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"6\" class=\"part\"/>\n", x, y, width,
+                       height) +
+           label(x + width / 2, y - 10, "middle", title, " class=\"title\"");
+}
+
+// A divider: 5 V, the sensor, the input, and a resistor to ground where the part has one. A module: its three pins.
+std::string sensor_row(const Plan& plan, std::size_t i) {
+    const int y = top + 40 + static_cast<int>(i) * sensor_height;
+    const std::string part(part_of(plan.inputs[i]).part);
+    const std::size_t comma = part.find(" to 5 V, ");
+    const bool divider = comma != std::string::npos && part.ends_with(" to ground");
+    const std::string module = part.substr(0, part.find_first_of(",("));
+    std::string text = label(20, y + 5, "start", plan.inputs[i].name, " class=\"title\"") +
+                       label(100, y - 14, "start", divider ? part.substr(0, comma) : module, " class=\"small\"") +
+                       fmt::format("<rect x=\"100\" y=\"{}\" width=\"56\" height=\"20\" class=\"part\"/>\n", y - 10) +
+                       label(94, y + 4, "end", divider ? "5 V" : "5 V, GND", " class=\"small\"") +
+                       fmt::format("<path d=\"M156 {}H{}\" stroke=\"#0072b2\"/>\n", y, board_x) +
+                       label(board_x + 8, y + 5, "start", pin_of_input(i));
+    if (!divider) return text;
+    const std::string resistor =
+        part.substr(comma + 9, part.size() - comma - 9 - std::string_view(" to ground").size());
+    return text +
+           fmt::format("<circle cx=\"200\" cy=\"{0}\" r=\"3.5\"/><path d=\"M200 {0}v16H214\" stroke=\"#555\"/>\n", y) +
+           fmt::format("<rect x=\"214\" y=\"{}\" width=\"36\" height=\"12\" class=\"part\"/>\n", y + 10) +
+           label(256, y + 20, "start", "GND", " class=\"small\"") +
+           label(232, y + 35, "middle", resistor, " class=\"small\"");
+}
+
+std::string motor(int y, const char* name, const char* outputs) {
+    const int x = driver_x + driver_width;
+    return fmt::format("<path d=\"M{} {}H{}M{} {}H{}\" stroke=\"#555\"/>\n", x, y - 6, x + 70, x, y + 6, x + 70) +
+           fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"26\" class=\"part\"/>\n", x + 90, y) +
+           label(x + 90, y + 5, "middle", "M") + label(x + 90, y + 46, "middle", name) +
+           label(x + 90, y + 62, "middle", outputs, " class=\"small\"");
+}
+
+}  // namespace
+
+std::string wiring_svg(const Plan& plan) {
+    const int height = std::max(static_cast<int>(plan.inputs.size()) * sensor_height,
+                                (static_cast<int>(motor_pins.size()) + 1) * row_height) +
+                       50;
+    const int bottom = top + height;
+    std::string text = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 980 {0}\" width=\"980\" height=\"{0}\">\n"
+        "<style>text{{font:14px sans-serif;fill:#222}} .title{{font-weight:bold}} .small{{font-size:11px;fill:#555}}\n"
+        ".part{{fill:#f4f1ea;stroke:#444}} path{{fill:none;stroke-width:2}}</style>\n"
+        "<rect width=\"980\" height=\"{0}\" fill=\"#fff\"/>\n",
+        bottom + 130);
+    text += label(20, 34, "start", "Wiring: " + plan.title, " class=\"title\"");
+    text += box(board_x, top, board_width, height, "Arduino Uno");
+    text += box(driver_x, top, driver_width, height, "TB6612 (L298N)");
+    if (!plan.inputs.empty()) text += label(20, top - 10, "start", "Sensors", " class=\"title\"");
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i) text += sensor_row(plan, i);
+    for (std::size_t i = 0; i < motor_pins.size(); ++i) {
+        const MotorPin& pin = motor_pins[i];
+        const int y = top + 40 + static_cast<int>(i) * row_height;
+        const std::string driver =
+            pin.l298n.empty() ? std::string(pin.tb6612) : fmt::format("{} ({})", pin.tb6612, pin.l298n);
+        text += fmt::format("<path d=\"M{} {}H{}\" stroke=\"{}\"/>\n", board_x + board_width, y, driver_x,
+                            i < 3   ? "#d55e00"
+                            : i < 6 ? "#009e73"
+                                    : "#555");
+        text += label(board_x + board_width - 8, y + 5, "end", std::to_string(pin.pin)) +
+                label(driver_x + 8, y + 5, "start", driver);
+    }
+    const int button_y = top + 40 + static_cast<int>(motor_pins.size()) * row_height;
+    text += label(board_x + board_width - 8, button_y + 5, "end", std::to_string(button_pin)) +
+            fmt::format("<path d=\"M{} {}h20\" stroke=\"#555\"/>\n", board_x + board_width, button_y) +
+            label(board_x + board_width + 26, button_y + 5, "start", "button to GND", " class=\"small\"");
+    text += motor(top + 70, "left motor", "AO1, AO2 (OUT1, OUT2)") +
+            motor(top + 210, "right motor", "BO1, BO2 (OUT3, OUT4)");
+    // Supply: battery to the driver and to VIN; all grounds together.
+    const int red = bottom + 30, black = bottom + 60;
+    text += fmt::format("<path d=\"M40 {0}H{1}V{2}M{3} {0}V{2}\" stroke=\"#c00\"/>\n", red, driver_x + 50, bottom,
+                        board_x + 60) +
+            fmt::format("<path d=\"M40 {0}H{1}V{2}M{3} {0}V{2}\" stroke=\"#000\"/>\n", black, driver_x + 100, bottom,
+                        board_x + 120);
+    text += label(40, red - 8, "start", "battery +") + label(40, black - 8, "start", "battery −") +
+            label(board_x + 54, bottom - 8, "middle", "VIN", " class=\"small\"") +
+            label(board_x + 120, bottom - 8, "middle", "GND", " class=\"small\"") +
+            label(driver_x + 46, bottom - 8, "middle", "VM (12V)", " class=\"small\"") +
+            label(driver_x + 108, bottom - 8, "middle", "GND", " class=\"small\"");
+    text += label(
+        40, bottom + 92, "start",
+        "Each resistive sensor: from 5 V through the sensor to the input, from the input through its resistor to GND. "
+        "Modules: 5 V, GND, output to the input.",
+        " class=\"small\"");
+    text += label(40, bottom + 110, "start",
+                  "TB6612: VCC to 5 V of the Arduino. L298N: remove the jumpers of ENA and ENB.", " class=\"small\"");
+    return text + "</svg>\n";
+}
+
+}  // namespace braitenlab::robots::arduino

@@ -1,0 +1,75 @@
+// braitenctl export and think: files, exit codes and messages.
+#include "tests/robots/exported.h"
+
+namespace braitenlab::tests::ctl_export_test {
+namespace {
+
+Ran ctl(const std::string& arguments) { return shell(BRAITENLAB_BINARY "/braitenctl " + arguments); }
+
+std::set<std::string> files_in(const fs::path& folder) {
+    std::set<std::string> names;
+    if (!fs::exists(folder)) return names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) names.insert(fs::relative(entry.path(), folder).generic_string());
+    return names;
+}
+
+TEST(CtlExport, WritesTheFilesOfATargetAndPrintsTheirNames) {
+    const Folder folder;
+    const std::string out = (folder / "new" / "robot").string();
+    const Ran ran = ctl("export 3a-love --to arduino --out " + out);
+    EXPECT_EQ(ran.code, 0) << ran.out;
+    EXPECT_EQ(files_in(out), (std::set<std::string>{"README.md", "parts.csv", "wiring.svg", "braitenberg/brain.h",
+                                                    "braitenberg/braitenberg.ino"}));
+    EXPECT_NE(ran.out.find(out + "/README.md\n"), std::string::npos) << ran.out;
+    EXPECT_NE(text_of(fs::path(out) / "README.md").find("3a-love, kind lover"), std::string::npos);
+}
+
+TEST(CtlExport, RefusesWithTheNameOfThePartAndWritesNothing) {
+    const Folder folder;
+    const Ran ran = ctl("export tortoise --to thymio --out " + (folder / "t").string());
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.out.find("tortoise: the sensor 'EN' senses energy"), std::string::npos) << ran.out;
+    EXPECT_EQ(files_in(folder / "t"), std::set<std::string>{});
+}
+
+TEST(CtlExport, NamesTheKnownTargetsAndRobots) {
+    const Ran target = ctl("export 3a-love --to arduin --out x"),
+              robot = ctl("export 3a-love --to c --robot thymio --out x");
+    EXPECT_EQ(target.code, 2);
+    EXPECT_NE(target.out.find("'arduino'"), std::string::npos) << target.out;
+    EXPECT_EQ(robot.code, 2);
+    EXPECT_NE(robot.out.find("'thymio2'"), std::string::npos) << robot.out;
+    EXPECT_EQ(ctl("export no-such-brain --to c --out x").code, 2);
+}
+
+TEST(CtlExport, TakesTheBrainOfAKindAPresetAndABrainFile) {
+    const Folder folder;
+    const std::string out = " --to c --out " + folder.path.string();
+    const auto header = [&](const std::string& brain) {
+        const Ran ran = ctl("export " + brain + out);
+        EXPECT_EQ(ran.code, 0) << ran.out;
+        return text_of(folder / "brain.h");
+    };
+    EXPECT_NE(header("predator-prey --kind prey"), header("predator-prey --kind predator"));
+    EXPECT_NE(header("prey").find("\"prey\""), std::string::npos);
+    put_text(folder / "mine.toml", "format = 1\n[brain]\nLL = 0.75\n");
+    EXPECT_NE(header((folder / "mine.toml").string()).find("0.75f"), std::string::npos);
+}
+
+TEST(CtlThink, WritesVectorsAtTheRateOfTheRobot) {
+    const Folder folder;
+    const auto vectors = [&](const std::string& options) {
+        const Ran ran = ctl("think tortoise --ticks 200 --vectors - " + options);
+        EXPECT_EQ(ran.code, 0) << ran.out;
+        return ran.out;
+    };
+    EXPECT_EQ(vectors("").substr(0, 22), "tick,sensor_SL,sensor_");
+    EXPECT_EQ(vectors(""), vectors("--rate 60"));
+    EXPECT_NE(vectors(""), vectors("--rate 10"));
+    EXPECT_NE(vectors(""), vectors("--seed 2"));
+    EXPECT_EQ(ctl("think tortoise --rate 0 --vectors -").code, 2);
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::ctl_export_test

@@ -1,0 +1,53 @@
+// Exported brains for tests: which brains, and how a program is run and compared with golden vectors.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "app/files/data.h"
+#include "core/brain/presets.h"
+#include "core/export/export.h"
+#include "core/export/vectors.h"
+#include "core/scene/scene_file.h"
+#include "tests/folder.h"
+
+namespace braitenlab::tests {
+
+struct Ran {
+    int code = -1;
+    std::string out;  // standard output and errors
+};
+inline Ran shell(const std::string& command) {
+    Ran ran;
+    FILE* pipe = popen(("{ " + command + "; } 2>&1").c_str(), "r");
+    char buffer[4096];
+    for (std::size_t n = 0; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;) ran.out.append(buffer, n);
+    ran.code = WEXITSTATUS(pclose(pipe));
+    return ran;
+}
+
+// Every preset, and the brain of every kind of the shipped scenes.
+inline std::vector<robots::BrainToExport> shipped_brains() {
+    std::vector<robots::BrainToExport> brains;
+    for (const Preset& preset : presets()) brains.push_back({std::string(preset.name), preset.brain, {}});
+    for (const auto& path : shipped_scenes()) {
+        const auto scene = load_scene(path);
+        if (!scene) continue;
+        for (const Kind& kind : scene->kinds)
+            brains.push_back({path.stem().string() + " " + kind.name, kind.brain, kind.sensors});
+    }
+    return brains;
+}
+
+// True where ./dev robots has installed the toolchains; otherwise tests that need one are skipped.
+inline bool has_toolchains() { return std::getenv("BRAITENLAB_ROBOTS") != nullptr; }
+
+}  // namespace braitenlab::tests
