@@ -80,7 +80,9 @@ public:
     void draw(float room) {
         const float width = card_width(ui_);
         constexpr float heading_and_gaps = 108, rows = 2 * (small_button_height + 4);  // layout pixels
-        const float words_and_legend = line_height(ui_, Face::strong) + 5 * line_height(ui_, Face::small) + ui_.px(20);
+        const auto lines = static_cast<float>(legend_rows() + (view_.lecture ? 0 : 1));
+        const float words_and_legend =
+            line_height(ui_, Face::strong) + lines * (line_height(ui_, Face::small) + ui_.px(4));
         const float left = room - ui_.px(heading_and_gaps + rows) - words_and_legend;
         const float side = std::clamp(left, std::min(ui_.px(least_field), width), width);
         upper_row(width);
@@ -330,12 +332,13 @@ private:
         const MapPlace place = state_.hovered ? *state_.hovered : cell_at(dot_at().x, dot_at().y);
         const MapCell* cell = map_.cells->shown(place);
         const ImVec2 at_line = ImGui::GetCursorScreenPos();
-        const float line = line_height(ui_, Face::small);
+        const float line = view_.lecture ? 0 : line_height(ui_, Face::small);
         std::string where(ui_.strings("map.now"));
         if (state_.hovered)
             where = axis_words(map_.x) + " " + fixed(ui_, insight::value_at(map_.x, place.x, size_), 2) + ", " +
                     axis_words(map_.y) + " " + fixed(ui_, insight::value_at(map_.y, place.y, size_), 2);
-        put(ui_, at_line, shortened(ui_, where, Face::small, width), ui_.palette.second_text, Face::small);
+        if (!view_.lecture)
+            put(ui_, at_line, shortened(ui_, where, Face::small, width), ui_.palette.second_text, Face::small);
         if (cell) {
             std::string what = in_words(ui_, cell->outcome.behaviour);
             if (map_.measure != MapMeasure::behaviour)
@@ -353,13 +356,30 @@ private:
         ImGui::Dummy({1, line + line_height(ui_, Face::strong) + ui_.px(4)});
     }
 
+    // All kinds; in a lecture, where type is large, those of the map.
+    std::vector<Behaviour> shown_kinds() const {
+        std::vector<Behaviour> kinds;
+        for (const auto& row : insight::behaviour_table) {
+            const auto& all = map_.cells->cells;
+            const bool occurs = std::any_of(all.begin(), all.end(), [&](const std::optional<MapCell>& cell) {
+                return cell && cell->outcome.behaviour == row.value;
+            });
+            if (occurs || !view_.lecture) kinds.push_back(row.value);
+        }
+        return kinds;
+    }
+    int legend_rows() const {
+        return map_.measure == MapMeasure::behaviour ? static_cast<int>(shown_kinds().size() + 1) / 2 : 2;
+    }
+
     void legend_of_kinds(float width) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float row = line_height(ui_, Face::small) + ui_.px(4), sign = ui_.px(legend_sign);
         ImDrawList& draw = *ImGui::GetWindowDrawList();
-        const int rows = static_cast<int>(insight::behaviour_count + 1) / 2;
-        for (std::size_t i = 0; i < insight::behaviour_count; ++i) {
-            const BehaviourLook& look = behaviour_looks[i];
+        const std::vector<Behaviour> kinds = shown_kinds();
+        const int rows = legend_rows();
+        for (std::size_t i = 0; i < kinds.size(); ++i) {
+            const BehaviourLook& look = look_of(kinds[i]);
             const int column = static_cast<int>(i) / rows;
             const float x = at.x + static_cast<float>(column) * width / 2;
             const float y = at.y + static_cast<float>(static_cast<int>(i) % rows) * row;
@@ -422,7 +442,8 @@ void map_card(const LabView& view, PanelState& state, Ui& ui, Rect place, Rect c
     const bool open = open_card(state, ui, Card::map, place);
     const VehicleView* vehicle = find_vehicle(*view.now, view.settings.selection.vehicle);
     if (open && view.map && vehicle)
-        MapCard(view, state.map, state.sliders, ui, *vehicle).draw(column.h - folded_height(ui) - ui.px(12));
+        MapCard(view, state.map, state.sliders, ui, *vehicle)
+            .draw(column.h - (view.lecture ? 0 : folded_height(ui) + ui.px(12)));  // of the card below
     else if (open)
         paragraph(ui, ui.strings(vehicle ? "unavailable.map" : "unavailable.no_vehicle"), ui.palette.second_text,
                   Face::small);
