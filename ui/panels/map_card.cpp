@@ -30,7 +30,8 @@ using insight::MapMeasure;
 using insight::MapPlace;
 
 // Layout pixels.
-constexpr float dot_radius = 6, dot_grip = 12, least_marked_cell = 6, legend_sign = 13, least_field = 160;
+constexpr float dot_radius = 6, dot_grip = 12, least_marked_cell = 6, legend_sign = 13, least_field = 160,
+                least_field_in_lecture = 128;
 
 Colour as_colour(MapColour c) { return {c.r, c.g, c.b, 1}; }
 MapColour as_map_colour(Colour c) { return {c.r, c.g, c.b}; }
@@ -84,7 +85,8 @@ public:
         const float words_and_legend =
             line_height(ui_, Face::strong) + lines * (line_height(ui_, Face::small) + ui_.px(4));
         const float left = room - ui_.px(heading_and_gaps + rows) - words_and_legend;
-        const float side = std::clamp(left, std::min(ui_.px(least_field), width), width);
+        const float side =
+            std::clamp(left, std::min(ui_.px(view_.lecture ? least_field_in_lecture : least_field), width), width);
         upper_row(width);
         const Item area = item(ui_, "map", {side, side});
         field_ = area.rect;
