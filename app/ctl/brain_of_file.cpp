@@ -41,7 +41,7 @@ Result<BrainOfFile> brain_of_scene(const Scene& scene, const BrainChoice& choice
         if (!start) return start.error();
         const auto kind = index_of(scene.kinds, scene.starts[*start].kind, "kind", file);
         if (!kind) return kind.error();
-        return BrainOfFile{scene.kinds[*kind].brain, "vehicle " + choice.vehicle,
+        return BrainOfFile{scene.starts[*start].brain.value_or(scene.kinds[*kind].brain), "vehicle " + choice.vehicle,
                            scene.starts[*start].sensors.value_or(scene.kinds[*kind].sensors)};
     }
     const auto kind = kind_index(scene, choice.kind, file);

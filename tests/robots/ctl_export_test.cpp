@@ -53,6 +53,12 @@ TEST(CtlExport, TakesTheBrainOfAKindAPresetAndABrainFile) {
     };
     EXPECT_NE(header("predator-prey --kind prey"), header("predator-prey --kind predator"));
     EXPECT_NE(header("prey").find("\"prey\""), std::string::npos);
+    const std::string scene = (folder / "two.toml").string();
+    put_text(scene,
+             "format = 1\n[kind.k.brain]\nLL = 0.5\n[vehicle.a]\nkind = \"k\"\n[vehicle.b]\nkind = \"k\"\nx = 3\n"
+             "[vehicle.b.brain]\nLL = 0.875\n");
+    EXPECT_NE(header(scene + " --vehicle a").find("0.5f"), std::string::npos);
+    EXPECT_NE(header(scene + " --vehicle b").find("0.875f"), std::string::npos);  // a brain of its own
     put_text(folder / "mine.toml", "format = 1\n[brain]\nLL = 0.75\n");
     EXPECT_NE(header((folder / "mine.toml").string()).find("0.75f"), std::string::npos);
 }
