@@ -106,8 +106,7 @@ bool App::turn() {
     if (lab_.full_screen) lab_.full_screen = false, window_.toggle_full_screen();
     if (repeatable()) return true;
     const int rate = window_.refresh_rate();
-    for (double pause = 0; (pause = pause_after_swap(seconds_since(turn_began), rate, options_.frame_rate)) > 0;)
-        window_.poll(pause);
+    window_.rest(pause_after_swap(seconds_since(turn_began), rate, options_.frame_rate));
     if (moves()) last_change_ = Clock::now();
     if (options_.screenshot.empty()) window_.poll(idle_wait(seconds_since(last_change_)));
     return true;
@@ -226,13 +225,16 @@ bool App::picture_is_due(double wall_seconds) const {
     return (repeatable() ? lab_.document.session.snapshot().seconds : wall_seconds) >= options_.after - 1e-9;
 }
 
+std::string App::anchors_text() const { return anchors_json(anchors_); }
+std::string App::state_text() const { return state_json(lab_, panels_.scene_input, facts_); }
+
 void App::write_reports() {
     if (anchors_file_.wanted())
-        if (auto error = anchors_file_.write(anchors_json(anchors_))) complain(*error);
+        if (auto error = anchors_file_.write(anchors_text())) complain(*error);
     constexpr double state_period = 0.02;
     if (!state_file_.wanted() || seconds_since(state_written_) < state_period) return;
     state_written_ = Clock::now();
-    if (auto error = state_file_.write(state_json(lab_, panels_.scene_input, facts_))) complain(*error);
+    if (auto error = state_file_.write(state_text())) complain(*error);
 }
 
 }  // namespace braitenlab

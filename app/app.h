@@ -43,6 +43,10 @@ public:
     // false.
     int exit_code() const { return exit_code_; }
 
+    // What --state and --anchors write (app/report_state.h), as JSON.
+    std::string state_text() const;
+    std::string anchors_text() const;
+
 private:
     using Clock = std::chrono::steady_clock;
 

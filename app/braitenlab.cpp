@@ -1,4 +1,5 @@
 // The program with a window: reads the command line, opens a document and a window, and runs the main loop.
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -6,6 +7,7 @@
 #include "app/course/lab_lecture.h"
 #include "app/files/data.h"
 #include "app/files/file_commands.h"
+#include "app/platform/page.h"
 #include "app/platform/platform.h"
 #include "core/messages.h"
 
@@ -101,11 +103,12 @@ int open_and_run(Options options) {
         window->move_to(place->x, place->y);
     auto renderer = render::Renderer::create(*data / "shaders", options.sectors);
     if (!renderer) return complain(renderer.error());
-    App app(options, std::move(opened->lab), std::move(*window), std::move(*renderer), std::move(*words),
-            std::move(settings));
-    while (app.turn()) {
-    }
-    return app.exit_code();
+    const auto app = std::make_shared<App>(options, std::move(opened->lab), std::move(*window), std::move(*renderer),
+                                           std::move(*words), std::move(settings));
+    offer_to_page("state", [app] { return app->state_text(); });
+    offer_to_page("anchors", [app] { return app->anchors_text(); });
+    repeat([app] { return app->turn(); });
+    return app->exit_code();
 }
 
 }  // namespace

@@ -290,6 +290,11 @@ void Window::poll(double patience) {
         glfwPollEvents();
 }
 
+void Window::rest(double seconds) {
+    const double until = glfwGetTime() + seconds;
+    for (double left = 0; (left = until - glfwGetTime()) > 0;) poll(left);
+}
+
 ui::KeysOfAFrame Window::take_keys(ui::TextInput text) { return native_->keys.take(text); }
 std::vector<std::string> Window::take_dropped_files() { return std::exchange(native_->dropped, {}); }
 

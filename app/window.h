@@ -1,4 +1,5 @@
 // One native window with an OpenGL 3.3 context and Dear ImGui. Only this class and render/gl use OpenGL.
+// app/window.cpp is the window of a desktop, app/platform/web_window.cpp the canvas of a browser.
 #pragma once
 
 #include <array>
@@ -55,7 +56,10 @@ public:
     int refresh_rate() const;
 
     // Collects events: keys in their order, dropped files. Waits up to `patience` seconds for the first event.
+    // A browser delivers events between turns: there poll() returns at once and puts the next turn off instead.
     void poll(double patience);
+    // Collects events for `seconds`. Returns at once in a browser, which begins turns at the rate of the display.
+    void rest(double seconds);
     ui::KeysOfAFrame take_keys(ui::TextInput);
     std::vector<std::string> take_dropped_files();
 

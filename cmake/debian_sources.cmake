@@ -98,12 +98,17 @@ function(provide_imgui)
   source_folder(folder imgui)
   file(GLOB sources "${folder}/imgui*.cpp")
   set(include "${folder};${folder}/misc/freetype;${folder}/misc/cpp")
+  set(backends "${folder}/backends/imgui_impl_opengl3.cpp")
+  set(dialect IMGUI_IMPL_OPENGL_ES3)
+  if(NOT EMSCRIPTEN)
+    list(APPEND backends "${folder}/backends/imgui_impl_glfw.cpp")
+    set(dialect IMGUI_IMPL_OPENGL_LOADER_GLEW)
+  endif()
   source_library(braitenlab::imgui "${include}" ${sources} "${folder}/misc/freetype/imgui_freetype.cpp"
-    "${folder}/misc/cpp/imgui_stdlib.cpp" "${folder}/backends/imgui_impl_glfw.cpp"
-    "${folder}/backends/imgui_impl_opengl3.cpp")
+    "${folder}/misc/cpp/imgui_stdlib.cpp" ${backends})
   link_headers(stb)
   target_include_directories(braitenlab_imgui PRIVATE "${headers}/stb")
-  target_compile_definitions(braitenlab_imgui PRIVATE IMGUI_ENABLE_FREETYPE IMGUI_IMPL_OPENGL_LOADER_GLEW)
+  target_compile_definitions(braitenlab_imgui PRIVATE IMGUI_ENABLE_FREETYPE ${dialect})
   find_package(glfw3 REQUIRED)
   find_package(GLEW REQUIRED)
   target_link_libraries(braitenlab_imgui PRIVATE freetype glfw GLEW::GLEW)
@@ -133,13 +138,29 @@ endfunction()
 
 function(provide_stb)
   source_folder(folder libstb)
-  file(WRITE "${CMAKE_BINARY_DIR}/stb_image_write.c" "#define STB_IMAGE_WRITE_IMPLEMENTATION\n#include <stb_image_write.h>\n")
-  source_library(braitenlab::stb "${folder}" "${CMAKE_BINARY_DIR}/stb_image_write.c")
+  foreach(part IN ITEMS IMAGE IMAGE_WRITE)
+    string(TOLOWER ${part} name)
+    file(WRITE "${CMAKE_BINARY_DIR}/stb_${name}.c" "#define STB_${part}_IMPLEMENTATION\n#include <stb_${name}.h>\n")
+  endforeach()
+  source_library(braitenlab::stb "${folder}" "${CMAKE_BINARY_DIR}/stb_image.c" "${CMAKE_BINARY_DIR}/stb_image_write.c")
 endfunction()
 
 if(EMSCRIPTEN)
   function(provide_Threads)  # there are none; the program asks std::thread for their number only
     add_library(Threads::Threads INTERFACE IMPORTED GLOBAL)
+  endfunction()
+
+  # The browser has OpenGL ES 3, and app/platform/web_window.cpp is the window.
+  function(provide_OpenGL)
+    add_library(OpenGL::GL INTERFACE IMPORTED GLOBAL)
+  endfunction()
+
+  function(provide_GLEW)
+    add_library(GLEW::GLEW INTERFACE IMPORTED GLOBAL)
+  endfunction()
+
+  function(provide_glfw3)
+    add_library(glfw INTERFACE IMPORTED GLOBAL)
   endfunction()
 endif()
 

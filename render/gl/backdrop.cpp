@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include <GL/glew.h>
+#include "render/gl/opengl.h"
 
 namespace braitenlab::render {
 

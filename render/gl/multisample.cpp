@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <GL/glew.h>
+#include "render/gl/opengl.h"
 
 namespace braitenlab::render {
 

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include <GL/glew.h>
+#include "render/gl/opengl.h"
 
 namespace braitenlab::render {
 

@@ -1,17 +1,17 @@
 #include "render/gl/renderer.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
-
-#include <GL/glew.h>
 
 #include "core/sensing/intensity.h"
 #include "render/gl/backdrop.h"
 #include "render/gl/batch.h"
 #include "render/gl/frame.h"
 #include "render/gl/multisample.h"
+#include "render/gl/opengl.h"
 #include "render/gl/programs.h"
 #include "render/gl/texture.h"
 #include "render/text/set_type.h"
@@ -339,7 +339,13 @@ void Renderer::draw_still(const Snapshot& now, const Picture& picture) {
     parts_->trails = std::move(kept);
 }
 
-void Renderer::finish() { glFinish(); }
+void Renderer::finish() {
+    glFinish();
+#ifdef BRAITENLAB_OPENGL_ES  // WebGL's glFinish does not wait; reading a pixel does
+    std::uint8_t pixel[4];
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+#endif
+}
 
 int Renderer::draw_calls() const { return parts_->calls; }
 

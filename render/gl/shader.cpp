@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <GL/glew.h>
+#include "render/gl/opengl.h"
 
 namespace braitenlab::render {
 
@@ -21,7 +21,9 @@ constexpr int common_lines = 10000;
 
 #ifdef BRAITENLAB_OPENGL_ES
 const char* const dialect = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
+constexpr GLenum geometry_stage = 0;  // there is none
 #else
+constexpr GLenum geometry_stage = GL_GEOMETRY_SHADER;
 const char* const dialect = "#version 330 core\n";
 #endif
 
@@ -36,7 +38,8 @@ Error unreadable(const std::filesystem::path& file) {
 }
 
 // The driver's log of a shader or program. `ask` and `read` are the GL functions for that type of object.
-std::string log_of(GLuint object, PFNGLGETSHADERIVPROC ask, PFNGLGETSHADERINFOLOGPROC read) {
+template <class Ask, class Read>
+std::string log_of(GLuint object, Ask ask, Read read) {
     GLint length = 0;
     ask(object, GL_INFO_LOG_LENGTH, &length);
     std::vector<char> text(static_cast<std::size_t>(length) + 1, '\0');
@@ -54,8 +57,8 @@ Result<GLuint> compile_stage(GLenum stage, const std::filesystem::path& folder, 
     if (!common) return unreadable(common_file);
 
     const std::string stage_name = stage == GL_VERTEX_SHADER     ? "#define VERTEX_STAGE\n"
-                                   : stage == GL_GEOMETRY_SHADER ? "#define GEOMETRY_STAGE\n"
-                                                                 : "#define FRAGMENT_STAGE\n";
+                                   : stage == GL_FRAGMENT_SHADER ? "#define FRAGMENT_STAGE\n"
+                                                                 : "#define GEOMETRY_STAGE\n";
     const std::string source =
         dialect + stage_name + "#line " + std::to_string(common_lines + 1) + "\n" + *common + "\n#line 1\n" + *own;
     const GLuint shader = glCreateShader(stage);
@@ -97,7 +100,7 @@ Complaint first_complaint(const std::string& log) {
 Result<Program> Program::load(const std::filesystem::path& folder, const std::string& vertex_file,
                               const std::string& fragment_file, const std::string& geometry_file) {
     const std::pair<GLenum, const std::string&> stages[] = {
-        {GL_VERTEX_SHADER, vertex_file}, {GL_GEOMETRY_SHADER, geometry_file}, {GL_FRAGMENT_SHADER, fragment_file}};
+        {GL_VERTEX_SHADER, vertex_file}, {geometry_stage, geometry_file}, {GL_FRAGMENT_SHADER, fragment_file}};
     Program program(glCreateProgram());
     for (const auto& [stage, name] : stages) {
         if (name.empty()) continue;

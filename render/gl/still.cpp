@@ -1,6 +1,6 @@
 #include "render/gl/still.h"
 
-#include <GL/glew.h>
+#include "render/gl/opengl.h"
 
 namespace braitenlab::render {
 
@@ -28,9 +28,16 @@ bool Still::draw(Renderer& renderer, const Snapshot& now, const Picture& picture
 
 std::vector<std::uint8_t> Still::pixels() const {
     std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
-    texture_.bind();
+    GLint before = 0;
+    GLuint framebuffer = 0;
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &before);
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.id(), 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(before));
+    glDeleteFramebuffers(1, &framebuffer);
     return rgba;
 }
 

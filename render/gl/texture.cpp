@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <GL/glew.h>
+#include "render/gl/opengl.h"
 
 namespace braitenlab::render {
 

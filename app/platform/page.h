@@ -1,0 +1,19 @@
+// The web page that shows the program in a browser. Elsewhere there is no page: repeat() is a loop, and the other
+// functions do nothing.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace braitenlab {
+
+// Calls `turn` until it returns false. In a browser it returns at once, and the page calls `turn` before each picture.
+void repeat(std::function<bool()> turn);
+
+// True in a browser: files come by upload and leave by download, and the program has no terminal.
+bool is_on_page();
+
+// Gives scripts of the page a JSON text as the result of window.braitenlab.NAME(). `name` is "state" or "anchors".
+void offer_to_page(const std::string& name, std::function<std::string()> json);
+
+}  // namespace braitenlab

@@ -1,0 +1,123 @@
+#include "app/platform/web_keys.h"
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include <emscripten/html5.h>
+#include <imgui.h>
+
+#include "ui/shortcuts.h"
+
+namespace braitenlab::web {
+
+namespace {
+
+constexpr int first_f_key = key::f1;
+
+// KeyboardEvent.key of the keys without a character.
+constexpr std::array<std::pair<std::string_view, int>, 18> named_keys{{{"Escape", key::escape},
+                                                                       {"Enter", key::enter},
+                                                                       {"Tab", key::tab},
+                                                                       {"Backspace", key::backspace},
+                                                                       {"Insert", key::insert},
+                                                                       {"Delete", key::del},
+                                                                       {"ArrowRight", key::right},
+                                                                       {"ArrowLeft", key::left},
+                                                                       {"ArrowDown", key::down},
+                                                                       {"ArrowUp", key::up},
+                                                                       {"PageUp", key::page_up},
+                                                                       {"PageDown", key::page_down},
+                                                                       {"Home", key::home},
+                                                                       {"End", key::end},
+                                                                       {"ContextMenu", key::menu},
+                                                                       {"F1", key::f1},
+                                                                       {"F9", key::f9},
+                                                                       {"F10", key::f10}}};
+
+// The only code point of a text; 0 if it has none or several.
+unsigned only_character(std::string_view text) {
+    if (text.empty()) return 0;
+    const auto first = static_cast<unsigned char>(text[0]);
+    const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+    if (text.size() != length) return 0;
+    if (length == 1) return first;
+    unsigned code = first & (0xFFu >> (length + 1));
+    for (const char c : text.substr(1)) code = code << 6 | (static_cast<unsigned char>(c) & 0x3F);
+    return code;
+}
+
+bool with_ctrl(const EmscriptenKeyboardEvent& e) { return e.ctrlKey || e.metaKey; }
+
+// AltGr types a character; browsers on Windows report it as Ctrl and Alt.
+bool is_typed(const EmscriptenKeyboardEvent& e) {
+    return only_character(e.key) >= ' ' && (!with_ctrl(e) || (e.ctrlKey && e.altKey));
+}
+
+// The key without Shift, for digits and punctuation: Shift+1 is the key 1 on every layout of the Latin alphabet.
+int unshifted(const EmscriptenKeyboardEvent& e, unsigned c) {
+    const std::string_view code = e.code;
+    if (e.shiftKey && code.size() == 6 && code.starts_with("Digit")) return code[5];
+    if (e.shiftKey && code == "Period") return '.';
+    if (e.shiftKey && code == "Comma") return ',';
+    return c >= 'a' && c <= 'z' ? static_cast<int>(c - 'a' + 'A') : static_cast<int>(c);
+}
+
+}  // namespace
+
+bool is_for_lab(const EmscriptenKeyboardEvent& e) {
+    if (is_typed(e)) return true;
+    const int key = press_of(e).key;
+    if (with_ctrl(e)) return std::string_view("ACDOSXYZ,").find(static_cast<char>(key)) != std::string_view::npos;
+    return key != 0 && !e.altKey;
+}
+
+KeyPress press_of(const EmscriptenKeyboardEvent& e) {
+    const bool ctrl = with_ctrl(e) && !is_typed(e);
+    for (const auto& [name, number] : named_keys)
+        if (name == e.key) return {number, ctrl, static_cast<bool>(e.shiftKey)};
+    const unsigned c = only_character(e.key);
+    if (c == 0 || c > 0x7F) return {};
+    return {unshifted(e, c), ctrl, static_cast<bool>(e.shiftKey)};
+}
+
+unsigned character_of(const EmscriptenKeyboardEvent& e) { return is_typed(e) ? only_character(e.key) : 0; }
+
+void HeldKeys::set(const EmscriptenKeyboardEvent& e, bool down) {
+    modifiers_ = {with_ctrl(e), static_cast<bool>(e.shiftKey), static_cast<bool>(e.altKey)};
+    if (const int key = press_of(e).key; key > 0 && key < static_cast<int>(held_.size()))
+        held_.set(static_cast<std::size_t>(key), down);
+    if (!down && e.metaKey) held_.reset();  // macOS does not report the release of a key while Command is held
+}
+
+bool HeldKeys::has(int glfw_key) const {
+    return glfw_key >= 0 && glfw_key < static_cast<int>(held_.size()) && held_.test(static_cast<std::size_t>(glfw_key));
+}
+
+void set_key_map(ImGuiIO& io) {
+    const std::pair<int, int> keys[] = {{ImGuiKey_Tab, key::tab},
+                                        {ImGuiKey_LeftArrow, key::left},
+                                        {ImGuiKey_RightArrow, key::right},
+                                        {ImGuiKey_UpArrow, key::up},
+                                        {ImGuiKey_DownArrow, key::down},
+                                        {ImGuiKey_PageUp, key::page_up},
+                                        {ImGuiKey_PageDown, key::page_down},
+                                        {ImGuiKey_Home, key::home},
+                                        {ImGuiKey_End, key::end},
+                                        {ImGuiKey_Insert, key::insert},
+                                        {ImGuiKey_Delete, key::del},
+                                        {ImGuiKey_Backspace, key::backspace},
+                                        {ImGuiKey_Space, ' '},
+                                        {ImGuiKey_Enter, key::enter},
+                                        {ImGuiKey_Escape, key::escape},
+                                        {ImGuiKey_KeyPadEnter, key::enter},
+                                        {ImGuiKey_A, 'A'},
+                                        {ImGuiKey_C, 'C'},
+                                        {ImGuiKey_V, 'V'},
+                                        {ImGuiKey_X, 'X'},
+                                        {ImGuiKey_Y, 'Y'},
+                                        {ImGuiKey_Z, 'Z'}};
+    for (const auto& [name, number] : keys) io.KeyMap[name] = number;
+}
+
+}  // namespace braitenlab::web

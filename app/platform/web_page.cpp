@@ -1,0 +1,66 @@
+#include <map>
+#include <utility>
+
+#include <emscripten/emscripten.h>
+#include <emscripten/html5.h>
+
+#include "app/platform/page.h"
+#include "app/platform/web_pacing.h"
+
+namespace braitenlab {
+
+namespace {
+
+double next_turn = 0;  // ms, on the clock of the page
+
+std::map<std::string, std::function<std::string()>>& offered() {
+    static std::map<std::string, std::function<std::string()>> texts;
+    return texts;
+}
+
+// clang-format off
+EM_JS(void, tell_page_of_first_picture, (), { if (Module.onFirstPicture) Module.onFirstPicture(); });
+EM_JS(void, tell_page_of_end, (), { if (Module.onEnd) Module.onEnd(); });
+// clang-format on
+
+}  // namespace
+
+namespace web {
+
+void put_off(double seconds) { next_turn = emscripten_get_now() + seconds * 1000; }
+void wake() { next_turn = 0; }
+bool is_due() { return emscripten_get_now() >= next_turn; }
+
+}  // namespace web
+
+void repeat(std::function<bool()> turn) {
+    struct Loop {
+        std::function<bool()> turn;
+        bool drawn = false;
+    };
+    emscripten_set_main_loop_arg(
+        [](void* argument) {
+            auto& loop = *static_cast<Loop*>(argument);
+            if (!web::is_due()) return;
+            if (!loop.turn()) {
+                emscripten_cancel_main_loop();
+                return tell_page_of_end();
+            }
+            if (!std::exchange(loop.drawn, true)) tell_page_of_first_picture();
+        },
+        new Loop{std::move(turn)}, 0, 0);  // until the page is closed
+}
+
+bool is_on_page() { return true; }
+
+void offer_to_page(const std::string& name, std::function<std::string()> json) { offered()[name] = std::move(json); }
+
+}  // namespace braitenlab
+
+// For scripts of the page. The text is valid until the next call.
+extern "C" EMSCRIPTEN_KEEPALIVE const char* braitenlab_text(const char* name) {
+    static std::string text;
+    const auto found = braitenlab::offered().find(name);
+    text = found == braitenlab::offered().end() ? "null" : found->second();
+    return text.c_str();
+}

@@ -1,0 +1,63 @@
+#include "app/platform/web_touch.h"
+
+#include <cmath>
+
+#include <emscripten/html5.h>
+
+namespace braitenlab::web {
+
+namespace {
+
+constexpr double notches_per_doubling = 4;  // of the distance of two fingers
+
+}  // namespace
+
+void Touches::follow(int type, const EmscriptenTouchEvent& e) {
+    Touch now;
+    double x[2] = {}, y[2] = {};
+    for (int i = 0; i < e.numTouches; ++i) {
+        const EmscriptenTouchPoint& point = e.touches[i];
+        const bool is_lifted =
+            point.isChanged && (type == EMSCRIPTEN_EVENT_TOUCHEND || type == EMSCRIPTEN_EVENT_TOUCHCANCEL);
+        if (is_lifted || now.fingers == 2) continue;
+        x[now.fingers] = point.clientX, y[now.fingers] = point.clientY;
+        ++now.fingers;
+    }
+    if (now.fingers == 0) {
+        now = last_;
+        now.holds = now.presses = false, now.notches = 0;
+        steps_.push_back(now);
+        last_ = {};
+        return;
+    }
+    now.x = now.fingers == 2 ? (x[0] + x[1]) / 2 : x[0];
+    now.y = now.fingers == 2 ? (y[0] + y[1]) / 2 : y[0];
+    const double distance = now.fingers == 2 ? std::hypot(x[0] - x[1], y[0] - y[1]) : 0;
+    if (now.fingers != last_.fingers) {
+        Touch hover = now;
+        steps_.push_back(hover);
+        now.presses = now.fingers == 1;
+    } else if (distance > 0 && distance_ > 0) {
+        now.notches = static_cast<float>(notches_per_doubling * std::log2(distance / distance_));
+    }
+    now.holds = true;
+    distance_ = distance;
+    // Moves within a frame are one.
+    if (!steps_.empty() && !now.presses && steps_.back().holds && steps_.back().fingers == now.fingers) {
+        Touch& step = steps_.back();
+        step.x = now.x, step.y = now.y, step.notches += now.notches;
+    } else {
+        steps_.push_back(now);
+    }
+    last_ = now;
+    last_.presses = false;
+}
+
+std::optional<Touch> Touches::take() {
+    if (steps_.empty()) return std::nullopt;
+    const Touch step = steps_.front();
+    steps_.pop_front();
+    return step;
+}
+
+}  // namespace braitenlab::web

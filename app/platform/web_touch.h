@@ -1,0 +1,34 @@
+// Fingers as a mouse: one finger is the left button, two drag as the middle button and zoom as the wheel.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+struct EmscriptenTouchEvent;
+
+namespace braitenlab::web {
+
+// What the fingers do in one frame. x, y: pixels of the page.
+struct Touch {
+    double x = 0, y = 0;  // of the finger, or between two
+    int fingers = 0;
+    bool holds = false, presses = false;
+    float notches = 0;  // of the wheel, by the distance of two fingers
+};
+
+class Touches {
+public:
+    // Adds an event of the page.
+    void follow(int type, const EmscriptenTouchEvent&);
+
+    // What the next frame gets; nullopt without a finger. A new finger first moves the pointer and is pressed a frame
+    // later, as a mouse would, so that the widget below it is known.
+    std::optional<Touch> take();
+
+private:
+    std::deque<Touch> steps_;
+    Touch last_;
+    double distance_ = 0;  // between two fingers
+};
+
+}  // namespace braitenlab::web

@@ -1,0 +1,395 @@
+// The window in a browser: a canvas that fills the page, with WebGL 2. A window pixel is a pixel of the display.
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <GLES3/gl3.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <emscripten/emscripten.h>
+#include <emscripten/html5.h>
+#include <imgui.h>
+
+#include "app/platform/web_keys.h"
+#include "app/platform/web_pacing.h"
+#include "app/platform/web_touch.h"
+#include "app/window.h"
+#include "ui/double_click.h"
+#include "ui/imgui_compat.h"
+
+// clang-format off
+EM_JS(void, set_page_cursor, (const char* name), { Module.canvas.style.cursor = UTF8ToString(name); });
+EM_JS(int, draws_in_software, (), { return Module.drawsInSoftware ? 1 : 0; });
+EM_JS(void, copy_on_page, (const char* text), { Module.copyText(UTF8ToString(text)); });
+// The text of the last paste event; released by the caller.
+EM_JS(char*, pasted_on_page, (), {
+    const text = Module.pastedText || "";
+    const size = lengthBytesUTF8(text) + 1;
+    const bytes = _malloc(size);
+    stringToUTF8(text, bytes, size);
+    return bytes;
+});
+EM_JS(void, toggle_full_page, (), {
+    if (document.fullscreenElement) document.exitFullscreen();
+    else document.documentElement.requestFullscreen().catch(() => {});
+});
+// clang-format on
+
+namespace braitenlab {
+
+namespace {
+
+constexpr const char* canvas = "#canvas";
+// Of the only window; null while there is none.
+ui::KeyQueue* open_keys = nullptr;
+std::vector<std::string>* open_drops = nullptr;
+
+constexpr int buttons = 3;  // left, right, middle: Dear ImGui's numbers
+
+// A button of the browser as Dear ImGui numbers it.
+int button_of(unsigned short browser_button) { return browser_button == 1 ? 2 : browser_button == 2 ? 1 : 0; }
+
+const char* css_cursor(ImGuiMouseCursor cursor) {
+    switch (cursor) {
+        case ImGuiMouseCursor_TextInput:
+            return "text";
+        case ImGuiMouseCursor_ResizeAll:
+            return "move";
+        case ImGuiMouseCursor_ResizeNS:
+            return "ns-resize";
+        case ImGuiMouseCursor_ResizeEW:
+            return "ew-resize";
+        case ImGuiMouseCursor_ResizeNESW:
+            return "nesw-resize";
+        case ImGuiMouseCursor_ResizeNWSE:
+            return "nwse-resize";
+        case ImGuiMouseCursor_Hand:
+            return "pointer";
+        case ImGuiMouseCursor_NotAllowed:
+            return "not-allowed";
+        default:
+            return "default";
+    }
+}
+
+Error no_graphics() {
+    return {
+        "this browser does not offer WebGL 2. Use a current Firefox, Chrome, Edge or Safari, or let it use "
+        "hardware acceleration (in the browser's settings)"};
+}
+
+}  // namespace
+
+struct Window::Native {
+    EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
+    ui::KeyQueue keys;
+    ui::DoubleClick clicks;
+    bool double_clicked = false;  // since the last frame
+    std::vector<std::string> dropped;
+    web::HeldKeys held;
+    web::Touches touches;
+    std::array<bool, buttons> down{}, pressed{};  // now; since the last frame
+    ImVec2 pointer{-FLT_MAX, -FLT_MAX}, wheel{};
+    double last_frame = 0;  // ms
+    ImGuiMouseCursor cursor = ImGuiMouseCursor_COUNT;
+    std::string clipboard;
+    bool imgui = false;
+
+    Native() = default;
+    Native(const Native&) = delete;
+    Native& operator=(const Native&) = delete;
+    ~Native() {
+        open_keys = nullptr, open_drops = nullptr;
+        if (imgui) ImGui_ImplOpenGL3_Shutdown(), ImGui::DestroyContext();
+        if (context) emscripten_webgl_destroy_context(context);
+    }
+
+    static Native& of(void* user) {
+        web::wake();
+        return *static_cast<Native*>(user);
+    }
+
+    void fit_page() const;
+    void place_pointer(double x, double y);
+    void press_button(int button, double x, double y);
+    void listen_to_mouse();
+    void listen_to_keys();
+    void listen_to_touch();
+    void use_clipboard();
+    void show_cursor();
+};
+
+// Makes the canvas as large as the page, in pixels of the display.
+void Window::Native::fit_page() const {
+    double width = 0, height = 0;
+    emscripten_get_element_css_size(canvas, &width, &height);
+    const double scale = emscripten_get_device_pixel_ratio();
+    const int w = std::max(1, static_cast<int>(std::lround(width * scale)));
+    const int h = std::max(1, static_cast<int>(std::lround(height * scale)));
+    int old_w = 0, old_h = 0;
+    emscripten_get_canvas_element_size(canvas, &old_w, &old_h);
+    if (w != old_w || h != old_h) emscripten_set_canvas_element_size(canvas, w, h);
+}
+
+// x, y: pixels of the page.
+void Window::Native::place_pointer(double x, double y) {
+    const double scale = emscripten_get_device_pixel_ratio();
+    pointer = {static_cast<float>(x * scale), static_cast<float>(y * scale)};
+}
+
+void Window::Native::press_button(int button, double x, double y) {
+    place_pointer(x, y);
+    const auto b = static_cast<std::size_t>(button);
+    down[b] = pressed[b] = true;
+    if (button == 0) double_clicked |= clicks.press(emscripten_get_now() / 1000, pointer.x, pointer.y);
+}
+
+void Window::Native::listen_to_mouse() {
+    const auto press = [](int, const EmscriptenMouseEvent* e, void* user) -> EM_BOOL {
+        of(user).press_button(button_of(e->button), e->clientX, e->clientY);
+        return EM_FALSE;  // the canvas gets the focus
+    };
+    const auto release = [](int, const EmscriptenMouseEvent* e, void* user) -> EM_BOOL {
+        Native& self = of(user);
+        self.place_pointer(e->clientX, e->clientY);
+        self.down[static_cast<std::size_t>(button_of(e->button))] = false;
+        return EM_FALSE;
+    };
+    const auto move = [](int, const EmscriptenMouseEvent* e, void* user) -> EM_BOOL {
+        Native& self = of(user);
+        self.place_pointer(e->clientX, e->clientY);
+        if (e->buttons == 0) self.down = {};  // released outside the browser
+        return EM_FALSE;
+    };
+    const auto leave = [](int, const EmscriptenMouseEvent*, void* user) -> EM_BOOL {
+        Native& self = of(user);
+        const bool drags = std::any_of(self.down.begin(), self.down.end(), [](bool down) { return down; });
+        if (!drags) self.pointer = {-FLT_MAX, -FLT_MAX};
+        return EM_FALSE;
+    };
+    const auto turn_wheel = [](int, const EmscriptenWheelEvent* e, void* user) -> EM_BOOL {
+        const double notch = e->deltaMode == DOM_DELTA_PIXEL ? 100 : e->deltaMode == DOM_DELTA_LINE ? 3 : 1;
+        Native& self = of(user);
+        self.wheel.x -= static_cast<float>(e->deltaX / notch);
+        self.wheel.y -= static_cast<float>(e->deltaY / notch);
+        return EM_TRUE;
+    };
+    emscripten_set_mousedown_callback(canvas, this, false, press);
+    // Of the whole page: a drag goes on outside the canvas and outside the browser.
+    emscripten_set_mouseup_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, false, release);
+    emscripten_set_mousemove_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, false, move);
+    emscripten_set_mouseleave_callback(canvas, this, false, leave);
+    emscripten_set_wheel_callback(canvas, this, false, turn_wheel);
+}
+
+void Window::Native::listen_to_keys() {
+    const auto press = [](int, const EmscriptenKeyboardEvent* e, void* user) -> EM_BOOL {
+        Native& self = of(user);
+        self.held.set(*e, true);
+        if (!web::is_for_lab(*e)) return EM_FALSE;
+        if (const KeyPress key = web::press_of(*e); key.key != 0) self.keys.press(key, e->repeat);
+        if (const unsigned character = web::character_of(*e)) self.keys.type(character);
+        return EM_TRUE;
+    };
+    const auto release = [](int, const EmscriptenKeyboardEvent* e, void* user) -> EM_BOOL {
+        of(user).held.set(*e, false);
+        return EM_FALSE;
+    };
+    const auto lose_focus = [](int, const EmscriptenFocusEvent*, void* user) -> EM_BOOL {
+        Native& self = of(user);
+        self.held = {}, self.down = {};
+        return EM_FALSE;
+    };
+    emscripten_set_keydown_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, false, press);
+    emscripten_set_keyup_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, false, release);
+    emscripten_set_blur_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, false, lose_focus);
+}
+
+void Window::Native::listen_to_touch() {
+    const auto listen = [](int type, const EmscriptenTouchEvent* e, void* user) -> EM_BOOL {
+        Native& self = of(user);
+        self.touches.follow(type, *e);
+        return EM_TRUE;  // no mouse events for it
+    };
+    emscripten_set_touchstart_callback(canvas, this, false, listen);
+    emscripten_set_touchmove_callback(canvas, this, false, listen);
+    emscripten_set_touchend_callback(canvas, this, false, listen);
+    emscripten_set_touchcancel_callback(canvas, this, false, listen);
+}
+
+void Window::Native::use_clipboard() {
+    ImGuiIO& io = ImGui::GetIO();
+    io.ClipboardUserData = this;
+    io.SetClipboardTextFn = [](void* user, const char* text) {
+        static_cast<Native*>(user)->clipboard = text;
+        copy_on_page(text);
+    };
+    io.GetClipboardTextFn = [](void* user) {
+        auto& text = static_cast<Native*>(user)->clipboard;
+        char* pasted = pasted_on_page();
+        if (*pasted) text = pasted;
+        std::free(pasted);
+        return text.c_str();
+    };
+}
+
+void Window::Native::show_cursor() {
+    const ImGuiMouseCursor wanted = ImGui::GetMouseCursor();
+    if (wanted != std::exchange(cursor, wanted)) set_page_cursor(css_cursor(wanted));
+}
+
+Window::Window(std::unique_ptr<Native> native) : native_(std::move(native)) {}
+Window::Window(Window&&) noexcept = default;
+Window& Window::operator=(Window&&) noexcept = default;
+Window::~Window() = default;
+
+Result<Window> Window::open(const WindowOptions&) {
+    auto native = std::make_unique<Native>();
+    native->fit_page();
+    EmscriptenWebGLContextAttributes wanted;
+    emscripten_webgl_init_context_attributes(&wanted);
+    wanted.majorVersion = 2;
+    // As Window of the desktop: no multisampling by a software renderer, which is too slow for it.
+    wanted.antialias = !draws_in_software();
+    wanted.powerPreference = EM_WEBGL_POWER_PREFERENCE_DEFAULT;
+    native->context = emscripten_webgl_create_context(canvas, &wanted);
+    if (native->context <= 0) return no_graphics();
+    emscripten_webgl_make_context_current(native->context);
+
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;  // no file of window positions
+    io.BackendPlatformName = "web";
+    web::set_key_map(io);
+    ImGui_ImplOpenGL3_Init("#version 300 es");
+    native->imgui = true;
+    native->use_clipboard();
+    native->listen_to_mouse();
+    native->listen_to_keys();
+    native->listen_to_touch();
+    open_keys = &native->keys, open_drops = &native->dropped;
+    return Window(std::move(native));
+}
+
+// The browser closes the page without a question; autosave keeps the work.
+bool Window::close_requested() const { return false; }
+void Window::refuse_close() {}
+
+Rect Window::area() const {
+    return {0, 0, static_cast<float>(framebuffer_width()), static_cast<float>(framebuffer_height())};
+}
+
+std::pair<int, int> Window::windowed_size() const { return {framebuffer_width(), framebuffer_height()}; }
+std::optional<std::pair<int, int>> Window::windowed_place() const { return std::nullopt; }
+std::vector<std::array<int, 4>> Window::displays() const { return {}; }
+void Window::move_to(int, int) {}
+
+int Window::framebuffer_width() const {
+    int width = 0, height = 0;
+    emscripten_get_canvas_element_size(canvas, &width, &height);
+    return width;
+}
+
+int Window::framebuffer_height() const {
+    int width = 0, height = 0;
+    emscripten_get_canvas_element_size(canvas, &width, &height);
+    return height;
+}
+
+float Window::content_scale() const { return std::max(1.0f, static_cast<float>(emscripten_get_device_pixel_ratio())); }
+
+int Window::refresh_rate() const { return 0; }
+
+// Events arrive between the turns.
+void Window::poll(double patience) {
+    native_->fit_page();
+    if (patience > 0) web::put_off(patience);
+}
+
+void Window::rest(double) {}  // the browser begins the next turn at the rate of the display
+
+ui::KeysOfAFrame Window::take_keys(ui::TextInput text) { return native_->keys.take(text); }
+std::vector<std::string> Window::take_dropped_files() { return std::exchange(native_->dropped, {}); }
+bool Window::holds(int glfw_key) const { return native_->held.has(glfw_key); }
+
+void Window::begin_frame(const ui::KeysOfAFrame& keys) {
+    Native& self = *native_;
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(framebuffer_width()), static_cast<float>(framebuffer_height())};
+    const double now = emscripten_get_now();
+    io.DeltaTime = std::clamp(static_cast<float>((now - std::exchange(self.last_frame, now)) / 1000), 1e-4f, 0.25f);
+    if (const auto touch = self.touches.take()) {
+        if (touch->presses) self.press_button(0, touch->x, touch->y);
+        self.place_pointer(touch->x, touch->y);
+        self.down = {touch->holds && touch->fingers == 1, false, touch->holds && touch->fingers > 1};
+        self.wheel.y += touch->notches;
+    }
+    io.MousePos = self.pointer;
+    for (std::size_t i = 0; i < buttons; ++i) io.MouseDown[i] = self.down[i] || std::exchange(self.pressed[i], false);
+    const ImVec2 wheel = std::exchange(self.wheel, {});
+    io.MouseWheel += wheel.y, io.MouseWheelH += wheel.x;
+    ui::hand_over(keys, self.held.modifiers(), io);
+    self.show_cursor();
+    ImGui::NewFrame();
+    if (std::exchange(self.double_clicked, false)) compat::set_double_clicked(io);
+}
+
+void Window::end_frame() {
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Window::show() {}  // the browser shows the canvas after the turn
+
+void Window::upload_fonts() {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+void Window::toggle_full_screen() { toggle_full_page(); }
+
+bool Window::watches_graphics() const { return false; }
+int Window::graphics_errors() const { return 0; }
+
+void Window::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, framebuffer_width(), framebuffer_height());
+}
+
+std::vector<unsigned char> Window::pixels() const {
+    const auto width = static_cast<std::size_t>(framebuffer_width());
+    const auto height = static_cast<std::size_t>(framebuffer_height());
+    std::vector<unsigned char> rgba(width * height * 4), rgb;
+    rgb.reserve(width * height * 3);
+    glReadPixels(0, 0, framebuffer_width(), framebuffer_height(), GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    for (std::size_t y = height; y-- > 0;)
+        for (std::size_t x = 0; x < width; ++x) {
+            const auto from = rgba.begin() + static_cast<std::ptrdiff_t>((y * width + x) * 4);
+            rgb.insert(rgb.end(), from, from + 3);
+        }
+    return rgb;
+}
+
+}  // namespace braitenlab
+
+// Events that the page passes on.
+extern "C" {
+
+// Text is pasted: pasted_on_page() returns it.
+EMSCRIPTEN_KEEPALIVE void braitenlab_paste() {
+    braitenlab::web::wake();
+    if (braitenlab::open_keys) braitenlab::open_keys->press({'V', true});
+}
+
+// A file is uploaded or dropped; the page has written it to this path.
+EMSCRIPTEN_KEEPALIVE void braitenlab_open(const char* path) {
+    braitenlab::web::wake();
+    if (braitenlab::open_drops) braitenlab::open_drops->emplace_back(path);
+}
+
+}  // extern "C"

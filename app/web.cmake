@@ -1,0 +1,25 @@
+# The lab as a program of a web page, with its data and fonts in one file; packaging/web makes the page.
+include("${CMAKE_SOURCE_DIR}/packaging/fonts.cmake")
+set(preloaded exercises@/data/exercises shaders@/data/shaders ui/strings@/data/ui/strings)
+list(TRANSFORM preloaded PREPEND "${CMAKE_SOURCE_DIR}/")
+foreach(font IN LISTS BRAITENLAB_FONTS)
+  cmake_path(GET font FILENAME name)
+  list(APPEND preloaded "${font}@/data/fonts/${name}")
+endforeach()
+list(TRANSFORM preloaded PREPEND "SHELL:--preload-file ")
+target_link_options(braitenlab PRIVATE ${preloaded}
+  -sENVIRONMENT=web -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sFORCE_FILESYSTEM=1 -sINITIAL_MEMORY=67108864
+  -sEXPORTED_RUNTIME_METHODS=FS,ccall "-sEXPORTED_FUNCTIONS=_main,_malloc,_free")
+file(GLOB_RECURSE data CONFIGURE_DEPENDS
+  "${CMAKE_SOURCE_DIR}/exercises/*" "${CMAKE_SOURCE_DIR}/shaders/*" "${CMAKE_SOURCE_DIR}/ui/strings/*")
+set_target_properties(braitenlab PROPERTIES LINK_DEPENDS "${data}")
+
+file(GLOB page CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/packaging/web/*")
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+set(dist "${CMAKE_SOURCE_DIR}/build/dist")
+add_custom_command(
+  OUTPUT "${dist}/web/index.html" "${dist}/braitenlab-web.html"
+  COMMAND ${Python3_EXECUTABLE} "${CMAKE_SOURCE_DIR}/packaging/web/make_page.py" $<TARGET_FILE_DIR:braitenlab> "${dist}"
+  DEPENDS braitenlab ${page}
+  VERBATIM)
+add_custom_target(braitenlab_page DEPENDS "${dist}/web/index.html")

@@ -1,0 +1,161 @@
+"use strict";
+// The page: checks the browser, loads the program with a progress bar, and starts it. make_page.py sets `built`.
+
+const texts = {
+    en: {
+        loads: "Loading …", again: "Start again",
+        old: "This browser is too old for the lab. Use a current version of Firefox, Chrome, Edge or Safari.",
+        graphics: "The lab needs WebGL 2, which this browser does not offer here. Switch on hardware acceleration in " +
+                  "the browser’s settings, or use a current version of Firefox, Chrome, Edge or Safari.",
+        missing: "A file of the lab could not be loaded: ",
+        server: "This page needs a web server. Without one, open braitenlab-web.html, which is a single file.",
+        stopped: "The lab has stopped. Your work up to the last seconds is kept and offered at the next start. ",
+        ended: "The lab is closed.",
+    },
+    de: {
+        loads: "Wird geladen …", again: "Neu starten",
+        old: "Dieser Browser ist zu alt für das Labor. Nötig ist eine aktuelle Version von Firefox, Chrome, Edge oder Safari.",
+        graphics: "Das Labor braucht WebGL 2, das dieser Browser hier nicht bietet. Schalten Sie in den Einstellungen " +
+                  "des Browsers die Hardwarebeschleunigung ein, oder nehmen Sie eine aktuelle Version von Firefox, Chrome, Edge oder Safari.",
+        missing: "Eine Datei des Labors konnte nicht geladen werden: ",
+        server: "Diese Seite braucht einen Webserver. Ohne Webserver öffnen Sie braitenlab-web.html, eine einzelne Datei.",
+        stopped: "Das Labor wurde angehalten. Ihre Arbeit bis auf die letzten Sekunden ist gespeichert und wird beim nächsten Start angeboten. ",
+        ended: "Das Labor ist geschlossen.",
+    },
+    es: {
+        loads: "Cargando …", again: "Iniciar de nuevo",
+        old: "Este navegador es demasiado antiguo para el laboratorio. Use una versión actual de Firefox, Chrome, Edge o Safari.",
+        graphics: "El laboratorio necesita WebGL 2, que este navegador no ofrece aquí. Active la aceleración por hardware " +
+                  "en la configuración del navegador, o use una versión actual de Firefox, Chrome, Edge o Safari.",
+        missing: "No se pudo cargar un archivo del laboratorio: ",
+        server: "Esta página necesita un servidor web. Sin servidor, abra braitenlab-web.html, que es un solo archivo.",
+        stopped: "El laboratorio se ha detenido. Su trabajo, salvo los últimos segundos, está guardado y se ofrecerá al iniciar de nuevo. ",
+        ended: "El laboratorio está cerrado.",
+    },
+};
+const query = new URLSearchParams(location.search);
+const language = query.get("lang") || navigator.language.slice(0, 2);
+const words = texts[language] || texts.en;
+document.documentElement.lang = texts[language] ? language : "en";
+
+const element = (id) => document.getElementById(id);
+
+function show(message, withButton) {
+    element("message").textContent = message;
+    element("bar").hidden = true;
+    element("again").hidden = !withButton;
+    element("cover").hidden = false;
+}
+
+element("message").textContent = words.loads;
+element("again").textContent = words.again;
+element("again").onclick = () => location.reload();
+
+// What the browser lacks; an empty text if nothing.
+function whatIsMissing() {
+    if (typeof WebAssembly !== "object" || !WebAssembly.Tag || typeof DecompressionStream !== "function") return words.old;
+    const context = document.createElement("canvas").getContext("webgl2");
+    if (!context) return words.graphics;
+    const info = context.getExtension("WEBGL_debug_renderer_info");
+    const renderer = info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : "";
+    Module.drawsInSoftware = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer);
+    context.getExtension("WEBGL_lose_context")?.loseContext();
+    return "";
+}
+
+// ── Loading ──
+
+const received = {};
+
+function showProgress() {
+    const sum = (values) => Object.values(values).reduce((a, b) => a + b, 0);
+    element("bar").value = sum(received) / sum(built.sizes);
+}
+
+// The bytes of a file of the program: from this page if it contains them, else from the server.
+async function load(name) {
+    const inside = element(name);
+    if (inside) {
+        const packed = Uint8Array.from(atob(inside.textContent.trim()), (c) => c.charCodeAt(0));
+        inside.remove();
+        const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+        const bytes = await new Response(unpacked).arrayBuffer();
+        received[name] = bytes.byteLength;
+        showProgress();
+        return bytes;
+    }
+    const answer = await fetch(`${name}?${built.version}`);
+    if (!answer.ok) throw new Error(`${name} (${answer.status})`);
+    const bytes = new Uint8Array(built.sizes[name]);
+    let at = 0;
+    for (const reader = answer.body.getReader(); ;) {
+        const { done, value } = await reader.read();
+        if (done) break;
+        bytes.set(value, at);
+        received[name] = at += value.length;
+        showProgress();
+    }
+    return bytes.buffer;
+}
+
+// ── The program ──
+
+// What the address asks for, as options of the command line: ?open=3a-love&lang=de&play
+function programArguments() {
+    const list = [];
+    if (query.get("open")) list.push(query.get("open").replace(/^-+/, ""));
+    for (const name of ["lang", "seed", "scale", "camera", "quality"])
+        if (query.get(name)) list.push(`--${name}=${query.get(name)}`);
+    for (const name of ["play", "lecture", "projector"])
+        if (query.has(name)) list.push(`--${name}`);
+    return list;
+}
+
+var Module = {
+    canvas: element("canvas"),
+    arguments: programArguments(),
+    print: (text) => console.log(text),
+    printErr: (text) => console.warn(text),
+    preRun: [],
+    onFirstPicture() {
+        element("cover").hidden = true;
+        element("canvas").focus();
+        window.braitenlab.ready = true;
+        performance.mark("first picture");
+    },
+    onEnd: () => show(words.ended, true),
+    onAbort: (reason) => show(words.stopped + reason, true),
+};
+
+window.addEventListener("error", (event) => {
+    if (window.braitenlab.ready) show(words.stopped + event.message, true);
+});
+
+// For scripts: what --state and --anchors write. Rectangles are in pixels of the page, as mouse events are.
+window.braitenlab = {
+    ready: false,
+    state: () => JSON.parse(Module.ccall("braitenlab_text", "string", ["string"], ["state"])),
+    anchors() {
+        const rectangles = JSON.parse(Module.ccall("braitenlab_text", "string", ["string"], ["anchors"]));
+        for (const name in rectangles) rectangles[name] = rectangles[name].map((v) => v / devicePixelRatio);
+        return rectangles;
+    },
+};
+
+async function start() {
+    const missing = whatIsMissing();
+    if (missing) return show(missing, false);
+    try {
+        const [program, data, script] =
+            await Promise.all(["braitenlab.wasm", "braitenlab.data", "braitenlab.js"].map(load));
+        Module.wasmBinary = new Uint8Array(program);
+        Module.getPreloadedPackage = () => data;
+        const tag = document.createElement("script");
+        tag.textContent = new TextDecoder().decode(script);
+        document.body.append(tag);
+    } catch (problem) {
+        show(location.protocol === "file:" ? words.server : words.missing + problem.message, true);
+    }
+}
+
+start();

@@ -1,0 +1,120 @@
+// A page of the lab in headless Chromium, with a web server of its own.
+import { createServer } from "node:http";
+import { readFile } from "node:fs/promises";
+import { createRequire } from "node:module";
+import path from "node:path";
+
+// playwright-core is in build/web-tests, where ./dev web installs it.
+export const root = path.resolve(import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname), "../..");
+const { chromium } = createRequire(path.join(root, "build/web-tests/"))("playwright-core");
+
+const types = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm" };
+
+// Serves a folder at a free port; returns the address.
+export async function serve(folder) {
+    const server = createServer(async (request, response) => {
+        const name = new URL(request.url, "http://localhost").pathname.replace(/\/$/, "/index.html");
+        try {
+            const content = await readFile(path.join(folder, path.normalize(name)));
+            response.writeHead(200, { "Content-Type": types[path.extname(name)] ?? "application/octet-stream" });
+            response.end(content);
+        } catch {
+            response.writeHead(404).end();
+        }
+    });
+    await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+    return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
+}
+
+// WebGL by SwiftShader, a software renderer. `extra`: further switches.
+export function openBrowser(extra = []) {
+    return chromium.launch({
+        executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+        args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...extra],
+    });
+}
+
+// The lab in a page of the browser.
+export class Lab {
+    constructor(page) {
+        this.page = page;
+        this.errors = [];
+        page.on("pageerror", (error) => this.errors.push(String(error)));
+        page.on("console", (message) => {
+            if (message.type() === "error" || /GL_INVALID|WebGL:/.test(message.text())) this.errors.push(message.text());
+        });
+    }
+
+    static async open(browser, address, options = {}) {
+        const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: "en-US", ...options });
+        const lab = new Lab(await context.newPage());
+        await lab.go(address);
+        return lab;
+    }
+
+    async go(address) {
+        await this.page.goto(address);
+        await this.ready();
+    }
+
+    async ready() {
+        await this.page.waitForFunction(() => window.braitenlab?.ready, null, { timeout: 60000 });
+    }
+
+    state() {
+        return this.page.evaluate(() => window.braitenlab.state());
+    }
+
+    anchors() {
+        return this.page.evaluate(() => window.braitenlab.anchors());
+    }
+
+    // Waits until check(state, argument) is true; the check runs in the page.
+    async until(check, argument, what = String(check)) {
+        const text = `(${check})(window.braitenlab.state(), ${JSON.stringify(argument ?? null)})`;
+        try {
+            await this.page.waitForFunction(text, null, { timeout: 20000 });
+        } catch {
+            throw new Error(`never true: ${what}`);
+        }
+    }
+
+    async rectangle(anchor) {
+        for (let tries = 0; tries < 100; ++tries) {
+            const found = (await this.anchors())[anchor];
+            if (found) return found;
+            await this.page.waitForTimeout(50);
+        }
+        throw new Error(`no ${anchor} in the window; there are: ${Object.keys(await this.anchors()).join(" ")}`);
+    }
+
+    async middle(anchor) {
+        const [x, y, w, h] = await this.rectangle(anchor);
+        return [x + w / 2, y + h / 2];
+    }
+
+    async click(anchor) {
+        await this.page.mouse.click(...await this.middle(anchor));
+    }
+
+    // Presses at one place, moves in steps, releases at another.
+    async drag([x0, y0], [x1, y1], steps = 12) {
+        const { mouse } = this.page;
+        await mouse.move(x0, y0);
+        await this.frames(2);
+        await mouse.down();
+        await this.frames(2);
+        for (let i = 1; i <= steps; ++i) {
+            await mouse.move(x0 + (x1 - x0) * i / steps, y0 + (y1 - y0) * i / steps);
+            await this.frames(1);
+        }
+        await mouse.up();
+        await this.frames(2);
+    }
+
+    // Waits until the lab has drawn this many frames.
+    async frames(count) {
+        const begun = (await this.state()).frames;
+        await this.page.waitForFunction((until) => window.braitenlab.state().frames >= until, begun + count);
+    }
+}
