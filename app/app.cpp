@@ -112,12 +112,15 @@ bool App::turn() {
     return true;
 }
 
-void App::close() {
+void App::keep_work() {
     save_settings(true);
-    if (is_told_to_end())
-        autosave_.keep(lab_, lab_.wall_seconds, Autosave::Occasion::end);  // offered at the next start
-    else
-        autosave_.finish();
+    autosave_.keep(lab_, lab_.wall_seconds, Autosave::Occasion::end);  // offered at the next start
+}
+
+void App::close() {
+    if (is_told_to_end()) return keep_work();
+    save_settings(true);
+    autosave_.finish();
 }
 
 bool App::ends() {

@@ -43,6 +43,9 @@ public:
     // false.
     int exit_code() const { return exit_code_; }
 
+    // Saves the settings, and the work for the next start. For a page, which may end without a further call.
+    void keep_work();
+
     // What --state and --anchors write (app/report_state.h), as JSON.
     std::string state_text() const;
     std::string anchors_text() const;

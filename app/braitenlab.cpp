@@ -105,6 +105,7 @@ int open_and_run(Options options) {
     if (!renderer) return complain(renderer.error());
     const auto app = std::make_shared<App>(options, std::move(opened->lab), std::move(*window), std::move(*renderer),
                                            std::move(*words), std::move(settings));
+    when_page_is_left([app] { app->keep_work(); });
     offer_to_page("state", [app] { return app->state_text(); });
     offer_to_page("anchors", [app] { return app->anchors_text(); });
     repeat([app] { return app->turn(); });

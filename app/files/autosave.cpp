@@ -296,7 +296,8 @@ void Autosave::write(const Document& document, bool ended) {
         if (auto error = write_whole(file, write_autosave(draft, when, ended))) return cannot_store(*error);
         return std::nullopt;
     };
-    writing_ = start_or_run(task, [](const auto& job) { return std::async(std::launch::async, job); });
+    writing_ = has_threads() ? start_or_run(task, [](const auto& job) { return std::async(std::launch::async, job); })
+                             : run_now(task);
 }
 
 void Autosave::finish() {

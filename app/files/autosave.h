@@ -55,6 +55,14 @@ struct Leftover {
     RecoveryOffer offer;
 };
 
+// Runs a task before returning.
+template <class Task>
+std::future<std::optional<Error>> run_now(const Task& task) {
+    std::promise<std::optional<Error>> done;
+    done.set_value(task());
+    return done.get_future();
+}
+
 // Starts a task by launch(task), as std::async does on another thread. If that fails because there is no thread
 // (std::system_error), runs the task before returning.
 template <class Task, class Launch>
@@ -62,9 +70,7 @@ std::future<std::optional<Error>> start_or_run(const Task& task, const Launch& l
     try {
         return launch(task);
     } catch (const std::system_error&) {
-        std::promise<std::optional<Error>> done;
-        done.set_value(task());
-        return done.get_future();
+        return run_now(task);
     }
 }
 

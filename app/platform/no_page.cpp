@@ -9,6 +9,10 @@ void repeat(std::function<bool()> turn) {
 
 bool is_on_page() { return false; }
 
+void choose_files() {}
+
+void when_page_is_left(std::function<void()>) {}
+
 void offer_to_page(const std::string&, std::function<std::string()>) {}
 
 }  // namespace braitenlab

@@ -13,6 +13,12 @@ void repeat(std::function<bool()> turn);
 // True in a browser: files come by upload and leave by download, and the program has no terminal.
 bool is_on_page();
 
+// Lets the user choose files of the computer; they arrive as dropped files do.
+void choose_files();
+
+// Calls `keep` when the browser may end the page without a further event; what it writes is stored.
+void when_page_is_left(std::function<void()> keep);
+
 // Gives scripts of the page a JSON text as the result of window.braitenlab.NAME(). `name` is "state" or "anchors".
 void offer_to_page(const std::string& name, std::function<std::string()> json);
 

@@ -59,6 +59,9 @@ std::optional<FileLock> lock_file(const std::filesystem::path&);
 // call installs the handlers; before it, and after the first such request, the system ends the program at once.
 bool is_told_to_end();
 
+// False in a browser: std::async would wait for its thread without end.
+bool has_threads();
+
 // The number of this process, unique among all running processes.
 long process_number();
 

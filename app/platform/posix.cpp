@@ -103,6 +103,8 @@ bool is_told_to_end() {
     return installed && told_to_end;
 }
 
+bool has_threads() { return true; }
+
 long process_number() { return getpid(); }
 
 std::string system_language() {

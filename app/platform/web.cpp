@@ -36,6 +36,8 @@ std::optional<FileLock> lock_file(const std::filesystem::path&) { return FileLoc
 
 bool is_told_to_end() { return false; }
 
+bool has_threads() { return false; }
+
 long process_number() { return 1; }
 
 std::string system_language() {

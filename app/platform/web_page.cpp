@@ -21,7 +21,10 @@ std::map<std::string, std::function<std::string()>>& offered() {
 // clang-format off
 EM_JS(void, tell_page_of_first_picture, (), { if (Module.onFirstPicture) Module.onFirstPicture(); });
 EM_JS(void, tell_page_of_end, (), { if (Module.onEnd) Module.onEnd(); });
+EM_JS(void, choose_files_on_page, (), { Module.chooseFiles(); });
 // clang-format on
+
+std::function<void()> keep_work;
 
 }  // namespace
 
@@ -53,9 +56,17 @@ void repeat(std::function<bool()> turn) {
 
 bool is_on_page() { return true; }
 
+void choose_files() { choose_files_on_page(); }
+
+void when_page_is_left(std::function<void()> keep) { keep_work = std::move(keep); }
+
 void offer_to_page(const std::string& name, std::function<std::string()> json) { offered()[name] = std::move(json); }
 
 }  // namespace braitenlab
+
+extern "C" EMSCRIPTEN_KEEPALIVE void braitenlab_leave() {
+    if (braitenlab::keep_work) braitenlab::keep_work();
+}
 
 // For scripts of the page. The text is valid until the next call.
 extern "C" EMSCRIPTEN_KEEPALIVE const char* braitenlab_text(const char* name) {

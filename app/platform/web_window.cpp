@@ -23,7 +23,6 @@
 
 // clang-format off
 EM_JS(void, set_page_cursor, (const char* name), { Module.canvas.style.cursor = UTF8ToString(name); });
-EM_JS(int, draws_in_software, (), { return Module.drawsInSoftware ? 1 : 0; });
 EM_JS(void, copy_on_page, (const char* text), { Module.copyText(UTF8ToString(text)); });
 // The text of the last paste event; released by the caller.
 EM_JS(char*, pasted_on_page, (), {
@@ -253,8 +252,7 @@ Result<Window> Window::open(const WindowOptions&) {
     EmscriptenWebGLContextAttributes wanted;
     emscripten_webgl_init_context_attributes(&wanted);
     wanted.majorVersion = 2;
-    // As Window of the desktop: no multisampling by a software renderer, which is too slow for it.
-    wanted.antialias = !draws_in_software();
+    wanted.antialias = false;  // high quality has multisampling of its own (render/gl/multisample.h)
     wanted.powerPreference = EM_WEBGL_POWER_PREFERENCE_DEFAULT;
     native->context = emscripten_webgl_create_context(canvas, &wanted);
     if (native->context <= 0) return no_graphics();

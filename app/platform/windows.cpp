@@ -115,6 +115,8 @@ bool is_told_to_end() {
     return installed && told_to_end;
 }
 
+bool has_threads() { return true; }
+
 long process_number() { return static_cast<long>(GetCurrentProcessId()); }
 
 std::string system_language() {

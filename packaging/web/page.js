@@ -54,12 +54,13 @@ element("again").onclick = () => location.reload();
 // What the browser lacks; an empty text if nothing.
 function whatIsMissing() {
     if (typeof WebAssembly !== "object" || !WebAssembly.Tag || typeof DecompressionStream !== "function") return words.old;
-    const context = document.createElement("canvas").getContext("webgl2");
+    // The program uses this context. It draws smooth edges by itself (render/gl/multisample.h).
+    const context = element("canvas").getContext("webgl2", { antialias: false });
     if (!context) return words.graphics;
     const info = context.getExtension("WEBGL_debug_renderer_info");
     const renderer = info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : "";
-    Module.drawsInSoftware = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer);
-    context.getExtension("WEBGL_lose_context")?.loseContext();
+    const inSoftware = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer);
+    if (inSoftware && !query.has("quality")) Module.arguments.push("--quality=low");
     return "";
 }
 
@@ -116,11 +117,14 @@ var Module = {
     arguments: programArguments(),
     print: (text) => console.log(text),
     printErr: (text) => console.warn(text),
-    preRun: [],
+    preRun: [() => files.restore(FS)],
+    copyText,
+    chooseFiles: files.choose,
     onFirstPicture() {
         element("cover").hidden = true;
         element("canvas").focus();
         window.braitenlab.ready = true;
+        files.follow();
         performance.mark("first picture");
     },
     onEnd: () => show(words.ended, true),
@@ -143,11 +147,11 @@ window.braitenlab = {
 };
 
 async function start() {
+    const loading = Promise.all(["braitenlab.wasm", "braitenlab.data", "braitenlab.js"].map(load));
     const missing = whatIsMissing();
-    if (missing) return show(missing, false);
+    if (missing) return loading.catch(() => {}), show(missing, false);
     try {
-        const [program, data, script] =
-            await Promise.all(["braitenlab.wasm", "braitenlab.data", "braitenlab.js"].map(load));
+        const [program, data, script] = await loading;
         Module.wasmBinary = new Uint8Array(program);
         Module.getPreloadedPackage = () => data;
         const tag = document.createElement("script");
