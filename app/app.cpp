@@ -15,6 +15,7 @@
 #include "app/insight/explanation.h"
 #include "app/insight/predictions.h"
 #include "app/lab_requests.h"
+#include "app/platform/page.h"
 #include "app/platform/platform.h"
 #include "app/remembered.h"
 #include "app/title.h"
@@ -103,6 +104,7 @@ bool App::turn() {
     write_reports();
     save_settings(false);
     if (const auto error = autosave_.keep(lab_, lab_.wall_seconds)) show_error(*error);
+    if (std::exchange(lab_.uploads, false)) choose_files();
     if (lab_.full_screen) lab_.full_screen = false, window_.toggle_full_screen();
     if (repeatable()) return true;
     const int rate = window_.refresh_rate();

@@ -13,6 +13,7 @@
 #include "app/insight/predictions.h"
 #include "app/lab_requests.h"
 #include "app/lab_selection.h"
+#include "app/platform/page.h"
 #include "app/platform/platform.h"
 #include "app/title.h"
 #include "render/view/between.h"
@@ -107,6 +108,7 @@ void App::frame(float passed) {
     view.recent = &settings_.state.recent;
     view.files = &files_;
     view.version = version_text();
+    view.uploads = is_on_page();
     if (autosave_.leftover()) view.recovery = &autosave_.leftover()->offer;
     make_pictures();
     view.pictures = &gallery_.pictures();

@@ -66,6 +66,7 @@ struct Lab {
     // Requests that the window executes and clears.
     bool exit = false, screenshot = false, full_screen = false;
     bool begins = false;                         // leaves the title page
+    bool uploads = false;                        // the user chooses files of the computer
     std::vector<Request> files{};                // to open, to save, to export, to list a folder
     std::vector<Request> reports{};              // hand-ins and lab records to write
     std::vector<std::filesystem::path> saved{};  // scene files written: leftovers of earlier work on them are removed

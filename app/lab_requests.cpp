@@ -482,6 +482,7 @@ void handle(Lab& lab, const Request& request) {
                      [&](const SaveExerciseRequest& r) { lab.files.push_back(r); },
                      [&](const RecoverRequest& r) { lab.files.push_back(r); },
                      [&](const BeginRequest&) { lab.begins = true; },
+                     [&](const UploadRequest&) { lab.uploads = true; },
                      [&](const LeaveRequest& r) { lab.files.push_back(r); },
                      [&](const PreferencesRequest& r) { lab.preferences = r.preferences; },
                      [&](const OverlaysRequest& r) { lab.view.overlays = r.overlays; },

@@ -254,6 +254,7 @@ struct OpenRequest {
     bool next_exercise = false;  // requested by the button of a passed exercise, whose edited brain may be lost
     bool resume = false;         // a lecture that was left: at the page where it was left
 };
+struct UploadRequest {};  // in a browser: the user chooses files of the computer
 struct BrowseRequest {
     std::string path{};  // the folder to list; empty: the folder of the last opened or saved file
 };
@@ -308,7 +309,7 @@ using Request =
                  BrowseRequest, SaveRequest, RecoverRequest, LeaveRequest, SeedRequest, NoticeRequest,
                  SaveExerciseRequest, PredictPathRequest, CompareRequest, ChooseChildRequest, EarlierGenerationRequest,
                  KeptRequest, TogetherRequest, NotesRequest, StudentRequest, HandsRequest, HandInRequest,
-                 LabRecordRequest, BeginRequest, MapRequest>;
+                 LabRecordRequest, BeginRequest, MapRequest, UploadRequest>;
 using Outbox = std::vector<Request>;
 
 }  // namespace braitenlab

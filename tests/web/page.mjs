@@ -112,6 +112,28 @@ export class Lab {
         await this.frames(2);
     }
 
+    // Drops a file with this text onto the page.
+    drop(name, text) {
+        return this.page.evaluate(([file, content]) => {
+            const dataTransfer = new DataTransfer();
+            dataTransfer.items.add(new File([content], file));
+            dispatchEvent(new DragEvent("drop", { dataTransfer, cancelable: true }));
+        }, [name, text]);
+    }
+
+    // Puts fingers onto the page at the first places, moves them to the others, lifts them.
+    async touch(places) {
+        const session = await this.page.context().newCDPSession(this.page);
+        const send = async (type, at) => {
+            const touchPoints = at.map(([x, y], id) => ({ x, y, id }));
+            await session.send("Input.dispatchTouchEvent", { type, touchPoints });
+            await this.frames(2);
+        };
+        await send("touchStart", places[0]);
+        for (const at of places.slice(1)) await send("touchMove", at);
+        await send("touchEnd", []);
+    }
+
     // Waits until the lab has drawn this many frames.
     async frames(count) {
         const begun = (await this.state()).frames;

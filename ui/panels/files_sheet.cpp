@@ -155,6 +155,15 @@ void file_buttons(const LabView& view, PanelState& state, Ui& ui) {
         if (at.pressed && !files.saving) request_file(view, files, ui, OpenRequest{files.typed.text});
         ImGui::SameLine(0, ui.px(8));
     }
+    if (view.uploads && !files.saving) {
+        const Item upload = button(ui, "files.upload", {{}, ui.strings("files.upload")});
+        tooltip(ui, upload, ui.strings("files.upload_how"));
+        if (upload.pressed) {
+            ui.outbox.push_back(UploadRequest{});
+            state.sheet = Sheet::none;
+        }
+        ImGui::SameLine(0, ui.px(8));
+    }
     const Item cancel = button(ui, "files.cancel", {{}, ui.strings("files.cancel")});
     tooltip(ui, cancel, ui.strings("files.cancel_how"), key_name({key::escape}, ui.strings));
     if (cancel.pressed) state.sheet = Sheet::none;

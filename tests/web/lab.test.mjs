@@ -1,0 +1,195 @@
+// The lab in headless Chromium, with a real mouse and keyboard: node --test, by ./dev web.
+import assert from "node:assert/strict";
+import { mkdtemp, readFile, writeFile } from "node:fs/promises";
+import os from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+
+import { Lab, openBrowser, root, serve } from "./page.mjs";
+
+const limit = { timeout: 120000 };
+let server, browser;
+
+before(async () => {
+    server = await serve(path.join(root, "build/dist/web"));
+    browser = await openBrowser();
+});
+
+after(async () => {
+    await browser?.close();
+    server?.close();
+});
+
+// A page of the lab for one test; fails on errors of the page.
+async function withLab(query, use, options) {
+    const lab = await Lab.open(browser, server.address + query, options);
+    try {
+        await use(lab);
+        assert.deepEqual(lab.errors, []);
+    } finally {
+        await lab.page.context().close();
+    }
+}
+
+test("The first picture comes within three seconds", limit, async () => {
+    const times = [];
+    for (let i = 0; i < 3; ++i)
+        await withLab("?open=01-drive", async (lab) => {
+            times.push(await lab.page.evaluate(() => performance.getEntriesByName("first picture")[0].startTime));
+        });
+    console.log(`first picture after ${times.map((t) => (t / 1000).toFixed(2)).join(", ")} s`);
+    assert.ok(Math.min(...times) < 3000);
+});
+
+test("The first start shows the title page, Begin the first exercise", limit, () =>
+    withLab("", async (lab) => {
+        await lab.click("title.begin");
+        await lab.until((state) => state.exercise?.id === "01-drive");
+    }));
+
+test("Exercise 1 is solved by its slider", limit, () =>
+    withLab("?open=01-drive", async (lab) => {
+        await lab.click("exercise.predict.2");
+        await lab.until((state) => state.exercise.predicted === 1);
+        const [x, y, w, h] = await lab.rectangle("bias.RM");
+        await lab.page.mouse.click(x + w / 2, y + h / 2);
+        await lab.until((state) => state.focus === "bias.RM");
+        for (let i = 0; i < 40 && Math.abs((await lab.state()).weights.RM - 0.3) > 0.024; ++i) {
+            await lab.page.keyboard.press((await lab.state()).weights.RM < 0.3 ? "ArrowRight" : "ArrowLeft");
+            await lab.frames(2);
+        }
+        await lab.page.keyboard.press("Escape");
+        await lab.page.keyboard.press("Space");
+        await lab.until((state) => state.exercise.steps.every((step) => step.done), null);
+        await lab.until((state) => state.exercise.passed, null, "exercise passed");
+    }));
+
+test("A drag moves a slider, and undo takes it back", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        const before = (await lab.state()).weights.LL;
+        const [x, y, w, h] = await lab.rectangle("slider.LL");
+        await lab.drag([x + w * 0.5, y + h / 2], [x + w * 0.62, y + h / 2]);
+        await lab.until((state, old) => state.weights.LL !== old, before);
+        await lab.page.keyboard.press("Escape");
+        await lab.page.keyboard.press("Control+z");
+        await lab.until((state, old) => state.weights.LL === old, before);
+    }));
+
+test("A wire is drawn in the diagram", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        await lab.page.keyboard.press("w");
+        await lab.until((state) => state.mode === "wiring");
+        await lab.frames(4);
+        const before = (await lab.state()).wires;
+        await lab.drag(await lab.middle("pin.SL.out"), await lab.middle("pin.MR.in"));
+        await lab.until((state, old) => state.wires === old + 1, before);
+    }));
+
+test("A scene is saved as a download and opened again by upload", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        const { page } = lab;
+        await page.keyboard.press("Control+s");
+        await lab.until((state) => state.focus === "files.path");
+        await page.keyboard.press("Control+a");
+        await page.keyboard.type("my own");
+        const download = page.waitForEvent("download");
+        await page.keyboard.press("Enter");
+        const saved = await download;
+        assert.equal(saved.suggestedFilename(), "my own.toml");
+        const text = await readFile(await saved.path(), "utf8");
+        assert.match(text, /\[\[kind\]\]/);
+
+        const file = path.join(await mkdtemp(path.join(os.tmpdir(), "braitenlab-")), "hers.toml");
+        await writeFile(file, text.replace(/^title = .*$/m, 'title = "Hers"'));
+        await page.keyboard.press("Control+o");
+        const chooser = page.waitForEvent("filechooser");
+        await lab.click("files.upload");
+        await (await chooser).setFiles(file);
+        await lab.until((state) => state.opened === "hers");
+    }));
+
+test("A broken file is refused with its line", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        await lab.drop("broken.toml", 'format = 1\ntitle = "x\n');
+        await lab.until((state) => /broken\.toml/.test(JSON.stringify(state.notice)));
+        assert.equal((await lab.state()).opened, "2a-coward");
+    }));
+
+test("A reload offers the work back", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        const before = (await lab.state()).weights.LL;
+        const [x, y, w, h] = await lab.rectangle("slider.LL");
+        await lab.drag([x + w * 0.5, y + h / 2], [x + w * 0.62, y + h / 2]);
+        await lab.until((state, old) => state.weights.LL !== old, before);
+        const edited = (await lab.state()).weights.LL;
+        await lab.page.reload();
+        await lab.ready();
+        await lab.click("recovery.take");
+        await lab.until((state, value) => state.weights.LL === value, edited);
+    }));
+
+test("The language is the browser's", limit, () =>
+    withLab("?open=2a-coward", async (lab) => assert.equal((await lab.state()).language, "de"), { locale: "de-AT" }));
+
+test("Text is pasted from the clipboard", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        await lab.page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+        await lab.page.evaluate(() => navigator.clipboard.writeText("größer"));
+        await lab.page.keyboard.press("Control+s");
+        await lab.until((state) => state.focus === "files.path");
+        await lab.page.keyboard.press("Control+a");
+        await lab.page.keyboard.press("Control+v");
+        await lab.until((state) => state.typed === "größer");
+    }));
+
+test("Keys of the browser are left to it", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        const kept = await lab.page.evaluate(() =>
+            [["t", true], ["w", true], ["r", true], ["F5", false], ["F12", false], ["F11", false], ["z", true], ["w", false]]
+                .map(([key, ctrlKey]) => [key, ctrlKey, !dispatchEvent(
+                    new KeyboardEvent("keydown", { key, ctrlKey, bubbles: true, cancelable: true }))])
+                .filter(([, , taken]) => taken).map(([key, ctrl]) => (ctrl ? "Ctrl+" : "") + key));
+        assert.deepEqual(kept, ["Ctrl+z", "w"]);
+    }));
+
+test("On a display of double density the picture is sharp and widgets are where the mouse is", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        assert.deepEqual(await lab.page.evaluate(() => [Module.canvas.width, Module.canvas.height]), [1600, 1200]);
+        await lab.click("button.play");
+        await lab.until((state) => state.mode === "playing");
+    }, { viewport: { width: 800, height: 600 }, deviceScaleFactor: 2 }));
+
+test("A finger presses a button and drags a slider, two fingers zoom", limit, () =>
+    withLab("?open=2a-coward", async (lab) => {
+        await lab.page.touchscreen.tap(...await lab.middle("button.play"));
+        await lab.until((state) => state.mode === "playing");
+        await lab.page.touchscreen.tap(...await lab.middle("button.play"));
+        const before = await lab.state();
+        const [x, y, w, h] = await lab.rectangle("slider.LL");
+        await lab.touch([[[x + w * 0.5, y + h / 2]], [[x + w * 0.55, y + h / 2]], [[x + w * 0.62, y + h / 2]]]);
+        await lab.until((state, old) => state.weights.LL !== old, before.weights.LL);
+        const [vx, vy, vw, vh] = await lab.rectangle("viewport");
+        const fingers = (apart) => [[vx + vw / 2 - apart, vy + vh / 2], [vx + vw / 2 + apart, vy + vh / 2]];
+        await lab.touch([fingers(40), fingers(60), fingers(80), fingers(120)]);
+        await lab.until((state, old) => JSON.stringify(state.view) !== old, JSON.stringify(before.view));
+    }, { hasTouch: true }));
+
+test("The single file runs without a server", limit, async () => {
+    const lab = await Lab.open(browser, pathToFileURL(path.join(root, "build/dist/braitenlab-web.html")) + "?open=2a-coward");
+    await lab.until((state) => state.opened === "2a-coward");
+    assert.deepEqual(lab.errors, []);
+    await lab.page.context().close();
+});
+
+test("Without WebGL 2 the page says what is missing", limit, async () => {
+    const other = await openBrowser(["--disable-webgl2", "--disable-3d-apis"]);
+    try {
+        const page = await other.newPage();
+        await page.goto(server.address);
+        await page.waitForFunction(() => /WebGL 2/.test(document.getElementById("message").textContent));
+        assert.equal(await page.isVisible("#cover"), true);
+    } finally {
+        await other.close();
+    }
+});
