@@ -135,6 +135,9 @@ window.addEventListener("error", (event) => {
     if (window.braitenlab.ready) show(words.stopped + event.message, true);
 });
 
+// The system takes the graphics away, for example after a fault of the driver.
+element("canvas").addEventListener("webglcontextlost", () => show(words.stopped, true));
+
 // For scripts: what --state and --anchors write. Rectangles are in pixels of the page, as mouse events are.
 window.braitenlab = {
     ready: false,

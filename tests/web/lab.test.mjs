@@ -98,7 +98,7 @@ test("A scene is saved as a download and opened again by upload", limit, () =>
         const saved = await download;
         assert.equal(saved.suggestedFilename(), "my own.toml");
         const text = await readFile(await saved.path(), "utf8");
-        assert.match(text, /\[\[kind\]\]/);
+        assert.match(text, /\[kind\.coward\]/);
 
         const file = path.join(await mkdtemp(path.join(os.tmpdir(), "braitenlab-")), "hers.toml");
         await writeFile(file, text.replace(/^title = .*$/m, 'title = "Hers"'));
