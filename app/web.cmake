@@ -14,12 +14,23 @@ file(GLOB_RECURSE data CONFIGURE_DEPENDS
   "${CMAKE_SOURCE_DIR}/exercises/*" "${CMAKE_SOURCE_DIR}/shaders/*" "${CMAKE_SOURCE_DIR}/ui/strings/*")
 set_target_properties(braitenlab PROPERTIES LINK_DEPENDS "${data}")
 
+set(licences "braitenlab=${CMAKE_SOURCE_DIR}/LICENSE")
+foreach(package IN ITEMS fonts-noto-core fonts-noto-mono fonts-fork-awesome emscripten
+                         libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev)
+  list(APPEND licences "${package}=/usr/share/doc/${package}/copyright")
+endforeach()
+foreach(package IN ITEMS box2d imgui freetype libstb)
+  file(GLOB licence "${BRAITENLAB_SOURCES}/${package}-*/debian/copyright")
+  list(APPEND licences "${package}=${licence}")
+endforeach()
+
 file(GLOB page CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/packaging/web/*")
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(dist "${CMAKE_SOURCE_DIR}/build/dist")
 add_custom_command(
   OUTPUT "${dist}/web/index.html" "${dist}/braitenlab-web.html"
   COMMAND ${Python3_EXECUTABLE} "${CMAKE_SOURCE_DIR}/packaging/web/make_page.py" $<TARGET_FILE_DIR:braitenlab> "${dist}"
+          ${licences}
   DEPENDS braitenlab ${page}
   VERBATIM)
 add_custom_target(braitenlab_page DEPENDS "${dist}/web/index.html")

@@ -1,4 +1,4 @@
-"""Makes the page of the lab: make_page.py FOLDER_OF_THE_PROGRAM DIST
+"""Makes the page of the lab: make_page.py FOLDER_OF_THE_PROGRAM DIST [NAME=LICENCE…]
 
 DIST/web is a folder for any web server. DIST/braitenlab-web.html is a single file that needs none: it contains the
 program and its data, compressed.
@@ -41,7 +41,10 @@ folder.mkdir(parents=True)
 for name in names:
     (folder / name).write_bytes(contents[name])
 (folder / "index.html").write_text(page(""), encoding="utf-8")
+for name, licence in (pair.split("=", 1) for pair in sys.argv[3:]):
+    (folder / "licences").mkdir(exist_ok=True)
+    shutil.copyfile(licence, folder / "licences" / f"{name}.txt")
 (dist / "braitenlab-web.html").write_text(page("\n".join(map(embedded, names))), encoding="utf-8")
 
-compressed = sum(len(gzip.compress(path.read_bytes(), 9)) for path in folder.iterdir())
+compressed = sum(len(gzip.compress((folder / name).read_bytes(), 9)) for name in [*names, "index.html"])
 print(f"{folder}: {compressed / 1e6:.2f} MB compressed")
