@@ -139,6 +139,17 @@ TEST(PredictionPart, TheFirstPlayPointsToTheQuestionAndTheSecondSkipsIt) {
     }
 }
 
+TEST(PredictionPart, ItsAnswersStayInPlaceWhenPlayPointsToTheQuestion) {
+    Desk desk(1280, 800, 1, true);
+    desk.open_exercise();
+    desk.frame(30);
+    const Rect before = desk.where("exercise.predict.1");
+    desk.key({' '});
+    desk.frame(30);
+    ASSERT_TRUE(desk.anchors.find("exercise.answer_first"));
+    EXPECT_EQ(desk.where("exercise.predict.1").y, before.y);
+}
+
 TEST(PredictionPart, PlayOfTheToolbarAsksOnceToo) {
     Desk desk;
     desk.open_exercise();

@@ -77,7 +77,6 @@ void answer_first(const LabView& view, const PanelState& state, Ui& ui) {
 void open_prediction(const LabView& view, PanelState& state, Ui& ui) {
     const LessonView& lesson = *view.lesson;
     const Prediction& asked = lesson.exercise->prediction;
-    answer_first(view, state, ui);
     paragraph(ui, translated(ui, asked.question), ui.palette.text);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(4)});
     if (!asked.path_of.empty()) draw_button(view, state, ui);
@@ -90,6 +89,7 @@ void open_prediction(const LabView& view, PanelState& state, Ui& ui) {
             ui.outbox.push_back(PredictRequest{static_cast<int>(i)});
     }
     ImGui::PopStyleVar();
+    answer_first(view, state, ui);  // below the answers, which then stay under the pointer
 }
 
 // Of the vehicle whose path is drawn, m.
