@@ -23,7 +23,7 @@ const texts = {
         ended: "Das Labor ist geschlossen.",
     },
     es: {
-        loads: "Cargando …", again: "Iniciar de nuevo",
+        loads: "Cargando…", again: "Iniciar de nuevo",
         old: "Este navegador es demasiado antiguo para el laboratorio. Use una versión actual de Firefox, Chrome, Edge o Safari.",
         graphics: "El laboratorio necesita WebGL 2, que este navegador no ofrece aquí. Active la aceleración por hardware " +
                   "en la configuración del navegador, o use una versión actual de Firefox, Chrome, Edge o Safari.",

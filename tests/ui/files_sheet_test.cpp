@@ -72,6 +72,18 @@ TEST_F(FilesSheet, ShowsTheReasonForARefusedFileAndStaysOpen) {
     EXPECT_EQ(said(files.refused->text()), 1);
 }
 
+TEST_F(FilesSheet, OffersAnUploadInABrowserOnly) {
+    press({'O', true});
+    EXPECT_FALSE(desk.anchors.find("files.upload"));
+    desk.view.uploads = true;
+    desk.frame(2);
+    desk.click("files.upload");
+    desk.frame(2);
+    EXPECT_TRUE(std::any_of(desk.all.begin(), desk.all.end(),
+                            [](const Request& request) { return std::holds_alternative<UploadRequest>(request); }));
+    EXPECT_FALSE(desk.anchors.find("card.open")) << "the window shows the opened file";
+}
+
 TEST_F(FilesSheet, SelectsTheOpenFileAndCanBeUsedByKeysAlone) {
     press({'O', true});
     EXPECT_EQ(desk.panels.keyboard.focus, "gallery.05-aggressor");
