@@ -37,7 +37,7 @@ constexpr auto sensor_parts = std::to_array<SensorPart>({
 constexpr std::string_view readme_text = R"(# The brain "@TITLE@" on an Arduino Uno
 
 Exported from Braitenlab. The program computes the same commands as the lab: it was compared with it in a simulator of the
-processor. **Nobody has tried this export on a real robot yet**; please report what you find.
+processor. **This export has not been tried on a real robot yet**; please report what you find.
 
 | File | Contents |
 |---|---|

@@ -212,7 +212,7 @@ std::string readme(const Plan& plan) {
             input.id, input.id.substr(std::string_view("sensor_").size()));
     constexpr std::string_view text = R"(# The brain "@TITLE@" as a circuit
 
-Exported from Braitenlab. The circuit was compared with the lab in ngspice. **Nobody has soldered it yet**; please report what you find.
+Exported from Braitenlab. The circuit was compared with the lab in ngspice. **It has not been soldered yet**; please report what you find.
 
 5 V stand for 1. Parts: @CHIPS@ × LM324 at 9 V, a 5 V regulator for `v5`, resistors of 1 %.
 
