@@ -11,6 +11,7 @@
 #include "app/document.h"
 #include "app/files/data.h"
 #include "app/files/screenshot.h"
+#include "core/maths/fnv.h"
 #include "core/scene/file_kind.h"
 #include "render/view/framing.h"
 
@@ -70,10 +71,9 @@ Picture picture_of(const Snapshot& now, bool is_exercise, Theme theme) {
 }  // namespace
 
 std::string cached_picture_name(std::string_view content, std::string_view version, Theme theme) {
-    constexpr std::string_view format = "1";     // changes with the constants of this file
-    std::uint64_t hash = 14695981039346656037U;  // FNV-1a, http://www.isthe.com/chongo/tech/comp/fnv/
-    for (const std::string_view text : {content, version, format})
-        for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+    constexpr std::string_view format = "1";  // changes with the constants of this file
+    std::uint64_t hash = maths::fnv_start;
+    for (const std::string_view text : {content, version, format}) hash = maths::fnv(text, hash);
     return fmt::format("{:016x}-{}.png", hash, word(theme));
 }
 

@@ -100,6 +100,20 @@ CLI::App* add_think(CLI::App& app, ThinkOptions& options) {
     return command;
 }
 
+CLI::App* add_study(CLI::App& app, StudyOptions& options) {
+    CLI::App* command =
+        app.add_subcommand("study", "run a scene for values and seeds, and print medians and quartiles");
+    command->add_option("STUDY", options.file, "a path, or the bare name of a shipped study")->required();
+    command
+        ->add_option("--csv", options.csv,
+                     "write a row per run; -: to standard output; after an interruption the same command continues")
+        ->type_name("FILE");
+    command->add_flag("--json", options.json, "print medians, quartiles and paired differences as JSON");
+    command->add_option("--threads", options.threads, "threads; without it, one per processor")
+        ->check(CLI::Range(1, 256));
+    return command;
+}
+
 int command_line(int argc, char** argv) {
     CLI::App app{"Braitenlab without a window."};
     app.require_subcommand(1);
@@ -211,9 +225,12 @@ int command_line(int argc, char** argv) {
     ThinkOptions thought;
     CLI::App* think_command = add_think(app, thought);
 
+    StudyOptions studied;
+    CLI::App* study_command = add_study(app, studied);
+
     std::vector<std::string_view> commands;
     for (const CLI::App* command : {run_command, map_command, check_command, grade_command, show_command,
-                                    hashes_command, export_command, think_command})
+                                    hashes_command, export_command, think_command, study_command})
         commands.push_back(command->get_name());
     if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
         return complain({in_quotes(argv[1]) + " is not a command" + name_nearest(argv[1], commands)});
@@ -229,6 +246,7 @@ int command_line(int argc, char** argv) {
     if (*show_command) return show(shown);
     if (*hashes_command) return print_hashes(hashed);
     if (*export_command) return export_to_robot(exported);
+    if (*study_command) return study(studied);
     if (*think_command) return think_vectors(thought);
     if (all) return check_all(checked.seed, checked.json);
     if (checked.exercise.empty()) return complain({"check needs an EXERCISE or --all"});

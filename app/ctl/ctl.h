@@ -53,6 +53,16 @@ struct MapOptions {
 // Runs a map of behaviour and prints it as text or JSON, or writes it as a table or a picture.
 int map(const MapOptions&);
 
+struct StudyOptions {
+    std::string file;  // a study: path or bare name
+    std::string csv;   // file of the table; "-": standard output; empty: none
+    int threads = 0;   // 0: one per processor
+    bool json = false;
+};
+// Runs a study and prints medians and quartiles as text or JSON, or the table. Interrupted with a file for the table,
+// it continues the next time.
+int study(const StudyOptions&);
+
 // The content of a scene's file. The error for another kind of file says what it is, what the command takes, and which
 // command is for it.
 Result<std::string> read_scene_text(const std::filesystem::path&, std::string_view command, std::string_view takes);

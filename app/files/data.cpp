@@ -63,7 +63,7 @@ Result<fs::path> find_shipped(const std::string& path_or_name) {
     const auto data = data_folder();
     if (!data) return data.error();
     std::vector<std::string> names;
-    for (const char* folder : {"scenes", "guided", "lectures"})
+    for (const char* folder : {"scenes", "guided", "lectures", "studies"})
         for (const fs::path& file : toml_files(*data / "exercises" / folder)) {
             if (file.stem() == path_or_name) return file;
             names.push_back(file.stem().string());

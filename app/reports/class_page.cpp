@@ -83,7 +83,7 @@ struct Page {
     }
 
     std::string tiles() const {
-        const Spread& s = summary.starts;
+        const maths::Spread& s = summary.starts;
         const auto without = static_cast<std::size_t>(summary.counted);
         std::string out = "<div class=\"tiles\">\n";
         out += tile(std::to_string(summary.counted), words("report.students"));

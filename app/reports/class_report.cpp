@@ -38,14 +38,6 @@ std::optional<RowProblem> submission_problem(const Exercise& exercise, const Cla
     return std::nullopt;
 }
 
-double quantile(const std::vector<int>& sorted, double share) {
-    if (sorted.empty()) return 0;
-    const double at = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(at);
-    const auto above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 std::string_view translated(const Strings& strings, const std::string& text) { return strings.find(text, text); }
 
 std::string measures_text(const Strings& strings, const Verdict& verdict) {
@@ -151,7 +143,7 @@ ClassSummary summary_of(const ClassReport& report) {
     ClassSummary summary;
     summary.failed.resize(report.exercise->steps.size());
     summary.resembling.resize(report.exercise->wrong.size());
-    std::vector<int> counts;
+    std::vector<double> counts;
     for (const ClassRow& row : report.rows) {
         if (row.problem || !row.grade) continue;
         ++summary.counted;
@@ -164,9 +156,7 @@ ClassSummary summary_of(const ClassReport& report) {
             if (const std::size_t step = failed_step(start); step < summary.failed.size() && !start.passed)
                 ++summary.failed[step];
     }
-    std::sort(counts.begin(), counts.end());
-    summary.starts = {quantile(counts, 0), quantile(counts, 0.25), quantile(counts, 0.5), quantile(counts, 0.75),
-                      quantile(counts, 1)};
+    summary.starts = maths::spread_of(counts);
     const auto worst = std::max_element(summary.failed.begin(), summary.failed.end());
     if (worst != summary.failed.end() && *worst > 0)
         summary.worst_step = static_cast<std::size_t>(worst - summary.failed.begin());

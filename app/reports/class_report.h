@@ -9,6 +9,7 @@
 
 #include "core/lesson/grade.h"
 #include "core/lesson/hand_in.h"
+#include "core/maths/spread.h"
 #include "ui/strings.h"
 
 namespace braitenlab {
@@ -67,14 +68,10 @@ void judge(const Exercise&, ClassRow&, Grade, const Grade& shipped, const std::v
 // Number of starts from which the step was done.
 int starts_done(const Grade&, std::size_t step);
 
-// Minimum, quartiles and maximum of the starts passed in the rows that count, by linear interpolation.
-struct Spread {
-    double least = 0, lower = 0, median = 0, upper = 0, most = 0;
-};
 struct ClassSummary {
-    int counted = 0;                   // rows without a problem
-    int passed = 0, passed_shown = 0;  // passed_shown: of them, those where the lab had set the solution
-    Spread starts;
+    int counted = 0;                        // rows without a problem
+    int passed = 0, passed_shown = 0;       // passed_shown: of them, those where the lab had set the solution
+    maths::Spread starts;                   // passed, in the rows that count
     std::vector<int> failed;                // of each step: starts that it made fail, see failed_step()
     std::optional<std::size_t> worst_step;  // the one that made most starts fail
     std::vector<int> resembling;            // of each wrong answer: students

@@ -198,15 +198,11 @@ std::vector<Command> MapBase::commands(MapPlace place) const {
 MapRun::MapRun(std::shared_ptr<const MapBase> base, MapPlace place, int seed) : base_(std::move(base)) {
     auto world = base_->world(place, seed);
     if (!world) return;
+    const VehicleId vehicle = base_->question().vehicle;
+    VehicleTrace trace;
+    if (!world->trace(vehicle, trace)) return;
     world_ = std::move(*world);
-    Snapshot start;
-    world_->capture(start);
-    if (!find_vehicle(start, base_->question().vehicle)) {
-        world_.reset();
-        return;
-    }
-    judge_.emplace(start, base_->question().vehicle);
-    others_.resize(judge_->others().size());
+    judge_.emplace(*world_, vehicle);
     path_.reserve(base_->question().ticks + 1);
     add_pose();
 }
@@ -220,20 +216,10 @@ bool MapRun::advance(std::size_t ticks) {
 }
 
 void MapRun::add_pose() {
-    for (std::size_t i = 0; i < others_.size(); ++i) {
-        const bool is_there = world_->trace(judge_->others()[i], now_);
-        others_[i] = is_there ? maths::vec2{now_.pose.x, now_.pose.y} : maths::vec2{NAN, NAN};
-    }
-    if (!world_->trace(base_->question().vehicle, now_)) return end(true);
-    if (!judge_->add(now_, others_)) return end(false);
-    path_.push_back(now_.pose);
-    if (path_.size() > base_->question().ticks) end(false);
-}
-
-void MapRun::end(bool is_gone) {
-    Snapshot last;
-    world_->capture(last);
-    outcome_ = judge_->outcome(last.events, is_gone);
+    const bool goes_on = judge_->add(*world_);
+    if (goes_on) path_.push_back(judge_->pose());
+    if (goes_on && path_.size() <= base_->question().ticks) return;
+    outcome_ = judge_->outcome(*world_);
     world_.reset();
 }
 

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "core/insight/behaviour.h"
+#include "core/insight/predict.h"
+#include "core/insight/run_judge.h"
 #include "core/result.h"
 #include "core/scene/toml_tree.h"
 #include "core/world/world.h"
@@ -99,13 +101,10 @@ public:
 
 private:
     void add_pose();
-    void end(bool is_gone);
 
     std::shared_ptr<const MapBase> base_;
     std::optional<World> world_;  // nullopt: complete
-    std::optional<Judge> judge_;
-    std::vector<maths::vec2> others_;
-    VehicleTrace now_;
+    std::optional<RunJudge> judge_;
     Path path_;
     Outcome outcome_;
 };

@@ -95,12 +95,12 @@ GivenValues with_own_values(GivenValues given, const auto& own) {
 
 GivenValues given_values(const Scene& given, const Snapshot& now, const VehicleView& vehicle) {
     const Kind& kind = given.kinds[static_cast<std::size_t>(vehicle.kind)];
-    const GivenValues of_kind{&kind.brain, kind.driver};
-    if (vehicle.start >= 0) return with_own_values(of_kind, given.starts[static_cast<std::size_t>(vehicle.start)]);
+    const GivenValues kind_values{&kind.brain, kind.driver};
+    if (vehicle.start >= 0) return with_own_values(kind_values, given.starts[static_cast<std::size_t>(vehicle.start)]);
     const int number = number_in_population(now, vehicle.id);
     for (const Member& member : given.members)
-        if (number_of(member) == number) return with_own_values(of_kind, member);
-    return of_kind;
+        if (number_of(member) == number) return with_own_values(kind_values, member);
+    return kind_values;
 }
 
 // See Subjects.

@@ -60,6 +60,9 @@ public:
     void texts(const char* key, std::vector<std::string> T::*, std::size_t most, std::size_t, const char* meaning) {
         row(key, "", fmt::format("up to {} texts", most), "", meaning);
     }
+    void numbers(const char* key, std::vector<double> T::*, std::size_t most, Range range, const char* meaning) {
+        row(key, "", fmt::format("up to {} numbers, {}", most, limits_text(range)), "", meaning);
+    }
     void choice(const char* key, int T::*, std::vector<std::string> T::*, const char* meaning) {
         row(key, "", "text", "", meaning);
     }

@@ -66,6 +66,19 @@ std::optional<std::int64_t> TomlTable::whole(std::string_view key, Range range) 
     return value;
 }
 
+std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std::size_t most, Range range) {
+    const TomlNode::List* values = list(key, most);
+    if (!values) return std::nullopt;
+    std::vector<double> all;
+    for (const TomlNode& value : *values) {
+        const auto number = value.as_number();
+        if (!number) return fail(key, message_of("list_of_numbers", key)), std::nullopt;
+        if (!range.holds(*number)) return fail(key, outside(key, *number, range)), std::nullopt;
+        all.push_back(*number);
+    }
+    return all;
+}
+
 std::optional<bool> TomlTable::flag(std::string_view key) {
     const TomlNode* node = find(key);
     if (!node) return std::nullopt;

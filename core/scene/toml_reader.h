@@ -31,6 +31,7 @@ public:
     std::optional<double> number(std::string_view key, Range);
     std::optional<std::int64_t> whole(std::string_view key, Range);
     std::optional<maths::vec2> pair(std::string_view key, Range);  // [x, y], each in the range
+    std::optional<std::vector<double>> numbers(std::string_view key, std::size_t most, Range);
     std::optional<bool> flag(std::string_view key);
     std::optional<std::string> text(std::string_view key, std::size_t longest);
     std::optional<std::size_t> one_of(std::string_view key, const std::vector<std::string_view>& words);  // which
@@ -91,8 +92,8 @@ std::vector<std::string_view> key_names() {
     return keys.names;
 }
 
-// The visitor of core/scene/schema.h that reads a struct. texts(), choice() and variant() serve the schema of
-// exercises.
+// The visitor of core/scene/schema.h that reads a struct. texts(), numbers(), choice() and variant() serve the
+// schemas of exercises, lectures and studies.
 template <class T>
 class TomlReader {
 public:
@@ -175,6 +176,9 @@ public:
             if (!text || text->size() > longest) return table_.fail(key, message_of("short_texts", key));
             (object_.*member).push_back(*text);
         }
+    }
+    void numbers(const char* key, std::vector<double> T::*member, std::size_t most, Range range, const char*) {
+        if (auto values = table_.numbers(key, most, range)) object_.*member = std::move(*values);
     }
     void choice(const char* key, int T::*member, std::vector<std::string> T::*options, const char*) {
         const std::vector<std::string_view> known((object_.*options).begin(), (object_.*options).end());

@@ -102,4 +102,11 @@ private:
     Checkpoint since_;  // the last keyframe and the commands since; `tick` is not kept up to date
 };
 
+// A new snapshot.
+inline Snapshot snapshot_of(const World& world) {
+    Snapshot now;
+    world.capture(now);
+    return now;
+}
+
 }  // namespace braitenlab

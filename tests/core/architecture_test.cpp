@@ -26,7 +26,7 @@ const std::map<std::string, std::vector<std::string>> may_include{
     {"core/world", {"core/maths", "core/mechanics", "core/brain", "core/scene", "core/sensing", "core"}},
     {"core/io", {"core/maths", "core/mechanics", "core/brain", "core/scene", "core/sensing", "core/world", "core"}},
     {"core/session", {"core/maths", "core/brain", "core/scene", "core/world", "core"}},
-    {"core/insight", {"core/maths", "core/brain", "core/scene", "core/sensing", "core/world", "core"}},
+    {"core/insight", {"core/maths", "core/brain", "core/scene", "core/sensing", "core/world", "core/io", "core"}},
     {"core/lesson", {"core/maths", "core/brain", "core/scene", "core/sensing", "core/world", "core/io", "core"}},
     {"core/export", {"core/maths", "core/brain", "core/scene", "core/io", "core"}},
     {"core", {}},

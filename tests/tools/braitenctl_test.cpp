@@ -603,5 +603,37 @@ TEST(CtlMap, SaysWhatIsWrongWithAnArgument) {
     EXPECT_EQ(ctl("map 05-aggressor").code, 2);
 }
 
+TEST(CtlStudy, PrintsMediansAndATableThatDoesNotDependOnThreads) {
+    const std::string file = scratch("study.toml"), csv = scratch("study.csv");
+    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nseconds = 10\nseeds = 3\n"
+                           "measures = [\"touch\", \"contacts\"]\n[[value]]\nname = \"weight\"\n"
+                           "paths = [\"kind.aggressor.brain.LR\", \"kind.aggressor.brain.RL\"]\nlevels = [0, 1]\n";
+    const Ran one = ctl("study " + file + " --csv - --threads 1"), two = ctl("study " + file + " --csv - --threads 3");
+    EXPECT_EQ(one.code, 0);
+    EXPECT_EQ(one.out, two.out);
+    EXPECT_EQ(one.out.substr(0, one.out.find('\n')), "run,seed,weight,touch_s,contacts");
+    const Json summary = Json::parse(ctl("study " + file + " --json --csv " + csv).out);
+    EXPECT_EQ(summary["runs"], 6);
+    ASSERT_EQ(summary["results"].size(), 4u);
+    EXPECT_TRUE(summary["results"][0]["median"].is_null());  // no wires: never
+    EXPECT_GT(summary["results"][2]["median"].get<double>(), 1);
+    EXPECT_EQ(summary["results"][2]["paired"]["below"], 3);
+    std::ifstream table(csv);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(table), {}), one.out);
+    EXPECT_NE(ctl("study " + file).out.find("weight 1 "), std::string::npos);
+    std::filesystem::remove(file), std::filesystem::remove(csv);
+}
+
+TEST(CtlStudy, NamesTheNearestStudyAndTheLineOfAnError) {
+    EXPECT_NE(ctl("study prey-eye").out.find("'prey-eyes'"), std::string::npos);
+    const std::string file = scratch("bad-study.toml");
+    std::ofstream(file) << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nmeasures = [\"tuch\"]\n[[value]]\n"
+                           "name = \"m\"\npaths = [\"arena.grip\"]\nlevels = [1]\n";
+    const Ran ran = ctl("study " + file);
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.out.find("bad-study.toml:4: there is no measure 'tuch'; the nearest is 'touch'"), std::string::npos);
+    std::filesystem::remove(file);
+}
+
 }  // namespace
 }  // namespace braitenlab::tests::braitenctl_test

@@ -1,0 +1,145 @@
+// braitenctl study: the runs of a study as a table, with medians and quartiles.
+#include "core/insight/study.h"
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/ctl/ctl.h"
+#include "app/ctl/table_file.h"
+#include "app/files/data.h"
+#include "app/files/safe_file.h"
+#include "app/files/study_files.h"
+#include "app/jobs/jobs.h"
+#include "app/platform/platform.h"
+#include "core/insight/study_table.h"
+
+namespace braitenlab {
+
+namespace {
+
+namespace fs = std::filesystem;
+using insight::Study;
+using insight::StudyBase;
+using insight::StudyRow;
+using insight::StudySummary;
+
+// Runs those that are missing. Returns false when the user has interrupted the program.
+Result<bool> compute(const std::shared_ptr<const StudyBase>& base, int threads, StudyTable& table) {
+    Jobs jobs(threads_for(threads));
+    const std::size_t batch = 4 * static_cast<std::size_t>(std::max(1, jobs.threads()));
+    while (table.rows().size() < base->study().runs()) {
+        const std::size_t first = table.rows().size();
+        auto job = jobs.submit(std::min(batch, base->study().runs() - first), [base, first](std::size_t part) {
+            return is_told_to_end() ? StudyRow{} : insight::run_of(base, first + part);
+        });
+        jobs.finish();
+        if (is_told_to_end()) return false;
+        const auto results = job.take();
+        if (!*results) return results->error();
+        if (const auto error = table.add(**results)) return *error;
+    }
+    return true;
+}
+
+std::string cell_text(double number) {
+    if (std::isnan(number)) return "–";
+    return std::isinf(number) ? "never" : fmt::format("{:.4g}", number);
+}
+
+std::string range_text(double low, double high) { return fmt::format("{} .. {}", cell_text(low), cell_text(high)); }
+
+// A table for each measure. The last columns compare each run with the run of the first row that has the same seed.
+std::string summary_text(const Study& study, const std::vector<StudyRow>& rows) {
+    std::string text;
+    for (std::size_t measure = 0; measure < study.measures.size(); ++measure) {
+        const insight::StudyMeasureTraits& traits = row_of(study.measures[measure]);
+        const std::string name =
+            fmt::format("{}{}", traits.word, traits.unit.empty() ? "" : fmt::format(" ({})", traits.unit));
+        text += fmt::format("{}{:<28} {:>8}  {:^18} {:^18} {:>10} {:>5} {:>5}\n", measure > 0 ? "\n" : "", name,
+                            "median", "quartiles", "range", "difference", "more", "less");
+        for (std::size_t i = 0; i < study.combinations(); ++i) {
+            const StudySummary summary = summary_of(study, rows, i, measure);
+            const maths::Spread& s = summary.spread;
+            text += fmt::format("{:<28} {:>8}  {:^18} {:^18}", combination_text(study, i), cell_text(s.median),
+                                range_text(s.lower, s.upper), range_text(s.least, s.most));
+            if (i > 0) text += fmt::format(" {:>+10.4g} {:>5} {:>5}", summary.paired, summary.more, summary.less);
+            text += '\n';
+        }
+    }
+    return text + fmt::format(
+                      "\n{} runs of each row. Difference, more and less: against the first row, run by run with the "
+                      "same seed.\n",
+                      study.seeds);
+}
+
+nlohmann::ordered_json number_or_null(double number) {
+    return std::isfinite(number) ? nlohmann::ordered_json(number) : nullptr;
+}
+
+std::string summary_json(const Study& study, const std::vector<StudyRow>& rows) {
+    nlohmann::ordered_json json;
+    json["title"] = study.title, json["runs"] = study.runs(), json["seeds"] = study.seeds;
+    auto& list = json["results"] = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < study.combinations(); ++i)
+        for (std::size_t measure = 0; measure < study.measures.size(); ++measure) {
+            const StudySummary summary = summary_of(study, rows, i, measure);
+            nlohmann::ordered_json row;
+            const std::vector<std::size_t> levels = levels_of(study, i);
+            for (std::size_t k = 0; k < levels.size(); ++k)
+                row["values"][study.values[k].name] = study.values[k].levels[levels[k]];
+            row["measure"] = word(study.measures[measure]);
+            const maths::Spread& s = summary.spread;
+            row["runs"] = s.count;
+            row["median"] = number_or_null(s.median);
+            row["quartiles"] = {number_or_null(s.lower), number_or_null(s.upper)};
+            row["range"] = {number_or_null(s.least), number_or_null(s.most)};
+            row["paired"] = {
+                {"median", number_or_null(summary.paired)}, {"above", summary.more}, {"below", summary.less}};
+            list.push_back(std::move(row));
+        }
+    return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+int study(const StudyOptions& options) {
+    const auto path = find_shipped(options.file);
+    if (!path) return complain(path.error());
+    const auto base = load_study(*path);
+    if (!base) return complain(base.error());
+    const bool prints = options.csv == standard_output;
+    if (prints && options.json)
+        return complain(
+            {"leaves no room for --json on standard output; leave it out, or give --csv a file", "--csv -"});
+    StudyTable table(*base, prints ? "" : options.csv);
+    if (const auto error = table.begin()) return complain(*error);
+    const std::size_t kept = table.rows().size();
+    if (kept > 0)
+        std::cerr << fmt::format("braitenctl: {} of {} runs are in {}\n", kept, (*base)->study().runs(),
+                                 table.unfinished().string());
+    const auto complete = compute(*base, options.threads, table);
+    if (!complete) return complain(complete.error());
+    if (!*complete) {
+        if (table.unfinished().empty()) return interrupted();
+        std::cerr << fmt::format("braitenctl: interrupted after {} of {} runs; the same command continues with {}\n",
+                                 table.rows().size(), (*base)->study().runs(), table.unfinished().string());
+        return exit_code::interrupted;
+    }
+    if (const auto error = table.finish()) return complain(*error);
+    if (prints) {
+        TableFile out(options.csv);
+        out.write(table.text());
+        const auto error = out.close();
+        return error ? complain(*error) : exit_code::done;
+    }
+    const Study& done = (*base)->study();
+    std::cout << (options.json ? summary_json(done, table.rows()) : summary_text(done, table.rows()));
+    return exit_code::done;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,94 @@
+#include "app/files/study_files.h"
+
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/files/data.h"
+#include "app/files/safe_file.h"
+#include "core/insight/study_table.h"
+#include "core/scene/file_kind.h"
+
+namespace braitenlab {
+
+namespace fs = std::filesystem;
+using insight::StudyRow;
+
+Result<std::shared_ptr<const insight::StudyBase>> load_study(const fs::path& path) {
+    const auto text = read_text(path);
+    if (!text) return text.error();
+    auto study = insight::parse_study(*text, path.string());
+    if (!study) return study.error();
+    const auto scene = find_shipped((path.parent_path() / study->scene).string());
+    const auto shipped = scene ? scene : find_shipped(study->scene);
+    if (!shipped) return shipped.error();
+    const auto scene_text = read_text(*shipped);
+    if (!scene_text) return scene_text.error();
+    return insight::StudyBase::create(std::move(*study), *scene_text, shipped->string());
+}
+
+StudyTable::StudyTable(std::shared_ptr<const insight::StudyBase> base, const std::string& path)
+    : base_(std::move(base)), path_(path) {}
+
+fs::path StudyTable::unfinished() const {
+    fs::path path = path_;
+    if (!path.empty()) path += ".part";
+    return path;
+}
+
+std::string StudyTable::name_line() const { return fmt::format("# study {:016x}\n", base_->fingerprint()); }
+
+std::optional<Error> StudyTable::begin() {
+    rows_.clear();
+    if (path_.empty()) return std::nullopt;
+    std::string kept = name_line() + insight::study_header(base_->study());
+    if (std::ifstream in(unfinished(), std::ios::binary); in) {
+        std::ostringstream all;
+        all << in.rdbuf();
+        const std::string text = all.str();
+        // A run that was cut off while it was written has no complete line.
+        if (text.starts_with(kept))
+            for (std::size_t at = kept.size(), end;
+                 rows_.size() < base_->study().runs() && (end = text.find('\n', at)) != std::string::npos;
+                 at = end + 1) {
+                const std::string line = text.substr(at, end + 1 - at);
+                auto row = insight::read_study_line(*base_, rows_.size(), line);
+                if (!row) break;
+                rows_.push_back(std::move(*row));
+                kept += line;
+            }
+    }
+    if (const auto error = write_whole(unfinished(), kept)) return error;
+    file_.open(unfinished(), std::ios::binary | std::ios::app);
+    if (!file_) return Error{"could not be written; check that the folder may be written to", unfinished().string()};
+    return std::nullopt;
+}
+
+std::optional<Error> StudyTable::add(const std::vector<StudyRow>& rows) {
+    for (const StudyRow& row : rows) {
+        if (!path_.empty()) file_ << insight::study_line(*base_, rows_.size(), row);
+        rows_.push_back(row);
+    }
+    if (!path_.empty() && !file_.flush())
+        return Error{"could not be written; check that the disk has room", unfinished().string()};
+    return std::nullopt;
+}
+
+std::optional<Error> StudyTable::finish() {
+    if (path_.empty()) return std::nullopt;
+    file_.close();
+    if (const auto error = write_whole(path_, text())) return error;
+    std::error_code none;
+    fs::remove(unfinished(), none);
+    return std::nullopt;
+}
+
+std::string StudyTable::text() const {
+    std::string text = insight::study_header(base_->study());
+    for (std::size_t run = 0; run < rows_.size(); ++run) text += insight::study_line(*base_, run, rows_[run]);
+    return text;
+}
+
+}  // namespace braitenlab

@@ -1,0 +1,48 @@
+// Files of studies: the study with its scene, and the table of its runs, which can be interrupted and continued.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/insight/study.h"
+#include "core/result.h"
+
+namespace braitenlab {
+
+// The study and its scene: a path relative to the study's file, or the name of a shipped scene.
+Result<std::shared_ptr<const insight::StudyBase>> load_study(const std::filesystem::path&);
+
+// The table of a study. While runs are missing, those that are complete are in PATH.part, which begins with a line that
+// names the study. The next begin() for the same study and path continues with them.
+class StudyTable {
+public:
+    // An empty path: the table is in memory only.
+    StudyTable(std::shared_ptr<const insight::StudyBase>, const std::string& path);
+
+    // Reads the unfinished table; a table of another study is begun anew. Fails if the file cannot be written.
+    std::optional<Error> begin();
+
+    // The next runs in order. They are in the file when it returns.
+    std::optional<Error> add(const std::vector<insight::StudyRow>&);
+
+    // Precondition: all runs are there. Writes the table to the path and removes the unfinished one.
+    std::optional<Error> finish();
+
+    const std::vector<insight::StudyRow>& rows() const { return rows_; }  // complete runs, in order
+    std::string text() const;                                             // header and these rows
+    std::filesystem::path unfinished() const;                             // empty for a table in memory
+
+private:
+    std::string name_line() const;
+
+    std::shared_ptr<const insight::StudyBase> base_;
+    std::filesystem::path path_;
+    std::ofstream file_;  // the unfinished table
+    std::vector<insight::StudyRow> rows_;
+};
+
+}  // namespace braitenlab

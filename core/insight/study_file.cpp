@@ -1,0 +1,144 @@
+#include "core/insight/study_file.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/messages.h"
+#include "core/scene/format_table.h"
+#include "core/scene/nearest.h"
+#include "core/scene/toml_reader.h"
+
+namespace braitenlab {
+
+using insight::Study;
+using insight::StudyValue;
+
+template <class Visitor>
+void describe(Visitor& v, Of<StudyValue>) {
+    v.text("name", &StudyValue::name, limits::name_length, "of the column in the table; must be given");
+    v.text("unit", &StudyValue::unit, 8, "for display");
+    v.texts("paths", &StudyValue::paths, insight::limits::study_paths, limits::text_length,
+            "of the values of the scene that get the level; a path that begins with `-` gets the negative level");
+    v.numbers("levels", &StudyValue::levels, insight::limits::study_levels, {-1e6, 1e6}, "one set of runs for each");
+}
+
+template <class Visitor>
+void describe(Visitor& v, Of<Study>) {
+    v.text("title", &Study::title, limits::title_length, "must be given");
+    v.text("scene", &Study::scene, limits::text_length,
+           "name of a shipped scene, or a path relative to this file; must be given");
+    v.text("vehicle", &Study::vehicle, limits::name_length,
+           "NAME of the [vehicle.NAME] that is measured; without it, the first vehicle");
+    v.number("seconds", &Study::seconds, "s", {1, 3600}, "simulated time of each run");
+    v.number("seeds", &Study::seeds, "", {1, 1000}, "runs of each combination");
+    v.number("first_seed", &Study::first_seed, "", {0, 1e15},
+             "seed of the first of these runs; then one more for each");
+    v.texts("measures", &Study::measure_words, insight::study_measure_table.size(), limits::name_length,
+            "what is measured in each run; at least one");
+    v.list("value", &Study::values, insight::limits::study_values, "a value that is varied; at least one");
+}
+
+namespace insight {
+
+namespace {
+
+void read_measures(TomlTable& top, Study& study) {
+    std::vector<std::string_view> known;
+    for (const StudyMeasureTraits& row : study_measure_table) known.push_back(row.word);
+    for (const std::string& word : study.measure_words) {
+        const auto found = std::find(known.begin(), known.end(), word);
+        if (found == known.end())
+            return top.fail("measures", message_of("no_measure", in_quotes(word)) + nearest_of(word, known));
+        study.measures.push_back(study_measure_table[static_cast<std::size_t>(found - known.begin())].value);
+    }
+}
+
+// The names of all columns differ.
+void check_names(TomlTable& top, const Study& study) {
+    std::set<std::string_view> names{"run", "seed"};
+    for (const std::string& word : study.measure_words)
+        if (!names.insert(word).second) top.fail("measures", message_of("column_twice", in_quotes(word)));
+    for (const StudyValue& value : study.values)
+        if (!names.insert(value.name).second) top.fail("value", message_of("column_twice", in_quotes(value.name)));
+}
+
+void check_study(TomlTable& top, Study& study) {
+    TomlFile& file = top.file();
+    for (const char* needed : {"title", "scene", "measures", "value"})
+        if (!top.has(needed) && !file.error) file.error = error_of(message_of("missing_in_study", needed), file.name);
+    if (file.error) return;
+    const TomlNode::List& tables = *top.content().get("value")->as_list();
+    for (std::size_t i = 0; i < study.values.size(); ++i) {
+        const StudyValue& value = study.values[i];
+        TomlTable table(file, tables[i], fmt::format("value.{}", i + 1));
+        if (value.name.empty()) table.fail("name", message_of("missing_in_value", "name"));
+        if (value.paths.empty()) table.fail("paths", message_of("missing_in_value", "paths"));
+        if (value.levels.empty()) table.fail("levels", message_of("missing_in_value", "levels"));
+    }
+    if (study.measure_words.empty()) top.fail("measures", message_of("missing_in_study", "measures"));
+    read_measures(top, study);
+    check_names(top, study);
+    if (!file.error && study.runs() > limits::study_runs)
+        top.fail("value", message_of("too_many_runs", study.runs(), limits::study_runs));
+}
+
+}  // namespace
+
+std::size_t Study::combinations() const {
+    std::size_t product = 1;
+    for (const StudyValue& value : values) product *= value.levels.size();
+    return product;
+}
+
+Result<Study> parse_study(std::string_view toml, const std::string& file_name) {
+    auto file = parse_toml(toml, file_name);
+    if (!file) return file.error();
+    check_format(*file);
+    Study study;
+    TomlTable top(*file, file->root, "");
+    top.find("format");
+    TomlReader<Study> reader(top, study);
+    describe(reader, Of<Study>{});
+    top.done();
+    if (!file->error) check_study(top, study);
+    if (file->error) return *file->error;
+    return study;
+}
+
+std::vector<std::size_t> levels_of(const Study& study, std::size_t combination) {
+    std::vector<std::size_t> levels(study.values.size());
+    for (std::size_t i = levels.size(); i-- > 0;) {
+        const std::size_t count = study.values[i].levels.size();
+        levels[i] = combination % count;
+        combination /= count;
+    }
+    return levels;
+}
+
+std::string combination_text(const Study& study, std::size_t combination) {
+    const std::vector<std::size_t> levels = levels_of(study, combination);
+    std::string text;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const StudyValue& value = study.values[i];
+        const bool is_sign = !value.unit.empty() && !std::isalpha(static_cast<unsigned char>(value.unit.front()));
+        text += fmt::format("{}{} {:g}{}{}", i > 0 ? ", " : "", value.name, value.levels[levels[i]],
+                            value.unit.empty() || is_sign ? "" : " ", value.unit);
+    }
+    return text;
+}
+
+std::string describe_study_format() {
+    FormatTable<Study> table("", "The top of the file", "");
+    describe(table, Of<Study>{});
+    std::string text =
+        table.text() + "\n## Measures\n\nThe words of `measures`.\n\n| Measure | Unit | Meaning |\n|---|---|---|\n";
+    for (const StudyMeasureTraits& row : study_measure_table)
+        text += fmt::format("| `{}` | {} | {} |\n", row.word, row.unit, row.meaning);
+    return text;
+}
+
+}  // namespace insight
+
+}  // namespace braitenlab

@@ -1,0 +1,91 @@
+// A study as its author writes it: one scene, values that are varied, seeds, and measures. The file format:
+// docs/study-format.md.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/enum_table.h"
+#include "core/result.h"
+
+namespace braitenlab::insight {
+
+namespace limits {
+inline constexpr std::size_t study_runs = 10'000, study_values = 6, study_levels = 100, study_paths = 16;
+}
+
+// What is measured in a run. The last four are about one vehicle, as core/insight/behaviour.h defines them.
+enum class StudyMeasure {
+    captures,
+    deaths,
+    births,
+    contacts,
+    falls,
+    predators,
+    prey,
+    closest,
+    final_distance,
+    time_to_touch,
+    survival
+};
+struct StudyMeasureTraits {
+    StudyMeasure value;
+    std::string_view word, unit;  // the unit ends the name of its column: closest_m
+    bool of_vehicle;
+    std::string_view meaning;
+};
+inline constexpr auto study_measure_table = std::to_array<StudyMeasureTraits>({
+    {StudyMeasure::captures, "captures", "", false, "prey that predators have eaten"},
+    {StudyMeasure::deaths, "deaths", "", false, "vehicles that have left without energy or over an edge"},
+    {StudyMeasure::births, "births", "", false, "vehicles that have replaced others"},
+    {StudyMeasure::contacts, "contacts", "", false, "begins of contacts of vehicles with anything"},
+    {StudyMeasure::falls, "falls", "", false, "falls over an open edge"},
+    {StudyMeasure::predators, "predators", "", false, "predators at the end"},
+    {StudyMeasure::prey, "prey", "", false, "prey at the end"},
+    {StudyMeasure::closest, "closest", "m", true, "closest approach of the vehicle to the nearest object it senses"},
+    {StudyMeasure::final_distance, "final", "m", true, "its distance from the nearest such object at the end"},
+    {StudyMeasure::time_to_touch, "touch", "s", true, "time until it touches the object; empty: never"},
+    {StudyMeasure::survival, "survival", "s", true, "time until the vehicle leaves the world"},
+});
+static_assert(is_complete_table<study_measure_table>());
+constexpr const auto& table_of(StudyMeasure) { return study_measure_table; }
+
+// One value that is varied.
+struct StudyValue {
+    std::string name, unit;
+    std::vector<std::string> paths;  // of the scene, as --set takes them; with '-' first: gets the negative level
+    std::vector<double> levels;
+};
+
+struct Study {
+    std::string title, scene;  // scene: a name or a path, as in the file
+    std::string vehicle;       // NAME of a [vehicle.NAME]; empty: the first
+    float seconds = 60;        // of each run
+    int seeds = 20;
+    std::uint64_t first_seed = 1;
+    std::vector<StudyValue> values;
+    std::vector<std::string> measure_words;
+    std::vector<StudyMeasure> measures;  // of the words
+
+    std::size_t combinations() const;
+    std::size_t runs() const { return combinations() * static_cast<std::size_t>(seeds); }
+};
+
+// Errors carry file and line: syntax, unknown keys, missing values, unknown measures, names given twice, more than
+// limits::study_runs runs.
+Result<Study> parse_study(std::string_view toml, const std::string& file_name);
+
+// Index of the level of each value in a combination; the last value varies fastest.
+std::vector<std::size_t> levels_of(const Study&, std::size_t combination);
+
+// "eyes 80°, speed 1.3 m/s".
+std::string combination_text(const Study&, std::size_t combination);
+
+// The tables of docs/study-format.md, in Markdown.
+std::string describe_study_format();
+
+}  // namespace braitenlab::insight

@@ -1,0 +1,202 @@
+// Studies: the file, the runs, the table and its summary.
+#include "core/insight/study.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "core/insight/study_table.h"
+#include "tests/core/runs.h"
+#include "tests/core/scenes.h"
+
+namespace braitenlab::tests::study_test {
+namespace {
+
+namespace fs = std::filesystem;
+using insight::Study;
+using insight::StudyBase;
+using insight::StudyMeasure;
+using insight::StudyRow;
+
+constexpr double never = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
+const fs::path source = BRAITENLAB_SOURCE;
+
+std::string file_text(const std::string& top, const std::string& value) {
+    return "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\n" + top + "\n[[value]]\n" + value;
+}
+constexpr const char* weights =
+    "name = \"weight\"\npaths = [\"kind.aggressor.brain.LR\", \"-kind.aggressor.brain.RL\"]\nlevels = [0.5, 1.5]\n";
+
+std::shared_ptr<const StudyBase> base_of(const std::string& toml, const Scene& scene) {
+    auto study = insight::parse_study(toml, "study.toml");
+    EXPECT_TRUE(study) << study.error().text();
+    auto base = StudyBase::create(std::move(*study), write_scene(scene), "scene.toml");
+    EXPECT_TRUE(base) << base.error().text();
+    return *base;
+}
+std::string problem(const std::string& toml) {
+    const auto study = insight::parse_study(toml, "study.toml");
+    return study ? "" : study.error().text();
+}
+
+TEST(Study, RunsAreThoseOfTheSceneWithTheLevelsAndTheSeed) {
+    const Scene scene = shipped_scene("2b-aggressor");
+    const auto base = base_of(
+        file_text("seconds = 20\nseeds = 3\nfirst_seed = 5\nmeasures = [\"final\", \"contacts\"]", weights), scene);
+    ASSERT_EQ(base->study().runs(), 6u);
+    Scene other = scene;
+    FourNeurons dials = read_dials(scene.kinds[0].brain);
+    dials.LR = 1.5f, dials.RL = -1.5f;
+    other.kinds[0].brain = make_graph(dials);
+    World world = make(other, 6);  // run 4: the second level, the second seed
+    EXPECT_EQ(base->world(4)->hash(), world.hash());
+    const Snapshot end = after(world, 20);
+    const StudyRow row = insight::run_of(base, 4);
+    ASSERT_EQ(row.size(), 2u);
+    const auto& lamp = end.sources[0];
+    const auto& vehicle = end.vehicles[0];
+    EXPECT_NEAR(row[0], std::hypot(lamp.x - vehicle.x, lamp.y - vehicle.y), 1e-5);
+    EXPECT_EQ(row[1], static_cast<double>(end.events.contacts));
+}
+
+TEST(Study, CountsTheWholeRunAfterTheMeasuredVehicleIsGone) {
+    Scene scene = shipped_scene("predator-prey");
+    scene.ecology.drain = 0.2f;
+    const auto base = base_of(file_text("seconds = 30\nseeds = 1\nmeasures = [\"survival\", \"deaths\"]",
+                                        "name = \"v\"\npaths = [\"kind.prey.body.top_speed\"]\nlevels = [3]\n"),
+                              scene);
+    const StudyRow row = insight::run_of(base, 0);
+    EXPECT_LT(row[0], 20);
+    World world = make(*parse_scene(write_scene(scene), "", {{"kind.prey.body.top_speed", "3"}}));
+    EXPECT_EQ(row[1], static_cast<double>(after(world, 30).events.deaths));
+}
+
+TEST(Study, InPiecesIsTheSameAsAtOnce) {
+    const auto base =
+        base_of(file_text("seconds = 5\nseeds = 1\nmeasures = [\"closest\"]", weights), shipped_scene("2b-aggressor"));
+    insight::StudyRun run(base, 1);
+    int pieces = 1;
+    while (!run.advance(7)) ++pieces;
+    EXPECT_GT(pieces, 40);
+    EXPECT_EQ(run.row(), insight::run_of(base, 1));
+}
+
+TEST(StudyFile, RefusesWhatIsIncompleteOrUnknownWithLine) {
+    const std::string good = "seeds = 2\nmeasures = [\"final\"]";
+    EXPECT_EQ(problem(file_text(good, weights)), "");
+    EXPECT_NE(problem("format = 1\ntitle = \"T\"\n").find("'scene' is missing"), std::string::npos);
+    EXPECT_NE(problem(file_text("measures = [\"finale\"]", weights))
+                  .find("study.toml:4: there is no measure 'finale'; the nearest is 'final'"),
+              std::string::npos)
+        << problem(file_text("measures = [\"finale\"]", weights));
+    EXPECT_NE(problem(file_text("measures = []", weights)).find("'measures' is missing"), std::string::npos);
+    EXPECT_NE(problem(file_text(good, "name = \"a\"\nlevels = [1]\n")).find("'paths' is missing"), std::string::npos);
+    EXPECT_NE(problem(file_text(good, "name = \"a\"\npaths = [\"x\"]\nlevels = [\"1\"]\n")).find("list of numbers"),
+              std::string::npos);
+    EXPECT_NE(problem(file_text(good, "name = \"seed\"\npaths = [\"x\"]\nlevels = [1]\n")).find("two columns 'seed'"),
+              std::string::npos);
+    EXPECT_NE(problem(file_text(good, std::string(weights) + "unti = \"m\"\n")).find("'unti'"), std::string::npos);
+    std::string many = "name = \"a\"\npaths = [\"x\"]\nlevels = [1";
+    for (int i = 2; i <= 100; ++i) many += "," + std::to_string(i);
+    EXPECT_NE(problem(file_text("seeds = 101\nmeasures = [\"final\"]", many + "]\n")).find("10100 runs"),
+              std::string::npos);
+}
+
+TEST(StudyFile, RefusesWhatTheSceneDoesNotHave) {
+    const auto fails = [](const std::string& top, const std::string& value) {
+        auto study = insight::parse_study(file_text(top, value), "study.toml");
+        EXPECT_TRUE(study);
+        const auto base =
+            StudyBase::create(std::move(*study), write_scene(shipped_scene("2b-aggressor")), "scene.toml");
+        return base ? std::string() : base.error().text();
+    };
+    const std::string good = "measures = [\"final\"]";
+    EXPECT_NE(fails(good, "name = \"a\"\npaths = [\"kind.agressor.body.mass\"]\nlevels = [5]\n")
+                  .find("'kind.aggressor.body.mass'"),
+              std::string::npos);
+    EXPECT_NE(fails(good, "name = \"a\"\npaths = [\"kind.aggressor.body.mass\"]\nlevels = [5, 5000]\n").find("1000"),
+              std::string::npos);
+    EXPECT_NE(fails(good + "\nvehicle = \"x\"", weights).find("no vehicle called 'x'"), std::string::npos);
+}
+
+TEST(StudyTable, ReadsItsOwnLinesAndNoOthers) {
+    const auto base =
+        base_of(file_text("seeds = 2\nmeasures = [\"final\", \"touch\"]", weights), shipped_scene("2b-aggressor"));
+    EXPECT_EQ(insight::study_header(base->study()), "run,seed,weight,final_m,touch_s\n");
+    const std::string line = insight::study_line(*base, 3, {0.25, never});
+    EXPECT_EQ(line, "4,2,1.5,0.25,\n");
+    const auto row = insight::read_study_line(*base, 3, line);
+    ASSERT_TRUE(row);
+    EXPECT_EQ((*row)[0], 0.25);
+    EXPECT_EQ((*row)[1], never);
+    for (const char* wrong :
+         {"4,2,1.5,0.25\n", "4,2,1.5,0.25,,\n", "4,2,0.5,0.25,\n", "4,2,1.5,0.2x,\n", "4,2,1.5,0.25,", ""})
+        EXPECT_FALSE(insight::read_study_line(*base, 3, wrong)) << wrong;
+}
+
+TEST(StudyTable, ComparesWithTheSameSeedsOfTheFirstCombination) {
+    const auto base = base_of(file_text("seeds = 4\nmeasures = [\"touch\"]", weights), shipped_scene("2b-aggressor"));
+    const std::vector<StudyRow> rows{{1}, {2}, {3}, {never}, {2}, {5}, {2}, {4}};
+    const auto first = summary_of(base->study(), rows, 0, 0), second = summary_of(base->study(), rows, 1, 0);
+    EXPECT_EQ(first.spread.median, 2.5);
+    EXPECT_EQ(first.spread.most, never);
+    EXPECT_EQ(second.spread.median, 3);
+    EXPECT_EQ(second.paired, 1);  // of 1, 3 and −1; the fourth pair is not finite
+    EXPECT_EQ(second.more, 2u);
+    EXPECT_EQ(second.less, 2u);
+    EXPECT_EQ(second.pairs, 4u);
+    const std::vector<StudyRow> unknown{{none}, {2}, {none}, {4}};
+    EXPECT_EQ(summary_of(base->study(), unknown, 0, 0).spread.count, 2u);
+}
+
+TEST(Spread, HasQuartilesByLinearInterpolation) {
+    const maths::Spread s = maths::spread_of({4, 1, 3, 2});
+    EXPECT_EQ(s.least, 1);
+    EXPECT_EQ(s.lower, 1.75);
+    EXPECT_EQ(s.median, 2.5);
+    EXPECT_EQ(s.upper, 3.25);
+    EXPECT_EQ(s.most, 4);
+    EXPECT_EQ(maths::spread_of({1, never, never}).median, never);
+    EXPECT_EQ(maths::spread_of({}).count, 0u);
+}
+
+TEST(StudyFile, ThoseThatShipAreSound) {
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator(source / "exercises" / "studies")) {
+        std::ifstream in(entry.path());
+        const std::string text((std::istreambuf_iterator<char>(in)), {});
+        auto study = insight::parse_study(text, entry.path().string());
+        ASSERT_TRUE(study) << study.error().text();
+        const Scene scene = shipped_scene(study->scene);
+        const auto base = StudyBase::create(std::move(*study), write_scene(scene), "scene.toml");
+        EXPECT_TRUE(base) << base.error().text();
+        ++count;
+    }
+    EXPECT_GE(count, 2);
+}
+
+TEST(StudyFile, TheFormatPageHasTheGeneratedTablesAndAnExampleThatReads) {
+    const fs::path path = source / "docs" / "study-format.md";
+    std::ifstream in(path);
+    std::string text((std::istreambuf_iterator<char>(in)), {});
+    if (std::getenv("BRAITENLAB_WRITE_DOCS")) {
+        text = text.substr(0, text.find("\n## The top of the file")) + insight::describe_study_format();
+        std::ofstream(path, std::ios::binary) << text;
+    }
+    EXPECT_NE(text.find(insight::describe_study_format()), std::string::npos);
+    std::istringstream lines(text);
+    std::string example;
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("    ") || (line.empty() && !example.empty())) example += line + '\n';
+    EXPECT_EQ(problem(example), "");
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::study_test

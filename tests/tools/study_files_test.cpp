@@ -1,0 +1,96 @@
+// Files of studies: the shipped ones with their scenes, and a table that is interrupted and continued.
+#include "app/files/study_files.h"
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "app/files/data.h"
+#include "tests/folder.h"
+
+namespace braitenlab::tests::study_files_test {
+namespace {
+
+using insight::StudyBase;
+using insight::StudyRow;
+
+std::shared_ptr<const StudyBase> study_in(const fs::path& folder, const std::string& levels) {
+    const fs::path path = folder / "study.toml";
+    std::ofstream(path)
+        << "format = 1\ntitle = \"T\"\nscene = \"2b-aggressor\"\nseconds = 1\nseeds = 2\n"
+           "measures = [\"final\"]\n[[value]]\nname = \"mass\"\npaths = [\"kind.aggressor.body.mass\"]\n"
+           "levels = "
+        << levels << "\n";
+    const auto base = load_study(path);
+    EXPECT_TRUE(base) << base.error().text();
+    return *base;
+}
+
+std::string whole_table(const std::shared_ptr<const StudyBase>& base) {
+    StudyTable table(base, "");
+    EXPECT_FALSE(table.begin());
+    for (std::size_t run = 0; run < base->study().runs(); ++run) EXPECT_FALSE(table.add({insight::run_of(base, run)}));
+    return table.text();
+}
+
+TEST(StudyFiles, HaveTheSceneBesideThemOrAShippedOne) {
+    const Folder folder;
+    study_in(folder.path, "[5]");
+    fs::copy_file(*find_shipped("2b-aggressor"), folder.path / "own.toml");
+    std::ofstream(folder.path / "b.toml") << "format = 1\ntitle = \"T\"\nscene = \"own.toml\"\nmeasures = [\"final\"]\n"
+                                             "[[value]]\nname = \"m\"\npaths = [\"arena.grip\"]\nlevels = [1]\n";
+    EXPECT_TRUE(load_study(folder.path / "b.toml"));
+    std::ofstream(folder.path / "c.toml")
+        << "format = 1\ntitle = \"T\"\nscene = \"2b-agressor\"\nmeasures = [\"final\"]\n"
+           "[[value]]\nname = \"m\"\npaths = [\"arena.grip\"]\nlevels = [1]\n";
+    const auto wrong = load_study(folder.path / "c.toml");
+    ASSERT_FALSE(wrong);
+    EXPECT_NE(wrong.error().text().find("2b-aggressor"), std::string::npos) << wrong.error().text();
+}
+
+TEST(StudyTable, GoesOnAfterAnInterruptionInTheMiddleOfALine) {
+    const Folder folder;
+    const auto base = study_in(folder.path, "[5, 10]");
+    const std::string path = (folder.path / "t.csv").string(), part = path + ".part";
+    {
+        StudyTable table(base, path);
+        ASSERT_FALSE(table.begin());
+        ASSERT_FALSE(table.add({insight::run_of(base, 0), insight::run_of(base, 1)}));
+        EXPECT_FALSE(fs::exists(path));
+    }
+    std::ofstream(part, std::ios::app) << "3,1,10,1.2";
+    StudyTable table(base, path);
+    ASSERT_FALSE(table.begin());
+    EXPECT_EQ(table.rows().size(), 2u);
+    ASSERT_FALSE(table.add({insight::run_of(base, 2), insight::run_of(base, 3)}));
+    ASSERT_FALSE(table.finish());
+    EXPECT_EQ(text_of(path), whole_table(base));
+    EXPECT_FALSE(fs::exists(part));
+}
+
+TEST(StudyTable, OfAnotherStudyBeginsAnew) {
+    const Folder folder;
+    const std::string path = (folder.path / "t.csv").string();
+    {
+        const auto base = study_in(folder.path, "[5, 10]");
+        StudyTable table(base, path);
+        ASSERT_FALSE(table.begin());
+        ASSERT_FALSE(table.add({insight::run_of(base, 0)}));
+    }
+    StudyTable table(study_in(folder.path, "[5, 11]"), path);
+    ASSERT_FALSE(table.begin());
+    EXPECT_TRUE(table.rows().empty());
+}
+
+TEST(StudyTable, SaysThatItCannotBeWritten) {
+    const Folder folder;
+    StudyTable onto_folder(study_in(folder.path, "[5]"), (folder.path / "sub").string());
+    fs::create_directories(folder.path / "sub.part");
+    EXPECT_TRUE(onto_folder.begin());
+}
+
+}  // namespace
+}  // namespace braitenlab::tests::study_files_test
